@@ -1,0 +1,20 @@
+# GMP::gmp, MPFR::mpfr and MPFI::mpfi as imported targets; neither GMP nor MPFI has a CMake package, and
+# MPFI has no pkg-config file.
+function(dumbbell_import package target header library)
+  find_path(${package}_INCLUDE_DIR ${header})
+  find_library(${package}_LIBRARY ${library})
+  mark_as_advanced(${package}_INCLUDE_DIR ${package}_LIBRARY)
+  if(NOT ${package}_INCLUDE_DIR OR NOT ${package}_LIBRARY)
+    message(FATAL_ERROR "${package} not found (${header}, lib${library}); "
+      "on Debian: apt-get install lib${library}-dev")
+  endif()
+  add_library(${target} UNKNOWN IMPORTED GLOBAL)
+  set_target_properties(${target} PROPERTIES
+    IMPORTED_LOCATION "${${package}_LIBRARY}"
+    INTERFACE_INCLUDE_DIRECTORIES "${${package}_INCLUDE_DIR}"
+    INTERFACE_LINK_LIBRARIES "${ARGN}")
+endfunction()
+
+dumbbell_import(GMP GMP::gmp gmp.h gmp)
+dumbbell_import(MPFR MPFR::mpfr mpfr.h mpfr GMP::gmp)
+dumbbell_import(MPFI MPFI::mpfi mpfi.h mpfi MPFR::mpfr)

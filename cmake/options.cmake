@@ -1,0 +1,20 @@
+# dumbbell_options: what every target of this project is compiled with; each library links it PUBLIC.
+add_library(dumbbell_options INTERFACE)
+target_compile_features(dumbbell_options INTERFACE cxx_std_20)
+target_compile_definitions(dumbbell_options INTERFACE DUMBBELL_VERSION="${PROJECT_VERSION}")
+target_compile_options(dumbbell_options INTERFACE
+  # Bounds must not depend on where a compiler chooses to fuse a*b+c: results are bit-identical at every
+  # optimisation level.
+  -ffp-contract=off
+  -Wall -Wextra -Wpedantic -Wconversion -Wshadow
+  -Wno-sign-conversion  # clang counts it to -Wconversion, g++ does not: one meaning for both
+  $<$<BOOL:${DUMBBELL_WERROR}>:-Werror>)
+
+# dumbbell_provenance: for the programs' --version, which says how the program was made.
+string(TOUPPER "${CMAKE_BUILD_TYPE}" build_type)
+string(STRIP "${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_${build_type}}" flags)
+add_library(dumbbell_provenance INTERFACE)
+target_compile_definitions(dumbbell_provenance INTERFACE
+  DUMBBELL_COMPILER="${CMAKE_CXX_COMPILER_ID} ${CMAKE_CXX_COMPILER_VERSION}"
+  DUMBBELL_BUILD_TYPE="${CMAKE_BUILD_TYPE}"
+  DUMBBELL_FLAGS="${flags} -ffp-contract=off")

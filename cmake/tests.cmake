@@ -1,0 +1,43 @@
+# dumbbell_add_tests(NAME SOURCES file... LIBS target... [LABELS label...] [TIMEOUT seconds])
+#
+# A Catch2 program of which every TEST_CASE is one ctest test, called "NAME/test case". The label is
+# `unit` unless told otherwise (`cli`: runs the programs, `proofs`: checks shipped certificates); the time
+# limit is 300 s for one test case.
+find_package(Catch2 2.13 REQUIRED)
+include(Catch)
+
+# Catch's main(), compiled here and once. Debian's Catch2::Catch2WithMain is compiled as C++11 and lacks
+# what <string_view> needs.
+add_library(dumbbell_catch_main STATIC ${PROJECT_SOURCE_DIR}/tests/catch_main.cpp)
+target_compile_features(dumbbell_catch_main PUBLIC cxx_std_20)
+target_link_libraries(dumbbell_catch_main PUBLIC Catch2::Catch2)
+
+function(dumbbell_add_tests name)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "TIMEOUT" "SOURCES;LIBS;LABELS")
+  if(arg_UNPARSED_ARGUMENTS OR NOT arg_SOURCES)
+    message(FATAL_ERROR "dumbbell_add_tests(${name}): SOURCES missing or unknown words: ${arg_UNPARSED_ARGUMENTS}")
+  endif()
+  if(NOT arg_LABELS)
+    set(arg_LABELS unit)
+  endif()
+  if(NOT arg_TIMEOUT)
+    set(arg_TIMEOUT 300)
+  endif()
+
+  add_executable(test_${name} ${arg_SOURCES})
+  target_link_libraries(test_${name} PRIVATE dumbbell_options dumbbell_catch_main ${arg_LIBS})
+  set_target_properties(test_${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR})
+  catch_discover_tests(test_${name} TEST_PREFIX "${name}/")
+
+  # ctest reads this after the list that catch_discover_tests made. A program that crashes when it is
+  # asked for its tests leaves an empty list there, silently: make that a failure.
+  set(after_list ${CMAKE_CURRENT_BINARY_DIR}/test_${name}_after_list.cmake)
+  file(CONFIGURE OUTPUT ${after_list} @ONLY CONTENT [[
+if(test_@name@_TESTS)
+  set_tests_properties(${test_@name@_TESTS} PROPERTIES LABELS "@arg_LABELS@" TIMEOUT @arg_TIMEOUT@)
+else()
+  add_test("@name@/LISTS NO TESTS" test_@name@_LISTS_NO_TESTS)
+endif()
+]])
+  set_property(DIRECTORY APPEND PROPERTY TEST_INCLUDE_FILES ${after_list})
+endfunction()
