@@ -1,0 +1,194 @@
+#include "certificate/reader.hpp"
+
+#include <fmt/format.h>
+#include <zlib.h>
+
+#include <algorithm>
+#include <charconv>
+#include <filesystem>
+#include <memory>
+#include <string_view>
+#include <vector>
+
+#include "arith/error.hpp"
+
+namespace dumbbell {
+namespace {
+
+constexpr int max_line = 8192;
+
+/// Lines of a file, split into fields.
+class Lines {
+  public:
+    explicit Lines(const std::string& path) : path_(path), file_(nullptr, &gzclose) {
+        if (!std::filesystem::is_regular_file(path)) {
+            throw InputError(fmt::format("cannot read '{}': no such file", path));
+        }
+        file_.reset(gzopen(path.c_str(), "rb"));
+        if (!file_) {
+            throw InputError(fmt::format("cannot read '{}'", path));
+        }
+    }
+
+    /// The next line's fields; the first must be `keyword` and there must be `count` in all.
+    const std::vector<std::string>& expect(std::string_view keyword, std::size_t count) {
+        next();
+        if (fields_.size() != count || fields_[0] != keyword) {
+            fail();
+        }
+        return fields_;
+    }
+
+    const std::vector<std::string>& next() {
+        std::string buffer(max_line, '\0');
+        ++number_;
+        if (gzgets(file_.get(), buffer.data(), max_line) == nullptr) {
+            fail();
+        }
+        std::string_view line(buffer.c_str());
+        if (line.empty() || line.back() != '\n') {
+            fail();
+        }
+        line.remove_suffix(1);
+        fields_.clear();
+        for (std::size_t begin = 0; begin <= line.size();) {
+            const std::size_t end = std::min(line.find(' ', begin), line.size());
+            fields_.emplace_back(line.substr(begin, end - begin));
+            begin = end + 1;
+        }
+        return fields_;
+    }
+
+    [[noreturn]] void fail() const {
+        throw InputError(
+            fmt::format("'{}' is not a certificate that this program can read (line {})", path_, number_));
+    }
+
+    long number(const std::string& text) const {
+        long value = 0;
+        const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+        if (error != std::errc() || end != text.data() + text.size() || value < 0) {
+            fail();
+        }
+        return value;
+    }
+
+    Rational ratio(const std::string& text) const {
+        try {
+            return parse_rational(text);
+        } catch (const InputError&) {
+            fail();
+        }
+    }
+
+    Rational dyadic(const std::string& text) const {
+        const std::size_t b = text.find('b');
+        if (b == std::string::npos) {
+            fail();
+        }
+        const bool negative = text.compare(b + 1, 1, "-") == 0;
+        const auto exponent = static_cast<unsigned>(number(text.substr(b + (negative ? 2 : 1))));
+        const Rational power(Integer(1) << std::min(exponent, 400U));
+        const Rational mantissa = ratio(text.substr(0, b));
+        return negative ? mantissa / power : mantissa * power;
+    }
+
+  private:
+    std::string path_;
+    std::unique_ptr<gzFile_s, int (*)(gzFile)> file_;
+    std::vector<std::string> fields_;
+    long number_ = 0;
+};
+
+Node node_from(Lines& lines, const std::vector<std::string>& fields) {
+    const std::string& word = fields[0];
+    if (word == "split" && fields.size() == 2) {
+        const std::string& axis = fields[1];
+        return {axis == "e" ? Axis::position : axis == "q" ? Axis::ratio : Axis::slope, {}};
+    }
+    if (word == "count" && fields.size() == 3) {
+        return {std::nullopt, {Reason::count, lines.number(fields[1]), lines.number(fields[2])}};
+    }
+    if (fields.size() == 1 && word == "outside") {
+        return {std::nullopt, {Reason::outside}};
+    }
+    if (fields.size() == 1 && word == "meets") {
+        return {std::nullopt, {Reason::meets}};
+    }
+    if (fields.size() == 1 && word == "meets-reversed") {
+        return {std::nullopt, {Reason::meets_reversed}};
+    }
+    lines.fail();
+}
+
+Tree tree_from(Lines& lines) {
+    Tree tree;
+    for (long missing = 1; missing > 0;) {
+        tree.push_back(node_from(lines, lines.next()));
+        missing += tree.back().split ? 1 : -1;
+    }
+    return tree;
+}
+
+Cover cover_from(Lines& lines) {
+    Cover cover;
+    const auto& fields = lines.next();
+    if (fields.size() == 1 && fields[0] == "equal-masses") {
+        cover.equal_masses = true;
+        return cover;
+    }
+    if (fields.size() != 2 || fields[0] != "chart" || fields[1] != "bridge") {
+        lines.fail();
+    }
+    cover.bridge = tree_from(lines);
+    lines.expect("chart", 2);
+    cover.light = tree_from(lines);
+    return cover;
+}
+
+Piece piece_from(Lines& lines) {
+    Piece piece;
+    const auto& range = lines.expect("piece", 3);
+    piece.q_lo = lines.ratio(range[1]);
+    piece.q_hi = lines.ratio(range[2]);
+    piece.bits = static_cast<int>(std::min(lines.number(lines.expect("bits", 2)[1]), 4096L));
+    const std::string upper = lines.expect("upper", 2)[1];
+    if (upper != "none") {
+        piece.upper = lines.number(upper);
+        piece.cover = cover_from(lines);
+    }
+    piece.lower = lines.number(lines.expect("lower", 2)[1]);
+    if (piece.lower > 0) {
+        const auto& w = lines.expect("witness", 6);
+        piece.witness =
+            Witness{lines.dyadic(w[2]), lines.dyadic(w[3]), lines.number(w[4]), lines.number(w[5])};
+    }
+    return piece;
+}
+
+}  // namespace
+
+Certificate read_certificate(const std::string& path) {
+    Lines lines(path);
+    if (lines.expect("dumbbell-certificate", 2)[1] != "1") {
+        lines.fail();
+    }
+    Certificate certificate;
+    const auto& generator = lines.expect("generator", 3);
+    certificate.program = generator[1];
+    certificate.version = generator[2];
+    for (const char* keyword : {"lemmas", "scene", "section", "claim"}) {
+        lines.expect(keyword, 2);
+    }
+    lines.expect("ratio", 3);
+    const long pieces = lines.number(lines.expect("pieces", 2)[1]);
+    if (pieces == 0) {
+        lines.fail();
+    }
+    for (long i = 0; i < pieces; ++i) {
+        certificate.pieces.push_back(piece_from(lines));
+    }
+    return certificate;
+}
+
+}  // namespace dumbbell

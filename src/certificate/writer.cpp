@@ -1,0 +1,159 @@
+#include "certificate/writer.hpp"
+
+#include <fmt/format.h>
+#include <openssl/evp.h>
+
+#include <array>
+#include <iterator>
+#include <map>
+#include <string_view>
+
+#include "arith/error.hpp"
+
+namespace dumbbell {
+namespace {
+
+constexpr std::array<std::string_view, 8> kinds{"split",          "count",        "outside", "meets",
+                                                "meets-reversed", "equal-masses", "witness", "open"};
+
+class Writer {
+  public:
+    template <class... Args>
+    void line(fmt::format_string<Args...> format, Args&&... args) {
+        fmt::format_to(std::back_inserter(text_), format, std::forward<Args>(args)...);
+        text_ += '\n';
+    }
+
+    void header(const Certificate& certificate) {
+        line("dumbbell-certificate 1");
+        line("generator {} {}", certificate.program, certificate.version);
+        line("lemmas 1");
+        line("scene dumbbell");
+        line("section turning");
+        line("claim collisions");
+        line("ratio {} {}", to_fraction(certificate.q_lo()), to_fraction(certificate.q_hi()));
+        line("pieces {}", certificate.pieces.size());
+    }
+
+    void piece(const Piece& piece) {
+        line("piece {} {}", to_fraction(piece.q_lo), to_fraction(piece.q_hi));
+        line("bits {}", piece.bits);
+        if (piece.upper) {
+            line("upper {}", *piece.upper);
+            cover(piece.cover);
+        } else {
+            line("upper none");
+            ++totals_["open"];
+        }
+        line("lower {}", piece.lower);
+        if (piece.lower > 0) {
+            require(piece.witness.has_value(), "certificate: a lower bound needs a witness");
+            const Witness& w = *piece.witness;
+            line("witness bridge {} {} {} {}", to_dyadic(w.e), to_dyadic(w.eta), w.forward, w.backward);
+            ++totals_["witness"];
+        }
+    }
+
+    CertificateText finish() {
+        for (const std::string_view kind : kinds) {
+            line("total {} {}", kind, totals_[kind]);
+        }
+        std::string hash = sha256_hex(text_);
+        line("sha256 {}", hash);
+        return {std::move(text_), std::move(hash)};
+    }
+
+  private:
+    void cover(const Cover& cover) {
+        if (cover.equal_masses) {
+            line("equal-masses");
+            ++totals_["equal-masses"];
+            return;
+        }
+        line("chart bridge");
+        tree(cover.bridge, "eta");
+        line("chart light");
+        tree(cover.light, "lambda");
+    }
+
+    void tree(const Tree& tree, std::string_view slope_axis) {
+        for (const Node& node : tree) {
+            if (node.split) {
+                line("split {}", *node.split == Axis::position ? "e"
+                                 : *node.split == Axis::slope  ? slope_axis
+                                                               : "q");
+                ++totals_["split"];
+            } else {
+                leaf(node.leaf);
+            }
+        }
+    }
+
+    void leaf(const Leaf& leaf) {
+        switch (leaf.reason) {
+            case Reason::count:
+                line("count {} {}", leaf.forward, leaf.backward);
+                ++totals_["count"];
+                break;
+            case Reason::outside:
+                line("outside");
+                ++totals_["outside"];
+                break;
+            case Reason::meets:
+                line("meets");
+                ++totals_["meets"];
+                break;
+            case Reason::meets_reversed:
+                line("meets-reversed");
+                ++totals_["meets-reversed"];
+                break;
+        }
+    }
+
+    std::string text_;
+    std::map<std::string_view, long> totals_;
+};
+
+}  // namespace
+
+std::string sha256_hex(const std::string& bytes) {
+    std::array<unsigned char, EVP_MAX_MD_SIZE> digest{};
+    unsigned int size = 0;
+    require(EVP_Digest(bytes.data(), bytes.size(), digest.data(), &size, EVP_sha256(), nullptr) == 1 &&
+                size == 32,
+            "SHA-256 failed");
+    std::string hex;
+    for (unsigned int i = 0; i < size; ++i) {
+        fmt::format_to(std::back_inserter(hex), "{:02x}", digest[i]);
+    }
+    return hex;
+}
+
+std::string to_dyadic(const Rational& x) {
+    Integer m = numerator(x);
+    if (m == 0) {
+        return "0b0";
+    }
+    const Integer below = denominator(x);
+    const auto down = static_cast<long>(lsb(below));
+    require(below == Integer(1) << static_cast<unsigned>(down), "certificate: a coordinate is not dyadic");
+    const auto up = static_cast<long>(lsb(m));
+    m >>= static_cast<unsigned>(up);
+    return fmt::format("{}b{}", m.str(), up - down);
+}
+
+CertificateText render(const Certificate& certificate) {
+    require(!certificate.pieces.empty(), "certificate: no pieces");
+    Writer writer;
+    writer.header(certificate);
+    const Rational* end = &certificate.q_lo();
+    for (const Piece& piece : certificate.pieces) {
+        require(piece.q_lo == *end && piece.q_lo <= piece.q_hi,
+                "certificate: the pieces do not follow one another");
+        end = &piece.q_hi;
+        writer.piece(piece);
+    }
+    return writer.finish();
+}
+
+}  // namespace dumbbell

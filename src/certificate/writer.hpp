@@ -1,0 +1,26 @@
+#pragma once
+
+#include <string>
+
+#include "certificate/certificate.hpp"
+
+namespace dumbbell {
+
+/// A certificate as text (proofs/format.md) with the SHA-256 that its last line holds.
+struct CertificateText {
+    std::string text;
+    std::string sha256;
+};
+
+/// The one canonical spelling. Throws BrokenInvariant if the pieces do not follow one another, or a dyadic is
+/// none.
+[[nodiscard]] CertificateText render(const Certificate& certificate);
+
+/// 64 lower-case hexadecimal digits.
+[[nodiscard]] std::string sha256_hex(const std::string& bytes);
+
+/// `MbK` for M * 2^K, M odd or 0 (proofs/format.md, section 1). Precondition: the denominator is a power of
+/// two.
+[[nodiscard]] std::string to_dyadic(const Rational& x);
+
+}  // namespace dumbbell
