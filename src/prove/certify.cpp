@@ -1,0 +1,95 @@
+#include "prove/certify.hpp"
+
+#include <tbb/global_control.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <atomic>
+#include <cmath>
+
+#include "arith/self_test.hpp"
+#include "prove/staircase.hpp"
+
+namespace dumbbell {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// Beyond q = 10^16 one orbit has about 10^8 collisions; nothing is tried.
+Rational greatest_ratio() { return exact(1e16); }
+
+std::function<bool()> deadline(const CertifyRequest& request) {
+    if (!request.budget) {
+        return [] { return false; };
+    }
+    const auto end = Clock::now() + std::chrono::duration_cast<Clock::duration>(*request.budget);
+    return [end] { return Clock::now() >= end; };
+}
+
+ProvedPiece open_piece(const Rational& q_lo, const Rational& q_hi) {
+    ProvedPiece open;
+    open.piece.q_lo = q_lo;
+    open.piece.q_hi = q_hi;
+    return open;
+}
+
+template <class Prove>
+ProvedPiece timed(Prove prove) {
+    const auto start = Clock::now();
+    ProvedPiece proved = prove();
+    proved.seconds = std::chrono::duration<double>(Clock::now() - start).count();
+    return proved;
+}
+
+std::vector<ProvedPiece> prove_plan(const CertifyRequest& request, const PieceOptions& options) {
+    const auto plan = plan_staircase(request.q_lo, request.q_hi, request.gap);
+    std::vector<ProvedPiece> pieces(plan.size());
+    std::atomic<std::size_t> finished = 0;
+    tbb::parallel_for(std::size_t{0}, plan.size(), [&](std::size_t i) {
+        require_sound_arithmetic();
+        const PlannedPiece& p = plan[i];
+        pieces[i] = options.interrupted()
+                        ? open_piece(p.q_lo, p.q_hi)
+                        : timed([&] { return prove_piece(p.q_lo, p.q_hi, p.upper, p.lower, options); });
+        request.progress(++finished, plan.size());
+    });
+    return pieces;
+}
+
+}  // namespace
+
+std::vector<ProvedPiece> certify(const CertifyRequest& request) {
+    require_sound_arithmetic();
+    if (request.q_hi > greatest_ratio()) {
+        return {open_piece(request.q_lo, request.q_hi)};
+    }
+    PieceOptions options{.rule = request.rule, .interrupted = deadline(request)};
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
+                                    static_cast<std::size_t>(request.jobs));
+    tbb::task_arena arena(request.jobs);
+    return arena.execute([&]() -> std::vector<ProvedPiece> {
+        if (request.q_lo == request.q_hi) {
+            options.parallel = true;
+            return {options.interrupted() ? open_piece(request.q_lo, request.q_hi)
+                                          : timed([&] { return prove_single(request.q_lo, options); })};
+        }
+        return prove_plan(request, options);
+    });
+}
+
+double decided_fraction(const std::vector<ProvedPiece>& pieces) {
+    const Rational whole = pieces.back().piece.q_hi - pieces.front().piece.q_lo;
+    if (whole == 0) {
+        return pieces.front().piece.status() == Status::exact ? 1 : 0;
+    }
+    Rational decided = 0;
+    for (const ProvedPiece& proved : pieces) {
+        if (proved.piece.status() == Status::exact) {
+            decided += proved.piece.q_hi - proved.piece.q_lo;
+        }
+    }
+    const Rational share = decided / whole;
+    return share == 1 ? 1 : enclose<Interval>(share).lo();
+}
+
+}  // namespace dumbbell

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "prove/piece.hpp"
+
+namespace dumbbell {
+
+struct CertifyRequest {
+    Rational q_lo;  ///< >= 1
+    Rational q_hi;  ///< >= q_lo; a single ratio if equal
+    Rational gap = Rational(1, 1'000'000);
+    int jobs = 1;
+    std::optional<std::chrono::duration<double>> budget;
+    SplitRule rule = SplitRule::scaled;
+    /// Called now and then, from any thread, with the numbers of finished and of all pieces.
+    std::function<void(std::size_t, std::size_t)> progress = [](std::size_t, std::size_t) {};
+};
+
+/// Proves the request piece by piece. Pieces that cannot be decided, or not within the budget, are left open.
+/// The result does not depend on the number of jobs. Throws BrokenInvariant if the arithmetic of a thread is
+/// not sound.
+[[nodiscard]] std::vector<ProvedPiece> certify(const CertifyRequest& request);
+
+/// The share of [q_lo, q_hi] whose pieces are exact (1 for a single decided ratio), rounded down.
+[[nodiscard]] double decided_fraction(const std::vector<ProvedPiece>& pieces);
+
+}  // namespace dumbbell

@@ -1,0 +1,132 @@
+#include "prove/cover.hpp"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <array>
+
+#include "arith/error.hpp"
+
+namespace dumbbell {
+namespace {
+
+/// A node of the growing tree: children stand side by side from `lower_child` on.
+struct Draft {
+    std::optional<Axis> split;
+    Leaf leaf{};
+    std::size_t lower_child = 0;
+};
+
+/// A box that waits to be judged, with the number of splits of each axis above it.
+struct Pending {
+    std::size_t node;
+    std::array<int, 3> depth;
+};
+
+/// The boxes of one generation, judged in spans; the results do not depend on how the work is shared out.
+template <class I>
+void judge_all(Chart chart, std::span<const Box> boxes, long upper, std::span<std::optional<Leaf>> results,
+               bool parallel) {
+    if (!parallel || boxes.size() == 1) {
+        judge<I>(chart, boxes, upper, results);
+        return;
+    }
+    const int bits = PrecisionScope::current();
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, boxes.size(), 1), [&](const auto& range) {
+        const PrecisionScope scope(bits);
+        judge<I>(chart, boxes.subspan(range.begin(), range.size()), upper,
+                 results.subspan(range.begin(), range.size()));
+    });
+}
+
+/// Whether the box would close if its ratios were only the greatest one (the least r, where the bounds are):
+/// then splitting the state cannot help, the ratio is too wide.
+template <class I>
+bool ratio_is_too_wide(Chart chart, const Box& box, long upper) {
+    if (box.q_lo == box.q_hi) {
+        return false;
+    }
+    Box thin = box;
+    thin.q_lo = box.q_hi;
+    std::optional<Leaf> result;
+    judge<I>(chart, {&thin, 1}, upper, {&result, 1});
+    return result.has_value();
+}
+
+Axis longer_side(Chart chart, const Box& box, SplitRule rule) {
+    Rational weight = 1;
+    if (rule == SplitRule::scaled) {
+        weight = chart == Chart::light ? box.q_hi : Rational(1);
+    } else {
+        weight = rule == SplitRule::slope_first ? Rational(1, 1000) : Rational(1000) * box.q_hi;
+    }
+    return (box.e_hi - box.e_lo) * weight > box.slope_hi - box.slope_lo ? Axis::position : Axis::slope;
+}
+
+void append_pre_order(const std::vector<Draft>& drafts, Tree& tree) {
+    std::vector<std::size_t> stack{0};
+    while (!stack.empty()) {
+        const Draft& draft = drafts[stack.back()];
+        stack.pop_back();
+        tree.push_back({draft.split, draft.leaf});
+        if (draft.split) {
+            stack.push_back(draft.lower_child + 1);
+            stack.push_back(draft.lower_child);
+        }
+    }
+}
+
+}  // namespace
+
+template <class I>
+std::optional<Tree> cover(Chart chart, const Rational& q_lo, const Rational& q_hi, long upper,
+                          const CoverOptions& options) {
+    require(upper >= 1, "cover: an upper bound is at least 1");
+    std::vector<Draft> drafts(1);
+    std::vector<Box> boxes{root_box(q_lo, q_hi)};
+    std::vector<Pending> pending{{0, {0, 0, 0}}};
+    while (!boxes.empty()) {
+        std::vector<std::optional<Leaf>> results(boxes.size());
+        judge_all<I>(chart, boxes, upper, results, options.parallel);
+
+        std::vector<Box> next_boxes;
+        std::vector<Pending> next_pending;
+        for (std::size_t i = 0; i < boxes.size(); ++i) {
+            if (results[i]) {
+                drafts[pending[i].node].leaf = *results[i];
+                continue;
+            }
+            const bool by_ratio = ratio_is_too_wide<I>(chart, boxes[i], upper);
+            const Axis axis = by_ratio ? Axis::ratio : longer_side(chart, boxes[i], options.rule);
+            auto depth = pending[i].depth;
+            if (++depth[static_cast<std::size_t>(axis)] > options.max_depth ||
+                drafts.size() + 2 > options.max_nodes) {
+                return std::nullopt;
+            }
+            drafts[pending[i].node].split = axis;
+            drafts[pending[i].node].lower_child = drafts.size();
+            auto [lower, upper_half] = halves(boxes[i], axis);
+            for (Box* half : {&lower, &upper_half}) {
+                next_pending.push_back({drafts.size(), depth});
+                next_boxes.push_back(std::move(*half));
+                drafts.emplace_back();
+            }
+        }
+        if (!next_boxes.empty() && options.interrupted()) {
+            return std::nullopt;
+        }
+        boxes = std::move(next_boxes);
+        pending = std::move(next_pending);
+    }
+    Tree tree;
+    tree.reserve(drafts.size());
+    append_pre_order(drafts, tree);
+    return tree;
+}
+
+template std::optional<Tree> cover<Interval>(Chart, const Rational&, const Rational&, long,
+                                             const CoverOptions&);
+template std::optional<Tree> cover<BigInterval>(Chart, const Rational&, const Rational&, long,
+                                                const CoverOptions&);
+
+}  // namespace dumbbell

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <optional>
+#include <span>
+
+#include "prove/section.hpp"
+
+namespace dumbbell {
+
+/// Bounds each box: result[i] is the reason that closes boxes[i] for "no trajectory has more than `upper`
+/// collisions", or nothing where none is certain. I: Interval or BigInterval (with the calling thread's
+/// precision).
+template <class I>
+void judge(Chart chart, std::span<const Box> boxes, long upper, std::span<std::optional<Leaf>> results);
+
+}  // namespace dumbbell

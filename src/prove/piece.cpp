@@ -1,0 +1,120 @@
+#include "prove/piece.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "model/count.hpp"
+#include "model/orbit.hpp"
+#include "prove/witness.hpp"
+
+namespace dumbbell {
+namespace {
+
+constexpr int double_bits = 53;
+
+/// Calls attempt with a null value of the arithmetic for each precision in turn until it returns true.
+template <class Attempt>
+void escalate(const PieceOptions& options, Attempt attempt) {
+    const PrecisionScope scope(double_bits);
+    bool done = attempt(Interval(), double_bits);
+    for (int bits = 128; !done && bits <= options.max_bits && !options.interrupted(); bits *= 2) {
+        const PrecisionScope wider(bits);
+        done = attempt(BigInterval(), bits);
+    }
+}
+
+template <class I>
+std::optional<Cover> prove_upper(const Rational& q_lo, const Rational& q_hi, long upper,
+                                 const PieceOptions& options) {
+    if (q_lo == 1 && q_hi == 1 && upper >= 2) {
+        return Cover{.equal_masses = true, .bridge = {}, .light = {}};
+    }
+    const CoverOptions limits{
+        .rule = options.rule, .parallel = options.parallel, .interrupted = options.interrupted};
+    auto bridge = cover<I>(Chart::bridge, q_lo, q_hi, upper, limits);
+    if (!bridge) {
+        return std::nullopt;
+    }
+    auto light = cover<I>(Chart::light, q_lo, q_hi, upper, limits);
+    if (!light) {
+        return std::nullopt;
+    }
+    return Cover{.equal_masses = false, .bridge = std::move(*bridge), .light = std::move(*light)};
+}
+
+template <class I>
+void describe(ProvedPiece& proved) {
+    const Piece& piece = proved.piece;
+    const Witness& w = *piece.witness;
+    const RatioRange<I> range{enclose<I>(Rational(1) / piece.q_hi), enclose<I>(Rational(1) / piece.q_lo)};
+    const auto orbit =
+        enclose_orbit(BridgeContact<I>{enclose<I>(w.e), enclose<I>(w.eta), w.forward, w.backward}, range);
+    if (!orbit) {
+        return;
+    }
+    double least = 1;
+    for (const auto& collision : *orbit) {
+        least = std::min(least, low_end(collision.grazing_sine).lo());
+    }
+    proved.margin = std::max(0.0, asin(Interval(std::max(0.0, least))).lo());
+    proved.width = std::max(width(orbit->front().y), width(orbit->back().y));
+}
+
+/// One precision's attempt at a piece with given bounds.
+template <class I>
+bool attempt_piece(ProvedPiece& proved, int bits, long upper, long lower, const PieceOptions& options) {
+    Piece& piece = proved.piece;
+    auto witness = find_witness<I>(piece.q_lo, piece.q_hi, lower);
+    if (!witness) {
+        return false;
+    }
+    piece.bits = bits;
+    piece.lower = lower;
+    piece.witness = std::move(*witness);
+    describe<I>(proved);
+    auto cover = prove_upper<I>(piece.q_lo, piece.q_hi, upper, options);
+    if (!cover) {
+        return false;
+    }
+    piece.upper = upper;
+    piece.cover = std::move(*cover);
+    return true;
+}
+
+/// What N* seems to be, from bounds on the two extremal orbits; nothing if this precision cannot tell. It
+/// only says what to try.
+template <class I>
+std::optional<long> suspected_maximum(const Rational& q) {
+    constexpr long cap = std::numeric_limits<long>::max() / 4;
+    const I r = enclose<I>(Rational(1) / q);
+    const Ray<I> top{r, I(0), r};
+    const Ray<I> corner{pi<I>() * r, r, r};
+    const long most = count_at_most(top, cap) + count_at_most(corner, cap);
+    const long least = count_at_least(top, cap) + count_at_least(corner, cap);
+    return most == least ? std::optional(2 + most) : std::nullopt;
+}
+
+}  // namespace
+
+ProvedPiece prove_single(const Rational& q, const PieceOptions& options) {
+    ProvedPiece proved;
+    proved.piece.q_lo = proved.piece.q_hi = q;
+    escalate(options, [&]<class I>(const I&, int bits) {
+        const auto n = q == 1 ? std::optional(2L) : suspected_maximum<I>(q);
+        return n && attempt_piece<I>(proved, bits, *n, *n, options);
+    });
+    return proved;
+}
+
+ProvedPiece prove_piece(const Rational& q_lo, const Rational& q_hi, long upper, long lower,
+                        const PieceOptions& options) {
+    ProvedPiece proved;
+    proved.piece.q_lo = q_lo;
+    proved.piece.q_hi = q_hi;
+    escalate(options, [&]<class I>(const I&, int bits) {
+        return attempt_piece<I>(proved, bits, upper, lower, options);
+    });
+    return proved;
+}
+
+}  // namespace dumbbell

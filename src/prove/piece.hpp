@@ -1,0 +1,36 @@
+#pragma once
+
+#include <functional>
+
+#include "certificate/certificate.hpp"
+#include "prove/cover.hpp"
+
+namespace dumbbell {
+
+struct PieceOptions {
+    SplitRule rule = SplitRule::scaled;
+    bool parallel = false;  ///< use the arena's threads inside one piece
+    int max_bits = 1024;    ///< the precision escalates up to here: 53 (double), then 128, 256, ...
+    std::function<bool()> interrupted = [] { return false; };
+};
+
+/// A piece with what its witness orbit looks like over the whole piece, for people: nothing in the
+/// certificate depends on it.
+struct ProvedPiece {
+    Piece piece;
+    double margin = 0;  ///< certified lower bound of the least grazing angle (radians) of the witness's
+                        ///< collisions; 0: none known
+    double width = 0;   ///< width of the enclosure of the centre of mass's height at the first or last
+                        ///< collision (rod length 1)
+    double seconds = 0;
+};
+
+/// Decides one ratio: upper = lower = N*(q), at the first precision that suffices. If none does the piece is
+/// left open, with the best lower bound found.
+[[nodiscard]] ProvedPiece prove_single(const Rational& q, const PieceOptions& options);
+
+/// Proves `upper` and `lower` for all ratios of [q_lo, q_hi]; left open (no upper bound) where that fails.
+[[nodiscard]] ProvedPiece prove_piece(const Rational& q_lo, const Rational& q_hi, long upper, long lower,
+                                      const PieceOptions& options);
+
+}  // namespace dumbbell

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <vector>
+
+#include "arith/rational.hpp"
+
+namespace dumbbell {
+
+/// A piece to be proved: the bounds that are expected to hold.
+struct PlannedPiece {
+    Rational q_lo;
+    Rational q_hi;
+    long upper;
+    long lower;
+};
+
+/// Cuts [q_lo, q_hi], 1 <= q_lo < q_hi, at the places where the maximum seems to step: pieces with one value
+/// each, and between them gap pieces around the critical ratios, at most gap * q wide and at most a
+/// thousandth of the distance to the next step. At q = 1 the step is known exactly: the single ratio is a
+/// piece, and a gap lies to its right. Throws InputError if there are more than 10^6 steps.
+[[nodiscard]] std::vector<PlannedPiece> plan_staircase(const Rational& q_lo, const Rational& q_hi,
+                                                       const Rational& gap);
+
+}  // namespace dumbbell

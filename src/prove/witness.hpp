@@ -1,0 +1,22 @@
+#pragma once
+
+#include <optional>
+
+#include "arith/rational.hpp"
+#include "certificate/certificate.hpp"
+
+namespace dumbbell {
+
+/// The counts that are certain from (e, eta) for every ratio in [q_lo, q_hi], up to `cap` in each direction;
+/// nothing if it is no admissible contact there. I: Interval or BigInterval.
+template <class I>
+[[nodiscard]] std::optional<Witness> checked_witness(const Rational& e, const Rational& eta,
+                                                     const Rational& q_lo, const Rational& q_hi, long cap);
+
+/// Searches for a witness of at least `target` collisions. The extremal orbits leave the bridge near its top,
+/// or near its corner, almost along its tangent; the search tries shorter and shorter distances from both
+/// (where to look is a guess, what is returned is checked). Nothing if none is found.
+template <class I>
+[[nodiscard]] std::optional<Witness> find_witness(const Rational& q_lo, const Rational& q_hi, long target);
+
+}  // namespace dumbbell
