@@ -1,0 +1,155 @@
+#include "cli/certify_command.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <memory>
+#include <thread>
+
+#include "certificate/atomic_file.hpp"
+#include "certificate/writer.hpp"
+#include "cli/exit_code.hpp"
+#include "cli/progress.hpp"
+#include "cli/ratio_argument.hpp"
+#include "prove/certify.hpp"
+#include "prove/witness_orbit.hpp"
+#include "report/proof_report.hpp"
+
+namespace dumbbell {
+namespace {
+
+struct Options {
+    std::string ratio;
+    std::string scene = "dumbbell";
+    std::string section = "turning";
+    std::string gap = "1e-6";
+    std::string budget;
+    std::string out;
+    int jobs = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+    bool witness = false;
+    bool json = false;
+};
+
+constexpr const char* description =
+    R"(Prove the greatest number of floor collisions for a mass ratio, or for every ratio of a range.
+
+RATIO is q = heavy mass / light mass: 10, 4.6, 1e6 or 9/2, exactly as written. LO:HI is a closed range. Below 1 the
+masses are swapped.
+
+Examples:
+  dumbbell certify 10                          at most 4 collisions, and 4 occur
+  dumbbell certify 10 --witness                ... and print an orbit that has them
+  dumbbell certify 1:100 --out stairs.dbc      every mass ratio from 1 to 100, with a certificate
+  dumbbell certify 4.6:4.61 --gap 1e-9 --json  a narrower gap around the critical ratio, for scripts
+
+Exit codes: 0 proved; 1 internal error; 2 wrong usage or input; 3 not decided (within the budget).)";
+
+std::vector<ProvedPiece> prove(const Options& options, const RatioArgument& ratio) {
+    CertifyRequest request;
+    request.q_lo = ratio.lo;
+    request.q_hi = ratio.hi;
+    request.gap = parse_gap(options.gap);
+    request.jobs = options.jobs;
+    if (!options.budget.empty()) {
+        request.budget = std::chrono::duration<double>(parse_duration(options.budget));
+    }
+    Progress progress;
+    request.progress = [&](std::size_t done, std::size_t total) { progress.update(done, total); };
+    return certify(request);
+}
+
+ProofReport describe(const Options& options, const RatioArgument& ratio,
+                     const std::vector<ProvedPiece>& pieces, double seconds) {
+    ProofReport report{.q_lo = ratio.lo,
+                       .q_hi = ratio.hi,
+                       .gap = parse_gap(options.gap),
+                       .jobs = options.jobs,
+                       .seconds = seconds,
+                       .decided_fraction = decided_fraction(pieces),
+                       .rows = {},
+                       .out = {},
+                       .sha256 = {}};
+    for (const ProvedPiece& p : pieces) {
+        ReportRow row{&p.piece, p.margin, p.width, p.seconds, {}};
+        if (options.witness && p.piece.witness) {
+            row.orbit = witness_orbit(*p.piece.witness, p.piece.q_lo, p.piece.bits);
+        }
+        report.rows.push_back(std::move(row));
+    }
+    return report;
+}
+
+void write_certificate(const std::vector<ProvedPiece>& pieces, AtomicFile& file, ProofReport& report) {
+    Certificate certificate{.program = "dumbbell", .version = DUMBBELL_VERSION, .pieces = {}};
+    for (const ProvedPiece& p : pieces) {
+        certificate.pieces.push_back(p.piece);
+    }
+    CertificateText text = render(certificate);
+    file.commit(text.text);
+    report.sha256 = std::move(text.sha256);
+}
+
+int run(const Options& options) {
+    const RatioArgument ratio = parse_ratio_argument(options.ratio);
+    (void)parse_gap(options.gap);  // before any work and before the output file is touched
+    std::optional<AtomicFile> file;
+    if (!options.out.empty()) {
+        file.emplace(options.out);
+    }
+    const auto start = std::chrono::steady_clock::now();
+    const auto pieces = prove(options, ratio);
+    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+
+    ProofReport report = describe(options, ratio, pieces, seconds);
+    if (file) {
+        report.out = options.out;
+        write_certificate(pieces, *file, report);
+    }
+    if (options.json) {
+        fmt::print("{}\n", to_json(report).dump(2));
+    } else {
+        if (ratio.swapped) {
+            fmt::print("Ratios below 1: the masses are swapped, q -> 1/q.\n");
+        }
+        fmt::print("{}{}{}", orbits_to_text(report), options.witness ? "\n" : "", to_text(report));
+    }
+    const bool open = std::any_of(pieces.begin(), pieces.end(),
+                                  [](const ProvedPiece& p) { return p.piece.status() == Status::open; });
+    if (open) {
+        fmt::print(stderr,
+                   "dumbbell: not everything was decided: allow more time (--budget), or a wider --gap\n");
+    }
+    return open ? exit_not_certified : exit_done;
+}
+
+}  // namespace
+
+void add_certify_command(CLI::App& app, int& exit_code) {
+    auto options = std::make_shared<Options>();
+    CLI::App* command = app.add_subcommand("certify", description);
+    command->add_option("RATIO", options->ratio, "mass ratio, or closed range LO:HI")->required();
+    command->add_option("--scene", options->scene, "the system: dumbbell")
+        ->check(CLI::IsMember({"dumbbell"}))
+        ->capture_default_str();
+    command->add_option("--section", options->section, "the section that is covered: turning")
+        ->check(CLI::IsMember({"turning"}))
+        ->capture_default_str();
+    command
+        ->add_option("--gap", options->gap,
+                     "ranges: relative width of the gap around a critical ratio, at most 0.01")
+        ->capture_default_str();
+    command->add_option("--out", options->out, "write the certificate to FILE (FILE.gz: compressed)")
+        ->type_name("FILE");
+    command->add_option("--jobs", options->jobs, "threads; the result does not depend on it")
+        ->check(CLI::Range(1, 1024))
+        ->capture_default_str();
+    command->add_option("--budget", options->budget, "give up after this time: 30s, 10m, 2h")
+        ->type_name("TIME");
+    command->add_flag("--witness", options->witness,
+                      "print an orbit that attains the maximum, every collision enclosed");
+    command->add_flag("--json", options->json, "one JSON object on stdout");
+    command->callback([options, &exit_code] { exit_code = run(*options); });
+}
+
+}  // namespace dumbbell

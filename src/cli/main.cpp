@@ -1,0 +1,81 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <exception>
+#include <new>
+#include <string>
+
+#include "arith/error.hpp"
+#include "arith/self_test.hpp"
+#include "cli/certify_command.hpp"
+#include "cli/exit_code.hpp"
+#include "cli/plot_command.hpp"
+#include "cli/verify_command.hpp"
+
+namespace dumbbell {
+namespace {
+
+constexpr const char* description =
+    R"(dumbbell proves how often a bouncing dumbbell can hit the floor.
+
+Examples:
+  dumbbell certify 10                        at most 4 collisions, and 4 occur
+  dumbbell certify 1:100 --out stairs.dbc    every mass ratio from 1 to 100
+  dumbbell verify stairs.dbc                 the independent verifier re-checks it
+  dumbbell plot staircase stairs.dbc --out stairs.svg)";
+
+std::string version_text() {
+    return fmt::format("dumbbell {} ({}, {}, flags: {})", DUMBBELL_VERSION, DUMBBELL_COMPILER,
+                       DUMBBELL_BUILD_TYPE, DUMBBELL_FLAGS);
+}
+
+/// The first line of a message, so that an error is one line.
+std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
+
+int parse_and_run(int argc, char** argv) {
+    CLI::App app{description, "dumbbell"};
+    app.set_version_flag("--version", version_text());
+    app.set_help_all_flag("--help-all", "Help of all commands");
+    app.require_subcommand(1);
+    app.footer(
+        "Exit codes: 0 done; 1 internal error; 2 wrong usage or input; 3 not certified within the budget.");
+    app.add_subcommand("verify",
+                       "Re-check certificates with the independent verifier (dumbbell verify --help).");
+    int exit_code = exit_done;
+    add_certify_command(app, exit_code);
+    add_plot_command(app, exit_code);
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        if (error.get_exit_code() == 0) {
+            return app.exit(error);  // --help, --version
+        }
+        throw InputError(first_line(error.what()) + "; see dumbbell --help");
+    }
+    return exit_code;
+}
+
+int run(int argc, char** argv) {
+    require_sound_arithmetic();
+    if (argc >= 2 && std::string(argv[1]) == "verify") {
+        become_verifier(argc, argv);
+    }
+    return parse_and_run(argc, argv);
+}
+
+}  // namespace
+}  // namespace dumbbell
+
+int main(int argc, char** argv) {
+    try {
+        return dumbbell::run(argc, argv);
+    } catch (const dumbbell::InputError& error) {
+        fmt::print(stderr, "dumbbell: {}\n", error.what());
+        return dumbbell::exit_bad_input;
+    } catch (const std::bad_alloc&) {
+        fmt::print(stderr, "dumbbell: out of memory\n");
+    } catch (const std::exception& error) {
+        fmt::print(stderr, "dumbbell: internal error: {}\n", error.what());
+    }
+    return dumbbell::exit_internal;
+}

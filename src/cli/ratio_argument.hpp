@@ -1,0 +1,25 @@
+#pragma once
+
+#include <string>
+
+#include "arith/rational.hpp"
+
+namespace dumbbell {
+
+/// A RATIO or LO:HI of the command line as mass ratios >= 1.
+struct RatioArgument {
+    Rational lo;
+    Rational hi;
+    bool swapped = false;  ///< the user gave ratios below 1: the masses are renamed, q -> 1/q
+};
+
+/// Throws InputError for anything that is no ratio, is 0, has LO > HI, or crosses 1.
+[[nodiscard]] RatioArgument parse_ratio_argument(const std::string& text);
+
+/// REL of --gap: 0 < REL <= 0.01. Throws InputError.
+[[nodiscard]] Rational parse_gap(const std::string& text);
+
+/// TIME of --budget in seconds: a number with s, m or h. Throws InputError.
+[[nodiscard]] double parse_duration(const std::string& text);
+
+}  // namespace dumbbell

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "certificate/certificate.hpp"
+#include "model/orbit.hpp"
+
+namespace dumbbell {
+
+/// One line of the report of a proof.
+struct ReportRow {
+    const Piece* piece;
+    double margin;
+    double width;
+    double seconds;
+    std::vector<Collision<Interval>>
+        orbit;  ///< of the witness, at the piece's lower end; empty unless asked for
+};
+
+/// What `certify` tells its user, as text or as JSON (the contract's object).
+struct ProofReport {
+    Rational q_lo;
+    Rational q_hi;
+    Rational gap;
+    int jobs;
+    double seconds;
+    double decided_fraction;
+    std::vector<ReportRow> rows;
+    std::optional<std::string> out;
+    std::optional<std::string> sha256;
+};
+
+/// The table: ratio interval, N, the paper's bound, boxes, time; below it one sentence that says what was
+/// proved.
+[[nodiscard]] std::string to_text(const ProofReport& report);
+[[nodiscard]] nlohmann::ordered_json to_json(const ProofReport& report);
+
+/// The orbits of the rows that have one: per collision mass, time, phi, height and velocities, enclosed.
+[[nodiscard]] std::string orbits_to_text(const ProofReport& report);
+
+}  // namespace dumbbell

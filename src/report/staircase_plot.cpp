@@ -1,0 +1,157 @@
+#include "report/staircase_plot.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+#include <numbers>
+
+#include "arith/error.hpp"
+#include "model/paper_bound.hpp"
+
+namespace dumbbell {
+namespace {
+
+constexpr double page_width = 860;
+constexpr double page_height = 480;
+constexpr double left = 64;
+constexpr double right = 24;
+constexpr double top = 44;
+constexpr double bottom = 56;
+
+/// The picture's axes: log q to the right, counts upwards.
+struct Axes {
+    double log_lo, log_hi, count_hi;
+
+    [[nodiscard]] double x(double q) const {
+        return left + (std::log10(q) - log_lo) / (log_hi - log_lo) * (page_width - left - right);
+    }
+    [[nodiscard]] double y(double count) const {
+        return page_height - bottom - count / count_hi * (page_height - top - bottom);
+    }
+};
+
+double value(const Rational& q) { return q.convert_to<double>(); }
+
+/// A round distance between tick marks, for about `wanted` of them.
+double tick_step(double range, int wanted) {
+    const double raw = range / wanted;
+    const double power = std::pow(10, std::floor(std::log10(raw)));
+    for (const double m : {1.0, 2.0, 5.0}) {
+        if (m * power >= raw) {
+            return std::max(1.0, m * power);
+        }
+    }
+    return std::max(1.0, 10 * power);
+}
+
+void draw_frame(std::string& svg, const Axes& axes) {
+    auto out = std::back_inserter(svg);
+    const double step = tick_step(axes.count_hi, 8);
+    for (double n = 0; n <= axes.count_hi; n += step) {
+        fmt::format_to(out, R"(<line x1="{0:.1f}" x2="{1:.1f}" y1="{2:.1f}" y2="{2:.1f}" class="grid"/>)",
+                       left, page_width - right, axes.y(n));
+        fmt::format_to(out, R"(<text x="{:.1f}" y="{:.1f}" text-anchor="end">{:g}</text>)", left - 8,
+                       axes.y(n) + 4, n);
+        svg += '\n';
+    }
+    for (double decade = std::floor(axes.log_lo); decade <= std::ceil(axes.log_hi); ++decade) {
+        for (const double m : {1.0, 2.0, 5.0}) {
+            const double q = m * std::pow(10, decade);
+            if (std::log10(q) < axes.log_lo - 1e-9 || std::log10(q) > axes.log_hi + 1e-9) {
+                continue;
+            }
+            fmt::format_to(out, R"(<line x1="{0:.1f}" x2="{0:.1f}" y1="{1:.1f}" y2="{2:.1f}" class="grid"/>)",
+                           axes.x(q), top, page_height - bottom);
+            fmt::format_to(out, R"(<text x="{:.1f}" y="{:.1f}" text-anchor="middle">{:g}</text>)", axes.x(q),
+                           page_height - bottom + 18, q);
+            svg += '\n';
+        }
+    }
+    fmt::format_to(
+        out, R"(<text x="{:.1f}" y="{:.1f}" text-anchor="middle">mass ratio q (heavy over light)</text>)",
+        (left + page_width - right) / 2, page_height - 14);
+    fmt::format_to(
+        out,
+        R"svg(<text transform="translate(18 {:.1f}) rotate(-90)" text-anchor="middle">collisions</text>)svg",
+        (top + page_height - bottom) / 2);
+    svg += '\n';
+}
+
+/// ceil(pi / gamma) + 1 steps from m to m + 1 behind q = cot^2(pi / 2m).
+std::string paper_path(const Axes& axes, const Rational& q_lo, const Rational& q_hi) {
+    long bound = paper_bound(q_lo);
+    const long last = paper_bound(q_hi);
+    std::string path = fmt::format("M{:.2f} {:.2f}", axes.x(value(q_lo)), axes.y(static_cast<double>(bound)));
+    for (; bound < last; ++bound) {
+        const double t = std::tan(std::numbers::pi / (2 * static_cast<double>(bound - 1)));
+        fmt::format_to(std::back_inserter(path), "H{:.2f}V{:.2f}", axes.x(1 / (t * t)),
+                       axes.y(static_cast<double>(bound + 1)));
+    }
+    return path + fmt::format("H{:.2f}", axes.x(value(q_hi)));
+}
+
+/// The proved values: exact pieces as treads, gaps as risers at their middle.
+std::string proved_path(const Axes& axes, const std::vector<Piece>& pieces) {
+    std::string path;
+    bool pen_down = false;
+    for (const Piece& piece : pieces) {
+        if (piece.status() == Status::open) {
+            pen_down = false;
+            continue;
+        }
+        if (piece.status() == Status::gap) {
+            continue;
+        }
+        const double y = axes.y(static_cast<double>(*piece.upper));
+        const double x = axes.x(value(piece.q_lo));
+        path += pen_down ? fmt::format("H{:.2f}V{:.2f}", x, y) : fmt::format("M{:.2f} {:.2f}", x, y);
+        path += fmt::format("H{:.2f}", axes.x(value(piece.q_hi)));
+        pen_down = true;
+    }
+    return path;
+}
+
+}  // namespace
+
+std::string staircase_svg(const std::vector<Piece>& pieces) {
+    require(!pieces.empty() && pieces.front().q_lo < pieces.back().q_hi, "staircase picture: an empty range");
+    const Rational& q_lo = pieces.front().q_lo;
+    const Rational& q_hi = pieces.back().q_hi;
+    const Axes axes{std::log10(value(q_lo)), std::log10(value(q_hi)),
+                    static_cast<double>(paper_bound(q_hi)) * 1.04};
+
+    std::string svg = fmt::format(
+        R"(<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {0:g} {1:g}" width="{0:g}" height="{1:g}" role="img">)"
+        "\n<title>Greatest number of collisions of a bouncing dumbbell against its mass ratio</title>\n"
+        "<style>text{{font:13px sans-serif;fill:#222}}.grid{{stroke:#ddd;stroke-width:1}}"
+        ".proved{{fill:none;stroke:#0055a4;stroke-width:2.5}}.paper{{fill:none;stroke:#c8501e;stroke-width:1."
+        "5;stroke-dasharray:6 4}}"
+        "</style>\n<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n",
+        page_width, page_height);
+    draw_frame(svg, axes);
+    for (const Piece& piece : pieces) {
+        if (piece.status() == Status::open) {
+            fmt::format_to(std::back_inserter(svg),
+                           R"(<rect x="{:.2f}" y="{:.1f}" width="{:.2f}" height="{:.1f}" fill="#eee"/>)",
+                           axes.x(value(piece.q_lo)), top,
+                           axes.x(value(piece.q_hi)) - axes.x(value(piece.q_lo)), page_height - top - bottom);
+            svg += '\n';
+        }
+    }
+    fmt::format_to(std::back_inserter(svg),
+                   "<path class=\"paper\" d=\"{}\"/>\n<path class=\"proved\" d=\"{}\"/>\n",
+                   paper_path(axes, q_lo, q_hi), proved_path(axes, pieces));
+    fmt::format_to(std::back_inserter(svg),
+                   "<line class=\"proved\" x1=\"{0:g}\" x2=\"{1:g}\" y1=\"22\" y2=\"22\"/><text x=\"{2:g}\" "
+                   "y=\"26\">proved maximum N(q)</text>\n"
+                   "<line class=\"paper\" x1=\"{3:g}\" x2=\"{4:g}\" y1=\"22\" y2=\"22\"/><text x=\"{5:g}\" "
+                   "y=\"26\">the paper's bound "
+                   "ceil(\xcf\x80/\xce\xb3)+1</text>\n</svg>\n",
+                   left, left + 36, left + 44, left + 230, left + 266, left + 274);
+    return svg;
+}
+
+}  // namespace dumbbell
