@@ -1,0 +1,225 @@
+#include "certificate.hpp"
+
+#include <mpfr.h>
+
+#include <atomic>
+#include <cmath>
+#include <thread>
+
+#include "number.hpp"
+#include "text.hpp"
+
+namespace dumbbell_verify {
+namespace {
+
+constexpr std::size_t batch = 1024;  ///< leaves that are read before they are checked together
+constexpr int most_splits = 400;     ///< of one axis, above a node
+
+class Reader {
+  public:
+    Reader(const std::string& path, const Settings& settings) : settings_(settings), text_(path) {
+        proof_.claim = settings.demand;
+        proof_.tallies.push_back({"split"});
+        for (const Opcode& opcode : section_.opcodes) proof_.tallies.push_back({opcode.name});
+        proof_.tallies.push_back({"open"});
+    }
+
+    Proof run() {
+        try {
+            header();
+            for (const std::uint64_t k = text_.natural(1); claim_.pieces < k;) piece();
+            if (end_ != claim_.hi) text_.reject("chain", "the last piece does not end at HI");
+            trailer();
+            check_pending();
+            if (settings_.scene != section_.scene) text_.reject("claim-not-proved", "the scene is another");
+            if (const auto gap = claim_.missing(); !gap.empty()) text_.reject("claim-not-proved", gap);
+        } catch (const Failure&) {
+            check_pending();  // a leaf on an earlier line goes first
+            throw;
+        }
+        return std::move(proof_);
+    }
+
+  private:
+    /// A line with one value, of which this program knows only one.
+    void known(const std::string& keyword, std::string_view value) {
+        text_.expect(keyword, 1);
+        const std::string found = value == "1" ? std::to_string(text_.natural(1)) : text_.word(1);
+        if (found != value)
+            throw Failure{Verdict::unsupported, text_.line, "unsupported",
+                          "unknown " + keyword + " " + found};
+    }
+    void header() {
+        known("dumbbell-certificate", "1");
+        text_.expect("generator", 2);
+        text_.word(1);
+        text_.word(2, true);
+        known("lemmas", "1");
+        known("scene", section_.scene);
+        known("section", section_.name);
+        known("claim", "collisions");
+        text_.expect("ratio", 2);
+        end_ = claim_.lo = text_.ratio(1);
+        claim_.hi = text_.ratio(2);
+        if (claim_.lo < 1 || claim_.lo > claim_.hi) text_.reject("number", "not 1 <= LO <= HI");
+        text_.expect("pieces", 1);
+        if (text_.natural(1) == 0) text_.reject("number", "no piece");
+    }
+
+    void piece() {
+        Leaf leaf;
+        text_.expect("piece", 2);
+        const mpq_class a = text_.ratio(1), b = text_.ratio(2);
+        if (a != end_ || a > b) text_.reject("chain", "a piece must begin where the one before ended");
+        end_ = b;
+        text_.expect("bits", 1);
+        const std::uint64_t bits = text_.natural(1);
+        if (bits < 53 || bits > 4096) text_.reject("number", "bits beyond 53 to 4096");
+        if (bits > settings_.max_bits) throw Failure{Verdict::limit, text_.line, "limit", "see --max-bits"};
+        leaf.bits = std::max(static_cast<unsigned>(bits), settings_.precision);
+        leaf.multiple = settings_.precision > 0;
+        text_.expect("upper", 1);
+        std::optional<std::uint64_t> upper;
+        if (text_.fields[1] != "none") {
+            upper = leaf.claimed = text_.natural(1);
+            leaf.box = section_.root(a, b);
+            proof_.roots += static_cast<double>(section_.charts.size());
+            cover(leaf);
+        } else {
+            ++proof_.tallies.back().lines;
+        }
+        text_.expect("lower", 1);
+        leaf.claimed = text_.natural(1);
+        if (upper && leaf.claimed > *upper) text_.reject("number", "lower above upper");
+        if (leaf.claimed > 0) {
+            text_.expect("witness", 5);
+            const mpq_class e = text_.dyadic(2), y = text_.dyadic(3);
+            leaf.box = {{e, y, a}, {e, y, b}};
+            take(leaf, Place::witness, 4, 0, "witness");
+        }
+        claim_.add(a, b, upper, leaf.claimed);
+    }
+
+    void cover(Leaf leaf) {
+        for (std::size_t i = 0; i < section_.charts.size(); ++i) {
+            text_.next();
+            if (i == 0 && text_.fields[0] != "chart")
+                return take(leaf, Place::cover, 1, static_cast<double>(section_.charts.size()), "cover");
+            std::string path(section_.charts[i].name);
+            if (text_.fields.size() != 2 || text_.fields[0] != "chart" || text_.fields[1] != path)
+                text_.reject("syntax", "expected `chart " + path + "`");
+            leaf.chart = i;
+            tree(leaf, path += '.');
+        }
+    }
+    /// A node and what is below; path: the chart and the halves (0 lower, 1 upper) from the root to here. The
+    /// leaves are halves of halves of the root box: together they cover it. At most 1200 calls deep.
+    void tree(Leaf& leaf, std::string& path) {
+        text_.next();
+        const auto& fields = text_.fields;
+        const int depth = depth_[0] + depth_[1] + depth_[2];
+        if (fields[0] != "split") return take(leaf, Place::leaf, 1, std::ldexp(1, -depth), path);
+        const auto& axes = section_.charts[leaf.chart].axes;
+        const auto axis = fields.size() == 2 ? std::find(axes.begin(), axes.end(), fields[1]) : axes.end();
+        if (axis == axes.end()) text_.reject("syntax", "not an axis of this chart");
+        const auto i = static_cast<std::size_t>(axis - axes.begin());
+        if (++depth_[i] > most_splits) text_.reject("depth", "more than 400 splits of one axis");
+        ++proof_.tallies[0].lines;
+        const mpq_class lo = leaf.box.lo[i], hi = leaf.box.hi[i], middle = (lo + hi) / 2;
+        for (const bool upper : {false, true}) {
+            leaf.box.lo[i] = upper ? middle : lo;
+            leaf.box.hi[i] = upper ? hi : middle;
+            path += upper ? '1' : '0';
+            tree(leaf, path);
+            path.pop_back();
+        }
+        leaf.box.lo[i] = lo;
+        --depth_[i];
+    }
+
+    /// The present line as one thing to check; its hints are the fields from number `hints` on.
+    void take(Leaf leaf, Place place, std::size_t hints, double covered, const std::string& path) {
+        const auto& fields = text_.fields;
+        const auto& table = section_.opcodes;
+        const auto fits = [&](const Opcode& o) {
+            return o.name == fields[0] && o.place == place && (o.charts >> leaf.chart & 1) != 0;
+        };
+        const auto opcode = std::find_if(table.begin(), table.end(), fits);
+        if (opcode == table.end()) text_.reject("opcode", "not a line for this place");
+        if (fields.size() != hints + opcode->hints || (place == Place::witness && fields[1] != "bridge"))
+            text_.reject("syntax", "wrong number of values, or unknown kind");
+        if (opcode->hints > 0) leaf.a = text_.natural(hints), leaf.b = text_.natural(hints + 1);
+        leaf.opcode = static_cast<std::size_t>(opcode - table.begin());
+        leaf.line = text_.line;
+        ++proof_.tallies[1 + leaf.opcode].lines;
+        proof_.tallies[1 + leaf.opcode].covered += covered;
+        if (!settings_.explain.empty()) explain(leaf, path);
+        pending_.push_back(std::move(leaf));
+        if (pending_.size() == batch) check_pending();
+    }
+    /// Shows a referee the leaf that was asked for: its box, every inequality, and whether it holds.
+    void explain(const Leaf& leaf, const std::string& path) {
+        const std::string here = std::to_string(claim_.pieces + 1) + ":" + path, &wanted = settings_.explain;
+        if (here != wanted && here != wanted + ".") return;
+        proof_.explained = true;
+        std::string text =
+            wanted + ", line " + std::to_string(leaf.line) + ": " + text_.fields[0].data();  // the whole line
+        text += section_.check(leaf, &text) ? "  NOT certified\n" : "  certified\n";
+        std::fputs(text.c_str(), stdout);
+    }
+
+    [[nodiscard]] std::optional<Failure> judge(const Leaf& leaf) const try {
+        if (!arithmetic_works()) throw std::runtime_error("not IEEE 754: rounding mode, subnormals or fma");
+        const char* missing = section_.check(leaf, nullptr);
+        if (!missing) return std::nullopt;
+        const std::string opcode(section_.opcodes[leaf.opcode].name);
+        return Failure{Verdict::rejected, leaf.line, opcode, std::string("not certified: ") + missing};
+    } catch (const std::exception& error) {
+        return Failure{Verdict::limit, leaf.line, "limit", error.what()};
+    }
+    /// Checks what has been read, on all threads; the failure on the least line is thrown, whoever finds it.
+    void check_pending() {
+        const std::vector<Leaf> leaves = std::exchange(pending_, {});
+        std::vector<std::optional<Failure>> found(leaves.size());
+        std::atomic<std::size_t> next = 0;
+        const auto work = [&] {
+            for (std::size_t i = next++; i < leaves.size(); i = next++) found[i] = judge(leaves[i]);
+            mpfr_free_cache();
+        };
+        {
+            std::vector<std::jthread> crew(std::min<std::size_t>(settings_.jobs, leaves.size() / 8 + 1) - 1);
+            for (std::jthread& thread : crew) thread = std::jthread(work);
+            work();
+        }
+        for (const auto& failure : found)
+            if (failure) throw Failure(*failure);
+    }
+
+    void trailer() {
+        for (const Tally& tally : proof_.tallies) {
+            text_.expect("total", 2);
+            if (text_.fields[1] != tally.name || text_.natural(2) != tally.lines)
+                text_.reject("total",
+                             "expected " + std::string(tally.name) + " " + std::to_string(tally.lines));
+        }
+        text_.expect("sha256", 1);
+        proof_.digest = text_.digest();
+        if (text_.fields[1] != proof_.digest) text_.reject("sha256", "expected " + proof_.digest);
+        text_.end();
+    }
+
+    const Settings& settings_;
+    const Section& section_ = turning();
+    Text text_;
+    Proof proof_;
+    Collisions& claim_ = proof_.claim;
+    mpq_class end_;               ///< of the pieces so far
+    std::array<int, 3> depth_{};  ///< splits of each axis above the present node
+    std::vector<Leaf> pending_;
+};
+
+}  // namespace
+
+Proof verify(const std::string& path, const Settings& settings) { return Reader(path, settings).run(); }
+
+}  // namespace dumbbell_verify

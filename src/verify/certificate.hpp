@@ -1,0 +1,38 @@
+// One certificate file: its grammar (format.md, sections 2 and 3) and the check of all that it claims.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "collisions.hpp"
+#include "section.hpp"
+#include "text.hpp"
+
+namespace dumbbell_verify {
+
+struct Settings {
+    unsigned jobs = 1, max_bits = 1024;
+    unsigned precision = 0;  ///< at least so many bits of MPFR for every piece; 0: what the pieces say
+    std::string scene = "dumbbell", explain;  ///< explain: PIECE:PATH, the leaf to show
+    Collisions demand;
+};
+
+/// The lines of one kind, and how many root boxes these leaves fill.
+struct Tally {
+    std::string_view name;
+    std::uint64_t lines = 0;
+    double covered = 0;
+};
+
+struct Proof {
+    Collisions claim;
+    std::string digest;
+    double roots = 0;            ///< number of root boxes
+    bool explained = false;      ///< the leaf that was asked for exists
+    std::vector<Tally> tallies;  ///< split, the opcodes of the section, open
+};
+
+/// Returns only if all that the file and the demand say is certified; else throws the Failure of the least
+/// line.
+Proof verify(const std::string& path, const Settings& settings);
+
+}  // namespace dumbbell_verify

@@ -1,0 +1,33 @@
+#include "collisions.hpp"
+
+#include <algorithm>
+
+namespace dumbbell_verify {
+std::string to_string(const mpq_class& ratio) {
+    return ratio.get_num().get_str() + "/" + ratio.get_den().get_str();
+}
+
+void Collisions::add(const mpq_class& a, const mpq_class& b, std::optional<std::uint64_t> u,
+                     std::uint64_t v) {
+    const mpq_class& from = ratios ? ratios->first : lo;
+    const bool proves[] = {true, u && u <= most.value_or(*u), v >= least.value_or(v)};
+    for (std::size_t i = 0; i < 3; ++i)
+        if (proves[i] && (reached_[i] ? a <= *reached_[i] : a <= from && from <= b)) reached_[i] = b;
+    upper = upper && u ? std::max(upper, u) : std::nullopt;
+    lower = std::min(lower, v);
+    ++pieces;
+    gaps += u && *u == v + 1;
+    open += !u || *u > v + 1;
+}
+
+std::string Collisions::missing() const {
+    const mpq_class &from = ratios ? ratios->first : lo, &to = ratios ? ratios->second : hi;
+    const std::string range = " for every mass ratio in " + to_string(from) + ":" + to_string(to);
+    const auto covered = [&](std::size_t i) { return reached_[i] && *reached_[i] >= to; };
+    if (!covered(0)) return "the file says nothing" + range;
+    if (most && !covered(1)) return "not proved: at most " + std::to_string(*most) + " collisions" + range;
+    if (least && !covered(2)) return "not proved: at least " + std::to_string(*least) + " collisions" + range;
+    return "";
+}
+
+}  // namespace dumbbell_verify

@@ -1,0 +1,36 @@
+// The claim kind `collisions`: what the pieces of a file say together, and whether it proves what is
+// demanded.
+#pragma once
+#include <gmpxx.h>
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+
+namespace dumbbell_verify {
+
+std::string to_string(const mpq_class& ratio);  ///< P/Q
+
+/// For all pieces so far: N*(q) <= upper if it is a number, N*(q) >= lower.
+struct Collisions {
+    std::optional<std::pair<mpq_class, mpq_class>> ratios;  ///< demanded; else the file's
+    std::optional<std::uint64_t> most, least;               ///< demanded: N* <= most, N* >= least on `ratios`
+
+    mpq_class lo, hi;                        ///< of the file
+    std::optional<std::uint64_t> upper = 0;  ///< the largest; none if a piece has none
+    std::uint64_t lower = UINT64_MAX, pieces = 0, gaps = 0, open = 0;
+
+    /// The pieces come in increasing order, [lo, hi] of the file is their union.
+    void add(const mpq_class& a, const mpq_class& b, std::optional<std::uint64_t> u, std::uint64_t v);
+    /// Empty if the pieces with an upper bound <= most cover `ratios`, and those with a lower bound >= least
+    /// do.
+    [[nodiscard]] std::string missing() const;
+
+  private:
+    /// Where the cover by closed pieces that prove it has arrived: the ratios, most, least.
+    std::array<std::optional<mpq_class>, 3> reached_;
+};
+
+}  // namespace dumbbell_verify

@@ -1,0 +1,184 @@
+// The text of a certificate, line by line: bytes, gzip, SHA-256 and the lexical classes (format.md, section
+// 1). Memory does not grow with the file.
+#pragma once
+#include <gmpxx.h>
+#include <openssl/evp.h>
+#include <zlib.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstdint>
+#include <cstdio>
+#include <cstring>
+#include <memory>
+#include <new>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace dumbbell_verify {
+
+/// With several files the last one of these counts.
+enum class Verdict { verified, unreadable, unsupported, limit, rejected };
+
+/// Why a file is not verified; thrown, and reported as it is.
+struct Failure {
+    Verdict verdict;
+    std::uint64_t line;
+    std::string code, text;
+};
+
+/// A natural number without leading zero and with at most `most` digits.
+inline bool is_natural(std::string_view text, std::size_t most) {
+    return !text.empty() && text.size() <= most && (text[0] != '0' || text.size() == 1) &&
+           text.find_first_not_of("0123456789") == std::string_view::npos;
+}
+
+class Text {
+  public:
+    explicit Text(const std::string& path) : file_(std::fopen(path.c_str(), "rb"), std::fclose) {
+        need_file(file_ != nullptr);
+        need_memory(hash_ && EVP_DigestInit_ex(hash_.get(), EVP_sha256(), nullptr) == 1);
+        rest_ = read();
+        gzip_ = rest_.starts_with("\x1f\x8b");
+        if (!gzip_) return;
+        feed(std::exchange(rest_, {}));
+        need_memory(inflateInit2(&stream_, 15 + 16) == Z_OK);
+    }
+    ~Text() { inflateEnd(&stream_); }
+
+    std::uint64_t line = 0;                ///< number of the present line
+    std::vector<std::string_view> fields;  ///< of the present line: at least one, none of them empty
+
+    [[noreturn]] void reject(std::string code, std::string text) const {
+        throw Failure{Verdict::rejected, line, std::move(code), std::move(text)};
+    }
+
+    /// Reads the next line, which must exist.
+    void next() {
+        need_memory(EVP_DigestUpdate(hash_.get(), line_.data(), line_.size()) == 1);
+        line_.clear();
+        fields.clear();
+        ++line;
+        while (!line_.ends_with('\n')) {
+            if (rest_.empty() && !fill()) reject("truncated", "the text ends too early");
+            const std::size_t size =
+                1 + std::min({rest_.find('\n'), rest_.size() - 1, most_bytes - line_.size()});
+            const auto bad = [](char c) { return (c < 0x20 || c > 0x7e) && c != '\n'; };
+            if (std::any_of(rest_.begin(), rest_.begin() + size, bad)) reject("byte", "not printable ASCII");
+            line_ += rest_.substr(0, size);
+            rest_.remove_prefix(size);
+            if (line_.size() > most_bytes) reject("line", "more than 4096 bytes");
+        }
+        std::size_t begin = 0;
+        do {
+            const std::size_t end = std::min(line_.find(' ', begin), line_.size() - 1);
+            if (end == begin) reject("line", "empty, or a space too many");
+            fields.push_back(std::string_view(line_).substr(begin, end - begin));
+            begin = end + 1;
+        } while (begin < line_.size());
+    }
+    /// next(), and the line must be `keyword` with n values.
+    void expect(std::string_view keyword, std::size_t n) {
+        next();
+        if (fields[0] != keyword || fields.size() != n + 1)
+            reject("syntax",
+                   "expected `" + std::string(keyword) + "` with " + std::to_string(n) + " value(s)");
+    }
+    /// Nothing may follow.
+    void end() {
+        if (!rest_.empty() || fill()) reject("trailing", "bytes behind the last line");
+    }
+    /// SHA-256 of all lines before the present one, in hexadecimal; once.
+    std::string digest() {
+        std::array<unsigned char, 32> bytes;
+        need_memory(EVP_DigestFinal_ex(hash_.get(), bytes.data(), nullptr) == 1);
+        std::string hex;
+        for (const int b : bytes) (hex += "0123456789abcdef"[b / 16]) += "0123456789abcdef"[b % 16];
+        return hex;
+    }
+
+    // Field i as a value of its class.
+    [[nodiscard]] std::uint64_t natural(std::size_t i) const {
+        if (!is_natural(fields[i], 18)) reject("number", "not a natural number, or of more than 18 digits");
+        return std::stoull(std::string(fields[i]));
+    }
+    [[nodiscard]] mpq_class ratio(std::size_t i) const {
+        const auto [p, q] = halves(i, '/');
+        if (!is_natural(p, 2100) || !is_natural(q, 2100) || p == "0" || q == "0")
+            reject("number", "not a ratio P/Q");
+        const mpq_class x{mpz_class(std::string(p)), mpz_class(std::string(q))};
+        if (gcd(x.get_num(), x.get_den()) != 1) reject("number", "a ratio that is not in lowest terms");
+        return x;
+    }
+    [[nodiscard]] mpq_class dyadic(std::size_t i) const {
+        const auto [m, exponent] = halves(i, 'b');
+        const bool minus = exponent.starts_with('-');
+        const std::string k(exponent.substr(minus));
+        const bool canonical = m == "0" ? exponent == "0" : is_natural(m, 125) && (m.back() - '0') % 2 == 1;
+        if (!canonical || !is_natural(k, 3) || (minus && k == "0") || std::stoul(k) > 400)
+            reject("number", "not MbK");
+        const mpq_class x = mpz_class(std::string(m));
+        return minus ? mpq_class(x >> std::stoul(k)) : mpq_class(x << std::stoul(k));
+    }
+    std::string word(std::size_t i, bool digit_may_lead = false) const {
+        constexpr std::string_view rest = "abcdefghijklmnopqrstuvwxyz0123456789-.";
+        if (fields[i].size() > 32 || rest.find(fields[i][0]) >= (digit_may_lead ? 36 : 26) ||
+            fields[i].find_first_not_of(rest) != std::string_view::npos)
+            reject("word", "not a word");
+        return std::string(fields[i]);
+    }
+
+  private:
+    static constexpr std::size_t most_bytes = 4096;  ///< of a line, with its line feed
+
+    static void need_memory(bool enough) {
+        if (!enough) throw std::bad_alloc();
+    }
+    static void need_file(bool readable) {
+        if (!readable) throw Failure{Verdict::unreadable, 0, "unreadable", std::strerror(errno)};
+    }
+    [[nodiscard]] std::pair<std::string_view, std::string_view> halves(std::size_t i, char mark) const {
+        const std::size_t at = std::min(fields[i].find(mark), fields[i].size());
+        return {fields[i].substr(0, at), fields[i].substr(std::min(at + 1, fields[i].size()))};
+    }
+    std::string_view read() {
+        const std::size_t n = std::fread(raw_.data(), 1, raw_.size(), file_.get());
+        need_file(std::ferror(file_.get()) == 0);
+        return {raw_.data(), n};
+    }
+    void feed(std::string_view bytes) {
+        stream_.next_in = reinterpret_cast<Bytef*>(raw_.data());
+        stream_.avail_in = static_cast<uInt>(bytes.size());
+    }
+    /// The next block of text; false at its end. At most one gzip member, and nothing behind it.
+    bool fill() {
+        if (!gzip_) return !(rest_ = read()).empty();
+        stream_.next_out = reinterpret_cast<Bytef*>(block_.data());
+        stream_.avail_out = static_cast<uInt>(block_.size());
+        while (!ended_ && stream_.avail_out == block_.size()) {
+            if (stream_.avail_in == 0) feed(read());
+            if (stream_.avail_in == 0) reject("gzip", "the compressed file is truncated");
+            const int state = inflate(&stream_, Z_NO_FLUSH);
+            need_memory(state != Z_MEM_ERROR);
+            if (state != Z_OK && state != Z_STREAM_END) reject("gzip", "the compressed file is damaged");
+            ended_ = state == Z_STREAM_END;
+            if (ended_ && (stream_.avail_in > 0 || !read().empty()))
+                reject("gzip", "bytes behind the gzip member");
+        }
+        rest_ = {block_.data(), block_.size() - stream_.avail_out};
+        return !rest_.empty();
+    }
+
+    std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_;
+    std::unique_ptr<EVP_MD_CTX, void (*)(EVP_MD_CTX*)> hash_{EVP_MD_CTX_new(), EVP_MD_CTX_free};
+    z_stream stream_{};
+    bool gzip_ = false, ended_ = false;
+    std::array<char, 1 << 16> raw_, block_;
+    std::string_view rest_;  ///< of the block, or of the raw bytes of a plain file
+    std::string line_;       ///< with its line feed
+};
+
+}  // namespace dumbbell_verify

@@ -1,0 +1,152 @@
+// theory.md section 4 against the simulation: no trajectory has more than N* = 2 + k0 + k1 collisions, and
+// the adversarial samples reach N*. Also lemma L7 and the statements from which the theorem is made.
+#include <algorithm>
+#include <catch2/catch.hpp>
+
+#include "ray_count.hpp"
+#include "trial.hpp"
+
+using namespace dumbbell_oracle;
+
+namespace {
+
+struct Found {
+    std::size_t most = 0;
+    std::size_t most_heavy = 0;
+    int longest_without_bridge = 0;
+    std::string excess;
+};
+
+// Every family, until about `work` collisions are simulated in each. Long double counts that exceed the bound
+// are repeated with 80 digits before they are believed.
+Found hunt(double ratio, std::size_t bound, int work, std::uint64_t seed) {
+    Found found;
+    Sampler sampler(ratio, seed);
+    const Dumbbell<Real> body(ratio);
+    for (const Family family : all_families) {
+        for (std::size_t done = 0; done < static_cast<std::size_t>(work);) {
+            const Start start = sampler.next(family);
+            const Total<Real> total = total_collisions(body, start);
+            done += total.collisions + 1;
+            if (total.care.near_corner()) continue;  // long double miscounts; see the test with 80 digits
+            std::size_t collisions = total.collisions;
+            if (collisions > bound || total.heavy > 1) collisions = careful_total(ratio, start);
+            if (collisions > bound) found.excess = say(describe(start), "has", collisions);
+            found.most = std::max(found.most, collisions);
+            found.most_heavy = std::max(found.most_heavy, total.heavy);
+            if (collisions == bound && total.heavy == 0 && !total.care.doubtful())
+                ++found.longest_without_bridge;
+        }
+    }
+    return found;
+}
+
+std::size_t paper_bound(Real ratio) {  // ceil(pi / gamma)
+    const Real gamma = pi<Real>() - 2 * std::atan(std::sqrt(ratio));
+    return static_cast<std::size_t>(std::ceil(pi<Real>() / gamma - 1e-15L));
+}
+
+}  // namespace
+
+TEST_CASE("L7: equal masses never collide more than twice, and do twice") {
+    const Found found = hunt(1, 2, trials(30'000), 601);
+    INFO(found.excess);
+    CHECK(found.excess.empty());
+    CHECK(found.most == 2);
+    CHECK(theorem<Real>(1).maximum() == 2);
+}
+
+TEST_CASE("theorem: no simulated total exceeds 2 + k0 + k1, and the maximum is found") {
+    for (const double ratio : {4.7, 10.0, 12.0, 25.0, 100.0, 1000.0}) {
+        const std::size_t bound = theorem<Real>(ratio).maximum();
+        const Found found = hunt(ratio, bound, trials(20'000), 602);
+        INFO("q " << ratio << " bound " << bound << " found " << found.most << ' ' << found.excess);
+        CHECK(found.excess.empty());
+        CHECK(found.most == bound);
+        CHECK(found.most_heavy == 1);
+        // "every longest trajectory hits the floor with the heavy mass exactly once"
+        CHECK(found.longest_without_bridge == 0);
+    }
+}
+
+TEST_CASE("theorem: never exceeded next to critical ratios, near 1 and far out") {
+    Sampler seeds(1, 603);
+    const Real tan_root = 4.49340945790906417530788092728L;  // first positive root of tan x = x
+    const double critical4 = static_cast<double>(std::sqrt(1 + tan_root * tan_root));
+    std::vector<double> ratios = {1 + 1e-12, 1.0000001, 1.1, 4.6, 4.61, 1e4, 1e6};
+    for (const double gap : {1e-4, 1e-6, 1e-9}) {
+        ratios.push_back(critical4 * (1 - gap));
+        ratios.push_back(critical4 * (1 + gap));
+        CHECK(theorem<Real>(critical4 * (1 - gap)).maximum() == 3);
+        CHECK(theorem<Real>(critical4 * (1 + gap)).maximum() == 4);
+    }
+    for (int i = 0; i < 15; ++i) ratios.push_back(seeds.log_uniform(1, 1000));
+    for (const double ratio : ratios) {
+        const std::size_t bound = theorem<Digits80>(ratio).maximum();
+        const Found found = hunt(ratio, bound, trials(4'000), 604);
+        INFO("q " << ratio << " bound " << bound << " found " << found.most << ' ' << found.excess);
+        CHECK(found.excess.empty());
+        CHECK(found.most_heavy == 1);
+        CHECK(found.longest_without_bridge == 0);
+        if (ratio < 1e4) CHECK(found.most + 1 >= bound);
+    }
+}
+
+TEST_CASE("theorem: never exceeded next to the corner, with 80 digits") {
+    for (const double ratio : {1.0, 1.0000001, 4.61, 10.0, 12.0, 100.0}) {
+        const std::size_t bound = theorem<Digits80>(ratio).maximum();
+        const Dumbbell<Digits80> body{Digits80(ratio)};
+        Sampler sampler(ratio, 605);
+        std::size_t most = 0;
+        for (int i = 0; i < trials(120); ++i) {
+            Start start = sampler.next(Family::near_corner);
+            if (i % 2 == 0) {
+                const double e = sampler.log_uniform(1e-12, 1e-3);
+                start = BridgeState<double>{e, e * e * sampler.log_uniform(1e-6, 10)};
+            }
+            const Total<Digits80> total = total_collisions(body, start);
+            most = std::max(most, total.collisions);
+            if (total.collisions > bound || total.heavy > 1) {
+                FAIL(say("q", ratio, describe(start), "has", total.collisions, "bound", bound));
+            }
+        }
+        CHECK(most + 1 >= bound);
+    }
+}
+
+TEST_CASE(
+    "theorem: k1 is k0 or k0 - 1, tangent counts are monotone, N* grows with q and stays below the paper's") {
+    Sampler sampler(1, 606);
+    std::vector<double> ratios;
+    for (int i = 0; i < trials(2'000); ++i) ratios.push_back(random_ratio(sampler, 1e5));
+    std::sort(ratios.begin(), ratios.end());
+    Theorem previous{0, 0};
+    for (const double ratio : ratios) {
+        const Theorem now = theorem<Real>(ratio);
+        const Real excess =
+            static_cast<Real>(now.maximum()) - 2 - 0.8855951L * std::sqrt(static_cast<Real>(ratio));
+        INFO("q " << ratio << " k0 " << now.k0 << " k1 " << now.k1 << " excess " << excess);
+        if (now.k1 != now.k0 && now.k1 + 1 != now.k0) FAIL("k1");
+        if (now.k0 < previous.k0 || now.k1 < previous.k1) FAIL("not monotone in q");
+        if (now.maximum() > paper_bound(ratio)) FAIL("above ceil(pi / gamma)");
+        if (excess < -1.02L || excess > 0.115L) FAIL("size");
+        previous = now;
+
+        // F_L and F_R of the tangents of the bridge, from its top (e = pi/2) towards the corner.
+        const Real r = 1 / static_cast<Real>(ratio);
+        std::size_t left = now.k0;
+        std::size_t right = now.k0;
+        for (int k = 0; k <= 20; ++k) {
+            const Real e = pi<Real>() / 2 * (20 - k) / 20 + 1e-4L;
+            const std::size_t l =
+                ray_count(bridge_ray(BridgeState<Real>{std::min(e, pi<Real>() / 2), 0}, r), r);
+            const std::size_t f =
+                ray_count(bridge_ray_reversed(BridgeState<Real>{std::min(e, pi<Real>() / 2), 0}, r), r);
+            if (l > left || f < right || l < now.k1 || f > 1 + now.k1)
+                FAIL(say("tangent counts at e =", e, l, f));
+            left = l;
+            right = f;
+        }
+        if (right != 1 + now.k1) FAIL("F_R near the corner is not 1 + k1");
+    }
+}

@@ -1,0 +1,314 @@
+// Every rule of format.md, sections 1 to 3, has here a file that breaks it and nothing else.
+#include <catch2/catch.hpp>
+#include <random>
+
+#include "make_certificate.hpp"
+#include "verify/certificate.hpp"
+
+using namespace dumbbell_verify;
+using make::closed;
+using make::File;
+using make::hashed;
+using make::mutated;
+using make::replaced;
+
+namespace {
+
+/// "verified", or the code of the failure, with its line if `with_line`.
+std::string outcome(const std::string& bytes, bool with_line = false) {
+    const File file(bytes);
+    try {
+        Settings settings;
+        verify(file.path(), settings);
+        return "verified";
+    } catch (const Failure& failure) {
+        return failure.code + (with_line ? " " + std::to_string(failure.line) : "");
+    }
+}
+
+const std::string& ten() {
+    static const std::string text = closed(make::header("10/1", "10/1", 1) + make::piece(10, 10, 4, 0, ""));
+    return text;
+}
+
+}  // namespace
+
+TEST_CASE("the example is verified, plain and compressed") {
+    CHECK(outcome(ten()) == "verified");
+    CHECK(outcome(make::gzipped(ten())) == "verified");
+}
+
+TEST_CASE("truncation at every byte is refused, plain and compressed") {
+    const std::string packed = make::gzipped(ten());
+    for (std::size_t n = 0; n < ten().size(); ++n) {
+        INFO(n);
+        REQUIRE(outcome(ten().substr(0, n)) != "verified");
+    }
+    for (std::size_t n = 0; n < packed.size(); ++n) REQUIRE(outcome(packed.substr(0, n)) != "verified");
+    CHECK(outcome("") == "truncated");
+    CHECK(outcome(ten().substr(0, ten().size() - 1)) == "truncated");
+    CHECK(outcome(packed.substr(0, packed.size() - 1)) == "gzip");
+}
+
+TEST_CASE("a changed byte is refused, wherever it is") {
+    for (std::size_t n = 0; n < ten().size(); ++n) {
+        std::string text = ten();
+        text[n] = text[n] == '1' ? '2' : '1';
+        if (text == ten()) continue;
+        INFO(n);
+        REQUIRE(outcome(text) != "verified");
+    }
+}
+
+TEST_CASE("lines mixed up at random, with a correct trailer, end in a verdict and prove nothing new") {
+    std::vector<std::string> lines;
+    std::istringstream in(closed(make::header("113/10", "113/10", 1) +
+                                 make::piece(mpq_class(113, 10), mpq_class(113, 10), 4, 0, "")));
+    for (std::string line; std::getline(in, line) && !line.starts_with("total");) lines.push_back(line);
+    std::mt19937 random(11);
+    const auto some = [&](std::size_t n) { return static_cast<std::size_t>(random() % n); };
+    for (int i = 0; i < 3000; ++i) {
+        std::vector<std::string> mixed = lines;
+        for (std::size_t n = 1 + some(3); n > 0; --n) {
+            const std::size_t at = 7 + some(mixed.size() - 7);
+            switch (some(4)) {
+                case 0:
+                    mixed.erase(mixed.begin() + static_cast<std::ptrdiff_t>(at));
+                    break;
+                case 1:
+                    mixed.insert(mixed.begin() + static_cast<std::ptrdiff_t>(at),
+                                 mixed[7 + some(mixed.size() - 7)]);
+                    break;
+                case 2:
+                    std::swap(mixed[at], mixed[7 + some(mixed.size() - 7)]);
+                    break;
+                default:
+                    mixed[at][some(mixed[at].size())] = "0123456789b/- "[some(14)];
+            }
+        }
+        std::string body;
+        for (const std::string& line : mixed) body += line + "\n";
+        const std::string result = outcome(closed(body));
+        INFO(body << result);
+        if (result == "verified") {  // a higher bound, or another order of the same leaves
+            REQUIRE(body.find("upper 1\n") == std::string::npos);
+            REQUIRE(body.find("upper 2\n") == std::string::npos);
+            REQUIRE(body.find("upper 3\n") == std::string::npos);
+            REQUIRE(body.find("lower 0\n") != std::string::npos);
+        }
+    }
+}
+
+TEST_CASE("bytes: printable ASCII and line feeds only") {
+    CHECK(outcome(replaced(ten(), "lemmas 1\n", "lemmas 1\r\n")) == "byte");
+    CHECK(outcome(replaced(ten(), "lemmas 1", "lemmas\t1")) == "byte");
+    CHECK(outcome(replaced(ten(), "lemmas 1",
+                           "lemmas\xc2\xa0"
+                           "1")) == "byte");
+    CHECK(outcome(replaced(ten(), "lemmas 1", std::string("lemmas 1\0", 9))) == "byte");
+    CHECK(outcome(std::string(1 << 20, '\0')) == "byte");
+    CHECK(outcome("\x7f") == "byte");
+    CHECK(outcome("\xef\xbb\xbf" + ten()) == "byte");
+    CHECK(outcome(ten() + "\n") == "trailing");
+    CHECK(outcome(ten() + ten()) == "trailing");
+    CHECK(outcome(ten() + std::string(1, '\0')) == "trailing");
+}
+
+TEST_CASE("lines: one space between fields, none elsewhere, none empty, none long") {
+    CHECK(outcome(mutated(ten(), "lemmas 1", "lemmas  1")) == "line");
+    CHECK(outcome(mutated(ten(), "lemmas 1", " lemmas 1")) == "line");
+    CHECK(outcome(mutated(ten(), "lemmas 1", "lemmas 1 ")) == "line");
+    CHECK(outcome(mutated(ten(), "lemmas 1\n", "lemmas 1\n\n")) == "line");
+    CHECK(outcome(mutated(ten(), "lemmas 1", "lemmas 1 " + std::string(5000, '1'))) == "line");
+    CHECK(outcome(std::string(100'000, 'x')) == "line");
+}
+
+TEST_CASE("gzip: one member and nothing behind it") {
+    const std::string packed = make::gzipped(ten());
+    CHECK(outcome(packed + "x") == "gzip");
+    CHECK(outcome(packed + std::string(10, '\0')) == "gzip");
+    CHECK(outcome(packed + packed) == "gzip");
+    CHECK(outcome(packed + make::gzipped("")) == "gzip");
+    CHECK(outcome(make::gzipped(packed)) == "byte");
+    CHECK(outcome(make::gzipped(ten() + "\n")) == "trailing");
+    std::string damaged = packed;
+    damaged[damaged.size() - 6] = static_cast<char>(damaged[damaged.size() - 6] ^ 1);  // the CRC
+    CHECK(outcome(damaged) == "gzip");
+    CHECK(outcome("\x1f\x8b") == "gzip");
+    CHECK(outcome("\x1f") == "byte");
+}
+
+TEST_CASE("what this program does not know is unsupported, what is misspelled is rejected") {
+    CHECK(outcome(mutated(ten(), "certificate 1", "certificate 2"), true) == "unsupported 1");
+    CHECK(outcome(mutated(ten(), "certificate 1", "certificate 01"), true) == "number 1");
+    CHECK(outcome(mutated(ten(), "certificate 1", "certificate one"), true) == "number 1");
+    CHECK(outcome(mutated(ten(), "dumbbell-certificate", "Dumbbell-certificate"), true) == "syntax 1");
+    CHECK(outcome(mutated(ten(), "lemmas 1", "lemmas 2"), true) == "unsupported 3");
+    CHECK(outcome(mutated(ten(), "scene dumbbell", "scene hybrid"), true) == "unsupported 4");
+    CHECK(outcome(mutated(ten(), "scene dumbbell", "scene Dumbbell"), true) == "word 4");
+    CHECK(outcome(mutated(ten(), "section turning", "section full"), true) == "unsupported 5");
+    CHECK(outcome(mutated(ten(), "claim collisions", "claim heavy"), true) == "unsupported 6");
+    CHECK(outcome(mutated(ten(), "claim collisions", "claim 7"), true) == "word 6");
+    CHECK(outcome(mutated(ten(), "generator test", "generator Test"), true) == "word 2");
+    CHECK(outcome(mutated(ten(), "generator test", "generator " + std::string(33, 'a')), true) == "word 2");
+    CHECK(outcome(mutated(ten(), "generator test 1.0", "generator test"), true) == "syntax 2");
+    CHECK(outcome(mutated(ten(), "lemmas 1\nscene dumbbell\n", "scene dumbbell\nlemmas 1\n"), true) ==
+          "syntax 3");
+}
+
+TEST_CASE("ratios have one spelling, and 1 <= LO <= HI") {
+    for (const char* bad : {"10", "10/", "/1", "010/1", "10/01", "20/2", "10/0", "0/1", "-10/1", "10/1/1",
+                            "1e1/1", "10.0/1", "+10/1"}) {
+        INFO(bad);
+        CHECK(outcome(mutated(ten(), "ratio 10/1 10/1", std::string("ratio ") + bad + " 10/1"), true) ==
+              "number 7");
+    }
+    CHECK(outcome(mutated(ten(), "ratio 10/1 10/1", "ratio 1/2 10/1"), true) == "number 7");
+    CHECK(outcome(mutated(ten(), "ratio 10/1 10/1", "ratio 11/1 10/1"), true) == "number 7");
+    CHECK(outcome(mutated(ten(), "ratio 10/1 10/1", "ratio " + std::string(2101, '9') + "/1 10/1"), true) ==
+          "number 7");
+    CHECK(outcome(mutated(ten(), "ratio 10/1 10/1", "ratio 10/1"), true) == "syntax 7");
+}
+
+TEST_CASE("numbers have one spelling and at most 18 digits") {
+    for (const char* bad : {"01", "-1", "+1", "1.0", "1000000000000000000", "x", "0x1"}) {
+        INFO(bad);
+        CHECK(outcome(mutated(ten(), "upper 4", std::string("upper ") + bad), true) == "number 11");
+    }
+    CHECK(outcome(mutated(ten(), "pieces 1", "pieces 0"), true) == "number 8");
+    CHECK(outcome(mutated(ten(), "pieces 1", "pieces 2")) == "syntax");
+}
+
+TEST_CASE("the pieces form a chain from LO to HI") {
+    const auto file = [](const std::string& lo, const std::string& hi, const std::string& p1,
+                         const std::string& p2) {
+        const std::string rest = "\nbits 53\nupper none\nlower 0\n";
+        return closed(make::header(lo, hi, 2) + "piece " + p1 + rest + "piece " + p2 + rest);
+    };
+    CHECK(outcome(file("2/1", "4/1", "2/1 3/1", "3/1 4/1")) == "verified");
+    CHECK(outcome(file("2/1", "4/1", "2/1 2/1", "2/1 4/1")) == "verified");
+    CHECK(outcome(file("2/1", "4/1", "2/1 3/1", "7/2 4/1")) == "chain");
+    CHECK(outcome(file("2/1", "4/1", "2/1 3/1", "5/2 4/1")) == "chain");
+    CHECK(outcome(file("2/1", "4/1", "5/2 3/1", "3/1 4/1")) == "chain");
+    CHECK(outcome(file("2/1", "4/1", "2/1 3/1", "3/1 7/2")) == "chain");
+    CHECK(outcome(file("2/1", "4/1", "2/1 5/1", "5/1 4/1")) == "chain");
+}
+
+TEST_CASE("a piece has bits, an upper bound or none, a cover, a lower bound not above it") {
+    CHECK(outcome(mutated(ten(), "bits 53", "bits 52")) == "number");
+    CHECK(outcome(mutated(ten(), "bits 53", "bits 4097")) == "number");
+    CHECK(outcome(mutated(ten(), "bits 53", "bits 1025")) == "limit");
+    CHECK(outcome(mutated(ten(), "bits 53", "bits 200")) == "verified");
+    CHECK(outcome(mutated(ten(), "bits 53\n", "")) == "syntax");
+    CHECK(outcome(mutated(ten(), "upper 4", "upper some")) == "number");
+    CHECK(outcome(mutated(ten(), "upper 4", "upper none")) == "syntax");  // a cover where none may be
+    CHECK(outcome(mutated(ten(), "lower 0", "lower 5")) == "number");
+    CHECK(outcome(mutated(ten(), "lower 0", "lower 1")) == "syntax");  // no witness
+    CHECK(outcome(mutated(ten(), "lower 0\n", "lower 0\nwitness bridge 1b-1 1b-1 0 0\n")) == "syntax");
+    CHECK(outcome(mutated(ten(), "chart bridge", "chart light")) == "syntax");
+    CHECK(outcome(mutated(ten(), "chart light\ncount 1 2\n", "")) == "syntax");
+    CHECK(outcome(mutated(ten(), "chart bridge\ncount 1 2\n", "")) == "syntax");
+    CHECK(outcome(mutated(ten(), "chart light", "chart light light")) == "syntax");
+}
+
+TEST_CASE("tree lines: known opcodes of the chart, axes of the chart, all hints, whole trees") {
+    CHECK(outcome(mutated(ten(), "count 1 2", "meets")) == "opcode");
+    CHECK(outcome(mutated(ten(), "count 1 2", "meets-reversed")) == "opcode");
+    CHECK(outcome(mutated(ten(), "count 1 2", "equal-masses")) == "opcode");
+    CHECK(outcome(mutated(ten(), "count 1 2", "witness 1 2")) == "opcode");
+    CHECK(outcome(mutated(ten(), "count 1 2", "trust me")) == "opcode");
+    CHECK(outcome(mutated(ten(), "count 1 2", "count 1")) == "syntax");
+    CHECK(outcome(mutated(ten(), "count 1 2", "count 1 2 3")) == "syntax");
+    CHECK(outcome(mutated(ten(), "count 1 2", "count 1 -2")) == "number");
+    CHECK(outcome(mutated(ten(), "count 1 2", "split lambda\ncount 1 2\ncount 1 2")) == "syntax");
+    CHECK(outcome(mutated(ten(), "chart light\n", "chart light\nsplit eta\ncount 1 2\n")) == "syntax");
+    CHECK(outcome(mutated(ten(), "count 1 2", "split e e\ncount 1 2\ncount 1 2")) == "syntax");
+    CHECK(outcome(mutated(ten(), "count 1 2", "split\ncount 1 2\ncount 1 2")) == "syntax");
+    CHECK(outcome(mutated(ten(), "count 1 2", "split e\ncount 1 2\ncount 1 2")) == "verified");
+    CHECK(outcome(mutated(ten(), "count 1 2", "split q\ncount 1 2\ncount 1 2")) == "verified");
+    CHECK(outcome(mutated(ten(), "count 1 2", "split e\ncount 1 2")) == "opcode");  // a leaf is missing
+    CHECK(outcome(mutated(ten(), "count 1 2", "count 1 2\ncount 1 2")) == "syntax");
+}
+
+TEST_CASE("400 splits of one axis may lie above a node, 401 not") {
+    const auto chain = [](int n) {
+        std::string tree;
+        for (int i = 0; i < n; ++i) tree += "split e\n";
+        tree += "count 1 2";
+        for (int i = 0; i < n; ++i) tree += "\ncount 1 2";
+        return mutated(ten(), "count 1 2", tree);
+    };
+    CHECK(outcome(chain(400)) == "verified");
+    CHECK(outcome(chain(401)) == "depth");
+    std::string all;
+    for (int i = 0; i < 400; ++i) all += "split e\nsplit eta\nsplit q\n";
+    std::string leaves = "count 1 2";
+    for (int i = 0; i < 1200; ++i) leaves += "\ncount 1 2";
+    CHECK(outcome(mutated(ten(), "count 1 2", all + leaves)) == "verified");
+    std::string endless;
+    for (int i = 0; i < 1'000'000; ++i) endless += "split e\n";
+    CHECK(outcome(make::header("10/1", "10/1", 1) + "piece 10/1 10/1\nbits 53\nupper 4\nchart bridge\n" +
+                  endless) == "depth");
+}
+
+TEST_CASE("dyadics have one spelling") {
+    const std::string text = mutated(ten(), "lower 0\n", "lower 1\nwitness bridge 1b-1 1b-1 0 0\n");
+    CHECK(outcome(text) == "verified");
+    for (const char* bad : {"2b-2", "1b-01", "01b-1", "1b-0", "1", "b1", "1b", "-1b-1", "1b--1", "1b+1",
+                            "1b401", "1b-401", "1b1b1", "0b1", "0b-1", "0.5"}) {
+        INFO(bad);
+        CHECK(outcome(mutated(text, "1b-1 1b-1", std::string(bad) + " 1b-1")) == "number");
+    }
+    CHECK(outcome(mutated(text, "1b-1 1b-1", "1b-1 " + std::string(126, '1') + "b-400")) == "number");
+    CHECK(outcome(mutated(text, "1b-1 1b-1", "1b-1 " + std::string(125, '1') + "b-400")) ==
+          "witness");  // eta > q
+    CHECK(outcome(mutated(text, "witness bridge", "witness light")) == "syntax");
+    CHECK(outcome(mutated(text, "witness bridge 1b-1 1b-1 0 0", "witness bridge 1b-1 1b-1 0")) == "syntax");
+}
+
+TEST_CASE("totals and SHA-256 must be there and right") {
+    const std::string body = ten().substr(0, ten().find("total split"));
+    CHECK(outcome(body) == "truncated");
+    CHECK(outcome(hashed(body)) == "syntax");
+    CHECK(outcome(hashed(body + replaced(make::totals(body), "count 2", "count 3"))) == "total");
+    CHECK(outcome(hashed(body + replaced(make::totals(body), "count 2", "count 02"))) == "number");
+    CHECK(outcome(hashed(body + replaced(make::totals(body), "total outside 0\n", ""))) == "total");
+    CHECK(outcome(hashed(body + replaced(make::totals(body), "outside", "inside"))) == "total");
+    CHECK(outcome(body + make::totals(body) + "sha256 " + std::string(64, '0') + "\n") == "sha256");
+    std::string capital = ten();
+    for (std::size_t i = capital.size() - 65; i < capital.size(); ++i)
+        if (capital[i] >= 'a') capital[i] = static_cast<char>(capital[i] - 32);
+    CHECK(outcome(capital) == "sha256");
+}
+
+TEST_CASE("the first failing line of the file is reported, whatever the threads do") {
+    std::string leaves;
+    for (int i = 0; i < 60; ++i) leaves += "split q\n";
+    for (int i = 0; i < 61; ++i) leaves += i == 20 || i == 40 ? "outside\n" : "count 1 2\n";
+    std::string text = mutated(ten(), "count 1 2\n", leaves);
+    for (const unsigned jobs : {1U, 2U, 8U}) {
+        for (const bool cut : {false, true}) {  // a later syntax error does not hide the leaf
+            const File file(cut ? text.substr(0, text.size() - 100) : text);
+            Settings settings;
+            settings.jobs = jobs;
+            try {
+                verify(file.path(), settings);
+                FAIL("verified");
+            } catch (const Failure& failure) {
+                CHECK(failure.line == 13 + 60 + 20);
+                CHECK(failure.code == "outside");
+            }
+        }
+    }
+}
+
+TEST_CASE("what cannot be read is unreadable, not wrong") {
+    for (const char* path : {"/nonexistent/file", "/tmp"}) {
+        try {
+            verify(path, Settings());
+            FAIL("verified");
+        } catch (const Failure& failure) {
+            CHECK(failure.verdict == Verdict::unreadable);
+        }
+    }
+}

@@ -1,0 +1,238 @@
+// The program as a script sees it: last line, exit code, options.
+#include <sys/wait.h>
+
+#include <catch2/catch.hpp>
+
+#include "make_certificate.hpp"
+
+using make::closed;
+using make::File;
+using make::mutated;
+
+namespace {
+
+struct Run {
+    int code;
+    std::string out, err;
+    [[nodiscard]] std::string last() const {
+        const std::size_t end = out.size() - 1;
+        return out.empty() ? ""
+                           : out.substr(out.rfind('\n', end - 1) + 1, end - out.rfind('\n', end - 1) - 1);
+    }
+};
+
+Run run(const std::string& arguments, const std::string& before = "") {
+    const File out(""), err("");
+    const std::string command =
+        before + DUMBBELL_VERIFY_BIN " " + arguments + " >" + out.path() + " 2>" + err.path();
+    const int status = std::system(command.c_str());
+    const auto text = [](const File& file) {
+        std::ostringstream all;
+        all << std::ifstream(file.path()).rdbuf();
+        return all.str();
+    };
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), text(out), text(err)};
+}
+
+const std::string& ten() {
+    static const std::string text = closed(make::header("10/1", "10/1", 1) + make::piece(10, 10, 4, 0, ""));
+    return text;
+}
+std::string open_piece(const std::string& a, const std::string& b) {
+    return "piece " + a + " " + b + "\nbits 53\nupper none\nlower 0\n";
+}
+
+}  // namespace
+
+TEST_CASE("the verdict line and the exit code agree") {
+    const File good(ten()), bad(mutated(ten(), "upper 4", "upper 3")),
+        foreign(mutated(ten(), "lemmas 1", "lemmas 9"));
+    const File heavy(mutated(ten(), "bits 53", "bits 2000")), empty("");
+    const Run verified = run(good.path());
+    CHECK(verified.code == 0);
+    CHECK(verified.last() ==
+          "s VERIFIED scene=dumbbell ratio=10/1:10/1 upper=4 lower=0 gaps=0 open=1 sha256=" +
+              ten().substr(ten().size() - 65, 64));
+    CHECK(run(bad.path()).code == 1);
+    CHECK(run(bad.path()).last().starts_with("s REJECTED line=13 code=count "));
+    CHECK(run(foreign.path()).code == 3);
+    CHECK(run(foreign.path()).last() == "s UNSUPPORTED line=3 unknown lemmas 9");
+    CHECK(run(heavy.path()).code == 4);
+    CHECK(run(heavy.path()).last().starts_with("s LIMIT line=10 "));
+    CHECK(run("--max-bits 2000 " + heavy.path()).code == 0);
+    CHECK(run(empty.path()).code == 1);
+    CHECK(run(empty.path()).last().starts_with("s REJECTED line=1 code=truncated "));
+    CHECK(run("/nonexistent").code == 2);
+    CHECK(run("/nonexistent").last() == "s UNREADABLE No such file or directory");
+    CHECK(run("/tmp").code == 2);
+    CHECK(run("/tmp").last() == "s UNREADABLE Is a directory");
+    for (const Run& r : {run(bad.path()), run(foreign.path()), run(heavy.path()), run(empty.path())}) {
+        CHECK(r.out.find("VERIFIED") == std::string::npos);
+        CHECK(r.out.find("100.0") == std::string::npos);
+    }
+}
+
+TEST_CASE("of several files 1 goes before 4, 3, 2 and 0") {
+    const File good(ten()), bad(mutated(ten(), "upper 4", "upper 3")),
+        foreign(mutated(ten(), "lemmas 1", "lemmas 9"));
+    const File heavy(mutated(ten(), "bits 53", "bits 2000"));
+    const std::string g = " " + good.path(), b = " " + bad.path(), f = " " + foreign.path(),
+                      h = " " + heavy.path(), m = " /nonexistent";
+    CHECK(run(g + g).code == 0);
+    CHECK(run(g + m).code == 2);
+    CHECK(run(m + f + g).code == 3);
+    CHECK(run(f + h + m).code == 4);
+    CHECK(run(h + f + m + b + g).code == 1);
+    const std::string out = run(g + m + b).out;
+    CHECK(out.find("s VERIFIED") < out.find("s UNREADABLE"));
+    CHECK(out.find("s UNREADABLE") < out.find("s REJECTED"));
+}
+
+TEST_CASE("a demand is proved or the file is rejected") {
+    const File file(ten());
+    const auto code = [&](const std::string& options) { return run(options + " " + file.path()).code; };
+    CHECK(code("--max 4") == 0);
+    CHECK(code("--max 5") == 0);
+    CHECK(code("--max 3") == 1);
+    CHECK(code("--min 0") == 0);
+    CHECK(code("--min 1") == 1);
+    CHECK(code("--exactly 4") == 1);
+    CHECK(code("--ratio 10 --max 4") == 0);
+    CHECK(code("--ratio=1e1 --max=4") == 0);
+    CHECK(code("--ratio 100e-1") == 0);
+    CHECK(code("--ratio 20/2") == 0);
+    CHECK(code("--ratio 0.1") == 0);  // the masses are swapped
+    CHECK(code("--ratio 1/10:10e-2") == 0);
+    CHECK(code("--ratio 10.0000000000000000000000000000000001") == 1);
+    CHECK(code("--ratio 9:10") == 1);
+    CHECK(code("--scene dumbbell") == 0);
+    CHECK(code("--scene hybrid") == 1);
+    CHECK(run("--max 3 " + file.path()).last().find("code=claim-not-proved") != std::string::npos);
+    const File stairs(closed(make::header("2/1", "12/1", 3) + open_piece("2/1", "10/1") +
+                             make::piece(10, mpq_class(21, 2), 4, 0, "") + open_piece("21/2", "12/1")));
+    CHECK(run("--ratio 10:21/2 --max 4 " + stairs.path()).code == 0);
+    CHECK(run("--ratio 10.2 --max 4 " + stairs.path()).code == 0);
+    CHECK(run("--ratio 10:10.6 --max 4 " + stairs.path()).code == 1);
+    CHECK(run("--max 4 " + stairs.path()).code == 1);
+    CHECK(run(stairs.path()).last().find("upper=none lower=0 gaps=0 open=3") != std::string::npos);
+}
+
+TEST_CASE("wrong usage is one line on stderr and exit code 2") {
+    const File file(ten());
+    for (const char* options : {
+             "",
+             "--what",
+             "--max",
+             "--max -1 F",
+             "--max 4x F",
+             "--max 1000000000000000000 F",
+             "--ratio 0 F",
+             "--ratio -1 F",
+             "--ratio nan F",
+             "--ratio inf F",
+             "--ratio '' F",
+             "--ratio 5:3 F",
+             "--ratio 1/2:2 F",
+             "--ratio 1/0 F",
+             "--ratio 1e1001 F",
+             "--ratio 1e99999999999 F",
+             "--ratio .5 F",
+             "--ratio 5. F",
+             "--ratio 1:2:3 F",
+             "--ratio ' 5' F",
+             "--ratio 1.5/2 F",
+             "--jobs 0 F",
+             "--jobs 1e9 F",
+             "--max-bits 5 F",
+             "--precision 52 F",
+             "--precision 5000 F",
+             "--json=1 F",
+             "--explain 1:bridge --json F",
+
+         }) {
+        std::string arguments = options;
+        if (arguments.ends_with(" F")) arguments.replace(arguments.size() - 1, 1, file.path());
+        const Run r = run(arguments);
+        INFO(options << " -> " << r.err);
+        CHECK(r.code == 2);
+        CHECK(std::count(r.err.begin(), r.err.end(), '\n') == 1);
+    }
+    const std::string digits(1001, '1');
+    CHECK(run("--ratio " + digits + " " + file.path()).code == 2);
+    CHECK(run("--ratio " + digits.substr(1) + " " + file.path()).code == 1);
+    CHECK(run("--ratio 1e1000 " + file.path()).code == 1);
+    CHECK(run("--ratio 1e0000000000000001 " + file.path()).code == 0);
+    CHECK(run("-- " + file.path()).code == 0);
+    CHECK(run("--help").code == 0);
+    CHECK(run("--help").out.find("--explain") != std::string::npos);
+    CHECK(run("--version").out.starts_with("dumbbell-verify "));
+    for (const std::string& arguments : {file.path(), std::string("--help"), std::string("--version")})
+        CHECK(std::system((DUMBBELL_VERIFY_BIN " " + arguments + " >/dev/full 2>/dev/null").c_str()) != 0);
+}
+
+TEST_CASE("the option --json prints an array and nothing else") {
+    const File good(ten()), bad(mutated(ten(), "upper 4", "upper 3"));
+    const Run r = run("--json " + good.path() + " " + bad.path() + " '/no\"such\nfile'");
+    CHECK(r.code == 1);
+    CHECK(r.out.starts_with("[{\"file\":\"" + good.path() + "\",\"verdict\":\"VERIFIED\",\"claim\":{"));
+    CHECK(r.out.find("\"leaves\":{\"split\":0,\"count\":2,") != std::string::npos);
+    CHECK(r.out.find("\"verdict\":\"REJECTED\",\"claim\":null,\"sha256\":null,") != std::string::npos);
+    CHECK(r.out.find("\"line\":13,\"code\":\"count\",\"reason\":\"not certified: 1 + a + b <= U\"}") !=
+          std::string::npos);
+    CHECK(r.out.find("\"file\":\"/no\\u0022such\\u000afile\"") != std::string::npos);
+    CHECK(r.out.ends_with("}]\n"));
+}
+
+TEST_CASE("the option --explain shows a leaf with its numbers") {
+    const File file(closed(make::header("113/10", "113/10", 1) +
+                           make::piece(mpq_class(113, 10), mpq_class(113, 10), 4, 0, "")));
+    const Run bridge = run("--explain 1:bridge " + file.path());
+    CHECK(bridge.code == 0);
+    CHECK(bridge.out.find("1:bridge, line 13: count 1 2\n") == 0);
+    CHECK(bridge.out.find("q in [113/10, 113/10]") != std::string::npos);
+    CHECK(bridge.out.find("G <= b for sigma X: holds") != std::string::npos);
+    CHECK(bridge.out.find("  certified\n") != std::string::npos);
+    CHECK(run("--precision 200 --explain 1:bridge " + file.path()).out.find("200 bits") != std::string::npos);
+    for (const char* leaf : {"2:bridge", "1:light", "1:bridge.0", "1:witness", "nonsense"}) {
+        const Run missing = run(std::string("--explain ") + leaf + " " + file.path());
+        CHECK(missing.code == 2);
+        CHECK(missing.last() == std::string("s UNREADABLE there is no leaf ") + leaf);
+    }
+    const File wrong(mutated(ten(), "upper 4", "upper 3"));
+    const Run failing = run("--explain 1:bridge " + wrong.path());
+    CHECK(failing.code == 1);
+    CHECK(failing.out.find("1 + a + b <= U: does NOT hold") != std::string::npos);
+    CHECK(failing.out.find("  NOT certified\n") != std::string::npos);
+    const File long_ray(
+        closed(make::header("10000/1", "10000/1", 1) + make::piece(10'000, 10'000, 90, 0, "")));
+    CHECK(run("--explain 1:bridge " + long_ray.path()).out.size() < 40'000);
+}
+
+#if defined(__SANITIZE_ADDRESS__)
+constexpr bool sanitized = true;
+#elif defined(__has_feature)
+constexpr bool sanitized = __has_feature(address_sanitizer);
+#else
+constexpr bool sanitized = false;
+#endif
+
+TEST_CASE("a gigabyte of zeros, plain or compressed, is refused at once in little memory") {
+    const std::string little_memory = sanitized ? "" : "ulimit -v 400000; ";  // the sanitizer maps terabytes
+    const File file("");
+    REQUIRE(truncate(file.path().c_str(), 1L << 30) == 0);
+    const Run r = run(file.path(), little_memory + "timeout 5 ");
+    CHECK(r.last().starts_with("s REJECTED line=1 code=byte"));
+    CHECK(r.code == 1);
+    const File packed("");
+    REQUIRE(std::system(("head -c 300000000 /dev/zero | gzip -1 >" + packed.path()).c_str()) == 0);
+    CHECK(run(packed.path(), little_memory + "timeout 5 ").last().starts_with("s REJECTED line=1 code=byte"));
+}
+
+TEST_CASE("results do not depend on the number of threads") {
+    std::string leaves, text;
+    for (int i = 0; i < 400; ++i) leaves += "split q\n";
+    for (int i = 0; i <= 400; ++i) leaves += "count 1 2\n";
+    const File file(mutated(ten(), "count 1 2\n", leaves));
+    CHECK(run("--jobs 1 " + file.path()).out == run("--jobs 7 " + file.path()).out);
+    CHECK(run("--jobs 3 " + file.path()).code == 0);
+}
