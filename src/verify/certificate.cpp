@@ -19,9 +19,6 @@ class Reader {
   public:
     Reader(const std::string& path, const Settings& settings) : settings_(settings), text_(path) {
         proof_.claim = settings.demand;
-        proof_.tallies.push_back({"split"});
-        for (const Opcode& opcode : section_.opcodes) proof_.tallies.push_back({opcode.name});
-        proof_.tallies.push_back({"open"});
     }
 
     Proof run() {
@@ -31,7 +28,7 @@ class Reader {
             if (end_ != claim_.hi) text_.reject("chain", "the last piece does not end at HI");
             trailer();
             check_pending();
-            if (settings_.scene != section_.scene) text_.reject("claim-not-proved", "the scene is another");
+            if (settings_.scene != section_->scene) text_.reject("claim-not-proved", "the scene is another");
             if (const auto gap = claim_.missing(); !gap.empty()) text_.reject("claim-not-proved", gap);
         } catch (const Failure&) {
             check_pending();  // a leaf on an earlier line goes first
@@ -41,23 +38,49 @@ class Reader {
     }
 
   private:
-    /// A line with one value, of which this program knows only one.
-    void known(const std::string& keyword, std::string_view value) {
+    /// A line with one value: a word, or a number (or either). The file
+    /// is unsupported unless `is_known`.
+    template <class Predicate>
+    std::string known(const std::string& keyword, bool number, bool word, Predicate is_known) {
         text_.expect(keyword, 1);
-        const std::string found = value == "1" ? std::to_string(text_.natural(1)) : text_.word(1);
-        if (found != value)
-            throw Failure{Verdict::unsupported, text_.line, "unsupported",
-                          "unknown " + keyword + " " + found};
+        const char first = text_.fields[1][0];
+        const bool digit = number && (!word || (first >= '0' && first <= '9'));
+        const std::string found = digit ? std::to_string(text_.natural(1)) : text_.word(1);
+        if (!is_known(found)) unsupported("unknown " + keyword + " " + found);
+        return found;
+    }
+    [[noreturn]] void unsupported(const std::string& text) const {
+        throw Failure{Verdict::unsupported, text_.line, "unsupported", text};
+    }
+    /// The section that the lines `lemmas`, `scene` and `section` choose.
+    void choose_section() {
+        const auto table = sections();
+        const auto in = [&](std::string_view Section::*column) {
+            return [&table, column](const std::string& word) {
+                return std::any_of(table.begin(), table.end(),
+                                   [&](const Section* s) { return s->*column == word; });
+            };
+        };
+        const std::string lemmas = known("lemmas", true, true, in(&Section::lemmas));
+        const std::string scene = known("scene", false, true, in(&Section::scene));
+        const std::string name = known("section", false, true, in(&Section::name));
+        const auto found = std::find_if(table.begin(), table.end(), [&](const Section* s) {
+            return s->lemmas == lemmas && s->scene == scene && s->name == name;
+        });
+        if (found == table.end())
+            unsupported("no section " + name + " of the scene " + scene + " with lemmas " + lemmas);
+        section_ = *found;
+        proof_.tallies.push_back({"split"});
+        for (const Opcode& opcode : section_->opcodes) proof_.tallies.push_back({opcode.name});
+        proof_.tallies.push_back({"open"});
     }
     void header() {
-        known("dumbbell-certificate", "1");
+        known("dumbbell-certificate", true, false, [](const std::string& version) { return version == "1"; });
         text_.expect("generator", 2);
         text_.word(1);
         text_.word(2, true);
-        known("lemmas", "1");
-        known("scene", section_.scene);
-        known("section", section_.name);
-        known("claim", "collisions");
+        choose_section();
+        known("claim", false, true, [](const std::string& kind) { return kind == "collisions"; });
         text_.expect("ratio", 2);
         end_ = claim_.lo = text_.ratio(1);
         claim_.hi = text_.ratio(2);
@@ -82,9 +105,8 @@ class Reader {
         std::optional<std::uint64_t> upper;
         if (text_.fields[1] != "none") {
             upper = leaf.claimed = text_.natural(1);
-            leaf.box = section_.root(a, b);
-            proof_.roots += static_cast<double>(section_.charts.size());
-            cover(leaf);
+            proof_.roots += static_cast<double>(section_->charts.size());
+            cover(leaf, a, b);
         } else {
             ++proof_.tallies.back().lines;
         }
@@ -100,12 +122,13 @@ class Reader {
         claim_.add(a, b, upper, leaf.claimed);
     }
 
-    void cover(Leaf leaf) {
-        for (std::size_t i = 0; i < section_.charts.size(); ++i) {
+    void cover(Leaf leaf, const mpq_class& a, const mpq_class& b) {
+        for (std::size_t i = 0; i < section_->charts.size(); ++i) {
+            leaf.box = section_->root(i, a, b);
             text_.next();
             if (i == 0 && text_.fields[0] != "chart")
-                return take(leaf, Place::cover, 1, static_cast<double>(section_.charts.size()), "cover");
-            std::string path(section_.charts[i].name);
+                return take(leaf, Place::cover, 1, static_cast<double>(section_->charts.size()), "cover");
+            std::string path(section_->charts[i].name);
             if (text_.fields.size() != 2 || text_.fields[0] != "chart" || text_.fields[1] != path)
                 text_.reject("syntax", "expected `chart " + path + "`");
             leaf.chart = i;
@@ -119,7 +142,7 @@ class Reader {
         const auto& fields = text_.fields;
         const int depth = depth_[0] + depth_[1] + depth_[2];
         if (fields[0] != "split") return take(leaf, Place::leaf, 1, std::ldexp(1, -depth), path);
-        const auto& axes = section_.charts[leaf.chart].axes;
+        const auto& axes = section_->charts[leaf.chart].axes;
         const auto axis = fields.size() == 2 ? std::find(axes.begin(), axes.end(), fields[1]) : axes.end();
         if (axis == axes.end()) text_.reject("syntax", "not an axis of this chart");
         const auto i = static_cast<std::size_t>(axis - axes.begin());
@@ -140,15 +163,17 @@ class Reader {
     /// The present line as one thing to check; its hints are the fields from number `hints` on.
     void take(Leaf leaf, Place place, std::size_t hints, double covered, const std::string& path) {
         const auto& fields = text_.fields;
-        const auto& table = section_.opcodes;
+        const auto& table = section_->opcodes;
         const auto fits = [&](const Opcode& o) {
             return o.name == fields[0] && o.place == place && (o.charts >> leaf.chart & 1) != 0;
         };
         const auto opcode = std::find_if(table.begin(), table.end(), fits);
         if (opcode == table.end()) text_.reject("opcode", "not a line for this place");
-        if (fields.size() != hints + opcode->hints || (place == Place::witness && fields[1] != "bridge"))
+        if (fields.size() != hints + opcode->hints ||
+            (place == Place::witness && fields[1] != section_->witness))
             text_.reject("syntax", "wrong number of values, or unknown kind");
-        if (opcode->hints > 0) leaf.a = text_.natural(hints), leaf.b = text_.natural(hints + 1);
+        if (opcode->hints > 0) leaf.a = text_.natural(hints);
+        if (opcode->hints > 1) leaf.b = text_.natural(hints + 1);
         leaf.opcode = static_cast<std::size_t>(opcode - table.begin());
         leaf.line = text_.line;
         ++proof_.tallies[1 + leaf.opcode].lines;
@@ -164,15 +189,15 @@ class Reader {
         proof_.explained = true;
         std::string text =
             wanted + ", line " + std::to_string(leaf.line) + ": " + text_.fields[0].data();  // the whole line
-        text += section_.check(leaf, &text) ? "  NOT certified\n" : "  certified\n";
+        text += section_->check(leaf, &text) ? "  NOT certified\n" : "  certified\n";
         std::fputs(text.c_str(), stdout);
     }
 
     [[nodiscard]] std::optional<Failure> judge(const Leaf& leaf) const try {
         if (!arithmetic_works()) throw std::runtime_error("not IEEE 754: rounding mode, subnormals or fma");
-        const char* missing = section_.check(leaf, nullptr);
+        const char* missing = section_->check(leaf, nullptr);
         if (!missing) return std::nullopt;
-        const std::string opcode(section_.opcodes[leaf.opcode].name);
+        const std::string opcode(section_->opcodes[leaf.opcode].name);
         return Failure{Verdict::rejected, leaf.line, opcode, std::string("not certified: ") + missing};
     } catch (const std::exception& error) {
         return Failure{Verdict::limit, leaf.line, "limit", error.what()};
@@ -209,7 +234,7 @@ class Reader {
     }
 
     const Settings& settings_;
-    const Section& section_ = turning();
+    const Section* section_ = nullptr;  ///< from line 5 on
     Text text_;
     Proof proof_;
     Collisions& claim_ = proof_.claim;

@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace dumbbell_verify {
 
@@ -21,6 +22,14 @@ struct Collisions {
     mpq_class lo, hi;                        ///< of the file
     std::optional<std::uint64_t> upper = 0;  ///< the largest; none if a piece has none
     std::uint64_t lower = UINT64_MAX, pieces = 0, gaps = 0, open = 0;
+
+    struct Part {
+        mpq_class lo, hi;
+        std::optional<std::uint64_t> upper;
+        std::uint64_t lower;
+    };
+    bool keep = false;        ///< collect the parts
+    std::vector<Part> parts;  ///< the pieces, if they are kept
 
     /// The pieces come in increasing order, [lo, hi] of the file is their union.
     void add(const mpq_class& a, const mpq_class& b, std::optional<std::uint64_t> u, std::uint64_t v);

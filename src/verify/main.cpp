@@ -92,10 +92,35 @@ std::string json(const Result& r, const Settings& settings) {
            ",\"code\":" + unless(verified, r.why.code) + ",\"reason\":" + unless(verified, r.why.text) + "}";
 }
 
+/// Both files are verified; only then are they compared. The verdict of the whole is the only line with `s`.
+int run_lemma(const Options& options) {
+    Result results[2];
+    for (int i = 0; i < 2; ++i) {
+        Settings settings = options.settings;
+        settings.scene = i == 0 ? options.lemma->scene_a : options.lemma->scene_b;
+        const Result& r = results[i] = examine(options.files[i], settings);
+        if (r.why.verdict == Verdict::verified)
+            std::printf("%s\n  %s sha256=%s\n", r.file.c_str(), claim_text(r.proof.claim, settings).c_str(),
+                        r.proof.digest.c_str());
+    }
+    const Result& worst = results[results[1].why.verdict > results[0].why.verdict];
+    Verdict verdict = worst.why.verdict;
+    std::string text = "lemma=" + std::string(options.lemma->name) + " " + worst.file +
+                       " line=" + std::to_string(worst.why.line) + " " + worst.why.text;
+    if (verdict == Verdict::verified) {
+        const Comparison found = compare(*options.lemma, results[0].proof.claim, results[1].proof.claim);
+        verdict = found.holds ? Verdict::verified : Verdict::rejected;
+        text = found.text;
+    }
+    std::printf("s %s %s\n", names[static_cast<int>(verdict)], text.c_str());
+    return exit_codes[static_cast<int>(verdict)];
+}
+
 int run(int argc, char** argv) {
     const Options options = parse_options(argc, argv);
     std::fputs(options.answer.c_str(), stdout);
     if (!options.answer.empty()) return 0;
+    if (options.lemma) return run_lemma(options);
     Verdict worst = Verdict::verified;
     for (const std::string& file : options.files) {
         const Result result = examine(file, options.settings);

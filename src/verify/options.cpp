@@ -19,7 +19,9 @@ Checks certificates (proofs/format.md) independently of the program that wrote t
   --max N              demand the proof that no trajectory has more than N collisions
   --min N              demand the proof that some trajectory has at least N collisions
   --exactly N          both
-  --scene S            demand this scene (dumbbell)
+  --scene S            demand this scene: dumbbell, hybrid or wedge (dumbbell)
+  --lemma 4.1|4.2 A B  compare two files: at most as many collisions in A (scene hybrid) as in B (wedge), or
+                       at most one more in A (dumbbell) than in B (hybrid)
   --jobs N             threads (all cores)
   --max-bits B         give up on pieces that need a higher precision (1024)
   --precision BITS     check with at least so many bits instead of in double
@@ -86,7 +88,7 @@ std::uint64_t natural(const std::string& text, std::uint64_t least, std::uint64_
 Options parse_options(int argc, char** argv) {
     Options result;
     result.settings.jobs = std::max(1U, std::thread::hardware_concurrency());
-    bool options = true;
+    bool options = true, scene = false;
     for (int i = 1; i < argc; ++i) {
         std::string option = argv[i];
         if (!options || !option.starts_with('-') || option == "-") {
@@ -114,8 +116,13 @@ Options parse_options(int argc, char** argv) {
         else if (name == "--exactly")
             result.settings.demand.most = result.settings.demand.least = number(0, any);
         else if (name == "--scene")
-            result.settings.scene = value();
-        else if (name == "--jobs")
+            result.settings.scene = value(), scene = true;
+        else if (name == "--lemma") {
+            const std::string lemma = value();
+            result.lemma = find_lemma(lemma);
+            if (!result.lemma)
+                throw std::invalid_argument("no lemma `" + lemma.substr(0, 60) + "`: 4.1 or 4.2");
+        } else if (name == "--jobs")
             result.settings.jobs = static_cast<unsigned>(number(1, 1024));
         else if (name == "--max-bits")
             result.settings.max_bits = bits();
@@ -138,6 +145,14 @@ Options parse_options(int argc, char** argv) {
     if (result.files.empty()) throw std::invalid_argument("no FILE; see --help");
     if (result.json && !result.settings.explain.empty())
         throw std::invalid_argument("--explain and --json exclude each other");
+    if (result.lemma) {
+        const Settings& s = result.settings;
+        if (result.files.size() != 2) throw std::invalid_argument("--lemma compares two files");
+        if (result.json || scene || s.demand.most || s.demand.least || !s.explain.empty())
+            throw std::invalid_argument(
+                "--lemma excludes --json, --scene, --max, --min, --exactly, --explain");
+        result.settings.demand.keep = true;
+    }
     return result;
 }
 

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "certificate.hpp"
+#include "compare.hpp"
 
 namespace dumbbell_verify {
 
@@ -11,7 +12,8 @@ struct Options {
     Settings settings;
     std::vector<std::string> files;
     bool json = false;
-    std::string answer;  ///< of --help and --version: print it, and nothing else
+    const Lemma* lemma = nullptr;  ///< the two files are to be compared
+    std::string answer;            ///< of --help and --version: print it, and nothing else
 };
 
 /// Throws std::invalid_argument with a message for the user.

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "interval.hpp"
+#include "section.hpp"
 
 namespace dumbbell_verify {
 
@@ -34,6 +35,15 @@ class Rays {
     const N zero{0}, one{1};
     const I half_turn = pi<N>(), quarter = half_turn / I(2);
 
+    /// The box of a leaf, for the log.
+    void describe(const Leaf& leaf, const Chart& chart) {
+        *log_ += "  " + std::to_string(leaf.bits) + " bits, claimed " + std::to_string(leaf.claimed) + "\n";
+        for (std::size_t i = 0; i < 3; ++i) {
+            const mpq_class &lo = leaf.box.lo[i], &hi = leaf.box.hi[i];
+            *log_ += "  " + std::string(chart.axes[i]) + " in [" + lo.get_str() + ", " + hi.get_str() +
+                     "] within " + show({bound(down, lo, zero), bound(up, hi, zero)}) + "\n";
+        }
+    }
     bool fact(const char* what, bool holds) {
         if (!holds) failed_ = what;
         if (log_) *log_ += std::string("  ") + what + (holds ? ": holds\n" : ": does NOT hold\n");
@@ -110,7 +120,8 @@ class Rays {
         const auto [s, w] = sin_cos(z);
         const I c = ray.c, kappa = ray.kappa;
         const I left = c - s + z * w, right = c + kappa * quarter - s - (quarter - z) * w;
-        if (log_) steps_.back() += "  tangent at " + show(z) + " from " + show(left) + " to " + show(right);
+        if (log_ && !steps_.empty())
+            steps_.back() += "  tangent at " + show(z) + " from " + show(left) + " to " + show(right);
         return left.lo > zero && right.lo > zero;
     }
     /// L12 (a), (d): rays above `ray` that collide do so at or behind x, with cos <= cosine, sin >= sine.
@@ -145,7 +156,8 @@ class Rays {
         const I kappa = ray.kappa, r = ray.r, w = at.cosine, ww = w * w;
         const I D = ww - I(2) * kappa * w - r, top = kappa * ww + I(2) * r * w - r * kappa;
         const N& divisor = d == down ? D.hi : D.lo;
-        if (log_) steps_.back() += "  x " + show(at.x) + "  cos " + show(w) + "  D " + show(D);
+        if (log_ && !steps_.empty())
+            steps_.back() += "  x " + show(at.x) + "  cos " + show(w) + "  D " + show(D);
         if (!(divisor > zero)) return false;
         ray.kappa = std::max(zero, div(d, std::max(zero, d == down ? top.lo : top.hi), divisor));
         const I c = I(at.sine) + I(ray.kappa) * (I(at.x) + half_turn);
@@ -153,7 +165,7 @@ class Rays {
         return true;
     }
 
-  private:
+  protected:
     static constexpr std::uint64_t most_steps = 1'000'000;  ///< of one ray: bounded work, enough for q = 1e12
 
     void step(std::uint64_t count, const Ray& ray) {
@@ -170,6 +182,8 @@ class Rays {
     }
 
     std::string* log_;
+
+  private:
     std::vector<std::string> steps_;  ///< of the present ray, if there is a log
     const char* failed_ = "";
 };

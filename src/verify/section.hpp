@@ -16,6 +16,7 @@ struct Box {
 };
 
 /// One thing to check: a leaf of a tree, a cover of one line, or a witness (the box: one point times [A, B]).
+/// A chart with a single axis beside q has it in place 1.
 struct Leaf {
     std::size_t chart = 0, opcode = 0;
     std::uint64_t a = 0, b = 0, claimed = 0, line = 0;  ///< two hints; U of the piece, for a witness V
@@ -29,24 +30,43 @@ enum class Place { leaf, cover, witness };
 struct Opcode {
     std::string_view name;
     Place place;
-    unsigned charts, hints;  ///< bit set of the charts that it occurs in; number of its hints (0 or 2)
+    unsigned charts, hints;  ///< bit set of the charts that it occurs in; number of its hints (0 to 2)
 };
+/// The places of the opcodes in every section's table; one that it does not have occurs in no chart.
+enum { count_leaf, outside, meets, meets_reversed, equal_masses, witness };
+
 struct Chart {
     std::string_view name;
-    std::array<std::string_view, 3> axes;
+    std::array<std::string_view, 3> axes;  ///< an empty name: no such axis
 };
 
-/// A section of one scene, with its opcodes in the order of the trailer. `check` returns nullptr if
-/// everything that format.md demands of the leaf is certified, else what is not; a log gets a line for every
-/// inequality.
+/// A section of one scene with one set of lemmas, with its opcodes in the order of the trailer. `check`
+/// returns nullptr if everything that format.md demands of the leaf is certified, else what is not; a log
+/// gets a line for every inequality.
 struct Section {
-    std::string_view scene, name;
+    std::string_view lemmas, scene, name, witness;
     std::vector<Chart> charts;
     std::vector<Opcode> opcodes;
-    Box (*root)(const mpq_class& a, const mpq_class& b);
+    Box (*root)(std::size_t chart, const mpq_class& a, const mpq_class& b);
     const char* (*check)(const Leaf& leaf, std::string* log);
 };
 
+/// The least 2^k >= x, k >= 0.
+inline mpq_class power_of_two(const mpq_class& x) {
+    mpq_class power = 1;
+    while (power < x) power *= 2;
+    return power;
+}
+
 const Section& turning();
+const Section& full();
+const Section& full_minimal();
+const Section& wedge();
+const Section& hybrid();
+
+/// All of them: (lemmas, scene, name) chooses.
+inline std::array<const Section*, 5> sections() {
+    return {&turning(), &full(), &full_minimal(), &wedge(), &hybrid()};
+}
 
 }  // namespace dumbbell_verify

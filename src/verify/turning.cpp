@@ -7,7 +7,6 @@
 namespace dumbbell_verify {
 namespace {
 
-enum { count_leaf, outside, meets, meets_reversed, equal_masses, witness };
 enum { bridge, light };
 
 template <class N>
@@ -20,14 +19,7 @@ class Turning : Rays<N> {
 
   public:
     Turning(const Leaf& leaf, std::string* log) : Base(log), leaf_(leaf) {
-        if (!log) return;
-        *log += "  " + std::to_string(leaf.bits) + " bits, claimed " + std::to_string(leaf.claimed) + "\n";
-        for (std::size_t i = 0; i < 3; ++i) {
-            const mpq_class &lo = leaf.box.lo[i], &hi = leaf.box.hi[i];
-            *log += "  " + std::string(turning().charts[leaf.chart].axes[i]) + " in [" + lo.get_str() + ", " +
-                    hi.get_str() + "] within " + Base::show({bound(down, lo, zero), bound(up, hi, zero)}) +
-                    "\n";
-        }
+        if (log) this->describe(leaf, turning().charts[leaf.chart]);
     }
 
     /// nullptr if all that format.md demands of the leaf is certified, else what is not.
@@ -139,11 +131,7 @@ class Turning : Rays<N> {
 };
 
 /// The section lies in e <= pi/2 < 2, and eta, lambda < q (r eta < 1): at most the least power of two >= B.
-Box root(const mpq_class& a, const mpq_class& b) {
-    mpq_class height = 1;
-    while (height < b) height *= 2;
-    return {{0, 0, a}, {2, height, b}};
-}
+Box root(std::size_t, const mpq_class& a, const mpq_class& b) { return {{0, 0, a}, {2, power_of_two(b), b}}; }
 
 const char* check(const Leaf& leaf, std::string* log) {
     if (leaf.bits == 53 && !leaf.multiple) return Turning<double>(leaf, log).verdict();
@@ -154,8 +142,10 @@ const char* check(const Leaf& leaf, std::string* log) {
 }  // namespace
 
 const Section& turning() {
-    static const Section section = {"dumbbell",
+    static const Section section = {"1",
+                                    "dumbbell",
                                     "turning",
+                                    "bridge",
                                     {{"bridge", {"e", "eta", "q"}}, {"light", {"e", "lambda", "q"}}},
                                     {{"count", Place::leaf, 3, 2},
                                      {"outside", Place::leaf, 3, 0},

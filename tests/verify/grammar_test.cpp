@@ -144,9 +144,9 @@ TEST_CASE("what this program does not know is unsupported, what is misspelled is
     CHECK(outcome(mutated(ten(), "certificate 1", "certificate one"), true) == "number 1");
     CHECK(outcome(mutated(ten(), "dumbbell-certificate", "Dumbbell-certificate"), true) == "syntax 1");
     CHECK(outcome(mutated(ten(), "lemmas 1", "lemmas 2"), true) == "unsupported 3");
-    CHECK(outcome(mutated(ten(), "scene dumbbell", "scene hybrid"), true) == "unsupported 4");
+    CHECK(outcome(mutated(ten(), "scene dumbbell", "scene torus"), true) == "unsupported 4");
     CHECK(outcome(mutated(ten(), "scene dumbbell", "scene Dumbbell"), true) == "word 4");
-    CHECK(outcome(mutated(ten(), "section turning", "section full"), true) == "unsupported 5");
+    CHECK(outcome(mutated(ten(), "section turning", "section heavy"), true) == "unsupported 5");
     CHECK(outcome(mutated(ten(), "claim collisions", "claim heavy"), true) == "unsupported 6");
     CHECK(outcome(mutated(ten(), "claim collisions", "claim 7"), true) == "word 6");
     CHECK(outcome(mutated(ten(), "generator test", "generator Test"), true) == "word 2");

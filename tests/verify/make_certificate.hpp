@@ -65,7 +65,8 @@ inline std::string mutated(const std::string& text, const std::string& from, con
     return closed(changed.substr(0, changed.find("total split")));
 }
 
-enum { count_leaf, outside, meets, meets_reversed };
+using dumbbell_verify::count_leaf, dumbbell_verify::meets, dumbbell_verify::meets_reversed,
+    dumbbell_verify::outside;
 
 inline bool accepts(Leaf leaf, std::size_t opcode, std::uint64_t a = 0, std::uint64_t b = 0) {
     leaf.opcode = opcode;
@@ -100,7 +101,7 @@ inline std::string cover(const mpq_class& a, const mpq_class& b, std::uint64_t u
     Leaf leaf;
     leaf.claimed = upper;
     leaf.bits = bits;
-    leaf.box = dumbbell_verify::turning().root(a, b);
+    leaf.box = dumbbell_verify::turning().root(0, a, b);
     std::string text = "chart bridge\n" + tree(leaf);
     leaf.chart = 1;
     return text + "chart light\n" + tree(leaf);

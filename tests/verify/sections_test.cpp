@@ -1,0 +1,221 @@
+// The sections `full` (both lemma sets) and the scenes wedge and hybrid, and --lemma: true certificates are
+// accepted, false ones are not.
+#include <sys/wait.h>
+
+#include <catch2/catch.hpp>
+
+#include "make_certificate.hpp"
+#include "verify/certificate.hpp"
+
+using namespace dumbbell_verify;
+using make::closed;
+using make::File;
+using make::mutated;
+
+namespace {
+
+std::string outcome(const std::string& text, const std::string& scene = "dumbbell", unsigned precision = 0) {
+    const File file(text);
+    try {
+        Settings settings;
+        settings.scene = scene;
+        settings.precision = precision;
+        verify(file.path(), settings);
+        return "verified";
+    } catch (const Failure& failure) {
+        return failure.code;
+    }
+}
+
+int run(const std::string& arguments, std::string* out = nullptr) {
+    const File text("");
+    const int status =
+        std::system((DUMBBELL_VERIFY_BIN " " + arguments + " >" + text.path() + " 2>/dev/null").c_str());
+    std::ostringstream all;
+    all << std::ifstream(text.path()).rdbuf();
+    if (out) *out = all.str();
+    return WIFEXITED(status) ? WEXITSTATUS(status) : 128;
+}
+
+std::string header(const std::string& lemmas, const std::string& scene, const std::string& section,
+                   const std::string& lo, const std::string& hi, int pieces = 1) {
+    return "dumbbell-certificate 1\ngenerator test 1.0\nlemmas " + lemmas + "\nscene " + scene +
+           "\nsection " + section + "\nclaim collisions\nratio " + lo + " " + hi + "\npieces " +
+           std::to_string(pieces) + "\n";
+}
+
+/// A tree that this section accepts with U, by search.
+std::string tree(const Section& section, Leaf leaf, int depth = 0) {
+    if (depth > 24) throw std::runtime_error("the cover does not close");
+    leaf.opcode = outside;
+    if (!section.check(leaf, nullptr)) return "outside\n";
+    leaf.opcode = count_leaf;
+    leaf.a = leaf.claimed - 1;
+    if (!section.check(leaf, nullptr)) return "count " + std::to_string(leaf.a) + "\n";
+    const std::size_t i = leaf.box.hi[0] - leaf.box.lo[0] > 2 * (leaf.box.hi[1] - leaf.box.lo[1]) ? 0 : 1;
+    Leaf lower = leaf, upper = leaf;
+    lower.box.hi[i] = upper.box.lo[i] = (leaf.box.lo[i] + leaf.box.hi[i]) / 2;
+    return "split " + std::string(section.charts[leaf.chart].axes[i]) + "\n" +
+           tree(section, lower, depth + 1) + tree(section, upper, depth + 1);
+}
+std::string full_cover(const Section& section, const mpq_class& q, std::uint64_t upper) {
+    std::string text;
+    Leaf leaf;
+    leaf.claimed = upper;
+    for (leaf.chart = 0; leaf.chart < 2; ++leaf.chart) {
+        leaf.box = section.root(leaf.chart, q, q);
+        text += "chart " + std::string(section.charts[leaf.chart].name) + "\n" + tree(section, leaf);
+    }
+    return text;
+}
+std::string full_text(const Section& section, const std::string& q, std::uint64_t upper) {
+    return closed(header(std::string(section.lemmas), "dumbbell", "full", q, q) + "piece " + q + " " + q +
+                  "\nbits 53\nupper " + std::to_string(upper) + "\n" +
+                  full_cover(section, mpq_class(q), upper) + "lower 0\n");
+}
+
+std::string wedge_text(const std::string& scene, const std::string& lo, const std::string& hi, int upper,
+                       const std::string& cover, int lower, const std::string& witness) {
+    return closed(header("1", scene, "turning", lo, hi) + "piece " + lo + " " + hi + "\nbits 53\nupper " +
+                  std::to_string(upper) + "\nchart wedge\n" + cover + "lower " + std::to_string(lower) +
+                  "\n" + (lower > 0 ? "witness wedge " + witness + "\n" : ""));
+}
+const std::string tree10 =
+    "split lambda\nsplit lambda\nsplit lambda\ncount 3 2\ncount 2 3\noutside\noutside\n";
+std::string wedge10(const std::string& scene = "wedge") {
+    return wedge_text(scene, "10/1", "10/1", 6, tree10, 6, "0b0 1b-4 3 2");
+}
+
+/// No split of two leaves can be replaced by one of them, unless that leaf holds for the parent too.
+int accepted_lifts(const std::string& text, int& lifts) {
+    std::vector<std::string> lines;
+    std::istringstream in(text.substr(0, text.find("total split")));
+    for (std::string line; std::getline(in, line);) lines.push_back(line);
+    int accepted = 0;
+    for (std::size_t i = 0; i + 2 < lines.size(); ++i) {
+        if (!lines[i].starts_with("split") || lines[i + 1].starts_with("split") ||
+            lines[i + 2].starts_with("split"))
+            continue;
+        std::string body;
+        for (std::size_t j = 0; j < lines.size(); ++j)
+            if (j != i && j != i + 2) body += lines[j] + "\n";
+        ++lifts;
+        accepted += outcome(closed(body)) == "verified";
+    }
+    return accepted;
+}
+
+}  // namespace
+
+TEST_CASE("section full, both lemma sets: true covers are accepted, false ones are not") {
+    for (const Section* section : {&full(), &full_minimal()}) {
+        const std::string q = section == &full() ? "10/1" : "5/1", n = section == &full() ? "4" : "4";
+        const std::string text = full_text(*section, q, 4);
+        CHECK(outcome(text) == "verified");
+        CHECK(outcome(text, "dumbbell", 80) == "verified");
+        CHECK(outcome(mutated(text, "upper " + n, "upper 3")) == "count");
+        CHECK(outcome(mutated(text, "chart departure", "chart light")) == "syntax");
+        CHECK(outcome(mutated(text, "split eta", "split lambda")) == "syntax");
+        CHECK(outcome(mutated(text, "count 3", "count 3 0")) == "syntax");
+        CHECK(outcome(mutated(text, "count 3", "count 0")) == "count");
+        CHECK(outcome(mutated(text, "count 3", "count 4")) == "count");
+        CHECK(outcome(mutated(text, "count 3", "outside")) == "outside");
+        CHECK(outcome(mutated(text, "count 3", "meets")) == "opcode");
+        CHECK(outcome(mutated(text, "section full", "section turning")) != "verified");
+        int lifts = 0;
+        CHECK(accepted_lifts(text, lifts) == 0);
+        CHECK(lifts > 0);
+    }
+    CHECK_THROWS_AS(full_cover(full(), 10, 3), std::runtime_error);
+    CHECK_THROWS_AS(full_cover(full_minimal(), 2, 2), std::runtime_error);
+}
+
+TEST_CASE("section full: the leaf outside holds beyond the chart only") {
+    for (const Section* section : {&full(), &full_minimal()}) {
+        const auto holds = [&](std::size_t chart, const mpq_class& x, const mpq_class& y) {
+            Leaf leaf;
+            leaf.chart = chart;
+            leaf.opcode = outside;
+            leaf.box = {{x, y, 10}, {4, 16, 10}};
+            return section->check(leaf, nullptr) == nullptr;
+        };
+        CHECK(holds(0, mpq_class(22, 7), 0));
+        CHECK_FALSE(holds(0, mpq_class(3141, 1000), 0));
+        CHECK(holds(0, 0, 11));  // r (eta - 1) = 1, exactly
+        CHECK_FALSE(holds(0, 0, mpq_class(1099, 100)));
+        CHECK(holds(1, mpq_class(8, 5), 0));
+        CHECK_FALSE(holds(1, mpq_class(3, 2), 1));
+        CHECK(holds(1, 0, 2));
+        CHECK_FALSE(holds(1, 0, mpq_class(199, 100)));
+    }
+}
+
+TEST_CASE("the wedge is exact: ties at q = 1 and q = 3 are decided, N - 1 is refused") {
+    const std::string one = wedge_text("wedge", "1/1", "1/1", 2, "count 1 0\n", 2, "0b0 1b-1 1 0");
+    const std::string three = wedge_text("wedge", "3/1", "3/1", 3, "count 1 1\n", 3, "0b0 1b0 1 1");
+    CHECK(outcome(one, "wedge") == "verified");
+    CHECK(outcome(three, "wedge") == "verified");
+    CHECK(outcome(one) == "claim-not-proved");
+    CHECK(outcome(mutated(three, "piece 3/1 3/1\nbits 53\nupper 3", "piece 3/1 3/1\nbits 53\nupper 2"),
+                  "wedge") == "count");
+    for (const char* hints : {"count 0 1", "count 1 0", "count 0 2", "count 2 1", "outside", "equal-masses"})
+        CHECK(outcome(mutated(three, "count 1 1", hints), "wedge") != "verified");
+    CHECK(outcome(wedge_text("wedge", "3/1", "3000001/1000000", 3, "count 1 1\n", 0, ""), "wedge") ==
+          "count");
+    for (const std::string scene : {"wedge", "hybrid"}) {
+        const std::string text = wedge10(scene);
+        CHECK(outcome(text, scene) == "verified");
+        CHECK(outcome(text, scene == "wedge" ? "hybrid" : "wedge") == "claim-not-proved");
+        CHECK(outcome(mutated(text, tree10, "count 3 2\n"), scene) == "count");
+        CHECK(outcome(mutated(text, "split lambda", "split e"), scene) == "syntax");
+        CHECK(outcome(mutated(text, "count 3 2", "count 10000 1"), scene) == "count");
+        CHECK(outcome(mutated(mutated(text, "upper 6", "upper 99999"), "count 3 2", "count 10000 1"),
+                      scene) == "limit");
+        const auto with = [&](const std::string& w) {
+            return outcome(mutated(text, "wedge 0b0 1b-4 3 2", w), scene);
+        };
+        CHECK(with("wedge 0b0 1b-4 3 3") == "witness");
+        CHECK(with("wedge 0b0 1b-4 4 2") == "witness");
+        CHECK(with("wedge 0b0 1b-4 2 2") == "witness");  // 1 + a + b < V
+        CHECK(with("wedge 1b0 1b-4 3 2") == "witness");
+        CHECK(with("wedge 0b0 5b1 3 2") == "witness");  // r lambda = 1
+        CHECK(with("wedge 0b0 5b0 3 2") == "witness");  // sigma X descends
+        CHECK(with("bridge 0b0 1b-4 3 2") == "syntax");
+    }
+}
+
+TEST_CASE("combinations of words that are not in the table are unsupported") {
+    const std::string text = wedge10();
+    CHECK(outcome(mutated(text, "section turning", "section full"), "wedge") == "unsupported");
+    CHECK(outcome(mutated(text, "lemmas 1", "lemmas minimal"), "wedge") == "unsupported");
+    CHECK(outcome(mutated(text, "lemmas 1", "lemmas none"), "wedge") == "unsupported");
+    CHECK(outcome(mutated(text, "scene wedge", "scene vedge"), "wedge") == "unsupported");
+    const File file(mutated(text, "section turning", "section full"));
+    CHECK(run("--scene wedge " + file.path()) == 3);
+}
+
+TEST_CASE("the option --lemma compares two files") {
+    const File h(wedge10("hybrid")), w(wedge10()), d(full_text(full(), "10/1", 4));
+    const File low(mutated(wedge10(), "lower 6", "lower 5")),
+        foreign(mutated(wedge10(), "lemmas 1", "lemmas 9"));
+    const File three(wedge_text("wedge", "3/1", "3/1", 3, "count 1 1\n", 3, "0b0 1b0 1 1"));
+    std::string out;
+    CHECK(run("--lemma 4.1 " + h.path() + " " + w.path(), &out) == 0);
+    CHECK(out.find("\ns VERIFIED lemma=4.1 ratio=10/1:10/1 excess=0\n") != std::string::npos);
+    CHECK(run("--lemma 4.2 " + d.path() + " " + h.path(), &out) == 0);
+    CHECK(out.find("excess=-2") != std::string::npos);
+    CHECK(run("--lemma 4.1 " + h.path() + " " + low.path(), &out) == 1);
+    CHECK(out.find("VERIFIED") == std::string::npos);
+    CHECK(run("--lemma 4.1 " + w.path() + " " + h.path()) == 1);      // the scenes are exchanged
+    CHECK(run("--lemma 4.1 " + h.path() + " " + three.path()) == 1);  // no common ratio
+    CHECK(run("--lemma 4.1 " + h.path() + " " + foreign.path()) == 3);
+    CHECK(run("--lemma 4.1 " + h.path() + " /nonexistent") == 2);
+    CHECK(run("--lemma 4.3 " + h.path() + " " + w.path()) == 2);
+    CHECK(run("--lemma 4.1 " + h.path()) == 2);
+    CHECK(run("--explain 1:wedge.000 --scene wedge " + w.path(), &out) == 0);
+    CHECK(out.find("G_w <= a for X: holds") != std::string::npos);
+    const Section& s = full();
+    CHECK(s.charts.size() == 2);
+    CHECK(run("--explain 1:contact " + d.path(), &out) == 0);
+    CHECK(out.find("1 + a <= U: holds") != std::string::npos);
+}
