@@ -89,6 +89,11 @@ BigInterval hull(const BigInterval& a, const BigInterval& b) {
 BigInterval min(const BigInterval& a, const BigInterval& b) { return -max(-a, -b); }
 BigInterval max(const BigInterval& a, const BigInterval& b) {
     BigInterval result;
+    if (mpfi_nan_p(a.raw()) != 0 || mpfi_nan_p(b.raw()) != 0) {
+        mpfr_set_nan(&result.raw()->left);  // mpfr_max would take the other operand
+        mpfr_set_nan(&result.raw()->right);
+        return result;
+    }
     mpfr_max(&result.raw()->left, &a.raw()->left, &b.raw()->left, MPFR_RNDD);
     mpfr_max(&result.raw()->right, &a.raw()->right, &b.raw()->right, MPFR_RNDU);
     return result;

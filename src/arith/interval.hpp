@@ -7,6 +7,7 @@
 #include <boost/numeric/interval/policies.hpp>
 #include <boost/numeric/interval/utility.hpp>
 #include <cmath>
+#include <limits>
 
 #include "arith/rounding.hpp"
 
@@ -25,6 +26,7 @@ class Interval {
 
     [[nodiscard]] double lo() const noexcept { return value_.lower(); }
     [[nodiscard]] double hi() const noexcept { return value_.upper(); }
+    [[nodiscard]] bool is_nan() const noexcept { return !(lo() <= hi()); }
 
     friend Interval operator+(const Interval& a, const Interval& b) { return Interval(a.value_ + b.value_); }
     friend Interval operator-(const Interval& a, const Interval& b) { return Interval(a.value_ - b.value_); }
@@ -36,8 +38,10 @@ class Interval {
     /// Of the part of `a` that is >= 0. Precondition: hi >= 0.
     friend Interval sqrt(const Interval& a) { return Interval(boost::numeric::sqrt(a.value_)); }
     friend Interval abs(const Interval& a) { return Interval(boost::numeric::abs(a.value_)); }
+    /// NaN if either is: Boost would take it for the empty set and return the other.
     friend Interval hull(const Interval& a, const Interval& b) {
-        return Interval(boost::numeric::hull(a.value_, b.value_));
+        return a.is_nan() || b.is_nan() ? Interval(std::numeric_limits<double>::quiet_NaN())
+                                        : Interval(boost::numeric::hull(a.value_, b.value_));
     }
     friend Interval min(const Interval& a, const Interval& b) {
         return Interval(boost::numeric::min(a.value_, b.value_));

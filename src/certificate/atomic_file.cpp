@@ -10,6 +10,7 @@
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
+#include <system_error>
 #include <utility>
 
 #include "arith/error.hpp"
@@ -38,8 +39,14 @@ std::string gzipped(const std::string& contents) {
 }  // namespace
 
 AtomicFile::AtomicFile(std::string path) : path_(std::move(path)) {
-    if (std::filesystem::is_directory(path_)) {
+    // A rename would replace whatever stands there, a device like /dev/null too.
+    std::error_code unreadable;
+    const auto target = std::filesystem::status(path_, unreadable);
+    if (std::filesystem::is_directory(target)) {
         throw InputError(fmt::format("cannot write '{}': it is a directory; give a file name", path_));
+    }
+    if (std::filesystem::exists(target) && !std::filesystem::is_regular_file(target)) {
+        throw InputError(fmt::format("cannot write '{}': it is no regular file; give a file name", path_));
     }
     temporary_ = fmt::format("{}.tmp-{}", path_, ::getpid());
     descriptor_ = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);

@@ -68,42 +68,18 @@ Ray<I> light_outgoing(const Position<I>& at, const I& kappa, const I& r) {
     return {at.sin_e + kappa * (pi<I>() + at.e), kappa, r};
 }
 
-namespace detail {
-
-/// The condition of L10, under which the first step of a descending ray is monotone in r over the whole
-/// range.
-template <class I>
-bool first_step_is_monotone(const ScaledRay<I>& ray, const RatioRange<I>& range) {
-    // W <= cos x at the contact, from sin x = r (c + lambda x) <= r c and cos x >= 1 - sin^2 x.
-    const I w = low_end(I(1) - sqr(range.r_hi * ray.c));
-    const I lambda = low_end(ray.lambda);
-    const I left = I(2) * w * sqr(w - range.r_lo * high_end(ray.lambda));
-    const I right = -lambda * sqr(I(1) + range.r_hi);
-    return certainly_positive(w) && certainly_at_most(right, left);
-}
-
-}  // namespace detail
-
 /// A single ray that lies below r -> at_ratio(ray, r) for every r of the range, as far as the count G is
-/// concerned: from the ray's lower ends. For lambda >= 0 everything grows with r (L5); for lambda < 0 see
-/// L10.
+/// concerned: the ray's lower ends at the least r. For lambda >= 0 height and slope grow with r (L5); for -1
+/// <= lambda < 0 the state after the first collision does (L10).
 template <class I>
 Ray<I> lowest_over(const ScaledRay<I>& ray, const RatioRange<I>& range) {
-    const ScaledRay<I> low{low_end(ray.c), low_end(ray.lambda)};
-    if (certainly_at_most(I(0), low.lambda) || detail::first_step_is_monotone(low, range)) {
-        return at_ratio(low, range.r_lo);
-    }
-    return {range.r_lo * low.c, min(range.r_lo * low.lambda, range.r_hi * low.lambda), range.r_lo};
+    return at_ratio(ScaledRay<I>{low_end(ray.c), max(I(-1), low_end(ray.lambda))}, range.r_lo);
 }
 
-/// A single ray that lies above all of them, from the ray's upper ends.
+/// A single ray that lies above all of them: the upper ends at the greatest r.
 template <class I>
 Ray<I> highest_over(const ScaledRay<I>& ray, const RatioRange<I>& range) {
-    const ScaledRay<I> high{high_end(ray.c), high_end(ray.lambda)};
-    if (certainly_at_most(I(0), high.lambda) || detail::first_step_is_monotone(high, range)) {
-        return at_ratio(high, range.r_hi);
-    }
-    return {range.r_hi * high.c, max(range.r_lo * high.lambda, range.r_hi * high.lambda), range.r_hi};
+    return at_ratio(ScaledRay<I>{high_end(ray.c), high_end(ray.lambda)}, range.r_hi);
 }
 
 }  // namespace dumbbell

@@ -56,7 +56,8 @@ bool strict_miss(const Tangent<I>& t, const I& c, const I& kappa) {
 }  // namespace detail
 
 /// For all rays whose c and kappa are at least these (thin) ones: a lower bound of x for every ray that
-/// collides, or nothing if certainly none does. Precondition: c >= 0, kappa < 1 not certainly violated.
+/// collides, or nothing if certainly none does. The bounds themselves may lie outside the domain of rays (L5
+/// (e)); the rays have c >= 0.
 template <class I>
 std::optional<Contact<I>> lowest_contact(const I& c, const I& kappa) {
     const ContactGuess<I> guess = guess_contact(c, kappa);
@@ -94,7 +95,11 @@ std::optional<Contact<I>> highest_contact(const I& c, const I& kappa) {
     }
     const I x = proved ? high_end(tangent.z + step) : tangent.z;
     const SinCos<I> at = detail::shifted(tangent, x);
-    return Contact<I>{x, high_end(at.sin), low_end(at.cos)};
+    const I cos_x = low_end(at.cos);
+    if (!certainly_positive(cos_x)) {
+        return std::nullopt;  // a wall slope that may be 0 says nothing about the reflection
+    }
+    return Contact<I>{x, high_end(at.sin), cos_x};
 }
 
 }  // namespace dumbbell

@@ -36,11 +36,13 @@ struct Bounce {
     I grazing_sine;
 };
 
-/// Follows all rays between `low` and `high` through `count` collisions with the light walls. `run` is the
-/// angle from the start to the corner ahead, `direction` +1 if the first flight goes right. Each flight's
-/// range is attained at the two rays (L5).
+/// Follows all rays between `low` and `high` through `count` collisions with the light walls. `kappa`
+/// encloses the slopes of their first flight, `run` is the angle from the start to the corner ahead,
+/// `direction` +1 if the first flight goes right. The range of each contact is attained at the two rays (L5,
+/// L10).
 template <class I>
-std::optional<std::vector<Bounce<I>>> follow(Ray<I> low, Ray<I> high, I run, int direction, long count) {
+std::optional<std::vector<Bounce<I>>> follow(Ray<I> low, Ray<I> high, I kappa, I run, int direction,
+                                             long count) {
     std::vector<Bounce<I>> bounces;
     const I r = hull(low.r, high.r);
     I elapsed(0);
@@ -52,7 +54,6 @@ std::optional<std::vector<Bounce<I>>> follow(Ray<I> low, Ray<I> high, I run, int
         }
         const I x = hull(least->x, greatest->x);
         const I w = hull(greatest->cos_x, least->cos_x);
-        const I kappa = hull(low_end(low.kappa), high_end(high.kappa));
         const I speed = angular_speed(kappa, r);
         const I norm = sqr(w) + r;
         const I side(direction);
@@ -77,6 +78,7 @@ std::optional<std::vector<Bounce<I>>> follow(Ray<I> low, Ray<I> high, I run, int
         high.kappa = upper.numerator / upper.denominator;
         low.c = low_end(least->sin_x + low_end(low.kappa) * (least->x + pi<I>()));
         high.c = high_end(greatest->sin_x + high_end(high.kappa) * (greatest->x + pi<I>()));
+        kappa = hull(low_end(low.kappa), high_end(high.kappa));
         run = pi<I>() + x;
     }
     return bounces;
@@ -106,16 +108,18 @@ std::optional<std::vector<Collision<I>>> enclose_orbit(const BridgeContact<I>& c
     const auto out = bridge_outgoing(at, contact.eta);
     const auto back_lo = bridge_reversed(at, contact.eta, range.r_hi);
     const auto back_hi = bridge_reversed(at, contact.eta, range.r_lo);
-    const auto later =
-        follow(lowest_over(out, range), highest_over(out, range), pi<I>() - at.e, -1, contact.forward);
-    const auto earlier =
-        follow(lowest_over(back_lo, range), highest_over(back_hi, range), at.e, +1, contact.backward);
+    // A descending slope r lambda falls when r grows, so it is no bound at either ray: the range of the first
+    // slope is given apart.
+    const I out_slope = r * out.lambda;
+    const I in_slope = r * hull(back_lo.lambda, back_hi.lambda);
+    const auto later = follow(lowest_over(out, range), highest_over(out, range), out_slope, pi<I>() - at.e,
+                              -1, contact.forward);
+    const auto earlier = follow(lowest_over(back_lo, range), highest_over(back_hi, range), in_slope, at.e, +1,
+                                contact.backward);
     if (!later || !earlier) {
         return std::nullopt;
     }
 
-    const I out_slope = r * out.lambda;
-    const I in_slope = r * hull(back_lo.lambda, back_hi.lambda);
     const I out_speed = angular_speed(out_slope, r);
     const I in_speed = angular_speed(in_slope, r);
     const I bridge_norm = r * (I(1) + r * sqr(at.cos_e));

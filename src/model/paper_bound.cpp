@@ -31,8 +31,10 @@ bool reaches(const Rational& q, long m) {
 
 }  // namespace
 
+Rational paper_bound_limit() { return exact(3e31); }
+
 long paper_bound(const Rational& q) {
-    require(q >= 1, "paper bound: q >= 1");
+    require(q >= 1 && q <= paper_bound_limit(), "paper bound: 1 <= q <= 3e31");
     // atan(1/sqrt q) ~ 1/sqrt q: a guess to start from.
     long m =
         std::max(2L, std::lround(std::numbers::pi / 2 / std::atan(1 / std::sqrt(q.convert_to<double>()))));

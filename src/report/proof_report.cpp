@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <iterator>
 #include <string_view>
 
+#include "certificate/names.hpp"
 #include "model/paper_bound.hpp"
 
 namespace dumbbell {
@@ -38,8 +40,12 @@ std::string value_text(const Piece& piece) {
     }
 }
 
-/// The paper's bound grows with q: one number, or those at both ends.
+/// The paper's bound grows with q: one number, or those at both ends; none for ratios that it is not computed
+/// for.
 std::string paper_text(const Piece& piece) {
+    if (piece.q_hi > paper_bound_limit()) {
+        return "-";
+    }
     const long lo = paper_bound(piece.q_lo);
     const long hi = paper_bound(piece.q_hi);
     return lo == hi ? fmt::format("{}", lo) : fmt::format("{}-{}", lo, hi);
@@ -92,12 +98,20 @@ std::string range_sentence(const ProofReport& report) {
     return text;
 }
 
-/// The centre and a radius that covers both ends and the centre's own rounding.
+/// The exact value of a number as it is printed, e.g. -1.5e-05.
+Rational as_printed(std::string_view text) {
+    const bool negative = text.starts_with('-');
+    const Rational magnitude = parse_rational(text.substr(negative ? 1 : 0));
+    return negative ? -magnitude : magnitude;
+}
+
+/// A short decimal and a radius that covers both ends from that decimal, so that the text as printed
+/// encloses.
 std::string enclosure_text(const Interval& x) {
-    const double centre = approximate(x);
-    const double radius =
-        next_up(std::max(x.hi() - centre, centre - x.lo()) + 0x1p-50 * std::max(1e-300, std::abs(centre)));
-    return fmt::format("{:.12g}+-{:.1e}", centre, next_up(radius * 1.1));
+    const std::string centre = fmt::format("{:.12g}", approximate(x));
+    const Rational c = as_printed(centre);
+    const double radius = std::abs(enclose<Interval>(std::max(exact(x.hi()) - c, c - exact(x.lo()))).hi());
+    return fmt::format("{}+-{:.1e}", centre, radius * 1.06);  // two digits lose at most 1 part in 20
 }
 
 nlohmann::ordered_json pair(const Interval& x) { return {x.lo(), x.hi()}; }
@@ -163,13 +177,16 @@ nlohmann::ordered_json to_json(const ProofReport& report) {
                                      {"upper", nullptr},
                                      {"lower", piece.lower},
                                      {"status", name(piece.status())},
-                                     {"paper_bound", paper_bound(piece.q_hi)},
+                                     {"paper_bound", nullptr},
                                      {"leaves", piece.cover.leaves()},
                                      {"bits", piece.bits},
                                      {"margin", row.margin},
                                      {"width", row.width}};
         if (piece.upper) {
             entry["upper"] = *piece.upper;
+        }
+        if (piece.q_hi <= paper_bound_limit()) {
+            entry["paper_bound"] = paper_bound(piece.q_hi);
         }
         if (!row.orbit.empty()) {
             entry["witness"] = orbit_json(row);
@@ -178,8 +195,9 @@ nlohmann::ordered_json to_json(const ProofReport& report) {
     }
     nlohmann::ordered_json json{
         {"schema", "dumbbell-certify-1"},
-        {"scene", "dumbbell"},
-        {"section", "turning"},
+        {"scene", name(report.scene)},
+        {"section", name(report.section)},
+        {"lemmas", lemma_set(report.section)},
         {"ratio", {{"lo", to_fraction(report.q_lo)}, {"hi", to_fraction(report.q_hi)}}},
         {"gap", to_fraction(report.gap)},
         {"jobs", report.jobs},

@@ -22,6 +22,8 @@ struct ReportRow {
 
 /// What `certify` tells its user, as text or as JSON (the contract's object).
 struct ProofReport {
+    Scene scene = Scene::dumbbell;
+    Section section = Section::turning;
     Rational q_lo;
     Rational q_hi;
     Rational gap;

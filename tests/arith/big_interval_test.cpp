@@ -1,0 +1,235 @@
+#include "arith/big_interval.hpp"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <thread>
+#include <vector>
+
+#include "angles.hpp"
+#include "arith/error.hpp"
+#include "random.hpp"
+#include "tightest.hpp"
+
+using namespace dumbbell;
+using namespace dumbbell_test;
+
+namespace {
+
+BigInterval wide(const Interval& x) { return {x.lo(), x.hi()}; }
+/// Seen in doubles, rounded outward.
+Interval seen(const BigInterval& x) { return {x.lo(), x.hi()}; }
+long bits(const BigInterval& x) { return static_cast<long>(mpfi_get_prec(x.raw())); }
+bool is(const BigInterval& x, double lo, double hi) {
+    return mpfr_cmp_d(&x.raw()->left, lo) == 0 && mpfr_cmp_d(&x.raw()->right, hi) == 0;
+}
+bool is_thin(const BigInterval& x) { return mpfr_equal_p(&x.raw()->left, &x.raw()->right) != 0; }
+
+bool says_something(const BigInterval& x) {
+    for (const double bound : {-1e300, -1.0, 0.0, 1.0, 1e300}) {
+        const BigInterval point(bound);
+        if (certainly_less(x, point) || certainly_less(point, x) || certainly_at_most(x, point) ||
+            certainly_at_most(point, x)) {
+            return true;
+        }
+    }
+    return certainly_positive(x) || certainly_positive(-x);
+}
+
+void check(const char* name, const Interval& x, const Interval& y, const BigInterval& ours,
+           const Tightest& exact) {
+    if (!encloses(seen(ours), exact)) {
+        FAIL(say(name, "of", x, y, "gives", ours, "exact", exact));
+    }
+}
+
+}  // namespace
+
+TEST_CASE("BigInterval's arithmetic encloses the exact range at 2 to 300 bits") {
+    Random random(41);
+    for (int i = 0; i < 30'000; ++i) {
+        const PrecisionScope scope(2 + random.below(299));
+        const Interval x = adversarial_interval(random);
+        const Interval y = random.below(8) == 0 ? x : adversarial_interval(random);
+        const BigInterval a = wide(x);
+        const BigInterval b = wide(y);
+        check("+", x, y, a + b, corners(mpfr_add, x, y));
+        check("-", x, y, a - b, corners(mpfr_sub, x, y));
+        check("*", x, y, a * b, corners(mpfr_mul, x, y));
+        if (y.lo() > 0 || y.hi() < 0) {
+            check("/", x, y, a / b, corners(mpfr_div, x, y));
+        }
+        check("neg", x, x, -a, {-x.hi(), -x.lo()});
+        check("min", x, y, min(a, b), {std::min(x.lo(), y.lo()), std::min(x.hi(), y.hi())});
+        check("max", x, y, max(a, b), {std::max(x.lo(), y.lo()), std::max(x.hi(), y.hi())});
+        check("hull", x, y, hull(a, b), {std::min(x.lo(), y.lo()), std::max(x.hi(), y.hi())});
+        check("sqr", x, x, sqr(a), squares(x));
+        if (x.hi() >= 0) {
+            check("sqrt", x, x, sqrt(a), square_roots(x));
+        }
+    }
+}
+
+TEST_CASE("BigInterval's sin, cos and asin enclose MPFR's") {
+    Random random(42);
+    for (int i = 0; i < 10'000; ++i) {
+        const PrecisionScope scope(20 + random.below(200));
+        const double x = adversarial_angle(random);
+        const auto at = sin_cos(BigInterval(x));
+        check("sin", Interval(x), Interval(x), at.sin, at_point(mpfr_sin, x));
+        check("cos", Interval(x), Interval(x), at.cos, at_point(mpfr_cos, x));
+        const double v = std::sin(x);
+        check("asin", Interval(v), Interval(v), asin(BigInterval(v)), at_point(mpfr_asin, v));
+    }
+    CHECK(encloses(seen(asin(BigInterval(-2, 3))), {-1.5707963267948966, 1.5707963267948966}));
+    CHECK(asin(BigInterval(-2, 3)).hi() < 1.58);
+}
+
+TEST_CASE("More bits give tighter enclosures, down to the precision asked for") {
+    const PrecisionScope scope(300);
+    const BigInterval third = BigInterval(1) / BigInterval(3);
+    CHECK(width(third) <= 0x1p-300);
+    CHECK(width(third) > 0);
+    CHECK(width(pi<BigInterval>()) <= 0x1p-297);
+    CHECK(width(half_pi<BigInterval>()) <= 0x1p-298);
+    CHECK(width(sin_cos(BigInterval(1)).sin) <= 0x1p-298);
+    const BigInterval zero = pi<BigInterval>() - half_pi<BigInterval>() - half_pi<BigInterval>();
+    CHECK((zero.lo() <= 0 && zero.hi() >= 0));
+    CHECK(certainly_less(pi<BigInterval>(), BigInterval(0x1.921fb54442d19p+1)));
+    CHECK(certainly_less(BigInterval(0x1.921fb54442d18p+1), pi<BigInterval>()));
+}
+
+TEST_CASE("A new value has the thread's working precision, whatever its operands have") {
+    CHECK(PrecisionScope::current() == 128);
+    BigInterval outer(1);
+    {
+        const PrecisionScope scope(300);
+        CHECK(bits(BigInterval(1)) == 300);
+        CHECK(bits(outer + outer) == 300);
+        {
+            const PrecisionScope inner(53);
+            CHECK(PrecisionScope::current() == 53);
+        }
+        CHECK(PrecisionScope::current() == 300);
+        outer = BigInterval(1) / BigInterval(3);
+    }
+    CHECK(PrecisionScope::current() == 128);
+    CHECK(bits(outer) == 300);
+    const BigInterval shorter = outer + BigInterval(0);
+    CHECK(bits(shorter) == 128);
+    CHECK(certainly_at_most(low_end(shorter), outer));
+    CHECK(certainly_at_most(outer, high_end(shorter)));
+    CHECK_FALSE(certainly_less(shorter, outer));
+    CHECK_FALSE(certainly_less(outer, shorter));
+}
+
+TEST_CASE("A precision scope concerns its own thread only, and rejects absurd precisions") {
+    const PrecisionScope scope(200);
+    int elsewhere = 0;
+    std::thread([&] {
+        elsewhere = PrecisionScope::current();
+        const PrecisionScope theirs(70);
+    }).join();
+    CHECK(elsewhere == 128);
+    CHECK(PrecisionScope::current() == 200);
+    CHECK_THROWS_AS(PrecisionScope(1), BrokenInvariant);
+    CHECK_THROWS_AS(PrecisionScope(-5), BrokenInvariant);
+    CHECK_THROWS_AS(PrecisionScope((1 << 20) + 1), BrokenInvariant);
+    CHECK(PrecisionScope::current() == 200);
+}
+
+TEST_CASE("Copies are deep and keep their precision, moved-from values can be used again") {
+    const PrecisionScope scope(90);
+    BigInterval a(1, 2);
+    BigInterval copy = a;
+    a = BigInterval(5);
+    CHECK(is(copy, 1, 2));
+    BigInterval assigned;
+    {
+        const PrecisionScope wider(200);
+        assigned = BigInterval(3, 4);
+    }
+    CHECK(bits(BigInterval(assigned)) == 200);
+    copy = assigned;
+    CHECK(bits(copy) == 200);
+    CHECK(is(copy, 3, 4));
+    BigInterval& self = copy;
+    copy = self;
+    CHECK(is(copy, 3, 4));
+    copy = std::move(self);
+    CHECK(is(copy, 3, 4));
+
+    BigInterval moved = std::move(copy);
+    CHECK(is(moved, 3, 4));
+    copy = BigInterval(7, 8);  // NOLINT(bugprone-use-after-move): what is tested
+    CHECK(is(copy, 7, 8));
+    std::vector<BigInterval> many;
+    for (int i = 0; i < 100; ++i) {
+        many.emplace_back(i);
+    }
+    CHECK(is(many[42], 42, 42));
+}
+
+TEST_CASE("Bounds in double are rounded outward, also beyond its range") {
+    const PrecisionScope scope(200);
+    const BigInterval third = BigInterval(1) / BigInterval(3);
+    CHECK(third.lo() == 0x1.5555555555555p-2);
+    CHECK(third.hi() == next_up(0x1.5555555555555p-2));
+    const BigInterval huge = sqr(BigInterval(1e300));
+    CHECK(huge.lo() == greatest);
+    CHECK(huge.hi() == infinity);
+    const BigInterval tiny = sqr(BigInterval(-1e-300));
+    CHECK(tiny.lo() == 0);
+    CHECK(tiny.hi() == least);
+    CHECK(certainly_positive(tiny));
+}
+
+TEST_CASE("Ends, middle and width of a BigInterval") {
+    const PrecisionScope scope(200);
+    const BigInterval x = BigInterval(1, 2) / BigInterval(3);
+    CHECK((is_thin(low_end(x)) && is_thin(high_end(x)) && is_thin(midpoint(x))));
+    CHECK(certainly_less(low_end(x), midpoint(x)));
+    CHECK(certainly_less(midpoint(x), high_end(x)));
+    CHECK(width(x) >= 1.0 / 3);
+    CHECK(approximate(x) == Approx(0.5));
+    const PrecisionScope coarse(10);
+    CHECK(certainly_at_most(low_end(x), x));
+    CHECK(certainly_at_most(x, high_end(x)));
+}
+
+TEST_CASE("Comparisons of BigInterval are certain only where every pair of points agrees") {
+    CHECK(certainly_less(BigInterval(1, 2), BigInterval(3, 4)));
+    CHECK_FALSE(certainly_less(BigInterval(1, 2), BigInterval(2, 3)));
+    CHECK(certainly_at_most(BigInterval(1, 2), BigInterval(2, 3)));
+    CHECK_FALSE(certainly_at_most(BigInterval(1, 2.5), BigInterval(2, 3)));
+    CHECK(certainly_positive(BigInterval(0x1p-1074)));
+    CHECK_FALSE(certainly_positive(BigInterval(0, 1)));
+}
+
+TEST_CASE("Nothing is ever certain about a BigInterval that is NaN") {
+    const BigInterval bad(not_a_number);
+    const BigInterval one(1, 2);
+    const std::vector<BigInterval> results = {
+        bad,       bad + one,     bad - one,     one - bad,      bad * one,       one * bad,     bad / one,
+        one / bad, -bad,          sqr(bad),      low_end(bad),   high_end(bad),   midpoint(bad), bad - bad,
+        bad / bad, min(bad, bad), max(bad, bad), hull(bad, bad), sin_cos(bad).sin};
+    for (std::size_t i = 0; i < results.size(); ++i) {
+        CAPTURE(i, show(results[i]));
+        CHECK_FALSE(says_something(results[i]));
+    }
+    CHECK(std::isnan(approximate(bad)));
+    CHECK(std::isnan(width(bad)));
+}
+
+TEST_CASE("min, max, hull, sqrt and asin do not turn NaN into a number") {
+    const BigInterval bad(not_a_number);
+    const BigInterval one(1, 2);
+    CHECK_FALSE(says_something(max(bad, one)));
+    CHECK_FALSE(says_something(max(one, bad)));
+    CHECK_FALSE(says_something(min(bad, one)));
+    CHECK_FALSE(says_something(min(one, bad)));
+    CHECK_FALSE(says_something(hull(bad, one)));
+    CHECK_FALSE(says_something(hull(one, bad)));
+    CHECK_FALSE(says_something(sqrt(bad)));
+    CHECK_FALSE(certainly_less(asin(bad), BigInterval(1.5)));
+    CHECK_FALSE(certainly_less(BigInterval(-1.5), asin(bad)));
+}

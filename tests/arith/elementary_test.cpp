@@ -1,0 +1,153 @@
+#include "arith/elementary.hpp"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "angles.hpp"
+#include "random.hpp"
+#include "tightest.hpp"
+
+using namespace dumbbell;
+using namespace dumbbell_test;
+
+namespace {
+
+bool is(const Interval& x, double lo, double hi) { return x.lo() == lo && x.hi() == hi; }
+bool within_one(const Interval& x) { return -1 <= x.lo() && x.lo() <= x.hi() && x.hi() <= 1; }
+
+/// Where asin likes to go wrong: the ends of its domain, zero, values of sine near multiples of pi/2.
+double adversarial_sine(Random& random) {
+    switch (random.below(6)) {
+        case 0:
+            return random.sign() * (1 - random.scaled(0x1p-53, 1));
+        case 1:
+            return random.sign() * neighbour(1.0, -random.below(4));
+        case 2:
+            return random.sign() * random.scaled(0x1p-1074, 1);
+        case 3:
+            return std::sin(adversarial_angle(random));
+        case 4:
+            return random.below(3) - 1;
+        default:
+            return random.uniform(-1, 1);
+    }
+}
+
+}  // namespace
+
+TEST_CASE("sin and cos of one double enclose MPFR's on 100,000 adversarial arguments") {
+    Random random(21);
+    for (int i = 0; i < 100'000; ++i) {
+        const double x = adversarial_angle(random);
+        const SinCos<Interval> ours = sin_cos(Interval(x));
+        const Tightest sine = at_point(mpfr_sin, x);
+        const Tightest cosine = at_point(mpfr_cos, x);
+        if (!encloses(ours.sin, sine) || !encloses(ours.cos, cosine) || !within_one(ours.sin) ||
+            !within_one(ours.cos)) {
+            FAIL(say("x =", x, "sin", ours.sin, "exact", sine, "cos", ours.cos, "exact", cosine));
+        }
+    }
+}
+
+TEST_CASE("sin and cos of an interval enclose the exact range on 100,000 adversarial intervals") {
+    Random random(22);
+    for (int i = 0; i < 100'000; ++i) {
+        const Interval x = adversarial_angles(random);
+        const Interval sine = sin(x);
+        const Interval cosine = cos(x);
+        if (!encloses(sine, range_over(mpfi_sin, x)) || !within_one(sine)) {
+            FAIL(say("sin of", x, "is", sine, "exact", range_over(mpfi_sin, x)));
+        }
+        if (!encloses(cosine, range_over(mpfi_cos, x)) || !within_one(cosine)) {
+            FAIL(say("cos of", x, "is", cosine, "exact", range_over(mpfi_cos, x)));
+        }
+        const SinCos<Interval> both = sin_cos(x);
+        if (!is(both.sin, sine.lo(), sine.hi()) || !is(both.cos, cosine.lo(), cosine.hi())) {
+            FAIL(say("sin, cos and sin_cos differ at", x));
+        }
+    }
+}
+
+TEST_CASE("An extremum in the argument, or at its very end, is in the range") {
+    for (int k = -40; k <= 40; ++k) {
+        const double peak = (2 * k + 0.5) * 0x1.921fb54442d18p+1;
+        const double trough = (2 * k - 0.5) * 0x1.921fb54442d18p+1;
+        const double before = neighbour(peak, -8);
+        CAPTURE(k, peak);
+        CHECK(sin(Interval(before, neighbour(peak, 8))).hi() == 1);
+        CHECK(sin(Interval(peak - 1, peak + 1)).hi() == 1);
+        CHECK(sin(Interval(trough - 1, trough + 1)).lo() == -1);
+        CHECK(is(sin(Interval(trough, peak + 2)), -1, 1));
+        CHECK(sin(Interval(peak - 1.5, peak - 1)).hi() < 0.9);
+        const double turn = 2 * k * 0x1.921fb54442d18p+1;
+        CHECK(cos(Interval(turn - 0.5, turn + 0.25)).hi() == 1);
+        CHECK(cos(Interval(turn - 4, turn - 3)).lo() == -1);
+        CHECK(cos(Interval(turn + 1, turn + 2)).hi() < 0.9);
+    }
+    CHECK(cos(Interval(0, 0)).hi() == 1);
+    CHECK(cos(Interval(0, 0x1p-1074)).hi() == 1);
+    CHECK(cos(Interval(-0x1p-1074, 0)).hi() == 1);
+}
+
+TEST_CASE("Arguments that are far out, wide, infinite or NaN give [-1, 1]") {
+    for (const Interval& x : {Interval(0x1.0000000000001p20), Interval(1e300), Interval(-1e22),
+                              Interval(0, 6.3), Interval(-infinity, infinity), Interval(0, infinity),
+                              Interval(-infinity, 3), Interval(-1e300, 1e300), Interval(5, 1e9)}) {
+        CAPTURE(show(x));
+        CHECK(is(sin(x), -1, 1));
+        CHECK(is(cos(x), -1, 1));
+    }
+    // No number is in NaN: both [-1, 1] and NaN are right, a smaller range is not.
+    for (const Interval& x : {Interval(not_a_number), Interval(1, 0)}) {
+        CHECK_FALSE(sin(x).lo() > -1);
+        CHECK_FALSE(sin(x).hi() < 1);
+        CHECK_FALSE(cos(x).lo() > -1);
+        CHECK_FALSE(cos(x).hi() < 1);
+    }
+}
+
+TEST_CASE("asin encloses MPFR's on 100,000 adversarial arguments and intervals") {
+    Random random(23);
+    for (int i = 0; i < 100'000; ++i) {
+        const double a = adversarial_sine(random);
+        const double b = random.coin() ? a : adversarial_sine(random);
+        const Interval x(std::min(a, b), std::max(a, b));
+        const Tightest exact{at_point(mpfr_asin, x.lo()).lo, at_point(mpfr_asin, x.hi()).hi};
+        const Interval ours = asin(x);
+        if (!encloses(ours, exact) || ours.hi() > half_pi<Interval>().hi() ||
+            ours.lo() < -half_pi<Interval>().hi()) {
+            FAIL(say("asin of", x, "is", ours, "exact", exact));
+        }
+    }
+}
+
+TEST_CASE("The ends of asin are certified by sine itself, not believed from the library") {
+    Random random(24);
+    for (int i = 0; i < 20'000; ++i) {
+        const double v = adversarial_sine(random);
+        const Interval ours = asin(Interval(v));
+        const double quarter = half_pi<Interval>().hi();
+        if ((ours.lo() > -quarter && sin(Interval(ours.lo())).hi() > v) ||
+            (ours.hi() < quarter && sin(Interval(-ours.hi())).hi() > -v)) {
+            FAIL(say("asin of", v, "is", ours));
+        }
+    }
+}
+
+TEST_CASE("asin cuts its argument to [-1, 1] and says nothing false of NaN") {
+    const Interval quarter = half_pi<Interval>();
+    CHECK(is(asin(Interval(-2, 3)), -quarter.hi(), quarter.hi()));
+    CHECK(is(asin(Interval(-infinity, infinity)), -quarter.hi(), quarter.hi()));
+    CHECK(asin(Interval(0.5, 7)).hi() == quarter.hi());
+    CHECK(asin(Interval(0.5, 7)).lo() == asin(Interval(0.5)).lo());
+    CHECK_FALSE(asin(Interval(not_a_number)).lo() > -quarter.lo());
+    CHECK_FALSE(asin(Interval(not_a_number)).hi() < quarter.lo());
+}
+
+TEST_CASE("pi and half_pi are the neighbouring doubles around MPFR's") {
+    Tightest exact;
+    exact.add([](mpfr_ptr to, mpfr_rnd_t rounding) { mpfr_const_pi(to, rounding); });
+    CHECK(is(pi<Interval>(), exact.lo, exact.hi));
+    CHECK(pi<Interval>().hi() == next_up(pi<Interval>().lo()));
+    CHECK(is(half_pi<Interval>(), exact.lo / 2, exact.hi / 2));
+}

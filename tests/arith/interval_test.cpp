@@ -1,0 +1,166 @@
+#include "arith/interval.hpp"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <vector>
+
+#include "random.hpp"
+#include "tightest.hpp"
+
+using namespace dumbbell;
+using namespace dumbbell_test;
+
+namespace {
+
+bool is_nan(const Interval& x) { return std::isnan(x.lo()) && std::isnan(x.hi()); }
+bool is(const Interval& x, double lo, double hi) { return x.lo() == lo && x.hi() == hi; }
+bool contains_zero(const Interval& x) { return x.lo() <= 0 && x.hi() >= 0; }
+
+/// Whether anything at all is certain about x.
+bool says_something(const Interval& x) {
+    for (const double bound : {-infinity, -1e300, -1.0, 0.0, 1.0, 1e300, infinity}) {
+        const Interval point(bound);
+        if (certainly_less(x, point) || certainly_less(point, x) || certainly_at_most(x, point) ||
+            certainly_at_most(point, x)) {
+            return true;
+        }
+    }
+    return certainly_positive(x) || certainly_positive(-x);
+}
+
+void check(const char* name, const Interval& x, const Interval& y, const Interval& ours,
+           const Tightest& exact, int allowed) {
+    if (!encloses(ours, exact) || excess(ours, exact) > allowed) {
+        FAIL(say(name, "of", x, y, "gives", ours, "exact", exact));
+    }
+}
+
+}  // namespace
+
+TEST_CASE("Sums, differences, products and quotients enclose the exact range, one double too wide at most") {
+    Random random(11);
+    for (int i = 0; i < 100'000; ++i) {
+        const Interval x = adversarial_interval(random);
+        const Interval y = random.below(8) == 0 ? x : adversarial_interval(random);
+        check("+", x, y, x + y, corners(mpfr_add, x, y), 1);
+        check("-", x, y, x - y, corners(mpfr_sub, x, y), 1);
+        check("*", x, y, x * y, corners(mpfr_mul, x, y), 1);
+        if (!contains_zero(y)) {
+            check("/", x, y, x / y, corners(mpfr_div, x, y), 1);
+        }
+        check("neg", x, x, -x, {-x.hi(), -x.lo()}, 0);
+        check("min", x, y, min(x, y), {std::min(x.lo(), y.lo()), std::min(x.hi(), y.hi())}, 0);
+        check("max", x, y, max(x, y), {std::max(x.lo(), y.lo()), std::max(x.hi(), y.hi())}, 0);
+        check("hull", x, y, hull(x, y), {std::min(x.lo(), y.lo()), std::max(x.hi(), y.hi())}, 0);
+    }
+}
+
+TEST_CASE("Squares, square roots and absolute values enclose the exact range") {
+    Random random(12);
+    for (int i = 0; i < 100'000; ++i) {
+        const Interval x = adversarial_interval(random);
+        const double inner = contains_zero(x) ? 0.0 : std::min(std::abs(x.lo()), std::abs(x.hi()));
+        const double outer = std::max(std::abs(x.lo()), std::abs(x.hi()));
+        check("sqr", x, x, sqr(x), squares(x), 1);
+        check("abs", x, x, abs(x), {inner, outer}, 0);
+        if (x.hi() >= 0) {
+            check("sqrt", x, x, sqrt(x), square_roots(x), 1);
+            if (sqrt(x).lo() < 0) {
+                FAIL(say("the root of", x, "goes below 0"));
+            }
+        }
+    }
+}
+
+TEST_CASE("A difference of equal intervals contains 0, a square is no product of independent factors") {
+    const Interval x(-1, 2);
+    CHECK(contains_zero(x - x));
+    CHECK(is(sqr(x), 0, next_up(4.0)));
+    CHECK(is(x * x, next_down(-2.0), next_up(4.0)));
+}
+
+TEST_CASE("Division by an interval that contains 0 encloses every defined quotient") {
+    Random random(13);
+    for (int i = 0; i < 50'000; ++i) {
+        const Interval x = adversarial_interval(random);
+        const double reach = adversarial_positive(random);
+        const int side = random.below(3);
+        const Interval y(side == 0 ? 0.0 : -reach, side == 1 ? 0.0 : adversarial_positive(random));
+        const Interval quotient = x / y;
+        for (const double below : {y.lo(), y.hi(), y.lo() / 2, y.hi() / 2, 0x1p-1074, -0x1p-1074}) {
+            if (below != 0 && y.lo() <= below && below <= y.hi()) {
+                const Tightest exact = corners(mpfr_div, x, Interval(below));
+                if (!encloses(quotient, exact)) {
+                    FAIL(say(x, "/", y, "=", quotient, "misses the quotients by", below, exact));
+                }
+            }
+        }
+    }
+    CHECK(is(Interval(1) / Interval(-1, 1), -infinity, infinity));
+    CHECK(is(Interval(-3, 5) / Interval(-2, 7), -infinity, infinity));
+    CHECK((Interval(1) / Interval(0, 2)).hi() == infinity);
+    CHECK((Interval(1) / Interval(-2, -0.0)).lo() == -infinity);
+    CHECK_FALSE(says_something(Interval(1) / Interval(0)));
+    CHECK_FALSE(says_something(Interval(0) / Interval(0)));
+}
+
+TEST_CASE("Overflow keeps the enclosure") {
+    const Interval big(greatest);
+    CHECK(is(big + big, greatest, infinity));
+    CHECK(is(-big - big, -infinity, -greatest));
+    CHECK(is(sqr(big), greatest, infinity));
+    CHECK((big * Interval(0)).lo() <= 0);
+    CHECK(is(Interval(0) * Interval(-infinity, infinity), 0, 0));
+    CHECK(is((big + big) - (big + big), -infinity, infinity));
+}
+
+TEST_CASE("Nothing is ever certain about NaN or about an empty interval") {
+    const Interval one(1, 2);
+    for (const Interval& bad :
+         {Interval(not_a_number), Interval(not_a_number, 1), Interval(1, not_a_number), Interval(2, 1)}) {
+        CAPTURE(show(bad));
+        const std::vector<Interval> results = {
+            bad,           bad + one,     one + bad,     bad - one,     one - bad,     bad * one,
+            one * bad,     bad / one,     one / bad,     -bad,          sqr(bad),      sqrt(bad),
+            abs(bad),      min(bad, one), min(one, bad), max(bad, one), max(one, bad), low_end(bad),
+            high_end(bad), midpoint(bad), bad - bad,     bad * bad,     bad / bad,     bad * Interval(0)};
+        for (std::size_t i = 0; i < results.size(); ++i) {
+            CAPTURE(i, show(results[i]));
+            CHECK_FALSE(says_something(results[i]));
+        }
+        CHECK(std::isnan(approximate(bad)));
+        CHECK(std::isnan(width(bad)));
+    }
+    CHECK(is_nan(sqrt(Interval(-2, -1))));
+}
+
+TEST_CASE("A hull with NaN is not certain either") {
+    const Interval one(1, 2);
+    CHECK_FALSE(says_something(hull(Interval(not_a_number), one)));
+    CHECK_FALSE(says_something(hull(one, Interval(not_a_number))));
+    CHECK_FALSE(says_something(hull(Interval(not_a_number), Interval(not_a_number))));
+}
+
+TEST_CASE("Comparisons are certain only where every pair of points agrees") {
+    CHECK(certainly_less(Interval(1, 2), Interval(3, 4)));
+    CHECK_FALSE(certainly_less(Interval(1, 2), Interval(2, 3)));
+    CHECK(certainly_at_most(Interval(1, 2), Interval(2, 3)));
+    CHECK_FALSE(certainly_at_most(Interval(1, next_up(2.0)), Interval(2, 3)));
+    CHECK_FALSE(certainly_less(Interval(3, 4), Interval(1, 2)));
+    CHECK(certainly_positive(Interval(0x1p-1074, 1)));
+    CHECK_FALSE(certainly_positive(Interval(0, 1)));
+    CHECK_FALSE(certainly_positive(Interval(-0.0, 1)));
+    CHECK_FALSE(certainly_positive(Interval(-1, 1)));
+}
+
+TEST_CASE("Ends, middle and width") {
+    const Interval x(1, 2);
+    CHECK(is(low_end(x), 1, 1));
+    CHECK(is(high_end(x), 2, 2));
+    CHECK(approximate(x) == 1.5);
+    CHECK(is(midpoint(x), 1.5, 1.5));
+    CHECK(width(x) >= 1);
+    CHECK(width(Interval(0x1p-1074, 1)) >= 1);
+    CHECK(is(Interval(), 0, 0));
+    CHECK(is(Interval(3), 3, 3));
+}

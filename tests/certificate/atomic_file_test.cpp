@@ -1,0 +1,192 @@
+#include "certificate/atomic_file.hpp"
+
+#include <sys/mount.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <zlib.h>
+
+#include <array>
+#include <catch2/catch.hpp>
+#include <csignal>
+
+#include "../cli/process.hpp"
+#include "arith/error.hpp"
+
+using namespace dumbbell_test;
+using Catch::Matchers::Contains;
+using dumbbell::AtomicFile;
+using dumbbell::InputError;
+
+namespace {
+
+using Names = std::vector<std::string>;
+
+std::string unpacked(const std::string& path) {
+    gzFile file = gzopen(path.c_str(), "rb");
+    std::array<char, 65536> buffer{};
+    std::string text;
+    for (int n = 0; (n = gzread(file, buffer.data(), buffer.size())) > 0;) {
+        text.append(buffer.data(), static_cast<std::size_t>(n));
+    }
+    gzclose(file);
+    return text;
+}
+
+// No file of this process may grow beyond `bytes`: what a full disk looks like to it.
+class FileSizeLimit {
+  public:
+    explicit FileSizeLimit(rlim_t bytes) : handler_(std::signal(SIGXFSZ, SIG_IGN)) {
+        ::getrlimit(RLIMIT_FSIZE, &before_);
+        const rlimit limited{bytes, before_.rlim_max};
+        ::setrlimit(RLIMIT_FSIZE, &limited);
+    }
+    ~FileSizeLimit() {
+        ::setrlimit(RLIMIT_FSIZE, &before_);
+        std::signal(SIGXFSZ, handler_);
+    }
+    FileSizeLimit(const FileSizeLimit&) = delete;
+    FileSizeLimit& operator=(const FileSizeLimit&) = delete;
+
+  private:
+    rlimit before_{};
+    void (*handler_)(int);
+};
+
+// A file system of 64 kB; only root can have one.
+class SmallDisk {
+  public:
+    explicit SmallDisk(std::string path) : path_(std::move(path)) {
+        std::filesystem::create_directory(path_);
+        mounted_ = ::mount("tmpfs", path_.c_str(), "tmpfs", 0, "size=64k") == 0;
+    }
+    ~SmallDisk() {
+        if (mounted_) {
+            ::umount(path_.c_str());
+        }
+    }
+    SmallDisk(const SmallDisk&) = delete;
+    SmallDisk& operator=(const SmallDisk&) = delete;
+
+    [[nodiscard]] bool mounted() const { return mounted_; }
+
+  private:
+    std::string path_;
+    bool mounted_;
+};
+
+}  // namespace
+
+TEST_CASE("a committed file has its name and contents, and nothing else is left") {
+    const TemporaryFolder folder;
+    AtomicFile(folder / "file").commit("one\ntwo\n");
+    CHECK(contents(folder / "file") == "one\ntwo\n");
+    CHECK(folder.names() == Names{"file"});
+}
+
+TEST_CASE("an empty file and one of ten megabytes can be committed") {
+    const TemporaryFolder folder;
+    AtomicFile(folder / "empty").commit("");
+    CHECK(contents(folder / "empty").empty());
+    const std::string big(10'000'000, 'x');
+    AtomicFile(folder / "big").commit(big);
+    CHECK(contents(folder / "big") == big);
+}
+
+TEST_CASE("until it is committed nothing stands under the final name, without a commit nothing remains") {
+    const TemporaryFolder folder;
+    {
+        const AtomicFile file(folder / "file");
+        REQUIRE(folder.names().size() == 1);
+        CHECK(folder.names().front() != "file");
+    }
+    CHECK(folder.names().empty());
+}
+
+TEST_CASE("without a commit the old file stays, with one it is replaced as a whole") {
+    const TemporaryFolder folder;
+    write_file(folder / "file", "old");
+    { const AtomicFile file(folder / "file"); }
+    CHECK(contents(folder / "file") == "old");
+
+    std::ifstream reader(folder / "file");  // someone who reads the old file goes on reading it
+    AtomicFile(folder / "file").commit("new and longer");
+    CHECK(std::string(std::istreambuf_iterator<char>(reader), {}) == "old");
+    CHECK(contents(folder / "file") == "new and longer");
+    CHECK(folder.names() == Names{"file"});
+}
+
+TEST_CASE("a name that ends in .gz is compressed, reproducibly: no time and no name inside") {
+    const TemporaryFolder folder;
+    const std::string text(100'000, 'd');
+    AtomicFile(folder / "one.gz").commit(text);
+    AtomicFile(folder / "two.gz").commit(text);
+    const std::string bytes = contents(folder / "one.gz");
+    CHECK(bytes.size() < 1000);
+    CHECK(bytes.substr(0, 3) == "\x1f\x8b\x08");
+    CHECK(bytes.substr(3, 5) == std::string(5, '\0'));  // no name, no time
+    CHECK(bytes == contents(folder / "two.gz"));
+    CHECK(unpacked(folder / "one.gz") == text);
+}
+
+TEST_CASE("a place that cannot be written is known before any work is done") {
+    const TemporaryFolder folder;
+    CHECK_THROWS_AS(AtomicFile(folder / "no such folder/file"), InputError);
+    CHECK_THROWS_WITH(AtomicFile(folder / "no such folder/file"), Contains("no such folder/file"));
+    CHECK_THROWS_AS(AtomicFile("/proc/dumbbell-test"), InputError);
+    CHECK_THROWS_AS(AtomicFile(folder / std::string(300, 'x')), InputError);
+    write_file(folder / "file", "");
+    CHECK_THROWS_AS(AtomicFile(folder / "file/file"), InputError);
+    CHECK(folder.names() == Names{"file"});
+}
+
+TEST_CASE("a read-only folder is refused") {
+    if (::geteuid() == 0) {
+        WARN("skipped: root may write everywhere");
+        return;
+    }
+    const TemporaryFolder folder;
+    ::chmod(folder.path().c_str(), 0555);
+    CHECK_THROWS_AS(AtomicFile(folder / "file"), InputError);
+    ::chmod(folder.path().c_str(), 0755);
+}
+
+TEST_CASE("a directory is never replaced") {
+    const TemporaryFolder folder;
+    std::filesystem::create_directory(folder / "sub");
+    CHECK_THROWS_WITH(AtomicFile(folder / "sub"), Contains("directory"));
+    CHECK(folder.names() == Names{"sub"});
+}
+
+TEST_CASE("what is no regular file, like a pipe or /dev/null, is never replaced") {
+    const TemporaryFolder folder;
+    REQUIRE(::mkfifo((folder / "pipe").c_str(), 0600) == 0);
+    CHECK_THROWS_AS(AtomicFile(folder / "pipe"), InputError);
+    CHECK(std::filesystem::is_fifo(folder / "pipe"));
+    CHECK(folder.names() == Names{"pipe"});
+}
+
+TEST_CASE("a file that does not fit leaves the old one and no other") {
+    const TemporaryFolder folder;
+    write_file(folder / "file", "old");
+    {
+        const FileSizeLimit limit(65536);
+        CHECK_THROWS_AS(AtomicFile(folder / "file").commit(std::string(1'000'000, 'x')), InputError);
+        CHECK_THROWS_WITH(AtomicFile(folder / "new").commit(std::string(1'000'000, 'x')), Contains("write"));
+    }
+    CHECK(contents(folder / "file") == "old");
+    CHECK(folder.names() == Names{"file"});
+}
+
+TEST_CASE("a full disk leaves nothing under the final name") {
+    const TemporaryFolder folder;
+    const SmallDisk disk(folder / "disk");
+    if (!disk.mounted()) {
+        WARN("skipped: only root can mount a small disk");
+        return;
+    }
+    const std::string path = folder / "disk/file";
+    CHECK_THROWS_WITH(AtomicFile(path).commit(std::string(1'000'000, 'x')), Contains("No space left"));
+    CHECK(std::filesystem::is_empty(folder / "disk"));
+    AtomicFile(path).commit("fits");
+    CHECK(contents(path) == "fits");
+}

@@ -1,0 +1,169 @@
+#include "model/count.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "rays.hpp"
+
+using namespace dumbbell;
+using namespace dumbbell_test;
+
+namespace {
+
+constexpr long cap = 4000;
+
+/// Fails unless upper >= true number >= lower, with equality where no decision was closer than `clear`.
+/// Returns whether there was equality.
+template <class I, class T>
+bool check_counts(const PlainRay& ray, double clear) {
+    const auto exact = ray_count<T>(ray, cap);
+    const long upper = count_at_most(as<I>(ray), cap);
+    const long lower = count_at_least(as<I>(ray), cap);
+    if (upper < exact.hits || lower > exact.hits) {
+        FAIL(say(ray, "has", exact.hits, "collisions, bounds are", lower, upper));
+    }
+    if (exact.hits < cap && exact.margin > clear && (upper != exact.hits || lower != exact.hits)) {
+        FAIL(say(ray, "has", exact.hits, "collisions with margin", exact.margin, "bounds are only", lower,
+                 upper));
+    }
+    return upper == lower;
+}
+
+PlainRay raised(Random& random, const PlainRay& ray) {
+    const auto some = [&](double most) { return random.coin() ? 0.0 : random.scaled(1e-16, most); };
+    return {ray.c + some(1), ray.kappa + some(0.5), std::min(1.0, ray.r + some(0.5))};
+}
+
+}  // namespace
+
+TEST_CASE("Both counts bound the true number of collisions for 20,000 rays, and meet away from grazing") {
+    Random random(111);
+    int equal = 0;
+    for (int i = 0; i < 20'000; ++i) {
+        equal += check_counts<Interval, Real>(random_ray(random, 1e-3), 1e-9) ? 1 : 0;
+    }
+    CHECK(equal > 17'000);
+}
+
+TEST_CASE("Grazing rays at margins of 1e-3 to 1e-17 on both sides are never miscounted") {
+    Random random(112);
+    for (int digits = 3; digits <= 17; ++digits) {
+        for (int i = 0; i < 200; ++i) {
+            const double r = random_r(random, 1e-3);
+            const double margin = random.sign() * std::pow(10.0, -digits);
+            check_counts<Interval, Real>(grazing_ray(random.uniform(-r, 0.95), margin, r), 1e-9);
+        }
+    }
+}
+
+TEST_CASE("Mass ratios of 1e4 to 1e6 with hundreds of collisions keep their enclosure") {
+    Random random(113);
+    for (const double r : {1e-4, 1e-5, 1e-6}) {
+        for (int i = 0; i < 8; ++i) {
+            const PlainRay ray{r * random.uniform(0, 3), r * random.uniform(-1, 1.5), r};
+            const auto exact = ray_count<Real>(ray, cap);
+            const long upper = count_at_most(as<Interval>(ray), cap);
+            const long lower = count_at_least(as<Interval>(ray), cap);
+            CAPTURE(show(ray), exact.hits);
+            CHECK(exact.hits > 40);
+            CHECK(upper >= exact.hits);
+            CHECK(lower <= exact.hits);
+            CHECK(upper - lower <= 1);
+        }
+    }
+}
+
+TEST_CASE("In multiple precision, 53 to 512 bits, the counts bound and agree with the true number") {
+    Random random(114);
+    for (const int bits : {53, 90, 128, 256, 512}) {
+        const PrecisionScope scope(bits);
+        const double clear = std::max(1e-100, std::ldexp(1e6, -bits));
+        for (int i = 0; i < 150; ++i) {
+            const auto ray = random_ray(random, 1e-2);
+            check_counts<BigInterval, Decimal<200>>(ray, std::max(clear, 1e-9));
+        }
+    }
+}
+
+TEST_CASE("With 6 to 40 bits, where rounding to the wrong side shows, the counts still are bounds") {
+    Random random(117);
+    for (int i = 0; i < 6'000; ++i) {
+        const PrecisionScope scope(6 + random.below(35));
+        check_counts<BigInterval, Real>(random_ray(random, 1e-2), infinity);
+    }
+}
+
+TEST_CASE("More bits decide rays that graze too closely for doubles") {
+    const PrecisionScope scope(256);
+    Random random(115);
+    int undecided_in_double = 0;
+    for (int i = 0; i < 300; ++i) {
+        const auto ray = grazing_ray(random.uniform(0, 0.9), random.sign() * 1e-16, 0.01);
+        undecided_in_double +=
+            count_at_most(as<Interval>(ray), cap) != count_at_least(as<Interval>(ray), cap) ? 1 : 0;
+        if (!check_counts<BigInterval, Real>(ray, 1e-30)) {
+            FAIL(say("undecided with 256 bits:", ray));
+        }
+    }
+    CHECK(undecided_in_double > 100);
+}
+
+TEST_CASE("The upper count holds for every ray above, the lower count for every ray below") {
+    Random random(116);
+    for (int i = 0; i < 6'000; ++i) {
+        const PlainRay low = random_ray(random, 1e-3);
+        const PlainRay high = raised(random, low);
+        const long upper = count_at_most(as<Interval>(low), cap);
+        const long lower = count_at_least(as<Interval>(high), cap);
+        if (ray_count<Real>(high, cap).hits > upper || ray_count<Real>(low, cap).hits < lower) {
+            FAIL(say("from", low, "to", high, "bounds", lower, upper));
+        }
+        if (lower > upper) {
+            FAIL(say("bounds crossed from", low, "to", high));
+        }
+    }
+}
+
+TEST_CASE("A wide ray is counted at its lower ends from above, at its upper ends from below") {
+    const Ray<Interval> wide{Interval(0.01, 0.3), Interval(0, 0.2), Interval(0.01, 0.1)};
+    CHECK(count_at_most(wide, cap) == ray_count<Real>(PlainRay{0.01, 0, 0.01}).hits);
+    CHECK(count_at_least(wide, cap) == ray_count<Real>(PlainRay{0.3, 0.2, 0.1}).hits);
+    CHECK(count_at_most(wide, cap) > count_at_least(wide, cap));
+}
+
+TEST_CASE("The counts stop at their cap") {
+    const auto ray = as<Interval>({1e-6, 1e-6, 1e-4});
+    const long all = ray_count<Real>(PlainRay{1e-6, 1e-6, 1e-4}).hits;
+    REQUIRE(all > 20);
+    CHECK(count_at_most(ray, 10) == 11);
+    CHECK(count_at_most(ray, all) == all);
+    CHECK(count_at_most(ray, all - 1) == all);
+    CHECK(count_at_most(ray, 0) == 1);
+    CHECK(count_at_least(ray, 10) == 10);
+    CHECK(count_at_least(ray, 0) == 0);
+    CHECK(count_at_least(ray, all + 5) == all);
+}
+
+TEST_CASE("Rays that are too steep or too high never collide") {
+    for (const PlainRay& ray :
+         {PlainRay{0, 1, 0.1}, PlainRay{0.5, 2, 1}, PlainRay{1.5, 0, 0.5}, PlainRay{1e9, 0.5, 1e-3}}) {
+        CAPTURE(show(ray));
+        CHECK(count_at_most(as<Interval>(ray), cap) == 0);
+        CHECK(count_at_least(as<Interval>(ray), cap) == 0);
+    }
+}
+
+TEST_CASE("NaN never gives a small upper count, nor a positive lower one") {
+    const auto check = [](auto zero) {
+        using I = decltype(zero);
+        const I bad(not_a_number);
+        for (int which = 1; which < 8; ++which) {
+            const Ray<I> ray{which & 1 ? bad : I(0.01), which & 2 ? bad : I(0.01), which & 4 ? bad : I(0.01)};
+            CAPTURE(which);
+            CHECK(count_at_most(ray, 5) == 6);
+            CHECK(count_at_least(ray, 5) <= 1);  // the first collision does not depend on r
+            CHECK((which == 4 || count_at_least(ray, 5) == 0));
+        }
+    };
+    SECTION("in doubles") { check(Interval()); }
+    SECTION("in multiple precision") { check(BigInterval()); }
+}

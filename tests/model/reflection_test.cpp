@@ -1,0 +1,98 @@
+#include "model/reflection.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "arith/elementary.hpp"
+#include "rays.hpp"
+
+using namespace dumbbell;
+using namespace dumbbell_test;
+
+namespace {
+
+/// An interval around v, some thin, some wide; v is in it.
+Interval around(Random& random, double v) {
+    if (random.coin()) {
+        return Interval(v);
+    }
+    return {v - random.scaled(1e-16, 0.1), v + random.scaled(1e-16, 0.1)};
+}
+
+Real kinetic_energy(const Vector<Real>& v, const Real& r) {
+    return v.angular * v.angular + v.vertical * v.vertical / r;
+}
+
+}  // namespace
+
+TEST_CASE("The reference reflection keeps the energy and is its own inverse") {
+    Random random(131);
+    for (int i = 0; i < 200; ++i) {
+        const Vector<Real> v{Real(random.uniform(-1, 1)), Real(random.uniform(-1, 1))};
+        const Real t = random.uniform(-1, 1);
+        const Real r = random_r(random);
+        const auto out = reflect(v, t, r);
+        CHECK(abs(kinetic_energy(out, r) - kinetic_energy(v, r)) < 1e-50 * kinetic_energy(v, r));
+        const auto back = reflect(out, t, r);
+        CHECK(abs(back.angular - v.angular) < 1e-50);
+        CHECK(abs(back.vertical - v.vertical) < 1e-50);
+    }
+}
+
+TEST_CASE("A light wall's reflection encloses the vector reflection, formula (2)") {
+    Random random(132);
+    for (int i = 0; i < 20'000; ++i) {
+        const double w = random.coin() ? random.uniform(0, 1) : random.scaled(1e-12, 1);
+        const double r = random_r(random);
+        const double kappa = random.uniform(-r, 1);
+        const Vector<Real> out = reflect<Real>({Real(1), Real(kappa)}, Real(w), Real(r));
+        const Real norm = Real(w) * w + r;
+        const auto ours = reflect_at_light_wall(around(random, kappa), around(random, w), around(random, r));
+        // The ray comes in to the right; it goes back if out.angular < 0.
+        if (!encloses(ours.denominator, Real(-out.angular * norm)) ||
+            !encloses(ours.numerator, Real(out.vertical * norm))) {
+            FAIL(say("kappa", kappa, "w", w, "r", r, "gives", ours.numerator, ours.denominator));
+        }
+    }
+}
+
+TEST_CASE("The reversed incoming ray at a light wall is enclosed, in units of r") {
+    Random random(133);
+    for (int i = 0; i < 20'000; ++i) {
+        const double w = random.coin() ? random.uniform(0, 1) : random.scaled(1e-12, 1);
+        const double r = random_r(random);
+        const double lambda = random.uniform(0, 1 / r);
+        // X leaves R to the left; its reflection is the velocity before, to be reversed.
+        const Vector<Real> before = reflect<Real>({Real(-1), r * Real(lambda)}, Real(w), Real(r));
+        const Real norm = Real(w) * w + r;
+        const auto ours =
+            reversed_at_light_wall(around(random, lambda), around(random, w), around(random, r));
+        if (!encloses(ours.denominator, Real(before.angular * norm)) ||
+            !encloses(ours.numerator, Real(-before.vertical * norm / r))) {
+            FAIL(say("lambda", lambda, "w", w, "r", r, "gives", ours.numerator, ours.denominator));
+        }
+    }
+}
+
+TEST_CASE("The reversed steepness at the bridge is enclosed, formula (3)") {
+    Random random(134);
+    for (int i = 0; i < 20'000; ++i) {
+        const double s = random.uniform(0, 1);
+        const double r = random_r(random);
+        const double eta = random.coin() ? random.uniform(0, 3) : random.scaled(1e-15, 1 / r);
+        const Vector<Real> before =
+            reflect<Real>({Real(-1), r * (Real(s) + eta)}, Real(-r * Real(s)), Real(r));
+        // sigma X = -before flies to the right with slope r (eta' - s).
+        const Real steepness = before.vertical / before.angular / r + s;
+        const auto ours = reversed_steepness(around(random, eta), around(random, s), around(random, r));
+        if (!(before.angular < 0) || !encloses(ours, steepness)) {
+            FAIL(say("eta", eta, "s", s, "r", r, "gives", ours, "exact", steepness));
+        }
+    }
+}
+
+TEST_CASE("A ray along the bridge's tangent comes back as itself, a contact at the peak is symmetric") {
+    CHECK(encloses(reversed_steepness(Interval(0), Interval(0.7), Interval(0.1)), Real(0)));
+    const auto symmetric = reversed_steepness(Interval(0.4), Interval(0), Interval(0.1));
+    CHECK(encloses(symmetric, Real(0.4)));
+    CHECK(width(symmetric) < 1e-15);
+}

@@ -1,0 +1,133 @@
+#include <catch2/catch.hpp>
+#include <sstream>
+
+#include "sample_report.hpp"
+
+using namespace dumbbell_test;
+using Catch::Matchers::Contains;
+
+namespace {
+
+// The words of the line that begins with `start`.
+std::vector<std::string> line_of(const std::string& text, const std::string& start) {
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);) {
+        if (line.starts_with(start)) {
+            std::istringstream words(line);
+            return {std::istream_iterator<std::string>(words), {}};
+        }
+    }
+    return {};
+}
+
+using Words = std::vector<std::string>;
+
+}  // namespace
+
+TEST_CASE("the table of a single ratio: ratio, N, the paper's bound, boxes, time") {
+    const SampleReport ten({piece(10, 10, 4, 4)});
+    const std::string text = to_text(ten.report);
+    CHECK(line_of(text, "mass ratio") == Words{"mass", "ratio", "N", "paper", "boxes", "time"});
+    CHECK(line_of(text, "10 ") == Words{"10", "4", "7", "2", "0.500", "s"});
+    CHECK_THAT(text, Contains("1 piece in 1.25 s with 2 threads"));
+}
+
+TEST_CASE("below the table one sentence says what was proved") {
+    const SampleReport ten({piece(10, 10, 4, 4)});
+    CHECK_THAT(to_text(ten.report),
+               Contains("Proved: at mass ratio 10 no trajectory hits the floor more than 4 times, "
+                        "and some trajectory hits it 4 times.\n"));
+}
+
+TEST_CASE("a single ratio that was not decided is not called proved") {
+    const SampleReport open({open_piece(10, 10)});
+    const std::string text = to_text(open.report);
+    CHECK_THAT(text, Contains("Not decided"));
+    CHECK_THAT(text, !Contains("Proved"));
+    const SampleReport half({piece(10, 10, 5, 4)});
+    CHECK_THAT(to_text(half.report), Contains("Not decided") && Contains("at least 4"));
+}
+
+TEST_CASE("the table of a range has a line per piece, gaps with both values, open ones marked") {
+    const SampleReport sample(four_pieces());
+    const std::string text = to_text(sample.report);
+    CHECK(line_of(text, "4 :") == Words{"4", ":", "4.6033367", "3", "5", "2", "0.500", "s"});
+    CHECK(line_of(text, "4.6033367 :") ==
+          Words{"4.6033367", ":", "4.603341", "3", "or", "4", "5", "2", "0.500", "s"});
+    CHECK(line_of(text, "5 : 12") == Words{"5", ":", "12", "open", "5-7", "0", "0.500", "s"});
+    CHECK_THAT(text, Contains("4 pieces in 1.25 s"));
+}
+
+TEST_CASE("the sentence of a range says how much of it is decided") {
+    const SampleReport sample(four_pieces());
+    const std::string text = to_text(sample.report);
+    CHECK_THAT(text, Contains("Decided: 0.750000000 of the range"));
+    CHECK_THAT(text, Contains("open"));
+    CHECK_THAT(text, Contains("no trajectory hits the floor more than N times"));
+    const SampleReport decided({piece(5, 11, 4, 4)});
+    CHECK_THAT(to_text(decided.report), !Contains("gap") && !Contains("open"));
+}
+
+TEST_CASE("a written certificate is named with its checksum and the command that checks it") {
+    SampleReport ten({piece(10, 10, 4, 4)});
+    CHECK_THAT(to_text(ten.report), !Contains("verify"));
+    ten.report.out = "ten.dbc";
+    ten.report.sha256 = std::string(64, 'a');
+    CHECK_THAT(to_text(ten.report), Contains("ten.dbc (sha256 " + std::string(64, 'a') + ")") &&
+                                        Contains("dumbbell verify ten.dbc\n"));
+}
+
+TEST_CASE("the JSON object has the contract's fields") {
+    SampleReport sample(four_pieces());
+    sample.report.out = "stairs.dbc";
+    sample.report.sha256 = std::string(64, 'b');
+    const auto json = to_json(sample.report);
+    CHECK(json.at("schema").is_string());
+    CHECK(json.at("scene") == "dumbbell");
+    CHECK(json.at("section") == "turning");
+    CHECK(json.at("ratio").at("lo") == "4/1");
+    CHECK(json.at("ratio").at("hi") == "12/1");
+    CHECK(json.at("gap") == "1/1000000");
+    CHECK(json.at("jobs") == 2);
+    CHECK(json.at("decided_fraction") == 0.75);
+    CHECK(json.at("seconds") == 1.25);
+    CHECK(json.at("out") == "stairs.dbc");
+    CHECK(json.at("sha256") == std::string(64, 'b'));
+    REQUIRE(json.at("pieces").size() == 4);
+}
+
+TEST_CASE(
+    "a piece in JSON: exact rationals, both bounds, status, the paper's bound, leaves, bits, margin, width") {
+    const SampleReport sample(four_pieces());
+    const auto pieces = to_json(sample.report).at("pieces");
+    const auto& gap = pieces.at(1);
+    CHECK(gap.at("lo") == "46033367/10000000");
+    CHECK(gap.at("hi") == "4603341/1000000");
+    CHECK(gap.at("upper") == 4);
+    CHECK(gap.at("lower") == 3);
+    CHECK(gap.at("status") == "gap");
+    CHECK(gap.at("paper_bound") == 5);
+    CHECK(gap.at("leaves") == 2);
+    CHECK(gap.at("bits") == 53);
+    CHECK(gap.at("margin") == 0.125);
+    CHECK(gap.at("width") == 1e-9);
+    CHECK(pieces.at(0).at("status") == "exact");
+    CHECK(pieces.at(3).at("status") == "open");
+    CHECK(pieces.at(3).at("upper").is_null());
+    CHECK(pieces.at(3).at("lower") == 0);
+    CHECK(pieces.at(3).at("paper_bound") == 7);
+}
+
+TEST_CASE("without a file out and sha256 are null, without an orbit there is no witness") {
+    const SampleReport ten({piece(10, 10, 4, 4)});
+    const auto json = to_json(ten.report);
+    CHECK(json.at("out").is_null());
+    CHECK(json.at("sha256").is_null());
+    CHECK_FALSE(json.at("pieces").at(0).contains("witness"));
+}
+
+TEST_CASE("the JSON text can be read back") {
+    const SampleReport sample(four_pieces());
+    const auto json = to_json(sample.report);
+    CHECK(nlohmann::ordered_json::parse(json.dump(2)) == json);
+}

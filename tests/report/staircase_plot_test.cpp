@@ -1,0 +1,92 @@
+#include "report/staircase_plot.hpp"
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+
+#include "arith/error.hpp"
+#include "sample_report.hpp"
+#include "xml.hpp"
+
+using namespace dumbbell_test;
+using Catch::Matchers::Contains;
+
+namespace {
+
+std::string path_of(const std::string& svg, const std::string& kind) {
+    const std::string start = "<path class=\"" + kind + "\" d=\"";
+    const std::size_t at = svg.find(start);
+    REQUIRE(at != std::string::npos);
+    return svg.substr(at + start.size(), svg.find('"', at + start.size()) - at - start.size());
+}
+
+// The heights (SVG: smaller is higher) a path passes, in order.
+std::vector<double> heights(const std::string& path) {
+    std::vector<double> result;
+    for (std::size_t at = path.find_first_of("MV"); at != std::string::npos;
+         at = path.find_first_of("MV", at + 1)) {
+        const std::size_t number = path[at] == 'V' ? at + 1 : path.find(' ', at) + 1;
+        result.push_back(std::stod(path.substr(number)));
+    }
+    return result;
+}
+
+}  // namespace
+
+TEST_CASE("the picture is well-formed XML with both curves and a legend for each") {
+    for (const auto& pieces : {three_pieces(), four_pieces(), std::vector{piece(1, 1'000'000, 3, 3)},
+                               std::vector{piece(5, Rational(501, 100), 4, 4)}}) {
+        const std::string svg = staircase_svg(pieces);
+        CAPTURE(pieces.size());
+        CHECK(well_formed(svg));
+        CHECK_THAT(path_of(svg, "proved"), Contains("H"));
+        CHECK_THAT(path_of(svg, "paper"), Contains("H"));
+        CHECK_THAT(svg, Contains("proved maximum") && Contains("paper's bound"));
+        CHECK_THAT(svg, !Contains("nan") && !Contains("inf"));
+        CHECK_THAT(svg, Contains("xmlns=\"http://www.w3.org/2000/svg\"") && !Contains("href"));
+    }
+}
+
+TEST_CASE("the check of well-formedness can fail") {
+    CHECK(well_formed("<a b=\"1\"><c/>text</a>\n"));
+    CHECK_FALSE(well_formed("<a><c></a></c>"));
+    CHECK_FALSE(well_formed("<a>"));
+    CHECK_FALSE(well_formed("<a b=1></a>"));
+    CHECK_FALSE(well_formed("<a>1 < 2</a>"));
+    CHECK_FALSE(well_formed("<a/><a/>"));
+    CHECK_FALSE(well_formed("<a/>text"));
+    CHECK_FALSE(well_formed(""));
+}
+
+TEST_CASE("the proved staircase goes up, never down, and never above the paper's bound") {
+    const std::string svg = staircase_svg(
+        {piece(2, 4, 3, 3), piece(4, 5, 4, 3), piece(5, 11, 4, 4), piece(11, 12, 5, 4), piece(12, 15, 5, 5)});
+    const auto proved = heights(path_of(svg, "proved"));
+    const auto paper = heights(path_of(svg, "paper"));
+    REQUIRE(proved.size() >= 3);
+    REQUIRE(paper.size() >= 2);
+    CHECK(std::is_sorted(proved.rbegin(), proved.rend()));
+    CHECK(std::is_sorted(paper.rbegin(), paper.rend()));
+    CHECK(paper.front() < proved.front());
+    CHECK(paper.back() < proved.back());
+    CHECK(proved.back() > 0);
+}
+
+TEST_CASE("an open piece shows as a blank") {
+    const auto rectangles = [](const std::string& svg) {
+        long n = 0;
+        for (std::size_t at = 0; (at = svg.find("<rect", at)) != std::string::npos; ++at) {
+            ++n;
+        }
+        return n;
+    };
+    CHECK(rectangles(staircase_svg(four_pieces())) == rectangles(staircase_svg(three_pieces())) + 1);
+}
+
+TEST_CASE("the same pieces give the same bytes") {
+    CHECK(staircase_svg(four_pieces()) == staircase_svg(four_pieces()));
+}
+
+TEST_CASE("an empty range has no picture") {
+    CHECK_THROWS_AS(staircase_svg({}), BrokenInvariant);
+    CHECK_THROWS_AS(staircase_svg({piece(10, 10, 4, 4)}), BrokenInvariant);
+}
