@@ -4,10 +4,27 @@
 
 namespace dumbbell {
 
+std::vector<Chart> charts_of(Scene scene, Section section) {
+    if (scene != Scene::dumbbell) {
+        return section == Section::turning ? std::vector{Chart::wedge} : std::vector<Chart>{};
+    }
+    switch (section) {
+        case Section::full:
+            return {Chart::contact, Chart::departure};
+        case Section::plain:
+            return {Chart::plain_contact, Chart::plain_departure};
+        default:
+            return {Chart::bridge, Chart::light};
+    }
+}
+
 long Cover::leaves() const {
-    const auto is_leaf = [](const Node& node) { return !node.split; };
-    return std::count_if(bridge.begin(), bridge.end(), is_leaf) +
-           std::count_if(light.begin(), light.end(), is_leaf);
+    long leaves = 0;
+    for (const ChartTree& part : charts) {
+        leaves +=
+            std::count_if(part.tree.begin(), part.tree.end(), [](const Node& node) { return !node.split; });
+    }
+    return leaves;
 }
 
 Status Piece::status() const {

@@ -11,9 +11,21 @@
 /// verifier does.
 namespace dumbbell {
 
-/// The two charts of the turning section: contacts with the bridge (L8), and turning collisions with a light
-/// wall of trajectories that never touch the bridge (L9).
-enum class Chart { bridge, light };
+/// The system: the dumbbell, or one of the source paper's model wedges (lemmas L17, L18).
+enum class Scene { dumbbell, hybrid, wedge };
+
+/// What a cover covers: the turning collisions and the bridge contacts (L8, L9), or all collision states,
+/// counted forward only (L15); `plain` is the latter without monotonicity (L16).
+enum class Section { turning, full, plain };
+
+/// A family of states that boxes cover. Turning section of the dumbbell: contacts with the bridge (L8), and
+/// turning collisions with a light wall of trajectories that never touch the bridge (L9). Full section:
+/// contacts with the bridge and departures from a light wall in any direction (L15). Model wedges: slopes of
+/// turning collisions (L17, L18).
+enum class Chart { bridge, light, contact, departure, plain_contact, plain_departure, wedge };
+
+/// The charts of a section, in the order of the file. Empty if the scene has no such section.
+[[nodiscard]] std::vector<Chart> charts_of(Scene scene, Section section);
 
 /// The axes of a chart's boxes: the position e, the slope (eta in the chart bridge, lambda in the chart
 /// light) and the mass ratio q.
@@ -38,23 +50,29 @@ struct Node {
 };
 using Tree = std::vector<Node>;
 
-/// The proof of an upper bound: both charts' trees, or (q = 1 only) lemma L7.
+struct ChartTree {
+    Chart chart;
+    Tree tree;
+};
+
+/// The proof of an upper bound: a tree for each chart of the section, or (dumbbell with q = 1 only) lemma L7.
 struct Cover {
     bool equal_masses = false;
-    Tree bridge;
-    Tree light;
+    std::vector<ChartTree> charts;
 
     [[nodiscard]] long leaves() const;
 };
 
-/// A contact with the bridge at corner distance e and steepness eta (chart bridge), from which at least
-/// `forward` later and `backward` earlier collisions are certain, for every ratio of its piece (lemma L11): 1
-/// + forward + backward in all.
+/// A collision from which at least `forward` later and `backward` earlier collisions are certain, for every
+/// ratio of its piece: 1 + forward + backward in all. Chart bridge: the contact at corner distance e and
+/// steepness eta (L11). Chart wedge: a collision with scaled slope lambda in place of eta; it has no scale,
+/// e = 0 (L17, L18).
 struct Witness {
     Rational e;
     Rational eta;
     long forward = 0;
     long backward = 0;
+    Chart chart = Chart::bridge;
 
     [[nodiscard]] long total() const { return 1 + forward + backward; }
 };
@@ -79,6 +97,8 @@ struct Certificate {
     std::string program;
     std::string version;
     std::vector<Piece> pieces;  ///< in order, each begins where the one before ends; not empty
+    Scene scene = Scene::dumbbell;
+    Section section = Section::turning;
 
     [[nodiscard]] const Rational& q_lo() const { return pieces.front().q_lo; }
     [[nodiscard]] const Rational& q_hi() const { return pieces.back().q_hi; }

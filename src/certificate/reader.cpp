@@ -4,6 +4,7 @@
 #include <zlib.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <filesystem>
 #include <memory>
@@ -11,6 +12,7 @@
 #include <vector>
 
 #include "arith/error.hpp"
+#include "certificate/names.hpp"
 
 namespace dumbbell {
 namespace {
@@ -100,14 +102,17 @@ class Lines {
     long number_ = 0;
 };
 
-Node node_from(Lines& lines, const std::vector<std::string>& fields) {
+Node node_from(Lines& lines, Chart chart) {
+    const auto& fields = lines.next();
     const std::string& word = fields[0];
     if (word == "split" && fields.size() == 2) {
-        const std::string& axis = fields[1];
-        return {axis == "e" ? Axis::position : axis == "q" ? Axis::ratio : Axis::slope, {}};
+        if (const auto axis = axis_named(chart, fields[1])) {
+            return {*axis, {}};
+        }
     }
-    if (word == "count" && fields.size() == 3) {
-        return {std::nullopt, {Reason::count, lines.number(fields[1]), lines.number(fields[2])}};
+    if (word == "count" && fields.size() == (counts_both_ways(chart) ? 3U : 2U)) {
+        return {std::nullopt,
+                {Reason::count, lines.number(fields[1]), fields.size() == 3 ? lines.number(fields[2]) : 0}};
     }
     if (fields.size() == 1 && word == "outside") {
         return {std::nullopt, {Reason::outside}};
@@ -121,32 +126,34 @@ Node node_from(Lines& lines, const std::vector<std::string>& fields) {
     lines.fail();
 }
 
-Tree tree_from(Lines& lines) {
+ChartTree tree_from(Lines& lines, Chart chart) {
     Tree tree;
     for (long missing = 1; missing > 0;) {
-        tree.push_back(node_from(lines, lines.next()));
+        tree.push_back(node_from(lines, chart));
         missing += tree.back().split ? 1 : -1;
     }
-    return tree;
+    return {chart, std::move(tree)};
 }
 
-Cover cover_from(Lines& lines) {
+Cover cover_from(Lines& lines, const std::vector<Chart>& charts) {
     Cover cover;
-    const auto& fields = lines.next();
-    if (fields.size() == 1 && fields[0] == "equal-masses") {
-        cover.equal_masses = true;
-        return cover;
+    for (const Chart chart : charts) {
+        const auto& fields = lines.next();
+        if (cover.charts.empty() && fields.size() == 1 && fields[0] == "equal-masses") {
+            cover.equal_masses = true;
+            return cover;
+        }
+        if (fields.size() != 2 || fields[0] != "chart" || fields[1] != name(chart)) {
+            lines.fail();
+        }
+        cover.charts.push_back(tree_from(lines, chart));
     }
-    if (fields.size() != 2 || fields[0] != "chart" || fields[1] != "bridge") {
-        lines.fail();
-    }
-    cover.bridge = tree_from(lines);
-    lines.expect("chart", 2);
-    cover.light = tree_from(lines);
     return cover;
 }
 
-Piece piece_from(Lines& lines) {
+constexpr std::array witness_charts{Chart::bridge, Chart::wedge};
+
+Piece piece_from(Lines& lines, const std::vector<Chart>& charts) {
     Piece piece;
     const auto& range = lines.expect("piece", 3);
     piece.q_lo = lines.ratio(range[1]);
@@ -155,13 +162,18 @@ Piece piece_from(Lines& lines) {
     const std::string upper = lines.expect("upper", 2)[1];
     if (upper != "none") {
         piece.upper = lines.number(upper);
-        piece.cover = cover_from(lines);
+        piece.cover = cover_from(lines, charts);
     }
     piece.lower = lines.number(lines.expect("lower", 2)[1]);
     if (piece.lower > 0) {
         const auto& w = lines.expect("witness", 6);
+        const auto chart = std::find_if(witness_charts.begin(), witness_charts.end(),
+                                        [&](Chart c) { return w[1] == name(c); });
+        if (chart == witness_charts.end()) {
+            lines.fail();
+        }
         piece.witness =
-            Witness{lines.dyadic(w[2]), lines.dyadic(w[3]), lines.number(w[4]), lines.number(w[5])};
+            Witness{lines.dyadic(w[2]), lines.dyadic(w[3]), lines.number(w[4]), lines.number(w[5]), *chart};
     }
     return piece;
 }
@@ -177,16 +189,22 @@ Certificate read_certificate(const std::string& path) {
     const auto& generator = lines.expect("generator", 3);
     certificate.program = generator[1];
     certificate.version = generator[2];
-    for (const char* keyword : {"lemmas", "scene", "section", "claim"}) {
-        lines.expect(keyword, 2);
+    const std::string lemmas = lines.expect("lemmas", 2)[1];
+    const auto scene = scene_named(lines.expect("scene", 2)[1]);
+    const auto section = section_named(lines.expect("section", 2)[1], lemmas);
+    if (!scene || !section || lines.expect("claim", 2)[1] != "collisions") {
+        lines.fail();
     }
+    certificate.scene = *scene;
+    certificate.section = *section;
+    const auto charts = charts_of(*scene, *section);
     lines.expect("ratio", 3);
     const long pieces = lines.number(lines.expect("pieces", 2)[1]);
     if (pieces == 0) {
         lines.fail();
     }
     for (long i = 0; i < pieces; ++i) {
-        certificate.pieces.push_back(piece_from(lines));
+        certificate.pieces.push_back(piece_from(lines, charts));
     }
     return certificate;
 }

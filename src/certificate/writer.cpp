@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "arith/error.hpp"
+#include "certificate/names.hpp"
 
 namespace dumbbell {
 namespace {
@@ -27,9 +28,9 @@ class Writer {
     void header(const Certificate& certificate) {
         line("dumbbell-certificate 1");
         line("generator {} {}", certificate.program, certificate.version);
-        line("lemmas 1");
-        line("scene dumbbell");
-        line("section turning");
+        line("lemmas {}", lemma_set(certificate.section));
+        line("scene {}", name(certificate.scene));
+        line("section {}", name(certificate.section));
         line("claim collisions");
         line("ratio {} {}", to_fraction(certificate.q_lo()), to_fraction(certificate.q_hi()));
         line("pieces {}", certificate.pieces.size());
@@ -49,7 +50,8 @@ class Writer {
         if (piece.lower > 0) {
             require(piece.witness.has_value(), "certificate: a lower bound needs a witness");
             const Witness& w = *piece.witness;
-            line("witness bridge {} {} {} {}", to_dyadic(w.e), to_dyadic(w.eta), w.forward, w.backward);
+            line("witness {} {} {} {} {}", name(w.chart), to_dyadic(w.e), to_dyadic(w.eta), w.forward,
+                 w.backward);
             ++totals_["witness"];
         }
     }
@@ -70,29 +72,27 @@ class Writer {
             ++totals_["equal-masses"];
             return;
         }
-        line("chart bridge");
-        tree(cover.bridge, "eta");
-        line("chart light");
-        tree(cover.light, "lambda");
-    }
-
-    void tree(const Tree& tree, std::string_view slope_axis) {
-        for (const Node& node : tree) {
-            if (node.split) {
-                line("split {}", *node.split == Axis::position ? "e"
-                                 : *node.split == Axis::slope  ? slope_axis
-                                                               : "q");
-                ++totals_["split"];
-            } else {
-                leaf(node.leaf);
+        for (const ChartTree& part : cover.charts) {
+            line("chart {}", name(part.chart));
+            for (const Node& node : part.tree) {
+                if (node.split) {
+                    line("split {}", axis_name(part.chart, *node.split));
+                    ++totals_["split"];
+                } else {
+                    leaf(part.chart, node.leaf);
+                }
             }
         }
     }
 
-    void leaf(const Leaf& leaf) {
+    void leaf(Chart chart, const Leaf& leaf) {
         switch (leaf.reason) {
             case Reason::count:
-                line("count {} {}", leaf.forward, leaf.backward);
+                if (counts_both_ways(chart)) {
+                    line("count {} {}", leaf.forward, leaf.backward);
+                } else {
+                    line("count {}", leaf.forward);
+                }
                 ++totals_["count"];
                 break;
             case Reason::outside:

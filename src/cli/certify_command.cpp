@@ -7,7 +7,9 @@
 #include <memory>
 #include <thread>
 
+#include "arith/error.hpp"
 #include "certificate/atomic_file.hpp"
+#include "certificate/names.hpp"
 #include "certificate/writer.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/progress.hpp"
@@ -23,6 +25,7 @@ struct Options {
     std::string ratio;
     std::string scene = "dumbbell";
     std::string section = "turning";
+    std::string lemmas = "all";
     std::string gap = "1e-6";
     std::string budget;
     std::string out;
@@ -45,11 +48,36 @@ Examples:
 
 Exit codes: 0 proved; 1 internal error; 2 wrong usage or input; 3 not decided (within the budget).)";
 
+Scene scene_of(const Options& options) { return *scene_named(options.scene); }
+
+Section section_of(const Options& options) {
+    if (options.section == "turning") {
+        return Section::turning;
+    }
+    return options.lemmas == "none" ? Section::plain : Section::full;
+}
+
+/// Throws InputError if the options contradict one another.
+void check_combination(const Options& options) {
+    if (options.lemmas == "none" && options.section != "full") {
+        throw InputError("--lemmas none needs --section full");
+    }
+    if (options.section == "full" && options.scene != "dumbbell") {
+        throw InputError("--section full is for the scene dumbbell: the wedges have --section turning");
+    }
+    if (options.witness && options.scene != "dumbbell") {
+        throw InputError("--witness prints orbits of the dumbbell: leave it out with --scene " +
+                         options.scene);
+    }
+}
+
 std::vector<ProvedPiece> prove(const Options& options, const RatioArgument& ratio) {
     CertifyRequest request;
     request.q_lo = ratio.lo;
     request.q_hi = ratio.hi;
     request.gap = parse_gap(options.gap);
+    request.scene = scene_of(options);
+    request.section = section_of(options);
     request.jobs = options.jobs;
     if (!options.budget.empty()) {
         request.budget = std::chrono::duration<double>(parse_duration(options.budget));
@@ -61,7 +89,9 @@ std::vector<ProvedPiece> prove(const Options& options, const RatioArgument& rati
 
 ProofReport describe(const Options& options, const RatioArgument& ratio,
                      const std::vector<ProvedPiece>& pieces, double seconds) {
-    ProofReport report{.q_lo = ratio.lo,
+    ProofReport report{.scene = scene_of(options),
+                       .section = section_of(options),
+                       .q_lo = ratio.lo,
                        .q_hi = ratio.hi,
                        .gap = parse_gap(options.gap),
                        .jobs = options.jobs,
@@ -81,7 +111,11 @@ ProofReport describe(const Options& options, const RatioArgument& ratio,
 }
 
 void write_certificate(const std::vector<ProvedPiece>& pieces, AtomicFile& file, ProofReport& report) {
-    Certificate certificate{.program = "dumbbell", .version = DUMBBELL_VERSION, .pieces = {}};
+    Certificate certificate{.program = "dumbbell",
+                            .version = DUMBBELL_VERSION,
+                            .pieces = {},
+                            .scene = report.scene,
+                            .section = report.section};
     for (const ProvedPiece& p : pieces) {
         certificate.pieces.push_back(p.piece);
     }
@@ -92,6 +126,7 @@ void write_certificate(const std::vector<ProvedPiece>& pieces, AtomicFile& file,
 
 int run(const Options& options) {
     const RatioArgument ratio = parse_ratio_argument(options.ratio);
+    check_combination(options);
     (void)parse_gap(options.gap);  // before any work and before the output file is touched
     std::optional<AtomicFile> file;
     if (!options.out.empty()) {
@@ -129,11 +164,20 @@ void add_certify_command(CLI::App& app, int& exit_code) {
     auto options = std::make_shared<Options>();
     CLI::App* command = app.add_subcommand("certify", description);
     command->add_option("RATIO", options->ratio, "mass ratio, or closed range LO:HI")->required();
-    command->add_option("--scene", options->scene, "the system: dumbbell")
-        ->check(CLI::IsMember({"dumbbell"}))
+    command
+        ->add_option("--scene", options->scene,
+                     "the system: dumbbell, or the source paper's hybrid or straight wedge")
+        ->check(CLI::IsMember({"dumbbell", "hybrid", "wedge"}))
         ->capture_default_str();
-    command->add_option("--section", options->section, "the section that is covered: turning")
-        ->check(CLI::IsMember({"turning"}))
+    command
+        ->add_option("--section", options->section,
+                     "what is covered: turning, or full (all collision states, forward only)")
+        ->check(CLI::IsMember({"turning", "full"}))
+        ->capture_default_str();
+    command
+        ->add_option("--lemmas", options->lemmas,
+                     "with --section full: none for plain interval evaluation, without monotonicity")
+        ->check(CLI::IsMember({"all", "none"}))
         ->capture_default_str();
     command
         ->add_option("--gap", options->gap,

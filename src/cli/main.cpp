@@ -1,15 +1,20 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdio>
 #include <exception>
+#include <iostream>
 #include <new>
 #include <string>
 
 #include "arith/error.hpp"
 #include "arith/self_test.hpp"
+#include "cli/audit_command.hpp"
 #include "cli/certify_command.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/plot_command.hpp"
+#include "cli/trace_command.hpp"
 #include "cli/verify_command.hpp"
 
 namespace dumbbell {
@@ -22,6 +27,7 @@ Examples:
   dumbbell certify 10                        at most 4 collisions, and 4 occur
   dumbbell certify 1:100 --out stairs.dbc    every mass ratio from 1 to 100
   dumbbell verify stairs.dbc                 the independent verifier re-checks it
+  dumbbell trace 10 --phi 1/3 --phidot 1 --y 3 --ydot -1/2    the orbit of one initial condition
   dumbbell plot staircase stairs.dbc --out stairs.svg)";
 
 std::string version_text() {
@@ -31,6 +37,12 @@ std::string version_text() {
 
 /// The first line of a message, so that an error is one line.
 std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
+
+bool has_command(CLI::App& app, const std::string& word) {
+    const auto commands = app.get_subcommands([](const CLI::App*) { return true; });
+    return std::any_of(commands.begin(), commands.end(),
+                       [&](const CLI::App* c) { return c->get_name() == word; });
+}
 
 int parse_and_run(int argc, char** argv) {
     CLI::App app{description, "dumbbell"};
@@ -43,12 +55,18 @@ int parse_and_run(int argc, char** argv) {
                        "Re-check certificates with the independent verifier (dumbbell verify --help).");
     int exit_code = exit_done;
     add_certify_command(app, exit_code);
+    add_audit_command(app, exit_code);
+    add_trace_command(app, exit_code);
     add_plot_command(app, exit_code);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
         if (error.get_exit_code() == 0) {
             return app.exit(error);  // --help, --version
+        }
+        if (argc >= 2 && argv[1][0] != '-' && !has_command(app, argv[1])) {
+            throw InputError(
+                fmt::format("there is no command '{}'; see dumbbell --help", first_line(argv[1])));
         }
         throw InputError(first_line(error.what()) + "; see dumbbell --help");
     }
@@ -68,7 +86,11 @@ int run(int argc, char** argv) {
 
 int main(int argc, char** argv) {
     try {
-        return dumbbell::run(argc, argv);
+        const int exit_code = dumbbell::run(argc, argv);
+        if (!std::cout.flush() || std::fflush(stdout) != 0) {
+            throw dumbbell::InputError("cannot write the output: is the disk full, or the reader gone?");
+        }
+        return exit_code;
     } catch (const dumbbell::InputError& error) {
         fmt::print(stderr, "dumbbell: {}\n", error.what());
         return dumbbell::exit_bad_input;

@@ -10,7 +10,7 @@ namespace dumbbell {
 
 using namespace std::chrono_literals;
 
-Progress::Progress() : terminal_(::isatty(STDERR_FILENO) == 1) {}
+Progress::Progress(std::string_view unit) : unit_(unit), terminal_(::isatty(STDERR_FILENO) == 1) {}
 
 Progress::~Progress() {
     if (shown_) {
@@ -33,8 +33,8 @@ void Progress::update(std::size_t done, std::size_t total) {
     const std::size_t filled = bar * done / total;
     const double elapsed = std::chrono::duration<double>(now - start_).count();
     const double left = elapsed * static_cast<double>(total - done) / static_cast<double>(done);
-    fmt::print(stderr, "\r[{}{}] {}/{} pieces, about {:.0f} s left\033[K", std::string(filled, '#'),
-               std::string(bar - filled, '.'), done, total, left);
+    fmt::print(stderr, "\r[{}{}] {}/{} {}, about {:.0f} s left\033[K", std::string(filled, '#'),
+               std::string(bar - filled, '.'), done, total, unit_, left);
     std::fflush(stderr);
 }
 

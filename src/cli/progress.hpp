@@ -3,6 +3,7 @@
 #include <chrono>
 #include <cstddef>
 #include <mutex>
+#include <string_view>
 
 namespace dumbbell {
 
@@ -10,7 +11,8 @@ namespace dumbbell {
 /// otherwise.
 class Progress {
   public:
-    Progress();
+    /// `unit`: what is counted, in the plural.
+    explicit Progress(std::string_view unit = "pieces");
     ~Progress();
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;
@@ -21,6 +23,7 @@ class Progress {
   private:
     using Clock = std::chrono::steady_clock;
 
+    const std::string_view unit_;
     std::mutex mutex_;
     const bool terminal_;
     const Clock::time_point start_ = Clock::now();

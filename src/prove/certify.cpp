@@ -19,7 +19,8 @@ using Clock = std::chrono::steady_clock;
 Rational greatest_ratio() { return exact(1e16); }
 
 std::function<bool()> deadline(const CertifyRequest& request) {
-    if (!request.budget) {
+    constexpr std::chrono::duration<double> practically_for_ever(1e9);  // and no overflow of the clock
+    if (!request.budget || *request.budget > practically_for_ever) {
         return [] { return false; };
     }
     const auto end = Clock::now() + std::chrono::duration_cast<Clock::duration>(*request.budget);
@@ -42,7 +43,7 @@ ProvedPiece timed(Prove prove) {
 }
 
 std::vector<ProvedPiece> prove_plan(const CertifyRequest& request, const PieceOptions& options) {
-    const auto plan = plan_staircase(request.q_lo, request.q_hi, request.gap);
+    const auto plan = plan_staircase(request.scene, request.q_lo, request.q_hi, request.gap);
     std::vector<ProvedPiece> pieces(plan.size());
     std::atomic<std::size_t> finished = 0;
     tbb::parallel_for(std::size_t{0}, plan.size(), [&](std::size_t i) {
@@ -63,7 +64,13 @@ std::vector<ProvedPiece> certify(const CertifyRequest& request) {
     if (request.q_hi > greatest_ratio()) {
         return {open_piece(request.q_lo, request.q_hi)};
     }
-    PieceOptions options{.rule = request.rule, .interrupted = deadline(request)};
+    PieceOptions options{.scene = request.scene,
+                         .section = request.section,
+                         .rule = request.rule,
+                         .interrupted = deadline(request)};
+    if (request.section != Section::turning) {
+        options.max_nodes = 20'000'000;  // all states, not a section of them
+    }
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
                                     static_cast<std::size_t>(request.jobs));
     tbb::task_arena arena(request.jobs);

@@ -13,6 +13,8 @@ namespace dumbbell {
 struct CertifyRequest {
     Rational q_lo;  ///< >= 1
     Rational q_hi;  ///< >= q_lo; a single ratio if equal
+    Scene scene = Scene::dumbbell;
+    Section section = Section::turning;
     Rational gap = Rational(1, 1'000'000);
     int jobs = 1;
     std::optional<std::chrono::duration<double>> budget;

@@ -3,6 +3,7 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
+#include <algorithm>
 #include <array>
 
 #include "arith/error.hpp"
@@ -39,11 +40,13 @@ void judge_all(Chart chart, std::span<const Box> boxes, long upper, std::span<st
     });
 }
 
-/// Whether the box would close if its ratios were only the greatest one (the least r, where the bounds are):
-/// then splitting the state cannot help, the ratio is too wide.
+/// Whether the ratio seems to be what is too wide: the box would close if its ratios were only the greatest
+/// one (the least r, where most bounds are). Only while the ratio is not already narrow against the state: at
+/// a ratio where the answer changes this would never end.
 template <class I>
 bool ratio_is_too_wide(Chart chart, const Box& box, long upper) {
-    if (box.q_lo == box.q_hi) {
+    const Rational state = std::max(box.e_hi - box.e_lo, box.slope_hi - box.slope_lo);
+    if (16 * (box.q_hi - box.q_lo) <= state * box.q_lo) {
         return false;
     }
     Box thin = box;
@@ -53,14 +56,31 @@ bool ratio_is_too_wide(Chart chart, const Box& box, long upper) {
     return result.has_value();
 }
 
-Axis longer_side(Chart chart, const Box& box, SplitRule rule) {
-    Rational weight = 1;
-    if (rule == SplitRule::scaled) {
-        weight = chart == Chart::light ? box.q_hi : Rational(1);
-    } else {
-        weight = rule == SplitRule::slope_first ? Rational(1, 1000) : Rational(1000) * box.q_hi;
+/// How many units of slope one unit of position is worth.
+Rational position_weight(Chart chart, const Box& box, SplitRule rule) {
+    switch (rule) {
+        case SplitRule::slope_first:
+            return {1, 1000};
+        case SplitRule::position_first:
+            return 1000 * box.q_hi;
+        default:
+            return chart == Chart::light ? box.q_hi : Rational(1);
     }
-    return (box.e_hi - box.e_lo) * weight > box.slope_hi - box.slope_lo ? Axis::position : Axis::slope;
+}
+
+/// Whether the chart's bounds use both ends of the ratio, so that its width counts like that of a state's
+/// coordinate.
+bool depends_on_both_ratios(Chart chart) {
+    return chart == Chart::departure || chart == Chart::plain_departure || chart == Chart::plain_contact;
+}
+
+Axis longest_side(Chart chart, const Box& box, SplitRule rule) {
+    const Rational position = (box.e_hi - box.e_lo) * position_weight(chart, box, rule);
+    const Rational slope = box.slope_hi - box.slope_lo;
+    if (depends_on_both_ratios(chart) && (box.q_hi - box.q_lo) / box.q_lo > std::max(position, slope)) {
+        return Axis::ratio;
+    }
+    return position > slope ? Axis::position : Axis::slope;
 }
 
 void append_pre_order(const std::vector<Draft>& drafts, Tree& tree) {
@@ -83,7 +103,7 @@ std::optional<Tree> cover(Chart chart, const Rational& q_lo, const Rational& q_h
                           const CoverOptions& options) {
     require(upper >= 1, "cover: an upper bound is at least 1");
     std::vector<Draft> drafts(1);
-    std::vector<Box> boxes{root_box(q_lo, q_hi)};
+    std::vector<Box> boxes{root_box(chart, q_lo, q_hi)};
     std::vector<Pending> pending{{0, {0, 0, 0}}};
     while (!boxes.empty()) {
         std::vector<std::optional<Leaf>> results(boxes.size());
@@ -97,7 +117,7 @@ std::optional<Tree> cover(Chart chart, const Rational& q_lo, const Rational& q_h
                 continue;
             }
             const bool by_ratio = ratio_is_too_wide<I>(chart, boxes[i], upper);
-            const Axis axis = by_ratio ? Axis::ratio : longer_side(chart, boxes[i], options.rule);
+            const Axis axis = by_ratio ? Axis::ratio : longest_side(chart, boxes[i], options.rule);
             auto depth = pending[i].depth;
             if (++depth[static_cast<std::size_t>(axis)] > options.max_depth ||
                 drafts.size() + 2 > options.max_nodes) {

@@ -5,6 +5,7 @@
 
 #include "model/count.hpp"
 #include "model/orbit.hpp"
+#include "model/paper_bound.hpp"
 #include "prove/witness.hpp"
 
 namespace dumbbell {
@@ -26,20 +27,22 @@ void escalate(const PieceOptions& options, Attempt attempt) {
 template <class I>
 std::optional<Cover> prove_upper(const Rational& q_lo, const Rational& q_hi, long upper,
                                  const PieceOptions& options) {
-    if (q_lo == 1 && q_hi == 1 && upper >= 2) {
-        return Cover{.equal_masses = true, .bridge = {}, .light = {}};
+    if (options.scene == Scene::dumbbell && q_lo == 1 && q_hi == 1 && upper >= 2) {
+        return Cover{.equal_masses = true, .charts = {}};
     }
-    const CoverOptions limits{
-        .rule = options.rule, .parallel = options.parallel, .interrupted = options.interrupted};
-    auto bridge = cover<I>(Chart::bridge, q_lo, q_hi, upper, limits);
-    if (!bridge) {
-        return std::nullopt;
+    const CoverOptions limits{.rule = options.rule,
+                              .max_nodes = options.max_nodes,
+                              .parallel = options.parallel,
+                              .interrupted = options.interrupted};
+    Cover whole;
+    for (const Chart chart : charts_of(options.scene, options.section)) {
+        auto tree = cover<I>(chart, q_lo, q_hi, upper, limits);
+        if (!tree) {
+            return std::nullopt;
+        }
+        whole.charts.push_back({chart, std::move(*tree)});
     }
-    auto light = cover<I>(Chart::light, q_lo, q_hi, upper, limits);
-    if (!light) {
-        return std::nullopt;
-    }
-    return Cover{.equal_masses = false, .bridge = std::move(*bridge), .light = std::move(*light)};
+    return whole;
 }
 
 template <class I>
@@ -64,14 +67,17 @@ void describe(ProvedPiece& proved) {
 template <class I>
 bool attempt_piece(ProvedPiece& proved, int bits, long upper, long lower, const PieceOptions& options) {
     Piece& piece = proved.piece;
-    auto witness = find_witness<I>(piece.q_lo, piece.q_hi, lower);
+    auto witness = options.scene == Scene::dumbbell ? find_witness<I>(piece.q_lo, piece.q_hi, lower)
+                                                    : find_wedge_witness(piece.q_lo, lower);
     if (!witness) {
         return false;
     }
     piece.bits = bits;
     piece.lower = lower;
     piece.witness = std::move(*witness);
-    describe<I>(proved);
+    if (piece.witness->chart == Chart::bridge) {
+        describe<I>(proved);
+    }
     auto cover = prove_upper<I>(piece.q_lo, piece.q_hi, upper, options);
     if (!cover) {
         return false;
@@ -100,7 +106,9 @@ ProvedPiece prove_single(const Rational& q, const PieceOptions& options) {
     ProvedPiece proved;
     proved.piece.q_lo = proved.piece.q_hi = q;
     escalate(options, [&]<class I>(const I&, int bits) {
-        const auto n = q == 1 ? std::optional(2L) : suspected_maximum<I>(q);
+        const auto n = options.scene != Scene::dumbbell ? std::optional(paper_bound(q) - 1)
+                       : q == 1                         ? std::optional(2L)
+                                                        : suspected_maximum<I>(q);
         return n && attempt_piece<I>(proved, bits, *n, *n, options);
     });
     return proved;

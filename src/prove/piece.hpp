@@ -8,9 +8,12 @@
 namespace dumbbell {
 
 struct PieceOptions {
+    Scene scene = Scene::dumbbell;
+    Section section = Section::turning;
     SplitRule rule = SplitRule::scaled;
     bool parallel = false;  ///< use the arena's threads inside one piece
     int max_bits = 1024;    ///< the precision escalates up to here: 53 (double), then 128, 256, ...
+    std::size_t max_nodes = CoverOptions{}.max_nodes;
     std::function<bool()> interrupted = [] { return false; };
 };
 

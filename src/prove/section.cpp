@@ -12,14 +12,30 @@ std::pair<Box, Box> cut(const Box& box, Rational Box::*lo, Rational Box::*hi) {
     return {std::move(lower), std::move(upper)};
 }
 
+/// The least power of two that is >= x, and >= 1.
+Rational power_of_two_from(const Rational& x) {
+    Rational power = 1;
+    while (power < x) {
+        power *= 2;
+    }
+    return power;
+}
+
 }  // namespace
 
-Box root_box(const Rational& q_lo, const Rational& q_hi) {
-    Rational top = 1;
-    while (top < q_hi) {
-        top *= 2;
+Box root_box(Chart chart, const Rational& q_lo, const Rational& q_hi) {
+    switch (chart) {
+        case Chart::bridge:
+        case Chart::light:
+            return {0, 2, 0, power_of_two_from(q_hi), q_lo, q_hi};
+        case Chart::contact:
+        case Chart::plain_contact:
+            return {0, 4, 0, power_of_two_from(q_hi + 1), q_lo, q_hi};
+        case Chart::wedge:
+            return {0, 0, 0, power_of_two_from(q_hi), q_lo, q_hi};
+        default:
+            return {0, 2, 0, 2, q_lo, q_hi};
     }
-    return {0, 2, 0, top, q_lo, q_hi};
 }
 
 std::pair<Box, Box> halves(const Box& box, Axis axis) {

@@ -15,10 +15,10 @@ struct Box {
     Rational q_lo, q_hi;
 };
 
-/// The root box of both charts over mass ratios [q_lo, q_hi]: e in [0, 2], slope in [0, 2^k], k >= 0 least
-/// with 2^k >= q_hi. It contains the section: e <= pi/2 < 2, and kappa = r * slope coordinate < 1 for all
-/// states in play.
-[[nodiscard]] Box root_box(const Rational& q_lo, const Rational& q_hi);
+/// The root box of a chart over mass ratios [q_lo, q_hi] (proofs/format.md): short dyadics that contain the
+/// chart's states, e in [0, 2] (t in [0, 4]; the chart wedge has no position), and a slope range that holds
+/// all slopes in play.
+[[nodiscard]] Box root_box(Chart chart, const Rational& q_lo, const Rational& q_hi);
 
 /// The lower and the upper half; the midpoint is exact and belongs to both.
 [[nodiscard]] std::pair<Box, Box> halves(const Box& box, Axis axis);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "arith/error.hpp"
 #include "prove/critical_guess.hpp"
@@ -33,43 +34,64 @@ Rational rounded(double x, double grain, bool up) {
 struct Step {
     long n;
     double critical;
+    bool exact;  ///< n - 1 holds at `critical` itself, which is the critical ratio exactly
 };
 
-/// The steps that seem to lie strictly inside (lo, hi), with a neighbour on either side for the distances.
-std::vector<Step> steps_between(double lo, double hi) {
-    const long first = std::max(4L, guess_maximum(lo) - 1);
-    const long last = guess_maximum(hi) + 2;
+/// Where N* seems to step: q_c(n), guessed for the dumbbell, cot^2(pi / (2 (n - 1))) for the wedges.
+Step step_to(Scene scene, long n) {
+    if (scene == Scene::dumbbell) {
+        return {n, guess_critical_ratio(n), false};
+    }
+    const double t = std::tan(std::numbers::pi / (2 * static_cast<double>(n - 1)));
+    return n == 4 ? Step{n, 3, true} : Step{n, 1 / (t * t), false};
+}
+
+long guessed_value(Scene scene, double q) {
+    return scene == Scene::dumbbell ? guess_maximum(q)
+                                    : std::lround(std::numbers::pi / (2 * std::atan(1 / std::sqrt(q))));
+}
+
+/// The steps that seem to lie near [lo, hi], with a neighbour on either side for the distances.
+std::vector<Step> steps_near(Scene scene, double lo, double hi) {
+    const long first = std::max(4L, guessed_value(scene, lo) - 1);
+    const long last = guessed_value(scene, hi) + 2;
     if (last - first > max_steps) {
         throw InputError(fmt::format("the range holds about {} steps, more than {}: certify it in parts",
                                      last - first, max_steps));
     }
     std::vector<Step> steps;
     for (long n = first; n <= last; ++n) {
-        steps.push_back({n, guess_critical_ratio(n)});
+        steps.push_back(step_to(scene, n));
     }
     return steps;
 }
 
+/// Half the width of the gap around a step: 0.9 of what is permitted; the rounding of the ends takes less
+/// than the rest.
+double half_gap(const std::vector<Step>& steps, std::size_t i, double relative_gap) {
+    const double q = steps[i].critical;
+    const double before = i > 0 ? q - steps[i - 1].critical : q - 1;
+    const double after = i + 1 < steps.size() ? steps[i + 1].critical - q : before;
+    return 0.45 * std::min(relative_gap * q, std::min(before, after) / 1000);
+}
+
 }  // namespace
 
-std::vector<PlannedPiece> plan_staircase(const Rational& q_lo, const Rational& q_hi, const Rational& gap) {
-    const double relative_gap = gap.convert_to<double>();
-    std::vector<PlannedPiece> plan;
-    Rational from = q_lo;
-    const auto steps = steps_between(q_lo.convert_to<double>(), q_hi.convert_to<double>());
+std::vector<PlannedPiece> plan_staircase(Scene scene, const Rational& q_lo, const Rational& q_hi,
+                                         const Rational& gap) {
+    const auto steps = steps_near(scene, q_lo.convert_to<double>(), q_hi.convert_to<double>());
+    // A step exactly at the left end still has to be taken, one exactly at the right end not.
     const auto is_inside = [&](const Step& s) {
-        return exact(s.critical) > q_lo && exact(s.critical) < q_hi;
+        const Rational q = exact(s.critical);
+        return (s.exact ? q >= q_lo : q > q_lo) && q < q_hi;
     };
-    const auto inside = std::find_if(steps.begin(), steps.end(), is_inside);
-    // The value at the left end: one less than the first step inside, or what holds between the two that
-    // enclose the range.
-    long n = inside != steps.end() ? inside->n - 1 : 3;
-    if (inside == steps.end()) {
-        for (const Step& s : steps) {
-            n = exact(s.critical) <= q_lo ? s.n : n;
-        }
+    long n = 3;  // the value at the left end
+    for (const Step& s : steps) {
+        n = exact(s.critical) <= q_lo && !is_inside(s) ? s.n : n;
     }
 
+    std::vector<PlannedPiece> plan;
+    Rational from = q_lo;
     if (q_lo == 1) {
         plan.push_back({q_lo, q_lo, 2, 2});
         from = std::min(q_hi, Rational(1) + std::min(gap, Rational(1, 1000)));
@@ -80,13 +102,10 @@ std::vector<PlannedPiece> plan_staircase(const Rational& q_lo, const Rational& q
             continue;
         }
         const double q = steps[i].critical;
-        const double before = i > 0 ? q - steps[i - 1].critical : q - 1;
-        const double after = i + 1 < steps.size() ? steps[i + 1].critical - q : before;
-        // 0.9 of the permitted width, and the rounding of the ends takes less than the rest.
-        const double half = 0.45 * std::min(relative_gap * q, std::min(before, after) / 1000);
-        const Rational left = std::max(from, rounded(q - half, half / 20, false));
+        const double half = half_gap(steps, i, gap.convert_to<double>());
+        const Rational left = steps[i].exact ? exact(q) : std::max(from, rounded(q - half, half / 20, false));
         const Rational right = std::min(q_hi, rounded(q + half, half / 20, true));
-        if (left > from) {
+        if (left > from || (steps[i].exact && left == from)) {
             plan.push_back({from, left, n, n});
         }
         plan.push_back({left, right, n + 1, n});

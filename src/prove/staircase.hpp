@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "arith/rational.hpp"
+#include "certificate/certificate.hpp"
 
 namespace dumbbell {
 
@@ -18,7 +19,7 @@ struct PlannedPiece {
 /// each, and between them gap pieces around the critical ratios, at most gap * q wide and at most a
 /// thousandth of the distance to the next step. At q = 1 the step is known exactly: the single ratio is a
 /// piece, and a gap lies to its right. Throws InputError if there are more than 10^6 steps.
-[[nodiscard]] std::vector<PlannedPiece> plan_staircase(const Rational& q_lo, const Rational& q_hi,
-                                                       const Rational& gap);
+[[nodiscard]] std::vector<PlannedPiece> plan_staircase(Scene scene, const Rational& q_lo,
+                                                       const Rational& q_hi, const Rational& gap);
 
 }  // namespace dumbbell

@@ -19,4 +19,8 @@ template <class I>
 template <class I>
 [[nodiscard]] std::optional<Witness> find_witness(const Rational& q_lo, const Rational& q_hi, long target);
 
+/// The straight and the hybrid wedge: a collision of scaled slope lambda, its counts exact at the greatest r,
+/// where they are least (L17, L18). Nothing if none of at least `target` collisions is found.
+[[nodiscard]] std::optional<Witness> find_wedge_witness(const Rational& q_lo, long target);
+
 }  // namespace dumbbell

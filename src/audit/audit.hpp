@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "arith/rational.hpp"
+#include "certificate/certificate.hpp"
+
+/// The exact audit: do the leaves of each chart tile its root box, and the pieces the range of mass ratios?
+/// It says nothing about the leaves' reasons; those are the verifier's.
+namespace dumbbell::audit {
+
+struct Audit {
+    std::size_t pieces = 0;
+    std::size_t charts = 0;         ///< trees audited
+    std::size_t leaves = 0;         ///< of these trees
+    std::size_t pairs = 0;          ///< candidate pairs compared exactly
+    std::size_t equal_masses = 0;   ///< pieces without boxes: proved by lemma L7
+    std::size_t without_cover = 0;  ///< pieces without boxes: they claim no upper bound
+
+    /// One line for each thing that is wrong; names piece, chart and leaves by their numbers in the file,
+    /// counted from 1.
+    std::vector<std::string> faults;
+
+    [[nodiscard]] bool tiles() const { return faults.empty(); }
+};
+
+/// Called with the leaves that are done, of how many.
+using AuditProgress = std::function<void(std::size_t done, std::size_t total)>;
+
+/// Audits a certificate that claims the mass ratios [claimed.first, claimed.second].
+[[nodiscard]] Audit audit(const Certificate& certificate, const std::pair<Rational, Rational>& claimed,
+                          const AuditProgress& progress = {});
+
+/// Reads the file and audits it. Throws InputError if it cannot be read.
+[[nodiscard]] Audit audit_file(const std::string& path, const AuditProgress& progress = {});
+
+}  // namespace dumbbell::audit

@@ -1,0 +1,52 @@
+#include "audit/audit_report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace dumbbell::audit {
+namespace {
+
+std::string counted(std::size_t n, std::string_view noun) {
+    return fmt::format("{} {}{}", n, noun, n == 1 ? "" : "s");
+}
+
+}  // namespace
+
+std::string to_text(const AuditedFile& file) {
+    const Audit& a = file.audit;
+    std::string boxless;
+    if (a.equal_masses > 0) {
+        boxless += fmt::format(" ({} by lemma L7, without boxes)", a.equal_masses);
+    }
+    if (a.without_cover > 0) {
+        boxless += fmt::format(" ({} without upper bound)", a.without_cover);
+    }
+    return fmt::format(
+        "{}: {}: {}{}, {}, {}, {} checked, area {}, {:.2f} s", file.path,
+        a.tiles() ? "tiles exactly" : "does NOT tile", counted(a.pieces, "piece"), boxless,
+        counted(a.charts, "chart"), fmt::format("{} {}", a.leaves, a.leaves == 1 ? "leaf" : "leaves"),
+        counted(a.pairs, "candidate pair"), a.tiles() ? "exact" : "not confirmed", file.seconds);
+}
+
+nlohmann::ordered_json to_json(const std::vector<AuditedFile>& files) {
+    nlohmann::ordered_json rows = nlohmann::ordered_json::array();
+    for (const AuditedFile& file : files) {
+        const Audit& a = file.audit;
+        rows.push_back({{"file", file.path},
+                        {"tiles", a.tiles()},
+                        {"pieces", a.pieces},
+                        {"pieces_equal_masses", a.equal_masses},
+                        {"pieces_without_upper_bound", a.without_cover},
+                        {"charts", a.charts},
+                        {"leaves", a.leaves},
+                        {"candidate_pairs", a.pairs},
+                        {"area_exact", a.tiles()},
+                        {"faults", a.faults},
+                        {"seconds", file.seconds}});
+    }
+    const bool all = std::ranges::all_of(files, [](const AuditedFile& file) { return file.audit.tiles(); });
+    return {{"tiles", all}, {"files", rows}};
+}
+
+}  // namespace dumbbell::audit

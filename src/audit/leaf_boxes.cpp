@@ -1,0 +1,112 @@
+#include "audit/leaf_boxes.hpp"
+
+#include "arith/error.hpp"
+
+namespace dumbbell::audit {
+namespace {
+
+constexpr std::size_t position = 0;
+
+std::size_t number_of(Axis axis) {
+    switch (axis) {
+        case Axis::position:
+            return position;
+        case Axis::slope:
+            return 1;
+        case Axis::ratio:
+            return 2;
+    }
+    throw BrokenInvariant("unknown axis");
+}
+
+/// 2^k with the least integer k >= 0 such that 2^k >= bound.
+Rational power_of_two_for(const Rational& bound) {
+    Integer power = 1;
+    while (Rational(power) < bound) {
+        power <<= 1;
+    }
+    return power;
+}
+
+/// The greatest position: e <= 2 (format.md 3.1, format-sections.md), t <= 4 in `contact`.
+Rational greatest_position(Chart chart) {
+    switch (chart) {
+        case Chart::bridge:
+        case Chart::light:
+        case Chart::departure:
+        case Chart::plain_departure:
+            return 2;
+        case Chart::contact:
+        case Chart::plain_contact:
+            return 4;
+        case Chart::wedge:
+            return 0;
+    }
+    throw BrokenInvariant("unknown chart");
+}
+
+Rational greatest_slope(Chart chart, const Rational& q_hi) {
+    switch (chart) {
+        case Chart::bridge:
+        case Chart::light:
+        case Chart::wedge:
+            return power_of_two_for(q_hi);
+        case Chart::contact:
+        case Chart::plain_contact:
+            return power_of_two_for(q_hi + 1);
+        case Chart::departure:
+        case Chart::plain_departure:
+            return 2;
+    }
+    throw BrokenInvariant("unknown chart");
+}
+
+}  // namespace
+
+BoxEnds Boxes::box(const std::array<Rational, axes>& lo, const std::array<Rational, axes>& hi) {
+    BoxEnds ends;
+    for (std::size_t axis = 0; axis < axes; ++axis) {
+        ends.lo[axis] = static_cast<std::uint32_t>(values[axis].size());
+        ends.hi[axis] = ends.lo[axis] + 1;
+        values[axis].push_back(lo[axis]);
+        values[axis].push_back(hi[axis]);
+    }
+    return ends;
+}
+
+Boxes root_of(Chart chart, const Rational& q_lo, const Rational& q_hi) {
+    Boxes boxes;
+    boxes.root = boxes.box({0, 0, q_lo}, {greatest_position(chart), greatest_slope(chart, q_hi), q_hi});
+    return boxes;
+}
+
+Boxes leaf_boxes(Chart chart, const Rational& q_lo, const Rational& q_hi, const Tree& tree) {
+    Boxes boxes = root_of(chart, q_lo, q_hi);
+    std::vector<BoxEnds> waiting{boxes.root};  // the nodes to come: the next one last
+    for (const Node& node : tree) {
+        if (waiting.empty()) {
+            throw InputError("nodes follow the end of a tree");
+        }
+        const BoxEnds box = waiting.back();
+        waiting.pop_back();
+        if (!node.split) {
+            boxes.leaves.push_back(box);
+            continue;
+        }
+        const std::size_t axis = number_of(*node.split);
+        if (chart == Chart::wedge && axis == position) {
+            throw InputError("the chart wedge has no position to split");
+        }
+        const auto middle = static_cast<std::uint32_t>(boxes.values[axis].size());
+        boxes.values[axis].push_back((boxes.lo(box, axis) + boxes.hi(box, axis)) / 2);
+        BoxEnds lower = box;
+        BoxEnds upper = box;
+        lower.hi[axis] = middle;
+        upper.lo[axis] = middle;
+        waiting.push_back(upper);
+        waiting.push_back(lower);
+    }
+    return boxes;
+}
+
+}  // namespace dumbbell::audit

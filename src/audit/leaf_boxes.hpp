@@ -1,0 +1,49 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "arith/rational.hpp"
+#include "certificate/certificate.hpp"
+
+/// The leaf boxes of a certificate's tree as exact rationals, derived from proofs/format.md and
+/// proofs/format-sections.md alone: nothing here is shared with the prover.
+namespace dumbbell::audit {
+
+/// position, slope, ratio: in the order of Axis.
+inline constexpr std::size_t axes = 3;
+
+/// A closed box: for each axis, where Boxes::values has its ends. Boxes of one tree share their ends, so a
+/// tree of n leaves has about n numbers, not 6 n.
+struct BoxEnds {
+    std::array<std::uint32_t, axes> lo{};
+    std::array<std::uint32_t, axes> hi{};
+};
+
+/// A root box and boxes that should tile it, in the order of the file.
+struct Boxes {
+    std::array<std::vector<Rational>, axes> values;
+    BoxEnds root;
+    std::vector<BoxEnds> leaves;
+
+    [[nodiscard]] const Rational& lo(const BoxEnds& box, std::size_t axis) const {
+        return values[axis][box.lo[axis]];
+    }
+    [[nodiscard]] const Rational& hi(const BoxEnds& box, std::size_t axis) const {
+        return values[axis][box.hi[axis]];
+    }
+
+    /// The box [lo, hi]; its ends are added to `values`.
+    [[nodiscard]] BoxEnds box(const std::array<Rational, axes>& lo, const std::array<Rational, axes>& hi);
+};
+
+/// The root box of the chart over the mass ratios [q_lo, q_hi], without leaves. The chart wedge has no
+/// position: [0, 0].
+[[nodiscard]] Boxes root_of(Chart chart, const Rational& q_lo, const Rational& q_hi);
+
+/// The root box and the box of every leaf of the tree. A tree that ends early gives the leaves it has.
+/// Throws InputError if nodes follow its end, or if the chart wedge splits a position.
+[[nodiscard]] Boxes leaf_boxes(Chart chart, const Rational& q_lo, const Rational& q_hi, const Tree& tree);
+
+}  // namespace dumbbell::audit

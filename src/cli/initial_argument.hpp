@@ -1,0 +1,15 @@
+#pragma once
+
+#include <string>
+#include <utility>
+
+#include "arith/rational.hpp"
+
+namespace dumbbell {
+
+/// A or LO:HI of --phi, --phidot, --y or --ydot: exact, with or without a leading minus. Throws InputError
+/// that names the option.
+[[nodiscard]] std::pair<Rational, Rational> parse_quantity(const std::string& option,
+                                                           const std::string& text);
+
+}  // namespace dumbbell

@@ -1,0 +1,177 @@
+#include "cli/trace_command.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <memory>
+#include <optional>
+#include <thread>
+
+#include "arith/error.hpp"
+#include "certificate/atomic_file.hpp"
+#include "certificate/initial_writer.hpp"
+#include "cli/exit_code.hpp"
+#include "cli/initial_argument.hpp"
+#include "cli/ratio_argument.hpp"
+#include "prove/initial_state.hpp"
+#include "prove/subdivide.hpp"
+#include "prove/trace.hpp"
+#include "report/trace_report.hpp"
+
+namespace dumbbell {
+namespace {
+
+struct Options {
+    std::string ratio, phi, phidot, y, ydot;
+    std::string out;
+    std::string budget;
+    std::size_t max_boxes = SubdivideOptions{}.max_boxes;
+    int digits = 0;
+    int jobs = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+    bool subdivide = false;
+    bool json = false;
+    bool csv = false;
+};
+
+constexpr const char* description =
+    R"(Follow one initial condition, or a box of them, through all its collisions, every number enclosed.
+
+RATIO is q = heavy mass / light mass (below 1 the masses are swapped). The dumbbell starts in the air: the
+rod has length 1, the light mass is at height y + beta2 sin phi and the heavy one at y - beta1 sin phi
+(beta2 = q/(1+q), beta1 = 1/(1+q)), y is the height of the centre of mass, phi in radians. Every quantity is
+exact, as written (3, -0.5, 1/3), or an interval LO:HI.
+
+Examples:
+  dumbbell trace 10 --phi 1/3 --phidot 1 --y 3 --ydot -1/2               one orbit
+  dumbbell trace 10 --phi 1/3 --phidot 1 --y 3 --ydot -1/2 --digits 50   the same with 50 digits
+  dumbbell trace 10 --phi 0.3:0.31 --phidot 0 --y 3 --ydot -1            a box
+  dumbbell trace 10 --phi 0:3 --phidot -1/2:1/2 --y 3/2 --ydot -1 --subdivide --out falling.dbc
+
+Exit codes: 0 an outcome is certified; 1 internal error; 2 wrong usage or input; 3 not decided at this
+precision.)";
+
+InitialBox box_of(const Options& options, const RatioArgument& ratio) {
+    InitialBox box;
+    const auto set = [&](InitialAxis axis, Rational lo, Rational hi) {
+        box.lo[static_cast<std::size_t>(axis)] = std::move(lo);
+        box.hi[static_cast<std::size_t>(axis)] = std::move(hi);
+    };
+    const auto quantity = [&](InitialAxis axis, const char* name, const std::string& text) {
+        auto [lo, hi] = parse_quantity(name, text);
+        set(axis, std::move(lo), std::move(hi));
+    };
+    quantity(InitialAxis::phi, "--phi", options.phi);
+    quantity(InitialAxis::phidot, "--phidot", options.phidot);
+    quantity(InitialAxis::y, "--y", options.y);
+    quantity(InitialAxis::ydot, "--ydot", options.ydot);
+    set(InitialAxis::ratio, ratio.lo, ratio.hi);
+    require_in_play(box);
+    return box;
+}
+
+std::function<bool()> deadline(const std::string& budget) {
+    if (budget.empty()) {
+        return [] { return false; };
+    }
+    const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(parse_duration(budget));
+    return [end] { return std::chrono::steady_clock::now() >= end; };
+}
+
+void write_certificate(TraceReport& report, const std::string& path, AtomicFile& file) {
+    CertificateText text = render(InitialCertificate{.program = "dumbbell",
+                                                     .version = DUMBBELL_VERSION,
+                                                     .box = report.box,
+                                                     .bits = 53,
+                                                     .tree = report.parts->tree});
+    file.commit(text.text);
+    report.out = path;
+    report.sha256 = std::move(text.sha256);
+}
+
+void print(const Options& options, const TraceReport& report, bool swapped) {
+    if (options.json) {
+        fmt::print("{}\n", to_json(report).dump(2));
+    } else if (options.csv) {
+        fmt::print("{}", to_csv(report));
+        fmt::print(stderr, "dumbbell: {}", outcome_sentence(report));
+    } else {
+        fmt::print("{}{}", swapped ? "Ratios below 1: the masses are swapped, q -> 1/q.\n" : "",
+                   to_text(report));
+    }
+}
+
+int run(const Options& options) {
+    const RatioArgument ratio = parse_ratio_argument(options.ratio);
+    TraceReport report{.box = box_of(options, ratio),
+                       .trace = {},
+                       .digits = options.digits,
+                       .parts = {},
+                       .seconds = 0,
+                       .out = {},
+                       .sha256 = {}};
+    std::optional<AtomicFile> file;
+    if (!options.out.empty()) {
+        file.emplace(options.out);
+    }
+    SubdivideOptions limits{
+        .max_boxes = options.max_boxes, .jobs = options.jobs, .interrupted = deadline(options.budget)};
+    const auto start = std::chrono::steady_clock::now();
+    report.trace = trace(report.box, options.digits);
+    if (options.subdivide) {
+        report.parts = subdivide(report.box, limits);
+    }
+    report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    if (file) {
+        write_certificate(report, options.out, *file);
+    }
+    print(options, report, ratio.swapped);
+    const bool certified = !report.box.is_point() || report.trace.exact();
+    return certified ? exit_done : exit_not_certified;
+}
+
+}  // namespace
+
+void add_trace_command(CLI::App& app, int& exit_code) {
+    auto options = std::make_shared<Options>();
+    CLI::App* command = app.add_subcommand("trace", description);
+    command->add_option("RATIO", options->ratio, "mass ratio, or closed range LO:HI")->required();
+    command->add_option("--phi", options->phi, "angle of the rod, radians")->required()->type_name("A|LO:HI");
+    command->add_option("--phidot", options->phidot, "its velocity")->required()->type_name("A|LO:HI");
+    command->add_option("--y", options->y, "height of the centre of mass, rod lengths")
+        ->required()
+        ->type_name("A|LO:HI");
+    command->add_option("--ydot", options->ydot, "its velocity (downwards: negative)")
+        ->required()
+        ->type_name("A|LO:HI");
+    CLI::Option* subdivide =
+        command->add_flag("--subdivide", options->subdivide,
+                          "halve the box until every part has its exact number of collisions");
+    command
+        ->add_option("--out", options->out,
+                     "with --subdivide: write the certificate to FILE (FILE.gz: compressed)")
+        ->needs(subdivide)
+        ->type_name("FILE");
+    command->add_option("--max-boxes", options->max_boxes, "with --subdivide: at most so many parts")
+        ->needs(subdivide)
+        ->check(CLI::Range(1UL, 10'000'000UL))
+        ->capture_default_str();
+    command
+        ->add_option("--budget", options->budget,
+                     "with --subdivide: stop halving after this time: 30s, 10m, 2h")
+        ->needs(subdivide)
+        ->type_name("TIME");
+    command
+        ->add_option("--digits", options->digits,
+                     "decimal digits to compute and show; default: double precision")
+        ->check(CLI::Range(1, 100'000));
+    command->add_option("--jobs", options->jobs, "threads; the result does not depend on it")
+        ->check(CLI::Range(1, 1024))
+        ->capture_default_str();
+    CLI::Option* json = command->add_flag("--json", options->json, "one JSON object on stdout");
+    command->add_flag("--csv", options->csv, "a table with the bounds of every number on stdout")
+        ->excludes(json);
+    command->callback([options, &exit_code] { exit_code = run(*options); });
+}
+
+}  // namespace dumbbell

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <optional>
+
+#include "certificate/certificate.hpp"
+#include "prove/section.hpp"
+
+/// One function per section: the reason that closes a box of one of its charts, if any. `judge` (leaf.hpp)
+/// dispatches.
+namespace dumbbell {
+
+template <class I>
+[[nodiscard]] std::optional<Leaf> judge_turning(Chart chart, const Box& box, long upper);
+
+/// Full section (L15), and its plain form (L16).
+template <class I>
+[[nodiscard]] std::optional<Leaf> judge_full(Chart chart, const Box& box, long upper);
+
+/// The straight wedge (L17); the hybrid has the same cover (L18).
+template <class I>
+[[nodiscard]] std::optional<Leaf> judge_wedge(const Box& box, long upper);
+
+}  // namespace dumbbell

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "certificate/initial_certificate.hpp"
+
+/// Covers of a box of initial conditions by boxes whose number of collisions is certain.
+namespace dumbbell {
+
+struct SubdivideOptions {
+    std::size_t max_boxes = 50000;  ///< leaves
+    int max_depth = 60;             ///< splits of one axis
+    int jobs = 1;
+    std::function<bool()> interrupted = [] { return false; };
+};
+
+struct Share {
+    Rational share = 0;  ///< of the box's volume, exactly
+    long boxes = 0;
+};
+
+/// A bisection tree of the box in pre-order, and what its leaves add up to.
+struct Subdivision {
+    std::vector<InitialNode> tree;
+    std::map<long, Share> exact;  ///< by number of collisions
+    Share undecided;
+    long least = 0;  ///< over the whole box
+    std::optional<long> most;
+};
+
+/// Bisects until each box has an exact count, or a limit is reached; then the largest boxes are the ones that
+/// were halved. Deterministic whatever the number of threads, unless interrupted. A leaf says only what the
+/// plain evaluation of format-initial.md gives for a slightly larger box. Precondition: require_in_play(box).
+[[nodiscard]] Subdivision subdivide(const InitialBox& box, const SubdivideOptions& options);
+
+}  // namespace dumbbell

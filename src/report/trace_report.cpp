@@ -1,0 +1,238 @@
+#include "report/trace_report.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <iterator>
+
+namespace dumbbell {
+namespace {
+
+struct Quantity {
+    const char* key;
+    const char* title;
+    TracedValue Collision<TracedValue>::*value;
+};
+
+constexpr std::array<Quantity, 8> quantities{
+    {{"time", "time", &Collision<TracedValue>::time},
+     {"phi", "phi", &Collision<TracedValue>::phi},
+     {"y", "y", &Collision<TracedValue>::y},
+     {"ydot_before", "ydot before", &Collision<TracedValue>::ydot_before},
+     {"ydot_after", "ydot after", &Collision<TracedValue>::ydot_after},
+     {"phidot_before", "phidot before", &Collision<TracedValue>::phidot_before},
+     {"phidot_after", "phidot after", &Collision<TracedValue>::phidot_after},
+     {"grazing_sine", "grazing sine", &Collision<TracedValue>::grazing_sine}}};
+
+constexpr std::array<const char*, initial_axes> axis_names{"phi", "phidot", "y", "ydot", "ratio"};
+
+const char* mass_name(const Collision<TracedValue>& c) { return c.heavy ? "heavy" : "light"; }
+
+std::string plural(long count) { return count == 1 ? "1 collision" : fmt::format("{} collisions", count); }
+
+const char* outcome_word(const TraceReport& report) {
+    return report.trace.exact() ? "exact" : report.box.is_point() ? "undecided" : "between";
+}
+
+std::string count_text(long least, const std::optional<long>& most) {
+    return most == least ? fmt::format("{}", least)
+           : most        ? fmt::format("{}-{}", least, *most)
+                         : fmt::format("{}-", least);
+}
+
+std::string collisions_table(const TraceReport& report) {
+    std::string text;
+    std::array<std::size_t, quantities.size()> widths{};
+    for (std::size_t i = 0; i < quantities.size(); ++i) {
+        widths[i] = std::string_view(quantities[i].title).size();
+        for (const auto& c : report.trace.collisions) {
+            widths[i] = std::max(widths[i], (c.*quantities[i].value).text.size());
+        }
+    }
+    text += fmt::format("{:>4}  {:5}", "#", "mass");
+    for (std::size_t i = 0; i < quantities.size(); ++i) {
+        text += fmt::format("  {:>{}}", quantities[i].title, widths[i]);
+    }
+    text += '\n';
+    long number = 0;
+    for (const auto& c : report.trace.collisions) {
+        text += fmt::format("{:>4}  {:5}", ++number, mass_name(c));
+        for (std::size_t i = 0; i < quantities.size(); ++i) {
+            text += fmt::format("  {:>{}}", (c.*quantities[i].value).text, widths[i]);
+        }
+        text += '\n';
+    }
+    return text;
+}
+
+std::string widths_text(const TracedWidths& widths) {
+    return fmt::format("Widths after the last of them: {:.3g} with correlations, {} without\n",
+                       widths.correlated,
+                       widths.natural ? fmt::format("{:.3g}", *widths.natural)
+                                      : std::string("plain intervals do not get as far"));
+}
+
+std::string subdivision_text(const Subdivision& parts) {
+    std::string text = fmt::format("{:>10}  {:>22}  {:>9}\n", "collisions", "share of the box", "boxes");
+    for (const auto& part : parts.exact) {
+        text += fmt::format("{:>10}  {:>22}  {:>9}\n", part.first, to_decimal(part.second.share, 12),
+                            part.second.boxes);
+    }
+    text += fmt::format("{:>10}  {:>22}  {:>9}\n", "undecided", to_decimal(parts.undecided.share, 12),
+                        parts.undecided.boxes);
+    text += fmt::format(
+        "Certified: {} of the box with its exact count; every initial condition in it has {} collisions.\n",
+        to_decimal(Rational(1) - parts.undecided.share, 12), count_text(parts.least, parts.most));
+    return text;
+}
+
+nlohmann::ordered_json enclosure_json(const TracedValue& value, bool decimals) {
+    if (decimals) {
+        return {value.lo, value.hi};
+    }
+    return {value.outward.lo(), value.outward.hi()};
+}
+
+nlohmann::ordered_json count_json(const std::optional<long>& count) {
+    return count ? nlohmann::ordered_json(*count) : nlohmann::ordered_json(nullptr);
+}
+
+nlohmann::ordered_json subdivision_json(const Subdivision& parts) {
+    nlohmann::ordered_json exact = nlohmann::ordered_json::array();
+    for (const auto& part : parts.exact) {
+        exact.push_back({{"collisions", part.first},
+                         {"share", to_fraction(part.second.share)},
+                         {"boxes", part.second.boxes}});
+    }
+    return {{"exact", std::move(exact)},
+            {"undecided", {{"share", to_fraction(parts.undecided.share)}, {"boxes", parts.undecided.boxes}}},
+            {"least", parts.least},
+            {"most", count_json(parts.most)},
+            {"decided_fraction", (Rational(1) - parts.undecided.share).convert_to<double>()}};
+}
+
+}  // namespace
+
+std::string outcome_sentence(const TraceReport& report) {
+    const Trace& trace = report.trace;
+    if (trace.exact()) {
+        return fmt::format("exactly {}{}\n", plural(trace.least),
+                           trace.least > static_cast<long>(trace.collisions.size())
+                               ? fmt::format(" (enclosed: the first {})", trace.collisions.size())
+                               : "");
+    }
+    const std::string bounds = trace.most
+                                   ? fmt::format("between {} and {} collisions", trace.least, *trace.most)
+                                   : fmt::format("at least {}", plural(trace.least));
+    const auto next = trace.collisions.size() + 1;
+    if (report.box.is_point()) {
+        return fmt::format(
+            "cannot be decided at this precision: {}; undecided from collision {} on; try --digits {}\n",
+            bounds, next, report.digits == 0 ? 40 : 2 * report.digits);
+    }
+    return fmt::format("{}: the box splits at collision {} (smaller boxes: --subdivide)\n", bounds, next);
+}
+
+std::string to_text(const TraceReport& report) {
+    std::string text;
+    if (!report.trace.collisions.empty()) {
+        text += fmt::format(
+            "Mass ratio {}; rod length 1, phi in radians, y: height of the centre of mass. Each number is "
+            "enclosed: "
+            "value+-radius.\n",
+            report.box.lo[4] == report.box.hi[4]
+                ? to_decimal(report.box.lo[4], 17)
+                : to_decimal(report.box.lo[4], 13) + " : " + to_decimal(report.box.hi[4], 13));
+        text += collisions_table(report);
+        if (!report.box.is_point() && report.trace.widths) {
+            text += widths_text(*report.trace.widths);
+        }
+    }
+    text += outcome_sentence(report);
+    if (report.parts) {
+        text += '\n' + subdivision_text(*report.parts);
+    }
+    if (report.out) {
+        text += fmt::format(
+            "Certificate: {} (sha256 {})\nIts format is proofs/format-initial.md; dumbbell-verify does not "
+            "read this claim kind yet.\n",
+            *report.out, *report.sha256);
+    }
+    return text;
+}
+
+nlohmann::ordered_json to_json(const TraceReport& report) {
+    nlohmann::ordered_json initial = nlohmann::ordered_json::object();
+    for (std::size_t i = 0; i < initial_axes; ++i) {
+        initial[axis_names[i]] = {{"lo", to_fraction(report.box.lo[i])},
+                                  {"hi", to_fraction(report.box.hi[i])}};
+    }
+    nlohmann::ordered_json collisions = nlohmann::ordered_json::array();
+    for (const auto& c : report.trace.collisions) {
+        nlohmann::ordered_json entry{{"mass", mass_name(c)}};
+        for (const Quantity& q : quantities) {
+            entry[q.key] = enclosure_json(c.*q.value, report.digits > 0);
+        }
+        collisions.push_back(std::move(entry));
+    }
+    nlohmann::ordered_json json{{"schema", "dumbbell-trace-1"},
+                                {"initial", std::move(initial)},
+                                {"outcome", outcome_word(report)},
+                                {"least", report.trace.least},
+                                {"most", count_json(report.trace.most)},
+                                {"splits_at", nullptr},
+                                {"bits", report.trace.bits},
+                                {"collisions", std::move(collisions)},
+                                {"widths", nullptr},
+                                {"parts", nullptr},
+                                {"seconds", report.seconds},
+                                {"out", nullptr},
+                                {"sha256", nullptr}};
+    if (!report.trace.exact()) {
+        json["splits_at"] = report.trace.collisions.size() + 1;
+    }
+    if (report.trace.widths) {
+        const auto& natural = report.trace.widths->natural;
+        json["widths"] = {
+            {"natural", natural ? nlohmann::ordered_json(*natural) : nlohmann::ordered_json(nullptr)},
+            {"correlated", report.trace.widths->correlated}};
+    }
+    if (report.parts) {
+        json["parts"] = subdivision_json(*report.parts);
+    }
+    if (report.out) {
+        json["out"] = *report.out;
+        json["sha256"] = *report.sha256;
+    }
+    return json;
+}
+
+std::string to_csv(const TraceReport& report) {
+    std::string text;
+    if (report.parts) {
+        text = "collisions,share,boxes\n";
+        for (const auto& part : report.parts->exact) {
+            text += fmt::format("{},{},{}\n", part.first, to_fraction(part.second.share), part.second.boxes);
+        }
+        return text + fmt::format("undecided,{},{}\n", to_fraction(report.parts->undecided.share),
+                                  report.parts->undecided.boxes);
+    }
+    text = "collision,mass";
+    for (const Quantity& q : quantities) {
+        text += fmt::format(",{0}_lo,{0}_hi", q.key);
+    }
+    text += '\n';
+    long number = 0;
+    for (const auto& c : report.trace.collisions) {
+        text += fmt::format("{},{}", ++number, mass_name(c));
+        for (const Quantity& q : quantities) {
+            const TracedValue& value = c.*q.value;
+            text += report.digits > 0 ? fmt::format(",{},{}", value.lo, value.hi)
+                                      : fmt::format(",{},{}", value.outward.lo(), value.outward.hi());
+        }
+        text += '\n';
+    }
+    return text;
+}
+
+}  // namespace dumbbell

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+
+#include "prove/subdivide.hpp"
+#include "prove/trace.hpp"
+
+namespace dumbbell {
+
+/// What `trace` tells its user.
+struct TraceReport {
+    InitialBox box;
+    Trace trace;
+    int digits = 0;  ///< as asked for; 0: double precision
+    std::optional<Subdivision> parts;
+    double seconds = 0;
+    std::optional<std::string> out;
+    std::optional<std::string> sha256;
+};
+
+/// The table of collisions, the widths, and the outcome in a sentence; the shares of a subdivision.
+[[nodiscard]] std::string to_text(const TraceReport& report);
+[[nodiscard]] nlohmann::ordered_json to_json(const TraceReport& report);
+
+/// One line per collision, with the bounds of every quantity; or, of a subdivision, one line per count with
+/// its share.
+[[nodiscard]] std::string to_csv(const TraceReport& report);
+
+/// "exactly k collisions", "between a and b collisions: ...", or "cannot be decided at this precision: ...".
+[[nodiscard]] std::string outcome_sentence(const TraceReport& report);
+
+}  // namespace dumbbell

@@ -1,0 +1,62 @@
+#!/bin/bash
+# command_test.sh PROGRAM: what `dumbbell audit` prints and returns.
+set -uo pipefail
+program=$1
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+failures=0
+
+# expect CODE PATTERN ARGUMENT...: the command's exit code, and a pattern in its output.
+expect() {
+    local code=$1 pattern=$2 output actual
+    shift 2
+    output=$("$program" audit "$@" 2>&1)
+    actual=$?
+    if [[ $actual != "$code" || ! $output =~ $pattern ]]; then
+        printf 'audit %s\n  exit code %s, not %s, or no /%s/ in:\n%s\n' "$*" "$actual" "$code" "$pattern" "$output"
+        failures=$((failures + 1))
+    fi
+}
+
+# head LO HI PIECES: the first lines of a certificate.
+head_lines() {
+    printf 'dumbbell-certificate 1\ngenerator dumbbell 0.1.0\nlemmas 1\nscene dumbbell\nsection turning\n'
+    printf 'claim collisions\nratio %s %s\npieces %s\n' "$1" "$2" "$3"
+}
+
+# piece LO HI: a piece whose chart bridge is split in position.
+piece() {
+    printf 'piece %s %s\nbits 53\nupper 4\nchart bridge\nsplit e\ncount 1 2\ncount 1 2\nchart light\ncount 1 1\n' "$1" "$2"
+    printf 'lower 0\n'
+}
+
+{ head_lines 10/1 20/1 2; piece 10/1 15/1; piece 15/1 20/1; } > "$folder/good.dbc"
+gzip -k "$folder/good.dbc"
+expect 0 'good.dbc: tiles exactly: 2 pieces, 4 charts, 6 leaves, 2 candidate pairs checked, area exact' "$folder/good.dbc"
+expect 0 'good.dbc.gz: tiles exactly' "$folder/good.dbc" "$folder/good.dbc.gz"
+expect 0 '"candidate_pairs": 2,' --json "$folder/good.dbc"
+expect 0 'equal-masses|Prove exactly' --help
+
+# Pieces that leave a part of the claimed range out.
+{ head_lines 10/1 20/1 2; piece 10/1 15/1; piece 16/1 20/1; } > "$folder/hole.dbc"
+expect 3 'piece 2 begins at ratio 16/1, not at 15/1' "$folder/hole.dbc"
+{ head_lines 10/1 21/1 1; piece 10/1 20/1; } > "$folder/short.dbc"
+expect 3 'the pieces end at ratio 20/1, not at 21/1' "$folder/short.dbc"
+expect 3 '"tiles": false' --json "$folder/short.dbc"
+
+# A single ratio that is split: both halves are the same leaf.
+{ head_lines 10/1 10/1 1; piece 10/1 10/1 | sed 's/split e/split q/'; } > "$folder/twice.dbc"
+expect 3 'piece 1, chart bridge: leaf 1 .* and leaf 2 .* overlap' "$folder/twice.dbc"
+expect 3 'good.dbc: tiles' "$folder/twice.dbc" "$folder/good.dbc"
+
+# What cannot be read.
+expect 2 "no such file" "$folder/none.dbc"
+head -c 200 "$folder/good.dbc" > "$folder/cut.dbc"
+expect 2 'not a certificate that this program can read' "$folder/cut.dbc"
+sed 's/^ratio .*/ratio x y/' "$folder/good.dbc" > "$folder/ratio.dbc"
+expect 2 'no line .ratio' "$folder/ratio.dbc"
+sed 's/^ratio .*/ratio 0\/1 20\/0/' "$folder/good.dbc" > "$folder/zero.dbc"
+expect 2 'no line .ratio' "$folder/zero.dbc"
+expect 2 'FILE'
+
+exit $((failures > 0))

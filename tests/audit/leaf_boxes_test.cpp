@@ -1,0 +1,70 @@
+#include <catch2/catch.hpp>
+
+#include "arith/error.hpp"
+#include "prove/section.hpp"
+#include "random_tree.hpp"
+
+using namespace dumbbell_test;
+using dumbbell::audit::leaf_boxes;
+using dumbbell::audit::root_of;
+
+namespace {
+
+/// The leaf boxes that the prover's own functions give.
+void prover_boxes(const Tree& tree, std::size_t& next, const Box& box, std::vector<Box>& found) {
+    const Node& node = tree[next++];
+    if (!node.split) {
+        found.push_back(box);
+        return;
+    }
+    const auto [lower, upper] = halves(box, *node.split);
+    prover_boxes(tree, next, lower, found);
+    prover_boxes(tree, next, upper, found);
+}
+
+void check_same(const Boxes& boxes, const audit::BoxEnds& ends, const Box& box) {
+    CHECK(boxes.lo(ends, 0) == box.e_lo);
+    CHECK(boxes.hi(ends, 0) == box.e_hi);
+    CHECK(boxes.lo(ends, 1) == box.slope_lo);
+    CHECK(boxes.hi(ends, 1) == box.slope_hi);
+    CHECK(boxes.lo(ends, 2) == box.q_lo);
+    CHECK(boxes.hi(ends, 2) == box.q_hi);
+}
+
+constexpr auto charts = {Chart::bridge,        Chart::light,           Chart::contact, Chart::departure,
+                         Chart::plain_contact, Chart::plain_departure, Chart::wedge};
+
+}  // namespace
+
+TEST_CASE("the root boxes are the prover's") {
+    for (const Chart chart : charts) {
+        for (const Rational& q : {Rational(1), Rational(3, 2), Rational(4), Rational(1000003, 7)}) {
+            const Boxes boxes = root_of(chart, q, q + 1);
+            check_same(boxes, boxes.root, root_box(chart, q, q + 1));
+            const Boxes single = root_of(chart, q, q);
+            check_same(single, single.root, root_box(chart, q, q));
+        }
+    }
+}
+
+TEST_CASE("the leaf boxes are the prover's") {
+    for (const Chart chart : charts) {
+        const Tree tree = random_tree(60, chart == Chart::wedge ? wedge_axes : all_axes, 5);
+        const Boxes boxes = leaf_boxes(chart, Rational(10, 3), Rational(31, 7), tree);
+        std::vector<Box> expected;
+        std::size_t next = 0;
+        prover_boxes(tree, next, root_box(chart, Rational(10, 3), Rational(31, 7)), expected);
+        REQUIRE(boxes.leaves.size() == expected.size());
+        for (std::size_t i = 0; i < expected.size(); ++i) {
+            check_same(boxes, boxes.leaves[i], expected[i]);
+        }
+    }
+}
+
+TEST_CASE("a tree with nodes behind its end is refused") {
+    CHECK_THROWS_AS(leaf_boxes(Chart::bridge, 2, 2, {leaf(), leaf()}), InputError);
+}
+
+TEST_CASE("the chart wedge has no position") {
+    CHECK_THROWS_AS(leaf_boxes(Chart::wedge, 2, 2, {split(Axis::position), leaf(), leaf()}), InputError);
+}

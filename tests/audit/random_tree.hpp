@@ -1,0 +1,43 @@
+// Trees and boxes for the tests of this folder.
+#pragma once
+
+#include <random>
+
+#include "audit/leaf_boxes.hpp"
+#include "audit/tiling.hpp"
+
+namespace dumbbell_test {
+
+using namespace dumbbell;
+using dumbbell::audit::Boxes;
+using dumbbell::audit::check_tiling;
+using dumbbell::audit::Fault;
+using dumbbell::audit::Tiling;
+
+inline Node split(Axis axis) { return {axis, {}}; }
+inline Node leaf() { return {std::nullopt, {Reason::outside}}; }
+
+/// Appends a random complete tree of `leaves` leaves that splits the given axes.
+inline void grow(Tree& tree, long leaves, const std::vector<Axis>& axes, std::mt19937& random) {
+    if (leaves == 1) {
+        tree.push_back(leaf());
+        return;
+    }
+    tree.push_back(split(axes[random() % axes.size()]));
+    const long lower = std::uniform_int_distribution<long>(1, leaves - 1)(random);
+    grow(tree, lower, axes, random);
+    grow(tree, leaves - lower, axes, random);
+}
+
+inline Tree random_tree(long leaves, const std::vector<Axis>& axes, unsigned seed) {
+    std::mt19937 random(seed);
+    Tree tree;
+    grow(tree, leaves, axes, random);
+    return tree;
+}
+
+inline const std::vector<Axis> all_axes{Axis::position, Axis::slope, Axis::ratio};
+inline const std::vector<Axis> plane_axes{Axis::position, Axis::slope};
+inline const std::vector<Axis> wedge_axes{Axis::slope, Axis::ratio};
+
+}  // namespace dumbbell_test

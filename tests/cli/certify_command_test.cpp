@@ -1,0 +1,152 @@
+#include <catch2/catch.hpp>
+
+#include "programs.hpp"
+
+using namespace dumbbell_test;
+using Catch::Matchers::Contains;
+using Json = nlohmann::json;
+
+TEST_CASE("certify RATIO prints the table and the sentence, says nothing on stderr, and exits 0") {
+    const Outcome ten = dumbbell({"certify", "10"});
+    CHECK(ten.code == 0);
+    CHECK(ten.err.empty());
+    CHECK_THAT(ten.out, Contains("mass ratio  N  paper  boxes"));
+    CHECK_THAT(ten.out,
+               Contains("Proved: at mass ratio 10 no trajectory hits the floor more than 4 times, and some "
+                        "trajectory hits it 4 times."));
+}
+
+TEST_CASE("the ratios of the promise are decided") {
+    for (const auto& [ratio, maximum] : known_maxima) {
+        CAPTURE(ratio);
+        const Outcome result = dumbbell({"certify", ratio, "--json"});
+        REQUIRE(result.code == 0);
+        const Json piece = Json::parse(result.out).at("pieces").at(0);
+        CHECK(piece.at("upper") == maximum);
+        CHECK(piece.at("lower") == maximum);
+        CHECK(piece.at("status") == "exact");
+    }
+}
+
+TEST_CASE("the option --json prints one object with the contract's fields and nothing else") {
+    const Outcome result = dumbbell({"certify", "4:5", "--json"});
+    CHECK(result.code == 0);
+    CHECK(result.err.empty());
+    const Json json = Json::parse(result.out);  // throws if anything follows
+    REQUIRE(json.is_object());
+    for (const char* field : {"schema", "scene", "section", "ratio", "gap", "jobs", "pieces",
+                              "decided_fraction", "seconds", "out", "sha256"}) {
+        CHECK(json.contains(field));
+    }
+    REQUIRE(json.at("pieces").size() == 3);
+    for (const char* field :
+         {"lo", "hi", "upper", "lower", "status", "paper_bound", "leaves", "bits", "margin", "width"}) {
+        CHECK(json.at("pieces").at(1).contains(field));
+    }
+    CHECK(json.at("pieces").at(1).at("status") == "gap");
+    CHECK(json.at("ratio").at("lo") == "4/1");
+    CHECK(json.at("out").is_null());
+}
+
+TEST_CASE("the option --out writes a certificate and --json names it with its checksum") {
+    const TemporaryFolder folder;
+    const Outcome result = dumbbell({"certify", "10", "--json", "--out", "ten.dbc"}, folder.path());
+    CHECK(result.code == 0);
+    CHECK(folder.names() == Words{"ten.dbc"});
+    const Json json = Json::parse(result.out);
+    CHECK(json.at("out") == "ten.dbc");
+    CHECK(last_line(contents(folder / "ten.dbc")) == "sha256 " + json.at("sha256").get<std::string>());
+}
+
+TEST_CASE("the option --out FILE.gz writes the same certificate compressed") {
+    const TemporaryFolder folder;
+    REQUIRE(dumbbell({"certify", "1:100", "--out", "stairs.dbc"}, folder.path()).code == 0);
+    REQUIRE(dumbbell({"certify", "1:100", "--out", "stairs.dbc.gz"}, folder.path()).code == 0);
+    CHECK(contents(folder / "stairs.dbc.gz").size() < contents(folder / "stairs.dbc").size());
+    const Outcome unpacked = run({"gzip", "-dc", folder / "stairs.dbc.gz"});
+    REQUIRE(unpacked.code == 0);
+    CHECK(unpacked.out == contents(folder / "stairs.dbc"));
+}
+
+TEST_CASE("9/2, 4.5, 45e-1 and, with the masses swapped, 2/9 give identical certificates") {
+    const TemporaryFolder folder;
+    const std::string expected = contents(certificate(folder, "9/2"));
+    CHECK_THAT(expected, Contains("ratio 9/2 9/2\n"));
+    for (const char* spelling : {"4.5", "45e-1", "45E-1", "0.45e+1", "0004.5000", "90/20", "2/9"}) {
+        CAPTURE(spelling);
+        CHECK(contents(certificate(folder, spelling)) == expected);
+    }
+}
+
+TEST_CASE("below 1 the masses are swapped, and the program says so") {
+    const Outcome tenth = dumbbell({"certify", "0.1"});
+    CHECK(tenth.code == 0);
+    CHECK_THAT(tenth.out, Contains("masses are swapped") && Contains("at mass ratio 10 no"));
+    const Outcome range = dumbbell({"certify", "0.1:1/5", "--json"});
+    CHECK(range.code == 0);
+    const Json json = Json::parse(range.out);
+    CHECK(json.at("ratio").at("lo") == "5/1");
+    CHECK(json.at("ratio").at("hi") == "10/1");
+    CHECK(dumbbell({"certify", "0.5:1"}).code == 0);
+}
+
+TEST_CASE("a certificate depends on nothing but the claim: not on the jobs, the time, the file's name") {
+    const TemporaryFolder folder;
+    const std::string one = contents(certificate(folder, "1:50", {"--jobs", "1"}));
+    CHECK(contents(certificate(folder, "1:50", {"--jobs", "2"})) == one);
+    CHECK(contents(certificate(folder, "1:50", {"--jobs", "8", "--budget", "1h", "--witness"})) == one);
+}
+
+TEST_CASE("the option --gap makes the gaps narrower") {
+    const auto decided = [](const char* gap) {
+        const Outcome result = dumbbell({"certify", "4:12", "--gap", gap, "--json"});
+        REQUIRE(result.code == 0);
+        return Json::parse(result.out).at("decided_fraction").get<double>();
+    };
+    CHECK(decided("1e-3") < decided("1e-6"));
+    CHECK(decided("1e-6") < decided("1/1000000000"));
+    CHECK(decided("1e-9") < 1);
+    CHECK(dumbbell({"certify", "4:12", "--gap", "0.01"}).code == 0);
+}
+
+TEST_CASE("the option --witness prints an orbit of N collisions, in text and in JSON") {
+    const Outcome text = dumbbell({"certify", "10", "--witness"});
+    CHECK(text.code == 0);
+    CHECK_THAT(text.out, Contains("Witness at mass ratio 10: 4 collisions") && Contains("heavy") &&
+                             Contains("Smallest margin") && Contains("Proved: at mass ratio 10"));
+    const Outcome json = dumbbell({"certify", "100", "--witness", "--json"});
+    CHECK(json.code == 0);
+    const Json orbit = Json::parse(json.out).at("pieces").at(0).at("witness").at("collisions");
+    CHECK(orbit.size() == 10);
+    for (const auto& collision : orbit) {
+        CHECK(collision.at("grazing_sine").at(0) > 0);
+    }
+}
+
+TEST_CASE("the only scene and section so far can be named") {
+    CHECK(dumbbell({"certify", "10", "--scene", "dumbbell", "--section", "turning"}).code == 0);
+}
+
+TEST_CASE("options may stand before the ratio and be joined with =") {
+    CHECK(dumbbell({"certify", "--jobs=1", "--gap=1e-4", "4:5"}).code == 0);
+}
+
+TEST_CASE("the staircase from 1 to 100: small, decided but for the gaps, and the fraction printed") {
+    const TemporaryFolder folder;
+    const Outcome stairs =
+        dumbbell({"certify", "1:100", "--gap", "1e-6", "--out", "stairs.dbc"}, folder.path());
+    CHECK(stairs.code == 0);
+    CHECK_THAT(stairs.out, Contains("Decided: 0.99999"));
+    CHECK(contents(folder / "stairs.dbc").size() < 300'000);
+    CHECK_THAT(contents(folder / "stairs.dbc"), Contains("total open 0\n"));
+}
+
+TEST_CASE("next to a critical ratio more digits give another number, both proved") {
+    const auto bounds = [](const char* ratio) {
+        const Outcome result = dumbbell({"certify", ratio, "--json"});
+        REQUIRE(result.code == 0);
+        return Json::parse(result.out).at("pieces").at(0).at("upper").get<int>();
+    };
+    CHECK(bounds("4.603338848751700") == 3);
+    CHECK(bounds("4.603338848751701") == 4);
+}

@@ -1,0 +1,49 @@
+#include <catch2/catch.hpp>
+
+#include "programs.hpp"
+
+using namespace dumbbell_test;
+using Catch::Matchers::Contains;
+
+TEST_CASE("the option --help explains the commands with examples and exit codes, on stdout, and exits 0") {
+    for (const char* option : {"--help", "-h"}) {
+        const Outcome help = dumbbell({option});
+        CHECK(help.code == 0);
+        CHECK(help.err.empty());
+        CHECK_THAT(help.out, Contains("Examples:") && Contains("dumbbell certify 10") &&
+                                 Contains("dumbbell verify") && Contains("Exit codes: 0"));
+    }
+}
+
+TEST_CASE("certify --help names every option") {
+    const Outcome help = dumbbell({"certify", "--help"});
+    CHECK(help.code == 0);
+    CHECK(help.err.empty());
+    for (const char* option :
+         {"RATIO", "--scene", "--section", "--gap", "--out", "--jobs", "--budget", "--witness", "--json"}) {
+        CHECK_THAT(help.out, Contains(option));
+    }
+}
+
+TEST_CASE("every command has a help that exits 0") {
+    for (const Words& command :
+         std::vector<Words>{{"certify"}, {"verify"}, {"plot"}, {"plot", "staircase"}}) {
+        Words words = command;
+        words.push_back("--help");
+        const Outcome help = dumbbell(words);
+        CAPTURE(command.front());
+        CHECK(help.code == 0);
+        CHECK(help.err.empty());
+        CHECK(count_lines(help.out) > 3);
+    }
+    CHECK(dumbbell({"--help-all"}).code == 0);
+}
+
+TEST_CASE("the option --version says which build this is: version, compiler, flags") {
+    const Outcome version = dumbbell({"--version"});
+    CHECK(version.code == 0);
+    CHECK(version.err.empty());
+    CHECK(count_lines(version.out) == 1);
+    CHECK_THAT(version.out, Contains("dumbbell " DUMBBELL_VERSION) && Contains("flags: ") &&
+                                Contains("-ffp-contract=off"));
+}

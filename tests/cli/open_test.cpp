@@ -1,0 +1,73 @@
+// Exit 3: not everything was decided; what was is complete, written and verifiable.
+#include <catch2/catch.hpp>
+
+#include "programs.hpp"
+
+using namespace dumbbell_test;
+using Catch::Matchers::Contains;
+using Json = nlohmann::json;
+
+namespace {
+
+void check_open(const Outcome& result, const std::string& file) {
+    CHECK(result.code == 3);
+    CHECK(count_lines(result.err) == 1);
+    const Outcome verdict = verifier({file});
+    CAPTURE(verdict.out, verdict.err);
+    CHECK(verdict.code == 0);
+    CHECK_THAT(last_line(verdict.out), Catch::Matchers::StartsWith("s VERIFIED "));
+}
+
+}  // namespace
+
+TEST_CASE("without time a single ratio is open: exit 3, and the certificate says no more than it proves") {
+    const TemporaryFolder folder;
+    const Outcome result = dumbbell({"certify", "10", "--budget", "0s", "--out", "ten.dbc"}, folder.path());
+    check_open(result, folder / "ten.dbc");
+    CHECK_THAT(result.out, Contains("Not decided"));
+    CHECK_THAT(contents(folder / "ten.dbc"), Contains("upper none\n") && Contains("total open 1\n"));
+    CHECK(verifier({"--ratio", "10", "--max", "4", folder / "ten.dbc"}).code == 1);
+    CHECK(verifier({"--ratio", "10", "--min", "1", folder / "ten.dbc"}).code == 1);
+}
+
+TEST_CASE("without time a range is open, with all its pieces") {
+    const TemporaryFolder folder;
+    const Outcome result =
+        dumbbell({"certify", "1:30", "--budget", "0s", "--json", "--out", "stairs.dbc"}, folder.path());
+    check_open(result, folder / "stairs.dbc");
+    const Json json = Json::parse(result.out);
+    CHECK(json.at("decided_fraction") == 0);
+    for (const auto& piece : json.at("pieces")) {
+        CHECK(piece.at("status") == "open");
+        CHECK(piece.at("upper").is_null());
+    }
+}
+
+TEST_CASE("a ratio beyond all reach is open at once") {
+    const TemporaryFolder folder;
+    const Outcome result = dumbbell({"certify", "1e300", "--out", "huge.dbc"}, folder.path());
+    check_open(result, folder / "huge.dbc");
+    CHECK(dumbbell({"certify", "1e-1000"}).code == 3);
+}
+
+TEST_CASE("a budget that suffices changes nothing, however long it is") {
+    for (const char* budget : {"10s", "0.5m", "2h", "1e9h", "1e300h"}) {
+        CAPTURE(budget);
+        CHECK(dumbbell({"certify", "10", "--budget", budget}).code == 0);
+    }
+}
+
+TEST_CASE("a budget in the middle of a long job leaves decided and open pieces, all verifiable") {
+    const TemporaryFolder folder;
+    const Outcome result = dumbbell({"certify", "1:300000", "--gap", "1e-9", "--budget", "0.3s", "--jobs",
+                                     "1", "--out", "stairs.dbc", "--json"},
+                                    folder.path());
+    const Json json = Json::parse(result.out);
+    CHECK(json.at("seconds").get<double>() < 10);
+    if (result.code == 0) {
+        WARN("this machine decides 1:300000 in 0.3 s: nothing was interrupted");
+        return;
+    }
+    check_open(result, folder / "stairs.dbc");
+    CHECK(json.at("decided_fraction") < 1);
+}

@@ -1,0 +1,186 @@
+// Runs the built programs and sees what a user or a script sees: stdout, stderr, exit code.
+#pragma once
+
+#include <fcntl.h>
+#include <poll.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace dumbbell_test {
+
+// A new, empty folder; removed with its contents at the end.
+class TemporaryFolder {
+  public:
+    TemporaryFolder() {
+        std::string name = (std::filesystem::temp_directory_path() / "dumbbell-test-XXXXXX").string();
+        if (::mkdtemp(name.data()) == nullptr) {
+            throw std::runtime_error("no temporary folder");
+        }
+        path_ = name;
+    }
+    ~TemporaryFolder() {
+        std::error_code ignored;
+        std::filesystem::remove_all(path_, ignored);
+    }
+    TemporaryFolder(const TemporaryFolder&) = delete;
+    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+    [[nodiscard]] const std::string& path() const { return path_; }
+    [[nodiscard]] std::string operator/(const std::string& name) const { return path_ + "/" + name; }
+
+    // The names of all that lies in it, sorted.
+    [[nodiscard]] std::vector<std::string> names() const {
+        std::vector<std::string> result;
+        for (const auto& entry : std::filesystem::directory_iterator(path_)) {
+            result.push_back(entry.path().filename().string());
+        }
+        std::sort(result.begin(), result.end());
+        return result;
+    }
+
+  private:
+    std::string path_;
+};
+
+inline std::string contents(const std::string& path) {
+    std::ifstream in(path, std::ios::binary);
+    if (!in) {
+        throw std::runtime_error("cannot read " + path);
+    }
+    return {std::istreambuf_iterator<char>(in), {}};
+}
+
+inline void write_file(const std::string& path, const std::string& bytes) {
+    std::ofstream out(path, std::ios::binary);
+    out << bytes;
+    out.close();
+    if (!out) {
+        throw std::runtime_error("cannot write " + path);
+    }
+}
+
+struct Outcome {
+    int code;  // the exit code, or -1 if a signal ended the program
+    int signal;
+    std::string out;
+    std::string err;
+};
+
+// A running program with its stdout and stderr in pipes. Ended with SIGKILL if nobody waits for it, or if it
+// hangs: nothing here takes longer than a few seconds.
+class Process {
+  public:
+    explicit Process(std::vector<std::string> command, const std::string& folder = ".") {
+        std::array<std::array<int, 2>, 2> pipes{};
+        for (auto& pipe : pipes) {
+            if (::pipe2(pipe.data(), O_CLOEXEC) != 0) {
+                throw std::runtime_error("no pipe");
+            }
+        }
+        std::vector<char*> arguments;
+        for (std::string& word : command) {
+            arguments.push_back(word.data());
+        }
+        arguments.push_back(nullptr);
+        pid_ = ::fork();
+        if (pid_ == 0) {
+            ::dup2(pipes[0][1], STDOUT_FILENO);
+            ::dup2(pipes[1][1], STDERR_FILENO);
+            ::dup2(::open("/dev/null", O_RDONLY), STDIN_FILENO);
+            if (::chdir(folder.c_str()) == 0) {
+                ::execvp(arguments[0], arguments.data());
+            }
+            ::_exit(127);
+        }
+        for (std::size_t i = 0; i < 2; ++i) {
+            ::close(pipes[i][1]);
+            read_end_[i] = pipes[i][0];
+        }
+        if (pid_ < 0) {
+            throw std::runtime_error("cannot fork");
+        }
+    }
+    ~Process() {
+        if (pid_ > 0) {
+            kill();
+            ::waitpid(pid_, nullptr, 0);
+        }
+        ::close(read_end_[0]);
+        ::close(read_end_[1]);
+    }
+    Process(const Process&) = delete;
+    Process& operator=(const Process&) = delete;
+
+    void kill() const { ::kill(pid_, SIGKILL); }
+
+    Outcome wait() {
+        Outcome result{-1, 0, "", ""};
+        read_all(result.out, result.err);
+        int status = 0;
+        while (::waitpid(pid_, &status, 0) < 0 && errno == EINTR) {
+        }
+        pid_ = -1;
+        result.code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+        result.signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
+        return result;
+    }
+
+  private:
+    void read_all(std::string& out, std::string& err) const {
+        std::array<std::string*, 2> texts{&out, &err};
+        std::array<pollfd, 2> ends{pollfd{read_end_[0], POLLIN, 0}, pollfd{read_end_[1], POLLIN, 0}};
+        std::array<char, 65536> buffer{};
+        while (ends[0].fd >= 0 || ends[1].fd >= 0) {
+            if (::poll(ends.data(), ends.size(), silence_limit_ms) == 0) {
+                kill();
+            }
+            for (std::size_t i = 0; i < 2; ++i) {
+                if (ends[i].fd < 0 || ends[i].revents == 0) {
+                    continue;
+                }
+                const ssize_t n = ::read(ends[i].fd, buffer.data(), buffer.size());
+                if (n > 0) {
+                    texts[i]->append(buffer.data(), static_cast<std::size_t>(n));
+                } else if (n == 0 || errno != EINTR) {
+                    ends[i].fd = -1;
+                }
+            }
+        }
+    }
+
+    static constexpr int silence_limit_ms = 100'000;
+
+    pid_t pid_ = -1;
+    std::array<int, 2> read_end_{};
+};
+
+inline Outcome run(std::vector<std::string> command, const std::string& folder = ".") {
+    return Process(std::move(command), folder).wait();
+}
+
+// `text` with its one occurrence of `from` replaced.
+inline std::string replaced(std::string text, const std::string& from, const std::string& to) {
+    const std::size_t at = text.find(from);
+    if (at == std::string::npos || text.find(from, at + 1) != std::string::npos) {
+        throw std::runtime_error("not exactly once in the text: " + from);
+    }
+    return text.replace(at, from.size(), to);
+}
+
+inline long count_lines(const std::string& text) { return std::count(text.begin(), text.end(), '\n'); }
+
+}  // namespace dumbbell_test

@@ -1,0 +1,51 @@
+// The two built programs, as these tests run them.
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "process.hpp"
+
+namespace dumbbell_test {
+
+using Words = std::vector<std::string>;
+
+inline Outcome dumbbell(Words arguments, const std::string& folder = ".") {
+    arguments.insert(arguments.begin(), DUMBBELL_BIN);
+    return run(std::move(arguments), folder);
+}
+
+inline Outcome verifier(Words arguments, const std::string& folder = ".") {
+    arguments.insert(arguments.begin(), DUMBBELL_VERIFY_BIN);
+    return run(std::move(arguments), folder);
+}
+
+// Certifies into a file of the folder, which must succeed, and returns the file's path.
+inline std::string certificate(const TemporaryFolder& folder, const std::string& ratio, Words options = {}) {
+    const std::string path = folder / "certificate-" + std::to_string(folder.names().size()) + ".dbc";
+    options.insert(options.begin(), {"certify", ratio, "--out", path});
+    const Outcome made = dumbbell(options);
+    if (made.code != 0) {
+        throw std::runtime_error("certify " + ratio + " failed: " + made.err);
+    }
+    return path;
+}
+
+inline std::string last_line(const std::string& text) {
+    if (text.empty() || text.back() != '\n') {
+        throw std::runtime_error("no last line: " + text);
+    }
+    const std::size_t before = text.size() < 2 ? std::string::npos : text.rfind('\n', text.size() - 2);
+    const std::size_t begin = before == std::string::npos ? 0 : before + 1;
+    return text.substr(begin, text.size() - 1 - begin);
+}
+
+// The ratios that the project promises to decide, with the known maximum.
+struct Known {
+    const char* ratio;
+    int maximum;
+};
+inline const std::vector<Known> known_maxima{{"1", 2},     {"1.0000001", 3}, {"1.1", 3},  {"4.6", 3},
+                                             {"4.61", 4},  {"10", 4},        {"12", 5},   {"100", 10},
+                                             {"1000", 29}, {"10000", 90},    {"1e6", 887}};
+
+}  // namespace dumbbell_test

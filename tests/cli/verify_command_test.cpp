@@ -1,0 +1,148 @@
+// From the prover to the independent verifier, through files.
+#include <catch2/catch.hpp>
+
+#include "programs.hpp"
+
+using namespace dumbbell_test;
+using Catch::Matchers::Contains;
+using Catch::Matchers::StartsWith;
+
+namespace {
+
+void check_verified(const Outcome& result) {
+    CAPTURE(result.out, result.err);
+    CHECK(result.code == 0);
+    CHECK_THAT(last_line(result.out), StartsWith("s VERIFIED scene=dumbbell "));
+}
+
+void check_rejected(const Outcome& result) {
+    CAPTURE(result.out, result.err);
+    CHECK(result.code == 1);
+    CHECK_THAT(last_line(result.out), StartsWith("s REJECTED "));
+}
+
+}  // namespace
+
+TEST_CASE("the ratios of the promise: certified, verified, and exactly N proved, no more and no less") {
+    const TemporaryFolder folder;
+    for (const auto& [ratio, maximum] : known_maxima) {
+        CAPTURE(ratio, maximum);
+        const std::string file = certificate(folder, ratio);
+        check_verified(verifier({file}));
+        check_verified(verifier({"--ratio", ratio, "--exactly", std::to_string(maximum), file}));
+        check_verified(verifier({"--ratio", ratio, "--max", std::to_string(maximum + 1), file}));
+        check_verified(verifier({"--ratio", ratio, "--min", std::to_string(maximum - 1), file}));
+        check_rejected(verifier({"--ratio", ratio, "--exactly", std::to_string(maximum - 1), file}));
+        check_rejected(verifier({"--ratio", ratio, "--exactly", std::to_string(maximum + 1), file}));
+        check_rejected(verifier({"--ratio", ratio, "--max", std::to_string(maximum - 1), file}));
+        check_rejected(verifier({"--ratio", ratio, "--min", std::to_string(maximum + 1), file}));
+        check_rejected(verifier({"--ratio", "7", "--max", "1000", file}));
+    }
+}
+
+TEST_CASE("the verdict line states scene, range, bounds, gaps, open pieces and checksum") {
+    const TemporaryFolder folder;
+    const std::string file = certificate(folder, "1:100");
+    const std::string hash = last_line(contents(file)).substr(std::string("sha256 ").size());
+    CHECK(last_line(verifier({file}).out) ==
+          "s VERIFIED scene=dumbbell ratio=1/1:100/1 upper=10 lower=2 gaps=8 open=0 sha256=" + hash);
+}
+
+TEST_CASE("a staircase proves what is true of its parts, and nothing that is false of one of them") {
+    const TemporaryFolder folder;
+    const std::string file = certificate(folder, "1:100");
+    check_verified(verifier({"--ratio", "1:100", "--max", "10", file}));
+    check_rejected(verifier({"--ratio", "1:100", "--max", "9", file}));
+    check_verified(verifier({"--ratio", "1:100", "--min", "2", file}));
+    check_rejected(verifier({"--ratio", "1:100", "--min", "3", file}));
+    check_verified(verifier({"--ratio", "5:11", "--exactly", "4", file}));
+    check_verified(verifier({"--ratio", "5", "--exactly", "4", file}));
+    check_rejected(verifier({"--ratio", "4.6:4.61", "--exactly", "4", file}));
+    check_rejected(verifier({"--ratio", "4.6:4.61", "--exactly", "3", file}));
+    check_rejected(verifier({"--ratio", "5:12", "--exactly", "4", file}));
+    check_rejected(verifier({"--ratio", "99:101", "--max", "10", file}));
+    check_verified(verifier({"--ratio", "1", "--exactly", "2", file}));
+}
+
+TEST_CASE("next to critical ratios, in higher precision and compressed, certificates are verified too") {
+    const TemporaryFolder folder;
+    check_verified(verifier(
+        {"--ratio", "4.603338848751700", "--exactly", "3", certificate(folder, "4.603338848751700")}));
+    check_verified(verifier(
+        {"--ratio", "4.603338848751701", "--exactly", "4", certificate(folder, "4.603338848751701")}));
+    check_verified(verifier({"--exactly", "4", certificate(folder, "11.36225920")}));
+    check_verified(
+        verifier({"--ratio", "1.000000000001", "--exactly", "3", certificate(folder, "1.000000000001")}));
+    REQUIRE(dumbbell({"certify", "1:20", "--out", "stairs.dbc.gz"}, folder.path()).code == 0);
+    check_verified(verifier({folder / "stairs.dbc.gz"}));
+}
+
+TEST_CASE("ranges with narrow gaps, at critical ratios and beyond 1000 are verified") {
+    const TemporaryFolder folder;
+    check_verified(verifier({certificate(folder, "4.60333884875:4.60333884876", {"--gap", "1e-3"})}));
+    check_verified(verifier({certificate(folder, "1:30", {"--gap", "1e-10"})}));
+    check_verified(verifier({certificate(folder, "1:1.0000000001")}));
+    check_verified(verifier({certificate(folder, "1e3:2e3")}));
+    check_verified(verifier({certificate(folder, "999999:1e6")}));
+}
+
+TEST_CASE("dumbbell verify passes arguments, output and exit code through") {
+    const TemporaryFolder folder;
+    const std::string ten = certificate(folder, "10");
+    write_file(folder / "empty.dbc", "");
+    write_file(folder / "foreign.dbc",
+               replaced(contents(ten), "dumbbell-certificate 1", "dumbbell-certificate 9"));
+    for (const Words& words : std::vector<Words>{{ten},
+                                                 {"--ratio", "10", "--exactly", "4", ten},
+                                                 {"--ratio", "10", "--exactly", "5", ten},
+                                                 {"--json", ten},
+                                                 {folder / "empty.dbc"},
+                                                 {folder / "foreign.dbc"},
+                                                 {folder / "missing.dbc"},
+                                                 {ten, folder / "empty.dbc"},
+                                                 {folder.path()},
+                                                 {"--frobnicate"},
+                                                 {},
+                                                 {"--help"},
+                                                 {"--version"}}) {
+        const Outcome direct = verifier(words);
+        Words through = words;
+        through.insert(through.begin(), "verify");
+        const Outcome passed = dumbbell(through);
+        CAPTURE(direct.out, direct.err);
+        CHECK(passed.code == direct.code);
+        CHECK(passed.out == direct.out);
+        CHECK(passed.err == direct.err);
+    }
+}
+
+TEST_CASE("the verifier's exit codes: 0 verified, 1 rejected, 2 unreadable, 3 unsupported") {
+    const TemporaryFolder folder;
+    const std::string ten = certificate(folder, "10");
+    write_file(folder / "empty.dbc", "");
+    write_file(folder / "foreign.dbc",
+               replaced(contents(ten), "dumbbell-certificate 1", "dumbbell-certificate 9"));
+    const auto code = [&](const Words& words) {
+        Words through = words;
+        through.insert(through.begin(), "verify");
+        return dumbbell(through).code;
+    };
+    CHECK(code({ten}) == 0);
+    CHECK(code({folder / "empty.dbc"}) == 1);
+    CHECK(code({folder / "missing.dbc"}) == 2);
+    CHECK(code({folder.path()}) == 2);
+    CHECK(code({}) == 2);
+    CHECK(code({"--frobnicate", ten}) == 2);
+    CHECK(code({folder / "foreign.dbc"}) == 3);
+    CHECK(code({ten, folder / "missing.dbc", folder / "foreign.dbc"}) == 3);
+    CHECK(code({ten, folder / "missing.dbc", folder / "foreign.dbc", folder / "empty.dbc"}) == 1);
+}
+
+TEST_CASE("without its verifier beside it the program says so") {
+    const TemporaryFolder folder;
+    std::filesystem::copy_file(DUMBBELL_BIN, folder / "dumbbell");
+    const Outcome result = run({folder / "dumbbell", "verify", "file.dbc"});
+    CHECK(result.code == 2);
+    CHECK(count_lines(result.err) == 1);
+    CHECK_THAT(result.err, Contains("dumbbell-verify"));
+}

@@ -1,0 +1,188 @@
+#include "prove/certify.hpp"
+
+#include <atomic>
+#include <catch2/catch.hpp>
+
+#include "certificate/writer.hpp"
+#include "critical_ratio.hpp"
+
+using namespace dumbbell;
+using namespace dumbbell_test;
+
+namespace {
+
+Rational at(const char* text) { return parse_rational(text); }
+
+std::vector<ProvedPiece> certified(const Rational& lo, const Rational& hi, int jobs = 2) {
+    CertifyRequest request;
+    request.q_lo = lo;
+    request.q_hi = hi;
+    request.jobs = jobs;
+    return certify(request);
+}
+
+std::string spelled(const std::vector<ProvedPiece>& pieces) {
+    Certificate certificate{"test", "1", {}};
+    for (const ProvedPiece& p : pieces) {
+        certificate.pieces.push_back(p.piece);
+    }
+    return render(certificate).text;
+}
+
+ProvedPiece piece(const Rational& lo, const Rational& hi, std::optional<long> upper, long lower) {
+    ProvedPiece result;
+    result.piece.q_lo = lo;
+    result.piece.q_hi = hi;
+    result.piece.upper = upper;
+    result.piece.lower = lower;
+    return result;
+}
+
+}  // namespace
+
+TEST_CASE("single ratios get the number of the recomputation in 80 digits") {
+    std::vector<Rational> ratios{1};
+    for (const char* text : {"1.0000001", "1.000000000001", "1.1", "4.6", "4.61", "4.7", "10", "11.36", "12",
+                             "25", "100", "1000", "1e4", "1e6", "22/7", "355/113"}) {
+        ratios.push_back(at(text));
+    }
+    Choices choices(31);
+    for (int i = 0; i < 60; ++i) {
+        ratios.push_back(exact(choices.log_uniform(1, choices.coin() ? 30 : 2000)));
+    }
+    for (const Rational& q : ratios) {
+        CAPTURE(q);
+        const auto pieces = certified(q, q);
+        REQUIRE(pieces.size() == 1);
+        const long n = q == 1 ? 2 : reference_maximum(q);
+        CHECK(pieces.front().piece.upper == n);
+        CHECK(pieces.front().piece.lower == n);
+        CHECK(decided_fraction(pieces) == 1);
+    }
+}
+
+TEST_CASE("on both sides of critical ratios, at 1e-4 to 1e-12, the single ratio is decided") {
+    for (const long n : {4L, 5L, 6L, 7L, 29L, 30L}) {
+        for (const char* distance : {"1e-4", "1e-6", "1e-9", "1e-12"}) {
+            CAPTURE(n, distance);
+            const Rational below = critical_ratio(n) * (1 - at(distance));
+            const Rational above = critical_ratio(n) * (1 + at(distance));
+            CHECK(certified(below, below).front().piece.upper == n - 1);
+            CHECK(certified(below, below).front().piece.status() == Status::exact);
+            CHECK(certified(above, above).front().piece.upper == n);
+            CHECK(certified(above, above).front().piece.status() == Status::exact);
+        }
+    }
+}
+
+TEST_CASE("from 1 to 100 every piece is exact or a gap, and true at its ends") {
+    const auto pieces = certified(1, 100);
+    CHECK(pieces.size() == 17);
+    CHECK(pieces.front().piece.q_lo == 1);
+    CHECK(pieces.back().piece.q_hi == 100);
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+        const Piece& p = pieces[i].piece;
+        CAPTURE(p.q_lo, p.q_hi);
+        CHECK(p.status() != Status::open);
+        CHECK((i == 0 || p.q_lo == pieces[i - 1].piece.q_hi));
+        CHECK((p.q_lo == 1 ? 2 : reference_maximum(p.q_lo)) == p.lower);
+        CHECK(reference_maximum(p.q_hi) <= *p.upper);
+    }
+    CHECK(decided_fraction(pieces) > 0.99999);
+    CHECK(decided_fraction(pieces) < 1);
+}
+
+TEST_CASE("ranges that begin, end or lie inside a neighbourhood of a critical ratio leave nothing open") {
+    for (const long n : {4L, 5L, 6L, 11L}) {
+        for (const char* distance : {"1e-6", "1e-9"}) {
+            const Rational c = critical_ratio(n);
+            const Rational d = at(distance);
+            CAPTURE(n, distance);
+            for (const auto& [lo, hi] :
+                 {std::pair(c * (1 - d), c * at("1.01")), std::pair(c * (1 + d), c * at("1.01")),
+                  std::pair(c * at("0.99"), c * (1 + d)), std::pair(c * at("0.99"), c * (1 - d)),
+                  std::pair(c * (1 - d), c * (1 + d)), std::pair(c * (1 + d), c * (1 + 2 * d)),
+                  std::pair(c * (1 - 2 * d), c * (1 - d))}) {
+                for (const ProvedPiece& p : certified(lo, hi)) {
+                    CAPTURE(p.piece.q_lo, p.piece.q_hi);
+                    CHECK(p.piece.status() != Status::open);
+                }
+            }
+        }
+    }
+}
+
+TEST_CASE("the result does not depend on the number of jobs") {
+    CHECK(spelled(certified(1, 60, 1)) == spelled(certified(1, 60, 2)));
+    CHECK(spelled(certified(1, 60, 1)) == spelled(certified(1, 60, 8)));
+    const Rational near = critical_ratio(7) * (1 - at("1e-9"));
+    CHECK(spelled(certified(near, near, 1)) == spelled(certified(near, near, 8)));
+}
+
+TEST_CASE("without any time every piece is left open, and the pieces still tile the range") {
+    CertifyRequest request;
+    request.q_lo = 1;
+    request.q_hi = 30;
+    request.budget = std::chrono::duration<double>(0);
+    const auto pieces = certify(request);
+    CHECK(pieces.front().piece.q_lo == 1);
+    CHECK(pieces.back().piece.q_hi == 30);
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+        CHECK(pieces[i].piece.status() == Status::open);
+        CHECK(pieces[i].piece.lower == 0);
+        CHECK((i == 0 || pieces[i].piece.q_lo == pieces[i - 1].piece.q_hi));
+    }
+    CHECK(decided_fraction(pieces) == 0);
+    request.q_lo = request.q_hi = 10;
+    CHECK(certify(request).front().piece.status() == Status::open);
+    CHECK(decided_fraction(certify(request)) == 0);
+}
+
+TEST_CASE("a generous budget changes nothing") {
+    CertifyRequest request;
+    request.q_lo = 1;
+    request.q_hi = 30;
+    request.budget = std::chrono::hours(1);
+    CHECK(spelled(certify(request)) == spelled(certified(1, 30)));
+}
+
+TEST_CASE("ratios beyond 10^16 are left open at once") {
+    const Rational huge = at("1e300");
+    const auto pieces = certified(huge, huge);
+    REQUIRE(pieces.size() == 1);
+    CHECK(pieces.front().piece.status() == Status::open);
+    CHECK(decided_fraction(pieces) == 0);
+    CHECK(certified(10, huge).size() == 1);
+}
+
+TEST_CASE("progress is reported once per piece and ends complete") {
+    std::atomic<std::size_t> calls = 0;
+    std::atomic<std::size_t> most = 0;
+    std::atomic<std::size_t> total = 0;
+    CertifyRequest request;
+    request.q_lo = 1;
+    request.q_hi = 100;
+    request.jobs = 2;
+    request.progress = [&](std::size_t done, std::size_t all) {
+        ++calls;
+        total = all;
+        for (std::size_t seen = most; done > seen && !most.compare_exchange_weak(seen, done);) {
+        }
+    };
+    const auto pieces = certify(request);
+    CHECK(calls == pieces.size());
+    CHECK(most == pieces.size());
+    CHECK(total == pieces.size());
+}
+
+TEST_CASE("the decided fraction is the share of exact pieces, rounded down") {
+    CHECK(decided_fraction({piece(1, 2, 3, 3), piece(2, 5, 4, 3)}) == 0.25);
+    CHECK(decided_fraction({piece(1, 2, 3, 3), piece(2, 4, 4, 3)}) <= 1.0 / 3);
+    CHECK(decided_fraction({piece(1, 2, 3, 3), piece(2, 4, 4, 3)}) > 0.3333);
+    CHECK(decided_fraction({piece(1, 2, 3, 3), piece(2, 3, 4, 4)}) == 1);
+    CHECK(decided_fraction({piece(1, 2, std::nullopt, 3)}) == 0);
+    CHECK(decided_fraction({piece(10, 10, 4, 4)}) == 1);
+    CHECK(decided_fraction({piece(10, 10, 5, 4)}) == 0);
+    const Rational nearly = 1 + at("1e-300");
+    CHECK(decided_fraction({piece(1, nearly, 3, 2), piece(nearly, 2, 3, 3)}) < 1);
+}

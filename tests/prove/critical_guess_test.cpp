@@ -1,0 +1,55 @@
+#include "prove/critical_guess.hpp"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "critical_ratio.hpp"
+
+using namespace dumbbell;
+using namespace dumbbell_test;
+
+TEST_CASE("the known critical ratios") {
+    CHECK(guess_critical_ratio(3) == Approx(1).epsilon(1e-15));
+    CHECK(guess_critical_ratio(4) == Approx(4.6033388487517).epsilon(1e-14));
+    CHECK(guess_critical_ratio(5) == Approx(11.3622592088389).epsilon(1e-14));
+    CHECK(guess_critical_ratio(6) == Approx(20.1174126841709).epsilon(1e-14));
+}
+
+TEST_CASE("q_c(4) is sqrt(1 + x^2) for the first positive root of tan x = x") {
+    Real x = 4.4934;
+    for (int i = 0; i < 20; ++i) {
+        x -= (sin(x) - x * cos(x)) / (x * sin(x));
+    }
+    const Real root = sqrt(1 + x * x);
+    CHECK(abs(real(critical_ratio(4)) - root) < Real("1e-58"));
+    CHECK(std::abs(guess_critical_ratio(4) - root.convert_to<double>()) < 1e-14);
+}
+
+TEST_CASE("the maximum, recomputed in 80 digits, steps up within 1e-12 of each guess") {
+    for (const long n :
+         {4L, 5L, 6L, 7L, 8L, 9L, 10L, 11L, 12L, 13L, 14L, 15L, 16L, 50L, 99L, 100L, 300L, 887L}) {
+        CAPTURE(n);
+        const Rational guess = exact(guess_critical_ratio(n));
+        CHECK(reference_maximum(guess * (1 - parse_rational("1e-12"))) == n - 1);
+        CHECK(reference_maximum(guess * (1 + parse_rational("1e-12"))) == n);
+    }
+}
+
+TEST_CASE("the guesses increase") {
+    double last = 1;
+    for (long n = 4; n < 300; ++n) {
+        const double next = guess_critical_ratio(n);
+        CAPTURE(n);
+        REQUIRE(next > last);
+        last = next;
+    }
+}
+
+TEST_CASE("away from the critical ratios the guessed maximum is the recomputed one") {
+    for (const char* text :
+         {"1.1", "2", "4.6", "4.61", "10", "12", "25", "100", "1000", "12345.678", "1e6"}) {
+        CAPTURE(text);
+        const Rational q = parse_rational(text);
+        CHECK(guess_maximum(q.convert_to<double>()) == reference_maximum(q));
+    }
+}

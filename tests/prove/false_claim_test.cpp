@@ -1,0 +1,89 @@
+// The bug to hunt: a cover that closes a false claim. Every longest trajectory touches the bridge once, so
+// the bridge chart has states with N collisions at every ratio, and no tree may close it for N - 1.
+#include <catch2/catch.hpp>
+
+#include "critical_ratio.hpp"
+#include "prove/cover.hpp"
+
+using namespace dumbbell;
+using namespace dumbbell_test;
+
+namespace {
+
+constexpr std::array rules{SplitRule::scaled, SplitRule::slope_first, SplitRule::position_first};
+
+std::vector<Rational> thirty_ratios() {
+    std::vector<Rational> ratios;
+    for (const char* text :
+         {"1.0000001", "1.1", "2",  "3",  "4.6", "4.61", "9/2", "10",   "11.36", "11.37",
+          "12",        "20",  "25", "50", "100", "137",  "400", "1000", "5000",  "10000"}) {
+        ratios.push_back(parse_rational(text));
+    }
+    for (const long n : {4L, 5L, 6L, 9L, 30L}) {
+        ratios.push_back(critical_ratio(n) * (1 - parse_rational("1e-6")));
+        ratios.push_back(critical_ratio(n) * (1 + parse_rational("1e-6")));
+    }
+    return ratios;
+}
+
+template <class I>
+bool closes(const Rational& lo, const Rational& hi, long upper, SplitRule rule, std::size_t max_nodes) {
+    const CoverOptions options{.rule = rule, .max_nodes = max_nodes};
+    return cover<I>(Chart::bridge, lo, hi, upper, options).has_value();
+}
+
+}  // namespace
+
+TEST_CASE("the cover fails on N-1 at 30 ratios, whatever is split first") {
+    const auto ratios = thirty_ratios();
+    REQUIRE(ratios.size() == 30);
+    for (const Rational& q : ratios) {
+        const long n = reference_maximum(q);
+        CAPTURE(q, n);
+        for (const SplitRule rule : rules) {
+            CHECK_FALSE(closes<Interval>(q, q, n - 1, rule, 2000));
+        }
+    }
+}
+
+TEST_CASE("nor does it close with many more boxes, or in higher precision") {
+    for (const char* text : {"4.7", "10", "11.37", "100"}) {
+        const Rational q = parse_rational(text);
+        const long n = reference_maximum(q);
+        CAPTURE(text, n);
+        for (const SplitRule rule : rules) {
+            CHECK_FALSE(closes<Interval>(q, q, n - 1, rule, 10000));
+            const PrecisionScope scope(128);
+            CHECK_FALSE(closes<BigInterval>(q, q, n - 1, rule, 1000));
+        }
+    }
+}
+
+TEST_CASE("the cover fails on N-1 over ranges that reach beyond a critical ratio by 1e-9") {
+    for (const long n : {4L, 5L, 6L, 7L, 8L, 15L, 16L, 50L}) {
+        const Rational hi = critical_ratio(n) * (1 + parse_rational("1e-9"));
+        const Rational lo = critical_ratio(n) * parse_rational("0.99");
+        CAPTURE(n);
+        for (const SplitRule rule : rules) {
+            CHECK_FALSE(closes<Interval>(lo, hi, n - 1, rule, 2000));
+        }
+    }
+}
+
+TEST_CASE("with one collision less no box around a witness's contact closes either") {
+    // However small the box: its states really have N collisions.
+    const Rational q = 100;
+    const Rational e = Rational(1, 8);
+    Rational eta = Rational(1, 64);
+    while (1 + bridge_counts(e, eta, q).forward + bridge_counts(e, eta, q).backward < 10) {
+        eta /= 2;
+        REQUIRE(eta > Rational(1, 1 << 20));
+    }
+    for (int k = 4; k < 40; ++k) {
+        const Rational half = Rational(1, Integer(1) << static_cast<unsigned>(k)) * eta;
+        const Box box{e - half, e + half, eta - half, eta + half, q, q};
+        std::optional<Leaf> leaf;
+        judge<Interval>(Chart::bridge, {&box, 1}, 9, {&leaf, 1});
+        CHECK_FALSE(leaf.has_value());
+    }
+}

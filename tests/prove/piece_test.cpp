@@ -1,0 +1,102 @@
+#include "prove/piece.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "critical_ratio.hpp"
+
+using namespace dumbbell;
+using namespace dumbbell_test;
+
+TEST_CASE("a single ratio is decided: upper and lower bound are the recomputed maximum") {
+    for (const char* text :
+         {"1.0000001", "1.000000000001", "1.1", "9/2", "4.61", "10", "12", "100", "1000", "1e6"}) {
+        CAPTURE(text);
+        const Rational q = parse_rational(text);
+        const ProvedPiece proved = prove_single(q, {});
+        CHECK(proved.piece.status() == Status::exact);
+        CHECK(proved.piece.upper == reference_maximum(q));
+        CHECK(proved.piece.lower == reference_maximum(q));
+        CHECK(proved.piece.bits == 53);
+        REQUIRE(proved.piece.witness.has_value());
+        CHECK(proved.piece.witness->total() >= proved.piece.lower);
+        CHECK(proved.margin > 0);
+        CHECK(proved.width > 0);
+        CHECK(proved.width < 1e-6);
+    }
+}
+
+TEST_CASE("equal masses end with two, by lemma L7 and a witness") {
+    const ProvedPiece proved = prove_single(1, {});
+    CHECK(proved.piece.status() == Status::exact);
+    CHECK(proved.piece.upper == 2L);
+    CHECK(proved.piece.cover.equal_masses);
+    CHECK(proved.piece.cover.leaves() == 0);
+    REQUIRE(proved.piece.witness.has_value());
+    CHECK(bridge_counts(proved.piece.witness->e, proved.piece.witness->eta, 1).forward +
+              bridge_counts(proved.piece.witness->e, proved.piece.witness->eta, 1).backward ==
+          1);
+}
+
+TEST_CASE("nearer to a critical ratio than doubles can tell, the precision escalates") {
+    const ProvedPiece below = prove_single(parse_rational("4.603338848751700"), {});
+    CHECK(below.piece.upper == 3L);
+    CHECK(below.piece.lower == 3);
+    CHECK(below.piece.bits > 53);
+    const ProvedPiece above = prove_single(parse_rational("4.603338848751701"), {});
+    CHECK(above.piece.upper == 4L);
+    CHECK(above.piece.lower == 4);
+    CHECK(above.piece.bits > 53);
+    const ProvedPiece deeper = prove_single(critical_ratio(5) * (1 + parse_rational("1e-45")), {});
+    CHECK(deeper.piece.upper == 5L);
+    CHECK(deeper.piece.lower == 5);
+    CHECK(deeper.piece.bits > 128);
+}
+
+TEST_CASE("where the precision may not escalate far enough the ratio stays open") {
+    const Rational q = critical_ratio(5) * (1 + parse_rational("1e-45"));
+    for (const int bits : {53, 128}) {
+        const ProvedPiece proved = prove_single(q, {.max_bits = bits});
+        CHECK(proved.piece.status() == Status::open);
+        CHECK_FALSE(proved.piece.upper.has_value());
+    }
+}
+
+TEST_CASE("a range is proved with the bounds that hold") {
+    const ProvedPiece proved = prove_piece(5, 11, 4, 4, {});
+    CHECK(proved.piece.status() == Status::exact);
+    CHECK(proved.piece.q_lo == 5);
+    CHECK(proved.piece.q_hi == 11);
+    const ProvedPiece gap = prove_piece(parse_rational("11.3"), parse_rational("11.4"), 5, 4, {});
+    CHECK(gap.piece.status() == Status::gap);
+    CHECK(gap.piece.upper == 5L);
+    CHECK(gap.piece.lower == 4);
+}
+
+TEST_CASE("false claims about a range stay open") {
+    const PieceOptions cheap{.max_bits = 53};
+    CHECK(prove_piece(5, 11, 3, 3, cheap).piece.status() == Status::open);   // the maximum is 4
+    CHECK(prove_piece(5, 11, 5, 5, cheap).piece.status() == Status::open);   // 5 do not occur
+    CHECK(prove_piece(5, 12, 4, 4, cheap).piece.status() == Status::open);   // straddles q_c(5)
+    CHECK(prove_piece(11, 12, 5, 5, cheap).piece.status() == Status::open);  // straddles q_c(5)
+    CHECK_FALSE(prove_piece(5, 12, 4, 4, cheap).piece.upper.has_value());
+}
+
+TEST_CASE("what fails only above keeps its proved lower bound") {
+    const ProvedPiece proved = prove_piece(5, 12, 4, 4, {.max_bits = 53});
+    CHECK(proved.piece.lower == 4);
+    CHECK(proved.piece.witness.has_value());
+}
+
+TEST_CASE("an interrupted piece stays open") {
+    const PieceOptions now{.interrupted = [] { return true; }};
+    CHECK(prove_single(critical_ratio(7) * (1 - parse_rational("1e-6")), now).piece.status() == Status::open);
+}
+
+TEST_CASE("every splitting rule decides the same") {
+    const Rational q = critical_ratio(7) * (1 - parse_rational("1e-6"));
+    for (const SplitRule rule : {SplitRule::scaled, SplitRule::slope_first, SplitRule::position_first}) {
+        const ProvedPiece proved = prove_single(q, {.rule = rule});
+        CHECK(proved.piece.upper == 6L);
+        CHECK(proved.piece.lower == 6);
+    }
+}

@@ -1,0 +1,61 @@
+#!/usr/bin/env bash
+# dumbbell trace on the command line: exit codes, one-line messages, output that is whole.
+set -u
+program=$1
+scratch=$(mktemp -d)
+trap 'rm -rf -- "$scratch"' EXIT
+failures=0
+
+# expect CODE WORD ARGUMENTS...: exit code, and a word of stdout or of the one line on stderr.
+expect() {
+    local code=$1 word=$2 got
+    shift 2
+    "$program" trace "$@" > "$scratch/out" 2> "$scratch/err"
+    got=$?
+    if ((got != code)) || ! cat "$scratch/out" "$scratch/err" | grep -qF -- "$word"; then
+        printf 'trace %s: exit %s (expected %s), "%s" expected in:\n' "$*" "$got" "$code" "$word"
+        cat "$scratch/out" "$scratch/err"
+        ((++failures))
+    fi
+    if ((code == 2)) && { (($(wc -l < "$scratch/err") != 1)) || [[ -s $scratch/out ]]; }; then
+        printf 'trace %s: an error is one line on stderr:\n' "$*"
+        cat "$scratch/out" "$scratch/err"
+        ((++failures))
+    fi
+}
+
+start=(10 --phi 1/3 --phidot 1 --y 3 --ydot -1/2)
+expect 0 'exactly 1 collision' "${start[@]}"
+expect 0 '"outcome": "exact"' "${start[@]}" --json
+expect 0 'collision,mass,time_lo' "${start[@]}" --csv
+expect 0 'e-50' "${start[@]}" --digits 50
+expect 0 'swapped' 1/10 --phi 1/3 --phidot 1 --y 3 --ydot -1/2
+expect 0 'exactly 2 collisions' 10 --phi 0.3:0.31 --phidot -0.01:0.01 --y 3 --ydot -1
+expect 0 'the box splits at collision 1' 10 --phi -1:1 --phidot 0 --y 3 --ydot -1
+expect 0 'exactly 0 collisions' 10 --phi 1/3 --phidot 1 --y 3 --ydot 1/2
+expect 3 'try --digits' 10 --phi 1e-30 --phidot 0 --y 3 --ydot -1
+expect 0 'exactly' 10 --phi 1e-30 --phidot 0 --y 3 --ydot -1 --digits 100
+expect 0 'Certificate:' 10 --phi 0.3:0.5 --phidot 0 --y 3 --ydot -1 --subdivide --max-boxes 100 --out "$scratch/box.dbc"
+expect 0 '"parts": {' 10 --phi 0.3:0.5 --phidot 0 --y 3 --ydot -1 --subdivide --max-boxes 100 --json
+
+[[ $(head -n 1 "$scratch/box.dbc") == 'dumbbell-certificate 1' ]] || { echo 'no certificate'; ((++failures)); }
+
+expect 2 '--ydot' 10 --phi 1/3 --phidot 1 --y 3
+expect 2 '--phi' 10 --phidot 1 --y 3 --ydot -1
+expect 2 'RATIO' --phi 1/3 --phidot 1 --y 3 --ydot -1
+expect 2 '--phi: the interval' 10 --phi 2:1 --phidot 1 --y 3 --ydot -1
+expect 2 '--y: ' 10 --phi 1 --phidot 1 --y high --ydot -1
+expect 2 '--y: ' 10 --phi 1 --phidot 1 --y 3: --ydot -1
+expect 2 '--phi: ' 10 --phi nan --phidot 1 --y 3 --ydot -1
+expect 2 '--phi: ' 10 --phi --1 --phidot 1 --y 3 --ydot -1
+expect 2 'resting' 10 --phi 1 --phidot 0 --y 3 --ydot 0
+expect 2 'inside the floor' 10 --phi -1 --phidot 0 --y 0.1 --ydot -1
+expect 2 'starts on the floor' 10 --phi 0 --phidot 1 --y 0 --ydot 1
+expect 2 'part of the box' 10 --phi -0.1:0.1 --phidot 1 --y 0:1 --ydot 1
+expect 2 'crosses 1' 0.5:2 --phi 1 --phidot 1 --y 3 --ydot -1
+expect 2 '--subdivide' "${start[@]}" --out "$scratch/x.dbc"
+expect 2 '--budget' "${start[@]}" --subdivide --budget 10
+expect 2 '--digits' "${start[@]}" --digits 0
+expect 2 'no/such' "${start[@]}" --subdivide --out "$scratch/no/such/x.dbc"
+((failures == 0)) && echo 'all as expected'
+exit $((failures > 0))

@@ -1,0 +1,133 @@
+#include "prove/trace.hpp"
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+
+#include "arith/error.hpp"
+#include "prove/initial_state.hpp"
+
+using namespace dumbbell;
+
+namespace {
+
+Rational rational(const std::string& text) {
+    return text[0] == '-' ? Rational(-parse_rational(text.substr(1))) : parse_rational(text);
+}
+
+InitialBox point(const std::string& phi, const std::string& phidot, const std::string& y,
+                 const std::string& ydot, const std::string& q = "10") {
+    const std::array<Rational, initial_axes> at{rational(phi), rational(phidot), rational(y), rational(ydot),
+                                                rational(q)};
+    return {at, at};
+}
+
+InitialBox with(InitialBox box, InitialAxis axis, const std::string& lo, const std::string& hi) {
+    box.lo[static_cast<std::size_t>(axis)] = rational(lo);
+    box.hi[static_cast<std::size_t>(axis)] = rational(hi);
+    return box;
+}
+
+bool contains(const TracedValue& value, double x) {
+    return value.outward.lo() <= x && x <= value.outward.hi();
+}
+
+}  // namespace
+
+TEST_CASE("A rod that falls without turning touches with the lower mass") {
+    // Upright, the heavy mass below: it touches when y = beta1 = 1/11, and flies back up for good.
+    const Trace heavy = trace(point("0.5", "0", "3", "-1"), 0);
+    REQUIRE(heavy.collisions.size() >= 1);
+    CHECK(heavy.collisions[0].heavy);
+    CHECK(contains(heavy.collisions[0].time, 3 - std::sin(0.5) / 11));
+    const Trace light = trace(point("-0.5", "0", "3", "-1"), 0);
+    REQUIRE(light.collisions.size() >= 1);
+    CHECK(!light.collisions[0].heavy);
+    CHECK(contains(light.collisions[0].time, 3 - std::sin(0.5) * 10 / 11));
+}
+
+TEST_CASE("An ascending start has no collision when it leaves, and its collisions when it does not") {
+    CHECK(trace(point("1", "1", "0.5", "1"), 0).most == 0);     // steeper than 1 per radian
+    CHECK(trace(point("1", "5", "1.5", "0.01"), 0).most == 0);  // above everything
+    CHECK(trace(point("1", "5", "1.5", "0"), 0).most == 0);
+    CHECK(trace(point("1", "-1", "0.9", "0.1"), 0).most == 0);  // clears the light wall's peak
+    const Trace low = trace(point("1", "1", "0.3", "0"), 0);    // horizontal, into the light wall
+    CHECK(low.exact());
+    CHECK(low.least >= 1);
+}
+
+TEST_CASE("Many turns of the rod before the first contact are followed") {
+    const Trace fast = trace(point("1", "300", "2", "-1"), 0);
+    CHECK(fast.exact());
+    REQUIRE(fast.collisions.size() >= 1);
+    CHECK(fast.collisions[0].time.outward.lo() > 1);
+    CHECK(trace(point("1", "300", "2", "-1"), 30).exact());
+}
+
+TEST_CASE("Boxes that straddle phidot = 0 are followed") {
+    const auto box = with(with(point("0.3", "0", "3", "-1"), InitialAxis::phi, "0.3", "0.31"),
+                          InitialAxis::phidot, "-0.01", "0.01");
+    const Trace traced = trace(box, 0);
+    CHECK(traced.exact());
+    CHECK(traced.least == 2);
+    REQUIRE(traced.widths);
+    REQUIRE(traced.widths->natural);
+    CHECK(traced.widths->correlated < *traced.widths->natural);
+}
+
+TEST_CASE("A box of mass ratios is followed") {
+    const Trace traced = trace(with(point("1/3", "1", "3", "-1/2"), InitialAxis::ratio, "10", "10.01"), 0);
+    CHECK(traced.exact());
+    CHECK(traced.least == 1);
+}
+
+TEST_CASE("A box that splits has bounds, and says what its orbits share") {
+    const auto box = with(point("0", "0", "3", "-1"), InitialAxis::phi, "-1", "1");
+    const Trace traced = trace(box, 0);
+    CHECK(!traced.exact());
+    CHECK(traced.least == 1);  // it falls
+    REQUIRE(traced.most);
+    CHECK(*traced.most <= 7);
+    CHECK(traced.collisions.empty());
+}
+
+TEST_CASE("More digits make the enclosures as narrow as asked for") {
+    const Trace traced = trace(point("1/3", "1", "3", "-1/2"), 60);
+    CHECK(traced.exact());
+    CHECK(traced.collisions[0].time.text.find("e-60") != std::string::npos);
+    CHECK(traced.collisions[0].time.lo < traced.collisions[0].time.hi);
+}
+
+TEST_CASE("A start near a corner is decided with more digits only") {
+    // Falls on both masses almost at once.
+    const auto box = point("1e-30", "0", "3", "-1");
+    CHECK(!trace(box, 0).exact());
+    CHECK(trace(box, 100).exact());
+}
+
+TEST_CASE("Starts that make no sense are refused in one line that names the quantity") {
+    const auto refused = [](const InitialBox& box, const std::string& word) {
+        try {
+            require_in_play(box);
+            return false;
+        } catch (const InputError& error) {
+            const std::string text = error.what();
+            INFO(text);
+            CHECK(text.find('\n') == std::string::npos);
+            return text.find(word) != std::string::npos;
+        }
+    };
+    CHECK(refused(point("0.3", "0", "3", "0"), "resting"));
+    CHECK(refused(
+        with(with(point("0.3", "0", "3", "0"), InitialAxis::phidot, "-1", "1"), InitialAxis::ydot, "-1", "0"),
+        "resting"));
+    CHECK(refused(point("-1", "1", "0.1", "-1"), "light mass is below"));
+    CHECK(refused(point("1", "1", "0.01", "-1"), "heavy mass is below"));
+    CHECK(refused(point("1", "1", "-1", "-1"), "--y"));
+    CHECK(refused(point("0", "1", "0", "1"), "starts on the floor"));
+    CHECK(refused(with(point("0", "1", "0", "1"), InitialAxis::y, "0", "1"), "part of the box"));
+    CHECK(refused(with(point("0", "1", "0.3", "1"), InitialAxis::phi, "-1", "1"), "raise --y above 0.76"));
+    CHECK(refused(point("5000", "1", "3", "-1"), "--phi"));
+    CHECK(refused(point("1", "1", "1e7", "-1"), "--y"));
+    CHECK(refused(with(point("0", "1", "3", "1"), InitialAxis::phi, "0", "8"), "--phi"));
+    CHECK_NOTHROW(require_in_play(point("-1", "1", "0.77", "-1")));
+}
