@@ -2,7 +2,7 @@
 #
 # A Catch2 program of which every TEST_CASE is one ctest test, called "NAME/test case". The label is
 # `unit` unless told otherwise (`cli`: runs the programs, `proofs`: checks shipped certificates); the time
-# limit is 300 s for one test case.
+# limit is 1200 s for one test case (sanitizers on a loaded machine).
 find_package(Catch2 2.13 REQUIRED)
 include(Catch)
 
@@ -21,7 +21,7 @@ function(dumbbell_add_tests name)
     set(arg_LABELS unit)
   endif()
   if(NOT arg_TIMEOUT)
-    set(arg_TIMEOUT 300)
+    set(arg_TIMEOUT 1200)
   endif()
 
   add_executable(test_${name} ${arg_SOURCES})

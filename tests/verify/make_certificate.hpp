@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cstdint>
+#include <filesystem>
 #include <fstream>
 #include <map>
 #include <sstream>
@@ -123,7 +124,8 @@ inline std::string piece(const mpq_class& a, const mpq_class& b, std::uint64_t u
 class File {
   public:
     explicit File(const std::string& bytes) {
-        path_ = "/tmp/dumbbell_verify_test_" + std::to_string(getpid()) + "_" + std::to_string(++serial);
+        path_ = std::filesystem::temp_directory_path().string() + "/dumbbell_verify_test_" +
+                std::to_string(getpid()) + "_" + std::to_string(++serial);
         std::ofstream(path_, std::ios::binary) << bytes;
     }
     File(const File&) = delete;
