@@ -184,6 +184,7 @@ void add_certify_command(CLI::App& app, int& exit_code) {
                      "ranges: relative width of the gap around a critical ratio, at most 0.01")
         ->capture_default_str();
     command->add_option("--out", options->out, "write the certificate to FILE (FILE.gz: compressed)")
+        ->check([](const std::string& file) { return file.empty() ? "the file name is empty" : ""; })
         ->type_name("FILE");
     command->add_option("--jobs", options->jobs, "threads; the result does not depend on it")
         ->check(CLI::Range(1, 1024))
