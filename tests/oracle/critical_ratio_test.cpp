@@ -1,0 +1,190 @@
+// proofs/theorem.md, L26-L30 and Theorem 2: how the extremal orbits move with the ratio, and the critical
+// ratios.
+#include <algorithm>
+#include <catch2/catch.hpp>
+
+#include "extremal.hpp"
+#include "trial.hpp"
+
+using namespace dumbbell_oracle;
+
+namespace {
+
+const Digits80 turn_half = pi<Digits80>();
+
+struct Bounds {  // least derivatives of kappa_j and c_j by r (L27)
+    Digits80 kappa;
+    Digits80 c;
+};
+Bounds top_bounds(std::size_t j) { return {Digits80(2 * j), Digits80(1 + turn_half * j * (j + 1))}; }
+Bounds corner_bounds(std::size_t j) { return {Digits80(2 * j + 1), Digits80(turn_half * (j + 1) * (j + 1))}; }
+
+// First positive root of tan x = x.
+Digits80 tan_root() {
+    Digits80 x("4.49340945790906417530788092728");
+    for (int i = 0; i < 4; ++i) x -= (sin(x) - x * cos(x)) / (x * sin(x));
+    return x;
+}
+
+}  // namespace
+
+TEST_CASE("L26: the orbits of the corner and of the top are interlaced, flight by flight") {
+    Sampler sampler(1, 811);
+    for (int i = 0; i < trials(400); ++i) {
+        const double ratio = random_ratio(sampler, 1e3);
+        const Digits80 r = 1 / Digits80(ratio);
+        const auto top = flights(top_ray(r), r);
+        const auto corner = flights(corner_ray(r), r);
+        const auto below = [](const Ray<Digits80>& a, const Ray<Digits80>& b) {
+            return a.c < b.c && a.kappa < b.kappa;
+        };
+        bool ok = top.size() >= corner.size() && top.size() <= corner.size() + 1;
+        for (std::size_t j = 0; ok && j < corner.size(); ++j) {
+            ok = below(top[j], corner[j]) && (j + 1 >= top.size() || below(corner[j], top[j + 1]));
+        }
+        if (!ok) FAIL(say("q", ratio, top.size(), corner.size()));
+    }
+    SUCCEED();
+}
+
+TEST_CASE("L27: slopes and heights of the extremal orbits grow with r, at least as fast as stated") {
+    Sampler sampler(1, 812);
+    const Digits80 change = 1e-30;
+    int compared = 0;
+    Digits80 tightest = 1e9;
+    for (int i = 0; i < trials(400); ++i) {
+        const double ratio = sampler.coin() ? random_ratio(sampler, 1e3) : sampler.log_uniform(1e3, 1e9);
+        const Digits80 r = 1 / Digits80(ratio);
+        const Digits80 r_less = r * (1 - change);
+        for (const bool at_top : {true, false}) {
+            auto ray = at_top ? top_ray(r) : corner_ray(r);
+            auto less = at_top ? top_ray(r_less) : corner_ray(r_less);
+            for (std::size_t j = 0; j < 40; ++j) {
+                const Bounds least = at_top ? top_bounds(j) : corner_bounds(j);
+                const Digits80 kappa_rate = (ray.kappa - less.kappa) / (r - r_less);
+                const Digits80 c_rate = (ray.c - less.c) / (r - r_less);
+                const Digits80 margin_rate = (greatest_excess(ray) - greatest_excess(less)) / (r - r_less);
+                const Digits80 near = 1 - Digits80(1e-20);
+                const bool ok = kappa_rate >= least.kappa * near && c_rate >= least.c * near &&
+                                margin_rate <= -least.c * near && ray.kappa >= least.kappa * r * near &&
+                                ray.c >= least.c * r * near;
+                if (!ok) FAIL(say("q", ratio, at_top, "flight", j, kappa_rate, c_rate, margin_rate));
+                ++compared;
+                if (j > 0) tightest = std::min(tightest, Digits80(c_rate / least.c));
+                const auto next = step(ray, r);
+                const auto next_less = step(less, r_less);
+                if (!next || !next->next) break;
+                if (!next_less || !next_less->next) FAIL(say("q", ratio, "the lower ray ends first"));
+                ray = *next->next;
+                less = *next_less->next;
+            }
+        }
+    }
+    CHECK(compared > 2'000);
+    CHECK(tightest < 1.01);  // for large q the bounds are sharp
+}
+
+TEST_CASE("L28: a flight at height pi kappa or more over the corner collides only if it is flat") {
+    Sampler sampler(1, 813);
+    const Real limit = 1 / std::sqrt(1 + pi<Real>() * pi<Real>());
+    Real steepest = 0;
+    for (int i = 0; i < trials(100'000); ++i) {
+        const Real kappa = biased(sampler, 0, 1);
+        const Real c = pi<Real>() * kappa + (sampler.coin() ? 0 : sampler.log_uniform(1e-9, 1));
+        if (hit_place(Ray<Real>{c, kappa})) steepest = std::max(steepest, kappa);
+    }
+    CHECK(steepest < limit);
+    CHECK(steepest > 0.6L * limit);
+    // Flights that come from the bridge can be steeper.
+    CHECK(hit_place(bridge_ray(BridgeState<Real>{pi<Real>() / 2, 320}, Real(1e-3L))));
+    CHECK(limit < 0.32L);
+}
+
+TEST_CASE("L29, theorem 2: at its critical ratio each orbit ends in a tangency, and N* steps by one there") {
+    Digits80 previous = 0;
+    for (std::size_t n = 3; n <= 12; ++n) {
+        const auto rough = critical_ratio(n);
+        const Digits80 lowest =
+            std::max(Digits80(1), Digits80(Digits80(rough.below) * (1 - Digits80(1e-15))));
+        const auto [below, above] = bisect_critical<Digits80>(
+            n, lowest, Digits80(Digits80(rough.above) * (1 + Digits80(1e-15))), 150);
+        INFO("N " << n << " q_c " << above);
+        CHECK(below > previous);
+        CHECK(theorem(below).maximum() == n - 1);
+        CHECK(theorem(above).maximum() == n);
+        CHECK(theorem(Digits80(below * (1 - Digits80(1e-9)) < 1 ? Digits80(1) : below * (1 - Digits80(1e-9))))
+                  .maximum() == n - 1);
+        CHECK(theorem(Digits80(above * (1 + Digits80(1e-9)))).maximum() == n);
+        // The orbit's flight number k exists on both sides; its margin changes sign and is nil at q_c. L27
+        // turns the margin into a bound of the distance to the critical ratio.
+        const std::size_t k = orbit_count(n);
+        const auto missing = flights(orbit_of(n, Digits80(1 / below)), Digits80(1 / below));
+        const auto hitting = flights(orbit_of(n, Digits80(1 / above)), Digits80(1 / above));
+        REQUIRE(missing.size() == k);
+        REQUIRE(hitting.size() >= k);
+        CHECK(greatest_excess(missing[k - 1]) <= 0);
+        CHECK(greatest_excess(hitting[k - 1]) > 0);
+        CHECK(greatest_excess(hitting[k - 1]) - greatest_excess(missing[k - 1]) < 1e-50);
+        for (const double gap : {1e-3, 1e-6, 1e-9}) {
+            const Digits80 r = 1 / (above * (1 + Digits80(gap)));
+            const Digits80 margin = greatest_excess(flights(orbit_of(n, r), r)[k - 1]);
+            const Bounds least = n % 2 == 1 ? top_bounds(k - 1) : corner_bounds(k - 1);
+            CHECK(1 / below - r <= margin / least.c * (1 + Digits80(1e-30)));
+        }
+        previous = above;
+    }
+}
+
+TEST_CASE("theorem 2: q_c(3) = 1 and q_c(4) = sqrt(1 + x^2), tan x = x") {
+    CHECK(theorem(Digits80(1)).maximum() == 2);
+    CHECK(theorem(Digits80(1 + Digits80(1e-60))).maximum() == 3);
+    const Digits80 x = tan_root();
+    const Digits80 critical = sqrt(1 + x * x);
+    CHECK(theorem(Digits80(critical * (1 - Digits80(1e-60)))).maximum() == 3);
+    CHECK(theorem(Digits80(critical * (1 + Digits80(1e-60)))).maximum() == 4);
+}
+
+TEST_CASE("theorem 2: simulated totals next to critical ratios stay at N - 1 below and reach N above") {
+    for (std::size_t n = 4; n <= 9; ++n) {
+        const auto critical = static_cast<double>(critical_ratio(n).above);
+        for (const double gap : {-1e-3, -1e-6, 1e-3, 1e-6}) {
+            const double ratio = critical * (1 + gap);
+            const Dumbbell<Digits80> body{Digits80(ratio)};
+            const std::size_t bound = gap < 0 ? n - 1 : n;
+            Sampler sampler(ratio, 814);
+            std::size_t most = 0;
+            for (int i = 0; i < trials(12); ++i) {
+                // Around both extremal orbits at the scale of the gap.
+                const double wide = std::sqrt(std::abs(gap)) * sampler.log_uniform(1e-3, 3);
+                const BridgeState<Digits80> state =
+                    i % 2 == 0 ? BridgeState<Digits80>{wide, wide * wide * sampler.log_uniform(1e-6, 1)}
+                               : BridgeState<Digits80>{Digits80(turn_half / 2 - wide),
+                                                       wide * wide * sampler.log_uniform(1e-6, 1)};
+                most = std::max(most, total_collisions(body, contact_of(body, state)).collisions);
+            }
+            INFO("N " << n << " q " << ratio << " most " << most);
+            CHECK(most <= bound);
+            CHECK(most == bound);
+        }
+    }
+}
+
+TEST_CASE("L30: explicit bounds of the counts and of the critical ratios") {
+    const Real half = pi<Real>();
+    for (std::size_t n = 3; n <= 40; ++n) {
+        const auto k = static_cast<Real>(orbit_count(n));
+        const Real least = n % 2 == 1 ? 1 + half * k * (k - 1) : half * k * k;
+        INFO("N " << n);
+        CHECK(critical_ratio(n).above >= least);
+    }
+    Sampler sampler(1, 815);
+    for (int i = 0; i < trials(2'000); ++i) {
+        const Real ratio = random_ratio(sampler, 1e6);
+        if (static_cast<Real>(theorem(ratio).maximum()) >= 2 + 2 * std::sqrt(ratio / half))
+            FAIL(say("q", ratio));
+    }
+    Real ratio = 8 * half;
+    for (std::size_t m = 0; m <= 5; ++m, ratio *= 23) {
+        CHECK(theorem(ratio).k1 >= m + 1);
+    }
+}

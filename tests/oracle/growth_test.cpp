@@ -1,0 +1,130 @@
+// proofs/theorem.md, L31, L32, Theorems 3 and 4: the maximum against the paper's bound, and its growth.
+#include <algorithm>
+#include <catch2/catch.hpp>
+
+#include "extremal.hpp"
+#include "trial.hpp"
+
+using namespace dumbbell_oracle;
+
+namespace {
+
+template <class S>
+S wedge_angle(const S& ratio) {  // gamma
+    using std::atan;
+    using std::sqrt;
+    return S(2 * atan(1 / sqrt(ratio)));
+}
+
+// Where ceil(pi / gamma) becomes N + 1: it is N or less up to here (inclusive).
+Digits80 last_ratio(std::size_t n) {
+    const Digits80 cotangent = 1 / tan(pi<Digits80>() / (2 * n));
+    return Digits80(cotangent * cotangent);
+}
+
+// integral of sin((pi/2) / cos theta) from 0 to pi/3, by Simpson's rule.
+Real size_constant() {
+    const int parts = 2'000;
+    const Real width = pi<Real>() / 3 / parts;
+    const auto f = [](int i, Real h) {
+        return std::sin(pi<Real>() / 2 / std::cos(static_cast<Real>(i) * h));
+    };
+    Real sum = f(0, width) + f(parts, width);
+    for (int i = 1; i < parts; ++i) sum += (i % 2 == 1 ? 4 : 2) * f(i, width);
+    return sum * width / 3;
+}
+
+}  // namespace
+
+TEST_CASE("L31: a collision turns the angle by 2 atan(h / w), and hits stay gamma away from pi/2") {
+    Sampler sampler(1, 821);
+    int turned = 0;
+    for (int i = 0; i < trials(400); ++i) {
+        const Real ratio = sampler.coin() ? random_ratio(sampler, 1e5) : sampler.uniform(2.55, 30);
+        const Real r = 1 / ratio;
+        const Real h = std::sqrt(r);
+        const Real gamma = wedge_angle(ratio);
+        for (const bool at_top : {true, false}) {
+            const auto all = flights(at_top ? top_ray(r) : corner_ray(r), r);
+            for (std::size_t j = 0; j < all.size(); ++j) {
+                const Real angle = std::atan(all[j].kappa / h);
+                const Real least = (at_top ? 0 : gamma / 2) + static_cast<Real>(j) * gamma;
+                if (angle < least - 1e-15L) FAIL(say("q", ratio, "flight", j, angle, least));
+                const auto x = hit_place(all[j]);
+                if (!x) continue;
+                if (ratio >= 2.55L && angle >= pi<Real>() / 2 - gamma)
+                    FAIL(say("q", ratio, "flight", j, angle));
+                if (j + 1 == all.size()) continue;
+                ++turned;
+                const Real next = std::atan(all[j + 1].kappa / h);
+                if (!close(next - angle, 2 * std::atan(h / std::cos(*x)), 1e-14L))
+                    FAIL(say("q", ratio, "flight", j, next - angle));
+            }
+        }
+    }
+    CHECK(turned > 5'000);
+}
+
+TEST_CASE("theorem 3: N* never exceeds ceil(pi / gamma), next to its steps and to those of N* too") {
+    // N* >= N needs q > q_c(N), ceil(pi / gamma) >= N needs q > last_ratio(N - 1): the first comes later.
+    CHECK(abs(last_ratio(2) - 1) < 1e-70);
+    for (std::size_t n = 4; n <= 60; ++n) {
+        INFO("N " << n);
+        CHECK(critical_ratio(n).below > static_cast<Real>(last_ratio(n - 1)));
+        // Equality N* = ceil needs q_c(N) < q <= last_ratio(N): for N = 4 only.
+        CHECK((critical_ratio(n).below < static_cast<Real>(last_ratio(n))) == (n == 4));
+    }
+    for (std::size_t n = 3; n <= 12; ++n) {
+        for (const double gap : {-1e-9, 1e-9}) {
+            const Digits80 ratio = last_ratio(n) * (1 + Digits80(gap));
+            const Digits80 steps = pi<Digits80>() / wedge_angle(ratio);
+            const auto wedge = static_cast<std::size_t>(ceil(steps));
+            CHECK(wedge == (gap < 0 ? n : n + 1));
+            CHECK(theorem(ratio).maximum() <= wedge);
+        }
+    }
+}
+
+TEST_CASE("theorem 3: equality exactly on 1 to 3 and from q_c(4) to 3 + 2 sqrt 2") {
+    Sampler sampler(1, 822);
+    const Real critical = critical_ratio(4).above;
+    int equal = 0;
+    for (int i = 0; i < trials(3'000); ++i) {
+        const Real ratio = sampler.coin() ? random_ratio(sampler, 1e4) : sampler.uniform(1, 12);
+        const auto wedge = static_cast<std::size_t>(std::ceil(pi<Real>() / wedge_angle(ratio) - 1e-15L));
+        const std::size_t most = theorem(ratio).maximum();
+        const bool expected = ratio <= 3 || (ratio > critical && ratio <= 3 + 2 * std::sqrt(Real(2)));
+        equal += expected;
+        if (most > wedge || (most == wedge) != expected) FAIL(say("q", ratio, "N*", most, "ceil", wedge));
+    }
+    CHECK(equal > 300);
+}
+
+TEST_CASE("L32: (pi + 2 x) cos theta is nearly constant along the first orbit") {
+    for (const Real ratio : {1e4L, 1e6L, 1e8L}) {
+        const Real r = 1 / ratio;
+        const Real h = std::sqrt(r);
+        Real worst = 0;
+        for (const auto& ray : flights(top_ray(r), r)) {
+            const auto x = hit_place(ray);
+            if (!x || std::cos(*x) < 0.25L) break;
+            const Real product = (pi<Real>() + 2 * *x) * std::cos(std::atan(ray.kappa / h));
+            worst = std::max(worst, std::abs(product - pi<Real>()));
+        }
+        INFO("q " << ratio << " worst " << worst);
+        CHECK(worst < 20 * h);
+    }
+}
+
+TEST_CASE("theorem 4: N* / sqrt q tends to C = 0.8855951...") {
+    const Real c = size_constant();
+    CHECK(close(c, 0.8855951L, 1e-7L));
+    for (const Real ratio : {1e4L, 1e5L, 1e6L, 1e7L, 1e8L, 1e9L}) {
+        const Real root = std::sqrt(ratio);
+        const auto [k0, k1] = theorem(ratio);
+        INFO("q " << ratio << " k0 " << k0 << " k1 " << k1);
+        CHECK(std::abs(2 * static_cast<Real>(k0) - c * root) < 2);
+        CHECK(std::abs(2 * static_cast<Real>(k1) - c * root) < 2);
+        CHECK(std::abs(static_cast<Real>(2 + k0 + k1) / root - c) < 4 / root);
+    }
+}
