@@ -1,12 +1,12 @@
-# GMP::gmp, MPFR::mpfr and MPFI::mpfi as imported targets; neither GMP nor MPFI has a CMake package, and
-# MPFI has no pkg-config file.
+# GMP::gmp, MPFR::mpfr, MPFI::mpfi and Arb::arb as imported targets: none of them has a CMake package, and
+# MPFI and Arb have no pkg-config file.
 function(dumbbell_import package target header library)
   find_path(${package}_INCLUDE_DIR ${header})
   find_library(${package}_LIBRARY ${library})
   mark_as_advanced(${package}_INCLUDE_DIR ${package}_LIBRARY)
   if(NOT ${package}_INCLUDE_DIR OR NOT ${package}_LIBRARY)
     message(FATAL_ERROR "${package} not found (${header}, lib${library}); "
-      "on Debian: apt-get install lib${library}-dev")
+      "on Debian: .ci/install build")
   endif()
   add_library(${target} UNKNOWN IMPORTED GLOBAL)
   set_target_properties(${target} PROPERTIES
@@ -18,3 +18,5 @@ endfunction()
 dumbbell_import(GMP GMP::gmp gmp.h gmp)
 dumbbell_import(MPFR MPFR::mpfr mpfr.h mpfr GMP::gmp)
 dumbbell_import(MPFI MPFI::mpfi mpfi.h mpfi MPFR::mpfr)
+dumbbell_import(FLINT Arb::flint flint/flint.h flint MPFR::mpfr)
+dumbbell_import(ARB Arb::arb acb_calc.h flint-arb Arb::flint)

@@ -1,8 +1,8 @@
 # dumbbell_add_tests(NAME SOURCES file... LIBS target... [LABELS label...] [TIMEOUT seconds])
 #
 # A Catch2 program of which every TEST_CASE is one ctest test, called "NAME/test case". The label is
-# `unit` unless told otherwise (`cli`: runs the programs, `proofs`: checks shipped certificates); the time
-# limit is 1200 s for one test case (sanitizers on a loaded machine).
+# `unit` unless told otherwise (`long`: not under the sanitizers of .ci/run, `cli`: runs the programs, `proofs`:
+# checks shipped certificates); the time limit is 1200 s for one test case (sanitizers on a loaded machine).
 find_package(Catch2 2.13 REQUIRED)
 include(Catch)
 

@@ -57,6 +57,13 @@ int parse_exponent(std::string_view text, std::string_view whole) {
     return negative ? -value.convert_to<int>() : value.convert_to<int>();
 }
 
+Rational exact(mpfr_srcptr x) {
+    require(mpfr_number_p(x) != 0, "exact value of a number that is not finite");
+    Rational result;
+    mpfr_get_q(result.backend().data(), x);
+    return result;
+}
+
 Integer power_of_ten(int n) { return boost::multiprecision::pow(Integer(10), static_cast<unsigned>(n)); }
 
 }  // namespace
@@ -141,5 +148,8 @@ Rational exact(double x) {
     mpq_set_d(result.backend().data(), x);
     return result;
 }
+
+Rational exact_lo(const BigInterval& x) { return exact(&x.raw()->left); }
+Rational exact_hi(const BigInterval& x) { return exact(&x.raw()->right); }
 
 }  // namespace dumbbell

@@ -36,4 +36,8 @@ template <>
 /// The exact value of a finite double.
 [[nodiscard]] Rational exact(double x);
 
+/// The exact ends of X. Throws BrokenInvariant if they are not finite.
+[[nodiscard]] Rational exact_lo(const BigInterval& x);
+[[nodiscard]] Rational exact_hi(const BigInterval& x);
+
 }  // namespace dumbbell

@@ -84,6 +84,29 @@ TEST_CASE("BigInterval's sin, cos and asin enclose MPFR's") {
     CHECK(asin(BigInterval(-2, 3)).hi() < 1.58);
 }
 
+TEST_CASE("sin_cos of a thin BigInterval has MPFI's ends, of a point with other precision too") {
+    Random random(43);
+    const auto same = [](const BigInterval& a, mpfi_srcptr b) {
+        return mpfr_equal_p(&a.raw()->left, &b->left) != 0 && mpfr_equal_p(&a.raw()->right, &b->right) != 0;
+    };
+    for (int i = 0; i < 3'000; ++i) {
+        const PrecisionScope scope(2 + random.below(300));
+        const double x = i == 0 ? 0 : adversarial_angle(random);
+        const BigInterval wide = BigInterval(x) * (random.coin() ? BigInterval(1) : pi<BigInterval>());
+        const PrecisionScope other(2 + random.below(300));
+        for (const BigInterval& point : {low_end(wide), wide}) {
+            BigInterval expected_sin;
+            BigInterval expected_cos;
+            mpfi_sin(expected_sin.raw(), point.raw());
+            mpfi_cos(expected_cos.raw(), point.raw());
+            const auto at = sin_cos(point);
+            CAPTURE(show(point), show(at.sin), show(at.cos));
+            REQUIRE(same(at.sin, expected_sin.raw()));
+            REQUIRE(same(at.cos, expected_cos.raw()));
+        }
+    }
+}
+
 TEST_CASE("More bits give tighter enclosures, down to the precision asked for") {
     const PrecisionScope scope(300);
     const BigInterval third = BigInterval(1) / BigInterval(3);

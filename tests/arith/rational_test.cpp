@@ -197,3 +197,15 @@ TEST_CASE("exact is the double's own value, and refuses what has none") {
     CHECK_THROWS_AS(exact(-infinity), BrokenInvariant);
     CHECK_THROWS_AS(exact(not_a_number), BrokenInvariant);
 }
+
+TEST_CASE("The exact ends of a BigInterval are rationals") {
+    const PrecisionScope scope(300);
+    const BigInterval third = BigInterval(1) / BigInterval(3);
+    CHECK(exact_lo(third) < Rational(1, 3));
+    CHECK(exact_hi(third) > Rational(1, 3));
+    CHECK(exact_hi(third) - exact_lo(third) < Rational(1) / exact(0x1p300));
+    CHECK(exact_lo(BigInterval(-0.75, 2)) == Rational(-3, 4));
+    CHECK(exact_hi(BigInterval(-0.75, 2)) == 2);
+    CHECK_THROWS_AS(exact_hi(BigInterval(1) / BigInterval(0, 1)), BrokenInvariant);
+    CHECK_THROWS_AS(exact_lo(BigInterval(not_a_number)), BrokenInvariant);
+}
