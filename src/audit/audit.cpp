@@ -60,9 +60,9 @@ std::vector<Chart> charts_needed(Scene scene, Section section) {
         case Section::turning:
             return {Chart::bridge, Chart::light};
         case Section::full:
-            return {Chart::contact, Chart::departure};
+            return {Chart::contact, Chart::departure, Chart::again};
         case Section::plain:
-            return {Chart::plain_contact, Chart::plain_departure};
+            return {Chart::plain_contact, Chart::plain_departure, Chart::again};
     }
     throw BrokenInvariant("unknown section");
 }

@@ -38,6 +38,7 @@ Rational greatest_position(Chart chart) {
             return 2;
         case Chart::contact:
         case Chart::plain_contact:
+        case Chart::again:
             return 4;
         case Chart::wedge:
             return 0;
@@ -53,6 +54,7 @@ Rational greatest_slope(Chart chart, const Rational& q_hi) {
             return power_of_two_for(q_hi);
         case Chart::contact:
         case Chart::plain_contact:
+        case Chart::again:
             return power_of_two_for(q_hi + 1);
         case Chart::departure:
         case Chart::plain_departure:

@@ -10,9 +10,9 @@ std::vector<Chart> charts_of(Scene scene, Section section) {
     }
     switch (section) {
         case Section::full:
-            return {Chart::contact, Chart::departure};
+            return {Chart::contact, Chart::departure, Chart::again};
         case Section::plain:
-            return {Chart::plain_contact, Chart::plain_departure};
+            return {Chart::plain_contact, Chart::plain_departure, Chart::again};
         default:
             return {Chart::bridge, Chart::light};
     }

@@ -20,9 +20,9 @@ enum class Section { turning, full, plain };
 
 /// A family of states that boxes cover. Turning section of the dumbbell: contacts with the bridge (L8), and
 /// turning collisions with a light wall of trajectories that never touch the bridge (L9). Full section:
-/// contacts with the bridge and departures from a light wall in any direction (L15). Model wedges: slopes of
-/// turning collisions (L17, L18).
-enum class Chart { bridge, light, contact, departure, plain_contact, plain_departure, wedge };
+/// contacts with the bridge and departures from a light wall in any direction (L15), and once more the
+/// contacts, for what comes back to the bridge (L19). Model wedges: slopes of turning collisions (L17, L18).
+enum class Chart { bridge, light, contact, departure, plain_contact, plain_departure, again, wedge };
 
 /// The charts of a section, in the order of the file. Empty if the scene has no such section.
 [[nodiscard]] std::vector<Chart> charts_of(Scene scene, Section section);
@@ -32,7 +32,7 @@ enum class Chart { bridge, light, contact, departure, plain_contact, plain_depar
 enum class Axis { position, slope, ratio };
 
 /// The one reason for which a leaf's states need no further look (proofs/format.md, sections 3.3 and 3.4).
-enum class Reason { count, outside, meets, meets_reversed };
+enum class Reason { count, outside, meets, meets_reversed, once };
 
 /// A closed leaf. For Reason::count: the outgoing ray X has at most `forward` later collisions and the
 /// reversed incoming ray sigma X at most `backward`.

@@ -29,13 +29,15 @@ std::string_view name(Chart chart) {
         case Chart::departure:
         case Chart::plain_departure:
             return "departure";
+        case Chart::again:
+            return "again";
         default:
             return "wedge";
     }
 }
 
 std::string_view axis_name(Chart chart, Axis axis) {
-    const bool is_contact = chart == Chart::contact || chart == Chart::plain_contact;
+    const bool is_contact = chart == Chart::contact || chart == Chart::plain_contact || chart == Chart::again;
     const bool has_lambda = chart == Chart::light || chart == Chart::wedge;
     switch (axis) {
         case Axis::position:
@@ -44,6 +46,21 @@ std::string_view axis_name(Chart chart, Axis axis) {
             return has_lambda ? "lambda" : "eta";
         default:
             return "q";
+    }
+}
+
+std::string_view name(Reason reason) {
+    switch (reason) {
+        case Reason::count:
+            return "count";
+        case Reason::outside:
+            return "outside";
+        case Reason::meets:
+            return "meets";
+        case Reason::meets_reversed:
+            return "meets-reversed";
+        default:
+            return "once";
     }
 }
 
@@ -71,6 +88,16 @@ std::optional<Axis> axis_named(Chart chart, std::string_view word) {
     for (const Axis axis : {Axis::position, Axis::slope, Axis::ratio}) {
         if (word == axis_name(chart, axis)) {
             return axis;
+        }
+    }
+    return std::nullopt;
+}
+
+std::optional<Reason> reason_named(std::string_view word) {
+    for (const Reason reason :
+         {Reason::count, Reason::outside, Reason::meets, Reason::meets_reversed, Reason::once}) {
+        if (word == name(reason)) {
+            return reason;
         }
     }
     return std::nullopt;

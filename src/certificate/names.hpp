@@ -5,7 +5,7 @@
 
 #include "certificate/certificate.hpp"
 
-/// The words of the file format (proofs/format.md) for scenes, sections, charts and axes.
+/// The words of the file format (proofs/format.md) for scenes, sections, charts, axes and leaves.
 namespace dumbbell {
 
 [[nodiscard]] std::string_view name(Scene scene);
@@ -17,6 +17,9 @@ namespace dumbbell {
 [[nodiscard]] std::string_view name(Chart chart);
 [[nodiscard]] std::string_view axis_name(Chart chart, Axis axis);
 
+/// The word of a leaf, which is also its kind in the totals.
+[[nodiscard]] std::string_view name(Reason reason);
+
 /// Whether a leaf `count` of the chart has two counts: of the ray and of the reversed incoming ray. The full
 /// section counts forward only.
 [[nodiscard]] bool counts_both_ways(Chart chart);
@@ -25,5 +28,6 @@ namespace dumbbell {
 [[nodiscard]] std::optional<Scene> scene_named(std::string_view word);
 [[nodiscard]] std::optional<Section> section_named(std::string_view word, std::string_view lemmas);
 [[nodiscard]] std::optional<Axis> axis_named(Chart chart, std::string_view word);
+[[nodiscard]] std::optional<Reason> reason_named(std::string_view word);
 
 }  // namespace dumbbell

@@ -24,7 +24,9 @@ class Lines {
   public:
     explicit Lines(const std::string& path) : path_(path), file_(nullptr, &gzclose) {
         if (!std::filesystem::is_regular_file(path)) {
-            throw InputError(fmt::format("cannot read '{}': no such file", path));
+            throw InputError(
+                fmt::format("cannot read '{}': {}", path,
+                            std::filesystem::exists(path) ? "not a regular file" : "no such file"));
         }
         file_.reset(gzopen(path.c_str(), "rb"));
         if (!file_) {
@@ -110,18 +112,12 @@ Node node_from(Lines& lines, Chart chart) {
             return {*axis, {}};
         }
     }
-    if (word == "count" && fields.size() == (counts_both_ways(chart) ? 3U : 2U)) {
-        return {std::nullopt,
-                {Reason::count, lines.number(fields[1]), fields.size() == 3 ? lines.number(fields[2]) : 0}};
-    }
-    if (fields.size() == 1 && word == "outside") {
-        return {std::nullopt, {Reason::outside}};
-    }
-    if (fields.size() == 1 && word == "meets") {
-        return {std::nullopt, {Reason::meets}};
-    }
-    if (fields.size() == 1 && word == "meets-reversed") {
-        return {std::nullopt, {Reason::meets_reversed}};
+    const auto reason = reason_named(word);
+    const std::size_t counts = reason != Reason::count ? 0 : counts_both_ways(chart) ? 2 : 1;
+    if (reason && fields.size() == 1 + counts) {
+        return {
+            std::nullopt,
+            {*reason, counts > 0 ? lines.number(fields[1]) : 0, counts > 1 ? lines.number(fields[2]) : 0}};
     }
     lines.fail();
 }

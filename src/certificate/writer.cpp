@@ -7,6 +7,7 @@
 #include <iterator>
 #include <map>
 #include <string_view>
+#include <vector>
 
 #include "arith/error.hpp"
 #include "certificate/names.hpp"
@@ -14,8 +15,16 @@
 namespace dumbbell {
 namespace {
 
-constexpr std::array<std::string_view, 8> kinds{"split",          "count",        "outside", "meets",
-                                                "meets-reversed", "equal-masses", "witness", "open"};
+/// The kinds of lines that the trailer counts, in its order.
+std::vector<std::string_view> kinds_of(Section section) {
+    std::vector<std::string_view> kinds{"split",          "count",        "outside", "meets",
+                                        "meets-reversed", "equal-masses", "witness"};
+    if (section != Section::turning) {
+        kinds.push_back(name(Reason::once));
+    }
+    kinds.push_back("open");
+    return kinds;
+}
 
 class Writer {
   public:
@@ -56,8 +65,8 @@ class Writer {
         }
     }
 
-    CertificateText finish() {
-        for (const std::string_view kind : kinds) {
+    CertificateText finish(Section section) {
+        for (const std::string_view kind : kinds_of(section)) {
             line("total {} {}", kind, totals_[kind]);
         }
         std::string hash = sha256_hex(text_);
@@ -86,27 +95,14 @@ class Writer {
     }
 
     void leaf(Chart chart, const Leaf& leaf) {
-        switch (leaf.reason) {
-            case Reason::count:
-                if (counts_both_ways(chart)) {
-                    line("count {} {}", leaf.forward, leaf.backward);
-                } else {
-                    line("count {}", leaf.forward);
-                }
-                ++totals_["count"];
-                break;
-            case Reason::outside:
-                line("outside");
-                ++totals_["outside"];
-                break;
-            case Reason::meets:
-                line("meets");
-                ++totals_["meets"];
-                break;
-            case Reason::meets_reversed:
-                line("meets-reversed");
-                ++totals_["meets-reversed"];
-                break;
+        const std::string_view word = name(leaf.reason);
+        ++totals_[word];
+        if (leaf.reason != Reason::count) {
+            line("{}", word);
+        } else if (counts_both_ways(chart)) {
+            line("{} {} {}", word, leaf.forward, leaf.backward);
+        } else {
+            line("{} {}", word, leaf.forward);
         }
     }
 
@@ -153,7 +149,7 @@ CertificateText render(const Certificate& certificate) {
         end = &piece.q_hi;
         writer.piece(piece);
     }
-    return writer.finish();
+    return writer.finish(certificate.section);
 }
 
 }  // namespace dumbbell

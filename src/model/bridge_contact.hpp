@@ -40,12 +40,17 @@ bool certainly_below_bridge(const BridgeApproach<I>& ray, const I& t, const I& r
 /// least `least_kappa`.
 template <class I>
 I latest_bridge_contact(const BridgeApproach<I>& highest, const I& least_kappa, const RatioRange<I>& range) {
+    // A verifier that bounds the same contacts by its own means must not need more accuracy than this.
+    constexpr double slack = 0x1p-26;
     I latest = high_end(pi<I>());
     // A contact needs kappa <= r cos t.
     const I cosine = min(least_kappa / range.r_lo, least_kappa / range.r_hi);
-    const I tangency(std::min(std::acos(std::clamp(approximate(cosine), -1.0, 1.0)) + 1e-9, 3.2));
-    if (certainly_less(tangency, pi<I>()) && certainly_at_most(sin_cos(tangency).cos, cosine)) {
-        latest = tangency;
+    for (const double pad : {slack, 0x1p-18}) {  // the second for slopes like r, where cos t is flat
+        const I tangency(std::min(std::acos(std::clamp(approximate(cosine), -1.0, 1.0)) + pad, 3.2));
+        if (certainly_less(tangency, pi<I>()) && certainly_at_most(sin_cos(tangency).cos, cosine)) {
+            latest = tangency;
+            break;
+        }
     }
     // A little behind the place where the highest ray seems to dip below the bridge.
     const double r = approximate(range.r_lo);
@@ -58,7 +63,7 @@ I latest_bridge_contact(const BridgeApproach<I>& highest, const I& least_kappa, 
             const double middle = (above + below) / 2;
             (height + kappa * middle < r * std::sin(middle) ? below : above) = middle;
         }
-        const I dip(below * (1 + 1e-9));
+        const I dip(below * (1 + slack));
         if (certainly_less(dip, latest) && certainly_below_bridge(highest, dip, range.r_lo)) {
             latest = dip;
         }

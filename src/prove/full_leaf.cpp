@@ -1,3 +1,4 @@
+#include "model/bridge_once.hpp"
 #include "model/departure.hpp"
 #include "model/plain.hpp"
 #include "prove/leaf_judges.hpp"
@@ -62,6 +63,16 @@ std::optional<Leaf> judge_plain_contact(const Bounds<I>& b, long upper) {
                    upper);
 }
 
+template <class I>
+std::optional<Leaf> judge_again(const Bounds<I>& b) {
+    if (beyond_contacts(b)) {
+        return Leaf{Reason::outside};
+    }
+    return certainly_once(b.position_hi, hull(b.eta_lo, b.eta_hi), b.range)
+               ? std::optional(Leaf{Reason::once})
+               : std::nullopt;
+}
+
 /// Beyond the peak, or every slope eta - cos e >= 1 (it grows with both).
 template <class I>
 bool beyond_departures(const Bounds<I>& b) {
@@ -101,6 +112,8 @@ std::optional<Leaf> judge_full(Chart chart, const Box& box, long upper) {
             return judge_departure(bounds, upper);
         case Chart::plain_contact:
             return judge_plain_contact(bounds, upper);
+        case Chart::again:
+            return judge_again(bounds);
         default:
             return judge_plain_departure(bounds, upper);
     }

@@ -12,7 +12,7 @@ namespace dumbbell {
 template <class I>
 [[nodiscard]] std::optional<Leaf> judge_turning(Chart chart, const Box& box, long upper);
 
-/// Full section (L15), and its plain form (L16).
+/// Full section (L15), its plain form (L16), and its chart `again` (L19).
 template <class I>
 [[nodiscard]] std::optional<Leaf> judge_full(Chart chart, const Box& box, long upper);
 

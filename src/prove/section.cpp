@@ -30,6 +30,7 @@ Box root_box(Chart chart, const Rational& q_lo, const Rational& q_hi) {
             return {0, 2, 0, power_of_two_from(q_hi), q_lo, q_hi};
         case Chart::contact:
         case Chart::plain_contact:
+        case Chart::again:
             return {0, 4, 0, power_of_two_from(q_hi + 1), q_lo, q_hi};
         case Chart::wedge:
             return {0, 0, 0, power_of_two_from(q_hi), q_lo, q_hi};

@@ -86,8 +86,9 @@ class Bridge : protected Rays<N> {
         Contacts result{half_turn.hi, false};
         // At the contact kappa <= r cos t.
         const N k = kappa_low / (kappa_low < zero ? r_lo : r_hi);
-        for (const N& pad : {guess_tolerance(one), N(1) / N(1024)}) {
-            const N t = guess_slope(k) + pad * pad + pad;
+        const N fine = N(16) * guess_tolerance(one) * guess_tolerance(one), coarsest = one / N(64);
+        for (N pad = fine; pad < coarsest; pad = pad * N(64)) {
+            const N t = guess_slope(k) + pad;
             if (!(t > zero && t < half_turn.lo)) break;
             const I w = trig(t).cos;
             if (!((r_lo * w).hi <= kappa_low && (r_hi * w).hi <= kappa_low)) continue;
@@ -100,13 +101,28 @@ class Bridge : protected Rays<N> {
             return true;
         };
         if (const auto root = guess_crossing(h_high / r_lo, kappa_high / r_lo))
-            for (const N& pad : {guess_tolerance(one), N(1) / N(4096), N(1) / N(64), N(1) / N(2)})
+            for (N pad = fine; pad < one; pad = pad * N(64))
                 if (take(*root + (half_turn.lo - *root) * pad)) break;
         if (!result.all) take(guess_slope(kappa_high / r_lo));
         if (this->log_)
             *this->log_ += "  the bridge may be met at t <= " + Base::show(result.last) +
                            (result.all ? ", and is met by all\n" : "\n");
         return result;
+    }
+
+    /// L19, for t <= x1 and eta in [y0, y1]: the rays that come back from the next light wall have slope >=
+    /// r.
+    bool once() {
+        const N cosine = x1 < half_turn.lo ? trig(x1).cos.lo : -one;
+        const N lambda = (I(std::max(-one, cosine)) + y0).lo;
+        const N kappa = std::min(mul(down, r_lo, lambda), mul(down, r_hi, lambda));
+        if (kappa >= one) return fact("steep", true);
+        // D > 0 needs w > z wherever z^2 - 2 kappa z - r <= 0.
+        N z = (kappa + sqrt(kappa * kappa + r_lo)) * (one - guess_tolerance(one) / N(1024));
+        if (!(z > zero) || !((I(z) * z - I(2) * kappa * z - r_lo).hi <= zero)) z = zero;
+        const I f = I(z) * (I(z) + I(2) * r_lo) - r_hi, greatest = I(2) + y1;
+        return fact("0 <= f", f.lo >= zero) || less("0 <= (2 + eta1) f + (z + r_lo) / 2", zero,
+                                                    I(greatest.hi) * f + (I(z) + r_lo) / I(2), false);
     }
 
     const Leaf& leaf_;
@@ -125,24 +141,27 @@ class Bridge : protected Rays<N> {
 };
 
 /// The parts of the two sections `full` that are the same.
-enum { contact, departure };
+enum { contact, departure, again };
+inline constexpr std::size_t once_leaf = witness + 1;
 inline Section full_section(std::string_view lemmas, const char* (*check)(const Leaf&, std::string*)) {
-    return {
-        lemmas,
-        "dumbbell",
-        "full",
-        "bridge",
-        {{"contact", {"t", "eta", "q"}}, {"departure", {"e", "eta", "q"}}},
-        {{"count", Place::leaf, 3, 1},
-         {"outside", Place::leaf, 3, 0},
-         {"meets", Place::leaf, 0, 0},
-         {"meets-reversed", Place::leaf, 0, 0},
-         {"equal-masses", Place::cover, 3, 0},
-         {"witness", Place::witness, 1, 2}},
-        [](std::size_t chart, const mpq_class& a, const mpq_class& b) {
-            return chart == contact ? Box{{0, 0, a}, {4, power_of_two(b + 1), b}} : Box{{0, 0, a}, {2, 2, b}};
-        },
-        check};
+    return {lemmas,
+            "dumbbell",
+            "full",
+            "bridge",
+            {{"contact", {"t", "eta", "q"}}, {"departure", {"e", "eta", "q"}}, {"again", {"t", "eta", "q"}}},
+            {{"count", Place::leaf, 3, 1},
+             {"outside", Place::leaf, 7, 0},
+             {"meets", Place::leaf, 0, 0},
+             {"meets-reversed", Place::leaf, 0, 0},
+             {"equal-masses", Place::cover, 1, 0},
+             {"witness", Place::witness, 1, 2},
+             {"once", Place::leaf, 4, 0}},
+            [](std::size_t chart, const mpq_class& a, const mpq_class& b) {
+                return chart == departure ? Box{{0, 0, a}, {2, 2, b}}
+                                          : Box{{0, 0, a}, {4, power_of_two(b + 1), b}};
+            },
+            check,
+            true};
 }
 
 }  // namespace dumbbell_verify

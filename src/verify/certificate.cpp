@@ -1,19 +1,12 @@
 #include "certificate.hpp"
 
-#include <mpfr.h>
-
-#include <atomic>
 #include <cmath>
-#include <thread>
 
-#include "number.hpp"
-#include "text.hpp"
+#include "initial.hpp"
+#include "reader.hpp"
 
 namespace dumbbell_verify {
 namespace {
-
-constexpr std::size_t batch = 1024;  ///< leaves that are read before they are checked together
-constexpr int most_splits = 400;     ///< of one axis, above a node
 
 class Reader {
   public:
@@ -24,16 +17,21 @@ class Reader {
     Proof run() {
         try {
             header();
+            if (!section_) return initial(text_, settings_);
+            range();
             for (const std::uint64_t k = text_.natural(1); claim_.pieces < k;) piece();
             if (end_ != claim_.hi) text_.reject("chain", "the last piece does not end at HI");
-            trailer();
+            proof_.digest = trailer(text_, proof_.tallies);
             check_pending();
             if (settings_.scene != section_->scene) text_.reject("claim-not-proved", "the scene is another");
+            if (settings_.claim == "initial-conditions")
+                text_.reject("claim-not-proved", "the claim is another");
             if (const auto gap = claim_.missing(); !gap.empty()) text_.reject("claim-not-proved", gap);
         } catch (const Failure&) {
             check_pending();  // a leaf on an earlier line goes first
             throw;
         }
+        proof_.heavy_once = section_->heavy_once && claim_.upper;
         return std::move(proof_);
     }
 
@@ -52,7 +50,7 @@ class Reader {
     [[noreturn]] void unsupported(const std::string& text) const {
         throw Failure{Verdict::unsupported, text_.line, "unsupported", text};
     }
-    /// The section that the lines `lemmas`, `scene` and `section` choose.
+    /// The section that the lines `lemmas`, `scene` and `section` choose; nullptr: none.
     void choose_section() {
         const auto table = sections();
         const auto in = [&](std::string_view Section::*column) {
@@ -63,7 +61,11 @@ class Reader {
         };
         const std::string lemmas = known("lemmas", true, true, in(&Section::lemmas));
         const std::string scene = known("scene", false, true, in(&Section::scene));
-        const std::string name = known("section", false, true, in(&Section::name));
+        const auto is_section = in(&Section::name);
+        const std::string name = known("section", false, true, [&](const std::string& word) {
+            return word == "none" || is_section(word);
+        });
+        if (lemmas == "1" && scene == "dumbbell" && name == "none") return;
         const auto found = std::find_if(table.begin(), table.end(), [&](const Section* s) {
             return s->lemmas == lemmas && s->scene == scene && s->name == name;
         });
@@ -80,7 +82,11 @@ class Reader {
         text_.word(1);
         text_.word(2, true);
         choose_section();
-        known("claim", false, true, [](const std::string& kind) { return kind == "collisions"; });
+        known("claim", false, true, [&](const std::string& kind) {
+            return kind == (section_ ? "collisions" : "initial-conditions");
+        });
+    }
+    void range() {
         text_.expect("ratio", 2);
         end_ = claim_.lo = text_.ratio(1);
         claim_.hi = text_.ratio(2);
@@ -132,32 +138,10 @@ class Reader {
             if (text_.fields.size() != 2 || text_.fields[0] != "chart" || text_.fields[1] != path)
                 text_.reject("syntax", "expected `chart " + path + "`");
             leaf.chart = i;
-            tree(leaf, path += '.');
+            Tree<Box> tree{text_,     section_->charts[i].axes, false, proof_.tallies[0].lines, leaf.box,
+                           path + '.'};
+            tree.read([&] { take(leaf, Place::leaf, 1, std::ldexp(1, -tree.depth), tree.path); });
         }
-    }
-    /// A node and what is below; path: the chart and the halves (0 lower, 1 upper) from the root to here. The
-    /// leaves are halves of halves of the root box: together they cover it. At most 1200 calls deep.
-    void tree(Leaf& leaf, std::string& path) {
-        text_.next();
-        const auto& fields = text_.fields;
-        const int depth = depth_[0] + depth_[1] + depth_[2];
-        if (fields[0] != "split") return take(leaf, Place::leaf, 1, std::ldexp(1, -depth), path);
-        const auto& axes = section_->charts[leaf.chart].axes;
-        const auto axis = fields.size() == 2 ? std::find(axes.begin(), axes.end(), fields[1]) : axes.end();
-        if (axis == axes.end()) text_.reject("syntax", "not an axis of this chart");
-        const auto i = static_cast<std::size_t>(axis - axes.begin());
-        if (++depth_[i] > most_splits) text_.reject("depth", "more than 400 splits of one axis");
-        ++proof_.tallies[0].lines;
-        const mpq_class lo = leaf.box.lo[i], hi = leaf.box.hi[i], middle = (lo + hi) / 2;
-        for (const bool upper : {false, true}) {
-            leaf.box.lo[i] = upper ? middle : lo;
-            leaf.box.hi[i] = upper ? hi : middle;
-            path += upper ? '1' : '0';
-            tree(leaf, path);
-            path.pop_back();
-        }
-        leaf.box.lo[i] = lo;
-        --depth_[i];
     }
 
     /// The present line as one thing to check; its hints are the fields from number `hints` on.
@@ -193,44 +177,13 @@ class Reader {
         std::fputs(text.c_str(), stdout);
     }
 
-    [[nodiscard]] std::optional<Failure> judge(const Leaf& leaf) const try {
-        if (!arithmetic_works()) throw std::runtime_error("not IEEE 754: rounding mode, subnormals or fma");
-        const char* missing = section_->check(leaf, nullptr);
-        if (!missing) return std::nullopt;
-        const std::string opcode(section_->opcodes[leaf.opcode].name);
-        return Failure{Verdict::rejected, leaf.line, opcode, std::string("not certified: ") + missing};
-    } catch (const std::exception& error) {
-        return Failure{Verdict::limit, leaf.line, "limit", error.what()};
-    }
-    /// Checks what has been read, on all threads; the failure on the least line is thrown, whoever finds it.
+    /// Checks what has been read; the failure on the least line is thrown.
     void check_pending() {
         const std::vector<Leaf> leaves = std::exchange(pending_, {});
-        std::vector<std::optional<Failure>> found(leaves.size());
-        std::atomic<std::size_t> next = 0;
-        const auto work = [&] {
-            for (std::size_t i = next++; i < leaves.size(); i = next++) found[i] = judge(leaves[i]);
-            mpfr_free_cache();
-        };
-        {
-            std::vector<std::jthread> crew(std::min<std::size_t>(settings_.jobs, leaves.size() / 8 + 1) - 1);
-            for (std::jthread& thread : crew) thread = std::jthread(work);
-            work();
-        }
-        for (const auto& failure : found)
-            if (failure) throw Failure(*failure);
-    }
-
-    void trailer() {
-        for (const Tally& tally : proof_.tallies) {
-            text_.expect("total", 2);
-            if (text_.fields[1] != tally.name || text_.natural(2) != tally.lines)
-                text_.reject("total",
-                             "expected " + std::string(tally.name) + " " + std::to_string(tally.lines));
-        }
-        text_.expect("sha256", 1);
-        proof_.digest = text_.digest();
-        if (text_.fields[1] != proof_.digest) text_.reject("sha256", "expected " + proof_.digest);
-        text_.end();
+        judge_all(leaves, settings_.jobs, [this](const Leaf& leaf) {
+            return judge(leaf.line, section_->opcodes[leaf.opcode].name,
+                         [&] { return section_->check(leaf, nullptr); });
+        });
     }
 
     const Settings& settings_;
@@ -238,8 +191,7 @@ class Reader {
     Text text_;
     Proof proof_;
     Collisions& claim_ = proof_.claim;
-    mpq_class end_;               ///< of the pieces so far
-    std::array<int, 3> depth_{};  ///< splits of each axis above the present node
+    mpq_class end_;  ///< of the pieces so far
     std::vector<Leaf> pending_;
 };
 

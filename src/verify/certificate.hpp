@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "collisions.hpp"
+#include "initial_claim.hpp"
 #include "section.hpp"
 #include "text.hpp"
 
@@ -12,7 +13,8 @@ namespace dumbbell_verify {
 struct Settings {
     unsigned jobs = 1, max_bits = 1024;
     unsigned precision = 0;  ///< at least so many bits of MPFR for every piece; 0: what the pieces say
-    std::string scene = "dumbbell", explain;  ///< explain: PIECE:PATH, the leaf to show
+    std::string scene = "dumbbell", explain;  ///< explain: PIECE:PATH or box.PATH, the leaf to show
+    std::string claim;                        ///< demanded kind; empty: any
     Collisions demand;
 };
 
@@ -25,7 +27,9 @@ struct Tally {
 
 struct Proof {
     Collisions claim;
+    std::optional<Initial> initial;  ///< instead, if the file is about initial conditions
     std::string digest;
+    bool heavy_once = false;     ///< proved for every ratio: the heavy mass touches at most once
     double roots = 0;            ///< number of root boxes
     bool explained = false;      ///< the leaf that was asked for exists
     std::vector<Tally> tallies;  ///< split, the opcodes of the section, open

@@ -15,37 +15,47 @@ const Lemma* find_lemma(std::string_view name) {
 
 /// Where a piece of A and one of B overlap in more than a point, both bounds must agree; those overlaps are
 /// closed and cover the range, so nothing more is needed. If the range is a point, the best bounds there
-/// count.
+/// count. Where one of the pieces is a gap, whose two bounds differ by 1, an excess by 1 is counted, not
+/// refused.
 Comparison compare(const Lemma& lemma, const Collisions& a, const Collisions& b) {
     mpq_class lo = std::max(a.lo, b.lo), hi = std::min(a.hi, b.hi);
     if (a.ratios) lo = std::max(lo, a.ratios->first), hi = std::min(hi, a.ratios->second);
     const std::string name = "lemma=" + std::string(lemma.name);
     if (lo > hi) return {false, name + " the files have no mass ratio in common"};
     const bool point = lo == hi;
-    std::optional<std::int64_t> excess;
+    const auto slack = static_cast<std::int64_t>(lemma.slack);
+    const auto is_gap = [](const Collisions::Part& part) {
+        return part.upper && *part.upper == part.lower + 1;
+    };
+    std::optional<std::int64_t> excess, least;
+    std::uint64_t gaps = 0;
     std::size_t first = 0;
     for (const Collisions::Part& p : a.parts) {
         while (first < b.parts.size() && b.parts[first].hi < p.lo) ++first;
         for (std::size_t j = first; j < b.parts.size() && b.parts[j].lo <= p.hi; ++j) {
-            const mpq_class from = std::max({p.lo, b.parts[j].lo, lo}),
-                            to = std::min({p.hi, b.parts[j].hi, hi});
-            if (from > to || (from == to && !point)) continue;
-            if (!p.upper && point) continue;
+            const Collisions::Part& other = b.parts[j];
+            const mpq_class from = std::max({p.lo, other.lo, lo}), to = std::min({p.hi, other.hi, hi});
+            if (from > to || (from == to && !point) || (point && !p.upper)) continue;
             const std::int64_t here =
-                p.upper ? static_cast<std::int64_t>(*p.upper) - static_cast<std::int64_t>(b.parts[j].lower)
-                        : 0;
-            if (!point && (!p.upper || here > static_cast<std::int64_t>(lemma.slack)))
+                p.upper ? static_cast<std::int64_t>(*p.upper) - static_cast<std::int64_t>(other.lower)
+                        : INT64_MAX;
+            if (!point && here == slack + 1 && (is_gap(p) || is_gap(other))) {
+                ++gaps;
+                continue;
+            }
+            if (!point && here > slack)
                 return {false, name + " not proved on " + to_string(from) + ":" + to_string(to) +
                                    ": upper=" + (p.upper ? std::to_string(*p.upper) : "none") +
-                                   " of the first file, lower=" + std::to_string(b.parts[j].lower) +
+                                   " of the first file, lower=" + std::to_string(other.lower) +
                                    " of the second"};
+            least = std::min(least.value_or(here), here);
             excess = point && excess ? std::min(*excess, here) : std::max(excess.value_or(here), here);
         }
     }
-    if (!excess || *excess > static_cast<std::int64_t>(lemma.slack))
-        return {false, name + " not proved at " + to_string(lo)};
-    return {true,
-            name + " ratio=" + to_string(lo) + ":" + to_string(hi) + " excess=" + std::to_string(*excess)};
+    if (!excess || *excess > slack) return {false, name + " not proved at " + to_string(lo)};
+    return {true, name + " ratio=" + to_string(lo) + ":" + to_string(hi) +
+                      " excess=" + std::to_string(*excess) + " least-excess=" + std::to_string(*least) +
+                      " gaps=" + std::to_string(gaps)};
 }
 
 }  // namespace dumbbell_verify

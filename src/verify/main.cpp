@@ -32,7 +32,9 @@ Result examine(const std::string& file, const Settings& settings) {
     return result;
 }
 
-std::string claim_text(const Collisions& claim, const Settings& settings) {
+std::string claim_text(const Proof& proof, const Settings& settings) {
+    if (proof.initial) return proof.initial->text();
+    const Collisions& claim = proof.claim;
     return "scene=" + settings.scene + " ratio=" + to_string(claim.lo) + ":" + to_string(claim.hi) +
            " upper=" + (claim.upper ? std::to_string(*claim.upper) : "none") +
            " lower=" + std::to_string(claim.lower) + " gaps=" + std::to_string(claim.gaps) +
@@ -46,7 +48,8 @@ void print(const Result& r, const Settings& settings) {
         for (const Tally& t : r.proof.tallies)
             std::printf("  %-15s%12s line(s)%11.5f %% of the root boxes\n", std::string(t.name).c_str(),
                         std::to_string(t.lines).c_str(), 100 * t.covered / std::max(1.0, r.proof.roots));
-        text = " " + claim_text(r.proof.claim, settings) + " sha256=" + r.proof.digest;
+        text = " " + claim_text(r.proof, settings) + (r.proof.heavy_once ? " heavy-at-most=1" : "") +
+               " sha256=" + r.proof.digest;
     } else {
         if (r.why.line > 0) text = " line=" + std::to_string(r.why.line);
         if (r.why.verdict == Verdict::rejected) text += " code=" + r.why.code;
@@ -79,12 +82,14 @@ std::string json(const Result& r, const Settings& settings) {
         leaves += name + std::to_string(t.lines);
         coverage += name + std::to_string(t.covered / std::max(1.0, r.proof.roots));
     }
-    if (verified)
+    if (verified && r.proof.initial)
+        said = r.proof.initial->json() + ",";
+    else if (verified)
         said = "{\"scene\":" + quoted(settings.scene) + ",\"ratio\":{\"lo\":" + quoted(to_string(claim.lo)) +
                ",\"hi\":" + quoted(to_string(claim.hi)) + "}," +
                (claim.upper ? number("upper", *claim.upper) : "\"upper\":null,") +
                number("lower", claim.lower) + number("pieces", claim.pieces) + number("gaps", claim.gaps) +
-               "\"open\":" + std::to_string(claim.open) + "},";
+               number("open", claim.open) + "\"heavy_at_most\":" + (r.proof.heavy_once ? "1" : "null") + "},";
     return "{\"file\":" + quoted(r.file) + ",\"verdict\":" + quoted(names[static_cast<int>(r.why.verdict)]) +
            ",\"claim\":" + said + "\"sha256\":" + unless(!verified, r.proof.digest) + ",\"leaves\":{" +
            leaves + "},\"coverage\":{" + coverage +
@@ -100,7 +105,7 @@ int run_lemma(const Options& options) {
         settings.scene = i == 0 ? options.lemma->scene_a : options.lemma->scene_b;
         const Result& r = results[i] = examine(options.files[i], settings);
         if (r.why.verdict == Verdict::verified)
-            std::printf("%s\n  %s sha256=%s\n", r.file.c_str(), claim_text(r.proof.claim, settings).c_str(),
+            std::printf("%s\n  %s sha256=%s\n", r.file.c_str(), claim_text(r.proof, settings).c_str(),
                         r.proof.digest.c_str());
     }
     const Result& worst = results[results[1].why.verdict > results[0].why.verdict];

@@ -19,7 +19,8 @@ class Minimal : Bridge<N> {
     const char* verdict() {
         if (!(r_lo > zero)) return "r is out of the range of this precision";
         if (leaf_.opcode == outside)
-            return Base::is_outside(leaf_.chart == contact) ? nullptr : "a reason of `outside`";
+            return Base::is_outside(leaf_.chart != departure) ? nullptr : "a reason of `outside`";
+        if (leaf_.opcode == once_leaf) return Base::once() ? nullptr : Base::failed();
         const bool holds = fact("1 + a <= U", 1 + leaf_.a <= leaf_.claimed) &&
                            (leaf_.chart == contact ? contacts() : departures());
         return holds ? nullptr : Base::failed();
@@ -108,7 +109,7 @@ class Minimal : Bridge<N> {
             }
         const I ww = square(w), D = meet(ww - I(2) * kappa * w - r, w * (w - I(2) * kappa) - r);
         if (D.hi <= zero) return fact("none returns", true);
-        const I top = meet(kappa * ww + I(2) * r * w - r * kappa, kappa * (ww - r) + I(2) * r * w);
+        const I top = meet(kappa * ww + r * (I(2) * w - kappa), kappa * (ww - r) + I(2) * r * w);
         I next = top / D;
         if (!(D.lo > zero)) {
             if (!fact("0 < numerator, where D may be 0", top.lo > zero)) return false;
@@ -165,10 +166,10 @@ class Minimal : Bridge<N> {
         if (!fact("0 < P, where E may be 0", top.lo > zero)) return std::nullopt;
         return I(div(down, top.lo, bottom.hi), std::max(one, div(down, top.lo, bottom.hi)));
     }
-    /// Every flight above (h, kappa) that meets the bridge does so at or behind this t: L12 (a), as sine is
-    /// concave on [0, pi].
+    /// Every flight above (h, kappa) that meets the bridge does so at or behind this t, where h + kappa t
+    /// reaches r_hi sin t: L12 (a), as sine is concave on [0, pi].
     N first_contact(const N& h, const N& kappa) const {
-        const I c = I(h) / r_hi, k = I(kappa) / (kappa < zero ? r_lo : r_hi);
+        const I c = I(h) / r_hi, k = I(kappa) / r_hi;
         N best = zero;
         const auto root = Base::guess_crossing(c.lo, k.lo);
         for (const N& z : {zero, root ? *root : zero}) {

@@ -20,19 +20,23 @@ Checks certificates (proofs/format.md) independently of the program that wrote t
   --min N              demand the proof that some trajectory has at least N collisions
   --exactly N          both
   --scene S            demand this scene: dumbbell, hybrid or wedge (dumbbell)
+  --claim KIND         demand this kind of claim: collisions, or initial-conditions (a file of `dumbbell trace
+                       --subdivide`: then --ratio, --max, --min, --exactly are about the starts in its box)
   --lemma 4.1|4.2 A B  compare two files: at most as many collisions in A (scene hybrid) as in B (wedge), or
                        at most one more in A (dumbbell) than in B (hybrid)
   --jobs N             threads (all cores)
   --max-bits B         give up on pieces that need a higher precision (1024)
   --precision BITS     check with at least so many bits instead of in double
   --explain PIECE:PATH show one leaf with its inequalities: 3:bridge is the root, 3:light.01 the upper half
-                       of its lower half, 3:witness the witness of the third piece
+                       of its lower half, 3:witness the witness of the third piece; box.01 a leaf of a file
+                       about initial conditions
   --json               print one JSON array and nothing else
   --help, --version
 
   dumbbell-verify --ratio 10 --exactly 4 ten.dbc       is N*(10) = 4 proved?
   dumbbell-verify --ratio 2:5/2 --max 3 stairs.dbc     at most 3 collisions on a part of the file's range?
   dumbbell-verify --explain 1:bridge.0 ten.dbc         one leaf, in numbers
+  dumbbell-verify --claim initial-conditions --min 1 falling.dbc    at least one collision from every start?
 
 Last line of each file: s VERIFIED, s REJECTED, s UNSUPPORTED, s UNREADABLE or s LIMIT. Exit code: 0 verified
 and proved, 1 rejected, 2 usage or unreadable, 3 unsupported, 4 resource limit; of several codes the first
@@ -117,7 +121,11 @@ Options parse_options(int argc, char** argv) {
             result.settings.demand.most = result.settings.demand.least = number(0, any);
         else if (name == "--scene")
             result.settings.scene = value(), scene = true;
-        else if (name == "--lemma") {
+        else if (name == "--claim") {
+            result.settings.claim = value();
+            if (result.settings.claim != "collisions" && result.settings.claim != "initial-conditions")
+                throw std::invalid_argument("--claim is collisions or initial-conditions");
+        } else if (name == "--lemma") {
             const std::string lemma = value();
             result.lemma = find_lemma(lemma);
             if (!result.lemma)
@@ -148,9 +156,9 @@ Options parse_options(int argc, char** argv) {
     if (result.lemma) {
         const Settings& s = result.settings;
         if (result.files.size() != 2) throw std::invalid_argument("--lemma compares two files");
-        if (result.json || scene || s.demand.most || s.demand.least || !s.explain.empty())
+        if (result.json || scene || s.demand.most || s.demand.least || !s.explain.empty() || !s.claim.empty())
             throw std::invalid_argument(
-                "--lemma excludes --json, --scene, --max, --min, --exactly, --explain");
+                "--lemma excludes --json, --scene, --claim, --max, --min, --exactly, --explain");
         result.settings.demand.keep = true;
     }
     return result;

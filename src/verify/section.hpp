@@ -49,6 +49,7 @@ struct Section {
     std::vector<Opcode> opcodes;
     Box (*root)(std::size_t chart, const mpq_class& a, const mpq_class& b);
     const char* (*check)(const Leaf& leaf, std::string* log);
+    bool heavy_once = false;  ///< a cover also proves that the heavy mass touches the floor at most once
 };
 
 /// The least 2^k >= x, k >= 0.

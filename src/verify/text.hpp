@@ -105,16 +105,13 @@ class Text {
         if (!is_natural(fields[i], 18)) reject("number", "not a natural number, or of more than 18 digits");
         return std::stoull(std::string(fields[i]));
     }
-    [[nodiscard]] mpq_class ratio(std::size_t i) const {
-        const auto [p, q] = halves(i, '/');
-        if (!is_natural(p, 2100) || !is_natural(q, 2100) || p == "0" || q == "0")
-            reject("number", "not a ratio P/Q");
-        const mpq_class x{mpz_class(std::string(p)), mpz_class(std::string(q))};
-        if (gcd(x.get_num(), x.get_den()) != 1) reject("number", "a ratio that is not in lowest terms");
-        return x;
+    [[nodiscard]] mpq_class ratio(std::size_t i) const { return ratio(fields[i]); }
+    [[nodiscard]] mpq_class signed_ratio(std::size_t i) const {
+        if (fields[i] == "0/1") return 0;
+        return fields[i].starts_with('-') ? mpq_class(-ratio(fields[i].substr(1))) : ratio(i);
     }
     [[nodiscard]] mpq_class dyadic(std::size_t i) const {
-        const auto [m, exponent] = halves(i, 'b');
+        const auto [m, exponent] = halves(fields[i], 'b');
         const bool minus = exponent.starts_with('-');
         const std::string k(exponent.substr(minus));
         const bool canonical = m == "0" ? exponent == "0" : is_natural(m, 125) && (m.back() - '0') % 2 == 1;
@@ -140,9 +137,17 @@ class Text {
     static void need_file(bool readable) {
         if (!readable) throw Failure{Verdict::unreadable, 0, "unreadable", std::strerror(errno)};
     }
-    [[nodiscard]] std::pair<std::string_view, std::string_view> halves(std::size_t i, char mark) const {
-        const std::size_t at = std::min(fields[i].find(mark), fields[i].size());
-        return {fields[i].substr(0, at), fields[i].substr(std::min(at + 1, fields[i].size()))};
+    static std::pair<std::string_view, std::string_view> halves(std::string_view text, char mark) {
+        const std::size_t at = std::min(text.find(mark), text.size());
+        return {text.substr(0, at), text.substr(std::min(at + 1, text.size()))};
+    }
+    [[nodiscard]] mpq_class ratio(std::string_view text) const {
+        const auto [p, q] = halves(text, '/');
+        if (!is_natural(p, 2100) || !is_natural(q, 2100) || p == "0" || q == "0")
+            reject("number", "not a ratio P/Q");
+        const mpq_class x{mpz_class(std::string(p)), mpz_class(std::string(q))};
+        if (gcd(x.get_num(), x.get_den()) != 1) reject("number", "a ratio that is not in lowest terms");
+        return x;
     }
     std::string_view read() {
         const std::size_t n = std::fread(raw_.data(), 1, raw_.size(), file_.get());

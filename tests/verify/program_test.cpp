@@ -1,38 +1,16 @@
 // The program as a script sees it: last line, exit code, options.
-#include <sys/wait.h>
-
 #include <catch2/catch.hpp>
 
 #include "make_certificate.hpp"
+#include "run_program.hpp"
 
 using make::closed;
 using make::File;
 using make::mutated;
+using make::Run;
+using make::run;
 
 namespace {
-
-struct Run {
-    int code;
-    std::string out, err;
-    [[nodiscard]] std::string last() const {
-        const std::size_t end = out.size() - 1;
-        return out.empty() ? ""
-                           : out.substr(out.rfind('\n', end - 1) + 1, end - out.rfind('\n', end - 1) - 1);
-    }
-};
-
-Run run(const std::string& arguments, const std::string& before = "") {
-    const File out(""), err("");
-    const std::string command =
-        before + DUMBBELL_VERIFY_BIN " " + arguments + " >" + out.path() + " 2>" + err.path();
-    const int status = std::system(command.c_str());
-    const auto text = [](const File& file) {
-        std::ostringstream all;
-        all << std::ifstream(file.path()).rdbuf();
-        return all.str();
-    };
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), text(out), text(err)};
-}
 
 const std::string& ten() {
     static const std::string text = closed(make::header("10/1", "10/1", 1) + make::piece(10, 10, 4, 0, ""));

@@ -1,0 +1,237 @@
+// The enclosures behind a check of initial conditions hold for random states in their boxes: the first
+// contact's angle and the rays behind a reflection, against bisection and the law (1) of L0 in long double.
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <random>
+
+#include "verify/initial_reflection.hpp"
+
+using namespace dumbbell_verify;
+
+namespace {
+
+using Real = long double;
+using I = Interval<double>;
+constexpr Real pi_real = 3.14159265358979323846264338327950288L;
+
+std::mt19937_64& engine() {
+    static std::mt19937_64 random(2024);
+    return random;
+}
+double uniform(double lo, double hi) { return std::uniform_real_distribution<>(lo, hi)(engine()); }
+I around(double lo, double width) { return {lo, lo + width}; }
+/// A number of X, often an end.
+double in(const I& x) {
+    return engine()() % 3 == 0 ? x.lo : engine()() % 2 == 0 ? x.hi : uniform(x.lo, x.hi);
+}
+bool holds(const I& x, Real value) {
+    const Real tolerance = 1e-13L * (1 + std::abs(value));
+    return x.lo - tolerance <= value && value <= x.hi + tolerance;
+}
+
+/// (1) of L0 at a wall of slope t.
+std::pair<Real, Real> reflected(Real spin, Real climb, Real t, Real r) {
+    const Real rate = climb - t * spin, factor = 2 * rate / (t * t + r);
+    return {spin + factor * t, climb - factor * r};
+}
+/// The least root of sin x = c + k x in (0, pi/2], or none; c > 0.
+std::optional<Real> contact(Real c, Real k) {
+    const auto gap = [&](Real x) { return std::sin(x) - c - k * x; };
+    Real lo = 0, hi = k >= 1 ? 0 : k <= 0 ? pi_real / 2 : std::acos(k);  // the gap is greatest at hi
+    if (gap(hi) < 0) return std::nullopt;
+    for (int j = 0; j < 80; ++j) ((gap((lo + hi) / 2) < 0) ? lo : hi) = (lo + hi) / 2;
+    return lo;
+}
+
+}  // namespace
+
+TEST_CASE("initial conditions: the enclosure of the first contact's angle holds, for either mass") {
+    int found[2] = {0, 0}, narrow = 0;
+    for (int i = 0; i < 15'000; ++i) {
+        const double size = std::exp2(uniform(-20, -3));
+        const auto rational = [](double x) { return mpq_class(x); };
+        // One wide side or all of them.
+        const std::size_t wide = engine()() % 6;
+        const auto width = [&](std::size_t k) { return wide == 5 || wide == k ? size * uniform(0, 1) : 0; };
+        const std::array lo{uniform(-4, 4), uniform(-2, 2), uniform(1, 2), -uniform(0.1, 2), uniform(1, 12)};
+        InitialBox box;
+        std::array<double, 5> hi{};
+        for (std::size_t k = 0; k < 5; ++k) {
+            hi.at(k) = lo.at(k) + width(k);
+            box.lo.at(k) = rational(lo.at(k));
+            box.hi.at(k) = rational(hi.at(k));
+        }
+        const Flight<double> flight(box);
+        const bool heavy = engine()() % 2 == 0;
+        struct Start {
+            Real phi, w, h, v, r;
+            [[nodiscard]] Real clearance(bool heavy, Real t) const {
+                const Real sine = std::sin(phi + w * t);
+                return h + v * t + (heavy ? -r * sine : sine);
+            }
+        };
+        const auto start = [&] {  // h, v and r independent: more than the states of the box
+            return Start{in(flight.phi), in(flight.w), in(flight.h), in(flight.v), in(flight.r)};
+        };
+        // A zero of the clearance, and a window around it in which all states have one.
+        const auto zero = [&](const Start& s, Real from, Real until) {
+            for (int j = 0; j < 90; ++j)
+                (s.clearance(heavy, (from + until) / 2) > 0 ? from : until) = (from + until) / 2;
+            return from;
+        };
+        const Start guide = start();
+        const Real near = zero(guide, 0, (guide.h + 2) / -guide.v);
+        const I window(static_cast<double>(near - 30 * size), static_cast<double>(near + 30 * size));
+        if (!(window.lo > 0 && flight.clearance(heavy, I(window.lo)).lo > 0 &&
+              flight.clearance(heavy, I(window.hi)).hi < 0 && flight.rate_over(heavy, window).hi < 0))
+            continue;
+        const auto angle = flight.contact_angle(heavy, window);
+        REQUIRE(angle);
+        ++found[heavy];
+        narrow += angle->hi - angle->lo < 10 * size;
+        for (int j = 0; j < 8; ++j) {
+            const Start s = start();
+            const Real phi = s.phi + s.w * zero(s, window.lo, window.hi);
+            INFO("box " << i << ", wide side " << wide << ", heavy " << heavy);
+            REQUIRE(holds(*angle, phi));
+        }
+    }
+    CHECK(found[0] > 1000);
+    CHECK(found[1] > 1000);
+    CHECK(narrow > 1000);
+}
+
+TEST_CASE("initial conditions: steps off the bridge and off a light wall hold for every ray of the box") {
+    int bridge[2] = {0, 0}, light = 0, last = 0;
+    for (int i = 0; i < 20'000; ++i) {
+        const double size = std::exp2(uniform(-16, -3));
+        const I r = around(1 / uniform(1.05, 40), 0);
+        const I ratio(r.lo, std::min(1.0, r.lo * (1 + size * uniform(0, 1))));
+        Departures<double> departures(ratio, nullptr);
+        const bool low = engine()() % 2 == 0;  // heights that meet the bridge, and such that do not
+        const I height = around(low ? r.lo * uniform(0.01, 1) : uniform(0.01, 1.2), r.lo * size);
+        const I slope = around(low ? r.lo * uniform(-2, 1) : uniform(-0.3, 0.6), r.lo * size);
+        const bool passes = departures.passes_bridge({true, height, slope});
+        bool leaves = false;
+        const auto next = passes ? departures.off_light_wall({true, height, slope}, leaves)
+                                 : departures.off_bridge({true, height, slope});
+        if (!next && !leaves) continue;
+        for (int j = 0; j < 6; ++j) {
+            const Real a = in(height), k = in(slope), q = in(ratio);
+            INFO("height " << a << " slope " << k << " r " << q);
+            const auto x = passes ? contact(a + k * pi_real, k) : contact(a / q, k / q);
+            REQUIRE(x);
+            const Real wall = passes ? std::cos(*x) : q * std::cos(*x);
+            const auto [spin, climb] = reflected(1, k, wall, q);
+            if (passes)  // nothing of the bridge on the way
+                for (int n = 1; n < 40; ++n)
+                    REQUIRE(a + k * pi_real * n / 40 > q * std::sin(pi_real * n / 40));
+            if (leaves) {
+                ++last;
+                REQUIRE(spin >= -1e-15L);
+                continue;
+            }
+            const Real run = !passes && spin > 0 ? pi_real - *x : *x;
+            if (passes) REQUIRE(spin < 0);
+            REQUIRE(next->light == passes);
+            REQUIRE(holds(next->slope, climb / std::abs(spin)));
+            REQUIRE(holds(next->height, (passes ? 1 : q) * std::sin(*x) + climb / std::abs(spin) * run));
+            ++(passes ? light : bridge[spin > 0]);
+        }
+    }
+    CHECK(bridge[0] > 1000);
+    CHECK(bridge[1] > 1000);
+    CHECK(light > 1000);
+    CHECK(last > 500);
+}
+
+TEST_CASE("initial conditions: the rays behind the first reflection hold for every state and angle") {
+    int found[2][2][2] = {}, outward = 0, steep = 0;  // mass, falling, turning forwards
+    for (int i = 0; i < 60'000; ++i) {
+        const double size = std::exp2(uniform(-20, -3));
+        const std::array lo{0.0, uniform(-2, 2), 1.0, uniform(-2, 1), uniform(1, 12)};
+        InitialBox box;
+        const std::size_t wide = engine()() % 5;
+        for (std::size_t k = 0; k < 5; ++k) {
+            box.lo.at(k) = mpq_class(lo.at(k));
+            box.hi.at(k) =
+                mpq_class(lo.at(k) + ((k == 1 || k == 3 || k == 4) && (wide == k || wide == 0) ? size : 0));
+        }
+        const Flight<double> flight(box);
+        const bool heavy = engine()() % 2 == 0;
+        const I angle = around(uniform(-7, 7), wide <= 1 ? size : 0);
+        FirstReflection<double> reflection(flight, nullptr);
+        bool none = false;
+        const auto ray = reflection.behind_first(heavy, angle, none);
+        if (!ray && !none) continue;
+        for (int j = 0; j < 8; ++j) {
+            const Real phi = in(angle), w = in(flight.w), v = in(flight.v), r = in(flight.r);
+            const Real c = std::cos(phi), height = heavy ? r * std::sin(phi) : -std::sin(phi);
+            if (height <= 0 || v + (heavy ? -r : 1) * w * c >= 0) break;  // no contact of this mass
+            const auto [spin, climb] = reflected(w, v, heavy ? r * c : -c, r);
+            INFO("phi " << phi << " w " << w << " v " << v << " r " << r << " heavy " << heavy);
+            if (none) {
+                const bool is_steep = climb >= std::abs(spin) * (1 - 1e-15L);
+                const Real peak = (std::floor(phi / pi_real) + 0.5L) * pi_real;
+                REQUIRE((is_steep || (!heavy && (spin > 0) == (phi < peak))));
+                ++(is_steep ? steep : outward);
+                continue;
+            }
+            const Real corner = (std::floor(phi / pi_real) + (spin > 0 ? 1 : 0)) * pi_real;
+            const Real slope = climb / std::abs(spin);
+            REQUIRE(ray->light == !heavy);
+            REQUIRE(holds(ray->slope, slope));
+            REQUIRE(holds(ray->height, height + slope * std::abs(corner - phi)));
+            ++found[heavy][flight.v.hi < 0][w > 0];
+        }
+    }
+    for (const bool heavy : {false, true})
+        for (const bool falling : {false, true})
+            for (const bool forwards : {false, true}) {
+                INFO(heavy << falling << forwards);
+                CHECK(found[heavy][falling][forwards] > 100);
+            }
+    CHECK(outward > 10);
+    CHECK(steep > 1000);
+}
+
+TEST_CASE("initial conditions: the number of later collisions must hold for every ray of a box") {
+    const I r(0.1);
+    const auto certified = [&](bool light, const I& height, const I& slope, int least, int most) {
+        return Departures<double>(r, nullptr).certify({light, height, slope}, least, most);
+    };
+    CHECK(certified(true, I(0.5), I(1, 2), 0, 0));  // steep
+    CHECK_FALSE(certified(true, I(0.5), I(0.05, 2), 0, 0));
+    CHECK_FALSE(certified(false, I(0.1), I(0.05, 2), 0, 0));
+    CHECK(certified(false, I(0.1), I(0.05), 1, 1));  // from the bridge to the light wall, and away
+    CHECK_FALSE(certified(false, I(0.1), I(0.05), 0, 0));
+    CHECK_FALSE(certified(false, I(0.1), I(0.05), 2, 2));
+    CHECK(certified(false, I(2), I(-0.05, 3), 0, 0));  // over everything
+    CHECK_FALSE(certified(false, I(0.1, 2), I(0.05), 0, 0));
+    CHECK_FALSE(certified(false, I(0.1, 2), I(0.05), 1, 1));
+}
+
+TEST_CASE("initial conditions: a second dip of a mass is not its first contact") {
+    // Low and turning fast: the light mass is down at about pi/20 * 3, up again, and down after another turn.
+    InitialBox box;
+    box.lo = box.hi = {0, 10, mpq_class(9, 10), mpq_class(-1, 1000), 10};
+    const Flight<double> flight(box);
+    const auto crossing = [&](double from, double until) {
+        return flight.clearance(false, I(from)).lo > 0 && flight.clearance(false, I(until)).hi < 0 &&
+               flight.rate_over(false, I(from, until)).hi < 0;
+    };
+    const double turn = 0.2 * static_cast<double>(pi_real);
+    REQUIRE(crossing(0.40, 0.47));
+    REQUIRE(crossing(0.40 + turn, 0.47 + turn));
+    CHECK(flight.is_closed(false, 0.47));
+    CHECK_FALSE(flight.is_closed(false, 0.47 + turn));
+    CHECK_FALSE(flight.is_closed(true, 0.47));
+    for (const double shift : {0.0, turn}) {
+        InitialLeaf leaf;
+        leaf.box = box;
+        leaf.least = 1;
+        leaf.most = 9;
+        leaf.first = FirstContact{false, mpq_class(0.40 + shift), mpq_class(0.47 + shift)};
+        CHECK((check_initial(leaf, nullptr) == nullptr) == (shift == 0));
+    }
+}

@@ -1,0 +1,34 @@
+// dumbbell-verify as a script sees it.
+#pragma once
+#include <sys/wait.h>
+
+#include <cstdlib>
+
+#include "make_certificate.hpp"
+
+namespace make {
+
+struct Run {
+    int code;
+    std::string out, err;
+    [[nodiscard]] std::string last() const {
+        const std::size_t end = out.size() - 1;
+        return out.empty() ? ""
+                           : out.substr(out.rfind('\n', end - 1) + 1, end - out.rfind('\n', end - 1) - 1);
+    }
+};
+
+inline Run run(const std::string& arguments, const std::string& before = "") {
+    const File out(""), err("");
+    const std::string command =
+        before + DUMBBELL_VERIFY_BIN " " + arguments + " >" + out.path() + " 2>" + err.path();
+    const int status = std::system(command.c_str());
+    const auto text = [](const File& file) {
+        std::ostringstream all;
+        all << std::ifstream(file.path()).rdbuf();
+        return all.str();
+    };
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), text(out), text(err)};
+}
+
+}  // namespace make
