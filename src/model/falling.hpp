@@ -6,8 +6,9 @@
 #include "model/later_count.hpp"
 #include "model/reflection.hpp"
 
-/// The first collision of a falling dumbbell over a box of states, in closed forms that lose little of the
-/// correlations and that a verifier can repeat (format-initial.md, section 5).
+/// The first collision of a dumbbell in the air and what comes after it, over a box of states, in closed
+/// forms that lose little of the correlations and that a verifier can repeat (format-initial.md, sections 5
+/// and 6).
 namespace dumbbell {
 
 /// The angle phi at which `mass` touches, for all states of the box, all of whose contacts lie in `times`.
@@ -32,33 +33,42 @@ template <class I>
     return intersection(natural, m.phi + m.phidot * centre + change / rate);
 }
 
-/// The slope d yhat / d phi after the reflection of states that fall (yhatdot < 0) at the contact angle phi.
-/// With m = phidot / -yhatdot and c = cos phi, (1) of L0 gives the slope as a quotient
-///   light: (r - c^2 - 2 r c m) / (m (r - c^2) + 2 c),           heavy: (1 - r c^2 + 2 r c m) / (m (1 - r
-///   c^2) - 2 c),
-/// the denominator having the sign of phidot'. Where it keeps its sign the quotient decreases with m, and
-/// decreases (light) or increases (heavy) with c: the numerators of its derivatives are
-///   light: -(c^2 + r)^2 and -2 (c^2 + r)(1 + r m^2),            heavy: -(1 + r c^2)^2 and 2 (1 + r c^2)(1 +
-///   r m^2).
-struct FallingReflection {
+/// The slope d yhat / d phi after the first contact, at the angle phi, of states whose velocities are in a
+/// certain half plane: of falling states (yhatdot < 0) from m = phidot / -yhatdot, else, with phidot of one
+/// sign, from n = yhatdot / phidot. With c = cos phi, (1) of L0 gives the slope as a quotient
+///   light: (r - c^2 - 2 r c m) / (m (r - c^2) + 2 c)      = (n (c^2 - r) - 2 r c) / (r - c^2 - 2 n c),
+///   heavy: (1 - r c^2 + 2 r c m) / (m (1 - r c^2) - 2 c)  = (n (r c^2 - 1) + 2 r c) / (1 - r c^2 + 2 n c),
+/// the denominator having the sign of phidot' (times that of phidot). Where it keeps its sign the quotient
+/// decreases with m or n, and decreases (light) or increases (heavy) with c: the numerators of its
+/// derivatives are -(c^2 + r)^2 or -(1 + r c^2)^2, and -+2 (1 + r m^2) or -+2 (n^2 + r), times c^2 + r or
+/// 1 + r c^2.
+struct FirstReflection {
     bool light;
+    bool falling;
 
     template <class I>
-    [[nodiscard]] I denominator(const I& m, const I& c, const I& r) const {
-        return light ? m * (r - sqr(c)) + I(2) * c : m * (I(1) - r * sqr(c)) - I(2) * c;
+    [[nodiscard]] I denominator(const I& x, const I& c, const I& r) const {
+        const I two_c = I(light == falling ? 2 : -2) * c;
+        const I rest = light ? r - sqr(c) : I(1) - r * sqr(c);
+        return falling ? x * rest + two_c : rest + x * two_c;
     }
     template <class I>
-    [[nodiscard]] I slope(const I& m, const I& c, const I& r) const {
-        const I turn = I(2) * r * c * m;
-        return (light ? r - sqr(c) - turn : I(1) - r * sqr(c) + turn) / denominator(m, c, r);
+    [[nodiscard]] I numerator(const I& x, const I& c, const I& r) const {
+        const I turn = I(light ? -2 : 2) * r * c;
+        const I rest = light ? r - sqr(c) : I(1) - r * sqr(c);
+        return falling ? rest + turn * x : turn - x * rest;
     }
-    /// Over all m, c of these intervals, from two opposite ends. Precondition: the denominator keeps its
-    /// sign.
     template <class I>
-    [[nodiscard]] I slopes(const I& m, const I& c, const I& r) const {
+    [[nodiscard]] I slope(const I& x, const I& c, const I& r) const {
+        return numerator(x, c, r) / denominator(x, c, r);
+    }
+    /// Over all x (m or n) and c of these intervals, from two opposite ends. Precondition: the denominator
+    /// keeps its sign.
+    template <class I>
+    [[nodiscard]] I slopes(const I& x, const I& c, const I& r) const {
         const I least_c = light ? high_end(c) : low_end(c);
         const I greatest_c = light ? low_end(c) : high_end(c);
-        return hull(slope(high_end(m), least_c, r), slope(low_end(m), greatest_c, r));
+        return hull(slope(high_end(x), least_c, r), slope(low_end(x), greatest_c, r));
     }
 };
 
@@ -135,22 +145,27 @@ template <class I>
                        hull(least->sin_x, greatest->sin_x) + rise * x, rise};
 }
 
-/// Steps from wall to wall before the monotone counts take over.
+/// Steps from wall to wall, and those of them from rays that the monotone counts bound (kappa >= -r), after
+/// which nothing more is looked for.
 inline constexpr long most_steps = 1000;
+inline constexpr long most_counted_steps = 64;
 
 /// The collisions behind a contact of `left`: by the monotone counts, if necessary after some steps from wall
-/// to wall.
+/// to wall; the best bounds of all steps.
 template <class I>
 [[nodiscard]] LaterCount collisions_behind(Outbound<I> ray, const I& r, Mass left) {
+    LaterCount best;
+    long counted = 0;
     for (long steps = 0;; ++steps) {
-        LaterCount later = certainly_at_most(I(1), ray.slope) ? LaterCount{0, 0}  // L3
-                                                              : later_collisions(ray, r, left);
-        later.least += steps;
-        if (later.most) {
-            *later.most += steps;
+        const LaterCount later = certainly_at_most(I(1), ray.slope) ? LaterCount{0, 0}  // L3
+                                                                    : later_collisions(ray, r, left);
+        best.least = std::max(best.least, steps + later.least);
+        if (later.most && (!best.most || steps + *later.most < *best.most)) {
+            best.most = steps + *later.most;
         }
-        if (later.exact() || left == Mass::heavy || steps == most_steps) {
-            return later;
+        counted += certainly_at_most(-low_end(r), ray.slope) ? 1 : 0;
+        if (best.exact() || left == Mass::heavy || steps == most_steps || counted > most_counted_steps) {
+            return best;
         }
         const bool passes = certainly_passes_bridge(ray, r);
         bool leaves = false;
@@ -159,32 +174,42 @@ template <class I>
             return {steps + 1, steps + 1};
         }
         if (!next) {
-            return later;
+            return best;
         }
         ray = *next;
         left = passes ? Mass::light : Mass::heavy;
     }
 }
 
-/// The collisions behind the first contact, with `mass` at a time in `times`, of falling states (yhatdot < 0)
-/// in the air.
+/// The collisions behind the first contact, with `mass` at a time in `times`, of states in the air. Nothing
+/// is certain unless they fall, or turn in one direction.
 template <class I>
 [[nodiscard]] LaterCount collisions_behind_first(const State<I>& s, Mass mass, const I& times) {
-    const I phi = contact_angle(s, mass, times);
-    const SinCos<I> at = sin_cos(phi);
-    const FallingReflection reflection{mass == Mass::light};
-    const I m = s.phidot / -s.yhatdot;
-    const I denominator = reflection.denominator(m, at.cos, s.r);
-    const bool right = certainly_positive(denominator);
-    if (!right && !certainly_positive(-denominator)) {
+    const bool falling = certainly_positive(-s.yhatdot);
+    const bool backwards = certainly_positive(-s.phidot);
+    if (!falling && !backwards && !certainly_positive(s.phidot)) {
         return {};
     }
+    const I phi = contact_angle(s, mass, times);
+    const SinCos<I> at = sin_cos(phi);
+    const FirstReflection reflection{mass == Mass::light, falling};
+    const I x = falling ? s.phidot / -s.yhatdot : s.yhatdot / s.phidot;
+    const I denominator = reflection.denominator(x, at.cos, s.r);
+    const I rise = reflection.numerator(x, at.cos, s.r);
+    if (certainly_at_most(magnitude(denominator), !falling && backwards ? -rise : rise)) {
+        return {0, 0};  // L3, whatever the direction
+    }
+    const bool positive = certainly_positive(denominator);
+    if (!positive && !certainly_positive(-denominator)) {
+        return {};
+    }
+    const bool right = positive != (!falling && backwards);
     const Way way = way_out(phi, hump_of(phi), mass, right);
     if (way != Way::inward) {
         return way == Way::outward ? LaterCount{0, 0} : LaterCount{};
     }
     const I yhat = mass == Mass::light ? -at.sin : s.r * at.sin;
-    return collisions_behind(outbound(phi, yhat, reflection.slopes(m, at.cos, s.r), right), s.r, mass);
+    return collisions_behind(outbound(phi, yhat, reflection.slopes(x, at.cos, s.r), right), s.r, mass);
 }
 
 }  // namespace dumbbell

@@ -19,17 +19,14 @@ struct Followed {
     [[nodiscard]] bool complete() const { return total.most == static_cast<long>(bounces.size()); }
 };
 
-struct FollowOptions {
-    long most_spans = 20000;         ///< of the first flight's proof
-    bool stop_when_counted = false;  ///< the number is all that is wanted
-};
-
-/// The orbits from their first event on, which is given.
+/// Precondition: both masses of every state are above the floor, and none is at rest. `most_spans`: of the
+/// first flight's proof.
 template <class S>
-[[nodiscard]] Followed<S> follow_from(const State<S>& start, Event<S> event, const FollowOptions& options) {
+[[nodiscard]] Followed<S> follow(const State<S>& start, long most_spans = 20000) {
     Followed<S> result;
     LaterCount& total = result.total;
     State<S> s = start;
+    Event<S> event = event_from_air(start, most_spans);
     if (event.next == Next::unknown) {
         total = {certainly_positive(-range(s.yhatdot)) ? 1 : 0, most_collisions(range(s.r))};
         return result;
@@ -38,13 +35,6 @@ template <class S>
     while (event.next == Next::contact) {
         result.bounces.push_back(bounce(s, event.mass, *event.time));
         s = result.bounces.back().after;
-        if (options.stop_when_counted) {
-            const LaterCount later = later_collisions(s, event.mass);
-            if (later.exact()) {
-                total = {done() + later.least, done() + later.least};
-                return result;
-            }
-        }
         event = event_after_contact(s, event.mass);
     }
     if (event.next == Next::none) {
@@ -62,12 +52,6 @@ template <class S>
         }
     }
     return result;
-}
-
-/// Precondition: both masses of every state are above the floor, and none is at rest.
-template <class S>
-[[nodiscard]] Followed<S> follow(const State<S>& start, const FollowOptions& options) {
-    return follow_from(start, event_from_air(start, options.most_spans), options);
 }
 
 }  // namespace dumbbell

@@ -18,8 +18,8 @@ struct LaterCount {
     [[nodiscard]] bool exact() const { return most == least; }
 };
 
-/// Counts beyond this are not looked at.
-inline constexpr long count_cap = 4'000'000;
+/// Counts beyond this are not looked at (nor by a verifier: format-initial.md, section 5).
+inline constexpr long count_cap = 1'000'000;
 
 /// G <= this for every ray with c >= 0 and kappa >= -r, for every ratio with 1/q >= r: the lowest such ray
 /// meets the corner and returns with slope r and height r pi, so 1 + G(r pi, r, r) (L5). Nothing beyond the

@@ -5,93 +5,80 @@
 #include <numbers>
 #include <optional>
 
-#include "model/contact_guess.hpp"
-#include "model/reflection.hpp"
+#include "model/extremal_orbit.hpp"
 
 namespace dumbbell {
 namespace {
 
-constexpr double pi_guess = std::numbers::pi;
+/// The first flight of an orbit in plain doubles: enclosures are several times slower, and nothing rests on
+/// it.
+Ray<double> guessed_ray(ExtremalOrbit orbit, double r) {
+    const auto ray = extremal_ray(orbit, Interval(r));
+    return {approximate(ray.c), approximate(ray.kappa), r};
+}
 
-/// A ray in plain doubles.
-struct GuessedRay {
-    double c;
-    double kappa;
-};
-
-/// The first flights of the extremal orbits: horizontal over the bridge's top, and from the corner along the
-/// bridge's tangent.
-GuessedRay top(double r) { return {r, 0}; }
-GuessedRay corner(double r) { return {pi_guess * r, r}; }
-
-/// How far the ray passes above the wall; < 0 if it collides.
-double clearance(const GuessedRay& ray) {
-    return ray.c - (std::sqrt(1 - ray.kappa * ray.kappa) - ray.kappa * std::acos(ray.kappa));
+/// How far the ray passes below the hump's highest parallel; > 0 if it collides.
+double guessed_margin(const Ray<double>& ray) {
+    return std::sqrt(1 - ray.kappa * ray.kappa) - ray.kappa * std::acos(ray.kappa) - ray.c;
 }
 
 /// The next flight, if there is one in play.
-std::optional<GuessedRay> after_collision(const GuessedRay& ray, double r) {
+std::optional<Ray<double>> guessed_next(const Ray<double>& ray) {
     const auto contact = guess_contact(Interval(ray.c), Interval(ray.kappa));
     const double x = contact.z.lo();
-    const auto out = reflect_at_light_wall(Interval(ray.kappa), Interval(std::cos(x)), Interval(r));
+    const auto out = reflect_at_light_wall(Interval(ray.kappa), Interval(std::cos(x)), Interval(ray.r));
     const double kappa = approximate(out.numerator) / approximate(out.denominator);
     if (!contact.hits || !(approximate(out.denominator) > 0) || !(kappa < 1)) {
         return std::nullopt;
     }
-    return GuessedRay{std::sin(x) + kappa * (x + pi_guess), kappa};
+    return Ray<double>{std::sin(x) + kappa * (x + std::numbers::pi), kappa, ray.r};
 }
 
-/// The clearance of the `flight`-th flight, flight >= 1; `far` if the ray does not come so far. Decreases
-/// with q.
-constexpr double far = 1;
-double clearance_of_flight(GuessedRay ray, double r, long flight) {
-    for (long i = 1; i < flight; ++i) {
-        const auto next = clearance(ray) < 0 ? after_collision(ray, r) : std::nullopt;
+/// The margin of a flight; `far` if the orbit does not come so far. Increases with q.
+constexpr double far = -1;
+double guessed_margin(const ExtremalFlight& flight, double q, const std::function<bool()>& interrupted) {
+    Ray<double> ray = guessed_ray(flight.orbit, 1 / q);
+    for (long i = 1; i < flight.flight; ++i) {
+        const bool goes_on = guessed_margin(ray) > 0 && (i % 1024 != 0 || !interrupted());
+        const auto next = goes_on ? guessed_next(ray) : std::nullopt;
         if (!next) {
             return far;
         }
         ray = *next;
     }
-    return clearance(ray);
+    return guessed_margin(ray);
 }
 
-long count(GuessedRay ray, double r) {
+long guessed_count(ExtremalOrbit orbit, double r) {
     long n = 0;
-    while (clearance(ray) < 0) {
-        ++n;
-        const auto next = after_collision(ray, r);
-        if (!next) {
-            break;
-        }
-        ray = *next;
+    for (std::optional ray = guessed_ray(orbit, r); ray && guessed_margin(*ray) > 0; ++n) {
+        ray = guessed_next(*ray);
     }
     return n;
 }
 
 }  // namespace
 
-long guess_maximum(double q) { return 2 + count(top(1 / q), 1 / q) + count(corner(1 / q), 1 / q); }
+long guess_maximum(double q) {
+    return 2 + guessed_count(ExtremalOrbit::top, 1 / q) + guessed_count(ExtremalOrbit::corner, 1 / q);
+}
 
-double guess_critical_ratio(long n) {
-    // Odd n = 2 k + 1: the k-th flight of the first orbit is tangent; even n = 2 k + 2: of the second.
-    const bool odd = n % 2 != 0;
-    const long flight = odd ? (n - 1) / 2 : (n - 2) / 2;
-    const auto f = [&](double q) {
-        return clearance_of_flight(odd ? top(1 / q) : corner(1 / q), 1 / q, flight);
-    };
+double guess_critical_ratio(long n, const std::function<bool()>& interrupted) {
+    const ExtremalFlight flight = tangent_flight(n);
+    const auto f = [&](double q) { return guessed_margin(flight, q, interrupted); };
 
     const double about = std::pow(static_cast<double>(n - 2) / 0.8855951, 2);
     double lo = 1;
     double hi = std::max(2.0, about * 1.1 + 2);
-    while (f(hi) > 0) {
+    while (f(hi) < 0 && !interrupted()) {
         lo = hi;
         hi *= 1.5;
     }
     // Illinois: regula falsi that halves the weight of an end that stays.
     double f_lo = f(lo);
     double f_hi = f(hi);
-    for (int side = 0, i = 0; i < 200 && hi - lo > 2e-16 * hi; ++i) {
-        const bool bisect = f_lo >= far || i % 20 == 19;
+    for (int side = 0, i = 0; i < 200 && hi - lo > 2e-16 * hi && !interrupted(); ++i) {
+        const bool bisect = f_lo <= far || i % 20 == 19;
         double q = bisect ? (lo + hi) / 2 : hi - f_hi * (hi - lo) / (f_hi - f_lo);
         if (!(q > lo && q < hi)) {
             q = (lo + hi) / 2;
@@ -100,7 +87,7 @@ double guess_critical_ratio(long n) {
             }
         }
         const double value = f(q);
-        if (value > 0) {
+        if (value < 0) {
             lo = q;
             f_lo = value;
             f_hi = side == 1 ? f_hi / 2 : f_hi;

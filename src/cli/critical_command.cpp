@@ -1,0 +1,197 @@
+#include "cli/critical_command.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <chrono>
+#include <memory>
+#include <optional>
+#include <thread>
+
+#include "arith/decimal.hpp"
+#include "arith/error.hpp"
+#include "certificate/atomic_file.hpp"
+#include "cli/exit_code.hpp"
+#include "cli/progress.hpp"
+#include "cli/ratio_argument.hpp"
+#include "prove/critical_range.hpp"
+#include "report/critical_report.hpp"
+
+namespace dumbbell {
+namespace {
+
+struct Options {
+    std::string counts;
+    std::optional<std::string> confirm;
+    std::optional<std::string> budget;
+    std::string out;
+    int digits = CriticalRequest{}.digits;
+    int jobs = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+    bool json = false;
+};
+
+constexpr const char* description =
+    R"(Compute critical mass ratios: where the greatest number of floor collisions steps from N-1 to N.
+
+Every digit printed is proved. The enclosures rest on theorem 2 of proofs/theorem.md; --confirm checks both sides
+without it.
+
+Examples:
+  dumbbell critical 4                                    q_c(4) = 4.60333884875170...
+  dumbbell critical 4 --digits 100                       more of its digits
+  dumbbell critical 3:20                                 the first 18 steps
+  dumbbell critical 12 --confirm 1e-9                    cover and witness at q_c(12) (1 -+ 1e-9)
+  dumbbell critical 3:902 --digits 50 --out ratios.tsv   a table as a file
+
+Exit codes: 0 proved; 1 internal error; 2 wrong usage or input; 3 not finished or not confirmed (within the budget).)";
+
+constexpr long greatest_count = 1'000'000'000'000;
+constexpr long most_ratios = 1'000'000;
+/// Without --budget nothing longer is begun.
+constexpr std::chrono::duration<double> long_time = std::chrono::hours(1);
+
+long parse_count(const std::string& text) {
+    const bool digits = !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
+    if (!digits) {
+        std::string printable = text.substr(0, 40);
+        std::replace_if(
+            printable.begin(), printable.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
+        throw InputError(fmt::format(
+            "'{}' is no number of collisions: write N or N1:N2, for example 4 or 3:20", printable));
+    }
+    const std::size_t zeros = std::min(text.find_first_not_of('0'), text.size() - 1);
+    const long n = text.size() - zeros > 13 ? greatest_count + 1 : std::stol(text);
+    if (n > greatest_count) {
+        throw InputError(fmt::format("{}... collisions are too many: at most 10^12", text.substr(zeros, 14)));
+    }
+    if (n < 3) {
+        throw InputError(fmt::format(
+            "there is no critical ratio for N = {}: the maximum is never below 2; the first is for N = 3",
+            n));
+    }
+    return n;
+}
+
+void parse_counts(const std::string& text, CriticalRequest& request) {
+    const auto colon = text.find(':');
+    request.first = parse_count(text.substr(0, colon));
+    request.last = colon == std::string::npos ? request.first : parse_count(text.substr(colon + 1));
+    if (request.first > request.last) {
+        throw InputError(fmt::format("the range '{}' is reversed: write the smaller N first", text));
+    }
+    if (request.last - request.first >= most_ratios) {
+        throw InputError(
+            fmt::format("the range holds more than {} critical ratios: take it in parts", most_ratios));
+    }
+}
+
+Rational parse_distance(const std::string& text, long n) {
+    const Rational distance = parse_rational(text);
+    // Neighbouring critical ratios are about 2/n apart, relatively.
+    const Rational most = std::min(Rational(1, 100), Rational(Integer(1), Integer(n)));
+    if (distance <= 0 || distance > most || digits_to_confirm(distance) > most_critical_digits) {
+        throw InputError(
+            fmt::format("--confirm {} is out of range: a relative distance from 1e-190 to {}, so that no "
+                        "other step is near",
+                        text, to_decimal(exact(cut_down(most, 2)), 2)));
+    }
+    return distance;
+}
+
+std::string time_text(std::chrono::duration<double> time) {
+    const double hours = time / std::chrono::hours(1);
+    if (hours < 48) {
+        return fmt::format("{:.1f} hours", hours);
+    }
+    const double years = hours / (24 * 365.25);
+    return years < 2 ? fmt::format("{:.0f} days", hours / 24) : fmt::format("{:.3g} years", years);
+}
+
+/// Throws InputError if it would take very long and no budget is given.
+void check_time(const CriticalRequest& request) {
+    if (request.budget) {
+        return;
+    }
+    const auto time = estimated_time(request);
+    if (time > long_time) {
+        throw InputError(
+            fmt::format("this would take about {} ({} thread{}): ask for less, or give a --budget, for "
+                        "example --budget 2h",
+                        time_text(time), request.jobs, request.jobs == 1 ? "" : "s"));
+    }
+}
+
+CriticalRequest request_of(const Options& options) {
+    CriticalRequest request;
+    parse_counts(options.counts, request);
+    request.digits = options.digits;
+    request.jobs = options.jobs;
+    if (options.budget) {
+        request.budget = std::chrono::duration<double>(parse_duration(*options.budget));
+    }
+    if (options.confirm) {
+        request.confirm = parse_distance(*options.confirm, request.last);
+    }
+    check_time(request);
+    return request;
+}
+
+int run(const Options& options) {
+    CriticalReport report{.request = request_of(options), .rows = {}, .seconds = 0, .out = {}};
+    std::optional<AtomicFile> file;
+    if (!options.out.empty()) {
+        file.emplace(options.out);
+    }
+    {
+        Progress progress("critical ratios");
+        report.request.progress = [&](std::size_t done, std::size_t total) { progress.update(done, total); };
+        const auto start = std::chrono::steady_clock::now();
+        report.rows = critical_ratios(report.request);
+        report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    }
+    if (file) {
+        report.out = options.out;
+        file->commit(to_tsv(report));
+    }
+    if (options.json) {
+        fmt::print("{}\n", to_json(report).dump(2));
+    } else {
+        fmt::print("{}", to_text(report));
+    }
+    const bool finished = std::all_of(report.rows.begin(), report.rows.end(),
+                                      [&](const CriticalRow& row) { return row.finished(report.request); });
+    if (!finished) {
+        fmt::print(stderr, "dumbbell: not everything was {} (--budget)\n",
+                   options.confirm ? "confirmed: allow more time, or a greater distance"
+                                   : "enclosed: allow more time");
+    }
+    return finished ? exit_done : exit_not_certified;
+}
+
+}  // namespace
+
+void add_critical_command(CLI::App& app, int& exit_code) {
+    auto options = std::make_shared<Options>();
+    CLI::App* command = app.add_subcommand("critical", description);
+    command->add_option("N", options->counts, "number of collisions from 3 on, or closed range N1:N2")
+        ->required();
+    command->add_option("--digits", options->digits, "significant digits, all of them proved")
+        ->check(CLI::Range(1, most_critical_digits))
+        ->capture_default_str();
+    command
+        ->add_option("--confirm", options->confirm,
+                     "prove the maximum at q_c (1 - REL) and q_c (1 + REL) by cover and witness, too")
+        ->type_name("REL");
+    command->add_option("--out", options->out, "write the table to FILE, tab-separated (FILE.gz: compressed)")
+        ->check([](const std::string& file) { return file.empty() ? "the file name is empty" : ""; })
+        ->type_name("FILE");
+    command->add_option("--jobs", options->jobs, "threads; the result does not depend on it")
+        ->check(CLI::Range(1, 1024))
+        ->capture_default_str();
+    command->add_option("--budget", options->budget, "stop after this time: 30s, 10m, 2h")->type_name("TIME");
+    command->add_flag("--json", options->json, "one JSON object on stdout");
+    command->callback([options, &exit_code] { exit_code = run(*options); });
+}
+
+}  // namespace dumbbell

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+
+#include "arith/rational.hpp"
+
+namespace dumbbell {
+
+/// The critical ratio q_c(n), n >= 3, enclosed: q_lo <= q_c(n) <= q_hi.
+///
+/// The interval Newton operator maps a bracket of r = 1/q into itself: in the bracket exactly one r makes the
+/// flight of tangent_flight(n) tangent to the hump. That this is the place where the maximum steps rests on
+/// Theorem 2 of proofs/theorem.md, which no cover uses.
+struct CriticalRatio {
+    long n = 0;
+    Rational q_lo;
+    Rational q_hi;  ///< equal to q_lo only for n = 3, q_c = 1
+    int bits = 0;   ///< working precision
+};
+
+struct CriticalOptions {
+    int digits = 15;  ///< significant digits that all of [q_lo, q_hi] share
+    std::function<bool()> interrupted = [] { return false; };
+};
+
+inline constexpr int most_critical_digits = 200;
+
+/// Nothing if interrupted, or if 16,384 bits do not give the digits. Precondition: n >= 3, 1 <= digits <=
+/// 200.
+[[nodiscard]] std::optional<CriticalRatio> enclose_critical_ratio(long n, const CriticalOptions& options);
+
+}  // namespace dumbbell

@@ -1,0 +1,41 @@
+#include "prove/critical_confirm.hpp"
+
+#include <algorithm>
+
+#include "arith/decimal.hpp"
+#include "arith/error.hpp"
+#include "prove/piece.hpp"
+
+namespace dumbbell {
+namespace {
+
+/// Beyond the 1,024 bits of `certify`: distances down to 1e-190.
+constexpr int most_bits = 4096;
+
+Decided decide(const Rational& q, long expected, const std::function<bool()>& interrupted) {
+    PieceOptions options;
+    options.max_bits = most_bits;
+    options.interrupted = interrupted;
+    const Piece piece = prove_single(q, options).piece;
+    return {q, expected, piece.upper, piece.lower, piece.bits};
+}
+
+}  // namespace
+
+Confirmation confirm(const CriticalRatio& critical, const Rational& distance,
+                     const std::function<bool()>& interrupted) {
+    require(distance > 0 && distance <= Rational(1, 100), "confirm: distance out of range");
+    const int digits = digits_to_confirm(distance);
+    const Rational below = exact(cut_down(critical.q_lo * (1 - distance), digits));
+    const Rational above = exact(cut_up(critical.q_hi * (1 + distance), digits));
+    return {decide(std::max(below, Rational(1)), critical.n - 1, interrupted),
+            decide(above, critical.n, interrupted)};
+}
+
+int digits_to_confirm(const Rational& distance) {
+    // A decimal of d digits is right to 10^(1-d) relatively, and distance >= 10^first.
+    const Decimal first = cut_down(distance, 1);
+    return 3 - first.exponent;
+}
+
+}  // namespace dumbbell

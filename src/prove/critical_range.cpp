@@ -1,0 +1,74 @@
+#include "prove/critical_range.hpp"
+
+#include <tbb/global_control.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <atomic>
+
+#include "arith/decimal.hpp"
+#include "arith/self_test.hpp"
+
+namespace dumbbell {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+using Seconds = std::chrono::duration<double>;
+
+std::function<bool()> deadline(const std::optional<Seconds>& budget) {
+    constexpr Seconds practically_for_ever(1e9);  // and no overflow of the clock
+    if (!budget || *budget > practically_for_ever) {
+        return [] { return false; };
+    }
+    const auto end = Clock::now() + std::chrono::duration_cast<Clock::duration>(*budget);
+    return [end] { return Clock::now() >= end; };
+}
+
+/// Flights of all orbits of the request: n/2 each.
+double flights(const CriticalRequest& request) {
+    const auto first = static_cast<double>(request.first);
+    const auto last = static_cast<double>(request.last);
+    return (last - first + 1) * (first + last) / 4;
+}
+
+}  // namespace
+
+std::vector<CriticalRow> critical_ratios(const CriticalRequest& request) {
+    require_sound_arithmetic();
+    const auto interrupted = deadline(request.budget);
+    CriticalOptions options{.digits = request.digits, .interrupted = interrupted};
+    if (request.confirm) {
+        options.digits = std::max(request.digits, digits_to_confirm(*request.confirm));
+    }
+    std::vector<CriticalRow> rows(static_cast<std::size_t>(request.last - request.first + 1));
+    std::atomic<std::size_t> done = 0;
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
+                                    static_cast<std::size_t>(request.jobs));
+    tbb::task_arena arena(request.jobs);
+    arena.execute([&] {
+        tbb::parallel_for(std::size_t{0}, rows.size(), [&](std::size_t i) {
+            require_sound_arithmetic();
+            CriticalRow& row = rows[i];
+            row.n = request.first + static_cast<long>(i);
+            row.ratio = interrupted() ? std::nullopt : enclose_critical_ratio(row.n, options);
+            if (row.ratio && request.confirm) {
+                row.confirmation = confirm(*row.ratio, *request.confirm, interrupted);
+            }
+            request.progress(++done, rows.size());
+        });
+    });
+    return rows;
+}
+
+std::chrono::duration<double> estimated_time(const CriticalRequest& request) {
+    constexpr long sample = 62;  // 30 flights: a few milliseconds
+    const auto start = Clock::now();
+    (void)enclose_critical_ratio(sample, {.digits = request.digits});
+    const Seconds time = Clock::now() - start;
+    const double together =
+        std::min<double>(request.jobs, static_cast<double>(request.last - request.first + 1));
+    return time * (flights(request) / (sample / 2)) / together;
+}
+
+}  // namespace dumbbell

@@ -1,0 +1,170 @@
+#include <catch2/catch.hpp>
+
+#include "programs.hpp"
+
+using namespace dumbbell_test;
+using Catch::Matchers::Contains;
+using Catch::Matchers::StartsWith;
+
+namespace {
+
+nlohmann::json json_of(Words arguments) {
+    arguments.push_back("--json");
+    const Outcome result = dumbbell(arguments);
+    CAPTURE(result.err);
+    REQUIRE(result.code == 0);
+    CHECK(result.err.empty());
+    return nlohmann::json::parse(result.out);
+}
+
+// Refused: one line on stderr, exit 2, nothing on stdout, nothing written.
+std::string message_of(Words arguments) {
+    arguments.insert(arguments.begin(), "critical");
+    const TemporaryFolder folder;
+    const Outcome result = dumbbell(arguments, folder.path());
+    CAPTURE(arguments, result.out, result.err);
+    CHECK(result.code == 2);
+    CHECK(result.out.empty());
+    CHECK(count_lines(result.err) == 1);
+    CHECK_THAT(result.err, StartsWith("dumbbell: "));
+    CHECK(folder.names().empty());
+    return result.err;
+}
+
+}  // namespace
+
+TEST_CASE("critical 4 prints 15 proved digits, and what they rest on") {
+    const Outcome result = dumbbell({"critical", "4"});
+    CHECK(result.code == 0);
+    CHECK(result.err.empty());
+    CHECK_THAT(result.out, StartsWith("q_c(4) = 4.60333884875170...\n"));
+    CHECK_THAT(result.out, Contains("steps from 3 to 4") && Contains("theorem 2 of proofs/theorem.md") &&
+                               Contains("do not use"));
+}
+
+TEST_CASE("critical 4 with 200 digits ends in the right ones") {
+    const auto four = json_of({"critical", "4", "--digits", "200"}).at("ratios").at(0);
+    const std::string digits = four.at("q_c");
+    CHECK(digits.size() == 201);
+    CHECK_THAT(digits, StartsWith("4.60333884875170035255658202910301651306739713416053234603943"));
+    CHECK_THAT(digits, Catch::Matchers::EndsWith("816266515463097253546184"));
+}
+
+TEST_CASE("critical 3 is exactly 1") {
+    CHECK_THAT(dumbbell({"critical", "3"}).out, StartsWith("q_c(3) = 1\n"));
+    const auto three = json_of({"critical", "3"}).at("ratios").at(0);
+    CHECK(three.at("exact") == true);
+    CHECK(three.at("lo") == "1");
+    CHECK(three.at("hi") == "1");
+}
+
+TEST_CASE("a range is a table in order, as text and as JSON, whatever the threads") {
+    const Outcome table = dumbbell({"critical", "3:12", "--digits", "20"});
+    CHECK(table.code == 0);
+    CHECK_THAT(table.out, Contains(" 3  1 ") && Contains("\n12  127.68999830716027915...") &&
+                              Contains("10 critical ratios in "));
+    auto one = json_of({"critical", "3:12", "--jobs", "1"});
+    auto two = json_of({"critical", "3:12", "--jobs", "2"});
+    CHECK(one.at("schema") == "dumbbell-critical-1");
+    REQUIRE(one.at("ratios").size() == 10);
+    for (long i = 0; i < 10; ++i) {
+        CHECK(one.at("ratios").at(static_cast<std::size_t>(i)).at("n") == i + 3);
+    }
+    CHECK(one.at("ratios") == two.at("ratios"));
+}
+
+TEST_CASE("the option --out writes the table, tab-separated, twice the same") {
+    const TemporaryFolder folder;
+    for (const char* name : {"a.tsv", "b.tsv"}) {
+        const Outcome result =
+            dumbbell({"critical", "3:6", "--out", name, "--jobs", name[0] == 'a' ? "1" : "2"}, folder.path());
+        CHECK(result.code == 0);
+        CHECK_THAT(result.out, Contains(std::string("Table: ") + name));
+    }
+    const std::string table = contents(folder / "a.tsv");
+    CHECK(table == contents(folder / "b.tsv"));
+    CHECK_THAT(
+        table,
+        Contains("# N\tq_c\tradius\tbits\torbit\tflight\n3\t1\t0\t128\ttop\t1\n4\t4.60333884875170\t"));
+    CHECK(count_lines(table) == 7);
+    CHECK(json_of({"critical", "4", "--out", folder / "c.tsv"}).at("out") == folder / "c.tsv");
+}
+
+TEST_CASE("the option --confirm decides both sides without the theorem") {
+    const Outcome result = dumbbell({"critical", "4", "--confirm", "1e-9"});
+    CHECK(result.code == 0);
+    CHECK_THAT(result.out, Contains("Confirmed by cover and witness, without that theorem:\n"
+                                    "  at mass ratio 4.60333884414 the maximum is 3,\n"
+                                    "  at mass ratio 4.60333885336 the maximum is 4.\n"));
+    const auto json = json_of({"critical", "3:5", "--confirm", "1e-20"});
+    for (const auto& row : json.at("ratios")) {
+        CHECK(row.at("confirmed") == true);
+        CHECK(row.at("below").at("upper") == row.at("n").get<long>() - 1);
+        CHECK(row.at("above").at("lower") == row.at("n"));
+    }
+}
+
+TEST_CASE("critical within a budget: what was finished is printed, and exit 3 tells that not all was") {
+    const TemporaryFolder folder;
+    const Outcome result =
+        dumbbell({"critical", "100000000000", "--budget", "0.2s", "--out", "a.tsv"}, folder.path());
+    CHECK(result.code == 3);
+    CHECK_THAT(result.out, Contains("not enclosed"));
+    CHECK(count_lines(result.err) == 1);
+    CHECK_THAT(result.err, Contains("allow more time"));
+    CHECK_THAT(contents(folder / "a.tsv"), Contains("100000000000\topen\t-\t-\tcorner\t49999999999\n"));
+    const Outcome none = dumbbell({"critical", "4", "--confirm", "1e-9", "--budget", "0s"});
+    CHECK(none.code == 3);
+    CHECK_THAT(none.out, !Contains("Confirmed"));
+}
+
+TEST_CASE("critical refuses what is no number of collisions from 3 on, and says why") {
+    for (const char* count : {"0", "1", "2", "0002", "2:5"}) {
+        CHECK_THAT(message_of({count, "--out", "file.tsv"}), Contains("never below 2"));
+    }
+    for (const char* count : {"", "x", "-4", "+4", "4.0", "1e3", ":", "4:", ":4", "3:4:5", "3-5", "nan",
+                              "4/1", "0x4", "4\n5", "4 "}) {
+        CAPTURE(count);
+        message_of({count, "--out", "file.tsv"});
+    }
+    CHECK_THAT(message_of({"x"}), Contains("write N or N1:N2"));
+    CHECK_THAT(message_of({"5:3"}), Contains("smaller N first"));
+    CHECK_THAT(message_of({"1000000000001"}), Contains("10^12"));
+    CHECK_THAT(message_of({std::string(100'000, '9')}), Contains("10^12"));
+    CHECK_THAT(message_of({"3:2000000"}), Contains("in parts"));
+    message_of({});
+    message_of({"4", "5"});
+}
+
+TEST_CASE("critical does not begin what takes days, unless it is given a budget") {
+    for (const char* count : {"1000000000000", "3:500000"}) {
+        const std::string message = message_of({count, "--out", "file.tsv"});
+        CHECK_THAT(message, Contains("would take about") && Contains("--budget"));
+    }
+}
+
+TEST_CASE("critical refuses options out of range") {
+    for (const char* digits : {"0", "201", "-1", "x", "1.5", ""}) {
+        CAPTURE(digits);
+        CHECK_THAT(message_of({"4", "--digits", digits}), Contains("--digits"));
+    }
+    for (const char* distance : {"0", "0.011", "1", "-1", "x", "", "nan", "1e-500", "1:2"}) {
+        CAPTURE(distance);
+        message_of({"4", "--confirm", distance});
+    }
+    CHECK_THAT(message_of({"900", "--confirm", "0.01"}), Contains("no other step is near"));
+    CHECK_THAT(message_of({"4", "--budget", "5"}), Contains("30s"));
+    message_of({"4", "--jobs", "0"});
+    message_of({"4", "--out", ""});
+    CHECK_THAT(message_of({"4", "--out", "no/such/folder/file"}), Contains("no/such/folder"));
+}
+
+TEST_CASE("critical --help has examples, every option and the exit codes") {
+    const Outcome help = dumbbell({"critical", "--help"});
+    CHECK(help.code == 0);
+    CHECK(help.err.empty());
+    for (const char* text : {"Examples:", "dumbbell critical 4", "--digits", "--confirm", "--out", "--jobs",
+                             "--budget", "--json", "theorem 2", "Exit codes: 0"}) {
+        CHECK_THAT(help.out, Contains(text));
+    }
+}

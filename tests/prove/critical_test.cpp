@@ -1,0 +1,114 @@
+#include "prove/critical.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "arith/decimal.hpp"
+#include "arith/error.hpp"
+#include "critical_ratio.hpp"
+#include "prove/critical_guess.hpp"
+
+using namespace dumbbell;
+using namespace dumbbell_test;
+
+namespace {
+
+CriticalRatio enclosed(long n, int digits) {
+    auto ratio = enclose_critical_ratio(n, {.digits = digits});
+    REQUIRE(ratio);
+    return *ratio;
+}
+
+std::string digits_of(const CriticalRatio& ratio, int digits) {
+    const auto shared = shared_digits(ratio.q_lo, ratio.q_hi, digits);
+    REQUIRE(shared);
+    return to_text(*shared);
+}
+
+// sqrt(1 + x^2), x the first positive root of tan x = x, in 260 digits.
+std::string closed_form(std::size_t characters) {
+    using Digits260 = boost::multiprecision::number<boost::multiprecision::mpfr_float_backend<260>,
+                                                    boost::multiprecision::et_off>;
+    Digits260 x = 4.4934;
+    for (int i = 0; i < 12; ++i) {
+        x -= (sin(x) - x * cos(x)) / (x * sin(x));
+    }
+    return Digits260(sqrt(1 + x * x)).str(250, std::ios::fixed).substr(0, characters);
+}
+
+}  // namespace
+
+TEST_CASE("q_c(3) is 1, exactly, with any number of digits") {
+    for (const int digits : {1, 15, 50, 200}) {
+        const CriticalRatio ratio = enclosed(3, digits);
+        CHECK(ratio.q_lo == 1);
+        CHECK(ratio.q_hi == 1);
+    }
+}
+
+TEST_CASE("q_c(4) has the 200 digits of sqrt(1 + x^2), tan x = x") {
+    CHECK(digits_of(enclosed(4, 200), 200) == closed_form(201));
+    CHECK(digits_of(enclosed(4, 15), 15) == "4.60333884875170");
+}
+
+TEST_CASE("q_c(4) to q_c(12) are where the count recomputed in 80 digits steps up") {
+    for (long n = 4; n <= 12; ++n) {
+        CAPTURE(n);
+        const CriticalRatio ratio = enclosed(n, 70);
+        const Rational reference = critical_ratio(n);  // below q_c(n), by at most 1e-60 q_c(n)
+        CHECK(reference <= ratio.q_hi);
+        CHECK(ratio.q_lo <= reference * (1 + parse_rational("2e-60")));
+        CHECK(ratio.q_hi - ratio.q_lo < ratio.q_lo * parse_rational("1e-70"));
+    }
+}
+
+TEST_CASE(
+    "On both sides of an enclosure the maximum recomputed in 80 digits is N - 1 and N, for longer orbits "
+    "too") {
+    for (const long n : {13L, 50L, 101L, 202L}) {
+        CAPTURE(n);
+        const CriticalRatio ratio = enclosed(n, 30);
+        CHECK(reference_maximum(ratio.q_lo * (1 - parse_rational("1e-40"))) == n - 1);
+        CHECK(reference_maximum(ratio.q_hi * (1 + parse_rational("1e-40"))) == n);
+        CHECK(std::abs(guess_critical_ratio(n) / ratio.q_lo.convert_to<double>() - 1) < 1e-11);
+    }
+}
+
+TEST_CASE("The critical ratios increase strictly") {
+    CriticalRatio last = enclosed(3, 15);
+    for (long n = 4; n <= 60; ++n) {
+        const CriticalRatio next = enclosed(n, 15);
+        CAPTURE(n);
+        REQUIRE(last.q_hi < next.q_lo);
+        REQUIRE(next.q_lo < next.q_hi);
+        last = next;
+    }
+}
+
+TEST_CASE("More digits refine: each shares the digits asked for, and begins with those of less precision") {
+    const std::string all = digits_of(enclosed(5, 110), 110);
+    CHECK(all.size() == 111);
+    for (const int digits : {3, 10, 25, 39, 40, 60, 109}) {
+        CAPTURE(digits);
+        const CriticalRatio ratio = enclosed(5, digits);
+        CHECK(digits_of(ratio, digits) == all.substr(0, static_cast<std::size_t>(digits) + 1));
+        const Rational narrow = ratio.q_hi - ratio.q_lo;
+        CHECK(narrow < exact(Decimal{Integer(1), 2 - digits}));
+    }
+}
+
+TEST_CASE("The least sufficient precision is chosen") {
+    CHECK(enclosed(4, 1).bits == 128);
+    CHECK(enclosed(4, 15).bits == 128);
+    CHECK(enclosed(4, 50).bits == 256);
+    CHECK(enclosed(4, 100).bits == 512);
+    CHECK(enclosed(4, 200).bits == 1024);
+}
+
+TEST_CASE("An interrupted enclosure is none, and what has no critical ratio is refused") {
+    CHECK_FALSE(enclose_critical_ratio(1'000'000, {.digits = 15, .interrupted = [] { return true; }}));
+    int calls = 0;
+    CHECK_FALSE(enclose_critical_ratio(100, {.digits = 15, .interrupted = [&] { return ++calls > 100; }}));
+    CHECK_THROWS_AS(enclose_critical_ratio(2, {}), BrokenInvariant);
+    CHECK_THROWS_AS(enclose_critical_ratio(4, {.digits = 201}), BrokenInvariant);
+    CHECK_THROWS_AS(enclose_critical_ratio(4, {.digits = 0}), BrokenInvariant);
+}
