@@ -71,7 +71,7 @@ void check_combination(const Options& options) {
     }
 }
 
-std::vector<ProvedPiece> prove(const Options& options, const RatioArgument& ratio) {
+std::vector<ProvedPiece> prove(const Options& options, const RatioArgument& ratio, const PieceStore* store) {
     CertifyRequest request;
     request.q_lo = ratio.lo;
     request.q_hi = ratio.hi;
@@ -79,6 +79,7 @@ std::vector<ProvedPiece> prove(const Options& options, const RatioArgument& rati
     request.scene = scene_of(options);
     request.section = section_of(options);
     request.jobs = options.jobs;
+    request.store = store;
     if (!options.budget.empty()) {
         request.budget = std::chrono::duration<double>(parse_duration(options.budget));
     }
@@ -124,22 +125,49 @@ void write_certificate(const std::vector<ProvedPiece>& pieces, AtomicFile& file,
     report.sha256 = std::move(text.sha256);
 }
 
+/// What to do about open pieces.
+std::string advice(const Options& options, const RatioArgument& ratio, bool stored) {
+    if (ratio.hi > greatest_ratio()) {
+        return "not decided: ratios beyond 1e16 are out of reach";
+    }
+    std::string text = ratio.lo == ratio.hi ? "not decided" : "not everything was decided";
+    text += options.budget.empty() ? "" : ": allow more time (--budget)";
+    if (ratio.lo < ratio.hi) {
+        text += options.budget.empty() ? ": try a wider --gap" : ", or a wider --gap";
+    }
+    if (stored) {
+        text +=
+            fmt::format("; the same command goes on with the finished pieces in '{}.partial'", options.out);
+    }
+    return text;
+}
+
 int run(const Options& options) {
     const RatioArgument ratio = parse_ratio_argument(options.ratio);
     check_combination(options);
     (void)parse_gap(options.gap);  // before any work and before the output file is touched
     std::optional<AtomicFile> file;
+    std::optional<PieceStore> store;  // a range may take long: its finished pieces are kept
     if (!options.out.empty()) {
         file.emplace(options.out);
+        if (ratio.lo < ratio.hi) {
+            store.emplace(options.out + ".partial", StoredClaim{scene_of(options), section_of(options),
+                                                                ratio.lo, ratio.hi, parse_gap(options.gap)});
+        }
     }
     const auto start = std::chrono::steady_clock::now();
-    const auto pieces = prove(options, ratio);
+    const auto pieces = prove(options, ratio, store ? &*store : nullptr);
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 
     ProofReport report = describe(options, ratio, pieces, seconds);
     if (file) {
         report.out = options.out;
         write_certificate(pieces, *file, report);
+    }
+    const bool open = std::any_of(pieces.begin(), pieces.end(),
+                                  [](const ProvedPiece& p) { return p.piece.status() == Status::open; });
+    if (store && !open) {
+        store->remove();
     }
     if (options.json) {
         fmt::print("{}\n", to_json(report).dump(2));
@@ -149,11 +177,8 @@ int run(const Options& options) {
         }
         fmt::print("{}{}{}", orbits_to_text(report), options.witness ? "\n" : "", to_text(report));
     }
-    const bool open = std::any_of(pieces.begin(), pieces.end(),
-                                  [](const ProvedPiece& p) { return p.piece.status() == Status::open; });
     if (open) {
-        fmt::print(stderr,
-                   "dumbbell: not everything was decided: allow more time (--budget), or a wider --gap\n");
+        fmt::print(stderr, "dumbbell: {}\n", advice(options, ratio, store.has_value()));
     }
     return open ? exit_not_certified : exit_done;
 }

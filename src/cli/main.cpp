@@ -12,7 +12,9 @@
 #include "arith/self_test.hpp"
 #include "cli/audit_command.hpp"
 #include "cli/certify_command.hpp"
+#include "cli/critical_command.hpp"
 #include "cli/exit_code.hpp"
+#include "cli/law_command.hpp"
 #include "cli/plot_command.hpp"
 #include "cli/trace_command.hpp"
 #include "cli/verify_command.hpp"
@@ -27,6 +29,8 @@ Examples:
   dumbbell certify 10                        at most 4 collisions, and 4 occur
   dumbbell certify 1:100 --out stairs.dbc    every mass ratio from 1 to 100
   dumbbell verify stairs.dbc                 the independent verifier re-checks it
+  dumbbell critical 3:20                     the mass ratios at which the maximum steps up
+  dumbbell law stairs.dbc                    what the staircase says as a whole
   dumbbell trace 10 --phi 1/3 --phidot 1 --y 3 --ydot -1/2    the orbit of one initial condition
   dumbbell plot staircase stairs.dbc --out stairs.svg)";
 
@@ -55,6 +59,8 @@ int parse_and_run(int argc, char** argv) {
                        "Re-check certificates with the independent verifier (dumbbell verify --help).");
     int exit_code = exit_done;
     add_certify_command(app, exit_code);
+    add_critical_command(app, exit_code);
+    add_law_command(app, exit_code);
     add_audit_command(app, exit_code);
     add_trace_command(app, exit_code);
     add_plot_command(app, exit_code);

@@ -19,6 +19,9 @@ Rational positive(const std::string& text) {
 
 RatioArgument parse_ratio_argument(const std::string& text) {
     const auto colon = text.find(':');
+    if (colon != std::string::npos && (colon == 0 || colon + 1 == text.size())) {
+        throw InputError(fmt::format("the range '{}' lacks an end: write LO:HI, for example 1:100", text));
+    }
     RatioArgument result;
     result.lo = positive(text.substr(0, colon));
     result.hi = colon == std::string::npos ? result.lo : positive(text.substr(colon + 1));
@@ -27,9 +30,9 @@ RatioArgument parse_ratio_argument(const std::string& text) {
     }
     if (result.lo < 1 && result.hi > 1) {
         throw InputError(
-            fmt::format("the range '{}' crosses 1: split at 1 (below 1 the masses are swapped, so "
-                        "1/HI':1/LO' says the same)",
-                        text));
+            fmt::format("the range '{}' crosses 1: write 1:{} (below 1 the masses are swapped, so that "
+                        "says the same)",
+                        text, to_decimal(std::max(result.hi, Rational(1) / result.lo), 17)));
     }
     if (result.lo < 1) {
         result = {Rational(1) / result.hi, Rational(1) / result.lo, true};

@@ -34,6 +34,8 @@ struct Options {
     bool csv = false;
 };
 
+constexpr int most_subdivide_bits = 4096;  ///< of a certificate
+
 constexpr const char* description =
     R"(Follow one initial condition, or a box of them, through all its collisions, every number enclosed.
 
@@ -82,7 +84,7 @@ void write_certificate(TraceReport& report, const std::string& path, AtomicFile&
     CertificateText text = render(InitialCertificate{.program = "dumbbell",
                                                      .version = DUMBBELL_VERSION,
                                                      .box = report.box,
-                                                     .bits = 53,
+                                                     .bits = report.parts->bits,
                                                      .tree = report.parts->tree});
     file.commit(text.text);
     report.out = path;
@@ -119,6 +121,7 @@ int run(const Options& options) {
     const auto start = std::chrono::steady_clock::now();
     report.trace = trace(report.box, options.digits);
     if (options.subdivide) {
+        limits.bits = std::min(report.trace.bits, most_subdivide_bits);
         report.parts = subdivide(report.box, limits);
     }
     report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -163,7 +166,8 @@ void add_trace_command(CLI::App& app, int& exit_code) {
         ->type_name("TIME");
     command
         ->add_option("--digits", options->digits,
-                     "decimal digits to compute and show; default: double precision")
+                     "decimal digits to compute and show; with --subdivide also the precision for parts that "
+                     "double precision does not decide. Default: double precision")
         ->check(CLI::Range(1, 100'000));
     command->add_option("--jobs", options->jobs, "threads; the result does not depend on it")
         ->check(CLI::Range(1, 1024))

@@ -1,10 +1,17 @@
 #pragma once
 
+#include <string>
+
+/// The program `dumbbell-verify` that lies beside this one. It shares no code with this program, so it is
+/// run, never called.
 namespace dumbbell {
 
-/// Becomes the program `dumbbell-verify` that lies beside this one, with the arguments behind `verify`; its
-/// exit code is the verifier's. The verifier shares no code with this program, so nothing is parsed here.
-/// Returns only if it cannot be started: throws InputError.
+/// Becomes the verifier, with the arguments behind `verify`; its exit code is the verifier's. Returns only if
+/// it cannot be started: throws InputError.
 [[noreturn]] void become_verifier(int argc, char** argv);
+
+/// The verifier's verdict on a certificate of the scene dumbbell, its last line. Throws InputError, with that
+/// line, if the file is not verified.
+[[nodiscard]] std::string verified(const std::string& file);
 
 }  // namespace dumbbell

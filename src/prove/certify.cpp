@@ -15,9 +15,6 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// Beyond q = 10^16 one orbit has about 10^8 collisions; nothing is tried.
-Rational greatest_ratio() { return exact(1e16); }
-
 std::function<bool()> deadline(const CertifyRequest& request) {
     constexpr std::chrono::duration<double> practically_for_ever(1e9);  // and no overflow of the clock
     if (!request.budget || *request.budget > practically_for_ever) {
@@ -42,22 +39,45 @@ ProvedPiece timed(Prove prove) {
     return proved;
 }
 
+/// From the store if it has the piece; else proved, and kept if that came to its end.
+ProvedPiece prove_or_recall(const PlannedPiece& planned, const PieceStore* store,
+                            const PieceOptions& options) {
+    auto kept = store ? store->find(planned) : std::nullopt;
+    if (kept) {
+        ProvedPiece recalled;
+        recalled.piece = std::move(*kept);
+        describe_witness(recalled);
+        return recalled;
+    }
+    if (options.interrupted()) {
+        return open_piece(planned.q_lo, planned.q_hi);
+    }
+    ProvedPiece proved = prove_piece(planned.q_lo, planned.q_hi, planned.upper, planned.lower, options);
+    if (store && proved.piece.upper) {
+        store->keep(proved.piece);
+    }
+    return proved;
+}
+
 std::vector<ProvedPiece> prove_plan(const CertifyRequest& request, const PieceOptions& options) {
-    const auto plan = plan_staircase(request.scene, request.q_lo, request.q_hi, request.gap);
+    const auto plan =
+        plan_staircase(request.scene, request.q_lo, request.q_hi, request.gap, options.interrupted);
+    if (plan.empty()) {
+        return {open_piece(request.q_lo, request.q_hi)};
+    }
     std::vector<ProvedPiece> pieces(plan.size());
     std::atomic<std::size_t> finished = 0;
     tbb::parallel_for(std::size_t{0}, plan.size(), [&](std::size_t i) {
         require_sound_arithmetic();
-        const PlannedPiece& p = plan[i];
-        pieces[i] = options.interrupted()
-                        ? open_piece(p.q_lo, p.q_hi)
-                        : timed([&] { return prove_piece(p.q_lo, p.q_hi, p.upper, p.lower, options); });
+        pieces[i] = timed([&] { return prove_or_recall(plan[i], request.store, options); });
         request.progress(++finished, plan.size());
     });
     return pieces;
 }
 
 }  // namespace
+
+Rational greatest_ratio() { return exact(1e16); }
 
 std::vector<ProvedPiece> certify(const CertifyRequest& request) {
     require_sound_arithmetic();

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "prove/piece.hpp"
+#include "prove/piece_store.hpp"
 
 namespace dumbbell {
 
@@ -19,6 +20,7 @@ struct CertifyRequest {
     int jobs = 1;
     std::optional<std::chrono::duration<double>> budget;
     SplitRule rule = SplitRule::scaled;
+    const PieceStore* store = nullptr;  ///< ranges: where finished pieces are kept, and found again
     /// Called now and then, from any thread, with the numbers of finished and of all pieces.
     std::function<void(std::size_t, std::size_t)> progress = [](std::size_t, std::size_t) {};
 };
@@ -27,6 +29,9 @@ struct CertifyRequest {
 /// The result does not depend on the number of jobs. Throws BrokenInvariant if the arithmetic of a thread is
 /// not sound.
 [[nodiscard]] std::vector<ProvedPiece> certify(const CertifyRequest& request);
+
+/// Beyond this ratio, 10^16, one orbit has about 10^8 collisions; nothing is tried.
+[[nodiscard]] Rational greatest_ratio();
 
 /// The share of [q_lo, q_hi] whose pieces are exact (1 for a single decided ratio), rounded down.
 [[nodiscard]] double decided_fraction(const std::vector<ProvedPiece>& pieces);

@@ -1,9 +1,9 @@
 #include "prove/piece.hpp"
 
 #include <algorithm>
-#include <limits>
 
 #include "model/count.hpp"
+#include "model/extremal_orbit.hpp"
 #include "model/orbit.hpp"
 #include "model/paper_bound.hpp"
 #include "prove/witness.hpp"
@@ -67,17 +67,16 @@ void describe(ProvedPiece& proved) {
 template <class I>
 bool attempt_piece(ProvedPiece& proved, int bits, long upper, long lower, const PieceOptions& options) {
     Piece& piece = proved.piece;
-    auto witness = options.scene == Scene::dumbbell ? find_witness<I>(piece.q_lo, piece.q_hi, lower)
-                                                    : find_wedge_witness(piece.q_lo, lower);
+    auto witness = options.scene == Scene::dumbbell
+                       ? find_witness<I>(piece.q_lo, piece.q_hi, lower, options.interrupted)
+                       : find_wedge_witness(piece.q_lo, lower);
     if (!witness) {
         return false;
     }
     piece.bits = bits;
     piece.lower = lower;
     piece.witness = std::move(*witness);
-    if (piece.witness->chart == Chart::bridge) {
-        describe<I>(proved);
-    }
+    describe_witness(proved);
     auto cover = prove_upper<I>(piece.q_lo, piece.q_hi, upper, options);
     if (!cover) {
         return false;
@@ -87,20 +86,38 @@ bool attempt_piece(ProvedPiece& proved, int bits, long upper, long lower, const 
     return true;
 }
 
-/// What N* seems to be, from bounds on the two extremal orbits; nothing if this precision cannot tell. It
-/// only says what to try.
+/// What N* seems to be, from bounds on the two extremal orbits; nothing if this precision cannot tell, or not
+/// in time. It only says what to try.
 template <class I>
-std::optional<long> suspected_maximum(const Rational& q) {
-    constexpr long cap = std::numeric_limits<long>::max() / 4;
+std::optional<long> suspected_maximum(const Rational& q, const PieceOptions& options) {
     const I r = enclose<I>(Rational(1) / q);
-    const Ray<I> top{r, I(0), r};
-    const Ray<I> corner{pi<I>() * r, r, r};
-    const long most = count_at_most(top, cap) + count_at_most(corner, cap);
-    const long least = count_at_least(top, cap) + count_at_least(corner, cap);
-    return most == least ? std::optional(2 + most) : std::nullopt;
+    const Ray<I> top = extremal_ray(ExtremalOrbit::top, r);
+    const Ray<I> corner = extremal_ray(ExtremalOrbit::corner, r);
+    // Growing caps: an orbit of many millions of collisions is followed in stretches that end in time.
+    for (long cap = 1'000'000; !options.interrupted(); cap *= 4) {
+        const long most = count_at_most(top, cap) + count_at_most(corner, cap);
+        if (most <= cap) {
+            const long least = count_at_least(top, cap) + count_at_least(corner, cap);
+            return most == least ? std::optional(2 + most) : std::nullopt;
+        }
+    }
+    return std::nullopt;
 }
 
 }  // namespace
+
+void describe_witness(ProvedPiece& proved) {
+    const Piece& piece = proved.piece;
+    if (!piece.witness || piece.witness->chart != Chart::bridge) {
+        return;
+    }
+    const PrecisionScope scope(piece.bits);
+    if (piece.bits == double_bits) {
+        describe<Interval>(proved);
+    } else {
+        describe<BigInterval>(proved);
+    }
+}
 
 ProvedPiece prove_single(const Rational& q, const PieceOptions& options) {
     ProvedPiece proved;
@@ -108,7 +125,7 @@ ProvedPiece prove_single(const Rational& q, const PieceOptions& options) {
     escalate(options, [&]<class I>(const I&, int bits) {
         const auto n = options.scene != Scene::dumbbell ? std::optional(paper_bound(q) - 1)
                        : q == 1                         ? std::optional(2L)
-                                                        : suspected_maximum<I>(q);
+                                                        : suspected_maximum<I>(q, options);
         return n && attempt_piece<I>(proved, bits, *n, *n, options);
     });
     return proved;

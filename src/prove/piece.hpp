@@ -28,6 +28,9 @@ struct ProvedPiece {
     double seconds = 0;
 };
 
+/// What the piece's witness orbit looks like (margin, width), in the piece's precision.
+void describe_witness(ProvedPiece& proved);
+
 /// Decides one ratio: upper = lower = N*(q), at the first precision that suffices. If none does the piece is
 /// left open, with the best lower bound found.
 [[nodiscard]] ProvedPiece prove_single(const Rational& q, const PieceOptions& options);

@@ -1,6 +1,7 @@
 #include "prove/staircase.hpp"
 
 #include <fmt/format.h>
+#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
@@ -52,17 +53,19 @@ long guessed_value(Scene scene, double q) {
 }
 
 /// The steps that seem to lie near [lo, hi], with a neighbour on either side for the distances.
-std::vector<Step> steps_near(Scene scene, double lo, double hi) {
+std::vector<Step> steps_near(Scene scene, double lo, double hi, const std::function<bool()>& interrupted) {
     const long first = std::max(4L, guessed_value(scene, lo) - 1);
     const long last = guessed_value(scene, hi) + 2;
     if (last - first > max_steps) {
         throw InputError(fmt::format("the range holds about {} steps, more than {}: certify it in parts",
                                      last - first, max_steps));
     }
-    std::vector<Step> steps;
-    for (long n = first; n <= last; ++n) {
-        steps.push_back(step_to(scene, n));
-    }
+    std::vector<Step> steps(static_cast<std::size_t>(last - first + 1));
+    tbb::parallel_for(std::size_t{0}, steps.size(), [&](std::size_t i) {
+        if (!interrupted()) {
+            steps[i] = step_to(scene, first + static_cast<long>(i));
+        }
+    });
     return steps;
 }
 
@@ -78,12 +81,17 @@ double half_gap(const std::vector<Step>& steps, std::size_t i, double relative_g
 }  // namespace
 
 std::vector<PlannedPiece> plan_staircase(Scene scene, const Rational& q_lo, const Rational& q_hi,
-                                         const Rational& gap) {
-    const auto steps = steps_near(scene, q_lo.convert_to<double>(), q_hi.convert_to<double>());
-    // A step exactly at the left end still has to be taken, one exactly at the right end not.
+                                         const Rational& gap, const std::function<bool()>& interrupted) {
+    const auto steps = steps_near(scene, q_lo.convert_to<double>(), q_hi.convert_to<double>(), interrupted);
+    if (interrupted()) {
+        return {};
+    }
+    // An exactly known step at the left end still has to be taken, one at the right end not. A guessed one
+    // may lie a few doubles from the true one, on the other side of an end of the range.
+    const Rational slack = exact(0x1p-48);
     const auto is_inside = [&](const Step& s) {
         const Rational q = exact(s.critical);
-        return (s.exact ? q >= q_lo : q > q_lo) && q < q_hi;
+        return s.exact ? q >= q_lo && q < q_hi : q * (1 + slack) > q_lo && q * (1 - slack) < q_hi;
     };
     long n = 3;  // the value at the left end
     for (const Step& s : steps) {
@@ -103,12 +111,15 @@ std::vector<PlannedPiece> plan_staircase(Scene scene, const Rational& q_lo, cons
         }
         const double q = steps[i].critical;
         const double half = half_gap(steps, i, gap.convert_to<double>());
-        const Rational left = steps[i].exact ? exact(q) : std::max(from, rounded(q - half, half / 20, false));
-        const Rational right = std::min(q_hi, rounded(q + half, half / 20, true));
+        const Rational left =
+            steps[i].exact ? exact(q) : std::clamp(rounded(q - half, half / 20, false), from, q_hi);
+        const Rational right = std::clamp(rounded(q + half, half / 20, true), left, q_hi);
         if (left > from || (steps[i].exact && left == from)) {
             plan.push_back({from, left, n, n});
         }
-        plan.push_back({left, right, n + 1, n});
+        if (right > left) {
+            plan.push_back({left, right, n + 1, n});
+        }
         from = right;
         ++n;
     }

@@ -46,7 +46,7 @@ std::array<double, initial_axes> spreads(const InitialBox& box, std::size_t coll
     }
     const BoxJets<Interval> jets(centre);
     const auto start = jets.state();
-    const auto followed = follow(start, {});
+    const auto followed = follow(start);
     const std::size_t shared = std::min(collisions + 1, followed.bounces.size());
     const auto& s = shared == 0 ? start : followed.bounces[shared - 1].after;
     const double spin = approximate(range(s.phidot));
@@ -78,21 +78,21 @@ std::optional<InitialAxis> split_axis(const Pending& pending, std::size_t collis
     return best ? std::optional(static_cast<InitialAxis>(*best)) : std::nullopt;
 }
 
-Judged judge(const Pending& pending, int max_depth) {
-    Judged result{judge_initial(pending.box), std::nullopt};
+Judged judge(const Pending& pending, const SubdivideOptions& options) {
+    Judged result{judge_initial(pending.box, options.bits), std::nullopt};
     if (result.leaf.most != result.leaf.least) {
-        result.split = split_axis(pending, static_cast<std::size_t>(result.leaf.least), max_depth);
+        result.split = split_axis(pending, static_cast<std::size_t>(result.leaf.least), options.max_depth);
     }
     return result;
 }
 
 /// The boxes of one generation; the results do not depend on how the work is shared out.
-std::vector<Judged> judge_all(const std::vector<Pending>& pending, int max_depth) {
+std::vector<Judged> judge_all(const std::vector<Pending>& pending, const SubdivideOptions& options) {
     std::vector<Judged> results(pending.size());
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, pending.size(), 16), [&](const auto& range) {
         require_sound_arithmetic();
         for (std::size_t i = range.begin(); i != range.end(); ++i) {
-            results[i] = judge(pending[i], max_depth);
+            results[i] = judge(pending[i], options);
         }
     });
     return results;
@@ -113,7 +113,7 @@ std::vector<Draft> grow(const InitialBox& box, const SubdivideOptions& options) 
     std::vector<Pending> pending{{0, box, {}}};
     std::size_t leaves = 1;
     while (!pending.empty()) {
-        const std::vector<Judged> judged = judge_all(pending, options.max_depth);
+        const std::vector<Judged> judged = judge_all(pending, options);
         const bool stop = options.interrupted();
         std::vector<Pending> next;
         for (std::size_t i = 0; i < pending.size(); ++i) {
@@ -156,6 +156,7 @@ Subdivision subdivide(const InitialBox& box, const SubdivideOptions& options) {
     tbb::task_arena arena(options.jobs);
     const std::vector<Draft> drafts = arena.execute([&] { return grow(box, options); });
     Subdivision result;
+    result.bits = options.bits;
     std::vector<std::size_t> stack{0};
     while (!stack.empty()) {
         const Draft& draft = drafts[stack.back()];

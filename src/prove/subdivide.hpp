@@ -15,6 +15,7 @@ struct SubdivideOptions {
     std::size_t max_boxes = 50000;  ///< leaves
     int max_depth = 60;             ///< splits of one axis
     int jobs = 1;
+    int bits = 53;  ///< for boxes that double precision does not decide; beyond 53 MPFR
     std::function<bool()> interrupted = [] { return false; };
 };
 
@@ -30,11 +31,12 @@ struct Subdivision {
     Share undecided;
     long least = 0;  ///< over the whole box
     std::optional<long> most;
+    int bits = 53;  ///< of the options
 };
 
 /// Bisects until each box has an exact count, or a limit is reached; then the largest boxes are the ones that
 /// were halved. Deterministic whatever the number of threads, unless interrupted. A leaf says only what the
-/// plain evaluation of format-initial.md gives for a slightly larger box. Precondition: require_in_play(box).
+/// rules of format-initial.md give for a slightly larger box. Precondition: require_in_play(box).
 [[nodiscard]] Subdivision subdivide(const InitialBox& box, const SubdivideOptions& options);
 
 }  // namespace dumbbell

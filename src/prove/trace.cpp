@@ -46,7 +46,7 @@ double greatest_width(const State<S>& s) {
 /// their first contact on.
 template <class S, class I>
 LaterCount count(const Followed<S>& followed, const State<I>& start) {
-    if (followed.total.exact() || followed.bounces.empty() || !certainly_positive(-start.yhatdot)) {
+    if (followed.total.exact() || followed.bounces.empty()) {
         return followed.total;
     }
     const auto& first = followed.bounces.front();
@@ -67,12 +67,12 @@ Trace described(const Followed<S>& followed, const State<I>& start, int bits, in
 template <class I>
 Trace trace_in(const InitialBox& box, int bits, int digits) {
     const State<I> start = natural_state<I>(box);
-    const auto natural = follow(start, {});
+    const auto natural = follow(start);
     if (box.is_point()) {
         return described(natural, start, bits, digits);
     }
     const BoxJets<I> jets(box);
-    const auto correlated = follow(jets.state(), {});
+    const auto correlated = follow(jets.state());
     Trace result = described(correlated, start, bits, digits);
     if (!correlated.bounces.empty()) {
         const std::size_t last = correlated.bounces.size() - 1;

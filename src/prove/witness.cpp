@@ -49,13 +49,14 @@ std::optional<Witness> checked_witness(const Rational& e, const Rational& eta, c
 }
 
 template <class I>
-std::optional<Witness> find_witness(const Rational& q_lo, const Rational& q_hi, long target) {
+std::optional<Witness> find_witness(const Rational& q_lo, const Rational& q_hi, long target,
+                                    const std::function<bool()>& interrupted) {
     const auto attempt = [&](const Rational& e, const Rational& eta) -> std::optional<Witness> {
         auto witness = checked_witness<I>(e, eta, q_lo, q_hi, target);
         return witness && witness->total() >= target ? witness : std::nullopt;
     };
     const int deepest = PrecisionScope::current() + 8;
-    for (int depth = 1; depth <= deepest; ++depth) {
+    for (int depth = 1; depth <= deepest && !interrupted(); ++depth) {
         if (auto top = attempt(below_peak(depth), power_of_half(depth))) {
             return top;
         }
@@ -73,7 +74,9 @@ template std::optional<Witness> checked_witness<Interval>(const Rational&, const
                                                           const Rational&, long);
 template std::optional<Witness> checked_witness<BigInterval>(const Rational&, const Rational&,
                                                              const Rational&, const Rational&, long);
-template std::optional<Witness> find_witness<Interval>(const Rational&, const Rational&, long);
-template std::optional<Witness> find_witness<BigInterval>(const Rational&, const Rational&, long);
+template std::optional<Witness> find_witness<Interval>(const Rational&, const Rational&, long,
+                                                       const std::function<bool()>&);
+template std::optional<Witness> find_witness<BigInterval>(const Rational&, const Rational&, long,
+                                                          const std::function<bool()>&);
 
 }  // namespace dumbbell

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 
 #include "arith/rational.hpp"
@@ -15,9 +16,12 @@ template <class I>
 
 /// Searches for a witness of at least `target` collisions. The extremal orbits leave the bridge near its top,
 /// or near its corner, almost along its tangent; the search tries shorter and shorter distances from both
-/// (where to look is a guess, what is returned is checked). Nothing if none is found.
+/// (where to look is a guess, what is returned is checked). Nothing if none is found, or none before it is
+/// interrupted.
 template <class I>
-[[nodiscard]] std::optional<Witness> find_witness(const Rational& q_lo, const Rational& q_hi, long target);
+[[nodiscard]] std::optional<Witness> find_witness(
+    const Rational& q_lo, const Rational& q_hi, long target,
+    const std::function<bool()>& interrupted = [] { return false; });
 
 /// The straight and the hybrid wedge: a collision of scaled slope lambda, its counts exact at the greatest r,
 /// where they are least (L17, L18). Nothing if none of at least `target` collisions is found.

@@ -65,37 +65,8 @@ Counts count_statuses(const ProofReport& report) {
     return counts;
 }
 
-std::string single_sentence(const ProofReport& report) {
-    const Piece& piece = *report.rows.front().piece;
-    const std::string q = to_decimal(report.q_lo, 17);
-    if (piece.status() != Status::exact) {
-        return fmt::format(
-            "Not decided: at mass ratio {} only this is proved: some trajectory hits the floor at least {} "
-            "times.\n",
-            q, piece.lower);
-    }
-    return fmt::format(
-        "Proved: at mass ratio {} no trajectory hits the floor more than {} times, and some trajectory hits "
-        "it {} times.\n",
-        q, *piece.upper, *piece.upper);
-}
-
-std::string range_sentence(const ProofReport& report) {
-    const Counts counts = count_statuses(report);
-    std::string text = fmt::format(
-        "Proved: in each of the {} pieces with one value N, and for every mass ratio in it, no trajectory "
-        "hits the floor more than N times\n"
-        "and some trajectory hits it N times. ",
-        counts.exact);
-    if (counts.gaps > 0) {
-        text += fmt::format(
-            "In the {} gaps around the critical ratios the maximum is one of the two values. ", counts.gaps);
-    }
-    if (counts.open > 0) {
-        text += fmt::format("{} pieces are open. ", counts.open);
-    }
-    text += fmt::format("Decided: {:.9f} of the range.\n", report.decided_fraction);
-    return text;
+std::string counted(long n, std::string_view one) {
+    return fmt::format("{} {}{}", n, one, n == 1 ? "" : "s");
 }
 
 /// The exact value of a number as it is printed, e.g. -1.5e-05.
@@ -103,6 +74,77 @@ Rational as_printed(std::string_view text) {
     const bool negative = text.starts_with('-');
     const Rational magnitude = parse_rational(text.substr(negative ? 1 : 0));
     return negative ? -magnitude : magnitude;
+}
+
+/// Three digits of x > 0, not below it.
+std::string rounded_up(double x) {
+    const std::string text = fmt::format("{:.3g}", x);
+    return as_printed(text) < exact(x) ? fmt::format("{:.3g}", x * 1.005) : text;
+}
+
+/// Three digits of x > 0, not above it.
+std::string rounded_down(double x) {
+    const std::string text = fmt::format("{:.3g}", x);
+    return as_printed(text) > exact(x) ? fmt::format("{:.3g}", x * 0.995) : text;
+}
+
+/// How clear of tangency the witness's collisions are, and how narrowly it is known.
+std::string witness_sentence(const ReportRow& row) {
+    if (row.margin <= 0) {
+        return {};
+    }
+    return fmt::format(
+        "Its orbit meets the floor at an angle of {} rad or more, and the height at its ends is enclosed to "
+        "{}.\n",
+        rounded_down(row.margin), rounded_up(row.width));
+}
+
+std::string single_sentence(const ProofReport& report) {
+    const Piece& piece = *report.rows.front().piece;
+    const std::string q = to_decimal(report.q_lo, 17);
+    if (piece.status() == Status::exact) {
+        return fmt::format(
+            "Proved: at mass ratio {} no trajectory hits the floor more than {}, and some trajectory hits "
+            "it {}.\n{}",
+            q, counted(*piece.upper, "time"), counted(*piece.upper, "time"),
+            witness_sentence(report.rows.front()));
+    }
+    const std::string known =
+        piece.lower > 0 ? fmt::format("only this is proved: some trajectory hits the floor at least {}",
+                                      counted(piece.lower, "time"))
+                        : std::string("nothing is proved");
+    return fmt::format("Not decided: at mass ratio {} {}.\n", q, known);
+}
+
+/// The share that is not decided, at least: a share like 0.999999999999 says less, and rounds to 1.
+std::string decided_text(double fraction) {
+    if (fraction == 1) {
+        return "Decided: the whole range.\n";
+    }
+    return fmt::format("Decided: all but {} of the range.\n", rounded_up(1 - fraction));
+}
+
+std::string range_sentence(const ProofReport& report) {
+    const Counts counts = count_statuses(report);
+    std::string text;
+    if (counts.exact > 0) {
+        text = fmt::format(
+            "Proved: in {} with one value N, and for every mass ratio in it, no trajectory hits the floor "
+            "more than N times\n"
+            "and some trajectory hits it N times. ",
+            counts.exact == 1 ? "the piece" : fmt::format("each of the {} pieces", counts.exact));
+    } else if (counts.gaps == 0) {
+        text = "Not decided. ";
+    }
+    if (counts.gaps > 0) {
+        text += fmt::format("In the {} around the critical {} the maximum is one of the two values. ",
+                            counts.gaps == 1 ? "gap" : fmt::format("{} gaps", counts.gaps),
+                            counts.gaps == 1 ? "ratio" : "ratios");
+    }
+    if (counts.open > 0) {
+        text += fmt::format("{} {} open. ", counted(counts.open, "piece"), counts.open == 1 ? "is" : "are");
+    }
+    return text + decided_text(report.decided_fraction);
 }
 
 /// A short decimal and a radius that covers both ends from that decimal, so that the text as printed
@@ -132,6 +174,13 @@ nlohmann::ordered_json orbit_json(const ReportRow& row) {
     return {{"ratio", to_fraction(row.piece->q_lo)}, {"collisions", std::move(collisions)}};
 }
 
+/// What a cover of the full section proves beside the count (its chart `again`, L19).
+bool heavy_at_most_once(const ProofReport& report) {
+    return report.section != Section::turning &&
+           std::all_of(report.rows.begin(), report.rows.end(),
+                       [](const ReportRow& row) { return row.piece->upper.has_value(); });
+}
+
 }  // namespace
 
 std::string to_text(const ProofReport& report) {
@@ -156,10 +205,13 @@ std::string to_text(const ProofReport& report) {
                        widths[0], line.value, widths[1], line.paper, widths[2], line.boxes, widths[3],
                        line.time, widths[4]);
     }
-    fmt::format_to(std::back_inserter(text), "{} in {:.2f} s with {} threads\n\n",
-                   report.rows.size() == 1 ? "1 piece" : fmt::format("{} pieces", report.rows.size()),
-                   report.seconds, report.jobs);
+    fmt::format_to(std::back_inserter(text), "{} in {:.2f} s with {}\n\n",
+                   counted(static_cast<long>(report.rows.size()), "piece"), report.seconds,
+                   counted(report.jobs, "thread"));
     text += report.q_lo == report.q_hi ? single_sentence(report) : range_sentence(report);
+    if (heavy_at_most_once(report)) {
+        text += "In every trajectory the heavy mass hits the floor at most once.\n";
+    }
     if (report.out) {
         fmt::format_to(std::back_inserter(text),
                        "Certificate: {} (sha256 {})\nCheck it:    dumbbell verify {}\n", *report.out,
@@ -202,6 +254,7 @@ nlohmann::ordered_json to_json(const ProofReport& report) {
         {"gap", to_fraction(report.gap)},
         {"jobs", report.jobs},
         {"pieces", std::move(pieces)},
+        {"heavy_at_most_once", heavy_at_most_once(report)},
         {"decided_fraction", report.decided_fraction},
         {"seconds", report.seconds},
         {"out", nullptr},

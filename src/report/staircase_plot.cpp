@@ -7,8 +7,10 @@
 #include <cmath>
 #include <iterator>
 #include <numbers>
+#include <vector>
 
 #include "arith/error.hpp"
+#include "model/growth_constant.hpp"
 #include "model/paper_bound.hpp"
 
 namespace dumbbell {
@@ -41,15 +43,39 @@ double tick_step(double range, int wanted) {
     const double power = std::pow(10, std::floor(std::log10(raw)));
     for (const double m : {1.0, 2.0, 5.0}) {
         if (m * power >= raw) {
-            return std::max(1.0, m * power);
+            return m * power;
         }
     }
-    return std::max(1.0, 10 * power);
+    return 10 * power;
+}
+
+/// Ratios to mark: 1, 2 and 5 of each decade, or equal steps where the range holds few of those.
+std::vector<double> ratio_ticks(const Axes& axes) {
+    std::vector<double> ticks;
+    for (double decade = std::floor(axes.log_lo); decade <= axes.log_hi; ++decade) {
+        for (const double m : {1.0, 2.0, 5.0}) {
+            ticks.push_back(m * std::pow(10, decade));
+        }
+    }
+    const auto is_outside = [&](double q) {
+        return std::log10(q) < axes.log_lo - 1e-9 || std::log10(q) > axes.log_hi + 1e-9;
+    };
+    std::erase_if(ticks, is_outside);
+    if (ticks.size() < 4) {
+        const double lo = std::pow(10, axes.log_lo);
+        const double hi = std::pow(10, axes.log_hi);
+        const double step = tick_step(hi - lo, 6);
+        ticks.clear();
+        for (double i = std::ceil(lo / step); i * step <= hi * (1 + 1e-12); ++i) {
+            ticks.push_back(i * step);
+        }
+    }
+    return ticks;
 }
 
 void draw_frame(std::string& svg, const Axes& axes) {
     auto out = std::back_inserter(svg);
-    const double step = tick_step(axes.count_hi, 8);
+    const double step = std::max(1.0, tick_step(axes.count_hi, 8));
     for (double n = 0; n <= axes.count_hi; n += step) {
         fmt::format_to(out, R"(<line x1="{0:.1f}" x2="{1:.1f}" y1="{2:.1f}" y2="{2:.1f}" class="grid"/>)",
                        left, page_width - right, axes.y(n));
@@ -57,18 +83,12 @@ void draw_frame(std::string& svg, const Axes& axes) {
                        axes.y(n) + 4, n);
         svg += '\n';
     }
-    for (double decade = std::floor(axes.log_lo); decade <= std::ceil(axes.log_hi); ++decade) {
-        for (const double m : {1.0, 2.0, 5.0}) {
-            const double q = m * std::pow(10, decade);
-            if (std::log10(q) < axes.log_lo - 1e-9 || std::log10(q) > axes.log_hi + 1e-9) {
-                continue;
-            }
-            fmt::format_to(out, R"(<line x1="{0:.1f}" x2="{0:.1f}" y1="{1:.1f}" y2="{2:.1f}" class="grid"/>)",
-                           axes.x(q), top, page_height - bottom);
-            fmt::format_to(out, R"(<text x="{:.1f}" y="{:.1f}" text-anchor="middle">{:g}</text>)", axes.x(q),
-                           page_height - bottom + 18, q);
-            svg += '\n';
-        }
+    for (const double q : ratio_ticks(axes)) {
+        fmt::format_to(out, R"(<line x1="{0:.1f}" x2="{0:.1f}" y1="{1:.1f}" y2="{2:.1f}" class="grid"/>)",
+                       axes.x(q), top, page_height - bottom);
+        fmt::format_to(out, R"(<text x="{:.1f}" y="{:.1f}" text-anchor="middle">{:.10g}</text>)", axes.x(q),
+                       page_height - bottom + 18, q);
+        svg += '\n';
     }
     fmt::format_to(
         out, R"(<text x="{:.1f}" y="{:.1f}" text-anchor="middle">mass ratio q (heavy over light)</text>)",
@@ -91,6 +111,19 @@ std::string paper_path(const Axes& axes, const Rational& q_lo, const Rational& q
                        axes.y(static_cast<double>(bound + 1)));
     }
     return path + fmt::format("H{:.2f}", axes.x(value(q_hi)));
+}
+
+/// 2 + C sqrt q, which the maximum stays close to (theorem 4).
+std::string growth_path(const Axes& axes) {
+    const double c = approximate(growth_constant());
+    std::string path;
+    constexpr int parts = 200;
+    for (int i = 0; i <= parts; ++i) {
+        const double q = std::pow(10, axes.log_lo + (axes.log_hi - axes.log_lo) * i / parts);
+        fmt::format_to(std::back_inserter(path), "{}{:.2f} {:.2f}", i == 0 ? 'M' : 'L', axes.x(q),
+                       axes.y(2 + c * std::sqrt(q)));
+    }
+    return path;
 }
 
 /// The proved values: exact pieces as treads, gaps as risers at their middle.
@@ -128,7 +161,7 @@ std::string staircase_svg(const std::vector<Piece>& pieces) {
         "\n<title>Greatest number of collisions of a bouncing dumbbell against its mass ratio</title>\n"
         "<style>text{{font:13px sans-serif;fill:#222}}.grid{{stroke:#ddd;stroke-width:1}}"
         ".proved{{fill:none;stroke:#0055a4;stroke-width:2.5}}.paper{{fill:none;stroke:#c8501e;stroke-width:1."
-        "5;stroke-dasharray:6 4}}"
+        "5;stroke-dasharray:6 4}}.growth{{fill:none;stroke:#333;stroke-width:1;stroke-dasharray:2 3}}"
         "</style>\n<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n",
         page_width, page_height);
     draw_frame(svg, axes);
@@ -142,15 +175,19 @@ std::string staircase_svg(const std::vector<Piece>& pieces) {
         }
     }
     fmt::format_to(std::back_inserter(svg),
-                   "<path class=\"paper\" d=\"{}\"/>\n<path class=\"proved\" d=\"{}\"/>\n",
-                   paper_path(axes, q_lo, q_hi), proved_path(axes, pieces));
+                   "<path class=\"paper\" d=\"{}\"/>\n<path class=\"proved\" d=\"{}\"/>\n<path "
+                   "class=\"growth\" d=\"{}\"/>\n",
+                   paper_path(axes, q_lo, q_hi), proved_path(axes, pieces), growth_path(axes));
     fmt::format_to(std::back_inserter(svg),
                    "<line class=\"proved\" x1=\"{0:g}\" x2=\"{1:g}\" y1=\"22\" y2=\"22\"/><text x=\"{2:g}\" "
                    "y=\"26\">proved maximum N(q)</text>\n"
                    "<line class=\"paper\" x1=\"{3:g}\" x2=\"{4:g}\" y1=\"22\" y2=\"22\"/><text x=\"{5:g}\" "
                    "y=\"26\">the paper's bound "
-                   "ceil(\xcf\x80/\xce\xb3)+1</text>\n</svg>\n",
-                   left, left + 36, left + 44, left + 230, left + 266, left + 274);
+                   "ceil(\xcf\x80/\xce\xb3)+1</text>\n"
+                   "<line class=\"growth\" x1=\"{6:g}\" x2=\"{7:g}\" y1=\"22\" y2=\"22\"/><text x=\"{8:g}\" "
+                   "y=\"26\">2 + C \xe2\x88\x9aq</text>\n</svg>\n",
+                   left, left + 36, left + 44, left + 230, left + 266, left + 274, left + 500, left + 536,
+                   left + 544);
     return svg;
 }
 

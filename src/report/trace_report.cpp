@@ -153,10 +153,8 @@ std::string to_text(const TraceReport& report) {
         text += '\n' + subdivision_text(*report.parts);
     }
     if (report.out) {
-        text += fmt::format(
-            "Certificate: {} (sha256 {})\nIts format is proofs/format-initial.md; dumbbell-verify does not "
-            "read this claim kind yet.\n",
-            *report.out, *report.sha256);
+        text += fmt::format("Certificate: {0} (sha256 {1})\nCheck it: dumbbell-verify {0}\n", *report.out,
+                            *report.sha256);
     }
     return text;
 }

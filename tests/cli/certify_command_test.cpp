@@ -136,7 +136,7 @@ TEST_CASE("the staircase from 1 to 100: small, decided but for the gaps, and the
     const Outcome stairs =
         dumbbell({"certify", "1:100", "--gap", "1e-6", "--out", "stairs.dbc"}, folder.path());
     CHECK(stairs.code == 0);
-    CHECK_THAT(stairs.out, Contains("Decided: 0.99999"));
+    CHECK_THAT(stairs.out, Contains("Decided: all but ") && Contains("e-06 of the range"));
     CHECK(contents(folder / "stairs.dbc").size() < 300'000);
     CHECK_THAT(contents(folder / "stairs.dbc"), Contains("total open 0\n"));
 }

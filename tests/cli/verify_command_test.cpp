@@ -86,6 +86,23 @@ TEST_CASE("ranges with narrow gaps, at critical ratios and beyond 1000 are verif
     check_verified(verifier({certificate(folder, "999999:1e6")}));
 }
 
+TEST_CASE(
+    "ranges of the full section next to critical ratios are verified, and say what holds of the heavy mass") {
+    const TemporaryFolder folder;
+    for (const char* range : {"1:1.01", "4.6:4.61", "11.3622:11.3623"}) {
+        CAPTURE(range);
+        const std::string path = certificate(folder, range, {"--section", "full", "--gap", "1e-5"});
+        const Outcome verified = verifier({path});
+        CHECK(verified.code == 0);
+        CHECK_THAT(last_line(verified.out), Contains(" open=0 heavy-at-most=1 sha256="));
+    }
+    for (const char* range : {"2", "2:2.02", "5:5.01", "11:11.01"}) {
+        CAPTURE(range);
+        const std::string path = certificate(folder, range, {"--section", "full", "--lemmas", "none"});
+        CHECK(verifier({path}).code == 0);
+    }
+}
+
 TEST_CASE("dumbbell verify passes arguments, output and exit code through") {
     const TemporaryFolder folder;
     const std::string ten = certificate(folder, "10");

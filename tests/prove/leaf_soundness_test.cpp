@@ -85,6 +85,9 @@ void check(Chart chart, const Leaf& leaf, const State& state, long upper) {
         case Reason::outside:
             REQUIRE_FALSE(inside);
             break;
+        case Reason::once:
+            FAIL("no leaf of the turning section");
+            break;
         case Reason::meets:
             REQUIRE(chart == Chart::light);
             REQUIRE((!inside || meets_bridge(e, slope, r)));

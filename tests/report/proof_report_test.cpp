@@ -61,11 +61,31 @@ TEST_CASE("the table of a range has a line per piece, gaps with both values, ope
 TEST_CASE("the sentence of a range says how much of it is decided") {
     const SampleReport sample(four_pieces());
     const std::string text = to_text(sample.report);
-    CHECK_THAT(text, Contains("Decided: 0.750000000 of the range"));
+    CHECK_THAT(text, Contains("Decided: all but 0.25 of the range"));
     CHECK_THAT(text, Contains("open"));
     CHECK_THAT(text, Contains("no trajectory hits the floor more than N times"));
-    const SampleReport decided({piece(5, 11, 4, 4)});
-    CHECK_THAT(to_text(decided.report), !Contains("gap") && !Contains("open"));
+    SampleReport decided({piece(5, 11, 4, 4)});
+    decided.report.decided_fraction = 1;
+    CHECK_THAT(to_text(decided.report), !Contains("gap") && !Contains("open") &&
+                                            Contains("in the piece with one value N") &&
+                                            Contains("Decided: the whole range."));
+    decided.report.decided_fraction = 1 - 0x1p-40;
+    CHECK_THAT(to_text(decided.report), Contains("Decided: all but 9.14e-13 of the range."));
+}
+
+TEST_CASE("where nothing was decided nothing is called proved") {
+    const SampleReport range({open_piece(5, 11)});
+    CHECK_THAT(to_text(range.report), !Contains("Proved") && Contains("Not decided. 1 piece is open."));
+    const SampleReport single({open_piece(5, 5)});
+    CHECK_THAT(to_text(single.report), !Contains("Proved") && Contains("at mass ratio 5 nothing is proved"));
+}
+
+TEST_CASE("a proof of the full section says that the heavy mass hits the floor at most once") {
+    SampleReport full({piece(5, 11, 4, 4)});
+    CHECK_THAT(to_text(full.report), !Contains("heavy mass"));
+    full.report.section = Section::full;
+    CHECK_THAT(to_text(full.report), Contains("the heavy mass hits the floor at most once"));
+    CHECK(to_json(full.report)["heavy_at_most_once"] == true);
 }
 
 TEST_CASE("a written certificate is named with its checksum and the command that checks it") {

@@ -32,7 +32,7 @@ std::vector<double> heights(const std::string& path) {
 
 }  // namespace
 
-TEST_CASE("the picture is well-formed XML with both curves and a legend for each") {
+TEST_CASE("the picture is well-formed XML with its curves and a legend for each") {
     for (const auto& pieces : {three_pieces(), four_pieces(), std::vector{piece(1, 1'000'000, 3, 3)},
                                std::vector{piece(5, Rational(501, 100), 4, 4)}}) {
         const std::string svg = staircase_svg(pieces);
@@ -40,6 +40,7 @@ TEST_CASE("the picture is well-formed XML with both curves and a legend for each
         CHECK(well_formed(svg));
         CHECK_THAT(path_of(svg, "proved"), Contains("H"));
         CHECK_THAT(path_of(svg, "paper"), Contains("H"));
+        CHECK_THAT(path_of(svg, "growth"), Contains("L"));
         CHECK_THAT(svg, Contains("proved maximum") && Contains("paper's bound"));
         CHECK_THAT(svg, !Contains("nan") && !Contains("inf"));
         CHECK_THAT(svg, Contains("xmlns=\"http://www.w3.org/2000/svg\"") && !Contains("href"));
@@ -69,6 +70,13 @@ TEST_CASE("the proved staircase goes up, never down, and never above the paper's
     CHECK(paper.front() < proved.front());
     CHECK(paper.back() < proved.back());
     CHECK(proved.back() > 0);
+}
+
+TEST_CASE("a narrow range has marks too") {
+    const std::string svg = staircase_svg({piece(6, 9, 4, 4)});
+    for (const char* mark : {">6<", ">7<", ">8<", ">9<"}) {
+        CHECK_THAT(svg, Contains(mark));
+    }
 }
 
 TEST_CASE("an open piece shows as a blank") {

@@ -1,0 +1,68 @@
+#include "cli/law_command.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "arith/error.hpp"
+#include "certificate/reader.hpp"
+#include "cli/exit_code.hpp"
+#include "cli/verify_command.hpp"
+#include "model/paper_bound.hpp"
+#include "report/law_report.hpp"
+
+namespace dumbbell {
+namespace {
+
+constexpr const char* description =
+    R"(Prove what a staircase says as a whole: the maximum never decreases, the paper's bound is never attained, and
+how far N*(q) is from C sqrt q.
+
+The independent verifier checks the certificate first; what follows rests on its pieces alone. C, the limit of
+N*(q) / sqrt q (theorem 4 of proofs/theorem.md), is enclosed by verified quadrature.
+
+Examples:
+  dumbbell certify 1:10000 --gap 1e-12 --out stairs.dbc
+  dumbbell law stairs.dbc
+
+Exit codes: 0 proved; 1 internal error; 2 wrong usage, or a file that is not verified; 3 not proved by this file.)";
+
+struct Options {
+    std::string file;
+    int digits = 50;
+    bool json = false;
+};
+
+int run(const Options& options) {
+    LawReport report{
+        .file = options.file, .verdict = verified(options.file), .digits = options.digits, .law = {}};
+    const Certificate certificate = read_certificate(options.file);
+    if (certificate.q_lo() == certificate.q_hi() || certificate.q_hi() > paper_bound_limit()) {
+        throw InputError(fmt::format("'{}' is no staircase: it needs a range of mass ratios", options.file));
+    }
+    const PrecisionScope scope(static_cast<int>(options.digits * 3.33) + 64);
+    report.law = law_of(certificate);
+    if (options.json) {
+        fmt::print("{}\n", to_json(report).dump(2));
+    } else {
+        fmt::print("{}", to_text(report));
+    }
+    return all_proved(report.law) ? exit_done : exit_not_certified;
+}
+
+}  // namespace
+
+void add_law_command(CLI::App& app, int& exit_code) {
+    auto options = std::make_shared<Options>();
+    CLI::App* command = app.add_subcommand("law", description);
+    command->add_option("FILE", options->file, "certificate over a range of mass ratios, scene dumbbell")
+        ->required();
+    command->add_option("--digits", options->digits, "digits of C, all of them proved")
+        ->check(CLI::Range(1, 1000))
+        ->capture_default_str();
+    command->add_flag("--json", options->json, "one JSON object on stdout");
+    command->callback([options, &exit_code] { exit_code = run(*options); });
+}
+
+}  // namespace dumbbell

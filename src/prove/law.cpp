@@ -1,0 +1,91 @@
+#include "prove/law.hpp"
+
+#include <algorithm>
+
+#include "arith/rational.hpp"
+#include "model/growth_constant.hpp"
+#include "model/paper_bound.hpp"
+
+namespace dumbbell {
+namespace {
+
+/// Whether `upper` <= ceil(pi / gamma) = paper_bound - 1 on the piece. That grows with the ratio, so the
+/// lower end decides; if a piece before it ends there, the end itself belongs to that one.
+bool is_below_paper(const Piece& piece, bool first) {
+    const bool closed = first || piece.q_lo == piece.q_hi;
+    return *piece.upper <= (closed ? paper_bound(piece.q_lo) : paper_bound_behind(piece.q_lo)) - 1;
+}
+
+/// Takes the greater (sign = 1) or the lesser (-1) of what is known and a new value.
+class Best {
+  public:
+    explicit Best(int sign) : sign_(sign) {}
+
+    void take(const BigInterval& value, const Rational& at, bool occurs) {
+        if (!outer_ || is_beyond(value, *outer_)) {
+            outer_ = value;
+        }
+        if (occurs && (!inner_ || is_beyond(value, *inner_))) {
+            inner_ = value;
+            at_ = at;
+        }
+    }
+    [[nodiscard]] std::optional<Extremum> result() const {
+        return inner_ ? std::optional(Extremum{*inner_, *outer_, at_}) : std::nullopt;
+    }
+
+  private:
+    /// By the ends on the far side: of two enclosures that overlap either may stay as inner one, the one that
+    /// reaches further stays as outer one.
+    [[nodiscard]] bool is_beyond(const BigInterval& a, const BigInterval& b) const {
+        return sign_ > 0 ? certainly_less(high_end(b), high_end(a)) : certainly_less(low_end(a), low_end(b));
+    }
+
+    int sign_;
+    std::optional<BigInterval> inner_, outer_;
+    Rational at_;
+};
+
+}  // namespace
+
+Law law_of(const Certificate& certificate) {
+    Law law{.q_lo = certificate.q_lo(),
+            .q_hi = certificate.q_hi(),
+            .constant = growth_constant(),
+            .sup = {},
+            .inf = {}};
+    law.complete = std::none_of(certificate.pieces.begin(), certificate.pieces.end(),
+                                [](const Piece& piece) { return piece.status() == Status::open; });
+    if (!law.complete) {
+        return law;
+    }
+    law.never_decreases = law.below_paper = true;
+    law.least = certificate.pieces.front().lower;
+    law.greatest = *certificate.pieces.back().upper;
+    const auto excess = [&](long n, const Rational& q) {
+        return BigInterval(static_cast<double>(n)) - law.constant * sqrt(enclose<BigInterval>(q));
+    };
+    Best sup(1);
+    Best inf(-1);
+    long before = 0;  // a lower bound of nothing yet; then the greatest value so far
+    for (const Piece& piece : certificate.pieces) {
+        const bool exact = piece.status() == Status::exact;
+        ++(exact ? law.values : law.gaps);
+        law.never_decreases = law.never_decreases && piece.lower >= before;
+        before = exact ? piece.lower : before;
+        law.below_paper = law.below_paper && is_below_paper(piece, &piece == certificate.pieces.data());
+        sup.take(excess(*piece.upper, piece.q_lo), piece.q_lo, exact);
+        inf.take(excess(piece.lower, piece.q_hi), piece.q_hi, exact);
+    }
+    // A gap's upper value must not be above what follows.
+    long after = law.greatest;
+    for (auto piece = certificate.pieces.rbegin(); piece != certificate.pieces.rend(); ++piece) {
+        law.never_decreases = law.never_decreases && *piece->upper <= after;
+        after = piece->status() == Status::exact ? *piece->upper : after;
+    }
+    law.sup = sup.result();
+    law.inf = inf.result();
+    return law;
+}
+
+}  // namespace dumbbell

@@ -1,0 +1,123 @@
+#include "prove/piece_store.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <utility>
+
+#include "arith/error.hpp"
+#include "certificate/atomic_file.hpp"
+#include "certificate/names.hpp"
+#include "certificate/reader.hpp"
+#include "certificate/writer.hpp"
+
+namespace dumbbell {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string text_of(const StoredClaim& claim) {
+    return fmt::format(
+        "dumbbell-partial 1\ngenerator dumbbell {}\nlemmas {}\nscene {}\nsection {}\nratio {} {}\ngap {}\n",
+        DUMBBELL_VERSION, lemma_set(claim.section), name(claim.scene), name(claim.section),
+        to_fraction(claim.q_lo), to_fraction(claim.q_hi), to_fraction(claim.gap));
+}
+
+std::string contents(const std::string& path) {
+    std::ifstream in(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
+}
+
+/// Whether the last line is the checksum of all lines before it.
+bool is_whole(const std::string& text) {
+    const auto last = text.rfind("sha256 ");
+    return last != std::string::npos &&
+           text.substr(last) == fmt::format("sha256 {}\n", sha256_hex(text.substr(0, last)));
+}
+
+}  // namespace
+
+PieceStore::PieceStore(std::string folder, const StoredClaim& claim)
+    : folder_(std::move(folder)), claim_(claim), text_(text_of(claim)) {
+    const std::string file = folder_ + "/claim";
+    std::error_code failed;
+    if (fs::exists(fs::symlink_status(folder_, failed)) && !fs::is_empty(folder_, failed) &&
+        !fs::exists(file)) {
+        throw InputError(
+            fmt::format("'{}' is in the way: it is no folder with the finished pieces of a run; remove it, "
+                        "or use another --out",
+                        folder_));
+    }
+    fs::create_directory(folder_, failed);
+    if (failed) {
+        throw InputError(fmt::format("cannot make the folder '{}': {}", folder_, failed.message()));
+    }
+    lock_.descriptor = ::open(folder_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (lock_.descriptor < 0 || ::flock(lock_.descriptor, LOCK_EX | LOCK_NB) != 0) {
+        throw InputError(
+            fmt::format("'{}' is in use by another run: wait for it, or use another --out", folder_));
+    }
+    if (!fs::exists(file)) {
+        AtomicFile(file).commit(text_);
+    } else if (contents(file) != text_) {
+        throw InputError(fmt::format(
+            "'{}' holds the finished pieces of another run (see its file 'claim'): repeat that run, remove "
+            "the folder, or use another --out",
+            folder_));
+    }
+}
+
+PieceStore::Lock::~Lock() {
+    if (descriptor >= 0) {
+        ::close(descriptor);
+    }
+}
+
+PieceStore::~PieceStore() {
+    std::error_code ignored;
+    const auto files = std::distance(fs::directory_iterator(folder_, ignored), fs::directory_iterator());
+    if (!ignored && files == 1) {
+        remove();  // nothing but the claim
+    }
+}
+
+std::string PieceStore::file_of(const PlannedPiece& planned) const {
+    const std::string what = fmt::format("{}piece {} {} {} {}\n", text_, to_fraction(planned.q_lo),
+                                         to_fraction(planned.q_hi), planned.upper, planned.lower);
+    return fmt::format("{}/{}.dbc", folder_, sha256_hex(what).substr(0, 32));
+}
+
+std::optional<Piece> PieceStore::find(const PlannedPiece& planned) const {
+    const std::string file = file_of(planned);
+    if (!fs::exists(file) || !is_whole(contents(file))) {
+        return std::nullopt;
+    }
+    const Certificate kept = read_certificate(file);
+    const Piece& piece = kept.pieces.front();
+    const bool fits = kept.pieces.size() == 1 && kept.scene == claim_.scene &&
+                      kept.section == claim_.section && piece.q_lo == planned.q_lo &&
+                      piece.q_hi == planned.q_hi && piece.upper == planned.upper &&
+                      piece.lower == planned.lower;
+    return fits ? std::optional(piece) : std::nullopt;
+}
+
+void PieceStore::keep(const Piece& piece) const {
+    const Certificate alone{.program = "dumbbell",
+                            .version = DUMBBELL_VERSION,
+                            .pieces = {piece},
+                            .scene = claim_.scene,
+                            .section = claim_.section};
+    AtomicFile(file_of({piece.q_lo, piece.q_hi, *piece.upper, piece.lower})).commit(render(alone).text);
+}
+
+void PieceStore::remove() {
+    std::error_code ignored;
+    fs::remove_all(folder_, ignored);
+}
+
+}  // namespace dumbbell

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "certificate/certificate.hpp"
+#include "prove/staircase.hpp"
+
+namespace dumbbell {
+
+/// What a run was asked for, as far as its pieces depend on it.
+struct StoredClaim {
+    Scene scene = Scene::dumbbell;
+    Section section = Section::turning;
+    Rational q_lo;
+    Rational q_hi;
+    Rational gap;
+};
+
+/// The finished pieces of a long run in a folder, so that a run that was killed goes on where it was. Each
+/// piece is a file of its own, a complete certificate that `dumbbell-verify` accepts, with a name that
+/// depends on nothing but what it claims. The folder belongs to one claim of one version of the program, and
+/// to one run at a time. Throws InputError, and changes nothing, if the folder is of another claim, is none
+/// of these, or is in use. May be used by several threads at once.
+class PieceStore {
+  public:
+    /// Opens the folder, or makes it.
+    PieceStore(std::string folder, const StoredClaim& claim);
+    ~PieceStore();
+    PieceStore(const PieceStore&) = delete;
+    PieceStore& operator=(const PieceStore&) = delete;
+
+    /// The piece with these bounds, if it was kept and its file is whole; a damaged file is as good as none.
+    [[nodiscard]] std::optional<Piece> find(const PlannedPiece& planned) const;
+
+    /// Makes the piece durable. Precondition: its bounds are the planned ones.
+    void keep(const Piece& piece) const;
+
+    /// Nothing is needed any more: removes the folder.
+    void remove();
+
+  private:
+    [[nodiscard]] std::string file_of(const PlannedPiece& planned) const;
+
+    std::string folder_;
+    StoredClaim claim_;
+    std::string text_;  ///< of the claim
+
+    /// Of the folder; given back also when the constructor throws.
+    struct Lock {
+        int descriptor = -1;
+        Lock() = default;
+        ~Lock();
+        Lock(const Lock&) = delete;
+        Lock& operator=(const Lock&) = delete;
+    } lock_;
+};
+
+}  // namespace dumbbell

@@ -1,0 +1,88 @@
+#include "report/law_report.hpp"
+
+#include <fmt/format.h>
+
+#include "arith/decimal.hpp"
+#include "arith/error.hpp"
+
+namespace dumbbell {
+namespace {
+
+/// The digits of C that are certain, as many as asked for.
+std::string constant_text(const LawReport& report) {
+    const BigInterval& c = report.law.constant;
+    const auto digits = shared_digits(exact_lo(c), exact_hi(c), report.digits);
+    require(digits.has_value(), "the quadrature did not reach the digits asked for");
+    return to_text(*digits);
+}
+
+/// The bounds of a supremum (sign = 1) or an infimum (-1), rounded outward.
+Interval bounds(const Extremum& x, int sign) {
+    return sign > 0 ? Interval(x.inner.lo(), x.outer.hi()) : Interval(x.outer.lo(), x.inner.hi());
+}
+
+std::string extremum_text(const char* name, const Extremum& x, int sign) {
+    const Interval b = bounds(x, sign);
+    return fmt::format("{} of N*(q) - C sqrt q: in [{:.17g}, {:.17g}]; the {} bound belongs to q = {}\n",
+                       name, b.lo(), b.hi(), sign > 0 ? "lower" : "upper", to_decimal(x.at, 17));
+}
+
+nlohmann::ordered_json extremum_json(const std::optional<Extremum>& x, int sign) {
+    if (!x) {
+        return nullptr;
+    }
+    const Interval b = bounds(*x, sign);
+    return {{"lo", b.lo()}, {"hi", b.hi()}, {"at", to_fraction(x->at)}};
+}
+
+const char* said(bool proved) { return proved ? "Proved:    " : "NOT proved:"; }
+
+}  // namespace
+
+bool all_proved(const Law& law) { return law.complete && law.never_decreases && law.below_paper; }
+
+std::string to_text(const LawReport& report) {
+    const Law& law = report.law;
+    std::string text = fmt::format("{}\n  {}\n\n", report.file, report.verdict);
+    if (!law.complete) {
+        return text + "NOT proved: pieces of this staircase are open.\n";
+    }
+    const std::string range =
+        fmt::format("mass ratio from {} to {}", to_decimal(law.q_lo, 17), to_decimal(law.q_hi, 17));
+    text += fmt::format(
+        "{} N*(q) <= N*(q') for any two mass ratios q < q' from {} to {} that do not lie in the same gap.\n"
+        "            N* goes from {} to {} in {} pieces with one value; in each of the {} gaps it is one of "
+        "two "
+        "neighbouring values.\n",
+        said(law.never_decreases), to_decimal(law.q_lo, 17), to_decimal(law.q_hi, 17), law.least,
+        law.greatest, law.values, law.gaps);
+    text += fmt::format(
+        "{} N*(q) <= ceil(pi/gamma) for every {}: the paper's bound, one more, is never attained.\n",
+        said(law.below_paper), range);
+    text += fmt::format(
+        "\nC = integral of sin((pi/2) / cos theta), theta from 0 to pi/3\n  = {}...  ({} digits, verified "
+        "quadrature)\n",
+        constant_text(report), report.digits);
+    if (law.sup && law.inf) {
+        text += extremum_text("Supremum", *law.sup, 1) + extremum_text("Infimum ", *law.inf, -1);
+    }
+    return text;
+}
+
+nlohmann::ordered_json to_json(const LawReport& report) {
+    const Law& law = report.law;
+    return {{"schema", "dumbbell-law-1"},
+            {"file", report.file},
+            {"verdict", report.verdict},
+            {"ratio", {{"lo", to_fraction(law.q_lo)}, {"hi", to_fraction(law.q_hi)}}},
+            {"complete", law.complete},
+            {"values", law.values},
+            {"gaps", law.gaps},
+            {"never_decreases", law.never_decreases},
+            {"below_paper_bound", law.below_paper},
+            {"C", constant_text(report)},
+            {"sup", extremum_json(law.sup, 1)},
+            {"inf", extremum_json(law.inf, -1)}};
+}
+
+}  // namespace dumbbell

@@ -1,0 +1,168 @@
+// A long `certify LO:HI --out FILE` keeps its finished pieces in FILE.partial and goes on from there.
+#include <catch2/catch.hpp>
+#include <chrono>
+#include <random>
+#include <thread>
+
+#include "programs.hpp"
+
+using namespace dumbbell_test;
+using Catch::Matchers::Contains;
+
+namespace {
+
+const Words request{"certify", "1:30000", "--gap", "1e-12", "--out", "stairs.dbc"};
+
+Words with_program(Words arguments) {
+    arguments.insert(arguments.begin(), DUMBBELL_BIN);
+    return arguments;
+}
+
+std::size_t kept(const std::string& folder) {
+    std::error_code ignored;
+    return static_cast<std::size_t>(std::distance(std::filesystem::directory_iterator(folder, ignored),
+                                                  std::filesystem::directory_iterator()));
+}
+
+/// Kills the run as soon as so many files are in its folder of finished pieces; false if it had ended before.
+bool killed_with(std::size_t files, const TemporaryFolder& folder) {
+    Process process(with_program(request), folder.path());
+    for (int i = 0; i < 20'000 && kept(folder / "stairs.dbc.partial") < files; ++i) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        if (std::filesystem::exists(folder / "stairs.dbc")) {
+            break;
+        }
+    }
+    process.kill();
+    return process.wait().signal == SIGKILL;
+}
+
+}  // namespace
+
+TEST_CASE("killed at any moment, a range goes on where it was and ends with the same bytes") {
+    const TemporaryFolder undisturbed;
+    REQUIRE(dumbbell(request, undisturbed.path()).code == 0);
+    CHECK(undisturbed.names() == Words{"stairs.dbc"});
+    const std::string whole = contents(undisturbed / "stairs.dbc");
+
+    const TemporaryFolder folder;
+    std::mt19937 random(41);
+    int kills = 0;
+    for (std::size_t files = 2; !std::filesystem::exists(folder / "stairs.dbc"); files += 1 + random() % 12) {
+        kills += killed_with(files, folder);
+        REQUIRE(kills < 400);
+    }
+    CHECK(kills > 10);
+    REQUIRE(dumbbell(request, folder.path()).code == 0);
+    CHECK(contents(folder / "stairs.dbc") == whole);
+    CHECK_FALSE(std::filesystem::exists(folder / "stairs.dbc.partial"));
+}
+
+TEST_CASE("each finished piece is a certificate of its own") {
+    const TemporaryFolder folder;
+    REQUIRE(killed_with(12, folder));
+    int pieces = 0;
+    for (const auto& entry : std::filesystem::directory_iterator(folder / "stairs.dbc.partial")) {
+        if (entry.path().extension() == ".dbc") {
+            ++pieces;
+            CHECK(verifier({entry.path().string()}).code == 0);
+        }
+    }
+    CHECK(pieces >= 5);
+}
+
+TEST_CASE("a damaged or foreign file among the finished pieces is not believed") {
+    const TemporaryFolder undisturbed;
+    REQUIRE(dumbbell(request, undisturbed.path()).code == 0);
+    const TemporaryFolder folder;
+    REQUIRE(killed_with(12, folder));
+    int number = 0;
+    std::string other;
+    for (const auto& entry : std::filesystem::directory_iterator(folder / "stairs.dbc.partial")) {
+        const std::string path = entry.path().string();
+        if (entry.path().extension() != ".dbc") {
+            continue;
+        }
+        const std::string text = contents(path);
+        switch (number++ % 4) {
+            case 0:
+                write_file(path, text.substr(0, text.size() / 2));
+                break;
+            case 1:
+                write_file(path, "");
+                break;
+            case 2:
+                other = text;
+                break;
+            default:
+                write_file(path, other);  // a true certificate, of another piece
+        }
+    }
+    CHECK(number >= 4);
+    REQUIRE(dumbbell(request, folder.path()).code == 0);
+    CHECK(contents(folder / "stairs.dbc") == contents(undisturbed / "stairs.dbc"));
+}
+
+TEST_CASE("with other arguments it stops, and the finished pieces stay") {
+    const TemporaryFolder folder;
+    REQUIRE(killed_with(12, folder));
+    const std::size_t before = kept(folder / "stairs.dbc.partial");
+    for (const Words& other :
+         {Words{"certify", "1:30001", "--gap", "1e-12", "--out", "stairs.dbc"},
+          Words{"certify", "1:30000", "--gap", "1e-11", "--out", "stairs.dbc"},
+          Words{"certify", "1:30000", "--gap", "1e-12", "--out", "stairs.dbc", "--section", "full"}}) {
+        const Outcome refused = dumbbell(other, folder.path());
+        CHECK(refused.code == 2);
+        CHECK_THAT(refused.err, Contains("'stairs.dbc.partial' holds the finished pieces of another run"));
+    }
+    CHECK(kept(folder / "stairs.dbc.partial") == before);
+    Words same = request;
+    same.insert(same.end(), {"--jobs", "1", "--json"});
+    CHECK(dumbbell(same, folder.path()).code == 0);
+}
+
+TEST_CASE("what is no folder of finished pieces is left alone") {
+    const TemporaryFolder folder;
+    const std::string place = folder / "stairs.dbc.partial";
+    write_file(place, "mine");
+    Outcome refused = dumbbell(request, folder.path());
+    CHECK(refused.code == 2);
+    CHECK_THAT(refused.err, Contains("is in the way"));
+    CHECK(contents(place) == "mine");
+    std::filesystem::remove(place);
+    std::filesystem::create_directory(place);
+    write_file(place + "/letter", "mine");
+    refused = dumbbell(request, folder.path());
+    CHECK(refused.code == 2);
+    CHECK_THAT(refused.err, Contains("is in the way"));
+    CHECK(contents(place + "/letter") == "mine");
+    CHECK(folder.names() == Words{"stairs.dbc.partial"});
+}
+
+TEST_CASE("two runs do not share a folder of finished pieces") {
+    const TemporaryFolder folder;
+    const Process first(with_program({"certify", "1:1000000", "--gap", "1e-9", "--out", "stairs.dbc"}),
+                        folder.path());
+    for (int i = 0; i < 1000 && kept(folder / "stairs.dbc.partial") < 2; ++i) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
+    const Outcome second =
+        dumbbell({"certify", "1:1000000", "--gap", "1e-9", "--out", "stairs.dbc"}, folder.path());
+    CHECK(second.code == 2);
+    CHECK_THAT(second.err, Contains("in use by another run"));
+}
+
+TEST_CASE("a budget that ends early keeps the finished pieces for the next call") {
+    const TemporaryFolder undisturbed;
+    REQUIRE(dumbbell(request, undisturbed.path()).code == 0);
+    const TemporaryFolder folder;
+    Words limited = request;
+    limited.insert(limited.end(), {"--budget", "0.05s"});
+    const Outcome open = dumbbell(limited, folder.path());
+    if (open.code == 3 && std::filesystem::exists(folder / "stairs.dbc.partial")) {
+        CHECK_THAT(open.err, Contains("goes on with the finished pieces in 'stairs.dbc.partial'"));
+    }
+    REQUIRE(dumbbell(request, folder.path()).code == 0);
+    CHECK(contents(folder / "stairs.dbc") == contents(undisturbed / "stairs.dbc"));
+    CHECK(folder.names() == Words{"stairs.dbc"});
+}

@@ -1,0 +1,91 @@
+#include "prove/piece_store.hpp"
+
+#include <catch2/catch.hpp>
+#include <filesystem>
+#include <fstream>
+
+#include "../certificate/example.hpp"
+#include "arith/error.hpp"
+
+using namespace dumbbell;
+using Catch::Matchers::Contains;
+namespace fs = std::filesystem;
+
+namespace {
+
+/// A place for a folder of pieces, removed at the end.
+struct Place {
+    fs::path path = fs::temp_directory_path() / ("dumbbell-store-" + std::to_string(::getpid()));
+    Place() { fs::remove_all(path); }
+    ~Place() { fs::remove_all(path); }
+    Place(const Place&) = delete;
+    Place& operator=(const Place&) = delete;
+};
+
+StoredClaim claim(long hi) { return {Scene::dumbbell, Section::turning, 1, hi, Rational(1, 1000)}; }
+
+fs::path only_piece(const Place& place) {
+    for (const auto& entry : fs::directory_iterator(place.path)) {
+        if (entry.path().extension() == ".dbc") {
+            return entry.path();
+        }
+    }
+    throw std::runtime_error("no piece was kept");
+}
+
+}  // namespace
+
+TEST_CASE("a kept piece is found again, by a later run too, and by its own bounds only") {
+    const Place place;
+    const Piece piece = dumbbell_test::piece(5, 11, 4, 4);
+    {
+        const PieceStore store(place.path.string(), claim(100));
+        CHECK_FALSE(store.find({5, 11, 4, 4}).has_value());
+        store.keep(piece);
+    }
+    PieceStore store(place.path.string(), claim(100));
+    const auto found = store.find({5, 11, 4, 4});
+    REQUIRE(found.has_value());
+    CHECK(found->cover.leaves() == piece.cover.leaves());
+    CHECK(found->witness->eta == piece.witness->eta);
+    CHECK_FALSE(store.find({5, 11, 5, 4}).has_value());
+    CHECK_FALSE(store.find({5, 12, 4, 4}).has_value());
+    store.remove();
+    CHECK_FALSE(fs::exists(place.path));
+}
+
+TEST_CASE("a piece whose file is not whole, or is another's, is not found") {
+    const Place place;
+    const PieceStore store(place.path.string(), claim(100));
+    store.keep(dumbbell_test::piece(5, 11, 4, 4));
+    const fs::path file = only_piece(place);
+    SECTION("truncated") { fs::resize_file(file, fs::file_size(file) - 1); }
+    SECTION("empty") { fs::resize_file(file, 0); }
+    SECTION("a changed byte") {
+        std::fstream stream(file, std::ios::in | std::ios::out | std::ios::binary);
+        stream.seekp(100);
+        stream.put('#');
+    }
+    SECTION("another piece under its name") {
+        const fs::path mine = file.string() + ".mine";
+        fs::rename(file, mine);
+        store.keep(dumbbell_test::piece(6, 7, 4, 4));
+        fs::rename(only_piece(place), file);
+        fs::remove(mine);
+    }
+    CHECK_FALSE(store.find({5, 11, 4, 4}).has_value());
+}
+
+TEST_CASE("a folder of another claim, or in use, is refused, and an unused one disappears") {
+    const Place place;
+    {
+        const PieceStore store(place.path.string(), claim(100));
+        CHECK_THROWS_WITH(PieceStore(place.path.string(), claim(100)), Contains("in use by another run"));
+        store.keep(dumbbell_test::piece(5, 11, 4, 4));
+    }
+    CHECK_THROWS_WITH(PieceStore(place.path.string(), claim(101)), Contains("another run"));
+    CHECK(fs::exists(only_piece(place)));
+    fs::remove(only_piece(place));
+    { const PieceStore store(place.path.string(), claim(100)); }
+    CHECK_FALSE(fs::exists(place.path));
+}
