@@ -2,6 +2,7 @@
 # dumbbell trace on the command line: exit codes, one-line messages, output that is whole.
 set -u
 program=$1
+verifier=$2
 scratch=$(mktemp -d)
 trap 'rm -rf -- "$scratch"' EXIT
 failures=0
@@ -37,6 +38,23 @@ expect 3 'try --digits' 10 --phi 1e-30 --phidot 0 --y 3 --ydot -1
 expect 0 'exactly' 10 --phi 1e-30 --phidot 0 --y 3 --ydot -1 --digits 100
 expect 0 'Certificate:' 10 --phi 0.3:0.5 --phidot 0 --y 3 --ydot -1 --subdivide --max-boxes 100 --out "$scratch/box.dbc"
 expect 0 '"parts": {' 10 --phi 0.3:0.5 --phidot 0 --y 3 --ydot -1 --subdivide --max-boxes 100 --json
+
+# The file of such a command is verified, with the same bounds.
+verified() {
+    local words=$1 last
+    shift
+    "$program" trace "$@" --subdivide --out "$scratch/box.dbc.gz" > "$scratch/out" 2>&1
+    last=$("$verifier" "$scratch/box.dbc.gz" | tail -n 1)
+    if [[ $last != "s VERIFIED claim=initial-conditions "*"$words"* ]]; then
+        printf 'trace %s: "%s" expected in: %s\n' "$*" "$words" "$last"
+        ((++failures))
+    fi
+}
+verified 'collisions=1:5 ' 10 --phi 0:3 --phidot -1/2:1/2 --y 3/2 --ydot -1 --max-boxes 3000
+verified 'collisions=0:0 decided=1 ' 10 --phi 0.5:0.6 --phidot 0.9:1 --y 2:3 --ydot 1:2
+verified 'collisions=2:2 decided=1 ' 10 --phi 1e-30:2e-30 --phidot 0 --y 3 --ydot -1 --digits 60
+verified 'collisions=1:91 ' 10000 --phi 4:5 --phidot -0.01:0.01 --y 3 --ydot -0.001 --max-boxes 500
+verified ' ratio=2/1:20/1 ' 2:20 --phi 0.3:0.5 --phidot 0 --y 3/2 --ydot -1 --max-boxes 200
 
 [[ $(head -n 1 "$scratch/box.dbc") == 'dumbbell-certificate 1' ]] || { echo 'no certificate'; ((++failures)); }
 

@@ -1,0 +1,136 @@
+// Counting by plain interval evaluation (lemma L16) bounds what the simulated dumbbell does from the states
+// of a box.
+#include "model/plain.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "departures.hpp"
+
+using namespace dumbbell;
+using namespace dumbbell_test;
+
+namespace {
+
+constexpr long cap = 200;
+
+template <class I>
+I ratios(const DepartureBox& box) {
+    return I(box.r.lo, box.r.hi);
+}
+
+template <class I>
+PlainDeparture<I> departures(const DepartureBox& box) {
+    const auto all = departure(position(I(box.e.lo, box.e.hi)), I(box.eta.lo, box.eta.hi));
+    return {all.x, all.sin_x, detail::in_play(all.kappa)};
+}
+
+struct Tally {
+    int decided = 0;
+    int met = 0;  // the bound is attained by the sampled state
+};
+
+template <class I>
+void check_box(Random& random, const DepartureBox& box, Tally& tally) {
+    const long most = plain_later_collisions(departures<I>(box), ratios<I>(box), cap);
+    const DepartureState state = sample(random, box);
+    long found = simulated(state).collisions;
+    if (found > most) {
+        found = simulated(state, true).collisions;
+    }
+    if (found > most) {
+        FAIL(say("from", state, "there are", found, "collisions, the bound is", most, "for", box));
+    }
+    tally.decided += most <= cap ? 1 : 0;
+    tally.met += found == most ? 1 : 0;
+}
+
+template <class I>
+Tally check_boxes(std::uint64_t seed, int boxes, double least_r, double widest) {
+    Random random(seed);
+    Tally tally;
+    for (int i = 0; i < boxes; ++i) {
+        check_box<I>(random, random_departure_box(random, least_r, widest), tally);
+    }
+    return tally;
+}
+
+}  // namespace
+
+TEST_CASE("From 8,000 narrow boxes no simulated state collides more often than plain evaluation bounds") {
+    const Tally tally = check_boxes<Interval>(221, 8000, 1e-2, 1e-6);
+    CHECK(tally.decided > 7500);
+    CHECK(tally.met > 6500);
+}
+
+TEST_CASE("From 8,000 boxes of up to double size plain evaluation bounds, or says that it cannot") {
+    const Tally tally = check_boxes<Interval>(222, 8000, 1e-2, 1);
+    CHECK(tally.decided > 4000);
+}
+
+TEST_CASE("From 30,000 boxes that nearly touch the bridge or the wall ahead plain evaluation bounds") {
+    Random random(229);
+    Tally tally;
+    for (int i = 0; i < 30'000; ++i) {
+        const Kind kind = tangent_kinds[random.below(3)];
+        check_box<Interval>(random, random_departure_box(random, kind, 1e-2, 0.5), tally);
+    }
+    CHECK(tally.decided > 15'000);
+}
+
+TEST_CASE("In multiple precision plain evaluation bounds, and mostly exactly at points") {
+    const PrecisionScope scope(200);
+    const Tally tally = check_boxes<BigInterval>(223, 400, 1e-2, 1e-15);
+    CHECK(tally.decided > 390);
+    CHECK(tally.met > 350);
+}
+
+TEST_CASE("With 6 to 40 bits, where rounding to the wrong side shows, plain evaluation bounds") {
+    Random random(224);
+    Tally tally;
+    for (int i = 0; i < 3000; ++i) {
+        const PrecisionScope scope(6 + random.below(35));
+        check_box<BigInterval>(random, random_departure_box(random, 1e-2, 1e-2), tally);
+    }
+    CHECK(tally.met > 500);
+}
+
+TEST_CASE("The place of the first contact with the bridge is enclosed") {
+    Random random(228);
+    int contacts = 0;
+    for (int i = 0; i < 8000; ++i) {
+        const DepartureBox box = random_departure_box(random, 1e-3, random.coin() ? 1e-9 : 0.1);
+        const auto from = departures<Interval>(box);
+        const auto r = ratios<Interval>(box);
+        const auto state = sample(random, box);
+        const auto contact = simulated(state).bridge_contact;
+        if (!contact || !(std::cos(state.e) > state.eta - 1)) {
+            continue;
+        }
+        ++contacts;
+        const BridgeApproach<Interval> over{max(Interval(0), from.sin_x + from.kappa * from.x), from.kappa};
+        const Interval latest =
+            latest_bridge_contact(BridgeApproach<Interval>{high_end(over.height), high_end(over.kappa)},
+                                  low_end(from.kappa), RatioRange<Interval>{low_end(r), high_end(r)});
+        const Interval t = detail::bridge_contacts(over, latest, r);
+        const double tolerance = 1e-9 * *contact;  // grazing contacts in long double
+        if (!(t.lo() <= *contact + tolerance && *contact - tolerance <= t.hi())) {
+            FAIL(say("contact at", *contact, "not in", t, "from", state, "of", box));
+        }
+    }
+    CHECK(contacts > 2000);
+}
+
+TEST_CASE("NaN never gives a small plain count") {
+    const auto check = [](auto zero) {
+        using I = decltype(zero);
+        const I bad(not_a_number);
+        const PlainDeparture<I> good{I(0.5), I(0.479, 0.48), I(0.01)};
+        CHECK(plain_later_collisions(PlainDeparture<I>{good.x, good.sin_x, bad}, I(0.1), 9) > 9);
+        CHECK(plain_later_collisions(good, bad, 9) > 9);
+        CHECK(plain_count(dumbbell::PlainRay<I>{bad, I(0.01)}, I(0.1), 9) > 9);
+        CHECK(plain_count(dumbbell::PlainRay<I>{I(0.01), bad}, I(0.1), 9) > 9);
+        CHECK(plain_count(dumbbell::PlainRay<I>{I(0.01), I(0.01)}, bad, 9) > 9);
+    };
+    SECTION("in doubles") { check(Interval()); }
+    SECTION("in multiple precision") { check(BigInterval()); }
+}

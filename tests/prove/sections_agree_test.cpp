@@ -1,0 +1,109 @@
+// The full section (all collision states, counted forward only) proves the same number as the turning
+// section: close to critical ratios on both sides, and anywhere; and so it does by plain interval evaluation.
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "prove/certify.hpp"
+#include "prove/critical_guess.hpp"
+#include "reference.hpp"
+
+using namespace dumbbell;
+using namespace dumbbell_test;
+
+namespace {
+
+// The maximum that a section proves at one ratio; 0 if it leaves it open.
+long proved(const Rational& q, Section section) {
+    CertifyRequest request;
+    request.q_lo = request.q_hi = q;
+    request.section = section;
+    const auto pieces = certify(request);
+    REQUIRE(pieces.size() == 1);
+    return pieces.front().piece.status() == Status::exact ? pieces.front().piece.lower : 0;
+}
+
+// A ratio up to `greatest`, at a relative distance of 1e-5 to `farthest` from the critical ratio at which the
+// maximum becomes `n`.
+struct NearCritical {
+    long n;
+    bool above;
+    Rational q;
+
+    [[nodiscard]] long maximum() const { return above ? n : n - 1; }
+};
+
+NearCritical near_critical(Choices& choices, double greatest, double farthest) {
+    // N* is about 2 + 0.886 sqrt q (theory, section 4); the second-last step is below `greatest` for certain.
+    const double last = 1 + 0.8855951 * std::sqrt(greatest);
+    const long n = std::lround(choices.log_uniform(4, last));
+    const bool above = choices.coin();
+    const double distance = choices.log_uniform(1e-5, farthest);
+    return {n, above, exact(guess_critical_ratio(n) * (above ? 1 + distance : 1 - distance))};
+}
+
+void check_near_critical(std::uint64_t seed) {
+    Choices choices(seed);
+    int below = 0;
+    for (int i = 0; i < 25; ++i) {
+        const NearCritical at = near_critical(choices, 1000, 1e-3);
+        CAPTURE(at.n, at.above, at.q);
+        REQUIRE(proved(at.q, Section::turning) == at.maximum());
+        REQUIRE(proved(at.q, Section::full) == at.maximum());
+        below += at.above ? 0 : 1;
+    }
+    CHECK(below > 5);
+    CHECK(below < 20);
+}
+
+}  // namespace
+
+TEST_CASE("full and turning section agree close to critical ratios, first 25 ratios") {
+    check_near_critical(61);
+}
+TEST_CASE("full and turning section agree close to critical ratios, second 25 ratios") {
+    check_near_critical(62);
+}
+TEST_CASE("full and turning section agree close to critical ratios, third 25 ratios") {
+    check_near_critical(63);
+}
+TEST_CASE("full and turning section agree close to critical ratios, fourth 25 ratios") {
+    check_near_critical(64);
+}
+
+TEST_CASE("full and turning section agree at 150 ratios from 1 to 1000") {
+    Choices choices(65);
+    for (int i = 0; i < 150; ++i) {
+        const Rational q = exact(choices.log_uniform(1, 1000));
+        CAPTURE(q);
+        const long turning = proved(q, Section::turning);
+        REQUIRE(turning >= 3);
+        REQUIRE(proved(q, Section::full) == turning);
+    }
+}
+
+TEST_CASE("plain evaluation and turning section agree at 30 ratios from 1 to 30") {
+    Choices choices(66);
+    for (int i = 0; i < 30; ++i) {
+        const Rational q = exact(choices.log_uniform(1, 30));
+        CAPTURE(q);
+        const long turning = proved(q, Section::turning);
+        REQUIRE(turning >= 3);
+        REQUIRE(proved(q, Section::plain) == turning);
+    }
+}
+
+TEST_CASE("plain evaluation agrees at a hundredth and a thousandth from critical ratios too") {
+    for (const long n : {4L, 5L, 6L}) {
+        for (const double distance : {-1e-2, -1e-3, 1e-3, 1e-2}) {
+            CAPTURE(n, distance);
+            const Rational q = exact(guess_critical_ratio(n) * (1 + distance));
+            CHECK(proved(q, Section::plain) == (distance < 0 ? n - 1 : n));
+        }
+    }
+}
+
+TEST_CASE("at equal masses every section ends with two") {
+    for (const Section section : {Section::turning, Section::full, Section::plain}) {
+        CHECK(proved(1, section) == 2);
+    }
+}
