@@ -55,8 +55,12 @@ std::optional<Witness> find_witness(const Rational& q_lo, const Rational& q_hi, 
         auto witness = checked_witness<I>(e, eta, q_lo, q_hi, target);
         return witness && witness->total() >= target ? witness : std::nullopt;
     };
-    const int deepest = PrecisionScope::current() + 8;
-    for (int depth = 1; depth <= deepest && !interrupted(); ++depth) {
+    const int bits = PrecisionScope::current();
+    const int deepest = bits + 8;
+    // Where doubles do not suffice the distances are beyond theirs, nearly always.
+    const int first = bits > 53 ? 36 : 1;
+    for (int i = 0; i < deepest && !interrupted(); ++i) {
+        const int depth = 1 + (first - 1 + i) % deepest;
         if (auto top = attempt(below_peak(depth), power_of_half(depth))) {
             return top;
         }

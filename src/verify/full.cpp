@@ -107,7 +107,11 @@ class Full : Bridge<N> {
 
 const char* check(const Leaf& leaf, std::string* log) {
     if (leaf.opcode == equal_masses || leaf.opcode == witness) return turning().check(leaf, log);
-    if (leaf.bits == 53 && !leaf.multiple) return Full<double>(leaf, log).verdict();
+    // In double first: what it certifies is certified, and most leaves need no more.
+    if (!leaf.multiple) {
+        const char* missing = Full<double>(leaf, log).verdict();
+        if (!missing || leaf.bits == 53) return missing;
+    }
     Big::precision = leaf.bits;
     return Full<Big>(leaf, log).verdict();
 }

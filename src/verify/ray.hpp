@@ -37,7 +37,8 @@ class Rays {
 
     /// The box of a leaf, for the log.
     void describe(const Leaf& leaf, const Chart& chart) {
-        *log_ += "  " + std::to_string(leaf.bits) + " bits, claimed " + std::to_string(leaf.claimed) + "\n";
+        *log_ += "  " + std::to_string(std::is_same_v<N, double> ? 53 : leaf.bits) + " bits, claimed " +
+                 std::to_string(leaf.claimed) + "\n";
         for (std::size_t i = 0; i < 3; ++i) {
             const mpq_class &lo = leaf.box.lo[i], &hi = leaf.box.hi[i];
             *log_ += "  " + std::string(chart.axes[i]) + " in [" + lo.get_str() + ", " + hi.get_str() +

@@ -141,6 +141,17 @@ TEST_CASE("the staircase from 1 to 100: small, decided but for the gaps, and the
     CHECK_THAT(contents(folder / "stairs.dbc"), Contains("total open 0\n"));
 }
 
+TEST_CASE("gaps may be narrower than doubles are") {
+    const TemporaryFolder folder;
+    for (const char* gap : {"1e-15", "1e-20", "1e-40"}) {
+        CAPTURE(gap);
+        const std::string path = certificate(folder, "4.6:4.61", {"--gap", gap});
+        const Outcome verified = verifier({path});
+        CHECK(verified.code == 0);
+        CHECK_THAT(verified.out, Contains("upper=4 lower=3 gaps=1 open=0"));
+    }
+}
+
 TEST_CASE("next to a critical ratio more digits give another number, both proved") {
     const auto bounds = [](const char* ratio) {
         const Outcome result = dumbbell({"certify", ratio, "--json"});

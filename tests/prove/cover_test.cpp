@@ -128,20 +128,33 @@ TEST_CASE("the tree is the same for 1, 2 and 8 threads") {
 }
 
 TEST_CASE("worker threads compute with the caller's precision") {
-    // 14 bits: so few that the tree differs from every other precision's.
-    const Rational q = critical_ratio(7) * (1 - parse_rational("1e-6"));
+    // So close to the critical ratio that 53 bits do not close all boxes of the sharp bound of this chart.
+    const Rational q = critical_ratio(7) * (1 - parse_rational("1e-18"));
     const auto tree_with = [&](int bits, bool parallel) {
         const PrecisionScope scope(bits);
-        const CoverOptions options{.rule = SplitRule::position_first, .parallel = parallel};
-        const auto tree = cover<BigInterval>(Chart::light, q, q, 6, options);
-        REQUIRE(tree.has_value());
-        return spelled(*tree);
+        const CoverOptions options{.max_nodes = 2000, .parallel = parallel};
+        return cover<BigInterval>(Chart::light, q, q, 5, options);
     };
-    const std::string coarse = tree_with(14, false);
-    CHECK(coarse != tree_with(53, false));
+    CHECK_FALSE(tree_with(53, false).has_value());
+    const auto serial = tree_with(100, false);
+    REQUIRE(serial.has_value());
+    CHECK(serial->size() > 2);
     const tbb::global_control eight(tbb::global_control::max_allowed_parallelism, 8);
     tbb::task_arena arena(8);
-    CHECK(arena.execute([&] { return tree_with(14, true); }) == coarse);
+    const auto parallel = arena.execute([&] { return tree_with(100, true); });
+    REQUIRE(parallel.has_value());
+    CHECK(spelled(*parallel) == spelled(*serial));
+}
+
+TEST_CASE("in higher precision a box that doubles close is closed as they close it") {
+    const Rational q = critical_ratio(7) * (1 - parse_rational("1e-6"));
+    const PrecisionScope scope(128);
+    for (const Chart chart : {Chart::bridge, Chart::light}) {
+        const auto in_double = cover<Interval>(chart, q, q, 6, CoverOptions{});
+        const auto in_128 = cover<BigInterval>(chart, q, q, 6, CoverOptions{});
+        REQUIRE((in_double.has_value() && in_128.has_value()));
+        CHECK(spelled(*in_double) == spelled(*in_128));
+    }
 }
 
 TEST_CASE("the search gives up beyond its nodes, its depth, or when it is interrupted") {

@@ -61,7 +61,7 @@ void check_plan(const Rational& lo, const Rational& hi, const Rational& gap) {
 }  // namespace
 
 TEST_CASE("pieces tile the range exactly, are true, and gaps keep the contract's width") {
-    for (const char* gap : {"0.01", "1e-4", "1e-6", "1e-9", "1e-12"}) {
+    for (const char* gap : {"0.01", "1e-4", "1e-6", "1e-9", "1e-12", "1e-20"}) {
         check_plan(1, 100, at(gap));
         check_plan(at("4.6"), at("4.61"), at(gap));
         check_plan(at("10/3"), at("1000/7"), at(gap));
