@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "../cli/process.hpp"
+#include "certificate/reader.hpp"
 
 using namespace dumbbell_test;
 
@@ -75,5 +76,30 @@ TEST_CASE("a sample of the table of critical ratios is made again, byte for byte
         const Lines again = without_remarks(made(std::to_string(n)));
         REQUIRE(again.size() == 1);
         CHECK(again.front() == rows.at(static_cast<std::size_t>(n - first)));
+    }
+}
+
+TEST_CASE("the covers and the two orbits of the theorem agree on [1, 10^6]") {
+    // The staircases know nothing of the theorem, the table nothing of the covers.
+    const Lines rows = without_remarks(lines_of(table));
+    for (const char* name : {"stairs-1-100.dbc", "stairs-1-1e4.dbc.gz", "stairs-1-1e6.dbc.gz"}) {
+        const auto stairs = dumbbell::read_certificate(std::string(DUMBBELL_PROJECT "/certificates/") + name);
+        for (const dumbbell::Piece& piece : stairs.pieces) {
+            const long n = *piece.upper;
+            CAPTURE(name, n);
+            if (piece.status() == dumbbell::Status::exact) {
+                continue;
+            }
+            // The gap from n - 1 to n: q_c(n) = value + [0, radius] lies in it.
+            std::istringstream in(rows.at(static_cast<std::size_t>(n - first)));
+            std::string number, value, radius;
+            in >> number >> value >> radius;
+            REQUIRE(number == std::to_string(n));
+            const dumbbell::Rational from = dumbbell::parse_rational(value);
+            CHECK(piece.q_lo <= from);
+            CHECK(from + dumbbell::parse_rational(radius) <= piece.q_hi);
+        }
+        const auto& last_piece = stairs.pieces.back();
+        CHECK(last_piece.status() == dumbbell::Status::exact);
     }
 }
