@@ -83,7 +83,8 @@ std::vector<ProvedPiece> prove(const Options& options, const RatioArgument& rati
     if (!options.budget.empty()) {
         request.budget = std::chrono::duration<double>(parse_duration(options.budget));
     }
-    Progress progress;
+    Progress progress(ratio.lo == ratio.hi ? "boxes" : "pieces");
+    request.judged = [&](std::size_t boxes) { progress.advance(boxes); };
     request.progress = [&](std::size_t done, std::size_t total) { progress.update(done, total); };
     return certify(request);
 }

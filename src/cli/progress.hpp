@@ -20,8 +20,14 @@ class Progress {
     /// Thread-safe.
     void update(std::size_t done, std::size_t total);
 
+    /// The same for work of unknown size: `more` was done since the last call.
+    void advance(std::size_t more);
+
   private:
     using Clock = std::chrono::steady_clock;
+
+    /// Whether a line is due, which then is shown.
+    [[nodiscard]] bool is_due();
 
     const std::string_view unit_;
     std::mutex mutex_;
@@ -29,6 +35,7 @@ class Progress {
     const Clock::time_point start_ = Clock::now();
     Clock::time_point last_ = start_;
     bool shown_ = false;
+    std::size_t done_ = 0;
 };
 
 }  // namespace dumbbell

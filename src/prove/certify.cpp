@@ -97,6 +97,7 @@ std::vector<ProvedPiece> certify(const CertifyRequest& request) {
     return arena.execute([&]() -> std::vector<ProvedPiece> {
         if (request.q_lo == request.q_hi) {
             options.parallel = true;
+            options.judged = request.judged;
             return {options.interrupted() ? open_piece(request.q_lo, request.q_hi)
                                           : timed([&] { return prove_single(request.q_lo, options); })};
         }

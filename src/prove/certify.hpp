@@ -23,6 +23,8 @@ struct CertifyRequest {
     const PieceStore* store = nullptr;  ///< ranges: where finished pieces are kept, and found again
     /// Called now and then, from any thread, with the numbers of finished and of all pieces.
     std::function<void(std::size_t, std::size_t)> progress = [](std::size_t, std::size_t) {};
+    /// A single ratio: called now and then with the number of boxes judged since the last call.
+    std::function<void(std::size_t)> judged = [](std::size_t) {};
 };
 
 /// Proves the request piece by piece. Pieces that cannot be decided, or not within the budget, are left open.

@@ -115,6 +115,7 @@ std::optional<Tree> cover(Chart chart, const Rational& q_lo, const Rational& q_h
     while (!boxes.empty()) {
         std::vector<std::optional<Leaf>> results(boxes.size());
         judge_all<I>(chart, boxes, upper, results, options);
+        options.judged(boxes.size());
         if (options.interrupted()) {
             return std::nullopt;
         }

@@ -19,6 +19,7 @@ struct CoverOptions {
     int max_depth = 400;            ///< per axis; the format's limit
     bool parallel = false;          ///< judge the boxes of a generation on all of the calling arena's threads
     std::function<bool()> interrupted = [] { return false; };
+    std::function<void(std::size_t)> judged = [](std::size_t) {};  ///< called with the number of boxes judged
 };
 
 /// A bisection tree of the chart over mass ratios [q_lo, q_hi], each leaf of which closes for "at most

@@ -15,6 +15,7 @@ struct PieceOptions {
     int max_bits = 1024;    ///< the precision escalates up to here: 53 (double), then 128, 256, ...
     std::size_t max_nodes = CoverOptions{}.max_nodes;
     std::function<bool()> interrupted = [] { return false; };
+    std::function<void(std::size_t)> judged = [](std::size_t) {};  ///< called with the number of boxes judged
 };
 
 /// A piece with what its witness orbit looks like over the whole piece, for people: nothing in the
