@@ -12,6 +12,9 @@ add_library(dumbbell_catch_main STATIC ${PROJECT_SOURCE_DIR}/tests/catch_main.cp
 target_compile_features(dumbbell_catch_main PUBLIC cxx_std_20)
 target_link_libraries(dumbbell_catch_main PUBLIC Catch2::Catch2)
 
+# The programs of the tests labelled `unit`, and nothing else.
+add_custom_target(unit_tests)
+
 function(dumbbell_add_tests name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "TIMEOUT" "SOURCES;LIBS;LABELS")
   if(arg_UNPARSED_ARGUMENTS OR NOT arg_SOURCES)
@@ -25,6 +28,9 @@ function(dumbbell_add_tests name)
   endif()
 
   add_executable(test_${name} ${arg_SOURCES})
+  if(arg_LABELS STREQUAL unit)
+    add_dependencies(unit_tests test_${name})
+  endif()
   target_link_libraries(test_${name} PRIVATE dumbbell_options dumbbell_catch_main ${arg_LIBS})
   set_target_properties(test_${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR})
   catch_discover_tests(test_${name} TEST_PREFIX "${name}/")

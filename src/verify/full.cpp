@@ -1,7 +1,7 @@
 // The section `full`, lemma set 1 (format-sections.md, section 1; L15): all collision states, counted forward
 // along a lowest and a highest ray of the box.
-#include "big.hpp"
 #include "bridge.hpp"
+#include "precision.hpp"
 
 namespace dumbbell_verify {
 namespace {
@@ -107,13 +107,7 @@ class Full : Bridge<N> {
 
 const char* check(const Leaf& leaf, std::string* log) {
     if (leaf.opcode == equal_masses || leaf.opcode == witness) return turning().check(leaf, log);
-    // In double first: what it certifies is certified, and most leaves need no more.
-    if (!leaf.multiple) {
-        const char* missing = Full<double>(leaf, log).verdict();
-        if (!missing || leaf.bits == 53) return missing;
-    }
-    Big::precision = leaf.bits;
-    return Full<Big>(leaf, log).verdict();
+    return judged<Full>(leaf, log);
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 // The section `full`, lemma set `minimal` (format-sections.md, section 2; L16): plain interval evaluation of
 // all states of a box together.
-#include "big.hpp"
 #include "bridge.hpp"
+#include "precision.hpp"
 
 namespace dumbbell_verify {
 namespace {
@@ -189,13 +189,7 @@ class Minimal : Bridge<N> {
 
 const char* check(const Leaf& leaf, std::string* log) {
     if (leaf.opcode == equal_masses || leaf.opcode == witness) return turning().check(leaf, log);
-    // In double first: what it certifies is certified, and most leaves need no more.
-    if (!leaf.multiple) {
-        const char* missing = Minimal<double>(leaf, log).verdict();
-        if (!missing || leaf.bits == 53) return missing;
-    }
-    Big::precision = leaf.bits;
-    return Minimal<Big>(leaf, log).verdict();
+    return judged<Minimal>(leaf, log);
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
 // The section `turning` of the scene dumbbell: its charts bridge (L8) and light (L9), and the witness (L11).
 // The box is rounded outwards to numbers N, r to [r_lo, r_hi]: what holds for a larger box holds for the box.
-#include "big.hpp"
+#include "precision.hpp"
 #include "ray.hpp"
 #include "section.hpp"
 
@@ -133,15 +133,7 @@ class Turning : Rays<N> {
 /// The section lies in e <= pi/2 < 2, and eta, lambda < q (r eta < 1): at most the least power of two >= B.
 Box root(std::size_t, const mpq_class& a, const mpq_class& b) { return {{0, 0, a}, {2, power_of_two(b), b}}; }
 
-const char* check(const Leaf& leaf, std::string* log) {
-    // In double first: what it certifies is certified, and most leaves need no more.
-    if (!leaf.multiple) {
-        const char* missing = Turning<double>(leaf, log).verdict();
-        if (!missing || leaf.bits == 53) return missing;
-    }
-    Big::precision = leaf.bits;
-    return Turning<Big>(leaf, log).verdict();
-}
+const char* check(const Leaf& leaf, std::string* log) { return judged<Turning>(leaf, log); }
 
 }  // namespace
 
