@@ -28,6 +28,14 @@ template <class I>
     return hull(max(low_end(a), low_end(b)), min(high_end(a), high_end(b)));
 }
 
+/// The same, but the second one if only that is an interval.
+[[nodiscard]] inline Interval common_part(const Interval& a, const Interval& b) {
+    return certainly_at_most(low_end(a), high_end(a)) ? intersection(a, b) : b;
+}
+[[nodiscard]] inline BigInterval common_part(const BigInterval& a, const BigInterval& b) {
+    return certainly_at_most(low_end(a), high_end(a)) ? intersection(a, b) : b;
+}
+
 /// |X| as an upper bound of the absolute values.
 template <class I>
 [[nodiscard]] I magnitude(const I& x) {

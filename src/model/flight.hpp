@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <optional>
 
@@ -64,10 +65,13 @@ template <class I>
     return !(before || behind) ? Way::unknown : right == before ? Way::outward : Way::inward;
 }
 
-/// The hump (k pi, (k + 1) pi) of the floor that an angle seems to lie on.
+/// The hump (k pi, (k + 1) pi) of the floor that an angle seems to lie on; 0 if the angle is no number, or
+/// too large for its hump to be counted in doubles.
 template <class I>
 [[nodiscard]] long hump_of(const I& phi) {
-    return static_cast<long>(std::floor(approximate(phi) / std::numbers::pi));
+    constexpr double most = std::numeric_limits<long>::digits > 53 ? 0x1p53 : 0x1p30;
+    const double turns = std::floor(approximate(phi) / std::numbers::pi);
+    return std::abs(turns) < most ? static_cast<long>(turns) : 0;
 }
 
 /// The way inward from a contact at the angle phi and height yhat, with the slope d yhat / d phi after it.

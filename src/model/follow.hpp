@@ -5,6 +5,7 @@
 
 #include "model/first_flight.hpp"
 #include "model/later_count.hpp"
+#include "model/wall_to_wall.hpp"
 
 /// The orbits of a box of initial states, collision by collision, as far as all of them share it.
 namespace dumbbell {
@@ -25,24 +26,28 @@ template <class S>
 [[nodiscard]] Followed<S> follow(const State<S>& start, long most_spans = 20000) {
     Followed<S> result;
     LaterCount& total = result.total;
-    State<S> s = start;
-    Event<S> event = event_from_air(start, most_spans);
-    if (event.next == Next::unknown) {
-        total = {certainly_positive(-range(s.yhatdot)) ? 1 : 0, most_collisions(range(s.r))};
+    const Event<S> first = event_from_air(start, most_spans);
+    if (first.next == Next::none) {
+        total = {0, 0};
+        return result;
+    }
+    if (first.next == Next::unknown) {
+        total = {certainly_positive(-range(start.yhatdot)) ? 1 : 0, most_collisions(range(start.r))};
         return result;
     }
     const auto done = [&] { return static_cast<long>(result.bounces.size()); };
-    while (event.next == Next::contact) {
-        result.bounces.push_back(bounce(s, event.mass, *event.time));
-        s = result.bounces.back().after;
-        event = event_after_contact(s, event.mass);
+    WallToWall<S> orbit(bounce(start, first.mass, *first.time));
+    Next next = Next::contact;
+    while (next == Next::contact) {
+        result.bounces.push_back(orbit.last());
+        next = orbit.advance();
     }
-    if (event.next == Next::none) {
+    if (next == Next::none) {
         total = {done(), done()};
         return result;
     }
     // Undecided here: the monotone counts may still know, from here or from an earlier collision on.
-    total.most = most_collisions(range(s.r));
+    total.most = most_collisions(range(start.r));
     for (long i = 0; i < done() && !total.exact(); ++i) {
         const auto& b = result.bounces[static_cast<std::size_t>(i)];
         const LaterCount later = later_collisions(b.after, b.mass);

@@ -74,6 +74,18 @@ class Jet {
         return {Jet(centre.sin, range.sin, a.gradient_ * range.cos, a.displacement_),
                 Jet(centre.cos, range.cos, a.gradient_ * (-range.sin), a.displacement_)};
     }
+    /// Precondition: all values are positive.
+    friend Jet sqrt(const Jet& a) {
+        const I root = sqrt(a.range_);
+        return {sqrt(a.centre_), root, a.gradient_ * (I(1) / (I(2) * root)), a.displacement_};
+    }
+
+    /// What two enclosures of the same function say together.
+    friend Jet common_part(const Jet& a, const Jet& b) {
+        const auto entry = [](const I& x, const I& y) { return common_part(x, y); };
+        return {entry(a.centre_, b.centre_), entry(a.range_, b.range_),
+                a.gradient_.binaryExpr(b.gradient_, entry), common(a, b)};
+    }
 
   private:
     static const Gradient<I>* common(const Jet& a, const Jet& b) {

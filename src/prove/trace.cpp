@@ -67,14 +67,11 @@ Trace described(const Followed<S>& followed, const State<I>& start, int bits, in
 template <class I>
 Trace trace_in(const InitialBox& box, int bits, int digits) {
     const State<I> start = natural_state<I>(box);
-    const auto natural = follow(start);
-    if (box.is_point()) {
-        return described(natural, start, bits, digits);
-    }
     const BoxJets<I> jets(box);
     const auto correlated = follow(jets.state());
     Trace result = described(correlated, start, bits, digits);
-    if (!correlated.bounces.empty()) {
+    if (!box.is_point() && !correlated.bounces.empty()) {
+        const auto natural = follow(start);
         const std::size_t last = correlated.bounces.size() - 1;
         result.widths = TracedWidths{{}, greatest_width(correlated.bounces[last].after)};
         if (natural.bounces.size() > last) {

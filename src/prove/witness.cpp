@@ -1,6 +1,7 @@
 #include "prove/witness.hpp"
 
 #include <array>
+#include <type_traits>
 
 #include "model/chart.hpp"
 #include "model/count.hpp"
@@ -55,10 +56,9 @@ std::optional<Witness> find_witness(const Rational& q_lo, const Rational& q_hi, 
         auto witness = checked_witness<I>(e, eta, q_lo, q_hi, target);
         return witness && witness->total() >= target ? witness : std::nullopt;
     };
-    const int bits = PrecisionScope::current();
-    const int deepest = bits + 8;
+    const int deepest = PrecisionScope::current() + 8;
     // Where doubles do not suffice the distances are beyond theirs, nearly always.
-    const int first = bits > 53 ? 36 : 1;
+    const int first = std::is_same_v<I, Interval> ? 1 : 36;
     for (int i = 0; i < deepest && !interrupted(); ++i) {
         const int depth = 1 + (first - 1 + i) % deepest;
         if (auto top = attempt(below_peak(depth), power_of_half(depth))) {

@@ -26,7 +26,7 @@ struct Propagated {
 enum class Form {
     natural,         ///< interval evaluation of every step over a box
     mean_value,      ///< mean value form of every step over a box
-    correlated,      ///< mean value form of the whole orbit over the first box: what `trace` follows
+    correlated,      ///< mean value form of the whole orbit over the first box: a half of what `trace` does
     parallelepiped,  ///< a linear image of a box, preconditioned by its own matrix after every step
     monotone         ///< the lowest and the highest ray (L5): what the counts follow
 };

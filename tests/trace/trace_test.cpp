@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <limits>
 
 #include "arith/error.hpp"
+#include "model/flight.hpp"
 #include "prove/initial_state.hpp"
 
 using namespace dumbbell;
@@ -102,6 +104,16 @@ TEST_CASE("A start near a corner is decided with more digits only") {
     const auto box = point("1e-30", "0", "3", "-1");
     CHECK(!trace(box, 0).exact());
     CHECK(trace(box, 100).exact());
+}
+
+TEST_CASE("Angles too large to count their humps, and no numbers, lie on none in particular") {
+    constexpr double inf = std::numeric_limits<double>::infinity();
+    CHECK(hump_of(Interval(4)) == 1);
+    CHECK(hump_of(Interval(-1)) == -1);
+    for (const double phi : {1e19, -1e300, inf, -inf, std::numeric_limits<double>::quiet_NaN()}) {
+        CHECK(hump_of(Interval(phi)) == 0);
+        CHECK(way_out(Interval(phi), 0, Mass::heavy, true) == Way::unknown);
+    }
 }
 
 TEST_CASE("Starts that make no sense are refused in one line that names the quantity") {

@@ -5,6 +5,7 @@
 #include <catch2/catch.hpp>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "prove/initial_state.hpp"
 #include "prove/trace.hpp"
@@ -26,30 +27,112 @@ InitialBox before(const Collision<Interval>& first, const Rational& q) {
     return {at, at};
 }
 
+/// The best witness that doubles find: its orbit bears being rounded to double.
+Witness best_witness(const Rational& q) {
+    const PrecisionScope scope(53);
+    std::optional<Witness> witness;
+    while (const auto better = find_witness<Interval>(q, q, witness ? witness->total() + 1 : 1)) {
+        witness = better;
+    }
+    REQUIRE(witness);
+    return *witness;
+}
+
+InitialBox start_of(const Witness& witness, const Rational& q) {
+    const auto orbit = witness_orbit(witness, q, 512);
+    REQUIRE(orbit.size() == static_cast<std::size_t>(witness.total()));
+    return before(orbit.front(), q);
+}
+
+bool overlap(const TracedValue& a, const TracedValue& b) {
+    return a.outward.lo() <= b.outward.hi() && b.outward.lo() <= a.outward.hi();
+}
+
+bool overlap(const Collision<TracedValue>& a, const Collision<TracedValue>& b) {
+    return a.heavy == b.heavy && overlap(a.time, b.time) && overlap(a.phi, b.phi) && overlap(a.y, b.y) &&
+           overlap(a.phidot_before, b.phidot_before) && overlap(a.phidot_after, b.phidot_after) &&
+           overlap(a.ydot_before, b.ydot_before) && overlap(a.ydot_after, b.ydot_after);
+}
+
 }  // namespace
 
 TEST_CASE("Traced as initial conditions, witnesses have the collisions and margins that were certified") {
     for (const std::string ratio : {"2", "4", "10", "25", "100", "1000"}) {
         const Rational q = parse_rational(ratio);
-        std::optional<Witness> witness;
-        for (long target = 1; const auto better = find_witness<Interval>(q, q, target); ++target) {
-            witness = better;
-        }
-        REQUIRE(witness);
-        const auto orbit = witness_orbit(*witness, q, 256);
-        REQUIRE(orbit.size() == static_cast<std::size_t>(witness->total()));
+        const Witness witness = best_witness(q);
+        const auto orbit = witness_orbit(witness, q, 256);
+        REQUIRE(orbit.size() == static_cast<std::size_t>(witness.total()));
         const InitialBox start = before(orbit.front(), q);
         REQUIRE_NOTHROW(require_in_play(start));
         const Trace traced = trace(start, 30);
-        INFO("q = " << ratio << ", witness of " << witness->total());
+        INFO("q = " << ratio << ", witness of " << witness.total());
         REQUIRE(traced.exact());
-        CHECK(traced.least == witness->total());
+        CHECK(traced.least == witness.total());
         REQUIRE(traced.collisions.size() == orbit.size());
         for (std::size_t i = 0; i < orbit.size(); ++i) {
             INFO("collision " << i + 1);
             CHECK(traced.collisions[i].heavy == orbit[i].heavy);
             CHECK(approximate(traced.collisions[i].grazing_sine.outward) ==
                   Approx(approximate(orbit[i].grazing_sine)).epsilon(1e-3).margin(1e-9));
+        }
+    }
+}
+
+TEST_CASE("In double precision every collision of the longest orbits is enclosed") {
+    for (const auto& [ratio, least] :
+         {std::pair("10", 4L), std::pair("10000", 90L), std::pair("1e6", 880L)}) {
+        INFO("q = " << ratio);
+        const Rational q = parse_rational(ratio);
+        const Witness witness = best_witness(q);
+        CHECK(witness.total() >= least);
+        const InitialBox start = start_of(witness, q);
+        const Trace traced = trace(start, 0);
+        REQUIRE(traced.exact());
+        CHECK(traced.least == witness.total());
+        REQUIRE(traced.collisions.size() == static_cast<std::size_t>(traced.least));
+        CHECK(width(traced.collisions.back().phidot_after.outward) < 1e-3);
+        if (q > 100'000) {
+            continue;
+        }
+        const Trace fine = trace(start, 30);
+        REQUIRE(fine.collisions.size() == traced.collisions.size());
+        for (std::size_t i = 0; i < traced.collisions.size(); ++i) {
+            INFO("collision " << i + 1);
+            REQUIRE(overlap(traced.collisions[i], fine.collisions[i]));
+        }
+    }
+}
+
+TEST_CASE("Boxes around a long orbit share many enclosed collisions, those of their points") {
+    const Rational q(10'000);
+    const InitialBox start = start_of(best_witness(q), q);
+    const auto around = [&](const Rational& radius) {
+        InitialBox box = start;
+        for (std::size_t i = 0; i < initial_axes; ++i) {
+            const bool varies = static_cast<InitialAxis>(i) != InitialAxis::ratio;
+            box.lo[i] -= varies ? radius : Rational(0);
+            box.hi[i] += varies ? radius : Rational(0);
+        }
+        return box;
+    };
+    for (const auto& [size, least] : {std::pair(1e-9, 90U), std::pair(1e-6, 40U)}) {
+        INFO("width " << size);
+        const InitialBox box = around(exact(size) / 2);
+        const Trace traced = trace(box, 0);
+        CHECK(traced.collisions.size() >= least);
+        for (unsigned corner = 0; corner < 16; ++corner) {
+            InitialBox point = box;
+            for (std::size_t i = 0; i < initial_axes; ++i) {
+                const bool up = (corner >> i & 1U) != 0;
+                point.lo[i] = point.hi[i] = up ? box.hi[i] : box.lo[i];
+            }
+            const Trace inside = trace(point, 0);
+            INFO("corner " << corner);
+            REQUIRE(inside.collisions.size() >= traced.collisions.size());
+            for (std::size_t i = 0; i < traced.collisions.size(); ++i) {
+                INFO("collision " << i + 1);
+                REQUIRE(overlap(traced.collisions[i], inside.collisions[i]));
+            }
         }
     }
 }
