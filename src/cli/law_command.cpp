@@ -35,8 +35,10 @@ struct Options {
 };
 
 int run(const Options& options) {
-    LawReport report{
-        .file = options.file, .verdict = verified(options.file), .digits = options.digits, .law = {}};
+    LawReport report{.file = options.file,
+                     .verdict = verified(options.file, "dumbbell"),
+                     .digits = options.digits,
+                     .law = {}};
     const Certificate certificate = read_certificate(options.file);
     if (certificate.q_lo() == certificate.q_hi() || certificate.q_hi() > paper_bound_limit()) {
         throw InputError(fmt::format("'{}' is no staircase: it needs a range of mass ratios", options.file));

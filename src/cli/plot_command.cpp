@@ -5,8 +5,10 @@
 
 #include "arith/error.hpp"
 #include "certificate/atomic_file.hpp"
+#include "certificate/names.hpp"
 #include "certificate/reader.hpp"
 #include "cli/exit_code.hpp"
+#include "cli/verify_command.hpp"
 #include "report/staircase_plot.hpp"
 
 namespace dumbbell {
@@ -23,6 +25,7 @@ int plot_staircase(const Options& options) {
     if (certificate.q_lo() == certificate.q_hi()) {
         throw InputError("a staircase needs a range of mass ratios: this certificate holds a single one");
     }
+    (void)verified(options.file, name(certificate.scene));  // a picture of proved values only
     out.commit(staircase_svg(certificate.pieces));
     return exit_done;
 }

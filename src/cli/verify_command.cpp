@@ -60,11 +60,13 @@ void become_verifier(int argc, char** argv) {
     not_started(program, errno);
 }
 
-std::string verified(const std::string& file) {
+std::string verified(const std::string& file, std::string_view scene) {
     std::string program = verifier();
+    std::string option = "--scene=" + std::string(scene);
     std::string separator = "--";
     std::string argument = file;
-    const std::array<char*, 4> arguments{program.data(), separator.data(), argument.data(), nullptr};
+    const std::array<char*, 5> arguments{program.data(), option.data(), separator.data(), argument.data(),
+                                         nullptr};
     std::array<int, 2> pipe{};
     if (::pipe2(pipe.data(), O_CLOEXEC) != 0) {
         not_started(program, errno);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 /// The program `dumbbell-verify` that lies beside this one. It shares no code with this program, so it is
 /// run, never called.
@@ -10,8 +11,8 @@ namespace dumbbell {
 /// it cannot be started: throws InputError.
 [[noreturn]] void become_verifier(int argc, char** argv);
 
-/// The verifier's verdict on a certificate of the scene dumbbell, its last line. Throws InputError, with that
+/// The verifier's verdict on a certificate of this scene, its last line. Throws InputError, with that
 /// line, if the file is not verified.
-[[nodiscard]] std::string verified(const std::string& file);
+[[nodiscard]] std::string verified(const std::string& file, std::string_view scene);
 
 }  // namespace dumbbell

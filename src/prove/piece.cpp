@@ -74,7 +74,8 @@ bool attempt_piece(ProvedPiece& proved, int bits, long upper, long lower, const 
     if (!witness) {
         return false;
     }
-    piece.bits = bits;
+    // The verifier's own evaluation loses a part of the bits that this one does not: leave it room.
+    piece.bits = bits == double_bits ? double_bits : 2 * bits;
     piece.lower = lower;
     piece.witness = std::move(*witness);
     describe_witness(proved);

@@ -1,5 +1,6 @@
 #include "prove/witness.hpp"
 
+#include <algorithm>
 #include <array>
 #include <type_traits>
 
@@ -8,6 +9,9 @@
 
 namespace dumbbell {
 namespace {
+
+/// The format spells no dyadic with more than 400 binary places (proofs/format.md, class dyadic).
+constexpr int shortest_distance_bits = 397;
 
 Rational power_of_half(int n) { return Rational(1, Integer(1) << n); }
 
@@ -56,7 +60,7 @@ std::optional<Witness> find_witness(const Rational& q_lo, const Rational& q_hi, 
         auto witness = checked_witness<I>(e, eta, q_lo, q_hi, target);
         return witness && witness->total() >= target ? witness : std::nullopt;
     };
-    const int deepest = PrecisionScope::current() + 8;
+    const int deepest = std::min(PrecisionScope::current() + 8, shortest_distance_bits);
     // Where doubles do not suffice the distances are beyond theirs, nearly always.
     const int first = std::is_same_v<I, Interval> ? 1 : 36;
     for (int i = 0; i < deepest && !interrupted(); ++i) {

@@ -214,8 +214,10 @@ std::string to_text(const ProofReport& report) {
     }
     if (report.out) {
         fmt::format_to(std::back_inserter(text),
-                       "Certificate: {} (sha256 {})\nCheck it:    dumbbell verify {}\n", *report.out,
-                       *report.sha256, *report.out);
+                       "Certificate: {} (sha256 {})\nCheck it:    dumbbell verify {}{}\n", *report.out,
+                       *report.sha256,
+                       report.scene == Scene::dumbbell ? "" : fmt::format("--scene {} ", name(report.scene)),
+                       *report.out);
     }
     return text;
 }

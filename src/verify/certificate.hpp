@@ -11,7 +11,7 @@
 namespace dumbbell_verify {
 
 struct Settings {
-    unsigned jobs = 1, max_bits = 1024;
+    unsigned jobs = 1, max_bits = 2048;
     unsigned precision = 0;  ///< at least so many bits of MPFR for every piece; 0: what the pieces say
     std::string scene = "dumbbell", explain;  ///< explain: PIECE:PATH or box.PATH, the leaf to show
     std::string claim;                        ///< demanded kind; empty: any

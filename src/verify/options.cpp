@@ -25,7 +25,7 @@ Checks certificates (proofs/format.md) independently of the program that wrote t
   --lemma 4.1|4.2 A B  compare two files: at most as many collisions in A (scene hybrid) as in B (wedge), or
                        at most one more in A (dumbbell) than in B (hybrid)
   --jobs N             threads (all cores)
-  --max-bits B         give up on pieces that need a higher precision (1024)
+  --max-bits B         give up on pieces that need a higher precision (2048)
   --precision BITS     check with at least so many bits instead of in double
   --explain PIECE:PATH show one leaf with its inequalities: 3:bridge is the root, 3:light.01 the upper half
                        of its lower half, 3:witness the witness of the third piece; box.01 a leaf of a file

@@ -141,6 +141,19 @@ TEST_CASE("the staircase from 1 to 100: small, decided but for the gaps, and the
     CHECK_THAT(contents(folder / "stairs.dbc"), Contains("total open 0\n"));
 }
 
+TEST_CASE(
+    "next to a critical ratio the verifier has bits enough, at every distance that the prover decides") {
+    const TemporaryFolder folder;
+    const std::string ratio =
+        "4."
+        "6033388487517003525565820291030165130673971341605323460394301154384587319659709987165469972272571909"
+        "972486139686448666270416427888322855665627206860201212593";
+    for (const std::size_t length : {17U, 38U, 61U, 70U, 77U, 121U, 140U, 153U}) {
+        CAPTURE(length);
+        CHECK(verifier({certificate(folder, ratio.substr(0, length))}).code == 0);
+    }
+}
+
 TEST_CASE("gaps may be narrower than doubles are") {
     const TemporaryFolder folder;
     for (const char* gap : {"1e-15", "1e-20", "1e-40"}) {
