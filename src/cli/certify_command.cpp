@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <chrono>
+#include <filesystem>
 #include <memory>
 #include <thread>
 
@@ -151,9 +152,16 @@ int run(const Options& options) {
     std::optional<PieceStore> store;  // a range may take long: its finished pieces are kept
     if (!options.out.empty()) {
         file.emplace(options.out);
+        const std::string partial = options.out + ".partial";
+        if (ratio.lo == ratio.hi && std::filesystem::exists(partial)) {
+            throw InputError(
+                fmt::format("'{}' holds the finished pieces of another run: repeat that run, remove the "
+                            "folder, or use another --out",
+                            partial));
+        }
         if (ratio.lo < ratio.hi) {
-            store.emplace(options.out + ".partial", StoredClaim{scene_of(options), section_of(options),
-                                                                ratio.lo, ratio.hi, parse_gap(options.gap)});
+            store.emplace(partial, StoredClaim{scene_of(options), section_of(options), ratio.lo, ratio.hi,
+                                               parse_gap(options.gap)});
         }
     }
     const auto start = std::chrono::steady_clock::now();

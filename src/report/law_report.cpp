@@ -23,7 +23,7 @@ Interval bounds(const Extremum& x, int sign) {
 
 std::string extremum_text(const char* name, const Extremum& x, int sign) {
     const Interval b = bounds(x, sign);
-    return fmt::format("{} of N*(q) - C sqrt q: in [{:.17g}, {:.17g}]; the {} bound belongs to q = {}\n",
+    return fmt::format("{} of N*(q) - C sqrt q: in [{:.17g}, {:.17g}]; the {} bound is its value at q = {}\n",
                        name, b.lo(), b.hi(), sign > 0 ? "lower" : "upper", to_decimal(x.at, 17));
 }
 
@@ -66,7 +66,9 @@ std::string to_text(const LawReport& report) {
     if (law.sup && law.inf) {
         text += extremum_text("Supremum", *law.sup, 1) + extremum_text("Infimum ", *law.inf, -1);
     }
-    return text;
+    return text +
+           "The supremum is the limit from above at a step, and not attained: N*(q_c(N)) = N - 1 (theorem "
+           "2).\n";
 }
 
 nlohmann::ordered_json to_json(const LawReport& report) {

@@ -5,6 +5,8 @@
 #include <array>
 #include <iterator>
 
+#include "arith/decimal.hpp"
+
 namespace dumbbell {
 namespace {
 
@@ -72,6 +74,11 @@ std::string widths_text(const TracedWidths& widths) {
                                       : std::string("plain intervals do not get as far"));
 }
 
+/// 12 digits of a share, cut off: what is said to be certified is.
+std::string share_at_least(const Rational& share) {
+    return share == 0 ? "0" : to_text(without_zeros(cut_down(share, 12)));
+}
+
 std::string subdivision_text(const Subdivision& parts) {
     std::string text = fmt::format("{:>10}  {:>22}  {:>9}\n", "collisions", "share of the box", "boxes");
     for (const auto& part : parts.exact) {
@@ -82,7 +89,7 @@ std::string subdivision_text(const Subdivision& parts) {
                         parts.undecided.boxes);
     text += fmt::format(
         "Certified: {} of the box with its exact count; every initial condition in it has {} collisions.\n",
-        to_decimal(Rational(1) - parts.undecided.share, 12), count_text(parts.least, parts.most));
+        share_at_least(Rational(1) - parts.undecided.share), count_text(parts.least, parts.most));
     return text;
 }
 
@@ -108,7 +115,8 @@ nlohmann::ordered_json subdivision_json(const Subdivision& parts) {
             {"undecided", {{"share", to_fraction(parts.undecided.share)}, {"boxes", parts.undecided.boxes}}},
             {"least", parts.least},
             {"most", count_json(parts.most)},
-            {"decided_fraction", (Rational(1) - parts.undecided.share).convert_to<double>()}};
+            {"decided_fraction",
+             parts.undecided.share == 0 ? 1.0 : enclose<Interval>(Rational(1) - parts.undecided.share).lo()}};
 }
 
 }  // namespace

@@ -108,7 +108,8 @@ TEST_CASE("with other arguments it stops, and the finished pieces stay") {
     REQUIRE(killed_with(12, folder));
     const std::size_t before = kept(folder / "stairs.dbc.partial");
     for (const Words& other :
-         {Words{"certify", "1:30001", "--gap", "1e-12", "--out", "stairs.dbc"},
+         {Words{"certify", "100", "--out", "stairs.dbc"},
+          Words{"certify", "1:30001", "--gap", "1e-12", "--out", "stairs.dbc"},
           Words{"certify", "1:30000", "--gap", "1e-11", "--out", "stairs.dbc"},
           Words{"certify", "1:30000", "--gap", "1e-12", "--out", "stairs.dbc", "--section", "full"}}) {
         const Outcome refused = dumbbell(other, folder.path());
