@@ -197,7 +197,7 @@ TEST_CASE("the pieces form a chain from LO to HI") {
 TEST_CASE("a piece has bits, an upper bound or none, a cover, a lower bound not above it") {
     CHECK(outcome(mutated(ten(), "bits 53", "bits 52")) == "number");
     CHECK(outcome(mutated(ten(), "bits 53", "bits 4097")) == "number");
-    CHECK(outcome(mutated(ten(), "bits 53", "bits 1025")) == "limit");
+    CHECK(outcome(mutated(ten(), "bits 53", "bits 2049")) == "limit");
     CHECK(outcome(mutated(ten(), "bits 53", "bits 200")) == "verified");
     CHECK(outcome(mutated(ten(), "bits 53\n", "")) == "syntax");
     CHECK(outcome(mutated(ten(), "upper 4", "upper some")) == "number");

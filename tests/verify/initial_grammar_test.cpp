@@ -62,7 +62,7 @@ TEST_CASE("each value has one spelling") {
     CHECK(mutant("phi -1/1 1/1", "phi -4/1 4/1") == "number");
     CHECK(mutant("bits 53", "bits 52") == "number");
     CHECK(mutant("bits 53", "bits 4097") == "number");
-    CHECK(mutant("bits 53", "bits 1025") == "limit");
+    CHECK(mutant("bits 53", "bits 2049") == "limit");
     CHECK(mutant("bits 53", "bits 300") == "verified");
 }
 

@@ -25,7 +25,7 @@ std::string open_piece(const std::string& a, const std::string& b) {
 TEST_CASE("the verdict line and the exit code agree") {
     const File good(ten()), bad(mutated(ten(), "upper 4", "upper 3")),
         foreign(mutated(ten(), "lemmas 1", "lemmas 9"));
-    const File heavy(mutated(ten(), "bits 53", "bits 2000")), empty("");
+    const File heavy(mutated(ten(), "bits 53", "bits 3000")), empty("");
     const Run verified = run(good.path());
     CHECK(verified.code == 0);
     CHECK(verified.last() ==
@@ -37,7 +37,7 @@ TEST_CASE("the verdict line and the exit code agree") {
     CHECK(run(foreign.path()).last() == "s UNSUPPORTED line=3 unknown lemmas 9");
     CHECK(run(heavy.path()).code == 4);
     CHECK(run(heavy.path()).last().starts_with("s LIMIT line=10 "));
-    CHECK(run("--max-bits 2000 " + heavy.path()).code == 0);
+    CHECK(run("--max-bits 3000 " + heavy.path()).code == 0);
     CHECK(run(empty.path()).code == 1);
     CHECK(run(empty.path()).last().starts_with("s REJECTED line=1 code=truncated "));
     CHECK(run("/nonexistent").code == 2);
@@ -53,7 +53,7 @@ TEST_CASE("the verdict line and the exit code agree") {
 TEST_CASE("of several files 1 goes before 4, 3, 2 and 0") {
     const File good(ten()), bad(mutated(ten(), "upper 4", "upper 3")),
         foreign(mutated(ten(), "lemmas 1", "lemmas 9"));
-    const File heavy(mutated(ten(), "bits 53", "bits 2000"));
+    const File heavy(mutated(ten(), "bits 53", "bits 3000"));
     const std::string g = " " + good.path(), b = " " + bad.path(), f = " " + foreign.path(),
                       h = " " + heavy.path(), m = " /nonexistent";
     CHECK(run(g + g).code == 0);
