@@ -4,25 +4,12 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <array>
 
 #include "arith/error.hpp"
+#include "prove/growing_tree.hpp"
 
 namespace dumbbell {
 namespace {
-
-/// A node of the growing tree: children stand side by side from `lower_child` on.
-struct Draft {
-    std::optional<Axis> split;
-    Leaf leaf{};
-    std::size_t lower_child = 0;
-};
-
-/// A box that waits to be judged, with the number of splits of each axis above it.
-struct Pending {
-    std::size_t node;
-    std::array<int, 3> depth;
-};
 
 /// The boxes of one generation, judged in spans; the results do not depend on how the work is shared out.
 template <class I>
@@ -90,67 +77,37 @@ Axis longest_side(Chart chart, const Box& box, SplitRule rule) {
     return position > slope ? Axis::position : Axis::slope;
 }
 
-void append_pre_order(const std::vector<Draft>& drafts, Tree& tree) {
-    std::vector<std::size_t> stack{0};
-    while (!stack.empty()) {
-        const Draft& draft = drafts[stack.back()];
-        stack.pop_back();
-        tree.push_back({draft.split, draft.leaf});
-        if (draft.split) {
-            stack.push_back(draft.lower_child + 1);
-            stack.push_back(draft.lower_child);
-        }
-    }
-}
-
 }  // namespace
 
 template <class I>
 std::optional<Tree> cover(Chart chart, const Rational& q_lo, const Rational& q_hi, long upper,
                           const CoverOptions& options) {
     require(upper >= 1, "cover: an upper bound is at least 1");
-    std::vector<Draft> drafts(1);
-    std::vector<Box> boxes{root_box(chart, q_lo, q_hi)};
-    std::vector<Pending> pending{{0, {0, 0, 0}}};
-    while (!boxes.empty()) {
+    GrowingTree<Node, Box, 3> tree(root_box(chart, q_lo, q_hi));
+    for (; !tree.boxes().empty(); tree.next_generation()) {
+        const std::vector<Box>& boxes = tree.boxes();
         std::vector<std::optional<Leaf>> results(boxes.size());
         judge_all<I>(chart, boxes, upper, results, options);
         options.judged(boxes.size());
         if (options.interrupted()) {
             return std::nullopt;
         }
-
-        std::vector<Box> next_boxes;
-        std::vector<Pending> next_pending;
         for (std::size_t i = 0; i < boxes.size(); ++i) {
             if (results[i]) {
-                drafts[pending[i].node].leaf = *results[i];
+                tree.close(i, *results[i]);
                 continue;
             }
             const bool by_ratio =
                 !depends_on_both_ratios(chart) && ratio_is_too_wide<I>(chart, boxes[i], upper);
             const Axis axis = by_ratio ? Axis::ratio : longest_side(chart, boxes[i], options.rule);
-            auto depth = pending[i].depth;
-            if (++depth[static_cast<std::size_t>(axis)] > options.max_depth ||
-                drafts.size() + 2 > options.max_nodes) {
+            if (tree.depths(i)[static_cast<std::size_t>(axis)] >= options.max_depth ||
+                tree.nodes() + 2 > options.max_nodes) {
                 return std::nullopt;
             }
-            drafts[pending[i].node].split = axis;
-            drafts[pending[i].node].lower_child = drafts.size();
-            auto [lower, upper_half] = halves(boxes[i], axis);
-            for (Box* half : {&lower, &upper_half}) {
-                next_pending.push_back({drafts.size(), depth});
-                next_boxes.push_back(std::move(*half));
-                drafts.emplace_back();
-            }
+            tree.split(i, axis, halves(boxes[i], axis));
         }
-        boxes = std::move(next_boxes);
-        pending = std::move(next_pending);
     }
-    Tree tree;
-    tree.reserve(drafts.size());
-    append_pre_order(drafts, tree);
-    return tree;
+    return tree.pre_order();
 }
 
 template std::optional<Tree> cover<Interval>(Chart, const Rational&, const Rational&, long,

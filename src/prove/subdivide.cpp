@@ -7,30 +7,19 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 #include "arith/self_test.hpp"
 #include "model/follow.hpp"
+#include "prove/growing_tree.hpp"
 #include "prove/initial_leaf.hpp"
 #include "prove/initial_state.hpp"
 
 namespace dumbbell {
 namespace {
 
-/// A node of the growing tree: its children stand side by side from `lower_child` on.
-struct Draft {
-    std::optional<InitialAxis> split;
-    InitialLeaf leaf{};
-    std::size_t lower_child = 0;
-    int depth = 0;
-};
-
-/// A box that waits to be judged, with the number of splits of each axis above it.
-struct Pending {
-    std::size_t node;
-    InitialBox box;
-    std::array<int, initial_axes> depth;
-};
+using Tree = GrowingTree<InitialNode, InitialBox, initial_axes>;
 
 struct Judged {
     InitialLeaf leaf;
@@ -66,11 +55,12 @@ std::array<double, initial_axes> spreads(const InitialBox& box, std::size_t coll
 }
 
 /// The axis to halve; nothing if none may be.
-std::optional<InitialAxis> split_axis(const Pending& pending, std::size_t collisions, int max_depth) {
-    const auto spread = spreads(pending.box, collisions);
+std::optional<InitialAxis> split_axis(const InitialBox& box, const Tree::Depths& depths,
+                                      std::size_t collisions, int max_depth) {
+    const auto spread = spreads(box, collisions);
     std::optional<std::size_t> best;
     for (std::size_t i = 0; i < initial_axes; ++i) {
-        const bool may = pending.box.lo[i] != pending.box.hi[i] && pending.depth[i] < max_depth;
+        const bool may = box.lo[i] != box.hi[i] && depths[i] < max_depth;
         if (may && (!best || spread[i] > spread[*best])) {
             best = i;
         }
@@ -78,64 +68,34 @@ std::optional<InitialAxis> split_axis(const Pending& pending, std::size_t collis
     return best ? std::optional(static_cast<InitialAxis>(*best)) : std::nullopt;
 }
 
-Judged judge(const Pending& pending, const SubdivideOptions& options) {
-    Judged result{judge_initial(pending.box, options.bits), std::nullopt};
+Judged judge(const InitialBox& box, const Tree::Depths& depths, const SubdivideOptions& options) {
+    Judged result{judge_initial(box, options.bits), std::nullopt};
     if (result.leaf.most != result.leaf.least) {
-        result.split = split_axis(pending, static_cast<std::size_t>(result.leaf.least), options.max_depth);
+        result.split =
+            split_axis(box, depths, static_cast<std::size_t>(result.leaf.least), options.max_depth);
     }
     return result;
 }
 
 /// The boxes of one generation; the results do not depend on how the work is shared out.
-std::vector<Judged> judge_all(const std::vector<Pending>& pending, const SubdivideOptions& options) {
-    std::vector<Judged> results(pending.size());
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, pending.size(), 16), [&](const auto& range) {
+std::vector<Judged> judge_all(const Tree& tree, const SubdivideOptions& options) {
+    std::vector<Judged> results(tree.boxes().size());
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, results.size(), 16), [&](const auto& range) {
         require_sound_arithmetic();
         for (std::size_t i = range.begin(); i != range.end(); ++i) {
-            results[i] = judge(pending[i], options);
+            results[i] = judge(tree.boxes()[i], tree.depths(i), options);
         }
     });
     return results;
 }
 
-std::array<InitialBox, 2> halves(const InitialBox& box, InitialAxis axis) {
+std::pair<InitialBox, InitialBox> halves(const InitialBox& box, InitialAxis axis) {
     const auto i = static_cast<std::size_t>(axis);
     const Rational middle = (box.lo[i] + box.hi[i]) / 2;
-    std::array<InitialBox, 2> result{box, box};
-    result[0].hi[i] = middle;
-    result[1].lo[i] = middle;
+    std::pair<InitialBox, InitialBox> result{box, box};
+    result.first.hi[i] = middle;
+    result.second.lo[i] = middle;
     return result;
-}
-
-/// Grows the tree by generations.
-std::vector<Draft> grow(const InitialBox& box, const SubdivideOptions& options) {
-    std::vector<Draft> drafts(1);
-    std::vector<Pending> pending{{0, box, {}}};
-    std::size_t leaves = 1;
-    while (!pending.empty()) {
-        const std::vector<Judged> judged = judge_all(pending, options);
-        const bool stop = options.interrupted();
-        std::vector<Pending> next;
-        for (std::size_t i = 0; i < pending.size(); ++i) {
-            const std::size_t node = pending[i].node;
-            if (!judged[i].split || stop || leaves >= options.max_boxes) {
-                drafts[node].leaf = judged[i].leaf;
-                continue;
-            }
-            ++leaves;
-            drafts[node].split = judged[i].split;
-            drafts[node].lower_child = drafts.size();
-            auto depth = pending[i].depth;
-            ++depth[static_cast<std::size_t>(*judged[i].split)];
-            for (InitialBox& half : halves(pending[i].box, *judged[i].split)) {
-                next.push_back({drafts.size(), std::move(half), depth});
-                drafts.push_back(
-                    {.split = {}, .leaf = {}, .lower_child = 0, .depth = drafts[node].depth + 1});
-            }
-        }
-        pending = std::move(next);
-    }
-    return drafts;
 }
 
 void include(Subdivision& result, const InitialLeaf& leaf, int depth) {
@@ -150,26 +110,34 @@ void include(Subdivision& result, const InitialLeaf& leaf, int depth) {
     ++sum.boxes;
 }
 
+/// Grows the tree, and adds up its leaves.
+Subdivision grow(const InitialBox& box, const SubdivideOptions& options) {
+    Subdivision result;
+    result.bits = options.bits;
+    Tree tree(box);
+    for (std::size_t leaves = 1; !tree.boxes().empty(); tree.next_generation()) {
+        const std::vector<Judged> judged = judge_all(tree, options);
+        const bool stop = options.interrupted();
+        for (std::size_t i = 0; i < judged.size(); ++i) {
+            if (!judged[i].split || stop || leaves >= options.max_boxes) {
+                tree.close(i, judged[i].leaf);
+                const auto& depths = tree.depths(i);
+                include(result, judged[i].leaf, std::accumulate(depths.begin(), depths.end(), 0));
+                continue;
+            }
+            ++leaves;
+            tree.split(i, *judged[i].split, halves(tree.boxes()[i], *judged[i].split));
+        }
+    }
+    result.tree = tree.pre_order();
+    return result;
+}
+
 }  // namespace
 
 Subdivision subdivide(const InitialBox& box, const SubdivideOptions& options) {
     tbb::task_arena arena(options.jobs);
-    const std::vector<Draft> drafts = arena.execute([&] { return grow(box, options); });
-    Subdivision result;
-    result.bits = options.bits;
-    std::vector<std::size_t> stack{0};
-    while (!stack.empty()) {
-        const Draft& draft = drafts[stack.back()];
-        stack.pop_back();
-        result.tree.push_back({draft.split, draft.leaf});
-        if (draft.split) {
-            stack.push_back(draft.lower_child + 1);
-            stack.push_back(draft.lower_child);
-        } else {
-            include(result, draft.leaf, draft.depth);
-        }
-    }
-    return result;
+    return arena.execute([&] { return grow(box, options); });
 }
 
 }  // namespace dumbbell
