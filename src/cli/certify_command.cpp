@@ -4,7 +4,6 @@
 
 #include <CLI/CLI.hpp>
 #include <chrono>
-#include <filesystem>
 #include <memory>
 #include <thread>
 
@@ -49,8 +48,6 @@ Examples:
 
 Exit codes: 0 proved; 1 internal error; 2 wrong usage or input; 3 not decided (within the budget).)";
 
-Scene scene_of(const Options& options) { return *scene_named(options.scene); }
-
 Section section_of(const Options& options) {
     if (options.section == "turning") {
         return Section::turning;
@@ -72,32 +69,35 @@ void check_combination(const Options& options) {
     }
 }
 
-std::vector<ProvedPiece> prove(const Options& options, const RatioArgument& ratio, const PieceStore* store) {
+CertifyRequest request_of(const Options& options, const RatioArgument& ratio) {
     CertifyRequest request;
     request.q_lo = ratio.lo;
     request.q_hi = ratio.hi;
     request.gap = parse_gap(options.gap);
-    request.scene = scene_of(options);
+    request.scene = *scene_named(options.scene);
     request.section = section_of(options);
     request.jobs = options.jobs;
-    request.store = store;
     if (!options.budget.empty()) {
-        request.budget = std::chrono::duration<double>(parse_duration(options.budget));
+        request.budget = parse_duration(options.budget);
     }
-    Progress progress(ratio.lo == ratio.hi ? "boxes" : "pieces");
+    return request;
+}
+
+std::vector<ProvedPiece> prove(CertifyRequest request) {
+    Progress progress(request.q_lo == request.q_hi ? "boxes" : "pieces");
     request.judged = [&](std::size_t boxes) { progress.advance(boxes); };
     request.progress = [&](std::size_t done, std::size_t total) { progress.update(done, total); };
     return certify(request);
 }
 
-ProofReport describe(const Options& options, const RatioArgument& ratio,
-                     const std::vector<ProvedPiece>& pieces, double seconds) {
-    ProofReport report{.scene = scene_of(options),
-                       .section = section_of(options),
-                       .q_lo = ratio.lo,
-                       .q_hi = ratio.hi,
-                       .gap = parse_gap(options.gap),
-                       .jobs = options.jobs,
+ProofReport describe(const CertifyRequest& request, const std::vector<ProvedPiece>& pieces, double seconds,
+                     bool witness) {
+    ProofReport report{.scene = request.scene,
+                       .section = request.section,
+                       .q_lo = request.q_lo,
+                       .q_hi = request.q_hi,
+                       .gap = request.gap,
+                       .jobs = request.jobs,
                        .seconds = seconds,
                        .decided_fraction = decided_fraction(pieces),
                        .rows = {},
@@ -105,7 +105,7 @@ ProofReport describe(const Options& options, const RatioArgument& ratio,
                        .sha256 = {}};
     for (const ProvedPiece& p : pieces) {
         ReportRow row{&p.piece, p.margin, p.width, p.seconds, {}};
-        if (options.witness && p.piece.witness) {
+        if (witness && p.piece.witness) {
             row.orbit = witness_orbit(*p.piece.witness, p.piece.q_lo, p.piece.bits);
         }
         report.rows.push_back(std::move(row));
@@ -147,28 +147,24 @@ std::string advice(const Options& options, const RatioArgument& ratio, bool stor
 int run(const Options& options) {
     const RatioArgument ratio = parse_ratio_argument(options.ratio);
     check_combination(options);
-    (void)parse_gap(options.gap);  // before any work and before the output file is touched
+    CertifyRequest request = request_of(options, ratio);  // before the output file is touched
     std::optional<AtomicFile> file;
-    std::optional<PieceStore> store;  // a range may take long: its finished pieces are kept
+    std::optional<PieceStore> store;
     if (!options.out.empty()) {
         file.emplace(options.out);
         const std::string partial = options.out + ".partial";
-        if (ratio.lo == ratio.hi && std::filesystem::exists(partial)) {
-            throw InputError(
-                fmt::format("'{}' holds the finished pieces of another run: repeat that run, remove the "
-                            "folder, or use another --out",
-                            partial));
-        }
-        if (ratio.lo < ratio.hi) {
-            store.emplace(partial, StoredClaim{scene_of(options), section_of(options), ratio.lo, ratio.hi,
-                                               parse_gap(options.gap)});
+        if (ratio.lo < ratio.hi) {  // it may take long: its finished pieces are kept
+            request.store = &store.emplace(
+                partial, StoredClaim{request.scene, request.section, ratio.lo, ratio.hi, request.gap});
+        } else {
+            PieceStore::require_none(partial);
         }
     }
     const auto start = std::chrono::steady_clock::now();
-    const auto pieces = prove(options, ratio, store ? &*store : nullptr);
+    const auto pieces = prove(request);
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 
-    ProofReport report = describe(options, ratio, pieces, seconds);
+    ProofReport report = describe(request, pieces, seconds, options.witness);
     if (file) {
         report.out = options.out;
         write_certificate(pieces, *file, report);

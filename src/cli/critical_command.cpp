@@ -128,7 +128,7 @@ CriticalRequest request_of(const Options& options) {
     request.digits = options.digits;
     request.jobs = options.jobs;
     if (options.budget) {
-        request.budget = std::chrono::duration<double>(parse_duration(*options.budget));
+        request.budget = parse_duration(*options.budget);
     }
     if (options.confirm) {
         request.confirm = parse_distance(*options.confirm, request.last);

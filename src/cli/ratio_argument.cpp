@@ -49,7 +49,7 @@ Rational parse_gap(const std::string& text) {
     return gap;
 }
 
-double parse_duration(const std::string& text) {
+std::chrono::duration<double> parse_duration(const std::string& text) {
     const auto malformed = [&] {
         return InputError(fmt::format("--budget '{}' is no time: write it like 30s, 10m or 2h", text));
     };
@@ -62,7 +62,8 @@ double parse_duration(const std::string& text) {
         throw malformed();
     }
     try {
-        return parse_rational(text.substr(0, text.size() - 1)).convert_to<double>() * factor;
+        const Rational number = parse_rational(text.substr(0, text.size() - 1));
+        return std::chrono::duration<double>(number.convert_to<double>() * factor);
     } catch (const InputError&) {
         throw malformed();
     }

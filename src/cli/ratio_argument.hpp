@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <string>
 
 #include "arith/rational.hpp"
@@ -19,7 +20,7 @@ struct RatioArgument {
 /// REL of --gap: 0 < REL <= 0.01. Throws InputError.
 [[nodiscard]] Rational parse_gap(const std::string& text);
 
-/// TIME of --budget in seconds: a number with s, m or h. Throws InputError.
-[[nodiscard]] double parse_duration(const std::string& text);
+/// TIME of --budget: a number with s, m or h. Throws InputError.
+[[nodiscard]] std::chrono::duration<double> parse_duration(const std::string& text);
 
 }  // namespace dumbbell

@@ -14,6 +14,7 @@
 #include "cli/exit_code.hpp"
 #include "cli/initial_argument.hpp"
 #include "cli/ratio_argument.hpp"
+#include "prove/deadline.hpp"
 #include "prove/initial_state.hpp"
 #include "prove/subdivide.hpp"
 #include "prove/trace.hpp"
@@ -72,14 +73,6 @@ InitialBox box_of(const Options& options, const RatioArgument& ratio) {
     return box;
 }
 
-std::function<bool()> deadline(const std::string& budget) {
-    if (budget.empty()) {
-        return [] { return false; };
-    }
-    const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(parse_duration(budget));
-    return [end] { return std::chrono::steady_clock::now() >= end; };
-}
-
 void write_certificate(TraceReport& report, const std::string& path, AtomicFile& file) {
     CertificateText text = render(InitialCertificate{.program = "dumbbell",
                                                      .version = DUMBBELL_VERSION,
@@ -116,8 +109,9 @@ int run(const Options& options) {
     if (!options.out.empty()) {
         file.emplace(options.out);
     }
+    const auto budget = options.budget.empty() ? std::nullopt : std::optional(parse_duration(options.budget));
     SubdivideOptions limits{
-        .max_boxes = options.max_boxes, .jobs = options.jobs, .interrupted = deadline(options.budget)};
+        .max_boxes = options.max_boxes, .jobs = options.jobs, .interrupted = deadline(budget)};
     const auto start = std::chrono::steady_clock::now();
     report.trace = trace(report.box, options.digits);
     if (options.subdivide) {

@@ -5,6 +5,7 @@
 
 #include "model/bridge_contact.hpp"
 #include "model/contact.hpp"
+#include "model/enclosure.hpp"
 #include "model/reflection.hpp"
 
 /// Counting forward by plain interval evaluation (lemma L16): every formula is evaluated over the whole box,
@@ -27,13 +28,6 @@ struct PlainDeparture {
 };
 
 namespace detail {
-
-template <class I>
-I common_part(const I& a, const I& b) {
-    const I lo = max(low_end(a), low_end(b));
-    const I hi = min(high_end(a), high_end(b));
-    return certainly_at_most(lo, hi) ? hull(lo, hi) : a;
-}
 
 /// The part of the slopes that is in play, kappa <= 1.
 template <class I>
@@ -68,7 +62,7 @@ I reflected_slope(const I& kappa, const I& w, const I& r, bool& undecided) {
     }
     const I kappa_once = in_play((sqr(a) + r) / (a - kappa) - a);
     const I a_once = in_play(kappa + (r + sqr(kappa)) / (a - kappa));
-    return common_part(common_part(plain, kappa_once), a_once);
+    return intersection(intersection(plain, kappa_once), a_once);
 }
 
 /// The contacts of those rays that collide, and whether they may return; `x` in [0, pi/2].

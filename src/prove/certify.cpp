@@ -8,21 +8,13 @@
 #include <cmath>
 
 #include "arith/self_test.hpp"
+#include "prove/deadline.hpp"
 #include "prove/staircase.hpp"
 
 namespace dumbbell {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-
-std::function<bool()> deadline(const CertifyRequest& request) {
-    constexpr std::chrono::duration<double> practically_for_ever(1e9);  // and no overflow of the clock
-    if (!request.budget || *request.budget > practically_for_ever) {
-        return [] { return false; };
-    }
-    const auto end = Clock::now() + std::chrono::duration_cast<Clock::duration>(*request.budget);
-    return [end] { return Clock::now() >= end; };
-}
 
 ProvedPiece open_piece(const Rational& q_lo, const Rational& q_hi) {
     ProvedPiece open;
@@ -87,7 +79,7 @@ std::vector<ProvedPiece> certify(const CertifyRequest& request) {
     PieceOptions options{.scene = request.scene,
                          .section = request.section,
                          .rule = request.rule,
-                         .interrupted = deadline(request)};
+                         .interrupted = deadline(request.budget)};
     if (request.section != Section::turning) {
         options.max_nodes = 20'000'000;  // all states, not a section of them
     }

@@ -9,21 +9,10 @@
 
 #include "arith/decimal.hpp"
 #include "arith/self_test.hpp"
+#include "prove/deadline.hpp"
 
 namespace dumbbell {
 namespace {
-
-using Clock = std::chrono::steady_clock;
-using Seconds = std::chrono::duration<double>;
-
-std::function<bool()> deadline(const std::optional<Seconds>& budget) {
-    constexpr Seconds practically_for_ever(1e9);  // and no overflow of the clock
-    if (!budget || *budget > practically_for_ever) {
-        return [] { return false; };
-    }
-    const auto end = Clock::now() + std::chrono::duration_cast<Clock::duration>(*budget);
-    return [end] { return Clock::now() >= end; };
-}
 
 /// Flights of all orbits of the request: n/2 each.
 double flights(const CriticalRequest& request) {
@@ -63,9 +52,9 @@ std::vector<CriticalRow> critical_ratios(const CriticalRequest& request) {
 
 std::chrono::duration<double> estimated_time(const CriticalRequest& request) {
     constexpr long sample = 62;  // 30 flights: a few milliseconds
-    const auto start = Clock::now();
+    const auto start = std::chrono::steady_clock::now();
     (void)enclose_critical_ratio(sample, {.digits = request.digits});
-    const Seconds time = Clock::now() - start;
+    const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
     const double together =
         std::min<double>(request.jobs, static_cast<double>(request.last - request.first + 1));
     return time * (flights(request) / (sample / 2)) / together;

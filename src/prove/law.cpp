@@ -67,21 +67,15 @@ Law law_of(const Certificate& certificate) {
     };
     Best sup(1);
     Best inf(-1);
-    long before = 0;  // a lower bound of nothing yet; then the greatest value so far
+    long before = 0;  // the upper bound of the piece before
     for (const Piece& piece : certificate.pieces) {
         const bool exact = piece.status() == Status::exact;
         ++(exact ? law.values : law.gaps);
         law.never_decreases = law.never_decreases && piece.lower >= before;
-        before = exact ? piece.lower : before;
+        before = *piece.upper;
         law.below_paper = law.below_paper && is_below_paper(piece, &piece == certificate.pieces.data());
         sup.take(excess(*piece.upper, piece.q_lo), piece.q_lo, exact);
         inf.take(excess(piece.lower, piece.q_hi), piece.q_hi, exact);
-    }
-    // A gap's upper value must not be above what follows.
-    long after = law.greatest;
-    for (auto piece = certificate.pieces.rbegin(); piece != certificate.pieces.rend(); ++piece) {
-        law.never_decreases = law.never_decreases && *piece->upper <= after;
-        after = piece->status() == Status::exact ? *piece->upper : after;
     }
     law.sup = sup.result();
     law.inf = inf.result();

@@ -40,6 +40,13 @@ bool is_whole(const std::string& text) {
            text.substr(last) == fmt::format("sha256 {}\n", sha256_hex(text.substr(0, last)));
 }
 
+[[noreturn]] void holds_another_run(const std::string& folder) {
+    throw InputError(
+        fmt::format("'{}' holds the finished pieces of another run (see its file 'claim'): repeat that run, "
+                    "remove the folder, or use another --out",
+                    folder));
+}
+
 }  // namespace
 
 PieceStore::PieceStore(std::string folder, const StoredClaim& claim)
@@ -65,10 +72,7 @@ PieceStore::PieceStore(std::string folder, const StoredClaim& claim)
     if (!fs::exists(file)) {
         AtomicFile(file).commit(text_);
     } else if (contents(file) != text_) {
-        throw InputError(fmt::format(
-            "'{}' holds the finished pieces of another run (see its file 'claim'): repeat that run, remove "
-            "the folder, or use another --out",
-            folder_));
+        holds_another_run(folder_);
     }
 }
 
@@ -83,6 +87,12 @@ PieceStore::~PieceStore() {
     const auto files = std::distance(fs::directory_iterator(folder_, ignored), fs::directory_iterator());
     if (!ignored && files == 1) {
         remove();  // nothing but the claim
+    }
+}
+
+void PieceStore::require_none(const std::string& folder) {
+    if (fs::exists(folder)) {
+        holds_another_run(folder);
     }
 }
 

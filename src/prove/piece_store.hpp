@@ -30,6 +30,9 @@ class PieceStore {
     PieceStore(const PieceStore&) = delete;
     PieceStore& operator=(const PieceStore&) = delete;
 
+    /// For a run that keeps no pieces: throws InputError if there is such a folder.
+    static void require_none(const std::string& folder);
+
     /// The piece with these bounds, if it was kept and its file is whole; a damaged file is as good as none.
     [[nodiscard]] std::optional<Piece> find(const PlannedPiece& planned) const;
 
