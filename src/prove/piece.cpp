@@ -59,9 +59,9 @@ void describe(ProvedPiece& proved) {
     double least = 1;
     for (const auto& collision : *orbit) {
         least = std::min(least, low_end(collision.grazing_sine).lo());
+        proved.width = std::max(proved.width, width(collision.y));
     }
     proved.margin = std::max(0.0, asin(Interval(std::max(0.0, least))).lo());
-    proved.width = std::max(width(orbit->front().y), width(orbit->back().y));
 }
 
 /// One precision's attempt at a piece with given bounds.

@@ -24,8 +24,8 @@ struct ProvedPiece {
     Piece piece;
     double margin = 0;  ///< certified lower bound of the least grazing angle (radians) of the witness's
                         ///< collisions; 0: none known
-    double width = 0;   ///< width of the enclosure of the centre of mass's height at the first or last
-                        ///< collision (rod length 1)
+    double width = 0;   ///< the widest enclosure of the centre of mass's height at a collision (rod
+                        ///< length 1)
     double seconds = 0;
 };
 

@@ -10,6 +10,8 @@
 
 #include "certificate/names.hpp"
 #include "model/paper_bound.hpp"
+#include "report/orbit_text.hpp"
+#include "report/printed.hpp"
 
 namespace dumbbell {
 namespace {
@@ -69,32 +71,13 @@ std::string counted(long n, std::string_view one) {
     return fmt::format("{} {}{}", n, one, n == 1 ? "" : "s");
 }
 
-/// The exact value of a number as it is printed, e.g. -1.5e-05.
-Rational as_printed(std::string_view text) {
-    const bool negative = text.starts_with('-');
-    const Rational magnitude = parse_rational(text.substr(negative ? 1 : 0));
-    return negative ? -magnitude : magnitude;
-}
-
-/// Three digits of x > 0, not below it.
-std::string rounded_up(double x) {
-    const std::string text = fmt::format("{:.3g}", x);
-    return as_printed(text) < exact(x) ? fmt::format("{:.3g}", x * 1.005) : text;
-}
-
-/// Three digits of x > 0, not above it.
-std::string rounded_down(double x) {
-    const std::string text = fmt::format("{:.3g}", x);
-    return as_printed(text) > exact(x) ? fmt::format("{:.3g}", x * 0.995) : text;
-}
-
 /// How clear of tangency the witness's collisions are, and how narrowly it is known.
 std::string witness_sentence(const ReportRow& row) {
     if (row.margin <= 0) {
         return {};
     }
     return fmt::format(
-        "Its orbit meets the floor at an angle of {} rad or more, and the height at its ends is enclosed to "
+        "Its orbit meets the floor at an angle of {} rad or more, and the heights along it are enclosed to "
         "{}.\n",
         rounded_down(row.margin), rounded_up(row.width));
 }
@@ -145,33 +128,6 @@ std::string range_sentence(const ProofReport& report) {
         text += fmt::format("{} {} open. ", counted(counts.open, "piece"), counts.open == 1 ? "is" : "are");
     }
     return text + decided_text(report.decided_fraction);
-}
-
-/// A short decimal and a radius that covers both ends from that decimal, so that the text as printed
-/// encloses.
-std::string enclosure_text(const Interval& x) {
-    const std::string centre = fmt::format("{:.12g}", approximate(x));
-    const Rational c = as_printed(centre);
-    const double radius = std::abs(enclose<Interval>(std::max(exact(x.hi()) - c, c - exact(x.lo()))).hi());
-    return fmt::format("{}+-{:.1e}", centre, radius * 1.06);  // two digits lose at most 1 part in 20
-}
-
-nlohmann::ordered_json pair(const Interval& x) { return {x.lo(), x.hi()}; }
-
-nlohmann::ordered_json orbit_json(const ReportRow& row) {
-    nlohmann::ordered_json collisions = nlohmann::ordered_json::array();
-    for (const auto& c : row.orbit) {
-        collisions.push_back({{"mass", c.heavy ? "heavy" : "light"},
-                              {"time", pair(c.time)},
-                              {"phi", pair(c.phi)},
-                              {"y", pair(c.y)},
-                              {"ydot_before", pair(c.ydot_before)},
-                              {"ydot_after", pair(c.ydot_after)},
-                              {"phidot_before", pair(c.phidot_before)},
-                              {"phidot_after", pair(c.phidot_after)},
-                              {"grazing_sine", pair(c.grazing_sine)}});
-    }
-    return {{"ratio", to_fraction(row.piece->q_lo)}, {"collisions", std::move(collisions)}};
 }
 
 /// What a cover of the full section proves beside the count (its chart `again`, L19).
@@ -243,7 +199,8 @@ nlohmann::ordered_json to_json(const ProofReport& report) {
             entry["paper_bound"] = paper_bound(piece.q_hi);
         }
         if (!row.orbit.empty()) {
-            entry["witness"] = orbit_json(row);
+            entry["witness"] = {{"ratio", to_fraction(piece.q_lo)},
+                                {"collisions", collisions_json(row.orbit)}};
         }
         pieces.push_back(std::move(entry));
     }
@@ -278,23 +235,11 @@ std::string orbits_to_text(const ProofReport& report) {
             std::back_inserter(text),
             "Witness at mass ratio {}: {} collisions. Rod length 1; phi in radians; y: height of the centre "
             "of mass;\n"
-            "unit of time: phidot^2 + q (ydot / beta2)^2 = 1. Each number is enclosed: value+-radius.\n",
-            to_decimal(row.piece->q_lo, 17), row.orbit.size());
-        fmt::format_to(std::back_inserter(text),
-                       "{:>4} {:5} {:>24} {:>24} {:>24} {:>24} {:>24} {:>24} {:>24}\n", "#", "mass", "time",
-                       "phi", "y", "ydot before", "ydot after", "phidot before", "phidot after");
-        long number = 0;
-        for (const auto& c : row.orbit) {
-            fmt::format_to(std::back_inserter(text),
-                           "{:>4} {:5} {:>24} {:>24} {:>24} {:>24} {:>24} {:>24} {:>24}\n", ++number,
-                           c.heavy ? "heavy" : "light", enclosure_text(c.time), enclosure_text(c.phi),
-                           enclosure_text(c.y), enclosure_text(c.ydot_before), enclosure_text(c.ydot_after),
-                           enclosure_text(c.phidot_before), enclosure_text(c.phidot_after));
-        }
-        fmt::format_to(
-            std::back_inserter(text),
-            "Smallest margin (angle between flight and floor, in the kinetic metric): {:.6g} rad\n\n",
-            row.margin);
+            "unit of time: phidot^2 + q (ydot / beta2)^2 = 1. Each number is enclosed: value+-radius.\n{}"
+            "Smallest margin (angle between flight and floor, in the kinetic metric): {:.6g} rad\n"
+            "Widths of the enclosures along the orbit:\n{}\n",
+            to_decimal(row.piece->q_lo, 17), row.orbit.size(), collisions_text(row.orbit), row.margin,
+            widths_text(row.orbit));
     }
     return text;
 }
