@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "arith/error.hpp"
 
 namespace dumbbell {
@@ -18,6 +20,30 @@ int decade(const Rational& x) {
     // 10^(a-1) <= numerator < 10^a and 10^(b-1) <= denominator < 10^b: e is a - b or a - b - 1.
     const int e = length(numerator(x)) - length(denominator(x));
     return x < power_of_ten(e) ? e - 1 : e;
+}
+
+/// Divides n > 0 by p as often as it can; how often that was.
+int take_factors(Integer& n, int p) {
+    int count = 0;
+    for (; n % p == 0; n /= p) {
+        ++count;
+    }
+    return count;
+}
+
+/// The decimal without zeros at its end that is x > 0, if there is one: if the denominator has no prime
+/// factors but 2 and 5.
+std::optional<Decimal> finite_decimal(const Rational& x) {
+    Integer rest = denominator(x);
+    const int twos = take_factors(rest, 2);
+    const int fives = take_factors(rest, 5);
+    if (rest != 1) {
+        return std::nullopt;
+    }
+    const int places = std::max(twos, fives);
+    Decimal result{numerator(Rational(x * power_of_ten(places))), -places};
+    result.exponent += take_factors(result.mantissa, 10);
+    return result;
 }
 
 }  // namespace
@@ -71,6 +97,23 @@ Decimal without_zeros(Decimal x) {
         ++x.exponent;
     }
     return x;
+}
+
+std::string exact_text(const Rational& x) {
+    constexpr std::size_t short_enough = 17;
+    require(x > 0, "the text of a number that is not positive");
+    const bool is_integer = denominator(x) == 1;
+    const std::string whole = is_integer ? numerator(x).str() : to_fraction(x);
+    if (is_integer && whole.size() <= short_enough) {
+        return whole;
+    }
+    const std::optional<Decimal> decimal = finite_decimal(x);
+    if (!decimal) {
+        return whole;
+    }
+    const std::string text = to_text(*decimal);
+    const bool is_short = decimal->mantissa.str().size() <= short_enough;
+    return is_short || text.size() <= whole.size() ? text : whole;
 }
 
 }  // namespace dumbbell

@@ -34,4 +34,9 @@ struct Decimal {
 /// The same without zeros at its end: for numbers that are exactly x.
 [[nodiscard]] Decimal without_zeros(Decimal x);
 
+/// Exactly x > 0, for people: `4.6`, `1.000000000000000000000000000001`, `10/3`, `1e300`. A decimal, unless x
+/// has none, or one of more than 17 digits that is longer than the fraction. So different numbers never look
+/// alike, and parse_rational reads the text as x.
+[[nodiscard]] std::string exact_text(const Rational& x);
+
 }  // namespace dumbbell

@@ -48,6 +48,18 @@ double cos_kernel(double y) noexcept {
 constexpr double half_pi_hi = 0x1.921fb54442d18p+0;
 constexpr double half_pi_lo = 0x1.1a62633145c07p-54;  // pi/2 - half_pi_hi, error < 2^-108
 constexpr double quarter_pi = 0x1.921fb54442d18p-1;
+constexpr double pad = 0x1p-50;
+
+// What is proved, relative, in units of u: by hand in L14, and by tool, from the text of this very file, in
+// proofs/kernels.
+constexpr double reach = 0.79;          // the kernels' greatest argument
+constexpr double sine_error = 1.8;      // of sin_kernel
+constexpr double cosine_error = 1.5;    // of cos_kernel
+constexpr double argument_error = 1.5;  // of y = pi/2 - x as computed
+constexpr double guess_error = 4.0;     // of guess_sin_cos
+static_assert(half_pi_hi - quarter_pi < reach);
+static_assert(sine_error + argument_error < guess_error && cosine_error + argument_error < guess_error);
+static_assert(guess_error + 2 < pad * 0x1p53);
 
 /// [v - p, v + p], p > 2^-50 |v|. On [0, pi/2] the guesses below differ from the true value t by at most 4 u
 /// |t|: kernel 1.8 u, plus, above pi/4, the error of y = pi/2 - x. half_pi_hi - x is exact (Sterbenz), adding
@@ -56,8 +68,8 @@ constexpr double quarter_pi = 0x1.921fb54442d18p-1;
 /// < 4.01 u |v|, the rounding of v -+ 2^-50 |v| is at most 1.01 u |v|, and 2^-50 = 8 u. The step to the
 /// neighbour covers subnormal v, where the product underflows: there sin y rounds to y or its neighbour.
 Interval widened(double v) noexcept {
-    const double pad = std::abs(v) * 0x1p-50;
-    return {next_down(v - pad), next_up(v + pad)};
+    const double p = std::abs(v) * pad;
+    return {next_down(v - p), next_up(v + p)};
 }
 
 /// The enclosures of sin and cos of one double in [0, pi/2], clipped to [0, 1].

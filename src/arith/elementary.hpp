@@ -2,12 +2,12 @@
 
 #include "arith/interval.hpp"
 
-/// Elementary functions on Interval. glibc's are not used: they ignore rounding and promise no error bound.
+/// Elementary functions on Interval, defined for every interval that is not empty. glibc's are not used: they
+/// ignore rounding and promise no error bound.
 ///
-/// | function | domain | result |
-/// | --- | --- | --- |
-/// | sin_cos, sin, cos | every interval | enclosure; [-1, 1] where an argument exceeds 2^20 in absolute value
-/// | | asin | intersection with [-1, 1], not empty | enclosure | | pi, half_pi | | two neighbouring doubles |
+/// - sin_cos, sin, cos: enclosures; [-1, 1] where an argument exceeds 2^20 in absolute value.
+/// - asin: an enclosure for the part of the argument that lies in [-1, 1].
+/// - pi, half_pi: two neighbouring doubles.
 namespace dumbbell {
 
 /// Enclosures of sine and cosine of the same argument.

@@ -10,7 +10,6 @@
 namespace dumbbell {
 namespace {
 
-constexpr std::size_t max_length = 1000;
 constexpr int max_exponent = 1000;
 
 /// Takes the longest run of digits off the front of `text`.
@@ -28,14 +27,6 @@ Integer to_integer(const std::string& digits) {
     // mpz would read a leading zero as octal.
     const auto first = std::min(digits.find_first_not_of('0'), digits.size() - 1);
     return Integer(digits.substr(first));
-}
-
-std::string shortened(std::string_view text) {
-    std::string printable;
-    for (const char c : text.substr(0, 40)) {
-        printable += (c >= ' ' && c <= '~') ? c : '?';
-    }
-    return printable + (text.size() > 40 ? "..." : "");
 }
 
 /// The exponent behind e or E, already cut off; nothing else may follow.
@@ -68,7 +59,15 @@ Integer power_of_ten(int n) { return boost::multiprecision::pow(Integer(10), sta
 
 }  // namespace
 
-Rational parse_rational(std::string_view text) {
+std::string shortened(std::string_view text) {
+    std::string printable;
+    for (const char c : text.substr(0, 40)) {
+        printable += (c >= ' ' && c <= '~') ? c : '?';
+    }
+    return printable + (text.size() > 40 ? "..." : "");
+}
+
+Rational parse_rational(std::string_view text, std::size_t max_length) {
     const auto malformed = [&] {
         return InputError(
             fmt::format("'{}' is not a number: write it like 10, 4.6, 1e6 or 9/2", shortened(text)));

@@ -17,7 +17,10 @@ using Integer = boost::multiprecision::number<boost::multiprecision::gmp_int, bo
 
 /// The exact value of `[0-9]+(.[0-9]+)?([eE][+-]?[0-9]+)?` or `INT/INT`. Throws InputError (naming the text)
 /// for anything else, more than 1,000 characters, |exponent| > 1000, or a zero denominator.
-[[nodiscard]] Rational parse_rational(std::string_view text);
+[[nodiscard]] Rational parse_rational(std::string_view text, std::size_t max_length = 1000);
+
+/// A user's text as it may stand in a message: printable, and its first 40 characters only.
+[[nodiscard]] std::string shortened(std::string_view text);
 
 /// `p/q` in lowest terms, with `/1` for integers.
 [[nodiscard]] std::string to_fraction(const Rational& x);

@@ -1,16 +1,20 @@
 #pragma once
 
 #include <bit>
+#include <cfloat>
 #include <cmath>
 #include <cstdint>
 #include <limits>
 
-#ifdef __FAST_MATH__
-#error "dumbbell: -ffast-math breaks IEEE arithmetic and with it every enclosure; build without it"
+// What the compiler tells of its flags; the self-test at start-up finds what it does not tell.
+#if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__) || \
+    (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__)
+#error "dumbbell: -ffast-math and its parts break IEEE arithmetic and with it every enclosure; build without"
 #endif
 
-static_assert(std::numeric_limits<double>::is_iec559 && std::numeric_limits<double>::digits == 53,
-              "dumbbell needs IEEE 754 binary64");
+static_assert(std::numeric_limits<double>::is_iec559 && std::numeric_limits<double>::digits == 53 &&
+                  FLT_EVAL_METHOD == 0,
+              "dumbbell needs IEEE 754 binary64, and operations that round to it");
 
 /// Directed rounding without switching modes.
 ///

@@ -29,6 +29,9 @@ void require_sound_arithmetic() {
     require(-one - half_ulp == -1.0,
             "self-test: subtraction does not round to nearest even; refusing to compute");
 
+    // A compiler that regroups sums (-fassociative-math) finds 2^-60 here.
+    require((opaque(0x1p-60) + one) - one == 0, "self-test: sums are regrouped; refusing to compute");
+
     const double least = opaque(std::numeric_limits<double>::min());
     require(least / 2 > 0 && opaque(std::numeric_limits<double>::denorm_min()) * 1.0 > 0,
             "self-test: subnormal numbers are flushed to zero; refusing to compute");

@@ -14,7 +14,7 @@
 namespace dumbbell::audit {
 namespace {
 
-/// The fraction if it is short, else a decimal.
+/// A place in a leaf: the fraction if it is short, else a decimal.
 std::string shown(const Rational& x) {
     std::string fraction = to_fraction(x);
     return fraction.size() <= 60 ? fraction : "about " + to_decimal(x, 12);
@@ -75,8 +75,8 @@ std::vector<std::string> range_faults(const Certificate& certificate,
     for (const Piece& piece : certificate.pieces) {
         ++number;
         if (piece.q_lo != reached) {
-            faults.push_back(fmt::format("piece {} begins at ratio {}, not at {}", number, shown(piece.q_lo),
-                                         shown(reached)));
+            faults.push_back(fmt::format("piece {} begins at ratio {}, not at {}", number,
+                                         to_fraction(piece.q_lo), to_fraction(reached)));
         }
         if (piece.q_hi < piece.q_lo) {
             faults.push_back(fmt::format("piece {} ends before it begins", number));
@@ -84,8 +84,8 @@ std::vector<std::string> range_faults(const Certificate& certificate,
         reached = piece.q_hi;
     }
     if (reached != claimed.second) {
-        faults.push_back(
-            fmt::format("the pieces end at ratio {}, not at {}", shown(reached), shown(claimed.second)));
+        faults.push_back(fmt::format("the pieces end at ratio {}, not at {}", to_fraction(reached),
+                                     to_fraction(claimed.second)));
     }
     return faults;
 }

@@ -46,7 +46,7 @@ nlohmann::ordered_json to_json(const std::vector<AuditedFile>& files) {
                         {"seconds", file.seconds}});
     }
     const bool all = std::ranges::all_of(files, [](const AuditedFile& file) { return file.audit.tiles(); });
-    return {{"tiles", all}, {"files", rows}};
+    return {{"schema", "dumbbell-audit-1"}, {"tiles", all}, {"files", rows}};
 }
 
 }  // namespace dumbbell::audit

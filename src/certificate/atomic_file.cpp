@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 #include <zlib.h>
@@ -36,7 +37,88 @@ std::string gzipped(const std::string& contents) {
     return result;
 }
 
+[[noreturn]] void fail(const char* doing, const std::string& path) {
+    throw InputError(
+        fmt::format("cannot {} '{}': {}; nothing is left under that name that was not there before", doing,
+                    path, std::strerror(errno)));
+}
+
+/// The temporary file of a path, open and locked, so that it is nobody else's; removed at the end unless it
+/// was given its final name.
+class Temporary {
+  public:
+    explicit Temporary(const std::string& path) : path_(path), name_(temporary_name(path)) {
+        while (!opened()) {
+        }
+    }
+    ~Temporary() {
+        if (!name_.empty()) {
+            ::unlink(name_.c_str());
+        }
+        ::close(descriptor_);
+    }
+    Temporary(const Temporary&) = delete;
+    Temporary& operator=(const Temporary&) = delete;
+
+    void write(const std::string& bytes) const {
+        if (::ftruncate(descriptor_, 0) != 0) {  // a killed program may have left some
+            fail("write", path_);
+        }
+        for (std::size_t done = 0; done < bytes.size();) {
+            const ssize_t n = ::write(descriptor_, bytes.data() + done, bytes.size() - done);
+            if (n < 0 && errno == EINTR) {
+                continue;
+            }
+            if (n <= 0) {
+                fail("write", path_);
+            }
+            done += static_cast<std::size_t>(n);
+        }
+        if (::fsync(descriptor_) != 0) {
+            fail("sync", path_);
+        }
+    }
+
+    void give_final_name() {
+        if (::rename(name_.c_str(), path_.c_str()) != 0) {
+            fail("rename to", path_);
+        }
+        name_.clear();
+    }
+
+  private:
+    /// False if whoever had it before has meanwhile removed it or given it its final name.
+    bool opened() {
+        descriptor_ = ::open(name_.c_str(), O_WRONLY | O_CREAT | O_NOFOLLOW | O_CLOEXEC, 0666);
+        if (descriptor_ < 0) {
+            fail("create", path_);
+        }
+        while (::flock(descriptor_, LOCK_EX) != 0) {
+            if (errno != EINTR) {
+                const int cause = errno;
+                ::close(descriptor_);
+                errno = cause;
+                fail("lock", path_);
+            }
+        }
+        struct stat mine {};
+        struct stat named {};
+        if (::fstat(descriptor_, &mine) == 0 && ::lstat(name_.c_str(), &named) == 0 &&
+            mine.st_dev == named.st_dev && mine.st_ino == named.st_ino) {
+            return true;
+        }
+        ::close(descriptor_);
+        return false;
+    }
+
+    const std::string& path_;
+    std::string name_;
+    int descriptor_ = -1;
+};
+
 }  // namespace
+
+std::string temporary_name(const std::string& path) { return path + ".dumbbell-tmp"; }
 
 AtomicFile::AtomicFile(std::string path) : path_(std::move(path)) {
     // A rename would replace whatever stands there, a device like /dev/null too.
@@ -48,53 +130,14 @@ AtomicFile::AtomicFile(std::string path) : path_(std::move(path)) {
     if (std::filesystem::exists(target) && !std::filesystem::is_regular_file(target)) {
         throw InputError(fmt::format("cannot write '{}': it is no regular file; give a file name", path_));
     }
-    temporary_ = fmt::format("{}.tmp-{}", path_, ::getpid());
-    descriptor_ = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
-    if (descriptor_ < 0) {
-        temporary_.clear();
-        fail("create");
-    }
+    const Temporary probe(path_);
 }
 
-AtomicFile::~AtomicFile() {
-    if (descriptor_ >= 0) {
-        ::close(descriptor_);
-    }
-    if (!temporary_.empty()) {
-        ::unlink(temporary_.c_str());
-    }
-}
-
-void AtomicFile::fail(const char* doing) const {
-    throw InputError(
-        fmt::format("cannot {} '{}': {}; nothing is left under that name that was not there before", doing,
-                    path_, std::strerror(errno)));
-}
-
-void AtomicFile::commit(const std::string& contents) {
+void AtomicFile::commit(const std::string& contents) const {
     const bool compress = path_.ends_with(".gz");
-    const std::string packed = compress ? gzipped(contents) : std::string();
-    const std::string& bytes = compress ? packed : contents;
-    for (std::size_t done = 0; done < bytes.size();) {
-        const ssize_t n = ::write(descriptor_, bytes.data() + done, bytes.size() - done);
-        if (n < 0 && errno == EINTR) {
-            continue;
-        }
-        if (n <= 0) {
-            fail("write");
-        }
-        done += static_cast<std::size_t>(n);
-    }
-    if (::fsync(descriptor_) != 0) {
-        fail("sync");
-    }
-    if (::close(std::exchange(descriptor_, -1)) != 0) {
-        fail("close");
-    }
-    if (::rename(temporary_.c_str(), path_.c_str()) != 0) {
-        fail("rename to");
-    }
-    temporary_.clear();
+    Temporary file(path_);
+    file.write(compress ? gzipped(contents) : contents);
+    file.give_final_name();
     // The new name is durable once its directory is synced; if that cannot be done the file is still
     // complete.
     const auto parent = std::filesystem::path(path_).parent_path();

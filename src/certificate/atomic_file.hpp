@@ -4,27 +4,24 @@
 
 namespace dumbbell {
 
-/// A file that appears under its final name complete or not at all: written to a temporary name beside it,
-/// synced, renamed. The temporary file is made by the constructor, which so finds out at once whether the
-/// place is writable; without a commit() it is removed again. Throws InputError (naming the file and the
-/// cause) on any failure.
+/// A file that appears under its final name complete or not at all: written beside it under the name
+/// `FILE.dumbbell-tmp`, synced, renamed. A program that is killed leaves at most that one file, which the
+/// next one that writes FILE takes over; writers of the same FILE wait for one another, and the last one
+/// wins. Throws InputError (naming the file and the cause) on any failure, and then leaves nothing.
 class AtomicFile {
   public:
-    /// A name that ends in `.gz` is written gzip-compressed.
+    /// A name that ends in `.gz` is written gzip-compressed. Finds out at once whether the place is writable,
+    /// by a file that is removed again.
     explicit AtomicFile(std::string path);
-    ~AtomicFile();
-    AtomicFile(const AtomicFile&) = delete;
-    AtomicFile& operator=(const AtomicFile&) = delete;
 
     /// Writes the contents, makes them durable and gives the file its final name, replacing what was there.
-    void commit(const std::string& contents);
+    void commit(const std::string& contents) const;
 
   private:
-    [[noreturn]] void fail(const char* doing) const;
-
     std::string path_;
-    std::string temporary_;
-    int descriptor_ = -1;
 };
+
+/// What a killed program may leave beside `path`.
+[[nodiscard]] std::string temporary_name(const std::string& path);
 
 }  // namespace dumbbell

@@ -27,6 +27,9 @@ enum class Chart { bridge, light, contact, departure, plain_contact, plain_depar
 /// The charts of a section, in the order of the file. Empty if the scene has no such section.
 [[nodiscard]] std::vector<Chart> charts_of(Scene scene, Section section);
 
+/// Of a coordinate in a file: 2^-4096 is the least place, and 2^4096 the greatest, that it can spell.
+inline constexpr int most_binary_places = 4096;
+
 /// The axes of a chart's boxes: the position e, the slope (eta in the chart bridge, lambda in the chart
 /// light) and the mass ratio q.
 enum class Axis { position, slope, ratio };

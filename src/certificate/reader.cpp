@@ -79,7 +79,7 @@ class Lines {
 
     Rational ratio(const std::string& text) const {
         try {
-            return parse_rational(text);
+            return parse_rational(text, max_line);
         } catch (const InputError&) {
             fail();
         }
@@ -91,8 +91,11 @@ class Lines {
             fail();
         }
         const bool negative = text.compare(b + 1, 1, "-") == 0;
-        const auto exponent = static_cast<unsigned>(number(text.substr(b + (negative ? 2 : 1))));
-        const Rational power(Integer(1) << std::min(exponent, 400U));
+        const long exponent = number(text.substr(b + (negative ? 2 : 1)));
+        if (exponent > most_binary_places) {
+            fail();
+        }
+        const Rational power(Integer(1) << static_cast<unsigned>(exponent));
         const Rational mantissa = ratio(text.substr(0, b));
         return negative ? mantissa / power : mantissa * power;
     }
@@ -188,7 +191,15 @@ Certificate read_certificate(const std::string& path) {
     const std::string lemmas = lines.expect("lemmas", 2)[1];
     const auto scene = scene_named(lines.expect("scene", 2)[1]);
     const auto section = section_named(lines.expect("section", 2)[1], lemmas);
-    if (!scene || !section || lines.expect("claim", 2)[1] != "collisions") {
+    const std::string claim = lines.expect("claim", 2)[1];
+    if (claim == "initial-conditions") {
+        throw InputError(
+            fmt::format("'{}' is about initial conditions (dumbbell trace): a certificate about mass ratios "
+                        "is needed here "
+                        "(dumbbell certify RATIO --out FILE); dumbbell verify reads both",
+                        path));
+    }
+    if (!scene || !section || claim != "collisions") {
         lines.fail();
     }
     certificate.scene = *scene;

@@ -135,6 +135,8 @@ std::string to_dyadic(const Rational& x) {
     require(below == Integer(1) << static_cast<unsigned>(down), "certificate: a coordinate is not dyadic");
     const auto up = static_cast<long>(lsb(m));
     m >>= static_cast<unsigned>(up);
+    require(up <= most_binary_places && down <= most_binary_places,
+            "certificate: a coordinate has too many places");
     return fmt::format("{}b{}", m.str(), up - down);
 }
 

@@ -20,7 +20,7 @@ struct CertificateText {
 [[nodiscard]] std::string sha256_hex(const std::string& bytes);
 
 /// `MbK` for M * 2^K, M odd or 0 (proofs/format.md, section 1). Precondition: the denominator is a power of
-/// two.
+/// two, at most 2^4096.
 [[nodiscard]] std::string to_dyadic(const Rational& x);
 
 }  // namespace dumbbell

@@ -20,7 +20,10 @@ Every leaf box is derived again as exact rationals; that no two overlap and that
 proved with CGAL's exact arithmetic, whatever the tree says. What a leaf claims about its box is checked by
 dumbbell verify, not here.
 
-Example: dumbbell audit certificates/stairs-1-100.dbc
+Example: dumbbell audit certificates/stairs-1-100.dbc)";
+
+constexpr const char* footer =
+    R"(The fields of --json: proofs/json.md.
 
 Exit codes: 0 tiles exactly; 1 internal error; 2 wrong usage or unreadable input; 3 does not tile.)";
 
@@ -64,6 +67,7 @@ int run(const Options& options) {
 void add_audit_command(CLI::App& app, int& exit_code) {
     auto options = std::make_shared<Options>();
     CLI::App* command = app.add_subcommand("audit", description);
+    command->footer(footer);
     command->add_option("FILE", options->files, "certificates")->required();
     command->add_flag("--json", options->json, "one JSON object on stdout");
     command->callback([options, &exit_code] { exit_code = run(*options); });

@@ -12,9 +12,12 @@
 #include "certificate/names.hpp"
 #include "certificate/writer.hpp"
 #include "cli/exit_code.hpp"
+#include "cli/open_pieces.hpp"
 #include "cli/progress.hpp"
 #include "cli/ratio_argument.hpp"
+#include "cli/stop_signals.hpp"
 #include "prove/certify.hpp"
+#include "prove/deadline.hpp"
 #include "prove/witness_orbit.hpp"
 #include "report/proof_report.hpp"
 
@@ -46,7 +49,14 @@ Examples:
   dumbbell certify 1:100 --out stairs.dbc      every mass ratio from 1 to 100, with a certificate
   dumbbell certify 4.6:4.61 --gap 1e-9 --json  a narrower gap around the critical ratio, for scripts
 
-Exit codes: 0 proved; 1 internal error; 2 wrong usage or input; 3 not decided (within the budget).)";
+A range with --out FILE keeps its finished pieces in FILE.partial/ until all are: stopped (Ctrl-C), killed or out of
+time, the same command goes on with them and ends with the same file.)";
+
+constexpr const char* footer =
+    R"(The fields of --json: proofs/json.md.
+
+Exit codes: 0 proved; 1 internal error; 2 wrong usage or input; 3 not decided (within the budget); 130 or 143 stopped by
+SIGINT (Ctrl-C) or SIGTERM: what is kept is said, and FILE not written.)";
 
 Section section_of(const Options& options) {
     if (options.section == "turning") {
@@ -87,6 +97,9 @@ std::vector<ProvedPiece> prove(CertifyRequest request) {
     Progress progress(request.q_lo == request.q_hi ? "boxes" : "pieces");
     request.judged = [&](std::size_t boxes) { progress.advance(boxes); };
     request.progress = [&](std::size_t done, std::size_t total) { progress.update(done, total); };
+    request.damaged = [&](const std::string& file) {
+        progress.note(fmt::format("dumbbell: '{}' is damaged: its piece is proved again", file));
+    };
     return certify(request);
 }
 
@@ -127,32 +140,15 @@ void write_certificate(const std::vector<ProvedPiece>& pieces, AtomicFile& file,
     report.sha256 = std::move(text.sha256);
 }
 
-/// What to do about open pieces.
-std::string advice(const Options& options, const RatioArgument& ratio, bool stored) {
-    if (ratio.hi > greatest_ratio()) {
-        return "not decided: ratios beyond 1e16 are out of reach";
-    }
-    std::string text = ratio.lo == ratio.hi ? "not decided" : "not everything was decided";
-    text += options.budget.empty() ? "" : ": allow more time (--budget)";
-    if (ratio.lo < ratio.hi) {
-        text += options.budget.empty() ? ": try a wider --gap" : ", or a wider --gap";
-    }
-    if (stored) {
-        text +=
-            fmt::format("; the same command goes on with the finished pieces in '{}.partial'", options.out);
-    }
-    return text;
-}
-
 int run(const Options& options) {
     const RatioArgument ratio = parse_ratio_argument(options.ratio);
     check_combination(options);
     CertifyRequest request = request_of(options, ratio);  // before the output file is touched
     std::optional<AtomicFile> file;
     std::optional<PieceStore> store;
+    const std::string partial = options.out + ".partial";
     if (!options.out.empty()) {
         file.emplace(options.out);
-        const std::string partial = options.out + ".partial";
         if (ratio.lo < ratio.hi) {  // it may take long: its finished pieces are kept
             request.store = &store.emplace(
                 partial, StoredClaim{request.scene, request.section, ratio.lo, ratio.hi, request.gap});
@@ -164,13 +160,19 @@ int run(const Options& options) {
     const auto pieces = prove(request);
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 
+    const bool open = std::any_of(pieces.begin(), pieces.end(),
+                                  [](const ProvedPiece& p) { return p.piece.status() == Status::open; });
+    const std::string kept_in = store ? partial : "";
+    if (open && stop_signal != 0) {
+        fmt::print(stderr, "dumbbell: {}: {}\n", stopped_by(), kept_when_stopped(request, pieces, kept_in));
+        return exit_stopped;
+    }
+
     ProofReport report = describe(request, pieces, seconds, options.witness);
     if (file) {
         report.out = options.out;
         write_certificate(pieces, *file, report);
     }
-    const bool open = std::any_of(pieces.begin(), pieces.end(),
-                                  [](const ProvedPiece& p) { return p.piece.status() == Status::open; });
     if (store && !open) {
         store->remove();
     }
@@ -183,7 +185,7 @@ int run(const Options& options) {
         fmt::print("{}{}{}", orbits_to_text(report), options.witness ? "\n" : "", to_text(report));
     }
     if (open) {
-        fmt::print(stderr, "dumbbell: {}\n", advice(options, ratio, store.has_value()));
+        fmt::print(stderr, "dumbbell: {}\n", advice(request, pieces, kept_in));
     }
     return open ? exit_not_certified : exit_done;
 }
@@ -193,6 +195,7 @@ int run(const Options& options) {
 void add_certify_command(CLI::App& app, int& exit_code) {
     auto options = std::make_shared<Options>();
     CLI::App* command = app.add_subcommand("certify", description);
+    command->footer(footer);
     command->add_option("RATIO", options->ratio, "mass ratio, or closed range LO:HI")->required();
     command
         ->add_option("--scene", options->scene,
@@ -224,7 +227,7 @@ void add_certify_command(CLI::App& app, int& exit_code) {
     command->add_flag("--witness", options->witness,
                       "print an orbit that attains the maximum, every collision enclosed");
     command->add_flag("--json", options->json, "one JSON object on stdout");
-    command->callback([options, &exit_code] { exit_code = run(*options); });
+    command->callback([options, &exit_code] { exit_code = stoppable([&] { return run(*options); }); });
 }
 
 }  // namespace dumbbell

@@ -5,6 +5,8 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
+#include <cmath>
+#include <iterator>
 #include <memory>
 #include <optional>
 #include <thread>
@@ -15,7 +17,9 @@
 #include "cli/exit_code.hpp"
 #include "cli/progress.hpp"
 #include "cli/ratio_argument.hpp"
+#include "cli/stop_signals.hpp"
 #include "prove/critical_range.hpp"
+#include "prove/deadline.hpp"
 #include "report/critical_report.hpp"
 
 namespace dumbbell {
@@ -42,14 +46,20 @@ Examples:
   dumbbell critical 4 --digits 100                       more of its digits
   dumbbell critical 3:20                                 the first 18 steps
   dumbbell critical 12 --confirm 1e-9                    cover and witness at q_c(12) (1 -+ 1e-9)
-  dumbbell critical 3:902 --digits 50 --out ratios.tsv   a table as a file
+  dumbbell critical 3:902 --digits 50 --out ratios.tsv   a table as a file)";
 
-Exit codes: 0 proved; 1 internal error; 2 wrong usage or input; 3 not finished or not confirmed (within the budget).)";
+constexpr const char* footer =
+    R"(The fields of --json: proofs/json.md.
+
+Exit codes: 0 proved; 1 internal error; 2 wrong usage or input; 3 not finished or not confirmed (within the budget); 130
+or 143 stopped by SIGINT (Ctrl-C) or SIGTERM: nothing is kept.)";
 
 constexpr long greatest_count = 1'000'000'000'000;
 constexpr long most_ratios = 1'000'000;
 /// Without --budget nothing longer is begun.
 constexpr std::chrono::duration<double> long_time = std::chrono::hours(1);
+/// What takes longer is announced.
+constexpr std::chrono::duration<double> some_time = std::chrono::minutes(1);
 
 long parse_count(const std::string& text) {
     const bool digits = !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
@@ -101,6 +111,9 @@ Rational parse_distance(const std::string& text, long n) {
 
 std::string time_text(std::chrono::duration<double> time) {
     const double hours = time / std::chrono::hours(1);
+    if (hours < 2) {
+        return fmt::format("{:.0f} minutes", std::ceil(60 * hours));
+    }
     if (hours < 48) {
         return fmt::format("{:.1f} hours", hours);
     }
@@ -108,7 +121,7 @@ std::string time_text(std::chrono::duration<double> time) {
     return years < 2 ? fmt::format("{:.0f} days", hours / 24) : fmt::format("{:.3g} years", years);
 }
 
-/// Throws InputError if it would take very long and no budget is given.
+/// Says how long it will take, if long. Throws InputError if it would take very long and no budget is given.
 void check_time(const CriticalRequest& request) {
     if (request.budget) {
         return;
@@ -120,6 +133,20 @@ void check_time(const CriticalRequest& request) {
                         "example --budget 2h",
                         time_text(time), request.jobs, request.jobs == 1 ? "" : "s"));
     }
+    if (time > some_time) {
+        fmt::print(stderr, "dumbbell: this will take about {}\n", time_text(time));
+    }
+}
+
+std::vector<CriticalRow> enclose(CriticalRequest request) {
+    const bool one = request.first == request.last;
+    Progress progress(one ? "flights" : "critical ratios");
+    if (one) {
+        request.advanced = [&](long flights) { progress.advance(static_cast<std::size_t>(flights)); };
+    } else {
+        request.progress = [&](std::size_t done, std::size_t total) { progress.update(done, total); };
+    }
+    return critical_ratios(request);
 }
 
 CriticalRequest request_of(const Options& options) {
@@ -143,12 +170,20 @@ int run(const Options& options) {
     if (!options.out.empty()) {
         file.emplace(options.out);
     }
-    {
-        Progress progress("critical ratios");
-        report.request.progress = [&](std::size_t done, std::size_t total) { progress.update(done, total); };
-        const auto start = std::chrono::steady_clock::now();
-        report.rows = critical_ratios(report.request);
-        report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    const auto start = std::chrono::steady_clock::now();
+    report.rows = enclose(report.request);
+    report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    const auto finished = std::count_if(report.rows.begin(), report.rows.end(),
+                                        [&](const CriticalRow& row) { return row.finished(report.request); });
+    const bool all = finished == std::ssize(report.rows);
+    if (!all && stop_signal != 0) {
+        fmt::print(stderr, "dumbbell: {}: nothing is kept{}\n", stopped_by(),
+                   finished == 0
+                       ? ""
+                       : fmt::format(" of the {} critical ratios that were finished (of {}): with --budget "
+                                     "TIME what is finished in time is printed",
+                                     finished, report.rows.size()));
+        return exit_stopped;
     }
     if (file) {
         report.out = options.out;
@@ -159,14 +194,12 @@ int run(const Options& options) {
     } else {
         fmt::print("{}", to_text(report));
     }
-    const bool finished = std::all_of(report.rows.begin(), report.rows.end(),
-                                      [&](const CriticalRow& row) { return row.finished(report.request); });
-    if (!finished) {
+    if (!all) {
         fmt::print(stderr, "dumbbell: not everything was {} (--budget)\n",
                    options.confirm ? "confirmed: allow more time, or a greater distance"
                                    : "enclosed: allow more time");
     }
-    return finished ? exit_done : exit_not_certified;
+    return all ? exit_done : exit_not_certified;
 }
 
 }  // namespace
@@ -174,6 +207,7 @@ int run(const Options& options) {
 void add_critical_command(CLI::App& app, int& exit_code) {
     auto options = std::make_shared<Options>();
     CLI::App* command = app.add_subcommand("critical", description);
+    command->footer(footer);
     command->add_option("N", options->counts, "number of collisions from 3 on, or closed range N1:N2")
         ->required();
     command->add_option("--digits", options->digits, "significant digits, all of them proved")
@@ -191,7 +225,7 @@ void add_critical_command(CLI::App& app, int& exit_code) {
         ->capture_default_str();
     command->add_option("--budget", options->budget, "stop after this time: 30s, 10m, 2h")->type_name("TIME");
     command->add_flag("--json", options->json, "one JSON object on stdout");
-    command->callback([options, &exit_code] { exit_code = run(*options); });
+    command->callback([options, &exit_code] { exit_code = stoppable([&] { return run(*options); }); });
 }
 
 }  // namespace dumbbell

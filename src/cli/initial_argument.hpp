@@ -8,7 +8,7 @@
 namespace dumbbell {
 
 /// A or LO:HI of --phi, --phidot, --y or --ydot: exact, with or without a leading minus. Throws InputError
-/// that names the option.
+/// that names the option and says how it is written.
 [[nodiscard]] std::pair<Rational, Rational> parse_quantity(const std::string& option,
                                                            const std::string& text);
 

@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "arith/error.hpp"
+#include "certificate/names.hpp"
 #include "certificate/reader.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/verify_command.hpp"
@@ -24,7 +25,10 @@ N*(q) / sqrt q (theorem 4 of proofs/theorem.md), is enclosed by verified quadrat
 
 Examples:
   dumbbell certify 1:10000 --gap 1e-12 --out stairs.dbc
-  dumbbell law stairs.dbc
+  dumbbell law stairs.dbc)";
+
+constexpr const char* footer =
+    R"(The fields of --json: proofs/json.md.
 
 Exit codes: 0 proved; 1 internal error; 2 wrong usage, or a file that is not verified; 3 not proved by this file.)";
 
@@ -34,15 +38,33 @@ struct Options {
     bool json = false;
 };
 
+/// The staircase that the law is about, as far as the file can be read. Throws InputError for anything else.
+Certificate read_staircase(const std::string& file) {
+    Certificate certificate = read_certificate(file);
+    if (certificate.scene != Scene::dumbbell) {
+        throw InputError(
+            fmt::format("'{}' is a certificate of the scene {}: the law is one of the dumbbell "
+                        "(dumbbell certify LO:HI --out FILE)",
+                        file, name(certificate.scene)));
+    }
+    if (certificate.q_lo() == certificate.q_hi()) {
+        throw InputError(
+            fmt::format("'{}' is no staircase: the law needs a range of mass ratios (dumbbell "
+                        "certify LO:HI --out FILE)",
+                        file));
+    }
+    if (certificate.q_hi() > paper_bound_limit()) {
+        throw InputError(fmt::format("'{}' reaches beyond the mass ratio 3e31: no law of that", file));
+    }
+    return certificate;
+}
+
 int run(const Options& options) {
+    const Certificate certificate = read_staircase(options.file);
     LawReport report{.file = options.file,
-                     .verdict = verified(options.file, "dumbbell"),
+                     .verdict = verified(options.file, name(certificate.scene)),
                      .digits = options.digits,
                      .law = {}};
-    const Certificate certificate = read_certificate(options.file);
-    if (certificate.q_lo() == certificate.q_hi() || certificate.q_hi() > paper_bound_limit()) {
-        throw InputError(fmt::format("'{}' is no staircase: it needs a range of mass ratios", options.file));
-    }
     const PrecisionScope scope(static_cast<int>(options.digits * 3.33) + 64);
     report.law = law_of(certificate);
     if (options.json) {
@@ -58,6 +80,7 @@ int run(const Options& options) {
 void add_law_command(CLI::App& app, int& exit_code) {
     auto options = std::make_shared<Options>();
     CLI::App* command = app.add_subcommand("law", description);
+    command->footer(footer);
     command->add_option("FILE", options->file, "certificate over a range of mass ratios, scene dumbbell")
         ->required();
     command->add_option("--digits", options->digits, "digits of C, all of them proved")

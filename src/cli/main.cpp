@@ -53,8 +53,6 @@ int parse_and_run(int argc, char** argv) {
     app.set_version_flag("--version", version_text());
     app.set_help_all_flag("--help-all", "Help of all commands");
     app.require_subcommand(1);
-    app.footer(
-        "Exit codes: 0 done; 1 internal error; 2 wrong usage or input; 3 not certified within the budget.");
     app.add_subcommand("verify",
                        "Re-check certificates with the independent verifier (dumbbell verify --help).");
     int exit_code = exit_done;
@@ -64,6 +62,10 @@ int parse_and_run(int argc, char** argv) {
     add_audit_command(app, exit_code);
     add_trace_command(app, exit_code);
     add_plot_command(app, exit_code);
+    // Commands inherit the footer that is there when they are added, and have exit codes of their own.
+    app.footer(
+        "The fields of --json: proofs/json.md.\n\n"
+        "Exit codes: 0 done; 1 internal error; 2 wrong usage or input; 3 not certified within the budget.");
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

@@ -5,6 +5,7 @@
 
 #include <cstdio>
 #include <string>
+#include <utility>
 
 namespace dumbbell {
 
@@ -12,10 +13,18 @@ using namespace std::chrono_literals;
 
 Progress::Progress(std::string_view unit) : unit_(unit), terminal_(::isatty(STDERR_FILENO) == 1) {}
 
-Progress::~Progress() {
-    if (shown_) {
+Progress::~Progress() { clear(); }
+
+void Progress::clear() {
+    if (std::exchange(shown_, false)) {
         fmt::print(stderr, "\r\033[K");
     }
+}
+
+void Progress::note(const std::string& line) {
+    const std::scoped_lock lock(mutex_);
+    clear();
+    fmt::print(stderr, "{}\n", line);
 }
 
 bool Progress::is_due() {

@@ -3,12 +3,13 @@
 #include <chrono>
 #include <cstddef>
 #include <mutex>
+#include <string>
 #include <string_view>
 
 namespace dumbbell {
 
 /// A progress line on stderr for work that takes longer than a second, if stderr is a terminal; silent
-/// otherwise.
+/// otherwise, but for notes.
 class Progress {
   public:
     /// `unit`: what is counted, in the plural.
@@ -23,9 +24,13 @@ class Progress {
     /// The same for work of unknown size: `more` was done since the last call.
     void advance(std::size_t more);
 
+    /// A message on stderr, a line of its own. Thread-safe.
+    void note(const std::string& line);
+
   private:
     using Clock = std::chrono::steady_clock;
 
+    void clear();
     /// Whether a line is due, which then is shown.
     [[nodiscard]] bool is_due();
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "arith/decimal.hpp"
 #include "arith/error.hpp"
 
 namespace dumbbell {
@@ -20,19 +21,21 @@ Rational positive(const std::string& text) {
 RatioArgument parse_ratio_argument(const std::string& text) {
     const auto colon = text.find(':');
     if (colon != std::string::npos && (colon == 0 || colon + 1 == text.size())) {
-        throw InputError(fmt::format("the range '{}' lacks an end: write LO:HI, for example 1:100", text));
+        throw InputError(
+            fmt::format("the range '{}' lacks an end: write LO:HI, for example 1:100", shortened(text)));
     }
     RatioArgument result;
     result.lo = positive(text.substr(0, colon));
     result.hi = colon == std::string::npos ? result.lo : positive(text.substr(colon + 1));
     if (result.lo > result.hi) {
-        throw InputError(fmt::format("the range '{}' is reversed: write the smaller ratio first", text));
+        throw InputError(
+            fmt::format("the range '{}' is reversed: write the smaller ratio first", shortened(text)));
     }
     if (result.lo < 1 && result.hi > 1) {
         throw InputError(
             fmt::format("the range '{}' crosses 1: write 1:{} (below 1 the masses are swapped, so that "
                         "says the same)",
-                        text, to_decimal(std::max(result.hi, Rational(1) / result.lo), 17)));
+                        text, exact_text(std::max(result.hi, Rational(1) / result.lo))));
     }
     if (result.lo < 1) {
         result = {Rational(1) / result.hi, Rational(1) / result.lo, true};
@@ -43,15 +46,16 @@ RatioArgument parse_ratio_argument(const std::string& text) {
 Rational parse_gap(const std::string& text) {
     const Rational gap = parse_rational(text);
     if (gap <= 0 || gap > Rational(1, 100)) {
-        throw InputError(
-            fmt::format("--gap {} is out of range: a relative width greater than 0 and at most 0.01", text));
+        throw InputError(fmt::format(
+            "--gap {} is out of range: a relative width greater than 0 and at most 0.01", shortened(text)));
     }
     return gap;
 }
 
 std::chrono::duration<double> parse_duration(const std::string& text) {
     const auto malformed = [&] {
-        return InputError(fmt::format("--budget '{}' is no time: write it like 30s, 10m or 2h", text));
+        return InputError(
+            fmt::format("--budget '{}' is no time: write it like 30s, 10m or 2h", shortened(text)));
     };
     if (text.empty()) {
         throw malformed();

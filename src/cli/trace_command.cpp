@@ -45,11 +45,19 @@ rod has length 1, the light mass is at height y + beta2 sin phi and the heavy on
 (beta2 = q/(1+q), beta1 = 1/(1+q)), y is the height of the centre of mass, phi in radians. Every quantity is
 exact, as written (3, -0.5, 1/3), or an interval LO:HI.
 
+Every number is printed as value+-radius, or as its bounds (--csv, --json). The grazing sine is |n.v| / (|n| |v|)
+before a collision, in the metric of the kinetic energy: the sine of the angle between flight and floor, 1 head-on, near
+0 where the mass only just touches. What is left undecided has the bounds that the enclosures give: they can exceed the
+maximum over all trajectories, which dumbbell certify RATIO proves.
+
 Examples:
   dumbbell trace 10 --phi 1/3 --phidot 1 --y 3 --ydot -1/2               one orbit
   dumbbell trace 10 --phi 1/3 --phidot 1 --y 3 --ydot -1/2 --digits 50   the same with 50 digits
   dumbbell trace 10 --phi 0.3:0.31 --phidot 0 --y 3 --ydot -1            a box
-  dumbbell trace 10 --phi 0:3 --phidot -1/2:1/2 --y 3/2 --ydot -1 --subdivide --out falling.dbc
+  dumbbell trace 10 --phi 0:3 --phidot -1/2:1/2 --y 3/2 --ydot -1 --subdivide --out falling.dbc)";
+
+constexpr const char* footer =
+    R"(The fields of --json: proofs/json.md.
 
 Exit codes: 0 an outcome is certified; 1 internal error; 2 wrong usage or input; 3 not decided at this
 precision.)";
@@ -132,6 +140,7 @@ int run(const Options& options) {
 void add_trace_command(CLI::App& app, int& exit_code) {
     auto options = std::make_shared<Options>();
     CLI::App* command = app.add_subcommand("trace", description);
+    command->footer(footer);
     command->add_option("RATIO", options->ratio, "mass ratio, or closed range LO:HI")->required();
     command->add_option("--phi", options->phi, "angle of the rod, radians")->required()->type_name("A|LO:HI");
     command->add_option("--phidot", options->phidot, "its velocity")->required()->type_name("A|LO:HI");
@@ -162,12 +171,14 @@ void add_trace_command(CLI::App& app, int& exit_code) {
         ->add_option("--digits", options->digits,
                      "decimal digits to compute and show; with --subdivide also the precision for parts that "
                      "double precision does not decide. Default: double precision")
-        ->check(CLI::Range(1, 100'000));
+        ->check(CLI::Range(1, most_trace_digits));
     command->add_option("--jobs", options->jobs, "threads; the result does not depend on it")
         ->check(CLI::Range(1, 1024))
         ->capture_default_str();
     CLI::Option* json = command->add_flag("--json", options->json, "one JSON object on stdout");
-    command->add_flag("--csv", options->csv, "a table with the bounds of every number on stdout")
+    command
+        ->add_flag("--csv", options->csv,
+                   "a table with the bounds of every number on stdout, the outcome on stderr")
         ->excludes(json);
     command->callback([options, &exit_code] { exit_code = run(*options); });
 }

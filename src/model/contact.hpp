@@ -2,7 +2,8 @@
 
 #include <optional>
 
-#include "arith/elementary.hpp"
+#include "arith/big_interval.hpp"
+#include "arith/interval.hpp"
 #include "model/contact_guess.hpp"
 
 /// The flight to a light wall: bounds of the least root x of sin x = c + kappa x in [0, pi/2] (lemmas L4,
@@ -43,6 +44,20 @@ SinCos<I> shifted(const Tangent<I>& t, const I& x) {
     const I half_square = sqr(d) / I(2);
     const I error = hull(-half_square, half_square);
     return {t.at.sin + t.at.cos * d + error, t.at.cos - t.at.sin * d + error};
+}
+
+/// A step d > 0 for lemma L12 (b) also where the residual is 0: exact, and far below the working precision.
+template <class I>
+I least_step();
+template <>
+inline Interval least_step() {
+    return Interval(0x1p-1000);
+}
+template <>
+inline BigInterval least_step() {
+    BigInterval step(0x1p-1000);
+    mpfi_div_2ui(step.raw(), step.raw(), static_cast<unsigned long>(PrecisionScope::current()));
+    return step;
 }
 
 /// Lemma L12 (c): g < 0 on all of [0, pi/2].
@@ -87,7 +102,7 @@ std::optional<Contact<I>> highest_contact(const I& c, const I& kappa) {
         return std::nullopt;
     }
     const I residual = max(tangent.value, -tangent.value) / tangent.slope;
-    const I step = high_end(residual * I(2) + I(0x1p-1000));
+    const I step = high_end(residual * I(2) + detail::least_step<I>());
     const bool proved = certainly_at_most(residual + sqr(step) / (I(2) * tangent.slope), step) &&
                         certainly_at_most(tangent.z + step, half_pi<I>());  // L12 (b)
     if (!proved && !certainly_positive(tangent.value)) {

@@ -34,7 +34,7 @@ std::optional<ContactRange<I>> contact_range(const I& c, const I& kappa) {
     const I upper_value = lower.at.sin - high_end(kappa) * lower.z - high_end(c);
     const I residual = magnitude(upper_value) / upper_slope;
     // Satisfies L12 (b) where residual / slope is small, and is hardly more than the residual.
-    const I step = high_end(residual + sqr(residual) / upper_slope + I(0x1p-1000));
+    const I step = high_end(residual + sqr(residual) / upper_slope + detail::least_step<I>());
     if (!certainly_at_most(residual + sqr(step) / (I(2) * upper_slope), step) ||
         !certainly_at_most(lower.z + step, half_pi<I>())) {
         return std::nullopt;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "model/contact.hpp"
+#include "model/interrupted.hpp"
 #include "model/ray.hpp"
 #include "model/reflection.hpp"
 
@@ -10,9 +11,9 @@ namespace dumbbell {
 
 /// An upper bound of G over all rays that lie at or above `lowest` in c, kappa and r: the lowest, flattest
 /// ray is followed with lower bounds, and a contact counts unless a strict miss is certain. Stops at `cap` +
-/// 1 ("more than cap"). Precondition: lowest.c >= 0, lowest.kappa >= -lowest.r.
+/// 1 ("more than cap"), also if interrupted. Precondition: lowest.c >= 0, lowest.kappa >= -lowest.r.
 template <class I>
-long count_at_most(const Ray<I>& lowest, long cap) {
+long count_at_most(const Ray<I>& lowest, long cap, const Interrupted& interrupted = never) {
     const I r = low_end(lowest.r);
     I c = low_end(lowest.c);
     I kappa = low_end(lowest.kappa);
@@ -32,6 +33,9 @@ long count_at_most(const Ray<I>& lowest, long cap) {
         if (!certainly_positive(out.numerator)) {
             return cap + 1;  // bounds too coarse to go on (or NaN): undecided
         }
+        if (ends_early(count, interrupted)) {
+            return cap + 1;
+        }
         kappa = low_end(low_end(out.numerator) / denominator);
         c = low_end(contact->sin_x + kappa * (contact->x + pi<I>()));
     }
@@ -40,9 +44,9 @@ long count_at_most(const Ray<I>& lowest, long cap) {
 
 /// A lower bound of G over all rays that lie at or below `highest` in c (c >= 0), kappa and r: the highest,
 /// steepest ray is followed with upper bounds, and only certain, transversal collisions count. Stops at
-/// `cap`.
+/// `cap`, and early if interrupted.
 template <class I>
-long count_at_least(const Ray<I>& highest, long cap) {
+long count_at_least(const Ray<I>& highest, long cap, const Interrupted& interrupted = never) {
     const I r = high_end(highest.r);
     I c = high_end(highest.c);
     I kappa = high_end(highest.kappa);
@@ -55,7 +59,7 @@ long count_at_least(const Ray<I>& highest, long cap) {
             return count;
         }
         const auto out = reflect_at_light_wall(kappa, contact->cos_x, r);
-        if (!certainly_positive(out.denominator)) {
+        if (!certainly_positive(out.denominator) || ends_early(count, interrupted)) {
             return count + 1;
         }
         kappa = high_end(out.numerator / out.denominator);

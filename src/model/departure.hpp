@@ -55,9 +55,11 @@ Departure<I> highest_after(const std::optional<Contact<I>>& contact, const Depar
 }  // namespace detail
 
 /// An upper bound of the number of later collisions over all departures between `low` and `high` and all
-/// ratios of the range. Stops at `cap` + 1. Precondition: the departures are outgoing, kappa > -cos x.
+/// ratios of the range. Stops at `cap` + 1, also if interrupted. Precondition: the departures are outgoing,
+/// kappa > -cos x.
 template <class I>
-long later_collisions_at_most(Departure<I> low, Departure<I> high, const RatioRange<I>& range, long cap) {
+long later_collisions_at_most(Departure<I> low, Departure<I> high, const RatioRange<I>& range, long cap,
+                              const Interrupted& interrupted = never) {
     const I r_lo = low_end(range.r_lo);
     const I r_hi = high_end(range.r_hi);
     long most = 0;
@@ -68,14 +70,16 @@ long later_collisions_at_most(Departure<I> low, Departure<I> high, const RatioRa
         const I c_low = low_end(max(I(0), low.sin_x + low.kappa * (low.x + pi<I>())));
         if (certainly_at_most(r_hi, low.kappa)) {
             // From here on every slope is at least r: the bridge is out of reach (L6).
-            return std::max(most, count + count_at_most(Ray<I>{c_low, low.kappa, r_lo}, cap - count));
+            return std::max(most,
+                            count + count_at_most(Ray<I>{c_low, low.kappa, r_lo}, cap - count, interrupted));
         }
         const I over_corner = low_end(low.sin_x + low.kappa * low.x);
         if (!certainly_clears_bridge(over_corner, low.kappa, r_hi)) {
             const BridgeApproach<I> highest_ray{high_end(high.sin_x + high.kappa * high.x), high.kappa};
             const I latest = latest_bridge_contact(highest_ray, low.kappa, range);
-            most = std::max(
-                most, count + 1 + count_at_most(lowest_over(bridge_tangent(latest), range), cap - count));
+            most = std::max(most, count + 1 +
+                                      count_at_most(lowest_over(bridge_tangent(latest), range), cap - count,
+                                                    interrupted));
             if (most > cap || certainly_below_bridge(highest_ray, latest, r_lo)) {
                 return most;
             }
@@ -92,6 +96,9 @@ long later_collisions_at_most(Departure<I> low, Departure<I> high, const RatioRa
         }
         if (!certainly_positive(out.denominator)) {
             return cap + 1;  // cannot tell whether the lowest ray returns
+        }
+        if (ends_early(count, interrupted)) {
+            return cap + 1;
         }
         low = {least->x, least->sin_x, least->cos_x, low_end(out.numerator / out.denominator)};
     }

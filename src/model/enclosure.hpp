@@ -16,8 +16,8 @@ template <class S>
 using Enclosure = typename EnclosureOf<S>::Type;
 
 /// All values over the box.
-[[nodiscard]] inline const Interval& range(const Interval& x) noexcept { return x; }
-[[nodiscard]] inline const BigInterval& range(const BigInterval& x) noexcept { return x; }
+[[nodiscard]] inline Interval range(const Interval& x) noexcept { return x; }
+[[nodiscard]] inline BigInterval range(const BigInterval& x) { return x; }
 
 /// The common part of two enclosures of the same numbers; the first one if either is no interval.
 template <class I>

@@ -6,6 +6,7 @@
 #include "model/bridge_contact.hpp"
 #include "model/contact.hpp"
 #include "model/enclosure.hpp"
+#include "model/interrupted.hpp"
 #include "model/reflection.hpp"
 
 /// Counting forward by plain interval evaluation (lemma L16): every formula is evaluated over the whole box,
@@ -91,9 +92,9 @@ std::optional<PlainContact<I>> plain_contact(const PlainRay<I>& ray) {
 }  // namespace detail
 
 /// An upper bound of the number of collisions of the rays with the light walls, the bridge out of reach.
-/// Stops at `cap` + 1.
+/// Stops at `cap` + 1, also if interrupted.
 template <class I>
-long plain_count(PlainRay<I> ray, const I& r, long cap) {
+long plain_count(PlainRay<I> ray, const I& r, long cap, const Interrupted& interrupted = never) {
     for (long count = 0; count <= cap; ++count) {
         if (certainly_at_most(I(1), ray.kappa)) {
             return count;
@@ -108,7 +109,7 @@ long plain_count(PlainRay<I> ray, const I& r, long cap) {
         }
         bool undecided = false;
         ray.kappa = detail::reflected_slope(ray.kappa, at->cos_x, r, undecided);
-        if (undecided) {
+        if (undecided || ends_early(count, interrupted)) {
             return cap + 1;
         }
         ray.c = at->sin_x + ray.kappa * (at->x + pi<I>());
@@ -147,7 +148,8 @@ I bridge_contacts(const BridgeApproach<I>& ray, const I& latest, const I& r) {
 /// Later collisions behind a contact with the bridge at t in T of rays of slope kappa: to the left or to the
 /// right.
 template <class I>
-long plain_count_after_bridge(const I& t, const I& kappa, const I& r, long cap) {
+long plain_count_after_bridge(const I& t, const I& kappa, const I& r, long cap,
+                              const Interrupted& interrupted) {
     const SinCos<I> at = sin_cos(t);
     const I& s = at.cos;
     const I square = r * sqr(s);
@@ -157,23 +159,27 @@ long plain_count_after_bridge(const I& t, const I& kappa, const I& r, long cap) 
     if (!certainly_at_most(leftward, I(0))) {
         bool undecided = false;
         const I slope = slope_of(numerator, leftward, undecided);
-        most =
-            undecided ? cap + 1 : plain_count(PlainRay<I>{r * at.sin + slope * (pi<I>() - t), slope}, r, cap);
+        most = undecided
+                   ? cap + 1
+                   : plain_count(PlainRay<I>{r * at.sin + slope * (pi<I>() - t), slope}, r, cap, interrupted);
     }
     if (!certainly_positive(leftward)) {
         bool undecided = false;
         const I slope = slope_of(numerator, -leftward, undecided);
         most = std::max(
-            most, undecided ? cap + 1 : plain_count(PlainRay<I>{r * at.sin + slope * t, slope}, r, cap));
+            most, undecided ? cap + 1
+                            : plain_count(PlainRay<I>{r * at.sin + slope * t, slope}, r, cap, interrupted));
     }
     return most;
 }
 
 }  // namespace detail
 
-/// An upper bound of the number of later collisions of the departures from R to the left. Stops at `cap` + 1.
+/// An upper bound of the number of later collisions of the departures from R to the left. Stops at `cap` + 1,
+/// also if interrupted.
 template <class I>
-long plain_later_collisions(PlainDeparture<I> from, const I& r, long cap) {
+long plain_later_collisions(PlainDeparture<I> from, const I& r, long cap,
+                            const Interrupted& interrupted = never) {
     const RatioRange<I> range{low_end(r), high_end(r)};
     long most = 0;
     for (long count = 0; count <= cap; ++count) {
@@ -185,8 +191,9 @@ long plain_later_collisions(PlainDeparture<I> from, const I& r, long cap) {
             const BridgeApproach<I> highest{high_end(over_corner.height), high_end(from.kappa)};
             const I latest = latest_bridge_contact(highest, low_end(from.kappa), range);
             const I t = detail::bridge_contacts(over_corner, latest, r);
-            most =
-                std::max(most, count + 1 + detail::plain_count_after_bridge(t, from.kappa, r, cap - count));
+            most = std::max(
+                most,
+                count + 1 + detail::plain_count_after_bridge(t, from.kappa, r, cap - count, interrupted));
             if (most > cap || certainly_below_bridge(highest, latest, range.r_lo)) {
                 return most;
             }
@@ -201,7 +208,7 @@ long plain_later_collisions(PlainDeparture<I> from, const I& r, long cap) {
         }
         bool undecided = false;
         const I slope = detail::reflected_slope(ray.kappa, at->cos_x, r, undecided);
-        if (undecided) {
+        if (undecided || ends_early(count, interrupted)) {
             return cap + 1;
         }
         from = {at->x, at->sin_x, slope};

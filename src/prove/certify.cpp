@@ -16,10 +16,12 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
+/// Not even begun.
 ProvedPiece open_piece(const Rational& q_lo, const Rational& q_hi) {
     ProvedPiece open;
     open.piece.q_lo = q_lo;
     open.piece.q_hi = q_hi;
+    open.obstacle = Obstacle::time;
     return open;
 }
 
@@ -32,16 +34,20 @@ ProvedPiece timed(Prove prove) {
 }
 
 /// From the store if it has the piece; else proved, and kept if that came to its end.
-ProvedPiece prove_or_recall(const PlannedPiece& planned, const PieceStore* store,
+ProvedPiece prove_or_recall(const PlannedPiece& planned, const CertifyRequest& request,
                             const PieceOptions& options) {
-    auto kept = store ? store->find(planned) : std::nullopt;
+    const PieceStore* store = request.store;
+    auto kept = store ? store->find(planned, request.damaged) : std::nullopt;
+    const bool late = options.interrupted();
     if (kept) {
         ProvedPiece recalled;
         recalled.piece = std::move(*kept);
-        describe_witness(recalled);
+        if (!late) {
+            describe_witness(recalled);
+        }
         return recalled;
     }
-    if (options.interrupted()) {
+    if (late) {
         return open_piece(planned.q_lo, planned.q_hi);
     }
     ProvedPiece proved = prove_piece(planned.q_lo, planned.q_hi, planned.upper, planned.lower, options);
@@ -61,7 +67,7 @@ std::vector<ProvedPiece> prove_plan(const CertifyRequest& request, const PieceOp
     std::atomic<std::size_t> finished = 0;
     tbb::parallel_for(std::size_t{0}, plan.size(), [&](std::size_t i) {
         require_sound_arithmetic();
-        pieces[i] = timed([&] { return prove_or_recall(plan[i], request.store, options); });
+        pieces[i] = timed([&] { return prove_or_recall(plan[i], request, options); });
         request.progress(++finished, plan.size());
     });
     return pieces;

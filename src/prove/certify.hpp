@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <functional>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "prove/piece.hpp"
@@ -25,6 +26,9 @@ struct CertifyRequest {
     std::function<void(std::size_t, std::size_t)> progress = [](std::size_t, std::size_t) {};
     /// A single ratio: called now and then with the number of boxes judged since the last call.
     std::function<void(std::size_t)> judged = [](std::size_t) {};
+    /// Called, from any thread, with the name of a kept piece's file that is damaged: the piece is proved
+    /// again.
+    std::function<void(const std::string&)> damaged = [](const std::string&) {};
 };
 
 /// Proves the request piece by piece. Pieces that cannot be decided, or not within the budget, are left open.

@@ -18,7 +18,8 @@ void judge_all(Chart chart, std::span<const Box> boxes, long upper, std::span<st
     const int bits = PrecisionScope::current();
     const auto judge_some = [&](std::size_t begin, std::size_t size) {
         if (!options.interrupted()) {
-            judge<I>(chart, boxes.subspan(begin, size), upper, results.subspan(begin, size));
+            judge<I>(chart, boxes.subspan(begin, size), upper, results.subspan(begin, size),
+                     options.interrupted);
         }
     };
     if (!options.parallel || boxes.size() == 1) {
@@ -34,7 +35,7 @@ void judge_all(Chart chart, std::span<const Box> boxes, long upper, std::span<st
 /// one (the least r, where most bounds are). Only while the ratio is not already narrow against the state: at
 /// a ratio where the answer changes this would never end.
 template <class I>
-bool ratio_is_too_wide(Chart chart, const Box& box, long upper) {
+bool ratio_is_too_wide(Chart chart, const Box& box, long upper, const Interrupted& interrupted) {
     const Rational state = std::max(box.e_hi - box.e_lo, box.slope_hi - box.slope_lo);
     if (16 * (box.q_hi - box.q_lo) <= state * box.q_lo) {
         return false;
@@ -42,7 +43,7 @@ bool ratio_is_too_wide(Chart chart, const Box& box, long upper) {
     Box thin = box;
     thin.q_lo = box.q_hi;
     std::optional<Leaf> result;
-    judge<I>(chart, {&thin, 1}, upper, {&result, 1});
+    judge<I>(chart, {&thin, 1}, upper, {&result, 1}, interrupted);
     return result.has_value();
 }
 
@@ -89,16 +90,16 @@ std::optional<Tree> cover(Chart chart, const Rational& q_lo, const Rational& q_h
         std::vector<std::optional<Leaf>> results(boxes.size());
         judge_all<I>(chart, boxes, upper, results, options);
         options.judged(boxes.size());
-        if (options.interrupted()) {
-            return std::nullopt;
-        }
         for (std::size_t i = 0; i < boxes.size(); ++i) {
+            if (options.interrupted()) {
+                return std::nullopt;
+            }
             if (results[i]) {
                 tree.close(i, *results[i]);
                 continue;
             }
-            const bool by_ratio =
-                !depends_on_both_ratios(chart) && ratio_is_too_wide<I>(chart, boxes[i], upper);
+            const bool by_ratio = !depends_on_both_ratios(chart) &&
+                                  ratio_is_too_wide<I>(chart, boxes[i], upper, options.interrupted);
             const Axis axis = by_ratio ? Axis::ratio : longest_side(chart, boxes[i], options.rule);
             if (tree.depths(i)[static_cast<std::size_t>(axis)] >= options.max_depth ||
                 tree.nodes() + 2 > options.max_nodes) {

@@ -4,6 +4,7 @@
 #include <functional>
 #include <optional>
 
+#include "model/interrupted.hpp"
 #include "prove/leaf.hpp"
 #include "prove/section.hpp"
 
@@ -18,7 +19,7 @@ struct CoverOptions {
     std::size_t max_nodes = 20000;  ///< give up beyond
     int max_depth = 400;            ///< per axis; the format's limit
     bool parallel = false;          ///< judge the boxes of a generation on all of the calling arena's threads
-    std::function<bool()> interrupted = [] { return false; };
+    Interrupted interrupted = never;
     std::function<void(std::size_t)> judged = [](std::size_t) {};  ///< called with the number of boxes judged
 };
 

@@ -13,19 +13,20 @@ namespace {
 constexpr int least_bits = 128;
 constexpr int most_bits = 16384;
 
-using Interrupted = std::function<bool()>;
-
 /// The margin of the flight that decides, for all r of a range; nothing if it is not certain that the orbit
 /// comes so far at each of them, or if interrupted.
 std::optional<Margin<BigInterval>> margin_over(const ExtremalFlight& flight, const BigInterval& r,
-                                               const Interrupted& interrupted) {
+                                               const CriticalOptions& options) {
     auto ray = first_moving_ray(flight.orbit, r);
     for (long i = 1; i < flight.flight; ++i) {
-        auto next = interrupted() ? std::nullopt : after_collision(ray);
+        auto next = options.interrupted() ? std::nullopt : after_collision(ray);
         if (!next) {
             return std::nullopt;
         }
         ray = std::move(*next);
+        if (i % flights_between_questions == 0) {
+            options.advanced(flights_between_questions);
+        }
     }
     return margin(ray);
 }
@@ -49,8 +50,8 @@ Rational improved(const BigInterval& r, const Margin<BigInterval>& at) {
 /// An enclosure of 1/q_c from a thin r in (0, 1], at the working precision; nothing if the interval Newton
 /// step proves nothing.
 std::optional<BigInterval> enclosure_from(const BigInterval& r, const ExtremalFlight& flight,
-                                          const Interrupted& interrupted) {
-    const auto at_r = margin_over(flight, r, interrupted);
+                                          const CriticalOptions& options) {
+    const auto at_r = margin_over(flight, r, options);
     if (!at_r) {
         return std::nullopt;
     }
@@ -60,7 +61,7 @@ std::optional<BigInterval> enclosure_from(const BigInterval& r, const ExtremalFl
     if (!certainly_positive(bracket)) {
         return std::nullopt;
     }
-    const auto over = margin_over(flight, bracket, interrupted);
+    const auto over = margin_over(flight, bracket, options);
     if (!over || !certainly_positive(-over->rate)) {
         return std::nullopt;
     }
@@ -87,23 +88,22 @@ std::optional<CriticalRatio> enclose_critical_ratio(long n, const CriticalOption
     require(n >= 3 && options.digits >= 1 && options.digits <= most_critical_digits,
             "critical ratio: out of the domain");
     const ExtremalFlight flight = tangent_flight(n);
-    const Interrupted& interrupted = options.interrupted;
-    Rational guess = Rational(1) / exact(guess_critical_ratio(n, interrupted));
+    Rational guess = Rational(1) / exact(guess_critical_ratio(n, options.interrupted));
 
     int bits = least_bits;
     for (const int enough = expected_bits(options.digits, flight.flight); bits < enough; bits *= 2) {
         const PrecisionScope scope(bits);
         for (int i = 0; i < 2; ++i) {  // each step doubles the digits, up to the precision
             const BigInterval r = point_near(guess);
-            const auto at_r = margin_over(flight, r, interrupted);
+            const auto at_r = margin_over(flight, r, options);
             guess = at_r ? improved(r, *at_r) : guess;
         }
     }
     for (; bits <= most_bits; bits *= 2) {
         const PrecisionScope scope(bits);
         for (int i = 0; i < 3; ++i) {
-            const auto r = enclosure_from(point_near(guess), flight, interrupted);
-            if (interrupted()) {
+            const auto r = enclosure_from(point_near(guess), flight, options);
+            if (options.interrupted()) {
                 return std::nullopt;
             }
             if (!r) {

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "arith/rational.hpp"
+#include "model/interrupted.hpp"
 
 namespace dumbbell {
 
@@ -21,7 +22,9 @@ struct CriticalRatio {
 
 struct CriticalOptions {
     int digits = 15;  ///< significant digits that all of [q_lo, q_hi] share
-    std::function<bool()> interrupted = [] { return false; };
+    Interrupted interrupted = never;
+    /// Called now and then with the number of flights enclosed since the last call.
+    std::function<void(long)> advanced = [](long) {};
 };
 
 inline constexpr int most_critical_digits = 200;

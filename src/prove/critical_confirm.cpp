@@ -9,12 +9,8 @@
 namespace dumbbell {
 namespace {
 
-/// Beyond the 1,024 bits of `certify`: distances down to 1e-190.
-constexpr int most_bits = 4096;
-
-Decided decide(const Rational& q, long expected, const std::function<bool()>& interrupted) {
+Decided decide(const Rational& q, long expected, const Interrupted& interrupted) {
     PieceOptions options;
-    options.max_bits = most_bits;
     options.interrupted = interrupted;
     const Piece piece = prove_single(q, options).piece;
     return {q, expected, piece.upper, piece.lower, piece.bits};
@@ -23,7 +19,7 @@ Decided decide(const Rational& q, long expected, const std::function<bool()>& in
 }  // namespace
 
 Confirmation confirm(const CriticalRatio& critical, const Rational& distance,
-                     const std::function<bool()>& interrupted) {
+                     const Interrupted& interrupted) {
     require(distance > 0 && distance <= Rational(1, 100), "confirm: distance out of range");
     const int digits = digits_to_confirm(distance);
     const Rational below = exact(cut_down(critical.q_lo * (1 - distance), digits));

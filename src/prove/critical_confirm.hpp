@@ -1,6 +1,5 @@
 #pragma once
 
-#include <functional>
 #include <optional>
 
 #include "prove/critical.hpp"
@@ -30,7 +29,7 @@ struct Confirmation {
 /// + distance), rounded up; by at most a hundredth of the distance, to short decimals. Precondition: 0 <
 /// distance <= 0.01, and the enclosure shares digits_to_confirm(distance) digits.
 [[nodiscard]] Confirmation confirm(const CriticalRatio& critical, const Rational& distance,
-                                   const std::function<bool()>& interrupted);
+                                   const Interrupted& interrupted);
 
 /// Digits of q_c with which its enclosure is narrow against the distance.
 [[nodiscard]] int digits_to_confirm(const Rational& distance);

@@ -36,10 +36,10 @@ std::optional<Ray<double>> guessed_next(const Ray<double>& ray) {
 
 /// The margin of a flight; `far` if the orbit does not come so far. Increases with q.
 constexpr double far = -1;
-double guessed_margin(const ExtremalFlight& flight, double q, const std::function<bool()>& interrupted) {
+double guessed_margin(const ExtremalFlight& flight, double q, const Interrupted& interrupted) {
     Ray<double> ray = guessed_ray(flight.orbit, 1 / q);
     for (long i = 1; i < flight.flight; ++i) {
-        const bool goes_on = guessed_margin(ray) > 0 && (i % 1024 != 0 || !interrupted());
+        const bool goes_on = guessed_margin(ray) > 0 && !ends_early(i, interrupted);
         const auto next = goes_on ? guessed_next(ray) : std::nullopt;
         if (!next) {
             return far;
@@ -49,9 +49,10 @@ double guessed_margin(const ExtremalFlight& flight, double q, const std::functio
     return guessed_margin(ray);
 }
 
-long guessed_count(ExtremalOrbit orbit, double r) {
+long guessed_count(ExtremalOrbit orbit, double r, const Interrupted& interrupted) {
     long n = 0;
-    for (std::optional ray = guessed_ray(orbit, r); ray && guessed_margin(*ray) > 0; ++n) {
+    for (std::optional ray = guessed_ray(orbit, r);
+         ray && guessed_margin(*ray) > 0 && !ends_early(n, interrupted); ++n) {
         ray = guessed_next(*ray);
     }
     return n;
@@ -59,11 +60,12 @@ long guessed_count(ExtremalOrbit orbit, double r) {
 
 }  // namespace
 
-long guess_maximum(double q) {
-    return 2 + guessed_count(ExtremalOrbit::top, 1 / q) + guessed_count(ExtremalOrbit::corner, 1 / q);
+long guess_maximum(double q, const Interrupted& interrupted) {
+    return 2 + guessed_count(ExtremalOrbit::top, 1 / q, interrupted) +
+           guessed_count(ExtremalOrbit::corner, 1 / q, interrupted);
 }
 
-double guess_critical_ratio(long n, const std::function<bool()>& interrupted) {
+double guess_critical_ratio(long n, const Interrupted& interrupted) {
     const ExtremalFlight flight = tangent_flight(n);
     const auto f = [&](double q) { return guessed_margin(flight, q, interrupted); };
 

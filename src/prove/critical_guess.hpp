@@ -1,6 +1,6 @@
 #pragma once
 
-#include <functional>
+#include "model/interrupted.hpp"
 
 namespace dumbbell {
 
@@ -8,10 +8,9 @@ namespace dumbbell {
 /// precision, from the two extremal orbits. A guess that says where to split a range; every claim about the
 /// pieces is proved by covers and witnesses, and every critical ratio by its own enclosure (critical.hpp). A
 /// meaningless number if it is interrupted.
-[[nodiscard]] double guess_critical_ratio(
-    long n, const std::function<bool()>& interrupted = [] { return false; });
+[[nodiscard]] double guess_critical_ratio(long n, const Interrupted& interrupted = never);
 
-/// What the maximum seems to be at q >= 1: a guess, wrong near critical ratios.
-[[nodiscard]] long guess_maximum(double q);
+/// What the maximum seems to be at q >= 1: a guess, wrong near critical ratios and if it is interrupted.
+[[nodiscard]] long guess_maximum(double q, const Interrupted& interrupted = never);
 
 }  // namespace dumbbell

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 
 #include "arith/decimal.hpp"
 #include "arith/self_test.hpp"
@@ -26,7 +27,8 @@ double flights(const CriticalRequest& request) {
 std::vector<CriticalRow> critical_ratios(const CriticalRequest& request) {
     require_sound_arithmetic();
     const auto interrupted = deadline(request.budget);
-    CriticalOptions options{.digits = request.digits, .interrupted = interrupted};
+    CriticalOptions options{
+        .digits = request.digits, .interrupted = interrupted, .advanced = request.advanced};
     if (request.confirm) {
         options.digits = std::max(request.digits, digits_to_confirm(*request.confirm));
     }
@@ -52,8 +54,11 @@ std::vector<CriticalRow> critical_ratios(const CriticalRequest& request) {
 
 std::chrono::duration<double> estimated_time(const CriticalRequest& request) {
     constexpr long sample = 62;  // 30 flights: a few milliseconds
+    // Longer orbits lose more digits (expected_bits of critical.cpp): let the sample have as many bits.
+    const double longer = static_cast<double>(request.last) / sample;
+    const int lost = static_cast<int>(std::ceil(4 * std::log10(std::max(1.0, longer))));
     const auto start = std::chrono::steady_clock::now();
-    (void)enclose_critical_ratio(sample, {.digits = request.digits});
+    (void)enclose_critical_ratio(sample, {.digits = std::min(request.digits + lost, most_critical_digits)});
     const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
     const double together =
         std::min<double>(request.jobs, static_cast<double>(request.last - request.first + 1));

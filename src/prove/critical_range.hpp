@@ -20,6 +20,8 @@ struct CriticalRequest {
     std::optional<std::chrono::duration<double>> budget;
     /// Called now and then, from any thread, with the numbers of finished and of all ratios.
     std::function<void(std::size_t, std::size_t)> progress = [](std::size_t, std::size_t) {};
+    /// Called now and then, from any thread, with the number of flights enclosed since the last call.
+    std::function<void(long)> advanced = [](long) {};
 };
 
 struct CriticalRow {

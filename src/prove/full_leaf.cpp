@@ -44,23 +44,25 @@ ScaledRay<I> from_bridge(const I& position, const I& eta) {
 
 /// L15: the lowest, flattest ray leaves at the greatest t with the least eta.
 template <class I>
-std::optional<Leaf> judge_contact(const Bounds<I>& b, long upper) {
+std::optional<Leaf> judge_contact(const Bounds<I>& b, long upper, const Interrupted& interrupted) {
     if (beyond_contacts(b)) {
         return Leaf{Reason::outside};
     }
-    return counted(count_at_most(lowest_over(from_bridge(b.position_hi, b.eta_lo), b.range), upper - 1),
-                   upper);
+    return counted(
+        count_at_most(lowest_over(from_bridge(b.position_hi, b.eta_lo), b.range), upper - 1, interrupted),
+        upper);
 }
 
 template <class I>
-std::optional<Leaf> judge_plain_contact(const Bounds<I>& b, long upper) {
+std::optional<Leaf> judge_plain_contact(const Bounds<I>& b, long upper, const Interrupted& interrupted) {
     if (beyond_contacts(b)) {
         return Leaf{Reason::outside};
     }
     const I r = hull(b.range.r_lo, b.range.r_hi);
     const ScaledRay<I> rays = from_bridge(hull(b.position_lo, b.position_hi), hull(b.eta_lo, b.eta_hi));
-    return counted(plain_count(PlainRay<I>{r * rays.c, detail::in_play(r * rays.lambda)}, r, upper - 1),
-                   upper);
+    return counted(
+        plain_count(PlainRay<I>{r * rays.c, detail::in_play(r * rays.lambda)}, r, upper - 1, interrupted),
+        upper);
 }
 
 template <class I>
@@ -81,45 +83,46 @@ bool beyond_departures(const Bounds<I>& b) {
 }
 
 template <class I>
-std::optional<Leaf> judge_departure(const Bounds<I>& b, long upper) {
+std::optional<Leaf> judge_departure(const Bounds<I>& b, long upper, const Interrupted& interrupted) {
     if (beyond_departures(b)) {
         return Leaf{Reason::outside};
     }
     const auto low = lowest(departure(position(b.position_lo), b.eta_lo));
     const auto high = highest(departure(position(b.position_hi), b.eta_hi));
-    return counted(later_collisions_at_most(low, high, b.range, upper - 1), upper);
+    return counted(later_collisions_at_most(low, high, b.range, upper - 1, interrupted), upper);
 }
 
 template <class I>
-std::optional<Leaf> judge_plain_departure(const Bounds<I>& b, long upper) {
+std::optional<Leaf> judge_plain_departure(const Bounds<I>& b, long upper, const Interrupted& interrupted) {
     if (beyond_departures(b)) {
         return Leaf{Reason::outside};
     }
     const auto all = departure(position(hull(b.position_lo, b.position_hi)), hull(b.eta_lo, b.eta_hi));
     const PlainDeparture<I> from{all.x, all.sin_x, detail::in_play(all.kappa)};
-    return counted(plain_later_collisions(from, hull(b.range.r_lo, b.range.r_hi), upper - 1), upper);
+    return counted(plain_later_collisions(from, hull(b.range.r_lo, b.range.r_hi), upper - 1, interrupted),
+                   upper);
 }
 
 }  // namespace
 
 template <class I>
-std::optional<Leaf> judge_full(Chart chart, const Box& box, long upper) {
+std::optional<Leaf> judge_full(Chart chart, const Box& box, long upper, const Interrupted& interrupted) {
     const Bounds<I> bounds = bounds_of<I>(box);
     switch (chart) {
         case Chart::contact:
-            return judge_contact(bounds, upper);
+            return judge_contact(bounds, upper, interrupted);
         case Chart::departure:
-            return judge_departure(bounds, upper);
+            return judge_departure(bounds, upper, interrupted);
         case Chart::plain_contact:
-            return judge_plain_contact(bounds, upper);
+            return judge_plain_contact(bounds, upper, interrupted);
         case Chart::again:
             return judge_again(bounds);
         default:
-            return judge_plain_departure(bounds, upper);
+            return judge_plain_departure(bounds, upper, interrupted);
     }
 }
 
-template std::optional<Leaf> judge_full<Interval>(Chart, const Box&, long);
-template std::optional<Leaf> judge_full<BigInterval>(Chart, const Box&, long);
+template std::optional<Leaf> judge_full<Interval>(Chart, const Box&, long, const Interrupted&);
+template std::optional<Leaf> judge_full<BigInterval>(Chart, const Box&, long, const Interrupted&);
 
 }  // namespace dumbbell

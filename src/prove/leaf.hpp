@@ -3,14 +3,16 @@
 #include <optional>
 #include <span>
 
+#include "model/interrupted.hpp"
 #include "prove/section.hpp"
 
 namespace dumbbell {
 
 /// Bounds each box: result[i] is the reason that closes boxes[i] for "no trajectory has more than `upper`
-/// collisions", or nothing where none is certain. I: Interval or BigInterval (with the calling thread's
-/// precision).
+/// collisions", or nothing where none is certain, or where it was interrupted. I: Interval or BigInterval
+/// (with the calling thread's precision).
 template <class I>
-void judge(Chart chart, std::span<const Box> boxes, long upper, std::span<std::optional<Leaf>> results);
+void judge(Chart chart, std::span<const Box> boxes, long upper, std::span<std::optional<Leaf>> results,
+           const Interrupted& interrupted = never);
 
 }  // namespace dumbbell

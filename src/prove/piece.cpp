@@ -13,15 +13,19 @@ namespace {
 
 constexpr int double_bits = 53;
 
-/// Calls attempt with a null value of the arithmetic for each precision in turn until it returns true.
+/// Calls attempt with a null value of the arithmetic for each precision in turn until it meets no obstacle.
 template <class Attempt>
-void escalate(const PieceOptions& options, Attempt attempt) {
+Obstacle escalate(const PieceOptions& options, Attempt attempt) {
     const PrecisionScope scope(double_bits);
-    bool done = attempt(Interval(), double_bits);
-    for (int bits = 128; !done && bits <= options.max_bits && !options.interrupted(); bits *= 2) {
+    Obstacle obstacle = attempt(Interval(), double_bits);
+    for (int bits = 128; obstacle != Obstacle::none && bits <= options.max_bits; bits *= 2) {
+        if (options.interrupted()) {
+            return Obstacle::time;
+        }
         const PrecisionScope wider(bits);
-        done = attempt(BigInterval(), bits);
+        obstacle = attempt(BigInterval(), bits);
     }
+    return obstacle != Obstacle::none && options.interrupted() ? Obstacle::time : obstacle;
 }
 
 template <class I>
@@ -66,44 +70,47 @@ void describe(ProvedPiece& proved) {
 
 /// One precision's attempt at a piece with given bounds.
 template <class I>
-bool attempt_piece(ProvedPiece& proved, int bits, long upper, long lower, const PieceOptions& options) {
+Obstacle attempt_piece(ProvedPiece& proved, int bits, long upper, long lower, const PieceOptions& options) {
     Piece& piece = proved.piece;
     auto witness = options.scene == Scene::dumbbell
                        ? find_witness<I>(piece.q_lo, piece.q_hi, lower, options.interrupted)
-                       : find_wedge_witness(piece.q_lo, lower);
+                       : find_wedge_witness(piece.q_lo, lower, options.interrupted);
     if (!witness) {
-        return false;
+        return Obstacle::witness;
     }
     // The verifier's own evaluation loses a part of the bits that this one does not: leave it room.
     piece.bits = bits == double_bits ? double_bits : 2 * bits;
     piece.lower = lower;
     piece.witness = std::move(*witness);
-    describe_witness(proved);
     auto cover = prove_upper<I>(piece.q_lo, piece.q_hi, upper, options);
     if (!cover) {
-        return false;
+        return Obstacle::boxes;
     }
     piece.upper = upper;
     piece.cover = std::move(*cover);
-    return true;
+    return Obstacle::none;
+}
+
+void describe_in_time(ProvedPiece& proved, const PieceOptions& options) {
+    if (!options.interrupted()) {
+        describe_witness(proved);
+    }
 }
 
 /// What N* seems to be, from bounds on the two extremal orbits; nothing if this precision cannot tell, or not
 /// in time. It only says what to try.
 template <class I>
 std::optional<long> suspected_maximum(const Rational& q, const PieceOptions& options) {
+    constexpr long cap = 1'000'000'000;  // years
     const I r = enclose<I>(Rational(1) / q);
-    const Ray<I> top = extremal_ray(ExtremalOrbit::top, r);
-    const Ray<I> corner = extremal_ray(ExtremalOrbit::corner, r);
-    // Growing caps: an orbit of many millions of collisions is followed in stretches that end in time.
-    for (long cap = 1'000'000; !options.interrupted(); cap *= 4) {
-        const long most = count_at_most(top, cap) + count_at_most(corner, cap);
-        if (most <= cap) {
-            const long least = count_at_least(top, cap) + count_at_least(corner, cap);
-            return most == least ? std::optional(2 + most) : std::nullopt;
-        }
+    long most = 2;
+    long least = 2;
+    for (const ExtremalOrbit orbit : {ExtremalOrbit::top, ExtremalOrbit::corner}) {
+        const Ray<I> ray = extremal_ray(orbit, r);
+        most += count_at_most(ray, cap, options.interrupted);
+        least += options.interrupted() ? 0 : count_at_least(ray, cap, options.interrupted);
     }
-    return std::nullopt;
+    return most == least ? std::optional(most) : std::nullopt;
 }
 
 }  // namespace
@@ -124,12 +131,13 @@ void describe_witness(ProvedPiece& proved) {
 ProvedPiece prove_single(const Rational& q, const PieceOptions& options) {
     ProvedPiece proved;
     proved.piece.q_lo = proved.piece.q_hi = q;
-    escalate(options, [&]<class I>(const I&, int bits) {
+    proved.obstacle = escalate(options, [&]<class I>(const I&, int bits) {
         const auto n = options.scene != Scene::dumbbell ? std::optional(paper_bound(q) - 1)
                        : q == 1                         ? std::optional(2L)
                                                         : suspected_maximum<I>(q, options);
-        return n && attempt_piece<I>(proved, bits, *n, *n, options);
+        return n ? attempt_piece<I>(proved, bits, *n, *n, options) : Obstacle::maximum;
     });
+    describe_in_time(proved, options);
     return proved;
 }
 
@@ -138,9 +146,10 @@ ProvedPiece prove_piece(const Rational& q_lo, const Rational& q_hi, long upper, 
     ProvedPiece proved;
     proved.piece.q_lo = q_lo;
     proved.piece.q_hi = q_hi;
-    escalate(options, [&]<class I>(const I&, int bits) {
+    proved.obstacle = escalate(options, [&]<class I>(const I&, int bits) {
         return attempt_piece<I>(proved, bits, upper, lower, options);
     });
+    describe_in_time(proved, options);
     return proved;
 }
 

@@ -12,10 +12,21 @@ struct PieceOptions {
     Section section = Section::turning;
     SplitRule rule = SplitRule::scaled;
     bool parallel = false;  ///< use the arena's threads inside one piece
-    int max_bits = 1024;    ///< the precision escalates up to here: 53 (double), then 128, 256, ...
+    /// The precision escalates up to here: 53 (double), then 128, 256, ... The file allows the verifier twice
+    /// as many, and the format no more than 4096.
+    int max_bits = 2048;
     std::size_t max_nodes = CoverOptions{}.max_nodes;
-    std::function<bool()> interrupted = [] { return false; };
+    Interrupted interrupted = never;
     std::function<void(std::size_t)> judged = [](std::size_t) {};  ///< called with the number of boxes judged
+};
+
+/// Why a piece is open: the last thing that failed, at the last precision that was tried.
+enum class Obstacle {
+    none,
+    time,     ///< it was interrupted
+    maximum,  ///< a single ratio is too near a critical one to tell which bounds to prove
+    witness,  ///< no orbit was found with coordinates that the format can spell
+    boxes,    ///< more of them than the options allow
 };
 
 /// A piece with what its witness orbit looks like over the whole piece, for people: nothing in the
@@ -27,6 +38,7 @@ struct ProvedPiece {
     double width = 0;   ///< the widest enclosure of the centre of mass's height at a collision (rod
                         ///< length 1)
     double seconds = 0;
+    Obstacle obstacle = Obstacle::none;  ///< none: not open
 };
 
 /// What the piece's witness orbit looks like (margin, width), in the piece's precision.

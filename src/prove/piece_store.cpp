@@ -5,6 +5,7 @@
 #include <sys/file.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -40,6 +41,17 @@ bool is_whole(const std::string& text) {
            text.substr(last) == fmt::format("sha256 {}\n", sha256_hex(text.substr(0, last)));
 }
 
+/// An empty folder, or what a run leaves that was killed while it wrote its claim.
+bool is_unclaimed(const std::string& folder) {
+    std::error_code no_folder;
+    const fs::directory_iterator entries(folder, no_folder);
+    return !no_folder && std::all_of(begin(entries), end(entries), [&](const fs::directory_entry& entry) {
+        return entry.path() == temporary_name(folder + "/claim");
+    });
+}
+
+bool is_piece(const fs::directory_entry& entry) { return entry.path().extension() == ".dbc"; }
+
 [[noreturn]] void holds_another_run(const std::string& folder) {
     throw InputError(
         fmt::format("'{}' holds the finished pieces of another run (see its file 'claim'): repeat that run, "
@@ -53,8 +65,7 @@ PieceStore::PieceStore(std::string folder, const StoredClaim& claim)
     : folder_(std::move(folder)), claim_(claim), text_(text_of(claim)) {
     const std::string file = folder_ + "/claim";
     std::error_code failed;
-    if (fs::exists(fs::symlink_status(folder_, failed)) && !fs::is_empty(folder_, failed) &&
-        !fs::exists(file)) {
+    if (fs::exists(fs::symlink_status(folder_, failed)) && !fs::exists(file) && !is_unclaimed(folder_)) {
         throw InputError(
             fmt::format("'{}' is in the way: it is no folder with the finished pieces of a run; remove it, "
                         "or use another --out",
@@ -84,9 +95,9 @@ PieceStore::Lock::~Lock() {
 
 PieceStore::~PieceStore() {
     std::error_code ignored;
-    const auto files = std::distance(fs::directory_iterator(folder_, ignored), fs::directory_iterator());
-    if (!ignored && files == 1) {
-        remove();  // nothing but the claim
+    const fs::directory_iterator entries(folder_, ignored);
+    if (!ignored && std::none_of(begin(entries), end(entries), is_piece)) {
+        remove();
     }
 }
 
@@ -102,18 +113,34 @@ std::string PieceStore::file_of(const PlannedPiece& planned) const {
     return fmt::format("{}/{}.dbc", folder_, sha256_hex(what).substr(0, 32));
 }
 
-std::optional<Piece> PieceStore::find(const PlannedPiece& planned) const {
-    const std::string file = file_of(planned);
-    if (!fs::exists(file) || !is_whole(contents(file))) {
+std::optional<Piece> PieceStore::read(const std::string& file, const PlannedPiece& planned) const {
+    if (!is_whole(contents(file))) {
         return std::nullopt;
     }
-    const Certificate kept = read_certificate(file);
-    const Piece& piece = kept.pieces.front();
-    const bool fits = kept.pieces.size() == 1 && kept.scene == claim_.scene &&
-                      kept.section == claim_.section && piece.q_lo == planned.q_lo &&
-                      piece.q_hi == planned.q_hi && piece.upper == planned.upper &&
-                      piece.lower == planned.lower;
-    return fits ? std::optional(piece) : std::nullopt;
+    try {
+        const Certificate kept = read_certificate(file);
+        const Piece& piece = kept.pieces.front();
+        const bool fits = kept.pieces.size() == 1 && kept.scene == claim_.scene &&
+                          kept.section == claim_.section && piece.q_lo == planned.q_lo &&
+                          piece.q_hi == planned.q_hi && piece.upper == planned.upper &&
+                          piece.lower == planned.lower;
+        return fits ? std::optional(piece) : std::nullopt;
+    } catch (const InputError&) {
+        return std::nullopt;  // a right checksum under something else
+    }
+}
+
+std::optional<Piece> PieceStore::find(const PlannedPiece& planned,
+                                      const std::function<void(const std::string&)>& damaged) const {
+    const std::string file = file_of(planned);
+    if (!fs::exists(file)) {
+        return std::nullopt;
+    }
+    auto piece = read(file, planned);
+    if (!piece) {
+        damaged(file);
+    }
+    return piece;
 }
 
 void PieceStore::keep(const Piece& piece) const {
@@ -127,6 +154,12 @@ void PieceStore::keep(const Piece& piece) const {
 
 void PieceStore::remove() {
     std::error_code ignored;
+    // The claim last: should the program be killed here, what is left is still a folder of this run.
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder_, ignored)) {
+        if (entry.path().filename() != "claim") {
+            fs::remove_all(entry, ignored);
+        }
+    }
     fs::remove_all(folder_, ignored);
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 
@@ -33,8 +34,11 @@ class PieceStore {
     /// For a run that keeps no pieces: throws InputError if there is such a folder.
     static void require_none(const std::string& folder);
 
-    /// The piece with these bounds, if it was kept and its file is whole; a damaged file is as good as none.
-    [[nodiscard]] std::optional<Piece> find(const PlannedPiece& planned) const;
+    /// The piece with these bounds, if it was kept and its file is whole. A damaged file is as good as none:
+    /// `damaged` is called with its name.
+    [[nodiscard]] std::optional<Piece> find(
+        const PlannedPiece& planned,
+        const std::function<void(const std::string&)>& damaged = [](const std::string&) {}) const;
 
     /// Makes the piece durable. Precondition: its bounds are the planned ones.
     void keep(const Piece& piece) const;
@@ -44,6 +48,8 @@ class PieceStore {
 
   private:
     [[nodiscard]] std::string file_of(const PlannedPiece& planned) const;
+    /// The piece of a file of this store; nothing if it is not whole or not that piece.
+    [[nodiscard]] std::optional<Piece> read(const std::string& file, const PlannedPiece& planned) const;
 
     std::string folder_;
     StoredClaim claim_;

@@ -44,7 +44,7 @@ struct Step {
 constexpr double narrow = 1e-13;
 
 /// q_c(n) to some digits beyond the gap's width. Were it wrong, pieces would stay open.
-Step narrow_step(long n, double gap, const std::function<bool()>& interrupted) {
+Step narrow_step(long n, double gap, const Interrupted& interrupted) {
     const int digits = std::min(most_critical_digits, 8 - static_cast<int>(std::log10(gap)));
     const auto found = enclose_critical_ratio(n, {.digits = digits, .interrupted = interrupted});
     return found ? Step{n, found->q_lo, (found->q_hi - found->q_lo) / found->q_lo, false} : Step{};
@@ -62,7 +62,7 @@ Step wedge_step(long n, double gap) {
 }
 
 /// Where N* seems to step.
-Step step_to(Scene scene, long n, double gap, const std::function<bool()>& interrupted) {
+Step step_to(Scene scene, long n, double gap, const Interrupted& interrupted) {
     if (scene != Scene::dumbbell) {
         return wedge_step(n, gap);
     }
@@ -70,16 +70,18 @@ Step step_to(Scene scene, long n, double gap, const std::function<bool()>& inter
                         : Step{n, exact(guess_critical_ratio(n, interrupted)), exact(0x1p-48), false};
 }
 
-long guessed_value(Scene scene, double q) {
-    return scene == Scene::dumbbell ? guess_maximum(q)
+long guessed_value(Scene scene, double q, const Interrupted& interrupted) {
+    return scene == Scene::dumbbell ? guess_maximum(q, interrupted)
                                     : std::lround(std::numbers::pi / (2 * std::atan(1 / std::sqrt(q))));
 }
 
 /// The steps that seem to lie near [lo, hi], with a neighbour on either side for the distances.
-std::vector<Step> steps_near(Scene scene, double lo, double hi, double gap,
-                             const std::function<bool()>& interrupted) {
-    const long first = std::max(4L, guessed_value(scene, lo) - 1);
-    const long last = guessed_value(scene, hi) + 2;
+std::vector<Step> steps_near(Scene scene, double lo, double hi, double gap, const Interrupted& interrupted) {
+    const long first = std::max(4L, guessed_value(scene, lo, interrupted) - 1);
+    const long last = guessed_value(scene, hi, interrupted) + 2;
+    if (interrupted()) {
+        return {};
+    }
     if (last - first > max_steps) {
         throw InputError(fmt::format("the range holds about {} steps, more than {}: certify it in parts",
                                      last - first, max_steps));
@@ -106,7 +108,7 @@ double half_gap(const std::vector<Step>& steps, std::size_t i, double relative_g
 }  // namespace
 
 std::vector<PlannedPiece> plan_staircase(Scene scene, const Rational& q_lo, const Rational& q_hi,
-                                         const Rational& gap, const std::function<bool()>& interrupted) {
+                                         const Rational& gap, const Interrupted& interrupted) {
     const auto width = gap.convert_to<double>();
     const auto steps =
         steps_near(scene, q_lo.convert_to<double>(), q_hi.convert_to<double>(), width, interrupted);

@@ -1,10 +1,10 @@
 #pragma once
 
-#include <functional>
 #include <vector>
 
 #include "arith/rational.hpp"
 #include "certificate/certificate.hpp"
+#include "model/interrupted.hpp"
 
 namespace dumbbell {
 
@@ -21,8 +21,8 @@ struct PlannedPiece {
 /// thousandth of the distance to the next step. At q = 1 the step is known exactly: the single ratio is a
 /// piece, and a gap lies to its right. Empty if it is interrupted. Throws InputError if there are more than
 /// 10^6 steps.
-[[nodiscard]] std::vector<PlannedPiece> plan_staircase(
-    Scene scene, const Rational& q_lo, const Rational& q_hi, const Rational& gap,
-    const std::function<bool()>& interrupted = [] { return false; });
+[[nodiscard]] std::vector<PlannedPiece> plan_staircase(Scene scene, const Rational& q_lo,
+                                                       const Rational& q_hi, const Rational& gap,
+                                                       const Interrupted& interrupted = never);
 
 }  // namespace dumbbell

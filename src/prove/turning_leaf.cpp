@@ -33,13 +33,14 @@ bool beyond_section(const Bounds<I>& b) {
 
 /// Counts of both rays with 1 + forward + backward <= upper, if certain.
 template <class I>
-std::optional<Leaf> counted(const Ray<I>& out, const std::optional<Ray<I>>& reversed, long upper) {
-    const long forward = count_at_most(out, upper - 1);
+std::optional<Leaf> counted(const Ray<I>& out, const std::optional<Ray<I>>& reversed, long upper,
+                            const Interrupted& interrupted) {
+    const long forward = count_at_most(out, upper - 1, interrupted);
     if (forward > upper - 1) {
         return std::nullopt;
     }
     const long room = upper - 1 - forward;
-    const long backward = reversed ? count_at_most(*reversed, room) : 0;
+    const long backward = reversed ? count_at_most(*reversed, room, interrupted) : 0;
     if (backward > room) {
         return std::nullopt;
     }
@@ -48,13 +49,13 @@ std::optional<Leaf> counted(const Ray<I>& out, const std::optional<Ray<I>>& reve
 
 /// L8: X is lowest at the far end of the position, sigma X at the near end, both at the least steepness.
 template <class I>
-std::optional<Leaf> judge_bridge(const Bounds<I>& b, long upper) {
+std::optional<Leaf> judge_bridge(const Bounds<I>& b, long upper, const Interrupted& interrupted) {
     if (beyond_section(b)) {
         return Leaf{Reason::outside};
     }
     const auto out = bridge_outgoing(b.high, b.slope_lo);
     const auto reversed = bridge_reversed(b.low, b.slope_lo, b.range.r_hi);
-    return counted<I>(lowest_over(out, b.range), lowest_over(reversed, b.range), upper);
+    return counted<I>(lowest_over(out, b.range), lowest_over(reversed, b.range), upper, interrupted);
 }
 
 /// L9: sigma X descends on the whole box, so the collision is not turning there.
@@ -78,7 +79,7 @@ bool reversed_meets_bridge(const Bounds<I>& b) {
 }
 
 template <class I>
-std::optional<Leaf> judge_light(const Bounds<I>& b, long upper) {
+std::optional<Leaf> judge_light(const Bounds<I>& b, long upper, const Interrupted& interrupted) {
     if (beyond_section(b) || certainly_not_turning(b)) {
         return Leaf{Reason::outside};
     }
@@ -93,25 +94,26 @@ std::optional<Leaf> judge_light(const Bounds<I>& b, long upper) {
     const Ray<I> out = light_outgoing(b.low, r * b.slope_lo, r);
     const I greatest_denominator = sqr(w) + I(2) * b.range.r_hi * b.slope_hi * w - r;
     if (certainly_at_most(greatest_denominator, I(0))) {
-        return counted<I>(out, std::nullopt, upper);  // sigma X leaves the cell (L1)
+        return counted<I>(out, std::nullopt, upper, interrupted);  // sigma X leaves the cell (L1)
     }
     const auto lowest = reversed_at_light_wall(b.slope_hi, w, r);
     if (!certainly_positive(lowest.denominator)) {
         return std::nullopt;
     }
     const I mu = max(I(0), lowest.numerator / lowest.denominator);
-    return counted<I>(out, light_outgoing(b.low, r * mu, r), upper);
+    return counted<I>(out, light_outgoing(b.low, r * mu, r), upper, interrupted);
 }
 
 }  // namespace
 
 template <class I>
-std::optional<Leaf> judge_turning(Chart chart, const Box& box, long upper) {
+std::optional<Leaf> judge_turning(Chart chart, const Box& box, long upper, const Interrupted& interrupted) {
     const Bounds<I> bounds = bounds_of<I>(box);
-    return chart == Chart::bridge ? judge_bridge(bounds, upper) : judge_light(bounds, upper);
+    return chart == Chart::bridge ? judge_bridge(bounds, upper, interrupted)
+                                  : judge_light(bounds, upper, interrupted);
 }
 
-template std::optional<Leaf> judge_turning<Interval>(Chart, const Box&, long);
-template std::optional<Leaf> judge_turning<BigInterval>(Chart, const Box&, long);
+template std::optional<Leaf> judge_turning<Interval>(Chart, const Box&, long, const Interrupted&);
+template std::optional<Leaf> judge_turning<BigInterval>(Chart, const Box&, long, const Interrupted&);
 
 }  // namespace dumbbell

@@ -23,19 +23,20 @@ LowestSlopes lowest_slopes(const Box& box, const Rational& r) {
 
 template <class Count>
 std::optional<Leaf> counted(const LowestSlopes& slopes, long upper, Count count) {
-    const long forward = count(slopes.out, upper - 1);
-    if (forward > upper - 1) {
+    const std::optional<long> forward = count(slopes.out, upper - 1);
+    if (!forward || *forward > upper - 1) {
         return std::nullopt;
     }
-    const long room = upper - 1 - forward;
-    const long backward = count(slopes.reversed, room);
-    return backward <= room ? std::optional(Leaf{Reason::count, forward, backward}) : std::nullopt;
+    const long room = upper - 1 - *forward;
+    const std::optional<long> backward = count(slopes.reversed, room);
+    return backward && *backward <= room ? std::optional(Leaf{Reason::count, *forward, *backward})
+                                         : std::nullopt;
 }
 
 }  // namespace
 
 template <class I>
-std::optional<Leaf> judge_wedge(const Box& box, long upper) {
+std::optional<Leaf> judge_wedge(const Box& box, long upper, const Interrupted& interrupted) {
     const Rational r = 1 / box.q_hi;
     if (r * box.slope_lo >= 1 || box.slope_lo * (1 - 1 / box.q_lo) > 2) {
         return Leaf{Reason::outside};  // too steep, or sigma X descends
@@ -43,16 +44,16 @@ std::optional<Leaf> judge_wedge(const Box& box, long upper) {
     const LowestSlopes slopes = lowest_slopes(box, r);
     const I ratio = enclose<I>(r);
     const auto rounded = counted(slopes, upper, [&](const Rational& kappa, long cap) {
-        return wedge_count_at_most(enclose<I>(kappa), ratio, cap);
+        return wedge_count_at_most(enclose<I>(kappa), ratio, cap, interrupted);
     });
     if (rounded || upper > longest_exact_orbit) {
         return rounded;
     }
     return counted(slopes, upper,
-                   [&](const Rational& kappa, long cap) { return wedge_count(kappa, r, cap); });
+                   [&](const Rational& kappa, long cap) { return wedge_count(kappa, r, cap, interrupted); });
 }
 
-template std::optional<Leaf> judge_wedge<Interval>(const Box&, long);
-template std::optional<Leaf> judge_wedge<BigInterval>(const Box&, long);
+template std::optional<Leaf> judge_wedge<Interval>(const Box&, long, const Interrupted&);
+template std::optional<Leaf> judge_wedge<BigInterval>(const Box&, long, const Interrupted&);
 
 }  // namespace dumbbell

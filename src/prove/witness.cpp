@@ -10,8 +10,8 @@
 namespace dumbbell {
 namespace {
 
-/// The format spells no dyadic with more than 400 binary places (proofs/format.md, class dyadic).
-constexpr int shortest_distance_bits = 397;
+/// below_peak(n) has n + 3 binary places.
+constexpr int shortest_distance_bits = most_binary_places - 3;
 
 Rational power_of_half(int n) { return Rational(1, Integer(1) << n); }
 
@@ -30,7 +30,7 @@ Rational below_peak(int distance_bits) {
 
 template <class I>
 std::optional<Witness> checked_witness(const Rational& e, const Rational& eta, const Rational& q_lo,
-                                       const Rational& q_hi, long cap) {
+                                       const Rational& q_hi, long cap, const Interrupted& interrupted) {
     const RatioRange<I> range{enclose<I>(Rational(1) / q_hi), enclose<I>(Rational(1) / q_lo)};
     const I position_enclosure = enclose<I>(e);
     const I steepness = enclose<I>(eta);
@@ -49,20 +49,21 @@ std::optional<Witness> checked_witness(const Rational& e, const Rational& eta, c
         return std::nullopt;
     }
     const auto reversed = bridge_reversed(at, steepness, range.r_lo);
-    return Witness{e, eta, count_at_least(highest_over(out, range), cap),
-                   count_at_least(highest_over(reversed, range), cap)};
+    return Witness{e, eta, count_at_least(highest_over(out, range), cap, interrupted),
+                   count_at_least(highest_over(reversed, range), cap, interrupted)};
 }
 
 template <class I>
 std::optional<Witness> find_witness(const Rational& q_lo, const Rational& q_hi, long target,
-                                    const std::function<bool()>& interrupted) {
+                                    const Interrupted& interrupted) {
     const auto attempt = [&](const Rational& e, const Rational& eta) -> std::optional<Witness> {
-        auto witness = checked_witness<I>(e, eta, q_lo, q_hi, target);
+        auto witness = checked_witness<I>(e, eta, q_lo, q_hi, target, interrupted);
         return witness && witness->total() >= target ? witness : std::nullopt;
     };
-    const int deepest = std::min(PrecisionScope::current() + 8, shortest_distance_bits);
-    // Where doubles do not suffice the distances are beyond theirs, nearly always.
-    const int first = std::is_same_v<I, Interval> ? 1 : 36;
+    const int bits = PrecisionScope::current();
+    const int deepest = std::min(bits + 8, shortest_distance_bits);
+    // Where half the precision does not suffice the distances are beyond that, nearly always.
+    const int first = std::is_same_v<I, Interval> ? 1 : std::clamp(bits / 2 - 28, 1, deepest);
     for (int i = 0; i < deepest && !interrupted(); ++i) {
         const int depth = 1 + (first - 1 + i) % deepest;
         if (auto top = attempt(below_peak(depth), power_of_half(depth))) {
@@ -79,12 +80,13 @@ std::optional<Witness> find_witness(const Rational& q_lo, const Rational& q_hi, 
 }
 
 template std::optional<Witness> checked_witness<Interval>(const Rational&, const Rational&, const Rational&,
-                                                          const Rational&, long);
+                                                          const Rational&, long, const Interrupted&);
 template std::optional<Witness> checked_witness<BigInterval>(const Rational&, const Rational&,
-                                                             const Rational&, const Rational&, long);
+                                                             const Rational&, const Rational&, long,
+                                                             const Interrupted&);
 template std::optional<Witness> find_witness<Interval>(const Rational&, const Rational&, long,
-                                                       const std::function<bool()>&);
+                                                       const Interrupted&);
 template std::optional<Witness> find_witness<BigInterval>(const Rational&, const Rational&, long,
-                                                          const std::function<bool()>&);
+                                                          const Interrupted&);
 
 }  // namespace dumbbell

@@ -1,30 +1,32 @@
 #pragma once
 
-#include <functional>
 #include <optional>
 
 #include "arith/rational.hpp"
 #include "certificate/certificate.hpp"
+#include "model/interrupted.hpp"
 
 namespace dumbbell {
 
 /// The counts that are certain from (e, eta) for every ratio in [q_lo, q_hi], up to `cap` in each direction;
-/// nothing if it is no admissible contact there. I: Interval or BigInterval.
+/// nothing if it is no admissible contact there; less than is certain if interrupted. I: Interval or
+/// BigInterval.
 template <class I>
 [[nodiscard]] std::optional<Witness> checked_witness(const Rational& e, const Rational& eta,
-                                                     const Rational& q_lo, const Rational& q_hi, long cap);
+                                                     const Rational& q_lo, const Rational& q_hi, long cap,
+                                                     const Interrupted& interrupted = never);
 
 /// Searches for a witness of at least `target` collisions. The extremal orbits leave the bridge near its top,
 /// or near its corner, almost along its tangent; the search tries shorter and shorter distances from both
 /// (where to look is a guess, what is returned is checked). Nothing if none is found, or none before it is
 /// interrupted.
 template <class I>
-[[nodiscard]] std::optional<Witness> find_witness(
-    const Rational& q_lo, const Rational& q_hi, long target,
-    const std::function<bool()>& interrupted = [] { return false; });
+[[nodiscard]] std::optional<Witness> find_witness(const Rational& q_lo, const Rational& q_hi, long target,
+                                                  const Interrupted& interrupted = never);
 
 /// The straight and the hybrid wedge: a collision of scaled slope lambda, its counts exact at the greatest r,
 /// where they are least (L17, L18). Nothing if none of at least `target` collisions is found.
-[[nodiscard]] std::optional<Witness> find_wedge_witness(const Rational& q_lo, long target);
+[[nodiscard]] std::optional<Witness> find_wedge_witness(const Rational& q_lo, long target,
+                                                        const Interrupted& interrupted = never);
 
 }  // namespace dumbbell

@@ -4,6 +4,7 @@
 #include "model/extremal_orbit.hpp"
 #include "report/critical_number.hpp"
 #include "report/critical_report.hpp"
+#include "report/json_number.hpp"
 
 namespace dumbbell {
 namespace {
@@ -12,15 +13,11 @@ namespace {
 constexpr int more_digits = 20;
 
 nlohmann::ordered_json decided_json(const Decided& decided) {
-    nlohmann::ordered_json json{{"ratio", to_fraction(decided.q)},
-                                {"expected", decided.expected},
-                                {"upper", nullptr},
-                                {"lower", decided.lower},
-                                {"bits", decided.bits}};
-    if (decided.upper) {
-        json["upper"] = *decided.upper;
-    }
-    return json;
+    return {{"ratio", to_fraction(decided.q)},
+            {"expected", decided.expected},
+            {"upper", json_or_null(decided.upper)},
+            {"lower", decided.lower},
+            {"bits", decided.bits}};
 }
 
 nlohmann::ordered_json row_json(const CriticalRow& row, const CriticalReport& report) {
@@ -63,12 +60,9 @@ nlohmann::ordered_json to_json(const CriticalReport& report) {
                                 {"open", std::count_if(report.rows.begin(), report.rows.end(),
                                                        [](const CriticalRow& row) { return !row.ratio; })},
                                 {"seconds", report.seconds},
-                                {"out", nullptr}};
+                                {"out", json_or_null(report.out)}};
     if (report.request.confirm) {
         json["confirm"] = to_fraction(*report.request.confirm);
-    }
-    if (report.out) {
-        json["out"] = *report.out;
     }
     return json;
 }

@@ -7,6 +7,7 @@
 #include "arith/decimal.hpp"
 #include "model/extremal_orbit.hpp"
 #include "report/critical_number.hpp"
+#include "report/text_table.hpp"
 
 namespace dumbbell {
 namespace {
@@ -16,17 +17,6 @@ long count_if(const CriticalReport& report, bool (*holds)(const CriticalRow&)) {
 }
 bool has_ratio(const CriticalRow& row) { return row.ratio.has_value(); }
 bool is_confirmed(const CriticalRow& row) { return row.confirmation && row.confirmation->holds(); }
-
-/// The ratios of a confirmation are decimals of at most 200 digits.
-std::string exact_text(const Rational& q) {
-    for (int digits = 1; digits <= most_critical_digits; ++digits) {
-        const Decimal cut = cut_down(q, digits);
-        if (exact(cut) == q) {
-            return to_text(cut);
-        }
-    }
-    return to_fraction(q);
-}
 
 std::string decided_text(const Decided& decided) {
     const std::string q = exact_text(decided.q);
@@ -49,7 +39,7 @@ std::string confirmation_text(const CriticalRow& row) {
 std::string confirmations_text(const CriticalReport& report) {
     const long confirmed = count_if(report, is_confirmed);
     const auto all = static_cast<long>(report.rows.size());
-    const std::string distance = to_decimal(*report.request.confirm, 17);
+    const std::string distance = exact_text(*report.request.confirm);
     const char* outcome = confirmed == 0 ? "Not confirmed" : "Confirmed";
     const std::string share =
         confirmed == 0 || confirmed == all ? "" : fmt::format(", for {} of the {}", confirmed, all);
@@ -84,18 +74,16 @@ std::string single_text(const CriticalReport& report) {
     return text + (report.request.confirm ? confirmation_text(row) : "");
 }
 
-using Line = std::vector<std::string>;
-
-Line heading(const CriticalReport& report) {
-    Line line{"N", "q_c", "radius", "bits", "orbit", "flight"};
+TableLine heading(const CriticalReport& report) {
+    TableLine line{"N", "q_c", "radius", "bits", "orbit", "flight"};
     if (report.request.confirm) {
         line.emplace_back("confirmed");
     }
     return line;
 }
 
-Line line_of(const CriticalRow& row, const CriticalReport& report, const char* more) {
-    Line line{fmt::format("{}", row.n)};
+TableLine line_of(const CriticalRow& row, const CriticalReport& report, const char* more) {
+    TableLine line{fmt::format("{}", row.n)};
     if (row.ratio) {
         const CriticalNumber p = critical_number(*row.ratio, report.request.digits);
         line.insert(line.end(),
@@ -111,26 +99,11 @@ Line line_of(const CriticalRow& row, const CriticalReport& report, const char* m
 }
 
 std::string table_text(const CriticalReport& report) {
-    std::vector<Line> lines{heading(report)};
+    std::vector<TableLine> lines{heading(report)};
     for (const CriticalRow& row : report.rows) {
         lines.push_back(line_of(row, report, "..."));
     }
-    std::vector<std::size_t> widths(lines.front().size());
-    for (const Line& line : lines) {
-        for (std::size_t i = 0; i < line.size(); ++i) {
-            widths[i] = std::max(widths[i], line[i].size());
-        }
-    }
-    std::string text;
-    for (const Line& line : lines) {
-        std::string one;
-        for (std::size_t i = 0; i < line.size(); ++i) {
-            const std::string padding(widths[i] - line[i].size(), ' ');
-            one += i == 1 ? line[i] + padding + "  " : padding + line[i] + "  ";
-        }
-        text += one.substr(0, one.size() - 2) + '\n';
-    }
-    return text;
+    return aligned(lines, 1);
 }
 
 std::string range_text(const CriticalReport& report) {
@@ -162,7 +135,7 @@ std::string to_text(const CriticalReport& report) {
 }
 
 std::string to_tsv(const CriticalReport& report) {
-    const auto joined = [](const Line& line) { return fmt::format("{}\n", fmt::join(line, "\t")); };
+    const auto joined = [](const TableLine& line) { return fmt::format("{}\n", fmt::join(line, "\t")); };
     std::string text =
         "# Critical mass ratios q_c(N), where the maximum steps from N - 1 to N. Every digit is proved (cut "
         "off, not\n"

@@ -4,6 +4,7 @@
 
 #include "arith/decimal.hpp"
 #include "arith/error.hpp"
+#include "report/json_number.hpp"
 
 namespace dumbbell {
 namespace {
@@ -24,7 +25,7 @@ Interval bounds(const Extremum& x, int sign) {
 std::string extremum_text(const char* name, const Extremum& x, int sign) {
     const Interval b = bounds(x, sign);
     return fmt::format("{} of N*(q) - C sqrt q: in [{:.17g}, {:.17g}]; the {} bound is its value at q = {}\n",
-                       name, b.lo(), b.hi(), sign > 0 ? "lower" : "upper", to_decimal(x.at, 17));
+                       name, b.lo(), b.hi(), sign > 0 ? "lower" : "upper", exact_text(x.at));
 }
 
 nlohmann::ordered_json extremum_json(const std::optional<Extremum>& x, int sign) {
@@ -32,7 +33,7 @@ nlohmann::ordered_json extremum_json(const std::optional<Extremum>& x, int sign)
         return nullptr;
     }
     const Interval b = bounds(*x, sign);
-    return {{"lo", b.lo()}, {"hi", b.hi()}, {"at", to_fraction(x->at)}};
+    return {{"lo", unsigned_zero(b.lo())}, {"hi", unsigned_zero(b.hi())}, {"at", to_fraction(x->at)}};
 }
 
 const char* said(bool proved) { return proved ? "Proved:    " : "NOT proved:"; }
@@ -48,14 +49,14 @@ std::string to_text(const LawReport& report) {
         return text + "NOT proved: pieces of this staircase are open.\n";
     }
     const std::string range =
-        fmt::format("mass ratio from {} to {}", to_decimal(law.q_lo, 17), to_decimal(law.q_hi, 17));
+        fmt::format("mass ratio from {} to {}", exact_text(law.q_lo), exact_text(law.q_hi));
     text += fmt::format(
         "{} N*(q) <= N*(q') for any two mass ratios q < q' from {} to {} that do not lie in the same gap.\n"
         "            N* goes from {} to {} in {} pieces with one value; in each of the {} gaps it is one of "
         "two "
         "neighbouring values.\n",
-        said(law.never_decreases), to_decimal(law.q_lo, 17), to_decimal(law.q_hi, 17), law.least,
-        law.greatest, law.values, law.gaps);
+        said(law.never_decreases), exact_text(law.q_lo), exact_text(law.q_hi), law.least, law.greatest,
+        law.values, law.gaps);
     text += fmt::format(
         "{} N*(q) <= ceil(pi/gamma) for every {}: the paper's bound, one more, is never attained.\n",
         said(law.below_paper), range);
@@ -73,15 +74,18 @@ std::string to_text(const LawReport& report) {
 
 nlohmann::ordered_json to_json(const LawReport& report) {
     const Law& law = report.law;
+    const auto if_complete = [&](auto value) {
+        return law.complete ? nlohmann::ordered_json(value) : nlohmann::ordered_json(nullptr);
+    };
     return {{"schema", "dumbbell-law-1"},
             {"file", report.file},
             {"verdict", report.verdict},
             {"ratio", {{"lo", to_fraction(law.q_lo)}, {"hi", to_fraction(law.q_hi)}}},
             {"complete", law.complete},
-            {"values", law.values},
-            {"gaps", law.gaps},
-            {"never_decreases", law.never_decreases},
-            {"below_paper_bound", law.below_paper},
+            {"values", if_complete(law.values)},
+            {"gaps", if_complete(law.gaps)},
+            {"never_decreases", if_complete(law.never_decreases)},
+            {"below_paper_bound", if_complete(law.below_paper)},
             {"C", constant_text(report)},
             {"sup", extremum_json(law.sup, 1)},
             {"inf", extremum_json(law.inf, -1)}};

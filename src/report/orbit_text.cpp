@@ -7,14 +7,13 @@
 #include <cstddef>
 #include <iterator>
 
+#include "report/json_number.hpp"
 #include "report/printed.hpp"
 
 namespace dumbbell {
 namespace {
 
 using Orbit = std::vector<Collision<Interval>>;
-
-nlohmann::ordered_json pair(const Interval& x) { return {x.lo(), x.hi()}; }
 
 struct Column {
     const char* name;
@@ -76,14 +75,14 @@ nlohmann::ordered_json collisions_json(const Orbit& orbit) {
     nlohmann::ordered_json collisions = nlohmann::ordered_json::array();
     for (const auto& c : orbit) {
         collisions.push_back({{"mass", c.heavy ? "heavy" : "light"},
-                              {"time", pair(c.time)},
-                              {"phi", pair(c.phi)},
-                              {"y", pair(c.y)},
-                              {"ydot_before", pair(c.ydot_before)},
-                              {"ydot_after", pair(c.ydot_after)},
-                              {"phidot_before", pair(c.phidot_before)},
-                              {"phidot_after", pair(c.phidot_after)},
-                              {"grazing_sine", pair(c.grazing_sine)}});
+                              {"time", ends_json(c.time)},
+                              {"phi", ends_json(c.phi)},
+                              {"y", ends_json(c.y)},
+                              {"ydot_before", ends_json(c.ydot_before)},
+                              {"ydot_after", ends_json(c.ydot_after)},
+                              {"phidot_before", ends_json(c.phidot_before)},
+                              {"phidot_after", ends_json(c.phidot_after)},
+                              {"grazing_sine", ends_json(c.grazing_sine)}});
     }
     return collisions;
 }

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "arith/rational.hpp"
+#include "report/json_number.hpp"
 
 namespace dumbbell {
 namespace {
@@ -31,7 +32,7 @@ std::string rounded_down(double x) {
 }
 
 std::string enclosure_text(const Interval& x) {
-    const std::string centre = fmt::format("{:.12g}", approximate(x));
+    const std::string centre = fmt::format("{:.12g}", unsigned_zero(approximate(x)));
     const Rational c = as_printed(centre);
     const double radius = std::abs(enclose<Interval>(std::max(exact(x.hi()) - c, c - exact(x.lo()))).hi());
     return fmt::format("{}+-{:.1e}", centre, radius * 1.06);  // two digits lose at most 1 part in 20

@@ -3,15 +3,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <iterator>
 #include <string_view>
 
+#include "arith/decimal.hpp"
+#include "arith/error.hpp"
 #include "certificate/names.hpp"
 #include "model/paper_bound.hpp"
+#include "report/json_number.hpp"
 #include "report/orbit_text.hpp"
 #include "report/printed.hpp"
+#include "report/text_table.hpp"
 
 namespace dumbbell {
 namespace {
@@ -27,8 +29,31 @@ std::string_view name(Status status) {
     }
 }
 
-std::string range_text(const Rational& lo, const Rational& hi, int digits) {
-    return lo == hi ? to_decimal(lo, digits) : to_decimal(lo, digits) + " : " + to_decimal(hi, digits);
+std::string range_text(const Rational& lo, const Rational& hi) {
+    return lo == hi ? exact_text(lo) : exact_text(lo) + " : " + exact_text(hi);
+}
+
+/// What "no ... more than N times" and "some ... N times" say of a scene.
+struct Words {
+    const char* hits;
+    const char* hits_it;
+};
+
+Words words_of(Scene scene) {
+    switch (scene) {
+        case Scene::dumbbell:
+            return {"trajectory hits the floor", "trajectory hits it"};
+        case Scene::hybrid:
+            return {"trajectory in the hybrid wedge hits its walls", "trajectory hits them"};
+        case Scene::wedge:
+            return {"trajectory in the straight wedge hits its walls", "trajectory hits them"};
+    }
+    throw BrokenInvariant("unknown scene");
+}
+
+/// The source paper's bound is one for the dumbbell; not computed for the greatest ratios.
+bool has_paper_bound(const ProofReport& report, const Piece& piece) {
+    return report.scene == Scene::dumbbell && piece.q_hi <= paper_bound_limit();
 }
 
 std::string value_text(const Piece& piece) {
@@ -42,10 +67,9 @@ std::string value_text(const Piece& piece) {
     }
 }
 
-/// The paper's bound grows with q: one number, or those at both ends; none for ratios that it is not computed
-/// for.
-std::string paper_text(const Piece& piece) {
-    if (piece.q_hi > paper_bound_limit()) {
+/// The paper's bound grows with q: one number, or those at both ends.
+std::string paper_text(const ProofReport& report, const Piece& piece) {
+    if (!has_paper_bound(report, piece)) {
         return "-";
     }
     const long lo = paper_bound(piece.q_lo);
@@ -84,18 +108,16 @@ std::string witness_sentence(const ReportRow& row) {
 
 std::string single_sentence(const ProofReport& report) {
     const Piece& piece = *report.rows.front().piece;
-    const std::string q = to_decimal(report.q_lo, 17);
+    const Words words = words_of(report.scene);
+    const std::string q = exact_text(report.q_lo);
     if (piece.status() == Status::exact) {
-        return fmt::format(
-            "Proved: at mass ratio {} no trajectory hits the floor more than {}, and some trajectory hits "
-            "it {}.\n{}",
-            q, counted(*piece.upper, "time"), counted(*piece.upper, "time"),
-            witness_sentence(report.rows.front()));
+        const std::string times = counted(*piece.upper, "time");
+        return fmt::format("Proved: at mass ratio {} no {} more than {}, and some {} {}.\n{}", q, words.hits,
+                           times, words.hits_it, times, witness_sentence(report.rows.front()));
     }
-    const std::string known =
-        piece.lower > 0 ? fmt::format("only this is proved: some trajectory hits the floor at least {}",
-                                      counted(piece.lower, "time"))
-                        : std::string("nothing is proved");
+    const std::string known = piece.lower > 0 ? fmt::format("only this is proved: some {} at least {}",
+                                                            words.hits, counted(piece.lower, "time"))
+                                              : std::string("nothing is proved");
     return fmt::format("Not decided: at mass ratio {} {}.\n", q, known);
 }
 
@@ -109,13 +131,14 @@ std::string decided_text(double fraction) {
 
 std::string range_sentence(const ProofReport& report) {
     const Counts counts = count_statuses(report);
+    const Words words = words_of(report.scene);
     std::string text;
     if (counts.exact > 0) {
         text = fmt::format(
-            "Proved: in {} with one value N, and for every mass ratio in it, no trajectory hits the floor "
-            "more than N times\n"
-            "and some trajectory hits it N times. ",
-            counts.exact == 1 ? "the piece" : fmt::format("each of the {} pieces", counts.exact));
+            "Proved: in {} with one value N, and for every mass ratio in it, no {} more than N times\n"
+            "and some {} N times. ",
+            counts.exact == 1 ? "the piece" : fmt::format("each of the {} pieces", counts.exact), words.hits,
+            words.hits_it);
     } else if (counts.gaps == 0) {
         text = "Not decided. ";
     }
@@ -137,30 +160,30 @@ bool heavy_at_most_once(const ProofReport& report) {
                        [](const ReportRow& row) { return row.piece->upper.has_value(); });
 }
 
+/// The column `paper` is for the dumbbell only.
+std::string pieces_table(const ProofReport& report) {
+    const bool paper = report.scene == Scene::dumbbell;
+    std::vector<TableLine> lines;
+    const auto add = [&](TableLine line, const std::string& bound) {
+        if (paper) {
+            line.insert(line.begin() + 2, bound);
+        }
+        lines.push_back(std::move(line));
+    };
+    add({"mass ratio", "N", "boxes", "time"}, "paper");
+    for (const ReportRow& row : report.rows) {
+        const Piece& piece = *row.piece;
+        add({range_text(piece.q_lo, piece.q_hi), value_text(piece), fmt::format("{}", piece.cover.leaves()),
+             fmt::format("{:.3f} s", row.seconds)},
+            paper_text(report, piece));
+    }
+    return aligned(lines, 0);
+}
+
 }  // namespace
 
 std::string to_text(const ProofReport& report) {
-    struct Line {
-        std::string ratio, value, paper, boxes, time;
-    };
-    std::vector<Line> lines{{"mass ratio", "N", "paper", "boxes", "time"}};
-    for (const ReportRow& row : report.rows) {
-        const Piece& piece = *row.piece;
-        lines.push_back({range_text(piece.q_lo, piece.q_hi, 13), value_text(piece), paper_text(piece),
-                         fmt::format("{}", piece.cover.leaves()), fmt::format("{:.3f} s", row.seconds)});
-    }
-    std::array<std::size_t, 5> widths{};
-    for (const Line& line : lines) {
-        widths = {std::max(widths[0], line.ratio.size()), std::max(widths[1], line.value.size()),
-                  std::max(widths[2], line.paper.size()), std::max(widths[3], line.boxes.size()),
-                  std::max(widths[4], line.time.size())};
-    }
-    std::string text;
-    for (const Line& line : lines) {
-        fmt::format_to(std::back_inserter(text), "{:<{}}  {:>{}}  {:>{}}  {:>{}}  {:>{}}\n", line.ratio,
-                       widths[0], line.value, widths[1], line.paper, widths[2], line.boxes, widths[3],
-                       line.time, widths[4]);
-    }
+    std::string text = pieces_table(report);
     fmt::format_to(std::back_inserter(text), "{} in {:.2f} s with {}\n\n",
                    counted(static_cast<long>(report.rows.size()), "piece"), report.seconds,
                    counted(report.jobs, "thread"));
@@ -184,19 +207,20 @@ nlohmann::ordered_json to_json(const ProofReport& report) {
         const Piece& piece = *row.piece;
         nlohmann::ordered_json entry{{"lo", to_fraction(piece.q_lo)},
                                      {"hi", to_fraction(piece.q_hi)},
-                                     {"upper", nullptr},
+                                     {"upper", json_or_null(piece.upper)},
                                      {"lower", piece.lower},
                                      {"status", name(piece.status())},
                                      {"paper_bound", nullptr},
                                      {"leaves", piece.cover.leaves()},
                                      {"bits", piece.bits},
-                                     {"margin", row.margin},
-                                     {"width", row.width}};
-        if (piece.upper) {
-            entry["upper"] = *piece.upper;
-        }
-        if (piece.q_hi <= paper_bound_limit()) {
+                                     {"margin", nullptr},
+                                     {"width", nullptr}};
+        if (has_paper_bound(report, piece)) {
             entry["paper_bound"] = paper_bound(piece.q_hi);
+        }
+        if (row.margin > 0) {
+            entry["margin"] = row.margin;
+            entry["width"] = row.width;
         }
         if (!row.orbit.empty()) {
             entry["witness"] = {{"ratio", to_fraction(piece.q_lo)},
@@ -213,14 +237,13 @@ nlohmann::ordered_json to_json(const ProofReport& report) {
         {"gap", to_fraction(report.gap)},
         {"jobs", report.jobs},
         {"pieces", std::move(pieces)},
-        {"heavy_at_most_once", heavy_at_most_once(report)},
+        {"heavy_at_most_once", nullptr},
         {"decided_fraction", report.decided_fraction},
         {"seconds", report.seconds},
-        {"out", nullptr},
-        {"sha256", nullptr}};
-    if (report.out) {
-        json["out"] = *report.out;
-        json["sha256"] = *report.sha256;
+        {"out", json_or_null(report.out)},
+        {"sha256", json_or_null(report.sha256)}};
+    if (heavy_at_most_once(report)) {
+        json["heavy_at_most_once"] = true;
     }
     return json;
 }
@@ -238,7 +261,7 @@ std::string orbits_to_text(const ProofReport& report) {
             "unit of time: phidot^2 + q (ydot / beta2)^2 = 1. Each number is enclosed: value+-radius.\n{}"
             "Smallest margin (angle between flight and floor, in the kinetic metric): {:.6g} rad\n"
             "Widths of the enclosures along the orbit:\n{}\n",
-            to_decimal(row.piece->q_lo, 17), row.orbit.size(), collisions_text(row.orbit), row.margin,
+            exact_text(row.piece->q_lo), row.orbit.size(), collisions_text(row.orbit), row.margin,
             widths_text(row.orbit));
     }
     return text;

@@ -13,7 +13,7 @@ namespace dumbbell {
 /// One line of the report of a proof.
 struct ReportRow {
     const Piece* piece;
-    double margin;
+    double margin;  ///< of the witness orbit; 0: none known, nor a width
     double width;
     double seconds;
     std::vector<Collision<Interval>>
@@ -35,8 +35,8 @@ struct ProofReport {
     std::optional<std::string> sha256;
 };
 
-/// The table: ratio interval, N, the paper's bound, boxes, time; below it one sentence that says what was
-/// proved.
+/// The table: ratio interval, N, the paper's bound (for the dumbbell, of which it is one), boxes, time; below
+/// it one sentence that says what was proved. Ratios are exact.
 [[nodiscard]] std::string to_text(const ProofReport& report);
 [[nodiscard]] nlohmann::ordered_json to_json(const ProofReport& report);
 

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <iterator>
 #include <numbers>
+#include <string_view>
 #include <vector>
 
 #include "arith/error.hpp"
@@ -147,23 +148,67 @@ std::string proved_path(const Axes& axes, const std::vector<Piece>& pieces) {
     return path;
 }
 
+/// What the picture is called, and its line in the legend.
+struct Names {
+    const char* title;
+    const char* maximum;
+};
+
+Names names_of(Scene scene) {
+    switch (scene) {
+        case Scene::dumbbell:
+            return {"Greatest number of collisions of a bouncing dumbbell against its mass ratio",
+                    "proved maximum N(q)"};
+        case Scene::hybrid:
+            return {"Greatest number of collisions in the hybrid wedge against the mass ratio",
+                    "proved maximum, scene hybrid (wedge)"};
+        case Scene::wedge:
+            return {"Greatest number of collisions in the straight wedge against the mass ratio",
+                    "proved maximum, scene wedge (straight)"};
+    }
+    throw BrokenInvariant("unknown scene");
+}
+
+/// The greatest count that the picture shows.
+long greatest_count(const std::vector<Piece>& pieces, Scene scene) {
+    if (scene == Scene::dumbbell) {
+        return paper_bound(pieces.back().q_hi);
+    }
+    long greatest = 2;
+    for (const Piece& piece : pieces) {
+        greatest = std::max(greatest, piece.upper.value_or(0));
+    }
+    return greatest;
+}
+
+/// A curve and its line in the legend, which begins at x.
+void draw_curve(std::string& svg, const char* kind, const std::string& path, double x,
+                std::string_view name) {
+    constexpr double sample = 36;
+    fmt::format_to(std::back_inserter(svg),
+                   "<path class=\"{0}\" d=\"{1}\"/>\n<line class=\"{0}\" x1=\"{2:g}\" x2=\"{3:g}\" y1=\"22\" "
+                   "y2=\"22\"/><text x=\"{4:g}\" y=\"26\">{5}</text>\n",
+                   kind, path, x, x + sample, x + sample + 8, name);
+}
+
 }  // namespace
 
-std::string staircase_svg(const std::vector<Piece>& pieces) {
+std::string staircase_svg(const std::vector<Piece>& pieces, Scene scene) {
     require(!pieces.empty() && pieces.front().q_lo < pieces.back().q_hi, "staircase picture: an empty range");
     const Rational& q_lo = pieces.front().q_lo;
     const Rational& q_hi = pieces.back().q_hi;
     const Axes axes{std::log10(value(q_lo)), std::log10(value(q_hi)),
-                    static_cast<double>(paper_bound(q_hi)) * 1.04};
+                    static_cast<double>(greatest_count(pieces, scene)) * 1.04};
+    const Names names = names_of(scene);
 
     std::string svg = fmt::format(
         R"(<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {0:g} {1:g}" width="{0:g}" height="{1:g}" role="img">)"
-        "\n<title>Greatest number of collisions of a bouncing dumbbell against its mass ratio</title>\n"
+        "\n<title>{2}</title>\n"
         "<style>text{{font:13px sans-serif;fill:#222}}.grid{{stroke:#ddd;stroke-width:1}}"
         ".proved{{fill:none;stroke:#0055a4;stroke-width:2.5}}.paper{{fill:none;stroke:#c8501e;stroke-width:1."
         "5;stroke-dasharray:6 4}}.growth{{fill:none;stroke:#333;stroke-width:1;stroke-dasharray:2 3}}"
         "</style>\n<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n",
-        page_width, page_height);
+        page_width, page_height, names.title);
     draw_frame(svg, axes);
     for (const Piece& piece : pieces) {
         if (piece.status() == Status::open) {
@@ -174,20 +219,15 @@ std::string staircase_svg(const std::vector<Piece>& pieces) {
             svg += '\n';
         }
     }
-    fmt::format_to(std::back_inserter(svg),
-                   "<path class=\"paper\" d=\"{}\"/>\n<path class=\"proved\" d=\"{}\"/>\n<path "
-                   "class=\"growth\" d=\"{}\"/>\n",
-                   paper_path(axes, q_lo, q_hi), proved_path(axes, pieces), growth_path(axes));
-    fmt::format_to(std::back_inserter(svg),
-                   "<line class=\"proved\" x1=\"{0:g}\" x2=\"{1:g}\" y1=\"22\" y2=\"22\"/><text x=\"{2:g}\" "
-                   "y=\"26\">proved maximum N(q)</text>\n"
-                   "<line class=\"paper\" x1=\"{3:g}\" x2=\"{4:g}\" y1=\"22\" y2=\"22\"/><text x=\"{5:g}\" "
-                   "y=\"26\">the paper's bound "
-                   "ceil(\xcf\x80/\xce\xb3)+1</text>\n"
-                   "<line class=\"growth\" x1=\"{6:g}\" x2=\"{7:g}\" y1=\"22\" y2=\"22\"/><text x=\"{8:g}\" "
-                   "y=\"26\">2 + C \xe2\x88\x9aq</text>\n</svg>\n",
-                   left, left + 36, left + 44, left + 230, left + 266, left + 274, left + 500, left + 536,
-                   left + 544);
+    if (scene == Scene::dumbbell) {  // the bound and the growth are the dumbbell's
+        draw_curve(svg, "paper", paper_path(axes, q_lo, q_hi), left + 230,
+                   "the paper's bound ceil(\xcf\x80/\xce\xb3)+1");
+    }
+    draw_curve(svg, "proved", proved_path(axes, pieces), left, names.maximum);
+    if (scene == Scene::dumbbell) {
+        draw_curve(svg, "growth", growth_path(axes), left + 500, "2 + C \xe2\x88\x9aq");
+    }
+    svg += "</svg>\n";
     return svg;
 }
 

@@ -2,10 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <iterator>
 
 #include "arith/decimal.hpp"
+#include "report/flat_fall.hpp"
+#include "report/json_number.hpp"
 
 namespace dumbbell {
 namespace {
@@ -36,10 +39,25 @@ const char* outcome_word(const TraceReport& report) {
     return report.trace.exact() ? "exact" : report.box.is_point() ? "undecided" : "between";
 }
 
-std::string count_text(long least, const std::optional<long>& most) {
-    return most == least ? fmt::format("{}", least)
-           : most        ? fmt::format("{}-{}", least, *most)
-                         : fmt::format("{}-", least);
+std::string bounds_text(long least, const std::optional<long>& most) {
+    return most == least ? plural(least)
+           : most        ? fmt::format("between {} and {} collisions", least, *most)
+                         : fmt::format("at least {}", plural(least));
+}
+
+/// What to do about an orbit that is not decided.
+std::string advice(const TraceReport& report) {
+    constexpr int first_digits = 40;
+    if (report.digits == 0) {
+        return fmt::format("try --digits {}", first_digits);
+    }
+    const std::string more =
+        2 * report.digits <= most_trace_digits
+            ? fmt::format("try --digits {}; if more digits do not help, ", 2 * report.digits)
+            : "";
+    return more +
+           "move the initial condition a little: both masses touch almost at once there, or one only grazes "
+           "the floor";
 }
 
 std::string collisions_table(const TraceReport& report) {
@@ -88,20 +106,13 @@ std::string subdivision_text(const Subdivision& parts) {
     text += fmt::format("{:>10}  {:>22}  {:>9}\n", "undecided", to_decimal(parts.undecided.share, 12),
                         parts.undecided.boxes);
     text += fmt::format(
-        "Certified: {} of the box with its exact count; every initial condition in it has {} collisions.\n",
-        share_at_least(Rational(1) - parts.undecided.share), count_text(parts.least, parts.most));
+        "Certified: {} of the box with its exact count; every initial condition in it has {}.\n",
+        share_at_least(Rational(1) - parts.undecided.share), bounds_text(parts.least, parts.most));
     return text;
 }
 
 nlohmann::ordered_json enclosure_json(const TracedValue& value, bool decimals) {
-    if (decimals) {
-        return {value.lo, value.hi};
-    }
-    return {value.outward.lo(), value.outward.hi()};
-}
-
-nlohmann::ordered_json count_json(const std::optional<long>& count) {
-    return count ? nlohmann::ordered_json(*count) : nlohmann::ordered_json(nullptr);
+    return decimals ? nlohmann::ordered_json{value.lo, value.hi} : ends_json(value.outward);
 }
 
 nlohmann::ordered_json subdivision_json(const Subdivision& parts) {
@@ -114,7 +125,7 @@ nlohmann::ordered_json subdivision_json(const Subdivision& parts) {
     return {{"exact", std::move(exact)},
             {"undecided", {{"share", to_fraction(parts.undecided.share)}, {"boxes", parts.undecided.boxes}}},
             {"least", parts.least},
-            {"most", count_json(parts.most)},
+            {"most", json_or_null(parts.most)},
             {"decided_fraction",
              parts.undecided.share == 0 ? 1.0 : enclose<Interval>(Rational(1) - parts.undecided.share).lo()}};
 }
@@ -129,14 +140,18 @@ std::string outcome_sentence(const TraceReport& report) {
                                ? fmt::format(" (enclosed: the first {})", trace.collisions.size())
                                : "");
     }
-    const std::string bounds = trace.most
-                                   ? fmt::format("between {} and {} collisions", trace.least, *trace.most)
-                                   : fmt::format("at least {}", plural(trace.least));
+    const std::string bounds = bounds_text(trace.least, trace.most);
     const auto next = trace.collisions.size() + 1;
-    if (report.box.is_point()) {
+    if (const auto corner = flat_fall(report.box)) {
         return fmt::format(
-            "cannot be decided at this precision: {}; undecided from collision {} on; try --digits {}\n",
-            bounds, next, report.digits == 0 ? 40 : 2 * report.digits);
+            "cannot be decided at any precision: {}; both masses reach the floor at once, at time {} (a "
+            "corner, "
+            "where no motion is defined); move the initial condition, for example --phi\n",
+            bounds, exact_text(*corner));
+    }
+    if (report.box.is_point()) {
+        return fmt::format("cannot be decided at this precision: {}; undecided from collision {} on; {}\n",
+                           bounds, next, advice(report));
     }
     return fmt::format("{}: the box splits at collision {} (smaller boxes: --subdivide)\n", bounds, next);
 }
@@ -149,8 +164,8 @@ std::string to_text(const TraceReport& report) {
             "enclosed: "
             "value+-radius.\n",
             report.box.lo[4] == report.box.hi[4]
-                ? to_decimal(report.box.lo[4], 17)
-                : to_decimal(report.box.lo[4], 13) + " : " + to_decimal(report.box.hi[4], 13));
+                ? exact_text(report.box.lo[4])
+                : exact_text(report.box.lo[4]) + " : " + exact_text(report.box.hi[4]));
         text += collisions_table(report);
         if (!report.box.is_point() && report.trace.widths) {
             text += widths_text(*report.trace.widths);
@@ -185,30 +200,24 @@ nlohmann::ordered_json to_json(const TraceReport& report) {
                                 {"initial", std::move(initial)},
                                 {"outcome", outcome_word(report)},
                                 {"least", report.trace.least},
-                                {"most", count_json(report.trace.most)},
+                                {"most", json_or_null(report.trace.most)},
                                 {"splits_at", nullptr},
                                 {"bits", report.trace.bits},
                                 {"collisions", std::move(collisions)},
                                 {"widths", nullptr},
                                 {"parts", nullptr},
                                 {"seconds", report.seconds},
-                                {"out", nullptr},
-                                {"sha256", nullptr}};
+                                {"out", json_or_null(report.out)},
+                                {"sha256", json_or_null(report.sha256)}};
     if (!report.trace.exact()) {
         json["splits_at"] = report.trace.collisions.size() + 1;
     }
     if (report.trace.widths) {
-        const auto& natural = report.trace.widths->natural;
-        json["widths"] = {
-            {"natural", natural ? nlohmann::ordered_json(*natural) : nlohmann::ordered_json(nullptr)},
-            {"correlated", report.trace.widths->correlated}};
+        json["widths"] = {{"natural", json_or_null(report.trace.widths->natural)},
+                          {"correlated", report.trace.widths->correlated}};
     }
     if (report.parts) {
         json["parts"] = subdivision_json(*report.parts);
-    }
-    if (report.out) {
-        json["out"] = *report.out;
-        json["sha256"] = *report.sha256;
     }
     return json;
 }
@@ -234,7 +243,8 @@ std::string to_csv(const TraceReport& report) {
         for (const Quantity& q : quantities) {
             const TracedValue& value = c.*q.value;
             text += report.digits > 0 ? fmt::format(",{},{}", value.lo, value.hi)
-                                      : fmt::format(",{},{}", value.outward.lo(), value.outward.hi());
+                                      : fmt::format(",{},{}", unsigned_zero(value.outward.lo()),
+                                                    unsigned_zero(value.outward.hi()));
         }
         text += '\n';
     }

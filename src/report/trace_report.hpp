@@ -9,6 +9,9 @@
 
 namespace dumbbell {
 
+/// The most that may be asked for.
+inline constexpr int most_trace_digits = 100'000;
+
 /// What `trace` tells its user.
 struct TraceReport {
     InitialBox box;
@@ -28,7 +31,8 @@ struct TraceReport {
 /// its share.
 [[nodiscard]] std::string to_csv(const TraceReport& report);
 
-/// "exactly k collisions", "between a and b collisions: ...", or "cannot be decided at this precision: ...".
+/// "exactly k collisions", "between a and b collisions: ...", or "cannot be decided at this precision: ..."
+/// with what to do; "... at any precision" of a flat fall.
 [[nodiscard]] std::string outcome_sentence(const TraceReport& report);
 
 }  // namespace dumbbell

@@ -4,17 +4,6 @@
 
 namespace dumbbell_verify {
 
-template <class N>
-Interval<N> hull(const Interval<N>& a, const Interval<N>& b) {
-    return {std::min(a.lo, b.lo), std::max(a.hi, b.hi)};
-}
-/// The squares; >= 0 also where x holds 0.
-template <class N>
-Interval<N> square(const Interval<N>& x) {
-    const Interval<N> product = x * x;
-    return {std::max(N(0), product.lo), product.hi};
-}
-
 constexpr double most_quarters = 0x1p28;  ///< of a turn: farther out nothing is known
 
 /// Of a number z. With k right angles taken off, z - k pi/2 lies in an interval y of [-1, 1]; at its end y.lo

@@ -4,6 +4,7 @@
 #include <concepts>
 
 #include "number.hpp"
+#include "work.hpp"
 
 namespace dumbbell_verify {
 
@@ -18,7 +19,8 @@ class Big {
     }
     Big(const Big& other) : Big(0) { mpfr_set(x_, other.x_, MPFR_RNDN); }
     Big(Big&& other) noexcept : Big(0) { mpfr_swap(x_, other.x_); }
-    Big& operator=(Big other) noexcept {
+    Big& operator=(const Big& other) { return *this = Big(other); }
+    Big& operator=(Big&& other) noexcept {
         mpfr_swap(x_, other.x_);
         return *this;
     }
@@ -27,6 +29,7 @@ class Big {
     /// The function's value, rounded; unbounded where it is undefined (inf - inf).
     template <class Function, class... Values>
     static Big rounded(Round d, Function function, Values... values) {
+        Work::operation(static_cast<std::uint64_t>(precision));
         Big result;
         function(result.x_, values..., d == up ? MPFR_RNDU : MPFR_RNDD);
         if (mpfr_nan_p(result.x_)) mpfr_set_inf(result.x_, d == up ? 1 : -1);

@@ -9,7 +9,7 @@ template <class N>
 class Bridge : protected Rays<N> {
   protected:
     using Base = Rays<N>;
-    using Base::fact, Base::less, Base::at_most, Base::guess_top, Base::half_turn, Base::one, Base::quarter,
+    using Base::fact, Base::less, Base::at_most, Base::guess_slope, Base::half_turn, Base::one, Base::quarter,
         Base::zero;
     using typename Base::I, typename Base::Ray;
 
@@ -17,10 +17,8 @@ class Bridge : protected Rays<N> {
         if (log) this->describe(leaf, section.charts[leaf.chart]);
     }
 
-    static I hull(const I& a, const I& b) { return {std::min(a.lo, b.lo), std::max(a.hi, b.hi)}; }
-
     /// sin t and cos t for a number t in [0, pi].
-    SinCos<I> trig(const N& t) const {
+    [[nodiscard]] SinCos<I> trig(const N& t) const {
         if (t <= N(2)) return sin_cos(t);
         const I u = half_turn - t;
         if (!(t <= half_turn.lo)) return {I(N(-1), one), I(N(-1), one)};
@@ -29,7 +27,7 @@ class Bridge : protected Rays<N> {
     }
     /// A lower bound, for all r of the box, of the rays c/r = sin t + lambda (pi - t), lambda = cos t + eta
     /// for lesser t and greater eta; t from pi on counts as pi.
-    Ray contact_ray(const N& t, const N& eta) const {
+    [[nodiscard]] Ray contact_ray(const N& t, const N& eta) const {
         const bool end = !(t < half_turn.lo);
         const SinCos<I> at = end ? SinCos<I>{I(0), I(-1)} : trig(t);
         const I slope = at.cos + eta;
@@ -41,7 +39,7 @@ class Bridge : protected Rays<N> {
 
     /// Near the least root of sin t = c + k t in (0, pi) by Newton's iteration, which comes from the left; or
     /// none.
-    std::optional<N> guess_crossing(const N& c, const N& k) const {
+    [[nodiscard]] std::optional<N> guess_crossing(const N& c, const N& k) const {
         N t(0);
         for (int i = 0; i < 40; ++i) {
             const auto [s, w] = guess_sin_cos(t);
@@ -53,12 +51,6 @@ class Bridge : protected Rays<N> {
             if (std::max(step, -step) <= t * guess_tolerance(t)) break;
         }
         return std::max(N(0), t);
-    }
-    /// Near the t in [0, pi] with cos t = k; at its ends if k is beyond [-1, 1].
-    N guess_slope(const N& k) const {
-        if (!(k < one)) return zero;
-        if (!(k > -one)) return half_turn.lo;
-        return k >= zero ? guess_top(k) : half_turn.lo - guess_top(-k);
     }
     /// Certified h + kappa t >= r sin t for all t in [0, pi], r in the box: above a tangent of the bridge.
     bool certainly_above(const N& h, const N& kappa) {
@@ -72,7 +64,7 @@ class Bridge : protected Rays<N> {
                fact("above a tangent of the bridge", true);
     }
     /// Certified h + kappa t < r_lo sin t.
-    bool certainly_below(const N& h, const N& kappa, const N& t) const {
+    [[nodiscard]] bool certainly_below(const N& h, const N& kappa, const N& t) const {
         return t > zero && t < half_turn.lo && (h + I(kappa) * t).hi < (r_lo * trig(t).sin).lo;
     }
 
@@ -86,28 +78,33 @@ class Bridge : protected Rays<N> {
         Contacts result{half_turn.hi, false};
         // At the contact kappa <= r cos t.
         const N k = kappa_low / (kappa_low < zero ? r_lo : r_hi);
-        const N fine = N(16) * guess_tolerance(one) * guess_tolerance(one), coarsest = one / N(64);
-        for (N pad = fine; pad < coarsest; pad = pad * N(64)) {
+        widen_until(one / N(64), [&](const N& pad) {
             const N t = guess_slope(k) + pad;
-            if (!(t > zero && t < half_turn.lo)) break;
+            if (!(t > zero && t < half_turn.lo)) return true;
             const I w = trig(t).cos;
-            if (!((r_lo * w).hi <= kappa_low && (r_hi * w).hi <= kappa_low)) continue;
+            if (!((r_lo * w).hi <= kappa_low && (r_hi * w).hi <= kappa_low)) return false;
             result.last = t;
-            break;
-        }
+            return true;
+        });
         const auto take = [&](const N& t) {
             if (!certainly_below(h_high, kappa_high, t)) return false;
             result = {std::min(result.last, t), true};
             return true;
         };
         if (const auto root = guess_crossing(h_high / r_lo, kappa_high / r_lo))
-            for (N pad = fine; pad < one; pad = pad * N(64))
-                if (take(*root + (half_turn.lo - *root) * pad)) break;
+            widen_until(one, [&](const N& pad) { return take(*root + (half_turn.lo - *root) * pad); });
         if (!result.all) take(guess_slope(kappa_high / r_lo));
         if (this->log_)
             *this->log_ += "  the bridge may be met at t <= " + Base::show(result.last) +
                            (result.all ? ", and is met by all\n" : "\n");
         return result;
+    }
+
+    /// Tries ever wider pads, from about the precision of a guess up to the limit, until one is good enough.
+    template <class Attempt>
+    void widen_until(const N& limit, const Attempt& is_enough) const {
+        N pad = N(16) * guess_tolerance(one) * guess_tolerance(one);
+        while (pad < limit && !is_enough(pad)) pad = pad * N(64);
     }
 
     /// L19, for t <= x1 and eta in [y0, y1]: the rays that come back from the next light wall have slope >=

@@ -79,8 +79,8 @@ class Reader {
     void header() {
         known("dumbbell-certificate", true, false, [](const std::string& version) { return version == "1"; });
         text_.expect("generator", 2);
-        text_.word(1);
-        text_.word(2, true);
+        text_.require_word(1);
+        text_.require_word(2, true);
         choose_section();
         known("claim", false, true, [&](const std::string& kind) {
             return kind == (section_ ? "collisions" : "initial-conditions");

@@ -12,7 +12,12 @@
 
 namespace dumbbell_verify {
 
-std::string to_string(const mpq_class& ratio);  ///< P/Q
+std::string to_string(const mpq_class& ratio);                    ///< P/Q
+std::string to_string(const mpq_class& lo, const mpq_class& hi);  ///< LO:HI
+/// For a file about the ratios [lo, hi] that was asked about [from, to], and does not cover them: what it
+/// covers.
+std::string covered_part(const mpq_class& lo, const mpq_class& hi, const mpq_class& from,
+                         const mpq_class& to);
 
 /// For all pieces so far: N*(q) <= upper if it is a number, N*(q) >= lower.
 struct Collisions {

@@ -4,8 +4,18 @@
 
 namespace dumbbell_verify {
 namespace {
+
 constexpr Lemma lemmas[] = {{"4.1", "hybrid", "wedge", 0}, {"4.2", "dumbbell", "hybrid", 1}};
+
+std::string said(const Lemma& lemma, const std::string& text) {
+    return "lemma=" + std::string(lemma.name) + " " + text;
 }
+Comparison refuted(const Lemma& lemma, const std::string& reason) {
+    return {false, said(lemma, reason),
+            R"({"ratio":null,"excess":null,"least_excess":null,"gaps":null,"reason":")" + reason + "\"}"};
+}
+
+}  // namespace
 
 const Lemma* find_lemma(std::string_view name) {
     for (const Lemma& lemma : lemmas)
@@ -20,8 +30,7 @@ const Lemma* find_lemma(std::string_view name) {
 Comparison compare(const Lemma& lemma, const Collisions& a, const Collisions& b) {
     mpq_class lo = std::max(a.lo, b.lo), hi = std::min(a.hi, b.hi);
     if (a.ratios) lo = std::max(lo, a.ratios->first), hi = std::min(hi, a.ratios->second);
-    const std::string name = "lemma=" + std::string(lemma.name);
-    if (lo > hi) return {false, name + " the files have no mass ratio in common"};
+    if (lo > hi) return refuted(lemma, "the files have no mass ratio in common");
     const bool point = lo == hi;
     const auto slack = static_cast<std::int64_t>(lemma.slack);
     const auto is_gap = [](const Collisions::Part& part) {
@@ -44,18 +53,20 @@ Comparison compare(const Lemma& lemma, const Collisions& a, const Collisions& b)
                 continue;
             }
             if (!point && here > slack)
-                return {false, name + " not proved on " + to_string(from) + ":" + to_string(to) +
-                                   ": upper=" + (p.upper ? std::to_string(*p.upper) : "none") +
-                                   " of the first file, lower=" + std::to_string(other.lower) +
-                                   " of the second"};
+                return refuted(lemma, "not proved on " + to_string(from, to) +
+                                          ": upper=" + (p.upper ? std::to_string(*p.upper) : "none") +
+                                          " of the first file, lower=" + std::to_string(other.lower) +
+                                          " of the second");
             least = std::min(least.value_or(here), here);
             excess = point && excess ? std::min(*excess, here) : std::max(excess.value_or(here), here);
         }
     }
-    if (!excess || *excess > slack) return {false, name + " not proved at " + to_string(lo)};
-    return {true, name + " ratio=" + to_string(lo) + ":" + to_string(hi) +
-                      " excess=" + std::to_string(*excess) + " least-excess=" + std::to_string(*least) +
-                      " gaps=" + std::to_string(gaps)};
+    if (!excess || *excess > slack) return refuted(lemma, "not proved at " + to_string(lo));
+    const std::string e = std::to_string(*excess), l = std::to_string(*least), k = std::to_string(gaps);
+    return {true,
+            said(lemma, "ratio=" + to_string(lo, hi) + " excess=" + e + " least-excess=" + l + " gaps=" + k),
+            R"({"ratio":{"lo":")" + to_string(lo) + R"(","hi":")" + to_string(hi) + R"("},"excess":)" + e +
+                R"(,"least_excess":)" + l + R"(,"gaps":)" + k + R"(,"reason":null})"};
 }
 
 }  // namespace dumbbell_verify

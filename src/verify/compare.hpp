@@ -17,6 +17,8 @@ const Lemma* find_lemma(std::string_view name);  ///< nullptr if there is none o
 struct Comparison {
     bool holds;
     std::string text;  ///< behind the verdict
+    std::string
+        json;  ///< the same as an object: ratio, excess, least_excess, gaps; null what there is not; reason
 };
 /// Both claims kept their parts. Compares on the common range, or on the part of it that was demanded.
 Comparison compare(const Lemma& lemma, const Collisions& a, const Collisions& b);

@@ -53,7 +53,7 @@ class Full : Bridge<N> {
         high.kappa = std::min(one, (y1 - at_high.cos).hi);
         N z = zero, z_high = zero;
         for (std::uint64_t n = 0;; ++n) {  // m <= a is certified where m arises
-            if (n > most_departures) throw std::length_error("more than 10^5 collisions on slow rays");
+            Base::follow(n);
             if (this->log_)
                 *this->log_ += "  " + std::to_string(n) + ": x " + Base::show({low.x, high.x}) + " kappa " +
                                Base::show({low.kappa, high.kappa}) + "\n";
@@ -101,7 +101,6 @@ class Full : Bridge<N> {
                 D.lo > zero ? std::max(-at->cosine, std::min(one, (top / D).hi)) : one};
     }
 
-    static constexpr std::uint64_t most_departures = 100'000;
     bool decided_ = false;
 };
 

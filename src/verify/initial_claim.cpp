@@ -19,8 +19,7 @@ std::string header_name(std::size_t axis) { return axis == 4 ? "ratio" : std::st
 std::string Initial::missing(const Collisions& demand) const {
     const mpq_class &lo = box.lo.back(), &hi = box.hi.back();
     if (demand.ratios && (demand.ratios->first < lo || demand.ratios->second > hi))
-        return "the file says nothing for every mass ratio in " + to_string(demand.ratios->first) + ":" +
-               to_string(demand.ratios->second);
+        return covered_part(lo, hi, demand.ratios->first, demand.ratios->second);
     if (demand.most && (!most || *most > *demand.most))
         return "not proved: at most " + std::to_string(*demand.most) + " collisions from the box";
     if (demand.least && least < *demand.least)
@@ -31,7 +30,7 @@ std::string Initial::missing(const Collisions& demand) const {
 std::string Initial::text() const {
     std::string result = "claim=initial-conditions";
     for (std::size_t i = 0; i < initial_axes.size(); ++i)
-        result += " " + header_name(i) + "=" + to_string(box.lo[i]) + ":" + to_string(box.hi[i]);
+        result += " " + header_name(i) + "=" + to_string(box.lo[i], box.hi[i]);
     return result + " collisions=" + std::to_string(least) + ":" + (most ? std::to_string(*most) : "none") +
            " decided=" + decimal(decided);
 }

@@ -26,22 +26,24 @@ class Flight {
     const I phi, w, r, h, v;
 
     /// The height of a mass over the floor at time t, given the sine of phi + w t.
-    I clearance(bool heavy, const I& t, const I& sine) const {
+    [[nodiscard]] I clearance(bool heavy, const I& t, const I& sine) const {
         return h + v * t + (heavy ? -(r * sine) : sine);
     }
-    I clearance(bool heavy, const I& t) const {
+    [[nodiscard]] I clearance(bool heavy, const I& t) const {
         return clearance(heavy, t, sin_cos_on(phi + w * t, quarter).sin);
     }
     /// Its derivative in time, given the cosine of phi + w t.
-    I rate(bool heavy, const I& cosine) const {
+    [[nodiscard]] I rate(bool heavy, const I& cosine) const {
         const I turning = w * cosine;
         return v + (heavy ? -(r * turning) : turning);
     }
-    I rate_over(bool heavy, const I& t) const { return rate(heavy, sin_cos_on(phi + w * t, quarter).cos); }
+    [[nodiscard]] I rate_over(bool heavy, const I& t) const {
+        return rate(heavy, sin_cos_on(phi + w * t, quarter).cos);
+    }
 
     /// Over all of [0, end], certified: both masses are above the floor, but `first`, if there is one, may
     /// come down to it, and then stays below.
-    bool is_closed(std::optional<bool> first, const N& end) const {
+    [[nodiscard]] bool is_closed(std::optional<bool> first, const N& end) const {
         std::vector<std::pair<N, N>> spans{{N(0), end}};
         for (int looked_at = 0; !spans.empty(); ++looked_at) {
             const auto [from, to] = spans.back();
@@ -56,7 +58,7 @@ class Flight {
         return true;
     }
     /// Certified: no state collides. It rises at once steeply (L3), or above all walls, or gets there.
-    bool never_collides() const {
+    [[nodiscard]] bool never_collides() const {
         if (!(v.lo >= N(0))) return false;
         if ((v.lo > N(0) && v.lo >= std::max(-w.lo, w.hi)) || h.lo > N(1)) return true;
         return v.lo > N(0) && is_closed(std::nullopt, std::max(N(0), ((I(1) - h) / v).hi));
@@ -65,7 +67,7 @@ class Flight {
     /// phi at the contact of a mass, all contacts being in `times`, where the clearance falls; none if the
     /// two enclosures exclude each other. Mean value form: the derivatives of phi + w t, clearance(t) = 0,
     /// by phi, w, h, v and r are v, t v, -w, -w t and 0 (light) or w sin (heavy), over the clearance's rate.
-    std::optional<I> contact_angle(bool heavy, const I& times) const {
+    [[nodiscard]] std::optional<I> contact_angle(bool heavy, const I& times) const {
         const Flight middle(*this, 0);
         const I plain = phi + w * times, at = mid(times);
         const auto [sine, cosine] = sin_cos_on(plain, quarter);
@@ -101,18 +103,18 @@ class Flight {
         return both.lo <= both.hi ? std::optional(both) : std::nullopt;
     }
 
-    bool span_is_closed(std::optional<bool> first, const N& from, const N& to) const {
+    [[nodiscard]] bool span_is_closed(std::optional<bool> first, const N& from, const N& to) const {
         const I span(from, to);
         if ((h + v * span).lo > N(1)) return true;
         const I sine = sin_cos_on(phi + w * I(from), quarter).sin,
                 cosine = sin_cos_on(phi + w * span, quarter).cos;
-        for (const bool heavy : {false, true}) {
+        const auto stays_clear = [&](bool heavy) {
             const I change = rate(heavy, cosine);
-            if (first == heavy && change.hi < N(0)) continue;
+            if (first == heavy && change.hi < N(0)) return true;
             const I lowest = clearance(heavy, from, sine) + I(std::min(N(0), change.lo)) * (I(to) - from);
-            if (!(lowest.lo > N(0))) return false;
-        }
-        return true;
+            return lowest.lo > N(0);
+        };
+        return stays_clear(false) && stays_clear(true);
     }
 };
 

@@ -1,6 +1,6 @@
 // What a leaf of a box of initial conditions says, certified (format-initial.md, sections 2 to 6).
-#include "big.hpp"
 #include "initial_reflection.hpp"
+#include "precision.hpp"
 
 namespace dumbbell_verify {
 namespace {
@@ -12,8 +12,7 @@ class Check : FirstReflection<N> {
     using typename Base::I;
 
   public:
-    Check(const InitialLeaf& leaf, const Flight<N>& flight, std::string* log)
-        : Base(flight, log), leaf_(leaf) {
+    Check(const InitialLeaf& leaf, std::string* log) : Base(Flight<N>(leaf.box), log), leaf_(leaf) {
         if (log) describe();
     }
 
@@ -72,22 +71,13 @@ class Check : FirstReflection<N> {
     I times_;
 };
 
-template <class N>
-const char* verdict(const InitialLeaf& leaf, std::string* log) {
-    return Check<N>(leaf, Flight<N>(leaf.box), log).verdict();
-}
-
 }  // namespace
 
-const char* check_initial(const InitialLeaf& leaf, std::string* log) {
-    const char* missing = leaf.multiple ? "" : verdict<double>(leaf, log);
-    if (!missing || (leaf.bits == 53 && !leaf.multiple)) return missing;
-    Big::precision = leaf.bits;
-    return verdict<Big>(leaf, log);
-}
+const char* check_initial(const InitialLeaf& leaf, std::string* log) { return judged<Check>(leaf, log); }
 
 bool starts_in_the_air(const InitialBox& box, unsigned bits) {
     constexpr unsigned least_bits = 640;
+    Work::begin();
     Big::precision = std::max(bits, least_bits);
     using I = Interval<Big>;
     const Flight<Big> flight(box);

@@ -58,7 +58,7 @@ class Departures : public Rays<N> {
     /// Certified height + slope x > r sin x on [0, pi]: above a tangent of r sin x, the best one.
     bool passes_bridge(const Departure& ray) {
         if (ray.slope.lo >= r_.hi) return true;
-        const I z = top_over(ray.slope.lo / r_.hi);
+        const I z = this->guess_slope(ray.slope.lo / r_.hi);
         const auto [s, w] = sin_cos_on(z, quarter);
         return (ray.height - r_ * (s - z * w)).lo > zero &&
                (ray.height + ray.slope * half_turn - r_ * (s + (half_turn - z) * w)).lo > zero;
@@ -129,18 +129,11 @@ class Departures : public Rays<N> {
         enough_ = enough_ || this->at_least("least <= G", {std::max(zero, c.hi), ray.slope.hi, r_.hi}, least);
     }
 
-    /// Near the x in [0, pi] with cos x = k; at its ends if k is beyond [-1, 1].
-    N top_over(const N& k) const {
-        if (!(k < one)) return zero;
-        if (!(k > -one)) return half_turn.lo;
-        const N x = k < zero ? half_turn.lo - this->guess_top(-k) : this->guess_top(k);
-        return x > zero ? std::min(x, half_turn.lo) : zero;
-    }
     /// The contacts with a wall sin x over the corner, for all c + kappa x of these intervals.
     struct Contacts {
         I x, sine, cosine;
     };
-    std::optional<Contacts> contacts(const I& c, const I& kappa) const {
+    [[nodiscard]] std::optional<Contacts> contacts(const I& c, const I& kappa) const {
         if (!(c.lo > zero && kappa.hi < one)) return std::nullopt;
         const auto near = [&](const N& height, const N& slope) {
             N z = zero;

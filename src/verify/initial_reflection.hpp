@@ -12,7 +12,6 @@ class FirstReflection : public Departures<N> {
     using Base::fact, Base::half_turn, Base::quarter, Base::zero;
     using typename Base::Departure, typename Base::I;
 
-    /// `flight` must outlive this.
     FirstReflection(const Flight<N>& flight, std::string* log) : Base(flight.r, log), flight_(flight) {}
 
     /// The rays behind the first contact, at phi in `angle`; `none`: they never collide again. The slope
@@ -47,7 +46,7 @@ class FirstReflection : public Departures<N> {
     }
 
   protected:
-    const Flight<N>& flight_;
+    const Flight<N> flight_;
 
   private:
     /// The way out from the angle to the next corner; `none`: over the peak of a light wall (L1).

@@ -36,6 +36,17 @@ struct Interval {
     }
 };
 
+/// The least interval that holds both.
+template <class N>
+Interval<N> hull(const Interval<N>& a, const Interval<N>& b) {
+    return {std::min(a.lo, b.lo), std::max(a.hi, b.hi)};
+}
+/// The squares; >= 0 also where x holds 0.
+template <class N>
+Interval<N> square(const Interval<N>& x) {
+    const Interval<N> product = x * x;
+    return {std::max(N(0), product.lo), product.hi};
+}
 template <class N>
 Interval<N> pi() {
     return {pi_bound(down, N(0)), pi_bound(up, N(0))};

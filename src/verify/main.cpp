@@ -1,159 +1,136 @@
 // dumbbell-verify: verifies files and prints what came out.
+#include <gmp.h>
+
 #include <algorithm>
+#include <chrono>
 #include <cstdio>
+#include <cstdlib>
+#include <ctime>
 #include <stdexcept>
 
+#include "claim_options.hpp"
+#include "escape.hpp"
+#include "json.hpp"
+#include "junit.hpp"
 #include "options.hpp"
+#include "replace_file.hpp"
+#include "summary.hpp"
 
 namespace dumbbell_verify {
 namespace {
 
-constexpr const char* names[] = {"VERIFIED", "UNREADABLE", "UNSUPPORTED", "LIMIT", "REJECTED"};
-constexpr int exit_codes[] = {0, 2, 3, 4, 1};
-
-struct Result {
-    std::string file;
-    Failure why{Verdict::verified, 0, "", ""};
-    Proof proof;
-};
-
-Result examine(const std::string& file, const Settings& settings) {
-    Result result;
-    result.file = file;
-    try {
-        result.proof = verify(file, settings);
-        if (!settings.explain.empty() && !result.proof.explained)
-            result.why = {Verdict::unreadable, 0, "usage", "there is no leaf " + settings.explain};
-    } catch (const Failure& failure) {
-        result.why = failure;
-    } catch (const std::exception& error) {  // out of memory, no more threads
-        result.why = {Verdict::limit, 0, "limit", error.what()};
-    }
-    return result;
+void complain(const std::exception& error, const char* kind = "") {
+    std::fprintf(stderr, "dumbbell-verify: %s%s\n", kind, one_line(error.what()).c_str());
 }
 
-std::string claim_text(const Proof& proof, const Settings& settings) {
-    if (proof.initial) return proof.initial->text();
-    const Collisions& claim = proof.claim;
-    return "scene=" + settings.scene + " ratio=" + to_string(claim.lo) + ":" + to_string(claim.hi) +
-           " upper=" + (claim.upper ? std::to_string(*claim.upper) : "none") +
-           " lower=" + std::to_string(claim.lower) + " gaps=" + std::to_string(claim.gaps) +
-           " open=" + std::to_string(claim.open);
+/// All that was printed so far must have arrived.
+void require_printed() {
+    if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
+        throw std::invalid_argument("cannot write to the standard output");
 }
 
-void print(const Result& r, const Settings& settings) {
-    std::string text;
-    std::printf("%s\n", r.file.c_str());
-    if (r.why.verdict == Verdict::verified) {
-        for (const Tally& t : r.proof.tallies)
-            std::printf("  %-15s%12s line(s)%11.5f %% of the root boxes\n", std::string(t.name).c_str(),
-                        std::to_string(t.lines).c_str(), 100 * t.covered / std::max(1.0, r.proof.roots));
-        text = " " + claim_text(r.proof, settings) + (r.proof.heavy_once ? " heavy-at-most=1" : "") +
-               " sha256=" + r.proof.digest;
-    } else {
-        if (r.why.line > 0) text = " line=" + std::to_string(r.why.line);
-        if (r.why.verdict == Verdict::rejected) text += " code=" + r.why.code;
-        text += " " + r.why.text;
-    }
-    std::printf("s %s%s\n", names[static_cast<int>(r.why.verdict)], text.c_str());
+void print_line(const std::string& text) { std::printf("%s\n", text.c_str()); }
+
+TestCase test_case(const Result& r) {
+    return {one_line(r.job->file) + demand_text(r.job->settings), r.why.verdict, result_text(r),
+            verdict_line(r) + " file=" + one_line(r.job->file), r.seconds};
 }
 
-std::string quoted(std::string_view text) {
-    std::string result = "\"";
-    for (const char c : text) {
-        char code[8] = {c};
-        if (c < 0x20 || c > 0x7e || c == '"' || c == '\\')
-            std::snprintf(code, sizeof code, "\\u%04x", static_cast<unsigned>(static_cast<unsigned char>(c)));
-        result += code;
-    }
-    return result + "\"";
-}
-
-std::string json(const Result& r, const Settings& settings) {
-    const Collisions& claim = r.proof.claim;
-    const bool verified = r.why.verdict == Verdict::verified;
-    const auto unless = [](bool absent, const std::string& text) { return absent ? "null" : quoted(text); };
-    const auto number = [](const char* name, std::uint64_t n) {
-        return quoted(name) + ":" + std::to_string(n) + ",";
-    };
-    std::string leaves, coverage, said = "null,";
-    for (const Tally& t : r.proof.tallies) {
-        const std::string name = (leaves.empty() ? "" : ",") + quoted(t.name) + ":";
-        leaves += name + std::to_string(t.lines);
-        coverage += name + std::to_string(t.covered / std::max(1.0, r.proof.roots));
-    }
-    if (verified && r.proof.initial)
-        said = r.proof.initial->json() + ",";
-    else if (verified)
-        said = "{\"scene\":" + quoted(settings.scene) + ",\"ratio\":{\"lo\":" + quoted(to_string(claim.lo)) +
-               ",\"hi\":" + quoted(to_string(claim.hi)) + "}," +
-               (claim.upper ? number("upper", *claim.upper) : "\"upper\":null,") +
-               number("lower", claim.lower) + number("pieces", claim.pieces) + number("gaps", claim.gaps) +
-               number("open", claim.open) + "\"heavy_at_most\":" + (r.proof.heavy_once ? "1" : "null") + "},";
-    return "{\"file\":" + quoted(r.file) + ",\"verdict\":" + quoted(names[static_cast<int>(r.why.verdict)]) +
-           ",\"claim\":" + said + "\"sha256\":" + unless(!verified, r.proof.digest) + ",\"leaves\":{" +
-           leaves + "},\"coverage\":{" + coverage +
-           "},\"line\":" + (r.why.line > 0 ? std::to_string(r.why.line) : "null") +
-           ",\"code\":" + unless(verified, r.why.code) + ",\"reason\":" + unless(verified, r.why.text) + "}";
+/// Every file by itself. The verdict of all is the worst.
+Verdict run_files(const Options& options, std::vector<TestCase>& cases) {
+    const bool several = options.jobs.size() > 1;
+    const auto results = examine_all(options.jobs, options.beside, [&](const Result& r) {
+        cases.push_back(test_case(r));
+        if (options.json)
+            std::printf("%s%s", r.job == options.jobs.data() ? "[" : ",\n", json(r).c_str());
+        else
+            std::fputs(several ? (cases.back().output + "\n").c_str() : block(r).c_str(), stdout);
+        std::fflush(stdout);
+    });
+    if (options.json)
+        print_line("]");
+    else if (several)
+        print_line(summary_line(results));
+    return worst(results);
 }
 
 /// Both files are verified; only then are they compared. The verdict of the whole is the only line with `s`.
-int run_lemma(const Options& options) {
-    Result results[2];
-    for (int i = 0; i < 2; ++i) {
-        Settings settings = options.settings;
-        settings.scene = i == 0 ? options.lemma->scene_a : options.lemma->scene_b;
-        const Result& r = results[i] = examine(options.files[i], settings);
-        if (r.why.verdict == Verdict::verified)
-            std::printf("%s\n  %s sha256=%s\n", r.file.c_str(), claim_text(r.proof, settings).c_str(),
-                        r.proof.digest.c_str());
-    }
-    const Result& worst = results[results[1].why.verdict > results[0].why.verdict];
-    Verdict verdict = worst.why.verdict;
-    std::string text = "lemma=" + std::string(options.lemma->name) + " " + worst.file +
-                       " line=" + std::to_string(worst.why.line) + " " + worst.why.text;
+Verdict run_lemma(const Options& options, std::vector<TestCase>& cases) {
+    const auto results = examine_all(options.jobs, options.beside, [&](const Result& r) {
+        cases.push_back(test_case(r));
+        if (r.why.verdict == Verdict::verified && !options.json)
+            print_line(one_line(r.job->file) + "\n  " + claim_text(r) + " sha256=" + r.proof.digest);
+    });
+    const Lemma& lemma = *options.lemma;
+    Verdict verdict = worst(results);
+    std::string text, comparison = "null";
     if (verdict == Verdict::verified) {
-        const Comparison found = compare(*options.lemma, results[0].proof.claim, results[1].proof.claim);
+        const Comparison found = compare(lemma, results[0].proof.claim, results[1].proof.claim);
         verdict = found.holds ? Verdict::verified : Verdict::rejected;
         text = found.text;
+        comparison = found.json;
+    } else {
+        const Result& bad = results[results[0].why.verdict == verdict ? 0 : 1];
+        text = "lemma=" + std::string(lemma.name) + " " + one_line(bad.job->file) + " " + result_text(bad);
     }
-    std::printf("s %s %s\n", names[static_cast<int>(verdict)], text.c_str());
-    return exit_codes[static_cast<int>(verdict)];
+    const std::string line = std::string("s ") + verdict_name(verdict) + " " + text;
+    print_line(options.json ? json(lemma, verdict, comparison, results) : line);
+    cases.push_back({"lemma " + std::string(lemma.name) + ": " + cases[0].name + ", " + cases[1].name,
+                     verdict, text, line, 0});
+    return verdict;
 }
 
-int run(int argc, char** argv) {
-    const Options options = parse_options(argc, argv);
-    std::fputs(options.answer.c_str(), stdout);
-    if (!options.answer.empty()) return 0;
-    if (options.lemma) return run_lemma(options);
-    Verdict worst = Verdict::verified;
-    for (const std::string& file : options.files) {
-        const Result result = examine(file, options.settings);
-        worst = std::max(worst, result.why.verdict);
-        if (options.json) {
-            std::printf("%s%s", &file == options.files.data() ? "[" : ",\n",
-                        json(result, options.settings).c_str());
-        } else {
-            print(result, options.settings);
-        }
+/// GMP and MPFR cannot be told that there is no memory, and would abort.
+[[noreturn]] void out_of_memory() {
+    std::fputs("dumbbell-verify: resource limit: out of memory\n", stderr);
+    std::_Exit(exit_code(Verdict::limit));
+}
+void* allocate(std::size_t size) {
+    void* block = std::malloc(size);
+    if (!block) out_of_memory();
+    return block;
+}
+void* reallocate(void* old, std::size_t /*old_size*/, std::size_t size) {
+    void* block = std::realloc(old, size);
+    if (!block) out_of_memory();
+    return block;
+}
+void release(void* block, std::size_t /*size*/) { std::free(block); }
+
+int run(const Options& options) {
+    if (!options.junit.empty()) require_replaceable(options.junit);
+    const auto start = std::chrono::steady_clock::now();
+    const std::time_t started = std::time(nullptr);
+    std::vector<TestCase> cases;
+    Verdict verdict = options.lemma ? run_lemma(options, cases) : run_files(options, cases);
+    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+    try {
+        require_printed();
+        if (!options.junit.empty()) replace_file(options.junit, junit(cases, started, seconds.count()));
+    } catch (const std::invalid_argument& error) {
+        complain(error);
+        verdict = std::max(verdict, Verdict::unreadable);
     }
-    if (options.json) std::puts("]");
-    return exit_codes[static_cast<int>(worst)];
+    return exit_code(verdict);
 }
 
 }  // namespace
 }  // namespace dumbbell_verify
 
 int main(int argc, char** argv) {
+    using namespace dumbbell_verify;
+    mp_set_memory_functions(allocate, reallocate, release);
     try {
-        const int code = dumbbell_verify::run(argc, argv);
-        if (std::fflush(stdout) != 0) throw std::invalid_argument("cannot write to the standard output");
-        return code;
+        const Options options = parse_options({argv + std::min(argc, 1), argv + argc});
+        if (options.answer.empty()) return run(options);
+        std::fputs(options.answer.c_str(), stdout);
+        require_printed();
+        return 0;
     } catch (const std::invalid_argument& error) {
-        std::fprintf(stderr, "dumbbell-verify: %s\n", error.what());
-        return 2;
+        complain(error);
+        return exit_code(Verdict::unreadable);
     } catch (const std::exception& error) {
-        std::fprintf(stderr, "dumbbell-verify: resource limit: %s\n", error.what());
-        return 4;
+        complain(error, "resource limit: ");
+        return exit_code(Verdict::limit);
     }
 }

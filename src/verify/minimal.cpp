@@ -32,17 +32,13 @@ class Minimal : Bridge<N> {
         I x, sine, kappa;
     };
 
-    static I square(const I& a) {
-        const N low = std::max({N(0), a.lo, -a.hi});
-        return {mul(down, low, low), std::max(mul(up, a.lo, a.lo), mul(up, a.hi, a.hi))};
-    }
     /// Of two enclosures of the same thing.
     static I meet(const I& a, const I& b) { return {std::max(a.lo, b.lo), std::min(a.hi, b.hi)}; }
-    I not_negative(const I& a) const { return {std::max(zero, a.lo), std::max(zero, a.hi)}; }
+    [[nodiscard]] I not_negative(const I& a) const { return {std::max(zero, a.lo), std::max(zero, a.hi)}; }
     /// Of sine and cosine on [t.lo, t.hi] within [0, pi].
-    SinCos<I> over(const I& t) const {
+    [[nodiscard]] SinCos<I> over(const I& t) const {
         const auto a = trig(t.lo), b = trig(t.hi);
-        I sine = Base::hull(a.sin, b.sin);
+        I sine = hull(a.sin, b.sin);
         if (t.lo <= quarter.hi && quarter.lo <= t.hi) sine.hi = one;
         return {sine, {b.cos.lo, a.cos.hi}};
     }
@@ -70,7 +66,9 @@ class Minimal : Bridge<N> {
             c = height(state);
         }
     }
-    I height(const State& s) const { return not_negative(s.sine + s.kappa * (s.x + half_turn)); }
+    [[nodiscard]] I height(const State& s) const {
+        return not_negative(s.sine + s.kappa * (s.x + half_turn));
+    }
 
     bool departures() {
         State state;
@@ -92,7 +90,7 @@ class Minimal : Bridge<N> {
 
     /// The collision of rays (c, kappa) with a wall, after n others: the state behind it, or what came out.
     std::optional<bool> wall(State& state, const I& c, const I& kappa, std::uint64_t n, N& z, N& z_high) {
-        if (n > most_collisions) throw std::length_error("more than 10^6 collisions");
+        Base::follow(n);
         const Ray low{c.lo, kappa.lo, r_lo}, high{c.hi, kappa.hi, r_hi};
         const bool seems_to_hit = Base::guess_root(low.c, low.kappa, z);
         if ((!seems_to_hit || n == leaf_.a) && Base::misses(low)) return fact("misses the wall", true);
@@ -168,7 +166,7 @@ class Minimal : Bridge<N> {
     }
     /// Every flight above (h, kappa) that meets the bridge does so at or behind this t, where h + kappa t
     /// reaches r_hi sin t: L12 (a), as sine is concave on [0, pi].
-    N first_contact(const N& h, const N& kappa) const {
+    [[nodiscard]] N first_contact(const N& h, const N& kappa) const {
         const I c = I(h) / r_hi, k = I(kappa) / r_hi;
         N best = zero;
         const auto root = Base::guess_crossing(c.lo, k.lo);
@@ -183,7 +181,6 @@ class Minimal : Bridge<N> {
         if (this->log_) *this->log_ += "  " + std::to_string(n) + ": kappa " + Base::show(kappa) + "\n";
     }
 
-    static constexpr std::uint64_t most_collisions = 1'000'000;
     const I r{r_lo, r_hi};
 };
 

@@ -1,9 +1,11 @@
 #include "options.hpp"
 
 #include <algorithm>
-#include <regex>
-#include <stdexcept>
+#include <initializer_list>
 #include <thread>
+
+#include "claim_list.hpp"
+#include "claim_options.hpp"
 
 #ifndef DUMBBELL_VERSION
 #define DUMBBELL_VERSION "0.0.0"
@@ -13,6 +15,7 @@ namespace dumbbell_verify {
 namespace {
 
 constexpr const char* help = R"(usage: dumbbell-verify [options] FILE...
+       dumbbell-verify [options] --claims LIST
 Checks certificates (proofs/format.md) independently of the program that wrote them.
 
   --ratio RATIO|LO:HI  the mass ratios (heavy/light) in question; else those of the file
@@ -22,6 +25,8 @@ Checks certificates (proofs/format.md) independently of the program that wrote t
   --scene S            demand this scene: dumbbell, hybrid or wedge (dumbbell)
   --claim KIND         demand this kind of claim: collisions, or initial-conditions (a file of `dumbbell trace
                        --subdivide`: then --ratio, --max, --min, --exactly are about the starts in its box)
+  --claims LIST        the certificates and claims of a list like proofs/claims.tsv, one each line: a file, a tab,
+                       the six options above that state its claim; what stands behind another tab is a remark
   --lemma 4.1|4.2 A B  compare two files: at most as many collisions in A (scene hybrid) as in B (wedge), or
                        at most one more in A (dumbbell) than in B (hybrid)
   --jobs N             threads (all cores)
@@ -30,137 +35,105 @@ Checks certificates (proofs/format.md) independently of the program that wrote t
   --explain PIECE:PATH show one leaf with its inequalities: 3:bridge is the root, 3:light.01 the upper half
                        of its lower half, 3:witness the witness of the third piece; box.01 a leaf of a file
                        about initial conditions
-  --json               print one JSON array and nothing else
+  --json               print JSON and nothing else: an array of one object for each file; with --lemma one object
+  --junit FILE.xml     write a JUnit report, too: one test case for each file
   --help, --version
 
   dumbbell-verify --ratio 10 --exactly 4 ten.dbc       is N*(10) = 4 proved?
   dumbbell-verify --ratio 2:5/2 --max 3 stairs.dbc     at most 3 collisions on a part of the file's range?
   dumbbell-verify --explain 1:bridge.0 ten.dbc         one leaf, in numbers
   dumbbell-verify --claim initial-conditions --min 1 falling.dbc    at least one collision from every start?
+  dumbbell-verify --junit proofs.xml --claims proofs/claims.tsv     in CI: every certificate, its own claim
+  dumbbell-verify --ratio 3 --max 3 *.dbc | tail -n 1               how many files prove this?
+  dumbbell-verify --json --lemma 4.1 hybrid.dbc wedge.dbc           a comparison, for a script
+  dumbbell-verify --scene wedge --ratio 1:100 --max 16 wedge.dbc    the paper's model wedge
+  dumbbell-verify --jobs 1 --precision 200 --max-bits 4096 ten.dbc  slowly, in multiple precision, on one thread
 
-Last line of each file: s VERIFIED, s REJECTED, s UNSUPPORTED, s UNREADABLE or s LIMIT. Exit code: 0 verified
-and proved, 1 rejected, 2 usage or unreadable, 3 unsupported, 4 resource limit; of several codes the first
-of 1, 4, 3, 2, 0.
+Of one file the last line is its verdict: s VERIFIED, s REJECTED, s UNSUPPORTED, s UNREADABLE or s LIMIT. Of
+several, each has one such line with its name, in the given order, and a line with the numbers ends them:
+c files=3 verified=2 rejected=1 ...
+Exit code: 0 verified and proved, 1 rejected, 2 usage or unreadable, 3 unsupported, 4 resource limit; of
+several codes the first of 1, 4, 3, 2, 0.
 )";
 
-/// RATIO of the command line, exactly.
-mpq_class parse_ratio(const std::string& text) {
-    static const std::regex decimal("([0-9]+)(?:\\.([0-9]+))?(?:[eE]([+-]?)0*([0-9]{1,4}))?");
-    static const std::regex fraction("([0-9]+)/([0-9]+)");
-    std::smatch part;
-    mpz_class top, bottom = 1;
-    if (text.size() <= 1000 && std::regex_match(text, part, fraction)) {
-        top = mpz_class(part.str(1), 10);
-        bottom = mpz_class(part.str(2), 10);
-    } else if (text.size() <= 1000 && std::regex_match(text, part, decimal)) {
-        const unsigned long exponent = part[4].matched ? std::stoul(part.str(4)) : 0;
-        if (exponent > 1000) throw std::invalid_argument("an exponent beyond 1000: " + text.substr(0, 60));
-        top = mpz_class(part.str(1) + part.str(2), 10);
-        mpz_class power;
-        mpz_ui_pow_ui(power.get_mpz_t(), 10, exponent);
-        (part.str(3) == "-" ? bottom : top) *= power;
-        mpz_ui_pow_ui(power.get_mpz_t(), 10, static_cast<unsigned long>(part[2].length()));
-        bottom *= power;
-    }
-    if (top == 0 || bottom == 0)
-        throw std::invalid_argument("not a mass ratio: `" + text.substr(0, 60) + "`");
-    mpq_class ratio(top, bottom);
-    ratio.canonicalize();
-    return ratio;
+/// The option `name` was given, so none of the others must have been.
+void exclude(const Words& words, const std::string& name, std::initializer_list<const char*> others) {
+    for (const char* other : others)
+        if (words.seen(name) && words.seen(other))
+            throw std::invalid_argument(name + " and " + other + " exclude each other; see --help");
 }
 
-/// The interval of mass ratios >= 1 that RATIO or LO:HI stands for, exactly; below 1 the masses are swapped.
-std::pair<mpq_class, mpq_class> parse_ratios(const std::string& text) {
-    const std::size_t colon = text.find(':');
-    const mpq_class lo = parse_ratio(text.substr(0, colon));
-    const mpq_class hi = colon == std::string::npos ? lo : parse_ratio(text.substr(colon + 1));
-    if (lo > hi) throw std::invalid_argument("LO:HI needs LO <= HI: " + text.substr(0, 60));
-    if (lo < 1 && hi > 1)
-        throw std::invalid_argument("a range across 1: split it at 1: " + text.substr(0, 60));
-    return lo < 1 ? std::pair<mpq_class, mpq_class>(1 / hi, 1 / lo) : std::pair(lo, hi);
+/// A name like that of no certificate, so that `--junit *.dbc` destroys none.
+std::string report_name(const std::string& path) {
+    if (!path.ends_with(".xml") || path == ".xml")
+        throw std::invalid_argument("--junit needs a file name that ends in .xml, not `" + path + "`");
+    return path;
 }
 
-std::uint64_t natural(const std::string& text, std::uint64_t least, std::uint64_t most) {
-    if (is_natural(text, 18))
-        if (const std::uint64_t n = std::stoull(text); n >= least && n <= most) return n;
-    throw std::invalid_argument("not a number from " + std::to_string(least) + " to " + std::to_string(most) +
-                                ": `" + text.substr(0, 60) + "`");
+void check_together(const Words& words, const Options& options) {
+    exclude(words, "--explain", {"--json"});
+    exclude(words, "--lemma", {"--scene", "--claim", "--max", "--min", "--exactly", "--explain", "--claims"});
+    exclude(words, "--claims", {"--ratio", "--max", "--min", "--exactly", "--scene", "--claim"});
+    if (words.seen("--claims") && !options.jobs.empty())
+        throw std::invalid_argument("--claims names the files: give no other FILE");
+    if (options.lemma && options.jobs.size() != 2) throw std::invalid_argument("--lemma compares two files");
+    if (!words.seen("--claims") && options.jobs.empty()) throw std::invalid_argument("no FILE; see --help");
 }
 
 }  // namespace
 
-Options parse_options(int argc, char** argv) {
+Options parse_options(const std::vector<std::string>& arguments) {
     Options result;
-    result.settings.jobs = std::max(1U, std::thread::hardware_concurrency());
-    bool options = true, scene = false;
-    for (int i = 1; i < argc; ++i) {
-        std::string option = argv[i];
-        if (!options || !option.starts_with('-') || option == "-") {
-            result.files.push_back(option);
+    Settings settings;
+    Words words(arguments);
+    std::string claims;
+    settings.jobs = std::max(1U, std::thread::hardware_concurrency());
+    const auto bits = [&] { return static_cast<unsigned>(words.number(53, 4096)); };
+    while (words.next()) {
+        const std::string& name = words.option;
+        if (name.empty())
+            result.jobs.push_back({words.word, {}});  // its settings: below
+        else if (claim_option(words, settings))
             continue;
-        }
-        const std::size_t equals = option.find('=');
-        const auto value = [&]() -> std::string {
-            if (equals != std::string::npos) return option.substr(equals + 1);
-            if (++i == argc) throw std::invalid_argument("no value behind " + option);
-            return argv[i];
-        };
-        const auto number = [&](std::uint64_t least, std::uint64_t most) {
-            return natural(value(), least, most);
-        };
-        const auto bits = [&] { return static_cast<unsigned>(number(53, 4096)); };
-        const std::string name = option.substr(0, equals);
-        constexpr std::uint64_t any = 999'999'999'999'999'999;
-        if (name == "--ratio")
-            result.settings.demand.ratios = parse_ratios(value());
-        else if (name == "--max")
-            result.settings.demand.most = number(0, any);
-        else if (name == "--min")
-            result.settings.demand.least = number(0, any);
-        else if (name == "--exactly")
-            result.settings.demand.most = result.settings.demand.least = number(0, any);
-        else if (name == "--scene")
-            result.settings.scene = value(), scene = true;
-        else if (name == "--claim") {
-            result.settings.claim = value();
-            if (result.settings.claim != "collisions" && result.settings.claim != "initial-conditions")
-                throw std::invalid_argument("--claim is collisions or initial-conditions");
-        } else if (name == "--lemma") {
-            const std::string lemma = value();
+        else if (name == "--claims")
+            claims = words.value();
+        else if (name == "--lemma") {
+            const std::string lemma = words.value();
             result.lemma = find_lemma(lemma);
             if (!result.lemma)
                 throw std::invalid_argument("no lemma `" + lemma.substr(0, 60) + "`: 4.1 or 4.2");
         } else if (name == "--jobs")
-            result.settings.jobs = static_cast<unsigned>(number(1, 1024));
+            settings.jobs = static_cast<unsigned>(words.number(1, 1024));
         else if (name == "--max-bits")
-            result.settings.max_bits = bits();
+            settings.max_bits = bits();
         else if (name == "--precision")
-            result.settings.precision = bits();
+            settings.precision = bits();
         else if (name == "--explain")
-            result.settings.explain = value();
-        else if (option == "--json")
+            settings.explain = words.value();
+        else if (name == "--junit")
+            result.junit = report_name(words.value());
+        else if (words.word == "--json")
             result.json = true;
-        else if (option == "--")
-            options = false;
-        else if (option == "--help")
+        else if (words.word == "--help")
             result.answer = help;
-        else if (option == "--version")
+        else if (words.word == "--version")
             result.answer = "dumbbell-verify " DUMBBELL_VERSION " (" __VERSION__ ")\n";
         else
-            throw std::invalid_argument("unknown option " + option);
+            throw std::invalid_argument("unknown option " + words.word + "; see --help");
     }
     if (!result.answer.empty()) return result;
-    if (result.files.empty()) throw std::invalid_argument("no FILE; see --help");
-    if (result.json && !result.settings.explain.empty())
-        throw std::invalid_argument("--explain and --json exclude each other");
+    check_together(words, result);
+    settings.demand.keep = result.lemma;
+    for (Job& job : result.jobs) job.settings = settings;
+    if (words.seen("--claims")) result.jobs = read_claims(claims, settings);
     if (result.lemma) {
-        const Settings& s = result.settings;
-        if (result.files.size() != 2) throw std::invalid_argument("--lemma compares two files");
-        if (result.json || scene || s.demand.most || s.demand.least || !s.explain.empty() || !s.claim.empty())
-            throw std::invalid_argument(
-                "--lemma excludes --json, --scene, --claim, --max, --min, --exactly, --explain");
-        result.settings.demand.keep = true;
+        result.jobs[0].settings.scene = result.lemma->scene_a;
+        result.jobs[1].settings.scene = result.lemma->scene_b;
     }
+    // A leaf that is explained is printed while it is checked: one file after the other.
+    if (settings.explain.empty())
+        result.beside = static_cast<unsigned>(std::min<std::size_t>(settings.jobs, result.jobs.size()));
+    for (Job& job : result.jobs) job.settings.jobs = settings.jobs / result.beside;
     return result;
 }
 

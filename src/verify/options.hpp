@@ -3,20 +3,21 @@
 #include <string>
 #include <vector>
 
-#include "certificate.hpp"
 #include "compare.hpp"
+#include "examine.hpp"
 
 namespace dumbbell_verify {
 
 struct Options {
-    Settings settings;
-    std::vector<std::string> files;
+    std::vector<Job> jobs;  ///< the files, each with its settings and its share of the threads
+    unsigned beside = 1;    ///< so many files are checked at the same time
     bool json = false;
+    std::string junit;             ///< where the report goes; empty: nowhere
     const Lemma* lemma = nullptr;  ///< the two files are to be compared
     std::string answer;            ///< of --help and --version: print it, and nothing else
 };
 
 /// Throws std::invalid_argument with a message for the user.
-Options parse_options(int argc, char** argv);
+Options parse_options(const std::vector<std::string>& words);
 
 }  // namespace dumbbell_verify

@@ -1,15 +1,17 @@
 // The precision of a leaf: double first, because what it certifies is certified, and most leaves need no
 // more.
 #pragma once
+#include <string>
+
 #include "big.hpp"
-#include "section.hpp"
 
 namespace dumbbell_verify {
 
 /// nullptr if Judge certifies the leaf in double, or else with the leaf's bits; otherwise what is missing. A
 /// leaf that is `multiple` is not tried in double.
-template <template <class> class Judge>
-const char* judged(const Leaf& leaf, std::string* log) {
+template <template <class> class Judge, class AnyLeaf>
+const char* judged(const AnyLeaf& leaf, std::string* log) {
+    Work::begin();
     if (!leaf.multiple) {
         const char* missing = Judge<double>(leaf, log).verdict();
         if (!missing || leaf.bits == 53) return missing;

@@ -10,6 +10,7 @@
 
 #include "interval.hpp"
 #include "section.hpp"
+#include "work.hpp"
 
 namespace dumbbell_verify {
 
@@ -104,7 +105,7 @@ class Rays {
         return false;
     }
     /// Near the z in [0, pi/2] with cos z = kappa, by Newton's iteration.
-    N guess_top(const N& kappa) const {
+    [[nodiscard]] N guess_top(const N& kappa) const {
         N z = sqrt(N(2) * (one - kappa)), step = z;
         for (int i = 0; i < 60 && std::max(step, -step) > z * guess_tolerance(z); ++i) {
             const auto [s, w] = guess_sin_cos(z);
@@ -112,6 +113,13 @@ class Rays {
             z = z + step;
         }
         return std::min(z, quarter.lo);
+    }
+    /// Near the z in [0, pi] with cos z = slope, and in [0, pi]; at its ends if the slope is beyond [-1, 1].
+    [[nodiscard]] N guess_slope(const N& slope) const {
+        if (!(slope < one)) return zero;
+        if (!(slope > -one)) return half_turn.lo;
+        const N z = slope < zero ? half_turn.lo - guess_top(-slope) : guess_top(slope);
+        return z > zero ? std::min(z, half_turn.lo) : zero;
     }
 
     /// L12 (c): certified that every ray above `ray` misses.
@@ -126,7 +134,7 @@ class Rays {
         return left.lo > zero && right.lo > zero;
     }
     /// L12 (a), (d): rays above `ray` that collide do so at or behind x, with cos <= cosine, sin >= sine.
-    Contact earliest(const Ray& ray, N z) const {
+    [[nodiscard]] Contact earliest(const Ray& ray, N z) const {
         const I c = ray.c, kappa = ray.kappa;
         auto [s, w] = sin_cos(z);
         if (!(z <= quarter.lo && (w - kappa).lo > zero)) {
@@ -139,7 +147,7 @@ class Rays {
         return {x, (s + d * w - rest).lo, std::min(one, (w - d * s + rest).hi)};
     }
     /// L12 (b), (d): all rays below `ray` collide, transversally, at or before x, with cos >= cosine > 0.
-    std::optional<Contact> latest(const Ray& ray, const N& z) const {
+    [[nodiscard]] std::optional<Contact> latest(const Ray& ray, const N& z) const {
         const I c = ray.c, kappa = ray.kappa;
         const auto [s, w] = sin_cos(z);
         const I g = s - kappa * z - c, p = w - kappa, size = std::max(-g.lo, g.hi);
@@ -167,10 +175,14 @@ class Rays {
     }
 
   protected:
-    static constexpr std::uint64_t most_steps = 1'000'000;  ///< of one ray: bounded work, enough for q = 1e12
-
+    /// Bounds the work on a ray that has had so many collisions.
+    static void follow(std::uint64_t count) {
+        constexpr std::uint64_t most = 1'000'000;  // enough for q = 1e12
+        if (count > most) throw std::length_error("a ray of more than 10^6 collisions");
+        Work::collision();
+    }
     void step(std::uint64_t count, const Ray& ray) {
-        if (count > most_steps) throw std::length_error("a ray of more than 10^6 collisions");
+        follow(count);
         if (log_)
             steps_.push_back("    " + std::to_string(count) + ": c " + show(ray.c) + " kappa " +
                              show(ray.kappa));

@@ -68,12 +68,19 @@ std::optional<Failure> judge(std::uint64_t line, std::string_view opcode, const 
 }
 
 /// Judges all leaves, on up to `jobs` threads; the failure on the least line is thrown, whoever finds it.
+/// Leaves behind a failure are not judged; those before it have been taken before.
 template <class Leaf, class Judge>
 void judge_all(const std::vector<Leaf>& leaves, unsigned jobs, const Judge& judge_one) {
     std::vector<std::optional<Failure>> found(leaves.size());
     std::atomic<std::size_t> next = 0;
+    std::atomic<bool> failed = false;
     const auto work = [&] {
-        for (std::size_t i = next++; i < leaves.size(); i = next++) found[i] = judge_one(leaves[i]);
+        while (!failed) {
+            const std::size_t i = next++;
+            if (i >= leaves.size()) break;
+            found[i] = judge_one(leaves[i]);
+            if (found[i]) failed = true;
+        }
         mpfr_free_cache();
     };
     {

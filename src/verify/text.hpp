@@ -48,6 +48,8 @@ class Text {
         need_memory(inflateInit2(&stream_, 15 + 16) == Z_OK);
     }
     ~Text() { inflateEnd(&stream_); }
+    Text(const Text&) = delete;
+    Text& operator=(const Text&) = delete;
 
     std::uint64_t line = 0;                ///< number of the present line
     std::vector<std::string_view> fields;  ///< of the present line: at least one, none of them empty
@@ -114,22 +116,28 @@ class Text {
         const auto [m, exponent] = halves(fields[i], 'b');
         const bool minus = exponent.starts_with('-');
         const std::string k(exponent.substr(minus));
-        const bool canonical = m == "0" ? exponent == "0" : is_natural(m, 125) && (m.back() - '0') % 2 == 1;
-        if (!canonical || !is_natural(k, 3) || (minus && k == "0") || std::stoul(k) > 400)
+        const bool canonical =
+            m == "0" ? exponent == "0" : is_natural(m, most_digits) && (m.back() - '0') % 2 == 1;
+        if (!canonical || !is_natural(k, 4) || (minus && k == "0") || std::stoul(k) > most_places)
             reject("number", "not MbK");
         const mpq_class x = mpz_class(std::string(m));
         return minus ? mpq_class(x >> std::stoul(k)) : mpq_class(x << std::stoul(k));
     }
-    std::string word(std::size_t i, bool digit_may_lead = false) const {
+    void require_word(std::size_t i, bool digit_may_lead = false) const {
         constexpr std::string_view rest = "abcdefghijklmnopqrstuvwxyz0123456789-.";
         if (fields[i].size() > 32 || rest.find(fields[i][0]) >= (digit_may_lead ? 36 : 26) ||
             fields[i].find_first_not_of(rest) != std::string_view::npos)
             reject("word", "not a word");
+    }
+    [[nodiscard]] std::string word(std::size_t i) const {
+        require_word(i);
         return std::string(fields[i]);
     }
 
   private:
-    static constexpr std::size_t most_bytes = 4096;  ///< of a line, with its line feed
+    static constexpr std::size_t most_bytes = 4096;   ///< of a line, with its line feed
+    static constexpr std::size_t most_places = 4096;  ///< of a dyadic: as many as a piece has bits
+    static constexpr std::size_t most_digits = 1250;  ///< of its odd part: so many places, and 56 bits before
 
     static void need_memory(bool enough) {
         if (!enough) throw std::bad_alloc();

@@ -47,14 +47,14 @@ class Turning : Rays<N> {
         }
     }
 
-    Ray bridge_ray(Round d, const N& e, const N& eta) const {
+    [[nodiscard]] Ray bridge_ray(Round d, const N& e, const N& eta) const {
         const auto [s, w] = sin_cos(e);
         const N& r = d == down ? r_lo : r_hi;
         const I slope = w + eta, c = r * (s + slope * (half_turn - e)), kappa = r * slope;
         return d == down ? Ray{std::max(zero, c.lo), kappa.lo, r} : Ray{c.hi, kappa.hi, r};
     }
     /// sigma X in units of r: c/r and lambda = kappa/r, with eta' computed at r.
-    std::pair<I, I> bridge_reversed(const N& e, const N& eta, const N& r) const {
+    [[nodiscard]] std::pair<I, I> bridge_reversed(const N& e, const N& eta, const N& r) const {
         const auto [s, w] = sin_cos(e);
         const I top = I(1) + r * w * w, lambda = eta * top / (top + I(2) * r * w * eta) - w;
         return {s + lambda * e, lambda};
@@ -62,7 +62,7 @@ class Turning : Rays<N> {
     /// Bound of sigma X for all r in [r_lo, r_hi]: eta' decreases with r (L8 (b)); the ray (r c, r lambda)
     /// with that c and lambda is the lowest at r_lo and the highest at r_hi, for lambda < 0 by L10, where c
     /// <= 1.
-    Ray bridge_reversed_ray(Round d, const N& e, const N& eta) const {
+    [[nodiscard]] Ray bridge_reversed_ray(Round d, const N& e, const N& eta) const {
         const auto [height, slope] = bridge_reversed(e, eta, d == down ? r_hi : r_lo);
         const N lambda = std::max(-one, d == down ? slope.lo : slope.hi), &r = d == down ? r_lo : r_hi;
         const N c = std::max(zero, d == down ? height.lo : height.hi);
@@ -98,10 +98,10 @@ class Turning : Rays<N> {
                less("sin(e1)/r_lo + slope (e1 + t) < sin t", sin_cos(e1).sin / r_lo + slope * (I(e1) + t),
                     sin_cos(t).sin);
     }
-    I reversed_divisor(const I& w, const N& lambda, const N& r_product, const N& r) const {
+    [[nodiscard]] I reversed_divisor(const I& w, const N& lambda, const N& r_product, const N& r) const {
         return w * w + I(2) * r_product * lambda * w - r;
     }
-    I mu(const I& w, const N& lambda, const N& r) const {
+    [[nodiscard]] I mu(const I& w, const N& lambda, const N& r) const {
         return (I(2) * w + I(r) * lambda - lambda * w * w) / reversed_divisor(w, lambda, r, r);
     }
     bool reversed_meets() {

@@ -57,7 +57,7 @@ class Wedge {
                      std::to_string(std::min(n, limit)) + " collision(s)\n";
         return n;
     }
-    bool hints_are_small() const {
+    [[nodiscard]] bool hints_are_small() const {
         if (leaf_.a > most_steps || leaf_.b > most_steps || leaf_.a + leaf_.b > most_steps)
             throw std::length_error("a + b beyond 10,000 in a wedge");
         return true;

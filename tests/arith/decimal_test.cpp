@@ -97,3 +97,30 @@ TEST_CASE("digits of 0 or of negative numbers are not asked for") {
     CHECK_THROWS_AS(cut_down(Rational(-1), 3), BrokenInvariant);
     CHECK_THROWS_AS(cut_down(Rational(1), 0), BrokenInvariant);
 }
+
+TEST_CASE("an exact text is the number, however near it is to another one") {
+    const auto text = [](const char* x) { return exact_text(number(x)); };
+    CHECK(text("4.603338848751700") == "4.6033388487517");
+    CHECK(text("4.603338848751701") == "4.603338848751701");
+    CHECK(text("1.000000000000000000000000000000000000000000000000001") ==
+          "1.000000000000000000000000000000000000000000000000001");
+    CHECK(text("33/8") == "4.125");
+    CHECK(text("10/3") == "10/3");
+    CHECK(text("1000000") == "1000000");
+    CHECK(text("1e300") == "1e300");
+    CHECK(text("12345678901234567890") == "12345678901234567890");
+    CHECK(text("1e-30") == "1e-30");
+    // A decimal of 61 digits.
+    CHECK(text("2305843009213693953/2305843009213693952") == "2305843009213693953/2305843009213693952");
+    CHECK_THROWS_AS(exact_text(Rational(0)), BrokenInvariant);
+
+    Random random(64);
+    for (int i = 0; i < 2'000; ++i) {
+        const Rational x = random_rational(random);
+        CAPTURE(x);
+        // Beyond 1,000 characters or exponents parse_rational refuses what it is given.
+        if (const std::string shown = exact_text(x); shown.size() <= 1000) {
+            REQUIRE(parse_rational(shown) == x);
+        }
+    }
+}

@@ -35,6 +35,7 @@ gzip -k "$folder/good.dbc"
 expect 0 'good.dbc: tiles exactly: 2 pieces, 4 charts, 6 leaves, 2 candidate pairs checked, area exact' "$folder/good.dbc"
 expect 0 'good.dbc.gz: tiles exactly' "$folder/good.dbc" "$folder/good.dbc.gz"
 expect 0 '"candidate_pairs": 2,' --json "$folder/good.dbc"
+expect 0 '"schema": "dumbbell-audit-1"' --json "$folder/good.dbc"
 expect 0 'equal-masses|Prove exactly' --help
 
 # Pieces that leave a part of the claimed range out.
@@ -48,6 +49,10 @@ expect 3 '"tiles": false' --json "$folder/short.dbc"
 { head_lines 10/1 10/1 1; piece 10/1 10/1 | sed 's/split e/split q/'; } > "$folder/twice.dbc"
 expect 3 'piece 1, chart bridge: leaf 1 .* and leaf 2 .* overlap' "$folder/twice.dbc"
 expect 3 'good.dbc: tiles' "$folder/twice.dbc" "$folder/good.dbc"
+
+# A certificate of another kind.
+"$program" trace 10 --phi 0.3:0.31 --phidot 0 --y 3 --ydot -1 --subdivide --out "$folder/box.dbc" > "$folder/out"
+expect 2 'is about initial conditions .* a certificate about mass ratios is needed' "$folder/box.dbc"
 
 # What cannot be read.
 expect 2 "no such file" "$folder/none.dbc"

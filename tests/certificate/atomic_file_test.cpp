@@ -6,8 +6,10 @@
 #include <zlib.h>
 
 #include <array>
+#include <atomic>
 #include <catch2/catch.hpp>
 #include <csignal>
+#include <thread>
 
 #include "../cli/process.hpp"
 #include "arith/error.hpp"
@@ -92,14 +94,52 @@ TEST_CASE("an empty file and one of ten megabytes can be committed") {
     CHECK(contents(folder / "big") == big);
 }
 
-TEST_CASE("until it is committed nothing stands under the final name, without a commit nothing remains") {
+TEST_CASE("until it is committed there is nothing that a killed program could leave") {
     const TemporaryFolder folder;
-    {
-        const AtomicFile file(folder / "file");
-        REQUIRE(folder.names().size() == 1);
-        CHECK(folder.names().front() != "file");
-    }
+    const AtomicFile file(folder / "file");
     CHECK(folder.names().empty());
+}
+
+TEST_CASE("what a program left that was killed while it wrote is taken over") {
+    const TemporaryFolder folder;
+    for (const char* text : {"", "one", "longer than what was left"}) {
+        write_file(dumbbell::temporary_name(folder / "file"), "half of something");
+        AtomicFile(folder / "file").commit(text);
+        CHECK(contents(folder / "file") == text);
+        CHECK(folder.names() == Names{"file"});
+    }
+}
+
+TEST_CASE("a link that waits under the temporary name is not followed") {
+    const TemporaryFolder folder;
+    write_file(folder / "mine", "mine");
+    std::filesystem::create_symlink("mine", dumbbell::temporary_name(folder / "file"));
+    CHECK_THROWS_AS(AtomicFile(folder / "file"), InputError);
+    CHECK(contents(folder / "mine") == "mine");
+}
+
+TEST_CASE("who writes the same file at the same time waits: one of them is there in the end, whole") {
+    const TemporaryFolder folder;
+    const auto text = [](int writer) { return std::string(200'000, static_cast<char>('a' + writer)); };
+    std::atomic<int> failures = 0;
+    {
+        std::vector<std::jthread> writers;
+        for (int writer = 0; writer < 4; ++writer) {
+            writers.emplace_back([&, writer] {
+                for (int i = 0; i < 25; ++i) {
+                    try {
+                        AtomicFile(folder / "file").commit(text(writer));
+                    } catch (const InputError&) {
+                        ++failures;
+                    }
+                }
+            });
+        }
+    }
+    CHECK(failures == 0);
+    const std::string last = contents(folder / "file");
+    CHECK(last == text(last.front() - 'a'));
+    CHECK(folder.names() == Names{"file"});
 }
 
 TEST_CASE("without a commit the old file stays, with one it is replaced as a whole") {

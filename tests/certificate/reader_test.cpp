@@ -118,9 +118,25 @@ TEST_CASE("malformed fields are refused") {
              {"3b-3 1b-10", "3b-3 1x-10"},
              {"3b-3 1b-10", "3b-3 1b"},
              {"3b-3 1b-10", "3b-3 b-10"},
+             {"3b-3 1b-10", "3b-3 1b-4097"},
+             {"3b-3 1b-10", "3b-3 1b4097"},
+             {"3b-3 1b-10", "3b-3 1b-99999999999999999999"},
              {"3b-3 1b-10", "3b-3"}}) {
         check_refused(changed(from, to));
     }
+}
+
+TEST_CASE("a coordinate has as many binary places as the format allows") {
+    Certificate certificate = every_kind_of_line();
+    Witness& witness = *certificate.pieces[1].witness;
+    const Integer places = Integer(1) << static_cast<unsigned>(most_binary_places);
+    witness.e = Rational(3) / 2 + Rational(Integer(1), places);  // an odd part of 4,097 bits
+    witness.eta = Rational(Integer(1), places);
+    const TemporaryFolder folder;
+    AtomicFile(folder / "file.dbc").commit(render(certificate).text);
+    const Certificate read = read_certificate(folder / "file.dbc");
+    CHECK(read.pieces[1].witness->e == witness.e);
+    CHECK(read.pieces[1].witness->eta == witness.eta);
 }
 
 TEST_CASE("an endless line costs no memory and is refused") {

@@ -151,7 +151,21 @@ TEST_CASE(
     for (const std::size_t length : {17U, 38U, 61U, 70U, 77U, 121U, 140U, 153U}) {
         CAPTURE(length);
         CHECK(verifier({certificate(folder, ratio.substr(0, length))}).code == 0);
+        // Up to 152 digits the ratio lies below the critical one; one more in the last place, above.
+        const std::string above = ratio.substr(0, length - 1) + static_cast<char>(ratio[length - 1] + 1);
+        if (ratio[length - 1] != '9') {
+            CHECK(verifier({"--exactly", "4", certificate(folder, above)}).code == 0);
+        }
     }
+}
+
+TEST_CASE(
+    "a ratio within 1e-401 of a critical one is decided, and verified with the bits that its file asks for") {
+    const TemporaryFolder folder;
+    const std::string ratio = "1." + std::string(400, '0') + "1";
+    const std::string path = certificate(folder, ratio);
+    CHECK_THAT(contents(path), Contains("bits 4096\n"));
+    CHECK(verifier({"--max-bits", "4096", "--ratio", ratio, "--exactly", "3", path}).code == 0);
 }
 
 TEST_CASE("gaps may be narrower than doubles are") {

@@ -1,4 +1,6 @@
 #include <catch2/catch.hpp>
+#include <chrono>
+#include <thread>
 
 #include "programs.hpp"
 
@@ -140,6 +142,23 @@ TEST_CASE("critical does not begin what takes days, unless it is given a budget"
     for (const char* count : {"1000000000000", "3:500000"}) {
         const std::string message = message_of({count, "--out", "file.tsv"});
         CHECK_THAT(message, Contains("would take about") && Contains("--budget"));
+    }
+}
+
+TEST_CASE("critical says how long a long computation will take before it begins") {
+    const TemporaryFolder folder;
+    Process process({DUMBBELL_BIN, "critical", "1000000", "--jobs", "1"}, folder.path());
+    std::this_thread::sleep_for(std::chrono::milliseconds(700));
+    process.send(SIGTERM);
+    const Outcome outcome = process.wait();
+    CHECK(outcome.signal == SIGTERM);
+    CHECK_THAT(outcome.err, StartsWith("dumbbell: this will take about ") && Contains(" minutes\n"));
+}
+
+TEST_CASE("critical confirms at distances of 1e-119 and 1e-180 too") {
+    for (const char* distance : {"1e-119", "1e-180"}) {
+        CAPTURE(distance);
+        CHECK(dumbbell({"critical", "4:5", "--confirm", distance}).code == 0);
     }
 }
 

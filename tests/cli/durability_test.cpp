@@ -16,23 +16,23 @@ namespace {
 
 const Words slow{DUMBBELL_BIN, "certify", "1:1000000", "--gap", "1e-9", "--out", "stairs.dbc"};
 
-void wait_for_temporary_file(const TemporaryFolder& folder, std::size_t names) {
-    for (int i = 0; i < 1000 && folder.names().size() < names; ++i) {
+void wait_for_search(const TemporaryFolder& folder) {
+    for (int i = 0; i < 1000 && !std::filesystem::exists(folder / "stairs.dbc.partial/claim"); ++i) {
         std::this_thread::sleep_for(std::chrono::milliseconds(10));
     }
-    REQUIRE(folder.names().size() == names);
+    REQUIRE(std::filesystem::exists(folder / "stairs.dbc.partial/claim"));
 }
 
 }  // namespace
 
-TEST_CASE("killed during a long job, nothing stands under the final name") {
+TEST_CASE("killed during a long job, nothing is left but the folder of finished pieces") {
     const TemporaryFolder folder;
     Process process(slow, folder.path());
-    wait_for_temporary_file(folder, 2);
+    wait_for_search(folder);
     process.kill();
     const Outcome outcome = process.wait();
     CHECK(outcome.signal == SIGKILL);
-    CHECK_FALSE(std::filesystem::exists(folder / "stairs.dbc"));
+    CHECK(folder.names() == Words{"stairs.dbc.partial"});
 }
 
 TEST_CASE("killed during a long job, an older certificate of the same name stays as it was") {
@@ -40,10 +40,18 @@ TEST_CASE("killed during a long job, an older certificate of the same name stays
     REQUIRE(dumbbell({"certify", "10", "--out", "stairs.dbc"}, folder.path()).code == 0);
     const std::string before = contents(folder / "stairs.dbc");
     Process process(slow, folder.path());
-    wait_for_temporary_file(folder, 3);
+    wait_for_search(folder);
     process.kill();
     CHECK(process.wait().signal == SIGKILL);
     CHECK(contents(folder / "stairs.dbc") == before);
+}
+
+TEST_CASE("what a program left that was killed while it wrote goes with the next one") {
+    const TemporaryFolder folder;
+    write_file(folder / "ten.dbc.dumbbell-tmp", "half a certif");
+    REQUIRE(dumbbell({"certify", "10", "--out", "ten.dbc"}, folder.path()).code == 0);
+    CHECK(folder.names() == Words{"ten.dbc"});
+    CHECK(verifier({folder / "ten.dbc"}).code == 0);
 }
 
 TEST_CASE("a certificate of the same name is replaced") {

@@ -5,6 +5,26 @@
 using namespace dumbbell_test;
 using Catch::Matchers::Contains;
 
+namespace {
+
+const std::vector<Words> commands{{"certify"}, {"critical"}, {"verify"}, {"law"},
+                                  {"audit"},   {"trace"},    {"plot"},   {"plot", "staircase"}};
+
+Outcome help_of(Words command) {
+    command.emplace_back("--help");
+    return dumbbell(command);
+}
+
+long occurrences(const std::string& text, const std::string& words) {
+    long n = 0;
+    for (std::size_t at = text.find(words); at != std::string::npos; at = text.find(words, at + 1)) {
+        ++n;
+    }
+    return n;
+}
+
+}  // namespace
+
 TEST_CASE("the option --help explains the commands with examples and exit codes, on stdout, and exits 0") {
     for (const char* option : {"--help", "-h"}) {
         const Outcome help = dumbbell({option});
@@ -26,17 +46,26 @@ TEST_CASE("certify --help names every option") {
 }
 
 TEST_CASE("every command has a help that exits 0") {
-    for (const Words& command : std::vector<Words>{
-             {"certify"}, {"critical"}, {"verify"}, {"law"}, {"plot"}, {"plot", "staircase"}}) {
-        Words words = command;
-        words.push_back("--help");
-        const Outcome help = dumbbell(words);
-        CAPTURE(command.front());
+    for (const Words& command : commands) {
+        const Outcome help = help_of(command);
+        CAPTURE(command);
         CHECK(help.code == 0);
         CHECK(help.err.empty());
         CHECK(count_lines(help.out) > 3);
     }
     CHECK(dumbbell({"--help-all"}).code == 0);
+}
+
+TEST_CASE("every command's help says once what its exit codes mean") {
+    for (const Words& command : commands) {
+        const Outcome help = help_of(command);
+        CAPTURE(command, help.out);
+        CHECK(occurrences(help.out, "Exit code") == 1);
+    }
+}
+
+TEST_CASE("the help of trace explains what its table and its bounds are") {
+    CHECK_THAT(help_of({"trace"}).out, Contains("The grazing sine is") && Contains("outcome on stderr"));
 }
 
 TEST_CASE("the option --version says which build this is: version, compiler, flags") {

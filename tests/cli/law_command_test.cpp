@@ -5,6 +5,19 @@
 using namespace dumbbell_test;
 using Catch::Matchers::Contains;
 
+namespace {
+
+std::string refused(const std::string& file) {
+    const Outcome law = dumbbell({"law", file});
+    CAPTURE(law.out, law.err);
+    CHECK(law.code == 2);
+    CHECK(law.out.empty());
+    CHECK(count_lines(law.err) == 1);
+    return law.err;
+}
+
+}  // namespace
+
 TEST_CASE("law proves what a staircase says as a whole") {
     const TemporaryFolder folder;
     const std::string stairs = certificate(folder, "1:1000", {"--gap", "1e-9"});
@@ -36,12 +49,36 @@ TEST_CASE("law believes only what the verifier has accepted") {
 
 TEST_CASE("law needs a staircase of the dumbbell, without open pieces") {
     const TemporaryFolder folder;
-    CHECK_THAT(dumbbell({"law", certificate(folder, "10")}).err, Contains("is no staircase"));
-    CHECK(dumbbell({"law", certificate(folder, "2:4", {"--scene", "wedge"})}).code == 2);
-    CHECK(dumbbell({"law", folder / "missing.dbc"}).code == 2);
+    CHECK_THAT(refused(certificate(folder, "10")), Contains("is no staircase"));
+    for (const char* scene : {"wedge", "hybrid"}) {
+        CHECK_THAT(refused(certificate(folder, "2:4", {"--scene", scene})),
+                   Contains(std::string("of the scene ") + scene + ": the law is one of the dumbbell"));
+    }
+    CHECK_THAT(refused(folder / "missing.dbc"), Contains("missing.dbc': no such file"));
     const std::string open = folder / "open.dbc";
     CHECK(dumbbell({"certify", "2:100000", "--budget", "0s", "--out", open}).code == 3);
     const Outcome law = dumbbell({"law", open});
     CHECK(law.code == 3);
     CHECK_THAT(law.out, Contains("NOT proved: pieces of this staircase are open"));
+}
+
+TEST_CASE("law, audit and plot say what they read when given a certificate about initial conditions") {
+    const TemporaryFolder folder;
+    REQUIRE(dumbbell({"trace", "10", "--phi", "0.3:0.31", "--phidot", "0", "--y", "3", "--ydot", "-1",
+                      "--subdivide", "--out", "box.dbc"},
+                     folder.path())
+                .code == 0);
+    for (const Words& command :
+         std::vector<Words>{{"law"}, {"audit"}, {"plot", "staircase", "--out", "x.svg"}}) {
+        Words words = command;
+        words.emplace_back("box.dbc");
+        const Outcome result = dumbbell(words, folder.path());
+        CAPTURE(command);
+        CHECK(result.code == 2);
+        CHECK(result.out.empty());
+        CHECK(count_lines(result.err) == 1);
+        CHECK_THAT(result.err, Contains("'box.dbc' is about initial conditions") &&
+                                   Contains("a certificate about mass ratios is needed"));
+    }
+    CHECK(folder.names() == Words{"box.dbc"});
 }

@@ -57,6 +57,38 @@ TEST_CASE("a budget that suffices changes nothing, however long it is") {
     }
 }
 
+TEST_CASE(
+    "a budget ends a search that is in the middle of an orbit of many million collisions, or in its plan") {
+    for (const Words& words : {Words{"certify", "1e15"}, Words{"certify", "1e14", "--section", "full"},
+                               Words{"certify", "1e12", "--scene", "wedge"}, Words{"certify", "9e10:1e11"}}) {
+        CAPTURE(words);
+        Words limited = words;
+        limited.insert(limited.end(), {"--budget", "1s", "--json"});
+        const Outcome result = dumbbell(limited);
+        CHECK(result.code == 3);
+        CHECK(Json::parse(result.out).at("seconds").get<double>() < 4);
+        CHECK_THAT(result.err, Contains("allow more time (--budget)"));
+    }
+}
+
+TEST_CASE("what plain intervals cannot decide soon comes with advice") {
+    const Outcome range =
+        dumbbell({"certify", "4.5:4.6033", "--section", "full", "--lemmas", "none", "--budget", "0.5s"});
+    CHECK(range.code == 3);
+    CHECK_THAT(range.err, Contains("boxes in inverse proportion to the gap: try --gap 0.01"));
+    const Outcome single =
+        dumbbell({"certify", "4.6033", "--section", "full", "--lemmas", "none", "--budget", "0.5s"});
+    CHECK(single.code == 3);
+    CHECK_THAT(single.err, Contains("--lemmas none needs many boxes") && Contains("leave it out"));
+}
+
+TEST_CASE("a ratio that no certificate can decide is open with the reason") {
+    // 1 + 10^-990: nearer to the critical ratio 1 than any precision that a file may ask for.
+    const Outcome result = dumbbell({"certify", "1." + std::string(989, '0') + "1"});
+    CHECK(result.code == 3);
+    CHECK_THAT(result.err, Contains("not decided: 2048 bits do not tell it from a critical ratio"));
+}
+
 TEST_CASE("a budget in the middle of a long job leaves decided and open pieces, all verifiable") {
     const TemporaryFolder folder;
     const Outcome result = dumbbell({"certify", "1:300000", "--gap", "1e-9", "--budget", "0.3s", "--jobs",

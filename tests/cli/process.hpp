@@ -125,7 +125,8 @@ class Process {
     Process(const Process&) = delete;
     Process& operator=(const Process&) = delete;
 
-    void kill() const { ::kill(pid_, SIGKILL); }
+    void kill() const { send(SIGKILL); }
+    void send(int signal) const { ::kill(pid_, signal); }
 
     Outcome wait() {
         Outcome result{-1, 0, "", ""};

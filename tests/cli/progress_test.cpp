@@ -63,3 +63,9 @@ TEST_CASE("on a terminal a single ratio that takes long shows how many boxes wer
     CAPTURE(text);
     CHECK(text.find(" boxes in ") != std::string::npos);
 }
+
+TEST_CASE("on a terminal a single critical ratio that takes long shows how many flights were enclosed") {
+    const std::string text = seen_on_terminal({DUMBBELL_BIN, "critical", "100000"}, " flights in ");
+    CAPTURE(text);
+    CHECK(text.find(" flights in ") != std::string::npos);
+}

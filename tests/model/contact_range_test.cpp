@@ -94,6 +94,17 @@ TEST_CASE("The range is hardly wider than the contacts of the rays at its ends")
     }
 }
 
+TEST_CASE("Beyond 1000 bits the range of contacts is as narrow as the working precision") {
+    for (const int bits : {128, 1024, 2048, 4096}) {
+        INFO(bits << " bits");
+        const PrecisionScope scope(bits);
+        const auto contact = contact_range(BigInterval(0.1), BigInterval(0.2));
+        REQUIRE(contact);
+        CHECK(certainly_at_most(contact->least.x, contact->greatest.x));
+        CHECK(certainly_less(contact->greatest.x - contact->least.x, power_of_half(bits - 12)));
+    }
+}
+
 TEST_CASE("Nothing is certain about contacts of rays that are not numbers") {
     const Interval bad(not_a_number);
     CHECK_FALSE(contact_range(bad, Interval(0.1)));

@@ -120,6 +120,20 @@ TEST_CASE("Away from tangency both bounds are within 1e-14 of the root, relative
     WARN("greatest spread times incidence: " << worst);
 }
 
+TEST_CASE("In multiple precision both bounds are as close as the working precision, beyond 2^-1000 too") {
+    for (const int bits : {128, 1000, 1024, 1500, 2048, 4096}) {
+        const PrecisionScope scope(bits);
+        for (const PlainRay& ray : {PlainRay{0.1, 0.2, 0.1}, {0.5, 0.01, 0.01}, {0.25, -0.5, 1}}) {
+            INFO(bits << " bits, " << show(ray));
+            const auto lowest = lowest_contact(BigInterval(ray.c), BigInterval(ray.kappa));
+            const auto highest = highest_contact(BigInterval(ray.c), BigInterval(ray.kappa));
+            REQUIRE((lowest && highest));
+            CHECK(certainly_at_most(lowest->x, highest->x));
+            CHECK(certainly_less(highest->x - lowest->x, power_of_half(bits - 12)));
+        }
+    }
+}
+
 TEST_CASE("A lower bound holds for all rays above, an upper bound for all rays below") {
     Random random(105);
     for (int i = 0; i < 10'000; ++i) {

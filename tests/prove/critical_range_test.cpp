@@ -15,8 +15,6 @@ Rational at(const char* text) { return parse_rational(text); }
 
 CriticalRatio enclosed(long n, int digits) { return *enclose_critical_ratio(n, {.digits = digits}); }
 
-bool never() { return false; }
-
 CriticalRequest request(long first, long last) {
     CriticalRequest result;
     result.first = first;

@@ -6,6 +6,7 @@
 
 #include "../certificate/example.hpp"
 #include "arith/error.hpp"
+#include "certificate/writer.hpp"
 
 using namespace dumbbell;
 using Catch::Matchers::Contains;
@@ -73,7 +74,35 @@ TEST_CASE("a piece whose file is not whole, or is another's, is not found") {
         fs::rename(only_piece(place), file);
         fs::remove(mine);
     }
-    CHECK_FALSE(store.find({5, 11, 4, 4}).has_value());
+    SECTION("a right checksum under what is no certificate") {
+        const std::string text = "dumbbell-certificate 1\n";
+        std::ofstream(file) << text << "sha256 " << sha256_hex(text) << '\n';
+    }
+    std::vector<std::string> damaged;
+    CHECK_FALSE(
+        store.find({5, 11, 4, 4}, [&](const std::string& name) { damaged.push_back(name); }).has_value());
+    CHECK(damaged == std::vector{file.string()});
+    CHECK_FALSE(
+        store.find({5, 12, 4, 4}, [&](const std::string& name) { damaged.push_back(name); }).has_value());
+    CHECK(damaged.size() == 1);  // what was never kept is not damaged
+}
+
+TEST_CASE("a run that was killed while it made or removed its folder left nothing that is in the way") {
+    const Place place;
+    fs::create_directory(place.path);
+    { const PieceStore store(place.path.string(), claim(100)); }
+    CHECK_FALSE(fs::exists(place.path));
+
+    fs::create_directory(place.path);
+    std::ofstream(place.path / "claim.dumbbell-tmp") << "dumbbell-par";
+    {
+        const PieceStore store(place.path.string(), claim(100));
+        store.keep(dumbbell_test::piece(5, 11, 4, 4));
+        std::ofstream(only_piece(place).string() + ".dumbbell-tmp") << "dumbbell-cert";
+    }
+    fs::remove(only_piece(place));  // the claim is removed last
+    { const PieceStore store(place.path.string(), claim(100)); }
+    CHECK_FALSE(fs::exists(place.path));
 }
 
 TEST_CASE("a folder of another claim, or in use, is refused, and an unused one disappears") {

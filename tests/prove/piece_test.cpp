@@ -1,8 +1,10 @@
 #include "prove/piece.hpp"
 
 #include <catch2/catch.hpp>
+#include <chrono>
 
 #include "critical_ratio.hpp"
+#include "prove/critical.hpp"
 
 using namespace dumbbell;
 using namespace dumbbell_test;
@@ -52,6 +54,33 @@ TEST_CASE("nearer to a critical ratio than doubles can tell, the precision escal
     CHECK(deeper.piece.bits > 128);
 }
 
+TEST_CASE("ratios are decided at every distance from a critical one that a certificate can spell") {
+    const CriticalRatio five = *enclose_critical_ratio(5, {.digits = most_critical_digits});
+    for (const char* distance : {"1e-90", "1e-119", "1e-150", "1e-190"}) {
+        CAPTURE(distance);
+        const ProvedPiece above = prove_single(five.q_hi * (1 + parse_rational(distance)), {});
+        CHECK(above.piece.upper == 5L);
+        CHECK(above.piece.lower == 5);
+        CHECK(above.obstacle == Obstacle::none);
+        const ProvedPiece below = prove_single(five.q_lo * (1 - parse_rational(distance)), {});
+        CHECK(below.piece.upper == 4L);
+        CHECK(below.piece.lower == 4);
+    }
+    const ProvedPiece near_one = prove_single(1 + parse_rational("1e-401"), {});
+    CHECK(near_one.piece.upper == 3L);
+    CHECK(near_one.piece.lower == 3);
+    CHECK(near_one.piece.bits == 4096);
+}
+
+TEST_CASE("an open piece says what was in the way") {
+    const Rational near = critical_ratio(5) * (1 + parse_rational("1e-45"));
+    CHECK(prove_single(near, {.max_bits = 53}).obstacle == Obstacle::maximum);
+    CHECK(prove_single(near, {.interrupted = [] { return true; }}).obstacle == Obstacle::time);
+    CHECK(prove_piece(5, 11, 5, 5, {.max_bits = 53}).obstacle == Obstacle::witness);
+    CHECK(prove_piece(5, 11, 3, 3, {.max_bits = 53}).obstacle == Obstacle::boxes);
+    CHECK(prove_piece(5, 11, 4, 4, {}).obstacle == Obstacle::none);
+}
+
 TEST_CASE("where the precision may not escalate far enough the ratio stays open") {
     const Rational q = critical_ratio(5) * (1 + parse_rational("1e-45"));
     for (const int bits : {53, 128}) {
@@ -85,6 +114,25 @@ TEST_CASE("what fails only above keeps its proved lower bound") {
     const ProvedPiece proved = prove_piece(5, 12, 4, 4, {.max_bits = 53});
     CHECK(proved.piece.lower == 4);
     CHECK(proved.piece.witness.has_value());
+}
+
+TEST_CASE("an interrupted piece ends soon, in the middle of an orbit of many million collisions too") {
+    for (const Scene scene : {Scene::dumbbell, Scene::hybrid, Scene::wedge}) {
+        for (const Section section : {Section::turning, Section::full, Section::plain}) {
+            if (scene != Scene::dumbbell && section != Section::turning) {
+                continue;
+            }
+            const auto start = std::chrono::steady_clock::now();
+            const auto late = [&] {
+                return std::chrono::steady_clock::now() - start > std::chrono::milliseconds(300);
+            };
+            const ProvedPiece proved =
+                prove_single(exact(1e14), {.scene = scene, .section = section, .interrupted = late});
+            CHECK(proved.piece.status() == Status::open);
+            CHECK(proved.obstacle == Obstacle::time);
+            CHECK(std::chrono::steady_clock::now() - start < std::chrono::seconds(10));
+        }
+    }
 }
 
 TEST_CASE("an interrupted piece stays open") {

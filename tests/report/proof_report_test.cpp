@@ -80,12 +80,53 @@ TEST_CASE("where nothing was decided nothing is called proved") {
     CHECK_THAT(to_text(single.report), !Contains("Proved") && Contains("at mass ratio 5 nothing is proved"));
 }
 
+TEST_CASE("ratios are printed exactly, so that no two of them look alike") {
+    const Rational near_one = parse_rational("1.000000000000000000000000000000000000000000000000001");
+    const SampleReport single({piece(near_one, near_one, 3, 3)});
+    CHECK_THAT(to_text(single.report),
+               Contains("at mass ratio 1.000000000000000000000000000000000000000000000000001 no"));
+    CHECK_FALSE(
+        line_of(to_text(single.report), "1.000000000000000000000000000000000000000000000000001 ").empty());
+
+    const Rational left = parse_rational("4.60333884875170035");
+    const Rational right = parse_rational("4.60333884875170036");
+    const SampleReport range(
+        {piece(Rational(13, 3), left, 3, 3), piece(left, right, 4, 3), piece(right, 5, 4, 4)});
+    const std::string text = to_text(range.report);
+    CHECK_THAT(text, Contains("13/3 : 4.60333884875170035 ") &&
+                         Contains("4.60333884875170035 : 4.60333884875170036 ") &&
+                         Contains("4.60333884875170036 : 5 "));
+}
+
+TEST_CASE("the wedges have no bound of the dumbbell, and other words") {
+    for (const Scene scene : {Scene::wedge, Scene::hybrid}) {
+        SampleReport wedge(three_pieces());
+        wedge.report.scene = scene;
+        const std::string text = to_text(wedge.report);
+        CHECK(line_of(text, "mass ratio") == Words{"mass", "ratio", "N", "boxes", "time"});
+        CHECK(line_of(text, "4 :") == Words{"4", ":", "4.6033367", "3", "2", "0.500", "s"});
+        CHECK_THAT(text, !Contains("floor") && Contains("wedge hits its walls more than N times"));
+        for (const auto& entry : to_json(wedge.report).at("pieces")) {
+            CHECK(entry.at("paper_bound").is_null());
+        }
+        SampleReport single({piece(4, 4, 4, 4)});
+        single.report.scene = scene;
+        CHECK_THAT(to_text(single.report), Contains("wedge hits its walls more than 4 times, and some "
+                                                    "trajectory hits them 4 times."));
+    }
+}
+
 TEST_CASE("a proof of the full section says that the heavy mass hits the floor at most once") {
     SampleReport full({piece(5, 11, 4, 4)});
     CHECK_THAT(to_text(full.report), !Contains("heavy mass"));
     full.report.section = Section::full;
     CHECK_THAT(to_text(full.report), Contains("the heavy mass hits the floor at most once"));
     CHECK(to_json(full.report)["heavy_at_most_once"] == true);
+    full.report.section = Section::turning;
+    CHECK(to_json(full.report)["heavy_at_most_once"].is_null());
+    SampleReport open({piece(5, 11, 4, 4), open_piece(11, 12)});
+    open.report.section = Section::full;
+    CHECK(to_json(open.report)["heavy_at_most_once"].is_null());
 }
 
 TEST_CASE("a written certificate is named with its checksum and the command that checks it") {
@@ -136,6 +177,15 @@ TEST_CASE(
     CHECK(pieces.at(3).at("upper").is_null());
     CHECK(pieces.at(3).at("lower") == 0);
     CHECK(pieces.at(3).at("paper_bound") == 7);
+}
+
+TEST_CASE("in JSON margin and width are null where no witness orbit is known") {
+    SampleReport sample(four_pieces());
+    sample.report.rows[3].margin = sample.report.rows[3].width = 0;
+    const auto pieces = to_json(sample.report).at("pieces");
+    CHECK(pieces.at(0).at("margin") == 0.125);
+    CHECK(pieces.at(3).at("margin").is_null());
+    CHECK(pieces.at(3).at("width").is_null());
 }
 
 TEST_CASE("without a file out and sha256 are null, without an orbit there is no witness") {

@@ -35,7 +35,7 @@ std::vector<double> heights(const std::string& path) {
 TEST_CASE("the picture is well-formed XML with its curves and a legend for each") {
     for (const auto& pieces : {three_pieces(), four_pieces(), std::vector{piece(1, 1'000'000, 3, 3)},
                                std::vector{piece(5, Rational(501, 100), 4, 4)}}) {
-        const std::string svg = staircase_svg(pieces);
+        const std::string svg = staircase_svg(pieces, Scene::dumbbell);
         CAPTURE(pieces.size());
         CHECK(well_formed(svg));
         CHECK_THAT(path_of(svg, "proved"), Contains("H"));
@@ -60,7 +60,8 @@ TEST_CASE("the check of well-formedness can fail") {
 
 TEST_CASE("the proved staircase goes up, never down, and never above the paper's bound") {
     const std::string svg = staircase_svg(
-        {piece(2, 4, 3, 3), piece(4, 5, 4, 3), piece(5, 11, 4, 4), piece(11, 12, 5, 4), piece(12, 15, 5, 5)});
+        {piece(2, 4, 3, 3), piece(4, 5, 4, 3), piece(5, 11, 4, 4), piece(11, 12, 5, 4), piece(12, 15, 5, 5)},
+        Scene::dumbbell);
     const auto proved = heights(path_of(svg, "proved"));
     const auto paper = heights(path_of(svg, "paper"));
     REQUIRE(proved.size() >= 3);
@@ -73,7 +74,7 @@ TEST_CASE("the proved staircase goes up, never down, and never above the paper's
 }
 
 TEST_CASE("a narrow range has marks too") {
-    const std::string svg = staircase_svg({piece(6, 9, 4, 4)});
+    const std::string svg = staircase_svg({piece(6, 9, 4, 4)}, Scene::dumbbell);
     for (const char* mark : {">6<", ">7<", ">8<", ">9<"}) {
         CHECK_THAT(svg, Contains(mark));
     }
@@ -87,14 +88,29 @@ TEST_CASE("an open piece shows as a blank") {
         }
         return n;
     };
-    CHECK(rectangles(staircase_svg(four_pieces())) == rectangles(staircase_svg(three_pieces())) + 1);
+    CHECK(rectangles(staircase_svg(four_pieces(), Scene::dumbbell)) ==
+          rectangles(staircase_svg(three_pieces(), Scene::dumbbell)) + 1);
 }
 
 TEST_CASE("the same pieces give the same bytes") {
-    CHECK(staircase_svg(four_pieces()) == staircase_svg(four_pieces()));
+    CHECK(staircase_svg(four_pieces(), Scene::dumbbell) == staircase_svg(four_pieces(), Scene::dumbbell));
+}
+
+TEST_CASE("a wedge's picture names it, has its own scale, and no curve of the dumbbell") {
+    for (const auto& [scene, name] :
+         {std::pair{Scene::wedge, "scene wedge"}, std::pair{Scene::hybrid, "scene hybrid"}}) {
+        CAPTURE(name);
+        const std::string svg = staircase_svg({piece(3, 5, 4, 4), open_piece(5, 20)}, scene);
+        CHECK(well_formed(svg));
+        CHECK_THAT(path_of(svg, "proved"), Contains("H"));
+        CHECK_THAT(svg, Contains(name) && !Contains("class=\"paper\"") && !Contains("class=\"growth\"") &&
+                            !Contains("dumbbell") && !Contains("nan") && !Contains("inf"));
+        CHECK(well_formed(staircase_svg({open_piece(5, 20)}, scene)));
+    }
+    CHECK_THAT(staircase_svg(three_pieces(), Scene::dumbbell), Contains("bouncing dumbbell"));
 }
 
 TEST_CASE("an empty range has no picture") {
-    CHECK_THROWS_AS(staircase_svg({}), BrokenInvariant);
-    CHECK_THROWS_AS(staircase_svg({piece(10, 10, 4, 4)}), BrokenInvariant);
+    CHECK_THROWS_AS(staircase_svg({}, Scene::dumbbell), BrokenInvariant);
+    CHECK_THROWS_AS(staircase_svg({piece(10, 10, 4, 4)}, Scene::dumbbell), BrokenInvariant);
 }

@@ -29,11 +29,15 @@ start=(10 --phi 1/3 --phidot 1 --y 3 --ydot -1/2)
 expect 0 'exactly 1 collision' "${start[@]}"
 expect 0 '"outcome": "exact"' "${start[@]}" --json
 expect 0 'collision,mass,time_lo' "${start[@]}" --csv
+[[ $(cat "$scratch/err") == 'dumbbell: exactly 1 collision' ]] || { echo '--csv: no outcome on stderr'; ((++failures)); }
 expect 0 'e-50' "${start[@]}" --digits 50
 expect 0 'swapped' 1/10 --phi 1/3 --phidot 1 --y 3 --ydot -1/2
 expect 0 'exactly 2 collisions' 10 --phi 0.3:0.31 --phidot -0.01:0.01 --y 3 --ydot -1
 expect 0 'the box splits at collision 1' 10 --phi -1:1 --phidot 0 --y 3 --ydot -1
 expect 0 'exactly 0 collisions' 10 --phi 1/3 --phidot 1 --y 3 --ydot 1/2
+expect 0 'every initial condition in it has 1 collision.' "${start[@]}" --subdivide
+expect 3 'cannot be decided at any precision' 10 --phi 0 --phidot 0 --y 3 --ydot -1
+expect 3 'at time 3/7 ' 10 --phi -1 --phidot 7/3 --y 3 --ydot -7 --digits 40
 expect 3 'try --digits' 10 --phi 1e-30 --phidot 0 --y 3 --ydot -1
 expect 0 'exactly' 10 --phi 1e-30 --phidot 0 --y 3 --ydot -1 --digits 100
 expect 0 'Certificate:' 10 --phi 0.3:0.5 --phidot 0 --y 3 --ydot -1 --subdivide --max-boxes 100 --out "$scratch/box.dbc"
@@ -66,6 +70,8 @@ expect 2 '--y: ' 10 --phi 1 --phidot 1 --y high --ydot -1
 expect 2 '--y: ' 10 --phi 1 --phidot 1 --y 3: --ydot -1
 expect 2 '--phi: ' 10 --phi nan --phidot 1 --y 3 --ydot -1
 expect 2 '--phi: ' 10 --phi --1 --phidot 1 --y 3 --ydot -1
+expect 2 'phi is in radians: 30 degrees are 0.5236, pi/2 is 1.5708' 10 --phi 30deg --phidot 1 --y 3 --ydot -1
+expect 2 'phi is in radians' 10 --phi 0:pi/2 --phidot 1 --y 3 --ydot -1
 expect 2 'resting' 10 --phi 1 --phidot 0 --y 3 --ydot 0
 expect 2 'inside the floor' 10 --phi -1 --phidot 0 --y 0.1 --ydot -1
 expect 2 'starts on the floor' 10 --phi 0 --phidot 1 --y 0 --ydot 1

@@ -63,6 +63,25 @@ TEST_CASE("ratios that the file does not cover are not proved") {
     CHECK(proves({{3, 4, 3, 3}}, 3, 3, 3, none));
 }
 
+TEST_CASE("of ratios that the file covers in part it is said which part") {
+    const auto missing = [](const mpq_class& lo, const mpq_class& hi) {
+        Collisions claim;
+        claim.ratios.emplace(lo, hi);
+        claim.most = 9;
+        claim.lo = 1;
+        claim.hi = 100;
+        claim.add(1, 50, 7, 7);
+        claim.add(50, 100, 10, 7);
+        return claim.missing();
+    };
+    CHECK(missing(1, 200) == "of the mass ratios 1/1:200/1 the file covers only 1/1:100/1");
+    CHECK(missing(mpq_class(3, 2), 101) == "of the mass ratios 3/2:101/1 the file covers only 3/2:100/1");
+    CHECK(missing(100, 101) == "of the mass ratios 100/1:101/1 the file covers only 100/1:100/1");
+    CHECK(missing(101, 102) == "the file says nothing of the mass ratios 101/1:102/1, it is about 1/1:100/1");
+    CHECK(missing(2, 60) == "not proved: at most 9 collisions for every mass ratio in 2/1:60/1");
+    CHECK(missing(2, 50).empty());
+}
+
 TEST_CASE("gaps and open pieces are told apart") {
     Collisions claim;
     claim.lo = 1;

@@ -254,14 +254,21 @@ TEST_CASE("400 splits of one axis may lie above a node, 401 not") {
 TEST_CASE("dyadics have one spelling") {
     const std::string text = mutated(ten(), "lower 0\n", "lower 1\nwitness bridge 1b-1 1b-1 0 0\n");
     CHECK(outcome(text) == "verified");
-    for (const char* bad : {"2b-2", "1b-01", "01b-1", "1b-0", "1", "b1", "1b", "-1b-1", "1b--1", "1b+1",
-                            "1b401", "1b-401", "1b1b1", "0b1", "0b-1", "0.5"}) {
+    for (const char* bad :
+         {"2b-2", "1b-01", "01b-1", "1b-0", "1", "b1", "1b", "-1b-1", "1b--1", "1b+1", "1b4097", "1b-4097",
+          "1b9999", "1b-9999", "1b-00001", "1b1b1", "0b1", "0b-1", "0.5"}) {
         INFO(bad);
         CHECK(outcome(mutated(text, "1b-1 1b-1", std::string(bad) + " 1b-1")) == "number");
     }
-    CHECK(outcome(mutated(text, "1b-1 1b-1", "1b-1 " + std::string(126, '1') + "b-400")) == "number");
-    CHECK(outcome(mutated(text, "1b-1 1b-1", "1b-1 " + std::string(125, '1') + "b-400")) ==
+    CHECK(outcome(mutated(text, "1b-1 1b-1", "1b-1 " + std::string(1251, '1') + "b-4096")) == "number");
+    CHECK(outcome(mutated(text, "1b-1 1b-1", "1b-1 " + std::string(1250, '1') + "b-4096")) ==
           "witness");  // eta > q
+    CHECK(outcome(mutated(text, "1b-1 1b-1", "1b-1 1b4096")) == "witness");
+    const std::string longest = mpz_class((mpz_class(1) << 4095) + 1).get_str() + "b-4096";  // beside 1/2
+    CHECK(outcome(mutated(text, "1b-1 1b-1", longest + " " + longest)) == "verified");
+    const std::string tiny = mutated(text, "1b-1 1b-1", "1b-1 1b-4096");
+    CHECK(outcome(tiny) == "witness");  // eta > 0 is beyond doubles
+    CHECK(outcome(mutated(tiny, "bits 53", "bits 64")) == "verified");
     CHECK(outcome(mutated(text, "witness bridge", "witness light")) == "syntax");
     CHECK(outcome(mutated(text, "witness bridge 1b-1 1b-1 0 0", "witness bridge 1b-1 1b-1 0")) == "syntax");
 }

@@ -61,9 +61,44 @@ TEST_CASE("of several files 1 goes before 4, 3, 2 and 0") {
     CHECK(run(m + f + g).code == 3);
     CHECK(run(f + h + m).code == 4);
     CHECK(run(h + f + m + b + g).code == 1);
-    const std::string out = run(g + m + b).out;
-    CHECK(out.find("s VERIFIED") < out.find("s UNREADABLE"));
-    CHECK(out.find("s UNREADABLE") < out.find("s REJECTED"));
+}
+
+TEST_CASE("several files: a line each in the given order, then one with the numbers, whatever the threads") {
+    const File good(ten()), bad(mutated(ten(), "upper 4", "upper 3")), empty("");
+    const std::string files =
+        " " + good.path() + " /nonexistent " + bad.path() + " " + empty.path() + " " + good.path();
+    const Run r = run(files);
+    const std::string sha256 = ten().substr(ten().size() - 65, 64);
+    const std::string verified =
+        "s VERIFIED scene=dumbbell ratio=10/1:10/1 upper=4 lower=0 gaps=0 open=1 sha256=" + sha256 +
+        " file=" + good.path() + "\n";
+    CHECK(r.out == verified + "s UNREADABLE No such file or directory file=/nonexistent\n" +
+                       "s REJECTED line=13 code=count not certified: 1 + a + b <= U file=" + bad.path() +
+                       "\ns REJECTED line=1 code=truncated the text ends too early file=" + empty.path() +
+                       "\n" + verified +
+                       "c files=5 verified=2 rejected=2 limit=0 unsupported=0 unreadable=1 exit=1\n");
+    CHECK(r.code == 1);
+    for (const char* jobs : {"1", "2", "3", "5", "64"})
+        CHECK(run(std::string("--jobs ") + jobs + files).out == r.out);
+    std::string many, expected;
+    for (int i = 0; i < 60; ++i) {
+        const std::string name = "/nonexistent/" + std::to_string(i * 7919 % 60);
+        many += " " + name;
+        expected += "s UNREADABLE No such file or directory file=" + name + "\n";
+    }
+    expected += "c files=60 verified=0 rejected=0 limit=0 unsupported=0 unreadable=60 exit=2\n";
+    for (const char* jobs : {"1", "8", "200"})
+        CHECK(run(std::string("--jobs ") + jobs + many).out == expected);
+}
+
+TEST_CASE("a file's name cannot pretend to be a verdict") {
+    const std::string name = "'no\ns VERIFIED such\r\033[2Jfile'";
+    for (const std::string& files : {name, name + " " + name}) {
+        const Run r = run(files);
+        CHECK(r.code == 2);
+        CHECK(r.out.find("\ns VERIFIED") == std::string::npos);
+        CHECK(r.out.find("no?s VERIFIED such??[2Jfile\n") != std::string::npos);
+    }
 }
 
 TEST_CASE("a demand is proved or the file is rejected") {
@@ -126,7 +161,22 @@ TEST_CASE("wrong usage is one line on stderr and exit code 2") {
              "--precision 5000 F",
              "--json=1 F",
              "--explain 1:bridge --json F",
-
+             "--exactly 4 --max 5 F",
+             "--min 1 --exactly 4 F",
+             "--max 4 --max 5 F",
+             "--ratio 10 --ratio=11 F",
+             "--scene dumbbell --scene wedge F",
+             "--junit report F",
+             "--junit F",
+             "--junit .xml F",
+             "--junit /nonexistent/report.xml F",
+             "--claims /nonexistent",
+             "--claims /",
+             "--claims list F",
+             "--claims list --max 4",
+             "--claims list --lemma 4.1",
+             "--lemma 4.1 --max 4 F F",
+             "--lemma 4.1 --scene wedge F F",
          }) {
         std::string arguments = options;
         if (arguments.ends_with(" F")) arguments.replace(arguments.size() - 1, 1, file.path());
@@ -144,7 +194,9 @@ TEST_CASE("wrong usage is one line on stderr and exit code 2") {
     CHECK(run("--help").code == 0);
     CHECK(run("--help").out.find("--explain") != std::string::npos);
     CHECK(run("--version").out.starts_with("dumbbell-verify "));
-    for (const std::string& arguments : {file.path(), std::string("--help"), std::string("--version")})
+    for (const std::string& arguments :
+         {file.path(), file.path() + " " + file.path(), "--json " + file.path(), std::string("--help"),
+          std::string("--version")})
         CHECK(std::system((DUMBBELL_VERIFY_BIN " " + arguments + " >/dev/full 2>/dev/null").c_str()) != 0);
 }
 
@@ -159,6 +211,38 @@ TEST_CASE("the option --json prints an array and nothing else") {
           std::string::npos);
     CHECK(r.out.find("\"file\":\"/no\\u0022such\\u000afile\"") != std::string::npos);
     CHECK(r.out.ends_with("}]\n"));
+    const auto has = [](const Run& result, const std::string& text) {
+        return result.out.find(text) != std::string::npos;
+    };
+    CHECK(has(r, "\"schema\":\"dumbbell-verify-1\",\"demand\":{\"ratio\":null,\"max\":null,\"min\":null},"));
+    CHECK(has(run("--json --ratio 5:1e1 --exactly 4 " + good.path()),
+              "\"demand\":{\"ratio\":{\"lo\":\"5/1\",\"hi\":\"10/1\"},\"max\":4,\"min\":4}"));
+    CHECK(has(run("--json '/\xc3\xa9\xe2\x82\xac\xf0\x9f\x98\x80'"),
+              "\"/\xc3\xa9\xe2\x82\xac\xf0\x9f\x98\x80\""));
+    for (const char* no_utf8 :
+         {"\xff", "\x80", "\xc0\xaf", "\xe0\x80\x80", "\xed\xa0\x80", "\xf4\x90\x80\x80", "\xc3"})
+        CHECK(has(run(std::string("--json '/") + no_utf8 + "'"), "\"/\xef\xbf\xbd"));
+    CHECK(run("--json /a /b /c --jobs 1").out == run("--json /a /b /c --jobs 7").out);
+}
+
+TEST_CASE("the option --json of a comparison is one object with both files") {
+    const std::string folder = DUMBBELL_PROJECT "/certificates/";
+    const std::string hybrid = folder + "hybrid-1-100.dbc", wedge = folder + "wedge-1-100.dbc";
+    const Run holds = run("--json --lemma 4.1 " + hybrid + " " + wedge);
+    CHECK(holds.code == 0);
+    CHECK(holds.out.starts_with(
+        "{\"schema\":\"dumbbell-verify-lemma-1\",\"lemma\":\"4.1\",\"verdict\":\"VERIFIED\","
+        "\"comparison\":{\"ratio\":{\"lo\":\"1/1\",\"hi\":\"100/1\"},\"excess\":0,"));
+    CHECK(holds.out.find("\"files\":[{\"file\":\"" + hybrid + "\",\"verdict\":\"VERIFIED\",") !=
+          std::string::npos);
+    CHECK(holds.out.ends_with("}]}\n"));
+    const Run exchanged = run("--json --lemma 4.1 " + wedge + " " + hybrid);
+    CHECK(exchanged.code == 1);
+    CHECK(exchanged.out.find("\"verdict\":\"REJECTED\",\"comparison\":null,\"files\":[") !=
+          std::string::npos);
+    const Run missing = run("--lemma 4.1 " + hybrid + " /nonexistent");
+    CHECK(missing.code == 2);
+    CHECK(missing.last() == "s UNREADABLE lemma=4.1 /nonexistent No such file or directory");
 }
 
 TEST_CASE("the option --explain shows a leaf with its numbers") {
@@ -204,6 +288,21 @@ TEST_CASE("a gigabyte of zeros, plain or compressed, is refused at once in littl
     const File packed("");
     REQUIRE(std::system(("head -c 300000000 /dev/zero | gzip -1 >" + packed.path()).c_str()) == 0);
     CHECK(run(packed.path(), little_memory + "timeout 5 ").last().starts_with("s REJECTED line=1 code=byte"));
+}
+
+TEST_CASE(
+    "with too little memory for all threads the exit code is that of a resource limit, or all is verified") {
+    if (sanitized) return;
+    const File file(ten());
+    std::string files = " --jobs 64";
+    for (int i = 0; i < 100; ++i) files += " " + file.path();
+    for (const char* kilobytes : {"30000", "60000", "100000", "300000", "1000000"}) {
+        const Run r = run(files, std::string("ulimit -v ") + kilobytes + "; ");
+        INFO(kilobytes << ": " << r.code << " " << r.err);
+        CHECK((r.code == 0 || r.code == 4));
+        CHECK((r.code == 0) ==
+              (r.last() == "c files=100 verified=100 rejected=0 limit=0 unsupported=0 unreadable=0 exit=0"));
+    }
 }
 
 TEST_CASE("results do not depend on the number of threads") {

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <functional>
+#include <string>
+
+namespace dumbbell {
+
+/// Runs a command that SIGINT and SIGTERM only ask to stop (prove/deadline.hpp): it ends early and says what
+/// is kept. Where its exit code then is exit_stopped the program ends by that signal, so that a shell sees
+/// what it expects (exit code 130 or 143, and a loop that ends). A second signal ends the program at once,
+/// and one that was ignored when it began stays ignored.
+int stoppable(const std::function<int()>& command);
+
+/// For example "stopped by SIGINT". Precondition: stop_signal is set.
+[[nodiscard]] std::string stopped_by();
+
+}  // namespace dumbbell

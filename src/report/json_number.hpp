@@ -1,0 +1,24 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "arith/interval.hpp"
+
+namespace dumbbell {
+
+/// x as it is printed: 0 has no sign, whatever the arithmetic gave it.
+[[nodiscard]] constexpr double unsigned_zero(double x) { return x == 0 ? 0.0 : x; }
+
+/// The ends of an enclosure, exactly, as a pair of numbers.
+[[nodiscard]] inline nlohmann::ordered_json ends_json(const Interval& x) {
+    return {unsigned_zero(x.lo()), unsigned_zero(x.hi())};
+}
+
+/// Null for what is not known.
+template <class T>
+[[nodiscard]] nlohmann::ordered_json json_or_null(const std::optional<T>& x) {
+    return x ? nlohmann::ordered_json(*x) : nlohmann::ordered_json(nullptr);
+}
+
+}  // namespace dumbbell

@@ -1,0 +1,78 @@
+#include "examine.hpp"
+
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
+#include <mutex>
+#include <system_error>
+#include <thread>
+
+namespace dumbbell_verify {
+namespace {
+constexpr const char* names[] = {"VERIFIED", "UNREADABLE", "UNSUPPORTED", "LIMIT", "REJECTED"};
+constexpr int exit_codes[] = {0, 2, 3, 4, 1};
+}  // namespace
+
+const char* verdict_name(Verdict verdict) { return names[static_cast<int>(verdict)]; }
+int exit_code(Verdict verdict) { return exit_codes[static_cast<int>(verdict)]; }
+
+Result examine(const Job& job) {
+    using Clock = std::chrono::steady_clock;
+    const auto start = Clock::now();
+    const Settings& settings = job.settings;
+    Result result;
+    result.job = &job;
+    try {
+        result.proof = verify(job.file, settings);
+        if (!settings.explain.empty() && !result.proof.explained)
+            result.why = {Verdict::unreadable, 0, "usage", "there is no leaf " + settings.explain};
+    } catch (Failure& failure) {
+        result.why = std::move(failure);
+    } catch (const std::exception& error) {  // out of memory, no more threads
+        result.why = {Verdict::limit, 0, "limit", error.what()};
+    }
+    result.seconds = std::chrono::duration<double>(Clock::now() - start).count();
+    return result;
+}
+
+std::vector<Result> examine_all(const std::vector<Job>& jobs, unsigned beside,
+                                const std::function<void(const Result&)>& report) {
+    std::vector<Result> results(jobs.size());  // one without a job is not there yet
+    std::atomic<std::size_t> next = 0;
+    std::mutex mutex;
+    std::condition_variable arrived;
+    const auto examine_next = [&] {
+        const std::size_t i = next++;
+        if (i >= jobs.size()) return false;
+        Result result = examine(jobs[i]);
+        const std::lock_guard lock(mutex);
+        results[i] = std::move(result);
+        arrived.notify_one();
+        return true;
+    };
+    std::vector<std::jthread> crew;
+    crew.reserve(beside);
+    const auto one_more = [&] {
+        try {
+            crew.emplace_back([&] {
+                while (examine_next()) {
+                }
+            });
+            return true;
+        } catch (const std::system_error&) {
+            return false;  // those that started do the work
+        }
+    };
+    while (beside > 1 && crew.size() < beside && one_more()) {
+    }
+    for (const Result& result : results) {
+        if (crew.empty()) examine_next();
+        std::unique_lock lock(mutex);
+        arrived.wait(lock, [&] { return result.job != nullptr; });
+        lock.unlock();
+        report(result);
+    }
+    return results;
+}
+
+}  // namespace dumbbell_verify

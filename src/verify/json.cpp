@@ -1,0 +1,85 @@
+#include "json.hpp"
+
+#include <algorithm>
+#include <initializer_list>
+#include <optional>
+
+#include "escape.hpp"
+
+namespace dumbbell_verify {
+namespace {
+
+struct Member {
+    std::string_view name;
+    std::string value;  ///< JSON
+};
+std::string object(const std::vector<Member>& members) {
+    std::string text;
+    for (const Member& member : members)
+        text += (text.empty() ? "" : ",") + json_string(member.name) + ":" + member.value;
+    return "{" + text + "}";
+}
+std::string number(const std::optional<std::uint64_t>& n) { return n ? std::to_string(*n) : "null"; }
+std::string string_unless(bool absent, const std::string& text) {
+    return absent ? "null" : json_string(text);
+}
+std::string range(const mpq_class& lo, const mpq_class& hi) {
+    return object({{"lo", json_string(to_string(lo))}, {"hi", json_string(to_string(hi))}});
+}
+
+std::string demand(const Settings& settings) {
+    const Collisions& d = settings.demand;
+    return object({{"ratio", d.ratios ? range(d.ratios->first, d.ratios->second) : "null"},
+                   {"max", number(d.most)},
+                   {"min", number(d.least)}});
+}
+
+std::string claim(const Result& result) {
+    if (result.why.verdict != Verdict::verified) return "null";
+    if (result.proof.initial) return result.proof.initial->json();
+    const Collisions& c = result.proof.claim;
+    return object({{"scene", json_string(result.job->settings.scene)},
+                   {"ratio", range(c.lo, c.hi)},
+                   {"upper", number(c.upper)},
+                   {"lower", number(c.lower)},
+                   {"pieces", number(c.pieces)},
+                   {"gaps", number(c.gaps)},
+                   {"open", number(c.open)},
+                   {"heavy_at_most", result.proof.heavy_once ? "1" : "null"}});
+}
+
+}  // namespace
+
+std::string json(const Result& result) {
+    const Failure& why = result.why;
+    const bool verified = why.verdict == Verdict::verified;
+    std::vector<Member> leaves, coverage;
+    for (const Tally& tally : result.proof.tallies) {
+        leaves.push_back({tally.name, number(tally.lines)});
+        coverage.push_back({tally.name, std::to_string(tally.covered / std::max(1.0, result.proof.roots))});
+    }
+    return object({{"file", json_string(result.job->file)},
+                   {"verdict", json_string(verdict_name(why.verdict))},
+                   {"claim", claim(result)},
+                   {"sha256", string_unless(!verified, result.proof.digest)},
+                   {"schema", json_string("dumbbell-verify-1")},
+                   {"demand", demand(result.job->settings)},
+                   {"leaves", object(leaves)},
+                   {"coverage", object(coverage)},
+                   {"line", why.line > 0 ? number(why.line) : "null"},
+                   {"code", string_unless(verified, why.code)},
+                   {"reason", string_unless(verified, why.text)}});
+}
+
+std::string json(const Lemma& lemma, Verdict verdict, const std::string& comparison,
+                 const std::vector<Result>& files) {
+    std::string list;
+    for (const Result& file : files) list += (list.empty() ? "" : ",") + json(file);
+    return object({{"schema", json_string("dumbbell-verify-lemma-1")},
+                   {"lemma", json_string(lemma.name)},
+                   {"verdict", json_string(verdict_name(verdict))},
+                   {"comparison", comparison},
+                   {"files", "[" + list + "]"}});
+}
+
+}  // namespace dumbbell_verify

@@ -1,0 +1,221 @@
+// proofs/json.md against the programs: the fields that it names are the fields that they print.
+#include <catch2/catch.hpp>
+#include <map>
+#include <set>
+#include <sstream>
+
+#include "programs.hpp"
+
+using namespace dumbbell_test;
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+using Types = std::set<std::string>;
+using Fields = std::map<std::string, Types>;
+
+std::string type_of(const Json& value) {
+    return value.is_null()             ? "null"
+           : value.is_boolean()        ? "boolean"
+           : value.is_string()         ? "string"
+           : value.is_number_integer() ? "integer"
+           : value.is_number()         ? "number"
+           : value.is_array()          ? "list"
+                                       : "object";
+}
+
+// Objects whose names are words of the certificate: the kinds of its lines.
+bool is_tally(const std::string& path) { return path == "leaves" || path == "coverage"; }
+
+// The fields of an object and of all that is in it. Elements of a list are objects, or belong to its meaning.
+void collect(const Json& object, const std::string& before, Fields& fields) {
+    for (const auto& [key, value] : object.items()) {
+        const std::string path = before + key;
+        fields[path].insert(type_of(value));
+        if (value.is_object() && !is_tally(path)) {
+            collect(value, path + ".", fields);
+        }
+        if (value.is_array()) {
+            for (const Json& element : value) {
+                if (element.is_object()) {
+                    collect(element, path + "[].", fields);
+                }
+            }
+        }
+    }
+}
+
+std::string between(const std::string& text, const std::string& begin, const std::string& end) {
+    const std::size_t at = text.find(begin);
+    if (at == std::string::npos) {
+        throw std::runtime_error("not in proofs/json.md: " + begin);
+    }
+    const std::size_t from = at + begin.size();
+    return text.substr(from, text.find(end, from) - from);
+}
+
+// "integer or null"
+Types types_in(const std::string& cell) {
+    std::istringstream words(cell);
+    Types types{std::istream_iterator<std::string>(words), {}};
+    types.erase("or");
+    return types;
+}
+
+// The rows "| `field` | type | meaning |" of the section "## command: `schema`".
+Fields documented(const std::string& command, const std::string& schema) {
+    const std::string page = contents(DUMBBELL_PROOFS "/json.md");
+    std::istringstream section(between(page, "## " + command + ": `" + schema + "`\n", "\n## "));
+    Fields fields;
+    for (std::string line; std::getline(section, line);) {
+        if (!line.starts_with("| `")) {
+            continue;
+        }
+        const std::string name = between(line, "| `", "` |");
+        CAPTURE(name);
+        CHECK(fields.emplace(name, types_in(between(line, "` | ", " |"))).second);
+    }
+    return fields;
+}
+
+Json printed(const Outcome& result) {
+    CAPTURE(result.out, result.err);
+    return Json::parse(result.out);
+}
+
+// Everything that these runs print is documented, with its type, and everything documented is printed by one
+// of them.
+void check_documented(const std::string& command, const std::vector<Json>& objects) {
+    const std::string schema = objects.front().at("schema").get<std::string>();
+    const Fields page = documented(command, schema);
+    Fields found;
+    for (const Json& object : objects) {
+        CHECK(object.at("schema") == schema);
+        collect(object, "", found);
+    }
+    for (const auto& [field, types] : found) {
+        CAPTURE(field, types);
+        const auto row = page.find(field);
+        CHECK(row != page.end());
+        if (row != page.end()) {
+            CHECK(std::includes(row->second.begin(), row->second.end(), types.begin(), types.end()));
+        }
+    }
+    for (const auto& row : page) {
+        CAPTURE(row.first);
+        CHECK(found.contains(row.first));
+    }
+}
+
+std::vector<Json> printed_by(const std::vector<Words>& commands, const TemporaryFolder& folder) {
+    std::vector<Json> objects;
+    for (Words words : commands) {
+        words.emplace_back("--json");
+        const Outcome result = dumbbell(words, folder.path());
+        CHECK(result.out.find("-0.0\n") == std::string::npos);
+        CHECK(result.out.find("-0.0,") == std::string::npos);
+        objects.push_back(printed(result));
+    }
+    return objects;
+}
+
+Words falling(Words options) {
+    options.insert(options.begin(), {"trace", "10", "--y", "3", "--ydot", "-1"});
+    return options;
+}
+
+}  // namespace
+
+TEST_CASE("proofs/json.md describes the JSON of certify, in which null says nothing") {
+    const TemporaryFolder folder;
+    const auto objects = printed_by({{"certify", "1:5", "--witness"},
+                                     {"certify", "10", "--section", "full", "--out", "ten.dbc"},
+                                     {"certify", "2:3", "--scene", "wedge"},
+                                     {"certify", "10", "--budget", "0s"}},
+                                    folder);
+    check_documented("certify", objects);
+    CHECK(objects[0].at("heavy_at_most_once").is_null());
+    CHECK(objects[1].at("heavy_at_most_once") == true);
+    CHECK(objects[2].at("pieces").at(0).at("paper_bound").is_null());
+    for (const char* field : {"margin", "width"}) {
+        CHECK(objects[1].at("pieces").at(0).at(field).is_number());
+        CHECK(objects[2].at("pieces").at(0).at(field).is_null());
+        CHECK(objects[3].at("pieces").at(0).at(field).is_null());
+    }
+}
+
+TEST_CASE("proofs/json.md describes the JSON of critical") {
+    const TemporaryFolder folder;
+    check_documented("critical", printed_by({{"critical", "3:4", "--confirm", "1e-6", "--out", "ratios.tsv"},
+                                             {"critical", "100", "--budget", "0s"}},
+                                            folder));
+}
+
+TEST_CASE("proofs/json.md describes the JSON of law, which says nothing of an open staircase") {
+    const TemporaryFolder folder;
+    REQUIRE(dumbbell({"certify", "2:12", "--out", "stairs.dbc"}, folder.path()).code == 0);
+    REQUIRE(dumbbell({"certify", "2:1000", "--budget", "0s", "--out", "open.dbc"}, folder.path()).code == 3);
+    const auto objects = printed_by({{"law", "stairs.dbc"}, {"law", "open.dbc"}}, folder);
+    check_documented("law", objects);
+    for (const char* field : {"values", "gaps", "never_decreases", "below_paper_bound", "sup", "inf"}) {
+        CAPTURE(field);
+        CHECK_FALSE(objects[0].at(field).is_null());
+        CHECK(objects[1].at(field).is_null());
+    }
+}
+
+TEST_CASE("proofs/json.md describes the JSON of trace") {
+    const TemporaryFolder folder;
+    const Words part{"--phi",       "0:0.5", "--phidot", "0",      "--subdivide",
+                     "--max-boxes", "20",    "--out",    "box.dbc"};
+    check_documented("trace", printed_by({falling({"--phi", "0.3", "--phidot", "0"}),
+                                          falling({"--phi", "0.3", "--phidot", "0", "--digits", "20"}),
+                                          falling({"--phi", "0.3:0.31", "--phidot", "0"}),
+                                          falling({"--phi", "0", "--phidot", "0"}), falling(part)},
+                                         folder));
+}
+
+TEST_CASE("proofs/json.md describes the JSON of audit") {
+    const TemporaryFolder folder;
+    REQUIRE(dumbbell({"certify", "2:3", "--out", "two.dbc"}, folder.path()).code == 0);
+    check_documented("audit", printed_by({{"audit", "two.dbc"}}, folder));
+}
+
+TEST_CASE("proofs/json.md describes the JSON of verify") {
+    const TemporaryFolder folder;
+    const auto make = [&](Words words) { REQUIRE(dumbbell(words, folder.path()).code == 0); };
+    make({"certify", "10", "--section", "full", "--out", "ten.dbc"});
+    make({"certify", "2:3", "--scene", "wedge", "--out", "wedge.dbc"});
+    make({"certify", "2:3", "--scene", "hybrid", "--out", "hybrid.dbc"});
+    Words words = falling({"--phi", "0.3:0.31", "--phidot", "0", "--subdivide", "--out", "box.dbc"});
+    make(words);
+    write_file(folder / "bad.dbc", "no certificate\n");
+
+    std::vector<Json> objects;
+    for (const Words& options : std::vector<Words>{{"ten.dbc", "box.dbc", "bad.dbc"},
+                                                   {"--ratio", "10", "--exactly", "4", "ten.dbc"}}) {
+        words = options;
+        words.insert(words.begin(), {"verify", "--json"});
+        for (const Json& object : printed(dumbbell(words, folder.path()))) {
+            objects.push_back(object);
+        }
+    }
+    check_documented("verify", objects);
+
+    Json lemma =
+        printed(dumbbell({"verify", "--json", "--lemma", "4.1", "hybrid.dbc", "wedge.dbc"}, folder.path()));
+    for (Json& file : lemma.at("files")) {
+        CHECK(file.at("schema") == "dumbbell-verify-1");
+        file = nullptr;  // described above
+    }
+    check_documented("verify --lemma", {lemma});
+}
+
+TEST_CASE("help and README name the page") {
+    for (const char* command : {"law", "trace", "audit"}) {
+        CAPTURE(command);
+        CHECK(dumbbell({command, "--help"}).out.find("proofs/json.md") != std::string::npos);
+    }
+    CHECK(dumbbell({"--help"}).out.find("proofs/json.md") != std::string::npos);
+    CHECK(contents(DUMBBELL_PROOFS "/../README.md").find("(proofs/json.md)") != std::string::npos);
+}

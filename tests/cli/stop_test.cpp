@@ -1,0 +1,109 @@
+// SIGINT and SIGTERM: the program ends by them, soon, and says in one line what is kept.
+#include <catch2/catch.hpp>
+#include <chrono>
+#include <thread>
+
+#include "programs.hpp"
+
+using namespace dumbbell_test;
+using Catch::Matchers::Contains;
+using Catch::Matchers::StartsWith;
+
+namespace {
+
+const Words range{"certify", "1:30000", "--gap", "1e-12", "--out", "stairs.dbc"};
+
+Words with_program(Words arguments) {
+    arguments.insert(arguments.begin(), DUMBBELL_BIN);
+    return arguments;
+}
+
+std::size_t kept(const std::string& folder) {
+    std::error_code ignored;
+    return static_cast<std::size_t>(std::distance(std::filesystem::directory_iterator(folder, ignored),
+                                                  std::filesystem::directory_iterator()));
+}
+
+/// Sends the signal once so many files are kept, at the latest after half a second.
+Outcome stopped(const Words& arguments, int signal, const TemporaryFolder& folder, std::size_t files = 1000) {
+    Process process(with_program(arguments), folder.path());
+    for (int i = 0; i < 500 && kept(folder / "stairs.dbc.partial") < files; ++i) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    process.send(signal);
+    return process.wait();
+}
+
+}  // namespace
+
+TEST_CASE("a range that is stopped says what is kept, and the same command goes on to the same bytes") {
+    const TemporaryFolder undisturbed;
+    REQUIRE(dumbbell(range, undisturbed.path()).code == 0);
+    for (const int signal : {SIGINT, SIGTERM}) {
+        const TemporaryFolder folder;
+        const Outcome outcome = stopped(range, signal, folder, 12);
+        CAPTURE(outcome.err);
+        REQUIRE(outcome.signal == signal);
+        CHECK(outcome.out.empty());
+        CHECK(count_lines(outcome.err) == 1);
+        CHECK_THAT(outcome.err, StartsWith(signal == SIGINT ? "dumbbell: stopped by SIGINT: "
+                                                            : "dumbbell: stopped by SIGTERM: "));
+        CHECK_THAT(outcome.err, Contains(" pieces are finished and kept in 'stairs.dbc.partial'") &&
+                                    Contains("the same command goes on"));
+        CHECK(folder.names() == Words{"stairs.dbc.partial"});
+        REQUIRE(dumbbell(range, folder.path()).code == 0);
+        CHECK(contents(folder / "stairs.dbc") == contents(undisturbed / "stairs.dbc"));
+        CHECK(folder.names() == Words{"stairs.dbc"});
+    }
+}
+
+TEST_CASE("a stopped run leaves the older certificate of the same name as it was") {
+    const TemporaryFolder folder;
+    write_file(folder / "stairs.dbc", "old");
+    CHECK(stopped(range, SIGINT, folder, 12).signal == SIGINT);
+    CHECK(contents(folder / "stairs.dbc") == "old");
+}
+
+TEST_CASE("without a file, and for a single ratio, a stopped run says that nothing is kept") {
+    const TemporaryFolder folder;
+    for (const auto& [arguments, said] : std::vector<std::pair<Words, const char*>>{
+             {{"certify", "1:1000000", "--gap", "1e-9"}, "with --out FILE they are kept"},
+             {{"certify", "1e14", "--out", "one.dbc"}, "nothing is kept of a single ratio"},
+             {{"critical", "100000"}, "nothing is kept"},
+             {{"critical", "3:3000", "--digits", "100", "--out", "a.tsv"}, "with --budget TIME"}}) {
+        const Outcome outcome = stopped(arguments, SIGINT, folder);
+        CAPTURE(arguments, outcome.err, outcome.code);
+        CHECK(outcome.signal == SIGINT);
+        CHECK(outcome.out.empty());
+        CHECK_THAT(outcome.err, Contains("dumbbell: stopped by SIGINT: ") && Contains(said));
+        CHECK(folder.names().empty());
+    }
+}
+
+TEST_CASE("a stopped run ends within seconds, in the middle of an orbit of many million collisions too") {
+    const TemporaryFolder folder;
+    const auto start = std::chrono::steady_clock::now();
+    CHECK(stopped({"certify", "1e16"}, SIGTERM, folder).signal == SIGTERM);
+    CHECK(stopped({"critical", "1000000000", "--budget", "1h"}, SIGTERM, folder).signal == SIGTERM);
+    CHECK(std::chrono::steady_clock::now() - start < std::chrono::seconds(30));
+}
+
+TEST_CASE("a shell sees the conventional exit codes") {
+    const TemporaryFolder folder;
+    for (const auto& [signal, code] : std::vector<std::pair<std::string, int>>{{"INT", 130}, {"TERM", 143}}) {
+        const Outcome outcome =
+            run({"bash", "-c",
+                 "set -m; " DUMBBELL_BIN " certify 1e16 & sleep 0.5; kill -" + signal + " $!; wait $!"},
+                folder.path());
+        CAPTURE(outcome.err);
+        CHECK(outcome.code == code);
+    }
+}
+
+TEST_CASE("a signal that was ignored from the beginning stays ignored") {
+    const TemporaryFolder folder;
+    Process process({"sh", "-c", "trap '' INT; exec " DUMBBELL_BIN " certify 1:30000 --gap 1e-12"});
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    process.send(SIGINT);
+    CHECK(process.wait().code == 0);
+}

@@ -1,0 +1,140 @@
+// The folder of finished pieces: any piece that is kept is found again, as it was; with any bytes in its
+// file, or in the file `claim`, there is that piece, or none, or one message for the user.
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+
+#include "arith/error.hpp"
+#include "certificate/writer.hpp"
+#include "certificates.hpp"
+#include "prove/piece_store.hpp"
+#include "scratch.hpp"
+#include "target.hpp"
+
+namespace {
+
+using namespace dumbbell_fuzz;
+using namespace dumbbell;
+namespace fs = std::filesystem;
+
+/// A mass ratio of the command line: up to 1,000 digits behind the point.
+Rational any_ratio(Choices& choices) {
+    const std::size_t digits = choices.below(4) == 0 ? choices.below(999) : choices.below(20);
+    std::string text = std::to_string(1 + choices.below(1000)) + ".";
+    for (std::size_t i = 0; i < digits; ++i)
+        text += i % 7 == 3 ? static_cast<char>('0' + choices.below(10)) : '5';
+    return parse_rational(text.substr(0, 999) + "1");
+}
+
+Rational any_dyadic(Choices& choices) {
+    return Rational(static_cast<long>(choices.below(65536))) * power_of_two(choices.between(-300, 300));
+}
+
+/// A piece as the program may have it: what it says need not be true.
+Piece any_piece(Choices& choices, const StoredClaim& claim) {
+    Piece piece;
+    piece.q_lo = any_ratio(choices);
+    piece.q_hi = std::max(piece.q_lo, any_ratio(choices));
+    piece.bits = choices.coin() ? 53 : static_cast<int>(choices.between(53, 4096));
+    piece.upper = choices.between(1, 20);
+    for (const Chart chart : charts_of(claim.scene, claim.section)) {
+        piece.cover.charts.push_back({chart, {}});
+        grow_any_tree(choices, chart, 12, piece.cover.charts.back().tree);
+    }
+    piece.lower = choices.between(0, *piece.upper);
+    if (piece.lower > 0) {
+        const Chart chart = claim.scene == Scene::dumbbell ? Chart::bridge : Chart::wedge;
+        const Rational e = any_dyadic(choices);
+        piece.witness =
+            Witness{e, any_dyadic(choices), choices.between(0, 20), choices.between(0, 20), chart};
+    }
+    return piece;
+}
+
+StoredClaim any_claim(Choices& choices) {
+    constexpr Section sections[] = {Section::turning, Section::full, Section::plain};
+    constexpr Scene scenes[] = {Scene::hybrid, Scene::wedge};
+    StoredClaim claim{.q_lo = 1, .q_hi = 1000, .gap = Rational(1, 1000)};
+    const std::size_t kind = choices.below(5);
+    if (kind < 3) {
+        claim.section = sections[kind];
+    } else {
+        claim.scene = scenes[kind - 3];
+    }
+    return claim;
+}
+
+/// As text: the one spelling, so that equal text is equal data.
+std::string text_of(const Piece& piece, const StoredClaim& claim) {
+    return render({"test", "1", {piece}, claim.scene, claim.section}).text;
+}
+
+void write(const fs::path& path, const std::string& bytes) {
+    std::ofstream(path, std::ios::binary | std::ios::trunc) << bytes;
+}
+
+fs::path file_of_piece(const fs::path& folder) {
+    for (const auto& entry : fs::directory_iterator(folder))
+        if (entry.path().extension() == ".dbc") return entry.path();
+    trap("no file of the piece that was kept");
+}
+
+std::string contents(const fs::path& path) {
+    std::ifstream in(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
+}
+
+/// The rest of the input, in place of the text or of a part of it; mostly with a checksum that fits.
+std::string damaged(const std::string& whole, Choices& choices) {
+    std::string text = whole.substr(0, whole.rfind("sha256 "));
+    const bool checksum = choices.below(4) > 0;
+    const std::size_t at = choices.coin() ? choices.below(std::min<std::size_t>(text.size(), 65536)) : 0;
+    const std::string bytes = choices.rest();
+    text.replace(at, at == 0 ? text.size() : bytes.size(), bytes);
+    return checksum ? text + "sha256 " + sha256_hex(text) + "\n" : text;
+}
+
+bool opens(const fs::path& folder, const StoredClaim& claim) {
+    try {
+        const PieceStore store(folder.string(), claim);
+        return true;
+    } catch (const InputError&) {
+        return false;
+    }
+}
+
+void check_find(const PieceStore& store, const Piece& piece, const StoredClaim& claim, bool must_be_there) {
+    const auto found = store.find({piece.q_lo, piece.q_hi, *piece.upper, piece.lower});
+    must(found.has_value() || !must_be_there, "a piece that was kept is found");
+    if (!found) return;
+    must(found->q_lo == piece.q_lo && found->q_hi == piece.q_hi && found->upper == piece.upper &&
+             found->lower == piece.lower,
+         "a piece that is found is the one that was asked for");
+    const std::string text = text_of(*found, claim);
+    must(!must_be_there || text == text_of(piece, claim), "a piece that is found is as it was");
+}
+
+}  // namespace
+
+int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    static const ScratchFolder scratch;
+    const fs::path folder = scratch.path() / "pieces";
+    Choices choices(data, size);
+    const bool whole = choices.coin();
+    const StoredClaim claim = any_claim(choices);
+    const Piece piece = any_piece(choices, claim);
+    {
+        const PieceStore store(folder.string(), claim);
+        store.keep(piece);
+        check_find(store, piece, claim, true);
+        if (!whole) {
+            write(file_of_piece(folder), damaged(text_of(piece, claim), choices));
+            check_find(store, piece, claim, false);
+        }
+    }
+    const std::string own = contents(folder / "claim"), other = whole ? own : choices.rest();
+    write(folder / "claim", other);
+    must(opens(folder, claim) == (other == own), "a folder is of one claim");
+    fs::remove_all(folder);
+    return 0;
+}

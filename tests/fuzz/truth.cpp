@@ -1,0 +1,89 @@
+#include "truth.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+#include <vector>
+
+#include "arith/rational.hpp"
+#include "target.hpp"
+
+namespace dumbbell_fuzz {
+namespace {
+
+constexpr std::size_t first_step = 3;
+
+/// q_c(n) lies in [cut, cut + radius].
+struct Step {
+    mpq_class cut, radius;
+};
+
+mpq_class number(const std::string& text) {
+    return mpq_class(dumbbell::parse_rational(text).backend().data());
+}
+
+/// Of q_c(3), q_c(4), ...
+std::vector<Step> read_table() {
+    std::ifstream in(DUMBBELL_PROJECT "/certificates/critical-ratios.tsv");
+    std::vector<Step> steps;
+    for (std::string line; std::getline(in, line);) {
+        if (line.starts_with('#')) continue;
+        std::istringstream fields(line);
+        std::size_t n = 0;
+        std::string ratio, radius;
+        if (!(fields >> n >> ratio >> radius) || n != first_step + steps.size())
+            throw std::runtime_error("the table of critical ratios: " + line);
+        steps.push_back({number(ratio), number(radius)});
+    }
+    if (steps.size() < 900) throw std::runtime_error("the table of critical ratios is missing");
+    return steps;
+}
+
+const std::vector<Step>& table() {
+    static const std::vector<Step> steps = read_table();
+    return steps;
+}
+
+/// N*(q) >= n iff q > q_c(n).
+Bounds of_dumbbell(const mpq_class& q) {
+    const auto& steps = table();
+    const auto first =
+        std::partition_point(steps.begin(), steps.end(), [&](const Step& s) { return s.cut + s.radius < q; });
+    const auto certain = static_cast<std::uint64_t>(first - steps.begin());
+    Bounds result{first_step - 1 + certain};
+    if (first != steps.end()) result.most = result.least + (q > first->cut ? 1 : 0);
+    return result;
+}
+
+Bounds of_wedge(const mpq_class& q) {
+    const long double value =
+        std::acos(-1.0L) / (2 * std::atan(1 / std::sqrt(static_cast<long double>(q.get_d()))));
+    const auto natural = [](long double x) { return static_cast<std::uint64_t>(std::ceil(x)); };
+    return {natural(value * (1 - 1e-12L)), natural(value * (1 + 1e-12L))};
+}
+
+std::string text(const std::optional<std::uint64_t>& n) { return n ? std::to_string(*n) : "none"; }
+
+}  // namespace
+
+Bounds maximum(const std::string& scene, const mpq_class& q) {
+    return scene == "dumbbell" ? of_dumbbell(q) : of_wedge(q);
+}
+
+mpq_class critical_ratio(std::size_t n) { return table().at(n - first_step).cut; }
+std::size_t greatest_critical() { return first_step + table().size() - 1; }
+
+void must_be_true(const std::string& scene, const mpq_class& lo, const mpq_class& hi,
+                  const std::optional<std::uint64_t>& upper, std::uint64_t lower) {
+    // The maximum does not decrease with q.
+    const Bounds at_lo = maximum(scene, lo), at_hi = maximum(scene, hi);
+    if ((!upper || *upper >= at_hi.least) && lower <= at_lo.most) return;
+    trap("verified, but false: scene " + scene + ", ratios " + lo.get_str() + ":" + hi.get_str() +
+         ", upper " + text(upper) + ", lower " + std::to_string(lower) + "; the maximum is at least " +
+         std::to_string(at_hi.least) + " at the end, at most " + std::to_string(at_lo.most) +
+         " at the beginning");
+}
+
+}  // namespace dumbbell_fuzz

@@ -1,0 +1,32 @@
+// What is true of N*, by Theorem 2 of proofs/theorem.md and the table of critical ratios made from it; no
+// certificate and no part of the verifier is used.
+#pragma once
+
+#include <gmpxx.h>
+
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <string>
+
+namespace dumbbell_fuzz {
+
+/// least <= N*(q) <= most.
+struct Bounds {
+    std::uint64_t least = 0;
+    std::uint64_t most = std::numeric_limits<std::uint64_t>::max();
+};
+
+/// The maximum of the scene at q >= 1. Equal bounds, but for ratios within 1e-50 of a critical one, and
+/// beyond the table (10^6), where there is no upper one. In the wedges: ceil(pi/gamma), 1e-12 around a step.
+[[nodiscard]] Bounds maximum(const std::string& scene, const mpq_class& q);
+
+/// Near the critical ratio q_c(n), to 50 digits; 3 <= n <= greatest_critical().
+[[nodiscard]] mpq_class critical_ratio(std::size_t n);
+[[nodiscard]] std::size_t greatest_critical();
+
+/// Ends the program if "N* <= upper and N* >= lower at all ratios of [lo, hi]" is certainly false.
+void must_be_true(const std::string& scene, const mpq_class& lo, const mpq_class& hi,
+                  const std::optional<std::uint64_t>& upper, std::uint64_t lower);
+
+}  // namespace dumbbell_fuzz

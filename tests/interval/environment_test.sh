@@ -1,0 +1,102 @@
+#!/usr/bin/env bash
+# environment_test.sh DUMBBELL VERIFIER CERTIFICATES FORCE FAST_MATH: both programs refuse to run where something else
+# in the process spoils the arithmetic. FORCE and FAST_MATH are libraries to preload (environment/).
+set -uo pipefail
+dumbbell=$1 verifier=$2 certificates=$3 force=$4 fast_math=$5
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+failures=0
+declare -A count
+
+fail() {
+    printf 'FAILED %s\n' "$*"
+    failures=$((failures + 1))
+}
+
+# Each word of the program, and the verifier: alone on a small certificate, and with leaves enough for 8 threads.
+stairs=$certificates/stairs-1-100.dbc
+words=(certify critical law audit trace plot verify leaves full wedge hybrid ones)
+command_of() {
+    case $1 in
+        certify) command=("$dumbbell" certify 1:30 --gap 1e-6 --jobs 8 --out "$folder/out") ;;
+        critical) command=("$dumbbell" critical 3:12 --jobs 8) ;;
+        law) command=("$dumbbell" law "$stairs") ;;
+        audit) command=("$dumbbell" audit "$stairs") ;;
+        trace) command=("$dumbbell" trace 10 --phi 1/3 --phidot 1 --y 3 --ydot -1/2) ;;
+        plot) command=("$dumbbell" plot staircase "$stairs" --out "$folder/out") ;;
+        verify) command=("$verifier" "$certificates/q-10.dbc") ;;
+        leaves) command=("$verifier" --jobs 8 "$stairs") ;;
+        full) command=("$verifier" --jobs 8 "$certificates/full-100.dbc.gz") ;;
+        wedge) command=("$verifier" --scene wedge "$certificates/wedge-1-100.dbc") ;;
+        hybrid) command=("$verifier" --scene hybrid "$certificates/hybrid-1-100.dbc") ;;
+        ones) command=("$verifier" "$certificates/q-1.dbc") ;;
+    esac
+}
+
+# run VARIABLE=VALUE...: the command in such an environment; sets code and output, without what differs from run to run.
+run() {
+    rm -rf "$folder"/out*
+    output=$(env "$@" "${command[@]}" 2>&1)
+    code=$?
+    output=$(sed -E 's/[0-9.]+ (ms|s)\b//g; s/ +/ /g' <<< "$output")
+    [[ ! -e $folder/out ]] || output+=" sha256 $(sha256sum < "$folder/out")"
+}
+
+# refused WHAT VARIABLE=VALUE...: every command refuses, says so, and leaves nothing behind.
+refused() {
+    local what=$1 word
+    shift
+    for word in "${words[@]}"; do
+        command_of "$word"
+        run "$@"
+        if [[ $code == 0 || $output == *VERIFIED* || -e $folder/out ]] ||
+            [[ ! $output =~ self-test|"not IEEE 754" ]]; then
+            fail "$what, $word: exit code $code"$'\n'"$output"
+            continue
+        fi
+        count[$word spoiled]=$((${count[$word spoiled]-0} + 1))
+    done
+}
+
+# refused_or_same WHAT VARIABLE=VALUE...: every command refuses, or prints what it prints otherwise.
+refused_or_same() {
+    local what=$1 word
+    shift
+    for word in "${words[@]}"; do
+        command_of "$word"
+        run "$@"
+        if [[ $code != 0 && $output =~ self-test|"not IEEE 754" && ! -e $folder/out ]]; then
+            count[$word refused]=$((${count[$word refused]-0} + 1))
+        elif [[ $output == "${usual[$word]}" ]]; then
+            count[$word same]=$((${count[$word same]-0} + 1))
+        else
+            fail "$what, $word: exit code $code, another result:"
+            diff <(echo "${usual[$word]}") <(echo "$output")
+        fi
+    done
+}
+
+declare -A usual
+for word in "${words[@]}"; do
+    command_of "$word"
+    run LD_PRELOAD="$force" # changes nothing unless told to
+    [[ $code == 0 ]] || fail "$word fails without any force: exit code $code"$'\n'"$output"
+    usual[$word]=$output
+done
+
+for bits in 8000 40 8040 2000 4000 6000; do
+    refused "MXCSR $bits" LD_PRELOAD="$force" DUMBBELL_FORCE_IN=main DUMBBELL_FORCE_SSE=$bits
+    refused_or_same "MXCSR $bits in threads" LD_PRELOAD="$force" DUMBBELL_FORCE_IN=threads DUMBBELL_FORCE_SSE=$bits
+done
+refused 'a library built with -ffast-math' LD_PRELOAD="$fast_math"
+for bits in 400 800 c00; do
+    refused "x87 $bits" LD_PRELOAD="$force" DUMBBELL_FORCE_IN=main DUMBBELL_FORCE_X87=$bits
+    refused_or_same "x87 $bits in threads" LD_PRELOAD="$force" DUMBBELL_FORCE_IN=threads DUMBBELL_FORCE_X87=$bits
+done
+
+printf '%-10s %-24s %-24s %s\n' command 'spoiled: refused' 'threads spoiled: refused' 'threads spoiled: the same result'
+for word in "${words[@]}"; do
+    printf '%-10s %-24s %-24s %s\n' "$word" "${count[$word spoiled]-0}" "${count[$word refused]-0}" "${count[$word same]-0}"
+done
+printf 'failures: %d\n' "$failures"
+exit $((failures > 0))

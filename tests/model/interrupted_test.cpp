@@ -1,0 +1,62 @@
+// A count that is interrupted says less than it could, never more.
+#include "model/interrupted.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "model/count.hpp"
+#include "model/departure.hpp"
+#include "model/extremal_orbit.hpp"
+#include "model/plain.hpp"
+#include "model/wedge.hpp"
+
+using namespace dumbbell;
+
+namespace {
+
+// Interrupted the n-th time it is asked.
+class Patience {
+  public:
+    explicit Patience(int n) : left_(n) {}
+    bool operator()() { return left_-- <= 0; }
+
+  private:
+    int left_;
+};
+
+constexpr long cap = 1'000'000;
+
+}  // namespace
+
+TEST_CASE("An interrupted upper count is undecided, an interrupted lower count is what was seen") {
+    const Ray<Interval> ray = extremal_ray(ExtremalOrbit::corner, Interval(1e-8));
+    const long all = count_at_least(ray, cap);
+    REQUIRE(all > 3 * flights_between_questions);
+    CHECK(count_at_most(ray, cap) == all);
+    for (int n = 0; n < 3; ++n) {
+        CHECK(count_at_most(ray, cap, Patience(n)) == cap + 1);
+        CHECK(count_at_least(ray, cap, Patience(n)) == (n + 1) * flights_between_questions);
+    }
+    CHECK(count_at_most(ray, cap, Patience(1000)) == all);
+    CHECK(count_at_least(ray, cap, Patience(1000)) == all);
+}
+
+TEST_CASE("Interrupted counts of departures and of plain boxes are undecided") {
+    const Interval r(1e-8);
+    const RatioRange<Interval> range{r, r};
+    const Departure<Interval> steep = departure(position(Interval(1e-3)), Interval(1) + Interval(1e-7));
+    REQUIRE(later_collisions_at_most(steep, steep, range, cap) < cap);
+    CHECK(later_collisions_at_most(steep, steep, range, cap, Patience(0)) == cap + 1);
+    const PlainRay<Interval> thin{Interval(0), Interval(1e-7)};
+    CHECK(plain_count(thin, r, cap, Patience(0)) == cap + 1);
+    const PlainDeparture<Interval> from{steep.x, steep.sin_x, steep.kappa};
+    CHECK(plain_later_collisions(from, r, cap, Patience(0)) == cap + 1);
+}
+
+TEST_CASE("Interrupted counts in the wedge: the exact one says nothing, the rounded one is undecided") {
+    const Rational r(1, 10'000);
+    const auto all = wedge_count(0, r, cap);
+    REQUIRE(all.has_value());
+    CHECK(*all > 50);
+    CHECK_FALSE(wedge_count(0, r, cap, Patience(50)).has_value());
+    CHECK(wedge_count_at_most(Interval(0), Interval(1e-8), cap, Patience(0)) == cap + 1);
+}

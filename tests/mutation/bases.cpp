@@ -1,0 +1,165 @@
+#include "bases.hpp"
+
+#include <span>
+
+#include "arith/error.hpp"
+#include "certificate/initial_writer.hpp"
+#include "certificate/writer.hpp"
+#include "prove/certify.hpp"
+#include "prove/leaf.hpp"
+#include "prove/piece.hpp"
+#include "prove/subdivide.hpp"
+
+namespace dumbbell_mutation {
+namespace {
+
+using namespace dumbbell;
+
+Base base(const std::string& name, Certificate data) {
+    std::string text = render(data).text;
+    return {name, std::move(data), std::move(text)};
+}
+Base base(const std::string& name, InitialCertificate data) {
+    std::string text = render(data).text;
+    return {name, std::move(data), std::move(text)};
+}
+
+Certificate certificate(std::vector<Piece> pieces, Scene scene = Scene::dumbbell,
+                        Section section = Section::turning) {
+    return {"mutation", "1.0", std::move(pieces), scene, section};
+}
+
+/// What `dumbbell certify` writes.
+Certificate certified(const std::string& lo, const std::string& hi, const std::string& gap = "1e-3",
+                      Scene scene = Scene::dumbbell, Section section = Section::turning) {
+    CertifyRequest request;
+    request.q_lo = parse_rational(lo);
+    request.q_hi = parse_rational(hi);
+    request.scene = scene;
+    request.section = section;
+    request.gap = parse_rational(gap);
+    std::vector<Piece> pieces;
+    for (const ProvedPiece& piece : certify(request)) pieces.push_back(piece.piece);
+    return certificate(std::move(pieces), scene, section);
+}
+
+Piece proved(const std::string& lo, const std::string& hi, long upper, long lower,
+             Section section = Section::turning) {
+    PieceOptions options;
+    options.section = section;
+    return prove_piece(parse_rational(lo), parse_rational(hi), upper, lower, options).piece;
+}
+/// Nothing is said of it.
+Piece left_open(const std::string& lo, const std::string& hi) {
+    Piece piece;
+    piece.q_lo = parse_rational(lo);
+    piece.q_hi = parse_rational(hi);
+    return piece;
+}
+
+/// States whose surroundings are split further, so that all opcodes occur: near the first of the chart light
+/// `meets`, near the second `meets-reversed`.
+bool near_meeting(const Box& box) {
+    const Rational reversed = 2 * box.q_lo / (box.q_lo - 1);
+    return box.e_lo == 0 && (box.slope_lo == 0 || (box.slope_lo <= reversed && reversed <= box.slope_hi));
+}
+/// More splits than are needed, in turn of all axes: `depth` everywhere, twelve more near meetings.
+void grow(Chart chart, const Box& box, long upper, int depth, int done, Tree& tree) {
+    std::optional<Leaf> leaf;
+    judge<Interval>(chart, {&box, 1}, upper, {&leaf, 1});
+    if (leaf && done >= depth + (chart == Chart::light && near_meeting(box) ? 12 : 0)) {
+        tree.push_back({std::nullopt, *leaf});
+        return;
+    }
+    require(done < depth + 20, "a deep tree does not close");
+    const bool ratio = box.q_lo < box.q_hi && done % 3 == 2 && done < depth;
+    const Axis axis = ratio ? Axis::ratio : done % 2 == 0 ? Axis::position : Axis::slope;
+    const auto [low, high] = halves(box, axis);
+    tree.push_back({axis, {}});
+    grow(chart, low, upper, depth, done + 1, tree);
+    grow(chart, high, upper, depth, done + 1, tree);
+}
+Certificate deep(Certificate certificate, int depth) {
+    for (Piece& piece : certificate.pieces)
+        for (auto& [chart, tree] : piece.cover.charts) {
+            tree.clear();
+            grow(chart, root_box(chart, piece.q_lo, piece.q_hi), *piece.upper, depth, 0, tree);
+        }
+    return certificate;
+}
+
+InitialBox box(std::array<std::array<const char*, 2>, initial_axes> sides) {
+    const auto rational = [](const std::string& text) {
+        return text[0] == '-' ? Rational(-parse_rational(text.substr(1))) : parse_rational(text);
+    };
+    InitialBox result;
+    for (std::size_t i = 0; i < initial_axes; ++i) {
+        result.lo[i] = rational(sides[i][0]);
+        result.hi[i] = rational(sides[i][1]);
+    }
+    return result;
+}
+InitialCertificate subdivided(const InitialBox& box, std::size_t boxes, int bits = 53) {
+    const Subdivision parts = subdivide(box, {.max_boxes = boxes, .bits = bits});
+    return {"mutation", "1.0", box, parts.bits, parts.tree};
+}
+InitialCertificate with_open_leaf(InitialCertificate certificate) {
+    for (InitialNode& node : certificate.tree)
+        if (!node.split && node.leaf.least != node.leaf.most) {
+            node.leaf = {};
+            break;
+        }
+    return certificate;
+}
+
+}  // namespace
+
+std::vector<Base> bases(bool large) {
+    std::vector<Base> all = {
+        base("equal", certified("1", "1")),
+        base("single", certified("10", "10")),
+        base("thousand", certified("1000", "1000")),
+        base("single-split", certified("11.3622592", "11.3622592")),
+        base("deep", deep(certified("10", "10"), 2)),
+        base("range", certified("4", "5")),
+        base("range-from-1", certified("1", "1.2")),
+        base("range-split", certified("10", "12")),
+        base("range-deep", deep(certificate({proved("2", "9/4", 3, 3)}), 3)),
+        base("open", certificate({proved("2", "5/2", 3, 3), left_open("5/2", "3")})),
+        base("loose", certificate({proved("4", "5", 6, 2)})),
+        base("big", certified("4.603338848751702", "4.603338848751702")),
+        base("big-range", certified("11.3622592088388", "11.3622592088389", "1e-18")),
+        base("full", certified("3", "3", "1e-3", Scene::dumbbell, Section::full)),
+        base("full-equal", certified("1", "1", "1e-3", Scene::dumbbell, Section::full)),
+        base("full-range", certified("2", "2.1", "1e-3", Scene::dumbbell, Section::full)),
+        base("full-deep", deep(certified("3/2", "3/2", "1e-3", Scene::dumbbell, Section::full), 3)),
+        base("full-again",
+             certificate({proved("30", "45", 20, 5, Section::full)}, Scene::dumbbell, Section::full)),
+        base("plain",
+             certificate({proved("1.01", "1.01", 4, 3, Section::plain)}, Scene::dumbbell, Section::plain)),
+        base("wedge", certified("3", "3", "1e-3", Scene::wedge)),
+        base("wedge-range", certified("3", "7", "1e-3", Scene::wedge)),
+        base("hybrid-range", certified("5", "11", "1e-3", Scene::hybrid)),
+        base("falling",
+             subdivided(box({{{"-1", "1"}, {"1/100", "1/100"}, {"3/2", "3/2"}, {"-1", "-1"}, {"10", "10"}}}),
+                        16)),
+        base("turning-starts",
+             subdivided(box({{{"4", "5"}, {"-1", "-1/2"}, {"3/2", "7/4"}, {"-1/10", "1/10"}, {"3", "4"}}}),
+                        12)),
+        base("precise-starts",
+             subdivided(box({{{"1/3", "1/3"}, {"1", "1"}, {"3/2", "3/2"}, {"-1", "-1"}, {"100", "100"}}}), 1,
+                        200)),
+        base("rising-starts",
+             subdivided(box({{{"0", "3"}, {"2", "3"}, {"1", "1"}, {"1/4", "2"}, {"2", "2"}}}), 12)),
+        base("open-starts",
+             with_open_leaf(subdivided(
+                 box({{{"0", "3"}, {"-1/2", "1/2"}, {"3/2", "3/2"}, {"-1", "-1"}, {"1", "3/2"}}}), 8)))};
+    if (large) {
+        all.push_back(base("full-large", certified("10", "10", "1e-3", Scene::dumbbell, Section::full)));
+        all.push_back(base("staircase", certified("1", "50")));
+        all.push_back(base("wedge-staircase", certified("1", "50", "1e-6", Scene::wedge)));
+    }
+    return all;
+}
+
+}  // namespace dumbbell_mutation

@@ -1,0 +1,208 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "certificate/initial_writer.hpp"
+#include "certificate/writer.hpp"
+#include "mutations.hpp"
+#include "prove/leaf.hpp"
+
+namespace dumbbell_mutation {
+namespace {
+
+using namespace dumbbell;
+
+constexpr const char* steps[] = {"1e-15", "1e-9", "1e-4", "1e-2", "1/3", "1"};  // relative
+constexpr std::array bit_counts{53, 54, 64, 96, 113, 200, 256, 512, 1024, 2048, 4096};
+
+/// A tree that is as good as it gets for the bound: what does not close within `depth` splits is a leaf
+/// `count` all the same, with hints that fit the bound.
+void best_tree(Chart chart, const Box& box, long upper, int depth, Tree& tree) {
+    std::optional<Leaf> leaf;
+    judge<Interval>(chart, {&box, 1}, upper, {&leaf, 1});
+    if (!leaf && depth == 0) {
+        judge<Interval>(chart, {&box, 1}, upper + 1, {&leaf, 1});
+        const long forward = leaf ? std::clamp(leaf->forward, 0L, upper - 1) : upper - 1;
+        leaf = Leaf{chart == Chart::again ? Reason::once : Reason::count, forward, upper - 1 - forward};
+    }
+    if (leaf) {
+        tree.push_back({std::nullopt, *leaf});
+        return;
+    }
+    const bool position =
+        chart != Chart::wedge && (box.e_hi - box.e_lo) * box.q_hi >= box.slope_hi - box.slope_lo;
+    const bool ratio = (box.q_hi - box.q_lo) * 8 > box.q_lo;
+    const Axis axis = ratio ? Axis::ratio : position ? Axis::position : Axis::slope;
+    const auto [low, high] = halves(box, axis);
+    tree.push_back({axis, {}});
+    best_tree(chart, low, upper, depth - 1, tree);
+    best_tree(chart, high, upper, depth - 1, tree);
+}
+
+class Claims {
+  public:
+    Claims(const Certificate& data, const Sink& sink) : data_(data), sink_(sink) {}
+
+    void run() {
+        for (std::size_t i = 0; i < data_.pieces.size(); ++i) {
+            bounds(i);
+            for (const int bits : bit_counts)
+                change(i, "bits", std::to_string(bits), [&](Piece& p) { p.bits = bits; });
+            if (i + 1 < data_.pieces.size()) merge(i);
+        }
+        ranges();
+        for (const Scene scene : {Scene::dumbbell, Scene::hybrid, Scene::wedge})
+            for (const Section section : {Section::turning, Section::full, Section::plain}) {
+                Certificate changed = data_;
+                changed.scene = scene;
+                changed.section = section;
+                give("section", fmt::format("{} {}", static_cast<int>(scene), static_cast<int>(section)),
+                     changed);
+            }
+    }
+
+  private:
+    void give(std::string_view kind, const std::string& what, const Certificate& changed) {
+        sink_({kind, what, render(changed).text});
+    }
+    template <class Change>
+    void change(std::size_t i, std::string_view kind, const std::string& what, Change apply) {
+        Certificate changed = data_;
+        apply(changed.pieces[i]);
+        give(kind, fmt::format("piece {}: {}", i + 1, what), changed);
+    }
+    static void without_lower(Piece& piece) {
+        piece.lower = 0;
+        piece.witness.reset();
+    }
+
+    void bounds(std::size_t i) {
+        const Piece& piece = data_.pieces[i];
+        change(i, "weaker claim", "no lower bound", without_lower);
+        change(i, "weaker claim", "no upper bound", [](Piece& p) { p.upper.reset(); });
+        change(i, "weaker claim", "neither", [](Piece& p) {
+            p.upper.reset();
+            without_lower(p);
+        });
+        for (const int side : {0, 1, 2})
+            change(i, "one more attained", fmt::format("hint {}", side), [&](Piece& p) {
+                ++p.lower;
+                if (!p.witness) p.witness = Witness{Rational(1, 2), Rational(1, 4)};
+                if (p.upper) p.upper = std::max(*p.upper, p.lower);
+                if (p.witness && side > 0) ++(side == 1 ? p.witness->forward : p.witness->backward);
+            });
+        if (!piece.upper) return;
+        for (const long less : {1L, 2L}) {
+            change(i, "N less, same tree", std::to_string(less), [&](Piece& p) {
+                *p.upper -= less;
+                without_lower(p);
+            });
+            for (const bool forward : {true, false})
+                change(i, "N less, hints less", fmt::format("{} {}", less, forward), [&](Piece& p) {
+                    *p.upper -= less;
+                    without_lower(p);
+                    for (ChartTree& chart : p.cover.charts)
+                        for (Node& node : chart.tree)
+                            if (long& hint = forward ? node.leaf.forward : node.leaf.backward;
+                                1 + node.leaf.forward + node.leaf.backward > *p.upper)
+                                hint = std::max(0L, hint - less);
+                });
+        }
+        for (const int depth : {0, 1, 2, 3, 4, 6, 8})
+            if (*piece.upper > 1)
+                change(i, "N less, best tree", fmt::format("depth {}", depth), [&](Piece& p) {
+                    --*p.upper;
+                    without_lower(p);
+                    p.cover.equal_masses = false;
+                    p.cover.charts.clear();
+                    for (const Chart chart : charts_of(data_.scene, data_.section)) {
+                        p.cover.charts.push_back({chart, {}});
+                        best_tree(chart, root_box(chart, p.q_lo, p.q_hi), *p.upper, depth,
+                                  p.cover.charts.back().tree);
+                    }
+                });
+        change(i, "lemma L7", "instead of the cover",
+               [](Piece& p) { p.cover = Cover{.equal_masses = true, .charts = {}}; });
+    }
+
+    /// One piece for the ranges of two, with everything of either.
+    void merge(std::size_t i) {
+        for (const bool first : {true, false}) {
+            Certificate changed = data_;
+            Piece &low = changed.pieces[i], &high = changed.pieces[i + 1];
+            high.q_lo = low.q_lo;
+            low.q_hi = high.q_hi;
+            if (first) high = low;
+            changed.pieces.erase(changed.pieces.begin() + static_cast<std::ptrdiff_t>(i));
+            give("pieces merged",
+                 fmt::format("{} and the next, with the cover of the {}", i + 1, first ? "first" : "second"),
+                 changed);
+        }
+    }
+
+    /// The first piece begins earlier, the last ends later, or all that is said is said of another ratio.
+    void ranges() {
+        for (const char* step : steps)
+            for (const int sides : {1, 2, 3, 4, 5}) {
+                Certificate changed = data_;
+                Rational &lo = changed.pieces.front().q_lo, &hi = changed.pieces.back().q_hi;
+                const Rational wide = 1 + parse_rational(step);
+                if (sides == 1 || sides == 3) lo = std::max(Rational(1), lo / wide);
+                if (sides == 2 || sides == 3) hi *= wide;
+                if (sides > 3) {
+                    if (changed.pieces.size() > 1) continue;
+                    hi = lo = sides == 4 ? Rational(hi * wide) : std::max(Rational(1), lo / wide);
+                }
+                give(sides > 3 ? "another ratio" : "wider range", fmt::format("{} sides {}", step, sides),
+                     changed);
+            }
+    }
+
+    const Certificate& data_;
+    const Sink& sink_;
+};
+
+void claims_of(const InitialCertificate& data, const Sink& sink) {
+    const auto give = [&](std::string_view kind, const std::string& what, const InitialCertificate& changed) {
+        sink({kind, what, render(changed).text});
+    };
+    for (std::size_t axis = 0; axis < initial_axes; ++axis)
+        for (const char* step : steps)
+            for (const int sides : {1, 2, 3, 4, 5}) {
+                InitialCertificate changed = data;
+                Rational &lo = changed.box.lo[axis], &hi = changed.box.hi[axis];
+                const Rational width = hi > lo ? Rational(hi - lo) : Rational(1);
+                const Rational reach = parse_rational(step) * width;
+                if (sides == 1 || sides >= 3) lo += sides == 4 ? reach : Rational(-reach);
+                if (sides == 2 || sides >= 3) hi += sides == 5 ? Rational(-reach) : reach;
+                if (lo > hi || (axis == initial_axes - 1 && lo <= 0)) continue;
+                give(sides > 3 ? "box moved" : "wider box",
+                     fmt::format("axis {} {} sides {}", axis, step, sides), changed);
+            }
+    for (const int bits : bit_counts) {
+        InitialCertificate changed = data;
+        changed.bits = bits;
+        give("bits", std::to_string(bits), changed);
+    }
+    for (const long more : {-1L, 1L}) {
+        InitialCertificate changed = data;
+        for (InitialNode& node : changed.tree)
+            if (!node.split && node.leaf.most) {
+                node.leaf.least = std::max(0L, node.leaf.least + more);
+                *node.leaf.most = std::max(0L, *node.leaf.most + more);
+            }
+        give("all counts", std::to_string(more), changed);
+    }
+}
+
+}  // namespace
+
+void claim_mutations(const Base& base, const Sink& sink) {
+    if (const auto* data = std::get_if<Certificate>(&base.data))
+        Claims(*data, sink).run();
+    else
+        claims_of(std::get<InitialCertificate>(base.data), sink);
+}
+
+}  // namespace dumbbell_mutation

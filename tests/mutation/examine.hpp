@@ -1,0 +1,49 @@
+// The verifier on a text, in this process: what `dumbbell-verify` would say.
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "verify/certificate.hpp"
+
+namespace dumbbell_mutation {
+
+struct Outcome {
+    dumbbell_verify::Verdict verdict = dumbbell_verify::Verdict::verified;
+    std::uint64_t line = 0;
+    std::string code, text;                       ///< why not; empty if verified
+    std::optional<dumbbell_verify::Proof> proof;  ///< if verified
+
+    [[nodiscard]] bool accepted() const { return verdict == dumbbell_verify::Verdict::verified; }
+};
+
+/// Throws std::runtime_error if that fails.
+void write_file(const std::string& path, const std::string& text);
+
+/// A file of this process for one text after the other, removed at the end. The last text stays readable in
+/// it if the process ends by a signal.
+class Scratch {
+  public:
+    Scratch();
+    Scratch(const Scratch&) = delete;
+    Scratch& operator=(const Scratch&) = delete;
+    ~Scratch();
+    [[nodiscard]] const std::string& path() const { return path_; }
+    void write(const std::string& text) const;
+
+  private:
+    std::string path_;
+};
+
+[[nodiscard]] Outcome examine(const std::string& path, const dumbbell_verify::Settings& settings);
+
+/// Of a text that is taken at its word: the scene that it names, one thread.
+[[nodiscard]] dumbbell_verify::Settings settings_for(const std::string& text);
+
+/// The program's exit code for a verdict.
+[[nodiscard]] int exit_code(dumbbell_verify::Verdict verdict);
+
+/// What an accepted file proves, in one line: `upper=4 lower=4 gaps=0 open=0` and the like.
+[[nodiscard]] std::string claim_text(const dumbbell_verify::Proof& proof);
+
+}  // namespace dumbbell_mutation

@@ -1,0 +1,188 @@
+// The tools of the driver: what they make is what it is said to be, and the second argument refuses what is
+// false.
+#include <catch2/catch.hpp>
+#include <csignal>
+#include <cstdlib>
+#include <filesystem>
+#include <set>
+#include <sstream>
+
+#include "apart.hpp"
+#include "argument.hpp"
+#include "audit/claimed_range.hpp"
+#include "campaign.hpp"
+#include "certificate/reader.hpp"
+#include "corpus.hpp"
+#include "manifest.hpp"
+#include "text.hpp"
+
+using namespace dumbbell_mutation;
+
+namespace {
+
+const std::vector<Base>& all_bases() {
+    static const std::vector<Base> all = bases(false);
+    return all;
+}
+
+/// What a verifier would say that believes the file.
+dumbbell_verify::Proof believed(const std::string& path) {
+    const dumbbell::Certificate c = dumbbell::read_certificate(path);
+    const auto range = dumbbell::audit::claimed_range(path);
+    dumbbell_verify::Proof proof;
+    const auto exact = [](const dumbbell::Rational& x) { return mpq_class(dumbbell::to_fraction(x)); };
+    proof.claim.lo = exact(range.first);
+    proof.claim.hi = exact(range.second);
+    for (const dumbbell::Piece& piece : c.pieces)
+        proof.claim.add(exact(piece.q_lo), exact(piece.q_hi),
+                        piece.upper ? std::optional(static_cast<std::uint64_t>(*piece.upper)) : std::nullopt,
+                        static_cast<std::uint64_t>(piece.lower));
+    proof.heavy_once = c.section != dumbbell::Section::turning && proof.claim.upper;
+    return proof;
+}
+
+/// A folder that is removed again.
+class Folder {
+  public:
+    Folder()
+        : path_(std::filesystem::temp_directory_path() / ("dumbbell_corpus_" + std::to_string(std::rand()))) {
+        std::filesystem::remove_all(path_);
+    }
+    Folder(const Folder&) = delete;
+    Folder& operator=(const Folder&) = delete;
+    ~Folder() { std::filesystem::remove_all(path_); }
+    [[nodiscard]] std::string path() const { return path_.string(); }
+
+  private:
+    std::filesystem::path path_;
+};
+
+}  // namespace
+
+TEST_CASE("The trailer that is made anew is the one that the prover wrote") {
+    for (const Base& base : all_bases()) {
+        INFO(base.name);
+        CHECK(closed(base.text) == base.text);
+        CHECK(hashed(base.text) == base.text);
+        CHECK(text_of(lines_of(base.text)) == base.text);
+    }
+}
+
+TEST_CASE("Every base is verified, and shown to be true by the second argument") {
+    const Scratch file;
+    for (const Base& base : all_bases()) {
+        file.write(base.text);
+        const Outcome outcome = examine(file.path(), settings_for(base.text));
+        INFO(base.name << ": " << outcome.text);
+        REQUIRE(outcome.accepted());
+        const Argument argument = second_argument(file.path(), *outcome.proof);
+        INFO(argument.text);
+        CHECK(argument.holds);
+    }
+}
+
+TEST_CASE("Together the bases have every opcode, section, scene, precision and kind of piece") {
+    std::set<std::string> found;
+    for (const Base& base : all_bases()) {
+        for (const std::string& line : lines_of(base.text)) {
+            const Words words = words_of(line);
+            if (words[0] == "total") {
+                if (words[2] != "0") found.insert(words[1]);
+            } else if (words[0] == "bits") {
+                found.insert(words[1] == "53" ? "double" : "multiple");
+            } else if (words[0] == "scene" || words[0] == "section" || words[0] == "lemmas" ||
+                       words[0] == "claim" || words[0] == "chart") {
+                found.insert(line);
+            }
+        }
+    }
+    for (const std::string what : {"split",
+                                   "count",
+                                   "outside",
+                                   "meets",
+                                   "meets-reversed",
+                                   "equal-masses",
+                                   "witness",
+                                   "once",
+                                   "open",
+                                   "exactly",
+                                   "between",
+                                   "double",
+                                   "multiple",
+                                   "lemmas minimal",
+                                   "scene wedge",
+                                   "scene hybrid",
+                                   "section full",
+                                   "section none",
+                                   "claim initial-conditions",
+                                   "chart again",
+                                   "chart departure"})
+        CHECK(found.contains(what));
+}
+
+TEST_CASE("Trees are found in the lines") {
+    const Lines lines = {"chart bridge", "split e", "outside", "split q", "count 1 2", "meets", "lower 0"};
+    const auto nodes = nodes_of(lines);
+    REQUIRE(nodes.size() == 5);
+    CHECK((nodes[0].begin == 1 && nodes[0].upper == 3 && nodes[0].end == 6));
+    CHECK((nodes[2].begin == 3 && nodes[2].upper == 5 && nodes[2].end == 6));
+    CHECK((nodes[4].begin == 5 && nodes[4].upper == 0 && nodes[4].end == 6));
+    CHECK(nodes_of({"chart bridge", "split e", "outside"}).empty());
+}
+
+TEST_CASE("The second argument refuses the committed false claims") {
+    const std::filesystem::path folder = DUMBBELL_FALSE_CLAIMS;
+    int refused = 0;
+    for (const Entry& entry : read_manifest((folder / "manifest.tsv").string())) {
+        if (entry.exit != 1 || !entry.reason.starts_with("not certified")) continue;
+        if (entry.file == "bits-less.dbc") continue;  // true: the bits alone are too few
+        INFO(entry.file << ": " << entry.why);
+        const std::string path = (folder / entry.file).string();
+        const bool starts = entry.file.starts_with("starts-");
+        const Argument argument = starts ? initial_argument(path, dumbbell_verify::Initial{})
+                                         : second_argument(path, believed(path));
+        CHECK_FALSE(argument.holds);
+        // For the leaf or the witness, not because the forged verdict does not fit.
+        CHECK(argument.text.find("the verdict") == std::string::npos);
+        ++refused;
+    }
+    CHECK(refused > 60);
+}
+
+TEST_CASE("Every false claim is in the table, and the other way round") {
+    const std::filesystem::path folder = DUMBBELL_FALSE_CLAIMS;
+    std::set<std::string> listed, there;
+    for (const Entry& entry : read_manifest((folder / "manifest.tsv").string())) listed.insert(entry.file);
+    for (const auto& file : std::filesystem::directory_iterator(folder))
+        if (file.path().extension() == ".dbc") there.insert(file.path().filename().string());
+    CHECK(listed == there);
+}
+
+TEST_CASE("Crashes and endless loops are counted, and the rest is done all the same") {
+    const auto ended = run_apart(12, 3, 1, [](std::size_t i) {
+        if (i == 3) std::raise(SIGKILL);
+        for (volatile std::size_t endless = i; endless == 5;) continue;
+        return std::to_string(i * i);
+    });
+    REQUIRE(ended.size() == 12);
+    for (std::size_t i = 0; i < ended.size(); ++i) {
+        INFO(i);
+        CHECK(ended[i].signal == (i == 3 ? SIGKILL : i == 5 ? SIGPROF : 0));
+        CHECK(ended[i].result == (i == 3 || i == 5 ? "" : std::to_string(i * i)));
+    }
+}
+
+TEST_CASE("What is dumped is verified again with the same words") {
+    const Folder folder;
+    const Base& base = all_bases().at(1);
+    const Options options{.most = 300};
+    const auto trials = trials_of(base, options);
+    REQUIRE(trials.size() > 300);
+    Corpus corpus;
+    corpus.add(base, trials, run(trials, options));
+    corpus.write(folder.path(), 100);
+    const std::string table = folder.path() + "/manifest.tsv";
+    CHECK(read_manifest(table).size() == 100);
+    CHECK(replay(table, "") == "");
+    CHECK_THROWS_AS(corpus.write(folder.path(), 100), std::runtime_error);
+}

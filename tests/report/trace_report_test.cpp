@@ -1,0 +1,64 @@
+#include "report/trace_report.hpp"
+
+#include <catch2/catch.hpp>
+
+using namespace dumbbell;
+using Catch::Matchers::Contains;
+
+namespace {
+
+TraceReport report_of(const Rational& phi, const Rational& phidot, int digits) {
+    const std::array<Rational, initial_axes> at{phi, phidot, 3, -1, 10};
+    TraceReport report{.box = {at, at}, .trace = {}, .digits = digits, .parts = {}, .out = {}, .sha256 = {}};
+    report.trace = trace(report.box, digits);
+    return report;
+}
+
+}  // namespace
+
+TEST_CASE("a flat fall is said to be one, at every precision, with what to do") {
+    for (const int digits : {0, 40, 100'000}) {
+        TraceReport report = report_of(0, 0, 0);
+        report.digits = digits;
+        CHECK_THAT(outcome_sentence(report),
+                   Contains("cannot be decided at any precision") &&
+                       Contains("both masses reach the floor at once, at time 3 ") &&
+                       Contains("move the initial condition") && !Contains("--digits"));
+    }
+}
+
+TEST_CASE("other undecided orbits want more digits, and once that did not help, another start") {
+    TraceReport report = report_of(Rational(1) / exact(0x1p100), 0, 0);
+    REQUIRE_FALSE(report.trace.exact());
+    CHECK_THAT(outcome_sentence(report), Contains("try --digits 40") && !Contains("move"));
+    report.digits = 40;
+    CHECK_THAT(outcome_sentence(report),
+               Contains("try --digits 80;") && Contains("move the initial condition"));
+    report.digits = most_trace_digits;
+    CHECK_THAT(outcome_sentence(report), !Contains("--digits") && Contains("move the initial condition"));
+}
+
+TEST_CASE("one collision is no plural") {
+    TraceReport report = report_of(1, 0, 0);
+    report.parts.emplace();
+    report.parts->least = 1;
+    report.parts->most = 1;
+    CHECK_THAT(to_text(report), Contains("every initial condition in it has 1 collision.\n"));
+    report.parts->most = 4;
+    CHECK_THAT(to_text(report), Contains("every initial condition in it has between 1 and 4 collisions.\n"));
+    report.parts->most.reset();
+    CHECK_THAT(to_text(report), Contains("every initial condition in it has at least 1 collision.\n"));
+}
+
+TEST_CASE("no zero has a sign") {
+    const TraceReport report = report_of(Rational(3, 10), 0, 0);  // phidot is 0 before the first collision
+    REQUIRE_FALSE(report.trace.collisions.empty());
+    CHECK_THAT(to_csv(report), !Contains("-0,"));
+    CHECK_THAT(to_json(report).dump(), !Contains("-0.0,") && !Contains("-0.0]"));
+}
+
+TEST_CASE("the mass ratio is printed exactly") {
+    TraceReport report = report_of(1, 0, 0);
+    report.box.lo[4] = report.box.hi[4] = parse_rational("10.00000000000000000000000000001");
+    CHECK_THAT(to_text(report), Contains("Mass ratio 10.00000000000000000000000000001;"));
+}

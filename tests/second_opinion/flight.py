@@ -1,0 +1,170 @@
+"""The first reflection of a box of states, and bounds of the number of collisions behind it: format-initial.md, 5 and 6."""
+
+from fixed import Undecided, greatest, half_pi, hull, meet, pi, sin_cos, square
+from rays import earliest, greatest_count, latest, least_count, misses, reflected
+
+GREATEST_STEPS, GREATEST_LATE_STEPS, GREATEST_BOUND = 1000, 64, 10 ** 6
+
+
+def general_bound(r):
+    """U: at least G of every ray at every r' >= r."""
+    r_lo = r.lower()
+    bound = greatest_count(pi() * r_lo, r_lo, r_lo, GREATEST_BOUND)
+    if bound is None:
+        raise Undecided("r is too small for a general bound")
+    return 1 + bound
+
+
+class Rays:
+    """A box of rays: the wall that they leave ("bridge" or "light"), a and k."""
+
+    def __init__(self, wall, a, k, r):
+        self.wall, self.a, self.k, self.r = wall, a, k, r
+        self.c = a if wall == "bridge" else a + pi() * k
+
+    def passes_bridge(self):
+        r_hi = self.r.upper()
+        return (self.wall == "bridge" or self.k.lower() >= self.r
+                or misses((self.a / r_hi).lower(), (self.k / r_hi).lower(), pi()))
+
+    def count(self, lower, upper):
+        """Bounds of F by rules 1 to 4, at most as good as asked for: lower <= F <= upper (None: no bound)."""
+        k, r_lo = self.k, self.r.lower()
+        if k >= 1:
+            return 0, 0
+        flat = k.lo >= -r_lo.lo
+        if not flat:
+            return 0, general_bound(r_lo) if self.wall == "bridge" else None
+        high = greatest_count(greatest(self.c.lower(), 0), k, r_lo, upper)
+        if self.passes_bridge():
+            return least_count(greatest(self.c.upper(), 0), k, self.r, lower), high
+        return 0, None if high is None else max(high, 1 + general_bound(r_lo))
+
+    def step(self):
+        """The rays behind the next collision, if that is certain; None if it is certainly the last one."""
+        return self._off_light_wall() if self.passes_bridge() else self._off_bridge()
+
+    def _contact(self, c, k, end):
+        low, high = earliest(c.lower(), k.lower(), end), latest(c.upper(), k.upper(), end)
+        if not c > 0 or low is None or high is None:
+            raise Undecided("the next collision")
+        return hull(low, high)
+
+    def _off_light_wall(self):
+        k, r = self.k, self.r
+        if not k < 1:
+            raise Undecided("the next collision")
+        x = self._contact(self.c, k, half_pi())
+        sine, w = sin_cos(x)
+        d = reflected(w, k, r)[1]
+        if d <= 0:
+            return None
+        if not d > 0:
+            raise Undecided("the direction behind a light wall")
+        ends = [reflected(at_w, at_k, r) for at_w, at_k in ((w.upper(), k.lower()), (w.lower(), k.upper()))]
+        slope = hull(*(numerator / at for numerator, at in ends))
+        return Rays("light", sine + slope * x, slope, r)
+
+    def _off_bridge(self):
+        k, r = self.k, self.r
+        if not k / r < 1:
+            raise Undecided("the next collision")
+        x = self._contact(self.a / r, k / r, pi())
+        sine, w = sin_cos(x)
+
+        def denominator(at_w, at_k):
+            return 1 - r * square(at_w) + 2 * at_k * at_w
+
+        d = denominator(w, k)
+        if not (d > 0 or d < 0):
+            raise Undecided("the direction behind the bridge")
+        slope = hull(*((2 * r * at_w - at_k * (1 - r * square(at_w))) / denominator(at_w, at_k)
+                       for at_w, at_k in ((w.lower(), k.upper()), (w.upper(), k.lower()))))
+        if d > 0:
+            return Rays("bridge", r * sine + slope * (pi() - x), slope, r)
+        return Rays("bridge", r * sine - slope * x, -slope, r)
+
+
+def counts_within(rays, low, high):
+    """Is low <= F <= high certified? (None: no bound.)"""
+    late = 0
+    for n in range(GREATEST_STEPS):
+        if low is not None and n >= low:
+            low = None
+        if high is not None and n > high:
+            return False
+        least, most = rays.count(0 if low is None else low - n, 0 if high is None else high - n)
+        if low is not None and n + least >= low:
+            low = None
+        if high is not None and most is not None and n + most <= high:
+            high = None
+        if low is None and high is None:
+            return True
+        late += rays.k.lo >= -rays.r.lo
+        if late > GREATEST_LATE_STEPS:
+            return False
+        rays = rays.step()
+        if rays is None:
+            return (low is None or n + 1 >= low) and (high is None or n + 1 <= high)
+    return False
+
+
+def first_angle(air, mass, times):
+    """phi' in the mean value form and as phi + w T."""
+    at, moment = air.middle(), times.middle()
+    t = meet(times, moment - at.clearance(mass, moment) / at.clearance_rate(mass, times))
+    plain = air.phi + air.w * times
+    change = (air.v * ((air.phi - at.phi) + times * (air.w - at.w))
+              - air.w * ((air.h - at.h) + times * (air.v - at.v)))
+    if mass == "heavy":
+        change = change + air.w * sin_cos(plain)[0] * (air.r - at.r)
+    return meet(plain, at.phi + at.w * t + change / air.clearance_rate(mass, times))
+
+
+def first_reflection(air, mass, times):
+    """The rays behind a first contact in the given times, or None if no collision follows."""
+    angle, r = first_angle(air, mass, times), air.r
+    c = sin_cos(angle)[1]
+    falls = air.v < 0
+    if falls:
+        steepness, sign = air.w / -air.v, 1
+    else:
+        sign = 1 if air.w > 0 else -1 if air.w < 0 else 0
+        if not sign:
+            raise Undecided("neither falling nor turning")
+        steepness = air.v / air.w
+
+    def direction(m, c):
+        """D and P."""
+        base = r - square(c) if mass == "light" else 1 - r * square(c)
+        side = 1 if mass == "light" else -1
+        if falls:
+            return m * base + 2 * side * c, base - 2 * side * r * c * m
+        return base - 2 * side * m * c, -m * base - 2 * side * r * c
+
+    d, p = direction(steepness, c)
+    d, p = sign * d, sign * p
+    if p > 0 and p >= d and p >= -d:
+        return None
+    if not (d > 0 or d < 0):
+        raise Undecided("the direction behind the first contact")
+    onward = 1 if d > 0 else -1
+    ends = ((steepness.lower(), c.lower()), (steepness.upper(), c.upper())) if mass == "light" else (
+        (steepness.lower(), c.upper()), (steepness.upper(), c.lower()))
+    slopes = [direction(*end) for end in ends]
+    slope = hull(*(at_p / at_d for at_d, at_p in slopes)) * onward
+
+    # phi' lies on one hump, [n pi, (n + 1) pi]; light humps have odd n.
+    n = angle.lo // pi().lo
+    if not (angle > pi() * n and angle < pi() * (n + 1)):
+        raise Undecided("the hump of the first contact")
+    if mass == "light":
+        peak = pi() * n + half_pi()
+        if not (angle > peak or angle < peak):
+            raise Undecided("the side of the peak")
+        if (angle > peak) != (onward > 0):
+            return None
+    sine = sin_cos(angle)[0]
+    away = pi() * (n + 1) - angle if onward > 0 else angle - pi() * n
+    height = -sine if mass == "light" else r * sine
+    return Rays("light" if mass == "light" else "bridge", height + slope * away, slope, r)

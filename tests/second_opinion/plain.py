@@ -1,0 +1,126 @@
+"""Section full, lemma set `minimal`: format-sections.md, section 2; lemma L16. States are carried as intervals."""
+
+from fixed import Interval, Undecided, greatest, half_pi, interval, least, meet, pi, sin_cos, square
+from full import CHARTS, LEAVES, WITNESS, root, witness  # this section's own, too
+from full import below_time, is_outside, once, steep_time
+from rays import earliest, latest, reflected
+
+
+def span(low, high):
+    """The interval from the lower end of one to the upper end of the other."""
+    return Interval(low.lo, high.hi)
+
+
+def returning(slope):
+    """Slopes that may come back: at most 1 (L3); None if there are none."""
+    return None if slope >= 1 else least(slope, 1)
+
+
+def new_slope(w, kappa, r):
+    """The slopes behind a light wall that may come back, or None."""
+    numerator, d = reflected(w, kappa, r)
+    if d <= 0:
+        return None
+    if not d > 0:
+        if not numerator > 0:
+            raise Undecided("the reflected direction")
+        return returning(span(numerator.lower() / d.upper(), interval(1)))
+    slope = numerator / d
+    if w > 0:
+        a = (w - r / w) / 2
+        if a > kappa:
+            slope = meet(slope, (square(a) + r) / (a - kappa) - a)
+            slope = meet(slope, kappa + (r + square(kappa)) / (a - kappa))
+    return returning(slope)
+
+
+def wall(c, kappa, r):
+    """One flight to a light wall: None if all rays miss, else (x, sin x, the new slopes or None)."""
+    c = greatest(c, 0)
+    x_low = earliest(c.lower(), kappa.lower())
+    if x_low is None:
+        return None
+    x_high = latest(c.upper(), kappa.upper())
+    x = span(x_low, half_pi() if x_high is None else x_high)
+    sine, w = sin_cos(x)
+    w = greatest(w, greatest(kappa.lower(), 0)) if x_high is None else w
+    return x, sine, new_slope(w, kappa, r)
+
+
+def plain_at_most(c, kappa, r, limit):
+    """At most `limit` collisions of the rays (c, kappa); the bridge is out of reach."""
+    kappa = returning(kappa)
+    while kappa is not None and limit >= 0:
+        hit = wall(c, kappa, r)
+        if hit is None:
+            return True
+        limit -= 1
+        if limit < 0:
+            return False
+        x, sine, kappa = hit
+        if kappa is not None:
+            c = sine + kappa * (x + pi())
+    return limit >= 0
+
+
+def behind_bridge_at_most(t, kappa, r, limit):
+    """At most `limit` collisions behind a contact with the bridge in t."""
+    sine, s = sin_cos(t)
+    base = r * square(s)
+    e, p = 1 + 2 * s * kappa - base, 2 * r * s - kappa * (1 - base)
+    for side in (1, -1):  # to the left if E > 0, to the right if E < 0
+        speed = side * e
+        if speed <= 0:
+            continue
+        if speed > 0:
+            slope = p / speed
+        elif p > 0:
+            slope = span(p.lower() / speed.upper(), interval(1))
+            if slope.lo > slope.hi:
+                continue
+        else:
+            raise Undecided("the direction behind the bridge")
+        if not plain_at_most(r * sine + slope * (pi() - t if side > 0 else t), slope, r, limit):
+            return False
+    return limit >= 0
+
+
+def departure_at_most(x, sine, kappa, r, limit):
+    n, r_lo, r_hi = 0, r.lower(), r.upper()
+    kappa = returning(kappa)
+    while kappa is not None:
+        h = greatest(sine + kappa * x, 0)
+        first = None if kappa >= r_hi else earliest((h / r_hi).lower(), (kappa / r_hi).lower(), pi())
+        if first is not None:
+            below = below_time(h.upper(), kappa.upper(), r_lo)
+            latest_contact = steep_time(kappa.lower(), r_lo, r_hi)
+            if below is not None:
+                latest_contact = least(latest_contact, below)
+            if not behind_bridge_at_most(span(first, greatest(latest_contact, first)), kappa, r, limit - n - 1):
+                return False
+            if below is not None:
+                return True
+        hit = wall(sine + kappa * (x + pi()), kappa, r)
+        if hit is None:
+            return True
+        n += 1
+        if n > limit:
+            return False
+        x, sine, kappa = hit
+    return True
+
+
+def leaf(chart, op, hints, box):
+    if op == "outside":
+        return is_outside(chart, box)
+    if op == "once":
+        return once(box)
+    r, (eta0, eta1) = span(interval(1 / box["q"][1]), interval(1 / box["q"][0])), box["eta"]
+    eta = span(interval(eta0), interval(eta1))
+    if chart == "contact":
+        t = span(interval(box["t"][0]), least(box["t"][1], pi()))
+        sine, cosine = sin_cos(t)
+        return plain_at_most(r * (sine + (cosine + eta) * (pi() - t)), r * (cosine + eta), r, hints[0])
+    e = span(interval(box["e"][0]), least(box["e"][1], half_pi()))
+    sine, cosine = sin_cos(e)
+    return departure_at_most(e, sine, eta - cosine, r, hints[0])

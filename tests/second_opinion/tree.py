@@ -1,0 +1,29 @@
+"""Trees of boxes in pre-order: format.md 3.1. A box is {axis: (lower end, upper end)}, in exact fractions."""
+
+from fractions import Fraction
+
+GREATEST_DEPTH = 400
+
+
+def walk(lines, root, leaf, split_points=True):
+    """Reads a tree and calls leaf(fields, box, share) for each leaf, share = its part of the root box. A complete tree tiles
+    its root box, as every split leaves two halves; `split_points`: an axis of one point may be split, too."""
+    boxes = [(root, dict.fromkeys(root, 0))]
+    while boxes:
+        box, depths = boxes.pop()
+        fields = lines.next()
+        if fields[0] != "split":
+            leaf(fields, box, Fraction(1, 1 << sum(depths.values())))
+            continue
+        axis = fields[1] if len(fields) == 2 else None
+        if axis not in box:
+            raise lines.wrong("not an axis of this tree")
+        if depths[axis] == GREATEST_DEPTH:
+            raise lines.wrong("too many splits of one axis")
+        low, high = box[axis]
+        if low == high and not split_points:
+            raise lines.wrong("the box is a point in this axis")
+        lines.count("split")
+        middle, depths = (low + high) / 2, {**depths, axis: depths[axis] + 1}
+        boxes.append(({**box, axis: (middle, high)}, depths))
+        boxes.append(({**box, axis: (low, middle)}, depths))
