@@ -115,11 +115,13 @@ class Leaves(unittest.TestCase):
         tightness = []
         for _ in range(250):
             q = self.random.choice((1.5, 4, 20, 300))
-            box = self.box(e=(0.01, 1.55), eta=(0.001, q - 1), q=(q, q * 1.5))
+            box = self.box(e=(0.01, 1.55), eta=(0.001, min(q - 1, self.random.choice((0.1, 500)))), q=(q, q * 1.5))
+            if self.random.random() < 0.4:  # many ratios at one point
+                box = {**box, "e": box["e"][:1] * 2, "eta": box["eta"][:1] * 2, "q": (Fraction(q), Fraction(4 * q))}
             if not certified(lambda: turning.leaf("bridge", "outside", [], box)):
                 self.compare(turning, "bridge", box, lambda p: both_ways(
                     1 / p["q"], math.pi / 2 - p["e"], 0, (-1.0, (math.cos(p["e"]) + p["eta"]) / p["q"])), tightness)
-        self.assertGreater(sum(tightness) / len(tightness), 0.8)
+        self.assertGreater(sum(tightness) / len(tightness), 0.6)
 
         tightness = []
         for _ in range(250):
@@ -233,7 +235,7 @@ class Leaves(unittest.TestCase):
                         self.assertFalse(holds, (box, counts, count))
             if window:
                 mass, t0, t1 = window
-                for wrong in ((mass, t1, 2 * t1 - t0), ("light" if mass == "heavy" else "heavy", t0, t1)):
+                for wrong in ((mass, t1, 2 * t1 - t0), (mass, t0 / 2, t0), ("light" if mass == "heavy" else "heavy", t0, t1)):
                     self.assertFalse(certified(lambda: initial.leaf_holds(box, 1, 10 ** 9, wrong)), (box, wrong))
         self.assertGreater(sum(tightness) / len(tightness), 0.7)
         self.assertGreater(refused, 100)
