@@ -96,7 +96,11 @@ class Lines {
             fail();
         }
         const Rational power(Integer(1) << static_cast<unsigned>(exponent));
-        const Rational mantissa = ratio(text.substr(0, b));
+        const std::string digits = text.substr(0, b);
+        if (digits.find_first_not_of("0123456789") != std::string::npos) {
+            fail();  // a fraction or a decimal would not be dyadic
+        }
+        const Rational mantissa = ratio(digits);
         return negative ? mantissa / power : mantissa * power;
     }
 

@@ -66,8 +66,8 @@ std::optional<Seen> departing(const Body& body, const ChartState& s) {
     return future(body, contact_of(body, LightState<Real>{s.position, kappa * s.ratio}));
 }
 
-/// Lemma L17: collisions of a ray in the straight wedge, but for those that a slightly steeper ray does not
-/// have.
+/// Lemma L17: collisions of a ray in the straight wedge. With change > 0: but for those that a slightly
+/// steeper ray does not have; with change < 0: and those that a slightly flatter one has.
 long wedge_count(Real kappa, Real r, Real change) {
     kappa += change;
     r += change;
