@@ -90,13 +90,16 @@ inline bool encloses(const dumbbell::Interval& x, const Tightest& exact) {
     return x.lo() <= exact.lo && exact.hi <= x.hi();
 }
 
-/// The number of doubles from a to b, a <= b.
+/// The number of doubles from a to b, a <= b; the largest int64 where it does not fit (from -inf to +inf,
+/// say).
 inline std::int64_t ulps_between(double a, double b) {
     const auto rank = [](double v) {
         const auto bits = std::bit_cast<std::int64_t>(v);
         return bits >= 0 ? bits : std::numeric_limits<std::int64_t>::min() - bits;
     };
-    return rank(b) - rank(a);
+    std::int64_t count = 0;
+    return __builtin_sub_overflow(rank(b), rank(a), &count) ? std::numeric_limits<std::int64_t>::max()
+                                                            : count;
 }
 
 /// By how many doubles the enclosure is too wide, at its worse end.
