@@ -106,7 +106,8 @@ TEST_CASE("the wedges have no bound of the dumbbell, and other words") {
         CHECK(line_of(text, "mass ratio") == Words{"mass", "ratio", "N", "boxes", "time"});
         CHECK(line_of(text, "4 :") == Words{"4", ":", "4.6033367", "3", "2", "0.500", "s"});
         CHECK_THAT(text, !Contains("floor") && Contains("wedge hits its walls more than N times"));
-        for (const auto& entry : to_json(wedge.report).at("pieces")) {
+        const auto json = to_json(wedge.report);
+        for (const auto& entry : json.at("pieces")) {
             CHECK(entry.at("paper_bound").is_null());
         }
         SampleReport single({piece(4, 4, 4, 4)});

@@ -2,7 +2,8 @@
 
 Every mutant is an expression (or a statement) with another text in its place. All of them are compiled at
 once: each expression `E` becomes `(dm::active == 17 ? ALTERNATIVE : E)`, so that one build serves thousands of
-mutants, of which the environment variable DUMBBELL_MUTANT chooses one at run time.
+mutants, of which the environment variable DUMBBELL_MUTANT chooses one at run time. With DUMBBELL_REACHED, the
+name of a file of zero bytes, a run without a mutant marks there which ones it comes by.
 """
 import re
 from dataclasses import dataclass, field
@@ -176,18 +177,35 @@ def binary(source, start, end, children):
 
 
 HEADER = '''#pragma once
+#include <fcntl.h>
+#include <sys/mman.h>
+#include <unistd.h>
+
 #include <cstdlib>
 #include <type_traits>
 namespace dm {
 struct Chosen {
     long number;
-    bool operator==(long other) const { return number == other; }
+    unsigned char* reached;  // a byte for each mutant, in a file that all processes of a test share
+    bool operator==(long other) const {
+        if (reached) reached[other] = 1;
+        return number == other;
+    }
 };
-// Set before everything else, tables that are made at start-up too.
-__attribute__((init_priority(101))) inline const Chosen active{[] {
+inline Chosen chosen() {
     const char* text = std::getenv("DUMBBELL_MUTANT");
-    return text ? std::strtol(text, nullptr, 10) : 0L;
-}()};
+    const char* path = std::getenv("DUMBBELL_REACHED");
+    Chosen result{text ? std::strtol(text, nullptr, 10) : 0L, nullptr};
+    const int file = path ? ::open(path, O_RDWR | O_CLOEXEC) : -1;
+    if (file < 0) return result;
+    const off_t size = ::lseek(file, 0, SEEK_END);
+    void* bytes = ::mmap(nullptr, static_cast<std::size_t>(size), PROT_READ | PROT_WRITE, MAP_SHARED, file, 0);
+    if (bytes != MAP_FAILED) result.reached = static_cast<unsigned char*>(bytes);
+    ::close(file);
+    return result;
+}
+// Set before everything else, tables that are made at start-up too.
+__attribute__((init_priority(101))) inline const Chosen active = chosen();
 }  // namespace dm
 '''
 
