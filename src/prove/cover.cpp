@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "arith/error.hpp"
+#include "arith/self_test.hpp"
 #include "prove/growing_tree.hpp"
 
 namespace dumbbell {
@@ -26,6 +27,7 @@ void judge_all(Chart chart, std::span<const Box> boxes, long upper, std::span<st
         return judge_some(0, boxes.size());
     }
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, boxes.size(), 1), [&](const auto& range) {
+        require_sound_arithmetic();
         const PrecisionScope scope(bits);
         judge_some(range.begin(), range.size());
     });

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "arith/error.hpp"
 
 namespace dumbbell {
@@ -46,21 +48,19 @@ void require_moving(const InitialBox& box) {
               "--phidot or out of --ydot");
 }
 
-/// The least height of the centre of mass from which one mass is above the floor over the box; which is it,
-/// and is it the whole box that is below?
+/// The least height of the centre of mass from which one mass is above the floor, and which it is.
 struct Floor {
     BigInterval height;  ///< enclosures over the box: beta2 * -sin phi or beta1 * sin phi
     const char* mass;
 };
 
-void require_above(const InitialBox& box, const Floor& floor) {
+/// `remedy`: what brings both masses above the floor.
+void require_above(const InitialBox& box, const Floor& floor, const std::string& remedy) {
     const BigInterval lowest = enclose<BigInterval>(box.lower(InitialAxis::y));
     const BigInterval highest = enclose<BigInterval>(box.upper(InitialAxis::y));
     if (certainly_less(high_end(floor.height), lowest)) {
         return;
     }
-    const double least = next_up(high_end(floor.height).hi());
-    const std::string remedy = fmt::format("raise --y above {:.6g}", least + std::abs(least) * 1e-5);
     if (certainly_less(highest, low_end(floor.height))) {
         throw InputError(
             fmt::format("--y starts inside the floor: the {} mass is below it; {}", floor.mass, remedy));
@@ -93,8 +93,14 @@ void require_in_play(const InitialBox& box) {
     const BigInterval r_lo = one / enclose<BigInterval>(box.upper(InitialAxis::ratio));
     const BigInterval r_hi = one / enclose<BigInterval>(box.lower(InitialAxis::ratio));
     // The highest floor: beta2 = 1/(1+r) is greatest at the least r, beta1 = r/(1+r) at the greatest.
-    require_above(box, {-sine / (one + r_lo), "light"});
-    require_above(box, {sine * (r_hi / (one + r_hi)), "heavy"});
+    const Floor light{-sine / (one + r_lo), "light"};
+    const Floor heavy{sine * (r_hi / (one + r_hi)), "heavy"};
+    const double least =
+        std::max({0.0, light.height.hi(), heavy.height.hi()});  // sine and -sine: one is >= 0
+    const std::string remedy =
+        fmt::format("raise --y above {:.6g}, which suffices for both masses", least * (1 + 1e-5));
+    require_above(box, light, remedy);
+    require_above(box, heavy, remedy);
 }
 
 }  // namespace dumbbell

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "arith/error.hpp"
+#include "arith/self_test.hpp"
 #include "prove/critical.hpp"
 #include "prove/critical_guess.hpp"
 
@@ -88,6 +89,7 @@ std::vector<Step> steps_near(Scene scene, double lo, double hi, double gap, cons
     }
     std::vector<Step> steps(static_cast<std::size_t>(last - first + 1));
     tbb::parallel_for(std::size_t{0}, steps.size(), [&](std::size_t i) {
+        require_sound_arithmetic();
         if (!interrupted()) {
             steps[i] = step_to(scene, first + static_cast<long>(i), gap, interrupted);
         }

@@ -138,6 +138,10 @@ TEST_CASE("Starts that make no sense are refused in one line that names the quan
     CHECK(refused(point("0", "1", "0", "1"), "starts on the floor"));
     CHECK(refused(with(point("0", "1", "0", "1"), InitialAxis::y, "0", "1"), "part of the box"));
     CHECK(refused(with(point("0", "1", "0.3", "1"), InitialAxis::phi, "-1", "1"), "raise --y above 0.76"));
+    // At q = 1 the light mass is below first, but the heavy one needs more.
+    CHECK(refused(with(point("0", "1", "0", "1", "1"), InitialAxis::phi, "-0.2", "0.5"),
+                  "raise --y above 0.2397"));
+    CHECK(refused(point("0.5", "1", "0.01", "1", "1"), "suffices for both masses"));
     CHECK(refused(point("5000", "1", "3", "-1"), "--phi"));
     CHECK(refused(point("1", "1", "1e7", "-1"), "--y"));
     CHECK(refused(with(point("0", "1", "3", "1"), InitialAxis::phi, "0", "8"), "--phi"));
