@@ -1,11 +1,20 @@
 #include "audit/leaf_boxes.hpp"
 
+#include <fmt/format.h>
+
 #include "arith/error.hpp"
 
 namespace dumbbell::audit {
 namespace {
 
 constexpr std::size_t position = 0;
+constexpr int most_splits = 400;  // of one axis above a node (format.md): bounds the ends' size
+
+/// A node's box, and how often each axis was split for it.
+struct Waiting {
+    BoxEnds box;
+    std::array<int, axes> splits{};
+};
 
 std::size_t number_of(Axis axis) {
     switch (axis) {
@@ -84,12 +93,12 @@ Boxes root_of(Chart chart, const Rational& q_lo, const Rational& q_hi) {
 
 Boxes leaf_boxes(Chart chart, const Rational& q_lo, const Rational& q_hi, const Tree& tree) {
     Boxes boxes = root_of(chart, q_lo, q_hi);
-    std::vector<BoxEnds> waiting{boxes.root};  // the nodes to come: the next one last
+    std::vector<Waiting> waiting{{boxes.root}};  // the nodes to come: the next one last
     for (const Node& node : tree) {
         if (waiting.empty()) {
             throw InputError("nodes follow the end of a tree");
         }
-        const BoxEnds box = waiting.back();
+        auto [box, splits] = waiting.back();
         waiting.pop_back();
         if (!node.split) {
             boxes.leaves.push_back(box);
@@ -99,14 +108,17 @@ Boxes leaf_boxes(Chart chart, const Rational& q_lo, const Rational& q_hi, const 
         if (chart == Chart::wedge && axis == position) {
             throw InputError("the chart wedge has no position to split");
         }
+        if (++splits[axis] > most_splits) {
+            throw InputError(fmt::format("a tree splits an axis more than {} times above a node", most_splits));
+        }
         const auto middle = static_cast<std::uint32_t>(boxes.values[axis].size());
         boxes.values[axis].push_back((boxes.lo(box, axis) + boxes.hi(box, axis)) / 2);
         BoxEnds lower = box;
         BoxEnds upper = box;
         lower.hi[axis] = middle;
         upper.lo[axis] = middle;
-        waiting.push_back(upper);
-        waiting.push_back(lower);
+        waiting.push_back({upper, splits});
+        waiting.push_back({lower, splits});
     }
     return boxes;
 }

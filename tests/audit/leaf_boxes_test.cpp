@@ -65,6 +65,19 @@ TEST_CASE("a tree with nodes behind its end is refused") {
     CHECK_THROWS_AS(leaf_boxes(Chart::bridge, 2, 2, {leaf(), leaf()}), InputError);
 }
 
+TEST_CASE("an axis is split at most 400 times above a node, however many leaves the tree has") {
+    const auto comb = [](int splits, Axis axis) {
+        Tree tree(static_cast<std::size_t>(splits), split(axis));
+        tree.resize(static_cast<std::size_t>(2 * splits + 1), leaf());
+        return tree;
+    };
+    for (const Axis axis : {Axis::position, Axis::slope, Axis::ratio}) {
+        CHECK(leaf_boxes(Chart::bridge, 2, 3, comb(400, axis)).leaves.size() == 401);
+        CHECK_THROWS_AS(leaf_boxes(Chart::bridge, 2, 3, comb(401, axis)), InputError);
+        CHECK_THROWS_AS(leaf_boxes(Chart::bridge, 2, 3, comb(100000, axis)), InputError);
+    }
+}
+
 TEST_CASE("the chart wedge has no position") {
     CHECK_THROWS_AS(leaf_boxes(Chart::wedge, 2, 2, {split(Axis::position), leaf(), leaf()}), InputError);
 }
