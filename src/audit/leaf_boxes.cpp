@@ -109,7 +109,8 @@ Boxes leaf_boxes(Chart chart, const Rational& q_lo, const Rational& q_hi, const 
             throw InputError("the chart wedge has no position to split");
         }
         if (++splits[axis] > most_splits) {
-            throw InputError(fmt::format("a tree splits an axis more than {} times above a node", most_splits));
+            throw InputError(
+                fmt::format("a tree splits an axis more than {} times above a node", most_splits));
         }
         const auto middle = static_cast<std::uint32_t>(boxes.values[axis].size());
         boxes.values[axis].push_back((boxes.lo(box, axis) + boxes.hi(box, axis)) / 2);
