@@ -59,7 +59,7 @@ def full_disk(programs: Programs, count: int, seed: int) -> Tally:
         with tempfile.TemporaryDirectory() as name:
             place = Path(name)
             old = turn % 2 == 1
-            with SmallDisk(place, 4 * dice.randrange(2, 350)) as disk:
+            with SmallDisk(place, 4 * round(2 * 40 ** dice.random())) as disk:  # the run needs some 60 pages
                 if disk is None:
                     tally.skipped = "only root can mount a small disk"
                     return tally
@@ -77,6 +77,8 @@ def full_disk(programs: Programs, count: int, seed: int) -> Tally:
                     tally.complain("half_written", "stairs.dbc")
                 disk.grow()
                 goes_on(programs, tally, place, whole, kept)
+    if tally.injected == 0:
+        tally.complain("wrong_codes", "no disk was too small: nothing was tried")
     return tally
 
 
