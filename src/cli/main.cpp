@@ -1,8 +1,10 @@
 #include <fmt/format.h>
+#include <gmp.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
 #include <iostream>
 #include <new>
@@ -10,6 +12,7 @@
 
 #include "arith/error.hpp"
 #include "arith/self_test.hpp"
+#include "cli/adiabatic_command.hpp"
 #include "cli/audit_command.hpp"
 #include "cli/certify_command.hpp"
 #include "cli/critical_command.hpp"
@@ -32,6 +35,7 @@ Examples:
   dumbbell critical 3:20                     the mass ratios at which the maximum steps up
   dumbbell law stairs.dbc                    what the staircase says as a whole
   dumbbell trace 10 --phi 1/3 --phidot 1 --y 3 --ydot -1/2    the orbit of one initial condition
+  dumbbell adiabatic --delta 0.01            the adiabatic invariant with its proved constant
   dumbbell plot staircase stairs.dbc --out stairs.svg)";
 
 std::string version_text() {
@@ -61,6 +65,7 @@ int parse_and_run(int argc, char** argv) {
     add_law_command(app, exit_code);
     add_audit_command(app, exit_code);
     add_trace_command(app, exit_code);
+    add_adiabatic_command(app, exit_code);
     add_plot_command(app, exit_code);
     // Commands inherit the footer that is there when they are added, and have exit codes of their own.
     app.footer(
@@ -83,7 +88,32 @@ int parse_and_run(int argc, char** argv) {
     return exit_code;
 }
 
+/// GMP (and MPFR by it) would abort the program, and an exception must not pass through its C functions.
+[[noreturn]] void out_of_memory() {
+    std::fputs("dumbbell: out of memory\n", stderr);
+    std::_Exit(exit_internal);
+}
+
+void* allocate(std::size_t size) {
+    void* block = std::malloc(size);
+    if (block == nullptr) {
+        out_of_memory();
+    }
+    return block;
+}
+
+void* reallocate(void* old, std::size_t /*old_size*/, std::size_t size) {
+    void* block = std::realloc(old, size);
+    if (block == nullptr) {
+        out_of_memory();
+    }
+    return block;
+}
+
+void release(void* block, std::size_t /*size*/) { std::free(block); }
+
 int run(int argc, char** argv) {
+    mp_set_memory_functions(allocate, reallocate, release);
     require_sound_arithmetic();
     if (argc >= 2 && std::string(argv[1]) == "verify") {
         become_verifier(argc, argv);

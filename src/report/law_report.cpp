@@ -62,7 +62,11 @@ std::string to_text(const LawReport& report) {
         said(law.below_paper), range);
     text += fmt::format(
         "\nC = integral of sin((pi/2) / cos theta), theta from 0 to pi/3\n  = {}...  ({} digits, verified "
-        "quadrature)\n",
+        "quadrature)\nC sqrt q is what the adiabatic invariant predicts: with I = |phidot| f conserved from "
+        "f = pi/2 to f = pi, "
+        "the\nslope's angle theta has f cos theta = pi/2, and turns by 2/(w sqrt q), w = sin f, at each "
+        "bounce "
+        "(proofs/adiabatic.md).\n",
         constant_text(report), report.digits);
     if (law.sup && law.inf) {
         text += extremum_text("Supremum", *law.sup, 1) + extremum_text("Infimum ", *law.inf, -1);

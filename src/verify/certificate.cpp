@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "adiabatic.hpp"
 #include "initial.hpp"
 #include "reader.hpp"
 
@@ -17,6 +18,7 @@ class Reader {
     Proof run() {
         try {
             header();
+            if (adiabatic_) return adiabatic(text_, settings_, *adiabatic_);
             if (!section_) return initial(text_, settings_);
             range();
             for (const std::uint64_t k = text_.natural(1); claim_.pieces < k;) piece();
@@ -24,7 +26,7 @@ class Reader {
             proof_.digest = trailer(text_, proof_.tallies);
             check_pending();
             if (settings_.scene != section_->scene) text_.reject("claim-not-proved", "the scene is another");
-            if (settings_.claim == "initial-conditions")
+            if (!settings_.claim.empty() && settings_.claim != "collisions")
                 text_.reject("claim-not-proved", "the claim is another");
             if (const auto gap = claim_.missing(); !gap.empty()) text_.reject("claim-not-proved", gap);
         } catch (const Failure&) {
@@ -82,9 +84,10 @@ class Reader {
         text_.require_word(1);
         text_.require_word(2, true);
         choose_section();
-        known("claim", false, true, [&](const std::string& kind) {
-            return kind == (section_ ? "collisions" : "initial-conditions");
+        const std::string kind = known("claim", false, true, [&](const std::string& word) {
+            return section_ ? word == "collisions" : word == "initial-conditions" || adiabatic_kind(word);
         });
+        adiabatic_ = adiabatic_kind(kind);
     }
     void range() {
         text_.expect("ratio", 2);
@@ -187,7 +190,8 @@ class Reader {
     }
 
     const Settings& settings_;
-    const Section* section_ = nullptr;  ///< from line 5 on
+    const Section* section_ = nullptr;          ///< from line 5 on
+    std::optional<Adiabatic::Kind> adiabatic_;  ///< from line 6 on
     Text text_;
     Proof proof_;
     Collisions& claim_ = proof_.claim;

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "adiabatic_claim.hpp"
 #include "collisions.hpp"
 #include "initial_claim.hpp"
 #include "section.hpp"
@@ -27,7 +28,8 @@ struct Tally {
 
 struct Proof {
     Collisions claim;
-    std::optional<Initial> initial;  ///< instead, if the file is about initial conditions
+    std::optional<Initial> initial;      ///< instead, if the file is about initial conditions
+    std::optional<Adiabatic> adiabatic;  ///< instead, if it is about the adiabatic invariant
     std::string digest;
     bool heavy_once = false;     ///< proved for every ratio: the heavy mass touches at most once
     double roots = 0;            ///< number of root boxes

@@ -64,8 +64,11 @@ bool claim_option(Words& words, Settings& settings) {
     if (name == "--scene") settings.scene = words.value();
     if (name == "--claim") {
         settings.claim = words.value();
-        if (settings.claim != "collisions" && settings.claim != "initial-conditions")
-            throw std::invalid_argument("--claim is collisions or initial-conditions");
+        if (settings.claim != "collisions" && settings.claim != "initial-conditions" &&
+            !adiabatic_kind(settings.claim))
+            throw std::invalid_argument(
+                "--claim is collisions, initial-conditions, adiabatic-bounce, adiabatic-run, "
+                "adiabatic-scattering or adiabatic-printed");
     }
     return true;
 }

@@ -37,6 +37,7 @@ std::string demand(const Settings& settings) {
 std::string claim(const Result& result) {
     if (result.why.verdict != Verdict::verified) return "null";
     if (result.proof.initial) return result.proof.initial->json();
+    if (result.proof.adiabatic) return result.proof.adiabatic->json();
     const Collisions& c = result.proof.claim;
     return object({{"scene", json_string(result.job->settings.scene)},
                    {"ratio", range(c.lo, c.hi)},

@@ -24,7 +24,9 @@ Checks certificates (proofs/format.md) independently of the program that wrote t
   --exactly N          both
   --scene S            demand this scene: dumbbell, hybrid or wedge (dumbbell)
   --claim KIND         demand this kind of claim: collisions, or initial-conditions (a file of `dumbbell trace
-                       --subdivide`: then --ratio, --max, --min, --exactly are about the starts in its box)
+                       --subdivide`: then --ratio, --max, --min, --exactly are about the starts in its box), or
+                       adiabatic-bounce, -run, -scattering, -printed (the adiabatic invariant: without --ratio,
+                       --max, --min, --exactly, of which such a file says nothing)
   --claims LIST        the certificates and claims of a list like proofs/claims.tsv, one each line: a file, a tab,
                        the six options above that state its claim; what stands behind another tab is a remark
   --lemma 4.1|4.2 A B  compare two files: at most as many collisions in A (scene hybrid) as in B (wedge), or
@@ -34,7 +36,8 @@ Checks certificates (proofs/format.md) independently of the program that wrote t
   --precision BITS     check with at least so many bits instead of in double
   --explain PIECE:PATH show one leaf with its inequalities: 3:bridge is the root, 3:light.01 the upper half
                        of its lower half, 3:witness the witness of the third piece; box.01 a leaf of a file
-                       about initial conditions
+                       about initial conditions or the adiabatic invariant, in which class0.01 is a leaf of
+                       the first class and attained1 the first attained state
   --json               print JSON and nothing else: an array of one object for each file; with --lemma one object
   --junit FILE.xml     write a JUnit report, too: one test case for each file
   --help, --version

@@ -8,7 +8,8 @@
 namespace dumbbell_verify {
 
 /// nullptr if Judge certifies the leaf in double, or else with the leaf's bits; otherwise what is missing. A
-/// leaf that is `multiple` is not tried in double.
+/// leaf that is `multiple` is not tried in double. Judge needs a name that no other judge of this leaf type
+/// has: g++ merges the instances of equally named templates, though they are in unnamed namespaces.
 template <template <class> class Judge, class AnyLeaf>
 const char* judged(const AnyLeaf& leaf, std::string* log) {
     Work::begin();

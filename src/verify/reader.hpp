@@ -22,10 +22,11 @@ template <class Box>
 struct Tree {
     Text& text;
     std::span<const std::string_view> axes;
-    bool proper;            ///< an axis of width 0 must not be halved
-    std::uint64_t& splits;  ///< counts the lines `split`
-    Box& box;               ///< of the present node; in the end the root box again
-    std::string path;       ///< the halves (0 lower, 1 upper) from the root to here
+    bool proper;             ///< an axis of width 0 must not be halved
+    std::uint64_t& splits;   ///< counts the lines `split`
+    Box& box;                ///< of the present node; in the end the root box again
+    std::string path;        ///< the halves (0 lower, 1 upper) from the root to here
+    int most = most_splits;  ///< of one axis
     int depth = 0;
     std::array<int, std::tuple_size_v<decltype(Box::lo)>> depths{};  ///< splits of each axis above here
 
@@ -38,7 +39,8 @@ struct Tree {
             text.fields.size() == 2 ? std::find(axes.begin(), axes.end(), text.fields[1]) : axes.end();
         if (axis == axes.end()) text.reject("syntax", "not an axis of this chart");
         const auto i = static_cast<std::size_t>(axis - axes.begin());
-        if (++depths[i] > most_splits) text.reject("depth", "more than 400 splits of one axis");
+        if (++depths[i] > most)
+            text.reject("depth", "more than " + std::to_string(most) + " splits of one axis");
         ++splits;
         ++depth;
         const mpq_class lo = box.lo[i], hi = box.hi[i], middle = (lo + hi) / 2;

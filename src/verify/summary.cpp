@@ -10,6 +10,7 @@ namespace dumbbell_verify {
 
 std::string claim_text(const Result& result) {
     if (result.proof.initial) return result.proof.initial->text();
+    if (result.proof.adiabatic) return result.proof.adiabatic->text();
     const Collisions& claim = result.proof.claim;
     return "scene=" + result.job->settings.scene + " ratio=" + to_string(claim.lo, claim.hi) +
            " upper=" + (claim.upper ? std::to_string(*claim.upper) : "none") +
@@ -42,6 +43,7 @@ std::string block(const Result& result) {
                       100 * tally.covered / std::max(1.0, result.proof.roots));
         text += line.data();
     }
+    if (verified && result.proof.adiabatic) text += result.proof.adiabatic->paragraph();
     return text + verdict_line(result) + "\n";
 }
 

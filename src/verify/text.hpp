@@ -112,6 +112,9 @@ class Text {
         if (fields[i] == "0/1") return 0;
         return fields[i].starts_with('-') ? mpq_class(-ratio(fields[i].substr(1))) : ratio(i);
     }
+    [[nodiscard]] mpq_class level(std::size_t i) const {
+        return fields[i] == "0/1" ? mpq_class(0) : ratio(i);
+    }
     [[nodiscard]] mpq_class dyadic(std::size_t i) const {
         const auto [m, exponent] = halves(fields[i], 'b');
         const bool minus = exponent.starts_with('-');

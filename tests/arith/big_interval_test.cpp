@@ -2,6 +2,7 @@
 
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <cstdlib>
 #include <thread>
 #include <vector>
 
@@ -19,8 +20,9 @@ BigInterval wide(const Interval& x) { return {x.lo(), x.hi()}; }
 /// Seen in doubles, rounded outward.
 Interval seen(const BigInterval& x) { return {x.lo(), x.hi()}; }
 long bits(const BigInterval& x) { return static_cast<long>(mpfi_get_prec(x.raw())); }
-bool is(const BigInterval& x, double lo, double hi) {
-    return mpfr_cmp_d(&x.raw()->left, lo) == 0 && mpfr_cmp_d(&x.raw()->right, hi) == 0;
+bool is(const BigInterval& x, double lo, double hi) {  // mpfr_cmp_d calls NaN equal
+    return mpfi_nan_p(x.raw()) == 0 && mpfr_cmp_d(&x.raw()->left, lo) == 0 &&
+           mpfr_cmp_d(&x.raw()->right, hi) == 0;
 }
 bool is_thin(const BigInterval& x) { return mpfr_equal_p(&x.raw()->left, &x.raw()->right) != 0; }
 
@@ -157,6 +159,10 @@ TEST_CASE("A precision scope concerns its own thread only, and rejects absurd pr
     CHECK_THROWS_AS(PrecisionScope(1), BrokenInvariant);
     CHECK_THROWS_AS(PrecisionScope(-5), BrokenInvariant);
     CHECK_THROWS_AS(PrecisionScope((1 << 20) + 1), BrokenInvariant);
+    {
+        const PrecisionScope greatest(1 << 20);
+        CHECK(PrecisionScope::current() == 1 << 20);
+    }
     CHECK(PrecisionScope::current() == 200);
 }
 
@@ -190,6 +196,37 @@ TEST_CASE("Copies are deep and keep their precision, moved-from values can be us
         many.emplace_back(i);
     }
     CHECK(is(many[42], 42, 42));
+}
+
+namespace {
+
+std::size_t blocks = 0;  ///< of GMP and MPFR that have not been given back
+
+void* allocate(std::size_t size) {
+    ++blocks;
+    return std::malloc(size);
+}
+void* reallocate(void* block, std::size_t /*old_size*/, std::size_t size) {
+    return std::realloc(block, size);
+}
+void release(void* block, std::size_t /*size*/) {
+    --blocks;
+    std::free(block);
+}
+
+}  // namespace
+
+TEST_CASE("A BigInterval gives its memory back") {
+    mpfr_free_cache();
+    mp_set_memory_functions(allocate, reallocate, release);
+    {
+        BigInterval a(1, 2);
+        BigInterval b = a;
+        b = std::move(a);
+        CHECK(blocks > 0);
+    }
+    CHECK(blocks == 0);
+    mp_set_memory_functions(nullptr, nullptr, nullptr);
 }
 
 TEST_CASE("Bounds in double are rounded outward, also beyond its range") {

@@ -148,3 +148,35 @@ TEST_CASE("asin is as wide as sine's enclosure allows") {
     }
     WARN("greatest width of asin in units of 2^-50 / cos: " << worst);
 }
+
+TEST_CASE("At a point of [0, pi/2] the enclosure is the guess and its pad, nothing wider") {
+    const auto padded = [](double v) {
+        const double p = std::abs(v) * 0x1p-50;
+        return Interval(std::max(0.0, next_down(v - p)), std::min(1.0, next_up(v + p)));
+    };
+    for (const double x : {0.0, 0x1p-60, 0.25, 0.5, 0x1.921fb54442d18p-1, 1.0, 1.5, half_pi_down}) {
+        CAPTURE(x);
+        const auto guess = guess_sin_cos(x);
+        const auto at = sin_cos(Interval(x));
+        CHECK(at.sin.lo() == padded(guess.sin).lo());
+        CHECK(at.sin.hi() == padded(guess.sin).hi());
+        CHECK(at.cos.lo() == padded(guess.cos).lo());
+        CHECK(at.cos.hi() == padded(guess.cos).hi());
+    }
+}
+
+TEST_CASE("Points, tiny and far ones too, and ranges without an extremum have tight enclosures") {
+    for (const double x : {-7.0, -1.0, 2.0, 4.0, 5.5, 10.0}) {
+        CAPTURE(x);
+        CHECK(width(sin(Interval(x))) < 1e-13);
+        CHECK(width(cos(Interval(x))) < 1e-13);
+    }
+    CHECK(width(asin(Interval(1e-100))) < 1e-113);
+    CHECK(sin(Interval(1, 2)).lo() > 0.84);
+    CHECK(sin(Interval(4.6, 4.8)).hi() < -0.99);
+    CHECK(cos(Interval(3, 3.3)).hi() < -0.98);
+    CHECK(cos(Interval(6.1, 6.5)).lo() > 0.97);
+    CHECK(cos(Interval(0.3, 5.9)).hi() < 0.96);
+    CHECK(width(sin(Interval(0x1p20))) < 1e-9);
+    CHECK(width(sin(Interval(-0x1p20))) < 1e-9);
+}

@@ -175,6 +175,16 @@ TEST_CASE("proofs/json.md describes the JSON of trace") {
                                          folder));
 }
 
+TEST_CASE("proofs/json.md describes the JSON of adiabatic") {
+    const TemporaryFolder folder;
+    check_documented(
+        "adiabatic",
+        printed_by({{"adiabatic", "--delta", "0.01", "--theorem", "lemma3.1", "--out", "lemma.dbc"},
+                    {"adiabatic", "--delta", "0.01", "--theorem", "thm3.5"},
+                    {"adiabatic", "--delta", "0.01", "--theorem", "thm3.5", "--budget", "0s"}},
+                   folder));
+}
+
 TEST_CASE("proofs/json.md describes the JSON of audit") {
     const TemporaryFolder folder;
     REQUIRE(dumbbell({"certify", "2:3", "--out", "two.dbc"}, folder.path()).code == 0);
@@ -189,11 +199,14 @@ TEST_CASE("proofs/json.md describes the JSON of verify") {
     make({"certify", "2:3", "--scene", "hybrid", "--out", "hybrid.dbc"});
     Words words = falling({"--phi", "0.3:0.31", "--phidot", "0", "--subdivide", "--out", "box.dbc"});
     make(words);
+    make({"adiabatic", "--delta", "0.05", "--theorem", "lemma3.1", "--out", "bounce.dbc"});
+    make({"adiabatic", "--delta", "0.05", "--theorem", "printed", "--out", "printed.dbc"});
     write_file(folder / "bad.dbc", "no certificate\n");
 
     std::vector<Json> objects;
-    for (const Words& options : std::vector<Words>{{"ten.dbc", "box.dbc", "bad.dbc"},
-                                                   {"--ratio", "10", "--exactly", "4", "ten.dbc"}}) {
+    for (const Words& options :
+         std::vector<Words>{{"ten.dbc", "box.dbc", "bounce.dbc", "printed.dbc", "bad.dbc"},
+                            {"--ratio", "10", "--exactly", "4", "ten.dbc"}}) {
         words = options;
         words.insert(words.begin(), {"verify", "--json"});
         for (const Json& object : printed(dumbbell(words, folder.path()))) {

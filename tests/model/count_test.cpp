@@ -130,6 +130,25 @@ TEST_CASE("A wide ray is counted at its lower ends from above, at its upper ends
     CHECK(count_at_most(wide, cap) > count_at_least(wide, cap));
 }
 
+TEST_CASE("Of a ray that is wide in one of c, kappa and r one end counts, from either side") {
+    const PlainRay low{0.01, 0, 0.01};
+    for (const int which : {0, 1, 2}) {
+        CAPTURE(which);
+        const PlainRay high{which == 0 ? 0.3 : low.c, which == 1 ? 0.2 : low.kappa, which == 2 ? 0.1 : low.r};
+        const Ray<Interval> wide{Interval(low.c, high.c), Interval(low.kappa, high.kappa),
+                                 Interval(low.r, high.r)};
+        const long most = ray_count<Real>(low).hits, least = ray_count<Real>(high).hits;
+        REQUIRE(least < most);
+        CHECK(count_at_most(wide, cap) == most);
+        CHECK(count_at_least(wide, cap) == least);
+    }
+}
+
+TEST_CASE("A lower count never exceeds its cap, also where the next collision is the last") {
+    CHECK(count_at_least(as<Interval>({0.9999, 0, 0.1}), 0) == 0);
+    CHECK(count_at_least(as<Interval>({0.9999, 0, 0.1}), 1) == 1);
+}
+
 TEST_CASE("The counts stop at their cap") {
     const auto ray = as<Interval>({1e-6, 1e-6, 1e-4});
     const long all = ray_count<Real>(PlainRay{1e-6, 1e-6, 1e-4}).hits;

@@ -86,7 +86,9 @@ std::vector<Demand> demands_of(const Certificate& data) {
                                        range + bounds.text() + " --scene " + scene,
                                        scene == name(data.scene) && proves(data.pieces, lo, hi, bounds)});
                 demands.push_back({settings_of(lo, hi, bounds, std::string(name(data.scene))),
-                                   range + bounds.text() + " --claim initial-conditions", false});
+                                   range + bounds.text() + " --scene " + std::string(name(data.scene)) +
+                                       " --claim initial-conditions",
+                                   false});
                 demands.back().settings.claim = "initial-conditions";
             }
     return demands;

@@ -51,9 +51,9 @@ def read(path):
         return file.read()
 
 
-def find(path, arguments, unit, left_out):
+def find(path, arguments, unit, left_out, with_texts):
     """The mutants of the file `path`, as it is seen in the translation unit `unit`, but for those in functions
-    of the names `left_out`."""
+    of the names `left_out`. Without texts: but for those in messages, too."""
     source = read(path)
     parsed = Index.create().parse(unit, arguments)
     errors = [d for d in parsed.diagnostics if d.severity >= 3]
@@ -68,6 +68,8 @@ def find(path, arguments, unit, left_out):
     def visit(cursor):
         here = inside(cursor)
         if here and (is_constant(cursor, source) or cursor.spelling in left_out):
+            return
+        if here and not with_texts and is_message(cursor, source):
             return
         if here:
             for mutant in of(cursor, source):
@@ -92,6 +94,16 @@ def is_constant(cursor, source):
                        Kind.TEMPLATE_TYPE_PARAMETER, Kind.TEMPLATE_NON_TYPE_PARAMETER):
         return True
     return cursor.kind == Kind.VAR_DECL and re.match(r"(inline |static )*constexpr", text) is not None
+
+
+def is_message(cursor, source):
+    """A text that is put together, or the question whether somebody wants a log."""
+    if cursor.kind in (Kind.CALL_EXPR, Kind.BINARY_OPERATOR):
+        children = list(cursor.get_children())
+        is_sum = cursor.spelling in ("operator+", "operator+=") or (cursor.spelling == "" and len(children) == 2)
+        return is_sum and "string" in cursor.type.get_canonical().spelling
+    text = source[cursor.extent.start.offset:cursor.extent.end.offset]
+    return cursor.kind == Kind.IF_STMT and re.match(r"if \((this->)?log_?\b", text) is not None
 
 
 def of(cursor, source):
@@ -124,7 +136,7 @@ def of(cursor, source):
         yield Mutant("off by one", start, end, f"({text} + 1)")
         if text[0] != "0":
             yield Mutant("off by one", start, end, f"({text} - 1)")
-    if kind == Kind.FLOATING_LITERAL:
+    if kind == Kind.FLOATING_LITERAL and not re.fullmatch(r"[0.]+", text):
         yield Mutant("drop a pad", start, end, "0.0")
         yield Mutant("weaken a constant", start, end, f"({text} * 0x1p-8)")
     if kind == Kind.IF_STMT and children and children[0].kind != Kind.DECL_STMT:
@@ -142,6 +154,8 @@ def statement(child, source):
     """Leaves a statement out: an expression, `continue`, `break`, or the whole `if (...) return/throw ...`."""
     start, end = child.extent.start.offset, child.extent.end.offset
     text = source[start:end]
+    if re.match(r"for \([^;]*;\s*;|while \(true\)", text):
+        return  # there is nothing behind it to go on with
     if child.kind in (Kind.CALL_EXPR, Kind.BINARY_OPERATOR, Kind.COMPOUND_ASSIGNMENT_OPERATOR,
                       Kind.UNEXPOSED_EXPR, Kind.UNARY_OPERATOR, Kind.FOR_STMT, Kind.WHILE_STMT,
                       Kind.CXX_FOR_RANGE_STMT):

@@ -33,6 +33,8 @@ TEST_CASE("a list of claims: each row is proved by its file, or it is rejected")
     CHECK(bad.code == 1);
     CHECK(has(bad.out, " code=claim-not-proved not proved: at most 3 collisions"));
     CHECK(has(bad.out, "\nc files=3 verified=1 rejected=1 limit=0 unsupported=0 unreadable=1 exit=1\n"));
+    const Run least = run_list(file.path() + "\t--ratio 10 --min 1\n");  // such a claim is one, proved or not
+    CHECK(has(least.out, " code=claim-not-proved not proved: at least 1 collisions"));
     CHECK(run_list(four + "\n").out.starts_with(file.path() + "\n  split "));  // one file alone: in full
     CHECK(run_list(file.path() + "\t--scene wedge --ratio 10 --max 4\n").code == 1);
     CHECK(run_list(file.path() + "\t--claim initial-conditions --ratio 10 --max 4\n").code == 1);
@@ -78,4 +80,5 @@ TEST_CASE("a list of claims: a row that states none, or a list without rows, is 
         CHECK(std::count(r.err.begin(), r.err.end(), '\n') == 1);
     }
     CHECK(has(run_list(std::string((1 << 24) + 1, '#')).err, "at most 16 MiB"));
+    CHECK(has(run_list(std::string(1 << 24, '#')).err, "no claim in this list"));
 }

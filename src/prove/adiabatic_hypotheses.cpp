@@ -1,0 +1,63 @@
+#include <fmt/format.h>
+
+#include "arith/decimal.hpp"
+#include "arith/error.hpp"
+#include "prove/adiabatic.hpp"
+#include "prove/adiabatic_box.hpp"
+
+namespace dumbbell {
+namespace {
+
+const char* margin_option = "--phi-margin";
+
+void require_delta(const AdiabaticHypotheses& of) {
+    const auto& [lo, hi] = of.delta;
+    if (hi <= 0 || hi >= Rational(1, 2) || lo < 0) {
+        throw InputError(
+            "--delta must lie between 0 and 1/2: the light mass is delta^2 of the whole, for example 0.01");
+    }
+    if (lo == 0 && of.claim != AdiabaticClaim::run) {
+        throw InputError("--delta: a range may begin at 0 for thm3.3 only; begin it above 0");
+    }
+}
+
+void require_margin(const AdiabaticHypotheses& of) {
+    if (of.margin <= 0) {
+        throw InputError(fmt::format(
+            "{} 0: the box reaches the vertical, where the statement does not hold; keep a distance above 0",
+            margin_option));
+    }
+    if (of.margin > 1) {
+        throw InputError(fmt::format("{} {}: at most 1", margin_option, exact_text(of.margin)));
+    }
+}
+
+/// Some delta, some angle, of the box.
+void require_some(const AdiabaticHypotheses& of) {
+    const auto& [lowest, highest] = of.heights;
+    if (of.claim == AdiabaticClaim::scattering || of.claim == AdiabaticClaim::printed) {
+        return;
+    }
+    if (lowest < 0 || highest > 1 || lowest >= highest) {
+        throw InputError("--y must be a range LO:HI of heights within 0:1, LO < HI");
+    }
+    const AdiabaticSides sides(of);
+    const AdiabaticMasses<Interval> masses(
+        hull(enclose<Interval>(of.delta.first), enclose<Interval>(of.delta.second)));
+    const Interval nearest = hull(low_end(sides.margin(masses)), Interval(2));
+    if (certainly_less(half_pi<Interval>(), low_end(nearest)) ||
+        sides.certainly_elsewhere(hull(low_end(nearest), high_end(half_pi<Interval>())), masses)) {
+        throw InputError(fmt::format(
+            "no state has these heights (--y) at this distance from the vertical ({})", margin_option));
+    }
+}
+
+}  // namespace
+
+void require_sensible(const AdiabaticHypotheses& of) {
+    require_delta(of);
+    require_margin(of);
+    require_some(of);
+}
+
+}  // namespace dumbbell

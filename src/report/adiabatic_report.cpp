@@ -1,0 +1,264 @@
+#include "report/adiabatic_report.hpp"
+
+#include <fmt/format.h>
+
+#include "arith/decimal.hpp"
+#include "certificate/adiabatic_writer.hpp"
+#include "report/json_number.hpp"
+#include "report/printed.hpp"
+#include "report/text_table.hpp"
+
+namespace dumbbell {
+namespace {
+
+constexpr int all_digits =
+    17;  ///< of an initial condition, for people; the exact one is in the certificate and in --json
+
+std::string number(const Rational& x) { return x == 0 ? "0" : exact_text(x); }
+
+std::string delta_text(const AdiabaticHypotheses& of) {
+    const auto& [lo, hi] = of.delta;
+    return lo == hi ? fmt::format("delta = {}", number(lo))
+                    : fmt::format("every delta in [{}, {}]", number(lo), number(hi));
+}
+
+/// delta^(sixteenths/16).
+std::string power(int sixteenths) {
+    const Rational exponent(sixteenths, 16);
+    return sixteenths == 0              ? "1"
+           : sixteenths == 16           ? "delta"
+           : denominator(exponent) == 1 ? fmt::format("delta^{}", exact_text(exponent))
+                                        : fmt::format("delta^({})", to_fraction(exponent));
+}
+
+std::string margin_text(const AdiabaticHypotheses& of) {
+    const std::string factor = of.margin == 1 ? "" : number(of.margin) + " ";
+    switch (of.claim) {
+        case AdiabaticClaim::bounce:
+            return of.exponent == 0 ? number(of.margin) : factor + power(of.exponent);
+        case AdiabaticClaim::run:
+            return number(of.margin);
+        default:
+            return factor + "sqrt(delta)";
+    }
+}
+
+/// What the errors are called, and the units of the bounds.
+struct Unit {
+    const char* error;
+    std::string unit;
+};
+
+std::vector<Unit> units(const AdiabaticHypotheses& of) {
+    switch (of.claim) {
+        case AdiabaticClaim::bounce:
+            return {{"||phidot_+| - |phidot_-| + 2 ydot_-/sqrt(1 - y^2)|", power(32 - 2 * of.exponent)},
+                    {"|y_+ - y - 2 (pi - arccos y) ydot_-/|phidot_-||", "* 2 " + power(32 - of.exponent)}};
+        case AdiabaticClaim::run:
+            return {{"|I_n - I_0|", "delta"}};
+        case AdiabaticClaim::scattering:
+            return {{"|I_N - I_0|", "sqrt(delta)"}};
+        default:
+            return {{"|I_N - I_0|", ""}};
+    }
+}
+
+std::string hypotheses_text(const AdiabaticHypotheses& of) {
+    const std::string start =
+        fmt::format("For {}, epsilon = delta^2, and every state with |phidot| = 1 and -delta <= ydot <= 0 ",
+                    delta_text(of));
+    const std::string heights =
+        fmt::format("at a height y from {} to {}", number(of.heights.first), number(of.heights.second));
+    switch (of.claim) {
+        case AdiabaticClaim::bounce:
+            return start + fmt::format(
+                               "just before a collision of the light mass {},\nat distance |phi - 3 pi/2| >= "
+                               "{} from the "
+                               "vertical, whose next collision is one of the light mass too:",
+                               heights, margin_text(of));
+        case AdiabaticClaim::run:
+            return start +
+                   fmt::format(
+                       "just before collision 0 {},\nfor any number n of bounces of the light mass with no "
+                       "collision "
+                       "of the heavy mass between, all at distance\n|phi - 3 pi/2| >= {} from the vertical:",
+                       heights, margin_text(of));
+        case AdiabaticClaim::scattering:
+            return start +
+                   fmt::format(
+                       "just before the first collision of a whole scattering,\nif the first and the last "
+                       "collision are at distance |phi - 3 pi/2| >= {} from the vertical:",
+                       margin_text(of));
+        default:
+            return fmt::format(
+                "Theorem 3.5 as printed restricts the first collision only, and is not true uniformly: {}, "
+                "first collision at\ndistance >= {} from the vertical:",
+                delta_text(of), margin_text(of));
+    }
+}
+
+std::string state_text(const AdiabaticState& state) {
+    return fmt::format("delta = {}, distance {} from the vertical, ydot = -{} delta, n = {}",
+                       number(state.delta), to_decimal(state.u, all_digits), to_decimal(state.s, all_digits),
+                       state.n);
+}
+
+/// C/B, rounded up.
+std::string ratio_text(const Rational& bound, const AdiabaticState& state) {
+    return rounded_up(enclose<Interval>(bound / state.value).hi());
+}
+
+std::string error_text(const AdiabaticProof& proof, std::size_t i) {
+    const Unit unit = units(proof.of)[i];
+    const std::string in = unit.unit.empty() ? "" : " " + unit.unit;
+    std::string text = i < proof.bounds.size()
+                           ? fmt::format("  {} <= {}{}\n", unit.error, number(proof.bounds[i]), in)
+                           : fmt::format("  {}: no bound was certified\n", unit.error);
+    if (i < proof.attained.size()) {
+        text += fmt::format("    attained: at least {}{} ({})\n", number(proof.attained[i].value), in,
+                            state_text(proof.attained[i]));
+        if (i < proof.bounds.size()) {
+            text +=
+                fmt::format("    upper/lower at most {}\n", ratio_text(proof.bounds[i], proof.attained[i]));
+        }
+    }
+    return text;
+}
+
+std::string printed_text(const AdiabaticProof& proof) {
+    std::string text = hypotheses_text(proof.of) + '\n';
+    if (proof.attained.empty()) {
+        return text + "  no such orbit was certified\n";
+    }
+    return text + fmt::format("  an orbit has |I_N - I_0| >= {} ({})\n", number(proof.attained[0].value),
+                              state_text(proof.attained[0]));
+}
+
+std::string result_text(const AdiabaticReport& report, const AdiabaticResult& result) {
+    const AdiabaticProof& proof = result.proof;
+    if (proof.of.claim == AdiabaticClaim::printed) {
+        return printed_text(proof) + fmt::format("{:.1f} s\n", result.seconds);
+    }
+    std::string text = hypotheses_text(proof.of) + '\n';
+    for (std::size_t i = 0; i < units(proof.of).size(); ++i) {
+        text += error_text(proof, i);
+    }
+    if (proof.of.claim == AdiabaticClaim::scattering && proof.complete()) {
+        text += "  and the heavy mass is not touched.\n";
+    }
+    if (proof.coarser) {
+        text += fmt::format("The accuracy {} was not reached: this is about what the method gives.\n",
+                            number(report.accuracy));
+    }
+    if (result.wrong_branch) {
+        text += fmt::format(
+            "(5) as printed, without absolute values, is false for phidot_- > 0: at one of these states its "
+            "error is "
+            "at\nleast {} epsilon/delta, of order delta and not delta^2.\n",
+            rounded_down(*result.wrong_branch));
+    }
+    text += fmt::format("{} boxes, {:.1f} s\n", proof.leaves, result.seconds);
+    return result.as_printed ? text + '\n' + printed_text(*result.as_printed) : text;
+}
+
+std::string table_text(const AdiabaticReport& report) {
+    std::vector<TableLine> lines{{"distance", "error", "bound", "attained", "ratio", "boxes", "seconds"}};
+    for (const AdiabaticResult& result : report.results) {
+        const AdiabaticProof& proof = result.proof;
+        const auto names = units(proof.of);
+        for (std::size_t i = 0; i < names.size(); ++i) {
+            const bool bounded = i < proof.bounds.size(), found = i < proof.attained.size();
+            const std::string unit = names[i].unit.empty() ? "" : " " + names[i].unit;
+            lines.push_back({margin_text(proof.of), names[i].error,
+                             bounded ? number(proof.bounds[i]) + unit : "-",
+                             found ? number(proof.attained[i].value) + unit : "-",
+                             bounded && found ? ratio_text(proof.bounds[i], proof.attained[i]) : "-",
+                             fmt::format("{}", proof.leaves), fmt::format("{:.1f}", result.seconds)});
+        }
+    }
+    return aligned(lines, 1);
+}
+
+nlohmann::ordered_json state_json(const AdiabaticState& state) {
+    return {{"u", to_fraction(state.u)},
+            {"s", to_fraction(state.s)},
+            {"delta", to_fraction(state.delta)},
+            {"n", state.n},
+            {"value", to_fraction(state.value)}};
+}
+
+nlohmann::ordered_json proof_json(const AdiabaticProof& proof) {
+    const AdiabaticHypotheses& of = proof.of;
+    const bool has_heights = of.claim == AdiabaticClaim::bounce || of.claim == AdiabaticClaim::run;
+    nlohmann::ordered_json errors = nlohmann::ordered_json::array();
+    const auto names = units(of);
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        nlohmann::ordered_json entry{{"error", names[i].error},
+                                     {"unit", names[i].unit.empty() ? "1" : names[i].unit},
+                                     {"bound", nullptr},
+                                     {"attained", nullptr},
+                                     {"ratio", nullptr}};
+        if (i < proof.bounds.size()) {
+            entry["bound"] = to_fraction(proof.bounds[i]);
+        }
+        if (i < proof.attained.size()) {
+            entry["attained"] = state_json(proof.attained[i]);
+        }
+        if (i < proof.bounds.size() && i < proof.attained.size()) {
+            entry["ratio"] = enclose<Interval>(proof.bounds[i] / proof.attained[i].value).hi();
+        }
+        errors.push_back(std::move(entry));
+    }
+    nlohmann::ordered_json json{
+        {"claim", name(of.claim)},
+        {"delta", {{"lo", to_fraction(of.delta.first)}, {"hi", to_fraction(of.delta.second)}}},
+        {"y", nullptr},
+        {"margin", to_fraction(of.margin)},
+        {"k", nullptr},
+        {"errors", std::move(errors)},
+        {"leaves", proof.leaves},
+        {"accurate", !proof.coarser}};
+    if (has_heights) {
+        json["y"] = {{"lo", to_fraction(of.heights.first)}, {"hi", to_fraction(of.heights.second)}};
+    }
+    if (of.claim == AdiabaticClaim::bounce) {
+        json["k"] = to_fraction(Rational(of.exponent, 16));
+    }
+    return json;
+}
+
+}  // namespace
+
+std::string to_text(const AdiabaticReport& report) {
+    std::string text;
+    if (report.results.size() == 1) {
+        text = result_text(report, report.results.front());
+    } else {
+        std::string sentence = hypotheses_text(report.results.front().proof.of);
+        text = sentence + "\n(and the same for the other distances)\n" + table_text(report);
+    }
+    if (report.out) {
+        text += fmt::format("Certificate: {0} (sha256 {1})\nCheck it: dumbbell-verify {0}\n", *report.out,
+                            *report.sha256);
+    }
+    return text;
+}
+
+nlohmann::ordered_json to_json(const AdiabaticReport& report) {
+    nlohmann::ordered_json results = nlohmann::ordered_json::array();
+    for (const AdiabaticResult& result : report.results) {
+        nlohmann::ordered_json entry = proof_json(result.proof);
+        entry["as_printed"] = nullptr;
+        if (result.as_printed && !result.as_printed->attained.empty()) {
+            entry["as_printed"] = state_json(result.as_printed->attained.front());
+        }
+        entry["wrong_branch"] = json_or_null(result.wrong_branch);
+        entry["seconds"] = result.seconds;
+        results.push_back(std::move(entry));
+    }
+    return {{"schema", "dumbbell-adiabatic-1"},         {"theorem", report.theorem},
+            {"accuracy", to_fraction(report.accuracy)}, {"results", std::move(results)},
+            {"out", json_or_null(report.out)},          {"sha256", json_or_null(report.sha256)}};
+}
+
+}  // namespace dumbbell

@@ -1,0 +1,110 @@
+// dumbbell adiabatic: what it says, its exit codes, and that the verifier takes what it writes.
+#include <catch2/catch.hpp>
+
+#include "programs.hpp"
+
+using namespace dumbbell_test;
+using Catch::Matchers::Contains;
+using Catch::Matchers::StartsWith;
+
+namespace {
+
+Words adiabatic(Words options) {
+    options.insert(options.begin(), "adiabatic");
+    return options;
+}
+
+std::string refused(const Words& options) {
+    const TemporaryFolder folder;
+    const Outcome result = dumbbell(adiabatic(options), folder.path());
+    CAPTURE(options, result.err);
+    CHECK(result.code == 2);
+    CHECK(result.out.empty());
+    CHECK(count_lines(result.err) == 1);
+    CHECK_THAT(result.err, StartsWith("dumbbell: "));
+    CHECK(folder.names().empty());
+    return result.err;
+}
+
+}  // namespace
+
+TEST_CASE("adiabatic states the theorem, and writes a certificate that the verifier takes") {
+    const TemporaryFolder folder;
+    for (const Words& options :
+         std::vector<Words>{{"--delta", "0.01"},
+                            {"--delta", "0.002:0.003", "--phi-margin", "0.5", "--y", "0.3:0.8"},
+                            {"--delta", "0.01", "--theorem", "lemma3.1"},
+                            {"--delta", "0.01", "--theorem", "cor3.2", "--k", "0.25"},
+                            {"--delta", "0.01", "--theorem", "thm3.5"},
+                            {"--delta", "0.02", "--theorem", "printed"}}) {
+        Words words = options;
+        words.insert(words.end(), {"--out", "claim.dbc"});
+        const Outcome result = dumbbell(adiabatic(words), folder.path());
+        CAPTURE(options, result.out, result.err);
+        CHECK(result.code == 0);
+        CHECK(result.err.empty());
+        CHECK_THAT(result.out, Contains("Check it: dumbbell-verify claim.dbc"));
+        const Outcome verified = run({DUMBBELL_VERIFY_BIN, "claim.dbc"}, folder.path());
+        CAPTURE(verified.out);
+        CHECK(verified.code == 0);
+        CHECK_THAT(verified.out, Contains("s VERIFIED claim=adiabatic-"));
+    }
+}
+
+TEST_CASE("adiabatic writes the same bytes with one thread and with three") {
+    const TemporaryFolder folder;
+    for (const char* jobs : {"1", "3"}) {
+        REQUIRE(dumbbell(adiabatic({"--delta", "0.01", "--jobs", jobs, "--out", std::string(jobs) + ".dbc"}),
+                         folder.path())
+                    .code == 0);
+    }
+    CHECK(contents(folder / "1.dbc") == contents(folder / "3.dbc"));
+}
+
+TEST_CASE("several distances give a table") {
+    const Outcome result = dumbbell(adiabatic({"--delta", "0.01", "--phi-margin", "0.5,0.7"}));
+    CHECK(result.code == 0);
+    CHECK_THAT(result.out, Contains("distance") && Contains("\n     0.7  |I_n - I_0|"));
+}
+
+TEST_CASE("hypotheses that make no sense are refused in one line, and nothing is written") {
+    for (const char* delta : {"0", "0.5", "0.7", "-0.1", "x", "0.02:0.01", "0.1:0.5", ""}) {
+        refused({"--delta", delta, "--out", "file.dbc"});
+    }
+    CHECK_THAT(refused({"--delta", "0.5"}), Contains("between 0 and 1/2"));
+    CHECK_THAT(refused({"--delta", "0.02:0.01"}), Contains("reversed"));
+    CHECK_THAT(refused({"--delta", "0.01", "--phi-margin", "0"}), Contains("vertical"));
+    CHECK_THAT(refused({"--delta", "0.01", "--y", "0.97:1"}), Contains("no state has these heights"));
+    CHECK_THAT(refused({"--delta", "0.01", "--y", "0.5"}), Contains("LO < HI"));
+    CHECK_THAT(refused({"--delta", "0.01", "--y", "0.5:2"}), Contains("within 0:1"));
+    CHECK_THAT(refused({"--delta", "0.01", "--k", "1/2"}), Contains("cor3.2 only"));
+    CHECK_THAT(refused({"--delta", "0.01", "--theorem", "cor3.2", "--k", "1/3"}),
+               Contains("multiple of 1/16"));
+    CHECK_THAT(refused({"--delta", "0.01", "--theorem", "thm3.5", "--y", "0:1"}), Contains("--y is for"));
+    CHECK_THAT(refused({"--delta", "0.01", "--theorem", "thm3.5", "--bounces", "1"}),
+               Contains("thm3.3 only"));
+    CHECK_THAT(refused({"--delta", "0.01", "--bounces", "0"}), Contains("greater than 0"));
+    CHECK_THAT(refused({"--delta", "0.01", "--accuracy", "0"}), Contains("--accuracy"));
+    CHECK_THAT(refused({"--delta", "0.01", "--budget", "5"}), Contains("30s"));
+    CHECK_THAT(refused({"--delta", "0.01", "--phi-margin", "0.3,0.5", "--out", "file.dbc"}),
+               Contains("one statement"));
+    refused({});
+    refused({"--delta", "0.01", "--theorem", "thm3.4"});
+}
+
+TEST_CASE("a budget that is used up certifies nothing, says so, and writes nothing") {
+    const TemporaryFolder folder;
+    const Outcome result =
+        dumbbell(adiabatic({"--delta", "0.01", "--budget", "0s", "--out", "none.dbc"}), folder.path());
+    CHECK(result.code == 3);
+    CHECK_THAT(result.err, Contains("not certified: the budget is used up; no certificate is written"));
+    CHECK_THAT(result.out, Contains("no bound was certified") && !Contains("<= 1"));
+    CHECK(folder.names().empty());
+}
+
+TEST_CASE("the attained orbit has at most K/delta bounces") {
+    const Outcome result = dumbbell(adiabatic({"--delta", "0.01", "--bounces", "1/10", "--json"}));
+    REQUIRE(result.code == 0);
+    const auto json = nlohmann::ordered_json::parse(result.out);
+    CHECK(json.at("results").at(0).at("errors").at(0).at("attained").at("n") <= 10);
+}

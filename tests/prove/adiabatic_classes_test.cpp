@@ -1,0 +1,51 @@
+#include "prove/adiabatic_classes.hpp"
+
+#include <catch2/catch.hpp>
+
+using namespace dumbbell;
+
+namespace {
+
+AdiabaticHypotheses run_at(const Rational& lo, const Rational& hi) {
+    AdiabaticHypotheses of;
+    of.delta = {lo, hi};
+    of.heights = {Rational(0), Rational(9, 10)};
+    of.margin = Rational(3, 10);
+    return of;
+}
+
+}  // namespace
+
+TEST_CASE(
+    "Classes are what the format allows: J above 2 pi/sqrt(65), cells from 11/7 down, past the margin") {
+    for (const auto& of : {run_at(Rational(1, 100), Rational(1, 100)), run_at(Rational(0), Rational(1, 100)),
+                           run_at(Rational(1, 10), Rational(1, 10))}) {
+        const auto classes = guess_classes(of);
+        REQUIRE_FALSE(classes.empty());
+        CHECK(classes.size() <= 64);
+        Rational before = 0;
+        for (const AdiabaticClass& one : classes) {
+            CHECK(one.least_share > Rational(78, 100));
+            CHECK(one.least_share > before);
+            before = one.least_share;
+            CHECK(one.cells.size() <= 4096);
+            Rational upper(11, 7);
+            for (const auto& cell : one.cells) {
+                CHECK(cell.u < upper);
+                CHECK(cell.v >= 0);
+                upper = cell.u;
+            }
+            CHECK(upper < of.margin);
+        }
+    }
+}
+
+TEST_CASE("Slack makes every density greater") {
+    const AdiabaticClass one = guess_classes(run_at(Rational(1, 100), Rational(1, 100))).front();
+    const AdiabaticClass more = with_slack(one, 1.5);
+    REQUIRE(more.cells.size() == one.cells.size());
+    for (std::size_t i = 0; i < one.cells.size(); ++i) {
+        CHECK(more.cells[i].u == one.cells[i].u);
+        CHECK(more.cells[i].v >= one.cells[i].v * Rational(3, 2));
+    }
+}

@@ -1,0 +1,94 @@
+#include "prove/adiabatic_cover.hpp"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+
+using namespace dumbbell;
+
+namespace {
+
+AdiabaticBox unit_square() {
+    AdiabaticBox box;
+    box.hi[0] = box.hi[1] = 1;
+    return box;
+}
+
+// An upper bound of x + y^2 over a box, outside where x < 1/4.
+AdiabaticJudged judge(const AdiabaticBox& box) {
+    if (box.hi[0] < 0.25) {
+        return {true};
+    }
+    return {false, box.hi[0] + box.hi[1] * box.hi[1], 3};
+}
+
+AdiabaticLimits jobs(int number) {
+    AdiabaticLimits limits;
+    limits.jobs = number;
+    return limits;
+}
+
+long leaves(const AdiabaticTree& tree, bool outside) {
+    long n = 0;
+    for (const AdiabaticNode& node : tree) {
+        n += !node.split && node.outside == outside ? 1 : 0;
+    }
+    return n;
+}
+
+}  // namespace
+
+TEST_CASE("The bound of a cover is within the slack of the greatest value") {
+    for (const double slack : {0.5, 0.1, 0.01}) {
+        const auto cover = adiabatic_cover(unit_square(), judge, {0, slack, false}, jobs(1));
+        REQUIRE(cover);
+        CHECK(cover->bound >= 2);
+        CHECK(cover->bound <= 2 * (1 + slack));
+        CHECK_FALSE(cover->raised);
+        CHECK(static_cast<long>(cover->leaves) == leaves(cover->tree, true) + leaves(cover->tree, false));
+    }
+}
+
+TEST_CASE("A goal that is great enough closes the root, and a fixed one that is too small closes nothing") {
+    const auto whole = adiabatic_cover(unit_square(), judge, {2, 0, true}, jobs(1));
+    REQUIRE(whole);
+    CHECK(whole->tree.size() == 1);
+    CHECK(whole->tree[0].by_class == 3);
+    AdiabaticLimits few;
+    few.max_leaves = 1000;
+    CHECK_FALSE(adiabatic_cover(unit_square(), judge, {1.9, 0, true}, few));
+}
+
+TEST_CASE("A target that cannot be met is raised to what the halving reaches") {
+    AdiabaticLimits few;
+    few.max_leaves = 16;
+    const auto cover = adiabatic_cover(
+        unit_square(),
+        [](const AdiabaticBox& box) {
+            return AdiabaticJudged{
+                false, 1 + 8 * (box.width(AdiabaticAxis::u) + box.width(AdiabaticAxis::sigma)), 0};
+        },
+        {1, 0.001, false}, few);
+    REQUIRE(cover);
+    CHECK(cover->raised);
+    CHECK(cover->bound > 1.1);
+    CHECK(cover->leaves <= 16);
+}
+
+TEST_CASE("The tree does not depend on the number of threads") {
+    const auto one = adiabatic_cover(unit_square(), judge, {0, 0.003, false}, jobs(1));
+    const auto four = adiabatic_cover(unit_square(), judge, {0, 0.003, false}, jobs(4));
+    REQUIRE(one);
+    REQUIRE(four);
+    CHECK(one->tree == four->tree);
+    CHECK(one->bound == four->bound);
+}
+
+TEST_CASE("What is interrupted, or has no bound anywhere, gives nothing") {
+    AdiabaticLimits stopped;
+    stopped.interrupted = [] { return true; };
+    CHECK_FALSE(adiabatic_cover(unit_square(), judge, {0, 0.1, false}, stopped));
+    AdiabaticLimits few;
+    few.max_leaves = 100;
+    CHECK_FALSE(adiabatic_cover(
+        unit_square(), [](const AdiabaticBox&) { return AdiabaticJudged{}; }, {0, 0.1, false}, few));
+}

@@ -1,0 +1,146 @@
+#include "prove/adiabatic.hpp"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "arith/error.hpp"
+#include "prove/adiabatic_attained.hpp"
+#include "prove/adiabatic_branch.hpp"
+
+using namespace dumbbell;
+using Catch::Matchers::Contains;
+
+namespace {
+
+AdiabaticRequest request(AdiabaticClaim claim, const Rational& lo, const Rational& hi,
+                         const Rational& margin) {
+    AdiabaticRequest result;
+    result.of.claim = claim;
+    result.of.delta = {lo, hi};
+    result.of.heights = {Rational(0), claim == AdiabaticClaim::run ? Rational(9, 10) : Rational(1)};
+    result.of.margin = margin;
+    return result;
+}
+
+double ratio(const AdiabaticProof& proof, std::size_t i = 0) {
+    return Rational(proof.bounds.at(i) / proof.attained.at(i).value).convert_to<double>();
+}
+
+std::string refusal(AdiabaticHypotheses of) {
+    try {
+        require_sensible(of);
+    } catch (const InputError& error) {
+        return error.what();
+    }
+    return {};
+}
+
+}  // namespace
+
+TEST_CASE(
+    "Theorem 3.3 at delta = 0.01: the bound is within 1.25 of an orbit, whatever the number of threads") {
+    AdiabaticRequest one = request(AdiabaticClaim::run, Rational(1, 100), Rational(1, 100), Rational(3, 10));
+    const AdiabaticProof proof = prove_adiabatic(one);
+    REQUIRE(proof.complete());
+    CHECK(ratio(proof) < 1.25);
+    CHECK(ratio(proof) >= 1);
+    one.jobs = 3;
+    const AdiabaticProof again = prove_adiabatic(one);
+    CHECK(again.bounds == proof.bounds);
+    CHECK(again.tree == proof.tree);
+    CHECK(again.attained.at(0).u == proof.attained.at(0).u);
+}
+
+TEST_CASE("Theorem 3.3 for a whole interval of delta, that begins at 0") {
+    const AdiabaticProof proof =
+        prove_adiabatic(request(AdiabaticClaim::run, Rational(0), Rational(1, 200), Rational(1, 2)));
+    REQUIRE(proof.complete());
+    CHECK(ratio(proof) < 1.25);
+}
+
+TEST_CASE("Lemma 3.1 and Corollary 3.2 at delta = 0.01: within 1.25 of a state") {
+    for (const int exponent : {0, 4, 8, 12}) {
+        AdiabaticRequest one =
+            request(AdiabaticClaim::bounce, Rational(1, 100), Rational(1, 100), Rational(1));
+        one.of.exponent = exponent;
+        const AdiabaticProof proof = prove_adiabatic(one);
+        CAPTURE(exponent);
+        REQUIRE(proof.complete());
+        CHECK(ratio(proof, 0) < 1.25);
+        CHECK(ratio(proof, 1) < 1.25);
+    }
+}
+
+TEST_CASE("Theorem 3.5 at delta = 0.01 within 2 of an orbit, and not true as it is printed") {
+    const AdiabaticProof proof = prove_adiabatic(
+        request(AdiabaticClaim::scattering, Rational(1, 100), Rational(1, 100), Rational(1, 2)));
+    REQUIRE(proof.complete());
+    CHECK(ratio(proof) < 2);
+    for (const Rational& delta : {Rational(1, 100), Rational(1, 50), Rational(1, 1000)}) {
+        const AdiabaticProof printed =
+            prove_adiabatic(request(AdiabaticClaim::printed, delta, delta, Rational(1, 2)));
+        REQUIRE(printed.complete());
+        CHECK(printed.attained.at(0).value > 3);
+    }
+}
+
+TEST_CASE("(5) of Lemma 3.1 as printed is wrong by 4 |ydot|/sqrt(1 - y^2) on the other branch") {
+    const AdiabaticState state{Rational(1, 10), Rational(1), Rational(1, 100), 1, Rational(1)};
+    CHECK(printed_branch_error(state) > 36);
+    CHECK(printed_branch_error({Rational(1, 10), Rational(0), Rational(1, 100), 1, Rational(1)}) == 0);
+}
+
+TEST_CASE("What is interrupted claims nothing") {
+    AdiabaticRequest one = request(AdiabaticClaim::run, Rational(1, 100), Rational(1, 100), Rational(3, 10));
+    one.interrupted = [] { return true; };
+    const AdiabaticProof proof = prove_adiabatic(one);
+    CHECK_FALSE(proof.complete());
+    CHECK(proof.bounds.empty());
+}
+
+TEST_CASE("An orbit is attained only if it satisfies the hypotheses") {
+    AdiabaticSearch search;
+    search.of = request(AdiabaticClaim::run, Rational(1, 100), Rational(1, 100), Rational(3, 10)).of;
+    AdiabaticSample sample = simulated(search, 0.5, 1, 0);
+    REQUIRE(sample.n > 10);
+    const auto state = attained(search, sample);
+    REQUIRE(state);
+    CHECK(state->value.convert_to<double>() == Approx(sample.error).epsilon(1e-4));
+    CHECK(state->value.convert_to<double>() < sample.error);
+    sample.u = 0.31;  // higher than 0.9
+    CHECK_FALSE(attained(search, sample));
+    sample.u = 0.5;
+    sample.n += 40;  // nearer the vertical than the margin
+    CHECK_FALSE(attained(search, sample));
+}
+
+TEST_CASE("Hypotheses that make no sense are refused with what to do") {
+    const AdiabaticHypotheses good =
+        request(AdiabaticClaim::run, Rational(1, 100), Rational(1, 100), Rational(3, 10)).of;
+    CHECK(refusal(good).empty());
+    const auto with = [&](const auto& change) {
+        AdiabaticHypotheses of = good;
+        change(of);
+        return refusal(of);
+    };
+    CHECK_THAT(with([](auto& of) {
+                   of.delta = {Rational(1, 2), Rational(1, 2)};
+               }),
+               Contains("--delta must lie between 0 and 1/2"));
+    CHECK_THAT(with([](auto& of) {
+                   of.delta = {Rational(0), Rational(0)};
+               }),
+               Contains("--delta must lie between 0 and 1/2"));
+    CHECK_THAT(with([](auto& of) {
+                   of.claim = AdiabaticClaim::bounce;
+                   of.delta.first = 0;
+               }),
+               Contains("thm3.3 only"));
+    CHECK_THAT(with([](auto& of) { of.margin = 0; }), Contains("reaches the vertical"));
+    CHECK_THAT(with([](auto& of) { of.margin = 2; }), Contains("at most 1"));
+    CHECK_THAT(with([](auto& of) { of.heights = {Rational(1, 2), Rational(1, 2)}; }), Contains("LO < HI"));
+    CHECK_THAT(with([](auto& of) {
+                   of.heights = {Rational(99, 100), Rational(1)};
+               }),
+               Contains("no state has these heights"));
+}

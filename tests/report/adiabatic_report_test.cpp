@@ -1,0 +1,88 @@
+#include "report/adiabatic_report.hpp"
+
+#include <catch2/catch.hpp>
+
+using namespace dumbbell;
+using Catch::Matchers::Contains;
+
+namespace {
+
+AdiabaticReport report_of(AdiabaticClaim claim) {
+    AdiabaticProof proof;
+    proof.of.claim = claim;
+    proof.of.delta = {Rational(1, 1000), Rational(1, 100)};
+    proof.of.heights = {Rational(0), Rational(9, 10)};
+    proof.of.margin = Rational(3, 10);
+    proof.leaves = 7;
+    proof.attained = {{Rational(1, 2), Rational(1), Rational(1, 100), 63, Rational(15)}};
+    if (claim != AdiabaticClaim::printed) {
+        proof.bounds = {Rational(167, 10)};
+    }
+    if (claim == AdiabaticClaim::bounce) {
+        proof.bounds.emplace_back(12);
+        proof.attained.push_back(proof.attained[0]);
+    }
+    return {"thm3.3", Rational(1, 10), {{proof, {}, {}, 0}}, {}, {}};
+}
+
+}  // namespace
+
+TEST_CASE("The report says for which states, what is proved, and what one orbit attains") {
+    const std::string text = to_text(report_of(AdiabaticClaim::run));
+    CHECK_THAT(
+        text, Contains("For every delta in [0.001, 0.01], epsilon = delta^2") &&
+                  Contains("|phidot| = 1 and -delta <= ydot <= 0") && Contains("height y from 0 to 0.9") &&
+                  Contains("|phi - 3 pi/2| >= 0.3 from the vertical") && Contains("any number n of bounces"));
+    CHECK_THAT(text, Contains("|I_n - I_0| <= 16.7 delta\n") &&
+                         Contains("at least 15 delta (delta = 0.01, distance 0.5 from the "
+                                  "vertical, ydot = -1 delta, n = 63)"));
+    CHECK_THAT(text, Contains("upper/lower at most 1.12\n"));  // 1.11333..., rounded up
+}
+
+TEST_CASE("The units are those of each statement") {
+    CHECK_THAT(to_text(report_of(AdiabaticClaim::scattering)),
+               Contains("|I_N - I_0| <= 16.7 sqrt(delta)") &&
+                   Contains(">= 0.3 sqrt(delta) from the vertical") &&
+                   Contains("the heavy mass is not touched"));
+    CHECK_THAT(to_text(report_of(AdiabaticClaim::bounce)), Contains("<= 16.7 delta\n") &&
+                                                               Contains("<= 12 * 2 delta^(3/2)\n") &&
+                                                               Contains("0.3 delta^(1/2)"));
+    AdiabaticReport all = report_of(AdiabaticClaim::bounce);
+    all.results[0].proof.of.exponent = 0;
+    CHECK_THAT(to_text(all),
+               Contains("<= 16.7 delta^2\n") && Contains("<= 12 * 2 delta^2\n") && Contains(">= 0.3 from"));
+    CHECK_THAT(to_text(report_of(AdiabaticClaim::printed)), Contains("not true uniformly") &&
+                                                                Contains("an orbit has |I_N - I_0| >= 15 ") &&
+                                                                !Contains("<="));
+}
+
+TEST_CASE("What was not certified is said to be so") {
+    AdiabaticReport report = report_of(AdiabaticClaim::run);
+    report.results[0].proof.bounds.clear();
+    CHECK_THAT(to_text(report),
+               Contains("no bound was certified") && Contains("attained") && !Contains("upper/lower"));
+    CHECK(to_json(report).at("results").at(0).at("errors").at(0).at("bound").is_null());
+    AdiabaticReport printed = report_of(AdiabaticClaim::printed);
+    printed.results[0].proof.attained.clear();
+    CHECK_THAT(to_text(printed), Contains("no such orbit was certified"));
+}
+
+TEST_CASE("Several distances make a table") {
+    AdiabaticReport report = report_of(AdiabaticClaim::run);
+    report.results.push_back(report.results[0]);
+    report.results[1].proof.of.margin = Rational(1, 2);
+    CHECK_THAT(to_text(report), Contains("distance") &&
+                                    Contains("     0.3  |I_n - I_0|  16.7 delta  15 delta   1.12") &&
+                                    Contains("     0.5  |I_n - I_0|"));
+}
+
+TEST_CASE("The JSON holds the exact numbers") {
+    const auto json = to_json(report_of(AdiabaticClaim::run));
+    const auto& result = json.at("results").at(0);
+    CHECK(result.at("claim") == "adiabatic-run");
+    CHECK(result.at("y").at("hi") == "9/10");
+    CHECK(result.at("k").is_null());
+    CHECK(result.at("errors").at(0).at("bound") == "167/10");
+    CHECK(result.at("errors").at(0).at("ratio").get<double>() >= 16.7 / 15);
+    CHECK(result.at("errors").at(0).at("attained").at("n") == 63);
+}

@@ -1,0 +1,207 @@
+// Whole files about the adiabatic invariant: true claims are verified, false ones, spelt correctly and with a
+// fitting trailer, are refused.
+#include <catch2/catch.hpp>
+
+#include "make_adiabatic.hpp"
+
+using namespace make;
+
+namespace {
+
+const std::string& bounce() {
+    static const std::string text = small_bounce().file();
+    return text;
+}
+const std::string& run_file() {
+    static const std::string text = small_run().file();
+    return text;
+}
+const std::string& scattering() {
+    static const std::string text = small_scattering().file();
+    return text;
+}
+const std::string& printed() {
+    static const std::string text = small_printed().file();
+    return text;
+}
+std::string mutant(const std::string& text, const std::string& from, const std::string& to) {
+    INFO(from << " -> " << to);
+    return outcome(mutated_adiabatic(text, from, to));
+}
+
+/// The text with the tree's lines from number `at` (a split) and below replaced by one leaf.
+std::string lifted(const std::string& text, std::size_t at, const std::string& leaf) {
+    std::vector<std::string> lines;
+    std::istringstream in(text.substr(0, text.find("total split")));
+    for (std::string line; std::getline(in, line);) lines.push_back(line);
+    std::size_t end = at;
+    for (int open = 1; open > 0; ++end) open += lines.at(end).starts_with("split") ? 1 : -1;
+    std::string result;
+    for (std::size_t i = 0; i < lines.size(); ++i)
+        if (i < at || i >= end)
+            result += lines[i] + "\n";
+        else if (i == at)
+            result += leaf + "\n";
+    return closed_adiabatic(result);
+}
+
+}  // namespace
+
+TEST_CASE("adiabatic: true claims are verified, in double and in multiple precision") {
+    dumbbell_verify::Settings precise;
+    precise.precision = 100;
+    for (const std::string* text : {&bounce(), &run_file(), &scattering(), &printed()}) {
+        INFO(text->substr(0, 200));
+        CHECK(outcome(*text) == "verified");
+        if (text != &scattering()) CHECK(outcome(*text, precise) == "verified");
+    }
+    CHECK(outcome(gzipped(run_file())) == "verified");
+    // Uniformly in delta, down to 0.
+    Adiabatics range = small_bounce();
+    range.terms.claim.delta_lo = mpq_class(1, 25);
+    range.terms.claim.bounds = {3, 11};
+    CHECK(outcome(range.file()) == "verified");
+    Adiabatics low = small_run();
+    low.terms.claim.delta_lo = 0;
+    low.terms.claim.bounds = {40};
+    CHECK(outcome(low.file()) == "verified");
+}
+
+TEST_CASE("adiabatic: bounds below what some state attains are refused") {
+    CHECK(mutant(bounce(), "bound 5/2 10/1", "bound 194/100 10/1") == "number");  // not in lowest terms
+    CHECK(mutant(bounce(), "bound 5/2 10/1", "bound 97/50 10/1") == "bound");
+    CHECK(mutant(bounce(), "bound 5/2 10/1", "bound 5/2 857/100") == "bound");
+    CHECK(mutant(bounce(), "bound 5/2 10/1", "bound 0/1 10/1") == "bound");
+    CHECK(mutant(run_file(), "bound 20/1", "bound 93/10") == "bound");
+    CHECK(mutant(scattering(), "bound 60/1", "bound 69/20") == "bound");
+}
+
+TEST_CASE("adiabatic: attained values above the true ones are refused, and those below are not") {
+    CHECK(mutant(bounce(), "1 97/50\n", "1 391/200\n") == "attained");  // 1.946 is true
+    CHECK(mutant(bounce(), "1 97/50\n", "1 1/50\n") == "verified");
+    CHECK(mutant(bounce(), "1 857/100\n", "1 859/100\n") == "attained");
+    CHECK(mutant(bounce(), "1 857/100\n", "1 0/1\n") == "verified");
+    CHECK(mutant(run_file(), " 10 93/10\n", " 10 467/50\n") == "attained");
+    CHECK(mutant(run_file(), " 10 93/10\n", " 10 932/100\n") == "number");
+    CHECK(mutant(run_file(), " 10 93/10\n", " 10 233/25\n") == "verified");
+    CHECK(mutant(printed(), " 4 72/25\n", " 4 289/100\n") == "attained");
+}
+
+TEST_CASE("adiabatic: an attained state must satisfy the hypotheses") {
+    // Too near to the vertical, at the first contact (exactly) or at a later one.
+    CHECK(mutant(bounce(), "attained 1119/5000 1/1", "attained 559/2500 1/1") == "attained");  // 0.2236
+    CHECK(mutant(run_file(), "attained 63/125", "attained 499/1000") == "attained");
+    CHECK(mutant(run_file(), " 10 93/10\n", " 60 1/1\n") == "attained");
+    // A height that is not asked for.
+    CHECK(mutant(bounce(), "heights 3/5 1/1", "heights 3/5 24/25") == "attained");
+    CHECK(mutant(run_file(), "heights 3/5 9/10", "heights 3/5 87/100") == "attained");
+    // Not the first, not the last, or beyond the last collision.
+    CHECK(mutant(printed(), "attained 1217/5000 851/1000", "attained 1217/5000 1/10") == "attained");
+    CHECK(mutant(printed(), " 4 72/25\n", " 3 0/1\n") == "attained");
+    CHECK(mutant(printed(), " 4 72/25\n", " 5 0/1\n") == "attained");
+    // The last contact is far nearer to the vertical than the first: only `adiabatic-printed` allows that.
+    Adiabatics same = small_scattering();
+    same.terms.claim.delta_lo = same.terms.claim.delta_hi = mpq_class(1, 20);
+    same.terms.claim.attained = small_printed().terms.claim.attained;
+    AdiabaticLeaf leaf = same.root(AdiabaticLeaf::attained, 0);
+    leaf.bits = 256;
+    CHECK(std::string(dumbbell_verify::check_adiabatic(leaf, nullptr)) == "u >= margin");
+    same.terms.claim.kind = Adiabatic::printed;
+    CHECK(dumbbell_verify::check_adiabatic(leaf, nullptr) == nullptr);
+    // Fields.
+    for (const char* state : {"0/1 1/1 1/20", "-1/2 1/1 1/20", "63/125 -1/10 1/20", "63/125 11/10 1/20",
+                              "63/125 1/1 1/21", "63/125 1/1 0/1", "63/125 1/1 -1/20"})
+        CHECK(mutant(run_file(), "attained 63/125 97/100 1/20", std::string("attained ") + state) ==
+              "number");
+    CHECK(mutant(run_file(), "attained 63/125", "attained 16/10") == "number");
+    CHECK(mutant(run_file(), "attained 63/125", "attained 8/5") == "attained");  // beyond pi/2
+    CHECK(mutant(bounce(), "1/20 1 97/50", "1/20 2 97/50") == "number");
+}
+
+TEST_CASE("adiabatic: an orbit that meets the heavy mass attains nothing") {
+    // At delta = 2/5 and below the height of the bridge the second collision is one of the heavy mass.
+    Adiabatics file = small_claim(Adiabatic::run);
+    Adiabatic& claim = file.terms.claim;
+    claim.delta_lo = claim.delta_hi = mpq_class(2, 5);
+    claim.y_lo = 0;
+    claim.margin = mpq_class(1, 100);
+    for (const int n : {1, 2, 3}) {
+        claim.attained = {{mpq_class(29, 20), 1, mpq_class(2, 5), static_cast<std::uint64_t>(n), 0}};
+        AdiabaticLeaf leaf = file.root(AdiabaticLeaf::attained, 0);
+        leaf.bits = 256;
+        CHECK(std::string(dumbbell_verify::check_adiabatic(leaf, nullptr)) == "passes the bridge");
+    }
+}
+
+TEST_CASE("adiabatic: a class must hold for all its flights") {
+    // Half of every density.
+    std::string halved = run_file();
+    for (std::size_t at = halved.find("\ncell "); at != std::string::npos;
+         at = halved.find("\ncell ", at + 1)) {
+        const std::size_t value = halved.find(' ', at + 6) + 1, end = halved.find('\n', value);
+        halved.replace(value, end - value, level(mpq_class(halved.substr(value, end - value)) / 2));
+    }
+    CHECK(outcome(closed_adiabatic(halved.substr(0, halved.find("total split")))) == "bound");
+    // A threshold below which the flights are others, or below all.
+    CHECK(mutant(run_file(), "class 13/10 40", "class 1/1 40") != "verified");
+    CHECK(mutant(run_file(), "class 13/10 40", "class 3/4 40") == "class");
+    // Nothing is said of flights nearer to the vertical than the last cell, or than the margin.
+    CHECK(mutant(run_file(), "margin 1/2", "margin 2/5") != "verified");
+    CHECK(mutant(run_file(), "delta 1/20 1/20", "delta 1/20 1/19") != "verified");
+}
+
+TEST_CASE("adiabatic: leaves that are too large, or not outside, are refused") {
+    int refused = 0, lines = 0;
+    for (const std::string* text : {&bounce(), &run_file()}) {
+        std::vector<std::string> all;
+        std::istringstream in(*text);
+        for (std::string line; std::getline(in, line);) all.push_back(line);
+        bool in_claim = text == &bounce();
+        for (std::size_t i = 0; i < all.size() && !all[i].starts_with("attained"); ++i) {
+            in_claim = in_claim || all[i] == "end";
+            if (!all[i].starts_with("split") || i % 7 != 0) continue;
+            for (const std::string leaf :
+                 {in_claim && text == &run_file() ? "bound 0" : "bound", "outside"}) {
+                ++lines;
+                refused += outcome(lifted(*text, i, leaf)) == leaf.substr(0, leaf.find(' '));
+            }
+        }
+    }
+    CHECK(refused == lines);  // the search halves nothing that need not be
+    CHECK(lines >= 20);
+    CHECK(mutant(bounce(), "\nbound\n", "\noutside\n") == "outside");
+    CHECK(mutant(run_file(), "\nbound\n", "\noutside\n") == "outside");
+    CHECK(mutant(run_file(), "\nbound 0\n", "\noutside\n") == "outside");
+    CHECK(mutant(scattering(), "\nbound 0\n", "\noutside\n") == "outside");
+    CHECK(mutant(run_file(), "\nbound 0\n", "\nbound 1\n") == "number");
+    CHECK(mutant(run_file(), "\noutside\n", "\nbound\n") != "verified");
+}
+
+TEST_CASE("adiabatic: numbers beyond all bounds are refused without harm") {
+    const std::string huge(2000, '9'), tiny = "1/" + huge;
+    const auto refused = [](const std::string& text, const std::string& from, const std::string& to) {
+        INFO(to.substr(0, 60));
+        CHECK(outcome(mutated_adiabatic(text, from, to)) != "verified");
+    };
+    for (const std::string& value : {huge + "/1", tiny}) {
+        refused(run_file(), "attained 63/125", "attained " + value);
+        refused(run_file(), "margin 1/2", "margin " + value);
+        refused(run_file(), "class 13/10", "class " + value);
+        refused(run_file(), "delta 1/20 1/20", "delta 1/20 " + value);
+        refused(printed(), "attained 1217/5000 851/1000", "attained 1217/5000 " + value);
+    }
+    refused(bounce(), "bound 5/2", "bound " + tiny);
+    refused(run_file(), "10 93/10", "10 " + huge + "/1");
+    refused(run_file(), "10 93/10", "999999999999999999 0/1");
+    const std::string cell = run_file().substr(run_file().find("cell "));
+    const std::string low = cell.substr(5, cell.find(' ', 5) - 5);
+    refused(run_file(), "cell " + low, "cell " + tiny);
+    refused(run_file(), cell.substr(0, cell.find('\n')),
+            "cell " + low + " " + huge + "/1");  // V is unbounded
+    CHECK(outcome(mutated_adiabatic(run_file(), "10 93/10", "10 " + tiny)) == "verified");
+    dumbbell_verify::Settings precise;
+    precise.precision = 100;
+    const std::string beyond = mutated_adiabatic(bounce(), "bound 5/2", "bound " + huge + "/1");
+    CHECK(outcome(beyond) == "bound");  // beyond double
+    CHECK(outcome(beyond, precise) == "verified");
+}

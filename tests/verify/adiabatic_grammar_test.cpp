@@ -1,0 +1,120 @@
+// Every rule of format-adiabatic.md, section 2, has here a file that breaks it and nothing else.
+#include <catch2/catch.hpp>
+
+#include "make_adiabatic.hpp"
+
+using namespace make;
+
+namespace {
+
+const std::string& bounce() {
+    static const std::string text = small_bounce().file();
+    return text;
+}
+const std::string& run_file() {
+    static const std::string text = small_run().file();
+    return text;
+}
+const std::string& printed() {
+    static const std::string text = small_printed().file();
+    return text;
+}
+std::string mutant(const std::string& text, const std::string& from, const std::string& to) {
+    return outcome(mutated_adiabatic(text, from, to));
+}
+
+}  // namespace
+
+TEST_CASE("adiabatic grammar: unknown words make a file unsupported") {
+    for (const auto& [from, to] : {std::pair{"claim adiabatic-run", "claim adiabatic-walk"},
+                                   {"claim adiabatic-run", "claim adiabatic"},
+                                   {"section none", "section turning"},
+                                   {"lemmas 1", "lemmas minimal"},
+                                   {"scene dumbbell", "scene wedge"},
+                                   {"dumbbell-certificate 1", "dumbbell-certificate 2"}}) {
+        INFO(to);
+        CHECK(mutant(run_file(), from, to) == "unsupported");
+    }
+    CHECK(mutant(run_file(), "claim adiabatic-run", "claim initial-conditions") == "syntax");
+    CHECK(mutant(run_file(), "claim adiabatic-run", "claim adiabatic-printed") == "syntax");
+}
+
+TEST_CASE("adiabatic grammar: the header") {
+    for (const char* value :
+         {"0/1 1/20", "1/20 1/2", "1/20 0/1", "1/19 1/20", "1/20 2/40", "-1/20 1/20", "1/20", "0 1/20"}) {
+        INFO(value);
+        CHECK(mutant(bounce(), "delta 1/20 1/20", std::string("delta ") + value) ==
+              (std::string(value) == "1/20" ? "syntax" : "number"));
+    }
+    CHECK(mutant(run_file(), "delta 1/20 1/20", "delta 0/1 0/1") == "number");
+    CHECK(mutant(printed(), "delta 1/20 1/20", "delta 0/1 1/20") == "number");
+    CHECK(mutant(printed(), "delta 1/20 1/20", "delta 1/30 1/20") == "verified");
+    for (const char* value : {"3/5 3/5", "9/10 3/5", "3/5 11/10", "-1/5 9/10"})
+        CHECK(mutant(run_file(), "heights 3/5 9/10", std::string("heights ") + value) == "number");
+    CHECK(mutant(printed(), "margin 1/1\n", "heights 0/1 1/1\nmargin 1/1\n") == "syntax");
+    for (const char* value : {"0/1", "-1/2", "11/10", "1/0", "2/2", "1"})
+        CHECK(mutant(bounce(), "margin 1/1", std::string("margin ") + value) == "number");
+    CHECK(mutant(bounce(), "exponent 8", "exponent 17") == "number");
+    CHECK(mutant(bounce(), "exponent 8\n", "") == "syntax");
+    CHECK(mutant(run_file(), "bits 53\n", "exponent 8\nbits 53\n") == "syntax");
+    CHECK(mutant(bounce(), "bits 53", "bits 52") == "number");
+    CHECK(mutant(bounce(), "bits 53", "bits 4097") == "number");
+    CHECK(mutant(bounce(), "bits 53", "bits 2049") == "limit");
+    CHECK(mutant(bounce(), "bits 53", "bits 200") == "verified");
+    CHECK(mutant(bounce(), "bound 5/2 10/1", "bound 5/2") == "syntax");
+    CHECK(mutant(run_file(), "bound 20/1", "bound 20/1 20/1") == "syntax");
+    CHECK(mutant(printed(), "attained", "bound 3/1\nattained") == "syntax");
+}
+
+TEST_CASE("adiabatic grammar: classes and cells") {
+    for (const char* value : {"0", "65", "01"})
+        CHECK(mutant(run_file(), "classes 1", std::string("classes ") + value) == "number");
+    CHECK(mutant(run_file(), "classes 1", "classes 2") == "syntax");
+    for (const char* value : {"13/10 0", "13/10 4097", "-13/10 40"})
+        CHECK(mutant(run_file(), "class 13/10 40", std::string("class ") + value) == "number");
+    CHECK(mutant(run_file(), "class 13/10 40", "class 13/10 41") == "syntax");
+    CHECK(mutant(run_file(), "class 13/10 40", "class 13/10 39") == "opcode");
+    const std::size_t first = run_file().find("cell ");
+    const std::string cell = run_file().substr(first, run_file().find('\n', first) - first);
+    CHECK(mutant(run_file(), cell, "cell 11/7 1/1") == "number");
+    CHECK(mutant(run_file(), cell, "cell 1/10 1/1") == "number");  // the next one is higher
+    CHECK(mutant(run_file(), cell, cell.substr(0, cell.rfind(' ')) + " -1/1") == "number");
+    CHECK(mutant(run_file(), "\nend\n", "\n") == "syntax");
+    CHECK(mutant(run_file(), "\nend\n", "\nend 1\n") == "syntax");
+}
+
+TEST_CASE("adiabatic grammar: trees") {
+    CHECK(mutant(run_file(), "split sigma", "split s") == "syntax");
+    CHECK(mutant(run_file(), "split sigma", "split delta") == "split");  // of width 0
+    CHECK(mutant(bounce(), "split u", "split v") == "syntax");
+    CHECK(mutant(bounce(), "split u", "split sigma") == "syntax");
+    CHECK(mutant(bounce(), "split u", "split") == "syntax");
+    CHECK(mutant(bounce(), "\nbound\n", "\nbound 0\n") == "syntax");
+    CHECK(mutant(run_file(), "\nbound 0\n", "\nbound\n") == "syntax");
+    CHECK(mutant(run_file(), "\nbound\n", "\nbound 0\n") == "syntax");
+    CHECK(mutant(bounce(), "\noutside\n", "\noutside 0\n") == "syntax");
+    CHECK(mutant(bounce(), "\nbound\n", "\nopen\n") == "opcode");
+    std::string deep = small_bounce().header();
+    for (int i = 0; i < 201; ++i) deep += "split u\n";
+    CHECK(outcome(closed_adiabatic(deep)) == "depth");
+}
+
+TEST_CASE("adiabatic grammar: attained states, totals and the end") {
+    const std::string state = "attained 1119/5000 1/1 1/20 1 97/50\n";
+    CHECK(mutant(bounce(), "attained 1119/5000 1/1 1/20 1 857/100\n", "") == "syntax");
+    CHECK(mutant(bounce(), state, state + state) == "syntax");
+    CHECK(mutant(bounce(), "1/20 1 97/50", "1/20 1 -97/50") == "number");
+    CHECK(mutant(bounce(), "1/20 1 97/50", "1/20 01 97/50") == "number");
+    CHECK(mutant(bounce(), "1/20 1 97/50", "1/20 1") == "syntax");
+    for (const char* kind : {"split", "bound", "outside"}) {
+        const std::string line = "total " + std::string(kind) + " ";
+        const std::size_t at = bounce().find(line);
+        const std::string number =
+            bounce().substr(at + line.size(), bounce().find('\n', at) - at - line.size());
+        const std::string body = bounce().substr(0, bounce().find("sha256"));
+        CHECK(outcome(hashed(replaced(body, line + number, line + number + "1"))) == "total");
+    }
+    CHECK(outcome(replaced(bounce(), "generator test", "generator tess")) == "sha256");
+    CHECK(outcome(bounce() + "end\n") == "trailing");
+    CHECK(outcome(bounce().substr(0, bounce().size() / 2)) == "truncated");
+}

@@ -1,0 +1,56 @@
+// Text for JSON, XML and one line: each well-formed character stays, what is none becomes U+FFFD byte by
+// byte.
+#include "verify/escape.hpp"
+
+#include <catch2/catch.hpp>
+
+using namespace dumbbell_verify;
+
+namespace {
+
+const std::string bad = "\xef\xbf\xbd";  // U+FFFD
+
+std::string times(std::size_t n, const std::string& text) {
+    std::string result;
+    while (n-- > 0) result += text;
+    return result;
+}
+
+}  // namespace
+
+TEST_CASE("escape: the first and the last character of each length stay") {
+    for (const std::string character :
+         {" ", "~", "\xc2\x80", "\xdf\xbf", "\xe0\xa0\x80", "\xec\xbf\xbf", "\xed\x80\x80", "\xed\x9f\xbf",
+          "\xee\x80\x80", "\xef\xbe\xbf", "\xef\xbf\x80", "\xef\xbf\xbd", "\xf0\x90\x80\x80",
+          "\xf0\xbf\xbf\xbf", "\xf1\x80\x80\x80", "\xf3\xbf\xbf\xbf", "\xf4\x80\x80\x80",
+          "\xf4\x8f\xbf\xbf"}) {
+        CAPTURE(character);
+        CHECK(json_string(character) == "\"" + character + "\"");
+        CHECK(json_string("a" + character + "z") == "\"a" + character + "z\"");
+        CHECK(xml_text(character) == character);
+    }
+}
+
+TEST_CASE("escape: what is no character of UTF-8 or none of XML is replaced, byte by byte") {
+    for (const std::string bytes :
+         {"\x80", "\xbf", "\xc0\x80", "\xc1\xbf", "\xe0\x80\x80", "\xe0\x9f\xbf", "\xed\xa0\x80",
+          "\xed\xbf\xbf", "\xef\xbf\xbe", "\xef\xbf\xbf", "\xf0\x80\x80\x80", "\xf0\x8f\xbf\xbf",
+          "\xf4\x90\x80\x80", "\xf5\x80\x80\x80", "\xff", "\xc2", "\xe1\x80", "\xf1\x80\x80"}) {
+        CAPTURE(bytes);
+        CHECK(json_string(bytes) == "\"" + times(bytes.size(), bad) + "\"");
+        CHECK(xml_text(bytes) == times(bytes.size(), bad));
+    }
+    // A character that is cut short by another one does not swallow it.
+    CHECK(xml_text("\xc2z") == bad + "z");
+    CHECK(xml_text("\xe1z\x80") == bad + "z" + bad);
+    CHECK(xml_text("\xe1\x80z") == bad + bad + "z");
+    CHECK(xml_text("\xf1\x80\x80z") == bad + bad + bad + "z");
+}
+
+TEST_CASE("escape: control characters and marks") {
+    CHECK(one_line("a\nb\tc\x7f\x1f z\x80") == "a?b?c?? z\x80");
+    CHECK(json_string("\"\\\n\x1f\x7f /") == "\"\\u0022\\u005c\\u000a\\u001f\\u007f /\"");
+    CHECK(xml_text("<&>\"'\n\t\x7f") == "&lt;&amp;&gt;&quot;'\n" + bad + bad);
+    CHECK(json_string("") == "\"\"");
+    CHECK(xml_text("").empty());
+}

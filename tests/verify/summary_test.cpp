@@ -1,0 +1,127 @@
+// What programs read: the verdict line, the line of several files, the JSON object, the JUnit report, the
+// codes.
+#include "verify/summary.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "verify/json.hpp"
+#include "verify/junit.hpp"
+
+using namespace dumbbell_verify;
+
+namespace {
+
+const Job job{"a\nb.dbc", {}};
+
+Result result(Verdict verdict, std::uint64_t line = 0) {
+    Result r;
+    r.job = &job;
+    r.why = {verdict, line, "count", "not\ncertified"};
+    return r;
+}
+Result verified(bool bounded = true) {
+    Result r;
+    r.job = &job;
+    Collisions& claim = r.proof.claim;
+    claim.lo = mpq_class(3, 2);
+    claim.hi = 2;
+    claim.add(claim.lo, claim.hi, bounded ? std::optional<std::uint64_t>(4) : std::nullopt, 3);
+    r.proof.digest = "0f";
+    r.proof.roots = 2;
+    r.proof.tallies = {{"split", 1, 0}, {"count", 3, 1.5}};
+    return r;
+}
+constexpr Verdict all[] = {Verdict::verified, Verdict::unreadable, Verdict::unsupported, Verdict::limit,
+                           Verdict::rejected};
+
+}  // namespace
+
+TEST_CASE("summary: a verdict line has its fields in this order") {
+    Result r = verified();
+    CHECK(verdict_line(r) ==
+          "s VERIFIED scene=dumbbell ratio=3/2:2/1 upper=4 lower=3 gaps=1 open=0 sha256=0f");
+    r.proof.heavy_once = true;
+    CHECK(verdict_line(r) ==
+          "s VERIFIED scene=dumbbell ratio=3/2:2/1 upper=4 lower=3 gaps=1 open=0 heavy-at-most=1 sha256=0f");
+    CHECK(claim_text(verified(false)) == "scene=dumbbell ratio=3/2:2/1 upper=none lower=3 gaps=0 open=1");
+    CHECK(verdict_line(result(Verdict::rejected, 7)) == "s REJECTED line=7 code=count not?certified");
+    CHECK(verdict_line(result(Verdict::rejected)) == "s REJECTED code=count not?certified");
+    CHECK(verdict_line(result(Verdict::limit, 1)) == "s LIMIT line=1 not?certified");
+    CHECK(verdict_line(result(Verdict::unsupported, 2)) == "s UNSUPPORTED line=2 not?certified");
+    CHECK(verdict_line(result(Verdict::unreadable)) == "s UNREADABLE not?certified");
+}
+
+TEST_CASE("summary: the exit code of each verdict, and the worst of several") {
+    const int codes[] = {0, 2, 3, 4, 1};
+    for (std::size_t i = 0; i < 5; ++i) {
+        CHECK(exit_code(all[i]) == codes[i]);
+        for (std::size_t j = 0; j < 5; ++j)
+            CHECK(worst({result(all[i]), result(all[j])}) == std::max(all[i], all[j]));
+    }
+    CHECK(worst({}) == Verdict::verified);
+}
+
+TEST_CASE("summary: the numbers of several files") {
+    std::vector<Result> results;
+    for (std::size_t i = 0; i < 5; ++i)
+        for (std::size_t n = 0; n <= i; ++n) results.push_back(result(all[i]));
+    CHECK(summary_line(results) ==
+          "c files=15 verified=1 rejected=5 limit=4 unsupported=3 unreadable=2 exit=1");
+    CHECK(summary_line({verified()}) ==
+          "c files=1 verified=1 rejected=0 limit=0 unsupported=0 unreadable=0 exit=0");
+}
+
+TEST_CASE("summary: JSON of a proof and of a refusal, whole") {
+    CHECK(
+        json(verified()) ==
+        R"({"file":"a\u000ab.dbc","verdict":"VERIFIED","claim":{"scene":"dumbbell","ratio":{"lo":"3/2","hi":"2/1"},)"
+        R"("upper":4,"lower":3,"pieces":1,"gaps":1,"open":0,"heavy_at_most":null},"sha256":"0f",)"
+        R"("schema":"dumbbell-verify-1","demand":{"ratio":null,"max":null,"min":null},)"
+        R"("leaves":{"split":1,"count":3},"coverage":{"split":0.000000,"count":0.750000},)"
+        R"("line":null,"code":null,"reason":null})");
+    CHECK(json(result(Verdict::rejected, 7)) ==
+          R"({"file":"a\u000ab.dbc","verdict":"REJECTED","claim":null,"sha256":null,)"
+          R"("schema":"dumbbell-verify-1","demand":{"ratio":null,"max":null,"min":null},)"
+          R"("leaves":{},"coverage":{},"line":7,"code":"count","reason":"not\u000acertified"})");
+    Result r = verified(false);
+    r.proof.heavy_once = true;
+    const Job asked = [] {
+        Job j{"x", {}};
+        j.settings.demand.ratios = std::pair<mpq_class, mpq_class>(1, 2);
+        j.settings.demand.most = 5;
+        j.settings.demand.least = 2;
+        return j;
+    }();
+    r.job = &asked;
+    const std::string text = json(r);
+    CHECK(text.find(R"("upper":null,"lower":3)") != std::string::npos);
+    CHECK(text.find(R"("heavy_at_most":1})") != std::string::npos);
+    CHECK(text.find(R"("demand":{"ratio":{"lo":"1/1","hi":"2/1"},"max":5,"min":2})") != std::string::npos);
+}
+
+TEST_CASE("summary: a JUnit report, whole") {
+    const std::string text = junit({{"a", Verdict::verified, "", "s VERIFIED", 0.5},
+                                    {"b<", Verdict::rejected, "why", "s REJECTED", 1},
+                                    {"c", Verdict::limit, "much", "s LIMIT", 0}},
+                                   0, 1.5);
+    CHECK(text ==
+          R"(<?xml version="1.0" encoding="UTF-8"?>
+<testsuites>
+  <testsuite name="dumbbell-verify" package="dumbbell-verify" id="0" timestamp="1970-01-01T00:00:00" hostname="localhost" tests="3" failures="1" errors="1" time="1.500">
+    <properties/>
+    <testcase name="a" classname="dumbbell-verify" time="0.500"/>
+    <testcase name="b&lt;" classname="dumbbell-verify" time="1.000">
+      <failure type="REJECTED" message="why">s REJECTED</failure>
+    </testcase>
+    <testcase name="c" classname="dumbbell-verify" time="0.000">
+      <error type="LIMIT" message="much">s LIMIT</error>
+    </testcase>
+    <system-out>s VERIFIED
+s REJECTED
+s LIMIT
+</system-out>
+    <system-err/>
+  </testsuite>
+</testsuites>
+)");
+}
