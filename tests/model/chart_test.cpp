@@ -153,8 +153,9 @@ TEST_CASE("Charts with 8 to 40 bits, where rounding to the wrong side shows, sti
 
 TEST_CASE("The lowest ray over a range of ratios falls no faster than the bridge ends") {
     const RatioRange<Interval> range{Interval(0.25), Interval(0.5)};
-    CHECK(lowest_over(ScaledRay<Interval>{Interval(0.5), Interval(-1.5)}, range).kappa.lo() == -0.25);
-    CHECK(lowest_over(ScaledRay<Interval>{Interval(0.5), Interval(-0.5)}, range).kappa.lo() == -0.125);
+    CHECK(lowest_over(ScaledRay<Interval>{Interval(0.5), Interval(-1.5)}, range).kappa.lo() == Approx(-0.25));
+    CHECK(lowest_over(ScaledRay<Interval>{Interval(0.5), Interval(-0.5)}, range).kappa.lo() ==
+          Approx(-0.125));
 }
 
 TEST_CASE("A chart state of NaN gives rays about which nothing is certain") {

@@ -134,7 +134,7 @@ TEST_CASE("Of a ray that is wide in one of c, kappa and r one end counts, from e
     const PlainRay low{0.01, 0, 0.01};
     for (const int which : {0, 1, 2}) {
         CAPTURE(which);
-        const PlainRay high{which == 0 ? 0.3 : low.c, which == 1 ? 0.2 : low.kappa, which == 2 ? 0.1 : low.r};
+        const PlainRay high{which == 0 ? 0.9 : low.c, which == 1 ? 0.4 : low.kappa, which == 2 ? 0.2 : low.r};
         const Ray<Interval> wide{Interval(low.c, high.c), Interval(low.kappa, high.kappa),
                                  Interval(low.r, high.r)};
         const long most = ray_count<Real>(low).hits, least = ray_count<Real>(high).hits;
