@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #ifdef __SSE2__
+#include <fpu_control.h>
 #include <xmmintrin.h>
 #endif
 
@@ -162,6 +163,18 @@ TEST_CASE("the arithmetic is refused in each mode of the SSE unit alone") {
         _mm_setcsr(usual | mode);
         const bool works = arithmetic_works();
         _mm_setcsr(usual);
+        CHECK_FALSE(works);
+    }
+}
+TEST_CASE("the arithmetic is refused in each rounding mode of the x87 unit alone") {
+    fpu_control_t usual = 0;
+    _FPU_GETCW(usual);
+    for (const fpu_control_t mode : {_FPU_RC_DOWN, _FPU_RC_UP, _FPU_RC_ZERO}) {
+        CAPTURE(mode);
+        const auto changed = static_cast<fpu_control_t>(usual | mode);
+        _FPU_SETCW(changed);
+        const bool works = arithmetic_works();
+        _FPU_SETCW(usual);
         CHECK_FALSE(works);
     }
 }
