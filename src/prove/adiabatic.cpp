@@ -132,18 +132,19 @@ class Prover {
         const Interval square = sqr(masses.delta);
         AdiabaticJudged result;
         result.bound = 0;
+        const auto next = next_contact(bounce);
+        if (next && next->none) {
+            return result;  // the statement is about states with a next collision
+        }
         if (scale[0] > 0) {
             result.bound = (bounce.speed_error() * sqr(k) / square).hi() * scale[0];
         }
         if (scale[1] > 0) {
-            const auto next = next_contact(bounce);
             if (!next) {
                 return {};
             }
-            if (!next->none) {
-                const Interval error = magnitude(height_error(bounce, *next)) * k / (Interval(2) * square);
-                result.bound = std::max(result.bound, error.hi() * scale[1]);
-            }
+            const Interval error = magnitude(height_error(bounce, *next)) * k / (Interval(2) * square);
+            result.bound = std::max(result.bound, error.hi() * scale[1]);
         }
         if (!(result.bound >= 0)) {
             return {};

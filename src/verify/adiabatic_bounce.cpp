@@ -39,17 +39,18 @@ class BounceCheck : AdiabaticCheck<N> {
         if (!fact("the leaf reaches below pi/2 and above the margin", u_.lo <= u_.hi)) return false;
         const Touch<N> at = touch();
         const I kappa = incoming();
-        const auto k = static_cast<unsigned>(claim_.exponent);
-        if (!Base::at_most("E1 <= C1 delta^(2 - 2k)", error_of_spin(m_, at, kappa),
-                           number(claim_.bounds.at(0)) * sixteenths(m_.delta, 32 - 2 * k)))
-            return false;
         // Of the states with D > 0; the others have no next collision (L1).
         const I slope = slope_behind(m_, at.w, kappa);
         const I corner = corner_behind(at, slope);
-        if (corner.hi < zero) return fact("the next corner is not passed", true);
+        // Where D may be <= 0 the upper ends of slope and height bound nothing.
+        const bool turns_back = onward(m_, at.w, kappa).lo > zero;
+        if (turns_back && corner.hi < zero) return fact("0 < D, and the next corner is not passed", true);
         const Ray lowest{std::max(zero, corner.lo), slope.lo, zero}, highest{corner.hi, slope.hi, zero};
         if (slope.lo >= one || this->misses(lowest)) return fact("no light collision follows", true);
-        return Base::less("0 < D", I(0), onward(m_, at.w, kappa)) &&
+        const auto k = static_cast<unsigned>(claim_.exponent);
+        return Base::at_most("E1 <= C1 delta^(2 - 2k)", error_of_spin(m_, at, kappa),
+                             number(claim_.bounds.at(0)) * sixteenths(m_.delta, 32 - 2 * k)) &&
+               Base::less("0 < D", I(0), onward(m_, at.w, kappa)) &&
                Base::at_most("E2 <= 2 C2 delta^(2 - k)",
                              Base::size(error_of_height(m_, at, climb_, kappa, slope, next(lowest, highest))),
                              I(2) * number(claim_.bounds.at(1)) * sixteenths(m_.delta, 32 - k));

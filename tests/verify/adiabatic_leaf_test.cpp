@@ -156,6 +156,30 @@ TEST_CASE("adiabatic: no accepted leaf of one bounce holds a state with greater 
     CHECK(refuted > 2000);
 }
 
+TEST_CASE("adiabatic: where D changes its sign in a leaf of a bounce, the states with D > 0 count") {
+    Adiabatics file;
+    Adiabatic& claim = file.terms.claim;
+    claim.kind = Adiabatic::bounce;
+    claim.exponent = 16;
+    claim.margin = 1;
+    claim.y_lo = 0;
+    claim.y_hi = 1;
+    claim.delta_lo = claim.delta_hi = mpq_class(1, 100);
+    claim.bounds = {mpq_class(1, 1000), mpq_class(1, 1000)};
+    AdiabaticLeaf leaf = file.root(AdiabaticLeaf::claim_tree, 0);
+    leaf.box.lo.at(axis_u) = mpq_class(1, 100);
+    leaf.box.hi.at(axis_u) = mpq_class(4, 100);
+    leaf.box.lo.at(axis_s) = 0;  // D < 0 here at u = 1/100
+    leaf.box.hi.at(axis_s) = 1;
+    leaf.outside = false;
+    const Orbit inside(0.03L, 1, 0.01L);
+    REQUIRE(inside.size() > 1);
+    REQUIRE(inside.light(1));
+    CHECK(check_adiabatic(leaf, nullptr) != nullptr);
+    leaf.outside = true;
+    CHECK(check_adiabatic(leaf, nullptr) != nullptr);
+}
+
 namespace {
 
 /// Leaves are checked with a class whose own tree is not: one like those of adiabatic_claims_test, whose
