@@ -169,7 +169,7 @@ TEST_CASE("the arithmetic is refused in each mode of the SSE unit alone") {
 TEST_CASE("the arithmetic is refused in each rounding mode of the x87 unit alone") {
     fpu_control_t usual = 0;
     _FPU_GETCW(usual);
-    for (const fpu_control_t mode : {_FPU_RC_DOWN, _FPU_RC_UP, _FPU_RC_ZERO}) {
+    for (const int mode : {_FPU_RC_DOWN, _FPU_RC_UP, _FPU_RC_ZERO}) {
         CAPTURE(mode);
         const auto changed = static_cast<fpu_control_t>(usual | mode);
         _FPU_SETCW(changed);
