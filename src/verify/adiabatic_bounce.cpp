@@ -42,9 +42,8 @@ class BounceCheck : AdiabaticCheck<N> {
         // Of the states with D > 0; the others have no next collision (L1).
         const I slope = slope_behind(m_, at.w, kappa);
         const I corner = corner_behind(at, slope);
-        // Where D may be <= 0 the upper ends of slope and height bound nothing.
-        const bool turns_back = onward(m_, at.w, kappa).lo > zero;
-        if (turns_back && corner.hi < zero) return fact("0 < D, and the next corner is not passed", true);
+        // Where D may be <= 0 the upper ends of slope and corner are infinite.
+        if (corner.hi < zero) return fact("the next corner is not passed", true);
         const Ray lowest{std::max(zero, corner.lo), slope.lo, zero}, highest{corner.hi, slope.hi, zero};
         if (slope.lo >= one || this->misses(lowest)) return fact("no light collision follows", true);
         const auto k = static_cast<unsigned>(claim_.exponent);

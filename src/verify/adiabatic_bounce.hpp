@@ -10,7 +10,7 @@ Interval<N> onward(const Masses<N>& m, const Interval<N>& w, const Interval<N>& 
     return square(w) - Interval<N>(2) * kappa * w - m.r;
 }
 /// Encloses the slope behind a collision with D > 0: it grows with kappa and r and falls with w (L5 (b)).
-/// Precondition of its upper end: D > 0 everywhere; the lower end bounds the states with D > 0 in any case.
+/// Unbounded on a side where D is not certainly positive, as a quotient is.
 template <class N>
 Interval<N> slope_behind(const Masses<N>& m, const Interval<N>& w, const Interval<N>& kappa) {
     using I = Interval<N>;
