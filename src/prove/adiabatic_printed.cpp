@@ -49,7 +49,8 @@ std::vector<AdiabaticSample> search_printed(const AdiabaticSearch& search) {
     tbb::task_arena(search.jobs).execute([&] {
         tbb::parallel_for(std::size_t{0}, samples.size(), [&](std::size_t i) {
             const double u = least * (1 + angle_step * static_cast<double>(i % angles));
-            const double s = static_cast<double>(i / angles) / velocities;
+            const std::size_t row = i / angles;
+            const double s = static_cast<double>(row) / velocities;
             samples[i] = search.interrupted() ? AdiabaticSample{} : simulated(search, u, s, share);
         });
     });
