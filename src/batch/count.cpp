@@ -1,0 +1,82 @@
+#include "batch/count.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <string>
+
+#include "arith/error.hpp"
+#include "arith/rounding.hpp"  // refuses compilers that break IEEE arithmetic
+#include "batch/backends.hpp"
+
+namespace dumbbell::batch {
+namespace {
+
+constexpr const char* variable = "DUMBBELL_BACKEND";
+
+Backend named_backend(std::string_view wanted) {
+    std::string known;
+    for (const Backend backend : backends()) {
+        if (name(backend) == wanted) {
+            return backend;
+        }
+        known += fmt::format("{}{}", known.empty() ? "" : ", ", name(backend));
+    }
+    throw InputError(
+        fmt::format("{}: this machine has {}: set it to one of them, or not at all", variable, known));
+}
+
+}  // namespace
+
+std::string_view name(Backend backend) {
+    switch (backend) {
+        case Backend::plain:
+            return "plain";
+        case Backend::avx2:
+            return "avx2";
+        default:
+            return "avx512";
+    }
+}
+
+std::vector<Backend> backends() {
+    std::vector<Backend> found{Backend::plain};
+#if defined(__x86_64__)
+    if (__builtin_cpu_supports("avx2")) {
+        found.push_back(Backend::avx2);
+    }
+    if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq")) {
+        found.push_back(Backend::avx512);
+    }
+#endif
+    return found;
+}
+
+Backend chosen_backend() {
+    static const Backend chosen = [] {
+        const char* wanted = std::getenv(variable);
+        return wanted == nullptr ? backends().back() : named_backend(wanted);
+    }();
+    return chosen;
+}
+
+void count_at_most(std::span<const Query> queries, std::span<Answer> answers, Backend backend,
+                   const Interrupted& interrupted) {
+    require(queries.size() == answers.size(), "count_at_most: as many answers as queries");
+    const Stop stop{[](const void* context) { return (*static_cast<const Interrupted*>(context))(); },
+                    &interrupted};
+    const auto size = static_cast<long>(queries.size());
+    switch (backend) {
+#if defined(__x86_64__)
+        case Backend::avx2:
+            return count_at_most_avx2(queries.data(), answers.data(), size, stop);
+        case Backend::avx512:
+            return count_at_most_avx512(queries.data(), answers.data(), size, stop);
+#endif
+        default:
+            return count_at_most_plain(queries.data(), answers.data(), size, stop);
+    }
+}
+
+}  // namespace dumbbell::batch

@@ -1,0 +1,136 @@
+#pragma once
+
+#include "batch/lower_step.hpp"
+#include "batch/query.hpp"
+
+namespace dumbbell::batch {
+
+/// Rounds without a contact after which a lane gives up.
+inline constexpr double most_rounds = 40;
+inline constexpr double nan = __builtin_nan("");
+/// Rounds between two questions whether to stop: some milliseconds.
+inline constexpr long rounds_between_questions = 0x4000;
+
+/// count_at_most of model/count.hpp for a queue of rays. Each lane follows its own, and takes the next one
+/// when it has its answer, so that packs stay full; what happens to a ray does not depend on the others.
+template <class D>
+class LowerCount {
+  public:
+    LowerCount(const Query* queries, Answer* answers, long size)
+        : queries_(queries), answers_(answers), size_(size) {}
+
+    void run(Stop stop) {
+        for (long i = 0; i < size_; ++i) {
+            answers_[i] = {queries_[i].cap + 1, false};
+        }
+        for (int lane = 0; lane < Lanes<D>::width; ++lane) {
+            take_next(lane);
+        }
+        for (long rounds = 1; busy_ > 0; ++rounds) {
+            if (rounds % rounds_between_questions == 0 && stop.asks(stop.context)) {
+                return;
+            }
+            const unsigned done = lanes(round());
+            if (done != 0) {
+                hand_in(done);
+            }
+        }
+    }
+
+  private:
+    void hand_in(unsigned done) {
+        Lanes<D>::store(counts_, count_);
+        const unsigned clear = lanes(clear_);
+        for (; done != 0; done &= done - 1) {
+            const int lane = __builtin_ctz(done);
+            if (owner_[lane] >= 0) {
+                answers_[owner_[lane]] = {static_cast<long>(counts_[lane]), ((clear >> lane) & 1U) != 0};
+                --busy_;
+            }
+            take_next(lane);
+        }
+    }
+
+    /// A lane for which no query is left follows no ray, and gives up again and again.
+    void take_next(int lane) {
+        if (next_ == size_) {
+            owner_[lane] = -1;
+            put(lane, {{nan, nan, nan}, 0});
+            return;
+        }
+        owner_[lane] = next_++;
+        ++busy_;
+        put(lane, queries_[owner_[lane]]);
+    }
+
+    void put(int lane, const Query& query) {
+        const Mask<D> here = Lanes<D>::only(lane);
+        const double r = query.ray.r > 0 && query.ray.r <= 1 ? query.ray.r : nan;
+        // 0 and -1 are bounds of every ray that the query is about.
+        c_ = select(here, D(query.ray.c < 0 ? 0 : query.ray.c), c_);
+        kappa_ = select(here, D(query.ray.kappa < -1 ? -1 : query.ray.kappa), kappa_);
+        r_ = select(here, D(r), r_);
+        cap_ = select(here, D(static_cast<double>(query.cap)), cap_);
+        count_ = select(here, D(0.0), count_);
+        rounds_ = select(here, D(0.0), rounds_);
+        fresh_ = fresh_ || here;
+        clear_ = clear_ || here;
+    }
+
+    /// One tangent for each lane; which of them have their answer.
+    Mask<D> round() {
+        if (lanes(fresh_) != 0) {
+            const Aim<D> first = first_aim(c_, kappa_);
+            aim_.z = select(fresh_, first.z, aim_.z);
+            aim_.at_top = select(fresh_, first.at_top, aim_.at_top);
+        }
+        const SinCosOf<D> at = sin_cos(aim_.z);
+        const LowerContact<D> contact = lower_contact(aim_.z, at, c_, kappa_);
+        Mask<D> missed = kappa_ >= D(1.0) || contact.beyond;  // L3, L12 (a)
+        if (lanes(aim_.at_top) != 0) {
+            missed = missed || (aim_.at_top && strict_miss(aim_.z, at, c_, kappa_));
+        }
+        const Mask<D> hit = contact.close && !aim_.at_top && !missed;
+        Mask<D> left = Lanes<D>::none();
+        Mask<D> stuck = Lanes<D>::none();
+        fresh_ = Lanes<D>::none();
+        const Mask<D> searching = !(hit || missed);
+        if (lanes(searching) != 0) {
+            const Aim<D> next = next_aim(aim_, at, c_, kappa_);
+            aim_.z = select(searching, next.z, aim_.z);
+            aim_.at_top = select(searching, next.at_top, aim_.at_top);
+            rounds_ = select(searching, rounds_ + 1.0, rounds_);
+            stuck = searching && rounds_ > D(most_rounds);
+        }
+        if (lanes(hit) != 0) {
+            const LowerState<D> next = lower_state(aim_.z, at, contact.shift, kappa_, r_);
+            count_ = select(hit, count_ + 1.0, count_);
+            c_ = select(hit, next.c, c_);
+            kappa_ = select(hit, next.kappa, kappa_);
+            clear_ = clear_ && (!hit || next.clear);
+            left = hit && next.leaves;  // L1
+            stuck = stuck || (hit && !next.leaves && !next.follows);
+            rounds_ = select(hit, D(0.0), rounds_);
+            fresh_ = hit;
+        }
+        count_ = select(stuck, cap_ + 1.0, count_);
+        clear_ = clear_ && !stuck;
+        return missed || left || stuck || count_ > cap_;
+    }
+
+    const Query* queries_;
+    Answer* answers_;
+    long size_;
+    long next_ = 0;
+    long busy_ = 0;
+    long owner_[Lanes<D>::width] = {};  ///< whose ray a lane follows; -1: nobody's
+    double counts_[Lanes<D>::width] = {};
+
+    D c_ = 0.0, kappa_ = 0.0, r_ = 1.0, cap_ = 0.0, count_ = 0.0;
+    D rounds_ = 0.0;  ///< since the last contact
+    Aim<D> aim_{0.0, Lanes<D>::none()};
+    Mask<D> fresh_ = Lanes<D>::none();
+    Mask<D> clear_ = Lanes<D>::none();
+};
+
+}  // namespace dumbbell::batch

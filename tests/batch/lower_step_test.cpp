@@ -1,0 +1,115 @@
+#include "batch/lower_step.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "rays.hpp"
+
+using namespace dumbbell;
+using namespace dumbbell_test;
+
+namespace {
+
+/// A tangent's place: the contact, near it, or anywhere.
+double some_place(Random& random, const PlainRay& ray, const Flight<Real>& exact) {
+    switch (random.below(4)) {
+        case 0:
+            return random.uniform(0, half_pi_hi);
+        case 1:
+            return std::clamp(exact.x.convert_to<double>() * (1 + random.sign() * random.scaled(1e-17, 0.5)),
+                              0.0, half_pi_hi);
+        default: {
+            const auto aim = batch::first_aim(ray.c, ray.kappa);
+            return random.coin() ? aim.z : batch::next_aim(aim, batch::sin_cos(aim.z), ray.c, ray.kappa).z;
+        }
+    }
+}
+
+}  // namespace
+
+TEST_CASE("A close bound of the contact is one, and so is what follows from it, wherever the tangent lies") {
+    Random random(411);
+    int followed = 0;
+    for (int i = 0; i < 60'000; ++i) {
+        const PlainRay ray = random_ray(random);
+        const auto exact = flight(Real(ray.c), Real(ray.kappa));
+        const double z = some_place(random, ray, exact);
+        const auto at = batch::sin_cos(z);
+        const auto contact = batch::lower_contact(z, at, ray.c, ray.kappa);
+        const bool steep = at.cos - ray.kappa > 1e-14;  // a certain slope, close or not
+        if (contact.beyond && exact.hits) {
+            FAIL(say("said to pass the peak, but hits:", ray, "z", z));
+        }
+        if (!exact.hits || !(contact.close || steep)) {
+            continue;
+        }
+        const Real x = Real(z) + Real(contact.shift);
+        if (x < 0 || x > exact.x) {
+            FAIL(say("no lower bound:", ray, "z", z, "shift", contact.shift, "x", exact.x));
+        }
+        const auto next = batch::lower_state(z, at, contact.shift, ray.kappa, ray.r);
+        const auto out = reflect<Real>({Real(1), Real(ray.kappa)}, cos(exact.x), Real(ray.r));
+        if (next.leaves && out.angular < 0) {
+            FAIL(say("said to leave, but stays:", ray, "z", z));
+        }
+        if (next.leaves || !next.follows || out.angular >= 0) {
+            continue;
+        }
+        ++followed;
+        const Real slope = out.vertical / -out.angular;
+        const Real height = sin(exact.x) + slope * (exact.x + pi_in<Real>());
+        if (!(Real(next.kappa) <= slope && Real(next.c) <= height && next.c >= 0)) {
+            FAIL(say("no lower state:", ray, "z", z, "slope", next.kappa, slope, "height", next.c, height));
+        }
+    }
+    CHECK(followed > 20'000);
+}
+
+TEST_CASE("Close bounds are close: within 1e-14 of contact and next state, relative to the angles") {
+    Random random(412);
+    int close = 0;
+    for (int i = 0; i < 20'000; ++i) {
+        const PlainRay ray = random_ray(random);
+        const auto exact = flight(Real(ray.c), Real(ray.kappa));
+        if (!exact.hits || exact.clearance < 1e-3) {
+            continue;
+        }
+        auto aim = batch::first_aim(ray.c, ray.kappa);
+        auto at = batch::sin_cos(aim.z);
+        auto contact = batch::lower_contact(aim.z, at, ray.c, ray.kappa);
+        for (int round = 0; !contact.close || aim.at_top; ++round) {
+            if (round == 10) {
+                FAIL(say("not found:", ray, "x", exact.x, "z", aim.z));
+            }
+            aim = batch::next_aim(aim, at, ray.c, ray.kappa);
+            at = batch::sin_cos(aim.z);
+            contact = batch::lower_contact(aim.z, at, ray.c, ray.kappa);
+        }
+        ++close;
+        const Real x = Real(aim.z) + Real(contact.shift);
+        const Real incidence = cos(exact.x) - Real(ray.kappa);
+        if ((exact.x - x) * incidence > Real(1e-14) * exact.x + Real(1e-299)) {
+            FAIL(say("loose:", ray, "x", exact.x, x));
+        }
+    }
+    CHECK(close > 5'000);
+}
+
+TEST_CASE("A strict miss is one, wherever the tangent is laid") {
+    Random random(413);
+    int misses = 0;
+    for (int i = 0; i < 40'000; ++i) {
+        const PlainRay ray = random.coin() ? random_ray(random)
+                                           : grazing_ray(random.uniform(-1, 0.999),
+                                                         random.sign() * random.scaled(1e-17, 1e-3), 1);
+        const auto exact = flight(Real(ray.c), Real(ray.kappa));
+        const double z = random.coin() ? exact.x.convert_to<double>() : random.uniform(0, half_pi_hi);
+        if (batch::strict_miss(std::min(z, half_pi_hi), batch::sin_cos(std::min(z, half_pi_hi)), ray.c,
+                               ray.kappa)) {
+            ++misses;
+            if (exact.hits) {
+                FAIL(say("hits:", ray, "tangent at", z));
+            }
+        }
+    }
+    CHECK(misses > 5'000);
+}
