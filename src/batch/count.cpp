@@ -61,21 +61,53 @@ Backend chosen_backend() {
     return chosen;
 }
 
-void count_at_most(std::span<const Query> queries, std::span<Answer> answers, Backend backend,
-                   const Interrupted& interrupted) {
-    require(queries.size() == answers.size(), "count_at_most: as many answers as queries");
-    const Stop stop{[](const void* context) { return (*static_cast<const Interrupted*>(context))(); },
-                    &interrupted};
-    const auto size = static_cast<long>(queries.size());
+namespace {
+
+struct Kernels {
+    void (*at_most)(const Query*, Answer*, long, Stop);
+    void (*at_least)(const Query*, Answer*, long, Stop);
+};
+
+Kernels kernels(Backend backend) {
     switch (backend) {
 #if defined(__x86_64__)
         case Backend::avx2:
-            return count_at_most_avx2(queries.data(), answers.data(), size, stop);
+            return {count_at_most_avx2, count_at_least_avx2};
         case Backend::avx512:
-            return count_at_most_avx512(queries.data(), answers.data(), size, stop);
+            return {count_at_most_avx512, count_at_least_avx512};
 #endif
         default:
-            return count_at_most_plain(queries.data(), answers.data(), size, stop);
+            return {count_at_most_plain, count_at_least_plain};
+    }
+}
+
+Stop stop_when(const Interrupted& interrupted) {
+    return {[](const void* context) { return (*static_cast<const Interrupted*>(context))(); }, &interrupted};
+}
+
+constexpr const char* sizes = "batch: as many answers as queries";
+
+}  // namespace
+
+void count_at_most(std::span<const Query> queries, std::span<Answer> answers, Backend backend,
+                   const Interrupted& interrupted) {
+    require(queries.size() == answers.size(), sizes);
+    std::ranges::transform(queries, answers.begin(), [](const Query& query) {
+        return Answer{query.cap + 1, false};
+    });
+    kernels(backend).at_most(queries.data(), answers.data(), static_cast<long>(queries.size()),
+                             stop_when(interrupted));
+}
+
+void count_at_least(std::span<const Query> queries, std::span<Answer> answers, Backend backend,
+                    const Interrupted& interrupted) {
+    require(queries.size() == answers.size(), sizes);
+    std::ranges::fill(answers, Answer{});
+    kernels(backend).at_least(queries.data(), answers.data(), static_cast<long>(queries.size()),
+                              stop_when(interrupted));
+    // The kernel looks at the cap behind a collision.
+    for (std::size_t i = 0; i < queries.size(); ++i) {
+        answers[i].count = std::min(answers[i].count, queries[i].cap);
     }
 }
 

@@ -20,8 +20,15 @@ enum class Backend { plain, avx2, avx512 };
 /// names none of them.
 [[nodiscard]] Backend chosen_backend();
 
-/// answers[i] for queries[i], whatever the others are. Precondition: as many answers as queries.
+/// Upper bounds of G over all rays at or above queries[i].ray in c, kappa and r, of which it is the lowest,
+/// flattest one: answers[i].count, whatever the other queries are; cap + 1 if none up to the cap is certain,
+/// also if interrupted. Precondition: as many answers as queries.
 void count_at_most(std::span<const Query> queries, std::span<Answer> answers, Backend backend,
                    const Interrupted& interrupted = never);
+
+/// Lower bounds of G, at most the cap, over all rays at or below queries[i].ray (c >= 0 for them too), of
+/// which it is the highest, steepest one; 0 if interrupted.
+void count_at_least(std::span<const Query> queries, std::span<Answer> answers, Backend backend,
+                    const Interrupted& interrupted = never);
 
 }  // namespace dumbbell::batch

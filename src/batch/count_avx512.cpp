@@ -1,11 +1,17 @@
 #include "batch/backends.hpp"
-#include "batch/lower_count.hpp"
+#include "batch/count_lanes.hpp"
+#include "batch/lower_step.hpp"
 #include "batch/pack_avx512.hpp"
+#include "batch/upper_step.hpp"
 
 namespace dumbbell::batch {
 
 void count_at_most_avx512(const Query* queries, Answer* answers, long size, Stop stop) {
-    LowerCount<Pack8>(queries, answers, size).run(stop);
+    CountLanes<Pack8, Lower>(queries, answers, size).run(stop);
+}
+
+void count_at_least_avx512(const Query* queries, Answer* answers, long size, Stop stop) {
+    CountLanes<Pack8, Upper>(queries, answers, size).run(stop);
 }
 
 }  // namespace dumbbell::batch

@@ -1,10 +1,16 @@
 #include "batch/backends.hpp"
-#include "batch/lower_count.hpp"
+#include "batch/count_lanes.hpp"
+#include "batch/lower_step.hpp"
+#include "batch/upper_step.hpp"
 
 namespace dumbbell::batch {
 
 void count_at_most_plain(const Query* queries, Answer* answers, long size, Stop stop) {
-    LowerCount<double>(queries, answers, size).run(stop);
+    CountLanes<double, Lower>(queries, answers, size).run(stop);
+}
+
+void count_at_least_plain(const Query* queries, Answer* answers, long size, Stop stop) {
+    CountLanes<double, Upper>(queries, answers, size).run(stop);
 }
 
 }  // namespace dumbbell::batch

@@ -1,3 +1,4 @@
+#include "batch/count.hpp"
 #include "model/bridge_clearance.hpp"
 #include "model/chart.hpp"
 #include "model/count.hpp"
@@ -31,31 +32,24 @@ bool beyond_section(const Bounds<I>& b) {
     return certainly_less(half_pi<I>(), b.e_lo) || certainly_at_most(I(1), b.range.r_lo * b.slope_lo);
 }
 
-/// Counts of both rays with 1 + forward + backward <= upper, if certain.
+/// What a box comes down to: the reason that closes it without a count, or the rays whose counts may close it
+/// (without `reversed` if sigma X has no collision); neither: nothing is certain.
 template <class I>
-std::optional<Leaf> counted(const Ray<I>& out, const std::optional<Ray<I>>& reversed, long upper,
-                            const Interrupted& interrupted) {
-    const long forward = count_at_most(out, upper - 1, interrupted);
-    if (forward > upper - 1) {
-        return std::nullopt;
-    }
-    const long room = upper - 1 - forward;
-    const long backward = reversed ? count_at_most(*reversed, room, interrupted) : 0;
-    if (backward > room) {
-        return std::nullopt;
-    }
-    return Leaf{Reason::count, forward, backward};
-}
+struct Case {
+    std::optional<Leaf> leaf{};
+    std::optional<Ray<I>> out{};
+    std::optional<Ray<I>> reversed{};
+};
 
 /// L8: X is lowest at the far end of the position, sigma X at the near end, both at the least steepness.
 template <class I>
-std::optional<Leaf> judge_bridge(const Bounds<I>& b, long upper, const Interrupted& interrupted) {
+Case<I> bridge_case(const Bounds<I>& b) {
     if (beyond_section(b)) {
-        return Leaf{Reason::outside};
+        return {.leaf = Leaf{Reason::outside}};
     }
     const auto out = bridge_outgoing(b.high, b.slope_lo);
     const auto reversed = bridge_reversed(b.low, b.slope_lo, b.range.r_hi);
-    return counted<I>(lowest_over(out, b.range), lowest_over(reversed, b.range), upper, interrupted);
+    return {.out = lowest_over(out, b.range), .reversed = lowest_over(reversed, b.range)};
 }
 
 /// L9: sigma X descends on the whole box, so the collision is not turning there.
@@ -79,41 +73,132 @@ bool reversed_meets_bridge(const Bounds<I>& b) {
 }
 
 template <class I>
-std::optional<Leaf> judge_light(const Bounds<I>& b, long upper, const Interrupted& interrupted) {
+Case<I> light_case(const Bounds<I>& b) {
     if (beyond_section(b) || certainly_not_turning(b)) {
-        return Leaf{Reason::outside};
+        return {.leaf = Leaf{Reason::outside}};
     }
     if (certainly_meets_bridge(b.high, b.slope_hi, b.range)) {
-        return Leaf{Reason::meets};
+        return {.leaf = Leaf{Reason::meets}};
     }
     if (reversed_meets_bridge(b)) {
-        return Leaf{Reason::meets_reversed};
+        return {.leaf = Leaf{Reason::meets_reversed}};
     }
     const I& w = b.low.cos_e;
     const I& r = b.range.r_lo;
     const Ray<I> out = light_outgoing(b.low, r * b.slope_lo, r);
     const I greatest_denominator = sqr(w) + I(2) * b.range.r_hi * b.slope_hi * w - r;
     if (certainly_at_most(greatest_denominator, I(0))) {
-        return counted<I>(out, std::nullopt, upper, interrupted);  // sigma X leaves the cell (L1)
+        return {.out = out};  // sigma X leaves the cell (L1)
     }
     const auto lowest = reversed_at_light_wall(b.slope_hi, w, r);
     if (!certainly_positive(lowest.denominator)) {
-        return std::nullopt;
+        return {};
     }
     const I mu = max(I(0), lowest.numerator / lowest.denominator);
-    return counted<I>(out, light_outgoing(b.low, r * mu, r), upper, interrupted);
+    return {.out = out, .reversed = light_outgoing(b.low, r * mu, r)};
 }
+
+template <class I>
+Case<I> case_of(Chart chart, const Box& box) {
+    const Bounds<I> bounds = bounds_of<I>(box);
+    return chart == Chart::bridge ? bridge_case(bounds) : light_case(bounds);
+}
+
+/// The lower, flatter corner of a box of rays, as a question to the batch kernel.
+batch::Query query(const Ray<Interval>& ray, long cap) {
+    return {{ray.c.lo(), ray.kappa.lo(), ray.r.lo()}, cap};
+}
+
+/// Up to so many collisions the kernel's bounds stay far closer than what it calls clear: they are off by
+/// less than 1e-14 per collision, and that grows with the square of their number.
+constexpr long most_clear_collisions = 4096;
+
+/// Batched counts for some of the boxes.
+class Questions {
+  public:
+    void ask(std::size_t box, const Ray<Interval>& ray, long cap) {
+        boxes_.push_back(box);
+        queries_.push_back(query(ray, cap));
+    }
+    /// Calls use(box, answer, cap) for each question.
+    template <class Use>
+    void answer(const Interrupted& interrupted, Use use) {
+        std::vector<batch::Answer> answers(queries_.size());
+        batch::count_at_most(queries_, answers, batch::chosen_backend(), interrupted);
+        for (std::size_t i = 0; i < boxes_.size(); ++i) {
+            use(boxes_[i], answers[i], queries_[i].cap);
+        }
+    }
+
+  private:
+    std::vector<std::size_t> boxes_;
+    std::vector<batch::Query> queries_;
+};
 
 }  // namespace
 
 template <class I>
 std::optional<Leaf> judge_turning(Chart chart, const Box& box, long upper, const Interrupted& interrupted) {
-    const Bounds<I> bounds = bounds_of<I>(box);
-    return chart == Chart::bridge ? judge_bridge(bounds, upper, interrupted)
-                                  : judge_light(bounds, upper, interrupted);
+    const Case<I> found = case_of<I>(chart, box);
+    if (found.leaf || !found.out) {
+        return found.leaf;
+    }
+    const long forward = count_at_most(*found.out, upper - 1, interrupted);
+    if (forward > upper - 1) {
+        return std::nullopt;
+    }
+    const long room = upper - 1 - forward;
+    const long backward = found.reversed ? count_at_most(*found.reversed, room, interrupted) : 0;
+    return backward > room ? std::nullopt : std::optional(Leaf{Reason::count, forward, backward});
 }
 
 template std::optional<Leaf> judge_turning<Interval>(Chart, const Box&, long, const Interrupted&);
 template std::optional<Leaf> judge_turning<BigInterval>(Chart, const Box&, long, const Interrupted&);
+
+std::vector<Verdict> judge_turning_together(Chart chart, std::span<const Box> boxes, long upper,
+                                            std::span<std::optional<Leaf>> results,
+                                            const Interrupted& interrupted) {
+    std::vector<Verdict> verdicts(boxes.size(), Verdict::unsure);
+    std::vector<Case<Interval>> cases(boxes.size());
+    Questions forward;
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+        cases[i] = case_of<Interval>(chart, boxes[i]);
+        if (cases[i].leaf) {
+            results[i] = cases[i].leaf;
+            verdicts[i] = Verdict::closed;
+        } else if (cases[i].out) {
+            forward.ask(i, *cases[i].out, upper - 1);
+        }
+    }
+    const auto beyond = [&](std::size_t i, bool clear) {
+        verdicts[i] = clear && upper <= most_clear_collisions ? Verdict::open : Verdict::unsure;
+    };
+    const auto close = [&](std::size_t i, const Leaf& leaf) {
+        results[i] = leaf;
+        verdicts[i] = Verdict::closed;
+    };
+    Questions backward;
+    std::vector<bool> clear(boxes.size());
+    forward.answer(interrupted, [&](std::size_t i, const batch::Answer& answer, long cap) {
+        clear[i] = answer.clear;
+        if (answer.count > cap) {
+            beyond(i, answer.clear);
+        } else if (cases[i].reversed) {
+            results[i] = Leaf{Reason::count, answer.count, 0};
+            backward.ask(i, *cases[i].reversed, cap - answer.count);
+        } else {
+            close(i, {Reason::count, answer.count, 0});
+        }
+    });
+    backward.answer(interrupted, [&](std::size_t i, const batch::Answer& answer, long cap) {
+        if (answer.count > cap) {
+            results[i].reset();
+            beyond(i, answer.clear && clear[i]);
+        } else {
+            close(i, {Reason::count, results[i]->forward, answer.count});
+        }
+    });
+    return verdicts;
+}
 
 }  // namespace dumbbell

@@ -2,29 +2,10 @@
 
 #include <catch2/catch.hpp>
 
-#include "rays.hpp"
+#include "places.hpp"
 
 using namespace dumbbell;
 using namespace dumbbell_test;
-
-namespace {
-
-/// A tangent's place: the contact, near it, or anywhere.
-double some_place(Random& random, const PlainRay& ray, const Flight<Real>& exact) {
-    switch (random.below(4)) {
-        case 0:
-            return random.uniform(0, half_pi_hi);
-        case 1:
-            return std::clamp(exact.x.convert_to<double>() * (1 + random.sign() * random.scaled(1e-17, 0.5)),
-                              0.0, half_pi_hi);
-        default: {
-            const auto aim = batch::first_aim(ray.c, ray.kappa);
-            return random.coin() ? aim.z : batch::next_aim(aim, batch::sin_cos(aim.z), ray.c, ray.kappa).z;
-        }
-    }
-}
-
-}  // namespace
 
 TEST_CASE("A close bound of the contact is one, and so is what follows from it, wherever the tangent lies") {
     Random random(411);
@@ -34,7 +15,7 @@ TEST_CASE("A close bound of the contact is one, and so is what follows from it, 
         const auto exact = flight(Real(ray.c), Real(ray.kappa));
         const double z = some_place(random, ray, exact);
         const auto at = batch::sin_cos(z);
-        const auto contact = batch::lower_contact(z, at, ray.c, ray.kappa);
+        const auto contact = batch::Lower::contact(z, at, ray.c, ray.kappa);
         const bool steep = at.cos - ray.kappa > 1e-14;  // a certain slope, close or not
         if (contact.beyond && exact.hits) {
             FAIL(say("said to pass the peak, but hits:", ray, "z", z));
@@ -46,12 +27,12 @@ TEST_CASE("A close bound of the contact is one, and so is what follows from it, 
         if (x < 0 || x > exact.x) {
             FAIL(say("no lower bound:", ray, "z", z, "shift", contact.shift, "x", exact.x));
         }
-        const auto next = batch::lower_state(z, at, contact.shift, ray.kappa, ray.r);
+        const auto next = batch::Lower::bounce(z, at, contact.shift, ray.kappa, ray.r);
         const auto out = reflect<Real>({Real(1), Real(ray.kappa)}, cos(exact.x), Real(ray.r));
-        if (next.leaves && out.angular < 0) {
+        if (next.ends && out.angular < 0) {
             FAIL(say("said to leave, but stays:", ray, "z", z));
         }
-        if (next.leaves || !next.follows || out.angular >= 0) {
+        if (next.ends || !next.follows || out.angular >= 0) {
             continue;
         }
         ++followed;
@@ -75,14 +56,14 @@ TEST_CASE("Close bounds are close: within 1e-14 of contact and next state, relat
         }
         auto aim = batch::first_aim(ray.c, ray.kappa);
         auto at = batch::sin_cos(aim.z);
-        auto contact = batch::lower_contact(aim.z, at, ray.c, ray.kappa);
+        auto contact = batch::Lower::contact(aim.z, at, ray.c, ray.kappa);
         for (int round = 0; !contact.close || aim.at_top; ++round) {
             if (round == 10) {
                 FAIL(say("not found:", ray, "x", exact.x, "z", aim.z));
             }
             aim = batch::next_aim(aim, at, ray.c, ray.kappa);
             at = batch::sin_cos(aim.z);
-            contact = batch::lower_contact(aim.z, at, ray.c, ray.kappa);
+            contact = batch::Lower::contact(aim.z, at, ray.c, ray.kappa);
         }
         ++close;
         const Real x = Real(aim.z) + Real(contact.shift);

@@ -1,7 +1,8 @@
 #pragma once
 
-#include "batch/lower_step.hpp"
+#include "batch/aim.hpp"
 #include "batch/query.hpp"
+#include "batch/step.hpp"
 
 namespace dumbbell::batch {
 
@@ -11,18 +12,17 @@ inline constexpr double nan = __builtin_nan("");
 /// Rounds between two questions whether to stop: some milliseconds.
 inline constexpr long rounds_between_questions = 0x4000;
 
-/// count_at_most of model/count.hpp for a queue of rays. Each lane follows its own, and takes the next one
-/// when it has its answer, so that packs stay full; what happens to a ray does not depend on the others.
-template <class D>
-class LowerCount {
+/// count_at_most (Bound: Lower) and count_at_least (Upper) of model/count.hpp for a queue of rays. Each lane
+/// follows its own, and takes the next one when it has its answer, so that packs stay full; what happens to a
+/// ray does not depend on the others.
+template <class D, class Bound>
+class CountLanes {
   public:
-    LowerCount(const Query* queries, Answer* answers, long size)
+    CountLanes(const Query* queries, Answer* answers, long size)
         : queries_(queries), answers_(answers), size_(size) {}
 
+    /// Writes the answers that it has; the others stay as they are if it is stopped.
     void run(Stop stop) {
-        for (long i = 0; i < size_; ++i) {
-            answers_[i] = {queries_[i].cap + 1, false};
-        }
         for (int lane = 0; lane < Lanes<D>::width; ++lane) {
             take_next(lane);
         }
@@ -85,16 +85,15 @@ class LowerCount {
             aim_.at_top = select(fresh_, first.at_top, aim_.at_top);
         }
         const SinCosOf<D> at = sin_cos(aim_.z);
-        const LowerContact<D> contact = lower_contact(aim_.z, at, c_, kappa_);
-        Mask<D> missed = kappa_ >= D(1.0) || contact.beyond;  // L3, L12 (a)
+        const Contact<D> contact = Bound::contact(aim_.z, at, c_, kappa_);
+        Mask<D> over = kappa_ >= D(1.0) || contact.beyond;  // L3
         if (lanes(aim_.at_top) != 0) {
-            missed = missed || (aim_.at_top && strict_miss(aim_.z, at, c_, kappa_));
+            over = over || (aim_.at_top && strict_miss(aim_.z, at, c_, kappa_));
         }
-        const Mask<D> hit = contact.close && !aim_.at_top && !missed;
-        Mask<D> left = Lanes<D>::none();
+        const Mask<D> hit = contact.close && !aim_.at_top && !over;
+        const Mask<D> searching = !(hit || over);
         Mask<D> stuck = Lanes<D>::none();
         fresh_ = Lanes<D>::none();
-        const Mask<D> searching = !(hit || missed);
         if (lanes(searching) != 0) {
             const Aim<D> next = next_aim(aim_, at, c_, kappa_);
             aim_.z = select(searching, next.z, aim_.z);
@@ -103,19 +102,19 @@ class LowerCount {
             stuck = searching && rounds_ > D(most_rounds);
         }
         if (lanes(hit) != 0) {
-            const LowerState<D> next = lower_state(aim_.z, at, contact.shift, kappa_, r_);
+            const Bounce<D> next = Bound::bounce(aim_.z, at, contact.shift, kappa_, r_);
             count_ = select(hit, count_ + 1.0, count_);
+            rounds_ = select(hit, D(0.0), rounds_);
             c_ = select(hit, next.c, c_);
             kappa_ = select(hit, next.kappa, kappa_);
             clear_ = clear_ && (!hit || next.clear);
-            left = hit && next.leaves;  // L1
-            stuck = stuck || (hit && !next.leaves && !next.follows);
-            rounds_ = select(hit, D(0.0), rounds_);
+            over = over || (hit && next.ends);
+            stuck = stuck || (hit && !next.ends && !next.follows);
             fresh_ = hit;
         }
-        count_ = select(stuck, cap_ + 1.0, count_);
+        count_ = select(stuck, Bound::undecided(count_, cap_), count_);
         clear_ = clear_ && !stuck;
-        return missed || left || stuck || count_ > cap_;
+        return over || stuck || Bound::full(count_, cap_);
     }
 
     const Query* queries_;
