@@ -77,8 +77,9 @@ class CountLanes {
         clear_ = clear_ || here;
     }
 
-    /// One tangent for each lane; which of them have their answer.
-    Mask<D> round() {
+    /// One tangent for each lane; which of them have their answer. Flattened: packs are not passed in
+    /// registers.
+    [[gnu::flatten]] Mask<D> round() {
         if (lanes(fresh_) != 0) {
             const Aim<D> first = first_aim(c_, kappa_);
             aim_.z = select(fresh_, first.z, aim_.z);

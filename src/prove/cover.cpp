@@ -4,6 +4,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <type_traits>
 
 #include "arith/error.hpp"
 #include "arith/self_test.hpp"
@@ -11,6 +12,11 @@
 
 namespace dumbbell {
 namespace {
+
+/// Smaller spans would leave lanes of the batch kernel idle; but one box in multiple precision is work
+/// enough.
+template <class I>
+constexpr std::size_t boxes_together = std::is_same_v<I, Interval> ? 16 : 1;
 
 /// The boxes of one generation, judged in spans; the results do not depend on how the work is shared out.
 template <class I>
@@ -23,30 +29,42 @@ void judge_all(Chart chart, std::span<const Box> boxes, long upper, std::span<st
                      options.interrupted);
         }
     };
-    if (!options.parallel || boxes.size() == 1) {
+    if (!options.parallel || boxes.size() <= boxes_together<I>) {
         return judge_some(0, boxes.size());
     }
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, boxes.size(), 1), [&](const auto& range) {
-        require_sound_arithmetic();
-        const PrecisionScope scope(bits);
-        judge_some(range.begin(), range.size());
-    });
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, boxes.size(), boxes_together<I>),
+                       [&](const auto& range) {
+                           require_sound_arithmetic();
+                           const PrecisionScope scope(bits);
+                           judge_some(range.begin(), range.size());
+                       });
 }
 
-/// Whether the ratio seems to be what is too wide: the box would close if its ratios were only the greatest
-/// one (the least r, where most bounds are). Only while the ratio is not already narrow against the state: at
-/// a ratio where the answer changes this would never end.
+/// Of which boxes the ratio seems to be what is too wide: the box would close if its ratios were only the
+/// greatest one (the least r, where most bounds are). Only while the ratio is not already narrow against the
+/// state: at a ratio where the answer changes this would never end.
 template <class I>
-bool ratio_is_too_wide(Chart chart, const Box& box, long upper, const Interrupted& interrupted) {
-    const Rational state = std::max(box.e_hi - box.e_lo, box.slope_hi - box.slope_lo);
-    if (16 * (box.q_hi - box.q_lo) <= state * box.q_lo) {
-        return false;
+std::vector<bool> with_too_wide_ratios(Chart chart, std::span<const Box> boxes,
+                                       std::span<const std::optional<Leaf>> results, long upper,
+                                       const CoverOptions& options) {
+    std::vector<std::size_t> asked;
+    std::vector<Box> thin;
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+        const Box& box = boxes[i];
+        const Rational state = std::max(box.e_hi - box.e_lo, box.slope_hi - box.slope_lo);
+        if (!results[i] && 16 * (box.q_hi - box.q_lo) > state * box.q_lo) {
+            asked.push_back(i);
+            thin.push_back(box);
+            thin.back().q_lo = box.q_hi;
+        }
     }
-    Box thin = box;
-    thin.q_lo = box.q_hi;
-    std::optional<Leaf> result;
-    judge<I>(chart, {&thin, 1}, upper, {&result, 1}, interrupted);
-    return result.has_value();
+    std::vector<std::optional<Leaf>> answers(thin.size());
+    judge_all<I>(chart, thin, upper, answers, options);
+    std::vector<bool> wide(boxes.size());
+    for (std::size_t i = 0; i < asked.size(); ++i) {
+        wide[asked[i]] = answers[i].has_value();
+    }
+    return wide;
 }
 
 /// How many units of slope one unit of position is worth.
@@ -92,6 +110,9 @@ std::optional<Tree> cover(Chart chart, const Rational& q_lo, const Rational& q_h
         std::vector<std::optional<Leaf>> results(boxes.size());
         judge_all<I>(chart, boxes, upper, results, options);
         options.judged(boxes.size());
+        const std::vector<bool> by_ratio =
+            depends_on_both_ratios(chart) ? std::vector<bool>(boxes.size())
+                                          : with_too_wide_ratios<I>(chart, boxes, results, upper, options);
         for (std::size_t i = 0; i < boxes.size(); ++i) {
             if (options.interrupted()) {
                 return std::nullopt;
@@ -100,9 +121,7 @@ std::optional<Tree> cover(Chart chart, const Rational& q_lo, const Rational& q_h
                 tree.close(i, *results[i]);
                 continue;
             }
-            const bool by_ratio = !depends_on_both_ratios(chart) &&
-                                  ratio_is_too_wide<I>(chart, boxes[i], upper, options.interrupted);
-            const Axis axis = by_ratio ? Axis::ratio : longest_side(chart, boxes[i], options.rule);
+            const Axis axis = by_ratio[i] ? Axis::ratio : longest_side(chart, boxes[i], options.rule);
             if (tree.depths(i)[static_cast<std::size_t>(axis)] >= options.max_depth ||
                 tree.nodes() + 2 > options.max_nodes) {
                 return std::nullopt;

@@ -109,10 +109,6 @@ batch::Query query(const Ray<Interval>& ray, long cap) {
     return {{ray.c.lo(), ray.kappa.lo(), ray.r.lo()}, cap};
 }
 
-/// Up to so many collisions the kernel's bounds stay far closer than what it calls clear: they are off by
-/// less than 1e-14 per collision, and that grows with the square of their number.
-constexpr long most_clear_collisions = 4096;
-
 /// Batched counts for some of the boxes.
 class Questions {
   public:
@@ -170,19 +166,16 @@ std::vector<Verdict> judge_turning_together(Chart chart, std::span<const Box> bo
             forward.ask(i, *cases[i].out, upper - 1);
         }
     }
-    const auto beyond = [&](std::size_t i, bool clear) {
-        verdicts[i] = clear && upper <= most_clear_collisions ? Verdict::open : Verdict::unsure;
-    };
     const auto close = [&](std::size_t i, const Leaf& leaf) {
         results[i] = leaf;
         verdicts[i] = Verdict::closed;
     };
+    std::vector<bool> settled(boxes.size());
     Questions backward;
-    std::vector<bool> clear(boxes.size());
     forward.answer(interrupted, [&](std::size_t i, const batch::Answer& answer, long cap) {
-        clear[i] = answer.clear;
+        settled[i] = batch::settled(answer);
         if (answer.count > cap) {
-            beyond(i, answer.clear);
+            verdicts[i] = settled[i] ? Verdict::open : Verdict::unsure;
         } else if (cases[i].reversed) {
             results[i] = Leaf{Reason::count, answer.count, 0};
             backward.ask(i, *cases[i].reversed, cap - answer.count);
@@ -193,7 +186,7 @@ std::vector<Verdict> judge_turning_together(Chart chart, std::span<const Box> bo
     backward.answer(interrupted, [&](std::size_t i, const batch::Answer& answer, long cap) {
         if (answer.count > cap) {
             results[i].reset();
-            beyond(i, answer.clear && clear[i]);
+            verdicts[i] = settled[i] && batch::settled(answer) ? Verdict::open : Verdict::unsure;
         } else {
             close(i, {Reason::count, results[i]->forward, answer.count});
         }
