@@ -41,8 +41,10 @@ class CountLanes {
     void hand_in(unsigned done) {
         Lanes<D>::store(counts_, count_);
         const unsigned clear = lanes(clear_);
-        for (; done != 0; done &= done - 1) {
-            const int lane = __builtin_ctz(done);
+        for (int lane = 0; lane < Lanes<D>::width; ++lane) {
+            if (((done >> lane) & 1U) == 0) {
+                continue;
+            }
             if (owner_[lane] >= 0) {
                 answers_[owner_[lane]] = {static_cast<long>(counts_[lane]), ((clear >> lane) & 1U) != 0};
                 --busy_;

@@ -36,20 +36,20 @@ bool beyond_section(const Bounds<I>& b) {
 /// (without `reversed` if sigma X has no collision); neither: nothing is certain.
 template <class I>
 struct Case {
-    std::optional<Leaf> leaf{};
-    std::optional<Ray<I>> out{};
-    std::optional<Ray<I>> reversed{};
+    std::optional<Leaf> leaf;
+    std::optional<Ray<I>> out;
+    std::optional<Ray<I>> reversed;
 };
 
 /// L8: X is lowest at the far end of the position, sigma X at the near end, both at the least steepness.
 template <class I>
 Case<I> bridge_case(const Bounds<I>& b) {
     if (beyond_section(b)) {
-        return {.leaf = Leaf{Reason::outside}};
+        return {Leaf{Reason::outside}, std::nullopt, std::nullopt};
     }
     const auto out = bridge_outgoing(b.high, b.slope_lo);
     const auto reversed = bridge_reversed(b.low, b.slope_lo, b.range.r_hi);
-    return {.out = lowest_over(out, b.range), .reversed = lowest_over(reversed, b.range)};
+    return {std::nullopt, lowest_over(out, b.range), lowest_over(reversed, b.range)};
 }
 
 /// L9: sigma X descends on the whole box, so the collision is not turning there.
@@ -75,27 +75,27 @@ bool reversed_meets_bridge(const Bounds<I>& b) {
 template <class I>
 Case<I> light_case(const Bounds<I>& b) {
     if (beyond_section(b) || certainly_not_turning(b)) {
-        return {.leaf = Leaf{Reason::outside}};
+        return {Leaf{Reason::outside}, std::nullopt, std::nullopt};
     }
     if (certainly_meets_bridge(b.high, b.slope_hi, b.range)) {
-        return {.leaf = Leaf{Reason::meets}};
+        return {Leaf{Reason::meets}, std::nullopt, std::nullopt};
     }
     if (reversed_meets_bridge(b)) {
-        return {.leaf = Leaf{Reason::meets_reversed}};
+        return {Leaf{Reason::meets_reversed}, std::nullopt, std::nullopt};
     }
     const I& w = b.low.cos_e;
     const I& r = b.range.r_lo;
     const Ray<I> out = light_outgoing(b.low, r * b.slope_lo, r);
     const I greatest_denominator = sqr(w) + I(2) * b.range.r_hi * b.slope_hi * w - r;
     if (certainly_at_most(greatest_denominator, I(0))) {
-        return {.out = out};  // sigma X leaves the cell (L1)
+        return {std::nullopt, out, std::nullopt};  // sigma X leaves the cell (L1)
     }
     const auto lowest = reversed_at_light_wall(b.slope_hi, w, r);
     if (!certainly_positive(lowest.denominator)) {
         return {};
     }
     const I mu = max(I(0), lowest.numerator / lowest.denominator);
-    return {.out = out, .reversed = light_outgoing(b.low, r * mu, r)};
+    return {std::nullopt, out, light_outgoing(b.low, r * mu, r)};
 }
 
 template <class I>

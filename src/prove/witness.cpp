@@ -99,7 +99,7 @@ class BatchSearch {
         for (std::size_t i = 0; i < admissible.size(); ++i) {
             const batch::Answer& forward = answers[2 * i];
             const batch::Answer& backward = answers[2 * i + 1];
-            const Witness witness{admissible[i]->e, admissible[i]->eta, forward.count, backward.count};
+            Witness witness{admissible[i]->e, admissible[i]->eta, forward.count, backward.count};
             if (witness.total() >= target_) {
                 return witness;
             }

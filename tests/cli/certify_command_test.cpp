@@ -97,6 +97,18 @@ TEST_CASE("a certificate depends on nothing but the claim: not on the jobs, the 
     CHECK(contents(certificate(folder, "1:50", {"--jobs", "8", "--budget", "1h", "--witness"})) == one);
 }
 
+TEST_CASE("nor on the backend of the batch kernel; one that the machine lacks is refused") {
+    const TemporaryFolder folder;
+    const std::string one = contents(certificate(folder, "1:50", {}));
+    ::setenv("DUMBBELL_BACKEND", "plain", 1);
+    CHECK(contents(certificate(folder, "1:50", {})) == one);
+    ::setenv("DUMBBELL_BACKEND", "abacus", 1);
+    const auto refused = dumbbell({"certify", "10"});
+    ::unsetenv("DUMBBELL_BACKEND");
+    CHECK(refused.code == 2);
+    CHECK(refused.err.find("DUMBBELL_BACKEND") != std::string::npos);
+}
+
 TEST_CASE("the option --gap makes the gaps narrower") {
     const auto decided = [](const char* gap) {
         const Outcome result = dumbbell({"certify", "4:12", "--gap", gap, "--json"});
