@@ -33,11 +33,11 @@ void judge_all(Chart chart, std::span<const Box> boxes, long upper, std::span<st
         return judge_some(0, boxes.size());
     }
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, boxes.size(), boxes_together<I>),
-                       [&](const auto& range) {
-                           require_sound_arithmetic();
-                           const PrecisionScope scope(bits);
-                           judge_some(range.begin(), range.size());
-                       });
+                      [&](const auto& range) {
+                          require_sound_arithmetic();
+                          const PrecisionScope scope(bits);
+                          judge_some(range.begin(), range.size());
+                      });
 }
 
 /// Of which boxes the ratio seems to be what is too wide: the box would close if its ratios were only the
