@@ -8,6 +8,7 @@
 
 #include "arith/error.hpp"
 #include "arith/rounding.hpp"  // refuses compilers that break IEEE arithmetic
+#include "arith/self_test.hpp"
 #include "batch/backends.hpp"
 
 namespace dumbbell::batch {
@@ -85,13 +86,20 @@ Stop stop_when(const Interrupted& interrupted) {
     return {[](const void* context) { return (*static_cast<const Interrupted*>(context))(); }, &interrupted};
 }
 
-constexpr const char* sizes = "batch: as many answers as queries";
+/// What L39 takes for granted of this thread's arithmetic (the packs obey the same control register as plain
+/// doubles), and the kernel of its queries: "more than the cap" is a number that doubles can tell from it.
+void check(std::span<const Query> queries, std::span<const Answer> answers) {
+    require_sound_arithmetic();
+    require(queries.size() == answers.size(), "batch: as many answers as queries");
+    require(std::ranges::all_of(queries, [](const Query& query) { return query.cap <= greatest_cap; }),
+            "batch: the cap of a query is too great");
+}
 
 }  // namespace
 
 void count_at_most(std::span<const Query> queries, std::span<Answer> answers, Backend backend,
                    const Interrupted& interrupted) {
-    require(queries.size() == answers.size(), sizes);
+    check(queries, answers);
     std::ranges::transform(queries, answers.begin(), [](const Query& query) {
         return Answer{query.cap + 1, false};
     });
@@ -101,7 +109,7 @@ void count_at_most(std::span<const Query> queries, std::span<Answer> answers, Ba
 
 void count_at_least(std::span<const Query> queries, std::span<Answer> answers, Backend backend,
                     const Interrupted& interrupted) {
-    require(queries.size() == answers.size(), sizes);
+    check(queries, answers);
     std::ranges::fill(answers, Answer{});
     kernels(backend).at_least(queries.data(), answers.data(), static_cast<long>(queries.size()),
                               stop_when(interrupted));

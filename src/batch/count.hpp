@@ -22,12 +22,13 @@ enum class Backend { plain, avx2, avx512 };
 
 /// Upper bounds of G over all rays at or above queries[i].ray in c, kappa and r, of which it is the lowest,
 /// flattest one: answers[i].count, whatever the other queries are; cap + 1 if none up to the cap is certain,
-/// also if interrupted. Precondition: as many answers as queries.
+/// also if interrupted. Throws BrokenInvariant unless there are as many answers as queries, no cap is above
+/// greatest_cap, and this thread's arithmetic is sound (require_sound_arithmetic).
 void count_at_most(std::span<const Query> queries, std::span<Answer> answers, Backend backend,
                    const Interrupted& interrupted = never);
 
 /// Lower bounds of G, at most the cap, over all rays at or below queries[i].ray (c >= 0 for them too), of
-/// which it is the highest, steepest one; 0 if interrupted.
+/// which it is the highest, steepest one; 0 if interrupted. Throws like count_at_most.
 void count_at_least(std::span<const Query> queries, std::span<Answer> answers, Backend backend,
                     const Interrupted& interrupted = never);
 

@@ -4,8 +4,11 @@
 
 namespace dumbbell::batch {
 
-/// A ray, c >= 0, kappa >= -r, 0 < r <= 1, and up to which number its collisions are of interest (0 or more,
-/// below 2^53).
+/// The kernel counts in doubles.
+inline constexpr long greatest_cap = 1L << 52;
+
+/// A ray, c >= 0, kappa >= -r, 0 < r <= 1, and up to which number its collisions are of interest, 0 to
+/// greatest_cap.
 struct Query {
     Ray<double> ray;
     long cap = 0;

@@ -1,7 +1,9 @@
 #include "batch/count.hpp"
 
 #include <catch2/catch.hpp>
+#include <cfenv>
 
+#include "arith/error.hpp"
 #include "model/count.hpp"
 #include "rays.hpp"
 
@@ -239,6 +241,27 @@ TEST_CASE("NaN never gives a small upper count, nor a positive lower one; nor do
             CHECK(answer({{0.01, 0.01, r}, 5}, backend).count == 6);
         }
         CHECK(answer({{infinity, 0.01, 0.1}, 5}, backend).count == 6);
+    }
+}
+
+TEST_CASE("A thread that does not round to nearest gets no answer") {
+    std::vector<Answer> found(1);
+    const std::vector<Query> queries{query({0.1, 0, 0.1})};
+    for (const int mode : {FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO}) {
+        std::fesetround(mode);
+        CHECK_THROWS_AS(batch::count_at_most(queries, found, Backend::plain), BrokenInvariant);
+        CHECK_THROWS_AS(batch::count_at_least(queries, found, Backend::plain), BrokenInvariant);
+        std::fesetround(FE_TONEAREST);
+    }
+}
+
+TEST_CASE("A cap that doubles cannot tell from the next number is refused") {
+    const PlainRay ray{0.5, 0.9, 0.1};
+    for (const Backend backend : batch::backends()) {
+        CHECK(answer(query(ray, batch::greatest_cap), backend).count <= 1);
+        CHECK_THROWS_AS(answer(query(ray, batch::greatest_cap + 1), backend), BrokenInvariant);
+        CHECK_THROWS_AS(fewest(query(ray, batch::greatest_cap + 1), backend), BrokenInvariant);
+        CHECK(answer({{not_a_number, 0, 0.1}, batch::greatest_cap}, backend).count > batch::greatest_cap);
     }
 }
 
