@@ -7,11 +7,11 @@
 /// lane as IEEE 754 says, one at a time (no fused multiply-add: -ffp-contract=off), and nothing mixes lanes.
 /// Each wide pack is used in one translation unit only, the one that is compiled for its instructions. There
 /// is nothing else in there that another unit could come to share and that would not run on every machine: no
-/// inline function of the standard library, no template without a pack in its name.
+/// inline function of the standard library, no template without a pack in its name (a test looks at the
+/// symbols).
 ///
 /// A pack D has +, -, *, /, unary -, and from a double the pack of W copies of it; comparisons <, <=, >, >=
-/// give a mask, which has &&, || (both sides are
-/// computed) and !. And:
+/// (false where either side is NaN) give a mask, which has &&, || (both sides are computed) and !. And:
 ///
 /// - select(mask, a, b): a where the mask is set, else b
 /// - abs(a), sqrt(a), max(a, b), min(a, b); the latter are b where either is NaN, or both are equal

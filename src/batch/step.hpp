@@ -5,9 +5,9 @@
 /// What lower_step.hpp and upper_step.hpp share: one collision of a ray that is followed with bounds (L5
 /// (e)), from the sine and cosine of one point z of [0, half_pi_hi] near the contact.
 ///
-/// Every pad is that of L39: the sum of the sizes of all terms, times 16 u. Rounding takes less than half of
-/// it; the rest is what lets quotients and heights go without a pad of their own. Precondition everywhere: c
-/// >= 0, -1 <= kappa < 1, 0 < r <= 1.
+/// Every pad is that of L39: the sum of the sizes of all terms, times 16 u. Rounding takes at most two thirds
+/// of it; the rest is what lets quotients and heights go without a pad of their own. Precondition everywhere:
+/// c >= 0, -1 <= kappa < 1, 0 < r <= 1.
 namespace dumbbell::batch {
 
 inline constexpr double relative_pad = 0x1p-49;
