@@ -74,6 +74,9 @@ class Temporary {
             }
             done += static_cast<std::size_t>(n);
         }
+    }
+
+    void sync() const {
         if (::fsync(descriptor_) != 0) {
             fail("sync", path_);
         }
@@ -116,6 +119,16 @@ class Temporary {
     int descriptor_ = -1;
 };
 
+/// A new name is durable once its folder is synced; if that cannot be done the file is still complete.
+void sync_folder_of(const std::string& path) {
+    const auto parent = std::filesystem::path(path).parent_path();
+    const int folder = ::open(parent.empty() ? "." : parent.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (folder >= 0) {
+        ::fsync(folder);
+        ::close(folder);
+    }
+}
+
 }  // namespace
 
 std::string temporary_name(const std::string& path) { return path + ".dumbbell-tmp"; }
@@ -133,18 +146,16 @@ AtomicFile::AtomicFile(std::string path) : path_(std::move(path)) {
     const Temporary probe(path_);
 }
 
-void AtomicFile::commit(const std::string& contents) const {
+void AtomicFile::commit(const std::string& contents, Survives whose_death) const {
     const bool compress = path_.ends_with(".gz");
     Temporary file(path_);
     file.write(compress ? gzipped(contents) : contents);
+    if (whose_death == Survives::machine) {
+        file.sync();
+    }
     file.give_final_name();
-    // The new name is durable once its directory is synced; if that cannot be done the file is still
-    // complete.
-    const auto parent = std::filesystem::path(path_).parent_path();
-    const int directory = ::open(parent.empty() ? "." : parent.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    if (directory >= 0) {
-        ::fsync(directory);
-        ::close(directory);
+    if (whose_death == Survives::machine) {
+        sync_folder_of(path_);
     }
 }
 

@@ -149,7 +149,10 @@ void PieceStore::keep(const Piece& piece) const {
                             .pieces = {piece},
                             .scene = claim_.scene,
                             .section = claim_.section};
-    AtomicFile(file_of({piece.q_lo, piece.q_hi, *piece.upper, piece.lower})).commit(render(alone).text);
+    // Not synced: thousands of small pieces would spend their time waiting for the disk, and one that a crash
+    // of the machine damages is recognized by its checksum.
+    AtomicFile(file_of({piece.q_lo, piece.q_hi, *piece.upper, piece.lower}))
+        .commit(render(alone).text, Survives::program);
 }
 
 void PieceStore::remove() {

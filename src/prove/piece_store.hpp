@@ -40,7 +40,8 @@ class PieceStore {
         const PlannedPiece& planned,
         const std::function<void(const std::string&)>& damaged = [](const std::string&) {}) const;
 
-    /// Makes the piece durable. Precondition: its bounds are the planned ones.
+    /// Keeps the piece, whatever happens to the program; of what a crash of the machine spoils, `find` finds
+    /// nothing. Precondition: its bounds are the planned ones.
     void keep(const Piece& piece) const;
 
     /// Nothing is needed any more: removes the folder.
