@@ -1,7 +1,8 @@
 #include "model/orbit.hpp"
 
 #include <algorithm>
-#include <cstddef>
+#include <tuple>
+#include <utility>
 
 #include "model/contact.hpp"
 
@@ -39,18 +40,16 @@ struct Bounce {
 /// Follows all rays between `low` and `high` through `count` collisions with the light walls. `kappa`
 /// encloses the slopes of their first flight, `run` is the angle from the start to the corner ahead,
 /// `direction` +1 if the first flight goes right. The range of each contact is attained at the two rays (L5,
-/// L10).
-template <class I>
-std::optional<std::vector<Bounce<I>>> follow(Ray<I> low, Ray<I> high, I kappa, I run, int direction,
-                                             long count) {
-    std::vector<Bounce<I>> bounces;
+/// L10). False if a collision cannot be enclosed.
+template <class I, class See>
+bool follow(Ray<I> low, Ray<I> high, I kappa, I run, int direction, long count, See see) {
     const I r = hull(low.r, high.r);
     I elapsed(0);
     for (long i = 0; i < count; ++i, direction = -direction) {
         const auto least = lowest_contact(low_end(low.c), low_end(low.kappa));
         const auto greatest = highest_contact(high_end(high.c), high_end(high.kappa));
         if (!least || !greatest) {
-            return std::nullopt;
+            return false;
         }
         const I x = hull(least->x, greatest->x);
         const I w = hull(greatest->cos_x, least->cos_x);
@@ -60,19 +59,18 @@ std::optional<std::vector<Bounce<I>>> follow(Ray<I> low, Ray<I> high, I kappa, I
         elapsed = elapsed + (run + x) / speed;
 
         const auto reflection = reflect_at_light_wall(kappa, w, r);
-        bounces.push_back(
-            {elapsed,
-             side * (half_pi<I>() + x),
-             hull(least->sin_x, greatest->sin_x),
-             {side * speed, kappa * speed},
-             {-side * speed * reflection.denominator / norm, speed * reflection.numerator / norm},
-             (w - kappa) * speed / sqrt(norm)});
+        see(Bounce<I>{elapsed,
+                      side * (half_pi<I>() + x),
+                      hull(least->sin_x, greatest->sin_x),
+                      {side * speed, kappa * speed},
+                      {-side * speed * reflection.denominator / norm, speed * reflection.numerator / norm},
+                      (w - kappa) * speed / sqrt(norm)});
 
         const auto lower = reflect_at_light_wall(low_end(low.kappa), least->cos_x, low_end(low.r));
         const auto upper = reflect_at_light_wall(high_end(high.kappa), greatest->cos_x, high_end(high.r));
         if (i + 1 < count &&
             !(certainly_positive(lower.denominator) && certainly_positive(upper.denominator))) {
-            return std::nullopt;
+            return false;
         }
         low.kappa = lower.numerator / lower.denominator;
         high.kappa = upper.numerator / upper.denominator;
@@ -81,7 +79,7 @@ std::optional<std::vector<Bounce<I>>> follow(Ray<I> low, Ray<I> high, I kappa, I
         kappa = hull(low_end(low.kappa), high_end(high.kappa));
         run = pi<I>() + x;
     }
-    return bounces;
+    return true;
 }
 
 /// Turns heights and velocities into the centre of mass's, y = beta2 yhat, and psi into phi.
@@ -101,9 +99,10 @@ Collision<I> physical(const Bounce<I>& b, const I& time, bool heavy, const I& be
 }  // namespace
 
 template <class I>
-std::optional<std::vector<Collision<I>>> enclose_orbit(const BridgeContact<I>& contact,
-                                                       const RatioRange<I>& range) {
+bool visit_orbit(const BridgeContact<I>& contact, const RatioRange<I>& range,
+                 const std::function<void(const Collision<I>&)>& see) {
     const I r = hull(range.r_lo, range.r_hi);
+    const I beta2 = I(1) / (I(1) + r);
     const Position<I> at = position(contact.e);
     const auto out = bridge_outgoing(at, contact.eta);
     const auto back_lo = bridge_reversed(at, contact.eta, range.r_hi);
@@ -112,14 +111,6 @@ std::optional<std::vector<Collision<I>>> enclose_orbit(const BridgeContact<I>& c
     // slope is given apart.
     const I out_slope = r * out.lambda;
     const I in_slope = r * hull(back_lo.lambda, back_hi.lambda);
-    const auto later = follow(lowest_over(out, range), highest_over(out, range), out_slope, pi<I>() - at.e,
-                              -1, contact.forward);
-    const auto earlier = follow(lowest_over(back_lo, range), highest_over(back_hi, range), in_slope, at.e, +1,
-                                contact.backward);
-    if (!later || !earlier) {
-        return std::nullopt;
-    }
-
     const I out_speed = angular_speed(out_slope, r);
     const I in_speed = angular_speed(in_slope, r);
     const I bridge_norm = r * (I(1) + r * sqr(at.cos_e));
@@ -130,24 +121,41 @@ std::optional<std::vector<Collision<I>>> enclose_orbit(const BridgeContact<I>& c
                             {-out_speed, out_slope * out_speed},
                             r * contact.eta * out_speed / sqrt(bridge_norm)};
 
-    const I beta2 = I(1) / (I(1) + r);
-    const I start = earlier->empty() ? I(0) : earlier->back().elapsed;
+    const auto see_later = [&](const Bounce<I>& b) { see(physical(b, b.elapsed, false, beta2)); };
+    // The sine of the angle is the same before and after: |N.v| and |v| are.
+    const auto see_earlier = [&](Bounce<I> b) {
+        std::tie(b.in, b.out) = std::pair(reversed(b.out), reversed(b.in));
+        see(physical(b, -b.elapsed, false, beta2));
+    };
+    see(physical(turning, I(0), true, beta2));
+    return follow(lowest_over(out, range), highest_over(out, range), out_slope, pi<I>() - at.e, -1,
+                  contact.forward, see_later) &&
+           follow(lowest_over(back_lo, range), highest_over(back_hi, range), in_slope, at.e, +1,
+                  contact.backward, see_earlier);
+}
+
+template <class I>
+std::optional<std::vector<Collision<I>>> enclose_orbit(const BridgeContact<I>& contact,
+                                                       const RatioRange<I>& range) {
     std::vector<Collision<I>> orbit;
-    for (auto b = earlier->rbegin(); b != earlier->rend(); ++b) {
-        Bounce<I> forward_in_time = *b;
-        forward_in_time.in = reversed(b->out);
-        forward_in_time.out = reversed(b->in);
-        const I time = b == earlier->rbegin() ? I(0) : start - b->elapsed;
-        // The sine of the angle is the same before and after: |N.v| and |v| are.
-        orbit.push_back(physical(forward_in_time, time, false, beta2));
+    if (!visit_orbit<I>(contact, range, [&](const Collision<I>& c) { orbit.push_back(c); })) {
+        return std::nullopt;
     }
-    orbit.push_back(physical(turning, start, true, beta2));
-    for (const Bounce<I>& b : *later) {
-        orbit.push_back(physical(b, start + b.elapsed, false, beta2));
+    // Earlier ones were shown last, going back in time.
+    std::rotate(orbit.begin(), orbit.end() - contact.backward, orbit.end());
+    std::reverse(orbit.begin(), orbit.begin() + contact.backward);
+    const I start = orbit.front().time;
+    for (Collision<I>& c : orbit) {
+        c.time = c.time - start;
     }
+    orbit.front().time = I(0);
     return orbit;
 }
 
+template bool visit_orbit(const BridgeContact<Interval>&, const RatioRange<Interval>&,
+                          const std::function<void(const Collision<Interval>&)>&);
+template bool visit_orbit(const BridgeContact<BigInterval>&, const RatioRange<BigInterval>&,
+                          const std::function<void(const Collision<BigInterval>&)>&);
 template std::optional<std::vector<Collision<Interval>>> enclose_orbit(const BridgeContact<Interval>&,
                                                                        const RatioRange<Interval>&);
 template std::optional<std::vector<Collision<BigInterval>>> enclose_orbit(const BridgeContact<BigInterval>&,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -33,6 +34,14 @@ struct BridgeContact {
     long forward;
     long backward;
 };
+
+/// Encloses all 1 + forward + backward collisions and shows them one after the other, so that an orbit of any
+/// length takes no memory: the contact, the later ones, the earlier ones back in time; times are counted from
+/// the contact. False if a collision cannot be enclosed, after some were shown. For every mass ratio of the
+/// range.
+template <class I>
+[[nodiscard]] bool visit_orbit(const BridgeContact<I>& contact, const RatioRange<I>& range,
+                               const std::function<void(const Collision<I>&)>& see);
 
 /// Encloses all 1 + forward + backward collisions in the order of time, for every mass ratio of the range.
 /// Nothing if a collision cannot be enclosed (the counts were not certain, or the range is too wide).

@@ -55,17 +55,16 @@ void describe(ProvedPiece& proved) {
     const Piece& piece = proved.piece;
     const Witness& w = *piece.witness;
     const RatioRange<I> range{enclose<I>(Rational(1) / piece.q_hi), enclose<I>(Rational(1) / piece.q_lo)};
-    const auto orbit =
-        enclose_orbit(BridgeContact<I>{enclose<I>(w.e), enclose<I>(w.eta), w.forward, w.backward}, range);
-    if (!orbit) {
-        return;
-    }
     double least = 1;
-    for (const auto& collision : *orbit) {
+    double greatest_width = 0;
+    const auto see = [&](const Collision<I>& collision) {
         least = std::min(least, low_end(collision.grazing_sine).lo());
-        proved.width = std::max(proved.width, width(collision.y));
+        greatest_width = std::max(greatest_width, width(collision.y));
+    };
+    if (visit_orbit<I>({enclose<I>(w.e), enclose<I>(w.eta), w.forward, w.backward}, range, see)) {
+        proved.width = greatest_width;
+        proved.margin = std::max(0.0, asin(Interval(std::max(0.0, least))).lo());
     }
-    proved.margin = std::max(0.0, asin(Interval(std::max(0.0, least))).lo());
 }
 
 /// One precision's attempt at a piece with given bounds.

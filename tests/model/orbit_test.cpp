@@ -206,3 +206,21 @@ TEST_CASE("Collisions that are not certain give no orbit") {
     CHECK_FALSE(enclose_orbit(BridgeContact<Interval>{Interval(1), Interval(not_a_number), 1, 1},
                               range_at<Interval>(10)));
 }
+
+TEST_CASE("an orbit that is shown is the one that is kept: the contact, the later ones, the earlier ones") {
+    const BridgeContact<Interval> contact{Interval(0.75), Interval(0.375), 3, 4};
+    const auto range = range_at<Interval>(1000);
+    const auto kept = enclose_orbit(contact, range);
+    REQUIRE(kept);
+    std::vector<Collision<Interval>> shown;
+    REQUIRE(visit_orbit<Interval>(contact, range, [&](const auto& c) { shown.push_back(c); }));
+    REQUIRE(shown.size() == kept->size());
+    CHECK(shown[0].heavy);
+    CHECK(shown[0].time.lo() == 0);
+    CHECK(shown[0].y.lo() == (*kept)[4].y.lo());
+    CHECK(shown[1].phi.lo() == (*kept)[5].phi.lo());
+    CHECK(shown[1].time.lo() > 0);
+    CHECK(shown[4].phidot_after.hi() == (*kept)[3].phidot_after.hi());
+    CHECK(shown[7].y.hi() == kept->front().y.hi());
+    CHECK(shown[7].time.hi() < shown[4].time.lo());
+}
