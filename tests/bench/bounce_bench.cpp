@@ -1,171 +1,158 @@
-// ns per bounce (flight and reflection at a light wall, the last flight of a ray included), for the same
-// rays: in plain double, in Interval as the general count has it, and by the batch kernel with each backend
-// of this machine. The counter `ratio` is against plain double in the same run (its median so far).
+// Google Benchmark: the bounce, for the same rays (bounce_rays.hpp) in plain double, in the intervals of
+// src/model, by the batch kernel on each backend of this machine, and with the intervals of other libraries
+// (peers.hpp). Each benchmark is called "bounce/RATIO/METHOD"; its counter `operations` is the number of
+// bounces of one iteration, `agreeing` the share of the rays whose counts are those of Interval.
 
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
-#include <cmath>
-#include <ctime>
-#include <numbers>
+#include <functional>
 #include <string>
-#include <vector>
 
 #include "batch/count.hpp"
+#include "bounce_rays.hpp"
 #include "model/count.hpp"
-#include "random.hpp"
+#include "peers.hpp"
 
 using namespace dumbbell;
-using dumbbell_test::Random;
+using namespace dumbbell_bench;
 
 namespace {
 
-constexpr long cap = 1'000'000;
+using Queries = std::vector<batch::Query>;
+using Counts = std::vector<long>;
+/// The counts of all rays, one after the other; `sides` of them for each ray.
+using Job = std::function<void(const Queries&, Counts&)>;
 
-/// Outgoing rays of contacts with the bridge at ratios near q (L8): what a cover and a witness follow.
-std::vector<batch::Query> bridge_rays(double q, int n) {
-    Random random(1);
-    std::vector<batch::Query> rays;
-    while (static_cast<int>(rays.size()) < n) {
-        const double r = 1 / (q * random.uniform(0.5, 1));
-        const double e = random.uniform(0, std::numbers::pi / 2);
-        const double eta = random.coin() ? random.uniform(0, 10) : random.scaled(1e-3, 0.3) / r;
-        const double kappa = r * (std::cos(e) + eta);
-        if (kappa < 1) {
-            rays.push_back({{r * std::sin(e) + kappa * (std::numbers::pi - e), kappa, r}, cap});
-        }
-    }
-    return rays;
-}
-
-/// What nobody would prove anything with: Newton's iteration and the reflection as in src/model, libm's sine
-/// and cosine.
-long plain_count(const Ray<double>& ray) {
-    double c = ray.c;
-    double kappa = ray.kappa;
-    for (long count = 0;; ++count) {
-        if (kappa >= 1) {
-            return count;
-        }
-        double x = c / (1 - kappa);
-        double sine = 0;
-        double cosine = 0;
-        for (int step = 0;; ++step) {
-            if (!(x <= std::numbers::pi / 2) || step == 60) {
-                return count;
-            }
-            sine = std::sin(x);
-            cosine = std::cos(x);
-            if (!(cosine > kappa)) {
-                return count;
-            }
-            const double next = x - (sine - kappa * x - c) / (cosine - kappa);
-            const bool done = !(std::abs(next - x) > 0x1p-50 * x);
-            x = next;
-            if (done) {
-                break;
-            }
-        }
-        const double denominator = cosine * cosine - 2 * kappa * cosine - ray.r;
-        if (denominator <= 0) {
-            return count + 1;
-        }
-        kappa = (kappa * cosine * cosine + ray.r * (2 * cosine - kappa)) / denominator;
-        c = sine + kappa * (x + std::numbers::pi);
-    }
-}
+struct Setting {
+    std::string name;
+    double q;
+    std::size_t rays;
+};
 
 Ray<Interval> enclosed(const Ray<double>& ray) {
     return {Interval(ray.c), Interval(ray.kappa), Interval(ray.r)};
 }
-
-/// ns per bounce of a job over all rays, kept for the medians at the end.
-struct Series {
-    std::string name;
-    double q;
-    std::vector<double> ns;
-};
-std::vector<Series>& all_series() {
-    static std::vector<Series> series;
-    return series;
+Ray<BigInterval> enclosed_big(const Ray<double>& ray) {
+    return {BigInterval(ray.c), BigInterval(ray.kappa), BigInterval(ray.r)};
 }
-double median(std::vector<double> values) {
-    std::ranges::nth_element(values, values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2));
-    return values[values.size() / 2];
-}
+long own_at_most(const Ray<double>& ray, long most) { return count_at_most(enclosed(ray), most); }
+long own_at_least(const Ray<double>& ray, long most) { return count_at_least(enclosed(ray), most); }
 
-template <class Job>
-void measure(const std::string& name, double q, Job job) {
-    const std::size_t index = all_series().size();
-    all_series().push_back({name, q, {}});
-    benchmark::RegisterBenchmark(
-        (name + "/q=" + std::to_string(static_cast<long>(q))).c_str(),
-        [=](benchmark::State& state) {
-            const auto rays = bridge_rays(q, 2000);
-            long bounces = 0;
-            for (const auto& one : rays) {
-                bounces += plain_count(one.ray) + 1;
+enum Sides { upper = 1, lower = 2, both = 3 };
+
+template <class AtMost, class AtLeast>
+Job one_by_one(AtMost at_most, AtLeast at_least, Sides sides) {
+    return [=](const Queries& queries, Counts& counts) {
+        for (const auto& [ray, most] : queries) {
+            if ((sides & upper) != 0) {
+                counts.push_back(at_most(ray, most));
             }
-            for (auto _ : state) {
-                const std::clock_t begin = std::clock();  // of this process alone
-                benchmark::DoNotOptimize(job(rays));
-                const double seconds = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
-                state.SetIterationTime(seconds);
-                all_series()[index].ns.push_back(1e9 * seconds / static_cast<double>(bounces));
+            if ((sides & lower) != 0) {
+                counts.push_back(at_least(ray, most));
             }
-            const double ns = median(all_series()[index].ns);
-            const auto plain = std::ranges::find_if(all_series(), [&](const Series& s) { return s.q == q; });
-            state.counters["ns/bounce"] = ns;
-            state.counters["ratio"] = ns / median(plain->ns);
-        })
-        ->UseManualTime()
-        ->Unit(benchmark::kMillisecond);
-}
-
-template <class Count>
-auto one_by_one(Count count) {
-    return [=](const std::vector<batch::Query>& rays) {
-        long sum = 0;
-        for (const auto& one : rays) {
-            sum += count(one.ray);
         }
-        return sum;
     };
 }
 
-auto batched(batch::Backend backend, bool most, bool least) {
-    return [=](const std::vector<batch::Query>& rays) {
-        std::vector<batch::Answer> answers(rays.size());
-        if (most) {
-            batch::count_at_most(rays, answers, backend);
+Job batched(batch::Backend backend, Sides sides) {
+    return [=](const Queries& queries, Counts& counts) {
+        std::vector<batch::Answer> most(queries.size());
+        std::vector<batch::Answer> least(queries.size());
+        if ((sides & upper) != 0) {
+            batch::count_at_most(queries, most, backend);
         }
-        if (least) {
-            batch::count_at_least(rays, answers, backend);
+        if ((sides & lower) != 0) {
+            batch::count_at_least(queries, least, backend);
         }
-        return answers.front().count;
+        for (std::size_t i = 0; i < queries.size(); ++i) {
+            if ((sides & upper) != 0) {
+                counts.push_back(most[i].count);
+            }
+            if ((sides & lower) != 0) {
+                counts.push_back(least[i].count);
+            }
+        }
     };
 }
 
-void measure_all(double q) {
-    measure("plain double, libm", q, one_by_one(plain_count));
-    const auto at_most = [](const Ray<double>& ray) { return count_at_most(enclosed(ray), cap); };
-    const auto at_least = [](const Ray<double>& ray) { return count_at_least(enclosed(ray), cap); };
-    measure("Interval, one-sided", q, one_by_one(at_most));
-    measure("Interval, two-sided", q,
-            one_by_one([=](const Ray<double>& ray) { return at_most(ray) + at_least(ray); }));
+double agreeing(const Counts& counts, const Counts& expected) {
+    std::size_t same = 0;
+    for (std::size_t i = 0; i < counts.size(); ++i) {
+        same += counts[i] == expected[i] ? 1 : 0;
+    }
+    return static_cast<double>(same) / static_cast<double>(counts.size());
+}
+
+void measure(const Setting& setting, const std::string& method, Sides sides, const Job& job) {
+    benchmark::RegisterBenchmark(("bounce/" + setting.name + "/" + method).c_str(),
+                                 [=](benchmark::State& state) {
+                                     const Queries queries = bridge_rays(setting.q, setting.rays);
+                                     Counts expected;
+                                     one_by_one(own_at_most, own_at_least, sides)(queries, expected);
+                                     long bounces = 0;
+                                     for (const auto& one : queries) {
+                                         bounces += plain_count(one.ray) + 1;
+                                     }
+                                     Counts counts;
+                                     counts.reserve(2 * queries.size());
+                                     for (auto _ : state) {
+                                         counts.clear();
+                                         job(queries, counts);
+                                         benchmark::DoNotOptimize(counts.data());
+                                     }
+                                     state.counters["operations"] = static_cast<double>(bounces);
+                                     state.counters["agreeing"] = agreeing(counts, expected);
+                                 });
+}
+
+void measure_peer(const Setting& setting, const Peer& peer) {
+    const Setting few{setting.name, setting.q, std::max<std::size_t>(1, setting.rays / 40)};
+    const std::string name = peer.name;
+    measure(few, name + ", one-sided", upper, one_by_one(peer.at_most, peer.at_least, upper));
+    measure(few, name + ", two-sided", both, one_by_one(peer.at_most, peer.at_least, both));
+}
+
+/// With its own refinement of the guess to the working precision.
+void measure_big(const Setting& setting, int bits) {
+    const Setting few{setting.name, setting.q, std::max<std::size_t>(1, setting.rays / 40)};
+    const auto at_most = [bits](const Ray<double>& ray, long most) {
+        const PrecisionScope scope(bits);
+        return count_at_most(enclosed_big(ray), most);
+    };
+    const auto at_least = [bits](const Ray<double>& ray, long most) {
+        const PrecisionScope scope(bits);
+        return count_at_least(enclosed_big(ray), most);
+    };
+    measure(few, "BigInterval " + std::to_string(bits) + " bits, two-sided", both,
+            one_by_one(at_most, at_least, both));
+}
+
+void measure_all(const Setting& setting) {
+    const auto plain = [](const Ray<double>& ray, long) { return plain_count(ray); };
+    measure(setting, "plain double, libm", upper, one_by_one(plain, plain, upper));
+    measure(setting, "Interval, one-sided", upper, one_by_one(own_at_most, own_at_least, upper));
+    measure(setting, "Interval, two-sided", both, one_by_one(own_at_most, own_at_least, both));
     for (const batch::Backend backend : batch::backends()) {
         const std::string name = "batch " + std::string(batch::name(backend));
-        measure(name + ", at most", q, batched(backend, true, false));
-        measure(name + ", at least", q, batched(backend, false, true));
-        measure(name + ", two-sided", q, batched(backend, true, true));
+        measure(setting, name + ", one-sided", upper, batched(backend, upper));
+        measure(setting, name + ", at least", lower, batched(backend, lower));
+        measure(setting, name + ", two-sided", both, batched(backend, both));
+    }
+    for (const Peer& peer : {cgal_with_own_sine, cgal_with_mpfr_sine, arb, mpfi}) {
+        measure_peer(setting, peer);
+    }
+    for (const int bits : {64, 128, 256, 512, 1024}) {
+        measure_big(setting, bits);
     }
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-    for (const double q : {100.0, 1e4, 1e6}) {
-        measure_all(q);
+    for (const Setting& setting :
+         {Setting{"q=100", 100, 4000}, Setting{"q=1e4", 1e4, 800}, Setting{"q=1e6", 1e6, 160}}) {
+        measure_all(setting);
     }
     benchmark::Initialize(&argc, argv);
     if (benchmark::ReportUnrecognizedArguments(argc, argv)) {
