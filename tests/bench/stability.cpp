@@ -1,13 +1,14 @@
 // How long enclosures of an orbit stay useful: collisions certified and widths against the number of bounces,
 // for five forms of the same computation, at six precisions, on orbits that are hard to enclose.
 //
-// usage: stability [--tsv]
+// usage: bench_stability [--tsv]
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <cstring>
+#include <ctime>
 
 #include "hard_orbits.hpp"
 
@@ -20,23 +21,29 @@ constexpr std::size_t shown_bounces[] = {1, 10, 100};
 
 /// The widths of x and kappa/r after the bounce with this number, counted from 1.
 template <class I>
-std::string widths(const Propagated<I>& orbit, std::size_t bounce, double r) {
+std::string widths(const Propagated<I>& orbit, std::size_t bounce, double r, char between) {
     if (bounce < 1 || bounce > orbit.boxes.size()) {
-        return "-";
+        return fmt::format("-{}-", between);
     }
     const auto& box = orbit.boxes[bounce - 1];
-    return fmt::format("{:.1e} {:.1e}", width(box.x), width(box.kappa) / r);
+    return fmt::format("{:.1e}{}{:.1e}", width(box.x), between, width(box.kappa) / r);
 }
 
-/// The least time of `runs` runs, in microseconds.
+/// The least CPU time of some runs, in microseconds.
 template <class Run>
-double microseconds(int runs, Run run) {
+double microseconds(Run run) {
+    constexpr double enough = 2e4;
     double least = HUGE_VAL;
-    for (int i = 0; i < runs; ++i) {
-        const auto start = std::chrono::steady_clock::now();
+    double all = 0;
+    while (all < enough) {
+        timespec start{}, end{};
+        clock_gettime(CLOCK_THREAD_CPUTIME_ID, &start);
         run();
-        const std::chrono::duration<double, std::micro> spent = std::chrono::steady_clock::now() - start;
-        least = std::min(least, spent.count());
+        clock_gettime(CLOCK_THREAD_CPUTIME_ID, &end);
+        const double spent = 1e6 * static_cast<double>(end.tv_sec - start.tv_sec) +
+                             1e-3 * static_cast<double>(end.tv_nsec - start.tv_nsec);
+        least = std::min(least, spent);
+        all += spent;
     }
     return least;
 }
@@ -49,8 +56,7 @@ void measure(const HardOrbit& orbit, std::size_t all, int bits, bool tsv) {
         const WallState<I> start = boxed ? small_box<I>(orbit, bits) : point<I>(orbit);
         for (const Form form : all_forms) {
             Propagated<I> result;
-            const double spent =
-                microseconds(bits == 53 ? 3 : 1, [&] { result = propagate(form, start, r); });
+            const double spent = microseconds([&] { result = propagate(form, start, r); });
             std::string line =
                 fmt::format(fmt::runtime(tsv ? "{}\t{}\t{}\t{}\t{}\t{}\t{}\t{:.1f}"
                                              : "{:<16} {:>5} {:<6} {:<15} {:>4} of {:>3} {:<9} {:>8.1f}"),
@@ -58,8 +64,8 @@ void measure(const HardOrbit& orbit, std::size_t all, int bits, bool tsv) {
                             all, result.finished() ? "finished" : "lost",
                             spent / static_cast<double>(std::max<std::size_t>(1, result.collisions())));
             const auto add = [&](std::size_t bounce) {
-                const std::string text = widths(result, bounce, orbit.r);
-                line += tsv ? "\t" + text : fmt::format("  {:<15}", text);
+                line += tsv ? "\t" + widths(result, bounce, orbit.r, '\t')
+                            : fmt::format("  {:<15}", widths(result, bounce, orbit.r, ' '));
             };
             for (const std::size_t bounce : shown_bounces) {
                 add(bounce);
@@ -75,13 +81,13 @@ void measure(const HardOrbit& orbit, std::size_t all, int bits, bool tsv) {
 int main(int argc, char** argv) {
     const bool tsv = argc == 2 && std::strcmp(argv[1], "--tsv") == 0;
     if (argc > 1 && !tsv) {
-        fmt::print(stderr, "usage: stability [--tsv]\n");
+        fmt::print(stderr, "usage: bench_stability [--tsv]\n");
         return 2;
     }
     if (tsv) {
         fmt::print(
-            "orbit\tbits\tstart\tform\tcollisions\tof\tend\tus/collision\twidths 1\twidths 10\twidths "
-            "100\twidths last\n");
+            "orbit\tbits\tstart\tform\tcollisions\tof\tend\tus/collision\tx 1\tslope 1\tx 10\tslope 10\t"
+            "x 100\tslope 100\tx last\tslope last\n");
     } else {
         fmt::print(
             "Certified collisions, time for each of them, and the widths of x and kappa/r after 1, 10, 100 "
