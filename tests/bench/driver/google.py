@@ -15,7 +15,8 @@ def run(program, repetitions, least_seconds):
     if done.returncode != 0:
         raise RuntimeError(f"{program} failed: {done.stderr.strip()}")
     samples, counters = {}, {}
-    for one in json.loads(done.stdout)["benchmarks"]:
+    # Back into the order of the program.
+    for one in sorted(json.loads(done.stdout)["benchmarks"], key=lambda one: one["family_index"]):
         if one["run_type"] != "iteration":
             continue
         if one["time_unit"] != "ns":
