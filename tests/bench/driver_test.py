@@ -37,7 +37,7 @@ class Driver(unittest.TestCase):
         self.folder = Path(scratch.name)
 
     def test_medians_of_one_operation(self):
-        aggregate = {"run_name": "operation/+/double", "run_type": "aggregate", "cpu_time": 1, "operations": 1}
+        aggregate = {"run_name": "operation/+/double", "family_index": 0, "run_type": "aggregate", "cpu_time": 1, "operations": 1}
         program = google_program(self.folder, [aggregate, *timed("operation/+/double", 10, 50, 20), *timed("operation///double", 70)])
         found = google.run(program, 3, 0.01)
         self.assertEqual(found["+", "double"]["ns"], 2)

@@ -10,7 +10,9 @@ import time
 def once(command):
     """One run: stdout, exit code, seconds of wall and of CPU time (user), peak memory in MB."""
     begin = time.monotonic()
-    with tempfile.TemporaryFile("w+") as errors:
+    # Peak memory by a small program between: what a process occupied before exec counts for it, too, and this one is large.
+    with tempfile.TemporaryFile("w+") as errors, tempfile.NamedTemporaryFile("r") as peak:
+        command = ["/usr/bin/time", "-f", "%M", "-o", peak.name, *command]
         with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=errors, text=True) as process:
             stdout = process.stdout.read()
             _, status, usage = os.wait4(process.pid, 0)
@@ -18,9 +20,8 @@ def once(command):
         seconds = time.monotonic() - begin
         errors.seek(0)
         if process.returncode != 0:
-            raise RuntimeError(f"exit code {process.returncode} of: {' '.join(map(str, command))}\n{errors.read().strip()}")
-    # What this driver occupied between fork and exec counts for the child, too: some 10 MB are the least that can be seen.
-    return {"stdout": stdout, "wall": seconds, "user": usage.ru_utime, "memory": usage.ru_maxrss / 1024}
+            raise RuntimeError(f"exit code {process.returncode} of: {' '.join(map(str, command[5:]))}\n{errors.read().strip()}")
+        return {"stdout": stdout, "wall": seconds, "user": usage.ru_utime, "memory": int(peak.read()) / 1024}
 
 
 def medians(runs):
@@ -32,7 +33,7 @@ def rounds(repeat, commands):
     all of them alike."""
     results = {name: [] for name in commands}
     for number in range(repeat):
+        print(f"run: round {number + 1} of {repeat}, {len(commands)} jobs", file=sys.stderr)
         for name, command in commands.items():
-            print(f"run: round {number + 1} of {repeat}: {name}", file=sys.stderr)
             results[name].append(command())
     return results
