@@ -11,8 +11,13 @@ class Mpfi {
     Mpfi() { mpfi_init2(value_, 53); }
     explicit Mpfi(double point) : Mpfi() { mpfi_set_d(value_, point); }
     Mpfi(const Mpfi& other) : Mpfi() { mpfi_set(value_, other.value_); }
+    Mpfi(Mpfi&& other) noexcept : Mpfi() { mpfi_swap(value_, other.value_); }
     Mpfi& operator=(const Mpfi& other) {
         mpfi_set(value_, other.value_);
+        return *this;
+    }
+    Mpfi& operator=(Mpfi&& other) noexcept {
+        mpfi_swap(value_, other.value_);
         return *this;
     }
     ~Mpfi() { mpfi_clear(value_); }

@@ -15,7 +15,7 @@ OTHERS = ["critical 3:22", "trace 10 --phi 0.3:0.4 --phidot 1 --y 3 --ydot 0 --s
           "adiabatic --theorem lemma3.1 --delta 0.1"]
 # Left out by --quick.
 SLOW = ["certify 1e12", "certify 1:1000000 --gap 1e-9", "certify 10000 --section full", "certify 100 --section full --lemmas none",
-        "critical 100 --digits 1000", "adiabatic --delta 0.01"]
+        "critical 3:100 --digits 200", "adiabatic --delta 0.01"]
 WITHOUT_CERTIFICATE = ("critical",)
 
 MEMORY_MB = 200

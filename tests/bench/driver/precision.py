@@ -10,7 +10,7 @@ from driver.jobs import Runner
 
 FIELDS = ["diagram", "case", "bits", "form", "bounces", "of", "error_x", "error_slope", "cost_us"]
 GAPS = [3, 6, 9, 12, 18, 24, 36, 48]
-DIGITS = [10, 20, 50, 100, 200, 500, 1000]
+DIGITS = [10, 20, 50, 100, 150, 200]
 RANGE = "1:100"
 CRITICAL = "10"
 
