@@ -21,9 +21,11 @@ namespace {
 
 using Queries = std::vector<batch::Query>;
 using Counts = std::vector<long>;
-/// The counts of all rays, one after the other; `sides` of them for each ray.
+/// Appends the counts of all rays: the upper ones, then the lower ones.
 using Job = std::function<void(const Queries&, Counts&)>;
 
+/// So many rays that no branch predictor learns them all by heart; fewer by this factor for what is slow.
+constexpr std::size_t slow = 400;
 struct Setting {
     std::string name;
     double q;
@@ -44,11 +46,13 @@ enum Sides { upper = 1, lower = 2, both = 3 };
 template <class AtMost, class AtLeast>
 Job one_by_one(AtMost at_most, AtLeast at_least, Sides sides) {
     return [=](const Queries& queries, Counts& counts) {
-        for (const auto& [ray, most] : queries) {
-            if ((sides & upper) != 0) {
+        if ((sides & upper) != 0) {
+            for (const auto& [ray, most] : queries) {
                 counts.push_back(at_most(ray, most));
             }
-            if ((sides & lower) != 0) {
+        }
+        if ((sides & lower) != 0) {
+            for (const auto& [ray, most] : queries) {
                 counts.push_back(at_least(ray, most));
             }
         }
@@ -57,21 +61,19 @@ Job one_by_one(AtMost at_most, AtLeast at_least, Sides sides) {
 
 Job batched(batch::Backend backend, Sides sides) {
     return [=](const Queries& queries, Counts& counts) {
-        std::vector<batch::Answer> most(queries.size());
-        std::vector<batch::Answer> least(queries.size());
+        std::vector<batch::Answer> answers(queries.size());
+        const auto append = [&] {
+            for (const batch::Answer& answer : answers) {
+                counts.push_back(answer.count);
+            }
+        };
         if ((sides & upper) != 0) {
-            batch::count_at_most(queries, most, backend);
+            batch::count_at_most(queries, answers, backend);
+            append();
         }
         if ((sides & lower) != 0) {
-            batch::count_at_least(queries, least, backend);
-        }
-        for (std::size_t i = 0; i < queries.size(); ++i) {
-            if ((sides & upper) != 0) {
-                counts.push_back(most[i].count);
-            }
-            if ((sides & lower) != 0) {
-                counts.push_back(least[i].count);
-            }
+            batch::count_at_least(queries, answers, backend);
+            append();
         }
     };
 }
@@ -107,7 +109,7 @@ void measure(const Setting& setting, const std::string& method, Sides sides, con
 }
 
 void measure_peer(const Setting& setting, const Peer& peer) {
-    const Setting few{setting.name, setting.q, std::max<std::size_t>(1, setting.rays / 40)};
+    const Setting few{setting.name, setting.q, setting.rays / slow};
     const std::string name = peer.name;
     measure(few, name + ", one-sided", upper, one_by_one(peer.at_most, peer.at_least, upper));
     measure(few, name + ", two-sided", both, one_by_one(peer.at_most, peer.at_least, both));
@@ -115,7 +117,7 @@ void measure_peer(const Setting& setting, const Peer& peer) {
 
 /// With its own refinement of the guess to the working precision.
 void measure_big(const Setting& setting, int bits) {
-    const Setting few{setting.name, setting.q, std::max<std::size_t>(1, setting.rays / 40)};
+    const Setting few{setting.name, setting.q, setting.rays / slow};
     const auto at_most = [bits](const Ray<double>& ray, long most) {
         const PrecisionScope scope(bits);
         return count_at_most(enclosed_big(ray), most);
@@ -151,7 +153,7 @@ void measure_all(const Setting& setting) {
 
 int main(int argc, char** argv) {
     for (const Setting& setting :
-         {Setting{"q=100", 100, 4000}, Setting{"q=1e4", 1e4, 800}, Setting{"q=1e6", 1e6, 160}}) {
+         {Setting{"q=100", 100, 40000}, Setting{"q=1e4", 1e4, 8000}, Setting{"q=1e6", 1e6, 1600}}) {
         measure_all(setting);
     }
     benchmark::Initialize(&argc, argv);
