@@ -85,10 +85,9 @@ class Prover {
         return result;
     }
 
-    /// The best orbit that can be enclosed; its value, or 0.
-    double attain(bool height_error) {
-        const AdiabaticSearch looked_for = search(height_error);
-        for (const AdiabaticSample& sample : search_errors(looked_for)) {
+    /// The best of the found orbits that can be enclosed; its value, or 0.
+    double attain(const AdiabaticSearch& looked_for, const std::vector<AdiabaticSample>& found) {
+        for (const AdiabaticSample& sample : found) {
             if (const auto state = attained(looked_for, sample)) {
                 proof_.attained.push_back(*state);
                 return state->value.convert_to<double>();
@@ -96,13 +95,13 @@ class Prover {
         }
         return 0;
     }
+    double attain(bool height_error) {
+        const AdiabaticSearch looked_for = search(height_error);
+        return attain(looked_for, search_errors(looked_for));
+    }
     void attain_printed() {
-        for (const AdiabaticSample& sample : search_printed(search(false))) {
-            if (const auto state = attained(search(false), sample)) {
-                proof_.attained.push_back(*state);
-                return;
-            }
-        }
+        const AdiabaticSearch looked_for = search(false);
+        attain(looked_for, search_printed(looked_for));
     }
 
     [[nodiscard]] AdiabaticTarget target(double value) const {
