@@ -13,6 +13,7 @@
 #include "certificate/adiabatic_writer.hpp"
 #include "certificate/atomic_file.hpp"
 #include "cli/exit_code.hpp"
+#include "cli/initial_argument.hpp"
 #include "cli/progress.hpp"
 #include "cli/ratio_argument.hpp"
 #include "cli/stop_signals.hpp"
@@ -72,17 +73,6 @@ Rational parse_number(const char* option, const std::string& text) {
     return parse(option, text, [](const std::string& number) { return parse_rational(number); });
 }
 
-std::pair<Rational, Rational> parse_range(const char* option, const std::string& text) {
-    const auto colon = text.find(':');
-    const Rational lo = parse_number(option, text.substr(0, colon));
-    const Rational hi = colon == std::string::npos ? lo : parse_number(option, text.substr(colon + 1));
-    if (lo > hi) {
-        throw InputError(fmt::format("{}: the range '{}' is reversed: write the smaller number first", option,
-                                     shortened(text)));
-    }
-    return {lo, hi};
-}
-
 std::vector<Rational> parse_list(const char* option, const std::string& text) {
     std::vector<Rational> numbers;
     for (std::size_t from = 0; from <= text.size();) {
@@ -132,9 +122,9 @@ std::vector<AdiabaticHypotheses> hypotheses(const Options& options) {
     AdiabaticHypotheses of;
     of.claim = claim_of(options.theorem);
     require_applicable(options, of.claim);
-    of.delta = parse_range("--delta", options.delta);
+    of.delta = parse_quantity("--delta", options.delta);
     const char* heights = of.claim == AdiabaticClaim::run ? "0:0.9" : "0:1";
-    of.heights = parse_range("--y", options.y.empty() ? heights : options.y);
+    of.heights = parse_quantity("--y", options.y.empty() ? heights : options.y);
     std::vector<AdiabaticHypotheses> result;
     for (const Rational& k : parse_list("--k", options.exponents.empty() ? "1/2" : options.exponents)) {
         of.exponent = parse_exponent(k);

@@ -7,8 +7,8 @@
 
 namespace dumbbell {
 
-/// A or LO:HI of --phi, --phidot, --y or --ydot: exact, with or without a leading minus. Throws InputError
-/// that names the option and says how it is written.
+/// A or LO:HI of an option like --phi, --y or --delta: exact, with or without a leading minus. Throws
+/// InputError that names the option and says how it is written.
 [[nodiscard]] std::pair<Rational, Rational> parse_quantity(const std::string& option,
                                                            const std::string& text);
 
