@@ -1,6 +1,7 @@
 #pragma once
 
 #include <limits>
+#include <optional>
 
 #include "model/adiabatic_drift.hpp"
 #include "model/enclosure.hpp"
@@ -17,9 +18,13 @@ struct AdiabaticVerdict {
     [[nodiscard]] bool closed() const { return outside || excess <= 0; }
 };
 
-/// The part of the angles u from the vertical that is at least `margin` and at most pi/2.
+/// The part of the angles u from the vertical that is at least `margin` and at most pi/2; nothing if there
+/// certainly is none.
 template <class I>
-[[nodiscard]] I cut_angle(const I& u, const I& margin) {
+[[nodiscard]] std::optional<I> admitted_angle(const I& u, const I& margin) {
+    if (certainly_less(half_pi<I>(), u) || certainly_less(u, low_end(margin))) {
+        return std::nullopt;
+    }
     return hull(max(low_end(u), low_end(margin)), min(high_end(u), high_end(half_pi<I>())));
 }
 
@@ -30,14 +35,14 @@ template <class I>
                                              const I& margin, const I& least_share,
                                              const AdiabaticPotential<I>& potential) {
     constexpr AdiabaticVerdict outside{true, 0};
-    if (certainly_less(half_pi<I>(), u) || certainly_less(u, low_end(margin))) {
+    const auto angle = admitted_angle(u, margin);
+    if (!angle) {
         return outside;
     }
-    const I angle = cut_angle(u, margin);
-    const LightFlights<I> flights(half_pi<I>() - angle, sigma, masses);
-    const I upper_sine = cos(angle);
+    const LightFlights<I> flights(half_pi<I>() - *angle, sigma, masses);
+    const I upper_sine = cos(*angle);
     if (certainly_less(upper_sine, flights.k * (pi<I>() + flights.x)) ||
-        certainly_less(sin(angle), flights.k)) {
+        certainly_less(sin(*angle), flights.k)) {
         return outside;
     }
     const I lower = hull(flights.least_root(I(-1)), flights.greatest_root(I(-1)));

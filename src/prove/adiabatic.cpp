@@ -117,14 +117,12 @@ class Prover {
     [[nodiscard]] AdiabaticJudged judge_bounce(const AdiabaticBox& box,
                                                const std::array<double, 2>& scale) const {
         const auto masses = sides_.masses(box);
-        const Interval margin = sides_.margin(masses);
-        Interval u = sides_.side(box, Axis::u);
-        if (certainly_less(half_pi<Interval>(), u) || certainly_less(u, low_end(margin))) {
+        const auto u = admitted_angle(sides_.side(box, Axis::u), sides_.margin(masses));
+        if (!u) {
             return {true};
         }
-        u = cut_angle(u, margin);
-        const AdiabaticBounce<Interval> bounce(u, sides_.side(box, Axis::s), masses);
-        if (sides_.certainly_elsewhere(u, masses) || certainly_at_most(bounce.forward(), Interval(0))) {
+        const AdiabaticBounce<Interval> bounce(*u, sides_.side(box, Axis::s), masses);
+        if (sides_.certainly_elsewhere(*u, masses) || certainly_at_most(bounce.forward(), Interval(0))) {
             return {true};
         }
         const Interval k = delta_power(masses.delta, of_.exponent);
@@ -211,19 +209,16 @@ class Prover {
     [[nodiscard]] AdiabaticJudged judge_pair(const AdiabaticBox& box) const {
         const auto masses = sides_.masses(box);
         const Interval margin = sides_.margin(masses);
-        Interval u = sides_.side(box, Axis::u);
-        Interval v = sides_.side(box, Axis::v);
-        for (Interval* angle : {&u, &v}) {
-            if (certainly_less(half_pi<Interval>(), *angle) || certainly_less(*angle, low_end(margin))) {
-                return {true};
-            }
-            *angle = cut_angle(*angle, margin);
-        }
-        const bool run = of_.claim == AdiabaticClaim::run;
-        if (run && sides_.certainly_elsewhere(u, masses)) {
+        const auto u = admitted_angle(sides_.side(box, Axis::u), margin);
+        const auto v = admitted_angle(sides_.side(box, Axis::v), margin);
+        if (!u || !v) {
             return {true};
         }
-        const AdiabaticPair<Interval> pair(u, sides_.side(box, Axis::s), v, masses);
+        const bool run = of_.claim == AdiabaticClaim::run;
+        if (run && sides_.certainly_elsewhere(*u, masses)) {
+            return {true};
+        }
+        const AdiabaticPair<Interval> pair(*u, sides_.side(box, Axis::s), *v, masses);
         if (!run && certainly_not_first(pair)) {
             return {true};
         }

@@ -17,6 +17,23 @@ AdiabaticVerdict judged(const Interval& u, const Interval& sigma, double density
 
 }  // namespace
 
+TEST_CASE("The angles admitted are those from the margin to pi/2, and none where there certainly is none") {
+    const Interval margin(0.3, 0.31);
+    const double quarter = half_pi<Interval>().hi();
+    CHECK_FALSE(admitted_angle(Interval(1.5709, 2), margin));
+    CHECK_FALSE(admitted_angle(Interval(0, 0.29), margin));
+    const auto is = [&](const Interval& u, double lo, double hi) {
+        const auto part = admitted_angle(u, margin);
+        return part && part->lo() == lo && part->hi() == hi;
+    };
+    CHECK(is({0.5, 0.6}, 0.5, 0.6));
+    CHECK(is({0, 2}, 0.3, quarter));
+    CHECK(is({0.2, 0.305}, 0.3, 0.305));  // perhaps below the margin: kept
+    CHECK(is({0, 0.3}, 0.3, 0.3));
+    CHECK(is({half_pi<Interval>().lo(), 2}, half_pi<Interval>().lo(), quarter));
+    CHECK(is({quarter, 2}, quarter, quarter));  // not certainly beyond pi/2
+}
+
 TEST_CASE(
     "Flights beyond the hypotheses are outside: past pi/2, too near the vertical, without a lower contact") {
     CHECK(judged({1.6, 1.7}, {0, 1}, 1).outside);
