@@ -49,7 +49,8 @@ Examples:
 constexpr const char* footer =
     R"(The fields of --json: proofs/json.md.
 
-Exit codes: 0 certified; 1 internal error; 2 wrong usage or input; 3 not certified within the budget.)";
+Exit codes: 0 certified; 1 internal error; 2 wrong usage or input; 3 not certified within the budget; 130 or 143
+stopped by SIGINT (Ctrl-C) or SIGTERM: nothing is kept.)";
 
 struct Options {
     std::string delta;

@@ -65,6 +65,13 @@ TEST_CASE("every command's help says once what its exit codes mean") {
     }
 }
 
+TEST_CASE("the help of every command that can be stopped says so") {
+    for (const char* command : {"certify", "critical", "adiabatic"}) {
+        CAPTURE(command);
+        CHECK_THAT(help_of({command}).out, Contains("SIGINT (Ctrl-C) or SIGTERM: "));
+    }
+}
+
 TEST_CASE("the help of trace explains what its table and its bounds are") {
     CHECK_THAT(help_of({"trace"}).out, Contains("The grazing sine is") && Contains("outcome on stderr"));
 }
