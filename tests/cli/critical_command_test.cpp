@@ -19,20 +19,6 @@ nlohmann::json json_of(Words arguments) {
     return nlohmann::json::parse(result.out);
 }
 
-// Refused: one line on stderr, exit 2, nothing on stdout, nothing written.
-std::string message_of(Words arguments) {
-    arguments.insert(arguments.begin(), "critical");
-    const TemporaryFolder folder;
-    const Outcome result = dumbbell(arguments, folder.path());
-    CAPTURE(arguments, result.out, result.err);
-    CHECK(result.code == 2);
-    CHECK(result.out.empty());
-    CHECK(count_lines(result.err) == 1);
-    CHECK_THAT(result.err, StartsWith("dumbbell: "));
-    CHECK(folder.names().empty());
-    return result.err;
-}
-
 }  // namespace
 
 TEST_CASE("critical 4 prints 15 proved digits, and what they rest on") {
@@ -122,25 +108,25 @@ TEST_CASE("critical within a budget: what was finished is printed, and exit 3 te
 
 TEST_CASE("critical refuses what is no number of collisions from 3 on, and says why") {
     for (const char* count : {"0", "1", "2", "0002", "2:5"}) {
-        CHECK_THAT(message_of({count, "--out", "file.tsv"}), Contains("never below 2"));
+        CHECK_THAT(refused({"critical", count, "--out", "file.tsv"}), Contains("never below 2"));
     }
     for (const char* count : {"", "x", "-4", "+4", "4.0", "1e3", ":", "4:", ":4", "3:4:5", "3-5", "nan",
                               "4/1", "0x4", "4\n5", "4 "}) {
         CAPTURE(count);
-        message_of({count, "--out", "file.tsv"});
+        refused({"critical", count, "--out", "file.tsv"});
     }
-    CHECK_THAT(message_of({"x"}), Contains("write N or N1:N2"));
-    CHECK_THAT(message_of({"5:3"}), Contains("smaller N first"));
-    CHECK_THAT(message_of({"1000000000001"}), Contains("10^12"));
-    CHECK_THAT(message_of({std::string(100'000, '9')}), Contains("10^12"));
-    CHECK_THAT(message_of({"3:2000000"}), Contains("in parts"));
-    message_of({});
-    message_of({"4", "5"});
+    CHECK_THAT(refused({"critical", "x"}), Contains("write N or N1:N2"));
+    CHECK_THAT(refused({"critical", "5:3"}), Contains("smaller N first"));
+    CHECK_THAT(refused({"critical", "1000000000001"}), Contains("10^12"));
+    CHECK_THAT(refused({"critical", std::string(100'000, '9')}), Contains("10^12"));
+    CHECK_THAT(refused({"critical", "3:2000000"}), Contains("in parts"));
+    refused({"critical"});
+    refused({"critical", "4", "5"});
 }
 
 TEST_CASE("critical does not begin what takes days, unless it is given a budget") {
     for (const char* count : {"1000000000000", "3:500000"}) {
-        const std::string message = message_of({count, "--out", "file.tsv"});
+        const std::string message = refused({"critical", count, "--out", "file.tsv"});
         CHECK_THAT(message, Contains("would take about") && Contains("--budget"));
     }
 }
@@ -165,17 +151,17 @@ TEST_CASE("critical confirms at distances of 1e-119 and 1e-180 too") {
 TEST_CASE("critical refuses options out of range") {
     for (const char* digits : {"0", "201", "-1", "x", "1.5", ""}) {
         CAPTURE(digits);
-        CHECK_THAT(message_of({"4", "--digits", digits}), Contains("--digits"));
+        CHECK_THAT(refused({"critical", "4", "--digits", digits}), Contains("--digits"));
     }
     for (const char* distance : {"0", "0.011", "1", "-1", "x", "", "nan", "1e-500", "1:2"}) {
         CAPTURE(distance);
-        message_of({"4", "--confirm", distance});
+        refused({"critical", "4", "--confirm", distance});
     }
-    CHECK_THAT(message_of({"900", "--confirm", "0.01"}), Contains("no other step is near"));
-    CHECK_THAT(message_of({"4", "--budget", "5"}), Contains("30s"));
-    message_of({"4", "--jobs", "0"});
-    message_of({"4", "--out", ""});
-    CHECK_THAT(message_of({"4", "--out", "no/such/folder/file"}), Contains("no/such/folder"));
+    CHECK_THAT(refused({"critical", "900", "--confirm", "0.01"}), Contains("no other step is near"));
+    CHECK_THAT(refused({"critical", "4", "--budget", "5"}), Contains("30s"));
+    refused({"critical", "4", "--jobs", "0"});
+    refused({"critical", "4", "--out", ""});
+    CHECK_THAT(refused({"critical", "4", "--out", "no/such/folder/file"}), Contains("no/such/folder"));
 }
 
 TEST_CASE("critical --help has examples, every option and the exit codes") {

@@ -1,6 +1,7 @@
 // The two built programs, as these tests run them.
 #pragma once
 
+#include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
 #include "process.hpp"
@@ -9,14 +10,44 @@ namespace dumbbell_test {
 
 using Words = std::vector<std::string>;
 
-inline Outcome dumbbell(Words arguments, const std::string& folder = ".") {
+// The command as a Process wants it.
+inline Words with_program(Words arguments) {
     arguments.insert(arguments.begin(), DUMBBELL_BIN);
-    return run(std::move(arguments), folder);
+    return arguments;
+}
+
+inline Outcome dumbbell(Words arguments, const std::string& folder = ".") {
+    return run(with_program(std::move(arguments)), folder);
 }
 
 inline Outcome verifier(Words arguments, const std::string& folder = ".") {
     arguments.insert(arguments.begin(), DUMBBELL_VERIFY_BIN);
     return run(std::move(arguments), folder);
+}
+
+// The one line on stderr of a command that must be refused: exit 2, nothing on stdout, nothing written. Runs
+// in an empty folder, which must stay empty.
+inline std::string refused(const Words& arguments) {
+    const TemporaryFolder folder;
+    const Outcome result = dumbbell(arguments, folder.path());
+    std::string command;
+    for (const std::string& word : arguments) {
+        command += " '" + word.substr(0, 60) + "'";
+    }
+    CAPTURE(command, result.out, result.err);
+    CHECK(result.code == 2);
+    CHECK(result.out.empty());
+    CHECK(count_lines(result.err) == 1);
+    CHECK_THAT(result.err, Catch::Matchers::StartsWith("dumbbell: "));
+    CHECK(folder.names().empty());
+    return result.err;
+}
+
+// How many files are in the folder of finished pieces; 0 if there is none yet.
+inline std::size_t kept(const std::string& folder) {
+    std::error_code ignored;
+    return static_cast<std::size_t>(std::distance(std::filesystem::directory_iterator(folder, ignored),
+                                                  std::filesystem::directory_iterator()));
 }
 
 // Certifies into a file of the folder, which must succeed, and returns the file's path.

@@ -13,17 +13,6 @@ namespace {
 
 const Words request{"certify", "1:30000", "--gap", "1e-12", "--out", "stairs.dbc"};
 
-Words with_program(Words arguments) {
-    arguments.insert(arguments.begin(), DUMBBELL_BIN);
-    return arguments;
-}
-
-std::size_t kept(const std::string& folder) {
-    std::error_code ignored;
-    return static_cast<std::size_t>(std::distance(std::filesystem::directory_iterator(folder, ignored),
-                                                  std::filesystem::directory_iterator()));
-}
-
 /// Kills the run as soon as so many files are in its folder of finished pieces; false if it had ended before.
 bool killed_with(std::size_t files, const TemporaryFolder& folder) {
     Process process(with_program(request), folder.path());

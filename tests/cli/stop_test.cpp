@@ -13,17 +13,6 @@ namespace {
 
 const Words range{"certify", "1:30000", "--gap", "1e-12", "--out", "stairs.dbc"};
 
-Words with_program(Words arguments) {
-    arguments.insert(arguments.begin(), DUMBBELL_BIN);
-    return arguments;
-}
-
-std::size_t kept(const std::string& folder) {
-    std::error_code ignored;
-    return static_cast<std::size_t>(std::distance(std::filesystem::directory_iterator(folder, ignored),
-                                                  std::filesystem::directory_iterator()));
-}
-
 /// Sends the signal once so many files are kept, at the latest after half a second.
 Outcome stopped(const Words& arguments, int signal, const TemporaryFolder& folder, std::size_t files = 1000) {
     Process process(with_program(arguments), folder.path());
