@@ -8,27 +8,6 @@ using namespace make;
 
 namespace {
 
-const std::string& bounce() {
-    static const std::string text = small_bounce().file();
-    return text;
-}
-const std::string& run_file() {
-    static const std::string text = small_run().file();
-    return text;
-}
-const std::string& scattering() {
-    static const std::string text = small_scattering().file();
-    return text;
-}
-const std::string& printed() {
-    static const std::string text = small_printed().file();
-    return text;
-}
-std::string mutant(const std::string& text, const std::string& from, const std::string& to) {
-    INFO(from << " -> " << to);
-    return outcome(mutated_adiabatic(text, from, to));
-}
-
 /// The text with the tree's lines from number `at` (a split) and below replaced by one leaf.
 std::string lifted(const std::string& text, std::size_t at, const std::string& leaf) {
     std::vector<std::string> lines;

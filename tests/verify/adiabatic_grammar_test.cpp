@@ -5,26 +5,6 @@
 
 using namespace make;
 
-namespace {
-
-const std::string& bounce() {
-    static const std::string text = small_bounce().file();
-    return text;
-}
-const std::string& run_file() {
-    static const std::string text = small_run().file();
-    return text;
-}
-const std::string& printed() {
-    static const std::string text = small_printed().file();
-    return text;
-}
-std::string mutant(const std::string& text, const std::string& from, const std::string& to) {
-    return outcome(mutated_adiabatic(text, from, to));
-}
-
-}  // namespace
-
 TEST_CASE("adiabatic grammar: unknown words make a file unsupported") {
     for (const auto& [from, to] : {std::pair{"claim adiabatic-run", "claim adiabatic-walk"},
                                    {"claim adiabatic-run", "claim adiabatic"},

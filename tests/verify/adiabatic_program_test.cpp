@@ -32,11 +32,13 @@ TEST_CASE("adiabatic: the verdict states the claim, C and C/B rounded up, B roun
     CHECK_FALSE(has(run(bad.path()), "<= C delta for every"));
     CHECK(run("--jobs 1 " + good.path()).out == run("--jobs 7 " + good.path()).out);
 
-    const File bounce(small_bounce().file()), printed(small_printed().file());
-    CHECK(has(run(bounce.path()), "<= C1 delta, C1 = 2.500000,\n"));
-    CHECK(has(run(bounce.path()), "<= 2 C2 delta^(3/2), C2 = 10.000000.\n"));
-    CHECK(has(run(bounce.path()), " margin=1/1 exponent=8/16 C1=2.500000 B1=1.940000 ratio1=1.288660 C2="));
-    CHECK(has(run(printed.path()), "claim=adiabatic-printed delta=1/20:1/20 margin=1/1 B=2.880000 sha256="));
+    const File of_bounce(bounce()), of_printed(printed());
+    CHECK(has(run(of_bounce.path()), "<= C1 delta, C1 = 2.500000,\n"));
+    CHECK(has(run(of_bounce.path()), "<= 2 C2 delta^(3/2), C2 = 10.000000.\n"));
+    CHECK(
+        has(run(of_bounce.path()), " margin=1/1 exponent=8/16 C1=2.500000 B1=1.940000 ratio1=1.288660 C2="));
+    CHECK(
+        has(run(of_printed.path()), "claim=adiabatic-printed delta=1/20:1/20 margin=1/1 B=2.880000 sha256="));
 }
 
 TEST_CASE("adiabatic: a value of 0 has no ratio") {
@@ -49,7 +51,7 @@ TEST_CASE("adiabatic: a value of 0 has no ratio") {
 }
 
 TEST_CASE("adiabatic: such a file is no answer to a question about numbers of collisions") {
-    const File file(small_run().file());
+    const File file(run_file());
     const auto code = [&](const std::string& options) { return run(options + " " + file.path()).code; };
     for (const char* demand : {"--max 5", "--min 1", "--exactly 2", "--ratio 399",
                                "--claim adiabatic-run --max 3", "--claim initial-conditions --max 3"}) {
@@ -72,7 +74,7 @@ TEST_CASE("adiabatic: such a file is no answer to a question about numbers of co
 }
 
 TEST_CASE("adiabatic: --json, --junit and --explain") {
-    const File file(small_run().file());
+    const File file(run_file());
     const Run json = run("--json " + file.path());
     CHECK(json.code == 0);
     CHECK(
@@ -81,7 +83,7 @@ TEST_CASE("adiabatic: --json, --junit and --explain") {
             "\"lo\":\"3/5\",\"hi\":\"9/10\"},\"margin\":\"1/2\",\"exponent\":null,\"bounds\":[\"20/1\"],"
             "\"attained\":[{\"u\":\"63/125\",\"s\":\"97/100\",\"delta\":\"1/20\",\"collisions\":10,"
             "\"value\":\"93/10\",\"ratio\":\"2.150538\"}]}"));
-    CHECK(has(run("--json " + File(small_printed().file()).path()),
+    CHECK(has(run("--json " + File(printed()).path()),
               "\"heights\":null,\"margin\":\"1/1\",\"exponent\":null,\"bounds\":[]"));
     const std::string report = file.path() + ".xml";
     CHECK(run("--junit " + report + " " + file.path()).code == 0);

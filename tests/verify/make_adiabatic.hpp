@@ -2,6 +2,7 @@
 // what they accept, so it shows that true claims are accepted; that false ones are refused is shown by
 // mutating what comes out, and by simulated orbits.
 #pragma once
+#include <catch2/catch.hpp>
 #include <cmath>
 #include <functional>
 
@@ -218,6 +219,30 @@ inline Adiabatics small_printed() {
     file.terms.claim.attained = {
         {mpq_class(1217, 5000), mpq_class(851, 1000), mpq_class(1, 20), 4, mpq_class(72, 25)}};
     return file;
+}
+
+/// The whole files of these claims; each is searched for once.
+inline const std::string& bounce() {
+    static const std::string text = small_bounce().file();
+    return text;
+}
+inline const std::string& run_file() {
+    static const std::string text = small_run().file();
+    return text;
+}
+inline const std::string& scattering() {
+    static const std::string text = small_scattering().file();
+    return text;
+}
+inline const std::string& printed() {
+    static const std::string text = small_printed().file();
+    return text;
+}
+
+/// What the verifier says of such a file with `from` replaced.
+inline std::string mutant(const std::string& text, const std::string& from, const std::string& to) {
+    INFO(from << " -> " << to);
+    return outcome(mutated_adiabatic(text, from, to));
 }
 
 }  // namespace make
