@@ -58,6 +58,26 @@ inline dumbbell::Interval adversarial_angles(Random& random) {
     return {std::min(a, b), std::max(a, b)};
 }
 
+/// A number of [-1, 1] for arcsine: its ends, zero, tiny ones, values of sine near its extrema and zeros, by
+/// `angle`.
+template <class Angle>
+[[nodiscard]] double adversarial_sine(Random& random, const Angle& angle) {
+    switch (random.below(6)) {
+        case 0:
+            return random.sign() * (1 - random.scaled(0x1p-53, 1));
+        case 1:
+            return random.sign() * neighbour(1.0, -random.below(4));
+        case 2:
+            return random.sign() * random.scaled(0x1p-1074, 1);
+        case 3:
+            return std::sin(angle(random));
+        case 4:
+            return random.below(3) - 1;
+        default:
+            return random.uniform(-1, 1);
+    }
+}
+
 using MpfiFunction = int (*)(mpfi_ptr, mpfi_srcptr);
 
 /// The range of f over X, rounded outward to double, by MPFI.

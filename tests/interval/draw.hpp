@@ -139,22 +139,4 @@ inline void draw_angles(Ends& x, Random& random) {
     in_order(x);
 }
 
-/// A number of [-1, 1] for arcsine: its ends, zero, tiny ones, values of sine near its extrema and zeros.
-inline double attacking_sine(Random& random) {
-    switch (random.below(6)) {
-        case 0:
-            return random.sign() * (1 - random.scaled(0x1p-53, 1));
-        case 1:
-            return random.sign() * neighbour(1.0, -random.below(4));
-        case 2:
-            return random.sign() * random.scaled(0x1p-1074, 1);
-        case 3:
-            return std::sin(attacking_angle(random));
-        case 4:
-            return random.below(3) - 1;
-        default:
-            return random.uniform(-1, 1);
-    }
-}
-
 }  // namespace dumbbell_test

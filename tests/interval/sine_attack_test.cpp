@@ -74,8 +74,8 @@ TEMPLATE_TEST_CASE("Arcsines hold the exact range", "", ProgramDouble, ProgramBi
         Ends x(bits);
         Ends part(bits);  // of [-1, 1]
         do {
-            set_near(x.lo, attacking_sine(random), random);
-            random.coin() ? set_near(x.hi, attacking_sine(random), random)
+            set_near(x.lo, adversarial_sine(random, attacking_angle), random);
+            random.coin() ? set_near(x.hi, adversarial_sine(random, attacking_angle), random)
                           : static_cast<void>(mpfr_set(x.hi, x.lo, MPFR_RNDN));
             in_order(x);
             mpfr_set_si(part.lo, -1, MPFR_RNDN);
