@@ -64,36 +64,38 @@ std::vector<Unit> units(const AdiabaticHypotheses& of) {
 }
 
 std::string hypotheses_text(const AdiabaticHypotheses& of) {
-    const std::string start =
-        fmt::format("For {}, epsilon = delta^2, and every state with |phidot| = 1 and -delta <= ydot <= 0 ",
-                    delta_text(of));
+    const std::string delta = delta_text(of);
+    const std::string margin = margin_text(of);
+    const std::string states = fmt::format(
+        "For {}, epsilon = delta^2, and every state with |phidot| = 1 and -delta <= ydot <= 0 just before",
+        delta);
     const std::string heights =
-        fmt::format("at a height y from {} to {}", number(of.heights.first), number(of.heights.second));
+        fmt::format("at a height y from {} to {},", number(of.heights.first), number(of.heights.second));
     switch (of.claim) {
         case AdiabaticClaim::bounce:
-            return start + fmt::format(
-                               "just before a collision of the light mass {},\nat distance |phi - 3 pi/2| >= "
-                               "{} from the "
-                               "vertical, whose next collision is one of the light mass too:",
-                               heights, margin_text(of));
+            return fmt::format(
+                "{} a collision of the light mass {}\n"
+                "at distance |phi - 3 pi/2| >= {} from the vertical, "
+                "whose next collision is one of the light mass too:",
+                states, heights, margin);
         case AdiabaticClaim::run:
-            return start +
-                   fmt::format(
-                       "just before collision 0 {},\nfor any number n of bounces of the light mass with no "
-                       "collision "
-                       "of the heavy mass between, all at distance\n|phi - 3 pi/2| >= {} from the vertical:",
-                       heights, margin_text(of));
+            return fmt::format(
+                "{} collision 0 {}\n"
+                "for any number n of bounces of the light mass with no collision of the heavy mass between, "
+                "all at distance\n"
+                "|phi - 3 pi/2| >= {} from the vertical:",
+                states, heights, margin);
         case AdiabaticClaim::scattering:
-            return start +
-                   fmt::format(
-                       "just before the first collision of a whole scattering,\nif the first and the last "
-                       "collision are at distance |phi - 3 pi/2| >= {} from the vertical:",
-                       margin_text(of));
+            return fmt::format(
+                "{} the first collision of a whole scattering,\n"
+                "if the first and the last collision are at distance |phi - 3 pi/2| >= {} from the vertical:",
+                states, margin);
         default:
             return fmt::format(
                 "Theorem 3.5 as printed restricts the first collision only, and is not true uniformly: {}, "
-                "first collision at\ndistance >= {} from the vertical:",
-                delta_text(of), margin_text(of));
+                "first collision at\n"
+                "distance >= {} from the vertical:",
+                delta, margin);
     }
 }
 
@@ -153,8 +155,8 @@ std::string result_text(const AdiabaticReport& report, const AdiabaticResult& re
     if (result.wrong_branch) {
         text += fmt::format(
             "(5) as printed, without absolute values, is false for phidot_- > 0: at one of these states its "
-            "error is "
-            "at\nleast {} epsilon/delta, of order delta and not delta^2.\n",
+            "error is at\n"
+            "least {} epsilon/delta, of order delta and not delta^2.\n",
             rounded_down(*result.wrong_branch));
     }
     text += fmt::format("{} boxes, {:.1f} s\n", proof.leaves, result.seconds);
