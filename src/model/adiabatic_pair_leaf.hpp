@@ -45,25 +45,26 @@ struct AdiabaticPair {
 /// slope.
 template <class I>
 struct LaterCollision {
+    bool none = false;  ///< certainly there is no such collision
     I change;
     I share;
     I greatest_sigma;
     I least_sigma;
 };
 
-enum class PairFate { unknown, impossible, possible };
-
-/// L35 and L36 for the pair; unknown where the class does not apply.
+/// L35 and L36 for the pair; nothing where the class does not apply.
 template <class I>
-[[nodiscard]] PairFate later_collision(const AdiabaticPair<I>& pair, const I& least_share,
-                                       const AdiabaticPotential<I>& potential, LaterCollision<I>& result) {
+[[nodiscard]] std::optional<LaterCollision<I>> later_collision(const AdiabaticPair<I>& pair,
+                                                               const I& least_share,
+                                                               const AdiabaticPotential<I>& potential) {
     const auto& m = pair.masses;
     const I scale = pair.root_energy * m.delta_over_beta2;
     const I loss = scale * potential.greatest_value(pair.v);
     const I gain = scale * potential.greatest_value(pair.u);
     if (!certainly_at_most(least_share * pair.root_energy, pair.share - m.delta * loss)) {
-        return PairFate::unknown;
+        return std::nullopt;
     }
+    LaterCollision<I> result;
     result.change = hull(-loss, gain);
     result.share = pair.share + m.delta * result.change;
     const I& w = pair.later.w;
@@ -72,16 +73,17 @@ template <class I>
     const I tau = low_end(result.share * (I(1) + a2) / (pair.later.f * pair.root_energy));
     const I below = sqr(tau) - a2;
     if (!certainly_positive(tau) || !certainly_positive(below)) {
-        return PairFate::unknown;
+        return std::nullopt;
     }
     const I square = I(1) + a2 - sqr(tau);
     if (certainly_less(square, I(0))) {
-        return PairFate::impossible;
+        result.none = true;
+        return result;
     }
     const I root = tau * sqrt(max(I(0), square));
     result.greatest_sigma = (root - a) / below;
     result.least_sigma = (-root - a) / below;
-    return PairFate::possible;
+    return result;
 }
 
 /// Upper bound of |I_n - I_0|/delta by a class, I with |phidot| before the collisions; nothing if there is
@@ -89,10 +91,9 @@ template <class I>
 template <class I>
 [[nodiscard]] std::optional<I> run_error(const AdiabaticPair<I>& pair, const I& least_share,
                                          const AdiabaticPotential<I>& potential) {
-    LaterCollision<I> at;
-    const PairFate fate = later_collision(pair, least_share, potential, at);
-    if (fate != PairFate::possible) {
-        return fate == PairFate::impossible ? std::optional(I(0)) : std::nullopt;
+    const auto at = later_collision(pair, least_share, potential);
+    if (!at || at->none) {
+        return at ? std::optional(I(0)) : std::nullopt;
     }
     const auto& m = pair.masses;
     const I& w = pair.later.w;
@@ -100,11 +101,11 @@ template <class I>
     const auto step = [&](const I& sigma) {
         return half_step(w, sigma * m.root_r, sigma / root_beta2, m.delta_over_beta2);
     };
-    if (!certainly_positive(w - at.greatest_sigma * m.root_r)) {
+    if (!certainly_positive(w - at->greatest_sigma * m.root_r)) {
         return std::nullopt;
     }
-    const I total =
-        at.change + at.share * hull(step(at.least_sigma), step(at.greatest_sigma)) - pair.first_half_step();
+    const I total = at->change + at->share * hull(step(at->least_sigma), step(at->greatest_sigma)) -
+                    pair.first_half_step();
     return magnitude(total);
 }
 
@@ -125,27 +126,26 @@ template <class I>
         return std::nullopt;  // a collision of the heavy mass may come between: nothing is known of the later
                               // one
     }
-    LaterCollision<I> at;
-    const PairFate fate = later_collision(pair, least_share, potential, at);
-    if (fate != PairFate::possible) {
-        return fate == PairFate::impossible ? std::optional(I(0)) : std::nullopt;
+    const auto at = later_collision(pair, least_share, potential);
+    if (!at || at->none) {
+        return at ? std::optional(I(0)) : std::nullopt;
     }
     const auto& m = pair.masses;
     const I& w = pair.later.w;
     const I a2 = m.r / sqr(w);
-    const I steepest = at.greatest_sigma * m.root_r;
+    const I steepest = at->greatest_sigma * m.root_r;
     if (!certainly_less(a2, I(1)) || !certainly_positive(w - steepest)) {
         return std::nullopt;
     }
     // kappa = -2 r w/(w^2 - r), below which the flight behind the collision descends.
     const I flattest_over_delta = I(-2) * m.delta_over_beta2 / (w * (I(1) - a2));
     const I step = hull(half_step(w, m.delta * flattest_over_delta, flattest_over_delta, m.delta_over_beta2),
-                        half_step(w, steepest, at.greatest_sigma / sqrt(m.beta2), m.delta_over_beta2));
-    const I total = at.change - at.share * step - pair.first_half_step();
+                        half_step(w, steepest, at->greatest_sigma / sqrt(m.beta2), m.delta_over_beta2));
+    const I total = at->change - at->share * step - pair.first_half_step();
     I error = magnitude(total);
     if (!certainly_positive(sqr(w) - I(2) * steepest * w - m.r)) {
         // The light mass may go on in its old direction.
-        error = max(error, magnitude((-at.share * (I(1) - m.delta * step) - pair.first.f) / m.delta));
+        error = max(error, magnitude((-at->share * (I(1) - m.delta * step) - pair.first.f) / m.delta));
     }
     return high_end(error * sqrt(m.delta));
 }
