@@ -43,7 +43,8 @@ std::optional<Interval> orbit_error(const AdiabaticSearch& search, const Adiabat
         return std::nullopt;
     }
     for (long n = 0; n < sample.n; ++n) {
-        if (!orbit.advance() || (run && !at_least(orbit.angle(), margin))) {
+        if (ends_early(n, search.interrupted) || !orbit.advance() ||
+            (run && !at_least(orbit.angle(), margin))) {
             return std::nullopt;
         }
     }

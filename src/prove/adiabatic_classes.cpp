@@ -48,9 +48,10 @@ Rates rates(double x, double l, double r) {
 /// The cells of one class, from the vertical's far side towards it.
 class Densities {
   public:
-    Densities(std::vector<double> ends, double least_share, std::vector<double> deltas)
+    Densities(std::vector<double> ends, double least_share, std::vector<double> deltas,
+              const Interrupted& interrupted)
         : ends_(std::move(ends)), least_share_(least_share), deltas_(std::move(deltas)) {
-        for (std::size_t cell = 0; cell + 1 < ends_.size(); ++cell) {
+        for (std::size_t cell = 0; cell + 1 < ends_.size() && !interrupted(); ++cell) {
             density_.push_back(0);
             double need = 0;
             for (int i = 1; i <= contacts_per_cell; ++i) {
@@ -156,7 +157,7 @@ Range shares(const AdiabaticHypotheses& of, double delta) {
 
 }  // namespace
 
-std::vector<AdiabaticClass> guess_classes(const AdiabaticHypotheses& of) {
+std::vector<AdiabaticClass> guess_classes(const AdiabaticHypotheses& of, const Interrupted& interrupted) {
     const double longest = of.delta.second.convert_to<double>();
     const double shortest = std::max(of.delta.first.convert_to<double>(), longest / 256);
     std::vector<double> deltas{longest};
@@ -185,7 +186,10 @@ std::vector<AdiabaticClass> guess_classes(const AdiabaticHypotheses& of) {
         if (!result.empty() && one.least_share == result.back().least_share) {
             continue;
         }
-        const Densities densities(ends, share, deltas);
+        const Densities densities(ends, share, deltas, interrupted);
+        if (interrupted()) {
+            break;
+        }
         for (std::size_t j = 0; j < densities.values().size(); ++j) {
             one.cells.push_back({exact(ends[j + 1]), exact(rounded(densities.values()[j], true))});
         }

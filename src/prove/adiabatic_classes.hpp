@@ -1,13 +1,15 @@
 #pragma once
 
 #include "certificate/adiabatic_certificate.hpp"
+#include "model/interrupted.hpp"
 
 namespace dumbbell {
 
 /// The classes of L35 to try for a run or a scattering, without trees: numbers J that suit the hypotheses,
 /// and for each about the least density v that does. In plain doubles: nothing rests on it before a tree
-/// proves it.
-[[nodiscard]] std::vector<AdiabaticClass> guess_classes(const AdiabaticHypotheses& of);
+/// proves it. Fewer where interrupted.
+[[nodiscard]] std::vector<AdiabaticClass> guess_classes(const AdiabaticHypotheses& of,
+                                                        const Interrupted& interrupted = never);
 
 /// The same class with a density so many times greater.
 [[nodiscard]] AdiabaticClass with_slack(AdiabaticClass one, double slack);

@@ -111,6 +111,9 @@ void follow(const AdiabaticSearch& search, const Domain& at, AdiabaticSample& sa
                 sample.n = n;
             }
         }
+        if (ends_early(n, search.interrupted)) {
+            return;
+        }
         if (!next.hits) {
             const bool ends = next.turn < 0 || next.slope >= 0;
             const bool far = search.of.claim == AdiabaticClaim::printed || pi / 2 - x >= at.margin;

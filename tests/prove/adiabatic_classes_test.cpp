@@ -40,6 +40,10 @@ TEST_CASE(
     }
 }
 
+TEST_CASE("No class is guessed once it is interrupted") {
+    CHECK(guess_classes(run_at(Rational(1, 100), Rational(1, 100)), [] { return true; }).empty());
+}
+
 TEST_CASE("Slack makes every density greater") {
     const AdiabaticClass one = guess_classes(run_at(Rational(1, 100), Rational(1, 100))).front();
     const AdiabaticClass more = with_slack(one, 1.5);

@@ -90,6 +90,22 @@ TEST_CASE("(5) of Lemma 3.1 as printed is wrong by 4 |ydot|/sqrt(1 - y^2) on the
     CHECK(printed_branch_error({Rational(1, 10), Rational(0), Rational(1, 100), 1, Rational(1)}) == 0);
 }
 
+TEST_CASE("A long orbit ends where it is interrupted, in the search and in its enclosure") {
+    const Rational least(1, 1'000'000);
+    AdiabaticSearch search;
+    search.of = request(AdiabaticClaim::run, least, least, Rational(3, 10)).of;
+    int asked = 0;
+    search.interrupted = [&] { return ++asked == 3; };
+    AdiabaticSample sample = simulated(search, 0.6, 1, 0);
+    CHECK(asked == 3);
+    CHECK(sample.n > 256);
+    CHECK(sample.n < 3 * 256);
+    search.interrupted = never;
+    CHECK(attained(search, sample));
+    search.interrupted = [] { return true; };
+    CHECK_FALSE(attained(search, sample));
+}
+
 TEST_CASE("What is interrupted claims nothing") {
     AdiabaticRequest one = request(AdiabaticClaim::run, Rational(1, 100), Rational(1, 100), Rational(3, 10));
     one.interrupted = [] { return true; };
