@@ -14,6 +14,7 @@ constexpr int slopes = 40;
 constexpr int contacts_per_cell = 4;
 constexpr int density_bits = 9;
 constexpr double greatest_sigma = 8;
+constexpr double nearest = 1e-4;  ///< to the vertical that cells reach: below nothing is certified
 
 /// X of L34: the contact of the line of slope l through the point over the bridge's middle at height m.
 double contact(double m, double l, double x) {
@@ -165,7 +166,7 @@ std::vector<AdiabaticClass> guess_classes(const AdiabaticHypotheses& of, const I
         deltas.push_back(longest * std::pow(shortest / longest, i / 3.0));
     }
     const bool run = of.claim == AdiabaticClaim::run;
-    const double margin = of.margin.convert_to<double>() * (run ? 1 : std::sqrt(shortest));
+    const double margin = std::max(nearest, of.margin.convert_to<double>() * (run ? 1 : std::sqrt(shortest)));
     const auto [least, greatest] = shares(of, longest);
 
     std::vector<double> ends{11.0 / 7};

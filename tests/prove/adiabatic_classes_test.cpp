@@ -40,6 +40,20 @@ TEST_CASE(
     }
 }
 
+TEST_CASE("However near the vertical a margin is, the cells are as many as can be looked at, and decrease") {
+    AdiabaticHypotheses of = run_at(Rational(1, 100), Rational(1, 100));
+    for (const char* margin : {"1e-5", "1e-300", "1e-900"}) {
+        of.margin = parse_rational(margin);
+        for (const AdiabaticClass& one : guess_classes(of)) {
+            CHECK(one.cells.size() < 300);
+            for (std::size_t i = 1; i < one.cells.size(); ++i) {
+                CHECK(one.cells[i].u < one.cells[i - 1].u);
+            }
+            CHECK(one.cells.back().u > 0);
+        }
+    }
+}
+
 TEST_CASE("No class is guessed once it is interrupted") {
     CHECK(guess_classes(run_at(Rational(1, 100), Rational(1, 100)), [] { return true; }).empty());
 }
