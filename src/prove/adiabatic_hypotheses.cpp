@@ -9,12 +9,25 @@ namespace dumbbell {
 namespace {
 
 const char* margin_option = "--phi-margin";
+const Rational least_of_a_bounce(1, 1'000'000'000'000);  ///< the slack of the boxes is 2^-40
+const Rational least_of_an_orbit(1, 1'000'000);  ///< about 1/delta collisions, and a verifier may refuse more
 
 void require_delta(const AdiabaticHypotheses& of) {
     const auto& [lo, hi] = of.delta;
     if (hi <= 0 || hi >= Rational(1, 2) || lo < 0) {
         throw InputError(
             "--delta must lie between 0 and 1/2: the light mass is delta^2 of the whole, for example 0.01");
+    }
+    const bool bounce = of.claim == AdiabaticClaim::bounce;
+    const Rational& least = bounce ? least_of_a_bounce : least_of_an_orbit;
+    const bool too_small = hi < least || (lo > 0 && lo < least);
+    if (too_small && bounce) {
+        throw InputError("--delta must be at least 1e-12: in doubles smaller ones are hardly told from 0");
+    }
+    if (too_small) {
+        throw InputError(fmt::format(
+            "--delta must be at least 1e-6: orbits of smaller ones have more than 10^6 collisions{}",
+            of.claim == AdiabaticClaim::run ? "; a range 0:D holds for all of them" : ""));
     }
     if (lo == 0 && of.claim != AdiabaticClaim::run) {
         throw InputError("--delta: a range may begin at 0 for thm3.3 only; begin it above 0");

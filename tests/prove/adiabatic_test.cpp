@@ -152,6 +152,26 @@ TEST_CASE("Hypotheses that make no sense are refused with what to do") {
                    of.delta.first = 0;
                }),
                Contains("thm3.3 only"));
+    const Rational tiny(1, 1'000'001);
+    CHECK_THAT(with([&](auto& of) {
+                   of.delta = {tiny, tiny};
+               }),
+               Contains("at least 1e-6") && Contains("a range 0:D"));
+    for (const AdiabaticClaim claim : {AdiabaticClaim::scattering, AdiabaticClaim::printed}) {
+        CHECK_THAT(with([&](auto& of) {
+                       of.claim = claim;
+                       of.delta.first = tiny;
+                   }),
+                   Contains("at least 1e-6") && !Contains("0:D"));
+    }
+    const auto bounce_from = [&](const Rational& delta) {
+        return with([&](auto& of) {
+            of.claim = AdiabaticClaim::bounce;
+            of.delta.first = delta;
+        });
+    };
+    CHECK(bounce_from(tiny).empty());
+    CHECK_THAT(bounce_from(tiny * tiny), Contains("at least 1e-12"));
     CHECK_THAT(with([](auto& of) { of.margin = 0; }), Contains("reaches the vertical"));
     CHECK_THAT(with([](auto& of) { of.margin = 2; }), Contains("at most 1"));
     CHECK_THAT(with([](auto& of) { of.heights = {Rational(1, 2), Rational(1, 2)}; }), Contains("LO < HI"));
