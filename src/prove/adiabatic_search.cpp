@@ -15,8 +15,8 @@ namespace {
 constexpr double pi = std::numbers::pi;
 constexpr double inside =
     1e-9;  ///< relative distance from the ends of the hypotheses, so that enclosures fit in
-constexpr std::size_t kept = 8;
-constexpr int zooms = 16;
+constexpr double least_share = 1.0 / 16;        ///< of the greatest delta, where the least is 0
+constexpr double most_collisions_in_all = 2e8;  ///< of a search, about: some ten seconds
 
 /// What the search needs of the hypotheses at one delta.
 struct Domain {
@@ -133,17 +133,45 @@ struct Grid {
     int u, s, share;
 };
 
+/// How densely initial conditions are looked at.
+struct Effort {
+    Grid coarse{192, 12, 4};
+    double kept = 8;  ///< the best ones, which are refined
+    double zooms = 16;
+};
+
+bool has_one_delta(const AdiabaticHypotheses& of) { return of.delta.first == of.delta.second; }
+
+/// The less densely the longer the orbits are: about 1/delta collisions.
+Effort effort_for(const AdiabaticSearch& search) {
+    const bool single = has_one_delta(search.of);
+    Effort effort;
+    effort.coarse.share = single ? 0 : effort.coarse.share;
+    if (search.of.claim == AdiabaticClaim::bounce) {
+        effort.coarse.u = 64;
+        return effort;
+    }
+    const double orbits = single ? 8e3 : 3e4;
+    const double lo = search.of.delta.first.convert_to<double>();
+    const double least = lo > 0 ? lo : search.of.delta.second.convert_to<double>() * least_share;
+    const double length = std::min(static_cast<double>(search.most_collisions), 1 / least);
+    const double thinner = std::clamp(std::sqrt(most_collisions_in_all / (orbits * length)), 1.0 / 6, 1.0);
+    effort.coarse.u = static_cast<int>(effort.coarse.u * thinner);
+    effort.coarse.s = static_cast<int>(effort.coarse.s * thinner);
+    effort.kept = std::ceil(effort.kept * thinner);
+    effort.zooms = std::ceil(effort.zooms * thinner);
+    return effort;
+}
+
 class Search {
   public:
-    explicit Search(const AdiabaticSearch& search) : search_(search) {}
+    explicit Search(const AdiabaticSearch& search) : search_(search), effort_(effort_for(search)) {}
 
     std::vector<AdiabaticSample> found() {
-        const bool single = search_.of.delta.first == search_.of.delta.second;
-        const Grid coarse{search_.of.claim == AdiabaticClaim::bounce ? 64 : 192, 12, single ? 0 : 4};
-        fill(coarse, {0.5, 0.5, 0.5}, {0.5, 0.5, 0.5});
+        fill(effort_.coarse, {0.5, 0.5, 0.5}, {0.5, 0.5, 0.5});
         std::vector<AdiabaticSample> best = best_apart();
         for (AdiabaticSample& sample : best) {
-            sample = refined(sample, coarse);
+            sample = refined(sample);
         }
         std::stable_sort(best.begin(), best.end(),
                          [](const auto& a, const auto& b) { return a.error > b.error; });
@@ -169,14 +197,13 @@ class Search {
             return n == 0 ? middle : std::clamp(middle + span * (2.0 * i / n - 1), least, 1.0);
         };
         // Runs have the more collisions the smaller delta is.
-        const double least_share = search_.of.delta.first == 0 ? 1.0 / 16 : 0;
-        const bool single = search_.of.delta.first == search_.of.delta.second;
+        const double from = search_.of.delta.first == 0 ? least_share : 0;
+        const bool single = has_one_delta(search_.of);
         for (int i = 0; i <= grid.u; ++i) {
             for (int j = 0; j <= grid.s; ++j) {
                 for (int k = 0; k <= grid.share; ++k) {
-                    points_.push_back(
-                        {place(centre.a, half.a, i, grid.u), place(centre.s, half.s, j, grid.s),
-                         single ? 0 : place(centre.share, half.share, k, grid.share, least_share)});
+                    points_.push_back({place(centre.a, half.a, i, grid.u), place(centre.s, half.s, j, grid.s),
+                                       single ? 0 : place(centre.share, half.share, k, grid.share, from)});
                 }
             }
         }
@@ -197,7 +224,7 @@ class Search {
                          [&](std::size_t a, std::size_t b) { return samples_[a].error > samples_[b].error; });
         std::vector<AdiabaticSample> best;
         starts_.clear();
-        for (std::size_t i = 0; i < order.size() && best.size() < kept; ++i) {
+        for (std::size_t i = 0; i < order.size() && static_cast<double>(best.size()) < effort_.kept; ++i) {
             best.push_back(samples_[order[i]]);
             starts_.push_back(points_[order[i]]);
         }
@@ -205,10 +232,11 @@ class Search {
         return best;
     }
 
-    AdiabaticSample refined(AdiabaticSample best, const Grid& coarse) {
+    AdiabaticSample refined(AdiabaticSample best) {
+        const Grid& coarse = effort_.coarse;
         Point centre = starts_[next_++];
         Point half{1.0 / coarse.u, 1.0 / coarse.s, coarse.share > 0 ? 1.0 / coarse.share : 0};
-        for (int i = 0; i < zooms; ++i) {
+        for (int i = 0; i < effort_.zooms; ++i) {
             fill({8, 4, coarse.share > 0 ? 2 : 0}, centre, half);
             const auto top = std::max_element(samples_.begin(), samples_.end(),
                                               [](const auto& a, const auto& b) { return a.error < b.error; });
@@ -222,6 +250,7 @@ class Search {
     }
 
     const AdiabaticSearch& search_;
+    Effort effort_;
     std::vector<Point> points_, starts_;
     std::vector<AdiabaticSample> samples_;
     std::size_t next_ = 0;
