@@ -55,7 +55,8 @@ stopped by SIGINT (Ctrl-C) or SIGTERM: nothing is kept.)";
 struct Options {
     std::string delta;
     std::string theorem = "thm3.3";
-    std::string y, margins, exponents, bounces, accuracy = "0.1", budget, out;
+    std::optional<std::string> y, margins, exponents, bounces, budget;
+    std::string accuracy = "0.1", out;
     int jobs = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
     bool json = false;
 };
@@ -107,13 +108,13 @@ void require_applicable(const Options& options, AdiabaticClaim claim) {
     const auto refuse = [&](const char* option, const char* where) {
         throw InputError(fmt::format("{} is for {} only", option, where));
     };
-    if (!options.exponents.empty() && options.theorem != "cor3.2") {
+    if (options.exponents && options.theorem != "cor3.2") {
         refuse("--k", "--theorem cor3.2");
     }
-    if (!options.bounces.empty() && claim != AdiabaticClaim::run) {
+    if (options.bounces && claim != AdiabaticClaim::run) {
         refuse("--bounces", "--theorem thm3.3");
     }
-    if (!options.y.empty() && (claim == AdiabaticClaim::scattering || claim == AdiabaticClaim::printed)) {
+    if (options.y && (claim == AdiabaticClaim::scattering || claim == AdiabaticClaim::printed)) {
         refuse("--y", "lemma3.1, cor3.2 and thm3.3");
     }
 }
@@ -125,12 +126,12 @@ std::vector<AdiabaticHypotheses> hypotheses(const Options& options) {
     require_applicable(options, of.claim);
     of.delta = parse_quantity("--delta", options.delta);
     const char* heights = of.claim == AdiabaticClaim::run ? "0:0.9" : "0:1";
-    of.heights = parse_quantity("--y", options.y.empty() ? heights : options.y);
+    of.heights = parse_quantity("--y", options.y.value_or(heights));
     std::vector<AdiabaticHypotheses> result;
-    for (const Rational& k : parse_list("--k", options.exponents.empty() ? "1/2" : options.exponents)) {
+    for (const Rational& k : parse_list("--k", options.exponents.value_or("1/2"))) {
         of.exponent = parse_exponent(k);
-        for (const Rational& margin : parse_list(
-                 "--phi-margin", options.margins.empty() ? default_margin(of.claim) : options.margins)) {
+        for (const Rational& margin :
+             parse_list("--phi-margin", options.margins.value_or(default_margin(of.claim)))) {
             of.margin = margin;
             require_sensible(of);
             result.push_back(of);
@@ -142,11 +143,11 @@ std::vector<AdiabaticHypotheses> hypotheses(const Options& options) {
 /// K/delta, of the attained orbit of a run.
 long most_collisions(const Options& options, const AdiabaticHypotheses& of) {
     constexpr long most = 1'000'000;
-    const Rational factor = parse_number("--bounces", options.bounces.empty() ? "1" : options.bounces);
+    const Rational factor = parse_number("--bounces", options.bounces.value_or("1"));
     if (factor <= 0) {
         throw InputError("--bounces must be greater than 0: orbits of n <= K/delta bounces are looked at");
     }
-    if (options.bounces.empty() || of.delta.first == 0) {
+    if (!options.bounces || of.delta.first == 0) {
         return most;
     }
     const Rational number = factor / of.delta.first;
@@ -202,7 +203,7 @@ int run(const Options& options) {
         file.emplace(options.out);
     }
     const Interrupted interrupted =
-        deadline(options.budget.empty() ? std::nullopt : std::optional(parse_duration(options.budget)));
+        deadline(options.budget ? std::optional(parse_duration(*options.budget)) : std::nullopt);
     bool complete = true;
     {
         Progress progress("boxes");
@@ -274,6 +275,7 @@ void add_adiabatic_command(CLI::App& app, int& exit_code) {
         ->check(CLI::Range(1, 1024))
         ->capture_default_str();
     command->add_option("--out", options->out, "write the certificate to FILE (FILE.gz: compressed)")
+        ->check([](const std::string& file) { return file.empty() ? "the file name is empty" : ""; })
         ->type_name("FILE");
     command->add_flag("--json", options->json, "one JSON object on stdout");
     command->callback([options, &exit_code] { exit_code = stoppable([&] { return run(*options); }); });

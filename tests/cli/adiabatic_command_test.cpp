@@ -1,5 +1,6 @@
 // dumbbell adiabatic: what it says, its exit codes, and that the verifier takes what it writes.
 #include <catch2/catch.hpp>
+#include <chrono>
 
 #include "programs.hpp"
 
@@ -58,6 +59,20 @@ TEST_CASE("hypotheses that make no sense are refused in one line, and nothing is
     for (const char* delta : {"0", "0.5", "0.7", "-0.1", "x", "0.02:0.01", "0.1:0.5", ""}) {
         refused({"adiabatic", "--delta", delta, "--out", "file.dbc"});
     }
+    for (const char* theorem : {"lemma3.1", "cor3.2", "thm3.3", "thm3.5", "printed"}) {
+        for (const char* delta : {"1e-300", "0:1e-300", "1e-1000:0.01", "nan", "inf"}) {
+            refused({"adiabatic", "--theorem", theorem, "--delta", delta, "--out", "file.dbc"});
+        }
+    }
+    for (const char* option :
+         {"--y", "--phi-margin", "--k", "--bounces", "--accuracy", "--budget", "--out"}) {
+        const char* theorem = std::string(option) == "--k" ? "cor3.2" : "thm3.3";
+        CHECK_THAT(refused({"adiabatic", "--delta", "0.01", "--theorem", theorem, option, ""}),
+                   Contains(option));
+    }
+    for (const char* k : {"1e400", "1e-400", "-1", "nan", ""}) {
+        refused({"adiabatic", "--delta", "0.01", "--theorem", "cor3.2", "--k", k, "--out", "file.dbc"});
+    }
     CHECK_THAT(refused({"adiabatic", "--delta", "0.5"}), Contains("between 0 and 1/2"));
     CHECK_THAT(refused({"adiabatic", "--delta", "0.02:0.01"}), Contains("reversed"));
     CHECK_THAT(refused({"adiabatic", "--delta", "0.01", "--phi-margin", "0"}), Contains("vertical"));
@@ -89,6 +104,15 @@ TEST_CASE("a budget that is used up certifies nothing, says so, and writes nothi
     CHECK_THAT(result.err, Contains("not certified: the budget is used up; no certificate is written"));
     CHECK_THAT(result.out, Contains("no bound was certified") && !Contains("<= 1"));
     CHECK(folder.names().empty());
+}
+
+TEST_CASE("a budget ends the search for long orbits as well") {
+    for (const char* theorem : {"thm3.3", "thm3.5", "printed"}) {
+        CAPTURE(theorem);
+        const auto begin = std::chrono::steady_clock::now();
+        CHECK(dumbbell(adiabatic({"--delta", "1e-6", "--theorem", theorem, "--budget", "0.1s"})).code == 3);
+        CHECK(std::chrono::steady_clock::now() - begin < std::chrono::seconds(20));
+    }
 }
 
 TEST_CASE("the attained orbit has at most K/delta bounces") {
