@@ -47,7 +47,7 @@ class Growth {
     std::optional<AdiabaticCover> grow() {
         for (std::size_t leaves = 1; !tree_.boxes().empty(); tree_.next_generation()) {
             judge_generation();
-            if (limits_.interrupted()) {
+            if (limits_.interrupted() || std::any_of(now_.begin(), now_.end(), is_hopeless)) {
                 return std::nullopt;
             }
             const double enough =
@@ -76,8 +76,11 @@ class Growth {
     struct Box {
         AdiabaticJudged judged;
         double at_centre = 0;
+        bool hopeless = false;  ///< no box around its centre can be closed
         std::optional<AdiabaticAxis> split;
     };
+
+    static bool is_hopeless(const Box& box) { return box.hopeless; }
 
     template <class Work>
     void each(const Work& work) {
@@ -95,9 +98,13 @@ class Growth {
         each([&](std::size_t i) {
             const AdiabaticBox& box = tree_.boxes()[i];
             now_[i].judged = judge_(box);
-            if (!target_.fixed && !now_[i].judged.outside) {
-                const AdiabaticJudged centre = judge_(box.centre());
-                now_[i].at_centre = centre.outside || !std::isfinite(centre.bound) ? 0 : centre.bound;
+            if (now_[i].judged.outside || (target_.fixed && now_[i].judged.bound <= target_.goal)) {
+                return;
+            }
+            const AdiabaticJudged centre = judge_(box.centre());
+            if (!centre.outside) {
+                now_[i].hopeless = target_.fixed ? centre.bound > target_.goal : std::isinf(centre.bound);
+                now_[i].at_centre = centre.bound;
             }
         });
         for (const Box& box : now_) {

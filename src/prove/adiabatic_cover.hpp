@@ -47,8 +47,8 @@ struct AdiabaticCover {
 };
 
 /// Halves `root` until each box is outside or within the target, always along the axis whose halving seems to
-/// help most. Nothing if interrupted, or where no bound is found within the limits. Deterministic whatever
-/// the number of threads.
+/// help most. Nothing if interrupted, or where no bound is found within the limits, or none can be because
+/// there is none at the centre of some box. Deterministic whatever the number of threads.
 [[nodiscard]] std::optional<AdiabaticCover> adiabatic_cover(const AdiabaticBox& root,
                                                             const AdiabaticJudge& judge,
                                                             const AdiabaticTarget& target,

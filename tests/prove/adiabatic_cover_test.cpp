@@ -74,6 +74,22 @@ TEST_CASE("A target that cannot be met is raised to what the halving reaches") {
     CHECK(cover->leaves <= 16);
 }
 
+TEST_CASE("Where the centre of a box has no bound good enough, halving ends at once") {
+    for (const bool fixed : {true, false}) {
+        long asked = 0;
+        const auto stubborn = [&](const AdiabaticBox& box) {
+            ++asked;
+            // At (3/4, 3/4) and around it too great, or without any bound.
+            const bool around =
+                box.lo[0] <= 0.75 && 0.75 <= box.hi[0] && box.lo[1] <= 0.75 && 0.75 <= box.hi[1];
+            const double bad = fixed ? 1.6 : std::numeric_limits<double>::infinity();
+            return AdiabaticJudged{false, around ? bad : box.hi[0] + box.width(AdiabaticAxis::sigma), 0};
+        };
+        CHECK_FALSE(adiabatic_cover(unit_square(), stubborn, {1.5, 0, fixed}, jobs(1)));
+        CHECK(asked < 100);
+    }
+}
+
 TEST_CASE("The tree does not depend on the number of threads") {
     const auto one = adiabatic_cover(unit_square(), judge, {0, 0.003, false}, jobs(1));
     const auto four = adiabatic_cover(unit_square(), judge, {0, 0.003, false}, jobs(4));
