@@ -10,9 +10,10 @@ namespace dumbbell {
 namespace {
 
 constexpr std::size_t velocities = 1024;
-constexpr std::size_t angles = 24;
+constexpr std::size_t most_angles = 24;
 constexpr double angle_step = 1.0 / 16;  ///< relative to the least angle
-constexpr std::size_t kept = 16;
+constexpr std::size_t most_kept = 16;
+constexpr std::size_t fewest_kept = 2;
 constexpr int refinements = 24;  ///< not to where it stops exactly, which no enclosure tells from going on
 
 bool greater(const AdiabaticSample& a, const AdiabaticSample& b) { return a.error > b.error; }
@@ -42,9 +43,13 @@ std::vector<AdiabaticSample> search_printed(const AdiabaticSearch& search) {
     const double lo = search.of.delta.first.convert_to<double>();
     const double hi = search.of.delta.second.convert_to<double>();
     const double share = lo == hi ? 0 : 0.5;
+    // An orbit has about 1/delta collisions, so that small ones allow fewer orbits.
+    const double delta = lo + (hi - lo) * share;
+    const double part = std::min(1.0, most_collisions_in_all * delta / (most_angles * velocities));
+    const std::size_t angles = std::max<std::size_t>(1, static_cast<std::size_t>(most_angles * part));
+    const std::size_t kept = std::max(fewest_kept, static_cast<std::size_t>(most_kept * part));
     // As near the vertical as is allowed I_0 is greatest.
-    const double least =
-        search.of.margin.convert_to<double>() * std::sqrt(lo + (hi - lo) * share) * (1 + 1e-6);
+    const double least = search.of.margin.convert_to<double>() * std::sqrt(delta) * (1 + 1e-6);
     std::vector<AdiabaticSample> samples(angles * (velocities + 1));
     tbb::task_arena(search.jobs).execute([&] {
         tbb::parallel_for(std::size_t{0}, samples.size(), [&](std::size_t i) {

@@ -15,8 +15,7 @@ namespace {
 constexpr double pi = std::numbers::pi;
 constexpr double inside =
     1e-9;  ///< relative distance from the ends of the hypotheses, so that enclosures fit in
-constexpr double least_share = 1.0 / 16;        ///< of the greatest delta, where the least is 0
-constexpr double most_collisions_in_all = 2e8;  ///< of a search, about: some ten seconds
+constexpr double least_share = 1.0 / 16;  ///< of the greatest delta, where the least is 0
 
 /// What the search needs of the hypotheses at one delta.
 struct Domain {

@@ -8,6 +8,9 @@
 /// The search for orbits with a great error, in plain doubles: guesses that prove nothing.
 namespace dumbbell {
 
+/// What a search may cost, about, whatever delta is: its orbits are the fewer the longer they are.
+inline constexpr double most_collisions_in_all = 2e8;
+
 /// An initial condition as in AdiabaticState, delta as its share of the way from D1 to D2.
 struct AdiabaticSample {
     double u = 0;
