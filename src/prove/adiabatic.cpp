@@ -237,7 +237,7 @@ class Prover {
 
     void prove_pairs() {
         const double value = attain(false);
-        for (const AdiabaticClass& guess : guess_classes(of_, request_.interrupted)) {
+        for (const AdiabaticClass& guess : guess_classes(of_, request_.jobs, request_.interrupted)) {
             prove_class(guess);
         }
         if (proof_.classes.empty() || request_.interrupted()) {

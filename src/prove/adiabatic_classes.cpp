@@ -1,5 +1,8 @@
 #include "prove/adiabatic_classes.hpp"
 
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -158,7 +161,8 @@ Range shares(const AdiabaticHypotheses& of, double delta) {
 
 }  // namespace
 
-std::vector<AdiabaticClass> guess_classes(const AdiabaticHypotheses& of, const Interrupted& interrupted) {
+std::vector<AdiabaticClass> guess_classes(const AdiabaticHypotheses& of, int jobs,
+                                          const Interrupted& interrupted) {
     const double longest = of.delta.second.convert_to<double>();
     const double shortest = std::max(of.delta.first.convert_to<double>(), longest / 256);
     std::vector<double> deltas{longest};
@@ -179,24 +183,26 @@ std::vector<AdiabaticClass> guess_classes(const AdiabaticHypotheses& of, const I
     const double floor = 0.785;  // above 2 pi/sqrt(65)
     const double low = std::max(floor, least * (run ? std::max(0.5, 0.9 - 6 * longest) : 0.6));
     const double high = greatest * 0.98;
-    constexpr int number = 6;
-    std::vector<AdiabaticClass> result;
-    for (int i = 0; i < number; ++i) {
-        const double share = low + (high - low) * i / (number - 1);
-        AdiabaticClass one{exact(rounded(share, false)), {}, {}};
-        if (!result.empty() && one.least_share == result.back().least_share) {
-            continue;
-        }
-        const Densities densities(ends, share, deltas, interrupted);
-        if (interrupted()) {
-            break;
-        }
-        for (std::size_t j = 0; j < densities.values().size(); ++j) {
-            one.cells.push_back({exact(ends[j + 1]), exact(rounded(densities.values()[j], true))});
-        }
-        result.push_back(std::move(one));
+    constexpr std::size_t number = 6;
+    std::vector<AdiabaticClass> classes(number);
+    tbb::task_arena(jobs).execute([&] {
+        tbb::parallel_for(std::size_t{0}, number, [&](std::size_t i) {
+            const double share = low + (high - low) * static_cast<double>(i) / (number - 1);
+            const Densities densities(ends, share, deltas, interrupted);
+            classes[i].least_share = exact(rounded(share, false));
+            for (std::size_t j = 0; j < densities.values().size(); ++j) {
+                classes[i].cells.push_back({exact(ends[j + 1]), exact(rounded(densities.values()[j], true))});
+            }
+        });
+    });
+    if (interrupted()) {
+        return {};
     }
-    return result;
+    const auto same = [](const AdiabaticClass& a, const AdiabaticClass& b) {
+        return a.least_share == b.least_share;
+    };
+    classes.erase(std::unique(classes.begin(), classes.end(), same), classes.end());
+    return classes;
 }
 
 AdiabaticClass with_slack(AdiabaticClass one, double slack) {

@@ -84,7 +84,7 @@ class Growth {
 
     template <class Work>
     void each(const Work& work) {
-        tbb::parallel_for(tbb::blocked_range<std::size_t>(0, now_.size(), 16), [&](const auto& range) {
+        tbb::parallel_for(tbb::blocked_range<std::size_t>(0, now_.size()), [&](const auto& range) {
             require_sound_arithmetic();
             for (std::size_t i = range.begin(); i != range.end() && !limits_.interrupted(); ++i) {
                 work(i);

@@ -55,7 +55,7 @@ TEST_CASE("However near the vertical a margin is, the cells are as many as can b
 }
 
 TEST_CASE("No class is guessed once it is interrupted") {
-    CHECK(guess_classes(run_at(Rational(1, 100), Rational(1, 100)), [] { return true; }).empty());
+    CHECK(guess_classes(run_at(Rational(1, 100), Rational(1, 100)), 2, [] { return true; }).empty());
 }
 
 TEST_CASE("Slack makes every density greater") {
