@@ -1,115 +1,17 @@
 #include "certificate/reader.hpp"
 
 #include <fmt/format.h>
-#include <zlib.h>
 
 #include <algorithm>
 #include <array>
-#include <charconv>
-#include <filesystem>
-#include <memory>
-#include <string_view>
 #include <vector>
 
 #include "arith/error.hpp"
+#include "certificate/lines.hpp"
 #include "certificate/names.hpp"
 
 namespace dumbbell {
 namespace {
-
-constexpr int max_line = 8192;
-
-/// Lines of a file, split into fields.
-class Lines {
-  public:
-    explicit Lines(const std::string& path) : path_(path), file_(nullptr, &gzclose) {
-        if (!std::filesystem::is_regular_file(path)) {
-            throw InputError(
-                fmt::format("cannot read '{}': {}", path,
-                            std::filesystem::exists(path) ? "not a regular file" : "no such file"));
-        }
-        file_.reset(gzopen(path.c_str(), "rb"));
-        if (!file_) {
-            throw InputError(fmt::format("cannot read '{}'", path));
-        }
-    }
-
-    /// The next line's fields; the first must be `keyword` and there must be `count` in all.
-    const std::vector<std::string>& expect(std::string_view keyword, std::size_t count) {
-        next();
-        if (fields_.size() != count || fields_[0] != keyword) {
-            fail();
-        }
-        return fields_;
-    }
-
-    const std::vector<std::string>& next() {
-        std::string buffer(max_line, '\0');
-        ++number_;
-        if (gzgets(file_.get(), buffer.data(), max_line) == nullptr) {
-            fail();
-        }
-        std::string_view line(buffer.c_str());
-        if (line.empty() || line.back() != '\n') {
-            fail();
-        }
-        line.remove_suffix(1);
-        fields_.clear();
-        for (std::size_t begin = 0; begin <= line.size();) {
-            const std::size_t end = std::min(line.find(' ', begin), line.size());
-            fields_.emplace_back(line.substr(begin, end - begin));
-            begin = end + 1;
-        }
-        return fields_;
-    }
-
-    [[noreturn]] void fail() const {
-        throw InputError(
-            fmt::format("'{}' is not a certificate that this program can read (line {})", path_, number_));
-    }
-
-    long number(const std::string& text) const {
-        long value = 0;
-        const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-        if (error != std::errc() || end != text.data() + text.size() || value < 0) {
-            fail();
-        }
-        return value;
-    }
-
-    Rational ratio(const std::string& text) const {
-        try {
-            return parse_rational(text, max_line);
-        } catch (const InputError&) {
-            fail();
-        }
-    }
-
-    Rational dyadic(const std::string& text) const {
-        const std::size_t b = text.find('b');
-        if (b == std::string::npos) {
-            fail();
-        }
-        const bool negative = text.compare(b + 1, 1, "-") == 0;
-        const long exponent = number(text.substr(b + (negative ? 2 : 1)));
-        if (exponent > most_binary_places) {
-            fail();
-        }
-        const Rational power(Integer(1) << static_cast<unsigned>(exponent));
-        const std::string digits = text.substr(0, b);
-        if (digits.find_first_not_of("0123456789") != std::string::npos) {
-            fail();  // a fraction or a decimal would not be dyadic
-        }
-        const Rational mantissa = ratio(digits);
-        return negative ? mantissa / power : mantissa * power;
-    }
-
-  private:
-    std::string path_;
-    std::unique_ptr<gzFile_s, int (*)(gzFile)> file_;
-    std::vector<std::string> fields_;
-    long number_ = 0;
-};
 
 Node node_from(Lines& lines, Chart chart) {
     const auto& fields = lines.next();
