@@ -19,6 +19,7 @@
 #include "cli/exit_code.hpp"
 #include "cli/law_command.hpp"
 #include "cli/plot_command.hpp"
+#include "cli/report_command.hpp"
 #include "cli/trace_command.hpp"
 #include "cli/verify_command.hpp"
 
@@ -36,7 +37,8 @@ Examples:
   dumbbell law stairs.dbc                    what the staircase says as a whole
   dumbbell trace 10 --phi 1/3 --phidot 1 --y 3 --ydot -1/2    the orbit of one initial condition
   dumbbell adiabatic --delta 0.01            the adiabatic invariant with its proved constant
-  dumbbell plot staircase stairs.dbc --out stairs.svg)";
+  dumbbell plot staircase stairs.dbc --out stairs.svg
+  dumbbell report stairs.dbc --out report.html                a page to look at and play with)";
 
 std::string version_text() {
     return fmt::format("dumbbell {} ({}, {}, flags: {})", DUMBBELL_VERSION, DUMBBELL_COMPILER,
@@ -67,6 +69,7 @@ int parse_and_run(int argc, char** argv) {
     add_trace_command(app, exit_code);
     add_adiabatic_command(app, exit_code);
     add_plot_command(app, exit_code);
+    add_report_command(app, exit_code);
     // Commands inherit the footer that is there when they are added, and have exit codes of their own.
     app.footer(
         "The fields of --json: proofs/json.md.\n\n"

@@ -1,0 +1,77 @@
+#include "cli/report_command.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "certificate/atomic_file.hpp"
+#include "cli/exit_code.hpp"
+#include "report/html_data.hpp"
+#include "report/html_page.hpp"
+
+namespace dumbbell {
+namespace {
+
+constexpr const char* description =
+    R"(Make one HTML page from certificates, to be opened in any browser: it needs no network and no other file.
+
+It shows the staircase against the source paper's bound, the boxes of a cover with their reasons, the witness orbits
+bounce by bounce (and any initial condition typed into the page), and tables of what is claimed, by which lemmas.
+Certificates of every kind can stand in one page.
+
+The page does not verify: it shows what the files claim, each with the command that verifies it. Files whose checksum
+is wrong are refused. Moving pictures are computed in double precision in the browser; they illustrate, they prove
+nothing.
+
+Examples:
+  dumbbell report certificates/stairs-1-100.dbc --out report.html
+  dumbbell report stairs.dbc full-100.dbc falling.dbc --out report.html
+  dumbbell report certificates/full-1000.dbc.gz --max-boxes 5000 --out small.html)";
+
+constexpr const char* footer =
+    "Exit codes: 0 the page is written; 1 internal error; 2 wrong usage, or a file that cannot be read.";
+
+constexpr std::size_t most_boxes_in_any_page = 2'000'000;
+
+struct Options {
+    std::vector<std::string> files;
+    std::string out;
+    std::size_t most_boxes = default_most_boxes;
+};
+
+int run(const Options& options) {
+    const AtomicFile out(options.out);
+    std::vector<ReportedFile> files;
+    std::size_t boxes = 0;
+    for (const std::string& path : options.files) {
+        files.push_back({path, sealed_digest(path), read_any_certificate(path)});
+        boxes += leaves_of(files.back().certificate);
+    }
+    out.commit(html_page(page_data(files, options.most_boxes)));
+    if (boxes > options.most_boxes) {
+        fmt::print(
+            stderr,
+            "dumbbell: {} boxes are drawn as {} or fewer, as the page says; for more of them: --max-boxes\n",
+            boxes, options.most_boxes);
+    }
+    return exit_done;
+}
+
+}  // namespace
+
+void add_report_command(CLI::App& app, int& exit_code) {
+    auto options = std::make_shared<Options>();
+    CLI::App* command = app.add_subcommand("report", description);
+    command->footer(footer);
+    command->add_option("FILE", options->files, "certificates, of any kind")->required();
+    command->add_option("--out", options->out, "the HTML file to write")->required()->type_name("FILE");
+    command
+        ->add_option("--max-boxes", options->most_boxes,
+                     "boxes that the page draws; where there are more, one stands for several, and is marked")
+        ->check(CLI::Range(std::size_t{1}, most_boxes_in_any_page))
+        ->capture_default_str();
+    command->callback([options, &exit_code] { exit_code = run(*options); });
+}
+
+}  // namespace dumbbell

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstddef>
+#include <nlohmann/json.hpp>
+#include <vector>
+
+/// A bisection tree as the page draws it.
+namespace dumbbell {
+
+/// Pre-order, lower half first: the number k >= 0 is a leaf of kind k, -1 - a a split of axis a.
+using PictureTree = std::vector<int>;
+
+[[nodiscard]] constexpr int split_of(std::size_t axis) { return -1 - static_cast<int>(axis); }
+
+/// A tree that may have been thinned out: where a subtree was left away, a leaf stands for all of its leaves,
+/// with the greatest of their kinds.
+struct ThinnedTree {
+    PictureTree nodes;
+    std::vector<std::size_t> stands_for;  ///< for each leaf the number of leaves; empty if always 1
+};
+
+/// At most `most` leaves, at least 1: the subtrees with the most leaves are shown in detail first.
+/// Precondition: the tree is complete.
+[[nodiscard]] ThinnedTree thinned(const PictureTree& tree, std::size_t most);
+
+[[nodiscard]] std::size_t leaves_of(const PictureTree& tree);
+
+/// How many leaves of a tree are drawn, if `total` leaves of all trees share `most`.
+[[nodiscard]] std::size_t share_of(std::size_t leaves, std::size_t total, std::size_t most);
+
+/// {nodes, leaves, stands_for}
+[[nodiscard]] nlohmann::ordered_json tree_json(const PictureTree& tree, std::size_t most);
+
+}  // namespace dumbbell

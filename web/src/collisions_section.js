@@ -1,0 +1,195 @@
+// A certificate about the greatest number of collisions: staircase, cover, witnesses, tables.
+import { chartPoints } from "./chart_points.js";
+import { leafText, total } from "./charts.js";
+import { cover } from "./cover.js";
+import { h, labelled, select, table } from "./dom.js";
+import { foundations, verifyBox } from "./file_tables.js";
+import { plural, shortened, show } from "./numbers.js";
+import { categorical, sequential } from "./palette.js";
+import { Player } from "./player.js";
+import { parse, toNumber } from "./rational.js";
+import { staircase } from "./staircase.js";
+import { colour } from "./theme.js";
+import { bridgeOrbit, extremalOrbits, wedgeOrbit } from "./witness.js";
+
+const systems = { dumbbell: "The dumbbell", hybrid: "The hybrid wedge", wedge: "The straight wedge" };
+const reasons = ["count", "meets", "meets-reversed", "once"];
+
+const rangeText = ({ lo_text, hi_text }) => (lo_text === hi_text ? `q = ${shortened(lo_text)}` : `q from ${shortened(lo_text)} to ${shortened(hi_text)}`);
+
+const valueText = ({ status, upper, lower }) =>
+    status === "exact" ? `N = ${upper}` : status === "gap" ? `N = ${lower} or ${upper}` : upper === null ? `N \u2265 ${lower}` : `${lower} \u2264 N \u2264 ${upper}`;
+
+function claimText(file) {
+    const { pieces, lo_text, hi_text } = file;
+    const number = (status) => pieces.filter((p) => p.status === status).length;
+    if (lo_text === hi_text && pieces.length === 1 && pieces[0].status === "exact") {
+        const n = pieces[0].upper;
+        return `With mass ratio q = ${shortened(lo_text)} no trajectory hits the floor more than ${n} times, and some trajectory does so ${n} times: N(q) = ${n}.`;
+    }
+    const parts = [`${plural(number("exact"), "piece")} with one value of N(q)`];
+    if (number("gap") > 0) {
+        parts.push(`${plural(number("gap"), "gap")} around the steps, with two neighbouring values`);
+    }
+    if (number("open") > 0) {
+        parts.push(`${plural(number("open"), "open piece")}, not decided`);
+    }
+    const span = file.upper === null ? `at least ${file.lower}` : `from ${file.lower} to ${file.upper}`;
+    return `For every mass ratio q from ${shortened(lo_text)} to ${shortened(hi_text)}, the greatest number N(q) of collisions of any trajectory: ${span}, in ${parts.join(" and ")}.`;
+}
+
+function coverNote(file) {
+    if (file.scene !== "dumbbell") {
+        return "In a wedge only the slope counts, so the cover of a single ratio is a line of intervals.";
+    }
+    return file.section === "turning"
+        ? "Why so few boxes? Every trajectory has a turning collision, or one contact of the heavy mass, and its count is that of the two rays there: only these states are covered, a set of two dimensions, not all collisions. And the rays are ordered (L5): a lower, flatter ray never has fewer collisions left, so one corner of a box bounds the box as a whole. At most mass ratios one box for each chart is enough; close to a step the bound must be tight only in a small region, where a few dozen boxes are."
+        : "This cover has all collision states, counted forward only, so it needs many boxes where the turning section needs two: it does not use that every trajectory has a turning collision, and a box must settle each state by what follows.";
+}
+
+function coverSource(file, orbits) {
+    const counts = file.kinds.filter((k) => k.reason === "count").map(total);
+    const [least, most] = [Math.min(...counts), Math.max(...counts)];
+    const shade = (kind) => sequential(most === least ? 0.6 : 0.12 + (0.88 * (total(kind) - least)) / (most - least));
+    const choices = file.pieces.flatMap((piece, i) => piece.trees.map((tree) => ({
+        text: `${file.pieces.length > 1 ? `${rangeText(piece)}: ${valueText(piece)}, ` : ""}chart ${tree.chart} (${tree.leaves.toLocaleString("en")} ${tree.leaves === 1 ? "box" : "boxes"})`,
+        tree,
+        chart: tree.chart,
+        explain: `${i + 1}:${tree.chart}`,
+        marks: file.scene === "dumbbell" ? (q) => marksOf(tree.chart, q, piece, orbits) : null,
+    })));
+    const largest = choices.reduce((best, c, i) => (c.tree.leaves > choices[best].tree.leaves ? i : best), 0);
+    return {
+        title: `The boxes of the cover of ${file.name}`,
+        choices,
+        first: largest,
+        kinds: file.kinds,
+        describe: leafText,
+        file: file.verify_file,
+        note: coverNote(file),
+        colourings: [
+            {
+                text: "by number of collisions",
+                paint: (kind) => (kind.reason === "count" ? shade(kind) : colour(kind.reason === "outside" ? "--outside" : "--settled")),
+                label: (kind) => (kind.reason === "count" ? `at most ${total(kind)}` : kind.reason),
+                order: (kind) => (kind.reason === "count" ? total(kind) : 1e9 + reasons.indexOf(kind.reason)),
+            },
+            {
+                text: "by reason",
+                paint: (kind) => (kind.reason === "outside" ? colour("--outside") : categorical(reasons.indexOf(kind.reason))),
+                label: (kind) => kind.reason,
+                order: (kind) => reasons.indexOf(kind.reason) + (kind.reason === "outside" ? 9 : 0),
+            },
+        ],
+    };
+}
+
+/// The witness and the two extremal orbits in a chart's coordinates.
+function marksOf(chart, q, piece, orbits) {
+    const witness = piece.witness && orbits(piece, q);
+    const { top, corner } = extremalOrbits(q);
+    if (chart === "bridge") {
+        const start = piece.witness && [toNumber(parse(piece.witness.e)), toNumber(parse(piece.witness.eta))];
+        return [
+            { colour: "--mark-top", text: "extremal: over the top", points: [[Math.PI / 2, 0]] },
+            { colour: "--mark-corner", text: "extremal: out of the corner", points: [[0, 0]] },
+            ...(start ? [{ colour: "--mark", text: "witness", points: [start] }] : []),
+        ];
+    }
+    if (chart !== "contact" && chart !== "departure" && chart !== "again") {
+        return [];
+    }
+    const name = chart === "again" ? "contact" : chart;
+    const chain = (orbit, ink, text) => ({ colour: ink, text, points: chartPoints(orbit, name) });
+    return [
+        chain(top, "--mark-top", "extremal: over the top"),
+        chain(corner, "--mark-corner", "extremal: out of the corner"),
+        ...(witness ? [chain(witness, "--mark", "witness")] : []),
+    ].filter(({ points }) => points.length > 0);
+}
+
+const orbitOf = (piece, q) => {
+    const { chart, e, eta } = piece.witness;
+    return chart === "wedge" ? wedgeOrbit(toNumber(parse(eta)), q) : bridgeOrbit(toNumber(parse(e)), toNumber(parse(eta)), q);
+};
+
+/// The witness orbits, at any ratio of their pieces.
+function witnesses(file) {
+    const pieces = file.pieces.filter((piece) => piece.witness);
+    if (pieces.length === 0) {
+        return null;
+    }
+    const player = new Player();
+    const about = h("p", { class: "note" });
+    const where = h("span", {});
+    const load = (i, share) => {
+        const piece = pieces[i];
+        const [lo, hi] = [toNumber(parse(piece.lo)), toNumber(parse(piece.hi))];
+        const q = lo * (hi / lo) ** share;
+        const { e, eta, forward, backward, chart } = piece.witness;
+        const orbit = orbitOf(piece, q);
+        player.load(orbit);
+        const found = orbit.collisions.length;
+        const start = chart === "wedge" ? `slope \u03bb = ${shortened(eta)}` : `contact of the heavy mass at e = ${shortened(e)}, \u03b7 = ${shortened(eta)}`;
+        about.replaceChildren(
+            h("strong", {}, `Claimed by the file: `),
+            `the ${start}, exactly, has at least ${plural(forward, "later collision")} and ${backward} earlier: ${1 + forward + backward} in all, for every ${rangeText(piece)}. `,
+            h("strong", {}, "Computed by this page: "),
+            `the motion from this start at q = ${show(q, 10)}, in double precision, as an illustration. `,
+            found < 1 + forward + backward ? h("span", { class: "warning" }, `Doubles lose it after ${plural(found, "collision")}: so close to a step they are too coarse. The file\u2019s count does not rest on them.`) : "",
+        );
+    };
+    let chosen = Math.max(0, pieces.length - 1);
+    let share = 0.5;
+    const controls = [];
+    if (pieces.length > 1) {
+        controls.push(labelled("Witness", select(pieces.map((p, i) => [i, `${rangeText(p)}: ${1 + p.witness.forward + p.witness.backward} collisions`]), chosen, (i) => {
+            chosen = Number(i);
+            load(chosen, share);
+        })));
+    }
+    if (pieces.some((p) => p.lo !== p.hi)) {
+        controls.push(labelled("at q", select([[0, "the lower end"], [0.5, "the middle"], [1, "the upper end"]], share, (value) => {
+            share = Number(value);
+            load(chosen, share);
+        })));
+    }
+    load(chosen, share);
+    return h("figure", { class: "wide" }, h("div", { class: "controls" }, controls, where), about, player.element, h("figcaption", {}, file.scene === "dumbbell"
+        ? "A witness orbit: the dumbbell, and the same motion as a point above the floor curve. No gravity; the uniform horizontal motion is left out, and the dots are larger than the point masses. The view goes on a little before the first and behind the last collision."
+        : "A witness orbit in the model wedge, which is a plane figure and no dumbbell. It has no scale; drawn so that the farthest contact is at 1."));
+}
+
+const mostRows = 200;
+
+function piecesTable(file) {
+    const row = (p) => [rangeText(p).slice(2), valueText(p), p.paper ? (p.paper[0] === p.paper[1] ? String(p.paper[0]) : `${p.paper[0]} to ${p.paper[1]}`) : "", p.equal_masses ? "by L7" : p.leaves.toLocaleString("en"), String(p.bits),
+        p.witness ? `${1 + p.witness.forward + p.witness.backward} collisions` : ""];
+    const head = ["mass ratio", "claimed", "the paper\u2019s bound", "boxes", "bits", "witness"];
+    const host = h("div", {});
+    const fill = (pieces) => host.replaceChildren(table(`What is claimed, piece by piece${pieces.length < file.pieces.length ? ` (the first ${mostRows} of ${file.pieces.length})` : ""}`, head, pieces.map(row), [3, 4]));
+    fill(file.pieces.slice(0, mostRows));
+    const more = h("button", { type: "button", onclick: () => { fill(file.pieces); more.remove(); } }, `Show all ${file.pieces.length}`);
+    return h("details", { class: "tables", open: file.pieces.length <= 40 }, h("summary", {}, "What is claimed"), host, file.pieces.length > mostRows ? more : null);
+}
+
+export function collisionsSection(file, constant) {
+    const orbits = (piece, q) => orbitOf(piece, q);
+    const isRange = file.lo_text !== file.hi_text;
+    const hasBoxes = file.pieces.some((piece) => piece.trees.length > 0);
+    const played = witnesses(file);
+    return [
+        h("h2", {}, `${systems[file.scene]}, ${rangeText(file)}`),
+        h("p", { class: "claim" }, claimText(file), file.section === "full" && file.scene === "dumbbell" ? " The heavy mass hits the floor at most once." : ""),
+        verifyBox(file),
+        isRange && h("h3", {}, "The staircase"),
+        isRange && staircase(file, constant).element,
+        hasBoxes && h("h3", {}, "The cover"),
+        hasBoxes && cover(coverSource(file, orbits)).element,
+        played && h("h3", {}, "The witness orbits"),
+        played,
+        h("h3", {}, "Tables"),
+        piecesTable(file),
+        foundations(file),
+    ];
+}

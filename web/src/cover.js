@@ -1,0 +1,231 @@
+// The boxes of a cover, with their reasons. What a file's boxes mean comes as `source`:
+//   choices: [{text, tree (data), chart, explain (the verifier's path to the root), marks}]
+//   first: index of the choice shown at first;  kinds;  colourings: [{text, paint(kind, i), label(kind)}]
+//   describe(kind, chart): a leaf in a line;  note: text below;  file: for the verifier;  play(point): if boxes can be played
+import { h, labelled, select } from "./dom.js";
+import { drawBoxes } from "./boxes.js";
+import { axisLabel, boxText, chartNamed } from "./charts.js";
+import { drawMarks } from "./marks.js";
+import { plural, show } from "./numbers.js";
+import { Plane } from "./plane.js";
+import { colour } from "./theme.js";
+import { angleTicks, linearTicks } from "./ticks.js";
+import { BoxTree } from "./tree.js";
+
+const hint = "Point at a box, or move the picture with the arrow keys: what lies in the middle is told here.";
+
+class Cover {
+    constructor(source) {
+        this.source = source;
+        this.colouring = source.colourings[0];
+        this.readout = h("output", { class: "readout tall" }, hint);
+        this.controls = h("div", { class: "controls" });
+        this.sliders = h("div", { class: "controls" });
+        this.legend = h("span", { class: "keys" });
+        this.plane = new Plane({
+            title: source.title,
+            home: { x0: 0, x1: 1, y0: 0, y1: 1 },
+            height: 440,
+            xLabel: () => this.label(this.x),
+            yLabel: () => this.label(this.y),
+            xTicks: (...of) => (this.isAngle(this.x) ? angleTicks : linearTicks)(...of),
+            yTicks: (...of) => (this.isAngle(this.y) ? angleTicks : linearTicks)(...of),
+            draw: (plane) => this.draw(plane),
+            probe: (x, y) => this.tell(x, y),
+            click: source.play && ((x, y) => this.play(x, y)),
+        });
+        this.counter = h("span", {});
+        this.element = h(
+            "figure",
+            { class: "wide" },
+            this.controls,
+            this.sliders,
+            this.plane.element,
+            this.readout,
+            h("figcaption", {}, this.legend, this.counter, source.note ? h("span", {}, " ", source.note) : null),
+        );
+        this.choose(source.first ?? 0);
+    }
+
+    choose(index) {
+        this.choice = this.source.choices[index];
+        this.index = index;
+        this.choice.boxes ??= new BoxTree(this.choice.tree);
+        this.tree = this.choice.boxes;
+        this.chart = chartNamed(this.choice.chart);
+        const wide = this.tree.axes.map((axis, a) => (axis.hi > axis.lo ? a : -1)).filter((a) => a >= 0);
+        this.wide = wide;
+        this.x = wide[0] ?? 0;
+        this.y = wide[1] ?? (this.x === 0 ? 1 : 0);
+        this.fixed = this.tree.axes.map(({ lo, hi }) => (lo + hi) / 2);
+        this.isPhysical = this.isPhysical && Boolean(this.chart?.psi);
+        this.fillControls();
+        this.fit();
+    }
+
+    fillControls() {
+        const { choices, colourings } = this.source;
+        const controls = [];
+        if (choices.length > 1) {
+            controls.push(labelled("Cover", select(choices.map((c, i) => [i, c.text]), this.index, (i) => this.choose(Number(i)))));
+        }
+        if (this.chart?.psi) {
+            const physical = select([["chart", "of the chart"], ["physical", "physical: \u03c8 and slope"]], this.isPhysical ? "physical" : "chart", (value) => {
+                this.isPhysical = value === "physical";
+                this.fit();
+            });
+            controls.push(labelled("Coordinates", physical));
+        }
+        if (!this.choice.chart && this.wide.length > 2) {
+            const axes = this.wide.map((a) => [a, this.tree.axes[a].name]);
+            const pick = (which) => select(axes, this[which], (value) => this.turn(which, Number(value)));
+            controls.push(labelled("Across", pick("x")), labelled("Up", pick("y")));
+        }
+        if (colourings.length > 1) {
+            const chosen = colourings.indexOf(this.colouring);
+            controls.push(labelled("Colours", select(colourings.map((c, i) => [i, c.text]), chosen, (i) => {
+                this.colouring = colourings[Number(i)];
+                this.fillLegend();
+                this.plane.draw();
+            })));
+        }
+        this.controls.replaceChildren(...controls);
+        this.fillSliders();
+        this.fillLegend();
+    }
+
+    /// Another axis across or up; the two swap if it is the other one.
+    turn(which, axis) {
+        const other = which === "x" ? "y" : "x";
+        if (this[other] === axis) {
+            this[other] = this[which];
+        }
+        this[which] = axis;
+        this.fillControls();
+        this.fit();
+    }
+
+    /// One for each axis that the picture cuts through.
+    fillSliders() {
+        const cut = this.wide.filter((a) => a !== this.x && a !== this.y);
+        this.sliders.replaceChildren(...cut.map((a) => {
+            const { name, lo, hi } = this.tree.axes[a];
+            const value = h("span", { class: "value" }, show(this.fixed[a]));
+            const oninput = (event) => {
+                this.fixed[a] = lo + (hi - lo) * (Number(event.target.value) / 1000);
+                value.textContent = show(this.fixed[a]);
+                this.plane.draw();
+            };
+            const slider = h("input", { type: "range", min: 0, max: 1000, value: 500, "aria-label": `cut at ${name}`, oninput });
+            return labelled(`cut at ${name} =`, h("span", { class: "slider" }, slider, value));
+        }));
+    }
+
+    fillLegend() {
+        const seen = new Map();
+        const present = new Set(this.tree.nodes.filter((node) => node >= 0));
+        for (const i of present) {
+            const kind = this.source.kinds[i];
+            const label = this.colouring.label(kind);
+            seen.set(label, { paint: this.colouring.paint(kind, i), order: this.colouring.order?.(kind) ?? 0 });
+        }
+        let entries = [...seen].sort((a, b) => a[1].order - b[1].order);
+        if (entries.length > 14) {
+            const step = (entries.length - 1) / 11;
+            entries = Array.from({ length: 12 }, (_, i) => entries[Math.round(i * step)]);
+        }
+        this.legend.replaceChildren(...entries.map(([label, { paint }]) => {
+            const swatch = h("i", {});
+            swatch.style.background = paint;
+            return h("span", { class: "swatch" }, swatch, label);
+        }));
+        const { leaves, shown } = this.tree;
+        const thinned = leaves > shown ? `${leaves.toLocaleString("en")} boxes of the file are drawn as ${shown.toLocaleString("en")}: one with a diagonal stands for several and shows the greatest count among them.` : `${boxes(leaves)}.`;
+        this.counter.textContent = `${thinned} ${this.chart ? `Chart ${this.choice.chart}: ${this.chart.about}.` : ""}`;
+    }
+
+    /// The ratio at which slopes are shown, for the physical coordinates.
+    get r() { return 1 / this.fixed[2]; }
+
+    get map() {
+        if (!this.isPhysical) {
+            return null;
+        }
+        const { r, chart } = this;
+        return { x: chart.psi, y: (a, b) => chart.slope(a, b, r) };
+    }
+
+    fit() {
+        const [x, y] = [this.tree.axes[this.x], this.tree.axes[this.y]];
+        let home = { x0: x.lo, x1: x.hi, y0: y.lo, y1: y.hi };
+        if (this.isPhysical) {
+            const ends = [this.chart.psi(0), this.chart.psi(this.chart.limit)].sort((a, b) => a - b);
+            home = { x0: ends[0], x1: ends[1], y0: this.choice.chart === "departure" ? -1 : Math.min(0, -this.r * 1.2), y1: 1 };
+        }
+        const dx = (home.x1 - home.x0 || 1) * 0.02;
+        const dy = (home.y1 - home.y0 || 1) * 0.02;
+        this.plane.setHome({ x0: home.x0 - dx, x1: home.x1 + dx, y0: home.y0 - dy, y1: home.y1 + dy });
+    }
+
+    isAngle(axis) { return this.isPhysical ? axis === this.x : ["e", "t", "phi", "u"].includes(this.tree.axes[axis].name); }
+
+    label(axis) {
+        if (this.isPhysical) {
+            return axis === this.x ? "\u03c8: angle of the rod" : "slope dy/d\u03c8 of the flight";
+        }
+        return this.source.axisText?.[this.tree.axes[axis].name] ?? axisLabel(this.choice.chart, this.tree.axes[axis].name);
+    }
+
+    draw(plane) {
+        const fixed = this.fixed.map((x, a) => (a === this.x || a === this.y ? NaN : x));
+        const paint = (i) => this.colouring.paint(this.source.kinds[i], i);
+        drawBoxes(plane, { tree: this.tree, xAxis: this.x, yAxis: this.y, fixed, map: this.map, paint, ink: colour("--box-ink") });
+        if (this.choice.marks && this.x === 0 && this.y === 1) {
+            drawMarks(plane, this.choice.marks(1 / this.r), this.map);
+        }
+    }
+
+    /// The place in the tree's own coordinates.
+    point(x, y) {
+        const point = [...this.fixed];
+        if (this.isPhysical) {
+            point[0] = this.chart.position(x);
+            point[1] = this.chart.steepness(point[0], y, this.r);
+        } else {
+            point[this.x] = x;
+            point[this.y] = y;
+        }
+        return point;
+    }
+
+    tell(x, y) {
+        const leaf = x === null ? null : this.tree.find(this.point(x, y));
+        if (!leaf) {
+            this.readout.replaceChildren(x === null ? hint : "Outside of what the file covers.");
+            return;
+        }
+        const { source, choice } = this;
+        const several = leaf.standsFor > 1;
+        const path = leaf.path === "" ? "" : `.${leaf.path}`;
+        const extra = source.extra?.(leaf.number) ?? "";
+        this.readout.replaceChildren(
+            h("strong", {}, source.describe(source.kinds[leaf.kind], choice.chart)),
+            several ? ` (the greatest of ${plural(leaf.standsFor, "leaf").replace("leafs", "leaves")})` : "",
+            extra,
+            h("br"),
+            `Box: ${boxText(this.tree.axes, leaf.box)}.`,
+            several ? "" : h("span", { class: "explain" }, " Its inequalities in numbers: ", h("code", {}, `dumbbell verify --explain ${choice.explain}${path} ${source.file}`)),
+        );
+    }
+
+    play(x, y) {
+        const leaf = this.tree.find(this.point(x, y));
+        if (leaf) {
+            this.source.play(this.tree.axes.map((_, a) => (leaf.box[2 * a] + leaf.box[2 * a + 1]) / 2));
+        }
+    }
+}
+
+const boxes = (n) => (n === 1 ? "One box" : `${n.toLocaleString("en")} boxes`);
+
+export const cover = (source) => new Cover(source);

@@ -1,0 +1,65 @@
+// Building elements. Text is always text: nothing from a certificate is read as HTML.
+
+/// h("p", {class: "note"}, "text", child, ...): attributes by name, functions as listeners (onclick, ...).
+export function h(tag, attributes = {}, ...children) {
+    const element = document.createElement(tag);
+    for (const [name, value] of Object.entries(attributes)) {
+        if (typeof value === "function") {
+            element.addEventListener(name.slice(2), value);
+        } else if (value === true) {
+            element.setAttribute(name, "");
+        } else if (value !== false && value !== null && value !== undefined) {
+            element.setAttribute(name, value);
+        }
+    }
+    element.append(...children.flat().filter((child) => child !== null && child !== undefined && child !== false));
+    return element;
+}
+
+/// A control with its label before it.
+export function labelled(text, control) {
+    return h("label", { class: "labelled" }, h("span", {}, text), control);
+}
+
+/// choices: [[value, text], ...]
+export function select(choices, value, onchange) {
+    const element = h(
+        "select",
+        { onchange: () => onchange(element.value) },
+        choices.map(([id, text]) => h("option", { value: id, selected: String(id) === String(value) }, text)),
+    );
+    return element;
+}
+
+/// head: texts; rows: lists of texts or elements. Columns in `numeric` are aligned right. It scrolls sideways
+/// inside its own frame, never the page.
+export function table(caption, head, rows, numeric = []) {
+    const cell = (tag) => (content, i) => h(tag, { class: numeric.includes(i) ? "number" : null, scope: tag === "th" ? "col" : null }, content);
+    return h(
+        "div",
+        { class: "scroll", tabindex: "0", role: "region", "aria-label": caption },
+        h(
+            "table",
+            {},
+            h("caption", {}, caption),
+            h("thead", {}, h("tr", {}, head.map(cell("th")))),
+            h("tbody", {}, rows.map((row) => h("tr", {}, row.map(cell("td"))))),
+        ),
+    );
+}
+
+/// A command to type, with a button that copies it.
+export function command(text) {
+    const button = h("button", { type: "button", onclick: copy }, "Copy");
+    async function copy() {
+        try {
+            await navigator.clipboard.writeText(text);
+            button.textContent = "Copied";
+        } catch {
+            getSelection().selectAllChildren(code); // no clipboard here: it can be copied by hand
+        }
+        setTimeout(() => (button.textContent = "Copy"), 1500);
+    }
+    const code = h("code", {}, text);
+    return h("div", { class: "command" }, code, button);
+}

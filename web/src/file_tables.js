@@ -1,0 +1,31 @@
+// What every file's section has: the command that verifies it, what it rests on, its checksum.
+import { command, h, table } from "./dom.js";
+import { lemmaRows } from "./lemmas.js";
+
+export const verifyCommand = (file) => `dumbbell verify ${file.verify_options} ${file.verify_file}`;
+
+export function verifyBox(file) {
+    return h(
+        "div",
+        { class: "verify" },
+        h("p", {}, "This page shows what the file claims. It has not been verified here; this command has the independent verifier check it, with the claim stated from outside:"),
+        command(verifyCommand(file)),
+    );
+}
+
+export function foundations(file) {
+    return h(
+        "details",
+        { class: "tables", open: true },
+        h("summary", {}, "What the claim rests on, and checksums"),
+        table("Lemmas", ["lemma", "statement", "proof in"], lemmaRows(file)),
+        table("The file", ["", ""], [
+            ["file", file.name],
+            ["written by", file.generator],
+            ["claim, lemma set", `${file.claim}, lemmas ${file.lemmas}`],
+            ["SHA-256 of its text (last line)", h("code", { class: "hash" }, file.sha256)],
+            ["verify", h("code", {}, verifyCommand(file))],
+        ]),
+        h("p", { class: "note" }, "The checksum agrees with the text: the file is not damaged. It proves nothing, as whoever forges a file can compute one."),
+    );
+}

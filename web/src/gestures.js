@@ -1,0 +1,95 @@
+// How a plane's window is moved by hand.
+
+const wheelRate = 0.0015;
+
+const place = (plane, event) => {
+    const box = plane.canvas.getBoundingClientRect();
+    return [event.clientX - box.left, event.clientY - box.top];
+};
+
+/// Dragging moves, two fingers or a double click zoom; so does the wheel if the canvas has the focus, or with Ctrl: a page that
+/// is scrolled through stays as it is.
+export function moveByPointer(plane) {
+    const { canvas } = plane;
+    const fingers = new Map();
+    let travelled = 0;
+
+    canvas.addEventListener("wheel", (event) => {
+        if (!event.ctrlKey && document.activeElement !== canvas) {
+            return;
+        }
+        event.preventDefault();
+        const [px, py] = place(plane, event);
+        plane.zoom(Math.exp(event.deltaY * wheelRate), plane.xAt(px), plane.yAt(py));
+    }, { passive: false });
+
+    canvas.addEventListener("dblclick", (event) => {
+        const [px, py] = place(plane, event);
+        plane.zoom(1 / 3, plane.xAt(px), plane.yAt(py));
+    });
+
+    canvas.addEventListener("pointerdown", (event) => {
+        canvas.setPointerCapture(event.pointerId);
+        fingers.set(event.pointerId, place(plane, event));
+        travelled = 0;
+    });
+
+    canvas.addEventListener("pointermove", (event) => {
+        const now = place(plane, event);
+        const before = fingers.get(event.pointerId);
+        if (!before) {
+            plane.probe(plane.xAt(now[0]), plane.yAt(now[1]));
+            return;
+        }
+        fingers.set(event.pointerId, now);
+        travelled += Math.hypot(now[0] - before[0], now[1] - before[1]);
+        if (fingers.size === 1 && travelled > 3) {
+            plane.pan((before[0] - now[0]) / plane.frame.width, (now[1] - before[1]) / plane.frame.height);
+        } else if (fingers.size === 2) {
+            const other = [...fingers].find(([id]) => id !== event.pointerId)[1];
+            const distance = (of) => Math.max(10, Math.hypot(of[0] - other[0], of[1] - other[1]));
+            plane.zoom(distance(before) / distance(now), plane.xAt(other[0]), plane.yAt(other[1]));
+        }
+    });
+
+    const lift = (event) => {
+        if (fingers.delete(event.pointerId) && event.type === "pointerup" && travelled <= 3) {
+            const [px, py] = place(plane, event);
+            plane.probe(plane.xAt(px), plane.yAt(py));
+            plane.options.click?.(plane.xAt(px), plane.yAt(py));
+        }
+    };
+    canvas.addEventListener("pointerup", lift);
+    canvas.addEventListener("pointercancel", lift);
+    canvas.addEventListener("pointerleave", () => plane.probe(null, null));
+}
+
+const keys = {
+    ArrowLeft: (plane) => plane.pan(-0.1, 0),
+    ArrowRight: (plane) => plane.pan(0.1, 0),
+    ArrowUp: (plane) => plane.pan(0, 0.1),
+    ArrowDown: (plane) => plane.pan(0, -0.1),
+    "+": (plane) => plane.zoom(0.5),
+    "=": (plane) => plane.zoom(0.5),
+    "-": (plane) => plane.zoom(2),
+    0: (plane) => plane.reset(),
+};
+
+/// After each key, what lies in the middle is told.
+export function moveByKeys(plane) {
+    plane.canvas.addEventListener("keydown", (event) => {
+        const { x0, x1, y0, y1 } = plane.window;
+        if (event.key === "Enter") {
+            plane.options.click?.((x0 + x1) / 2, (y0 + y1) / 2);
+            return;
+        }
+        const move = keys[event.key];
+        if (!move || event.ctrlKey || event.altKey || event.metaKey) {
+            return;
+        }
+        event.preventDefault();
+        move(plane);
+        const w = plane.window;
+        plane.probe((w.x0 + w.x1) / 2, (w.y0 + w.y1) / 2);
+    });
+}

@@ -1,0 +1,59 @@
+// What the claims rest on: the lemmas of proofs/, in a line each.
+
+const lemmas = {
+    L0: "The model: a point above the floor curve, reflected elastically in the metric d\u03c8\u00b2 + q dy\u00b2",
+    L1: "No return: a flight never meets the hump that it leaves",
+    L2: "One cell, and the turning collision",
+    L3: "Steep rays leave: an ascending ray of slope at least 1 never collides again",
+    L4: "The flight to a light wall and the reflection there",
+    L5: "Monotone step: a lower, flatter ray never has fewer collisions left",
+    L6: "The heavy mass touches the floor at most once; bounds for the rays at that contact",
+    L7: "Equal masses: N(1) = 2",
+    L8: "Chart bridge: contacts of the heavy mass",
+    L9: "Chart light: turning collisions of the light mass",
+    L10: "The first step of a descending ray, jointly in the mass ratio",
+    L11: "Witness: an orbit that has so many collisions",
+    L12: "Contacts and misses by tangents",
+    L13: "Directed rounding by neighbours",
+    L14: "Sine and cosine in double",
+    L15: "All collision states, counted forward",
+    L16: "Plain interval evaluation, without monotonicity",
+    L17: "The straight wedge",
+    L18: "The hybrid wedge has the straight wedge\u2019s maximum",
+    L19: "The heavy mass at most once, for every state of a box",
+    L33: "One collision, and the adiabatic invariant",
+    L34: "The drift of S along one flight",
+    L35: "A potential for the drift",
+    L36: "Theorem 3.3, for any number of bounces",
+    L37: "Theorem 3.5: whole scatterings",
+    L38: "Lemma 3.1 and Corollary 3.2",
+};
+
+const pages = [[15, "proofs/lemmas.md"], [33, "proofs/lemmas-sections.md"], [99, "proofs/adiabatic.md"]];
+const numerical = ["L12", "L13", "L14"];
+
+const sets = {
+    turning: ["L0", "L1", "L2", "L3", "L4", "L5", "L6", "L8", "L9", "L10", "L11", ...numerical],
+    full: ["L0", "L1", "L2", "L3", "L4", "L5", "L6", "L10", "L11", ...numerical, "L15", "L19"],
+    minimal: ["L0", "L1", "L2", "L3", "L4", "L6", "L11", ...numerical, "L15", "L16", "L19"],
+    wedge: ["L0", "L2", "L4", "L5", "L9", "L13", "L17"],
+    hybrid: ["L0", "L2", "L4", "L5", "L9", "L13", "L17", "L18"],
+    "initial-conditions": ["L0", "L1", "L2", "L3", "L4", "L5", "L6", ...numerical],
+    "adiabatic-bounce": ["L0", "L4", "L5", ...numerical, "L33", "L38"],
+    "adiabatic-run": ["L0", "L4", "L5", ...numerical, "L33", "L34", "L35", "L36"],
+    "adiabatic-scattering": ["L0", "L3", "L4", "L5", ...numerical, "L33", "L34", "L35", "L36", "L37"],
+    "adiabatic-printed": ["L0", "L3", "L4", ...numerical, "L37"],
+};
+
+/// Rows [lemma, statement, page] for a file.
+export function lemmaRows(file) {
+    const isCollisions = file.claim === "collisions";
+    const key = !isCollisions ? file.claim : file.scene !== "dumbbell" ? file.scene : file.lemmas === "minimal" ? "minimal" : file.section;
+    const names = [...sets[key]];
+    if (isCollisions && file.pieces.some((piece) => piece.equal_masses)) {
+        names.push("L7");
+    }
+    const number = (name) => Number(name.slice(1));
+    names.sort((a, b) => number(a) - number(b));
+    return names.map((name) => [name, lemmas[name], pages.find(([until]) => number(name) < until)[1]]);
+}

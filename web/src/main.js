@@ -1,0 +1,53 @@
+// The page: reads the data that the program put into it, and makes a section for each file.
+import { adiabaticSection } from "./adiabatic_section.js";
+import { collisionsSection } from "./collisions_section.js";
+import { h, labelled, select } from "./dom.js";
+import { initialSection } from "./initial_section.js";
+import { OwnStart } from "./own_start.js";
+import { parse, toNumber } from "./rational.js";
+import { setTheme, watchTheme } from "./theme.js";
+
+function header(data) {
+    const theme = labelled("Colours", select([["auto", "as the system"], ["light", "light"], ["dark", "dark"]], "auto", setTheme));
+    const links = data.files.map((file, i) => h("li", {}, h("a", { href: `#file-${i + 1}` }, file.name)));
+    return h(
+        "header",
+        {},
+        h("div", { class: "title" }, h("h1", {}, "How often can a bouncing dumbbell hit the floor?"), theme),
+        h("p", {}, "Two point masses on a massless rod fall on a flat floor and bounce elastically. This report shows what ", data.files.length === 1 ? "a certificate claims" : `${data.files.length} certificates claim`, " about their collisions. It does not verify anything: each file comes with the command that does."),
+        h("nav", { "aria-label": "Contents" }, h("ul", {}, links, h("li", {}, h("a", { href: "#own" }, "your own initial condition")))),
+    );
+}
+
+/// A start that falls and bounces, at the first mass ratio of the first file that has one.
+function firstStart(data) {
+    const piece = data.files.find((file) => file.claim === "collisions")?.pieces[0];
+    const q = piece && piece.lo === piece.hi ? toNumber(parse(piece.lo)) : 10;
+    return { q: String(q), phi: "0.2", phidot: "1", y: "1", ydot: "-0.05" };
+}
+
+function sectionOf(file, data, own) {
+    switch (file.claim) {
+        case "collisions":
+            return collisionsSection(file, Number(data.growth_constant));
+        case "initial-conditions":
+            return initialSection(file, ([phi, phidot, y, ydot, q]) => own.set([q, phi, phidot, y, ydot]));
+        default:
+            return adiabaticSection(file);
+    }
+}
+
+const start = performance.now();
+const data = JSON.parse(document.getElementById("data").textContent);
+watchTheme();
+const own = new OwnStart(firstStart(data));
+document.title = `dumbbell report: ${data.files.map((file) => file.name).join(", ")}`;
+document.getElementById("page").replaceChildren(
+    header(data),
+    ...data.files.map((file, i) => h("section", { id: `file-${i + 1}` }, h("p", { class: "filename" }, file.name), ...sectionOf(file, data, own).filter(Boolean))),
+    own.element,
+    h("footer", {}, `dumbbell ${data.version}. Pictures and motions are drawn in double precision: they illustrate. What is claimed is in the files; what is proved, the verifier says.`),
+);
+requestAnimationFrame(() => requestAnimationFrame(() => {
+    document.documentElement.dataset.drawn = String(Math.round(performance.now() - start));
+}));

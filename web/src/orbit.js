@@ -1,0 +1,92 @@
+// Orbits: {q, r, collisions: [{t, psi, y, heavy, before, after}], first, last, complete}: velocities {vpsi, vy}; `first` and `last` are the
+// flights before and behind the collisions, as a state {t, psi, y, vpsi, vy} on each and a time until which to show it.
+import { nextContact, reflected } from "./flight.js";
+
+export const mostCollisions = 20000; // followed
+
+/// How long to show a flight that leaves: until both masses are well above the floor, or the rod has turned enough.
+function shownAfter({ y, vpsi, vy }) {
+    const rise = vy > 0 ? Math.max(0.25, 1.35 - y) / vy : Infinity;
+    const turn = vpsi !== 0 ? (1.25 * Math.PI) / Math.abs(vpsi) : Infinity;
+    const until = Math.min(rise, turn);
+    return Number.isFinite(until) ? until : 1;
+}
+
+const reversed = ({ vpsi, vy }) => ({ vpsi: -vpsi, vy: -vy });
+
+/// The orbit of a dumbbell in the air: phi, phidot, y, ydot in rod lengths and radians, q >= 1.
+export function orbitFromStart({ q, phi, phidot, y, ydot }) {
+    const r = 1 / q;
+    const state = { t: 0, psi: phi - Math.PI / 2, y: y * (1 + r), vpsi: phidot, vy: ydot * (1 + r) };
+    return forward(q, state, null, { ...state, until: 0 });
+}
+
+/// The orbit from just before a contact on, of a state on the floor.
+export function orbitFromContact(q, state, heavy) {
+    const r = 1 / q;
+    const after = reflected(state, heavy, r);
+    const back = shownAfter({ y: state.y, ...reversed(state) });
+    const collision = { t: 0, psi: state.psi, y: state.y, heavy, before: { vpsi: state.vpsi, vy: state.vy }, after };
+    return forward(q, { ...state, ...after, t: 0 }, collision, { ...state, t: 0, until: -back });
+}
+
+function forward(q, state, collision, first) {
+    const r = 1 / q;
+    const collisions = collision ? [collision] : [];
+    let complete = true;
+    for (;;) {
+        const next = nextContact(state, r, collisions.at(-1)?.heavy ?? null);
+        if (!next) {
+            break;
+        }
+        if (collisions.length >= mostCollisions) {
+            complete = false;
+            break;
+        }
+        const at = { t: state.t + next.after, psi: state.psi + state.vpsi * next.after, y: state.y + state.vy * next.after };
+        const before = { vpsi: state.vpsi, vy: state.vy };
+        const after = reflected({ ...at, ...before }, next.heavy, r);
+        collisions.push({ ...at, heavy: next.heavy, before, after });
+        state = { ...at, ...after };
+    }
+    return { q, r, collisions, first, last: { ...state, until: state.t + shownAfter(state) }, complete, scene: "dumbbell" };
+}
+
+/// An orbit from its middle: `rays.out` and `rays.back` are the collisions along the outgoing ray and along the reversed incoming
+/// one, each with times from the middle on.
+export function joined(q, middle, out, back, scene) {
+    const past = back.map((c) => ({ ...c, t: -c.t, before: reversed(c.after), after: reversed(c.before) })).reverse();
+    const all = [...past, middle, ...out];
+    const zero = all[0].t;
+    const collisions = all.map((c) => ({ ...c, t: c.t - zero }));
+    const [a, b] = [collisions[0], collisions.at(-1)];
+    const first = { t: a.t, psi: a.psi, y: a.y, ...a.before };
+    const last = { t: b.t, psi: b.psi, y: b.y, ...b.after };
+    return {
+        q,
+        r: 1 / q,
+        collisions,
+        first: { ...first, until: first.t - shownAfter({ y: a.y, ...reversed(a.before) }) },
+        last: { ...last, until: last.t + shownAfter(last) },
+        complete: true,
+        scene,
+    };
+}
+
+/// Where the point is at time t, with its velocity and the number of collisions so far.
+export function stateAt(orbit, t) {
+    const { collisions, first } = orbit;
+    let lo = 0;
+    let hi = collisions.length; // the first collision that is later than t
+    while (lo < hi) {
+        const middle = (lo + hi) >> 1;
+        if (collisions[middle].t <= t) {
+            lo = middle + 1;
+        } else {
+            hi = middle;
+        }
+    }
+    const from = lo === 0 ? first : { ...collisions[lo - 1], ...collisions[lo - 1].after };
+    const dt = t - from.t;
+    return { t, psi: from.psi + from.vpsi * dt, y: from.y + from.vy * dt, vpsi: from.vpsi, vy: from.vy, done: lo };
+}

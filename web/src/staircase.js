@@ -1,0 +1,236 @@
+// The staircase N(q): what the pieces of a certificate say, the paper's bound, 2 + C sqrt q. Two kinds of window: log q over the
+// whole range, and, close to a step, the exact distance from it (a gap can be narrower than doubles can tell apart).
+import { h, labelled, select } from "./dom.js";
+import { plural, shortened, show } from "./numbers.js";
+import { growth, paperBound, paperStep } from "./paper.js";
+import { Plane } from "./plane.js";
+import { fromDecimal, fromNumber, parse, subtract, toDecimal, toNumber } from "./rational.js";
+import { colour } from "./theme.js";
+import { countTicks, linearTicks, logTicks } from "./ticks.js";
+
+const mostPaperSteps = 4000; // drawn; more of them are closer than pixels
+
+/// q as x of the plane and back; `origin` is an exact decimal in a window close to a step.
+const scales = {
+    log: () => ({
+        x: (exact) => Math.log10(toNumber(exact)),
+        xOf: (q) => Math.log10(q),
+        q: (x) => 10 ** x,
+        text: (x) => show(10 ** x, 10),
+        ticks: logTicks,
+        label: "mass ratio q, heavy over light",
+    }),
+    local: (origin) => {
+        const from = fromDecimal(origin);
+        return {
+            x: (exact) => toNumber(subtract(exact, from)),
+            xOf: (q) => toNumber(subtract(fromNumber(q), from)),
+            q: (x) => toNumber(from) + x,
+            text: (x) => `${shortened(origin)} ${x < 0 ? "\u2212" : "+"} ${show(Math.abs(x), 4)}`,
+            ticks: linearTicks,
+            label: `q \u2212 ${shortened(origin)}`,
+        };
+    },
+};
+
+class Staircase {
+    constructor(file, constant) {
+        this.file = file;
+        this.constant = constant;
+        this.pieces = file.pieces.map((piece) => ({ ...piece, q0: parse(piece.lo), q1: parse(piece.hi) }));
+        this.isDumbbell = file.scene === "dumbbell";
+        this.gaps = this.pieces.filter((piece) => piece.status === "gap");
+        this.rescale(scales.log());
+        const top = Math.max(...this.pieces.map((p) => Math.max(p.upper ?? p.lower, p.paper?.[1] ?? 0)));
+        this.home = { x0: this.x0[0], x1: this.x1.at(-1), y0: 0, y1: top * 1.06 + 0.5 };
+        const space = (this.home.x1 - this.home.x0) * 0.015;
+        this.home.x0 -= space;
+        this.home.x1 += space;
+        this.plane = new Plane({
+            title: `Staircase: the greatest number of collisions against the mass ratio, from ${file.lo_text} to ${file.hi_text}`,
+            home: this.home,
+            height: 400,
+            xLabel: () => this.scale.label,
+            yLabel: "collisions N(q)",
+            xTicks: (...of) => this.scale.ticks(...of),
+            yTicks: countTicks,
+            least: { x: 1e-300, y: 3 },
+            draw: (plane) => this.draw(plane),
+            probe: (x, y) => this.tell(x),
+        });
+        this.readout = h("output", { class: "readout" }, "Point at the staircase, or move it with the arrow keys.");
+        this.element = h("figure", { class: "wide" }, this.controls(), this.plane.element, this.readout, this.caption());
+    }
+
+    rescale(scale) {
+        this.scale = scale;
+        this.x0 = this.pieces.map((p) => scale.x(p.q0));
+        this.x1 = this.pieces.map((p) => scale.x(p.q1));
+    }
+
+    controls() {
+        const steps = this.gaps.map((gap, i) => [i, `${gap.lower} \u2192 ${gap.upper} at q = ${show(toNumber(gap.q0), 9)}`]);
+        const choices = [["", "the whole range"], ...steps];
+        this.choice = select(choices, "", (value) => (value === "" ? this.whole() : this.goto(this.gaps[Number(value)])));
+        const typed = h("input", { type: "text", inputmode: "decimal", size: "12", placeholder: "e.g. 4.6", "aria-label": "mass ratio" });
+        const go = (event) => {
+            event.preventDefault();
+            const q = Number(typed.value);
+            if (q > 0) {
+                this.whole();
+                const x = Math.log10(q);
+                this.plane.show({ x0: x - 0.02, x1: x + 0.02 });
+                this.fitCounts();
+                this.tell(x);
+            }
+        };
+        return h(
+            "div",
+            { class: "controls" },
+            labelled("Show", this.choice),
+            h("form", { class: "labelled", onsubmit: go }, h("span", {}, "around q ="), typed, h("button", { type: "submit" }, "Go")),
+        );
+    }
+
+    whole() {
+        this.choice.value = "";
+        this.rescale(scales.log());
+        this.plane.setHome(this.home);
+    }
+
+    /// A window of nine times the gap's width, measured from an exact decimal just below it.
+    goto(gap) {
+        const width = toNumber(subtract(gap.q1, gap.q0));
+        const places = Math.max(0, Math.ceil(-Math.log10(width)) + 1);
+        this.rescale(scales.local(toDecimal(gap.q0, places)));
+        const x0 = this.scale.x(gap.q0);
+        const y1 = Math.max(gap.upper, this.isDumbbell ? paperBound(toNumber(gap.q1)) : 0) + 1.5;
+        this.plane.setHome({ x0: x0 - 4 * width, x1: x0 + 5 * width, y0: Math.max(0, gap.lower - 2.5), y1 });
+        this.tell(x0 + width / 2);
+    }
+
+    /// Heights that fit what the window shows.
+    fitCounts() {
+        const { x0, x1 } = this.plane.window;
+        const shown = this.pieces.filter((_, i) => this.x1[i] >= x0 && this.x0[i] <= x1);
+        if (shown.length > 0) {
+            const top = Math.max(...shown.map((p) => Math.max(p.upper ?? p.lower, p.paper?.[1] ?? 0)));
+            this.plane.show({ y0: Math.max(0, Math.min(...shown.map((p) => p.lower)) - 2.5), y1: top + 1.5 });
+        }
+    }
+
+    draw(plane) {
+        const c = plane.context;
+        this.pieces.forEach((piece, i) => {
+            if (this.x1[i] >= plane.window.x0 && this.x0[i] <= plane.window.x1 && piece.status !== "exact") {
+                this.drawUndecided(plane, piece, i);
+            }
+        });
+        if (this.isDumbbell) {
+            this.drawPaper(plane);
+            this.drawGrowth(plane);
+        }
+        c.lineCap = "butt";
+        c.lineWidth = 3;
+        c.strokeStyle = colour("--proved");
+        c.beginPath();
+        this.pieces.forEach((piece, i) => {
+            if (piece.status === "exact") {
+                const y = plane.Y(piece.upper);
+                const x = plane.X(this.x0[i]);
+                c.moveTo(x, y);
+                c.lineTo(Math.max(x + 1.5, plane.X(this.x1[i])), y);
+            }
+        });
+        c.stroke();
+    }
+
+    /// A gap: a riser between its two values, at least a thin one; an open piece: the whole height.
+    drawUndecided(plane, piece, i) {
+        const c = plane.context;
+        const x = plane.X(this.x0[i]);
+        const width = Math.max(1.5, plane.X(this.x1[i]) - x);
+        const isGap = piece.status === "gap";
+        const top = isGap ? plane.Y(piece.upper) : plane.frame.y;
+        const bottom = isGap ? plane.Y(piece.lower) : plane.Y(piece.lower);
+        c.fillStyle = colour(isGap ? "--gap" : "--open");
+        c.fillRect(x, top, width, Math.max(1, bottom - top));
+    }
+
+    drawPaper(plane) {
+        const c = plane.context;
+        const last = toNumber(this.pieces.at(-1).q1);
+        const from = Math.max(1, this.scale.q(plane.window.x0));
+        const to = Math.min(last, this.scale.q(plane.window.x1));
+        let bound = paperBound(from);
+        const stride = Math.max(1, Math.ceil((paperBound(to) - bound) / mostPaperSteps));
+        c.strokeStyle = colour("--paper");
+        c.lineWidth = 1.5;
+        c.setLineDash([6, 4]);
+        c.beginPath();
+        c.moveTo(plane.X(Math.max(this.x0[0], plane.window.x0)), plane.Y(bound));
+        for (; ; bound += stride) {
+            const x = this.scale.xOf(paperStep(bound - 1));
+            if (!(x < Math.min(plane.window.x1, this.x1.at(-1)))) {
+                break;
+            }
+            c.lineTo(plane.X(x), plane.Y(bound));
+            c.lineTo(plane.X(x), plane.Y(bound + stride));
+        }
+        c.lineTo(plane.X(Math.min(this.x1.at(-1), plane.window.x1)), plane.Y(bound));
+        c.stroke();
+        c.setLineDash([]);
+    }
+
+    drawGrowth(plane) {
+        const c = plane.context;
+        c.strokeStyle = colour("--growth");
+        c.lineWidth = 1.25;
+        c.setLineDash([2, 3]);
+        c.beginPath();
+        const lo = Math.max(this.x0[0], plane.window.x0);
+        const hi = Math.min(this.x1.at(-1), plane.window.x1);
+        for (let i = 0; i <= 200; ++i) {
+            const x = lo + ((hi - lo) * i) / 200;
+            c.lineTo(plane.X(x), plane.Y(growth(this.scale.q(x), this.constant)));
+        }
+        c.stroke();
+        c.setLineDash([]);
+    }
+
+    tell(x) {
+        const i = x === null ? -1 : this.x1.findIndex((end, k) => x <= end && x >= this.x0[k]);
+        if (i < 0) {
+            this.readout.textContent = x === null ? "Point at the staircase, or move it with the arrow keys." : "The file says nothing here.";
+            return;
+        }
+        const { status, lower, upper, lo_text, hi_text } = this.pieces[i];
+        const range = lo_text === hi_text ? `q = ${shortened(lo_text)}` : `q from ${shortened(lo_text)} to ${shortened(hi_text)}`;
+        const value = {
+            exact: `N(q) = ${upper}`,
+            gap: `N(q) is ${lower} or ${upper} (a gap around the step)`,
+            open: `N(q) is at least ${lower}${upper === null ? "" : ` and at most ${upper}`} (open)`,
+        }[status];
+        const q = this.scale.q(x);
+        const beside = this.isDumbbell ? `; the paper\u2019s bound ${paperBound(q)}, 2 + C\u221aq = ${show(growth(q, this.constant), 5)}` : "";
+        this.readout.textContent = `At q = ${this.scale.text(x)}: ${value}${beside}. Piece ${i + 1}: ${range}.`;
+    }
+
+    caption() {
+        const key = (name, text) => h("span", { class: `key ${name}` }, text);
+        const keys = [key("proved", "claimed maximum N(q)")];
+        if (this.gaps.length > 0) {
+            keys.push(key("gap", "gap: one of two values"));
+        }
+        if (this.pieces.some((p) => p.status === "open")) {
+            keys.push(key("open", "open"));
+        }
+        if (this.isDumbbell) {
+            keys.push(key("paper", "the paper\u2019s bound \u2308\u03c0/\u03b3\u2309 + 1"), key("growth", `2 + C\u221aq, C = ${show(this.constant, 7)}\u2026`));
+        }
+        const gaps = this.gaps.length === 0 ? "" : ` ${plural(this.gaps.length, "gap")} between the steps, drawn at least as wide as a line; choose one above to see its true width.`;
+        return h("figcaption", {}, h("span", { class: "keys" }, keys), `The staircase.${gaps} Zoom with + and \u2212, move with the arrow keys or by dragging, 0 shows everything.`);
+    }
+}
+
+export const staircase = (file, constant) => new Staircase(file, constant);

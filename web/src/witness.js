@@ -1,0 +1,128 @@
+// The orbit of a certificate's witness, and the two extremal orbits: rays that go from wall to wall by lemma L4. The start and the
+// numbers of collisions are the certificate's; what is between is computed here in doubles, as an illustration.
+import { reflected } from "./flight.js";
+import { joined, mostCollisions } from "./orbit.js";
+
+/// |dpsi/dt| on a flight of slope kappa, in the unit of time in which psi'^2 + q y'^2 = 1.
+const speed = (kappa, r) => 1 / Math.sqrt(1 + (kappa * kappa) / r);
+
+/// The least root of sin x = c + kappa x in [0, pi/2], or null: Newton from the left, where the difference is concave.
+export function leastContact(c, kappa) {
+    const peak = Math.acos(Math.max(-1, Math.min(1, kappa)));
+    const top = Math.min(peak, Math.PI / 2);
+    if (!(Math.sin(top) > c + kappa * top)) {
+        return null;
+    }
+    let x = 0;
+    for (let i = 0; i < 200; ++i) {
+        const step = (Math.sin(x) - c - kappa * x) / (Math.cos(x) - kappa);
+        const next = x - step;
+        if (!(next > x)) {
+            break;
+        }
+        x = Math.min(next, top);
+    }
+    return x;
+}
+
+/// The light wall's collisions of the ray that crosses the corner at height c with slope kappa, going to the side `direction`
+/// (+1 right), having started `run` before that corner.
+export function follow(c, kappa, r, direction, run) {
+    const collisions = [];
+    let t = 0;
+    while (kappa < 1 && collisions.length < mostCollisions) {
+        const x = leastContact(c, kappa);
+        if (x === null) {
+            break;
+        }
+        const v = speed(kappa, r);
+        t += (run + x) / v;
+        const at = { psi: direction * (Math.PI / 2 + x), y: Math.sin(x) };
+        const before = { vpsi: direction * v, vy: kappa * v };
+        collisions.push({ t, ...at, heavy: false, before, after: reflected({ ...at, ...before }, false, r) });
+        const w = Math.cos(x);
+        const D = w * w - 2 * kappa * w - r;
+        if (!(D > 0)) {
+            break;
+        }
+        kappa = (kappa * w * w + 2 * r * w - r * kappa) / D;
+        c = Math.sin(x) + kappa * (x + Math.PI);
+        direction = -direction;
+        run = Math.PI + x;
+    }
+    return collisions;
+}
+
+/// The contact (e, eta) of the chart bridge, with all that comes before and after it.
+export function bridgeOrbit(e, eta, q) {
+    const r = 1 / q;
+    const s = Math.cos(e);
+    const etaBack = (eta * (1 + r * s * s)) / (1 + r * s * s + 2 * r * s * eta);
+    const [out, back] = [r * (s + eta), r * (etaBack - s)];
+    const height = r * Math.sin(e);
+    const middle = {
+        t: 0,
+        psi: Math.PI / 2 - e,
+        y: height,
+        heavy: true,
+        before: { vpsi: -speed(back, r), vy: -back * speed(back, r) },
+        after: { vpsi: -speed(out, r), vy: out * speed(out, r) },
+    };
+    return joined(
+        q,
+        middle,
+        follow(height + out * (Math.PI - e), out, r, -1, Math.PI - e),
+        follow(height + back * e, back, r, +1, e),
+        "dumbbell",
+    );
+}
+
+/// In a wedge with straight walls y = |psi| - pi/2, from the distance x of the corner: the ray to the other side.
+function followWedge(x, kappa, r, direction) {
+    const collisions = [];
+    let t = 0;
+    while (kappa < 1 && collisions.length < mostCollisions) {
+        const v = speed(kappa, r);
+        const next = (x * (1 + kappa)) / (1 - kappa);
+        t += (x + next) / v;
+        const at = { psi: direction * (Math.PI / 2 + next), y: next };
+        const before = { vpsi: direction * v, vy: kappa * v };
+        const D = 1 - 2 * kappa - r;
+        const k = (2 * (before.vy - before.vpsi * direction)) / (1 + r);
+        const after = { vpsi: before.vpsi + k * direction, vy: before.vy - k * r };
+        collisions.push({ t, ...at, heavy: false, before, after });
+        if (!(D > 0)) {
+            break;
+        }
+        kappa = (kappa + 2 * r - r * kappa) / D;
+        x = next;
+        direction = -direction;
+    }
+    return collisions;
+}
+
+/// A turning collision of slope r lambda in the wedge (L17). It has no scale: drawn so that its last contact is 1 from the vertex.
+export function wedgeOrbit(lambda, q) {
+    const r = 1 / q;
+    const kappa = r * lambda;
+    const D = 1 + 2 * r * lambda - r;
+    const mu = (2 + r * lambda - lambda) / D;
+    const at = (x) => {
+        const out = followWedge(x, kappa, r, -1);
+        const back = D > 0 ? followWedge(x, r * mu, r, -1) : [];
+        return { out, back };
+    };
+    const unit = at(1);
+    const farthest = Math.max(1, ...unit.out.map((c) => c.y), ...unit.back.map((c) => c.y));
+    const x = 1 / farthest;
+    const { out, back } = at(x);
+    const v = speed(kappa, r);
+    const after = { vpsi: -v, vy: kappa * v };
+    const k = (2 * (after.vy - after.vpsi)) / (1 + r);
+    const before = { vpsi: after.vpsi + k, vy: after.vy - k * r };
+    const middle = { t: 0, psi: Math.PI / 2 + x, y: x, heavy: false, before, after };
+    return joined(q, middle, out, back, "wedge");
+}
+
+/// The extremal orbits of proofs/theorem.md, as limits of contacts with the bridge: at its top, and at its corner.
+export const extremalOrbits = (q) => ({ top: bridgeOrbit(Math.PI / 2, 0, q), corner: bridgeOrbit(0, 0, q) });
