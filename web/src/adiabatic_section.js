@@ -79,7 +79,7 @@ function boxes(file) {
     }).element;
 }
 
-export function adiabaticSection(file) {
+export function adiabaticSection(file, isAlone) {
     const { title, of, units } = statements[file.claim];
     const rows = units.map((unit, i) => {
         const [bound, value] = [file.bounds[i], file.attained[i]?.value];
@@ -93,9 +93,9 @@ export function adiabaticSection(file) {
         file.tree && boxes(file),
         h("h3", {}, "What is attained"),
         attained(file),
-        h("h3", {}, "Tables"),
-        table("Constants (rounded; exact in the file)", ["what is bounded", "C, claimed", "B, attained", "C/B"], rows, [1, 2, 3]),
+        h("h3", {}, "Constants"),
+        table("Rounded; exact in the file", ["what is bounded", "C, claimed", "B, attained", "C/B"], rows, [1, 2, 3]),
         table("Leaves of all trees", ["kind", "leaves"], [["bound", file.leaves.bound.toLocaleString("en")], ["outside", file.leaves.outside.toLocaleString("en")]], [1]),
-        foundations(file),
+        foundations(file, isAlone),
     ];
 }

@@ -35,7 +35,7 @@ function claimText(file) {
         parts.push(`${plural(number("open"), "open piece")}, not decided`);
     }
     const span = file.upper === null ? `at least ${file.lower}` : `from ${file.lower} to ${file.upper}`;
-    return `For every mass ratio q from ${shortened(lo_text)} to ${shortened(hi_text)}, the greatest number N(q) of collisions of any trajectory: ${span}, in ${parts.join(" and ")}.`;
+    return `For every mass ratio q from ${shortened(lo_text)} to ${shortened(hi_text)}, the greatest number N(q) of collisions of any trajectory${file.scene === "dumbbell" ? "" : ` in the ${file.scene === "wedge" ? "straight" : "hybrid"} wedge`}: ${span}, in ${parts.join(" and ")}.`;
 }
 
 function coverNote(file) {
@@ -163,17 +163,19 @@ function witnesses(file) {
 const mostRows = 200;
 
 function piecesTable(file) {
-    const row = (p) => [rangeText(p).slice(2), valueText(p), p.paper ? (p.paper[0] === p.paper[1] ? String(p.paper[0]) : `${p.paper[0]} to ${p.paper[1]}`) : "", p.equal_masses ? "by L7" : p.leaves.toLocaleString("en"), String(p.bits),
+    const isDumbbell = file.scene === "dumbbell";
+    const ends = ({ lo_text: lo, hi_text: hi }) => (lo === hi ? shortened(lo) : `${shortened(lo)} to ${shortened(hi)}`);
+    const row = (p) => [ends(p), valueText(p), isDumbbell && p.paper ? (p.paper[0] === p.paper[1] ? String(p.paper[0]) : `${p.paper[0]} to ${p.paper[1]}`) : "", p.equal_masses ? "by L7" : p.leaves.toLocaleString("en"), String(p.bits),
         p.witness ? `${1 + p.witness.forward + p.witness.backward} collisions` : ""];
-    const head = ["mass ratio", "claimed", "the paper\u2019s bound", "boxes", "bits", "witness"];
+    const head = ["mass ratio", "claimed", isDumbbell ? "the paper\u2019s bound" : "", "boxes", "bits", "witness"];
     const host = h("div", {});
-    const fill = (pieces) => host.replaceChildren(table(`What is claimed, piece by piece${pieces.length < file.pieces.length ? ` (the first ${mostRows} of ${file.pieces.length})` : ""}`, head, pieces.map(row), [3, 4]));
+    const fill = (pieces) => host.replaceChildren(table(`Piece by piece${pieces.length < file.pieces.length ? ` (the first ${mostRows} of ${file.pieces.length})` : ""}`, head, pieces.map(row), [3, 4]));
     fill(file.pieces.slice(0, mostRows));
     const more = h("button", { type: "button", onclick: () => { fill(file.pieces); more.remove(); } }, `Show all ${file.pieces.length}`);
     return h("details", { class: "tables", open: file.pieces.length <= 40 }, h("summary", {}, "What is claimed"), host, file.pieces.length > mostRows ? more : null);
 }
 
-export function collisionsSection(file, constant) {
+export function collisionsSection(file, constant, isAlone) {
     const orbits = (piece, q) => orbitOf(piece, q);
     const isRange = file.lo_text !== file.hi_text;
     const hasBoxes = file.pieces.some((piece) => piece.trees.length > 0);
@@ -188,8 +190,7 @@ export function collisionsSection(file, constant) {
         hasBoxes && cover(coverSource(file, orbits)).element,
         played && h("h3", {}, "The witness orbits"),
         played,
-        h("h3", {}, "Tables"),
         piecesTable(file),
-        foundations(file),
+        foundations(file, isAlone),
     ];
 }

@@ -13,10 +13,11 @@ export function verifyBox(file) {
     );
 }
 
-export function foundations(file) {
+/// isOpen: shown at once.
+export function foundations(file, isOpen) {
     return h(
         "details",
-        { class: "tables", open: true },
+        { class: "tables", open: isOpen },
         h("summary", {}, "What the claim rests on, and checksums"),
         table("Lemmas", ["lemma", "statement", "proof in"], lemmaRows(file)),
         table("The file", ["", ""], [

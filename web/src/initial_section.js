@@ -50,7 +50,7 @@ function claimText(file) {
 
 const plain = (text) => shortened(text.endsWith("/1") ? text.slice(0, -2) : text).replace("-", "\u2212");
 
-export function initialSection(file, play) {
+export function initialSection(file, play, isAlone) {
     const shares = file.shares.map(({ collisions, share, boxes }) => [collisions === null ? "not decided" : `exactly ${collisions}`, `${show(Number(share) * 100, 5)} %`, boxes.toLocaleString("en")]);
     return [
         h("h2", {}, "Initial conditions"),
@@ -58,8 +58,8 @@ export function initialSection(file, play) {
         verifyBox(file),
         h("h3", {}, "The cover"),
         cover(source(file, play)).element,
-        h("h3", {}, "Tables"),
-        table("Shares of the box (rounded)", ["collisions", "share", "boxes"], shares, [1, 2]),
-        foundations(file),
+        h("h3", {}, "How much of the box"),
+        table("Shares (rounded)", ["collisions", "share", "boxes"], shares, [1, 2]),
+        foundations(file, isAlone),
     ];
 }

@@ -4,7 +4,7 @@ import { collisionsSection } from "./collisions_section.js";
 import { h, labelled, select } from "./dom.js";
 import { initialSection } from "./initial_section.js";
 import { OwnStart } from "./own_start.js";
-import { parse, toNumber } from "./rational.js";
+import { openForPrint } from "./print.js";
 import { setTheme, watchTheme } from "./theme.js";
 
 function header(data) {
@@ -19,28 +19,26 @@ function header(data) {
     );
 }
 
-/// A start that falls and bounces, at the first mass ratio of the first file that has one.
-function firstStart(data) {
-    const piece = data.files.find((file) => file.claim === "collisions")?.pieces[0];
-    const q = piece && piece.lo === piece.hi ? toNumber(parse(piece.lo)) : 10;
-    return { q: String(q), phi: "0.2", phidot: "1", y: "1", ydot: "-0.05" };
-}
+/// Nine collisions, by `dumbbell trace`, too.
+const firstStart = { q: "100", phi: "-0.2", phidot: "1", y: "0.8", ydot: "-0.1" };
 
 function sectionOf(file, data, own) {
+    const isAlone = data.files.length === 1;
     switch (file.claim) {
         case "collisions":
-            return collisionsSection(file, Number(data.growth_constant));
+            return collisionsSection(file, Number(data.growth_constant), isAlone);
         case "initial-conditions":
-            return initialSection(file, ([phi, phidot, y, ydot, q]) => own.set([q, phi, phidot, y, ydot]));
+            return initialSection(file, ([phi, phidot, y, ydot, q]) => own.set([q, phi, phidot, y, ydot]), isAlone);
         default:
-            return adiabaticSection(file);
+            return adiabaticSection(file, isAlone);
     }
 }
 
 const start = performance.now();
 const data = JSON.parse(document.getElementById("data").textContent);
 watchTheme();
-const own = new OwnStart(firstStart(data));
+openForPrint();
+const own = new OwnStart(firstStart);
 document.title = `dumbbell report: ${data.files.map((file) => file.name).join(", ")}`;
 document.getElementById("page").replaceChildren(
     header(data),

@@ -31,7 +31,7 @@ export class PhaseView {
         this.plane.setHome({
             x0: Math.min(-half, ...bounded(psi, Math.min)),
             x1: Math.max(half, ...bounded(psi, Math.max)),
-            y0: orbit.scene === "wedge" ? -0.08 : -0.06,
+            y0: -0.14,
             y1: Math.max(1.2, bounded(y, Math.max)[0] * 1.04),
         });
     }
@@ -112,7 +112,8 @@ export class PhaseView {
         const { collisions } = this.orbit;
         c.font = `11px ${colour("--font")}`;
         c.textAlign = "center";
-        c.textBaseline = "top";
+        c.textBaseline = "middle";
+        const middle = collisions.findIndex(({ heavy }) => heavy);
         collisions.forEach(({ psi, y, heavy }, i) => {
             const [x, py] = [plane.X(psi), plane.Y(y)];
             c.beginPath();
@@ -121,7 +122,7 @@ export class PhaseView {
             c.fill();
             if (collisions.length <= mostNumbers) {
                 c.fillStyle = colour("--soft");
-                c.fillText(String(i + 1), x, py + 6);
+                c.fillText(String(i + 1), x, py + (i < middle ? -12 : 12)); // the way down above, the way up below
             }
         });
     }

@@ -5,7 +5,8 @@ import { colour, onTheme } from "./theme.js";
 import { linearTicks } from "./ticks.js";
 import { moveByKeys, moveByPointer } from "./gestures.js";
 
-const margin = { left: 62, right: 14, top: 12, bottom: 46 };
+const margin = { left: 62, right: 14, top: 12, bottom: 56 };
+const narrow = 520; // px of the frame; below, the label below makes room for the buttons
 const slowMs = 14; // a drawing that takes longer is replaced by a stretched copy while the window moves
 
 /// options: home {x0, x1, y0, y1}; draw(plane); title (for those who do not see it); xLabel, yLabel: text or function;
@@ -168,9 +169,11 @@ export class Plane {
             this.rule(frame.x, this.Y(at), frame.x + frame.width, this.Y(at));
             c.fillText(text, frame.x - 7, this.Y(at));
         }
+        const isNarrow = frame.width < narrow;
+        c.textAlign = isNarrow ? "left" : "center";
+        c.textBaseline = "middle";
+        c.fillText(label(options.xLabel), isNarrow ? 4 : frame.x + frame.width / 2, frame.y + frame.height + margin.bottom - 15);
         c.textAlign = "center";
-        c.textBaseline = "bottom";
-        c.fillText(label(options.xLabel), frame.x + frame.width / 2, frame.y + frame.height + margin.bottom - 4);
         c.save();
         c.translate(13, frame.y + frame.height / 2);
         c.rotate(-Math.PI / 2);

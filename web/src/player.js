@@ -57,7 +57,7 @@ export class Player {
         this.dumbbell.canvas.hidden = !isDumbbell;
         this.element.classList.toggle("single", !isDumbbell);
         const from = this.clock.times[0];
-        this.dumbbell.setOrbit(orbit, Math.min(6, Math.max(2.1, top / (1 + orbit.r) + 0.75)), (t) => (t < from ? null : stateAt(orbit, t)));
+        this.dumbbell.setOrbit(orbit, Math.min(6, Math.max(2.1, top / (1 + orbit.r) + 1.08)), (t) => (t < from ? null : stateAt(orbit, t)));
         this.phase.setOrbit(orbit);
         this.position.max = this.clock.flights;
         this.rows.replaceChildren();
@@ -87,12 +87,13 @@ export class Player {
     tell(state, hit) {
         const { collisions, r, complete } = this.orbit;
         const n = `${collisions.length}${complete ? "" : " or more"}`;
+        const all = `${n} ${collisions.length === 1 ? "collision" : "collisions"}`;
         const words = hit
             ? `Collision ${state.done} of ${n}, of the ${hit.heavy ? "heavy" : "light"} mass`
             : state.done === 0
-              ? `Before the first of ${n} collisions`
+              ? collisions.length === 0 ? "It never hits the floor" : `Before the first of ${all}`
               : state.done === collisions.length
-                ? `After all ${n} collisions: it ${complete ? "never hits the floor again" : "is not followed any further"}`
+                ? `After ${collisions.length === 1 ? "the only collision" : `all ${all}`}: it ${complete ? "never hits the floor again" : "is not followed any further"}`
                 : `Between collisions ${state.done} and ${state.done + 1} of ${n}`;
         const numbers = hit
             ? `velocities (\u03c8, y) ${show(hit.before.vpsi, 4)}, ${show(hit.before.vy, 4)} before and ${show(hit.after.vpsi, 4)}, ${show(hit.after.vy, 4)} after; grazing sine ${show(grazingSine({ ...hit, ...hit.before }, hit.heavy, r), 3)}`
