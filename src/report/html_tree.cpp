@@ -1,6 +1,7 @@
 #include "report/html_tree.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <queue>
 
 #include "arith/error.hpp"
@@ -13,6 +14,13 @@ struct Subtree {
     std::size_t leaves = 1;
     int greatest = 0;
     std::size_t end = 0;
+};
+
+/// A subtree that is not shown in detail so far.
+struct Closed {
+    std::size_t node;
+    double weight;  // its leaves times the square root of its share of the root box
+    int depth;
 };
 
 std::vector<Subtree> subtrees_of(const PictureTree& tree) {
@@ -38,17 +46,22 @@ std::vector<Subtree> subtrees_of(const PictureTree& tree) {
 /// The inner nodes that are drawn as such.
 std::vector<bool> opened(const PictureTree& tree, const std::vector<Subtree>& subtrees, std::size_t most) {
     std::vector<bool> open(tree.size());
-    const auto fewer = [&](std::size_t a, std::size_t b) {
-        return subtrees[a].leaves != subtrees[b].leaves ? subtrees[a].leaves < subtrees[b].leaves : a > b;
+    const auto lighter = [](const Closed& a, const Closed& b) {
+        return a.weight != b.weight ? a.weight < b.weight : a.node > b.node;
     };
-    std::priority_queue<std::size_t, std::vector<std::size_t>, decltype(fewer)> closed(fewer);
-    closed.push(0);
-    for (std::size_t shown = 1; shown < most && tree[closed.top()] < 0; ++shown) {
-        const std::size_t node = closed.top();
+    std::priority_queue<Closed, std::vector<Closed>, decltype(lighter)> closed(lighter);
+    const auto add = [&](std::size_t node, int depth) {
+        if (tree[node] < 0) {
+            closed.push({node, static_cast<double>(subtrees[node].leaves) * std::exp2(-depth / 2.0), depth});
+        }
+    };
+    add(0, 0);
+    for (std::size_t shown = 1; shown < most && !closed.empty(); ++shown) {
+        const auto [node, weight, depth] = closed.top();
         closed.pop();
         open[node] = true;
-        closed.push(node + 1);
-        closed.push(subtrees[node + 1].end);
+        add(node + 1, depth + 1);
+        add(subtrees[node + 1].end, depth + 1);
     }
     return open;
 }

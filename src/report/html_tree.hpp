@@ -19,7 +19,7 @@ struct ThinnedTree {
     std::vector<std::size_t> stands_for;  ///< for each leaf the number of leaves; empty if always 1
 };
 
-/// At most `most` leaves, at least 1: the subtrees with the most leaves are shown in detail first.
+/// At most `most` leaves, at least 1: subtrees with many leaves and large boxes are shown in detail first.
 /// Precondition: the tree is complete.
 [[nodiscard]] ThinnedTree thinned(const PictureTree& tree, std::size_t most);
 
