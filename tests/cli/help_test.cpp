@@ -7,9 +7,9 @@ using Catch::Matchers::Contains;
 
 namespace {
 
-const std::vector<Words> commands{{"certify"},  {"critical"}, {"verify"}, {"law"},
-                                  {"audit"},    {"trace"},    {"plot"},   {"plot", "staircase"},
-                                  {"adiabatic"}};
+const std::vector<Words> commands{{"certify"},   {"critical"}, {"verify"}, {"law"},
+                                  {"audit"},     {"trace"},    {"plot"},   {"plot", "staircase"},
+                                  {"adiabatic"}, {"report"}};
 
 Outcome help_of(Words command) {
     command.emplace_back("--help");

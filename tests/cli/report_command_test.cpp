@@ -1,0 +1,127 @@
+#include <catch2/catch.hpp>
+
+#include "programs.hpp"
+
+using namespace dumbbell_test;
+using Catch::Matchers::Contains;
+using Catch::Matchers::StartsWith;
+
+namespace {
+
+// The data that the program put into the page.
+nlohmann::json data_of(const std::string& page) {
+    const std::string start = "id=\"data\">";
+    const std::size_t begin = page.find(start) + start.size();
+    return nlohmann::json::parse(page.substr(begin, page.find("</script>", begin) - begin));
+}
+
+Outcome report(const TemporaryFolder& folder, Words words) {
+    words.insert(words.begin(), "report");
+    return dumbbell(words, folder.path());
+}
+
+}  // namespace
+
+TEST_CASE("report makes one page from certificates of every kind, and says nothing") {
+    const TemporaryFolder folder;
+    REQUIRE(dumbbell({"certify", "1:10", "--out", "stairs.dbc"}, folder.path()).code == 0);
+    REQUIRE(dumbbell({"certify", "10", "--section", "full", "--out", "full.dbc.gz"}, folder.path()).code ==
+            0);
+    REQUIRE(dumbbell({"certify", "3", "--scene", "wedge", "--out", "wedge.dbc"}, folder.path()).code == 0);
+    REQUIRE(dumbbell({"trace", "10", "--phi", "0:1", "--phidot", "0", "--y", "3/2", "--ydot", "-1",
+                      "--subdivide", "--max-boxes", "50", "--out", "starts.dbc"},
+                     folder.path())
+                .code == 0);
+    REQUIRE(dumbbell({"adiabatic", "--theorem", "lemma3.1", "--delta", "0.1", "--out", "adiabatic.dbc"},
+                     folder.path())
+                .code == 0);
+    const Outcome made = report(folder, {"stairs.dbc", "full.dbc.gz", "wedge.dbc", "starts.dbc",
+                                         "adiabatic.dbc", "--out", "page.html"});
+    CAPTURE(made.err);
+    CHECK(made.code == 0);
+    CHECK(made.out.empty());
+    CHECK(made.err.empty());
+    const std::string page = contents(folder / "page.html");
+    CHECK_THAT(page, StartsWith("<!doctype html>") && Contains("</html>"));
+    const auto files = data_of(page)["files"];
+    REQUIRE(files.size() == 5);
+    CHECK(files[0]["claim"] == "collisions");
+    CHECK(files[1]["section"] == "full");
+    CHECK(files[2]["scene"] == "wedge");
+    CHECK(files[3]["claim"] == "initial-conditions");
+    CHECK(files[4]["claim"] == "adiabatic-bounce");
+
+    SECTION("and the commands in it are ones with which the verifier verifies these files") {
+        for (const auto& file : files) {
+            const std::string options = file["verify_options"];
+            const std::string name = file["verify_file"];
+            const Outcome checked = run(
+                {"sh", "-c", std::string(DUMBBELL_BIN) + " verify " + options + " " + name}, folder.path());
+            CAPTURE(options, name, checked.out);
+            CHECK(checked.code == 0);
+            CHECK_THAT(checked.out, Contains("sha256=" + file["sha256"].get<std::string>()));
+        }
+    }
+}
+
+TEST_CASE("the same certificates give the same page") {
+    const TemporaryFolder folder;
+    REQUIRE(dumbbell({"certify", "10", "--out", "ten.dbc"}, folder.path()).code == 0);
+    REQUIRE(report(folder, {"ten.dbc", "--out", "one.html"}).code == 0);
+    REQUIRE(report(folder, {"ten.dbc", "--out", "two.html"}).code == 0);
+    CHECK(contents(folder / "one.html") == contents(folder / "two.html"));
+}
+
+TEST_CASE("where there are more boxes than asked for, one line says so") {
+    const TemporaryFolder folder;
+    REQUIRE(dumbbell({"certify", "100", "--section", "full", "--out", "full.dbc"}, folder.path()).code == 0);
+    const Outcome made = report(folder, {"full.dbc", "--max-boxes", "100", "--out", "page.html"});
+    CHECK(made.code == 0);
+    CHECK(count_lines(made.err) == 1);
+    CHECK_THAT(made.err, StartsWith("dumbbell: ") && Contains("--max-boxes"));
+    std::size_t drawn = 0;
+    const auto data = data_of(contents(folder / "page.html"));
+    for (const auto& tree : data["files"][0]["pieces"][0]["trees"]) {
+        drawn += tree["stands_for"].size();
+    }
+    CHECK(drawn <= 100);
+}
+
+TEST_CASE("what cannot be read is refused in one line, and an older page stays") {
+    const TemporaryFolder folder;
+    REQUIRE(dumbbell({"certify", "10", "--out", "ten.dbc"}, folder.path()).code == 0);
+    const std::string text = contents(folder / "ten.dbc");
+    write_file(folder / "half.dbc", text.substr(0, text.size() / 2));
+    write_file(folder / "changed.dbc", replaced(text, "upper 4", "upper 3"));
+    write_file(folder / "text.dbc", "Dear reader,\n");
+    write_file(folder / "empty.dbc", "");
+    write_file(folder / "page.html", "old");
+    const auto before = folder.names();
+    for (const char* bad : {"half.dbc", "changed.dbc", "text.dbc", "empty.dbc", "missing.dbc", "."}) {
+        const Outcome refused = report(folder, {"ten.dbc", bad, "--out", "page.html"});
+        CAPTURE(bad, refused.err);
+        CHECK(refused.code == 2);
+        CHECK(refused.out.empty());
+        CHECK(count_lines(refused.err) == 1);
+        CHECK_THAT(refused.err, StartsWith("dumbbell: ") && Contains(bad));
+    }
+    CHECK(contents(folder / "page.html") == "old");
+    CHECK(folder.names() == before);
+}
+
+TEST_CASE("a page that cannot be written, a missing option or a senseless number is refused") {
+    const TemporaryFolder folder;
+    REQUIRE(dumbbell({"certify", "10", "--out", "ten.dbc"}, folder.path()).code == 0);
+    for (const Words& words : std::vector<Words>{{"ten.dbc"},
+                                                 {"--out", "page.html"},
+                                                 {"ten.dbc", "--out", "no/such/folder/page.html"},
+                                                 {"ten.dbc", "--out", "."},
+                                                 {"ten.dbc", "--out", "page.html", "--max-boxes", "0"},
+                                                 {"ten.dbc", "--out", "page.html", "--max-boxes", "many"}}) {
+        const Outcome refused = report(folder, words);
+        CAPTURE(words, refused.err);
+        CHECK(refused.code == 2);
+        CHECK(count_lines(refused.err) == 1);
+        CHECK(folder.names() == Words{"ten.dbc"});
+    }
+}
