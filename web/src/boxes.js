@@ -33,7 +33,7 @@ export function drawBoxes(plane, view) {
         const [x0, x1, y0, y1] = range(box);
         return (x1 - x0) * perX < finest && (y1 - y0) * perY < finest;
     };
-    c.lineWidth = 0.5;
+    c.lineWidth = 0.75;
     c.strokeStyle = view.ink;
     tree.walk(view.fixed, skip, small, (box, kind, number, isLeaf) => {
         ++drawn;

@@ -31,9 +31,12 @@ class Cover {
             xTicks: (...of) => (this.isAngle(this.x) ? angleTicks : linearTicks)(...of),
             yTicks: (...of) => (this.isAngle(this.y) ? angleTicks : linearTicks)(...of),
             draw: (plane) => this.draw(plane),
+            moved: () => (this.outline.hidden = true),
             probe: (x, y) => this.tell(x, y),
             click: source.play && ((x, y) => this.play(x, y)),
         });
+        this.outline = h("div", { class: "outline", hidden: true });
+        this.plane.element.append(this.outline);
         this.counter = h("span", {});
         this.element = h(
             "figure",
@@ -171,7 +174,7 @@ class Cover {
 
     label(axis) {
         if (this.isPhysical) {
-            return axis === this.x ? "\u03c8: angle of the rod" : "slope dy/d\u03c8 of the flight";
+            return axis === this.x ? "\u03c8 = \u03c6 \u2212 \u03c0/2: angle of the rod from upright" : "slope dy/d\u03c8 of the flight";
         }
         return this.source.axisText?.[this.tree.axes[axis].name] ?? axisLabel(this.choice.chart, this.tree.axes[axis].name);
     }
@@ -198,8 +201,25 @@ class Cover {
         return point;
     }
 
+    /// Outlines the box that is told about; not in physical coordinates, where it is no rectangle.
+    mark(leaf) {
+        this.outline.hidden = !leaf || this.isPhysical;
+        if (this.outline.hidden) {
+            return;
+        }
+        const { plane, x, y } = this;
+        const { frame } = plane;
+        const clip = (value, lo, size) => Math.min(lo + size, Math.max(lo, value));
+        const left = clip(plane.X(leaf.box[2 * x]), frame.x, frame.width);
+        const right = clip(plane.X(leaf.box[2 * x + 1]), frame.x, frame.width);
+        const top = clip(plane.Y(leaf.box[2 * y + 1]), frame.y, frame.height);
+        const bottom = clip(plane.Y(leaf.box[2 * y]), frame.y, frame.height);
+        Object.assign(this.outline.style, { left: `${left}px`, top: `${top}px`, width: `${right - left}px`, height: `${bottom - top}px` });
+    }
+
     tell(x, y) {
         const leaf = x === null ? null : this.tree.find(this.point(x, y));
+        this.mark(leaf);
         if (!leaf) {
             this.readout.replaceChildren(x === null ? hint : "Outside of what the file covers.");
             return;

@@ -18,6 +18,9 @@ export function h(tag, attributes = {}, ...children) {
 
 /// A control with its label before it.
 export function labelled(text, control) {
+    if (control.matches("input, select") && !control.hasAttribute("aria-label")) {
+        control.setAttribute("aria-label", text);
+    }
     return h("label", { class: "labelled" }, h("span", {}, text), control);
 }
 

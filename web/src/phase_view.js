@@ -12,8 +12,8 @@ export class PhaseView {
             title: "The point (psi, y) above the floor curve, with the orbit's collisions",
             home: { x0: -4, x1: 4, y0: -0.1, y1: 1.4 },
             height: 340,
-            xLabel: "\u03c8: angle of the rod",
-            yLabel: "y: height, in units of \u03b2\u2082",
+            xLabel: "\u03c8 = \u03c6 \u2212 \u03c0/2: angle from upright",
+            yLabel: () => (this.orbit?.scene === "wedge" ? "height" : "y: height, in units of \u03b2\u2082"),
             xTicks: angleTicks,
             draw: (plane) => this.draw(plane),
         });

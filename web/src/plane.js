@@ -129,7 +129,9 @@ export class Plane {
             [this.copy.width, this.copy.height] = [this.canvas.width, this.canvas.height];
             this.copy.getContext("2d").drawImage(this.canvas, 0, 0);
         }
-        this.drawings = (this.drawings ?? 0) + 1;
+        // For those who look from outside: where the frame is, and what it shows.
+        const { x0, x1, y0, y1 } = this.window;
+        Object.assign(this.canvas.dataset, { frame: JSON.stringify(frame), window: JSON.stringify({ x0, x1, y0, y1 }), ms: this.cost.toFixed(1) });
     }
 
     /// The last drawing where it would be in the present window.

@@ -9,6 +9,7 @@ import { colour } from "./theme.js";
 import { countTicks, linearTicks, logTicks } from "./ticks.js";
 
 const mostPaperSteps = 4000; // drawn; more of them are closer than pixels
+const nearPaper = 7; // so close to the maximum, the paper's bound is shown beside it; else it is named
 
 /// q as x of the plane and back; `origin` is an exact decimal in a window close to a step.
 const scales = {
@@ -104,9 +105,16 @@ class Staircase {
         const places = Math.max(0, Math.ceil(-Math.log10(width)) + 1);
         this.rescale(scales.local(toDecimal(gap.q0, places)));
         const x0 = this.scale.x(gap.q0);
-        const y1 = Math.max(gap.upper, this.isDumbbell ? paperBound(toNumber(gap.q1)) : 0) + 1.5;
-        this.plane.setHome({ x0: x0 - 4 * width, x1: x0 + 5 * width, y0: Math.max(0, gap.lower - 2.5), y1 });
+        this.plane.setHome({ x0: x0 - 4 * width, x1: x0 + 5 * width, ...this.heights([gap]) });
         this.tell(x0 + width / 2);
+    }
+
+    /// A window of counts that fits these pieces.
+    heights(pieces) {
+        const least = Math.min(...pieces.map((p) => p.lower));
+        const most = Math.max(...pieces.map((p) => p.upper ?? p.lower));
+        const paper = Math.max(...pieces.map((p) => p.paper?.[1] ?? 0));
+        return { y0: Math.max(0, least - 2.5), y1: (paper - most <= nearPaper ? Math.max(most, paper) : most + 1.5) + 1.5 };
     }
 
     /// Heights that fit what the window shows.
@@ -114,8 +122,7 @@ class Staircase {
         const { x0, x1 } = this.plane.window;
         const shown = this.pieces.filter((_, i) => this.x1[i] >= x0 && this.x0[i] <= x1);
         if (shown.length > 0) {
-            const top = Math.max(...shown.map((p) => Math.max(p.upper ?? p.lower, p.paper?.[1] ?? 0)));
-            this.plane.show({ y0: Math.max(0, Math.min(...shown.map((p) => p.lower)) - 2.5), y1: top + 1.5 });
+            this.plane.show(this.heights(shown));
         }
     }
 
@@ -163,6 +170,14 @@ class Staircase {
         const from = Math.max(1, this.scale.q(plane.window.x0));
         const to = Math.min(last, this.scale.q(plane.window.x1));
         let bound = paperBound(from);
+        if (bound > plane.window.y1) {
+            c.font = `12px ${colour("--font")}`;
+            c.fillStyle = colour("--paper");
+            c.textAlign = "right";
+            c.textBaseline = "top";
+            c.fillText(`\u2191 the paper\u2019s bound: ${bound}`, plane.frame.x + plane.frame.width - 6, plane.frame.y + 6);
+            return;
+        }
         const stride = Math.max(1, Math.ceil((paperBound(to) - bound) / mostPaperSteps));
         c.strokeStyle = colour("--paper");
         c.lineWidth = 1.5;

@@ -55,7 +55,7 @@ export function angleTicks(lo, hi, wanted) {
     const names = new Map([[0, "0"], [1, "\u03c0/4"], [2, "\u03c0/2"], [3, "3\u03c0/4"], [4, "\u03c0"]]);
     const name = (k) => names.get(k) ?? (k % 4 === 0 ? `${k / 4}\u03c0` : k % 2 === 0 ? `${k / 2}\u03c0/2` : `${k}\u03c0/4`);
     const quarters = (hi - lo) / (Math.PI / 4);
-    if (quarters < 2.5) {
+    if (quarters < 1.6) {
         return linearTicks(lo, hi, wanted);
     }
     const step = [1, 2, 4, 8, 16, 32].find((s) => quarters / s <= wanted + 1) ?? Math.ceil(quarters / wanted);
