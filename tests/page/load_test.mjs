@@ -1,0 +1,83 @@
+import assert from "node:assert/strict";
+import test, { after } from "node:test";
+import { launch, open } from "./browser.mjs";
+import { certificates, report, scratch } from "./program.mjs";
+
+const place = scratch();
+const files = certificates(place);
+const everything = report(place("all.html"), ...Object.values(files));
+const browser = await launch();
+after(() => browser.close());
+
+for (const colorScheme of ["light", "dark"]) {
+    for (const width of [400, 800, 1600]) {
+        test(`every kind of certificate, ${width} px, ${colorScheme}: no error, no request, no overflow`, async () => {
+            const page = await open(browser, everything, { viewport: { width, height: 900 }, colorScheme });
+            const size = await page.evaluate(() => [document.documentElement.scrollWidth, document.documentElement.clientWidth]);
+            assert.ok(size[0] <= size[1], `the page is ${size[0]} px wide`);
+            const beyond = await page.evaluate(() => [...document.querySelectorAll("main *")]
+                .filter((e) => !e.closest(".scroll, .command, option") && e.getBoundingClientRect().right > innerWidth + 0.5).map((e) => e.outerHTML.slice(0, 90)));
+            assert.deepEqual(beyond, []);
+            await page.evaluate(() => document.querySelectorAll("details").forEach((details) => (details.open = true)));
+            assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth));
+            assert.deepEqual(page.complaints, []);
+            assert.deepEqual(page.requests, [`file://${everything}`]);
+            await page.close();
+        });
+    }
+}
+
+for (const [name, file] of Object.entries(files)) {
+    test(`${name} alone: no error, its name, its checksum, the command that verifies it`, async () => {
+        const page = await open(browser, report(place(`${name}.html`), file));
+        const text = await page.textContent("main");
+        assert.match(text, /dumbbell verify --/);
+        assert.match(text, /It has not been verified here/);
+        assert.match(text, /[0-9a-f]{64}/);
+        assert.ok(text.includes(file.split("/").at(-1)));
+        assert.deepEqual(page.complaints, []);
+        await page.close();
+    });
+}
+
+test("what is claimed is said, with its lemmas", async () => {
+    const page = await open(browser, report(place("some.html"), files.ten, files.stairs, files.full, files.starts));
+    const text = await page.textContent("main");
+    for (const words of [
+        "With mass ratio q = 10 no trajectory hits the floor more than 4 times, and some trajectory does so 4 times",
+        "9 pieces with one value of N(q) and 8 gaps around the steps",
+        "The heavy mass hits the floor at most once.",
+        "Why so few boxes?",
+        "Nothing is said about other starts",
+        "Monotone step: a lower, flatter ray never has fewer collisions left",
+        "Not rigorous: computed by this page in double precision",
+    ]) {
+        assert.ok(text.includes(words), words);
+    }
+    await page.close();
+});
+
+test("a file's name is text, whatever it is", async () => {
+    const { copyFileSync } = await import("node:fs");
+    const odd = place("<img src=x onerror=alert(1)>.dbc");
+    copyFileSync(files.ten, odd);
+    const page = await open(browser, report(place("odd.html"), odd));
+    assert.equal(await page.locator("img").count(), 0);
+    assert.ok((await page.textContent("main")).includes("<img src=x onerror=alert(1)>.dbc"));
+    assert.deepEqual(page.complaints, []);
+    await page.close();
+});
+
+test("on paper everything is open and white, and afterwards as it was", async () => {
+    const page = await open(browser, report(place("print.html"), files.ten, files.full), { colorScheme: "dark" });
+    const state = () => page.evaluate(() => [document.querySelectorAll("details:not([open])").length, getComputedStyle(document.body).backgroundColor]);
+    const before = await state();
+    await page.evaluate(() => dispatchEvent(new Event("beforeprint")));
+    assert.deepEqual(await state(), [0, "rgb(255, 255, 255)"]);
+    await page.evaluate(() => dispatchEvent(new Event("afterprint")));
+    assert.deepEqual(await state(), before);
+    const pdf = await page.pdf({ format: "A4" });
+    assert.ok(pdf.length > 20000);
+    assert.deepEqual(page.complaints, []);
+    await page.close();
+});

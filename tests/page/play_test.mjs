@@ -1,0 +1,205 @@
+import assert from "node:assert/strict";
+import test, { after } from "node:test";
+import { launch, open, pixels } from "./browser.mjs";
+import { certificates, report, scratch } from "./program.mjs";
+
+const place = scratch();
+const files = certificates(place);
+const browser = await launch();
+after(() => browser.close());
+
+const player = (page, section = "#file-1") => {
+    const of = page.locator(`${section} .player`);
+    return {
+        of,
+        status: () => of.locator(".readout").textContent(),
+        button: (name) => of.getByRole("button", { name }),
+        position: () => of.locator(".scrub").inputValue().then(Number),
+        dumbbell: () => pixels(of.locator("canvas.dumbbell")),
+        point: () => pixels(of.locator(".plane canvas")),
+    };
+};
+
+test("step by step through all collisions, and back", async () => {
+    const page = await open(browser, report(place("ten.html"), files.ten));
+    const { status, button } = player(page);
+    assert.match(await status(), /^Before the first of 4 collisions/);
+    const masses = [];
+    for (let i = 1; i <= 4; ++i) {
+        await button("Step \u25b6").click();
+        const told = await status();
+        assert.match(told, new RegExp(`^Collision ${i} of 4, of the (light|heavy) mass`));
+        masses.push(/of the (\w+) mass/.exec(told)[1]);
+    }
+    assert.deepEqual(masses, ["light", "light", "heavy", "light"]);
+    await button("Step \u25b6").click();
+    assert.match(await status(), /^After all 4 collisions: it never hits the floor again/);
+    await button("\u25c0 Step").click();
+    assert.match(await status(), /^Collision 4 of 4/);
+    await button("Start").click();
+    assert.match(await status(), /^Before the first/);
+    assert.deepEqual(page.complaints, []);
+    await page.close();
+});
+
+test("play moves the dumbbell and its point, and stops at the end or when asked", async () => {
+    const page = await open(browser, report(place("ten.html"), files.ten));
+    const { of, button, position, dumbbell, point, status } = player(page);
+    const before = [(await dumbbell()).bytes, (await point()).bytes];
+    await button("Play").click();
+    await page.waitForFunction((scrub) => Number(scrub.value) > 0.3, await of.locator(".scrub").elementHandle());
+    await button("Pause").click();
+    const stopped = await position();
+    const now = [(await dumbbell()).bytes, (await point()).bytes];
+    assert.notDeepEqual(now[0], before[0]);
+    assert.notDeepEqual(now[1], before[1]);
+    await page.waitForTimeout(200);
+    assert.equal(await position(), stopped);
+    await of.getByLabel("Speed").selectOption("20");
+    await button("Play").click();
+    await page.waitForFunction((scrub) => scrub.value === scrub.max, await of.locator(".scrub").elementHandle());
+    assert.match(await status(), /^After all 4 collisions/);
+    assert.equal(await button("Play").count(), 1);
+    assert.deepEqual(page.complaints, []);
+    await page.close();
+});
+
+test("scrubbing shows any moment, and slow motion changes the time shown inside a flight only", async () => {
+    const page = await open(browser, report(place("full.html"), files.full));
+    const { of, status } = player(page);
+    const scrub = of.locator(".scrub");
+    const at = async (p) => {
+        await scrub.evaluate((element, value) => {
+            element.value = value;
+            element.dispatchEvent(new Event("input"));
+        }, p);
+        return status();
+    };
+    assert.match(await at(3), /^Collision 3 of 10/);
+    const slow = await at(3.1);
+    assert.match(slow, /^Between collisions 3 and 4 of 10/);
+    await of.getByLabel("slow near collisions").uncheck();
+    assert.notEqual(await status(), slow);
+    assert.match(await at(3), /^Collision 3 of 10/);
+    await page.close();
+});
+
+test("by keys alone: space plays, comma and full stop step, arrows scrub", async () => {
+    const page = await open(browser, report(place("ten.html"), files.ten));
+    const { of, status, position, button } = player(page);
+    await of.locator(".scrub").focus();
+    await page.keyboard.press(".");
+    assert.match(await status(), /^Collision 1 of 4/);
+    await page.keyboard.press(".");
+    await page.keyboard.press(",");
+    assert.match(await status(), /^Collision 1 of 4/);
+    await page.keyboard.press("ArrowRight");
+    assert.ok((await position()) > 1);
+    await page.keyboard.press(" ");
+    assert.equal(await button("Pause").count(), 1);
+    await page.keyboard.press(" ");
+    assert.equal(await button("Play").count(), 1);
+    await page.close();
+});
+
+test("every control can be reached by the tab key and shows that it has the focus", async () => {
+    const page = await open(browser, report(place("full.html"), files.full));
+    const wanted = await page.locator("a[href], button, select, input, canvas[tabindex], summary").count();
+    const reached = new Set();
+    for (let i = 0; i < wanted + 60; ++i) {
+        await page.keyboard.press("Tab");
+        const found = await page.evaluate(() => {
+            const e = document.activeElement;
+            e.dataset.tabbed ??= String(Math.random());
+            return e === document.body ? null : { id: e.dataset.tabbed, hidden: e.getClientRects().length === 0, outline: getComputedStyle(e).outlineStyle };
+        });
+        if (found) {
+            assert.ok(!found.hidden && found.outline !== "none");
+            reached.add(found.id);
+        }
+    }
+    assert.ok(reached.size >= wanted, `${reached.size} of ${wanted}`);
+    await page.close();
+});
+
+test("where motion is to be reduced, play goes from collision to collision", async () => {
+    const page = await open(browser, report(place("ten.html"), files.ten), { reducedMotion: "reduce" });
+    const { of, button } = player(page);
+    await of.getByLabel("Speed").selectOption("5");
+    const seen = await page.evaluate(() => {
+        window.positions = new Set();
+        const scrub = document.querySelector("#file-1 .scrub");
+        const watch = () => {
+            window.positions.add(scrub.value);
+            requestAnimationFrame(watch);
+        };
+        watch();
+        return true;
+    });
+    assert.ok(seen);
+    await button("Play").click();
+    await page.waitForFunction((scrub) => window.positions.has(scrub.max), await of.locator(".scrub").elementHandle());
+    assert.deepEqual(await page.evaluate(() => [...window.positions]), ["0", "1", "2", "3", "4", "5"]);
+    await page.close();
+});
+
+test("each witness of a staircase can be chosen, at each end of its piece", async () => {
+    const page = await open(browser, report(place("stairs.html"), files.stairs));
+    const { status } = player(page);
+    const witness = page.getByLabel("Witness", { exact: true });
+    const n = await witness.locator("option").count();
+    assert.equal(n, 17);
+    for (let i = 0; i < n; ++i) {
+        await witness.selectOption(String(i));
+        const claimed = /: (\d+) collisions/.exec(await witness.locator("option").nth(i).textContent())[1];
+        for (const where of ["0", "0.5", "1"]) {
+            await page.getByLabel("at q", { exact: true }).selectOption(where);
+            const shown = Number(/first of (\d+) collisions/.exec(await status())[1]);
+            assert.ok(shown === Number(claimed) || shown === Number(claimed) + 1, `${i} ${where}: ${shown}, claimed ${claimed}`);
+        }
+    }
+    assert.deepEqual(page.complaints, []);
+    await page.close();
+});
+
+test("your own start is followed, called not rigorous, and comes with the command that is", async () => {
+    const page = await open(browser, report(place("ten.html"), files.ten));
+    const own = page.locator("#own");
+    assert.match(await own.textContent(), /Not rigorous/);
+    assert.match(await own.locator(".readout").first().textContent(), /In doubles: 9 collisions/);
+    for (const [label, text] of [["mass ratio q", "10"], ["angle \u03c6", "1/3"], ["its velocity \u03c6\u2032", "1"], ["height y", "3"], ["its velocity y\u2032", "-1/2"]]) {
+        await own.getByLabel(label, { exact: true }).fill(text);
+    }
+    await own.getByLabel("height y", { exact: true }).press("Enter");
+    assert.match(await own.locator(".readout").first().textContent(), /In doubles: 1 collision\./);
+    assert.match(await own.textContent(), /dumbbell trace 10 --phi 1\/3 --phidot 1 --y 3 --ydot -1\/2/);
+    await own.getByLabel("height y", { exact: true }).fill("0");
+    await own.getByRole("button", { name: "Follow it" }).click();
+    assert.match(await own.locator(".readout").first().textContent(), /above the floor/);
+    await page.close();
+});
+
+test("a click on a box of initial conditions plays the orbit from its centre", async () => {
+    const page = await open(browser, report(place("starts.html"), files.starts));
+    const canvas = page.locator("#file-1 .plane canvas").first();
+    await canvas.hover({ position: { x: 500, y: 200 } });
+    const told = await page.locator("#file-1 figure .readout").first().textContent();
+    const count = /Exactly (\d+) collision/.exec(told)[1];
+    await canvas.click({ position: { x: 500, y: 200 } });
+    assert.match(await page.locator("#own .readout").first().textContent(), new RegExp(`In doubles: ${count} collision`));
+    await page.close();
+});
+
+test("the choice of colours changes page and pictures at once", async () => {
+    const page = await open(browser, report(place("ten.html"), files.ten));
+    const background = () => page.evaluate(() => getComputedStyle(document.body).backgroundColor);
+    const canvas = page.locator("#file-1 .player .plane canvas");
+    const light = (await pixels(canvas)).bytes;
+    await page.getByLabel("Colours").first().selectOption("dark");
+    assert.equal(await background(), "rgb(20, 24, 31)");
+    assert.notDeepEqual((await pixels(canvas)).bytes, light);
+    await page.getByLabel("Colours").first().selectOption("light");
+    assert.equal(await background(), "rgb(255, 255, 255)");
+    assert.deepEqual((await pixels(canvas)).bytes, light);
+    await page.close();
+});

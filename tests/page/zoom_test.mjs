@@ -1,0 +1,153 @@
+import assert from "node:assert/strict";
+import test, { after } from "node:test";
+import { colour, launch, open, pixels, placeOf } from "./browser.mjs";
+import { certificates, report, scratch } from "./program.mjs";
+
+const place = scratch();
+const files = certificates(place);
+const browser = await launch();
+after(() => browser.close());
+
+const windowOf = (canvas) => canvas.evaluate((c) => JSON.parse(c.dataset.window));
+const span = ({ x0, x1 }) => x1 - x0;
+
+/// After a gesture a slow picture is drawn anew a moment later.
+const settled = (page) => page.waitForTimeout(150);
+
+test("buttons, keys, double click and wheel zoom; 0 and Reset show everything again", async () => {
+    const page = await open(browser, report(place("full.html"), files.full));
+    const figure = page.locator("#file-1 .plane").first();
+    const canvas = figure.locator("canvas");
+    const home = await windowOf(canvas);
+    const click = async (name) => {
+        await figure.getByRole("button", { name }).click();
+        await settled(page);
+        return windowOf(canvas);
+    };
+    const press = async (key) => {
+        await canvas.press(key);
+        await settled(page);
+        return windowOf(canvas);
+    };
+    assert.ok(Math.abs(span(await click("Zoom in")) / span(home) - 0.5) < 1e-9);
+    assert.ok(Math.abs(span(await click("Zoom out")) / span(home) - 1) < 1e-9);
+    const moved = await press("ArrowRight");
+    assert.ok(moved.x0 > home.x0 && Math.abs(span(moved) - span(home)) < 1e-9);
+    assert.ok((await press("ArrowUp")).y0 > home.y0);
+    assert.ok(span(await press("+")) < span(home));
+    assert.deepEqual(await press("0"), home);
+    await canvas.dblclick({ position: { x: 300, y: 200 } });
+    await settled(page);
+    assert.ok(span(await windowOf(canvas)) < 0.4 * span(home));
+    assert.deepEqual(await click("Show everything"), home);
+    await canvas.focus();
+    await canvas.hover({ position: { x: 300, y: 200 } });
+    await page.mouse.wheel(0, -400);
+    await settled(page);
+    assert.ok(span(await windowOf(canvas)) < 0.7 * span(home));
+    assert.deepEqual(page.complaints, []);
+    await page.close();
+});
+
+test("the wheel scrolls the page where the picture does not have the focus", async () => {
+    const page = await open(browser, report(place("full.html"), files.full));
+    const canvas = page.locator("#file-1 .plane canvas").first();
+    const home = await windowOf(canvas);
+    await canvas.hover({ position: { x: 300, y: 200 } });
+    await page.mouse.wheel(0, 300);
+    await page.waitForFunction(() => scrollY > 0);
+    assert.deepEqual(await windowOf(canvas), home);
+    await page.close();
+});
+
+test("dragging moves the picture with the pointer", async () => {
+    const page = await open(browser, report(place("full.html"), files.full));
+    const canvas = page.locator("#file-1 .plane canvas").first();
+    await canvas.scrollIntoViewIfNeeded();
+    const box = await canvas.boundingBox();
+    const home = await windowOf(canvas);
+    const before = await placeOf(canvas, 1, 1);
+    await page.mouse.move(box.x + 400, box.y + 200);
+    await page.mouse.down();
+    await page.mouse.move(box.x + 460, box.y + 170, { steps: 6 });
+    await page.mouse.up();
+    await settled(page);
+    const after = await placeOf(canvas, 1, 1);
+    assert.ok(Math.abs(span(await windowOf(canvas)) - span(home)) < 1e-9);
+    assert.ok(Math.abs(after[0] - before[0] - 60) < 12 && Math.abs(after[1] - before[1] + 30) < 8, `${before} ${after}`);
+    await page.close();
+});
+
+test("every step of a staircase can be chosen, and its gap is seen in its true width", async () => {
+    const page = await open(browser, report(place("long.html"), files.long));
+    const choice = page.locator("#file-1 .controls select").first();
+    const canvas = page.locator("#file-1 .plane canvas").first();
+    const gap = await colour(page, "--gap");
+    const count = await choice.locator("option").count();
+    assert.equal(count, 886);
+    for (const i of [0, 1, 2, 100, 500, 884]) {
+        await choice.selectOption(String(i));
+        await settled(page);
+        const { x0, x1 } = await windowOf(canvas);
+        const picture = await pixels(canvas);
+        const { frame } = await canvas.evaluate((c) => ({ frame: JSON.parse(c.dataset.frame) }));
+        const row = await canvas.evaluate((c) => JSON.parse(c.dataset.window)).then((w) => (w.y0 + w.y1) / 2);
+        const levels = [];
+        for (let y = Math.ceil(frame.y); y < frame.y + frame.height; ++y) {
+            let width = 0;
+            for (let x = Math.ceil(frame.x); x < frame.x + frame.width; ++x) {
+                width += picture.at(x, y) === gap ? 1 : 0;
+            }
+            levels.push(width);
+        }
+        const width = Math.max(...levels) / frame.width;
+        assert.ok(Math.abs(width - 1 / 9) < 0.02, `step ${i}: ${width} of the window ${x1 - x0}, ${row}`);
+        const told = await page.locator("#file-1 figure .readout").first().textContent();
+        assert.match(told, /is \d+ or \d+ \(a gap around the step\)/);
+    }
+    await choice.selectOption("");
+    await settled(page);
+    assert.ok(span(await windowOf(canvas)) > 5.9);
+    assert.deepEqual(page.complaints, []);
+    await page.close();
+});
+
+test("a gap 40 orders of magnitude narrower than its ratio is shown, too", async () => {
+    const page = await open(browser, report(place("fine.html"), files.fine));
+    await page.locator("#file-1 .controls select").first().selectOption("0");
+    const canvas = page.locator("#file-1 .plane canvas").first();
+    const width = span(await windowOf(canvas));
+    assert.ok(width > 0 && width < 1e-38, String(width));
+    const picture = await pixels(canvas);
+    const [x, y] = await placeOf(canvas, (await windowOf(canvas)).x0 + width / 2, 3.5);
+    assert.equal(picture.at(x, y), await colour(page, "--gap"));
+    assert.deepEqual(page.complaints, []);
+    await page.close();
+});
+
+test("a typed ratio is gone to", async () => {
+    const page = await open(browser, report(place("stairs.html"), files.stairs));
+    await page.getByLabel("mass ratio", { exact: true }).fill("50");
+    await page.getByRole("button", { name: "Go" }).click();
+    const { x0, x1 } = await windowOf(page.locator("#file-1 .plane canvas").first());
+    assert.ok(x0 < Math.log10(50) && Math.log10(50) < x1 && x1 - x0 < 0.1);
+    assert.match(await page.locator("#file-1 figure .readout").first().textContent(), /N\(q\) = 8/);
+    await page.close();
+});
+
+test("the axes of a box of initial conditions can be turned, and cut", async () => {
+    const page = await open(browser, report(place("adiabatic.html"), files.adiabatic));
+    const canvas = page.locator("#file-1 .plane canvas").first();
+    const before = await pixels(canvas);
+    await page.getByLabel("Across").selectOption({ label: "v" });
+    await settled(page);
+    const turned = await pixels(canvas);
+    assert.notDeepEqual(before.bytes, turned.bytes);
+    const slider = page.getByLabel("cut at u");
+    await slider.focus();
+    await slider.press("End");
+    await settled(page);
+    assert.notDeepEqual((await pixels(canvas)).bytes, turned.bytes);
+    assert.deepEqual(page.complaints, []);
+    await page.close();
+});
