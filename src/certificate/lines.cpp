@@ -34,7 +34,7 @@ const std::vector<std::string>& Lines::next() {
     if (gzgets(file_.get(), buffer.data(), max_line) == nullptr) {
         fail();
     }
-    std::string_view line(buffer.c_str());
+    std::string_view line(buffer.data());  // up to its NUL
     if (line.empty() || line.back() != '\n') {
         fail();
     }

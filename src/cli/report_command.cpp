@@ -18,7 +18,7 @@ constexpr const char* description =
 
 It shows the staircase against the source paper's bound, the boxes of a cover with their reasons, the witness orbits
 bounce by bounce (and any initial condition typed into the page), and tables of what is claimed, by which lemmas.
-Certificates of every kind can stand in one page.
+Certificates of every kind can stand in one page, and tables of critical ratios (dumbbell critical --out).
 
 The page does not verify: it shows what the files claim, each with the command that verifies it. Files whose checksum
 is wrong are refused. Moving pictures are computed in double precision in the browser; they illustrate, they prove
@@ -45,8 +45,8 @@ int run(const Options& options) {
     std::vector<ReportedFile> files;
     std::size_t boxes = 0;
     for (const std::string& path : options.files) {
-        files.push_back({path, sealed_digest(path), read_any_certificate(path)});
-        boxes += leaves_of(files.back().certificate);
+        files.push_back(read_reported(path));
+        boxes += leaves_of(files.back().content);
     }
     out.commit(html_page(page_data(files, options.most_boxes)));
     if (boxes > options.most_boxes) {
@@ -64,7 +64,8 @@ void add_report_command(CLI::App& app, int& exit_code) {
     auto options = std::make_shared<Options>();
     CLI::App* command = app.add_subcommand("report", description);
     command->footer(footer);
-    command->add_option("FILE", options->files, "certificates, of any kind")->required();
+    command->add_option("FILE", options->files, "certificates of any kind, tables of critical ratios")
+        ->required();
     command->add_option("--out", options->out, "the HTML file to write")->required()->type_name("FILE");
     command
         ->add_option("--max-boxes", options->most_boxes,

@@ -29,6 +29,7 @@ class Kinds {
                 for (const Node& node : tree.tree) {
                     if (!node.split) {
                         numbers_.emplace(key(node.leaf), 0);
+                        ++leaves_[node.leaf.reason];
                     }
                 }
             }
@@ -50,6 +51,15 @@ class Kinds {
         return kinds;
     }
 
+    /// How many leaves have each reason.
+    [[nodiscard]] Json totals() const {
+        Json totals = Json::object();
+        for (const auto& [reason, leaves] : leaves_) {
+            totals[std::string(name(reason))] = leaves;
+        }
+        return totals;
+    }
+
   private:
     using Key = std::tuple<bool, long, long, long, Reason>;
 
@@ -59,6 +69,7 @@ class Kinds {
     }
 
     std::map<Key, int> numbers_;
+    std::map<Reason, long> leaves_;
 };
 
 Json axes_json(Chart chart, const Piece& piece) {
@@ -157,6 +168,7 @@ nlohmann::ordered_json file_json(const Certificate& certificate, const BoxBudget
               {"upper", json_or_null(upper)},
               {"lower", lower},
               {"kinds", kinds.json()},
+              {"totals", kinds.totals()},
               {"pieces", Json::array()}};
     for (const Piece& piece : certificate.pieces) {
         json["pieces"].push_back(piece_json(piece, certificate, kinds, budget));

@@ -26,6 +26,7 @@ struct LeavesOf {
     }
     std::size_t operator()(const InitialCertificate& certificate) const { return closed(certificate.tree); }
     std::size_t operator()(const AdiabaticCertificate& certificate) const { return closed(certificate.tree); }
+    std::size_t operator()(const CriticalTable& /*no trees*/) const { return 0; }
 
   private:
     template <class Tree>
@@ -56,31 +57,54 @@ std::string growth_digits() {
     return to_text(*digits);
 }
 
+/// Who wrote it, and how the verifier is asked; a table has neither.
+struct Provenance {
+    std::string generator;
+    std::string verify_options;
+};
+
+struct ProvenanceOf {
+    template <class Certified>
+    Provenance operator()(const Certified& of) const {
+        return {of.program + " " + of.version, claim_options(of)};
+    }
+    Provenance operator()(const CriticalTable& /*unsigned*/) const { return {}; }
+};
+
 nlohmann::ordered_json one_file(const ReportedFile& file, const BoxBudget& budget) {
     nlohmann::ordered_json json =
-        std::visit([&](const auto& of) { return file_json(of, budget); }, file.certificate);
-    const auto [program, version, options] =
-        std::visit([](const auto& of) { return std::tuple(of.program, of.version, claim_options(of)); },
-                   file.certificate);
+        std::visit([&](const auto& of) { return file_json(of, budget); }, file.content);
+    const Provenance provenance = std::visit(ProvenanceOf(), file.content);
     json["name"] = std::filesystem::path(file.path).filename().string();
-    json["generator"] = program + " " + version;
+    json["generator"] = provenance.generator;
     json["sha256"] = file.sha256;
+    json["verify_options"] = provenance.verify_options;
     // A name that begins with a dash would be an option.
-    json["verify_options"] = options;
     json["verify_file"] = shell_word(file.path.starts_with('-') ? "./" + file.path : file.path);
     return json;
 }
 
 }  // namespace
 
-std::size_t leaves_of(const AnyCertificate& certificate) { return std::visit(LeavesOf(), certificate); }
+ReportedFile read_reported(const std::string& path) {
+    if (is_critical_table(path)) {
+        CriticalTable table = read_critical_table(path);
+        std::string sha256 = table.sha256;
+        return {path, std::move(sha256), std::move(table)};
+    }
+    std::string sha256 = sealed_digest(path);
+    return {path, std::move(sha256),
+            std::visit([](auto&& of) { return ReportedContent(std::move(of)); }, read_any_certificate(path))};
+}
+
+std::size_t leaves_of(const ReportedContent& content) { return std::visit(LeavesOf(), content); }
 
 nlohmann::ordered_json page_data(const std::vector<ReportedFile>& files, std::size_t most_boxes) {
     BoxBudget budget{0, most_boxes};
     std::size_t pieces = 0;
     for (const ReportedFile& file : files) {
-        budget.total += leaves_of(file.certificate);
-        if (const auto* certificate = std::get_if<Certificate>(&file.certificate)) {
+        budget.total += leaves_of(file.content);
+        if (const auto* certificate = std::get_if<Certificate>(&file.content)) {
             pieces += certificate->pieces.size();
         }
     }

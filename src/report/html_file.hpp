@@ -7,6 +7,7 @@
 #include "certificate/adiabatic_certificate.hpp"
 #include "certificate/certificate.hpp"
 #include "certificate/initial_certificate.hpp"
+#include "report/critical_table.hpp"
 
 /// One file of the page's data, by claim kind: its claim, trees and starting states, and the options with
 /// which the verifier is asked for exactly that claim.
@@ -23,6 +24,9 @@ struct BoxBudget {
                                                const BoxBudget& budget);
 [[nodiscard]] nlohmann::ordered_json file_json(const AdiabaticCertificate& certificate,
                                                const BoxBudget& budget);
+
+/// No certificate, but worth a look: with the command that makes the table again.
+[[nodiscard]] nlohmann::ordered_json file_json(const CriticalTable& table, const BoxBudget& budget);
 
 /// Words for the command line, e.g. `--ratio 1:100 --max 10 --min 2`.
 [[nodiscard]] std::string claim_options(const Certificate& certificate);

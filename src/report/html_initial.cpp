@@ -15,6 +15,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+constexpr int window_digits = 5;  // shown; the file has the window exactly
+
 constexpr std::array<const char*, initial_axes> axis_names{"phi", "phidot", "y", "ydot", "q"};
 
 /// A leaf apart from its box and the window of the first contact: open ones last, undecided ones before.
@@ -90,19 +92,29 @@ class Body {
         return json;
     }
 
+    /// From and until, rounded, for each leaf in order; nulls where the file has no window.
+    [[nodiscard]] const Json& windows() const { return windows_; }
+
     [[nodiscard]] long least() const { return least_.value_or(0); }
     [[nodiscard]] Json most() const { return any_open_ ? Json(nullptr) : Json(most_); }
 
   private:
     void add(const InitialLeaf& leaf, int depth) {
         const bool is_exact = leaf.most == leaf.least;
+        windows_.push_back(leaf.first ? Json(rounded(leaf.first->from)) : Json(nullptr));
+        windows_.push_back(leaf.first ? Json(rounded(leaf.first->until)) : Json(nullptr));
         ++leaves_[is_exact ? leaf.least : -1][depth];
         least_ = std::min(least_.value_or(leaf.least), leaf.least);
         most_ = std::max(most_, leaf.most.value_or(0));
         any_open_ = any_open_ || !leaf.most;
     }
 
+    static double rounded(const Rational& x) {
+        return parse_rational(to_decimal(x, window_digits)).convert_to<double>();
+    }
+
     std::map<Kind, int> kinds_;
+    Json windows_ = Json::array();
     std::map<long, std::map<int, long>> leaves_;  // by count (-1: undecided), by depth
     std::optional<long> least_;
     long most_ = 0;
@@ -121,9 +133,12 @@ nlohmann::ordered_json file_json(const InitialCertificate& certificate, const Bo
     }
     Json tree = tree_json(body.tree, share_of(leaves_of(body.tree), budget.total, budget.most));
     tree["axes"] = std::move(axes);
-    return {{"claim", "initial-conditions"}, {"lemmas", "1"},          {"bits", certificate.bits},
-            {"least", body.least()},         {"most", body.most()},    {"shares", body.shares()},
-            {"kinds", body.kinds()},         {"tree", std::move(tree)}};
+    const bool is_whole = tree["stands_for"].empty();
+    return {{"claim", "initial-conditions"}, {"lemmas", "1"},
+            {"bits", certificate.bits},      {"least", body.least()},
+            {"most", body.most()},           {"shares", body.shares()},
+            {"kinds", body.kinds()},         {"windows", is_whole ? body.windows() : Json::array()},
+            {"tree", std::move(tree)}};
 }
 
 std::string claim_options(const InitialCertificate& certificate) {

@@ -11,12 +11,12 @@ using Catch::Matchers::Contains;
 
 namespace {
 
-Json data_of(const AnyCertificate& certificate, std::size_t most_boxes = default_most_boxes,
+Json data_of(const ReportedContent& certificate, std::size_t most_boxes = default_most_boxes,
              const std::string& path = "some/file.dbc") {
     return page_data({{path, "abc123", certificate}}, most_boxes);
 }
 
-Json file_of(const AnyCertificate& certificate) { return data_of(certificate)["files"][0]; }
+Json file_of(const ReportedContent& certificate) { return data_of(certificate)["files"][0]; }
 
 InitialNode halved(InitialAxis axis) { return {axis, {}}; }
 InitialNode closed(long least, std::optional<long> most, std::optional<FirstContact> first = {}) {
@@ -104,6 +104,7 @@ TEST_CASE("a tree's leaves are numbered by their kinds, counts last, and its axe
           Json::parse(R"({"reason": "count", "forward": 0, "backward": 3})"));
     CHECK(kinds[nodes[4].get<std::size_t>()]["reason"] == "outside");
     CHECK(kinds.back()["reason"] == "count");
+    CHECK(file["totals"] == Json::parse(R"({"count": 3, "outside": 1, "meets": 1, "meets-reversed": 1})"));
 }
 
 TEST_CASE("the verifier is asked for exactly what the file claims") {
@@ -163,6 +164,7 @@ TEST_CASE("initial conditions: kinds with their first mass, exact shares, bounds
     CHECK(file["tree"]["nodes"] == Json{-1, 0, -1, 1, 2});
     CHECK(file["kinds"][0] == Json::parse(R"({"least": 1, "most": 1, "first": "heavy"})"));
     CHECK(file["kinds"][2] == Json::parse(R"({"least": 1, "most": 3, "first": null})"));
+    CHECK(file["windows"] == Json{0.5, 0.75, 0.5, 0.75, nullptr, nullptr});
     CHECK(file["shares"] == Json::parse(R"([{"collisions": null, "share": "0.25", "boxes": 1},
         {"collisions": 1, "share": "0.5", "boxes": 1}, {"collisions": 2, "share": "0.25", "boxes": 1}])"));
 }
@@ -200,6 +202,17 @@ TEST_CASE("a claim without boxes has none") {
     CHECK(file["tree"].is_null());
     CHECK(file["bounds"].empty());
     CHECK(file["heights"].is_null());
+}
+
+TEST_CASE(
+    "a table of critical ratios comes with the command that makes it again, and none that verifies it") {
+    const CriticalTable table{"abc123",
+                              {{3, "1", "0", 256, "top", 1}, {4, "4.603338", "3.3e-7", 256, "corner", 1}}};
+    const Json file = file_of(table);
+    CHECK(file["claim"] == "critical-ratios");
+    CHECK(file["again"] == "dumbbell critical 3:4 --digits 7");
+    CHECK(file["rows"][1]["q_c"] == "4.603338");
+    CHECK(file["verify_options"] == "");
 }
 
 TEST_CASE("the constant C has 20 digits that are proved") {
