@@ -26,6 +26,8 @@ export function certificates(place) {
     dumbbell("adiabatic", "--delta", "0.01", "--phi-margin", "0.5", "--out", adiabatic);
     const printed = place("printed.dbc");
     dumbbell("adiabatic", "--theorem", "printed", "--delta", "0.01", "--out", printed);
+    const critical = place("critical.tsv");
+    dumbbell("critical", "3:20", "--out", critical);
     const fine = place("fine.dbc");
     dumbbell("certify", "4.6:4.7", "--gap", "1e-40", "--out", fine);
     return {
@@ -41,6 +43,7 @@ export function certificates(place) {
         adiabatic,
         printed,
         fine,
+        critical,
     };
 }
 

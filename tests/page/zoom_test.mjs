@@ -115,6 +115,7 @@ test("every step of a staircase can be chosen, and its gap is seen in its true w
 test("a gap 40 orders of magnitude narrower than its ratio is shown, too", async () => {
     const page = await open(browser, report(place("fine.html"), files.fine));
     await page.locator("#file-1 .controls select").first().selectOption("0");
+    await settled(page);
     const canvas = page.locator("#file-1 .plane canvas").first();
     const width = span(await windowOf(canvas));
     assert.ok(width > 0 && width < 1e-38, String(width));

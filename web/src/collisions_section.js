@@ -2,7 +2,7 @@
 import { chartPoints } from "./chart_points.js";
 import { leafText, total } from "./charts.js";
 import { cover } from "./cover.js";
-import { h, labelled, select, table } from "./dom.js";
+import { h, labelled, longTable, select, table } from "./dom.js";
 import { foundations, verifyBox } from "./file_tables.js";
 import { plural, shortened, show } from "./numbers.js";
 import { categorical, sequential } from "./palette.js";
@@ -168,11 +168,14 @@ function piecesTable(file) {
     const row = (p) => [ends(p), valueText(p), isDumbbell && p.paper ? (p.paper[0] === p.paper[1] ? String(p.paper[0]) : `${p.paper[0]} to ${p.paper[1]}`) : "", p.equal_masses ? "by L7" : p.leaves.toLocaleString("en"), String(p.bits),
         p.witness ? `${1 + p.witness.forward + p.witness.backward} collisions` : ""];
     const head = ["mass ratio", "claimed", isDumbbell ? "the paper\u2019s bound" : "", "boxes", "bits", "witness"];
-    const host = h("div", {});
-    const fill = (pieces) => host.replaceChildren(table(`Piece by piece${pieces.length < file.pieces.length ? ` (the first ${mostRows} of ${file.pieces.length})` : ""}`, head, pieces.map(row), [3, 4]));
-    fill(file.pieces.slice(0, mostRows));
-    const more = h("button", { type: "button", onclick: () => { fill(file.pieces); more.remove(); } }, `Show all ${file.pieces.length}`);
-    return h("details", { class: "tables", open: file.pieces.length <= 40 }, h("summary", {}, "What is claimed"), host, file.pieces.length > mostRows ? more : null);
+    const totals = Object.entries(file.totals).map(([reason, leaves]) => [reason, leaves.toLocaleString("en")]);
+    return h(
+        "details",
+        { class: "tables", open: file.pieces.length <= 40 },
+        h("summary", {}, "What is claimed"),
+        longTable("Piece by piece", head, file.pieces.map(row), [3, 4], mostRows),
+        totals.length > 0 && table("Boxes of all covers, by reason", ["reason", "boxes"], totals, [1]),
+    );
 }
 
 export function collisionsSection(file, constant, isAlone) {

@@ -51,6 +51,17 @@ export function table(caption, head, rows, numeric = []) {
     );
 }
 
+/// A table whose rows beyond the first `most` come when asked for.
+export function longTable(caption, head, rows, numeric, most) {
+    if (rows.length <= most) {
+        return table(caption, head, rows, numeric);
+    }
+    const host = h("div", {}, table(`${caption} (the first ${most} of ${rows.length})`, head, rows.slice(0, most), numeric));
+    const all = () => host.replaceChildren(table(caption, head, rows, numeric));
+    host.append(h("button", { type: "button", onclick: all }, `Show all ${rows.length}`));
+    return host;
+}
+
 /// A command to type, with a button that copies it.
 export function command(text) {
     const button = h("button", { type: "button", onclick: copy }, "Copy");

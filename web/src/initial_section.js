@@ -25,6 +25,7 @@ function source(file, play) {
         file: file.verify_file,
         note: "Click a box (or press Enter for the one in the middle) to play the orbit from its centre below.",
         play,
+        extra: (leaf) => windowText(file.windows.slice(2 * leaf, 2 * leaf + 2)),
         colourings: [
             {
                 text: "by number of collisions",
@@ -41,6 +42,8 @@ function source(file, play) {
         ],
     };
 }
+
+const windowText = ([from, until]) => (typeof from === "number" ? `, which comes between the times ${show(from)} and ${show(until)} (rounded)` : "");
 
 function claimText(file) {
     const axes = file.tree.axes.map(({ name, lo, hi }) => `${symbols[name]} ${lo === hi ? `= ${plain(lo)}` : `from ${plain(lo)} to ${plain(hi)}`}`).join(", ");

@@ -1,6 +1,7 @@
 // The page: reads the data that the program put into it, and makes a section for each file.
 import { adiabaticSection } from "./adiabatic_section.js";
 import { collisionsSection } from "./collisions_section.js";
+import { criticalSection } from "./critical_section.js";
 import { h, labelled, select } from "./dom.js";
 import { initialSection } from "./initial_section.js";
 import { OwnStart } from "./own_start.js";
@@ -14,7 +15,7 @@ function header(data) {
         "header",
         {},
         h("div", { class: "title" }, h("h1", {}, "How often can a bouncing dumbbell hit the floor?"), theme),
-        h("p", {}, "Two point masses on a massless rod fall on a flat floor and bounce elastically. This report shows what ", data.files.length === 1 ? "a certificate claims" : `${data.files.length} certificates claim`, " about their collisions. It does not verify anything: each file comes with the command that does."),
+        h("p", {}, "Two point masses on a massless rod fall on a flat floor and bounce elastically. This report shows what ", data.files.length === 1 ? "a file claims" : `${data.files.length} files claim`, " about their collisions. It does not verify anything: each file comes with the command that does."),
         h("nav", { "aria-label": "Contents" }, h("ul", {}, links, h("li", {}, h("a", { href: "#own" }, "your own initial condition")))),
     );
 }
@@ -29,6 +30,8 @@ function sectionOf(file, data, own) {
             return collisionsSection(file, Number(data.growth_constant), isAlone);
         case "initial-conditions":
             return initialSection(file, ([phi, phidot, y, ydot, q]) => own.set([q, phi, phidot, y, ydot]), isAlone);
+        case "critical-ratios":
+            return criticalSection(file);
         default:
             return adiabaticSection(file, isAlone);
     }

@@ -4,7 +4,7 @@ import { Plane } from "./plane.js";
 import { colour } from "./theme.js";
 import { angleTicks } from "./ticks.js";
 
-const mostNumbers = 40; // of collisions, written beside their dots
+const mostNumbers = 60; // of collisions, written beside their dots, where there is room
 
 export class PhaseView {
     constructor() {
@@ -114,6 +114,8 @@ export class PhaseView {
         c.textAlign = "center";
         c.textBaseline = "middle";
         const middle = collisions.findIndex(({ heavy }) => heavy);
+        const written = [];
+        const hasRoom = (px, py) => written.every(([a, b]) => Math.abs(a - px) > 13 || Math.abs(b - py) > 10);
         collisions.forEach(({ psi, y, heavy }, i) => {
             const [x, py] = [plane.X(psi), plane.Y(y)];
             c.beginPath();
@@ -122,7 +124,11 @@ export class PhaseView {
             c.fill();
             if (collisions.length <= mostNumbers) {
                 c.fillStyle = colour("--soft");
-                c.fillText(String(i + 1), x, py + (i < middle ? -12 : 12)); // the way down above, the way up below
+                const row = py + (i < middle ? -12 : 12); // the way down above, the way up below
+                if (hasRoom(x, row)) {
+                    c.fillText(String(i + 1), x, row);
+                    written.push([x, row]);
+                }
             }
         });
     }

@@ -15,10 +15,13 @@ export function linearTicks(lo, hi, wanted) {
     const digits = Math.max(1, Math.ceil(Math.log10(size / step)) + 1);
     const ticks = [];
     for (let i = Math.ceil(lo / step); i * step <= hi * (1 + 1e-12) && ticks.length < 50; ++i) {
-        ticks.push({ at: i * step, text: show(i * step, Math.min(17, digits)) });
+        ticks.push({ at: i * step, text: size >= 1e5 && step >= 1e3 ? powers(i * step, digits) : show(i * step, Math.min(17, digits)) });
     }
     return ticks;
 }
+
+/// 400000 as 4e5.
+const powers = (x, digits) => (x === 0 ? "0" : Number(x.toPrecision(digits)).toExponential().replace("e+", "e").replace(/-/g, "\u2212"));
 
 /// Counts: whole numbers only.
 export function countTicks(lo, hi, wanted) {
