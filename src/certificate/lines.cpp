@@ -34,7 +34,8 @@ const std::vector<std::string>& Lines::next() {
     if (gzgets(file_.get(), buffer.data(), max_line) == nullptr) {
         fail();
     }
-    std::string_view line(buffer.data());  // up to its NUL
+    std::string_view line(buffer);
+    line = line.substr(0, line.find('\0'));
     if (line.empty() || line.back() != '\n') {
         fail();
     }

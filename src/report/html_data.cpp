@@ -94,7 +94,8 @@ ReportedFile read_reported(const std::string& path) {
     }
     std::string sha256 = sealed_digest(path);
     return {path, std::move(sha256),
-            std::visit([](auto&& of) { return ReportedContent(std::move(of)); }, read_any_certificate(path))};
+            std::visit([](auto&& of) { return ReportedContent(std::forward<decltype(of)>(of)); },
+                       read_any_certificate(path))};
 }
 
 std::size_t leaves_of(const ReportedContent& content) { return std::visit(LeavesOf(), content); }

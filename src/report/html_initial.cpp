@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "arith/decimal.hpp"
+#include "arith/error.hpp"
 #include "report/html_file.hpp"
 #include "report/html_tree.hpp"
 #include "report/json_number.hpp"
@@ -15,7 +16,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int window_digits = 5;  // shown; the file has the window exactly
+constexpr int deepest = 400 * static_cast<int>(initial_axes);  // format-initial.md; bounds the shares' size
+constexpr int window_digits = 5;                               // shown; the file has the window exactly
 
 constexpr std::array<const char*, initial_axes> axis_names{"phi", "phidot", "y", "ydot", "q"};
 
@@ -55,6 +57,10 @@ class Body {
         for (const InitialNode& node : nodes) {
             const int depth = depths.back();
             depths.pop_back();
+            if (depth > deepest) {
+                throw InputError(
+                    fmt::format("a tree of initial conditions is more than {} levels deep", deepest));
+            }
             if (node.split) {
                 tree.push_back(split_of(static_cast<std::size_t>(*node.split)));
                 depths.insert(depths.end(), 2, depth + 1);

@@ -176,6 +176,13 @@ TEST_CASE("an open part leaves no upper bound, and no lower one but 0") {
     CHECK(file["verify_options"] == "--claim initial-conditions");
 }
 
+TEST_CASE("a tree of initial conditions deeper than the format permits is refused, not computed with") {
+    InitialCertificate certificate = starts(closed(1, 1));
+    certificate.tree.assign(100'000, halved(InitialAxis::phi));
+    certificate.tree.insert(certificate.tree.end(), 100'001, closed(1, 1));
+    CHECK_THROWS_WITH(file_of(certificate), Contains("levels deep"));
+}
+
 TEST_CASE("the adiabatic invariant: hypotheses, constants, classes of the leaves, attained states") {
     const Json file = file_of(run_claim());
     CHECK(file["claim"] == "adiabatic-run");
