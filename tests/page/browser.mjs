@@ -17,7 +17,9 @@ export async function open(browser, file, options = {}) {
     page.on("pageerror", (error) => page.complaints.push(String(error.stack)));
     page.on("request", (request) => request.url().startsWith("data:") || page.requests.push(request.url()));
     await page.goto(`file://${file}`);
-    await page.waitForFunction(() => document.documentElement.dataset.drawn);
+    await page.waitForFunction(() => document.documentElement.dataset.drawn).catch((error) => {
+        throw new Error(`the page was not drawn: ${[...page.complaints, error.message].join("; ")}`);
+    });
     return page;
 }
 
