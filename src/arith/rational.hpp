@@ -15,8 +15,8 @@ using Rational =
     boost::multiprecision::number<boost::multiprecision::gmp_rational, boost::multiprecision::et_off>;
 using Integer = boost::multiprecision::number<boost::multiprecision::gmp_int, boost::multiprecision::et_off>;
 
-/// The exact value of a decimal, [0-9]+(.[0-9]+)?([eE][+-]?[0-9]+)?, or a fraction, INT/INT. Throws InputError
-/// (naming the text) for anything else, more than 1,000 characters, |exponent| > 1000, or a zero denominator.
+/// A decimal, [0-9]+(.[0-9]+)?([eE][+-]?[0-9]+)?, or a fraction, INT/INT, exactly. Throws InputError (naming
+/// the text) for anything else, more than 1,000 characters, |exponent| > 1000, or a zero denominator.
 [[nodiscard]] Rational parse_rational(std::string_view text, std::size_t max_length = 1000);
 
 /// A user's text as it may stand in a message: printable, and its first 40 characters only.
