@@ -43,8 +43,10 @@ Verdict run_files(const Options& options, std::vector<TestCase>& cases) {
         cases.push_back(test_case(r));
         if (options.json)
             std::printf("%s%s", r.job == options.jobs.data() ? "[" : ",\n", json(r).c_str());
-        else
+        else if (!options.quiet)
             std::fputs(several ? (cases.back().output + "\n").c_str() : block(r).c_str(), stdout);
+        else if (!several)
+            print_line(verdict_line(r));
         std::fflush(stdout);
     });
     if (options.json)
@@ -58,7 +60,7 @@ Verdict run_files(const Options& options, std::vector<TestCase>& cases) {
 Verdict run_lemma(const Options& options, std::vector<TestCase>& cases) {
     const auto results = examine_all(options.jobs, options.beside, [&](const Result& r) {
         cases.push_back(test_case(r));
-        if (r.why.verdict == Verdict::verified && !options.json)
+        if (r.why.verdict == Verdict::verified && !options.json && !options.quiet)
             print_line(one_line(r.job->file) + "\n  " + claim_text(r) + " sha256=" + r.proof.digest);
     });
     const Lemma& lemma = *options.lemma;

@@ -22,7 +22,7 @@ Checks certificates (proofs/format.md) independently of the program that wrote t
   --max N              demand the proof that no trajectory has more than N collisions
   --min N              demand the proof that some trajectory has at least N collisions
   --exactly N          both
-  --scene S            demand this scene: dumbbell, hybrid or wedge (dumbbell)
+  --scene dumbbell|hybrid|wedge  demand this scene (dumbbell)
   --claim KIND         demand this kind of claim: collisions, or initial-conditions (a file of `dumbbell trace
                        --subdivide`: then --ratio, --max, --min, --exactly are about the starts in its box), or
                        adiabatic-bounce, -run, -scattering, -printed (the adiabatic invariant: without --ratio,
@@ -40,7 +40,8 @@ Checks certificates (proofs/format.md) independently of the program that wrote t
                        the first class and attained1 the first attained state
   --json               print JSON and nothing else: an array of one object for each file; with --lemma one object
   --junit FILE.xml     write a JUnit report, too: one test case for each file
-  --help, --version
+  --quiet              print the last line only
+  --help, --version    print that and nothing else
 
   dumbbell-verify --ratio 10 --exactly 4 ten.dbc       is N*(10) = 4 proved?
   dumbbell-verify --ratio 2:5/2 --max 3 stairs.dbc     at most 3 collisions on a part of the file's range?
@@ -74,7 +75,8 @@ std::string report_name(const std::string& path) {
 }
 
 void check_together(const Words& words, const Options& options) {
-    exclude(words, "--explain", {"--json"});
+    exclude(words, "--explain", {"--json", "--quiet"});
+    exclude(words, "--json", {"--quiet"});
     exclude(words, "--lemma", {"--scene", "--claim", "--max", "--min", "--exactly", "--explain", "--claims"});
     exclude(words, "--claims", {"--ratio", "--max", "--min", "--exactly", "--scene", "--claim"});
     if (words.seen("--claims") && !options.jobs.empty())
@@ -117,6 +119,8 @@ Options parse_options(const std::vector<std::string>& arguments) {
             result.junit = report_name(words.value());
         else if (words.word == "--json")
             result.json = true;
+        else if (words.word == "--quiet")
+            result.quiet = true;
         else if (words.word == "--help")
             result.answer = help;
         else if (words.word == "--version")

@@ -12,6 +12,7 @@ struct Options {
     std::vector<Job> jobs;  ///< the files, each with its settings and its share of the threads
     unsigned beside = 1;    ///< so many files are checked at the same time
     bool json = false;
+    bool quiet = false;            ///< only the last line of what would be printed
     std::string junit;             ///< where the report goes; empty: nowhere
     const Lemma* lemma = nullptr;  ///< the two files are to be compared
     std::string answer;            ///< of --help and --version: print it, and nothing else
