@@ -21,4 +21,13 @@ install(FILES
 
 install(FILES LICENSE README.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(DIRECTORY docs proofs DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(FILES src/verify/dumbbell-verify.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
+# Made by the target `pages`, one of ALL; a build of the programs alone has none.
+if(NOT DUMBBELL_VERIFIER_ONLY)
+  install(FILES ${PROJECT_BINARY_DIR}/share/dumbbell.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 OPTIONAL)
+  foreach(command dumbbell dumbbell-verify)  # completions are found by the command's name
+    install(FILES ${PROJECT_BINARY_DIR}/share/dumbbell.bash
+      DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME ${command} OPTIONAL)
+  endforeach()
+endif()
 install(DIRECTORY certificates DESTINATION ${CMAKE_INSTALL_DATADIR}/dumbbell)

@@ -17,6 +17,7 @@
 #include "cli/certify_command.hpp"
 #include "cli/critical_command.hpp"
 #include "cli/exit_code.hpp"
+#include "cli/generate_command.hpp"
 #include "cli/law_command.hpp"
 #include "cli/plot_command.hpp"
 #include "cli/report_command.hpp"
@@ -70,6 +71,7 @@ int parse_and_run(int argc, char** argv) {
     add_adiabatic_command(app, exit_code);
     add_plot_command(app, exit_code);
     add_report_command(app, exit_code);
+    add_generate_command(app);
     // Commands inherit the footer that is there when they are added, and have exit codes of their own.
     app.footer(
         "The fields of --json: proofs/json.md.\n\n"

@@ -49,6 +49,41 @@ std::string last_line(std::string text) {
     return text.substr(text.rfind('\n') + 1);
 }
 
+/// What a run of the verifier printed, and its exit code, or -1 if it did not come to its end.
+struct Answer {
+    std::string out;
+    int code;
+};
+
+Answer ask_verifier(std::vector<std::string> words) {
+    std::string program = verifier();
+    std::vector<char*> arguments{program.data()};
+    for (std::string& word : words) {
+        arguments.push_back(word.data());
+    }
+    arguments.push_back(nullptr);
+    std::array<int, 2> pipe{};
+    if (::pipe2(pipe.data(), O_CLOEXEC) != 0) {
+        not_started(program, errno);
+    }
+    posix_spawn_file_actions_t actions;
+    posix_spawn_file_actions_init(&actions);
+    posix_spawn_file_actions_adddup2(&actions, pipe[1], STDOUT_FILENO);
+    pid_t child = -1;
+    const int error = ::posix_spawn(&child, program.c_str(), &actions, nullptr, arguments.data(), environ);
+    posix_spawn_file_actions_destroy(&actions);
+    ::close(pipe[1]);
+    Answer answer{read_to_end(pipe[0]), -1};
+    if (error != 0) {
+        not_started(program, error);
+    }
+    int status = 0;
+    while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
+    }
+    answer.code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    return answer;
+}
+
 }  // namespace
 
 void become_verifier(int argc, char** argv) {
@@ -61,34 +96,14 @@ void become_verifier(int argc, char** argv) {
 }
 
 std::string verified(const std::string& file, std::string_view scene) {
-    std::string program = verifier();
-    std::string option = "--scene=" + std::string(scene);
-    std::string separator = "--";
-    std::string argument = file;
-    const std::array<char*, 5> arguments{program.data(), option.data(), separator.data(), argument.data(),
-                                         nullptr};
-    std::array<int, 2> pipe{};
-    if (::pipe2(pipe.data(), O_CLOEXEC) != 0) {
-        not_started(program, errno);
-    }
-    posix_spawn_file_actions_t actions;
-    posix_spawn_file_actions_init(&actions);
-    posix_spawn_file_actions_adddup2(&actions, pipe[1], STDOUT_FILENO);
-    pid_t child = -1;
-    const int error = ::posix_spawn(&child, program.c_str(), &actions, nullptr, arguments.data(), environ);
-    posix_spawn_file_actions_destroy(&actions);
-    ::close(pipe[1]);
-    const std::string verdict = last_line(read_to_end(pipe[0]));
-    if (error != 0) {
-        not_started(program, error);
-    }
-    int status = 0;
-    while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
-    }
-    if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) {
+    const Answer answer = ask_verifier({"--scene=" + std::string(scene), "--", file});
+    const std::string verdict = last_line(answer.out);
+    if (answer.code != 0) {
         throw InputError(fmt::format("'{}' is not verified: {}", file, verdict));
     }
     return verdict;
 }
+
+std::string verifier_help() { return ask_verifier({"--help"}).out; }
 
 }  // namespace dumbbell

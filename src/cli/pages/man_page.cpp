@@ -1,0 +1,96 @@
+#include "cli/pages/man_page.hpp"
+
+#include <fmt/format.h>
+
+namespace dumbbell::pages {
+namespace {
+
+/// Text as groff prints it unchanged: a minus is one that can be copied, and no line is taken for a request.
+std::string plain(const std::string& text) {
+    std::string result = text.starts_with('.') || text.starts_with('\'') ? "\\&" : "";
+    for (const char c : text) {
+        switch (c) {
+            case '\\':
+                result += "\\e";
+                break;
+            case '-':
+                result += "\\-";
+                break;
+            case '^':
+                result += "\\(ha";
+                break;
+            case '~':
+                result += "\\(ti";
+                break;
+            case '`':
+                result += "\\(ga";
+                break;
+            case '\'':
+                result += "\\(aq";
+                break;
+            default:
+                result += c;
+        }
+    }
+    return result;
+}
+
+std::string bold(const std::string& text) { return "\\fB" + plain(text) + "\\fR"; }
+
+void add_text(std::string& page, const std::string& description) {
+    for (const Block& block : blocks(description)) {
+        page += block.verbatim ? ".PP\n.RS 2\n.nf\n" : ".PP\n";
+        for (const std::string& line : block.lines) {
+            page += plain(line) + "\n";
+        }
+        page += block.verbatim ? ".fi\n.RE\n" : "";
+    }
+}
+
+void add_options(std::string& page, const CommandEntry& command) {
+    for (const OptionEntry& option : command.options) {
+        page += fmt::format(".TP\n{}\n{}\n", bold(spelling(option)), plain(meaning(option)));
+    }
+}
+
+void add_command(std::string& page, const CommandEntry& command) {
+    page += ".SS " + plain(usage(command)) + "\n";
+    add_text(page, command.description);
+    add_options(page, command);
+    add_text(page, command.footer);
+}
+
+}  // namespace
+
+std::string man_page(const CommandEntry& program) {
+    const auto commands = with_all_below(program);
+    std::string page = fmt::format(
+        ".\\\" Generated from the option table: dumbbell generate man\n"
+        ".TH DUMBBELL 1 \"\" \"dumbbell {}\" \"User Commands\"\n"
+        ".SH NAME\ndumbbell \\- prove how often a bouncing dumbbell can hit the floor\n"
+        ".SH SYNOPSIS\n.nf\n",
+        DUMBBELL_VERSION);
+    for (const CommandEntry* command : commands) {
+        page += command->commands.empty() ? bold(usage(*command)) + "\n" : "";
+    }
+    page += ".fi\n.SH DESCRIPTION\n";
+    add_text(page, program.description);
+    page += ".SH OPTIONS\n";
+    add_options(page, program);
+    page += ".SH COMMANDS\nEach has a \\fB\\-\\-help\\fR of its own.\n";
+    for (const CommandEntry* command : commands) {
+        if (command != &program) {
+            add_command(page, *command);
+        }
+    }
+    page += ".SH EXIT STATUS\n";
+    add_text(page, program.footer);
+    page +=
+        ".SH ENVIRONMENT\n.TP\n\\fBNO_COLOR\\fR\nIf set and not empty, nothing is coloured. What does not go "
+        "to "
+        "a terminal never is.\n"
+        ".SH SEE ALSO\n\\fBdumbbell\\-verify\\fR(1)\n";
+    return page;
+}
+
+}  // namespace dumbbell::pages

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <string>
+
+#include "cli/pages/command_table.hpp"
+
+namespace dumbbell::pages {
+
+/// docs/commands.md: every command with every option, in Markdown.
+[[nodiscard]] std::string reference(const CommandEntry& program);
+
+}  // namespace dumbbell::pages

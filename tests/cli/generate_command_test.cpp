@@ -1,0 +1,161 @@
+// The man pages, the completion and the reference: all options are there, and the tools that read them agree.
+#include <catch2/catch.hpp>
+#include <regex>
+#include <set>
+
+#include "programs.hpp"
+
+using namespace dumbbell_test;
+using Catch::Matchers::Contains;
+
+namespace {
+
+const std::vector<Words> commands{{},        {"certify"}, {"critical"},          {"law"},      {"audit"},
+                                  {"trace"}, {"plot"},    {"plot", "staircase"}, {"adiabatic"}};
+
+std::string generated(const std::string& what) {
+    const Outcome made = dumbbell({"generate", what});
+    CHECK(made.code == 0);
+    CHECK(made.err.empty());
+    return made.out;
+}
+
+// All `--option`s that begin a line of the help, or follow one that does.
+std::set<std::string> options_of(const std::string& help) {
+    static const std::regex line("\n +(?:-h,)?(--[a-z-]+)(?:, (--[a-z-]+))?");
+    std::set<std::string> options;
+    for (std::sregex_iterator at(help.begin(), help.end(), line), end; at != end; ++at) {
+        options.insert((*at)[1]);
+        options.insert((*at)[2].matched ? (*at)[2] : (*at)[1]);
+    }
+    return options;
+}
+
+std::set<std::string> options_of_command(Words command) {
+    command.emplace_back("--help");
+    return options_of(dumbbell(command).out);
+}
+
+// A minus is \- in a manual page.
+std::string without_backslashes(std::string page) {
+    page.erase(std::remove(page.begin(), page.end(), '\\'), page.end());
+    return page;
+}
+
+// What bash would offer for the last of the words.
+std::vector<std::string> offered(const Words& words, const std::string& folder = ".") {
+    std::string script = "source <(" DUMBBELL_BIN " generate completion); COMP_WORDS=(";
+    for (const std::string& word : words) {
+        script += "'" + word + "' ";
+    }
+    script += ");  COMP_CWORD=" + std::to_string(words.size() - 1) +
+              "; _dumbbell; ((${#COMPREPLY[@]} == 0)) || printf '%s\\n' \"${COMPREPLY[@]}\"";
+    const Outcome result = run({"bash", "-c", script}, folder);
+    CHECK(result.code == 0);
+    CHECK(result.err.empty());
+    std::vector<std::string> lines;
+    for (std::size_t from = 0; from < result.out.size();) {
+        const std::size_t end = result.out.find('\n', from);
+        lines.push_back(result.out.substr(from, end - from));
+        from = end + 1;
+    }
+    return lines;
+}
+
+}  // namespace
+
+TEST_CASE("docs/commands.md is what the program generates") {
+    CHECK(contents(DUMBBELL_PROOFS "/../docs/commands.md") == generated("reference"));
+}
+
+TEST_CASE("every option of every command is in the man page, the completion and the reference") {
+    const std::string man = without_backslashes(generated("man")), completion = generated("completion"),
+                      reference = generated("reference");
+    for (const Words& command : commands) {
+        const auto options = options_of_command(command);
+        CAPTURE(command);
+        CHECK(options.size() >= 2);
+        for (const std::string& option : options) {
+            CAPTURE(option);
+            CHECK_THAT(man, Contains(option));
+            CHECK_THAT(completion, Contains(option));
+            CHECK_THAT(reference, Contains("`" + option) || Contains(", " + option));
+        }
+    }
+}
+
+TEST_CASE("every option of the verifier is in its man page, in that of dumbbell, and in the completion") {
+    const std::string own = without_backslashes(contents(DUMBBELL_PROOFS "/../src/verify/dumbbell-verify.1"));
+    const std::string man = without_backslashes(generated("man")), completion = generated("completion");
+    const auto options = options_of(verifier({"--help"}).out);
+    CHECK(options.size() > 15);
+    for (const std::string& option : options) {
+        CAPTURE(option);
+        CHECK_THAT(own, Contains("fB" + option + "fR"));
+        CHECK_THAT(man, Contains(option));
+        CHECK_THAT(completion, Contains(option));
+    }
+}
+
+TEST_CASE("groff finds nothing wrong with the man pages") {
+    const TemporaryFolder folder;
+    write_file(folder / "dumbbell.1", generated("man"));
+    for (const std::string& page :
+         {folder / "dumbbell.1", std::string(DUMBBELL_PROOFS "/../src/verify/dumbbell-verify.1")}) {
+        const Outcome set = run({"groff", "-ww", "-man", "-Tutf8", "-K", "utf8", page});
+        CAPTURE(page);
+        CHECK(set.code == 0);
+        CHECK(set.err.empty());
+        CHECK_THAT(set.out, Contains("EXIT STATUS"));
+    }
+}
+
+TEST_CASE("bash completes commands, and hides the one that is for packagers") {
+    CHECK(offered({"dumbbell", "cert"}) == Words{"certify"});
+    CHECK(offered({"dumbbell", "plot", "sta"}) == Words{"staircase"});
+    CHECK(offered({"dumbbell", "gen"}).empty());
+    const auto all = offered({"dumbbell", ""});
+    CHECK(std::find(all.begin(), all.end(), "verify") != all.end());
+}
+
+TEST_CASE("bash completes options, and the words that an option takes") {
+    CHECK(offered({"dumbbell", "certify", "10", "--sec"}) == Words{"--section"});
+    CHECK(offered({"dumbbell", "certify", "10", "--section", ""}) == Words{"turning", "full"});
+    CHECK(offered({"dumbbell", "certify", "--section", "=", "f"}) == Words{"full"});
+    CHECK(offered({"dumbbell", "certify", "--scene", "="}) == Words{"dumbbell", "hybrid", "wedge"});
+    CHECK(offered({"dumbbell", "certify", "--jobs", ""}).empty());
+    CHECK(offered({"dumbbell", "adiabatic", "--theorem", "thm"}) == Words{"thm3.3", "thm3.5"});
+}
+
+TEST_CASE("bash completes file names where a file is wanted") {
+    const TemporaryFolder folder;
+    write_file(folder / "ten.dbc", "");
+    write_file(folder / "my stairs.dbc", "");
+    CHECK(offered({"dumbbell", "audit", "te"}, folder.path()) == Words{"ten.dbc"});
+    CHECK(offered({"dumbbell", "audit", "my"}, folder.path()) == Words{"my stairs.dbc"});
+    CHECK(offered({"dumbbell", "certify", "10", "--out", "te"}, folder.path()) == Words{"ten.dbc"});
+    CHECK(offered({"dumbbell", "certify", "te"}, folder.path()).empty());
+}
+
+TEST_CASE("bash completes the verifier, by either of its names") {
+    const TemporaryFolder folder;
+    write_file(folder / "ten.dbc", "");
+    for (const Words& name : {Words{"dumbbell", "verify"}, Words{"dumbbell-verify"}}) {
+        const auto with = [&](const Words& more) {
+            Words words = name;
+            words.insert(words.end(), more.begin(), more.end());
+            return offered(words, folder.path());
+        };
+        CHECK(with({"te"}) == Words{"ten.dbc"});
+        CHECK(with({"--exa"}) == Words{"--exactly"});
+        CHECK(with({"--scene", "h"}) == Words{"hybrid"});
+        CHECK(with({"--claims", "t"}) == Words{"ten.dbc"});
+        CHECK(with({"--max", ""}).empty());
+    }
+}
+
+TEST_CASE("generate refuses what it does not know, and --help does not show it") {
+    CHECK(dumbbell({"generate", "pdf"}).code == 2);
+    CHECK(dumbbell({"generate"}).code == 2);
+    CHECK(dumbbell({"--help"}).out.find("generate") == std::string::npos);
+}
