@@ -14,6 +14,7 @@
 #include "certificate/atomic_file.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/initial_argument.hpp"
+#include "cli/messages.hpp"
 #include "cli/progress.hpp"
 #include "cli/ratio_argument.hpp"
 #include "cli/stop_signals.hpp"
@@ -59,6 +60,7 @@ struct Options {
     std::string accuracy = "0.1", out;
     int jobs = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
     bool json = false;
+    bool quiet = false;
 };
 
 /// Throws the same error with the option's name before it.
@@ -206,7 +208,7 @@ int run(const Options& options) {
         deadline(options.budget ? std::optional(parse_duration(*options.budget)) : std::nullopt);
     bool complete = true;
     {
-        Progress progress("boxes");
+        Progress progress("boxes", options.quiet ? Loudness::quiet : Loudness::normal);
         for (const AdiabaticHypotheses& of : wanted) {
             AdiabaticRequest request;
             request.of = of;
@@ -222,17 +224,20 @@ int run(const Options& options) {
     if (file && complete) {
         write_certificate(report, options.out, *file);
     }
-    options.json ? fmt::print("{}\n", to_json(report).dump(2)) : fmt::print("{}", to_text(report));
+    fmt::print("{}", options.json    ? to_json(report).dump(2) + "\n"
+                     : options.quiet ? verdict(report)
+                                     : to_text(report));
     if (complete) {
         return exit_done;
     }
     const bool stopped = stop_signal != 0;
-    fmt::print(stderr, "dumbbell: {}{}\n",
-               stopped         ? stopped_by() + ": not certified"
-               : interrupted() ? "not certified: the budget is used up"
-                               : "not certified: take a smaller delta (or range of them), a greater "
-                                 "--phi-margin or a higher --y",
-               options.out.empty() ? "" : "; no certificate is written");
+    complain(fmt::format("{}{}",
+                         stopped ? stopped_by() + ": not certified"
+                         : interrupted()
+                             ? "not certified: the budget is used up"
+                             : "not certified: take a smaller delta (or range of them), a greater "
+                               "--phi-margin or a higher --y",
+                         options.out.empty() ? "" : "; no certificate is written"));
     return stopped ? exit_stopped : exit_not_certified;
 }
 
@@ -273,11 +278,12 @@ void add_adiabatic_command(CLI::App& app, int& exit_code) {
     command->add_option("--budget", options->budget, "stop after this time: 30s, 10m, 2h")->type_name("TIME");
     command->add_option("--jobs", options->jobs, "threads; the result does not depend on it")
         ->check(CLI::Range(1, 1024))
-        ->capture_default_str();
+        ->default_str("all cores");
     command->add_option("--out", options->out, "write the certificate to FILE (FILE.gz: compressed)")
         ->check([](const std::string& file) { return file.empty() ? "the file name is empty" : ""; })
         ->type_name("FILE");
     command->add_flag("--json", options->json, "one JSON object on stdout");
+    command->add_flag("--quiet", options->quiet, "the constants alone, a line each, and no progress");
     command->callback([options, &exit_code] { exit_code = stoppable([&] { return run(*options); }); });
 }
 

@@ -8,6 +8,7 @@
 
 #include "audit/audit_report.hpp"
 #include "cli/exit_code.hpp"
+#include "cli/messages.hpp"
 #include "cli/progress.hpp"
 
 namespace dumbbell {
@@ -53,7 +54,7 @@ int run(const Options& options) {
             std::fflush(stdout);
         }
         for (const std::string& fault : file.audit.faults) {
-            fmt::print(stderr, "dumbbell: {}: {}\n", path, fault);
+            complain(path + ": " + fault);
         }
     }
     if (options.json) {

@@ -12,6 +12,7 @@
 #include "certificate/names.hpp"
 #include "certificate/writer.hpp"
 #include "cli/exit_code.hpp"
+#include "cli/messages.hpp"
 #include "cli/open_pieces.hpp"
 #include "cli/progress.hpp"
 #include "cli/ratio_argument.hpp"
@@ -35,6 +36,7 @@ struct Options {
     int jobs = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
     bool witness = false;
     bool json = false;
+    bool quiet = false;
 };
 
 constexpr const char* description =
@@ -93,12 +95,12 @@ CertifyRequest request_of(const Options& options, const RatioArgument& ratio) {
     return request;
 }
 
-std::vector<ProvedPiece> prove(CertifyRequest request) {
-    Progress progress(request.q_lo == request.q_hi ? "boxes" : "pieces");
+std::vector<ProvedPiece> prove(CertifyRequest request, Loudness loudness) {
+    Progress progress(request.q_lo == request.q_hi ? "boxes" : "pieces", loudness);
     request.judged = [&](std::size_t boxes) { progress.advance(boxes); };
-    request.progress = [&](std::size_t done, std::size_t total) { progress.update(done, total); };
+    request.progress = [&](std::size_t done, std::size_t total, long n) { progress.update(done, total, n); };
     request.damaged = [&](const std::string& file) {
-        progress.note(fmt::format("dumbbell: '{}' is damaged: its piece is proved again", file));
+        progress.note(fmt::format("'{}' is damaged: its piece is proved again", file));
     };
     return certify(request);
 }
@@ -157,14 +159,14 @@ int run(const Options& options) {
         }
     }
     const auto start = std::chrono::steady_clock::now();
-    const auto pieces = prove(request);
+    const auto pieces = prove(request, options.quiet ? Loudness::quiet : Loudness::normal);
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 
     const bool open = std::any_of(pieces.begin(), pieces.end(),
                                   [](const ProvedPiece& p) { return p.piece.status() == Status::open; });
     const std::string kept_in = store ? partial : "";
     if (open && stop_signal != 0) {
-        fmt::print(stderr, "dumbbell: {}: {}\n", stopped_by(), kept_when_stopped(request, pieces, kept_in));
+        complain(fmt::format("{}: {}", stopped_by(), kept_when_stopped(request, pieces, kept_in)));
         return exit_stopped;
     }
 
@@ -178,6 +180,8 @@ int run(const Options& options) {
     }
     if (options.json) {
         fmt::print("{}\n", to_json(report).dump(2));
+    } else if (options.quiet) {
+        fmt::print("{}", verdict(report));
     } else {
         if (ratio.swapped) {
             fmt::print("Ratios below 1: the masses are swapped, q -> 1/q.\n");
@@ -185,7 +189,7 @@ int run(const Options& options) {
         fmt::print("{}{}{}", orbits_to_text(report), options.witness ? "\n" : "", to_text(report));
     }
     if (open) {
-        fmt::print(stderr, "dumbbell: {}\n", advice(request, pieces, kept_in));
+        complain(advice(request, pieces, kept_in));
     }
     return open ? exit_not_certified : exit_done;
 }
@@ -215,18 +219,21 @@ void add_certify_command(CLI::App& app, int& exit_code) {
     command
         ->add_option("--gap", options->gap,
                      "ranges: relative width of the gap around a critical ratio, at most 0.01")
+        ->type_name("REL")
         ->capture_default_str();
     command->add_option("--out", options->out, "write the certificate to FILE (FILE.gz: compressed)")
         ->check([](const std::string& file) { return file.empty() ? "the file name is empty" : ""; })
         ->type_name("FILE");
     command->add_option("--jobs", options->jobs, "threads; the result does not depend on it")
         ->check(CLI::Range(1, 1024))
-        ->capture_default_str();
+        ->default_str("all cores");
     command->add_option("--budget", options->budget, "give up after this time: 30s, 10m, 2h")
         ->type_name("TIME");
-    command->add_flag("--witness", options->witness,
-                      "print an orbit that attains the maximum, every collision enclosed");
+    CLI::Option* witness = command->add_flag(
+        "--witness", options->witness, "print an orbit that attains the maximum, every collision enclosed");
     command->add_flag("--json", options->json, "one JSON object on stdout");
+    command->add_flag("--quiet", options->quiet, "no table and no progress: what is proved, in a sentence")
+        ->excludes(witness);
     command->callback([options, &exit_code] { exit_code = stoppable([&] { return run(*options); }); });
 }
 

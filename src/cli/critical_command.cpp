@@ -15,6 +15,7 @@
 #include "arith/error.hpp"
 #include "certificate/atomic_file.hpp"
 #include "cli/exit_code.hpp"
+#include "cli/messages.hpp"
 #include "cli/progress.hpp"
 #include "cli/ratio_argument.hpp"
 #include "cli/stop_signals.hpp"
@@ -33,6 +34,7 @@ struct Options {
     int digits = CriticalRequest{}.digits;
     int jobs = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
     bool json = false;
+    bool quiet = false;
 };
 
 constexpr const char* description =
@@ -122,7 +124,7 @@ std::string time_text(std::chrono::duration<double> time) {
 }
 
 /// Says how long it will take, if long. Throws InputError if it would take very long and no budget is given.
-void check_time(const CriticalRequest& request) {
+void check_time(const CriticalRequest& request, bool quiet) {
     if (request.budget) {
         return;
     }
@@ -133,18 +135,20 @@ void check_time(const CriticalRequest& request) {
                         "example --budget 2h",
                         time_text(time), request.jobs, request.jobs == 1 ? "" : "s"));
     }
-    if (time > some_time) {
-        fmt::print(stderr, "dumbbell: this will take about {}\n", time_text(time));
+    if (time > some_time && !quiet) {
+        remark("this will take about " + time_text(time));
     }
 }
 
-std::vector<CriticalRow> enclose(CriticalRequest request) {
+std::vector<CriticalRow> enclose(CriticalRequest request, Loudness loudness) {
     const bool one = request.first == request.last;
-    Progress progress(one ? "flights" : "critical ratios");
+    Progress progress(one ? "flights" : "critical ratios", loudness);
     if (one) {
         request.advanced = [&](long flights) { progress.advance(static_cast<std::size_t>(flights)); };
     } else {
-        request.progress = [&](std::size_t done, std::size_t total) { progress.update(done, total); };
+        request.progress = [&](std::size_t done, std::size_t total, long n) {
+            progress.update(done, total, n);
+        };
     }
     return critical_ratios(request);
 }
@@ -160,7 +164,7 @@ CriticalRequest request_of(const Options& options) {
     if (options.confirm) {
         request.confirm = parse_distance(*options.confirm, request.last);
     }
-    check_time(request);
+    check_time(request, options.quiet);
     return request;
 }
 
@@ -171,18 +175,19 @@ int run(const Options& options) {
         file.emplace(options.out);
     }
     const auto start = std::chrono::steady_clock::now();
-    report.rows = enclose(report.request);
+    report.rows = enclose(report.request, options.quiet ? Loudness::quiet : Loudness::normal);
     report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     const auto finished = std::count_if(report.rows.begin(), report.rows.end(),
                                         [&](const CriticalRow& row) { return row.finished(report.request); });
     const bool all = finished == std::ssize(report.rows);
     if (!all && stop_signal != 0) {
-        fmt::print(stderr, "dumbbell: {}: nothing is kept{}\n", stopped_by(),
-                   finished == 0
-                       ? ""
-                       : fmt::format(" of the {} critical ratios that were finished (of {}): with --budget "
-                                     "TIME what is finished in time is printed",
-                                     finished, report.rows.size()));
+        complain(fmt::format(
+            "{}: nothing is kept{}", stopped_by(),
+            finished == 0
+                ? ""
+                : fmt::format(" of the {} critical ratios that were finished (of {}): with --budget "
+                              "TIME what is finished in time is printed",
+                              finished, report.rows.size())));
         return exit_stopped;
     }
     if (file) {
@@ -191,13 +196,15 @@ int run(const Options& options) {
     }
     if (options.json) {
         fmt::print("{}\n", to_json(report).dump(2));
+    } else if (options.quiet) {
+        fmt::print("{}", verdict(report));
     } else {
         fmt::print("{}", to_text(report));
     }
     if (!all) {
-        fmt::print(stderr, "dumbbell: not everything was {} (--budget)\n",
-                   options.confirm ? "confirmed: allow more time, or a greater distance"
-                                   : "enclosed: allow more time");
+        complain(fmt::format("not everything was {} (--budget)",
+                             options.confirm ? "confirmed: allow more time, or a greater distance"
+                                             : "enclosed: allow more time"));
     }
     return all ? exit_done : exit_not_certified;
 }
@@ -222,9 +229,10 @@ void add_critical_command(CLI::App& app, int& exit_code) {
         ->type_name("FILE");
     command->add_option("--jobs", options->jobs, "threads; the result does not depend on it")
         ->check(CLI::Range(1, 1024))
-        ->capture_default_str();
+        ->default_str("all cores");
     command->add_option("--budget", options->budget, "stop after this time: 30s, 10m, 2h")->type_name("TIME");
     command->add_flag("--json", options->json, "one JSON object on stdout");
+    command->add_flag("--quiet", options->quiet, "the ratios alone, a line each, and no progress");
     command->callback([options, &exit_code] { exit_code = stoppable([&] { return run(*options); }); });
 }
 

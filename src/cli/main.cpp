@@ -18,7 +18,9 @@
 #include "cli/critical_command.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/generate_command.hpp"
+#include "cli/hint.hpp"
 #include "cli/law_command.hpp"
+#include "cli/messages.hpp"
 #include "cli/plot_command.hpp"
 #include "cli/report_command.hpp"
 #include "cli/trace_command.hpp"
@@ -84,11 +86,11 @@ int parse_and_run(int argc, char** argv) {
         if (error.get_exit_code() == 0) {
             return app.exit(error);  // --help, --version
         }
+        const std::string help = hint(app, {argv + 1, argv + argc});
         if (argc >= 2 && argv[1][0] != '-' && !has_command(app, argv[1])) {
-            throw InputError(
-                fmt::format("there is no command '{}'; see dumbbell --help", first_line(argv[1])));
+            throw InputError(fmt::format("there is no command '{}'; {}", first_line(argv[1]), help));
         }
-        throw InputError(first_line(error.what()) + "; see dumbbell --help");
+        throw InputError(fmt::format("{}; {}", first_line(error.what()), help));
     }
     return exit_code;
 }
@@ -137,12 +139,12 @@ int main(int argc, char** argv) {
         }
         return exit_code;
     } catch (const dumbbell::InputError& error) {
-        fmt::print(stderr, "dumbbell: {}\n", error.what());
+        dumbbell::complain(error.what());
         return dumbbell::exit_bad_input;
     } catch (const std::bad_alloc&) {
-        fmt::print(stderr, "dumbbell: out of memory\n");
+        std::fputs("dumbbell: out of memory\n", stderr);
     } catch (const std::exception& error) {
-        fmt::print(stderr, "dumbbell: internal error: {}\n", error.what());
+        dumbbell::complain(fmt::format("internal error: {}", error.what()));
     }
     return dumbbell::exit_internal;
 }

@@ -1,17 +1,58 @@
 #include "cli/progress.hpp"
 
 #include <fmt/format.h>
+#include <sys/ioctl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <string>
 #include <utility>
 
+#include "cli/messages.hpp"
+
 namespace dumbbell {
+namespace {
 
 using namespace std::chrono_literals;
 
-Progress::Progress(std::string_view unit) : unit_(unit), terminal_(::isatty(STDERR_FILENO) == 1) {}
+std::size_t columns() {
+    winsize size{};
+    return ::ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : 80;
+}
+
+/// In place of the line before. The last column stays free: some terminals would begin a new line there.
+void show(const std::string& line) {
+    fmt::print(stderr, "\r{}\033[K", line.substr(0, columns() - 1));
+    std::fflush(stderr);
+}
+
+std::string rate_text(std::size_t done, double seconds) {
+    const double rate = static_cast<double>(done) / seconds;
+    return rate < 10 ? fmt::format("{:.1f}/s", rate) : fmt::format("{:.0f}/s", rate);
+}
+
+std::string time_text(double seconds) {
+    return seconds < 120    ? fmt::format("{:.0f} s", seconds)
+           : seconds < 7200 ? fmt::format("{:.0f} min", seconds / 60)
+                            : fmt::format("{:.1f} h", seconds / 3600);
+}
+
+/// `[###......] `, as long as there is room for it.
+std::string bar(std::size_t done, std::size_t total, std::size_t room) {
+    constexpr std::size_t shortest = 5, longest = 30, frame = 4;
+    const std::size_t length = std::min(longest, std::max(room, frame) - frame);
+    if (length < shortest) {
+        return "";
+    }
+    const std::size_t filled = length * done / total;
+    return fmt::format("[{}{}] ", std::string(filled, '#'), std::string(length - filled, '.'));
+}
+
+}  // namespace
+
+Progress::Progress(std::string_view unit, Loudness loudness)
+    : unit_(unit), shows_(loudness == Loudness::normal && ::isatty(STDERR_FILENO) == 1) {}
 
 Progress::~Progress() { clear(); }
 
@@ -24,12 +65,12 @@ void Progress::clear() {
 void Progress::note(const std::string& line) {
     const std::scoped_lock lock(mutex_);
     clear();
-    fmt::print(stderr, "{}\n", line);
+    remark(line);
 }
 
 bool Progress::is_due() {
     const auto now = Clock::now();
-    if (!terminal_ || now - start_ < 1s || now - last_ < 100ms) {
+    if (!shows_ || now - start_ < 1s || now - last_ < 100ms) {
         return false;
     }
     last_ = now;
@@ -37,28 +78,27 @@ bool Progress::is_due() {
     return true;
 }
 
+double Progress::elapsed() const { return std::chrono::duration<double>(last_ - start_).count(); }
+
 void Progress::advance(std::size_t more) {
     const std::scoped_lock lock(mutex_);
     done_ += more;
     if (is_due()) {
-        const double elapsed = std::chrono::duration<double>(last_ - start_).count();
-        fmt::print(stderr, "\r{} {} in {:.0f} s\033[K", done_, unit_, elapsed);
-        std::fflush(stderr);
+        show(fmt::format("{} {} in {}, {}", done_, unit_, time_text(elapsed()), rate_text(done_, elapsed())));
     }
 }
 
-void Progress::update(std::size_t done, std::size_t total) {
+void Progress::update(std::size_t done, std::size_t total, std::optional<long> count) {
     const std::scoped_lock lock(mutex_);
     if (!is_due()) {
         return;
     }
-    constexpr std::size_t bar = 30;
-    const std::size_t filled = bar * done / total;
-    const double elapsed = std::chrono::duration<double>(last_ - start_).count();
-    const double left = elapsed * static_cast<double>(total - done) / static_cast<double>(done);
-    fmt::print(stderr, "\r[{}{}] {}/{} {}, about {:.0f} s left\033[K", std::string(filled, '#'),
-               std::string(bar - filled, '.'), done, total, unit_, left);
-    std::fflush(stderr);
+    const double left = elapsed() * static_cast<double>(total - done) / static_cast<double>(done);
+    const std::string text =
+        fmt::format("{}/{} {}, about {} left, {}{}", done, total, unit_, time_text(left),
+                    rate_text(done, elapsed()), count ? fmt::format(", N = {}", *count) : "");
+    const std::size_t room = columns();
+    show(bar(done, total, room - std::min(room, text.size())) + text);
 }
 
 }  // namespace dumbbell

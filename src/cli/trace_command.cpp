@@ -13,6 +13,8 @@
 #include "certificate/initial_writer.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/initial_argument.hpp"
+#include "cli/messages.hpp"
+#include "cli/progress.hpp"
 #include "cli/ratio_argument.hpp"
 #include "prove/deadline.hpp"
 #include "prove/initial_state.hpp"
@@ -33,6 +35,7 @@ struct Options {
     bool subdivide = false;
     bool json = false;
     bool csv = false;
+    bool quiet = false;
 };
 
 constexpr int most_subdivide_bits = 4096;  ///< of a certificate
@@ -95,9 +98,11 @@ void write_certificate(TraceReport& report, const std::string& path, AtomicFile&
 void print(const Options& options, const TraceReport& report, bool swapped) {
     if (options.json) {
         fmt::print("{}\n", to_json(report).dump(2));
+    } else if (options.quiet) {
+        fmt::print("{}", verdict(report));
     } else if (options.csv) {
         fmt::print("{}", to_csv(report));
-        fmt::print(stderr, "dumbbell: {}", outcome_sentence(report));
+        remark(outcome_sentence(report));
     } else {
         fmt::print("{}{}", swapped ? "Ratios below 1: the masses are swapped, q -> 1/q.\n" : "",
                    to_text(report));
@@ -124,6 +129,8 @@ int run(const Options& options) {
     report.trace = trace(report.box, options.digits);
     if (options.subdivide) {
         limits.bits = std::min(report.trace.bits, most_subdivide_bits);
+        Progress progress("boxes", options.quiet ? Loudness::quiet : Loudness::normal);
+        limits.judged = [&](std::size_t boxes) { progress.advance(boxes); };
         report.parts = subdivide(report.box, limits);
     }
     report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -174,12 +181,16 @@ void add_trace_command(CLI::App& app, int& exit_code) {
         ->check(CLI::Range(1, most_trace_digits));
     command->add_option("--jobs", options->jobs, "threads; the result does not depend on it")
         ->check(CLI::Range(1, 1024))
-        ->capture_default_str();
+        ->default_str("all cores");
     CLI::Option* json = command->add_flag("--json", options->json, "one JSON object on stdout");
-    command
-        ->add_flag("--csv", options->csv,
-                   "a table with the bounds of every number on stdout, the outcome on stderr")
-        ->excludes(json);
+    CLI::Option* csv =
+        command
+            ->add_flag("--csv", options->csv,
+                       "a table with the bounds of every number on stdout, the outcome on stderr")
+            ->excludes(json);
+    command->add_flag("--quiet", options->quiet, "the outcome alone, in a sentence")
+        ->excludes(json)
+        ->excludes(csv);
     command->callback([options, &exit_code] { exit_code = run(*options); });
 }
 

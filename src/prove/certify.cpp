@@ -68,7 +68,7 @@ std::vector<ProvedPiece> prove_plan(const CertifyRequest& request, const PieceOp
     tbb::parallel_for(std::size_t{0}, plan.size(), [&](std::size_t i) {
         require_sound_arithmetic();
         pieces[i] = timed([&] { return prove_or_recall(plan[i], request, options); });
-        request.progress(++finished, plan.size());
+        request.progress(++finished, plan.size(), plan[i].upper);
     });
     return pieces;
 }

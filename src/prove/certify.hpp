@@ -22,8 +22,9 @@ struct CertifyRequest {
     std::optional<std::chrono::duration<double>> budget;
     SplitRule rule = SplitRule::scaled;
     const PieceStore* store = nullptr;  ///< ranges: where finished pieces are kept, and found again
-    /// Called now and then, from any thread, with the numbers of finished and of all pieces.
-    std::function<void(std::size_t, std::size_t)> progress = [](std::size_t, std::size_t) {};
+    /// Called, from any thread, when a piece is finished: the numbers of finished and of all pieces, and the
+    /// maximum that was looked for in this one.
+    std::function<void(std::size_t, std::size_t, long)> progress = [](std::size_t, std::size_t, long) {};
     /// A single ratio: called now and then with the number of boxes judged since the last call.
     std::function<void(std::size_t)> judged = [](std::size_t) {};
     /// Called, from any thread, with the name of a kept piece's file that is damaged: the piece is proved

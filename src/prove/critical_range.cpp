@@ -46,7 +46,7 @@ std::vector<CriticalRow> critical_ratios(const CriticalRequest& request) {
             if (row.ratio && request.confirm) {
                 row.confirmation = confirm(*row.ratio, *request.confirm, interrupted);
             }
-            request.progress(++done, rows.size());
+            request.progress(++done, rows.size(), row.n);
         });
     });
     return rows;

@@ -18,8 +18,9 @@ struct CriticalRequest {
     std::optional<Rational> confirm;  ///< check by covers and witnesses at this relative distance, too
     int jobs = 1;
     std::optional<std::chrono::duration<double>> budget;
-    /// Called now and then, from any thread, with the numbers of finished and of all ratios.
-    std::function<void(std::size_t, std::size_t)> progress = [](std::size_t, std::size_t) {};
+    /// Called, from any thread, when a ratio is finished: the numbers of finished and of all ratios, and its
+    /// N.
+    std::function<void(std::size_t, std::size_t, long)> progress = [](std::size_t, std::size_t, long) {};
     /// Called now and then, from any thread, with the number of flights enclosed since the last call.
     std::function<void(long)> advanced = [](long) {};
 };

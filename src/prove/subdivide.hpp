@@ -17,6 +17,8 @@ struct SubdivideOptions {
     int jobs = 1;
     int bits = 53;  ///< for boxes that double precision does not decide; beyond 53 MPFR
     std::function<bool()> interrupted = [] { return false; };
+    /// Called now and then, from any thread, with the number of boxes judged since the last call.
+    std::function<void(std::size_t)> judged = [](std::size_t) {};
 };
 
 struct Share {

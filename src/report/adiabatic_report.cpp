@@ -110,12 +110,18 @@ std::string ratio_text(const Rational& bound, const AdiabaticState& state) {
     return rounded_up(enclose<Interval>(bound / state.value).hi());
 }
 
-std::string error_text(const AdiabaticProof& proof, std::size_t i) {
+std::string unit_text(const Unit& unit) { return unit.unit.empty() ? "" : " " + unit.unit; }
+
+std::string bound_text(const AdiabaticProof& proof, std::size_t i) {
     const Unit unit = units(proof.of)[i];
-    const std::string in = unit.unit.empty() ? "" : " " + unit.unit;
-    std::string text = i < proof.bounds.size()
-                           ? fmt::format("  {} <= {}{}\n", unit.error, number(proof.bounds[i]), in)
-                           : fmt::format("  {}: no bound was certified\n", unit.error);
+    return i < proof.bounds.size()
+               ? fmt::format("{} <= {}{}", unit.error, number(proof.bounds[i]), unit_text(unit))
+               : fmt::format("{}: no bound was certified", unit.error);
+}
+
+std::string error_text(const AdiabaticProof& proof, std::size_t i) {
+    const std::string in = unit_text(units(proof.of)[i]);
+    std::string text = "  " + bound_text(proof, i) + '\n';
     if (i < proof.attained.size()) {
         text += fmt::format("    attained: at least {}{} ({})\n", number(proof.attained[i].value), in,
                             state_text(proof.attained[i]));
@@ -127,13 +133,16 @@ std::string error_text(const AdiabaticProof& proof, std::size_t i) {
     return text;
 }
 
+/// What an orbit attains against Theorem 3.5 as printed.
+std::string orbit_sentence(const AdiabaticProof& proof) {
+    return proof.attained.empty()
+               ? "no such orbit was certified"
+               : fmt::format("an orbit has |I_N - I_0| >= {} ({})", number(proof.attained[0].value),
+                             state_text(proof.attained[0]));
+}
+
 std::string printed_text(const AdiabaticProof& proof) {
-    std::string text = hypotheses_text(proof.of) + '\n';
-    if (proof.attained.empty()) {
-        return text + "  no such orbit was certified\n";
-    }
-    return text + fmt::format("  an orbit has |I_N - I_0| >= {} ({})\n", number(proof.attained[0].value),
-                              state_text(proof.attained[0]));
+    return hypotheses_text(proof.of) + "\n  " + orbit_sentence(proof) + '\n';
 }
 
 std::string result_text(const AdiabaticReport& report, const AdiabaticResult& result) {
@@ -230,6 +239,22 @@ nlohmann::ordered_json proof_json(const AdiabaticProof& proof) {
 }
 
 }  // namespace
+
+std::string verdict(const AdiabaticReport& report) {
+    std::string text;
+    for (const AdiabaticResult& result : report.results) {
+        const AdiabaticProof& proof = result.proof;
+        if (proof.of.claim == AdiabaticClaim::printed) {
+            text += orbit_sentence(proof) + '\n';
+            continue;
+        }
+        for (std::size_t i = 0; i < units(proof.of).size(); ++i) {
+            text += fmt::format("{}, distance {}: {}\n", delta_text(proof.of), margin_text(proof.of),
+                                bound_text(proof, i));
+        }
+    }
+    return text;
+}
 
 std::string to_text(const AdiabaticReport& report) {
     std::string text;

@@ -32,6 +32,8 @@ struct AdiabaticReport {
 /// The hypotheses in words, the statement with its constants, and the orbits; a table if there are several
 /// results.
 [[nodiscard]] std::string to_text(const AdiabaticReport& report);
+/// The constants alone, a line each.
+[[nodiscard]] std::string verdict(const AdiabaticReport& report);
 [[nodiscard]] nlohmann::ordered_json to_json(const AdiabaticReport& report);
 
 }  // namespace dumbbell

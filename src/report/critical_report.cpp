@@ -124,7 +124,24 @@ std::string range_text(const CriticalReport& report) {
     return text + (report.request.confirm ? confirmations_text(report) : "");
 }
 
+std::string row_verdict(const CriticalRow& row, const CriticalReport& report) {
+    if (!row.ratio) {
+        return fmt::format("q_c({}) was not enclosed in the time allowed.\n", row.n);
+    }
+    const CriticalNumber p = critical_number(*row.ratio, report.request.digits);
+    return fmt::format("q_c({}) = {}{}{}\n", row.n, p.value, p.exact ? "" : "...",
+                       report.request.confirm && !is_confirmed(row) ? " (not confirmed)" : "");
+}
+
 }  // namespace
+
+std::string verdict(const CriticalReport& report) {
+    std::string text;
+    for (const CriticalRow& row : report.rows) {
+        text += row_verdict(row, report);
+    }
+    return text;
+}
 
 std::string to_text(const CriticalReport& report) {
     std::string text = report.rows.size() == 1 ? single_text(report) : range_text(report);

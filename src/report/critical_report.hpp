@@ -19,6 +19,8 @@ struct CriticalReport {
 
 /// One ratio in words, several as a table; below it what was proved, and what that rests on.
 [[nodiscard]] std::string to_text(const CriticalReport& report);
+/// The ratios alone, a line each.
+[[nodiscard]] std::string verdict(const CriticalReport& report);
 [[nodiscard]] nlohmann::ordered_json to_json(const CriticalReport& report);
 
 /// The table as a file: tab-separated, remarks begin with #, and nothing in it depends on the run.

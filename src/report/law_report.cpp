@@ -42,24 +42,29 @@ const char* said(bool proved) { return proved ? "Proved:    " : "NOT proved:"; }
 
 bool all_proved(const Law& law) { return law.complete && law.never_decreases && law.below_paper; }
 
-std::string to_text(const LawReport& report) {
+std::string verdict(const LawReport& report) {
     const Law& law = report.law;
-    std::string text = fmt::format("{}\n  {}\n\n", report.file, report.verdict);
     if (!law.complete) {
-        return text + "NOT proved: pieces of this staircase are open.\n";
+        return "NOT proved: pieces of this staircase are open.\n";
     }
-    const std::string range =
-        fmt::format("mass ratio from {} to {}", exact_text(law.q_lo), exact_text(law.q_hi));
-    text += fmt::format(
+    const std::string lo = exact_text(law.q_lo), hi = exact_text(law.q_hi);
+    return fmt::format(
         "{} N*(q) <= N*(q') for any two mass ratios q < q' from {} to {} that do not lie in the same gap.\n"
         "            N* goes from {} to {} in {} pieces with one value; in each of the {} gaps it is one of "
-        "two "
-        "neighbouring values.\n",
-        said(law.never_decreases), exact_text(law.q_lo), exact_text(law.q_hi), law.least, law.greatest,
-        law.values, law.gaps);
-    text += fmt::format(
-        "{} N*(q) <= ceil(pi/gamma) for every {}: the paper's bound, one more, is never attained.\n",
-        said(law.below_paper), range);
+        "two neighbouring values.\n"
+        "{} N*(q) <= ceil(pi/gamma) for every mass ratio from {} to {}: the paper's bound, one more, is "
+        "never "
+        "attained.\n",
+        said(law.never_decreases), lo, hi, law.least, law.greatest, law.values, law.gaps,
+        said(law.below_paper), lo, hi);
+}
+
+std::string to_text(const LawReport& report) {
+    const Law& law = report.law;
+    std::string text = fmt::format("{}\n  {}\n\n{}", report.file, report.verdict, verdict(report));
+    if (!law.complete) {
+        return text;
+    }
     text += fmt::format(
         "\nC = integral of sin((pi/2) / cos theta), theta from 0 to pi/3\n  = {}...  ({} digits, verified "
         "quadrature)\nC sqrt q is what the adiabatic invariant predicts: with I = |phidot| f conserved from "

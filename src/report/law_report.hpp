@@ -19,6 +19,8 @@ struct LawReport {
 [[nodiscard]] bool all_proved(const Law& law);
 
 [[nodiscard]] std::string to_text(const LawReport& report);
+/// What is proved or not, without the constant.
+[[nodiscard]] std::string verdict(const LawReport& report);
 [[nodiscard]] nlohmann::ordered_json to_json(const LawReport& report);
 
 }  // namespace dumbbell

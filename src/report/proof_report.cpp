@@ -95,9 +95,10 @@ std::string counted(long n, std::string_view one) {
     return fmt::format("{} {}{}", n, one, n == 1 ? "" : "s");
 }
 
-/// How clear of tangency the witness's collisions are, and how narrowly it is known.
-std::string witness_sentence(const ReportRow& row) {
-    if (row.margin <= 0) {
+/// How clear of tangency the witness's collisions are, and how narrowly it is known; nothing of a range.
+std::string witness_sentence(const ProofReport& report) {
+    const ReportRow& row = report.rows.front();
+    if (report.q_lo < report.q_hi || row.piece->status() != Status::exact || row.margin <= 0) {
         return {};
     }
     return fmt::format(
@@ -112,8 +113,8 @@ std::string single_sentence(const ProofReport& report) {
     const std::string q = exact_text(report.q_lo);
     if (piece.status() == Status::exact) {
         const std::string times = counted(*piece.upper, "time");
-        return fmt::format("Proved: at mass ratio {} no {} more than {}, and some {} {}.\n{}", q, words.hits,
-                           times, words.hits_it, times, witness_sentence(report.rows.front()));
+        return fmt::format("Proved: at mass ratio {} no {} more than {}, and some {} {}.\n", q, words.hits,
+                           times, words.hits_it, times);
     }
     const std::string known = piece.lower > 0 ? fmt::format("only this is proved: some {} at least {}",
                                                             words.hits, counted(piece.lower, "time"))
@@ -182,12 +183,16 @@ std::string pieces_table(const ProofReport& report) {
 
 }  // namespace
 
+std::string verdict(const ProofReport& report) {
+    return report.q_lo == report.q_hi ? single_sentence(report) : range_sentence(report);
+}
+
 std::string to_text(const ProofReport& report) {
     std::string text = pieces_table(report);
     fmt::format_to(std::back_inserter(text), "{} in {:.2f} s with {}\n\n",
                    counted(static_cast<long>(report.rows.size()), "piece"), report.seconds,
                    counted(report.jobs, "thread"));
-    text += report.q_lo == report.q_hi ? single_sentence(report) : range_sentence(report);
+    text += verdict(report) + witness_sentence(report);
     if (heavy_at_most_once(report)) {
         text += "In every trajectory the heavy mass hits the floor at most once.\n";
     }

@@ -40,6 +40,9 @@ struct ProofReport {
 [[nodiscard]] std::string to_text(const ProofReport& report);
 [[nodiscard]] nlohmann::ordered_json to_json(const ProofReport& report);
 
+/// That sentence alone.
+[[nodiscard]] std::string verdict(const ProofReport& report);
+
 /// The orbits of the rows that have one: per collision mass, time, phi, height and velocities, enclosed.
 [[nodiscard]] std::string orbits_to_text(const ProofReport& report);
 

@@ -135,7 +135,7 @@ nlohmann::ordered_json subdivision_json(const Subdivision& parts) {
 std::string outcome_sentence(const TraceReport& report) {
     const Trace& trace = report.trace;
     if (trace.exact()) {
-        return fmt::format("exactly {}{}\n", plural(trace.least),
+        return fmt::format("exactly {}{}", plural(trace.least),
                            trace.least > static_cast<long>(trace.collisions.size())
                                ? fmt::format(" (enclosed: the first {})", trace.collisions.size())
                                : "");
@@ -146,14 +146,18 @@ std::string outcome_sentence(const TraceReport& report) {
         return fmt::format(
             "cannot be decided at any precision: {}; both masses reach the floor at once, at time {} (a "
             "corner, "
-            "where no motion is defined); move the initial condition, for example --phi\n",
+            "where no motion is defined); move the initial condition, for example --phi",
             bounds, exact_text(*corner));
     }
     if (report.box.is_point()) {
-        return fmt::format("cannot be decided at this precision: {}; undecided from collision {} on; {}\n",
+        return fmt::format("cannot be decided at this precision: {}; undecided from collision {} on; {}",
                            bounds, next, advice(report));
     }
-    return fmt::format("{}: the box splits at collision {} (smaller boxes: --subdivide)\n", bounds, next);
+    return fmt::format("{}: the box splits at collision {} (smaller boxes: --subdivide)", bounds, next);
+}
+
+std::string verdict(const TraceReport& report) {
+    return outcome_sentence(report) + '\n' + (report.parts ? '\n' + subdivision_text(*report.parts) : "");
 }
 
 std::string to_text(const TraceReport& report) {
@@ -171,10 +175,7 @@ std::string to_text(const TraceReport& report) {
             text += widths_text(*report.trace.widths);
         }
     }
-    text += outcome_sentence(report);
-    if (report.parts) {
-        text += '\n' + subdivision_text(*report.parts);
-    }
+    text += verdict(report);
     if (report.out) {
         text += fmt::format("Certificate: {0} (sha256 {1})\nCheck it: dumbbell-verify {0}\n", *report.out,
                             *report.sha256);

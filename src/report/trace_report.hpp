@@ -35,4 +35,7 @@ struct TraceReport {
 /// with what to do; "... at any precision" of a flat fall.
 [[nodiscard]] std::string outcome_sentence(const TraceReport& report);
 
+/// That sentence, and what the parts of a box say.
+[[nodiscard]] std::string verdict(const TraceReport& report);
+
 }  // namespace dumbbell

@@ -1,7 +1,9 @@
 #include <fcntl.h>
+#include <sys/ioctl.h>
 
 #include <catch2/catch.hpp>
 #include <cstdlib>
+#include <regex>
 
 #include "programs.hpp"
 
@@ -10,14 +12,20 @@ using namespace dumbbell_test;
 namespace {
 
 const Words two_seconds{DUMBBELL_BIN, "certify", "1:200000", "--gap", "1e-9", "--jobs", "1"};
+const Words long_range{DUMBBELL_BIN, "certify", "1:1000000", "--gap", "1e-9", "--jobs", "1"};
 
-// What a long job writes to a terminal as its stderr, up to the text awaited; then it is killed.
-std::string seen_on_terminal(const Words& job, const std::string& awaited) {
+// What a job writes to a terminal so many columns wide as its stderr, up to the text awaited; then it is
+// killed.
+std::string seen_on_terminal(const Words& job, const std::string& awaited, unsigned short columns = 100) {
     const int terminal = ::posix_openpt(O_RDWR | O_NOCTTY | O_CLOEXEC);
+    const winsize size{24, columns, 0, 0};
     if (terminal < 0 || ::grantpt(terminal) != 0 || ::unlockpt(terminal) != 0) {
         return "";
     }
     const std::string name = ::ptsname(terminal);
+    const int other_end =
+        ::open(name.c_str(), O_RDWR | O_NOCTTY | O_CLOEXEC);  // or reading fails after the job
+    ::ioctl(other_end, TIOCSWINSZ, &size);
     std::string command = "exec 2>" + name + " >/dev/null; exec";
     for (const std::string& word : job) {
         command += " " + word;
@@ -35,8 +43,21 @@ std::string seen_on_terminal(const Words& job, const std::string& awaited) {
             text.append(buffer.data(), static_cast<std::size_t>(n));
         }
     }
+    ::close(other_end);
     ::close(terminal);
     return text;
+}
+
+// The longest of the lines that were shown in the place of one another.
+std::size_t widest(const std::string& text) {
+    std::size_t most = 0;
+    for (std::size_t from = 0; from < text.size();) {
+        const std::size_t end = std::min(text.find('\r', from), text.size());
+        const std::string line = text.substr(from, end - from);
+        most = std::max(most, std::min(line.find('\033'), line.size()));
+        from = end + 1;
+    }
+    return most;
 }
 
 }  // namespace
@@ -48,20 +69,50 @@ TEST_CASE("in a pipe a long job shows no progress") {
     CHECK(result.out.find('\r') == std::string::npos);
 }
 
-TEST_CASE("on a terminal a job of more than a second shows a bar") {
-    const std::string text =
-        seen_on_terminal({DUMBBELL_BIN, "certify", "1:1000000", "--gap", "1e-9", "--jobs", "1"}, "]");
+TEST_CASE(
+    "on a terminal a job of more than a second shows a bar, the time left, the rate and the present N") {
+    const std::string text = seen_on_terminal(long_range, "N = ");
     CAPTURE(text);
-    CHECK(text.find("pieces, about") != std::string::npos);
-    CHECK(text.find('[') != std::string::npos);
+    CHECK(std::regex_search(
+        text, std::regex(R"(\[#*\.*\] \d+/\d+ pieces, about \S+ (s|min|h) left, [0-9.]+/s, N = )")));
+}
+
+TEST_CASE("the progress line is never as wide as the terminal: the bar shrinks, then the end is cut off") {
+    for (const unsigned short columns : {60, 30, 10}) {
+        const std::string text = seen_on_terminal(long_range, "\033", columns);
+        CAPTURE(text, columns);
+        CHECK(text.find("/") != std::string::npos);
+        CHECK(widest(text) < columns);
+        CHECK((text.find('[') != std::string::npos) == (columns == 60));
+    }
+}
+
+TEST_CASE("--quiet shows no progress on a terminal either") {
+    Words job = long_range;
+    job.insert(job.end(), {"--budget", "2s", "--quiet"});
+    const std::string text = seen_on_terminal(job, "\n");
+    CAPTURE(text);
+    CHECK(text.find("pieces,") == std::string::npos);
+    CHECK(text.find("not everything was decided") != std::string::npos);
+}
+
+TEST_CASE("the name before an error is red on a terminal, unless NO_COLOR or TERM say otherwise") {
+    const auto error = [](const std::string& environment) {
+        return seen_on_terminal(
+            {"env", "-u", "NO_COLOR", "TERM=xterm", environment, DUMBBELL_BIN, "certify", "ten"}, "\n");
+    };
+    CHECK(error("TERM=xterm").starts_with("\033[31mdumbbell:\033[0m "));
+    CHECK(error("TERM=dumb").starts_with("dumbbell: "));
+    CHECK(error("NO_COLOR=1").starts_with("dumbbell: "));
+    CHECK(error("NO_COLOR=").starts_with("\033[31m"));
+    CHECK(dumbbell({"certify", "ten"}).err.starts_with("dumbbell: "));
 }
 
 TEST_CASE("on a terminal a single ratio that takes long shows how many boxes were judged") {
     const std::string text = seen_on_terminal(
-        {DUMBBELL_BIN, "certify", "100", "--section", "full", "--lemmas", "none", "--jobs", "1"},
-        " boxes in ");
+        {DUMBBELL_BIN, "certify", "100", "--section", "full", "--lemmas", "none", "--jobs", "1"}, "/s");
     CAPTURE(text);
-    CHECK(text.find(" boxes in ") != std::string::npos);
+    CHECK(std::regex_search(text, std::regex(R"(\d+ boxes in \d+ s, [0-9.]+/s)")));
 }
 
 TEST_CASE("on a terminal a single critical ratio that takes long shows how many flights were enclosed") {

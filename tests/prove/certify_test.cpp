@@ -159,11 +159,13 @@ TEST_CASE("progress is reported once per piece and ends complete") {
     std::atomic<std::size_t> calls = 0;
     std::atomic<std::size_t> most = 0;
     std::atomic<std::size_t> total = 0;
+    std::atomic<bool> in_range = true;
     CertifyRequest request;
     request.q_lo = 1;
     request.q_hi = 100;
     request.jobs = 2;
-    request.progress = [&](std::size_t done, std::size_t all) {
+    request.progress = [&](std::size_t done, std::size_t all, long n) {
+        in_range = in_range && n >= 2 && n <= 11;
         ++calls;
         total = all;
         for (std::size_t seen = most; done > seen && !most.compare_exchange_weak(seen, done);) {
@@ -173,6 +175,7 @@ TEST_CASE("progress is reported once per piece and ends complete") {
     CHECK(calls == pieces.size());
     CHECK(most == pieces.size());
     CHECK(total == pieces.size());
+    CHECK(in_range);
 }
 
 TEST_CASE("the decided fraction is the share of exact pieces, rounded down") {

@@ -73,7 +73,9 @@ TEST_CASE("A range has its ratios in order, the same with any number of threads"
     CriticalRequest one = request(3, 40);
     one.digits = 20;
     std::atomic<std::size_t> seen = 0;
-    one.progress = [&](std::size_t, std::size_t total) { seen += total == 38 ? 1 : 100; };
+    one.progress = [&](std::size_t, std::size_t total, long n) {
+        seen += total == 38 && n >= 3 && n <= 40 ? 1 : 100;
+    };
     CriticalRequest two = one;
     two.jobs = 2;
     const auto rows = critical_ratios(one);

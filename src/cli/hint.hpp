@@ -1,0 +1,13 @@
+#pragma once
+
+#include <CLI/App.hpp>
+#include <string>
+#include <vector>
+
+namespace dumbbell {
+
+/// What may help after a command line that was not understood: the command or option that was meant, if one
+/// is spelled nearly so, and whose --help to read. `words`: those behind the program's name.
+[[nodiscard]] std::string hint(const CLI::App& app, const std::vector<std::string>& words);
+
+}  // namespace dumbbell
