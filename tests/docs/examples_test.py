@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
-"""examples_test.py PAGE BIN: runs what a page shows, and compares what comes out with what the page says.
+"""examples_test.py PAGE BIN [--update]: runs what a page shows, and compares what comes out with what the page says.
 
 A block that begins with ```console has commands behind `$ `, and below each what it prints. Numbers that differ from
 run to run (times, threads) may differ; a line `...` stands for any lines. The commands of a page run in one scratch
-folder, one after the other, with the programs of the folder BIN in the PATH; `./run` there is `dumbbell`.
+folder, one after the other, with the programs of the folder BIN in the PATH; `./run` there is `dumbbell`. With --update
+what is different is written into the page.
 """
 
 import os
@@ -14,19 +15,21 @@ import sys
 import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-VARYING = [(r"\d+\.\d+ s\b", "T s"), (r"\d+ threads?", "N threads"), (r' +T s', " T s"), (r'"jobs": \d+', '"jobs": N')]
+VARYING = [(r"\d+\.\d+ s\b", "T s"), (r" +T s", " T s"), (r"\d+ threads?", "N threads"), (r'"jobs": \d+', '"jobs": N')]
 
 
-def examples(text):
-    """(command, its expected lines) of all console blocks."""
-    found = []
-    for block in re.findall(r"^```console\n(.*?)^```$", text, re.M | re.S):
-        for line in block.splitlines():
-            if line.startswith("$ "):
-                found.append((line[2:], []))
-            else:
-                found[-1][1].append(line)
-    return found
+def parts(text):
+    """The page in order: (None, lines) as they stand, and (command, the lines that it is said to print)."""
+    result, inside = [(None, [])], False
+    for line in text.splitlines():
+        if line.startswith("```"):
+            inside = line == "```console"
+            result.append((None, [line]))
+        elif inside and line.startswith("$ "):
+            result.append((line[2:], []))
+        else:
+            result[-1][1].append(line)
+    return result
 
 
 def steady(line):
@@ -52,23 +55,34 @@ def scratch_folder(folder, programs):
     run.chmod(0o755)
 
 
+def printed(command, folder, programs):
+    environment = dict(os.environ, PATH=f"{programs}:{os.environ['PATH']}")
+    result = subprocess.run(["bash", "-c", command], cwd=folder, env=environment, stdin=subprocess.DEVNULL,
+                            stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False)
+    return result.stdout.splitlines()
+
+
 def main():
     page, programs = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2]).resolve()
-    wanted = examples(page.read_text())
-    failures = 0
-    with tempfile.TemporaryDirectory() as name:
-        scratch_folder(pathlib.Path(name), programs)
-        environment = dict(os.environ, PATH=f"{programs}:{os.environ['PATH']}")
-        for command, expected in wanted:
-            result = subprocess.run(["bash", "-c", command], cwd=name, env=environment, stdin=subprocess.DEVNULL,
-                                    stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False)
-            actual = result.stdout.splitlines()
-            if not same(expected, actual):
-                failures += 1
-                print(f"FAILED: {command}\n--- {page.name} says\n" + "\n".join(expected) + "\n--- it prints\n" +
-                      "\n".join(actual))
-    print(f"{page.name}: {len(wanted)} commands, {failures} failed")
-    return 1 if failures or not wanted else 0
+    commands, differ, lines = 0, 0, []
+    with tempfile.TemporaryDirectory() as folder:
+        scratch_folder(pathlib.Path(folder), programs)
+        for command, expected in parts(page.read_text()):
+            if command is None:
+                lines += expected
+                continue
+            commands += 1
+            actual = printed(command, folder, programs)
+            agree = same(expected, actual)
+            lines += [f"$ {command}"] + (expected if agree else actual)
+            if not agree:
+                differ += 1
+                print(f"{command}\n--- {page.name} says\n" + "\n".join(expected) + "\n--- it prints\n" + "\n".join(actual))
+    print(f"{page.name}: {commands} commands, {differ} print something else")
+    if "--update" in sys.argv:
+        page.write_text("\n".join(lines) + "\n")
+        return 0
+    return 1 if differ or not commands else 0
 
 
 if __name__ == "__main__":
