@@ -71,6 +71,7 @@ void add_values(std::string& script, const CommandEntry& command) {
 /// The case of any other word before.
 void add_words(std::string& script, const CommandEntry& command) {
     std::vector<std::string> words;
+    words.reserve(command.commands.size());
     for (const CommandEntry& below : command.commands) {
         words.push_back(last_word(below.name));
     }
@@ -88,7 +89,7 @@ void add_words(std::string& script, const CommandEntry& command) {
 }  // namespace
 
 std::string bash_completion(const CommandEntry& program) {
-    const auto commands = with_all_below(program);
+    auto commands = with_all_below(program);
     std::string script = head;
     for (const CommandEntry* command : commands) {
         if (command != &program) {
@@ -98,9 +99,10 @@ std::string bash_completion(const CommandEntry& program) {
     }
     script += "        esac\n    done\n    COMPREPLY=()\n    case \"$command $before\" in\n";
     // The case of a command also fits the commands below it, which come first.
-    for (auto at = commands.rbegin(); at != commands.rend(); ++at) {
-        add_values(script, **at);
-        add_words(script, **at);
+    std::reverse(commands.begin(), commands.end());
+    for (const CommandEntry* command : commands) {
+        add_values(script, *command);
+        add_words(script, *command);
     }
     return script + tail;
 }

@@ -123,8 +123,12 @@ CommandEntry verifier_table(const std::string& name, const std::string& help) {
     }
     const std::string sentence = parts[0].substr(parts[0].rfind('\n') + 1);
     CommandEntry command{name, sentence + "\n\n" + parts[2], parts[3], options_in(parts[1]), {}};
-    command.options.push_back(
-        {.names = {"FILE"}, .value = "FILE", .text = "certificates", .argument = true, .repeated = true});
+    OptionEntry& files = command.options.emplace_back();
+    files.names = {"FILE"};
+    files.value = "FILE";
+    files.text = "certificates";
+    files.argument = true;
+    files.repeated = true;
     return command;
 }
 

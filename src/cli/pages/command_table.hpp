@@ -9,12 +9,12 @@
 namespace dumbbell::pages {
 
 struct OptionEntry {
-    std::vector<std::string> names;      ///< --out; of an argument its one name, FILE
-    std::string value;                   ///< how its value is called: TIME, dumbbell|wedge; empty: a flag
-    std::vector<std::string> choices{};  ///< all values that there are, if it takes certain words only
-    std::string standard{};              ///< the value without it; empty: none
-    std::string text;                    ///< what it means
-    bool argument = false;               ///< no option: its place on the command line says what it is
+    std::vector<std::string> names;    ///< --out; of an argument its one name, FILE
+    std::string value;                 ///< how its value is called: TIME, dumbbell|wedge; empty: a flag
+    std::vector<std::string> choices;  ///< all values that there are, if it takes certain words only
+    std::string standard;              ///< the value without it; empty: none
+    std::string text;                  ///< what it means
+    bool argument = false;             ///< no option: its place on the command line says what it is
     bool required = false;
     bool repeated = false;  ///< an argument that takes any number of words
 
