@@ -1,0 +1,55 @@
+#include "dumbbell/certify.hpp"
+
+#include "api/exact_ratio.hpp"
+#include "api/translate.hpp"
+#include "certificate/atomic_file.hpp"
+#include "certificate/writer.hpp"
+#include "prove/certify.hpp"
+
+namespace dumbbell::api {
+namespace {
+
+CertifyRequest request_of(const MassRatio& ratio, const CertifyOptions& options) {
+    if (!(options.gap > 0) || !(options.gap <= 0.01)) {
+        throw dumbbell::InputError("gap is out of range: a relative width greater than 0 and at most 0.01");
+    }
+    if (options.jobs < 1 || options.jobs > 1024) {
+        throw dumbbell::InputError("jobs is out of range: give a number of threads from 1 to 1024");
+    }
+    CertifyRequest request;
+    request.q_lo = exact_ratio(ratio.lo());
+    request.q_hi = exact_ratio(ratio.hi());
+    request.gap = exact(options.gap);
+    request.jobs = options.jobs;
+    request.budget = options.budget;
+    return request;
+}
+
+}  // namespace
+
+Proof certify(const MassRatio& ratio, const CertifyOptions& options) {
+    return guarded([&] {
+        Certificate certificate{.program = "dumbbell", .version = DUMBBELL_VERSION, .pieces = {}};
+        Proof proof;
+        for (ProvedPiece& proved : dumbbell::certify(request_of(ratio, options))) {
+            const dumbbell::Piece& piece = certificate.pieces.emplace_back(std::move(proved.piece));
+            proof.pieces.push_back(
+                {to_fraction(piece.q_lo), to_fraction(piece.q_hi), piece.lower, piece.upper});
+        }
+        CertificateText text = render(certificate);
+        proof.certificate = std::move(text.text);
+        proof.sha256 = std::move(text.sha256);
+        return proof;
+    });
+}
+
+void save(const Proof& proof, const std::string& file) {
+    guarded([&] {
+        if (file.empty()) {
+            throw dumbbell::InputError("the file name is empty");
+        }
+        AtomicFile(file).commit(proof.certificate);
+    });
+}
+
+}  // namespace dumbbell::api

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <chrono>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "dumbbell/mass_ratio.hpp"
+
+/// Proofs of the greatest number of floor collisions, N(q), as certificates that dumbbell/verify.hpp
+/// re-checks.
+namespace dumbbell::api {
+
+struct CertifyOptions {
+    double gap = 1e-6;  ///< ranges: relative width of the gap around a critical ratio, in (0, 0.01]
+    int jobs = 1;       ///< threads, 1 to 1024; the result does not depend on it
+    std::optional<std::chrono::duration<double>> budget{};  ///< what is not decided by then is left open
+};
+
+/// For every mass ratio q of [lo, hi] (fractions, as MassRatio::lo()): least <= N(q) and, if given, N(q) <=
+/// most. Both are equal, or differ by one in a gap around a critical ratio, or the piece is open: no `most`.
+struct Piece {
+    std::string lo;
+    std::string hi;
+    long least = 0;
+    std::optional<long> most;
+};
+
+struct Proof {
+    std::vector<Piece> pieces;  ///< in order, each begins where the one before ends
+    std::string certificate;    ///< the text of the file that proves them (proofs/format.md)
+    std::string sha256;         ///< its last line's: of the text before it
+
+    /// Whether no piece is open.
+    [[nodiscard]] bool complete() const {
+        for (const Piece& piece : pieces) {
+            if (!piece.most) {
+                return false;
+            }
+        }
+        return true;
+    }
+};
+
+/// Proves the maximum for one mass ratio, or for every one of a range. What it claims rests on the
+/// certificate: verify that. Throws InputError for an option out of range, or a range with more than a
+/// million steps.
+[[nodiscard]] [[gnu::visibility("default")]] Proof certify(const MassRatio& ratio,
+                                                           const CertifyOptions& options = {});
+
+/// Writes the certificate to a file, gzip-compressed if its name ends in `.gz`; the file appears complete or
+/// not at all. Throws InputError, naming the file and the cause, if it cannot be written.
+[[gnu::visibility("default")]] void save(const Proof& proof, const std::string& file);
+
+}  // namespace dumbbell::api

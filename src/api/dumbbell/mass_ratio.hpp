@@ -1,0 +1,31 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "dumbbell/interval.hpp"
+
+namespace dumbbell::api {
+
+/// A mass ratio q = heavy mass / light mass >= 1, or a closed range of them, exactly.
+class MassRatio {
+  public:
+    /// `10`, `4.6`, `1e6` or `9/2`, exactly as written, or a closed range of two of these, `1:100`. Below 1
+    /// the masses are swapped, q -> 1/q. Throws InputError for any other text, the number 0, a range that is
+    /// reversed or crosses 1, more than 1,000 characters, and exponents beyond 1000.
+    [[gnu::visibility("default")]] explicit MassRatio(std::string_view text);
+
+    /// The ends, which are equal for a single ratio: `9/2`, `10/1`, in lowest terms.
+    [[nodiscard]] const std::string& lo() const noexcept { return lo_; }
+    [[nodiscard]] const std::string& hi() const noexcept { return hi_; }
+
+    /// Contains r = light mass / heavy mass = 1/q for every q of the range.
+    [[nodiscard]] const Interval& light_over_heavy() const noexcept { return light_over_heavy_; }
+
+  private:
+    std::string lo_;
+    std::string hi_;
+    Interval light_over_heavy_;
+};
+
+}  // namespace dumbbell::api

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+/// The independent verifier: it shares no code with the prover of dumbbell/certify.hpp.
+namespace dumbbell::api {
+
+/// What a certificate has to prove: for every mass ratio of `ratio` (`10`, `9/2`, `1:100`) no trajectory has
+/// more than `most` collisions, and some trajectory has `least`.
+struct Claim {
+    std::string ratio;
+    std::optional<std::uint64_t> most{};
+    std::optional<std::uint64_t> least{};
+};
+
+enum class Verdict {
+    verified,     ///< all that the file says is certified, and it proves the claim
+    rejected,     ///< the file is wrong or damaged, or does not prove the claim
+    unsupported,  ///< another format version, claim kind, scene, section or lemma set
+    unreadable,   ///< there is no such file
+    limit         ///< it needs more memory, threads or precision than it may have
+};
+
+struct Verification {
+    Verdict verdict = Verdict::rejected;
+    std::string text;      ///< one line: what the file proves, with its SHA-256, or what is wrong, and where
+    std::string sha256{};  ///< of a verified file
+
+    /// Whether it is verified.
+    explicit operator bool() const noexcept { return verdict == Verdict::verified; }
+};
+
+/// Verifies a certificate of the scene dumbbell (.dbc, also gzip-compressed) on up to `jobs` threads. Throws
+/// std::invalid_argument, with a message that says what to do, if the claim is none: no mass ratio, neither
+/// bound, jobs = 0.
+[[nodiscard]] [[gnu::visibility("default")]] Verification verify(const std::string& file, const Claim& claim,
+                                                                 unsigned jobs = 1);
+
+}  // namespace dumbbell::api

@@ -1,0 +1,19 @@
+#include "dumbbell/mass_ratio.hpp"
+
+#include "api/translate.hpp"
+#include "cli/ratio_argument.hpp"
+
+namespace dumbbell::api {
+
+MassRatio::MassRatio(std::string_view text) {
+    guarded([&] {
+        const RatioArgument ratio = parse_ratio_argument(std::string(text));
+        lo_ = to_fraction(ratio.lo);
+        hi_ = to_fraction(ratio.hi);
+        const auto r = hull(enclose<dumbbell::Interval>(Rational(1) / ratio.hi),
+                            enclose<dumbbell::Interval>(Rational(1) / ratio.lo));
+        light_over_heavy_ = {r.lo(), r.hi()};
+    });
+}
+
+}  // namespace dumbbell::api

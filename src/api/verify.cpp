@@ -1,0 +1,50 @@
+#include "dumbbell/verify.hpp"
+
+#include <array>
+#include <stdexcept>
+
+#include "verify/claim_options.hpp"
+#include "verify/examine.hpp"
+#include "verify/summary.hpp"
+
+namespace dumbbell::api {
+namespace {
+
+dumbbell_verify::Job job_of(const std::string& file, const Claim& claim, unsigned jobs) {
+    if (!claim.most && !claim.least) {
+        throw std::invalid_argument("the claim needs `most`, `least` or both");
+    }
+    if (jobs < 1 || jobs > 1024) {
+        throw std::invalid_argument("jobs is out of range: give a number of threads from 1 to 1024");
+    }
+    std::vector<std::string> options{"--claim", "collisions", "--ratio", claim.ratio};
+    if (claim.most) {
+        options.insert(options.end(), {"--max", std::to_string(*claim.most)});
+    }
+    if (claim.least) {
+        options.insert(options.end(), {"--min", std::to_string(*claim.least)});
+    }
+    dumbbell_verify::Job job{file, {}};
+    job.settings.jobs = jobs;
+    dumbbell_verify::Words words(std::move(options));
+    while (words.next()) {
+        claim_option(words, job.settings);
+    }
+    return job;
+}
+
+Verdict given(dumbbell_verify::Verdict verdict) {
+    constexpr std::array given{Verdict::verified, Verdict::unreadable, Verdict::unsupported, Verdict::limit,
+                               Verdict::rejected};
+    return given.at(static_cast<std::size_t>(verdict));
+}
+
+}  // namespace
+
+Verification verify(const std::string& file, const Claim& claim, unsigned jobs) {
+    const dumbbell_verify::Job job = job_of(file, claim, jobs);
+    const dumbbell_verify::Result result = examine(job);
+    return {given(result.why.verdict), result_text(result), result.proof.digest};
+}
+
+}  // namespace dumbbell::api

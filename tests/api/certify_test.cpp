@@ -1,0 +1,67 @@
+#include "dumbbell/certify.hpp"
+
+#include <catch2/catch.hpp>
+#include <limits>
+
+#include "dumbbell/error.hpp"
+#include "scratch.hpp"
+
+using namespace dumbbell::api;
+using dumbbell_test::contents;
+using dumbbell_test::Scratch;
+
+TEST_CASE("One ratio: the maximum, and the certificate that the program ships") {
+    const Proof proof = certify(MassRatio("10"));
+    REQUIRE(proof.pieces.size() == 1);
+    CHECK(proof.complete());
+    CHECK(proof.pieces[0].lo == "10/1");
+    CHECK(proof.pieces[0].hi == "10/1");
+    CHECK(proof.pieces[0].least == 4);
+    CHECK(proof.pieces[0].most == 4);
+    CHECK(proof.certificate == contents(DUMBBELL_CERTIFICATES "/q-10.dbc"));
+    CHECK_THAT(proof.certificate, Catch::EndsWith("sha256 " + proof.sha256 + "\n"));
+}
+
+TEST_CASE("A range: pieces that follow one another, whatever the number of threads") {
+    const Proof proof = certify(MassRatio("1:100"), {.jobs = 2});
+    CHECK(proof.certificate == contents(DUMBBELL_CERTIFICATES "/stairs-1-100.dbc"));
+    CHECK(proof.complete());
+    REQUIRE(!proof.pieces.empty());
+    CHECK(proof.pieces.front().lo == "1/1");
+    CHECK(proof.pieces.back().hi == "100/1");
+    for (std::size_t i = 1; i < proof.pieces.size(); ++i) {
+        CHECK(proof.pieces[i].lo == proof.pieces[i - 1].hi);
+    }
+    for (const Piece& piece : proof.pieces) {
+        CHECK((*piece.most == piece.least || *piece.most == piece.least + 1));
+    }
+}
+
+TEST_CASE("Without time, and beyond what is tried, the piece is open and claims nothing") {
+    const Proof proof = certify(MassRatio("10"), {.budget = std::chrono::seconds(0)});
+    CHECK(!proof.complete());
+    CHECK(!proof.pieces.at(0).most);
+    CHECK(!certify(MassRatio("1e1000")).complete());
+}
+
+TEST_CASE("A certificate is saved, plain or compressed, or the reason is said") {
+    const Scratch folder;
+    const Proof proof = certify(MassRatio("10"));
+    save(proof, folder.path("ten.dbc"));
+    CHECK(contents(folder.path("ten.dbc")) == proof.certificate);
+    save(proof, folder.path("ten.dbc.gz"));
+    CHECK(contents(folder.path("ten.dbc.gz")).starts_with("\x1f\x8b"));
+    CHECK_THROWS_AS(save(proof, ""), InputError);
+    CHECK_THROWS_AS(save(proof, folder.path("none/ten.dbc")), InputError);
+}
+
+TEST_CASE("Options out of range are refused") {
+    const MassRatio ten("10");
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    for (const double gap : {0.0, -1.0, 0.011, nan}) {
+        CHECK_THROWS_AS(certify(ten, {.gap = gap}), InputError);
+    }
+    for (const int jobs : {0, -1, 1025}) {
+        CHECK_THROWS_AS(certify(ten, {.jobs = jobs}), InputError);
+    }
+}

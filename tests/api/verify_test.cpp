@@ -1,0 +1,66 @@
+#include "dumbbell/verify.hpp"
+
+#include <catch2/catch.hpp>
+#include <fstream>
+#include <stdexcept>
+
+#include "dumbbell/certify.hpp"
+#include "scratch.hpp"
+
+using namespace dumbbell::api;
+using dumbbell_test::Scratch;
+
+namespace {
+const std::string ten = DUMBBELL_CERTIFICATES "/q-10.dbc";
+}
+
+TEST_CASE("What the prover proves, the verifier verifies") {
+    const Scratch folder;
+    const Proof proof = certify(MassRatio("9/2:12"));
+    save(proof, folder.path("stairs.dbc"));
+    const Verification result =
+        verify(folder.path("stairs.dbc"), {.ratio = "9/2:12", .most = 5, .least = 3}, 2);
+    CHECK(result.verdict == Verdict::verified);
+    CHECK(result);
+    CHECK(result.sha256 == proof.sha256);
+    CHECK_THAT(result.text,
+               Catch::Contains("ratio=9/2:12/1 upper=5 lower=3 ") && Catch::EndsWith(proof.sha256));
+}
+
+TEST_CASE("A weaker claim is proved, a stronger or foreign one is not") {
+    CHECK(verify(ten, {.ratio = "10", .most = 4, .least = 4}));
+    CHECK(verify(ten, {.ratio = "10", .most = 7}));
+    CHECK(verify(ten, {.ratio = "10", .least = 1}));
+    for (const Claim& claim : {Claim{.ratio = "10", .most = 3}, Claim{.ratio = "10", .least = 5},
+                               Claim{.ratio = "11", .most = 4}, Claim{.ratio = "10:11", .most = 4}}) {
+        const Verification result = verify(ten, claim);
+        CHECK(result.verdict == Verdict::rejected);
+        CHECK(!result);
+        CHECK(result.sha256.empty());
+        CHECK_THAT(result.text, Catch::Contains("claim-not-proved"));
+    }
+}
+
+TEST_CASE("Every other verdict has its name") {
+    const Scratch folder;
+    const Claim claim{.ratio = "10", .most = 4};
+    CHECK(verify(folder.path("none.dbc"), claim).verdict == Verdict::unreadable);
+    const auto written = [&](const std::string& text) {
+        std::ofstream(folder.path("file.dbc")) << text;
+        return folder.path("file.dbc");
+    };
+    const std::string text = dumbbell_test::contents(ten);
+    CHECK(verify(written(""), claim).verdict == Verdict::rejected);
+    CHECK(verify(written(text.substr(0, text.size() / 2)), claim).verdict == Verdict::rejected);
+    CHECK(verify(written("dumbbell-certificate 2" + text.substr(22)), claim).verdict == Verdict::unsupported);
+    CHECK(verify(written(text), claim).verdict == Verdict::verified);
+}
+
+TEST_CASE("A claim that is none is refused, never verified") {
+    for (const Claim& claim :
+         {Claim{.ratio = "10"}, Claim{.ratio = "", .most = 4}, Claim{.ratio = "ten", .most = 4},
+          Claim{.ratio = "2:1", .most = 4}, Claim{.ratio = "10", .most = UINT64_MAX}}) {
+        CHECK_THROWS_AS(verify(ten, claim), std::invalid_argument);
+    }
+    CHECK_THROWS_AS(verify(ten, {.ratio = "10", .most = 4}, 0), std::invalid_argument);
+}
