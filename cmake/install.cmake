@@ -1,33 +1,40 @@
-# What `cmake --install` installs. The package lies in share/, where find_package() looks whatever languages the
-# other project has.
+# What `cmake --install` installs, in three components: programs (with the pages and the certificates), libraries, and
+# development (headers, and what find_package() finds). The package lies in share/, where find_package() looks whatever
+# languages the other project has.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 set(package ${CMAKE_INSTALL_DATADIR}/cmake/dumbbell)
 
 set(programs dumbbell-verify)
+set(libraries dumbbell_api_verify)
 if(NOT DUMBBELL_VERIFIER_ONLY)
   list(APPEND programs dumbbell)
+  list(APPEND libraries dumbbell_api_prove)
 endif()
-install(TARGETS ${programs} EXPORT dumbbell-targets RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
-install(EXPORT dumbbell-targets NAMESPACE dumbbell:: DESTINATION ${package})
+install(TARGETS ${programs} EXPORT dumbbell-targets
+  RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT programs)
+install(TARGETS ${libraries} EXPORT dumbbell-targets
+  LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT libraries NAMELINK_COMPONENT development
+  FILE_SET HEADERS DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT development)
+install(EXPORT dumbbell-targets NAMESPACE dumbbell:: DESTINATION ${package} COMPONENT development)
 
-write_basic_package_version_file(${PROJECT_BINARY_DIR}/dumbbell-config-version.cmake
-  COMPATIBILITY SameMinorVersion ARCH_INDEPENDENT)
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/dumbbell-config-version.cmake COMPATIBILITY SameMinorVersion)
 install(FILES
   ${PROJECT_BINARY_DIR}/dumbbell-config-version.cmake
   ${PROJECT_SOURCE_DIR}/cmake/dumbbell-config.cmake
   ${PROJECT_SOURCE_DIR}/cmake/dumbbell-proof-check.cmake
-  DESTINATION ${package})
+  DESTINATION ${package} COMPONENT development)
 
-install(FILES LICENSE README.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
-install(DIRECTORY docs proofs DESTINATION ${CMAKE_INSTALL_DOCDIR})
-install(FILES src/verify/dumbbell-verify.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
+install(FILES LICENSE README.md DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT programs)
+install(DIRECTORY docs proofs DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT programs)
+install(FILES src/verify/dumbbell-verify.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT programs)
 # Made by the target `pages`, one of ALL; a build of the programs alone has none.
 if(NOT DUMBBELL_VERIFIER_ONLY)
-  install(FILES ${PROJECT_BINARY_DIR}/share/dumbbell.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 OPTIONAL)
+  install(FILES ${PROJECT_BINARY_DIR}/share/dumbbell.1
+    DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT programs OPTIONAL)
   foreach(command dumbbell dumbbell-verify)  # completions are found by the command's name
     install(FILES ${PROJECT_BINARY_DIR}/share/dumbbell.bash
-      DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME ${command} OPTIONAL)
+      DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME ${command} COMPONENT programs OPTIONAL)
   endforeach()
 endif()
-install(DIRECTORY certificates DESTINATION ${CMAKE_INSTALL_DATADIR}/dumbbell)
+install(DIRECTORY certificates DESTINATION ${CMAKE_INSTALL_DATADIR}/dumbbell COMPONENT programs)

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # package_test.sh BUILD_FOLDER: installs what was built there, and uses it from another project as its CI would:
-# find_package(dumbbell), certificates that are right, tampered with or too weak, and wrong calls.
+# find_package(dumbbell), certificates that are right, tampered with or too weak, wrong calls, and the libraries.
 set -euo pipefail
 here=$(cd -- "$(dirname -- "$0")" && pwd)
 root=$(cd -- "$here/../.." && pwd)
@@ -107,11 +107,33 @@ expect "a list without a claim fails" has "$out" "claims.tsv:1: the claim needs 
 sed -i /enable_testing/d "$user/CMakeLists.txt"
 run cmake --fresh -S "$user" -B "$user/build" "-DCMAKE_PREFIX_PATH=$prefix"
 expect "refused: tests that would not be run" has "$out" "call enable_testing() before"
-for request in '9.0 REQUIRED' 'REQUIRED COMPONENTS more'; do
+for request in '9.0 REQUIRED' 'REQUIRED COMPONENTS more' 'REQUIRED COMPONENTS verify prove more'; do
     configure
     sed -i "s/find_package(.*/find_package(dumbbell $request)/" "$user/CMakeLists.txt"
     run cmake --fresh -S "$user" -B "$user/build" "-DCMAKE_PREFIX_PATH=$prefix"
     expect "not found: $request" test "$code" -ne 0
 done
+
+# A program that uses the libraries, as the docs show it.
+rm -rf -- "$user"
+cp -r -- "$root/docs/library" "$user"
+cached() { sed -n "s/^$1:[A-Z]*=//p" "$build/CMakeCache.txt"; }
+flags="$(cached CMAKE_CXX_FLAGS) -Wall -Wextra -Wpedantic -Werror" # sanitizers want to be in the program too
+run cmake -S "$user" -B "$user/build" "-DCMAKE_PREFIX_PATH=$prefix" "-DCMAKE_CXX_COMPILER=$(cached CMAKE_CXX_COMPILER)" \
+    "-DCMAKE_CXX_FLAGS=$flags"
+expect "the docs' program finds the libraries" is "$code" 0
+run cmake --build "$user/build"
+expect "it compiles without warnings" is "$code" 0
+run "$user/build/bounce"
+expect "it runs" is "$code" 0
+expect "it encloses a bounce" has "$out" "hits the other wall at [0.3"
+expect "it proves, and the verifier agrees" has "$out" "verified: scene=dumbbell ratio=10/1:10/1 upper=4 lower=4 "
+expect "its certificate is the shipped one" cmp -s "$scratch/ten.dbc" "$root/certificates/q-10.dbc"
+for header in "$prefix"/include/dumbbell/*.hpp; do
+    run "$(cached CMAKE_CXX_COMPILER)" -std=c++20 -fsyntax-only -x c++ "-I$prefix/include" "$header"
+    expect "${header##*/} stands by itself" is "$code" 0
+done
+expect "no header names a library that a user would have to install" \
+    test -z "$(grep -hE '#include <(boost|gmp|mpfr|mpfi|fmt|Eigen|CLI|tbb|openssl)' "$prefix"/include/dumbbell/*.hpp)"
 
 finish
