@@ -11,6 +11,10 @@ if(NOT DUMBBELL_VERIFIER_ONLY)
   list(APPEND programs dumbbell)
   list(APPEND libraries dumbbell_api_prove)
 endif()
+add_custom_target(installable DEPENDS ${programs} ${libraries})  # what has to be built before
+if(TARGET pages)
+  add_dependencies(installable pages)
+endif()
 install(TARGETS ${programs} EXPORT dumbbell-targets
   RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT programs)
 install(TARGETS ${libraries} EXPORT dumbbell-targets

@@ -148,6 +148,8 @@ run_in "$project" ./run build
 expect "build: exit 0, nothing on stdout" is "$code$out" 0
 run_in "$project" ./run build more
 expect "build: no arguments" is "$code" 2
+run_in "$project" ./run package now
+expect "package takes no arguments" is "$code" 2
 run_in "$project" ./run bench
 expect "bench, none there: exit 1" is "$code" 1
 expect "bench, none there: says so" has "$err" "no benchmarks"

@@ -1,0 +1,48 @@
+# What `cpack -G DEB` makes of the installed components: dumbbell, libdumbbell0.1 and libdumbbell-dev.
+set(CPACK_GENERATOR DEB)
+set(CPACK_VERBATIM_VARIABLES ON)
+set(CPACK_PACKAGE_NAME dumbbell)
+set(CPACK_PACKAGE_CONTACT "The dumbbell authors <dumbbell@example.org>" CACHE STRING "maintainer of the packages")
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_PACKAGE_DIRECTORY ${PROJECT_BINARY_DIR}/packages)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS
+  OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
+set(CPACK_COMPONENTS_ALL programs libraries development)
+
+set(CPACK_DEB_COMPONENT_INSTALL ON)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
+set(CPACK_DEBIAN_PACKAGE_PRIORITY optional)
+
+set(exactly "(= ${PROJECT_VERSION})")
+set(interface libdumbbell${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
+set(about " Two point masses on a massless rod fall on a flat floor and bounce elastically. dumbbell finds
+ the greatest number of times that they can hit it, for one mass ratio or for all of a range,
+ by interval arithmetic, and writes a certificate that an independent verifier re-checks.")
+set(CPACK_DEBIAN_PROGRAMS_PACKAGE_NAME dumbbell)
+set(CPACK_DEBIAN_PROGRAMS_PACKAGE_SECTION math)
+set(CPACK_DEBIAN_PROGRAMS_DESCRIPTION "prover of the collision counts of a bouncing dumbbell
+${about}")
+set(CPACK_DEBIAN_LIBRARIES_PACKAGE_NAME ${interface})
+set(CPACK_DEBIAN_LIBRARIES_PACKAGE_SECTION libs)
+set(CPACK_DEBIAN_LIBRARIES_PACKAGE_GENERATE_SHLIBS ON)
+set(CPACK_DEBIAN_LIBRARIES_DESCRIPTION "prover of the collision counts of a bouncing dumbbell (libraries)
+${about}
+ .
+ This package has the libraries of the prover and of the verifier.")
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libdumbbell-dev)
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "dumbbell ${exactly}, ${interface} ${exactly}")
+set(CPACK_DEBIAN_DEVELOPMENT_DESCRIPTION "prover of the collision counts of a bouncing dumbbell (development)
+${about}
+ .
+ This package has the C++ headers, and the CMake package with the programs and the libraries.")
+
+# Where the script below puts what Debian wants in each package.
+set(CPACK_DUMBBELL_PACKAGES programs dumbbell libraries ${interface} development libdumbbell-dev)
+set(CPACK_DUMBBELL_FOLDER ${PROJECT_SOURCE_DIR})
+set(CPACK_PRE_BUILD_SCRIPTS ${PROJECT_SOURCE_DIR}/cmake/debian-files.cmake)
+set(CPACK_PACKAGE_VERSION ${PROJECT_VERSION})
+include(CPack)
