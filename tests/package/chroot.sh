@@ -1,0 +1,35 @@
+# Sourced by chroot_trial: a Debian 12 that has nothing but what every Debian has, and commands run in it.
+release=bookworm
+
+skip() { # skip WHY: loudly, and not as if it had passed
+    printf '\nSKIPPED, nothing was tried: %s\n\n' "$*" >&2
+    exit 3
+}
+
+# What apt of this machine says about the places that it takes Debian from.
+targets() { apt-get indextargets --format "$1" 'Created-By: Packages' 'Origin: Debian' 'Component: main' | sort -u; }
+
+# make_base FOLDER: a minimal system that takes its packages from where this machine does.
+make_base() {
+    local mirror
+    (($(id -u) == 0)) || skip "a chroot needs root"
+    command -v debootstrap > /dev/null || skip "there is no debootstrap: .ci/install trust"
+    mirror=$(targets '$(CODENAME) $(SITE)' | sed -n "s/^$release //p" | head -n 1)
+    [[ -n $mirror ]] || skip "apt knows no mirror of Debian $release: apt-get update, on Debian 12"
+    debootstrap --variant=minbase "$release" "$1" "$mirror" > "$1.log" 2>&1 ||
+        skip "debootstrap failed (in a container it needs the right to make devices and mounts): $(tail -n 1 "$1.log")"
+    targets 'deb $(SITE) $(RELEASE) main' > "$1/etc/apt/sources.list"
+    apt-config dump | grep -E '^Acquire::(http|https)::Proxy ' > "$1/etc/apt/apt.conf.d/01proxy" || true
+    cp -L -- /etc/resolv.conf "$1/etc/resolv.conf"
+}
+
+# inside FOLDER USER COMMAND...: in the chroot, in the user's home, with no environment of this machine. Its /proc goes
+# with it, and so does what it leaves running.
+inside() {
+    local folder=$1 user=$2 home=/root
+    shift 2
+    [[ $user == root ]] || home=/home/$user
+    unshare --mount --pid --fork --kill-child --root="$folder" --mount-proc \
+        /usr/bin/env -i HOME="$home" PATH=/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin \
+        setpriv --reuid="$user" --regid="$user" --init-groups sh -c 'cd && exec "$@"' sh "$@" < /dev/null
+}
