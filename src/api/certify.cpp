@@ -4,22 +4,20 @@
 #include "api/translate.hpp"
 #include "certificate/atomic_file.hpp"
 #include "certificate/writer.hpp"
+#include "cli/ratio_argument.hpp"
 #include "prove/certify.hpp"
 
 namespace dumbbell::api {
 namespace {
 
 CertifyRequest request_of(const MassRatio& ratio, const CertifyOptions& options) {
-    if (!(options.gap > 0) || !(options.gap <= 0.01)) {
-        throw dumbbell::InputError("gap is out of range: a relative width greater than 0 and at most 0.01");
-    }
     if (options.jobs < 1 || options.jobs > 1024) {
         throw dumbbell::InputError("jobs is out of range: give a number of threads from 1 to 1024");
     }
     CertifyRequest request;
     request.q_lo = exact_ratio(ratio.lo());
     request.q_hi = exact_ratio(ratio.hi());
-    request.gap = exact(options.gap);
+    request.gap = parse_gap(options.gap);
     request.jobs = options.jobs;
     request.budget = options.budget;
     return request;

@@ -1,7 +1,6 @@
 #include "dumbbell/certify.hpp"
 
 #include <catch2/catch.hpp>
-#include <limits>
 
 #include "dumbbell/error.hpp"
 #include "scratch.hpp"
@@ -57,8 +56,7 @@ TEST_CASE("A certificate is saved, plain or compressed, or the reason is said") 
 
 TEST_CASE("Options out of range are refused") {
     const MassRatio ten("10");
-    const double nan = std::numeric_limits<double>::quiet_NaN();
-    for (const double gap : {0.0, -1.0, 0.011, nan}) {
+    for (const char* gap : {"0", "-1", "0.011", "", "nan"}) {
         CHECK_THROWS_AS(certify(ten, {.gap = gap}), InputError);
     }
     for (const int jobs : {0, -1, 1025}) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <chrono>
 #include <optional>
 #include <string>
@@ -12,9 +13,10 @@
 namespace dumbbell::api {
 
 struct CertifyOptions {
-    double gap = 1e-6;  ///< ranges: relative width of the gap around a critical ratio, in (0, 0.01]
-    int jobs = 1;       ///< threads, 1 to 1024; the result does not depend on it
-    std::optional<std::chrono::duration<double>> budget{};  ///< what is not decided by then is left open
+    std::string gap = "1e-6";  ///< ranges: relative width of the gap around a critical ratio, in (0, 0.01]
+    int jobs = 1;              ///< threads, 1 to 1024; the result does not depend on it
+    std::optional<std::chrono::duration<double>> budget =
+        std::nullopt;  ///< what is not decided by then is left open
 };
 
 /// For every mass ratio q of [lo, hi] (fractions, as MassRatio::lo()): least <= N(q) and, if given, N(q) <=
@@ -33,12 +35,7 @@ struct Proof {
 
     /// Whether no piece is open.
     [[nodiscard]] bool complete() const {
-        for (const Piece& piece : pieces) {
-            if (!piece.most) {
-                return false;
-            }
-        }
-        return true;
+        return std::ranges::all_of(pieces, [](const Piece& piece) { return piece.most.has_value(); });
     }
 };
 

@@ -11,8 +11,8 @@ namespace dumbbell::api {
 /// more than `most` collisions, and some trajectory has `least`.
 struct Claim {
     std::string ratio;
-    std::optional<std::uint64_t> most{};
-    std::optional<std::uint64_t> least{};
+    std::optional<std::uint64_t> most = std::nullopt;
+    std::optional<std::uint64_t> least = std::nullopt;
 };
 
 enum class Verdict {
@@ -25,8 +25,8 @@ enum class Verdict {
 
 struct Verification {
     Verdict verdict = Verdict::rejected;
-    std::string text;      ///< one line: what the file proves, with its SHA-256, or what is wrong, and where
-    std::string sha256{};  ///< of a verified file
+    std::string text;    ///< one line: what the file proves, with its SHA-256, or what is wrong, and where
+    std::string sha256;  ///< of a verified file
 
     /// Whether it is verified.
     explicit operator bool() const noexcept { return verdict == Verdict::verified; }
