@@ -13,32 +13,34 @@ set(CPACK_COMPONENTS_ALL programs libraries development)
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS ON)
+set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS_POLICY =)
 set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
 set(CPACK_DEBIAN_PACKAGE_PRIORITY optional)
 
 set(exactly "(= ${PROJECT_VERSION})")
 set(interface libdumbbell${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
-set(about " Two point masses on a massless rod fall on a flat floor and bounce elastically. dumbbell finds
- the greatest number of times that they can hit it, for one mass ratio or for all of a range,
- by interval arithmetic, and writes a certificate that an independent verifier re-checks.")
+set(about "Two point masses on a massless rod fall on a flat floor and bounce
+elastically. dumbbell finds the greatest number of times that they can hit
+it, for one mass ratio or for all of a range, by interval arithmetic, and
+writes a certificate that an independent verifier re-checks.")
 set(CPACK_DEBIAN_PROGRAMS_PACKAGE_NAME dumbbell)
 set(CPACK_DEBIAN_PROGRAMS_PACKAGE_SECTION math)
-set(CPACK_DEBIAN_PROGRAMS_DESCRIPTION "prover of the collision counts of a bouncing dumbbell
-${about}")
+set(CPACK_DEBIAN_PROGRAMS_DESCRIPTION ${about})
 set(CPACK_DEBIAN_LIBRARIES_PACKAGE_NAME ${interface})
 set(CPACK_DEBIAN_LIBRARIES_PACKAGE_SECTION libs)
-set(CPACK_DEBIAN_LIBRARIES_PACKAGE_GENERATE_SHLIBS ON)
-set(CPACK_DEBIAN_LIBRARIES_DESCRIPTION "prover of the collision counts of a bouncing dumbbell (libraries)
-${about}
- .
- This package has the libraries of the prover and of the verifier.")
+file(WRITE ${PROJECT_BINARY_DIR}/triggers "activate-noawait ldconfig\n")
+set(CPACK_DEBIAN_LIBRARIES_PACKAGE_CONTROL_EXTRA ${PROJECT_BINARY_DIR}/triggers)
+set(CPACK_DEBIAN_LIBRARIES_DESCRIPTION "${about}
+
+This package has the libraries of the prover and of the verifier.")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libdumbbell-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "dumbbell ${exactly}, ${interface} ${exactly}")
-set(CPACK_DEBIAN_DEVELOPMENT_DESCRIPTION "prover of the collision counts of a bouncing dumbbell (development)
-${about}
- .
- This package has the C++ headers, and the CMake package with the programs and the libraries.")
+set(CPACK_DEBIAN_DEVELOPMENT_DESCRIPTION "${about}
+
+This package has the C++ headers, and the CMake package with the programs
+and the libraries.")
 
 # Where the script below puts what Debian wants in each package.
 set(CPACK_DUMBBELL_PACKAGES programs dumbbell libraries ${interface} development libdumbbell-dev)

@@ -126,7 +126,7 @@ run cmake --build "$user/build"
 expect "it compiles without warnings" is "$code" 0
 run "$user/build/bounce"
 expect "it runs" is "$code" 0
-expect "it encloses a bounce" has "$out" "hits the other wall at [0.3"
+expect "it encloses a bounce" has "$out" "hits the other wall at [0.279"
 expect "it proves, and the verifier agrees" has "$out" "verified: scene=dumbbell ratio=10/1:10/1 upper=4 lower=4 "
 expect "its certificate is the shipped one" cmp -s "$scratch/ten.dbc" "$root/certificates/q-10.dbc"
 for header in "$prefix"/include/dumbbell/*.hpp; do
