@@ -130,6 +130,15 @@ TEST_CASE("Following the bounces of one ray counts as the oracle does") {
     CHECK(hits > 10);
 }
 
+TEST_CASE("Only the part of a box with c >= 0 and kappa >= -1/q counts") {
+    const MassRatio ten("10");
+    const Bounce whole = enclose_bounce(ten, {{-1, 0}, {-1, 0}});
+    const Bounce part = enclose_bounce(ten, {{0, 0}, {-ten.light_over_heavy().hi, 0}});
+    REQUIRE(whole.outcome == Outcome::flies_on);
+    CHECK((whole.x.lo == part.x.lo && whole.x.hi == part.x.hi));
+    CHECK((whole.ray.kappa.lo == part.ray.kappa.lo && whole.ray.kappa.hi == part.ray.kappa.hi));
+}
+
 TEST_CASE("What is too wide, or a touch, is undecided") {
     CHECK(enclose_bounce(MassRatio("10"), {{0, 1.5}, {0, 0.5}}).outcome == Outcome::undecided);
     CHECK(enclose_bounce(MassRatio("10"), {{1, 1}, {0, 0}}).outcome == Outcome::undecided);
