@@ -1,5 +1,5 @@
 // Whether a text is well-formed XML of the simple kind that the program writes: elements, attributes in
-// double quotes, text; no comments, entities or declarations.
+// double quotes, text with the entities of XML; no comments or declarations.
 #pragma once
 
 #include <cctype>
@@ -47,12 +47,22 @@ class XmlScanner {
     // To the next element; outside the root only white space may be skipped.
     bool skip_text() {
         while (at_ < text_.size() && text_[at_] != '<') {
-            if (text_[at_] == '>' || text_[at_] == '&' || (open_.empty() && std::isspace(text_[at_]) == 0)) {
+            if (text_[at_] == '>' || is_stray_ampersand() ||
+                (open_.empty() && std::isspace(text_[at_]) == 0)) {
                 return false;
             }
             ++at_;
         }
         return at_ < text_.size();
+    }
+
+    [[nodiscard]] bool is_stray_ampersand() const {
+        if (text_[at_] != '&') {
+            return false;
+        }
+        const std::string rest = text_.substr(at_, 6);
+        return !rest.starts_with("&lt;") && !rest.starts_with("&gt;") && !rest.starts_with("&amp;") &&
+               !rest.starts_with("&quot;");
     }
 
     bool take(char c) {
@@ -78,7 +88,7 @@ class XmlScanner {
                 return false;
             }
             while (at_ < text_.size() && text_[at_] != '"') {
-                if (text_[at_] == '<' || text_[at_] == '&') {
+                if (text_[at_] == '<' || is_stray_ampersand()) {
                     return false;
                 }
                 ++at_;

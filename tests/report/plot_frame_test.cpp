@@ -1,0 +1,104 @@
+#include "report/plot_frame.hpp"
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <numbers>
+
+#include "xml.hpp"
+
+using namespace dumbbell;
+using namespace dumbbell_test;
+using Catch::Matchers::Contains;
+using std::numbers::pi;
+
+namespace {
+
+std::vector<std::string> labels(const std::vector<Tick>& ticks) {
+    std::vector<std::string> result;
+    for (const Tick& tick : ticks) {
+        result.push_back(tick.label);
+    }
+    return result;
+}
+
+using Labels = std::vector<std::string>;
+
+}  // namespace
+
+TEST_CASE("even marks are round numbers from end to end") {
+    CHECK(labels(even_ticks(0, 10, 5)) == Labels{"0", "2", "4", "6", "8", "10"});
+    CHECK(labels(even_ticks(-0.1, 0.1, 4)) == Labels{"\xe2\x88\x92"
+                                                     "0.1",
+                                                     "\xe2\x88\x92"
+                                                     "0.05",
+                                                     "0", "0.05", "0.1"});
+    CHECK(labels(even_ticks(0.999, 1.001, 2)) == Labels{"0.999", "1", "1.001"});
+}
+
+TEST_CASE("marks of decades, or even ones in less than about a decade") {
+    CHECK(labels(decade_ticks(1, 20)) == Labels{"1", "2", "5", "10", "20"});
+    CHECK(labels(decade_ticks(6, 9)).size() >= 4);
+}
+
+TEST_CASE("marks of angles are multiples of a quarter turn, at most nine or so") {
+    CHECK(labels(angle_ticks(-pi, pi)) ==
+          Labels{"\xe2\x88\x92\xcf\x80", "\xe2\x88\x92\xcf\x80/2", "0", "\xcf\x80/2", "\xcf\x80"});
+    CHECK(labels(angle_ticks(pi, 2 * pi)) == Labels{"\xcf\x80", "3\xcf\x80/2", "2\xcf\x80"});
+    CHECK(angle_ticks(-50, 50).size() <= 10);
+    CHECK(labels(angle_ticks(0.2, 0.3)).size() >= 3);
+}
+
+TEST_CASE("a compact scale begins at 0, ends at its end, and its marks keep apart") {
+    for (const double hi : {1.0, 2.0, 128.0, 1048576.0}) {
+        CAPTURE(hi);
+        const auto ticks = compact_ticks(hi);
+        const PlotAxis axis{0, hi, "", ticks, Scale::compact};
+        CHECK(ticks.front().label == "0");
+        CHECK(axis.share(ticks.back().value) == 1);
+        for (std::size_t i = 1; i < ticks.size(); ++i) {
+            CHECK(axis.share(ticks[i].value) - axis.share(ticks[i - 1].value) > 0.05);
+        }
+    }
+}
+
+TEST_CASE("every scale takes the ends of an axis to its ends, and grows") {
+    for (const Scale scale : {Scale::linear, Scale::logarithmic, Scale::compact}) {
+        const PlotAxis axis{1, 16, "", {}, scale};
+        CHECK(axis.share(1) == 0);
+        CHECK(axis.share(16) == 1);
+        CHECK(axis.share(4) > axis.share(2));
+    }
+    CHECK(PlotAxis{1, 16, "", {}, Scale::logarithmic}.share(4) == Approx(0.5));
+}
+
+TEST_CASE("a frame's vertical axis goes up") {
+    const Frame frame(10, 20, 100, 50, {0, 1, "x", {}}, {0, 2, "y", {}});
+    CHECK(frame.x(0.5) == 60);
+    CHECK(frame.y(0) == 70);
+    CHECK(frame.y(2) == 20);
+    Svg svg(200, 100, "frame");
+    frame.draw_grid(svg);
+    frame.draw_axes(svg);
+    CHECK(well_formed(svg.finished()));
+}
+
+TEST_CASE("a legend that is too wide goes on in the next row") {
+    const LegendEntry entry{Swatch::area, "kind", "ten letters"};
+    CHECK(Legend({}, 500).height() == 0);
+    const double row = Legend({entry}, 500).height();
+    CHECK(Legend({entry, entry, entry}, 500).height() == row);
+    CHECK(Legend({entry, entry, entry}, 300).height() == 2 * row);
+    CHECK(Legend({entry, entry}, 1).height() == 2 * row);
+}
+
+TEST_CASE("a caption is broken between words, and none is lost") {
+    CHECK(broken_lines("one two three", 1000) == Labels{"one two three"});
+    const auto lines = broken_lines("one two three", 60);
+    CHECK(lines.size() > 1);
+    std::string joined;
+    for (const std::string& line : lines) {
+        joined += (joined.empty() ? "" : " ") + line;
+    }
+    CHECK(joined == "one two three");
+    CHECK(broken_lines("immeasurable", 1) == Labels{"immeasurable"});
+}
