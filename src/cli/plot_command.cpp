@@ -1,18 +1,12 @@
 #include "cli/plot_command.hpp"
 
-#include <fmt/format.h>
-
 #include <CLI/CLI.hpp>
 #include <memory>
+#include <string>
 
-#include "arith/error.hpp"
 #include "certificate/atomic_file.hpp"
-#include "certificate/names.hpp"
-#include "certificate/reader.hpp"
 #include "cli/exit_code.hpp"
-#include "cli/verify_command.hpp"
-#include "model/paper_bound.hpp"
-#include "report/staircase_plot.hpp"
+#include "cli/plot_pictures.hpp"
 
 namespace dumbbell {
 namespace {
@@ -20,40 +14,100 @@ namespace {
 constexpr const char* footer =
     "Exit codes: 0 done; 1 internal error; 2 wrong usage, or a file that is not verified.";
 
-struct Options {
-    std::string file;
-    std::string out;
-};
+constexpr const char* description =
+    R"(Draw pictures (SVG) from certificates: text as text, for light and dark pages.
 
-int plot_staircase(const Options& options) {
-    AtomicFile out(options.out);
-    const Certificate certificate = read_certificate(options.file);
-    if (certificate.q_lo() == certificate.q_hi()) {
-        throw InputError("a staircase needs a range of mass ratios: this certificate holds a single one");
-    }
-    if (certificate.q_hi() > paper_bound_limit()) {
-        throw InputError(
-            fmt::format("'{}' reaches beyond the mass ratio 3e31: no picture of that", options.file));
-    }
-    (void)verified(options.file, name(certificate.scene));  // a picture of proved values only
-    out.commit(staircase_svg(certificate.pieces, certificate.scene));
-    return exit_done;
+Only what is proved is drawn: each certificate is verified first. The same certificate gives the same bytes.
+
+Examples:
+  dumbbell plot staircase certificates/stairs-1-100.dbc --out stairs.svg
+  dumbbell plot cover certificates/full-100.dbc.gz --out cover.svg
+  dumbbell plot orbit 100 --out orbit.svg
+  dumbbell plot phase falling.dbc --out phase.svg
+  dumbbell plot adiabatic scattering.dbc --out adiabatic.svg)";
+
+constexpr const char* staircase_description =
+    R"(The proved maximum N(q) of a scene; of the dumbbell against the source paper's bound.
+
+Example:
+  dumbbell certify 1:100 --out stairs.dbc
+  dumbbell plot staircase stairs.dbc --out stairs.svg)";
+
+constexpr const char* cover_description =
+    R"(The boxes of a cover, chart by chart in the coordinates of proofs/format.md, each coloured by the number of collisions
+that it proves or by its other reason. A range of mass ratios is cut at one of them: --ratio. Of a certificate about
+initial conditions (dumbbell trace --subdivide) every box as it is.
+
+Example:
+  dumbbell certify 100 --section full --out full.dbc
+  dumbbell plot cover full.dbc --out cover.svg)";
+
+constexpr const char* orbit_description =
+    R"(An orbit with the greatest number of collisions: its witness, every collision enclosed, in the plane of the rod's angle
+and the height, above the floor as the point sees it; and the dumbbell itself at each collision.
+
+RATIO is proved on the spot. Of a certificate over a range of mass ratios: --ratio.
+
+Examples:
+  dumbbell plot orbit 100 --out orbit.svg
+  dumbbell plot orbit certificates/stairs-1-100.dbc --ratio 50 --out orbit.svg)";
+
+constexpr const char* adiabatic_description =
+    R"(The adiabatic invariant I = |phidot| (pi - arccos y) along the enclosed orbit of a certificate by dumbbell adiabatic, beside
+its two factors, and its change beside the bound that is proved for all orbits.
+
+Example:
+  dumbbell adiabatic --delta 0.01 --theorem thm3.5 --out scattering.dbc
+  dumbbell plot adiabatic scattering.dbc --out adiabatic.svg)";
+
+constexpr const char* phase_description =
+    R"(The initial conditions of a certificate by dumbbell trace --subdivide, coloured by their certified number of collisions.
+
+Two of phi, phidot, y, ydot and the mass ratio must be intervals, the others numbers. Boxes of equal count are united
+exactly; what is not decided is hatched, never hidden.
+
+Example:
+  dumbbell trace 10 --phi 0:6.28 --phidot 1 --y 2 --ydot=-2:1 --subdivide --out falling.dbc
+  dumbbell plot phase falling.dbc --out phase.svg)";
+
+/// Adds `dumbbell plot WORD FILE --out`.
+CLI::App& add_picture(CLI::App& plot, int& exit_code, const std::shared_ptr<PlotRequest>& options,
+                      const char* word, const char* text, const char* file,
+                      std::string (*draw)(const PlotRequest&)) {
+    CLI::App* command = plot.add_subcommand(word, text);
+    command->add_option("FILE", options->file, file)->required();
+    command->add_option("--out", options->out, "the SVG file to write")->required()->type_name("FILE");
+    command->callback([options, draw, &exit_code] {
+        const AtomicFile out(options->out);
+        out.commit(draw(*options));
+        exit_code = exit_done;
+    });
+    return *command;
 }
 
 }  // namespace
 
 void add_plot_command(CLI::App& app, int& exit_code) {
-    auto options = std::make_shared<Options>();
-    CLI::App* plot = app.add_subcommand("plot", "Draw pictures (SVG) from certificates.");
+    auto options = std::make_shared<PlotRequest>();
+    CLI::App* plot = app.add_subcommand("plot", description);
     plot->footer(footer);  // of its subcommands, too
     plot->require_subcommand(1);
-    CLI::App* staircase = plot->add_subcommand(
-        "staircase",
-        "The proved maximum N(q) of a scene; of the dumbbell against the source paper's bound.\n\n"
-        "Example: dumbbell plot staircase stairs.dbc --out stairs.svg");
-    staircase->add_option("FILE", options->file, "certificate over a range of mass ratios")->required();
-    staircase->add_option("--out", options->out, "the SVG file to write")->required()->type_name("FILE");
-    staircase->callback([options, &exit_code] { exit_code = plot_staircase(*options); });
+    add_picture(*plot, exit_code, options, "staircase", staircase_description,
+                "certificate over a range of mass ratios", draw_staircase);
+    CLI::App& with_boxes =
+        add_picture(*plot, exit_code, options, "cover", cover_description,
+                    "certificate about a mass ratio, or about initial conditions", draw_cover);
+    CLI::App& with_orbit = add_picture(*plot, exit_code, options, "orbit", orbit_description,
+                                       "mass ratio, or certificate", draw_orbit);
+    for (CLI::App* picture : {&with_boxes, &with_orbit}) {
+        picture
+            ->add_option("--ratio", options->ratio, "the mass ratio to draw, of a certificate over a range")
+            ->type_name("RATIO");
+    }
+    add_picture(*plot, exit_code, options, "phase", phase_description, "certificate about initial conditions",
+                draw_phase);
+    add_picture(*plot, exit_code, options, "adiabatic", adiabatic_description,
+                "certificate about the adiabatic invariant", draw_adiabatic);
 }
 
 }  // namespace dumbbell

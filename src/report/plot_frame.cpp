@@ -189,6 +189,10 @@ void Legend::draw(Svg& svg, double left, double top) const {
             case Swatch::dot:
                 svg.circle(kind, x + swatch_width / 2, middle, dot_radius);
                 break;
+            case Swatch::square:
+                svg.rect(kind, x + swatch_width / 2 - dot_radius, middle - dot_radius, 2 * dot_radius,
+                         2 * dot_radius);
+                break;
         }
         svg.text(x + swatch_width + swatch_gap, middle + 4.5, words);
     }

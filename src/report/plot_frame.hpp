@@ -69,7 +69,7 @@ class Frame {
 };
 
 /// What a line of a legend shows before its words.
-enum class Swatch { area, curve, dot };
+enum class Swatch { area, curve, dot, square };
 
 struct LegendEntry {
     Swatch swatch;

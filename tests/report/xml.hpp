@@ -105,6 +105,15 @@ class XmlScanner {
     std::vector<std::string> open_;
 };
 
+/// How often `part` stands in the text.
+inline long count_of(const std::string& text, const std::string& part) {
+    long n = 0;
+    for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + part.size())) {
+        ++n;
+    }
+    return n;
+}
+
 inline bool well_formed(const std::string& xml) { return XmlScanner(xml).well_formed(); }
 
 }  // namespace dumbbell_test

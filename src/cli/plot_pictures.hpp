@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+
+/// What `dumbbell plot` draws: from what is asked for to SVG text. Every certificate is verified first. All
+/// throw InputError, saying what to run instead, for a certificate of another kind, one that is not verified,
+/// or one that the picture cannot show.
+namespace dumbbell {
+
+struct PlotRequest {
+    std::string file;  ///< of an orbit possibly a mass ratio
+    std::string out;
+    std::string ratio;  ///< which one to draw, of a certificate over a range; empty: it has only one
+};
+
+[[nodiscard]] std::string draw_staircase(const PlotRequest& request);
+[[nodiscard]] std::string draw_cover(const PlotRequest& request);
+[[nodiscard]] std::string draw_orbit(const PlotRequest& request);
+[[nodiscard]] std::string draw_phase(const PlotRequest& request);
+[[nodiscard]] std::string draw_adiabatic(const PlotRequest& request);
+
+}  // namespace dumbbell

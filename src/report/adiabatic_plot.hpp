@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+
+#include "certificate/adiabatic_certificate.hpp"
+
+namespace dumbbell {
+
+/// The attained orbit of a certificate about the adiabatic invariant, enclosed again, collision by collision,
+/// as a self-contained SVG: |phidot| and f = pi - arccos y beside I = |phidot| f, and the change of I beside
+/// the bound that is proved for all orbits. Throws InputError for a claim about single bounces, for an orbit
+/// beyond most_plotted_bounces, and if double precision does not enclose it.
+[[nodiscard]] std::string adiabatic_svg(const AdiabaticCertificate& certificate);
+
+inline constexpr long most_plotted_bounces = 20'000;
+
+}  // namespace dumbbell

@@ -1,0 +1,238 @@
+#include "report/orbit_plot.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <numbers>
+
+#include "arith/decimal.hpp"
+#include "arith/error.hpp"
+#include "report/label_places.hpp"
+#include "report/plot_frame.hpp"
+#include "report/printed.hpp"
+#include "report/snapshots.hpp"
+
+namespace dumbbell {
+namespace {
+
+using Orbit = std::vector<Collision<Interval>>;
+using std::numbers::pi;
+
+constexpr double page_width = 860;
+constexpr double left = 76;
+constexpr double right = 32;
+constexpr double top = 16;
+constexpr double plot_height = 330;
+constexpr double detail_height = 190;
+constexpr double below_axes = 66;
+
+/// The floor in the plane: h(psi) beta2 (theory: psi in one cell, [-pi, pi]).
+struct Floor {
+    double r;
+    double beta2;
+
+    explicit Floor(const Rational& q) : r(1 / q.convert_to<double>()), beta2(1 / (1 + r)) {}
+
+    [[nodiscard]] double light(double psi) const { return -beta2 * std::cos(psi); }
+    [[nodiscard]] double bridge(double psi) const { return r * beta2 * std::cos(psi); }
+};
+
+struct Place {
+    double psi, y;
+};
+
+Place place_of(const Collision<Interval>& c) { return {approximate(c.phi) - pi / 2, approximate(c.y)}; }
+
+/// A curve over [from, to] as a path.
+template <class Function>
+std::string curve(const Frame& frame, double from, double to, const Function& height) {
+    constexpr int parts = 64;
+    std::string path;
+    for (int i = 0; i <= parts; ++i) {
+        const double psi = from + (to - from) * i / parts;
+        fmt::format_to(std::back_inserter(path), "{}{} {}", i == 0 ? 'M' : 'L', px(frame.x(psi)),
+                       px(frame.y(height(psi))));
+    }
+    return path;
+}
+
+void draw_floor(Svg& svg, const Frame& frame, const Floor& floor) {
+    const auto light = [&](double psi) { return floor.light(psi); };
+    const auto bridge = [&](double psi) { return floor.bridge(psi); };
+    const auto ground = [&](double psi) { return std::max(floor.light(psi), floor.bridge(psi)); };
+    svg.path("ground",
+             fmt::format("{}V{}H{}z", curve(frame, -pi, pi, ground), px(frame.bottom()), px(frame.left())));
+    svg.path("light-wall", curve(frame, -pi, -pi / 2, light));
+    svg.path("light-wall", curve(frame, pi / 2, pi, light));
+    svg.path("bridge", curve(frame, -pi / 2, pi / 2, bridge));
+}
+
+/// The orbit in pixels: a far point of the flight that comes in, the collisions, a far point of the one that
+/// leaves.
+std::vector<Pixel> path_of(const Frame& frame, const Orbit& orbit) {
+    const auto pixel = [&](const Place& p) { return Pixel{frame.x(p.psi), frame.y(p.y)}; };
+    const auto beyond = [&](const Collision<Interval>& c, const Interval& phidot, const Interval& ydot,
+                            double way) {
+        const Place at = place_of(c);
+        constexpr double far = 10;  // more than the frame is wide
+        const double time = way * far / std::hypot(approximate(phidot), approximate(ydot));
+        return pixel({at.psi + time * approximate(phidot), at.y + time * approximate(ydot)});
+    };
+    std::vector<Pixel> path{
+        beyond(orbit.front(), orbit.front().phidot_before, orbit.front().ydot_before, -1)};
+    for (const auto& c : orbit) {
+        path.push_back(pixel(place_of(c)));
+    }
+    path.push_back(beyond(orbit.back(), orbit.back().phidot_after, orbit.back().ydot_after, 1));
+    return path;
+}
+
+/// An arrow head on the way from `from` to `to`, `away` from `near`, which is one of them.
+void draw_arrow(Svg& svg, const Pixel& from, const Pixel& to, const Pixel& near) {
+    constexpr double length = 10;
+    constexpr double away = 45;
+    constexpr double half = 4;
+    const double distance = std::hypot(to.x - from.x, to.y - from.y);
+    const double dx = (to.x - from.x) / distance;
+    const double dy = (to.y - from.y) / distance;
+    const double ahead = near.x == from.x && near.y == from.y ? away + length : -away;
+    const Pixel tip{near.x + ahead * dx, near.y + ahead * dy};
+    const Pixel end{tip.x - length * dx, tip.y - length * dy};
+    svg.path("arrow", fmt::format("M{} {}L{} {}L{} {}z", px(tip.x), px(tip.y), px(end.x - half * dy),
+                                  px(end.y + half * dx), px(end.x + half * dy), px(end.y - half * dx)));
+}
+
+void draw_collision(Svg& svg, bool heavy, const Pixel& at) {
+    constexpr double radius = 4.5;
+    if (heavy) {
+        svg.rect("heavy", at.x - radius, at.y - radius, 2 * radius, 2 * radius);
+    } else {
+        svg.circle("light", at.x, at.y, radius);
+    }
+}
+
+/// The numbers of the collisions that lie in the frame above `from`; of many only some.
+void draw_numbers(Svg& svg, const Frame& frame, const Orbit& orbit, const std::vector<Pixel>& path,
+                  double from) {
+    constexpr std::size_t most_numbers = 40;
+    const std::size_t step = (orbit.size() + most_numbers - 1) / most_numbers;
+    std::vector<Pixel> points;
+    std::vector<std::size_t> numbers;
+    for (std::size_t i = 0; i < orbit.size(); ++i) {
+        const Pixel& at = path[i + 1];
+        if (at.y >= frame.top() && place_of(orbit[i]).y >= from && (i % step == 0 || i + 1 == orbit.size())) {
+            points.push_back(at);
+            numbers.push_back(i + 1);
+        }
+    }
+    const auto places =
+        label_places(points, path, {frame.left(), frame.top(), frame.right(), frame.bottom()});
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        if (places[i]) {
+            svg.text(places[i]->x, places[i]->y + 4.5, fmt::format("{}", numbers[i]), Anchor::middle,
+                     "number");
+        }
+    }
+}
+
+void draw_panel(Svg& svg, const Frame& frame, const Floor& floor, const Orbit& orbit, double numbers_from) {
+    const std::vector<Pixel> path = path_of(frame, orbit);
+    frame.draw_grid(svg);
+    frame.open_clip(svg);
+    draw_floor(svg, frame, floor);
+    std::string flights;
+    for (const Pixel& p : path) {
+        fmt::format_to(std::back_inserter(flights), "{}{} {}", flights.empty() ? 'M' : 'L', px(p.x), px(p.y));
+    }
+    svg.path("flight", flights);
+    draw_arrow(svg, path.front(), path[1], path[1]);
+    draw_arrow(svg, path[path.size() - 2], path.back(), path[path.size() - 2]);
+    for (std::size_t i = 0; i < orbit.size(); ++i) {
+        draw_collision(svg, orbit[i].heavy, path[i + 1]);
+    }
+    draw_numbers(svg, frame, orbit, path, numbers_from);
+    svg.close();
+    frame.draw_axes(svg);
+}
+
+Frame frame_of(double frame_top, double height, double y_hi, int wanted) {
+    return {left,
+            frame_top,
+            page_width - left - right,
+            height,
+            {-pi, pi, "psi = phi \xe2\x88\x92 \xcf\x80/2 (radians)", angle_ticks(-pi, pi)},
+            {0, y_hi, "y (rod lengths)", even_ticks(0, y_hi, wanted)}};
+}
+
+void style(Svg& svg) {
+    svg.rules(
+        ".light-wall,.bridge{fill:none;stroke-width:2.5}.flight{fill:none;stroke-width:1.2;stroke-linejoin:"
+        "round}"
+        ".number{font-weight:600;paint-order:stroke;stroke-width:3;stroke-linejoin:round}");
+    const Shade light{"#c46a00", "#ffb347"};
+    const Shade heavy{"#0060a8", "#63adff"};
+    svg.colour("ground", "fill", {"#eceff2", "#1d232a"});
+    svg.colour("light-wall", "stroke", light);
+    svg.colour("light", "fill", light);
+    svg.colour("bridge", "stroke", heavy);
+    svg.colour("heavy", "fill", heavy);
+    svg.colour("flight", "stroke", {"#3b434c", "#b9c2cb"});
+    svg.colour("arrow", "fill", {"#3b434c", "#b9c2cb"});
+    svg.colour("number", "stroke", {"#fff", "#12161c"});
+}
+
+std::string caption_of(const Orbit& orbit, const Rational& q, bool has_detail) {
+    double widest = 0;
+    for (const auto& c : orbit) {
+        widest = std::max({widest, width(c.phi), width(c.y)});
+    }
+    return fmt::format(
+        "q = {}: an orbit with {} collisions, each one enclosed and proved; psi and y are drawn at the "
+        "middle of their "
+        "enclosures, which are at most {} wide. Between collisions the point flies straight; the floor is "
+        "where the light "
+        "mass (outside) or the heavy mass (the bridge in the middle) touches.{}",
+        exact_text(q), orbit.size(), rounded_up(widest),
+        has_detail ? " The second picture is the first, cut off just above the bridge and stretched." : "");
+}
+
+}  // namespace
+
+std::string orbit_svg(const Orbit& orbit, const Rational& q) {
+    if (orbit.size() > most_drawn_collisions) {
+        throw InputError(fmt::format("a picture shows {} collisions at most, and this orbit has {}",
+                                     most_drawn_collisions, orbit.size()));
+    }
+    const Floor floor(q);
+    constexpr double low_bridge = 0.1;  // of the humps' height
+    constexpr double detail_of_bridge = 6.5;
+    constexpr double above_humps = 1.25;
+    const bool has_detail = floor.r < low_bridge;
+    const double detail = detail_of_bridge * floor.r * floor.beta2;
+
+    const Legend legend({{Swatch::dot, "light", "the light mass hits the floor"},
+                         {Swatch::square, "heavy", "the heavy mass hits the floor"},
+                         {Swatch::curve, "flight", "flight"}},
+                        page_width - left - right);
+    const Frame whole = frame_of(top + legend.height() + 10, plot_height, above_humps * floor.beta2, 6);
+    const Frame near = frame_of(whole.bottom() + below_axes, detail_height, detail, 4);
+    const double snapshots_top = (has_detail ? near : whole).bottom() + below_axes;
+    const double caption_top = snapshots_top + snapshots_height(orbit) + 4;
+    const auto caption = broken_lines(caption_of(orbit, q, has_detail), whole.width());
+
+    Svg svg(page_width, caption_top + caption_step * static_cast<double>(caption.size()),
+            "An orbit of a bouncing dumbbell with its collisions");
+    style(svg);
+    legend.draw(svg, left, top);
+    draw_panel(svg, whole, floor, orbit, has_detail ? detail : 0);
+    if (has_detail) {
+        draw_panel(svg, near, floor, orbit, 0);
+    }
+    draw_snapshots(svg, orbit, q, left, snapshots_top, whole.width());
+    draw_caption(svg, left, caption_top, caption);
+    return svg.finished();
+}
+
+}  // namespace dumbbell

@@ -1,0 +1,57 @@
+#include "report/orbit_plot.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "arith/error.hpp"
+#include "prove/witness.hpp"
+#include "prove/witness_orbit.hpp"
+#include "xml.hpp"
+
+using namespace dumbbell;
+using namespace dumbbell_test;
+using Catch::Matchers::Contains;
+
+namespace {
+
+std::vector<Collision<Interval>> orbit_at(const Rational& q, long collisions) {
+    const auto witness = find_witness<Interval>(q, q, collisions);
+    REQUIRE(witness);
+    auto orbit = witness_orbit(*witness, q, 53);
+    REQUIRE(orbit.size() == static_cast<std::size_t>(collisions));
+    return orbit;
+}
+
+}  // namespace
+
+TEST_CASE("every collision is drawn in its place, light and heavy apart, and numbered") {
+    const std::string svg = orbit_svg(orbit_at(4, 3), 4);
+    CHECK(well_formed(svg));
+    CHECK(count_of(svg, "<circle class=\"light\"") ==
+          2 + 3 + 1);  // in the plane, in the snapshots, in the legend
+    CHECK(count_of(svg, "<rect class=\"heavy\"") == 1 + 1);
+    CHECK(count_of(svg, "class=\"number\"") == 3 + 3);
+    CHECK_THAT(svg, Contains("q = 4: an orbit with 3 collisions") && Contains("wide") && !Contains("nan"));
+}
+
+TEST_CASE("a low bridge has a picture of its own: ten collisions at q = 100") {
+    const auto orbit = orbit_at(100, 10);
+    const std::string svg = orbit_svg(orbit, 100);
+    CHECK(well_formed(svg));
+    CHECK(count_of(svg, "class=\"bridge\"") == 2);
+    CHECK(count_of(svg, "class=\"flight\" d=") == 2);
+    CHECK(count_of(svg, "class=\"number\"") == 10 + 10);
+    CHECK(orbit_svg(orbit, 100) == svg);
+    CHECK(count_of(orbit_svg(orbit_at(4, 3), 4), "class=\"bridge\"") == 1);
+}
+
+TEST_CASE("of many collisions some are numbered, and there are no snapshots") {
+    const std::string svg = orbit_svg(orbit_at(1000, 29), 1000);
+    CHECK(well_formed(svg));
+    CHECK(count_of(svg, "class=\"number\"") <= 29);
+    CHECK(count_of(svg, "<line class=\"flight\"") == 1);  // the legend's
+}
+
+TEST_CASE("more collisions than a picture shows are refused") {
+    const auto one = orbit_at(4, 3).front();
+    CHECK_THROWS_AS(orbit_svg(std::vector(most_drawn_collisions + 1, one), 4), InputError);
+}

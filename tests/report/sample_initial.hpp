@@ -1,0 +1,32 @@
+// A certificate about initial conditions made by hand: phi in [0, 4], ydot in [-1, 1], the rest numbers. The
+// left half has 2 collisions; the right half's lower part 1, its upper part is not decided.
+#pragma once
+
+#include "certificate/initial_certificate.hpp"
+
+namespace dumbbell_test {
+
+using namespace dumbbell;
+
+inline InitialNode initial_split(InitialAxis axis) { return {axis, {}}; }
+inline InitialNode exactly(long count) { return {{}, {count, count, {}}}; }
+inline InitialNode between(long least, long most) { return {{}, {least, most, {}}}; }
+inline InitialNode open_leaf() { return {{}, {}}; }
+
+inline InitialCertificate sample_initial() {
+    InitialCertificate certificate;
+    certificate.program = "dumbbell";
+    certificate.version = "0.1.0";
+    certificate.box.lo = {0, 1, 2, -1, 10};
+    certificate.box.hi = {4, 1, 2, 1, 10};
+    certificate.tree = {initial_split(InitialAxis::phi),
+                        initial_split(InitialAxis::ydot),
+                        exactly(2),
+                        exactly(2),
+                        initial_split(InitialAxis::ydot),
+                        exactly(1),
+                        between(1, 2)};
+    return certificate;
+}
+
+}  // namespace dumbbell_test
