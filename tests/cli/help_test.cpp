@@ -7,9 +7,11 @@ using Catch::Matchers::Contains;
 
 namespace {
 
-const std::vector<Words> commands{{"certify"},   {"critical"}, {"verify"}, {"law"},
-                                  {"audit"},     {"trace"},    {"plot"},   {"plot", "staircase"},
-                                  {"adiabatic"}, {"report"}};
+const std::vector<Words> commands{
+    {"certify"},       {"critical"},      {"verify"},        {"law"},
+    {"audit"},         {"trace"},         {"plot"},          {"plot", "staircase"},
+    {"plot", "cover"}, {"plot", "orbit"}, {"plot", "phase"}, {"plot", "adiabatic"},
+    {"adiabatic"},     {"report"}};
 
 Outcome help_of(Words command) {
     command.emplace_back("--help");
@@ -83,4 +85,13 @@ TEST_CASE("the option --version says which build this is: version, compiler, fla
     CHECK(count_lines(version.out) == 1);
     CHECK_THAT(version.out, Contains("dumbbell " DUMBBELL_VERSION) && Contains("flags: ") &&
                                 Contains("-ffp-contract=off"));
+}
+
+TEST_CASE("every picture has an example") {
+    for (const Words& command : commands) {
+        if (command.front() == "plot") {
+            CAPTURE(command);
+            CHECK_THAT(help_of(command).out, Contains("Example") && Contains("dumbbell plot "));
+        }
+    }
 }
