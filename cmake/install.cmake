@@ -4,6 +4,7 @@
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 set(package ${CMAKE_INSTALL_DATADIR}/cmake/dumbbell)
+set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME programs)
 
 set(programs dumbbell-verify)
 set(libraries dumbbell_api_verify)
@@ -15,8 +16,7 @@ add_custom_target(installable DEPENDS ${programs} ${libraries})  # what has to b
 if(TARGET pages)
   add_dependencies(installable pages)
 endif()
-install(TARGETS ${programs} EXPORT dumbbell-targets
-  RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT programs)
+install(TARGETS ${programs} EXPORT dumbbell-targets RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 install(TARGETS ${libraries} EXPORT dumbbell-targets
   LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT libraries NAMELINK_COMPONENT development
   FILE_SET HEADERS DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT development)
@@ -29,16 +29,15 @@ install(FILES
   ${PROJECT_SOURCE_DIR}/cmake/dumbbell-proof-check.cmake
   DESTINATION ${package} COMPONENT development)
 
-install(FILES LICENSE README.md DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT programs)
-install(DIRECTORY docs proofs DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT programs)
-install(FILES src/verify/dumbbell-verify.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT programs)
+install(FILES LICENSE README.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(DIRECTORY docs proofs DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(FILES src/verify/dumbbell-verify.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
 # Made by the target `pages`, one of ALL; a build of the programs alone has none.
 if(NOT DUMBBELL_VERIFIER_ONLY)
-  install(FILES ${PROJECT_BINARY_DIR}/share/dumbbell.1
-    DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT programs OPTIONAL)
+  install(FILES ${PROJECT_BINARY_DIR}/share/dumbbell.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 OPTIONAL)
   foreach(command dumbbell dumbbell-verify)  # completions are found by the command's name
     install(FILES ${PROJECT_BINARY_DIR}/share/dumbbell.bash
-      DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME ${command} COMPONENT programs OPTIONAL)
+      DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME ${command} OPTIONAL)
   endforeach()
 endif()
-install(DIRECTORY certificates DESTINATION ${CMAKE_INSTALL_DATADIR}/dumbbell COMPONENT programs)
+install(DIRECTORY certificates DESTINATION ${CMAKE_INSTALL_DATADIR}/dumbbell)
