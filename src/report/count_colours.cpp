@@ -68,9 +68,9 @@ std::vector<long> shown_counts(const std::vector<long>& counts) {
     if (counts.size() <= most) {
         return counts;
     }
-    std::vector<long> shown;
+    std::vector<long> shown(most);
     for (std::size_t i = 0; i < most; ++i) {
-        shown.push_back(counts[i * (counts.size() - 1) / (most - 1)]);
+        shown[i] = counts[i * (counts.size() - 1) / (most - 1)];
     }
     return shown;
 }

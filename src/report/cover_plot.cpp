@@ -47,7 +47,7 @@ struct ReasonStyle {
     const char* words;
 };
 constexpr std::array<ReasonStyle, 4> reasons{
-    {{Reason::outside, "outside", {"#e8eaed", "#20262d"}, "outside the section"},
+    {{Reason::outside, "outside", {"#e8eaed", "#39424c"}, "outside the section"},
      {Reason::meets, "meets", {"#e69f00", "#e69f00"}, "meets the bridge"},
      {Reason::meets_reversed, "meets-reversed", {"#cc79a7", "#cc79a7"}, "meets the bridge, reversed"},
      {Reason::once, "once", {"#56b4e9", "#56b4e9"}, "does not come back to the bridge"}}};
@@ -64,6 +64,9 @@ struct Panel {
     Chart chart;
     double position_hi = 0, slope_hi = 0;
     DrawnBoxes boxes;
+
+    /// Do its slopes go so far that an even scale would hide the small ones?
+    [[nodiscard]] bool is_compact() const { return slope_hi > 4; }
 };
 
 struct DrawnCover {
@@ -113,9 +116,7 @@ bool shows_witness(Chart chart) {
 }
 
 Frame frame_of(const Panel& panel, double x, double y, double width) {
-    constexpr double small = 4;  // slopes up to here are drawn evenly
     constexpr int wanted = 4;
-    const bool is_small = panel.slope_hi <= small;
     return {x,
             y,
             width,
@@ -123,8 +124,8 @@ Frame frame_of(const Panel& panel, double x, double y, double width) {
             {0, panel.position_hi, std::string(axis_name(panel.chart, Axis::position)),
              even_ticks(0, panel.position_hi, wanted)},
             {0, panel.slope_hi, std::string(axis_name(panel.chart, Axis::slope)),
-             is_small ? even_ticks(0, panel.slope_hi, wanted) : compact_ticks(panel.slope_hi),
-             is_small ? Scale::linear : Scale::compact}};
+             panel.is_compact() ? compact_ticks(panel.slope_hi) : even_ticks(0, panel.slope_hi, wanted),
+             panel.is_compact() ? Scale::compact : Scale::linear}};
 }
 
 std::vector<LegendEntry> legend_entries(const std::set<long>& counts, const std::set<Reason>& others) {
@@ -139,17 +140,16 @@ std::vector<LegendEntry> legend_entries(const std::set<long>& counts, const std:
 }
 
 std::string caption_of(const Piece& piece, const Rational& q, std::size_t boxes, const DrawnCover& cover) {
+    const bool is_full = is_contact(cover.panels.front().chart);
     std::string text = fmt::format(
         "q = {}: no trajectory has more than {} collisions. {} boxes cover all states of the section, in the "
         "coordinates "
-        "of proofs/format.md; each proves a bound{} or has another reason. Dashed: the end of "
-        "a chart ({}).",
-        exact_text(q), *piece.upper, boxes,
-        is_contact(cover.panels.front().chart) ? ", counted forward from its states," : "",
-        is_contact(cover.panels.front().chart) ? "t = \xcf\x80, e = \xcf\x80/2" : "e = \xcf\x80/2");
+        "of {}; each proves a bound{} or has another reason. Dashed: the end of a chart ({}e = \xcf\x80/2).",
+        exact_text(q), *piece.upper, boxes, is_full ? "proofs/format-sections.md" : "proofs/format.md",
+        is_full ? ", counted forward from its states," : "", is_full ? "t = \xcf\x80, " : "");
     if (std::any_of(cover.panels.begin(), cover.panels.end(),
-                    [](const Panel& panel) { return panel.slope_hi > 4; })) {
-        text += " Slopes are on the scale v/(1 + v), so that the whole root box shows.";
+                    [](const Panel& panel) { return panel.is_compact(); })) {
+        text += " Great slopes v are drawn at v/(1 + v), so that the whole root box shows.";
     }
     if (piece.witness) {
         text += fmt::format(" The ring: a contact of an orbit with {} collisions.", piece.witness->total());

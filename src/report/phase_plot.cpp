@@ -74,17 +74,20 @@ std::string path_of(const std::vector<Outline>& outlines, const std::array<int, 
     return path;
 }
 
+std::vector<long> counts_of(const std::map<long, Region>& regions) {
+    std::vector<long> counts(regions.size());
+    std::transform(regions.begin(), regions.end(), counts.begin(),
+                   [](const auto& region) { return region.first; });
+    return counts;
+}
+
 std::string percent(const Rational& share) {
     return fmt::format("{:.3g} %", 100 * share.convert_to<double>());
 }
 
 std::vector<LegendEntry> legend_entries(const std::map<long, Region>& regions, const Rational& undecided) {
-    std::vector<long> counts;
-    for (const auto& region : regions) {
-        counts.push_back(region.first);
-    }
     std::vector<LegendEntry> entries;
-    for (const long count : shown_counts(counts)) {
+    for (const long count : shown_counts(counts_of(regions))) {
         entries.push_back({Swatch::area, count_kind(count),
                            fmt::format("{} ({})", count, percent(regions.at(count).share))});
     }
@@ -121,22 +124,19 @@ std::string phase_svg(const InitialCertificate& certificate) {
     const double legend_top = top + 24;
     const Frame frame(left, legend_top + legend.height() + 10, width, plot_height,
                       plot_axis(certificate, plane.axes[0]), plot_axis(certificate, plane.axes[1]));
-    const auto caption =
-        broken_lines(fmt::format("{}. Every initial condition inside a region of one colour has exactly that "
-                                 "number of collisions: "
-                                 "certified, box by box. Hatched: not decided by this certificate.",
-                                 fixed_quantities(certificate)),
-                     width);
+    const auto caption = broken_lines(
+        fmt::format(
+            "{}. Every initial condition inside a region of one colour has exactly that number of "
+            "collisions, unless both "
+            "masses hit the floor at once: certified, box by box. Hatched: not decided by this certificate.",
+            fixed_quantities(certificate)),
+        width);
     const double caption_top = frame.bottom() + 66;
     Svg svg(page_width, caption_top + caption_step * static_cast<double>(caption.size()),
             "Initial conditions of a bouncing dumbbell by their certified number of collisions");
-    svg.rules(".region{stroke-width:.5;vector-effect:non-scaling-stroke;fill-rule:evenodd}");
-    svg.colour("region", "stroke", {"#2b3138", "#e8edf2"});
-    std::vector<long> counts;
-    for (const auto& region : regions) {
-        counts.push_back(region.first);
-    }
-    colour_counts(svg, counts);
+    svg.rules(".region{stroke-width:.3;vector-effect:non-scaling-stroke;fill-rule:evenodd}");
+    svg.colour("region", "stroke", {"#2b3138", "#0b0e12"});
+    colour_counts(svg, counts_of(regions));
 
     svg.text(left, top + 9, "certified number of collisions (share of the picture)", Anchor::start, "head");
     legend.draw(svg, left, legend_top);

@@ -74,7 +74,8 @@ std::vector<Tick> even_ticks(double lo, double hi, int wanted) {
 
 std::vector<Tick> decade_ticks(double lo, double hi) {
     std::vector<Tick> ticks;
-    for (double decade = std::floor(std::log10(lo)); decade <= std::log10(hi); ++decade) {
+    const auto last = static_cast<int>(std::floor(std::log10(hi)));
+    for (auto decade = static_cast<int>(std::floor(std::log10(lo))); decade <= last; ++decade) {
         for (const double m : {1.0, 2.0, 5.0}) {
             const double value = m * std::pow(10, decade);
             if (value >= lo * (1 - tolerance) && value <= hi * (1 + tolerance)) {
@@ -91,7 +92,8 @@ std::vector<Tick> compact_ticks(double hi) {
     const PlotAxis axis{0, hi, "", {}, Scale::compact};
     std::vector<Tick> ticks{{0, "0"}};
     std::vector<double> candidates{0.2, 0.5};
-    for (double power = 1; power < hi; power *= 10) {
+    for (int decade = 0; decade <= std::log10(hi); ++decade) {
+        const double power = std::pow(10, decade);
         candidates.insert(candidates.end(), {power, 2 * power, 5 * power});
     }
     for (const double value : candidates) {
