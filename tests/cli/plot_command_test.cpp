@@ -1,4 +1,5 @@
 #include <catch2/catch.hpp>
+#include <tuple>
 
 #include "../report/xml.hpp"
 #include "programs.hpp"
@@ -165,5 +166,21 @@ TEST_CASE("what is not verified is not drawn, whatever the kind") {
         text[seal] = text[seal] == '0' ? '1' : '0';
         write_file(certificates() / "forged.dbc", text);
         CHECK_THAT(refusal({word, "forged.dbc"}), Contains("not verified"));
+    }
+}
+
+TEST_CASE("the pictures of docs/ are what the program draws from the shipped certificates") {
+    const auto without_digits = [](std::string text) {  // another C library may round a length otherwise
+        std::erase_if(text, [](char c) { return (c >= '0' && c <= '9') || c == '.' || c == '-'; });
+        return text;
+    };
+    const std::string root = DUMBBELL_PROOFS "/../";
+    for (const auto& [word, certificate, name] :
+         {std::tuple{"staircase", "stairs-1-1e4.dbc.gz", "staircase"},
+          std::tuple{"orbit", "q-100.dbc", "orbit-100"}, std::tuple{"cover", "full-100.dbc.gz", "cover-100"},
+          std::tuple{"cover", "q-100.dbc", "cover-turning-100"}}) {
+        CAPTURE(name);
+        const std::string drawn = picture({word, root + "certificates/" + certificate});
+        CHECK(without_digits(drawn) == without_digits(contents(root + "docs/" + name + ".svg")));
     }
 }
