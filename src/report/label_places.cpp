@@ -9,7 +9,6 @@
 namespace dumbbell {
 namespace {
 
-constexpr double number_width = 17;
 constexpr double number_height = 14;
 constexpr double point_radius = 6;
 constexpr int directions = 16;
@@ -26,7 +25,7 @@ double distance_to_segment(const Pixel& p, const Pixel& a, const Pixel& b) {
 
 /// How much a number at `place` hides.
 double hidden(const Pixel& place, const std::vector<Pixel>& placed, const std::vector<Pixel>& points,
-              const std::vector<Pixel>& path, const PixelRange& range) {
+              const std::vector<Pixel>& path, double number_width, const PixelRange& range) {
     constexpr double point_cost = 10;
     constexpr double path_cost = 1;
     double cost = 0;
@@ -56,7 +55,8 @@ double hidden(const Pixel& place, const std::vector<Pixel>& placed, const std::v
 }  // namespace
 
 std::vector<std::optional<Pixel>> label_places(const std::vector<Pixel>& points,
-                                               const std::vector<Pixel>& path, const PixelRange& range) {
+                                               const std::vector<Pixel>& path, double width,
+                                               const PixelRange& range) {
     constexpr double farther_cost = 0.3;
     std::vector<Pixel> placed;
     std::vector<std::optional<Pixel>> places;
@@ -68,8 +68,8 @@ std::vector<std::optional<Pixel>> label_places(const std::vector<Pixel>& points,
                 const double angle = std::numbers::pi * (0.5 + 2.0 * i / directions);  // from above, round
                 const Pixel place{point.x + distances[ring] * std::cos(angle),
                                   point.y - distances[ring] * std::sin(angle)};
-                const double cost =
-                    hidden(place, placed, points, path, range) + farther_cost * static_cast<double>(ring);
+                const double cost = hidden(place, placed, points, path, width, range) +
+                                    farther_cost * static_cast<double>(ring);
                 if (cost < least) {
                     least = cost;
                     best = place;

@@ -27,6 +27,7 @@ constexpr double top = 16;
 constexpr double plot_height = 330;
 constexpr double detail_height = 190;
 constexpr double below_axes = 66;
+constexpr double out_of_sight = 50;  // above a frame
 
 /// The floor in the plane: h(psi) beta2 (theory: psi in one cell, [-pi, pi]).
 struct Floor {
@@ -45,17 +46,41 @@ struct Place {
 
 Place place_of(const Collision<Interval>& c) { return {approximate(c.phi) - pi / 2, approximate(c.y)}; }
 
+/// The polyline with what lies far above the frame moved to a line just above it, where it is not seen: a
+/// detail is stretched so much that programs that draw would lose the rest among their digits.
+std::vector<Pixel> cut_above(const std::vector<Pixel>& points, const Frame& frame) {
+    const double limit = frame.top() - out_of_sight;
+    std::vector<Pixel> result;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const Pixel& here = points[i];
+        if (i > 0 && (points[i - 1].y < limit) != (here.y < limit)) {
+            const Pixel& before = points[i - 1];
+            const double share = (limit - before.y) / (here.y - before.y);
+            result.push_back({before.x + (here.x - before.x) * share, limit});
+        }
+        result.push_back({here.x, std::max(here.y, limit)});
+    }
+    return result;
+}
+
+std::string path_text(const std::vector<Pixel>& points) {
+    std::string path;
+    for (const Pixel& p : points) {
+        fmt::format_to(std::back_inserter(path), "{}{} {}", path.empty() ? 'M' : 'L', px(p.x), px(p.y));
+    }
+    return path;
+}
+
 /// A curve over [from, to] as a path.
 template <class Function>
 std::string curve(const Frame& frame, double from, double to, const Function& height) {
     constexpr int parts = 64;
-    std::string path;
+    std::vector<Pixel> points;
     for (int i = 0; i <= parts; ++i) {
         const double psi = from + (to - from) * i / parts;
-        fmt::format_to(std::back_inserter(path), "{}{} {}", i == 0 ? 'M' : 'L', px(frame.x(psi)),
-                       px(frame.y(height(psi))));
+        points.push_back({frame.x(psi), frame.y(height(psi))});
     }
-    return path;
+    return path_text(cut_above(points, frame));
 }
 
 void draw_floor(Svg& svg, const Frame& frame, const Floor& floor) {
@@ -127,8 +152,9 @@ void draw_numbers(Svg& svg, const Frame& frame, const Orbit& orbit, const std::v
             numbers.push_back(i + 1);
         }
     }
+    const double widest = text_width(fmt::format("{}", orbit.size()));
     const auto places =
-        label_places(points, path, {frame.left(), frame.top(), frame.right(), frame.bottom()});
+        label_places(points, path, widest, {frame.left(), frame.top(), frame.right(), frame.bottom()});
     for (std::size_t i = 0; i < points.size(); ++i) {
         if (places[i]) {
             svg.text(places[i]->x, places[i]->y + 4.5, fmt::format("{}", numbers[i]), Anchor::middle,
@@ -142,15 +168,17 @@ void draw_panel(Svg& svg, const Frame& frame, const Floor& floor, const Orbit& o
     frame.draw_grid(svg);
     frame.open_clip(svg);
     draw_floor(svg, frame, floor);
-    std::string flights;
-    for (const Pixel& p : path) {
-        fmt::format_to(std::back_inserter(flights), "{}{} {}", flights.empty() ? 'M' : 'L', px(p.x), px(p.y));
+    svg.path("flight", path_text(cut_above(path, frame)));
+    if (path[1].y >= frame.top()) {
+        draw_arrow(svg, path.front(), path[1], path[1]);
     }
-    svg.path("flight", flights);
-    draw_arrow(svg, path.front(), path[1], path[1]);
-    draw_arrow(svg, path[path.size() - 2], path.back(), path[path.size() - 2]);
+    if (path[path.size() - 2].y >= frame.top()) {
+        draw_arrow(svg, path[path.size() - 2], path.back(), path[path.size() - 2]);
+    }
     for (std::size_t i = 0; i < orbit.size(); ++i) {
-        draw_collision(svg, orbit[i].heavy, path[i + 1]);
+        if (path[i + 1].y >= frame.top() - out_of_sight) {
+            draw_collision(svg, orbit[i].heavy, path[i + 1]);
+        }
     }
     draw_numbers(svg, frame, orbit, path, numbers_from);
     svg.close();

@@ -55,3 +55,13 @@ TEST_CASE("more collisions than a picture shows are refused") {
     const auto one = orbit_at(4, 3).front();
     CHECK_THROWS_AS(orbit_svg(std::vector(most_drawn_collisions + 1, one), 4), InputError);
 }
+
+TEST_CASE("what a stretched detail leaves out has no coordinates that programs cannot draw") {
+    const std::string svg = orbit_svg(orbit_at(1'000'000, 887), 1'000'000);
+    CHECK(well_formed(svg));
+    for (std::size_t at = svg.find_first_of("0123456789"); at != std::string::npos;) {
+        const std::size_t end = svg.find_first_not_of("0123456789", at);
+        REQUIRE(end - at <= 7);  // the greatest: q = 1000000 in the caption
+        at = svg.find_first_of("0123456789", end);
+    }
+}
