@@ -24,12 +24,12 @@ make_base() {
 }
 
 # inside FOLDER USER COMMAND...: in the chroot, in the user's home, with no environment of this machine. Its /proc goes
-# with it, and so does what it leaves running.
+# with it, and so does what it leaves running. The first process there stays root's: --kill-child forgets others.
 inside() {
     local folder=$1 user=$2 home=/root
     shift 2
     [[ $user == root ]] || home=/home/$user
     unshare --mount --pid --fork --kill-child --root="$folder" --mount-proc \
         /usr/bin/env -i HOME="$home" PATH=/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin \
-        setpriv --reuid="$user" --regid="$user" --init-groups sh -c 'cd && exec "$@"' sh "$@" < /dev/null
+        sh -c 'cd && setpriv --reuid="$0" --regid="$0" --init-groups "$@"; exit $?' "$user" "$@" < /dev/null
 }
