@@ -87,7 +87,7 @@ TEST_CASE("the progress line is never as wide as the terminal: the bar shrinks, 
     }
 }
 
-TEST_CASE("--quiet shows no progress on a terminal either") {
+TEST_CASE("with --quiet there is no progress on a terminal either") {
     Words job = long_range;
     job.insert(job.end(), {"--budget", "2s", "--quiet"});
     const std::string text = seen_on_terminal(job, "\n");
