@@ -98,6 +98,7 @@ test("boxes have the colours of their counts: the file's own lines against the p
     };
     await check(null);
     await page.locator("#file-1 .controls select").nth(1).selectOption("physical");
+    await page.waitForTimeout(1000); // a slow picture is drawn anew only when nothing has moved for a while
     points.splice(points.findIndex(([, eta]) => eta === 1.7), 1); // steeper than the window shows
     await check((e, eta) => [Math.PI / 2 + e, eta - Math.cos(e)]);
     await page.close();
