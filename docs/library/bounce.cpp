@@ -1,4 +1,5 @@
-// Encloses one bounce of the light mass, then certifies one mass ratio and has the independent verifier check it.
+// Encloses one bounce of the light mass, then certifies one mass ratio and has the independent verifier check
+// it.
 #include <dumbbell/bounce.hpp>
 #include <dumbbell/certify.hpp>
 #include <dumbbell/error.hpp>
@@ -14,8 +15,9 @@ int main() try {
     // Every flight that leaves a light wall 0.1 to 0.1001 from the corner with slope 0.05.
     const db::Bounce bounce = db::enclose_bounce(q, db::ray_from_light_wall({0.1, 0.1001}, {0.05, 0.05}));
     if (bounce.outcome == db::Outcome::flies_on) {
-        std::cout << "hits the other wall at [" << bounce.x.lo << ", " << bounce.x.hi << "], flies on with slope ["
-                  << bounce.ray.kappa.lo << ", " << bounce.ray.kappa.hi << "]\n";
+        std::cout << "hits the other wall at [" << bounce.x.lo << ", " << bounce.x.hi
+                  << "], flies on with slope [" << bounce.ray.kappa.lo << ", " << bounce.ray.kappa.hi
+                  << "]\n";
     }
 
     const db::Proof proof = db::certify(q);
