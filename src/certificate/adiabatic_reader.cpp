@@ -101,13 +101,10 @@ AdiabaticState attained_from(Lines& lines) {
 
 AdiabaticCertificate read_adiabatic_certificate(const std::string& path) {
     Lines lines(path);
-    if (lines.expect("dumbbell-certificate", 2)[1] != "1") {
-        lines.fail();
-    }
+    const auto [program, version] = lines.expect_generator();
     AdiabaticCertificate certificate;
-    const auto& generator = lines.expect("generator", 3);
-    certificate.program = generator[1];
-    certificate.version = generator[2];
+    certificate.program = program;
+    certificate.version = version;
     lines.expect("lemmas", 2);
     lines.expect("scene", 2);
     lines.expect("section", 2);

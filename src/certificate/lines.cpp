@@ -57,6 +57,14 @@ const std::vector<std::string>& Lines::expect(std::string_view keyword, std::siz
     return fields_;
 }
 
+Generator Lines::expect_generator() {
+    if (expect("dumbbell-certificate", 2)[1] != "1") {
+        fail();
+    }
+    const auto& words = expect("generator", 3);
+    return {words[1], words[2]};
+}
+
 void Lines::fail() const {
     throw InputError(
         fmt::format("'{}' is not a certificate that this program can read (line {})", path_, number_));

@@ -11,6 +11,12 @@ struct gzFile_s;
 
 namespace dumbbell {
 
+/// What wrote a certificate.
+struct Generator {
+    std::string program;
+    std::string version;
+};
+
 /// The lines of a certificate file (plain or gzip), split into fields, for the readers of the prover's side.
 /// Every failure is an InputError that names the file and the line.
 class Lines {
@@ -22,6 +28,9 @@ class Lines {
 
     /// The next line's fields; the first must be `keyword` and there must be `count` in all.
     const std::vector<std::string>& expect(std::string_view keyword, std::size_t count);
+
+    /// The first two lines of every certificate: the format, which must be 1, and what wrote it.
+    Generator expect_generator();
 
     /// "... is not a certificate that this program can read (line ...)".
     [[noreturn]] void fail() const;

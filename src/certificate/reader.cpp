@@ -87,13 +87,10 @@ Piece piece_from(Lines& lines, const std::vector<Chart>& charts) {
 
 Certificate read_certificate(const std::string& path) {
     Lines lines(path);
-    if (lines.expect("dumbbell-certificate", 2)[1] != "1") {
-        lines.fail();
-    }
+    const auto [program, version] = lines.expect_generator();
     Certificate certificate;
-    const auto& generator = lines.expect("generator", 3);
-    certificate.program = generator[1];
-    certificate.version = generator[2];
+    certificate.program = program;
+    certificate.version = version;
     const std::string lemmas = lines.expect("lemmas", 2)[1];
     const auto scene = scene_named(lines.expect("scene", 2)[1]);
     const auto section = section_named(lines.expect("section", 2)[1], lemmas);
