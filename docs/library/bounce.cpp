@@ -11,7 +11,6 @@ namespace db = dumbbell::api;
 int main() try {
     const db::MassRatio q("10");
     std::cout.precision(17);
-
     // Every flight that leaves a light wall 0.1 to 0.1001 from the corner with slope 0.05.
     const db::Bounce bounce = db::enclose_bounce(q, db::ray_from_light_wall({0.1, 0.1001}, {0.05, 0.05}));
     if (bounce.outcome == db::Outcome::flies_on) {
