@@ -54,19 +54,8 @@ TEST_CASE("Close bounds are close: within 1e-14 of contact and next state, relat
         if (!exact.hits || exact.clearance < 1e-3) {
             continue;
         }
-        auto aim = batch::first_aim(ray.c, ray.kappa);
-        auto at = batch::sin_cos(aim.z);
-        auto contact = batch::Lower::contact(aim.z, at, ray.c, ray.kappa);
-        for (int round = 0; !contact.close || aim.at_top; ++round) {
-            if (round == 10) {
-                FAIL(say("not found:", ray, "x", exact.x, "z", aim.z));
-            }
-            aim = batch::next_aim(aim, at, ray.c, ray.kappa);
-            at = batch::sin_cos(aim.z);
-            contact = batch::Lower::contact(aim.z, at, ray.c, ray.kappa);
-        }
+        const Real x = close_contact<batch::Lower>(ray, exact);
         ++close;
-        const Real x = Real(aim.z) + Real(contact.shift);
         const Real incidence = cos(exact.x) - Real(ray.kappa);
         if ((exact.x - x) * incidence > Real(1e-14) * exact.x + Real(1e-299)) {
             FAIL(say("loose:", ray, "x", exact.x, x));

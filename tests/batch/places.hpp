@@ -1,5 +1,7 @@
 #pragma once
 
+#include <catch2/catch.hpp>
+
 #include "batch/aim.hpp"
 #include "rays.hpp"
 
@@ -20,6 +22,24 @@ inline double some_place(Random& random, const PlainRay& ray, const Flight<Real>
                        : dumbbell::batch::next_aim(aim, dumbbell::batch::sin_cos(aim.z), ray.c, ray.kappa).z;
         }
     }
+}
+
+/// The bound of the contact that the kernel finds from its own first place, in at most ten rounds.
+/// Precondition: the ray collides, clearly.
+template <class Bound>
+Real close_contact(const PlainRay& ray, const Flight<Real>& exact) {
+    auto aim = dumbbell::batch::first_aim(ray.c, ray.kappa);
+    auto at = dumbbell::batch::sin_cos(aim.z);
+    auto contact = Bound::contact(aim.z, at, ray.c, ray.kappa);
+    for (int round = 0; !contact.close || aim.at_top; ++round) {
+        if (round == 10) {
+            FAIL(say("not found:", ray, "x", exact.x, "z", aim.z));
+        }
+        aim = dumbbell::batch::next_aim(aim, at, ray.c, ray.kappa);
+        at = dumbbell::batch::sin_cos(aim.z);
+        contact = Bound::contact(aim.z, at, ray.c, ray.kappa);
+    }
+    return Real(aim.z) + Real(contact.shift);
 }
 
 }  // namespace dumbbell_test

@@ -48,19 +48,8 @@ TEST_CASE("Close upper bounds are close: within 1e-13 of the contact, relative t
         if (!exact.hits || exact.clearance < 1e-3) {
             continue;
         }
-        auto aim = batch::first_aim(ray.c, ray.kappa);
-        auto at = batch::sin_cos(aim.z);
-        auto contact = batch::Upper::contact(aim.z, at, ray.c, ray.kappa);
-        for (int round = 0; !contact.close || aim.at_top; ++round) {
-            if (round == 10) {
-                FAIL(say("not found:", ray, "x", exact.x, "z", aim.z));
-            }
-            aim = batch::next_aim(aim, at, ray.c, ray.kappa);
-            at = batch::sin_cos(aim.z);
-            contact = batch::Upper::contact(aim.z, at, ray.c, ray.kappa);
-        }
+        const Real x = close_contact<batch::Upper>(ray, exact);
         ++close;
-        const Real x = Real(aim.z) + Real(contact.shift);
         if ((x - exact.x) * (cos(exact.x) - Real(ray.kappa)) > Real(1e-13) * exact.x + Real(1e-269)) {
             FAIL(say("loose:", ray, "x", exact.x, x));
         }
