@@ -64,6 +64,17 @@ std::string_view name(Reason reason) {
     }
 }
 
+std::string_view name(Status status) {
+    switch (status) {
+        case Status::exact:
+            return "exact";
+        case Status::gap:
+            return "gap";
+        default:
+            return "open";
+    }
+}
+
 bool counts_both_ways(Chart chart) { return name(chart) != "contact" && name(chart) != "departure"; }
 
 std::optional<Scene> scene_named(std::string_view word) {

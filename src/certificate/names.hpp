@@ -20,6 +20,9 @@ namespace dumbbell {
 /// The word of a leaf, which is also its kind in the totals.
 [[nodiscard]] std::string_view name(Reason reason);
 
+/// What a piece proves, as reports say it.
+[[nodiscard]] std::string_view name(Status status);
+
 /// Whether a leaf `count` of the chart has two counts: of the ray and of the reversed incoming ray. The full
 /// section counts forward only.
 [[nodiscard]] bool counts_both_ways(Chart chart);

@@ -105,24 +105,13 @@ Json witness_json(const Witness& witness) {
             {"backward", witness.backward}};
 }
 
-const char* status_name(Status status) {
-    switch (status) {
-        case Status::exact:
-            return "exact";
-        case Status::gap:
-            return "gap";
-        default:
-            return "open";
-    }
-}
-
 Json piece_json(const Piece& piece, const Certificate& certificate, const Kinds& kinds,
                 const BoxBudget& budget) {
     Json json{{"lo", to_fraction(piece.q_lo)},
               {"hi", to_fraction(piece.q_hi)},
               {"lo_text", exact_text(piece.q_lo)},
               {"hi_text", exact_text(piece.q_hi)},
-              {"status", status_name(piece.status())},
+              {"status", name(piece.status())},
               {"upper", json_or_null(piece.upper)},
               {"lower", piece.lower},
               {"bits", piece.bits},

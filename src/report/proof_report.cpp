@@ -18,17 +18,6 @@
 namespace dumbbell {
 namespace {
 
-std::string_view name(Status status) {
-    switch (status) {
-        case Status::exact:
-            return "exact";
-        case Status::gap:
-            return "gap";
-        default:
-            return "open";
-    }
-}
-
 std::string range_text(const Rational& lo, const Rational& hi) {
     return lo == hi ? exact_text(lo) : exact_text(lo) + " : " + exact_text(hi);
 }
