@@ -17,10 +17,7 @@
 namespace dumbbell {
 namespace {
 
-constexpr double page_width = 860;
 constexpr double left = 84;
-constexpr double right = 32;
-constexpr double top = 16;
 constexpr double plot_height = 220;
 constexpr double below_axes = 66;
 
@@ -200,9 +197,9 @@ std::string adiabatic_svg(const AdiabaticCertificate& certificate) {
             {Swatch::curve, "bound",
              fmt::format("proved for all orbits: {} {}", exact_text(certificate.bounds.front()), unit.word)});
     }
-    const double whole_width = page_width - left - right;
+    const double whole_width = page_width - left - right_margin;
     const Legend legend(std::move(entries), whole_width);
-    const Frame factors(left, top + legend.height() + 10, whole_width, plot_height,
+    const Frame factors(left, top_margin + legend.height() + 10, whole_width, plot_height,
                         numbers_axis(orbit.bounces.size()),
                         {factor_lo - margin, factor_hi + margin, "relative to the start",
                          even_ticks(factor_lo - margin, factor_hi + margin, 5)});
@@ -214,7 +211,7 @@ std::string adiabatic_svg(const AdiabaticCertificate& certificate) {
     Svg svg(page_width, caption_top + caption_step * static_cast<double>(caption.size()),
             "The adiabatic invariant of a bouncing dumbbell along an orbit");
     style(svg);
-    legend.draw(svg, left, top);
+    legend.draw(svg, left, top_margin);
     draw_factors(svg, factors, orbit);
     draw_changes(svg, changes, orbit, unit.size, bound);
     draw_caption(svg, left, caption_top, caption);

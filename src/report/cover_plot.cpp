@@ -19,10 +19,7 @@
 namespace dumbbell {
 namespace {
 
-constexpr double page_width = 860;
 constexpr double left = 76;
-constexpr double right = 32;
-constexpr double top = 16;
 constexpr double plot_height = 400;
 constexpr double between_panels = 72;
 constexpr double below_heading = 24;
@@ -173,10 +170,10 @@ std::string cover_svg(const Piece& piece, const Rational& q) {
         }
     }
     const auto panels = static_cast<double>(cover.panels.size());
-    const double whole_width = page_width - left - right;
+    const double whole_width = page_width - left - right_margin;
     const double width = (whole_width - between_panels * (panels - 1)) / panels;
     const Legend legend(legend_entries(cover.counts, cover.others), whole_width);
-    const double panel_top = top + below_heading + legend.height() + 30;
+    const double panel_top = top_margin + below_heading + legend.height() + 30;
     const auto caption = broken_lines(caption_of(piece, q, boxes, cover), whole_width);
     const double caption_top = panel_top + plot_height + above_caption;
 
@@ -189,8 +186,8 @@ std::string cover_svg(const Piece& piece, const Rational& q) {
     for (const Reason reason : cover.others) {
         svg.colour(style_of(reason).kind, "fill", style_of(reason).shade);
     }
-    svg.text(left, top + 9, "what each box proves: at most so many collisions", Anchor::start, "head");
-    legend.draw(svg, left, top + below_heading);
+    svg.text(left, top_margin + 9, "what each box proves: at most so many collisions", Anchor::start, "head");
+    legend.draw(svg, left, top_margin + below_heading);
     double x = left;
     for (const Panel& panel : cover.panels) {
         const Frame frame = frame_of(panel, x, panel_top, width);
@@ -211,7 +208,7 @@ std::string cover_svg(const Piece& piece, const Rational& q) {
 std::string cover_svg(const InitialCertificate& certificate) {
     require_few(certificate.tree.size() / 2 + 1);
     const InitialPlane plane = initial_plane(certificate);
-    const double whole_width = page_width - left - right;
+    const double whole_width = page_width - left - right_margin;
     const PlotAxis horizontal = plot_axis(certificate, plane.axes[0]);
     const PlotAxis vertical = plot_axis(certificate, plane.axes[1]);
     const auto along = [](const PlotAxis& axis, const Rational& share) {
@@ -232,8 +229,8 @@ std::string cover_svg(const InitialCertificate& certificate) {
         entries.push_back({Swatch::area, "hatched", "undecided"});
     }
     const Legend legend(std::move(entries), whole_width);
-    const Frame frame(left, top + below_heading + legend.height() + 10, whole_width, plot_height, horizontal,
-                      vertical);
+    const Frame frame(left, top_margin + below_heading + legend.height() + 10, whole_width, plot_height,
+                      horizontal, vertical);
     const auto caption =
         broken_lines(fmt::format("{}. {} boxes; all initial conditions of a box have the number of "
                                  "collisions of its colour. Hatched: not decided by this certificate.",
@@ -244,8 +241,8 @@ std::string cover_svg(const InitialCertificate& certificate) {
             "Boxes of initial conditions of a bouncing dumbbell by their certified number of collisions");
     style_boxes(svg, plane.cells.size());
     colour_counts(svg, {counts.begin(), counts.end()});
-    svg.text(left, top + 9, "certified number of collisions", Anchor::start, "head");
-    legend.draw(svg, left, top + below_heading);
+    svg.text(left, top_margin + 9, "certified number of collisions", Anchor::start, "head");
+    legend.draw(svg, left, top_margin + below_heading);
     draw_boxes(svg, frame, boxes);
     frame.draw_axes(svg);
     draw_caption(svg, left, caption_top, caption);

@@ -20,10 +20,7 @@ namespace {
 using Orbit = std::vector<Collision<Interval>>;
 using std::numbers::pi;
 
-constexpr double page_width = 860;
 constexpr double left = 76;
-constexpr double right = 32;
-constexpr double top = 16;
 constexpr double plot_height = 330;
 constexpr double detail_height = 190;
 constexpr double below_axes = 66;
@@ -188,7 +185,7 @@ void draw_panel(Svg& svg, const Frame& frame, const Floor& floor, const Orbit& o
 Frame frame_of(double frame_top, double height, double y_hi, int wanted) {
     return {left,
             frame_top,
-            page_width - left - right,
+            page_width - left - right_margin,
             height,
             {-pi, pi, "psi = phi \xe2\x88\x92 \xcf\x80/2 (radians)", angle_ticks(-pi, pi)},
             {0, y_hi, "y (rod lengths)", even_ticks(0, y_hi, wanted)}};
@@ -243,8 +240,9 @@ std::string orbit_svg(const Orbit& orbit, const Rational& q) {
     const Legend legend({{Swatch::dot, "light", "the light mass hits the floor"},
                          {Swatch::square, "heavy", "the heavy mass hits the floor"},
                          {Swatch::curve, "flight", "flight"}},
-                        page_width - left - right);
-    const Frame whole = frame_of(top + legend.height() + 10, plot_height, above_humps * floor.beta2, 6);
+                        page_width - left - right_margin);
+    const Frame whole =
+        frame_of(top_margin + legend.height() + 10, plot_height, above_humps * floor.beta2, 6);
     const Frame near = frame_of(whole.bottom() + below_axes, detail_height, detail, 4);
     const double snapshots_top = (has_detail ? near : whole).bottom() + below_axes;
     const double caption_top = snapshots_top + snapshots_height(orbit) + 4;
@@ -253,7 +251,7 @@ std::string orbit_svg(const Orbit& orbit, const Rational& q) {
     Svg svg(page_width, caption_top + caption_step * static_cast<double>(caption.size()),
             "An orbit of a bouncing dumbbell with its collisions");
     style(svg);
-    legend.draw(svg, left, top);
+    legend.draw(svg, left, top_margin);
     draw_panel(svg, whole, floor, orbit, has_detail ? detail : 0);
     if (has_detail) {
         draw_panel(svg, near, floor, orbit, 0);

@@ -16,10 +16,7 @@
 namespace dumbbell {
 namespace {
 
-constexpr double page_width = 860;
 constexpr double left = 76;
-constexpr double right = 32;
-constexpr double top = 16;
 constexpr double plot_height = 430;
 
 struct Region {
@@ -119,9 +116,9 @@ std::string phase_svg(const InitialCertificate& certificate) {
         }
     }
 
-    const double width = page_width - left - right;
+    const double width = page_width - left - right_margin;
     const Legend legend(legend_entries(regions, undecided), width);
-    const double legend_top = top + 24;
+    const double legend_top = top_margin + 24;
     const Frame frame(left, legend_top + legend.height() + 10, width, plot_height,
                       plot_axis(certificate, plane.axes[0]), plot_axis(certificate, plane.axes[1]));
     const auto caption = broken_lines(
@@ -138,7 +135,8 @@ std::string phase_svg(const InitialCertificate& certificate) {
     svg.colour("region", "stroke", {"#2b3138", "#0b0e12"});
     colour_counts(svg, counts_of(regions));
 
-    svg.text(left, top + 9, "certified number of collisions (share of the picture)", Anchor::start, "head");
+    svg.text(left, top_margin + 9, "certified number of collisions (share of the picture)", Anchor::start,
+             "head");
     legend.draw(svg, left, legend_top);
     svg.rect("hatched", frame.left(), frame.top(), frame.width(), frame.height());
     const std::array<int, 2> bits = fineness(plane.cells);

@@ -94,6 +94,11 @@ class Legend {
     std::vector<Place> places_;
 };
 
+/// The page that all pictures share, in pixels.
+inline constexpr double page_width = 860;
+inline constexpr double right_margin = 32;
+inline constexpr double top_margin = 16;
+
 /// Lines of explanation below a picture, broken to a width.
 [[nodiscard]] std::vector<std::string> broken_lines(std::string_view text, double width);
 

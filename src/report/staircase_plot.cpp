@@ -17,10 +17,7 @@
 namespace dumbbell {
 namespace {
 
-constexpr double page_width = 860;
 constexpr double left = 64;
-constexpr double right = 32;
-constexpr double top = 16;
 constexpr double plot_height = 380;
 
 double value(const Rational& q) { return q.convert_to<double>(); }
@@ -132,9 +129,9 @@ std::string staircase_svg(const std::vector<Piece>& pieces, Scene scene) {
     if (std::any_of(pieces.begin(), pieces.end(), is_open)) {
         entries.push_back({Swatch::area, "hatched", "not decided"});
     }
-    const Legend legend(std::move(entries), page_width - left - right);
-    const double frame_top = top + legend.height() + 10;
-    const Frame frame(left, frame_top, page_width - left - right, plot_height,
+    const Legend legend(std::move(entries), page_width - left - right_margin);
+    const double frame_top = top_margin + legend.height() + 10;
+    const Frame frame(left, frame_top, page_width - left - right_margin, plot_height,
                       {value(q_lo), value(q_hi), "mass ratio q (heavy over light)",
                        decade_ticks(value(q_lo), value(q_hi)), Scale::logarithmic},
                       count_axis(static_cast<double>(greatest_count(pieces, scene))));
@@ -161,7 +158,7 @@ std::string staircase_svg(const std::vector<Piece>& pieces, Scene scene) {
         svg.path("growth", growth_path(frame, value(q_lo), value(q_hi)));  // over it: they lie close together
     }
     frame.draw_axes(svg);
-    legend.draw(svg, left, top);
+    legend.draw(svg, left, top_margin);
     return svg.finished();
 }
 
