@@ -9,8 +9,8 @@
 
 #include "arith/error.hpp"
 #include "certificate/atomic_file.hpp"
-#include "certificate/names.hpp"
 #include "certificate/writer.hpp"
+#include "cli/certify_claim.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/messages.hpp"
 #include "cli/open_pieces.hpp"
@@ -26,11 +26,7 @@ namespace dumbbell {
 namespace {
 
 struct Options {
-    std::string ratio;
-    std::string scene = "dumbbell";
-    std::string section = "turning";
-    std::string lemmas = "all";
-    std::string gap = "1e-6";
+    CertifyClaim claim;
     std::string budget;
     std::string out;
     int jobs = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
@@ -60,34 +56,16 @@ constexpr const char* footer =
 Exit codes: 0 proved; 1 internal error; 2 wrong usage or input; 3 not decided (within the budget); 130 or 143 stopped by
 SIGINT (Ctrl-C) or SIGTERM: what is kept is said, and FILE not written.)";
 
-Section section_of(const Options& options) {
-    if (options.section == "turning") {
-        return Section::turning;
-    }
-    return options.lemmas == "none" ? Section::plain : Section::full;
-}
-
 /// Throws InputError if the options contradict one another.
 void check_combination(const Options& options) {
-    if (options.lemmas == "none" && options.section != "full") {
-        throw InputError("--lemmas none needs --section full");
-    }
-    if (options.section == "full" && options.scene != "dumbbell") {
-        throw InputError("--section full is for the scene dumbbell: the wedges have --section turning");
-    }
-    if (options.witness && options.scene != "dumbbell") {
+    if (options.witness && options.claim.scene != "dumbbell") {
         throw InputError("--witness prints orbits of the dumbbell: leave it out with --scene " +
-                         options.scene);
+                         options.claim.scene);
     }
 }
 
 CertifyRequest request_of(const Options& options, const RatioArgument& ratio) {
-    CertifyRequest request;
-    request.q_lo = ratio.lo;
-    request.q_hi = ratio.hi;
-    request.gap = parse_gap(options.gap);
-    request.scene = *scene_named(options.scene);
-    request.section = section_of(options);
+    CertifyRequest request = request_of(options.claim, ratio);
     request.jobs = options.jobs;
     if (!options.budget.empty()) {
         request.budget = parse_duration(options.budget);
@@ -143,7 +121,7 @@ void write_certificate(const std::vector<ProvedPiece>& pieces, AtomicFile& file,
 }
 
 int run(const Options& options) {
-    const RatioArgument ratio = parse_ratio_argument(options.ratio);
+    const RatioArgument ratio = parse_ratio_argument(options.claim.ratio);
     check_combination(options);
     CertifyRequest request = request_of(options, ratio);  // before the output file is touched
     std::optional<AtomicFile> file;
@@ -200,27 +178,7 @@ void add_certify_command(CLI::App& app, int& exit_code) {
     auto options = std::make_shared<Options>();
     CLI::App* command = app.add_subcommand("certify", description);
     command->footer(footer);
-    command->add_option("RATIO", options->ratio, "mass ratio, or closed range LO:HI")->required();
-    command
-        ->add_option("--scene", options->scene,
-                     "the system: dumbbell, or the source paper's hybrid or straight wedge")
-        ->check(CLI::IsMember({"dumbbell", "hybrid", "wedge"}))
-        ->capture_default_str();
-    command
-        ->add_option("--section", options->section,
-                     "what is covered: turning, or full (all collision states, forward only)")
-        ->check(CLI::IsMember({"turning", "full"}))
-        ->capture_default_str();
-    command
-        ->add_option("--lemmas", options->lemmas,
-                     "with --section full: none for plain interval evaluation, without monotonicity")
-        ->check(CLI::IsMember({"all", "none"}))
-        ->capture_default_str();
-    command
-        ->add_option("--gap", options->gap,
-                     "ranges: relative width of the gap around a critical ratio, at most 0.01")
-        ->type_name("REL")
-        ->capture_default_str();
+    add_claim_options(*command, options->claim)->required();
     command->add_option("--out", options->out, "write the certificate to FILE (FILE.gz: compressed)")
         ->check([](const std::string& file) { return file.empty() ? "the file name is empty" : ""; })
         ->type_name("FILE");

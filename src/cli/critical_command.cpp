@@ -10,10 +10,12 @@
 #include <memory>
 #include <optional>
 #include <thread>
+#include <tuple>
 
 #include "arith/decimal.hpp"
 #include "arith/error.hpp"
 #include "certificate/atomic_file.hpp"
+#include "cli/count_argument.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/messages.hpp"
 #include "cli/progress.hpp"
@@ -56,47 +58,10 @@ constexpr const char* footer =
 Exit codes: 0 proved; 1 internal error; 2 wrong usage or input; 3 not finished or not confirmed (within the budget); 130
 or 143 stopped by SIGINT (Ctrl-C) or SIGTERM: nothing is kept.)";
 
-constexpr long greatest_count = 1'000'000'000'000;
-constexpr long most_ratios = 1'000'000;
 /// Without --budget nothing longer is begun.
 constexpr std::chrono::duration<double> long_time = std::chrono::hours(1);
 /// What takes longer is announced.
 constexpr std::chrono::duration<double> some_time = std::chrono::minutes(1);
-
-long parse_count(const std::string& text) {
-    const bool digits = !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
-    if (!digits) {
-        std::string printable = text.substr(0, 40);
-        std::replace_if(
-            printable.begin(), printable.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
-        throw InputError(fmt::format(
-            "'{}' is no number of collisions: write N or N1:N2, for example 4 or 3:20", printable));
-    }
-    const std::size_t zeros = std::min(text.find_first_not_of('0'), text.size() - 1);
-    const long n = text.size() - zeros > 13 ? greatest_count + 1 : std::stol(text);
-    if (n > greatest_count) {
-        throw InputError(fmt::format("{}... collisions are too many: at most 10^12", text.substr(zeros, 14)));
-    }
-    if (n < 3) {
-        throw InputError(fmt::format(
-            "there is no critical ratio for N = {}: the maximum is never below 2; the first is for N = 3",
-            n));
-    }
-    return n;
-}
-
-void parse_counts(const std::string& text, CriticalRequest& request) {
-    const auto colon = text.find(':');
-    request.first = parse_count(text.substr(0, colon));
-    request.last = colon == std::string::npos ? request.first : parse_count(text.substr(colon + 1));
-    if (request.first > request.last) {
-        throw InputError(fmt::format("the range '{}' is reversed: write the smaller N first", text));
-    }
-    if (request.last - request.first >= most_ratios) {
-        throw InputError(
-            fmt::format("the range holds more than {} critical ratios: take it in parts", most_ratios));
-    }
-}
 
 Rational parse_distance(const std::string& text, long n) {
     const Rational distance = parse_rational(text);
@@ -155,7 +120,7 @@ std::vector<CriticalRow> enclose(CriticalRequest request, Loudness loudness) {
 
 CriticalRequest request_of(const Options& options) {
     CriticalRequest request;
-    parse_counts(options.counts, request);
+    std::tie(request.first, request.last) = parse_counts(options.counts);
     request.digits = options.digits;
     request.jobs = options.jobs;
     if (options.budget) {

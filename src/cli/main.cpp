@@ -14,6 +14,7 @@
 #include "arith/self_test.hpp"
 #include "cli/adiabatic_command.hpp"
 #include "cli/audit_command.hpp"
+#include "cli/campaign_command.hpp"
 #include "cli/certify_command.hpp"
 #include "cli/critical_command.hpp"
 #include "cli/exit_code.hpp"
@@ -41,7 +42,8 @@ Examples:
   dumbbell trace 10 --phi 1/3 --phidot 1 --y 3 --ydot -1/2    the orbit of one initial condition
   dumbbell adiabatic --delta 0.01            the adiabatic invariant with its proved constant
   dumbbell plot staircase stairs.dbc --out stairs.svg
-  dumbbell report stairs.dbc --out report.html                a page to look at and play with)";
+  dumbbell report stairs.dbc --out report.html                a page to look at and play with
+  dumbbell campaign --help                   what is too big for one go, on one machine or many)";
 
 std::string version_text() {
     return fmt::format("dumbbell {} ({}, {}, flags: {})", DUMBBELL_VERSION, DUMBBELL_COMPILER,
@@ -73,6 +75,7 @@ int parse_and_run(int argc, char** argv) {
     add_adiabatic_command(app, exit_code);
     add_plot_command(app, exit_code);
     add_report_command(app, exit_code);
+    add_campaign_command(app, exit_code);
     add_generate_command(app);
     // Commands inherit the footer that is there when they are added, and have exit codes of their own.
     app.footer(

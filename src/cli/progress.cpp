@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "cli/messages.hpp"
+#include "report/printed.hpp"
 
 namespace dumbbell {
 namespace {
@@ -30,12 +31,6 @@ void show(const std::string& line) {
 std::string rate_text(std::size_t done, double seconds) {
     const double rate = static_cast<double>(done) / seconds;
     return rate < 10 ? fmt::format("{:.1f}/s", rate) : fmt::format("{:.0f}/s", rate);
-}
-
-std::string time_text(double seconds) {
-    return seconds < 120    ? fmt::format("{:.0f} s", seconds)
-           : seconds < 7200 ? fmt::format("{:.0f} min", seconds / 60)
-                            : fmt::format("{:.1f} h", seconds / 3600);
 }
 
 /// `[###......] `, as long as there is room for it.

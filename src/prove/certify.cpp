@@ -82,13 +82,9 @@ std::vector<ProvedPiece> certify(const CertifyRequest& request) {
     if (request.q_hi > greatest_ratio()) {
         return {open_piece(request.q_lo, request.q_hi)};
     }
-    PieceOptions options{.scene = request.scene,
-                         .section = request.section,
-                         .rule = request.rule,
-                         .interrupted = deadline(request.budget)};
-    if (request.section != Section::turning) {
-        options.max_nodes = 20'000'000;  // all states, not a section of them
-    }
+    PieceOptions options = piece_options(request.scene, request.section);
+    options.rule = request.rule;
+    options.interrupted = deadline(request.budget);
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
                                     static_cast<std::size_t>(request.jobs));
     tbb::task_arena arena(request.jobs);

@@ -120,4 +120,21 @@ std::optional<CriticalRatio> enclose_critical_ratio(long n, const CriticalOption
     return std::nullopt;
 }
 
+bool certainly_encloses(const CriticalRatio& ratio, const Interrupted& interrupted) {
+    if (ratio.n == 3) {
+        return ratio.q_lo <= 1 && ratio.q_hi >= 1;
+    }
+    // At the ends of an enclosure as narrow as its precision permits the margin is a few units in the last
+    // place.
+    const PrecisionScope scope(2 * ratio.bits);
+    const ExtremalFlight flight = tangent_flight(ratio.n);
+    const CriticalOptions options{.interrupted = interrupted};
+    const auto margin_at = [&](const Rational& q) {
+        return margin_over(flight, enclose<BigInterval>(Rational(1) / q), options);
+    };
+    const auto below = margin_at(ratio.q_lo);
+    const auto above = margin_at(ratio.q_hi);
+    return below && above && certainly_positive(-below->value) && certainly_positive(above->value);
+}
+
 }  // namespace dumbbell

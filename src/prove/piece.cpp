@@ -91,7 +91,7 @@ Obstacle attempt_piece(ProvedPiece& proved, int bits, long upper, long lower, co
 }
 
 void describe_in_time(ProvedPiece& proved, const PieceOptions& options) {
-    if (!options.interrupted()) {
+    if (options.describes && !options.interrupted()) {
         describe_witness(proved);
     }
 }
@@ -113,6 +113,14 @@ std::optional<long> suspected_maximum(const Rational& q, const PieceOptions& opt
 }
 
 }  // namespace
+
+PieceOptions piece_options(Scene scene, Section section) {
+    PieceOptions options{.scene = scene, .section = section};
+    if (section != Section::turning) {
+        options.max_nodes = 20'000'000;  // all states, not a section of them
+    }
+    return options;
+}
 
 void describe_witness(ProvedPiece& proved) {
     const Piece& piece = proved.piece;

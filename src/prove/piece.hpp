@@ -18,7 +18,11 @@ struct PieceOptions {
     std::size_t max_nodes = CoverOptions{}.max_nodes;
     Interrupted interrupted = never;
     std::function<void(std::size_t)> judged = [](std::size_t) {};  ///< called with the number of boxes judged
+    bool describes = true;  ///< margin and width of the witness orbit, for people, are wanted
 };
+
+/// The limits with which a claim about this section is proved, wherever it is.
+[[nodiscard]] PieceOptions piece_options(Scene scene, Section section);
 
 /// Why a piece is open: the last thing that failed, at the last precision that was tried.
 enum class Obstacle {

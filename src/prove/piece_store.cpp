@@ -7,12 +7,12 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <iterator>
 #include <utility>
 
 #include "arith/error.hpp"
 #include "certificate/atomic_file.hpp"
+#include "certificate/file_contents.hpp"
 #include "certificate/names.hpp"
 #include "certificate/reader.hpp"
 #include "certificate/writer.hpp"
@@ -27,11 +27,6 @@ std::string text_of(const StoredClaim& claim) {
         "dumbbell-partial 1\ngenerator dumbbell {}\nlemmas {}\nscene {}\nsection {}\nratio {} {}\ngap {}\n",
         DUMBBELL_VERSION, lemma_set(claim.section), name(claim.scene), name(claim.section),
         to_fraction(claim.q_lo), to_fraction(claim.q_hi), to_fraction(claim.gap));
-}
-
-std::string contents(const std::string& path) {
-    std::ifstream in(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), {}};
 }
 
 /// Whether the last line is the checksum of all lines before it.
@@ -82,7 +77,7 @@ PieceStore::PieceStore(std::string folder, const StoredClaim& claim)
     }
     if (!fs::exists(file)) {
         AtomicFile(file).commit(text_);
-    } else if (contents(file) != text_) {
+    } else if (file_contents(file) != text_) {
         holds_another_run(folder_);
     }
 }
@@ -114,7 +109,7 @@ std::string PieceStore::file_of(const PlannedPiece& planned) const {
 }
 
 std::optional<Piece> PieceStore::read(const std::string& file, const PlannedPiece& planned) const {
-    if (!is_whole(contents(file))) {
+    if (!is_whole(file_contents(file))) {
         return std::nullopt;
     }
     try {

@@ -38,4 +38,11 @@ std::string enclosure_text(const Interval& x) {
     return fmt::format("{}+-{:.1e}", centre, radius * 1.06);  // two digits lose at most 1 part in 20
 }
 
+std::string time_text(double seconds) {
+    return seconds < 120         ? fmt::format("{:.0f} s", seconds)
+           : seconds < 7200      ? fmt::format("{:.0f} min", seconds / 60)
+           : seconds < 48 * 3600 ? fmt::format("{:.1f} h", seconds / 3600)
+                                 : fmt::format("{:.1f} days", seconds / 86400);
+}
+
 }  // namespace dumbbell

@@ -17,4 +17,7 @@ namespace dumbbell {
 /// A short decimal and a radius that covers both ends of x from that decimal, e.g. `0.25+-1.0e-14`.
 [[nodiscard]] std::string enclosure_text(const Interval& x);
 
+/// A time for people: 40 s, 12 min, 3.5 h, 2.1 days.
+[[nodiscard]] std::string time_text(double seconds);
+
 }  // namespace dumbbell

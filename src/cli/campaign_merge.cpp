@@ -1,0 +1,90 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <memory>
+#include <string>
+#include <thread>
+
+#include "certificate/atomic_file.hpp"
+#include "cli/campaign_commands.hpp"
+#include "cli/exit_code.hpp"
+#include "cli/messages.hpp"
+#include "cli/progress.hpp"
+#include "cli/stop_signals.hpp"
+#include "cluster/merge.hpp"
+#include "prove/deadline.hpp"
+
+namespace dumbbell {
+namespace {
+
+constexpr const char* description =
+    R"(Verify the result of each shard with the independent verifier, and join them: the file that the claim's command
+would have written in one go, byte for byte.)";
+
+struct Options {
+    std::string folder;
+    std::string out;
+    int jobs = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+    bool quiet = false;
+};
+
+int not_merged(const Options& options, const Merge& merge) {
+    if (stop_signal != 0) {
+        complain(fmt::format("{}: '{}' is not written; nothing is lost", stopped_by(), options.out));
+        return exit_stopped;
+    }
+    if (merge.unfinished > 0) {
+        complain(fmt::format("{} of {} shards are not finished: dumbbell campaign run {} goes on with them",
+                             merge.unfinished, merge.shards, options.folder));
+    }
+    if (!merge.withdrawn.empty()) {
+        complain(fmt::format(
+            "{} of {} results were not verified and are moved to '{}/rejected' (the first: {}); "
+            "dumbbell campaign run {} proves them again",
+            merge.withdrawn.size(), merge.shards, options.folder, merge.withdrawn.front(), options.folder));
+    }
+    return exit_not_certified;
+}
+
+int merge(const Options& options) {
+    CampaignFolder folder(options.folder);
+    folder.lock();
+    const AtomicFile file(options.out);
+    MergeOptions how{.jobs = options.jobs, .interrupted = deadline(std::nullopt)};
+    Merge merge;
+    {
+        Progress progress("shards verified", options.quiet ? Loudness::quiet : Loudness::normal);
+        how.progress = [&](std::size_t done, std::size_t all) { progress.update(done, all); };
+        merge = merge_campaign(folder, how);
+    }
+    if (!merge.whole) {
+        return not_merged(options, merge);
+    }
+    file.commit(merge.whole->text);
+    fmt::print("{} shards verified; they tile the claim: {}\nwritten: {}\n", merge.shards,
+               folder.plan().claim, options.out);
+    if (merge.whole->is_open) {
+        complain("not everything was decided: the file says which pieces are open");
+        return exit_not_certified;
+    }
+    return exit_done;
+}
+
+}  // namespace
+
+void add_campaign_merge(CLI::App& campaign, int& exit_code) {
+    auto options = std::make_shared<Options>();
+    CLI::App* command = campaign.add_subcommand("merge", description);
+    command->add_option("FOLDER", options->folder, "the campaign's folder")->required();
+    command->add_option("--out", options->out, "the file to write (FILE.gz: compressed)")
+        ->required()
+        ->type_name("FILE");
+    command->add_option("--jobs", options->jobs, "so many shards are verified at the same time")
+        ->check(CLI::Range(1, 1024))
+        ->default_str("all cores");
+    command->add_flag("--quiet", options->quiet, "no progress");
+    command->callback([options, &exit_code] { exit_code = stoppable([&] { return merge(*options); }); });
+}
+
+}  // namespace dumbbell

@@ -1,0 +1,96 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <optional>
+#include <string>
+#include <tuple>
+
+#include "arith/error.hpp"
+#include "cli/campaign_commands.hpp"
+#include "cli/certify_claim.hpp"
+#include "cli/count_argument.hpp"
+#include "cli/exit_code.hpp"
+#include "cli/messages.hpp"
+#include "cli/stop_signals.hpp"
+#include "cluster/campaign_folder.hpp"
+#include "cluster/collisions_kind.hpp"
+#include "cluster/critical_kind.hpp"
+#include "prove/deadline.hpp"
+
+namespace dumbbell {
+namespace {
+
+constexpr const char* description =
+    R"(Cut a claim into shards, in a new folder.
+
+Examples:
+  dumbbell campaign plan stairs.campaign 1:1e8 --gap 1e-9
+  dumbbell campaign plan full.campaign 1:1000 --section full
+  dumbbell campaign plan ratios.campaign critical 3:10000 --digits 30)";
+
+struct Options {
+    std::string folder;
+    CertifyClaim claim;
+    std::string counts;
+    int digits = CriticalRequest{}.digits;
+    std::optional<std::size_t> shards;
+};
+
+int made(const std::string& folder, const Plan& plan) {
+    CampaignFolder::create(folder, plan);
+    fmt::print("{}\n{} shards of {} units in '{}'; to work them off: dumbbell campaign run {}\n", plan.claim,
+               plan.shards.size(), plan.whole.units.size(), folder, folder);
+    return exit_done;
+}
+
+int plan_certify(const Options& options) {
+    const CertifyRequest request = request_of(options.claim, parse_ratio_argument(options.claim.ratio));
+    const auto plan = plan_collisions(request, options.shards, deadline(std::nullopt));
+    if (!plan) {
+        complain(fmt::format("{}: nothing was planned", stopped_by()));
+        return exit_stopped;
+    }
+    return made(options.folder, *plan);
+}
+
+int plan_critical(const Options& options) {
+    CriticalRequest request;
+    std::tie(request.first, request.last) = parse_counts(options.counts);
+    request.digits = options.digits;
+    return made(options.folder, plan_critical(request, options.shards));
+}
+
+}  // namespace
+
+void add_campaign_plan(CLI::App& campaign, int& exit_code) {
+    auto options = std::make_shared<Options>();
+    CLI::App* command = campaign.add_subcommand("plan", description);
+    command->add_option("FOLDER", options->folder, "the campaign's folder, new or empty")->required();
+    add_claim_options(*command, options->claim);
+    command->add_option("--shards", options->shards, "how many at most; default: 64, or more of about 10 s")
+        ->check(CLI::Range(1, 1'000'000))
+        ->type_name("N");
+    CLI::App* critical =
+        command->add_subcommand("critical", "Critical ratios instead of a range of mass ratios.");
+    critical->add_option("N1:N2", options->counts, "range of numbers of collisions, from 3 on")->required();
+    critical->add_option("--digits", options->digits, "significant digits, all of them proved")
+        ->check(CLI::Range(1, most_critical_digits))
+        ->capture_default_str();
+    command->callback([options, critical, &exit_code] {
+        exit_code = stoppable([&] {
+            if (critical->parsed()) {
+                if (!options->claim.ratio.empty()) {
+                    throw InputError("give either a range of mass ratios, or critical N1:N2");
+                }
+                return plan_critical(*options);
+            }
+            if (options->claim.ratio.empty()) {
+                throw InputError("give the claim: a range of mass ratios LO:HI, or critical N1:N2");
+            }
+            return plan_certify(*options);
+        });
+    });
+}
+
+}  // namespace dumbbell

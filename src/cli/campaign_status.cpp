@@ -1,0 +1,41 @@
+#include "cluster/campaign_status.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <string>
+
+#include "cli/campaign_commands.hpp"
+#include "cli/exit_code.hpp"
+#include "cluster/status_report.hpp"
+
+namespace dumbbell {
+namespace {
+
+struct Options {
+    std::string folder;
+    bool json = false;
+    bool quiet = false;
+};
+
+}  // namespace
+
+void add_campaign_status(CLI::App& campaign, int& exit_code) {
+    auto options = std::make_shared<Options>();
+    CLI::App* command = campaign.add_subcommand(
+        "status",
+        "How far a campaign is: shards, rate, remaining time, each worker. Exit code 0 in any case.");
+    command->add_option("FOLDER", options->folder, "the campaign's folder")->required();
+    CLI::Option* json = command->add_flag("--json", options->json, "one JSON object on stdout");
+    command->add_flag("--quiet", options->quiet, "one sentence")->excludes(json);
+    command->callback([options, &exit_code] {
+        const CampaignStatus status = campaign_status(CampaignFolder(options->folder));
+        fmt::print("{}", options->json    ? to_json(status).dump(2) + "\n"
+                         : options->quiet ? verdict(status)
+                                          : to_text(status));
+        exit_code = exit_done;
+    });
+}
+
+}  // namespace dumbbell

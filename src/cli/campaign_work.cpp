@@ -1,0 +1,60 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "arith/error.hpp"
+#include "arith/self_test.hpp"
+#include "certificate/atomic_file.hpp"
+#include "certificate/file_contents.hpp"
+#include "cli/campaign_commands.hpp"
+#include "cli/exit_code.hpp"
+#include "cli/stop_signals.hpp"
+#include "cluster/kind.hpp"
+#include "prove/deadline.hpp"
+
+namespace dumbbell {
+namespace {
+
+constexpr const char* description =
+    "Work one order off (a worker does; nobody types this). Exit codes: 0 the result is there; 3 not within "
+    "the limit.";
+
+struct Options {
+    std::string order;
+    std::string result;
+    std::optional<double> limit;
+};
+
+int work(const Options& options) {
+    require_sound_arithmetic();
+    const Order order = parse_order(file_contents(options.order));
+    const auto folder = std::filesystem::absolute(options.order).parent_path().string();
+    const auto limit =
+        options.limit ? std::optional(std::chrono::duration<double>(*options.limit)) : std::nullopt;
+    const AtomicFile file(options.result);
+    const auto result = kind_named(order.kind()).work(order, folder, deadline(limit));
+    if (!result) {
+        return stop_signal != 0 ? exit_stopped : exit_not_certified;
+    }
+    file.commit(*result, Survives::program);
+    return exit_done;
+}
+
+}  // namespace
+
+void add_campaign_work(CLI::App& campaign, int& exit_code) {
+    auto options = std::make_shared<Options>();
+    CLI::App* command = campaign.add_subcommand("work", description);
+    command->group("");  // hidden
+    command->add_option("ORDER", options->order, "file with the order")->required();
+    command->add_option("RESULT", options->result, "file to write")->required();
+    command->add_option("--limit", options->limit, "seconds")->check(CLI::Range(0.0, 1e9));
+    command->callback([options, &exit_code] { exit_code = stoppable([&] { return work(*options); }); });
+}
+
+}  // namespace dumbbell

@@ -1,0 +1,97 @@
+#pragma once
+
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "cluster/journal.hpp"
+#include "cluster/plan.hpp"
+
+namespace dumbbell {
+
+/// Two results of one order that differ: one of the machines, or the program, is not to be relied on.
+class ResultsDiffer : public std::runtime_error {
+  public:
+    using std::runtime_error::runtime_error;
+};
+
+/// A campaign as plain files:
+///
+///     plan            the claim and its shards (plan.hpp)
+///     results/ID      what is finished: of order ID, complete and durable
+///     splits/ID       order ID turned out too big: its halves are worked off instead
+///     rejected/ID     the last result of order ID that was not accepted, for a look at it
+///     arrived/ID      a result that is being verified
+///     journal         what happened when, for `status` (journal.hpp)
+///     password        Work Queue's shared secret
+///
+/// All that is finished is in `results` and `splits`: a program that is killed at any time loses the shards
+/// under way and nothing else. All functions throw InputError where a file cannot be written.
+class CampaignFolder {
+  public:
+    /// Makes the folder, which is not there yet or empty. `inputs` of the plan have to be copied into it.
+    static void create(const std::string& path, const Plan& plan);
+
+    /// Opens it. Throws InputError, and changes nothing, if it is no campaign, one of another version, if its
+    /// plan was changed after the start, or if it holds a file that is not of its making.
+    explicit CampaignFolder(std::string path);
+
+    /// For whoever changes it: throws InputError if another program does. Ends with this object.
+    void lock();
+    [[nodiscard]] bool is_locked_by_another() const;
+
+    [[nodiscard]] const Plan& plan() const { return plan_; }
+    [[nodiscard]] const std::string& plan_digest() const { return plan_digest_; }
+    [[nodiscard]] const std::string& path() const { return path_; }
+
+    /// A shard, or a part of one that was split, with its share of the shard's cost.
+    struct Part {
+        std::size_t first = 0;
+        std::size_t end = 0;
+        double cost = 0;
+        std::string id;
+        bool finished = false;
+    };
+    /// All of them, in order: their units are those of the plan, each once.
+    [[nodiscard]] std::vector<Part> parts() const;
+    [[nodiscard]] Order order(const Part& part) const { return plan_.order(part.first, part.end); }
+    /// The halves of a part with several units.
+    [[nodiscard]] std::vector<Part> halves(const Part& part) const;
+
+    [[nodiscard]] std::string result_file(const std::string& id) const { return path_ + "/results/" + id; }
+    [[nodiscard]] bool has_result(const std::string& id) const;
+    /// Keeps a result for good. True if it was not there before; the same again changes nothing. Throws
+    /// ResultsDiffer, and keeps both, if there is another.
+    bool keep_result(const std::string& id, const std::string& bytes) const;
+
+    void split(const std::string& id) const;
+
+    /// A result that comes from elsewhere as a file that can be looked at, until it is kept or rejected.
+    [[nodiscard]] std::string arrived(const std::string& id, const std::string& bytes) const;
+    void forget_arrived(const std::string& id) const;
+    void reject(const std::string& id, const std::string& bytes) const;
+    /// A result that does not stand up to a second look: away from the finished ones.
+    void withdraw_result(const std::string& id) const;
+
+    [[nodiscard]] Journal& journal() { return journal_; }
+    [[nodiscard]] const Journal& journal() const { return journal_; }
+
+  private:
+    void require_own_files() const;
+    void require_known_results() const;
+    void add_parts(const Part& part, std::vector<Part>& all) const;
+
+    std::string path_;
+    Plan plan_;
+    std::string plan_digest_;
+    Journal journal_;
+    struct Lock {
+        int descriptor = -1;
+        Lock() = default;
+        ~Lock();
+        Lock(const Lock&) = delete;
+        Lock& operator=(const Lock&) = delete;
+    } lock_;
+};
+
+}  // namespace dumbbell

@@ -1,0 +1,197 @@
+#include "cluster/collisions_kind.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "arith/error.hpp"
+#include "certificate/names.hpp"
+#include "certificate/reader.hpp"
+#include "certificate/writer.hpp"
+#include "cluster/sealed_lines.hpp"
+#include "cluster/verifier_program.hpp"
+#include "prove/staircase.hpp"
+
+namespace dumbbell {
+namespace {
+
+/// What all pieces have in common.
+struct Common {
+    Scene scene;
+    Section section;
+};
+
+std::string head_of(const Common& common) {
+    return fmt::format("prove collisions\nlemmas {}\nscene {}\nsection {}\n", lemma_set(common.section),
+                       name(common.scene), name(common.section));
+}
+
+Common common_of(const Order& order) {
+    for (const Scene scene : {Scene::dumbbell, Scene::hybrid, Scene::wedge}) {
+        for (const Section section : {Section::turning, Section::full, Section::plain}) {
+            if (order.head == head_of({scene, section})) {
+                return {scene, section};
+            }
+        }
+    }
+    throw InputError("the order asks for a scene, section or lemma set that this program does not know");
+}
+
+std::string unit_of(const PlannedPiece& piece) {
+    return fmt::format("piece {} {} {} {}", to_fraction(piece.q_lo), to_fraction(piece.q_hi), piece.upper,
+                       piece.lower);
+}
+
+PlannedPiece parse_unit(const std::string& unit) {
+    const auto fields = words(unit);
+    if (fields.size() == 5 && fields[0] == "piece") {
+        const PlannedPiece piece{parse_rational(fields[1]), parse_rational(fields[2]),
+                                 static_cast<long>(parse_size(fields[3])),
+                                 static_cast<long>(parse_size(fields[4]))};
+        if (piece.q_lo >= 1 && piece.q_lo <= piece.q_hi && piece.q_hi <= greatest_ratio() &&
+            unit_of(piece) == unit) {
+            return piece;
+        }
+    }
+    throw InputError("the order has a piece that is none");
+}
+
+std::string certificate_of(const Common& common, std::vector<Piece> pieces) {
+    return render(Certificate{.program = "dumbbell",
+                              .version = DUMBBELL_VERSION,
+                              .pieces = std::move(pieces),
+                              .scene = common.scene,
+                              .section = common.section})
+        .text;
+}
+
+bool is_piece(const Piece& piece, const PlannedPiece& planned) {
+    return piece.q_lo == planned.q_lo && piece.q_hi == planned.q_hi &&
+           (!piece.upper || (*piece.upper == planned.upper && piece.lower == planned.lower));
+}
+
+bool is_open(const Piece& piece) { return piece.status() == Status::open; }
+
+/// About 10 s of proving, and so many shards at least.
+constexpr std::size_t collisions_per_shard = 1'500'000;
+constexpr std::size_t many_shards = 64;
+
+/// Orbits are followed to their end; a section of all states takes many more.
+std::size_t cost_of(const PlannedPiece& piece, Section section) {
+    constexpr std::size_t of_short_orbits = 10;
+    const std::size_t orbits = section == Section::turning ? 1 : 100;
+    return orbits * (static_cast<std::size_t>(piece.upper) + of_short_orbits);
+}
+
+/// How the claim of a campaign over this range begins.
+std::string claim_of(const Rational& q_lo, const Rational& q_hi) {
+    return fmt::format("certify {}:{} ", to_fraction(q_lo), to_fraction(q_hi));
+}
+
+std::string claim_text(const CertifyRequest& request) {
+    std::string text =
+        claim_of(request.q_lo, request.q_hi) + fmt::format("--gap {}", to_fraction(request.gap));
+    if (request.scene != Scene::dumbbell) {
+        text += fmt::format(" --scene {}", name(request.scene));
+    }
+    if (request.section != Section::turning) {
+        text += " --section full";
+    }
+    if (request.section == Section::plain) {
+        text += " --lemmas none";
+    }
+    return text;
+}
+
+}  // namespace
+
+std::optional<std::string> CollisionsKind::work(const Order& order, const std::string& /*folder*/,
+                                                const Interrupted& interrupted) const {
+    const Common common = common_of(order);
+    PieceOptions options = piece_options(common.scene, common.section);
+    options.interrupted = interrupted;
+    options.describes = false;
+    std::vector<Piece> pieces;
+    for (const std::string& unit : order.units) {
+        const PlannedPiece planned = parse_unit(unit);
+        ProvedPiece proved = prove_piece(planned.q_lo, planned.q_hi, planned.upper, planned.lower, options);
+        if (proved.obstacle == Obstacle::time) {
+            return std::nullopt;
+        }
+        pieces.push_back(std::move(proved.piece));
+    }
+    return certificate_of(common, std::move(pieces));
+}
+
+Judgement CollisionsKind::judge(const Order& order, const std::string& /*folder*/,
+                                const std::string& file) const {
+    const Common common = common_of(order);
+    const VerifierAnswer answer =
+        ask_verifier({"--jobs=1", "--quiet", fmt::format("--scene={}", name(common.scene)), "--", file});
+    if (answer.code != 0) {
+        return {Judgement::Verdict::wrong, answer.last_line()};
+    }
+    const Certificate found = read_certificate(file);
+    const bool fits =
+        found.scene == common.scene && found.section == common.section &&
+        found.pieces.size() == order.units.size() &&
+        std::equal(found.pieces.begin(), found.pieces.end(), order.units.begin(),
+                   [](const Piece& p, const std::string& unit) { return is_piece(p, parse_unit(unit)); });
+    if (!fits) {
+        return {Judgement::Verdict::wrong, "it proves something else"};
+    }
+    if (std::any_of(found.pieces.begin(), found.pieces.end(), is_open)) {
+        return {Judgement::Verdict::open, "a piece stays undecided"};
+    }
+    return {Judgement::Verdict::proved, ""};
+}
+
+Kind::Merged CollisionsKind::merge(const Plan& plan, const std::string& /*folder*/,
+                                   const std::vector<std::string>& files) const {
+    const Common common = common_of(plan.whole);
+    std::vector<Piece> pieces;
+    pieces.reserve(plan.whole.units.size());
+    for (const std::string& file : files) {
+        Certificate part = read_certificate(file);
+        std::move(part.pieces.begin(), part.pieces.end(), std::back_inserter(pieces));
+    }
+    // They tile the claim: each piece of the plan once, in its order, each beginning where the last one
+    // ended.
+    const auto& units = plan.whole.units;
+    bool tiles = pieces.size() == units.size() &&
+                 plan.claim.starts_with(claim_of(pieces.front().q_lo, pieces.back().q_hi));
+    for (std::size_t i = 0; tiles && i < pieces.size(); ++i) {
+        tiles = is_piece(pieces[i], parse_unit(units[i])) && (i == 0 || pieces[i].q_lo == pieces[i - 1].q_hi);
+    }
+    if (!tiles) {
+        throw InputError("the results do not tile the claim: run the campaign again, and merge then");
+    }
+    const bool open = std::any_of(pieces.begin(), pieces.end(), is_open);
+    return {certificate_of(common, std::move(pieces)), open};
+}
+
+std::optional<Plan> plan_collisions(const CertifyRequest& request, std::optional<std::size_t> shards,
+                                    const Interrupted& interrupted) {
+    if (request.q_lo == request.q_hi) {
+        throw InputError("a single ratio is one shard: use dumbbell certify, or give a range LO:HI");
+    }
+    if (request.q_hi > greatest_ratio()) {
+        throw InputError("ratios beyond 1e16 are out of reach");
+    }
+    const auto pieces = plan_staircase(request.scene, request.q_lo, request.q_hi, request.gap, interrupted);
+    if (pieces.empty()) {
+        return std::nullopt;
+    }
+    Plan plan{claim_text(request), {head_of({request.scene, request.section}), {}}, {}, {}};
+    std::vector<std::size_t> costs;
+    std::size_t whole = 0;
+    for (const PlannedPiece& piece : pieces) {
+        plan.whole.units.push_back(unit_of(piece));
+        costs.push_back(cost_of(piece, request.section));
+        whole += costs.back();
+    }
+    plan.shards = even_shards(costs, shards.value_or(std::max(many_shards, whole / collisions_per_shard)));
+    return plan;
+}
+
+}  // namespace dumbbell

@@ -1,0 +1,175 @@
+#include "cluster/critical_kind.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "arith/decimal.hpp"
+#include "arith/error.hpp"
+#include "certificate/file_contents.hpp"
+#include "cluster/sealed_lines.hpp"
+#include "report/critical_report.hpp"
+
+namespace dumbbell {
+namespace {
+
+constexpr std::size_t most_count = 1'000'000'000'000;
+constexpr std::string_view first_line = "dumbbell-critical-rows 1";
+
+std::string head_of(int digits) { return fmt::format("prove critical\ndigits {}\n", digits); }
+
+int digits_of(const Order& order) {
+    const std::size_t at = order.head.rfind("digits ");
+    const std::size_t digits =
+        at == std::string::npos ? 0 : parse_size(order.head.substr(at + 7, order.head.size() - at - 8));
+    if (digits < 1 || digits > most_critical_digits || order.head != head_of(static_cast<int>(digits))) {
+        throw InputError("the order asks for digits that this program does not give");
+    }
+    return static_cast<int>(digits);
+}
+
+long parse_unit(const std::string& unit) {
+    const auto fields = words(unit);
+    const std::size_t n = fields.size() == 2 && fields[0] == "ratio" ? parse_size(fields[1]) : 0;
+    if (n < 3 || n > most_count) {
+        throw InputError("the order has a critical ratio that is none");
+    }
+    return static_cast<long>(n);
+}
+
+std::string render(const std::vector<CriticalRatio>& ratios) {
+    SealedLines out;
+    out.line("{}", first_line);
+    for (const CriticalRatio& ratio : ratios) {
+        out.line("ratio {} {} {} {}", ratio.n, to_fraction(ratio.q_lo), to_fraction(ratio.q_hi), ratio.bits);
+    }
+    return std::move(out).sealed();
+}
+
+CriticalRatio parse_ratio(SealedReader& in) {
+    constexpr std::size_t longest = 1'000'000;
+    constexpr std::size_t most_bits = 16384;
+    const auto fields = words(in.value("ratio"));
+    if (fields.size() != 4) {
+        in.fail();
+    }
+    const CriticalRatio ratio{static_cast<long>(parse_size(fields[0])), parse_rational(fields[1], longest),
+                              parse_rational(fields[2], longest), static_cast<int>(parse_size(fields[3]))};
+    if (ratio.q_lo < 1 || ratio.q_lo > ratio.q_hi || ratio.bits < 53 ||
+        ratio.bits > static_cast<int>(most_bits)) {
+        in.fail();
+    }
+    return ratio;
+}
+
+std::vector<CriticalRatio> read_rows(const std::string& file) {
+    const std::string text = file_contents(file);
+    SealedReader in(text, "table of critical ratios");
+    if (in.line() != first_line) {
+        in.fail();
+    }
+    std::vector<CriticalRatio> ratios;
+    while (!in.ahead().empty()) {
+        ratios.push_back(parse_ratio(in));
+    }
+    in.end();
+    return ratios;
+}
+
+/// Empty if these are the ratios of the order, and each is enclosed.
+std::string objection(const Order& order, const std::vector<CriticalRatio>& ratios) {
+    const int digits = digits_of(order);
+    if (ratios.size() != order.units.size()) {
+        return "it has other ratios";
+    }
+    for (std::size_t i = 0; i < ratios.size(); ++i) {
+        const CriticalRatio& ratio = ratios[i];
+        if (ratio.n != parse_unit(order.units[i])) {
+            return "it has other ratios";
+        }
+        if (!shared_digits(ratio.q_lo, ratio.q_hi, digits)) {
+            return fmt::format("q_c({}) has fewer digits", ratio.n);
+        }
+        if (!certainly_encloses(ratio)) {
+            return fmt::format("q_c({}) is not certain to be where it says", ratio.n);
+        }
+    }
+    return "";
+}
+
+}  // namespace
+
+std::optional<std::string> CriticalKind::work(const Order& order, const std::string& /*folder*/,
+                                              const Interrupted& interrupted) const {
+    const CriticalOptions options{.digits = digits_of(order), .interrupted = interrupted};
+    std::vector<CriticalRatio> ratios;
+    for (const std::string& unit : order.units) {
+        const long n = parse_unit(unit);
+        auto ratio = enclose_critical_ratio(n, options);
+        if (!ratio && !interrupted()) {
+            throw InputError(fmt::format("q_c({}) could not be enclosed", n));
+        }
+        if (!ratio) {
+            return std::nullopt;
+        }
+        ratios.push_back(std::move(*ratio));
+    }
+    return render(ratios);
+}
+
+Judgement CriticalKind::judge(const Order& order, const std::string& /*folder*/,
+                              const std::string& file) const {
+    std::string reason;
+    try {
+        reason = objection(order, read_rows(file));
+    } catch (const InputError& error) {
+        reason = error.what();
+    }
+    return {reason.empty() ? Judgement::Verdict::proved : Judgement::Verdict::wrong, reason};
+}
+
+Kind::Merged CriticalKind::merge(const Plan& plan, const std::string& /*folder*/,
+                                 const std::vector<std::string>& files) const {
+    CriticalReport report;
+    report.request.digits = digits_of(plan.whole);
+    for (const std::string& file : files) {
+        for (CriticalRatio& ratio : read_rows(file)) {
+            const long n = ratio.n;
+            report.rows.push_back({n, std::move(ratio), {}});
+        }
+    }
+    const auto& units = plan.whole.units;
+    const bool tiles =
+        std::equal(report.rows.begin(), report.rows.end(), units.begin(), units.end(),
+                   [](const CriticalRow& row, const std::string& unit) { return row.n == parse_unit(unit); });
+    if (!tiles) {
+        throw InputError("the results do not tile the claim: run the campaign again, and merge then");
+    }
+    report.request.first = report.rows.front().n;
+    report.request.last = report.rows.back().n;
+    return {to_tsv(report), false};
+}
+
+Plan plan_critical(const CriticalRequest& request, std::optional<std::size_t> shards) {
+    if (request.first == request.last) {
+        throw InputError(
+            "a single critical ratio is one shard: use dumbbell critical, or give a range N1:N2");
+    }
+    constexpr std::size_t flights_per_shard = 200'000;  // some seconds at 30 digits
+    constexpr std::size_t many_shards = 64;
+    Plan plan{fmt::format("critical {}:{} --digits {}", request.first, request.last, request.digits),
+              {head_of(request.digits), {}},
+              {},
+              {}};
+    std::vector<std::size_t> costs;
+    std::size_t whole = 0;
+    for (long n = request.first; n <= request.last; ++n) {
+        plan.whole.units.push_back(fmt::format("ratio {}", n));
+        costs.push_back(static_cast<std::size_t>(n));
+        whole += costs.back();
+    }
+    plan.shards = even_shards(costs, shards.value_or(std::max(many_shards, whole / flights_per_shard)));
+    return plan;
+}
+
+}  // namespace dumbbell

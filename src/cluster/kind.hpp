@@ -1,0 +1,56 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "cluster/order.hpp"
+#include "cluster/plan.hpp"
+#include "model/interrupted.hpp"
+
+namespace dumbbell {
+
+/// What a look at a result says.
+struct Judgement {
+    enum class Verdict {
+        proved,  ///< all that the order asks for
+        open,    ///< a true answer, but it leaves something undecided
+        wrong    ///< not a result of this order, or not proved
+    };
+    Verdict verdict = Verdict::wrong;
+    std::string reason;  ///< unless proved
+};
+
+/// What a campaign of one kind proves: its orders and their results. All functions may be used by several
+/// threads at once.
+class Kind {
+  public:
+    Kind() = default;
+    virtual ~Kind() = default;
+    Kind(const Kind&) = delete;
+    Kind& operator=(const Kind&) = delete;
+
+    /// Works an order off, on this thread; nothing if interrupted. The result depends on the order alone.
+    /// `folder`: where the plan's inputs lie. Throws InputError if the order is not of this kind's making.
+    [[nodiscard]] virtual std::optional<std::string> work(const Order& order, const std::string& folder,
+                                                          const Interrupted& interrupted) const = 0;
+
+    /// Whether the file, which may hold anything, is a result of this order, by an independent check of all
+    /// that it claims.
+    [[nodiscard]] virtual Judgement judge(const Order& order, const std::string& folder,
+                                          const std::string& file) const = 0;
+
+    /// The results of all shards, in the plan's order, as one.
+    struct Merged {
+        std::string text;
+        bool is_open = false;  ///< something in it is undecided
+    };
+    [[nodiscard]] virtual Merged merge(const Plan& plan, const std::string& folder,
+                                       const std::vector<std::string>& files) const = 0;
+};
+
+/// The kind of an order or a plan. Throws InputError if there is none of this name.
+[[nodiscard]] const Kind& kind_named(std::string_view name);
+
+}  // namespace dumbbell

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cluster/campaign_folder.hpp"
+#include "cluster/kind.hpp"
+#include "model/interrupted.hpp"
+
+namespace dumbbell {
+
+struct MergeOptions {
+    int jobs = 1;
+    Interrupted interrupted = never;
+    /// Called with the numbers of verified and of all shards.
+    std::function<void(std::size_t, std::size_t)> progress = [](std::size_t, std::size_t) {};
+};
+
+/// What came of it: either the whole, or what stands in its way.
+struct Merge {
+    std::optional<Kind::Merged> whole;
+    std::size_t shards = 0;
+    std::size_t unfinished = 0;
+    /// Results that did not stand up to verification, with the reason; they are no longer among the finished
+    /// ones.
+    std::vector<std::string> withdrawn;
+};
+
+/// Verifies the result of every shard, and only then joins them. The folder is locked. Throws InputError if
+/// they do not tile the claim.
+[[nodiscard]] Merge merge_campaign(const CampaignFolder& folder, const MergeOptions& options);
+
+}  // namespace dumbbell
