@@ -68,6 +68,7 @@ std::string paper_text(const ProofReport& report, const Piece& piece) {
 
 struct Counts {
     long exact = 0, gaps = 0, open = 0;
+    long least = 0, most = 0;  ///< the values of the exact pieces, of which there is one
 };
 
 Counts count_statuses(const ProofReport& report) {
@@ -76,8 +77,22 @@ Counts count_statuses(const ProofReport& report) {
         ++(row.piece->status() == Status::exact ? counts.exact
            : row.piece->status() == Status::gap ? counts.gaps
                                                 : counts.open);
+        if (row.piece->status() == Status::exact) {
+            counts.most = std::max(counts.most, row.piece->lower);
+            counts.least = counts.exact == 1 ? row.piece->lower : std::min(counts.least, row.piece->lower);
+        }
     }
     return counts;
+}
+
+/// Which pieces have one value, and which values: `the piece with one value N = 4`.
+std::string pieces_with_value(const Counts& counts) {
+    if (counts.exact == 1) {
+        return fmt::format("the piece with one value N = {}", counts.most);
+    }
+    const std::string pieces = fmt::format("each of the {} pieces with one value N", counts.exact);
+    return counts.least == counts.most ? fmt::format("{} = {}", pieces, counts.most)
+                                       : fmt::format("{}, from {} to {}", pieces, counts.least, counts.most);
 }
 
 std::string counted(long n, std::string_view one) {
@@ -125,10 +140,8 @@ std::string range_sentence(const ProofReport& report) {
     std::string text;
     if (counts.exact > 0) {
         text = fmt::format(
-            "Proved: in {} with one value N, and for every mass ratio in it, no {} more than N times\n"
-            "and some {} N times. ",
-            counts.exact == 1 ? "the piece" : fmt::format("each of the {} pieces", counts.exact), words.hits,
-            words.hits_it);
+            "Proved: in {}, and for every mass ratio in it,\nno {} more than N times and some {} N times. ",
+            pieces_with_value(counts), words.hits, words.hits_it);
     } else if (counts.gaps == 0) {
         text = "Not decided. ";
     }

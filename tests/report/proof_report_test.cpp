@@ -67,10 +67,17 @@ TEST_CASE("the sentence of a range says how much of it is decided") {
     SampleReport decided({piece(5, 11, 4, 4)});
     decided.report.decided_fraction = 1;
     CHECK_THAT(to_text(decided.report), !Contains("gap") && !Contains("open") &&
-                                            Contains("in the piece with one value N") &&
+                                            Contains("in the piece with one value N = 4") &&
                                             Contains("Decided: the whole range."));
     decided.report.decided_fraction = 1 - 0x1p-40;
     CHECK_THAT(to_text(decided.report), Contains("Decided: all but 9.14e-13 of the range."));
+}
+
+TEST_CASE("the sentence of a range names the values, so that it can stand alone") {
+    const SampleReport two({piece(5, 11, 4, 4), piece(11, 12, 5, 5)});
+    CHECK_THAT(verdict(two.report), Contains("in each of the 2 pieces with one value N, from 4 to 5, and"));
+    const SampleReport same({piece(5, 11, 4, 4), piece(11, 12, 4, 4)});
+    CHECK_THAT(verdict(same.report), Contains("in each of the 2 pieces with one value N = 4, and"));
 }
 
 TEST_CASE("where nothing was decided nothing is called proved") {
