@@ -1,0 +1,243 @@
+#include "cluster/campaign.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "arith/error.hpp"
+#include "certificate/file_contents.hpp"
+#include "cluster/local_engine.hpp"
+#include "cluster/merge.hpp"
+#include "report/critical_report.hpp"
+#include "scripted_engine.hpp"
+
+using namespace dumbbell;
+using namespace dumbbell_test;
+using Catch::Matchers::Contains;
+
+namespace {
+
+/// The table as one run of `critical` makes it.
+std::string in_one_go(long first, long last) {
+    CriticalReport report;
+    report.request.first = first;
+    report.request.last = last;
+    report.request.digits = 10;
+    report.rows = critical_ratios(report.request);
+    return to_tsv(report);
+}
+
+std::string merged(const CampaignFolder& folder) {
+    const Merge merge = merge_campaign(folder, {});
+    REQUIRE(merge.whole.has_value());
+    return merge.whole->text;
+}
+
+/// A campaign in a folder of its own, opened.
+struct Campaign {
+    Place place;
+    std::optional<CampaignFolder> folder;
+
+    explicit Campaign(const Plan& plan = small_plan()) {
+        CampaignFolder::create(place.string(), plan);
+        folder.emplace(place.string());
+    }
+    CampaignRun run(Engine& engine, const CampaignOptions& options = {}) {
+        return run_campaign(*folder, engine, options);
+    }
+};
+
+bool is_complete(const CampaignFolder& folder) {
+    const auto parts = folder.parts();
+    return std::all_of(parts.begin(), parts.end(), [](const auto& part) { return part.finished; });
+}
+
+CampaignOptions verified() {
+    CampaignOptions options;
+    options.verifiers = 2;
+    return options;
+}
+
+}  // namespace
+
+TEST_CASE("a campaign on this machine's threads gives what one run gives") {
+    Campaign campaign;
+    LocalEngine engine(2, campaign.place.string());
+    const CampaignRun run = campaign.run(engine);
+    CHECK(run.accepted == 4);
+    CHECK(run.left == 0);
+    CHECK(merged(*campaign.folder) == in_one_go(3, 14));
+}
+
+TEST_CASE("results in any order are accepted once each, and no more tasks are under way than wanted") {
+    Campaign campaign(small_plan(3, 40, 38));
+    ScriptedEngine engine([](const Task& task, int) { return worked(task); }, 5);
+    const CampaignRun run = campaign.run(engine, verified());
+    CHECK(run.accepted == campaign.folder->parts().size());
+    CHECK(engine.most() <= 5);
+    CHECK(merged(*campaign.folder) == in_one_go(3, 40));
+}
+
+TEST_CASE("what is finished is not done again") {
+    Campaign campaign;
+    bool stop = false;
+    ScriptedEngine first([&](const Task& task, int) { return stop = true, worked(task); });
+    CampaignOptions options;
+    options.interrupted = [&] { return stop; };
+    CHECK(campaign.run(first, options).left == 3);
+    ScriptedEngine second([](const Task& task, int) { return worked(task); });
+    const CampaignRun run = campaign.run(second);
+    CHECK(run.accepted == 3);
+    CHECK(second.attempts().size() == 3);
+}
+
+TEST_CASE("garbage is rejected by verification, kept for a look, and the shard proved elsewhere") {
+    Campaign campaign;
+    ScriptedEngine engine([](const Task& task, int attempt) {
+        const Outcome truth = worked(task);
+        switch (attempt) {
+            case 1:
+                return done(task, "garbage");
+            case 2:
+                return done(task, truth.result.substr(0, truth.result.size() / 2));
+            case 3:
+                return done(task, "");
+            default:
+                return truth;
+        }
+    });
+    const CampaignRun run = campaign.run(engine, verified());
+    CHECK(run.rejected == 12);
+    CHECK(run.accepted == 4);
+    CHECK(merged(*campaign.folder) == in_one_go(3, 14));
+    CHECK(std::filesystem::exists(campaign.place.path / "rejected" / campaign.folder->parts()[0].id));
+    CHECK(std::filesystem::is_empty(campaign.place.path / "arrived"));
+}
+
+TEST_CASE("the true result of another shard is garbage here") {
+    Campaign campaign;
+    std::string other;
+    ScriptedEngine engine([&](const Task& task, int attempt) {
+        const std::string mine = worked(task).result;
+        const std::string given = attempt == 1 && !other.empty() ? other : mine;
+        other = mine;
+        return done(task, given);
+    });
+    const CampaignRun run = campaign.run(engine, verified());
+    CHECK(run.rejected > 0);
+    CHECK(run.left == 0);
+    CHECK(merged(*campaign.folder) == in_one_go(3, 14));
+}
+
+TEST_CASE("a shard that always fails is given up, with the reason, and the others are not held up") {
+    Campaign campaign;
+    const std::string bad = campaign.folder->parts()[1].id;
+    ScriptedEngine engine(
+        [&](const Task& task, int) { return task.id == bad ? failed(task, "disk\nfull") : worked(task); });
+    std::string said;
+    CampaignOptions options = verified();
+    options.note = [&](const std::string& line) { said += line; };
+    const CampaignRun run = campaign.run(engine, options);
+    CHECK(run.accepted == 3);
+    CHECK(run.given_up == 1);
+    CHECK(run.left == 1);
+    CHECK(engine.attempts().at(bad) == 5);
+    CHECK_THAT(said, Contains(bad) && Contains("disk?full"));
+    const Merge merge = merge_campaign(*campaign.folder, {});
+    CHECK(merge.unfinished == 1);
+    CHECK_FALSE(merge.whole.has_value());
+}
+
+TEST_CASE("shards that are too big are split until they fit, and a single unit has all the time") {
+    Campaign campaign(small_plan(3, 14, 1));
+    std::size_t unlimited = 0;
+    ScriptedEngine engine([&](const Task& task, int) {
+        unlimited += task.limit ? 0 : 1;
+        return task.limit ? too_long(task) : worked(task);
+    });
+    CampaignOptions options;
+    options.shard_limit = std::chrono::seconds(1);
+    const CampaignRun run = campaign.run(engine, options);
+    CHECK(run.split == 11);
+    CHECK(run.accepted == 12);
+    CHECK(unlimited == 12);
+    CHECK(merged(*campaign.folder) == in_one_go(3, 14));
+    CHECK_NOTHROW(CampaignFolder(campaign.place.string()));
+}
+
+TEST_CASE("a result that comes twice counts once, and another one stops the campaign") {
+    Campaign campaign;
+    const auto part = campaign.folder->parts()[0];
+    const std::string truth = *CriticalKind().work(campaign.folder->order(part), ".", never);
+    ScriptedEngine engine([&](const Task& task, int) {
+        if (task.id == part.id) {  // it came by another way, meanwhile
+            campaign.folder->keep_result(task.id, truth);
+        }
+        return worked(task);
+    });
+    const CampaignRun run = campaign.run(engine);
+    CHECK(run.again == 1);
+    CHECK(run.accepted == 3);
+
+    Campaign other;
+    ScriptedEngine differs([&](const Task& task, int) {
+        other.folder->keep_result(task.id, "something else");
+        return worked(task);
+    });
+    CHECK_THROWS_AS(other.run(differs), ResultsDiffer);
+}
+
+TEST_CASE("outcomes of tasks that nobody gave are passed over") {
+    Campaign campaign;
+    int strange = 0;
+    ScriptedEngine engine([&](const Task& task, int attempt) {
+        if (attempt == 1 && strange++ == 0) {
+            return Outcome{std::string(32, 'f'), Outcome::End::done, "x", {}, "far", 0};
+        }
+        return worked(task);
+    });
+    // The task whose answer went astray is never answered: the run is ended from outside.
+    int questions = 0;
+    CampaignOptions options;
+    options.interrupted = [&] { return ++questions > 50; };
+    const CampaignRun run = campaign.run(engine, options);
+    CHECK(run.accepted == 3);
+    CHECK(run.left == 1);
+}
+
+TEST_CASE("a campaign of many shards with failures, garbage, splits and restarts loses nothing") {
+    constexpr long last = 302;
+    Campaign campaign(small_plan(3, last, 150));
+    std::mt19937 random(11);
+    std::map<std::string, std::string> answers;  // enclosing takes time
+    std::size_t given = 0;                       // outcomes, in one run
+    const Script script = [&](const Task& task, int) {
+        ++given;
+        const auto luck = random() % 10;
+        if (luck == 0) {
+            return failed(task, "worker lost");
+        }
+        if (luck == 1) {
+            return done(task, "garbage");
+        }
+        if (luck == 2 && task.limit) {
+            return too_long(task);
+        }
+        auto& answer = answers[task.id];
+        if (answer.empty()) {
+            answer = worked(task).result;
+        }
+        return done(task, answer);
+    };
+    std::size_t accepted = 0;
+    for (int run = 0; run < 100 && !is_complete(*campaign.folder); ++run) {
+        const auto most = 5 + random() % 40;
+        given = 0;
+        CampaignOptions options = verified();
+        options.shard_limit = std::chrono::seconds(1);
+        options.interrupted = [&] { return given >= most; };
+        ScriptedEngine engine(script, 16);
+        campaign.folder.emplace(campaign.place.string());  // a new program
+        accepted += campaign.run(engine, options).accepted;
+    }
+    CHECK(accepted == campaign.folder->parts().size());
+    CHECK(merged(*campaign.folder) == in_one_go(3, last));
+}

@@ -1,0 +1,125 @@
+#include "cluster/collisions_kind.hpp"
+
+#include <catch2/catch.hpp>
+#include <fstream>
+
+#include "arith/error.hpp"
+#include "certificate/writer.hpp"
+#include "scripted_engine.hpp"
+
+using namespace dumbbell;
+using namespace dumbbell_test;
+using Catch::Matchers::Contains;
+namespace fs = std::filesystem;
+
+namespace {
+
+const CollisionsKind kind;
+
+CertifyRequest request(const Rational& lo, const Rational& hi) {
+    CertifyRequest request;
+    request.q_lo = lo;
+    request.q_hi = hi;
+    return request;
+}
+
+Plan planned(const CertifyRequest& request, std::size_t shards) {
+    auto plan = plan_collisions(request, shards, never);
+    REQUIRE(plan.has_value());
+    return *plan;
+}
+
+std::string in_one_go(const CertifyRequest& request) {
+    Certificate certificate{.program = "dumbbell",
+                            .version = DUMBBELL_VERSION,
+                            .pieces = {},
+                            .scene = request.scene,
+                            .section = request.section};
+    for (const ProvedPiece& proved : certify(request)) {
+        certificate.pieces.push_back(proved.piece);
+    }
+    return render(certificate).text;
+}
+
+/// The results of all shards as files, in order.
+std::vector<std::string> results(const Plan& plan, const Place& place) {
+    fs::create_directory(place.path);
+    std::vector<std::string> files;
+    for (const Plan::Shard& shard : plan.shards) {
+        files.push_back(place.string() + "/" + std::to_string(files.size()));
+        std::ofstream(files.back()) << *kind.work(plan.order(shard.first, shard.end), ".", never);
+    }
+    return files;
+}
+
+}  // namespace
+
+TEST_CASE("shards of any number, of every scene and section, merge to what one run proves, byte for byte") {
+    CertifyRequest full = request(Rational(4), Rational(5));
+    full.section = Section::full;
+    full.gap = Rational(1, 100);
+    CertifyRequest hybrid = request(Rational(1), Rational(20));
+    hybrid.scene = Scene::hybrid;
+    CertifyRequest wedge = hybrid;
+    wedge.scene = Scene::wedge;
+    for (const CertifyRequest& of : {request(Rational(1), Rational(60)), full, hybrid, wedge}) {
+        const std::string expected = in_one_go(of);
+        for (const std::size_t shards : {1, 3, 1000}) {
+            const Place place;
+            const Plan plan = planned(of, shards);
+            const Kind::Merged merged = kind.merge(plan, ".", results(plan, place));
+            CHECK(merged.text == expected);
+            CHECK_FALSE(merged.is_open);
+        }
+    }
+}
+
+TEST_CASE("what does not tile the claim is not merged") {
+    const Place place;
+    const Plan plan = planned(request(Rational(1), Rational(60)), 5);
+    const auto files = results(plan, place);
+    const auto refused = [&](const Plan& of, std::vector<std::string> some) {
+        CHECK_THROWS_WITH(kind.merge(of, ".", some), Contains("do not tile the claim"));
+    };
+    refused(plan, {files.begin(), files.end() - 1});
+    refused(plan, {files.begin() + 1, files.end()});
+    refused(plan, {files[0], files[2], files[1], files[3], files[4]});
+    refused(plan, {files[0], files[1], files[1], files[3], files[4]});
+    Plan other = plan;
+    other.claim = "certify 1/1:61/1 --gap 1/1000000";
+    refused(other, files);
+    other = plan;
+    other.whole.units.pop_back();
+    refused(other, files);
+}
+
+TEST_CASE("the claim of a plan is the command that proves it in one go") {
+    CertifyRequest of = request(Rational(3, 2), Rational(12));
+    of.gap = Rational(1, 1000);
+    of.section = Section::plain;
+    CHECK(planned(of, 4).claim == "certify 3/2:12/1 --gap 1/1000 --section full --lemmas none");
+}
+
+TEST_CASE("orders that no plan makes are refused before any work") {
+    const Order order = planned(request(Rational(1), Rational(6)), 1).whole;
+    const auto refused = [&](Order changed) { CHECK_THROWS_AS(kind.work(changed, ".", never), InputError); };
+    for (const char* unit : {"piece 1/1 2/1 3", "piece 2/1 1/1 3 2", "piece 1/2 2/1 3 2", "piece 1/1 2/1 x 2",
+                             "piece 1/1 2/1 3 -2", "piece 2/2 2/1 3 2", "piece 1/1 1e17 3 2", ""}) {
+        CAPTURE(unit);
+        refused({order.head, {unit}});
+    }
+    refused({"prove collisions\nlemmas 2\nscene dumbbell\nsection turning\n", order.units});
+    refused({"prove collisions\nlemmas 1\nscene wedge\n", order.units});
+}
+
+TEST_CASE("an order that is interrupted has no result") {
+    const Order order = planned(request(Rational(1), Rational(6)), 1).whole;
+    CHECK_FALSE(kind.work(order, ".", [] { return true; }).has_value());
+}
+
+TEST_CASE("a single ratio needs no campaign, and beyond reach there is none") {
+    CHECK_THROWS_WITH(plan_collisions(request(Rational(5), Rational(5)), {}, never),
+                      Contains("use dumbbell certify"));
+    CHECK_THROWS_AS(plan_collisions(request(Rational(5), parse_rational("1e17")), {}, never), InputError);
+    CHECK_FALSE(plan_collisions(request(Rational(5), Rational(50)), {}, [] { return true; }).has_value());
+}

@@ -1,0 +1,105 @@
+// An engine that answers as a test says, at once and in an order of its own, and a folder to work in.
+#pragma once
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <deque>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <optional>
+#include <random>
+#include <string>
+#include <thread>
+#include <utility>
+
+#include "cluster/campaign_folder.hpp"
+#include "cluster/critical_kind.hpp"
+#include "cluster/engine.hpp"
+#include "cluster/kind.hpp"
+
+namespace dumbbell_test {
+
+/// What becomes of a task; `attempt` counts from 1.
+using Script = std::function<dumbbell::Outcome(const dumbbell::Task&, int attempt)>;
+
+class ScriptedEngine : public dumbbell::Engine {
+  public:
+    explicit ScriptedEngine(Script script, std::size_t wanted = 8)
+        : script_(std::move(script)), wanted_(wanted) {}
+
+    void submit(const dumbbell::Task& task) override {
+        const auto at = static_cast<std::ptrdiff_t>(random_() % (tasks_.size() + 1));
+        tasks_.insert(tasks_.begin() + at, task);
+        most_ = std::max(most_, tasks_.size());
+    }
+    std::optional<dumbbell::Outcome> wait(std::chrono::milliseconds /*time*/) override {
+        if (tasks_.empty()) {
+            std::this_thread::sleep_for(std::chrono::milliseconds(1));
+            return std::nullopt;
+        }
+        const dumbbell::Task task = std::move(tasks_.front());
+        tasks_.pop_front();
+        return script_(task, ++attempts_[task.id]);
+    }
+    [[nodiscard]] std::size_t wanted() const override { return wanted_; }
+    [[nodiscard]] dumbbell::EngineFigures figures() const override {
+        dumbbell::EngineFigures figures;
+        figures.workers = 1;
+        figures.running = tasks_.size();
+        return figures;
+    }
+
+    /// So many tasks were under way at the same time.
+    [[nodiscard]] std::size_t most() const { return most_; }
+    /// How often each task was tried.
+    [[nodiscard]] const std::map<std::string, int>& attempts() const { return attempts_; }
+
+  private:
+    Script script_;
+    std::size_t wanted_;
+    std::deque<dumbbell::Task> tasks_;
+    std::map<std::string, int> attempts_;
+    std::mt19937 random_{7};
+    std::size_t most_ = 0;
+};
+
+inline dumbbell::Outcome done(const dumbbell::Task& task, std::string result) {
+    return {task.id, dumbbell::Outcome::End::done, std::move(result), {}, "far", 0.5};
+}
+inline dumbbell::Outcome failed(const dumbbell::Task& task, std::string reason) {
+    return {task.id, dumbbell::Outcome::End::failed, {}, std::move(reason), "far", 0.5};
+}
+inline dumbbell::Outcome too_long(const dumbbell::Task& task) {
+    return {task.id, dumbbell::Outcome::End::too_long, {}, {}, "far", 0.5};
+}
+
+/// The true result of a task.
+inline dumbbell::Outcome worked(const dumbbell::Task& task) {
+    const dumbbell::Order order = dumbbell::parse_order(task.order);
+    return done(task, *dumbbell::kind_named(order.kind()).work(order, ".", dumbbell::never));
+}
+
+/// A new folder for a campaign, removed at the end.
+struct Place {
+    std::filesystem::path path =
+        std::filesystem::temp_directory_path() / ("dumbbell-campaign-" + std::to_string(::getpid()));
+    Place() { std::filesystem::remove_all(path); }
+    ~Place() { std::filesystem::remove_all(path); }
+    Place(const Place&) = delete;
+    Place& operator=(const Place&) = delete;
+
+    [[nodiscard]] std::string string() const { return path.string(); }
+};
+
+/// A small campaign: critical ratios, which are enclosed in milliseconds.
+inline dumbbell::Plan small_plan(long first = 3, long last = 14, std::size_t shards = 4) {
+    dumbbell::CriticalRequest request;
+    request.first = first;
+    request.last = last;
+    request.digits = 10;
+    return dumbbell::plan_critical(request, shards);
+}
+
+}  // namespace dumbbell_test
