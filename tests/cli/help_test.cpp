@@ -7,11 +7,25 @@ using Catch::Matchers::Contains;
 
 namespace {
 
-const std::vector<Words> commands{
-    {"certify"},       {"critical"},      {"verify"},        {"law"},
-    {"audit"},         {"trace"},         {"plot"},          {"plot", "staircase"},
-    {"plot", "cover"}, {"plot", "orbit"}, {"plot", "phase"}, {"plot", "adiabatic"},
-    {"adiabatic"},     {"report"}};
+const std::vector<Words> commands{{"certify"},
+                                  {"critical"},
+                                  {"verify"},
+                                  {"law"},
+                                  {"audit"},
+                                  {"trace"},
+                                  {"plot"},
+                                  {"plot", "staircase"},
+                                  {"plot", "cover"},
+                                  {"plot", "orbit"},
+                                  {"plot", "phase"},
+                                  {"plot", "adiabatic"},
+                                  {"adiabatic"},
+                                  {"report"},
+                                  {"campaign"},
+                                  {"campaign", "plan"},
+                                  {"campaign", "run"},
+                                  {"campaign", "status"},
+                                  {"campaign", "merge"}};
 
 Outcome help_of(Words command) {
     command.emplace_back("--help");

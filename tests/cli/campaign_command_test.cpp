@@ -1,0 +1,264 @@
+// A campaign as a user runs it, on this machine: plan, run, status, merge.
+#include <catch2/catch.hpp>
+#include <chrono>
+#include <map>
+#include <random>
+#include <thread>
+
+#include "programs.hpp"
+
+using namespace dumbbell_test;
+using Catch::Matchers::Contains;
+namespace fs = std::filesystem;
+
+namespace {
+
+const std::string small = "1:2000";
+
+/// In the folder: a campaign `c` over a small range.
+void plan(const TemporaryFolder& folder, const std::string& ratio = small, const Words& options = {}) {
+    Words words{"campaign", "plan", folder / "c", ratio};
+    words.insert(words.end(), options.begin(), options.end());
+    const Outcome planned = dumbbell(words);
+    CAPTURE(planned.err);
+    REQUIRE(planned.code == 0);
+}
+
+Outcome run_it(const TemporaryFolder& folder, const Words& options = {}) {
+    Words words{"campaign", "run", folder / "c"};
+    words.insert(words.end(), options.begin(), options.end());
+    return dumbbell(words);
+}
+
+Outcome merge_it(const TemporaryFolder& folder) {
+    return dumbbell({"campaign", "merge", folder / "c", "--out", folder / "m.dbc"});
+}
+
+std::string in_one_go(const TemporaryFolder& folder, const std::string& ratio, Words options = {}) {
+    return contents(certificate(folder, ratio, std::move(options)));
+}
+
+std::size_t shards(const TemporaryFolder& folder) {
+    return nlohmann::json::parse(dumbbell({"campaign", "status", folder / "c", "--json"}).out)["shards"];
+}
+
+std::string any_result(const TemporaryFolder& folder) {
+    return fs::directory_iterator(folder / "c/results")->path().string();
+}
+
+/// One line on stderr, exit code 2, and all files as they were.
+std::string refused_here(const TemporaryFolder& folder, const Words& words) {
+    const auto files = [&] {
+        std::map<std::string, std::string> all;
+        for (const auto& entry : fs::recursive_directory_iterator(folder.path())) {
+            all[entry.path().string()] = entry.is_regular_file() ? contents(entry.path().string()) : "";
+        }
+        return all;
+    };
+    const auto before = files();
+    const Outcome result = dumbbell(words);
+    CAPTURE(result.out, result.err);
+    CHECK(result.code == 2);
+    CHECK(result.out.empty());
+    CHECK(count_lines(result.err) == 1);
+    CHECK((files() == before));
+    return result.err;
+}
+
+}  // namespace
+
+TEST_CASE("planned, run and merged, a claim is the file that certify writes, byte for byte") {
+    const TemporaryFolder folder;
+    plan(folder, "1:5000", {"--gap", "1e-9"});
+    const Outcome ran = run_it(folder);
+    CHECK(ran.code == 0);
+    CHECK_THAT(ran.out, Contains("the campaign is complete") && Contains("ms a shard"));
+    const Outcome merged = merge_it(folder);
+    CHECK(merged.code == 0);
+    CHECK_THAT(merged.out, Contains("they tile the claim: certify 1/1:5000/1 --gap 1/1000000000"));
+    CHECK(contents(folder / "m.dbc") == in_one_go(folder, "1:5000", {"--gap", "1e-9"}));
+    CHECK(verifier({"--ratio", "1:5000", folder / "m.dbc"}).code == 0);
+}
+
+TEST_CASE("a campaign over critical ratios is the table that critical writes") {
+    const TemporaryFolder folder;
+    REQUIRE(dumbbell({"campaign", "plan", folder / "c", "critical", "3:40", "--digits", "30"}).code == 0);
+    REQUIRE(run_it(folder).code == 0);
+    REQUIRE(merge_it(folder).code == 0);
+    REQUIRE(dumbbell({"critical", "3:40", "--digits", "30", "--out", folder / "t.tsv"}).code == 0);
+    CHECK(contents(folder / "m.dbc") == contents(folder / "t.tsv"));
+}
+
+TEST_CASE("the result does not depend on the number of threads and shards") {
+    std::string first;
+    for (const Words& options : {Words{"--shards", "1"}, {"--shards", "7"}, {"--shards", "1000"}}) {
+        const TemporaryFolder folder;
+        plan(folder, small, options);
+        REQUIRE(run_it(folder, {"--jobs", options[1] == "7" ? "1" : "4"}).code == 0);
+        REQUIRE(merge_it(folder).code == 0);
+        first = first.empty() ? contents(folder / "m.dbc") : first;
+        CHECK(contents(folder / "m.dbc") == first);
+    }
+}
+
+TEST_CASE("killed at any moment, a campaign goes on and ends with the same bytes") {
+    const TemporaryFolder folder;
+    plan(folder, "1:30000", {"--gap", "1e-12", "--shards", "200"});
+    std::mt19937 random(5);
+    int kills = 0;
+    const std::size_t all = shards(folder);
+    for (std::size_t wanted = 3; kept(folder / "c/results") < all; wanted += 5 + random() % 30) {
+        Process process(with_program({"campaign", "run", folder / "c"}));
+        for (int i = 0; i < 20'000 && kept(folder / "c/results") < std::min(wanted, all); ++i) {
+            std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        }
+        process.kill();
+        kills += process.wait().signal == SIGKILL;
+        REQUIRE(kills < 200);
+    }
+    CHECK(kills > 3);
+    REQUIRE(run_it(folder).code == 0);
+    REQUIRE(merge_it(folder).code == 0);
+    CHECK(contents(folder / "m.dbc") == in_one_go(folder, "1:30000", {"--gap", "1e-12"}));
+}
+
+TEST_CASE("a campaign out of time says so with exit code 3, and goes on") {
+    const TemporaryFolder folder;
+    plan(folder, "1:1e6", {"--gap", "1e-9"});
+    const Outcome late = run_it(folder, {"--budget", "0.2s"});
+    CHECK(late.code == 3);
+    CHECK_THAT(late.err, Contains("shards are left") && Contains("the same command goes on"));
+    const Outcome early = merge_it(folder);
+    CHECK(early.code == 3);
+    CHECK_THAT(early.err, Contains("are not finished") && Contains("dumbbell campaign run"));
+    CHECK_FALSE(fs::exists(folder / "m.dbc"));
+}
+
+TEST_CASE("asked to stop, a campaign stops soon, says what is left, and ends by the signal") {
+    const TemporaryFolder folder;
+    plan(folder, "1:1e7", {"--gap", "1e-9"});
+    Process process(with_program({"campaign", "run", folder / "c"}));
+    for (int i = 0; i < 20'000 && kept(folder / "c/results") < 1; ++i) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    process.send(SIGTERM);
+    const Outcome stopped = process.wait();
+    CHECK(stopped.signal == SIGTERM);
+    CHECK_THAT(stopped.err, Contains("stopped by SIGTERM") && Contains("shards are left"));
+}
+
+TEST_CASE("the status is told at any time, as text and as JSON") {
+    const TemporaryFolder folder;
+    plan(folder);
+    const Outcome before = dumbbell({"campaign", "status", folder / "c"});
+    CHECK(before.code == 0);
+    CHECK_THAT(before.out, Contains("0 of ") && Contains("no run is at work"));
+    REQUIRE(run_it(folder).code == 0);
+    const Outcome after = dumbbell({"campaign", "status", folder / "c", "--json"});
+    const auto json = nlohmann::json::parse(after.out);
+    CHECK(json["complete"] == true);
+    CHECK(json["done"] == json["shards"]);
+    CHECK(json["workers"][0]["name"] == "local");
+    CHECK(count_lines(dumbbell({"campaign", "status", folder / "c", "--quiet"}).out) == 1);
+    const auto run = nlohmann::json::parse(run_it(folder, {"--json"}).out);
+    CHECK(run["schema"] == "dumbbell-campaign-run-1");
+    CHECK(run["accepted"] == 0);
+    CHECK(run["complete"] == true);
+}
+
+TEST_CASE("a result that was tampered with is found by the merge, put aside, and proved again") {
+    const TemporaryFolder folder;
+    plan(folder);
+    REQUIRE(run_it(folder).code == 0);
+    const std::string result = any_result(folder);
+    const std::string truth = contents(result);
+    write_file(result, truth.substr(0, truth.size() / 2));
+    const Outcome merged = merge_it(folder);
+    CHECK(merged.code == 3);
+    CHECK_THAT(merged.err, Contains("1 of ") && Contains("rejected") && Contains("proves them again"));
+    CHECK_FALSE(fs::exists(folder / "m.dbc"));
+    REQUIRE(run_it(folder).code == 0);
+    CHECK(contents(result) == truth);
+    CHECK(merge_it(folder).code == 0);
+}
+
+TEST_CASE("a true certificate of something else is no result") {
+    const TemporaryFolder folder;
+    plan(folder);
+    REQUIRE(run_it(folder).code == 0);
+    write_file(any_result(folder), in_one_go(folder, "3:4"));
+    const Outcome merged = merge_it(folder);
+    CHECK(merged.code == 3);
+    CHECK_THAT(merged.err, Contains("it proves something else"));
+}
+
+TEST_CASE("what stands in the way of a campaign is said in one line, and nothing is changed") {
+    const TemporaryFolder folder;
+    plan(folder);
+    const std::string campaign = folder / "c";
+    CHECK_THAT(refused_here(folder, {"campaign", "plan", campaign, small}), Contains("new or empty"));
+    CHECK_THAT(refused_here(folder, {"campaign", "run", folder.path()}), Contains("is no campaign"));
+    CHECK_THAT(refused_here(folder, {"campaign", "status", folder / "none"}), Contains("is no campaign"));
+    CHECK_THAT(refused_here(folder, {"campaign", "merge", campaign, "--out", folder.path()}),
+               Contains("is a directory"));
+
+    write_file(campaign + "/results/notes", "mine");
+    for (const char* word : {"run", "status"}) {
+        CHECK_THAT(refused_here(folder, {"campaign", word, campaign}),
+                   Contains("notes") && Contains("move it"));
+    }
+    fs::remove(campaign + "/results/notes");
+
+    const std::string text = contents(campaign + "/plan");
+    write_file(campaign + "/plan",
+               replaced(text, "generator dumbbell " DUMBBELL_VERSION, "generator dumbbell 9.9.9"));
+    CHECK_THAT(refused_here(folder, {"campaign", "run", campaign}), Contains("damaged"));
+    write_file(campaign + "/plan", text.substr(0, text.size() - 1));
+    CHECK_THAT(refused_here(folder, {"campaign", "run", campaign}), Contains("damaged"));
+    write_file(campaign + "/plan", text);
+}
+
+TEST_CASE("one campaign has one run at a time") {
+    const TemporaryFolder folder;
+    plan(folder, "1:1e8", {"--gap", "1e-9", "--shards", "20"});
+    Process process(with_program({"campaign", "run", folder / "c"}));
+    for (int i = 0; i < 20'000 && !fs::exists(folder / "c/journal"); ++i) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    const Outcome second = run_it(folder);
+    CHECK(second.code == 2);
+    CHECK_THAT(second.err, Contains("in use by another run"));
+    CHECK_THAT(dumbbell({"campaign", "status", folder / "c"}).out, Contains("running: "));
+    process.kill();
+}
+
+TEST_CASE("a plan that was changed after the start is refused") {
+    const TemporaryFolder folder;
+    plan(folder);
+    REQUIRE(run_it(folder).code == 0);
+    const TemporaryFolder other;
+    plan(other, small, {"--shards", "3"});
+    write_file(folder / "c/plan", contents(other / "c/plan"));
+    CHECK_THAT(refused_here(folder, {"campaign", "run", folder / "c"}),
+               Contains("was changed after the start"));
+}
+
+TEST_CASE("claims that make no campaign are refused, with what to do") {
+    CHECK_THAT(refused({"campaign", "plan", "c", "10"}), Contains("use dumbbell certify"));
+    CHECK_THAT(refused({"campaign", "plan", "c", "critical", "5"}), Contains("use dumbbell critical"));
+    CHECK_THAT(refused({"campaign", "plan", "c"}), Contains("give the claim"));
+    CHECK_THAT(refused({"campaign", "plan", "c", "1:5", "critical", "3:5"}), Contains("either"));
+    CHECK_THAT(refused({"campaign", "plan", "c", "5:1"}), Contains("smaller ratio first"));
+    CHECK_THAT(refused({"campaign", "plan", "c", "1:5", "--shards", "0"}), Contains("--shards"));
+    CHECK_THAT(refused({"campaign", "plan", "c", "1:5", "--lemmas", "none"}), Contains("--section full"));
+    CHECK_THAT(refused({"campaign"}), Contains("--help"));
+}
+
+TEST_CASE("a worker refuses an order that is damaged or of another version") {
+    const TemporaryFolder folder;
+    write_file(folder / "order", "dumbbell-order 1\n");
+    CHECK_THAT(refused_here(folder, {"campaign", "work", folder / "order", folder / "result"}),
+               Contains("damaged"));
+    CHECK_THAT(refused_here(folder, {"campaign", "work", folder / "none", folder / "result"}),
+               Contains("damaged"));
+}
