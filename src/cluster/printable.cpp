@@ -1,0 +1,26 @@
+#include "cluster/printable.hpp"
+
+#include <algorithm>
+
+namespace dumbbell {
+
+std::string printable(std::string_view text, std::size_t most) {
+    std::string line(text.substr(0, most));
+    std::replace_if(
+        line.begin(), line.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
+    return line + (text.size() > most ? "..." : "");
+}
+
+std::string_view last_line(std::string_view text) {
+    constexpr std::string_view blank = " \t\r\n";
+    const std::size_t last = text.find_last_not_of(blank);
+    if (last == std::string_view::npos) {
+        return {};
+    }
+    text = text.substr(0, last + 1);
+    const std::size_t before = text.find_last_of("\r\n");
+    const std::string_view line = before == std::string_view::npos ? text : text.substr(before + 1);
+    return line.substr(line.find_first_not_of(blank));
+}
+
+}  // namespace dumbbell
