@@ -34,8 +34,9 @@ dumbbell_verify::Job job_of(const std::string& file, const Claim& claim, unsigne
 }
 
 Verdict given(dumbbell_verify::Verdict verdict) {
-    constexpr std::array given{Verdict::verified, Verdict::unreadable, Verdict::unsupported, Verdict::limit,
-                               Verdict::rejected};
+    // In the order of the verifier's; its second one, a part of a file, is never asked for here.
+    constexpr std::array given{Verdict::verified,    Verdict::rejected, Verdict::unreadable,
+                               Verdict::unsupported, Verdict::limit,    Verdict::rejected};
     return given.at(static_cast<std::size_t>(verdict));
 }
 

@@ -18,6 +18,8 @@ class Reader {
     Proof run() {
         try {
             header();
+            if (!section_ && settings_.check != all_pieces)
+                misused("a file with this claim has no pieces: it is verified as a whole only");
             if (adiabatic_) return adiabatic(text_, settings_, *adiabatic_);
             if (!section_) return initial(text_, settings_);
             range();
@@ -52,6 +54,9 @@ class Reader {
     [[noreturn]] void unsupported(const std::string& text) const {
         throw Failure{Verdict::unsupported, text_.line, "unsupported", text};
     }
+    [[noreturn]] void misused(const std::string& text) const {
+        throw Failure{Verdict::unreadable, text_.line, "usage", text};
+    }
     /// The section that the lines `lemmas`, `scene` and `section` choose; nullptr: none.
     void choose_section() {
         const auto table = sections();
@@ -74,6 +79,7 @@ class Reader {
         if (found == table.end())
             unsupported("no section " + name + " of the scene " + scene + " with lemmas " + lemmas);
         section_ = *found;
+        proof_.section = section_->name;
         proof_.tallies.push_back({"split"});
         for (const Opcode& opcode : section_->opcodes) proof_.tallies.push_back({opcode.name});
         proof_.tallies.push_back({"open"});
@@ -95,9 +101,15 @@ class Reader {
         claim_.hi = text_.ratio(2);
         if (claim_.lo < 1 || claim_.lo > claim_.hi) text_.reject("number", "not 1 <= LO <= HI");
         text_.expect("pieces", 1);
-        if (text_.natural(1) == 0) text_.reject("number", "no piece");
+        const std::uint64_t k = text_.natural(1);
+        if (k == 0) text_.reject("number", "no piece");
+        if (settings_.check != all_pieces && settings_.check.last > k)
+            misused("there is no piece " + std::to_string(settings_.check.last) + ": the file has " +
+                    std::to_string(k) + (k == 1 ? " piece" : " pieces"));
     }
 
+    /// Are the leaves of the present piece checked?
+    [[nodiscard]] bool checked() const { return settings_.check.have(claim_.pieces + 1); }
     void piece() {
         Leaf leaf;
         text_.expect("piece", 2);
@@ -107,7 +119,8 @@ class Reader {
         text_.expect("bits", 1);
         const std::uint64_t bits = text_.natural(1);
         if (bits < 53 || bits > 4096) text_.reject("number", "bits beyond 53 to 4096");
-        if (bits > settings_.max_bits) throw Failure{Verdict::limit, text_.line, "limit", "see --max-bits"};
+        if (checked() && bits > settings_.max_bits)
+            throw Failure{Verdict::limit, text_.line, "limit", "see --max-bits"};
         leaf.bits = std::max(static_cast<unsigned>(bits), settings_.precision);
         leaf.multiple = settings_.precision > 0;
         text_.expect("upper", 1);
@@ -166,7 +179,7 @@ class Reader {
         ++proof_.tallies[1 + leaf.opcode].lines;
         proof_.tallies[1 + leaf.opcode].covered += covered;
         if (!settings_.explain.empty()) explain(leaf, path);
-        pending_.push_back(std::move(leaf));
+        if (checked()) pending_.push_back(std::move(leaf));
         if (pending_.size() == batch) check_pending();
     }
     /// Shows a referee the leaf that was asked for: its box, every inequality, and whether it holds.

@@ -16,6 +16,7 @@ struct Settings {
     unsigned precision = 0;  ///< at least so many bits of MPFR for every piece; 0: what the pieces say
     std::string scene = "dumbbell", explain;  ///< explain: PIECE:PATH or box.PATH, the leaf to show
     std::string claim;                        ///< demanded kind; empty: any
+    Pieces check = all_pieces;                ///< of the others no leaf and no witness is checked
     Collisions demand;
 };
 
@@ -31,14 +32,15 @@ struct Proof {
     std::optional<Initial> initial;      ///< instead, if the file is about initial conditions
     std::optional<Adiabatic> adiabatic;  ///< instead, if it is about the adiabatic invariant
     std::string digest;
+    std::string_view section;    ///< its name, if the file is about mass ratios
     bool heavy_once = false;     ///< proved for every ratio: the heavy mass touches at most once
     double roots = 0;            ///< number of root boxes
     bool explained = false;      ///< the leaf that was asked for exists
     std::vector<Tally> tallies;  ///< split, the opcodes of the section, open
 };
 
-/// Returns only if all that the file and the demand say is certified; else throws the Failure of the least
-/// line.
+/// Returns only if all that the file and the demand say is certified, but for the leaves and witnesses of the
+/// pieces that `settings` does not have checked; else throws the Failure of the least line.
 Proof verify(const std::string& path, const Settings& settings);
 
 }  // namespace dumbbell_verify

@@ -28,7 +28,7 @@ void Collisions::add(const mpq_class& a, const mpq_class& b, std::optional<std::
     upper = upper && u ? std::max(upper, u) : std::nullopt;
     lower = std::min(lower, v);
     ++pieces;
-    if (keep) parts.push_back({a, b, u, v});
+    if (keep.have(pieces)) parts.push_back({a, b, u, v});
     gaps += u && *u == v + 1;
     open += !u || *u > v + 1;
 }

@@ -19,6 +19,14 @@ std::string to_string(const mpq_class& lo, const mpq_class& hi);  ///< LO:HI
 std::string covered_part(const mpq_class& lo, const mpq_class& hi, const mpq_class& from,
                          const mpq_class& to);
 
+/// The pieces of a file from number `first` to number `last`; they count from 1.
+struct Pieces {
+    std::uint64_t first = 1, last = 0;  ///< at first none
+    [[nodiscard]] bool have(std::uint64_t number) const { return first <= number && number <= last; }
+    bool operator==(const Pieces&) const = default;
+};
+constexpr Pieces all_pieces{1, UINT64_MAX};
+
 /// For all pieces so far: N*(q) <= upper if it is a number, N*(q) >= lower.
 struct Collisions {
     std::optional<std::pair<mpq_class, mpq_class>> ratios;  ///< demanded; else the file's
@@ -33,8 +41,8 @@ struct Collisions {
         std::optional<std::uint64_t> upper;
         std::uint64_t lower;
     };
-    bool keep = false;        ///< collect the parts
-    std::vector<Part> parts;  ///< the pieces, if they are kept
+    Pieces keep;              ///< collect these
+    std::vector<Part> parts;  ///< the pieces that are kept
 
     /// The pieces come in increasing order, [lo, hi] of the file is their union.
     void add(const mpq_class& a, const mpq_class& b, std::optional<std::uint64_t> u, std::uint64_t v);

@@ -9,8 +9,8 @@
 
 namespace dumbbell_verify {
 namespace {
-constexpr const char* names[] = {"VERIFIED", "UNREADABLE", "UNSUPPORTED", "LIMIT", "REJECTED"};
-constexpr int exit_codes[] = {0, 2, 3, 4, 1};
+constexpr const char* names[] = {"VERIFIED", "PART", "UNREADABLE", "UNSUPPORTED", "LIMIT", "REJECTED"};
+constexpr int exit_codes[] = {0, 0, 2, 3, 4, 1};
 }  // namespace
 
 const char* verdict_name(Verdict verdict) { return names[static_cast<int>(verdict)]; }
@@ -24,6 +24,7 @@ Result examine(const Job& job) {
     result.job = &job;
     try {
         result.proof = verify(job.file, settings);
+        if (settings.check != all_pieces) result.why.verdict = Verdict::part;
         if (!settings.explain.empty() && !result.proof.explained)
             result.why = {Verdict::unreadable, 0, "usage", "there is no leaf " + settings.explain};
     } catch (Failure& failure) {

@@ -130,7 +130,7 @@ Options parse_options(const std::vector<std::string>& arguments) {
     }
     if (!result.answer.empty()) return result;
     check_together(words, result);
-    settings.demand.keep = result.lemma;
+    if (result.lemma) settings.demand.keep = all_pieces;
     for (Job& job : result.jobs) job.settings = settings;
     if (words.seen("--claims")) result.jobs = read_claims(claims, settings);
     if (result.lemma) {

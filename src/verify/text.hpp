@@ -20,8 +20,9 @@
 
 namespace dumbbell_verify {
 
-/// With several files the last one of these counts.
-enum class Verdict { verified, unreadable, unsupported, limit, rejected };
+/// With several files the last one of these counts. Only `verified` is about a whole file; `part`: what was
+/// asked for is a part of it, which is verified.
+enum class Verdict { verified, part, unreadable, unsupported, limit, rejected };
 
 /// Why a file is not verified; thrown, and reported as it is.
 struct Failure {

@@ -103,7 +103,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     Settings settings;
     settings.max_bits = most_bits;
     const bool initial = value_of(*text, "claim") == "initial-conditions";
-    settings.demand.keep = !initial;
+    if (!initial) settings.demand.keep = dumbbell_verify::all_pieces;
     if (const std::string scene = value_of(*text, "scene"); !scene.empty()) settings.scene = scene;
 
     const auto proof = proof_of(bytes, settings);
