@@ -79,6 +79,8 @@ std::string demand_text(const Settings& settings) {
     if (demand.ratios) text = " ratio=" + to_string(demand.ratios->first, demand.ratios->second);
     if (demand.most) text += " max=" + std::to_string(*demand.most);
     if (demand.least) text += " min=" + std::to_string(*demand.least);
+    if (settings.check != all_pieces && settings.check != Pieces{})
+        text += " pieces=" + std::to_string(settings.check.first) + "-" + std::to_string(settings.check.last);
     return text;
 }
 

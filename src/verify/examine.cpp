@@ -7,6 +7,8 @@
 #include <system_error>
 #include <thread>
 
+#include "combine.hpp"
+
 namespace dumbbell_verify {
 namespace {
 constexpr const char* names[] = {"VERIFIED", "PART", "UNREADABLE", "UNSUPPORTED", "LIMIT", "REJECTED"};
@@ -23,8 +25,16 @@ Result examine(const Job& job) {
     Result result;
     result.job = &job;
     try {
-        result.proof = verify(job.file, settings);
-        if (settings.check != all_pieces) result.why.verdict = Verdict::part;
+        std::optional<PartLines> lines;
+        if (job.parts) lines.emplace(*job.parts);
+        Proof proof = verify(job.file, settings);
+        if (lines)
+            result.parts = combine(*lines, proof, settings);
+        else if (settings.check != all_pieces) {
+            result.part = part_of(proof, settings, PieceSums(proof.claim), settings.check);
+            result.why.verdict = Verdict::part;
+        }
+        result.proof = std::move(proof);
         if (!settings.explain.empty() && !result.proof.explained)
             result.why = {Verdict::unreadable, 0, "usage", "there is no leaf " + settings.explain};
     } catch (Failure& failure) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "certificate.hpp"
+#include "part.hpp"
 
 namespace dumbbell_verify {
 
@@ -12,17 +13,21 @@ namespace dumbbell_verify {
 struct Job {
     std::string file;
     Settings settings;
+    std::optional<std::string> parts =
+        std::nullopt;  ///< the file with the lines of its parts, to be combined
 };
 
 struct Result {
     const Job* job = nullptr;
     Failure why{Verdict::verified, 0, "", ""};  ///< if not verified
     Proof proof;                                ///< if verified
+    std::optional<Part> part;                   ///< instead, if a part of the file is verified
+    std::optional<std::uint64_t> parts;         ///< so many were combined
     double seconds = 0;
 };
 
 const char* verdict_name(Verdict verdict);  ///< VERIFIED, ...
-int exit_code(Verdict verdict);             ///< 0 verified, 1 rejected, 2 unreadable, 3 unsupported, 4 limit
+int exit_code(Verdict verdict);  ///< 0 verified, or a part, 1 rejected, 2 unreadable, 3 unsupported, 4 limit
 
 /// Verifies one file; whatever is wrong is in the result.
 Result examine(const Job& job);

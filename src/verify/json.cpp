@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "escape.hpp"
+#include "version.hpp"
 
 namespace dumbbell_verify {
 namespace {
@@ -49,13 +50,30 @@ std::string claim(const Result& result) {
                    {"heavy_at_most", result.proof.heavy_once ? "1" : "null"}});
 }
 
+std::string part(const Part& p) {
+    return object({{"first", number(p.pieces.first)},
+                   {"last", number(p.pieces.last)},
+                   {"of", number(p.of)},
+                   {"scene", json_string(p.scene)},
+                   {"section", json_string(p.section)},
+                   {"ratio", range(p.lo, p.hi)},
+                   {"upper", number(p.bounds.upper)},
+                   {"lower", number(p.bounds.lower)},
+                   {"gaps", number(p.bounds.gaps)},
+                   {"open", number(p.bounds.open)},
+                   {"precision", p.precision > 0 ? number(p.precision) : "null"},
+                   {"verifier", json_string(version)},
+                   {"sha256", json_string(p.digest)},
+                   {"line", json_string("s PART " + part_text(p))}});
+}
+
 }  // namespace
 
 std::string json(const Result& result) {
     const Failure& why = result.why;
-    const bool verified = why.verdict == Verdict::verified;
+    const bool verified = why.verdict == Verdict::verified, failed = exit_code(why.verdict) != 0;
     std::vector<Member> leaves, coverage;
-    for (const Tally& tally : result.proof.tallies) {
+    for (const Tally& tally : verified ? result.proof.tallies : std::vector<Tally>()) {
         leaves.push_back({tally.name, number(tally.lines)});
         coverage.push_back({tally.name, std::to_string(tally.covered / std::max(1.0, result.proof.roots))});
     }
@@ -65,11 +83,13 @@ std::string json(const Result& result) {
                    {"sha256", string_unless(!verified, result.proof.digest)},
                    {"schema", json_string("dumbbell-verify-1")},
                    {"demand", demand(result.job->settings)},
+                   {"part", result.part ? part(*result.part) : "null"},
+                   {"parts", number(result.parts)},
                    {"leaves", object(leaves)},
                    {"coverage", object(coverage)},
                    {"line", why.line > 0 ? number(why.line) : "null"},
-                   {"code", string_unless(verified, why.code)},
-                   {"reason", string_unless(verified, why.text)}});
+                   {"code", string_unless(!failed, why.code)},
+                   {"reason", string_unless(!failed, why.text)}});
 }
 
 std::string json(const Lemma& lemma, Verdict verdict, const std::string& comparison,

@@ -31,7 +31,7 @@ std::string element(const TestCase& test) {
     const std::string start = "    <testcase" + attribute("name", test.name) +
                               attribute("classname", "dumbbell-verify") +
                               attribute("time", decimal(test.seconds));
-    if (test.verdict == Verdict::verified) return start + "/>\n";
+    if (exit_code(test.verdict) == 0) return start + "/>\n";
     const std::string kind = test.verdict == Verdict::rejected ? "failure" : "error";
     return start + ">\n      <" + kind + attribute("type", verdict_name(test.verdict)) +
            attribute("message", test.reason) + ">" + xml_text(test.output) + "</" + kind +
@@ -46,13 +46,13 @@ std::string junit(const std::vector<TestCase>& cases, std::time_t started, doubl
             std::count_if(cases.begin(), cases.end(), [&](const TestCase& c) { return is(c.verdict); }));
     };
     std::string text = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>\n  <testsuite";
-    text += attribute("name", "dumbbell-verify") + attribute("package", "dumbbell-verify") +
-            attribute("id", "0") + attribute("timestamp", timestamp(started)) +
-            attribute("hostname", "localhost") + attribute("tests", std::to_string(cases.size())) +
-            attribute("failures", count([](Verdict v) { return v == Verdict::rejected; })) +
-            attribute("errors",
-                      count([](Verdict v) { return v != Verdict::rejected && v != Verdict::verified; })) +
-            attribute("time", decimal(seconds)) + ">\n    <properties/>\n";
+    text +=
+        attribute("name", "dumbbell-verify") + attribute("package", "dumbbell-verify") +
+        attribute("id", "0") + attribute("timestamp", timestamp(started)) +
+        attribute("hostname", "localhost") + attribute("tests", std::to_string(cases.size())) +
+        attribute("failures", count([](Verdict v) { return v == Verdict::rejected; })) +
+        attribute("errors", count([](Verdict v) { return v != Verdict::rejected && exit_code(v) != 0; })) +
+        attribute("time", decimal(seconds)) + ">\n    <properties/>\n";
     std::string output;
     for (const TestCase& test : cases) {
         text += element(test);

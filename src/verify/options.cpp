@@ -6,10 +6,8 @@
 
 #include "claim_list.hpp"
 #include "claim_options.hpp"
-
-#ifndef DUMBBELL_VERSION
-#define DUMBBELL_VERSION "0.0.0"
-#endif
+#include "part_options.hpp"
+#include "version.hpp"
 
 namespace dumbbell_verify {
 namespace {
@@ -31,6 +29,11 @@ Checks certificates (proofs/format.md) independently of the program that wrote t
                        the six options above that state its claim; what stands behind another tab is a remark
   --lemma 4.1|4.2 A B  compare two files: at most as many collisions in A (scene hybrid) as in B (wedge), or
                        at most one more in A (dumbbell) than in B (hybrid)
+  --shards I-J         check only the pieces I to J (or I alone) of one file, counted from 1; the file is read as a
+                       whole. The last line is `s PART ...`, which is no verdict of the file
+  --combine PARTS      check no piece, but take the lines `s PART` in the file PARTS, in any order: the verdict of
+                       the whole file, if they are about it and have every piece. That dumbbell-verify printed
+                       them is trusted, as it is of a log: run any part again that you doubt
   --jobs N             threads (all cores)
   --max-bits B         give up on pieces that need a higher precision (2048)
   --precision BITS     check with at least so many bits instead of in double
@@ -52,12 +55,15 @@ Checks certificates (proofs/format.md) independently of the program that wrote t
   dumbbell-verify --json --lemma 4.1 hybrid.dbc wedge.dbc           a comparison, for a script
   dumbbell-verify --scene wedge --ratio 1:100 --max 16 wedge.dbc    the paper's model wedge
   dumbbell-verify --jobs 1 --precision 200 --max-bits 4096 ten.dbc  slowly, in multiple precision, on one thread
+  dumbbell-verify --quiet --shards 1-90 stairs.dbc >> parts.txt     one part of a large certificate
+  dumbbell-verify --combine parts.txt --ratio 3:9 --max 4 stairs.dbc    all of its parts, put together
 
-Of one file the last line is its verdict: s VERIFIED, s REJECTED, s UNSUPPORTED, s UNREADABLE or s LIMIT. Of
-several, each has one such line with its name, in the given order, and a line with the numbers ends them:
+Of one file the last line is its verdict: s VERIFIED, s REJECTED, s UNSUPPORTED, s UNREADABLE or s LIMIT; with
+--shards s PART instead of s VERIFIED. Of several, each has one such line with its name, in the given order, and
+a line with the numbers ends them:
 c files=3 verified=2 rejected=1 ...
-Exit code: 0 verified and proved, 1 rejected, 2 usage or unreadable, 3 unsupported, 4 resource limit; of
-several codes the first of 1, 4, 3, 2, 0.
+Exit code: 0 verified and proved (with --shards: the part), 1 rejected, 2 usage or unreadable, 3 unsupported,
+4 resource limit; of several codes the first of 1, 4, 3, 2, 0.
 )";
 
 /// The option `name` was given, so none of the others must have been.
@@ -79,9 +85,15 @@ void check_together(const Words& words, const Options& options) {
     exclude(words, "--json", {"--quiet"});
     exclude(words, "--lemma", {"--scene", "--claim", "--max", "--min", "--exactly", "--explain", "--claims"});
     exclude(words, "--claims", {"--ratio", "--max", "--min", "--exactly", "--scene", "--claim"});
+    exclude(words, "--shards",
+            {"--ratio", "--max", "--min", "--exactly", "--lemma", "--claims", "--explain", "--combine"});
+    exclude(words, "--combine", {"--lemma", "--claims", "--explain", "--max-bits"});
     if (words.seen("--claims") && !options.jobs.empty())
         throw std::invalid_argument("--claims names the files: give no other FILE");
     if (options.lemma && options.jobs.size() != 2) throw std::invalid_argument("--lemma compares two files");
+    for (const char* name : {"--shards", "--combine"})
+        if (words.seen(name) && options.jobs.size() != 1)
+            throw std::invalid_argument(std::string(name) + " is about one FILE");
     if (!words.seen("--claims") && options.jobs.empty()) throw std::invalid_argument("no FILE; see --help");
 }
 
@@ -89,7 +101,8 @@ void check_together(const Words& words, const Options& options) {
 
 Options parse_options(const std::vector<std::string>& arguments) {
     Options result;
-    Settings settings;
+    Job asked;
+    Settings& settings = asked.settings;
     Words words(arguments);
     std::string claims;
     settings.jobs = std::max(1U, std::thread::hardware_concurrency());
@@ -98,7 +111,7 @@ Options parse_options(const std::vector<std::string>& arguments) {
         const std::string& name = words.option;
         if (name.empty())
             result.jobs.push_back({words.word, {}});  // its settings: below
-        else if (claim_option(words, settings))
+        else if (claim_option(words, settings) || part_option(words, asked))
             continue;
         else if (name == "--claims")
             claims = words.value();
@@ -124,14 +137,14 @@ Options parse_options(const std::vector<std::string>& arguments) {
         else if (words.word == "--help")
             result.answer = help;
         else if (words.word == "--version")
-            result.answer = "dumbbell-verify " DUMBBELL_VERSION " (" __VERSION__ ")\n";
+            result.answer = "dumbbell-verify " + std::string(version) + " (" __VERSION__ ")\n";
         else
             throw std::invalid_argument("unknown option " + words.word + "; see --help");
     }
     if (!result.answer.empty()) return result;
     check_together(words, result);
     if (result.lemma) settings.demand.keep = all_pieces;
-    for (Job& job : result.jobs) job.settings = settings;
+    for (Job& job : result.jobs) job = {job.file, settings, asked.parts};
     if (words.seen("--claims")) result.jobs = read_claims(claims, settings);
     if (result.lemma) {
         result.jobs[0].settings.scene = result.lemma->scene_a;

@@ -20,9 +20,11 @@ std::string claim_text(const Result& result) {
 
 std::string result_text(const Result& result) {
     const Failure& why = result.why;
+    if (result.part) return part_text(*result.part);
     if (why.verdict == Verdict::verified)
         return claim_text(result) + (result.proof.heavy_once ? " heavy-at-most=1" : "") +
-               " sha256=" + result.proof.digest;
+               " sha256=" + result.proof.digest +
+               (result.parts ? " parts=" + std::to_string(*result.parts) : "");
     std::string text;
     if (why.line > 0) text = "line=" + std::to_string(why.line) + " ";
     if (why.verdict == Verdict::rejected) text += "code=" + why.code + " ";
