@@ -30,7 +30,9 @@ VERIFIER = {f"verify/{name}": f"verify/{unit}" for name, unit in {
     "collisions.hpp": "certificate.cpp", "compare.cpp": "compare.cpp",
     # the program: what was asked, and what the verdict and the exit code say
     "words.hpp": "options.cpp", "options.cpp": "options.cpp", "claim_options.cpp": "claim_options.cpp",
-    "claim_list.cpp": "claim_list.cpp", "examine.cpp": "examine.cpp", "main.cpp": "main.cpp",
+    "claim_list.cpp": "claim_list.cpp", "part_options.cpp": "part_options.cpp", "part.cpp": "part.cpp",
+    "part_lines.cpp": "part_lines.cpp", "piece_sums.cpp": "piece_sums.cpp", "combine.cpp": "combine.cpp",
+    "examine.cpp": "examine.cpp", "main.cpp": "main.cpp",
     "summary.cpp": "summary.cpp", "json.cpp": "json.cpp", "junit.cpp": "junit.cpp", "escape.cpp": "escape.cpp",
     "replace_file.cpp": "replace_file.cpp"}.items()}
 
@@ -43,7 +45,7 @@ GROUPS = {
                             "block", "demand_text"}),
         texts=frozenset(f"verify/{name}" for name in (
             "summary.cpp", "json.cpp", "junit.cpp", "escape.cpp", "initial_claim.cpp", "collisions.cpp",
-            "compare.cpp", "main.cpp")),
+            "compare.cpp", "main.cpp", "part.cpp")),
         targets=("dumbbell-verify", "test_verify", "mutation"),
         programs=("tests/verify/test_verify",),
         prepare=(("{build}/tests/mutation/mutation", "--jobs", "1", "--most", "400", "--dump", "{work}/corpus",
