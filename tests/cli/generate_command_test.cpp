@@ -150,6 +150,7 @@ TEST_CASE("bash completes the verifier, by either of its names") {
         CHECK(with({"--exa"}) == Words{"--exactly"});
         CHECK(with({"--scene", "h"}) == Words{"hybrid"});
         CHECK(with({"--claims", "t"}) == Words{"ten.dbc"});
+        CHECK(with({"--combine", "t"}) == Words{"ten.dbc"});
         CHECK(with({"--max", ""}).empty());
     }
 }

@@ -206,11 +206,16 @@ TEST_CASE("proofs/json.md describes the JSON of verify") {
     std::vector<Json> objects;
     for (const Words& options :
          std::vector<Words>{{"ten.dbc", "box.dbc", "bounce.dbc", "printed.dbc", "bad.dbc"},
-                            {"--ratio", "10", "--exactly", "4", "ten.dbc"}}) {
+                            {"--ratio", "10", "--exactly", "4", "ten.dbc"},
+                            {"--shards", "1", "--precision", "60", "ten.dbc"},
+                            {"--combine", "parts.txt", "ten.dbc"}}) {
         words = options;
         words.insert(words.begin(), {"verify", "--json"});
         for (const Json& object : printed(dumbbell(words, folder.path()))) {
             objects.push_back(object);
+            if (object.at("part").is_object()) {
+                write_file(folder / "parts.txt", object.at("part").at("line").get<std::string>() + "\n");
+            }
         }
     }
     check_documented("verify", objects);

@@ -107,7 +107,7 @@ void collect(const CommandEntry& command, std::vector<const CommandEntry*>& all)
 
 }  // namespace
 
-bool OptionEntry::is_file() const { return value.starts_with("FILE") || value == "LIST"; }
+bool OptionEntry::is_file() const { return value.starts_with("FILE") || value == "LIST" || value == "PARTS"; }
 
 CommandEntry command_table(const CLI::App& app) { return table_of(app, ""); }
 
