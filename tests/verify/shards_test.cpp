@@ -93,7 +93,7 @@ TEST_CASE("shards: the false claim across a critical ratio is rejected by the pa
 
 TEST_CASE("shards: what is wrong without any leaf is rejected by every part") {
     const std::string text = make::contents(stairs);
-    const std::string body = text.substr(0, text.find("total split")), trailer = text.substr(body.size());
+    const std::string body = text.substr(0, text.find("total split"));
     std::vector<std::string> wrong{
         text + "\n",
         text + "x",
