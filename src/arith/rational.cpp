@@ -60,7 +60,7 @@ Integer power_of_ten(int n) { return boost::multiprecision::pow(Integer(10), sta
 
 }  // namespace
 
-std::string shortened(std::string_view text) { return printable(text, 40) + (text.size() > 40 ? "..." : ""); }
+std::string shortened(std::string_view text) { return printable(text, 40); }
 
 Rational parse_rational(std::string_view text, std::size_t max_length) {
     const auto malformed = [&] {

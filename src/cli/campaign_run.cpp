@@ -1,11 +1,17 @@
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <array>
+#include <cstdio>
+#include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <thread>
 
+#include "arith/error.hpp"
 #include "cli/campaign_commands.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/messages.hpp"
@@ -14,8 +20,12 @@
 #include "cli/stop_signals.hpp"
 #include "cluster/campaign.hpp"
 #include "cluster/local_engine.hpp"
+#include "cluster/password.hpp"
 #include "cluster/run_report.hpp"
+#include "cluster/work_queue_engine.hpp"
+#include "cluster/worker_commands.hpp"
 #include "prove/deadline.hpp"
+#include "report/printed.hpp"
 
 namespace dumbbell {
 namespace {
@@ -26,17 +36,67 @@ The same command goes on after it was stopped or killed.
 
 Examples:
   dumbbell campaign run stairs.campaign                 on all cores of this machine
-  dumbbell campaign run stairs.campaign --budget 8h     overnight)";
+  dumbbell campaign run stairs.campaign --budget 8h     overnight
+  dumbbell campaign run stairs.campaign --engine workqueue      on workers, which come and go; prints how to start one
+  dumbbell campaign run stairs.campaign --engine workqueue --port 9200 --address 10.0.0.1    for a network of its own)";
 
 struct Options {
     std::string folder;
     std::string engine = "local";
     std::string budget;
     std::string shard_limit = "10m";
+    WorkQueueOptions queue;
+    bool has_queue_options = false;
     int jobs = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
     bool json = false;
     bool quiet = false;
 };
+
+/// Says at the start, and when nobody came for a while, how to start a worker.
+class WorkersWanted {
+  public:
+    WorkersWanted(const ManagerPlace& place, Loudness loudness)
+        : line_(worker_command(place, place.address)) {
+        std::array<char, 256> host{};
+        ::gethostname(host.data(), host.size() - 1);
+        remark(
+            fmt::format("waiting for workers at {}:{}; to start one: {}", place.address, place.port, line_));
+        if (loudness == Loudness::normal) {
+            fmt::print(stderr, "{}", worker_examples(place, host.data()));
+        }
+    }
+
+    void alone(double seconds, Progress& progress) {
+        if (seconds < next_) {
+            next_ = seconds < first ? first : next_;  // somebody was there
+            return;
+        }
+        progress.note(fmt::format("no worker for {}; to start one: {}", time_text(seconds), line_));
+        next_ = seconds + between;
+    }
+
+  private:
+    static constexpr double first = 60;  // seconds
+    static constexpr double between = 600;
+
+    std::string line_;
+    double next_ = first;
+};
+
+std::unique_ptr<Engine> engine_of(const Options& options, const CampaignFolder& folder,
+                                  std::optional<WorkersWanted>& wanted) {
+    if (options.engine == "local") {
+        if (options.has_queue_options) {
+            throw InputError("--port, --address and --program are for --engine workqueue");
+        }
+        return std::make_unique<LocalEngine>(options.jobs, folder.path());
+    }
+    WorkQueueOptions queue = options.queue;
+    queue.password_file = password_file(std::filesystem::absolute(folder.path()));  // for another folder, too
+    auto engine = std::make_unique<WorkQueueEngine>(queue);
+    wanted.emplace(engine->place(), options.quiet ? Loudness::quiet : Loudness::normal);
+    return engine;
+}
 
 int run(const Options& options) {
     CampaignFolder folder(options.folder);
@@ -47,11 +107,14 @@ int run(const Options& options) {
         deadline(options.budget.empty() ? std::nullopt : std::optional(parse_duration(options.budget)));
     CampaignRun done;
     {
-        LocalEngine engine(options.jobs, folder.path());
+        std::optional<WorkersWanted> wanted;
+        const auto engine = engine_of(options, folder, wanted);
+        how.verifiers = wanted ? options.jobs : 0;
         Progress progress("shards", options.quiet ? Loudness::quiet : Loudness::normal);
         how.progress = [&](std::size_t finished, std::size_t all) { progress.update(finished, all); };
         how.note = [&](const std::string& line) { progress.note(line); };
-        done = run_campaign(folder, engine, how);
+        how.lonely = [&](double seconds) { wanted ? wanted->alone(seconds, progress) : void(); };
+        done = run_campaign(folder, *engine, how);
     }
     if (options.json) {
         fmt::print("{}\n", to_json(done, options.engine).dump(2));
@@ -77,7 +140,31 @@ void add_campaign_run(CLI::App& campaign, int& exit_code) {
         ->add_option("--engine", options->engine, "local (threads), or workqueue (workers on any machines)")
         ->check(CLI::IsMember({"local", "workqueue"}))
         ->capture_default_str();
-    command->add_option("--jobs", options->jobs, "threads; the result does not depend on it")
+    const auto of_queue = [options](const std::string& /*value*/) {
+        options->has_queue_options = true;
+        return std::string();
+    };
+    command
+        ->add_option("--port", options->queue.port,
+                     "workqueue: the port that workers connect to; 0: any free one")
+        ->check(CLI::Range(0, 65535))
+        ->check(of_queue)
+        ->capture_default_str();
+    command
+        ->add_option("--address", options->queue.address,
+                     "workqueue: the numeric address to listen on; the standard one is for this machine only")
+        ->check(of_queue)
+        ->type_name("ADDRESS")
+        ->capture_default_str();
+    command
+        ->add_option(
+            "--program", options->queue.program,
+            "workqueue: this program on the workers' machines, an absolute path; without it this one is sent")
+        ->check(of_queue)
+        ->type_name("PATH");
+    command
+        ->add_option("--jobs", options->jobs,
+                     "threads: of proving, or with workqueue of verifying what comes in")
         ->check(CLI::Range(1, 1024))
         ->default_str("all cores");
     command->add_option("--shard-limit", options->shard_limit, "a shard that takes longer is split")

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "arith/error.hpp"
+#include "cluster/last_line.hpp"
 #include "cluster/verifier_program.hpp"
 
 namespace dumbbell {
@@ -22,7 +23,7 @@ void become_verifier(int argc, char** argv) {
 
 std::string verified(const std::string& file, std::string_view scene) {
     const VerifierAnswer answer = ask_verifier({"--scene=" + std::string(scene), "--", file});
-    std::string verdict = answer.last_line();
+    std::string verdict(last_line(answer.out));
     if (answer.code != 0) {
         throw InputError(fmt::format("'{}' is not verified: {}", file, verdict));
     }

@@ -164,6 +164,7 @@ class Run {
             return;
         }
         ++result_.rejected;
+        engine_.distrust(arrived.outcome);
         folder_.reject(arrived.shard.part.id, arrived.outcome.result);
         log(What::rejected, arrived.shard.part.id, arrived.outcome.worker, arrived.outcome.seconds,
             judgement.reason);

@@ -8,6 +8,7 @@
 #include "certificate/names.hpp"
 #include "certificate/reader.hpp"
 #include "certificate/writer.hpp"
+#include "cluster/last_line.hpp"
 #include "cluster/sealed_lines.hpp"
 #include "cluster/verifier_program.hpp"
 #include "prove/staircase.hpp"
@@ -129,7 +130,7 @@ Judgement CollisionsKind::judge(const Order& order, const std::string& /*folder*
     const VerifierAnswer answer =
         ask_verifier({"--jobs=1", "--quiet", fmt::format("--scene={}", name(common.scene)), "--", file});
     if (answer.code != 0) {
-        return {Judgement::Verdict::wrong, answer.last_line()};
+        return {Judgement::Verdict::wrong, std::string(last_line(answer.out))};
     }
     const Certificate found = read_certificate(file);
     const bool fits =

@@ -58,6 +58,9 @@ class Engine {
     /// The next outcome; nothing if there was none in this time, or a signal asks the program to stop.
     virtual std::optional<Outcome> wait(std::chrono::milliseconds time) = 0;
 
+    /// This outcome's result was not what it should be: its worker is not to be relied on.
+    virtual void distrust(const Outcome& outcome) = 0;
+
     /// So many tasks should be under way, so that no worker waits for one.
     [[nodiscard]] virtual std::size_t wanted() const = 0;
 

@@ -22,6 +22,7 @@ class LocalEngine : public Engine {
 
     void submit(const Task& task) override;
     [[nodiscard]] std::optional<Outcome> wait(std::chrono::milliseconds time) override;
+    void distrust(const Outcome& /*outcome*/) override {}
     [[nodiscard]] std::size_t wanted() const override { return 2 * static_cast<std::size_t>(jobs_); }
     [[nodiscard]] EngineFigures figures() const override;
 

@@ -43,13 +43,6 @@ void verifier_not_started(int error) {
         fmt::format("cannot start the verifier '{}': {}", verifier_path(), std::strerror(error)));
 }
 
-std::string VerifierAnswer::last_line() const {
-    const auto end = out.find_last_not_of('\n') + 1;
-    const auto before = out.rfind('\n', end == 0 ? 0 : end - 1);
-    return out.substr(before == std::string::npos ? 0 : before + 1,
-                      before == std::string::npos ? end : end - before - 1);
-}
-
 VerifierAnswer ask_verifier(std::vector<std::string> words) {
     std::string program = verifier_path();
     std::vector<char*> arguments{program.data()};

@@ -13,8 +13,6 @@ namespace dumbbell {
 struct VerifierAnswer {
     std::string out;
     int code = -1;
-
-    [[nodiscard]] std::string last_line() const;
 };
 
 /// Runs it with these arguments; its stderr is this program's. May be used by several threads at once. Throws

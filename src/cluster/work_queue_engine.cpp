@@ -14,8 +14,9 @@
 #include <utility>
 
 #include "arith/error.hpp"
+#include "arith/printable.hpp"
+#include "cluster/last_line.hpp"
 #include "cluster/password.hpp"
-#include "cluster/printable.hpp"
 #include "cluster/work_queue_api.hpp"
 #include "prove/deadline.hpp"
 
@@ -211,9 +212,19 @@ void WorkQueueEngine::count_failures(const std::string& host, Outcome& outcome) 
     failed.insert(outcome.id);
     if (failed.size() >= failures_that_count) {
         failed_in_a_row_.erase(host);
-        work_queue_block_host_with_timeout(queue_.get(), host.c_str(), options_.leave_out.count());
+        leave_out(host);
         outcome.reason += fmt::format(" ({} tasks in a row failed on {}: it is left out for {} seconds)",
                                       failures_that_count, outcome.worker, options_.leave_out.count());
+    }
+}
+
+void WorkQueueEngine::leave_out(const std::string& host) {
+    work_queue_block_host_with_timeout(queue_.get(), host.c_str(), options_.leave_out.count());
+}
+
+void WorkQueueEngine::distrust(const Outcome& outcome) {
+    if (++distrusted_[outcome.worker] % failures_that_count == 0) {
+        leave_out(outcome.worker);
     }
 }
 

@@ -53,6 +53,9 @@ class WorkQueueEngine : public Engine {
     /// `worker` of the outcome is the name of its host, as told by itself.
     std::optional<Outcome> wait(std::chrono::milliseconds time) override;
 
+    /// At every third such outcome its host is left out for some time.
+    void distrust(const Outcome& outcome) override;
+
     [[nodiscard]] std::size_t wanted() const override;
 
     /// `resent` counts for tasks whose outcome is there.
@@ -83,12 +86,14 @@ class WorkQueueEngine : public Engine {
     [[nodiscard]] std::string command(const Task& task) const;
     [[nodiscard]] Outcome outcome_of(const work_queue_task& task) const;
     void count_failures(const std::string& host, Outcome& outcome);
+    void leave_out(const std::string& host);
 
     WorkQueueOptions options_;
     std::optional<PrivateFolder> copy_;  ///< of the running program, if it is sent
     WorkQueueManager queue_;
     std::map<int, work_queue_task*> under_way_;
     std::map<std::string, std::set<std::string>> failed_in_a_row_;  ///< host to tasks
+    std::map<std::string, std::size_t> distrusted_;  ///< host to its outcomes that were not to be relied on
     std::size_t resent_ = 0;
 };
 

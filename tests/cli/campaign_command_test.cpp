@@ -136,7 +136,7 @@ TEST_CASE("a campaign out of time says so with exit code 3, and goes on") {
 
 TEST_CASE("asked to stop, a campaign stops soon, says what is left, and ends by the signal") {
     const TemporaryFolder folder;
-    plan(folder, "1:1e7", {"--gap", "1e-9"});
+    plan(folder, "1:2e6", {"--gap", "1e-9"});
     Process process(with_program({"campaign", "run", folder / "c"}));
     for (int i = 0; i < 20'000 && kept(folder / "c/results") < 1; ++i) {
         std::this_thread::sleep_for(std::chrono::milliseconds(1));
@@ -220,7 +220,7 @@ TEST_CASE("what stands in the way of a campaign is said in one line, and nothing
 
 TEST_CASE("one campaign has one run at a time") {
     const TemporaryFolder folder;
-    plan(folder, "1:1e8", {"--gap", "1e-9", "--shards", "20"});
+    plan(folder, "1:2e6", {"--gap", "1e-9", "--shards", "20"});
     Process process(with_program({"campaign", "run", folder / "c"}));
     for (int i = 0; i < 20'000 && !fs::exists(folder / "c/journal"); ++i) {
         std::this_thread::sleep_for(std::chrono::milliseconds(1));

@@ -106,6 +106,7 @@ TEST_CASE("garbage is rejected by verification, kept for a look, and the shard p
     });
     const CampaignRun run = campaign.run(engine, verified());
     CHECK(run.rejected == 12);
+    CHECK(engine.distrusted() == std::vector<std::string>(12, "far"));
     CHECK(run.accepted == 4);
     CHECK(merged(*campaign.folder) == in_one_go(3, 14));
     CHECK(std::filesystem::exists(campaign.place.path / "rejected" / campaign.folder->parts()[0].id));

@@ -13,6 +13,7 @@
 #include <string>
 #include <thread>
 #include <utility>
+#include <vector>
 
 #include "cluster/campaign_folder.hpp"
 #include "cluster/critical_kind.hpp"
@@ -43,6 +44,7 @@ class ScriptedEngine : public dumbbell::Engine {
         tasks_.pop_front();
         return script_(task, ++attempts_[task.id]);
     }
+    void distrust(const dumbbell::Outcome& outcome) override { distrusted_.push_back(outcome.worker); }
     [[nodiscard]] std::size_t wanted() const override { return wanted_; }
     [[nodiscard]] dumbbell::EngineFigures figures() const override {
         dumbbell::EngineFigures figures;
@@ -53,6 +55,8 @@ class ScriptedEngine : public dumbbell::Engine {
 
     /// So many tasks were under way at the same time.
     [[nodiscard]] std::size_t most() const { return most_; }
+    /// Whose results were rejected.
+    [[nodiscard]] const std::vector<std::string>& distrusted() const { return distrusted_; }
     /// How often each task was tried.
     [[nodiscard]] const std::map<std::string, int>& attempts() const { return attempts_; }
 
@@ -61,6 +65,7 @@ class ScriptedEngine : public dumbbell::Engine {
     std::size_t wanted_;
     std::deque<dumbbell::Task> tasks_;
     std::map<std::string, int> attempts_;
+    std::vector<std::string> distrusted_;
     std::mt19937 random_{7};
     std::size_t most_ = 0;
 };

@@ -1,15 +1,6 @@
-#include "cluster/printable.hpp"
-
-#include <algorithm>
+#include "cluster/last_line.hpp"
 
 namespace dumbbell {
-
-std::string printable(std::string_view text, std::size_t most) {
-    std::string line(text.substr(0, most));
-    std::replace_if(
-        line.begin(), line.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
-    return line + (text.size() > most ? "..." : "");
-}
 
 std::string_view last_line(std::string_view text) {
     constexpr std::string_view blank = " \t\r\n";
