@@ -1,4 +1,6 @@
 #include <fmt/format.h>
+#include <signal.h>
+#include <sys/prctl.h>
 
 #include <CLI/CLI.hpp>
 #include <chrono>
@@ -31,6 +33,8 @@ struct Options {
 };
 
 int work(const Options& options) {
+    // A worker that gives a task up ends the shell that waits for this program, and nothing else.
+    ::prctl(PR_SET_PDEATHSIG, SIGKILL);
     require_sound_arithmetic();
     const Order order = parse_order(file_contents(options.order));
     const auto folder = std::filesystem::absolute(options.order).parent_path().string();

@@ -135,11 +135,8 @@ void WorkQueueEngine::submit(const Task& task) {
     work_queue_task_specify_tag(made, task.id.c_str());
     work_queue_task_specify_cores(made, 1);
     work_queue_task_specify_max_retries(made, most_tries);
-    if (task.limit) {
-        // For a program that does not keep to its limit.
-        const double seconds = std::min(2 * task.limit->count() + 60, 1e9);
-        work_queue_task_specify_running_time_max(made, static_cast<std::int64_t>(seconds));
-    }
+    // The limit is the program's own matter: the library counts a greatest running time of one task for all
+    // of them, and what it ends so runs on without its shell.
     work_queue_task_specify_buffer(made, task.order.data(), static_cast<int>(task.order.size()), "order",
                                    WORK_QUEUE_NOCACHE);
     if (copy_) {
@@ -183,8 +180,7 @@ Outcome WorkQueueEngine::outcome_of(const work_queue_task& task) const {
     outcome.worker = printable(task.hostname != nullptr ? task.hostname : "", longest_host_name);
     outcome.seconds = seconds(task.time_workers_execute_last);
     const std::string_view output = task.output != nullptr ? task.output : "";
-    if (task.result == WORK_QUEUE_RESULT_TASK_MAX_RUN_TIME ||
-        (task.result == WORK_QUEUE_RESULT_SUCCESS && task.return_status == end_too_long)) {
+    if (task.result == WORK_QUEUE_RESULT_SUCCESS && task.return_status == end_too_long) {
         outcome.end = Outcome::End::too_long;
     } else if (task.result != WORK_QUEUE_RESULT_SUCCESS) {
         outcome.reason = why(task);

@@ -155,6 +155,14 @@ TEST_CASE("a task that gives no result says why") {
     CHECK(reason(engine, "zeros 1001") == "a result of more than 1000 bytes");
 }
 
+TEST_CASE("a task with a limit has all of it, however long the library looks away") {
+    const Site site;
+    WorkQueueEngine engine(site.options());
+    const auto worker = site.worker(engine.port());
+    engine.submit({"slow", "sleep 7\n", {}, 60s});
+    CHECK(next(engine).result == "slept\n");
+}
+
 TEST_CASE("a worker that is killed costs no task, and none comes twice") {
     const Site site;
     WorkQueueEngine engine(site.options());
