@@ -16,6 +16,7 @@
 #include "cluster/campaign_folder.hpp"
 #include "cluster/collisions_kind.hpp"
 #include "cluster/critical_kind.hpp"
+#include "cluster/verified_kind.hpp"
 #include "prove/deadline.hpp"
 
 namespace dumbbell {
@@ -27,18 +28,20 @@ constexpr const char* description =
 Examples:
   dumbbell campaign plan stairs.campaign 1:1e8 --gap 1e-9
   dumbbell campaign plan full.campaign 1:1000 --section full
-  dumbbell campaign plan ratios.campaign critical 3:10000 --digits 30)";
+  dumbbell campaign plan ratios.campaign critical 3:10000 --digits 30
+  dumbbell campaign plan check.campaign verify stairs.dbc       the verification of a large certificate)";
 
 struct Options {
     std::string folder;
     CertifyClaim claim;
+    std::string certificate;
     std::string counts;
     int digits = CriticalRequest{}.digits;
     std::optional<std::size_t> shards;
 };
 
-int made(const std::string& folder, const Plan& plan) {
-    CampaignFolder::create(folder, plan);
+int made(const std::string& folder, const Plan& plan, const std::vector<std::string>& sources = {}) {
+    CampaignFolder::create(folder, plan, sources);
     fmt::print("{}\n{} shards of {} units in '{}'; to work them off: dumbbell campaign run {}\n", plan.claim,
                plan.shards.size(), plan.whole.units.size(), folder, folder);
     return exit_done;
@@ -61,6 +64,11 @@ int plan_critical(const Options& options) {
     return made(options.folder, plan_critical(request, options.shards));
 }
 
+int plan_verify(const Options& options) {
+    const VerifiedPlan made_of = plan_verified(options.certificate, options.shards);
+    return made(options.folder, made_of.plan, made_of.sources);
+}
+
 }  // namespace
 
 void add_campaign_plan(CLI::App& campaign, int& exit_code) {
@@ -77,16 +85,21 @@ void add_campaign_plan(CLI::App& campaign, int& exit_code) {
     critical->add_option("--digits", options->digits, "significant digits, all of them proved")
         ->check(CLI::Range(1, most_critical_digits))
         ->capture_default_str();
-    command->callback([options, critical, &exit_code] {
+    CLI::App* verify = command->add_subcommand(
+        "verify",
+        "The verification of a certificate, in parts. Merged they are what dumbbell-verify --combine takes.");
+    verify->add_option("FILE", options->certificate, "certificate about collisions")->required();
+    command->callback([options, critical, verify, &exit_code] {
         exit_code = stoppable([&] {
-            if (critical->parsed()) {
+            if (critical->parsed() || verify->parsed()) {
                 if (!options->claim.ratio.empty()) {
-                    throw InputError("give either a range of mass ratios, or critical N1:N2");
+                    throw InputError("give either a range of mass ratios, or another kind of claim");
                 }
-                return plan_critical(*options);
+                return critical->parsed() ? plan_critical(*options) : plan_verify(*options);
             }
             if (options->claim.ratio.empty()) {
-                throw InputError("give the claim: a range of mass ratios LO:HI, or critical N1:N2");
+                throw InputError(
+                    "give the claim: a range of mass ratios LO:HI, or critical N1:N2, or verify FILE");
             }
             return plan_certify(*options);
         });

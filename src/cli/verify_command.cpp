@@ -18,7 +18,7 @@ void become_verifier(int argc, char** argv) {
     arguments.insert(arguments.end(), argv + 2, argv + argc);
     arguments.push_back(nullptr);
     ::execv(program.c_str(), arguments.data());
-    verifier_not_started(errno);
+    verifier_not_started(program, errno);
 }
 
 std::string verified(const std::string& file, std::string_view scene) {

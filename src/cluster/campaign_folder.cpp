@@ -47,7 +47,9 @@ void make_folder(const std::string& path) {
 
 }  // namespace
 
-void CampaignFolder::create(const std::string& path, const Plan& plan) {
+void CampaignFolder::create(const std::string& path, const Plan& plan,
+                            const std::vector<std::string>& sources) {
+    require(sources.size() == plan.inputs.size(), "a plan whose inputs are not there");
     std::error_code failed;
     if (fs::exists(fs::symlink_status(path, failed)) &&
         (!fs::is_directory(path, failed) || !fs::is_empty(path, failed))) {
@@ -57,6 +59,12 @@ void CampaignFolder::create(const std::string& path, const Plan& plan) {
     make_folder(path);
     for (const std::string_view name : folders) {
         make_folder(fmt::format("{}/{}", path, name));
+    }
+    for (std::size_t i = 0; i < sources.size(); ++i) {
+        const std::string copy = path + "/" + plan.inputs[i];
+        if (!fs::copy_file(sources[i], copy, failed)) {
+            throw InputError(fmt::format("cannot copy '{}' to '{}': {}", sources[i], copy, failed.message()));
+        }
     }
     AtomicFile(path + "/plan").commit(render(plan));  // last: with it the folder is a campaign
 }

@@ -29,8 +29,10 @@ class ResultsDiffer : public std::runtime_error {
 /// under way and nothing else. All functions throw InputError where a file cannot be written.
 class CampaignFolder {
   public:
-    /// Makes the folder, which is not there yet or empty. `inputs` of the plan have to be copied into it.
-    static void create(const std::string& path, const Plan& plan);
+    /// Makes the folder, which is not there yet or empty. `sources`: the files that become the plan's inputs,
+    /// in their order.
+    static void create(const std::string& path, const Plan& plan,
+                       const std::vector<std::string>& sources = {});
 
     /// Opens it. Throws InputError, and changes nothing, if it is no campaign, one of another version, if its
     /// plan was changed after the start, or if it holds a file that is not of its making.

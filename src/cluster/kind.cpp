@@ -6,17 +6,22 @@
 #include "arith/printable.hpp"
 #include "cluster/collisions_kind.hpp"
 #include "cluster/critical_kind.hpp"
+#include "cluster/verified_kind.hpp"
 
 namespace dumbbell {
 
 const Kind& kind_named(std::string_view name) {
     static const CollisionsKind collisions;
     static const CriticalKind critical;
+    static const VerifiedKind verified;
     if (name == "collisions") {
         return collisions;
     }
     if (name == "critical") {
         return critical;
+    }
+    if (name == "verified") {
+        return verified;
     }
     throw InputError(fmt::format("there are no campaigns of the kind '{}'", printable(name, 40)));
 }

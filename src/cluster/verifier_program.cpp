@@ -38,13 +38,11 @@ std::string verifier_path() {
     return (self.parent_path() / "dumbbell-verify").string();
 }
 
-void verifier_not_started(int error) {
-    throw InputError(
-        fmt::format("cannot start the verifier '{}': {}", verifier_path(), std::strerror(error)));
+void verifier_not_started(const std::string& program, int error) {
+    throw InputError(fmt::format("cannot start the verifier '{}': {}", program, std::strerror(error)));
 }
 
-VerifierAnswer ask_verifier(std::vector<std::string> words) {
-    std::string program = verifier_path();
+VerifierAnswer ask_verifier(std::vector<std::string> words, std::string program) {
     std::vector<char*> arguments{program.data()};
     for (std::string& word : words) {
         arguments.push_back(word.data());
@@ -52,7 +50,7 @@ VerifierAnswer ask_verifier(std::vector<std::string> words) {
     arguments.push_back(nullptr);
     std::array<int, 2> pipe{};
     if (::pipe2(pipe.data(), O_CLOEXEC) != 0) {
-        verifier_not_started(errno);
+        verifier_not_started(program, errno);
     }
     posix_spawn_file_actions_t actions;
     posix_spawn_file_actions_init(&actions);
@@ -63,7 +61,7 @@ VerifierAnswer ask_verifier(std::vector<std::string> words) {
     ::close(pipe[1]);
     VerifierAnswer answer{read_to_end(pipe[0]), -1};
     if (error != 0) {
-        verifier_not_started(error);
+        verifier_not_started(program, error);
     }
     int status = 0;
     while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {

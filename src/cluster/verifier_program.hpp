@@ -15,11 +15,12 @@ struct VerifierAnswer {
     int code = -1;
 };
 
-/// Runs it with these arguments; its stderr is this program's. May be used by several threads at once. Throws
-/// InputError if it cannot be started.
-[[nodiscard]] VerifierAnswer ask_verifier(std::vector<std::string> arguments);
+/// Runs it, or another copy of it, with these arguments; its stderr is this program's. May be used by several
+/// threads at once. Throws InputError if it cannot be started.
+[[nodiscard]] VerifierAnswer ask_verifier(std::vector<std::string> arguments,
+                                          std::string program = verifier_path());
 
 /// For whoever could not start it: throws InputError.
-[[noreturn]] void verifier_not_started(int error);
+[[noreturn]] void verifier_not_started(const std::string& program, int error);
 
 }  // namespace dumbbell

@@ -247,7 +247,7 @@ TEST_CASE("claims that make no campaign are refused, with what to do") {
     CHECK_THAT(refused({"campaign", "plan", "c", "10"}), Contains("use dumbbell certify"));
     CHECK_THAT(refused({"campaign", "plan", "c", "critical", "5"}), Contains("use dumbbell critical"));
     CHECK_THAT(refused({"campaign", "plan", "c"}), Contains("give the claim"));
-    CHECK_THAT(refused({"campaign", "plan", "c", "1:5", "critical", "3:5"}), Contains("either"));
+    CHECK_THAT(refused({"campaign", "plan", "c", "1:5", "critical", "3:5"}), Contains("give either"));
     CHECK_THAT(refused({"campaign", "plan", "c", "5:1"}), Contains("smaller ratio first"));
     CHECK_THAT(refused({"campaign", "plan", "c", "1:5", "--shards", "0"}), Contains("--shards"));
     CHECK_THAT(refused({"campaign", "plan", "c", "1:5", "--lemmas", "none"}), Contains("--section full"));

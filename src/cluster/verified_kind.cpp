@@ -1,0 +1,168 @@
+#include "cluster/verified_kind.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "arith/error.hpp"
+#include "arith/printable.hpp"
+#include "certificate/any_reader.hpp"
+#include "certificate/atomic_file.hpp"
+#include "certificate/file_contents.hpp"
+#include "certificate/names.hpp"
+#include "certificate/reader.hpp"
+#include "cluster/last_line.hpp"
+#include "cluster/sealed_lines.hpp"
+#include "cluster/verifier_program.hpp"
+
+namespace dumbbell {
+namespace {
+
+constexpr std::string_view verifier_name = "dumbbell-verify";
+constexpr std::string_view certificate_name = "certificate.dbc";
+constexpr std::string_view packed_name = "certificate.dbc.gz";
+
+/// What an order is about.
+struct Subject {
+    std::string file;
+    Scene scene = Scene::dumbbell;
+    std::string digest;
+    std::size_t of = 0;  ///< pieces of the file
+};
+
+/// All but the digest and the number of pieces, which stand behind it.
+std::string beginning(std::string_view file, Scene scene) {
+    return fmt::format("prove verified\nfile {}\nscene {}\n", file, name(scene));
+}
+
+std::string head_of(const Subject& subject) {
+    return fmt::format("{}digest {}\nof {}\n", beginning(subject.file, subject.scene), subject.digest,
+                       subject.of);
+}
+
+[[noreturn]] void not_ours() { throw InputError("the order is about a certificate in a way that none is"); }
+
+Subject subject_of(const Order& order) {
+    constexpr std::string_view before_digest = "digest ";
+    constexpr std::string_view before_count = "\nof ";
+    for (const std::string_view file : {certificate_name, packed_name}) {
+        for (const Scene scene : {Scene::dumbbell, Scene::hybrid, Scene::wedge}) {
+            const std::string before = beginning(file, scene);
+            const std::size_t digest = before.size() + before_digest.size();
+            const std::size_t count = digest + 64 + before_count.size();
+            if (!order.head.starts_with(before) || order.head.size() <= count) {
+                continue;
+            }
+            const std::string_view number(order.head.data() + count, order.head.size() - count - 1);
+            Subject subject{std::string(file), scene, order.head.substr(digest, 64), parse_size(number)};
+            const bool is_digest = subject.digest.find_first_not_of("0123456789abcdef") == std::string::npos;
+            if (is_digest && order.head == head_of(subject)) {
+                return subject;
+            }
+        }
+    }
+    not_ours();
+}
+
+/// The numbers of the first and the last piece; they follow one another.
+std::pair<std::size_t, std::size_t> pieces_of(const Order& order) {
+    constexpr std::string_view keyword = "piece ";
+    const auto number = [&](const std::string& unit) {
+        return unit.starts_with(keyword) ? parse_size(std::string_view(unit).substr(keyword.size())) : 0;
+    };
+    const std::size_t first = order.units.empty() ? 0 : number(order.units.front());
+    for (std::size_t i = 0; i < order.units.size(); ++i) {
+        if (first == 0 || number(order.units[i]) != first + i) {
+            not_ours();
+        }
+    }
+    return {first, first + order.units.size() - 1};
+}
+
+std::string in(const std::string& folder, std::string_view name) {
+    return fmt::format("{}/{}", folder, name);
+}
+
+}  // namespace
+
+std::optional<std::string> VerifiedKind::work(const Order& order, const std::string& folder,
+                                              const Interrupted& interrupted) const {
+    const Subject subject = subject_of(order);
+    const auto [first, last] = pieces_of(order);
+    if (interrupted()) {
+        return std::nullopt;
+    }
+    const VerifierAnswer answer = ask_verifier(
+        {"--jobs=1", "--quiet", "--max-bits=4096", fmt::format("--scene={}", name(subject.scene)),
+         fmt::format("--shards={}-{}", first, last), "--", in(folder, subject.file)},
+        in(folder, verifier_name));
+    if (interrupted()) {
+        return std::nullopt;  // the signal may have ended the verifier
+    }
+    if (answer.code != 0) {
+        throw InputError(fmt::format("the verifier: {}", last_line(answer.out)));
+    }
+    return fmt::format("{}\n", last_line(answer.out));
+}
+
+Judgement VerifiedKind::judge(const Order& order, const std::string& /*folder*/,
+                              const std::string& file) const {
+    const Subject subject = subject_of(order);
+    const auto [first, last] = pieces_of(order);
+    const std::string text = file_contents(file);
+    const bool fits = text.starts_with(fmt::format("s PART pieces={}-{} of={} ", first, last, subject.of)) &&
+                      text.ends_with(fmt::format(" sha256={}\n", subject.digest)) &&
+                      std::count(text.begin(), text.end(), '\n') == 1;
+    if (!fits) {
+        return {Judgement::Verdict::wrong,
+                fmt::format("it is no verification of these pieces: {}", printable(text, 100))};
+    }
+    return {Judgement::Verdict::proved, ""};
+}
+
+Kind::Merged VerifiedKind::merge(const Plan& plan, const std::string& folder,
+                                 const std::vector<std::string>& files) const {
+    std::string lines;
+    for (const std::string& file : files) {
+        lines += file_contents(file);
+    }
+    const std::string parts = in(folder, "arrived") + "/" + plan.whole.id();
+    AtomicFile(parts).commit(lines, Survives::program);
+    const Subject subject = subject_of(plan.whole);
+    const VerifierAnswer answer =
+        ask_verifier({"--quiet", fmt::format("--scene={}", name(subject.scene)),
+                      fmt::format("--combine={}", parts), "--", in(folder, subject.file)},
+                     in(folder, verifier_name));
+    std::filesystem::remove(parts);
+    const std::string verdict(last_line(answer.out));
+    if (answer.code != 0 || verdict.find(fmt::format(" sha256={} ", subject.digest)) == std::string::npos) {
+        throw InputError(fmt::format("the parts do not combine: {}", verdict));
+    }
+    return {lines, false};
+}
+
+VerifiedPlan plan_verified(const std::string& file, std::optional<std::size_t> shards) {
+    const Certificate certificate = read_certificate(file);
+    const Subject subject{std::string(file.ends_with(".gz") ? packed_name : certificate_name),
+                          certificate.scene, sealed_digest(file), certificate.pieces.size()};
+    VerifiedPlan made{
+        {fmt::format("verify {}, a certificate over {}:{}, sha256 {}",
+                     printable(std::filesystem::path(file).filename().string(), 100),
+                     to_fraction(certificate.q_lo()), to_fraction(certificate.q_hi()), subject.digest),
+         {head_of(subject), {}},
+         {},
+         {subject.file, std::string(verifier_name)}},
+        {file, verifier_path()}};
+    constexpr std::size_t many_shards = 64;
+    std::vector<std::size_t> costs;
+    for (std::size_t i = 0; i < certificate.pieces.size(); ++i) {
+        made.plan.whole.units.push_back(fmt::format("piece {}", i + 1));
+        const long upper = certificate.pieces[i].upper.value_or(0);
+        costs.push_back(static_cast<std::size_t>(std::clamp(upper, 0L, 1'000'000'000L)) + 10);
+    }
+    made.plan.shards = even_shards(costs, shards.value_or(many_shards));
+    return made;
+}
+
+}  // namespace dumbbell
