@@ -157,16 +157,7 @@ long most_collisions(const Options& options, const AdiabaticHypotheses& of) {
 }
 
 void write_certificate(AdiabaticReport& report, const std::string& path, const AtomicFile& file) {
-    const AdiabaticProof& proof = report.results.front().proof;
-    AdiabaticCertificate certificate;
-    certificate.program = "dumbbell";
-    certificate.version = DUMBBELL_VERSION;
-    certificate.hypotheses = proof.of;
-    certificate.bounds = proof.bounds;
-    certificate.classes = proof.classes;
-    certificate.tree = proof.tree;
-    certificate.attained = proof.attained;
-    CertificateText text = render(certificate);
+    CertificateText text = render(certificate_of(report.results.front().proof));
     file.commit(text.text);
     report.out = path;
     report.sha256 = std::move(text.sha256);

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "arith/decimal.hpp"
+#include "arith/error.hpp"
 #include "model/adiabatic_bounce_leaf.hpp"
 #include "model/adiabatic_pair_leaf.hpp"
 #include "prove/adiabatic_attained.hpp"
@@ -274,5 +275,18 @@ bool AdiabaticProof::complete() const {
 }
 
 AdiabaticProof prove_adiabatic(const AdiabaticRequest& request) { return Prover(request).proof(); }
+
+AdiabaticCertificate certificate_of(const AdiabaticProof& proof) {
+    require(proof.complete(), "certificate: there is no proof to write");
+    AdiabaticCertificate certificate;
+    certificate.program = "dumbbell";
+    certificate.version = DUMBBELL_VERSION;
+    certificate.hypotheses = proof.of;
+    certificate.bounds = proof.bounds;
+    certificate.classes = proof.classes;
+    certificate.tree = proof.tree;
+    certificate.attained = proof.attained;
+    return certificate;
+}
 
 }  // namespace dumbbell

@@ -42,4 +42,7 @@ void require_sensible(const AdiabaticHypotheses& of);
 /// does not depend on the number of jobs, unless interrupted. Precondition: require_sensible(of).
 [[nodiscard]] AdiabaticProof prove_adiabatic(const AdiabaticRequest& request);
 
+/// What this program writes of a complete proof.
+[[nodiscard]] AdiabaticCertificate certificate_of(const AdiabaticProof& proof);
+
 }  // namespace dumbbell
