@@ -12,8 +12,8 @@
 #include "arith/error.hpp"
 #include "certificate/adiabatic_writer.hpp"
 #include "certificate/atomic_file.hpp"
+#include "cli/adiabatic_claim.hpp"
 #include "cli/exit_code.hpp"
-#include "cli/initial_argument.hpp"
 #include "cli/messages.hpp"
 #include "cli/progress.hpp"
 #include "cli/ratio_argument.hpp"
@@ -54,97 +54,20 @@ Exit codes: 0 certified; 1 internal error; 2 wrong usage or input; 3 not certifi
 stopped by SIGINT (Ctrl-C) or SIGTERM: nothing is kept.)";
 
 struct Options {
-    std::string delta;
-    std::string theorem = "thm3.3";
-    std::optional<std::string> y, margins, exponents, bounces, budget;
-    std::string accuracy = "0.1", out;
+    AdiabaticWords claim;
+    std::optional<std::string> bounces, budget;
+    std::string out;
     int jobs = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
     bool json = false;
     bool quiet = false;
 };
 
-/// Throws the same error with the option's name before it.
-template <class Parse>
-auto parse(const char* option, const std::string& text, const Parse& how) {
-    try {
-        return how(text);
-    } catch (const InputError& error) {
-        throw InputError(fmt::format("{}: {}", option, error.what()));
-    }
-}
-
-Rational parse_number(const char* option, const std::string& text) {
-    return parse(option, text, [](const std::string& number) { return parse_rational(number); });
-}
-
-std::vector<Rational> parse_list(const char* option, const std::string& text) {
-    std::vector<Rational> numbers;
-    for (std::size_t from = 0; from <= text.size();) {
-        const std::size_t comma = std::min(text.find(',', from), text.size());
-        numbers.push_back(parse_number(option, text.substr(from, comma - from)));
-        from = comma + 1;
-    }
-    return numbers;
-}
-
-int parse_exponent(const Rational& k) {
-    const Rational sixteenths = k * 16;
-    if (k < 0 || k > 1 || denominator(sixteenths) != 1) {
-        throw InputError("--k must be a multiple of 1/16 from 0 to 1, for example 1/2 or 0.25");
-    }
-    return sixteenths.convert_to<int>();
-}
-
-AdiabaticClaim claim_of(const std::string& theorem) {
-    return theorem == "thm3.3"    ? AdiabaticClaim::run
-           : theorem == "thm3.5"  ? AdiabaticClaim::scattering
-           : theorem == "printed" ? AdiabaticClaim::printed
-                                  : AdiabaticClaim::bounce;
-}
-
-std::string default_margin(AdiabaticClaim claim) {
-    return claim == AdiabaticClaim::bounce ? "1" : claim == AdiabaticClaim::run ? "3/10" : "1/2";
-}
-
-void require_applicable(const Options& options, AdiabaticClaim claim) {
-    const auto refuse = [&](const char* option, const char* where) {
-        throw InputError(fmt::format("{} is for {} only", option, where));
-    };
-    if (options.exponents && options.theorem != "cor3.2") {
-        refuse("--k", "--theorem cor3.2");
-    }
-    if (options.bounces && claim != AdiabaticClaim::run) {
-        refuse("--bounces", "--theorem thm3.3");
-    }
-    if (options.y && (claim == AdiabaticClaim::scattering || claim == AdiabaticClaim::printed)) {
-        refuse("--y", "lemma3.1, cor3.2 and thm3.3");
-    }
-}
-
-/// All hypotheses asked for: one for each distance and exponent.
-std::vector<AdiabaticHypotheses> hypotheses(const Options& options) {
-    AdiabaticHypotheses of;
-    of.claim = claim_of(options.theorem);
-    require_applicable(options, of.claim);
-    of.delta = parse_quantity("--delta", options.delta);
-    const char* heights = of.claim == AdiabaticClaim::run ? "0:0.9" : "0:1";
-    of.heights = parse_quantity("--y", options.y.value_or(heights));
-    std::vector<AdiabaticHypotheses> result;
-    for (const Rational& k : parse_list("--k", options.exponents.value_or("1/2"))) {
-        of.exponent = parse_exponent(k);
-        for (const Rational& margin :
-             parse_list("--phi-margin", options.margins.value_or(default_margin(of.claim)))) {
-            of.margin = margin;
-            require_sensible(of);
-            result.push_back(of);
-        }
-    }
-    return result;
-}
-
 /// K/delta, of the attained orbit of a run.
 long most_collisions(const Options& options, const AdiabaticHypotheses& of) {
     constexpr long most = 1'000'000;
+    if (options.bounces && of.claim != AdiabaticClaim::run) {
+        throw InputError("--bounces is for --theorem thm3.3 only");
+    }
     const Rational factor = parse_number("--bounces", options.bounces.value_or("1"));
     if (factor <= 0) {
         throw InputError("--bounces must be greater than 0: orbits of n <= K/delta bounces are looked at");
@@ -182,11 +105,8 @@ AdiabaticResult proved(const AdiabaticRequest& request) {
 }
 
 int run(const Options& options) {
-    const auto wanted = hypotheses(options);
-    AdiabaticReport report{options.theorem, parse_number("--accuracy", options.accuracy), {}, {}, {}};
-    if (report.accuracy <= 0 || report.accuracy > 1) {
-        throw InputError("--accuracy must be greater than 0 and at most 1, for example 0.1 for 10 %");
-    }
+    const auto wanted = statements_of(options.claim, Deltas::one);
+    AdiabaticReport report{options.claim.theorem, accuracy_of(options.claim), {}, {}, {}};
     if (!options.out.empty() && wanted.size() > 1) {
         throw InputError(
             "--out takes one statement: give one distance (--phi-margin) and one exponent (--k)");
@@ -238,34 +158,12 @@ void add_adiabatic_command(CLI::App& app, int& exit_code) {
     auto options = std::make_shared<Options>();
     CLI::App* command = app.add_subcommand("adiabatic", description);
     command->footer(footer);
-    command->add_option("--delta", options->delta, "square root of the light mass, or closed range D1:D2")
-        ->required()
-        ->type_name("D|D1:D2");
-    command->add_option("--theorem", options->theorem, "the statement")
-        ->check(CLI::IsMember({"lemma3.1", "cor3.2", "thm3.3", "thm3.5", "printed"}))
-        ->capture_default_str();
-    command
-        ->add_option("--y", options->y,
-                     "heights of the centre of mass before the first collision; default 0:1, thm3.3: 0:0.9")
-        ->type_name("Y1:Y2");
-    command
-        ->add_option(
-            "--phi-margin", options->margins,
-            "distance from the vertical: m of m delta^k (default 1), u_* (thm3.3: 0.3) or c of c sqrt(delta) "
-            "(thm3.5, printed: 1/2); or a list of them")
-        ->type_name("M[,M...]");
+    add_adiabatic_options(*command, options->claim, Deltas::one);
     command
         ->add_option("--bounces", options->bounces,
                      "thm3.3: look for the attained orbit with at most K/delta bounces (the bound holds for "
                      "any number)")
         ->type_name("K");
-    command
-        ->add_option("--k", options->exponents,
-                     "cor3.2: the exponent, a multiple of 1/16 from 0 to 1; or a list")
-        ->type_name("K[,K...]");
-    command->add_option("--accuracy", options->accuracy, "of the bound over what is attained, relative")
-        ->type_name("A")
-        ->capture_default_str();
     command->add_option("--budget", options->budget, "stop after this time: 30s, 10m, 2h")->type_name("TIME");
     command->add_option("--jobs", options->jobs, "threads; the result does not depend on it")
         ->check(CLI::Range(1, 1024))
