@@ -4,6 +4,7 @@
 
 #include "arith/error.hpp"
 #include "arith/printable.hpp"
+#include "cluster/adiabatic_kind.hpp"
 #include "cluster/collisions_kind.hpp"
 #include "cluster/critical_kind.hpp"
 #include "cluster/verified_kind.hpp"
@@ -11,9 +12,13 @@
 namespace dumbbell {
 
 const Kind& kind_named(std::string_view name) {
+    static const AdiabaticKind adiabatic;
     static const CollisionsKind collisions;
     static const CriticalKind critical;
     static const VerifiedKind verified;
+    if (name == "adiabatic") {
+        return adiabatic;
+    }
     if (name == "collisions") {
         return collisions;
     }

@@ -1,0 +1,159 @@
+#include "cluster/adiabatic_kind.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+#include "arith/decimal.hpp"
+#include "arith/error.hpp"
+#include "certificate/adiabatic_reader.hpp"
+#include "certificate/adiabatic_writer.hpp"
+#include "certificate/any_reader.hpp"
+#include "cluster/adiabatic_case.hpp"
+#include "cluster/last_line.hpp"
+#include "cluster/verifier_program.hpp"
+#include "prove/adiabatic.hpp"
+
+namespace dumbbell {
+namespace {
+
+constexpr std::string_view head_begin = "prove adiabatic\naccuracy ";
+
+std::string head_of(const Rational& accuracy) {
+    return fmt::format("{}{}\n", head_begin, to_fraction(accuracy));
+}
+
+Rational accuracy_of(const Order& order) {
+    constexpr std::size_t longest = 10'000;
+    if (order.head.starts_with(head_begin) && order.head.ends_with('\n')) {
+        const std::string_view number = std::string_view(order.head).substr(head_begin.size());
+        Rational accuracy = parse_rational(number.substr(0, number.size() - 1), longest);
+        if (accuracy > 0 && accuracy <= 1 && head_of(accuracy) == order.head) {
+            return accuracy;
+        }
+    }
+    throw InputError("the order asks for no accuracy, or for one that this program does not know");
+}
+
+AdiabaticHypotheses statement_of(const Order& order) {
+    if (order.units.size() != 1) {
+        throw InputError("the order has several statements: a certificate proves one");
+    }
+    return parse_case(order.units.front());
+}
+
+/// About, in proportion to what docs/adiabatic.md measured.
+std::size_t cost_of(const AdiabaticHypotheses& of) {
+    if (of.claim == AdiabaticClaim::bounce || of.claim == AdiabaticClaim::printed) {
+        return 1;
+    }
+    constexpr int greatest = 1000;
+    constexpr std::size_t of_a_range = 4;
+    const Rational far = of.claim == AdiabaticClaim::run ? 11 : 50;
+    const Rational cost = std::min(Rational(far / of.margin), Rational(greatest));
+    return static_cast<std::size_t>(cost.convert_to<double>()) *
+           (of.delta.first < of.delta.second ? of_a_range : 1);
+}
+
+constexpr std::string_view table_head =
+    "# Constants of the adiabatic invariant: each line is a statement of dumbbell adiabatic. Its errors are "
+    "at "
+    "most C1 (and C2),\n"
+    "# in its units, and enclosed orbits attain at least B1 (and B2). A certificate proves one statement, so "
+    "this table proves\n"
+    "# nothing: each line has a certificate of its own in the campaign's folder, which dumbbell-verify "
+    "accepts; "
+    "sha256 is the\n"
+    "# one in its last line.\n"
+    "# theorem\tdelta_lo\tdelta_hi\ty_lo\ty_hi\tmargin\tk\tC1\tC2\tB1\tB2\tsha256\tcertificate\n";
+
+/// Exactly.
+std::string cell(const Rational& x) { return x == 0 ? "0" : exact_text(x); }
+
+std::string line_of(const AdiabaticCertificate& certificate, const std::string& digest,
+                    const std::string& file) {
+    std::vector<std::string> cells = columns_of(certificate.hypotheses);
+    for (std::size_t i = 0; i < 2; ++i) {
+        cells.push_back(i < certificate.bounds.size() ? cell(certificate.bounds[i]) : "-");
+    }
+    for (std::size_t i = 0; i < 2; ++i) {
+        cells.push_back(i < certificate.attained.size() ? cell(certificate.attained[i].value) : "-");
+    }
+    return fmt::format("{}\t{}\t{}\n", fmt::join(cells, "\t"), digest, file);
+}
+
+}  // namespace
+
+std::optional<std::string> AdiabaticKind::work(const Order& order, const std::string& /*folder*/,
+                                               const Interrupted& interrupted) const {
+    AdiabaticRequest request;
+    request.of = statement_of(order);
+    request.accuracy = accuracy_of(order);
+    request.interrupted = interrupted;
+    const AdiabaticProof proof = prove_adiabatic(request);
+    if (interrupted()) {
+        return std::nullopt;  // even of a complete proof: a search that ended early finds other orbits
+    }
+    if (!proof.complete()) {
+        throw InputError(
+            fmt::format("not certified: adiabatic {}; take a smaller delta (or range of them), a greater "
+                        "--phi-margin or a higher --y",
+                        options_of({request.of})));
+    }
+    return render(certificate_of(proof)).text;
+}
+
+Judgement AdiabaticKind::judge(const Order& order, const std::string& /*folder*/,
+                               const std::string& file) const {
+    const AdiabaticHypotheses of = statement_of(order);
+    const VerifierAnswer answer =
+        ask_verifier({"--jobs=1", "--quiet", fmt::format("--claim={}", name(of.claim)), "--", file});
+    if (answer.code != 0) {
+        return {Judgement::Verdict::wrong, std::string(last_line(answer.out))};
+    }
+    if (case_of(read_adiabatic_certificate(file).hypotheses) != case_of(of)) {
+        return {Judgement::Verdict::wrong, "it proves something else"};
+    }
+    return {Judgement::Verdict::proved, ""};
+}
+
+Kind::Merged AdiabaticKind::merge(const Plan& plan, const std::string& /*folder*/,
+                                  const std::vector<std::string>& files) const {
+    const auto& units = plan.whole.units;
+    bool tiles = files.size() == units.size();
+    std::string text(table_head);
+    for (std::size_t i = 0; tiles && i < files.size(); ++i) {
+        const AdiabaticCertificate certificate = read_adiabatic_certificate(files[i]);
+        tiles = case_of(certificate.hypotheses) == units[i];
+        text += line_of(certificate, sealed_digest(files[i]), "results/" + plan.order(i, i + 1).id());
+    }
+    if (!tiles) {
+        throw InputError("the results do not tile the claim: run the campaign again, and merge then");
+    }
+    return {text, false};
+}
+
+Plan plan_adiabatic(const std::vector<AdiabaticHypotheses>& grid, const Rational& accuracy) {
+    if (grid.size() == 1) {
+        throw InputError(
+            "a single statement is one shard: use dumbbell adiabatic --out, or give a list (--delta, "
+            "--phi-margin, --k)");
+    }
+    Plan plan{fmt::format("adiabatic {} --accuracy {}", options_of(grid), cell(accuracy)),
+              {head_of(accuracy), {}},
+              {},
+              {}};
+    std::set<std::string> known;
+    for (const AdiabaticHypotheses& of : grid) {
+        const std::size_t number = plan.whole.units.size();
+        plan.whole.units.push_back(case_of(of));
+        plan.shards.push_back({number, number + 1, cost_of(of)});
+        if (!known.insert(plan.whole.units.back()).second) {
+            throw InputError(fmt::format("the lists have a statement twice: {}", options_of({of})));
+        }
+    }
+    return plan;
+}
+
+}  // namespace dumbbell
