@@ -7,12 +7,14 @@
 #include <tuple>
 
 #include "arith/error.hpp"
+#include "cli/adiabatic_claim.hpp"
 #include "cli/campaign_commands.hpp"
 #include "cli/certify_claim.hpp"
 #include "cli/count_argument.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/messages.hpp"
 #include "cli/stop_signals.hpp"
+#include "cluster/adiabatic_kind.hpp"
 #include "cluster/campaign_folder.hpp"
 #include "cluster/collisions_kind.hpp"
 #include "cluster/critical_kind.hpp"
@@ -29,6 +31,7 @@ Examples:
   dumbbell campaign plan stairs.campaign 1:1e8 --gap 1e-9
   dumbbell campaign plan full.campaign 1:1000 --section full
   dumbbell campaign plan ratios.campaign critical 3:10000 --digits 30
+  dumbbell campaign plan grid.campaign adiabatic --delta 0.001:0.003,0.003:0.01 --phi-margin 0.3,0.5
   dumbbell campaign plan check.campaign verify stairs.dbc       the verification of a large certificate)";
 
 struct Options {
@@ -37,6 +40,7 @@ struct Options {
     std::string certificate;
     std::string counts;
     int digits = CriticalRequest{}.digits;
+    AdiabaticWords adiabatic;
     std::optional<std::size_t> shards;
 };
 
@@ -69,6 +73,26 @@ int plan_verify(const Options& options) {
     return made(options.folder, made_of.plan, made_of.sources);
 }
 
+int plan_adiabatic(const Options& options) {
+    if (options.shards) {
+        throw InputError("--shards is not for adiabatic: each statement is a shard");
+    }
+    const auto statements = statements_of(options.adiabatic, Deltas::list);
+    return made(options.folder, plan_adiabatic(statements, accuracy_of(options.adiabatic)));
+}
+
+/// With a subcommand the options of the other claim would mean nothing.
+void require_one_claim(const CLI::App& plan) {
+    for (const CLI::Option* option : plan.get_options()) {
+        const std::string name = option->get_name();
+        if (option->count() > 0 && name != "FOLDER" && name != "--shards") {
+            throw InputError(
+                fmt::format("{} is of the claim about a range of mass ratios: give either that one, or {}",
+                            name, plan.get_subcommands().front()->get_name()));
+        }
+    }
+}
+
 }  // namespace
 
 void add_campaign_plan(CLI::App& campaign, int& exit_code) {
@@ -85,21 +109,26 @@ void add_campaign_plan(CLI::App& campaign, int& exit_code) {
     critical->add_option("--digits", options->digits, "significant digits, all of them proved")
         ->check(CLI::Range(1, most_critical_digits))
         ->capture_default_str();
+    CLI::App* adiabatic = command->add_subcommand(
+        "adiabatic", "Constants of the adiabatic invariant, a shard for each statement of a grid.");
+    add_adiabatic_options(*adiabatic, options->adiabatic, Deltas::list);
     CLI::App* verify = command->add_subcommand(
         "verify",
         "The verification of a certificate, in parts. Merged they are what dumbbell-verify --combine takes.");
     verify->add_option("FILE", options->certificate, "certificate about collisions")->required();
-    command->callback([options, critical, verify, &exit_code] {
+    command->require_subcommand(0, 1);
+    command->callback([options, command, critical, adiabatic, verify, &exit_code] {
         exit_code = stoppable([&] {
-            if (critical->parsed() || verify->parsed()) {
-                if (!options->claim.ratio.empty()) {
-                    throw InputError("give either a range of mass ratios, or another kind of claim");
-                }
-                return critical->parsed() ? plan_critical(*options) : plan_verify(*options);
+            if (critical->parsed() || adiabatic->parsed() || verify->parsed()) {
+                require_one_claim(*command);
+                return critical->parsed()    ? plan_critical(*options)
+                       : adiabatic->parsed() ? plan_adiabatic(*options)
+                                             : plan_verify(*options);
             }
             if (options->claim.ratio.empty()) {
                 throw InputError(
-                    "give the claim: a range of mass ratios LO:HI, or critical N1:N2, or verify FILE");
+                    "give the claim: a range of mass ratios LO:HI, critical N1:N2, adiabatic --delta ..., or "
+                    "verify FILE");
             }
             return plan_certify(*options);
         });
