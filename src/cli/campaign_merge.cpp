@@ -20,7 +20,8 @@ namespace {
 
 constexpr const char* description =
     R"(Verify the result of each shard with the independent verifier, and join them: the file that the claim's command
-would have written in one go, byte for byte.)";
+would have written in one go, byte for byte. One file proves one statement about the adiabatic invariant, so a grid of
+them is joined to a table, which names for each the certificate in the folder that dumbbell-verify accepts.)";
 
 struct Options {
     std::string folder;
