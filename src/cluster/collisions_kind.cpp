@@ -44,9 +44,10 @@ std::string unit_of(const PlannedPiece& piece) {
 }
 
 PlannedPiece parse_unit(const std::string& unit) {
+    constexpr std::size_t longest = 10'000;  // a ratio of the command line as a fraction
     const auto fields = words(unit);
     if (fields.size() == 5 && fields[0] == "piece") {
-        const PlannedPiece piece{parse_rational(fields[1]), parse_rational(fields[2]),
+        const PlannedPiece piece{parse_rational(fields[1], longest), parse_rational(fields[2], longest),
                                  static_cast<long>(parse_size(fields[3])),
                                  static_cast<long>(parse_size(fields[4]))};
         if (piece.q_lo >= 1 && piece.q_lo <= piece.q_hi && piece.q_hi <= greatest_ratio() &&

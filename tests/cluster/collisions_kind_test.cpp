@@ -100,6 +100,12 @@ TEST_CASE("the claim of a plan is the command that proves it in one go") {
     CHECK(planned(of, 4).claim == "certify 3/2:12/1 --gap 1/1000 --section full --lemmas none");
 }
 
+TEST_CASE("ratios as long as a command line may have them are planned and proved") {
+    const Rational long_one = parse_rational("1." + std::string(990, '3'));
+    const Plan plan = planned(request(Rational(1), long_one), 1);
+    CHECK(kind.work(plan.whole, ".", never).has_value());
+}
+
 TEST_CASE("orders that no plan makes are refused before any work") {
     const Order order = planned(request(Rational(1), Rational(6)), 1).whole;
     const auto refused = [&](Order changed) { CHECK_THROWS_AS(kind.work(changed, ".", never), InputError); };
