@@ -13,6 +13,7 @@
 #include "cli/count_argument.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/messages.hpp"
+#include "cli/progress.hpp"
 #include "cli/stop_signals.hpp"
 #include "cluster/adiabatic_kind.hpp"
 #include "cluster/campaign_folder.hpp"
@@ -52,7 +53,9 @@ int made(const std::string& folder, const Plan& plan, const std::vector<std::str
 }
 
 int plan_certify(const Options& options) {
-    const CertifyRequest request = request_of(options.claim, parse_ratio_argument(options.claim.ratio));
+    CertifyRequest request = request_of(options.claim, parse_ratio_argument(options.claim.ratio));
+    Progress progress("critical ratios placed");
+    request.placed = [&](std::size_t done, std::size_t all) { progress.update(done, all); };
     const auto plan = plan_collisions(request, options.shards, deadline(std::nullopt));
     if (!plan) {
         complain(fmt::format("{}: nothing was planned", stopped_by()));

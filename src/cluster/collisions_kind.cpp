@@ -180,7 +180,8 @@ std::optional<Plan> plan_collisions(const CertifyRequest& request, std::optional
     if (request.q_hi > greatest_ratio()) {
         throw InputError("ratios beyond 1e16 are out of reach");
     }
-    const auto pieces = plan_staircase(request.scene, request.q_lo, request.q_hi, request.gap, interrupted);
+    const auto pieces =
+        plan_staircase(request.scene, request.q_lo, request.q_hi, request.gap, interrupted, request.placed);
     if (pieces.empty()) {
         return std::nullopt;
     }

@@ -19,7 +19,7 @@ class CollisionsKind : public Kind {
 };
 
 /// Cuts the request's range; `shards`: how many at most, if the user has a wish. Throws InputError if it is a
-/// single ratio, or beyond reach. Nothing if interrupted.
+/// single ratio, or beyond reach. Nothing if interrupted. Calls the request's `placed`.
 [[nodiscard]] std::optional<Plan> plan_collisions(const CertifyRequest& request,
                                                   std::optional<std::size_t> shards,
                                                   const Interrupted& interrupted);

@@ -40,7 +40,7 @@ struct EngineFigures {
     std::size_t running = 0;  ///< tasks on workers now
     std::size_t joined = 0;   ///< workers that ever came
     std::size_t lost = 0;     ///< workers that went away without a word
-    std::size_t resent = 0;   ///< tasks that were sent again because their worker was lost
+    std::size_t resent = 0;   ///< tasks sent again: their worker was lost, or gave them back without a try
     double busy_seconds = 0;  ///< of its own work: sending, receiving, bookkeeping
 };
 

@@ -58,8 +58,8 @@ ProvedPiece prove_or_recall(const PlannedPiece& planned, const CertifyRequest& r
 }
 
 std::vector<ProvedPiece> prove_plan(const CertifyRequest& request, const PieceOptions& options) {
-    const auto plan =
-        plan_staircase(request.scene, request.q_lo, request.q_hi, request.gap, options.interrupted);
+    const auto plan = plan_staircase(request.scene, request.q_lo, request.q_hi, request.gap,
+                                     options.interrupted, request.placed);
     if (plan.empty()) {
         return {open_piece(request.q_lo, request.q_hi)};
     }

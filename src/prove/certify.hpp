@@ -22,6 +22,9 @@ struct CertifyRequest {
     std::optional<std::chrono::duration<double>> budget;
     SplitRule rule = SplitRule::scaled;
     const PieceStore* store = nullptr;  ///< ranges: where finished pieces are kept, and found again
+    /// Ranges: called, from any thread, with the numbers of critical ratios that are placed and of all,
+    /// before the first piece.
+    std::function<void(std::size_t, std::size_t)> placed = [](std::size_t, std::size_t) {};
     /// Called, from any thread, when a piece is finished: the numbers of finished and of all pieces, and the
     /// maximum that was looked for in this one.
     std::function<void(std::size_t, std::size_t, long)> progress = [](std::size_t, std::size_t, long) {};

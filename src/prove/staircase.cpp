@@ -4,6 +4,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <numbers>
 
@@ -77,7 +78,8 @@ long guessed_value(Scene scene, double q, const Interrupted& interrupted) {
 }
 
 /// The steps that seem to lie near [lo, hi], with a neighbour on either side for the distances.
-std::vector<Step> steps_near(Scene scene, double lo, double hi, double gap, const Interrupted& interrupted) {
+std::vector<Step> steps_near(Scene scene, double lo, double hi, double gap, const Interrupted& interrupted,
+                             const std::function<void(std::size_t, std::size_t)>& placed) {
     const long first = std::max(4L, guessed_value(scene, lo, interrupted) - 1);
     const long last = guessed_value(scene, hi, interrupted) + 2;
     if (interrupted()) {
@@ -88,10 +90,12 @@ std::vector<Step> steps_near(Scene scene, double lo, double hi, double gap, cons
                                      last - first, max_steps));
     }
     std::vector<Step> steps(static_cast<std::size_t>(last - first + 1));
+    std::atomic<std::size_t> done = 0;
     tbb::parallel_for(std::size_t{0}, steps.size(), [&](std::size_t i) {
         require_sound_arithmetic();
         if (!interrupted()) {
             steps[i] = step_to(scene, first + static_cast<long>(i), gap, interrupted);
+            placed(++done, steps.size());
         }
     });
     return steps;
@@ -110,10 +114,11 @@ double half_gap(const std::vector<Step>& steps, std::size_t i, double relative_g
 }  // namespace
 
 std::vector<PlannedPiece> plan_staircase(Scene scene, const Rational& q_lo, const Rational& q_hi,
-                                         const Rational& gap, const Interrupted& interrupted) {
+                                         const Rational& gap, const Interrupted& interrupted,
+                                         const std::function<void(std::size_t, std::size_t)>& placed) {
     const auto width = gap.convert_to<double>();
     const auto steps =
-        steps_near(scene, q_lo.convert_to<double>(), q_hi.convert_to<double>(), width, interrupted);
+        steps_near(scene, q_lo.convert_to<double>(), q_hi.convert_to<double>(), width, interrupted, placed);
     if (interrupted()) {
         return {};
     }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <functional>
 #include <vector>
 
 #include "arith/rational.hpp"
@@ -19,10 +21,11 @@ struct PlannedPiece {
 /// Cuts [q_lo, q_hi], 1 <= q_lo < q_hi, at the places where the maximum seems to step: pieces with one value
 /// each, and between them gap pieces around the critical ratios, at most gap * q wide and at most a
 /// thousandth of the distance to the next step. At q = 1 the step is known exactly: the single ratio is a
-/// piece, and a gap lies to its right. Empty if it is interrupted. Throws InputError if there are more than
-/// 10^6 steps.
-[[nodiscard]] std::vector<PlannedPiece> plan_staircase(Scene scene, const Rational& q_lo,
-                                                       const Rational& q_hi, const Rational& gap,
-                                                       const Interrupted& interrupted = never);
+/// piece, and a gap lies to its right. Empty if it is interrupted. `placed` is called, from any thread, with
+/// the numbers of steps that are placed and of all. Throws InputError if there are more than 10^6 steps.
+[[nodiscard]] std::vector<PlannedPiece> plan_staircase(
+    Scene scene, const Rational& q_lo, const Rational& q_hi, const Rational& gap,
+    const Interrupted& interrupted = never,
+    const std::function<void(std::size_t, std::size_t)>& placed = [](std::size_t, std::size_t) {});
 
 }  // namespace dumbbell
