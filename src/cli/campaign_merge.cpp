@@ -27,6 +27,7 @@ struct Options {
     std::string folder;
     std::string out;
     int jobs = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+    bool unverified = false;
     bool quiet = false;
 };
 
@@ -52,7 +53,9 @@ int merge(const Options& options) {
     CampaignFolder folder(options.folder);
     folder.lock();
     const AtomicFile file(options.out);
-    MergeOptions how{.jobs = options.jobs, .interrupted = deadline(std::nullopt)};
+    MergeOptions how{.jobs = options.jobs,
+                     .scrutiny = options.unverified ? Scrutiny::form : Scrutiny::proof,
+                     .interrupted = deadline(std::nullopt)};
     Merge merge;
     {
         Progress progress("shards verified", options.quiet ? Loudness::quiet : Loudness::normal);
@@ -63,8 +66,8 @@ int merge(const Options& options) {
         return not_merged(options, merge);
     }
     file.commit(merge.whole->text);
-    fmt::print("{} shards verified; they tile the claim: {}\nwritten: {}\n", merge.shards,
-               folder.plan().claim, options.out);
+    fmt::print("{} shards {}; they tile the claim: {}\nwritten: {}\n", merge.shards,
+               options.unverified ? "NOT verified" : "verified", folder.plan().claim, options.out);
     if (merge.whole->is_open) {
         complain("not everything was decided: the file says which pieces are open");
         return exit_not_certified;
@@ -84,6 +87,9 @@ void add_campaign_merge(CLI::App& campaign, int& exit_code) {
     command->add_option("--jobs", options->jobs, "so many shards are verified at the same time")
         ->check(CLI::Range(1, 1024))
         ->default_str("all cores");
+    command->add_flag(
+        "--unverified", options->unverified,
+        "only join: the file is still to be verified, for instance by a campaign (plan ... verify FILE)");
     command->add_flag("--quiet", options->quiet, "no progress");
     command->callback([options, &exit_code] { exit_code = stoppable([&] { return merge(*options); }); });
 }

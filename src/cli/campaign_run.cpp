@@ -45,6 +45,7 @@ struct Options {
     std::string engine = "local";
     std::string budget;
     std::string shard_limit = "10m";
+    std::string verify = "arrival";
     WorkQueueOptions queue;
     bool has_queue_options = false;
     int jobs = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
@@ -87,7 +88,7 @@ std::unique_ptr<Engine> engine_of(const Options& options, const CampaignFolder& 
                                   std::optional<WorkersWanted>& wanted) {
     if (options.engine == "local") {
         if (options.has_queue_options) {
-            throw InputError("--port, --address and --program are for --engine workqueue");
+            throw InputError("--port, --address, --program and --verify are for --engine workqueue");
         }
         return std::make_unique<LocalEngine>(options.jobs, folder.path());
     }
@@ -110,6 +111,7 @@ int run(const Options& options) {
         std::optional<WorkersWanted> wanted;
         const auto engine = engine_of(options, folder, wanted);
         how.verifiers = wanted ? options.jobs : 0;
+        how.scrutiny = options.verify == "arrival" ? Scrutiny::proof : Scrutiny::form;
         Progress progress("shards", options.quiet ? Loudness::quiet : Loudness::normal);
         how.progress = [&](std::size_t finished, std::size_t all) { progress.update(finished, all); };
         how.note = [&](const std::string& line) { progress.note(line); };
@@ -162,6 +164,13 @@ void add_campaign_run(CLI::App& campaign, int& exit_code) {
             "workqueue: this program on the workers' machines, an absolute path; without it this one is sent")
         ->check(of_queue)
         ->type_name("PATH");
+    command
+        ->add_option(
+            "--verify", options->verify,
+            "workqueue: results are verified on arrival, here; or only looked at, and verified when merged")
+        ->check(CLI::IsMember({"arrival", "merge"}))
+        ->check(of_queue)
+        ->capture_default_str();
     command
         ->add_option("--jobs", options->jobs,
                      "threads: of proving, or with workqueue of verifying what comes in")

@@ -43,7 +43,7 @@ class Run {
         }
         if (options.verifiers > 0) {
             judges_ = std::make_unique<Judges>(kind_named(folder.plan().whole.kind()), folder.path(),
-                                               options.verifiers);
+                                               options.verifiers, options.scrutiny);
         }
     }
 

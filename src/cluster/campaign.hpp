@@ -18,9 +18,10 @@ namespace dumbbell {
 struct CampaignOptions {
     /// A shard that takes longer is split, if it can be; nothing: none is.
     std::optional<std::chrono::duration<double>> shard_limit;
-    /// Results come from elsewhere: each is verified before it counts, so many at the same time; 0: they are
-    /// this program's own, and are verified when they are merged.
+    /// Results come from elsewhere: each is looked at before it counts, so many at the same time; 0: they are
+    /// this program's own, and are looked at when they are merged.
     int verifiers = 0;
+    Scrutiny scrutiny = Scrutiny::proof;
     Interrupted interrupted = never;
     /// Called after each event with the numbers of finished and of all shards (which grows with splits).
     std::function<void(std::size_t, std::size_t)> progress = [](std::size_t, std::size_t) {};

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "arith/error.hpp"
+#include "certificate/any_reader.hpp"
 #include "certificate/names.hpp"
 #include "certificate/reader.hpp"
 #include "certificate/writer.hpp"
@@ -125,14 +126,16 @@ std::optional<std::string> CollisionsKind::work(const Order& order, const std::s
     return certificate_of(common, std::move(pieces));
 }
 
-Judgement CollisionsKind::judge(const Order& order, const std::string& /*folder*/,
-                                const std::string& file) const {
+std::string CollisionsKind::refutation(const Order& order, const std::string& /*folder*/,
+                                       const std::string& file) const {
+    const VerifierAnswer answer = ask_verifier(
+        {"--jobs=1", "--quiet", fmt::format("--scene={}", name(common_of(order).scene)), "--", file});
+    return answer.code == 0 ? "" : fmt::format("not verified: {}", last_line(answer.out));
+}
+
+Judgement CollisionsKind::form(const Order& order, const std::string& file) const {
     const Common common = common_of(order);
-    const VerifierAnswer answer =
-        ask_verifier({"--jobs=1", "--quiet", fmt::format("--scene={}", name(common.scene)), "--", file});
-    if (answer.code != 0) {
-        return {Judgement::Verdict::wrong, std::string(last_line(answer.out))};
-    }
+    (void)sealed_digest(file);  // it is complete
     const Certificate found = read_certificate(file);
     const bool fits =
         found.scene == common.scene && found.section == common.section &&

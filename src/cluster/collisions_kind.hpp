@@ -12,10 +12,13 @@ class CollisionsKind : public Kind {
   public:
     [[nodiscard]] std::optional<std::string> work(const Order& order, const std::string& folder,
                                                   const Interrupted& interrupted) const override;
-    [[nodiscard]] Judgement judge(const Order& order, const std::string& folder,
-                                  const std::string& file) const override;
     [[nodiscard]] Merged merge(const Plan& plan, const std::string& folder,
                                const std::vector<std::string>& files) const override;
+
+  private:
+    [[nodiscard]] Judgement form(const Order& order, const std::string& file) const override;
+    [[nodiscard]] std::string refutation(const Order& order, const std::string& folder,
+                                         const std::string& file) const override;
 };
 
 /// Cuts the request's range; `shards`: how many at most, if the user has a wish. Throws InputError if it is a

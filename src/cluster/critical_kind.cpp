@@ -76,22 +76,18 @@ std::vector<CriticalRatio> read_rows(const std::string& file) {
     return ratios;
 }
 
-/// Empty if these are the ratios of the order, and each is enclosed.
+/// Empty if these are the ratios of the order, with its digits.
 std::string objection(const Order& order, const std::vector<CriticalRatio>& ratios) {
     const int digits = digits_of(order);
-    if (ratios.size() != order.units.size()) {
+    const bool fits =
+        std::equal(ratios.begin(), ratios.end(), order.units.begin(), order.units.end(),
+                   [](const CriticalRatio& r, const std::string& unit) { return r.n == parse_unit(unit); });
+    if (!fits) {
         return "it has other ratios";
     }
-    for (std::size_t i = 0; i < ratios.size(); ++i) {
-        const CriticalRatio& ratio = ratios[i];
-        if (ratio.n != parse_unit(order.units[i])) {
-            return "it has other ratios";
-        }
+    for (const CriticalRatio& ratio : ratios) {
         if (!shared_digits(ratio.q_lo, ratio.q_hi, digits)) {
             return fmt::format("q_c({}) has fewer digits", ratio.n);
-        }
-        if (!certainly_encloses(ratio)) {
-            return fmt::format("q_c({}) is not certain to be where it says", ratio.n);
         }
     }
     return "";
@@ -117,15 +113,23 @@ std::optional<std::string> CriticalKind::work(const Order& order, const std::str
     return render(ratios);
 }
 
-Judgement CriticalKind::judge(const Order& order, const std::string& /*folder*/,
-                              const std::string& file) const {
-    std::string reason;
-    try {
-        reason = objection(order, read_rows(file));
-    } catch (const InputError& error) {
-        reason = error.what();
-    }
+Judgement CriticalKind::form(const Order& order, const std::string& file) const {
+    const std::string reason = objection(order, read_rows(file));
     return {reason.empty() ? Judgement::Verdict::proved : Judgement::Verdict::wrong, reason};
+}
+
+std::string CriticalKind::refutation(const Order& order, const std::string& /*folder*/,
+                                     const std::string& file) const {
+    const auto ratios = read_rows(file);
+    if (const std::string reason = objection(order, ratios); !reason.empty()) {
+        return reason;  // so that no more is checked than was asked for
+    }
+    for (const CriticalRatio& ratio : ratios) {
+        if (!certainly_encloses(ratio)) {
+            return fmt::format("q_c({}) is not certain to be where it says", ratio.n);
+        }
+    }
+    return "";
 }
 
 Kind::Merged CriticalKind::merge(const Plan& plan, const std::string& /*folder*/,

@@ -8,7 +8,8 @@
 
 namespace dumbbell {
 
-Judges::Judges(const Kind& kind, std::string folder, int jobs) : kind_(kind), folder_(std::move(folder)) {
+Judges::Judges(const Kind& kind, std::string folder, int jobs, Scrutiny scrutiny)
+    : kind_(kind), folder_(std::move(folder)), scrutiny_(scrutiny) {
     for (int i = 0; i < jobs; ++i) {
         crew_.emplace_back([this] { work(); });
     }
@@ -36,7 +37,7 @@ void Judges::work() {
         std::exception_ptr failure;
         try {
             require_sound_arithmetic();
-            answer.judgement = kind_.judge(question.order, folder_, question.file);
+            answer.judgement = kind_.judge(question.order, folder_, question.file, scrutiny_);
         } catch (...) {
             failure = std::current_exception();
         }

@@ -27,7 +27,7 @@ class Judges {
     };
 
     /// `folder`: where the plan's inputs lie.
-    Judges(const Kind& kind, std::string folder, int jobs);
+    Judges(const Kind& kind, std::string folder, int jobs, Scrutiny scrutiny);
     /// What nobody looked at yet is forgotten.
     ~Judges();
     Judges(const Judges&) = delete;
@@ -45,6 +45,7 @@ class Judges {
 
     const Kind& kind_;
     std::string folder_;
+    Scrutiny scrutiny_;
     std::mutex mutex_;
     std::condition_variable changed_;
     std::deque<Case> questions_;

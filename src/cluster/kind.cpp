@@ -11,6 +11,16 @@
 
 namespace dumbbell {
 
+Judgement Kind::judge(const Order& order, const std::string& folder, const std::string& file,
+                      Scrutiny scrutiny) const {
+    try {
+        const std::string reason = scrutiny == Scrutiny::proof ? refutation(order, folder, file) : "";
+        return reason.empty() ? form(order, file) : Judgement{Judgement::Verdict::wrong, reason};
+    } catch (const InputError& error) {
+        return {Judgement::Verdict::wrong, error.what()};
+    }
+}
+
 const Kind& kind_named(std::string_view name) {
     static const AdiabaticKind adiabatic;
     static const CollisionsKind collisions;

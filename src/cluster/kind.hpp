@@ -22,6 +22,12 @@ struct Judgement {
     std::string reason;  ///< unless proved
 };
 
+/// How closely a result is looked at.
+enum class Scrutiny {
+    form,  ///< whether it is complete, and says what the order asks for; nothing is proved by that
+    proof  ///< whether an independent check accepts all that it claims, too
+};
+
 /// What a campaign of one kind proves: its orders and their results. All functions may be used by several
 /// threads at once.
 class Kind {
@@ -36,10 +42,9 @@ class Kind {
     [[nodiscard]] virtual std::optional<std::string> work(const Order& order, const std::string& folder,
                                                           const Interrupted& interrupted) const = 0;
 
-    /// Whether the file, which may hold anything, is a result of this order, by an independent check of all
-    /// that it claims.
-    [[nodiscard]] virtual Judgement judge(const Order& order, const std::string& folder,
-                                          const std::string& file) const = 0;
+    /// Whether the file, which may hold anything, is a result of this order.
+    [[nodiscard]] Judgement judge(const Order& order, const std::string& folder, const std::string& file,
+                                  Scrutiny scrutiny) const;
 
     /// The results of all shards, in the plan's order, as one.
     struct Merged {
@@ -48,6 +53,14 @@ class Kind {
     };
     [[nodiscard]] virtual Merged merge(const Plan& plan, const std::string& folder,
                                        const std::vector<std::string>& files) const = 0;
+
+  private:
+    /// Scrutiny::form. Throws InputError for `wrong`, too.
+    [[nodiscard]] virtual Judgement form(const Order& order, const std::string& file) const = 0;
+
+    /// Why an independent check does not accept what the file claims, whatever that is; empty if it does.
+    [[nodiscard]] virtual std::string refutation(const Order& order, const std::string& folder,
+                                                 const std::string& file) const = 0;
 };
 
 /// The kind of an order or a plan. Throws InputError if there is none of this name.

@@ -15,7 +15,7 @@ using Part = CampaignFolder::Part;
 /// False if interrupted.
 bool verify_all(const CampaignFolder& folder, const Kind& kind, const std::vector<Part>& parts,
                 const MergeOptions& options, Merge& merge) {
-    Judges judges(kind, folder.path(), options.jobs);
+    Judges judges(kind, folder.path(), options.jobs, options.scrutiny);
     const auto ahead = 2 * static_cast<std::size_t>(options.jobs);
     std::size_t asked = 0;
     for (std::size_t done = 0; done < parts.size(); ++done) {

@@ -13,6 +13,7 @@ namespace dumbbell {
 
 struct MergeOptions {
     int jobs = 1;
+    Scrutiny scrutiny = Scrutiny::proof;
     Interrupted interrupted = never;
     /// Called with the numbers of verified and of all shards.
     std::function<void(std::size_t, std::size_t)> progress = [](std::size_t, std::size_t) {};
@@ -28,7 +29,7 @@ struct Merge {
     std::vector<std::string> withdrawn;
 };
 
-/// Verifies the result of every shard, and only then joins them. The folder is locked. Throws InputError if
+/// Looks at the result of every shard, and only then joins them. The folder is locked. Throws InputError if
 /// they do not tile the claim.
 [[nodiscard]] Merge merge_campaign(const CampaignFolder& folder, const MergeOptions& options);
 

@@ -106,8 +106,12 @@ std::optional<std::string> VerifiedKind::work(const Order& order, const std::str
     return fmt::format("{}\n", last_line(answer.out));
 }
 
-Judgement VerifiedKind::judge(const Order& order, const std::string& /*folder*/,
-                              const std::string& file) const {
+std::string VerifiedKind::refutation(const Order& /*order*/, const std::string& /*folder*/,
+                                     const std::string& /*file*/) const {
+    return "";  // it is a verification itself
+}
+
+Judgement VerifiedKind::form(const Order& order, const std::string& file) const {
     const Subject subject = subject_of(order);
     const auto [first, last] = pieces_of(order);
     const std::string text = file_contents(file);

@@ -14,10 +14,13 @@ class VerifiedKind : public Kind {
   public:
     [[nodiscard]] std::optional<std::string> work(const Order& order, const std::string& folder,
                                                   const Interrupted& interrupted) const override;
-    [[nodiscard]] Judgement judge(const Order& order, const std::string& folder,
-                                  const std::string& file) const override;
     [[nodiscard]] Merged merge(const Plan& plan, const std::string& folder,
                                const std::vector<std::string>& files) const override;
+
+  private:
+    [[nodiscard]] Judgement form(const Order& order, const std::string& file) const override;
+    [[nodiscard]] std::string refutation(const Order& order, const std::string& folder,
+                                         const std::string& file) const override;
 };
 
 /// A plan with the files that become its inputs.

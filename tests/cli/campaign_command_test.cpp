@@ -192,6 +192,30 @@ TEST_CASE("a true certificate of something else is no result") {
     CHECK_THAT(merged.err, Contains("it proves something else"));
 }
 
+TEST_CASE("joined without verification, a false result is in the file, which says so to the verifier") {
+    const TemporaryFolder folder;
+    plan(folder);
+    REQUIRE(run_it(folder).code == 0);
+    const Words only_join{"campaign", "merge", folder / "c", "--out", folder / "m.dbc", "--unverified"};
+    const Outcome joined = dumbbell(only_join);
+    CHECK(joined.code == 0);
+    CHECK_THAT(joined.out, Contains("shards NOT verified"));
+    CHECK(contents(folder / "m.dbc") == in_one_go(folder, small));
+
+    // Of the right form, and complete: one leaf claims fewer collisions than there are.
+    const std::string result = any_result(folder);
+    std::string text = contents(result);
+    text.erase(text.rfind("sha256 "));
+    const auto leaf = text.find("\ncount ");
+    text.replace(leaf, text.find('\n', leaf + 1) - leaf, "\ncount 0 0");
+    write_file(result, text);
+    const std::string sum = run({"sha256sum", result}).out.substr(0, 64);
+    write_file(result, text + "sha256 " + sum + "\n");
+    CHECK(dumbbell(only_join).code == 0);
+    CHECK(verifier({folder / "m.dbc"}).code == 1);
+    CHECK_THAT(merge_it(folder).err, Contains("not verified: s REJECTED"));
+}
+
 TEST_CASE("what stands in the way of a campaign is said in one line, and nothing is changed") {
     const TemporaryFolder folder;
     plan(folder);

@@ -18,7 +18,7 @@ const Order order{"prove critical\ndigits 10\n", {"ratio 3", "ratio 4", "ratio 5
 
 Judgement judged(const Place& place, const std::string& bytes) {
     std::ofstream(place.path, std::ios::binary) << bytes;
-    return kind.judge(order, ".", place.string());
+    return kind.judge(order, ".", place.string(), Scrutiny::proof);
 }
 
 std::string result() { return *kind.work(order, ".", never); }
