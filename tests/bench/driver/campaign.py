@@ -86,5 +86,7 @@ def simulated(bin_folder, shards):
                 [[str(r["workers_lost"]), str(r["garbage"]), str(r["rejected"]), str(r["split"]), str(r["programs"]),
                   f"{r['run_seconds']:.0f} s", f"{r['manager_ms_a_shard']:.2f} ms", f"{r['merge_seconds']:.0f} s",
                   tables.memory(r["peak_megabytes"])]],
-                [f"{r['accepted']:,} results accepted of {r['parts']:,} parts; merged: {'yes' if r['merged'] else 'NO'}"])
+                [f"{r['accepted']:,} results accepted of {r['parts']:,} parts; merged: {'yes' if r['merged'] else 'NO'}; "
+                 f"the whole verified: {'yes' if r.get('verified') else 'NO'}",
+                 "Results are only looked at on arrival and when merged (--verify merge, --unverified)."])
     return r
