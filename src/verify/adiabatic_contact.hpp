@@ -1,6 +1,7 @@
 // What the lemmas L33 to L38 are written in: the masses by delta, and a contact of the light mass.
 #pragma once
 #include "angle.hpp"
+#include "arcsine.hpp"
 
 namespace dumbbell_verify {
 
@@ -51,17 +52,19 @@ struct Touch {
     Touch(const Masses<N>& m, const I& distance, const I& sin_x, const I& cos_x)
         : x(distance), sine(sin_x), w(cos_x), square_w(square(w)), e(m.r / square_w) {
         const I quarter = pi<N>() / I(2);
-        const Excess excess(m, sine, w);
+        const Excess excess(m.beta2, m.r, sine, w);
         rho = excess.rho;
         asin_over_r = excess.asin_over_r;
         asin_Z = m.r * asin_over_r;
         F = quarter + x;
-        // f increases with x: its own values at the ends are nearer than F - asin Z of the intervals.
-        const auto at = [&](const N& end) {
+        // f increases with x and beta2: its own values at the ends are nearer than F - asin Z of the
+        // intervals.
+        const auto at = [&](const N& end, const I& beta2) {
             const auto [end_sine, end_w] = sin_cos_on(I(end), quarter);
-            return quarter + end - m.r * Excess(m, end_sine, end_w).asin_over_r;
+            const I r = (I(1) - beta2) / beta2;
+            return quarter + end - r * Excess(beta2, r, end_sine, end_w).asin_over_r;
         };
-        f = {at(x.lo).lo, at(x.hi).hi};
+        f = {at(x.lo, m.beta2.lo).lo, at(x.hi, m.beta2.hi).hi};
     }
     /// h(x, kappa): S over |phidot| before a collision with this slope (L33).
     [[nodiscard]] I h(const I& kappa) const { return f * (I(1) - kappa / w) / (I(1) + e); }
@@ -73,12 +76,12 @@ struct Touch {
     I F, f;                 ///< pi/2 + x, pi - arccos y
 
   private:
-    /// asin Z over r, from Z/r: asin Z is between Z and Z/sqrt(1 - Z^2).
+    /// asin Z over r, from zeta = Z/r: no division by r, which may be 0.
     struct Excess {
-        Excess(const Masses<N>& m, const I& s, const I& cosine)
-            : rho(root(square(cosine) + I(2) * m.r + square(m.r))) {
-            const I zeta = m.beta2 * s * (I(2) + m.r) / (rho + cosine);
-            asin_over_r = zeta * I(N(1), (I(1) / root(I(1) - square(m.r * zeta))).hi);
+        Excess(const I& beta2, const I& r, const I& s, const I& cosine)
+            : rho(root(square(cosine) + I(2) * r + square(r))) {
+            const I zeta = beta2 * s * (I(2) + r) / (rho + cosine);
+            asin_over_r = zeta * arcsine_share(r * zeta);
         }
         I rho, asin_over_r;
     };

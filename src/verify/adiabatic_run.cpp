@@ -74,7 +74,7 @@ class RunCheck : AdiabaticCheck<N> {
     }
     /// No descending flight of a scattering comes down to the bridge (L37).
     bool is_above_bridge(const I& S_0, const I& energy) {
-        const I z = m_.beta2 * m_.r, angle = quarter + z / root(I(1) - square(z));
+        const I z = m_.beta2 * m_.r, angle = quarter + z * arcsine_share(z);
         return Base::less("the heavy mass is not touched",
                           angle * root(I(1) + m_.r / (I(1) - square(m_.r))) * energy, S_0);
     }
