@@ -28,7 +28,8 @@ constexpr std::string_view plain_characters =
 constexpr std::size_t failures_that_count = 3;
 constexpr std::size_t longest_reason = 200;
 constexpr std::size_t longest_host_name = 100;
-constexpr int end_too_long = 3;  // of `dumbbell campaign work`
+constexpr int end_too_long = 3;      // of `dumbbell campaign work`
+constexpr int end_of_timeout = 124;  // of timeout(1)
 
 /// Bytes of base64 without line breaks; nothing for any other text.
 std::optional<std::string> from_base64(std::string_view text) {
@@ -117,17 +118,24 @@ WorkQueueEngine::~WorkQueueEngine() {
 /// leaves on the good end, and the last of the program's messages on any other.
 std::string WorkQueueEngine::command(const Task& task) const {
     std::string limit;
+    std::string guard;
     if (task.limit) {
         require(std::isfinite(task.limit->count()) && task.limit->count() > 0, "a limit that is no time");
         limit = fmt::format(" --limit {:.3f}", std::max(task.limit->count(), 0.001));
+        // Not the library's own limit: manager and worker do not agree on its unit, and a worker of several
+        // cores ends whatever takes a second. In the foreground, or the worker could not end it.
+        const double seconds = 2 * task.limit->count() + static_cast<double>(options_.overtime.count());
+        guard = fmt::format("timeout --foreground -k 60 {:.0f} ", std::ceil(std::min(seconds, 1e9)));
     }
     return fmt::format(
-        "{0} campaign work{1} order result > log 2>&1; end=$?; "
-        "if test $end -ne 0; then tail -c 1000 log 2> /dev/null; test $end -eq {2} && exit {2}; exit 1; fi; "
+        "{0}{1} campaign work{2} order result > log 2>&1; end=$?; "
+        "if test $end -ne 0; then tail -c 1000 log 2> /dev/null; "
+        "case $end in {3}|{4}) exit {3};; esac; exit 1; fi; "
         "if test -L result || test ! -f result; then echo no result; exit 1; fi; "
-        "if test $(wc -c < result) -gt {3}; then echo a result of more than {3} bytes; exit 1; fi; "
+        "if test $(wc -c < result) -gt {5}; then echo a result of more than {5} bytes; exit 1; fi; "
         "base64 -w 0 result",
-        copy_ ? "./dumbbell" : options_.program, limit, end_too_long, options_.largest_result);
+        guard, copy_ ? "./dumbbell" : options_.program, limit, end_too_long, end_of_timeout,
+        options_.largest_result);
 }
 
 void WorkQueueEngine::submit(const Task& task) {
@@ -135,8 +143,6 @@ void WorkQueueEngine::submit(const Task& task) {
     work_queue_task_specify_tag(made, task.id.c_str());
     work_queue_task_specify_cores(made, 1);
     work_queue_task_specify_max_retries(made, most_tries);
-    // The limit is the program's own matter: the library counts a greatest running time of one task for all
-    // of them, and what it ends so runs on without its shell.
     work_queue_task_specify_buffer(made, task.order.data(), static_cast<int>(task.order.size()), "order",
                                    WORK_QUEUE_NOCACHE);
     if (copy_) {

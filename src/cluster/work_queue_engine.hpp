@@ -27,6 +27,7 @@ struct WorkQueueOptions {
     /// some seconds costs nothing. A worker computes in a process of its own, and answers meanwhile.
     std::chrono::seconds ask_after{30};
     std::chrono::seconds answer_within{15};
+    std::chrono::seconds overtime{60};                    ///< beyond twice its limit a task is stopped
     std::chrono::seconds leave_out{300};                  ///< a host on which nothing works
     std::size_t largest_result = std::size_t{64} << 20U;  ///< bytes
 };

@@ -35,6 +35,7 @@ case $word in
     limit) printf '%s' "$limit" > "$2" ;;
     input) cat "$rest" > "$2" ;;
     sleep) sleep "$rest"; echo slept > "$2" ;;
+    hang) exec sleep 1000 ;;
     fail) echo noise; printf '%s\n \n' "$rest" >&2; exit 1 ;;
     long) echo half > "$2"; exit 3 ;;
     crash) kill -SEGV $$ ;;
@@ -62,9 +63,10 @@ class Site {
         return options;
     }
 
-    [[nodiscard]] std::unique_ptr<Process> worker(int port, const std::string& password) const {
+    [[nodiscard]] std::unique_ptr<Process> worker(int port, const std::string& password,
+                                                  const std::string& cores = "1") const {
         return std::make_unique<Process>(std::vector<std::string>{
-            "work_queue_worker", "--password", password, "--cores", "1", "--timeout", "20", "--max-backoff",
+            "work_queue_worker", "--password", password, "--cores", cores, "--timeout", "20", "--max-backoff",
             "1", "--parent-death", "--workdir", folder_.path(), "127.0.0.1", std::to_string(port)});
     }
     [[nodiscard]] std::unique_ptr<Process> worker(int port) const { return worker(port, password_); }
@@ -155,12 +157,30 @@ TEST_CASE("a task that gives no result says why") {
     CHECK(reason(engine, "zeros 1001") == "a result of more than 1000 bytes");
 }
 
-TEST_CASE("a task with a limit has all of it, however long the library looks away") {
+TEST_CASE("a task has its time, also on a worker of several cores") {
     const Site site;
     WorkQueueEngine engine(site.options());
+    const auto worker = site.worker(engine.port(), site.options().password_file, "3");
+    for (const char* seconds : {"3", "2", "1"}) {  // the end of one has the worker look at the others
+        engine.submit({seconds, std::string("sleep ") + seconds + "\n", {}, 600s});
+    }
+    for (int i = 0; i < 3; ++i) {
+        const auto given = next(engine);
+        CHECK(given.end == End::done);
+        CHECK(given.result == "slept\n");
+    }
+}
+
+TEST_CASE("a task that does not keep to its limit is stopped") {
+    const Site site;
+    auto options = site.options();
+    options.overtime = 1s;
+    WorkQueueEngine engine(options);
     const auto worker = site.worker(engine.port());
-    engine.submit({"slow", "sleep 7\n", {}, 60s});
-    CHECK(next(engine).result == "slept\n");
+    engine.submit({"one", "hang\n", {}, 0.5s});
+    const auto given = next(engine);
+    CHECK(given.end == End::too_long);
+    CHECK(given.seconds < 10);
 }
 
 TEST_CASE("a worker that is killed costs no task, and none comes twice") {
