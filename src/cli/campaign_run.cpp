@@ -19,6 +19,7 @@
 #include "cli/ratio_argument.hpp"
 #include "cli/stop_signals.hpp"
 #include "cluster/campaign.hpp"
+#include "cluster/campaign_folder.hpp"
 #include "cluster/local_engine.hpp"
 #include "cluster/password.hpp"
 #include "cluster/run_report.hpp"
@@ -182,7 +183,14 @@ void add_campaign_run(CLI::App& campaign, int& exit_code) {
     command->add_option("--budget", options->budget, "stop after this time: 30s, 10m, 2h")->type_name("TIME");
     command->add_flag("--json", options->json, "one JSON object on stdout");
     command->add_flag("--quiet", options->quiet, "one sentence and no progress");
-    command->callback([options, &exit_code] { exit_code = stoppable([&] { return run(*options); }); });
+    command->callback([options, &exit_code] {
+        try {
+            exit_code = stoppable([&] { return run(*options); });
+        } catch (const ResultsDiffer& error) {  // no error of this program's, at least not surely
+            complain(error.what());
+            exit_code = exit_internal;
+        }
+    });
 }
 
 }  // namespace dumbbell

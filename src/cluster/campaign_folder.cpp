@@ -205,7 +205,8 @@ bool CampaignFolder::keep_result(const std::string& id, const std::string& bytes
         reject(id, bytes);
         throw ResultsDiffer(
             fmt::format("two results of one shard differ: '{}' and '{}/rejected/{}'; one of the "
-                        "machines, or its program, is not to be relied on",
+                        "machines, or its program, is not to be relied on: find out which, move the "
+                        "first file elsewhere if it is not a true one, and run the campaign again",
                         result_file(id), path_, id));
     }
     return false;
