@@ -2,7 +2,6 @@
 
 import json
 import shlex
-import shutil
 import subprocess
 from pathlib import Path
 
@@ -44,11 +43,11 @@ class Campaign:
         planned = place.dumbbell("campaign", "plan", self.folder, *CLAIM, "--shards", str(shards))
         check(planned.returncode == 0, f"campaign plan: {planned.stderr}")
 
-    def run(self, host: Host, *options: str) -> Manager:
-        """A manager on `host`, that listens on its address unless told otherwise."""
+    def run(self, host: Host, *options: str, is_open: bool = True) -> Manager:
+        """A manager on `host`; `is_open`: to the others."""
         self.runs += 1
         stem = f"{self.folder}-run-{self.runs}"
-        address = [] if "--address" in options else ["--address", host.address]
+        address = ["--address", host.address] if is_open else []
         words = [self.place.program, "campaign", "run", self.folder, "--engine", "workqueue", "--json", *address, *options]
         return Manager(words, host, Path(stem + ".err"), Path(stem + ".json"))
 
@@ -63,12 +62,24 @@ class Campaign:
     def wait_for(self, count: int, seconds: float = 60) -> None:
         wait_until(lambda: self.finished() >= count, f"{count} shards are finished", seconds)
 
+    def must_end(self, manager: Manager, seconds: float = 90) -> dict:
+        """The manager ends with all done; what it says of its run."""
+        check(manager.ended(seconds) == 0, f"the manager ended with {manager.process.returncode}: {manager.said()}")
+        return json.loads(manager.out.read_text())
+
     def done_by(self, host: Host) -> int:
         return len(journal.of_worker(self.folder, "done", host.name))
 
     def wait_for_work_of(self, host: Host, more: int = 1, seconds: float = 60) -> None:
         before = self.done_by(host)
         wait_until(lambda: self.done_by(host) >= before + more, f"{host.name} finishes {more} more shards", seconds)
+
+    def wait_for_state(self, figures: str, seconds: float = 60) -> None:
+        """These words are in the newest figures of the engine, which the journal has every ten seconds."""
+        def states():
+            return [event.text + " " for event in journal.events(self.folder) if event.what == "state"]
+
+        wait_until(lambda: states() and figures in states()[-1], f"the engine's figures say {figures}", seconds)
 
     def status(self) -> dict:
         return json.loads(self.place.dumbbell("campaign", "status", self.folder, "--json").stdout)
@@ -95,11 +106,3 @@ class Campaign:
         check(verdict.returncode == 0, f"dumbbell-verify: {verdict.stdout} {verdict.stderr}")
         merged.unlink()
         print(f"{status['shards']} shards, each done once; merged: the bytes of certify, verified", flush=True)
-
-    def forget(self) -> None:
-        shutil.rmtree(self.folder)
-
-
-def report(manager: Manager) -> dict:
-    """What a manager that ended says of its run."""
-    return json.loads(manager.out.read_text())

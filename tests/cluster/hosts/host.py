@@ -54,6 +54,10 @@ class Host:
         with open(log, "ab") as out:
             return subprocess.Popen([str(word) for word in command], stdin=subprocess.DEVNULL, stdout=out, stderr=out)
 
+    def seen_by(self, process: subprocess.Popen) -> Path:
+        """The files of this host, as a process on it sees them: its small disk, too."""
+        return Path(f"/proc/{process.pid}/root{self.network.here}")
+
     def cut_off(self) -> None:
         ip("link", "set", self.link, "down")
 

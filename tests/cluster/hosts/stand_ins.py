@@ -4,3 +4,39 @@
 def slow(program: str, seconds: float) -> str:
     """The real one, after a while: its shards take milliseconds, and the faults need time to happen."""
     return f'#!/bin/sh\nsleep {seconds}\nexec {program} "$@"\n'
+
+
+RESEAL = """seal() { head -n -1 "$1" > body; printf 'sha256 %s\\n' "$(sha256sum < body | cut -c 1-64)" | cat body - > "$1"; }
+"""
+
+
+def of_version(program: str, version: str) -> str:
+    """The real one, to which the order seems to come from a dumbbell of this version: as if it were another one."""
+    return "#!/bin/sh\n" + RESEAL + f"""
+cp order other && sed -i 's/^generator dumbbell .*/generator dumbbell {version}/' other && seal other
+exec {program} campaign work other result
+"""
+
+
+def garbled(program: str, how: str) -> str:
+    """The real one, and then something happens to its result: a file of this name."""
+    return "#!/bin/sh\n" + RESEAL + f'{program} "$@" || exit\n{how}\n'
+
+
+def garblers(program: str) -> dict[str, str]:
+    """What may happen to a result."""
+    return {
+        "random": garbled(program, "head -c 3000 /dev/urandom > result"),
+        "empty": garbled(program, ": > result"),
+        "truncated": garbled(program, "head -n 30 result > half; mv half result"),
+        "elsewhere": garbled(program, f"{program} certify 3:4 --gap 1e-9 --quiet --out result.dbc; mv result.dbc result"),
+        # With a right checksum: the bound of a piece is one less; the count in a leaf is, and no bound changes.
+        "bound": garbled(program, "awk '/^upper / && !n++ {$2 -= 1} {print}' result > x; mv x result; seal result"),
+        "leaf": garbled(program, "awk '/^count / && !n++ {$2 = 1; $3 = 1} {print}' result > x; mv x result; seal result"),
+    }
+
+
+def noted(program: str, folder: str, seconds: float) -> str:
+    """A slow one that keeps a copy of each order as it begins."""
+    return f'#!/bin/sh\nmkdir -p {folder}\ncp order {folder}/$$.tmp && mv {folder}/$$.tmp {folder}/$$\n' \
+           f'sleep {seconds}\nexec {program} "$@"\n'

@@ -1,13 +1,12 @@
 """Three workers, of which one is killed and one joins late."""
 
-from campaign import report
 from checks import check
 from stand_ins import slow
 
 
 def run(place) -> None:
     manager_host = place.host("manager")
-    program = slow(place.program, 0.2)
+    program = slow(place.program, 0.1)
     killed, steady, late = (place.host(name, program=program) for name in ("killed", "steady", "late"))
     campaign = place.campaign(400)
     manager = campaign.run(manager_host, "--program", place.stand_in)
@@ -18,10 +17,9 @@ def run(place) -> None:
     victim.kill()
     campaign.wait_for(100)
     campaign.worker(words, late)
-    check(manager.ended() == 0, f"the manager ended with {manager.process.returncode}: {manager.said()}")
+    said = campaign.must_end(manager)
     for host in (killed, steady, late):
         check(campaign.done_by(host) > 0, f"{host.name} did nothing")
-    said = report(manager)
     check((said["workers_joined"], said["workers_lost"]) == (3, 1), f"workers: {said}")
     check(said["resent"] > 0, "the killed worker had nothing to do: nothing was tried")
     check((said["left"], said["again"], said["rejected"], said["failed"]) == (0, 0, 0, 0), f"the run says {said}")

@@ -1,0 +1,65 @@
+"""A result is there already when a worker brings it: the same counts once, another one stops the run."""
+
+import hashlib
+import os
+
+import journal
+from campaign import Campaign
+from checks import check, wait_until
+from host import Host
+from stand_ins import noted
+
+
+def ids_under_way(host: Host) -> list[str]:
+    """Of orders that a worker has begun, and that take a while."""
+    orders = [file for file in (host.files / "begun").glob("*") if file.suffix != ".tmp"]
+    return [hashlib.sha256(file.read_bytes()).hexdigest()[:32] for file in orders]
+
+
+def put(campaign: Campaign, name: str, content: bytes) -> None:
+    check(not (campaign.folder / "results" / name).exists(), "the shard was no longer under way: nothing was tried")
+    beside = campaign.place.folder / "by-hand"
+    beside.write_bytes(content)
+    os.rename(beside, campaign.folder / "results" / name)
+
+
+def run(place) -> None:
+    truth = place.campaign(40, "truth")
+    check(place.dumbbell("campaign", "run", truth.folder).returncode == 0, "the local engine")
+    manager_host = place.host("manager")
+    host = place.host("worker", program=noted(place.program, str(place.network.here / "begun"), 1))
+    campaign = place.campaign(40)
+    results = campaign.folder / "results"
+
+    def begin():
+        manager = campaign.run(manager_host, "--program", place.stand_in, "--quiet")
+        if campaign.runs == 1:
+            campaign.worker(manager.worker_words(), host, cores=8)
+        return manager
+
+    def next_under_way() -> str:
+        for file in (host.files / "begun").glob("*"):
+            file.unlink()
+        wait_until(lambda: ids_under_way(host), "a worker begins a shard")
+        return ids_under_way(host)[0]
+
+    manager = begin()
+    other = next_under_way()
+    true_bytes = (truth.folder / "results" / other).read_bytes()
+    other_bytes = true_bytes.replace(b"dumbbell-certificate 1", b"dumbbell-certificate 2")
+    put(campaign, other, other_bytes)
+    check(manager.ended() == 1, f"another result that was there ended the manager with {manager.process.returncode}")
+    lines = [line for line in manager.said().splitlines() if "waiting for workers" not in line]
+    check(len(lines) == 1 and lines[0].startswith("dumbbell: two results of one shard differ"), f"it said {manager.said()!r}")
+    print(lines[0])
+    check((results / other).read_bytes() == other_bytes, "the result that was there is gone")
+    check((campaign.folder / "rejected" / other).read_bytes() == true_bytes, "the other result was not kept")
+    os.rename(results / other, place.folder / "moved-away")
+
+    manager = begin()
+    same = next_under_way()
+    put(campaign, same, (truth.folder / "results" / same).read_bytes())
+    said = campaign.must_end(manager)
+    check(said["again"] == 1, f"the run says {said}")
+    check([event.id for event in journal.events(campaign.folder) if event.what == "again"] == [same], "the journal")
+    campaign.must_be_whole(put_by_hand=1)

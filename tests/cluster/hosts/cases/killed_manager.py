@@ -1,0 +1,29 @@
+"""The manager is killed, and killed again, and asked to stop; started again on the same port it finds its workers."""
+
+import signal
+
+from checks import check
+from stand_ins import slow
+
+
+def run(place) -> None:
+    manager_host = place.host("manager")
+    hosts = [place.host(name, program=slow(place.program, 0.1)) for name in ("left", "right")]
+    campaign = place.campaign(120)
+    workers = []
+    kills = 0
+    for number in (signal.SIGKILL, signal.SIGKILL, signal.SIGTERM):
+        manager = campaign.run(manager_host, "--program", place.stand_in)
+        words = manager.worker_words()
+        workers = workers or [campaign.worker(words, host) for host in hosts]
+        for host in hosts:
+            campaign.wait_for_work_of(host, 5)
+        manager.process.send_signal(number)
+        kills += number == signal.SIGKILL
+        check(manager.ended() == -number, f"{number!r} ended the manager with {manager.process.returncode}")
+    check("stopped by SIGTERM" in manager.said() and "shards are left" in manager.said(), f"it said {manager.said()!r}")
+    manager = campaign.run(manager_host, "--program", place.stand_in)
+    said = campaign.must_end(manager)
+    check(all(worker.poll() is None for worker in workers), "a worker went away")
+    check(said["workers_joined"] == len(hosts) and said["again"] == 0, f"the last run says {said}")
+    campaign.must_be_whole(manager_kills=kills)
