@@ -192,7 +192,8 @@ Outcome WorkQueueEngine::outcome_of(const work_queue_task& task) const {
         outcome.reason = why(task);
     } else if (task.return_status != 0) {
         const std::string_view said = last_line(output);
-        outcome.reason = said.empty() ? "no result, and no message: is its disk full?" : printable(said, longest_reason);
+        outcome.reason =
+            said.empty() ? "no result, and no message: is its disk full?" : printable(said, longest_reason);
     } else if (output.size() > (options_.largest_result + 2) / 3 * 4) {
         outcome.reason = fmt::format("a result of more than {} bytes", options_.largest_result);
     } else if (auto bytes = from_base64(output)) {
