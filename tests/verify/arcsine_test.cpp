@@ -103,7 +103,7 @@ TEST_CASE("arcsine: the share encloses and is tight at any precision") {
                             hi = exact(enclosed.hi);
             INFO(bits << " bits, " << i);
             REQUIRE((lo <= value && value <= hi));
-            REQUIRE(((hi - lo) * (mpz_class(1) << (bits - 12)) < 1));
+            REQUIRE(((hi - lo) * (mpz_class(1) << static_cast<mp_bitcnt_t>(bits - 12)) < 1));
         }
     }
 }
