@@ -66,6 +66,32 @@ TEST_CASE("adiabatic: attained values above the true ones are refused, and those
     CHECK(mutant(printed(), " 4 72/25\n", " 4 289/100\n") == "attained");
 }
 
+TEST_CASE("adiabatic: at a large delta values are taken up to their sixth digit, and not beyond") {
+    Adiabatics file = small_bounce();
+    Adiabatic& errors = file.terms.claim;
+    errors.delta_lo = errors.delta_hi = mpq_class(1, 3);
+    errors.y_lo = 0;
+    errors.bounds = {2, 7};
+    for (auto& state : errors.attained) {
+        state.u = mpq_class(188553, 250000);
+        state.delta = mpq_class(1, 3);
+    }
+    errors.attained[0].value = mpq_class(647029, 500000);  // 1.2940580968 is true
+    errors.attained[1].value = mpq_class(228231, 50000);   // 4.5646271305
+    const std::string text = file.file();
+    CHECK(outcome(text) == "verified");
+    CHECK(mutant(text, "1 647029/500000\n", "1 1294059/1000000\n") == "attained");
+    CHECK(mutant(text, "1 228231/50000\n", "1 456463/100000\n") == "attained");
+
+    file = small_printed();
+    Adiabatic& change = file.terms.claim;
+    change.delta_lo = change.delta_hi = mpq_class(3, 10);
+    change.attained = {
+        {mpq_class(1797, 2500), mpq_class(377, 400), mpq_class(3, 10), 1, mpq_class(231917, 100000)}};
+    CHECK(outcome(file.file()) == "verified");  // 2.3191712596
+    CHECK(mutant(file.file(), "1 231917/100000\n", "1 115959/50000\n") == "attained");
+}
+
 TEST_CASE("adiabatic: an attained state must satisfy the hypotheses") {
     // Too near to the vertical, at the first contact (exactly) or at a later one.
     CHECK(mutant(bounce(), "attained 1119/5000 1/1", "attained 559/2500 1/1") == "attained");  // 0.2236
