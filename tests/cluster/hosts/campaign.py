@@ -48,13 +48,13 @@ class Campaign:
         self.runs += 1
         stem = f"{self.folder}-run-{self.runs}"
         address = ["--address", host.address] if is_open else []
-        words = [self.place.program, "campaign", "run", self.folder, "--engine", "workqueue", "--json", *address, *options]
-        return Manager(words, host, Path(stem + ".err"), Path(stem + ".json"))
+        words = ["campaign", "run", self.folder, "--engine", "workqueue", "--json", *address, *options]
+        return Manager([self.place.program, *words], host, Path(stem + ".err"), Path(stem + ".json"))
 
     def worker(self, words, host: Host, cores: int = 4) -> subprocess.Popen:
         """A worker on `host`, started by the line that the manager printed."""
         options = ["--cores", str(cores), "--workdir", self.place.network.here / "work", "--max-backoff", "1"]
-        return host.start([words[0], *words[1:-2], *options, *words[-2:]], self.place.folder / f"worker-{host.name}.log")
+        return host.start([*words[:-2], *options, *words[-2:]], self.place.folder / f"worker-{host.name}.log")
 
     def finished(self) -> int:
         return len(list((self.folder / "results").glob("[0-9a-f]" * 32)))

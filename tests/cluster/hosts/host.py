@@ -1,7 +1,5 @@
 """Hosts: network namespaces with a link each to one bridge, a name and a disk of their own."""
 
-import os
-import signal
 import subprocess
 from pathlib import Path
 
@@ -63,12 +61,3 @@ class Host:
 
     def connect_again(self) -> None:
         ip("link", "set", self.link, "up")
-
-    def crash(self) -> None:
-        """All its processes die at once, without a word."""
-        pids = subprocess.run(["ip", "netns", "pids", self.name], check=True, capture_output=True, text=True).stdout
-        for pid in pids.split():
-            try:
-                os.kill(int(pid), signal.SIGKILL)
-            except ProcessLookupError:
-                pass  # it ended by itself meanwhile

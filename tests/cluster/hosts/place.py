@@ -24,8 +24,8 @@ class Place:
         return self.here(self.verifier, *words)
 
     def here(self, *words) -> subprocess.CompletedProcess:
-        return subprocess.run([str(word) for word in words], cwd=self.folder, capture_output=True, text=True, check=False,
-                              stdin=subprocess.DEVNULL)
+        return subprocess.run([str(word) for word in words], cwd=self.folder, stdin=subprocess.DEVNULL,
+                              capture_output=True, text=True, check=False)
 
     def in_one_go(self) -> bytes:
         """The certificate of the claim, by `certify`."""

@@ -6,7 +6,11 @@ def slow(program: str, seconds: float) -> str:
     return f'#!/bin/sh\nsleep {seconds}\nexec {program} "$@"\n'
 
 
-RESEAL = """seal() { head -n -1 "$1" > body; printf 'sha256 %s\\n' "$(sha256sum < body | cut -c 1-64)" | cat body - > "$1"; }
+RESEAL = """
+seal() {
+    head -n -1 "$1" > body
+    printf 'sha256 %s\\n' "$(sha256sum < body | cut -c 1-64)" | cat body - > "$1"
+}
 """
 
 
@@ -25,14 +29,16 @@ def garbled(program: str, how: str) -> str:
 
 def garblers(program: str) -> dict[str, str]:
     """What may happen to a result."""
+    other = f"{program} certify 3:4 --gap 1e-9 --quiet --out other.dbc; mv other.dbc result"
+    edited = "awk '/^{0} / && !n++ {{{1}}} {{print}}' result > edited; mv edited result; seal result"
     return {
         "random": garbled(program, "head -c 3000 /dev/urandom > result"),
         "empty": garbled(program, ": > result"),
         "truncated": garbled(program, "head -n 30 result > half; mv half result"),
-        "elsewhere": garbled(program, f"{program} certify 3:4 --gap 1e-9 --quiet --out result.dbc; mv result.dbc result"),
+        "elsewhere": garbled(program, other),
         # With a right checksum: the bound of a piece is one less; the count in a leaf is, and no bound changes.
-        "bound": garbled(program, "awk '/^upper / && !n++ {$2 -= 1} {print}' result > x; mv x result; seal result"),
-        "leaf": garbled(program, "awk '/^count / && !n++ {$2 = 1; $3 = 1} {print}' result > x; mv x result; seal result"),
+        "bound": garbled(program, edited.format("upper", "$2 -= 1")),
+        "leaf": garbled(program, edited.format("count", "$2 = 1; $3 = 1")),
     }
 
 

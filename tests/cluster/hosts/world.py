@@ -13,8 +13,8 @@ import tempfile
 SKIPPED = 77  # ctest's SKIP_RETURN_CODE
 INSIDE = "DUMBBELL_HOSTS_WORLD"
 UNSHARE = ["unshare", "--net", "--mount", "--pid", "--fork", "--kill-child", "--mount-proc"]
-PROBE = "mount -t tmpfs tmpfs /run && ip netns add probe && ip link add probe type veth peer name eth0 netns probe && " \
-        "ip link add bridge type bridge"
+PROBE = "mount -t tmpfs tmpfs /run && ip netns add probe && ip link add bridge type bridge && " \
+        "ip link add probe type veth peer name eth0 netns probe"
 
 
 def skip(why: str) -> None:

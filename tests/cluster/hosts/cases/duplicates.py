@@ -50,7 +50,7 @@ def run(place) -> None:
     put(campaign, other, other_bytes)
     check(manager.ended() == 1, f"another result that was there ended the manager with {manager.process.returncode}")
     lines = [line for line in manager.said().splitlines() if "waiting for workers" not in line]
-    check(len(lines) == 1 and lines[0].startswith("dumbbell: two results of one shard differ"), f"it said {manager.said()!r}")
+    check(len(lines) == 1 and lines[0].startswith("dumbbell: two results of one shard differ"), f"it said {lines}")
     print(lines[0])
     check((results / other).read_bytes() == other_bytes, "the result that was there is gone")
     check((campaign.folder / "rejected" / other).read_bytes() == true_bytes, "the other result was not kept")
