@@ -54,7 +54,7 @@ int made(const std::string& folder, const Plan& plan, const std::vector<std::str
 
 int plan_certify(const Options& options) {
     CertifyRequest request = request_of(options.claim, parse_ratio_argument(options.claim.ratio));
-    Progress progress("critical ratios placed");
+    Progress progress("steps");
     request.placed = [&](std::size_t done, std::size_t all) { progress.update(done, all); };
     const auto plan = plan_collisions(request, options.shards, deadline(std::nullopt));
     if (!plan) {

@@ -23,7 +23,8 @@ namespace dumbbell {
 namespace {
 
 constexpr const char* description =
-    "Work one order off (a worker does; nobody types this). Exit codes: 0 the result is there; 3 not within "
+    "Work one order off (a worker does; nobody types this). It ends with 0 if the result is there, with 3 if "
+    "not within "
     "the limit.";
 
 struct Options {

@@ -74,7 +74,7 @@ CertifyRequest request_of(const Options& options, const RatioArgument& ratio) {
 }
 
 std::vector<ProvedPiece> prove(CertifyRequest request, Loudness loudness) {
-    Progress planning("critical ratios placed", loudness);  // before the first piece
+    Progress planning("steps", loudness);  // before the first piece
     request.placed = [&](std::size_t done, std::size_t all) { planning.update(done, all); };
     Progress progress(request.q_lo == request.q_hi ? "boxes" : "pieces", loudness);
     request.judged = [&](std::size_t boxes) { progress.advance(boxes); };
