@@ -64,7 +64,7 @@ class WorkersWanted {
         remark(
             fmt::format("waiting for workers at {}:{}; to start one: {}", place.address, place.port, line_));
         if (loudness == Loudness::normal) {
-            fmt::print(stderr, "{}", worker_examples(place, host.data()));
+            say(worker_examples(place, host.data()));
         }
     }
 

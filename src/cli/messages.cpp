@@ -21,10 +21,13 @@ bool is_coloured() {
 
 }  // namespace
 
+// Not fmt::print, which throws where it cannot write: in a handler of exceptions that would be the end.
+void say(const std::string& text) { (void)std::fwrite(text.data(), 1, text.size(), stderr); }
+
 void complain(const std::string& text) {
-    fmt::print(stderr, "{} {}\n", is_coloured() ? "\033[31mdumbbell:\033[0m" : "dumbbell:", text);
+    say(fmt::format("{} {}\n", is_coloured() ? "\033[31mdumbbell:\033[0m" : "dumbbell:", text));
 }
 
-void remark(const std::string& text) { fmt::print(stderr, "dumbbell: {}\n", text); }
+void remark(const std::string& text) { say(fmt::format("dumbbell: {}\n", text)); }
 
 }  // namespace dumbbell

@@ -2,14 +2,18 @@
 
 #include <string>
 
-/// What the program says on stderr: one line each, with its name before it.
+/// What the program says on stderr. None of these fails: where it cannot be written (a log on a full disk),
+/// the exit code alone says what happened.
 namespace dumbbell {
 
-/// What went wrong, and what to do. On a terminal the name is red, unless the environment variable NO_COLOR
-/// is set and not empty (no-color.org) or TERM is dumb.
+/// The text as it is.
+void say(const std::string& text);
+
+/// One line, with the program's name before it: what went wrong, and what to do. On a terminal the name is
+/// red, unless the environment variable NO_COLOR is set and not empty (no-color.org) or TERM is dumb.
 void complain(const std::string& text);
 
-/// What is good to know.
+/// The same way: what is good to know.
 void remark(const std::string& text);
 
 }  // namespace dumbbell

@@ -24,7 +24,7 @@ std::size_t columns() {
 
 /// In place of the line before. The last column stays free: some terminals would begin a new line there.
 void show(const std::string& line) {
-    fmt::print(stderr, "\r{}\033[K", line.substr(0, columns() - 1));
+    say(fmt::format("\r{}\033[K", line.substr(0, columns() - 1)));
     std::fflush(stderr);
 }
 
@@ -53,7 +53,7 @@ Progress::~Progress() { clear(); }
 
 void Progress::clear() {
     if (std::exchange(shown_, false)) {
-        fmt::print(stderr, "\r\033[K");
+        say("\r\033[K");
     }
 }
 

@@ -130,3 +130,13 @@ TEST_CASE("messages are plain ASCII whatever was typed") {
         CHECK(std::all_of(message.begin(), message.end() - 1, [](char c) { return c >= ' ' && c <= '~'; }));
     }
 }
+
+TEST_CASE("the exit code is the same where the message cannot be written") {
+    for (const char* arguments : {" certify ten", " no-such-command", " campaign run no-such-folder"}) {
+        CAPTURE(arguments);
+        const Outcome result =
+            run({"sh", "-c", std::string("exec " DUMBBELL_BIN) + arguments + " 2>/dev/full"});
+        CHECK(result.code == 2);
+        CHECK(result.out.empty());
+    }
+}
