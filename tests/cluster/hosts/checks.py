@@ -12,7 +12,7 @@ def check(holds, what: str) -> None:
         raise Failed(what)
 
 
-def wait_until(condition, what: str, seconds: float = 60) -> None:
+def wait_until(condition, what: str, seconds: float = 240) -> None:
     end = time.monotonic() + seconds
     while not condition():
         check(time.monotonic() < end, f"in {seconds} s it did not happen that {what}")

@@ -25,5 +25,5 @@ def run(place) -> None:
     manager = campaign.run(manager_host, "--program", place.stand_in)
     said = campaign.must_end(manager)
     check(all(worker.poll() is None for worker in workers), "a worker went away")
-    check(said["workers_joined"] == len(hosts) and said["again"] == 0, f"the last run says {said}")
+    check(said["workers_joined"] >= len(hosts) and said["again"] == 0, f"the last run says {said}")
     campaign.must_be_whole(manager_kills=kills)
