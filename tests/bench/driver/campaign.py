@@ -31,10 +31,15 @@ def local(program, folder, count):
     return ask(program, "campaign", "run", folder, "--jobs", count, "--json")
 
 
-def on_workers(program, folder, count):
+def looked_at(program, folder, count):
+    """The same, but what comes in is only looked at."""
+    return on_workers(program, folder, count, "--verify", "merge")
+
+
+def on_workers(program, folder, count, *options):
     """A run with so many workers of one core each, which are there from the first moment."""
     port = free_port()
-    with subprocess.Popen([program, "campaign", "run", folder, "--engine", "workqueue", "--port", str(port), "--json"],
+    with subprocess.Popen([program, "campaign", "run", folder, "--engine", "workqueue", "--port", str(port), "--json", *options],
                           stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True) as manager:
         while not (folder / "password").exists():
             time.sleep(0.01)
@@ -50,7 +55,8 @@ def on_workers(program, folder, count):
 
 def workers(bin_folder, claim, repeat):
     program = bin_folder / "dumbbell"
-    ways = {("threads", 1): local, ("threads", 2): local, ("workers", 1): on_workers, ("workers", 2): on_workers}
+    ways = {(engine, count): run for engine, run in {"threads": local, "workers": on_workers, "workers --verify merge": looked_at}.items()
+            for count in (1, 2)}
     found = {way: [] for way in ways}
     for _ in range(repeat):
         for (engine, count), run in ways.items():
@@ -60,7 +66,7 @@ def workers(bin_folder, claim, repeat):
                 found[engine, count].append(run(program, folder, count))
     best = {way: min(runs, key=lambda run: run["seconds"]) for way, runs in found.items()}
     base = best["threads", 1]["seconds"]
-    rows = [[f"{count} {engine if count > 1 else engine[:-1]}", tables.time(run["seconds"]), tables.time(run["worked_seconds"]),
+    rows = [[f"{count} {engine}", tables.time(run["seconds"]), tables.time(run["worked_seconds"]),
              tables.time(run["verification_seconds"]), f"{1000 * run['manager_seconds_a_shard']:.1f} ms",
              tables.ratio(base / (count * run["seconds"]))] for (engine, count), run in best.items()]
     tables.show(f"A campaign: {' '.join(claim)}", ["engine", "wall", "proving", "verifying", "manager/shard", "efficiency"], rows,

@@ -59,7 +59,7 @@ class Campaign:
     def finished(self) -> int:
         return len(list((self.folder / "results").glob("[0-9a-f]" * 32)))
 
-    def wait_for(self, count: int, seconds: float = 60) -> None:
+    def wait_for(self, count: int, seconds: float = 240) -> None:
         wait_until(lambda: self.finished() >= count, f"{count} shards are finished", seconds)
 
     def must_end(self, manager: Manager, seconds: float = 90) -> dict:
@@ -70,11 +70,11 @@ class Campaign:
     def done_by(self, host: Host) -> int:
         return len(journal.of_worker(self.folder, "done", host.name))
 
-    def wait_for_work_of(self, host: Host, more: int = 1, seconds: float = 60) -> None:
+    def wait_for_work_of(self, host: Host, more: int = 1, seconds: float = 240) -> None:
         before = self.done_by(host)
         wait_until(lambda: self.done_by(host) >= before + more, f"{host.name} finishes {more} more shards", seconds)
 
-    def wait_for_state(self, figures: str, seconds: float = 60) -> None:
+    def wait_for_state(self, figures: str, seconds: float = 240) -> None:
         """These words are in the newest figures of the engine, which the journal has every ten seconds."""
         def states():
             return [event.text + " " for event in journal.events(self.folder) if event.what == "state"]
