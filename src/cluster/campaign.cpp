@@ -79,7 +79,9 @@ class Run {
         Outcome outcome;
     };
 
-    bool has_work() const { return !waiting_.empty() || !under_way_.empty() || !arrived_.empty(); }
+    [[nodiscard]] bool has_work() const {
+        return !waiting_.empty() || !under_way_.empty() || !arrived_.empty();
+    }
 
     void step() {
         const auto begin = Clock::now();
@@ -91,7 +93,7 @@ class Run {
             take(std::move(*outcome));
         }
         while (auto answer = judges_ ? judges_->answer() : std::nullopt) {
-            take(std::move(*answer));
+            take(*answer);
         }
         look_at_workers();
         result_.own_seconds += seconds_since(arrival);
@@ -146,7 +148,7 @@ class Run {
         arrived_.emplace(next_number_++, Arrived{std::move(shard), std::move(outcome)});
     }
 
-    void take(Judges::Answer answer) {
+    void take(const Judges::Answer& answer) {
         const auto found = arrived_.find(answer.number);
         Arrived arrived = std::move(found->second);
         arrived_.erase(found);

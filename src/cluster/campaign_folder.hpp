@@ -64,7 +64,7 @@ class CampaignFolder {
     [[nodiscard]] bool has_result(const std::string& id) const;
     /// Keeps a result for good. True if it was not there before; the same again changes nothing. Throws
     /// ResultsDiffer, and keeps both, if there is another.
-    bool keep_result(const std::string& id, const std::string& bytes) const;
+    [[nodiscard]] bool keep_result(const std::string& id, const std::string& bytes) const;
 
     void split(const std::string& id) const;
 

@@ -170,7 +170,7 @@ TEST_CASE("a result that comes twice counts once, and another one stops the camp
     const std::string truth = *CriticalKind().work(campaign.folder->order(part), ".", never);
     ScriptedEngine engine([&](const Task& task, int) {
         if (task.id == part.id) {  // it came by another way, meanwhile
-            campaign.folder->keep_result(task.id, truth);
+            CHECK(campaign.folder->keep_result(task.id, truth));
         }
         return worked(task);
     });
@@ -180,7 +180,7 @@ TEST_CASE("a result that comes twice counts once, and another one stops the camp
 
     Campaign other;
     ScriptedEngine differs([&](const Task& task, int) {
-        other.folder->keep_result(task.id, "something else");
+        CHECK(other.folder->keep_result(task.id, "something else"));
         return worked(task);
     });
     CHECK_THROWS_AS(other.run(differs), ResultsDiffer);
