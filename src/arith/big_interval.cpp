@@ -181,4 +181,6 @@ BigInterval midpoint(const BigInterval& x) {
     return result;
 }
 
+void forget_thread_constants() { mpfr_free_cache(); }
+
 }  // namespace dumbbell

@@ -4,6 +4,7 @@
 #include <exception>
 #include <utility>
 
+#include "arith/big_interval.hpp"
 #include "arith/self_test.hpp"
 
 namespace dumbbell {
@@ -11,7 +12,10 @@ namespace dumbbell {
 Judges::Judges(const Kind& kind, std::string folder, int jobs, Scrutiny scrutiny)
     : kind_(kind), folder_(std::move(folder)), scrutiny_(scrutiny) {
     for (int i = 0; i < jobs; ++i) {
-        crew_.emplace_back([this] { work(); });
+        crew_.emplace_back([this] {
+            work();
+            forget_thread_constants();
+        });
     }
 }
 

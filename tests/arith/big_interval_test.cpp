@@ -293,3 +293,15 @@ TEST_CASE("min, max, hull, sqrt and asin do not turn NaN into a number") {
     CHECK_FALSE(certainly_less(asin(bad), BigInterval(1.5)));
     CHECK_FALSE(certainly_less(BigInterval(-1.5), asin(bad)));
 }
+
+TEST_CASE("A thread gives the constants back that it used") {
+    mpfr_free_cache();
+    mp_set_memory_functions(allocate, reallocate, release);
+    std::jthread([] {
+        (void)asin(BigInterval(0.25));
+        CHECK(blocks > 0);
+        forget_thread_constants();
+    }).join();
+    CHECK(blocks == 0);
+    mp_set_memory_functions(nullptr, nullptr, nullptr);
+}
