@@ -10,6 +10,7 @@
 #include <string_view>
 
 #include "arith/error.hpp"
+#include "arith/hexadecimal.hpp"
 #include "certificate/adiabatic_reader.hpp"
 #include "certificate/initial_reader.hpp"
 #include "certificate/lines.hpp"
@@ -34,11 +35,7 @@ class Digest {
         std::array<unsigned char, EVP_MAX_MD_SIZE> bytes{};
         unsigned size = 0;
         require(EVP_DigestFinal_ex(context_.get(), bytes.data(), &size) == 1, "SHA-256 failed");
-        std::string text;
-        for (unsigned i = 0; i < size; ++i) {
-            text += fmt::format("{:02x}", bytes[i]);
-        }
-        return text;
+        return hexadecimal(bytes.data(), size);
     }
 
   private:

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <openssl/evp.h>
 
+#include <algorithm>
 #include <array>
 #include <iterator>
 #include <map>
@@ -10,6 +11,7 @@
 #include <vector>
 
 #include "arith/error.hpp"
+#include "arith/hexadecimal.hpp"
 #include "certificate/names.hpp"
 
 namespace dumbbell {
@@ -112,17 +114,20 @@ class Writer {
 
 }  // namespace
 
-std::string sha256_hex(const std::string& bytes) {
+std::string sha256_hex(std::string_view bytes) {
     std::array<unsigned char, EVP_MAX_MD_SIZE> digest{};
     unsigned int size = 0;
     require(EVP_Digest(bytes.data(), bytes.size(), digest.data(), &size, EVP_sha256(), nullptr) == 1 &&
                 size == 32,
             "SHA-256 failed");
-    std::string hex;
-    for (unsigned int i = 0; i < size; ++i) {
-        fmt::format_to(std::back_inserter(hex), "{:02x}", digest[i]);
-    }
-    return hex;
+    return hexadecimal(digest.data(), size);
+}
+
+std::optional<std::string_view> sealed_lines(std::string_view text) {
+    constexpr std::size_t seal = 72;  // `sha256 `, 64 digits, the line's end
+    const std::string_view lines = text.substr(0, text.size() - std::min(text.size(), seal));
+    const bool is_sealed = text.substr(lines.size()) == fmt::format("sha256 {}\n", sha256_hex(lines));
+    return is_sealed ? std::optional(lines) : std::nullopt;
 }
 
 std::string to_dyadic(const Rational& x) {

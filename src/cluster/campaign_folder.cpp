@@ -1,9 +1,6 @@
 #include "cluster/campaign_folder.hpp"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/file.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <array>
@@ -83,6 +80,9 @@ CampaignFolder::CampaignFolder(std::string path) : path_(std::move(path)), journ
         throw InputError(fmt::format("'{}': {}", file, error.what()));
     }
     plan_digest_ = sha256_hex(text);
+    for (const Plan::Shard& shard : plan_.shards) {
+        ids_.push_back(plan_.order(shard.first, shard.end).id());
+    }
     for (const Event& event : journal_.read()) {
         if (event.what == Event::What::begin && event.text != plan_digest_) {
             throw InputError(
@@ -93,12 +93,6 @@ CampaignFolder::CampaignFolder(std::string path) : path_(std::move(path)), journ
     }
     require_own_files();
     require_known_results();
-}
-
-CampaignFolder::Lock::~Lock() {
-    if (descriptor >= 0) {
-        ::close(descriptor);
-    }
 }
 
 void CampaignFolder::require_own_files() const {
@@ -146,19 +140,9 @@ void CampaignFolder::require_known_results() const {
 }
 
 void CampaignFolder::lock() {
-    lock_.descriptor = ::open(path_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    if (lock_.descriptor < 0 || ::flock(lock_.descriptor, LOCK_EX | LOCK_NB) != 0) {
+    if (!lock_.take(path_)) {
         throw InputError(fmt::format("'{}' is in use by another run: wait for it, or stop it first", path_));
     }
-}
-
-bool CampaignFolder::is_locked_by_another() const {
-    const int descriptor = ::open(path_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    const bool is_locked = descriptor >= 0 && ::flock(descriptor, LOCK_SH | LOCK_NB) != 0;
-    if (descriptor >= 0) {
-        ::close(descriptor);
-    }
-    return is_locked;
 }
 
 bool CampaignFolder::has_result(const std::string& id) const { return fs::exists(result_file(id)); }
@@ -175,11 +159,10 @@ void CampaignFolder::add_parts(const Part& part, std::vector<Part>& all) const {
 
 std::vector<CampaignFolder::Part> CampaignFolder::parts() const {
     std::vector<Part> all;
-    for (const Plan::Shard& shard : plan_.shards) {
-        Part part{shard.first, shard.end, static_cast<double>(shard.cost), {}, false};
-        part.id = order(part).id();
-        part.finished = has_result(part.id);
-        add_parts(part, all);
+    for (std::size_t i = 0; i < ids_.size(); ++i) {
+        const Plan::Shard& shard = plan_.shards[i];
+        add_parts({shard.first, shard.end, static_cast<double>(shard.cost), ids_[i], has_result(ids_[i])},
+                  all);
     }
     return all;
 }

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "certificate/folder_lock.hpp"
 #include "cluster/journal.hpp"
 #include "cluster/plan.hpp"
 
@@ -40,7 +41,7 @@ class CampaignFolder {
 
     /// For whoever changes it: throws InputError if another program does. Ends with this object.
     void lock();
-    [[nodiscard]] bool is_locked_by_another() const;
+    [[nodiscard]] bool is_locked_by_another() const { return FolderLock::is_taken(path_); }
 
     [[nodiscard]] const Plan& plan() const { return plan_; }
     [[nodiscard]] const std::string& plan_digest() const { return plan_digest_; }
@@ -86,14 +87,9 @@ class CampaignFolder {
     std::string path_;
     Plan plan_;
     std::string plan_digest_;
+    std::vector<std::string> ids_;  ///< of the plan's shards
     Journal journal_;
-    struct Lock {
-        int descriptor = -1;
-        Lock() = default;
-        ~Lock();
-        Lock(const Lock&) = delete;
-        Lock& operator=(const Lock&) = delete;
-    } lock_;
+    FolderLock lock_;
 };
 
 }  // namespace dumbbell

@@ -2,15 +2,10 @@
 
 #include <algorithm>
 #include <charconv>
-#include <chrono>
 #include <set>
 
 namespace dumbbell {
 namespace {
-
-double now() {
-    return std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
-}
 
 /// The number behind `word=` in a line of figures.
 std::size_t figure(const std::string& line, const std::string& word) {
@@ -91,7 +86,7 @@ CampaignStatus campaign_status(const CampaignFolder& folder) {
             done_now += run.done.contains(part.id) ? part.cost : 0;
         }
     }
-    const double present = now();
+    const double present = seconds_since_1970();
     for (auto& [name, worker] : status.workers) {
         worker.last_heard = std::max(0.0, present - worker.last_heard);
     }

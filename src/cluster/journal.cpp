@@ -23,10 +23,6 @@ namespace {
 constexpr std::array<std::string_view, 8> words_of{"begin",    "end",    "done",  "again",
                                                    "rejected", "failed", "split", "state"};
 
-double now() {
-    return std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
-}
-
 std::string field(const std::string& text) { return printable(text, 1000); }
 
 std::string line_of(const Event& event) {
@@ -67,26 +63,24 @@ std::optional<Event> event_of(std::string_view line) {
 
 }  // namespace
 
-Journal::~Journal() {
-    if (descriptor_ >= 0) {
-        ::close(descriptor_);
-    }
+double seconds_since_1970() {
+    return std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
 }
 
 void Journal::append(Event event) {
-    if (descriptor_ < 0) {
-        descriptor_ = ::open(path_.c_str(), O_RDWR | O_CREAT | O_APPEND | O_NOFOLLOW | O_CLOEXEC, 0666);
+    if (file_.get() < 0) {
+        file_ = Descriptor(::open(path_.c_str(), O_RDWR | O_CREAT | O_APPEND | O_NOFOLLOW | O_CLOEXEC, 0666));
     }
-    event.time = now();
+    event.time = seconds_since_1970();
     std::string line = line_of(event);
     // What a crash cut off must not run into this line.
     char last = '\n';
-    const off_t size = descriptor_ < 0 ? 0 : ::lseek(descriptor_, 0, SEEK_END);
-    if (size > 0 && ::pread(descriptor_, &last, 1, size - 1) == 1 && last != '\n') {
+    const off_t size = file_.get() < 0 ? 0 : ::lseek(file_.get(), 0, SEEK_END);
+    if (size > 0 && ::pread(file_.get(), &last, 1, size - 1) == 1 && last != '\n') {
         line.insert(0, 1, '\n');
     }
-    if (descriptor_ < 0 ||
-        ::write(descriptor_, line.data(), line.size()) != static_cast<ssize_t>(line.size())) {
+    if (file_.get() < 0 ||
+        ::write(file_.get(), line.data(), line.size()) != static_cast<ssize_t>(line.size())) {
         throw InputError(fmt::format("cannot write '{}': {}", path_, std::strerror(errno)));
     }
 }

@@ -3,6 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "certificate/descriptor.hpp"
+
 namespace dumbbell {
 
 /// What happened to a shard, or to the campaign.
@@ -27,14 +29,14 @@ struct Event {
     friend bool operator==(const Event&, const Event&) = default;
 };
 
+/// Seconds since 1970, as events have them.
+[[nodiscard]] double seconds_since_1970();
+
 /// A file to which events are appended, a line each, for people and for `status`. No proof rests on it: a
 /// line that is damaged, as the last one may be after a crash, is passed over.
 class Journal {
   public:
     explicit Journal(std::string path) : path_(std::move(path)) {}
-    ~Journal();
-    Journal(const Journal&) = delete;
-    Journal& operator=(const Journal&) = delete;
 
     /// The present time is put in. Throws InputError if it cannot be written.
     void append(Event event);
@@ -44,7 +46,7 @@ class Journal {
 
   private:
     std::string path_;
-    int descriptor_ = -1;
+    Descriptor file_;
 };
 
 }  // namespace dumbbell

@@ -12,30 +12,15 @@
 #include <cstring>
 
 #include "arith/error.hpp"
+#include "arith/hexadecimal.hpp"
 #include "certificate/atomic_file.hpp"
+#include "certificate/descriptor.hpp"
 
 namespace dumbbell {
 namespace {
 
 constexpr std::size_t least_characters = 16;
 constexpr std::size_t most_characters = 256;
-
-class Descriptor {
-  public:
-    explicit Descriptor(int descriptor) : descriptor_(descriptor) {}
-    ~Descriptor() {
-        if (descriptor_ >= 0) {
-            ::close(descriptor_);
-        }
-    }
-    Descriptor(const Descriptor&) = delete;
-    Descriptor& operator=(const Descriptor&) = delete;
-
-    [[nodiscard]] int get() const { return descriptor_; }
-
-  private:
-    int descriptor_;
-};
 
 [[noreturn]] void fail(const char* doing, const std::string& file) {
     throw InputError(fmt::format("cannot {} '{}': {}", doing, file, std::strerror(errno)));
@@ -44,11 +29,7 @@ class Descriptor {
 std::string random_line() {
     std::array<unsigned char, 32> bytes{};
     require(RAND_bytes(bytes.data(), static_cast<int>(bytes.size())) == 1, "no random numbers");
-    std::string line;
-    for (const unsigned char byte : bytes) {
-        line += fmt::format("{:02x}", byte);
-    }
-    return line + '\n';
+    return hexadecimal(bytes.data(), bytes.size()) + '\n';
 }
 
 /// Gives `file` a secret, all of it at once, unless something of that name is there.

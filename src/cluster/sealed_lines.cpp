@@ -6,16 +6,12 @@
 
 namespace dumbbell {
 
-SealedReader::SealedReader(std::string_view text, std::string_view what) : rest_(text), what_(what) {
-    constexpr std::size_t seal = 72;  // `sha256 `, 64 digits, the line's end
-    if (text.size() < seal) {
+SealedReader::SealedReader(std::string_view text, std::string_view what) : what_(what) {
+    const auto lines = sealed_lines(text);
+    if (!lines) {
         fail();
     }
-    const std::string_view body = text.substr(0, text.size() - seal);
-    if (text.substr(body.size()) != fmt::format("sha256 {}\n", sha256_hex(std::string(body)))) {
-        fail();
-    }
-    rest_ = body;
+    rest_ = *lines;
 }
 
 void SealedReader::fail() const {

@@ -15,6 +15,7 @@
 #include <string_view>
 
 #include "arith/error.hpp"
+#include "arith/hexadecimal.hpp"
 #include "cluster/work_queue_api.hpp"
 
 namespace dumbbell {
@@ -27,14 +28,6 @@ struct Listening {
     int error = 0;
 };
 Listening* listening = nullptr;  // of the one thread that makes a queue
-
-std::string hexadecimal(const unsigned char* bytes, std::size_t size) {
-    std::string text;
-    for (std::size_t i = 0; i < size; ++i) {
-        text += fmt::format("{:02x}", bytes[i]);
-    }
-    return text;
-}
 
 /// The peer's next line; nothing if none came in time.
 std::optional<std::string> read_line(Link* peer, std::time_t until) {

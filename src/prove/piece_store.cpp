@@ -1,9 +1,6 @@
 #include "prove/piece_store.hpp"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/file.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -27,13 +24,6 @@ std::string text_of(const StoredClaim& claim) {
         "dumbbell-partial 1\ngenerator dumbbell {}\nlemmas {}\nscene {}\nsection {}\nratio {} {}\ngap {}\n",
         DUMBBELL_VERSION, lemma_set(claim.section), name(claim.scene), name(claim.section),
         to_fraction(claim.q_lo), to_fraction(claim.q_hi), to_fraction(claim.gap));
-}
-
-/// Whether the last line is the checksum of all lines before it.
-bool is_whole(const std::string& text) {
-    const auto last = text.rfind("sha256 ");
-    return last != std::string::npos &&
-           text.substr(last) == fmt::format("sha256 {}\n", sha256_hex(text.substr(0, last)));
 }
 
 /// An empty folder, or what a run leaves that was killed while it wrote its claim.
@@ -70,8 +60,7 @@ PieceStore::PieceStore(std::string folder, const StoredClaim& claim)
     if (failed) {
         throw InputError(fmt::format("cannot make the folder '{}': {}", folder_, failed.message()));
     }
-    lock_.descriptor = ::open(folder_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    if (lock_.descriptor < 0 || ::flock(lock_.descriptor, LOCK_EX | LOCK_NB) != 0) {
+    if (!lock_.take(folder_)) {
         throw InputError(
             fmt::format("'{}' is in use by another run: wait for it, or use another --out", folder_));
     }
@@ -79,12 +68,6 @@ PieceStore::PieceStore(std::string folder, const StoredClaim& claim)
         AtomicFile(file).commit(text_);
     } else if (file_contents(file) != text_) {
         holds_another_run(folder_);
-    }
-}
-
-PieceStore::Lock::~Lock() {
-    if (descriptor >= 0) {
-        ::close(descriptor);
     }
 }
 
@@ -109,7 +92,7 @@ std::string PieceStore::file_of(const PlannedPiece& planned) const {
 }
 
 std::optional<Piece> PieceStore::read(const std::string& file, const PlannedPiece& planned) const {
-    if (!is_whole(file_contents(file))) {
+    if (!sealed_lines(file_contents(file))) {
         return std::nullopt;
     }
     try {

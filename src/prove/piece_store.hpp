@@ -5,6 +5,7 @@
 #include <string>
 
 #include "certificate/certificate.hpp"
+#include "certificate/folder_lock.hpp"
 #include "prove/staircase.hpp"
 
 namespace dumbbell {
@@ -56,14 +57,7 @@ class PieceStore {
     StoredClaim claim_;
     std::string text_;  ///< of the claim
 
-    /// Of the folder; given back also when the constructor throws.
-    struct Lock {
-        int descriptor = -1;
-        Lock() = default;
-        ~Lock();
-        Lock(const Lock&) = delete;
-        Lock& operator=(const Lock&) = delete;
-    } lock_;
+    FolderLock lock_;
 };
 
 }  // namespace dumbbell

@@ -106,6 +106,24 @@ TEST_CASE("SHA-256 of known texts") {
           "cdc76e5c9914fb9281a1c7e284d73e67f1809a48a497200e046d39ccc7112cd0");
 }
 
+TEST_CASE("a text is sealed by the SHA-256 of all lines before its last one") {
+    using dumbbell::sealed_lines;
+    const auto seal = [](const std::string& lines) {
+        return lines + "sha256 " + dumbbell::sha256_hex(lines) + "\n";
+    };
+    CHECK(sealed_lines(seal("one\ntwo\n")) == "one\ntwo\n");
+    CHECK(sealed_lines(seal("")) == "");
+    const std::string sealed = seal("one\ntwo\n");
+    for (std::size_t i = 0; i < sealed.size(); ++i) {
+        CAPTURE(i);
+        std::string changed = sealed;
+        changed[i] = changed[i] == 'x' ? 'y' : 'x';
+        CHECK_FALSE(sealed_lines(changed));
+        CHECK_FALSE(sealed_lines(sealed.substr(0, i)));
+        CHECK_FALSE(sealed_lines(sealed.substr(i + 1)));
+    }
+}
+
 TEST_CASE("a dyadic has an odd numerator and no sign but the exponent's") {
     CHECK(to_dyadic(0) == "0b0");
     CHECK(to_dyadic(1) == "1b0");

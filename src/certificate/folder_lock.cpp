@@ -1,0 +1,25 @@
+#include "certificate/folder_lock.hpp"
+
+#include <fcntl.h>
+#include <sys/file.h>
+
+namespace dumbbell {
+namespace {
+
+Descriptor opened(const std::string& folder) {
+    return Descriptor(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+}
+
+}  // namespace
+
+bool FolderLock::take(const std::string& folder) {
+    folder_ = opened(folder);
+    return folder_.get() >= 0 && ::flock(folder_.get(), LOCK_EX | LOCK_NB) == 0;
+}
+
+bool FolderLock::is_taken(const std::string& folder) {
+    const Descriptor descriptor = opened(folder);
+    return descriptor.get() >= 0 && ::flock(descriptor.get(), LOCK_SH | LOCK_NB) != 0;
+}
+
+}  // namespace dumbbell
