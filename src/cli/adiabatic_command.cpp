@@ -7,13 +7,13 @@
 #include <chrono>
 #include <memory>
 #include <optional>
-#include <thread>
 
 #include "arith/error.hpp"
 #include "certificate/adiabatic_writer.hpp"
 #include "certificate/atomic_file.hpp"
 #include "cli/adiabatic_claim.hpp"
 #include "cli/exit_code.hpp"
+#include "cli/jobs_option.hpp"
 #include "cli/messages.hpp"
 #include "cli/progress.hpp"
 #include "cli/ratio_argument.hpp"
@@ -57,7 +57,7 @@ struct Options {
     AdiabaticWords claim;
     std::optional<std::string> bounces, budget;
     std::string out;
-    int jobs = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+    int jobs = all_cores();
     bool json = false;
     bool quiet = false;
 };
@@ -165,9 +165,7 @@ void add_adiabatic_command(CLI::App& app, int& exit_code) {
                      "any number)")
         ->type_name("K");
     command->add_option("--budget", options->budget, "stop after this time: 30s, 10m, 2h")->type_name("TIME");
-    command->add_option("--jobs", options->jobs, "threads; the result does not depend on it")
-        ->check(CLI::Range(1, 1024))
-        ->default_str("all cores");
+    add_jobs_option(*command, options->jobs);
     command->add_option("--out", options->out, "write the certificate to FILE (FILE.gz: compressed)")
         ->check([](const std::string& file) { return file.empty() ? "the file name is empty" : ""; })
         ->type_name("FILE");

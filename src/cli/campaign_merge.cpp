@@ -1,14 +1,13 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <memory>
 #include <string>
-#include <thread>
 
 #include "certificate/atomic_file.hpp"
 #include "cli/campaign_commands.hpp"
 #include "cli/exit_code.hpp"
+#include "cli/jobs_option.hpp"
 #include "cli/messages.hpp"
 #include "cli/progress.hpp"
 #include "cli/stop_signals.hpp"
@@ -26,7 +25,7 @@ them is joined to a table, which names for each the certificate in the folder th
 struct Options {
     std::string folder;
     std::string out;
-    int jobs = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+    int jobs = all_cores();
     bool unverified = false;
     bool quiet = false;
 };
@@ -84,9 +83,7 @@ void add_campaign_merge(CLI::App& campaign, int& exit_code) {
     command->add_option("--out", options->out, "the file to write (FILE.gz: compressed)")
         ->required()
         ->type_name("FILE");
-    command->add_option("--jobs", options->jobs, "so many shards are verified at the same time")
-        ->check(CLI::Range(1, 1024))
-        ->default_str("all cores");
+    add_jobs_option(*command, options->jobs, "so many shards are verified at the same time");
     command->add_flag(
         "--unverified", options->unverified,
         "only join: the file is still to be verified, for instance by a campaign (plan ... verify FILE)");

@@ -2,18 +2,17 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
-#include <thread>
 
 #include "arith/error.hpp"
 #include "cli/campaign_commands.hpp"
 #include "cli/exit_code.hpp"
+#include "cli/jobs_option.hpp"
 #include "cli/messages.hpp"
 #include "cli/progress.hpp"
 #include "cli/ratio_argument.hpp"
@@ -49,7 +48,7 @@ struct Options {
     std::string verify = "arrival";
     WorkQueueOptions queue;
     bool has_queue_options = false;
-    int jobs = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+    int jobs = all_cores();
     bool json = false;
     bool quiet = false;
 };
@@ -172,11 +171,8 @@ void add_campaign_run(CLI::App& campaign, int& exit_code) {
         ->check(CLI::IsMember({"arrival", "merge"}))
         ->check(of_queue)
         ->capture_default_str();
-    command
-        ->add_option("--jobs", options->jobs,
-                     "threads: of proving, or with workqueue of verifying what comes in")
-        ->check(CLI::Range(1, 1024))
-        ->default_str("all cores");
+    add_jobs_option(*command, options->jobs,
+                    "threads: of proving, or with workqueue of verifying what comes in");
     command->add_option("--shard-limit", options->shard_limit, "a shard that takes longer is split")
         ->type_name("TIME")
         ->capture_default_str();

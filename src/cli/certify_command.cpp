@@ -5,13 +5,13 @@
 #include <CLI/CLI.hpp>
 #include <chrono>
 #include <memory>
-#include <thread>
 
 #include "arith/error.hpp"
 #include "certificate/atomic_file.hpp"
 #include "certificate/writer.hpp"
 #include "cli/certify_claim.hpp"
 #include "cli/exit_code.hpp"
+#include "cli/jobs_option.hpp"
 #include "cli/messages.hpp"
 #include "cli/open_pieces.hpp"
 #include "cli/progress.hpp"
@@ -29,7 +29,7 @@ struct Options {
     CertifyClaim claim;
     std::string budget;
     std::string out;
-    int jobs = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+    int jobs = all_cores();
     bool witness = false;
     bool json = false;
     bool quiet = false;
@@ -184,9 +184,7 @@ void add_certify_command(CLI::App& app, int& exit_code) {
     command->add_option("--out", options->out, "write the certificate to FILE (FILE.gz: compressed)")
         ->check([](const std::string& file) { return file.empty() ? "the file name is empty" : ""; })
         ->type_name("FILE");
-    command->add_option("--jobs", options->jobs, "threads; the result does not depend on it")
-        ->check(CLI::Range(1, 1024))
-        ->default_str("all cores");
+    add_jobs_option(*command, options->jobs);
     command->add_option("--budget", options->budget, "give up after this time: 30s, 10m, 2h")
         ->type_name("TIME");
     CLI::Option* witness = command->add_flag(

@@ -9,7 +9,6 @@
 #include <iterator>
 #include <memory>
 #include <optional>
-#include <thread>
 #include <tuple>
 
 #include "arith/decimal.hpp"
@@ -17,6 +16,7 @@
 #include "certificate/atomic_file.hpp"
 #include "cli/count_argument.hpp"
 #include "cli/exit_code.hpp"
+#include "cli/jobs_option.hpp"
 #include "cli/messages.hpp"
 #include "cli/progress.hpp"
 #include "cli/ratio_argument.hpp"
@@ -34,7 +34,7 @@ struct Options {
     std::optional<std::string> budget;
     std::string out;
     int digits = CriticalRequest{}.digits;
-    int jobs = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+    int jobs = all_cores();
     bool json = false;
     bool quiet = false;
 };
@@ -192,9 +192,7 @@ void add_critical_command(CLI::App& app, int& exit_code) {
     command->add_option("--out", options->out, "write the table to FILE, tab-separated (FILE.gz: compressed)")
         ->check([](const std::string& file) { return file.empty() ? "the file name is empty" : ""; })
         ->type_name("FILE");
-    command->add_option("--jobs", options->jobs, "threads; the result does not depend on it")
-        ->check(CLI::Range(1, 1024))
-        ->default_str("all cores");
+    add_jobs_option(*command, options->jobs);
     command->add_option("--budget", options->budget, "stop after this time: 30s, 10m, 2h")->type_name("TIME");
     command->add_flag("--json", options->json, "one JSON object on stdout");
     command->add_flag("--quiet", options->quiet, "the ratios alone, a line each, and no progress");

@@ -6,13 +6,13 @@
 #include <chrono>
 #include <memory>
 #include <optional>
-#include <thread>
 
 #include "arith/error.hpp"
 #include "certificate/atomic_file.hpp"
 #include "certificate/initial_writer.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/initial_argument.hpp"
+#include "cli/jobs_option.hpp"
 #include "cli/messages.hpp"
 #include "cli/progress.hpp"
 #include "cli/ratio_argument.hpp"
@@ -31,7 +31,7 @@ struct Options {
     std::string budget;
     std::size_t max_boxes = SubdivideOptions{}.max_boxes;
     int digits = 0;
-    int jobs = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+    int jobs = all_cores();
     bool subdivide = false;
     bool json = false;
     bool csv = false;
@@ -179,9 +179,7 @@ void add_trace_command(CLI::App& app, int& exit_code) {
                      "decimal digits to compute and show; with --subdivide also the precision for parts that "
                      "double precision does not decide. Default: double precision")
         ->check(CLI::Range(1, most_trace_digits));
-    command->add_option("--jobs", options->jobs, "threads; the result does not depend on it")
-        ->check(CLI::Range(1, 1024))
-        ->default_str("all cores");
+    add_jobs_option(*command, options->jobs);
     CLI::Option* json = command->add_flag("--json", options->json, "one JSON object on stdout");
     CLI::Option* csv =
         command
