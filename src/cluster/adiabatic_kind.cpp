@@ -18,22 +18,17 @@
 namespace dumbbell {
 namespace {
 
-constexpr std::string_view head_begin = "prove adiabatic\naccuracy ";
-
 std::string head_of(const Rational& accuracy) {
-    return fmt::format("{}{}\n", head_begin, to_fraction(accuracy));
+    return fmt::format("prove adiabatic\naccuracy {}\n", to_fraction(accuracy));
 }
 
 Rational accuracy_of(const Order& order) {
     constexpr std::size_t longest = 10'000;
-    if (order.head.starts_with(head_begin) && order.head.ends_with('\n')) {
-        const std::string_view number = std::string_view(order.head).substr(head_begin.size());
-        Rational accuracy = parse_rational(number.substr(0, number.size() - 1), longest);
-        if (accuracy > 0 && accuracy <= 1 && head_of(accuracy) == order.head) {
-            return accuracy;
-        }
+    Rational accuracy = parse_rational(head_values(order, {"prove", "accuracy"})[1], longest);
+    if (accuracy <= 0 || accuracy > 1 || order.head != head_of(accuracy)) {
+        throw InputError("the order asks for an accuracy that this program does not know");
     }
-    throw InputError("the order asks for no accuracy, or for one that this program does not know");
+    return accuracy;
 }
 
 AdiabaticHypotheses statement_of(const Order& order) {
@@ -83,57 +78,64 @@ std::string line_of(const AdiabaticCertificate& certificate, const std::string& 
     return fmt::format("{}\t{}\t{}\n", fmt::join(cells, "\t"), digest, file);
 }
 
+class AdiabaticKind : public Kind {
+  public:
+    [[nodiscard]] std::optional<std::string> work(const Order& order, const std::string& /*folder*/,
+                                                  const Interrupted& interrupted) const override {
+        AdiabaticRequest request;
+        request.of = statement_of(order);
+        request.accuracy = accuracy_of(order);
+        request.interrupted = interrupted;
+        const AdiabaticProof proof = prove_adiabatic(request);
+        if (interrupted()) {
+            return std::nullopt;  // even of a complete proof: a search that ended early finds other orbits
+        }
+        if (!proof.complete()) {
+            throw InputError(
+                fmt::format("not certified: adiabatic {}; take a smaller delta (or range of them), a greater "
+                            "--phi-margin or a higher --y",
+                            options_of({request.of})));
+        }
+        return render(certificate_of(proof)).text;
+    }
+
+    [[nodiscard]] Merged merge(const Plan& plan, const std::string& /*folder*/,
+                               const std::vector<std::string>& files) const override {
+        const auto& units = plan.whole.units;
+        bool tiles = files.size() == units.size();
+        std::string text(table_head);
+        for (std::size_t i = 0; tiles && i < files.size(); ++i) {
+            const AdiabaticCertificate certificate = read_adiabatic_certificate(files[i]);
+            tiles = case_of(certificate.hypotheses) == units[i];
+            text += line_of(certificate, sealed_digest(files[i]), "results/" + plan.order(i, i + 1).id());
+        }
+        require_tiling(tiles);
+        return {text, false};
+    }
+
+  private:
+    [[nodiscard]] Judgement form(const Order& order, const std::string& file) const override {
+        (void)sealed_digest(file);  // it is complete
+        if (case_of(read_adiabatic_certificate(file).hypotheses) != case_of(statement_of(order))) {
+            return {Judgement::Verdict::wrong, "it proves something else"};
+        }
+        return {Judgement::Verdict::proved, ""};
+    }
+
+    [[nodiscard]] std::string refutation(const Order& order, const std::string& /*folder*/,
+                                         const std::string& file) const override {
+        const AdiabaticHypotheses of = statement_of(order);
+        const VerifierAnswer answer =
+            ask_verifier({"--jobs=1", "--quiet", fmt::format("--claim={}", name(of.claim)), "--", file});
+        return answer.code == 0 ? "" : fmt::format("not verified: {}", last_line(answer.out));
+    }
+};
+
 }  // namespace
 
-std::optional<std::string> AdiabaticKind::work(const Order& order, const std::string& /*folder*/,
-                                               const Interrupted& interrupted) const {
-    AdiabaticRequest request;
-    request.of = statement_of(order);
-    request.accuracy = accuracy_of(order);
-    request.interrupted = interrupted;
-    const AdiabaticProof proof = prove_adiabatic(request);
-    if (interrupted()) {
-        return std::nullopt;  // even of a complete proof: a search that ended early finds other orbits
-    }
-    if (!proof.complete()) {
-        throw InputError(
-            fmt::format("not certified: adiabatic {}; take a smaller delta (or range of them), a greater "
-                        "--phi-margin or a higher --y",
-                        options_of({request.of})));
-    }
-    return render(certificate_of(proof)).text;
-}
-
-std::string AdiabaticKind::refutation(const Order& order, const std::string& /*folder*/,
-                                      const std::string& file) const {
-    const AdiabaticHypotheses of = statement_of(order);
-    const VerifierAnswer answer =
-        ask_verifier({"--jobs=1", "--quiet", fmt::format("--claim={}", name(of.claim)), "--", file});
-    return answer.code == 0 ? "" : fmt::format("not verified: {}", last_line(answer.out));
-}
-
-Judgement AdiabaticKind::form(const Order& order, const std::string& file) const {
-    (void)sealed_digest(file);  // it is complete
-    if (case_of(read_adiabatic_certificate(file).hypotheses) != case_of(statement_of(order))) {
-        return {Judgement::Verdict::wrong, "it proves something else"};
-    }
-    return {Judgement::Verdict::proved, ""};
-}
-
-Kind::Merged AdiabaticKind::merge(const Plan& plan, const std::string& /*folder*/,
-                                  const std::vector<std::string>& files) const {
-    const auto& units = plan.whole.units;
-    bool tiles = files.size() == units.size();
-    std::string text(table_head);
-    for (std::size_t i = 0; tiles && i < files.size(); ++i) {
-        const AdiabaticCertificate certificate = read_adiabatic_certificate(files[i]);
-        tiles = case_of(certificate.hypotheses) == units[i];
-        text += line_of(certificate, sealed_digest(files[i]), "results/" + plan.order(i, i + 1).id());
-    }
-    if (!tiles) {
-        throw InputError("the results do not tile the claim: run the campaign again, and merge then");
-    }
-    return {text, false};
+const Kind& adiabatic_kind() {
+    static const AdiabaticKind kind;
+    return kind;
 }
 
 Plan plan_adiabatic(const std::vector<AdiabaticHypotheses>& grid, const Rational& accuracy) {

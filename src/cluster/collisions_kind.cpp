@@ -29,14 +29,13 @@ std::string head_of(const Common& common) {
 }
 
 Common common_of(const Order& order) {
-    for (const Scene scene : {Scene::dumbbell, Scene::hybrid, Scene::wedge}) {
-        for (const Section section : {Section::turning, Section::full, Section::plain}) {
-            if (order.head == head_of({scene, section})) {
-                return {scene, section};
-            }
-        }
+    const auto values = head_values(order, {"prove", "lemmas", "scene", "section"});
+    const auto scene = scene_named(values[2]);
+    const auto section = section_named(values[3], values[1]);
+    if (!scene || !section || order.head != head_of({*scene, *section})) {
+        throw InputError("the order asks for a scene, section or lemma set that this program does not know");
     }
-    throw InputError("the order asks for a scene, section or lemma set that this program does not know");
+    return {*scene, *section};
 }
 
 std::string unit_of(const PlannedPiece& piece) {
@@ -75,9 +74,8 @@ bool is_piece(const Piece& piece, const PlannedPiece& planned) {
 
 bool is_open(const Piece& piece) { return piece.status() == Status::open; }
 
-/// About 10 s of proving, and so many shards at least.
+/// About 10 s of proving.
 constexpr std::size_t collisions_per_shard = 1'500'000;
-constexpr std::size_t many_shards = 64;
 
 /// Orbits are followed to their end; a section of all states takes many more.
 std::size_t cost_of(const PlannedPiece& piece, Section section) {
@@ -106,73 +104,82 @@ std::string claim_text(const CertifyRequest& request) {
     return text;
 }
 
+class CollisionsKind : public Kind {
+  public:
+    [[nodiscard]] std::optional<std::string> work(const Order& order, const std::string& /*folder*/,
+                                                  const Interrupted& interrupted) const override {
+        const Common common = common_of(order);
+        PieceOptions options = piece_options(common.scene, common.section);
+        options.interrupted = interrupted;
+        options.describes = false;
+        std::vector<Piece> pieces;
+        for (const std::string& unit : order.units) {
+            const PlannedPiece planned = parse_unit(unit);
+            ProvedPiece proved =
+                prove_piece(planned.q_lo, planned.q_hi, planned.upper, planned.lower, options);
+            if (proved.obstacle == Obstacle::time) {
+                return std::nullopt;
+            }
+            pieces.push_back(std::move(proved.piece));
+        }
+        return certificate_of(common, std::move(pieces));
+    }
+
+    [[nodiscard]] Merged merge(const Plan& plan, const std::string& /*folder*/,
+                               const std::vector<std::string>& files) const override {
+        const Common common = common_of(plan.whole);
+        std::vector<Piece> pieces;
+        pieces.reserve(plan.whole.units.size());
+        for (const std::string& file : files) {
+            Certificate part = read_certificate(file);
+            std::move(part.pieces.begin(), part.pieces.end(), std::back_inserter(pieces));
+        }
+        // They tile the claim: each piece of the plan once, in its order, each beginning where the last one
+        // ended.
+        const auto& units = plan.whole.units;
+        bool tiles = pieces.size() == units.size() &&
+                     plan.claim.starts_with(claim_of(pieces.front().q_lo, pieces.back().q_hi));
+        for (std::size_t i = 0; tiles && i < pieces.size(); ++i) {
+            tiles =
+                is_piece(pieces[i], parse_unit(units[i])) && (i == 0 || pieces[i].q_lo == pieces[i - 1].q_hi);
+        }
+        require_tiling(tiles);
+        const bool open = std::any_of(pieces.begin(), pieces.end(), is_open);
+        return {certificate_of(common, std::move(pieces)), open};
+    }
+
+  private:
+    [[nodiscard]] Judgement form(const Order& order, const std::string& file) const override {
+        const Common common = common_of(order);
+        (void)sealed_digest(file);  // it is complete
+        const Certificate found = read_certificate(file);
+        const bool fits =
+            found.scene == common.scene && found.section == common.section &&
+            found.pieces.size() == order.units.size() &&
+            std::equal(found.pieces.begin(), found.pieces.end(), order.units.begin(),
+                       [](const Piece& p, const std::string& unit) { return is_piece(p, parse_unit(unit)); });
+        if (!fits) {
+            return {Judgement::Verdict::wrong, "it proves something else"};
+        }
+        if (std::any_of(found.pieces.begin(), found.pieces.end(), is_open)) {
+            return {Judgement::Verdict::open, "a piece stays undecided"};
+        }
+        return {Judgement::Verdict::proved, ""};
+    }
+
+    [[nodiscard]] std::string refutation(const Order& order, const std::string& /*folder*/,
+                                         const std::string& file) const override {
+        const VerifierAnswer answer = ask_verifier(
+            {"--jobs=1", "--quiet", fmt::format("--scene={}", name(common_of(order).scene)), "--", file});
+        return answer.code == 0 ? "" : fmt::format("not verified: {}", last_line(answer.out));
+    }
+};
+
 }  // namespace
 
-std::optional<std::string> CollisionsKind::work(const Order& order, const std::string& /*folder*/,
-                                                const Interrupted& interrupted) const {
-    const Common common = common_of(order);
-    PieceOptions options = piece_options(common.scene, common.section);
-    options.interrupted = interrupted;
-    options.describes = false;
-    std::vector<Piece> pieces;
-    for (const std::string& unit : order.units) {
-        const PlannedPiece planned = parse_unit(unit);
-        ProvedPiece proved = prove_piece(planned.q_lo, planned.q_hi, planned.upper, planned.lower, options);
-        if (proved.obstacle == Obstacle::time) {
-            return std::nullopt;
-        }
-        pieces.push_back(std::move(proved.piece));
-    }
-    return certificate_of(common, std::move(pieces));
-}
-
-std::string CollisionsKind::refutation(const Order& order, const std::string& /*folder*/,
-                                       const std::string& file) const {
-    const VerifierAnswer answer = ask_verifier(
-        {"--jobs=1", "--quiet", fmt::format("--scene={}", name(common_of(order).scene)), "--", file});
-    return answer.code == 0 ? "" : fmt::format("not verified: {}", last_line(answer.out));
-}
-
-Judgement CollisionsKind::form(const Order& order, const std::string& file) const {
-    const Common common = common_of(order);
-    (void)sealed_digest(file);  // it is complete
-    const Certificate found = read_certificate(file);
-    const bool fits =
-        found.scene == common.scene && found.section == common.section &&
-        found.pieces.size() == order.units.size() &&
-        std::equal(found.pieces.begin(), found.pieces.end(), order.units.begin(),
-                   [](const Piece& p, const std::string& unit) { return is_piece(p, parse_unit(unit)); });
-    if (!fits) {
-        return {Judgement::Verdict::wrong, "it proves something else"};
-    }
-    if (std::any_of(found.pieces.begin(), found.pieces.end(), is_open)) {
-        return {Judgement::Verdict::open, "a piece stays undecided"};
-    }
-    return {Judgement::Verdict::proved, ""};
-}
-
-Kind::Merged CollisionsKind::merge(const Plan& plan, const std::string& /*folder*/,
-                                   const std::vector<std::string>& files) const {
-    const Common common = common_of(plan.whole);
-    std::vector<Piece> pieces;
-    pieces.reserve(plan.whole.units.size());
-    for (const std::string& file : files) {
-        Certificate part = read_certificate(file);
-        std::move(part.pieces.begin(), part.pieces.end(), std::back_inserter(pieces));
-    }
-    // They tile the claim: each piece of the plan once, in its order, each beginning where the last one
-    // ended.
-    const auto& units = plan.whole.units;
-    bool tiles = pieces.size() == units.size() &&
-                 plan.claim.starts_with(claim_of(pieces.front().q_lo, pieces.back().q_hi));
-    for (std::size_t i = 0; tiles && i < pieces.size(); ++i) {
-        tiles = is_piece(pieces[i], parse_unit(units[i])) && (i == 0 || pieces[i].q_lo == pieces[i - 1].q_hi);
-    }
-    if (!tiles) {
-        throw InputError("the results do not tile the claim: run the campaign again, and merge then");
-    }
-    const bool open = std::any_of(pieces.begin(), pieces.end(), is_open);
-    return {certificate_of(common, std::move(pieces)), open};
+const Kind& collisions_kind() {
+    static const CollisionsKind kind;
+    return kind;
 }
 
 std::optional<Plan> plan_collisions(const CertifyRequest& request, std::optional<std::size_t> shards,
@@ -190,13 +197,11 @@ std::optional<Plan> plan_collisions(const CertifyRequest& request, std::optional
     }
     Plan plan{claim_text(request), {head_of({request.scene, request.section}), {}}, {}, {}};
     std::vector<std::size_t> costs;
-    std::size_t whole = 0;
     for (const PlannedPiece& piece : pieces) {
         plan.whole.units.push_back(unit_of(piece));
         costs.push_back(cost_of(piece, request.section));
-        whole += costs.back();
     }
-    plan.shards = even_shards(costs, shards.value_or(std::max(many_shards, whole / collisions_per_shard)));
+    plan.shards = cut(costs, shards, collisions_per_shard);
     return plan;
 }
 

@@ -19,9 +19,7 @@ constexpr std::string_view first_line = "dumbbell-critical-rows 1";
 std::string head_of(int digits) { return fmt::format("prove critical\ndigits {}\n", digits); }
 
 int digits_of(const Order& order) {
-    const std::size_t at = order.head.rfind("digits ");
-    const std::size_t digits =
-        at == std::string::npos ? 0 : parse_size(order.head.substr(at + 7, order.head.size() - at - 8));
+    const std::size_t digits = parse_size(head_values(order, {"prove", "digits"})[1]);
     if (digits < 1 || digits > most_critical_digits || order.head != head_of(static_cast<int>(digits))) {
         throw InputError("the order asks for digits that this program does not give");
     }
@@ -93,65 +91,72 @@ std::string objection(const Order& order, const std::vector<CriticalRatio>& rati
     return "";
 }
 
+class CriticalKind : public Kind {
+  public:
+    [[nodiscard]] std::optional<std::string> work(const Order& order, const std::string& /*folder*/,
+                                                  const Interrupted& interrupted) const override {
+        const CriticalOptions options{.digits = digits_of(order), .interrupted = interrupted};
+        std::vector<CriticalRatio> ratios;
+        for (const std::string& unit : order.units) {
+            const long n = parse_unit(unit);
+            auto ratio = enclose_critical_ratio(n, options);
+            if (!ratio && !interrupted()) {
+                throw InputError(fmt::format("q_c({}) could not be enclosed", n));
+            }
+            if (!ratio) {
+                return std::nullopt;
+            }
+            ratios.push_back(std::move(*ratio));
+        }
+        return render(ratios);
+    }
+
+    [[nodiscard]] Merged merge(const Plan& plan, const std::string& /*folder*/,
+                               const std::vector<std::string>& files) const override {
+        CriticalReport report;
+        report.request.digits = digits_of(plan.whole);
+        for (const std::string& file : files) {
+            for (CriticalRatio& ratio : read_rows(file)) {
+                const long n = ratio.n;
+                report.rows.push_back({n, std::move(ratio), {}});
+            }
+        }
+        const auto& units = plan.whole.units;
+        const bool tiles = std::equal(
+            report.rows.begin(), report.rows.end(), units.begin(), units.end(),
+            [](const CriticalRow& row, const std::string& unit) { return row.n == parse_unit(unit); });
+        require_tiling(tiles);
+        report.request.first = report.rows.front().n;
+        report.request.last = report.rows.back().n;
+        return {to_tsv(report), false};
+    }
+
+  private:
+    [[nodiscard]] Judgement form(const Order& order, const std::string& file) const override {
+        const std::string reason = objection(order, read_rows(file));
+        return {reason.empty() ? Judgement::Verdict::proved : Judgement::Verdict::wrong, reason};
+    }
+
+    [[nodiscard]] std::string refutation(const Order& order, const std::string& /*folder*/,
+                                         const std::string& file) const override {
+        const auto ratios = read_rows(file);
+        if (const std::string reason = objection(order, ratios); !reason.empty()) {
+            return reason;  // so that no more is checked than was asked for
+        }
+        for (const CriticalRatio& ratio : ratios) {
+            if (!certainly_encloses(ratio)) {
+                return fmt::format("q_c({}) is not certain to be where it says", ratio.n);
+            }
+        }
+        return "";
+    }
+};
+
 }  // namespace
 
-std::optional<std::string> CriticalKind::work(const Order& order, const std::string& /*folder*/,
-                                              const Interrupted& interrupted) const {
-    const CriticalOptions options{.digits = digits_of(order), .interrupted = interrupted};
-    std::vector<CriticalRatio> ratios;
-    for (const std::string& unit : order.units) {
-        const long n = parse_unit(unit);
-        auto ratio = enclose_critical_ratio(n, options);
-        if (!ratio && !interrupted()) {
-            throw InputError(fmt::format("q_c({}) could not be enclosed", n));
-        }
-        if (!ratio) {
-            return std::nullopt;
-        }
-        ratios.push_back(std::move(*ratio));
-    }
-    return render(ratios);
-}
-
-Judgement CriticalKind::form(const Order& order, const std::string& file) const {
-    const std::string reason = objection(order, read_rows(file));
-    return {reason.empty() ? Judgement::Verdict::proved : Judgement::Verdict::wrong, reason};
-}
-
-std::string CriticalKind::refutation(const Order& order, const std::string& /*folder*/,
-                                     const std::string& file) const {
-    const auto ratios = read_rows(file);
-    if (const std::string reason = objection(order, ratios); !reason.empty()) {
-        return reason;  // so that no more is checked than was asked for
-    }
-    for (const CriticalRatio& ratio : ratios) {
-        if (!certainly_encloses(ratio)) {
-            return fmt::format("q_c({}) is not certain to be where it says", ratio.n);
-        }
-    }
-    return "";
-}
-
-Kind::Merged CriticalKind::merge(const Plan& plan, const std::string& /*folder*/,
-                                 const std::vector<std::string>& files) const {
-    CriticalReport report;
-    report.request.digits = digits_of(plan.whole);
-    for (const std::string& file : files) {
-        for (CriticalRatio& ratio : read_rows(file)) {
-            const long n = ratio.n;
-            report.rows.push_back({n, std::move(ratio), {}});
-        }
-    }
-    const auto& units = plan.whole.units;
-    const bool tiles =
-        std::equal(report.rows.begin(), report.rows.end(), units.begin(), units.end(),
-                   [](const CriticalRow& row, const std::string& unit) { return row.n == parse_unit(unit); });
-    if (!tiles) {
-        throw InputError("the results do not tile the claim: run the campaign again, and merge then");
-    }
-    report.request.first = report.rows.front().n;
-    report.request.last = report.rows.back().n;
-    return {to_tsv(report), false};
+const Kind& critical_kind() {
+    static const CriticalKind kind;
+    return kind;
 }
 
 Plan plan_critical(const CriticalRequest& request, std::optional<std::size_t> shards) {
@@ -160,19 +165,16 @@ Plan plan_critical(const CriticalRequest& request, std::optional<std::size_t> sh
             "a single critical ratio is one shard: use dumbbell critical, or give a range N1:N2");
     }
     constexpr std::size_t flights_per_shard = 200'000;  // some seconds at 30 digits
-    constexpr std::size_t many_shards = 64;
     Plan plan{fmt::format("critical {}:{} --digits {}", request.first, request.last, request.digits),
               {head_of(request.digits), {}},
               {},
               {}};
     std::vector<std::size_t> costs;
-    std::size_t whole = 0;
     for (long n = request.first; n <= request.last; ++n) {
         plan.whole.units.push_back(fmt::format("ratio {}", n));
         costs.push_back(static_cast<std::size_t>(n));
-        whole += costs.back();
     }
-    plan.shards = even_shards(costs, shards.value_or(std::max(many_shards, whole / flights_per_shard)));
+    plan.shards = cut(costs, shards, flights_per_shard);
     return plan;
 }
 

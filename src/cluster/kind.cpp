@@ -21,22 +21,24 @@ Judgement Kind::judge(const Order& order, const std::string& folder, const std::
     }
 }
 
+void Kind::require_tiling(bool tiles) {
+    if (!tiles) {
+        throw InputError("the results do not tile the claim: run the campaign again, and merge then");
+    }
+}
+
 const Kind& kind_named(std::string_view name) {
-    static const AdiabaticKind adiabatic;
-    static const CollisionsKind collisions;
-    static const CriticalKind critical;
-    static const VerifiedKind verified;
     if (name == "adiabatic") {
-        return adiabatic;
+        return adiabatic_kind();
     }
     if (name == "collisions") {
-        return collisions;
+        return collisions_kind();
     }
     if (name == "critical") {
-        return critical;
+        return critical_kind();
     }
     if (name == "verified") {
-        return verified;
+        return verified_kind();
     }
     throw InputError(fmt::format("there are no campaigns of the kind '{}'", printable(name, 40)));
 }

@@ -54,6 +54,10 @@ class Kind {
     [[nodiscard]] virtual Merged merge(const Plan& plan, const std::string& folder,
                                        const std::vector<std::string>& files) const = 0;
 
+  protected:
+    /// Of a merge: throws InputError unless the results tile the claim.
+    static void require_tiling(bool tiles);
+
   private:
     /// Scrutiny::form. Throws InputError for `wrong`, too.
     [[nodiscard]] virtual Judgement form(const Order& order, const std::string& file) const = 0;

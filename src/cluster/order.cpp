@@ -27,6 +27,23 @@ std::string Order::kind() const {
     return head.substr(keyword.size(), head.find('\n') - keyword.size());
 }
 
+std::vector<std::string> head_values(const Order& order, std::initializer_list<std::string_view> words) {
+    std::vector<std::string> values;
+    std::string_view rest = order.head;
+    for (const std::string_view word : words) {
+        const std::string_view line = rest.substr(0, rest.find('\n'));
+        if (line.size() == rest.size() || !line.starts_with(fmt::format("{} ", word))) {
+            break;
+        }
+        values.emplace_back(line.substr(word.size() + 1));
+        rest.remove_prefix(line.size() + 1);
+    }
+    if (values.size() < words.size() || !rest.empty()) {
+        throw InputError("the order says what it is about in other words than this program knows");
+    }
+    return values;
+}
+
 Order parse_order(const std::string& text) {
     SealedReader in(text, "order of a campaign");
     if (in.line() != "dumbbell-order 1") {

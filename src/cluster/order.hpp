@@ -1,6 +1,8 @@
 #pragma once
 
+#include <initializer_list>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace dumbbell {
@@ -21,6 +23,11 @@ struct Order {
 
     friend bool operator==(const Order&, const Order&) = default;
 };
+
+/// The values of the head's lines: what stands behind these words, which the lines begin with, in this order.
+/// Throws InputError if the lines are others.
+[[nodiscard]] std::vector<std::string> head_values(const Order& order,
+                                                   std::initializer_list<std::string_view> words);
 
 /// Throws InputError if this is no whole order, or one of another version of the program.
 [[nodiscard]] Order parse_order(const std::string& text);

@@ -36,6 +36,12 @@ std::vector<Plan::Shard> even_shards(const std::vector<std::size_t>& costs, std:
     return shards;
 }
 
+std::vector<Plan::Shard> cut(const std::vector<std::size_t>& costs, std::optional<std::size_t> wish,
+                             std::size_t usual) {
+    const std::size_t whole = std::reduce(costs.begin(), costs.end());
+    return even_shards(costs, wish.value_or(std::max(many_shards, whole / usual)));
+}
+
 std::string render(const Plan& plan) {
     SealedLines out;
     out.line("dumbbell-campaign 1");

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <cstddef>
-#include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -30,9 +30,17 @@ struct Plan {
     friend bool operator==(const Plan&, const Plan&) = default;
 };
 
+/// So many shards are wanted at least, where nobody says how many.
+inline constexpr std::size_t many_shards = 64;
+
 /// Cuts units of these costs into at most `wanted` shards of about even cost, in their order. No shard is
 /// empty. Precondition: wanted > 0; the costs' sum fits.
 [[nodiscard]] std::vector<Plan::Shard> even_shards(const std::vector<std::size_t>& costs, std::size_t wanted);
+
+/// The same, with the user's wish; without one many_shards, or more if otherwise a shard costs more than
+/// `usual`.
+[[nodiscard]] std::vector<Plan::Shard> cut(const std::vector<std::size_t>& costs,
+                                           std::optional<std::size_t> wish, std::size_t usual);
 
 /// A plan as a file with a checksum, and back. Reading throws InputError if it is damaged or was made by
 /// another version of the program.

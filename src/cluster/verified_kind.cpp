@@ -31,38 +31,26 @@ struct Subject {
     std::size_t of = 0;  ///< pieces of the file
 };
 
-/// All but the digest and the number of pieces, which stand behind it.
-std::string beginning(std::string_view file, Scene scene) {
-    return fmt::format("prove verified\nfile {}\nscene {}\n", file, name(scene));
-}
-
 std::string head_of(const Subject& subject) {
-    return fmt::format("{}digest {}\nof {}\n", beginning(subject.file, subject.scene), subject.digest,
-                       subject.of);
+    return fmt::format("prove verified\nfile {}\nscene {}\ndigest {}\nof {}\n", subject.file,
+                       name(subject.scene), subject.digest, subject.of);
 }
 
 [[noreturn]] void not_ours() { throw InputError("the order is about a certificate in a way that none is"); }
 
 Subject subject_of(const Order& order) {
-    constexpr std::string_view before_digest = "digest ";
-    constexpr std::string_view before_count = "\nof ";
-    for (const std::string_view file : {certificate_name, packed_name}) {
-        for (const Scene scene : {Scene::dumbbell, Scene::hybrid, Scene::wedge}) {
-            const std::string before = beginning(file, scene);
-            const std::size_t digest = before.size() + before_digest.size();
-            const std::size_t count = digest + 64 + before_count.size();
-            if (!order.head.starts_with(before) || order.head.size() <= count) {
-                continue;
-            }
-            const std::string_view number(order.head.data() + count, order.head.size() - count - 1);
-            Subject subject{std::string(file), scene, order.head.substr(digest, 64), parse_size(number)};
-            const bool is_digest = subject.digest.find_first_not_of("0123456789abcdef") == std::string::npos;
-            if (is_digest && order.head == head_of(subject)) {
-                return subject;
-            }
-        }
+    const auto values = head_values(order, {"prove", "file", "scene", "digest", "of"});
+    const auto scene = scene_named(values[2]);
+    const std::string& digest = values[3];
+    if ((values[1] != certificate_name && values[1] != packed_name) || !scene || digest.size() != 64 ||
+        digest.find_first_not_of("0123456789abcdef") != std::string::npos) {
+        not_ours();
     }
-    not_ours();
+    Subject subject{values[1], *scene, digest, parse_size(values[4])};
+    if (order.head != head_of(subject)) {
+        not_ours();
+    }
+    return subject;
 }
 
 /// The numbers of the first and the last piece; they follow one another.
@@ -84,66 +72,77 @@ std::string in(const std::string& folder, std::string_view name) {
     return fmt::format("{}/{}", folder, name);
 }
 
+class VerifiedKind : public Kind {
+  public:
+    [[nodiscard]] std::optional<std::string> work(const Order& order, const std::string& folder,
+                                                  const Interrupted& interrupted) const override {
+        const Subject subject = subject_of(order);
+        const auto [first, last] = pieces_of(order);
+        if (interrupted()) {
+            return std::nullopt;
+        }
+        const VerifierAnswer answer = ask_verifier(
+            {"--jobs=1", "--quiet", "--max-bits=4096", fmt::format("--scene={}", name(subject.scene)),
+             fmt::format("--shards={}-{}", first, last), "--", in(folder, subject.file)},
+            in(folder, verifier_name));
+        if (interrupted()) {
+            return std::nullopt;  // the signal may have ended the verifier
+        }
+        if (answer.code != 0) {
+            throw InputError(fmt::format("the verifier: {}", last_line(answer.out)));
+        }
+        return fmt::format("{}\n", last_line(answer.out));
+    }
+
+    [[nodiscard]] Merged merge(const Plan& plan, const std::string& folder,
+                               const std::vector<std::string>& files) const override {
+        std::string lines;
+        for (const std::string& file : files) {
+            lines += file_contents(file);
+        }
+        const std::string parts = in(folder, "arrived") + "/" + plan.whole.id();
+        AtomicFile(parts).commit(lines, Survives::program);
+        const Subject subject = subject_of(plan.whole);
+        const VerifierAnswer answer =
+            ask_verifier({"--quiet", fmt::format("--scene={}", name(subject.scene)),
+                          fmt::format("--combine={}", parts), "--", in(folder, subject.file)},
+                         in(folder, verifier_name));
+        std::filesystem::remove(parts);
+        const std::string verdict(last_line(answer.out));
+        if (answer.code != 0 ||
+            verdict.find(fmt::format(" sha256={} ", subject.digest)) == std::string::npos) {
+            throw InputError(fmt::format("the parts do not combine: {}", verdict));
+        }
+        return {lines, false};
+    }
+
+  private:
+    [[nodiscard]] Judgement form(const Order& order, const std::string& file) const override {
+        const Subject subject = subject_of(order);
+        const auto [first, last] = pieces_of(order);
+        const std::string text = file_contents(file);
+        const bool fits =
+            text.starts_with(fmt::format("s PART pieces={}-{} of={} ", first, last, subject.of)) &&
+            text.ends_with(fmt::format(" sha256={}\n", subject.digest)) &&
+            std::count(text.begin(), text.end(), '\n') == 1;
+        if (!fits) {
+            return {Judgement::Verdict::wrong,
+                    fmt::format("it is no verification of these pieces: {}", printable(text, 100))};
+        }
+        return {Judgement::Verdict::proved, ""};
+    }
+
+    [[nodiscard]] std::string refutation(const Order& /*order*/, const std::string& /*folder*/,
+                                         const std::string& /*file*/) const override {
+        return "";  // it is a verification itself
+    }
+};
+
 }  // namespace
 
-std::optional<std::string> VerifiedKind::work(const Order& order, const std::string& folder,
-                                              const Interrupted& interrupted) const {
-    const Subject subject = subject_of(order);
-    const auto [first, last] = pieces_of(order);
-    if (interrupted()) {
-        return std::nullopt;
-    }
-    const VerifierAnswer answer = ask_verifier(
-        {"--jobs=1", "--quiet", "--max-bits=4096", fmt::format("--scene={}", name(subject.scene)),
-         fmt::format("--shards={}-{}", first, last), "--", in(folder, subject.file)},
-        in(folder, verifier_name));
-    if (interrupted()) {
-        return std::nullopt;  // the signal may have ended the verifier
-    }
-    if (answer.code != 0) {
-        throw InputError(fmt::format("the verifier: {}", last_line(answer.out)));
-    }
-    return fmt::format("{}\n", last_line(answer.out));
-}
-
-std::string VerifiedKind::refutation(const Order& /*order*/, const std::string& /*folder*/,
-                                     const std::string& /*file*/) const {
-    return "";  // it is a verification itself
-}
-
-Judgement VerifiedKind::form(const Order& order, const std::string& file) const {
-    const Subject subject = subject_of(order);
-    const auto [first, last] = pieces_of(order);
-    const std::string text = file_contents(file);
-    const bool fits = text.starts_with(fmt::format("s PART pieces={}-{} of={} ", first, last, subject.of)) &&
-                      text.ends_with(fmt::format(" sha256={}\n", subject.digest)) &&
-                      std::count(text.begin(), text.end(), '\n') == 1;
-    if (!fits) {
-        return {Judgement::Verdict::wrong,
-                fmt::format("it is no verification of these pieces: {}", printable(text, 100))};
-    }
-    return {Judgement::Verdict::proved, ""};
-}
-
-Kind::Merged VerifiedKind::merge(const Plan& plan, const std::string& folder,
-                                 const std::vector<std::string>& files) const {
-    std::string lines;
-    for (const std::string& file : files) {
-        lines += file_contents(file);
-    }
-    const std::string parts = in(folder, "arrived") + "/" + plan.whole.id();
-    AtomicFile(parts).commit(lines, Survives::program);
-    const Subject subject = subject_of(plan.whole);
-    const VerifierAnswer answer =
-        ask_verifier({"--quiet", fmt::format("--scene={}", name(subject.scene)),
-                      fmt::format("--combine={}", parts), "--", in(folder, subject.file)},
-                     in(folder, verifier_name));
-    std::filesystem::remove(parts);
-    const std::string verdict(last_line(answer.out));
-    if (answer.code != 0 || verdict.find(fmt::format(" sha256={} ", subject.digest)) == std::string::npos) {
-        throw InputError(fmt::format("the parts do not combine: {}", verdict));
-    }
-    return {lines, false};
+const Kind& verified_kind() {
+    static const VerifiedKind kind;
+    return kind;
 }
 
 VerifiedPlan plan_verified(const std::string& file, std::optional<std::size_t> shards) {
@@ -158,7 +157,6 @@ VerifiedPlan plan_verified(const std::string& file, std::optional<std::size_t> s
          {},
          {subject.file, std::string(verifier_name)}},
         {file, verifier_path()}};
-    constexpr std::size_t many_shards = 64;
     std::vector<std::size_t> costs;
     for (std::size_t i = 0; i < certificate.pieces.size(); ++i) {
         made.plan.whole.units.push_back(fmt::format("piece {}", i + 1));

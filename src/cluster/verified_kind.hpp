@@ -4,24 +4,12 @@
 
 namespace dumbbell {
 
-/// The verification of a large certificate: a unit is one of its pieces, a result the line that
-/// `dumbbell-verify
-/// --shards` prints of a run of them, and merged they are what `dumbbell-verify --combine` takes. The orders'
+/// The verification of a large certificate: a unit is one of its pieces, a result the line that the
+/// verifier's --shards prints of a run of them, and merged they are what its --combine takes. The orders'
 /// inputs are the certificate and the verifier. A line is trusted as far as the worker is that ran the
 /// verifier: only its form and what it is about are looked at here, and all that the certificate itself says
 /// when they are merged.
-class VerifiedKind : public Kind {
-  public:
-    [[nodiscard]] std::optional<std::string> work(const Order& order, const std::string& folder,
-                                                  const Interrupted& interrupted) const override;
-    [[nodiscard]] Merged merge(const Plan& plan, const std::string& folder,
-                               const std::vector<std::string>& files) const override;
-
-  private:
-    [[nodiscard]] Judgement form(const Order& order, const std::string& file) const override;
-    [[nodiscard]] std::string refutation(const Order& order, const std::string& folder,
-                                         const std::string& file) const override;
-};
+[[nodiscard]] const Kind& verified_kind();
 
 /// A plan with the files that become its inputs.
 struct VerifiedPlan {

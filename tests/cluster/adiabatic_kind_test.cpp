@@ -7,8 +7,8 @@
 #include "arith/error.hpp"
 #include "certificate/adiabatic_writer.hpp"
 #include "cluster/adiabatic_case.hpp"
+#include "place.hpp"
 #include "prove/adiabatic.hpp"
-#include "scripted_engine.hpp"
 
 using namespace dumbbell;
 using namespace dumbbell_test;
@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-const AdiabaticKind kind;
+const Kind& kind = adiabatic_kind();
 const std::string head = "prove adiabatic\naccuracy 1/10\n";
 
 AdiabaticHypotheses bounce(const Rational& delta_lo, const Rational& delta_hi) {
@@ -35,17 +35,6 @@ std::vector<AdiabaticHypotheses> grid() {
 }
 
 Plan planned() { return plan_adiabatic(grid(), Rational(1, 10)); }
-
-/// The results of all shards as files, in order.
-std::vector<std::string> results(const Plan& plan, const Place& place) {
-    fs::create_directory(place.path);
-    std::vector<std::string> files;
-    for (const Plan::Shard& shard : plan.shards) {
-        files.push_back(place.string() + "/" + std::to_string(files.size()));
-        std::ofstream(files.back()) << *kind.work(plan.order(shard.first, shard.end), ".", never);
-    }
-    return files;
-}
 
 }  // namespace
 
@@ -66,7 +55,7 @@ TEST_CASE("each statement of a grid is a shard, and its result what one run prov
 TEST_CASE("results merge to a table with a line for each statement, wherever their files lie") {
     const Place place;
     const Plan plan = planned();
-    const Kind::Merged merged = kind.merge(plan, ".", results(plan, place));
+    const Kind::Merged merged = kind.merge(plan, ".", results(kind, plan, place));
     CHECK_FALSE(merged.is_open);
     CHECK(merged.text.find(place.string()) == std::string::npos);
     const std::string text = *kind.work(plan.order(0, 1), ".", never);
@@ -79,7 +68,7 @@ TEST_CASE("results merge to a table with a line for each statement, wherever the
 TEST_CASE("certificates of other statements are not merged") {
     const Place place;
     const Plan plan = planned();
-    const auto files = results(plan, place);
+    const auto files = results(kind, plan, place);
     const auto refused = [&](const std::vector<std::string>& some) {
         CHECK_THROWS_WITH(kind.merge(plan, ".", some), Contains("do not tile the claim"));
     };

@@ -5,6 +5,7 @@
 
 #include "arith/error.hpp"
 #include "certificate/file_contents.hpp"
+#include "place.hpp"
 #include "scripted_engine.hpp"
 
 using namespace dumbbell;

@@ -4,6 +4,7 @@
 
 #include "cluster/campaign.hpp"
 #include "cluster/status_report.hpp"
+#include "place.hpp"
 #include "scripted_engine.hpp"
 
 using namespace dumbbell;

@@ -6,6 +6,7 @@
 #include "certificate/file_contents.hpp"
 #include "cluster/local_engine.hpp"
 #include "cluster/merge.hpp"
+#include "place.hpp"
 #include "report/critical_report.hpp"
 #include "scripted_engine.hpp"
 
@@ -167,7 +168,7 @@ TEST_CASE("shards that are too big are split until they fit, and a single unit h
 TEST_CASE("a result that comes twice counts once, and another one stops the campaign") {
     Campaign campaign;
     const auto part = campaign.folder->parts()[0];
-    const std::string truth = *CriticalKind().work(campaign.folder->order(part), ".", never);
+    const std::string truth = *critical_kind().work(campaign.folder->order(part), ".", never);
     ScriptedEngine engine([&](const Task& task, int) {
         if (task.id == part.id) {  // it came by another way, meanwhile
             CHECK(campaign.folder->keep_result(task.id, truth));

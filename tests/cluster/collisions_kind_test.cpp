@@ -5,7 +5,7 @@
 
 #include "arith/error.hpp"
 #include "certificate/writer.hpp"
-#include "scripted_engine.hpp"
+#include "place.hpp"
 
 using namespace dumbbell;
 using namespace dumbbell_test;
@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-const CollisionsKind kind;
+const Kind& kind = collisions_kind();
 
 CertifyRequest request(const Rational& lo, const Rational& hi) {
     CertifyRequest request;
@@ -41,17 +41,6 @@ std::string in_one_go(const CertifyRequest& request) {
     return render(certificate).text;
 }
 
-/// The results of all shards as files, in order.
-std::vector<std::string> results(const Plan& plan, const Place& place) {
-    fs::create_directory(place.path);
-    std::vector<std::string> files;
-    for (const Plan::Shard& shard : plan.shards) {
-        files.push_back(place.string() + "/" + std::to_string(files.size()));
-        std::ofstream(files.back()) << *kind.work(plan.order(shard.first, shard.end), ".", never);
-    }
-    return files;
-}
-
 }  // namespace
 
 TEST_CASE("shards of any number, of every scene and section, merge to what one run proves, byte for byte") {
@@ -67,7 +56,7 @@ TEST_CASE("shards of any number, of every scene and section, merge to what one r
         for (const std::size_t shards : {1, 3, 1000}) {
             const Place place;
             const Plan plan = planned(of, shards);
-            const Kind::Merged merged = kind.merge(plan, ".", results(plan, place));
+            const Kind::Merged merged = kind.merge(plan, ".", results(kind, plan, place));
             CHECK(merged.text == expected);
             CHECK_FALSE(merged.is_open);
         }
@@ -77,7 +66,7 @@ TEST_CASE("shards of any number, of every scene and section, merge to what one r
 TEST_CASE("what does not tile the claim is not merged") {
     const Place place;
     const Plan plan = planned(request(Rational(1), Rational(60)), 5);
-    const auto files = results(plan, place);
+    const auto files = results(kind, plan, place);
     const auto refused = [&](const Plan& of, std::vector<std::string> some) {
         CHECK_THROWS_WITH(kind.merge(of, ".", some), Contains("do not tile the claim"));
     };

@@ -5,7 +5,7 @@
 
 #include "arith/error.hpp"
 #include "certificate/writer.hpp"
-#include "scripted_engine.hpp"
+#include "place.hpp"
 
 using namespace dumbbell;
 using namespace dumbbell_test;
@@ -13,7 +13,7 @@ using Catch::Matchers::Contains;
 
 namespace {
 
-const CriticalKind kind;
+const Kind& kind = critical_kind();
 const Order order{"prove critical\ndigits 10\n", {"ratio 3", "ratio 4", "ratio 5"}};
 
 Judgement judged(const Place& place, const std::string& bytes) {

@@ -4,7 +4,7 @@
 #include <fstream>
 
 #include "arith/error.hpp"
-#include "scripted_engine.hpp"
+#include "place.hpp"
 
 using namespace dumbbell;
 using namespace dumbbell_test;

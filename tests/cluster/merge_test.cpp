@@ -4,6 +4,7 @@
 #include <fstream>
 
 #include "cluster/campaign.hpp"
+#include "place.hpp"
 #include "scripted_engine.hpp"
 
 using namespace dumbbell;

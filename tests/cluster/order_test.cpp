@@ -3,21 +3,15 @@
 #include <catch2/catch.hpp>
 
 #include "arith/error.hpp"
-#include "certificate/writer.hpp"
+#include "resealed.hpp"
 
 using namespace dumbbell;
 using Catch::Matchers::Contains;
+using dumbbell_test::resealed;
 
 namespace {
 
 const Order order{"prove collisions\nscene dumbbell\n", {"piece 1/1 2/1 3 2", "piece 2/1 3/1 3 3"}};
-
-/// The text with its checksum made right again after a change.
-std::string resealed(std::string text, const std::string& from, const std::string& to) {
-    text.erase(text.rfind("sha256 "));
-    text.replace(text.find(from), from.size(), to);
-    return text + "sha256 " + sha256_hex(text) + "\n";
-}
 
 }  // namespace
 

@@ -5,7 +5,7 @@
 #include <random>
 
 #include "arith/error.hpp"
-#include "certificate/writer.hpp"
+#include "resealed.hpp"
 #include "scripted_engine.hpp"
 
 using namespace dumbbell;
@@ -16,12 +16,6 @@ namespace {
 
 std::size_t sum(const std::vector<std::size_t>& costs) {
     return std::accumulate(costs.begin(), costs.end(), std::size_t{0});
-}
-
-std::string resealed(std::string text, const std::string& from, const std::string& to) {
-    text.erase(text.rfind("sha256 "));
-    text.replace(text.find(from), from.size(), to);
-    return text + "sha256 " + sha256_hex(text) + "\n";
 }
 
 }  // namespace

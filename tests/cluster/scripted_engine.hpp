@@ -1,11 +1,8 @@
-// An engine that answers as a test says, at once and in an order of its own, and a folder to work in.
+// An engine that answers as a test says, at once and in an order of its own, and a campaign for it.
 #pragma once
-
-#include <unistd.h>
 
 #include <algorithm>
 #include <deque>
-#include <filesystem>
 #include <functional>
 #include <map>
 #include <optional>
@@ -85,18 +82,6 @@ inline dumbbell::Outcome worked(const dumbbell::Task& task) {
     const dumbbell::Order order = dumbbell::parse_order(task.order);
     return done(task, *dumbbell::kind_named(order.kind()).work(order, ".", dumbbell::never));
 }
-
-/// A new folder for a campaign, removed at the end.
-struct Place {
-    std::filesystem::path path =
-        std::filesystem::temp_directory_path() / ("dumbbell-campaign-" + std::to_string(::getpid()));
-    Place() { std::filesystem::remove_all(path); }
-    ~Place() { std::filesystem::remove_all(path); }
-    Place(const Place&) = delete;
-    Place& operator=(const Place&) = delete;
-
-    [[nodiscard]] std::string string() const { return path.string(); }
-};
 
 /// A small campaign: critical ratios, which are enclosed in milliseconds.
 inline dumbbell::Plan small_plan(long first = 3, long last = 14, std::size_t shards = 4) {

@@ -1,18 +1,11 @@
 """A host is cut off until it is given up; what it had is done elsewhere, and when it comes back it may work again."""
 
 from checks import check
-from stand_ins import slow
+from cut_host import campaign_with_cut_host
 
 
 def run(place) -> None:
-    manager_host = place.host("manager")
-    cut, steady = (place.host(name, program=slow(place.program, 0.9)) for name in ("cut", "steady"))
-    campaign = place.campaign(400)
-    manager = campaign.run(manager_host, "--program", place.stand_in)
-    words = manager.worker_words()
-    campaign.worker(words, cut)
-    campaign.worker(words, steady, cores=3)
-    campaign.wait_for_work_of(cut, 4)
+    campaign, manager, cut, _ = campaign_with_cut_host(place, shards=400, seconds=0.9, steady_cores=3)
     cut.cut_off()
     campaign.wait_for_state("workers=1 ", seconds=80)
     cut.connect_again()

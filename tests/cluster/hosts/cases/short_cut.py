@@ -3,18 +3,11 @@
 import time
 
 from checks import check
-from stand_ins import slow
+from cut_host import campaign_with_cut_host
 
 
 def run(place) -> None:
-    manager_host = place.host("manager")
-    cut, steady = (place.host(name, program=slow(place.program, 0.4)) for name in ("cut", "steady"))
-    campaign = place.campaign(100)
-    manager = campaign.run(manager_host, "--program", place.stand_in)
-    words = manager.worker_words()
-    campaign.worker(words, cut)
-    campaign.worker(words, steady, cores=2)
-    campaign.wait_for_work_of(cut, 4)
+    campaign, manager, cut, steady = campaign_with_cut_host(place, shards=100, seconds=0.4, steady_cores=2)
     cut.cut_off()
     time.sleep(5)
     before = campaign.done_by(cut)
