@@ -104,6 +104,26 @@ TEST_CASE("The least sufficient precision is chosen") {
     CHECK(enclosed(4, 200).bits == 1024);
 }
 
+TEST_CASE("The signs of the margin accept enclosures, however wide, and nothing that lies beside the ratio") {
+    for (const long n : {4, 5, 6, 11, 100}) {
+        CAPTURE(n);
+        const CriticalRatio truth = enclosed(n, 30);
+        const Rational width = truth.q_hi - truth.q_lo;
+        const auto accepted = [&](const Rational& q_lo, const Rational& q_hi) {
+            return certainly_encloses({.n = n, .q_lo = q_lo, .q_hi = q_hi, .bits = truth.bits});
+        };
+        CHECK(accepted(truth.q_lo, truth.q_hi));
+        CHECK(accepted(truth.q_lo - parse_rational("1e-6"), truth.q_hi + parse_rational("1e-6")));
+        CHECK_FALSE(accepted(truth.q_hi, truth.q_hi + width));
+        CHECK_FALSE(accepted(truth.q_lo - width, truth.q_lo));
+        CHECK_FALSE(accepted(truth.q_hi, truth.q_lo));
+        CHECK_FALSE(
+            certainly_encloses({.n = n + 1, .q_lo = truth.q_lo, .q_hi = truth.q_hi, .bits = truth.bits}));
+    }
+    CHECK(certainly_encloses({.n = 3, .q_lo = 1, .q_hi = 1, .bits = 53}));
+    CHECK_FALSE(certainly_encloses({.n = 3, .q_lo = parse_rational("1.01"), .q_hi = 2, .bits = 53}));
+}
+
 TEST_CASE("An interrupted enclosure is none, and what has no critical ratio is refused") {
     CHECK_FALSE(enclose_critical_ratio(1'000'000, {.digits = 15, .interrupted = [] { return true; }}));
     int calls = 0;
