@@ -30,7 +30,7 @@ class Manager:
         check(lines, f"the manager ended at once, with {self.process.returncode}: {self.said()!r}")
         return shlex.split(lines[0].split("to start one: ")[1])
 
-    def ended(self, seconds: float = 90) -> int:
+    def ended(self, seconds: float = 240) -> int:
         wait_until(lambda: self.process.poll() is not None, "the manager ends", seconds)
         return self.process.returncode
 
@@ -62,7 +62,7 @@ class Campaign:
     def wait_for(self, count: int, seconds: float = 240) -> None:
         wait_until(lambda: self.finished() >= count, f"{count} shards are finished", seconds)
 
-    def must_end(self, manager: Manager, seconds: float = 90) -> dict:
+    def must_end(self, manager: Manager, seconds: float = 240) -> dict:
         """The manager ends with all done; what it says of its run."""
         check(manager.ended(seconds) == 0, f"the manager ended with {manager.process.returncode}: {manager.said()}")
         return json.loads(manager.out.read_text())

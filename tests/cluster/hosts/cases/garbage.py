@@ -8,8 +8,8 @@ from stand_ins import garblers, slow
 def run(place) -> None:
     manager_host = place.host("manager")
     garbling = [place.host(name, program=text) for name, text in garblers(place.program).items()]
-    right = place.host("right", program=slow(place.program, 0.2))
-    campaign = place.campaign(80)
+    right = place.host("right", program=slow(place.program, 0.4))
+    campaign = place.campaign(150)  # enough that each of the others is given something
     manager = campaign.run(manager_host, "--program", place.stand_in)
     words = manager.worker_words()
     for host in [*garbling, right]:

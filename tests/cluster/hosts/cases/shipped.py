@@ -8,7 +8,7 @@ from checks import check, wait_until
 def run(place) -> None:
     manager_host = place.host("manager")
     hosts = [place.host(name) for name in ("left", "right")]
-    campaign = place.campaign(150)
+    campaign = place.campaign(250)
     manager = campaign.run(manager_host)
     words = manager.worker_words()
     workers = [campaign.worker(words, host) for host in hosts]

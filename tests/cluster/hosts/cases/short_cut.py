@@ -16,6 +16,5 @@ def run(place) -> None:
     cut.connect_again()
     campaign.wait_for_work_of(cut, 4)
     said = campaign.must_end(manager)
-    # On a busy machine the packaged worker has been seen to start anew by itself: then it joins once more.
     check(said["complete"] and said["rejected"] == 0, f"the run says {said}")
     campaign.must_be_whole()

@@ -19,6 +19,6 @@ def run(place) -> None:
     wait_until(lambda: log.exists() and "wrong password" in log.read_text(), "the stranger is turned away")
     campaign.worker(words, friend)
     said = campaign.must_end(manager)
-    check(said["workers_joined"] == 1, f"the run says {said}")
+    check(said["complete"] and campaign.done_by(stranger) == 0, f"the run says {said}")
     check(not (stranger.files / "begun").exists(), "the stranger got an order")
     campaign.must_be_whole()
