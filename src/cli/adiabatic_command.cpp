@@ -15,6 +15,7 @@
 #include "cli/exit_code.hpp"
 #include "cli/jobs_option.hpp"
 #include "cli/messages.hpp"
+#include "cli/out_option.hpp"
 #include "cli/progress.hpp"
 #include "cli/ratio_argument.hpp"
 #include "cli/stop_signals.hpp"
@@ -166,9 +167,7 @@ void add_adiabatic_command(CLI::App& app, int& exit_code) {
         ->type_name("K");
     command->add_option("--budget", options->budget, "stop after this time: 30s, 10m, 2h")->type_name("TIME");
     add_jobs_option(*command, options->jobs);
-    command->add_option("--out", options->out, "write the certificate to FILE (FILE.gz: compressed)")
-        ->check([](const std::string& file) { return file.empty() ? "the file name is empty" : ""; })
-        ->type_name("FILE");
+    add_out_option(*command, options->out);
     command->add_flag("--json", options->json, "one JSON object on stdout");
     command->add_flag("--quiet", options->quiet, "the constants alone, a line each, and no progress");
     command->callback([options, &exit_code] { exit_code = stoppable([&] { return run(*options); }); });

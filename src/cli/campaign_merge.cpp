@@ -4,11 +4,13 @@
 #include <memory>
 #include <string>
 
+#include "arith/error.hpp"
 #include "certificate/atomic_file.hpp"
 #include "cli/campaign_commands.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/jobs_option.hpp"
 #include "cli/messages.hpp"
+#include "cli/out_option.hpp"
 #include "cli/progress.hpp"
 #include "cli/stop_signals.hpp"
 #include "cluster/merge.hpp"
@@ -51,6 +53,11 @@ int not_merged(const Options& options, const Merge& merge) {
 int merge(const Options& options) {
     CampaignFolder folder(options.folder);
     folder.lock();
+    if (folder.holds(options.out)) {
+        throw InputError(fmt::format(
+            "'{}' lies in the campaign's folder, where nothing may lie but its own files: give another place",
+            options.out));
+    }
     const AtomicFile file(options.out);
     MergeOptions how{.jobs = options.jobs,
                      .scrutiny = options.unverified ? Scrutiny::form : Scrutiny::proof,
@@ -80,9 +87,7 @@ void add_campaign_merge(CLI::App& campaign, int& exit_code) {
     auto options = std::make_shared<Options>();
     CLI::App* command = campaign.add_subcommand("merge", description);
     command->add_option("FOLDER", options->folder, "the campaign's folder")->required();
-    command->add_option("--out", options->out, "the file to write (FILE.gz: compressed)")
-        ->required()
-        ->type_name("FILE");
+    add_out_option(*command, options->out, "the file to write (FILE.gz: compressed)")->required();
     add_jobs_option(*command, options->jobs, "so many shards are verified at the same time");
     command->add_flag(
         "--unverified", options->unverified,

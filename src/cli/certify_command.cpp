@@ -14,6 +14,7 @@
 #include "cli/jobs_option.hpp"
 #include "cli/messages.hpp"
 #include "cli/open_pieces.hpp"
+#include "cli/out_option.hpp"
 #include "cli/progress.hpp"
 #include "cli/ratio_argument.hpp"
 #include "cli/stop_signals.hpp"
@@ -181,9 +182,7 @@ void add_certify_command(CLI::App& app, int& exit_code) {
     CLI::App* command = app.add_subcommand("certify", description);
     command->footer(footer);
     add_claim_options(*command, options->claim)->required();
-    command->add_option("--out", options->out, "write the certificate to FILE (FILE.gz: compressed)")
-        ->check([](const std::string& file) { return file.empty() ? "the file name is empty" : ""; })
-        ->type_name("FILE");
+    add_out_option(*command, options->out);
     add_jobs_option(*command, options->jobs);
     command->add_option("--budget", options->budget, "give up after this time: 30s, 10m, 2h")
         ->type_name("TIME");

@@ -18,6 +18,7 @@
 #include "cli/exit_code.hpp"
 #include "cli/jobs_option.hpp"
 #include "cli/messages.hpp"
+#include "cli/out_option.hpp"
 #include "cli/progress.hpp"
 #include "cli/ratio_argument.hpp"
 #include "cli/stop_signals.hpp"
@@ -189,9 +190,7 @@ void add_critical_command(CLI::App& app, int& exit_code) {
         ->add_option("--confirm", options->confirm,
                      "prove the maximum at q_c (1 - REL) and q_c (1 + REL) by cover and witness, too")
         ->type_name("REL");
-    command->add_option("--out", options->out, "write the table to FILE, tab-separated (FILE.gz: compressed)")
-        ->check([](const std::string& file) { return file.empty() ? "the file name is empty" : ""; })
-        ->type_name("FILE");
+    add_out_option(*command, options->out, "write the table to FILE, tab-separated (FILE.gz: compressed)");
     add_jobs_option(*command, options->jobs);
     command->add_option("--budget", options->budget, "stop after this time: 30s, 10m, 2h")->type_name("TIME");
     command->add_flag("--json", options->json, "one JSON object on stdout");

@@ -6,6 +6,7 @@
 
 #include "certificate/atomic_file.hpp"
 #include "cli/exit_code.hpp"
+#include "cli/out_option.hpp"
 #include "cli/plot_pictures.hpp"
 
 namespace dumbbell {
@@ -76,7 +77,7 @@ CLI::App& add_picture(CLI::App& plot, int& exit_code, const std::shared_ptr<Plot
                       std::string (*draw)(const PlotRequest&)) {
     CLI::App* command = plot.add_subcommand(word, text);
     command->add_option("FILE", options->file, file)->required();
-    command->add_option("--out", options->out, "the SVG file to write")->required()->type_name("FILE");
+    add_out_option(*command, options->out, "the SVG file to write")->required();
     command->callback([options, draw, &exit_code] {
         const AtomicFile out(options->out);
         out.commit(draw(*options));

@@ -7,6 +7,7 @@
 
 #include "certificate/atomic_file.hpp"
 #include "cli/exit_code.hpp"
+#include "cli/out_option.hpp"
 #include "report/html_data.hpp"
 #include "report/html_page.hpp"
 
@@ -66,7 +67,7 @@ void add_report_command(CLI::App& app, int& exit_code) {
     command->footer(footer);
     command->add_option("FILE", options->files, "certificates of any kind, tables of critical ratios")
         ->required();
-    command->add_option("--out", options->out, "the HTML file to write")->required()->type_name("FILE");
+    add_out_option(*command, options->out, "the HTML file to write")->required();
     command
         ->add_option("--max-boxes", options->most_boxes,
                      "boxes that the page draws; where there are more, one stands for several, and is marked")

@@ -14,6 +14,7 @@
 #include "cli/initial_argument.hpp"
 #include "cli/jobs_option.hpp"
 #include "cli/messages.hpp"
+#include "cli/out_option.hpp"
 #include "cli/progress.hpp"
 #include "cli/ratio_argument.hpp"
 #include "prove/deadline.hpp"
@@ -160,11 +161,9 @@ void add_trace_command(CLI::App& app, int& exit_code) {
     CLI::Option* subdivide =
         command->add_flag("--subdivide", options->subdivide,
                           "halve the box until every part has its exact number of collisions");
-    command
-        ->add_option("--out", options->out,
-                     "with --subdivide: write the certificate to FILE (FILE.gz: compressed)")
-        ->needs(subdivide)
-        ->type_name("FILE");
+    add_out_option(*command, options->out,
+                   "with --subdivide: write the certificate to FILE (FILE.gz: compressed)")
+        ->needs(subdivide);
     command->add_option("--max-boxes", options->max_boxes, "with --subdivide: at most so many parts")
         ->needs(subdivide)
         ->check(CLI::Range(1UL, 10'000'000UL))

@@ -43,6 +43,9 @@ class CampaignFolder {
     void lock();
     [[nodiscard]] bool is_locked_by_another() const { return FolderLock::is_taken(path_); }
 
+    /// Whether a file of this path, there or not, lies in the folder or below it.
+    [[nodiscard]] bool holds(const std::string& file) const;
+
     [[nodiscard]] const Plan& plan() const { return plan_; }
     [[nodiscard]] const std::string& plan_digest() const { return plan_digest_; }
     [[nodiscard]] const std::string& path() const { return path_; }

@@ -102,6 +102,16 @@ TEST_CASE("options without their value are refused") {
     }
 }
 
+TEST_CASE("an output without a name is refused by each command that has one") {
+    for (Words words :
+         {Words{"certify", "10"}, Words{"critical", "4"}, Words{"adiabatic"}, Words{"trace", "10"},
+          Words{"plot", "staircase", "x.dbc"}, Words{"report", "x.dbc"}, Words{"campaign", "merge", "c"}}) {
+        CAPTURE(words);
+        words.insert(words.end(), {"--out", ""});
+        CHECK_THAT(refused(words), Contains("--out: the file name is empty; see dumbbell " + words[0]));
+    }
+}
+
 TEST_CASE("an output that cannot be written is known before the search, named, with the cause") {
     CHECK_THAT(refused({"certify", "10", "--out", "no/such/folder/file.dbc"}), Contains("no/such/folder"));
     CHECK_THAT(refused({"certify", "10", "--out", "."}), Contains("directory"));

@@ -166,6 +166,18 @@ TEST_CASE("the status is told at any time, as text and as JSON") {
     CHECK(run["complete"] == true);
 }
 
+TEST_CASE("a merged file is not put into the campaign's folder, least of all over its plan") {
+    const TemporaryFolder folder;
+    plan(folder, "1:10");
+    REQUIRE(run_it(folder, {"--quiet"}).code == 0);
+    for (const char* inside : {"c/plan", "c/m.dbc", "c/results/m.dbc", "c/../c/plan"}) {
+        CAPTURE(inside);
+        CHECK_THAT(refused_here(folder, {"campaign", "merge", folder / "c", "--out", folder / inside}),
+                   Contains("lies in the campaign's folder") && Contains("give another place"));
+    }
+    CHECK(merge_it(folder).code == 0);
+}
+
 TEST_CASE("a result that was tampered with is found by the merge, put aside, and proved again") {
     const TemporaryFolder folder;
     plan(folder);

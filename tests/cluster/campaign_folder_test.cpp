@@ -52,6 +52,27 @@ TEST_CASE("a campaign is made in a folder that is new or empty only") {
     CHECK_THROWS_AS(CampaignFolder::create(place.string(), small_plan()), InputError);
 }
 
+TEST_CASE("a path lies in the folder or beside it, however it is spelled") {
+    const Place place;
+    CampaignFolder::create(place.string(), small_plan());
+    const CampaignFolder folder(place.string());
+    const std::string link = place.string() + "-link";
+    fs::remove(link);
+    fs::create_directory_symlink(place.path, link);
+    const std::string name = place.path.filename().string();
+    for (const char* inside : {"/plan", "/m.dbc", "/results/m.dbc", "/results/../m.dbc", "/new/m.dbc"}) {
+        CAPTURE(inside);
+        CHECK(folder.holds(place.string() + inside));
+        CHECK(folder.holds(link + inside));
+        CHECK(folder.holds(place.string() + "/../" + name + inside));
+    }
+    CHECK_FALSE(folder.holds(place.string() + ".dbc"));
+    CHECK_FALSE(folder.holds(place.string() + "/../m.dbc"));
+    CHECK_FALSE(folder.holds("m.dbc"));
+    CHECK_FALSE(folder.holds(link));  // a rename replaces the link
+    fs::remove(link);
+}
+
 TEST_CASE("what is no campaign is refused, and nothing is changed") {
     const Place place;
     CHECK_THROWS_WITH(CampaignFolder(place.string()), Contains("no campaign"));
