@@ -42,6 +42,12 @@ void make_folder(const std::string& path) {
         fmt::format("'{}' is no file of a campaign: move it elsewhere, and try again", file.string()));
 }
 
+/// Nothing that a reader might wait for; or it has just gone, as what a run is writing may.
+bool is_file(const fs::directory_entry& entry) {
+    const fs::file_type type = entry.status().type();
+    return type == fs::file_type::regular || type == fs::file_type::not_found;
+}
+
 }  // namespace
 
 void CampaignFolder::create(const std::string& path, const Plan& plan,
@@ -79,6 +85,7 @@ CampaignFolder::CampaignFolder(std::string path) : path_(std::move(path)), journ
     } catch (const InputError& error) {
         throw InputError(fmt::format("'{}': {}", file, error.what()));
     }
+    require_own_files();
     plan_digest_ = sha256_hex(text);
     for (const Plan::Shard& shard : plan_.shards) {
         ids_.push_back(plan_.order(shard.first, shard.end).id());
@@ -91,7 +98,6 @@ CampaignFolder::CampaignFolder(std::string path) : path_(std::move(path)), journ
                             file, event.text.substr(0, 64)));
         }
     }
-    require_own_files();
     require_known_results();
 }
 
@@ -102,9 +108,9 @@ void CampaignFolder::require_own_files() const {
     for (const fs::directory_entry& entry : fs::directory_iterator(path_)) {
         const std::string name = entry.path().filename();
         const bool is_folder = entry.symlink_status().type() == fs::file_type::directory;
-        const bool is_own =
-            is_folder ? is_one_of(folders, name)
-                      : is_one_of(files, name) || is_temporary(name) || is_one_of(plan_.inputs, name);
+        const bool is_own = is_folder ? is_one_of(folders, name)
+                                      : is_file(entry) && (is_one_of(files, name) || is_temporary(name) ||
+                                                           is_one_of(plan_.inputs, name));
         if (!is_own) {
             foreign(entry.path());
         }
@@ -116,7 +122,7 @@ void CampaignFolder::require_own_files() const {
         }
         for (const fs::directory_entry& entry : fs::directory_iterator(below)) {
             const std::string name = entry.path().filename();
-            if (!is_id(name) && !is_temporary(name)) {
+            if (!is_file(entry) || (!is_id(name) && !is_temporary(name))) {
                 foreign(entry.path());
             }
         }

@@ -1,5 +1,7 @@
 #include "cluster/campaign_folder.hpp"
 
+#include <sys/stat.h>
+
 #include <catch2/catch.hpp>
 #include <fstream>
 
@@ -96,6 +98,13 @@ TEST_CASE("a foreign file is named, and neither used nor deleted") {
     fs::create_directory(place.path / "old");
     CHECK_THROWS_WITH(CampaignFolder(place.string()), Contains("old"));
     fs::remove(place.path / "old");
+    const std::string id = CampaignFolder(place.string()).parts().front().id;
+    for (const std::string& name : {"results/" + id, "splits/" + id, std::string("journal")}) {
+        CAPTURE(name);
+        REQUIRE(::mkfifo((place.path / name).c_str(), 0600) == 0);  // whoever opens it waits for ever
+        CHECK_THROWS_WITH(CampaignFolder(place.string()), Contains(name) && Contains("move it elsewhere"));
+        fs::remove(place.path / name);
+    }
     CHECK_NOTHROW(CampaignFolder(place.string()));
 }
 
