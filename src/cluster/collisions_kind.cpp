@@ -51,7 +51,7 @@ PlannedPiece parse_unit(const std::string& unit) {
                                  static_cast<long>(parse_size(fields[3])),
                                  static_cast<long>(parse_size(fields[4]))};
         if (piece.q_lo >= 1 && piece.q_lo <= piece.q_hi && piece.q_hi <= greatest_ratio() &&
-            unit_of(piece) == unit) {
+            piece.lower >= 1 && piece.lower <= piece.upper && unit_of(piece) == unit) {
             return piece;
         }
     }

@@ -99,7 +99,8 @@ TEST_CASE("orders that no plan makes are refused before any work") {
     const Order order = planned(request(Rational(1), Rational(6)), 1).whole;
     const auto refused = [&](Order changed) { CHECK_THROWS_AS(kind.work(changed, ".", never), InputError); };
     for (const char* unit : {"piece 1/1 2/1 3", "piece 2/1 1/1 3 2", "piece 1/2 2/1 3 2", "piece 1/1 2/1 x 2",
-                             "piece 1/1 2/1 3 -2", "piece 2/2 2/1 3 2", "piece 1/1 1e17 3 2", ""}) {
+                             "piece 1/1 2/1 3 -2", "piece 1/1 1/1 0 2", "piece 1/1 2/1 2 3",
+                             "piece 1/1 2/1 3 0", "piece 2/2 2/1 3 2", "piece 1/1 1e17 3 2", ""}) {
         CAPTURE(unit);
         refused({order.head, {unit}});
     }
