@@ -78,6 +78,10 @@ std::string line_of(const AdiabaticCertificate& certificate, const std::string& 
     return fmt::format("{}\t{}\t{}\n", fmt::join(cells, "\t"), digest, file);
 }
 
+std::string claim_of(const std::vector<AdiabaticHypotheses>& grid, const Rational& accuracy) {
+    return fmt::format("adiabatic {} --accuracy {}", options_of(grid), cell(accuracy));
+}
+
 class AdiabaticKind : public Kind {
   public:
     [[nodiscard]] std::optional<std::string> work(const Order& order, const std::string& /*folder*/,
@@ -104,12 +108,14 @@ class AdiabaticKind : public Kind {
         const auto& units = plan.whole.units;
         bool tiles = files.size() == units.size();
         std::string text(table_head);
+        std::vector<AdiabaticHypotheses> proved;
         for (std::size_t i = 0; tiles && i < files.size(); ++i) {
             const AdiabaticCertificate certificate = read_adiabatic_certificate(files[i]);
             tiles = case_of(certificate.hypotheses) == units[i];
+            proved.push_back(certificate.hypotheses);
             text += line_of(certificate, sealed_digest(files[i]), "results/" + plan.order(i, i + 1).id());
         }
-        require_tiling(tiles);
+        require_tiling(tiles && plan.claim == claim_of(proved, accuracy_of(plan.whole)));
         return {text, false};
     }
 
@@ -144,10 +150,7 @@ Plan plan_adiabatic(const std::vector<AdiabaticHypotheses>& grid, const Rational
             "a single statement is one shard: use dumbbell adiabatic --out, or give a list (--delta, "
             "--phi-margin, --k)");
     }
-    Plan plan{fmt::format("adiabatic {} --accuracy {}", options_of(grid), cell(accuracy)),
-              {head_of(accuracy), {}},
-              {},
-              {}};
+    Plan plan{claim_of(grid, accuracy), {head_of(accuracy), {}}, {}, {}};
     std::set<std::string> known;
     for (const AdiabaticHypotheses& of : grid) {
         const std::size_t number = plan.whole.units.size();

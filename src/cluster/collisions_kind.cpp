@@ -84,24 +84,20 @@ std::size_t cost_of(const PlannedPiece& piece, Section section) {
     return orbits * (static_cast<std::size_t>(piece.upper) + of_short_orbits);
 }
 
-/// How the claim of a campaign over this range begins.
-std::string claim_of(const Rational& q_lo, const Rational& q_hi) {
-    return fmt::format("certify {}:{} ", to_fraction(q_lo), to_fraction(q_hi));
-}
-
-std::string claim_text(const CertifyRequest& request) {
-    std::string text =
-        claim_of(request.q_lo, request.q_hi) + fmt::format("--gap {}", to_fraction(request.gap));
-    if (request.scene != Scene::dumbbell) {
-        text += fmt::format(" --scene {}", name(request.scene));
+/// The claim that pieces over this range prove; how wide its gaps are, which comes behind it, is seen in
+/// them.
+std::string claim_of(const Common& common, const Rational& q_lo, const Rational& q_hi) {
+    std::string text = fmt::format("certify {}:{} ", to_fraction(q_lo), to_fraction(q_hi));
+    if (common.scene != Scene::dumbbell) {
+        text += fmt::format("--scene {} ", name(common.scene));
     }
-    if (request.section != Section::turning) {
-        text += " --section full";
+    if (common.section != Section::turning) {
+        text += "--section full ";
     }
-    if (request.section == Section::plain) {
-        text += " --lemmas none";
+    if (common.section == Section::plain) {
+        text += "--lemmas none ";
     }
-    return text;
+    return text + "--gap ";
 }
 
 class CollisionsKind : public Kind {
@@ -138,7 +134,7 @@ class CollisionsKind : public Kind {
         // ended.
         const auto& units = plan.whole.units;
         bool tiles = pieces.size() == units.size() &&
-                     plan.claim.starts_with(claim_of(pieces.front().q_lo, pieces.back().q_hi));
+                     plan.claim.starts_with(claim_of(common, pieces.front().q_lo, pieces.back().q_hi));
         for (std::size_t i = 0; tiles && i < pieces.size(); ++i) {
             tiles =
                 is_piece(pieces[i], parse_unit(units[i])) && (i == 0 || pieces[i].q_lo == pieces[i - 1].q_hi);
@@ -195,7 +191,11 @@ std::optional<Plan> plan_collisions(const CertifyRequest& request, std::optional
     if (pieces.empty()) {
         return std::nullopt;
     }
-    Plan plan{claim_text(request), {head_of({request.scene, request.section}), {}}, {}, {}};
+    const Common common{request.scene, request.section};
+    Plan plan{claim_of(common, request.q_lo, request.q_hi) + to_fraction(request.gap),
+              {head_of(common), {}},
+              {},
+              {}};
     std::vector<std::size_t> costs;
     for (const PlannedPiece& piece : pieces) {
         plan.whole.units.push_back(unit_of(piece));

@@ -18,6 +18,10 @@ constexpr std::string_view first_line = "dumbbell-critical-rows 1";
 
 std::string head_of(int digits) { return fmt::format("prove critical\ndigits {}\n", digits); }
 
+std::string claim_of(long first, long last, int digits) {
+    return fmt::format("critical {}:{} --digits {}", first, last, digits);
+}
+
 int digits_of(const Order& order) {
     const std::size_t digits = parse_size(head_values(order, {"prove", "digits"})[1]);
     if (digits < 1 || digits > most_critical_digits || order.head != head_of(static_cast<int>(digits))) {
@@ -128,6 +132,8 @@ class CriticalKind : public Kind {
         require_tiling(tiles);
         report.request.first = report.rows.front().n;
         report.request.last = report.rows.back().n;
+        require_tiling(plan.claim ==
+                       claim_of(report.request.first, report.request.last, report.request.digits));
         return {to_tsv(report), false};
     }
 
@@ -165,10 +171,7 @@ Plan plan_critical(const CriticalRequest& request, std::optional<std::size_t> sh
             "a single critical ratio is one shard: use dumbbell critical, or give a range N1:N2");
     }
     constexpr std::size_t flights_per_shard = 200'000;  // some seconds at 30 digits
-    Plan plan{fmt::format("critical {}:{} --digits {}", request.first, request.last, request.digits),
-              {head_of(request.digits), {}},
-              {},
-              {}};
+    Plan plan{claim_of(request.first, request.last, request.digits), {head_of(request.digits), {}}, {}, {}};
     std::vector<std::size_t> costs;
     for (long n = request.first; n <= request.last; ++n) {
         plan.whole.units.push_back(fmt::format("ratio {}", n));

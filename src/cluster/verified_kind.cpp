@@ -72,6 +72,11 @@ std::string in(const std::string& folder, std::string_view name) {
     return fmt::format("{}/{}", folder, name);
 }
 
+/// How the claim ends, behind the file's name.
+std::string about(std::string_view ratio, const Subject& subject) {
+    return fmt::format(", a certificate over {}, sha256 {}", ratio, subject.digest);
+}
+
 class VerifiedKind : public Kind {
   public:
     [[nodiscard]] std::optional<std::string> work(const Order& order, const std::string& folder,
@@ -113,6 +118,10 @@ class VerifiedKind : public Kind {
             verdict.find(fmt::format(" sha256={} ", subject.digest)) == std::string::npos) {
             throw InputError(fmt::format("the parts do not combine: {}", verdict));
         }
+        constexpr std::string_view before_ratio = " ratio=";
+        const std::size_t ratio = verdict.find(before_ratio) + before_ratio.size();
+        require_tiling(
+            plan.claim.ends_with(about(verdict.substr(ratio, verdict.find(' ', ratio) - ratio), subject)));
         return {lines, false};
     }
 
@@ -150,9 +159,10 @@ VerifiedPlan plan_verified(const std::string& file, std::optional<std::size_t> s
     const Subject subject{std::string(file.ends_with(".gz") ? packed_name : certificate_name),
                           certificate.scene, sealed_digest(file), certificate.pieces.size()};
     VerifiedPlan made{
-        {fmt::format("verify {}, a certificate over {}:{}, sha256 {}",
-                     printable(std::filesystem::path(file).filename().string(), 100),
-                     to_fraction(certificate.q_lo()), to_fraction(certificate.q_hi()), subject.digest),
+        {fmt::format(
+             "verify {}{}", printable(std::filesystem::path(file).filename().string(), 100),
+             about(fmt::format("{}:{}", to_fraction(certificate.q_lo()), to_fraction(certificate.q_hi())),
+                   subject)),
          {head_of(subject), {}},
          {},
          {subject.file, std::string(verifier_name)}},

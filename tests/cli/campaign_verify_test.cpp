@@ -92,6 +92,18 @@ TEST_CASE("lines of another certificate, or of other pieces, are no results") {
     CHECK_FALSE(fs::exists(folder / "parts.txt"));
 }
 
+TEST_CASE("a claim that the certificate does not prove is not said to be tiled") {
+    const TemporaryFolder folder;
+    planned(folder, DUMBBELL_PROJECT "/certificates/stairs-1-100.dbc");
+    write_sealed(folder / "c/plan",
+                 replaced(contents(folder / "c/plan"), "over 1/1:100/1", "over 1/1:900/1"));
+    REQUIRE(run_it(folder).code == 0);
+    const Outcome refused = merged(folder);
+    CHECK(refused.code == 2);
+    CHECK_THAT(refused.err, Contains("do not tile the claim"));
+    CHECK_FALSE(fs::exists(folder / "parts.txt"));
+}
+
 TEST_CASE("what is no certificate about collisions is not planned") {
     CHECK_THAT(refused({"campaign", "plan", "c", "verify", "none.dbc"}), Contains("none.dbc"));
     CHECK_THAT(refused({"campaign", "plan", "c", "verify", DUMBBELL_PROJECT "/README.md"}), EndsWith("\n"));

@@ -61,6 +61,13 @@ inline std::string certificate(const TemporaryFolder& folder, const std::string&
     return path;
 }
 
+// Writes a text that ends with a line `sha256 HEX`, made right again after a change above it.
+inline void write_sealed(const std::string& path, std::string text) {
+    text.erase(text.rfind("sha256 "));
+    write_file(path, text);
+    write_file(path, text + "sha256 " + run({"sha256sum", path}).out.substr(0, 64) + "\n");
+}
+
 inline std::string last_line(const std::string& text) {
     if (text.empty() || text.back() != '\n') {
         throw std::runtime_error("no last line: " + text);

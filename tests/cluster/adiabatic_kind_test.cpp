@@ -75,6 +75,9 @@ TEST_CASE("certificates of other statements are not merged") {
     refused({files[0], files[1]});
     refused({files[0], files[1], files[1]});
     refused({files[1], files[0], files[2]});
+    Plan other = plan;
+    other.claim.replace(plan.claim.find("0:1 "), 3, "0:2");
+    CHECK_THROWS_WITH(kind.merge(other, ".", files), Contains("do not tile the claim"));
     std::ofstream(files[1], std::ios::app) << "more";
     CHECK_THROWS_AS(kind.merge(plan, ".", files), InputError);
 }

@@ -75,8 +75,11 @@ TEST_CASE("what does not tile the claim is not merged") {
     refused(plan, {files[0], files[2], files[1], files[3], files[4]});
     refused(plan, {files[0], files[1], files[1], files[3], files[4]});
     Plan other = plan;
-    other.claim = "certify 1/1:61/1 --gap 1/1000000";
-    refused(other, files);
+    for (const char* claim :
+         {"certify 1/1:61/1 --gap 1/1000000", "certify 1/1:60/1 --section full --gap 1/1000000"}) {
+        other.claim = claim;  // that its units do not prove
+        refused(other, files);
+    }
     other = plan;
     other.whole.units.pop_back();
     refused(other, files);
@@ -86,7 +89,7 @@ TEST_CASE("the claim of a plan is the command that proves it in one go") {
     CertifyRequest of = request(Rational(3, 2), Rational(12));
     of.gap = Rational(1, 1000);
     of.section = Section::plain;
-    CHECK(planned(of, 4).claim == "certify 3/2:12/1 --gap 1/1000 --section full --lemmas none");
+    CHECK(planned(of, 4).claim == "certify 3/2:12/1 --section full --lemmas none --gap 1/1000");
 }
 
 TEST_CASE("ratios as long as a command line may have them are planned and proved") {

@@ -6,6 +6,7 @@
 #include "arith/error.hpp"
 #include "certificate/writer.hpp"
 #include "place.hpp"
+#include "scripted_engine.hpp"
 
 using namespace dumbbell;
 using namespace dumbbell_test;
@@ -69,6 +70,17 @@ TEST_CASE("a table with too few or too many rows is rejected") {
     CHECK(judged(place, text + text).verdict == Judgement::Verdict::wrong);
     const Order fewer{order.head, {"ratio 3", "ratio 4"}};
     CHECK(judged(place, *kind.work(fewer, ".", never)).verdict == Judgement::Verdict::wrong);
+}
+
+TEST_CASE("results are not merged under a claim that they do not prove") {
+    const Place place;
+    Plan plan = small_plan();
+    const auto files = results(kind, plan, place);
+    CHECK_THAT(kind.merge(plan, ".", files).text, Contains("\n14\t"));
+    for (const char* claim : {"critical 3:15 --digits 10", "critical 3:14 --digits 11", ""}) {
+        plan.claim = claim;
+        CHECK_THROWS_WITH(kind.merge(plan, ".", files), Contains("do not tile the claim"));
+    }
 }
 
 TEST_CASE("orders about critical ratios that no plan makes are refused before any work") {
