@@ -3,6 +3,9 @@
 #include <fcntl.h>
 #include <sys/file.h>
 
+#include <chrono>
+#include <thread>
+
 namespace dumbbell {
 namespace {
 
@@ -14,7 +17,14 @@ Descriptor opened(const std::string& folder) {
 
 bool FolderLock::take(const std::string& folder) {
     folder_ = opened(folder);
-    return folder_.get() >= 0 && ::flock(folder_.get(), LOCK_EX | LOCK_NB) == 0;
+    // Whoever asks whether it is taken has it for a moment.
+    for (int tries = 0; tries < 10; ++tries) {
+        if (folder_.get() >= 0 && ::flock(folder_.get(), LOCK_EX | LOCK_NB) == 0) {
+            return true;
+        }
+        std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    }
+    return false;
 }
 
 bool FolderLock::is_taken(const std::string& folder) {

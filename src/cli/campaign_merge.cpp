@@ -72,8 +72,11 @@ int merge(const Options& options) {
         return not_merged(options, merge);
     }
     file.commit(merge.whole->text);
-    fmt::print("{} shards {}; they tile the claim: {}\nwritten: {}\n", merge.shards,
-               options.unverified ? "NOT verified" : "verified", folder.plan().claim, options.out);
+    const char* what = merge.evidence == Evidence::workers ? "as the workers' verifiers say"
+                       : options.unverified                ? "NOT verified"
+                                                           : "verified";
+    fmt::print("{} shards {}; they tile the claim: {}\nwritten: {}\n", merge.shards, what,
+               folder.plan().claim, options.out);
     if (merge.whole->is_open) {
         complain("not everything was decided: the file says which pieces are open");
         return exit_not_certified;
@@ -89,9 +92,9 @@ void add_campaign_merge(CLI::App& campaign, int& exit_code) {
     command->add_option("FOLDER", options->folder, "the campaign's folder")->required();
     add_out_option(*command, options->out, "the file to write (FILE.gz: compressed)")->required();
     add_jobs_option(*command, options->jobs, "so many shards are verified at the same time");
-    command->add_flag(
-        "--unverified", options->unverified,
-        "only join: the file is still to be verified, for instance by a campaign (plan ... verify FILE)");
+    command->add_flag("--unverified", options->unverified,
+                      "only join a certificate: it is still to be verified, for instance by a campaign (plan "
+                      "... verify FILE)");
     command->add_flag("--quiet", options->quiet, "no progress");
     command->callback([options, &exit_code] { exit_code = stoppable([&] { return merge(*options); }); });
 }

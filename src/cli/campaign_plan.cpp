@@ -120,8 +120,12 @@ void add_campaign_plan(CLI::App& campaign, int& exit_code) {
         "The verification of a certificate, in parts. Merged they are what dumbbell-verify --combine takes.");
     verify->add_option("FILE", options->certificate, "certificate about collisions")->required();
     command->require_subcommand(0, 1);
+    for (CLI::App* claim : {critical, adiabatic, verify}) {
+        claim->fallthrough();  // --shards may stand behind it, too
+    }
     command->callback([options, command, critical, adiabatic, verify, &exit_code] {
         exit_code = stoppable([&] {
+            CampaignFolder::require_new(options->folder);
             if (critical->parsed() || adiabatic->parsed() || verify->parsed()) {
                 require_one_claim(*command);
                 return critical->parsed()    ? plan_critical(*options)

@@ -103,7 +103,10 @@ int run(const Options& options) {
     CampaignFolder folder(options.folder);
     folder.lock();
     CampaignOptions how;
-    how.shard_limit = parse_duration(options.shard_limit);
+    how.shard_limit = parse_duration(options.shard_limit, "--shard-limit");
+    if (how.shard_limit->count() <= 0) {
+        throw InputError("--shard-limit must be greater than 0: no shard is done at once");
+    }
     how.interrupted =
         deadline(options.budget.empty() ? std::nullopt : std::optional(parse_duration(options.budget)));
     CampaignRun done;

@@ -11,7 +11,7 @@
 #include "cli/pages/command_table.hpp"
 #include "cli/pages/man_page.hpp"
 #include "cli/pages/reference.hpp"
-#include "cli/verify_command.hpp"
+#include "cluster/verifier_program.hpp"
 
 namespace dumbbell {
 namespace {

@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
@@ -135,6 +136,8 @@ int run(int argc, char** argv) {
 }  // namespace dumbbell
 
 int main(int argc, char** argv) {
+    std::signal(SIGCHLD,
+                SIG_DFL);  // ignored by whoever started this, there would be no exit code of a verifier
     try {
         const int exit_code = dumbbell::run(argc, argv);
         if (!std::cout.flush() || std::fflush(stdout) != 0) {

@@ -52,10 +52,10 @@ Rational parse_gap(const std::string& text) {
     return gap;
 }
 
-std::chrono::duration<double> parse_duration(const std::string& text) {
+std::chrono::duration<double> parse_duration(const std::string& text, std::string_view option) {
     const auto malformed = [&] {
         return InputError(
-            fmt::format("--budget '{}' is no time: write it like 30s, 10m or 2h", shortened(text)));
+            fmt::format("{} '{}' is no time: write it like 30s, 10m or 2h", option, shortened(text)));
     };
     if (text.empty()) {
         throw malformed();

@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <string>
+#include <string_view>
 
 #include "arith/rational.hpp"
 
@@ -20,7 +21,8 @@ struct RatioArgument {
 /// REL of --gap: 0 < REL <= 0.01. Throws InputError.
 [[nodiscard]] Rational parse_gap(const std::string& text);
 
-/// TIME of --budget: a number with s, m or h. Throws InputError.
-[[nodiscard]] std::chrono::duration<double> parse_duration(const std::string& text);
+/// TIME of an option: a number with s, m or h. Throws InputError, which names the option.
+[[nodiscard]] std::chrono::duration<double> parse_duration(const std::string& text,
+                                                           std::string_view option = "--budget");
 
 }  // namespace dumbbell

@@ -4,10 +4,10 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <utility>
 #include <vector>
 
 #include "arith/error.hpp"
-#include "cluster/last_line.hpp"
 #include "cluster/verifier_program.hpp"
 
 namespace dumbbell {
@@ -22,14 +22,11 @@ void become_verifier(int argc, char** argv) {
 }
 
 std::string verified(const std::string& file, std::string_view scene) {
-    const VerifierAnswer answer = ask_verifier({"--scene=" + std::string(scene), "--", file});
-    std::string verdict(last_line(answer.out));
-    if (answer.code != 0) {
-        throw InputError(fmt::format("'{}' is not verified: {}", file, verdict));
+    Verdict verdict = ask_verifier({"--scene=" + std::string(scene), "--", file});
+    if (!verdict.accepts) {
+        throw InputError(fmt::format("'{}' is not verified: {}", file, verdict.line));
     }
-    return verdict;
+    return std::move(verdict.line);
 }
-
-std::string verifier_help() { return ask_verifier({"--help"}).out; }
 
 }  // namespace dumbbell

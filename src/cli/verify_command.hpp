@@ -15,7 +15,4 @@ namespace dumbbell {
 /// line, if the file is not verified.
 [[nodiscard]] std::string verified(const std::string& file, std::string_view scene);
 
-/// What `dumbbell-verify --help` prints. Throws InputError if it cannot be started.
-[[nodiscard]] std::string verifier_help();
-
 }  // namespace dumbbell

@@ -11,7 +11,6 @@
 #include "certificate/adiabatic_writer.hpp"
 #include "certificate/any_reader.hpp"
 #include "cluster/adiabatic_case.hpp"
-#include "cluster/last_line.hpp"
 #include "cluster/verifier_program.hpp"
 #include "prove/adiabatic.hpp"
 
@@ -84,6 +83,8 @@ std::string claim_of(const std::vector<AdiabaticHypotheses>& grid, const Rationa
 
 class AdiabaticKind : public Kind {
   public:
+    [[nodiscard]] Evidence evidence() const override { return Evidence::results; }
+
     [[nodiscard]] std::optional<std::string> work(const Order& order, const std::string& /*folder*/,
                                                   const Interrupted& interrupted) const override {
         AdiabaticRequest request;
@@ -131,9 +132,9 @@ class AdiabaticKind : public Kind {
     [[nodiscard]] std::string refutation(const Order& order, const std::string& /*folder*/,
                                          const std::string& file) const override {
         const AdiabaticHypotheses of = statement_of(order);
-        const VerifierAnswer answer =
+        const Verdict verdict =
             ask_verifier({"--jobs=1", "--quiet", fmt::format("--claim={}", name(of.claim)), "--", file});
-        return answer.code == 0 ? "" : fmt::format("not verified: {}", last_line(answer.out));
+        return verdict.accepts ? "" : fmt::format("not verified: {}", verdict.line);
     }
 };
 

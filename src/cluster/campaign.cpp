@@ -19,8 +19,8 @@ using What = Event::What;
 
 /// So often a shard is tried before it is given up.
 constexpr int most_attempts = 5;
-/// So often a shard is tried before it is believed that a piece of it stays undecided.
-constexpr int most_open_attempts = 2;
+/// So often a result leaves a piece undecided before it is believed that the piece stays so.
+constexpr int most_open_answers = 2;
 constexpr std::chrono::milliseconds patience(200);
 constexpr std::chrono::seconds between_states(10);
 
@@ -54,7 +54,10 @@ class Run {
                 step();
             }
         } catch (const std::exception& error) {
-            log(What::end, {}, {}, 0, error.what());
+            try {
+                log(What::end, {}, {}, 0, error.what());
+            } catch (const std::exception&) {  // the first error is the one to hear of
+            }
             throw;
         }
         log_state();
@@ -70,6 +73,7 @@ class Run {
     struct Shard {
         Part part;
         int attempts = 0;
+        int open_answers = 0;
         bool is_unlimited = false;
     };
 
@@ -135,11 +139,15 @@ class Run {
                 split(std::move(shard));
                 break;
             case Outcome::End::failed:
-                ++result_.failed;
-                log(What::failed, shard.part.id, outcome.worker, outcome.seconds, outcome.reason);
-                try_again(std::move(shard), outcome.reason);
+                fail(std::move(shard), outcome, outcome.reason);
                 break;
         }
+    }
+
+    void fail(Shard shard, const Outcome& outcome, const std::string& reason) {
+        ++result_.failed;
+        log(What::failed, shard.part.id, outcome.worker, outcome.seconds, reason);
+        try_again(std::move(shard), reason);
     }
 
     void ask_judges(Shard shard, Outcome outcome) {
@@ -159,14 +167,25 @@ class Run {
         }
         using Verdict = Judgement::Verdict;
         const Judgement& judgement = answer.judgement;
-        const bool stays_open =
-            judgement.verdict == Verdict::open && arrived.shard.attempts + 1 >= most_open_attempts;
+        if (judgement.verdict == Verdict::none) {
+            fail(std::move(arrived.shard), arrived.outcome, judgement.reason);
+            return;
+        }
+        const bool is_open = judgement.verdict == Verdict::open;
+        const bool stays_open = is_open && ++arrived.shard.open_answers >= most_open_answers;
         if (judgement.verdict == Verdict::proved || stays_open) {
             accept(arrived.shard, arrived.outcome);
+            if (stays_open) {
+                options_.note(fmt::format("shard {}: {}; to try it again, move '{}' elsewhere",
+                                          arrived.shard.part.id, judgement.reason,
+                                          folder_.result_file(arrived.shard.part.id)));
+            }
             return;
         }
         ++result_.rejected;
-        engine_.distrust(arrived.outcome);
+        if (!is_open) {
+            engine_.distrust(arrived.outcome);
+        }
         folder_.reject(arrived.shard.part.id, arrived.outcome.result);
         log(What::rejected, arrived.shard.part.id, arrived.outcome.worker, arrived.outcome.seconds,
             judgement.reason);

@@ -50,15 +50,20 @@ bool is_file(const fs::directory_entry& entry) {
 
 }  // namespace
 
-void CampaignFolder::create(const std::string& path, const Plan& plan,
-                            const std::vector<std::string>& sources) {
-    require(sources.size() == plan.inputs.size(), "a plan whose inputs are not there");
+void CampaignFolder::require_new(const std::string& path) {
     std::error_code failed;
     if (fs::exists(fs::symlink_status(path, failed)) &&
         (!fs::is_directory(path, failed) || !fs::is_empty(path, failed))) {
         throw InputError(fmt::format(
             "'{}' is there already: take a folder that is new or empty, so that nothing is lost", path));
     }
+}
+
+void CampaignFolder::create(const std::string& path, const Plan& plan,
+                            const std::vector<std::string>& sources) {
+    require(sources.size() == plan.inputs.size(), "a plan whose inputs are not there");
+    require_new(path);
+    std::error_code failed;
     make_folder(path);
     for (const std::string_view name : folders) {
         make_folder(fmt::format("{}/{}", path, name));
@@ -66,7 +71,11 @@ void CampaignFolder::create(const std::string& path, const Plan& plan,
     for (std::size_t i = 0; i < sources.size(); ++i) {
         const std::string copy = path + "/" + plan.inputs[i];
         if (!fs::copy_file(sources[i], copy, failed)) {
-            throw InputError(fmt::format("cannot copy '{}' to '{}': {}", sources[i], copy, failed.message()));
+            const std::string reason = failed.message();
+            for (const fs::directory_entry& entry : fs::directory_iterator(path)) {
+                fs::remove_all(entry.path(), failed);  // all made above: the folder was empty
+            }
+            throw InputError(fmt::format("cannot copy '{}' to '{}': {}", sources[i], copy, reason));
         }
     }
     AtomicFile(path + "/plan").commit(render(plan));  // last: with it the folder is a campaign
@@ -85,7 +94,11 @@ CampaignFolder::CampaignFolder(std::string path) : path_(std::move(path)), journ
     } catch (const InputError& error) {
         throw InputError(fmt::format("'{}': {}", file, error.what()));
     }
-    require_own_files();
+    try {
+        require_own_files();
+    } catch (const fs::filesystem_error& error) {
+        throw InputError(fmt::format("cannot read '{}': {}", error.path1().string(), error.code().message()));
+    }
     plan_digest_ = sha256_hex(text);
     for (const Plan::Shard& shard : plan_.shards) {
         ids_.push_back(plan_.order(shard.first, shard.end).id());
@@ -130,18 +143,20 @@ void CampaignFolder::require_own_files() const {
 }
 
 void CampaignFolder::require_known_results() const {
-    std::set<std::string> known;
-    for (const Part& part : parts()) {
-        known.insert(part.id);
-    }
+    std::set<std::string> unknown;  // listed first: a run that is at work only adds shards
     for (const fs::directory_entry& entry : fs::directory_iterator(path_ + "/results")) {
-        const std::string name = entry.path().filename();
-        if (is_id(name) && !known.contains(name)) {
-            throw InputError(fmt::format(
-                "'{}' belongs to no shard of the plan: either the plan was changed after the "
-                "start, or the file comes from elsewhere; put the plan back, or move the file away",
-                entry.path().string()));
+        if (is_id(entry.path().filename().string())) {
+            unknown.insert(entry.path().filename());
         }
+    }
+    for (const Part& part : parts()) {
+        unknown.erase(part.id);
+    }
+    if (!unknown.empty()) {
+        throw InputError(fmt::format(
+            "'{}/results/{}' belongs to no shard of the plan: either the plan was changed after the "
+            "start, or the file comes from elsewhere; put the plan back, or move the file away",
+            path_, *unknown.begin()));
     }
 }
 
@@ -198,7 +213,10 @@ bool CampaignFolder::keep_result(const std::string& id, const std::string& bytes
         return true;
     }
     if (file_contents(result_file(id)) != bytes) {
-        reject(id, bytes);
+        try {
+            reject(id, bytes);
+        } catch (const InputError&) {  // no disk for it: that they differ is what matters
+        }
         throw ResultsDiffer(
             fmt::format("two results of one shard differ: '{}' and '{}/rejected/{}'; one of the "
                         "machines, or its program, is not to be relied on: find out which, move the "

@@ -30,13 +30,17 @@ class ResultsDiffer : public std::runtime_error {
 /// under way and nothing else. All functions throw InputError where a file cannot be written.
 class CampaignFolder {
   public:
+    /// Throws InputError unless `path` is not there yet, or an empty folder.
+    static void require_new(const std::string& path);
+
     /// Makes the folder, which is not there yet or empty. `sources`: the files that become the plan's inputs,
-    /// in their order.
+    /// in their order. If it fails, nothing is left in it.
     static void create(const std::string& path, const Plan& plan,
                        const std::vector<std::string>& sources = {});
 
     /// Opens it. Throws InputError, and changes nothing, if it is no campaign, one of another version, if its
-    /// plan was changed after the start, or if it holds a file that is not of its making.
+    /// plan was changed after the start, if it cannot be read, or if it holds a file that is not of its
+    /// making.
     explicit CampaignFolder(std::string path);
 
     /// For whoever changes it: throws InputError if another program does. Ends with this object.

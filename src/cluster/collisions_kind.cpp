@@ -9,7 +9,6 @@
 #include "certificate/names.hpp"
 #include "certificate/reader.hpp"
 #include "certificate/writer.hpp"
-#include "cluster/last_line.hpp"
 #include "cluster/sealed_lines.hpp"
 #include "cluster/verifier_program.hpp"
 #include "prove/staircase.hpp"
@@ -102,6 +101,8 @@ std::string claim_of(const Common& common, const Rational& q_lo, const Rational&
 
 class CollisionsKind : public Kind {
   public:
+    [[nodiscard]] Evidence evidence() const override { return Evidence::file; }
+
     [[nodiscard]] std::optional<std::string> work(const Order& order, const std::string& /*folder*/,
                                                   const Interrupted& interrupted) const override {
         const Common common = common_of(order);
@@ -165,9 +166,9 @@ class CollisionsKind : public Kind {
 
     [[nodiscard]] std::string refutation(const Order& order, const std::string& /*folder*/,
                                          const std::string& file) const override {
-        const VerifierAnswer answer = ask_verifier(
+        const Verdict verdict = ask_verifier(
             {"--jobs=1", "--quiet", fmt::format("--scene={}", name(common_of(order).scene)), "--", file});
-        return answer.code == 0 ? "" : fmt::format("not verified: {}", last_line(answer.out));
+        return verdict.accepts ? "" : fmt::format("not verified: {}", verdict.line);
     }
 };
 

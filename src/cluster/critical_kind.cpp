@@ -97,6 +97,8 @@ std::string objection(const Order& order, const std::vector<CriticalRatio>& rati
 
 class CriticalKind : public Kind {
   public:
+    [[nodiscard]] Evidence evidence() const override { return Evidence::results; }
+
     [[nodiscard]] std::optional<std::string> work(const Order& order, const std::string& /*folder*/,
                                                   const Interrupted& interrupted) const override {
         const CriticalOptions options{.digits = digits_of(order), .interrupted = interrupted};

@@ -79,6 +79,7 @@ void Journal::append(Event event) {
     if (size > 0 && ::pread(file_.get(), &last, 1, size - 1) == 1 && last != '\n') {
         line.insert(0, 1, '\n');
     }
+    errno = file_.get() < 0 ? errno : ENOSPC;  // which a write that stops half-way does not say
     if (file_.get() < 0 ||
         ::write(file_.get(), line.data(), line.size()) != static_cast<ssize_t>(line.size())) {
         throw InputError(fmt::format("cannot write '{}': {}", path_, std::strerror(errno)));

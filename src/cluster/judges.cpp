@@ -1,25 +1,38 @@
 #include "cluster/judges.hpp"
 
+#include <fmt/format.h>
+
 #include <chrono>
 #include <exception>
+#include <system_error>
 #include <utility>
 
 #include "arith/big_interval.hpp"
+#include "arith/error.hpp"
 #include "arith/self_test.hpp"
 
 namespace dumbbell {
 
 Judges::Judges(const Kind& kind, std::string folder, int jobs, Scrutiny scrutiny)
     : kind_(kind), folder_(std::move(folder)), scrutiny_(scrutiny) {
-    for (int i = 0; i < jobs; ++i) {
-        crew_.emplace_back([this] {
-            work();
-            forget_thread_constants();
-        });
+    try {
+        for (int i = 0; i < jobs; ++i) {
+            crew_.emplace_back([this] {
+                work();
+                forget_thread_constants();
+            });
+        }
+    } catch (const std::system_error& error) {
+        send_home();  // or those who came would wait for ever
+        throw InputError(
+            fmt::format("{} threads were to be started, and only {} could ({}): give fewer --jobs", jobs,
+                        crew_.size(), error.code().message()));
     }
 }
 
-Judges::~Judges() {
+Judges::~Judges() { send_home(); }
+
+void Judges::send_home() {
     const std::lock_guard lock(mutex_);
     ends_ = true;
     changed_.notify_all();

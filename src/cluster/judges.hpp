@@ -26,7 +26,7 @@ class Judges {
         double seconds = 0;
     };
 
-    /// `folder`: where the plan's inputs lie.
+    /// `folder`: where the plan's inputs lie. Throws InputError if so many threads cannot be started.
     Judges(const Kind& kind, std::string folder, int jobs, Scrutiny scrutiny);
     /// What nobody looked at yet is forgotten.
     ~Judges();
@@ -41,6 +41,7 @@ class Judges {
 
   private:
     void work();
+    void send_home();
     [[nodiscard]] Answer taken();
 
     const Kind& kind_;

@@ -8,6 +8,7 @@
 #include "cluster/collisions_kind.hpp"
 #include "cluster/critical_kind.hpp"
 #include "cluster/verified_kind.hpp"
+#include "cluster/verifier_program.hpp"
 
 namespace dumbbell {
 
@@ -16,6 +17,8 @@ Judgement Kind::judge(const Order& order, const std::string& folder, const std::
     try {
         const std::string reason = scrutiny == Scrutiny::proof ? refutation(order, folder, file) : "";
         return reason.empty() ? form(order, file) : Judgement{Judgement::Verdict::wrong, reason};
+    } catch (const NoVerdict& error) {
+        return {Judgement::Verdict::none, error.what()};
     } catch (const InputError& error) {
         return {Judgement::Verdict::wrong, error.what()};
     }

@@ -16,9 +16,10 @@ struct Judgement {
     enum class Verdict {
         proved,  ///< all that the order asks for
         open,    ///< a true answer, but it leaves something undecided
-        wrong    ///< not a result of this order, or not proved
+        wrong,   ///< not a result of this order, or not proved
+        none     ///< nobody could look: that says nothing about the result
     };
-    Verdict verdict = Verdict::wrong;
+    Verdict verdict = Verdict::none;
     std::string reason;  ///< unless proved
 };
 
@@ -26,6 +27,13 @@ struct Judgement {
 enum class Scrutiny {
     form,  ///< whether it is complete, and says what the order asks for; nothing is proved by that
     proof  ///< whether an independent check accepts all that it claims, too
+};
+
+/// What a merged file rests on.
+enum class Evidence {
+    file,     ///< itself: dumbbell-verify accepts it, or does not
+    results,  ///< the look at each result before they are merged
+    workers   ///< the word of the workers
 };
 
 /// What a campaign of one kind proves: its orders and their results. All functions may be used by several
@@ -36,6 +44,8 @@ class Kind {
     virtual ~Kind() = default;
     Kind(const Kind&) = delete;
     Kind& operator=(const Kind&) = delete;
+
+    [[nodiscard]] virtual Evidence evidence() const = 0;
 
     /// Works an order off, on this thread; nothing if interrupted. The result depends on the order alone.
     /// `folder`: where the plan's inputs lie. Throws InputError if the order is not of this kind's making.

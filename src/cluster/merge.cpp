@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "arith/error.hpp"
 #include "cluster/judges.hpp"
 #include "prove/deadline.hpp"
 
@@ -25,6 +26,10 @@ bool verify_all(const CampaignFolder& folder, const Kind& kind, const std::vecto
         const Judges::Answer answer = judges.next_answer();
         if (options.interrupted()) {
             return false;
+        }
+        if (answer.judgement.verdict == Judgement::Verdict::none) {
+            throw InputError(fmt::format("{}: nothing is merged, and nothing is changed; try again",
+                                         answer.judgement.reason));
         }
         if (answer.judgement.verdict == Judgement::Verdict::wrong) {
             const std::string& id = parts[answer.number].id;
@@ -48,6 +53,10 @@ Merge merge_campaign(const CampaignFolder& folder, const MergeOptions& options) 
         return merge;
     }
     const Kind& kind = kind_named(folder.plan().whole.kind());
+    merge.evidence = kind.evidence();
+    if (options.scrutiny == Scrutiny::form && merge.evidence == Evidence::results) {
+        throw InputError("nobody can verify this table later: merge without --unverified");
+    }
     if (!verify_all(folder, kind, parts, options, merge) || !merge.withdrawn.empty()) {
         return merge;
     }

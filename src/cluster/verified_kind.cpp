@@ -12,7 +12,6 @@
 #include "certificate/file_contents.hpp"
 #include "certificate/names.hpp"
 #include "certificate/reader.hpp"
-#include "cluster/last_line.hpp"
 #include "cluster/sealed_lines.hpp"
 #include "cluster/verifier_program.hpp"
 
@@ -72,6 +71,9 @@ std::string in(const std::string& folder, std::string_view name) {
     return fmt::format("{}/{}", folder, name);
 }
 
+/// About 10 s of verification.
+constexpr std::size_t collisions_per_shard = 1'500'000;
+
 /// How the claim ends, behind the file's name.
 std::string about(std::string_view ratio, const Subject& subject) {
     return fmt::format(", a certificate over {}, sha256 {}", ratio, subject.digest);
@@ -79,6 +81,8 @@ std::string about(std::string_view ratio, const Subject& subject) {
 
 class VerifiedKind : public Kind {
   public:
+    [[nodiscard]] Evidence evidence() const override { return Evidence::workers; }
+
     [[nodiscard]] std::optional<std::string> work(const Order& order, const std::string& folder,
                                                   const Interrupted& interrupted) const override {
         const Subject subject = subject_of(order);
@@ -86,17 +90,14 @@ class VerifiedKind : public Kind {
         if (interrupted()) {
             return std::nullopt;
         }
-        const VerifierAnswer answer = ask_verifier(
+        const Verdict verdict = ask_verifier(
             {"--jobs=1", "--quiet", "--max-bits=4096", fmt::format("--scene={}", name(subject.scene)),
              fmt::format("--shards={}-{}", first, last), "--", in(folder, subject.file)},
             in(folder, verifier_name));
-        if (interrupted()) {
-            return std::nullopt;  // the signal may have ended the verifier
+        if (!verdict.accepts) {
+            throw InputError(fmt::format("the verifier: {}", verdict.line));
         }
-        if (answer.code != 0) {
-            throw InputError(fmt::format("the verifier: {}", last_line(answer.out)));
-        }
-        return fmt::format("{}\n", last_line(answer.out));
+        return fmt::format("{}\n", verdict.line);
     }
 
     [[nodiscard]] Merged merge(const Plan& plan, const std::string& folder,
@@ -108,20 +109,19 @@ class VerifiedKind : public Kind {
         const std::string parts = in(folder, "arrived") + "/" + plan.whole.id();
         AtomicFile(parts).commit(lines, Survives::program);
         const Subject subject = subject_of(plan.whole);
-        const VerifierAnswer answer =
+        const Verdict verdict =
             ask_verifier({"--quiet", fmt::format("--scene={}", name(subject.scene)),
                           fmt::format("--combine={}", parts), "--", in(folder, subject.file)},
                          in(folder, verifier_name));
         std::filesystem::remove(parts);
-        const std::string verdict(last_line(answer.out));
-        if (answer.code != 0 ||
-            verdict.find(fmt::format(" sha256={} ", subject.digest)) == std::string::npos) {
-            throw InputError(fmt::format("the parts do not combine: {}", verdict));
+        const std::string& line = verdict.line;
+        if (!verdict.accepts || line.find(fmt::format(" sha256={} ", subject.digest)) == std::string::npos) {
+            throw InputError(fmt::format("the parts do not combine: {}", line));
         }
         constexpr std::string_view before_ratio = " ratio=";
-        const std::size_t ratio = verdict.find(before_ratio) + before_ratio.size();
+        const std::size_t ratio = line.find(before_ratio) + before_ratio.size();
         require_tiling(
-            plan.claim.ends_with(about(verdict.substr(ratio, verdict.find(' ', ratio) - ratio), subject)));
+            plan.claim.ends_with(about(line.substr(ratio, line.find(' ', ratio) - ratio), subject)));
         return {lines, false};
     }
 
@@ -173,7 +173,7 @@ VerifiedPlan plan_verified(const std::string& file, std::optional<std::size_t> s
         const long upper = certificate.pieces[i].upper.value_or(0);
         costs.push_back(static_cast<std::size_t>(std::clamp(upper, 0L, 1'000'000'000L)) + 10);
     }
-    made.plan.shards = even_shards(costs, shards.value_or(many_shards));
+    made.plan.shards = cut(costs, shards, collisions_per_shard);
     return made;
 }
 

@@ -2,6 +2,8 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <poll.h>
+#include <signal.h>
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -11,24 +13,79 @@
 #include <cstring>
 #include <filesystem>
 
-#include "arith/error.hpp"
+#include "certificate/descriptor.hpp"
+#include "cluster/last_line.hpp"
+#include "prove/deadline.hpp"
 
 namespace dumbbell {
 namespace {
 
-/// All that comes out of the pipe's end, which is closed.
-std::string read_to_end(int descriptor) {
+/// All that the child writes to its end of the pipe; it is ended if this program is asked to stop.
+std::string all_said(const Descriptor& pipe, pid_t child) {
+    constexpr int between_looks = 200;  // ms
     std::string text;
     std::array<char, 4096> block{};
     for (;;) {
-        const ssize_t n = ::read(descriptor, block.data(), block.size());
+        if (stop_signal != 0) {
+            ::kill(child, SIGTERM);
+        }
+        pollfd waits{pipe.get(), POLLIN, 0};
+        if (::poll(&waits, 1, between_looks) <= 0) {
+            continue;
+        }
+        const ssize_t n = ::read(pipe.get(), block.data(), block.size());
         if (n > 0) {
             text.append(block.data(), static_cast<std::size_t>(n));
         } else if (n == 0 || errno != EINTR) {
-            ::close(descriptor);
             return text;
         }
     }
+}
+
+struct Run {
+    std::string out;
+    int code = 0;
+};
+
+/// To its end. Only a child that was waited for and exited by itself has an exit code.
+Run run_to_end(std::vector<std::string> words, std::string program) {
+    std::vector<char*> arguments{program.data()};
+    for (std::string& word : words) {
+        arguments.push_back(word.data());
+    }
+    arguments.push_back(nullptr);
+    std::array<int, 2> ends{};
+    if (::pipe2(ends.data(), O_CLOEXEC) != 0) {
+        verifier_not_started(program, errno);
+    }
+    const Descriptor reading(ends[0]);
+    Descriptor writing(ends[1]);
+    posix_spawn_file_actions_t actions;
+    posix_spawn_file_actions_init(&actions);
+    posix_spawn_file_actions_adddup2(&actions, writing.get(), STDOUT_FILENO);
+    // Nothing else of this program's: a connection to a worker would stay open as long as the child runs.
+    posix_spawn_file_actions_addclosefrom_np(&actions, STDERR_FILENO + 1);
+    pid_t child = -1;
+    const int error = ::posix_spawn(&child, program.c_str(), &actions, nullptr, arguments.data(), environ);
+    posix_spawn_file_actions_destroy(&actions);
+    writing = Descriptor();
+    if (error != 0) {
+        verifier_not_started(program, error);
+    }
+    Run run{all_said(reading, child), 0};
+    int status = 0;
+    pid_t ended = -1;
+    do {
+        ended = ::waitpid(child, &status, 0);
+    } while (ended < 0 && errno == EINTR);
+    if (ended != child || !WIFEXITED(status)) {
+        throw NoVerdict(fmt::format("the verifier '{}' did not come to its end ({})", program,
+                                    ended != child        ? std::strerror(errno)
+                                    : WIFSIGNALED(status) ? ::strsignal(WTERMSIG(status))
+                                                          : "no exit code"));
+    }
+    run.code = WEXITSTATUS(status);
+    return run;
 }
 
 }  // namespace
@@ -39,35 +96,19 @@ std::string verifier_path() {
 }
 
 void verifier_not_started(const std::string& program, int error) {
-    throw InputError(fmt::format("cannot start the verifier '{}': {}", program, std::strerror(error)));
+    throw NoVerdict(fmt::format("cannot start the verifier '{}': {}", program, std::strerror(error)));
 }
 
-VerifierAnswer ask_verifier(std::vector<std::string> words, std::string program) {
-    std::vector<char*> arguments{program.data()};
-    for (std::string& word : words) {
-        arguments.push_back(word.data());
+Verdict ask_verifier(std::vector<std::string> arguments, std::string program) {
+    const Run run = run_to_end(std::move(arguments), program);
+    Verdict verdict{run.code == 0, std::string(last_line(run.out))};
+    const bool says_so = verdict.line.starts_with("s VERIFIED ") || verdict.line.starts_with("s PART ");
+    if (!verdict.line.starts_with("s ") || verdict.accepts != says_so) {
+        throw NoVerdict(fmt::format("the verifier '{}' gave no verdict (exit code {})", program, run.code));
     }
-    arguments.push_back(nullptr);
-    std::array<int, 2> pipe{};
-    if (::pipe2(pipe.data(), O_CLOEXEC) != 0) {
-        verifier_not_started(program, errno);
-    }
-    posix_spawn_file_actions_t actions;
-    posix_spawn_file_actions_init(&actions);
-    posix_spawn_file_actions_adddup2(&actions, pipe[1], STDOUT_FILENO);
-    pid_t child = -1;
-    const int error = ::posix_spawn(&child, program.c_str(), &actions, nullptr, arguments.data(), environ);
-    posix_spawn_file_actions_destroy(&actions);
-    ::close(pipe[1]);
-    VerifierAnswer answer{read_to_end(pipe[0]), -1};
-    if (error != 0) {
-        verifier_not_started(program, error);
-    }
-    int status = 0;
-    while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
-    }
-    answer.code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-    return answer;
+    return verdict;
 }
+
+std::string verifier_help() { return run_to_end({"--help"}, verifier_path()).out; }
 
 }  // namespace dumbbell

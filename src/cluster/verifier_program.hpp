@@ -3,24 +3,33 @@
 #include <string>
 #include <vector>
 
+#include "arith/error.hpp"
+
 /// The program `dumbbell-verify` that lies beside this one. It shares no code with this program, so it is
 /// run, never called.
 namespace dumbbell {
 
 [[nodiscard]] std::string verifier_path();
 
-/// What a run of the verifier printed on stdout, and its exit code, or -1 if it did not come to its end.
-struct VerifierAnswer {
-    std::string out;
-    int code = -1;
+/// The verifier could not be started, or did not come to its end: that says nothing about the file.
+class NoVerdict : public InputError {
+    using InputError::InputError;
 };
 
-/// Runs it, or another copy of it, with these arguments; its stderr is this program's. May be used by several
-/// threads at once. Throws InputError if it cannot be started.
-[[nodiscard]] VerifierAnswer ask_verifier(std::vector<std::string> arguments,
-                                          std::string program = verifier_path());
+/// What it says of one file.
+struct Verdict {
+    bool accepts = false;
+    std::string line;  ///< the last one that it printed
+};
 
-/// For whoever could not start it: throws InputError.
+/// Runs the verifier, or another copy of it, with these arguments; its stderr is this program's. A signal
+/// that asks this program to stop ends it early. May be used by several threads at once. Throws NoVerdict.
+[[nodiscard]] Verdict ask_verifier(std::vector<std::string> arguments, std::string program = verifier_path());
+
+/// All that it prints with --help. Throws NoVerdict.
+[[nodiscard]] std::string verifier_help();
+
+/// For whoever could not start it: throws NoVerdict.
 [[noreturn]] void verifier_not_started(const std::string& program, int error);
 
 }  // namespace dumbbell

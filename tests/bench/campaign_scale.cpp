@@ -63,7 +63,7 @@ class Scratch {
 /// Pieces of [2, 4], where N* = 3: two to a shard.
 Plan many_pieces(std::size_t shards) {
     const std::size_t pieces = 2 * shards;
-    Plan plan{"certify 2/1:4/1 in very many pieces",
+    Plan plan{"certify 2/1:4/1 --gap 0, in very many pieces",
               {"prove collisions\nlemmas 1\nscene dumbbell\nsection turning\n", {}},
               {},
               {}};

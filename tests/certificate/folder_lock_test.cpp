@@ -1,7 +1,9 @@
 #include "certificate/folder_lock.hpp"
 
 #include <catch2/catch.hpp>
+#include <chrono>
 #include <optional>
+#include <thread>
 
 #include "../cli/process.hpp"
 
@@ -26,6 +28,18 @@ TEST_CASE("whoever asks whether a folder is taken does not take it") {
     FolderLock lock;
     CHECK_FALSE(FolderLock::is_taken(folder.path()));
     CHECK(lock.take(folder.path()));
+}
+
+TEST_CASE("whoever has a folder for a moment only is waited for") {
+    const TemporaryFolder folder;
+    std::optional<FolderLock> first(std::in_place);
+    REQUIRE(first->take(folder.path()));
+    std::jthread soon([&] {
+        std::this_thread::sleep_for(std::chrono::milliseconds(50));
+        first.reset();
+    });
+    FolderLock second;
+    CHECK(second.take(folder.path()));
 }
 
 TEST_CASE("what is no folder cannot be taken, and is not taken") {

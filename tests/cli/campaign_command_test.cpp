@@ -178,6 +178,21 @@ TEST_CASE("a merged file is not put into the campaign's folder, least of all ove
     CHECK(merge_it(folder).code == 0);
 }
 
+TEST_CASE("a result that was tampered with is found whatever the program was started with") {
+    const TemporaryFolder folder;
+    plan(folder);
+    REQUIRE(run_it(folder).code == 0);
+    const std::string result = any_result(folder);
+    std::string text = contents(result);
+    const auto leaf = text.find("\ncount ");
+    write_sealed(result, text.replace(leaf, text.find('\n', leaf + 1) - leaf, "\ncount 0 0"));
+    const Outcome merged = run({"bash", "-c", "trap '' CHLD; exec \"$@\"", "-", DUMBBELL_BIN, "campaign",
+                                "merge", folder / "c", "--out", folder / "m.dbc"});
+    CHECK(merged.code == 3);
+    CHECK_THAT(merged.err, Contains("not verified: s REJECTED"));
+    CHECK_FALSE(fs::exists(folder / "m.dbc"));
+}
+
 TEST_CASE("a result that was tampered with is found by the merge, put aside, and proved again") {
     const TemporaryFolder folder;
     plan(folder);
@@ -285,6 +300,39 @@ TEST_CASE("claims that make no campaign are refused, with what to do") {
     CHECK_THAT(refused({"campaign", "plan", "c", "1:5", "--shards", "0"}), Contains("--shards"));
     CHECK_THAT(refused({"campaign", "plan", "c", "1:5", "--lemmas", "none"}), Contains("--section full"));
     CHECK_THAT(refused({"campaign"}), Contains("--help"));
+}
+
+TEST_CASE("the number of shards may stand before and behind what is planned") {
+    const TemporaryFolder folder;
+    CHECK(dumbbell({"campaign", "plan", folder / "c", "critical", "3:40", "--shards", "5"}).code == 0);
+    CHECK(shards(folder) == 5);
+    CHECK_THAT(refused({"campaign", "plan", "d", "critical", "3:40", "--gap", "1e-3"}),
+               Contains("give either"));
+}
+
+TEST_CASE("a folder that is there is refused before anything is planned") {
+    const TemporaryFolder folder;
+    plan(folder);
+    CHECK_THAT(refused_here(folder, {"campaign", "plan", folder / "c", "1:1e9"}),
+               Contains("is there already"));
+}
+
+TEST_CASE("limits of shards that are none are refused, by their option's name") {
+    const TemporaryFolder folder;
+    plan(folder);
+    for (const char* limit : {"0s", "abc", "-1s"}) {
+        CHECK_THAT(refused_here(folder, {"campaign", "run", folder / "c", "--shard-limit", limit}),
+                   Contains("--shard-limit"));
+    }
+}
+
+TEST_CASE("a table is not merged unverified, since nobody can verify it later") {
+    const TemporaryFolder folder;
+    REQUIRE(dumbbell({"campaign", "plan", folder / "c", "critical", "3:9"}).code == 0);
+    REQUIRE(run_it(folder).code == 0);
+    CHECK_THAT(
+        refused_here(folder, {"campaign", "merge", folder / "c", "--out", folder / "t", "--unverified"}),
+        Contains("merge without --unverified"));
 }
 
 TEST_CASE("a worker refuses an order that is damaged or of another version") {

@@ -92,6 +92,13 @@ TEST_CASE("lines of another certificate, or of other pieces, are no results") {
     CHECK_FALSE(fs::exists(folder / "parts.txt"));
 }
 
+TEST_CASE("whose word a verification in shards is, is said") {
+    const TemporaryFolder folder;
+    planned(folder, DUMBBELL_PROJECT "/certificates/stairs-1-100.dbc");
+    REQUIRE(run_it(folder).code == 0);
+    CHECK_THAT(merged(folder).out, Contains("shards as the workers' verifiers say; they tile the claim"));
+}
+
 TEST_CASE("a claim that the certificate does not prove is not said to be tiled") {
     const TemporaryFolder folder;
     planned(folder, DUMBBELL_PROJECT "/certificates/stairs-1-100.dbc");

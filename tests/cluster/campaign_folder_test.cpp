@@ -108,6 +108,23 @@ TEST_CASE("a foreign file is named, and neither used nor deleted") {
     CHECK_NOTHROW(CampaignFolder(place.string()));
 }
 
+TEST_CASE("what cannot be read is named") {
+    const Place place;
+    CampaignFolder::create(place.string(), small_plan());
+    const std::string id = CampaignFolder(place.string()).parts().front().id;
+    fs::create_symlink(id, place.path / "results" / id);
+    CHECK_THROWS_WITH(CampaignFolder(place.string()), Contains("cannot read") && Contains(id));
+}
+
+TEST_CASE("a plan whose inputs cannot be copied leaves nothing in its folder") {
+    const Place place;
+    Plan plan = small_plan();
+    plan.inputs = {"certificate.dbc"};
+    CHECK_THROWS_WITH(CampaignFolder::create(place.string(), plan, {"/no/such/file"}),
+                      Contains("/no/such/file"));
+    CHECK_NOTHROW(CampaignFolder::require_new(place.string()));
+}
+
 TEST_CASE("a result of another plan is foreign, too") {
     const Place place;
     CampaignFolder::create(place.string(), small_plan());

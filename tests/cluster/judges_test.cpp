@@ -11,6 +11,7 @@ namespace {
 /// Judges by the name of the file alone.
 class NamedKind : public Kind {
   public:
+    [[nodiscard]] Evidence evidence() const override { return Evidence::results; }
     [[nodiscard]] std::optional<std::string> work(const Order& /*order*/, const std::string& /*folder*/,
                                                   const Interrupted& /*interrupted*/) const override {
         return std::nullopt;

@@ -4,6 +4,7 @@
 #include <fstream>
 
 #include "cluster/campaign.hpp"
+#include "cluster/collisions_kind.hpp"
 #include "place.hpp"
 #include "scripted_engine.hpp"
 
@@ -45,6 +46,37 @@ TEST_CASE("a result that was changed on the disk is found, taken away, and prove
     CHECK_FALSE(folder.has_result(id));
     run(folder);
     CHECK(merge_campaign(folder, {}).whole->text == before);
+}
+
+TEST_CASE("results that nobody can look at stay where they are") {  // no verifier lies beside this test
+    const Place place;
+    CertifyRequest request;
+    request.q_lo = 1;
+    request.q_hi = 12;
+    CampaignFolder::create(place.string(), *plan_collisions(request, 3, never));
+    CampaignFolder folder(place.string());
+    CampaignOptions careful;
+    careful.verifiers = 1;
+    ScriptedEngine engine([](const Task& task, int) { return worked(task); });
+    const CampaignRun unlooked = run_campaign(folder, engine, careful);
+    CHECK(unlooked.accepted == 0);
+    CHECK(unlooked.rejected == 0);
+    CHECK(unlooked.given_up == 3);
+    CHECK(engine.distrusted().empty());
+    CHECK(std::filesystem::is_empty(place.path / "rejected"));
+    run(folder);
+    CHECK_THROWS_WITH(merge_campaign(folder, {}),
+                      Contains("cannot start the verifier") && Contains("nothing is changed"));
+    CHECK(folder.has_result(folder.parts()[0].id));
+    CHECK(merge_campaign(folder, {.scrutiny = Scrutiny::form}).whole.has_value());
+}
+
+TEST_CASE("what nobody can verify later is not merged unverified") {
+    const Place place;
+    CampaignFolder::create(place.string(), small_plan());
+    CampaignFolder folder(place.string());
+    run(folder);
+    CHECK_THROWS_WITH(merge_campaign(folder, {.scrutiny = Scrutiny::form}), Contains("without --unverified"));
 }
 
 TEST_CASE("a merge can be interrupted, and nothing is lost") {
