@@ -90,10 +90,18 @@ class VerifiedKind : public Kind {
         if (interrupted()) {
             return std::nullopt;
         }
-        const Verdict verdict = ask_verifier(
-            {"--jobs=1", "--quiet", "--max-bits=4096", fmt::format("--scene={}", name(subject.scene)),
-             fmt::format("--shards={}-{}", first, last), "--", in(folder, subject.file)},
-            in(folder, verifier_name));
+        Verdict verdict;
+        try {
+            verdict = ask_verifier(
+                {"--jobs=1", "--quiet", "--max-bits=4096", fmt::format("--scene={}", name(subject.scene)),
+                 fmt::format("--shards={}-{}", first, last), "--", in(folder, subject.file)},
+                in(folder, verifier_name));
+        } catch (const NoVerdict&) {
+            if (interrupted()) {
+                return std::nullopt;  // a signal ended the verifier, too
+            }
+            throw;
+        }
         if (!verdict.accepts) {
             throw InputError(fmt::format("the verifier: {}", verdict.line));
         }
