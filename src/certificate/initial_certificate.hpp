@@ -36,8 +36,8 @@ struct FirstContact {
 /// empty: `open`).
 struct InitialLeaf {
     long least = 0;
-    std::optional<long> most{};
-    std::optional<FirstContact> first{};
+    std::optional<long> most = std::nullopt;
+    std::optional<FirstContact> first = std::nullopt;
 };
 
 struct InitialNode {

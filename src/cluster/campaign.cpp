@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <deque>
+#include <exception>
 #include <memory>
 #include <utility>
 
@@ -54,9 +55,11 @@ class Run {
                 step();
             }
         } catch (const std::exception& error) {
+            const auto first = std::current_exception();
             try {
                 log(What::end, {}, {}, 0, error.what());
-            } catch (const std::exception&) {  // the first error is the one to hear of
+            } catch (const std::exception&) {
+                std::rethrow_exception(first);  // the one to hear of
             }
             throw;
         }

@@ -215,7 +215,10 @@ bool CampaignFolder::keep_result(const std::string& id, const std::string& bytes
     if (file_contents(result_file(id)) != bytes) {
         try {
             reject(id, bytes);
-        } catch (const InputError&) {  // no disk for it: that they differ is what matters
+        } catch (const InputError& error) {
+            throw ResultsDiffer(fmt::format(
+                "two results of one shard differ: '{}' and another one, which could not be kept ({})",
+                result_file(id), error.what()));
         }
         throw ResultsDiffer(
             fmt::format("two results of one shard differ: '{}' and '{}/rejected/{}'; one of the "

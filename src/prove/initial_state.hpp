@@ -40,6 +40,7 @@ class BoxJets {
             }
         }
     }
+    ~BoxJets() = default;
     BoxJets(const BoxJets&) = delete;
     BoxJets& operator=(const BoxJets&) = delete;
 
