@@ -1,5 +1,8 @@
 #pragma once
 
+#include <algorithm>
+#include <array>
+#include <optional>
 #include <vector>
 
 #include "model/flight.hpp"
@@ -33,13 +36,10 @@ bool span_closes(const State<S>& s, std::optional<Mass> first, const I& a, const
     if (certainly_less(I(1), range(s.yhat + s.yhatdot * span))) {
         return true;  // above every wall
     }
-    for (const Mass mass : {Mass::light, Mass::heavy}) {
+    return std::ranges::all_of(std::array{Mass::light, Mass::heavy}, [&](Mass mass) {
         const bool falls = first == mass && certainly_positive(-range(clearance_rate(s, mass, span)));
-        if (!falls && !clear_on(s, mass, a, b)) {
-            return false;
-        }
-    }
-    return true;
+        return falls || clear_on(s, mass, a, b);
+    });
 }
 
 }  // namespace detail

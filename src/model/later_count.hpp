@@ -13,7 +13,7 @@ namespace dumbbell {
 /// `most` is empty if nothing is certain.
 struct LaterCount {
     long least = 0;
-    std::optional<long> most{};
+    std::optional<long> most = std::nullopt;
 
     [[nodiscard]] bool exact() const { return most == least; }
 };

@@ -14,7 +14,7 @@ class Recentred {
 
     [[nodiscard]] const S& parameter(std::size_t i) const { return values_[i]; }
     /// f, computed from the parameters, as a function of what the values were computed from.
-    [[nodiscard]] const S& composed(const S& f) const { return f; }
+    [[nodiscard]] S composed(const S& f) const { return f; }
 
   private:
     std::array<S, n> values_;
@@ -45,6 +45,7 @@ class Recentred<Jet<I>, n> {
             gradients_.col(k) = values[i].gradient();
         }
     }
+    ~Recentred() = default;
     Recentred(const Recentred&) = delete;
     Recentred& operator=(const Recentred&) = delete;
 

@@ -76,7 +76,7 @@ bool certainly_in_window(const State<I>& s, Mass mass, const I& times) {
 template <class I>
 std::optional<FirstContact> certain_window(const State<I>& s, Event<I>& event, int bits) {
     for (const int margin : {0, 1, 4}) {
-        const auto contact = window(*event.time, event.mass == Mass::heavy, margin, bits);
+        auto contact = window(*event.time, event.mass == Mass::heavy, margin, bits);
         if (!contact) {
             return std::nullopt;
         }
@@ -115,7 +115,7 @@ InitialLeaf judge_in(const InitialBox& box, int bits) {
 }  // namespace
 
 InitialLeaf judge_initial(const InitialBox& box, int bits) {
-    const InitialLeaf leaf = judge_in<Interval>(box, double_bits);
+    InitialLeaf leaf = judge_in<Interval>(box, double_bits);
     if (leaf.most == leaf.least || bits == double_bits) {
         return leaf;
     }
