@@ -24,8 +24,7 @@ namespace {
 
 constexpr const char* description =
     "Work one order off (a worker does; nobody types this). It ends with 0 if the result is there, with 3 if "
-    "not within "
-    "the limit.";
+    "not within the limit.";
 
 struct Options {
     std::string order;

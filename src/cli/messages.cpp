@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <string_view>
@@ -19,15 +20,22 @@ bool is_coloured() {
     return ::isatty(STDERR_FILENO) == 1 && environment("NO_COLOR").empty() && environment("TERM") != "dumb";
 }
 
+/// File names may hold anything, and a message is one line: what would move a terminal's cursor is `?`.
+std::string one_line(std::string text) {
+    std::replace_if(
+        text.begin(), text.end(), [](unsigned char c) { return c < ' ' || c == 127; }, '?');
+    return text;
+}
+
 }  // namespace
 
 // Not fmt::print, which throws where it cannot write: in a handler of exceptions that would be the end.
 void say(const std::string& text) { (void)std::fwrite(text.data(), 1, text.size(), stderr); }
 
 void complain(const std::string& text) {
-    say(fmt::format("{} {}\n", is_coloured() ? "\033[31mdumbbell:\033[0m" : "dumbbell:", text));
+    say(fmt::format("{} {}\n", is_coloured() ? "\033[31mdumbbell:\033[0m" : "dumbbell:", one_line(text)));
 }
 
-void remark(const std::string& text) { say(fmt::format("dumbbell: {}\n", text)); }
+void remark(const std::string& text) { say(fmt::format("dumbbell: {}\n", one_line(text))); }
 
 }  // namespace dumbbell

@@ -112,6 +112,17 @@ TEST_CASE("an output without a name is refused by each command that has one") {
     }
 }
 
+TEST_CASE("names of files cannot break a message into lines, or move the terminal's cursor") {
+    const std::string name = "a\nb\033[31m\177/x";
+    CHECK_THAT(refused({"certify", "10", "--out", name}), Contains("'a?b?[31m?/x'"));
+    CHECK_THAT(refused({"law", name}), Contains("'a?b?[31m?/x'"));
+    CHECK_THAT(refused({"law",
+                        "Gr\xc3\xb6\xc3\x9f"
+                        "e"}),
+               Contains("'Gr\xc3\xb6\xc3\x9f"
+                        "e'"));
+}
+
 TEST_CASE("an output that cannot be written is known before the search, named, with the cause") {
     CHECK_THAT(refused({"certify", "10", "--out", "no/such/folder/file.dbc"}), Contains("no/such/folder"));
     CHECK_THAT(refused({"certify", "10", "--out", "."}), Contains("directory"));
