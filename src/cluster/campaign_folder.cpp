@@ -167,10 +167,10 @@ void CampaignFolder::lock() {
 }
 
 bool CampaignFolder::holds(const std::string& file) const {
-    std::error_code failed;  // then nothing can be written there
+    std::error_code failed;  // the path is empty then, and nothing can be written there
     const fs::path place = fs::weakly_canonical(fs::absolute(file).parent_path(), failed);
     const fs::path from_here = place.lexically_relative(fs::weakly_canonical(path_, failed));
-    return !failed && *from_here.begin() != "..";
+    return !from_here.empty() && *from_here.begin() != "..";
 }
 
 bool CampaignFolder::has_result(const std::string& id) const { return fs::exists(result_file(id)); }

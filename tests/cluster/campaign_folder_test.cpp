@@ -73,6 +73,9 @@ TEST_CASE("a path lies in the folder or beside it, however it is spelled") {
     CHECK_FALSE(folder.holds("m.dbc"));
     CHECK_FALSE(folder.holds(link));  // a rename replaces the link
     fs::remove(link);
+    fs::create_symlink(link, link);
+    CHECK_FALSE(folder.holds(link + "/m.dbc"));  // leads nowhere
+    fs::remove(link);
 }
 
 TEST_CASE("what is no campaign is refused, and nothing is changed") {
