@@ -73,9 +73,6 @@ bool is_piece(const Piece& piece, const PlannedPiece& planned) {
 
 bool is_open(const Piece& piece) { return piece.status() == Status::open; }
 
-/// About 10 s of proving.
-constexpr std::size_t collisions_per_shard = 1'500'000;
-
 /// Orbits are followed to their end; a section of all states takes many more.
 std::size_t cost_of(const PlannedPiece& piece, Section section) {
     constexpr std::size_t of_short_orbits = 10;

@@ -10,6 +10,9 @@ namespace dumbbell {
 /// writes.
 [[nodiscard]] const Kind& collisions_kind();
 
+/// About 10 s of proving, and of verifying.
+inline constexpr std::size_t collisions_per_shard = 1'500'000;
+
 /// Cuts the request's range; `shards`: how many at most, if the user has a wish. Throws InputError if it is a
 /// single ratio, or beyond reach. Nothing if interrupted. Calls the request's `placed`.
 [[nodiscard]] std::optional<Plan> plan_collisions(const CertifyRequest& request,

@@ -12,6 +12,7 @@
 #include "certificate/file_contents.hpp"
 #include "certificate/names.hpp"
 #include "certificate/reader.hpp"
+#include "cluster/collisions_kind.hpp"
 #include "cluster/sealed_lines.hpp"
 #include "cluster/verifier_program.hpp"
 
@@ -70,9 +71,6 @@ std::pair<std::size_t, std::size_t> pieces_of(const Order& order) {
 std::string in(const std::string& folder, std::string_view name) {
     return fmt::format("{}/{}", folder, name);
 }
-
-/// About 10 s of verification.
-constexpr std::size_t collisions_per_shard = 1'500'000;
 
 /// How the claim ends, behind the file's name.
 std::string about(std::string_view ratio, const Subject& subject) {
