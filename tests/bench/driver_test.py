@@ -11,6 +11,7 @@ from pathlib import Path
 
 sys.dont_write_bytecode = True
 from driver import child, goals, google, jobs, micro, scaling  # noqa: E402
+from driver.effort import Effort  # noqa: E402
 
 BIN = Path(sys.argv.pop(1)).resolve()
 RUN = Path(__file__).resolve().parent / "run"
@@ -51,7 +52,7 @@ class Driver(unittest.TestCase):
                 benchmarks += timed(f"bounce/{group}/{method}", time * factor)
         google_program(self.folder, benchmarks).rename(self.folder / "bench_bounce")
         with contextlib.redirect_stdout(io.StringIO()):
-            _, found = micro.bounce(self.folder, quick=True)
+            _, found = micro.bounce(self.folder, Effort.QUICK)
         by_name = {goal.what: goal for goal in found}
         one, two = (next(goal for what, goal in by_name.items() if f"batch plain, {sides}" in what) for sides in ("one-sided", "two-sided"))
         self.assertEqual((one.measured, one.met, two.measured, two.met), (0.9, True, 2.5, False))

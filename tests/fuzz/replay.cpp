@@ -15,7 +15,6 @@ namespace fs = std::filesystem;
 int main(int argc, char** argv) {
     std::vector<fs::path> inputs;
     for (int i = 1; i < argc; ++i) {
-        if (!fs::exists(argv[i])) continue;  // no case of this target was found yet
         for (const auto& entry : fs::directory_iterator(argv[i])) inputs.push_back(entry.path());
     }
     std::sort(inputs.begin(), inputs.end());

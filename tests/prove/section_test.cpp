@@ -33,7 +33,9 @@ TEST_CASE("halves share their exact midpoint and nothing else, down to 400 split
     for (const Axis axis : {Axis::position, Axis::slope, Axis::ratio}) {
         Box box = root_box(Chart::light, parse_rational("10/3"), parse_rational("7"));
         for (int depth = 0; depth < 400; ++depth) {
-            const auto [lower, upper] = halves(box, axis);
+            const std::pair<Box, Box> both = halves(box, axis);
+            const Box& lower = both.first;
+            const Box& upper = both.second;
             const auto spans = [&](Rational Box::*lo, Rational Box::*hi, Axis which) {
                 REQUIRE(lower.*lo == box.*lo);
                 REQUIRE(upper.*hi == box.*hi);

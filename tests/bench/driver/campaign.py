@@ -8,13 +8,12 @@ from pathlib import Path
 
 from driver import tables
 
-CLAIM = ["1:3e6", "--gap", "1e-9"]
-QUICK_CLAIM = ["1:3e5", "--gap", "1e-9"]
+CLAIMS = ["1:1e3"], ["1:3e5", "--gap", "1e-9"], ["1:3e6", "--gap", "1e-9"]
 
 
-def campaign(bin_folder, quick, repeat):
-    return {"workers": workers(bin_folder, QUICK_CLAIM if quick else CLAIM, repeat), "tasks": tasks(bin_folder, quick),
-            "simulated": simulated(bin_folder, 1000 if quick else 100_000)}, []
+def campaign(bin_folder, effort, repeat):
+    return {"workers": workers(bin_folder, effort.of(*CLAIMS), repeat), "tasks": tasks(bin_folder, effort),
+            "simulated": simulated(bin_folder, effort.of(100, 1000, 100_000))}, []
 
 
 def ask(*words):
@@ -75,8 +74,8 @@ def workers(bin_folder, claim, repeat):
     return [{"engine": engine, "count": count, **run} for (engine, count), run in best.items()]
 
 
-def tasks(bin_folder, quick):
-    sizes = [(200, "0", 8), (400, "0.1", 32)] if quick else [(2000, "0", 8), (2000, "0.1", 32), (2000, "1", 200)]
+def tasks(bin_folder, effort):
+    sizes = effort.of([(10, "0", 8)], [(200, "0", 8), (400, "0.1", 32)], [(2000, "0", 8), (2000, "0.1", 32), (2000, "1", 200)])
     results = [ask(bin_folder / "bench_campaign", "tasks", *size) for size in sizes]
     tables.show("Tasks that only sleep", ["sleep", "at a time", "tasks", "tasks/s", "manager/task", "manager's limit"],
                 [[f"{r['sleep_seconds']} s", r["worker_cores"], str(r["tasks"]), tables.rate(r["tasks_a_second"]),

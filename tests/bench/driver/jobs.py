@@ -6,6 +6,7 @@ import tempfile
 from pathlib import Path
 
 from driver import child, tables
+from driver.effort import Effort
 from driver.goals import Goal
 
 # The README's table, then the other commands.
@@ -13,7 +14,7 @@ CERTIFY = ["1", "1.0000001", "1.1", "4.6", "4.61", "10", "12", "100", "1000", "1
            "1:10000 --gap 1e-9", "1:10000 --gap 1e-12", "100 --section full", "1000 --section full"]
 OTHERS = ["critical 3:22", "trace 10 --phi 0.3:0.4 --phidot 1 --y 3 --ydot 0 --subdivide",
           "adiabatic --theorem lemma3.1 --delta 0.1"]
-# Left out by --quick.
+# Only of the whole.
 SLOW = ["certify 1e12", "certify 1:1000000 --gap 1e-9", "certify 10000 --section full", "certify 100 --section full --lemmas none",
         "critical 3:100 --digits 200", "adiabatic --delta 0.01"]
 WITHOUT_CERTIFICATE = ("critical",)
@@ -23,8 +24,8 @@ MEMORY_MB = 200
 TIME_GOALS = [("certify 1:10000 --gap 1e-9", 2, 5), ("certify 1e12", 20, None)]
 
 
-def all_jobs(quick):
-    return [f"certify {words}" for words in CERTIFY] + OTHERS + ([] if quick else SLOW)
+def all_jobs(effort):
+    return [f"certify {words}" for words in CERTIFY] + OTHERS + (SLOW if effort is Effort.WHOLE else [])
 
 
 def boxes(printed):
@@ -75,8 +76,8 @@ def measure(bin_folder, jobs, repeat):
     return results
 
 
-def jobs(bin_folder, wanted, quick, repeat):
-    results = measure(bin_folder, wanted or all_jobs(quick), repeat)
+def jobs(bin_folder, wanted, effort, repeat):
+    results = measure(bin_folder, wanted or all_jobs(effort), repeat)
     rows = []
     for job, one in results.items():
         prove, verify = one["prove"], one["verify"] or {}

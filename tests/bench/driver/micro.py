@@ -21,8 +21,8 @@ def as_json(results):
     return [{"group": group, "method": method, **values} for (group, method), values in results.items()]
 
 
-def operations(bin_folder, quick):
-    results = google.run(bin_folder / "bench_operations", 3 if quick else 9, 0.01)
+def operations(bin_folder, effort):
+    results = google.run(bin_folder / "bench_operations", effort.of(1, 3, 9), effort.of(0, 0.01, 0.01))
     groups, methods = columns(results)
     plain = {group: results[group, "double"]["ns"] for group in groups}
     rows = [[method, *(tables.ratio(results[group, method]["ns"] / plain[group]) for group in groups)] for method in methods]
@@ -31,8 +31,8 @@ def operations(bin_folder, quick):
     return as_json(results), []
 
 
-def bounce(bin_folder, quick):
-    results = google.run(bin_folder / "bench_bounce", 3 if quick else 9, 0.01 if quick else 0.05)
+def bounce(bin_folder, effort):
+    results = google.run(bin_folder / "bench_bounce", effort.of(1, 3, 9), effort.of(0, 0.01, 0.05))
     groups, methods = columns(results)
     plain = {group: results[group, PLAIN]["ns"] for group in groups}
 

@@ -15,9 +15,9 @@ RANGE = "1:100"
 CRITICAL = "10"
 
 
-def orbits(bin_folder):
+def orbits(bin_folder, effort):
     """The enclosure of x and of the slope kappa/r, from a point, behind the last collision that is certified; cost of a collision."""
-    printed = child.once([bin_folder / "bench_stability", "--tsv"])["stdout"]
+    printed = child.once([bin_folder / "bench_stability", "--tsv", *effort.of(["--shortest"], [], [])])["stdout"]
     for row in csv.DictReader(io.StringIO(printed), delimiter="\t"):
         if row["start"] == "point":
             yield {"diagram": "orbit", "case": row["orbit"], "bits": row["bits"], "form": row["form"],
@@ -25,9 +25,9 @@ def orbits(bin_folder):
                    "cost_us": row["us/collision"]}
 
 
-def gaps(runner, repeat):
+def gaps(runner, some, repeat):
     """The share of the range that is left undecided, against --gap."""
-    runs = child.rounds(repeat, {n: lambda n=n: runner.prove(f"certify {RANGE} --gap 1e-{n}") for n in GAPS})
+    runs = child.rounds(repeat, {n: lambda n=n: runner.prove(f"certify {RANGE} --gap 1e-{n}") for n in some})
     for n, of_n in runs.items():
         pieces = json.loads(of_n[0]["stdout"])["pieces"]
         low, high = map(Fraction, RANGE.split(":"))
@@ -37,9 +37,9 @@ def gaps(runner, repeat):
                "cost_us": f"{1e6 * child.medians(of_n)['user']:.0f}"}
 
 
-def digits(runner, repeat):
+def digits(runner, some, repeat):
     """The radius of a critical ratio, against --digits."""
-    runs = child.rounds(repeat, {n: lambda n=n: runner.prove(f"critical {CRITICAL} --digits {n}") for n in DIGITS})
+    runs = child.rounds(repeat, {n: lambda n=n: runner.prove(f"critical {CRITICAL} --digits {n}") for n in some})
     for n, of_n in runs.items():
         critical = json.loads(of_n[0]["stdout"])["ratios"][0]
         # The radius is a decimal that may be too small for a double: its power of ten says enough.
@@ -48,10 +48,11 @@ def digits(runner, repeat):
                "cost_us": f"{1e6 * child.medians(of_n)['user']:.0f}"}
 
 
-def precision(bin_folder, repeat, tsv):
+def precision(bin_folder, effort, repeat, tsv):
     with tempfile.TemporaryDirectory() as folder:
         runner = Runner(bin_folder, folder)
-        rows = [*orbits(bin_folder), *gaps(runner, repeat), *digits(runner, repeat)]
+        rows = [*orbits(bin_folder, effort), *gaps(runner, GAPS[:effort.of(1, None, None)], repeat),
+                *digits(runner, DIGITS[:effort.of(1, None, None)], repeat)]
     text = io.StringIO()
     writer = csv.DictWriter(text, FIELDS, delimiter="\t", lineterminator="\n")
     writer.writeheader()

@@ -4,6 +4,7 @@ import math
 import tempfile
 
 from driver import child, tables
+from driver.effort import Effort
 from driver.goals import Goal
 from driver.jobs import Runner
 
@@ -15,12 +16,12 @@ LEAST_EFFICIENCY = 0.85
 LONG_SECONDS = 2
 
 
-def scaling(bin_folder, quick, repeat):
+def scaling(bin_folder, effort, repeat):
     with tempfile.TemporaryDirectory() as folder:
         runner = Runner(bin_folder, folder)
-        collisions = with_collisions(runner, RATIOS[:4] if quick else RATIOS, repeat)
-        gaps = with_gaps(runner, GAPS[:3] if quick else GAPS, repeat)
-        threads, goals = ([], []) if quick else with_threads(runner, repeat)
+        collisions = with_collisions(runner, RATIOS[:effort.of(2, 4, None)], repeat)
+        gaps = with_gaps(runner, GAPS[:effort.of(1, 3, None)], repeat)
+        threads, goals = with_threads(runner, repeat) if effort is Effort.WHOLE else ([], [])
     return {"collisions": collisions, "gaps": gaps, "threads": threads}, goals
 
 
