@@ -36,7 +36,7 @@ that spins fast: |phidot| = 1 and -delta <= ydot <= 0 before the first collision
   thm3.3    |I_n - I_0| <= C delta while only the light mass bounces, at distance u_* from the vertical or more
   thm3.5    |I_N - I_0| <= C sqrt(delta) for a whole scattering whose first and last collision are at distance
             c sqrt(delta) or more; and an orbit that shows why the last one must be restricted too
-  printed   that orbit alone: |I_N - I_0| > 3 under the hypotheses as they are printed
+  printed   that orbit alone: |I_N - I_0| is not small, under the hypotheses as they are printed
 
 C is proved for all initial conditions, by a cover of theirs; it is compared with what one enclosed orbit attains. For
 thm3.3 C holds for any number of bounces; --bounces limits the attained orbit only.

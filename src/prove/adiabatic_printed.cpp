@@ -10,6 +10,7 @@ namespace dumbbell {
 namespace {
 
 constexpr std::size_t velocities = 1024;
+constexpr double least_s = 0.5;  ///< |ydot| of the order of delta, as the proof of Theorem 3.5 takes it
 constexpr std::size_t most_angles = 24;
 constexpr double angle_step = 1.0 / 16;  ///< relative to the least angle
 constexpr std::size_t most_kept = 16;
@@ -22,12 +23,12 @@ bool greater(const AdiabaticSample& a, const AdiabaticSample& b) { return a.erro
 /// the rod.
 AdiabaticSample refined(const AdiabaticSearch& search, AdiabaticSample best, double least) {
     double du = least * angle_step;
-    double ds = 1.0 / velocities;
+    double ds = (1 - least_s) / velocities;
     for (int i = 0; i < refinements; ++i) {
         const AdiabaticSample centre = best;
         for (const double u : {centre.u, std::max(least, centre.u - du), centre.u + du}) {
             for (const double s : {centre.s, centre.s - ds, centre.s + ds}) {
-                const auto other = simulated(search, u, std::clamp(s, 0.0, 1.0), centre.share);
+                const auto other = simulated(search, u, std::clamp(s, least_s, 1.0), centre.share);
                 best = greater(other, best) ? other : best;
             }
         }
@@ -55,7 +56,7 @@ std::vector<AdiabaticSample> search_printed(const AdiabaticSearch& search) {
         tbb::parallel_for(std::size_t{0}, samples.size(), [&](std::size_t i) {
             const double u = least * (1 + angle_step * static_cast<double>(i % angles));
             const std::size_t row = i / angles;
-            const double s = static_cast<double>(row) / velocities;
+            const double s = least_s + (1 - least_s) * static_cast<double>(row) / velocities;
             samples[i] = search.interrupted() ? AdiabaticSample{} : simulated(search, u, s, share);
         });
     });

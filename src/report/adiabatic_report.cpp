@@ -92,9 +92,11 @@ std::string hypotheses_text(const AdiabaticHypotheses& of) {
                 states, margin);
         default:
             return fmt::format(
-                "Theorem 3.5 as printed restricts the first collision only, and is not true uniformly: {}, "
-                "first collision at\n"
-                "distance >= {} from the vertical:",
+                "Theorem 3.5 as printed restricts the first collision only, and is not true uniformly (L41 "
+                "of "
+                "proofs/adiabatic.md).\n"
+                "For {}, first collision at distance >= {} from the vertical, I_N with |phidot| after the "
+                "last collision:",
                 delta, margin);
     }
 }
@@ -163,9 +165,9 @@ std::string result_text(const AdiabaticReport& report, const AdiabaticResult& re
     }
     if (result.wrong_branch) {
         text += fmt::format(
-            "(5) as printed, without absolute values, is false for phidot_- > 0: at one of these states its "
-            "error is at\n"
-            "least {} epsilon/delta, of order delta and not delta^2.\n",
+            "(5) and (6) as printed, without absolute values, are false for phidot_- > 0: at one of these "
+            "states the error\n"
+            "of (5) is at least {} epsilon/delta.\n",
             rounded_down(*result.wrong_branch));
     }
     text += fmt::format("{} boxes, {:.1f} s\n", proof.leaves, result.seconds);

@@ -1,4 +1,5 @@
-// proofs/adiabatic.md, L33-L38 and the constants that are proved with them, against the physical dumbbell.
+// proofs/adiabatic.md, L33-L38, L41 and the constants that are proved with them, against the physical
+// dumbbell.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -241,12 +242,85 @@ TEST_CASE(
     CHECK(near_the_vertical > 2.5L);  // Theorem 3.5 as printed is not uniform
 }
 
+TEST_CASE("L41: as delta falls there is always a scattering that stops the rod, from the same s and a") {
+    Sampler sampler(1, 4101);
+    for (int i = 0; i < trials(12); ++i) {
+        const Real s = sampler.coin() ? 0.999L : sampler.uniform(0.2, 1);
+        const Real a = std::sqrt(4 * pi<Real>() * s) * static_cast<Real>(biased(sampler, 0.15, 0.9));
+        for (const Real greatest : {0.01L, 0.003L, 0.001L}) {
+            const auto stops = [&](Real delta) {
+                const Masses m(delta);
+                const Launch start{a * std::sqrt(delta), s, 1};
+                const Orbit all = orbit(start, m);
+                if (!is_first(start, m) || all.heavy) FAIL(described(start, m) + say("a", a));
+                return all;
+            };
+            const auto turns = [](const Orbit& all) {
+                return std::count(all.turns.begin(), all.turns.end(), true);
+            };
+            // Between two delta with different numbers of turns there is one at which the last turn stops it.
+            Real above = greatest, below = greatest;
+            const auto at_most = turns(stops(greatest));
+            do {
+                above = below;
+                below *= 0.997L;
+            } while (turns(stops(below)) == at_most && below > greatest / 2);
+            const auto more = std::max(turns(stops(below)), at_most);
+            REQUIRE(turns(stops(below)) != at_most);
+            for (int k = 0; k < 60; ++k) {
+                const Real middle = (above + below) / 2;
+                ((turns(stops(middle)) == at_most) ? above : below) = middle;
+            }
+            const Real delta = turns(stops(below)) == more ? below : above;
+            const Masses m(delta);
+            const Orbit all = stops(delta);
+            const Bounce& first = all.bounces.front();
+            const Bounce& last = all.bounces.back();
+            const Real h = std::sqrt(m.r), theta = std::atan(s / std::sqrt(m.beta2));
+            const auto told = say("delta", delta, "s", s, "a", a, "after", last.spin_after);
+            if (last.spin_after > 1e-6L) FAIL(told);
+            if (std::abs(last.spin_after * last.f - first.invariant()) <
+                pi<Real>() - 2 * a * std::sqrt(delta))
+                FAIL(told);
+            const Real n = static_cast<Real>(all.bounces.size()) - 1;
+            if (n < std::atan(s) * std::sin(first.u) / (2 * h) || n > pi<Real>() / (2 * std::atan(h)))
+                FAIL(told + say("N", n));
+            for (const Bounce& b : all.bounces) {
+                if (pi<Real>() - b.u < (pi<Real>() - first.u) * std::cos(theta) * (1 - 3 * std::sqrt(delta)))
+                    FAIL(told + say("u", b.u));
+            }
+        }
+    }
+}
+
+TEST_CASE(
+    "Theorem 3.5 as printed, with the velocity in front of the last bounce: 12 sqrt(delta) in samples") {
+    Sampler sampler(1, 4102);
+    for (const Real delta : {0.01L, 0.003L}) {
+        const Masses m(delta);
+        const Real unit = std::sqrt(delta);
+        Real in_front = 0, behind = 0;
+        for (int i = 0; i < trials(2'000); ++i) {
+            const Launch start = draw(sampler, unit / 2, 2 * unit);
+            if (!is_first(start, m)) continue;
+            const Orbit all = orbit(start, m);
+            const Real begin = all.bounces.front().invariant();
+            const Bounce& last = all.bounces.back();
+            in_front = std::max(in_front, std::abs(last.invariant() - begin) / unit);
+            behind = std::max(behind, std::abs(last.spin_after * last.f - begin) / unit);
+        }
+        CHECK(in_front < 12);
+        CHECK(in_front > 5);
+        CHECK(behind > 1.5L / unit);
+    }
+}
+
 TEST_CASE(
     "L38: the errors of Lemma 3.1, for either direction of the rod, within the constants that are proved") {
     // dumbbell adiabatic --delta 0.01 --theorem lemma3.1
     const Masses m(0.01L);
     Sampler sampler(1, 3801);
-    Real greatest_speed = 0, greatest_height = 0;
+    Real greatest_speed = 0, greatest_height = 0, worst_height = 0;
     for (int i = 0; i < trials(20'000); ++i) {
         const Launch start = draw(sampler, std::sqrt(m.delta), sampler.coin() ? 0.2L : 1.57L);
         const State<Real> before = before_first(start, m);
@@ -272,8 +346,13 @@ TEST_CASE(
             const Real printed = std::abs(after.phidot + before.phidot + 2 * before.ydot / root);
             if (printed < 4 * m.delta * start.s / root - speed - 1e-15L)
                 FAIL(described(start, m) + say(printed));
+            // (6) as printed.
+            const Real risen = std::abs(later[0].before.y - b.y + 2 * b.f * before.ydot / before.phidot);
+            if (risen < 4 * b.f * m.delta * start.s - height - 1e-15L) FAIL(described(start, m) + say(risen));
+            worst_height = std::max(worst_height, risen / m.delta);
         }
     }
     CHECK(greatest_speed > 1.9L);
     CHECK(greatest_height > 10);
+    CHECK(worst_height > 9);  // (6) is wrong by order delta there, not delta^(3/2)
 }

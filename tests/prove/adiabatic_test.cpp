@@ -81,7 +81,14 @@ TEST_CASE("Theorem 3.5 at delta = 0.01 within 2 of an orbit, and not true as it 
             prove_adiabatic(request(AdiabaticClaim::printed, delta, delta, Rational(1, 2)));
         REQUIRE(printed.complete());
         CHECK(printed.attained.at(0).value > 3);
+        CHECK(printed.attained.at(0).s >= Rational(1, 2));
     }
+    const AdiabaticProof longer =
+        prove_adiabatic(request(AdiabaticClaim::printed, Rational(3, 1000), Rational(3, 1000), Rational(1)));
+    REQUIRE(longer.complete());
+    CHECK(longer.attained.at(0).value > 3);
+    CHECK(longer.attained.at(0).s >= Rational(1, 2));
+    CHECK(longer.attained.at(0).n > 100);
 }
 
 TEST_CASE("(5) of Lemma 3.1 as printed is wrong by 4 |ydot|/sqrt(1 - y^2) on the other branch") {
