@@ -263,8 +263,8 @@ TEST_CASE("L41: as delta falls there is always a scattering that stops the rod, 
             const auto at_most = turns(stops(greatest));
             do {
                 above = below;
-                below *= 0.997L;
-            } while (turns(stops(below)) == at_most && below > greatest / 2);
+                below *= 0.99L;
+            } while (turns(stops(below)) == at_most && below > greatest / 100);
             const auto more = std::max(turns(stops(below)), at_most);
             REQUIRE(turns(stops(below)) != at_most);
             for (int k = 0; k < 60; ++k) {
