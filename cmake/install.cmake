@@ -1,6 +1,11 @@
 # What `cmake --install` installs, in three components: programs (with the pages and the certificates), libraries, and
 # development (headers, and what find_package() finds). The package lies in share/, where find_package() looks whatever
 # languages the other project has.
+# Debian's place for libraries also below other prefixes than /usr, for which alone GNUInstallDirs knows it: the packages
+# are made from a build with any prefix.
+if(NOT DEFINED CMAKE_INSTALL_LIBDIR AND CMAKE_LIBRARY_ARCHITECTURE AND EXISTS /etc/debian_version)
+  set(CMAKE_INSTALL_LIBDIR lib/${CMAKE_LIBRARY_ARCHITECTURE} CACHE PATH "libraries, below the prefix")
+endif()
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 set(package ${CMAKE_INSTALL_DATADIR}/cmake/dumbbell)
@@ -29,7 +34,7 @@ install(FILES
   ${PROJECT_SOURCE_DIR}/cmake/dumbbell-proof-check.cmake
   DESTINATION ${package} COMPONENT development)
 
-install(FILES LICENSE README.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(FILES LICENSE README.md CHANGELOG.md CITATION.cff CONTRIBUTING.md SECURITY.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(DIRECTORY docs proofs DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(FILES src/verify/dumbbell-verify.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
 # Made by the target `pages`, one of ALL; a build of the programs alone has none.
@@ -40,4 +45,9 @@ if(NOT DUMBBELL_VERIFIER_ONLY)
       DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME ${command} OPTIONAL)
   endforeach()
 endif()
+# The pages and proofs/claims.tsv name the certificates as in the source: below the pages' folder.
 install(DIRECTORY certificates DESTINATION ${CMAKE_INSTALL_DATADIR}/dumbbell)
+file(RELATIVE_PATH certificates ${CMAKE_INSTALL_FULL_DOCDIR} ${CMAKE_INSTALL_FULL_DATADIR}/dumbbell/certificates)
+file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/share)
+file(CREATE_LINK ${certificates} ${PROJECT_BINARY_DIR}/share/certificates SYMBOLIC)
+install(FILES ${PROJECT_BINARY_DIR}/share/certificates DESTINATION ${CMAKE_INSTALL_DOCDIR})

@@ -20,10 +20,11 @@ set(CPACK_DEBIAN_PACKAGE_PRIORITY optional)
 
 set(exactly "(= ${PROJECT_VERSION})")
 set(interface libdumbbell${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
-set(about "Two point masses on a massless rod fall on a flat floor and bounce
-elastically. dumbbell finds the greatest number of times that they can hit
-it, for one mass ratio or for all of a range, by interval arithmetic, and
-writes a certificate that an independent verifier re-checks.")
+set(about "Two point masses on a massless rod fly, without gravity, towards a
+flat floor and bounce elastically. dumbbell finds the greatest number of
+times that they can hit it, for one mass ratio or for all of a range, by
+interval arithmetic, and writes a certificate that an independent verifier
+re-checks.")
 set(CPACK_DEBIAN_PROGRAMS_PACKAGE_NAME dumbbell)
 set(CPACK_DEBIAN_PROGRAMS_PACKAGE_SECTION math)
 set(CPACK_DEBIAN_PROGRAMS_DESCRIPTION ${about})

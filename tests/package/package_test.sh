@@ -15,6 +15,7 @@ expect "both programs are there" test -x "$prefix/bin/dumbbell-verify" -a -x "$p
 expect "both man pages are there" test -s "$prefix/share/man/man1/dumbbell.1" -a -s "$prefix/share/man/man1/dumbbell-verify.1"
 expect "so are the completions" test -s "$prefix/share/bash-completion/completions/dumbbell" \
     -a -s "$prefix/share/bash-completion/completions/dumbbell-verify"
+expect "the pages find the certificates that they name" test -s "$prefix/share/doc/dumbbell/certificates/q-10.dbc"
 run "$prefix/bin/dumbbell" verify --ratio 10 --exactly 4 "$prefix/share/dumbbell/certificates/q-10.dbc"
 expect "the installed program finds its verifier" is "$code" 0
 
