@@ -38,7 +38,7 @@ TEST_CASE("adiabatic states the theorem, and writes a certificate that the verif
                             {"--delta", "0.01", "--theorem", "lemma3.1"},
                             {"--delta", "0.01", "--theorem", "cor3.2", "--k", "0.25"},
                             {"--delta", "0.01", "--theorem", "thm3.5"},
-                            {"--delta", "0.02", "--theorem", "printed"}}) {
+                            {"--delta", "0.003", "--theorem", "printed", "--phi-margin", "1"}}) {
         check_written(folder, options);
     }
 }
