@@ -31,16 +31,19 @@ Node node_from(Lines& lines, Chart chart) {
     lines.fail();
 }
 
-ChartTree tree_from(Lines& lines, Chart chart) {
+ChartTree tree_from(Lines& lines, Chart chart, Trees trees) {
     Tree tree;
     for (long missing = 1; missing > 0;) {
-        tree.push_back(node_from(lines, chart));
-        missing += tree.back().split ? 1 : -1;
+        Node node = node_from(lines, chart);
+        missing += node.split ? 1 : -1;
+        if (trees == Trees::kept) {
+            tree.push_back(node);
+        }
     }
     return {chart, std::move(tree)};
 }
 
-Cover cover_from(Lines& lines, const std::vector<Chart>& charts) {
+Cover cover_from(Lines& lines, const std::vector<Chart>& charts, Trees trees) {
     Cover cover;
     for (const Chart chart : charts) {
         const auto& fields = lines.next();
@@ -51,14 +54,14 @@ Cover cover_from(Lines& lines, const std::vector<Chart>& charts) {
         if (fields.size() != 2 || fields[0] != "chart" || fields[1] != name(chart)) {
             lines.fail();
         }
-        cover.charts.push_back(tree_from(lines, chart));
+        cover.charts.push_back(tree_from(lines, chart, trees));
     }
     return cover;
 }
 
 constexpr std::array witness_charts{Chart::bridge, Chart::wedge};
 
-Piece piece_from(Lines& lines, const std::vector<Chart>& charts) {
+Piece piece_from(Lines& lines, const std::vector<Chart>& charts, Trees trees) {
     Piece piece;
     const auto& range = lines.expect("piece", 3);
     piece.q_lo = lines.ratio(range[1]);
@@ -67,7 +70,7 @@ Piece piece_from(Lines& lines, const std::vector<Chart>& charts) {
     const std::string upper = lines.expect("upper", 2)[1];
     if (upper != "none") {
         piece.upper = lines.number(upper);
-        piece.cover = cover_from(lines, charts);
+        piece.cover = cover_from(lines, charts, trees);
     }
     piece.lower = lines.number(lines.expect("lower", 2)[1]);
     if (piece.lower > 0) {
@@ -85,16 +88,14 @@ Piece piece_from(Lines& lines, const std::vector<Chart>& charts) {
 
 }  // namespace
 
-Certificate read_certificate(const std::string& path) {
-    Lines lines(path);
-    const auto [program, version] = lines.expect_generator();
-    Certificate certificate;
-    certificate.program = program;
-    certificate.version = version;
-    const std::string lemmas = lines.expect("lemmas", 2)[1];
-    const auto scene = scene_named(lines.expect("scene", 2)[1]);
-    const auto section = section_named(lines.expect("section", 2)[1], lemmas);
-    const std::string claim = lines.expect("claim", 2)[1];
+PieceReader::PieceReader(const std::string& path, Trees trees) : lines_(path), trees_(trees) {
+    const auto [program, version] = lines_.expect_generator();
+    head_.program = program;
+    head_.version = version;
+    const std::string lemmas = lines_.expect("lemmas", 2)[1];
+    const auto scene = scene_named(lines_.expect("scene", 2)[1]);
+    const auto section = section_named(lines_.expect("section", 2)[1], lemmas);
+    const std::string claim = lines_.expect("claim", 2)[1];
     if (claim == "initial-conditions") {
         throw InputError(
             fmt::format("'{}' is about initial conditions (dumbbell trace): a certificate about mass ratios "
@@ -103,18 +104,24 @@ Certificate read_certificate(const std::string& path) {
                         path));
     }
     if (!scene || !section || claim != "collisions") {
-        lines.fail();
+        lines_.fail();
     }
-    certificate.scene = *scene;
-    certificate.section = *section;
-    const auto charts = charts_of(*scene, *section);
-    lines.expect("ratio", 3);
-    const long pieces = lines.number(lines.expect("pieces", 2)[1]);
-    if (pieces == 0) {
-        lines.fail();
+    head_.scene = *scene;
+    head_.section = *section;
+    lines_.expect("ratio", 3);
+    pieces_ = static_cast<std::size_t>(lines_.number(lines_.expect("pieces", 2)[1]));
+    if (pieces_ == 0) {
+        lines_.fail();
     }
-    for (long i = 0; i < pieces; ++i) {
-        certificate.pieces.push_back(piece_from(lines, charts));
+}
+
+Piece PieceReader::next() { return piece_from(lines_, charts_of(head_.scene, head_.section), trees_); }
+
+Certificate read_certificate(const std::string& path) {
+    PieceReader in(path, Trees::kept);
+    Certificate certificate = in.head();
+    for (std::size_t i = 0; i < in.pieces(); ++i) {
+        certificate.pieces.push_back(in.next());
     }
     return certificate;
 }

@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <array>
+#include <fstream>
+
 #include "arith/error.hpp"
 #include "arith/printable.hpp"
 #include "cluster/adiabatic_kind.hpp"
@@ -11,12 +14,29 @@
 #include "cluster/verifier_program.hpp"
 
 namespace dumbbell {
+namespace {
+
+/// Whether it begins as gzip does: whoever reads it would unpack up to a thousand times its size.
+bool is_packed(const std::string& file) {
+    std::array<char, 2> first{};
+    std::ifstream(file, std::ios::binary).read(first.data(), first.size());
+    return first[0] == '\x1f' && first[1] == '\x8b';
+}
+
+}  // namespace
 
 Judgement Kind::judge(const Order& order, const std::string& folder, const std::string& file,
                       Scrutiny scrutiny) const {
     try {
-        const std::string reason = scrutiny == Scrutiny::proof ? refutation(order, folder, file) : "";
-        return reason.empty() ? form(order, file) : Judgement{Judgement::Verdict::wrong, reason};
+        if (is_packed(file)) {
+            return {Judgement::Verdict::wrong, "it is compressed, and results are plain text"};
+        }
+        const Judgement looks = form(order, file);
+        if (looks.verdict == Judgement::Verdict::wrong || scrutiny == Scrutiny::form) {
+            return looks;
+        }
+        const std::string reason = refutation(order, folder, file);
+        return reason.empty() ? looks : Judgement{Judgement::Verdict::wrong, reason};
     } catch (const NoVerdict& error) {
         return {Judgement::Verdict::none, error.what()};
     } catch (const InputError& error) {

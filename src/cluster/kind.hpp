@@ -69,10 +69,12 @@ class Kind {
     static void require_tiling(bool tiles);
 
   private:
-    /// Scrutiny::form. Throws InputError for `wrong`, too.
+    /// Scrutiny::form, of a file that is plain text and may be anything else: it takes no more memory than a
+    /// result of this order and the file's longest part need. Throws InputError for `wrong`, too.
     [[nodiscard]] virtual Judgement form(const Order& order, const std::string& file) const = 0;
 
-    /// Why an independent check does not accept what the file claims, whatever that is; empty if it does.
+    /// Why an independent check does not accept what the file claims; empty if it does. Precondition: by its
+    /// form it is a result of this order.
     [[nodiscard]] virtual std::string refutation(const Order& order, const std::string& folder,
                                                  const std::string& file) const = 0;
 };

@@ -23,6 +23,10 @@ constexpr std::string_view verifier_name = "dumbbell-verify";
 constexpr std::string_view certificate_name = "certificate.dbc";
 constexpr std::string_view packed_name = "certificate.dbc.gz";
 
+/// `certify` writes at most two for each of a million steps, and some at the ends. The plan holds a line for
+/// each, which is the memory that a file of a few kilobytes may ask for, unpacked.
+constexpr std::size_t most_pieces = 3'000'000;
+
 /// What an order is about.
 struct Subject {
     std::string file;
@@ -161,26 +165,31 @@ const Kind& verified_kind() {
 }
 
 VerifiedPlan plan_verified(const std::string& file, std::optional<std::size_t> shards) {
-    const Certificate certificate = read_certificate(file);
-    const Subject subject{std::string(file.ends_with(".gz") ? packed_name : certificate_name),
-                          certificate.scene, sealed_digest(file), certificate.pieces.size()};
-    VerifiedPlan made{
-        {fmt::format(
-             "verify {}{}", printable(std::filesystem::path(file).filename().string(), 100),
-             about(fmt::format("{}:{}", to_fraction(certificate.q_lo()), to_fraction(certificate.q_hi())),
-                   subject)),
-         {head_of(subject), {}},
-         {},
-         {subject.file, std::string(verifier_name)}},
-        {file, verifier_path()}};
+    PieceReader in(file, Trees::passed_over);
+    if (in.pieces() > most_pieces) {
+        throw InputError(fmt::format("'{}' has {} pieces, more than {}: certify the range in parts", file,
+                                     in.pieces(), most_pieces));
+    }
+    std::vector<std::string> units;
     std::vector<std::size_t> costs;
-    for (std::size_t i = 0; i < certificate.pieces.size(); ++i) {
-        made.plan.whole.units.push_back(fmt::format("piece {}", i + 1));
-        const long upper = certificate.pieces[i].upper.value_or(0);
+    Rational q_lo = 0;
+    Rational q_hi = 0;
+    for (std::size_t i = 0; i < in.pieces(); ++i) {
+        const Piece piece = in.next();
+        q_lo = i == 0 ? piece.q_lo : q_lo;
+        q_hi = piece.q_hi;
+        units.push_back(fmt::format("piece {}", i + 1));
+        const long upper = piece.upper.value_or(0);
         costs.push_back(static_cast<std::size_t>(std::clamp(upper, 0L, 1'000'000'000L)) + 10);
     }
-    made.plan.shards = cut(costs, shards, collisions_per_shard);
-    return made;
+    const Subject subject{std::string(file.ends_with(".gz") ? packed_name : certificate_name),
+                          in.head().scene, sealed_digest(file), in.pieces()};
+    return {{fmt::format("verify {}{}", printable(std::filesystem::path(file).filename().string(), 100),
+                         about(fmt::format("{}:{}", to_fraction(q_lo), to_fraction(q_hi)), subject)),
+             {head_of(subject), std::move(units)},
+             cut(costs, shards, collisions_per_shard),
+             {subject.file, std::string(verifier_name)}},
+            {file, verifier_path()}};
 }
 
 }  // namespace dumbbell

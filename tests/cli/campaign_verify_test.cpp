@@ -111,6 +111,17 @@ TEST_CASE("a claim that the certificate does not prove is not said to be tiled")
     CHECK_FALSE(fs::exists(folder / "parts.txt"));
 }
 
+TEST_CASE("a small file of very many pieces is not unpacked into a plan") {
+    const TemporaryFolder folder;
+    const std::string text =
+        "dumbbell-certificate 1\ngenerator dumbbell 0.1.0\nlemmas 1\nscene dumbbell\n"
+        "section turning\nclaim collisions\nratio 1/1 1/1\npieces 8000000\n";
+    write_file(folder / "bomb.dbc", text);
+    CHECK_THAT(refused({"campaign", "plan", folder / "c", "verify", folder / "bomb.dbc"}),
+               Contains("8000000 pieces, more than 3000000"));
+    CHECK(folder.names() == Words{"bomb.dbc"});
+}
+
 TEST_CASE("what is no certificate about collisions is not planned") {
     CHECK_THAT(refused({"campaign", "plan", "c", "verify", "none.dbc"}), Contains("none.dbc"));
     CHECK_THAT(refused({"campaign", "plan", "c", "verify", DUMBBELL_PROJECT "/README.md"}), EndsWith("\n"));

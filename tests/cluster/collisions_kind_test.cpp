@@ -1,11 +1,16 @@
 #include "cluster/collisions_kind.hpp"
 
+#include <sys/resource.h>
+
 #include <catch2/catch.hpp>
 #include <fstream>
 
 #include "arith/error.hpp"
+#include "certificate/atomic_file.hpp"
+#include "certificate/file_contents.hpp"
 #include "certificate/writer.hpp"
 #include "place.hpp"
+#include "resealed.hpp"
 
 using namespace dumbbell;
 using namespace dumbbell_test;
@@ -27,6 +32,13 @@ Plan planned(const CertifyRequest& request, std::size_t shards) {
     auto plan = plan_collisions(request, shards, never);
     REQUIRE(plan.has_value());
     return *plan;
+}
+
+/// Of this program, in bytes.
+long peak_memory() {
+    rusage usage{};
+    ::getrusage(RUSAGE_SELF, &usage);
+    return usage.ru_maxrss * 1024;
 }
 
 std::string in_one_go(const CertifyRequest& request) {
@@ -83,6 +95,46 @@ TEST_CASE("what does not tile the claim is not merged") {
     other = plan;
     other.whole.units.pop_back();
     refused(other, files);
+}
+
+TEST_CASE("a result has the pieces of its order with their bounds, and is no compressed file") {
+    const Place place;
+    const Plan plan = planned(request(Rational(4), Rational(6)), 1);
+    const std::string file = results(kind, plan, place).front();
+    const std::string truth = file_contents(file);
+    const auto look = [&](const std::string& text) {
+        std::ofstream(file) << text;
+        return kind.judge(plan.whole, ".", file, Scrutiny::form);
+    };
+    const auto refused = [&](const std::string& text) {
+        return look(text).verdict == Judgement::Verdict::wrong;
+    };
+    CHECK(look(truth).verdict == Judgement::Verdict::proved);
+    CHECK(refused(resealed(truth, "\nlower 3\n", "\nlower 2\n")));
+    CHECK(refused(resealed(truth, "\nupper 4\n", "\nupper 5\n")));
+    CHECK(refused(resealed(truth, "\npiece 4/1 ", "\npiece 5/1 ")));
+    CHECK(refused(resealed(truth, "\npieces 3\n", "\npieces 2\n")));
+    CHECK(refused(truth.substr(0, truth.size() - 1)));
+    AtomicFile(file + ".gz").commit(truth);
+    const Judgement packed = kind.judge(plan.whole, ".", file + ".gz", Scrutiny::form);
+    CHECK(packed.verdict == Judgement::Verdict::wrong);
+    CHECK_THAT(packed.reason, Contains("compressed"));
+}
+
+TEST_CASE("a result of more pieces than were ordered is refused before they are read") {
+    const Place place;
+    const Plan plan = planned(request(Rational(4), Rational(6)), 1);
+    const std::string file = results(kind, plan, place).front();
+    std::string many =
+        "dumbbell-certificate 1\ngenerator dumbbell 0.1.0\nlemmas 1\nscene dumbbell\n"
+        "section turning\nclaim collisions\nratio 1/1 1/1\npieces 1000000\n";
+    for (int i = 0; i < 1'000'000; ++i) {
+        many += "piece 1/1 1/1\nbits 53\nupper none\nlower 0\n";
+    }
+    std::ofstream(file) << many << "sha256 " << sha256_hex(many) << '\n';
+    const auto before = peak_memory();
+    CHECK(kind.judge(plan.whole, ".", file, Scrutiny::form).verdict == Judgement::Verdict::wrong);
+    CHECK(peak_memory() - before < 20'000'000);
 }
 
 TEST_CASE("the claim of a plan is the command that proves it in one go") {

@@ -72,6 +72,14 @@ TEST_CASE("a table with too few or too many rows is rejected") {
     CHECK(judged(place, *kind.work(fewer, ".", never)).verdict == Judgement::Verdict::wrong);
 }
 
+TEST_CASE("rows beyond those that were ordered are not even read") {
+    const Place place;
+    std::string text = result();
+    text.erase(text.rfind("sha256 "));
+    text += text.substr(text.rfind("ratio "));
+    CHECK_THAT(judged(place, text + "sha256 " + sha256_hex(text) + "\n").reason, Contains("is no table"));
+}
+
 TEST_CASE("results are not merged under a claim that they do not prove") {
     const Place place;
     Plan plan = small_plan();

@@ -26,11 +26,14 @@ class NamedKind : public Kind {
         if (file == "broken") {
             throw std::runtime_error("the judge is ill");
         }
-        return {file == "good" ? Judgement::Verdict::proved : Judgement::Verdict::wrong, file};
+        return {file == "bad" ? Judgement::Verdict::wrong : Judgement::Verdict::proved, file};
     }
     [[nodiscard]] std::string refutation(const Order& /*order*/, const std::string& /*folder*/,
-                                         const std::string& /*file*/) const override {
-        return "";
+                                         const std::string& file) const override {
+        if (file == "bad") {
+            throw std::runtime_error("the look at its form said enough");
+        }
+        return file == "false" ? "not verified" : "";
     }
 };
 
@@ -53,6 +56,15 @@ TEST_CASE("each question gets its own answer, whichever judge looks at it") {
     }
     CHECK(answered.size() == 100);
     CHECK_FALSE(judges.answer());
+}
+
+TEST_CASE("what has the right form and is refuted is wrong, and what has another form is not asked about") {
+    CHECK(kind.judge({}, ".", "good", Scrutiny::proof).verdict == Judgement::Verdict::proved);
+    CHECK(kind.judge({}, ".", "false", Scrutiny::form).verdict == Judgement::Verdict::proved);
+    const Judgement refuted = kind.judge({}, ".", "false", Scrutiny::proof);
+    CHECK(refuted.verdict == Judgement::Verdict::wrong);
+    CHECK(refuted.reason == "not verified");
+    CHECK(kind.judge({}, ".", "bad", Scrutiny::proof).verdict == Judgement::Verdict::wrong);
 }
 
 TEST_CASE("what stops a judge reaches whoever asks for the answer") {
