@@ -84,6 +84,11 @@ int plan_adiabatic(const Options& options) {
     return made(options.folder, plan_adiabatic(statements, accuracy_of(options.adiabatic)));
 }
 
+bool is_claim(const CLI::App& plan, const std::string& word) {
+    const auto claims = plan.get_subcommands([&](const CLI::App* c) { return c->get_name() == word; });
+    return !claims.empty();
+}
+
 /// With a subcommand the options of the other claim would mean nothing.
 void require_one_claim(const CLI::App& plan) {
     for (const CLI::Option* option : plan.get_options()) {
@@ -94,6 +99,35 @@ void require_one_claim(const CLI::App& plan) {
                             name, plan.get_subcommands().front()->get_name()));
         }
     }
+}
+
+/// The folder comes first. Whoever forgot it would get one that has the name of a claim, with another claim
+/// in it.
+void require_folder(const CLI::App& plan, const std::string& folder) {
+    if (is_claim(plan, folder)) {
+        throw InputError(fmt::format(
+            "the folder is missing: dumbbell campaign plan FOLDER {0} ... (one with this name: ./{0})",
+            folder));
+    }
+}
+
+using Mode = CLI::AppFormatMode;
+
+/// The help of a claim's command has the folder where it is typed.
+void show_folder(CLI::App& claim) {
+    claim.formatter_fn([plain = claim.get_formatter()](const CLI::App* app, std::string name, Mode mode) {
+        return plain->make_help(app, name.insert(name.rfind(' '), " FOLDER"), mode);
+    });
+}
+
+/// Where a claim's name stands instead of the folder, its help is the one that is wanted.
+void help_without_folder(CLI::App& plan) {
+    plan.formatter_fn([plain = plan.get_formatter()](const CLI::App* app, std::string name, Mode mode) {
+        const auto folder = app->get_option("FOLDER")->results();
+        return !folder.empty() && is_claim(*app, folder.front())
+                   ? app->get_subcommand(folder.front())->help(name)
+                   : plain->make_help(app, name, mode);
+    });
 }
 
 }  // namespace
@@ -122,9 +156,12 @@ void add_campaign_plan(CLI::App& campaign, int& exit_code) {
     command->require_subcommand(0, 1);
     for (CLI::App* claim : {critical, adiabatic, verify}) {
         claim->fallthrough();  // --shards may stand behind it, too
+        show_folder(*claim);
     }
+    help_without_folder(*command);
     command->callback([options, command, critical, adiabatic, verify, &exit_code] {
         exit_code = stoppable([&] {
+            require_folder(*command, options->folder);
             CampaignFolder::require_new(options->folder);
             if (critical->parsed() || adiabatic->parsed() || verify->parsed()) {
                 require_one_claim(*command);

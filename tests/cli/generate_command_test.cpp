@@ -84,6 +84,18 @@ TEST_CASE("every option of every command is in the man page, the completion and 
     }
 }
 
+TEST_CASE("a command that is called with a folder and a claim is shown so everywhere") {
+    const std::string man = without_backslashes(generated("man")), reference = generated("reference");
+    for (const char* usage : {"dumbbell campaign plan [OPTIONS] FOLDER RATIO\n",
+                              "dumbbell campaign plan FOLDER critical [OPTIONS] N1:N2\n",
+                              "dumbbell campaign plan FOLDER verify FILE\n"}) {
+        CHECK_THAT(reference, Contains(std::string("\n    ") + usage));
+    }
+    const std::string synopsis = man.substr(0, man.find(".SH DESCRIPTION"));
+    CHECK_THAT(synopsis, Contains("dumbbell campaign plan [OPTIONS] FOLDER RATIO") &&
+                             Contains("dumbbell campaign plan FOLDER adiabatic [OPTIONS]"));
+}
+
 TEST_CASE("every option of the verifier is in its man page, in that of dumbbell, and in the completion") {
     const std::string own = without_backslashes(contents(DUMBBELL_PROOFS "/../src/verify/dumbbell-verify.1"));
     const std::string man = without_backslashes(generated("man")), completion = generated("completion");

@@ -57,17 +57,22 @@ OptionEntry entry_of(const CLI::Option& option) {
     return entry;
 }
 
-CommandEntry table_of(const CLI::App& app, const std::string& before) {
-    CommandEntry command{before + app.get_name(), app.get_description(), app.get_footer(), {}, {}};
+CommandEntry table_of(const CLI::App& app, const std::string& above, const std::string& before) {
+    CommandEntry command{
+        above + app.get_name(), before + app.get_name(), app.get_description(), app.get_footer(), {}, {}};
     for (const CLI::Option* option : app.get_options()) {
         const bool help = option == app.get_help_ptr() || option == app.get_help_all_ptr();
         if (!help || app.get_parent() == nullptr) {
             command.options.push_back(entry_of(*option));
         }
     }
+    std::string between = " ";
+    for (const OptionEntry& option : command.options) {
+        between += option.argument && option.required ? spelling(option) + " " : "";
+    }
     for (const CLI::App* below :
          app.get_subcommands([](const CLI::App* c) { return !c->get_group().empty(); })) {
-        command.commands.push_back(table_of(*below, command.name + " "));
+        command.commands.push_back(table_of(*below, command.name + " ", command.called + between));
     }
     return command;
 }
@@ -109,7 +114,7 @@ void collect(const CommandEntry& command, std::vector<const CommandEntry*>& all)
 
 bool OptionEntry::is_file() const { return value.starts_with("FILE") || value == "LIST" || value == "PARTS"; }
 
-CommandEntry command_table(const CLI::App& app) { return table_of(app, ""); }
+CommandEntry command_table(const CLI::App& app) { return table_of(app, "", ""); }
 
 CommandEntry verifier_table(const std::string& name, const std::string& help) {
     std::vector<std::string> parts;
@@ -122,7 +127,7 @@ CommandEntry verifier_table(const std::string& name, const std::string& help) {
         throw BrokenInvariant("dumbbell-verify --help has another shape than it had");
     }
     const std::string sentence = parts[0].substr(parts[0].rfind('\n') + 1);
-    CommandEntry command{name, sentence + "\n\n" + parts[2], parts[3], options_in(parts[1]), {}};
+    CommandEntry command{name, name, sentence + "\n\n" + parts[2], parts[3], options_in(parts[1]), {}};
     OptionEntry& files = command.options.emplace_back();
     files.names = {"FILE"};
     files.value = "FILE";
@@ -140,12 +145,17 @@ std::vector<const CommandEntry*> with_all_below(const CommandEntry& command) {
     return all;
 }
 
+bool is_called(const CommandEntry& command) {
+    return command.commands.empty() || std::any_of(command.options.begin(), command.options.end(),
+                                                   [](const OptionEntry& o) { return o.argument; });
+}
+
 std::string usage(const CommandEntry& command) {
-    std::string text = command.name;
+    std::string text = command.called;
     const bool options = std::any_of(command.options.begin(), command.options.end(),
                                      [](const OptionEntry& o) { return !o.argument; });
     text += options ? " [OPTIONS]" : "";
-    text += command.commands.empty() ? "" : " COMMAND";
+    text += is_called(command) ? "" : " COMMAND";
     for (const OptionEntry& option : command.options) {
         text += option.argument ? " " + spelling(option) : "";
     }

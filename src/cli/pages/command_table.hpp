@@ -23,7 +23,8 @@ struct OptionEntry {
 };
 
 struct CommandEntry {
-    std::string name;         ///< as it is typed: dumbbell plot staircase
+    std::string name;    ///< dumbbell plot staircase
+    std::string called;  ///< as it is typed, with what stands between: dumbbell campaign plan FOLDER verify
     std::string description;  ///< paragraphs; indented lines stand as they are
     std::string footer;       ///< exit codes
     std::vector<OptionEntry> options;
@@ -43,7 +44,11 @@ struct CommandEntry {
 /// The command and all below it, each before its own commands.
 [[nodiscard]] std::vector<const CommandEntry*> with_all_below(const CommandEntry& command);
 
-/// How it is called: the name, [OPTIONS] or COMMAND, and the arguments.
+/// Whether it does something itself, and not only by the commands below it.
+[[nodiscard]] bool is_called(const CommandEntry& command);
+
+/// How it is called: the name, [OPTIONS], and the arguments; without arguments COMMAND, if there are any
+/// below it.
 [[nodiscard]] std::string usage(const CommandEntry& command);
 
 /// The option as it is typed: `--out FILE`.

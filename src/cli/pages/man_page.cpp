@@ -71,7 +71,7 @@ std::string man_page(const CommandEntry& program) {
         ".SH SYNOPSIS\n.nf\n",
         DUMBBELL_VERSION);
     for (const CommandEntry* command : commands) {
-        page += command->commands.empty() ? bold(usage(*command)) + "\n" : "";
+        page += is_called(*command) ? bold(usage(*command)) + "\n" : "";
     }
     page += ".fi\n.SH DESCRIPTION\n";
     add_text(page, program.description);
