@@ -49,6 +49,7 @@ struct Options {
     WorkQueueOptions queue;
     bool has_queue_options = false;
     int jobs = all_cores();
+    bool again = false;
     bool json = false;
     bool quiet = false;
 };
@@ -109,11 +110,16 @@ int run(const Options& options) {
     }
     how.interrupted =
         deadline(options.budget.empty() ? std::nullopt : std::optional(parse_duration(options.budget)));
+    if (const std::size_t open = options.again ? withdraw_open_results(folder) : 0; open > 0) {
+        remark(fmt::format("shards that left something undecided, and are tried again: {}", open));
+    }
     CampaignRun done;
     {
         std::optional<WorkersWanted> wanted;
         const auto engine = engine_of(options, folder, wanted);
         how.verifiers = wanted ? options.jobs : 0;
+        std::optional<LocalEngine> own;
+        how.own = wanted ? &own.emplace(options.jobs, folder.path()) : nullptr;
         how.scrutiny = options.verify == "arrival" ? Scrutiny::proof : Scrutiny::form;
         Progress progress("shards", options.quiet ? Loudness::quiet : Loudness::normal);
         how.progress = [&](std::size_t finished, std::size_t all) { progress.update(finished, all); };
@@ -174,12 +180,15 @@ void add_campaign_run(CLI::App& campaign, int& exit_code) {
         ->check(CLI::IsMember({"arrival", "merge"}))
         ->check(of_queue)
         ->capture_default_str();
-    add_jobs_option(*command, options->jobs,
-                    "threads: of proving, or with workqueue of verifying what comes in");
+    add_jobs_option(
+        *command, options->jobs,
+        "threads: of proving, or with workqueue of verifying what comes in, and of trying what it "
+        "leaves undecided");
     command->add_option("--shard-limit", options->shard_limit, "a shard that takes longer is split")
         ->type_name("TIME")
         ->capture_default_str();
     command->add_option("--budget", options->budget, "stop after this time: 30s, 10m, 2h")->type_name("TIME");
+    command->add_flag("--again", options->again, "try the shards again that left something undecided");
     command->add_flag("--json", options->json, "one JSON object on stdout");
     command->add_flag("--quiet", options->quiet, "one sentence and no progress");
     command->callback([options, &exit_code] {

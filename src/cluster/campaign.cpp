@@ -7,6 +7,7 @@
 #include <memory>
 #include <utility>
 
+#include "arith/error.hpp"
 #include "arith/printable.hpp"
 #include "cluster/judges.hpp"
 #include "prove/deadline.hpp"
@@ -20,8 +21,6 @@ using What = Event::What;
 
 /// So often a shard is tried before it is given up.
 constexpr int most_attempts = 5;
-/// So often a result leaves a piece undecided before it is believed that the piece stays so.
-constexpr int most_open_answers = 2;
 constexpr std::chrono::milliseconds patience(200);
 constexpr std::chrono::seconds between_states(10);
 
@@ -33,7 +32,9 @@ double seconds_since(Clock::time_point start) {
 class Run {
   public:
     Run(CampaignFolder& folder, Engine& engine, const CampaignOptions& options)
-        : folder_(folder), engine_(engine), options_(options) {
+        : folder_(folder), engine_(engine), options_(options), kind_(kind_named(folder.plan().whole.kind())) {
+        require(options.verifiers == 0 || options.own != nullptr,
+                "results from elsewhere, and no own engine");
         for (Part& part : folder.parts()) {
             ++all_;
             if (part.finished) {
@@ -43,8 +44,7 @@ class Run {
             }
         }
         if (options.verifiers > 0) {
-            judges_ = std::make_unique<Judges>(kind_named(folder.plan().whole.kind()), folder.path(),
-                                               options.verifiers, options.scrutiny);
+            judges_ = std::make_unique<Judges>(kind_, folder.path(), options.verifiers, options.scrutiny);
         }
     }
 
@@ -76,18 +76,17 @@ class Run {
     struct Shard {
         Part part;
         int attempts = 0;
-        int open_answers = 0;
         bool is_unlimited = false;
     };
 
-    /// A result that is being verified.
+    /// A result that is being verified, or one that left something undecided while its shard is tried here.
     struct Arrived {
         Shard shard;
         Outcome outcome;
     };
 
     [[nodiscard]] bool has_work() const {
-        return !waiting_.empty() || !under_way_.empty() || !arrived_.empty();
+        return !waiting_.empty() || !under_way_.empty() || !arrived_.empty() || !tried_here_.empty();
     }
 
     void step() {
@@ -102,6 +101,10 @@ class Run {
         while (auto answer = judges_ ? judges_->answer() : std::nullopt) {
             take(*answer);
         }
+        while (auto own =
+                   tried_here_.empty() ? std::nullopt : options_.own->wait(std::chrono::milliseconds(0))) {
+            take_own(*own);
+        }
         look_at_workers();
         result_.own_seconds += seconds_since(arrival);
     }
@@ -111,16 +114,20 @@ class Run {
         while (!waiting_.empty() && under_way_.size() + arrived_.size() < engine_.wanted()) {
             Shard shard = std::move(waiting_.front());
             waiting_.pop_front();
-            Task task{shard.part.id, folder_.order(shard.part).text(), {}, {}};
-            for (const std::string& input : folder_.plan().inputs) {
-                task.inputs.push_back(folder_.path() + "/" + input);
-            }
-            if (!shard.is_unlimited) {
-                task.limit = options_.shard_limit;
-            }
-            engine_.submit(task);
+            engine_.submit(task_of(shard));
             under_way_.emplace(shard.part.id, std::move(shard));
         }
+    }
+
+    [[nodiscard]] Task task_of(const Shard& shard) const {
+        Task task{shard.part.id, folder_.order(shard.part).text(), {}, {}};
+        for (const std::string& input : folder_.plan().inputs) {
+            task.inputs.push_back(folder_.path() + "/" + input);
+        }
+        if (!shard.is_unlimited) {
+            task.limit = options_.shard_limit;
+        }
+        return task;
     }
 
     void take(Outcome outcome) {
@@ -174,34 +181,102 @@ class Run {
             fail(std::move(arrived.shard), arrived.outcome, judgement.reason);
             return;
         }
-        const bool is_open = judgement.verdict == Verdict::open;
-        const bool stays_open = is_open && ++arrived.shard.open_answers >= most_open_answers;
-        if (judgement.verdict == Verdict::proved || stays_open) {
+        if (judgement.verdict == Verdict::proved) {
             accept(arrived.shard, arrived.outcome);
-            if (stays_open) {
-                options_.note(fmt::format("shard {}: {}; to try it again, move '{}' elsewhere",
-                                          arrived.shard.part.id, judgement.reason,
-                                          folder_.result_file(arrived.shard.part.id)));
-            }
             return;
         }
-        ++result_.rejected;
-        if (!is_open) {
-            engine_.distrust(arrived.outcome);
+        if (judgement.verdict == Verdict::open) {
+            try_here(std::move(arrived));
+            return;
         }
-        folder_.reject(arrived.shard.part.id, arrived.outcome.result);
-        log(What::rejected, arrived.shard.part.id, arrived.outcome.worker, arrived.outcome.seconds,
-            judgement.reason);
+        reject(arrived, judgement.reason);
         try_again(std::move(arrived.shard), judgement.reason);
     }
 
+    /// It was not what its worker's machine says that it is.
+    void reject(const Arrived& arrived, const std::string& reason) {
+        ++result_.rejected;
+        engine_.distrust(arrived.outcome);
+        folder_.reject(arrived.shard.part.id, arrived.outcome.result);
+        log(What::rejected, arrived.shard.part.id, arrived.outcome.worker, arrived.outcome.seconds, reason);
+    }
+
+    /// A result may leave a shard undecided because it cannot be decided, or because nobody tried. While this
+    /// program has enough to try, others may.
+    void try_here(Arrived arrived) {
+        if (tried_here_.size() >= options_.own->wanted()) {
+            waiting_.push_back(std::move(arrived.shard));
+            return;
+        }
+        options_.own->submit(task_of(arrived.shard));
+        tried_here_.emplace(arrived.shard.part.id, std::move(arrived));
+    }
+
+    /// What was tried here after an answer that left something undecided.
+    void take_own(const Outcome& own) {
+        const auto found = tried_here_.find(own.id);
+        if (found == tried_here_.end() || stop_signal != 0) {
+            return;
+        }
+        Arrived answer = std::move(found->second);
+        tried_here_.erase(found);
+        if (own.end == Outcome::End::too_long) {
+            split(std::move(answer.shard));
+            return;
+        }
+        if (own.end == Outcome::End::failed) {
+            fail(std::move(answer.shard), own, own.reason);
+            return;
+        }
+        accept(answer.shard, own);
+        const Judgement judgement = kind_.judge(folder_.order(answer.shard.part), folder_.path(),
+                                                folder_.result_file(own.id), Scrutiny::form);
+        if (judgement.verdict == Judgement::Verdict::open) {
+            options_.note(fmt::format("shard {}: {}, here too", own.id, judgement.reason));
+        } else {
+            reject(answer, "it left undecided what this machine decides");
+        }
+    }
+
     void accept(const Shard& shard, const Outcome& outcome) {
-        const bool is_new = folder_.keep_result(shard.part.id, outcome.result);
-        log(is_new ? What::done : What::again, shard.part.id, outcome.worker, outcome.seconds, "");
-        ++(is_new ? result_.accepted : result_.again);
+        using Kept = CampaignFolder::Kept;
+        const Kept kept = folder_.keep_result(shard.part.id, outcome.result);
+        if (kept == Kept::other) {
+            choose(shard, outcome);
+        }
+        log(kept == Kept::now ? What::done : What::again, shard.part.id, outcome.worker, outcome.seconds, "");
+        ++(kept == Kept::now ? result_.accepted : result_.again);
         result_.worked += outcome.seconds;
         ++finished_;
         options_.progress(finished_, all_);
+    }
+
+    /// There is another result, and proofs of one statement may differ: the first one that proves it is kept,
+    /// the other one in `rejected`. A worker's word has no proof.
+    void choose(const Shard& shard, const Outcome& outcome) {
+        const std::string& id = shard.part.id;
+        if (kind_.evidence() == Evidence::workers) {
+            folder_.reject(id, outcome.result);
+            throw ResultsDiffer(
+                fmt::format("two results of one shard differ: '{}' and '{}/rejected/{}'; one of the "
+                            "machines, or its program, is not to be relied on: find out which, move the "
+                            "first file elsewhere if it is not a true one, and run the campaign again",
+                            folder_.result_file(id), folder_.path(), id));
+        }
+        const Judgement first =
+            kind_.judge(folder_.order(shard.part), folder_.path(), folder_.result_file(id), Scrutiny::proof);
+        using Verdict = Judgement::Verdict;
+        const bool stays = first.verdict == Verdict::proved || first.verdict == Verdict::none;
+        if (stays) {
+            folder_.reject(id, outcome.result);
+        } else {
+            folder_.withdraw_result(id);
+            (void)folder_.keep_result(id, outcome.result);
+        }
+        options_.note(
+            fmt::format("shard {} has two results that differ: the {} is kept, the other one is in "
+                        "'{}/rejected'",
+                        id, stays ? "first" : "second", folder_.path()));
     }
 
     void split(Shard shard) {
@@ -258,10 +333,12 @@ class Run {
     CampaignFolder& folder_;
     Engine& engine_;
     const CampaignOptions& options_;
+    const Kind& kind_;
     std::unique_ptr<Judges> judges_;
     std::deque<Shard> waiting_;
     std::map<std::string, Shard> under_way_;
     std::map<std::size_t, Arrived> arrived_;
+    std::map<std::string, Arrived> tried_here_;
     std::size_t next_number_ = 0;
     std::size_t all_ = 0;
     std::size_t finished_ = 0;
@@ -272,6 +349,22 @@ class Run {
 };
 
 }  // namespace
+
+std::size_t withdraw_open_results(const CampaignFolder& folder) {
+    const Kind& kind = kind_named(folder.plan().whole.kind());
+    std::size_t withdrawn = 0;
+    for (const Part& part : folder.parts()) {
+        const auto is_open = [&] {
+            return kind.judge(folder.order(part), folder.path(), folder.result_file(part.id), Scrutiny::form)
+                       .verdict == Judgement::Verdict::open;
+        };
+        if (part.finished && is_open()) {
+            folder.withdraw_result(part.id);
+            ++withdrawn;
+        }
+    }
+    return withdrawn;
+}
 
 CampaignRun run_campaign(CampaignFolder& folder, Engine& engine, const CampaignOptions& options) {
     return Run(folder, engine, options).run();

@@ -22,6 +22,9 @@ struct CampaignOptions {
     /// this program's own, and are looked at when they are merged.
     int verifiers = 0;
     Scrutiny scrutiny = Scrutiny::proof;
+    /// This program's own, for shards that an answer from elsewhere leaves undecided: whether they can be
+    /// decided is nobody else's word. Needed where results come from elsewhere.
+    Engine* own = nullptr;
     Interrupted interrupted = never;
     /// Called after each event with the numbers of finished and of all shards (which grows with splits).
     std::function<void(std::size_t, std::size_t)> progress = [](std::size_t, std::size_t) {};
@@ -48,8 +51,14 @@ struct CampaignRun {
 };
 
 /// Works off what is not finished of a campaign; the folder is locked. Ends when all is, when nothing more
-/// can be done, or when interrupted. Throws ResultsDiffer, or InputError if the folder cannot be written.
+/// can be done, or when interrupted. Whatever comes from elsewhere costs time and nothing else: what it
+/// proves is verified, here or when it is merged, and what it leaves undecided is tried here. Throws
+/// ResultsDiffer, or InputError if the folder cannot be written.
 [[nodiscard]] CampaignRun run_campaign(CampaignFolder& folder, Engine& engine,
                                        const CampaignOptions& options);
+
+/// Takes the results away that leave something undecided, so that the next run tries their shards again; how
+/// many they were. The folder is locked.
+[[nodiscard]] std::size_t withdraw_open_results(const CampaignFolder& folder);
 
 }  // namespace dumbbell

@@ -207,26 +207,12 @@ std::vector<CampaignFolder::Part> CampaignFolder::halves(const Part& part) const
     return both;
 }
 
-bool CampaignFolder::keep_result(const std::string& id, const std::string& bytes) const {
+CampaignFolder::Kept CampaignFolder::keep_result(const std::string& id, const std::string& bytes) const {
     if (!has_result(id)) {
         AtomicFile(result_file(id)).commit(bytes);
-        return true;
+        return Kept::now;
     }
-    if (file_contents(result_file(id)) != bytes) {
-        try {
-            reject(id, bytes);
-        } catch (const InputError& error) {
-            throw ResultsDiffer(fmt::format(
-                "two results of one shard differ: '{}' and another one, which could not be kept ({})",
-                result_file(id), error.what()));
-        }
-        throw ResultsDiffer(
-            fmt::format("two results of one shard differ: '{}' and '{}/rejected/{}'; one of the "
-                        "machines, or its program, is not to be relied on: find out which, move the "
-                        "first file elsewhere if it is not a true one, and run the campaign again",
-                        result_file(id), path_, id));
-    }
-    return false;
+    return file_contents(result_file(id)) == bytes ? Kept::before : Kept::other;
 }
 
 void CampaignFolder::split(const std::string& id) const {

@@ -10,7 +10,8 @@
 
 namespace dumbbell {
 
-/// Two results of one order that differ: one of the machines, or the program, is not to be relied on.
+/// Two results of one order that differ, and nothing tells which is true: one of the machines, or the
+/// program, is not to be relied on.
 class ResultsDiffer : public std::runtime_error {
   public:
     using std::runtime_error::runtime_error;
@@ -70,9 +71,12 @@ class CampaignFolder {
 
     [[nodiscard]] std::string result_file(const std::string& id) const { return path_ + "/results/" + id; }
     [[nodiscard]] bool has_result(const std::string& id) const;
-    /// Keeps a result for good. True if it was not there before; the same again changes nothing. Throws
-    /// ResultsDiffer, and keeps both, if there is another.
-    [[nodiscard]] bool keep_result(const std::string& id, const std::string& bytes) const;
+    enum class Kept {
+        now,     ///< for good
+        before,  ///< the same bytes
+        other    ///< is there, and this one is not kept
+    };
+    [[nodiscard]] Kept keep_result(const std::string& id, const std::string& bytes) const;
 
     void split(const std::string& id) const;
 

@@ -32,9 +32,9 @@ std::string to_text(const CampaignRun& run) {
         text += fmt::format("split because they were too big: {}\n", run.split);
     }
     if (run.rejected + run.failed + run.again > 0) {
-        text += fmt::format(
-            "results rejected: {}; attempts without a result: {}; results that came twice, the same: {}\n",
-            run.rejected, run.failed, run.again);
+        text +=
+            fmt::format("results rejected: {}; attempts without a result: {}; results that came twice: {}\n",
+                        run.rejected, run.failed, run.again);
     }
     if (run.engine.lost + run.engine.resent > 0) {
         text += fmt::format("workers: {} came, {} were lost; shards sent again: {}\n", run.engine.joined,

@@ -3,6 +3,7 @@
 #include <chrono>
 #include <map>
 #include <random>
+#include <sstream>
 #include <thread>
 
 #include "programs.hpp"
@@ -44,6 +45,26 @@ std::size_t shards(const TemporaryFolder& folder) {
 
 std::string any_result(const TemporaryFolder& folder) {
     return fs::directory_iterator(folder / "c/results")->path().string();
+}
+
+/// The same certificate with nothing said of its pieces.
+std::string undecided(const std::string& text) {
+    std::istringstream in(text);
+    std::string made;
+    int pieces = 0;
+    for (std::string line; std::getline(in, line) && !line.starts_with("total ");) {
+        if (line.starts_with("piece ")) {
+            ++pieces;
+            made += line + "\nbits 53\nupper none\nlower 0\n";
+        } else if (pieces == 0) {
+            made += line + "\n";
+        }
+    }
+    for (const char* kind :
+         {"split", "count", "outside", "meets", "meets-reversed", "equal-masses", "witness"}) {
+        made += std::string("total ") + kind + " 0\n";
+    }
+    return made + "total open " + std::to_string(pieces) + "\nsha256 x\n";
 }
 
 /// One line on stderr, exit code 2, and all files as they were.
@@ -219,6 +240,31 @@ TEST_CASE("a true certificate of something else is no result") {
     CHECK_THAT(merged.err, Contains("it proves something else"));
 }
 
+TEST_CASE("results that leave all undecided or are compressed spoil nothing") {
+    const TemporaryFolder folder;
+    plan(folder);
+    REQUIRE(run_it(folder).code == 0);
+    const std::string result = any_result(folder);
+    const std::string truth = contents(result);
+    write_file(folder / "r", truth);
+    REQUIRE(run({"gzip", folder / "r"}).code == 0);
+    fs::rename(folder / "r.gz", result);
+    const Outcome merged = merge_it(folder);
+    CHECK(merged.code == 3);
+    CHECK_THAT(merged.err, Contains("it is compressed, and results are plain text"));
+    REQUIRE(run_it(folder).code == 0);
+    CHECK(contents(result) == truth);
+
+    write_sealed(result, undecided(truth));
+    CHECK(run_it(folder).code == 0);
+    CHECK(merge_it(folder).code == 3);
+    const Outcome again = run_it(folder, {"--again"});
+    CHECK(again.code == 0);
+    CHECK_THAT(again.err, Contains("shards that left something undecided, and are tried again: 1"));
+    CHECK(contents(result) == truth);
+    CHECK(merge_it(folder).code == 0);
+}
+
 TEST_CASE("joined without verification, a false result is in the file, which says so to the verifier") {
     const TemporaryFolder folder;
     plan(folder);
@@ -300,6 +346,34 @@ TEST_CASE("claims that make no campaign are refused, with what to do") {
     CHECK_THAT(refused({"campaign", "plan", "c", "1:5", "--shards", "0"}), Contains("--shards"));
     CHECK_THAT(refused({"campaign", "plan", "c", "1:5", "--lemmas", "none"}), Contains("--section full"));
     CHECK_THAT(refused({"campaign"}), Contains("--help"));
+}
+
+TEST_CASE(
+    "a claim's name where the folder should stand plans nothing, and its help shows where the folder "
+    "stands") {
+    const TemporaryFolder folder;
+    for (const Words& claim :
+         {Words{"critical", "3:20"}, {"critical"}, {"adiabatic", "1:2"}, {"verify", "1:9"}}) {
+        Words words{"campaign", "plan"};
+        words.insert(words.end(), claim.begin(), claim.end());
+        const Outcome forgotten = dumbbell(words, folder.path());
+        CHECK(forgotten.code == 2);
+        CHECK_THAT(forgotten.err,
+                   Contains("the folder is missing: dumbbell campaign plan FOLDER " + claim[0]));
+        CHECK(folder.names().empty());
+    }
+    for (const Words& before : {Words{}, {"some.campaign"}}) {
+        Words words{"campaign", "plan"};
+        words.insert(words.end(), before.begin(), before.end());
+        words.insert(words.end(), {"critical", "--help"});
+        const Outcome help = dumbbell(words);
+        CHECK(help.code == 0);
+        CHECK_THAT(help.out, Contains("dumbbell campaign plan FOLDER critical [OPTIONS] N1:N2"));
+    }
+    CHECK_THAT(dumbbell({"campaign", "plan", "--help"}).out,
+               Contains("dumbbell campaign plan [OPTIONS] FOLDER"));
+    CHECK(dumbbell({"campaign", "plan", "./critical", "critical", "3:20"}, folder.path()).code == 0);
+    CHECK(folder.names() == Words{"critical"});
 }
 
 TEST_CASE("the number of shards may stand before and behind what is planned") {

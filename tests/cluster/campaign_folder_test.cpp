@@ -17,6 +17,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
+using Kept = CampaignFolder::Kept;
+
 void write(const fs::path& path, const std::string& text) { std::ofstream(path) << text; }
 
 std::size_t entries(const fs::path& path) {
@@ -34,7 +36,7 @@ TEST_CASE("a campaign is found again with its plan, and with what is finished") 
         CHECK(folder.plan() == small_plan());
         REQUIRE(folder.parts().size() == 4);
         id = folder.parts()[2].id;
-        CHECK(folder.keep_result(id, "result"));
+        CHECK(folder.keep_result(id, "result") == Kept::now);
     }
     const CampaignFolder again(place.string());
     for (const auto& part : again.parts()) {
@@ -155,16 +157,15 @@ TEST_CASE("a plan that was changed after the start is refused, even with a right
     CHECK_THROWS_WITH(CampaignFolder(place.string()), Contains("was changed after the start"));
 }
 
-TEST_CASE("a result is kept once: the same again changes nothing, another one is an error that keeps both") {
+TEST_CASE("a result is kept once: the same again changes nothing, and neither does another one") {
     const Place place;
     CampaignFolder::create(place.string(), small_plan());
     const CampaignFolder folder(place.string());
     const std::string id = folder.parts().front().id;
-    CHECK(folder.keep_result(id, "one"));
-    CHECK_FALSE(folder.keep_result(id, "one"));
-    CHECK_THROWS_AS(folder.keep_result(id, "two"), ResultsDiffer);
+    CHECK(folder.keep_result(id, "one") == Kept::now);
+    CHECK(folder.keep_result(id, "one") == Kept::before);
+    CHECK(folder.keep_result(id, "two") == Kept::other);
     CHECK(file_contents(folder.result_file(id)) == "one");
-    CHECK(file_contents((place.path / "rejected" / id).string()) == "two");
 }
 
 TEST_CASE("a split shard is its halves, down to single units, and all units stay covered") {
@@ -207,7 +208,7 @@ TEST_CASE("a result that is withdrawn is no longer finished, and still there for
     CampaignFolder::create(place.string(), small_plan());
     const CampaignFolder folder(place.string());
     const std::string id = folder.parts().front().id;
-    CHECK(folder.keep_result(id, "wrong"));
+    CHECK(folder.keep_result(id, "wrong") == Kept::now);
     folder.withdraw_result(id);
     CHECK_FALSE(folder.has_result(id));
     CHECK(file_contents((place.path / "rejected" / id).string()) == "wrong");

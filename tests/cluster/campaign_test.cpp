@@ -1,13 +1,21 @@
 #include "cluster/campaign.hpp"
 
+#include <fmt/format.h>
+
 #include <catch2/catch.hpp>
 
 #include "arith/error.hpp"
 #include "certificate/file_contents.hpp"
+#include "certificate/writer.hpp"
+#include "cluster/campaign_status.hpp"
+#include "cluster/collisions_kind.hpp"
 #include "cluster/local_engine.hpp"
 #include "cluster/merge.hpp"
+#include "cluster/sealed_lines.hpp"
+#include "cluster/verified_kind.hpp"
 #include "place.hpp"
 #include "report/critical_report.hpp"
+#include "resealed.hpp"
 #include "scripted_engine.hpp"
 
 using namespace dumbbell;
@@ -37,12 +45,18 @@ struct Campaign {
     Place place;
     std::optional<CampaignFolder> folder;
 
-    explicit Campaign(const Plan& plan = small_plan()) {
-        CampaignFolder::create(place.string(), plan);
+    explicit Campaign(const Plan& plan = small_plan(), const std::vector<std::string>& sources = {}) {
+        CampaignFolder::create(place.string(), plan, sources);
         folder.emplace(place.string());
     }
     CampaignRun run(Engine& engine, const CampaignOptions& options = {}) {
         return run_campaign(*folder, engine, options);
+    }
+    [[nodiscard]] std::string result(const std::string& id) const {
+        return file_contents(folder->result_file(id));
+    }
+    [[nodiscard]] std::string rejected(const std::string& id) const {
+        return file_contents((place.path / "rejected" / id).string());
     }
 };
 
@@ -51,9 +65,41 @@ bool is_complete(const CampaignFolder& folder) {
     return std::all_of(parts.begin(), parts.end(), [](const auto& part) { return part.finished; });
 }
 
+/// Results come from elsewhere; nothing is tried here unless a test says so.
 CampaignOptions verified() {
+    static ScriptedEngine nobody([](const Task& task, int) { return failed(task, "nobody asks"); });
     CampaignOptions options;
     options.verifiers = 2;
+    options.own = &nobody;
+    return options;
+}
+
+Plan staircase() {
+    CertifyRequest request;
+    request.q_lo = 1;
+    request.q_hi = 30;
+    return *plan_collisions(request, 6, never);
+}
+
+/// An answer to an order about a range of ratios that leaves all of it undecided: well formed, and true.
+Outcome undecided(const Task& task) {
+    Certificate certificate{.program = "dumbbell", .version = DUMBBELL_VERSION, .pieces = {}};
+    for (const std::string& unit : parse_order(task.order).units) {
+        const auto fields = words(unit);
+        Piece piece;
+        piece.q_lo = parse_rational(fields[1]);
+        piece.q_hi = parse_rational(fields[2]);
+        certificate.pieces.push_back(piece);
+    }
+    return done(task, render(certificate).text);
+}
+
+/// What is looked at by its form alone, for there is no verifier beside this test.
+CampaignOptions looked_at(Engine& own) {
+    CampaignOptions options;
+    options.verifiers = 2;
+    options.scrutiny = Scrutiny::form;
+    options.own = &own;
     return options;
 }
 
@@ -165,26 +211,119 @@ TEST_CASE("shards that are too big are split until they fit, and a single unit h
     CHECK_NOTHROW(CampaignFolder(campaign.place.string()));
 }
 
-TEST_CASE("a result that comes twice counts once, and another one stops the campaign") {
+TEST_CASE("a worker that leaves everything undecided costs time and nothing else") {
+    Campaign campaign(staircase());
+    ScriptedEngine liar([](const Task& task, int) { return undecided(task); });
+    LocalEngine own(2, campaign.place.string());
+    const CampaignRun run = campaign.run(liar, looked_at(own));
+    CHECK(run.left == 0);
+    CHECK(run.accepted == 6);
+    CHECK(run.rejected == 6);
+    CHECK(liar.distrusted() == std::vector<std::string>(6, "far"));
+    const Merge merge = merge_campaign(*campaign.folder, {.scrutiny = Scrutiny::form});
+    REQUIRE(merge.whole.has_value());
+    CHECK_FALSE(merge.whole->is_open);
+    CHECK(campaign_status(*campaign.folder).workers.at("local").done == 6);
+}
+
+TEST_CASE("what is undecided on this machine too is the result, and its worker told the truth") {
+    Campaign campaign(staircase());
+    const std::string hard = campaign.folder->parts()[2].id;
+    const Script script = [&](const Task& task, int) {
+        return task.id == hard ? undecided(task) : worked(task);
+    };
+    ScriptedEngine far(script);
+    ScriptedEngine own(script);
+    std::string said;
+    CampaignOptions options = looked_at(own);
+    options.note = [&](const std::string& line) { said += line; };
+    const CampaignRun run = campaign.run(far, options);
+    CHECK(run.left == 0);
+    CHECK(run.rejected == 0);
+    CHECK(far.distrusted().empty());
+    CHECK(own.attempts() == std::map<std::string, int>{{hard, 1}});
+    CHECK_THAT(said, Contains(hard) && Contains("a piece stays undecided, here too"));
+    CHECK(merge_campaign(*campaign.folder, {.scrutiny = Scrutiny::form}).whole->is_open);
+
+    CHECK(withdraw_open_results(*campaign.folder) == 1);
+    CHECK_FALSE(campaign.folder->has_result(hard));
+    CHECK(withdraw_open_results(*campaign.folder) == 0);
+    LocalEngine again(1, campaign.place.string());
+    CHECK(campaign.run(again).accepted == 1);
+    CHECK_FALSE(merge_campaign(*campaign.folder, {.scrutiny = Scrutiny::form}).whole->is_open);
+}
+
+TEST_CASE("a shard that is too big here is split, and while enough is tried here others may try, too") {
+    Campaign campaign(staircase());
+    ScriptedEngine far([](const Task& task, int) { return undecided(task); });
+    ScriptedEngine own([](const Task& task, int) { return task.limit ? too_long(task) : worked(task); }, 1);
+    CampaignOptions options = looked_at(own);
+    options.shard_limit = std::chrono::seconds(1);
+    const CampaignRun run = campaign.run(far, options);
+    CHECK(run.left == 0);
+    CHECK(own.most() == 1);
+    CHECK(run.split == campaign.folder->plan().whole.units.size() - 6);
+    CHECK_FALSE(merge_campaign(*campaign.folder, {.scrutiny = Scrutiny::form}).whole->is_open);
+}
+
+TEST_CASE("a result that comes twice counts once, and one that is no proof gives way to one that is") {
     Campaign campaign;
     const auto part = campaign.folder->parts()[0];
     const std::string truth = *critical_kind().work(campaign.folder->order(part), ".", never);
+    std::string there = truth;
     ScriptedEngine engine([&](const Task& task, int) {
         if (task.id == part.id) {  // it came by another way, meanwhile
-            CHECK(campaign.folder->keep_result(task.id, truth));
+            CHECK(campaign.folder->keep_result(task.id, there) == CampaignFolder::Kept::now);
         }
         return worked(task);
     });
-    const CampaignRun run = campaign.run(engine);
-    CHECK(run.again == 1);
-    CHECK(run.accepted == 3);
+    std::string said;
+    CampaignOptions options;
+    options.note = [&](const std::string& line) { said += line; };
+    SECTION("the same") {
+        const CampaignRun run = campaign.run(engine, options);
+        CHECK(run.again == 1);
+        CHECK(run.accepted == 3);
+        CHECK(said.empty());
+    }
+    SECTION("garbage") {
+        there = "something else";
+        CHECK(campaign.run(engine, options).left == 0);
+        CHECK(campaign.result(part.id) == truth);
+        CHECK(campaign.rejected(part.id) == "something else");
+        CHECK_THAT(said, Contains(part.id) && Contains("the second is kept"));
+    }
+    SECTION("another proof") {
+        // 4.6033388487517003 lies between; the ends of the true result are nearer.
+        const std::string line = truth.substr(
+            truth.find("ratio 4 "), truth.find('\n', truth.find("ratio 4 ")) - truth.find("ratio 4 "));
+        there = resealed(truth, line, "ratio 4 4603338848751/1000000000000 4603338848752/1000000000000 128");
+        CHECK(campaign.run(engine, options).left == 0);
+        CHECK(campaign.result(part.id) == there);
+        CHECK(campaign.rejected(part.id) == truth);
+        CHECK_THAT(said, Contains("the first is kept"));
+    }
+    CHECK(merge_campaign(*campaign.folder, {}).whole.has_value());
+}
 
-    Campaign other;
-    ScriptedEngine differs([&](const Task& task, int) {
-        CHECK(other.folder->keep_result(task.id, "something else"));
-        return worked(task);
+TEST_CASE("two words of workers that differ stop the campaign, and both are kept") {
+    const std::string file = DUMBBELL_PROJECT "/certificates/stairs-1-100.dbc";
+    VerifiedPlan verification = plan_verified(file, 2);
+    verification.sources[1] = file;  // there is no verifier beside this test
+    Campaign campaign(verification.plan, verification.sources);
+    const auto word = [](const Task& task) {
+        const auto units = parse_order(task.order).units;
+        return fmt::format("s PART of {}\n", units.size());
+    };
+    ScriptedEngine engine([&](const Task& task, int) {
+        (void)campaign.folder->keep_result(task.id, "another word\n");
+        return done(task, word(task));
     });
-    CHECK_THROWS_AS(other.run(differs), ResultsDiffer);
+    CHECK_THROWS_AS(campaign.run(engine), ResultsDiffer);
+    const auto part =
+        campaign.folder->parts()[0].finished ? campaign.folder->parts()[0] : campaign.folder->parts()[1];
+    CHECK(campaign.result(part.id) == "another word\n");
+    CHECK_THAT(campaign.rejected(part.id), Contains("s PART of"));
 }
 
 TEST_CASE("outcomes of tasks that nobody gave are passed over") {

@@ -1,4 +1,5 @@
-"""Hosts return garbage of all kinds: it is rejected, kept for a look at it, and proved elsewhere."""
+"""Hosts return garbage of all kinds, and nothing in the right words: it is rejected, kept for a look at it, and proved
+elsewhere."""
 
 import journal
 from checks import check
