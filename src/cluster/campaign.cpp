@@ -23,6 +23,8 @@ using What = Event::What;
 constexpr int most_attempts = 5;
 constexpr std::chrono::milliseconds patience(200);
 constexpr std::chrono::seconds between_states(10);
+/// A worker came or went, the first task is out, or none is any more.
+constexpr std::chrono::seconds between_changes(1);
 
 double seconds_since(Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
@@ -307,10 +309,13 @@ class Run {
 
     void look_at_workers() {
         const auto now = Clock::now();
-        if (now - last_state_ >= between_states) {
+        const EngineFigures figures = engine_.figures();
+        const bool differs =
+            figures.workers != last_figures_.workers || (figures.running > 0) != (last_figures_.running > 0);
+        if (now - last_state_ >= (differs ? between_changes : between_states)) {
             log_state();
         }
-        if (engine_.figures().workers > 0) {
+        if (figures.workers > 0) {
             last_company_ = now;
         } else {
             options_.lonely(seconds_since(last_company_));
@@ -319,7 +324,7 @@ class Run {
 
     void log_state() {
         last_state_ = Clock::now();
-        const EngineFigures f = engine_.figures();
+        const EngineFigures f = last_figures_ = engine_.figures();
         log(What::state, {}, {}, seconds_since(start_),
             fmt::format("workers={} running={} joined={} lost={} resent={} busy={:.3f}", f.workers, f.running,
                         f.joined, f.lost, f.resent, f.busy_seconds));
@@ -344,7 +349,8 @@ class Run {
     std::size_t finished_ = 0;
     CampaignRun result_;
     const Clock::time_point start_ = Clock::now();
-    Clock::time_point last_state_ = start_;
+    Clock::time_point last_state_{};  ///< long ago
+    EngineFigures last_figures_;
     Clock::time_point last_company_ = start_;
 };
 

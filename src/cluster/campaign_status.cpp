@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <limits>
 #include <set>
 
 namespace dumbbell {
@@ -17,9 +18,11 @@ std::size_t figure(const std::string& line, const std::string& word) {
     return value;
 }
 
-/// Of the last run: when it began, what it finished, when something last happened.
+/// Of the last run: when it began, when the first shard that it finished was begun, what it finished, when
+/// something last happened. The time before a worker came says nothing about the rate.
 struct LastRun {
     double begin = 0;
+    double work_begin = std::numeric_limits<double>::infinity();
     double last = 0;
     bool ended = false;
     std::set<std::string> done;
@@ -38,13 +41,15 @@ void count(const Event& event, CampaignStatus& status, LastRun& run) {
     }
     switch (event.what) {
         case What::begin:
-            run = {event.time, event.time, false, {}};
+            run = {};
+            run.begin = run.last = event.time;
             break;
         case What::end:
             run.ended = true;
             break;
         case What::done:
             run.done.insert(event.id);
+            run.work_begin = std::max(run.begin, std::min(run.work_begin, event.time - event.seconds));
             break;
         case What::failed:
             ++status.failed;
@@ -94,7 +99,7 @@ CampaignStatus campaign_status(const CampaignFolder& folder) {
     if (!status.is_running) {
         status.running = status.connected = 0;
     }
-    const double time = (status.is_running ? present : run.last) - run.begin;
+    const double time = (status.is_running ? present : run.last) - run.work_begin;
     if (!run.done.empty() && time > 0) {
         status.rate = 60 * static_cast<double>(run.done.size()) / time;
         if (done_now > 0) {

@@ -1,6 +1,9 @@
 #include "cluster/campaign_status.hpp"
 
+#include <fmt/format.h>
+
 #include <catch2/catch.hpp>
+#include <fstream>
 
 #include "cluster/campaign.hpp"
 #include "cluster/status_report.hpp"
@@ -60,6 +63,44 @@ TEST_CASE("the status counts what is finished, what failed, and who did it") {
     CHECK_FALSE(json["complete"]);
 }
 
+TEST_CASE("the time that is left is told by the work, not by the time in which nobody came") {
+    const Place place;
+    CampaignFolder::create(place.string(), small_plan(3, 14, 12));
+    const CampaignFolder folder(place.string());
+    const double now = seconds_since_1970();
+    std::ofstream journal(place.string() + "/journal");
+    const auto event = [&](double ago, const std::string& what) {
+        journal << fmt::format("{:.3f}\t{}\n", now - ago, what);
+    };
+    event(1000, "begin\t\t\t0\t" + folder.plan_digest());
+    double done = 0;  // of the cost, 3 + ... + 14
+    for (int i = 0; i < 6; ++i) {
+        const CampaignFolder::Part part = folder.parts()[static_cast<std::size_t>(i)];
+        CHECK(folder.keep_result(part.id, "x") == CampaignFolder::Kept::now);
+        event(50 - 10 * i, fmt::format("done\t{}\tfar\t10\t", part.id));
+        done += part.cost;
+    }
+    journal.close();
+    const CampaignStatus status = campaign_status(CampaignFolder(place.string()));
+    CHECK(*status.rate == Approx(6));
+    CHECK(*status.remaining == Approx(60 * (102 - done) / done));
+}
+
+TEST_CASE("a worker that comes, and the first task that is out, are in the journal at once") {
+    const Place place;
+    CampaignFolder::create(place.string(), small_plan());
+    CampaignFolder folder(place.string());
+    folder.lock();
+    ScriptedEngine engine([](const Task& task, int) { return worked(task); });
+    CampaignOptions options;
+    options.progress = [&](std::size_t done, std::size_t) {
+        const CampaignStatus status = campaign_status(CampaignFolder(place.string()));
+        CHECK(status.connected == (done > 1 ? 1 : 0));  // the first look is after the first result
+        CHECK((status.running > 0) == (done > 1));
+    };
+    CHECK(run_campaign(folder, engine, options).left == 0);
+}
+
 TEST_CASE("a split shard counts as its halves, and the estimated work stays the same") {
     const Place place;
     CampaignFolder::create(place.string(), small_plan());
@@ -67,7 +108,7 @@ TEST_CASE("a split shard counts as its halves, and the estimated work stays the 
     folder.split(folder.parts()[0].id);
     CHECK(campaign_status(folder).shards == 5);
     const auto half = folder.parts()[0];
-    CHECK(folder.keep_result(half.id, "x"));
+    CHECK(folder.keep_result(half.id, "x") == CampaignFolder::Kept::now);
     const CampaignStatus status = campaign_status(folder);
     CHECK(status.share == Approx(half.cost / 102));  // 3 + ... + 14
 }
