@@ -1,6 +1,7 @@
 #include "cluster/work_queue_manager.hpp"
 
 #include <arpa/inet.h>
+#include <openssl/evp.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
@@ -8,10 +9,12 @@
 #include <array>
 #include <catch2/catch.hpp>
 #include <fstream>
+#include <functional>
 #include <future>
 #include <sstream>
 
 #include "arith/error.hpp"
+#include "arith/hexadecimal.hpp"
 #include "cluster/work_queue_api.hpp"
 
 using Catch::Matchers::Contains;
@@ -54,7 +57,7 @@ class Stranger {
         if (::connect(socket_, reinterpret_cast<const sockaddr*>(&where), sizeof where) != 0) {
             throw std::runtime_error("cannot connect");
         }
-        const timeval patience{2, 0};
+        const timeval patience{30, 0};
         ::setsockopt(socket_, SOL_SOCKET, SO_RCVTIMEO, &patience, sizeof patience);
     }
     ~Stranger() { ::close(socket_); }
@@ -76,6 +79,29 @@ class Stranger {
   private:
     int socket_;
 };
+
+// What a stranger hears of a manager; it is no worker afterwards.
+std::string visit(const std::function<std::string(const Stranger&)>& talk) {
+    const auto queue = make_work_queue_manager("127.0.0.1", 0, password);
+    auto heard = std::async(std::launch::async, [&, port = work_queue_port(queue.get())] {
+        const Stranger stranger(port);
+        return talk(stranger);
+    });
+    while (heard.wait_for(std::chrono::seconds(0)) != std::future_status::ready) {
+        CHECK(work_queue_wait(queue.get(), 1) == nullptr);
+    }
+    work_queue_stats stats{};
+    work_queue_get_stats(queue.get(), &stats);
+    CHECK(stats.workers_connected == 0);
+    return heard.get();
+}
+
+std::string sha1(const std::string& text) {
+    std::array<unsigned char, EVP_MAX_MD_SIZE> digest{};
+    unsigned int size = 0;
+    REQUIRE(EVP_Digest(text.data(), text.size(), digest.data(), &size, EVP_sha1(), nullptr) == 1);
+    return dumbbell::hexadecimal(digest.data(), size);
+}
 
 }  // namespace
 
@@ -121,20 +147,39 @@ TEST_CASE("a place where the manager cannot listen is refused, with what to do")
 }
 
 TEST_CASE("who sends the manager's own challenge and answer back is not let in") {
-    const auto queue = make_work_queue_manager("127.0.0.1", 0, password);
-    auto heard = std::async(std::launch::async, [port = work_queue_port(queue.get())] {
-        const Stranger stranger(port);
+    const auto heard = visit([](const Stranger& stranger) {
         stranger.say(stranger.hear());
         stranger.say(stranger.hear());
         const std::string answer = stranger.hear();  // of the library's own check, here: the right one
         stranger.say(answer);
         return answer + stranger.hear();
     });
-    while (heard.wait_for(std::chrono::seconds(0)) != std::future_status::ready) {
-        CHECK(work_queue_wait(queue.get(), 1) == nullptr);
-    }
-    work_queue_stats stats{};
-    work_queue_get_stats(queue.get(), &stats);
-    CHECK(stats.workers_connected == 0);
-    CHECK(heard.get().empty());
+    CHECK(heard.empty());
+}
+
+TEST_CASE(
+    "who answers as the protocol wants, and has not the password, hears nothing that was made with it") {
+    const auto answered = [](const std::function<std::string(const std::string&)>& answer) {
+        return visit([&](const Stranger& stranger) {
+            stranger.say(stranger.hear());
+            const std::string challenge = stranger.hear();
+            stranger.say(std::string(64, 'a'));
+            stranger.say(answer(challenge));
+            std::string heard = stranger.hear();
+            return heard.empty() ? "turned away" : heard + " " + stranger.hear();
+        });
+    };
+    const auto with = [](const std::string& secret) {
+        return [secret](const std::string& challenge) { return sha1(secret + " " + challenge); };
+    };
+    // That this test speaks as a worker does: with the password it is let in.
+    CHECK(answered(with(password)) == sha1(password + " " + std::string(64, 'a')) + " ok");
+    CHECK(answered(with("0123456789abcdeg")) == "turned away");
+    CHECK(answered(with("")) == "turned away");
+    CHECK(answered([](const std::string&) { return std::string(40, '0'); }) == "turned away");
+    CHECK(answered([](const std::string&) { return std::string(); }) == "turned away");
+    CHECK(answered([&](const std::string& c) { return with(password)(c).substr(0, 39); }) == "turned away");
+    CHECK(answered([&](const std::string& c) { return with(password)(c) + "0"; }) == "turned away");
+    CHECK(answered([&](const std::string& c) { return with(password)(c.substr(1) + c[0]); }) ==
+          "turned away");
 }
