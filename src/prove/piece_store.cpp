@@ -19,11 +19,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr std::string_view first_line = "dumbbell-partial 1\n";
+
 std::string text_of(const StoredClaim& claim) {
-    return fmt::format(
-        "dumbbell-partial 1\ngenerator dumbbell {}\nlemmas {}\nscene {}\nsection {}\nratio {} {}\ngap {}\n",
-        DUMBBELL_VERSION, lemma_set(claim.section), name(claim.scene), name(claim.section),
-        to_fraction(claim.q_lo), to_fraction(claim.q_hi), to_fraction(claim.gap));
+    return fmt::format("{}generator dumbbell {}\nlemmas {}\nscene {}\nsection {}\nratio {} {}\ngap {}\n",
+                       first_line, DUMBBELL_VERSION, lemma_set(claim.section), name(claim.scene),
+                       name(claim.section), to_fraction(claim.q_lo), to_fraction(claim.q_hi),
+                       to_fraction(claim.gap));
 }
 
 /// An empty folder, or what a run leaves that was killed while it wrote its claim.
@@ -67,8 +69,36 @@ PieceStore::PieceStore(std::string folder, const StoredClaim& claim)
     if (!fs::exists(file)) {
         AtomicFile(file).commit(text_);
     } else if (file_contents(file) != text_) {
-        holds_another_run(folder_);
+        if (!fs::is_regular_file(fs::symlink_status(file)) || !has_no_others_pieces()) {
+            holds_another_run(folder_);
+        }
+        AtomicFile(file).commit(text_);
     }
+}
+
+/// Whether the folder is one of finished pieces in which whatever is whole belongs to this store: then its
+/// claim is damaged, or nothing was finished for another one.
+bool PieceStore::has_no_others_pieces() const {
+    bool has_own = false;
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder_)) {
+        const std::string name = entry.path().filename().string();
+        const bool is_temporary = name.ends_with(temporary_name(""));
+        if (name == "claim" || is_temporary) {
+            continue;
+        }
+        if (!is_piece(entry) || !entry.is_regular_file()) {
+            return false;
+        }
+        if (const auto piece = whole_piece(entry.path().string())) {
+            if (!piece->upper ||
+                entry.path() != file_of({piece->q_lo, piece->q_hi, *piece->upper, piece->lower})) {
+                return false;
+            }
+            has_own = true;
+        }
+    }
+    const std::string claim = file_contents(folder_ + "/claim");
+    return has_own || claim.empty() || claim.starts_with(first_line);
 }
 
 PieceStore::~PieceStore() {
@@ -91,18 +121,15 @@ std::string PieceStore::file_of(const PlannedPiece& planned) const {
     return fmt::format("{}/{}.dbc", folder_, sha256_hex(what).substr(0, 32));
 }
 
-std::optional<Piece> PieceStore::read(const std::string& file, const PlannedPiece& planned) const {
+std::optional<Piece> PieceStore::whole_piece(const std::string& file) const {
     if (!sealed_lines(file_contents(file))) {
         return std::nullopt;
     }
     try {
         const Certificate kept = read_certificate(file);
-        const Piece& piece = kept.pieces.front();
-        const bool fits = kept.pieces.size() == 1 && kept.scene == claim_.scene &&
-                          kept.section == claim_.section && piece.q_lo == planned.q_lo &&
-                          piece.q_hi == planned.q_hi && piece.upper == planned.upper &&
-                          piece.lower == planned.lower;
-        return fits ? std::optional(piece) : std::nullopt;
+        const bool fits =
+            kept.pieces.size() == 1 && kept.scene == claim_.scene && kept.section == claim_.section;
+        return fits ? std::optional(kept.pieces.front()) : std::nullopt;
     } catch (const InputError&) {
         return std::nullopt;  // a right checksum under something else
     }
@@ -114,11 +141,16 @@ std::optional<Piece> PieceStore::find(const PlannedPiece& planned,
     if (!fs::exists(file)) {
         return std::nullopt;
     }
-    auto piece = read(file, planned);
-    if (!piece) {
+    if (!fs::is_regular_file(file)) {  // which whoever reads it might wait for
+        throw InputError(fmt::format("'{}' is in the way: it is no file; remove it, and try again", file));
+    }
+    const auto piece = whole_piece(file);
+    const bool fits = piece && piece->q_lo == planned.q_lo && piece->q_hi == planned.q_hi &&
+                      piece->upper == planned.upper && piece->lower == planned.lower;
+    if (!fits) {
         damaged(file);
     }
-    return piece;
+    return fits ? piece : std::nullopt;
 }
 
 void PieceStore::keep(const Piece& piece) const {

@@ -22,8 +22,9 @@ struct StoredClaim {
 /// The finished pieces of a long run in a folder, so that a run that was killed goes on where it was. Each
 /// piece is a file of its own, a complete certificate that `dumbbell-verify` accepts, with a name that
 /// depends on nothing but what it claims. The folder belongs to one claim of one version of the program, and
-/// to one run at a time. Throws InputError, and changes nothing, if the folder is of another claim, is none
-/// of these, or is in use. May be used by several threads at once.
+/// to one run at a time. Throws InputError, and changes nothing, if the folder has pieces of another claim,
+/// is none of these, or is in use; a damaged claim is made again if the pieces are of this one, which their
+/// names tell. May be used by several threads at once.
 class PieceStore {
   public:
     /// Opens the folder, or makes it.
@@ -36,7 +37,7 @@ class PieceStore {
     static void require_none(const std::string& folder);
 
     /// The piece with these bounds, if it was kept and its file is whole. A damaged file is as good as none:
-    /// `damaged` is called with its name.
+    /// `damaged` is called with its name. Throws InputError if its name is no file's.
     [[nodiscard]] std::optional<Piece> find(
         const PlannedPiece& planned,
         const std::function<void(const std::string&)>& damaged = [](const std::string&) {}) const;
@@ -50,8 +51,9 @@ class PieceStore {
 
   private:
     [[nodiscard]] std::string file_of(const PlannedPiece& planned) const;
-    /// The piece of a file of this store; nothing if it is not whole or not that piece.
-    [[nodiscard]] std::optional<Piece> read(const std::string& file, const PlannedPiece& planned) const;
+    /// The piece of a file, if it is whole and of this store's scene and section.
+    [[nodiscard]] std::optional<Piece> whole_piece(const std::string& file) const;
+    [[nodiscard]] bool has_no_others_pieces() const;
 
     std::string folder_;
     StoredClaim claim_;

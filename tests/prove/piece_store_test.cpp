@@ -1,11 +1,14 @@
 #include "prove/piece_store.hpp"
 
+#include <sys/stat.h>
+
 #include <catch2/catch.hpp>
 #include <filesystem>
 #include <fstream>
 
 #include "../certificate/example.hpp"
 #include "arith/error.hpp"
+#include "certificate/file_contents.hpp"
 #include "certificate/writer.hpp"
 
 using namespace dumbbell;
@@ -85,6 +88,74 @@ TEST_CASE("a piece whose file is not whole, or is another's, is not found") {
     CHECK_FALSE(
         store.find({5, 12, 4, 4}, [&](const std::string& name) { damaged.push_back(name); }).has_value());
     CHECK(damaged.size() == 1);  // what was never kept is not damaged
+}
+
+TEST_CASE("pieces under each other's names are not found") {
+    const Place place;
+    const PieceStore store(place.path.string(), claim(100));
+    store.keep(dumbbell_test::piece(5, 11, 4, 4));
+    const fs::path first = only_piece(place);
+    const fs::path beside = place.path.string() + "-first";
+    fs::rename(first, beside);
+    store.keep(dumbbell_test::piece(6, 7, 4, 4));
+    const fs::path second = only_piece(place);
+    SECTION("swapped") {
+        fs::rename(second, first);
+        fs::rename(beside, second);
+        CHECK_FALSE(store.find({5, 11, 4, 4}).has_value());
+        CHECK_FALSE(store.find({6, 7, 4, 4}).has_value());
+    }
+    SECTION("twice") {
+        fs::copy_file(beside, first);
+        fs::copy_file(beside, second, fs::copy_options::overwrite_existing);
+        CHECK(store.find({5, 11, 4, 4}).has_value());
+        CHECK_FALSE(store.find({6, 7, 4, 4}).has_value());
+    }
+    fs::remove(beside);
+}
+
+TEST_CASE("what whoever reads it would wait for is in the way of a piece") {
+    const Place place;
+    const PieceStore store(place.path.string(), claim(100));
+    store.keep(dumbbell_test::piece(5, 11, 4, 4));
+    const fs::path file = only_piece(place);
+    fs::remove(file);
+    REQUIRE(::mkfifo(file.c_str(), 0600) == 0);
+    CHECK_THROWS_WITH(store.find({5, 11, 4, 4}), Contains(file.string()) && Contains("remove it"));
+}
+
+TEST_CASE("a damaged claim costs no piece, and takes none from another run") {
+    const Place place;
+    const std::string claim_file = (place.path / "claim").string();
+    { PieceStore(place.path.string(), claim(100)).keep(dumbbell_test::piece(5, 11, 4, 4)); }
+    const std::string truth = file_contents(claim_file);
+    for (const std::string& damage : {truth.substr(0, 20), std::string(), "x" + truth, truth + "more"}) {
+        std::ofstream(claim_file) << damage;
+        CHECK_THROWS_WITH(PieceStore(place.path.string(), claim(101)), Contains("another run"));
+        CHECK(file_contents(claim_file) == damage);
+        const PieceStore store(place.path.string(), claim(100));
+        CHECK(store.find({5, 11, 4, 4}).has_value());
+        CHECK(file_contents(claim_file) == truth);
+    }
+    SECTION("a claim of another run without a piece is in nobody's way") {
+        fs::remove(only_piece(place));
+        { const PieceStore store(place.path.string(), claim(101)); }
+        CHECK_FALSE(fs::exists(place.path));
+    }
+    SECTION("what is no piece is somebody's") {
+        std::ofstream(place.path / "thesis.tex") << "years of work";
+        std::ofstream(claim_file) << "x";
+        CHECK_THROWS_WITH(PieceStore(place.path.string(), claim(100)), Contains("another run"));
+    }
+    SECTION("a link is not followed") {
+        const fs::path other = place.path.string() + "-other";
+        std::ofstream(other) << "x";
+        fs::remove(claim_file);
+        fs::create_symlink(other, claim_file);
+        CHECK_THROWS_WITH(PieceStore(place.path.string(), claim(100)), Contains("another run"));
+        CHECK(file_contents(other.string()) == "x");
+        fs::remove(other);
+    }
 }
 
 TEST_CASE("a run that was killed while it made or removed its folder left nothing that is in the way") {
