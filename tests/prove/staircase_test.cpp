@@ -134,3 +134,11 @@ TEST_CASE("a range with more than a million steps is refused with advice") {
     CHECK_THROWS_WITH(plan_staircase(Scene::dumbbell, 2, at("1.5e12"), at("1e-6")),
                       Catch::Matchers::Contains("in parts"));
 }
+
+TEST_CASE("a step that is known exactly, at the left end of the range, is taken there") {
+    const auto plan = plan_staircase(Scene::wedge, 3, 10, Rational(1, 1000));  // ceil(pi/gamma) is 3 at q = 3
+    REQUIRE(plan.size() > 2);
+    CHECK((plan[0].q_lo == 3 && plan[0].q_hi == 3 && plan[0].lower == 3 && plan[0].upper == 3));
+    CHECK((plan[1].q_lo == 3 && plan[1].q_hi > 3 && plan[1].lower == 3 && plan[1].upper == 4));
+    CHECK(plan_staircase(Scene::wedge, 2, 3, Rational(1, 1000)).back().upper == 3);
+}
