@@ -97,10 +97,8 @@ AdiabaticState attained_from(Lines& lines) {
             lines.number(fields[4]), lines.signed_ratio(fields[5])};
 }
 
-}  // namespace
-
-AdiabaticCertificate read_adiabatic_certificate(const std::string& path) {
-    Lines lines(path);
+/// What generated it, and the hypotheses.
+AdiabaticCertificate head_from(Lines& lines) {
     const auto [program, version] = lines.expect_generator();
     AdiabaticCertificate certificate;
     certificate.program = program;
@@ -108,10 +106,23 @@ AdiabaticCertificate read_adiabatic_certificate(const std::string& path) {
     lines.expect("lemmas", 2);
     lines.expect("scene", 2);
     lines.expect("section", 2);
-    const AdiabaticClaim claim = claim_from(lines, lines.expect("claim", 2)[1]);
+    certificate.hypotheses = hypotheses_from(lines, claim_from(lines, lines.expect("claim", 2)[1]));
+    return certificate;
+}
+
+}  // namespace
+
+AdiabaticHypotheses read_adiabatic_hypotheses(const std::string& path) {
+    Lines lines(path);
+    return head_from(lines).hypotheses;
+}
+
+AdiabaticCertificate read_adiabatic_certificate(const std::string& path) {
+    Lines lines(path);
+    AdiabaticCertificate certificate = head_from(lines);
+    const AdiabaticClaim claim = certificate.hypotheses.claim;
     const bool is_bounce = claim == AdiabaticClaim::bounce;
     const bool by_classes = claim == AdiabaticClaim::run || claim == AdiabaticClaim::scattering;
-    certificate.hypotheses = hypotheses_from(lines, claim);
     certificate.bits =
         static_cast<int>(std::min(lines.number(lines.expect("bits", 2)[1]), static_cast<long>(most_bits)));
     if (claim != AdiabaticClaim::printed) {

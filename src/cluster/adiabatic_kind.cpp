@@ -123,7 +123,7 @@ class AdiabaticKind : public Kind {
   private:
     [[nodiscard]] Judgement form(const Order& order, const std::string& file) const override {
         (void)sealed_digest(file);  // it is complete
-        if (case_of(read_adiabatic_certificate(file).hypotheses) != case_of(statement_of(order))) {
+        if (case_of(read_adiabatic_hypotheses(file)) != case_of(statement_of(order))) {
             return {Judgement::Verdict::wrong, "it proves something else"};
         }
         return {Judgement::Verdict::proved, ""};

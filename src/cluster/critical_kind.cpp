@@ -49,8 +49,8 @@ std::string render(const std::vector<CriticalRatio>& ratios) {
 }
 
 CriticalRatio parse_ratio(SealedReader& in) {
-    constexpr std::size_t longest = 1'000'000;
     constexpr std::size_t most_bits = 16384;
+    constexpr std::size_t longest = 20'000;  // a fraction with so many binary places has about 10,000 digits
     const auto fields = words(in.value("ratio"));
     if (fields.size() != 4) {
         in.fail();

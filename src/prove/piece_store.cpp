@@ -37,6 +37,8 @@ bool is_unclaimed(const std::string& folder) {
     });
 }
 
+constexpr std::size_t name_length = 32;  // of a piece, without extension
+
 bool is_piece(const fs::directory_entry& entry) { return entry.path().extension() == ".dbc"; }
 
 [[noreturn]] void holds_another_run(const std::string& folder) {
@@ -86,7 +88,8 @@ bool PieceStore::has_no_others_pieces() const {
         if (name == "claim" || is_temporary) {
             continue;
         }
-        if (!is_piece(entry) || !entry.is_regular_file()) {
+        if (!is_piece(entry) || !entry.is_regular_file() ||
+            entry.path().stem().string().size() != name_length) {
             return false;
         }
         if (const auto piece = whole_piece(entry.path().string())) {
@@ -118,7 +121,7 @@ void PieceStore::require_none(const std::string& folder) {
 std::string PieceStore::file_of(const PlannedPiece& planned) const {
     const std::string what = fmt::format("{}piece {} {} {} {}\n", text_, to_fraction(planned.q_lo),
                                          to_fraction(planned.q_hi), planned.upper, planned.lower);
-    return fmt::format("{}/{}.dbc", folder_, sha256_hex(what).substr(0, 32));
+    return fmt::format("{}/{}.dbc", folder_, sha256_hex(what).substr(0, name_length));
 }
 
 std::optional<Piece> PieceStore::whole_piece(const std::string& file) const {

@@ -22,6 +22,7 @@
 
 #include "arith/rational.hpp"
 #include "cluster/campaign.hpp"
+#include "cluster/local_engine.hpp"
 #include "cluster/merge.hpp"
 #include "cluster/password.hpp"
 #include "cluster/plan.hpp"
@@ -158,7 +159,9 @@ Json simulated(std::size_t shards) {
         const std::size_t killed_after = shards / 8 + random() % (shards / 8 + 1);
         CampaignOptions options;
         options.shard_limit = std::chrono::minutes(1);
+        LocalEngine own(1, place);
         options.verifiers = 1;
+        options.own = &own;
         options.scrutiny =
             Scrutiny::form;  // starting the verifier 100,000 times would be all that is measured
         options.interrupted = [&] { return engine.outcomes() >= killed_after; };

@@ -143,7 +143,7 @@ TEST_CASE("a damaged claim costs no piece, and takes none from another run") {
         CHECK_FALSE(fs::exists(place.path));
     }
     SECTION("what is no piece is somebody's") {
-        std::ofstream(place.path / "thesis.tex") << "years of work";
+        std::ofstream(place.path / GENERATE("thesis.tex", "stairs.dbc")) << "years of work";
         std::ofstream(claim_file) << "x";
         CHECK_THROWS_WITH(PieceStore(place.path.string(), claim(100)), Contains("another run"));
     }
