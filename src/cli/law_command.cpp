@@ -18,10 +18,10 @@ namespace {
 
 constexpr const char* description =
     R"(Prove what a staircase says as a whole: the maximum never decreases, the paper's bound is never attained, and
-how far N*(q) is from C sqrt q.
+how far N(q) is from C sqrt q.
 
 The independent verifier checks the certificate first; what follows rests on its pieces alone. C, the limit of
-N*(q) / sqrt q (theorem 4 of proofs/theorem.md), is enclosed by verified quadrature.
+N(q) / sqrt q (theorem 4 of proofs/theorem.md), is enclosed by verified quadrature.
 
 Examples:
   dumbbell certify 1:10000 --gap 1e-12 --out stairs.dbc

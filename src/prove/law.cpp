@@ -1,6 +1,7 @@
 #include "prove/law.hpp"
 
 #include <algorithm>
+#include <vector>
 
 #include "arith/rational.hpp"
 #include "model/growth_constant.hpp"
@@ -31,7 +32,7 @@ class Best {
         }
     }
     [[nodiscard]] std::optional<Extremum> result() const {
-        return inner_ ? std::optional(Extremum{*inner_, *outer_, at_}) : std::nullopt;
+        return inner_ ? std::optional(Extremum{*inner_, *outer_, at_, {}}) : std::nullopt;
     }
 
   private:
@@ -46,25 +47,41 @@ class Best {
     Rational at_;
 };
 
+/// Whether the supremum of N - C sqrt q is attained, from its enclosures at the pieces' lower ends, with N's
+/// upper bound. Where N is constant that falls, and at a step N has the lower of its values (theorem 2): so
+/// only the value at the lowest ratio can be the supremum, and it is unless a greater one is approached.
+std::optional<bool> supremum_attained(const std::vector<Piece>& pieces,
+                                      const std::vector<BigInterval>& highest) {
+    const BigInterval& lowest_ratio = highest.front();
+    bool all_less = pieces.front().status() == Status::exact;
+    for (std::size_t i = 1; i < pieces.size(); ++i) {
+        if (pieces[i].status() == Status::exact && certainly_less(lowest_ratio, highest[i])) {
+            return false;
+        }
+        all_less = all_less && certainly_less(highest[i], lowest_ratio);
+    }
+    return all_less ? std::optional(true) : std::nullopt;
+}
+
 }  // namespace
 
 Law law_of(const Certificate& certificate) {
-    Law law{.q_lo = certificate.q_lo(),
-            .q_hi = certificate.q_hi(),
-            .constant = growth_constant(),
-            .sup = {},
-            .inf = {}};
+    Law law;
+    law.q_lo = certificate.q_lo();
+    law.q_hi = certificate.q_hi();
+    law.constant = growth_constant();
     law.complete = std::none_of(certificate.pieces.begin(), certificate.pieces.end(),
                                 [](const Piece& piece) { return piece.status() == Status::open; });
     if (!law.complete) {
         return law;
     }
     law.never_decreases = law.below_paper = true;
-    law.least = certificate.pieces.front().lower;
-    law.greatest = *certificate.pieces.back().upper;
+    law.first = {certificate.pieces.front().lower, *certificate.pieces.front().upper};
+    law.last = {certificate.pieces.back().lower, *certificate.pieces.back().upper};
     const auto excess = [&](long n, const Rational& q) {
         return BigInterval(static_cast<double>(n)) - law.constant * sqrt(enclose<BigInterval>(q));
     };
+    std::vector<BigInterval> highest;
     Best sup(1);
     Best inf(-1);
     long before = 0;  // the upper bound of the piece before
@@ -74,11 +91,15 @@ Law law_of(const Certificate& certificate) {
         law.never_decreases = law.never_decreases && piece.lower >= before;
         before = *piece.upper;
         law.below_paper = law.below_paper && is_below_paper(piece, &piece == certificate.pieces.data());
-        sup.take(excess(*piece.upper, piece.q_lo), piece.q_lo, exact);
+        highest.push_back(excess(*piece.upper, piece.q_lo));
+        sup.take(highest.back(), piece.q_lo, exact);
         inf.take(excess(piece.lower, piece.q_hi), piece.q_hi, exact);
     }
     law.sup = sup.result();
     law.inf = inf.result();
+    if (law.sup) {
+        law.sup->attained = supremum_attained(certificate.pieces, highest);
+    }
     return law;
 }
 

@@ -22,10 +22,33 @@ Interval bounds(const Extremum& x, int sign) {
     return sign > 0 ? Interval(x.inner.lo(), x.outer.hi()) : Interval(x.outer.lo(), x.inner.hi());
 }
 
-std::string extremum_text(const char* name, const Extremum& x, int sign) {
-    const Interval b = bounds(x, sign);
-    return fmt::format("{} of N*(q) - C sqrt q: in [{:.17g}, {:.17g}]; the {} bound is its value at q = {}\n",
-                       name, b.lo(), b.hi(), sign > 0 ? "lower" : "upper", exact_text(x.at));
+constexpr int shown_digits = 17;
+
+/// The greatest decimal that is at most x (sign = -1), or the least that is at least x (1).
+std::string outward(const Rational& x, int sign) {
+    if (x == 0) {
+        return "0";
+    }
+    const Rational size = abs(x);
+    const bool away = (x > 0) == (sign > 0);
+    return (x < 0 ? "-" : "") + to_text(away ? cut_up(size, shown_digits) : cut_down(size, shown_digits));
+}
+
+std::string extremum_text(const Extremum& x, int sign) {
+    return fmt::format(
+        "{} of N(q) - C sqrt q: in [{}, {}]; the {} bound is its value at q = {}\n",
+        sign > 0 ? "Supremum" : "Infimum ", outward(exact_lo(sign > 0 ? x.inner : x.outer), -1),
+        outward(exact_hi(sign > 0 ? x.outer : x.inner), 1), sign > 0 ? "lower" : "upper", exact_text(x.at));
+}
+
+std::string attained_sentence(const Law& law) {
+    if (!law.sup->attained) {
+        return "Whether the supremum is attained is not decided by these pieces.\n";
+    }
+    return *law.sup->attained ? fmt::format("The supremum is attained, at q = {}.\n", exact_text(law.q_lo))
+                              : "The supremum is not attained: it is the limit from above at a step, where N "
+                                "has the lower of its "
+                                "two\nvalues (N(q_c(N)) = N - 1, theorem 2 of proofs/theorem.md).\n";
 }
 
 nlohmann::ordered_json extremum_json(const std::optional<Extremum>& x, int sign) {
@@ -34,6 +57,32 @@ nlohmann::ordered_json extremum_json(const std::optional<Extremum>& x, int sign)
     }
     const Interval b = bounds(*x, sign);
     return {{"lo", unsigned_zero(b.lo())}, {"hi", unsigned_zero(b.hi())}, {"at", to_fraction(x->at)}};
+}
+
+nlohmann::ordered_json supremum_json(const std::optional<Extremum>& x) {
+    nlohmann::ordered_json json = extremum_json(x, 1);
+    if (x) {
+        json["attained"] = json_or_null(x->attained);
+    }
+    return json;
+}
+
+std::string bounds_text(const Bounds& n) {
+    return n.lower == n.upper ? fmt::format("{}", n.lower) : fmt::format("{} or {}", n.lower, n.upper);
+}
+
+/// `9 pieces with one value, and 8 gaps in each of which it is one of two neighbouring values`.
+std::string pieces_text(const Law& law) {
+    const std::string values =
+        law.values == 0 ? ""
+                        : fmt::format("{} piece{} with one value", law.values, law.values == 1 ? "" : "s");
+    if (law.gaps == 0) {
+        return values;
+    }
+    return fmt::format("{}{} in {} it is one of two neighbouring values",
+                       values.empty() ? "" : values + ", and ",
+                       law.gaps == 1 ? "1 gap" : fmt::format("{} gaps", law.gaps),
+                       law.gaps == 1 ? "which" : "each of which");
 }
 
 const char* said(bool proved) { return proved ? "Proved:    " : "NOT proved:"; }
@@ -45,18 +94,16 @@ bool all_proved(const Law& law) { return law.complete && law.never_decreases && 
 std::string verdict(const LawReport& report) {
     const Law& law = report.law;
     if (!law.complete) {
-        return "NOT proved: pieces of this staircase are open.\n";
+        return "NOT proved: at least one piece of this staircase is open.\n";
     }
     const std::string lo = exact_text(law.q_lo), hi = exact_text(law.q_hi);
     return fmt::format(
-        "{} N*(q) <= N*(q') for any two mass ratios q < q' from {} to {} that do not lie in the same gap.\n"
-        "            N* goes from {} to {} in {} pieces with one value; in each of the {} gaps it is one of "
-        "two neighbouring values.\n"
-        "{} N*(q) <= ceil(pi/gamma) for every mass ratio from {} to {}: the paper's bound, one more, is "
-        "never "
+        "{} N(q) <= N(q') for any two mass ratios q < q' from {} to {} that do not lie in the same gap.\n"
+        "            N is {} at q = {} and {} at q = {}: {}.\n"
+        "{} N(q) <= ceil(pi/gamma) for every mass ratio from {} to {}: the paper's bound, one more, is never "
         "attained.\n",
-        said(law.never_decreases), lo, hi, law.least, law.greatest, law.values, law.gaps,
-        said(law.below_paper), lo, hi);
+        said(law.never_decreases), lo, hi, bounds_text(law.first), lo, bounds_text(law.last), hi,
+        pieces_text(law), said(law.below_paper), lo, hi);
 }
 
 std::string to_text(const LawReport& report) {
@@ -74,11 +121,9 @@ std::string to_text(const LawReport& report) {
         "(proofs/adiabatic.md).\n",
         constant_text(report), report.digits);
     if (law.sup && law.inf) {
-        text += extremum_text("Supremum", *law.sup, 1) + extremum_text("Infimum ", *law.inf, -1);
+        text += extremum_text(*law.sup, 1) + extremum_text(*law.inf, -1) + attained_sentence(law);
     }
-    return text +
-           "The supremum is the limit from above at a step, and not attained: N*(q_c(N)) = N - 1 (theorem "
-           "2).\n";
+    return text;
 }
 
 nlohmann::ordered_json to_json(const LawReport& report) {
@@ -96,7 +141,7 @@ nlohmann::ordered_json to_json(const LawReport& report) {
             {"never_decreases", if_complete(law.never_decreases)},
             {"below_paper_bound", if_complete(law.below_paper)},
             {"C", constant_text(report)},
-            {"sup", extremum_json(law.sup, 1)},
+            {"sup", supremum_json(law.sup)},
             {"inf", extremum_json(law.inf, -1)}};
 }
 

@@ -38,8 +38,8 @@ TEST_CASE("the law of a true staircase") {
     CHECK(law.below_paper);
     CHECK(law.values == 4);
     CHECK(law.gaps == 3);
-    CHECK(law.least == 2);
-    CHECK(law.greatest == 5);
+    CHECK((law.first.lower == 2 && law.first.upper == 2));
+    CHECK((law.last.lower == 5 && law.last.upper == 5));
     // 3 just above 1, and 4 just below 11.37 (or at 11.36): by hand.
     CHECK(law.sup->inner.lo() == Approx(3 - 0.8855951294527139 * std::sqrt(1.001)).epsilon(1e-14));
     CHECK(law.sup->outer.hi() == Approx(3 - 0.8855951294527139).epsilon(1e-14));
@@ -95,5 +95,24 @@ TEST_CASE("the law of a proved staircase holds") {
     CHECK(law.complete);
     CHECK(law.never_decreases);
     CHECK(law.below_paper);
-    CHECK(law.greatest == 29);
+    CHECK(law.last.upper == 29);
+}
+
+TEST_CASE("whether the supremum is attained is said only where the pieces tell") {
+    const auto attained = [](std::vector<Piece> pieces) {
+        return law_of_pieces(std::move(pieces)).sup->attained;
+    };
+    CHECK(attained(staircase()) == false);
+    // No step in the range: N - C sqrt q falls.
+    CHECK(attained({piece("5", "6", 4, 4)}) == true);
+    CHECK(attained({piece("5", "6", 4, 4), piece("6", "7", 4, 4)}) == true);
+    // A step at the end of a range whose value at the lowest ratio is greater: in the gap N may be 4 at once.
+    CHECK(attained({piece("2", "4.6", 3, 3), piece("4.6", "4.7", 4, 3)}) == std::nullopt);
+    CHECK(attained({piece("2", "4.6", 3, 3), piece("4.6", "4.61", 4, 3), piece("4.61", "5", 4, 4)}) == false);
+    CHECK(attained({piece("1.001", "4.5", 3, 3), piece("4.5", "5", 4, 3)}) == std::nullopt);
+    // Even 5 in that gap would be less: 5 - C sqrt 11.36 < 4 - C sqrt 4.61.
+    CHECK(attained({piece("4.61", "11.36", 4, 4), piece("11.36", "11.37", 5, 4)}) == true);
+    // It begins in a gap, and what is approached behind it may be the value at the lowest ratio.
+    CHECK(attained({piece("4.6", "4.61", 4, 3), piece("4.61", "5", 4, 4)}) == std::nullopt);
+    CHECK_FALSE(law_of_pieces({piece("5", "7", 5, 4)}).sup.has_value());
 }
