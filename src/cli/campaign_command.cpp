@@ -8,7 +8,7 @@ namespace dumbbell {
 namespace {
 
 constexpr const char* description =
-    R"(Prove a claim that is too big for one go in shards, on this machine or many.
+    R"(Prove what is too big for one run: in shards, on this machine or many.
 
 A campaign is a folder of plain files. It can be stopped, killed and started again at any time: what is finished is kept,
 and what comes out does not depend on where, how often or in which order the shards were worked off.

@@ -20,8 +20,9 @@ namespace dumbbell {
 namespace {
 
 constexpr const char* description =
-    R"(Verify the result of each shard with the independent verifier, and join them: the file that the claim's command
-would have written in one go, byte for byte. One file proves one statement about the adiabatic invariant, so a grid of
+    R"(Verify the result of each shard with the independent verifier, and join them.
+
+What comes out is the file that the claim's command would have written by itself, byte for byte. One file proves one statement about the adiabatic invariant, so a grid of
 them is joined to a table, which names for each the certificate in the folder that dumbbell-verify accepts.)";
 
 struct Options {

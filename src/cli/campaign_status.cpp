@@ -24,8 +24,7 @@ struct Options {
 void add_campaign_status(CLI::App& campaign, int& exit_code) {
     auto options = std::make_shared<Options>();
     CLI::App* command = campaign.add_subcommand(
-        "status",
-        "How far a campaign is, while it runs or later: shards, rate, remaining time, each worker.");
+        "status", "How far a campaign is, while it runs or later: shards, rate, time left, each worker.");
     command->add_option("FOLDER", options->folder, "the campaign's folder")->required();
     CLI::Option* json = command->add_flag("--json", options->json, "one JSON object on stdout");
     command->add_flag("--quiet", options->quiet, "one sentence")->excludes(json);

@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <exception>
 #include <iostream>
+#include <memory>
 #include <new>
 #include <string>
 
@@ -23,6 +24,7 @@
 #include "cli/hint.hpp"
 #include "cli/law_command.hpp"
 #include "cli/messages.hpp"
+#include "cli/pages/one_screen.hpp"
 #include "cli/plot_command.hpp"
 #include "cli/report_command.hpp"
 #include "cli/trace_command.hpp"
@@ -37,14 +39,19 @@ constexpr const char* description =
 Examples:
   dumbbell certify 10                        at most 4 collisions, and 4 occur
   dumbbell certify 1:100 --out stairs.dbc    every mass ratio from 1 to 100
-  dumbbell verify stairs.dbc                 the independent verifier re-checks it
+  dumbbell verify stairs.dbc                 the independent verifier checks it again
+  dumbbell report stairs.dbc --out report.html    a page to look at and play with
   dumbbell critical 3:20                     the mass ratios at which the maximum steps up
   dumbbell law stairs.dbc                    what the staircase says as a whole
   dumbbell trace 10 --phi 1/3 --phidot 1 --y 3 --ydot -1/2    the orbit of one initial condition
   dumbbell adiabatic --delta 0.01            the adiabatic invariant with its proved constant
   dumbbell plot staircase stairs.dbc --out stairs.svg
-  dumbbell report stairs.dbc --out report.html                a page to look at and play with
-  dumbbell campaign --help                   what is too big for one go, on one machine or many)";
+  dumbbell campaign --help                   what is too big for one run, on one machine or many)";
+
+/// What the commands are for; --help lists them so.
+constexpr const char* to_prove = "Prove";
+constexpr const char* to_check = "Check";
+constexpr const char* to_show = "Show";
 
 std::string version_text() {
     return fmt::format("dumbbell {} ({}, {}, flags: {})", DUMBBELL_VERSION, DUMBBELL_COMPILER,
@@ -60,23 +67,35 @@ bool has_command(CLI::App& app, const std::string& word) {
                        [&](const CLI::App* c) { return c->get_name() == word; });
 }
 
+/// Puts the commands that are in no group yet into this one.
+void add_as(const char* group, CLI::App& app) {
+    const std::string none = CLI::App().get_group();
+    for (CLI::App* command : app.get_subcommands([&](const CLI::App* c) { return c->get_group() == none; })) {
+        command->group(group);
+    }
+}
+
 int parse_and_run(int argc, char** argv) {
     CLI::App app{description, "dumbbell"};
+    app.formatter(std::make_shared<pages::OneScreen>());  // of its commands, too
     app.set_version_flag("--version", version_text());
     app.set_help_all_flag("--help-all", "Help of all commands");
     app.require_subcommand(1);
-    app.add_subcommand("verify",
-                       "Re-check certificates with the independent verifier (dumbbell verify --help).");
     int exit_code = exit_done;
     add_certify_command(app, exit_code);
     add_critical_command(app, exit_code);
-    add_law_command(app, exit_code);
-    add_audit_command(app, exit_code);
     add_trace_command(app, exit_code);
     add_adiabatic_command(app, exit_code);
+    add_campaign_command(app, exit_code);
+    add_as(to_prove, app);
+    app.add_subcommand("verify",
+                       "Check certificates again with the independent verifier (dumbbell verify --help).");
+    add_audit_command(app, exit_code);
+    add_law_command(app, exit_code);
+    add_as(to_check, app);
     add_plot_command(app, exit_code);
     add_report_command(app, exit_code);
-    add_campaign_command(app, exit_code);
+    add_as(to_show, app);
     add_generate_command(app);
     // Commands inherit the footer that is there when they are added, and have exit codes of their own.
     app.footer(

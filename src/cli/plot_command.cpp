@@ -35,8 +35,9 @@ Example:
   dumbbell plot staircase stairs.dbc --out stairs.svg)";
 
 constexpr const char* cover_description =
-    R"(The boxes of a cover, chart by chart in the coordinates of proofs/format.md, each coloured by the number of collisions
-that it proves or by its other reason. A range of mass ratios is cut at one of them: --ratio. Of a certificate about
+    R"(The boxes of a cover, coloured by the number of collisions that they prove.
+
+They are drawn chart by chart in the coordinates of proofs/format.md; a box with another reason has that reason's colour. A range of mass ratios is cut at one of them: --ratio. Of a certificate about
 initial conditions (dumbbell trace --subdivide) every box as it is.
 
 Example:
@@ -44,8 +45,10 @@ Example:
   dumbbell plot cover full.dbc --out cover.svg)";
 
 constexpr const char* orbit_description =
-    R"(An orbit with the greatest number of collisions: its witness, every collision enclosed, in the plane of the rod's angle
-and the height, above the floor as the point sees it; and the dumbbell itself at each collision.
+    R"(An orbit with the greatest number of collisions, and the dumbbell at each of them.
+
+It is the witness, every collision enclosed, in the plane of the rod's angle and the height, above the floor as the point
+sees it.
 
 RATIO is proved on the spot. Of a certificate over a range of mass ratios: --ratio.
 
@@ -54,17 +57,19 @@ Examples:
   dumbbell plot orbit certificates/stairs-1-100.dbc --ratio 50 --out orbit.svg)";
 
 constexpr const char* adiabatic_description =
-    R"(The adiabatic invariant I = |phidot| (pi - arccos y) along the enclosed orbit of a certificate by dumbbell adiabatic, beside
-its two factors, and its change beside the bound that is proved for all orbits.
+    R"(The adiabatic invariant along one orbit, with the bound that is proved for all.
+
+It is drawn along the enclosed orbit of a certificate by dumbbell adiabatic: I = |phidot| (pi - arccos y) with its two
+factors, and its change with the bound.
 
 Example:
   dumbbell adiabatic --delta 0.01 --theorem thm3.5 --out scattering.dbc
   dumbbell plot adiabatic scattering.dbc --out adiabatic.svg)";
 
 constexpr const char* phase_description =
-    R"(The initial conditions of a certificate by dumbbell trace --subdivide, coloured by their certified number of collisions.
+    R"(Initial conditions, coloured by their certified number of collisions.
 
-Two of phi, phidot, y, ydot and the mass ratio must be intervals, the others numbers. Boxes of equal count are united
+They are those of a certificate by dumbbell trace --subdivide. Two of phi, phidot, y, ydot and the mass ratio must be intervals, the others numbers. Boxes of equal count are united
 exactly; what is not decided is hatched, never hidden.
 
 Example:

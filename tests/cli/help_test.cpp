@@ -1,4 +1,5 @@
 #include <catch2/catch.hpp>
+#include <sstream>
 
 #include "programs.hpp"
 
@@ -99,6 +100,32 @@ TEST_CASE("the option --version says which build this is: version, compiler, fla
     CHECK(count_lines(version.out) == 1);
     CHECK_THAT(version.out, Contains("dumbbell " DUMBBELL_VERSION) && Contains("flags: ") &&
                                 Contains("-ffp-contract=off"));
+}
+
+TEST_CASE("the help of a command that only has commands fits one screen, a line for each") {
+    const std::vector<std::pair<Words, Words>> parents{
+        {{},
+         {"certify", "critical", "trace", "adiabatic", "campaign", "verify", "audit", "law", "plot",
+          "report"}},
+        {{"plot"}, {"staircase", "cover", "orbit", "phase", "adiabatic"}},
+        {{"campaign"}, {"plan", "run", "status", "merge"}}};
+    for (const auto& [parent, below] : parents) {
+        const std::string help = help_of(parent).out;
+        CAPTURE(parent, help);
+        CHECK(count_lines(help) <= 30);
+        std::istringstream lines(help);
+        for (std::string line; std::getline(lines, line);) {
+            CHECK(line.size() <= 100);
+        }
+        for (const std::string& command : below) {
+            CHECK(occurrences(help, "\n  " + command + " ") == 1);
+        }
+        CHECK_THAT(help, Contains("COMMAND --help") && Contains("Examples:\n  dumbbell ") &&
+                             Contains("Exit codes: 0"));
+        CHECK(occurrences(help, "generate") == 0);
+    }
+    CHECK_THAT(help_of({}).out, Contains("\nProve:\n") && Contains("\nCheck:\n") && Contains("\nShow:\n"));
+    CHECK_THAT(dumbbell({"--help-all"}).out, Contains("--section") && Contains("--theorem"));
 }
 
 TEST_CASE("every picture has an example") {

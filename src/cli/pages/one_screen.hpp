@@ -1,0 +1,18 @@
+#pragma once
+
+#include <CLI/App.hpp>
+#include <CLI/Formatter.hpp>
+#include <string>
+
+namespace dumbbell::pages {
+
+/// The --help of a command that is nothing but its commands: on one screen, each in one line, below their
+/// groups. The first line of a description is what it is for; the whole of it stands in the manual and in the
+/// help of each command.
+class OneScreen : public CLI::Formatter {
+  public:
+    [[nodiscard]] std::string make_help(const CLI::App* app, std::string name,
+                                        CLI::AppFormatMode mode) const override;
+};
+
+}  // namespace dumbbell::pages
