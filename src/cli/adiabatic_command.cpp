@@ -28,8 +28,9 @@ namespace dumbbell {
 namespace {
 
 constexpr const char* description =
-    R"(Prove the constants of the adiabatic invariant I = |phidot| (pi - arccos y) for a light mass beta1 = epsilon = delta^2
-that spins fast: |phidot| = 1 and -delta <= ydot <= 0 before the first collision that counts.
+    R"(Prove the constants of the adiabatic invariant of a light mass that spins fast.
+
+The invariant is I = |phidot| (pi - arccos y), the light mass beta1 = epsilon = delta^2, and |phidot| = 1 and -delta <= ydot <= 0 before the first collision that counts.
 
   lemma3.1  one bounce and the next, at distance m delta^k from the vertical, k = 1/2: the errors of |phidot_+| and y_+
   cor3.2    the same with other exponents: --k
@@ -120,7 +121,8 @@ int run(const Options& options) {
         deadline(options.budget ? std::optional(parse_duration(*options.budget)) : std::nullopt);
     bool complete = true;
     {
-        Progress progress("boxes", options.quiet ? Loudness::quiet : Loudness::normal);
+        constexpr const char* search = "looking for an orbit with a great error";
+        Progress progress("boxes", options.quiet ? Loudness::quiet : Loudness::normal, search);
         for (const AdiabaticHypotheses& of : wanted) {
             AdiabaticRequest request;
             request.of = of;
@@ -128,7 +130,11 @@ int run(const Options& options) {
             request.most_collisions = most_collisions(options, of);
             request.jobs = options.jobs;
             request.interrupted = interrupted;
-            request.judged = [&](std::size_t more) { progress.advance(more); };
+            request.judged = [&](std::size_t more) {
+                progress.enter("covering all of them", "boxes");
+                progress.advance(more);
+            };
+            progress.enter(search);
             report.results.push_back(proved(request));
             complete = complete && report.results.back().proof.complete();
         }

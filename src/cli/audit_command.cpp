@@ -15,7 +15,7 @@ namespace dumbbell {
 namespace {
 
 constexpr const char* description =
-    R"(Prove exactly that a certificate's leaves tile the section, and its pieces the range of ratios.
+    R"(Prove exactly that a certificate's leaves tile the section, and its pieces the range.
 
 Every leaf box is derived again as exact rationals; that no two overlap and that their areas add up to the root's is
 proved with CGAL's exact arithmetic, whatever the tree says. What a leaf claims about its box is checked by
@@ -34,7 +34,7 @@ struct Options {
 };
 
 audit::AuditedFile audited(const std::string& path) {
-    Progress progress("leaves");
+    Progress progress("leaves", Loudness::normal, "auditing");
     const auto start = std::chrono::steady_clock::now();
     audit::AuditedFile file{path, 0, {}};
     file.audit =

@@ -41,7 +41,7 @@ struct Options {
 };
 
 constexpr const char* description =
-    R"(Compute critical mass ratios: where the greatest number of floor collisions steps from N-1 to N.
+    R"(Compute critical mass ratios, where the greatest number of collisions steps from N-1 to N.
 
 Every digit printed is proved. The enclosures rest on theorem 2 of proofs/theorem.md; --confirm checks both sides
 without it.
@@ -108,7 +108,7 @@ void check_time(const CriticalRequest& request, bool quiet) {
 
 std::vector<CriticalRow> enclose(CriticalRequest request, Loudness loudness) {
     const bool one = request.first == request.last;
-    Progress progress(one ? "flights" : "critical ratios", loudness);
+    Progress progress(one ? "flights" : "critical ratios", loudness, "enclosing");
     if (one) {
         request.advanced = [&](long flights) { progress.advance(static_cast<std::size_t>(flights)); };
     } else {

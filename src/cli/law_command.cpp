@@ -17,10 +17,10 @@ namespace dumbbell {
 namespace {
 
 constexpr const char* description =
-    R"(Prove what a staircase says as a whole: the maximum never decreases, the paper's bound is never attained, and
-how far N(q) is from C sqrt q.
+    R"(Prove what a staircase says as a whole: never decreasing, below the paper's bound.
 
-The independent verifier checks the certificate first; what follows rests on its pieces alone. C, the limit of
+That is: the maximum never decreases with the mass ratio, the paper's bound is never attained, and how far N(q) is from
+C sqrt q. The independent verifier checks the certificate first; what follows rests on its pieces alone. C, the limit of
 N(q) / sqrt q (theorem 4 of proofs/theorem.md), is enclosed by verified quadrature.
 
 Examples:
@@ -63,7 +63,8 @@ Certificate read_staircase(const std::string& file) {
 int run(const Options& options) {
     const Certificate certificate = read_staircase(options.file);
     LawReport report{.file = options.file,
-                     .verdict = verified(options.file, name(certificate.scene)),
+                     .verdict = verified(options.file, name(certificate.scene),
+                                         options.quiet ? Loudness::quiet : Loudness::normal),
                      .digits = options.digits,
                      .law = {}};
     const PrecisionScope scope(static_cast<int>(options.digits * 3.33) + 64);

@@ -16,9 +16,7 @@ std::string_view environment(const char* name) {
     return value == nullptr ? "" : value;
 }
 
-bool is_coloured() {
-    return ::isatty(STDERR_FILENO) == 1 && environment("NO_COLOR").empty() && environment("TERM") != "dumb";
-}
+bool is_coloured() { return stderr_is_terminal() && environment("NO_COLOR").empty(); }
 
 /// File names may hold anything, and a message is one line: what would move a terminal's cursor is `?`.
 std::string one_line(std::string text) {
@@ -34,6 +32,10 @@ void say(const std::string& text) { (void)std::fwrite(text.data(), 1, text.size(
 
 void complain(const std::string& text) {
     say(fmt::format("{} {}\n", is_coloured() ? "\033[31mdumbbell:\033[0m" : "dumbbell:", one_line(text)));
+}
+
+bool stderr_is_terminal() {
+    return ::isatty(STDERR_FILENO) == 1 && !environment("TERM").empty() && environment("TERM") != "dumb";
 }
 
 void remark(const std::string& text) { say(fmt::format("dumbbell: {}\n", one_line(text))); }

@@ -10,10 +10,14 @@ namespace dumbbell {
 void say(const std::string& text);
 
 /// One line, with the program's name before it: what went wrong, and what to do. On a terminal the name is
-/// red, unless the environment variable NO_COLOR is set and not empty (no-color.org) or TERM is dumb.
+/// red, unless the environment variable NO_COLOR is set and not empty (no-color.org), or TERM is dumb or not
+/// set.
 void complain(const std::string& text);
 
 /// The same way: what is good to know.
 void remark(const std::string& text);
+
+/// Is stderr a terminal that understands escape codes? Not if TERM is dumb or not set.
+[[nodiscard]] bool stderr_is_terminal();
 
 }  // namespace dumbbell

@@ -1,25 +1,32 @@
 #pragma once
 
 #include <chrono>
+#include <condition_variable>
 #include <cstddef>
 #include <mutex>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <thread>
 
 namespace dumbbell {
 
 enum class Loudness { normal, quiet };
 
 /// A progress line on stderr for work that takes longer than a second, if stderr is a terminal and the user
-/// did not ask for quiet; silent otherwise, but for notes. It is never wider than the terminal.
+/// did not ask for quiet; silent otherwise, but for notes. It is never wider than the terminal. It names the
+/// phase that the work is in, if it has one, and while there is nothing to count says for how long.
 class Progress {
   public:
-    /// `unit`: what is counted, in the plural.
-    explicit Progress(std::string_view unit = "pieces", Loudness loudness = Loudness::normal);
+    /// `unit`: what is counted, in the plural. `phase`: what is done at first, for example `proving`.
+    explicit Progress(std::string_view unit = "pieces", Loudness loudness = Loudness::normal,
+                      std::string_view phase = "");
     ~Progress();
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;
+
+    /// Another phase begins, unless the work is in it. Thread-safe.
+    void enter(std::string_view phase, std::string_view unit = "");
 
     /// `count`: the number of collisions N that the work is at, if there is one. Thread-safe.
     void update(std::size_t done, std::size_t total, std::optional<long> count = std::nullopt);
@@ -36,16 +43,24 @@ class Progress {
     void clear();
     /// Whether a line is due, which then is shown.
     [[nodiscard]] bool is_due();
-    /// Seconds from the start to this line.
+    /// Seconds from the phase's start to this line.
     [[nodiscard]] double elapsed() const;
+    /// Says how long the phase takes while nothing is counted in it.
+    void tick();
 
-    const std::string_view unit_;
+    std::string_view unit_;
+    std::string_view phase_;
     std::mutex mutex_;
     const bool shows_;
     const Clock::time_point start_ = Clock::now();
+    Clock::time_point phase_start_ = start_;
     Clock::time_point last_ = start_;
     bool shown_ = false;
+    bool counted_ = false;
     std::size_t done_ = 0;
+    bool ends_ = false;
+    std::condition_variable end_;
+    std::thread ticker_;
 };
 
 }  // namespace dumbbell

@@ -8,6 +8,7 @@
 #include "certificate/atomic_file.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/out_option.hpp"
+#include "cli/progress.hpp"
 #include "report/html_data.hpp"
 #include "report/html_page.hpp"
 
@@ -15,9 +16,9 @@ namespace dumbbell {
 namespace {
 
 constexpr const char* description =
-    R"(Make one HTML page from certificates, to be opened in any browser: it needs no network and no other file.
+    R"(Make one HTML page from certificates, to be opened in any browser.
 
-It shows the staircase against the source paper's bound, the boxes of a cover with their reasons, the witness orbits
+It needs no network and no other file. It shows the staircase against the source paper's bound, the boxes of a cover with their reasons, the witness orbits
 bounce by bounce (and any initial condition typed into the page), and tables of what is claimed, by which lemmas.
 Certificates of every kind can stand in one page, and tables of critical ratios (dumbbell critical --out).
 
@@ -43,6 +44,7 @@ struct Options {
 
 int run(const Options& options) {
     const AtomicFile out(options.out);
+    Progress progress("", Loudness::normal, "making the page");
     std::vector<ReportedFile> files;
     std::size_t boxes = 0;
     for (const std::string& path : options.files) {
@@ -51,10 +53,9 @@ int run(const Options& options) {
     }
     out.commit(html_page(page_data(files, options.most_boxes)));
     if (boxes > options.most_boxes) {
-        fmt::print(
-            stderr,
-            "dumbbell: {} boxes are drawn as {} or fewer, as the page says; for more of them: --max-boxes\n",
-            boxes, options.most_boxes);
+        progress.note(
+            fmt::format("{} boxes are drawn as {} or fewer, as the page says; for more of them: --max-boxes",
+                        boxes, options.most_boxes));
     }
     return exit_done;
 }

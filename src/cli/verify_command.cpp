@@ -21,7 +21,8 @@ void become_verifier(int argc, char** argv) {
     verifier_not_started(program, errno);
 }
 
-std::string verified(const std::string& file, std::string_view scene) {
+std::string verified(const std::string& file, std::string_view scene, Loudness loudness) {
+    const Progress progress("", loudness, "verifying");
     Verdict verdict = ask_verifier({"--scene=" + std::string(scene), "--", file});
     if (!verdict.accepts) {
         throw InputError(fmt::format("'{}' is not verified: {}", file, verdict.line));

@@ -3,6 +3,8 @@
 #include <string>
 #include <string_view>
 
+#include "cli/progress.hpp"
+
 /// The program `dumbbell-verify` that lies beside this one. It shares no code with this program, so it is
 /// run, never called.
 namespace dumbbell {
@@ -13,6 +15,7 @@ namespace dumbbell {
 
 /// The verifier's verdict on a certificate of this scene, its last line. Throws InputError, with that
 /// line, if the file is not verified.
-[[nodiscard]] std::string verified(const std::string& file, std::string_view scene);
+[[nodiscard]] std::string verified(const std::string& file, std::string_view scene,
+                                   Loudness loudness = Loudness::normal);
 
 }  // namespace dumbbell

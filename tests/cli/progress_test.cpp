@@ -26,7 +26,7 @@ std::string seen_on_terminal(const Words& job, const std::string& awaited, std::
     const int other_end =
         ::open(name.c_str(), O_RDWR | O_NOCTTY | O_CLOEXEC);  // or reading fails after the job
     ::ioctl(other_end, TIOCSWINSZ, &size);
-    std::string command = "exec 2>" + name + " >/dev/null; exec";
+    std::string command = "TERM=xterm; export TERM; exec 2>" + name + " >/dev/null; exec";
     for (const std::string& word : job) {
         command += " " + word;
     }
@@ -75,6 +75,43 @@ TEST_CASE(
     CAPTURE(text);
     CHECK(std::regex_search(
         text, std::regex(R"(\[#*\.*\] \d+/\d+ pieces, about \S+ (s|min|h) left, [0-9.]+/s, N = )")));
+}
+
+TEST_CASE("the phases of a long job are named, and what counts nothing says for how long it has been at it") {
+    const std::string range = seen_on_terminal(long_range, "proving: ");
+    CAPTURE(range);
+    CHECK(range.find("proving: ") != std::string::npos);
+    const std::string steps =
+        seen_on_terminal({DUMBBELL_BIN, "certify", "1:3e6", "--gap", "1e-30", "--jobs", "1"}, "steps, about");
+    CAPTURE(steps);
+    CHECK(std::regex_search(steps, std::regex(R"(looking for steps: \[#*\.*\] \d+/\d+ steps, about )")));
+    const TemporaryFolder folder;
+    const std::string stairs = std::string(DUMBBELL_PROJECT) + "/certificates/stairs-1-1e6.dbc.gz";
+    for (const auto& [job, phase] : std::vector<std::pair<Words, std::string>>{
+             {{DUMBBELL_BIN, "law", stairs}, "verifying, "},
+             {{DUMBBELL_BIN, "plot", "staircase", stairs, "--out", folder / "x.svg"}, "verifying, "},
+             {{DUMBBELL_BIN, "trace", "10", "--phi", "1/3", "--phidot", "1", "--y", "3", "--ydot", "-1/2",
+               "--digits", "10000"},
+              "following the orbit, "},
+             {{DUMBBELL_BIN, "adiabatic", "--delta", "0:0.01", "--jobs", "1"},
+              "looking for an orbit with a great error, "}}) {
+        const std::string text = seen_on_terminal(job, phase);
+        CAPTURE(job, text);
+        CHECK(text.find(phase) != std::string::npos);
+    }
+}
+
+TEST_CASE("a terminal that is dumb, or of no known kind, gets no progress: it needs escape codes") {
+    for (const Words& kind : {Words{"TERM=dumb"}, Words{"-u", "TERM"}}) {
+        Words job{"env"};
+        job.insert(job.end(), kind.begin(), kind.end());
+        job.insert(job.end(), long_range.begin(), long_range.end());
+        job.insert(job.end(), {"--budget", "2s"});
+        const std::string text = seen_on_terminal(job, "\n");
+        CAPTURE(text);
+        CHECK(text.find('\033') == std::string::npos);
+        CHECK(text.find("not everything was decided") != std::string::npos);
+    }
 }
 
 TEST_CASE("the progress line is never as wide as the terminal: the bar shrinks, then the end is cut off") {
