@@ -37,7 +37,7 @@ struct Options {
 };
 
 constexpr const char* description =
-    R"(Prove the greatest number of floor collisions for a mass ratio, or for every ratio of a range.
+    R"(Prove the greatest number of collisions for a mass ratio, or for every ratio of a range.
 
 RATIO is q = heavy mass / light mass: 10, 4.6, 1e6 or 9/2, exactly as written. LO:HI is a closed range. Below 1 the
 masses are swapped.
@@ -75,11 +75,14 @@ CertifyRequest request_of(const Options& options, const RatioArgument& ratio) {
 }
 
 std::vector<ProvedPiece> prove(CertifyRequest request, Loudness loudness) {
-    Progress planning("steps", loudness);  // before the first piece
-    request.placed = [&](std::size_t done, std::size_t all) { planning.update(done, all); };
-    Progress progress(request.q_lo == request.q_hi ? "boxes" : "pieces", loudness);
+    const bool single = request.q_lo == request.q_hi;
+    Progress progress(single ? "boxes" : "steps", loudness, single ? "proving" : "looking for steps");
+    request.placed = [&](std::size_t done, std::size_t all) { progress.update(done, all); };
     request.judged = [&](std::size_t boxes) { progress.advance(boxes); };
-    request.progress = [&](std::size_t done, std::size_t total, long n) { progress.update(done, total, n); };
+    request.progress = [&](std::size_t done, std::size_t total, long n) {
+        progress.enter("proving", "pieces");
+        progress.update(done, total, n);
+    };
     request.damaged = [&](const std::string& file) {
         progress.note(fmt::format("'{}' is damaged: its piece is proved again", file));
     };
@@ -87,7 +90,9 @@ std::vector<ProvedPiece> prove(CertifyRequest request, Loudness loudness) {
 }
 
 ProofReport describe(const CertifyRequest& request, const std::vector<ProvedPiece>& pieces, double seconds,
-                     bool witness) {
+                     bool witness, Loudness loudness) {
+    const Progress progress("", loudness, "enclosing the orbits of witnesses");
+    const Interrupted interrupted = deadline(std::nullopt);
     ProofReport report{.scene = request.scene,
                        .section = request.section,
                        .q_lo = request.q_lo,
@@ -95,14 +100,16 @@ ProofReport describe(const CertifyRequest& request, const std::vector<ProvedPiec
                        .gap = request.gap,
                        .jobs = request.jobs,
                        .seconds = seconds,
-                       .decided_fraction = decided_fraction(pieces),
+                       .undecided = undecided_share(pieces),
                        .rows = {},
                        .out = {},
                        .sha256 = {}};
     for (const ProvedPiece& p : pieces) {
-        ReportRow row{&p.piece, p.margin, p.width, p.seconds, {}};
+        ReportRow row{&p.piece, p.margin, p.width, p.seconds, {}, {}};
         if (witness && p.piece.witness) {
             row.orbit = witness_orbit(*p.piece.witness, p.piece.q_lo, p.piece.bits);
+            row.start =
+                row.orbit.empty() ? std::nullopt : witness_start(*p.piece.witness, p.piece.q_lo, interrupted);
         }
         report.rows.push_back(std::move(row));
     }
@@ -140,7 +147,8 @@ int run(const Options& options) {
         }
     }
     const auto start = std::chrono::steady_clock::now();
-    const auto pieces = prove(request, options.quiet ? Loudness::quiet : Loudness::normal);
+    const Loudness loudness = options.quiet ? Loudness::quiet : Loudness::normal;
+    const auto pieces = prove(request, loudness);
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 
     const bool open = std::any_of(pieces.begin(), pieces.end(),
@@ -151,7 +159,7 @@ int run(const Options& options) {
         return exit_stopped;
     }
 
-    ProofReport report = describe(request, pieces, seconds, options.witness);
+    ProofReport report = describe(request, pieces, seconds, options.witness, loudness);
     if (file) {
         report.out = options.out;
         write_certificate(pieces, *file, report);
@@ -186,8 +194,9 @@ void add_certify_command(CLI::App& app, int& exit_code) {
     add_jobs_option(*command, options->jobs);
     command->add_option("--budget", options->budget, "give up after this time: 30s, 10m, 2h")
         ->type_name("TIME");
-    CLI::Option* witness = command->add_flag(
-        "--witness", options->witness, "print an orbit that attains the maximum, every collision enclosed");
+    CLI::Option* witness = command->add_flag("--witness", options->witness,
+                                             "print an orbit that attains the maximum, every collision "
+                                             "enclosed, and a start in the air for trace");
     command->add_flag("--json", options->json, "one JSON object on stdout");
     command->add_flag("--quiet", options->quiet, "no table and no progress: what is proved, in a sentence")
         ->excludes(witness);

@@ -99,19 +99,18 @@ std::vector<ProvedPiece> certify(const CertifyRequest& request) {
     });
 }
 
-double decided_fraction(const std::vector<ProvedPiece>& pieces) {
+Rational undecided_share(const std::vector<ProvedPiece>& pieces) {
     const Rational whole = pieces.back().piece.q_hi - pieces.front().piece.q_lo;
     if (whole == 0) {
-        return pieces.front().piece.status() == Status::exact ? 1 : 0;
+        return pieces.front().piece.status() == Status::exact ? 0 : 1;
     }
-    Rational decided = 0;
+    Rational undecided = 0;
     for (const ProvedPiece& proved : pieces) {
-        if (proved.piece.status() == Status::exact) {
-            decided += proved.piece.q_hi - proved.piece.q_lo;
+        if (proved.piece.status() != Status::exact) {
+            undecided += proved.piece.q_hi - proved.piece.q_lo;
         }
     }
-    const Rational share = decided / whole;
-    return share == 1 ? 1 : enclose<Interval>(share).lo();
+    return undecided / whole;
 }
 
 }  // namespace dumbbell

@@ -43,7 +43,7 @@ struct CertifyRequest {
 /// Beyond this ratio, 10^16, one orbit has about 10^8 collisions; nothing is tried.
 [[nodiscard]] Rational greatest_ratio();
 
-/// The share of [q_lo, q_hi] whose pieces are exact (1 for a single decided ratio), rounded down.
-[[nodiscard]] double decided_fraction(const std::vector<ProvedPiece>& pieces);
+/// The share of [q_lo, q_hi] whose pieces are gaps or open, exactly; 0 for a single decided ratio, else 1.
+[[nodiscard]] Rational undecided_share(const std::vector<ProvedPiece>& pieces);
 
 }  // namespace dumbbell

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "arith/interval.hpp"
+#include "arith/rational.hpp"
 
 namespace dumbbell {
 
@@ -19,6 +20,11 @@ namespace dumbbell {
 template <class T>
 [[nodiscard]] nlohmann::ordered_json json_or_null(const std::optional<T>& x) {
     return x ? nlohmann::ordered_json(*x) : nlohmann::ordered_json(nullptr);
+}
+
+/// What an undecided share leaves, as a number that does not exceed it: 1 only if that is all.
+[[nodiscard]] inline double decided_fraction(const Rational& undecided) {
+    return undecided == 0 ? 1.0 : enclose<Interval>(Rational(1) - undecided).lo();
 }
 
 }  // namespace dumbbell

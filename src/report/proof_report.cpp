@@ -106,8 +106,9 @@ std::string witness_sentence(const ProofReport& report) {
         return {};
     }
     return fmt::format(
-        "Its orbit meets the floor at an angle of {} rad or more, and the heights along it are enclosed to "
-        "{}.\n",
+        "Its orbit meets the floor at an angle of {} rad or more (in the metric of the kinetic energy), and "
+        "the "
+        "heights along it are enclosed to {}.\n",
         rounded_down(row.margin), rounded_up(row.width));
 }
 
@@ -126,12 +127,15 @@ std::string single_sentence(const ProofReport& report) {
     return fmt::format("Not decided: at mass ratio {} {}.\n", q, known);
 }
 
-/// The share that is not decided, at least: a share like 0.999999999999 says less, and rounds to 1.
-std::string decided_text(double fraction) {
-    if (fraction == 1) {
+/// By the share that is not decided: one like 0.999999999999 says less, and rounds to 1.
+std::string decided_text(const Rational& undecided, bool some) {
+    if (undecided == 0) {
         return "Decided: the whole range.\n";
     }
-    return fmt::format("Decided: all but {} of the range.\n", rounded_up(1 - fraction));
+    if (undecided == 1) {
+        return some ? "Decided: single ratios only.\n" : "Decided: nothing of the range.\n";
+    }
+    return fmt::format("Decided: all but {} of the range.\n", rounded_up(enclose<Interval>(undecided).hi()));
 }
 
 std::string range_sentence(const ProofReport& report) {
@@ -153,7 +157,7 @@ std::string range_sentence(const ProofReport& report) {
     if (counts.open > 0) {
         text += fmt::format("{} {} open. ", counted(counts.open, "piece"), counts.open == 1 ? "is" : "are");
     }
-    return text + decided_text(report.decided_fraction);
+    return text + decided_text(report.undecided, counts.exact > 0);
 }
 
 /// What a cover of the full section proves beside the count (its chart `again`, L19).
@@ -161,6 +165,17 @@ bool heavy_at_most_once(const ProofReport& report) {
     return report.section != Section::turning &&
            std::all_of(report.rows.begin(), report.rows.end(),
                        [](const ReportRow& row) { return row.piece->upper.has_value(); });
+}
+
+nlohmann::ordered_json start_json(const std::optional<WitnessStart>& start) {
+    if (!start) {
+        return nullptr;
+    }
+    return {{"phi", start->phi},
+            {"phidot", start->phidot},
+            {"y", start->y},
+            {"ydot", start->ydot},
+            {"digits", start->digits}};
 }
 
 /// The column `paper` is for the dumbbell only.
@@ -231,7 +246,8 @@ nlohmann::ordered_json to_json(const ProofReport& report) {
         }
         if (!row.orbit.empty()) {
             entry["witness"] = {{"ratio", to_fraction(piece.q_lo)},
-                                {"collisions", collisions_json(row.orbit)}};
+                                {"collisions", collisions_json(row.orbit)},
+                                {"start", start_json(row.start)}};
         }
         pieces.push_back(std::move(entry));
     }
@@ -245,7 +261,8 @@ nlohmann::ordered_json to_json(const ProofReport& report) {
         {"jobs", report.jobs},
         {"pieces", std::move(pieces)},
         {"heavy_at_most_once", nullptr},
-        {"decided_fraction", report.decided_fraction},
+        {"decided_fraction", decided_fraction(report.undecided)},
+        {"undecided_share", to_fraction(report.undecided)},
         {"seconds", report.seconds},
         {"out", json_or_null(report.out)},
         {"sha256", json_or_null(report.sha256)}};
@@ -254,6 +271,21 @@ nlohmann::ordered_json to_json(const ProofReport& report) {
     }
     return json;
 }
+
+namespace {
+
+/// The command that proves that a start in the air has as many collisions.
+std::string start_text(const ReportRow& row) {
+    const WitnessStart& start = *row.start;
+    return fmt::format(
+        "A start in the air, near this orbit, that has {} as well; the command was run, and proves it:\n"
+        "  dumbbell trace {} --phi {} --phidot {} --y {} --ydot {}{}\n",
+        counted(static_cast<long>(row.orbit.size()), "collision"), exact_text(row.piece->q_lo), start.phi,
+        start.phidot, start.y, start.ydot,
+        start.digits == 0 ? "" : fmt::format(" --digits {}", start.digits));
+}
+
+}  // namespace
 
 std::string orbits_to_text(const ProofReport& report) {
     std::string text;
@@ -270,6 +302,9 @@ std::string orbits_to_text(const ProofReport& report) {
             "Widths of the enclosures along the orbit:\n{}\n",
             exact_text(row.piece->q_lo), row.orbit.size(), collisions_text(row.orbit),
             rounded_down(row.margin), widths_text(row.orbit));
+        if (row.start) {
+            text += start_text(row) + '\n';
+        }
     }
     return text;
 }

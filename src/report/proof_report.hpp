@@ -7,6 +7,7 @@
 
 #include "certificate/certificate.hpp"
 #include "model/orbit.hpp"
+#include "prove/witness_start.hpp"
 
 namespace dumbbell {
 
@@ -18,6 +19,7 @@ struct ReportRow {
     double seconds;
     std::vector<Collision<Interval>>
         orbit;  ///< of the witness, at the piece's lower end; empty unless asked for
+    std::optional<WitnessStart> start{};  ///< in the air, of an orbit with as many collisions there
 };
 
 /// What `certify` tells its user, as text or as JSON (the contract's object).
@@ -29,7 +31,7 @@ struct ProofReport {
     Rational gap;
     int jobs;
     double seconds;
-    double decided_fraction;
+    Rational undecided;  ///< share of the range
     std::vector<ReportRow> rows;
     std::optional<std::string> out;
     std::optional<std::string> sha256;

@@ -1,4 +1,6 @@
 #include <catch2/catch.hpp>
+#include <iterator>
+#include <sstream>
 
 #include "programs.hpp"
 
@@ -35,7 +37,7 @@ TEST_CASE("the option --json prints one object with the contract's fields and no
     const Json json = Json::parse(result.out);  // throws if anything follows
     REQUIRE(json.is_object());
     for (const char* field : {"schema", "scene", "section", "ratio", "gap", "jobs", "pieces",
-                              "decided_fraction", "seconds", "out", "sha256"}) {
+                              "decided_fraction", "undecided_share", "seconds", "out", "sha256"}) {
         CHECK(json.contains(field));
     }
     REQUIRE(json.at("pieces").size() == 3);
@@ -132,6 +134,43 @@ TEST_CASE("the option --witness prints an orbit of N collisions, in text and in 
     CHECK(orbit.size() == 10);
     for (const auto& collision : orbit) {
         CHECK(collision.at("grazing_sine").at(0) > 0);
+    }
+}
+
+TEST_CASE("the witness is also printed as a start in the air that trace proves to have N collisions") {
+    for (const char* ratio : {"1", "1.1", "4.61", "10", "100", "1000", "1e4", "1e6"}) {
+        const std::string text = dumbbell({"certify", ratio, "--witness"}).out;
+        const std::size_t at = text.find("  dumbbell trace ");
+        CAPTURE(ratio, at);
+        REQUIRE(at != std::string::npos);
+        std::istringstream line(text.substr(at, text.find('\n', at) - at));
+        const Words pasted{std::istream_iterator<std::string>(line), {}};
+        const auto known = std::ranges::find_if(
+            known_maxima, [&](const Known& k) { return std::stod(k.ratio) == std::stod(ratio); });
+        const Outcome traced = dumbbell({pasted.begin() + 1, pasted.end()});
+        CHECK(traced.code == 0);
+        CHECK_THAT(traced.out, Contains("\nexactly " + std::to_string(known->maximum) + " collisions\n"));
+    }
+}
+
+TEST_CASE(
+    "of a range each start in the air belongs to the lowest ratio of its piece, and stands in the JSON") {
+    const Json pieces = Json::parse(dumbbell({"certify", "4.5:5", "--witness", "--json"}).out).at("pieces");
+    REQUIRE(pieces.size() == 3);
+    for (const Json& piece : pieces) {
+        const Json& witness = piece.at("witness");
+        const Json& start = witness.at("start");
+        REQUIRE(start.is_object());
+        Words command{"trace", witness.at("ratio").get<std::string>()};
+        for (const char* quantity : {"phi", "phidot", "y", "ydot"}) {
+            command.insert(command.end(),
+                           {std::string("--") + quantity, start.at(quantity).get<std::string>()});
+        }
+        if (start.at("digits") > 0) {
+            command.insert(command.end(), {"--digits", std::to_string(start.at("digits").get<int>())});
+        }
+        const std::string n = std::to_string(witness.at("collisions").size());
+        CHECK_THAT(dumbbell(command).out, Contains("\nexactly " + n + " collisions\n"));
     }
 }
 

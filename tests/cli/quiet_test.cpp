@@ -50,7 +50,7 @@ TEST_CASE("law --quiet prints what is proved") {
     const TemporaryFolder folder;
     const std::string text = quietly({"law", certificate(folder, "1:20")});
     CHECK_THAT(text,
-               StartsWith("Proved:     N*(q) <= N*(q')") && Contains("ceil(pi/gamma)") && !Contains("C ="));
+               StartsWith("Proved:     N(q) <= N(q')") && Contains("ceil(pi/gamma)") && !Contains("C ="));
 }
 
 TEST_CASE("trace --quiet prints the outcome, of a box with its parts") {

@@ -57,7 +57,7 @@ TEST_CASE("single ratios get the number of the recomputation in 80 digits") {
         const long n = q == 1 ? 2 : reference_maximum(q);
         CHECK(pieces.front().piece.upper == n);
         CHECK(pieces.front().piece.lower == n);
-        CHECK(decided_fraction(pieces) == 1);
+        CHECK(undecided_share(pieces) == 0);
     }
 }
 
@@ -88,8 +88,8 @@ TEST_CASE("from 1 to 100 every piece is exact or a gap, and true at its ends") {
         CHECK((p.q_lo == 1 ? 2 : reference_maximum(p.q_lo)) == p.lower);
         CHECK(reference_maximum(p.q_hi) <= *p.upper);
     }
-    CHECK(decided_fraction(pieces) > 0.99999);
-    CHECK(decided_fraction(pieces) < 1);
+    CHECK(undecided_share(pieces) > 0);
+    CHECK(undecided_share(pieces) < Rational(1, 100000));
 }
 
 TEST_CASE("ranges that begin, end or lie inside a neighbourhood of a critical ratio leave nothing open") {
@@ -132,10 +132,10 @@ TEST_CASE("without any time every piece is left open, and the pieces still tile 
         CHECK(pieces[i].piece.lower == 0);
         CHECK((i == 0 || pieces[i].piece.q_lo == pieces[i - 1].piece.q_hi));
     }
-    CHECK(decided_fraction(pieces) == 0);
+    CHECK(undecided_share(pieces) == 1);
     request.q_lo = request.q_hi = 10;
     CHECK(certify(request).front().piece.status() == Status::open);
-    CHECK(decided_fraction(certify(request)) == 0);
+    CHECK(undecided_share(certify(request)) == 1);
 }
 
 TEST_CASE("a generous budget changes nothing") {
@@ -151,7 +151,7 @@ TEST_CASE("ratios beyond 10^16 are left open at once") {
     const auto pieces = certified(huge, huge);
     REQUIRE(pieces.size() == 1);
     CHECK(pieces.front().piece.status() == Status::open);
-    CHECK(decided_fraction(pieces) == 0);
+    CHECK(undecided_share(pieces) == 1);
     CHECK(certified(10, huge).size() == 1);
 }
 
@@ -178,14 +178,13 @@ TEST_CASE("progress is reported once per piece and ends complete") {
     CHECK(in_range);
 }
 
-TEST_CASE("the decided fraction is the share of exact pieces, rounded down") {
-    CHECK(decided_fraction({piece(1, 2, 3, 3), piece(2, 5, 4, 3)}) == 0.25);
-    CHECK(decided_fraction({piece(1, 2, 3, 3), piece(2, 4, 4, 3)}) <= 1.0 / 3);
-    CHECK(decided_fraction({piece(1, 2, 3, 3), piece(2, 4, 4, 3)}) > 0.3333);
-    CHECK(decided_fraction({piece(1, 2, 3, 3), piece(2, 3, 4, 4)}) == 1);
-    CHECK(decided_fraction({piece(1, 2, std::nullopt, 3)}) == 0);
-    CHECK(decided_fraction({piece(10, 10, 4, 4)}) == 1);
-    CHECK(decided_fraction({piece(10, 10, 5, 4)}) == 0);
+TEST_CASE("the undecided share is the exact share of the pieces that are not exact") {
+    CHECK(undecided_share({piece(1, 2, 3, 3), piece(2, 5, 4, 3)}) == Rational(3, 4));
+    CHECK(undecided_share({piece(1, 2, 3, 3), piece(2, 4, 4, 3)}) == Rational(2, 3));
+    CHECK(undecided_share({piece(1, 2, 3, 3), piece(2, 3, 4, 4)}) == 0);
+    CHECK(undecided_share({piece(1, 2, std::nullopt, 3)}) == 1);
+    CHECK(undecided_share({piece(10, 10, 4, 4)}) == 0);
+    CHECK(undecided_share({piece(10, 10, 5, 4)}) == 1);
     const Rational nearly = 1 + at("1e-300");
-    CHECK(decided_fraction({piece(1, nearly, 3, 2), piece(nearly, 2, 3, 3)}) < 1);
+    CHECK(undecided_share({piece(1, nearly, 3, 2), piece(nearly, 2, 3, 3)}) == at("1e-300"));
 }

@@ -65,12 +65,18 @@ TEST_CASE("the sentence of a range says how much of it is decided") {
     CHECK_THAT(text, Contains("open"));
     CHECK_THAT(text, Contains("no trajectory hits the floor more than N times"));
     SampleReport decided({piece(5, 11, 4, 4)});
-    decided.report.decided_fraction = 1;
+    decided.report.undecided = 0;
     CHECK_THAT(to_text(decided.report), !Contains("gap") && !Contains("open") &&
                                             Contains("in the piece with one value N = 4") &&
                                             Contains("Decided: the whole range."));
-    decided.report.decided_fraction = 1 - 0x1p-40;
+    decided.report.undecided = exact(0x1p-40);
     CHECK_THAT(to_text(decided.report), Contains("Decided: all but 9.14e-13 of the range."));
+    decided.report.undecided = parse_rational("4.999e-40");
+    CHECK_THAT(to_text(decided.report), Contains("Decided: all but 5e-40 of the range."));
+    CHECK(to_json(decided.report)["decided_fraction"] < 1);
+    CHECK(to_json(decided.report)["undecided_share"] == to_fraction(parse_rational("4.999e-40")));
+    decided.report.undecided = 1;  // all of it, but for pieces of length 0, as 1:1 is
+    CHECK_THAT(to_text(decided.report), Contains("Decided: single ratios only."));
 }
 
 TEST_CASE("the sentence of a range names the values, so that it can stand alone") {
@@ -81,8 +87,11 @@ TEST_CASE("the sentence of a range names the values, so that it can stand alone"
 }
 
 TEST_CASE("where nothing was decided nothing is called proved") {
-    const SampleReport range({open_piece(5, 11)});
-    CHECK_THAT(to_text(range.report), !Contains("Proved") && Contains("Not decided. 1 piece is open."));
+    SampleReport range({open_piece(5, 11)});
+    range.report.undecided = 1;
+    CHECK_THAT(
+        to_text(range.report),
+        !Contains("Proved") && Contains("Not decided. 1 piece is open. Decided: nothing of the range."));
     const SampleReport single({open_piece(5, 5)});
     CHECK_THAT(to_text(single.report), !Contains("Proved") && Contains("at mass ratio 5 nothing is proved"));
 }
@@ -159,6 +168,7 @@ TEST_CASE("the JSON object has the contract's fields") {
     CHECK(json.at("gap") == "1/1000000");
     CHECK(json.at("jobs") == 2);
     CHECK(json.at("decided_fraction") == 0.75);
+    CHECK(json.at("undecided_share") == "1/4");
     CHECK(json.at("seconds") == 1.25);
     CHECK(json.at("out") == "stairs.dbc");
     CHECK(json.at("sha256") == std::string(64, 'b'));

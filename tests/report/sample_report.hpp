@@ -16,7 +16,7 @@ struct SampleReport {
         report.gap = Rational(1, 1'000'000);
         report.jobs = 2;
         report.seconds = 1.25;
-        report.decided_fraction = 0.75;
+        report.undecided = Rational(1, 4);
         for (const Piece& p : pieces) {
             report.rows.push_back({&p, 0.125, 1e-9, 0.5, {}});
         }
