@@ -17,6 +17,7 @@
 #include "cli/out_option.hpp"
 #include "cli/progress.hpp"
 #include "cli/ratio_argument.hpp"
+#include "prove/critical.hpp"
 #include "prove/deadline.hpp"
 #include "prove/initial_state.hpp"
 #include "prove/subdivide.hpp"
@@ -42,7 +43,7 @@ struct Options {
 constexpr int most_subdivide_bits = 4096;  ///< of a certificate
 
 constexpr const char* description =
-    R"(Follow one initial condition, or a box of them, through all its collisions, every number enclosed.
+    R"(Follow one initial condition, or a box of them, through all its collisions.
 
 RATIO is q = heavy mass / light mass (below 1 the masses are swapped). The dumbbell starts in the air: the
 rod has length 1, the light mass is at height y + beta2 sin phi and the heavy one at y - beta1 sin phi
@@ -51,8 +52,8 @@ exact, as written (3, -0.5, 1/3), or an interval LO:HI.
 
 Every number is printed as value+-radius, or as its bounds (--csv, --json). The grazing sine is |n.v| / (|n| |v|)
 before a collision, in the metric of the kinetic energy: the sine of the angle between flight and floor, 1 head-on, near
-0 where the mass only just touches. What is left undecided has the bounds that the enclosures give: they can exceed the
-maximum over all trajectories, which dumbbell certify RATIO proves.
+0 where the mass only just touches. What is left undecided has bounds: those that the enclosures give, or the maximum over
+all trajectories (theorem 2 of proofs/theorem.md, up to mass ratio 10^6) where that is less.
 
 Examples:
   dumbbell trace 10 --phi 1/3 --phidot 1 --y 3 --ydot -1/2               one orbit
@@ -104,6 +105,9 @@ void print(const Options& options, const TraceReport& report, bool swapped) {
     } else if (options.csv) {
         fmt::print("{}", to_csv(report));
         remark(outcome_sentence(report));
+        if (const std::string theorem = theorem_sentence(report); !theorem.empty()) {
+            remark(theorem);
+        }
     } else {
         fmt::print("{}{}", swapped ? "Ratios below 1: the masses are swapped, q -> 1/q.\n" : "",
                    to_text(report));
@@ -126,13 +130,20 @@ int run(const Options& options) {
     const auto budget = options.budget.empty() ? std::nullopt : std::optional(parse_duration(options.budget));
     SubdivideOptions limits{
         .max_boxes = options.max_boxes, .jobs = options.jobs, .interrupted = deadline(budget)};
+    const Loudness loudness = options.quiet ? Loudness::quiet : Loudness::normal;
     const auto start = std::chrono::steady_clock::now();
-    report.trace = trace(report.box, options.digits);
+    {
+        const Progress progress("", loudness, "following the orbit");
+        report.trace = trace(report.box, options.digits);
+    }
     if (options.subdivide) {
         limits.bits = std::min(report.trace.bits, most_subdivide_bits);
-        Progress progress("boxes", options.quiet ? Loudness::quiet : Loudness::normal);
+        Progress progress("boxes", loudness, "halving the box");
         limits.judged = [&](std::size_t boxes) { progress.advance(boxes); };
         report.parts = subdivide(report.box, limits);
+    }
+    if (!report.trace.exact() || (report.parts && report.parts->undecided.share > 0)) {
+        report.maximum = bound_by_theorem(ratio.hi);
     }
     report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     if (file) {

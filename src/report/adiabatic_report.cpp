@@ -11,8 +11,8 @@
 namespace dumbbell {
 namespace {
 
-constexpr int all_digits =
-    17;  ///< of an initial condition, for people; the exact one is in the certificate and in --json
+constexpr int shown_digits =
+    7;  ///< of an initial condition, for people; the exact one is in the certificate and in --json
 
 std::string number(const Rational& x) { return x == 0 ? "0" : exact_text(x); }
 
@@ -102,9 +102,10 @@ std::string hypotheses_text(const AdiabaticHypotheses& of) {
 }
 
 std::string state_text(const AdiabaticState& state) {
-    return fmt::format("delta = {}, distance {} from the vertical, ydot = -{} delta, n = {}",
-                       number(state.delta), to_decimal(state.u, all_digits), to_decimal(state.s, all_digits),
-                       state.n);
+    const std::string u = to_decimal(state.u, shown_digits), s = to_decimal(state.s, shown_digits);
+    return fmt::format("delta = {}, distance {}{} from the vertical, ydot {} -{} delta, n = {}",
+                       number(state.delta), parse_rational(u) == state.u ? "" : "about ", u,
+                       parse_rational(s) == state.s ? "=" : "about", s, state.n);
 }
 
 /// C/B, rounded up.
@@ -160,8 +161,10 @@ std::string result_text(const AdiabaticReport& report, const AdiabaticResult& re
         text += "  and the heavy mass is not touched.\n";
     }
     if (proof.coarser) {
-        text += fmt::format("The accuracy {} was not reached: this is about what the method gives.\n",
-                            number(report.accuracy));
+        text += fmt::format(
+            "The bound is proved; it exceeds what is attained by more than the relative accuracy {} that "
+            "was aimed at (--accuracy).\n",
+            number(report.accuracy));
     }
     if (result.wrong_branch) {
         text += fmt::format(

@@ -45,6 +45,17 @@ std::string bounds_text(long least, const std::optional<long>& most) {
                          : fmt::format("at least {}", plural(least));
 }
 
+/// What is known of `most` collisions at most, with the maximum over all trajectories.
+std::optional<long> clamped(const TraceReport& report, const std::optional<long>& most) {
+    return report.maximum ? std::min(most.value_or(*report.maximum), *report.maximum) : most;
+}
+
+/// Whether a bound that is said is that maximum.
+bool rests_on_theorem(const TraceReport& report) {
+    const bool whole = !report.trace.exact() && clamped(report, report.trace.most) != report.trace.most;
+    return whole || (report.parts && clamped(report, report.parts->most) != report.parts->most);
+}
+
 /// What to do about an orbit that is not decided.
 std::string advice(const TraceReport& report) {
     constexpr int first_digits = 40;
@@ -92,22 +103,30 @@ std::string widths_text(const TracedWidths& widths) {
                                       : std::string("plain intervals do not get as far"));
 }
 
-/// 12 digits of a share, cut off: what is said to be certified is.
+constexpr int share_digits = 12;
+
+/// Cut off: what is said to be certified is.
 std::string share_at_least(const Rational& share) {
-    return share == 0 ? "0" : to_text(without_zeros(cut_down(share, 12)));
+    return share == 0 ? "0" : to_text(without_zeros(cut_down(share, share_digits)));
 }
 
-std::string subdivision_text(const Subdivision& parts) {
+std::string share_at_most(const Rational& share) {
+    return to_text(without_zeros(cut_up(share, share_digits)));
+}
+
+std::string subdivision_text(const TraceReport& report) {
+    const Subdivision& parts = *report.parts;
     std::string text = fmt::format("{:>10}  {:>22}  {:>9}\n", "collisions", "share of the box", "boxes");
     for (const auto& part : parts.exact) {
-        text += fmt::format("{:>10}  {:>22}  {:>9}\n", part.first, to_decimal(part.second.share, 12),
+        text += fmt::format("{:>10}  {:>22}  {:>9}\n", part.first, share_at_least(part.second.share),
                             part.second.boxes);
     }
-    text += fmt::format("{:>10}  {:>22}  {:>9}\n", "undecided", to_decimal(parts.undecided.share, 12),
+    text += fmt::format("{:>10}  {:>22}  {:>9}\n", "undecided", share_at_most(parts.undecided.share),
                         parts.undecided.boxes);
-    text += fmt::format(
-        "Certified: {} of the box with its exact count; every initial condition in it has {}.\n",
-        share_at_least(Rational(1) - parts.undecided.share), bounds_text(parts.least, parts.most));
+    text +=
+        fmt::format("Certified: {} of the box with its exact count; every initial condition in it has {}.\n",
+                    share_at_least(Rational(1) - parts.undecided.share),
+                    bounds_text(parts.least, clamped(report, parts.most)));
     return text;
 }
 
@@ -115,7 +134,8 @@ nlohmann::ordered_json enclosure_json(const TracedValue& value, bool decimals) {
     return decimals ? nlohmann::ordered_json{value.lo, value.hi} : ends_json(value.outward);
 }
 
-nlohmann::ordered_json subdivision_json(const Subdivision& parts) {
+nlohmann::ordered_json subdivision_json(const TraceReport& report) {
+    const Subdivision& parts = *report.parts;
     nlohmann::ordered_json exact = nlohmann::ordered_json::array();
     for (const auto& part : parts.exact) {
         exact.push_back({{"collisions", part.first},
@@ -125,9 +145,8 @@ nlohmann::ordered_json subdivision_json(const Subdivision& parts) {
     return {{"exact", std::move(exact)},
             {"undecided", {{"share", to_fraction(parts.undecided.share)}, {"boxes", parts.undecided.boxes}}},
             {"least", parts.least},
-            {"most", json_or_null(parts.most)},
-            {"decided_fraction",
-             parts.undecided.share == 0 ? 1.0 : enclose<Interval>(Rational(1) - parts.undecided.share).lo()}};
+            {"most", json_or_null(clamped(report, parts.most))},
+            {"decided_fraction", decided_fraction(parts.undecided.share)}};
 }
 
 }  // namespace
@@ -140,7 +159,7 @@ std::string outcome_sentence(const TraceReport& report) {
                                ? fmt::format(" (enclosed: the first {})", trace.collisions.size())
                                : "");
     }
-    const std::string bounds = bounds_text(trace.least, trace.most);
+    const std::string bounds = bounds_text(trace.least, clamped(report, trace.most));
     const auto next = trace.collisions.size() + 1;
     if (const auto corner = flat_fall(report.box)) {
         return fmt::format(
@@ -156,8 +175,18 @@ std::string outcome_sentence(const TraceReport& report) {
     return fmt::format("{}: the box splits at collision {} (smaller boxes: --subdivide)", bounds, next);
 }
 
+std::string theorem_sentence(const TraceReport& report) {
+    return rests_on_theorem(report)
+               ? fmt::format("No trajectory at {} {} has more than {} (theorem 2 of proofs/theorem.md).",
+                             report.box.lo[4] == report.box.hi[4] ? "mass ratio" : "mass ratios up to",
+                             exact_text(report.box.hi[4]), plural(*report.maximum))
+               : "";
+}
+
 std::string verdict(const TraceReport& report) {
-    return outcome_sentence(report) + '\n' + (report.parts ? '\n' + subdivision_text(*report.parts) : "");
+    const std::string theorem = theorem_sentence(report);
+    return outcome_sentence(report) + '\n' + (report.parts ? '\n' + subdivision_text(report) : "") + theorem +
+           (theorem.empty() ? "" : "\n");
 }
 
 std::string to_text(const TraceReport& report) {
@@ -201,7 +230,8 @@ nlohmann::ordered_json to_json(const TraceReport& report) {
                                 {"initial", std::move(initial)},
                                 {"outcome", outcome_word(report)},
                                 {"least", report.trace.least},
-                                {"most", json_or_null(report.trace.most)},
+                                {"most", json_or_null(clamped(report, report.trace.most))},
+                                {"maximum", nullptr},
                                 {"splits_at", nullptr},
                                 {"bits", report.trace.bits},
                                 {"collisions", std::move(collisions)},
@@ -213,12 +243,15 @@ nlohmann::ordered_json to_json(const TraceReport& report) {
     if (!report.trace.exact()) {
         json["splits_at"] = report.trace.collisions.size() + 1;
     }
+    if (rests_on_theorem(report)) {
+        json["maximum"] = *report.maximum;
+    }
     if (report.trace.widths) {
         json["widths"] = {{"natural", json_or_null(report.trace.widths->natural)},
                           {"correlated", report.trace.widths->correlated}};
     }
     if (report.parts) {
-        json["parts"] = subdivision_json(*report.parts);
+        json["parts"] = subdivision_json(report);
     }
     return json;
 }

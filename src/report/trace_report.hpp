@@ -10,7 +10,7 @@
 namespace dumbbell {
 
 /// The most that may be asked for.
-inline constexpr int most_trace_digits = 100'000;
+inline constexpr int most_trace_digits = 10'000;
 
 /// What `trace` tells its user.
 struct TraceReport {
@@ -21,6 +21,8 @@ struct TraceReport {
     double seconds = 0;
     std::optional<std::string> out;
     std::optional<std::string> sha256;
+    /// Of all trajectories at these mass ratios, by theorem 2; for what the enclosures do not decide.
+    std::optional<long> maximum{};
 };
 
 /// The table of collisions, the widths, and the outcome in a sentence; the shares of a subdivision.
@@ -35,7 +37,10 @@ struct TraceReport {
 /// with what to do; "... at any precision" of a flat fall.
 [[nodiscard]] std::string outcome_sentence(const TraceReport& report);
 
-/// That sentence, and what the parts of a box say.
+/// What a bound rests on that the enclosures do not give; else nothing.
+[[nodiscard]] std::string theorem_sentence(const TraceReport& report);
+
+/// The outcome, what it rests on, and what the parts of a box say.
 [[nodiscard]] std::string verdict(const TraceReport& report);
 
 }  // namespace dumbbell

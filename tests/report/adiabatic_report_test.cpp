@@ -39,6 +39,20 @@ TEST_CASE("The report says for which states, what is proved, and what one orbit 
     CHECK_THAT(text, Contains("upper/lower at most 1.12\n"));  // 1.11333..., rounded up
 }
 
+TEST_CASE("An orbit's numbers are short, and said to be about right unless they are exact") {
+    AdiabaticReport report = report_of(AdiabaticClaim::run);
+    report.results[0].proof.attained[0].u = exact(0.050000049999999997);
+    report.results[0].proof.attained[0].s = exact(0.91666666666666663);
+    CHECK_THAT(to_text(report),
+               Contains("distance about 0.05000005 from the vertical, ydot about -0.9166667 delta, n = 63)"));
+}
+
+TEST_CASE("A bound that is not as near as was aimed at is still said to be proved") {
+    AdiabaticReport report = report_of(AdiabaticClaim::run);
+    report.results[0].proof.coarser = true;
+    CHECK_THAT(to_text(report), Contains("The bound is proved; it exceeds what is attained by more than"));
+}
+
 TEST_CASE("The units are those of each statement") {
     CHECK_THAT(to_text(report_of(AdiabaticClaim::scattering)),
                Contains("|I_N - I_0| <= 16.7 sqrt(delta)") &&

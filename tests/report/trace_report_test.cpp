@@ -17,7 +17,7 @@ TraceReport report_of(const Rational& phi, const Rational& phidot, int digits) {
 }  // namespace
 
 TEST_CASE("a flat fall is said to be one, at every precision, with what to do") {
-    for (const int digits : {0, 40, 100'000}) {
+    for (const int digits : {0, 40, most_trace_digits}) {
         TraceReport report = report_of(0, 0, 0);
         report.digits = digits;
         CHECK_THAT(outcome_sentence(report),
@@ -48,6 +48,45 @@ TEST_CASE("one collision is no plural") {
     CHECK_THAT(to_text(report), Contains("every initial condition in it has between 1 and 4 collisions.\n"));
     report.parts->most.reset();
     CHECK_THAT(to_text(report), Contains("every initial condition in it has at least 1 collision.\n"));
+}
+
+TEST_CASE("no more collisions are said to be possible than any trajectory has, with what that rests on") {
+    TraceReport report = report_of(Rational(1) / exact(0x1p100), 0, 0);
+    REQUIRE_FALSE(report.trace.exact());
+    const std::string theorem = "No trajectory at mass ratio 10 has more than 4 collisions (theorem 2";
+    report.trace.least = 1;
+    report.trace.most = 5;
+    CHECK_THAT(to_text(report), Contains("between 1 and 5 collisions") && !Contains("theorem"));
+    CHECK(to_json(report)["maximum"].is_null());
+    report.maximum = 4;
+    CHECK_THAT(to_text(report), Contains("between 1 and 4 collisions") && Contains(theorem));
+    CHECK(to_json(report)["most"] == 4);
+    CHECK(to_json(report)["maximum"] == 4);
+    report.trace.most.reset();
+    CHECK_THAT(to_text(report), Contains("between 1 and 4 collisions") && Contains(theorem));
+    report.trace.most = 3;
+    CHECK_THAT(to_text(report), Contains("between 1 and 3 collisions") && !Contains("theorem"));
+    CHECK(to_json(report)["maximum"].is_null());
+    report.parts.emplace();
+    report.parts->least = 1;
+    report.parts->most = 5;
+    report.parts->undecided.share = Rational(1, 3);
+    report.box.hi[4] = 11;
+    CHECK_THAT(to_text(report), Contains("every initial condition in it has between 1 and 4 collisions.\n") &&
+                                    Contains("No trajectory at mass ratios up to 11 has more than 4"));
+}
+
+TEST_CASE("shares are rounded so that what is said to be certified is") {
+    TraceReport report = report_of(1, 0, 0);
+    report.parts.emplace();
+    report.parts->least = report.parts->most.emplace(1);
+    const Rational little(Integer(1), 3 * boost::multiprecision::pow(Integer(10), 20));
+    report.parts->exact[1] = {1 - little, 5};
+    report.parts->undecided = {little, 1};
+    CHECK_THAT(to_text(report), Contains("  0.999999999999          5\n") &&
+                                    Contains("  3.33333333334e-21          1\n") &&
+                                    Contains("Certified: 0.999999999999 of the box"));
+    CHECK(to_json(report)["parts"]["decided_fraction"] < 1);
 }
 
 TEST_CASE("no zero has a sign") {
