@@ -23,9 +23,10 @@ std::size_t length(std::string_view text) {
     return overlong || surrogate || beyond || no_character ? 0 : n;
 }
 
+/// C0, DEL, or C1, which terminals obey too.
 bool is_control(std::string_view character) {
-    const auto byte = static_cast<unsigned char>(character[0]);
-    return byte < 0x20 || byte == 0x7f;
+    const auto last = static_cast<unsigned char>(character.back());
+    return character.size() == 1 ? last < 0x20 || last == 0x7f : character[0] == '\xc2' && last < 0xa0;
 }
 
 /// All characters, each as `write` writes it.
@@ -43,10 +44,8 @@ std::string transcribed(std::string_view text, const Write& write) {
 }  // namespace
 
 std::string one_line(std::string_view text) {
-    std::string result(text);
-    for (char& c : result)
-        if (is_control({&c, 1})) c = '?';
-    return result;
+    return transcribed(
+        text, [](std::string_view character) { return is_control(character) ? std::string_view("?") : character; });
 }
 
 std::string json_string(std::string_view text) {
@@ -54,7 +53,7 @@ std::string json_string(std::string_view text) {
         const char c = character[0];
         if (!is_control(character) && c != '"' && c != '\\') return std::string(character);
         char code[8];
-        std::snprintf(code, sizeof code, "\\u%04x", static_cast<unsigned>(c));
+        std::snprintf(code, sizeof code, "\\u%04x", static_cast<unsigned char>(character.back()));
         return code;
     };
     return '"' + transcribed(text, write) + '"';

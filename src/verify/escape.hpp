@@ -5,7 +5,7 @@
 
 namespace dumbbell_verify {
 
-/// On one line: control characters become `?`.
+/// On one line, for a terminal: control characters (C1, too) become `?`, bytes that are not UTF-8 U+FFFD.
 std::string one_line(std::string_view text);
 /// A JSON string with its quotes; bytes that are not UTF-8 become U+FFFD.
 std::string json_string(std::string_view text);

@@ -8,11 +8,24 @@
 #include <thread>
 
 #include "combine.hpp"
+#include "section.hpp"
 
 namespace dumbbell_verify {
 namespace {
 constexpr const char* names[] = {"VERIFIED", "PART", "UNREADABLE", "UNSUPPORTED", "LIMIT", "REJECTED"};
 constexpr int exit_codes[] = {0, 0, 2, 3, 4, 1};
+
+/// What --explain can show of a file.
+std::string trees(const Proof& proof, const std::string& scene) {
+    if (proof.initial) return "the leaves of this file are box, box.01, ...";
+    if (proof.adiabatic) return "the leaves of this file are box.01, class0.01, attained1, ...";
+    std::string text =
+        "PIECE is from 1 to " + std::to_string(proof.claim.pieces) + ", and the trees of a piece are ";
+    for (const Section* section : sections())
+        if (section->scene == scene && section->name == proof.section && section->lemmas == "1")
+            for (const Chart& chart : section->charts) text += std::string(chart.name) + ", ";
+    return text + "witness";
+}
 }  // namespace
 
 const char* verdict_name(Verdict verdict) { return names[static_cast<int>(verdict)]; }
@@ -36,7 +49,9 @@ Result examine(const Job& job) {
         }
         result.proof = std::move(proof);
         if (!settings.explain.empty() && !result.proof.explained)
-            result.why = {Verdict::unreadable, 0, "usage", "there is no leaf " + settings.explain};
+            result.why = {
+                Verdict::unreadable, 0, "usage",
+                "there is no leaf " + settings.explain + "; " + trees(result.proof, settings.scene)};
     } catch (Failure& failure) {
         result.why = std::move(failure);
     } catch (const std::exception& error) {  // out of memory, no more threads

@@ -100,7 +100,9 @@ void* reallocate(void* old, std::size_t /*old_size*/, std::size_t size) {
 void release(void* block, std::size_t /*size*/) { std::free(block); }
 
 int run(const Options& options) {
-    if (!options.junit.empty()) require_replaceable(options.junit);
+    std::vector<std::string> inputs;
+    for (const Job& job : options.jobs) inputs.push_back(job.file);
+    if (!options.junit.empty()) require_replaceable(options.junit, inputs);
     const auto start = std::chrono::steady_clock::now();
     const std::time_t started = std::time(nullptr);
     std::vector<TestCase> cases;

@@ -48,7 +48,9 @@ TEST_CASE("escape: what is no character of UTF-8 or none of XML is replaced, byt
 }
 
 TEST_CASE("escape: control characters and marks") {
-    CHECK(one_line("a\nb\tc\x7f\x1f z\x80") == "a?b?c?? z\x80");
+    CHECK(one_line("a\nb\tc\x7f\x1f z\x80") == "a?b?c?? z\xef\xbf\xbd");
+    CHECK(one_line("\xc2\x9b \xc2\xa0") == "? \xc2\xa0");
+    CHECK(json_string("\xc2\x9b \xc2\xa0") == "\"\\u009b \xc2\xa0\"");
     CHECK(json_string("\"\\\n\x1f\x7f /") == "\"\\u0022\\u005c\\u000a\\u001f\\u007f /\"");
     CHECK(xml_text("<&>\"'\n\t\x7f") == "&lt;&amp;&gt;&quot;'\n" + bad + bad);
     CHECK(json_string("") == "\"\"");

@@ -120,6 +120,17 @@ TEST_CASE("the JUnit report appears complete or not at all, and replaces nothing
         has(folder.run("--junit report.xml ten.dbc").err, "cannot write report.xml: it is no regular file"));
     fs::remove(folder / "report.xml");
     CHECK(folder.run("--junit none/report.xml ten.dbc").code == 2);
+    fs::create_hard_link(folder / "ten.dbc", folder / "hard.xml");
+    fs::create_symlink("ten.dbc", folder / "soft.xml");
+    for (const std::string name : {"hard.xml", "soft.xml", "./soft.xml"})
+        CHECK(has(folder.run("--junit " + name + " ten.dbc").err, "which is read"));
+    CHECK(contents(folder / "ten.dbc") == ten());
+    fs::remove(folder / "hard.xml");
+    fs::remove(folder / "soft.xml");
+    fs::create_symlink("/dev/stdout", folder / "stdout.xml");
+    CHECK(has(folder.run("--junit stdout.xml ten.dbc").err, "is no file"));
+    CHECK(folder.run("--junit /proc/report.xml ten.dbc").code == 2);
+    fs::remove(folder / "stdout.xml");
     CHECK(folder.run("--junit report.xml --max x ten.dbc").code == 2);
     CHECK(folder.names() == before);
 

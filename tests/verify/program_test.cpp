@@ -258,7 +258,9 @@ TEST_CASE("the option --explain shows a leaf with its numbers") {
     for (const char* leaf : {"2:bridge", "1:light", "1:bridge.0", "1:witness", "nonsense"}) {
         const Run missing = run(std::string("--explain ") + leaf + " " + file.path());
         CHECK(missing.code == 2);
-        CHECK(missing.last() == std::string("s UNREADABLE there is no leaf ") + leaf);
+        CHECK(missing.last() ==
+              std::string("s UNREADABLE there is no leaf ") + leaf +
+                  "; PIECE is from 1 to 1, and the trees of a piece are bridge, light, witness");
     }
     const File wrong(mutated(ten(), "upper 4", "upper 3"));
     const Run failing = run("--explain 1:bridge " + wrong.path());
