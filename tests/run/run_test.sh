@@ -180,6 +180,15 @@ run_in "$project" ./run certify
 wait $!
 expect "two at once: both succeed" is "$code" 0
 
+# Ctrl-C while it builds: the whole group of processes is told
+mkdir -- "$scratch/stopping"
+printf '#!/bin/sh\nkill -INT 0\nsleep 10\n' > "$scratch/stopping/cmake"
+chmod +x "$scratch/stopping/cmake"
+touch "$project/main.cpp"
+run_in "$scratch/elsewhere" setsid --wait env PATH="$scratch/stopping:$PATH" "$project/run" certify
+expect "stopped: exit 130" is "$code" 130
+expect "stopped: one line, and no log" is "$err" "run: stopped; the same command goes on with the build"
+
 # A failing build, then a repaired one
 cp -- "$project/main.cpp" "$scratch/main.cpp"
 echo 'int broken = "text";' >> "$project/main.cpp"
