@@ -1,19 +1,26 @@
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <string>
 #include <string_view>
 
+/// Names and texts from elsewhere may hold anything, also what moves a terminal's cursor.
 namespace dumbbell {
 
 /// A text from elsewhere as one line for people: what is no printable ASCII is `?`, and of a text that is
 /// longer than `most` characters the first ones, then `...`.
-[[nodiscard]] inline std::string printable(std::string_view text, std::size_t most) {
-    std::string line(text.substr(0, most));
-    std::replace_if(
-        line.begin(), line.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
-    return line + (text.size() > most ? "..." : "");
-}
+[[nodiscard]] std::string printable(std::string_view text, std::size_t most);
+
+/// A name as one line: control characters (C0, DEL, and C1 as UTF-8 spells them) and bytes that are not UTF-8
+/// are `?`; letters of any alphabet stay.
+[[nodiscard]] std::string one_line(std::string_view name);
+
+/// A word that a shell takes as it is: quoted where it must be. What `one_line` would hide is spelled as bash
+/// and zsh read it, $'...', so that the word stays one line, too.
+[[nodiscard]] std::string shell_quoted(std::string_view word);
+
+/// The name of a file as an argument of a command of ours: quoted, and no option though it begins with a dash
+/// (a lone dash is the standard input).
+[[nodiscard]] std::string shell_file(const std::string& name);
 
 }  // namespace dumbbell

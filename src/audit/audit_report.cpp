@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "arith/printable.hpp"
+
 namespace dumbbell::audit {
 namespace {
 
@@ -23,7 +25,7 @@ std::string to_text(const AuditedFile& file) {
         boxless += fmt::format(" ({} without upper bound)", a.without_cover);
     }
     return fmt::format(
-        "{}: {}: {}{}, {}, {}, {} checked, area {}, {:.2f} s", file.path,
+        "{}: {}: {}{}, {}, {}, {} checked, area {}, {:.2f} s", one_line(file.path),
         a.tiles() ? "tiles exactly" : "does NOT tile", counted(a.pieces, "piece"), boxless,
         counted(a.charts, "chart"), fmt::format("{} {}", a.leaves, a.leaves == 1 ? "leaf" : "leaves"),
         counted(a.pairs, "candidate pair"), a.tiles() ? "exact" : "not confirmed", file.seconds);

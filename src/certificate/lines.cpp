@@ -17,11 +17,19 @@ constexpr int max_line = 8192;
 
 }  // namespace
 
-Lines::Lines(const std::string& path) : path_(path), file_(nullptr, &gzclose) {
-    if (!std::filesystem::is_regular_file(path)) {
+void require_readable(const std::string& path) {
+    std::error_code hidden;
+    const auto there = std::filesystem::status(path, hidden);
+    if (!std::filesystem::is_regular_file(there)) {
         throw InputError(fmt::format("cannot read '{}': {}", path,
-                                     std::filesystem::exists(path) ? "not a regular file" : "no such file"));
+                                     std::filesystem::is_directory(there) ? "it is a directory"
+                                     : std::filesystem::exists(there)     ? "not a regular file"
+                                                                          : "no such file"));
     }
+}
+
+Lines::Lines(const std::string& path) : path_(path), file_(nullptr, &gzclose) {
+    require_readable(path);
     file_.reset(gzopen(path.c_str(), "rb"));
     if (!file_) {
         throw InputError(fmt::format("cannot read '{}'", path));

@@ -17,6 +17,9 @@ struct Generator {
     std::string version;
 };
 
+/// Throws InputError, saying what stands there, unless it is a file.
+void require_readable(const std::string& path);
+
 /// The lines of a certificate file (plain or gzip), split into fields, for the readers of the prover's side.
 /// Every failure is an InputError that names the file and the line.
 class Lines {

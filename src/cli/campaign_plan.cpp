@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "arith/error.hpp"
+#include "arith/printable.hpp"
 #include "cli/adiabatic_claim.hpp"
 #include "cli/campaign_commands.hpp"
 #include "cli/certify_claim.hpp"
@@ -47,8 +48,9 @@ struct Options {
 
 int made(const std::string& folder, const Plan& plan, const std::vector<std::string>& sources = {}) {
     CampaignFolder::create(folder, plan, sources);
-    fmt::print("{}\n{} shards of {} units in '{}'; to work them off: dumbbell campaign run {}\n", plan.claim,
-               plan.shards.size(), plan.whole.units.size(), folder, folder);
+    fmt::print("{}\n{} shards of {} units in '{}'; to work them off: dumbbell campaign run {}\n",
+               one_line(plan.claim), plan.shards.size(), plan.whole.units.size(), one_line(folder),
+               shell_file(folder));
     return exit_done;
 }
 

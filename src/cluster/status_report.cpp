@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "arith/printable.hpp"
 #include "report/printed.hpp"
 #include "report/text_table.hpp"
 
@@ -23,7 +24,7 @@ std::string verdict(const CampaignStatus& status) {
 }
 
 std::string to_text(const CampaignStatus& status) {
-    std::string text = fmt::format("{}\n{}", status.claim, verdict(status));
+    std::string text = fmt::format("{}\n{}", one_line(status.claim), verdict(status));
     if (status.is_running) {
         text += fmt::format("running: {} shards on {} workers\n", status.running, status.connected);
     }
@@ -41,7 +42,7 @@ std::string to_text(const CampaignStatus& status) {
     if (!status.workers.empty()) {
         std::vector<TableLine> lines{{"worker", "shards", "failed", "seconds a shard", "last heard of"}};
         for (const auto& [name, worker] : status.workers) {
-            lines.push_back({name, fmt::format("{}", worker.done), fmt::format("{}", worker.failed),
+            lines.push_back({one_line(name), fmt::format("{}", worker.done), fmt::format("{}", worker.failed),
                              worker.done == 0
                                  ? "-"
                                  : fmt::format("{:.2f}", worker.seconds / static_cast<double>(worker.done)),

@@ -2,29 +2,16 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
+#include "arith/printable.hpp"
 
 namespace dumbbell {
 namespace {
 
-/// A word that a shell takes as it is.
-std::string quoted(const std::string& word) {
-    constexpr std::string_view plain = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789._/-:";
-    if (!word.empty() && word.find_first_not_of(plain) == std::string::npos) {
-        return word;
-    }
-    std::string result = "'";
-    for (const char c : word) {
-        result += c == '\'' ? std::string("'\\''") : std::string(1, c);
-    }
-    return result + "'";
-}
-
 /// `port` is a number, or an expression of the shell that it is for.
 std::string worker(const std::string& password_file, const std::string& cores, const std::string& host,
                    const std::string& port) {
-    return fmt::format("work_queue_worker --password {} --cores {} {} {}", quoted(password_file), cores,
-                       quoted(host), port);
+    return fmt::format("work_queue_worker --password {} --cores {} {} {}", shell_quoted(password_file), cores,
+                       shell_quoted(host), port);
 }
 
 bool is_loopback(const std::string& address) { return address.starts_with("127.") || address == "::1"; }
@@ -54,22 +41,23 @@ std::string worker_examples(const ManagerPlace& manager, const std::string& host
         "# on OTHER, from here: a tunnel for as long as the worker runs, which also keeps the wire secret\n"
         "scp -p {} OTHER:{}\n"
         "ssh -o ExitOnForwardFailure=yes -R {}:{}:{} OTHER {}\n",
-        quoted(manager.password_file), copied, port, end_of_tunnel, port,
+        shell_quoted(manager.password_file), copied, port, end_of_tunnel, port,
         worker(copied, "0", "127.0.0.1", port));
 
     if (is_loopback(manager.address)) {
         text += fmt::format(
             "# Slurm: 16 workers of 4 cores, each with a tunnel to here, in a home folder shared with here\n"
             "sbatch --array=1-16 --cpus-per-task=4 --wrap {}\n",
-            quoted(fmt::format("port=$((20000 + SLURM_ARRAY_TASK_ID)); ssh -f -N -o ExitOnForwardFailure=yes "
-                               "-L $port:{}:{} {} && {}",
-                               end_of_tunnel, port, quoted(host),
-                               worker(manager.password_file, "4", "127.0.0.1", "$port"))));
+            shell_quoted(
+                fmt::format("port=$((20000 + SLURM_ARRAY_TASK_ID)); ssh -f -N -o ExitOnForwardFailure=yes "
+                            "-L $port:{}:{} {} && {}",
+                            end_of_tunnel, port, shell_quoted(host),
+                            worker(manager.password_file, "4", "127.0.0.1", "$port"))));
     } else {
         text += fmt::format(
             "# Slurm: 16 workers of 4 cores, in a home folder shared with here\n"
             "sbatch --array=1-16 --cpus-per-task=4 --wrap {}\n",
-            quoted(worker(manager.password_file, "4", host, port)));
+            shell_quoted(worker(manager.password_file, "4", host, port)));
     }
     return text;
 }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "arith/decimal.hpp"
+#include "arith/printable.hpp"
 #include "certificate/adiabatic_writer.hpp"
 #include "report/json_number.hpp"
 #include "report/printed.hpp"
@@ -270,8 +271,8 @@ std::string to_text(const AdiabaticReport& report) {
         text = sentence + "\n(and the same for the other distances)\n" + table_text(report);
     }
     if (report.out) {
-        text += fmt::format("Certificate: {0} (sha256 {1})\nCheck it: dumbbell-verify {0}\n", *report.out,
-                            *report.sha256);
+        text += fmt::format("Certificate: {} (sha256 {})\nCheck it:    dumbbell verify {}\n",
+                            one_line(*report.out), *report.sha256, shell_file(*report.out));
     }
     return text;
 }

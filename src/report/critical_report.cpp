@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "arith/decimal.hpp"
+#include "arith/printable.hpp"
 #include "model/extremal_orbit.hpp"
 #include "report/critical_number.hpp"
 #include "report/text_table.hpp"
@@ -146,7 +147,7 @@ std::string verdict(const CriticalReport& report) {
 std::string to_text(const CriticalReport& report) {
     std::string text = report.rows.size() == 1 ? single_text(report) : range_text(report);
     if (report.out) {
-        text += fmt::format("Table: {}\n", *report.out);
+        text += fmt::format("Table: {}\n", one_line(*report.out));
     }
     return text;
 }

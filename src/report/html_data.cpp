@@ -7,6 +7,8 @@
 
 #include "arith/decimal.hpp"
 #include "arith/error.hpp"
+#include "arith/printable.hpp"
+#include "certificate/lines.hpp"
 #include "model/growth_constant.hpp"
 #include "report/html_file.hpp"
 
@@ -35,19 +37,6 @@ struct LeavesOf {
             std::ranges::count_if(tree, [](const auto& node) { return !node.split; }));
     }
 };
-
-/// As a shell takes it: whatever is no plain word is quoted.
-std::string shell_word(const std::string& text) {
-    constexpr const char* plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_./:=@%+,-";
-    if (!text.empty() && text.find_first_not_of(plain) == std::string::npos) {
-        return text;
-    }
-    std::string quoted = "'";
-    for (const char c : text) {
-        quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
-    }
-    return quoted + "'";
-}
 
 std::string growth_digits() {
     const PrecisionScope scope(constant_bits);
@@ -79,14 +68,14 @@ nlohmann::ordered_json one_file(const ReportedFile& file, const BoxBudget& budge
     json["generator"] = provenance.generator;
     json["sha256"] = file.sha256;
     json["verify_options"] = provenance.verify_options;
-    // A name that begins with a dash would be an option.
-    json["verify_file"] = shell_word(file.path.starts_with('-') ? "./" + file.path : file.path);
+    json["verify_file"] = shell_file(file.path);
     return json;
 }
 
 }  // namespace
 
 ReportedFile read_reported(const std::string& path) {
+    require_readable(path);
     if (is_critical_table(path)) {
         CriticalTable table = read_critical_table(path);
         std::string sha256 = table.sha256;

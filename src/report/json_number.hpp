@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <string>
 
 #include "arith/interval.hpp"
 #include "arith/rational.hpp"
@@ -10,6 +11,11 @@ namespace dumbbell {
 
 /// x as it is printed: 0 has no sign, whatever the arithmetic gave it.
 [[nodiscard]] constexpr double unsigned_zero(double x) { return x == 0 ? 0.0 : x; }
+
+/// An object as `--json` prints it: ASCII alone, whatever bytes a name in it has.
+[[nodiscard]] inline std::string json_text(const nlohmann::ordered_json& json) {
+    return json.dump(2, ' ', true, nlohmann::ordered_json::error_handler_t::replace) + '\n';
+}
 
 /// The ends of an enclosure, exactly, as a pair of numbers.
 [[nodiscard]] inline nlohmann::ordered_json ends_json(const Interval& x) {

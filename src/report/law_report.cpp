@@ -4,6 +4,7 @@
 
 #include "arith/decimal.hpp"
 #include "arith/error.hpp"
+#include "arith/printable.hpp"
 #include "report/json_number.hpp"
 
 namespace dumbbell {
@@ -108,7 +109,8 @@ std::string verdict(const LawReport& report) {
 
 std::string to_text(const LawReport& report) {
     const Law& law = report.law;
-    std::string text = fmt::format("{}\n  {}\n\n{}", report.file, report.verdict, verdict(report));
+    std::string text =
+        fmt::format("{}\n  {}\n\n{}", one_line(report.file), one_line(report.verdict), verdict(report));
     if (!law.complete) {
         return text;
     }

@@ -8,6 +8,7 @@
 
 #include "arith/decimal.hpp"
 #include "arith/error.hpp"
+#include "arith/printable.hpp"
 #include "certificate/names.hpp"
 #include "model/paper_bound.hpp"
 #include "report/json_number.hpp"
@@ -215,10 +216,10 @@ std::string to_text(const ProofReport& report) {
     }
     if (report.out) {
         fmt::format_to(std::back_inserter(text),
-                       "Certificate: {} (sha256 {})\nCheck it:    dumbbell verify {}{}\n", *report.out,
-                       *report.sha256,
+                       "Certificate: {} (sha256 {})\nCheck it:    dumbbell verify {}{}\n",
+                       one_line(*report.out), *report.sha256,
                        report.scene == Scene::dumbbell ? "" : fmt::format("--scene {} ", name(report.scene)),
-                       *report.out);
+                       shell_file(*report.out));
     }
     return text;
 }

@@ -7,6 +7,7 @@
 #include <iterator>
 
 #include "arith/decimal.hpp"
+#include "arith/printable.hpp"
 #include "report/flat_fall.hpp"
 #include "report/json_number.hpp"
 
@@ -206,8 +207,8 @@ std::string to_text(const TraceReport& report) {
     }
     text += verdict(report);
     if (report.out) {
-        text += fmt::format("Certificate: {0} (sha256 {1})\nCheck it: dumbbell-verify {0}\n", *report.out,
-                            *report.sha256);
+        text += fmt::format("Certificate: {} (sha256 {})\nCheck it:    dumbbell verify {}\n",
+                            one_line(*report.out), *report.sha256, shell_file(*report.out));
     }
     return text;
 }

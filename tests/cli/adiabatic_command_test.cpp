@@ -21,7 +21,7 @@ void check_written(const TemporaryFolder& folder, Words options) {
     CAPTURE(options, result.out, result.err);
     CHECK(result.code == 0);
     CHECK(result.err.empty());
-    CHECK_THAT(result.out, Contains("Check it: dumbbell-verify claim.dbc"));
+    CHECK_THAT(result.out, Contains("Check it:    dumbbell verify claim.dbc"));
     const Outcome verified = run({DUMBBELL_VERIFY_BIN, "claim.dbc"}, folder.path());
     CAPTURE(verified.out);
     CHECK(verified.code == 0);
