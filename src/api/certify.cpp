@@ -46,7 +46,7 @@ void save(const Proof& proof, const std::string& file) {
         if (file.empty()) {
             throw dumbbell::InputError("the file name is empty");
         }
-        AtomicFile(file).commit(proof.certificate);
+        AtomicFile(output_target(file)).commit(proof.certificate);
     });
 }
 

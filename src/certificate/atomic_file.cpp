@@ -11,6 +11,7 @@
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
+#include <optional>
 #include <system_error>
 #include <utility>
 
@@ -43,12 +44,22 @@ std::string gzipped(const std::string& contents) {
                     path, std::strerror(errno)));
 }
 
-/// The temporary file of a path, open and locked, so that it is nobody else's; removed at the end unless it
-/// was given its final name.
+/// Nothing was begun: names what is missing, if it is the folder.
+[[noreturn]] void cannot_create(const std::string& path) {
+    const int cause = errno;
+    const std::string folder = std::filesystem::path(path).parent_path().string();
+    const bool no_folder = cause == ENOENT || cause == ENOTDIR;
+    throw InputError(fmt::format("cannot create '{}': {}", path,
+                                 no_folder && !folder.empty() ? fmt::format("there is no folder '{}'", folder)
+                                                              : std::strerror(cause)));
+}
+
+/// The temporary file of a path, made here and locked, so that it is nobody else's; removed at the end unless
+/// it was given its final name.
 class Temporary {
   public:
     explicit Temporary(const std::string& path) : path_(path), name_(temporary_name(path)) {
-        while (!opened()) {
+        while (!made()) {
         }
     }
     ~Temporary() {
@@ -61,9 +72,6 @@ class Temporary {
     Temporary& operator=(const Temporary&) = delete;
 
     void write(const std::string& bytes) const {
-        if (::ftruncate(descriptor_, 0) != 0) {  // a killed program may have left some
-            fail("write", path_);
-        }
         for (std::size_t done = 0; done < bytes.size();) {
             const ssize_t n = ::write(descriptor_, bytes.data() + done, bytes.size() - done);
             if (n < 0 && errno == EINTR) {
@@ -73,6 +81,16 @@ class Temporary {
                 fail("write", path_);
             }
             done += static_cast<std::size_t>(n);
+        }
+    }
+
+    /// The owner, as far as this program may, and the access rights of the file that it is to replace.
+    void inherit() const {
+        if (const auto replaced = regular_file(path_)) {
+            (void)!::fchown(descriptor_, replaced->st_uid, replaced->st_gid);
+            if (::fchmod(descriptor_, replaced->st_mode & 0777U) != 0) {
+                fail("write", path_);
+            }
         }
     }
 
@@ -90,11 +108,27 @@ class Temporary {
     }
 
   private:
-    /// False if whoever had it before has meanwhile removed it or given it its final name.
-    bool opened() {
-        descriptor_ = ::open(name_.c_str(), O_WRONLY | O_CREAT | O_NOFOLLOW | O_CLOEXEC, 0666);
+    static std::optional<struct stat> regular_file(const std::string& path) {
+        struct stat there {};
+        return ::lstat(path.c_str(), &there) == 0 && S_ISREG(there.st_mode) ? std::optional(there)
+                                                                            : std::nullopt;
+    }
+
+    /// False if the name is to be tried again: what a killed program left is out of the way now, or somebody
+    /// else's has its final name.
+    bool made() {
+        // What is to be replaced may be secret, until it has its rights.
+        const mode_t rights = regular_file(path_) ? 0600 : 0666;
+        descriptor_ = ::open(name_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, rights);
+        const bool is_new = descriptor_ >= 0;
+        if (!is_new && errno == EEXIST) {
+            descriptor_ = ::open(name_.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
+            if (descriptor_ < 0 && errno == ENOENT) {
+                return false;
+            }
+        }
         if (descriptor_ < 0) {
-            fail("create", path_);
+            cannot_create(path_);
         }
         while (::flock(descriptor_, LOCK_EX) != 0) {
             if (errno != EINTR) {
@@ -106,11 +140,15 @@ class Temporary {
         }
         struct stat mine {};
         struct stat named {};
-        if (::fstat(descriptor_, &mine) == 0 && ::lstat(name_.c_str(), &named) == 0 &&
-            mine.st_dev == named.st_dev && mine.st_ino == named.st_ino) {
+        const bool has_name = ::fstat(descriptor_, &mine) == 0 && ::lstat(name_.c_str(), &named) == 0 &&
+                              mine.st_dev == named.st_dev && mine.st_ino == named.st_ino;
+        if (is_new && has_name) {
             return true;
         }
         ::close(descriptor_);
+        if (has_name && ::unlink(name_.c_str()) != 0 && errno != ENOENT) {
+            cannot_create(path_);
+        }
         return false;
     }
 
@@ -133,6 +171,32 @@ void sync_folder_of(const std::string& path) {
 
 std::string temporary_name(const std::string& path) { return path + ".dumbbell-tmp"; }
 
+std::string output_target(const std::string& name) {
+    namespace fs = std::filesystem;
+    constexpr int most_links = 40;  // as the kernel follows
+    fs::path target = name;
+    for (int links = 0;; ++links) {
+        std::error_code failed;
+        const fs::path folder = fs::weakly_canonical(fs::absolute(target).parent_path(), failed);
+        for (const char* system : {"/dev", "/proc"}) {
+            const auto below = folder.lexically_relative(system);
+            if (!below.empty() && *below.begin() != ".." && *below.begin() != "shm") {
+                throw InputError(fmt::format(
+                    "cannot write '{}': what lies below {} is no file; - stands for the standard output",
+                    name, system));
+            }
+        }
+        const fs::path link = fs::read_symlink(target, failed);
+        if (failed) {
+            return target.string();
+        }
+        if (links == most_links) {
+            throw InputError(fmt::format("cannot write '{}': its links lead in a circle", name));
+        }
+        target = target.parent_path() / link;
+    }
+}
+
 AtomicFile::AtomicFile(std::string path) : path_(std::move(path)) {
     // A rename would replace whatever stands there, a device like /dev/null too.
     std::error_code unreadable;
@@ -150,6 +214,7 @@ void AtomicFile::commit(const std::string& contents, Survives whose_death) const
     const bool compress = path_.ends_with(".gz");
     Temporary file(path_);
     file.write(compress ? gzipped(contents) : contents);
+    file.inherit();
     if (whose_death == Survives::machine) {
         file.sync();
     }

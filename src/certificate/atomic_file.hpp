@@ -9,8 +9,10 @@ enum class Survives { program, machine };
 
 /// A file that appears under its final name complete or not at all: written beside it under the name
 /// `FILE.dumbbell-tmp`, synced, renamed. A program that is killed leaves at most that one file, which the
-/// next one that writes FILE takes over; writers of the same FILE wait for one another, and the last one
-/// wins. Throws InputError (naming the file and the cause) on any failure, and then leaves nothing.
+/// next one that writes FILE removes; writers of the same FILE wait for one another, and the last one wins.
+/// A file that is replaced passes its access rights on, and its owner if this program may give them; a link
+/// is replaced itself. Throws InputError (naming the file and the cause) on any failure, and then leaves
+/// nothing.
 class AtomicFile {
   public:
     /// A name that ends in `.gz` is written gzip-compressed. Finds out at once whether the place is writable,
@@ -25,6 +27,11 @@ class AtomicFile {
   private:
     std::string path_;
 };
+
+/// The file that a name given by a user stands for: links are followed to their end, which need not be there,
+/// so that it is written and they stay. Throws InputError if a link or the end lies below /dev (but /dev/shm,
+/// which has ordinary files) or /proc, or if the links lead in a circle.
+[[nodiscard]] std::string output_target(const std::string& name);
 
 /// What a killed program may leave beside `path`.
 [[nodiscard]] std::string temporary_name(const std::string& path);

@@ -7,6 +7,7 @@
 
 #include "arith/error.hpp"
 #include "cli/initial_argument.hpp"
+#include "cli/ratio_argument.hpp"
 #include "prove/adiabatic.hpp"
 
 namespace dumbbell {
@@ -57,14 +58,6 @@ void require_applicable(const AdiabaticWords& words, AdiabaticClaim claim) {
 }
 
 }  // namespace
-
-Rational parse_number(const char* option, const std::string& text) {
-    try {
-        return parse_rational(text);
-    } catch (const InputError& error) {
-        throw InputError(fmt::format("{}: {}", option, error.what()));
-    }
-}
 
 AdiabaticClaim claim_of(const AdiabaticWords& claim) {
     return claim.theorem == "thm3.3"    ? AdiabaticClaim::run

@@ -33,7 +33,4 @@ void add_adiabatic_options(CLI::App& command, AdiabaticWords& claim, Deltas delt
 /// Of --accuracy: greater than 0, at most 1. Throws InputError.
 [[nodiscard]] Rational accuracy_of(const AdiabaticWords& claim);
 
-/// A number of this option. Throws InputError that names it.
-[[nodiscard]] Rational parse_number(const char* option, const std::string& text);
-
 }  // namespace dumbbell

@@ -10,7 +10,6 @@
 
 #include "arith/error.hpp"
 #include "certificate/adiabatic_writer.hpp"
-#include "certificate/atomic_file.hpp"
 #include "cli/adiabatic_claim.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/jobs_option.hpp"
@@ -23,6 +22,7 @@
 #include "prove/adiabatic_branch.hpp"
 #include "prove/deadline.hpp"
 #include "report/adiabatic_report.hpp"
+#include "report/json_number.hpp"
 
 namespace dumbbell {
 namespace {
@@ -81,10 +81,10 @@ long most_collisions(const Options& options, const AdiabaticHypotheses& of) {
     return number >= most ? most : static_cast<long>(number.convert_to<double>());
 }
 
-void write_certificate(AdiabaticReport& report, const std::string& path, const AtomicFile& file) {
+void write_certificate(AdiabaticReport& report, const Output& output) {
     CertificateText text = render(certificate_of(report.results.front().proof));
-    file.commit(text.text);
-    report.out = path;
+    output.commit(text.text);
+    report.out = output.file();
     report.sha256 = std::move(text.sha256);
 }
 
@@ -113,10 +113,7 @@ int run(const Options& options) {
         throw InputError(
             "--out takes one statement: give one distance (--phi-margin) and one exponent (--k)");
     }
-    std::optional<AtomicFile> file;
-    if (!options.out.empty()) {
-        file.emplace(options.out);
-    }
+    const Output output(options.out, {}, options.json ? "--json" : nullptr);
     const Interrupted interrupted =
         deadline(options.budget ? std::optional(parse_duration(*options.budget)) : std::nullopt);
     bool complete = true;
@@ -139,12 +136,13 @@ int run(const Options& options) {
             complete = complete && report.results.back().proof.complete();
         }
     }
-    if (file && complete) {
-        write_certificate(report, options.out, *file);
+    if (output.is_wanted() && complete) {
+        write_certificate(report, output);
     }
-    fmt::print("{}", options.json    ? to_json(report).dump(2) + "\n"
-                     : options.quiet ? verdict(report)
-                                     : to_text(report));
+    fmt::print(output.report(), "{}",
+               options.json    ? json_text(to_json(report))
+               : options.quiet ? verdict(report)
+                               : to_text(report));
     if (complete) {
         return exit_done;
     }
@@ -173,7 +171,7 @@ void add_adiabatic_command(CLI::App& app, int& exit_code) {
         ->type_name("K");
     command->add_option("--budget", options->budget, "stop after this time: 30s, 10m, 2h")->type_name("TIME");
     add_jobs_option(*command, options->jobs);
-    add_out_option(*command, options->out);
+    add_out_option(*command, options->out, {Content::certificate});
     command->add_flag("--json", options->json, "one JSON object on stdout");
     command->add_flag("--quiet", options->quiet, "the constants alone, a line each, and no progress");
     command->callback([options, &exit_code] { exit_code = stoppable([&] { return run(*options); }); });

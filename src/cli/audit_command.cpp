@@ -10,6 +10,8 @@
 #include "cli/exit_code.hpp"
 #include "cli/messages.hpp"
 #include "cli/progress.hpp"
+#include "cli/standard_input.hpp"
+#include "report/json_number.hpp"
 
 namespace dumbbell {
 namespace {
@@ -37,8 +39,8 @@ audit::AuditedFile audited(const std::string& path) {
     Progress progress("leaves", Loudness::normal, "auditing");
     const auto start = std::chrono::steady_clock::now();
     audit::AuditedFile file{path, 0, {}};
-    file.audit =
-        audit::audit_file(path, [&](std::size_t done, std::size_t total) { progress.update(done, total); });
+    file.audit = audit::audit_file(
+        input_file(path), [&](std::size_t done, std::size_t total) { progress.update(done, total); });
     file.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return file;
 }
@@ -58,7 +60,7 @@ int run(const Options& options) {
         }
     }
     if (options.json) {
-        fmt::print("{}\n", to_json(files).dump(2));
+        fmt::print("{}", json_text(to_json(files)));
     }
     return all ? exit_done : exit_not_certified;
 }
@@ -69,7 +71,7 @@ void add_audit_command(CLI::App& app, int& exit_code) {
     auto options = std::make_shared<Options>();
     CLI::App* command = app.add_subcommand("audit", description);
     command->footer(footer);
-    command->add_option("FILE", options->files, "certificates")->required();
+    command->add_option("FILE", options->files, "certificates (-: the standard input)")->required();
     command->add_flag("--json", options->json, "one JSON object on stdout");
     command->callback([options, &exit_code] { exit_code = run(*options); });
 }

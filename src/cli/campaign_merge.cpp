@@ -3,9 +3,10 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "arith/error.hpp"
-#include "certificate/atomic_file.hpp"
+#include "arith/printable.hpp"
 #include "cli/campaign_commands.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/jobs_option.hpp"
@@ -33,6 +34,11 @@ struct Options {
     bool quiet = false;
 };
 
+/// What a campaign of this kind is merged to.
+Content content_of(std::string_view kind) {
+    return kind == "collisions" ? Content::certificate : kind == "verified" ? Content::parts : Content::table;
+}
+
 int not_merged(const Options& options, const Merge& merge) {
     if (stop_signal != 0) {
         complain(fmt::format("{}: '{}' is not written; nothing is lost", stopped_by(), options.out));
@@ -40,13 +46,14 @@ int not_merged(const Options& options, const Merge& merge) {
     }
     if (merge.unfinished > 0) {
         complain(fmt::format("{} of {} shards are not finished: dumbbell campaign run {} goes on with them",
-                             merge.unfinished, merge.shards, options.folder));
+                             merge.unfinished, merge.shards, shell_file(options.folder)));
     }
     if (!merge.withdrawn.empty()) {
-        complain(fmt::format(
-            "{} of {} results were not verified and are moved to '{}/rejected' (the first: {}); "
-            "dumbbell campaign run {} proves them again",
-            merge.withdrawn.size(), merge.shards, options.folder, merge.withdrawn.front(), options.folder));
+        complain(
+            fmt::format("{} of {} results were not verified and are moved to '{}/rejected' (the first: {}); "
+                        "dumbbell campaign run {} proves them again",
+                        merge.withdrawn.size(), merge.shards, options.folder, merge.withdrawn.front(),
+                        shell_file(options.folder)));
     }
     return exit_not_certified;
 }
@@ -54,12 +61,17 @@ int not_merged(const Options& options, const Merge& merge) {
 int merge(const Options& options) {
     CampaignFolder folder(options.folder);
     folder.lock();
-    if (folder.holds(options.out)) {
+    if (options.out != "-" && folder.holds(output_target(options.out))) {
         throw InputError(fmt::format(
             "'{}' lies in the campaign's folder, where nothing may lie but its own files: give another place",
             options.out));
     }
-    const AtomicFile file(options.out);
+    require_name_of(options.out, content_of(folder.plan().whole.kind()));
+    std::vector<std::string> results;
+    for (const auto& part : folder.parts()) {
+        results.push_back(folder.result_file(part.id));
+    }
+    const Output output(options.out, results);
     MergeOptions how{.jobs = options.jobs,
                      .scrutiny = options.unverified ? Scrutiny::form : Scrutiny::proof,
                      .interrupted = deadline(std::nullopt)};
@@ -72,12 +84,15 @@ int merge(const Options& options) {
     if (!merge.whole) {
         return not_merged(options, merge);
     }
-    file.commit(merge.whole->text);
+    output.commit(merge.whole->text);
     const char* what = merge.evidence == Evidence::workers ? "as the workers' verifiers say"
                        : options.unverified                ? "NOT verified"
                                                            : "verified";
-    fmt::print("{} shards {}; they tile the claim: {}\nwritten: {}\n", merge.shards, what,
-               folder.plan().claim, options.out);
+    fmt::print(output.report(), "{} shards {}; they tile the claim: {}\n", merge.shards, what,
+               one_line(folder.plan().claim));
+    if (output.file()) {
+        fmt::print("written: {}\n", one_line(options.out));
+    }
     if (merge.whole->is_open) {
         complain("not everything was decided: the file says which pieces are open");
         return exit_not_certified;
@@ -91,7 +106,7 @@ void add_campaign_merge(CLI::App& campaign, int& exit_code) {
     auto options = std::make_shared<Options>();
     CLI::App* command = campaign.add_subcommand("merge", description);
     command->add_option("FOLDER", options->folder, "the campaign's folder")->required();
-    add_out_option(*command, options->out, "the file to write (FILE.gz: compressed)")->required();
+    add_out_option(*command, options->out, {}, "the file to write (FILE.gz: compressed)")->required();
     add_jobs_option(*command, options->jobs, "so many shards are verified at the same time");
     command->add_flag("--unverified", options->unverified,
                       "only join a certificate: it is still to be verified, for instance by a campaign (plan "

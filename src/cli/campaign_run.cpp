@@ -25,6 +25,7 @@
 #include "cluster/work_queue_engine.hpp"
 #include "cluster/worker_commands.hpp"
 #include "prove/deadline.hpp"
+#include "report/json_number.hpp"
 #include "report/printed.hpp"
 
 namespace dumbbell {
@@ -128,7 +129,7 @@ int run(const Options& options) {
         done = run_campaign(folder, *engine, how);
     }
     if (options.json) {
-        fmt::print("{}\n", to_json(done, options.engine).dump(2));
+        fmt::print("{}", json_text(to_json(done, options.engine)));
     } else {
         fmt::print("{}", options.quiet ? verdict(done) : to_text(done));
     }

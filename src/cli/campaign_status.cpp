@@ -9,6 +9,7 @@
 #include "cli/campaign_commands.hpp"
 #include "cli/exit_code.hpp"
 #include "cluster/status_report.hpp"
+#include "report/json_number.hpp"
 
 namespace dumbbell {
 namespace {
@@ -30,7 +31,7 @@ void add_campaign_status(CLI::App& campaign, int& exit_code) {
     command->add_flag("--quiet", options->quiet, "one sentence")->excludes(json);
     command->callback([options, &exit_code] {
         const CampaignStatus status = campaign_status(CampaignFolder(options->folder));
-        fmt::print("{}", options->json    ? to_json(status).dump(2) + "\n"
+        fmt::print("{}", options->json    ? json_text(to_json(status))
                          : options->quiet ? verdict(status)
                                           : to_text(status));
         exit_code = exit_done;

@@ -7,7 +7,6 @@
 #include <memory>
 
 #include "arith/error.hpp"
-#include "certificate/atomic_file.hpp"
 #include "certificate/writer.hpp"
 #include "cli/certify_claim.hpp"
 #include "cli/exit_code.hpp"
@@ -21,6 +20,7 @@
 #include "prove/certify.hpp"
 #include "prove/deadline.hpp"
 #include "prove/witness_orbit.hpp"
+#include "report/json_number.hpp"
 #include "report/proof_report.hpp"
 
 namespace dumbbell {
@@ -116,7 +116,7 @@ ProofReport describe(const CertifyRequest& request, const std::vector<ProvedPiec
     return report;
 }
 
-void write_certificate(const std::vector<ProvedPiece>& pieces, AtomicFile& file, ProofReport& report) {
+void write_certificate(const std::vector<ProvedPiece>& pieces, const Output& output, ProofReport& report) {
     Certificate certificate{.program = "dumbbell",
                             .version = DUMBBELL_VERSION,
                             .pieces = {},
@@ -126,7 +126,8 @@ void write_certificate(const std::vector<ProvedPiece>& pieces, AtomicFile& file,
         certificate.pieces.push_back(p.piece);
     }
     CertificateText text = render(certificate);
-    file.commit(text.text);
+    output.commit(text.text);
+    report.out = output.file();
     report.sha256 = std::move(text.sha256);
 }
 
@@ -134,11 +135,10 @@ int run(const Options& options) {
     const RatioArgument ratio = parse_ratio_argument(options.claim.ratio);
     check_combination(options);
     CertifyRequest request = request_of(options, ratio);  // before the output file is touched
-    std::optional<AtomicFile> file;
+    const Output output(options.out, {}, options.json ? "--json" : nullptr);
     std::optional<PieceStore> store;
     const std::string partial = options.out + ".partial";
-    if (!options.out.empty()) {
-        file.emplace(options.out);
+    if (output.file()) {
         if (ratio.lo < ratio.hi) {  // it may take long: its finished pieces are kept
             request.store = &store.emplace(
                 partial, StoredClaim{request.scene, request.section, ratio.lo, ratio.hi, request.gap});
@@ -160,22 +160,22 @@ int run(const Options& options) {
     }
 
     ProofReport report = describe(request, pieces, seconds, options.witness, loudness);
-    if (file) {
-        report.out = options.out;
-        write_certificate(pieces, *file, report);
+    if (output.is_wanted()) {
+        write_certificate(pieces, output, report);
     }
     if (store && !open) {
         store->remove();
     }
     if (options.json) {
-        fmt::print("{}\n", to_json(report).dump(2));
+        fmt::print("{}", json_text(to_json(report)));
     } else if (options.quiet) {
-        fmt::print("{}", verdict(report));
+        fmt::print(output.report(), "{}", verdict(report));
     } else {
         if (ratio.swapped) {
-            fmt::print("Ratios below 1: the masses are swapped, q -> 1/q.\n");
+            fmt::print(output.report(), "Ratios below 1: the masses are swapped, q -> 1/q.\n");
         }
-        fmt::print("{}{}{}", orbits_to_text(report), options.witness ? "\n" : "", to_text(report));
+        fmt::print(output.report(), "{}{}{}", orbits_to_text(report), options.witness ? "\n" : "",
+                   to_text(report));
     }
     if (open) {
         complain(advice(request, pieces, kept_in));
@@ -190,7 +190,7 @@ void add_certify_command(CLI::App& app, int& exit_code) {
     CLI::App* command = app.add_subcommand("certify", description);
     command->footer(footer);
     add_claim_options(*command, options->claim)->required();
-    add_out_option(*command, options->out);
+    add_out_option(*command, options->out, {Content::certificate});
     add_jobs_option(*command, options->jobs);
     command->add_option("--budget", options->budget, "give up after this time: 30s, 10m, 2h")
         ->type_name("TIME");

@@ -13,7 +13,6 @@
 
 #include "arith/decimal.hpp"
 #include "arith/error.hpp"
-#include "certificate/atomic_file.hpp"
 #include "cli/count_argument.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/jobs_option.hpp"
@@ -25,6 +24,7 @@
 #include "prove/critical_range.hpp"
 #include "prove/deadline.hpp"
 #include "report/critical_report.hpp"
+#include "report/json_number.hpp"
 
 namespace dumbbell {
 namespace {
@@ -65,7 +65,7 @@ constexpr std::chrono::duration<double> long_time = std::chrono::hours(1);
 constexpr std::chrono::duration<double> some_time = std::chrono::minutes(1);
 
 Rational parse_distance(const std::string& text, long n) {
-    const Rational distance = parse_rational(text);
+    const Rational distance = parse_number("--confirm", text);
     // Neighbouring critical ratios are about 2/n apart, relatively.
     const Rational most = std::min(Rational(1, 100), Rational(Integer(1), Integer(n)));
     if (distance <= 0 || distance > most || digits_to_confirm(distance) > most_critical_digits) {
@@ -136,10 +136,7 @@ CriticalRequest request_of(const Options& options) {
 
 int run(const Options& options) {
     CriticalReport report{.request = request_of(options), .rows = {}, .seconds = 0, .out = {}};
-    std::optional<AtomicFile> file;
-    if (!options.out.empty()) {
-        file.emplace(options.out);
-    }
+    const Output output(options.out, {}, options.json ? "--json" : nullptr);
     const auto start = std::chrono::steady_clock::now();
     report.rows = enclose(report.request, options.quiet ? Loudness::quiet : Loudness::normal);
     report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -156,17 +153,14 @@ int run(const Options& options) {
                               finished, report.rows.size())));
         return exit_stopped;
     }
-    if (file) {
-        report.out = options.out;
-        file->commit(to_tsv(report));
+    if (output.is_wanted()) {
+        report.out = output.file();
+        output.commit(to_tsv(report));
     }
-    if (options.json) {
-        fmt::print("{}\n", to_json(report).dump(2));
-    } else if (options.quiet) {
-        fmt::print("{}", verdict(report));
-    } else {
-        fmt::print("{}", to_text(report));
-    }
+    fmt::print(output.report(), "{}",
+               options.json    ? json_text(to_json(report))
+               : options.quiet ? verdict(report)
+                               : to_text(report));
     if (!all) {
         complain(fmt::format("not everything was {} (--budget)",
                              options.confirm ? "confirmed: allow more time, or a greater distance"
@@ -190,7 +184,8 @@ void add_critical_command(CLI::App& app, int& exit_code) {
         ->add_option("--confirm", options->confirm,
                      "prove the maximum at q_c (1 - REL) and q_c (1 + REL) by cover and witness, too")
         ->type_name("REL");
-    add_out_option(*command, options->out, "write the table to FILE, tab-separated (FILE.gz: compressed)");
+    add_out_option(*command, options->out, {Content::table},
+                   "write the table to FILE, tab-separated (FILE.gz: compressed)");
     add_jobs_option(*command, options->jobs);
     command->add_option("--budget", options->budget, "stop after this time: 30s, 10m, 2h")->type_name("TIME");
     command->add_flag("--json", options->json, "one JSON object on stdout");

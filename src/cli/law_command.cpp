@@ -9,8 +9,10 @@
 #include "certificate/names.hpp"
 #include "certificate/reader.hpp"
 #include "cli/exit_code.hpp"
+#include "cli/standard_input.hpp"
 #include "cli/verify_command.hpp"
 #include "model/paper_bound.hpp"
+#include "report/json_number.hpp"
 #include "report/law_report.hpp"
 
 namespace dumbbell {
@@ -61,16 +63,17 @@ Certificate read_staircase(const std::string& file) {
 }
 
 int run(const Options& options) {
-    const Certificate certificate = read_staircase(options.file);
+    const std::string file = input_file(options.file);
+    const Certificate certificate = read_staircase(file);
     LawReport report{.file = options.file,
-                     .verdict = verified(options.file, name(certificate.scene),
+                     .verdict = verified(file, name(certificate.scene),
                                          options.quiet ? Loudness::quiet : Loudness::normal),
                      .digits = options.digits,
                      .law = {}};
     const PrecisionScope scope(static_cast<int>(options.digits * 3.33) + 64);
     report.law = law_of(certificate);
     if (options.json) {
-        fmt::print("{}\n", to_json(report).dump(2));
+        fmt::print("{}", json_text(to_json(report)));
     } else if (options.quiet) {
         fmt::print("{}", verdict(report));
     } else {
@@ -85,7 +88,9 @@ void add_law_command(CLI::App& app, int& exit_code) {
     auto options = std::make_shared<Options>();
     CLI::App* command = app.add_subcommand("law", description);
     command->footer(footer);
-    command->add_option("FILE", options->file, "certificate over a range of mass ratios, scene dumbbell")
+    command
+        ->add_option("FILE", options->file,
+                     "certificate over a range of mass ratios, scene dumbbell (-: the standard input)")
         ->required();
     command->add_option("--digits", options->digits, "digits of C, all of them proved")
         ->check(CLI::Range(1, 1000))

@@ -3,10 +3,12 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
+#include <iostream>
 #include <string_view>
+
+#include "arith/printable.hpp"
 
 namespace dumbbell {
 namespace {
@@ -17,13 +19,6 @@ std::string_view environment(const char* name) {
 }
 
 bool is_coloured() { return stderr_is_terminal() && environment("NO_COLOR").empty(); }
-
-/// File names may hold anything, and a message is one line: what would move a terminal's cursor is `?`.
-std::string one_line(std::string text) {
-    std::replace_if(
-        text.begin(), text.end(), [](unsigned char c) { return c < ' ' || c == 127; }, '?');
-    return text;
-}
 
 }  // namespace
 
@@ -37,6 +32,8 @@ void complain(const std::string& text) {
 bool stderr_is_terminal() {
     return ::isatty(STDERR_FILENO) == 1 && !environment("TERM").empty() && environment("TERM") != "dumb";
 }
+
+bool is_printed() { return std::cout.flush() && std::fflush(stdout) == 0 && std::ferror(stdout) == 0; }
 
 void remark(const std::string& text) { say(fmt::format("dumbbell: {}\n", one_line(text))); }
 

@@ -20,4 +20,9 @@ void remark(const std::string& text);
 /// Is stderr a terminal that understands escape codes? Not if TERM is dumb or not set.
 [[nodiscard]] bool stderr_is_terminal();
 
+/// Whether all that was printed on the standard output has arrived. What a stream cannot write it forgets, so
+/// this is asked once, at the end, for all commands.
+[[nodiscard]] bool is_printed();
+inline constexpr const char* not_printed = "cannot write the output: is the disk full, or the reader gone?";
+
 }  // namespace dumbbell

@@ -4,10 +4,10 @@
 #include <memory>
 #include <string>
 
-#include "certificate/atomic_file.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/out_option.hpp"
 #include "cli/plot_pictures.hpp"
+#include "cli/standard_input.hpp"
 
 namespace dumbbell {
 namespace {
@@ -82,9 +82,10 @@ CLI::App& add_picture(CLI::App& plot, int& exit_code, const std::shared_ptr<Plot
                       std::string (*draw)(const PlotRequest&)) {
     CLI::App* command = plot.add_subcommand(word, text);
     command->add_option("FILE", options->file, file)->required();
-    add_out_option(*command, options->out, "the SVG file to write")->required();
+    add_out_option(*command, options->out, {Content::picture}, "the SVG file to write")->required();
     command->callback([options, draw, &exit_code] {
-        const AtomicFile out(options->out);
+        const Output out(options->out, {options->file});
+        options->file = input_file(options->file);
         out.commit(draw(*options));
         exit_code = exit_done;
     });
@@ -99,21 +100,21 @@ void add_plot_command(CLI::App& app, int& exit_code) {
     plot->footer(footer);  // of its subcommands, too
     plot->require_subcommand(1);
     add_picture(*plot, exit_code, options, "staircase", staircase_description,
-                "certificate over a range of mass ratios", draw_staircase);
-    CLI::App& with_boxes =
-        add_picture(*plot, exit_code, options, "cover", cover_description,
-                    "certificate about a mass ratio, or about initial conditions", draw_cover);
+                "certificate over a range of mass ratios (-: the standard input)", draw_staircase);
+    CLI::App& with_boxes = add_picture(
+        *plot, exit_code, options, "cover", cover_description,
+        "certificate about a mass ratio, or about initial conditions (-: the standard input)", draw_cover);
     CLI::App& with_orbit = add_picture(*plot, exit_code, options, "orbit", orbit_description,
-                                       "mass ratio, or certificate", draw_orbit);
+                                       "mass ratio, or certificate (-: the standard input)", draw_orbit);
     for (CLI::App* picture : {&with_boxes, &with_orbit}) {
         picture
             ->add_option("--ratio", options->ratio, "the mass ratio to draw, of a certificate over a range")
             ->type_name("RATIO");
     }
-    add_picture(*plot, exit_code, options, "phase", phase_description, "certificate about initial conditions",
-                draw_phase);
+    add_picture(*plot, exit_code, options, "phase", phase_description,
+                "certificate about initial conditions (-: the standard input)", draw_phase);
     add_picture(*plot, exit_code, options, "adiabatic", adiabatic_description,
-                "certificate about the adiabatic invariant", draw_adiabatic);
+                "certificate about the adiabatic invariant (-: the standard input)", draw_adiabatic);
 }
 
 }  // namespace dumbbell

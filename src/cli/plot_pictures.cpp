@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -95,12 +96,16 @@ Certificate verified_dumbbell(const PlotRequest& request, const char* picture, c
     return certificate;
 }
 
-/// Is it a mass ratio, not the name of a file?
+/// Is it a mass ratio, not the name of a file? Throws InputError if it is neither, but begins like a number.
 bool is_ratio(const std::string& text) {
     try {
         (void)parse_ratio_argument(text);
         return true;
     } catch (const InputError&) {
+        const bool like_number = text.find_first_of("0123456789") <= 1;  // -1 and .5, too
+        if (like_number && !std::filesystem::exists(text)) {
+            throw;
+        }
         return false;
     }
 }

@@ -43,8 +43,16 @@ RatioArgument parse_ratio_argument(const std::string& text) {
     return result;
 }
 
+Rational parse_number(std::string_view option, const std::string& text) {
+    try {
+        return parse_rational(text);
+    } catch (const InputError& error) {
+        throw InputError(fmt::format("{}: {}", option, error.what()));
+    }
+}
+
 Rational parse_gap(const std::string& text) {
-    const Rational gap = parse_rational(text);
+    const Rational gap = parse_number("--gap", text);
     if (gap <= 0 || gap > Rational(1, 100)) {
         throw InputError(fmt::format(
             "--gap {} is out of range: a relative width greater than 0 and at most 0.01", shortened(text)));

@@ -21,6 +21,9 @@ struct RatioArgument {
 /// REL of --gap: 0 < REL <= 0.01. Throws InputError.
 [[nodiscard]] Rational parse_gap(const std::string& text);
 
+/// The exact number of an option. Throws InputError, which names the option.
+[[nodiscard]] Rational parse_number(std::string_view option, const std::string& text);
+
 /// TIME of an option: a number with s, m or h. Throws InputError, which names the option.
 [[nodiscard]] std::chrono::duration<double> parse_duration(const std::string& text,
                                                            std::string_view option = "--budget");

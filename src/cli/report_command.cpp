@@ -5,10 +5,10 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 
-#include "certificate/atomic_file.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/out_option.hpp"
 #include "cli/progress.hpp"
+#include "cli/standard_input.hpp"
 #include "report/html_data.hpp"
 #include "report/html_page.hpp"
 
@@ -43,12 +43,13 @@ struct Options {
 };
 
 int run(const Options& options) {
-    const AtomicFile out(options.out);
+    const Output out(options.out, options.files);
     Progress progress("", Loudness::normal, "making the page");
     std::vector<ReportedFile> files;
     std::size_t boxes = 0;
     for (const std::string& path : options.files) {
-        files.push_back(read_reported(path));
+        files.push_back(read_reported(input_file(path)));
+        files.back().path = path;
         boxes += leaves_of(files.back().content);
     }
     out.commit(html_page(page_data(files, options.most_boxes)));
@@ -66,9 +67,11 @@ void add_report_command(CLI::App& app, int& exit_code) {
     auto options = std::make_shared<Options>();
     CLI::App* command = app.add_subcommand("report", description);
     command->footer(footer);
-    command->add_option("FILE", options->files, "certificates of any kind, tables of critical ratios")
+    command
+        ->add_option("FILE", options->files,
+                     "certificates of any kind, tables of critical ratios (-: the standard input)")
         ->required();
-    add_out_option(*command, options->out, "the HTML file to write")->required();
+    add_out_option(*command, options->out, {Content::page}, "the HTML file to write")->required();
     command
         ->add_option("--max-boxes", options->most_boxes,
                      "boxes that the page draws; where there are more, one stands for several, and is marked")

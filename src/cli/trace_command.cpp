@@ -8,7 +8,6 @@
 #include <optional>
 
 #include "arith/error.hpp"
-#include "certificate/atomic_file.hpp"
 #include "certificate/initial_writer.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/initial_argument.hpp"
@@ -17,11 +16,13 @@
 #include "cli/out_option.hpp"
 #include "cli/progress.hpp"
 #include "cli/ratio_argument.hpp"
+#include "cli/stop_signals.hpp"
 #include "prove/critical.hpp"
 #include "prove/deadline.hpp"
 #include "prove/initial_state.hpp"
 #include "prove/subdivide.hpp"
 #include "prove/trace.hpp"
+#include "report/json_number.hpp"
 #include "report/trace_report.hpp"
 
 namespace dumbbell {
@@ -64,8 +65,8 @@ Examples:
 constexpr const char* footer =
     R"(The fields of --json: proofs/json.md.
 
-Exit codes: 0 an outcome is certified; 1 internal error; 2 wrong usage or input; 3 not decided at this
-precision.)";
+Exit codes: 0 an outcome is certified; 1 internal error; 2 wrong usage or input; 3 not decided at this precision; with
+--subdivide 130 or 143 stopped by SIGINT (Ctrl-C) or SIGTERM: nothing is kept.)";
 
 InitialBox box_of(const Options& options, const RatioArgument& ratio) {
     InitialBox box;
@@ -86,30 +87,30 @@ InitialBox box_of(const Options& options, const RatioArgument& ratio) {
     return box;
 }
 
-void write_certificate(TraceReport& report, const std::string& path, AtomicFile& file) {
+void write_certificate(TraceReport& report, const Output& output) {
     CertificateText text = render(InitialCertificate{.program = "dumbbell",
                                                      .version = DUMBBELL_VERSION,
                                                      .box = report.box,
                                                      .bits = report.parts->bits,
                                                      .tree = report.parts->tree});
-    file.commit(text.text);
-    report.out = path;
+    output.commit(text.text);
+    report.out = output.file();
     report.sha256 = std::move(text.sha256);
 }
 
-void print(const Options& options, const TraceReport& report, bool swapped) {
+void print(std::FILE* out, const Options& options, const TraceReport& report, bool swapped) {
     if (options.json) {
-        fmt::print("{}\n", to_json(report).dump(2));
+        fmt::print(out, "{}", json_text(to_json(report)));
     } else if (options.quiet) {
-        fmt::print("{}", verdict(report));
+        fmt::print(out, "{}", verdict(report));
     } else if (options.csv) {
-        fmt::print("{}", to_csv(report));
+        fmt::print(out, "{}", to_csv(report));
         remark(outcome_sentence(report));
         if (const std::string theorem = theorem_sentence(report); !theorem.empty()) {
             remark(theorem);
         }
     } else {
-        fmt::print("{}{}", swapped ? "Ratios below 1: the masses are swapped, q -> 1/q.\n" : "",
+        fmt::print(out, "{}{}", swapped ? "Ratios below 1: the masses are swapped, q -> 1/q.\n" : "",
                    to_text(report));
     }
 }
@@ -123,10 +124,7 @@ int run(const Options& options) {
                        .seconds = 0,
                        .out = {},
                        .sha256 = {}};
-    std::optional<AtomicFile> file;
-    if (!options.out.empty()) {
-        file.emplace(options.out);
-    }
+    const Output output(options.out, {}, options.json ? "--json" : options.csv ? "--csv" : nullptr);
     const auto budget = options.budget.empty() ? std::nullopt : std::optional(parse_duration(options.budget));
     SubdivideOptions limits{
         .max_boxes = options.max_boxes, .jobs = options.jobs, .interrupted = deadline(budget)};
@@ -136,22 +134,35 @@ int run(const Options& options) {
         const Progress progress("", loudness, "following the orbit");
         report.trace = trace(report.box, options.digits);
     }
-    if (options.subdivide) {
+    const auto finish = [&] {
+        if (!report.trace.exact() || (report.parts && report.parts->undecided.share > 0)) {
+            report.maximum = bound_by_theorem(ratio.hi);
+        }
+        report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+        if (output.is_wanted()) {
+            write_certificate(report, output);
+        }
+        print(output.report(), options, report, ratio.swapped);
+        const bool certified = !report.box.is_point() || report.trace.exact();
+        return certified ? exit_done : exit_not_certified;
+    };
+    if (!options.subdivide) {
+        return finish();
+    }
+    return stoppable([&] {
         limits.bits = std::min(report.trace.bits, most_subdivide_bits);
-        Progress progress("boxes", loudness, "halving the box");
-        limits.judged = [&](std::size_t boxes) { progress.advance(boxes); };
-        report.parts = subdivide(report.box, limits);
-    }
-    if (!report.trace.exact() || (report.parts && report.parts->undecided.share > 0)) {
-        report.maximum = bound_by_theorem(ratio.hi);
-    }
-    report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    if (file) {
-        write_certificate(report, options.out, *file);
-    }
-    print(options, report, ratio.swapped);
-    const bool certified = !report.box.is_point() || report.trace.exact();
-    return certified ? exit_done : exit_not_certified;
+        {
+            Progress progress("boxes", loudness, "halving the box");
+            limits.judged = [&](std::size_t boxes) { progress.advance(boxes); };
+            report.parts = subdivide(report.box, limits);
+        }
+        if (stop_signal != 0 && report.parts->undecided.share > 0) {
+            complain(stopped_by() +
+                     ": nothing is kept; with --budget TIME what is decided in time is printed, and written");
+            return exit_stopped;
+        }
+        return finish();
+    });
 }
 
 }  // namespace
@@ -172,7 +183,7 @@ void add_trace_command(CLI::App& app, int& exit_code) {
     CLI::Option* subdivide =
         command->add_flag("--subdivide", options->subdivide,
                           "halve the box until every part has its exact number of collisions");
-    add_out_option(*command, options->out,
+    add_out_option(*command, options->out, {Content::certificate},
                    "with --subdivide: write the certificate to FILE (FILE.gz: compressed)")
         ->needs(subdivide);
     command->add_option("--max-boxes", options->max_boxes, "with --subdivide: at most so many parts")

@@ -18,6 +18,7 @@ using namespace dumbbell_test;
 using Catch::Matchers::Contains;
 using dumbbell::AtomicFile;
 using dumbbell::InputError;
+using dumbbell::output_target;
 
 namespace {
 
@@ -110,6 +111,58 @@ TEST_CASE("what a program left that was killed while it wrote is taken over") {
     }
 }
 
+TEST_CASE("what a killed program left is not written into: it may have another name") {
+    const TemporaryFolder folder;
+    write_file(folder / "mine", "mine");
+    std::filesystem::create_hard_link(folder / "mine", dumbbell::temporary_name(folder / "file"));
+    AtomicFile(folder / "file").commit("new");
+    CHECK(contents(folder / "mine") == "mine");
+    CHECK(folder.names() == Names{"file", "mine"});
+}
+
+TEST_CASE("a file keeps its access rights, whatever was left under the temporary name; a link is replaced") {
+    const TemporaryFolder folder;
+    const auto mode = [](const std::string& file) {
+        struct stat status {};
+        REQUIRE(::lstat(file.c_str(), &status) == 0);
+        return status.st_mode;
+    };
+    for (const mode_t rights : {0600U, 0644U, 0400U, 0666U}) {
+        write_file(folder / "file", "old");
+        write_file(dumbbell::temporary_name(folder / "file"), "half");
+        ::chmod((folder / "file").c_str(), rights);
+        AtomicFile(folder / "file").commit("new");
+        CHECK(mode(folder / "file") == (S_IFREG | rights));
+        std::filesystem::remove(folder / "file");
+    }
+    const mode_t before = ::umask(027);
+    AtomicFile(folder / "file").commit("new");
+    ::umask(before);
+    CHECK(mode(folder / "file") == (S_IFREG | 0640U));
+    std::filesystem::create_symlink("file", folder / "link");
+    AtomicFile(folder / "link").commit("in its place");
+    CHECK(S_ISREG(mode(folder / "link")));
+    CHECK(contents(folder / "file") == "new");
+}
+
+TEST_CASE("a name given by a user leads through links to their end, and to no device") {
+    const TemporaryFolder folder;
+    std::filesystem::create_directory(folder / "sub");
+    std::filesystem::create_symlink("sub/end", folder / "one");
+    std::filesystem::create_symlink(folder / "one", folder / "two");
+    CHECK(std::filesystem::path(output_target(folder / "two")).lexically_normal() == folder / "sub/end");
+    CHECK(output_target(folder / "none/file") == folder / "none/file");
+    CHECK(output_target("file") == "file");
+    CHECK(output_target("/dev/shm/file") == "/dev/shm/file");
+    std::filesystem::create_symlink("/proc/self/fd/1", folder / "stream");
+    std::filesystem::create_symlink("circle", folder / "circle");
+    for (const char* name : {"/dev/stdout", "/dev/x", "/dev/./fd/1", "/proc/x", "/dev/shm/../x"}) {
+        CHECK_THROWS_WITH(output_target(name), Contains("below /"));
+    }
+    CHECK_THROWS_WITH(output_target(folder / "stream"), Contains("below /proc"));
+    CHECK_THROWS_WITH(output_target(folder / "circle"), Contains("circle"));
+}
+
 TEST_CASE("a link that waits under the temporary name is not followed") {
     const TemporaryFolder folder;
     write_file(folder / "mine", "mine");
@@ -171,7 +224,8 @@ TEST_CASE("a name that ends in .gz is compressed, reproducibly: no time and no n
 TEST_CASE("a place that cannot be written is known before any work is done") {
     const TemporaryFolder folder;
     CHECK_THROWS_AS(AtomicFile(folder / "no such folder/file"), InputError);
-    CHECK_THROWS_WITH(AtomicFile(folder / "no such folder/file"), Contains("no such folder/file"));
+    CHECK_THROWS_WITH(AtomicFile(folder / "no such folder/file"),
+                      Contains("there is no folder '" + folder / "no such folder" + "'"));
     CHECK_THROWS_AS(AtomicFile("/proc/dumbbell-test"), InputError);
     CHECK_THROWS_AS(AtomicFile(folder / std::string(300, 'x')), InputError);
     write_file(folder / "file", "");

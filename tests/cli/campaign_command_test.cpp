@@ -405,7 +405,7 @@ TEST_CASE("a table is not merged unverified, since nobody can verify it later") 
     REQUIRE(dumbbell({"campaign", "plan", folder / "c", "critical", "3:9"}).code == 0);
     REQUIRE(run_it(folder).code == 0);
     CHECK_THAT(
-        refused_here(folder, {"campaign", "merge", folder / "c", "--out", folder / "t", "--unverified"}),
+        refused_here(folder, {"campaign", "merge", folder / "c", "--out", folder / "t.tsv", "--unverified"}),
         Contains("merge without --unverified"));
 }
 

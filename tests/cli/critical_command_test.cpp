@@ -161,7 +161,7 @@ TEST_CASE("critical refuses options out of range") {
     CHECK_THAT(refused({"critical", "4", "--budget", "5"}), Contains("30s"));
     refused({"critical", "4", "--jobs", "0"});
     refused({"critical", "4", "--out", ""});
-    CHECK_THAT(refused({"critical", "4", "--out", "no/such/folder/file"}), Contains("no/such/folder"));
+    CHECK_THAT(refused({"critical", "4", "--out", "no/such/folder/file.tsv"}), Contains("no/such/folder"));
 }
 
 TEST_CASE("critical --help has examples, every option and the exit codes") {

@@ -90,11 +90,11 @@ TEST_CASE("a file that may not grow is like a full disk") {
 
 TEST_CASE("a pipe is not replaced by a certificate") {
     const TemporaryFolder folder;
-    REQUIRE(::mkfifo((folder / "pipe").c_str(), 0600) == 0);
-    const Outcome result = dumbbell({"certify", "10", "--out", "pipe"}, folder.path());
+    REQUIRE(::mkfifo((folder / "pipe.dbc").c_str(), 0600) == 0);
+    const Outcome result = dumbbell({"certify", "10", "--out", "pipe.dbc"}, folder.path());
     CHECK(result.code == 2);
     CHECK(count_lines(result.err) == 1);
-    CHECK(std::filesystem::is_fifo(folder / "pipe"));
+    CHECK(std::filesystem::is_fifo(folder / "pipe.dbc"));
 }
 
 TEST_CASE("a result that cannot be printed is no success") {

@@ -79,21 +79,24 @@ def single_files(programs: Programs, count: int, seed: int) -> Tally:
     """Short runs that replace a file: the old one or the new one stands there, whole."""
     dice = random.Random(seed)
     tally = Tally("kill -9 while a file is replaced")
-    commands = [["certify", "10"], ["certify", "100", "--section", "full"], ["critical", "3:6"],
-                ["trace", "10", "--phi", "0.3:0.31", "--phidot", "0", "--y", "3/2", "--ydot", "-1", "--subdivide"]]
+    commands = [("file.dbc", ["certify", "10"]), ("file.dbc", ["certify", "100", "--section", "full"]),
+                ("file.tsv", ["critical", "3:6"]),
+                ("file.dbc", ["trace", "10", "--phi", "0.3:0.31", "--phidot", "0", "--y", "3/2", "--ydot", "-1",
+                              "--subdivide"])]
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
         for turn in range(count):
-            words = commands[turn % len(commands)]
-            command = [programs.dumbbell, *words, "--out", "file"]
-            file = folder / "file"
-            file.unlink(missing_ok=True)
+            written, words = commands[turn % len(commands)]
+            command = [programs.dumbbell, *words, "--out", written]
+            for left in folder.iterdir():
+                left.unlink()
+            file = folder / written
             start = time.monotonic()
             tally.expect_code(programs.run(command, folder), {0}, " ".join(words))
             seconds = time.monotonic() - start
             new = file.read_bytes()
             file.write_bytes(b"old\n")
-            moment = (once_there(folder / "file.dumbbell-tmp", 3 * seconds) if dice.random() < 0.3 else
+            moment = (once_there(folder / f"{written}.dumbbell-tmp", 3 * seconds) if dice.random() < 0.3 else
                       after(dice.uniform(0, 1.2 * seconds)))
             outcome = programs.run_killed(command, folder, moment)
             tally.injected += outcome.code != 0

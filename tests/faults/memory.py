@@ -35,17 +35,18 @@ def out_of_memory(programs: Programs, count: int, seed: int) -> list[Tally]:
         folder = Path(name)
         shown = folder / "shown.dbc.gz"
         programs.run([programs.dumbbell, "certify", "1:3000", "--gap", "1e-9", "--out", shown], folder)
-        file = folder / "file"
+        file, table = folder / "file.dbc", folder / "file.tsv"
         prover = Tally("out of memory: prover")
         verifier = Tally("out of memory: verifier")
         commands = (
             (prover, [programs.dumbbell, "certify", "1:3000", "--gap", "1e-9", "--jobs", "2", "--out", file], {0, 1}),
             (prover, [programs.dumbbell, "certify", "12", "--section", "full", "--lemmas", "none", "--jobs", "2",
                       "--out", file], {0, 1}),
-            (prover, [programs.dumbbell, "critical", "3:20", "--digits", "100", "--jobs", "2", "--out", file], {0, 1}),
+            (prover, [programs.dumbbell, "critical", "3:20", "--digits", "100", "--jobs", "2", "--out", table], {0, 1}),
             (verifier, [programs.verify, "--jobs", "2", shown], {0, 4}),
             (verifier, [programs.verify, "--jobs", "1", "--json", shown], {0, 4}))
         for tally, command, codes in commands:
+            file = command[-1] if tally is prover else folder / "none"
             least = least_to_start(programs, [command[0], "--version"], folder)
             most = enough(programs, command, folder, least)
             whole = file.read_bytes() if tally is prover else b""
