@@ -1,8 +1,12 @@
 #include "cli/certify_claim.hpp"
 
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
 
+#include "arith/decimal.hpp"
 #include "arith/error.hpp"
+#include "arith/printable.hpp"
 #include "certificate/names.hpp"
 
 namespace dumbbell {
@@ -48,6 +52,12 @@ CertifyRequest request_of(const CertifyClaim& claim, const RatioArgument& ratio)
     }
     if (claim.section == "full" && claim.scene != "dumbbell") {
         throw InputError("--section full is for the scene dumbbell: the wedges have --section turning");
+    }
+    if (ratio.hi > greatest_ratio()) {
+        throw InputError(
+            fmt::format("the mass ratio {} is beyond 10^16, the greatest that is tried: one orbit "
+                        "has about 10^8 collisions there",
+                        printable(exact_text(ratio.hi), 40)));
     }
     CertifyRequest request;
     request.q_lo = ratio.lo;

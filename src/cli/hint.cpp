@@ -56,14 +56,6 @@ std::vector<const CLI::App*> commands_of(const CLI::App& app) {
     return app.get_subcommands([](const CLI::App* c) { return !c->get_group().empty(); });
 }
 
-std::vector<std::string> names_of_commands(const CLI::App& app) {
-    std::vector<std::string> names;
-    for (const CLI::App* command : commands_of(app)) {
-        names.push_back(command->get_name());
-    }
-    return names;
-}
-
 const CLI::App* command_named(const CLI::App& app, const std::string& name) {
     const auto commands = commands_of(app);
     const auto found = std::find_if(commands.begin(), commands.end(),
@@ -72,6 +64,14 @@ const CLI::App* command_named(const CLI::App& app, const std::string& name) {
 }
 
 }  // namespace
+
+std::vector<std::string> names_of_commands(const CLI::App& app) {
+    std::vector<std::string> names;
+    for (const CLI::App* command : commands_of(app)) {
+        names.push_back(command->get_name());
+    }
+    return names;
+}
 
 std::string hint(const CLI::App& app, const std::vector<std::string>& words) {
     const CLI::App* command = &app;

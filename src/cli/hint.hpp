@@ -6,6 +6,9 @@
 
 namespace dumbbell {
 
+/// The commands that --help of this one shows.
+[[nodiscard]] std::vector<std::string> names_of_commands(const CLI::App& app);
+
 /// What may help after a command line that was not understood: the command or option that was meant, if one
 /// is spelled nearly so, and whose --help to read. `words`: those behind the program's name.
 [[nodiscard]] std::string hint(const CLI::App& app, const std::vector<std::string>& words);

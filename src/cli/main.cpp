@@ -7,10 +7,10 @@
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
-#include <iostream>
 #include <memory>
 #include <new>
 #include <string>
+#include <vector>
 
 #include "arith/error.hpp"
 #include "arith/self_test.hpp"
@@ -21,13 +21,13 @@
 #include "cli/critical_command.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/generate_command.hpp"
-#include "cli/hint.hpp"
 #include "cli/law_command.hpp"
 #include "cli/messages.hpp"
 #include "cli/pages/one_screen.hpp"
 #include "cli/plot_command.hpp"
 #include "cli/report_command.hpp"
 #include "cli/trace_command.hpp"
+#include "cli/usage_error.hpp"
 #include "cli/verify_command.hpp"
 
 namespace dumbbell {
@@ -58,15 +58,6 @@ std::string version_text() {
                        DUMBBELL_BUILD_TYPE, DUMBBELL_FLAGS);
 }
 
-/// The first line of a message, so that an error is one line.
-std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
-
-bool has_command(CLI::App& app, const std::string& word) {
-    const auto commands = app.get_subcommands([](const CLI::App*) { return true; });
-    return std::any_of(commands.begin(), commands.end(),
-                       [&](const CLI::App* c) { return c->get_name() == word; });
-}
-
 /// Puts the commands that are in no group yet into this one.
 void add_as(const char* group, CLI::App& app) {
     const std::string none = CLI::App().get_group();
@@ -78,7 +69,7 @@ void add_as(const char* group, CLI::App& app) {
 int parse_and_run(int argc, char** argv) {
     CLI::App app{description, "dumbbell"};
     app.formatter(std::make_shared<pages::OneScreen>());  // of its commands, too
-    app.set_version_flag("--version", version_text());
+    app.set_version_flag("-V,--version", version_text());
     app.set_help_all_flag("--help-all", "Help of all commands");
     app.require_subcommand(1);
     int exit_code = exit_done;
@@ -109,11 +100,7 @@ int parse_and_run(int argc, char** argv) {
         if (error.get_exit_code() == 0) {
             return app.exit(error);  // --help, --version
         }
-        const std::string help = hint(app, {argv + 1, argv + argc});
-        if (argc >= 2 && argv[1][0] != '-' && !has_command(app, argv[1])) {
-            throw InputError(fmt::format("there is no command '{}'; {}", first_line(argv[1]), help));
-        }
-        throw InputError(fmt::format("{}; {}", first_line(error.what()), help));
+        throw InputError(usage_error(app, error, {argv + std::min(argc, 1), argv + argc}));
     }
     return exit_code;
 }
@@ -142,13 +129,29 @@ void* reallocate(void* old, std::size_t /*old_size*/, std::size_t size) {
 
 void release(void* block, std::size_t /*size*/) { std::free(block); }
 
+/// As other programs understand them: `help COMMAND...`, `version`.
+std::vector<char*> usual_words(int argc, char** argv) {
+    static std::string help = "--help", version = "--version";
+    std::vector<char*> words(argv, argv + argc);
+    const std::string first = argc >= 2 ? argv[1] : "";
+    if (first == "help") {
+        words.erase(words.begin() + 1);
+        words.push_back(help.data());
+    } else if (first == "version") {
+        words[1] = version.data();
+    }
+    words.push_back(nullptr);
+    return words;
+}
+
 int run(int argc, char** argv) {
     mp_set_memory_functions(allocate, reallocate, release);
     require_sound_arithmetic();
-    if (argc >= 2 && std::string(argv[1]) == "verify") {
-        become_verifier(argc, argv);
+    std::vector<char*> words = usual_words(argc, argv);
+    if (argc >= 2 && std::string(words[1]) == "verify") {
+        become_verifier(argc, words.data());
     }
-    return parse_and_run(argc, argv);
+    return parse_and_run(argc, words.data());
 }
 
 }  // namespace
@@ -157,19 +160,22 @@ int run(int argc, char** argv) {
 int main(int argc, char** argv) {
     std::signal(SIGCHLD,
                 SIG_DFL);  // ignored by whoever started this, there would be no exit code of a verifier
+    int exit_code = dumbbell::exit_internal;
     try {
-        const int exit_code = dumbbell::run(argc, argv);
-        if (!std::cout.flush() || std::fflush(stdout) != 0) {
-            throw dumbbell::InputError("cannot write the output: is the disk full, or the reader gone?");
-        }
-        return exit_code;
+        exit_code = dumbbell::run(argc, argv);
     } catch (const dumbbell::InputError& error) {
         dumbbell::complain(error.what());
         return dumbbell::exit_bad_input;
     } catch (const std::bad_alloc&) {
         std::fputs("dumbbell: out of memory\n", stderr);
     } catch (const std::exception& error) {
-        dumbbell::complain(fmt::format("internal error: {}", error.what()));
+        if (dumbbell::is_printed()) {  // else that is why: fmt::print throws
+            dumbbell::complain(fmt::format("internal error: {}", error.what()));
+        }
     }
-    return dumbbell::exit_internal;
+    if (!dumbbell::is_printed()) {
+        dumbbell::complain(dumbbell::not_printed);
+        return dumbbell::exit_bad_input;
+    }
+    return exit_code;
 }

@@ -56,9 +56,6 @@ std::string reason(const CertifyRequest& request, Obstacle obstacle) {
 
 std::string advice(const CertifyRequest& request, const std::vector<ProvedPiece>& pieces,
                    const std::string& partial) {
-    if (request.q_hi > greatest_ratio()) {
-        return "not decided: ratios beyond 1e16 are out of reach";
-    }
     return fmt::format(
         "{}{}{}", is_range(request) ? "not everything was decided" : "not decided",
         reason(request, worst_obstacle(pieces)),

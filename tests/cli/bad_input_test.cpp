@@ -95,6 +95,32 @@ TEST_CASE("a command or option that is nearly right is named, and the help that 
     CHECK_THAT(refused({"certify", "10", "--jobs", "0"}), Contains("see dumbbell certify --help"));
 }
 
+TEST_CASE("what is wrong is said in plain words, and in the order given") {
+    CHECK_THAT(refused({"--foo"}), Contains("there is no option '--foo'; see dumbbell --help"));
+    CHECK_THAT(refused({}), Contains("dumbbell needs a command: ") && Contains("certify"));
+    CHECK_THAT(refused({"plot", "pie", "x"}),
+               Contains("plot has no command 'pie'; see dumbbell plot --help"));
+    CHECK_THAT(refused({"plot"}), Contains("plot needs a command: staircase, cover"));
+    CHECK_THAT(refused({"certify", "10", "30", "20"}), Contains("not expected here: '30', '20'"));
+    CHECK_THAT(refused({"certify", "10", "x", "--outt"}), Contains("not expected here: 'x', '--outt'"));
+    CHECK_THAT(refused({"certify", "10", "--outt"}), Contains("there is no option '--outt' here"));
+    CHECK_THAT(refused({"certify", "10", "--out", "a.dbc", "--out", "b.dbc"}),
+               Contains("--out is given 2 times: give it once"));
+    CHECK_THAT(refused({"certify", "10", "--out"}), Contains("--out needs a value"));
+    CHECK_THAT(refused({"certify", "10", "--jobs", "x"}), Contains("--jobs"));
+    CHECK_THAT(refused({"certify", "10", "--jobs", "0"}), Contains("--jobs: 0 is not from 1 to 1024"));
+    CHECK_THAT(refused({"certify", "10", "--quiet", "--witness"}), Contains("exclude each other"));
+    CHECK_THAT(refused({"certify", "1:100", "--gap", "abc"}), Contains("--gap: 'abc' is not a number"));
+    CHECK_THAT(refused({"certify", "1:100", "--gap", "-1e-6"}), Contains("--gap: '-1e-6'"));
+    CHECK_THAT(refused({"critical", "4", "--confirm", "abc"}), Contains("--confirm: 'abc' is not a number"));
+    CHECK_THAT(refused({"plot", "orbit", "0", "--out", "x.svg"}), Contains("greater than 0"));
+    CHECK_THAT(refused({"plot", "orbit", "none.dbc", "--out", "x.svg"}), Contains("no such file"));
+    for (const Words& words :
+         {Words{}, Words{"plot"}, Words{"campaign"}, Words{"--foo"}, Words{"plot", "x"}}) {
+        CHECK_THAT(refused(words), !Contains("ubcommand"));
+    }
+}
+
 TEST_CASE("options without their value are refused") {
     for (const char* option : {"--out", "--gap", "--jobs", "--budget", "--scene", "--section"}) {
         CAPTURE(option);
@@ -124,7 +150,8 @@ TEST_CASE("names of files cannot break a message into lines, or move the termina
 }
 
 TEST_CASE("an output that cannot be written is known before the search, named, with the cause") {
-    CHECK_THAT(refused({"certify", "10", "--out", "no/such/folder/file.dbc"}), Contains("no/such/folder"));
+    CHECK_THAT(refused({"certify", "10", "--out", "no/such/folder/file.dbc"}),
+               Contains("cannot create 'no/such/folder/file.dbc': there is no folder 'no/such/folder'\n"));
     CHECK_THAT(refused({"certify", "10", "--out", "."}), Contains("directory"));
     CHECK_THAT(refused({"certify", "10", "--out", "/"}), Contains("directory"));
     refused({"certify", "10", "--out", "/proc/file.dbc"});
@@ -133,12 +160,27 @@ TEST_CASE("an output that cannot be written is known before the search, named, w
     refused({"certify", "1:1000000", "--gap", "1e-9", "--out", "no/such/folder/file.dbc"});
 }
 
+TEST_CASE("a ratio beyond 10^16 is refused") {
+    for (const char* ratio : {"10000000000000001", "1e17", "1e300", "1e-1000", "1:1e17"}) {
+        CHECK_THAT(refused({"certify", ratio, "--out", "file.dbc"}), Contains("beyond 10^16, the greatest"));
+    }
+}
+
 TEST_CASE("a range of more than a million steps is refused with advice") {
     CHECK_THAT(refused({"certify", "2:2e12", "--out", "file.dbc"}), Contains("in parts"));
 }
 
 TEST_CASE("plot refuses what is no certificate over a range") {
-    refused({"plot", "staircase", "missing.dbc", "--out", "stairs.svg"});
+    for (const Words& words : {Words{"plot", "staircase"}, Words{"report"}}) {
+        const std::string out = words[0] == "plot" ? "x.svg" : "x.html";
+        const auto of = [&](const char* file) {
+            Words whole = words;
+            whole.insert(whole.end(), {file, "--out", out});
+            return refused(whole);
+        };
+        CHECK_THAT(of("missing.dbc"), Contains("'missing.dbc': no such file"));
+        CHECK_THAT(of("."), Contains("'.': it is a directory"));
+    }
     refused({"plot", "staircase", ".", "--out", "stairs.svg"});
     refused({"plot", "staircase", DUMBBELL_BIN, "--out", "stairs.svg"});
     refused({"plot", "staircase", "missing.dbc"});

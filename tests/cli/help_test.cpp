@@ -83,7 +83,7 @@ TEST_CASE("every command's help says once what its exit codes mean") {
 }
 
 TEST_CASE("the help of every command that can be stopped says so") {
-    for (const char* command : {"certify", "critical", "adiabatic"}) {
+    for (const char* command : {"certify", "critical", "adiabatic", "trace"}) {
         CAPTURE(command);
         CHECK_THAT(help_of({command}).out, Contains("SIGINT (Ctrl-C) or SIGTERM: "));
     }
@@ -126,6 +126,34 @@ TEST_CASE("the help of a command that only has commands fits one screen, a line 
     }
     CHECK_THAT(help_of({}).out, Contains("\nProve:\n") && Contains("\nCheck:\n") && Contains("\nShow:\n"));
     CHECK_THAT(dumbbell({"--help-all"}).out, Contains("--section") && Contains("--theorem"));
+}
+
+TEST_CASE("the help is in plain words, its options fit 120 columns, and its usual names work") {
+    for (const Words& command : commands) {
+        const std::string help = help_of(command).out;
+        CAPTURE(command, help);
+        for (const char* word :
+             {"Excludes:", "INT:INT", "UINT", "SUBCOMMAND", "TEXT:{", "REQUIRED", "Needs:"}) {
+            CHECK_THAT(help, !Contains(word));
+        }
+        if (command == Words{"verify"}) {
+            continue;  // it has the verifier's own
+        }
+        const std::size_t options = help.find("\nOptions:") + 1;
+        REQUIRE(options != 0);
+        for (std::size_t from = options; from < std::min(help.find("\n\n", options), help.size());) {
+            const std::size_t end = help.find('\n', from);
+            CHECK(end - from <= 120);
+            from = end + 1;
+        }
+    }
+    CHECK_THAT(help_of({"certify"}).out, Contains("; not with --quiet"));
+    CHECK(dumbbell({"help"}).out == dumbbell({"--help"}).out);
+    CHECK(dumbbell({"help", "plot", "orbit"}).out == help_of({"plot", "orbit"}).out);
+    CHECK(dumbbell({"help", "verify"}).out == help_of({"verify"}).out);
+    for (const char* version : {"version", "-V"}) {
+        CHECK(dumbbell({version}).out == dumbbell({"--version"}).out);
+    }
 }
 
 TEST_CASE("every picture has an example") {

@@ -124,6 +124,17 @@ TEST_CASE("the progress line is never as wide as the terminal: the bar shrinks, 
     }
 }
 
+TEST_CASE("where TERM is dumb or not set no escape code is written") {
+    for (const char* term : {"TERM=dumb", "-uTERM"}) {
+        const std::string text = seen_on_terminal({"env", term, DUMBBELL_BIN, "certify", "1:1000000", "--gap",
+                                                   "1e-9", "--jobs", "1", "--budget", "2s"},
+                                                  "\n");
+        CAPTURE(text);
+        CHECK(text.find('\033') == std::string::npos);
+        CHECK(text.find("not everything was decided") != std::string::npos);
+    }
+}
+
 TEST_CASE("with --quiet there is no progress on a terminal either") {
     Words job = long_range;
     job.insert(job.end(), {"--budget", "2s", "--quiet"});
@@ -140,6 +151,7 @@ TEST_CASE("the name before an error is red on a terminal, unless NO_COLOR or TER
     };
     CHECK(error("TERM=xterm").starts_with("\033[31mdumbbell:\033[0m "));
     CHECK(error("TERM=dumb").starts_with("dumbbell: "));
+    CHECK(error("TERM=").starts_with("dumbbell: "));
     CHECK(error("NO_COLOR=1").starts_with("dumbbell: "));
     CHECK(error("NO_COLOR=").starts_with("\033[31m"));
     CHECK(dumbbell({"certify", "ten"}).err.starts_with("dumbbell: "));

@@ -40,30 +40,13 @@ void read_value(const std::string& type, OptionEntry& entry) {
     }
 }
 
-OptionEntry entry_of(const CLI::Option& option) {
-    OptionEntry entry;
-    entry.argument = option.get_positional();
-    entry.names =
-        entry.argument ? std::vector{option.get_name(true)} : split(option.get_name(false, true), ',');
-    entry.text = option.get_description();
-    entry.required = option.get_required();
-    entry.standard = option.get_default_str();
-    entry.repeated = option.get_expected_max() > 1;
-    if (entry.argument) {
-        entry.value = entry.names.front();
-    } else if (option.get_type_size() != 0) {
-        read_value(option.get_type_name(), entry);
-    }
-    return entry;
-}
-
 CommandEntry table_of(const CLI::App& app, const std::string& above, const std::string& before) {
     CommandEntry command{
         above + app.get_name(), before + app.get_name(), app.get_description(), app.get_footer(), {}, {}};
     for (const CLI::Option* option : app.get_options()) {
         const bool help = option == app.get_help_ptr() || option == app.get_help_all_ptr();
         if (!help || app.get_parent() == nullptr) {
-            command.options.push_back(entry_of(*option));
+            command.options.push_back(option_entry(*option));
         }
     }
     std::string between = " ";
@@ -113,6 +96,27 @@ void collect(const CommandEntry& command, std::vector<const CommandEntry*>& all)
 }  // namespace
 
 bool OptionEntry::is_file() const { return value.starts_with("FILE") || value == "LIST" || value == "PARTS"; }
+
+OptionEntry option_entry(const CLI::Option& option) {
+    OptionEntry entry;
+    entry.argument = option.get_positional();
+    entry.names =
+        entry.argument ? std::vector{option.get_name(true)} : split(option.get_name(false, true), ',');
+    entry.text = option.get_description();
+    entry.required = option.get_required();
+    entry.standard = option.get_default_str();
+    entry.repeated = option.get_expected_max() > 1;
+    if (entry.argument) {
+        entry.value = entry.names.front();
+    } else if (option.get_type_size() != 0) {
+        read_value(option.get_type_name(), entry);
+    }
+    for (const CLI::Option* other : option.get_excludes()) {
+        entry.excluded.push_back(other->get_name());
+    }
+    std::ranges::sort(entry.excluded);  // a set of pointers has another order each time
+    return entry;
+}
 
 CommandEntry command_table(const CLI::App& app) { return table_of(app, "", ""); }
 
@@ -169,7 +173,8 @@ std::string spelling(const OptionEntry& option) {
 
 std::string meaning(const OptionEntry& option) {
     return option.text + (option.required && !option.argument ? "; required" : "") +
-           (option.standard.empty() ? "" : "; default: " + option.standard);
+           (option.standard.empty() ? "" : "; default: " + option.standard) +
+           (option.excluded.empty() ? "" : "; not with " + joined(option.excluded, ", "));
 }
 
 std::vector<Block> blocks(const std::string& description) {

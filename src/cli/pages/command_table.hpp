@@ -16,7 +16,8 @@ struct OptionEntry {
     std::string text;                  ///< what it means
     bool argument = false;             ///< no option: its place on the command line says what it is
     bool required = false;
-    bool repeated = false;  ///< an argument that takes any number of words
+    bool repeated = false;              ///< an argument that takes any number of words
+    std::vector<std::string> excluded;  ///< options that cannot be given with it
 
     /// Is its value the name of a file?
     [[nodiscard]] bool is_file() const;
@@ -30,6 +31,9 @@ struct CommandEntry {
     std::vector<OptionEntry> options;
     std::vector<CommandEntry> commands;
 };
+
+/// What CLI11 knows about an option.
+[[nodiscard]] OptionEntry option_entry(const CLI::Option& option);
 
 /// What CLI11 knows about a program, but for hidden commands and for the help options of its commands.
 [[nodiscard]] CommandEntry command_table(const CLI::App& app);
@@ -54,7 +58,7 @@ struct CommandEntry {
 /// The option as it is typed: `--out FILE`.
 [[nodiscard]] std::string spelling(const OptionEntry& option);
 
-/// What it means, with what it needs to be known: required, or the value without it.
+/// What it means, with what it needs to be known: required, the value without it, what it excludes.
 [[nodiscard]] std::string meaning(const OptionEntry& option);
 
 /// A part of a description: lines that are one paragraph, or lines that stand as they are.

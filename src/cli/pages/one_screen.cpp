@@ -85,7 +85,7 @@ std::string filled(const std::string& text) {
 
 std::string OneScreen::make_help(const CLI::App* app, std::string name, CLI::AppFormatMode mode) const {
     if (mode != CLI::AppFormatMode::Normal || app->get_require_subcommand_min() == 0) {
-        return CLI::Formatter::make_help(app, std::move(name), mode);
+        return HelpFormat::make_help(app, std::move(name), mode);
     }
     return fmt::format(
         "{}\n\nUsage: {} COMMAND [OPTIONS] ...\nMore:  {} COMMAND --help, and: man dumbbell\n\n{}{}{}\n{}",
