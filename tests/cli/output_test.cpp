@@ -192,7 +192,7 @@ TEST_CASE("whatever could not be printed is no success, in every command") {
     const TemporaryFolder folder;
     const std::string stairs = certificate(folder, "1:20");
     REQUIRE(dumbbell({"campaign", "plan", folder / "c", "1:10"}).code == 0);
-    for (const std::string& words :
+    for (const char* words :
          {"certify 10", "certify 1:1000", "critical 4", "trace 10 --phi 1/3 --phidot 1 --y 3 --ydot -1/2",
           "adiabatic --delta 0.01 --theorem lemma3.1", "generate man", "certify 10 --out -"}) {
         const Outcome result =
