@@ -44,8 +44,9 @@ std::string transcribed(std::string_view text, const Write& write) {
 }  // namespace
 
 std::string one_line(std::string_view text) {
-    return transcribed(
-        text, [](std::string_view character) { return is_control(character) ? std::string_view("?") : character; });
+    return transcribed(text, [](std::string_view character) {
+        return is_control(character) ? std::string_view("?") : character;
+    });
 }
 
 std::string json_string(std::string_view text) {
