@@ -41,7 +41,7 @@ struct Options {
 };
 
 constexpr const char* description =
-    R"(Compute critical mass ratios, where the greatest number of collisions steps from N-1 to N.
+    R"(Compute critical mass ratios, where the greatest number steps from N-1 to N.
 
 Every digit printed is proved. The enclosures rest on theorem 2 of proofs/theorem.md; --confirm checks both sides
 without it.

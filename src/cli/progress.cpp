@@ -36,9 +36,11 @@ std::string rate_text(std::size_t done, double seconds) {
 
 std::string before(std::string_view phase) { return phase.empty() ? "" : fmt::format("{}: ", phase); }
 
+constexpr std::size_t shortest = 5, longest = 30, frame = 4;
+constexpr std::size_t shortest_bar = shortest + frame;
+
 /// `[###......] `, as long as there is room for it.
 std::string bar(std::size_t done, std::size_t total, std::size_t room) {
-    constexpr std::size_t shortest = 5, longest = 30, frame = 4;
     const std::size_t length = std::min(longest, std::max(room, frame) - frame);
     if (length < shortest) {
         return "";
@@ -138,12 +140,16 @@ void Progress::update(std::size_t done, std::size_t total, std::optional<long> c
         return;
     }
     const double left = elapsed() * static_cast<double>(total - done) / static_cast<double>(done);
-    const std::string phase = before(phase_);
     const std::string text =
         fmt::format("{}/{} {}, about {} left, {}{}", done, total, unit_, time_text(left),
                     rate_text(done, elapsed()), count ? fmt::format(", N = {}", *count) : "");
-    const std::size_t room = columns();
-    show(phase + bar(done, total, room - std::min(room, phase.size() + text.size())) + text);
+    const std::size_t all = columns();
+    const std::string phase = before(phase_);
+    if (phase.size() + text.size() + shortest_bar < all) {
+        show(phase + bar(done, total, all - phase.size() - text.size()) + text);
+    } else {
+        show(bar(done, total, all - std::min(all, text.size())) + text);
+    }
 }
 
 }  // namespace dumbbell

@@ -20,13 +20,15 @@ std::string generated(const std::string& what) {
     return made.out;
 }
 
-// All `--option`s that begin a line of the help, or follow one that does.
+// All `--option`s that begin a line of the help, or follow ones that do.
 std::set<std::string> options_of(const std::string& help) {
-    static const std::regex line("\n  (?:-h,)?(--[a-z-]+)(?:, (--[a-z-]+))?");
+    static const std::regex line("\n  (?:-h,)?--[a-z-]+(?:, --[a-z-]+)*"), word("--[a-z-]+");
     std::set<std::string> options;
     for (std::sregex_iterator at(help.begin(), help.end(), line), end; at != end; ++at) {
-        options.insert((*at)[1]);
-        options.insert((*at)[2].matched ? (*at)[2] : (*at)[1]);
+        const std::string names = at->str();
+        for (std::sregex_iterator name(names.begin(), names.end(), word); name != end; ++name) {
+            options.insert(name->str());
+        }
     }
     return options;
 }

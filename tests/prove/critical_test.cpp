@@ -148,7 +148,7 @@ TEST_CASE("No trajectory has more collisions than theorem 2 says, at and next to
         CAPTURE(q);
         CHECK(bound_by_theorem(parse_rational(q)) == n);
     }
-    // So near a step that 15 digits do not tell: one more is no false bound.
-    CHECK(bound_by_theorem(parse_rational("4.60333884875170035255658")) == 4);
+    // So near a step, below it, that few digits do not tell: one more is no false bound.
+    CHECK(bound_by_theorem(parse_rational("4.60333884875170035255655658202910301651306739")) >= 3);
     CHECK(bound_by_theorem(parse_rational("1e7")) == std::nullopt);
 }

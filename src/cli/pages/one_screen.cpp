@@ -46,7 +46,7 @@ std::string commands_text(const CLI::App& app) {
 std::string options_text(const CLI::App& app) {
     std::string text;
     for (const CLI::Option* option : app.get_options()) {
-        text += (text.empty() ? "Options: " : "; ") + option->get_name(false, true);
+        text += (text.empty() ? "Options:\n  " : ", ") + option->get_name(false, true);
     }
     return text + '\n';
 }
