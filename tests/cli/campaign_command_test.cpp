@@ -240,6 +240,19 @@ TEST_CASE("a true certificate of something else is no result") {
     CHECK_THAT(merged.err, Contains("it proves something else"));
 }
 
+TEST_CASE("the commands that a campaign names next can be pasted, whatever its folder is called") {
+    const TemporaryFolder folder;
+    for (const auto& [name, quoted] : {std::pair{"my campaign", "'my campaign'"}, {"a\tb", "$'a\\011b'"}}) {
+        const Outcome planned = dumbbell({"campaign", "plan", name, "1:10"}, folder.path());
+        CHECK_THAT(planned.out, Contains(std::string("dumbbell campaign run ") + quoted + "\n"));
+        const Outcome early = dumbbell({"campaign", "merge", name, "--out", "m.dbc"}, folder.path());
+        CHECK_THAT(early.err, Contains(std::string("dumbbell campaign run ") + quoted + " goes on"));
+        const Outcome pasted =
+            run({"bash", "-c", std::string(DUMBBELL_BIN) + " campaign run " + quoted}, folder.path());
+        CHECK(pasted.code == 0);
+    }
+}
+
 TEST_CASE("results that leave all undecided or are compressed spoil nothing") {
     const TemporaryFolder folder;
     plan(folder);

@@ -14,6 +14,11 @@ TEST_CASE("the line that starts a worker names password, host and port") {
           "work_queue_worker --password 'it'\\''s mine/$HOME' --cores 0 head 4000");
 }
 
+TEST_CASE("the line that starts a worker is one line of text whatever its folder is called") {
+    CHECK(worker_command({"127.0.0.1", 9123, "/my\tcampaigns\n/c/password"}, "127.0.0.1") ==
+          "work_queue_worker --password $'/my\\011campaigns\\012/c/password' --cores 0 127.0.0.1 9123");
+}
+
 TEST_CASE("a manager on the loopback address is reached through tunnels") {
     const std::string text = worker_examples({"127.0.0.1", 9123, "c/password"}, "head");
     CHECK_THAT(text, Contains("\nwork_queue_worker --password c/password --cores 0 127.0.0.1 9123\n"));
