@@ -10,7 +10,8 @@
 namespace dumbbell::api {
 namespace {
 
-dumbbell_verify::Job job_of(const std::string& file, const Claim& claim, unsigned jobs) {
+dumbbell_verify::Job job_of(const std::string& file, const Claim& claim, unsigned jobs,
+                            const std::string& budget) {
     if (!claim.most && !claim.least) {
         throw std::invalid_argument("the claim needs `most`, `least` or both");
     }
@@ -26,6 +27,9 @@ dumbbell_verify::Job job_of(const std::string& file, const Claim& claim, unsigne
     }
     dumbbell_verify::Job job{file, {}};
     job.settings.jobs = jobs;
+    dumbbell_verify::Words time({"--budget", budget});
+    time.next();
+    job.settings.budget = time.time();
     dumbbell_verify::Words words(std::move(options));
     while (words.next()) {
         claim_option(words, job.settings);
@@ -34,16 +38,18 @@ dumbbell_verify::Job job_of(const std::string& file, const Claim& claim, unsigne
 }
 
 Verdict given(dumbbell_verify::Verdict verdict) {
-    // In the order of the verifier's; its second one, a part of a file, is never asked for here.
-    constexpr std::array given{Verdict::verified,    Verdict::rejected, Verdict::unreadable,
-                               Verdict::unsupported, Verdict::limit,    Verdict::rejected};
+    // In the order of the verifier's; its second and third one, about parts of a file, are never asked for
+    // here.
+    constexpr std::array given{Verdict::verified,   Verdict::rejected,    Verdict::rejected,
+                               Verdict::unreadable, Verdict::unsupported, Verdict::limit,
+                               Verdict::rejected};
     return given.at(static_cast<std::size_t>(verdict));
 }
 
 }  // namespace
 
-Verification verify(const std::string& file, const Claim& claim, unsigned jobs) {
-    const dumbbell_verify::Job job = job_of(file, claim, jobs);
+Verification verify(const std::string& file, const Claim& claim, unsigned jobs, const std::string& budget) {
+    const dumbbell_verify::Job job = job_of(file, claim, jobs, budget);
     const dumbbell_verify::Result result = examine(job);
     return {given(result.why.verdict), result_text(result), result.proof.digest};
 }

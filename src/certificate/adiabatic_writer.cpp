@@ -113,6 +113,8 @@ std::string_view name(AdiabaticClaim claim) {
 CertificateText render(const AdiabaticCertificate& certificate) {
     const AdiabaticClaim claim = certificate.hypotheses.claim;
     const bool by_classes = claim == AdiabaticClaim::run || claim == AdiabaticClaim::scattering;
+    const auto& [least, greatest] = certificate.hypotheses.delta;
+    require(claim != AdiabaticClaim::printed || least == greatest, "one orbit for a range of delta");
     Body body;
     write_header(body, certificate);
     if (by_classes) {

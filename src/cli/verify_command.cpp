@@ -23,7 +23,9 @@ void become_verifier(int argc, char** argv) {
 
 std::string verified(const std::string& file, std::string_view scene, Loudness loudness) {
     const Progress progress("", loudness, "verifying");
-    Verdict verdict = ask_verifier({"--scene=" + std::string(scene), "--", file});
+    // Whoever waits for it can stop it; a budget would only be in the way.
+    Verdict verdict =
+        ask_verifier({"--quiet", "--budget=99999h", "--scene=" + std::string(scene), "--", file});
     if (!verdict.accepts) {
         throw InputError(fmt::format("'{}' is not verified: {}", file, verdict.line));
     }

@@ -132,8 +132,8 @@ class AdiabaticKind : public Kind {
     [[nodiscard]] std::string refutation(const Order& order, const std::string& /*folder*/,
                                          const std::string& file) const override {
         const AdiabaticHypotheses of = statement_of(order);
-        const Verdict verdict =
-            ask_verifier({"--jobs=1", "--quiet", fmt::format("--claim={}", name(of.claim)), "--", file});
+        const Verdict verdict = ask_verifier(
+            {"--jobs=1", "--quiet", "--budget=10h", fmt::format("--claim={}", name(of.claim)), "--", file});
         return verdict.accepts ? "" : fmt::format("not verified: {}", verdict.line);
     }
 };

@@ -164,8 +164,9 @@ class CollisionsKind : public Kind {
 
     [[nodiscard]] std::string refutation(const Order& order, const std::string& /*folder*/,
                                          const std::string& file) const override {
-        const Verdict verdict = ask_verifier(
-            {"--jobs=1", "--quiet", fmt::format("--scene={}", name(common_of(order).scene)), "--", file});
+        const Verdict verdict =
+            ask_verifier({"--jobs=1", "--quiet", "--budget=10h",
+                          fmt::format("--scene={}", name(common_of(order).scene)), "--", file});
         return verdict.accepts ? "" : fmt::format("not verified: {}", verdict.line);
     }
 };

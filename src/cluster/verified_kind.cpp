@@ -94,10 +94,11 @@ class VerifiedKind : public Kind {
         }
         Verdict verdict;
         try {
-            verdict = ask_verifier(
-                {"--jobs=1", "--quiet", "--max-bits=4096", fmt::format("--scene={}", name(subject.scene)),
-                 fmt::format("--shards={}-{}", first, last), "--", in(folder, subject.file)},
-                in(folder, verifier_name));
+            verdict =
+                ask_verifier({"--jobs=1", "--quiet", "--max-bits=4096", "--budget=99999h",
+                              fmt::format("--scene={}", name(subject.scene)),
+                              fmt::format("--shards={}-{}", first, last), "--", in(folder, subject.file)},
+                             in(folder, verifier_name));
         } catch (const NoVerdict&) {
             if (interrupted()) {
                 return std::nullopt;  // a signal ended the verifier, too

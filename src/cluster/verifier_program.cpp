@@ -102,7 +102,8 @@ void verifier_not_started(const std::string& program, int error) {
 Verdict ask_verifier(std::vector<std::string> arguments, std::string program) {
     const Run run = run_to_end(std::move(arguments), program);
     Verdict verdict{run.code == 0, std::string(last_line(run.out))};
-    const bool says_so = verdict.line.starts_with("s VERIFIED ") || verdict.line.starts_with("s PART ");
+    const bool says_so = verdict.line.starts_with("s VERIFIED ") || verdict.line.starts_with("s PART ") ||
+                         verdict.line.starts_with("s COMBINED ");
     if (!verdict.line.starts_with("s ") || verdict.accepts != says_so) {
         throw NoVerdict(fmt::format("the verifier '{}' gave no verdict (exit code {})", program, run.code));
     }

@@ -32,6 +32,10 @@ void require_delta(const AdiabaticHypotheses& of) {
     if (lo == 0 && of.claim != AdiabaticClaim::run) {
         throw InputError("--delta: a range may begin at 0 for thm3.3 only; begin it above 0");
     }
+    if (of.claim == AdiabaticClaim::printed && lo < hi) {
+        throw InputError(
+            "--delta: `printed` is about one orbit, and that has one delta: give it, not a range");
+    }
 }
 
 void require_margin(const AdiabaticHypotheses& of) {

@@ -11,6 +11,7 @@
 #include "arith/printable.hpp"
 #include "certificate/names.hpp"
 #include "model/paper_bound.hpp"
+#include "report/check_cost.hpp"
 #include "report/json_number.hpp"
 #include "report/orbit_text.hpp"
 #include "report/printed.hpp"
@@ -215,9 +216,14 @@ std::string to_text(const ProofReport& report) {
         text += "In every trajectory the heavy mass hits the floor at most once.\n";
     }
     if (report.out) {
+        std::vector<const Piece*> pieces;
+        for (const ReportRow& row : report.rows) {
+            pieces.push_back(row.piece);
+        }
         fmt::format_to(std::back_inserter(text),
-                       "Certificate: {} (sha256 {})\nCheck it:    dumbbell verify {}{}\n",
+                       "Certificate: {} (sha256 {})\nCheck it:    dumbbell verify {}{}{}\n",
                        one_line(*report.out), *report.sha256,
+                       budget_option(check_seconds(pieces, report.section)),
                        report.scene == Scene::dumbbell ? "" : fmt::format("--scene {} ", name(report.scene)),
                        shell_file(*report.out));
     }

@@ -31,8 +31,9 @@ class Reader {
             if (claim_.has_classes()) classes();
             if (claim_.kind != Adiabatic::printed) claim_tree();
             for (std::size_t i = 0; i < std::max<std::size_t>(1, claim_.bounds.size()); ++i) attained();
-            proof_.digest = trailer(text_, proof_.tallies);
+            read_trailer(text_, proof_);
             check_pending();
+            proof_.work = text_.budget.taken();
             if (settings_.scene != "dumbbell") text_.reject("claim-not-proved", "the scene is another");
             if (!settings_.claim.empty() && adiabatic_kind(settings_.claim) != claim_.kind)
                 text_.reject("claim-not-proved", "the claim is another");
@@ -65,6 +66,8 @@ class Reader {
             text_.reject("number", "not 0 <= D1 <= D2 < 1/2, 0 < D2");
         if (claim_.delta_lo == 0 && claim_.kind != Adiabatic::run)
             text_.reject("number", "D1 = 0 is for `adiabatic-run`");
+        if (claim_.delta_lo < claim_.delta_hi && claim_.kind == Adiabatic::printed)
+            text_.reject("number", "the orbit of `adiabatic-printed` has one delta: D1 = D2");
         if (claim_.has_heights()) {
             text_.expect("heights", 2);
             claim_.y_lo = text_.level(1);
@@ -132,8 +135,7 @@ class Reader {
     }
     void read_tree(AdiabaticLeaf::Part part, std::size_t index, const Axes& axes, const std::string& name) {
         ++proof_.roots;
-        Tree<AdiabaticBox> tree{text_,     axes, true,         proof_.tallies[split].lines,
-                                leaf_.box, name, most_halvings};
+        Tree<AdiabaticBox> tree{text_, axes, proof_.tallies[split].lines, leaf_.box, name, most_halvings};
         tree.read([&] { leaf(part, index, std::ldexp(1, -tree.depth), tree.path); });
     }
     void leaf(AdiabaticLeaf::Part part, std::size_t index, double share, const std::string& path) {
@@ -198,12 +200,12 @@ class Reader {
         for (std::size_t i = 0; i < leaf_.box.lo.size(); ++i)
             text += "  " + std::string(names[i]) + " in [" + to_string(leaf_.box.lo.at(i)) + ", " +
                     to_string(leaf_.box.hi.at(i)) + "]\n";
-        text += check_adiabatic(leaf_, &text) ? "  NOT certified\n" : "  certified\n";
-        std::fputs(text.c_str(), stdout);
+        dumbbell_verify::explain(text_, std::move(text),
+                                 [&](std::string* log) { return check_adiabatic(leaf_, log); });
     }
     void check_pending() {
         const std::vector<AdiabaticLeaf> leaves = std::exchange(pending_, {});
-        judge_all(leaves, settings_.jobs, [](const AdiabaticLeaf& leaf) {
+        judge_all(leaves, settings_.jobs, text_.budget, [](const AdiabaticLeaf& leaf) {
             return judge(leaf.line, leaf.opcode, [&] { return check_adiabatic(leaf, nullptr); });
         });
     }

@@ -44,7 +44,7 @@ class OrbitCheck : AdiabaticCheck<N> {
         Touch<N> last = first;
         I kappa = kappa_0_;
         for (std::uint64_t count = 0; count < state_.collisions; ++count) {
-            this->follow(count);
+            Work::collision();
             const auto flight = behind(last, kappa);
             if (!(flight && passes(last, *flight))) return false;
             const auto next = contact(*flight);

@@ -95,6 +95,7 @@ std::string Adiabatic::text() const {
         const std::string number = all.size() > 1 ? std::to_string(i + 1) : "";
         if (!all[i].bound.empty()) result += " C" + number + "=" + all[i].bound;
         result += " B" + number + "=" + all[i].attained;
+        if (delta_lo < delta_hi) result += " at" + number + "=" + to_string(attained[i].delta);
         if (!all[i].ratio.empty()) result += " ratio" + number + "=" + all[i].ratio;
     }
     return result;

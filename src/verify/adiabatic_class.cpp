@@ -69,6 +69,7 @@ class ClassCheck : AdiabaticCheck<N> {
     /// The integrals of L34 and of the potential over [a, b], a part of [-1, 1]; the mean of 1 - lambda^2 is
     /// exact.
     bool add_part(const N& a, const N& b, const Touch<N>& at, I& drift, I& potential) {
+        Work::spend(1 << 14);
         const I l = I(a, b) * k_, gap = at.w - l, length = I(b) - a;
         if (!fact("w - l > 0", gap.lo > zero)) return false;
         const I mean = I(1) - (square(I(a)) + I(a) * b + square(I(b))) / I(3);

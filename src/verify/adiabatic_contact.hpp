@@ -2,6 +2,7 @@
 #pragma once
 #include "angle.hpp"
 #include "arcsine.hpp"
+#include "work.hpp"
 
 namespace dumbbell_verify {
 
@@ -51,6 +52,7 @@ struct Touch {
     }
     Touch(const Masses<N>& m, const I& distance, const I& sin_x, const I& cos_x)
         : x(distance), sine(sin_x), w(cos_x), square_w(square(w)), e(m.r / square_w) {
+        Work::spend(1 << 13);
         const I quarter = pi<N>() / I(2);
         const Excess excess(m.beta2, m.r, sine, w);
         rho = excess.rho;

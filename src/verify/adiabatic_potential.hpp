@@ -3,6 +3,7 @@
 #include <gmpxx.h>
 
 #include <algorithm>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -38,8 +39,8 @@ class Potential {
         const double u = to_double(down, from);
         const auto cell =
             std::partition_point(cells_.begin(), cells_.end(), [&](const Cell& c) { return c.low_up > u; });
-        if (cell == cells_.end()) return exact<N>(cells_.empty() ? 0 : cells_.back().above_low);
-        return exact<N>(add(up, cell->above_high, area(*cell, u)));
+        if (cell == cells_.end()) return number<N>(up, cells_.empty() ? 0 : cells_.back().above_low);
+        return number<N>(up, add(up, cell->above_high, area(*cell, u)));
     }
     /// At most v at every u of the interval, which does not reach beyond the first cell's top.
     template <class N>
@@ -51,7 +52,7 @@ class Potential {
         double v = HUGE_VAL;
         for (auto cell = first; cell != cells_.end() && cell->high >= from; ++cell)
             v = std::min(v, cell->v_down);
-        return v < HUGE_VAL ? exact<N>(v) : N(0);
+        return v < HUGE_VAL ? number<N>(down, v) : N(0);
     }
 
   private:
@@ -65,10 +66,14 @@ class Potential {
     static double area(const Cell& cell, double u) {
         return mul(up, cell.v_up, std::max(0.0, add(up, cell.high, -u)));
     }
-    /// A bound as a number; what is too large for a double is unbounded.
+    /// A bound as a number: exactly, unless N has fewer bits than a double. What is too large for a double is
+    /// unbounded.
     template <class N>
-    static N exact(double x) {
-        return std::isfinite(x) ? bound(up, mpq_class(x), N(0)) : div(up, N(1), N(0));
+    static N number(Round d, double x) {
+        if constexpr (std::is_same_v<N, double>)
+            return x;
+        else
+            return std::isfinite(x) ? bound(d, mpq_class(x), N(0)) : div(d, N(1), N(0));
     }
 
     double top_;

@@ -11,7 +11,8 @@ namespace {
 
 class Reader {
   public:
-    Reader(const std::string& path, const Settings& settings) : settings_(settings), text_(path) {
+    Reader(const std::string& path, const Settings& settings)
+        : settings_(settings), text_(path, settings.budget) {
         proof_.claim = settings.demand;
     }
 
@@ -25,8 +26,9 @@ class Reader {
             range();
             for (const std::uint64_t k = text_.natural(1); claim_.pieces < k;) piece();
             if (end_ != claim_.hi) text_.reject("chain", "the last piece does not end at HI");
-            proof_.digest = trailer(text_, proof_.tallies);
+            read_trailer(text_, proof_);
             check_pending();
+            proof_.work = text_.budget.taken();
             if (settings_.scene != section_->scene) text_.reject("claim-not-proved", "the scene is another");
             if (!settings_.claim.empty() && settings_.claim != "collisions")
                 text_.reject("claim-not-proved", "the claim is another");
@@ -103,6 +105,7 @@ class Reader {
         text_.expect("pieces", 1);
         const std::uint64_t k = text_.natural(1);
         if (k == 0) text_.reject("number", "no piece");
+        Watched::pieces += k;
         if (settings_.check != all_pieces && settings_.check.last > k)
             misused("there is no piece " + std::to_string(settings_.check.last) + ": the file has " +
                     std::to_string(k) + (k == 1 ? " piece" : " pieces"));
@@ -142,6 +145,7 @@ class Reader {
             take(leaf, Place::witness, 4, 0, "witness");
         }
         claim_.add(a, b, upper, leaf.claimed);
+        ++Watched::read;
     }
 
     void cover(Leaf leaf, const mpq_class& a, const mpq_class& b) {
@@ -154,8 +158,7 @@ class Reader {
             if (text_.fields.size() != 2 || text_.fields[0] != "chart" || text_.fields[1] != path)
                 text_.reject("syntax", "expected `chart " + path + "`");
             leaf.chart = i;
-            Tree<Box> tree{text_,     section_->charts[i].axes, false, proof_.tallies[0].lines, leaf.box,
-                           path + '.'};
+            Tree<Box> tree{text_, section_->charts[i].axes, proof_.tallies[0].lines, leaf.box, path + '.'};
             tree.read([&] { take(leaf, Place::leaf, 1, std::ldexp(1, -tree.depth), tree.path); });
         }
     }
@@ -189,14 +192,14 @@ class Reader {
         proof_.explained = true;
         std::string text =
             wanted + ", line " + std::to_string(leaf.line) + ": " + text_.fields[0].data();  // the whole line
-        text += section_->check(leaf, &text) ? "  NOT certified\n" : "  certified\n";
-        std::fputs(text.c_str(), stdout);
+        dumbbell_verify::explain(text_, std::move(text),
+                                 [&](std::string* log) { return section_->check(leaf, log); });
     }
 
     /// Checks what has been read; the failure on the least line is thrown.
     void check_pending() {
         const std::vector<Leaf> leaves = std::exchange(pending_, {});
-        judge_all(leaves, settings_.jobs, [this](const Leaf& leaf) {
+        judge_all(leaves, settings_.jobs, text_.budget, [this](const Leaf& leaf) {
             return judge(leaf.line, section_->opcodes[leaf.opcode].name,
                          [&] { return section_->check(leaf, nullptr); });
         });

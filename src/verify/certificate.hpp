@@ -13,6 +13,7 @@ namespace dumbbell_verify {
 
 struct Settings {
     unsigned jobs = 1, max_bits = 2048;
+    std::uint64_t budget = default_budget;  ///< of work on the file, in units (work.hpp)
     unsigned precision = 0;  ///< at least so many bits of MPFR for every piece; 0: what the pieces say
     std::string scene = "dumbbell", explain;  ///< explain: PIECE:PATH or box.PATH, the leaf to show
     std::string claim;                        ///< demanded kind; empty: any
@@ -32,6 +33,7 @@ struct Proof {
     std::optional<Initial> initial;      ///< instead, if the file is about initial conditions
     std::optional<Adiabatic> adiabatic;  ///< instead, if it is about the adiabatic invariant
     std::string digest;
+    std::uint64_t work = 0;      ///< in units (work.hpp)
     std::string_view section;    ///< its name, if the file is about mass ratios
     bool heavy_once = false;     ///< proved for every ratio: the heavy mass touches at most once
     double roots = 0;            ///< number of root boxes

@@ -14,8 +14,9 @@ namespace {
 constexpr std::size_t most_bytes = 1 << 24;
 
 std::string contents(const std::string& path) {
-    const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), std::fclose);
-    if (!file) throw std::invalid_argument(std::strerror(errno));
+    std::string why;
+    const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(open_file(path, why), std::fclose);
+    if (!file) throw std::invalid_argument(why);
     std::string text(most_bytes + 1, '\0');
     text.resize(std::fread(text.data(), 1, text.size(), file.get()));
     if (std::ferror(file.get()) != 0) throw std::invalid_argument(std::strerror(errno));

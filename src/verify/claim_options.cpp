@@ -61,7 +61,14 @@ bool claim_option(Words& words, Settings& settings) {
     if (name == "--max") demand.most = words.number(0, any);
     if (name == "--min") demand.least = words.number(0, any);
     if (name == "--exactly") demand.most = demand.least = words.number(0, any);
-    if (name == "--scene") settings.scene = words.value();
+    if (name == "--scene") {
+        settings.scene = words.value();
+        const auto known = sections();
+        if (std::none_of(known.begin(), known.end(),
+                         [&](const Section* s) { return s->scene == settings.scene; }))
+            throw std::invalid_argument("--scene is dumbbell, hybrid or wedge, not `" +
+                                        settings.scene.substr(0, 60) + "`");
+    }
     if (name == "--claim") {
         settings.claim = words.value();
         if (settings.claim != "collisions" && settings.claim != "initial-conditions" &&

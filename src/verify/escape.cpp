@@ -49,6 +49,10 @@ std::string one_line(std::string_view text) {
     });
 }
 
+std::string leading_name(std::string_view name) {
+    return (name.starts_with("s ") || name.starts_with("c ") ? "./" : "") + one_line(name);
+}
+
 std::string json_string(std::string_view text) {
     const auto write = [](std::string_view character) -> std::string {
         const char c = character[0];

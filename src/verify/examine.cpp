@@ -12,8 +12,9 @@
 
 namespace dumbbell_verify {
 namespace {
-constexpr const char* names[] = {"VERIFIED", "PART", "UNREADABLE", "UNSUPPORTED", "LIMIT", "REJECTED"};
-constexpr int exit_codes[] = {0, 0, 2, 3, 4, 1};
+constexpr const char* names[] = {"VERIFIED",    "PART",  "COMBINED", "UNREADABLE",
+                                 "UNSUPPORTED", "LIMIT", "REJECTED"};
+constexpr int exit_codes[] = {0, 0, 0, 2, 3, 4, 1};
 
 /// What --explain can show of a file.
 std::string trees(const Proof& proof, const std::string& scene) {
@@ -41,9 +42,10 @@ Result examine(const Job& job) {
         std::optional<PartLines> lines;
         if (job.parts) lines.emplace(*job.parts);
         Proof proof = verify(job.file, settings);
-        if (lines)
+        if (lines) {
             result.parts = combine(*lines, proof, settings);
-        else if (settings.check != all_pieces) {
+            result.why.verdict = Verdict::combined;
+        } else if (settings.check != all_pieces) {
             result.part = part_of(proof, settings, PieceSums(proof.claim), settings.check);
             result.why.verdict = Verdict::part;
         }

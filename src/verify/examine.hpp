@@ -20,14 +20,19 @@ struct Job {
 struct Result {
     const Job* job = nullptr;
     Failure why{Verdict::verified, 0, "", ""};  ///< if not verified
-    Proof proof;                                ///< if verified
+    Proof proof;                                ///< if verified or combined
     std::optional<Part> part;                   ///< instead, if a part of the file is verified
     std::optional<std::uint64_t> parts;         ///< so many were combined
     double seconds = 0;
 };
 
 const char* verdict_name(Verdict verdict);  ///< VERIFIED, ...
-int exit_code(Verdict verdict);  ///< 0 verified, or a part, 1 rejected, 2 unreadable, 3 unsupported, 4 limit
+/// 0 verified, a part, or combined, 1 rejected, 2 unreadable, 3 unsupported, 4 limit
+int exit_code(Verdict verdict);
+/// Does it state what the whole file says?
+inline bool is_of_whole(Verdict verdict) {
+    return verdict == Verdict::verified || verdict == Verdict::combined;
+}
 
 /// Verifies one file; whatever is wrong is in the result.
 Result examine(const Job& job);

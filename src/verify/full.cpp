@@ -53,7 +53,7 @@ class Full : Bridge<N> {
         high.kappa = std::min(one, (y1 - at_high.cos).hi);
         N z = zero, z_high = zero;
         for (std::uint64_t n = 0;; ++n) {  // m <= a is certified where m arises
-            Base::follow(n);
+            Work::collision();
             if (this->log_)
                 *this->log_ += "  " + std::to_string(n) + ": x " + Base::show({low.x, high.x}) + " kappa " +
                                Base::show({low.kappa, high.kappa}) + "\n";

@@ -20,11 +20,12 @@ class Reader {
         require_fitting_demand();
         try {
             header();
-            Tree<InitialBox> tree{text_, initial_axes, true, proof_.tallies[split].lines, leaf_.box, "box."};
+            Tree<InitialBox> tree{text_, initial_axes, proof_.tallies[split].lines, leaf_.box, "box."};
             tree.read([&] { leaf(tree.depth, tree.path); });
             compare_bounds();
-            proof_.digest = trailer(text_, proof_.tallies);
+            read_trailer(text_, proof_);
             check_pending();
+            proof_.work = text_.budget.taken();
             if (settings_.scene != "dumbbell") text_.reject("claim-not-proved", "the scene is another");
             if (!settings_.claim.empty() && settings_.claim != "initial-conditions")
                 text_.reject("claim-not-proved", "the claim is another");
@@ -128,8 +129,8 @@ class Reader {
         if (wanted.empty() || (path != wanted && path != wanted + ".")) return;
         proof_.explained = true;
         std::string text = wanted + ", line " + std::to_string(leaf_.line) + ": " + text_.fields[0].data();
-        text += check_initial(leaf_, &text) ? "  NOT certified\n" : "  certified\n";
-        std::fputs(text.c_str(), stdout);
+        dumbbell_verify::explain(text_, std::move(text),
+                                 [&](std::string* log) { return check_initial(leaf_, log); });
     }
 
     void compare_bounds() {
@@ -143,7 +144,7 @@ class Reader {
     }
     void check_pending() {
         const std::vector<InitialLeaf> leaves = std::exchange(pending_, {});
-        judge_all(leaves, settings_.jobs, [](const InitialLeaf& leaf) {
+        judge_all(leaves, settings_.jobs, text_.budget, [](const InitialLeaf& leaf) {
             return judge(leaf.line, leaf.opcode, [&] { return check_initial(leaf, nullptr); });
         });
     }

@@ -6,6 +6,7 @@
 
 #include "angle.hpp"
 #include "initial.hpp"
+#include "work.hpp"
 
 namespace dumbbell_verify {
 
@@ -104,6 +105,7 @@ class Flight {
     }
 
     [[nodiscard]] bool span_is_closed(std::optional<bool> first, const N& from, const N& to) const {
+        Work::spend(1 << 12);
         const I span(from, to);
         if ((h + v * span).lo > N(1)) return true;
         const I sine = sin_cos_on(phi + w * I(from), quarter).sin,

@@ -77,7 +77,6 @@ const char* check_initial(const InitialLeaf& leaf, std::string* log) { return ju
 
 bool starts_in_the_air(const InitialBox& box, unsigned bits) {
     constexpr unsigned least_bits = 640;
-    Work::begin();
     Big::precision = std::max(bits, least_bits);
     using I = Interval<Big>;
     const Flight<Big> flight(box);

@@ -28,6 +28,7 @@ class Departures : public Rays<N> {
         int counted = 0;
         for (std::uint64_t done = 0; done <= most && done <= most_steps_made; ++done) {
             note(done, ray);
+            Work::spend(1 << 14);
             enough_ = enough_ || done >= least;
             if (ray.slope.lo >= one) return fact("all leave steeply (L3), with enough collisions", enough_);
             const bool passes = ray.light && passes_bridge(ray);

@@ -28,6 +28,14 @@ std::string range(const mpq_class& lo, const mpq_class& hi) {
     return object({{"lo", json_string(to_string(lo))}, {"hi", json_string(to_string(hi))}});
 }
 
+/// In seconds of a core.
+std::string work(bool known, const Proof& proof) {
+    constexpr std::uint64_t per_millisecond = units_per_second / 1000;
+    if (!known) return "null";
+    const std::uint64_t n = (proof.work + per_millisecond - 1) / per_millisecond;
+    const std::string rest = std::to_string(1000 + n % 1000);
+    return std::to_string(n / 1000) + "." + rest.substr(1);
+}
 std::string demand(const Settings& settings) {
     const Collisions& d = settings.demand;
     return object({{"ratio", d.ratios ? range(d.ratios->first, d.ratios->second) : "null"},
@@ -36,7 +44,7 @@ std::string demand(const Settings& settings) {
 }
 
 std::string claim(const Result& result) {
-    if (result.why.verdict != Verdict::verified) return "null";
+    if (!is_of_whole(result.why.verdict)) return "null";
     if (result.proof.initial) return result.proof.initial->json();
     if (result.proof.adiabatic) return result.proof.adiabatic->json();
     const Collisions& c = result.proof.claim;
@@ -71,7 +79,7 @@ std::string part(const Part& p) {
 
 std::string json(const Result& result) {
     const Failure& why = result.why;
-    const bool verified = why.verdict == Verdict::verified, failed = exit_code(why.verdict) != 0;
+    const bool verified = is_of_whole(why.verdict), failed = exit_code(why.verdict) != 0;
     std::vector<Member> leaves, coverage;
     for (const Tally& tally : verified ? result.proof.tallies : std::vector<Tally>()) {
         leaves.push_back({tally.name, number(tally.lines)});
@@ -87,6 +95,7 @@ std::string json(const Result& result) {
                    {"parts", number(result.parts)},
                    {"leaves", object(leaves)},
                    {"coverage", object(coverage)},
+                   {"work", work(verified, result.proof)},
                    {"line", why.line > 0 ? number(why.line) : "null"},
                    {"code", string_unless(!failed, why.code)},
                    {"reason", string_unless(!failed, why.text)}});

@@ -13,6 +13,7 @@
 #include "json.hpp"
 #include "junit.hpp"
 #include "options.hpp"
+#include "progress.hpp"
 #include "replace_file.hpp"
 #include "summary.hpp"
 
@@ -37,9 +38,10 @@ TestCase test_case(const Result& r) {
 }
 
 /// Every file by itself. The verdict of all is the worst.
-Verdict run_files(const Options& options, std::vector<TestCase>& cases) {
+Verdict run_files(const Options& options, Progress& progress, std::vector<TestCase>& cases) {
     const bool several = options.jobs.size() > 1;
     const auto results = examine_all(options.jobs, options.beside, [&](const Result& r) {
+        const auto lock = progress.hidden();
         cases.push_back(test_case(r));
         if (options.json)
             std::printf("%s%s", r.job == options.jobs.data() ? "[" : ",\n", json(r).c_str());
@@ -57,11 +59,12 @@ Verdict run_files(const Options& options, std::vector<TestCase>& cases) {
 }
 
 /// Both files are verified; only then are they compared. The verdict of the whole is the only line with `s`.
-Verdict run_lemma(const Options& options, std::vector<TestCase>& cases) {
+Verdict run_lemma(const Options& options, Progress& progress, std::vector<TestCase>& cases) {
     const auto results = examine_all(options.jobs, options.beside, [&](const Result& r) {
+        const auto lock = progress.hidden();
         cases.push_back(test_case(r));
         if (r.why.verdict == Verdict::verified && !options.json && !options.quiet)
-            print_line(one_line(r.job->file) + "\n  " + claim_text(r) + " sha256=" + r.proof.digest);
+            print_line(leading_name(r.job->file) + "\n  " + claim_text(r) + " sha256=" + r.proof.digest);
     });
     const Lemma& lemma = *options.lemma;
     Verdict verdict = worst(results);
@@ -106,7 +109,10 @@ int run(const Options& options) {
     const auto start = std::chrono::steady_clock::now();
     const std::time_t started = std::time(nullptr);
     std::vector<TestCase> cases;
-    Verdict verdict = options.lemma ? run_lemma(options, cases) : run_files(options, cases);
+    Verdict verdict = [&] {
+        Progress progress(!options.quiet, options.jobs.front().settings.budget);
+        return options.lemma ? run_lemma(options, progress, cases) : run_files(options, progress, cases);
+    }();
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
     try {
         require_printed();

@@ -90,7 +90,7 @@ class Minimal : Bridge<N> {
 
     /// The collision of rays (c, kappa) with a wall, after n others: the state behind it, or what came out.
     std::optional<bool> wall(State& state, const I& c, const I& kappa, std::uint64_t n, N& z, N& z_high) {
-        Base::follow(n);
+        Work::collision();
         const Ray low{c.lo, kappa.lo, r_lo}, high{c.hi, kappa.hi, r_hi};
         const bool seems_to_hit = Base::guess_root(low.c, low.kappa, z);
         if ((!seems_to_hit || n == leaf_.a) && Base::misses(low)) return fact("misses the wall", true);

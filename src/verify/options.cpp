@@ -31,10 +31,12 @@ Checks certificates (proofs/format.md) independently of the program that wrote t
                        at most one more in A (dumbbell) than in B (hybrid)
   --shards I-J         check only the pieces I to J (or I alone) of one file, counted from 1; the file is read as a
                        whole. The last line is `s PART ...`, which is no verdict of the file
-  --combine PARTS      check no piece, but take the lines `s PART` in the file PARTS, in any order: the verdict of
-                       the whole file, if they are about it and have every piece. That dumbbell-verify printed
-                       them is trusted, as it is of a log: run any part again that you doubt
+  --combine PARTS      check no piece, but take the lines `s PART` in the file PARTS, in any order: `s COMBINED`
+                       states the whole file, if they are about it and have every piece. That dumbbell-verify
+                       printed them is trusted, as it is of a log: run any part again that you doubt
   --jobs N             threads (all cores)
+  --budget TIME        give up on a file that costs more work than a core does in this time, in about 30s, 10m
+                       or 2h (30s). Counted in steps, not by a clock: the same on every machine
   --max-bits B         give up on pieces that need a higher precision (2048)
   --precision BITS     check with at least so many bits instead of in double
   --explain PIECE:PATH show one leaf with its inequalities: 3:bridge is the root, 3:light.01 the upper half
@@ -43,7 +45,7 @@ Checks certificates (proofs/format.md) independently of the program that wrote t
                        the first class and attained1 the first attained state
   --json               print JSON and nothing else: an array of one object for each file; with --lemma one object
   --junit FILE.xml     write a JUnit report, too: one test case for each file
-  --quiet              print the last line only
+  --quiet              print the last line only, and show no progress
   --help, --version    print that and nothing else
 
   dumbbell-verify --ratio 10 --exactly 4 ten.dbc       is N*(10) = 4 proved?
@@ -54,15 +56,16 @@ Checks certificates (proofs/format.md) independently of the program that wrote t
   dumbbell-verify --ratio 3 --max 3 *.dbc | tail -n 1               how many files prove this?
   dumbbell-verify --json --lemma 4.1 hybrid.dbc wedge.dbc           a comparison, for a script
   dumbbell-verify --scene wedge --ratio 1:100 --max 16 wedge.dbc    the paper's model wedge
+  dumbbell-verify --budget 10m huge.dbc                a ratio of 10^16, or a staircase up to 10^8
   dumbbell-verify --jobs 1 --precision 200 --max-bits 4096 ten.dbc  slowly, in multiple precision, on one thread
   dumbbell-verify --quiet --shards 1-90 stairs.dbc >> parts.txt     one part of a large certificate
   dumbbell-verify --combine parts.txt --ratio 3:9 --max 4 stairs.dbc    all of its parts, put together
 
-Of one file the last line is its verdict: s VERIFIED, s REJECTED, s UNSUPPORTED, s UNREADABLE or s LIMIT; with
---shards s PART instead of s VERIFIED. Of several, each has one such line with its name, in the given order, and
+FILE `-` is the standard input. Of one file the last line is its verdict: s VERIFIED, s REJECTED, s UNSUPPORTED,
+s UNREADABLE or s LIMIT; instead of s VERIFIED with --shards s PART, with --combine s COMBINED. Of several, each has one such line with its name, in the given order, and
 a line with the numbers ends them:
 c files=3 verified=2 rejected=1 ...
-Exit code: 0 verified and proved (with --shards: the part), 1 rejected, 2 usage or unreadable, 3 unsupported,
+Exit code: 0 verified and proved (with --shards: the part; with --combine: if its lines are true), 1 rejected, 2 usage or unreadable, 3 unsupported,
 4 resource limit; of several codes the first of 1, 4, 3, 2, 0.
 )";
 
@@ -126,6 +129,8 @@ Options parse_options(const std::vector<std::string>& arguments) {
             settings.max_bits = bits();
         else if (name == "--precision")
             settings.precision = bits();
+        else if (name == "--budget")
+            settings.budget = words.time();
         else if (name == "--explain")
             settings.explain = words.value();
         else if (name == "--junit")

@@ -40,9 +40,10 @@ bool is_digest(std::string_view text) {
 
 }  // namespace
 
-PartLines::PartLines(std::string path)
-    : path_(std::move(path)), file_(std::fopen(path_.c_str(), "rb"), std::fclose) {
-    if (!file_) unreadable(path_ + ": " + std::strerror(errno));
+PartLines::PartLines(std::string path) : path_(std::move(path)), file_(nullptr, std::fclose) {
+    std::string why;
+    file_.reset(open_file(path_, why));
+    if (!file_) unreadable(path_ + ": " + why);
 }
 
 bool PartLines::next_line() {

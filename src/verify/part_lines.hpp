@@ -6,6 +6,7 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "part.hpp"
 
@@ -39,7 +40,7 @@ class PartLines {
 
     std::string path_;
     std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_;
-    std::array<char, 1 << 16> block_;
+    std::vector<char> block_ = std::vector<char>(1 << 16);
     std::string_view rest_;  ///< of the block
     std::uint64_t number_ = 0, bytes_ = 0;
     std::string line_;  ///< without its line feed

@@ -12,7 +12,6 @@ namespace dumbbell_verify {
 /// has: g++ merges the instances of equally named templates, though they are in unnamed namespaces.
 template <template <class> class Judge, class AnyLeaf>
 const char* judged(const AnyLeaf& leaf, std::string* log) {
-    Work::begin();
     if (!leaf.multiple) {
         const char* missing = Judge<double>(leaf, log).verdict();
         if (!missing || leaf.bits == 53) return missing;

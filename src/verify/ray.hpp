@@ -175,14 +175,8 @@ class Rays {
     }
 
   protected:
-    /// Bounds the work on a ray that has had so many collisions.
-    static void follow(std::uint64_t count) {
-        constexpr std::uint64_t most = 1'000'000;  // enough for q = 1e12
-        if (count > most) throw std::length_error("a ray of more than 10^6 collisions");
-        Work::collision();
-    }
     void step(std::uint64_t count, const Ray& ray) {
-        follow(count);
+        Work::collision();
         if (log_)
             steps_.push_back("    " + std::to_string(count) + ": c " + show(ray.c) + " kappa " +
                              show(ray.kappa));

@@ -22,7 +22,6 @@ template <class Box>
 struct Tree {
     Text& text;
     std::span<const std::string_view> axes;
-    bool proper;             ///< an axis of width 0 must not be halved
     std::uint64_t& splits;   ///< counts the lines `split`
     Box& box;                ///< of the present node; in the end the root box again
     std::string path;        ///< the halves (0 lower, 1 upper) from the root to here
@@ -44,7 +43,7 @@ struct Tree {
         ++splits;
         ++depth;
         const mpq_class lo = box.lo[i], hi = box.hi[i], middle = (lo + hi) / 2;
-        if (proper && lo == hi) text.reject("split", "an axis of width 0");
+        if (lo == hi) text.reject("split", "an axis of width 0");
         for (const bool upper : {false, true}) {
             box.lo[i] = upper ? middle : lo;
             box.hi[i] = upper ? hi : middle;
@@ -69,20 +68,23 @@ std::optional<Failure> judge(std::uint64_t line, std::string_view opcode, const 
     return Failure{Verdict::limit, line, "limit", error.what()};
 }
 
-/// Judges all leaves, on up to `jobs` threads; the failure on the least line is thrown, whoever finds it.
-/// Leaves behind a failure are not judged; those before it have been taken before.
+/// Judges all leaves, on up to `jobs` threads and within the budget; the failure on the least line is thrown,
+/// whoever finds it. Leaves behind a failure are not judged; those before it have been taken before.
 template <class Leaf, class Judge>
-void judge_all(const std::vector<Leaf>& leaves, unsigned jobs, const Judge& judge_one) {
+void judge_all(const std::vector<Leaf>& leaves, unsigned jobs, Budget& budget, const Judge& judge_one) {
     std::vector<std::optional<Failure>> found(leaves.size());
+    Shares shares(leaves.size(), budget.left());
     std::atomic<std::size_t> next = 0;
     std::atomic<bool> failed = false;
     const auto work = [&] {
         while (!failed) {
             const std::size_t i = next++;
             if (i >= leaves.size()) break;
+            Work::begin(&shares, i);
             found[i] = judge_one(leaves[i]);
-            if (found[i]) failed = true;
+            if (!shares.note(i, Work::done()) || found[i]) failed = true;
         }
+        Work::begin();
         mpfr_free_cache();
     };
     {
@@ -90,22 +92,34 @@ void judge_all(const std::vector<Leaf>& leaves, unsigned jobs, const Judge& judg
         for (std::jthread& thread : crew) thread = std::jthread(work);
         work();
     }
-    for (const auto& failure : found)
-        if (failure) throw Failure(*failure);
+    for (std::size_t i = 0; i < leaves.size(); ++i) {
+        budget.take(shares.of(i), leaves[i].line);
+        if (found[i]) throw Failure(*found[i]);
+    }
 }
 
-/// Reads the totals, the SHA-256, which is returned, and the end.
-inline std::string trailer(Text& text, const std::vector<Tally>& tallies) {
-    for (const Tally& tally : tallies) {
+/// Shows a leaf that a user asked for, within what is left of the budget.
+template <class Check>
+void explain(Text& text, std::string shown, const Check& check) {
+    Shares alone(1, text.budget.left());
+    Work::begin(&alone);
+    shown += check(&shown) ? "  NOT certified\n" : "  certified\n";
+    text.budget.take(Work::done(), text.line);
+    Work::begin();
+    std::fputs(shown.c_str(), stdout);
+}
+
+/// Reads the totals, the SHA-256, and the end.
+inline void read_trailer(Text& text, Proof& proof) {
+    for (const Tally& tally : proof.tallies) {
         text.expect("total", 2);
         if (text.fields[1] != tally.name || text.natural(2) != tally.lines)
             text.reject("total", "expected " + std::string(tally.name) + " " + std::to_string(tally.lines));
     }
     text.expect("sha256", 1);
-    std::string digest = text.digest();
-    if (text.fields[1] != digest) text.reject("sha256", "expected " + digest);
+    proof.digest = text.digest();
+    if (text.fields[1] != proof.digest) text.reject("sha256", "expected " + proof.digest);
     text.end();
-    return digest;
 }
 
 }  // namespace dumbbell_verify

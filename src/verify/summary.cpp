@@ -21,7 +21,7 @@ std::string claim_text(const Result& result) {
 std::string result_text(const Result& result) {
     const Failure& why = result.why;
     if (result.part) return part_text(*result.part);
-    if (why.verdict == Verdict::verified)
+    if (is_of_whole(why.verdict))
         return claim_text(result) + (result.proof.heavy_once ? " heavy-at-most=1" : "") +
                " sha256=" + result.proof.digest +
                (result.parts ? " parts=" + std::to_string(*result.parts) : "");
@@ -36,8 +36,8 @@ std::string verdict_line(const Result& result) {
 }
 
 std::string block(const Result& result) {
-    std::string text = one_line(result.job->file) + "\n";
-    const bool verified = result.why.verdict == Verdict::verified;
+    std::string text = leading_name(result.job->file) + "\n";
+    const bool verified = is_of_whole(result.why.verdict);
     for (const Tally& tally : verified ? result.proof.tallies : std::vector<Tally>()) {
         std::array<char, 100> line{};
         std::snprintf(line.data(), line.size(), "  %-15s%12s line(s)%11.5f %% of the root boxes\n",

@@ -1,8 +1,11 @@
 // The text of a certificate, line by line: bytes, gzip, SHA-256 and the lexical classes (format.md, section
 // 1). Memory does not grow with the file.
 #pragma once
+#include <fcntl.h>
 #include <gmpxx.h>
 #include <openssl/evp.h>
+#include <sys/stat.h>
+#include <unistd.h>
 #include <zlib.h>
 
 #include <algorithm>
@@ -18,11 +21,14 @@
 #include <utility>
 #include <vector>
 
+#include "work.hpp"
+
 namespace dumbbell_verify {
 
-/// With several files the last one of these counts. Only `verified` is about a whole file; `part`: what was
-/// asked for is a part of it, which is verified.
-enum class Verdict { verified, part, unreadable, unsupported, limit, rejected };
+/// With several files the last one of these counts. Only `verified` says that a whole file was checked;
+/// `part`: what was asked for is a part of it, which was; `combined`: nothing was, lines say that all parts
+/// were.
+enum class Verdict { verified, part, combined, unreadable, unsupported, limit, rejected };
 
 /// Why a file is not verified; thrown, and reported as it is.
 struct Failure {
@@ -30,6 +36,44 @@ struct Failure {
     std::uint64_t line;
     std::string code, text;
 };
+
+/// What a file may cost, in the units of work.hpp; its reader and what it reads share it.
+class Budget {
+  public:
+    explicit Budget(std::uint64_t units) : all_(units), left_(units) {}
+    [[nodiscard]] std::uint64_t left() const { return left_; }
+    [[nodiscard]] std::uint64_t taken() const { return all_ - left_; }
+    /// Throws Failure if there is not so much; then nothing is left.
+    void take(std::uint64_t units, std::uint64_t line) {
+        const bool enough = units <= left_;
+        left_ -= enough ? units : left_;
+        if (!enough)
+            throw Failure{Verdict::limit, line, "limit",
+                          "more work than the budget of " + std::to_string(all_ / units_per_second) +
+                              " s: --budget allows more"};
+    }
+
+  private:
+    std::uint64_t all_, left_;
+};
+
+/// A file to read; `-` is the standard input. A pipe with a name is refused: if nobody writes to it, a reader
+/// would wait for ever. nullptr: `why` says what is wrong.
+inline std::FILE* open_file(const std::string& path, std::string& why) {
+    const int file =
+        path == "-" ? ::dup(STDIN_FILENO) : ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
+    struct stat what {};
+    const bool unnamed = path == "-" || path.starts_with("/dev/") || path.starts_with("/proc/");
+    if (!unnamed && file >= 0 && ::fstat(file, &what) == 0 && S_ISFIFO(what.st_mode)) {
+        why = "a named pipe: give `-` and let the shell redirect it";
+        ::close(file);
+        return nullptr;
+    }
+    if (file >= 0 && path != "-") ::fcntl(file, F_SETFL, 0);  // from now on it may wait
+    std::FILE* stream = file < 0 ? nullptr : ::fdopen(file, "rb");
+    if (!stream) why = std::strerror(errno);
+    return stream;
+}
 
 /// A natural number without leading zero and with at most `most` digits.
 inline bool is_natural(std::string_view text, std::size_t most) {
@@ -39,8 +83,10 @@ inline bool is_natural(std::string_view text, std::size_t most) {
 
 class Text {
   public:
-    explicit Text(const std::string& path) : file_(std::fopen(path.c_str(), "rb"), std::fclose) {
-        need_file(file_ != nullptr);
+    Text(const std::string& path, std::uint64_t units) : budget(units), file_(nullptr, std::fclose) {
+        std::string why;
+        file_.reset(open_file(path, why));
+        if (!file_) throw Failure{Verdict::unreadable, 0, "unreadable", why};
         need_memory(hash_ && EVP_DigestInit_ex(hash_.get(), EVP_sha256(), nullptr) == 1);
         rest_ = read();
         gzip_ = rest_.starts_with("\x1f\x8b");
@@ -52,6 +98,7 @@ class Text {
     Text(const Text&) = delete;
     Text& operator=(const Text&) = delete;
 
+    Budget budget;
     std::uint64_t line = 0;                ///< number of the present line
     std::vector<std::string_view> fields;  ///< of the present line: at least one, none of them empty
 
@@ -62,6 +109,7 @@ class Text {
     /// Reads the next line, which must exist.
     void next() {
         need_memory(EVP_DigestUpdate(hash_.get(), line_.data(), line_.size()) == 1);
+        budget.take(line_.size() * units_per_byte, line);
         line_.clear();
         fields.clear();
         ++line;
@@ -139,6 +187,7 @@ class Text {
     }
 
   private:
+    static constexpr std::uint64_t units_per_byte = 128;
     static constexpr std::size_t most_bytes = 4096;   ///< of a line, with its line feed
     static constexpr std::size_t most_places = 4096;  ///< of a dyadic: as many as a piece has bits
     static constexpr std::size_t most_digits = 1250;  ///< of its odd part: so many places, and 56 bits before
@@ -193,7 +242,7 @@ class Text {
     std::unique_ptr<EVP_MD_CTX, void (*)(EVP_MD_CTX*)> hash_{EVP_MD_CTX_new(), EVP_MD_CTX_free};
     z_stream stream_{};
     bool gzip_ = false, ended_ = false;
-    std::array<char, 1 << 16> raw_, block_;
+    std::vector<char> raw_ = std::vector<char>(1 << 16), block_ = raw_;  ///< not on the stack
     std::string_view rest_;  ///< of the block, or of the raw bytes of a plain file
     std::string line_;       ///< with its line feed
 };

@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "section.hpp"
+#include "work.hpp"
 
 namespace dumbbell_verify {
 namespace {
@@ -45,6 +46,7 @@ class Wedge {
         std::uint64_t n = 0;
         while (n <= limit && top < bottom) {
             ++n;
+            Work::spend(products(bottom, heavy));
             const mpz_class divisor = bottom * rest - 2 * top * heavy;  // D bottom heavy
             if (divisor <= 0) break;
             top = top * rest + 2 * light * bottom;
@@ -56,6 +58,10 @@ class Wedge {
             *log_ += "  kappa " + std::to_string(kappa.get_d()) + ": " + (n > limit ? "more than " : "") +
                      std::to_string(std::min(n, limit)) + " collision(s)\n";
         return n;
+    }
+    /// The work of a few products of numbers of this size.
+    static std::uint64_t products(const mpz_class& a, const mpz_class& b) {
+        return 1024 + 16 * mpz_size(a.get_mpz_t()) * mpz_size(b.get_mpz_t());
     }
     [[nodiscard]] bool hints_are_small() const {
         if (leaf_.a > most_steps || leaf_.b > most_steps || leaf_.a + leaf_.b > most_steps)

@@ -1,6 +1,7 @@
 // The words of a command line, or of a claim in a list, one after the other.
 #pragma once
 #include <cstdint>
+#include <regex>
 #include <set>
 #include <stdexcept>
 #include <string>
@@ -47,6 +48,20 @@ class Words {
             if (const std::uint64_t n = std::stoull(text); n >= least && n <= most) return n;
         throw std::invalid_argument(option + " needs a number from " + std::to_string(least) + " to " +
                                     std::to_string(most) + ", not `" + text.substr(0, 60) + "`");
+    }
+
+    /// A time as `30s`, `10m` or `1.5h`, in units of work.
+    std::uint64_t time() {
+        static const std::regex form("([0-9]{1,5})(?:\\.([0-9]{1,3}))?([smh])");
+        const std::string text = value();
+        std::smatch part;
+        if (!std::regex_match(text, part, form))
+            throw std::invalid_argument(option + " needs a time such as 30s, 10m or 2h, not `" +
+                                        text.substr(0, 60) + "`");
+        const std::string thousandths = part.str(2) + std::string(3 - part.length(2), '0');
+        const std::uint64_t n = std::stoull(part.str(1)) * 1000 + std::stoull(thousandths);
+        const std::uint64_t seconds = part.str(3) == "s" ? 1 : part.str(3) == "m" ? 60 : 3600;
+        return n * (units_per_second / 1000) * seconds;
     }
 
   private:

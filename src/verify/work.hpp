@@ -1,21 +1,63 @@
-// The work on one leaf is bounded, so that every file comes to a verdict (format.md, section 4).
+// The work on a file is bounded, so that every file comes to a verdict (format.md, section 4). It is counted
+// in units, not by a clock: the verdict is the same on every machine and with any number of threads.
 #pragma once
+#include <atomic>
 #include <cstdint>
 #include <stdexcept>
+#include <vector>
 
 namespace dumbbell_verify {
 
-/// What this thread has done for its present leaf, in units of about a sixth of a nanosecond.
+constexpr std::uint64_t units_per_second = 6'000'000'000;  ///< a core does about so many
+constexpr std::uint64_t default_budget = 30 * units_per_second;
+
+/// For people who wait: of all files so far.
+struct Watched {
+    inline static std::atomic<std::uint64_t> work = 0, read = 0, pieces = 0;  ///< pieces read, of so many
+};
+
+/// The shares of leaves that are judged at the same time, in the order of their lines. A leaf is over if it
+/// and those before it take more than there is, whoever works on them and when.
+class Shares {
+  public:
+    Shares(std::size_t leaves, std::uint64_t units) : units_(units), done_(leaves) {}
+
+    /// `units` were done for leaf i so far. False if it certainly is over.
+    [[nodiscard]] bool note(std::size_t i, std::uint64_t units) {
+        const std::uint64_t more = units - done_[i].exchange(units);
+        Watched::work += more;
+        return (all_ += more) <= units_ || up_to(i) <= units_;
+    }
+    [[nodiscard]] std::uint64_t of(std::size_t i) const { return done_[i]; }
+
+  private:
+    [[nodiscard]] std::uint64_t up_to(std::size_t i) const {
+        std::uint64_t sum = 0;
+        for (std::size_t j = 0; j <= i; ++j) sum += done_[j];
+        return sum;
+    }
+
+    const std::uint64_t units_;
+    std::atomic<std::uint64_t> all_ = 0;
+    std::vector<std::atomic<std::uint64_t>> done_;
+};
+
+/// What this thread has done for its present leaf.
 class Work {
   public:
-    static constexpr std::uint64_t most = std::uint64_t{1} << 39;
-
-    static void begin() { done_ = 0; }
+    /// Of a leaf without a share there is no bound.
+    static void begin(Shares* shares = nullptr, std::size_t leaf = 0) {
+        done_ = 0;
+        shares_ = shares;
+        leaf_ = leaf;
+        look_ = shares ? step : UINT64_MAX;
+        spend(leaf_itself);
+    }
     [[nodiscard]] static std::uint64_t done() { return done_; }
 
     static void spend(std::uint64_t units) {
         done_ += units;
-        if (done_ > most) throw std::length_error("too many collisions in too high a precision");
+        if (done_ >= look_) look();
     }
     /// One operation in multiple precision.
     static void operation(std::uint64_t bits) { spend(256 + bits); }
@@ -23,7 +65,17 @@ class Work {
     static void collision() { spend(4096); }
 
   private:
-    inline static thread_local std::uint64_t done_ = 0;
+    static constexpr std::uint64_t step = 1 << 24;         ///< between two looks at the shares
+    static constexpr std::uint64_t leaf_itself = 1 << 14;  ///< its box, and inequalities without a ray
+
+    static void look() {
+        look_ = done_ + step;
+        if (!shares_->note(leaf_, done_)) throw std::length_error("the budget is used up");
+    }
+
+    inline static thread_local std::uint64_t done_ = 0, look_ = UINT64_MAX;
+    inline static thread_local Shares* shares_ = nullptr;
+    inline static thread_local std::size_t leaf_ = 0;
 };
 
 }  // namespace dumbbell_verify

@@ -104,6 +104,8 @@ TEST_CASE("hypotheses that make no sense are refused in one line, and nothing is
     }
     CHECK_THAT(refused({"adiabatic", "--delta", "0.5"}), Contains("between 0 and 1/2"));
     CHECK_THAT(refused({"adiabatic", "--delta", "0.02:0.01"}), Contains("reversed"));
+    CHECK_THAT(refused({"adiabatic", "--theorem", "printed", "--delta", "0.01:0.02", "--out", "file.dbc"}),
+               Contains("one delta"));
     CHECK_THAT(refused({"adiabatic", "--delta", "0.01", "--phi-margin", "0"}), Contains("vertical"));
     CHECK_THAT(refused({"adiabatic", "--delta", "0.01", "--y", "0.97:1"}),
                Contains("no state has these heights"));

@@ -45,29 +45,6 @@ bool judged(Chart chart, const Box& box, long upper, const Leaf& leaf) {
     return said <= upper && confirms(found, leaf);
 }
 
-/// Copies the subtree at `at` without the splits of the ratio and their upper halves; returns where it ends.
-std::size_t copy_without_ratio_splits(const Tree& tree, std::size_t at, bool keep, Tree& result) {
-    const Node& node = tree.at(at++);
-    const bool ratio = node.split == Axis::ratio;
-    if (keep && !ratio) result.push_back(node);
-    if (node.split) {
-        at = copy_without_ratio_splits(tree, at, keep, result);
-        at = copy_without_ratio_splits(tree, at, keep && !ratio, result);
-    }
-    return at;
-}
-/// A single ratio halved is twice the same box: of both halves one alone has to tile.
-Certificate without_void_splits(Certificate certificate) {
-    for (Piece& piece : certificate.pieces)
-        for (ChartTree& part : piece.cover.charts) {
-            if (piece.q_lo != piece.q_hi) continue;
-            Tree tree;
-            copy_without_ratio_splits(part.tree, 0, true, tree);
-            part.tree = std::move(tree);
-        }
-    return certificate;
-}
-
 template <class I>
 bool witnessed(const Piece& piece) {
     const Witness& w = *piece.witness;
@@ -177,7 +154,7 @@ Argument second_argument(const std::string& path, const dumbbell_verify::Proof& 
         const Certificate certificate = read_certificate(path);
         const auto range = audit::claimed_range(path);
         compare_claims(certificate, range, proof);
-        const audit::Audit audited = audit::audit(without_void_splits(certificate), range);
+        const audit::Audit audited = audit::audit(certificate, range);
         if (!audited.tiles()) throw NotShown{audited.faults.front()};
         Pieces pieces(certificate);
         for (std::size_t i = 0; i < certificate.pieces.size(); ++i)

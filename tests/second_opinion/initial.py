@@ -95,7 +95,7 @@ def check(lines, judge):
         highs.append(high)
         judge(lambda: leaf_holds(box, low, high, window), ends(box), bits, lines.wrong(f"the leaf `{op}` is not certified"))
 
-    walk(lines, box, leaf, split_points=False)
+    walk(lines, box, leaf)
     found = ["0", "none"] if None in highs else [str(min(lows)), str(max(highs))]
     if claimed != found:
         raise Rejected(claim_line, f"the leaves say between {' '.join(found)}")

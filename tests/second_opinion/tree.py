@@ -5,9 +5,9 @@ from fractions import Fraction
 GREATEST_DEPTH = 400
 
 
-def walk(lines, root, leaf, split_points=True):
+def walk(lines, root, leaf):
     """Reads a tree and calls leaf(fields, box, share) for each leaf, share = its part of the root box. A complete tree tiles
-    its root box, as every split leaves two halves; `split_points`: an axis of one point may be split, too."""
+    its root box, as every split leaves two halves; an axis of one point must not be split."""
     boxes = [(root, dict.fromkeys(root, 0))]
     while boxes:
         box, depths = boxes.pop()
@@ -21,7 +21,7 @@ def walk(lines, root, leaf, split_points=True):
         if depths[axis] == GREATEST_DEPTH:
             raise lines.wrong("too many splits of one axis")
         low, high = box[axis]
-        if low == high and not split_points:
+        if low == high:
             raise lines.wrong("the box is a point in this axis")
         lines.count("split")
         middle, depths = (low + high) / 2, {**depths, axis: depths[axis] + 1}

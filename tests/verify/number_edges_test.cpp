@@ -138,17 +138,19 @@ TEST_CASE("what MPFR cannot say is unbounded") {
     CHECK(to_double(up, bound(up, mpq_class(1, 3), Big())) == 0x1.5555555555556p-2);
 }
 
-TEST_CASE("the work of a leaf is counted, from 0 on, and refused beyond the bound") {
+TEST_CASE("the work of a leaf is counted, from the same on, and refused beyond its share") {
     Work::begin();
-    CHECK(Work::done() == 0);
+    const std::uint64_t first = Work::done();
     Work::operation(53);
-    CHECK(Work::done() == 309);
+    CHECK(Work::done() == first + 309);
     Work::collision();
-    CHECK(Work::done() == 4405);
-    Work::begin();
-    CHECK(Work::done() == 0);
-    CHECK_NOTHROW(Work::spend(Work::most));
-    CHECK_THROWS_AS(Work::spend(1), std::length_error);
+    CHECK(Work::done() == first + 4405);
+    constexpr std::uint64_t units = std::uint64_t{1} << 30;
+    Shares shares(1, units);
+    Work::begin(&shares);
+    CHECK(Work::done() == first);
+    CHECK_NOTHROW(Work::spend(units - first));
+    CHECK_THROWS_AS(Work::spend(std::uint64_t{1} << 24), std::length_error);
     Work::begin();
 }
 

@@ -75,7 +75,7 @@ TEST_CASE("parts: what is said of one, as a line and as JSON, in full") {
             R"("ratio":{"lo":"21/2","hi":"12/1"},"upper":null,"lower":0,"gaps":0,"open":3,"precision":null,)"
             R"("verifier":")" +
             std::string(version) + R"(","sha256":")" + sha256 + R"(","line":")" + line +
-            R"("},"parts":null,"leaves":{},"coverage":{},"line":null,"code":null,"reason":null})");
+            R"("},"parts":null,"leaves":{},"coverage":{},"work":null,"line":null,"code":null,"reason":null})");
     CHECK(block(result) == file.path() + "\n" + line + "\n");
 }
 

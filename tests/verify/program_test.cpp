@@ -309,7 +309,7 @@ TEST_CASE(
 
 TEST_CASE("results do not depend on the number of threads") {
     std::string leaves, text;
-    for (int i = 0; i < 400; ++i) leaves += "split q\n";
+    for (int i = 0; i < 400; ++i) leaves += "split e\n";
     for (int i = 0; i <= 400; ++i) leaves += "count 1 2\n";
     const File file(mutated(ten(), "count 1 2\n", leaves));
     CHECK(run("--jobs 1 " + file.path()).out == run("--jobs 7 " + file.path()).out);

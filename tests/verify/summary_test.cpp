@@ -82,12 +82,12 @@ TEST_CASE("summary: JSON of a proof and of a refusal, whole") {
         R"("upper":4,"lower":3,"pieces":1,"gaps":1,"open":0,"heavy_at_most":null},"sha256":"0f",)"
         R"("schema":"dumbbell-verify-1","demand":{"ratio":null,"max":null,"min":null},)"
         R"("part":null,"parts":null,"leaves":{"split":1,"count":3},"coverage":{"split":0.000000,"count":0.750000},)"
-        R"("line":null,"code":null,"reason":null})");
+        R"("work":0.000,"line":null,"code":null,"reason":null})");
     CHECK(
         json(result(Verdict::rejected, 7)) ==
         R"({"file":"a\u000ab.dbc","verdict":"REJECTED","claim":null,"sha256":null,)"
         R"("schema":"dumbbell-verify-1","demand":{"ratio":null,"max":null,"min":null},)"
-        R"("part":null,"parts":null,"leaves":{},"coverage":{},"line":7,"code":"count","reason":"not\u000acertified"})");
+        R"("part":null,"parts":null,"leaves":{},"coverage":{},"work":null,"line":7,"code":"count","reason":"not\u000acertified"})");
     Result r = verified(false);
     r.proof.heavy_once = true;
     const Job asked = [] {
@@ -104,6 +104,12 @@ TEST_CASE("summary: JSON of a proof and of a refusal, whole") {
     CHECK(text.find(R"("demand":{"ratio":{"lo":"1/1","hi":"2/1"},"max":5,"min":2})") != std::string::npos);
 }
 
+TEST_CASE("summary: the work is told in seconds, rounded up") {
+    Result r = verified();
+    r.proof.work = 12 * dumbbell_verify::units_per_second + 1;
+    CHECK(json(r).find(R"("work":12.001,)") != std::string::npos);
+}
+
 TEST_CASE("summary: a part is no proof, in no JSON, and a test case that passes") {
     Result r = verified();
     r.why.verdict = Verdict::part;
@@ -111,7 +117,7 @@ TEST_CASE("summary: a part is no proof, in no JSON, and a test case that passes"
     CHECK(verdict_line(r).starts_with("s PART pieces=1-0 of=0 "));
     const std::string text = json(r);
     CHECK(text.find(R"("verdict":"PART","claim":null,"sha256":null,)") != std::string::npos);
-    CHECK(text.find(R"("leaves":{},"coverage":{},"line":null,"code":null,"reason":null})") !=
+    CHECK(text.find(R"("leaves":{},"coverage":{},"work":null,"line":null,"code":null,"reason":null})") !=
           std::string::npos);
     CHECK(junit({{"a", Verdict::part, "", "s PART", 0}}, 0, 0).find(R"(failures="0" errors="0")") !=
           std::string::npos);

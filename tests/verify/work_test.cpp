@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <atomic>
 #include <catch2/catch.hpp>
-#include <numeric>
 
 #include "verify/precision.hpp"
 #include "verify/ray.hpp"
@@ -27,10 +26,32 @@ double per_collision(std::uint64_t collisions) {
     return static_cast<double>(Work::done()) / static_cast<double>(collisions);
 }
 
+/// A leaf that does so much work.
+struct Task {
+    std::uint64_t line, units;
+    bool fails = false;
+};
+std::optional<Failure> perform(const Task& task) {
+    return judge(task.line, "task", [&] {
+        constexpr std::uint64_t step = 1'000'000;
+        for (std::uint64_t done = 0; done < task.units; done += step) Work::spend(step);
+        return task.fails ? "that it holds" : nullptr;
+    });
+}
+/// The line and verdict of what comes of these leaves; line 0: all are taken.
+std::pair<std::uint64_t, Verdict> outcome(const std::vector<Task>& tasks, unsigned jobs,
+                                          std::uint64_t units) try {
+    Budget budget(units);
+    judge_all(tasks, jobs, budget, perform);
+    return {0, Verdict::verified};
+} catch (const Failure& failure) {
+    return {failure.line, failure.verdict};
+}
+
 }  // namespace
 
-TEST_CASE("the collisions of format.md, section 4, are within the bound") {
-    const double most = static_cast<double>(Work::most);
+TEST_CASE("the collisions of format.md, section 4, are within a budget of 100 s") {
+    const double most = static_cast<double>(100 * units_per_second);
     CHECK(1e8 * per_collision<double>(1000) < most);
     for (const unsigned bits : {53U, 64U, 96U, 128U, 160U, 200U, 256U, 400U, 512U, 1000U, 2048U, 4096U}) {
         Big::precision = bits;
@@ -40,51 +61,63 @@ TEST_CASE("the collisions of format.md, section 4, are within the bound") {
     }
 }
 
-TEST_CASE("the bound of the work ends rays, in double and in multiple precision") {
-    Work::begin();
-    Work::spend(Work::most - 1'000'000);
-    CHECK_THROWS_AS(follow<double>(1000), std::length_error);
-    Work::begin();
-    Work::spend(Work::most - 1'000'000);
+TEST_CASE("a leaf's share ends rays, in double and in multiple precision") {
+    const auto ends = [](const auto& work) {
+        Shares shares(1, 100'000'000);
+        Work::begin(&shares);
+        CHECK_THROWS_AS(work(), std::length_error);
+        const std::uint64_t done = Work::done();
+        Work::begin();
+        return done;
+    };
+    CHECK(ends([] { (void)follow<double>(100'000); }) < 130'000'000);
     Big::precision = 128;
-    CHECK_THROWS_AS(follow<Big>(1000), std::length_error);
-    Work::begin();
-    CHECK_FALSE(follow<Big>(10));
+    CHECK(ends([] { (void)follow<Big>(100'000); }) < 130'000'000);
+    CHECK_FALSE(follow<Big>(10));  // without a share there is no end
 }
 
-TEST_CASE("every leaf has the whole bound, and one beyond it is a resource limit") {
-    CHECK_THROWS_AS(Work::spend(Work::most + 1), std::length_error);
-    Leaf leaf;
-    leaf.claimed = 4;
-    leaf.a = 1;
-    leaf.b = 2;
-    leaf.opcode = count_leaf;
-    leaf.multiple = true;
-    leaf.bits = 100;
-    leaf.box = turning().root(0, 10, 10);
-    CHECK(turning().check(leaf, nullptr) == nullptr);
-    CHECK(Work::done() < Work::most / 1000);
-    const auto failure = judge(7, "count", [] {
-        Work::spend(Work::most);
-        return static_cast<const char*>(nullptr);
-    });
-    REQUIRE(failure);
-    CHECK(failure->verdict == Verdict::limit);
-    CHECK(failure->line == 7);
+TEST_CASE("a leaf costs something even if it has no ray") {
+    Work::begin();
+    CHECK(Work::done() > 1000);
+}
+
+TEST_CASE("the leaf at which a budget ends is the same with any number of threads") {
+    std::vector<Task> tasks;
+    for (std::uint64_t line = 1; line <= 60; ++line) tasks.push_back({line, 20'000'000 * (line % 7)});
+    std::uint64_t all = 0, end = 0;
+    for (const Task& task : tasks) {
+        Work::begin();
+        all += Work::done() + task.units;
+        if (end == 0 && all > 900'000'000) end = task.line;
+    }
+    REQUIRE((end > 10 && end < 50));
+    for (const unsigned jobs : {1U, 2U, 7U}) {
+        CHECK(outcome(tasks, jobs, 900'000'000) == std::pair(end, Verdict::limit));
+        CHECK(outcome(tasks, jobs, all) == std::pair(std::uint64_t{0}, Verdict::verified));
+        CHECK(outcome(tasks, jobs, all - 1) == std::pair(std::uint64_t{60}, Verdict::limit));
+        CHECK(outcome(tasks, jobs, 0) == std::pair(std::uint64_t{1}, Verdict::limit));
+        // A failure before it is told, one behind it is not.
+        std::vector<Task> failing = tasks;
+        failing[end - 2].fails = failing[end].fails = true;
+        CHECK(outcome(failing, jobs, 900'000'000) == std::pair(end - 1, Verdict::rejected));
+        failing[end - 2].fails = false;
+        CHECK(outcome(failing, jobs, 900'000'000) == std::pair(end, Verdict::limit));
+    }
 }
 
 TEST_CASE("leaves behind a failure are not judged, those before it are") {
-    std::vector<int> leaves(500);
-    std::iota(leaves.begin(), leaves.end(), 0);
+    std::vector<Task> leaves;
+    for (std::uint64_t i = 0; i < 500; ++i) leaves.push_back({i, 0});
     for (const unsigned jobs : {1U, 4U}) {
         std::vector<std::atomic<bool>> judged(leaves.size());
-        const auto judge_one = [&](int i) -> std::optional<Failure> {
-            judged[static_cast<std::size_t>(i)] = true;
-            if (i == 200 || i == 220) return Failure{Verdict::limit, static_cast<std::uint64_t>(i), "", ""};
+        const auto judge_one = [&](const Task& task) -> std::optional<Failure> {
+            judged[task.line] = true;
+            if (task.line == 200 || task.line == 220) return Failure{Verdict::limit, task.line, "", ""};
             return std::nullopt;
         };
         try {
-            judge_all(leaves, jobs, judge_one);
+            Budget budget(default_budget);
+            judge_all(leaves, jobs, budget, judge_one);
             FAIL("no failure");
         } catch (const Failure& failure) {
             CHECK(failure.line == 200);

@@ -20,7 +20,7 @@ enum class Verdict {
     rejected,     ///< the file is wrong or damaged, or does not prove the claim
     unsupported,  ///< another format version, claim kind, scene, section or lemma set
     unreadable,   ///< there is no such file
-    limit         ///< it needs more memory, threads or precision than it may have
+    limit         ///< it needs more work, memory, threads or precision than it may have
 };
 
 struct Verification {
@@ -32,10 +32,11 @@ struct Verification {
     explicit operator bool() const noexcept { return verdict == Verdict::verified; }
 };
 
-/// Verifies a certificate of the scene dumbbell (.dbc, also gzip-compressed) on up to `jobs` threads. Throws
-/// std::invalid_argument, with a message that says what to do, if the claim is none: no mass ratio, neither
-/// bound, jobs = 0.
+/// Verifies a certificate of the scene dumbbell (.dbc, also gzip-compressed) on up to `jobs` threads, with as
+/// much work as takes a core about the time of `budget` (`30s`, `10m`, `2h`). Throws std::invalid_argument,
+/// with a message that says what to do, if the claim is none: no mass ratio, neither bound, jobs = 0.
 [[nodiscard]] [[gnu::visibility("default")]] Verification verify(const std::string& file, const Claim& claim,
-                                                                 unsigned jobs = 1);
+                                                                 unsigned jobs = 1,
+                                                                 const std::string& budget = "30s");
 
 }  // namespace dumbbell::api

@@ -1,0 +1,42 @@
+#include "report/check_cost.hpp"
+
+#include <catch2/catch.hpp>
+#include <string>
+
+using namespace dumbbell;
+
+namespace {
+
+/// A piece as `certify RATIO` writes it where an orbit has 1 + 2 `half` collisions.
+Piece single(long half, int bits = 53) {
+    Piece piece;
+    piece.bits = bits;
+    piece.upper = piece.lower = 1 + 2 * half;
+    const Node count{std::nullopt, {Reason::count, half, half}};
+    piece.cover.charts = {{Chart::bridge, {count}}, {Chart::light, {count}}};
+    piece.witness = Witness{1, 1, half, half, Chart::bridge};
+    return piece;
+}
+std::string option_of(const Piece& piece, Section section = Section::turning) {
+    const Piece* const pieces[] = {&piece};
+    return budget_option(check_seconds(pieces, section));
+}
+
+}  // namespace
+
+TEST_CASE("the check of one ratio needs a budget from about 2 10^14 on") {
+    CHECK(option_of(single(442'798)).empty());                  // 10^12
+    CHECK(option_of(single(4'427'980)).empty());                // 10^14
+    CHECK(option_of(single(14'002'490)) == "--budget 1m ");     // 10^15
+    CHECK(option_of(single(44'279'756)) == "--budget 5m ");     // 10^16
+    CHECK(option_of(single(442'798, 128)) == "--budget 30m ");  // more bits cost more
+    CHECK(option_of(single(4'427'980), Section::full) == "--budget 2m ");
+}
+
+TEST_CASE("a budget is named from the verifier's own on, and never less than the cost") {
+    CHECK(budget_option(30).empty());
+    CHECK(budget_option(30.1) == "--budget 1m ");
+    CHECK(budget_option(3600) == "--budget 1h ");
+    CHECK(budget_option(3601) == "--budget 4h ");
+    CHECK(budget_option(1e12) == "--budget 99999h ");
+}
