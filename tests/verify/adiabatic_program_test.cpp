@@ -41,6 +41,16 @@ TEST_CASE("adiabatic: the verdict states the claim, C and C/B rounded up, B roun
         has(run(of_printed.path()), "claim=adiabatic-printed delta=1/20:1/20 margin=1/1 B=2.880000 sha256="));
 }
 
+TEST_CASE("adiabatic: over a range of delta the verdict says at which of them a value is attained") {
+    dumbbell_verify::Adiabatic claim = small_run().terms.claim;
+    CHECK_FALSE(has(claim.text(), " at="));
+    claim.delta_lo = 0;
+    CHECK(has(claim.text(), " B=9.300000 at=1/20 ratio="));
+    claim = small_bounce().terms.claim;
+    claim.delta_lo = mpq_class(1, 25);
+    CHECK((has(claim.text(), " at1=1/20 ") && has(claim.text(), " at2=1/20 ")));
+}
+
 TEST_CASE("adiabatic: a value of 0 has no ratio") {
     Adiabatics low = small_bounce();
     low.terms.claim.attained[0].value = 0;

@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "make_certificate.hpp"
+#include "make_parts.hpp"
 #include "run_program.hpp"
 
 using namespace make;

@@ -1,0 +1,34 @@
+// Leaves and attained states of the adiabatic claims that are just certified, and their neighbours that just
+// are not (near_adiabatic.tsv, made by tests/source_mutation/near_adiabatic.cpp).
+#include <catch2/catch.hpp>
+
+#include "adiabatic_rows.hpp"
+#include "leaf_rows.hpp"
+
+namespace {
+
+const std::vector<leaf_rows::Row>& rows() {
+    static const auto table = leaf_rows::read(DUMBBELL_PROJECT "/tests/verify/near_adiabatic.tsv");
+    return table;
+}
+
+}  // namespace
+
+TEST_CASE("adiabatic leaves near the edge of what is certified are judged as before, for the same reason") {
+    REQUIRE(rows().size() > 100);
+    for (const auto& row : rows()) {
+        const std::string found = judged(adiabatic_rows::parsed(row.leaf));
+        if (found != row.result) FAIL(row.leaf << "\n  expected: " << row.result << "\n  found: " << found);
+    }
+}
+
+TEST_CASE("adiabatic: what few bits certify, 300 bits certify, too") {
+    for (const auto& row : rows()) {
+        adiabatic_rows::Case c = adiabatic_rows::parsed(row.leaf);
+        if (row.result != "certified" || c.bits == 0 || c.part == dumbbell_verify::AdiabaticLeaf::class_tree)
+            continue;  // doubles are exact enough, and a class takes long
+        c.bits = 300;
+        const std::string found = judged(c);
+        if (found != row.result) FAIL(row.leaf << "\n  with 300 bits: " << found);
+    }
+}
