@@ -60,35 +60,59 @@ inline std::string judged(const Case& c) {
     return missing ? missing : "certified";
 }
 
+/// The operators of gmpxx for streams need another library.
 inline std::string words(const Case& c) {
-    std::ostringstream out;
-    out << c.kind << " " << c.part << " " << c.outside << " " << c.bits << " " << c.exponent << " " << c.y_lo
-        << " " << c.y_hi << " " << c.margin << " " << c.bounds.size();
-    for (const mpq_class& bound : c.bounds) out << " " << bound;
-    out << " " << c.J << " " << c.cells.size();
-    for (const auto& [u, v] : c.cells) out << " " << u << " " << v;
-    out << " " << c.index << " " << c.state.u << " " << c.state.s << " " << c.state.delta << " "
-        << c.state.collisions << " " << c.state.value;
-    for (std::size_t i = 0; i < c.box.lo.size(); ++i) out << " " << c.box.lo.at(i) << " " << c.box.hi.at(i);
-    return out.str();
+    std::string text;
+    const auto add = [&](const std::string& word) { text += (text.empty() ? "" : " ") + word; };
+    const auto natural = [&](std::uint64_t n) { add(std::to_string(n)); };
+    const auto ratio = [&](const mpq_class& x) { add(x.get_str()); };
+    for (const unsigned n : {static_cast<unsigned>(c.kind), static_cast<unsigned>(c.part),
+                             c.outside ? 1U : 0U, c.bits, c.exponent})
+        natural(n);
+    ratio(c.y_lo), ratio(c.y_hi), ratio(c.margin);
+    natural(c.bounds.size());
+    for (const mpq_class& bound : c.bounds) ratio(bound);
+    ratio(c.J);
+    natural(c.cells.size());
+    for (const auto& [u, v] : c.cells) ratio(u), ratio(v);
+    natural(c.index);
+    ratio(c.state.u), ratio(c.state.s), ratio(c.state.delta);
+    natural(c.state.collisions);
+    ratio(c.state.value);
+    for (std::size_t i = 0; i < c.box.lo.size(); ++i) ratio(c.box.lo.at(i)), ratio(c.box.hi.at(i));
+    return text;
 }
 
 inline Case parsed(const std::string& text) {
     std::istringstream in(text);
+    const auto word = [&] {
+        std::string w;
+        if (!(in >> w)) throw std::runtime_error("a row with too few words: " + text);
+        return w;
+    };
+    const auto natural = [&] { return static_cast<unsigned>(std::stoul(word())); };
+    const auto ratio = [&] { return mpq_class(word()); };
     Case c;
-    int kind = 0, part = 0;
-    std::size_t bounds = 0, cells = 0;
-    in >> kind >> part >> c.outside >> c.bits >> c.exponent >> c.y_lo >> c.y_hi >> c.margin >> bounds;
-    c.bounds.resize(bounds);
-    for (mpq_class& bound : c.bounds) in >> bound;
-    in >> c.J >> cells;
-    c.cells.resize(cells);
-    for (auto& [u, v] : c.cells) in >> u >> v;
-    in >> c.index >> c.state.u >> c.state.s >> c.state.delta >> c.state.collisions >> c.state.value;
-    for (std::size_t i = 0; i < c.box.lo.size(); ++i) in >> c.box.lo.at(i) >> c.box.hi.at(i);
-    if (!in) throw std::runtime_error("a row with too few words: " + text);
-    c.kind = static_cast<Adiabatic::Kind>(kind);
-    c.part = static_cast<AdiabaticLeaf::Part>(part);
+    c.kind = static_cast<Adiabatic::Kind>(natural());
+    c.part = static_cast<AdiabaticLeaf::Part>(natural());
+    c.outside = natural() == 1;
+    c.bits = natural();
+    c.exponent = natural();
+    c.y_lo = ratio();
+    c.y_hi = ratio();
+    c.margin = ratio();
+    c.bounds.resize(natural());
+    for (mpq_class& bound : c.bounds) bound = ratio();
+    c.J = ratio();
+    c.cells.resize(natural());
+    for (auto& [u, v] : c.cells) u = ratio(), v = ratio();
+    c.index = natural();
+    c.state.u = ratio();
+    c.state.s = ratio();
+    c.state.delta = ratio();
+    c.state.collisions = natural();
+    c.state.value = ratio();
+    for (std::size_t i = 0; i < c.box.lo.size(); ++i) c.box.lo.at(i) = ratio(), c.box.hi.at(i) = ratio();
     return c;
 }
 
