@@ -23,7 +23,7 @@ mpq_class rounded(double x) { return mpq_class(std::round(x * 4096) / 4096); }
 void print(const Case& c) { std::cout << words(c) << "\t" << judged(c) << "\n"; }
 
 /// Moves this number of the case as far as it is certified, and prints both sides of the edge.
-void move(Case& c, mpq_class& x, int sign) {
+void move(Case& c, mpq_class& x, int sign, const mpq_class& most = 64) {
     const mpq_class start = x;
     const auto is_good = [&](const mpq_class& value) {
         x = value;
@@ -33,6 +33,7 @@ void move(Case& c, mpq_class& x, int sign) {
     for (mpq_class far(1, 64); far <= 64; far *= 8) {
         bad = start + sign * far;
         if (bad < 0) bad = 0;
+        if (bad > most) bad = std::max(most, start);
         if (bad == good || !is_good(bad)) break;
         good = bad;
     }
@@ -49,17 +50,20 @@ void move(Case& c, mpq_class& x, int sign) {
     x = start;
 }
 
+/// What a file may say of u, s, v, delta and sigma.
+const std::array<mpq_class, 5> greatest{2, 1, 2, mpq_class(49, 100), 8};
+
 void around(Case c, std::initializer_list<std::size_t> axes) {
     if (judged(c) != "certified") return;
     print(c);
     for (const std::size_t axis : axes) {
         move(c, c.box.lo.at(axis), -1);
-        move(c, c.box.hi.at(axis), 1);
+        move(c, c.box.hi.at(axis), 1, greatest.at(axis));
     }
     for (mpq_class& bound : c.bounds) move(c, bound, -1);
     if (!c.cells.empty()) move(c, c.J, -1), move(c, c.J, 1);
     for (auto& [u, v] : c.cells) move(c, v, -1), move(c, v, 1);
-    move(c, c.margin, 1);
+    move(c, c.margin, 1, 1);
     if (c.outside) move(c, c.margin, -1);
     move(c, c.y_lo, c.outside ? -1 : 1);
     move(c, c.y_hi, c.outside ? 1 : -1);
@@ -149,7 +153,7 @@ void state() {
         move(c, c.state.u, -1);
         move(c, c.state.u, 1);
         move(c, c.state.s, -1);
-        move(c, c.state.s, 1);
+        move(c, c.state.s, 1, 1);
         move(c, c.margin, 1);
         move(c, c.y_lo, 1);
         move(c, c.y_hi, -1);
