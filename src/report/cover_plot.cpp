@@ -15,6 +15,7 @@
 #include "report/box_panel.hpp"
 #include "report/count_colours.hpp"
 #include "report/initial_plane.hpp"
+#include "report/palette.hpp"
 
 namespace dumbbell {
 namespace {
@@ -44,10 +45,10 @@ struct ReasonStyle {
     const char* words;
 };
 constexpr std::array<ReasonStyle, 4> reasons{
-    {{Reason::outside, "outside", {"#e8eaed", "#39424c"}, "outside the section"},
-     {Reason::meets, "meets", {"#e69f00", "#e69f00"}, "meets the bridge"},
-     {Reason::meets_reversed, "meets-reversed", {"#cc79a7", "#cc79a7"}, "meets the bridge, reversed"},
-     {Reason::once, "once", {"#56b4e9", "#56b4e9"}, "does not come back to the bridge"}}};
+    {{Reason::outside, "outside", palette::outside, "outside the section"},
+     {Reason::meets, "meets", palette::meets, "meets the bridge"},
+     {Reason::meets_reversed, "meets-reversed", palette::meets_reversed, "meets the bridge, reversed"},
+     {Reason::once, "once", palette::once, "does not come back to the bridge"}}};
 
 const ReasonStyle& style_of(Reason reason) {
     const auto* const found = std::find_if(reasons.begin(), reasons.end(),
@@ -112,15 +113,42 @@ bool shows_witness(Chart chart) {
     return chart == Chart::bridge || chart == Chart::contact || chart == Chart::plain_contact;
 }
 
+/// The states of a chart, and its slopes (proofs/format.md, format-sections.md), for people.
+struct ChartWords {
+    const char* states;
+    const char* slope;
+};
+
+ChartWords words_of(Chart chart) {
+    constexpr const char* above_tangent = "eta: slope above the tangent, in units of 1/q";
+    switch (chart) {
+        case Chart::bridge:
+        case Chart::contact:
+        case Chart::plain_contact:
+            return {"contacts of the heavy mass", above_tangent};
+        case Chart::again:
+            return {"the same contacts, none of which comes back to the heavy mass", above_tangent};
+        case Chart::light:
+            return {"turning collisions of the light mass", "lambda: slope, in units of 1/q"};
+        case Chart::departure:
+        case Chart::plain_departure:
+            return {"collisions of the light mass", "eta: slope above the tangent"};
+        case Chart::wedge:
+            break;
+    }
+    throw BrokenInvariant("a cover picture of a wedge");
+}
+
 Frame frame_of(const Panel& panel, double x, double y, double width) {
     constexpr int wanted = 4;
     return {x,
             y,
             width,
             plot_height,
-            {0, panel.position_hi, std::string(axis_name(panel.chart, Axis::position)),
+            {0, panel.position_hi,
+             fmt::format("{}: angle from the corner", axis_name(panel.chart, Axis::position)),
              even_ticks(0, panel.position_hi, wanted)},
-            {0, panel.slope_hi, std::string(axis_name(panel.chart, Axis::slope)),
+            {0, panel.slope_hi, words_of(panel.chart).slope,
              panel.is_compact() ? compact_ticks(panel.slope_hi) : even_ticks(0, panel.slope_hi, wanted),
              panel.is_compact() ? Scale::compact : Scale::linear}};
 }
@@ -136,14 +164,32 @@ std::vector<LegendEntry> legend_entries(const std::set<long>& counts, const std:
     return entries;
 }
 
+/// What explains holes in the counts of a legend.
+std::string legend_note(const std::set<long>& counts) {
+    if (shown_counts({counts.begin(), counts.end()}).size() < counts.size()) {
+        return " The legend has some of the counts only.";
+    }
+    const bool has_holes =
+        !counts.empty() && *counts.rbegin() - *counts.begin() + 1 > static_cast<long>(counts.size());
+    return has_holes ? " A count that the legend leaves out belongs to no box." : "";
+}
+
 std::string caption_of(const Piece& piece, const Rational& q, std::size_t boxes, const DrawnCover& cover) {
     const bool is_full = is_contact(cover.panels.front().chart);
+    std::string charts;
+    for (const Panel& panel : cover.panels) {
+        charts += fmt::format("{}{}: {}", charts.empty() ? "" : "; ", name(panel.chart),
+                              words_of(panel.chart).states);
+    }
     std::string text = fmt::format(
-        "q = {}: no trajectory has more than {} collisions. {} boxes cover all states of the section, in the "
-        "coordinates "
-        "of {}; each proves a bound{} or has another reason. Dashed: the end of a chart ({}e = \xcf\x80/2).",
-        exact_text(q), *piece.upper, boxes, is_full ? "proofs/format-sections.md" : "proofs/format.md",
+        "q = {}: no trajectory has more than {} collisions. {} boxes cover all states of the section: charts "
+        "{} ({}). In the corner the rod lies flat on the floor. Each box proves a bound{} or has another "
+        "reason. "
+        "Dashed: the end of a chart ({}e = \xcf\x80/2).",
+        exact_text(q), *piece.upper, boxes, charts,
+        is_full ? "proofs/format-sections.md" : "proofs/format.md",
         is_full ? ", counted forward from its states," : "", is_full ? "t = \xcf\x80, " : "");
+    text += legend_note(cover.counts);
     if (std::any_of(cover.panels.begin(), cover.panels.end(),
                     [](const Panel& panel) { return panel.is_compact(); })) {
         text += " Great slopes v are drawn at v/(1 + v), so that the whole root box shows.";
@@ -181,7 +227,7 @@ std::string cover_svg(const Piece& piece, const Rational& q) {
             "The boxes of a cover of all collision states of a bouncing dumbbell");
     style_boxes(svg, boxes);
     svg.rules(".witness{fill:none;stroke-width:2}");
-    svg.colour("witness", "stroke", {"#d40000", "#ff5c5c"});
+    svg.colour("witness", "stroke", palette::witness);
     colour_counts(svg, {cover.counts.begin(), cover.counts.end()});
     for (const Reason reason : cover.others) {
         svg.colour(style_of(reason).kind, "fill", style_of(reason).shade);
@@ -233,8 +279,9 @@ std::string cover_svg(const InitialCertificate& certificate) {
                       horizontal, vertical);
     const auto caption =
         broken_lines(fmt::format("{}. {} boxes; all initial conditions of a box have the number of "
-                                 "collisions of its colour. Hatched: not decided by this certificate.",
-                                 fixed_quantities(certificate), plane.cells.size()),
+                                 "collisions of its colour, unless both masses hit the floor at once.{} {}",
+                                 fixed_quantities(certificate), plane.cells.size(), legend_note(counts),
+                                 boxes.contains("hatched") ? hatched_note : ""),
                      whole_width);
     const double caption_top = frame.bottom() + above_caption;
     Svg svg(page_width, caption_top + caption_step * static_cast<double>(caption.size()),

@@ -10,6 +10,7 @@
 #include "arith/decimal.hpp"
 #include "arith/error.hpp"
 #include "report/label_places.hpp"
+#include "report/palette.hpp"
 #include "report/plot_frame.hpp"
 #include "report/printed.hpp"
 #include "report/snapshots.hpp"
@@ -91,6 +92,36 @@ void draw_floor(Svg& svg, const Frame& frame, const Floor& floor) {
     svg.path("bridge", curve(frame, -pi / 2, pi / 2, bridge));
 }
 
+/// Which flights are drawn: flight i ends with collision i (0: the one that comes in). All of a few; of many
+/// those at the ends, those at the turn, and one in every so many between.
+class ShownFlights {
+  public:
+    explicit ShownFlights(const Orbit& orbit)
+        : flights_(orbit.size() + 1),
+          turn_(turn_of(orbit)),
+          every_((flights_ + most_whole - 1) / most_whole) {}
+
+    [[nodiscard]] std::size_t every() const { return every_; }
+    [[nodiscard]] bool has(std::size_t flight) const {
+        constexpr std::size_t at_ends = 3;
+        constexpr std::size_t at_turn = 4;
+        const bool is_near_turn = flight + at_turn > turn_ && flight <= turn_ + at_turn;
+        return flight % every_ == 0 || flight < at_ends || flight + at_ends >= flights_ || is_near_turn;
+    }
+    /// Is it the end of a flight that is drawn?
+    [[nodiscard]] bool has_collision(std::size_t i) const { return has(i) || has(i + 1); }
+    /// Of many only the turn, the last, and the first one of flights that are drawn one after the other.
+    [[nodiscard]] bool is_numbered(std::size_t i) const {
+        return every_ == 1 || i == turn_ || i + 2 == flights_ || (has_collision(i) && (i == 0 || !has(i)));
+    }
+
+  private:
+    static constexpr std::size_t most_whole = 40;
+    std::size_t flights_;
+    std::size_t turn_;
+    std::size_t every_;
+};
+
 /// The orbit in pixels: a far point of the flight that comes in, the collisions, a far point of the one that
 /// leaves.
 std::vector<Pixel> path_of(const Frame& frame, const Orbit& orbit) {
@@ -109,6 +140,23 @@ std::vector<Pixel> path_of(const Frame& frame, const Orbit& orbit) {
     }
     path.push_back(beyond(orbit.back(), orbit.back().phidot_after, orbit.back().ydot_after, 1));
     return path;
+}
+
+/// The flights that are drawn, those without a gap between them as one line.
+std::string flights_text(const Frame& frame, const std::vector<Pixel>& path, const ShownFlights& shown) {
+    std::string text;
+    for (std::size_t i = 0; i + 1 < path.size();) {
+        std::vector<Pixel> run;
+        for (; i + 1 < path.size() && shown.has(i); ++i) {
+            if (run.empty()) {
+                run.push_back(path[i]);
+            }
+            run.push_back(path[i + 1]);
+        }
+        text += path_text(cut_above(run, frame));
+        i += run.empty() ? 1 : 0;
+    }
+    return text;
 }
 
 /// An arrow head on the way from `from` to `to`, `away` from `near`, which is one of them.
@@ -138,18 +186,18 @@ void draw_collision(Svg& svg, bool heavy, const Pixel& at) {
 /// The numbers of the collisions that lie in the frame above `from`; of many only some.
 void draw_numbers(Svg& svg, const Frame& frame, const Orbit& orbit, const std::vector<Pixel>& path,
                   double from) {
-    constexpr std::size_t most_numbers = 40;
-    const std::size_t step = (orbit.size() + most_numbers - 1) / most_numbers;
+    constexpr double bold = 1.25;  // wider than other text, with its halo
+    const ShownFlights shown(orbit);
     std::vector<Pixel> points;
     std::vector<std::size_t> numbers;
     for (std::size_t i = 0; i < orbit.size(); ++i) {
         const Pixel& at = path[i + 1];
-        if (at.y >= frame.top() && place_of(orbit[i]).y >= from && (i % step == 0 || i + 1 == orbit.size())) {
+        if (at.y >= frame.top() && place_of(orbit[i]).y >= from && shown.is_numbered(i)) {
             points.push_back(at);
             numbers.push_back(i + 1);
         }
     }
-    const double widest = text_width(fmt::format("{}", orbit.size()));
+    const double widest = bold * text_width(fmt::format("{}", orbit.size()));
     const auto places =
         label_places(points, path, widest, {frame.left(), frame.top(), frame.right(), frame.bottom()});
     for (std::size_t i = 0; i < points.size(); ++i) {
@@ -162,10 +210,11 @@ void draw_numbers(Svg& svg, const Frame& frame, const Orbit& orbit, const std::v
 
 void draw_panel(Svg& svg, const Frame& frame, const Floor& floor, const Orbit& orbit, double numbers_from) {
     const std::vector<Pixel> path = path_of(frame, orbit);
+    const ShownFlights shown(orbit);
     frame.draw_grid(svg);
     frame.open_clip(svg);
     draw_floor(svg, frame, floor);
-    svg.path("flight", path_text(cut_above(path, frame)));
+    svg.path("flight", flights_text(frame, path, shown));
     if (path[1].y >= frame.top()) {
         draw_arrow(svg, path.front(), path[1], path[1]);
     }
@@ -173,7 +222,7 @@ void draw_panel(Svg& svg, const Frame& frame, const Floor& floor, const Orbit& o
         draw_arrow(svg, path[path.size() - 2], path.back(), path[path.size() - 2]);
     }
     for (std::size_t i = 0; i < orbit.size(); ++i) {
-        if (path[i + 1].y >= frame.top() - out_of_sight) {
+        if (shown.has_collision(i) && path[i + 1].y >= frame.top() - out_of_sight) {
             draw_collision(svg, orbit[i].heavy, path[i + 1]);
         }
     }
@@ -196,13 +245,11 @@ void style(Svg& svg) {
         ".light-wall,.bridge{fill:none;stroke-width:2.5}.flight{fill:none;stroke-width:1.2;stroke-linejoin:"
         "round}"
         ".number{font-weight:600;paint-order:stroke;stroke-width:3;stroke-linejoin:round}");
-    const Shade light{"#c46a00", "#ffb347"};
-    const Shade heavy{"#0060a8", "#63adff"};
-    svg.colour("ground", "fill", {"#eceff2", "#1d232a"});
-    svg.colour("light-wall", "stroke", light);
-    svg.colour("light", "fill", light);
-    svg.colour("bridge", "stroke", heavy);
-    svg.colour("heavy", "fill", heavy);
+    svg.colour("ground", "fill", palette::floor);
+    svg.colour("light-wall", "stroke", palette::light);
+    svg.colour("light", "fill", palette::light);
+    svg.colour("bridge", "stroke", palette::heavy);
+    svg.colour("heavy", "fill", palette::heavy);
     svg.colour("flight", "stroke", {"#3b434c", "#b9c2cb"});
     svg.colour("arrow", "fill", {"#3b434c", "#b9c2cb"});
     svg.colour("number", "stroke", {"#fff", "#12161c"});
@@ -213,14 +260,22 @@ std::string caption_of(const Orbit& orbit, const Rational& q, bool has_detail) {
     for (const auto& c : orbit) {
         widest = std::max({widest, width(c.phi), width(c.y)});
     }
+    const ShownFlights shown(orbit);
     return fmt::format(
         "q = {}: an orbit with {} collisions, each one enclosed and proved; psi and y are drawn at the "
-        "middle of their "
-        "enclosures, which are at most {} wide. Between collisions the point flies straight; the floor is "
-        "where the light "
-        "mass (outside) or the heavy mass (the bridge in the middle) touches.{}",
+        "middle of their enclosures, which are at most {} wide. Between collisions the point flies straight; "
+        "the floor is where the light mass (outside) or the heavy mass (the bridge in the middle) "
+        "touches.{}{}{}",
         exact_text(q), orbit.size(), rounded_up(widest),
-        has_detail ? " The second picture is the first, cut off just above the bridge and stretched." : "");
+        has_detail ? " The second picture is the first, cut off just above the bridge and stretched." : "",
+        shown.every() == 1
+            ? ""
+            : fmt::format(" So many flights would be a grey block: drawn are the first, the last, those at "
+                          "the turn, and one in {} between.",
+                          shown.every()),
+        shown_collisions(orbit).size() < orbit.size()
+            ? " The strip shows the dumbbell at the first collisions, around the turn, and at the last."
+            : "");
 }
 
 }  // namespace
@@ -245,7 +300,7 @@ std::string orbit_svg(const Orbit& orbit, const Rational& q) {
         frame_of(top_margin + legend.height() + 10, plot_height, above_humps * floor.beta2, 6);
     const Frame near = frame_of(whole.bottom() + below_axes, detail_height, detail, 4);
     const double snapshots_top = (has_detail ? near : whole).bottom() + below_axes;
-    const double caption_top = snapshots_top + snapshots_height(orbit) + 4;
+    const double caption_top = snapshots_top + snapshots_height() + 4;
     const auto caption = broken_lines(caption_of(orbit, q, has_detail), whole.width());
 
     Svg svg(page_width, caption_top + caption_step * static_cast<double>(caption.size()),

@@ -122,11 +122,9 @@ std::string phase_svg(const InitialCertificate& certificate) {
     const Frame frame(left, legend_top + legend.height() + 10, width, plot_height,
                       plot_axis(certificate, plane.axes[0]), plot_axis(certificate, plane.axes[1]));
     const auto caption = broken_lines(
-        fmt::format(
-            "{}. Every initial condition inside a region of one colour has exactly that number of "
-            "collisions, unless both "
-            "masses hit the floor at once: certified, box by box. Hatched: not decided by this certificate.",
-            fixed_quantities(certificate)),
+        fmt::format("{}. Every initial condition inside a region of one colour has exactly that number of "
+                    "collisions, unless both masses hit the floor at once: certified, box by box. {}",
+                    fixed_quantities(certificate), undecided > 0 ? hatched_note : ""),
         width);
     const double caption_top = frame.bottom() + 66;
     Svg svg(page_width, caption_top + caption_step * static_cast<double>(caption.size()),

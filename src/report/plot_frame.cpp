@@ -38,8 +38,10 @@ double round_number(double x) {
     return 10 * power;
 }
 
+constexpr std::string_view minus = "\xe2\x88\x92";
+
 std::string angle_label(long halves) {
-    const std::string sign = halves < 0 ? "\xe2\x88\x92" : "";
+    const std::string_view sign = halves < 0 ? minus : "";
     const long n = std::labs(halves);
     if (n == 0) {
         return "0";
@@ -49,10 +51,36 @@ std::string angle_label(long halves) {
                        n % 2 == 0 ? "" : "/2");
 }
 
-/// A number with a true minus sign.
-std::string number_label(double value) {
-    const std::string text = fmt::format("{:.10g}", std::abs(value));
-    return value < 0 ? "\xe2\x88\x92" + text : text;
+/// A number with true minus signs, and its exponent as people write it: 6e-6.
+std::string number_label(double value, int digits = 10) {
+    std::string text = fmt::format("{:.{}g}", std::abs(value), digits);
+    if (const std::size_t e = text.find('e'); e != std::string::npos) {
+        const int exponent = std::stoi(text.substr(e + 1));
+        text = fmt::format("{}e{}{}", text.substr(0, e), exponent < 0 ? minus : "", std::abs(exponent));
+    }
+    return value < 0 ? std::string(minus) + text : text;
+}
+
+/// Do the numbers of these marks keep apart on a logarithmic axis?
+bool keep_apart(const std::vector<Tick>& ticks, const PlotAxis& axis, const AxisRoom& room) {
+    constexpr double beside = 10;  // pixels between numbers
+    constexpr double line = 17;
+    const Tick* before = nullptr;
+    for (const Tick& tick : ticks) {
+        if (tick.label.empty()) {
+            continue;
+        }
+        if (before != nullptr) {
+            const double distance = (axis.share(tick.value) - axis.share(before->value)) * room.length;
+            const double needed =
+                room.upright ? line : (text_width(before->label) + text_width(tick.label)) / 2 + beside;
+            if (distance < needed) {
+                return false;
+            }
+        }
+        before = &tick;
+    }
+    return true;
 }
 
 }  // namespace
@@ -63,19 +91,25 @@ double PlotAxis::share(double value) const {
 }
 
 std::vector<Tick> even_ticks(double lo, double hi, int wanted) {
+    constexpr int usual_digits = 10;
+    constexpr int most_digits = 15;
     const double step = round_number((hi - lo) / wanted);
     const double slack = (hi - lo) * tolerance;
+    const double needed = std::ceil(std::log10(std::max(std::abs(lo), std::abs(hi)) / step)) + 1;
+    const int digits = static_cast<int>(std::clamp<double>(needed, usual_digits, most_digits));
     std::vector<Tick> ticks;
     for (double i = std::ceil((lo - slack) / step); i * step <= hi + slack; ++i) {
-        ticks.push_back({i * step, number_label(i == 0 ? 0 : i * step)});
+        ticks.push_back({i * step, number_label(i == 0 ? 0 : i * step, digits)});
     }
     return ticks;
 }
 
-std::vector<Tick> decade_ticks(double lo, double hi) {
+std::vector<Tick> decade_ticks(double lo, double hi, const AxisRoom& room) {
+    const PlotAxis axis{lo, hi, "", {}, Scale::logarithmic};
     std::vector<Tick> ticks;
+    const auto first = static_cast<int>(std::floor(std::log10(lo)));
     const auto last = static_cast<int>(std::floor(std::log10(hi)));
-    for (auto decade = static_cast<int>(std::floor(std::log10(lo))); decade <= last; ++decade) {
+    for (int decade = first; decade <= last; ++decade) {
         for (const double m : {1.0, 2.0, 5.0}) {
             const double value = m * std::pow(10, decade);
             if (value >= lo * (1 - tolerance) && value <= hi * (1 + tolerance)) {
@@ -84,7 +118,23 @@ std::vector<Tick> decade_ticks(double lo, double hi) {
         }
     }
     constexpr std::size_t few = 4;
-    return ticks.size() < few ? even_ticks(lo, hi, 6) : ticks;
+    if (ticks.size() < few) {
+        int wanted = 6;
+        for (ticks = even_ticks(lo, hi, wanted); wanted > 2 && !keep_apart(ticks, axis, room); --wanted) {
+            ticks = even_ticks(lo, hi, wanted - 1);
+        }
+        return ticks;
+    }
+    for (int every = 1; !keep_apart(ticks, axis, room) && every <= last - first + 1; ++every) {
+        for (Tick& tick : ticks) {  // numbers at every such power of ten
+            const double decade = std::log10(tick.value);
+            const bool is_power = std::abs(decade - std::round(decade)) < tolerance;
+            if (!is_power || std::lround(decade) % every != 0) {
+                tick.label.clear();
+            }
+        }
+    }
+    return ticks;
 }
 
 std::vector<Tick> compact_ticks(double hi) {
@@ -146,15 +196,19 @@ void Frame::draw_axes(Svg& svg) const {
     double number_width = 0;
     for (const Tick& tick : horizontal_.ticks) {
         svg.line("frame", x(tick.value), bottom(), x(tick.value), bottom() + tick_length);
-        svg.text(x(tick.value), bottom() + 19, tick.label, Anchor::middle);
+        if (!tick.label.empty()) {
+            svg.text(x(tick.value), bottom() + 19, tick.label, Anchor::middle);
+        }
     }
     for (const Tick& tick : vertical_.ticks) {
         svg.line("frame", left_ - tick_length, y(tick.value), left_, y(tick.value));
-        svg.text(left_ - 8, y(tick.value) + 4.5, tick.label, Anchor::end);
+        if (!tick.label.empty()) {
+            svg.text(left_ - 8, y(tick.value) + 4.5, tick.label, Anchor::end);
+        }
         number_width = std::max(number_width, text_width(tick.label));
     }
     svg.text(left_ + width_ / 2, bottom() + 40, horizontal_.label, Anchor::middle);
-    svg.upright_text(left_ - 18 - number_width, top_ + height_ / 2, vertical_.label);
+    svg.upright_text(left_ - 20 - number_width, top_ + height_ / 2, vertical_.label);
 }
 
 Legend::Legend(std::vector<LegendEntry> entries, double width) : entries_(std::move(entries)) {

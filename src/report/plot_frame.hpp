@@ -31,8 +31,15 @@ struct PlotAxis {
 
 /// Marks at round numbers: about `wanted` of them.
 [[nodiscard]] std::vector<Tick> even_ticks(double lo, double hi, int wanted);
-/// 1, 2 and 5 of each decade, or even ones where the range holds few of those. 0 < lo < hi.
-[[nodiscard]] std::vector<Tick> decade_ticks(double lo, double hi);
+/// What the numbers along an axis have room for: its length in pixels, and whether it is upright.
+struct AxisRoom {
+    double length;
+    bool upright = false;
+};
+
+/// For a logarithmic axis: 1, 2 and 5 of each decade, or even ones where the range holds few of those. Marks
+/// whose numbers would run into one another have none (an empty label). 0 < lo < hi.
+[[nodiscard]] std::vector<Tick> decade_ticks(double lo, double hi, const AxisRoom& room);
 /// 0, 1/2, 1, 2, 5, 10, ... as far as they keep apart on a compact scale, and hi. lo = 0.
 [[nodiscard]] std::vector<Tick> compact_ticks(double hi);
 /// Multiples of pi/2 (or of pi, 2 pi, ... where the range holds many).

@@ -28,23 +28,39 @@ TEST_CASE("the invariant is drawn beside its factors, with the bound that is pro
     CHECK(count_of(svg, "<path class=\"speed\"") == 1);
     CHECK(count_of(svg, "<path class=\"invariant\"") == 2);
     CHECK(count_of(svg, "<line class=\"bound\"") == 2 + 1);
-    CHECK_THAT(svg, Contains("5.1204 delta") && !Contains("nan") && !Contains("class=\"behind\""));
+    CHECK_THAT(svg, Contains("5.1204 delta") && !Contains("nan") && !Contains("class=\"after\""));
     CHECK(adiabatic_svg(sample(AdiabaticClaim::run, 20)) == svg);
 }
 
-TEST_CASE("a scattering ends behind its last collision, and its unit is the root of delta") {
+TEST_CASE(
+    "a scattering ends after its last collision, its curve goes there, and its unit is the root of delta") {
     const std::string svg = adiabatic_svg(sample(AdiabaticClaim::scattering, 20));
-    CHECK(count_of(svg, "<circle class=\"behind\"") == 1);
+    CHECK(count_of(svg, "<circle class=\"after\"") == 1);
     CHECK_THAT(svg, Contains("\xe2\x88\x9a"
-                             "delta"));
+                             "delta") &&
+                        Contains("ring: after the last one"));
+    const std::size_t at = svg.rfind("<path class=\"invariant\"");
+    const std::string path = svg.substr(at, svg.find("/>", at) - at);
+    CHECK(count_of(path, "L") == 21);
+    const std::size_t ring = svg.find("<circle class=\"after\" cx=\"") + 26;
+    const std::string x = svg.substr(ring, svg.find('"', ring) - ring);
+    CHECK_THAT(path, Contains("L" + x + " "));
 }
 
-TEST_CASE("without a proved bound there is no line for it") {
-    AdiabaticCertificate certificate = sample(AdiabaticClaim::printed, 3);
+TEST_CASE("without a proved bound there is no line for it; one far outside is told in words") {
+    AdiabaticCertificate certificate = sample(AdiabaticClaim::run, 20);
     certificate.bounds.clear();
-    const std::string svg = adiabatic_svg(certificate);
-    CHECK(well_formed(svg));
-    CHECK(count_of(svg, "class=\"bound\"") == 0);
+    CHECK(count_of(adiabatic_svg(certificate), "class=\"bound\"") == 0);
+    certificate.bounds = {Rational(100)};
+    const std::string far = adiabatic_svg(certificate);
+    CHECK(well_formed(far));
+    CHECK(count_of(far, "class=\"bound\"") == 0);
+    CHECK_THAT(far, Contains("proved for all orbits: \xc2\xb1"
+                             "100 delta"));
+}
+
+TEST_CASE("an orbit of a few collisions has no curve: refused, with what shows it") {
+    CHECK_THROWS_WITH(adiabatic_svg(sample(AdiabaticClaim::printed, 1)), Contains("has 2: dumbbell report"));
 }
 
 TEST_CASE("single bounces, and orbits that are too long or come to an end, have no picture") {

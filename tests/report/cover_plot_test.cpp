@@ -56,13 +56,23 @@ TEST_CASE("a cover is cut at one mass ratio: boxes of other ratios are not in th
 
 TEST_CASE("each chart has its frame, its axes' names and its boxes; the witness is marked") {
     const std::string svg = cover_svg(turning_piece(), 5);
-    CHECK_THAT(svg, Contains("chart bridge") && Contains("chart light") && Contains(">e<") &&
-                        Contains(">eta<") && Contains(">lambda<"));
+    CHECK_THAT(svg, Contains("chart bridge") && Contains("chart light") &&
+                        Contains(">e: angle from the corner<") &&
+                        Contains(">eta: slope above the tangent, in units of 1/q<") &&
+                        Contains(">lambda: slope, in units of 1/q<"));
     CHECK(count_of(svg, "class=\"witness\"") == 1);
     CHECK_THAT(svg, Contains("v/(1 + v)") && Contains("3 boxes") && !Contains("nan"));
     Piece piece = turning_piece();
     piece.witness.reset();
     CHECK(count_of(cover_svg(piece, 5), "class=\"witness\"") == 0);
+}
+
+TEST_CASE("a count that no box proves is missing in the legend, and the caption says why") {
+    Piece piece = turning_piece();
+    CHECK_THAT(cover_svg(piece, 5), !Contains("belongs to no box"));
+    piece.cover.charts[1].tree = {leaf(Reason::count, 3, 3)};
+    CHECK_THAT(cover_svg(piece, 5),
+               Contains("box n3") && Contains("box n7") && Contains("belongs to no box"));
 }
 
 TEST_CASE("the full section has three charts and counts forward") {

@@ -5,6 +5,7 @@
 #include "arith/error.hpp"
 #include "prove/witness.hpp"
 #include "prove/witness_orbit.hpp"
+#include "report/snapshots.hpp"
 #include "xml.hpp"
 
 using namespace dumbbell;
@@ -44,11 +45,39 @@ TEST_CASE("a low bridge has a picture of its own: ten collisions at q = 100") {
     CHECK(count_of(orbit_svg(orbit_at(4, 3), 4), "class=\"bridge\"") == 1);
 }
 
-TEST_CASE("of many collisions some are numbered, and there are no snapshots") {
+TEST_CASE("of many collisions the strip shows the first, the turn and the last, and says so") {
     const std::string svg = orbit_svg(orbit_at(1000, 29), 1000);
     CHECK(well_formed(svg));
-    CHECK(count_of(svg, "class=\"number\"") <= 29);
-    CHECK(count_of(svg, "<line class=\"flight\"") == 1);  // the legend's
+    CHECK(count_of(svg, "<line class=\"flight\"") == 3 + 5 + 3 + 1);  // and the legend's
+    CHECK(count_of(svg, ">\xe2\x80\xa6<") == 2);
+    CHECK_THAT(svg, Contains("The strip shows") && !Contains("grey block"));
+    CHECK_THAT(orbit_svg(orbit_at(100, 10), 100), !Contains("The strip shows"));
+}
+
+TEST_CASE("of very many flights some are drawn, and the caption says which") {
+    const auto orbit = orbit_at(1'000'000, 887);
+    const std::string svg = orbit_svg(orbit, 1'000'000);
+    const std::size_t at = svg.find("<path class=\"flight\"");
+    const std::string path = svg.substr(at, svg.find("/>", at) - at);
+    CHECK(count_of(path, "L") <= 60);
+    CHECK(count_of(path, "L") >= 40);
+    CHECK_THAT(svg, Contains("one in 23 between") && Contains("The strip shows"));
+    for (const char* number : {">1<", ">444<", ">887<"}) {  // the first, the turn, the last
+        CHECK_THAT(svg, Contains(number));
+    }
+    CHECK(orbit[turn_of(orbit)].heavy);
+}
+
+TEST_CASE("equal masses are drawn equal, and a heavier one larger, up to a limit") {
+    const auto radius = [](const std::string& svg, const std::string& kind) {
+        const std::size_t at = svg.rfind("<circle class=\"" + kind + "\"");
+        return std::stod(svg.substr(svg.find("r=\"", at) + 3));
+    };
+    const std::string equal = orbit_svg(orbit_at(1, 2), 1);
+    CHECK(radius(equal, "heavy") == radius(equal, "light"));
+    const std::string four = orbit_svg(orbit_at(4, 3), 4);
+    CHECK(radius(four, "heavy") > radius(four, "light"));
+    CHECK(radius(orbit_svg(orbit_at(100, 10), 100), "heavy") > radius(four, "heavy"));
 }
 
 TEST_CASE("more collisions than a picture shows are refused") {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <numbers>
+#include <set>
+#include <utility>
 
 #include "xml.hpp"
 
@@ -23,6 +25,8 @@ std::vector<std::string> labels(const std::vector<Tick>& ticks) {
 
 using Labels = std::vector<std::string>;
 
+constexpr AxisRoom wide{764};
+
 }  // namespace
 
 TEST_CASE("even marks are round numbers from end to end") {
@@ -36,8 +40,49 @@ TEST_CASE("even marks are round numbers from end to end") {
 }
 
 TEST_CASE("marks of decades, or even ones in less than about a decade") {
-    CHECK(labels(decade_ticks(1, 20)) == Labels{"1", "2", "5", "10", "20"});
-    CHECK(labels(decade_ticks(6, 9)).size() >= 4);
+    CHECK(labels(decade_ticks(1, 20, wide)) == Labels{"1", "2", "5", "10", "20"});
+    CHECK(labels(decade_ticks(6, 9, wide)).size() >= 4);
+}
+
+TEST_CASE("numbers along a logarithmic axis keep apart, whatever its range") {
+    for (const auto& [lo, hi] : {std::pair{1.0, 1e5},
+                                 {1.0, 1e6},
+                                 {1.0, 1e8},
+                                 {3.0, 3e31},
+                                 {1e6, 1.01e6},
+                                 {1e6, 9e6},
+                                 {4.6, 4.6 + 1e-9},
+                                 {1e15, 1e15 + 1e4},
+                                 {1e5, 3e6}}) {
+        for (const AxisRoom& room : {wide, AxisRoom{250}, AxisRoom{380, true}, AxisRoom{120, true}}) {
+            CAPTURE(lo, hi, room.length);
+            const PlotAxis axis{lo, hi, "", decade_ticks(lo, hi, room), Scale::logarithmic};
+            double end = -1e9;
+            int numbers = 0;
+            std::set<std::string> different;
+            for (const Tick& tick : axis.ticks) {
+                if (tick.label.empty()) {
+                    continue;
+                }
+                const double middle = axis.share(tick.value) * room.length;
+                const double half = room.upright ? 8 : text_width(tick.label) / 2;
+                CHECK(middle - half > end);
+                end = middle + half;
+                ++numbers;
+                different.insert(tick.label);
+            }
+            CHECK(numbers >= 1);
+            CHECK((room.length < wide.length || numbers >= 2));
+            CHECK(different.size() == static_cast<std::size_t>(numbers));
+        }
+    }
+}
+
+TEST_CASE("great and small numbers are written with true exponents") {
+    CHECK(labels(even_ticks(0, 6e-6, 3)).back() ==
+          "6e\xe2\x88\x92"
+          "6");
+    CHECK(labels(even_ticks(0, 4e12, 2)).back() == "4e12");
 }
 
 TEST_CASE("marks of angles are multiples of a quarter turn, at most nine or so") {

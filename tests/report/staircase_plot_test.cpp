@@ -33,7 +33,8 @@ std::vector<double> heights(const std::string& path) {
 }  // namespace
 
 TEST_CASE("the picture is well-formed XML with its curves and a legend for each") {
-    for (const auto& pieces : {three_pieces(), four_pieces(), std::vector{piece(1, 1'000'000, 3, 3)},
+    for (const auto& pieces : {three_pieces(), four_pieces(),
+                               std::vector{piece(1, 500'000, 3, 3), piece(500'000, 1'000'000, 887, 887)},
                                std::vector{piece(5, Rational(501, 100), 4, 4)}}) {
         const std::string svg = staircase_svg(pieces, Scene::dumbbell);
         CAPTURE(pieces.size());
@@ -75,6 +76,55 @@ TEST_CASE("the proved staircase goes up, never down, and never above the paper's
     CHECK(proved.back() > 0);
 }
 
+TEST_CASE("a line is drawn only where one value is proved, and a gap is filled between its two values") {
+    const std::string svg =
+        staircase_svg({piece(2, 4, 3, 3), piece(4, 5, 4, 3), piece(5, 8, 4, 4)}, Scene::dumbbell);
+    const auto numbers = [](const std::string& path) {
+        std::vector<double> result;
+        for (std::size_t at = path.find_first_of("0123456789"); at != std::string::npos;) {
+            std::size_t length = 0;
+            result.push_back(std::stod(path.substr(at), &length));
+            at = path.find_first_of("0123456789", at + length);
+        }
+        return result;
+    };
+    const auto proved = numbers(path_of(svg, "proved"));  // x, y, x of each piece
+    const auto gap = numbers(path_of(svg, "gap"));        // x, y, x, y, x
+    REQUIRE(proved.size() == 6);
+    REQUIRE(gap.size() == 5);
+    CHECK(gap[0] == proved[2]);  // the gap goes from the end of one line to the beginning of the next ...
+    CHECK(gap[2] == proved[3]);
+    CHECK(gap[2] > gap[0] + 50);
+    CHECK(gap[1] == proved[1]);  // ... and from the lower value to the upper one
+    CHECK(gap[3] == proved[4]);
+    CHECK_THAT(path_of(svg, "proved"), !Contains("V"));
+    CHECK_THAT(svg, Contains("gap: one of two values"));
+    CHECK_THAT(staircase_svg({piece(2, 4, 3, 3)}, Scene::dumbbell), !Contains("gap: one"));
+}
+
+TEST_CASE("a range that begins high has the counts that it shows on its axis, and the far bound in words") {
+    const std::string high = staircase_svg(
+        {piece(1'000'000, 1'005'000, 888, 888), piece(1'005'000, 1'010'000, 890, 890)}, Scene::dumbbell);
+    const auto proved = heights(path_of(high, "proved"));
+    REQUIRE(proved.size() == 2);
+    CHECK(proved[0] - proved[1] > 50);
+    CHECK_THAT(high, Contains(">889<") && Contains("the paper's bound: 1572 to 1580") &&
+                         !Contains("class=\"paper\"") && Contains("1002000"));
+    CHECK_THAT(staircase_svg({piece(6, 9, 4, 4)}, Scene::dumbbell), Contains("<path class=\"paper\""));
+}
+
+TEST_CASE("a logarithmic axis says so") {
+    const std::string svg =
+        staircase_svg({piece(1, 5000, 3, 3), piece(5000, 10000, 60, 60)}, Scene::dumbbell);
+    CHECK_THAT(svg, Contains("heavy over light, logarithmic") && Contains("collisions (logarithmic)"));
+    CHECK_THAT(staircase_svg({piece(6, 9, 4, 4)}, Scene::dumbbell), !Contains("collisions (logarithmic)"));
+}
+
+TEST_CASE("a range that doubles can hardly tell from a point is refused") {
+    const Rational end = 5 + Rational(1, Integer(1) << 50U);
+    CHECK_THROWS_WITH(staircase_svg({piece(5, end, 4, 4)}, Scene::dumbbell), Contains("dumbbell report"));
+}
+
 TEST_CASE("a narrow range has marks too") {
     const std::string svg = staircase_svg({piece(6, 9, 4, 4)}, Scene::dumbbell);
     for (const char* mark : {">6<", ">7<", ">8<", ">9<"}) {
@@ -109,8 +159,10 @@ TEST_CASE("a wedge's picture names it, has its own scale, and no curve of the du
         const std::string svg = staircase_svg({piece(3, 5, 4, 4), open_piece(5, 20)}, scene);
         CHECK(well_formed(svg));
         CHECK_THAT(path_of(svg, "proved"), Contains("H"));
-        CHECK_THAT(svg, Contains(name) && !Contains("class=\"paper\"") && !Contains("class=\"growth\"") &&
+        CHECK_THAT(svg, Contains(name) && !Contains("the paper") && !Contains("class=\"growth\"") &&
                             !Contains("dumbbell") && !Contains("nan") && !Contains("inf"));
+        // Its formula, ceil(pi / gamma), steps to 4 at q = 3, and so goes on where the proved value is drawn.
+        CHECK(heights(path_of(svg, "paper")).at(1) == heights(path_of(svg, "proved")).front());
         CHECK(well_formed(staircase_svg({open_piece(5, 20)}, scene)));
     }
     CHECK_THAT(staircase_svg(three_pieces(), Scene::dumbbell), Contains("bouncing dumbbell"));
