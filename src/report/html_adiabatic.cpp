@@ -10,15 +10,23 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Of C, B and their like: rounded to nearest for reading; the file has them exactly.
+/// Exactly, as the claim has it.
+std::string exactly(const Rational& x) { return x == 0 ? "0" : x < 0 ? "-" + exact_text(-x) : exact_text(x); }
+
 constexpr int shown_digits = 6;
 
-std::string shown(const Rational& x) {
-    return x < 0 ? "-" + to_decimal(-x, shown_digits) : to_decimal(x, shown_digits);
+/// A bound C >= 0 for reading: rounded up, so that it still is one.
+std::string shown_above(const Rational& x) {
+    return x > 0 ? to_text(without_zeros(cut_up(x, shown_digits))) : exactly(x);
+}
+
+/// An attained value B for reading: rounded down, so that it still is attained.
+std::string shown_below(const Rational& x) {
+    return x > 0 ? to_text(without_zeros(cut_down(x, shown_digits))) : exactly(x);
 }
 
 Json range_json(const std::pair<Rational, Rational>& range) {
-    return {shown(range.first), shown(range.second)};
+    return {exactly(range.first), exactly(range.second)};
 }
 
 /// Leaves of all its trees by word.
@@ -76,7 +84,7 @@ nlohmann::ordered_json file_json(const AdiabaticCertificate& certificate, const 
               {"bits", certificate.bits},
               {"delta", range_json(of.delta)},
               {"heights", has_heights ? range_json(of.heights) : Json(nullptr)},
-              {"margin", shown(of.margin)},
+              {"margin", exactly(of.margin)},
               {"exponent", of.claim == AdiabaticClaim::bounce ? Json(of.exponent) : Json(nullptr)},
               {"classes", certificate.classes.size()},
               {"leaves", {{"bound", leaves.bound}, {"outside", leaves.outside}}},
@@ -85,14 +93,14 @@ nlohmann::ordered_json file_json(const AdiabaticCertificate& certificate, const 
               {"kinds", kinds_json(certificate)},
               {"tree", nullptr}};
     for (const Rational& bound : certificate.bounds) {
-        json["bounds"].push_back(shown(bound));
+        json["bounds"].push_back(shown_above(bound));
     }
     for (const AdiabaticState& state : certificate.attained) {
         json["attained"].push_back({{"u", to_fraction(state.u)},
                                     {"s", to_fraction(state.s)},
                                     {"delta", to_fraction(state.delta)},
                                     {"n", state.n},
-                                    {"value", shown(state.value)}});
+                                    {"value", shown_below(state.value)}});
     }
     if (!certificate.tree.empty()) {
         json["tree"] = tree_of(certificate, budget);

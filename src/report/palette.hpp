@@ -2,8 +2,8 @@
 
 #include "report/svg.hpp"
 
-/// Colours that mean the same in every picture; the page of `dumbbell report` has the same ones
-/// (web/src/style.css, under the same names; tests/page/palette_test.mjs). Numbers of collisions:
+/// What has the same colour in every picture; the page of `dumbbell report` has the same ones
+/// (web/src/style.css, under the same names; tests/page/draw_test.mjs). Numbers of collisions:
 /// count_colours.hpp.
 namespace dumbbell::palette {
 

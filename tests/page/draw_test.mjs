@@ -1,7 +1,8 @@
 // Pixels: pictures are not blank, and have the right colours where it is known what is there.
 import assert from "node:assert/strict";
 import test, { after } from "node:test";
-import { sequential } from "../../web/src/palette.js";
+import { readFileSync } from "node:fs";
+import { countColour } from "../../web/src/palette.js";
 import { colour, inkShare, launch, open, pixels, placeOf } from "./browser.mjs";
 import { certificates, dumbbell, report, scratch } from "./program.mjs";
 
@@ -12,6 +13,8 @@ after(() => browser.close());
 
 const plain = (css) => css.match(/\d+/g).join(",");
 const near = (a, b) => a !== "" && a.split(",").every((part, i) => Math.abs(part - b.split(",")[i]) <= 12);
+
+const everyKind = () => report(place("kinds.html"), files.ten);
 
 /// Whether a pixel of this colour is within `reach` of the place.
 function has(picture, [x, y], ink, reach = 3) {
@@ -48,7 +51,7 @@ for (const colorScheme of ["light", "dark"]) {
         const picture = await pixels(canvas);
         // The cover of q = 10 has a box with 4 collisions in the chart bridge, and one with 3 in the other chart.
         for (const [e, eta] of [[0.2, 9], [1, 6], [1.9, 14]]) {
-            assert.ok(near(picture.at(...(await placeOf(canvas, e, eta))), plain(sequential(1))));
+            assert.ok(near(picture.at(...(await placeOf(canvas, e, eta))), plain(countColour(4, 3, 4, colorScheme === "dark" ? 0.84 : 1))));
         }
         assert.equal(picture.at(...(await placeOf(canvas, 2.03, 7.3))), "");
         await page.close();
@@ -81,7 +84,6 @@ function countAt(text, e, eta) {
 
 test("boxes have the colours of their counts: the file's own lines against the picture, in both coordinates", async () => {
     const { gunzipSync } = await import("node:zlib");
-    const { readFileSync } = await import("node:fs");
     const text = gunzipSync(readFileSync(files.full)).toString();
     const counts = [...text.matchAll(/^count (\d+)$/gm)].map((match) => 1 + Number(match[1]));
     const [least, most] = [Math.min(...counts), Math.max(...counts)];
@@ -91,7 +93,7 @@ test("boxes have the colours of their counts: the file's own lines against the p
     const check = async (map) => {
         const picture = await pixels(canvas);
         for (const [e, eta] of points.filter(([a]) => !map || a < 1.5)) {
-            const ink = plain(sequential(0.12 + (0.88 * (countAt(text, e, eta) - least)) / (most - least)));
+            const ink = plain(countColour(countAt(text, e, eta), least, most));
             const at = await placeOf(canvas, ...(map ? map(e, eta) : [e, eta]));
             assert.ok(has(picture, at, ink, 3), `(${e}, ${eta}) has ${picture.at(...at)}, not ${ink}`);
         }
@@ -100,7 +102,7 @@ test("boxes have the colours of their counts: the file's own lines against the p
     await page.locator("#file-1 .controls select").nth(1).selectOption("physical");
     await page.waitForTimeout(1000); // a slow picture is drawn anew only when nothing has moved for a while
     points.splice(points.findIndex(([, eta]) => eta === 1.7), 1); // steeper than the window shows
-    await check((e, eta) => [Math.PI / 2 + e, eta - Math.cos(e)]);
+    await check((e, eta) => [Math.PI / 2 + e, (eta - Math.cos(e)) / (1 + 1 / 100)]);
     await page.close();
 });
 
@@ -131,13 +133,51 @@ test("the extremal orbits and the witness are marked", async () => {
     await page.close();
 });
 
+test("a colour means the same in the page and in the pictures of dumbbell plot, light and dark", async () => {
+    const wide = place("wide.dbc"); // with a gap
+    dumbbell("certify", "4.5:4.7", "--gap", "1e-2", "--out", wide);
+    const names = { proved: "stroke", paper: "stroke", growth: "stroke", gap: "fill", light: "fill", heavy: "fill", ground: "fill", witness: "stroke" };
+    const pictures = [["staircase", wide], ["orbit", files.ten], ["cover", files.full]].map(([kind, file], i) => {
+        dumbbell("plot", kind, file, "--out", place(`${i}.svg`));
+        return readFileSync(place(`${i}.svg`), "utf8");
+    });
+    const page = { light: await open(browser, everyKind(), { colorScheme: "light" }), dark: await open(browser, everyKind(), { colorScheme: "dark" }) };
+    const variable = { ground: "--floor", witness: "--mark" };
+    let compared = 0;
+    for (const scheme of ["light", "dark"]) {
+        for (const picture of pictures) {
+            const [light, dark] = picture.match(/<style>(.*?)@media \(prefers-color-scheme:dark\)\{(.*)\}<\/style>/s).slice(1);
+            const rules = scheme === "light" ? light : dark;
+            for (const [name, property] of Object.entries(names)) {
+                const found = new RegExp(`\\.${name}\\{${property}:(#\\w{6})\\}`).exec(rules);
+                if (found) {
+                    const [r, g, b] = [1, 3, 5].map((i) => parseInt(found[1].slice(i, i + 2), 16));
+                    assert.equal(await colour(page[scheme], variable[name] ?? `--${name}`), `${r},${g},${b}`, `${scheme} ${name}`);
+                    ++compared;
+                }
+            }
+            const counts = [...rules.matchAll(/\.n(\d+)\{fill:(#\w{6})\}/g)].map(([, n, ink]) => [Number(n), ink]);
+            const ends = [Math.min(...counts.map(([n]) => n)), Math.max(...counts.map(([n]) => n))];
+            for (const [n, ink] of counts) {
+                const mine = plain(countColour(n, ...ends, scheme === "dark" ? 0.84 : 1)).split(",").map(Number);
+                assert.equal(`#${mine.map((part) => part.toString(16).padStart(2, "0")).join("")}`, ink, `${scheme} ${n}`);
+                ++compared;
+            }
+        }
+    }
+    assert.ok(compared >= 2 * (4 + 3 + 1 + 7), String(compared));
+    await Promise.all(Object.values(page).map((of) => of.close()));
+});
+
 test("initial conditions are coloured by their exact counts, which trace confirms", async () => {
     const page = await open(browser, report(place("starts.html"), files.starts));
     const canvas = page.locator("#file-1 .plane canvas").first();
     const picture = await pixels(canvas);
+    const claims = [...readFileSync(files.starts, "utf8").matchAll(/^exactly (\d+)/gm)].map((match) => Number(match[1]));
+    const ends = [Math.min(...claims), Math.max(...claims)];
     for (const [phi, phidot] of [[1.5, 0], [0.3, -0.4], [2.8, 0.1]]) {
         const traced = JSON.parse(dumbbell("trace", 10, "--phi", phi, "--phidot", phidot, "--y", "3/2", "--ydot", -1, "--json"));
-        const ink = plain(sequential(traced.least === 1 ? 0.12 : 1));
+        const ink = plain(countColour(traced.least, ...ends));
         assert.ok(has(picture, await placeOf(canvas, phi, phidot), ink, 2), `(${phi}, ${phidot}): ${traced.least}`);
     }
     await page.close();

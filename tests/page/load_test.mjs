@@ -57,6 +57,22 @@ test("what is claimed is said, with its lemmas", async () => {
     await page.close();
 });
 
+test("many files are counted in the page's title, a few are named", async () => {
+    const named = await open(browser, report(place("named.html"), files.ten, files.full));
+    assert.equal(await named.title(), "dumbbell report: q-10.dbc, full-100.dbc.gz");
+    const counted = await open(browser, everything);
+    assert.equal(await counted.title(), `dumbbell report: ${Object.keys(files).length} files`);
+    await Promise.all([named.close(), counted.close()]);
+});
+
+test("the adiabatic claims say their constants, for the delta that they are about", async () => {
+    const page = await open(browser, report(place("adiabatic.html"), files.adiabatic, files.printed));
+    const claims = await page.locator(".claim").allTextContents();
+    assert.match(claims[0], /^For \u03b4 = 0\.01, .*\u2264 \d+(\.\d+)? \u03b4\.$/);
+    assert.match(claims[1], /at \u03b4 = 0\.01 an orbit that satisfies them has .*\u2265 3\.\d+\.$/);
+    await page.close();
+});
+
 test("a file's name is text, whatever it is", async () => {
     const { copyFileSync } = await import("node:fs");
     const odd = place("<img src=x onerror=alert(1)>.dbc");
@@ -69,13 +85,26 @@ test("a file's name is text, whatever it is", async () => {
 });
 
 test("on paper everything is open and white, and afterwards as it was", async () => {
-    const page = await open(browser, report(place("print.html"), files.ten, files.full), { colorScheme: "dark" });
+    const page = await open(browser, report(place("print.html"), files.stairs, files.full), { colorScheme: "dark" });
     const state = () => page.evaluate(() => [document.querySelectorAll("details:not([open])").length, getComputedStyle(document.body).backgroundColor]);
     const before = await state();
     await page.evaluate(() => dispatchEvent(new Event("beforeprint")));
     assert.deepEqual(await state(), [0, "rgb(255, 255, 255)"]);
     await page.evaluate(() => dispatchEvent(new Event("afterprint")));
     assert.deepEqual(await state(), before);
+    await page.emulateMedia({ media: "print" });
+    const printed = await page.evaluate(() => ({
+        swatches: [...document.querySelectorAll(".swatch i")].map((e) => getComputedStyle(e).printColorAdjust),
+        keys: [...document.querySelectorAll(".key")].map((e) => getComputedStyle(e, "::before").printColorAdjust),
+        breaks: [...document.querySelectorAll("section")].map((e) => getComputedStyle(e).breakBefore),
+        headings: [...document.querySelectorAll("h2, h3, .tables > summary")].map((e) => getComputedStyle(e).breakAfter),
+    }));
+    // Colours that stand for something are printed, the first file begins below the title, no heading is left behind.
+    assert.ok(printed.swatches.length > 2 && printed.swatches.concat(printed.keys).every((adjust) => adjust === "exact"), printed.swatches.join());
+    assert.deepEqual([...new Set(printed.breaks.slice(1))], ["page"]);
+    assert.notEqual(printed.breaks[0], "page");
+    assert.ok(printed.headings.every((value) => value === "avoid"), printed.headings.join());
+    await page.emulateMedia({ media: null });
     const pdf = await page.pdf({ format: "A4" });
     assert.ok(pdf.length > 20000);
     assert.deepEqual(page.complaints, []);

@@ -1,5 +1,6 @@
 // The motions of the page against the program's enclosures, and the shipped witnesses against their certificates.
 import assert from "node:assert/strict";
+import { spawnSync } from "node:child_process";
 import test from "node:test";
 import { fault, numberFrom } from "../../web/src/start.js";
 import { orbitFromContact, orbitFromStart, stateAt } from "../../web/src/orbit.js";
@@ -8,6 +9,12 @@ import { bridgeOrbit, extremalOrbits, wedgeOrbit } from "../../web/src/witness.j
 import { chartPoints } from "../../web/src/chart_points.js";
 import { floorAt } from "../../web/src/flight.js";
 import { certificates, dataIn, dumbbell, report, scratch } from "./program.mjs";
+
+/// What trace says, whatever its exit code.
+const spawnTrace = ({ q, phi, phidot, y, ydot }) => {
+    const { stdout, stderr } = spawnSync(process.env.DUMBBELL_BIN, ["trace", q, "--phi", phi, "--phidot", phidot, "--y", y, "--ydot", ydot].map(String), { encoding: "utf8" });
+    return stdout + stderr;
+};
 
 /// Reproducible numbers in [0, 1).
 function random(seed) {
@@ -57,6 +64,17 @@ const place = scratch();
 const files = certificates(place);
 const dataOf = (...names) => dataIn(report(place("data.html"), ...names.map((name) => files[name]))).files;
 const middle = ({ lo, hi }) => Math.sqrt(toNumber(parse(lo)) * toNumber(parse(hi)));
+
+test("where both masses hit the floor at once no motion is defined, as dumbbell trace says", () => {
+    const flat = { q: 10, phi: 0, phidot: 0, y: 1, ydot: -1 };
+    const orbit = orbitFromStart(flat);
+    assert.deepEqual([orbit.collisions.length, orbit.isCorner, orbit.complete], [0, true, false]);
+    assert.ok(Math.abs(orbit.last.until - 1) < 1e-9); // falls from 1 with speed 1
+    const traced = spawnTrace(flat);
+    assert.match(traced, /no motion is defined|both masses/);
+    const later = orbitFromStart({ ...flat, phi: 0.001 });
+    assert.equal(later.isCorner, false);
+});
 
 test("each shipped witness has in the page the collisions that its certificate claims", () => {
     let witnesses = 0;
@@ -124,9 +142,12 @@ test("what is typed is read as a number, and what cannot start is told", () => {
     }
     const good = { q: 10, phi: 0, phidot: 1, y: 1, ydot: -1 };
     assert.equal(fault(good), null);
-    assert.match(fault({ ...good, q: 0.5 }), /at least 1/);
+    assert.equal(fault({ ...good, q: 0.5 }), null); // the masses are swapped
+    for (const q of [0, -1, 1e-320]) {
+        assert.match(fault({ ...good, q }), /greater than 0/);
+    }
     assert.match(fault({ ...good, y: 0 }), /above the floor/);
     assert.match(fault({ ...good, phi: -Math.PI / 2, y: 0.5 }), /above the floor/);
     assert.match(fault({ ...good, phidot: 0, ydot: 0 }), /rest/);
-    assert.match(fault({ ...good, y: NaN }), /numbers/);
+    assert.match(fault({ ...good, y: Infinity }), /too large/);
 });

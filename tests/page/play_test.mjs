@@ -179,6 +179,40 @@ test("your own start is followed, called not rigorous, and comes with the comman
     await page.close();
 });
 
+test("what is wrong with your own start is told by the field's name; ratios below 1 and corners as dumbbell trace has them", async () => {
+    const page = await open(browser, report(place("ten.html"), files.ten));
+    const own = page.locator("#own");
+    const field = (label) => own.getByLabel(label, { exact: true });
+    const told = async () => {
+        await own.getByRole("button", { name: "Follow it" }).click();
+        return own.locator(".readout").first().textContent();
+    };
+    await field("height y").fill("abc");
+    assert.match(await told(), /^height y: \u201cabc\u201d is no number/);
+    assert.equal(await field("height y").getAttribute("aria-invalid"), "true");
+    await field("height y").fill("0.8");
+    await field("mass ratio q").fill("1/100");
+    assert.match(await told(), /^Ratios below 1: the masses are swapped.*In doubles: 9 collisions\.$/);
+    assert.equal(await field("height y").getAttribute("aria-invalid"), "false");
+    for (const [label, text] of [["angle \u03c6", "0"], ["its velocity \u03c6\u2032", "0"], ["height y", "1"], ["its velocity y\u2032", "-1"]]) {
+        await field(label).fill(text);
+    }
+    assert.match(await told(), /In doubles: 0 collisions, then both masses hit the floor at once, and no motion is defined\./);
+    assert.match(await own.locator(".player .readout").textContent(), /both masses hit the floor at once/);
+    assert.deepEqual(page.complaints, []);
+    await page.close();
+});
+
+test("heights are told in rod lengths: the height that was typed is the height that is shown", async () => {
+    const page = await open(browser, report(place("ten.html"), files.ten));
+    const own = page.locator("#own");
+    await own.getByLabel("mass ratio q", { exact: true }).fill("4");
+    await own.getByLabel("height y", { exact: true }).fill("1.25");
+    await own.getByRole("button", { name: "Follow it" }).click();
+    assert.match(await own.locator(".player .readout").textContent(), /y = 1\.25 rod lengths; velocity \(\u03c8, y\) 1, \u22120\.1\./);
+    await page.close();
+});
+
 test("a click on a box of initial conditions plays the orbit from its centre", async () => {
     const page = await open(browser, report(place("starts.html"), files.starts));
     const canvas = page.locator("#file-1 .plane canvas").first();

@@ -39,7 +39,7 @@ test("buttons, keys, double click and wheel zoom; 0 and Reset show everything ag
     await canvas.dblclick({ position: { x: 300, y: 200 } });
     await settled(page);
     assert.ok(span(await windowOf(canvas)) < 0.4 * span(home));
-    assert.deepEqual(await click("Show everything"), home);
+    assert.deepEqual(await click("Reset"), home);
     await canvas.focus();
     await canvas.hover({ position: { x: 300, y: 200 } });
     await page.mouse.wheel(0, -400);
@@ -84,7 +84,7 @@ test("every step of a staircase can be chosen, and its gap is seen in its true w
     const canvas = page.locator("#file-1 .plane canvas").first();
     const gap = await colour(page, "--gap");
     const count = await choice.locator("option").count();
-    assert.equal(count, 886);
+    assert.equal(count, 2 + 885); // the whole range, and the typed ratio
     for (const i of [0, 1, 2, 100, 500, 884]) {
         await choice.selectOption(String(i));
         await settled(page);
@@ -128,11 +128,27 @@ test("a gap 40 orders of magnitude narrower than its ratio is shown, too", async
 
 test("a typed ratio is gone to", async () => {
     const page = await open(browser, report(place("stairs.html"), files.stairs));
-    await page.getByLabel("mass ratio", { exact: true }).fill("50");
+    await page.getByLabel("around q =", { exact: true }).fill("50");
     await page.getByRole("button", { name: "Go" }).click();
     const { x0, x1 } = await windowOf(page.locator("#file-1 .plane canvas").first());
     assert.ok(x0 < Math.log10(50) && Math.log10(50) < x1 && x1 - x0 < 0.1);
-    assert.match(await page.locator("#file-1 figure .readout").first().textContent(), /N\(q\) = 8/);
+    const choice = page.getByLabel("Show", { exact: true });
+    const told = () => page.locator("#file-1 figure .readout").first().textContent();
+    assert.match(await told(), /N\(q\) = 8/);
+    assert.equal(await choice.inputValue(), "around");
+    await choice.selectOption(""); // back, by the choice that no longer shows where one is
+    await settled(page);
+    assert.ok(span(await windowOf(page.locator("#file-1 .plane canvas").first())) > 1.9);
+    const go = async (text) => {
+        await page.getByLabel("around q =", { exact: true }).fill(text);
+        await page.getByRole("button", { name: "Go" }).click();
+        return told();
+    };
+    assert.match(await go("abc"), /\u201cabc\u201d is no mass ratio: write a number/);
+    assert.equal(await choice.inputValue(), "");
+    assert.match(await go("1000"), /The file says nothing about q = 1000/);
+    assert.match(await go("1/50"), /N\(q\) = 8/); // the masses swapped
+    assert.deepEqual(page.complaints, []);
     await page.close();
 });
 

@@ -11,27 +11,40 @@ import { parse, toNumber } from "./rational.js";
 import { colour } from "./theme.js";
 
 const range = ([lo, hi]) => (lo === hi ? lo : `from ${lo} to ${hi}`);
+const delta = ([lo, hi]) => (lo === hi ? `For \u03b4 = ${lo}` : `For every \u03b4 from ${lo} to ${hi}`);
 
+/// delta to the power n/16, as people write it.
+function power(n) {
+    let below = 16;
+    for (; n % 2 === 0 && below > 1; n /= 2) {
+        below /= 2;
+    }
+    return n === 0 ? "1" : below === 1 ? `\u03b4${n === 1 ? "" : `^${n}`}` : n === 1 && below === 2 ? "\u221a\u03b4" : `\u03b4^(${n}/${below})`;
+}
+
+const single = (text) => show(toNumber(parse(text)), 10);
+
+/// Of each claim: its name, its statement, and what its constants are units of.
 const statements = {
     "adiabatic-bounce": {
         title: "one bounce",
-        of: (f) => `For every \u03b4 ${f.delta[0] === f.delta[1] ? "= " : ""}${range(f.delta)} and every bounce of the light mass at height ${range(f.heights)}, at least ${f.margin} \u03b4^(${f.exponent}/16) from the vertical, whose next collision is one of the light mass: the errors E1 \u2264 C1 \u03b4^(2 \u2212 2k) and E2 \u2264 2 C2 \u03b4^(2 \u2212 k), k = ${f.exponent}/16.`,
-        units: ["E1, in units of \u03b4^(2 \u2212 2k)", "E2, in units of 2 \u03b4^(2 \u2212 k)"],
+        of: (f) => `${delta(f.delta)} and every bounce of the light mass at height ${range(f.heights)}, at least ${f.margin}${f.exponent === 0 ? "" : ` ${power(f.exponent)}`} from the vertical, whose next collision is one of the light mass: the errors E1 \u2264 ${f.bounds[0]} ${power(32 - 2 * f.exponent)} and E2 \u2264 2 \u00b7 ${f.bounds[1]} ${power(32 - f.exponent)}.`,
+        units: (f) => [`E1, in units of ${power(32 - 2 * f.exponent)}`, `E2, in units of 2 ${power(32 - f.exponent)}`],
     },
     "adiabatic-run": {
         title: "Theorem 3.3",
-        of: (f) => `For every \u03b4 ${f.delta[0] === f.delta[1] ? "= " : ""}${range(f.delta)}, every start at a height ${range(f.heights)} and any number n of bounces of the light mass alone, all at least ${f.margin} from the vertical: |I\u2099 \u2212 I\u2080| \u2264 C \u03b4.`,
-        units: ["|I\u2099 \u2212 I\u2080|, in units of \u03b4"],
+        of: (f) => `${delta(f.delta)}, every start at a height ${range(f.heights)} and any number n of bounces of the light mass alone, all at least ${f.margin} from the vertical: |I\u2099 \u2212 I\u2080| \u2264 ${f.bounds[0]} \u03b4.`,
+        units: () => ["|I\u2099 \u2212 I\u2080|, in units of \u03b4"],
     },
     "adiabatic-scattering": {
         title: "Theorem 3.5",
-        of: (f) => `For every \u03b4 ${f.delta[0] === f.delta[1] ? "= " : ""}${range(f.delta)} and every whole scattering whose first and last bounce are at least ${f.margin} \u221a\u03b4 from the vertical: |I\u2099 \u2212 I\u2080| \u2264 C \u221a\u03b4, and the heavy mass is not touched.`,
-        units: ["|I\u2099 \u2212 I\u2080|, in units of \u221a\u03b4"],
+        of: (f) => `${delta(f.delta)} and every whole scattering whose first and last bounce are at least ${f.margin} \u221a\u03b4 from the vertical: |I\u2099 \u2212 I\u2080| \u2264 ${f.bounds[0]} \u221a\u03b4, and the heavy mass is not touched.`,
+        units: () => ["|I\u2099 \u2212 I\u2080|, in units of \u221a\u03b4"],
     },
     "adiabatic-printed": {
         title: "Theorem 3.5 as printed",
-        of: (f) => `The hypotheses as printed restrict the first bounce only (at least ${f.margin} \u221a\u03b4 from the vertical, \u03b4 ${f.delta[0] === f.delta[1] ? "= " : ""}${range(f.delta)}): an orbit that satisfies them has |I\u2099 \u2212 I\u2080| at least B, which does not become small with \u03b4.`,
-        units: ["|I\u2099 \u2212 I\u2080|"],
+        of: (f) => `The hypotheses as printed restrict the first bounce only (at least ${f.margin} \u221a\u03b4 from the vertical): at \u03b4 = ${single(f.attained[0].delta)} an orbit that satisfies them has |I\u2099 \u2212 I\u2080| \u2265 ${f.attained[0].value}.`,
+        units: () => ["|I\u2099 \u2212 I\u2080|"],
     },
 };
 
@@ -81,7 +94,7 @@ function boxes(file) {
 
 export function adiabaticSection(file, isAlone) {
     const { title, of, units } = statements[file.claim];
-    const rows = units.map((unit, i) => {
+    const rows = units(file).map((unit, i) => {
         const [bound, value] = [file.bounds[i], file.attained[i]?.value];
         return [unit, bound ?? "\u2013", value ?? "\u2013", bound && Number(value) > 0 ? show(Number(bound) / Number(value), 4) : "\u2013"];
     });
@@ -94,7 +107,7 @@ export function adiabaticSection(file, isAlone) {
         h("h3", {}, "What is attained"),
         attained(file),
         h("h3", {}, "Constants"),
-        table("Rounded; exact in the file", ["what is bounded", "C, claimed", "B, attained", "C/B"], rows, [1, 2, 3]),
+        table("C rounded up, B down; exact in the file", ["what is bounded", "C, claimed", "B, attained", "C/B"], rows, [1, 2, 3]),
         table("Leaves of all trees", ["kind", "leaves"], [["bound", file.leaves.bound.toLocaleString("en")], ["outside", file.leaves.outside.toLocaleString("en")]], [1]),
         foundations(file, isAlone),
     ];

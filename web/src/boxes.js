@@ -1,4 +1,5 @@
 // Draws the boxes of a tree: as they are in its own coordinates, or where a map puts them.
+import { hatching } from "./theme.js";
 
 const finest = 0.7; // px; what is smaller is drawn as one
 const outlined = 5; // px; smaller boxes have no outline
@@ -12,7 +13,7 @@ const edges = (map, a0, a1, b0, b1) => {
 
 const identity = { x: (a) => a, y: (a, b) => b, straight: true };
 
-/// view: {tree, xAxis, yAxis, fixed, map, paint(kind), ink}. Returns how many boxes were drawn.
+/// view: {tree, xAxis, yAxis, fixed, map, paint(kind): a colour or "hatched", ink}. Returns how many boxes were drawn.
 export function drawBoxes(plane, view) {
     const { tree, xAxis: X, yAxis: Y } = view;
     const map = view.map ?? identity;
@@ -22,7 +23,8 @@ export function drawBoxes(plane, view) {
     const perY = plane.frame.height / (w.y1 - w.y0);
     const range = (box) => edges(map, box[2 * X], box[2 * X + 1], box[2 * Y], box[2 * Y + 1]);
     const colours = new Map();
-    const paint = (kind) => colours.get(kind) ?? colours.set(kind, view.paint(kind)).get(kind);
+    const fill = (name) => (name === "hatched" ? hatching(c) : name);
+    const paint = (kind) => colours.get(kind) ?? colours.set(kind, fill(view.paint(kind))).get(kind);
     let drawn = 0;
 
     const skip = (box) => {

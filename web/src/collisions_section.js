@@ -1,11 +1,11 @@
 // A certificate about the greatest number of collisions: staircase, cover, witnesses, tables.
 import { chartPoints } from "./chart_points.js";
 import { leafText, total } from "./charts.js";
-import { cover } from "./cover.js";
+import { countPaint, cover } from "./cover.js";
 import { h, labelled, longTable, select, table } from "./dom.js";
 import { foundations, verifyBox } from "./file_tables.js";
 import { plural, shortened, show } from "./numbers.js";
-import { categorical, sequential } from "./palette.js";
+import { categorical } from "./palette.js";
 import { Player } from "./player.js";
 import { parse, toNumber } from "./rational.js";
 import { staircase } from "./staircase.js";
@@ -48,9 +48,8 @@ function coverNote(file) {
 }
 
 function coverSource(file, orbits) {
-    const counts = file.kinds.filter((k) => k.reason === "count").map(total);
-    const [least, most] = [Math.min(...counts), Math.max(...counts)];
-    const shade = (kind) => sequential(most === least ? 0.6 : 0.12 + (0.88 * (total(kind) - least)) / (most - least));
+    const isCount = (kind) => kind.reason === "count";
+    const shade = countPaint(file.kinds.filter(isCount).map(total));
     const choices = file.pieces.flatMap((piece, i) => piece.trees.map((tree) => ({
         text: `${file.pieces.length > 1 ? `${rangeText(piece)}: ${valueText(piece)}, ` : ""}chart ${tree.chart} (${tree.leaves.toLocaleString("en")} ${tree.leaves === 1 ? "box" : "boxes"})`,
         tree,
@@ -64,19 +63,21 @@ function coverSource(file, orbits) {
         choices,
         first: largest,
         kinds: file.kinds,
+        countOf: (kind) => (isCount(kind) ? total(kind) : null),
         describe: leafText,
         file: file.verify_file,
         note: coverNote(file),
         colourings: [
             {
                 text: "by number of collisions",
-                paint: (kind) => (kind.reason === "count" ? shade(kind) : colour(kind.reason === "outside" ? "--outside" : "--settled")),
-                label: (kind) => (kind.reason === "count" ? `at most ${total(kind)}` : kind.reason),
-                order: (kind) => (kind.reason === "count" ? total(kind) : 1e9 + reasons.indexOf(kind.reason)),
+                isByCount: true,
+                paint: (kind) => (isCount(kind) ? shade(total(kind)) : colour(`--${kind.reason}`)),
+                label: (kind) => (isCount(kind) ? `at most ${total(kind)}` : kind.reason),
+                order: (kind) => (isCount(kind) ? total(kind) : 1e9 + reasons.indexOf(kind.reason)),
             },
             {
                 text: "by reason",
-                paint: (kind) => (kind.reason === "outside" ? colour("--outside") : categorical(reasons.indexOf(kind.reason))),
+                paint: (kind) => (isCount(kind) ? categorical(0) : colour(`--${kind.reason}`)),
                 label: (kind) => kind.reason,
                 order: (kind) => reasons.indexOf(kind.reason) + (kind.reason === "outside" ? 9 : 0),
             },
@@ -156,7 +157,7 @@ function witnesses(file) {
     }
     load(chosen, share);
     return h("figure", { class: "wide" }, h("div", { class: "controls" }, controls, where), about, player.element, h("figcaption", {}, file.scene === "dumbbell"
-        ? "A witness orbit: the dumbbell, and the same motion as a point above the floor curve. No gravity; the uniform horizontal motion is left out, and the dots are larger than the point masses. The view goes on a little before the first and behind the last collision."
+        ? "A witness orbit: the dumbbell, and the same motion as a point above the floor curve. No gravity; the uniform horizontal motion is left out, and the dots are larger than the point masses. The view goes on a little before the first and after the last collision."
         : "A witness orbit in the model wedge, which is a plane figure and no dumbbell. It has no scale; drawn so that the farthest contact is at 1."));
 }
 
@@ -165,15 +166,17 @@ const mostRows = 200;
 function piecesTable(file) {
     const isDumbbell = file.scene === "dumbbell";
     const ends = ({ lo_text: lo, hi_text: hi }) => (lo === hi ? shortened(lo) : `${shortened(lo)} to ${shortened(hi)}`);
-    const row = (p) => [ends(p), valueText(p), isDumbbell && p.paper ? (p.paper[0] === p.paper[1] ? String(p.paper[0]) : `${p.paper[0]} to ${p.paper[1]}`) : "", p.equal_masses ? "by L7" : p.leaves.toLocaleString("en"), String(p.bits),
+    const paper = (p) => (p.paper ? (p.paper[0] === p.paper[1] ? String(p.paper[0]) : `${p.paper[0]} to ${p.paper[1]}`) : "");
+    const row = (p) => [ends(p), valueText(p), ...(isDumbbell ? [paper(p)] : []), p.equal_masses ? "by L7" : p.leaves.toLocaleString("en"), String(p.bits),
         p.witness ? `${1 + p.witness.forward + p.witness.backward} collisions` : ""];
-    const head = ["mass ratio", "claimed", isDumbbell ? "the paper\u2019s bound" : "", "boxes", "bits", "witness"];
+    const head = ["mass ratio", "claimed", ...(isDumbbell ? ["the paper\u2019s bound"] : []), "boxes", "bits", "witness"];
+    const boxesColumn = head.indexOf("boxes");
     const totals = Object.entries(file.totals).map(([reason, leaves]) => [reason, leaves.toLocaleString("en")]);
     return h(
         "details",
         { class: "tables", open: file.pieces.length <= 40 },
         h("summary", {}, "What is claimed"),
-        longTable("Piece by piece", head, file.pieces.map(row), [3, 4], mostRows),
+        longTable("Piece by piece", head, file.pieces.map(row), [boxesColumn, boxesColumn + 1], mostRows),
         totals.length > 0 && table("Boxes of all covers, by reason", ["reason", "boxes"], totals, [1]),
     );
 }

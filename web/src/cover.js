@@ -1,24 +1,38 @@
 // The boxes of a cover, with their reasons. What a file's boxes mean comes as `source`:
 //   choices: [{text, tree (data), chart, explain (the verifier's path to the root), marks}]
-//   first: index of the choice shown at first;  kinds;  colourings: [{text, paint(kind, i), label(kind)}]
+//   first: index of the choice shown at first;  kinds;  colourings: [{text, paint(kind, i): a colour or "hatched", label(kind), order(kind)}]
+//   countOf(kind): the count that its colour stands for, if there is one (the colouring then has isByCount)
 //   describe(kind, chart): a leaf in a line;  note: text below;  file: for the verifier;  play(point): if boxes can be played
-import { h, labelled, select } from "./dom.js";
+import { h, labelled, output, select } from "./dom.js";
 import { drawBoxes } from "./boxes.js";
 import { axisLabel, boxText, chartNamed } from "./charts.js";
 import { drawMarks } from "./marks.js";
 import { plural, show } from "./numbers.js";
 import { Plane } from "./plane.js";
-import { colour } from "./theme.js";
+import { countColour } from "./palette.js";
+import { colour, onTheme } from "./theme.js";
 import { angleTicks, linearTicks } from "./ticks.js";
 import { BoxTree } from "./tree.js";
 
 const hint = "Point at a box, or move the picture with the arrow keys: what lies in the middle is told here.";
 
+/// The colour of each of these counts, in the page's present colours.
+export function countPaint(counts) {
+    const [least, most] = [Math.min(...counts), Math.max(...counts)];
+    return (count) => (count === 0 ? colour("--none") : countColour(count, least, most, Number(colour("--count-share"))));
+}
+
+/// What explains holes in the counts of a legend.
+function legendNote(counts) {
+    const different = new Set(counts);
+    return Math.max(...counts) - Math.min(...counts) + 1 > different.size ? "A count that the legend leaves out belongs to no box." : "";
+}
+
 class Cover {
     constructor(source) {
         this.source = source;
         this.colouring = source.colourings[0];
-        this.readout = h("output", { class: "readout tall" }, hint);
+        this.readout = output("readout tall", hint);
         this.controls = h("div", { class: "controls" });
         this.sliders = h("div", { class: "controls" });
         this.legend = h("span", { class: "keys" });
@@ -48,6 +62,7 @@ class Cover {
             h("figcaption", {}, this.legend, this.counter, source.note ? h("span", {}, " ", source.note) : null),
         );
         this.choose(source.first ?? 0);
+        onTheme(() => this.fillLegend());
     }
 
     choose(index) {
@@ -133,18 +148,21 @@ class Cover {
             seen.set(label, { paint: this.colouring.paint(kind, i), order: this.colouring.order?.(kind) ?? 0 });
         }
         let entries = [...seen].sort((a, b) => a[1].order - b[1].order);
-        if (entries.length > 14) {
+        const isThinned = entries.length > 14;
+        if (isThinned) {
             const step = (entries.length - 1) / 11;
             entries = Array.from({ length: 12 }, (_, i) => entries[Math.round(i * step)]);
         }
         this.legend.replaceChildren(...entries.map(([label, { paint }]) => {
-            const swatch = h("i", {});
-            swatch.style.background = paint;
+            const swatch = h("i", { class: paint === "hatched" ? paint : null });
+            swatch.style.background = paint === "hatched" ? "" : paint;
             return h("span", { class: "swatch" }, swatch, label);
         }));
         const { leaves, shown } = this.tree;
         const thinned = leaves > shown ? `${leaves.toLocaleString("en")} boxes of the file are drawn as ${shown.toLocaleString("en")}: one with a diagonal stands for several and shows the greatest count among them.` : `${boxes(leaves)}.`;
-        this.counter.textContent = `${thinned} ${this.chart ? `Chart ${this.choice.chart}: ${this.chart.about}.` : ""}`;
+        const counts = [...present].map((i) => this.source.countOf?.(this.source.kinds[i])).filter((n) => n !== undefined && n !== null);
+        const note = isThinned ? "The legend has some of the colours only." : this.colouring.isByCount && counts.length > 0 ? legendNote(counts) : "";
+        this.counter.textContent = [thinned, note, this.chart ? `Chart ${this.choice.chart}: ${this.chart.about}.` : ""].filter(Boolean).join(" ");
     }
 
     /// The ratio at which slopes are shown, for the physical coordinates.
@@ -155,7 +173,7 @@ class Cover {
             return null;
         }
         const { r, chart } = this;
-        return { x: chart.psi, y: (a, b) => chart.slope(a, b, r) };
+        return { x: chart.psi, y: (a, b) => chart.slope(a, b, r) / (1 + r) }; // of rod lengths, not of beta2
     }
 
     fit() {
@@ -174,7 +192,7 @@ class Cover {
 
     label(axis) {
         if (this.isPhysical) {
-            return axis === this.x ? "\u03c8 = \u03c6 \u2212 \u03c0/2: angle of the rod from upright" : "slope dy/d\u03c8 of the flight";
+            return axis === this.x ? "\u03c8 = \u03c6 \u2212 \u03c0/2: angle of the rod from upright" : "slope dy/d\u03c8 of the flight, rod lengths per radian";
         }
         return this.source.axisText?.[this.tree.axes[axis].name] ?? axisLabel(this.choice.chart, this.tree.axes[axis].name);
     }
@@ -193,7 +211,7 @@ class Cover {
         const point = [...this.fixed];
         if (this.isPhysical) {
             point[0] = this.chart.position(x);
-            point[1] = this.chart.steepness(point[0], y, this.r);
+            point[1] = this.chart.steepness(point[0], y * (1 + this.r), this.r);
         } else {
             point[this.x] = x;
             point[this.y] = y;

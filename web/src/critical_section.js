@@ -15,6 +15,6 @@ export function criticalSection(file) {
             command(file.again),
         ),
         longTable("The table", ["N", "q_c(N)", "radius", "tangent there"], cells, [0], 100),
-        table("The file", ["", ""], [["file", file.name], ["SHA-256 of its text", h("code", { class: "hash" }, file.sha256)]]),
+        table("The file", null, [["file", file.name], ["SHA-256 of its text", h("code", { class: "hash" }, file.sha256)]]),
     ];
 }

@@ -24,6 +24,9 @@ export function labelled(text, control) {
     return h("label", { class: "labelled" }, h("span", {}, text), control);
 }
 
+/// Where a result stands: read out when it changes.
+export const output = (kind, text = "") => h("output", { class: kind, "aria-live": "polite" }, text);
+
 /// choices: [[value, text], ...]
 export function select(choices, value, onchange) {
     const element = h(
@@ -34,19 +37,20 @@ export function select(choices, value, onchange) {
     return element;
 }
 
-/// head: texts; rows: lists of texts or elements. Columns in `numeric` are aligned right. It scrolls sideways
-/// inside its own frame, never the page.
+/// head: texts, or null: then the first column names the rows. rows: lists of texts or elements. Columns in `numeric` are
+/// aligned right. It scrolls sideways inside its own frame, never the page.
 export function table(caption, head, rows, numeric = []) {
-    const cell = (tag) => (content, i) => h(tag, { class: numeric.includes(i) ? "number" : null, scope: tag === "th" ? "col" : null }, content);
+    const cell = (tag, scope = null) => (content, i) => h(tag, { class: numeric.includes(i) ? "number" : null, scope }, content);
+    const named = (content, i) => (head === null && i === 0 ? cell("th", "row") : cell("td"))(content, i);
     return h(
         "div",
-        { class: "scroll", tabindex: "0", role: "region", "aria-label": caption },
+        { class: "scroll", tabindex: "0", role: "group", "aria-label": caption },
         h(
             "table",
             {},
             h("caption", {}, caption),
-            h("thead", {}, h("tr", {}, head.map(cell("th")))),
-            h("tbody", {}, rows.map((row) => h("tr", {}, row.map(cell("td"))))),
+            head && h("thead", {}, h("tr", {}, head.map(cell("th", "col")))),
+            h("tbody", {}, rows.map((row) => h("tr", {}, row.map(named)))),
         ),
     );
 }

@@ -20,7 +20,7 @@ export function foundations(file, isOpen) {
         { class: "tables", open: isOpen },
         h("summary", {}, "What the claim rests on, and checksums"),
         table("Lemmas", ["lemma", "statement", "proof in"], lemmaRows(file)),
-        table("The file", ["", ""], [
+        table("The file", null, [
             ["file", file.name],
             ["written by", file.generator],
             ["claim, lemma set", `${file.claim}, lemmas ${file.lemmas}`],

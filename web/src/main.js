@@ -15,10 +15,12 @@ function header(data) {
         "header",
         {},
         h("div", { class: "title" }, h("h1", {}, "How often can a bouncing dumbbell hit the floor?"), theme),
-        h("p", {}, "Two point masses on a massless rod fall on a flat floor and bounce elastically. This report shows what ", data.files.length === 1 ? "a file claims" : `${data.files.length} files claim`, " about their collisions. It does not verify anything: each file comes with the command that does."),
+        h("p", {}, "Two point masses on a massless rod bounce elastically on a flat floor, without gravity. This report shows what ", data.files.length === 1 ? "a file claims" : `${data.files.length} files claim`, " about their collisions. It does not verify anything: each file comes with the command that does."),
         h("nav", { "aria-label": "Contents" }, h("ul", {}, links, h("li", {}, h("a", { href: "#own" }, "your own initial condition")))),
     );
 }
+
+const mostNames = 3; // of files, in the title
 
 /// Nine collisions, by `dumbbell trace`, too.
 const firstStart = { q: "100", phi: "-0.2", phidot: "1", y: "0.8", ydot: "-0.1" };
@@ -41,7 +43,7 @@ const data = JSON.parse(document.getElementById("data").textContent);
 watchTheme();
 openForPrint();
 const own = new OwnStart(firstStart);
-document.title = `dumbbell report: ${data.files.map((file) => file.name).join(", ")}`;
+document.title = `dumbbell report: ${data.files.length > mostNames ? `${data.files.length} files` : data.files.map((file) => file.name).join(", ")}`;
 document.getElementById("page").replaceChildren(
     header(data),
     ...data.files.map((file, i) => h("section", { id: `file-${i + 1}` }, h("p", { class: "filename" }, file.name), ...sectionOf(file, data, own).filter(Boolean))),

@@ -1,8 +1,14 @@
 // Orbits: {q, r, collisions: [{t, psi, y, heavy, before, after}], first, last, complete}: velocities {vpsi, vy}; `first` and `last` are the
-// flights before and behind the collisions, as a state {t, psi, y, vpsi, vy} on each and a time until which to show it.
+// flights before and after the collisions, as a state {t, psi, y, vpsi, vy} on each and a time until which to show it. `isCorner`:
+// it ends where both masses hit the floor at once, and no motion is defined.
 import { nextContact, reflected } from "./flight.js";
 
 export const mostCollisions = 20000; // followed
+
+/// Heights are computed in units of beta2; this many rod lengths are that (a wedge has no unit).
+export const lengthUnit = ({ scene, r }) => (scene === "wedge" ? 1 : 1 / (1 + r));
+
+const cornerRange = 1e-11; // of angles: closer to flat, doubles do not tell which mass hits first
 
 /// How long to show a flight that leaves: until both masses are well above the floor, or the rod has turned enough.
 function shownAfter({ y, vpsi, vy }) {
@@ -34,6 +40,7 @@ function forward(q, state, collision, first) {
     const r = 1 / q;
     const collisions = collision ? [collision] : [];
     let complete = true;
+    let isCorner = false;
     for (;;) {
         const next = nextContact(state, r, collisions.at(-1)?.heavy ?? null);
         if (!next) {
@@ -44,12 +51,18 @@ function forward(q, state, collision, first) {
             break;
         }
         const at = { t: state.t + next.after, psi: state.psi + state.vpsi * next.after, y: state.y + state.vy * next.after };
+        if (Math.abs(Math.cos(at.psi)) < cornerRange) {
+            complete = false;
+            isCorner = true;
+            break;
+        }
         const before = { vpsi: state.vpsi, vy: state.vy };
         const after = reflected({ ...at, ...before }, next.heavy, r);
         collisions.push({ ...at, heavy: next.heavy, before, after });
         state = { ...at, ...after };
     }
-    return { q, r, collisions, first, last: { ...state, until: state.t + shownAfter(state) }, complete, scene: "dumbbell" };
+    const until = isCorner ? state.t + nextContact(state, r, collisions.at(-1)?.heavy ?? null).after : state.t + shownAfter(state);
+    return { q, r, collisions, first, last: { ...state, until }, complete, isCorner, scene: "dumbbell" };
 }
 
 /// An orbit from its middle: `rays.out` and `rays.back` are the collisions along the outgoing ray and along the reversed incoming

@@ -1,5 +1,5 @@
 // The user's own initial condition, computed here in doubles: not rigorous, with the command that makes it so.
-import { command, h, labelled } from "./dom.js";
+import { command, h, labelled, output } from "./dom.js";
 import { plural } from "./numbers.js";
 import { mostCollisions, orbitFromStart } from "./orbit.js";
 import { Player } from "./player.js";
@@ -16,7 +16,7 @@ const fields = [
 export class OwnStart {
     constructor(start) {
         this.player = new Player();
-        this.message = h("output", { class: "readout" });
+        this.message = output("readout");
         this.shown = h("div", {});
         this.inputs = fields.map(([name]) => h("input", { type: "text", name, size: "9", inputmode: "decimal", value: start[name], autocomplete: "off" }));
         const form = h(
@@ -47,16 +47,24 @@ export class OwnStart {
 
     go() {
         const start = Object.fromEntries(fields.map(([name], i) => [name, numberFrom(this.inputs[i].value)]));
-        const wrong = fault(start);
+        const unread = fields.findIndex(([name]) => Number.isNaN(start[name]));
+        const wrong = unread < 0 ? fault(start) : `${fields[unread][1]}: \u201c${this.inputs[unread].value}\u201d is no number; write one like 3, \u22120.5, 1/3 or 1e4.`;
+        this.inputs.forEach((input, i) => input.setAttribute("aria-invalid", String(i === unread)));
         this.message.classList.toggle("warning", wrong !== null);
         if (wrong) {
             this.message.textContent = wrong;
             return;
         }
-        const orbit = orbitFromStart(start);
-        const n = orbit.collisions.length;
+        const isSwapped = start.q < 1;
+        const orbit = orbitFromStart(isSwapped ? { ...start, q: 1 / start.q } : start);
+        const n = plural(orbit.collisions.length, "collision");
         this.player.load(orbit);
-        this.message.textContent = orbit.complete ? `In doubles: ${plural(n, "collision")}.` : `Followed for ${mostCollisions.toLocaleString("en")} collisions only.`;
+        const found = orbit.complete
+            ? `In doubles: ${n}.`
+            : orbit.isCorner
+              ? `In doubles: ${n}, then both masses hit the floor at once, and no motion is defined.`
+              : `Followed for ${mostCollisions.toLocaleString("en")} collisions only.`;
+        this.message.textContent = `${isSwapped ? "Ratios below 1: the masses are swapped, q \u2192 1/q. " : ""}${found}`;
         const words = this.inputs.map((input) => input.value.replace(/\u2212/g, "-").replace(/[\s+]/g, ""));
         const options = fields.slice(1).map(([name], i) => `--${name} ${words[i + 1]}`).join(" ");
         this.shown.replaceChildren(h("p", { class: "note" }, "The same orbit with every number enclosed, and its count proved:"), command(`dumbbell trace ${words[0]} ${options}`));

@@ -1,5 +1,6 @@
 // The same motion as a point (psi, y) above the floor curve: it flies straight and is reflected.
 import { floorAt } from "./flight.js";
+import { lengthUnit } from "./orbit.js";
 import { Plane } from "./plane.js";
 import { colour } from "./theme.js";
 import { angleTicks } from "./ticks.js";
@@ -13,7 +14,7 @@ export class PhaseView {
             home: { x0: -4, x1: 4, y0: -0.1, y1: 1.4 },
             height: 340,
             xLabel: "\u03c8 = \u03c6 \u2212 \u03c0/2: angle from upright",
-            yLabel: () => (this.orbit?.scene === "wedge" ? "height" : "y: height, in units of \u03b2\u2082"),
+            yLabel: () => (this.orbit?.scene === "wedge" ? "height" : "y: height (rod lengths)"),
             xTicks: angleTicks,
             draw: (plane) => this.draw(plane),
         });
@@ -22,17 +23,18 @@ export class PhaseView {
 
     setOrbit(orbit) {
         this.orbit = orbit;
+        this.unit = lengthUnit(orbit);
         const ends = [at(orbit.first), at(orbit.last)];
         const points = [...orbit.collisions, ...ends];
         const psi = points.map((p) => p.psi);
-        const y = points.map((p) => p.y);
+        const y = points.map((p) => p.y * this.unit);
         const half = Math.PI * 1.08;
         this.state = null;
         this.plane.setHome({
             x0: Math.min(-half, ...bounded(psi, Math.min)),
             x1: Math.max(half, ...bounded(psi, Math.max)),
-            y0: -0.14,
-            y1: Math.max(1.2, bounded(y, Math.max)[0] * 1.04),
+            y0: -0.14 * this.unit,
+            y1: Math.max(1.2 * this.unit, bounded(y, Math.max)[0] * 1.04),
         });
     }
 
@@ -51,7 +53,7 @@ export class PhaseView {
         if (this.state) {
             const c = plane.context;
             c.beginPath();
-            c.arc(plane.X(this.state.psi), plane.Y(this.state.y), 6, 0, 2 * Math.PI);
+            c.arc(plane.X(this.state.psi), plane.Y(this.state.y * this.unit), 6, 0, 2 * Math.PI);
             c.fillStyle = colour("--point");
             c.fill();
             c.lineWidth = 2;
@@ -61,7 +63,7 @@ export class PhaseView {
     }
 
     floor(psi) {
-        return this.orbit.scene === "wedge" ? Math.abs(psi) - Math.PI / 2 : floorAt(psi, this.orbit.r);
+        return this.orbit.scene === "wedge" ? Math.abs(psi) - Math.PI / 2 : floorAt(psi, this.orbit.r) * this.unit;
     }
 
     isHeavy(psi) {
@@ -96,7 +98,7 @@ export class PhaseView {
         const c = plane.context;
         const { collisions, first, last } = this.orbit;
         const done = this.state?.done ?? collisions.length + 1;
-        const points = [at(first), ...collisions, at(last)].map((p) => [plane.X(p.psi), plane.Y(p.y)]);
+        const points = [at(first), ...collisions, at(last)].map((p) => [plane.X(p.psi), plane.Y(p.y * this.unit)]);
         c.lineWidth = 1.25;
         for (let i = 0; i + 1 < points.length; ++i) {
             c.strokeStyle = colour(i < done ? "--ink" : "--faint");
@@ -117,7 +119,7 @@ export class PhaseView {
         const written = [];
         const hasRoom = (px, py) => written.every(([a, b]) => Math.abs(a - px) > 13 || Math.abs(b - py) > 10);
         collisions.forEach(({ psi, y, heavy }, i) => {
-            const [x, py] = [plane.X(psi), plane.Y(y)];
+            const [x, py] = [plane.X(psi), plane.Y(y * this.unit)];
             c.beginPath();
             c.arc(x, py, 3.2, 0, 2 * Math.PI);
             c.fillStyle = colour(heavy ? "--heavy" : "--light");

@@ -29,7 +29,8 @@ export class Plane {
     }
 
     buttons() {
-        const button = (text, title, onclick) => h("button", { type: "button", title, "aria-label": title, onclick }, text);
+        /// What is no word has a name for those who do not see it.
+        const button = (text, title, onclick) => h("button", { type: "button", title, "aria-label": /\w/.test(text) ? null : title, onclick }, text);
         return h(
             "div",
             { class: "plane-buttons" },

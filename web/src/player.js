@@ -1,11 +1,11 @@
 // An orbit, collision by collision: the dumbbell and its point, with play, step, scrub, speed and slow motion near collisions. With
 // `prefers-reduced-motion` nothing glides: play goes from collision to collision.
 import { Clock } from "./clock.js";
-import { h, labelled, select, table } from "./dom.js";
+import { h, labelled, output, select, table } from "./dom.js";
 import { DumbbellView } from "./dumbbell_view.js";
 import { grazingSine } from "./flight.js";
 import { show } from "./numbers.js";
-import { stateAt } from "./orbit.js";
+import { lengthUnit, stateAt } from "./orbit.js";
 import { PhaseView } from "./phase_view.js";
 
 const reduced = matchMedia("(prefers-reduced-motion: reduce)");
@@ -19,11 +19,12 @@ export class Player {
         this.isSlow = true;
         this.dumbbell = new DumbbellView();
         this.phase = new PhaseView();
-        this.status = h("output", { class: "readout tall" });
+        this.status = output("readout tall");
         this.position = h("input", { type: "range", min: 0, step: 0.001, class: "scrub", "aria-label": "Position in the orbit", oninput: () => this.scrub() });
         this.playButton = this.button("Play", () => this.toggle());
         this.rows = h("div", {});
-        this.details = h("details", { ontoggle: () => this.fillRows() }, h("summary", {}, "Every collision in numbers (doubles)"), this.rows);
+        this.summary = h("summary", {});
+        this.details = h("details", { ontoggle: () => this.fillRows() }, this.summary, this.rows);
         this.element = h(
             "div",
             { class: "player", onkeydown: (event) => this.key(event) },
@@ -59,6 +60,7 @@ export class Player {
         const from = this.clock.times[0];
         this.dumbbell.setOrbit(orbit, Math.min(6, Math.max(2.1, top / (1 + orbit.r) + 1.08)), (t) => (t < from ? null : stateAt(orbit, t)));
         this.phase.setOrbit(orbit);
+        this.summary.textContent = `Every collision in numbers (doubles${isDumbbell ? "; heights in rod lengths" : ""})`;
         this.position.max = this.clock.flights;
         this.rows.replaceChildren();
         this.goto(0);
@@ -85,20 +87,22 @@ export class Player {
     }
 
     tell(state, hit) {
-        const { collisions, r, complete } = this.orbit;
+        const { collisions, r, complete, isCorner, scene } = this.orbit;
+        const unit = lengthUnit(this.orbit);
         const n = `${collisions.length}${complete ? "" : " or more"}`;
         const all = `${n} ${collisions.length === 1 ? "collision" : "collisions"}`;
+        const end = complete ? "it never hits the floor again" : isCorner ? "both masses hit the floor at once, and no motion is defined" : "it is not followed any further";
         const words = hit
             ? `Collision ${state.done} of ${n}, of the ${hit.heavy ? "heavy" : "light"} mass`
             : state.done === 0
-              ? collisions.length === 0 ? "It never hits the floor" : `Before the first of ${all}`
+              ? collisions.length === 0 ? `${complete ? "It never hits the floor" : `Before any collision: ${end}`}` : `Before the first of ${all}`
               : state.done === collisions.length
-                ? `After ${collisions.length === 1 ? "the only collision" : `all ${all}`}: it ${complete ? "never hits the floor again" : "is not followed any further"}`
+                ? `After ${collisions.length === 1 ? "the only collision" : `all ${all}`}: ${end}`
                 : `Between collisions ${state.done} and ${state.done + 1} of ${n}`;
         const numbers = hit
-            ? `velocities (\u03c8, y) ${show(hit.before.vpsi, 4)}, ${show(hit.before.vy, 4)} before and ${show(hit.after.vpsi, 4)}, ${show(hit.after.vy, 4)} after; grazing sine ${show(grazingSine({ ...hit, ...hit.before }, hit.heavy, r), 3)}`
-            : `velocity (\u03c8, y) ${show(state.vpsi, 4)}, ${show(state.vy, 4)}`;
-        this.status.textContent = `${words}. Time ${show(state.t, 5)}, \u03c8 = ${show(state.psi, 5)}, y = ${show(state.y, 5)}; ${numbers}.`;
+            ? `velocities (\u03c8, y) ${show(hit.before.vpsi, 4)}, ${show(hit.before.vy * unit, 4)} before and ${show(hit.after.vpsi, 4)}, ${show(hit.after.vy * unit, 4)} after; grazing sine ${show(grazingSine({ ...hit, ...hit.before }, hit.heavy, r), 3)}`
+            : `velocity (\u03c8, y) ${show(state.vpsi, 4)}, ${show(state.vy * unit, 4)}`;
+        this.status.textContent = `${words}. Time ${show(state.t, 5)}, \u03c8 = ${show(state.psi, 5)}, y = ${show(state.y * unit, 5)}${scene === "wedge" ? "" : " rod lengths"}; ${numbers}.`;
     }
 
     scrub() {
@@ -121,6 +125,7 @@ export class Player {
             this.goto(0);
         }
         this.isPlaying = true;
+        this.status.setAttribute("aria-live", "off"); // not every frame
         this.playButton.textContent = "Pause";
         this.before = performance.now();
         this.waited = 0;
@@ -129,6 +134,7 @@ export class Player {
 
     stop() {
         this.isPlaying = false;
+        this.status.setAttribute("aria-live", "polite");
         this.playButton.textContent = "Play";
         cancelAnimationFrame(this.frame);
     }
@@ -171,8 +177,9 @@ export class Player {
             return;
         }
         const { collisions, r } = this.orbit;
+        const unit = lengthUnit(this.orbit);
         const rows = collisions.slice(0, mostRows).map((c, i) => [
-            i + 1, c.heavy ? "heavy" : "light", show(c.t), show(c.psi), show(c.y), show(c.before.vpsi), show(c.before.vy), show(c.after.vpsi), show(c.after.vy),
+            i + 1, c.heavy ? "heavy" : "light", show(c.t), show(c.psi), show(c.y * unit), show(c.before.vpsi), show(c.before.vy * unit), show(c.after.vpsi), show(c.after.vy * unit),
             show(grazingSine({ ...c, ...c.before }, c.heavy, r), 3),
         ].map(String));
         const head = ["#", "mass", "time", "\u03c8", "y", "\u03c8\u2032 before", "y\u2032 before", "\u03c8\u2032 after", "y\u2032 after", "grazing sine"];

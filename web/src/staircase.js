@@ -1,13 +1,15 @@
 // The staircase N(q): what the pieces of a certificate say, the paper's bound, 2 + C sqrt q. Two kinds of window: log q over the
 // whole range, and, close to a step, the exact distance from it (a gap can be narrower than doubles can tell apart).
-import { h, labelled, select } from "./dom.js";
+import { h, labelled, output, select } from "./dom.js";
 import { plural, shortened, show } from "./numbers.js";
 import { growth, paperBound, paperStep } from "./paper.js";
 import { Plane } from "./plane.js";
 import { fromDecimal, fromNumber, parse, subtract, toDecimal, toNumber } from "./rational.js";
-import { colour } from "./theme.js";
+import { numberFrom } from "./start.js";
+import { colour, hatching } from "./theme.js";
 import { countTicks, linearTicks, logTicks } from "./ticks.js";
 
+const around = "around"; // the choice that the typed ratio is
 const mostPaperSteps = 4000; // drawn; more of them are closer than pixels
 const nearPaper = 7; // so close to the maximum, the paper's bound is shown beside it; else it is named
 
@@ -19,7 +21,7 @@ const scales = {
         q: (x) => 10 ** x,
         text: (x) => show(10 ** x, 10),
         ticks: logTicks,
-        label: "mass ratio q, heavy over light",
+        label: "mass ratio q, heavy over light (logarithmic)",
     }),
     local: (origin) => {
         const from = fromDecimal(origin);
@@ -59,7 +61,7 @@ class Staircase {
             draw: (plane) => this.draw(plane),
             probe: (x, y) => this.tell(x),
         });
-        this.readout = h("output", { class: "readout" }, "Point at the staircase, or move it with the arrow keys.");
+        this.readout = output("readout", "Point at the staircase, or move it with the arrow keys.");
         this.element = h("figure", { class: "wide" }, this.controls(), this.plane.element, this.readout, this.caption());
     }
 
@@ -71,19 +73,12 @@ class Staircase {
 
     controls() {
         const steps = this.gaps.map((gap, i) => [i, `${gap.lower} \u2192 ${gap.upper} at q = ${show(toNumber(gap.q0), 9)}`]);
-        const choices = [["", "the whole range"], ...steps];
-        this.choice = select(choices, "", (value) => (value === "" ? this.whole() : this.goto(this.gaps[Number(value)])));
-        const typed = h("input", { type: "text", inputmode: "decimal", size: "12", placeholder: "e.g. 4.6", "aria-label": "mass ratio" });
+        const choices = [["", "the whole range"], [around, "around the ratio typed"], ...steps];
+        const typed = h("input", { type: "text", inputmode: "decimal", size: "12", placeholder: "e.g. 4.6", "aria-label": "around q =" });
+        this.choice = select(choices, "", (value) => (value === "" ? this.whole() : value === around ? this.show(typed.value) : this.goto(this.gaps[Number(value)])));
         const go = (event) => {
             event.preventDefault();
-            const q = Number(typed.value);
-            if (q > 0) {
-                this.whole();
-                const x = Math.log10(q);
-                this.plane.show({ x0: x - 0.02, x1: x + 0.02 });
-                this.fitCounts();
-                this.tell(x);
-            }
+            this.show(typed.value);
         };
         return h(
             "div",
@@ -91,6 +86,23 @@ class Staircase {
             labelled("Show", this.choice),
             h("form", { class: "labelled", onsubmit: go }, h("span", {}, "around q ="), typed, h("button", { type: "submit" }, "Go")),
         );
+    }
+
+    /// A window around a mass ratio as it was typed; below 1 the masses are swapped.
+    show(text) {
+        const q = numberFrom(text);
+        const x = Math.log10(q < 1 ? 1 / q : q);
+        if (!(q > 0 && x >= this.home.x0 && x <= this.home.x1)) {
+            this.choice.value = "";
+            this.whole();
+            this.readout.textContent = q > 0 ? `The file says nothing about q = ${show(q, 10)}.` : `\u201c${text}\u201d is no mass ratio: write a number like 4.6 or 9/2.`;
+            return;
+        }
+        this.whole();
+        this.choice.value = around;
+        this.plane.show({ x0: x - 0.02, x1: x + 0.02 });
+        this.fitCounts();
+        this.tell(x);
     }
 
     whole() {
@@ -160,7 +172,7 @@ class Staircase {
         const isGap = piece.status === "gap";
         const top = isGap ? plane.Y(piece.upper) : plane.frame.y;
         const bottom = isGap ? plane.Y(piece.lower) : plane.Y(piece.lower);
-        c.fillStyle = colour(isGap ? "--gap" : "--open");
+        c.fillStyle = isGap ? colour("--gap") : hatching(c);
         c.fillRect(x, top, width, Math.max(1, bottom - top));
     }
 
@@ -238,7 +250,7 @@ class Staircase {
             keys.push(key("gap", "gap: one of two values"));
         }
         if (this.pieces.some((p) => p.status === "open")) {
-            keys.push(key("open", "open"));
+            keys.push(key("open", "not decided"));
         }
         if (this.isDumbbell) {
             keys.push(key("paper", "the paper\u2019s bound \u2308\u03c0/\u03b3\u2309 + 1"), key("growth", `2 + C\u221aq, C = ${show(this.constant, 7)}\u2026`));

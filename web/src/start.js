@@ -6,15 +6,12 @@ export function numberFrom(text) {
     return match ? Number(match[1].replace("\u2212", "-")) / (match[2] ? Number(match[2]) : 1) : NaN;
 }
 
-/// What is wrong with a start; null if nothing is.
+/// What is wrong with a start of numbers; null if nothing is. Below 1, q is the ratio of swapped masses.
 export function fault({ q, phi, phidot, y, ydot }) {
-    if (![q, phi, phidot, y, ydot].every(Number.isFinite)) {
-        return "Write numbers like 3, \u22120.5, 1/3 or 1e4.";
+    if (![q, 1 / q, phi, phidot, y, ydot].every(Number.isFinite) || q < 0) {
+        return "The mass ratio q is greater than 0, and no number is too large for doubles.";
     }
-    if (q < 1) {
-        return "The mass ratio q is heavy over light: at least 1.";
-    }
-    const r = 1 / q;
+    const r = Math.min(q, 1 / q);
     if (y + Math.sin(phi) / (1 + r) <= 0 || y - (r * Math.sin(phi)) / (1 + r) <= 0) {
         return "Both masses must start above the floor: choose a greater height y.";
     }

@@ -1,0 +1,57 @@
+// Accessibility, as far as a program can tell it: axe finds nothing, in any section, wide and narrow, light and dark.
+import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import { join } from "node:path";
+import test, { after } from "node:test";
+import { launch, open } from "./browser.mjs";
+import { certificates, report, root, scratch } from "./program.mjs";
+
+const axe = readFileSync(join(root, "web", "node_modules", "axe-core", "axe.min.js"), "utf8");
+const place = scratch();
+const files = certificates(place);
+const everything = report(place("all.html"), ...Object.values(files));
+const browser = await launch();
+after(() => browser.close());
+
+const findings = (page) =>
+    page.evaluate(async () => {
+        const { violations } = await window.axe.run(document);
+        return violations.map(({ id, impact, nodes }) => `${impact}: ${id}: ${nodes.slice(0, 3).map((node) => node.html.slice(0, 120)).join(" | ")}`);
+    });
+
+for (const colorScheme of ["light", "dark"]) {
+    for (const width of [400, 1280]) {
+        test(`axe finds nothing at ${width} px, ${colorScheme}, with everything unfolded`, async () => {
+            const page = await open(browser, everything, { viewport: { width, height: 900 }, colorScheme });
+            await page.evaluate(() => document.querySelectorAll("details").forEach((details) => (details.open = true)));
+            await page.evaluate(axe);
+            assert.deepEqual(await findings(page), []);
+            await page.close();
+        });
+    }
+}
+
+test("axe does find what is wrong", async () => {
+    const page = await open(browser, report(place("ten.html"), files.ten));
+    await page.evaluate(() => {
+        document.querySelector("#file-1 .plane-buttons button:last-child").setAttribute("aria-label", "Show everything");
+        document.querySelector("#file-1 thead th").textContent = "";
+    });
+    await page.evaluate(axe);
+    const found = (await findings(page)).join("\n");
+    assert.match(found, /serious: label-content-name-mismatch/);
+    assert.match(found, /empty-table-header/);
+    await page.close();
+});
+
+test("what is computed is read out: results are live, and a player is silent while it plays", async () => {
+    const page = await open(browser, report(place("some.html"), files.stairs, files.ten));
+    const lives = await page.evaluate(() => [...document.querySelectorAll("output")].map((o) => o.getAttribute("aria-live")));
+    assert.ok(lives.length > 4 && lives.every((live) => live === "polite"), lives.join());
+    const player = page.locator("#file-2 .player");
+    await player.getByRole("button", { name: "Play" }).click();
+    assert.equal(await player.locator("output").getAttribute("aria-live"), "off");
+    await player.getByRole("button", { name: "Pause" }).click();
+    assert.equal(await player.locator("output").getAttribute("aria-live"), "polite");
+    await page.close();
+});
