@@ -18,7 +18,7 @@ constexpr const char* footer =
 constexpr const char* description =
     R"(Draw pictures (SVG) from certificates: text as text, for light and dark pages.
 
-Only what is proved is drawn: each certificate is verified first. The same certificate gives the same bytes.
+Nothing is drawn as proved that is not: each certificate is verified first. The same certificate gives the same bytes.
 
 Examples:
   dumbbell plot staircase certificates/stairs-1-100.dbc --out stairs.svg
@@ -28,7 +28,9 @@ Examples:
   dumbbell plot adiabatic scattering.dbc --out adiabatic.svg)";
 
 constexpr const char* staircase_description =
-    R"(The proved maximum N(q) of a scene; of the dumbbell against the source paper's bound.
+    R"(The proved maximum N(q) of a scene, and the gaps in which it is one of two values.
+
+For the dumbbell with the source paper's bound, for a wedge with its formula.
 
 Example:
   dumbbell certify 1:100 --out stairs.dbc
@@ -48,7 +50,7 @@ constexpr const char* orbit_description =
     R"(An orbit with the greatest number of collisions, and the dumbbell at each of them.
 
 It is the witness, every collision enclosed, in the plane of the rod's angle and the height, above the floor as the point
-sees it.
+sees it. Of many collisions some are drawn, and the caption says which.
 
 RATIO is proved on the spot. Of a certificate over a range of mass ratios: --ratio.
 
@@ -60,7 +62,8 @@ constexpr const char* adiabatic_description =
     R"(The adiabatic invariant along one orbit, with the bound that is proved for all.
 
 It is drawn along the enclosed orbit of a certificate by dumbbell adiabatic: I = |phidot| (pi - arccos y) with its two
-factors, and its change with the bound.
+factors, and its change with the bound. An orbit of fewer than five collisions has no curve and is refused: dumbbell
+report shows it.
 
 Example:
   dumbbell adiabatic --delta 0.01 --theorem thm3.5 --out scattering.dbc

@@ -93,8 +93,7 @@ Unit unit_of(const AdiabaticCertificate& certificate) {
             break;
     }
     throw InputError(
-        "this certificate is about single bounces: plot adiabatic needs one with --theorem thm3.3, thm3.5 or "
-        "printed");
+        "this certificate is about single bounces: plot adiabatic needs one with --theorem thm3.3 or thm3.5");
 }
 
 /// The bound that is proved for all orbits, in the claim's unit. One far beyond what the orbit does would
@@ -196,7 +195,8 @@ std::string caption_of(const AdiabaticCertificate& certificate, const Orbit& orb
     return fmt::format(
         "delta = {}, |phidot| = 1 and ydot = "
         "\xe2\x88\x92{} delta before collision 0, at {} rad from the vertical. I = |phidot| f with f = "
-        "\xcf\x80 \xe2\x88\x92 arccos y is enclosed at every collision to {}. Dots: before each collision{}. "
+        "\xcf\x80 \xe2\x88\x92 arccos y, y in rod lengths, is enclosed at every collision to {}. Dots: "
+        "before each collision{}. "
         "In the "
         "end it has changed by about {}{:.4g}.",
         exact_text(state.delta), to_decimal(state.s, 4), to_decimal(state.u, 4), rounded_up(widest),

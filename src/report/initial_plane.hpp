@@ -36,11 +36,6 @@ struct InitialPlane {
 [[nodiscard]] std::string fixed_quantities(const InitialCertificate& certificate);
 
 /// What is said of the hatched part of such a picture.
-inline constexpr const char* hatched_note =
-    "Hatched: not decided by this certificate. More boxes need not help: dumbbell trace --subdivide has no "
-    "rule "
-    "yet for some orbits that hit with the light, the heavy and the light mass; dumbbell trace may decide "
-    "them one "
-    "by one.";
+[[nodiscard]] std::string hatched_note(const InitialCertificate& certificate);
 
 }  // namespace dumbbell

@@ -9,7 +9,8 @@ const names = { phi: "\u03c6: angle of the rod", phidot: "\u03c6\u2032: its velo
 const symbols = { phi: "\u03c6", phidot: "\u03c6\u2032", y: "y", ydot: "y\u2032", q: "q" };
 
 const countText = ({ least, most }) => (most === least ? plural(least, "collision") : most === null ? "open: nothing is said" : `${least} to ${most} collisions`);
-const undecided = "Hatched: not decided by the file. More boxes need not help: dumbbell trace --subdivide has no rule yet for some orbits that hit with the light, the heavy and the light mass; dumbbell trace may decide them one by one. ";
+/// What is said of the hatched part; equal masses have no orbit of three collisions.
+const undecided = (q) => `Hatched: not decided by the file. ${q.hi === "1/1" ? "" : "More boxes need not help: dumbbell trace --subdivide has no rule yet for some orbits that hit with the light, the heavy and the light mass; dumbbell trace may decide them one by one. "}`;
 const isExact = (kind) => kind.most === kind.least;
 
 function source(file, play) {
@@ -23,7 +24,7 @@ function source(file, play) {
         axisText: names,
         describe: (kind) => `${isExact(kind) ? "Exactly " : ""}${countText(kind)}${kind.first ? `, the first one of the ${kind.first} mass` : ""}`,
         file: file.verify_file,
-        note: `${hasOpen ? undecided : ""}Click a box (or press Enter for the one in the middle) to play the orbit from its centre below.`,
+        note: `${hasOpen ? undecided(file.tree.axes.find(({ name }) => name === "q")) : ""}Click a box (or press Enter for the one in the middle) to play the orbit from its centre below.`,
         play,
         extra: (leaf) => windowText(file.windows.slice(2 * leaf, 2 * leaf + 2)),
         colourings: [

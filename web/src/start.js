@@ -9,7 +9,7 @@ export function numberFrom(text) {
 /// What is wrong with a start of numbers; null if nothing is. Below 1, q is the ratio of swapped masses.
 export function fault({ q, phi, phidot, y, ydot }) {
     if (![q, 1 / q, phi, phidot, y, ydot].every(Number.isFinite) || q < 0) {
-        return "The mass ratio q is greater than 0, and no number is too large for doubles.";
+        return "The mass ratio must be greater than 0, and each number one that doubles can hold.";
     }
     const r = Math.min(q, 1 / q);
     if (y + Math.sin(phi) / (1 + r) <= 0 || y - (r * Math.sin(phi)) / (1 + r) <= 0) {
