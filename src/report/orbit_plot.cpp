@@ -268,11 +268,10 @@ std::string caption_of(const Orbit& orbit, const Rational& q, bool has_detail) {
         "touches.{}{}{}",
         exact_text(q), orbit.size(), rounded_up(widest),
         has_detail ? " The second picture is the first, cut off just above the bridge and stretched." : "",
-        shown.every() == 1
-            ? ""
-            : fmt::format(" So many flights would be a grey block: drawn are the first, the last, those at "
-                          "the turn, and one in {} between.",
-                          shown.every()),
+        shown.every() == 1 ? ""
+                           : fmt::format(" Not all flights are drawn, but the first, the last, those at "
+                                         "the turn, and one in {} between.",
+                                         shown.every()),
         shown_collisions(orbit).size() < orbit.size()
             ? " The strip shows the dumbbell at the first collisions, around the turn, and at the last."
             : "");
