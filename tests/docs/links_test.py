@@ -4,7 +4,6 @@ page of docs/ and proofs/ is in the table of contents, docs/README.md."""
 
 import pathlib
 import re
-import subprocess
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
@@ -36,10 +35,9 @@ def broken(page):
 
 
 def pages():
-    listed = subprocess.run(["git", "-C", ROOT, "ls-files", "*.md"], capture_output=True, text=True, check=False)
-    if listed.returncode == 0 and listed.stdout:
-        return [ROOT / name for name in listed.stdout.split()]
-    return [page for page in ROOT.rglob("*.md") if "build" not in page.relative_to(ROOT).parts[0]]
+    """All but those of others: npm's, and what lies in build folders."""
+    return [page for page in sorted(ROOT.rglob("*.md"))
+            if not any(part.startswith((".", "build")) or part == "node_modules" for part in page.relative_to(ROOT).parts)]
 
 
 def missing_in_contents():

@@ -6,6 +6,7 @@ here=$(cd -- "$(dirname -- "$0")" && pwd)
 root=$(cd -- "$here/../.." && pwd)
 build=$1
 source "$here/expect.sh"
+export CMAKE_GENERATOR=Ninja # and not make, which need not be there
 
 prefix="$scratch/a prefix" # a path with a space
 user=$scratch/user
