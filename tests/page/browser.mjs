@@ -5,12 +5,15 @@ import { root } from "./program.mjs";
 
 const { chromium } = createRequire(join(root, "web", "package.json"))("playwright-core");
 
+const patience = 600_000; // ms: more than anything takes on a busy machine
+
 export const launch = () =>
-    chromium.launch({ executablePath: process.env.DUMBBELL_CHROMIUM, args: ["--no-sandbox", "--disable-gpu", "--disable-background-networking"] });
+    chromium.launch({ executablePath: process.env.DUMBBELL_CHROMIUM, timeout: patience, args: ["--no-sandbox", "--disable-gpu", "--disable-background-networking"] });
 
 /// Opens a file; options as for a new page. `page.complaints` are errors and warnings, `page.requests` what it asked for.
 export async function open(browser, file, options = {}) {
     const page = await browser.newPage({ viewport: { width: 1200, height: 900 }, colorScheme: "light", ...options });
+    page.setDefaultTimeout(patience);
     page.complaints = [];
     page.requests = [];
     page.on("console", (message) => ["error", "warning"].includes(message.type()) && page.complaints.push(message.text()));
@@ -22,6 +25,9 @@ export async function open(browser, file, options = {}) {
     });
     return page;
 }
+
+/// After a gesture a slow picture is drawn anew a moment later: by a timer of the page, after which this one comes.
+export const settled = (page) => page.evaluate(() => new Promise((done) => setTimeout(done, 100)));
 
 /// The pixels of a canvas as {width, height, scale, at(x, y)} in CSS pixels: at gives "r,g,b", "" where nothing is drawn.
 export async function pixels(locator) {

@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import test, { after } from "node:test";
 import { readFileSync } from "node:fs";
 import { countColour } from "../../web/src/palette.js";
-import { colour, inkShare, launch, open, pixels, placeOf } from "./browser.mjs";
+import { colour, inkShare, launch, open, pixels, placeOf, settled } from "./browser.mjs";
 import { certificates, dumbbell, report, scratch } from "./program.mjs";
 
 const place = scratch();
@@ -100,7 +100,7 @@ test("boxes have the colours of their counts: the file's own lines against the p
     };
     await check(null);
     await page.locator("#file-1 .controls select").nth(1).selectOption("physical");
-    await page.waitForTimeout(1000); // a slow picture is drawn anew only when nothing has moved for a while
+    await settled(page);
     points.splice(points.findIndex(([, eta]) => eta === 1.7), 1); // steeper than the window shows
     await check((e, eta) => [Math.PI / 2 + e, (eta - Math.cos(e)) / (1 + 1 / 100)]);
     await page.close();

@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import test, { after } from "node:test";
-import { colour, launch, open, pixels, placeOf } from "./browser.mjs";
+import { colour, launch, open, pixels, placeOf, settled } from "./browser.mjs";
 import { certificates, report, scratch } from "./program.mjs";
 
 const place = scratch();
@@ -10,9 +10,6 @@ after(() => browser.close());
 
 const windowOf = (canvas) => canvas.evaluate((c) => JSON.parse(c.dataset.window));
 const span = ({ x0, x1 }) => x1 - x0;
-
-/// After a gesture a slow picture is drawn anew a moment later.
-const settled = (page) => page.waitForTimeout(150);
 
 test("buttons, keys, double click and wheel zoom; 0 and Reset show everything again", async () => {
     const page = await open(browser, report(place("full.html"), files.full));

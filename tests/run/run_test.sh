@@ -112,6 +112,10 @@ expect "without root: apt-get is not called" test ! -e "$FAKE_LOG"
 expect "without root: nothing was built" test ! -e "$project/build"
 with_fakes "$project/run" test
 expect "the tests need more packages" has "$err" "install -y --no-install-recommends libmpfi-dev catch2\""
+cp -- "$fake/id" "$fake/catch2"
+with_fakes "$project/run" test
+expect "a program from elsewhere does as well as its package" lacks "$err" catch2
+rm -- "$fake/catch2"
 
 FAKE_UID=0 FAKE_APT=fails
 with_fakes "$project/run" certify 10
