@@ -30,8 +30,8 @@ class Manager:
         check(lines, f"the manager ended at once, with {self.process.returncode}: {self.said()!r}")
         return shlex.split(lines[0].split("to start one: ")[1])
 
-    def ended(self, seconds: float = 240) -> int:
-        wait_until(lambda: self.process.poll() is not None, "the manager ends", seconds)
+    def ended(self) -> int:
+        wait_until(lambda: self.process.poll() is not None, "the manager ends")
         return self.process.returncode
 
 
@@ -59,27 +59,27 @@ class Campaign:
     def finished(self) -> int:
         return len(list((self.folder / "results").glob("[0-9a-f]" * 32)))
 
-    def wait_for(self, count: int, seconds: float = 240) -> None:
-        wait_until(lambda: self.finished() >= count, f"{count} shards are finished", seconds)
+    def wait_for(self, count: int) -> None:
+        wait_until(lambda: self.finished() >= count, f"{count} shards are finished")
 
-    def must_end(self, manager: Manager, seconds: float = 240) -> dict:
+    def must_end(self, manager: Manager) -> dict:
         """The manager ends with all done; what it says of its run."""
-        check(manager.ended(seconds) == 0, f"the manager ended with {manager.process.returncode}: {manager.said()}")
+        check(manager.ended() == 0, f"the manager ended with {manager.process.returncode}: {manager.said()}")
         return json.loads(manager.out.read_text())
 
     def done_by(self, host: Host) -> int:
         return len(journal.of_worker(self.folder, "done", host.name))
 
-    def wait_for_work_of(self, host: Host, more: int = 1, seconds: float = 240) -> None:
+    def wait_for_work_of(self, host: Host, more: int = 1) -> None:
         before = self.done_by(host)
-        wait_until(lambda: self.done_by(host) >= before + more, f"{host.name} finishes {more} more shards", seconds)
+        wait_until(lambda: self.done_by(host) >= before + more, f"{host.name} finishes {more} more shards")
 
-    def wait_for_state(self, figures: str, seconds: float = 240) -> None:
+    def wait_for_state(self, figures: str) -> None:
         """These words are in the newest figures of the engine, which the journal has every ten seconds."""
         def states():
             return [event.text + " " for event in journal.events(self.folder) if event.what == "state"]
 
-        wait_until(lambda: states() and figures in states()[-1], f"the engine's figures say {figures}", seconds)
+        wait_until(lambda: states() and figures in states()[-1], f"the engine's figures say {figures}")
 
     def status(self) -> dict:
         return json.loads(self.place.dumbbell("campaign", "status", self.folder, "--json").stdout)

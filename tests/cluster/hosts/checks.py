@@ -2,6 +2,8 @@
 
 import time
 
+PATIENCE = 3000  # seconds: less than ctest waits, and more than anything takes on a busy machine
+
 
 class Failed(Exception):
     pass
@@ -12,8 +14,8 @@ def check(holds, what: str) -> None:
         raise Failed(what)
 
 
-def wait_until(condition, what: str, seconds: float = 240) -> None:
-    end = time.monotonic() + seconds
+def wait_until(condition, what: str) -> None:
+    end = time.monotonic() + PATIENCE
     while not condition():
-        check(time.monotonic() < end, f"in {seconds} s it did not happen that {what}")
+        check(time.monotonic() < end, f"in {PATIENCE} s it did not happen that {what}")
         time.sleep(0.02)

@@ -47,7 +47,8 @@ class Host:
 
     def start(self, words, log: Path) -> subprocess.Popen:
         """`words` run on this host; what they say goes to `log`."""
-        command = ["nsenter", f"--net=/run/netns/{self.name}", "unshare", "--uts", "--mount", "sh", "-c", START, "sh",
+        command = ["nsenter", f"--net=/run/netns/{self.name}", "unshare", "--uts", "--mount",
+                   "--propagation", "unchanged", "sh", "-c", START, "sh",
                    self.name, self.files, self.network.here, self.disk, *words]
         with open(log, "ab") as out:
             return subprocess.Popen([str(word) for word in command], stdin=subprocess.DEVNULL, stdout=out, stderr=out)

@@ -55,7 +55,7 @@ def garblers(program: str) -> dict[str, str]:
     }
 
 
-def noted(program: str, folder: str, seconds: float) -> str:
-    """A slow one that keeps a copy of each order as it begins."""
+def noted(program: str, folder: str) -> str:
+    """The real one, which keeps a copy of each order as it begins, and waits as long as there is a file `FOLDER-held`."""
     return f'#!/bin/sh\nmkdir -p {folder}\ncp order {folder}/$$.tmp && mv {folder}/$$.tmp {folder}/$$\n' \
-           f'sleep {seconds}\nexec {program} "$@"\n'
+           f'while test -e {folder}-held; do sleep 0.1; done\nexec {program} "$@"\n'

@@ -11,7 +11,7 @@ from stand_ins import noted
 
 
 def ids_under_way(host: Host) -> list[str]:
-    """Of orders that a worker has begun, and that take a while."""
+    """Of orders that a worker has begun, and that are held."""
     orders = [file for file in (host.files / "begun").glob("*") if file.suffix != ".tmp"]
     return [hashlib.sha256(file.read_bytes()).hexdigest()[:32] for file in orders]
 
@@ -27,30 +27,27 @@ def run(place) -> None:
     truth = place.campaign(40, "truth")
     check(place.dumbbell("campaign", "run", truth.folder).returncode == 0, "the local engine")
     manager_host = place.host("manager")
-    host = place.host("worker", program=noted(place.program, str(place.network.here / "begun"), 1))
+    host = place.host("worker", program=noted(place.program, str(place.network.here / "begun")))
     campaign = place.campaign(40)
     results = campaign.folder / "results"
 
-    def next_under_way() -> str:
-        for file in (host.files / "begun").glob("*"):
-            file.unlink()
-        wait_until(lambda: ids_under_way(host), "a worker begins a shard")
-        return ids_under_way(host)[0]
-
+    held = host.files / "begun-held"
+    held.touch()
     manager = campaign.run(manager_host, "--program", place.stand_in, "--quiet")
     campaign.worker(manager.worker_words(), host, cores=8)
-    other = next_under_way()
+    wait_until(lambda: len(ids_under_way(host)) >= 2, "a worker begins two shards")
+    other, same = ids_under_way(host)[:2]
     true_bytes = (truth.folder / "results" / other).read_bytes()
     other_bytes = true_bytes.replace(b"dumbbell-certificate 1", b"dumbbell-certificate 2")
     put(campaign, other, other_bytes)
-    wait_until(lambda: journal.of_worker(campaign.folder, "again", host.name), "the true result comes")
-    check((results / other).read_bytes() == true_bytes, "the garbage is still there")
-    check((campaign.folder / "rejected" / other).read_bytes() == other_bytes, "the garbage was not kept for a look")
-    same = next_under_way()
     put(campaign, same, (truth.folder / "results" / same).read_bytes())
+    held.unlink()
     said = campaign.must_end(manager)
     check(said["again"] == 2, f"the run says {said}")
-    check([event.id for event in journal.of_worker(campaign.folder, "again", host.name)] == [other, same], "the journal")
+    again = {event.id for event in journal.of_worker(campaign.folder, "again", host.name)}
+    check(again == {other, same}, "the journal")
+    check((results / other).read_bytes() == true_bytes, "the garbage is still there")
+    check((campaign.folder / "rejected" / other).read_bytes() == other_bytes, "the garbage was not kept for a look")
     lines = [line for line in manager.said().splitlines() if "waiting for workers" not in line]
     check(len(lines) == 1 and "two results that differ: the second is kept" in lines[0], f"it said {lines}")
     print(lines[0])

@@ -7,7 +7,7 @@ from cut_host import campaign_with_cut_host
 def run(place) -> None:
     campaign, manager, cut, _ = campaign_with_cut_host(place, shards=400, seconds=0.9, steady_cores=3)
     cut.cut_off()
-    campaign.wait_for_state("workers=1 ", seconds=80)
+    campaign.wait_for_state("workers=1 ")
     cut.connect_again()
     campaign.wait_for_work_of(cut, 4)
     said = campaign.must_end(manager)

@@ -12,7 +12,7 @@ def run(place) -> None:
     begin = time.monotonic()
     manager = campaign.run(manager_host, "--quiet")
     words = manager.worker_words()
-    wait_until(lambda: "no worker for" in manager.said(), "the manager says that nobody came", 80)
+    wait_until(lambda: "no worker for" in manager.said(), "the manager says that nobody came")
     check(time.monotonic() - begin > 55, "it said so too early")
     time.sleep(5)
     lines = manager.said().splitlines()

@@ -6,7 +6,7 @@ from stand_ins import noted
 
 def run(place) -> None:
     manager_host = place.host("manager")
-    program = noted(place.program, str(place.network.here / "begun"), 0.1)
+    program = noted(place.program, str(place.network.here / "begun"))
     stranger, friend = (place.host(name, program=program) for name in ("stranger", "friend"))
     campaign = place.campaign(60)
     manager = campaign.run(manager_host, "--program", place.stand_in)
