@@ -21,9 +21,9 @@ def least_to_start(programs: Programs, command, folder) -> int:
 
 
 def enough(programs: Programs, command, folder, start: int) -> int:
-    """KiB with which it succeeds."""
+    """KiB with which it succeeds, as it does without a limit."""
     limit = start
-    while programs.run(command, folder, memory_kib=limit).code != 0 and limit < 16_000_000:
+    while programs.run(command, folder, memory_kib=limit).code != 0:
         limit = limit * 3 // 2
     return limit
 
@@ -47,9 +47,13 @@ def out_of_memory(programs: Programs, count: int, seed: int) -> list[Tally]:
             (verifier, [programs.verify, "--jobs", "1", "--json", shown], {0, 4}))
         for tally, command, codes in commands:
             file = command[-1] if tally is prover else folder / "none"
+            unlimited = programs.run(command, folder)
+            tally.expect_code(unlimited, {0}, f"{command[1]} without a limit")
+            if unlimited.code != 0:
+                continue
+            whole = file.read_bytes() if tally is prover else b""
             least = least_to_start(programs, [command[0], "--version"], folder)
             most = enough(programs, command, folder, least)
-            whole = file.read_bytes() if tally is prover else b""
             file.unlink(missing_ok=True)
             for _ in range(count):
                 limit = dice.randint(least, most)
