@@ -1,6 +1,4 @@
 #include <catch2/catch.hpp>
-#include <chrono>
-#include <thread>
 
 #include "programs.hpp"
 
@@ -134,7 +132,7 @@ TEST_CASE("critical does not begin what takes days, unless it is given a budget"
 TEST_CASE("critical says how long a long computation will take before it begins") {
     const TemporaryFolder folder;
     Process process({DUMBBELL_BIN, "critical", "1000000", "--jobs", "1"}, folder.path());
-    std::this_thread::sleep_for(std::chrono::milliseconds(700));
+    process.until([&] { return process.cpu_seconds() > 0.7; });
     process.send(SIGTERM);
     const Outcome outcome = process.wait();
     CHECK(outcome.signal == SIGTERM);

@@ -4,8 +4,6 @@
 #include <sys/stat.h>
 
 #include <catch2/catch.hpp>
-#include <chrono>
-#include <thread>
 
 #include "programs.hpp"
 
@@ -16,11 +14,8 @@ namespace {
 
 const Words slow{DUMBBELL_BIN, "certify", "1:1000000", "--gap", "1e-9", "--out", "stairs.dbc"};
 
-void wait_for_search(const TemporaryFolder& folder) {
-    for (int i = 0; i < 1000 && !std::filesystem::exists(folder / "stairs.dbc.partial/claim"); ++i) {
-        std::this_thread::sleep_for(std::chrono::milliseconds(10));
-    }
-    REQUIRE(std::filesystem::exists(folder / "stairs.dbc.partial/claim"));
+void wait_for_search(const Process& process, const TemporaryFolder& folder) {
+    REQUIRE(process.until([&] { return std::filesystem::exists(folder / "stairs.dbc.partial/claim"); }));
 }
 
 }  // namespace
@@ -28,7 +23,7 @@ void wait_for_search(const TemporaryFolder& folder) {
 TEST_CASE("killed during a long job, nothing is left but the folder of finished pieces") {
     const TemporaryFolder folder;
     Process process(slow, folder.path());
-    wait_for_search(folder);
+    wait_for_search(process, folder);
     process.kill();
     const Outcome outcome = process.wait();
     CHECK(outcome.signal == SIGKILL);
@@ -40,7 +35,7 @@ TEST_CASE("killed during a long job, an older certificate of the same name stays
     REQUIRE(dumbbell({"certify", "10", "--out", "stairs.dbc"}, folder.path()).code == 0);
     const std::string before = contents(folder / "stairs.dbc");
     Process process(slow, folder.path());
-    wait_for_search(folder);
+    wait_for_search(process, folder);
     process.kill();
     CHECK(process.wait().signal == SIGKILL);
     CHECK(contents(folder / "stairs.dbc") == before);
@@ -62,7 +57,7 @@ TEST_CASE("a certificate of the same name is replaced") {
     CHECK(folder.names() == Words{"file.dbc"});
 }
 
-TEST_CASE("a full disk: one line, exit 2, no file") {
+TEST_CASE("a full disk: one line, exit 2, no file (needs the right to mount one)") {
     const TemporaryFolder folder;
     const std::string disk = folder / "disk";
     std::filesystem::create_directory(disk);

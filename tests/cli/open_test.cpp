@@ -44,7 +44,7 @@ TEST_CASE("without time a range is open, with all its pieces") {
 }
 
 TEST_CASE("a budget that suffices changes nothing, however long it is") {
-    for (const char* budget : {"10s", "0.5m", "2h", "1e9h", "1e300h"}) {
+    for (const char* budget : {"900s", "60.5m", "2h", "1e9h", "1e300h"}) {
         CAPTURE(budget);
         CHECK(dumbbell({"certify", "10", "--budget", budget}).code == 0);
     }
@@ -56,10 +56,10 @@ TEST_CASE(
                                Words{"certify", "1e12", "--scene", "wedge"}, Words{"certify", "9e10:1e11"}}) {
         CAPTURE(words);
         Words limited = words;
-        limited.insert(limited.end(), {"--budget", "1s", "--json"});
+        limited.insert(limited.end(), {"--budget", "1s", "--jobs", "2"});
         const Outcome result = dumbbell(limited);
         CHECK(result.code == 3);
-        CHECK(Json::parse(result.out).at("seconds").get<double>() < 4);
+        CHECK(result.cpu_seconds < 8);
         CHECK_THAT(result.err, Contains("allow more time (--budget)"));
     }
 }
@@ -88,7 +88,7 @@ TEST_CASE("a budget in the middle of a long job leaves decided and open pieces, 
                                      "1", "--out", "stairs.dbc", "--json"},
                                     folder.path());
     const Json json = Json::parse(result.out);
-    CHECK(json.at("seconds").get<double>() < 10);
+    CHECK(result.cpu_seconds < 10);
     if (result.code == 0) {
         WARN("this machine decides 1:300000 in 0.3 s: nothing was interrupted");
         return;

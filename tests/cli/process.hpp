@@ -4,12 +4,15 @@
 #include <fcntl.h>
 #include <poll.h>
 #include <signal.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
+#include <time.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <chrono>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -17,6 +20,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -78,10 +82,10 @@ struct Outcome {
     int signal;
     std::string out;
     std::string err;
+    double cpu_seconds = 0;  // all its threads together: however busy the machine is
 };
 
-// A running program with its stdout and stderr in pipes. Ended with SIGKILL if nobody waits for it, or if it
-// hangs: nothing here takes longer than a few seconds.
+// A running program with its stdout and stderr in pipes. Ended with SIGKILL if nobody waits for it.
 class Process {
   public:
     explicit Process(std::vector<std::string> command, const std::string& folder = ".") {
@@ -128,13 +132,44 @@ class Process {
     void kill() const { send(SIGKILL); }
     void send(int signal) const { ::kill(pid_, signal); }
 
+    // Of the processor's time, so far.
+    [[nodiscard]] double cpu_seconds() const {
+        clockid_t clock{};
+        timespec time{};
+        if (::clock_getcpuclockid(pid_, &clock) != 0 || ::clock_gettime(clock, &time) != 0) {
+            return 0;
+        }
+        return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+    }
+
+    [[nodiscard]] bool ended() const {
+        siginfo_t info{};
+        return ::waitid(P_PID, static_cast<id_t>(pid_), &info, WEXITED | WNOHANG | WNOWAIT) != 0 || info.si_pid == pid_;
+    }
+
+    // Waits until the condition holds, or the program has ended; whether the condition holds then.
+    template <class Condition>
+    bool until(Condition holds) const {
+        while (!holds()) {
+            if (ended()) {
+                return holds();
+            }
+            std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        }
+        return true;
+    }
+
     Outcome wait() {
         Outcome result{-1, 0, "", ""};
         read_all(result.out, result.err);
         int status = 0;
-        while (::waitpid(pid_, &status, 0) < 0 && errno == EINTR) {
+        rusage used{};
+        while (::wait4(pid_, &status, 0, &used) < 0 && errno == EINTR) {
         }
         pid_ = -1;
+        for (const timeval& part : {used.ru_utime, used.ru_stime}) {
+            result.cpu_seconds += static_cast<double>(part.tv_sec) + 1e-6 * static_cast<double>(part.tv_usec);
+        }
         result.code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
         result.signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
         return result;
@@ -146,9 +181,7 @@ class Process {
         std::array<pollfd, 2> ends{pollfd{read_end_[0], POLLIN, 0}, pollfd{read_end_[1], POLLIN, 0}};
         std::array<char, 65536> buffer{};
         while (ends[0].fd >= 0 || ends[1].fd >= 0) {
-            if (::poll(ends.data(), ends.size(), silence_limit_ms) == 0) {
-                kill();
-            }
+            ::poll(ends.data(), ends.size(), -1);
             for (std::size_t i = 0; i < 2; ++i) {
                 if (ends[i].fd < 0 || ends[i].revents == 0) {
                     continue;
@@ -162,8 +195,6 @@ class Process {
             }
         }
     }
-
-    static constexpr int silence_limit_ms = 100'000;
 
     pid_t pid_ = -1;
     std::array<int, 2> read_end_{};

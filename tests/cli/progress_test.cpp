@@ -35,7 +35,13 @@ std::string seen_on_terminal(const Words& job, const std::string& awaited, std::
         const Process process({"sh", "-c", command});
         pollfd ready{terminal, POLLIN, 0};
         std::array<char, 4096> buffer{};
-        while (text.find(awaited) == std::string::npos && ::poll(&ready, 1, 30'000) > 0) {
+        while (text.find(awaited) == std::string::npos) {
+            if (::poll(&ready, 1, 100) == 0) {
+                if (process.ended()) {
+                    break;
+                }
+                continue;
+            }
             const ssize_t n = ::read(terminal, buffer.data(), buffer.size());
             if (n <= 0) {
                 break;

@@ -57,7 +57,7 @@ class Stranger {
         if (::connect(socket_, reinterpret_cast<const sockaddr*>(&where), sizeof where) != 0) {
             throw std::runtime_error("cannot connect");
         }
-        const timeval patience{30, 0};
+        const timeval patience{60, 0};
         ::setsockopt(socket_, SOL_SOCKET, SO_RCVTIMEO, &patience, sizeof patience);
     }
     ~Stranger() { ::close(socket_); }

@@ -1,7 +1,7 @@
 #include "prove/piece.hpp"
 
 #include <catch2/catch.hpp>
-#include <chrono>
+#include <ctime>
 
 #include "critical_ratio.hpp"
 #include "prove/critical.hpp"
@@ -122,15 +122,14 @@ TEST_CASE("an interrupted piece ends soon, in the middle of an orbit of many mil
             if (scene != Scene::dumbbell && section != Section::turning) {
                 continue;
             }
-            const auto start = std::chrono::steady_clock::now();
-            const auto late = [&] {
-                return std::chrono::steady_clock::now() - start > std::chrono::milliseconds(300);
-            };
+            const std::clock_t start = std::clock();  // of the processor: the machine may be busy
+            const auto seconds = [&] { return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC; };
+            const auto late = [&] { return seconds() > 0.3; };
             const ProvedPiece proved =
                 prove_single(exact(1e14), {.scene = scene, .section = section, .interrupted = late});
             CHECK(proved.piece.status() == Status::open);
             CHECK(proved.obstacle == Obstacle::time);
-            CHECK(std::chrono::steady_clock::now() - start < std::chrono::seconds(10));
+            CHECK(seconds() < 10);
         }
     }
 }
