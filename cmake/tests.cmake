@@ -1,8 +1,8 @@
-# dumbbell_add_tests(NAME SOURCES file... LIBS target... [LABELS label...] [TIMEOUT seconds])
+# dumbbell_add_tests(NAME SOURCES file... LIBS target... [LABELS label...])
 #
 # A Catch2 program of which every TEST_CASE is one ctest test, called "NAME/test case". The label is
 # `unit` unless told otherwise (`long`: not under the sanitizers of .ci/run, `cli`: runs the programs, `proofs`:
-# checks shipped certificates); the time limit is 1200 s for one test case (sanitizers on a loaded machine).
+# checks shipped certificates). An hour ends a test case that hangs, and none because the machine is busy.
 find_package(Catch2 2.13 REQUIRED)
 include(Catch)
 
@@ -16,15 +16,12 @@ target_link_libraries(dumbbell_catch_main PUBLIC Catch2::Catch2)
 add_custom_target(unit_tests)
 
 function(dumbbell_add_tests name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "TIMEOUT" "SOURCES;LIBS;LABELS")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;LIBS;LABELS")
   if(arg_UNPARSED_ARGUMENTS OR NOT arg_SOURCES)
     message(FATAL_ERROR "dumbbell_add_tests(${name}): SOURCES missing or unknown words: ${arg_UNPARSED_ARGUMENTS}")
   endif()
   if(NOT arg_LABELS)
     set(arg_LABELS unit)
-  endif()
-  if(NOT arg_TIMEOUT)
-    set(arg_TIMEOUT 1200)
   endif()
 
   add_executable(test_${name} ${arg_SOURCES})
@@ -40,7 +37,8 @@ function(dumbbell_add_tests name)
   set(after_list ${CMAKE_CURRENT_BINARY_DIR}/test_${name}_after_list.cmake)
   file(CONFIGURE OUTPUT ${after_list} @ONLY CONTENT [[
 if(test_@name@_TESTS)
-  set_tests_properties(${test_@name@_TESTS} PROPERTIES LABELS "@arg_LABELS@" TIMEOUT @arg_TIMEOUT@)
+  set_tests_properties(${test_@name@_TESTS} PROPERTIES LABELS "@arg_LABELS@" TIMEOUT 3600
+    SKIP_REGULAR_EXPRESSION "skipped: only root can mount a small disk")
 else()
   add_test("@name@/LISTS NO TESTS" test_@name@_LISTS_NO_TESTS)
 endif()
