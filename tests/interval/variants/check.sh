@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
-# check.sh PROJECT: the interval layers in double give the same bits whatever compiler and optimisation
+# check.sh PROJECT COMPILER...: the interval layers in double give the same bits whatever compiler and optimisation
 # level; with contraction they still enclose; with flags that break IEEE arithmetic they do not compile, refuse to
 # compute, or still enclose.
 set -uo pipefail
-project=$1
+project=$1 compilers=("${@:2}")
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 failures=0
@@ -56,12 +56,6 @@ variant() {
 say() { printf '%-9s %-42s %s\n' "$@"; }
 results() { awk '/results/ { n += $(NF - 2) } END { print n }' <<< "$1"; }
 
-compilers=(g++)
-if command -v clang++ > /dev/null; then
-    compilers+=(clang++)
-else
-    echo 'NOT TRIED: clang++ is not installed'
-fi
 regrouping=(-fassociative-math -fno-signed-zeros -fno-trapping-math)
 native=-march=native
 "${compilers[0]}" $native -E -x c++ /dev/null > /dev/null 2>&1 || native=
