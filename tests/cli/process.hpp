@@ -144,7 +144,8 @@ class Process {
 
     [[nodiscard]] bool ended() const {
         siginfo_t info{};
-        return ::waitid(P_PID, static_cast<id_t>(pid_), &info, WEXITED | WNOHANG | WNOWAIT) != 0 || info.si_pid == pid_;
+        return ::waitid(P_PID, static_cast<id_t>(pid_), &info, WEXITED | WNOHANG | WNOWAIT) != 0 ||
+               info.si_pid == pid_;
     }
 
     // Waits until the condition holds, or the program has ended; whether the condition holds then.

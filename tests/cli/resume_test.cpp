@@ -39,7 +39,8 @@ TEST_CASE("killed at any moment, a range goes on where it was and ends with the 
     int kills = 0;
     while (kills <= 10) {  // a run may be done before it is killed
         std::filesystem::remove(folder / "stairs.dbc");
-        for (std::size_t files = 2; !std::filesystem::exists(folder / "stairs.dbc"); files += 1 + random() % 12) {
+        for (std::size_t files = 2; !std::filesystem::exists(folder / "stairs.dbc");
+             files += 1 + random() % 12) {
             kills += killed_with(files, folder);
             REQUIRE(kills < 400);
         }

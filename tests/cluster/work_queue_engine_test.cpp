@@ -65,9 +65,10 @@ class Site {
 
     [[nodiscard]] std::unique_ptr<Process> worker(int port, const std::string& password,
                                                   const std::string& cores = "1") const {
-        return std::make_unique<Process>(std::vector<std::string>{
-            "work_queue_worker", "--password", password, "--cores", cores, "--timeout", "600", "--max-backoff",
-            "1", "--parent-death", "--workdir", folder_.path(), "127.0.0.1", std::to_string(port)});
+        return std::make_unique<Process>(
+            std::vector<std::string>{"work_queue_worker", "--password", password, "--cores", cores,
+                                     "--timeout", "600", "--max-backoff", "1", "--parent-death", "--workdir",
+                                     folder_.path(), "127.0.0.1", std::to_string(port)});
     }
     [[nodiscard]] std::unique_ptr<Process> worker(int port) const { return worker(port, password_); }
 
