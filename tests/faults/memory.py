@@ -1,6 +1,7 @@
 """The memory runs out: a limit on the address space, at random between too little to start and enough."""
 
 import random
+import shutil
 import tempfile
 from pathlib import Path
 
@@ -47,6 +48,8 @@ def out_of_memory(programs: Programs, count: int, seed: int) -> list[Tally]:
             (verifier, [programs.verify, "--jobs", "1", "--json", shown], {0, 4}))
         for tally, command, codes in commands:
             file = command[-1] if tally is prover else folder / "none"
+            # What the command before has kept of a run that memory failed.
+            shutil.rmtree(f"{file}.partial", ignore_errors=True)
             unlimited = programs.run(command, folder)
             tally.expect_code(unlimited, {0}, f"{command[1]} without a limit")
             if unlimited.code != 0:

@@ -43,7 +43,7 @@ class Host:
         ip("link", "set", self.link, "master", "bridge", "up")
         for words in (("link", "set", "lo", "up"), ("addr", "add", f"{self.address}/24", "dev", "eth0"),
                       ("link", "set", "eth0", "up")):
-            ip("-n", name, *words)
+            subprocess.run(["nsenter", f"--net=/run/netns/{name}", "ip", *words], check=True)  # `ip -n` mounts in vain
 
     def start(self, words, log: Path) -> subprocess.Popen:
         """`words` run on this host; what they say goes to `log`."""
