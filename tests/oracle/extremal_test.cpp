@@ -1,4 +1,5 @@
-// proofs/theorem.md, L20-L25 and Theorem 1: which trajectories are longest, against the simulation.
+// L20 of proofs/lemmas.md, L21-L25 and Theorem 1 of proofs/theorem.md: which trajectories are longest,
+// against the simulation.
 #include "extremal.hpp"
 
 #include <algorithm>
