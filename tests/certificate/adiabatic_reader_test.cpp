@@ -19,7 +19,8 @@ AdiabaticCertificate of_claim(AdiabaticClaim claim) {
     certificate.program = "dumbbell";
     certificate.version = "0.1.0";
     certificate.hypotheses.claim = claim;
-    certificate.hypotheses.delta = {Rational(0), Rational(1, 100)};
+    certificate.hypotheses.delta = {claim == AdiabaticClaim::printed ? Rational(1, 100) : Rational(0),
+                                    Rational(1, 100)};
     certificate.hypotheses.margin = Rational(3, 10);
     const AdiabaticState state{Rational(1, 2), Rational(1), Rational(1, 100), 63, Rational(31, 2)};
     certificate.attained = {state};

@@ -22,7 +22,8 @@ std::string generated(const std::string& what) {
 
 // All `--option`s that begin a line of the help, or follow ones that do.
 std::set<std::string> options_of(const std::string& help) {
-    static const std::regex line("\n  (?:-h,)?--[a-z-]+(?:, --[a-z-]+)*"), word("--[a-z-]+");
+    static const std::regex line("\n  (?:-[a-zA-Z],)?--[a-z-]+(?:, (?:-[a-zA-Z],)?--[a-z-]+)*"),
+        word("--[a-z-]+");
     std::set<std::string> options;
     for (std::sregex_iterator at(help.begin(), help.end(), line), end; at != end; ++at) {
         const std::string names = at->str();

@@ -20,7 +20,7 @@ std::string times(std::size_t n, const std::string& text) {
 
 TEST_CASE("escape: the first and the last character of each length stay") {
     for (const std::string character :
-         {" ", "~", "\xc2\x80", "\xdf\xbf", "\xe0\xa0\x80", "\xec\xbf\xbf", "\xed\x80\x80", "\xed\x9f\xbf",
+         {" ", "~", "\xc2\xa0", "\xdf\xbf", "\xe0\xa0\x80", "\xec\xbf\xbf", "\xed\x80\x80", "\xed\x9f\xbf",
           "\xee\x80\x80", "\xef\xbe\xbf", "\xef\xbf\x80", "\xef\xbf\xbd", "\xf0\x90\x80\x80",
           "\xf0\xbf\xbf\xbf", "\xf1\x80\x80\x80", "\xf3\xbf\xbf\xbf", "\xf4\x80\x80\x80",
           "\xf4\x8f\xbf\xbf"}) {
@@ -28,6 +28,15 @@ TEST_CASE("escape: the first and the last character of each length stay") {
         CHECK(json_string(character) == "\"" + character + "\"");
         CHECK(json_string("a" + character + "z") == "\"a" + character + "z\"");
         CHECK(xml_text(character) == character);
+    }
+}
+
+TEST_CASE("escape: what moves a terminal's cursor is escaped or replaced, C1 as C0") {
+    for (const std::string control : {"\x01", "\x1f", "\x7f", "\xc2\x80", "\xc2\x9f"}) {
+        CAPTURE(control);
+        CHECK(one_line("a" + control + "z") == "a?z");
+        CHECK(json_string(control).starts_with("\"\\u00"));
+        CHECK(xml_text(control) == bad);
     }
 }
 
