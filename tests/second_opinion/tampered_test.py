@@ -113,7 +113,8 @@ class Tampered(unittest.TestCase):
             lines = body(PROJECT / "certificates" / name)
             less = [f"count {max(0, int(line[6:]) - 1)}" if line.startswith("count ") else line for line in lines]
             self.expect(signed(less), 1, "the leaf `count` is not certified")
-            self.expect(signed(["split q" if line == "split e" else line for line in lines]), 1, "is not certified")
+            self.expect(signed(["split eta" if line == "split e" else line for line in lines]), 1, "is not certified")
+            self.expect(signed(["split q" if line == "split e" else line for line in lines]), 1, "the box is a point in this axis")
 
     def test_totals_checksum_and_end(self):
         lines = body(PROJECT / "certificates/q-10.dbc")
