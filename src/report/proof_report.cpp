@@ -220,12 +220,11 @@ std::string to_text(const ProofReport& report) {
         for (const ReportRow& row : report.rows) {
             pieces.push_back(row.piece);
         }
-        fmt::format_to(std::back_inserter(text),
-                       "Certificate: {} (sha256 {})\nCheck it:    dumbbell verify {}{}{}\n",
-                       one_line(*report.out), *report.sha256,
-                       budget_option(check_seconds(pieces, report.section)),
-                       report.scene == Scene::dumbbell ? "" : fmt::format("--scene {} ", name(report.scene)),
-                       shell_file(*report.out));
+        fmt::format_to(
+            std::back_inserter(text), "Certificate: {} (sha256 {})\nCheck it:    dumbbell verify {}{}{}\n",
+            one_line(*report.out), *report.sha256, budget_option(check_seconds(pieces, report.section)),
+            report.scene == Scene::dumbbell ? "" : fmt::format("--scene {} ", name(report.scene)),
+            shell_file(*report.out));
     }
     return text;
 }
