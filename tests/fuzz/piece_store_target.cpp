@@ -134,7 +134,14 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     }
     const std::string own = contents(folder / "claim"), other = whole ? own : choices.rest();
     write(folder / "claim", other);
-    must(opens(folder, claim) == (other == own), "a folder is of one claim");
+    const bool open = opens(folder, claim);
+    must(open || other != own, "a folder opens for its own claim");
+    must(contents(folder / "claim") == (open ? own : other), "a damaged claim is made again, or left alone");
+    if (whole) {
+        StoredClaim another = claim;
+        another.q_hi += 1;
+        must(!opens(folder, another), "a folder that has a piece of one claim is not another's");
+    }
     fs::remove_all(folder);
     return 0;
 }

@@ -135,7 +135,8 @@ TEST_CASE("The second argument refuses the committed false claims") {
     int refused = 0;
     for (const Entry& entry : read_manifest((folder / "manifest.tsv").string())) {
         if (entry.exit != 1 || !entry.reason.starts_with("not certified")) continue;
-        if (entry.file == "bits-less.dbc") continue;  // true: the bits alone are too few
+        if (entry.file == "bits-less.dbc") continue;       // true: the bits alone are too few
+        if (entry.file.starts_with("printed-")) continue;  // it knows nothing of the adiabatic invariant
         INFO(entry.file << ": " << entry.why);
         const std::string path = (folder / entry.file).string();
         const bool starts = entry.file.starts_with("starts-");
