@@ -92,13 +92,15 @@ bool PieceStore::has_no_others_pieces() const {
             entry.path().stem().string().size() != name_length) {
             return false;
         }
-        if (const auto piece = whole_piece(entry.path().string())) {
-            if (!piece->upper ||
-                entry.path() != file_of({piece->q_lo, piece->q_hi, *piece->upper, piece->lower})) {
-                return false;
-            }
-            has_own = true;
+        if (!sealed_lines(file_contents(entry.path().string()))) {
+            continue;  // damaged, and so nobody's
         }
+        const auto piece = whole_piece(entry.path().string());
+        if (!piece || !piece->upper ||
+            entry.path() != file_of({piece->q_lo, piece->q_hi, *piece->upper, piece->lower})) {
+            return false;
+        }
+        has_own = true;
     }
     const std::string claim = file_contents(folder_ + "/claim");
     return has_own || claim.empty() || claim.starts_with(first_line);

@@ -131,8 +131,12 @@ TEST_CASE("a damaged claim costs no piece, and takes none from another run") {
     const std::string truth = file_contents(claim_file);
     for (const std::string& damage : {truth.substr(0, 20), std::string(), "x" + truth, truth + "more"}) {
         std::ofstream(claim_file) << damage;
-        CHECK_THROWS_WITH(PieceStore(place.path.string(), claim(101)), Contains("another run"));
-        CHECK(file_contents(claim_file) == damage);
+        StoredClaim section = claim(100);
+        section.section = Section::full;
+        for (const StoredClaim& other : {claim(101), section}) {
+            CHECK_THROWS_WITH(PieceStore(place.path.string(), other), Contains("another run"));
+            CHECK(file_contents(claim_file) == damage);
+        }
         const PieceStore store(place.path.string(), claim(100));
         CHECK(store.find({5, 11, 4, 4}).has_value());
         CHECK(file_contents(claim_file) == truth);
