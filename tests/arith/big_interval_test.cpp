@@ -160,7 +160,7 @@ TEST_CASE("A precision scope concerns its own thread only, and rejects absurd pr
     CHECK_THROWS_AS(PrecisionScope(-5), BrokenInvariant);
     CHECK_THROWS_AS(PrecisionScope((1 << 20) + 1), BrokenInvariant);
     {
-        const PrecisionScope greatest(1 << 20);
+        const PrecisionScope finest(1 << 20);
         CHECK(PrecisionScope::current() == 1 << 20);
     }
     CHECK(PrecisionScope::current() == 200);

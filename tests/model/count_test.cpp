@@ -137,10 +137,10 @@ TEST_CASE("Of a ray that is wide in one of c, kappa and r one end counts, from e
         const PlainRay high{which == 0 ? 0.9 : low.c, which == 1 ? 0.4 : low.kappa, which == 2 ? 0.2 : low.r};
         const Ray<Interval> wide{Interval(low.c, high.c), Interval(low.kappa, high.kappa),
                                  Interval(low.r, high.r)};
-        const long most = ray_count<Real>(low).hits, least = ray_count<Real>(high).hits;
-        REQUIRE(least < most);
+        const long most = ray_count<Real>(low).hits, fewest = ray_count<Real>(high).hits;
+        REQUIRE(fewest < most);
         CHECK(count_at_most(wide, cap) == most);
-        CHECK(count_at_least(wide, cap) == least);
+        CHECK(count_at_least(wide, cap) == fewest);
     }
 }
 

@@ -78,10 +78,10 @@ TEST_CASE("What few bits say of these rays, 300 bits do not contradict") {
                               count_at_least(as<BigInterval>(ray), cap),
                               count_at_most(as<BigInterval>(ray), cap));
         };
-        const auto [lowest, highest, least, most] = at(bits);
-        const auto [fine_lowest, fine_highest, fine_least, fine_most] = at(300);
-        CHECK(fine_least <= most);
-        CHECK(fine_most >= least);
+        const auto [lowest, highest, fewest, most] = at(bits);
+        const auto [fine_lowest, fine_highest, fine_fewest, fine_most] = at(300);
+        CHECK(fine_fewest <= most);
+        CHECK(fine_most >= fewest);
         if (fine_highest) {
             REQUIRE(lowest);
             CHECK(lowest->x.lo() <= fine_highest->x.hi());
