@@ -1,0 +1,60 @@
+// Files beside each other: on as many threads as were asked for.
+#include "verify/examine.hpp"
+
+#include <unistd.h>
+
+#include <array>
+#include <catch2/catch.hpp>
+#include <chrono>
+#include <filesystem>
+#include <thread>
+
+using namespace dumbbell_verify;
+
+namespace {
+
+auto threads() {
+    namespace fs = std::filesystem;
+    return std::distance(fs::directory_iterator("/proc/self/task"), fs::directory_iterator());
+}
+
+/// In the place of the standard input: nothing comes, and no end, before it is ended.
+class Silence {
+  public:
+    Silence() : before_(::dup(STDIN_FILENO)) {
+        REQUIRE(::pipe(ends_.data()) == 0);
+        ::dup2(ends_[0], STDIN_FILENO);
+        ::close(ends_[0]);
+    }
+    ~Silence() {
+        ::dup2(before_, STDIN_FILENO);
+        ::close(before_);
+    }
+    void end() const { ::close(ends_[1]); }
+
+  private:
+    int before_;
+    std::array<int, 2> ends_{};
+};
+
+}  // namespace
+
+TEST_CASE("examine_all works on as many threads as it may, and on no more") {
+    using namespace std::chrono_literals;
+    for (const unsigned beside : {2U, 3U}) {
+        const Silence input;
+        const auto before = threads();
+        std::size_t reported = 0;
+        {
+            const std::vector<Job> jobs(5, Job{"-", {}});
+            const std::jthread caller([&] {
+                reported = examine_all(jobs, beside, [](const Result&) {}).size();
+            });
+            while (threads() < before + 1 + beside) std::this_thread::sleep_for(1ms);
+            std::this_thread::sleep_for(200ms);  // for one too many to show itself
+            CHECK(threads() == before + 1 + beside);
+            input.end();
+        }
+        CHECK(reported == 5);
+    }
+}
