@@ -4,6 +4,7 @@
 #include "make_adiabatic.hpp"
 
 using namespace make;
+using dumbbell_verify::Settings;
 
 TEST_CASE("adiabatic grammar: unknown words make a file unsupported") {
     for (const auto& [from, to] : {std::pair{"claim adiabatic-run", "claim adiabatic-walk"},
@@ -99,4 +100,48 @@ TEST_CASE("adiabatic grammar: attained states, totals and the end") {
     CHECK(outcome(replaced(bounce(), "generator test", "generator tess")) == "sha256");
     CHECK(outcome(bounce() + "end\n") == "trailing");
     CHECK(outcome(bounce().substr(0, bounce().size() / 2)) == "truncated");
+}
+
+TEST_CASE("adiabatic grammar: the greatest numbers are allowed") {
+    Settings settings;
+    settings.max_bits = 4096;
+    const std::string precise = mutated_adiabatic(printed(), "bits 53", "bits 4096");
+    CHECK(dumbbell_verify::verify(File(precise).path(), settings).adiabatic.has_value());
+    // The 4096th cell is still one; it is the tree that is missing.
+    const auto with_cells = [](int number) {
+        std::string text = run_file().substr(0, run_file().find("cell "));
+        text = replaced(text, " 40\n", " " + std::to_string(number) + "\n");
+        for (int i = 1; i <= number; ++i) text += "cell " + fraction(mpq_class(9001 - i, 9001)) + " 0/1\n";
+        return outcome(closed_adiabatic(text + "split q\n"));
+    };
+    CHECK(with_cells(4096) == "syntax");
+    CHECK(with_cells(4097) == "number");
+}
+
+TEST_CASE("adiabatic grammar: an attained state may be anywhere between the ends of delta") {
+    const std::string wide =
+        mutated_adiabatic(mutated_adiabatic(bounce(), "delta 1/20 1/20", "delta 49999999/1000000000 1/20"),
+                          "bound 5/2 10/1", "bound 50/1 500/1");
+    for (const char* delta : {"49999999/1000000000", "99999999/2000000000", "1/20"})
+        CHECK(mutant(wide, "1/20 1 97/50", std::string(delta) + " 1 1/100") == "verified");
+    for (const char* delta : {"24999999/500000000", "50000001/1000000000", "0/1"})
+        CHECK(mutant(wide, "1/20 1 97/50", std::string(delta) + " 1 1/100") == "number");
+}
+
+TEST_CASE("adiabatic grammar: a leaf that is not certified goes before what is wrong behind it") {
+    const std::string narrow = mutated_adiabatic(bounce(), "bound 5/2 10/1", "bound 1/100 10/1");
+    CHECK(outcome(narrow) == "bound");
+    CHECK(mutant(narrow, "1/20 1 97/50", "1/20 1 -97/50") == "bound");
+}
+
+TEST_CASE("adiabatic: the precision that is asked for is worked in, and its work is told") {
+    const auto work = [](unsigned bits) {
+        Settings settings;
+        settings.precision = bits;
+        settings.max_bits = 4096;
+        return dumbbell_verify::verify(File(bounce()).path(), settings).work;
+    };
+    const std::uint64_t of_100 = work(100), of_1000 = work(1000);
+    CHECK(of_100 > 0);
+    CHECK(of_1000 > 2 * of_100);
 }

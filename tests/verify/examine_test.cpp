@@ -47,9 +47,8 @@ TEST_CASE("examine_all works on as many threads as it may, and on no more") {
         std::size_t reported = 0;
         {
             const std::vector<Job> jobs(5, Job{"-", {}});
-            const std::jthread caller([&] {
-                reported = examine_all(jobs, beside, [](const Result&) {}).size();
-            });
+            const std::jthread caller(
+                [&] { reported = examine_all(jobs, beside, [](const Result&) {}).size(); });
             while (threads() < before + 1 + beside) std::this_thread::sleep_for(1ms);
             std::this_thread::sleep_for(200ms);  // for one too many to show itself
             CHECK(threads() == before + 1 + beside);
