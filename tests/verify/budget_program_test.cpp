@@ -1,4 +1,6 @@
 // What a file may cost, and from where it may come: as a script sees it.
+#include <unistd.h>
+
 #include <catch2/catch.hpp>
 #include <filesystem>
 
@@ -59,7 +61,8 @@ TEST_CASE("budget: a time is a number with s, m or h") {
 }
 
 TEST_CASE("a name cannot imitate a verdict") {
-    const std::filesystem::path folder = std::filesystem::temp_directory_path() / "dumbbell_verify_names";
+    const std::filesystem::path folder =
+        std::filesystem::temp_directory_path() / ("dumbbell_verify_names" + std::to_string(::getpid()));
     std::filesystem::create_directories(folder);
     for (const std::string name : {"s VERIFIED scene=dumbbell", "c files=1 verified=1"}) {
         const File bad("dumbbell-certificate 1\n");
@@ -87,10 +90,11 @@ TEST_CASE("a certificate may come from the standard input, or from a pipe that t
 }
 
 TEST_CASE("a named pipe that nobody writes to is refused at once") {
-    const std::string pipe = std::filesystem::temp_directory_path() / "dumbbell_verify_pipe";
+    const std::string pipe =
+        std::filesystem::temp_directory_path() / ("dumbbell_verify_pipe" + std::to_string(::getpid()));
     REQUIRE(std::system(("rm -f " + pipe + "; mkfifo " + pipe).c_str()) == 0);
     for (const std::string& options : {pipe, "--combine " + pipe + " " + ten, "--claims " + pipe}) {
-        const Run r = run(options, "timeout 60 ");
+        const Run r = run(options, "timeout 1000 ");
         INFO(options << r.out << r.err);
         CHECK(r.code == 2);
         CHECK(has(r.out + r.err, "a named pipe: give `-`"));

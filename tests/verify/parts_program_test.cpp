@@ -1,4 +1,6 @@
 // The options --shards and --combine as a script sees them: last line, exit code, messages.
+#include <unistd.h>
+
 #include <catch2/catch.hpp>
 
 #include "make_initial.hpp"
@@ -47,7 +49,8 @@ TEST_CASE("parts of a file: each is one run, the lines of all are the verdict") 
 }
 
 TEST_CASE("parts of a file: nothing that is printed of a part looks like a verdict of the whole") {
-    const std::string report = std::filesystem::temp_directory_path() / "dumbbell_verify_parts.xml";
+    const std::string report = std::filesystem::temp_directory_path() /
+                               ("dumbbell_verify_parts" + std::to_string(::getpid()) + ".xml");
     for (const char* options :
          {"", "--quiet ", "--json ", "--precision 60 ", "--scene dumbbell --claim collisions "}) {
         const Run part = run(std::string(options) + "--shards 1-17 --junit " + report + " " + stairs);
@@ -116,7 +119,7 @@ TEST_CASE("parts of a file: lines that do not fit have an exit code each") {
     CHECK(run("--combine /nonexistent " + stairs).code == 2);
     CHECK(run("--combine " + stairs + " " + stairs).code == 1);  // no line of a part is in it
     const File parts(line);
-    const std::string gibibyte = "(cat " + parts.path() + "; yes) | timeout 60 ";
+    const std::string gibibyte = "(cat " + parts.path() + "; yes) | timeout 1000 ";
     CHECK(run("--combine /dev/stdin " + stairs, gibibyte).code == 4);
 }
 

@@ -284,12 +284,14 @@ TEST_CASE("a gigabyte of zeros, plain or compressed, is refused at once in littl
     const std::string little_memory = sanitized ? "" : "ulimit -v 400000; ";  // the sanitizer maps terabytes
     const File file("");
     REQUIRE(truncate(file.path().c_str(), 1L << 30) == 0);
-    const Run r = run(file.path(), little_memory + "timeout 5 ");
+    const Run r = run(file.path(), little_memory + "ulimit -t 5; ");
     CHECK(r.last().starts_with("s REJECTED line=1 code=byte"));
     CHECK(r.code == 1);
     const File packed("");
     REQUIRE(std::system(("head -c 300000000 /dev/zero | gzip -1 >" + packed.path()).c_str()) == 0);
-    CHECK(run(packed.path(), little_memory + "timeout 5 ").last().starts_with("s REJECTED line=1 code=byte"));
+    CHECK(run(packed.path(), little_memory + "ulimit -t 5; ")
+              .last()
+              .starts_with("s REJECTED line=1 code=byte"));
 }
 
 TEST_CASE(
