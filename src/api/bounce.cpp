@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "api/translate.hpp"
-#include "arith/elementary.hpp"
-#include "model/contact.hpp"
-#include "model/reflection.hpp"
+#include "flight/contact.hpp"
+#include "flight/reflection.hpp"
+#include "number/elementary.hpp"
 
 namespace dumbbell::api {
 namespace {

@@ -2,10 +2,10 @@
 
 #include "api/exact_ratio.hpp"
 #include "api/translate.hpp"
-#include "certificate/atomic_file.hpp"
-#include "certificate/writer.hpp"
-#include "cli/ratio_argument.hpp"
-#include "prove/certify.hpp"
+#include "collisions/certify.hpp"
+#include "collisions/writer.hpp"
+#include "file/atomic_file.hpp"
+#include "number/ratio_argument.hpp"
 
 namespace dumbbell::api {
 namespace {

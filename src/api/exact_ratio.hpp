@@ -3,7 +3,7 @@
 #include <limits>
 #include <string>
 
-#include "arith/rational.hpp"
+#include "number/rational.hpp"
 
 namespace dumbbell::api {
 

@@ -1,7 +1,7 @@
 #include "dumbbell/mass_ratio.hpp"
 
 #include "api/translate.hpp"
-#include "cli/ratio_argument.hpp"
+#include "number/ratio_argument.hpp"
 
 namespace dumbbell::api {
 

@@ -2,9 +2,9 @@
 
 #include "api/exact_ratio.hpp"
 #include "api/translate.hpp"
-#include "cli/initial_argument.hpp"
-#include "prove/initial_state.hpp"
-#include "prove/trace.hpp"
+#include "starts/argument.hpp"
+#include "starts/initial_state.hpp"
+#include "starts/trace.hpp"
 
 namespace dumbbell::api {
 namespace {

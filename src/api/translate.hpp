@@ -1,8 +1,8 @@
 #pragma once
 
-#include "arith/error.hpp"
-#include "arith/self_test.hpp"
+#include "base/error.hpp"
 #include "dumbbell/error.hpp"
+#include "number/self_test.hpp"
 
 namespace dumbbell::api {
 

@@ -3,9 +3,9 @@
 #include <array>
 #include <stdexcept>
 
-#include "verify/claim_options.hpp"
-#include "verify/examine.hpp"
-#include "verify/summary.hpp"
+#include "verify/program/claim_options.hpp"
+#include "verify/program/examine.hpp"
+#include "verify/program/summary.hpp"
 
 namespace dumbbell::api {
 namespace {

@@ -4,12 +4,12 @@
 
 #include <algorithm>
 
-#include "arith/error.hpp"
 #include "audit/claimed_range.hpp"
 #include "audit/leaf_boxes.hpp"
 #include "audit/tiling.hpp"
-#include "certificate/names.hpp"
-#include "certificate/reader.hpp"
+#include "base/error.hpp"
+#include "collisions/names.hpp"
+#include "collisions/reader.hpp"
 
 namespace dumbbell::audit {
 namespace {

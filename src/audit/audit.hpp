@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include "arith/rational.hpp"
-#include "certificate/certificate.hpp"
+#include "collisions/certificate.hpp"
+#include "number/rational.hpp"
 
 /// The exact audit: do the leaves of each chart tile its root box, and the pieces the range of mass ratios?
 /// It says nothing about the leaves' reasons; those are the verifier's.

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "arith/printable.hpp"
+#include "base/printable.hpp"
 
 namespace dumbbell::audit {
 namespace {

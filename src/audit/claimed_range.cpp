@@ -6,7 +6,7 @@
 #include <array>
 #include <memory>
 
-#include "arith/error.hpp"
+#include "base/error.hpp"
 
 namespace dumbbell::audit {
 namespace {

@@ -3,7 +3,7 @@
 #include <string>
 #include <utility>
 
-#include "arith/rational.hpp"
+#include "number/rational.hpp"
 
 namespace dumbbell::audit {
 

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "arith/error.hpp"
+#include "base/error.hpp"
 
 namespace dumbbell::audit {
 namespace {

@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "arith/rational.hpp"
-#include "certificate/certificate.hpp"
+#include "collisions/certificate.hpp"
+#include "number/rational.hpp"
 
 /// The leaf boxes of a certificate's tree as exact rationals, derived from proofs/format.md and
 /// proofs/format-sections.md alone: nothing here is shared with the prover.

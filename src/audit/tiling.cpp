@@ -12,11 +12,11 @@ namespace {
 
 using Exact = CGAL::Gmpq;
 
-Exact exact(const Rational& x) { return Exact(x.backend().data()); }
+Exact exact(const Rational& x) { return Exact(x.raw()); }
 
 Rational rational(const Exact& x) {
     Rational result;
-    mpq_set(result.backend().data(), x.mpq());
+    mpq_set(result.raw(), x.mpq());
     return result;
 }
 

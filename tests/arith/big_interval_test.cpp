@@ -1,4 +1,4 @@
-#include "arith/big_interval.hpp"
+#include "number/big_interval.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "angles.hpp"
-#include "arith/error.hpp"
+#include "base/error.hpp"
 #include "random.hpp"
 #include "tightest.hpp"
 

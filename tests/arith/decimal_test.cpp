@@ -1,8 +1,8 @@
-#include "arith/decimal.hpp"
+#include "number/decimal.hpp"
 
 #include <catch2/catch.hpp>
 
-#include "arith/error.hpp"
+#include "base/error.hpp"
 #include "random.hpp"
 
 using namespace dumbbell;

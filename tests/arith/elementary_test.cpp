@@ -1,4 +1,4 @@
-#include "arith/elementary.hpp"
+#include "number/elementary.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "angles.hpp"
-#include "arith/elementary.hpp"
+#include "number/elementary.hpp"
 #include "random.hpp"
 #include "tightest.hpp"
 

@@ -1,4 +1,4 @@
-#include "arith/hexadecimal.hpp"
+#include "base/hexadecimal.hpp"
 
 #include <array>
 #include <catch2/catch.hpp>

@@ -1,4 +1,4 @@
-#include "arith/interval.hpp"
+#include "number/interval.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "arith/printable.hpp"
+#include "base/printable.hpp"
 
 #include <array>
 #include <catch2/catch.hpp>

@@ -7,7 +7,7 @@
 #include <limits>
 #include <random>
 
-#include "arith/interval.hpp"
+#include "number/interval.hpp"
 
 namespace dumbbell_test {
 

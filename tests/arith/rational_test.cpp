@@ -1,11 +1,11 @@
-#include "arith/rational.hpp"
+#include "number/rational.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <string>
 #include <string_view>
 
-#include "arith/error.hpp"
+#include "base/error.hpp"
 #include "random.hpp"
 #include "show.hpp"
 
@@ -24,7 +24,7 @@ std::string refusal(std::string_view text) {
     return "accepted";
 }
 
-Rational power_of_ten(unsigned n) { return {boost::multiprecision::pow(Integer(10), n)}; }
+Rational power_of_ten(unsigned n) { return {pow(Integer(10), n)}; }
 
 }  // namespace
 
@@ -192,7 +192,7 @@ TEST_CASE("exact is the double's own value, and refuses what has none") {
     CHECK(exact(-0.0) == 0);
     CHECK(exact(0.1) != Rational(1, 10));
     CHECK(exact(0.1) == Rational(Integer("3602879701896397"), Integer("36028797018963968")));
-    CHECK(exact(0x1p-1074) * (Rational(boost::multiprecision::pow(Integer(2), 1074U))) == 1);
+    CHECK(exact(0x1p-1074) * (Rational(pow(Integer(2), 1074U))) == 1);
     CHECK_THROWS_AS(exact(infinity), BrokenInvariant);
     CHECK_THROWS_AS(exact(-infinity), BrokenInvariant);
     CHECK_THROWS_AS(exact(not_a_number), BrokenInvariant);

@@ -1,4 +1,4 @@
-#include "arith/rounding.hpp"
+#include "number/rounding.hpp"
 
 #include <bit>
 #include <catch2/catch.hpp>

@@ -1,4 +1,4 @@
-#include "arith/self_test.hpp"
+#include "number/self_test.hpp"
 
 #include <array>
 #include <catch2/catch.hpp>
@@ -6,7 +6,7 @@
 #include <string>
 #include <thread>
 
-#include "arith/error.hpp"
+#include "base/error.hpp"
 
 #if defined(__SSE2__)
 #include <xmmintrin.h>

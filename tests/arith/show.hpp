@@ -5,8 +5,8 @@
 #include <string>
 #include <type_traits>
 
-#include "arith/big_interval.hpp"
-#include "arith/interval.hpp"
+#include "number/big_interval.hpp"
+#include "number/interval.hpp"
 
 /// Prints the inputs of a failed check so that they can be typed in again.
 namespace dumbbell_test {

@@ -9,7 +9,7 @@
 #include <limits>
 #include <string>
 
-#include "arith/interval.hpp"
+#include "number/interval.hpp"
 #include "show.hpp"
 
 /// What MPFR says: the tightest enclosures in doubles, against which the interval layer is held.

@@ -2,7 +2,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "prove/certify.hpp"
+#include "collisions/certify.hpp"
 #include "random_tree.hpp"
 
 using namespace dumbbell_test;

@@ -1,7 +1,7 @@
 #include <catch2/catch.hpp>
 
-#include "arith/error.hpp"
-#include "prove/section.hpp"
+#include "base/error.hpp"
+#include "collisions/section.hpp"
 #include "random_tree.hpp"
 
 using namespace dumbbell_test;

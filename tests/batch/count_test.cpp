@@ -1,10 +1,10 @@
-#include "batch/count.hpp"
+#include "flight/batch/count.hpp"
 
 #include <catch2/catch.hpp>
 #include <cfenv>
 
-#include "arith/error.hpp"
-#include "model/count.hpp"
+#include "base/error.hpp"
+#include "flight/count.hpp"
 #include "rays.hpp"
 
 using namespace dumbbell;

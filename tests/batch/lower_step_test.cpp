@@ -1,4 +1,4 @@
-#include "batch/lower_step.hpp"
+#include "flight/batch/lower_step.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -2,7 +2,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "batch/aim.hpp"
+#include "flight/batch/aim.hpp"
 #include "rays.hpp"
 
 namespace dumbbell_test {

@@ -1,9 +1,9 @@
-#include "batch/sine.hpp"
+#include "flight/batch/sine.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "arith/elementary.hpp"
+#include "number/elementary.hpp"
 #include "random.hpp"
 #include "show.hpp"
 

@@ -1,11 +1,11 @@
-#include "batch/step.hpp"
+#include "flight/batch/step.hpp"
 
 #include <catch2/catch.hpp>
 #include <optional>
 
-#include "batch/aim.hpp"
-#include "batch/lower_step.hpp"
-#include "batch/upper_step.hpp"
+#include "flight/batch/aim.hpp"
+#include "flight/batch/lower_step.hpp"
+#include "flight/batch/upper_step.hpp"
 #include "rays.hpp"
 
 using namespace dumbbell;

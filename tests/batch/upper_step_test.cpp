@@ -1,4 +1,4 @@
-#include "batch/upper_step.hpp"
+#include "flight/batch/upper_step.hpp"
 
 #include <catch2/catch.hpp>
 

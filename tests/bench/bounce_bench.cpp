@@ -9,9 +9,9 @@
 #include <functional>
 #include <string>
 
-#include "batch/count.hpp"
 #include "bounce_rays.hpp"
-#include "model/count.hpp"
+#include "flight/batch/count.hpp"
+#include "flight/count.hpp"
 #include "peers.hpp"
 
 using namespace dumbbell;

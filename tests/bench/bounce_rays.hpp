@@ -4,8 +4,8 @@
 #include <numbers>
 #include <vector>
 
-#include "batch/query.hpp"
-#include "model/ray.hpp"
+#include "flight/batch/query.hpp"
+#include "flight/ray.hpp"
 #include "random.hpp"
 
 /// What every measurement of a bounce follows: the same rays, and the bounce in plain double that all others

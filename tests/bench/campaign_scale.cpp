@@ -20,14 +20,14 @@
 #include <string>
 #include <thread>
 
-#include "arith/rational.hpp"
-#include "cluster/campaign.hpp"
-#include "cluster/local_engine.hpp"
-#include "cluster/merge.hpp"
-#include "cluster/password.hpp"
-#include "cluster/plan.hpp"
-#include "cluster/verifier_program.hpp"
-#include "cluster/work_queue_engine.hpp"
+#include "campaign/campaign.hpp"
+#include "campaign/local_engine.hpp"
+#include "campaign/merge.hpp"
+#include "campaign/password.hpp"
+#include "campaign/plan.hpp"
+#include "campaign/work_queue_engine.hpp"
+#include "file/verifier_program.hpp"
+#include "number/rational.hpp"
 
 namespace {
 

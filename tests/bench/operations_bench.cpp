@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "arith/big_interval.hpp"
-#include "arith/interval.hpp"
+#include "number/big_interval.hpp"
+#include "number/interval.hpp"
 #include "random.hpp"
 
 using namespace dumbbell;

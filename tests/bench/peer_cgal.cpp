@@ -1,7 +1,7 @@
 #include <CGAL/Interval_nt.h>
 #include <mpfr.h>
 
-#include "arith/elementary.hpp"
+#include "number/elementary.hpp"
 #include "peer_kernel.hpp"
 
 namespace dumbbell_bench {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "model/count.hpp"
+#include "flight/count.hpp"
 #include "peers.hpp"
 
 /// What model/count.hpp asks of an interval type, for a peer's: all of them have its names, in their own

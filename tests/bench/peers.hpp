@@ -1,6 +1,6 @@
 #pragma once
 
-#include "model/ray.hpp"
+#include "flight/ray.hpp"
 
 /// The counts of model/count.hpp, the very same templates, with the intervals of other libraries: what a user
 /// would have got by picking one of them. The guesses of Newton's iteration are this project's for all of

@@ -1,10 +1,9 @@
-#include "certificate/adiabatic_reader.hpp"
-
 #include <catch2/catch.hpp>
 
 #include "../cli/process.hpp"
-#include "arith/error.hpp"
-#include "certificate/adiabatic_writer.hpp"
+#include "adiabatic/reader.hpp"
+#include "adiabatic/writer.hpp"
+#include "base/error.hpp"
 
 using namespace dumbbell;
 using namespace dumbbell_test;

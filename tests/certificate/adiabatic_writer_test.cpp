@@ -1,8 +1,7 @@
-#include "certificate/adiabatic_writer.hpp"
-
 #include <catch2/catch.hpp>
 
-#include "arith/error.hpp"
+#include "adiabatic/writer.hpp"
+#include "base/error.hpp"
 
 using namespace dumbbell;
 using Catch::Matchers::Contains;

@@ -1,14 +1,14 @@
-#include "certificate/any_reader.hpp"
+#include "certificates/any_reader.hpp"
 
 #include <catch2/catch.hpp>
 
 #include "../cli/process.hpp"
-#include "arith/error.hpp"
-#include "certificate/adiabatic_writer.hpp"
-#include "certificate/atomic_file.hpp"
-#include "certificate/initial_writer.hpp"
-#include "certificate/writer.hpp"
+#include "adiabatic/writer.hpp"
+#include "base/error.hpp"
+#include "collisions/writer.hpp"
 #include "example.hpp"
+#include "file/atomic_file.hpp"
+#include "starts/writer.hpp"
 
 using namespace dumbbell_test;
 using Catch::Matchers::Contains;

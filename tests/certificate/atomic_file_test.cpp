@@ -1,4 +1,4 @@
-#include "certificate/atomic_file.hpp"
+#include "file/atomic_file.hpp"
 
 #include <sys/mount.h>
 #include <sys/resource.h>
@@ -12,7 +12,7 @@
 #include <thread>
 
 #include "../cli/process.hpp"
-#include "arith/error.hpp"
+#include "base/error.hpp"
 
 using namespace dumbbell_test;
 using Catch::Matchers::Contains;

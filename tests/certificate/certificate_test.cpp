@@ -1,4 +1,4 @@
-#include "certificate/certificate.hpp"
+#include "collisions/certificate.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,7 +1,7 @@
 // Certificates made by hand for the tests of this folder, and of tests/report.
 #pragma once
 
-#include "certificate/certificate.hpp"
+#include "collisions/certificate.hpp"
 
 namespace dumbbell_test {
 

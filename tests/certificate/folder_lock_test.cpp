@@ -1,4 +1,4 @@
-#include "certificate/folder_lock.hpp"
+#include "file/folder_lock.hpp"
 
 #include <catch2/catch.hpp>
 #include <chrono>

@@ -1,10 +1,9 @@
-#include "certificate/initial_reader.hpp"
-
 #include <catch2/catch.hpp>
 
 #include "../cli/process.hpp"
-#include "arith/error.hpp"
-#include "certificate/initial_writer.hpp"
+#include "base/error.hpp"
+#include "starts/reader.hpp"
+#include "starts/writer.hpp"
 
 using namespace dumbbell;
 using namespace dumbbell_test;

@@ -1,14 +1,15 @@
-#include "certificate/reader.hpp"
+#include "collisions/reader.hpp"
 
 #include <zlib.h>
 
 #include <catch2/catch.hpp>
 
 #include "../cli/process.hpp"
-#include "arith/error.hpp"
-#include "certificate/atomic_file.hpp"
-#include "certificate/writer.hpp"
+#include "base/error.hpp"
+#include "collisions/writer.hpp"
 #include "example.hpp"
+#include "file/atomic_file.hpp"
+#include "file/dyadic.hpp"
 
 using namespace dumbbell_test;
 using Catch::Matchers::Contains;

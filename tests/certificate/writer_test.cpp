@@ -1,9 +1,11 @@
-#include "certificate/writer.hpp"
+#include "collisions/writer.hpp"
 
 #include <catch2/catch.hpp>
 
-#include "arith/error.hpp"
+#include "base/error.hpp"
 #include "example.hpp"
+#include "file/dyadic.hpp"
+#include "file/sha256.hpp"
 
 using namespace dumbbell_test;
 using Catch::Matchers::Contains;

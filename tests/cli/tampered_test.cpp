@@ -1,8 +1,8 @@
 // Certificates with something false in them and a checksum that fits: each must be rejected.
 #include <catch2/catch.hpp>
 
-#include "certificate/reader.hpp"
-#include "certificate/writer.hpp"
+#include "collisions/reader.hpp"
+#include "collisions/writer.hpp"
 #include "programs.hpp"
 
 using namespace dumbbell_test;

@@ -1,8 +1,7 @@
-#include "cluster/adiabatic_case.hpp"
-
 #include <catch2/catch.hpp>
 
-#include "arith/error.hpp"
+#include "adiabatic/case.hpp"
+#include "base/error.hpp"
 
 using namespace dumbbell;
 using Catch::Matchers::Contains;

@@ -1,14 +1,13 @@
 // The judge runs the verifier that lies beside the program: tests/cli/campaign_adiabatic_test.cpp.
-#include "cluster/adiabatic_kind.hpp"
-
 #include <catch2/catch.hpp>
 #include <fstream>
 
-#include "arith/error.hpp"
-#include "certificate/adiabatic_writer.hpp"
-#include "cluster/adiabatic_case.hpp"
+#include "adiabatic/case.hpp"
+#include "adiabatic/prove.hpp"
+#include "adiabatic/writer.hpp"
+#include "base/error.hpp"
+#include "campaign/kinds/adiabatic.hpp"
 #include "place.hpp"
-#include "prove/adiabatic.hpp"
 
 using namespace dumbbell;
 using namespace dumbbell_test;

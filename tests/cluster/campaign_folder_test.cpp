@@ -1,12 +1,11 @@
-#include "cluster/campaign_folder.hpp"
-
 #include <sys/stat.h>
 
 #include <catch2/catch.hpp>
 #include <fstream>
 
-#include "arith/error.hpp"
-#include "certificate/file_contents.hpp"
+#include "base/error.hpp"
+#include "campaign/folder.hpp"
+#include "file/file_contents.hpp"
 #include "place.hpp"
 #include "scripted_engine.hpp"
 

@@ -1,12 +1,11 @@
-#include "cluster/campaign_status.hpp"
-
 #include <fmt/format.h>
 
 #include <catch2/catch.hpp>
 #include <fstream>
 
-#include "cluster/campaign.hpp"
-#include "cluster/status_report.hpp"
+#include "campaign/campaign.hpp"
+#include "campaign/status.hpp"
+#include "campaign/status_report.hpp"
 #include "place.hpp"
 #include "scripted_engine.hpp"
 

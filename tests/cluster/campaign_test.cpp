@@ -1,22 +1,22 @@
-#include "cluster/campaign.hpp"
+#include "campaign/campaign.hpp"
 
 #include <fmt/format.h>
 
 #include <catch2/catch.hpp>
 
-#include "arith/error.hpp"
-#include "certificate/file_contents.hpp"
-#include "certificate/writer.hpp"
-#include "cluster/campaign_status.hpp"
-#include "cluster/collisions_kind.hpp"
-#include "cluster/local_engine.hpp"
-#include "cluster/merge.hpp"
-#include "cluster/sealed_lines.hpp"
-#include "cluster/verified_kind.hpp"
+#include "base/error.hpp"
+#include "campaign/kinds/collisions.hpp"
+#include "campaign/kinds/verified.hpp"
+#include "campaign/local_engine.hpp"
+#include "campaign/merge.hpp"
+#include "campaign/status.hpp"
+#include "collisions/writer.hpp"
+#include "file/file_contents.hpp"
+#include "file/sealed_lines.hpp"
 #include "place.hpp"
-#include "report/critical_report.hpp"
 #include "resealed.hpp"
 #include "scripted_engine.hpp"
+#include "staircase/critical_report.hpp"
 
 using namespace dumbbell;
 using namespace dumbbell_test;

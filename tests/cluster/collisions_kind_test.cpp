@@ -1,14 +1,14 @@
-#include "cluster/collisions_kind.hpp"
-
 #include <sys/resource.h>
 
 #include <catch2/catch.hpp>
 #include <fstream>
 
-#include "arith/error.hpp"
-#include "certificate/atomic_file.hpp"
-#include "certificate/file_contents.hpp"
-#include "certificate/writer.hpp"
+#include "base/error.hpp"
+#include "campaign/kinds/collisions.hpp"
+#include "collisions/writer.hpp"
+#include "file/atomic_file.hpp"
+#include "file/file_contents.hpp"
+#include "file/sha256.hpp"
 #include "place.hpp"
 #include "resealed.hpp"
 

@@ -1,10 +1,10 @@
-#include "cluster/critical_kind.hpp"
-
 #include <catch2/catch.hpp>
 #include <fstream>
 
-#include "arith/error.hpp"
-#include "certificate/writer.hpp"
+#include "base/error.hpp"
+#include "campaign/kinds/critical.hpp"
+#include "collisions/writer.hpp"
+#include "file/sha256.hpp"
 #include "place.hpp"
 #include "scripted_engine.hpp"
 

@@ -1,9 +1,9 @@
-#include "cluster/journal.hpp"
+#include "campaign/journal.hpp"
 
 #include <catch2/catch.hpp>
 #include <fstream>
 
-#include "arith/error.hpp"
+#include "base/error.hpp"
 #include "place.hpp"
 
 using namespace dumbbell;

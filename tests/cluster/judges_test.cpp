@@ -1,4 +1,4 @@
-#include "cluster/judges.hpp"
+#include "campaign/judges.hpp"
 
 #include <catch2/catch.hpp>
 #include <set>

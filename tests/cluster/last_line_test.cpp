@@ -1,4 +1,4 @@
-#include "cluster/last_line.hpp"
+#include "file/last_line.hpp"
 
 #include <catch2/catch.hpp>
 

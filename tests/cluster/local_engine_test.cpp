@@ -1,4 +1,4 @@
-#include "cluster/local_engine.hpp"
+#include "campaign/local_engine.hpp"
 
 #include <catch2/catch.hpp>
 #include <ctime>

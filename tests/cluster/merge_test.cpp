@@ -1,10 +1,10 @@
-#include "cluster/merge.hpp"
+#include "campaign/merge.hpp"
 
 #include <catch2/catch.hpp>
 #include <fstream>
 
-#include "cluster/campaign.hpp"
-#include "cluster/collisions_kind.hpp"
+#include "campaign/campaign.hpp"
+#include "campaign/kinds/collisions.hpp"
 #include "place.hpp"
 #include "scripted_engine.hpp"
 

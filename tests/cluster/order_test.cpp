@@ -1,8 +1,8 @@
-#include "cluster/order.hpp"
+#include "campaign/order.hpp"
 
 #include <catch2/catch.hpp>
 
-#include "arith/error.hpp"
+#include "base/error.hpp"
 #include "resealed.hpp"
 
 using namespace dumbbell;

@@ -1,11 +1,11 @@
-#include "cluster/password.hpp"
+#include "campaign/password.hpp"
 
 #include <sys/stat.h>
 
 #include <catch2/catch.hpp>
 
 #include "../cli/process.hpp"
-#include "arith/error.hpp"
+#include "base/error.hpp"
 
 using namespace dumbbell_test;
 using Catch::Matchers::Contains;

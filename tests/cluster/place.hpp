@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "cluster/kind.hpp"
-#include "cluster/plan.hpp"
+#include "campaign/kind.hpp"
+#include "campaign/plan.hpp"
 
 namespace dumbbell_test {
 

@@ -1,10 +1,10 @@
-#include "cluster/plan.hpp"
+#include "campaign/plan.hpp"
 
 #include <catch2/catch.hpp>
 #include <numeric>
 #include <random>
 
-#include "arith/error.hpp"
+#include "base/error.hpp"
 #include "resealed.hpp"
 #include "scripted_engine.hpp"
 

@@ -2,7 +2,8 @@
 
 #include <string>
 
-#include "certificate/writer.hpp"
+#include "collisions/writer.hpp"
+#include "file/sha256.hpp"
 
 namespace dumbbell_test {
 

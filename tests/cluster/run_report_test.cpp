@@ -1,4 +1,4 @@
-#include "cluster/run_report.hpp"
+#include "campaign/run_report.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -12,10 +12,10 @@
 #include <utility>
 #include <vector>
 
-#include "cluster/campaign_folder.hpp"
-#include "cluster/critical_kind.hpp"
-#include "cluster/engine.hpp"
-#include "cluster/kind.hpp"
+#include "campaign/engine.hpp"
+#include "campaign/folder.hpp"
+#include "campaign/kind.hpp"
+#include "campaign/kinds/critical.hpp"
 
 namespace dumbbell_test {
 

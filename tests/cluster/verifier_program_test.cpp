@@ -1,5 +1,5 @@
 // With stand-ins for the verifier: shell scripts.
-#include "cluster/verifier_program.hpp"
+#include "file/verifier_program.hpp"
 
 #include <catch2/catch.hpp>
 #include <csignal>

@@ -1,4 +1,4 @@
-#include "cluster/work_queue_engine.hpp"
+#include "campaign/work_queue_engine.hpp"
 
 #include <sys/stat.h>
 
@@ -10,8 +10,8 @@
 #include <optional>
 
 #include "../cli/process.hpp"
-#include "cluster/password.hpp"
-#include "prove/deadline.hpp"
+#include "base/deadline.hpp"
+#include "campaign/password.hpp"
 
 using namespace dumbbell_test;
 using namespace std::chrono_literals;

@@ -1,4 +1,4 @@
-#include "cluster/work_queue_manager.hpp"
+#include "campaign/work_queue_manager.hpp"
 
 #include <arpa/inet.h>
 #include <openssl/evp.h>
@@ -13,9 +13,9 @@
 #include <future>
 #include <sstream>
 
-#include "arith/error.hpp"
-#include "arith/hexadecimal.hpp"
-#include "cluster/work_queue_api.hpp"
+#include "base/error.hpp"
+#include "base/hexadecimal.hpp"
+#include "campaign/work_queue_api.hpp"
 
 using Catch::Matchers::Contains;
 using dumbbell::InputError;

@@ -1,4 +1,4 @@
-#include "cluster/worker_commands.hpp"
+#include "campaign/worker_commands.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -4,15 +4,15 @@
 #include <new>
 
 #include "../verify/make_certificate.hpp"
-#include "certificate/reader.hpp"
-#include "certificate/writer.hpp"
 #include "choices.hpp"
+#include "collisions/reader.hpp"
+#include "collisions/writer.hpp"
 #include "file_text.hpp"
 #include "scratch.hpp"
 #include "start_truth.hpp"
 #include "target.hpp"
 #include "truth.hpp"
-#include "verify/certificate.hpp"
+#include "verify/program/verify.hpp"
 
 namespace {
 

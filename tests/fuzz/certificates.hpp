@@ -1,8 +1,8 @@
 // Certificates of the program's own types, built from the decisions of an input.
 #pragma once
 
-#include "certificate/certificate.hpp"
 #include "choices.hpp"
+#include "collisions/certificate.hpp"
 
 namespace dumbbell_fuzz {
 

@@ -6,15 +6,15 @@
 #include <limits>
 #include <vector>
 
-#include "certificate/names.hpp"
-#include "certificate/reader.hpp"
-#include "certificate/writer.hpp"
 #include "certificates.hpp"
+#include "collisions/names.hpp"
+#include "collisions/reader.hpp"
+#include "collisions/writer.hpp"
 #include "leaf_truth.hpp"
 #include "scratch.hpp"
 #include "target.hpp"
 #include "truth.hpp"
-#include "verify/certificate.hpp"
+#include "verify/program/verify.hpp"
 
 namespace {
 

@@ -5,7 +5,7 @@
 #include <numbers>
 #include <sstream>
 
-#include "certificate/names.hpp"
+#include "collisions/names.hpp"
 #include "oracle/chart.hpp"
 #include "oracle/simulate.hpp"
 #include "target.hpp"

@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "certificate/certificate.hpp"
+#include "collisions/certificate.hpp"
 
 namespace dumbbell_fuzz {
 

@@ -4,12 +4,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "certificate/names.hpp"
 #include "certificates.hpp"
+#include "collisions/names.hpp"
 #include "leaf_truth.hpp"
 #include "target.hpp"
 #include "truth.hpp"
-#include "verify/section.hpp"
+#include "verify/format/section.hpp"
 
 namespace {
 

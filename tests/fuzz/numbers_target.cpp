@@ -5,13 +5,13 @@
 #include <cmath>
 #include <optional>
 
-#include "arith/decimal.hpp"
-#include "arith/error.hpp"
-#include "arith/rational.hpp"
-#include "cli/initial_argument.hpp"
-#include "cli/ratio_argument.hpp"
+#include "base/error.hpp"
+#include "number/decimal.hpp"
+#include "number/ratio_argument.hpp"
+#include "number/rational.hpp"
+#include "starts/argument.hpp"
 #include "target.hpp"
-#include "verify/claim_options.hpp"
+#include "verify/program/claim_options.hpp"
 
 namespace {
 

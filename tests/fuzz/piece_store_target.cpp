@@ -4,10 +4,11 @@
 #include <fstream>
 #include <iterator>
 
-#include "arith/error.hpp"
-#include "certificate/writer.hpp"
+#include "base/error.hpp"
 #include "certificates.hpp"
-#include "prove/piece_store.hpp"
+#include "collisions/piece_store.hpp"
+#include "collisions/writer.hpp"
+#include "file/sha256.hpp"
 #include "scratch.hpp"
 #include "target.hpp"
 

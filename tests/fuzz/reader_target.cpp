@@ -2,9 +2,9 @@
 // user; what is read can be written, and is the same when it is read again.
 #include <algorithm>
 
-#include "arith/error.hpp"
-#include "certificate/reader.hpp"
-#include "certificate/writer.hpp"
+#include "base/error.hpp"
+#include "collisions/reader.hpp"
+#include "collisions/writer.hpp"
 #include "file_text.hpp"
 #include "scratch.hpp"
 #include "target.hpp"

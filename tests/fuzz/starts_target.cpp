@@ -7,12 +7,12 @@
 #include <cmath>
 #include <limits>
 
-#include "certificate/initial_writer.hpp"
 #include "certificates.hpp"
 #include "scratch.hpp"
 #include "start_truth.hpp"
+#include "starts/writer.hpp"
 #include "target.hpp"
-#include "verify/certificate.hpp"
+#include "verify/program/verify.hpp"
 
 namespace {
 

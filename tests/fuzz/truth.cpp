@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "arith/rational.hpp"
+#include "number/rational.hpp"
 #include "target.hpp"
 
 namespace dumbbell_fuzz {

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "batch/count.hpp"
-#include "prove/certify.hpp"
-#include "prove/critical.hpp"
+#include "collisions/certify.hpp"
+#include "collisions/critical.hpp"
+#include "flight/batch/count.hpp"
 
 using namespace dumbbell;
 

@@ -1,10 +1,10 @@
 #pragma once
 
-#include "arith/big_interval.hpp"
-#include "arith/interval.hpp"
 #include "arith/tightest.hpp"
-#include "verify/angle.hpp"
-#include "verify/big.hpp"
+#include "number/big_interval.hpp"
+#include "number/interval.hpp"
+#include "verify/number/angle.hpp"
+#include "verify/number/big.hpp"
 
 /// The interval layers under attack in one vocabulary: the program's and the verifier's, which share no code,
 /// each in double and in multiple precision. `make` and `low`, `high` are exact if the numbers have bits().

@@ -1,8 +1,8 @@
 // Sine, cosine, arcsine, pi and enclosed rationals of all interval layers against MPFR.
 #include <catch2/catch.hpp>
 
-#include "arith/rational.hpp"
 #include "attack.hpp"
+#include "number/rational.hpp"
 
 using namespace dumbbell_test;
 

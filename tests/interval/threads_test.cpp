@@ -9,11 +9,11 @@
 #include <thread>
 #include <vector>
 
-#include "arith/elementary.hpp"
-#include "arith/error.hpp"
 #include "arith/random.hpp"
-#include "arith/self_test.hpp"
-#include "verify/angle.hpp"
+#include "base/error.hpp"
+#include "number/elementary.hpp"
+#include "number/self_test.hpp"
+#include "verify/number/angle.hpp"
 
 using namespace dumbbell;
 using namespace dumbbell_test;

@@ -1,7 +1,6 @@
-#include "model/adiabatic_contact.hpp"
-
 #include <catch2/catch.hpp>
 
+#include "adiabatic/contact.hpp"
 #include "adiabatic_samples.hpp"
 
 using namespace dumbbell;

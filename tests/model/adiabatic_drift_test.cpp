@@ -1,7 +1,6 @@
-#include "model/adiabatic_drift.hpp"
-
 #include <catch2/catch.hpp>
 
+#include "adiabatic/drift.hpp"
 #include "adiabatic_samples.hpp"
 
 using namespace dumbbell;

@@ -1,7 +1,6 @@
-#include "model/adiabatic_masses.hpp"
-
 #include <catch2/catch.hpp>
 
+#include "adiabatic/masses.hpp"
 #include "adiabatic_samples.hpp"
 
 using namespace dumbbell;

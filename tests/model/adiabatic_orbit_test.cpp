@@ -1,7 +1,6 @@
-#include "model/adiabatic_orbit.hpp"
-
 #include <catch2/catch.hpp>
 
+#include "adiabatic/orbit.hpp"
 #include "adiabatic_samples.hpp"
 
 using namespace dumbbell;

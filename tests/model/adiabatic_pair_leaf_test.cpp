@@ -1,7 +1,6 @@
-#include "model/adiabatic_pair_leaf.hpp"
-
 #include <catch2/catch.hpp>
 
+#include "adiabatic/pair_leaf.hpp"
 #include "adiabatic_samples.hpp"
 
 using namespace dumbbell;

@@ -1,7 +1,6 @@
-#include "model/adiabatic_potential.hpp"
-
 #include <catch2/catch.hpp>
 
+#include "adiabatic/potential.hpp"
 #include "adiabatic_samples.hpp"
 
 using namespace dumbbell;

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <random>
 
-#include "model/adiabatic_contact.hpp"
+#include "adiabatic/contact.hpp"
 
 namespace dumbbell_test {
 

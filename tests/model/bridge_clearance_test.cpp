@@ -1,4 +1,4 @@
-#include "model/bridge_clearance.hpp"
+#include "flight/bridge_clearance.hpp"
 
 #include <catch2/catch.hpp>
 

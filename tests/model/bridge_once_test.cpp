@@ -1,4 +1,4 @@
-#include "model/bridge_once.hpp"
+#include "flight/bridge_once.hpp"
 
 #include <catch2/catch.hpp>
 #include <optional>

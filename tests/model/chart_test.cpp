@@ -1,4 +1,4 @@
-#include "model/chart.hpp"
+#include "flight/chart.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,5 +1,5 @@
 // Guesses prove nothing, but bad ones would cost decisions: they are held to be good.
-#include "model/contact_guess.hpp"
+#include "flight/contact_guess.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,4 +1,4 @@
-#include "model/contact_range.hpp"
+#include "flight/contact_range.hpp"
 
 #include <catch2/catch.hpp>
 

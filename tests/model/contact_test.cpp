@@ -1,4 +1,4 @@
-#include "model/contact.hpp"
+#include "flight/contact.hpp"
 
 #include <catch2/catch.hpp>
 

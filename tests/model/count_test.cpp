@@ -1,4 +1,4 @@
-#include "model/count.hpp"
+#include "flight/count.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,6 +1,6 @@
 // Counting forward from a box of departures (lemma L15) bounds what the simulated dumbbell does from its
 // states.
-#include "model/departure.hpp"
+#include "flight/departure.hpp"
 
 #include <catch2/catch.hpp>
 

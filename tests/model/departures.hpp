@@ -4,7 +4,7 @@
 #include <cmath>
 #include <optional>
 
-#include "model/departure.hpp"
+#include "flight/departure.hpp"
 #include "oracle/chart.hpp"
 #include "oracle/scalar.hpp"
 #include "random.hpp"

@@ -1,4 +1,4 @@
-#include "model/extremal_orbit.hpp"
+#include "flight/extremal_orbit.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,4 +1,4 @@
-#include "model/growth_constant.hpp"
+#include "staircase/growth_constant.hpp"
 
 #include <boost/math/quadrature/gauss.hpp>
 #include <catch2/catch.hpp>

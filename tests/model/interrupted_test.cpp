@@ -1,13 +1,13 @@
 // A count that is interrupted says less than it could, never more.
-#include "model/interrupted.hpp"
+#include "base/interrupted.hpp"
 
 #include <catch2/catch.hpp>
 
-#include "model/count.hpp"
-#include "model/departure.hpp"
-#include "model/extremal_orbit.hpp"
-#include "model/plain.hpp"
-#include "model/wedge.hpp"
+#include "flight/count.hpp"
+#include "flight/departure.hpp"
+#include "flight/extremal_orbit.hpp"
+#include "flight/plain.hpp"
+#include "flight/wedge.hpp"
 
 using namespace dumbbell;
 

@@ -5,7 +5,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "model/count.hpp"
+#include "flight/count.hpp"
 #include "rays.hpp"
 
 using namespace dumbbell;

@@ -1,7 +1,7 @@
 // enclose_orbit over a range of mass ratios and of contacts: the orbits at single points of it are inside.
 #include <catch2/catch.hpp>
 
-#include "model/orbit.hpp"
+#include "flight/orbit.hpp"
 #include "orbit_reference.hpp"
 #include "random.hpp"
 #include "show.hpp"

@@ -1,4 +1,4 @@
-#include "model/orbit.hpp"
+#include "flight/orbit.hpp"
 
 #include <catch2/catch.hpp>
 

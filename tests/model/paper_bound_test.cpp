@@ -1,8 +1,8 @@
-#include "model/paper_bound.hpp"
+#include "flight/paper_bound.hpp"
 
 #include <catch2/catch.hpp>
 
-#include "arith/error.hpp"
+#include "base/error.hpp"
 #include "random.hpp"
 #include "reference.hpp"
 #include "show.hpp"

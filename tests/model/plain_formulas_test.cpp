@@ -2,7 +2,7 @@
 #include <catch2/catch.hpp>
 
 #include "departures.hpp"
-#include "model/plain.hpp"
+#include "flight/plain.hpp"
 #include "rays.hpp"
 
 using namespace dumbbell;

@@ -1,6 +1,6 @@
 // Counting by plain interval evaluation (lemma L16) bounds what the simulated dumbbell does from the states
 // of a box.
-#include "model/plain.hpp"
+#include "flight/plain.hpp"
 
 #include <catch2/catch.hpp>
 

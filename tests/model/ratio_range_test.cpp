@@ -2,7 +2,7 @@
 // units of r) over a whole range of mass ratios, by L5, or by L10 where it descends.
 #include <catch2/catch.hpp>
 
-#include "model/chart.hpp"
+#include "flight/chart.hpp"
 #include "rays.hpp"
 
 using namespace dumbbell;

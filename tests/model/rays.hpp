@@ -1,6 +1,6 @@
 #pragma once
 
-#include "model/ray.hpp"
+#include "flight/ray.hpp"
 #include "random.hpp"
 #include "reference.hpp"
 #include "show.hpp"

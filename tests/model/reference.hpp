@@ -4,8 +4,8 @@
 #include <boost/math/constants/constants.hpp>
 #include <boost/multiprecision/mpfr.hpp>
 
-#include "arith/big_interval.hpp"
-#include "arith/interval.hpp"
+#include "number/big_interval.hpp"
+#include "number/interval.hpp"
 
 /// The dumbbell in many digits, straight from lemmas L0 and L4 and by other formulas than src/model: vectors
 /// and the reflection in the kinetic metric, roots by Newton's iteration from the safe side.

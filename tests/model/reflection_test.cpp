@@ -1,8 +1,8 @@
-#include "model/reflection.hpp"
+#include "flight/reflection.hpp"
 
 #include <catch2/catch.hpp>
 
-#include "arith/elementary.hpp"
+#include "number/elementary.hpp"
 #include "rays.hpp"
 
 using namespace dumbbell;

@@ -2,9 +2,9 @@
 
 #include <optional>
 
-#include "model/bridge_contact.hpp"
-#include "model/flight.hpp"
-#include "model/reflection.hpp"
+#include "flight/bridge_contact.hpp"
+#include "flight/reflection.hpp"
+#include "starts/flight.hpp"
 
 /// From light wall to light wall by the steps of src/model, in one pair of coordinates.
 namespace dumbbell_test {

@@ -6,15 +6,15 @@
 #include <map>
 #include <optional>
 
-#include "arith/error.hpp"
 #include "audit/audit.hpp"
 #include "audit/claimed_range.hpp"
 #include "audit/leaf_boxes.hpp"
-#include "certificate/names.hpp"
-#include "certificate/reader.hpp"
-#include "model/wedge.hpp"
-#include "prove/leaf.hpp"
-#include "prove/witness.hpp"
+#include "base/error.hpp"
+#include "collisions/leaf.hpp"
+#include "collisions/names.hpp"
+#include "collisions/reader.hpp"
+#include "collisions/witness.hpp"
+#include "flight/wedge.hpp"
 
 namespace dumbbell_mutation {
 namespace {

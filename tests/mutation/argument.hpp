@@ -4,7 +4,7 @@
 #pragma once
 #include <string>
 
-#include "verify/certificate.hpp"
+#include "verify/program/verify.hpp"
 
 namespace dumbbell_mutation {
 

@@ -2,13 +2,13 @@
 
 #include <span>
 
-#include "arith/error.hpp"
-#include "certificate/initial_writer.hpp"
-#include "certificate/writer.hpp"
-#include "prove/certify.hpp"
-#include "prove/leaf.hpp"
-#include "prove/piece.hpp"
-#include "prove/subdivide.hpp"
+#include "base/error.hpp"
+#include "collisions/certify.hpp"
+#include "collisions/leaf.hpp"
+#include "collisions/piece.hpp"
+#include "collisions/writer.hpp"
+#include "starts/subdivide.hpp"
+#include "starts/writer.hpp"
 
 namespace dumbbell_mutation {
 namespace {

@@ -5,8 +5,8 @@
 #include <variant>
 #include <vector>
 
-#include "certificate/certificate.hpp"
-#include "certificate/initial_certificate.hpp"
+#include "collisions/certificate.hpp"
+#include "starts/certificate.hpp"
 
 namespace dumbbell_mutation {
 

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <array>
 
-#include "certificate/initial_writer.hpp"
-#include "certificate/writer.hpp"
+#include "collisions/leaf.hpp"
+#include "collisions/writer.hpp"
 #include "mutations.hpp"
-#include "prove/leaf.hpp"
+#include "starts/writer.hpp"
 
 namespace dumbbell_mutation {
 namespace {

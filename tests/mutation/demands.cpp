@@ -3,7 +3,7 @@
 #include <optional>
 #include <set>
 
-#include "certificate/names.hpp"
+#include "collisions/names.hpp"
 
 namespace dumbbell_mutation {
 namespace {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "bases.hpp"
-#include "verify/certificate.hpp"
+#include "verify/program/verify.hpp"
 
 namespace dumbbell_mutation {
 

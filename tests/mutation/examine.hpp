@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "verify/certificate.hpp"
+#include "verify/program/verify.hpp"
 
 namespace dumbbell_mutation {
 

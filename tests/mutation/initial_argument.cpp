@@ -8,9 +8,9 @@
 #include <optional>
 
 #include "argument.hpp"
-#include "arith/error.hpp"
-#include "prove/initial_leaf.hpp"
-#include "prove/trace.hpp"
+#include "base/error.hpp"
+#include "starts/leaf.hpp"
+#include "starts/trace.hpp"
 #include "text.hpp"
 
 namespace dumbbell_mutation {

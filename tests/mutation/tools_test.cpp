@@ -11,7 +11,7 @@
 #include "argument.hpp"
 #include "audit/claimed_range.hpp"
 #include "campaign.hpp"
-#include "certificate/reader.hpp"
+#include "collisions/reader.hpp"
 #include "corpus.hpp"
 #include "manifest.hpp"
 #include "text.hpp"

@@ -5,7 +5,7 @@
 #include <sstream>
 
 #include "../cli/process.hpp"
-#include "certificate/reader.hpp"
+#include "collisions/reader.hpp"
 
 using namespace dumbbell_test;
 

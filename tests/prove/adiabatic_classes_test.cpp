@@ -1,6 +1,6 @@
-#include "prove/adiabatic_classes.hpp"
-
 #include <catch2/catch.hpp>
+
+#include "adiabatic/classes.hpp"
 
 using namespace dumbbell;
 

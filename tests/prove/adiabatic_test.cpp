@@ -1,11 +1,10 @@
-#include "prove/adiabatic.hpp"
-
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "arith/error.hpp"
-#include "prove/adiabatic_attained.hpp"
-#include "prove/adiabatic_branch.hpp"
+#include "adiabatic/attained.hpp"
+#include "adiabatic/branch.hpp"
+#include "adiabatic/prove.hpp"
+#include "base/error.hpp"
 
 using namespace dumbbell;
 using Catch::Matchers::Contains;

@@ -1,9 +1,9 @@
-#include "prove/certify.hpp"
+#include "collisions/certify.hpp"
 
 #include <atomic>
 #include <catch2/catch.hpp>
 
-#include "certificate/writer.hpp"
+#include "collisions/writer.hpp"
 #include "critical_ratio.hpp"
 
 using namespace dumbbell;

@@ -1,11 +1,11 @@
-#include "prove/cover.hpp"
+#include "collisions/cover.hpp"
 
 #include <tbb/global_control.h>
 #include <tbb/task_arena.h>
 
 #include <catch2/catch.hpp>
 
-#include "certificate/writer.hpp"
+#include "collisions/writer.hpp"
 #include "critical_ratio.hpp"
 
 using namespace dumbbell;

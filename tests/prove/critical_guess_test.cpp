@@ -1,4 +1,4 @@
-#include "prove/critical_guess.hpp"
+#include "collisions/critical_guess.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>

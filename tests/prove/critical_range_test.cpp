@@ -1,10 +1,10 @@
-#include "prove/critical_range.hpp"
+#include "staircase/critical_range.hpp"
 
 #include <atomic>
 #include <catch2/catch.hpp>
 
+#include "collisions/critical_guess.hpp"
 #include "critical_ratio.hpp"
-#include "prove/critical_guess.hpp"
 
 using namespace dumbbell;
 using namespace dumbbell_test;

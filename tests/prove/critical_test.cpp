@@ -1,11 +1,11 @@
-#include "prove/critical.hpp"
+#include "collisions/critical.hpp"
 
 #include <catch2/catch.hpp>
 
-#include "arith/decimal.hpp"
-#include "arith/error.hpp"
+#include "base/error.hpp"
+#include "collisions/critical_guess.hpp"
 #include "critical_ratio.hpp"
-#include "prove/critical_guess.hpp"
+#include "number/decimal.hpp"
 
 using namespace dumbbell;
 using namespace dumbbell_test;

@@ -1,4 +1,4 @@
-#include "prove/deadline.hpp"
+#include "base/deadline.hpp"
 
 #include <catch2/catch.hpp>
 #include <csignal>

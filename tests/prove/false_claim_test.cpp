@@ -2,8 +2,8 @@
 // the bridge chart has states with N collisions at every ratio, and no tree may close it for N - 1.
 #include <catch2/catch.hpp>
 
+#include "collisions/cover.hpp"
 #include "critical_ratio.hpp"
-#include "prove/cover.hpp"
 
 using namespace dumbbell;
 using namespace dumbbell_test;

@@ -1,8 +1,8 @@
-#include "prove/law.hpp"
+#include "staircase/law.hpp"
 
 #include <catch2/catch.hpp>
 
-#include "prove/certify.hpp"
+#include "collisions/certify.hpp"
 
 using namespace dumbbell;
 

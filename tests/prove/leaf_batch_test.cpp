@@ -1,6 +1,6 @@
 #include <catch2/catch.hpp>
 
-#include "prove/leaf_judges.hpp"
+#include "collisions/leaf_judges.hpp"
 #include "random.hpp"
 
 using namespace dumbbell;

@@ -3,7 +3,7 @@
 #include <catch2/catch.hpp>
 #include <map>
 
-#include "prove/leaf.hpp"
+#include "collisions/leaf.hpp"
 #include "reference.hpp"
 
 using namespace dumbbell;

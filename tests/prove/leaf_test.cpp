@@ -1,10 +1,10 @@
-#include "prove/leaf.hpp"
+#include "collisions/leaf.hpp"
 
 #include <array>
 #include <catch2/catch.hpp>
 #include <map>
 
-#include "arith/error.hpp"
+#include "base/error.hpp"
 #include "reference.hpp"
 
 using namespace dumbbell;

@@ -1,4 +1,4 @@
-#include "prove/piece_store.hpp"
+#include "collisions/piece_store.hpp"
 
 #include <sys/stat.h>
 
@@ -7,9 +7,10 @@
 #include <fstream>
 
 #include "../certificate/example.hpp"
-#include "arith/error.hpp"
-#include "certificate/file_contents.hpp"
-#include "certificate/writer.hpp"
+#include "base/error.hpp"
+#include "collisions/writer.hpp"
+#include "file/file_contents.hpp"
+#include "file/sha256.hpp"
 
 using namespace dumbbell;
 using Catch::Matchers::Contains;

@@ -1,10 +1,10 @@
-#include "prove/piece.hpp"
+#include "collisions/piece.hpp"
 
 #include <catch2/catch.hpp>
 #include <ctime>
 
+#include "collisions/critical.hpp"
 #include "critical_ratio.hpp"
-#include "prove/critical.hpp"
 
 using namespace dumbbell;
 using namespace dumbbell_test;

@@ -6,7 +6,7 @@
 #include <random>
 #include <string>
 
-#include "arith/rational.hpp"
+#include "number/rational.hpp"
 #include "oracle/ray_count.hpp"
 #include "oracle/scalar.hpp"
 

@@ -1,4 +1,4 @@
-#include "prove/section.hpp"
+#include "collisions/section.hpp"
 
 #include <catch2/catch.hpp>
 

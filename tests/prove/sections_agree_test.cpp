@@ -3,8 +3,8 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "prove/certify.hpp"
-#include "prove/critical_guess.hpp"
+#include "collisions/certify.hpp"
+#include "collisions/critical_guess.hpp"
 #include "reference.hpp"
 
 using namespace dumbbell;

@@ -1,8 +1,7 @@
-#include "prove/staircase.hpp"
-
 #include <catch2/catch.hpp>
 
-#include "arith/error.hpp"
+#include "base/error.hpp"
+#include "collisions/steps.hpp"
 #include "critical_ratio.hpp"
 
 using namespace dumbbell;

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 
-#include "prove/certify.hpp"
+#include "collisions/certify.hpp"
 #include "reference.hpp"
 
 using namespace dumbbell;

@@ -1,9 +1,9 @@
-#include "prove/witness_orbit.hpp"
+#include "collisions/witness_orbit.hpp"
 
 #include <catch2/catch.hpp>
 
+#include "collisions/piece.hpp"
 #include "oracle/simulate.hpp"
-#include "prove/piece.hpp"
 #include "reference.hpp"
 
 using namespace dumbbell;

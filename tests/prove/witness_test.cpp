@@ -1,4 +1,4 @@
-#include "prove/witness.hpp"
+#include "collisions/witness.hpp"
 
 #include <catch2/catch.hpp>
 

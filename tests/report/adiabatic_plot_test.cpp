@@ -1,8 +1,7 @@
-#include "report/adiabatic_plot.hpp"
-
 #include <catch2/catch.hpp>
 
-#include "arith/error.hpp"
+#include "adiabatic/plot.hpp"
+#include "base/error.hpp"
 #include "xml.hpp"
 
 using namespace dumbbell;

@@ -1,6 +1,6 @@
-#include "report/adiabatic_report.hpp"
-
 #include <catch2/catch.hpp>
+
+#include "adiabatic/report.hpp"
 
 using namespace dumbbell;
 using Catch::Matchers::Contains;

@@ -1,4 +1,4 @@
-#include "report/check_cost.hpp"
+#include "collisions/check_cost.hpp"
 
 #include <catch2/catch.hpp>
 #include <string>

@@ -1,4 +1,4 @@
-#include "report/count_colours.hpp"
+#include "pictures/count_colours.hpp"
 
 #include <catch2/catch.hpp>
 #include <numeric>

@@ -1,8 +1,7 @@
-#include "report/cover_plot.hpp"
-
 #include <catch2/catch.hpp>
 
-#include "arith/error.hpp"
+#include "base/error.hpp"
+#include "pictures/cover.hpp"
 #include "sample_initial.hpp"
 #include "xml.hpp"
 

@@ -1,9 +1,9 @@
-#include "report/critical_report.hpp"
+#include "staircase/critical_report.hpp"
 
 #include <catch2/catch.hpp>
 #include <sstream>
 
-#include "arith/error.hpp"
+#include "base/error.hpp"
 
 using namespace dumbbell;
 using Catch::Matchers::Contains;

@@ -1,11 +1,11 @@
-#include "report/critical_table.hpp"
+#include "staircase/critical_table.hpp"
 
 #include <catch2/catch.hpp>
 
 #include "../cli/process.hpp"
-#include "arith/error.hpp"
-#include "certificate/atomic_file.hpp"
-#include "report/critical_report.hpp"
+#include "base/error.hpp"
+#include "file/atomic_file.hpp"
+#include "staircase/critical_report.hpp"
 
 using namespace dumbbell;
 using namespace dumbbell_test;

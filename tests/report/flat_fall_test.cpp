@@ -1,9 +1,9 @@
-#include "report/flat_fall.hpp"
+#include "starts/flat_fall.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "prove/trace.hpp"
+#include "starts/trace.hpp"
 
 using namespace dumbbell;
 

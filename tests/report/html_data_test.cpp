@@ -1,9 +1,8 @@
-#include "report/html_data.hpp"
-
 #include <catch2/catch.hpp>
 
 #include "../certificate/example.hpp"
-#include "arith/error.hpp"
+#include "base/error.hpp"
+#include "page/data.hpp"
 
 using namespace dumbbell_test;
 using Json = nlohmann::ordered_json;

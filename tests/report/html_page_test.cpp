@@ -1,6 +1,6 @@
-#include "report/html_page.hpp"
-
 #include <catch2/catch.hpp>
+
+#include "page/page.hpp"
 
 using namespace dumbbell;
 using Catch::Matchers::Contains;

@@ -1,10 +1,9 @@
-#include "report/html_tree.hpp"
-
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <numeric>
 
-#include "arith/error.hpp"
+#include "base/error.hpp"
+#include "page/tree.hpp"
 
 using namespace dumbbell;
 

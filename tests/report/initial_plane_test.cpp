@@ -1,8 +1,7 @@
-#include "report/initial_plane.hpp"
-
 #include <catch2/catch.hpp>
 
-#include "arith/error.hpp"
+#include "base/error.hpp"
+#include "pictures/start_plane.hpp"
 #include "sample_initial.hpp"
 
 using namespace dumbbell_test;

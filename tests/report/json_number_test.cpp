@@ -1,4 +1,4 @@
-#include "report/json_number.hpp"
+#include "words/json_number.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "report/label_places.hpp"
+#include "pictures/label_places.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>

@@ -1,5 +1,5 @@
 // What `law` says of staircases of every kind: each sentence must be true of each of them.
-#include "report/law_report.hpp"
+#include "staircase/law_report.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,11 +1,10 @@
-#include "report/orbit_plot.hpp"
-
 #include <catch2/catch.hpp>
 
-#include "arith/error.hpp"
-#include "prove/witness.hpp"
-#include "prove/witness_orbit.hpp"
-#include "report/snapshots.hpp"
+#include "base/error.hpp"
+#include "collisions/witness.hpp"
+#include "collisions/witness_orbit.hpp"
+#include "pictures/orbit.hpp"
+#include "pictures/snapshots.hpp"
 #include "xml.hpp"
 
 using namespace dumbbell;

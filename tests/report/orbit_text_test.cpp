@@ -1,4 +1,4 @@
-#include "report/orbit_text.hpp"
+#include "collisions/orbit_text.hpp"
 
 #include <catch2/catch.hpp>
 #include <sstream>

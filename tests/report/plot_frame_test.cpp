@@ -1,11 +1,10 @@
-#include "report/plot_frame.hpp"
-
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <numbers>
 #include <set>
 #include <utility>
 
+#include "pictures/frame.hpp"
 #include "xml.hpp"
 
 using namespace dumbbell;

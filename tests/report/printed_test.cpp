@@ -1,10 +1,10 @@
-#include "report/printed.hpp"
+#include "words/printed.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <random>
 
-#include "arith/rational.hpp"
+#include "number/rational.hpp"
 
 using namespace dumbbell;
 

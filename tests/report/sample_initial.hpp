@@ -2,7 +2,7 @@
 // left half has 2 collisions; the right half's lower part 1, its upper part is not decided.
 #pragma once
 
-#include "certificate/initial_certificate.hpp"
+#include "starts/certificate.hpp"
 
 namespace dumbbell_test {
 

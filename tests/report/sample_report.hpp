@@ -2,7 +2,7 @@
 #pragma once
 
 #include "../certificate/example.hpp"
-#include "report/proof_report.hpp"
+#include "collisions/proof_report.hpp"
 
 namespace dumbbell_test {
 

@@ -1,9 +1,8 @@
-#include "report/staircase_plot.hpp"
-
 #include <algorithm>
 #include <catch2/catch.hpp>
 
-#include "arith/error.hpp"
+#include "base/error.hpp"
+#include "pictures/staircase.hpp"
 #include "sample_report.hpp"
 #include "xml.hpp"
 

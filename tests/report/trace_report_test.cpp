@@ -1,4 +1,4 @@
-#include "report/trace_report.hpp"
+#include "starts/trace_report.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -80,7 +80,7 @@ TEST_CASE("shares are rounded so that what is said to be certified is") {
     TraceReport report = report_of(1, 0, 0);
     report.parts.emplace();
     report.parts->least = report.parts->most.emplace(1);
-    const Rational little(Integer(1), 3 * boost::multiprecision::pow(Integer(10), 20));
+    const Rational little(Integer(1), 3 * pow(Integer(10), 20));
     report.parts->exact[1] = {1 - little, 5};
     report.parts->undecided = {little, 1};
     CHECK_THAT(to_text(report), Contains("  0.999999999999          5\n") &&

@@ -1,9 +1,9 @@
-#include "report/united_boxes.hpp"
+#include "pictures/united_boxes.hpp"
 
 #include <catch2/catch.hpp>
 #include <random>
 
-#include "arith/error.hpp"
+#include "base/error.hpp"
 
 using namespace dumbbell;
 

@@ -2,7 +2,7 @@
 
 #include <random>
 
-#include "certificate/initial_certificate.hpp"
+#include "starts/certificate.hpp"
 
 namespace dumbbell_trace_test {
 

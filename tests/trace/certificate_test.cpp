@@ -3,8 +3,9 @@
 #include <sstream>
 
 #include "box.hpp"
-#include "certificate/initial_writer.hpp"
-#include "prove/subdivide.hpp"
+#include "file/sha256.hpp"
+#include "starts/subdivide.hpp"
+#include "starts/writer.hpp"
 
 using namespace dumbbell;
 

@@ -7,9 +7,9 @@
 #include "oracle/scalar.hpp"
 #include "oracle/simulate.hpp"
 #include "oracle/trial.hpp"
-#include "prove/initial_leaf.hpp"
-#include "prove/initial_state.hpp"
-#include "prove/trace.hpp"
+#include "starts/initial_state.hpp"
+#include "starts/leaf.hpp"
+#include "starts/trace.hpp"
 
 namespace {
 

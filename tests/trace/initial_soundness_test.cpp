@@ -5,7 +5,7 @@
 #include "box.hpp"
 #include "oracle/simulate.hpp"
 #include "oracle/trial.hpp"
-#include "verify/initial.hpp"
+#include "verify/starts/grammar.hpp"
 #include "written_file.hpp"
 
 namespace {

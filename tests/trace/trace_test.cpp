@@ -1,12 +1,12 @@
-#include "prove/trace.hpp"
+#include "starts/trace.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <limits>
 
-#include "arith/error.hpp"
-#include "model/flight.hpp"
-#include "prove/initial_state.hpp"
+#include "base/error.hpp"
+#include "starts/flight.hpp"
+#include "starts/initial_state.hpp"
 
 using namespace dumbbell;
 

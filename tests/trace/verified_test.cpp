@@ -3,7 +3,7 @@
 
 #include "box.hpp"
 #include "oracle/trial.hpp"
-#include "prove/initial_state.hpp"
+#include "starts/initial_state.hpp"
 #include "written_file.hpp"
 
 using namespace dumbbell;

@@ -1,5 +1,5 @@
 // The certified witnesses of `certify`, traced as initial conditions.
-#include "prove/witness.hpp"
+#include "collisions/witness.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>
@@ -7,9 +7,9 @@
 #include <string>
 #include <utility>
 
-#include "prove/initial_state.hpp"
-#include "prove/trace.hpp"
-#include "prove/witness_orbit.hpp"
+#include "collisions/witness_orbit.hpp"
+#include "starts/initial_state.hpp"
+#include "starts/trace.hpp"
 
 using namespace dumbbell;
 

@@ -4,9 +4,9 @@
 #include <optional>
 
 #include "../verify/make_certificate.hpp"
-#include "certificate/initial_writer.hpp"
-#include "prove/subdivide.hpp"
-#include "verify/certificate.hpp"
+#include "starts/subdivide.hpp"
+#include "starts/writer.hpp"
+#include "verify/program/verify.hpp"
 
 namespace dumbbell_trace_test {
 

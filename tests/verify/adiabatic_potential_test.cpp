@@ -1,10 +1,9 @@
 // The potential of a class at the edges of its cells, also for numbers with more and with fewer bits than a
 // double, which are rounded on the way: a bound may only become weaker.
-#include "verify/adiabatic_potential.hpp"
-
 #include <catch2/catch.hpp>
 
-#include "verify/big.hpp"
+#include "verify/adiabatic/potential.hpp"
+#include "verify/number/big.hpp"
 
 using namespace dumbbell_verify;
 

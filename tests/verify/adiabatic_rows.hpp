@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "verify/adiabatic.hpp"
+#include "verify/adiabatic/grammar.hpp"
 
 namespace adiabatic_rows {
 

@@ -2,7 +2,7 @@
 #include <array>
 #include <catch2/catch.hpp>
 
-#include "verify/adiabatic.hpp"
+#include "verify/adiabatic/grammar.hpp"
 
 using dumbbell_verify::Adiabatic;
 

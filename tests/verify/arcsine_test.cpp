@@ -1,12 +1,12 @@
 // The arcsine over its argument against MPFR: enclosed from 0 to 1, at any precision, and close where it is
 // used; and f = pi - arccos y of a contact, which rests on it.
-#include "verify/arcsine.hpp"
+#include "verify/number/arcsine.hpp"
 
 #include <catch2/catch.hpp>
 #include <random>
 
-#include "verify/adiabatic_contact.hpp"
-#include "verify/big.hpp"
+#include "verify/adiabatic/contact.hpp"
+#include "verify/number/big.hpp"
 
 using namespace dumbbell_verify;
 

@@ -3,8 +3,8 @@
 #include <cfenv>
 #include <random>
 
-#include "verify/big.hpp"
-#include "verify/interval.hpp"
+#include "verify/number/big.hpp"
+#include "verify/number/interval.hpp"
 
 using namespace dumbbell_verify;
 

@@ -1,8 +1,8 @@
 // What pieces say together: the demand of the command line against the chain of pieces.
-#include "verify/collisions.hpp"
-
 #include <catch2/catch.hpp>
 #include <vector>
+
+#include "verify/format/claim.hpp"
 
 using dumbbell_verify::Collisions;
 

@@ -1,10 +1,10 @@
 // Parts that are put together: never a verdict that the file itself does not get.
-#include "verify/combine.hpp"
+#include "verify/program/combine.hpp"
 
 #include <catch2/catch.hpp>
 
 #include "make_parts.hpp"
-#include "verify/version.hpp"
+#include "verify/program/version.hpp"
 
 using namespace dumbbell_verify;
 using make::closed;

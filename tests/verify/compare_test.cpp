@@ -1,5 +1,5 @@
 // Two claims compared piece by piece (format-sections.md, section 4).
-#include "verify/compare.hpp"
+#include "verify/program/compare.hpp"
 
 #include <catch2/catch.hpp>
 #include <vector>

@@ -1,6 +1,6 @@
 // Text for JSON, XML and one line: each well-formed character stays, what is none becomes U+FFFD byte by
 // byte.
-#include "verify/escape.hpp"
+#include "verify/program/escape.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,5 +1,5 @@
 // Files beside each other: on as many threads as were asked for.
-#include "verify/examine.hpp"
+#include "verify/program/examine.hpp"
 
 #include <unistd.h>
 

@@ -3,7 +3,7 @@
 #include <random>
 
 #include "make_certificate.hpp"
-#include "verify/certificate.hpp"
+#include "verify/program/verify.hpp"
 
 using namespace dumbbell_verify;
 using make::closed;

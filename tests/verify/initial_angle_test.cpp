@@ -2,8 +2,8 @@
 #include <catch2/catch.hpp>
 #include <random>
 
-#include "verify/angle.hpp"
-#include "verify/big.hpp"
+#include "verify/number/angle.hpp"
+#include "verify/number/big.hpp"
 
 using namespace dumbbell_verify;
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <random>
 
-#include "verify/initial_reflection.hpp"
+#include "verify/starts/reflection.hpp"
 
 using namespace dumbbell_verify;
 

@@ -8,7 +8,7 @@
 #include <variant>
 #include <vector>
 
-#include "verify/initial.hpp"
+#include "verify/starts/grammar.hpp"
 
 namespace leaf_rows {
 

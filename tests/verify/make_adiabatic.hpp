@@ -8,7 +8,7 @@
 
 #include "make_certificate.hpp"
 #include "make_initial.hpp"
-#include "verify/adiabatic.hpp"
+#include "verify/adiabatic/grammar.hpp"
 
 namespace make {
 

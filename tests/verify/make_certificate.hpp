@@ -15,7 +15,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "verify/section.hpp"
+#include "verify/format/section.hpp"
 
 namespace make {
 

@@ -4,9 +4,9 @@
 #include <random>
 
 #include "make_certificate.hpp"
-#include "verify/combine.hpp"
-#include "verify/examine.hpp"
-#include "verify/summary.hpp"
+#include "verify/program/combine.hpp"
+#include "verify/program/examine.hpp"
+#include "verify/program/summary.hpp"
 
 namespace make {
 

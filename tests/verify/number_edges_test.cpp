@@ -7,8 +7,8 @@
 #include <xmmintrin.h>
 #endif
 
-#include "verify/angle.hpp"
-#include "verify/big.hpp"
+#include "verify/number/angle.hpp"
+#include "verify/number/big.hpp"
 
 using namespace dumbbell_verify;
 

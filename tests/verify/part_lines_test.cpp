@@ -1,10 +1,10 @@
 // The lines `s PART` in a file of anything.
-#include "verify/part_lines.hpp"
+#include "verify/program/part_lines.hpp"
 
 #include <catch2/catch.hpp>
 
 #include "make_certificate.hpp"
-#include "verify/version.hpp"
+#include "verify/program/version.hpp"
 
 using namespace dumbbell_verify;
 using make::File;

@@ -1,11 +1,11 @@
 // A part of a file: its numbers, and its line.
-#include "verify/part.hpp"
+#include "verify/program/part.hpp"
 
 #include <catch2/catch.hpp>
 
 #include "make_parts.hpp"
-#include "verify/json.hpp"
-#include "verify/version.hpp"
+#include "verify/program/json.hpp"
+#include "verify/program/version.hpp"
 
 using namespace dumbbell_verify;
 

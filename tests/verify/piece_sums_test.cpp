@@ -1,5 +1,5 @@
 // What consecutive pieces say together: the same as Collisions says of them one after the other.
-#include "verify/piece_sums.hpp"
+#include "verify/program/piece_sums.hpp"
 
 #include <catch2/catch.hpp>
 #include <random>

@@ -5,7 +5,7 @@
 #include <catch2/catch.hpp>
 
 #include "make_certificate.hpp"
-#include "verify/certificate.hpp"
+#include "verify/program/verify.hpp"
 
 using namespace dumbbell_verify;
 using make::closed;

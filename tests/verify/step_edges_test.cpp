@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "leaf_rows.hpp"
-#include "verify/bridge.hpp"
-#include "verify/initial_reflection.hpp"
+#include "verify/collisions/bridge.hpp"
+#include "verify/starts/reflection.hpp"
 
 using namespace dumbbell_verify;
 

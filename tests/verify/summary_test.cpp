@@ -1,11 +1,11 @@
 // What programs read: the verdict line, the line of several files, the JSON object, the JUnit report, the
 // codes.
-#include "verify/summary.hpp"
+#include "verify/program/summary.hpp"
 
 #include <catch2/catch.hpp>
 
-#include "verify/json.hpp"
-#include "verify/junit.hpp"
+#include "verify/program/json.hpp"
+#include "verify/program/junit.hpp"
 
 using namespace dumbbell_verify;
 

@@ -1,13 +1,13 @@
 // The bound of the work on a leaf: what format.md promises to accept is within it, and what is beyond ends.
-#include "verify/work.hpp"
+#include "verify/number/work.hpp"
 
 #include <algorithm>
 #include <atomic>
 #include <catch2/catch.hpp>
 
-#include "verify/precision.hpp"
-#include "verify/ray.hpp"
-#include "verify/reader.hpp"
+#include "verify/collisions/ray.hpp"
+#include "verify/format/precision.hpp"
+#include "verify/format/reader.hpp"
 
 using namespace dumbbell_verify;
 

@@ -1,5 +1,5 @@
 // Colours that stay apart for those who see fewer of them: viridis for counts, as `dumbbell plot` has it
-// (src/report/count_colours.cpp), Okabe and Ito's set for kinds. Colours with a name: style.css.
+// (src/pictures/count_colours.cpp), Okabe and Ito's set for kinds. Colours with a name: style.css.
 
 const viridis = [
     [253, 231, 37], [181, 222, 43], [110, 206, 88], [53, 183, 121], [31, 158, 137],

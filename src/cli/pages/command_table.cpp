@@ -6,7 +6,7 @@
 #include <regex>
 #include <sstream>
 
-#include "arith/error.hpp"
+#include "base/error.hpp"
 
 namespace dumbbell::pages {
 namespace {

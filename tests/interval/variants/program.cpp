@@ -1,8 +1,8 @@
 // Fixed evaluations of the program's interval layer in double.
-#include "arith/elementary.hpp"
-#include "arith/error.hpp"
-#include "arith/self_test.hpp"
+#include "base/error.hpp"
 #include "fixed.hpp"
+#include "number/elementary.hpp"
+#include "number/self_test.hpp"
 
 namespace dumbbell {
 

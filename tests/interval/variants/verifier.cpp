@@ -1,6 +1,6 @@
 // Fixed evaluations of the verifier's interval layer in double.
 #include "fixed.hpp"
-#include "verify/angle.hpp"
+#include "verify/number/angle.hpp"
 
 namespace dumbbell_verify {
 

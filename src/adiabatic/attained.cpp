@@ -1,0 +1,85 @@
+#include "adiabatic/attained.hpp"
+
+#include "adiabatic/box.hpp"
+#include "adiabatic/orbit.hpp"
+#include "number/decimal.hpp"
+
+namespace dumbbell {
+namespace {
+
+constexpr double smaller = 1 - 0x1p-18;
+constexpr int value_digits = 6;
+
+/// The error's lower bound in the claim's unit.
+Interval low(const Interval& error, const Interval& unit) { return low_end(abs(error) / unit); }
+
+bool at_least(const Interval& u, const Interval& margin) { return certainly_at_most(margin, u); }
+
+std::optional<Interval> bounce_error(const AdiabaticSearch& search, const Interval& u, const Interval& s,
+                                     const Interval& delta) {
+    const AdiabaticBounce<Interval> bounce(u, s, AdiabaticMasses<Interval>(delta));
+    const Interval k = delta_power(delta, search.of.exponent);
+    const Interval square = sqr(delta);
+    AdiabaticOrbit<Interval> orbit(u, s, delta);
+    if (!orbit.advance()) {
+        return std::nullopt;
+    }
+    if (!search.height_error) {
+        return low(bounce.speed_error(), square / sqr(k));
+    }
+    const auto next = next_contact(bounce);
+    if (!next || next->none) {
+        return std::nullopt;
+    }
+    return low_end(height_error(bounce, *next) / (Interval(2) * square / k));
+}
+
+std::optional<Interval> orbit_error(const AdiabaticSearch& search, const AdiabaticSample& sample,
+                                    const Interval& u, const Interval& s, const Interval& delta,
+                                    const Interval& margin) {
+    AdiabaticOrbit<Interval> orbit(u, s, delta);
+    const bool run = search.of.claim == AdiabaticClaim::run;
+    if (!run && !orbit.certainly_begins()) {
+        return std::nullopt;
+    }
+    for (long n = 0; n < sample.n; ++n) {
+        if (ends_early(n, search.interrupted) || !orbit.advance() ||
+            (run && !at_least(orbit.angle(), margin))) {
+            return std::nullopt;
+        }
+    }
+    if (run) {
+        return low(orbit.change(), delta);
+    }
+    const bool printed = search.of.claim == AdiabaticClaim::printed;
+    if (!orbit.certainly_ends() || (!printed && !at_least(orbit.angle(), margin))) {
+        return std::nullopt;
+    }
+    return low(orbit.change_behind(), printed ? Interval(1) : sqrt(delta));
+}
+
+}  // namespace
+
+std::optional<AdiabaticState> attained(const AdiabaticSearch& search, const AdiabaticSample& sample) {
+    const auto& [lo, hi] = search.of.delta;
+    const Rational exact_delta = lo + (hi - lo) * exact(sample.share);
+    const Interval delta = enclose<Interval>(exact_delta);
+    const Interval u(sample.u);
+    const Interval s(sample.s);
+    const AdiabaticSides sides(search.of);
+    const AdiabaticMasses<Interval> masses(delta);
+    const Interval margin = sides.margin(masses);
+    if (!certainly_positive(delta) || !at_least(u, margin) || !sides.certainly_of_height(u, masses)) {
+        return std::nullopt;
+    }
+    const auto error = search.of.claim == AdiabaticClaim::bounce
+                           ? bounce_error(search, u, s, delta)
+                           : orbit_error(search, sample, u, s, delta, margin);
+    if (!error || !certainly_positive(*error)) {
+        return std::nullopt;
+    }
+    const Rational value = exact(cut_down(exact(error->lo()) * exact(smaller), value_digits));
+    return AdiabaticState{exact(sample.u), exact(sample.s), exact_delta, sample.n, value};
+}
+
+}  // namespace dumbbell

@@ -1,0 +1,74 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "number/rational.hpp"
+
+/// A certificate about the adiabatic invariant as data (proofs/format-adiabatic.md).
+namespace dumbbell {
+
+enum class AdiabaticClaim { bounce, run, scattering, printed };
+
+/// The axes of its boxes; each tree has some of them.
+enum class AdiabaticAxis { u, sigma, s, v, delta };
+inline constexpr std::size_t adiabatic_axes = 5;
+
+/// Without `split` a leaf: `outside`, or `bound`, in the tree of a run or a scattering by the class of that
+/// number.
+struct AdiabaticNode {
+    std::optional<AdiabaticAxis> split;
+    bool outside = false;
+    int by_class = 0;
+
+    friend bool operator==(const AdiabaticNode&, const AdiabaticNode&) = default;
+};
+using AdiabaticTree = std::vector<AdiabaticNode>;  ///< pre-order, lower half first
+
+/// A class of L35: J, and the density v on the cells [u, the cell before's u].
+struct AdiabaticClass {
+    struct Cell {
+        Rational u;
+        Rational v;
+    };
+    Rational least_share;
+    std::vector<Cell> cells;
+    AdiabaticTree tree;
+};
+
+/// An orbit: |phidot| = 1 and ydot = -delta s before collision 0, at angle u from the vertical; its error
+/// after n collisions is at least `value`, in the claim's unit.
+struct AdiabaticState {
+    Rational u;
+    Rational s;
+    Rational delta;
+    long n = 0;
+    Rational value;
+};
+
+/// What is claimed of which states.
+struct AdiabaticHypotheses {
+    AdiabaticClaim claim = AdiabaticClaim::run;
+    std::pair<Rational, Rational> delta;  ///< closed interval
+    std::pair<Rational, Rational>
+        heights;       ///< of a bounce or a run: of the centre of mass before collision 0
+    Rational margin;   ///< m, u_* or c
+    int exponent = 8;  ///< of a bounce: k = exponent/16
+};
+
+struct AdiabaticCertificate {
+    std::string program;
+    std::string version;
+    AdiabaticHypotheses hypotheses;
+    int bits = 53;
+    std::vector<Rational> bounds;  ///< C; of a bounce C1 and C2; none of `printed`
+    std::vector<AdiabaticClass> classes;
+    AdiabaticTree tree;
+    std::vector<AdiabaticState> attained;  ///< of a bounce two, else one
+};
+
+}  // namespace dumbbell

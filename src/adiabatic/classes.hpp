@@ -1,0 +1,17 @@
+#pragma once
+
+#include "adiabatic/certificate.hpp"
+#include "base/interrupted.hpp"
+
+namespace dumbbell {
+
+/// The classes of L35 to try for a run or a scattering, without trees: numbers J that suit the hypotheses,
+/// and for each about the least density v that does. In plain doubles: nothing rests on it before a tree
+/// proves it. The same whatever the number of threads; none if interrupted.
+[[nodiscard]] std::vector<AdiabaticClass> guess_classes(const AdiabaticHypotheses& of, int jobs = 1,
+                                                        const Interrupted& interrupted = never);
+
+/// The same class with a density so many times greater.
+[[nodiscard]] AdiabaticClass with_slack(AdiabaticClass one, double slack);
+
+}  // namespace dumbbell

@@ -1,0 +1,168 @@
+#include "adiabatic/cover.hpp"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "base/growing_tree.hpp"
+#include "number/self_test.hpp"
+
+namespace dumbbell {
+namespace {
+
+struct Node {
+    std::optional<AdiabaticAxis> split;
+    AdiabaticJudged leaf{};
+};
+using Tree = GrowingTree<Node, AdiabaticBox, adiabatic_axes>;
+
+constexpr std::array<AdiabaticAxis, adiabatic_axes> all_axes{
+    AdiabaticAxis::u, AdiabaticAxis::sigma, AdiabaticAxis::s, AdiabaticAxis::v, AdiabaticAxis::delta};
+
+/// How wide a side is for what happens in the box: angles count relatively.
+double weight(const AdiabaticBox& box, AdiabaticAxis axis) {
+    const double width = box.width(axis);
+    const double end = box.hi[static_cast<std::size_t>(axis)];
+    switch (axis) {
+        case AdiabaticAxis::u:
+        case AdiabaticAxis::v:
+            return width / end;
+        case AdiabaticAxis::sigma:
+            return width / (1 + end);
+        default:
+            return width / 2;
+    }
+}
+
+class Growth {
+  public:
+    Growth(const AdiabaticBox& root, const AdiabaticJudge& judge, const AdiabaticTarget& target,
+           const AdiabaticLimits& limits)
+        : tree_(root), judge_(judge), target_(target), limits_(limits) {}
+
+    std::optional<AdiabaticCover> grow() {
+        for (std::size_t leaves = 1; !tree_.boxes().empty(); tree_.next_generation()) {
+            judge_generation();
+            if (limits_.interrupted() || std::any_of(now_.begin(), now_.end(), is_hopeless)) {
+                return std::nullopt;
+            }
+            const double enough =
+                target_.fixed ? target_.goal : std::max(target_.goal, best_ * (1 + target_.slack));
+            choose_axes(enough);
+            for (std::size_t i = 0; i < now_.size(); ++i) {
+                const AdiabaticJudged& judged = now_[i].judged;
+                const bool closed = judged.outside || judged.bound <= enough;
+                if (!closed && now_[i].split && leaves < limits_.max_leaves) {
+                    ++leaves;
+                    tree_.split(i, *now_[i].split, tree_.boxes()[i].halves(*now_[i].split));
+                    continue;
+                }
+                if (!closed && (target_.fixed || !std::isfinite(judged.bound))) {
+                    return std::nullopt;
+                }
+                raised_ = raised_ || !closed;
+                bound_ = judged.outside ? bound_ : std::max(bound_, judged.bound);
+                tree_.close(i, judged);
+            }
+        }
+        return finished();
+    }
+
+  private:
+    struct Box {
+        AdiabaticJudged judged;
+        double at_centre = 0;
+        bool hopeless = false;  ///< no box around its centre can be closed
+        std::optional<AdiabaticAxis> split;
+    };
+
+    static bool is_hopeless(const Box& box) { return box.hopeless; }
+
+    template <class Work>
+    void each(const Work& work) {
+        tbb::parallel_for(tbb::blocked_range<std::size_t>(0, now_.size()), [&](const auto& range) {
+            require_sound_arithmetic();
+            for (std::size_t i = range.begin(); i != range.end() && !limits_.interrupted(); ++i) {
+                work(i);
+            }
+            limits_.judged(range.size());
+        });
+    }
+
+    void judge_generation() {
+        now_.assign(tree_.boxes().size(), {});
+        each([&](std::size_t i) {
+            const AdiabaticBox& box = tree_.boxes()[i];
+            now_[i].judged = judge_(box);
+            if (now_[i].judged.outside || (target_.fixed && now_[i].judged.bound <= target_.goal)) {
+                return;
+            }
+            const AdiabaticJudged centre = judge_(box.centre());
+            if (!centre.outside) {
+                now_[i].hopeless = target_.fixed ? centre.bound > target_.goal : std::isinf(centre.bound);
+                now_[i].at_centre = centre.bound;
+            }
+        });
+        for (const Box& box : now_) {
+            best_ = std::max(best_, box.at_centre);
+        }
+    }
+
+    /// For the boxes that are not closed: the axis along which a box of width 0 has the least bound.
+    void choose_axes(double enough) {
+        each([&](std::size_t i) {
+            if (now_[i].judged.outside || now_[i].judged.bound <= enough) {
+                return;
+            }
+            const AdiabaticBox& box = tree_.boxes()[i];
+            double least = 0;
+            double widest = 0;
+            for (const AdiabaticAxis axis : all_axes) {
+                if (!(box.width(axis) > 0) ||
+                    tree_.depths(i)[static_cast<std::size_t>(axis)] >= limits_.max_depth) {
+                    continue;
+                }
+                const AdiabaticJudged slice = judge_(box.collapsed(axis));
+                const double bound = slice.outside ? std::min(0.0, enough) : slice.bound;
+                const double wide = weight(box, axis);
+                if (!now_[i].split || bound < least || (bound == least && wide > widest)) {
+                    now_[i].split = axis;
+                    least = bound;
+                    widest = wide;
+                }
+            }
+        });
+    }
+
+    [[nodiscard]] std::optional<AdiabaticCover> finished() const {
+        AdiabaticCover cover{{}, bound_, raised_, 0};
+        for (const Node& node : tree_.pre_order()) {
+            cover.tree.push_back({node.split, !node.split && node.leaf.outside, node.leaf.by_class});
+            cover.leaves += node.split ? 0 : 1;
+        }
+        return cover;
+    }
+
+    Tree tree_;
+    const AdiabaticJudge& judge_;
+    const AdiabaticTarget& target_;
+    const AdiabaticLimits& limits_;
+    std::vector<Box> now_;
+    double best_ = 0;
+    double bound_ = -std::numeric_limits<double>::infinity();
+    bool raised_ = false;
+};
+
+}  // namespace
+
+std::optional<AdiabaticCover> adiabatic_cover(const AdiabaticBox& root, const AdiabaticJudge& judge,
+                                              const AdiabaticTarget& target, const AdiabaticLimits& limits) {
+    tbb::task_arena arena(limits.jobs);
+    return arena.execute([&] { return Growth(root, judge, target, limits).grow(); });
+}
+
+}  // namespace dumbbell

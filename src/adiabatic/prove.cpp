@@ -1,0 +1,292 @@
+#include "adiabatic/prove.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "adiabatic/attained.hpp"
+#include "adiabatic/bounce_leaf.hpp"
+#include "adiabatic/classes.hpp"
+#include "adiabatic/cover.hpp"
+#include "adiabatic/pair_leaf.hpp"
+#include "adiabatic/printed.hpp"
+#include "base/error.hpp"
+#include "number/decimal.hpp"
+
+namespace dumbbell {
+namespace {
+
+using Axis = AdiabaticAxis;
+
+constexpr double room = 1 + 0x1p-18;  ///< of a bound in the file over what its leaves need
+constexpr int bound_digits = 5;
+constexpr std::array<double, 6> slacks{1.25, 1.5, 1.75, 2.25, 3, 4.5};
+constexpr std::size_t class_leaves = 4'000;  ///< of a class at most, before a greater slack is tried
+/// The part of the accuracy that the cover itself may lose where the whole cannot be reached.
+constexpr double cover_share = 0.25;
+
+Rational bound_of(double value) { return exact(cut_up(exact(value) * exact(room), bound_digits)); }
+
+/// A class with its potential, as the leaves use it.
+struct Potential {
+    Interval least_share;
+    AdiabaticPotential<Interval> potential;
+};
+
+Potential potential_of(const AdiabaticClass& one) {
+    std::vector<AdiabaticPotential<Interval>::Cell> cells;
+    cells.reserve(one.cells.size());
+    for (const auto& cell : one.cells) {
+        cells.push_back({enclose<Interval>(cell.u), enclose<Interval>(cell.v)});
+    }
+    return {enclose<Interval>(one.least_share), AdiabaticPotential<Interval>(std::move(cells))};
+}
+
+class Prover {
+  public:
+    explicit Prover(const AdiabaticRequest& request)
+        : request_(request),
+          of_(request.of),
+          sides_(request.of),
+          accuracy_(request.accuracy.convert_to<double>()) {
+        proof_.of = request.of;
+    }
+
+    AdiabaticProof proof() {
+        switch (of_.claim) {
+            case AdiabaticClaim::bounce:
+                prove_bounce();
+                break;
+            case AdiabaticClaim::printed:
+                attain_printed();
+                break;
+            default:
+                prove_pairs();
+        }
+        return std::move(proof_);
+    }
+
+  private:
+    [[nodiscard]] AdiabaticLimits limits(std::size_t most_leaves) const {
+        AdiabaticLimits result;
+        result.jobs = request_.jobs;
+        result.max_leaves = most_leaves;
+        result.interrupted = request_.interrupted;
+        result.judged = request_.judged;
+        return result;
+    }
+    [[nodiscard]] AdiabaticLimits limits() const { return limits(AdiabaticLimits{}.max_leaves); }
+
+    [[nodiscard]] AdiabaticSearch search(bool height_error) const {
+        AdiabaticSearch result;
+        result.of = of_;
+        result.height_error = height_error;
+        result.most_collisions = request_.most_collisions;
+        result.jobs = request_.jobs;
+        result.interrupted = request_.interrupted;
+        return result;
+    }
+
+    /// The best of the found orbits that can be enclosed; its value, or 0.
+    double attain(const AdiabaticSearch& looked_for, const std::vector<AdiabaticSample>& found) {
+        for (const AdiabaticSample& sample : found) {
+            if (const auto state = attained(looked_for, sample)) {
+                proof_.attained.push_back(*state);
+                return state->value.convert_to<double>();
+            }
+        }
+        return 0;
+    }
+    double attain(bool height_error) {
+        const AdiabaticSearch looked_for = search(height_error);
+        return attain(looked_for, search_errors(looked_for));
+    }
+    void attain_printed() {
+        const AdiabaticSearch looked_for = search(false);
+        attain(looked_for, search_printed(looked_for));
+    }
+
+    [[nodiscard]] AdiabaticTarget target(double value) const {
+        return {value * (1 + accuracy_ * 0.999), accuracy_ * cover_share, false};
+    }
+    void include(const AdiabaticCover& cover, double value) {
+        proof_.bounds.push_back(bound_of(cover.bound));
+        proof_.coarser = proof_.coarser || cover.bound > value * (1 + accuracy_);
+    }
+
+    // Lemma 3.1 and Corollary 3.2.
+
+    [[nodiscard]] AdiabaticJudged judge_bounce(const AdiabaticBox& box,
+                                               const std::array<double, 2>& scale) const {
+        const auto masses = sides_.masses(box);
+        const auto u = admitted_angle(sides_.side(box, Axis::u), sides_.margin(masses));
+        if (!u) {
+            return {true};
+        }
+        const AdiabaticBounce<Interval> bounce(*u, sides_.side(box, Axis::s), masses);
+        if (sides_.certainly_elsewhere(*u, masses) || certainly_at_most(bounce.forward(), Interval(0))) {
+            return {true};
+        }
+        const Interval k = delta_power(masses.delta, of_.exponent);
+        const Interval square = sqr(masses.delta);
+        AdiabaticJudged result;
+        result.bound = 0;
+        const auto next = next_contact(bounce);
+        if (next && next->none) {
+            return result;  // the statement is about states with a next collision
+        }
+        if (scale[0] > 0) {
+            result.bound = (bounce.speed_error() * sqr(k) / square).hi() * scale[0];
+        }
+        if (scale[1] > 0) {
+            if (!next) {
+                return {};
+            }
+            const Interval error = magnitude(height_error(bounce, *next)) * k / (Interval(2) * square);
+            result.bound = std::max(result.bound, error.hi() * scale[1]);
+        }
+        if (!(result.bound >= 0)) {
+            return {};
+        }
+        return result;
+    }
+
+    void prove_bounce() {
+        const AdiabaticBox root = sides_.root({Axis::u, Axis::s, Axis::delta});
+        for (const bool height : {false, true}) {
+            const double value = attain(height);
+            const auto judge = [&](const AdiabaticBox& box) {
+                return judge_bounce(box, {height ? 0.0 : 1.0, height ? 1.0 : 0.0});
+            };
+            const auto cover = adiabatic_cover(root, judge, target(value), limits());
+            if (!cover) {
+                proof_.bounds.clear();
+                return;
+            }
+            include(*cover, value);
+        }
+        const std::array<double, 2> scale{1 / proof_.bounds[0].convert_to<double>(),
+                                          1 / proof_.bounds[1].convert_to<double>()};
+        const auto judge = [&](const AdiabaticBox& box) { return judge_bounce(box, scale); };
+        auto cover = adiabatic_cover(root, judge, {1 / room * (1 + 0x1p-20), 0, true}, limits());
+        if (!cover) {
+            proof_.bounds.clear();
+            return;
+        }
+        take(std::move(*cover));
+    }
+
+    // Theorems 3.3 and 3.5.
+
+    /// The class with the least slack for which the tree closes.
+    void prove_class(const AdiabaticClass& guess) {
+        for (const double slack : slacks) {
+            AdiabaticClass one = with_slack(guess, slack);
+            const Potential at = potential_of(one);
+            const auto judge = [&](const AdiabaticBox& box) {
+                const auto masses = sides_.masses(box);
+                const AdiabaticVerdict verdict =
+                    judge_flights(sides_.side(box, Axis::u), sides_.side(box, Axis::sigma), masses,
+                                  sides_.margin(masses), at.least_share, at.potential);
+                return AdiabaticJudged{verdict.outside, verdict.excess, 0};
+            };
+            auto cover =
+                adiabatic_cover(sides_.root({Axis::u, Axis::sigma, Axis::delta}), judge, {0, 0, true},
+                                limits(sides_.hypotheses().delta.first == sides_.hypotheses().delta.second
+                                           ? class_leaves
+                                           : 5 * class_leaves));
+            if (cover) {
+                one.tree = std::move(cover->tree);
+                proof_.leaves += cover->leaves;
+                proof_.classes.push_back(std::move(one));
+                potentials_.push_back(at);
+                return;
+            }
+            if (request_.interrupted()) {
+                return;
+            }
+        }
+    }
+
+    [[nodiscard]] AdiabaticJudged judge_pair(const AdiabaticBox& box) const {
+        const auto masses = sides_.masses(box);
+        const Interval margin = sides_.margin(masses);
+        const auto u = admitted_angle(sides_.side(box, Axis::u), margin);
+        const auto v = admitted_angle(sides_.side(box, Axis::v), margin);
+        if (!u || !v) {
+            return {true};
+        }
+        const bool run = of_.claim == AdiabaticClaim::run;
+        if (run && sides_.certainly_elsewhere(*u, masses)) {
+            return {true};
+        }
+        const AdiabaticPair<Interval> pair(*u, sides_.side(box, Axis::s), *v, masses);
+        if (!run && certainly_not_first(pair)) {
+            return {true};
+        }
+        AdiabaticJudged best;
+        for (std::size_t i = 0; i < potentials_.size(); ++i) {
+            const auto& [share, potential] = potentials_[i];
+            const auto error =
+                run ? run_error(pair, share, potential) : scattering_error(pair, share, potential);
+            if (error && error->hi() < best.bound) {
+                best.bound = error->hi();
+                best.by_class = static_cast<int>(i);
+            }
+        }
+        return best;
+    }
+
+    void prove_pairs() {
+        const double value = attain(false);
+        for (const AdiabaticClass& guess : guess_classes(of_, request_.jobs, request_.interrupted)) {
+            prove_class(guess);
+        }
+        if (proof_.classes.empty() || request_.interrupted()) {
+            return;
+        }
+        const auto judge = [&](const AdiabaticBox& box) { return judge_pair(box); };
+        auto cover = adiabatic_cover(sides_.root({Axis::u, Axis::s, Axis::v, Axis::delta}), judge,
+                                     target(value), limits());
+        if (cover) {
+            include(*cover, value);
+            take(std::move(*cover));
+        }
+    }
+
+    void take(AdiabaticCover cover) {
+        proof_.leaves += cover.leaves;
+        proof_.tree = std::move(cover.tree);
+    }
+
+    const AdiabaticRequest& request_;
+    const AdiabaticHypotheses& of_;
+    AdiabaticSides sides_;
+    double accuracy_;
+    std::vector<Potential> potentials_;
+    AdiabaticProof proof_;
+};
+
+}  // namespace
+
+bool AdiabaticProof::complete() const {
+    const std::size_t values = of.claim == AdiabaticClaim::bounce ? 2 : 1;
+    const std::size_t wanted = of.claim == AdiabaticClaim::printed ? 0 : values;
+    return bounds.size() == wanted && attained.size() == values;
+}
+
+AdiabaticProof prove_adiabatic(const AdiabaticRequest& request) { return Prover(request).proof(); }
+
+AdiabaticCertificate certificate_of(const AdiabaticProof& proof) {
+    require(proof.complete(), "certificate: there is no proof to write");
+    AdiabaticCertificate certificate;
+    certificate.program = "dumbbell";
+    certificate.version = DUMBBELL_VERSION;
+    certificate.hypotheses = proof.of;
+    certificate.bounds = proof.bounds;
+    certificate.classes = proof.classes;
+    certificate.tree = proof.tree;
+    certificate.attained = proof.attained;
+    return certificate;
+}
+
+}  // namespace dumbbell

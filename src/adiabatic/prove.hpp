@@ -1,0 +1,48 @@
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "adiabatic/certificate.hpp"
+#include "base/interrupted.hpp"
+
+/// Proofs about the adiabatic invariant (proofs/adiabatic.md).
+namespace dumbbell {
+
+struct AdiabaticRequest {
+    AdiabaticHypotheses of;
+    Rational accuracy = Rational(1, 10);  ///< relative, of a bound over the attained value
+    long most_collisions = 1'000'000;     ///< of the attained orbit of a run
+    int jobs = 1;
+    Interrupted interrupted = never;
+    /// Called, from any thread, with the number of boxes judged since the last call.
+    std::function<void(std::size_t)> judged = [](std::size_t) {};
+};
+
+/// What was proved, in the claim's unit: |errors| <= bounds, and orbits that attain almost as much.
+struct AdiabaticProof {
+    AdiabaticHypotheses of;
+    std::vector<Rational>
+        bounds;  ///< of a bounce two, of a run or a scattering one; none if nothing was certified
+    std::vector<AdiabaticClass> classes;
+    AdiabaticTree tree;
+    std::vector<AdiabaticState> attained;  ///< fewer than there should be if none were certified
+    std::size_t leaves = 0;                ///< of all trees
+    /// The bounds exceed what was attained by more than the accuracy asked for.
+    bool coarser = false;
+
+    [[nodiscard]] bool complete() const;
+};
+
+/// Throws InputError, in one line that names the option, unless the hypotheses describe a set of positive
+/// size to which the statement applies.
+void require_sensible(const AdiabaticHypotheses& of);
+
+/// First an orbit with a great error is looked for and enclosed, then the hypotheses are covered. The result
+/// does not depend on the number of jobs, unless interrupted. Precondition: require_sensible(of).
+[[nodiscard]] AdiabaticProof prove_adiabatic(const AdiabaticRequest& request);
+
+/// What this program writes of a complete proof.
+[[nodiscard]] AdiabaticCertificate certificate_of(const AdiabaticProof& proof);
+
+}  // namespace dumbbell

@@ -1,0 +1,146 @@
+#include "adiabatic/reader.hpp"
+
+#include <algorithm>
+
+#include "adiabatic/writer.hpp"
+#include "file/lines.hpp"
+
+namespace dumbbell {
+namespace {
+
+constexpr std::array<std::string_view, adiabatic_axes> axis_names{"u", "sigma", "s", "v", "delta"};
+constexpr int most_bits = 4096;
+constexpr long most_classes = 64;
+constexpr long most_cells = 4096;
+
+AdiabaticClaim claim_from(const Lines& lines, const std::string& word) {
+    for (const AdiabaticClaim claim :
+         {AdiabaticClaim::bounce, AdiabaticClaim::run, AdiabaticClaim::scattering, AdiabaticClaim::printed}) {
+        if (word == name(claim)) {
+            return claim;
+        }
+    }
+    lines.fail();
+}
+
+std::pair<Rational, Rational> range_from(Lines& lines, std::string_view keyword) {
+    const auto& fields = lines.expect(keyword, 3);
+    return {lines.signed_ratio(fields[1]), lines.signed_ratio(fields[2])};
+}
+
+/// `with_class`: the leaves name the class that bounds them.
+AdiabaticTree tree_from(Lines& lines, bool with_class) {
+    AdiabaticTree tree;
+    for (long missing = 1; missing > 0;) {
+        const auto& fields = lines.next();
+        AdiabaticNode node;
+        if (fields[0] == "split" && fields.size() == 2) {
+            const auto* const found = std::find(axis_names.begin(), axis_names.end(), fields[1]);
+            if (found == axis_names.end()) {
+                lines.fail();
+            }
+            node.split = static_cast<AdiabaticAxis>(found - axis_names.begin());
+        } else if (fields[0] == "bound" && fields.size() == (with_class ? 2 : 1)) {
+            node.by_class =
+                with_class ? static_cast<int>(std::min(lines.number(fields[1]), most_classes)) : 0;
+        } else if (fields[0] == "outside" && fields.size() == 1) {
+            node.outside = true;
+        } else {
+            lines.fail();
+        }
+        missing += node.split ? 1 : -1;
+        tree.push_back(node);
+    }
+    return tree;
+}
+
+std::vector<AdiabaticClass> classes_from(Lines& lines) {
+    const long count = lines.number(lines.expect("classes", 2)[1]);
+    if (count < 1 || count > most_classes) {
+        lines.fail();
+    }
+    std::vector<AdiabaticClass> classes(static_cast<std::size_t>(count));
+    for (AdiabaticClass& one : classes) {
+        const auto& head = lines.expect("class", 3);
+        one.least_share = lines.signed_ratio(head[1]);
+        const long cells = lines.number(head[2]);
+        if (cells > most_cells) {
+            lines.fail();
+        }
+        for (long i = 0; i < cells; ++i) {
+            const auto& cell = lines.expect("cell", 3);
+            one.cells.push_back({lines.signed_ratio(cell[1]), lines.signed_ratio(cell[2])});
+        }
+        one.tree = tree_from(lines, false);
+    }
+    lines.expect("end", 1);
+    return classes;
+}
+
+AdiabaticHypotheses hypotheses_from(Lines& lines, AdiabaticClaim claim) {
+    AdiabaticHypotheses hypotheses;
+    hypotheses.claim = claim;
+    hypotheses.delta = range_from(lines, "delta");
+    if (claim == AdiabaticClaim::bounce || claim == AdiabaticClaim::run) {
+        hypotheses.heights = range_from(lines, "heights");
+    }
+    hypotheses.margin = lines.signed_ratio(lines.expect("margin", 2)[1]);
+    if (claim == AdiabaticClaim::bounce) {
+        hypotheses.exponent = static_cast<int>(std::min(lines.number(lines.expect("exponent", 2)[1]), 16L));
+    }
+    return hypotheses;
+}
+
+AdiabaticState attained_from(Lines& lines) {
+    const auto& fields = lines.expect("attained", 6);
+    return {lines.signed_ratio(fields[1]), lines.signed_ratio(fields[2]), lines.signed_ratio(fields[3]),
+            lines.number(fields[4]), lines.signed_ratio(fields[5])};
+}
+
+/// What generated it, and the hypotheses.
+AdiabaticCertificate head_from(Lines& lines) {
+    const auto [program, version] = lines.expect_generator();
+    AdiabaticCertificate certificate;
+    certificate.program = program;
+    certificate.version = version;
+    lines.expect("lemmas", 2);
+    lines.expect("scene", 2);
+    lines.expect("section", 2);
+    certificate.hypotheses = hypotheses_from(lines, claim_from(lines, lines.expect("claim", 2)[1]));
+    return certificate;
+}
+
+}  // namespace
+
+AdiabaticHypotheses read_adiabatic_hypotheses(const std::string& path) {
+    Lines lines(path);
+    return head_from(lines).hypotheses;
+}
+
+AdiabaticCertificate read_adiabatic_certificate(const std::string& path) {
+    Lines lines(path);
+    AdiabaticCertificate certificate = head_from(lines);
+    const AdiabaticClaim claim = certificate.hypotheses.claim;
+    const bool is_bounce = claim == AdiabaticClaim::bounce;
+    const bool by_classes = claim == AdiabaticClaim::run || claim == AdiabaticClaim::scattering;
+    certificate.bits =
+        static_cast<int>(std::min(lines.number(lines.expect("bits", 2)[1]), static_cast<long>(most_bits)));
+    if (claim != AdiabaticClaim::printed) {
+        const auto& bound = lines.expect("bound", is_bounce ? 3 : 2);
+        for (std::size_t i = 1; i < bound.size(); ++i) {
+            certificate.bounds.push_back(lines.signed_ratio(bound[i]));
+        }
+    }
+    if (by_classes) {
+        certificate.classes = classes_from(lines);
+    }
+    if (claim != AdiabaticClaim::printed) {
+        certificate.tree = tree_from(lines, by_classes);
+    }
+    for (int i = 0; i < (is_bounce ? 2 : 1); ++i) {
+        certificate.attained.push_back(attained_from(lines));
+    }
+    return certificate;
+}
+
+}  // namespace dumbbell

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string>
+
+#include "adiabatic/certificate.hpp"
+
+namespace dumbbell {
+
+/// Reads a certificate about the adiabatic invariant back into data, as read_certificate does with those
+/// about mass ratios: no verification. Throws InputError (naming file and line) if it cannot be read.
+[[nodiscard]] AdiabaticCertificate read_adiabatic_certificate(const std::string& path);
+
+/// Of the same file only what its statement is about; the rest may be anything, and is not read.
+[[nodiscard]] AdiabaticHypotheses read_adiabatic_hypotheses(const std::string& path);
+
+}  // namespace dumbbell

@@ -1,0 +1,297 @@
+#include "adiabatic/report.hpp"
+
+#include <fmt/format.h>
+
+#include "adiabatic/writer.hpp"
+#include "base/printable.hpp"
+#include "number/decimal.hpp"
+#include "words/json_number.hpp"
+#include "words/printed.hpp"
+#include "words/text_table.hpp"
+
+namespace dumbbell {
+namespace {
+
+constexpr int shown_digits =
+    7;  ///< of an initial condition, for people; the exact one is in the certificate and in --json
+
+std::string number(const Rational& x) { return x == 0 ? "0" : exact_text(x); }
+
+std::string delta_text(const AdiabaticHypotheses& of) {
+    const auto& [lo, hi] = of.delta;
+    return lo == hi ? fmt::format("delta = {}", number(lo))
+                    : fmt::format("every delta in [{}, {}]", number(lo), number(hi));
+}
+
+/// delta^(sixteenths/16).
+std::string power(int sixteenths) {
+    const Rational exponent(sixteenths, 16);
+    return sixteenths == 0              ? "1"
+           : sixteenths == 16           ? "delta"
+           : denominator(exponent) == 1 ? fmt::format("delta^{}", exact_text(exponent))
+                                        : fmt::format("delta^({})", to_fraction(exponent));
+}
+
+std::string margin_text(const AdiabaticHypotheses& of) {
+    const std::string factor = of.margin == 1 ? "" : number(of.margin) + " ";
+    switch (of.claim) {
+        case AdiabaticClaim::bounce:
+            return of.exponent == 0 ? number(of.margin) : factor + power(of.exponent);
+        case AdiabaticClaim::run:
+            return number(of.margin);
+        default:
+            return factor + "sqrt(delta)";
+    }
+}
+
+/// What the errors are called, and the units of the bounds.
+struct Unit {
+    const char* error;
+    std::string unit;
+};
+
+std::vector<Unit> units(const AdiabaticHypotheses& of) {
+    switch (of.claim) {
+        case AdiabaticClaim::bounce:
+            return {{"||phidot_+| - |phidot_-| + 2 ydot_-/sqrt(1 - y^2)|", power(32 - 2 * of.exponent)},
+                    {"|y_+ - y - 2 (pi - arccos y) ydot_-/|phidot_-||", "* 2 " + power(32 - of.exponent)}};
+        case AdiabaticClaim::run:
+            return {{"|I_n - I_0|", "delta"}};
+        case AdiabaticClaim::scattering:
+            return {{"|I_N - I_0|", "sqrt(delta)"}};
+        default:
+            return {{"|I_N - I_0|", ""}};
+    }
+}
+
+std::string hypotheses_text(const AdiabaticHypotheses& of) {
+    const std::string delta = delta_text(of);
+    const std::string margin = margin_text(of);
+    const std::string states = fmt::format(
+        "For {}, epsilon = delta^2, and every state with |phidot| = 1 and -delta <= ydot <= 0 just before",
+        delta);
+    const std::string heights =
+        fmt::format("at a height y from {} to {},", number(of.heights.first), number(of.heights.second));
+    switch (of.claim) {
+        case AdiabaticClaim::bounce:
+            return fmt::format(
+                "{} a collision of the light mass {}\n"
+                "at distance |phi - 3 pi/2| >= {} from the vertical, "
+                "whose next collision is one of the light mass too:",
+                states, heights, margin);
+        case AdiabaticClaim::run:
+            return fmt::format(
+                "{} collision 0 {}\n"
+                "for any number n of bounces of the light mass with no collision of the heavy mass between, "
+                "all at distance\n"
+                "|phi - 3 pi/2| >= {} from the vertical:",
+                states, heights, margin);
+        case AdiabaticClaim::scattering:
+            return fmt::format(
+                "{} the first collision of a whole scattering,\n"
+                "if the first and the last collision are at distance |phi - 3 pi/2| >= {} from the vertical:",
+                states, margin);
+        default:
+            return fmt::format(
+                "Theorem 3.5 as printed restricts the first collision only, and is not true uniformly (L41 "
+                "of "
+                "proofs/adiabatic.md).\n"
+                "For {}, first collision at distance >= {} from the vertical, I_N with |phidot| after the "
+                "last collision:",
+                delta, margin);
+    }
+}
+
+std::string state_text(const AdiabaticState& state) {
+    const std::string u = to_decimal(state.u, shown_digits), s = to_decimal(state.s, shown_digits);
+    return fmt::format("delta = {}, distance {}{} from the vertical, ydot {} -{} delta, n = {}",
+                       number(state.delta), parse_rational(u) == state.u ? "" : "about ", u,
+                       parse_rational(s) == state.s ? "=" : "about", s, state.n);
+}
+
+/// C/B, rounded up.
+std::string ratio_text(const Rational& bound, const AdiabaticState& state) {
+    return rounded_up(enclose<Interval>(bound / state.value).hi());
+}
+
+std::string unit_text(const Unit& unit) { return unit.unit.empty() ? "" : " " + unit.unit; }
+
+std::string bound_text(const AdiabaticProof& proof, std::size_t i) {
+    const Unit unit = units(proof.of)[i];
+    return i < proof.bounds.size()
+               ? fmt::format("{} <= {}{}", unit.error, number(proof.bounds[i]), unit_text(unit))
+               : fmt::format("{}: no bound was certified", unit.error);
+}
+
+std::string error_text(const AdiabaticProof& proof, std::size_t i) {
+    const std::string in = unit_text(units(proof.of)[i]);
+    std::string text = "  " + bound_text(proof, i) + '\n';
+    if (i < proof.attained.size()) {
+        text += fmt::format("    attained: at least {}{} ({})\n", number(proof.attained[i].value), in,
+                            state_text(proof.attained[i]));
+        if (i < proof.bounds.size()) {
+            text +=
+                fmt::format("    upper/lower at most {}\n", ratio_text(proof.bounds[i], proof.attained[i]));
+        }
+    }
+    return text;
+}
+
+/// What an orbit attains against Theorem 3.5 as printed.
+std::string orbit_sentence(const AdiabaticProof& proof) {
+    return proof.attained.empty()
+               ? "no such orbit was certified"
+               : fmt::format("an orbit has |I_N - I_0| >= {} ({})", number(proof.attained[0].value),
+                             state_text(proof.attained[0]));
+}
+
+std::string printed_text(const AdiabaticProof& proof) {
+    return hypotheses_text(proof.of) + "\n  " + orbit_sentence(proof) + '\n';
+}
+
+std::string result_text(const AdiabaticReport& report, const AdiabaticResult& result) {
+    const AdiabaticProof& proof = result.proof;
+    if (proof.of.claim == AdiabaticClaim::printed) {
+        return printed_text(proof) + fmt::format("{:.1f} s\n", result.seconds);
+    }
+    std::string text = hypotheses_text(proof.of) + '\n';
+    for (std::size_t i = 0; i < units(proof.of).size(); ++i) {
+        text += error_text(proof, i);
+    }
+    if (proof.of.claim == AdiabaticClaim::scattering && proof.complete()) {
+        text += "  and the heavy mass is not touched.\n";
+    }
+    if (proof.coarser) {
+        text += fmt::format(
+            "The bound is proved; it exceeds what is attained by more than the relative accuracy {} that "
+            "was aimed at (--accuracy).\n",
+            number(report.accuracy));
+    }
+    if (result.wrong_branch) {
+        text += fmt::format(
+            "(5) and (6) as printed, without absolute values, are false for phidot_- > 0: at one of these "
+            "states the error\n"
+            "of (5) is at least {} epsilon/delta.\n",
+            rounded_down(*result.wrong_branch));
+    }
+    text += fmt::format("{} boxes, {:.1f} s\n", proof.leaves, result.seconds);
+    return result.as_printed ? text + '\n' + printed_text(*result.as_printed) : text;
+}
+
+std::string table_text(const AdiabaticReport& report) {
+    std::vector<TableLine> lines{{"distance", "error", "bound", "attained", "ratio", "boxes", "seconds"}};
+    for (const AdiabaticResult& result : report.results) {
+        const AdiabaticProof& proof = result.proof;
+        const auto names = units(proof.of);
+        for (std::size_t i = 0; i < names.size(); ++i) {
+            const bool bounded = i < proof.bounds.size(), found = i < proof.attained.size();
+            const std::string unit = names[i].unit.empty() ? "" : " " + names[i].unit;
+            lines.push_back({margin_text(proof.of), names[i].error,
+                             bounded ? number(proof.bounds[i]) + unit : "-",
+                             found ? number(proof.attained[i].value) + unit : "-",
+                             bounded && found ? ratio_text(proof.bounds[i], proof.attained[i]) : "-",
+                             fmt::format("{}", proof.leaves), fmt::format("{:.1f}", result.seconds)});
+        }
+    }
+    return aligned(lines, 1);
+}
+
+nlohmann::ordered_json state_json(const AdiabaticState& state) {
+    return {{"u", to_fraction(state.u)},
+            {"s", to_fraction(state.s)},
+            {"delta", to_fraction(state.delta)},
+            {"n", state.n},
+            {"value", to_fraction(state.value)}};
+}
+
+nlohmann::ordered_json proof_json(const AdiabaticProof& proof) {
+    const AdiabaticHypotheses& of = proof.of;
+    const bool has_heights = of.claim == AdiabaticClaim::bounce || of.claim == AdiabaticClaim::run;
+    nlohmann::ordered_json errors = nlohmann::ordered_json::array();
+    const auto names = units(of);
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        nlohmann::ordered_json entry{{"error", names[i].error},
+                                     {"unit", names[i].unit.empty() ? "1" : names[i].unit},
+                                     {"bound", nullptr},
+                                     {"attained", nullptr},
+                                     {"ratio", nullptr}};
+        if (i < proof.bounds.size()) {
+            entry["bound"] = to_fraction(proof.bounds[i]);
+        }
+        if (i < proof.attained.size()) {
+            entry["attained"] = state_json(proof.attained[i]);
+        }
+        if (i < proof.bounds.size() && i < proof.attained.size()) {
+            entry["ratio"] = enclose<Interval>(proof.bounds[i] / proof.attained[i].value).hi();
+        }
+        errors.push_back(std::move(entry));
+    }
+    nlohmann::ordered_json json{
+        {"claim", name(of.claim)},
+        {"delta", {{"lo", to_fraction(of.delta.first)}, {"hi", to_fraction(of.delta.second)}}},
+        {"y", nullptr},
+        {"margin", to_fraction(of.margin)},
+        {"k", nullptr},
+        {"errors", std::move(errors)},
+        {"leaves", proof.leaves},
+        {"accurate", !proof.coarser}};
+    if (has_heights) {
+        json["y"] = {{"lo", to_fraction(of.heights.first)}, {"hi", to_fraction(of.heights.second)}};
+    }
+    if (of.claim == AdiabaticClaim::bounce) {
+        json["k"] = to_fraction(Rational(of.exponent, 16));
+    }
+    return json;
+}
+
+}  // namespace
+
+std::string verdict(const AdiabaticReport& report) {
+    std::string text;
+    for (const AdiabaticResult& result : report.results) {
+        const AdiabaticProof& proof = result.proof;
+        if (proof.of.claim == AdiabaticClaim::printed) {
+            text += orbit_sentence(proof) + '\n';
+            continue;
+        }
+        for (std::size_t i = 0; i < units(proof.of).size(); ++i) {
+            text += fmt::format("{}, distance {}: {}\n", delta_text(proof.of), margin_text(proof.of),
+                                bound_text(proof, i));
+        }
+    }
+    return text;
+}
+
+std::string to_text(const AdiabaticReport& report) {
+    std::string text;
+    if (report.results.size() == 1) {
+        text = result_text(report, report.results.front());
+    } else {
+        std::string sentence = hypotheses_text(report.results.front().proof.of);
+        text = sentence + "\n(and the same for the other distances)\n" + table_text(report);
+    }
+    if (report.out) {
+        text += fmt::format("Certificate: {} (sha256 {})\nCheck it:    dumbbell verify {}\n",
+                            one_line(*report.out), *report.sha256, shell_file(*report.out));
+    }
+    return text;
+}
+
+nlohmann::ordered_json to_json(const AdiabaticReport& report) {
+    nlohmann::ordered_json results = nlohmann::ordered_json::array();
+    for (const AdiabaticResult& result : report.results) {
+        nlohmann::ordered_json entry = proof_json(result.proof);
+        entry["as_printed"] = nullptr;
+        if (result.as_printed && !result.as_printed->attained.empty()) {
+            entry["as_printed"] = state_json(result.as_printed->attained.front());
+        }
+        entry["wrong_branch"] = json_or_null(result.wrong_branch);
+        entry["seconds"] = result.seconds;
+        results.push_back(std::move(entry));
+    }
+    return {{"schema", "dumbbell-adiabatic-1"},         {"theorem", report.theorem},
+            {"accuracy", to_fraction(report.accuracy)}, {"results", std::move(results)},
+            {"out", json_or_null(report.out)},          {"sha256", json_or_null(report.sha256)}};
+}
+
+}  // namespace dumbbell

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "adiabatic/prove.hpp"
+
+namespace dumbbell {
+
+/// One statement of the paper's section 3 with what was proved of it.
+struct AdiabaticResult {
+    AdiabaticProof proof;
+    /// Of Theorem 3.5: an orbit that satisfies its hypotheses as they are printed (claim `printed`).
+    std::optional<AdiabaticProof> as_printed;
+    /// Of Lemma 3.1: the error of (5) as printed for phidot_- > 0 at one of the attained states, over
+    /// epsilon/delta.
+    std::optional<double> wrong_branch;
+    double seconds = 0;
+};
+
+/// What `adiabatic` tells its user.
+struct AdiabaticReport {
+    std::string theorem;  ///< as on the command line
+    Rational accuracy;
+    std::vector<AdiabaticResult> results;  ///< one for each distance from the vertical, or exponent
+    std::optional<std::string> out;
+    std::optional<std::string> sha256;
+};
+
+/// The hypotheses in words, the statement with its constants, and the orbits; a table if there are several
+/// results.
+[[nodiscard]] std::string to_text(const AdiabaticReport& report);
+/// The constants alone, a line each.
+[[nodiscard]] std::string verdict(const AdiabaticReport& report);
+[[nodiscard]] nlohmann::ordered_json to_json(const AdiabaticReport& report);
+
+}  // namespace dumbbell

@@ -1,0 +1,137 @@
+#include "adiabatic/writer.hpp"
+
+#include <fmt/format.h>
+
+#include <iterator>
+
+#include "base/error.hpp"
+#include "file/sha256.hpp"
+
+namespace dumbbell {
+namespace {
+
+constexpr std::array<const char*, adiabatic_axes> axis_names{"u", "sigma", "s", "v", "delta"};
+
+/// `0/1` or `P/Q`.
+std::string level(const Rational& x) { return to_fraction(x); }
+
+/// The body's lines and their numbers.
+class Body {
+  public:
+    template <class... Words>
+    void line(fmt::format_string<Words...> words, Words&&... values) {
+        fmt::format_to(std::back_inserter(text_), words, std::forward<Words>(values)...);
+        text_ += '\n';
+    }
+    /// `with_class`: the leaves name the class that bounds them.
+    void tree(const AdiabaticTree& nodes, bool with_class) {
+        long open = 1;
+        for (const AdiabaticNode& node : nodes) {
+            require(open > 0, "certificate: a tree goes on behind its end");
+            if (node.split) {
+                line("split {}", axis_names[static_cast<std::size_t>(*node.split)]);
+                ++splits_;
+                ++open;
+                continue;
+            }
+            --open;
+            ++(node.outside ? outside_ : bound_);
+            if (node.outside) {
+                line("outside");
+            } else if (with_class) {
+                line("bound {}", node.by_class);
+            } else {
+                line("bound");
+            }
+        }
+        require(open == 0, "certificate: a tree is not complete");
+    }
+    [[nodiscard]] std::string finished() {
+        line("total split {}", splits_);
+        line("total bound {}", bound_);
+        line("total outside {}", outside_);
+        return std::move(text_);
+    }
+
+  private:
+    std::string text_;
+    long splits_ = 0, bound_ = 0, outside_ = 0;
+};
+
+void write_header(Body& body, const AdiabaticCertificate& certificate) {
+    const AdiabaticHypotheses& of = certificate.hypotheses;
+    body.line("dumbbell-certificate 1");
+    body.line("generator {} {}", certificate.program, certificate.version);
+    body.line("lemmas 1");
+    body.line("scene dumbbell");
+    body.line("section none");
+    body.line("claim {}", name(of.claim));
+    body.line("delta {} {}", level(of.delta.first), level(of.delta.second));
+    if (of.claim == AdiabaticClaim::bounce || of.claim == AdiabaticClaim::run) {
+        body.line("heights {} {}", level(of.heights.first), level(of.heights.second));
+    }
+    body.line("margin {}", level(of.margin));
+    if (of.claim == AdiabaticClaim::bounce) {
+        body.line("exponent {}", of.exponent);
+    }
+    body.line("bits {}", certificate.bits);
+    if (of.claim != AdiabaticClaim::printed) {
+        std::string numbers;
+        for (const Rational& bound : certificate.bounds) {
+            numbers += ' ' + level(bound);
+        }
+        body.line("bound{}", numbers);
+    }
+}
+
+void write_classes(Body& body, const std::vector<AdiabaticClass>& classes) {
+    body.line("classes {}", classes.size());
+    for (const AdiabaticClass& one : classes) {
+        body.line("class {} {}", level(one.least_share), one.cells.size());
+        for (const auto& cell : one.cells) {
+            body.line("cell {} {}", level(cell.u), level(cell.v));
+        }
+        body.tree(one.tree, false);
+    }
+    body.line("end");
+}
+
+}  // namespace
+
+std::string_view name(AdiabaticClaim claim) {
+    switch (claim) {
+        case AdiabaticClaim::bounce:
+            return "adiabatic-bounce";
+        case AdiabaticClaim::run:
+            return "adiabatic-run";
+        case AdiabaticClaim::scattering:
+            return "adiabatic-scattering";
+        default:
+            return "adiabatic-printed";
+    }
+}
+
+CertificateText render(const AdiabaticCertificate& certificate) {
+    const AdiabaticClaim claim = certificate.hypotheses.claim;
+    const bool by_classes = claim == AdiabaticClaim::run || claim == AdiabaticClaim::scattering;
+    const auto& [least, greatest] = certificate.hypotheses.delta;
+    require(claim != AdiabaticClaim::printed || least == greatest, "one orbit for a range of delta");
+    Body body;
+    write_header(body, certificate);
+    if (by_classes) {
+        write_classes(body, certificate.classes);
+    }
+    if (claim != AdiabaticClaim::printed) {
+        body.tree(certificate.tree, by_classes);
+    }
+    for (const AdiabaticState& state : certificate.attained) {
+        body.line("attained {} {} {} {} {}", level(state.u), level(state.s), level(state.delta), state.n,
+                  level(state.value));
+    }
+    std::string text = body.finished();
+    std::string hash = sha256_hex(text);
+    text += fmt::format("sha256 {}\n", hash);
+    return {std::move(text), std::move(hash)};
+}
+
+}  // namespace dumbbell

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string_view>
+
+#include "adiabatic/certificate.hpp"
+#include "collisions/writer.hpp"
+
+namespace dumbbell {
+
+/// The one canonical spelling (proofs/format-adiabatic.md). Throws BrokenInvariant if a tree is not complete.
+[[nodiscard]] CertificateText render(const AdiabaticCertificate& certificate);
+
+/// The claim's word in the file, e.g. `adiabatic-run`.
+[[nodiscard]] std::string_view name(AdiabaticClaim claim);
+
+}  // namespace dumbbell

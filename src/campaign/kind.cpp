@@ -1,0 +1,69 @@
+#include "campaign/kind.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <fstream>
+
+#include "base/error.hpp"
+#include "base/printable.hpp"
+#include "campaign/kinds/adiabatic.hpp"
+#include "campaign/kinds/collisions.hpp"
+#include "campaign/kinds/critical.hpp"
+#include "campaign/kinds/verified.hpp"
+#include "file/verifier_program.hpp"
+
+namespace dumbbell {
+namespace {
+
+/// Whether it begins as gzip does: whoever reads it would unpack up to a thousand times its size.
+bool is_packed(const std::string& file) {
+    std::array<char, 2> first{};
+    std::ifstream(file, std::ios::binary).read(first.data(), first.size());
+    return first[0] == '\x1f' && first[1] == '\x8b';
+}
+
+}  // namespace
+
+Judgement Kind::judge(const Order& order, const std::string& folder, const std::string& file,
+                      Scrutiny scrutiny) const {
+    try {
+        if (is_packed(file)) {
+            return {Judgement::Verdict::wrong, "it is compressed, and results are plain text"};
+        }
+        const Judgement looks = form(order, file);
+        if (looks.verdict == Judgement::Verdict::wrong || scrutiny == Scrutiny::form) {
+            return looks;
+        }
+        const std::string reason = refutation(order, folder, file);
+        return reason.empty() ? looks : Judgement{Judgement::Verdict::wrong, reason};
+    } catch (const NoVerdict& error) {
+        return {Judgement::Verdict::none, error.what()};
+    } catch (const InputError& error) {
+        return {Judgement::Verdict::wrong, error.what()};
+    }
+}
+
+void Kind::require_tiling(bool tiles) {
+    if (!tiles) {
+        throw InputError("the results do not tile the claim: run the campaign again, and merge then");
+    }
+}
+
+const Kind& kind_named(std::string_view name) {
+    if (name == "adiabatic") {
+        return adiabatic_kind();
+    }
+    if (name == "collisions") {
+        return collisions_kind();
+    }
+    if (name == "critical") {
+        return critical_kind();
+    }
+    if (name == "verified") {
+        return verified_kind();
+    }
+    throw InputError(fmt::format("there are no campaigns of the kind '{}'", printable(name, 40)));
+}
+
+}  // namespace dumbbell

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/interrupted.hpp"
+#include "campaign/folder.hpp"
+#include "campaign/kind.hpp"
+
+namespace dumbbell {
+
+struct MergeOptions {
+    int jobs = 1;
+    Scrutiny scrutiny = Scrutiny::proof;
+    Interrupted interrupted = never;
+    /// Called with the numbers of verified and of all shards.
+    std::function<void(std::size_t, std::size_t)> progress = [](std::size_t, std::size_t) {};
+};
+
+/// What came of it: either the whole, or what stands in its way.
+struct Merge {
+    std::optional<Kind::Merged> whole;
+    Evidence evidence = Evidence::workers;
+    std::size_t shards = 0;
+    std::size_t unfinished = 0;
+    /// Results that did not stand up to verification, with the reason; they are no longer among the finished
+    /// ones.
+    std::vector<std::string> withdrawn;
+};
+
+/// Looks at the result of every shard, and only then joins them. The folder is locked. Throws InputError if
+/// they do not tile the claim, if a result could not be looked at, or if only their form was to be looked at
+/// and nobody could verify the whole.
+[[nodiscard]] Merge merge_campaign(const CampaignFolder& folder, const MergeOptions& options);
+
+}  // namespace dumbbell

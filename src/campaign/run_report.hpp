@@ -1,0 +1,18 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <string_view>
+
+#include "campaign/campaign.hpp"
+
+namespace dumbbell {
+
+/// What a run of a campaign tells its user.
+[[nodiscard]] std::string to_text(const CampaignRun& run);
+[[nodiscard]] nlohmann::ordered_json to_json(const CampaignRun& run, std::string_view engine);
+
+/// One sentence.
+[[nodiscard]] std::string verdict(const CampaignRun& run);
+
+}  // namespace dumbbell

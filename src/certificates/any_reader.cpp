@@ -1,0 +1,83 @@
+#include "certificates/any_reader.hpp"
+
+#include <fmt/format.h>
+#include <openssl/evp.h>
+#include <zlib.h>
+
+#include <array>
+#include <cstring>
+#include <memory>
+#include <string_view>
+
+#include "adiabatic/reader.hpp"
+#include "base/error.hpp"
+#include "base/hexadecimal.hpp"
+#include "collisions/reader.hpp"
+#include "file/lines.hpp"
+#include "starts/reader.hpp"
+
+namespace dumbbell {
+namespace {
+
+constexpr int head_lines = 5;  // before the line `claim`
+constexpr std::string_view seal = "sha256 ";
+
+/// A SHA-256 that grows line by line.
+class Digest {
+  public:
+    Digest() : context_(EVP_MD_CTX_new(), &EVP_MD_CTX_free) {
+        require(context_ && EVP_DigestInit_ex(context_.get(), EVP_sha256(), nullptr) == 1, "SHA-256 failed");
+    }
+    void add(std::string_view bytes) {
+        require(EVP_DigestUpdate(context_.get(), bytes.data(), bytes.size()) == 1, "SHA-256 failed");
+    }
+    [[nodiscard]] std::string hex() {
+        std::array<unsigned char, EVP_MAX_MD_SIZE> bytes{};
+        unsigned size = 0;
+        require(EVP_DigestFinal_ex(context_.get(), bytes.data(), &size) == 1, "SHA-256 failed");
+        return hexadecimal(bytes.data(), size);
+    }
+
+  private:
+    std::unique_ptr<EVP_MD_CTX, void (*)(EVP_MD_CTX*)> context_;
+};
+
+}  // namespace
+
+AnyCertificate read_any_certificate(const std::string& path) {
+    Lines lines(path);
+    for (int i = 0; i < head_lines; ++i) {
+        lines.next();
+    }
+    const std::string claim = lines.expect("claim", 2)[1];
+    if (claim == "initial-conditions") {
+        return read_initial_certificate(path);
+    }
+    if (claim.starts_with("adiabatic-")) {
+        return read_adiabatic_certificate(path);
+    }
+    return read_certificate(path);
+}
+
+std::string sealed_digest(const std::string& path) {
+    const std::unique_ptr<gzFile_s, int (*)(gzFile)> file(gzopen(path.c_str(), "rb"), &gzclose);
+    std::array<char, 8192> line{};
+    Digest digest;
+    while (file && gzgets(file.get(), line.data(), static_cast<int>(line.size())) != nullptr) {
+        const std::string_view text(line.data());
+        if (!text.starts_with(seal)) {
+            digest.add(text);
+            continue;
+        }
+        std::string written = digest.hex();
+        const bool is_last = gzgetc(file.get()) == -1 && gzeof(file.get()) == 1;
+        if (text.substr(seal.size()) == written + '\n' && is_last) {
+            return written;
+        }
+        break;
+    }
+    throw InputError(fmt::format(
+        "'{}' is damaged: its last line is not the checksum of its text (dumbbell verify says more)", path));
+}
+
+}  // namespace dumbbell

@@ -1,0 +1,86 @@
+#include "cli/commands/open_pieces.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "file/dyadic.hpp"
+
+namespace dumbbell {
+namespace {
+
+bool is_range(const CertifyRequest& request) { return request.q_lo < request.q_hi; }
+
+/// What hinders the first open piece that was not only late; else time.
+Obstacle worst_obstacle(const std::vector<ProvedPiece>& pieces) {
+    const auto found = std::find_if(pieces.begin(), pieces.end(), [](const ProvedPiece& p) {
+        return p.obstacle != Obstacle::none && p.obstacle != Obstacle::time;
+    });
+    return found == pieces.end() ? Obstacle::time : found->obstacle;
+}
+
+/// Plain intervals meet the states that only just miss the floor in ever smaller boxes.
+std::string plain_advice(const CertifyRequest& request) {
+    const Rational widest(1, 100);
+    if (!is_range(request)) {
+        return ": --lemmas none needs many boxes, the more the nearer a critical ratio is: leave it out, or "
+               "allow more "
+               "time (--budget)";
+    }
+    return request.gap < widest
+               ? ": --lemmas none needs boxes in inverse proportion to the gap: try --gap 0.01"
+               : ": allow more time (--budget), a shorter range, or leave --lemmas none out";
+}
+
+std::string reason(const CertifyRequest& request, Obstacle obstacle) {
+    if (request.section == Section::plain && (obstacle == Obstacle::time || obstacle == Obstacle::boxes)) {
+        return plain_advice(request);
+    }
+    const char* wider = is_range(request) ? ", or a wider --gap" : "";
+    switch (obstacle) {
+        case Obstacle::maximum:
+            return fmt::format(": {} bits do not tell it from a critical ratio", PieceOptions{}.max_bits);
+        case Obstacle::witness:
+            return fmt::format(
+                ": no orbit with so many collisions was found that a certificate can spell ({} binary "
+                "places) and {} "
+                "bits can follow{}",
+                most_binary_places, PieceOptions{}.max_bits, is_range(request) ? ": try a wider --gap" : "");
+        case Obstacle::boxes:
+            return fmt::format(": too many boxes, even with {} bits{}", PieceOptions{}.max_bits,
+                               is_range(request) ? ": try a wider --gap" : "");
+        default:
+            return fmt::format(": allow more time (--budget){}", wider);
+    }
+}
+
+}  // namespace
+
+std::string advice(const CertifyRequest& request, const std::vector<ProvedPiece>& pieces,
+                   const std::string& partial) {
+    return fmt::format(
+        "{}{}{}", is_range(request) ? "not everything was decided" : "not decided",
+        reason(request, worst_obstacle(pieces)),
+        partial.empty()
+            ? ""
+            : fmt::format("; the same command goes on with the finished pieces in '{}'", partial));
+}
+
+std::string kept_when_stopped(const CertifyRequest& request, const std::vector<ProvedPiece>& pieces,
+                              const std::string& partial) {
+    if (!is_range(request)) {
+        return "nothing is kept of a single ratio";
+    }
+    const auto finished = std::count_if(pieces.begin(), pieces.end(),
+                                        [](const ProvedPiece& p) { return p.piece.upper.has_value(); });
+    if (finished == 0) {
+        return "no piece was finished yet";
+    }
+    const std::string so_many = fmt::format("{} of {} pieces", finished, pieces.size());
+    return partial.empty()
+               ? fmt::format("{} were finished, and are lost: with --out FILE they are kept", so_many)
+               : fmt::format("{} are finished and kept in '{}': the same command goes on with them", so_many,
+                             partial);
+}
+
+}  // namespace dumbbell

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "collisions/certify.hpp"
+
+/// One line of advice for whoever did not get all that was asked for.
+namespace dumbbell {
+
+/// Why pieces are open, and what to do. `partial`: the folder of the finished pieces, empty if none is kept.
+/// Precondition: some piece is open.
+[[nodiscard]] std::string advice(const CertifyRequest& request, const std::vector<ProvedPiece>& pieces,
+                                 const std::string& partial);
+
+/// What a run that was stopped by a signal keeps.
+[[nodiscard]] std::string kept_when_stopped(const CertifyRequest& request,
+                                            const std::vector<ProvedPiece>& pieces,
+                                            const std::string& partial);
+
+}  // namespace dumbbell

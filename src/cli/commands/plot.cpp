@@ -1,0 +1,123 @@
+#include "cli/commands/plot.hpp"
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <string>
+
+#include "cli/commands/plot_pictures.hpp"
+#include "cli/terminal/exit_code.hpp"
+#include "cli/terminal/out_option.hpp"
+#include "cli/terminal/standard_input.hpp"
+
+namespace dumbbell {
+namespace {
+
+constexpr const char* footer =
+    "Exit codes: 0 done; 1 internal error; 2 wrong usage, or a file that is not verified.";
+
+constexpr const char* description =
+    R"(Draw pictures (SVG) from certificates: text as text, for light and dark pages.
+
+Nothing is drawn as proved that is not: each certificate is verified first. The same certificate gives the same bytes.
+
+Examples:
+  dumbbell plot staircase certificates/stairs-1-100.dbc --out stairs.svg
+  dumbbell plot cover certificates/full-100.dbc.gz --out cover.svg
+  dumbbell plot orbit 100 --out orbit.svg
+  dumbbell plot phase falling.dbc --out phase.svg
+  dumbbell plot adiabatic scattering.dbc --out adiabatic.svg)";
+
+constexpr const char* staircase_description =
+    R"(The proved maximum N(q) of a scene, and the gaps in which it is one of two values.
+
+For the dumbbell with the source paper's bound, for a wedge with its formula.
+
+Example:
+  dumbbell certify 1:100 --out stairs.dbc
+  dumbbell plot staircase stairs.dbc --out stairs.svg)";
+
+constexpr const char* cover_description =
+    R"(The boxes of a cover, coloured by the number of collisions that they prove.
+
+They are drawn chart by chart in the coordinates of proofs/format.md; a box with another reason has that reason's colour. A range of mass ratios is cut at one of them: --ratio. Of a certificate about
+initial conditions (dumbbell trace --subdivide) every box as it is.
+
+Example:
+  dumbbell certify 100 --section full --out full.dbc
+  dumbbell plot cover full.dbc --out cover.svg)";
+
+constexpr const char* orbit_description =
+    R"(An orbit with the greatest number of collisions, and the dumbbell at each of them.
+
+It is the witness, every collision enclosed, in the plane of the rod's angle and the height, above the floor as the point
+sees it. Of many collisions some are drawn, and the caption says which.
+
+RATIO is proved on the spot. Of a certificate over a range of mass ratios: --ratio.
+
+Examples:
+  dumbbell plot orbit 100 --out orbit.svg
+  dumbbell plot orbit certificates/stairs-1-100.dbc --ratio 50 --out orbit.svg)";
+
+constexpr const char* adiabatic_description =
+    R"(The adiabatic invariant along one orbit, with the bound that is proved for all.
+
+It is drawn along the enclosed orbit of a certificate by dumbbell adiabatic: I = |phidot| (pi - arccos y) with its two
+factors, and its change with the bound. An orbit of fewer than five collisions has no curve and is refused: dumbbell
+report shows it.
+
+Example:
+  dumbbell adiabatic --delta 0.01 --theorem thm3.5 --out scattering.dbc
+  dumbbell plot adiabatic scattering.dbc --out adiabatic.svg)";
+
+constexpr const char* phase_description =
+    R"(Initial conditions, coloured by their certified number of collisions.
+
+They are those of a certificate by dumbbell trace --subdivide. Two of phi, phidot, y, ydot and the mass ratio must be intervals, the others numbers. Boxes of equal count are united
+exactly; what is not decided is hatched, never hidden.
+
+Example:
+  dumbbell trace 10 --phi 0:6.28 --phidot 1 --y 2 --ydot=-2:1 --subdivide --out falling.dbc
+  dumbbell plot phase falling.dbc --out phase.svg)";
+
+/// Adds `dumbbell plot WORD FILE --out`.
+CLI::App& add_picture(CLI::App& plot, int& exit_code, const std::shared_ptr<PlotRequest>& options,
+                      const char* word, const char* text, const char* file,
+                      std::string (*draw)(const PlotRequest&)) {
+    CLI::App* command = plot.add_subcommand(word, text);
+    command->add_option("FILE", options->file, file)->required();
+    add_out_option(*command, options->out, {Content::picture}, "the SVG file to write")->required();
+    command->callback([options, draw, &exit_code] {
+        const Output out(options->out, {options->file});
+        options->file = input_file(options->file);
+        out.commit(draw(*options));
+        exit_code = exit_done;
+    });
+    return *command;
+}
+
+}  // namespace
+
+void add_plot_command(CLI::App& app, int& exit_code) {
+    auto options = std::make_shared<PlotRequest>();
+    CLI::App* plot = app.add_subcommand("plot", description);
+    plot->footer(footer);  // of its subcommands, too
+    plot->require_subcommand(1);
+    add_picture(*plot, exit_code, options, "staircase", staircase_description,
+                "certificate over a range of mass ratios (-: the standard input)", draw_staircase);
+    CLI::App& with_boxes = add_picture(
+        *plot, exit_code, options, "cover", cover_description,
+        "certificate about a mass ratio, or about initial conditions (-: the standard input)", draw_cover);
+    CLI::App& with_orbit = add_picture(*plot, exit_code, options, "orbit", orbit_description,
+                                       "mass ratio, or certificate (-: the standard input)", draw_orbit);
+    for (CLI::App* picture : {&with_boxes, &with_orbit}) {
+        picture
+            ->add_option("--ratio", options->ratio, "the mass ratio to draw, of a certificate over a range")
+            ->type_name("RATIO");
+    }
+    add_picture(*plot, exit_code, options, "phase", phase_description,
+                "certificate about initial conditions (-: the standard input)", draw_phase);
+    add_picture(*plot, exit_code, options, "adiabatic", adiabatic_description,
+                "certificate about the adiabatic invariant (-: the standard input)", draw_adiabatic);
+}
+
+}  // namespace dumbbell

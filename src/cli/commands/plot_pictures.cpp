@@ -1,0 +1,199 @@
+#include "cli/commands/plot_pictures.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "adiabatic/plot.hpp"
+#include "base/error.hpp"
+#include "certificates/any_reader.hpp"
+#include "cli/commands/verify.hpp"
+#include "collisions/certify.hpp"
+#include "collisions/names.hpp"
+#include "collisions/witness_orbit.hpp"
+#include "flight/paper_bound.hpp"
+#include "number/decimal.hpp"
+#include "number/ratio_argument.hpp"
+#include "pictures/cover.hpp"
+#include "pictures/orbit.hpp"
+#include "pictures/phase.hpp"
+#include "pictures/staircase.hpp"
+
+namespace dumbbell {
+namespace {
+
+const Rational greatest_drawn_ratio = 100'000'000;  // about 9,000 collisions
+
+/// What to run for a certificate of the kind that a picture needs.
+constexpr const char* make_cover =
+    "dumbbell certify RATIO --out FILE, or by dumbbell trace ... --subdivide --out FILE";
+constexpr const char* make_orbit = "dumbbell certify RATIO --out FILE";
+constexpr const char* make_initial = "dumbbell trace RATIO ... --subdivide --out FILE";
+constexpr const char* make_adiabatic = "dumbbell adiabatic --delta D --out FILE";
+
+const char* what_it_is(const AnyCertificate& certificate) {
+    return std::holds_alternative<Certificate>(certificate) ? "about mass ratios (dumbbell certify)"
+           : std::holds_alternative<InitialCertificate>(certificate)
+               ? "about initial conditions (dumbbell trace)"
+               : "about the adiabatic invariant";
+}
+
+/// The certificate, if it is of this kind. Throws InputError, saying what to run, if it is of another.
+template <class Kind>
+Kind certificate_of(const std::string& file, const char* picture, const char* make) {
+    AnyCertificate any = read_any_certificate(file);
+    Kind* certificate = std::get_if<Kind>(&any);
+    if (certificate == nullptr) {
+        throw InputError(fmt::format("'{}' is {}; plot {} needs a certificate by {}", file, what_it_is(any),
+                                     picture, make));
+    }
+    return std::move(*certificate);
+}
+
+/// The mass ratio of --ratio, or the only one that there is.
+Rational ratio_of(const PlotRequest& request, const Certificate& certificate) {
+    if (request.ratio.empty()) {
+        if (certificate.q_lo() != certificate.q_hi()) {
+            throw InputError(
+                fmt::format("'{}' is about the mass ratios {} to {}: choose one of them with --ratio",
+                            request.file, exact_text(certificate.q_lo()), exact_text(certificate.q_hi())));
+        }
+        return certificate.q_lo();
+    }
+    const RatioArgument ratio = parse_ratio_argument(request.ratio);
+    if (ratio.lo != ratio.hi) {
+        throw InputError("--ratio takes a single mass ratio");
+    }
+    return ratio.lo;
+}
+
+/// The piece with the mass ratio; of two that share it one that is decided. Throws InputError if there is
+/// none.
+const Piece& piece_at(const PlotRequest& request, const Certificate& certificate, const Rational& q) {
+    const Piece* found = nullptr;
+    for (const Piece& piece : certificate.pieces) {
+        if (piece.q_lo <= q && q <= piece.q_hi && (found == nullptr || piece.status() == Status::exact)) {
+            found = &piece;
+        }
+    }
+    if (found == nullptr) {
+        throw InputError(
+            fmt::format("'{}' says nothing about the mass ratio {}", request.file, exact_text(q)));
+    }
+    return *found;
+}
+
+Certificate verified_dumbbell(const PlotRequest& request, const char* picture, const char* make) {
+    auto certificate = certificate_of<Certificate>(request.file, picture, make);
+    if (certificate.scene != Scene::dumbbell) {
+        throw InputError(fmt::format("'{}' is about the scene {}: plot {} draws the dumbbell", request.file,
+                                     name(certificate.scene), picture));
+    }
+    (void)verified(request.file, name(certificate.scene));
+    return certificate;
+}
+
+/// Is it a mass ratio, not the name of a file? Throws InputError if it is neither, but begins like a number.
+bool is_ratio(const std::string& text) {
+    try {
+        (void)parse_ratio_argument(text);
+        return true;
+    } catch (const InputError&) {
+        const bool like_number = text.find_first_of("0123456789") <= 1;  // -1 and .5, too
+        if (like_number && !std::filesystem::exists(text)) {
+            throw;
+        }
+        return false;
+    }
+}
+
+/// Proves the greatest number of collisions at one mass ratio.
+Piece proved(const Rational& q) {
+    Progress progress("boxes", Loudness::normal, "proving");
+    CertifyRequest single;
+    single.q_lo = single.q_hi = q;
+    single.judged = [&](std::size_t boxes) { progress.advance(boxes); };
+    std::vector<ProvedPiece> pieces = certify(single);
+    return std::move(pieces.front().piece);
+}
+
+}  // namespace
+
+std::string draw_staircase(const PlotRequest& request) {
+    const auto certificate =
+        certificate_of<Certificate>(request.file, "staircase", "dumbbell certify LO:HI --out FILE");
+    if (certificate.q_lo() == certificate.q_hi()) {
+        throw InputError("a staircase needs a range of mass ratios: this certificate holds a single one");
+    }
+    if (certificate.q_hi() > paper_bound_limit()) {
+        throw InputError(
+            fmt::format("'{}' reaches beyond the mass ratio 3e31: no picture of that", request.file));
+    }
+    (void)verified(request.file, name(certificate.scene));
+    return staircase_svg(certificate.pieces, certificate.scene);
+}
+
+std::string draw_cover(const PlotRequest& request) {
+    const AnyCertificate any = read_any_certificate(request.file);
+    if (const auto* initial = std::get_if<InitialCertificate>(&any)) {
+        if (!request.ratio.empty()) {
+            throw InputError("--ratio is for certificates about mass ratios");
+        }
+        (void)verified(request.file, name(Scene::dumbbell));
+        return cover_svg(*initial);
+    }
+    const Certificate certificate = verified_dumbbell(request, "cover", make_cover);
+    const Rational q = ratio_of(request, certificate);
+    const Piece& piece = piece_at(request, certificate, q);
+    if (!piece.upper) {
+        throw InputError(fmt::format("'{}' has no cover of the mass ratio {}: it is left open there",
+                                     request.file, exact_text(q)));
+    }
+    return cover_svg(piece, q);
+}
+
+std::string draw_orbit(const PlotRequest& request) {
+    Piece piece;
+    Rational q;
+    if (is_ratio(request.file)) {
+        const RatioArgument ratio = parse_ratio_argument(request.file);
+        if (ratio.lo != ratio.hi || !request.ratio.empty()) {
+            throw InputError(
+                "an orbit has one mass ratio: plot orbit RATIO, or plot orbit FILE --ratio RATIO");
+        }
+        q = ratio.lo;
+        if (q > greatest_drawn_ratio) {
+            throw InputError("beyond the mass ratio 10^8 an orbit has too many collisions for a picture");
+        }
+        piece = proved(q);
+    } else {
+        const Certificate certificate = verified_dumbbell(request, "orbit", make_orbit);
+        q = ratio_of(request, certificate);
+        piece = piece_at(request, certificate, q);
+    }
+    if (!piece.witness) {
+        throw InputError(fmt::format("there is no orbit at the mass ratio {} to draw", exact_text(q)));
+    }
+    const auto collisions = witness_orbit(*piece.witness, q, piece.bits);
+    if (collisions.empty()) {
+        throw InputError(fmt::format("the orbit cannot be enclosed with {} bits", piece.bits));
+    }
+    return orbit_svg(collisions, q);
+}
+
+std::string draw_phase(const PlotRequest& request) {
+    const auto certificate = certificate_of<InitialCertificate>(request.file, "phase", make_initial);
+    (void)verified(request.file, name(Scene::dumbbell));
+    return phase_svg(certificate);
+}
+
+std::string draw_adiabatic(const PlotRequest& request) {
+    const auto certificate = certificate_of<AdiabaticCertificate>(request.file, "adiabatic", make_adiabatic);
+    (void)verified(request.file, name(Scene::dumbbell));
+    return adiabatic_svg(certificate);
+}
+
+}  // namespace dumbbell

@@ -1,0 +1,92 @@
+#include "cli/terminal/hint.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+namespace dumbbell {
+namespace {
+
+/// The number of letters to insert, remove, replace or exchange with their neighbour.
+std::size_t distance(const std::string& a, const std::string& b) {
+    std::vector<std::size_t> last, before, now(b.size() + 1);
+    std::iota(now.begin(), now.end(), 0);
+    for (std::size_t i = 1; i <= a.size(); ++i) {
+        last = std::exchange(before, now);
+        now[0] = i;
+        for (std::size_t j = 1; j <= b.size(); ++j) {
+            now[j] =
+                std::min({before[j] + 1, now[j - 1] + 1, before[j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1)});
+            if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1]) {
+                now[j] = std::min(now[j], last[j - 2] + 1);
+            }
+        }
+    }
+    return now[b.size()];
+}
+
+/// `did you mean X? ` for the nearest of the names, if it is near.
+std::string meant(const std::string& word, const std::vector<std::string>& names) {
+    constexpr std::size_t longest = 40, far = 3;
+    if (word.size() > longest || names.empty()) {
+        return "";
+    }
+    const auto nearest = std::min_element(names.begin(), names.end(), [&](const auto& a, const auto& b) {
+        return distance(word, a) < distance(word, b);
+    });
+    const std::size_t steps = distance(word, *nearest);
+    return steps > 0 && steps < far && 2 * steps < nearest->size()
+               ? fmt::format("did you mean {}? ", *nearest)
+               : "";
+}
+
+std::vector<std::string> names_of_options(const CLI::App& app) {
+    std::vector<std::string> names;
+    for (const CLI::Option* option : app.get_options()) {
+        for (const std::string& name : option->get_lnames()) {
+            names.push_back("--" + name);
+        }
+    }
+    return names;
+}
+
+std::vector<const CLI::App*> commands_of(const CLI::App& app) {
+    return app.get_subcommands([](const CLI::App* c) { return !c->get_group().empty(); });
+}
+
+const CLI::App* command_named(const CLI::App& app, const std::string& name) {
+    const auto commands = commands_of(app);
+    const auto found = std::find_if(commands.begin(), commands.end(),
+                                    [&](const CLI::App* c) { return c->get_name() == name; });
+    return found == commands.end() ? nullptr : *found;
+}
+
+}  // namespace
+
+std::vector<std::string> names_of_commands(const CLI::App& app) {
+    std::vector<std::string> names;
+    for (const CLI::App* command : commands_of(app)) {
+        names.push_back(command->get_name());
+    }
+    return names;
+}
+
+std::string hint(const CLI::App& app, const std::vector<std::string>& words) {
+    const CLI::App* command = &app;
+    std::string called = app.get_name(), suggestion;
+    for (const std::string& word : words) {
+        if (const CLI::App* below = command_named(*command, word)) {
+            command = below;
+            called += " " + word;
+        } else if (suggestion.empty() && word.starts_with("--")) {
+            suggestion = meant(word.substr(0, word.find('=')), names_of_options(*command));
+        } else if (suggestion.empty() && !word.starts_with('-')) {
+            suggestion = meant(word, names_of_commands(*command));
+        }
+    }
+    return fmt::format("{}see {} --help", suggestion, called);
+}
+
+}  // namespace dumbbell

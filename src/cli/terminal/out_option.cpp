@@ -1,0 +1,138 @@
+#include "cli/terminal/out_option.hpp"
+
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <filesystem>
+#include <string_view>
+
+#include "base/error.hpp"
+#include "cli/terminal/messages.hpp"
+
+namespace dumbbell {
+namespace {
+
+constexpr std::string_view standard_stream = "-";
+
+struct Names {
+    const char* what;
+    std::vector<std::string_view> endings;
+};
+
+Names names_of(Content content) {
+    switch (content) {
+        case Content::certificate:
+            return {"a certificate", {".dbc", ".dbc.gz"}};
+        case Content::table:
+            return {"a table", {".tsv", ".tsv.gz"}};
+        case Content::picture:
+            return {"a picture", {".svg"}};
+        case Content::page:
+            return {"a page", {".html"}};
+        case Content::parts:
+            return {"a list of verified parts", {".txt", ".txt.gz"}};
+    }
+    throw BrokenInvariant("unknown content");
+}
+
+/// `.dbc` alone is no name.
+bool ends_in(const std::string& file, std::string_view ending) {
+    const std::string name = std::filesystem::path(file).filename().string();
+    return name.size() > ending.size() && name.ends_with(ending);
+}
+
+/// What is wrong with the name; empty if nothing is.
+std::string fault_of(const std::string& name, const std::vector<Content>& contents) {
+    if (name.empty()) {
+        return "the file name is empty";
+    }
+    if (name == standard_stream) {
+        return "";
+    }
+    const std::string target = output_target(name);
+    std::error_code unreadable;
+    if (std::filesystem::is_directory(target, unreadable)) {
+        return fmt::format("'{}' is a directory; give a file name", name);
+    }
+    std::string wanted;
+    if (contents.empty()) {
+        return "";
+    }
+    for (const Content content : contents) {
+        const Names names = names_of(content);
+        if (std::ranges::any_of(names.endings, [&](auto ending) { return ends_in(target, ending); })) {
+            return "";
+        }
+        wanted += fmt::format("{}the name of {} ends in {}", wanted.empty() ? "" : ", ", names.what,
+                              fmt::join(names.endings, " or "));
+    }
+    return fmt::format("{} ('{}' does not)", wanted, target);
+}
+
+bool same_file(const std::string& output, const std::string& input) {
+    struct stat out {};
+    struct stat in {};
+    const bool both =
+        ::stat(output.c_str(), &out) == 0 &&
+        (input == standard_stream ? ::fstat(STDIN_FILENO, &in) : ::stat(input.c_str(), &in)) == 0;
+    return both && out.st_dev == in.st_dev && out.st_ino == in.st_ino;
+}
+
+}  // namespace
+
+CLI::Option* add_out_option(CLI::App& command, std::string& file, const std::vector<Content>& contents,
+                            const char* text) {
+    const auto fault = [contents](const std::string& name) {
+        try {
+            return fault_of(name, contents);
+        } catch (const InputError& error) {
+            return std::string(error.what());
+        }
+    };
+    return command.add_option("--out", file, std::string(text) + "; -: the standard output")
+        ->check(fault)
+        ->type_name("FILE");
+}
+
+void require_name_of(const std::string& file, Content content) {
+    if (const std::string fault = fault_of(file, {content}); !fault.empty()) {
+        throw InputError("--out: " + fault);
+    }
+}
+
+Output::Output(const std::string& file, const std::vector<std::string>& inputs, const char* beside)
+    : name_(file) {
+    if (file.empty()) {
+        return;
+    }
+    if (file == standard_stream) {
+        if (beside != nullptr) {
+            throw InputError(fmt::format(
+                "--out - and {0} both write to the standard output: give --out a file name, or leave {0} out",
+                beside));
+        }
+        return;
+    }
+    const std::string target = output_target(file);
+    for (const std::string& input : inputs) {
+        if (same_file(target, input)) {
+            throw InputError(
+                fmt::format("--out '{}' would replace '{}', which is read: give another name", file, input));
+        }
+    }
+    file_.emplace(target);
+}
+
+void Output::commit(const std::string& contents) const {
+    if (file_) {
+        file_->commit(contents);
+    } else if (is_wanted() && (std::fwrite(contents.data(), 1, contents.size(), stdout) != contents.size() ||
+                               std::fflush(stdout) != 0)) {
+        throw InputError(not_printed);
+    }
+}
+
+}  // namespace dumbbell

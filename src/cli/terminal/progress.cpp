@@ -1,0 +1,155 @@
+#include "cli/terminal/progress.hpp"
+
+#include <fmt/format.h>
+#include <signal.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <string>
+#include <utility>
+
+#include "cli/terminal/messages.hpp"
+#include "words/printed.hpp"
+
+namespace dumbbell {
+namespace {
+
+using namespace std::chrono_literals;
+
+std::size_t columns() {
+    winsize size{};
+    return ::ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : 80;
+}
+
+/// In place of the line before. The last column stays free: some terminals would begin a new line there.
+void show(const std::string& line) {
+    say(fmt::format("\r{}\033[K", line.substr(0, columns() - 1)));
+    std::fflush(stderr);
+}
+
+std::string rate_text(std::size_t done, double seconds) {
+    const double rate = static_cast<double>(done) / seconds;
+    return rate < 10 ? fmt::format("{:.1f}/s", rate) : fmt::format("{:.0f}/s", rate);
+}
+
+std::string before(std::string_view phase) { return phase.empty() ? "" : fmt::format("{}: ", phase); }
+
+constexpr std::size_t shortest = 5, longest = 30, frame = 4;
+constexpr std::size_t shortest_bar = shortest + frame;
+
+/// `[###......] `, as long as there is room for it.
+std::string bar(std::size_t done, std::size_t total, std::size_t room) {
+    const std::size_t length = std::min(longest, std::max(room, frame) - frame);
+    if (length < shortest) {
+        return "";
+    }
+    const std::size_t filled = length * done / total;
+    return fmt::format("[{}{}] ", std::string(filled, '#'), std::string(length - filled, '.'));
+}
+
+}  // namespace
+
+Progress::Progress(std::string_view unit, Loudness loudness, std::string_view phase)
+    : unit_(unit), phase_(phase), shows_(loudness == Loudness::normal && stderr_is_terminal()) {
+    if (!shows_ || phase.empty()) {
+        return;
+    }
+    sigset_t all, before;  // a signal is for the thread that works
+    ::sigfillset(&all);
+    ::pthread_sigmask(SIG_BLOCK, &all, &before);
+    ticker_ = std::thread([this] { tick(); });
+    ::pthread_sigmask(SIG_SETMASK, &before, nullptr);
+}
+
+Progress::~Progress() {
+    if (ticker_.joinable()) {
+        {
+            const std::scoped_lock lock(mutex_);
+            ends_ = true;
+        }
+        end_.notify_one();
+        ticker_.join();
+    }
+    clear();
+}
+
+void Progress::clear() {
+    if (std::exchange(shown_, false)) {
+        say("\r\033[K");
+    }
+}
+
+void Progress::tick() {
+    constexpr auto between = 500ms;
+    std::unique_lock lock(mutex_);
+    while (!end_.wait_for(lock, between, [this] { return ends_; })) {
+        if (!counted_ && is_due()) {
+            show(fmt::format("{}, {}", phase_, time_text(elapsed())));
+        }
+    }
+}
+
+void Progress::enter(std::string_view phase, std::string_view unit) {
+    const std::scoped_lock lock(mutex_);
+    if (phase != phase_) {
+        phase_ = phase;
+        unit_ = unit;
+        phase_start_ = Clock::now();
+        counted_ = false;
+        done_ = 0;
+    }
+}
+
+void Progress::note(const std::string& line) {
+    const std::scoped_lock lock(mutex_);
+    clear();
+    remark(line);
+}
+
+bool Progress::is_due() {
+    const auto now = Clock::now();
+    if (!shows_ || now - start_ < 1s || now - last_ < 100ms) {
+        return false;
+    }
+    last_ = now;
+    shown_ = true;
+    return true;
+}
+
+double Progress::elapsed() const {
+    constexpr double least = 1e-3;  // a rate is a number
+    return std::max(least, std::chrono::duration<double>(last_ - phase_start_).count());
+}
+
+void Progress::advance(std::size_t more) {
+    const std::scoped_lock lock(mutex_);
+    counted_ = true;
+    done_ += more;
+    if (is_due()) {
+        show(fmt::format("{}{} {} in {}, {}", before(phase_), done_, unit_, time_text(elapsed()),
+                         rate_text(done_, elapsed())));
+    }
+}
+
+void Progress::update(std::size_t done, std::size_t total, std::optional<long> count) {
+    const std::scoped_lock lock(mutex_);
+    counted_ = true;
+    if (!is_due()) {
+        return;
+    }
+    const double left = elapsed() * static_cast<double>(total - done) / static_cast<double>(done);
+    const std::string text =
+        fmt::format("{}/{} {}, about {} left, {}{}", done, total, unit_, time_text(left),
+                    rate_text(done, elapsed()), count ? fmt::format(", N = {}", *count) : "");
+    const std::size_t all = columns();
+    const std::string phase = before(phase_);
+    if (phase.size() + text.size() + shortest_bar < all) {
+        show(phase + bar(done, total, all - phase.size() - text.size()) + text);
+    } else {
+        show(bar(done, total, all - std::min(all, text.size())) + text);
+    }
+}
+
+}  // namespace dumbbell

@@ -1,0 +1,48 @@
+#include "cli/terminal/stop_signals.hpp"
+
+#include <fmt/format.h>
+#include <signal.h>
+
+#include <cstdio>
+
+#include "base/deadline.hpp"
+#include "cli/terminal/exit_code.hpp"
+
+namespace dumbbell {
+namespace {
+
+extern "C" void request_stop(int signal) { stop_signal = signal; }
+
+void watch(int signal) {
+    struct sigaction before {};
+    ::sigaction(signal, nullptr, &before);
+    if (before.sa_handler == SIG_IGN) {
+        return;
+    }
+    struct sigaction action {};
+    action.sa_handler = request_stop;
+    action.sa_flags = static_cast<int>(SA_RESETHAND | SA_RESTART);
+    ::sigaction(signal, &action, nullptr);
+}
+
+}  // namespace
+
+int stoppable(const std::function<int()>& command) {
+    watch(SIGINT);
+    watch(SIGTERM);
+    const int code = command();
+    if (code == exit_stopped) {
+        const int signal = stop_signal;
+        std::fflush(nullptr);
+        ::signal(signal, SIG_DFL);
+        ::raise(signal);
+        return exit_stopped + signal;  // the first process of a container does not end by a signal
+    }
+    return code;
+}
+
+std::string stopped_by() {
+    return fmt::format("stopped by {}", stop_signal == SIGINT ? "SIGINT" : "SIGTERM");
+}
+
+}  // namespace dumbbell

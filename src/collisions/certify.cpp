@@ -1,0 +1,116 @@
+#include "collisions/certify.hpp"
+
+#include <tbb/global_control.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <atomic>
+#include <cmath>
+
+#include "base/deadline.hpp"
+#include "collisions/steps.hpp"
+#include "number/self_test.hpp"
+
+namespace dumbbell {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// Not even begun.
+ProvedPiece open_piece(const Rational& q_lo, const Rational& q_hi) {
+    ProvedPiece open;
+    open.piece.q_lo = q_lo;
+    open.piece.q_hi = q_hi;
+    open.obstacle = Obstacle::time;
+    return open;
+}
+
+template <class Prove>
+ProvedPiece timed(Prove prove) {
+    const auto start = Clock::now();
+    ProvedPiece proved = prove();
+    proved.seconds = std::chrono::duration<double>(Clock::now() - start).count();
+    return proved;
+}
+
+/// From the store if it has the piece; else proved, and kept if that came to its end.
+ProvedPiece prove_or_recall(const PlannedPiece& planned, const CertifyRequest& request,
+                            const PieceOptions& options) {
+    const PieceStore* store = request.store;
+    auto kept = store ? store->find(planned, request.damaged) : std::nullopt;
+    const bool late = options.interrupted();
+    if (kept) {
+        ProvedPiece recalled;
+        recalled.piece = std::move(*kept);
+        if (!late) {
+            describe_witness(recalled);
+        }
+        return recalled;
+    }
+    if (late) {
+        return open_piece(planned.q_lo, planned.q_hi);
+    }
+    ProvedPiece proved = prove_piece(planned.q_lo, planned.q_hi, planned.upper, planned.lower, options);
+    if (store && proved.piece.upper) {
+        store->keep(proved.piece);
+    }
+    return proved;
+}
+
+std::vector<ProvedPiece> prove_plan(const CertifyRequest& request, const PieceOptions& options) {
+    const auto plan = plan_staircase(request.scene, request.q_lo, request.q_hi, request.gap,
+                                     options.interrupted, request.placed);
+    if (plan.empty()) {
+        return {open_piece(request.q_lo, request.q_hi)};
+    }
+    std::vector<ProvedPiece> pieces(plan.size());
+    std::atomic<std::size_t> finished = 0;
+    tbb::parallel_for(std::size_t{0}, plan.size(), [&](std::size_t i) {
+        require_sound_arithmetic();
+        pieces[i] = timed([&] { return prove_or_recall(plan[i], request, options); });
+        request.progress(++finished, plan.size(), plan[i].upper);
+    });
+    return pieces;
+}
+
+}  // namespace
+
+Rational greatest_ratio() { return exact(1e16); }
+
+std::vector<ProvedPiece> certify(const CertifyRequest& request) {
+    require_sound_arithmetic();
+    if (request.q_hi > greatest_ratio()) {
+        return {open_piece(request.q_lo, request.q_hi)};
+    }
+    PieceOptions options = piece_options(request.scene, request.section);
+    options.rule = request.rule;
+    options.interrupted = deadline(request.budget);
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
+                                    static_cast<std::size_t>(request.jobs));
+    tbb::task_arena arena(request.jobs);
+    return arena.execute([&]() -> std::vector<ProvedPiece> {
+        if (request.q_lo == request.q_hi) {
+            options.parallel = true;
+            options.judged = request.judged;
+            return {options.interrupted() ? open_piece(request.q_lo, request.q_hi)
+                                          : timed([&] { return prove_single(request.q_lo, options); })};
+        }
+        return prove_plan(request, options);
+    });
+}
+
+Rational undecided_share(const std::vector<ProvedPiece>& pieces) {
+    const Rational whole = pieces.back().piece.q_hi - pieces.front().piece.q_lo;
+    if (whole == 0) {
+        return pieces.front().piece.status() == Status::exact ? 0 : 1;
+    }
+    Rational undecided = 0;
+    for (const ProvedPiece& proved : pieces) {
+        if (proved.piece.status() != Status::exact) {
+            undecided += proved.piece.q_hi - proved.piece.q_lo;
+        }
+    }
+    return undecided / whole;
+}
+
+}  // namespace dumbbell

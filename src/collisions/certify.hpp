@@ -1,0 +1,49 @@
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "collisions/piece.hpp"
+#include "collisions/piece_store.hpp"
+
+namespace dumbbell {
+
+struct CertifyRequest {
+    Rational q_lo;  ///< >= 1
+    Rational q_hi;  ///< >= q_lo; a single ratio if equal
+    Scene scene = Scene::dumbbell;
+    Section section = Section::turning;
+    Rational gap = Rational(1, 1'000'000);
+    int jobs = 1;
+    std::optional<std::chrono::duration<double>> budget;
+    SplitRule rule = SplitRule::scaled;
+    const PieceStore* store = nullptr;  ///< ranges: where finished pieces are kept, and found again
+    /// Ranges: called, from any thread, with the numbers of critical ratios that are placed and of all,
+    /// before the first piece.
+    std::function<void(std::size_t, std::size_t)> placed = [](std::size_t, std::size_t) {};
+    /// Called, from any thread, when a piece is finished: the numbers of finished and of all pieces, and the
+    /// maximum that was looked for in this one.
+    std::function<void(std::size_t, std::size_t, long)> progress = [](std::size_t, std::size_t, long) {};
+    /// A single ratio: called now and then with the number of boxes judged since the last call.
+    std::function<void(std::size_t)> judged = [](std::size_t) {};
+    /// Called, from any thread, with the name of a kept piece's file that is damaged: the piece is proved
+    /// again.
+    std::function<void(const std::string&)> damaged = [](const std::string&) {};
+};
+
+/// Proves the request piece by piece. Pieces that cannot be decided, or not within the budget, are left open.
+/// The result does not depend on the number of jobs. Throws BrokenInvariant if the arithmetic of a thread is
+/// not sound.
+[[nodiscard]] std::vector<ProvedPiece> certify(const CertifyRequest& request);
+
+/// Beyond this ratio, 10^16, one orbit has about 10^8 collisions; nothing is tried.
+[[nodiscard]] Rational greatest_ratio();
+
+/// The share of [q_lo, q_hi] whose pieces are gaps or open, exactly; 0 for a single decided ratio, else 1.
+[[nodiscard]] Rational undecided_share(const std::vector<ProvedPiece>& pieces);
+
+}  // namespace dumbbell

@@ -1,0 +1,140 @@
+#include "collisions/cover.hpp"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <type_traits>
+
+#include "base/error.hpp"
+#include "base/growing_tree.hpp"
+#include "number/self_test.hpp"
+
+namespace dumbbell {
+namespace {
+
+/// Smaller spans would leave lanes of the batch kernel idle; but one box in multiple precision is work
+/// enough.
+template <class I>
+constexpr std::size_t boxes_together = std::is_same_v<I, Interval> ? 16 : 1;
+
+/// The boxes of one generation, judged in spans; the results do not depend on how the work is shared out.
+template <class I>
+void judge_all(Chart chart, std::span<const Box> boxes, long upper, std::span<std::optional<Leaf>> results,
+               const CoverOptions& options) {
+    const int bits = PrecisionScope::current();
+    const auto judge_some = [&](std::size_t begin, std::size_t size) {
+        if (!options.interrupted()) {
+            judge<I>(chart, boxes.subspan(begin, size), upper, results.subspan(begin, size),
+                     options.interrupted);
+        }
+    };
+    if (!options.parallel || boxes.size() <= boxes_together<I>) {
+        return judge_some(0, boxes.size());
+    }
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, boxes.size(), boxes_together<I>),
+                      [&](const auto& range) {
+                          require_sound_arithmetic();
+                          const PrecisionScope scope(bits);
+                          judge_some(range.begin(), range.size());
+                      });
+}
+
+/// Of which boxes the ratio seems to be what is too wide: the box would close if its ratios were only the
+/// greatest one (the least r, where most bounds are). Only while the ratio is not already narrow against the
+/// state: at a ratio where the answer changes this would never end.
+template <class I>
+std::vector<bool> with_too_wide_ratios(Chart chart, std::span<const Box> boxes,
+                                       std::span<const std::optional<Leaf>> results, long upper,
+                                       const CoverOptions& options) {
+    std::vector<std::size_t> asked;
+    std::vector<Box> thin;
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+        const Box& box = boxes[i];
+        const Rational state = std::max(box.e_hi - box.e_lo, box.slope_hi - box.slope_lo);
+        if (!results[i] && 16 * (box.q_hi - box.q_lo) > state * box.q_lo) {
+            asked.push_back(i);
+            thin.push_back(box);
+            thin.back().q_lo = box.q_hi;
+        }
+    }
+    std::vector<std::optional<Leaf>> answers(thin.size());
+    judge_all<I>(chart, thin, upper, answers, options);
+    std::vector<bool> wide(boxes.size());
+    for (std::size_t i = 0; i < asked.size(); ++i) {
+        wide[asked[i]] = answers[i].has_value();
+    }
+    return wide;
+}
+
+/// How many units of slope one unit of position is worth.
+Rational position_weight(Chart chart, const Box& box, SplitRule rule) {
+    switch (rule) {
+        case SplitRule::slope_first:
+            return {1, 1000};
+        case SplitRule::position_first:
+            return 1000 * box.q_hi;
+        default:
+            return chart == Chart::light ? box.q_hi : Rational(1);
+    }
+}
+
+/// Whether the chart's bounds use both ends of the ratio, so that its width counts like that of a state's
+/// coordinate.
+bool depends_on_both_ratios(Chart chart) {
+    return chart == Chart::departure || chart == Chart::plain_departure || chart == Chart::plain_contact ||
+           chart == Chart::again;
+}
+
+Axis longest_side(Chart chart, const Box& box, SplitRule rule) {
+    const Rational position = (box.e_hi - box.e_lo) * position_weight(chart, box, rule);
+    const Rational slope = box.slope_hi - box.slope_lo;
+    // A relative change of the ratio moves a bound much less than the same change of a coordinate: plain
+    // evaluation takes 3 to 6 times as many boxes with equal weights.
+    const Rational ratio = (box.q_hi - box.q_lo) / (8 * box.q_lo);
+    if (depends_on_both_ratios(chart) && ratio > std::max(position, slope)) {
+        return Axis::ratio;
+    }
+    return position > slope ? Axis::position : Axis::slope;
+}
+
+}  // namespace
+
+template <class I>
+std::optional<Tree> cover(Chart chart, const Rational& q_lo, const Rational& q_hi, long upper,
+                          const CoverOptions& options) {
+    require(upper >= 1, "cover: an upper bound is at least 1");
+    GrowingTree<Node, Box, 3> tree(root_box(chart, q_lo, q_hi));
+    for (; !tree.boxes().empty(); tree.next_generation()) {
+        const std::vector<Box>& boxes = tree.boxes();
+        std::vector<std::optional<Leaf>> results(boxes.size());
+        judge_all<I>(chart, boxes, upper, results, options);
+        options.judged(boxes.size());
+        const std::vector<bool> by_ratio =
+            depends_on_both_ratios(chart) ? std::vector<bool>(boxes.size())
+                                          : with_too_wide_ratios<I>(chart, boxes, results, upper, options);
+        for (std::size_t i = 0; i < boxes.size(); ++i) {
+            if (options.interrupted()) {
+                return std::nullopt;
+            }
+            if (results[i]) {
+                tree.close(i, *results[i]);
+                continue;
+            }
+            const Axis axis = by_ratio[i] ? Axis::ratio : longest_side(chart, boxes[i], options.rule);
+            if (tree.depths(i)[static_cast<std::size_t>(axis)] >= options.max_depth ||
+                tree.nodes() + 2 > options.max_nodes) {
+                return std::nullopt;
+            }
+            tree.split(i, axis, halves(boxes[i], axis));
+        }
+    }
+    return tree.pre_order();
+}
+
+template std::optional<Tree> cover<Interval>(Chart, const Rational&, const Rational&, long,
+                                             const CoverOptions&);
+template std::optional<Tree> cover<BigInterval>(Chart, const Rational&, const Rational&, long,
+                                                const CoverOptions&);
+
+}  // namespace dumbbell

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <optional>
+
+#include "base/interrupted.hpp"
+#include "collisions/leaf.hpp"
+#include "collisions/section.hpp"
+
+namespace dumbbell {
+
+/// The order in which axes are split. `scaled` compares position with slope / r, the natural units of the
+/// counts; the others exist to show that nothing but the number of leaves depends on it.
+enum class SplitRule { scaled, slope_first, position_first };
+
+struct CoverOptions {
+    SplitRule rule = SplitRule::scaled;
+    std::size_t max_nodes = 20000;  ///< give up beyond
+    int max_depth = 400;            ///< per axis; the format's limit
+    bool parallel = false;          ///< judge the boxes of a generation on all of the calling arena's threads
+    Interrupted interrupted = never;
+    std::function<void(std::size_t)> judged = [](std::size_t) {};  ///< called with the number of boxes judged
+};
+
+/// A bisection tree of the chart over mass ratios [q_lo, q_hi], each leaf of which closes for "at most
+/// `upper` collisions"; nothing if none was found within the options' limits. Deterministic, whatever the
+/// number of threads.
+template <class I>
+[[nodiscard]] std::optional<Tree> cover(Chart chart, const Rational& q_lo, const Rational& q_hi, long upper,
+                                        const CoverOptions& options);
+
+}  // namespace dumbbell

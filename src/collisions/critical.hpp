@@ -1,0 +1,45 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+
+#include "base/interrupted.hpp"
+#include "number/rational.hpp"
+
+namespace dumbbell {
+
+/// The critical ratio q_c(n), n >= 3, enclosed: q_lo <= q_c(n) <= q_hi.
+///
+/// The interval Newton operator maps a bracket of r = 1/q into itself: in the bracket exactly one r makes the
+/// flight of tangent_flight(n) tangent to the hump. That this is the place where the maximum steps rests on
+/// Theorem 2 of proofs/theorem.md, which no cover uses.
+struct CriticalRatio {
+    long n = 0;
+    Rational q_lo;
+    Rational q_hi;  ///< equal to q_lo only for n = 3, q_c = 1
+    int bits = 0;   ///< working precision
+};
+
+struct CriticalOptions {
+    int digits = 15;  ///< significant digits that all of [q_lo, q_hi] share
+    Interrupted interrupted = never;
+    /// Called now and then with the number of flights enclosed since the last call.
+    std::function<void(long)> advanced = [](long) {};
+};
+
+inline constexpr int most_critical_digits = 200;
+
+/// Nothing if interrupted, or if 16,384 bits do not give the digits. Precondition: n >= 3, 1 <= digits <=
+/// 200.
+[[nodiscard]] std::optional<CriticalRatio> enclose_critical_ratio(long n, const CriticalOptions& options);
+
+/// Whether it is certain that q_lo <= q_c(n) <= q_hi, by the signs of the margin at both ends alone: it falls
+/// with r (L27), so nothing of the search is used. (q_c(3) = 1 by L7.) Works in twice
+/// as many bits. Precondition: 1 <= q_lo <= q_hi; 53 <= bits <= 16,384.
+[[nodiscard]] bool certainly_encloses(const CriticalRatio& ratio, const Interrupted& interrupted = never);
+
+/// No trajectory has more collisions at a mass ratio of at most q >= 1: by theorem 2, as q <= q_c(n + 1). It
+/// is the maximum at q, or one more where 15 digits of q_c do not tell. Nothing beyond q = 10^6.
+[[nodiscard]] std::optional<long> bound_by_theorem(const Rational& q);
+
+}  // namespace dumbbell

@@ -1,0 +1,128 @@
+#include "collisions/leaf_judges.hpp"
+#include "flight/bridge_once.hpp"
+#include "flight/departure.hpp"
+#include "flight/plain.hpp"
+
+namespace dumbbell {
+namespace {
+
+/// A box in enclosures.
+template <class I>
+struct Bounds {
+    I position_lo, position_hi, eta_lo, eta_hi;
+    RatioRange<I> range;
+};
+
+template <class I>
+Bounds<I> bounds_of(const Box& box) {
+    return {enclose<I>(box.e_lo),
+            enclose<I>(box.e_hi),
+            enclose<I>(box.slope_lo),
+            enclose<I>(box.slope_hi),
+            {enclose<I>(Rational(1) / box.q_hi), enclose<I>(Rational(1) / box.q_lo)}};
+}
+
+std::optional<Leaf> counted(long later, long upper) {
+    return later <= upper - 1 ? std::optional(Leaf{Reason::count, later, 0}) : std::nullopt;
+}
+
+/// Beyond the left corner, or every slope r (cos t + eta) >= 1.
+template <class I>
+bool beyond_contacts(const Bounds<I>& b) {
+    return certainly_less(pi<I>(), b.position_lo) ||
+           certainly_at_most(I(1), b.range.r_lo * (b.eta_lo - I(1)));
+}
+
+/// The ray from the bridge at min(t, pi) with steepness eta, in units of r.
+template <class I>
+ScaledRay<I> from_bridge(const I& position, const I& eta) {
+    const I t = min(position, pi<I>());
+    const SinCos<I> at = sin_cos(t);
+    const I lambda = max(I(-1), at.cos) + eta;
+    return {max(I(0), max(I(0), at.sin) + lambda * (pi<I>() - t)), lambda};
+}
+
+/// L15: the lowest, flattest ray leaves at the greatest t with the least eta.
+template <class I>
+std::optional<Leaf> judge_contact(const Bounds<I>& b, long upper, const Interrupted& interrupted) {
+    if (beyond_contacts(b)) {
+        return Leaf{Reason::outside};
+    }
+    return counted(
+        count_at_most(lowest_over(from_bridge(b.position_hi, b.eta_lo), b.range), upper - 1, interrupted),
+        upper);
+}
+
+template <class I>
+std::optional<Leaf> judge_plain_contact(const Bounds<I>& b, long upper, const Interrupted& interrupted) {
+    if (beyond_contacts(b)) {
+        return Leaf{Reason::outside};
+    }
+    const I r = hull(b.range.r_lo, b.range.r_hi);
+    const ScaledRay<I> rays = from_bridge(hull(b.position_lo, b.position_hi), hull(b.eta_lo, b.eta_hi));
+    return counted(
+        plain_count(PlainRay<I>{r * rays.c, detail::in_play(r * rays.lambda)}, r, upper - 1, interrupted),
+        upper);
+}
+
+template <class I>
+std::optional<Leaf> judge_again(const Bounds<I>& b) {
+    if (beyond_contacts(b)) {
+        return Leaf{Reason::outside};
+    }
+    return certainly_once(b.position_hi, hull(b.eta_lo, b.eta_hi), b.range)
+               ? std::optional(Leaf{Reason::once})
+               : std::nullopt;
+}
+
+/// Beyond the peak, or every slope eta - cos e >= 1 (it grows with both).
+template <class I>
+bool beyond_departures(const Bounds<I>& b) {
+    return certainly_less(half_pi<I>(), b.position_lo) ||
+           certainly_at_most(I(1), departure(position(b.position_lo), b.eta_lo).kappa);
+}
+
+template <class I>
+std::optional<Leaf> judge_departure(const Bounds<I>& b, long upper, const Interrupted& interrupted) {
+    if (beyond_departures(b)) {
+        return Leaf{Reason::outside};
+    }
+    const auto low = lowest(departure(position(b.position_lo), b.eta_lo));
+    const auto high = highest(departure(position(b.position_hi), b.eta_hi));
+    return counted(later_collisions_at_most(low, high, b.range, upper - 1, interrupted), upper);
+}
+
+template <class I>
+std::optional<Leaf> judge_plain_departure(const Bounds<I>& b, long upper, const Interrupted& interrupted) {
+    if (beyond_departures(b)) {
+        return Leaf{Reason::outside};
+    }
+    const auto all = departure(position(hull(b.position_lo, b.position_hi)), hull(b.eta_lo, b.eta_hi));
+    const PlainDeparture<I> from{all.x, all.sin_x, detail::in_play(all.kappa)};
+    return counted(plain_later_collisions(from, hull(b.range.r_lo, b.range.r_hi), upper - 1, interrupted),
+                   upper);
+}
+
+}  // namespace
+
+template <class I>
+std::optional<Leaf> judge_full(Chart chart, const Box& box, long upper, const Interrupted& interrupted) {
+    const Bounds<I> bounds = bounds_of<I>(box);
+    switch (chart) {
+        case Chart::contact:
+            return judge_contact(bounds, upper, interrupted);
+        case Chart::departure:
+            return judge_departure(bounds, upper, interrupted);
+        case Chart::plain_contact:
+            return judge_plain_contact(bounds, upper, interrupted);
+        case Chart::again:
+            return judge_again(bounds);
+        default:
+            return judge_plain_departure(bounds, upper, interrupted);
+    }
+}
+
+template std::optional<Leaf> judge_full<Interval>(Chart, const Box&, long, const Interrupted&);
+template std::optional<Leaf> judge_full<BigInterval>(Chart, const Box&, long, const Interrupted&);
+
+}  // namespace dumbbell

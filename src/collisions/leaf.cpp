@@ -1,0 +1,53 @@
+#include "collisions/leaf.hpp"
+
+#include <type_traits>
+
+#include "base/error.hpp"
+#include "collisions/leaf_judges.hpp"
+
+namespace dumbbell {
+namespace {
+
+/// A box that double precision closes needs no more: the others pay for it alone.
+template <class I>
+std::optional<Leaf> judge_one(Chart chart, const Box& box, long upper, const Interrupted& interrupted) {
+    if constexpr (!std::is_same_v<I, Interval>) {
+        if (auto leaf = judge_one<Interval>(chart, box, upper, interrupted)) {
+            return leaf;
+        }
+    }
+    switch (chart) {
+        case Chart::bridge:
+        case Chart::light:
+            return judge_turning<I>(chart, box, upper, interrupted);
+        case Chart::wedge:
+            return judge_wedge<I>(box, upper, interrupted);
+        default:
+            return judge_full<I>(chart, box, upper, interrupted);
+    }
+}
+
+}  // namespace
+
+template <class I>
+void judge(Chart chart, std::span<const Box> boxes, long upper, std::span<std::optional<Leaf>> results,
+           const Interrupted& interrupted) {
+    require(boxes.size() == results.size(), "judge: as many results as boxes");
+    const bool turning = chart == Chart::bridge || chart == Chart::light;
+    std::vector<Verdict> verdicts(boxes.size(), Verdict::unsure);
+    if (turning) {
+        verdicts = judge_turning_together(chart, boxes, upper, results, interrupted);
+    }
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+        if (verdicts[i] == Verdict::unsure) {
+            results[i] = judge_one<I>(chart, boxes[i], upper, interrupted);
+        }
+    }
+}
+
+template void judge<Interval>(Chart, std::span<const Box>, long, std::span<std::optional<Leaf>>,
+                              const Interrupted&);
+template void judge<BigInterval>(Chart, std::span<const Box>, long, std::span<std::optional<Leaf>>,
+                                 const Interrupted&);
+
+}  // namespace dumbbell

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "flight/orbit.hpp"
+
+namespace dumbbell {
+
+/// A line per collision, in the order of time: mass, time, phi, height and velocities, each enclosed.
+[[nodiscard]] std::string collisions_text(const std::vector<Collision<Interval>>& orbit);
+
+/// How wide the enclosures are along the orbit: a line for collisions 1, 10, 100, ... and the last, and for
+/// the widest of each column.
+[[nodiscard]] std::string widths_text(const std::vector<Collision<Interval>>& orbit);
+
+/// An object per collision; every enclosure is a pair of doubles, exactly the computed ones.
+[[nodiscard]] nlohmann::ordered_json collisions_json(const std::vector<Collision<Interval>>& orbit);
+
+}  // namespace dumbbell

@@ -1,0 +1,163 @@
+#include "collisions/piece.hpp"
+
+#include <algorithm>
+
+#include "collisions/witness.hpp"
+#include "flight/count.hpp"
+#include "flight/extremal_orbit.hpp"
+#include "flight/orbit.hpp"
+#include "flight/paper_bound.hpp"
+
+namespace dumbbell {
+namespace {
+
+constexpr int double_bits = 53;
+
+/// Calls attempt with a null value of the arithmetic for each precision in turn until it meets no obstacle.
+template <class Attempt>
+Obstacle escalate(const PieceOptions& options, Attempt attempt) {
+    const PrecisionScope scope(double_bits);
+    Obstacle obstacle = attempt(Interval(), double_bits);
+    for (int bits = 128; obstacle != Obstacle::none && bits <= options.max_bits; bits *= 2) {
+        if (options.interrupted()) {
+            return Obstacle::time;
+        }
+        const PrecisionScope wider(bits);
+        obstacle = attempt(BigInterval(), bits);
+    }
+    return obstacle != Obstacle::none && options.interrupted() ? Obstacle::time : obstacle;
+}
+
+template <class I>
+std::optional<Cover> prove_upper(const Rational& q_lo, const Rational& q_hi, long upper,
+                                 const PieceOptions& options) {
+    if (options.scene == Scene::dumbbell && q_lo == 1 && q_hi == 1 && upper >= 2) {
+        return Cover{.equal_masses = true, .charts = {}};
+    }
+    const CoverOptions limits{.rule = options.rule,
+                              .max_nodes = options.max_nodes,
+                              .parallel = options.parallel,
+                              .interrupted = options.interrupted,
+                              .judged = options.judged};
+    Cover whole;
+    for (const Chart chart : charts_of(options.scene, options.section)) {
+        auto tree = cover<I>(chart, q_lo, q_hi, upper, limits);
+        if (!tree) {
+            return std::nullopt;
+        }
+        whole.charts.push_back({chart, std::move(*tree)});
+    }
+    return whole;
+}
+
+template <class I>
+void describe(ProvedPiece& proved) {
+    const Piece& piece = proved.piece;
+    const Witness& w = *piece.witness;
+    const RatioRange<I> range{enclose<I>(Rational(1) / piece.q_hi), enclose<I>(Rational(1) / piece.q_lo)};
+    double least = 1;
+    double greatest_width = 0;
+    const auto see = [&](const Collision<I>& collision) {
+        least = std::min(least, low_end(collision.grazing_sine).lo());
+        greatest_width = std::max(greatest_width, width(collision.y));
+    };
+    if (visit_orbit<I>({enclose<I>(w.e), enclose<I>(w.eta), w.forward, w.backward}, range, see)) {
+        proved.width = greatest_width;
+        proved.margin = std::max(0.0, asin(Interval(std::max(0.0, least))).lo());
+    }
+}
+
+/// One precision's attempt at a piece with given bounds.
+template <class I>
+Obstacle attempt_piece(ProvedPiece& proved, int bits, long upper, long lower, const PieceOptions& options) {
+    Piece& piece = proved.piece;
+    auto witness = options.scene == Scene::dumbbell
+                       ? find_witness<I>(piece.q_lo, piece.q_hi, lower, options.interrupted)
+                       : find_wedge_witness(piece.q_lo, lower, options.interrupted);
+    if (!witness) {
+        return Obstacle::witness;
+    }
+    // The verifier's own evaluation loses a part of the bits that this one does not: leave it room.
+    piece.bits = bits == double_bits ? double_bits : 2 * bits;
+    piece.lower = lower;
+    piece.witness = std::move(*witness);
+    auto cover = prove_upper<I>(piece.q_lo, piece.q_hi, upper, options);
+    if (!cover) {
+        return Obstacle::boxes;
+    }
+    piece.upper = upper;
+    piece.cover = std::move(*cover);
+    return Obstacle::none;
+}
+
+void describe_in_time(ProvedPiece& proved, const PieceOptions& options) {
+    if (options.describes && !options.interrupted()) {
+        describe_witness(proved);
+    }
+}
+
+/// What N* seems to be, from bounds on the two extremal orbits; nothing if this precision cannot tell, or not
+/// in time. It only says what to try.
+template <class I>
+std::optional<long> suspected_maximum(const Rational& q, const PieceOptions& options) {
+    constexpr long cap = 1'000'000'000;  // years
+    const I r = enclose<I>(Rational(1) / q);
+    long most = 2;
+    long least = 2;
+    for (const ExtremalOrbit orbit : {ExtremalOrbit::top, ExtremalOrbit::corner}) {
+        const Ray<I> ray = extremal_ray(orbit, r);
+        most += count_at_most(ray, cap, options.interrupted);
+        least += options.interrupted() ? 0 : count_at_least(ray, cap, options.interrupted);
+    }
+    return most == least ? std::optional(most) : std::nullopt;
+}
+
+}  // namespace
+
+PieceOptions piece_options(Scene scene, Section section) {
+    PieceOptions options{.scene = scene, .section = section};
+    if (section != Section::turning) {
+        options.max_nodes = 20'000'000;  // all states, not a section of them
+    }
+    return options;
+}
+
+void describe_witness(ProvedPiece& proved) {
+    const Piece& piece = proved.piece;
+    if (!piece.witness || piece.witness->chart != Chart::bridge) {
+        return;
+    }
+    const PrecisionScope scope(piece.bits);
+    if (piece.bits == double_bits) {
+        describe<Interval>(proved);
+    } else {
+        describe<BigInterval>(proved);
+    }
+}
+
+ProvedPiece prove_single(const Rational& q, const PieceOptions& options) {
+    ProvedPiece proved;
+    proved.piece.q_lo = proved.piece.q_hi = q;
+    proved.obstacle = escalate(options, [&]<class I>(const I&, int bits) {
+        const auto n = options.scene != Scene::dumbbell ? std::optional(paper_bound(q) - 1)
+                       : q == 1                         ? std::optional(2L)
+                                                        : suspected_maximum<I>(q, options);
+        return n ? attempt_piece<I>(proved, bits, *n, *n, options) : Obstacle::maximum;
+    });
+    describe_in_time(proved, options);
+    return proved;
+}
+
+ProvedPiece prove_piece(const Rational& q_lo, const Rational& q_hi, long upper, long lower,
+                        const PieceOptions& options) {
+    ProvedPiece proved;
+    proved.piece.q_lo = q_lo;
+    proved.piece.q_hi = q_hi;
+    proved.obstacle = escalate(options, [&]<class I>(const I&, int bits) {
+        return attempt_piece<I>(proved, bits, upper, lower, options);
+    });
+    describe_in_time(proved, options);
+    return proved;
+}
+
+}  // namespace dumbbell

@@ -1,0 +1,185 @@
+#include "collisions/piece_store.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <iterator>
+#include <utility>
+
+#include "base/error.hpp"
+#include "collisions/names.hpp"
+#include "collisions/reader.hpp"
+#include "collisions/writer.hpp"
+#include "file/atomic_file.hpp"
+#include "file/file_contents.hpp"
+#include "file/sha256.hpp"
+
+namespace dumbbell {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view first_line = "dumbbell-partial 1\n";
+
+std::string text_of(const StoredClaim& claim) {
+    return fmt::format("{}generator dumbbell {}\nlemmas {}\nscene {}\nsection {}\nratio {} {}\ngap {}\n",
+                       first_line, DUMBBELL_VERSION, lemma_set(claim.section), name(claim.scene),
+                       name(claim.section), to_fraction(claim.q_lo), to_fraction(claim.q_hi),
+                       to_fraction(claim.gap));
+}
+
+/// An empty folder, or what a run leaves that was killed while it wrote its claim.
+bool is_unclaimed(const std::string& folder) {
+    std::error_code no_folder;
+    const fs::directory_iterator entries(folder, no_folder);
+    return !no_folder && std::all_of(begin(entries), end(entries), [&](const fs::directory_entry& entry) {
+        return entry.path() == temporary_name(folder + "/claim");
+    });
+}
+
+constexpr std::size_t name_length = 32;  // of a piece, without extension
+
+bool is_piece(const fs::directory_entry& entry) { return entry.path().extension() == ".dbc"; }
+
+[[noreturn]] void holds_another_run(const std::string& folder) {
+    throw InputError(
+        fmt::format("'{}' holds the finished pieces of another run (see its file 'claim'): repeat that run, "
+                    "remove the folder, or use another --out",
+                    folder));
+}
+
+}  // namespace
+
+PieceStore::PieceStore(std::string folder, const StoredClaim& claim)
+    : folder_(std::move(folder)), claim_(claim), text_(text_of(claim)) {
+    const std::string file = folder_ + "/claim";
+    std::error_code failed;
+    if (fs::exists(fs::symlink_status(folder_, failed)) && !fs::exists(file) && !is_unclaimed(folder_)) {
+        throw InputError(
+            fmt::format("'{}' is in the way: it is no folder with the finished pieces of a run; remove it, "
+                        "or use another --out",
+                        folder_));
+    }
+    fs::create_directory(folder_, failed);
+    if (failed) {
+        throw InputError(fmt::format("cannot make the folder '{}': {}", folder_, failed.message()));
+    }
+    if (!lock_.take(folder_)) {
+        throw InputError(
+            fmt::format("'{}' is in use by another run: wait for it, or use another --out", folder_));
+    }
+    if (!fs::exists(file)) {
+        AtomicFile(file).commit(text_);
+    } else if (file_contents(file) != text_) {
+        if (!fs::is_regular_file(fs::symlink_status(file)) || !has_no_others_pieces()) {
+            holds_another_run(folder_);
+        }
+        AtomicFile(file).commit(text_);
+    }
+}
+
+/// Whether the folder is one of finished pieces in which whatever is whole belongs to this store: then its
+/// claim is damaged, or nothing was finished for another one.
+bool PieceStore::has_no_others_pieces() const {
+    bool has_own = false;
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder_)) {
+        const std::string name = entry.path().filename().string();
+        const bool is_temporary = name.ends_with(temporary_name(""));
+        if (name == "claim" || is_temporary) {
+            continue;
+        }
+        if (!is_piece(entry) || !entry.is_regular_file() ||
+            entry.path().stem().string().size() != name_length) {
+            return false;
+        }
+        if (!sealed_lines(file_contents(entry.path().string()))) {
+            continue;  // damaged, and so nobody's
+        }
+        const auto piece = whole_piece(entry.path().string());
+        if (!piece || !piece->upper ||
+            entry.path() != file_of({piece->q_lo, piece->q_hi, *piece->upper, piece->lower})) {
+            return false;
+        }
+        has_own = true;
+    }
+    const std::string claim = file_contents(folder_ + "/claim");
+    return has_own || claim.empty() || claim.starts_with(first_line);
+}
+
+PieceStore::~PieceStore() {
+    std::error_code ignored;
+    const fs::directory_iterator entries(folder_, ignored);
+    if (!ignored && std::none_of(begin(entries), end(entries), is_piece)) {
+        remove();
+    }
+}
+
+void PieceStore::require_none(const std::string& folder) {
+    if (fs::exists(folder)) {
+        holds_another_run(folder);
+    }
+}
+
+std::string PieceStore::file_of(const PlannedPiece& planned) const {
+    const std::string what = fmt::format("{}piece {} {} {} {}\n", text_, to_fraction(planned.q_lo),
+                                         to_fraction(planned.q_hi), planned.upper, planned.lower);
+    return fmt::format("{}/{}.dbc", folder_, sha256_hex(what).substr(0, name_length));
+}
+
+std::optional<Piece> PieceStore::whole_piece(const std::string& file) const {
+    if (!sealed_lines(file_contents(file))) {
+        return std::nullopt;
+    }
+    try {
+        const Certificate kept = read_certificate(file);
+        const bool fits =
+            kept.pieces.size() == 1 && kept.scene == claim_.scene && kept.section == claim_.section;
+        return fits ? std::optional(kept.pieces.front()) : std::nullopt;
+    } catch (const InputError&) {
+        return std::nullopt;  // a right checksum under something else
+    }
+}
+
+std::optional<Piece> PieceStore::find(const PlannedPiece& planned,
+                                      const std::function<void(const std::string&)>& damaged) const {
+    const std::string file = file_of(planned);
+    if (!fs::exists(file)) {
+        return std::nullopt;
+    }
+    if (!fs::is_regular_file(file)) {  // which whoever reads it might wait for
+        throw InputError(fmt::format("'{}' is in the way: it is no file; remove it, and try again", file));
+    }
+    const auto piece = whole_piece(file);
+    const bool fits = piece && piece->q_lo == planned.q_lo && piece->q_hi == planned.q_hi &&
+                      piece->upper == planned.upper && piece->lower == planned.lower;
+    if (!fits) {
+        damaged(file);
+    }
+    return fits ? piece : std::nullopt;
+}
+
+void PieceStore::keep(const Piece& piece) const {
+    const Certificate alone{.program = "dumbbell",
+                            .version = DUMBBELL_VERSION,
+                            .pieces = {piece},
+                            .scene = claim_.scene,
+                            .section = claim_.section};
+    // Not synced: thousands of small pieces would spend their time waiting for the disk, and one that a crash
+    // of the machine damages is recognized by its checksum.
+    AtomicFile(file_of({piece.q_lo, piece.q_hi, *piece.upper, piece.lower}))
+        .commit(render(alone).text, Survives::program);
+}
+
+void PieceStore::remove() {
+    std::error_code ignored;
+    // The claim last: should the program be killed here, what is left is still a folder of this run.
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder_, ignored)) {
+        if (entry.path().filename() != "claim") {
+            fs::remove_all(entry, ignored);
+        }
+    }
+    fs::remove_all(folder_, ignored);
+}
+
+}  // namespace dumbbell

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "collisions/certificate.hpp"
+#include "collisions/steps.hpp"
+#include "file/folder_lock.hpp"
+
+namespace dumbbell {
+
+/// What a run was asked for, as far as its pieces depend on it.
+struct StoredClaim {
+    Scene scene = Scene::dumbbell;
+    Section section = Section::turning;
+    Rational q_lo;
+    Rational q_hi;
+    Rational gap;
+};
+
+/// The finished pieces of a long run in a folder, so that a run that was killed goes on where it was. Each
+/// piece is a file of its own, a complete certificate that `dumbbell-verify` accepts, with a name that
+/// depends on nothing but what it claims. The folder belongs to one claim of one version of the program, and
+/// to one run at a time. Throws InputError, and changes nothing, if the folder has pieces of another claim,
+/// is none of these, or is in use; a damaged claim is made again if the pieces are of this one, which their
+/// names tell. May be used by several threads at once.
+class PieceStore {
+  public:
+    /// Opens the folder, or makes it.
+    PieceStore(std::string folder, const StoredClaim& claim);
+    ~PieceStore();
+    PieceStore(const PieceStore&) = delete;
+    PieceStore& operator=(const PieceStore&) = delete;
+
+    /// For a run that keeps no pieces: throws InputError if there is such a folder.
+    static void require_none(const std::string& folder);
+
+    /// The piece with these bounds, if it was kept and its file is whole. A damaged file is as good as none:
+    /// `damaged` is called with its name. Throws InputError if its name is no file's.
+    [[nodiscard]] std::optional<Piece> find(
+        const PlannedPiece& planned,
+        const std::function<void(const std::string&)>& damaged = [](const std::string&) {}) const;
+
+    /// Keeps the piece, whatever happens to the program; of what a crash of the machine spoils, `find` finds
+    /// nothing. Precondition: its bounds are the planned ones.
+    void keep(const Piece& piece) const;
+
+    /// Nothing is needed any more: removes the folder.
+    void remove();
+
+  private:
+    [[nodiscard]] std::string file_of(const PlannedPiece& planned) const;
+    /// The piece of a file, if it is whole and of this store's scene and section.
+    [[nodiscard]] std::optional<Piece> whole_piece(const std::string& file) const;
+    [[nodiscard]] bool has_no_others_pieces() const;
+
+    std::string folder_;
+    StoredClaim claim_;
+    std::string text_;  ///< of the claim
+
+    FolderLock lock_;
+};
+
+}  // namespace dumbbell

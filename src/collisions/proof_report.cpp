@@ -1,0 +1,318 @@
+#include "collisions/proof_report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+#include <string_view>
+
+#include "base/error.hpp"
+#include "base/printable.hpp"
+#include "collisions/check_cost.hpp"
+#include "collisions/names.hpp"
+#include "collisions/orbit_text.hpp"
+#include "flight/paper_bound.hpp"
+#include "number/decimal.hpp"
+#include "words/json_number.hpp"
+#include "words/printed.hpp"
+#include "words/text_table.hpp"
+
+namespace dumbbell {
+namespace {
+
+std::string range_text(const Rational& lo, const Rational& hi) {
+    return lo == hi ? exact_text(lo) : exact_text(lo) + " : " + exact_text(hi);
+}
+
+/// What "no ... more than N times" and "some ... N times" say of a scene.
+struct Words {
+    const char* hits;
+    const char* hits_it;
+};
+
+Words words_of(Scene scene) {
+    switch (scene) {
+        case Scene::dumbbell:
+            return {"trajectory hits the floor", "trajectory hits it"};
+        case Scene::hybrid:
+            return {"trajectory in the hybrid wedge hits its walls", "trajectory hits them"};
+        case Scene::wedge:
+            return {"trajectory in the straight wedge hits its walls", "trajectory hits them"};
+    }
+    throw BrokenInvariant("unknown scene");
+}
+
+/// The source paper's bound is one for the dumbbell; not computed for the greatest ratios.
+bool has_paper_bound(const ProofReport& report, const Piece& piece) {
+    return report.scene == Scene::dumbbell && piece.q_hi <= paper_bound_limit();
+}
+
+std::string value_text(const Piece& piece) {
+    switch (piece.status()) {
+        case Status::exact:
+            return fmt::format("{}", *piece.upper);
+        case Status::gap:
+            return fmt::format("{} or {}", piece.lower, *piece.upper);
+        default:
+            return piece.lower > 0 ? fmt::format(">= {}", piece.lower) : "open";
+    }
+}
+
+/// The paper's bound grows with q: one number, or those at both ends.
+std::string paper_text(const ProofReport& report, const Piece& piece) {
+    if (!has_paper_bound(report, piece)) {
+        return "-";
+    }
+    const long lo = paper_bound(piece.q_lo);
+    const long hi = paper_bound(piece.q_hi);
+    return lo == hi ? fmt::format("{}", lo) : fmt::format("{}-{}", lo, hi);
+}
+
+struct Counts {
+    long exact = 0, gaps = 0, open = 0;
+    long least = 0, most = 0;  ///< the values of the exact pieces, of which there is one
+};
+
+Counts count_statuses(const ProofReport& report) {
+    Counts counts;
+    for (const ReportRow& row : report.rows) {
+        ++(row.piece->status() == Status::exact ? counts.exact
+           : row.piece->status() == Status::gap ? counts.gaps
+                                                : counts.open);
+        if (row.piece->status() == Status::exact) {
+            counts.most = std::max(counts.most, row.piece->lower);
+            counts.least = counts.exact == 1 ? row.piece->lower : std::min(counts.least, row.piece->lower);
+        }
+    }
+    return counts;
+}
+
+/// Which pieces have one value, and which values: `the piece with one value N = 4`.
+std::string pieces_with_value(const Counts& counts) {
+    if (counts.exact == 1) {
+        return fmt::format("the piece with one value N = {}", counts.most);
+    }
+    const std::string pieces = fmt::format("each of the {} pieces with one value N", counts.exact);
+    return counts.least == counts.most ? fmt::format("{} = {}", pieces, counts.most)
+                                       : fmt::format("{}, from {} to {}", pieces, counts.least, counts.most);
+}
+
+std::string counted(long n, std::string_view one) {
+    return fmt::format("{} {}{}", n, one, n == 1 ? "" : "s");
+}
+
+/// How clear of tangency the witness's collisions are, and how narrowly it is known; nothing of a range.
+std::string witness_sentence(const ProofReport& report) {
+    const ReportRow& row = report.rows.front();
+    if (report.q_lo < report.q_hi || row.piece->status() != Status::exact || row.margin <= 0) {
+        return {};
+    }
+    return fmt::format(
+        "Its orbit meets the floor at an angle of {} rad or more (in the metric of the kinetic energy), and "
+        "the "
+        "heights along it are enclosed to {}.\n",
+        rounded_down(row.margin), rounded_up(row.width));
+}
+
+std::string single_sentence(const ProofReport& report) {
+    const Piece& piece = *report.rows.front().piece;
+    const Words words = words_of(report.scene);
+    const std::string q = exact_text(report.q_lo);
+    if (piece.status() == Status::exact) {
+        const std::string times = counted(*piece.upper, "time");
+        return fmt::format("Proved: at mass ratio {} no {} more than {}, and some {} {}.\n", q, words.hits,
+                           times, words.hits_it, times);
+    }
+    const std::string known = piece.lower > 0 ? fmt::format("only this is proved: some {} at least {}",
+                                                            words.hits, counted(piece.lower, "time"))
+                                              : std::string("nothing is proved");
+    return fmt::format("Not decided: at mass ratio {} {}.\n", q, known);
+}
+
+/// By the share that is not decided: one like 0.999999999999 says less, and rounds to 1.
+std::string decided_text(const Rational& undecided, bool some) {
+    if (undecided == 0) {
+        return "Decided: the whole range.\n";
+    }
+    if (undecided == 1) {
+        return some ? "Decided: single ratios only.\n" : "Decided: nothing of the range.\n";
+    }
+    return fmt::format("Decided: all but {} of the range.\n", rounded_up(enclose<Interval>(undecided).hi()));
+}
+
+std::string range_sentence(const ProofReport& report) {
+    const Counts counts = count_statuses(report);
+    const Words words = words_of(report.scene);
+    std::string text;
+    if (counts.exact > 0) {
+        text = fmt::format(
+            "Proved: in {}, and for every mass ratio in it,\nno {} more than N times and some {} N times. ",
+            pieces_with_value(counts), words.hits, words.hits_it);
+    } else if (counts.gaps == 0) {
+        text = "Not decided. ";
+    }
+    if (counts.gaps > 0) {
+        text += fmt::format("In the {} around the critical {} the maximum is one of the two values. ",
+                            counts.gaps == 1 ? "gap" : fmt::format("{} gaps", counts.gaps),
+                            counts.gaps == 1 ? "ratio" : "ratios");
+    }
+    if (counts.open > 0) {
+        text += fmt::format("{} {} open. ", counted(counts.open, "piece"), counts.open == 1 ? "is" : "are");
+    }
+    return text + decided_text(report.undecided, counts.exact > 0);
+}
+
+/// What a cover of the full section proves beside the count (its chart `again`, L19).
+bool heavy_at_most_once(const ProofReport& report) {
+    return report.section != Section::turning &&
+           std::all_of(report.rows.begin(), report.rows.end(),
+                       [](const ReportRow& row) { return row.piece->upper.has_value(); });
+}
+
+nlohmann::ordered_json start_json(const std::optional<WitnessStart>& start) {
+    if (!start) {
+        return nullptr;
+    }
+    return {{"phi", start->phi},
+            {"phidot", start->phidot},
+            {"y", start->y},
+            {"ydot", start->ydot},
+            {"digits", start->digits}};
+}
+
+/// The column `paper` is for the dumbbell only.
+std::string pieces_table(const ProofReport& report) {
+    const bool paper = report.scene == Scene::dumbbell;
+    std::vector<TableLine> lines;
+    const auto add = [&](TableLine line, const std::string& bound) {
+        if (paper) {
+            line.insert(line.begin() + 2, bound);
+        }
+        lines.push_back(std::move(line));
+    };
+    add({"mass ratio", "N", "boxes", "time"}, "paper");
+    for (const ReportRow& row : report.rows) {
+        const Piece& piece = *row.piece;
+        add({range_text(piece.q_lo, piece.q_hi), value_text(piece), fmt::format("{}", piece.cover.leaves()),
+             fmt::format("{:.3f} s", row.seconds)},
+            paper_text(report, piece));
+    }
+    return aligned(lines, 0);
+}
+
+}  // namespace
+
+std::string verdict(const ProofReport& report) {
+    return report.q_lo == report.q_hi ? single_sentence(report) : range_sentence(report);
+}
+
+std::string to_text(const ProofReport& report) {
+    std::string text = pieces_table(report);
+    fmt::format_to(std::back_inserter(text), "{} in {:.2f} s with {}\n\n",
+                   counted(static_cast<long>(report.rows.size()), "piece"), report.seconds,
+                   counted(report.jobs, "thread"));
+    text += verdict(report) + witness_sentence(report);
+    if (heavy_at_most_once(report)) {
+        text += "In every trajectory the heavy mass hits the floor at most once.\n";
+    }
+    if (report.out) {
+        std::vector<const Piece*> pieces;
+        for (const ReportRow& row : report.rows) {
+            pieces.push_back(row.piece);
+        }
+        fmt::format_to(
+            std::back_inserter(text), "Certificate: {} (sha256 {})\nCheck it:    dumbbell verify {}{}{}\n",
+            one_line(*report.out), *report.sha256, budget_option(check_seconds(pieces, report.section)),
+            report.scene == Scene::dumbbell ? "" : fmt::format("--scene {} ", name(report.scene)),
+            shell_file(*report.out));
+    }
+    return text;
+}
+
+nlohmann::ordered_json to_json(const ProofReport& report) {
+    nlohmann::ordered_json pieces = nlohmann::ordered_json::array();
+    for (const ReportRow& row : report.rows) {
+        const Piece& piece = *row.piece;
+        nlohmann::ordered_json entry{{"lo", to_fraction(piece.q_lo)},
+                                     {"hi", to_fraction(piece.q_hi)},
+                                     {"upper", json_or_null(piece.upper)},
+                                     {"lower", piece.lower},
+                                     {"status", name(piece.status())},
+                                     {"paper_bound", nullptr},
+                                     {"leaves", piece.cover.leaves()},
+                                     {"bits", piece.bits},
+                                     {"margin", nullptr},
+                                     {"width", nullptr}};
+        if (has_paper_bound(report, piece)) {
+            entry["paper_bound"] = paper_bound(piece.q_hi);
+        }
+        if (row.margin > 0) {
+            entry["margin"] = row.margin;
+            entry["width"] = row.width;
+        }
+        if (!row.orbit.empty()) {
+            entry["witness"] = {{"ratio", to_fraction(piece.q_lo)},
+                                {"collisions", collisions_json(row.orbit)},
+                                {"start", start_json(row.start)}};
+        }
+        pieces.push_back(std::move(entry));
+    }
+    nlohmann::ordered_json json{
+        {"schema", "dumbbell-certify-1"},
+        {"scene", name(report.scene)},
+        {"section", name(report.section)},
+        {"lemmas", lemma_set(report.section)},
+        {"ratio", {{"lo", to_fraction(report.q_lo)}, {"hi", to_fraction(report.q_hi)}}},
+        {"gap", to_fraction(report.gap)},
+        {"jobs", report.jobs},
+        {"pieces", std::move(pieces)},
+        {"heavy_at_most_once", nullptr},
+        {"decided_fraction", decided_fraction(report.undecided)},
+        {"undecided_share", to_fraction(report.undecided)},
+        {"seconds", report.seconds},
+        {"out", json_or_null(report.out)},
+        {"sha256", json_or_null(report.sha256)}};
+    if (heavy_at_most_once(report)) {
+        json["heavy_at_most_once"] = true;
+    }
+    return json;
+}
+
+namespace {
+
+/// The command that proves that a start in the air has as many collisions.
+std::string start_text(const ReportRow& row) {
+    const WitnessStart& start = *row.start;
+    return fmt::format(
+        "A start in the air, near this orbit, that has {} as well; the command was run, and proves it:\n"
+        "  dumbbell trace {} --phi {} --phidot {} --y {} --ydot {}{}\n",
+        counted(static_cast<long>(row.orbit.size()), "collision"), exact_text(row.piece->q_lo), start.phi,
+        start.phidot, start.y, start.ydot,
+        start.digits == 0 ? "" : fmt::format(" --digits {}", start.digits));
+}
+
+}  // namespace
+
+std::string orbits_to_text(const ProofReport& report) {
+    std::string text;
+    for (const ReportRow& row : report.rows) {
+        if (row.orbit.empty()) {
+            continue;
+        }
+        fmt::format_to(
+            std::back_inserter(text),
+            "Witness at mass ratio {}: {} collisions. Rod length 1; phi in radians; y: height of the centre "
+            "of mass;\n"
+            "unit of time: phidot^2 + q (ydot / beta2)^2 = 1. Each number is enclosed: value+-radius.\n{}"
+            "Smallest margin (angle between flight and floor, in the kinetic metric): {} rad\n"
+            "Widths of the enclosures along the orbit:\n{}\n",
+            exact_text(row.piece->q_lo), row.orbit.size(), collisions_text(row.orbit),
+            rounded_down(row.margin), widths_text(row.orbit));
+        if (row.start) {
+            text += start_text(row) + '\n';
+        }
+    }
+    return text;
+}
+
+}  // namespace dumbbell

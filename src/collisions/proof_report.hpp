@@ -1,0 +1,51 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "collisions/certificate.hpp"
+#include "collisions/witness.hpp"
+#include "flight/orbit.hpp"
+
+namespace dumbbell {
+
+/// One line of the report of a proof.
+struct ReportRow {
+    const Piece* piece;
+    double margin;  ///< of the witness orbit; 0: none known, nor a width
+    double width;
+    double seconds;
+    std::vector<Collision<Interval>>
+        orbit;  ///< of the witness, at the piece's lower end; empty unless asked for
+    std::optional<WitnessStart> start{};  ///< in the air, of an orbit with as many collisions there
+};
+
+/// What `certify` tells its user, as text or as JSON (the contract's object).
+struct ProofReport {
+    Scene scene = Scene::dumbbell;
+    Section section = Section::turning;
+    Rational q_lo;
+    Rational q_hi;
+    Rational gap;
+    int jobs;
+    double seconds;
+    Rational undecided;  ///< share of the range
+    std::vector<ReportRow> rows;
+    std::optional<std::string> out;
+    std::optional<std::string> sha256;
+};
+
+/// The table: ratio interval, N, the paper's bound (for the dumbbell, of which it is one), boxes, time; below
+/// it one sentence that says what was proved. Ratios are exact.
+[[nodiscard]] std::string to_text(const ProofReport& report);
+[[nodiscard]] nlohmann::ordered_json to_json(const ProofReport& report);
+
+/// That sentence alone.
+[[nodiscard]] std::string verdict(const ProofReport& report);
+
+/// The orbits of the rows that have one: per collision mass, time, phi, height and velocities, enclosed.
+[[nodiscard]] std::string orbits_to_text(const ProofReport& report);
+
+}  // namespace dumbbell

@@ -1,0 +1,131 @@
+#include "collisions/reader.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include "base/error.hpp"
+#include "collisions/names.hpp"
+#include "file/lines.hpp"
+
+namespace dumbbell {
+namespace {
+
+Node node_from(Lines& lines, Chart chart) {
+    const auto& fields = lines.next();
+    const std::string& word = fields[0];
+    if (word == "split" && fields.size() == 2) {
+        if (const auto axis = axis_named(chart, fields[1])) {
+            return {*axis, {}};
+        }
+    }
+    const auto reason = reason_named(word);
+    const std::size_t counts = reason != Reason::count ? 0 : counts_both_ways(chart) ? 2 : 1;
+    if (reason && fields.size() == 1 + counts) {
+        return {
+            std::nullopt,
+            {*reason, counts > 0 ? lines.number(fields[1]) : 0, counts > 1 ? lines.number(fields[2]) : 0}};
+    }
+    lines.fail();
+}
+
+ChartTree tree_from(Lines& lines, Chart chart, Trees trees) {
+    Tree tree;
+    for (long missing = 1; missing > 0;) {
+        Node node = node_from(lines, chart);
+        missing += node.split ? 1 : -1;
+        if (trees == Trees::kept) {
+            tree.push_back(node);
+        }
+    }
+    return {chart, std::move(tree)};
+}
+
+Cover cover_from(Lines& lines, const std::vector<Chart>& charts, Trees trees) {
+    Cover cover;
+    for (const Chart chart : charts) {
+        const auto& fields = lines.next();
+        if (cover.charts.empty() && fields.size() == 1 && fields[0] == "equal-masses") {
+            cover.equal_masses = true;
+            return cover;
+        }
+        if (fields.size() != 2 || fields[0] != "chart" || fields[1] != name(chart)) {
+            lines.fail();
+        }
+        cover.charts.push_back(tree_from(lines, chart, trees));
+    }
+    return cover;
+}
+
+constexpr std::array witness_charts{Chart::bridge, Chart::wedge};
+
+Piece piece_from(Lines& lines, const std::vector<Chart>& charts, Trees trees) {
+    Piece piece;
+    const auto& range = lines.expect("piece", 3);
+    piece.q_lo = lines.ratio(range[1]);
+    piece.q_hi = lines.ratio(range[2]);
+    piece.bits = static_cast<int>(std::min(lines.number(lines.expect("bits", 2)[1]), 4096L));
+    const std::string upper = lines.expect("upper", 2)[1];
+    if (upper != "none") {
+        piece.upper = lines.number(upper);
+        piece.cover = cover_from(lines, charts, trees);
+    }
+    piece.lower = lines.number(lines.expect("lower", 2)[1]);
+    if (piece.lower > 0) {
+        const auto& w = lines.expect("witness", 6);
+        const auto chart = std::find_if(witness_charts.begin(), witness_charts.end(),
+                                        [&](Chart c) { return w[1] == name(c); });
+        if (chart == witness_charts.end()) {
+            lines.fail();
+        }
+        piece.witness =
+            Witness{lines.dyadic(w[2]), lines.dyadic(w[3]), lines.number(w[4]), lines.number(w[5]), *chart};
+    }
+    return piece;
+}
+
+}  // namespace
+
+PieceReader::PieceReader(const std::string& path, Trees trees) : lines_(path), trees_(trees) {
+    const auto [program, version] = lines_.expect_generator();
+    head_.program = program;
+    head_.version = version;
+    const std::string lemmas = lines_.expect("lemmas", 2)[1];
+    const auto scene = scene_named(lines_.expect("scene", 2)[1]);
+    const auto section = section_named(lines_.expect("section", 2)[1], lemmas);
+    const std::string claim = lines_.expect("claim", 2)[1];
+    const bool adiabatic = claim.starts_with("adiabatic-");
+    if (claim == "initial-conditions" || adiabatic) {
+        throw InputError(
+            fmt::format("'{}' is about {}: a certificate about mass ratios is needed here "
+                        "(dumbbell certify RATIO --out FILE); dumbbell verify reads both",
+                        path,
+                        adiabatic ? "the adiabatic invariant (dumbbell adiabatic)"
+                                  : "initial conditions (dumbbell trace)"));
+    }
+    if (!scene || !section || claim != "collisions") {
+        lines_.fail();
+    }
+    head_.scene = *scene;
+    head_.section = *section;
+    lines_.expect("ratio", 3);
+    pieces_ = static_cast<std::size_t>(lines_.number(lines_.expect("pieces", 2)[1]));
+    if (pieces_ == 0) {
+        lines_.fail();
+    }
+}
+
+Piece PieceReader::next() { return piece_from(lines_, charts_of(head_.scene, head_.section), trees_); }
+
+Certificate read_certificate(const std::string& path) {
+    PieceReader in(path, Trees::kept);
+    Certificate certificate = in.head();
+    for (std::size_t i = 0; i < in.pieces(); ++i) {
+        certificate.pieces.push_back(in.next());
+    }
+    return certificate;
+}
+
+}  // namespace dumbbell

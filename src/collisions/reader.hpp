@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+#include "collisions/certificate.hpp"
+#include "file/lines.hpp"
+
+namespace dumbbell {
+
+enum class Trees { kept, passed_over };
+
+/// A certificate about collisions (plain or gzip), one piece at a time: whoever keeps none needs no more
+/// memory than the longest piece, or a line where trees are passed over, however large the file is, unpacked.
+/// Throws InputError as read_certificate does.
+class PieceReader {
+  public:
+    PieceReader(const std::string& path, Trees trees);
+
+    /// All but the pieces.
+    [[nodiscard]] const Certificate& head() const { return head_; }
+    /// How many there are, as the file says.
+    [[nodiscard]] std::size_t pieces() const { return pieces_; }
+    /// The next one; without trees its cover is nothing but its charts. Precondition: there is one.
+    [[nodiscard]] Piece next();
+
+  private:
+    Lines lines_;
+    Trees trees_;
+    Certificate head_;
+    std::size_t pieces_ = 0;
+};
+
+/// Reads a certificate file (plain or gzip) back into data, for pictures and reports. This is no
+/// verification: it checks the syntax as far as it needs it, and none of the mathematics. Throws InputError
+/// (naming file and line) if the file is missing or is no certificate.
+[[nodiscard]] Certificate read_certificate(const std::string& path);
+
+}  // namespace dumbbell

@@ -1,0 +1,53 @@
+#include "collisions/section.hpp"
+
+namespace dumbbell {
+namespace {
+
+std::pair<Box, Box> cut(const Box& box, Rational Box::*lo, Rational Box::*hi) {
+    const Rational middle = (box.*lo + box.*hi) / 2;
+    Box lower = box;
+    Box upper = box;
+    lower.*hi = middle;
+    upper.*lo = middle;
+    return {std::move(lower), std::move(upper)};
+}
+
+/// The least power of two that is >= x, and >= 1.
+Rational power_of_two_from(const Rational& x) {
+    Rational power = 1;
+    while (power < x) {
+        power *= 2;
+    }
+    return power;
+}
+
+}  // namespace
+
+Box root_box(Chart chart, const Rational& q_lo, const Rational& q_hi) {
+    switch (chart) {
+        case Chart::bridge:
+        case Chart::light:
+            return {0, 2, 0, power_of_two_from(q_hi), q_lo, q_hi};
+        case Chart::contact:
+        case Chart::plain_contact:
+        case Chart::again:
+            return {0, 4, 0, power_of_two_from(q_hi + 1), q_lo, q_hi};
+        case Chart::wedge:
+            return {0, 0, 0, power_of_two_from(q_hi), q_lo, q_hi};
+        default:
+            return {0, 2, 0, 2, q_lo, q_hi};
+    }
+}
+
+std::pair<Box, Box> halves(const Box& box, Axis axis) {
+    switch (axis) {
+        case Axis::position:
+            return cut(box, &Box::e_lo, &Box::e_hi);
+        case Axis::slope:
+            return cut(box, &Box::slope_lo, &Box::slope_hi);
+        default:
+            return cut(box, &Box::q_lo, &Box::q_hi);
+    }
+}
+
+}  // namespace dumbbell

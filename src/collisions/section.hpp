@@ -1,0 +1,26 @@
+#pragma once
+
+#include <utility>
+
+#include "collisions/certificate.hpp"
+#include "number/rational.hpp"
+
+namespace dumbbell {
+
+/// A box of states, exact: corner distance e, slope coordinate (eta in the chart bridge, lambda in the chart
+/// light), mass ratio.
+struct Box {
+    Rational e_lo, e_hi;
+    Rational slope_lo, slope_hi;
+    Rational q_lo, q_hi;
+};
+
+/// The root box of a chart over mass ratios [q_lo, q_hi] (proofs/format.md): short dyadics that contain the
+/// chart's states, e in [0, 2] (t in [0, 4]; the chart wedge has no position), and a slope range that holds
+/// all slopes in play.
+[[nodiscard]] Box root_box(Chart chart, const Rational& q_lo, const Rational& q_hi);
+
+/// The lower and the upper half; the midpoint is exact and belongs to both.
+[[nodiscard]] std::pair<Box, Box> halves(const Box& box, Axis axis);
+
+}  // namespace dumbbell

@@ -1,0 +1,167 @@
+#include "collisions/steps.hpp"
+
+#include <fmt/format.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <numbers>
+
+#include "base/error.hpp"
+#include "collisions/critical.hpp"
+#include "collisions/critical_guess.hpp"
+#include "number/self_test.hpp"
+
+namespace dumbbell {
+namespace {
+
+constexpr long max_steps = 1'000'000;
+
+/// x rounded down or up to a multiple of the greatest power of ten that is at most `grain`: short decimals in
+/// the file.
+Rational rounded(const Rational& x, double grain, bool up) {
+    const int exponent = static_cast<int>(std::floor(std::log10(grain)));
+    const Rational unit =
+        exponent >= 0
+            ? Rational(pow(Integer(10), static_cast<unsigned>(exponent)))
+            : Rational(1, pow(Integer(10), static_cast<unsigned>(-exponent)));
+    const Rational multiple = x / unit;
+    Integer floor = numerator(multiple) / denominator(multiple);
+    if (up && floor * denominator(multiple) != numerator(multiple)) {
+        ++floor;
+    }
+    return Rational(floor) * unit;
+}
+
+/// A step of the staircase: from n - 1 below `critical` to n above.
+struct Step {
+    long n = 0;
+    Rational critical = 0;
+    Rational slack = 0;  ///< the true step may be so far from `critical`, relatively
+    bool exact = false;  ///< n - 1 holds at `critical` itself, which is the critical ratio exactly
+};
+
+/// Gaps at least this wide are placed with doubles.
+constexpr double narrow = 1e-13;
+
+/// q_c(n) to some digits beyond the gap's width. Were it wrong, pieces would stay open.
+Step narrow_step(long n, double gap, const Interrupted& interrupted) {
+    const int digits = std::min(most_critical_digits, 8 - static_cast<int>(std::log10(gap)));
+    const auto found = enclose_critical_ratio(n, {.digits = digits, .interrupted = interrupted});
+    return found ? Step{n, found->q_lo, (found->q_hi - found->q_lo) / found->q_lo, false} : Step{};
+}
+
+/// cot^2(pi / (2 (n - 1))), where the wedges step.
+Step wedge_step(long n, double gap) {
+    if (n == 4) {
+        return {n, 3, 0, true};
+    }
+    const PrecisionScope scope(64 + static_cast<int>(-3.33 * std::log10(gap)));
+    const auto at = sin_cos(half_pi<BigInterval>() / BigInterval(static_cast<double>(n - 1)));
+    const BigInterval q = sqr(at.cos / at.sin);
+    return {n, exact_lo(q), (exact_hi(q) - exact_lo(q)) / exact_lo(q), false};
+}
+
+/// Where N* seems to step.
+Step step_to(Scene scene, long n, double gap, const Interrupted& interrupted) {
+    if (scene != Scene::dumbbell) {
+        return wedge_step(n, gap);
+    }
+    return gap < narrow ? narrow_step(n, gap, interrupted)
+                        : Step{n, exact(guess_critical_ratio(n, interrupted)), exact(0x1p-48), false};
+}
+
+long guessed_value(Scene scene, double q, const Interrupted& interrupted) {
+    return scene == Scene::dumbbell ? guess_maximum(q, interrupted)
+                                    : std::lround(std::numbers::pi / (2 * std::atan(1 / std::sqrt(q))));
+}
+
+/// The steps that seem to lie near [lo, hi], with a neighbour on either side for the distances.
+std::vector<Step> steps_near(Scene scene, double lo, double hi, double gap, const Interrupted& interrupted,
+                             const std::function<void(std::size_t, std::size_t)>& placed) {
+    const long first = std::max(4L, guessed_value(scene, lo, interrupted) - 1);
+    const long last = guessed_value(scene, hi, interrupted) + 2;
+    if (interrupted()) {
+        return {};
+    }
+    if (last - first > max_steps) {
+        throw InputError(fmt::format("the range holds about {} steps, more than {}: certify it in parts",
+                                     last - first, max_steps));
+    }
+    std::vector<Step> steps(static_cast<std::size_t>(last - first + 1));
+    std::atomic<std::size_t> done = 0;
+    tbb::parallel_for(std::size_t{0}, steps.size(), [&](std::size_t i) {
+        require_sound_arithmetic();
+        if (!interrupted()) {
+            steps[i] = step_to(scene, first + static_cast<long>(i), gap, interrupted);
+            placed(++done, steps.size());
+        }
+    });
+    return steps;
+}
+
+/// Half the width of the gap around a step: 0.9 of what is permitted; the rounding of the ends takes less
+/// than the rest.
+double half_gap(const std::vector<Step>& steps, std::size_t i, double relative_gap) {
+    const auto critical = [&](std::size_t k) { return steps[k].critical.convert_to<double>(); };
+    const double q = critical(i);
+    const double before = i > 0 ? q - critical(i - 1) : q - 1;
+    const double after = i + 1 < steps.size() ? critical(i + 1) - q : before;
+    return 0.45 * std::min(relative_gap * q, std::min(before, after) / 1000);
+}
+
+}  // namespace
+
+std::vector<PlannedPiece> plan_staircase(Scene scene, const Rational& q_lo, const Rational& q_hi,
+                                         const Rational& gap, const Interrupted& interrupted,
+                                         const std::function<void(std::size_t, std::size_t)>& placed) {
+    const auto width = gap.convert_to<double>();
+    const auto steps =
+        steps_near(scene, q_lo.convert_to<double>(), q_hi.convert_to<double>(), width, interrupted, placed);
+    if (interrupted()) {
+        return {};
+    }
+    // An exactly known step at the left end still has to be taken, one at the right end not. A guessed one
+    // may lie on the other side of an end of the range than the true one.
+    const auto is_inside = [&](const Step& s) {
+        const Rational &q = s.critical, &slack = s.slack;
+        return s.exact ? q >= q_lo && q < q_hi : q * (1 + slack) > q_lo && q * (1 - slack) < q_hi;
+    };
+    long n = 3;  // the value at the left end
+    for (const Step& s : steps) {
+        n = s.critical <= q_lo && !is_inside(s) ? s.n : n;
+    }
+
+    std::vector<PlannedPiece> plan;
+    Rational from = q_lo;
+    if (q_lo == 1) {
+        plan.push_back({q_lo, q_lo, 2, 2});
+        from = std::min(q_hi, Rational(1) + std::min(gap, Rational(1, 1000)));
+        plan.push_back({q_lo, from, 3, 2});
+    }
+    for (std::size_t i = 0; i < steps.size(); ++i) {
+        if (!is_inside(steps[i])) {
+            continue;
+        }
+        const Rational& q = steps[i].critical;
+        const double half = half_gap(steps, i, width);
+        const Rational left =
+            steps[i].exact ? q : std::clamp(rounded(q - exact(half), half / 20, false), from, q_hi);
+        const Rational right = std::clamp(rounded(q + exact(half), half / 20, true), left, q_hi);
+        if (left > from || (steps[i].exact && left == from)) {
+            plan.push_back({from, left, n, n});
+        }
+        if (right > left) {
+            plan.push_back({left, right, n + 1, n});
+        }
+        from = right;
+        ++n;
+    }
+    if (from < q_hi) {
+        plan.push_back({from, q_hi, n, n});
+    }
+    return plan;
+}
+
+}  // namespace dumbbell

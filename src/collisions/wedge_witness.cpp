@@ -1,0 +1,36 @@
+#include <algorithm>
+
+#include "collisions/witness.hpp"
+#include "flight/wedge.hpp"
+
+namespace dumbbell {
+
+std::optional<Witness> find_wedge_witness(const Rational& q_lo, long target, const Interrupted& interrupted) {
+    const Rational r = 1 / q_lo;
+    const auto attempt = [&](const Rational& lambda) -> std::optional<Witness> {
+        const Rational denominator = 1 + 2 * r * lambda - r;
+        const Rational mu = (2 + r * lambda - lambda) / denominator;
+        if (r * lambda >= 1 || mu < 0) {
+            return std::nullopt;
+        }
+        const auto forward = wedge_count(r * lambda, r, target, interrupted);
+        const auto backward = forward ? wedge_count(r * mu, r, target, interrupted) : std::nullopt;
+        if (!backward) {
+            return std::nullopt;
+        }
+        const Witness w{0, lambda, *forward, *backward, Chart::wedge};
+        return w.total() >= target ? std::optional(w) : std::nullopt;
+    };
+    // lambda = 1 turns symmetrically: best where the maximum is odd; a nearly horizontal ray is best where it
+    // is even.
+    for (int depth = 0; depth <= 200 && !interrupted(); ++depth) {
+        if (auto witness = attempt(Rational(1, Integer(1) << depth))) {
+            witness->forward = std::min(witness->forward, target);
+            witness->backward = std::min(witness->backward, target);
+            return witness;
+        }
+    }
+    return std::nullopt;
+}
+
+}  // namespace dumbbell

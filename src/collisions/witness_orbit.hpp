@@ -1,0 +1,15 @@
+#pragma once
+
+#include <vector>
+
+#include "collisions/certificate.hpp"
+#include "flight/orbit.hpp"
+
+namespace dumbbell {
+
+/// The witness's orbit at one mass ratio, every collision enclosed with `bits` of working precision and
+/// rounded outward to double. Empty if that precision cannot enclose it.
+[[nodiscard]] std::vector<Collision<Interval>> witness_orbit(const Witness& witness, const Rational& q,
+                                                             int bits);
+
+}  // namespace dumbbell

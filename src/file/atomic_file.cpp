@@ -1,0 +1,227 @@
+#include "file/atomic_file.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+#include <zlib.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <optional>
+#include <system_error>
+#include <utility>
+
+#include "base/error.hpp"
+
+namespace dumbbell {
+namespace {
+
+/// One gzip member without time or name, so that the bytes depend on nothing but the contents.
+std::string gzipped(const std::string& contents) {
+    z_stream stream{};
+    require(deflateInit2(&stream, Z_BEST_COMPRESSION, Z_DEFLATED, 15 + 16, 8, Z_DEFAULT_STRATEGY) == Z_OK,
+            "zlib failed");
+    std::string result(deflateBound(&stream, static_cast<uLong>(contents.size())) + 32, '\0');
+    std::string input = contents;
+    stream.next_in = reinterpret_cast<Bytef*>(input.data());
+    stream.avail_in = static_cast<uInt>(input.size());
+    stream.next_out = reinterpret_cast<Bytef*>(result.data());
+    stream.avail_out = static_cast<uInt>(result.size());
+    const int status = deflate(&stream, Z_FINISH);
+    result.resize(stream.total_out);
+    deflateEnd(&stream);
+    require(status == Z_STREAM_END, "zlib failed");
+    return result;
+}
+
+[[noreturn]] void fail(const char* doing, const std::string& path) {
+    throw InputError(
+        fmt::format("cannot {} '{}': {}; nothing is left under that name that was not there before", doing,
+                    path, std::strerror(errno)));
+}
+
+/// Nothing was begun: names what is missing, if it is the folder.
+[[noreturn]] void cannot_create(const std::string& path) {
+    const int cause = errno;
+    const std::string folder = std::filesystem::path(path).parent_path().string();
+    const bool no_folder = cause == ENOENT || cause == ENOTDIR;
+    throw InputError(fmt::format("cannot create '{}': {}", path,
+                                 no_folder && !folder.empty() ? fmt::format("there is no folder '{}'", folder)
+                                                              : std::strerror(cause)));
+}
+
+/// The temporary file of a path, made here and locked, so that it is nobody else's; removed at the end unless
+/// it was given its final name.
+class Temporary {
+  public:
+    explicit Temporary(const std::string& path) : path_(path), name_(temporary_name(path)) {
+        while (!made()) {
+        }
+    }
+    ~Temporary() {
+        if (!name_.empty()) {
+            ::unlink(name_.c_str());
+        }
+        ::close(descriptor_);
+    }
+    Temporary(const Temporary&) = delete;
+    Temporary& operator=(const Temporary&) = delete;
+
+    void write(const std::string& bytes) const {
+        for (std::size_t done = 0; done < bytes.size();) {
+            const ssize_t n = ::write(descriptor_, bytes.data() + done, bytes.size() - done);
+            if (n < 0 && errno == EINTR) {
+                continue;
+            }
+            if (n <= 0) {
+                fail("write", path_);
+            }
+            done += static_cast<std::size_t>(n);
+        }
+    }
+
+    /// The owner, as far as this program may, and the access rights of the file that it is to replace.
+    void inherit() const {
+        if (const auto replaced = regular_file(path_)) {
+            (void)!::fchown(descriptor_, replaced->st_uid, replaced->st_gid);
+            if (::fchmod(descriptor_, replaced->st_mode & 0777U) != 0) {
+                fail("write", path_);
+            }
+        }
+    }
+
+    void sync() const {
+        if (::fsync(descriptor_) != 0) {
+            fail("sync", path_);
+        }
+    }
+
+    void give_final_name() {
+        if (::rename(name_.c_str(), path_.c_str()) != 0) {
+            fail("rename to", path_);
+        }
+        name_.clear();
+    }
+
+  private:
+    static std::optional<struct stat> regular_file(const std::string& path) {
+        struct stat there {};
+        return ::lstat(path.c_str(), &there) == 0 && S_ISREG(there.st_mode) ? std::optional(there)
+                                                                            : std::nullopt;
+    }
+
+    /// False if the name is to be tried again: what a killed program left is out of the way now, or somebody
+    /// else's has its final name.
+    bool made() {
+        // What is to be replaced may be secret, until it has its rights.
+        const mode_t rights = regular_file(path_) ? 0600 : 0666;
+        descriptor_ = ::open(name_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, rights);
+        const bool is_new = descriptor_ >= 0;
+        if (!is_new && errno == EEXIST) {
+            descriptor_ = ::open(name_.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
+            if (descriptor_ < 0 && errno == ENOENT) {
+                return false;
+            }
+        }
+        if (descriptor_ < 0) {
+            cannot_create(path_);
+        }
+        while (::flock(descriptor_, LOCK_EX) != 0) {
+            if (errno != EINTR) {
+                const int cause = errno;
+                ::close(descriptor_);
+                errno = cause;
+                fail("lock", path_);
+            }
+        }
+        struct stat mine {};
+        struct stat named {};
+        const bool has_name = ::fstat(descriptor_, &mine) == 0 && ::lstat(name_.c_str(), &named) == 0 &&
+                              mine.st_dev == named.st_dev && mine.st_ino == named.st_ino;
+        if (is_new && has_name) {
+            return true;
+        }
+        ::close(descriptor_);
+        if (has_name && ::unlink(name_.c_str()) != 0 && errno != ENOENT) {
+            cannot_create(path_);
+        }
+        return false;
+    }
+
+    const std::string& path_;
+    std::string name_;
+    int descriptor_ = -1;
+};
+
+/// A new name is durable once its folder is synced; if that cannot be done the file is still complete.
+void sync_folder_of(const std::string& path) {
+    const auto parent = std::filesystem::path(path).parent_path();
+    const int folder = ::open(parent.empty() ? "." : parent.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (folder >= 0) {
+        ::fsync(folder);
+        ::close(folder);
+    }
+}
+
+}  // namespace
+
+std::string temporary_name(const std::string& path) { return path + ".dumbbell-tmp"; }
+
+std::string output_target(const std::string& name) {
+    namespace fs = std::filesystem;
+    constexpr int most_links = 40;  // as the kernel follows
+    fs::path target = name;
+    for (int links = 0;; ++links) {
+        std::error_code failed;
+        const fs::path folder = fs::weakly_canonical(fs::absolute(target).parent_path(), failed);
+        for (const char* system : {"/dev", "/proc"}) {
+            const auto below = folder.lexically_relative(system);
+            if (!below.empty() && *below.begin() != ".." && *below.begin() != "shm") {
+                throw InputError(fmt::format(
+                    "cannot write '{}': what lies below {} is no file; - stands for the standard output",
+                    name, system));
+            }
+        }
+        const fs::path link = fs::read_symlink(target, failed);
+        if (failed) {
+            return target.string();
+        }
+        if (links == most_links) {
+            throw InputError(fmt::format("cannot write '{}': its links lead in a circle", name));
+        }
+        target = target.parent_path() / link;
+    }
+}
+
+AtomicFile::AtomicFile(std::string path) : path_(std::move(path)) {
+    // A rename would replace whatever stands there, a device like /dev/null too.
+    std::error_code unreadable;
+    const auto target = std::filesystem::status(path_, unreadable);
+    if (std::filesystem::is_directory(target)) {
+        throw InputError(fmt::format("cannot write '{}': it is a directory; give a file name", path_));
+    }
+    if (std::filesystem::exists(target) && !std::filesystem::is_regular_file(target)) {
+        throw InputError(fmt::format("cannot write '{}': it is no regular file; give a file name", path_));
+    }
+    const Temporary probe(path_);
+}
+
+void AtomicFile::commit(const std::string& contents, Survives whose_death) const {
+    const bool compress = path_.ends_with(".gz");
+    Temporary file(path_);
+    file.write(compress ? gzipped(contents) : contents);
+    file.inherit();
+    if (whose_death == Survives::machine) {
+        file.sync();
+    }
+    file.give_final_name();
+    if (whose_death == Survives::machine) {
+        sync_folder_of(path_);
+    }
+}
+
+}  // namespace dumbbell

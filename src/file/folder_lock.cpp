@@ -1,0 +1,35 @@
+#include "file/folder_lock.hpp"
+
+#include <fcntl.h>
+#include <sys/file.h>
+
+#include <chrono>
+#include <thread>
+
+namespace dumbbell {
+namespace {
+
+Descriptor opened(const std::string& folder) {
+    return Descriptor(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+}
+
+}  // namespace
+
+bool FolderLock::take(const std::string& folder) {
+    folder_ = opened(folder);
+    // Whoever asks whether it is taken has it for a moment.
+    for (int tries = 0; folder_.get() >= 0 && tries < 10; ++tries) {
+        if (::flock(folder_.get(), LOCK_EX | LOCK_NB) == 0) {
+            return true;
+        }
+        std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    }
+    return false;
+}
+
+bool FolderLock::is_taken(const std::string& folder) {
+    const Descriptor descriptor = opened(folder);
+    return descriptor.get() >= 0 && ::flock(descriptor.get(), LOCK_SH | LOCK_NB) != 0;
+}
+
+}  // namespace dumbbell

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+
+#include "file/descriptor.hpp"
+
+namespace dumbbell {
+
+/// One program at a time changes a folder. Given back at the end, also when the program is killed.
+class FolderLock {
+  public:
+    /// False if another one has it, or the folder cannot be opened.
+    [[nodiscard]] bool take(const std::string& folder);
+
+    /// Whether another one has it.
+    [[nodiscard]] static bool is_taken(const std::string& folder);
+
+  private:
+    Descriptor folder_;
+};
+
+}  // namespace dumbbell

@@ -1,0 +1,121 @@
+#include "file/lines.hpp"
+
+#include <fmt/format.h>
+#include <zlib.h>
+
+#include <algorithm>
+#include <charconv>
+#include <filesystem>
+
+#include "base/error.hpp"
+#include "file/dyadic.hpp"
+
+namespace dumbbell {
+namespace {
+
+constexpr int max_line = 8192;
+
+}  // namespace
+
+void require_readable(const std::string& path) {
+    std::error_code hidden;
+    const auto there = std::filesystem::status(path, hidden);
+    if (!std::filesystem::is_regular_file(there)) {
+        throw InputError(fmt::format("cannot read '{}': {}", path,
+                                     std::filesystem::is_directory(there) ? "it is a directory"
+                                     : std::filesystem::exists(there)     ? "not a regular file"
+                                                                          : "no such file"));
+    }
+}
+
+Lines::Lines(const std::string& path) : path_(path), file_(nullptr, &gzclose) {
+    require_readable(path);
+    file_.reset(gzopen(path.c_str(), "rb"));
+    if (!file_) {
+        throw InputError(fmt::format("cannot read '{}'", path));
+    }
+}
+
+const std::vector<std::string>& Lines::next() {
+    std::string buffer(max_line, '\0');
+    ++number_;
+    if (gzgets(file_.get(), buffer.data(), max_line) == nullptr) {
+        fail();
+    }
+    std::string_view line(buffer);
+    line = line.substr(0, line.find('\0'));
+    if (line.empty() || line.back() != '\n') {
+        fail();
+    }
+    line.remove_suffix(1);
+    fields_.clear();
+    for (std::size_t begin = 0; begin <= line.size();) {
+        const std::size_t end = std::min(line.find(' ', begin), line.size());
+        fields_.emplace_back(line.substr(begin, end - begin));
+        begin = end + 1;
+    }
+    return fields_;
+}
+
+const std::vector<std::string>& Lines::expect(std::string_view keyword, std::size_t count) {
+    next();
+    if (fields_.size() != count || fields_[0] != keyword) {
+        fail();
+    }
+    return fields_;
+}
+
+Generator Lines::expect_generator() {
+    if (expect("dumbbell-certificate", 2)[1] != "1") {
+        fail();
+    }
+    const auto& words = expect("generator", 3);
+    return {words[1], words[2]};
+}
+
+void Lines::fail() const {
+    throw InputError(
+        fmt::format("'{}' is not a certificate that this program can read (line {})", path_, number_));
+}
+
+long Lines::number(const std::string& text) const {
+    long value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc() || end != text.data() + text.size() || value < 0) {
+        fail();
+    }
+    return value;
+}
+
+Rational Lines::ratio(const std::string& text) const {
+    try {
+        return parse_rational(text, max_line);
+    } catch (const InputError&) {
+        fail();
+    }
+}
+
+Rational Lines::signed_ratio(const std::string& text) const {
+    return text.starts_with('-') ? Rational(-ratio(text.substr(1))) : ratio(text);
+}
+
+Rational Lines::dyadic(const std::string& text) const {
+    const std::size_t b = text.find('b');
+    if (b == std::string::npos) {
+        fail();
+    }
+    const bool negative = text.compare(b + 1, 1, "-") == 0;
+    const long exponent = number(text.substr(b + (negative ? 2 : 1)));
+    if (exponent > most_binary_places) {
+        fail();
+    }
+    const Rational power(Integer(1) << static_cast<unsigned>(exponent));
+    const std::string digits = text.substr(0, b);
+    if (digits.find_first_not_of("0123456789") != std::string::npos) {
+        fail();  // a fraction or a decimal would not be dyadic
+    }
+    const Rational mantissa = ratio(digits);
+    return negative ? mantissa / power : mantissa * power;
+}
+
+}  // namespace dumbbell

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "number/rational.hpp"
+
+struct gzFile_s;
+
+namespace dumbbell {
+
+/// What wrote a certificate.
+struct Generator {
+    std::string program;
+    std::string version;
+};
+
+/// Throws InputError, saying what stands there, unless it is a file.
+void require_readable(const std::string& path);
+
+/// The lines of a certificate file (plain or gzip), split into fields, for the readers of the prover's side.
+/// Every failure is an InputError that names the file and the line.
+class Lines {
+  public:
+    explicit Lines(const std::string& path);
+
+    /// The next line's fields; valid until the next call.
+    const std::vector<std::string>& next();
+
+    /// The next line's fields; the first must be `keyword` and there must be `count` in all.
+    const std::vector<std::string>& expect(std::string_view keyword, std::size_t count);
+
+    /// The first two lines of every certificate: the format, which must be 1, and what wrote it.
+    Generator expect_generator();
+
+    /// "... is not a certificate that this program can read (line ...)".
+    [[noreturn]] void fail() const;
+
+    /// The lexical classes of proofs/format.md, section 1, and `signed` of format-initial.md.
+    [[nodiscard]] long number(const std::string& text) const;
+    [[nodiscard]] Rational ratio(const std::string& text) const;
+    [[nodiscard]] Rational signed_ratio(const std::string& text) const;
+    [[nodiscard]] Rational dyadic(const std::string& text) const;
+
+  private:
+    std::string path_;
+    std::unique_ptr<gzFile_s, int (*)(gzFile_s*)> file_;
+    std::vector<std::string> fields_;
+    long number_ = 0;
+};
+
+}  // namespace dumbbell

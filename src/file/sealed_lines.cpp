@@ -1,0 +1,71 @@
+#include "file/sealed_lines.hpp"
+
+#include <charconv>
+
+#include "base/error.hpp"
+
+namespace dumbbell {
+
+SealedReader::SealedReader(std::string_view text, std::string_view what) : what_(what) {
+    const auto lines = sealed_lines(text);
+    if (!lines) {
+        fail();
+    }
+    rest_ = *lines;
+}
+
+void SealedReader::fail() const {
+    throw InputError(
+        fmt::format("this is no {}, or a damaged one: it has been changed, or is incomplete", what_));
+}
+
+std::string_view SealedReader::ahead() const { return rest_.substr(0, rest_.find('\n')); }
+
+std::string_view SealedReader::line() {
+    const std::size_t end = rest_.find('\n');
+    if (end == std::string_view::npos) {
+        fail();
+    }
+    const std::string_view found = rest_.substr(0, end);
+    rest_.remove_prefix(end + 1);
+    return found;
+}
+
+std::string_view SealedReader::value(std::string_view keyword) {
+    std::string_view found = line();
+    if (!found.starts_with(keyword) || found.size() <= keyword.size() || found[keyword.size()] != ' ') {
+        fail();
+    }
+    found.remove_prefix(keyword.size() + 1);
+    return found;
+}
+
+std::size_t SealedReader::number(std::string_view keyword) { return parse_size(value(keyword)); }
+
+void SealedReader::end() const {
+    if (!rest_.empty()) {
+        fail();
+    }
+}
+
+std::vector<std::string_view> words(std::string_view line) {
+    std::vector<std::string_view> found;
+    for (std::size_t from = 0; from <= line.size();) {
+        const std::size_t blank = std::min(line.find(' ', from), line.size());
+        found.push_back(line.substr(from, blank - from));
+        from = blank + 1;
+    }
+    return found;
+}
+
+std::size_t parse_size(std::string_view word) {
+    std::size_t number = 0;
+    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
+    if (error != std::errc() || end != word.data() + word.size() || number >= 1'000'000'000'000'000 ||
+        word.empty()) {
+        throw InputError(fmt::format("'{}' is no number below 10^15", word.substr(0, 40)));
+    }
+    return number;
+}
+
+}  // namespace dumbbell

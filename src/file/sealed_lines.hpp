@@ -1,0 +1,65 @@
+#pragma once
+
+#include <fmt/format.h>
+
+#include <cstddef>
+#include <iterator>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "file/sha256.hpp"
+
+namespace dumbbell {
+
+/// A text of lines that ends with the checksum of what stands before.
+class SealedLines {
+  public:
+    template <class... Args>
+    void line(fmt::format_string<Args...> format, Args&&... args) {
+        fmt::format_to(std::back_inserter(text_), format, std::forward<Args>(args)...);
+        text_ += '\n';
+    }
+    /// Lines as they are, each with its end.
+    void lines(std::string_view text) { text_ += text; }
+
+    [[nodiscard]] std::string sealed() && {
+        const std::string hash = sha256_hex(text_);
+        line("sha256 {}", hash);
+        return std::move(text_);
+    }
+
+  private:
+    std::string text_;
+};
+
+/// Reads such a text. Throws InputError, which says `what` it should have been, if the checksum is not there
+/// or not right, or a line is not as expected.
+class SealedReader {
+  public:
+    SealedReader(std::string_view text, std::string_view what);
+
+    /// The next line as it is.
+    std::string_view line();
+    /// The rest of the next line, which begins with `keyword` and a blank.
+    std::string_view value(std::string_view keyword);
+    /// The same, a number below 10^15.
+    std::size_t number(std::string_view keyword);
+    /// The next line, but stays before it; empty at the end.
+    [[nodiscard]] std::string_view ahead() const;
+    void end() const;
+
+    [[noreturn]] void fail() const;
+
+  private:
+    std::string_view rest_;
+    std::string_view what_;
+};
+
+/// The words of a line.
+[[nodiscard]] std::vector<std::string_view> words(std::string_view line);
+
+/// A decimal number below 10^15 and nothing else; throws InputError.
+[[nodiscard]] std::size_t parse_size(std::string_view word);
+
+}  // namespace dumbbell

@@ -1,0 +1,17 @@
+#include "flight/batch/backends.hpp"
+#include "flight/batch/count_lanes.hpp"
+#include "flight/batch/lower_step.hpp"
+#include "flight/batch/pack_avx2.hpp"
+#include "flight/batch/upper_step.hpp"
+
+namespace dumbbell::batch {
+
+void count_at_most_avx2(const Query* queries, Answer* answers, long size, Stop stop) {
+    CountLanes<Pack4, Lower>(queries, answers, size).run(stop);
+}
+
+void count_at_least_avx2(const Query* queries, Answer* answers, long size, Stop stop) {
+    CountLanes<Pack4, Upper>(queries, answers, size).run(stop);
+}
+
+}  // namespace dumbbell::batch

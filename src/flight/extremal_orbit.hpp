@@ -1,0 +1,134 @@
+#pragma once
+
+#include <optional>
+
+#include "flight/contact_range.hpp"
+#include "flight/eigen_interval.hpp"
+#include "flight/ray.hpp"
+#include "flight/reflection.hpp"
+
+/// The two extremal orbits of proofs/theorem.md and how they move with the mass ratio: what the critical
+/// ratios are computed from.
+namespace dumbbell {
+
+/// The horizontal ray that touches the bridge's top, and the ray out of a corner along the bridge's tangent.
+enum class ExtremalOrbit { top, corner };
+
+/// A flight of an orbit, counted from 1.
+struct ExtremalFlight {
+    ExtremalOrbit orbit;
+    long flight;
+};
+
+/// The flight that is tangent to the hump at the critical ratio q_c(n), n >= 3 (Theorem 2 (c)).
+[[nodiscard]] constexpr ExtremalFlight tangent_flight(long n) {
+    return n % 2 != 0 ? ExtremalFlight{ExtremalOrbit::top, (n - 1) / 2}
+                      : ExtremalFlight{ExtremalOrbit::corner, (n - 2) / 2};
+}
+
+template <class I>
+[[nodiscard]] Ray<I> extremal_ray(ExtremalOrbit orbit, const I& r) {
+    return orbit == ExtremalOrbit::top ? Ray<I>{r, I(0), r} : Ray<I>{pi<I>() * r, r, r};
+}
+
+/// A flight of an orbit at every r of the range `ray.r`: enclosures of its c and kappa, and of their
+/// derivatives by r there.
+template <class I>
+struct MovingRay {
+    Ray<I> ray;
+    Eigen::Matrix<I, 2, 1> rate;  ///< d(c, kappa)/dr
+};
+
+template <class I>
+[[nodiscard]] MovingRay<I> first_moving_ray(ExtremalOrbit orbit, const I& r) {
+    const bool top = orbit == ExtremalOrbit::top;
+    return {extremal_ray(orbit, r), {top ? I(1) : pi<I>(), I(top ? 0 : 1)}};
+}
+
+namespace detail {
+
+/// The derivatives of a collision, by the chain rule from sin x = c + kappa x, the derivatives of (2) in L5
+/// (b), and c' = sin x + kappa' (x + pi). All of them are >= 0, so that enclosures of them do not widen by
+/// cancellation.
+template <class I>
+Eigen::Matrix<I, 2, 1> rate_after(const MovingRay<I>& before, const I& x, const SinCos<I>& at,
+                                  const I& denominator, const I& next_kappa) {
+    using Matrix = Eigen::Matrix<I, 2, 2>;
+    using Vector = Eigen::Matrix<I, 2, 1>;
+    const I& kappa = before.ray.kappa;
+    const I& r = before.ray.r;
+    const I slope = at.cos - kappa;
+    const I a = sqr(at.cos) + r;
+    const I scale = I(1) / sqr(denominator);
+
+    const Vector dx(I(1) / slope, x / slope);  // by (c, kappa)
+    const I steepening = I(2) * (sqr(kappa) + r) * a * at.sin * scale;
+    const Vector dkappa(steepening * dx[0], sqr(a) * scale + steepening * dx[1]);
+    const I reach = x + pi<I>();
+    const I turn = at.cos + next_kappa;
+
+    Matrix by_state;
+    by_state << turn * dx[0] + reach * dkappa[0], turn * dx[1] + reach * dkappa[1], dkappa[0], dkappa[1];
+    const I explicit_kappa = I(2) * at.cos * sqr(slope) * scale;
+    const Vector by_ratio(reach * explicit_kappa, explicit_kappa);
+    return by_state * before.rate + by_ratio;
+}
+
+}  // namespace detail
+
+/// The flight after the next collision; nothing unless it is certain that at every r of the range the flight
+/// collides, transversally, and comes back (D > 0, kappa' < 1).
+///
+/// By L5 the state moves monotonely with the state before and with r: its bounds are computed at opposite
+/// ends (L5 (e), with the orbit at all r of the range as the set of rays), so that they are only as far apart
+/// as the orbits at both ends of the range, but for rounding.
+template <class I>
+[[nodiscard]] std::optional<MovingRay<I>> after_collision(const MovingRay<I>& before) {
+    const auto& [c, kappa, r] = before.ray;
+    const auto contact = contact_range(c, kappa);
+    if (!contact) {
+        return std::nullopt;
+    }
+    const auto& [least, greatest] = *contact;
+    const auto lowest = reflect_at_light_wall(low_end(kappa), least.cos_x, low_end(r));
+    const auto highest = reflect_at_light_wall(high_end(kappa), greatest.cos_x, high_end(r));
+    if (!certainly_positive(highest.denominator) || !certainly_positive(lowest.denominator)) {
+        return std::nullopt;
+    }
+    const I kappa_least = low_end(max(I(0), low_end(lowest.numerator) / high_end(lowest.denominator)));
+    const I kappa_greatest = high_end(highest.numerator / highest.denominator);
+    if (!certainly_less(kappa_greatest, I(1))) {
+        return std::nullopt;
+    }
+    const I next_kappa = hull(kappa_least, kappa_greatest);
+    const I next_c = hull(low_end(least.sin_x + kappa_least * (least.x + pi<I>())),
+                          high_end(greatest.sin_x + kappa_greatest * (greatest.x + pi<I>())));
+
+    const I x = hull(least.x, greatest.x);
+    const SinCos<I> at{hull(least.sin_x, greatest.sin_x), hull(greatest.cos_x, least.cos_x)};
+    const I denominator = hull(low_end(highest.denominator), high_end(lowest.denominator));
+    return MovingRay<I>{{next_c, next_kappa, r}, detail::rate_after(before, x, at, denominator, next_kappa)};
+}
+
+/// The margin m = M(kappa) - c of a flight, M(kappa) = sqrt(1 - kappa^2) - kappa acos kappa, and its
+/// derivative by r. It collides iff m > 0 and is tangent to the hump iff m = 0 (L4 (a); theorem.md,
+/// notation).
+template <class I>
+struct Margin {
+    I value;
+    I rate;
+};
+
+/// Precondition: 0 <= kappa, certainly.
+template <class I>
+[[nodiscard]] Margin<I> margin(const MovingRay<I>& flight) {
+    const auto angle = [](const I& kappa) { return half_pi<I>() - asin(kappa); };
+    // M falls with kappa.
+    const auto height = [&](const I& kappa) { return sqrt(I(1) - sqr(kappa)) - kappa * angle(kappa); };
+    const auto& [c, kappa, r] = flight.ray;
+    return {
+        hull(low_end(height(high_end(kappa)) - high_end(c)), high_end(height(low_end(kappa)) - low_end(c))),
+        -(angle(kappa) * flight.rate[1] + flight.rate[0])};
+}
+
+}  // namespace dumbbell

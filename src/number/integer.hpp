@@ -1,0 +1,84 @@
+#pragma once
+
+#include <gmp.h>
+
+#include <compare>
+#include <concepts>
+#include <iosfwd>
+#include <string>
+#include <utility>
+
+namespace dumbbell {
+
+/// An exact integer (GMP), with GMP's calls out of line: this header is in nearly every source file.
+class Integer {
+  public:
+    Integer() noexcept { mpz_init(z_); }
+    template <std::signed_integral T>
+    Integer(T value) {  // NOLINT(google-explicit-constructor): no value is lost
+        mpz_init_set_si(z_, value);
+    }
+    template <std::unsigned_integral T>
+    Integer(T value) {  // NOLINT(google-explicit-constructor)
+        mpz_init_set_ui(z_, value);
+    }
+    /// Of decimal digits, with or without a sign. Precondition: they are such.
+    explicit Integer(const std::string& digits);
+    Integer(const Integer& other) { mpz_init_set(z_, other.z_); }
+    Integer(Integer&& other) noexcept : Integer() { mpz_swap(z_, other.z_); }
+    Integer& operator=(Integer other) noexcept {
+        mpz_swap(z_, other.z_);
+        return *this;
+    }
+    ~Integer() { mpz_clear(z_); }
+
+    Integer& operator+=(const Integer& y);
+    Integer& operator-=(const Integer& y);
+    Integer& operator*=(const Integer& y);
+    /// Towards zero, as for built-in integers. Precondition: y is not 0.
+    Integer& operator/=(const Integer& y);
+    /// The remainder of that division, with the sign of this number. Precondition: y is not 0.
+    Integer& operator%=(const Integer& y);
+    Integer& operator++() { return *this += 1; }
+    Integer& operator<<=(unsigned bits);
+    /// Rounded down. For x >= 0, x / 2^bits towards zero.
+    Integer& operator>>=(unsigned bits);
+
+    friend Integer operator+(Integer x, const Integer& y) { return std::move(x += y); }
+    friend Integer operator-(Integer x, const Integer& y) { return std::move(x -= y); }
+    friend Integer operator*(Integer x, const Integer& y) { return std::move(x *= y); }
+    friend Integer operator/(Integer x, const Integer& y) { return std::move(x /= y); }
+    friend Integer operator%(Integer x, const Integer& y) { return std::move(x %= y); }
+    friend Integer operator<<(Integer x, unsigned bits) { return std::move(x <<= bits); }
+    friend Integer operator>>(Integer x, unsigned bits) { return std::move(x >>= bits); }
+    friend Integer operator-(Integer x) {
+        mpz_neg(x.z_, x.z_);
+        return x;
+    }
+    friend bool operator==(const Integer& x, const Integer& y) { return mpz_cmp(x.z_, y.z_) == 0; }
+    friend std::strong_ordering operator<=>(const Integer& x, const Integer& y) {
+        return mpz_cmp(x.z_, y.z_) <=> 0;
+    }
+    friend std::ostream& operator<<(std::ostream& out, const Integer& x);
+
+    [[nodiscard]] std::string str() const;
+    /// int or long. Precondition: it fits.
+    template <std::integral T>
+    [[nodiscard]] T convert_to() const {
+        return static_cast<T>(mpz_get_si(z_));
+    }
+
+    /// GMP's own, for calls of GMP and MPFR.
+    [[nodiscard]] mpz_ptr raw() { return z_; }
+    [[nodiscard]] mpz_srcptr raw() const { return z_; }
+
+  private:
+    mpz_t z_;
+};
+
+[[nodiscard]] Integer pow(const Integer& base, unsigned exponent);
+/// The places of the lowest and of the highest bit that is set. Precondition: x > 0.
+[[nodiscard]] std::size_t lsb(const Integer& x);
+[[nodiscard]] std::size_t msb(const Integer& x);
+
+}  // namespace dumbbell

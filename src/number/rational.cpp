@@ -1,0 +1,210 @@
+#include "number/rational.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <ostream>
+
+#include "base/error.hpp"
+#include "base/printable.hpp"
+
+namespace dumbbell {
+namespace {
+
+constexpr int max_exponent = 1000;
+
+/// Takes the longest run of digits off the front of `text`.
+std::string take_digits(std::string_view& text) {
+    std::size_t n = 0;
+    while (n < text.size() && text[n] >= '0' && text[n] <= '9') {
+        ++n;
+    }
+    std::string digits(text.substr(0, n));
+    text.remove_prefix(n);
+    return digits;
+}
+
+Integer to_integer(const std::string& digits) {
+    // mpz would read a leading zero as octal.
+    const auto first = std::min(digits.find_first_not_of('0'), digits.size() - 1);
+    return Integer(digits.substr(first));
+}
+
+/// The exponent behind e or E, already cut off; nothing else may follow.
+int parse_exponent(std::string_view text, std::string_view whole) {
+    const bool negative = !text.empty() && text[0] == '-';
+    if (!text.empty() && (text[0] == '+' || text[0] == '-')) {
+        text.remove_prefix(1);
+    }
+    const std::string digits = take_digits(text);
+    if (digits.empty() || !text.empty()) {
+        throw InputError(
+            fmt::format("'{}' is not a number: write it like 10, 4.6, 1e6 or 9/2", shortened(whole)));
+    }
+    const Integer value = to_integer(digits);
+    if (value > max_exponent) {
+        throw InputError(fmt::format("the exponent of '{}' is too large: at most {} in absolute value",
+                                     shortened(whole), max_exponent));
+    }
+    return negative ? -value.convert_to<int>() : value.convert_to<int>();
+}
+
+Rational exact(mpfr_srcptr x) {
+    require(mpfr_number_p(x) != 0, "exact value of a number that is not finite");
+    Rational result;
+    mpfr_get_q(result.raw(), x);
+    return result;
+}
+
+Integer power_of_ten(int n) { return pow(Integer(10), static_cast<unsigned>(n)); }
+
+}  // namespace
+
+Rational::Rational(const Integer& numerator, const Integer& denominator) : Rational() {
+    require(denominator != 0, "a fraction with denominator zero");
+    mpz_set(mpq_numref(q_), numerator.raw());
+    mpz_set(mpq_denref(q_), denominator.raw());
+    mpq_canonicalize(q_);
+}
+
+Rational& Rational::operator+=(const Rational& y) {
+    mpq_add(q_, q_, y.q_);
+    return *this;
+}
+Rational& Rational::operator-=(const Rational& y) {
+    mpq_sub(q_, q_, y.q_);
+    return *this;
+}
+Rational& Rational::operator*=(const Rational& y) {
+    mpq_mul(q_, q_, y.q_);
+    return *this;
+}
+Rational& Rational::operator/=(const Rational& y) {
+    require(mpq_sgn(y.q_) != 0, "a rational is divided by zero");
+    mpq_div(q_, q_, y.q_);
+    return *this;
+}
+
+std::ostream& operator<<(std::ostream& out, const Rational& x) { return out << to_fraction(x); }
+
+template <>
+double Rational::convert_to<double>() const {
+    mpfr_t nearest;
+    mpfr_init2(nearest, 53);
+    mpfr_set_q(nearest, q_, MPFR_RNDN);
+    const double result = mpfr_get_d(nearest, MPFR_RNDN);
+    mpfr_clear(nearest);
+    return result;
+}
+template <>
+int Rational::convert_to<int>() const {
+    return (numerator(*this) / denominator(*this)).convert_to<int>();
+}
+template <>
+long Rational::convert_to<long>() const {
+    return (numerator(*this) / denominator(*this)).convert_to<long>();
+}
+
+Integer numerator(const Rational& x) {
+    Integer result;
+    mpz_set(result.raw(), mpq_numref(x.raw()));
+    return result;
+}
+Integer denominator(const Rational& x) {
+    Integer result;
+    mpz_set(result.raw(), mpq_denref(x.raw()));
+    return result;
+}
+Rational abs(Rational x) {
+    mpq_abs(x.raw(), x.raw());
+    return x;
+}
+
+std::string shortened(std::string_view text) { return printable(text, 40); }
+
+Rational parse_rational(std::string_view text, std::size_t max_length) {
+    const auto malformed = [&] {
+        return InputError(
+            fmt::format("'{}' is not a number: write it like 10, 4.6, 1e6 or 9/2", shortened(text)));
+    };
+    if (text.size() > max_length) {
+        throw InputError(fmt::format("'{}' is too long: at most {} characters", shortened(text), max_length));
+    }
+    std::string_view rest = text;
+    std::string digits = take_digits(rest);
+    if (digits.empty()) {
+        throw malformed();
+    }
+    if (!rest.empty() && rest[0] == '/') {
+        rest.remove_prefix(1);
+        const std::string below = take_digits(rest);
+        if (below.empty() || !rest.empty()) {
+            throw malformed();
+        }
+        const Integer denominator = to_integer(below);
+        if (denominator == 0) {
+            throw InputError(fmt::format("'{}' divides by zero", shortened(text)));
+        }
+        return {to_integer(digits), denominator};
+    }
+    int exponent = 0;
+    if (!rest.empty() && rest[0] == '.') {
+        rest.remove_prefix(1);
+        const std::string fraction = take_digits(rest);
+        if (fraction.empty()) {
+            throw malformed();
+        }
+        digits += fraction;
+        exponent -= static_cast<int>(fraction.size());
+    }
+    if (!rest.empty()) {
+        if (rest[0] != 'e' && rest[0] != 'E') {
+            throw malformed();
+        }
+        exponent += parse_exponent(rest.substr(1), text);
+    }
+    const Integer mantissa = to_integer(digits);
+    return exponent >= 0 ? Rational(mantissa * power_of_ten(exponent))
+                         : Rational(mantissa, power_of_ten(-exponent));
+}
+
+std::string to_fraction(const Rational& x) { return numerator(x).str() + "/" + denominator(x).str(); }
+
+std::string to_decimal(const Rational& x, int digits) {
+    mpfr_t rounded;
+    mpfr_init2(rounded, 256);
+    mpfr_set_q(rounded, x.raw(), MPFR_RNDN);
+    char* text = nullptr;
+    mpfr_asprintf(&text, "%.*Rg", digits, rounded);
+    std::string result(text);
+    mpfr_free_str(text);
+    mpfr_clear(rounded);
+    return result;
+}
+
+template <>
+BigInterval enclose<BigInterval>(const Rational& x) {
+    BigInterval result;
+    mpfi_set_q(result.raw(), x.raw());
+    return result;
+}
+
+template <>
+Interval enclose<Interval>(const Rational& x) {
+    const PrecisionScope scope(53);
+    const BigInterval enclosure = enclose<BigInterval>(x);
+    return {enclosure.lo(), enclosure.hi()};
+}
+
+Rational exact(double x) {
+    require(x - x == 0, "exact value of a number that is not finite");
+    Rational result;
+    mpq_set_d(result.raw(), x);
+    return result;
+}
+
+Rational exact_lo(const BigInterval& x) { return exact(&x.raw()->left); }
+Rational exact_hi(const BigInterval& x) { return exact(&x.raw()->right); }
+
+}  // namespace dumbbell

@@ -1,0 +1,108 @@
+#pragma once
+
+#include <gmp.h>
+
+#include <compare>
+#include <concepts>
+#include <iosfwd>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "number/big_interval.hpp"
+#include "number/integer.hpp"
+#include "number/interval.hpp"
+
+namespace dumbbell {
+
+/// An exact rational in lowest terms (GMP): mass ratios and box coordinates. GMP's calls are out of line.
+class Rational {
+  public:
+    Rational() noexcept { mpq_init(q_); }
+    template <std::integral T>
+    Rational(T value) : Rational(Integer(value)) {}  // NOLINT(google-explicit-constructor)
+    Rational(const Integer& value) : Rational() {    // NOLINT(google-explicit-constructor)
+        mpq_set_z(q_, value.raw());
+    }
+    /// numerator / denominator. Throws BrokenInvariant if the denominator is 0.
+    Rational(const Integer& numerator, const Integer& denominator);
+    Rational(const Rational& other) : Rational() { mpq_set(q_, other.q_); }
+    Rational(Rational&& other) noexcept : Rational() { mpq_swap(q_, other.q_); }
+    Rational& operator=(Rational other) noexcept {
+        mpq_swap(q_, other.q_);
+        return *this;
+    }
+    ~Rational() { mpq_clear(q_); }
+
+    Rational& operator+=(const Rational& y);
+    Rational& operator-=(const Rational& y);
+    Rational& operator*=(const Rational& y);
+    /// Throws BrokenInvariant if y is 0.
+    Rational& operator/=(const Rational& y);
+
+    friend Rational operator+(Rational x, const Rational& y) { return std::move(x += y); }
+    friend Rational operator-(Rational x, const Rational& y) { return std::move(x -= y); }
+    friend Rational operator*(Rational x, const Rational& y) { return std::move(x *= y); }
+    friend Rational operator/(Rational x, const Rational& y) { return std::move(x /= y); }
+    friend Rational operator-(Rational x) {
+        mpq_neg(x.q_, x.q_);
+        return x;
+    }
+    friend bool operator==(const Rational& x, const Rational& y) { return mpq_equal(x.q_, y.q_) != 0; }
+    friend std::strong_ordering operator<=>(const Rational& x, const Rational& y) {
+        return mpq_cmp(x.q_, y.q_) <=> 0;
+    }
+    friend std::ostream& operator<<(std::ostream& out, const Rational& x);
+
+    /// double, rounded to nearest, ties to even; int or long, towards zero (precondition: it fits).
+    template <class T>
+    [[nodiscard]] T convert_to() const;
+
+    /// GMP's own, for calls of GMP and MPFR. What is written there must be in lowest terms.
+    [[nodiscard]] mpq_ptr raw() { return q_; }
+    [[nodiscard]] mpq_srcptr raw() const { return q_; }
+
+  private:
+    mpq_t q_;
+};
+
+template <>
+[[nodiscard]] double Rational::convert_to<double>() const;
+template <>
+[[nodiscard]] int Rational::convert_to<int>() const;
+template <>
+[[nodiscard]] long Rational::convert_to<long>() const;
+
+[[nodiscard]] Integer numerator(const Rational& x);
+[[nodiscard]] Integer denominator(const Rational& x);
+[[nodiscard]] Rational abs(Rational x);
+
+/// A decimal, [0-9]+(.[0-9]+)?([eE][+-]?[0-9]+)?, or a fraction, INT/INT, exactly. Throws InputError (naming
+/// the text) for anything else, more than 1,000 characters, |exponent| > 1000, or a zero denominator.
+[[nodiscard]] Rational parse_rational(std::string_view text, std::size_t max_length = 1000);
+
+/// A user's text as it may stand in a message: printable, and its first 40 characters only.
+[[nodiscard]] std::string shortened(std::string_view text);
+
+/// `p/q` in lowest terms, with `/1` for integers.
+[[nodiscard]] std::string to_fraction(const Rational& x);
+
+/// A decimal of at most `digits` significant digits for people, e.g. `4.60334`; rounded to nearest.
+[[nodiscard]] std::string to_decimal(const Rational& x, int digits);
+
+/// The tightest enclosure of x in I.
+template <class I>
+[[nodiscard]] I enclose(const Rational& x);
+template <>
+[[nodiscard]] Interval enclose<Interval>(const Rational& x);
+template <>
+[[nodiscard]] BigInterval enclose<BigInterval>(const Rational& x);
+
+/// The exact value of a finite double.
+[[nodiscard]] Rational exact(double x);
+
+/// The exact ends of X. Throws BrokenInvariant if they are not finite.
+[[nodiscard]] Rational exact_lo(const BigInterval& x);
+[[nodiscard]] Rational exact_hi(const BigInterval& x);
+
+}  // namespace dumbbell

@@ -1,0 +1,115 @@
+#include <fmt/format.h>
+
+#include "adiabatic/writer.hpp"
+#include "number/decimal.hpp"
+#include "page/file.hpp"
+#include "page/tree.hpp"
+
+namespace dumbbell {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Exactly, as the claim has it.
+std::string exactly(const Rational& x) { return x == 0 ? "0" : x < 0 ? "-" + exact_text(-x) : exact_text(x); }
+
+constexpr int shown_digits = 6;
+
+/// A bound C >= 0 for reading: rounded up, so that it still is one.
+std::string shown_above(const Rational& x) {
+    return x > 0 ? to_text(without_zeros(cut_up(x, shown_digits))) : exactly(x);
+}
+
+/// An attained value B for reading: rounded down, so that it still is attained.
+std::string shown_below(const Rational& x) {
+    return x > 0 ? to_text(without_zeros(cut_down(x, shown_digits))) : exactly(x);
+}
+
+Json range_json(const std::pair<Rational, Rational>& range) {
+    return {exactly(range.first), exactly(range.second)};
+}
+
+/// Leaves of all its trees by word.
+struct Leaves {
+    std::size_t bound = 0;
+    std::size_t outside = 0;
+
+    void add(const AdiabaticTree& tree) {
+        for (const AdiabaticNode& node : tree) {
+            if (!node.split) {
+                ++(node.outside ? outside : bound);
+            }
+        }
+    }
+};
+
+Json tree_of(const AdiabaticCertificate& certificate, const BoxBudget& budget) {
+    PictureTree tree;
+    for (const AdiabaticNode& node : certificate.tree) {
+        tree.push_back(node.split     ? split_of(static_cast<std::size_t>(*node.split))
+                       : node.outside ? 0
+                                      : 1 + node.by_class);
+    }
+    Json json = tree_json(tree, share_of(leaves_of(tree), budget.total, budget.most));
+    const auto& [lo, hi] = certificate.hypotheses.delta;
+    json["axes"] = Json::array({{{"name", "u"}, {"lo", "0/1"}, {"hi", "2/1"}},
+                                {{"name", "sigma"}, {"lo", "0/1"}, {"hi", "0/1"}},
+                                {{"name", "s"}, {"lo", "0/1"}, {"hi", "1/1"}},
+                                {{"name", "v"}, {"lo", "0/1"}, {"hi", "2/1"}},
+                                {{"name", "delta"}, {"lo", to_fraction(lo)}, {"hi", to_fraction(hi)}}});
+    return json;
+}
+
+Json kinds_json(const AdiabaticCertificate& certificate) {
+    Json kinds = Json::array({{{"reason", "outside"}}});
+    const std::size_t classes = std::max<std::size_t>(1, certificate.classes.size());
+    for (std::size_t i = 0; i < classes; ++i) {
+        kinds.push_back({{"reason", "bound"}, {"class", i}});
+    }
+    return kinds;
+}
+
+}  // namespace
+
+nlohmann::ordered_json file_json(const AdiabaticCertificate& certificate, const BoxBudget& budget) {
+    const AdiabaticHypotheses& of = certificate.hypotheses;
+    const bool has_heights = of.claim == AdiabaticClaim::bounce || of.claim == AdiabaticClaim::run;
+    Leaves leaves;
+    leaves.add(certificate.tree);
+    for (const AdiabaticClass& one : certificate.classes) {
+        leaves.add(one.tree);
+    }
+    Json json{{"claim", name(of.claim)},
+              {"lemmas", "1"},
+              {"bits", certificate.bits},
+              {"delta", range_json(of.delta)},
+              {"heights", has_heights ? range_json(of.heights) : Json(nullptr)},
+              {"margin", exactly(of.margin)},
+              {"exponent", of.claim == AdiabaticClaim::bounce ? Json(of.exponent) : Json(nullptr)},
+              {"classes", certificate.classes.size()},
+              {"leaves", {{"bound", leaves.bound}, {"outside", leaves.outside}}},
+              {"bounds", Json::array()},
+              {"attained", Json::array()},
+              {"kinds", kinds_json(certificate)},
+              {"tree", nullptr}};
+    for (const Rational& bound : certificate.bounds) {
+        json["bounds"].push_back(shown_above(bound));
+    }
+    for (const AdiabaticState& state : certificate.attained) {
+        json["attained"].push_back({{"u", to_fraction(state.u)},
+                                    {"s", to_fraction(state.s)},
+                                    {"delta", to_fraction(state.delta)},
+                                    {"n", state.n},
+                                    {"value", shown_below(state.value)}});
+    }
+    if (!certificate.tree.empty()) {
+        json["tree"] = tree_of(certificate, budget);
+    }
+    return json;
+}
+
+std::string claim_options(const AdiabaticCertificate& certificate) {
+    return fmt::format("--claim {}", name(certificate.hypotheses.claim));
+}
+
+}  // namespace dumbbell

@@ -1,0 +1,187 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <tuple>
+
+#include "audit/leaf_boxes.hpp"
+#include "collisions/names.hpp"
+#include "flight/paper_bound.hpp"
+#include "number/decimal.hpp"
+#include "page/file.hpp"
+#include "page/tree.hpp"
+#include "words/json_number.hpp"
+
+namespace dumbbell {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::array all_axes{Axis::position, Axis::slope, Axis::ratio};
+
+/// The different leaves of a file, numbered so that of two numbers the greater one says more: counts last, by
+/// their sums.
+class Kinds {
+  public:
+    explicit Kinds(const Certificate& certificate) {
+        for (const Piece& piece : certificate.pieces) {
+            for (const ChartTree& tree : piece.cover.charts) {
+                for (const Node& node : tree.tree) {
+                    if (!node.split) {
+                        numbers_.emplace(key(node.leaf), 0);
+                        ++leaves_[node.leaf.reason];
+                    }
+                }
+            }
+        }
+        int number = 0;
+        for (auto& kind : numbers_) {
+            kind.second = number++;
+        }
+    }
+
+    [[nodiscard]] int number(const Leaf& leaf) const { return numbers_.at(key(leaf)); }
+
+    [[nodiscard]] Json json() const {
+        Json kinds = Json::array();
+        for (const auto& [key, number] : numbers_) {
+            const auto& [is_count, sum, forward, backward, reason] = key;
+            kinds.push_back({{"reason", name(reason)}, {"forward", forward}, {"backward", backward}});
+        }
+        return kinds;
+    }
+
+    /// How many leaves have each reason.
+    [[nodiscard]] Json totals() const {
+        Json totals = Json::object();
+        for (const auto& [reason, leaves] : leaves_) {
+            totals[std::string(name(reason))] = leaves;
+        }
+        return totals;
+    }
+
+  private:
+    using Key = std::tuple<bool, long, long, long, Reason>;
+
+    static Key key(const Leaf& leaf) {
+        return {leaf.reason == Reason::count, leaf.forward + leaf.backward, leaf.forward, leaf.backward,
+                leaf.reason};
+    }
+
+    std::map<Key, int> numbers_;
+    std::map<Reason, long> leaves_;
+};
+
+Json axes_json(Chart chart, const Piece& piece) {
+    const audit::Boxes root = audit::root_of(chart, piece.q_lo, piece.q_hi);
+    Json axes = Json::array();
+    for (const Axis axis : all_axes) {
+        const auto number = static_cast<std::size_t>(axis);
+        axes.push_back({{"name", axis_name(chart, axis)},
+                        {"lo", to_fraction(root.lo(root.root, number))},
+                        {"hi", to_fraction(root.hi(root.root, number))}});
+    }
+    return axes;
+}
+
+Json chart_json(const ChartTree& chart, const Piece& piece, const Kinds& kinds, const BoxBudget& budget) {
+    PictureTree tree;
+    tree.reserve(chart.tree.size());
+    for (const Node& node : chart.tree) {
+        tree.push_back(node.split ? split_of(static_cast<std::size_t>(*node.split))
+                                  : kinds.number(node.leaf));
+    }
+    Json json = tree_json(tree, share_of(leaves_of(tree), budget.total, budget.most));
+    json["chart"] = name(chart.chart);
+    json["axes"] = axes_json(chart.chart, piece);
+    return json;
+}
+
+Json witness_json(const Witness& witness) {
+    return {{"chart", name(witness.chart)},
+            {"e", to_fraction(witness.e)},
+            {"eta", to_fraction(witness.eta)},
+            {"forward", witness.forward},
+            {"backward", witness.backward}};
+}
+
+Json piece_json(const Piece& piece, const Certificate& certificate, const Kinds& kinds,
+                const BoxBudget& budget) {
+    Json json{{"lo", to_fraction(piece.q_lo)},
+              {"hi", to_fraction(piece.q_hi)},
+              {"lo_text", exact_text(piece.q_lo)},
+              {"hi_text", exact_text(piece.q_hi)},
+              {"status", name(piece.status())},
+              {"upper", json_or_null(piece.upper)},
+              {"lower", piece.lower},
+              {"bits", piece.bits},
+              {"leaves", piece.cover.leaves()},
+              {"equal_masses", piece.cover.equal_masses},
+              {"paper", nullptr},
+              {"witness", nullptr},
+              {"trees", Json::array()}};
+    if (certificate.scene == Scene::dumbbell && piece.q_lo >= 1 && piece.q_hi <= paper_bound_limit()) {
+        json["paper"] = {paper_bound(piece.q_lo), paper_bound(piece.q_hi)};
+    }
+    if (piece.witness) {
+        json["witness"] = witness_json(*piece.witness);
+    }
+    for (const ChartTree& chart : piece.cover.charts) {
+        json["trees"].push_back(chart_json(chart, piece, kinds, budget));
+    }
+    return json;
+}
+
+/// The greatest upper and the least lower bound; none if a piece has no upper bound.
+std::pair<std::optional<long>, long> bounds_of(const Certificate& certificate) {
+    std::optional<long> upper = 0;
+    long lower = certificate.pieces.front().lower;
+    for (const Piece& piece : certificate.pieces) {
+        upper = upper && piece.upper ? std::optional(std::max(*upper, *piece.upper)) : std::nullopt;
+        lower = std::min(lower, piece.lower);
+    }
+    return {upper, lower};
+}
+
+}  // namespace
+
+nlohmann::ordered_json file_json(const Certificate& certificate, const BoxBudget& budget) {
+    const Kinds kinds(certificate);
+    const auto [upper, lower] = bounds_of(certificate);
+    Json json{{"claim", "collisions"},
+              {"scene", name(certificate.scene)},
+              {"section", name(certificate.section)},
+              {"lemmas", lemma_set(certificate.section)},
+              {"lo_text", exact_text(certificate.q_lo())},
+              {"hi_text", exact_text(certificate.q_hi())},
+              {"upper", json_or_null(upper)},
+              {"lower", lower},
+              {"kinds", kinds.json()},
+              {"totals", kinds.totals()},
+              {"pieces", Json::array()}};
+    for (const Piece& piece : certificate.pieces) {
+        json["pieces"].push_back(piece_json(piece, certificate, kinds, budget));
+    }
+    return json;
+}
+
+std::string claim_options(const Certificate& certificate) {
+    const auto [upper, lower] = bounds_of(certificate);
+    std::string options;
+    if (certificate.scene != Scene::dumbbell) {
+        options += fmt::format("--scene {} ", name(certificate.scene));
+    }
+    options += "--ratio " + exact_text(certificate.q_lo());
+    if (certificate.q_lo() != certificate.q_hi()) {
+        options += ":" + exact_text(certificate.q_hi());
+    }
+    if (upper == lower) {
+        return options + fmt::format(" --exactly {}", lower);
+    }
+    if (upper) {
+        options += fmt::format(" --max {}", *upper);
+    }
+    return options + (lower > 0 ? fmt::format(" --min {}", lower) : "");
+}
+
+}  // namespace dumbbell

@@ -1,0 +1,118 @@
+#include "page/data.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "base/error.hpp"
+#include "base/printable.hpp"
+#include "file/lines.hpp"
+#include "number/decimal.hpp"
+#include "page/file.hpp"
+#include "staircase/growth_constant.hpp"
+
+namespace dumbbell {
+namespace {
+
+constexpr int constant_digits = 20;
+constexpr int constant_bits = 128;
+
+struct LeavesOf {
+    std::size_t operator()(const Certificate& certificate) const {
+        long leaves = 0;
+        for (const Piece& piece : certificate.pieces) {
+            leaves += piece.cover.leaves();
+        }
+        return static_cast<std::size_t>(leaves);
+    }
+    std::size_t operator()(const InitialCertificate& certificate) const { return closed(certificate.tree); }
+    std::size_t operator()(const AdiabaticCertificate& certificate) const { return closed(certificate.tree); }
+    std::size_t operator()(const CriticalTable& /*no trees*/) const { return 0; }
+
+  private:
+    template <class Tree>
+    static std::size_t closed(const Tree& tree) {
+        return static_cast<std::size_t>(
+            std::ranges::count_if(tree, [](const auto& node) { return !node.split; }));
+    }
+};
+
+std::string growth_digits() {
+    const PrecisionScope scope(constant_bits);
+    const BigInterval c = growth_constant();
+    const auto digits = shared_digits(exact_lo(c), exact_hi(c), constant_digits);
+    require(digits.has_value(), "report: the constant C is not known to 20 digits");
+    return to_text(*digits);
+}
+
+/// Who wrote it, and how the verifier is asked; a table has neither.
+struct Provenance {
+    std::string generator;
+    std::string verify_options;
+};
+
+struct ProvenanceOf {
+    template <class Certified>
+    Provenance operator()(const Certified& of) const {
+        return {of.program + " " + of.version, claim_options(of)};
+    }
+    Provenance operator()(const CriticalTable& /*unsigned*/) const { return {}; }
+};
+
+nlohmann::ordered_json one_file(const ReportedFile& file, const BoxBudget& budget) {
+    nlohmann::ordered_json json =
+        std::visit([&](const auto& of) { return file_json(of, budget); }, file.content);
+    const Provenance provenance = std::visit(ProvenanceOf(), file.content);
+    json["name"] = std::filesystem::path(file.path).filename().string();
+    json["generator"] = provenance.generator;
+    json["sha256"] = file.sha256;
+    json["verify_options"] = provenance.verify_options;
+    json["verify_file"] = shell_file(file.path);
+    return json;
+}
+
+}  // namespace
+
+ReportedFile read_reported(const std::string& path) {
+    require_readable(path);
+    if (is_critical_table(path)) {
+        CriticalTable table = read_critical_table(path);
+        std::string sha256 = table.sha256;
+        return {path, std::move(sha256), std::move(table)};
+    }
+    std::string sha256 = sealed_digest(path);
+    return {path, std::move(sha256),
+            std::visit([](auto&& of) { return ReportedContent(std::forward<decltype(of)>(of)); },
+                       read_any_certificate(path))};
+}
+
+std::size_t leaves_of(const ReportedContent& content) { return std::visit(LeavesOf(), content); }
+
+nlohmann::ordered_json page_data(const std::vector<ReportedFile>& files, std::size_t most_boxes) {
+    BoxBudget budget{0, most_boxes};
+    std::size_t pieces = 0;
+    for (const ReportedFile& file : files) {
+        budget.total += leaves_of(file.content);
+        if (const auto* certificate = std::get_if<Certificate>(&file.content)) {
+            pieces += certificate->pieces.size();
+        }
+    }
+    if (pieces > most_pieces) {
+        throw InputError(
+            fmt::format("the files have {} pieces, a page takes {}: report on fewer files, or on a part "
+                        "of the range (dumbbell certify LO:HI --out FILE)",
+                        pieces, most_pieces));
+    }
+    nlohmann::ordered_json json{{"schema", "dumbbell-report-1"},
+                                {"version", DUMBBELL_VERSION},
+                                {"growth_constant", growth_digits()},
+                                {"boxes", {{"total", budget.total}, {"most", budget.most}}},
+                                {"files", nlohmann::ordered_json::array()}};
+    for (const ReportedFile& file : files) {
+        json["files"].push_back(one_file(file, budget));
+    }
+    return json;
+}
+
+}  // namespace dumbbell

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstddef>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "certificates/any_reader.hpp"
+#include "staircase/critical_table.hpp"
+
+/// What the page of `dumbbell report` shows, as one JSON object: certificates, tables of critical ratios, and
+/// nothing that they do not claim. web/README.md describes it.
+namespace dumbbell {
+
+using ReportedContent = std::variant<Certificate, InitialCertificate, AdiabaticCertificate, CriticalTable>;
+
+struct ReportedFile {
+    std::string path;    ///< as the user wrote it, for the command that verifies it
+    std::string sha256;  ///< sealed_digest; of a table that of its text
+    ReportedContent content;
+};
+
+/// Reads a certificate of any claim kind, whose checksum must be right, or a table of critical ratios. Throws
+/// InputError (naming the file) for anything else.
+[[nodiscard]] ReportedFile read_reported(const std::string& path);
+
+/// Boxes of all covers together that a page draws; beyond, trees are thinned out.
+inline constexpr std::size_t default_most_boxes = 200'000;
+
+/// Pieces of all files together; a page with more would not open. Throws InputError beyond.
+inline constexpr std::size_t most_pieces = 100'000;
+
+[[nodiscard]] nlohmann::ordered_json page_data(const std::vector<ReportedFile>& files,
+                                               std::size_t most_boxes);
+
+/// How many leaves its trees have.
+[[nodiscard]] std::size_t leaves_of(const ReportedContent& content);
+
+}  // namespace dumbbell

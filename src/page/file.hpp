@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstddef>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "adiabatic/certificate.hpp"
+#include "collisions/certificate.hpp"
+#include "staircase/critical_table.hpp"
+#include "starts/certificate.hpp"
+
+/// One file of the page's data, by claim kind: its claim, trees and starting states, and the options with
+/// which the verifier is asked for exactly that claim.
+namespace dumbbell {
+
+/// Of `total` leaves in all files, `most` may be drawn.
+struct BoxBudget {
+    std::size_t total = 0;
+    std::size_t most = 0;
+};
+
+[[nodiscard]] nlohmann::ordered_json file_json(const Certificate& certificate, const BoxBudget& budget);
+[[nodiscard]] nlohmann::ordered_json file_json(const InitialCertificate& certificate,
+                                               const BoxBudget& budget);
+[[nodiscard]] nlohmann::ordered_json file_json(const AdiabaticCertificate& certificate,
+                                               const BoxBudget& budget);
+
+/// No certificate, but worth a look: with the command that makes the table again.
+[[nodiscard]] nlohmann::ordered_json file_json(const CriticalTable& table, const BoxBudget& budget);
+
+/// Words for the command line, e.g. `--ratio 1:100 --max 10 --min 2`.
+[[nodiscard]] std::string claim_options(const Certificate& certificate);
+[[nodiscard]] std::string claim_options(const InitialCertificate& certificate);
+[[nodiscard]] std::string claim_options(const AdiabaticCertificate& certificate);
+
+}  // namespace dumbbell

@@ -1,0 +1,159 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <tuple>
+
+#include "base/error.hpp"
+#include "number/decimal.hpp"
+#include "page/file.hpp"
+#include "page/tree.hpp"
+#include "words/json_number.hpp"
+
+namespace dumbbell {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int deepest = 400 * static_cast<int>(initial_axes);  // format-initial.md; bounds the shares' size
+constexpr int window_digits = 5;                               // shown; the file has the window exactly
+
+constexpr std::array<const char*, initial_axes> axis_names{"phi", "phidot", "y", "ydot", "q"};
+
+/// A leaf apart from its box and the window of the first contact: open ones last, undecided ones before.
+using Kind = std::tuple<bool, bool, long, long, int>;
+
+enum FirstMass { no_mass, light_mass, heavy_mass };
+
+Kind kind_of(const InitialLeaf& leaf) {
+    const int mass = !leaf.first ? no_mass : leaf.first->heavy ? heavy_mass : light_mass;
+    return {!leaf.most, leaf.most != leaf.least, leaf.most.value_or(0), leaf.least, mass};
+}
+
+Json kind_json(const Kind& kind) {
+    const auto& [is_open, undecided, most, least, mass] = kind;
+    return {{"least", least},
+            {"most", is_open ? Json(nullptr) : Json(most)},
+            {"first", mass == no_mass      ? Json(nullptr)
+                      : mass == heavy_mass ? Json("heavy")
+                                           : Json("light")}};
+}
+
+/// The picture's tree and what its leaves add up to.
+class Body {
+  public:
+    explicit Body(const std::vector<InitialNode>& nodes) {
+        for (const InitialNode& node : nodes) {
+            if (!node.split) {
+                kinds_.emplace(kind_of(node.leaf), 0);
+            }
+        }
+        int number = 0;
+        for (auto& kind : kinds_) {
+            kind.second = number++;
+        }
+        std::vector<int> depths{0};  // of the nodes to come: the next one last
+        for (const InitialNode& node : nodes) {
+            const int depth = depths.back();
+            depths.pop_back();
+            if (depth > deepest) {
+                throw InputError(
+                    fmt::format("a tree of initial conditions is more than {} levels deep", deepest));
+            }
+            if (node.split) {
+                tree.push_back(split_of(static_cast<std::size_t>(*node.split)));
+                depths.insert(depths.end(), 2, depth + 1);
+            } else {
+                tree.push_back(kinds_.at(kind_of(node.leaf)));
+                add(node.leaf, depth);
+            }
+        }
+    }
+
+    PictureTree tree;
+
+    [[nodiscard]] Json kinds() const {
+        Json json = Json::array();
+        for (const auto& kind : kinds_) {
+            json.push_back(kind_json(kind.first));
+        }
+        return json;
+    }
+
+    /// The certified share of the box by number of collisions; null: undecided.
+    [[nodiscard]] Json shares() const {
+        Json json = Json::array();
+        for (const auto& [count, depths] : leaves_) {
+            Rational share = 0;
+            long boxes = 0;
+            for (const auto& [depth, leaves] : depths) {
+                share += Rational(leaves) / Rational(Integer(1) << static_cast<unsigned>(depth));
+                boxes += leaves;
+            }
+            json.push_back({{"collisions", count < 0 ? Json(nullptr) : Json(count)},
+                            {"share", to_decimal(share, 6)},
+                            {"boxes", boxes}});
+        }
+        return json;
+    }
+
+    /// From and until, rounded, for each leaf in order; nulls where the file has no window.
+    [[nodiscard]] const Json& windows() const { return windows_; }
+
+    [[nodiscard]] long least() const { return least_.value_or(0); }
+    [[nodiscard]] Json most() const { return any_open_ ? Json(nullptr) : Json(most_); }
+
+  private:
+    void add(const InitialLeaf& leaf, int depth) {
+        const bool is_exact = leaf.most == leaf.least;
+        windows_.push_back(leaf.first ? Json(rounded(leaf.first->from)) : Json(nullptr));
+        windows_.push_back(leaf.first ? Json(rounded(leaf.first->until)) : Json(nullptr));
+        ++leaves_[is_exact ? leaf.least : -1][depth];
+        least_ = std::min(least_.value_or(leaf.least), leaf.least);
+        most_ = std::max(most_, leaf.most.value_or(0));
+        any_open_ = any_open_ || !leaf.most;
+    }
+
+    static double rounded(const Rational& x) {
+        return parse_rational(to_decimal(x, window_digits)).convert_to<double>();
+    }
+
+    std::map<Kind, int> kinds_;
+    Json windows_ = Json::array();
+    std::map<long, std::map<int, long>> leaves_;  // by count (-1: undecided), by depth
+    std::optional<long> least_;
+    long most_ = 0;
+    bool any_open_ = false;
+};
+
+}  // namespace
+
+nlohmann::ordered_json file_json(const InitialCertificate& certificate, const BoxBudget& budget) {
+    const Body body(certificate.tree);
+    Json axes = Json::array();
+    for (std::size_t i = 0; i < initial_axes; ++i) {
+        axes.push_back({{"name", axis_names[i]},
+                        {"lo", to_fraction(certificate.box.lo[i])},
+                        {"hi", to_fraction(certificate.box.hi[i])}});
+    }
+    Json tree = tree_json(body.tree, share_of(leaves_of(body.tree), budget.total, budget.most));
+    tree["axes"] = std::move(axes);
+    const bool is_whole = tree["stands_for"].empty();
+    return {{"claim", "initial-conditions"}, {"lemmas", "1"},
+            {"bits", certificate.bits},      {"least", body.least()},
+            {"most", body.most()},           {"shares", body.shares()},
+            {"kinds", body.kinds()},         {"windows", is_whole ? body.windows() : Json::array()},
+            {"tree", std::move(tree)}};
+}
+
+std::string claim_options(const InitialCertificate& certificate) {
+    const Body body(certificate.tree);
+    std::string options = "--claim initial-conditions";
+    if (!body.most().is_null()) {
+        options += fmt::format(" --max {}", body.most().get<long>());
+    }
+    return options + (body.least() > 0 ? fmt::format(" --min {}", body.least()) : "");
+}
+
+}  // namespace dumbbell

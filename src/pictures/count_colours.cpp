@@ -1,0 +1,78 @@
+#include "pictures/count_colours.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace dumbbell {
+namespace {
+
+struct Colour {
+    double red, green, blue;
+};
+
+/// Viridis at equal steps, bright to dark.
+constexpr std::array<Colour, 10> scale{{{253, 231, 37},
+                                        {181, 222, 43},
+                                        {110, 206, 88},
+                                        {53, 183, 121},
+                                        {31, 158, 137},
+                                        {38, 130, 142},
+                                        {49, 104, 142},
+                                        {62, 73, 137},
+                                        {72, 40, 120},
+                                        {68, 1, 84}}};
+
+/// Few counts do not use the whole scale: so 1, 2, 3, 4 have the same colours in all pictures of few counts.
+constexpr long least_steps = 3;
+
+/// The share of the scale that stands out from a dark page.
+constexpr double share_on_dark = 0.84;
+
+/// t in [0, 1].
+std::string colour_at(double t) {
+    const double at = t * static_cast<double>(scale.size() - 1);
+    const auto i = std::min(static_cast<std::size_t>(at), scale.size() - 2);
+    const double part = at - static_cast<double>(i);
+    const auto mixed = [&](double Colour::*channel) {
+        return std::lround(scale[i].*channel + (scale[i + 1].*channel - scale[i].*channel) * part);
+    };
+    return fmt::format("#{:02x}{:02x}{:02x}", mixed(&Colour::red), mixed(&Colour::green),
+                       mixed(&Colour::blue));
+}
+
+}  // namespace
+
+std::string count_kind(long count) { return fmt::format("n{}", count); }
+
+void colour_counts(Svg& svg, const std::vector<long>& counts) {
+    if (counts.empty()) {
+        return;
+    }
+    const long first = std::max(1L, counts.front());
+    const auto steps = static_cast<double>(std::max(least_steps, counts.back() - first));
+    for (const long count : counts) {
+        if (count == 0) {
+            svg.colour(count_kind(0), "fill", {"#d3d8de", "#4a535d"});
+            continue;
+        }
+        const double t = static_cast<double>(count - first) / steps;
+        svg.colour(count_kind(count), "fill", {colour_at(t), colour_at(t * share_on_dark)});
+    }
+}
+
+std::vector<long> shown_counts(const std::vector<long>& counts) {
+    constexpr std::size_t most = 13;
+    if (counts.size() <= most) {
+        return counts;
+    }
+    std::vector<long> shown(most);
+    for (std::size_t i = 0; i < most; ++i) {
+        shown[i] = counts[i * (counts.size() - 1) / (most - 1)];
+    }
+    return shown;
+}
+
+}  // namespace dumbbell

@@ -1,0 +1,235 @@
+#include "pictures/staircase.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <numbers>
+#include <utility>
+#include <vector>
+
+#include "base/error.hpp"
+#include "flight/paper_bound.hpp"
+#include "pictures/frame.hpp"
+#include "pictures/palette.hpp"
+#include "staircase/growth_constant.hpp"
+
+namespace dumbbell {
+namespace {
+
+constexpr double left = 64;
+constexpr double plot_height = 380;
+
+double value(const Rational& q) { return q.convert_to<double>(); }
+
+/// ceil(pi / gamma) + above, which steps from m to m + 1 after q = cot^2(pi / 2m): with 1 the paper's bound
+/// for the dumbbell, with 0 the maximum of the wedges (lemma L17).
+std::string paper_path(const Frame& frame, const std::vector<Piece>& pieces, long above) {
+    const Rational& q_lo = pieces.front().q_lo;
+    const Rational& q_hi = pieces.back().q_hi;
+    long m = paper_bound(q_lo) - 1;
+    const long last = paper_bound(q_hi) - 1;
+    const auto y = [&](long of) { return frame.y(static_cast<double>(of + above)); };
+    std::string path = fmt::format("M{:.2f} {:.2f}", frame.x(value(q_lo)), y(m));
+    for (; m < last; ++m) {
+        const double t = std::tan(std::numbers::pi / (2 * static_cast<double>(m)));
+        fmt::format_to(std::back_inserter(path), "H{:.2f}V{:.2f}", frame.x(1 / (t * t)), y(m + 1));
+    }
+    return path + fmt::format("H{:.2f}", frame.x(value(q_hi)));
+}
+
+/// What stands in the picture for the paper's bound where that lies too far above the maximum to be drawn.
+std::string far_bound(const std::vector<Piece>& pieces) {
+    const long lo = paper_bound(pieces.front().q_lo);
+    const long hi = paper_bound(pieces.back().q_hi);
+    return fmt::format("\xe2\x86\x91 the paper's bound: {}{}", lo, lo == hi ? "" : fmt::format(" to {}", hi));
+}
+
+/// 2 + C sqrt q, which the maximum stays close to (theorem 4).
+std::string growth_path(const Frame& frame, double q_lo, double q_hi) {
+    const double c = approximate(growth_constant());
+    std::string path;
+    constexpr int parts = 200;
+    for (int i = 0; i <= parts; ++i) {
+        const double q = q_lo * std::pow(q_hi / q_lo, static_cast<double>(i) / parts);
+        fmt::format_to(std::back_inserter(path), "{}{:.2f} {:.2f}", i == 0 ? 'M' : 'L', frame.x(q),
+                       frame.y(2 + c * std::sqrt(q)));
+    }
+    return path;
+}
+
+/// The proved values: a line over each piece with one value.
+std::string proved_path(const Frame& frame, const std::vector<Piece>& pieces) {
+    std::string path;
+    for (const Piece& piece : pieces) {
+        if (piece.status() == Status::exact) {
+            fmt::format_to(std::back_inserter(path), "M{:.2f} {:.2f}H{:.2f}", frame.x(value(piece.q_lo)),
+                           frame.y(static_cast<double>(*piece.upper)), frame.x(value(piece.q_hi)));
+        }
+    }
+    return path;
+}
+
+/// The gaps: all that lies between their two values, for the value there is one of them.
+std::string gap_path(const Frame& frame, const std::vector<Piece>& pieces) {
+    std::string path;
+    for (const Piece& piece : pieces) {
+        if (piece.status() == Status::gap) {
+            const double left_end = frame.x(value(piece.q_lo));
+            fmt::format_to(std::back_inserter(path), "M{:.2f} {:.2f}H{:.2f}V{:.2f}H{:.2f}z", left_end,
+                           frame.y(static_cast<double>(piece.lower)), frame.x(value(piece.q_hi)),
+                           frame.y(static_cast<double>(*piece.upper)), left_end);
+        }
+    }
+    return path;
+}
+
+/// The counts that the vertical axis has to show.
+struct Counts {
+    long least;
+    long most;
+    bool has_paper;  ///< the paper's bound lies so near that it can be drawn, too
+};
+
+/// Counts from 0 on are evenly spaced up to here.
+constexpr long many = 20;
+
+Counts counts_of(const std::vector<Piece>& pieces, Scene scene) {
+    long least = pieces.front().lower;
+    long most = 2;
+    for (const Piece& piece : pieces) {
+        least = std::min(least, piece.lower);
+        most = std::max({most, piece.lower, piece.upper.value_or(0)});
+    }
+    const long highest = paper_bound(pieces.back().q_hi);
+    constexpr long share = 4;  // of the axis, at least, that is left to the steps
+    const bool has_paper =
+        scene == Scene::dumbbell && (highest <= many || highest - least <= share * (most - least) + 8);
+    return {least, has_paper ? highest : most, has_paper};
+}
+
+/// From 0 while that shows every step; counts that grow many times over by their logarithm, on which the
+/// square root is a line; else the range that there is.
+PlotAxis count_axis(const Counts& counts) {
+    constexpr int wanted = 8;
+    constexpr double growing = 3;
+    const auto least = static_cast<double>(counts.least);
+    const auto most = static_cast<double>(counts.most);
+    if (counts.most <= many) {
+        const double hi = most * 1.04;
+        return {0, hi, "collisions", even_ticks(0, hi, std::min(wanted, static_cast<int>(std::ceil(hi))))};
+    }
+    if (most > growing * least) {
+        const double hi = most * 1.2;
+        return {1.5, hi, "collisions (logarithmic)", decade_ticks(1.5, hi, {plot_height, true}),
+                Scale::logarithmic};
+    }
+    const double lo = least - 1.5;
+    const double hi = most + 1.5;
+    return {lo, hi, "collisions", even_ticks(lo, hi, std::min(wanted, static_cast<int>(hi - lo)))};
+}
+
+/// What the picture is called, and its line in the legend.
+struct Names {
+    const char* title;
+    const char* maximum;
+};
+
+Names names_of(Scene scene) {
+    switch (scene) {
+        case Scene::dumbbell:
+            return {"Greatest number of collisions of a bouncing dumbbell against its mass ratio",
+                    "proved maximum N(q)"};
+        case Scene::hybrid:
+            return {"Greatest number of collisions in the hybrid wedge against the mass ratio",
+                    "proved maximum, scene hybrid (wedge)"};
+        case Scene::wedge:
+            return {"Greatest number of collisions in the straight wedge against the mass ratio",
+                    "proved maximum, scene wedge (straight)"};
+    }
+    throw BrokenInvariant("unknown scene");
+}
+
+}  // namespace
+
+std::string staircase_svg(const std::vector<Piece>& pieces, Scene scene) {
+    require(!pieces.empty() && pieces.front().q_lo < pieces.back().q_hi, "staircase picture: an empty range");
+    const double q_lo = value(pieces.front().q_lo);
+    const double q_hi = value(pieces.back().q_hi);
+    constexpr double narrowest = 1e-12;
+    if (q_hi - q_lo < narrowest * q_hi) {
+        throw InputError(
+            "the range is too narrow for this picture: dumbbell report shows it, by its distance "
+            "from the step");
+    }
+    const auto has = [&](Status status) {
+        return std::any_of(pieces.begin(), pieces.end(),
+                           [&](const Piece& piece) { return piece.status() == status; });
+    };
+    const Names names = names_of(scene);
+    const bool is_dumbbell = scene == Scene::dumbbell;
+    const Counts counts = counts_of(pieces, scene);
+    std::vector<LegendEntry> entries{{Swatch::curve, "proved", names.maximum}};
+    if (has(Status::gap)) {
+        entries.push_back({Swatch::area, "gap", "gap: one of two values"});
+    }
+    if (has(Status::open)) {
+        entries.push_back({Swatch::area, "hatched", "not decided"});
+    }
+    if (counts.has_paper) {
+        entries.push_back(
+            {Swatch::curve, "paper", "the paper's bound \xe2\x8c\x88\xcf\x80/\xce\xb3\xe2\x8c\x89 + 1"});
+    }
+    if (is_dumbbell) {  // the growth is the dumbbell's, the formula the wedges'
+        entries.push_back({Swatch::curve, "growth", "2 + C \xe2\x88\x9aq"});
+    } else {
+        entries.push_back(
+            {Swatch::curve, "paper", "\xe2\x8c\x88\xcf\x80/\xce\xb3\xe2\x8c\x89 (lemmas L17, L18)"});
+    }
+    const double width = page_width - left - right_margin;
+    const Legend legend(std::move(entries), width);
+    const double legend_top = top_margin + 24;
+    const Frame frame(left, legend_top + legend.height() + 10, width, plot_height,
+                      {q_lo, q_hi, "mass ratio q (heavy over light, logarithmic)",
+                       decade_ticks(q_lo, q_hi, {width}), Scale::logarithmic},
+                      count_axis(counts));
+
+    Svg svg(page_width, frame.bottom() + 52, names.title);
+    svg.rules(
+        ".proved{fill:none;stroke-width:2.5}.gap{stroke-width:1.5}.paper{fill:none;stroke-width:1.5;stroke-"
+        "dasharray:6 4}.growth{fill:none;stroke-width:1.2;stroke-dasharray:2 3}");
+    svg.colour("proved", "stroke", palette::proved);
+    svg.colour("gap", "fill", palette::gap);
+    svg.colour("gap", "stroke", palette::gap);
+    svg.colour("paper", "stroke", palette::paper);
+    svg.colour("paper-word", "fill", palette::paper);
+    svg.colour("growth", "stroke", palette::growth);
+    svg.text(left, top_margin + 9, names.title, Anchor::start, "head");
+    for (const Piece& piece : pieces) {
+        if (piece.status() == Status::open) {
+            const double x = frame.x(value(piece.q_lo));
+            svg.rect("hatched", x, frame.top(), frame.x(value(piece.q_hi)) - x, frame.height());
+        }
+    }
+    frame.draw_grid(svg);
+    frame.open_clip(svg);
+    if (has(Status::gap)) {
+        svg.path("gap", gap_path(frame, pieces));
+    }
+    if (counts.has_paper) {
+        svg.path("paper", paper_path(frame, pieces, 1));
+    }
+    svg.path("proved", proved_path(frame, pieces));
+    svg.path(is_dumbbell ? "growth" : "paper",  // over it: they lie close together
+             is_dumbbell ? growth_path(frame, q_lo, q_hi) : paper_path(frame, pieces, 0));
+    svg.close();
+    if (is_dumbbell && !counts.has_paper) {
+        svg.text(frame.left() + 10, frame.top() + 20, far_bound(pieces), Anchor::start, "paper-word");
+    }
+    frame.draw_axes(svg);
+    legend.draw(svg, left, legend_top);
+    return svg.finished();
+}
+
+}  // namespace dumbbell

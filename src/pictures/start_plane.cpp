@@ -1,0 +1,100 @@
+#include "pictures/start_plane.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <utility>
+
+#include "base/error.hpp"
+#include "number/decimal.hpp"
+
+namespace dumbbell {
+namespace {
+
+struct Quantity {
+    const char* name;
+    const char* meaning;
+};
+
+constexpr std::array<Quantity, initial_axes> quantities{
+    {{"phi", "phi (angle of the rod, radians)"},
+     {"phidot", "phidot (angular velocity)"},
+     {"y", "y (height of the centre of mass, rod lengths)"},
+     {"ydot", "ydot (vertical velocity, downwards negative)"},
+     {"q", "q (mass ratio, heavy over light)"}}};
+
+bool has_width(const InitialBox& box, std::size_t axis) { return box.lo[axis] < box.hi[axis]; }
+
+std::string signed_text(const Rational& x) {
+    return x == 0 ? "0" : x < 0 ? "\xe2\x88\x92" + exact_text(-x) : exact_text(x);
+}
+
+}  // namespace
+
+InitialPlane initial_plane(const InitialCertificate& certificate) {
+    std::vector<std::size_t> wide;
+    for (std::size_t axis = 0; axis < initial_axes; ++axis) {
+        if (has_width(certificate.box, axis)) {
+            wide.push_back(axis);
+        }
+    }
+    if (wide.size() != 2) {
+        throw InputError(fmt::format(
+            "a picture has two axes, and {} of phi, phidot, y, ydot and the mass ratio are intervals in "
+            "this certificate: dumbbell trace with intervals for two of them",
+            wide.size()));
+    }
+    InitialPlane plane{{static_cast<InitialAxis>(wide[0]), static_cast<InitialAxis>(wide[1])}, {}};
+    std::vector<PlaneBox> waiting{{{0, 0}, {1, 1}}};  // the nodes to come: the next one last
+    for (const InitialNode& node : certificate.tree) {
+        require(!waiting.empty(), "nodes follow the end of a tree of initial conditions");
+        PlaneBox box = std::move(waiting.back());
+        waiting.pop_back();
+        if (!node.split) {
+            plane.cells.push_back({std::move(box), node.leaf});
+            continue;
+        }
+        if (*node.split != plane.axes[0] && *node.split != plane.axes[1]) {
+            throw InputError("this certificate halves a quantity that is a single number");
+        }
+        const std::size_t axis = *node.split == plane.axes[0] ? 0 : 1;
+        const Rational middle = (box.lo[axis] + box.hi[axis]) / 2;
+        PlaneBox upper = box;
+        upper.lo[axis] = middle;
+        box.hi[axis] = middle;
+        waiting.push_back(std::move(upper));
+        waiting.push_back(std::move(box));
+    }
+    return plane;
+}
+
+PlotAxis plot_axis(const InitialCertificate& certificate, InitialAxis axis) {
+    constexpr int wanted = 7;
+    const auto lo = certificate.box.lower(axis).convert_to<double>();
+    const auto hi = certificate.box.upper(axis).convert_to<double>();
+    return {lo, hi, quantities[static_cast<std::size_t>(axis)].meaning,
+            axis == InitialAxis::phi ? angle_ticks(lo, hi) : even_ticks(lo, hi, wanted)};
+}
+
+std::string fixed_quantities(const InitialCertificate& certificate) {
+    std::string text;
+    for (std::size_t axis = 0; axis < initial_axes; ++axis) {
+        if (!has_width(certificate.box, axis)) {
+            text += fmt::format("{}{} = {}", text.empty() ? "" : ", ", quantities[axis].name,
+                                signed_text(certificate.box.lo[axis]));
+        }
+    }
+    return text;
+}
+
+std::string hatched_note(const InitialCertificate& certificate) {
+    std::string text = "Hatched: not decided by this certificate.";
+    if (certificate.box.upper(InitialAxis::ratio) > 1) {  // equal masses have no orbit of three collisions
+        text +=
+            " More boxes need not help: dumbbell trace --subdivide has no rule yet for some orbits that hit "
+            "with the light, the heavy and the light mass; dumbbell trace may decide them one by one.";
+    }
+    return text;
+}
+
+}  // namespace dumbbell

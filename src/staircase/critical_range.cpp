@@ -1,0 +1,68 @@
+#include "staircase/critical_range.hpp"
+
+#include <tbb/global_control.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+
+#include "base/deadline.hpp"
+#include "number/decimal.hpp"
+#include "number/self_test.hpp"
+
+namespace dumbbell {
+namespace {
+
+/// Flights of all orbits of the request: n/2 each.
+double flights(const CriticalRequest& request) {
+    const auto first = static_cast<double>(request.first);
+    const auto last = static_cast<double>(request.last);
+    return (last - first + 1) * (first + last) / 4;
+}
+
+}  // namespace
+
+std::vector<CriticalRow> critical_ratios(const CriticalRequest& request) {
+    require_sound_arithmetic();
+    const auto interrupted = deadline(request.budget);
+    CriticalOptions options{
+        .digits = request.digits, .interrupted = interrupted, .advanced = request.advanced};
+    if (request.confirm) {
+        options.digits = std::max(request.digits, digits_to_confirm(*request.confirm));
+    }
+    std::vector<CriticalRow> rows(static_cast<std::size_t>(request.last - request.first + 1));
+    std::atomic<std::size_t> done = 0;
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
+                                    static_cast<std::size_t>(request.jobs));
+    tbb::task_arena arena(request.jobs);
+    arena.execute([&] {
+        tbb::parallel_for(std::size_t{0}, rows.size(), [&](std::size_t i) {
+            require_sound_arithmetic();
+            CriticalRow& row = rows[i];
+            row.n = request.first + static_cast<long>(i);
+            row.ratio = interrupted() ? std::nullopt : enclose_critical_ratio(row.n, options);
+            if (row.ratio && request.confirm) {
+                row.confirmation = confirm(*row.ratio, *request.confirm, interrupted);
+            }
+            request.progress(++done, rows.size(), row.n);
+        });
+    });
+    return rows;
+}
+
+std::chrono::duration<double> estimated_time(const CriticalRequest& request) {
+    constexpr long sample = 62;  // 30 flights: a few milliseconds
+    // Longer orbits lose more digits (expected_bits of critical.cpp): let the sample have as many bits.
+    const double longer = static_cast<double>(request.last) / sample;
+    const int lost = static_cast<int>(std::ceil(4 * std::log10(std::max(1.0, longer))));
+    const auto start = std::chrono::steady_clock::now();
+    (void)enclose_critical_ratio(sample, {.digits = std::min(request.digits + lost, most_critical_digits)});
+    const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
+    const double together =
+        std::min<double>(request.jobs, static_cast<double>(request.last - request.first + 1));
+    return time * (flights(request) / (sample / 2)) / together;
+}
+
+}  // namespace dumbbell

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "collisions/critical.hpp"
+#include "staircase/critical_confirm.hpp"
+
+namespace dumbbell {
+
+struct CriticalRequest {
+    long first = 3;  ///< q_c(first), ..., q_c(last); 3 <= first <= last
+    long last = 3;
+    int digits = 15;
+    std::optional<Rational> confirm;  ///< check by covers and witnesses at this relative distance, too
+    int jobs = 1;
+    std::optional<std::chrono::duration<double>> budget;
+    /// Called, from any thread, when a ratio is finished: the numbers of finished and of all ratios, and its
+    /// N.
+    std::function<void(std::size_t, std::size_t, long)> progress = [](std::size_t, std::size_t, long) {};
+    /// Called now and then, from any thread, with the number of flights enclosed since the last call.
+    std::function<void(long)> advanced = [](long) {};
+};
+
+struct CriticalRow {
+    long n = 0;
+    std::optional<CriticalRatio> ratio;  ///< nothing: not within the budget
+    std::optional<Confirmation> confirmation;
+
+    [[nodiscard]] bool finished(const CriticalRequest& request) const {
+        return ratio && (!request.confirm || (confirmation && confirmation->holds()));
+    }
+};
+
+/// One row per n, in order; the rows do not depend on the number of jobs. Throws BrokenInvariant if the
+/// arithmetic of a thread is not sound.
+[[nodiscard]] std::vector<CriticalRow> critical_ratios(const CriticalRequest& request);
+
+/// About how long the enclosures will take (without confirmation), from the time that a small one takes here.
+[[nodiscard]] std::chrono::duration<double> estimated_time(const CriticalRequest& request);
+
+}  // namespace dumbbell

@@ -1,0 +1,169 @@
+#include "staircase/critical_report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "base/printable.hpp"
+#include "flight/extremal_orbit.hpp"
+#include "number/decimal.hpp"
+#include "staircase/critical_number.hpp"
+#include "words/text_table.hpp"
+
+namespace dumbbell {
+namespace {
+
+long count_if(const CriticalReport& report, bool (*holds)(const CriticalRow&)) {
+    return std::count_if(report.rows.begin(), report.rows.end(), holds);
+}
+bool has_ratio(const CriticalRow& row) { return row.ratio.has_value(); }
+bool is_confirmed(const CriticalRow& row) { return row.confirmation && row.confirmation->holds(); }
+
+std::string decided_text(const Decided& decided) {
+    const std::string q = exact_text(decided.q);
+    if (decided.upper == decided.lower) {
+        return fmt::format("at mass ratio {} the maximum is {}", q, decided.lower);
+    }
+    return fmt::format("at mass ratio {} it was not decided", q);
+}
+
+/// For one ratio, with the places where the maximum was decided.
+std::string confirmation_text(const CriticalRow& row) {
+    if (!row.confirmation) {
+        return "Nothing was confirmed in the time allowed.\n";
+    }
+    return fmt::format("{} by cover and witness, without that theorem:\n  {},\n  {}.\n",
+                       row.confirmation->holds() ? "Confirmed" : "Not confirmed",
+                       decided_text(row.confirmation->below), decided_text(row.confirmation->above));
+}
+
+std::string confirmations_text(const CriticalReport& report) {
+    const long confirmed = count_if(report, is_confirmed);
+    const auto all = static_cast<long>(report.rows.size());
+    const std::string distance = exact_text(*report.request.confirm);
+    const char* outcome = confirmed == 0 ? "Not confirmed" : "Confirmed";
+    const std::string share =
+        confirmed == 0 || confirmed == all ? "" : fmt::format(", for {} of the {}", confirmed, all);
+    std::string text = fmt::format("{} by cover and witness, without that theorem{}:\n", outcome, share);
+    text += fmt::format("  the maximum is N - 1 at q_c(N) (1 - {}), and N at q_c(N) (1 + {}){}.\n", distance,
+                        distance, report.rows.front().n == 3 ? " (N = 3: 2 at 1)" : "");
+    return text;
+}
+
+/// What the number is, in terms of the orbit, and what makes it the critical ratio.
+std::string foundation(const std::string& flight) {
+    return fmt::format(
+        "By interval Newton it is the only ratio near it that makes {} tangent to the\n"
+        "hump; that the maximum steps there is theorem 2 of proofs/theorem.md, which the covers of\n"
+        "dumbbell certify do not use.\n",
+        flight);
+}
+
+std::string single_text(const CriticalReport& report) {
+    const CriticalRow& row = report.rows.front();
+    if (!row.ratio) {
+        return fmt::format("q_c({}) was not enclosed in the time allowed.\n", row.n);
+    }
+    const CriticalNumber p = critical_number(*row.ratio, report.request.digits);
+    std::string text = fmt::format("q_c({}) = {}{}\n\n", row.n, p.value, p.exact ? "" : "...");
+    text += fmt::format("Proved in {} bits: at this mass ratio the maximum steps from {} to {}.\n",
+                        row.ratio->bits, row.n - 1, row.n);
+    text += p.exact ? "The number is exact.\n"
+                    : fmt::format("It is within {} of the digits shown (cut off, not rounded).\n", p.radius);
+    const ExtremalFlight flight = tangent_flight(row.n);
+    text += foundation(fmt::format("flight {} of the {} orbit", flight.flight, orbit_name(row.n)));
+    return text + (report.request.confirm ? confirmation_text(row) : "");
+}
+
+TableLine heading(const CriticalReport& report) {
+    TableLine line{"N", "q_c", "radius", "bits", "orbit", "flight"};
+    if (report.request.confirm) {
+        line.emplace_back("confirmed");
+    }
+    return line;
+}
+
+TableLine line_of(const CriticalRow& row, const CriticalReport& report, const char* more) {
+    TableLine line{fmt::format("{}", row.n)};
+    if (row.ratio) {
+        const CriticalNumber p = critical_number(*row.ratio, report.request.digits);
+        line.insert(line.end(),
+                    {p.value + (p.exact ? "" : more), p.radius, fmt::format("{}", row.ratio->bits)});
+    } else {
+        line.insert(line.end(), {"open", "-", "-"});
+    }
+    line.insert(line.end(), {orbit_name(row.n), fmt::format("{}", tangent_flight(row.n).flight)});
+    if (report.request.confirm) {
+        line.emplace_back(is_confirmed(row) ? "yes" : "no");
+    }
+    return line;
+}
+
+std::string table_text(const CriticalReport& report) {
+    std::vector<TableLine> lines{heading(report)};
+    for (const CriticalRow& row : report.rows) {
+        lines.push_back(line_of(row, report, "..."));
+    }
+    return aligned(lines, 1);
+}
+
+std::string range_text(const CriticalReport& report) {
+    const long enclosed = count_if(report, has_ratio);
+    const auto all = static_cast<long>(report.rows.size());
+    std::string text = table_text(report);
+    text += fmt::format("{} critical ratios in {:.2f} s with {} thread{}\n\n", all, report.seconds,
+                        report.request.jobs, report.request.jobs == 1 ? "" : "s");
+    if (enclosed < all) {
+        text += fmt::format("Not finished: {} of {} are open.\n", all - enclosed, all);
+    }
+    if (enclosed > 0) {
+        text +=
+            "Proved: at q_c(N) the maximum steps from N - 1 to N.\n"
+            "It is within the radius of the digits shown (cut off, not rounded).\n";
+        text += foundation("that flight of the orbit");
+    }
+    return text + (report.request.confirm ? confirmations_text(report) : "");
+}
+
+std::string row_verdict(const CriticalRow& row, const CriticalReport& report) {
+    if (!row.ratio) {
+        return fmt::format("q_c({}) was not enclosed in the time allowed.\n", row.n);
+    }
+    const CriticalNumber p = critical_number(*row.ratio, report.request.digits);
+    return fmt::format("q_c({}) = {}{}{}\n", row.n, p.value, p.exact ? "" : "...",
+                       report.request.confirm && !is_confirmed(row) ? " (not confirmed)" : "");
+}
+
+}  // namespace
+
+std::string verdict(const CriticalReport& report) {
+    std::string text;
+    for (const CriticalRow& row : report.rows) {
+        text += row_verdict(row, report);
+    }
+    return text;
+}
+
+std::string to_text(const CriticalReport& report) {
+    std::string text = report.rows.size() == 1 ? single_text(report) : range_text(report);
+    if (report.out) {
+        text += fmt::format("Table: {}\n", one_line(*report.out));
+    }
+    return text;
+}
+
+std::string to_tsv(const CriticalReport& report) {
+    const auto joined = [](const TableLine& line) { return fmt::format("{}\n", fmt::join(line, "\t")); };
+    std::string text =
+        "# Critical mass ratios q_c(N), where the maximum steps from N - 1 to N. Every digit is proved (cut "
+        "off, not\n"
+        "# rounded), and q_c lies within the radius of the number. This rests on theorem 2 of "
+        "proofs/theorem.md.\n# ";
+    text += joined(heading(report));
+    for (const CriticalRow& row : report.rows) {
+        text += joined(line_of(row, report, ""));
+    }
+    return text;
+}
+
+}  // namespace dumbbell

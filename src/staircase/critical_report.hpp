@@ -1,0 +1,29 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "staircase/critical_range.hpp"
+
+namespace dumbbell {
+
+/// What `critical` tells its user.
+struct CriticalReport {
+    CriticalRequest request;
+    std::vector<CriticalRow> rows;
+    double seconds = 0;
+    std::optional<std::string> out;
+};
+
+/// One ratio in words, several as a table; below it what was proved, and what that rests on.
+[[nodiscard]] std::string to_text(const CriticalReport& report);
+/// The ratios alone, a line each.
+[[nodiscard]] std::string verdict(const CriticalReport& report);
+[[nodiscard]] nlohmann::ordered_json to_json(const CriticalReport& report);
+
+/// The table as a file: tab-separated, remarks begin with #, and nothing in it depends on the run.
+[[nodiscard]] std::string to_tsv(const CriticalReport& report);
+
+}  // namespace dumbbell

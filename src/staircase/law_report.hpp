@@ -1,0 +1,26 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "staircase/law.hpp"
+
+namespace dumbbell {
+
+/// What `law` tells its user of a verified file.
+struct LawReport {
+    std::string file;
+    std::string verdict;  ///< of the independent verifier
+    int digits = 50;      ///< of C, each of them proved
+    Law law;
+};
+
+/// Whether all that the command is asked for is proved.
+[[nodiscard]] bool all_proved(const Law& law);
+
+[[nodiscard]] std::string to_text(const LawReport& report);
+/// What is proved or not, without the constant.
+[[nodiscard]] std::string verdict(const LawReport& report);
+[[nodiscard]] nlohmann::ordered_json to_json(const LawReport& report);
+
+}  // namespace dumbbell

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "number/rational.hpp"
+
+/// A certificate about initial conditions as data (proofs/format-initial.md).
+namespace dumbbell {
+
+/// The axes of a box of initial conditions; the ratio is q = heavy mass / light mass.
+enum class InitialAxis { phi, phidot, y, ydot, ratio };
+inline constexpr std::size_t initial_axes = 5;
+
+/// A closed box of initial conditions in physical terms: rod length 1, phi in radians (the light mass is at
+/// height y + beta2 sin phi), y the height of the centre of mass. An axis of width 0 is an exact number.
+struct InitialBox {
+    std::array<Rational, initial_axes> lo;
+    std::array<Rational, initial_axes> hi;
+
+    [[nodiscard]] const Rational& lower(InitialAxis axis) const { return lo[static_cast<std::size_t>(axis)]; }
+    [[nodiscard]] const Rational& upper(InitialAxis axis) const { return hi[static_cast<std::size_t>(axis)]; }
+    [[nodiscard]] bool is_point() const { return lo == hi; }
+};
+
+/// When all states of a leaf have their first contact, and with which mass.
+struct FirstContact {
+    bool heavy = false;
+    Rational from;
+    Rational until;
+};
+
+/// Every initial condition of the leaf has at least `least` and at most `most` collisions (nothing claimed if
+/// empty: `open`).
+struct InitialLeaf {
+    long least = 0;
+    std::optional<long> most = std::nullopt;
+    std::optional<FirstContact> first = std::nullopt;
+};
+
+struct InitialNode {
+    std::optional<InitialAxis> split;
+    InitialLeaf leaf{};
+};
+
+struct InitialCertificate {
+    std::string program;
+    std::string version;
+    InitialBox box;
+    int bits = 53;
+    std::vector<InitialNode> tree;  ///< pre-order, lower half first
+};
+
+}  // namespace dumbbell

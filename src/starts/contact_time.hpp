@@ -1,0 +1,93 @@
+#pragma once
+
+#include <optional>
+
+#include "starts/jet.hpp"
+#include "starts/state.hpp"
+
+/// The time of a contact over a box of states, by the interval Newton method.
+namespace dumbbell {
+namespace detail {
+
+/// A better guess: Newton steps from the middle of the box, as many as the working precision needs.
+template <class S, class I>
+I polished_guess(const State<S>& s, Mass mass, I t) {
+    int steps = 3;
+    for (int bits = 53; bits < PrecisionScope::current(); bits *= 2) {
+        ++steps;
+    }
+    const State<I> middle{midpoint(range(s.phi)),     midpoint(range(s.yhat)), midpoint(range(s.phidot)),
+                          midpoint(range(s.yhatdot)), midpoint(range(s.r)),    I(0)};
+    for (; steps > 0; --steps) {
+        const I next = midpoint(t - clearance(middle, mass, t) / clearance_rate(middle, mass, t));
+        if (!certainly_less(I(0), next)) {
+            break;
+        }
+        t = next;
+    }
+    return t;
+}
+
+}  // namespace detail
+
+/// An interval that contains, for each state of the box, exactly one time at which `mass` reaches the floor
+/// moving downwards. `guess` is where to look for it. Nothing if that cannot be proved: Newton's operator
+/// N(T) = t - c(t)/c'(T), t in T, must map T into itself with c' < 0 on T.
+template <class S>
+[[nodiscard]] std::optional<Enclosure<S>> contact_times(const State<S>& s, Mass mass,
+                                                        const Enclosure<S>& guess) {
+    using I = Enclosure<S>;
+    const I t = detail::polished_guess(s, mass, guess);
+    const I value = range(clearance(s, mass, S(t)));
+    I fall = -range(clearance_rate(s, mass, S(t)));
+    if (!certainly_positive(fall)) {
+        return std::nullopt;
+    }
+    I radius = magnitude(value / fall) * I(1.125) + magnitude(t) * I(0x1p-50);
+    for (int attempt = 0; attempt < 6; ++attempt) {
+        const I wide = hull(t - radius, t + radius);
+        fall = -range(clearance_rate(s, mass, S(wide)));
+        if (!certainly_positive(fall)) {
+            return std::nullopt;
+        }
+        I inner = t + value / fall;
+        if (certainly_less(low_end(wide), inner) && certainly_less(inner, high_end(wide))) {
+            fall = -range(clearance_rate(s, mass, S(inner)));
+            return intersection(inner, t + value / fall);
+        }
+        radius = magnitude(inner - t) * I(1.25) + radius * I(0.125);
+    }
+    return std::nullopt;
+}
+
+/// The contact's time as a value: in natural form the interval itself.
+inline std::optional<Interval> contact_time(const State<Interval>& s, Mass mass, const Interval& guess) {
+    return contact_times(s, mass, guess);
+}
+inline std::optional<BigInterval> contact_time(const State<BigInterval>& s, Mass mass,
+                                               const BigInterval& guess) {
+    return contact_times(s, mass, guess);
+}
+
+/// In mean value form also the centre's own contact and the gradient, by implicit differentiation of c(t(p),
+/// p) = 0: the contact times of the box are roots with c' < 0 throughout, so t is differentiable.
+template <class I>
+[[nodiscard]] std::optional<Jet<I>> contact_time(const State<Jet<I>>& s, Mass mass, const I& guess) {
+    const auto times = contact_times(s, mass, guess);
+    if (!times) {
+        return std::nullopt;
+    }
+    const State<I> centre{s.phi.centre(),     s.yhat.centre(), s.phidot.centre(),
+                          s.yhatdot.centre(), s.r.centre(),    s.time.centre()};
+    const auto centre_times = contact_times(centre, mass, midpoint(*times));
+    if (!centre_times || !certainly_at_most(low_end(*times), high_end(*centre_times)) ||
+        !certainly_at_most(low_end(*centre_times), high_end(*times))) {
+        return std::nullopt;
+    }
+    const Jet<I> at(*times);
+    const I inverse = I(-1) / range(clearance_rate(s, mass, at));
+    return Jet<I>(intersection(*centre_times, *times), *times, clearance(s, mass, at).gradient() * inverse,
+                  clearance(s, mass, at).displacement());
+}
+
+}  // namespace dumbbell

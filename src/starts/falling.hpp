@@ -1,0 +1,215 @@
+#pragma once
+
+#include <optional>
+
+#include "flight/reflection.hpp"
+#include "starts/flight.hpp"
+#include "starts/later_count.hpp"
+
+/// The first collision of a dumbbell in the air and what comes after it, over a box of states, in closed
+/// forms that lose little of the correlations and that a verifier can repeat (format-initial.md, sections 5
+/// and 6).
+namespace dumbbell {
+
+/// The angle phi at which `mass` touches, for all states of the box, all of whose contacts lie in `times`.
+///
+/// The mean value form of phi' = phi + phidot T. With N = N.v the rate of the clearance at the contact (N < 0
+/// on `times`), implicit differentiation of clearance(T) = 0 gives d phi'/d phi = yhatdot / N, d phi'/d
+/// phidot = T yhatdot / N, d phi'/d yhat = -phidot / N, d phi'/d yhatdot = -phidot T / N and d phi'/d r = 0
+/// (light), phidot sin phi' / N (heavy).
+template <class I>
+[[nodiscard]] I contact_angle(const State<I>& s, Mass mass, const I& times) {
+    const I natural = s.phi + s.phidot * times;
+    const State<I> m{midpoint(s.phi),     midpoint(s.yhat), midpoint(s.phidot),
+                     midpoint(s.yhatdot), midpoint(s.r),    I(0)};
+    const I t = midpoint(times);
+    const I centre = intersection(times, t - clearance(m, mass, t) / clearance_rate(m, mass, times));
+    const I rate = clearance_rate(s, mass, times);
+    I change = s.yhatdot * ((s.phi - m.phi) + times * (s.phidot - m.phidot)) -
+               s.phidot * ((s.yhat - m.yhat) + times * (s.yhatdot - m.yhatdot));
+    if (mass == Mass::heavy) {
+        change = change + s.phidot * sin_cos(natural).sin * (s.r - m.r);
+    }
+    return intersection(natural, m.phi + m.phidot * centre + change / rate);
+}
+
+/// The slope d yhat / d phi after the first contact, at the angle phi, of states whose velocities are in a
+/// certain half plane: of falling states (yhatdot < 0) from m = phidot / -yhatdot, else, with phidot of one
+/// sign, from n = yhatdot / phidot. With c = cos phi, (1) of L0 gives the slope as a quotient
+///   light: (r - c^2 - 2 r c m) / (m (r - c^2) + 2 c)      = (n (c^2 - r) - 2 r c) / (r - c^2 - 2 n c),
+///   heavy: (1 - r c^2 + 2 r c m) / (m (1 - r c^2) - 2 c)  = (n (r c^2 - 1) + 2 r c) / (1 - r c^2 + 2 n c),
+/// the denominator having the sign of phidot' (times that of phidot). Where it keeps its sign the quotient
+/// decreases with m or n, and decreases (light) or increases (heavy) with c: the numerators of its
+/// derivatives are -(c^2 + r)^2 or -(1 + r c^2)^2, and -+2 (1 + r m^2) or -+2 (n^2 + r), times c^2 + r or
+/// 1 + r c^2.
+struct FirstReflection {
+    bool light;
+    bool falling;
+
+    template <class I>
+    [[nodiscard]] I denominator(const I& x, const I& c, const I& r) const {
+        const I two_c = I(light == falling ? 2 : -2) * c;
+        const I rest = light ? r - sqr(c) : I(1) - r * sqr(c);
+        return falling ? x * rest + two_c : rest + x * two_c;
+    }
+    template <class I>
+    [[nodiscard]] I numerator(const I& x, const I& c, const I& r) const {
+        const I turn = I(light ? -2 : 2) * r * c;
+        const I rest = light ? r - sqr(c) : I(1) - r * sqr(c);
+        return falling ? rest + turn * x : turn - x * rest;
+    }
+    template <class I>
+    [[nodiscard]] I slope(const I& x, const I& c, const I& r) const {
+        return numerator(x, c, r) / denominator(x, c, r);
+    }
+    /// Over all x (m or n) and c of these intervals, from two opposite ends. Precondition: the denominator
+    /// keeps its sign.
+    template <class I>
+    [[nodiscard]] I slopes(const I& x, const I& c, const I& r) const {
+        const I least_c = light ? high_end(c) : low_end(c);
+        const I greatest_c = light ? low_end(c) : high_end(c);
+        return hull(slope(high_end(x), least_c, r), slope(low_end(x), greatest_c, r));
+    }
+};
+
+/// What a ray does that meets the bridge before its top, over a box of rays: `ray` is a way out of a light
+/// wall, all of whose states touch the bridge at a distance x in [0, pi/2] behind the corner. Nothing if
+/// that, or the direction after it, is not certain.
+///
+/// x is the least root of sin x = c + k x with c = height / r, k = slope / r: it increases with c and k (L5).
+/// With c = cos x the reflected slope along the ray's direction is (2 r c - slope (1 - r c^2)) / (1 - r c^2 +
+/// 2 slope c), the denominator having the sign of the new direction; where it keeps its sign the quotient
+/// decreases with the slope and increases with c: the numerators of its derivatives are -(1 + r c^2)^2 and 2
+/// (r + slope^2)(1 + r c^2).
+template <class I>
+[[nodiscard]] std::optional<Outbound<I>> off_the_bridge(const Outbound<I>& ray, const I& r) {
+    const I height = ray.height / r;
+    const I slope = ray.slope / r;
+    if (!certainly_positive(ray.height) || !certainly_less(slope, I(1))) {
+        return std::nullopt;
+    }
+    const auto least = lowest_contact(low_end(height), low_end(slope));
+    const auto greatest = highest_contact(high_end(height), high_end(slope));
+    if (!least || !greatest) {
+        return std::nullopt;
+    }
+    const I x = hull(least->x, greatest->x);
+    const auto forward = [&](const I& k, const I& c) { return I(1) - r * sqr(c) + I(2) * k * c; };
+    const auto reflected = [&](const I& k, const I& c) {
+        return (I(2) * r * c - k * (I(1) - r * sqr(c))) / forward(k, c);
+    };
+    const I onward = forward(ray.slope, hull(greatest->cos_x, least->cos_x));
+    const bool back = certainly_positive(-onward);
+    if (!back && !certainly_positive(onward)) {
+        return std::nullopt;
+    }
+    const I along =
+        hull(reflected(high_end(ray.slope), greatest->cos_x), reflected(low_end(ray.slope), least->cos_x));
+    const I run = back ? x : pi<I>() - x;
+    const I rise = back ? -along : along;
+    const I top = r * hull(least->sin_x, greatest->sin_x);
+    return Outbound<I>{back ? -ray.direction : ray.direction, ray.corner + (back ? 0 : ray.direction), run,
+                       top + rise * run, rise};
+}
+
+/// What a ray does at the light wall ahead, over a box of rays: `ray` is a way out of a light wall, all of
+/// whose states pass the bridge and touch the wall ahead at a distance x behind its corner. Nothing if that,
+/// or that they turn back, is not certain; `leaves` is set if all of them touch it and go on over its peak
+/// (L1).
+///
+/// x increases with the height c at that corner and with the slope, the reflected slope (2) of L4 increases
+/// with the slope and decreases with w = cos x (L5).
+template <class I>
+[[nodiscard]] std::optional<Outbound<I>> off_the_light_wall(const Outbound<I>& ray, const I& r,
+                                                            bool& leaves) {
+    leaves = false;
+    const I c = ray.height + ray.slope * pi<I>();
+    if (!certainly_positive(c) || !certainly_less(ray.slope, I(1))) {
+        return std::nullopt;
+    }
+    const auto least = lowest_contact(low_end(c), low_end(ray.slope));
+    const auto greatest = highest_contact(high_end(c), high_end(ray.slope));
+    if (!least || !greatest) {
+        return std::nullopt;
+    }
+    const auto whole = reflect_at_light_wall(ray.slope, hull(greatest->cos_x, least->cos_x), r);
+    leaves = certainly_at_most(whole.denominator, I(0));
+    if (!certainly_positive(whole.denominator)) {
+        return std::nullopt;
+    }
+    const auto low = reflect_at_light_wall(low_end(ray.slope), least->cos_x, r);
+    const auto high = reflect_at_light_wall(high_end(ray.slope), greatest->cos_x, r);
+    const I rise = hull(low.numerator / low.denominator, high.numerator / high.denominator);
+    const I x = hull(least->x, greatest->x);
+    return Outbound<I>{-ray.direction, ray.corner + ray.direction, x,
+                       hull(least->sin_x, greatest->sin_x) + rise * x, rise};
+}
+
+/// Steps from wall to wall, and those of them from rays that the monotone counts bound (kappa >= -r), after
+/// which nothing more is looked for.
+inline constexpr long most_steps = 1000;
+inline constexpr long most_counted_steps = 64;
+
+/// The collisions behind a contact of `left`: by the monotone counts, if necessary after some steps from wall
+/// to wall; the best bounds of all steps.
+template <class I>
+[[nodiscard]] LaterCount collisions_behind(Outbound<I> ray, const I& r, Mass left) {
+    LaterCount best;
+    long counted = 0;
+    for (long steps = 0;; ++steps) {
+        const LaterCount later = certainly_at_most(I(1), ray.slope) ? LaterCount{0, 0}  // L3
+                                                                    : later_collisions(ray, r, left);
+        best.least = std::max(best.least, steps + later.least);
+        if (later.most && (!best.most || steps + *later.most < *best.most)) {
+            best.most = steps + *later.most;
+        }
+        counted += certainly_at_most(-low_end(r), ray.slope) ? 1 : 0;
+        if (best.exact() || left == Mass::heavy || steps == most_steps || counted > most_counted_steps) {
+            return best;
+        }
+        const bool passes = certainly_passes_bridge(ray, r);
+        bool leaves = false;
+        const auto next = passes ? off_the_light_wall(ray, r, leaves) : off_the_bridge(ray, r);
+        if (leaves) {
+            return {steps + 1, steps + 1};
+        }
+        if (!next) {
+            return best;
+        }
+        ray = *next;
+        left = passes ? Mass::light : Mass::heavy;
+    }
+}
+
+/// The collisions behind the first contact, with `mass` at a time in `times`, of states in the air. Nothing
+/// is certain unless they fall, or turn in one direction.
+template <class I>
+[[nodiscard]] LaterCount collisions_behind_first(const State<I>& s, Mass mass, const I& times) {
+    const bool falling = certainly_positive(-s.yhatdot);
+    const bool backwards = certainly_positive(-s.phidot);
+    if (!falling && !backwards && !certainly_positive(s.phidot)) {
+        return {};
+    }
+    const I phi = contact_angle(s, mass, times);
+    const SinCos<I> at = sin_cos(phi);
+    const FirstReflection reflection{mass == Mass::light, falling};
+    const I x = falling ? s.phidot / -s.yhatdot : s.yhatdot / s.phidot;
+    const I denominator = reflection.denominator(x, at.cos, s.r);
+    const I rise = reflection.numerator(x, at.cos, s.r);
+    if (certainly_at_most(magnitude(denominator), !falling && backwards ? -rise : rise)) {
+        return {0, 0};  // L3, whatever the direction
+    }
+    const bool positive = certainly_positive(denominator);
+    if (!positive && !certainly_positive(-denominator)) {
+        return {};
+    }
+    const bool right = positive != (!falling && backwards);
+    const Way way = way_out(phi, hump_of(phi), mass, right);
+    if (way != Way::inward) {
+        return way == Way::outward ? LaterCount{0, 0} : LaterCount{};
+    }
+    const I yhat = mass == Mass::light ? -at.sin : s.r * at.sin;
+    return collisions_behind(outbound(phi, yhat, reflection.slopes(x, at.cos, s.r), right), s.r, mass);
+}
+
+}  // namespace dumbbell

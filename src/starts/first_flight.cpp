@@ -1,0 +1,59 @@
+#include "starts/first_flight.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace dumbbell {
+
+std::optional<FirstContactGuess> guess_first_contact(double phi, double yhat, double phidot, double yhatdot,
+                                                     double r) noexcept {
+    // The floor rises by at most |phidot| per unit of time under the dumbbell: steps that cannot pass a
+    // contact, until Newton's iteration is near enough.
+    const double fastest = std::abs(phidot) + std::max(0.0, -yhatdot);
+    double t = yhatdot < 0 && yhat > 1 ? (yhat - 1) / -yhatdot : 0;
+    constexpr double near = 1e-9;
+    for (int step = 0; step < 20000; ++step) {
+        const double height = yhat + yhatdot * t;
+        if (fastest == 0 || (height > 1 && yhatdot >= 0)) {
+            return std::nullopt;
+        }
+        const double sine = std::sin(phi + phidot * t);
+        const Mass mass = sine < 0 ? Mass::light : Mass::heavy;
+        const double gap = height - std::max(-sine, r * sine);
+        if (gap < near) {
+            return FirstContactGuess{mass, t};
+        }
+        // Over the convex stretches of the clearance a Newton step does not pass the contact either.
+        const double turning = phidot * std::cos(phi + phidot * t);
+        const double rate = yhatdot + (mass == Mass::light ? turning : -r * turning);
+        const double safe = gap / fastest;
+        double advance = safe;
+        if (rate < 0) {
+            const double newton = gap / -rate;
+            const double ahead = std::sin(phi + phidot * (t + newton));
+            const bool same_hump = (ahead < 0) == (sine < 0) && newton * std::abs(phidot) < 3;
+            advance = same_hump ? std::max(newton, safe) : safe;
+        }
+        t += advance;
+    }
+    return std::nullopt;
+}
+
+std::optional<double> guess_bridge_contact(double height, double slope, double r) noexcept {
+    double x = 0;
+    for (int step = 0; step < 100; ++step) {
+        const double gap = height + slope * x - r * std::sin(x);
+        const double rate = slope - r * std::cos(x);
+        if (!(rate < 0) || !(x < 3.2)) {
+            return std::nullopt;
+        }
+        const double next = x - gap / rate;
+        if (std::abs(next - x) <= 1e-14 * next) {
+            return next;
+        }
+        x = next;
+    }
+    return x;
+}
+
+}  // namespace dumbbell

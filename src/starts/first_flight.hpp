@@ -1,0 +1,107 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "starts/flight.hpp"
+
+/// The first flight, from the air: proofs for a whole box of states, in time (lemmas L0, L3).
+namespace dumbbell {
+
+/// Where a flight from the air seems to end; a guess that proves nothing.
+struct FirstContactGuess {
+    Mass mass;
+    double time;
+};
+[[nodiscard]] std::optional<FirstContactGuess> guess_first_contact(double phi, double yhat, double phidot,
+                                                                   double yhatdot, double r) noexcept;
+
+namespace detail {
+
+/// Whether the clearance of `mass` certainly stays positive on [a, b]: from its value at a and the least
+/// rate.
+template <class S, class I>
+bool clear_on(const State<S>& s, Mass mass, const I& a, const I& b) {
+    const I rate = min(I(0), low_end(range(clearance_rate(s, mass, S(hull(a, b))))));
+    return certainly_positive(low_end(range(clearance(s, mass, S(a)))) + rate * (b - a));
+}
+
+/// One span of a flight: both masses above the floor; or, for the mass that touches first (if any), its
+/// clearance falling.
+template <class S, class I>
+bool span_closes(const State<S>& s, std::optional<Mass> first, const I& a, const I& b) {
+    const S span(hull(a, b));
+    if (certainly_less(I(1), range(s.yhat + s.yhatdot * span))) {
+        return true;  // above every wall
+    }
+    return std::ranges::all_of(std::array{Mass::light, Mass::heavy}, [&](Mass mass) {
+        const bool falls = first == mass && certainly_positive(-range(clearance_rate(s, mass, span)));
+        return falls || clear_on(s, mass, a, b);
+    });
+}
+
+}  // namespace detail
+
+/// Whether [0, end] certainly divides into spans on each of which the other mass stays above the floor and
+/// the mass `first` stays above it or falls. Then the only contact in [0, end] is one of `first`, and it is
+/// its only zero there: once it is down in a span where it falls, it stays below in the spans that follow.
+/// Halves the spans, at most `most_spans` of them.
+template <class S, class I>
+[[nodiscard]] bool certainly_first(const State<S>& s, std::optional<Mass> first, const I& end,
+                                   long most_spans) {
+    std::vector<std::pair<I, I>> spans{{I(0), high_end(end)}};
+    for (long used = 0; !spans.empty(); ++used) {
+        const auto [a, b] = spans.back();
+        if (used > most_spans) {
+            return false;
+        }
+        spans.pop_back();
+        if (!detail::span_closes(s, first, a, b)) {
+            const I middle = midpoint(hull(a, b));
+            if (!certainly_less(a, middle) || !certainly_less(middle, b)) {
+                return false;
+            }
+            spans.emplace_back(middle, b);
+            spans.emplace_back(a, middle);
+        }
+    }
+    return true;
+}
+
+/// What is certain without looking for a contact: every state ascends steeply (L3), or from above every wall.
+template <class S>
+[[nodiscard]] bool certainly_leaves_air(const State<S>& s) {
+    using I = Enclosure<S>;
+    return certainly_too_steep(s) ||
+           (certainly_at_most(I(0), range(s.yhatdot)) && certainly_less(I(1), range(s.yhat)));
+}
+
+/// The next event of states in the air, both masses above the floor.
+template <class S>
+[[nodiscard]] Event<S> event_from_air(const State<S>& s, long most_spans) {
+    using I = Enclosure<S>;
+    if (certainly_leaves_air(s)) {
+        return {Next::none};
+    }
+    const auto guess = guess_first_contact(approximate(range(s.phi)), approximate(range(s.yhat)),
+                                           approximate(range(s.phidot)), approximate(range(s.yhatdot)),
+                                           approximate(range(s.r)));
+    if (guess) {
+        auto time = contact_time(s, guess->mass, I(guess->time));
+        if (time && certainly_positive(range(*time)) &&
+            certainly_first(s, guess->mass, range(*time), most_spans)) {
+            return {Next::contact, guess->mass, std::move(time)};
+        }
+        return {};
+    }
+    // Ascending: above every wall from height 1 on.
+    if (certainly_positive(range(s.yhatdot)) &&
+        certainly_first(s, std::nullopt, range((S(1) - s.yhat) / s.yhatdot), most_spans)) {
+        return {Next::none};
+    }
+    return {};
+}
+
+}  // namespace dumbbell

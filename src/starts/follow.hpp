@@ -1,0 +1,62 @@
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+#include "starts/first_flight.hpp"
+#include "starts/later_count.hpp"
+#include "starts/wall_to_wall.hpp"
+
+/// The orbits of a box of initial states, collision by collision, as far as all of them share it.
+namespace dumbbell {
+
+/// What was found: the collisions that every state of the box has, in order, enclosed; and bounds of their
+/// number.
+template <class S>
+struct Followed {
+    std::vector<Bounce<S>> bounces;
+    LaterCount total;  ///< of all collisions; may be exact beyond the enclosed ones
+
+    [[nodiscard]] bool complete() const { return total.most == static_cast<long>(bounces.size()); }
+};
+
+/// Precondition: both masses of every state are above the floor, and none is at rest. `most_spans`: of the
+/// first flight's proof.
+template <class S>
+[[nodiscard]] Followed<S> follow(const State<S>& start, long most_spans = 20000) {
+    Followed<S> result;
+    LaterCount& total = result.total;
+    const Event<S> first = event_from_air(start, most_spans);
+    if (first.next == Next::none) {
+        total = {0, 0};
+        return result;
+    }
+    if (first.next == Next::unknown) {
+        total = {certainly_positive(-range(start.yhatdot)) ? 1 : 0, most_collisions(range(start.r))};
+        return result;
+    }
+    const auto done = [&] { return static_cast<long>(result.bounces.size()); };
+    WallToWall<S> orbit(bounce(start, first.mass, *first.time));
+    Next next = Next::contact;
+    while (next == Next::contact) {
+        result.bounces.push_back(orbit.last());
+        next = orbit.advance();
+    }
+    if (next == Next::none) {
+        total = {done(), done()};
+        return result;
+    }
+    // Undecided here: the monotone counts may still know, from here or from an earlier collision on.
+    total.most = most_collisions(range(start.r));
+    for (long i = 0; i < done() && !total.exact(); ++i) {
+        const auto& b = result.bounces[static_cast<std::size_t>(i)];
+        const LaterCount later = later_collisions(b.after, b.mass);
+        total.least = std::max({total.least, done(), i + 1 + later.least});
+        if (later.most) {
+            total.most = std::min(total.most.value_or(i + 1 + *later.most), i + 1 + *later.most);
+        }
+    }
+    return result;
+}
+
+}  // namespace dumbbell

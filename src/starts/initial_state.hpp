@@ -1,0 +1,61 @@
+#pragma once
+
+#include "starts/certificate.hpp"
+#include "starts/jet.hpp"
+#include "starts/state.hpp"
+
+/// Boxes of initial conditions as states of the model.
+namespace dumbbell {
+
+/// Throws InputError, in one line that names the quantity and the remedy, unless every state of the box is in
+/// play: no value absurdly large, phi over less than a turn, both masses above the floor, and no dumbbell at
+/// rest.
+void require_in_play(const InitialBox& box);
+
+/// The state with these quantities: yhat = y (1 + r), r = 1/q.
+template <class S>
+[[nodiscard]] State<S> state_of(const S& phi, const S& phidot, const S& y, const S& ydot, const S& q) {
+    const S r = S(1) / q;
+    const S scale = S(1) + r;
+    return {phi, y * scale, phidot, ydot * scale, r, S(0)};
+}
+
+/// All states of the box, in natural form.
+template <class I>
+[[nodiscard]] State<I> natural_state(const InitialBox& box) {
+    const auto side = [&](std::size_t i) { return hull(enclose<I>(box.lo[i]), enclose<I>(box.hi[i])); };
+    return state_of(side(0), side(1), side(2), side(3), side(4));
+}
+
+/// All states of the box as functions of the five quantities.
+template <class I>
+class BoxJets {
+  public:
+    explicit BoxJets(const InitialBox& box) : displacement_(Gradient<I>::Zero()) {
+        for (std::size_t i = 0; i < initial_axes; ++i) {
+            centre_[i] = enclose<I>((box.lo[i] + box.hi[i]) / 2);
+            range_[i] = hull(enclose<I>(box.lo[i]), enclose<I>(box.hi[i]));
+            if (box.lo[i] != box.hi[i]) {
+                displacement_[static_cast<int>(i)] = range_[i] - centre_[i];
+            }
+        }
+    }
+    ~BoxJets() = default;
+    BoxJets(const BoxJets&) = delete;
+    BoxJets& operator=(const BoxJets&) = delete;
+
+    /// Valid as long as this object.
+    [[nodiscard]] State<Jet<I>> state() const {
+        const auto side = [&](std::size_t i) {
+            return Jet<I>::parameter(static_cast<int>(i), centre_[i], range_[i], displacement_);
+        };
+        return state_of(side(0), side(1), side(2), side(3), side(4));
+    }
+
+  private:
+    std::array<I, initial_axes> centre_;
+    std::array<I, initial_axes> range_;
+    Gradient<I> displacement_;
+};
+
+}  // namespace dumbbell

@@ -1,0 +1,92 @@
+#pragma once
+
+#include <algorithm>
+#include <optional>
+
+#include "flight/count.hpp"
+#include "starts/flight.hpp"
+
+/// Bounds of the number of later collisions of a box of states from the monotone count G (lemmas L5, L6),
+/// without following them.
+namespace dumbbell {
+
+/// `most` is empty if nothing is certain.
+struct LaterCount {
+    long least = 0;
+    std::optional<long> most = std::nullopt;
+
+    [[nodiscard]] bool exact() const { return most == least; }
+};
+
+/// Counts beyond this are not looked at (nor by a verifier: format-initial.md, section 5).
+inline constexpr long count_cap = 1'000'000;
+
+/// G <= this for every ray with c >= 0 and kappa >= -r, for every ratio with 1/q >= r: the lowest such ray
+/// meets the corner and returns with slope r and height r pi, so 1 + G(r pi, r, r) (L5). Nothing beyond the
+/// cap.
+template <class I>
+[[nodiscard]] std::optional<long> most_later_collisions(const I& r) {
+    const I lowest = low_end(r);
+    const long later = count_at_most(Ray<I>{low_end(lowest * pi<I>()), lowest, lowest}, count_cap);
+    return later > count_cap ? std::nullopt : std::optional(1 + later);
+}
+
+/// No regular trajectory has more collisions, for every ratio with 1/q >= r: a turning collision, or the
+/// contact with the bridge, and G on both sides (L2 (c), L6 (c)).
+template <class I>
+[[nodiscard]] std::optional<long> most_collisions(const I& r) {
+    const auto later = most_later_collisions(r);
+    return later ? std::optional(1 + 2 * *later) : std::nullopt;
+}
+
+namespace detail {
+
+/// G over the rays (c, kappa) of a box, kappa >= -r certain.
+template <class I>
+LaterCount ray_counts(const I& c, const I& kappa, const I& r) {
+    const I height = max(I(0), c);
+    const long most = count_at_most(Ray<I>{height, kappa, r}, count_cap);
+    return {count_at_least(Ray<I>{height, kappa, r}, count_cap),
+            most > count_cap ? std::nullopt : std::optional(most)};
+}
+
+}  // namespace detail
+
+/// The later collisions of states that leave a contact of `left` in this way.
+///
+/// From the bridge, and from a light wall if the bridge is certainly passed, they are G (L4, L6 (b), (c)). If
+/// the bridge may be met: those that pass it have c >= 0, those that meet it at most 1 + G from there.
+template <class S>
+[[nodiscard]] LaterCount later_collisions(const Outbound<S>& d, const S& ratio, Mass left) {
+    using I = Enclosure<S>;
+    const I& r = range(ratio);
+    if (!certainly_at_most(-low_end(r), range(d.slope))) {
+        return {0, left == Mass::heavy ? most_later_collisions(r) : std::nullopt};
+    }
+    if (left == Mass::heavy) {
+        return detail::ray_counts(range(d.height), range(d.slope), r);
+    }
+    LaterCount passing = detail::ray_counts(range(d.height + d.slope * S(pi<I>())), range(d.slope), r);
+    if (certainly_passes_bridge(d, ratio)) {
+        return passing;
+    }
+    const auto behind = most_later_collisions(r);
+    passing.least = 0;
+    passing.most =
+        passing.most && behind ? std::optional(std::max(*passing.most, 1 + *behind)) : std::nullopt;
+    return passing;
+}
+
+/// The later collisions of states that leave a contact of `left`.
+template <class S>
+[[nodiscard]] LaterCount later_collisions(const State<S>& s, Mass left) {
+    bool leaves = certainly_too_steep(s);
+    const auto d = leaves ? std::nullopt : outbound(s, left, leaves);
+    if (leaves) {
+        return {0, 0};
+    }
+    return d ? later_collisions(*d, s.r, left)
+             : LaterCount{0, left == Mass::heavy ? most_later_collisions(range(s.r)) : std::nullopt};
+}
+
+}  // namespace dumbbell

@@ -1,0 +1,126 @@
+#include "starts/leaf.hpp"
+
+#include <cmath>
+#include <utility>
+
+#include "starts/falling.hpp"
+#include "starts/first_flight.hpp"
+#include "starts/initial_state.hpp"
+
+namespace dumbbell {
+namespace {
+
+constexpr long most_spans = 1024;
+constexpr int double_bits = 53;
+constexpr int most_exponent = 400;  ///< of a dyadic in the file, and of a window's end over its step
+
+/// A side of the box, wider by 2^-16 of its width and 2^(7 - bits) of its size on both ends.
+template <class I>
+I with_slack(const Rational& lo, const Rational& hi, int bits) {
+    const I side = hull(enclose<I>(lo), enclose<I>(hi));
+    const I unit = enclose<I>(Rational(1, Integer(1) << static_cast<unsigned>(bits - 7)));
+    const I pad = (high_end(side) - low_end(side)) * I(0x1p-16) + magnitude(side) * unit;
+    return hull(side - pad, side + pad);
+}
+
+template <class I>
+State<I> wider_state(const InitialBox& box, int bits) {
+    const auto side = [&](std::size_t i) { return with_slack<I>(box.lo[i], box.hi[i], bits); };
+    State<I> s = state_of(side(0), side(1), side(2), side(3), side(4));
+    s.r = min(s.r, I(1));
+    return s;
+}
+
+std::pair<Rational, Rational> exact_ends(const Interval& x) { return {exact(x.lo()), exact(x.hi())}; }
+std::pair<Rational, Rational> exact_ends(const BigInterval& x) {
+    std::pair<Rational, Rational> result;
+    mpfr_get_q(result.first.raw(), &x.raw()->left);
+    mpfr_get_q(result.second.raw(), &x.raw()->right);
+    return result;
+}
+
+/// An interval of positive times around T with short dyadic ends, wider by `margin` steps of about a 16th of
+/// its width.
+template <class I>
+std::optional<FirstContact> window(const I& times, bool heavy, int margin, int bits) {
+    const double end = times.hi();
+    const double size = width(times);
+    if (!certainly_positive(times) || !(end < std::ldexp(1.0, most_exponent)) || !(end > 0x1p-300)) {
+        return std::nullopt;
+    }
+    const int relative = std::ilogb(end) + std::max(13 - bits, 4 - most_exponent);
+    const int exponent = std::max({size > 0 ? std::ilogb(size) : relative, relative, 4 - most_exponent}) - 4;
+    const Rational step = exponent < 0 ? Rational(1, Integer(1) << static_cast<unsigned>(-exponent))
+                                       : Rational(Integer(1) << static_cast<unsigned>(exponent));
+    const auto steps = [&](const Rational& time) {
+        const Rational count = time / step;
+        return Integer(numerator(count) / denominator(count));
+    };
+    const auto [lo, hi] = exact_ends(times);
+    const Rational from = Rational(steps(lo) - margin) * step;
+    const Rational until = Rational(steps(hi) + 1 + margin) * step;
+    return from > 0 ? std::optional(FirstContact{heavy, from, until}) : std::nullopt;
+}
+
+/// The conditions of format-initial.md, section 3: the clearance of the mass is positive at the window's
+/// beginning, negative at its end and falls in between, and it is the first contact.
+template <class I>
+bool certainly_in_window(const State<I>& s, Mass mass, const I& times) {
+    return certainly_positive(clearance(s, mass, low_end(times))) &&
+           certainly_positive(-clearance(s, mass, high_end(times))) &&
+           certainly_positive(-clearance_rate(s, mass, times)) &&
+           certainly_first(s, {mass}, times, most_spans);
+}
+
+/// A window in which the first contact certainly lies, as do all times of `event`.
+template <class I>
+std::optional<FirstContact> certain_window(const State<I>& s, Event<I>& event, int bits) {
+    for (const int margin : {0, 1, 4}) {
+        auto contact = window(*event.time, event.mass == Mass::heavy, margin, bits);
+        if (!contact) {
+            return std::nullopt;
+        }
+        const I times = hull(enclose<I>(contact->from), enclose<I>(contact->until));
+        if (certainly_in_window(s, event.mass, times)) {
+            event.time = times;
+            return contact;
+        }
+    }
+    return std::nullopt;
+}
+
+template <class I>
+InitialLeaf judge_in(const InitialBox& box, int bits) {
+    const State<I> s = wider_state<I>(box, bits);
+    Event<I> event = event_from_air(s, most_spans);
+    if (event.next == Next::none) {
+        return {0, 0};
+    }
+    std::optional<FirstContact> first;
+    if (event.next == Next::contact) {
+        first = certain_window(s, event, bits);
+    }
+    const auto bound = most_collisions(s.r);
+    if (!first) {
+        return {certainly_positive(-s.yhatdot) ? 1 : 0, bound};
+    }
+    const LaterCount later = collisions_behind_first(s, event.mass, *event.time);
+    InitialLeaf result{1 + later.least, bound, first};
+    if (later.most) {
+        result.most = std::min(bound.value_or(1 + *later.most), 1 + *later.most);
+    }
+    return result;
+}
+
+}  // namespace
+
+InitialLeaf judge_initial(const InitialBox& box, int bits) {
+    InitialLeaf leaf = judge_in<Interval>(box, double_bits);
+    if (leaf.most == leaf.least || bits == double_bits) {
+        return leaf;
+    }
+    const PrecisionScope scope(bits);
+    return judge_in<BigInterval>(box, bits);
+}
+
+}  // namespace dumbbell

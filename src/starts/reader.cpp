@@ -1,0 +1,84 @@
+#include "starts/reader.hpp"
+
+#include <algorithm>
+
+#include "file/lines.hpp"
+
+namespace dumbbell {
+namespace {
+
+constexpr std::array<std::string_view, initial_axes> axis_names{"phi", "phidot", "y", "ydot", "q"};
+
+/// The order of the axes in the head: the ratio comes first.
+constexpr std::array<std::pair<std::string_view, InitialAxis>, initial_axes> head_axes{
+    {{"ratio", InitialAxis::ratio},
+     {"phi", InitialAxis::phi},
+     {"phidot", InitialAxis::phidot},
+     {"y", InitialAxis::y},
+     {"ydot", InitialAxis::ydot}}};
+
+InitialNode split_from(const Lines& lines, const std::string& axis) {
+    const auto* const found = std::find(axis_names.begin(), axis_names.end(), axis);
+    if (found == axis_names.end()) {
+        lines.fail();
+    }
+    return {static_cast<InitialAxis>(found - axis_names.begin()), {}};
+}
+
+/// `open`, `exactly K [MASS T0 T1]`, `between A B [MASS T0 T1]`
+InitialLeaf leaf_from(const Lines& lines, const std::vector<std::string>& fields) {
+    if (fields.size() == 1 && fields[0] == "open") {
+        return {};
+    }
+    const std::size_t counts = fields[0] == "exactly" ? 1 : fields[0] == "between" ? 2 : 0;
+    if (counts == 0 || (fields.size() != 1 + counts && fields.size() != 4 + counts)) {
+        lines.fail();
+    }
+    InitialLeaf leaf{lines.number(fields[1]), lines.number(fields[counts]), {}};
+    if (fields.size() == 4 + counts) {
+        const std::string& mass = fields[1 + counts];
+        if (mass != "light" && mass != "heavy") {
+            lines.fail();
+        }
+        leaf.first =
+            FirstContact{mass == "heavy", lines.dyadic(fields[2 + counts]), lines.dyadic(fields[3 + counts])};
+    }
+    return leaf;
+}
+
+}  // namespace
+
+InitialCertificate read_initial_certificate(const std::string& path) {
+    Lines lines(path);
+    const auto [program, version] = lines.expect_generator();
+    InitialCertificate certificate;
+    certificate.program = program;
+    certificate.version = version;
+    lines.expect("lemmas", 2);
+    lines.expect("scene", 2);
+    lines.expect("section", 2);
+    if (lines.expect("claim", 2)[1] != "initial-conditions") {
+        lines.fail();
+    }
+    for (const auto& [word, axis] : head_axes) {
+        const auto& ends = lines.expect(word, 3);
+        const auto number = static_cast<std::size_t>(axis);
+        certificate.box.lo[number] = lines.signed_ratio(ends[1]);
+        certificate.box.hi[number] = lines.signed_ratio(ends[2]);
+        if (certificate.box.hi[number] < certificate.box.lo[number]) {
+            lines.fail();
+        }
+    }
+    certificate.bits = static_cast<int>(std::min(lines.number(lines.expect("bits", 2)[1]), 4096L));
+    lines.expect("between", 3);
+    for (long missing = 1; missing > 0;) {
+        const auto& fields = lines.next();
+        const bool is_split = fields[0] == "split" && fields.size() == 2;
+        certificate.tree.push_back(is_split ? split_from(lines, fields[1])
+                                            : InitialNode{{}, leaf_from(lines, fields)});
+        missing += is_split ? 1 : -1;
+    }
+    return certificate;
+}
+
+}  // namespace dumbbell

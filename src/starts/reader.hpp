@@ -1,0 +1,13 @@
+#pragma once
+
+#include <string>
+
+#include "starts/certificate.hpp"
+
+namespace dumbbell {
+
+/// Reads a certificate about initial conditions back into data, as read_certificate does with those about
+/// mass ratios: no verification. Throws InputError (naming file and line) if it cannot be read.
+[[nodiscard]] InitialCertificate read_initial_certificate(const std::string& path);
+
+}  // namespace dumbbell

@@ -1,0 +1,71 @@
+#pragma once
+
+#include "number/elementary.hpp"
+
+/// The dumbbell over the floor in free flight and at a contact, by the angle phi of its rod, without any
+/// chart: lemma L0.
+namespace dumbbell {
+
+enum class Mass { light, heavy };
+
+/// A moment of a flight: phi (radians; psi = phi - pi/2), the centre of mass's height yhat = y / beta2, their
+/// velocities, the mass ratio as r = 1/q, and the time.
+template <class S>
+struct State {
+    S phi;
+    S yhat;
+    S phidot;
+    S yhatdot;
+    S r;
+    S time;
+};
+
+/// The height of a mass, in units of beta2, `t` later in the same flight: yhat + sin phi (light), yhat - r
+/// sin phi (heavy).
+template <class S>
+[[nodiscard]] S clearance(const State<S>& s, Mass mass, const S& t) {
+    const S sine = sin_cos(s.phi + s.phidot * t).sin;
+    const S height = s.yhat + s.yhatdot * t;
+    return mass == Mass::light ? height + sine : height - s.r * sine;
+}
+
+/// Its derivative in time.
+template <class S>
+[[nodiscard]] S clearance_rate(const State<S>& s, Mass mass, const S& t) {
+    const S turning = s.phidot * sin_cos(s.phi + s.phidot * t).cos;
+    return mass == Mass::light ? s.yhatdot + turning : s.yhatdot - s.r * turning;
+}
+
+/// A contact: the states before and after it differ in their velocities only.
+template <class S>
+struct Bounce {
+    Mass mass;
+    State<S> before;
+    State<S> after;
+};
+
+/// The elastic reflection (1) of L0 when `mass` reaches the floor `t` after `s`. With c = cos phi the wall's
+/// slope is -c (light) or r c (heavy), N.v = yhatdot + c phidot or yhatdot - r c phidot, and
+///   light: phidot' = phidot - 2 N.v c/(c^2 + r),     yhatdot' = yhatdot - 2 N.v r/(c^2 + r),
+///   heavy: phidot' = phidot + 2 N.v c/(1 + r c^2),   yhatdot' = yhatdot - 2 N.v /(1 + r c^2).
+template <class S>
+[[nodiscard]] Bounce<S> bounce(const State<S>& s, Mass mass, const S& t) {
+    const S phi = s.phi + s.phidot * t;
+    const SinCos<S> at = sin_cos(phi);
+    const bool light = mass == Mass::light;
+    const State<S> before{phi, light ? -at.sin : s.r * at.sin, s.phidot, s.yhatdot, s.r, s.time + t};
+    State<S> after = before;
+    const S two(2);
+    if (light) {
+        const S push = two * (s.yhatdot + at.cos * s.phidot) / (sqr(at.cos) + s.r);
+        after.phidot = s.phidot - push * at.cos;
+        after.yhatdot = s.yhatdot - push * s.r;
+    } else {
+        const S push = two * (s.yhatdot - s.r * at.cos * s.phidot) / (S(1) + s.r * sqr(at.cos));
+        after.phidot = s.phidot + push * at.cos;
+        after.yhatdot = s.yhatdot - push;
+    }
+    return {mass, before, after};
+}
+
+}  // namespace dumbbell

@@ -1,0 +1,144 @@
+#include "starts/subdivide.hpp"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+#include "base/growing_tree.hpp"
+#include "number/self_test.hpp"
+#include "starts/follow.hpp"
+#include "starts/initial_state.hpp"
+#include "starts/leaf.hpp"
+
+namespace dumbbell {
+namespace {
+
+using Tree = GrowingTree<InitialNode, InitialBox, initial_axes>;
+
+struct Judged {
+    InitialLeaf leaf;
+    std::optional<InitialAxis> split;  ///< of a box that may be halved
+};
+
+/// How much each axis spreads the box's orbits where they part, from the derivatives of the centre's orbit: a
+/// guess that only decides which axis is halved.
+std::array<double, initial_axes> spreads(const InitialBox& box, std::size_t collisions) {
+    InitialBox centre;
+    for (std::size_t i = 0; i < initial_axes; ++i) {
+        centre.lo[i] = centre.hi[i] = (box.lo[i] + box.hi[i]) / 2;
+    }
+    const BoxJets<Interval> jets(centre);
+    const auto start = jets.state();
+    const auto followed = follow(start);
+    const std::size_t shared = std::min(collisions + 1, followed.bounces.size());
+    const auto& s = shared == 0 ? start : followed.bounces[shared - 1].after;
+    const double spin = approximate(range(s.phidot));
+    const double climb = approximate(range(s.yhatdot));
+    const double r = approximate(range(s.r));
+    const double speed = std::hypot(spin, climb / std::sqrt(r));
+    std::array<double, initial_axes> spread{};
+    for (std::size_t i = 0; i < initial_axes; ++i) {
+        const auto change = [&](const Jet<Interval>& x) {
+            return std::abs(approximate(x.gradient()[static_cast<int>(i)]));
+        };
+        const double sum =
+            change(s.phi) + change(s.yhat) + (change(s.phidot) + change(s.yhatdot) / r) / std::abs(speed);
+        spread[i] = (box.hi[i] - box.lo[i]).convert_to<double>() * (std::isfinite(sum) ? sum : 1);
+    }
+    return spread;
+}
+
+/// The axis to halve; nothing if none may be.
+std::optional<InitialAxis> split_axis(const InitialBox& box, const Tree::Depths& depths,
+                                      std::size_t collisions, int max_depth) {
+    const auto spread = spreads(box, collisions);
+    std::optional<std::size_t> best;
+    for (std::size_t i = 0; i < initial_axes; ++i) {
+        const bool may = box.lo[i] != box.hi[i] && depths[i] < max_depth;
+        if (may && (!best || spread[i] > spread[*best])) {
+            best = i;
+        }
+    }
+    return best ? std::optional(static_cast<InitialAxis>(*best)) : std::nullopt;
+}
+
+Judged judge(const InitialBox& box, const Tree::Depths& depths, const SubdivideOptions& options) {
+    Judged result{judge_initial(box, options.bits), std::nullopt};
+    if (result.leaf.most != result.leaf.least) {
+        result.split =
+            split_axis(box, depths, static_cast<std::size_t>(result.leaf.least), options.max_depth);
+    }
+    return result;
+}
+
+/// The boxes of one generation; the results do not depend on how the work is shared out.
+std::vector<Judged> judge_all(const Tree& tree, const SubdivideOptions& options) {
+    std::vector<Judged> results(tree.boxes().size());
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, results.size(), 16), [&](const auto& range) {
+        require_sound_arithmetic();
+        for (std::size_t i = range.begin(); i != range.end(); ++i) {
+            results[i] = judge(tree.boxes()[i], tree.depths(i), options);
+        }
+        options.judged(range.size());
+    });
+    return results;
+}
+
+std::pair<InitialBox, InitialBox> halves(const InitialBox& box, InitialAxis axis) {
+    const auto i = static_cast<std::size_t>(axis);
+    const Rational middle = (box.lo[i] + box.hi[i]) / 2;
+    std::pair<InitialBox, InitialBox> result{box, box};
+    result.first.hi[i] = middle;
+    result.second.lo[i] = middle;
+    return result;
+}
+
+void include(Subdivision& result, const InitialLeaf& leaf, int depth) {
+    const Rational share(1, Integer(1) << static_cast<unsigned>(depth));
+    const bool first = result.exact.empty() && result.undecided.boxes == 0;
+    result.least = first ? leaf.least : std::min(result.least, leaf.least);
+    if (first || (result.most && (!leaf.most || *leaf.most > *result.most))) {
+        result.most = leaf.most;
+    }
+    Share& sum = leaf.most == leaf.least ? result.exact[leaf.least] : result.undecided;
+    sum.share += share;
+    ++sum.boxes;
+}
+
+/// Grows the tree, and adds up its leaves.
+Subdivision grow(const InitialBox& box, const SubdivideOptions& options) {
+    Subdivision result;
+    result.bits = options.bits;
+    Tree tree(box);
+    for (std::size_t leaves = 1; !tree.boxes().empty(); tree.next_generation()) {
+        const std::vector<Judged> judged = judge_all(tree, options);
+        const bool stop = options.interrupted();
+        for (std::size_t i = 0; i < judged.size(); ++i) {
+            if (!judged[i].split || stop || leaves >= options.max_boxes) {
+                tree.close(i, judged[i].leaf);
+                const auto& depths = tree.depths(i);
+                include(result, judged[i].leaf, std::accumulate(depths.begin(), depths.end(), 0));
+                continue;
+            }
+            ++leaves;
+            tree.split(i, *judged[i].split, halves(tree.boxes()[i], *judged[i].split));
+        }
+    }
+    result.tree = tree.pre_order();
+    return result;
+}
+
+}  // namespace
+
+Subdivision subdivide(const InitialBox& box, const SubdivideOptions& options) {
+    tbb::task_arena arena(options.jobs);
+    return arena.execute([&] { return grow(box, options); });
+}
+
+}  // namespace dumbbell

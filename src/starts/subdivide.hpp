@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "starts/certificate.hpp"
+
+/// Covers of a box of initial conditions by boxes whose number of collisions is certain.
+namespace dumbbell {
+
+struct SubdivideOptions {
+    std::size_t max_boxes = 50000;  ///< leaves
+    int max_depth = 60;             ///< splits of one axis
+    int jobs = 1;
+    int bits = 53;  ///< for boxes that double precision does not decide; beyond 53 MPFR
+    std::function<bool()> interrupted = [] { return false; };
+    /// Called now and then, from any thread, with the number of boxes judged since the last call.
+    std::function<void(std::size_t)> judged = [](std::size_t) {};
+};
+
+struct Share {
+    Rational share = 0;  ///< of the box's volume, exactly
+    long boxes = 0;
+};
+
+/// A bisection tree of the box in pre-order, and what its leaves add up to.
+struct Subdivision {
+    std::vector<InitialNode> tree;
+    std::map<long, Share> exact;  ///< by number of collisions
+    Share undecided;
+    long least = 0;  ///< over the whole box
+    std::optional<long> most;
+    int bits = 53;  ///< of the options
+};
+
+/// Bisects until each box has an exact count, or a limit is reached; then the largest boxes are the ones that
+/// were halved. Deterministic whatever the number of threads, unless interrupted. A leaf says only what the
+/// rules of format-initial.md give for a slightly larger box. Precondition: require_in_play(box).
+[[nodiscard]] Subdivision subdivide(const InitialBox& box, const SubdivideOptions& options);
+
+}  // namespace dumbbell

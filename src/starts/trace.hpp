@@ -1,0 +1,43 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "flight/orbit.hpp"
+#include "starts/certificate.hpp"
+
+/// The rigorous orbits of a box of initial conditions.
+namespace dumbbell {
+
+/// An enclosure for people and programs: outward in doubles, and in decimals as `value+-radius` and by its
+/// bounds (rounded outward).
+struct TracedValue {
+    Interval outward;
+    std::string text;
+    std::string lo;
+    std::string hi;
+};
+
+/// The greatest width of phi, y and their velocities after a collision.
+struct TracedWidths {
+    std::optional<double> natural;  ///< nothing if plain intervals do not get as far
+    double correlated = 0;
+};
+
+struct Trace {
+    std::vector<Collision<TracedValue>>
+        collisions;  ///< those that all orbits of the box share, until it splits
+    long least = 0;
+    std::optional<long> most;
+    int bits = 53;
+    std::optional<TracedWidths> widths;  ///< after the last of `collisions`; none for a point
+
+    [[nodiscard]] bool exact() const { return most == least; }
+};
+
+/// With digits = 0 in double precision, shown with 12 digits; otherwise with a precision chosen from the
+/// digits wanted. Precondition: require_in_play(box).
+[[nodiscard]] Trace trace(const InitialBox& box, int digits);
+
+}  // namespace dumbbell

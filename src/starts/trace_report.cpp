@@ -1,0 +1,289 @@
+#include "starts/trace_report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+
+#include "base/printable.hpp"
+#include "number/decimal.hpp"
+#include "starts/flat_fall.hpp"
+#include "words/json_number.hpp"
+
+namespace dumbbell {
+namespace {
+
+struct Quantity {
+    const char* key;
+    const char* title;
+    TracedValue Collision<TracedValue>::*value;
+};
+
+constexpr std::array<Quantity, 8> quantities{
+    {{"time", "time", &Collision<TracedValue>::time},
+     {"phi", "phi", &Collision<TracedValue>::phi},
+     {"y", "y", &Collision<TracedValue>::y},
+     {"ydot_before", "ydot before", &Collision<TracedValue>::ydot_before},
+     {"ydot_after", "ydot after", &Collision<TracedValue>::ydot_after},
+     {"phidot_before", "phidot before", &Collision<TracedValue>::phidot_before},
+     {"phidot_after", "phidot after", &Collision<TracedValue>::phidot_after},
+     {"grazing_sine", "grazing sine", &Collision<TracedValue>::grazing_sine}}};
+
+constexpr std::array<const char*, initial_axes> axis_names{"phi", "phidot", "y", "ydot", "ratio"};
+
+const char* mass_name(const Collision<TracedValue>& c) { return c.heavy ? "heavy" : "light"; }
+
+std::string plural(long count) { return count == 1 ? "1 collision" : fmt::format("{} collisions", count); }
+
+const char* outcome_word(const TraceReport& report) {
+    return report.trace.exact() ? "exact" : report.box.is_point() ? "undecided" : "between";
+}
+
+std::string bounds_text(long least, const std::optional<long>& most) {
+    return most == least ? plural(least)
+           : most        ? fmt::format("between {} and {} collisions", least, *most)
+                         : fmt::format("at least {}", plural(least));
+}
+
+/// What is known of `most` collisions at most, with the maximum over all trajectories.
+std::optional<long> clamped(const TraceReport& report, const std::optional<long>& most) {
+    return report.maximum ? std::min(most.value_or(*report.maximum), *report.maximum) : most;
+}
+
+/// Whether a bound that is said is that maximum.
+bool rests_on_theorem(const TraceReport& report) {
+    const bool whole = !report.trace.exact() && clamped(report, report.trace.most) != report.trace.most;
+    return whole || (report.parts && clamped(report, report.parts->most) != report.parts->most);
+}
+
+/// What to do about an orbit that is not decided.
+std::string advice(const TraceReport& report) {
+    constexpr int first_digits = 40;
+    if (report.digits == 0) {
+        return fmt::format("try --digits {}", first_digits);
+    }
+    const std::string more =
+        2 * report.digits <= most_trace_digits
+            ? fmt::format("try --digits {}; if more digits do not help, ", 2 * report.digits)
+            : "";
+    return more +
+           "move the initial condition a little: both masses touch almost at once there, or one only grazes "
+           "the floor";
+}
+
+std::string collisions_table(const TraceReport& report) {
+    std::string text;
+    std::array<std::size_t, quantities.size()> widths{};
+    for (std::size_t i = 0; i < quantities.size(); ++i) {
+        widths[i] = std::string_view(quantities[i].title).size();
+        for (const auto& c : report.trace.collisions) {
+            widths[i] = std::max(widths[i], (c.*quantities[i].value).text.size());
+        }
+    }
+    text += fmt::format("{:>4}  {:5}", "#", "mass");
+    for (std::size_t i = 0; i < quantities.size(); ++i) {
+        text += fmt::format("  {:>{}}", quantities[i].title, widths[i]);
+    }
+    text += '\n';
+    long number = 0;
+    for (const auto& c : report.trace.collisions) {
+        text += fmt::format("{:>4}  {:5}", ++number, mass_name(c));
+        for (std::size_t i = 0; i < quantities.size(); ++i) {
+            text += fmt::format("  {:>{}}", (c.*quantities[i].value).text, widths[i]);
+        }
+        text += '\n';
+    }
+    return text;
+}
+
+std::string widths_text(const TracedWidths& widths) {
+    return fmt::format("Widths after the last of them: {:.3g} with correlations, {} without\n",
+                       widths.correlated,
+                       widths.natural ? fmt::format("{:.3g}", *widths.natural)
+                                      : std::string("plain intervals do not get as far"));
+}
+
+constexpr int share_digits = 12;
+
+/// Cut off: what is said to be certified is.
+std::string share_at_least(const Rational& share) {
+    return share == 0 ? "0" : to_text(without_zeros(cut_down(share, share_digits)));
+}
+
+std::string share_at_most(const Rational& share) {
+    return to_text(without_zeros(cut_up(share, share_digits)));
+}
+
+std::string subdivision_text(const TraceReport& report) {
+    const Subdivision& parts = *report.parts;
+    std::string text = fmt::format("{:>10}  {:>22}  {:>9}\n", "collisions", "share of the box", "boxes");
+    for (const auto& part : parts.exact) {
+        text += fmt::format("{:>10}  {:>22}  {:>9}\n", part.first, share_at_least(part.second.share),
+                            part.second.boxes);
+    }
+    text += fmt::format("{:>10}  {:>22}  {:>9}\n", "undecided", share_at_most(parts.undecided.share),
+                        parts.undecided.boxes);
+    text +=
+        fmt::format("Certified: {} of the box with its exact count; every initial condition in it has {}.\n",
+                    share_at_least(Rational(1) - parts.undecided.share),
+                    bounds_text(parts.least, clamped(report, parts.most)));
+    return text;
+}
+
+nlohmann::ordered_json enclosure_json(const TracedValue& value, bool decimals) {
+    return decimals ? nlohmann::ordered_json{value.lo, value.hi} : ends_json(value.outward);
+}
+
+nlohmann::ordered_json subdivision_json(const TraceReport& report) {
+    const Subdivision& parts = *report.parts;
+    nlohmann::ordered_json exact = nlohmann::ordered_json::array();
+    for (const auto& part : parts.exact) {
+        exact.push_back({{"collisions", part.first},
+                         {"share", to_fraction(part.second.share)},
+                         {"boxes", part.second.boxes}});
+    }
+    return {{"exact", std::move(exact)},
+            {"undecided", {{"share", to_fraction(parts.undecided.share)}, {"boxes", parts.undecided.boxes}}},
+            {"least", parts.least},
+            {"most", json_or_null(clamped(report, parts.most))},
+            {"decided_fraction", decided_fraction(parts.undecided.share)}};
+}
+
+}  // namespace
+
+std::string outcome_sentence(const TraceReport& report) {
+    const Trace& trace = report.trace;
+    if (trace.exact()) {
+        return fmt::format("exactly {}{}", plural(trace.least),
+                           trace.least > static_cast<long>(trace.collisions.size())
+                               ? fmt::format(" (enclosed: the first {})", trace.collisions.size())
+                               : "");
+    }
+    const std::string bounds = bounds_text(trace.least, clamped(report, trace.most));
+    const auto next = trace.collisions.size() + 1;
+    if (const auto corner = flat_fall(report.box)) {
+        return fmt::format(
+            "cannot be decided at any precision: {}; both masses reach the floor at once, at time {} (a "
+            "corner, "
+            "where no motion is defined); move the initial condition, for example --phi",
+            bounds, exact_text(*corner));
+    }
+    if (report.box.is_point()) {
+        return fmt::format("cannot be decided at this precision: {}; undecided from collision {} on; {}",
+                           bounds, next, advice(report));
+    }
+    return fmt::format("{}: the box splits at collision {} (smaller boxes: --subdivide)", bounds, next);
+}
+
+std::string theorem_sentence(const TraceReport& report) {
+    return rests_on_theorem(report)
+               ? fmt::format("No trajectory at {} {} has more than {} (theorem 2 of proofs/theorem.md).",
+                             report.box.lo[4] == report.box.hi[4] ? "mass ratio" : "mass ratios up to",
+                             exact_text(report.box.hi[4]), plural(*report.maximum))
+               : "";
+}
+
+std::string verdict(const TraceReport& report) {
+    const std::string theorem = theorem_sentence(report);
+    return outcome_sentence(report) + '\n' + (report.parts ? '\n' + subdivision_text(report) : "") + theorem +
+           (theorem.empty() ? "" : "\n");
+}
+
+std::string to_text(const TraceReport& report) {
+    std::string text;
+    if (!report.trace.collisions.empty()) {
+        text += fmt::format(
+            "Mass ratio {}; rod length 1, phi in radians, y: height of the centre of mass. Each number is "
+            "enclosed: "
+            "value+-radius.\n",
+            report.box.lo[4] == report.box.hi[4]
+                ? exact_text(report.box.lo[4])
+                : exact_text(report.box.lo[4]) + " : " + exact_text(report.box.hi[4]));
+        text += collisions_table(report);
+        if (!report.box.is_point() && report.trace.widths) {
+            text += widths_text(*report.trace.widths);
+        }
+    }
+    text += verdict(report);
+    if (report.out) {
+        text += fmt::format("Certificate: {} (sha256 {})\nCheck it:    dumbbell verify {}\n",
+                            one_line(*report.out), *report.sha256, shell_file(*report.out));
+    }
+    return text;
+}
+
+nlohmann::ordered_json to_json(const TraceReport& report) {
+    nlohmann::ordered_json initial = nlohmann::ordered_json::object();
+    for (std::size_t i = 0; i < initial_axes; ++i) {
+        initial[axis_names[i]] = {{"lo", to_fraction(report.box.lo[i])},
+                                  {"hi", to_fraction(report.box.hi[i])}};
+    }
+    nlohmann::ordered_json collisions = nlohmann::ordered_json::array();
+    for (const auto& c : report.trace.collisions) {
+        nlohmann::ordered_json entry{{"mass", mass_name(c)}};
+        for (const Quantity& q : quantities) {
+            entry[q.key] = enclosure_json(c.*q.value, report.digits > 0);
+        }
+        collisions.push_back(std::move(entry));
+    }
+    nlohmann::ordered_json json{{"schema", "dumbbell-trace-1"},
+                                {"initial", std::move(initial)},
+                                {"outcome", outcome_word(report)},
+                                {"least", report.trace.least},
+                                {"most", json_or_null(clamped(report, report.trace.most))},
+                                {"maximum", nullptr},
+                                {"splits_at", nullptr},
+                                {"bits", report.trace.bits},
+                                {"collisions", std::move(collisions)},
+                                {"widths", nullptr},
+                                {"parts", nullptr},
+                                {"seconds", report.seconds},
+                                {"out", json_or_null(report.out)},
+                                {"sha256", json_or_null(report.sha256)}};
+    if (!report.trace.exact()) {
+        json["splits_at"] = report.trace.collisions.size() + 1;
+    }
+    if (rests_on_theorem(report)) {
+        json["maximum"] = *report.maximum;
+    }
+    if (report.trace.widths) {
+        json["widths"] = {{"natural", json_or_null(report.trace.widths->natural)},
+                          {"correlated", report.trace.widths->correlated}};
+    }
+    if (report.parts) {
+        json["parts"] = subdivision_json(report);
+    }
+    return json;
+}
+
+std::string to_csv(const TraceReport& report) {
+    std::string text;
+    if (report.parts) {
+        text = "collisions,share,boxes\n";
+        for (const auto& part : report.parts->exact) {
+            text += fmt::format("{},{},{}\n", part.first, to_fraction(part.second.share), part.second.boxes);
+        }
+        return text + fmt::format("undecided,{},{}\n", to_fraction(report.parts->undecided.share),
+                                  report.parts->undecided.boxes);
+    }
+    text = "collision,mass";
+    for (const Quantity& q : quantities) {
+        text += fmt::format(",{0}_lo,{0}_hi", q.key);
+    }
+    text += '\n';
+    long number = 0;
+    for (const auto& c : report.trace.collisions) {
+        text += fmt::format("{},{}", ++number, mass_name(c));
+        for (const Quantity& q : quantities) {
+            const TracedValue& value = c.*q.value;
+            text += report.digits > 0 ? fmt::format(",{},{}", value.lo, value.hi)
+                                      : fmt::format(",{},{}", unsigned_zero(value.outward.lo()),
+                                                    unsigned_zero(value.outward.hi()));
+        }
+        text += '\n';
+    }
+    return text;
+}
+
+}  // namespace dumbbell

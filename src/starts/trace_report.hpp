@@ -1,0 +1,46 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+
+#include "starts/subdivide.hpp"
+#include "starts/trace.hpp"
+
+namespace dumbbell {
+
+/// The most that may be asked for.
+inline constexpr int most_trace_digits = 10'000;
+
+/// What `trace` tells its user.
+struct TraceReport {
+    InitialBox box;
+    Trace trace;
+    int digits = 0;  ///< as asked for; 0: double precision
+    std::optional<Subdivision> parts;
+    double seconds = 0;
+    std::optional<std::string> out;
+    std::optional<std::string> sha256;
+    /// Of all trajectories at these mass ratios, by theorem 2; for what the enclosures do not decide.
+    std::optional<long> maximum{};
+};
+
+/// The table of collisions, the widths, and the outcome in a sentence; the shares of a subdivision.
+[[nodiscard]] std::string to_text(const TraceReport& report);
+[[nodiscard]] nlohmann::ordered_json to_json(const TraceReport& report);
+
+/// One line per collision, with the bounds of every quantity; or, of a subdivision, one line per count with
+/// its share.
+[[nodiscard]] std::string to_csv(const TraceReport& report);
+
+/// "exactly k collisions", "between a and b collisions: ...", or "cannot be decided at this precision: ..."
+/// with what to do; "... at any precision" of a flat fall.
+[[nodiscard]] std::string outcome_sentence(const TraceReport& report);
+
+/// What a bound rests on that the enclosures do not give; else nothing.
+[[nodiscard]] std::string theorem_sentence(const TraceReport& report);
+
+/// The outcome, what it rests on, and what the parts of a box say.
+[[nodiscard]] std::string verdict(const TraceReport& report);
+
+}  // namespace dumbbell

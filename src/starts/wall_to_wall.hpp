@@ -1,0 +1,121 @@
+#pragma once
+
+#include <optional>
+#include <utility>
+
+#include "starts/flight.hpp"
+#include "starts/recentred.hpp"
+
+namespace dumbbell {
+
+/// A box of orbits from contact to contact. Every step is enclosed twice; the common part is kept.
+///
+/// *Along the orbit*, as a function of the state before, with its velocities. Over wide boxes this keeps the
+/// correlations of the velocities; but each of its many operations widens rounding errors anew, by more than
+/// a bit per collision.
+///
+/// *Stepwise.* The flights are lines: the next contact and the reflection there depend on the angle phi at
+/// which a flight begins, its slope d yhat / d phi and r only; how fast it is follows from the energy. So the
+/// step is computed as a function of these three, at |phidot| = 1, and composed with what they are as
+/// functions of the first box. From light wall to light wall, turned so that the flight goes right, the next
+/// distance from the corner and slope do not decrease with the distance before, the slope or r (L5): the
+/// derivatives have one sign each, and their products make rounding errors no wider than orbits diverge.
+template <class S>
+class WallToWall {
+  public:
+    explicit WallToWall(Bounce<S> first)
+        : last_(std::move(first)),
+          slope_(last_.after.yhatdot / last_.after.phidot),
+          speed_((certainly_positive(-range(last_.after.phidot)) ? -last_.after.phidot : last_.after.phidot) *
+                 steepness()) {}
+
+    [[nodiscard]] const Bounce<S>& last() const { return last_; }
+
+    /// Goes to the next contact, if there is certainly one; then last() is that.
+    Next advance() {
+        Next next = Next::unknown;
+        auto step = along_the_orbit(next);
+        if (const auto other = stepwise(next)) {
+            step = step ? common_part(*step, *other) : *other;
+        }
+        if (step) {
+            last_ = std::move(step->bounce);
+            slope_ = std::move(step->slope);
+        }
+        return next;
+    }
+
+  private:
+    struct Step {
+        Bounce<S> bounce;
+        S slope;  ///< after it
+    };
+
+    std::optional<Step> along_the_orbit(Next& next) const {
+        const Event<S> event = event_after_contact(last_.after, last_.mass);
+        next = event.next;
+        if (next != Next::contact) {
+            return std::nullopt;
+        }
+        Bounce<S> b = bounce(last_.after, event.mass, *event.time);
+        S slope = b.after.yhatdot / b.after.phidot;
+        return Step{std::move(b), std::move(slope)};
+    }
+
+    /// Leaves `next` alone if nothing is certain.
+    std::optional<Step> stepwise(Next& next) const {
+        const State<S>& from = last_.after;
+        const bool right = certainly_positive(range(from.phidot));
+        if (!right && !certainly_positive(-range(from.phidot))) {
+            return std::nullopt;
+        }
+        const S along(right ? 1 : -1);
+        const Recentred<S, 3> box({from.phi, slope_, from.r});
+        const S& phi = box.parameter(0);
+        const S& r = box.parameter(2);
+        const S sine = sin_cos(phi).sin;
+        const State<S> start{
+            phi, last_.mass == Mass::light ? -sine : r * sine, along, along * box.parameter(1), r, S(0)};
+        const Event<S> event = event_after_contact(start, last_.mass);
+        next = event.next == Next::unknown ? next : event.next;
+        if (event.next != Next::contact) {
+            return std::nullopt;
+        }
+        const Bounce<S> unit = bounce(start, event.mass, *event.time);
+        const S spin = common_part(along * from.phidot, speed_ / steepness());
+        const State<S> before{box.composed(unit.before.phi),
+                              box.composed(unit.before.yhat),
+                              along * spin,
+                              common_part(from.yhatdot, along * slope_ * spin),
+                              from.r,
+                              from.time + box.composed(*event.time) / spin};
+        State<S> after = before;
+        after.phidot = box.composed(unit.after.phidot) * spin;
+        after.yhatdot = box.composed(unit.after.yhatdot) * spin;
+        return Step{{event.mass, before, after}, box.composed(unit.after.yhatdot / unit.after.phidot)};
+    }
+
+    static State<S> common_part(const State<S>& a, const State<S>& b) {
+        return {common_part(a.phi, b.phi),       common_part(a.yhat, b.yhat),
+                common_part(a.phidot, b.phidot), common_part(a.yhatdot, b.yhatdot),
+                common_part(a.r, b.r),           common_part(a.time, b.time)};
+    }
+    static Step common_part(const Step& a, const Step& b) {
+        return {{a.bounce.mass, common_part(a.bounce.before, b.bounce.before),
+                 common_part(a.bounce.after, b.bounce.after)},
+                common_part(a.slope, b.slope)};
+    }
+    static S common_part(const S& a, const S& b) {
+        using dumbbell::common_part;
+        return common_part(a, b);
+    }
+
+    /// The energy, phidot^2 + yhatdot^2 / r, is (|phidot| steepness)^2.
+    [[nodiscard]] S steepness() const { return sqrt(S(1) + sqr(slope_) / last_.after.r); }
+
+    Bounce<S> last_;
+    S slope_;  ///< means nothing while the direction is uncertain
+    S speed_;
+};
+
+}  // namespace dumbbell

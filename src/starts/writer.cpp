@@ -1,0 +1,96 @@
+#include "starts/writer.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+
+#include "base/error.hpp"
+#include "file/dyadic.hpp"
+#include "file/sha256.hpp"
+
+namespace dumbbell {
+namespace {
+
+constexpr std::array<const char*, initial_axes> axis_names{"phi", "phidot", "y", "ydot", "q"};
+
+std::string contact_text(const std::optional<FirstContact>& first) {
+    return first ? fmt::format(" {} {} {}", first->heavy ? "heavy" : "light", to_dyadic(first->from),
+                               to_dyadic(first->until))
+                 : "";
+}
+
+/// The body's lines and their numbers.
+class Body {
+  public:
+    void node(const InitialNode& node) {
+        if (node.split) {
+            line(fmt::format("split {}", axis_names[static_cast<std::size_t>(*node.split)]));
+            ++splits_;
+        } else {
+            leaf(node.leaf);
+        }
+    }
+
+    [[nodiscard]] bool complete() const { return exactly_ + between_ + open_ == splits_ + 1; }
+    [[nodiscard]] std::string bounds() const {
+        return fmt::format("between {} {}\n", open_ > 0 ? 0 : least_,
+                           open_ > 0 ? "none" : fmt::format("{}", most_));
+    }
+    [[nodiscard]] const std::string& lines() const { return text_; }
+    [[nodiscard]] std::string totals() const {
+        return fmt::format("total split {}\ntotal exactly {}\ntotal between {}\ntotal open {}\n", splits_,
+                           exactly_, between_, open_);
+    }
+
+  private:
+    void leaf(const InitialLeaf& leaf) {
+        if (!leaf.most) {
+            line("open");
+            ++open_;
+            return;
+        }
+        const bool any = exactly_ + between_ > 0;
+        least_ = any ? std::min(least_, leaf.least) : leaf.least;
+        most_ = any ? std::max(most_, *leaf.most) : *leaf.most;
+        if (leaf.least == *leaf.most) {
+            line(fmt::format("exactly {}{}", leaf.least, contact_text(leaf.first)));
+            ++exactly_;
+        } else {
+            line(fmt::format("between {} {}{}", leaf.least, *leaf.most, contact_text(leaf.first)));
+            ++between_;
+        }
+    }
+
+    void line(const std::string& words) { text_ += words + '\n'; }
+
+    std::string text_;
+    long splits_ = 0, exactly_ = 0, between_ = 0, open_ = 0;
+    long least_ = 0, most_ = 0;
+};
+
+}  // namespace
+
+CertificateText render(const InitialCertificate& certificate) {
+    Body body;
+    for (const InitialNode& node : certificate.tree) {
+        body.node(node);
+    }
+    require(body.complete(), "certificate: the tree of initial conditions is not complete");
+    const auto& [lo, hi] = certificate.box;
+    std::string text = fmt::format(
+        "dumbbell-certificate 1\ngenerator {} {}\nlemmas 1\nscene dumbbell\nsection none\n"
+        "claim initial-conditions\nratio {} {}\n",
+        certificate.program, certificate.version, to_fraction(lo[4]), to_fraction(hi[4]));
+    for (std::size_t i = 0; i < 4; ++i) {
+        fmt::format_to(std::back_inserter(text), "{} {} {}\n", axis_names[i], to_fraction(lo[i]),
+                       to_fraction(hi[i]));
+    }
+    fmt::format_to(std::back_inserter(text), "bits {}\n", certificate.bits);
+    text += body.bounds() + body.lines() + body.totals();
+    std::string hash = sha256_hex(text);
+    text += fmt::format("sha256 {}\n", hash);
+    return {std::move(text), std::move(hash)};
+}
+
+}  // namespace dumbbell

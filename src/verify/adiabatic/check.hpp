@@ -1,0 +1,51 @@
+// What the checks of all trees of an `adiabatic-*` file share: the leaf's box, and the distance from the
+// vertical that the claim is about.
+#pragma once
+#include "verify/adiabatic/contact.hpp"
+#include "verify/adiabatic/grammar.hpp"
+#include "verify/format/precision.hpp"
+#include "verify/starts/ray.hpp"
+
+namespace dumbbell_verify {
+
+template <class N>
+class AdiabaticCheck : protected Departures<N> {
+  public:
+    using I = Interval<N>;
+    using Base = Departures<N>;
+    using Base::fact, Base::quarter, Base::half_turn, Base::zero, Base::one;
+
+  protected:
+    AdiabaticCheck(const AdiabaticLeaf& leaf, const Masses<N>& masses, std::string* log)
+        : Base(masses.r, log),
+          leaf_(leaf),
+          claim_(leaf.terms->claim),
+          m_(masses),
+          margin_(number(claim_.margin) * sixteenths(m_.delta, static_cast<unsigned>(claim_.exponent))) {}
+
+    static I number(const mpq_class& x) { return {bound(down, x, N(0)), bound(up, x, N(0))}; }
+    static I side(const AdiabaticBox& box, std::size_t axis) {
+        return {bound(down, box.lo.at(axis), N(0)), bound(up, box.hi.at(axis), N(0))};
+    }
+    [[nodiscard]] I side(std::size_t axis) const { return side(leaf_.box, axis); }
+
+    /// Certified a < b and a <= b, for the log as well.
+    bool less(const char* what, const I& a, const I& b) { return Base::less(what, a, b); }
+    bool at_most(const char* what, const I& a, const I& b) { return Base::less(what, a, b, false); }
+
+    /// Distances from the vertical of the leaf that belong to the claim: at least the margin, at most pi/2.
+    [[nodiscard]] I cut(const I& u) const { return {std::max(u.lo, margin_.lo), std::min(u.hi, quarter.hi)}; }
+    /// Certified: none does.
+    bool beyond(const char* what, const I& u) {
+        return less(what, quarter, I(u.lo)) || less("u below the margin", I(u.hi), I(margin_.lo));
+    }
+    /// The greatest size of a number of the interval.
+    [[nodiscard]] static I size(const I& x) { return I(std::max(-x.lo, x.hi)); }
+
+    const AdiabaticLeaf& leaf_;
+    const Adiabatic& claim_;
+    const Masses<N> m_;
+    const I margin_;
+};
+
+}  // namespace dumbbell_verify

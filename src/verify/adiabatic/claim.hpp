@@ -1,0 +1,52 @@
+// The claim kinds `adiabatic-*`: what a file says of the adiabatic invariant, in words and numbers.
+#pragma once
+#include <array>
+#include <string_view>
+#include <vector>
+
+#include "verify/format/claim.hpp"
+
+namespace dumbbell_verify {
+
+/// For every delta in [D1, D2], epsilon = delta^2, and the states that section 1 of format-adiabatic.md
+/// describes: the error or change is at most `bounds` in the unit of that section, and the states `attained`
+/// have at least their `value` in it.
+struct Adiabatic {
+    enum Kind { bounce, run, scattering, printed };
+    static constexpr std::array<std::string_view, 4> names{"adiabatic-bounce", "adiabatic-run",
+                                                           "adiabatic-scattering", "adiabatic-printed"};
+    struct Attained {
+        mpq_class u, s, delta;
+        std::uint64_t collisions = 0;
+        mpq_class value;
+    };
+
+    Kind kind = bounce;
+    mpq_class delta_lo, delta_hi, y_lo, y_hi, margin;
+    std::uint64_t exponent = 0;      ///< the margin is `margin` delta^(exponent/16)
+    std::vector<mpq_class> bounds;   ///< C, or C1 and C2, or none
+    std::vector<Attained> attained;  ///< one, or one for each of C1 and C2
+
+    [[nodiscard]] bool has_heights() const { return kind == bounce || kind == run; }
+    [[nodiscard]] bool has_classes() const { return kind == run || kind == scattering; }
+
+    /// Of each attained value in decimals: C rounded up, B rounded down, C/B rounded up; empty: there is
+    /// none.
+    struct Summary {
+        std::string bound, attained, ratio;
+    };
+    [[nodiscard]] std::vector<Summary> summaries() const;
+    /// For the verdict: kind and numbers, exact but for those of the summaries.
+    [[nodiscard]] std::string text() const;
+    /// The claim in words, lines that begin with two spaces.
+    [[nodiscard]] std::string paragraph() const;
+    [[nodiscard]] std::string json() const;
+};
+
+/// The kind with this name, if there is one.
+std::optional<Adiabatic::Kind> adiabatic_kind(std::string_view name);
+
+/// x >= 0 with so many decimals, rounded up or down.
+std::string decimals(const mpq_class& x, bool upward, unsigned places = 6);
+
+}  // namespace dumbbell_verify

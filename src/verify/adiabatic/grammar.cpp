@@ -1,0 +1,221 @@
+// The grammar of a file about the adiabatic invariant (format-adiabatic.md, section 2).
+#include "verify/adiabatic/grammar.hpp"
+
+#include <cmath>
+
+#include "verify/format/reader.hpp"
+
+namespace dumbbell_verify {
+namespace {
+
+enum { split, bound_leaf, outside };
+constexpr int most_halvings = 200;          ///< of one axis, above a node
+constexpr unsigned least_orbit_bits = 256;  ///< of an orbit, unless doubles do
+
+using Axes = std::array<std::string_view, 5>;  ///< the names of those that a tree has
+constexpr Axes class_axes{"u", "", "", "delta", "sigma"}, bounce_axes{"u", "s", "", "delta", ""},
+    run_axes{"u", "s", "v", "delta", ""};
+
+class AdiabaticReader : public Reader<AdiabaticLeaf> {
+  public:
+    AdiabaticReader(Text& text, const Settings& settings, Adiabatic::Kind kind) : Reader(text, settings) {
+        require_fitting_demand();
+        claim_.kind = kind;
+        leaf_.terms = &terms_;
+        for (const auto* name : {"split", "bound", "outside"}) proof_.tallies.push_back({name});
+    }
+    [[nodiscard]] Adiabatic& claim() { return claim_; }
+
+  private:
+    [[nodiscard]] std::string_view kind() const override { return Adiabatic::names.at(claim_.kind); }
+    [[nodiscard]] const char* check(const AdiabaticLeaf& leaf, std::string* log) const override {
+        return check_adiabatic(leaf, log);
+    }
+    [[nodiscard]] std::string_view opcode(const AdiabaticLeaf& leaf) const override { return leaf.opcode; }
+
+    void read() override {
+        header();
+        if (claim_.has_classes()) classes();
+        if (claim_.kind != Adiabatic::printed) claim_tree();
+        for (std::size_t i = 0; i < std::max<std::size_t>(1, claim_.bounds.size()); ++i) attained();
+    }
+
+    /// Nothing here is a bound on a number of collisions.
+    void require_fitting_demand() const {
+        const Collisions& demand = settings_.demand;
+        const auto refuse = [](const char* text) { throw Failure{Verdict::unreadable, 0, "usage", text}; };
+        if (demand.keep != Pieces{})
+            refuse("--lemma compares covers; this file is about the adiabatic invariant");
+        if (demand.ratios || demand.most || demand.least)
+            refuse(
+                "--ratio, --max, --min and --exactly are about numbers of collisions; this file is about the "
+                "adiabatic invariant, and says nothing of them");
+    }
+
+    void header() {
+        text_.expect("delta", 2);
+        claim_.delta_lo = text_.level(1);
+        claim_.delta_hi = text_.level(2);
+        if (!(claim_.delta_lo <= claim_.delta_hi && claim_.delta_hi > 0 && 2 * claim_.delta_hi < 1))
+            text_.reject("number", "not 0 <= D1 <= D2 < 1/2, 0 < D2");
+        if (claim_.delta_lo == 0 && claim_.kind != Adiabatic::run)
+            text_.reject("number", "D1 = 0 is for `adiabatic-run`");
+        if (claim_.delta_lo < claim_.delta_hi && claim_.kind == Adiabatic::printed)
+            text_.reject("number", "the orbit of `adiabatic-printed` has one delta: D1 = D2");
+        if (claim_.has_heights()) {
+            text_.expect("heights", 2);
+            claim_.y_lo = text_.level(1);
+            claim_.y_hi = text_.level(2);
+            if (!(claim_.y_lo < claim_.y_hi && claim_.y_hi <= 1)) text_.reject("number", "not Y1 < Y2 <= 1");
+        }
+        text_.expect("margin", 1);
+        claim_.margin = text_.level(1);
+        if (!(claim_.margin > 0 && claim_.margin <= 1)) text_.reject("number", "not 0 < margin <= 1");
+        claim_.exponent = claim_.kind == Adiabatic::run ? 0 : 8;
+        if (claim_.kind == Adiabatic::bounce) claim_.exponent = number("exponent", 0, 16);
+        read_bits(leaf_);
+        if (claim_.kind != Adiabatic::printed) {
+            const std::size_t n = claim_.kind == Adiabatic::bounce ? 2 : 1;
+            text_.expect("bound", n);
+            for (std::size_t i = 1; i <= n; ++i) claim_.bounds.push_back(text_.level(i));
+        }
+    }
+    std::uint64_t number(std::string_view keyword, std::uint64_t least, std::uint64_t most) {
+        text_.expect(keyword, 1);
+        const std::uint64_t n = text_.natural(1);
+        if (n < least || n > most)
+            text_.reject("number", std::string(keyword) + " not within " + std::to_string(least) + " to " +
+                                       std::to_string(most));
+        return n;
+    }
+
+    void classes() {
+        const std::uint64_t n = number("classes", 1, 64);
+        while (terms_.classes.size() < n) {
+            const std::size_t i = terms_.classes.size();
+            text_.expect("class", 2);
+            const std::uint64_t line = text_.line, cells = text_.natural(2);
+            if (cells < 1 || cells > 4096) text_.reject("number", "not 1 to 4096 cells");
+            mpq_class top(11, 7);
+            AdiabaticClass& last =
+                terms_.classes.emplace_back(AdiabaticClass{text_.level(1), Potential(top)});
+            while (last.potential.size() < cells) {
+                text_.expect("cell", 2);
+                const mpq_class low = text_.level(1);
+                if (low >= top) text_.reject("number", "cells go down from 11/7");
+                last.potential.add_cell(low, text_.level(2));
+                top = low;
+            }
+            set_root(class_axes);
+            take(AdiabaticLeaf::class_itself, i, line, "class");
+            read_tree(AdiabaticLeaf::class_tree, i, class_axes, "class" + std::to_string(i) + ".");
+        }
+        text_.expect("end", 0);
+    }
+    void claim_tree() {
+        const Axes& axes = claim_.kind == Adiabatic::bounce ? bounce_axes : run_axes;
+        set_root(axes);
+        read_tree(AdiabaticLeaf::claim_tree, 0, axes, "box.");
+    }
+    void set_root(const Axes& axes) {
+        const mpq_class most[] = {2, 1, 2, claim_.delta_hi, 8};
+        for (std::size_t i = 0; i < axes.size(); ++i) {
+            leaf_.box.lo.at(i) = i == axis_delta ? claim_.delta_lo : mpq_class(0);
+            leaf_.box.hi.at(i) = axes.at(i).empty() ? mpq_class(0) : most[i];
+        }
+    }
+    void read_tree(AdiabaticLeaf::Part part, std::size_t index, const Axes& axes, const std::string& name) {
+        ++proof_.roots;
+        Tree<AdiabaticBox> tree{text_, axes, proof_.tallies[split].lines, leaf_.box, name, most_halvings};
+        tree.read([&] { leaf(part, index, std::ldexp(1, -tree.depth), tree.path); });
+    }
+    void leaf(AdiabaticLeaf::Part part, std::size_t index, double share, const std::string& path) {
+        const auto& f = text_.fields;
+        const bool chooses = part == AdiabaticLeaf::claim_tree && claim_.has_classes();
+        leaf_.outside = f[0] == "outside";
+        if (!leaf_.outside && f[0] != "bound") text_.reject("opcode", "not a line for this place");
+        if (f.size() != (chooses && !leaf_.outside ? 2 : 1)) text_.reject("syntax", "wrong number of values");
+        if (chooses) {
+            const std::uint64_t chosen = leaf_.outside ? 0 : text_.natural(1);
+            if (chosen >= terms_.classes.size()) text_.reject("number", "no such class");
+            index = static_cast<std::size_t>(chosen);
+        }
+        Tally& tally = proof_.tallies[leaf_.outside ? outside : bound_leaf];
+        ++tally.lines;
+        tally.covered += share;
+        take(part, index, text_.line, tally.name);
+        explain(path);
+    }
+
+    void attained() {
+        text_.expect("attained", 5);
+        Adiabatic::Attained state{text_.signed_ratio(1), text_.signed_ratio(2), text_.level(3),
+                                  text_.natural(4), text_.level(5)};
+        if (!(state.u > 0 && state.s >= 0 && state.s <= 1)) text_.reject("number", "not u > 0, 0 <= s <= 1");
+        if (!(state.delta > 0 && state.delta >= claim_.delta_lo && state.delta <= claim_.delta_hi))
+            text_.reject("number", "delta beyond D1 to D2, or 0");
+        if (claim_.kind == Adiabatic::bounce && state.collisions != 1)
+            text_.reject("number", "one collision follows");
+        // The distance from the vertical, exactly: u^16 >= m^16 delta^exponent.
+        if (power(state.u, 16) < power(claim_.margin, 16) * power(state.delta, claim_.exponent))
+            text_.reject("attained", "the rod is nearer to the vertical than the margin");
+        claim_.attained.push_back(state);
+        leaf_.outside = false;
+        const unsigned bits = leaf_.bits;
+        leaf_.bits = std::max(bits, least_orbit_bits);
+        take(AdiabaticLeaf::attained, claim_.attained.size() - 1, text_.line, "attained");
+        explain("attained" + std::to_string(claim_.attained.size()));
+        leaf_.bits = bits;
+    }
+    static mpq_class power(const mpq_class& x, std::uint64_t n) {
+        mpq_class result;
+        mpz_pow_ui(result.get_num_mpz_t(), x.get_num_mpz_t(), n);
+        mpz_pow_ui(result.get_den_mpz_t(), x.get_den_mpz_t(), n);
+        return result;
+    }
+
+    /// The present leaf is to be checked.
+    void take(AdiabaticLeaf::Part part, std::size_t index, std::uint64_t line, std::string_view opcode) {
+        leaf_.part = part;
+        leaf_.index = index;
+        leaf_.line = line;
+        leaf_.opcode = opcode;
+        Reader::take(leaf_);
+    }
+    void explain(const std::string& path) {
+        std::string box;
+        if (!settings_.explain.empty())
+            for (std::size_t i = 0; i < leaf_.box.lo.size(); ++i)
+                box += "  " + std::string(names[i]) + " in [" + to_string(leaf_.box.lo.at(i)) + ", " +
+                       to_string(leaf_.box.hi.at(i)) + "]\n";
+        Reader::explain(leaf_, path, box);
+    }
+
+    static constexpr std::array<std::string_view, 5> names{"u", "s", "v", "delta", "sigma"};
+
+    AdiabaticTerms terms_;
+    Adiabatic& claim_ = terms_.claim;
+    AdiabaticLeaf leaf_;  ///< the present one; its box is that of the present node
+};
+
+}  // namespace
+
+const char* check_adiabatic(const AdiabaticLeaf& leaf, std::string* log) {
+    switch (leaf.part) {
+        case AdiabaticLeaf::attained:
+            return check_adiabatic_attained(leaf, log);
+        case AdiabaticLeaf::claim_tree:
+            return leaf.terms->claim.kind == Adiabatic::bounce ? check_adiabatic_bounce(leaf, log)
+                                                               : check_adiabatic_run(leaf, log);
+        default:
+            return check_adiabatic_class(leaf, log);
+    }
+}
+
+std::pair<Proof, Adiabatic> adiabatic(Text& text, const Settings& settings, Adiabatic::Kind kind) {
+    AdiabaticReader reader(text, settings, kind);
+    Proof proof = reader.run();
+    return {std::move(proof), std::move(reader.claim())};
+}
+
+}  // namespace dumbbell_verify

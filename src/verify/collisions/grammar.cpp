@@ -1,0 +1,135 @@
+// The grammar of a file about mass ratios (format.md, sections 2 and 3).
+#include "verify/collisions/grammar.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "verify/format/reader.hpp"
+
+namespace dumbbell_verify {
+namespace {
+
+class CollisionsReader : public Reader<Leaf> {
+  public:
+    CollisionsReader(Text& text, const Settings& settings, const Section& section)
+        : Reader(text, settings), section_(section) {
+        proof_.claim = settings.demand;
+        proof_.section = section.name;
+        proof_.tallies.push_back({"split"});
+        for (const Opcode& opcode : section.opcodes) proof_.tallies.push_back({opcode.name});
+        proof_.tallies.push_back({"open"});
+    }
+
+  private:
+    [[nodiscard]] std::string_view kind() const override { return "collisions"; }
+    [[nodiscard]] std::string_view scene() const override { return section_.scene; }
+    [[nodiscard]] std::string missing() const override { return claim_.missing(); }
+    [[nodiscard]] const char* check(const Leaf& leaf, std::string* log) const override {
+        return section_.check(leaf, log);
+    }
+    [[nodiscard]] std::string_view opcode(const Leaf& leaf) const override {
+        return section_.opcodes[leaf.opcode].name;
+    }
+
+    void read() override {
+        range();
+        for (const std::uint64_t k = text_.natural(1); claim_.pieces < k;) piece();
+        if (end_ != claim_.hi) text_.reject("chain", "the last piece does not end at HI");
+        proof_.heavy_once = section_.heavy_once && claim_.upper;
+    }
+
+    void range() {
+        text_.expect("ratio", 2);
+        end_ = claim_.lo = text_.ratio(1);
+        claim_.hi = text_.ratio(2);
+        if (claim_.lo < 1 || claim_.lo > claim_.hi) text_.reject("number", "not 1 <= LO <= HI");
+        text_.expect("pieces", 1);
+        const std::uint64_t k = text_.natural(1);
+        if (k == 0) text_.reject("number", "no piece");
+        Watched::pieces += k;
+        if (settings_.check != all_pieces && settings_.check.last > k)
+            throw Failure{Verdict::unreadable, text_.line, "usage",
+                          "there is no piece " + std::to_string(settings_.check.last) + ": the file has " +
+                              std::to_string(k) + (k == 1 ? " piece" : " pieces")};
+    }
+
+    /// Are the leaves of the present piece checked?
+    [[nodiscard]] bool checked() const { return settings_.check.have(claim_.pieces + 1); }
+    void piece() {
+        Leaf leaf;
+        text_.expect("piece", 2);
+        const mpq_class a = text_.ratio(1), b = text_.ratio(2);
+        if (a != end_ || a > b) text_.reject("chain", "a piece must begin where the one before ended");
+        end_ = b;
+        read_bits(leaf, checked());
+        text_.expect("upper", 1);
+        std::optional<std::uint64_t> upper;
+        if (text_.fields[1] != "none") {
+            upper = leaf.claimed = text_.natural(1);
+            proof_.roots += static_cast<double>(section_.charts.size());
+            cover(leaf, a, b);
+        } else {
+            ++proof_.tallies.back().lines;
+        }
+        text_.expect("lower", 1);
+        leaf.claimed = text_.natural(1);
+        if (upper && leaf.claimed > *upper) text_.reject("number", "lower above upper");
+        if (leaf.claimed > 0) {
+            text_.expect("witness", 5);
+            const mpq_class e = text_.dyadic(2), y = text_.dyadic(3);
+            leaf.box = {{e, y, a}, {e, y, b}};
+            take(leaf, Place::witness, 4, 0, "witness");
+        }
+        claim_.add(a, b, upper, leaf.claimed);
+        ++Watched::read;
+    }
+
+    void cover(Leaf leaf, const mpq_class& a, const mpq_class& b) {
+        for (std::size_t i = 0; i < section_.charts.size(); ++i) {
+            leaf.box = section_.root(i, a, b);
+            text_.next();
+            if (i == 0 && text_.fields[0] != "chart")
+                return take(leaf, Place::cover, 1, static_cast<double>(section_.charts.size()), "cover");
+            std::string path(section_.charts[i].name);
+            if (text_.fields.size() != 2 || text_.fields[0] != "chart" || text_.fields[1] != path)
+                text_.reject("syntax", "expected `chart " + path + "`");
+            leaf.chart = i;
+            Tree<Box> tree{text_, section_.charts[i].axes, proof_.tallies[0].lines, leaf.box, path + '.'};
+            tree.read([&] { take(leaf, Place::leaf, 1, std::ldexp(1, -tree.depth), tree.path); });
+        }
+    }
+
+    /// The present line as one thing to check; its hints are the fields from number `hints` on.
+    void take(Leaf leaf, Place place, std::size_t hints, double covered, const std::string& path) {
+        const auto& fields = text_.fields;
+        const auto& table = section_.opcodes;
+        const auto fits = [&](const Opcode& o) {
+            return o.name == fields[0] && o.place == place && (o.charts >> leaf.chart & 1) != 0;
+        };
+        const auto opcode = std::find_if(table.begin(), table.end(), fits);
+        if (opcode == table.end()) text_.reject("opcode", "not a line for this place");
+        if (fields.size() != hints + opcode->hints ||
+            (place == Place::witness && fields[1] != section_.witness))
+            text_.reject("syntax", "wrong number of values, or unknown kind");
+        if (opcode->hints > 0) leaf.a = text_.natural(hints);
+        if (opcode->hints > 1) leaf.b = text_.natural(hints + 1);
+        leaf.opcode = static_cast<std::size_t>(opcode - table.begin());
+        leaf.line = text_.line;
+        ++proof_.tallies[1 + leaf.opcode].lines;
+        proof_.tallies[1 + leaf.opcode].covered += covered;
+        if (!settings_.explain.empty()) explain(leaf, std::to_string(claim_.pieces + 1) + ":" + path);
+        if (checked()) Reader::take(std::move(leaf));
+    }
+
+    const Section& section_;
+    Collisions& claim_ = proof_.claim;
+    mpq_class end_;  ///< of the pieces so far
+};
+
+}  // namespace
+
+Proof collisions(Text& text, const Settings& settings, const Section& section) {
+    return CollisionsReader(text, settings, section).run();
+}
+
+}  // namespace dumbbell_verify

@@ -1,0 +1,14 @@
+// Files of the claim kind `collisions` (format.md, section 3).
+#pragma once
+#include "verify/format/proof.hpp"
+#include "verify/format/section.hpp"
+#include "verify/format/text.hpp"
+
+namespace dumbbell_verify {
+
+/// Reads on behind the line `claim`; returns only if all that the file and the demand say is certified, but
+/// for the leaves and witnesses of the pieces that `settings` does not have checked; else throws the Failure
+/// of the least line.
+Proof collisions(Text& text, const Settings& settings, const Section& section);
+
+}  // namespace dumbbell_verify

@@ -1,0 +1,46 @@
+#include "verify/format/claim.hpp"
+
+#include <algorithm>
+
+namespace dumbbell_verify {
+std::string to_string(const mpq_class& ratio) {
+    return ratio.get_num().get_str() + "/" + ratio.get_den().get_str();
+}
+std::string to_string(const mpq_class& lo, const mpq_class& hi) {
+    return to_string(lo) + ":" + to_string(hi);
+}
+
+std::string covered_part(const mpq_class& lo, const mpq_class& hi, const mpq_class& from,
+                         const mpq_class& to) {
+    if (hi < from || to < lo)
+        return "the file says nothing of the mass ratios " + to_string(from, to) + ", it is about " +
+               to_string(lo, hi);
+    return "of the mass ratios " + to_string(from, to) + " the file covers only " +
+           to_string(std::max(lo, from), std::min(hi, to));
+}
+
+void Collisions::add(const mpq_class& a, const mpq_class& b, std::optional<std::uint64_t> u,
+                     std::uint64_t v) {
+    const mpq_class& from = ratios ? ratios->first : lo;
+    const bool proves[] = {true, u && u <= most.value_or(*u), v >= least.value_or(v)};
+    for (std::size_t i = 0; i < 3; ++i)
+        if (proves[i] && (reached_[i] ? a <= *reached_[i] : a <= from && from <= b)) reached_[i] = b;
+    upper = upper && u ? std::max(upper, u) : std::nullopt;
+    lower = std::min(lower, v);
+    ++pieces;
+    if (keep.have(pieces)) parts.push_back({a, b, u, v});
+    gaps += u && *u == v + 1;
+    open += !u || *u > v + 1;
+}
+
+std::string Collisions::missing() const {
+    const mpq_class &from = ratios ? ratios->first : lo, &to = ratios ? ratios->second : hi;
+    const std::string range = " for every mass ratio in " + to_string(from, to);
+    const auto covered = [&](std::size_t i) { return reached_[i] && *reached_[i] >= to; };
+    if (!covered(0)) return covered_part(lo, hi, from, to);
+    if (most && !covered(1)) return "not proved: at most " + std::to_string(*most) + " collisions" + range;
+    if (least && !covered(2)) return "not proved: at least " + std::to_string(*least) + " collisions" + range;
+    return "";
+}
+
+}  // namespace dumbbell_verify

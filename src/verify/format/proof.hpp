@@ -1,0 +1,41 @@
+// What is asked of a file, and what was found in it.
+#pragma once
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "verify/format/claim.hpp"
+#include "verify/number/work.hpp"
+
+namespace dumbbell_verify {
+
+struct Settings {
+    unsigned jobs = 1, max_bits = 2048;
+    std::uint64_t budget = default_budget;  ///< of work on the file, in units (work.hpp)
+    unsigned precision = 0;  ///< at least so many bits of MPFR for every piece; 0: what the pieces say
+    std::string scene = "dumbbell", explain;  ///< explain: PIECE:PATH or box.PATH, the leaf to show
+    std::string claim;                        ///< demanded kind; empty: any
+    Pieces check = all_pieces;                ///< of the others no leaf and no witness is checked
+    Collisions demand;
+};
+
+/// The lines of one kind, and how many root boxes these leaves fill.
+struct Tally {
+    std::string_view name;
+    std::uint64_t lines = 0;
+    double covered = 0;
+};
+
+struct Proof {
+    Collisions claim;  ///< if the file is about mass ratios
+    std::string digest;
+    std::uint64_t work = 0;      ///< in units (work.hpp)
+    std::string_view section;    ///< its name, if the file is about mass ratios
+    bool heavy_once = false;     ///< proved for every ratio: the heavy mass touches at most once
+    double roots = 0;            ///< number of root boxes
+    bool explained = false;      ///< the leaf that was asked for exists
+    std::vector<Tally> tallies;  ///< split, the opcodes of the section, open
+};
+
+}  // namespace dumbbell_verify

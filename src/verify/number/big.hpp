@@ -1,0 +1,70 @@
+// The vocabulary of number.hpp on MPFR: the same guarantees at any precision.
+#pragma once
+#include <compare>
+#include <concepts>
+
+#include "verify/number/number.hpp"
+#include "verify/number/work.hpp"
+
+namespace dumbbell_verify {
+
+class Big {
+  public:
+    inline static thread_local mpfr_prec_t precision = 53;  ///< of all numbers of this thread
+
+    Big() : Big(0) {}
+    Big(std::same_as<int> auto n) {  // NOLINT(google-explicit-constructor): exact; and never from a double
+        mpfr_init2(x_, precision);
+        mpfr_set_si(x_, n, MPFR_RNDN);
+    }
+    Big(const Big& other) : Big(0) { mpfr_set(x_, other.x_, MPFR_RNDN); }
+    Big(Big&& other) noexcept : Big(0) { mpfr_swap(x_, other.x_); }
+    Big& operator=(const Big& other) { return *this = Big(other); }
+    Big& operator=(Big&& other) noexcept {
+        mpfr_swap(x_, other.x_);
+        return *this;
+    }
+    ~Big() { mpfr_clear(x_); }
+
+    /// The function's value, rounded; unbounded where it is undefined (inf - inf).
+    template <class Function, class... Values>
+    static Big rounded(Round d, Function function, Values... values) {
+        Work::operation(static_cast<std::uint64_t>(precision));
+        Big result;
+        function(result.x_, values..., d == up ? MPFR_RNDU : MPFR_RNDD);
+        if (mpfr_nan_p(result.x_)) mpfr_set_inf(result.x_, d == up ? 1 : -1);
+        return result;
+    }
+    [[nodiscard]] mpfr_srcptr get() const { return x_; }
+
+    friend bool operator==(const Big& a, const Big& b) { return mpfr_equal_p(a.x_, b.x_) != 0; }
+    friend std::weak_ordering operator<=>(const Big& a, const Big& b) { return mpfr_cmp(a.x_, b.x_) <=> 0; }
+
+  private:
+    mpfr_t x_;
+};
+
+inline Big add(Round d, const Big& a, const Big& b) { return Big::rounded(d, mpfr_add, a.get(), b.get()); }
+inline Big mul(Round d, const Big& a, const Big& b) { return Big::rounded(d, mpfr_mul, a.get(), b.get()); }
+inline Big div(Round d, const Big& a, const Big& b) { return Big::rounded(d, mpfr_div, a.get(), b.get()); }
+inline Big bound(Round d, const mpq_class& x, const Big&) {
+    return Big::rounded(d, mpfr_set_q, x.get_mpq_t());
+}
+inline Big pi_bound(Round d, const Big&) { return Big::rounded(d, mpfr_const_pi); }
+inline Big operator-(const Big& a) { return Big::rounded(down, mpfr_neg, a.get()); }  // exact
+inline double to_double(Round d, const Big& a) {
+    return mpfr_get_d(a.get(), d == up ? MPFR_RNDU : MPFR_RNDD);
+}
+inline int terms(const Big&) { return static_cast<int>(Big::precision / 8) + 14; }
+
+// For guesses, which promise nothing.
+inline Big operator+(const Big& a, const Big& b) { return add(down, a, b); }
+inline Big operator-(const Big& a, const Big& b) { return add(down, a, -b); }
+inline Big operator*(const Big& a, const Big& b) { return mul(down, a, b); }
+inline Big operator/(const Big& a, const Big& b) { return div(down, a, b); }
+inline Big sqrt(const Big& a) { return Big::rounded(down, mpfr_sqrt, a.get()); }
+inline Big guess_tolerance(const Big&) {
+    return Big::rounded(down, mpfr_set_ui_2exp, 1UL, -Big::precision / 3 - 8);
+}
+
+}  // namespace dumbbell_verify

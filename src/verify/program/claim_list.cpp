@@ -1,0 +1,68 @@
+#include "verify/program/claim_list.hpp"
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <memory>
+#include <sstream>
+
+#include "verify/program/claim_options.hpp"
+
+namespace dumbbell_verify {
+namespace {
+
+constexpr std::size_t most_bytes = 1 << 24;
+
+std::string contents(const std::string& path) {
+    std::string why;
+    const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(open_file(path, why), std::fclose);
+    if (!file) throw std::invalid_argument(why);
+    std::string text(most_bytes + 1, '\0');
+    text.resize(std::fread(text.data(), 1, text.size(), file.get()));
+    if (std::ferror(file.get()) != 0) throw std::invalid_argument(std::strerror(errno));
+    if (text.size() > most_bytes) throw std::invalid_argument("a list of claims has at most 16 MiB");
+    return text;
+}
+
+std::vector<std::string> split(const std::string& text, char separator) {
+    std::vector<std::string> parts;
+    std::istringstream in(text);
+    for (std::string part; std::getline(in, part, separator);) parts.push_back(part);
+    return parts;
+}
+
+Job parse_row(const std::string& row, Settings settings) {
+    const auto fields = split(row, '\t');
+    if (fields.size() < 2 || fields[0].empty())
+        throw std::invalid_argument("needs a certificate, a tab and its claim: FILE<tab>--ratio 10 --max 4");
+    if (fields[0].find('\0') != std::string::npos) throw std::invalid_argument("a name with a zero byte");
+    Words words(split(fields[1], ' '));
+    while (words.next())
+        if (!claim_option(words, settings))
+            throw std::invalid_argument("`" + words.word.substr(0, 60) + "` states no claim; see --help");
+    const Collisions& demand = settings.demand;
+    if (!demand.ratios || !(demand.most || demand.least))
+        throw std::invalid_argument("the claim needs --ratio, and --max, --min or --exactly");
+    return {fields[0], std::move(settings)};
+}
+
+}  // namespace
+
+std::vector<Job> read_claims(const std::string& path, const Settings& settings) {
+    std::vector<Job> jobs;
+    std::string where = path;
+    try {
+        std::size_t line = 0;
+        for (const std::string& row : split(contents(path), '\n')) {
+            where = path + ":" + std::to_string(++line);
+            if (!row.empty() && row[0] != '#') jobs.push_back(parse_row(row, settings));
+        }
+        where = path;
+        if (jobs.empty()) throw std::invalid_argument("no claim in this list");
+    } catch (const std::invalid_argument& error) {
+        throw std::invalid_argument(where + ": " + error.what());
+    }
+    return jobs;
+}
+
+}  // namespace dumbbell_verify

@@ -1,0 +1,106 @@
+#include "verify/program/examine.hpp"
+
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
+#include <mutex>
+#include <system_error>
+#include <thread>
+
+#include "verify/format/section.hpp"
+#include "verify/program/combine.hpp"
+
+namespace dumbbell_verify {
+namespace {
+constexpr const char* names[] = {"VERIFIED",    "PART",  "COMBINED", "UNREADABLE",
+                                 "UNSUPPORTED", "LIMIT", "REJECTED"};
+constexpr int exit_codes[] = {0, 0, 0, 2, 3, 4, 1};
+
+/// What --explain can show of a file.
+std::string trees(const Verified& proof, const std::string& scene) {
+    if (proof.initial) return "the leaves of this file are box, box.01, ...";
+    if (proof.adiabatic) return "the leaves of this file are box.01, class0.01, attained1, ...";
+    std::string text =
+        "PIECE is from 1 to " + std::to_string(proof.claim.pieces) + ", and the trees of a piece are ";
+    for (const Section* section : sections())
+        if (section->scene == scene && section->name == proof.section && section->lemmas == "1")
+            for (const Chart& chart : section->charts) text += std::string(chart.name) + ", ";
+    return text + "witness";
+}
+}  // namespace
+
+const char* verdict_name(Verdict verdict) { return names[static_cast<int>(verdict)]; }
+int exit_code(Verdict verdict) { return exit_codes[static_cast<int>(verdict)]; }
+
+Result examine(const Job& job) {
+    using Clock = std::chrono::steady_clock;
+    const auto start = Clock::now();
+    const Settings& settings = job.settings;
+    Result result;
+    result.job = &job;
+    try {
+        std::optional<PartLines> lines;
+        if (job.parts) lines.emplace(*job.parts);
+        Verified proof = verify(job.file, settings);
+        if (lines) {
+            result.parts = combine(*lines, proof, settings);
+            result.why.verdict = Verdict::combined;
+        } else if (settings.check != all_pieces) {
+            result.part = part_of(proof, settings, PieceSums(proof.claim), settings.check);
+            result.why.verdict = Verdict::part;
+        }
+        result.proof = std::move(proof);
+        if (!settings.explain.empty() && !result.proof.explained)
+            result.why = {
+                Verdict::unreadable, 0, "usage",
+                "there is no leaf " + settings.explain + "; " + trees(result.proof, settings.scene)};
+    } catch (Failure& failure) {
+        result.why = std::move(failure);
+    } catch (const std::exception& error) {  // out of memory, no more threads
+        result.why = {Verdict::limit, 0, "limit", error.what()};
+    }
+    result.seconds = std::chrono::duration<double>(Clock::now() - start).count();
+    return result;
+}
+
+std::vector<Result> examine_all(const std::vector<Job>& jobs, unsigned beside,
+                                const std::function<void(const Result&)>& report) {
+    std::vector<Result> results(jobs.size());  // one without a job is not there yet
+    std::atomic<std::size_t> next = 0;
+    std::mutex mutex;
+    std::condition_variable arrived;
+    const auto examine_next = [&] {
+        const std::size_t i = next++;
+        if (i >= jobs.size()) return false;
+        Result result = examine(jobs[i]);
+        const std::lock_guard lock(mutex);
+        results[i] = std::move(result);
+        arrived.notify_one();
+        return true;
+    };
+    std::vector<std::jthread> crew;
+    crew.reserve(beside);
+    const auto one_more = [&] {
+        try {
+            crew.emplace_back([&] {
+                while (examine_next()) {
+                }
+            });
+            return true;
+        } catch (const std::system_error&) {
+            return false;  // those that started do the work
+        }
+    };
+    while (beside > 1 && crew.size() < beside && one_more()) {
+    }
+    for (const Result& result : results) {
+        if (crew.empty()) examine_next();
+        std::unique_lock lock(mutex);
+        arrived.wait(lock, [&] { return result.job != nullptr; });
+        lock.unlock();
+        report(result);
+    }
+    return results;
+}
+
+}  // namespace dumbbell_verify

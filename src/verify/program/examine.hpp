@@ -1,0 +1,46 @@
+// Files verified beside each other, and what came out of each.
+#pragma once
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "verify/format/text.hpp"
+#include "verify/program/part.hpp"
+#include "verify/program/verify.hpp"
+
+namespace dumbbell_verify {
+
+/// A file and what is demanded of it.
+struct Job {
+    std::string file;
+    Settings settings;
+    std::optional<std::string> parts =
+        std::nullopt;  ///< the file with the lines of its parts, to be combined
+};
+
+struct Result {
+    const Job* job = nullptr;
+    Failure why{Verdict::verified, 0, "", ""};  ///< if not verified
+    Verified proof;                             ///< if verified or combined
+    std::optional<Part> part;                   ///< instead, if a part of the file is verified
+    std::optional<std::uint64_t> parts;         ///< so many were combined
+    double seconds = 0;
+};
+
+const char* verdict_name(Verdict verdict);  ///< VERIFIED, ...
+/// 0 verified, a part, or combined, 1 rejected, 2 unreadable, 3 unsupported, 4 limit
+int exit_code(Verdict verdict);
+/// Does it state what the whole file says?
+inline bool is_of_whole(Verdict verdict) {
+    return verdict == Verdict::verified || verdict == Verdict::combined;
+}
+
+/// Verifies one file; whatever is wrong is in the result.
+Result examine(const Job& job);
+
+/// Verifies all, up to `beside` at the same time; `report` gets each result, in the order of the jobs and on
+/// the calling thread. The results point to the jobs.
+std::vector<Result> examine_all(const std::vector<Job>& jobs, unsigned beside,
+                                const std::function<void(const Result&)>& report);
+
+}  // namespace dumbbell_verify

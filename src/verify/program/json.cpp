@@ -1,0 +1,115 @@
+#include "verify/program/json.hpp"
+
+#include <algorithm>
+#include <initializer_list>
+#include <optional>
+
+#include "verify/program/escape.hpp"
+#include "verify/program/version.hpp"
+
+namespace dumbbell_verify {
+namespace {
+
+struct Member {
+    std::string_view name;
+    std::string value;  ///< JSON
+};
+std::string object(const std::vector<Member>& members) {
+    std::string text;
+    for (const Member& member : members)
+        text += (text.empty() ? "" : ",") + json_string(member.name) + ":" + member.value;
+    return "{" + text + "}";
+}
+std::string number(const std::optional<std::uint64_t>& n) { return n ? std::to_string(*n) : "null"; }
+std::string string_unless(bool absent, const std::string& text) {
+    return absent ? "null" : json_string(text);
+}
+std::string range(const mpq_class& lo, const mpq_class& hi) {
+    return object({{"lo", json_string(to_string(lo))}, {"hi", json_string(to_string(hi))}});
+}
+
+/// In seconds of a core.
+std::string work(bool known, const Proof& proof) {
+    constexpr std::uint64_t per_millisecond = units_per_second / 1000;
+    if (!known) return "null";
+    const std::uint64_t n = (proof.work + per_millisecond - 1) / per_millisecond;
+    const std::string rest = std::to_string(1000 + n % 1000);
+    return std::to_string(n / 1000) + "." + rest.substr(1);
+}
+std::string demand(const Settings& settings) {
+    const Collisions& d = settings.demand;
+    return object({{"ratio", d.ratios ? range(d.ratios->first, d.ratios->second) : "null"},
+                   {"max", number(d.most)},
+                   {"min", number(d.least)}});
+}
+
+std::string claim(const Result& result) {
+    if (!is_of_whole(result.why.verdict)) return "null";
+    if (result.proof.initial) return result.proof.initial->json();
+    if (result.proof.adiabatic) return result.proof.adiabatic->json();
+    const Collisions& c = result.proof.claim;
+    return object({{"scene", json_string(result.job->settings.scene)},
+                   {"ratio", range(c.lo, c.hi)},
+                   {"upper", number(c.upper)},
+                   {"lower", number(c.lower)},
+                   {"pieces", number(c.pieces)},
+                   {"gaps", number(c.gaps)},
+                   {"open", number(c.open)},
+                   {"heavy_at_most", result.proof.heavy_once ? "1" : "null"}});
+}
+
+std::string part(const Part& p) {
+    return object({{"first", number(p.pieces.first)},
+                   {"last", number(p.pieces.last)},
+                   {"of", number(p.of)},
+                   {"scene", json_string(p.scene)},
+                   {"section", json_string(p.section)},
+                   {"ratio", range(p.lo, p.hi)},
+                   {"upper", number(p.bounds.upper)},
+                   {"lower", number(p.bounds.lower)},
+                   {"gaps", number(p.bounds.gaps)},
+                   {"open", number(p.bounds.open)},
+                   {"precision", p.precision > 0 ? number(p.precision) : "null"},
+                   {"verifier", json_string(version)},
+                   {"sha256", json_string(p.digest)},
+                   {"line", json_string("s PART " + part_text(p))}});
+}
+
+}  // namespace
+
+std::string json(const Result& result) {
+    const Failure& why = result.why;
+    const bool verified = is_of_whole(why.verdict), failed = exit_code(why.verdict) != 0;
+    std::vector<Member> leaves, coverage;
+    for (const Tally& tally : verified ? result.proof.tallies : std::vector<Tally>()) {
+        leaves.push_back({tally.name, number(tally.lines)});
+        coverage.push_back({tally.name, std::to_string(tally.covered / std::max(1.0, result.proof.roots))});
+    }
+    return object({{"file", json_string(result.job->file)},
+                   {"verdict", json_string(verdict_name(why.verdict))},
+                   {"claim", claim(result)},
+                   {"sha256", string_unless(!verified, result.proof.digest)},
+                   {"schema", json_string("dumbbell-verify-1")},
+                   {"demand", demand(result.job->settings)},
+                   {"part", result.part ? part(*result.part) : "null"},
+                   {"parts", number(result.parts)},
+                   {"leaves", object(leaves)},
+                   {"coverage", object(coverage)},
+                   {"work", work(verified, result.proof)},
+                   {"line", why.line > 0 ? number(why.line) : "null"},
+                   {"code", string_unless(!failed, why.code)},
+                   {"reason", string_unless(!failed, why.text)}});
+}
+
+std::string json(const Lemma& lemma, Verdict verdict, const std::string& comparison,
+                 const std::vector<Result>& files) {
+    std::string list;
+    for (const Result& file : files) list += (list.empty() ? "" : ",") + json(file);
+    return object({{"schema", json_string("dumbbell-verify-lemma-1")},
+                   {"lemma", json_string(lemma.name)},
+                   {"verdict", json_string(verdict_name(verdict))},
+                   {"comparison", comparison},
+                   {"files", "[" + list + "]"}});
+}
+
+}  // namespace dumbbell_verify

@@ -1,0 +1,17 @@
+// What came out, as JSON (proofs/json.md has the fields).
+#pragma once
+#include <string>
+
+#include "verify/program/compare.hpp"
+#include "verify/program/examine.hpp"
+
+namespace dumbbell_verify {
+
+std::string json(const Result& result);  ///< one object
+
+/// Of a comparison: what came out of it, JSON or null if a file is not verified, and the objects of both
+/// files.
+std::string json(const Lemma& lemma, Verdict verdict, const std::string& comparison,
+                 const std::vector<Result>& files);
+
+}  // namespace dumbbell_verify

@@ -1,0 +1,146 @@
+// dumbbell-verify: verifies files and prints what came out.
+#include <gmp.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <ctime>
+#include <stdexcept>
+
+#include "verify/program/claim_options.hpp"
+#include "verify/program/escape.hpp"
+#include "verify/program/json.hpp"
+#include "verify/program/junit.hpp"
+#include "verify/program/options.hpp"
+#include "verify/program/progress.hpp"
+#include "verify/program/replace_file.hpp"
+#include "verify/program/summary.hpp"
+
+namespace dumbbell_verify {
+namespace {
+
+void complain(const std::exception& error, const char* kind = "") {
+    std::fprintf(stderr, "dumbbell-verify: %s%s\n", kind, one_line(error.what()).c_str());
+}
+
+/// All that was printed so far must have arrived.
+void require_printed() {
+    if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
+        throw std::invalid_argument("cannot write to the standard output");
+}
+
+void print_line(const std::string& text) { std::printf("%s\n", text.c_str()); }
+
+TestCase test_case(const Result& r) {
+    return {one_line(r.job->file) + demand_text(r.job->settings), r.why.verdict, result_text(r),
+            verdict_line(r) + " file=" + one_line(r.job->file), r.seconds};
+}
+
+/// Every file by itself. The verdict of all is the worst.
+Verdict run_files(const Options& options, Progress& progress, std::vector<TestCase>& cases) {
+    const bool several = options.jobs.size() > 1;
+    const auto results = examine_all(options.jobs, options.beside, [&](const Result& r) {
+        const auto lock = progress.hidden();
+        cases.push_back(test_case(r));
+        if (options.json)
+            std::printf("%s%s", r.job == options.jobs.data() ? "[" : ",\n", json(r).c_str());
+        else if (!options.quiet)
+            std::fputs(several ? (cases.back().output + "\n").c_str() : block(r).c_str(), stdout);
+        else if (!several)
+            print_line(verdict_line(r));
+        std::fflush(stdout);
+    });
+    if (options.json)
+        print_line("]");
+    else if (several)
+        print_line(summary_line(results));
+    return worst(results);
+}
+
+/// Both files are verified; only then are they compared. The verdict of the whole is the only line with `s`.
+Verdict run_lemma(const Options& options, Progress& progress, std::vector<TestCase>& cases) {
+    const auto results = examine_all(options.jobs, options.beside, [&](const Result& r) {
+        const auto lock = progress.hidden();
+        cases.push_back(test_case(r));
+        if (r.why.verdict == Verdict::verified && !options.json && !options.quiet)
+            print_line(leading_name(r.job->file) + "\n  " + claim_text(r) + " sha256=" + r.proof.digest);
+    });
+    const Lemma& lemma = *options.lemma;
+    Verdict verdict = worst(results);
+    std::string text, comparison = "null";
+    if (verdict == Verdict::verified) {
+        const Comparison found = compare(lemma, results[0].proof.claim, results[1].proof.claim);
+        verdict = found.holds ? Verdict::verified : Verdict::rejected;
+        text = found.text;
+        comparison = found.json;
+    } else {
+        const Result& bad = results[results[0].why.verdict == verdict ? 0 : 1];
+        text = "lemma=" + std::string(lemma.name) + " " + one_line(bad.job->file) + " " + result_text(bad);
+    }
+    const std::string line = std::string("s ") + verdict_name(verdict) + " " + text;
+    print_line(options.json ? json(lemma, verdict, comparison, results) : line);
+    cases.push_back({"lemma " + std::string(lemma.name) + ": " + cases[0].name + ", " + cases[1].name,
+                     verdict, text, line, 0});
+    return verdict;
+}
+
+/// GMP and MPFR cannot be told that there is no memory, and would abort.
+[[noreturn]] void out_of_memory() {
+    std::fputs("dumbbell-verify: resource limit: out of memory\n", stderr);
+    std::_Exit(exit_code(Verdict::limit));
+}
+void* allocate(std::size_t size) {
+    void* block = std::malloc(size);
+    if (!block) out_of_memory();
+    return block;
+}
+void* reallocate(void* old, std::size_t /*old_size*/, std::size_t size) {
+    void* block = std::realloc(old, size);
+    if (!block) out_of_memory();
+    return block;
+}
+void release(void* block, std::size_t /*size*/) { std::free(block); }
+
+int run(const Options& options) {
+    std::vector<std::string> inputs;
+    for (const Job& job : options.jobs) inputs.push_back(job.file);
+    if (!options.junit.empty()) require_replaceable(options.junit, inputs);
+    const auto start = std::chrono::steady_clock::now();
+    const std::time_t started = std::time(nullptr);
+    std::vector<TestCase> cases;
+    Verdict verdict = [&] {
+        Progress progress(!options.quiet, options.jobs.front().settings.budget);
+        return options.lemma ? run_lemma(options, progress, cases) : run_files(options, progress, cases);
+    }();
+    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+    try {
+        require_printed();
+        if (!options.junit.empty()) replace_file(options.junit, junit(cases, started, seconds.count()));
+    } catch (const std::invalid_argument& error) {
+        complain(error);
+        verdict = std::max(verdict, Verdict::unreadable);
+    }
+    return exit_code(verdict);
+}
+
+}  // namespace
+}  // namespace dumbbell_verify
+
+int main(int argc, char** argv) {
+    using namespace dumbbell_verify;
+    mp_set_memory_functions(allocate, reallocate, release);
+    try {
+        const Options options = parse_options({argv + std::min(argc, 1), argv + argc});
+        if (options.answer.empty()) return run(options);
+        std::fputs(options.answer.c_str(), stdout);
+        require_printed();
+        return 0;
+    } catch (const std::invalid_argument& error) {
+        complain(error);
+        return exit_code(Verdict::unreadable);
+    } catch (const std::exception& error) {
+        complain(error, "resource limit: ");
+        return exit_code(Verdict::limit);
+    }
+}

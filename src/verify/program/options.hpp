@@ -1,0 +1,24 @@
+// The command line of dumbbell-verify.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "verify/program/compare.hpp"
+#include "verify/program/examine.hpp"
+
+namespace dumbbell_verify {
+
+struct Options {
+    std::vector<Job> jobs;  ///< the files, each with its settings and its share of the threads
+    unsigned beside = 1;    ///< so many files are checked at the same time
+    bool json = false;
+    bool quiet = false;            ///< only the last line of what would be printed
+    std::string junit;             ///< where the report goes; empty: nowhere
+    const Lemma* lemma = nullptr;  ///< the two files are to be compared
+    std::string answer;            ///< of --help and --version: print it, and nothing else
+};
+
+/// Throws std::invalid_argument with a message for the user.
+Options parse_options(const std::vector<std::string>& words);
+
+}  // namespace dumbbell_verify

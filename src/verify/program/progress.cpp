@@ -1,0 +1,62 @@
+#include "verify/program/progress.hpp"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+
+#include "verify/number/work.hpp"
+
+namespace dumbbell_verify {
+namespace {
+
+std::string seconds(std::uint64_t units) { return std::to_string(units / units_per_second) + " s"; }
+
+std::string line(std::uint64_t budget) {
+    const std::uint64_t of = Watched::pieces;
+    return "verifying: " +
+           (of > 1 ? std::to_string(Watched::read) + " of " + std::to_string(of) + " pieces, " : "") +
+           seconds(Watched::work) + " of work, at most " + seconds(budget) + " a file";
+}
+
+}  // namespace
+
+Progress::Progress(bool wanted, std::uint64_t budget) : budget_(budget) {
+    if (wanted && ::isatty(STDERR_FILENO) == 1) thread_ = std::jthread([this] { run(); });
+}
+
+Progress::~Progress() {
+    {
+        const auto lock = hidden();
+        ended_ = true;
+    }
+    ends_.notify_all();
+}
+
+std::unique_lock<std::mutex> Progress::hidden() {
+    std::unique_lock lock(mutex_);
+    if (!shown_.empty()) {
+        show("");
+        std::fputc('\r', stderr);
+    }
+    return lock;
+}
+
+/// In place of the line before.
+void Progress::show(const std::string& text) {
+    if (text == shown_) return;
+    const std::size_t rest = shown_.size() - std::min(shown_.size(), text.size());
+    std::fprintf(stderr, "\r%s%s", text.c_str(), std::string(rest, ' ').c_str());
+    std::fflush(stderr);
+    shown_ = text;
+}
+
+void Progress::run() {
+    using namespace std::chrono_literals;
+    const auto is_over = [this] { return ended_; };
+    std::unique_lock lock(mutex_);
+    for (auto pause = 1000ms; !ends_.wait_for(lock, pause, is_over); pause = 200ms) show(line(budget_));
+}
+
+}  // namespace dumbbell_verify

@@ -1,0 +1,70 @@
+#include "verify/program/summary.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+
+#include "verify/program/escape.hpp"
+
+namespace dumbbell_verify {
+
+std::string claim_text(const Result& result) {
+    if (result.proof.initial) return result.proof.initial->text();
+    if (result.proof.adiabatic) return result.proof.adiabatic->text();
+    const Collisions& claim = result.proof.claim;
+    return "scene=" + result.job->settings.scene + " ratio=" + to_string(claim.lo, claim.hi) +
+           " upper=" + (claim.upper ? std::to_string(*claim.upper) : "none") +
+           " lower=" + std::to_string(claim.lower) + " gaps=" + std::to_string(claim.gaps) +
+           " open=" + std::to_string(claim.open);
+}
+
+std::string result_text(const Result& result) {
+    const Failure& why = result.why;
+    if (result.part) return part_text(*result.part);
+    if (is_of_whole(why.verdict))
+        return claim_text(result) + (result.proof.heavy_once ? " heavy-at-most=1" : "") +
+               " sha256=" + result.proof.digest +
+               (result.parts ? " parts=" + std::to_string(*result.parts) : "");
+    std::string text;
+    if (why.line > 0) text = "line=" + std::to_string(why.line) + " ";
+    if (why.verdict == Verdict::rejected) text += "code=" + why.code + " ";
+    return text + one_line(why.text);
+}
+
+std::string verdict_line(const Result& result) {
+    return std::string("s ") + verdict_name(result.why.verdict) + " " + result_text(result);
+}
+
+std::string block(const Result& result) {
+    std::string text = leading_name(result.job->file) + "\n";
+    const bool verified = is_of_whole(result.why.verdict);
+    for (const Tally& tally : verified ? result.proof.tallies : std::vector<Tally>()) {
+        std::array<char, 100> line{};
+        std::snprintf(line.data(), line.size(), "  %-15s%12s line(s)%11.5f %% of the root boxes\n",
+                      std::string(tally.name).c_str(), std::to_string(tally.lines).c_str(),
+                      100 * tally.covered / std::max(1.0, result.proof.roots));
+        text += line.data();
+    }
+    if (verified && result.proof.adiabatic) text += result.proof.adiabatic->paragraph();
+    return text + verdict_line(result) + "\n";
+}
+
+std::string summary_line(const std::vector<Result>& results) {
+    const auto count = [&](Verdict verdict) {
+        const auto n = std::count_if(results.begin(), results.end(),
+                                     [&](const Result& r) { return r.why.verdict == verdict; });
+        return std::to_string(n);
+    };
+    return "c files=" + std::to_string(results.size()) + " verified=" + count(Verdict::verified) +
+           " rejected=" + count(Verdict::rejected) + " limit=" + count(Verdict::limit) +
+           " unsupported=" + count(Verdict::unsupported) + " unreadable=" + count(Verdict::unreadable) +
+           " exit=" + std::to_string(exit_code(worst(results)));
+}
+
+Verdict worst(const std::vector<Result>& results) {
+    Verdict verdict = Verdict::verified;
+    for (const Result& result : results) verdict = std::max(verdict, result.why.verdict);
+    return verdict;
+}
+
+}  // namespace dumbbell_verify

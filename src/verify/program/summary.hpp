@@ -1,0 +1,23 @@
+// What came out, in lines for readers and scripts.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "verify/program/examine.hpp"
+
+namespace dumbbell_verify {
+
+std::string claim_text(const Result& result);  ///< what a verified file proves: `scene=S ratio=LO:HI ...`
+std::string result_text(
+    const Result& result);  ///< what stands behind the verdict: claim and SHA-256, or reason
+std::string verdict_line(const Result& result);  ///< `s VERIFIED ...`
+
+/// Of one file alone: its name, what its lines cover, the verdict.
+std::string block(const Result& result);
+/// Behind several: `c files=3 verified=2 rejected=1 ... exit=1`.
+std::string summary_line(const std::vector<Result>& results);
+
+/// The verdict of all: the worst.
+Verdict worst(const std::vector<Result>& results);
+
+}  // namespace dumbbell_verify

@@ -1,0 +1,137 @@
+// The grammar of a file about initial conditions (format-initial.md, section 2).
+#include "verify/starts/grammar.hpp"
+
+#include <cmath>
+
+#include "verify/format/reader.hpp"
+
+namespace dumbbell_verify {
+namespace {
+
+enum { split, exactly, between, open };
+
+class StartsReader : public Reader<InitialLeaf> {
+  public:
+    StartsReader(Text& text, const Settings& settings) : Reader(text, settings) {
+        require_fitting_demand();
+        for (const auto* name : {"split", "exactly", "between", "open"}) proof_.tallies.push_back({name});
+    }
+    [[nodiscard]] Initial& claim() { return claim_; }
+
+  private:
+    [[nodiscard]] std::string_view kind() const override { return "initial-conditions"; }
+    [[nodiscard]] std::string missing() const override { return claim_.missing(settings_.demand); }
+    [[nodiscard]] const char* check(const InitialLeaf& leaf, std::string* log) const override {
+        return check_initial(leaf, log);
+    }
+    [[nodiscard]] std::string_view opcode(const InitialLeaf& leaf) const override { return leaf.opcode; }
+
+    void read() override {
+        header();
+        Tree<InitialBox> tree{text_, initial_axes, proof_.tallies[split].lines, leaf_.box, "box."};
+        tree.read([&] { leaf(tree.depth, tree.path); });
+        compare_bounds();
+    }
+
+    /// A bound on N* is not proved by a file about some initial conditions: those who ask must mean the box.
+    void require_fitting_demand() const {
+        const Collisions& demand = settings_.demand;
+        const auto refuse = [](const char* text) { throw Failure{Verdict::unreadable, 0, "usage", text}; };
+        if (demand.keep != Pieces{})
+            refuse("--lemma compares covers; this file is about a box of initial conditions");
+        if ((demand.ratios || demand.most || demand.least) && settings_.claim.empty())
+            refuse(
+                "--ratio, --max, --min and --exactly are about all trajectories; this file is about a box of "
+                "initial conditions: to ask about that add --claim initial-conditions");
+    }
+
+    void header() {
+        read_axis("ratio", 4, &Text::ratio);
+        if (leaf_.box.lo[4] < 1) text_.reject("number", "not 1 <= LO");
+        for (std::size_t i = 0; i < 4; ++i) read_axis(initial_axes[i], i, &Text::signed_ratio);
+        claim_.box = leaf_.box;
+        read_bits(leaf_);
+        require_motion();
+        text_.expect("between", 2);
+        bounds_line_ = text_.line;
+        least_ = text_.natural(1);
+        if (text_.fields[2] != "none") most_ = text_.natural(2);
+        proof_.roots = 1;
+    }
+    void read_axis(std::string_view keyword, std::size_t i, mpq_class (Text::*value)(std::size_t) const) {
+        text_.expect(keyword, 2);
+        leaf_.box.lo[i] = (text_.*value)(1);
+        leaf_.box.hi[i] = (text_.*value)(2);
+        if (leaf_.box.lo[i] > leaf_.box.hi[i]) text_.reject("number", "not LO <= HI");
+    }
+    /// Once for the file: no dumbbell of the box rests, and all start in the air.
+    void require_motion() const {
+        const auto holds_zero = [&](std::size_t i) { return leaf_.box.lo[i] <= 0 && leaf_.box.hi[i] >= 0; };
+        if (holds_zero(1) && holds_zero(3)) text_.reject("rest", "the box holds a dumbbell at rest");
+        if (leaf_.box.hi[0] - leaf_.box.lo[0] > 7) text_.reject("number", "phi spans more than 7");
+        const auto floor = judge(text_.line, "floor", [&] {
+            return starts_in_the_air(leaf_.box, leaf_.bits) ? nullptr : "both masses start above the floor";
+        });
+        if (floor) throw Failure(*floor);
+    }
+
+    void leaf(int depth, const std::string& path) {
+        const auto& f = text_.fields;
+        const std::size_t opcode = f[0] == "exactly" ? exactly : f[0] == "between" ? between : open;
+        const double share = std::ldexp(1, -depth);
+        ++proof_.tallies[opcode].lines;
+        proof_.tallies[opcode].covered += share;
+        if (opcode == open) {
+            if (f.size() != 1 || f[0] != "open") text_.reject("opcode", "not a line for this place");
+            return;
+        }
+        const std::size_t numbers = opcode == exactly ? 1 : 2;
+        if (f.size() != 1 + numbers && f.size() != 4 + numbers)
+            text_.reject("syntax", "wrong number of values");
+        leaf_.opcode = proof_.tallies[opcode].name;
+        leaf_.line = text_.line;
+        leaf_.least = text_.natural(1);
+        leaf_.most = text_.natural(numbers);
+        leaf_.first.reset();
+        if (f.size() == 4 + numbers) window(1 + numbers);
+        if (opcode == exactly && leaf_.first.has_value() != (leaf_.least > 0))
+            text_.reject("syntax", "`exactly` has a window iff its number is not 0");
+        if (opcode == between && leaf_.least >= leaf_.most) text_.reject("number", "not a < b");
+        if (opcode == exactly) claim_.decided += mpq_class(1, mpz_class(1) << depth);
+        found_least_ = std::min(found_least_, leaf_.least);
+        found_most_ = std::max(found_most_, leaf_.most);
+        explain(leaf_, path);
+        take(leaf_);
+    }
+    void window(std::size_t i) {
+        const auto mass = text_.fields[i];
+        if (mass != "light" && mass != "heavy") text_.reject("syntax", "not a mass");
+        leaf_.first = FirstContact{mass == "heavy", text_.dyadic(i + 1), text_.dyadic(i + 2)};
+        if (!(0 < leaf_.first->from && leaf_.first->from < leaf_.first->until))
+            text_.reject("number", "not 0 < t0 < t1");
+        if (leaf_.least == 0) text_.reject("number", "a first contact and no collision");
+    }
+    void compare_bounds() {
+        const bool all = proof_.tallies[open].lines == 0;
+        claim_.least = all ? found_least_ : 0;
+        if (all) claim_.most = found_most_;
+        if (least_ != claim_.least || most_ != claim_.most)
+            throw Failure{Verdict::rejected, bounds_line_, "between",
+                          "expected " + std::to_string(claim_.least) + " " +
+                              (all ? std::to_string(found_most_) : "none")};
+    }
+    Initial claim_;
+    InitialLeaf leaf_;  ///< the present one; its box is that of the present node
+    std::uint64_t bounds_line_ = 0, least_ = 0, found_least_ = UINT64_MAX, found_most_ = 0;
+    std::optional<std::uint64_t> most_;
+};
+
+}  // namespace
+
+std::pair<Proof, Initial> initial(Text& text, const Settings& settings) {
+    StartsReader reader(text, settings);
+    Proof proof = reader.run();
+    return {std::move(proof), std::move(reader.claim())};
+}
+
+}  // namespace dumbbell_verify

@@ -1,0 +1,39 @@
+// Files of the claim kind `initial-conditions` (format-initial.md).
+#pragma once
+#include <string>
+#include <utility>
+
+#include "verify/format/proof.hpp"
+#include "verify/format/text.hpp"
+#include "verify/starts/claim.hpp"
+
+namespace dumbbell_verify {
+
+/// When every state of a leaf has its first contact, and with which mass.
+struct FirstContact {
+    bool heavy = false;
+    mpq_class from, until;
+};
+
+/// A leaf that says: at least `least` and at most `most` collisions from every point of its box.
+struct InitialLeaf {
+    std::uint64_t least = 0, most = 0, line = 0;
+    unsigned bits = 53;     ///< with so many it must be certified
+    bool multiple = false;  ///< not in double
+    std::string_view opcode;
+    std::optional<FirstContact> first;
+    InitialBox box;
+};
+
+/// nullptr if the rules of format-initial.md certify what the leaf says, else what is missing; a log gets a
+/// line for every inequality.
+const char* check_initial(const InitialLeaf& leaf, std::string* log);
+
+/// Certified: both masses are above the floor over the whole box (format-initial.md, section 2).
+bool starts_in_the_air(const InitialBox& box, unsigned bits);
+
+/// Reads on behind the line `claim`; returns only if all that the file and the demand say is certified, else
+/// throws the Failure of the least line.
+std::pair<Proof, Initial> initial(Text& text, const Settings& settings);
+
+}  // namespace dumbbell_verify

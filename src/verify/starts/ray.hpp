@@ -1,0 +1,154 @@
+// The collisions behind a contact, for a box of rays: by the monotone counts, and by steps from wall to wall
+// (format-initial.md, sections 5 and 6).
+#pragma once
+#include "verify/collisions/ray.hpp"
+#include "verify/number/angle.hpp"
+
+namespace dumbbell_verify {
+
+template <class N>
+class Departures : public Rays<N> {
+  public:
+    using Base = Rays<N>;
+    using Base::fact, Base::half_turn, Base::one, Base::quarter, Base::zero;
+    using typename Base::I, typename Base::Ray;
+
+    /// Rays that leave a wall: their height at the corner ahead and their slope.
+    struct Departure {
+        bool light;  ///< the wall that they leave; the bridge is ahead of these, else a light wall
+        I height, slope;
+    };
+
+    Departures(const I& r, std::string* log) : Base(log), r_(r) {}
+
+    /// Certified: at least `least` and at most `most` later collisions.
+    bool certify(Departure ray, std::uint64_t least, std::uint64_t most) {
+        enough_ = least == 0;
+        few_ = false;
+        int counted = 0;
+        for (std::uint64_t done = 0; done <= most && done <= most_steps_made; ++done) {
+            note(done, ray);
+            Work::spend(1 << 14);
+            enough_ = enough_ || done >= least;
+            if (ray.slope.lo >= one) return fact("all leave steeply (L3), with enough collisions", enough_);
+            const bool passes = ray.light && passes_bridge(ray);
+            count(ray, passes, least - std::min(least, done), most - done);
+            if (enough_ && few_) return true;
+            counted += ray.slope.lo >= -r_.lo;
+            if (!ray.light || counted > most_counted_steps) break;
+            bool last = false;
+            const auto next = passes ? off_light_wall(ray, last) : off_bridge(ray);
+            if (last)
+                return fact("a last collision (L1), the number of all is as said",
+                            least <= done + 1 && done + 1 <= most);
+            if (!next) break;
+            ray = *next;
+        }
+        return fact(few_ ? "at least so many collisions" : "at most so many collisions", false);
+    }
+    /// What the last certify() found, whatever it said of the other bound: at least `least`.
+    [[nodiscard]] bool has_enough() const { return enough_; }
+
+    /// Certified U <= most: G <= U for all c >= 0, kappa >= -r_lo.
+    bool all_at_most(std::uint64_t most) {
+        if (to_double(down, r_.lo) < least_ratio) throw std::length_error("a mass ratio beyond 2^43");
+        return most >= 1 &&
+               this->at_most("1 + G(pi r_lo, r_lo, r_lo)", {(half_turn * r_.lo).lo, r_.lo, r_.lo}, most - 1);
+    }
+
+    /// Certified height + slope x > r sin x on [0, pi]: above a tangent of r sin x, the best one.
+    bool passes_bridge(const Departure& ray) {
+        if (ray.slope.lo >= r_.hi) return true;
+        const I z = this->guess_slope(ray.slope.lo / r_.hi);
+        const auto [s, w] = sin_cos_on(z, quarter);
+        return (ray.height - r_ * (s - z * w)).lo > zero &&
+               (ray.height + ray.slope * half_turn - r_ * (s + (half_turn - z) * w)).lo > zero;
+    }
+
+    /// The rays behind a contact with the bridge, if all touch it before its top and go on, or all go back.
+    std::optional<Departure> off_bridge(const Departure& ray) {
+        const auto at = contacts(ray.height / r_, ray.slope / r_);
+        if (!at) return std::nullopt;
+        const auto onward = [&](const I& k, const I& w) { return I(1) - r_ * square(w) + I(2) * k * w; };
+        const I D = onward(ray.slope, at->cosine);
+        if (!(D.lo > zero || D.hi < zero)) return std::nullopt;
+        // Over D, which keeps its sign: decreases with the slope, increases with the cosine.
+        const auto along = [&](const N& k, const N& w) {
+            const I top = I(2) * r_ * w - I(k) * (I(1) - r_ * square(I(w))), d = onward(k, w);
+            return D.lo > zero ? top / d : -(top / -d);
+        };
+        const I slope(along(ray.slope.hi, at->cosine.lo).lo, along(ray.slope.lo, at->cosine.hi).hi);
+        const bool back = D.hi < zero;
+        const I run = back ? at->x : half_turn - at->x, rise = back ? -slope : slope;
+        return Departure{false, r_ * at->sine + rise * run, rise};
+    }
+    /// The rays that pass the bridge behind a contact with the light wall ahead, if all touch it and turn
+    /// back; `last`: all touch it and go on over the peak.
+    std::optional<Departure> off_light_wall(const Departure& ray, bool& last) {
+        const auto at = contacts(ray.height + ray.slope * half_turn, ray.slope);
+        if (!at) return std::nullopt;
+        const auto divisor = [&](const I& k, const I& w) { return square(w) - I(2) * k * w - r_; };
+        const I D = divisor(ray.slope, at->cosine);
+        last = D.hi <= zero;
+        if (!(D.lo > zero)) return std::nullopt;
+        // Increases with the slope, decreases with the cosine.
+        const auto reflected = [&](const N& k, const N& w) {
+            return (I(k) * square(I(w)) + I(2) * r_ * w - r_ * k) / divisor(k, w);
+        };
+        const I slope(reflected(ray.slope.lo, at->cosine.hi).lo, reflected(ray.slope.hi, at->cosine.lo).hi);
+        return Departure{true, at->sine + slope * at->x, slope};
+    }
+
+  private:
+    /// Twice what format-initial.md asks for: of all rays, and of those that are counted by G.
+    static constexpr std::uint64_t most_steps_made = 2000;
+    static constexpr int most_counted_steps = 128;
+    static constexpr double least_ratio = 0x1p-43;  ///< of r: below are more than 10^6 collisions
+
+    void note(std::uint64_t done, const Departure& ray) {
+        if (this->log_)
+            *this->log_ += "  after " + std::to_string(done) + (ray.light ? ": light wall" : ": bridge") +
+                           ", height at the corner " + Base::show(ray.height) + ", slope " +
+                           Base::show(ray.slope) + "\n";
+    }
+
+    /// The bounds by G, without following the rays.
+    void count(const Departure& ray, bool passes, std::uint64_t least, std::uint64_t most) {
+        if (!(ray.slope.lo >= -r_.lo)) {
+            few_ = few_ || (!ray.light && all_at_most(most));
+            return;
+        }
+        const I c = ray.light ? ray.height + ray.slope * half_turn : ray.height;
+        const auto bounded = [&] {
+            return this->at_most("G <= most", {std::max(zero, c.lo), ray.slope.lo, r_.lo}, most);
+        };
+        if (ray.light && !passes) {
+            few_ = few_ || (most >= 1 && bounded() && all_at_most(most - 1));
+            return;
+        }
+        few_ = few_ || bounded();
+        enough_ = enough_ || this->at_least("least <= G", {std::max(zero, c.hi), ray.slope.hi, r_.hi}, least);
+    }
+
+    /// The contacts with a wall sin x over the corner, for all c + kappa x of these intervals.
+    struct Contacts {
+        I x, sine, cosine;
+    };
+    [[nodiscard]] std::optional<Contacts> contacts(const I& c, const I& kappa) const {
+        if (!(c.lo > zero && kappa.hi < one)) return std::nullopt;
+        const auto near = [&](const N& height, const N& slope) {
+            N z = zero;
+            this->guess_root(height, slope, z);
+            return z > zero ? std::min(z, quarter.lo) : zero;
+        };
+        const auto first = this->earliest({c.lo, kappa.lo, r_.lo}, near(c.lo, kappa.lo));
+        const auto last = this->latest({c.hi, kappa.hi, r_.hi}, near(c.hi, kappa.hi));
+        if (!last || !(first.x <= last->x && last->cosine <= first.cosine)) return std::nullopt;
+        return Contacts{{first.x, last->x}, {first.sine, last->sine}, {last->cosine, first.cosine}};
+    }
+
+    const I r_;
+    bool enough_ = false, few_ = false;  ///< what has been certified of the present rays
+};
+
+}  // namespace dumbbell_verify

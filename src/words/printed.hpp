@@ -1,0 +1,23 @@
+#pragma once
+
+#include <string>
+
+#include "number/interval.hpp"
+
+namespace dumbbell {
+
+/// Numbers cut to a few digits so that what is printed, read as it stands, is still true.
+
+/// Three digits of x > 0, not below it.
+[[nodiscard]] std::string rounded_up(double x);
+
+/// Three digits of x > 0, not above it.
+[[nodiscard]] std::string rounded_down(double x);
+
+/// A short decimal and a radius that covers both ends of x from that decimal, e.g. `0.25+-1.0e-14`.
+[[nodiscard]] std::string enclosure_text(const Interval& x);
+
+/// A time for people: 40 s, 12 min, 3.5 h, 2.1 days.
+[[nodiscard]] std::string time_text(double seconds);
+
+}  // namespace dumbbell
