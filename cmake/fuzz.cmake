@@ -3,7 +3,7 @@
 # A function LLVMFuzzerTestOneInput, and the test fuzz/NAME, labelled `unit`: the inputs in corpus/NAME and
 # regressions/NAME. With DUMBBELL_FUZZ (preset sanitizers: clang, instrumented) it becomes the libFuzzer program
 # bin/fuzz_NAME, part of the target `fuzzers`; otherwise an ordinary program that only runs these inputs.
-option(DUMBBELL_FUZZ "build the fuzz targets of tests/fuzz as libFuzzer programs" OFF)
+option(DUMBBELL_FUZZ "build the fuzz targets of tests/attacks/fuzz as libFuzzer programs" OFF)
 
 if(DUMBBELL_FUZZ)
   add_custom_target(fuzzers)

@@ -17,7 +17,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 using Part = CampaignFolder::Part;
-using What = Event::What;
+using What = JournalEntry::What;
 
 /// So often a shard is tried before it is given up.
 constexpr int most_attempts = 5;

@@ -104,8 +104,8 @@ CampaignFolder::CampaignFolder(std::string path) : path_(std::move(path)), journ
     for (const Plan::Shard& shard : plan_.shards) {
         ids_.push_back(plan_.order(shard.first, shard.end).id());
     }
-    for (const Event& event : journal_.read()) {
-        if (event.what == Event::What::begin && event.text != plan_digest_) {
+    for (const JournalEntry& event : journal_.read()) {
+        if (event.what == JournalEntry::What::begin && event.text != plan_digest_) {
             throw InputError(
                 fmt::format("'{}' was changed after the start of the campaign: put the plan with "
                             "the SHA-256 {} back, or plan the claim anew in another folder",

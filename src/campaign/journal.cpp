@@ -25,7 +25,7 @@ constexpr std::array<std::string_view, 8> words_of{"begin",    "end",    "done",
 
 std::string field(const std::string& text) { return printable(text, 1000); }
 
-std::string line_of(const Event& event) {
+std::string line_of(const JournalEntry& event) {
     return fmt::format("{:.3f}\t{}\t{}\t{}\t{:.3f}\t{}\n", event.time,
                        words_of[static_cast<std::size_t>(event.what)], field(event.id), field(event.worker),
                        event.seconds, field(event.text));
@@ -37,7 +37,7 @@ std::optional<double> number(std::string_view text) {
     return error == std::errc() && end == text.data() + text.size() ? std::optional(value) : std::nullopt;
 }
 
-std::optional<Event> event_of(std::string_view line) {
+std::optional<JournalEntry> event_of(std::string_view line) {
     std::array<std::string_view, 6> fields;
     for (std::size_t i = 0; i < fields.size(); ++i) {
         const std::size_t tab = i + 1 < fields.size() ? line.find('\t') : line.size();
@@ -53,12 +53,12 @@ std::optional<Event> event_of(std::string_view line) {
     if (word == words_of.end() || !time || !seconds) {
         return std::nullopt;
     }
-    return Event{*time,
-                 static_cast<Event::What>(word - words_of.begin()),
-                 std::string(fields[2]),
-                 std::string(fields[3]),
-                 *seconds,
-                 std::string(fields[5])};
+    return JournalEntry{*time,
+                        static_cast<JournalEntry::What>(word - words_of.begin()),
+                        std::string(fields[2]),
+                        std::string(fields[3]),
+                        *seconds,
+                        std::string(fields[5])};
 }
 
 }  // namespace
@@ -67,7 +67,7 @@ double seconds_since_1970() {
     return std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
 }
 
-void Journal::append(Event event) {
+void Journal::append(JournalEntry event) {
     if (file_.get() < 0) {
         file_ = Descriptor(::open(path_.c_str(), O_RDWR | O_CREAT | O_APPEND | O_NOFOLLOW | O_CLOEXEC, 0666));
     }
@@ -86,8 +86,8 @@ void Journal::append(Event event) {
     }
 }
 
-std::vector<Event> Journal::read() const {
-    std::vector<Event> events;
+std::vector<JournalEntry> Journal::read() const {
+    std::vector<JournalEntry> events;
     std::ifstream in(path_);
     for (std::string line; std::getline(in, line);) {
         if (auto event = event_of(line)) {

@@ -8,7 +8,7 @@
 namespace dumbbell {
 
 /// What happened to a shard, or to the campaign.
-struct Event {
+struct JournalEntry {
     enum class What {
         begin,     ///< a run began; `text`: the plan's checksum
         end,       ///< it came to its end; `text`: why
@@ -26,7 +26,7 @@ struct Event {
     double seconds = 0;
     std::string text;
 
-    friend bool operator==(const Event&, const Event&) = default;
+    friend bool operator==(const JournalEntry&, const JournalEntry&) = default;
 };
 
 /// Seconds since 1970, as events have them.
@@ -39,10 +39,10 @@ class Journal {
     explicit Journal(std::string path) : path_(std::move(path)) {}
 
     /// The present time is put in. Throws InputError if it cannot be written.
-    void append(Event event);
+    void append(JournalEntry event);
 
     /// All events, in order.
-    [[nodiscard]] std::vector<Event> read() const;
+    [[nodiscard]] std::vector<JournalEntry> read() const;
 
   private:
     std::string path_;

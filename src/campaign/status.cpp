@@ -28,8 +28,8 @@ struct LastRun {
     std::set<std::string> done;
 };
 
-void count(const Event& event, CampaignStatus& status, LastRun& run) {
-    using What = Event::What;
+void count(const JournalEntry& event, CampaignStatus& status, LastRun& run) {
+    using What = JournalEntry::What;
     run.last = event.time;
     const bool has_failed = event.what == What::failed || event.what == What::rejected;
     if (event.what == What::done || has_failed) {
@@ -76,7 +76,7 @@ CampaignStatus campaign_status(const CampaignFolder& folder) {
     status.claim = folder.plan().claim;
     status.is_running = folder.is_locked_by_another();
     LastRun run;
-    for (const Event& event : folder.journal().read()) {
+    for (const JournalEntry& event : folder.journal().read()) {
         count(event, status, run);
     }
     double whole = 0;

@@ -34,12 +34,12 @@ void judge(Chart chart, std::span<const Box> boxes, long upper, std::span<std::o
            const Interrupted& interrupted) {
     require(boxes.size() == results.size(), "judge: as many results as boxes");
     const bool turning = chart == Chart::bridge || chart == Chart::light;
-    std::vector<Verdict> verdicts(boxes.size(), Verdict::unsure);
+    std::vector<BoxJudgement> verdicts(boxes.size(), BoxJudgement::unsure);
     if (turning) {
         verdicts = judge_turning_together(chart, boxes, upper, results, interrupted);
     }
     for (std::size_t i = 0; i < boxes.size(); ++i) {
-        if (verdicts[i] == Verdict::unsure) {
+        if (verdicts[i] == BoxJudgement::unsure) {
             results[i] = judge_one<I>(chart, boxes[i], upper, interrupted);
         }
     }

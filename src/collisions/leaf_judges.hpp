@@ -18,13 +18,14 @@ template <class I>
 
 /// What the batch kernel says of a box: it is closed; or it is not, and closer bounds would not close it
 /// either; or only they can tell.
-enum class Verdict { closed, open, unsure };
+enum class BoxJudgement { closed, open, unsure };
 
 /// judge_turning in double for many boxes at once, with the bounds of the batch kernel (L39): results[i] is
 /// set where it closes boxes[i], and empty where not.
-[[nodiscard]] std::vector<Verdict> judge_turning_together(Chart chart, std::span<const Box> boxes, long upper,
-                                                          std::span<std::optional<Leaf>> results,
-                                                          const Interrupted& interrupted);
+[[nodiscard]] std::vector<BoxJudgement> judge_turning_together(Chart chart, std::span<const Box> boxes,
+                                                               long upper,
+                                                               std::span<std::optional<Leaf>> results,
+                                                               const Interrupted& interrupted);
 
 /// Full section (L15), its plain form (L16), and its chart `again` (L19).
 template <class I>

@@ -22,10 +22,8 @@ constexpr long max_steps = 1'000'000;
 /// the file.
 Rational rounded(const Rational& x, double grain, bool up) {
     const int exponent = static_cast<int>(std::floor(std::log10(grain)));
-    const Rational unit =
-        exponent >= 0
-            ? Rational(pow(Integer(10), static_cast<unsigned>(exponent)))
-            : Rational(1, pow(Integer(10), static_cast<unsigned>(-exponent)));
+    const Rational unit = exponent >= 0 ? Rational(pow(Integer(10), static_cast<unsigned>(exponent)))
+                                        : Rational(1, pow(Integer(10), static_cast<unsigned>(-exponent)));
     const Rational multiple = x / unit;
     Integer floor = numerator(multiple) / denominator(multiple);
     if (up && floor * denominator(multiple) != numerator(multiple)) {

@@ -151,31 +151,31 @@ std::optional<Leaf> judge_turning(Chart chart, const Box& box, long upper, const
 template std::optional<Leaf> judge_turning<Interval>(Chart, const Box&, long, const Interrupted&);
 template std::optional<Leaf> judge_turning<BigInterval>(Chart, const Box&, long, const Interrupted&);
 
-std::vector<Verdict> judge_turning_together(Chart chart, std::span<const Box> boxes, long upper,
-                                            std::span<std::optional<Leaf>> results,
-                                            const Interrupted& interrupted) {
-    std::vector<Verdict> verdicts(boxes.size(), Verdict::unsure);
+std::vector<BoxJudgement> judge_turning_together(Chart chart, std::span<const Box> boxes, long upper,
+                                                 std::span<std::optional<Leaf>> results,
+                                                 const Interrupted& interrupted) {
+    std::vector<BoxJudgement> verdicts(boxes.size(), BoxJudgement::unsure);
     std::vector<Case<Interval>> cases(boxes.size());
     Questions forward;
     for (std::size_t i = 0; i < boxes.size(); ++i) {
         cases[i] = case_of<Interval>(chart, boxes[i]);
         if (cases[i].leaf) {
             results[i] = cases[i].leaf;
-            verdicts[i] = Verdict::closed;
+            verdicts[i] = BoxJudgement::closed;
         } else if (cases[i].out) {
             forward.ask(i, *cases[i].out, upper - 1);
         }
     }
     const auto close = [&](std::size_t i, const Leaf& leaf) {
         results[i] = leaf;
-        verdicts[i] = Verdict::closed;
+        verdicts[i] = BoxJudgement::closed;
     };
     std::vector<bool> settled(boxes.size());
     Questions backward;
     forward.answer(interrupted, [&](std::size_t i, const batch::Answer& answer, long cap) {
         settled[i] = batch::settled(answer);
         if (answer.count > cap) {
-            verdicts[i] = settled[i] ? Verdict::open : Verdict::unsure;
+            verdicts[i] = settled[i] ? BoxJudgement::open : BoxJudgement::unsure;
         } else if (cases[i].reversed) {
             results[i] = Leaf{Reason::count, answer.count, 0};
             backward.ask(i, *cases[i].reversed, cap - answer.count);
@@ -186,7 +186,7 @@ std::vector<Verdict> judge_turning_together(Chart chart, std::span<const Box> bo
     backward.answer(interrupted, [&](std::size_t i, const batch::Answer& answer, long cap) {
         if (answer.count > cap) {
             results[i].reset();
-            verdicts[i] = settled[i] && batch::settled(answer) ? Verdict::open : Verdict::unsure;
+            verdicts[i] = settled[i] && batch::settled(answer) ? BoxJudgement::open : BoxJudgement::unsure;
         } else {
             close(i, {Reason::count, results[i]->forward, answer.count});
         }

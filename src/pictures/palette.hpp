@@ -3,7 +3,7 @@
 #include "pictures/svg.hpp"
 
 /// What has the same colour in every picture; the page of `dumbbell report` has the same ones
-/// (web/src/style.css, under the same names; tests/page/draw_test.mjs). Numbers of collisions:
+/// (web/src/style.css, under the same names; tests/programs/page/draw_test.mjs). Numbers of collisions:
 /// count_colours.hpp.
 namespace dumbbell::palette {
 

@@ -5,7 +5,7 @@
 
 namespace dumbbell {
 
-/// Runs a command that SIGINT and SIGTERM only ask to stop (prove/deadline.hpp): it ends early and says what
+/// Runs a command that SIGINT and SIGTERM only ask to stop (base/deadline.hpp): it ends early and says what
 /// is kept. Where its exit code then is exit_stopped the program ends by that signal, so that a shell sees
 /// what it expects (exit code 130 or 143, and a loop that ends). A second signal ends the program at once,
 /// and one that was ignored when it began stays ignored.

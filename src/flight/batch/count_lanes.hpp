@@ -12,7 +12,7 @@ inline constexpr double nan = __builtin_nan("");
 /// Rounds between two questions whether to stop: some milliseconds.
 inline constexpr long rounds_between_questions = 0x4000;
 
-/// count_at_most (Bound: Lower) and count_at_least (Upper) of model/count.hpp for a queue of rays. Each lane
+/// count_at_most (Bound: Lower) and count_at_least (Upper) of flight/count.hpp for a queue of rays. Each lane
 /// follows its own, and takes the next one when it has its answer, so that packs stay full; what happens to a
 /// ray does not depend on the others.
 template <class D, class Bound>

@@ -1,8 +1,8 @@
 // What the lemmas L33 to L38 are written in: the masses by delta, and a contact of the light mass.
 #pragma once
-#include "verify/number/angle.hpp"
-#include "verify/number/arcsine.hpp"
+#include "verify/adiabatic/arcsine.hpp"
 #include "verify/number/work.hpp"
+#include "verify/starts/angle.hpp"
 
 namespace dumbbell_verify {
 

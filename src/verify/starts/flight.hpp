@@ -4,8 +4,8 @@
 #include <optional>
 #include <vector>
 
-#include "verify/number/angle.hpp"
 #include "verify/number/work.hpp"
+#include "verify/starts/angle.hpp"
 #include "verify/starts/grammar.hpp"
 
 namespace dumbbell_verify {

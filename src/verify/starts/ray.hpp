@@ -2,7 +2,7 @@
 // (format-initial.md, sections 5 and 6).
 #pragma once
 #include "verify/collisions/ray.hpp"
-#include "verify/number/angle.hpp"
+#include "verify/starts/angle.hpp"
 
 namespace dumbbell_verify {
 

@@ -1,0 +1,121 @@
+// Any bytes as a file for the verifier: they get a verdict; what it accepts is true, is accepted plain and
+// compressed, with its own claim as the demand but with no stronger one, and has the one canonical spelling.
+#include <algorithm>
+#include <new>
+
+#include "rooms/verify/make_certificate.hpp"
+#include "choices.hpp"
+#include "collisions/reader.hpp"
+#include "collisions/writer.hpp"
+#include "file_text.hpp"
+#include "scratch.hpp"
+#include "start_truth.hpp"
+#include "target.hpp"
+#include "truth.hpp"
+#include "verify/program/verify.hpp"
+
+namespace {
+
+using namespace dumbbell_fuzz;
+using dumbbell_verify::Collisions, dumbbell_verify::Failure, dumbbell_verify::Proof,
+    dumbbell_verify::Settings, dumbbell_verify::Verdict;
+
+constexpr unsigned most_bits = 128;  ///< more are refused, as by --max-bits: each bit costs time
+
+/// The failure's message comes from the verifier, not from the standard library.
+void must_be_meant(const Failure& failure) {
+    if (failure.text.find("::") != std::string::npos || failure.text.starts_with("sto"))
+        trap("a verdict by accident: " + failure.text);
+}
+
+/// What the verifier makes of a file; nothing if it does not accept it. Other exceptions end the program.
+std::optional<Proof> proof_of(const std::string& bytes, const Settings& settings) {
+    static MemoryFile file;
+    try {
+        return dumbbell_verify::verify(file.holding(bytes), settings);
+    } catch (const Failure& failure) {
+        must(failure.verdict != Verdict::verified, "a failure is none");
+        must_be_meant(failure);
+    } catch (const std::bad_alloc&) {
+    }
+    return std::nullopt;
+}
+
+bool is_accepted(const std::string& bytes, Settings settings, const Collisions& demand) {
+    settings.demand = demand;
+    return proof_of(bytes, settings).has_value();
+}
+
+void check_claim(const Proof& proof, const std::string& text, const Settings& settings) {
+    const Collisions& claim = proof.claim;
+    must(!claim.parts.empty() && claim.parts.front().lo == claim.lo && claim.parts.back().hi == claim.hi,
+         "the pieces are the claim");
+    for (const auto& part : claim.parts)
+        must_be_true(settings.scene, part.lo, part.hi, part.upper, part.lower);
+
+    Collisions demand;
+    demand.ratios.emplace(claim.lo, claim.hi);
+    demand.least = claim.lower;
+    demand.most = claim.upper;
+    must(is_accepted(text, settings, demand), "accepted with its own claim as the demand");
+    // A single ratio between two pieces is covered by them, too: whether it counts is their affair.
+    if (std::none_of(claim.parts.begin(), claim.parts.end(), [](const auto& p) { return p.lo == p.hi; }) ||
+        claim.parts.size() == 1) {
+        demand.least = claim.lower + 1;
+        must(!is_accepted(text, settings, demand), "refused if more collisions are demanded");
+        demand.least.reset();
+        demand.most = claim.upper ? std::max<std::uint64_t>(*claim.upper, 1) - 1 : 1'000'000;
+        must(!is_accepted(text, settings, demand), "refused if fewer collisions are demanded");
+    }
+    demand.least.reset();
+    demand.most.reset();
+    demand.ratios->second += 1;
+    must(!is_accepted(text, settings, demand), "refused if more ratios are demanded");
+}
+
+void check_initial(const dumbbell_verify::Initial& claim, const std::string& text) {
+    must(!claim.most || claim.least <= *claim.most, "bounds in order");
+    Choices choices(reinterpret_cast<const std::uint8_t*>(text.data()), text.size());
+    constexpr int samples = 3;
+    for (int i = 0; i < samples; ++i) {
+        Start start{};
+        for (std::size_t k = 0; k < start.size(); ++k) {
+            const Real lo = claim.box.lo.at(k).get_d(), hi = claim.box.hi.at(k).get_d();
+            start.at(k) = lo + static_cast<Real>(choices.sample()) * (hi - lo);
+        }
+        if (const auto run = simulated(start)) must_be_between(*run, claim.least, claim.most, start);
+    }
+}
+
+/// What the verifier accepts the program can read, and would write in the same way.
+void check_spelling(const std::string& text) {
+    static MemoryFile file;
+    const auto again = dumbbell::render(dumbbell::read_certificate(file.holding(text)));
+    must(again.text == text, "there is one spelling");
+}
+
+}  // namespace
+
+int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    const std::string bytes = text_of(data, size);
+    const auto text = plain_text(bytes);
+    if (!text || !is_little_work(*text)) return 0;
+    Settings settings;
+    settings.max_bits = most_bits;
+    const bool initial = value_of(*text, "claim") == "initial-conditions";
+    if (!initial) settings.demand.keep = dumbbell_verify::all_pieces;
+    if (const std::string scene = value_of(*text, "scene"); !scene.empty()) settings.scene = scene;
+
+    const auto proof = proof_of(bytes, settings);
+    if (!proof) return 0;
+    must(is_accepted(is_gzip(bytes) ? *text : make::gzipped(bytes), settings, settings.demand),
+         "plain and compressed are the same");
+    if (initial) {
+        must(proof->initial.has_value(), "a claim about initial conditions");
+        check_initial(*proof->initial, *text);
+    } else {
+        check_claim(*proof, *text, settings);
+        check_spelling(*text);
+    }
+    return 0;
+}

@@ -1,0 +1,139 @@
+"""What is mutated, in which functions it makes no sense, and which tests must notice."""
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True)
+class Group:
+    files: dict          # file -> translation unit that shows it (both below src/)
+    left_out: frozenset  # functions whose results promise nothing, or are for people
+    targets: tuple       # what to build
+    programs: tuple      # Catch2 programs (below the build folder), whose test cases are run one by one
+    prepare: tuple = ()  # commands before all tests, and
+    replays: tuple = ()  # tests that are commands: of {build}, {tree}, {work}
+    texts: frozenset = frozenset()  # files whose texts programs read; those of the others are messages for people
+
+
+def below(folder, sources, headers=""):
+    """The files of a folder: sources, and headers as `name:source that shows it`."""
+    shown = {f"{name}.cpp": f"{name}.cpp" for name in sources.split()}
+    shown.update((f"{name}.hpp", f"{unit}.cpp") for name, unit in (x.split(":") for x in headers.split()))
+    return {f"{folder}/{file}": f"{folder}/{unit}" for file, unit in shown.items()}
+
+
+# What is not here has no decision in it (declarations, headers of a few constants), or shows people how far
+# the verifier is (progress.cpp).
+VERIFIER = {
+    # the numbers
+    **below("verify", "",
+            "number/number:collisions/turning number/interval:collisions/turning starts/angle:starts/leaf "
+            "number/big:collisions/turning number/work:collisions/turning"),
+    # the leaves
+    **below("verify", "collisions/turning sections/full sections/minimal sections/wedge starts/leaf",
+            "format/precision:collisions/turning collisions/ray:collisions/turning sections/bridge:sections/full "
+            "format/section:collisions/turning starts/flight:starts/leaf starts/ray:starts/leaf "
+            "starts/reflection:starts/leaf"),
+    # the files and their claims
+    **below("verify", "collisions/grammar starts/grammar starts/claim format/claim format/header program/verify program/compare",
+            "format/text:format/header format/reader:collisions/grammar format/proof:collisions/grammar "
+            "format/claim:program/verify starts/grammar:starts/grammar"),
+    # the program: what was asked, and what the verdict and the exit code say
+    **below("verify/program", "options claim_options claim_list part_options part part_lines piece_sums combine "
+            "examine main summary json junit escape replace_file", "words:options"),
+}
+
+ADIABATIC = below(
+    "verify", "adiabatic/grammar adiabatic/attained adiabatic/bounce adiabatic/claim adiabatic/class adiabatic/run",
+    "adiabatic/grammar:adiabatic/grammar adiabatic/bounce:adiabatic/run adiabatic/check:adiabatic/run "
+    "adiabatic/claim:adiabatic/claim adiabatic/contact:adiabatic/run adiabatic/potential:adiabatic/class "
+    "adiabatic/arcsine:adiabatic/run")
+
+GROUPS = {
+    "verify": Group(
+        files=VERIFIER,
+        # Guesses, from which certified steps start; and what `--explain` and a terminal show to people.
+        left_out=frozenset({"guess_root", "guess_top", "guess_slope", "guess_sin_cos", "guess_tolerance",
+                            "guess_crossing", "terms", "sqrt", "describe", "show", "counted", "log", "note",
+                            "block", "demand_text"}),
+        texts=frozenset(("verify/starts/claim.cpp", "verify/format/claim.cpp", *(
+            f"verify/program/{name}.cpp" for name in ("summary", "json", "junit", "escape", "compare", "main", "part")))),
+        targets=("dumbbell-verify", "test_verify", "mutation"),
+        programs=("tests/rooms/verify/test_verify",),
+        prepare=(("{build}/tests/attacks/mutation/mutation", "--jobs", "1", "--most", "400", "--dump", "{work}/corpus",
+                  "1500"),),
+        replays=(("{build}/tests/attacks/mutation/mutation", "--replay", "{tree}/tests/attacks/false_claims/manifest.tsv"),
+                 ("{build}/tests/attacks/mutation/mutation", "--replay", "{work}/corpus/manifest.tsv"))),
+    "adiabatic": Group(
+        files=ADIABATIC,
+        left_out=frozenset({"describe", "show", "counted", "log", "note"}),
+        texts=frozenset({"verify/adiabatic/claim.cpp"}),
+        targets=("dumbbell-verify", "test_verify", "mutation"),
+        programs=("tests/rooms/verify/test_verify",),
+        replays=(("{build}/tests/attacks/mutation/mutation", "--replay", "{tree}/tests/attacks/false_claims/manifest.tsv"),)),
+    "interval": Group(
+        files={"number/interval.hpp": "number/elementary.cpp", "number/rounding.hpp": "number/elementary.cpp",
+               "number/elementary.cpp": "number/elementary.cpp", "number/sine_kernel.hpp": "number/elementary.cpp",
+               "number/big_interval.cpp": "number/big_interval.cpp",
+               "number/big_interval.hpp": "number/big_interval.cpp"},
+        left_out=frozenset({"approximate"}),
+        targets=("test_number",),
+        programs=("tests/rooms/number/test_number",)),
+    "step": Group(
+        files={"flight/reflection.hpp": "flight/orbit.cpp", "flight/contact.hpp": "flight/orbit.cpp",
+               "flight/chart.hpp": "flight/orbit.cpp", "flight/count.hpp": "collisions/witness.cpp",
+               "flight/ray.hpp": "flight/orbit.cpp"},
+        left_out=frozenset(),
+        targets=("test_flight",),
+        programs=("tests/rooms/flight/test_flight",)),
+    "batch": Group(  # but for aim.hpp, which guesses
+        files=below("flight/batch", "count", "count_lanes:count_plain lower_step:count_plain pack:count_plain "
+                    "query:count_plain sine:count_plain step:count_plain upper_step:count_plain"),
+        left_out=frozenset({"rough_sin_cos"}),
+        targets=("test_batch",),
+        programs=("tests/rooms/flight/batch/test_batch",)),
+    "collisions": Group(
+        files=below("collisions", "certificate certify cover critical full_leaf leaf names piece piece_store reader section "
+                    "steps turning_leaf wedge_leaf wedge_witness witness witness_orbit writer",
+                    "leaf_judges:leaf piece_store:piece_store"),
+        left_out=frozenset(),
+        targets=("test_collisions",),
+        programs=("tests/rooms/collisions/test_collisions",),
+        texts=frozenset({"collisions/writer.cpp", "collisions/names.cpp"})),
+    "staircase": Group(
+        files=below("staircase", "critical_confirm critical_range law"),
+        left_out=frozenset(),
+        targets=("test_staircase",),
+        programs=("tests/rooms/staircase/test_staircase",)),
+    "starts": Group(
+        files=below("starts", "leaf initial_state reader subdivide trace traced_value witness_start writer",
+                    "initial_state:initial_state subdivide:subdivide"),
+        left_out=frozenset(),
+        targets=("test_starts",),
+        programs=("tests/rooms/starts/test_starts",),
+        texts=frozenset({"starts/writer.cpp"})),
+    "invariant": Group(  # the search for adiabatic statements
+        files=below("adiabatic", "attained box branch case classes cover hypotheses printed prove reader search writer",
+                    "box:box"),
+        left_out=frozenset(),
+        targets=("test_adiabatic",),
+        programs=("tests/rooms/adiabatic/test_adiabatic",),
+        texts=frozenset({"adiabatic/writer.cpp"})),
+    "file": Group(
+        files=below("file", "atomic_file dyadic folder_lock last_line lines sealed_lines sha256 verifier_program",
+                    "descriptor:atomic_file lines:lines sealed_lines:sealed_lines"),
+        left_out=frozenset(),
+        targets=("test_file", "test_collisions", "dumbbell-verify"),
+        programs=("tests/rooms/file/test_file", "tests/rooms/collisions/test_collisions"),
+        texts=frozenset({"file/dyadic.cpp"})),
+    "campaign": Group(
+        files=below("campaign", "campaign folder journal judges kind kinds/adiabatic kinds/collisions kinds/critical "
+                    "kinds/verified local_engine merge order password plan status work_queue_engine work_queue_manager "
+                    "worker_commands"),
+        left_out=frozenset(),
+        targets=("test_campaign", "test_work_queue", "dumbbell-verify"),
+        programs=("tests/rooms/campaign/test_campaign", "tests/rooms/campaign/test_work_queue")),
+    "audit": Group(  # but for the report, which the tests of the command read
+        files=below("audit", "audit claimed_range leaf_boxes tiling"),
+        left_out=frozenset(),
+        targets=("test_audit",),
+        programs=("tests/rooms/audit/test_audit",)),
+}

@@ -1,0 +1,214 @@
+// near_adiabatic make SEED NUMBER: rows of ../../data/near_adiabatic.tsv, leaves of the adiabatic claims that
+//     are just certified, and their neighbours that just are not. Every number of a random leaf that is
+//     certified is moved both ways by bisection until it no longer is.
+// near_adiabatic differ FILE: the number of the first row of which the verifier says something else.
+#include <array>
+#include <cmath>
+#include <functional>
+#include <iostream>
+#include <map>
+#include <random>
+
+#include "rooms/verify/adiabatic_rows.hpp"
+#include "rooms/verify/leaf_rows.hpp"
+
+namespace {
+
+using namespace adiabatic_rows;
+using namespace dumbbell_verify;
+
+std::mt19937_64 engine;
+
+std::uint64_t below(std::uint64_t n) { return engine() % n; }
+double uniform(double lo, double hi) { return std::uniform_real_distribution<>(lo, hi)(engine); }
+mpq_class rounded(double x) { return mpq_class(std::round(x * 4096) / 4096); }
+
+void print(const Case& c) { std::cout << words(c) << "\t" << judged(c) << "\n"; }
+
+/// Moves this number of the case as far as it is certified, and prints both sides of the edge.
+void move(Case& c, mpq_class& x, int sign, const mpq_class& most = 64) {
+    const mpq_class start = x;
+    const auto is_good = [&](const mpq_class& value) {
+        x = value;
+        return judged(c) == "certified";
+    };
+    mpq_class good = start, bad = start;
+    for (mpq_class far(1, 64); far <= 64; far *= 8) {
+        bad = start + sign * far;
+        if (bad < 0) bad = 0;
+        if (bad > most) bad = std::max(most, start);
+        if (bad == good || !is_good(bad)) break;
+        good = bad;
+    }
+    if (good != bad) {
+        for (int i = 0; i < 14; ++i) {
+            const mpq_class middle = (good + bad) / 2;
+            (is_good(middle) ? good : bad) = middle;
+        }
+        x = bad;
+        print(c);
+        x = good;
+        print(c);
+    }
+    x = start;
+}
+
+/// What a file may say of u, s, v, delta and sigma.
+const std::array<mpq_class, 5> greatest{2, 1, 2, mpq_class(49, 100), 8};
+
+/// Also leaves that are far from certified, some for each reason.
+bool is_certified(const Case& c) {
+    static std::map<std::string, int> seen;
+    const std::string result = judged(c);
+    if (result == "certified" || ++seen[std::to_string(c.kind) + result] <= 6) print(c);
+    return result == "certified";
+}
+
+void around(Case c, std::initializer_list<std::size_t> axes) {
+    if (!is_certified(c)) return;
+    for (const std::size_t axis : axes) {
+        move(c, c.box.lo.at(axis), -1);
+        move(c, c.box.hi.at(axis), 1, greatest.at(axis));
+    }
+    for (mpq_class& bound : c.bounds) move(c, bound, -1);
+    if (!c.cells.empty()) move(c, c.J, -1), move(c, c.J, 1);
+    for (auto& [u, v] : c.cells) move(c, v, -1), move(c, v, 1);
+    move(c, c.margin, 1, 1);
+    if (c.outside) move(c, c.margin, -1);
+    move(c, c.y_lo, c.outside ? -1 : 1);
+    move(c, c.y_hi, c.outside ? 1 : -1);
+}
+
+void narrow(Case& c, std::size_t axis, double at, double width) {
+    c.box.lo.at(axis) = rounded(at);
+    c.box.hi.at(axis) = c.box.lo.at(axis) + (below(3) == 0 ? mpq_class(0) : mpq_class(std::abs(width)));
+}
+double small() { return std::exp2(-static_cast<double>(below(6)) - 4); }
+
+Case common(Adiabatic::Kind kind) {
+    Case c;
+    c.kind = kind;
+    c.bits = std::array{0U, 0U, 9U, 12U, 16U, 53U}.at(below(6));
+    c.exponent = kind == Adiabatic::run      ? 0
+                 : kind == Adiabatic::bounce ? static_cast<unsigned>(below(17))
+                                             : 8;
+    c.y_lo = rounded(uniform(0, 0.6));
+    c.y_hi = rounded(uniform(0.7, 1));
+    c.margin = rounded(uniform(0.2, 1));
+    narrow(c, axis_delta, std::max(0.01, uniform(0.02, 0.4)), 0.05 * small());
+    return c;
+}
+
+void cells_of(Case& c, double factor) {
+    c.J = rounded(uniform(0.8, 1.6));
+    for (const double u : {1.2, 0.9, 0.6, 0.4}) {
+        const double w = std::sin(u);
+        c.cells.emplace_back(rounded(u), rounded(factor * (8 / (w * w * w * w))));
+    }
+}
+
+void bounce_leaf() {
+    Case c = common(Adiabatic::bounce);
+    narrow(c, axis_u, uniform(0.1, 1.5), small());
+    narrow(c, axis_s, uniform(0, 0.9), small());
+    c.bounds = {4, 64};
+    c.outside = below(3) == 0;
+    if (c.outside && below(2) == 0) c.y_hi = rounded(uniform(0, 0.6)), c.y_lo = 0;
+    around(c, {axis_u, axis_s, axis_delta});
+}
+void run_leaf(Adiabatic::Kind kind) {
+    Case c = common(kind);
+    if (kind == Adiabatic::scattering) narrow(c, axis_delta, uniform(0.001, 0.05), 0.001 * small());
+    narrow(c, axis_u, uniform(0.2, 1.5), small());
+    narrow(c, axis_v, uniform(0.2, 1.5), small());
+    if (below(3) == 0) {  // where r/w^2 is large
+        narrow(c, axis_delta, uniform(0.3, 0.48), 0.001 * small());
+        narrow(c, axis_v, uniform(0.1, 0.6), small());
+        c.margin = mpq_class(1, 64);
+    }
+    narrow(c, axis_s, uniform(0, 0.9), small());
+    c.bounds = {64};
+    cells_of(c, uniform(0.1, 1));
+    c.outside = below(3) == 0;
+    if (c.outside && below(2) == 0) c.y_hi = rounded(uniform(0, 0.6)), c.y_lo = 0;
+    around(c, {axis_u, axis_v, axis_s, axis_delta});
+}
+void class_leaf() {
+    Case c = common(Adiabatic::run);
+    c.part = AdiabaticLeaf::class_tree;
+    if (c.bits > 12) c.bits = 0;
+    narrow(c, axis_u, uniform(0.4, 1.4), small() / 8);
+    narrow(c, axis_sigma, uniform(0, 3), small() / 4);
+    if (below(3) == 0)  // where the wall at the upper contact is about as steep as the flight
+        narrow(c, axis_u, c.box.lo.at(axis_sigma).get_d() * c.box.lo.at(axis_delta).get_d(), small());
+    cells_of(c, uniform(0.5, 4));
+    c.outside = below(3) == 0;
+    if (c.outside) narrow(c, axis_sigma, uniform(1, 7), small());
+    around(c, {axis_u, axis_sigma, axis_delta});
+    c.part = AdiabaticLeaf::class_itself;
+    move(c, c.J, -1);
+}
+void state() {
+    const auto kind = static_cast<Adiabatic::Kind>(below(4));
+    Case c = common(kind);
+    c.part = AdiabaticLeaf::attained;
+    c.bits = c.bits > 0 && c.bits < 53 ? 26 : c.bits;
+    c.box.hi[axis_delta] = c.box.lo[axis_delta];
+    c.margin = mpq_class(1, 64);
+    c.y_lo = 0;
+    c.y_hi = 1;
+    c.bounds.assign(kind == Adiabatic::bounce ? 2 : 1, 1);
+    if (kind == Adiabatic::printed) c.bounds.clear();
+    c.index = kind == Adiabatic::bounce ? below(2) : 0;
+    c.state = {rounded(uniform(0.1, 1.4)), rounded(uniform(0, 1)), c.box.lo[axis_delta], 1, 0};
+    const std::uint64_t most = kind == Adiabatic::bounce ? 1 : 6;
+    for (c.state.collisions = kind == Adiabatic::bounce ? 1 : below(4); c.state.collisions <= most;
+         ++c.state.collisions) {
+        if (!is_certified(c)) continue;
+        move(c, c.state.value, 1);
+        move(c, c.state.u, -1);
+        move(c, c.state.u, 1);
+        move(c, c.state.s, -1);
+        move(c, c.state.s, 1, 1);
+        move(c, c.margin, 1);
+        move(c, c.y_lo, 1);
+        move(c, c.y_hi, -1);
+        ++c.state.collisions;
+        print(c);
+        return;
+    }
+}
+
+void make(std::uint64_t seed, int number) {
+    engine.seed(seed);
+    for (int i = 0; i < number; ++i) {
+        bounce_leaf();
+        run_leaf(Adiabatic::run);
+        run_leaf(Adiabatic::scattering);
+        state();
+        if (i % 2 == 0) class_leaf();
+    }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    const std::vector<std::string> words(argv, argv + argc);
+    if (words.size() == 4 && words[1] == "make") {
+        make(std::stoull(words[2]), std::stoi(words[3]));
+        return 0;
+    }
+    if (words.size() == 3 && words[1] == "differ") {
+        std::size_t number = 0;
+        for (const leaf_rows::Row& row : leaf_rows::read(words[2])) {
+            if (judged(parsed(row.leaf)) != row.result) {
+                std::cout << number << "\n";
+                return 1;
+            }
+            ++number;
+        }
+        return 0;
+    }
+    std::cerr << "usage: near_adiabatic make SEED NUMBER | near_adiabatic differ FILE\n";
+    return 2;
+}

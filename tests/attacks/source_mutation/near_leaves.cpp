@@ -1,0 +1,259 @@
+// near_leaves make SEED NUMBER: leaves that are just certified, and their neighbours that just are not.
+// near_leaves differ FILE:      the number of the first row of which the verifier says something else.
+//
+// Random small leaves of all charts and opcodes; of each that is certified, every side of the box (and of the
+// window of a first contact) is moved outwards by bisection until the leaf is no longer certified. In double
+// and in MPFR, also with so few bits that a bound rounded to the wrong side is off by a percent.
+#include <cmath>
+#include <cstdio>
+#include <iostream>
+#include <random>
+
+#include "rooms/verify/leaf_rows.hpp"
+
+namespace {
+
+using namespace leaf_rows;
+using dumbbell_verify::FirstContact;
+
+class Maker {
+  public:
+    explicit Maker(std::uint64_t seed) : random_(seed) {}
+
+    void make(int number) {
+        const auto sections = dumbbell_verify::sections();
+        for (int i = 0; i < number; ++i) {
+            bits_ = std::array{0U, 0U, 8U, 11U, 16U, 53U}[below(6)];
+            if (i % 3 == 2) {
+                const AnyLeaf leaf = initial();
+                around(leaf);
+                if (i % 6 == 2) around(Start{std::get<InitialLeaf>(leaf).box});
+                continue;
+            }
+            const Section& section = *sections[below(i % 2 == 0 ? 3 : 5)];
+            around(of(section));
+        }
+    }
+
+  private:
+    std::uint64_t below(std::uint64_t n) { return random_() % n; }
+    double uniform(double lo, double hi) { return std::uniform_real_distribution<>(lo, hi)(random_); }
+    /// A number of few digits: sometimes so few that inequalities become equalities.
+    mpq_class rounded(double x) {
+        const double digits = std::exp2(below(3) == 0 ? 2 : 12);
+        return mpq_class(std::round(x * digits) / digits);
+    }
+    mpq_class width() {
+        return below(2) == 0 ? mpq_class(0) : mpq_class(std::exp2(-static_cast<int>(below(10)) - 1));
+    }
+    mpq_class ratio() {
+        const double q = below(4) == 0 ? uniform(1, 3) : std::exp2(uniform(0, 6));
+        return std::max(mpq_class(1), rounded(q));
+    }
+
+    AnyLeaf of(const Section& section) {
+        SectionLeaf result{&section, {}};
+        Leaf& leaf = result.leaf;
+        set_bits(leaf, bits_);
+        do {
+            leaf.opcode = below(section.opcodes.size());
+            leaf.chart = below(section.charts.size());
+        } while ((section.opcodes[leaf.opcode].charts >> leaf.chart & 1) == 0);
+        const mpq_class q = ratio();
+        const double size = std::min(3.0, q.get_d());
+        leaf.box.lo = {rounded(uniform(0, leaf.chart == 0 && section.charts.size() == 3 ? 3.3 : 1.7)),
+                       rounded(uniform(0, size)), q};
+        const bool point = section.opcodes[leaf.opcode].place == dumbbell_verify::Place::witness;
+        leaf.box.hi = leaf.box.lo;
+        for (std::size_t i = point ? 2 : 0; i < 3; ++i) leaf.box.hi[i] += width() * (i == 2 ? 4 : 1);
+        if (section.charts[leaf.chart].axes[0].empty()) leaf.box.lo[0] = leaf.box.hi[0] = 0;
+        leaf.claimed = 2;
+        // The best hints.
+        const auto certified = [&] { return judged(result) == "certified"; };
+        constexpr std::uint64_t most = 9;
+        if (point) {
+            for (leaf.a = 0; leaf.a < most; ++leaf.a)
+                if (leaf.claimed = 1 + leaf.a; !certified()) break;
+            if (leaf.a == 0) return result;
+            --leaf.a;
+            for (leaf.b = 1; leaf.b < most; ++leaf.b)
+                if (leaf.claimed = 1 + leaf.a + leaf.b; !certified()) break;
+            --leaf.b;
+            leaf.claimed = 1 + leaf.a + leaf.b;
+        } else if (section.opcodes[leaf.opcode].hints > 0) {
+            const bool two = section.opcodes[leaf.opcode].hints == 2 && section.name == "turning";
+            leaf.a = leaf.b = most;
+            leaf.claimed = 40;
+            if (!certified()) return result;
+            while (leaf.a > 0 && (--leaf.a, !certified()) == false) {
+            }
+            if (!certified()) ++leaf.a;
+            leaf.b = two ? leaf.b : 0;
+            while (two && leaf.b > 0 && (--leaf.b, !certified()) == false) {
+            }
+            if (!certified()) ++leaf.b;
+            leaf.claimed = 1 + leaf.a + leaf.b;
+        }
+        return result;
+    }
+
+    AnyLeaf initial() {
+        InitialLeaf leaf;
+        set_bits(leaf, bits_);
+        const double q = ratio().get_d(), r = 1 / q;
+        const double phi = uniform(-4, 7), w = below(4) == 0 ? 0 : uniform(-2, 2), y = uniform(1, 2),
+                     v = below(3) == 0 ? uniform(-0.2, 0.5) : uniform(-2, 0);
+        leaf.box.lo = {rounded(phi), rounded(w), rounded(y), rounded(v), std::max(mpq_class(1), rounded(q))};
+        leaf.box.hi = leaf.box.lo;
+        const auto thin = below(3) == 0;
+        for (std::size_t i = 0; i < 5 && !thin; ++i)
+            if (below(2) == 0) leaf.box.hi[i] += width() / 8;
+        std::array<double, 5> at{};
+        for (std::size_t i = 0; i < 5; ++i) at[i] = mpq_class((leaf.box.lo[i] + leaf.box.hi[i]) / 2).get_d();
+        const auto clearance = [&](bool heavy, double t) {
+            const double sine = std::sin(at[0] + at[1] * t);
+            return at[2] * (1 + r) + at[3] * (1 + r) * t + (heavy ? -r * sine : sine);
+        };
+        const auto certified = [&] { return judged(leaf) == "certified"; };
+        for (double t = 0; t < 60; t += 1.0 / 64)
+            for (const bool heavy : {false, true})
+                if (!leaf.first && clearance(heavy, t) < 0) {
+                    const double pad = std::exp2(-static_cast<int>(below(8)) - 4);
+                    const mpq_class from = rounded(t - 1.0 / 64 - pad), until = rounded(t + pad);
+                    if (from <= 0 || until <= from) return leaf;
+                    leaf.first = FirstContact{heavy, from, until};
+                }
+        const bool window = below(6) != 0;
+        if (!window) leaf.first.reset();
+        leaf.most = 11;
+        leaf.least = leaf.first ? 1 : 0;
+        if (!leaf.first && certified()) {
+            while (leaf.most > 0 && certified()) --leaf.most;
+            if (!certified()) ++leaf.most;
+            if (certified() && leaf.least < leaf.most && ++leaf.least, !certified()) --leaf.least;
+            return leaf;
+        }
+        if (!certified()) return leaf;
+        while (leaf.most > leaf.least && certified()) --leaf.most;
+        if (!certified()) ++leaf.most;
+        while (leaf.least < leaf.most && certified()) ++leaf.least;
+        if (!certified()) --leaf.least;
+        return leaf;
+    }
+
+    void print(const AnyLeaf& leaf) { std::cout << words(leaf) << "\t" << judged(leaf) << "\n"; }
+
+    /// The leaf and its neighbours.
+    void around(AnyLeaf any) {
+        print(any);
+        if (judged(any) != "certified") return;
+        if (auto* one = std::get_if<SectionLeaf>(&any)) {
+            Leaf& leaf = one->leaf;
+            const bool point = one->section->opcodes[leaf.opcode].place == dumbbell_verify::Place::witness;
+            for (std::size_t i = one->section->charts[leaf.chart].axes[0].empty() ? 1 : 0; i < 3; ++i)
+                if (i == 2 || !point) {
+                    move(any, {&leaf.box.lo[i]}, -1);
+                    move(any, {&leaf.box.hi[i]}, 1);
+                } else {
+                    move(any, {&leaf.box.lo[i], &leaf.box.hi[i]}, -1);
+                    move(any, {&leaf.box.lo[i], &leaf.box.hi[i]}, 1);
+                }
+            for (std::uint64_t* hint : {&leaf.a, &leaf.b, &leaf.claimed})
+                for (const int step : {-1, 1}) {
+                    if (*hint == 0 && step < 0) continue;
+                    *hint += static_cast<std::uint64_t>(step);
+                    print(any);
+                    *hint -= static_cast<std::uint64_t>(step);
+                }
+            return;
+        }
+        auto* start = std::get_if<Start>(&any);
+        auto& box = start ? start->box : std::get<InitialLeaf>(any).box;
+        for (std::size_t i = 0; i < 5; ++i) {
+            move(any, {&box.lo[i]}, -1);
+            move(any, {&box.hi[i]}, 1);
+        }
+        if (start) return;
+        auto& leaf = std::get<InitialLeaf>(any);
+        if (leaf.first) {
+            move(any, {&leaf.first->from}, -1);
+            move(any, {&leaf.first->from}, 1);
+            move(any, {&leaf.first->until}, -1);
+            move(any, {&leaf.first->until}, 1);
+        }
+        if (leaf.least < leaf.most) ++leaf.least, print(any), --leaf.least;
+        if (leaf.least < leaf.most) --leaf.most, print(any), ++leaf.most;
+        if (leaf.least > 1) --leaf.least, print(any), ++leaf.least;
+    }
+    /// Moves these coordinates, which are equal, as far as the leaf is certified.
+    void move(AnyLeaf& any, const std::vector<mpq_class*>& coordinates, int sign) {
+        const mpq_class start = *coordinates[0];
+        const auto set = [&](const mpq_class& x) {
+            for (mpq_class* c : coordinates) *c = x;
+        };
+        const auto is_good = [&](const mpq_class& x) {
+            set(x);
+            return judged(any) == "certified";
+        };
+        const bool is_ratio = is_ratio_side(any, coordinates[0]);
+        mpq_class good = start, bad = start;
+        for (mpq_class far(1, 4); far <= 4; far *= 4) {
+            bad = start + sign * far;
+            if (sign < 0 && is_ratio && bad < 1) bad = 1;
+            if (sign < 0 && !is_signed(any, coordinates[0]) && bad < 0) bad = 0;
+            if (bad == good || !is_good(bad)) break;
+            good = bad;
+        }
+        if (good != bad) {
+            for (int i = 0; i < 16; ++i) {
+                const mpq_class middle = (good + bad) / 2;
+                (is_good(middle) ? good : bad) = middle;
+            }
+            set(bad);
+            print(any);
+        }
+        if (good != start) {
+            set(good);
+            print(any);
+        }
+        set(start);
+    }
+    static bool is_ratio_side(const AnyLeaf& any, const mpq_class* c) {
+        if (const auto* one = std::get_if<SectionLeaf>(&any))
+            return c == &one->leaf.box.lo[2] || c == &one->leaf.box.hi[2];
+        const auto* start = std::get_if<Start>(&any);
+        const auto& box = start ? start->box : std::get<InitialLeaf>(any).box;
+        return c == &box.lo[4] || c == &box.hi[4];
+    }
+    static bool is_signed(const AnyLeaf& any, const mpq_class* c) {
+        const auto* leaf = std::get_if<InitialLeaf>(&any);
+        if (std::holds_alternative<Start>(any)) return true;
+        return leaf && !(leaf->first && (c == &leaf->first->from || c == &leaf->first->until));
+    }
+
+    std::mt19937_64 random_;
+    unsigned bits_ = 0;
+};
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    const std::vector<std::string> words(argv, argv + argc);
+    if (words.size() == 4 && words[1] == "make") {
+        Maker(std::stoull(words[2])).make(std::stoi(words[3]));
+        return 0;
+    }
+    if (words.size() == 3 && words[1] == "differ") {
+        std::size_t number = 0;
+        for (const Row& row : read(words[2])) {
+            if (judged(parsed(row.leaf)) != row.result) {
+                std::printf("%zu\n", number);
+                return 1;
+            }
+            ++number;
+        }
+        return 0;
+    }
+    std::fputs("usage: near_leaves make SEED NUMBER | near_leaves differ FILE\n", stderr);
+    return 2;
+}

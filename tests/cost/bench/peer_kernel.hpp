@@ -1,0 +1,23 @@
+#pragma once
+
+#include "flight/count.hpp"
+#include "peers.hpp"
+
+/// What flight/count.hpp asks of an interval type, for a peer's: all of them have its names, in their own
+/// namespace.
+namespace dumbbell_bench {
+
+/// The guess of Newton's iteration in plain double, for any type: it proves nothing.
+template <class I>
+dumbbell::ContactGuess<I> double_guess(const I& c, const I& kappa) {
+    const auto guess =
+        guess_contact(dumbbell::Interval(approximate(c)), dumbbell::Interval(approximate(kappa)));
+    return {I(guess.z.lo()), guess.hits};
+}
+
+template <class I>
+dumbbell::Ray<I> as_ray(const dumbbell::Ray<double>& ray) {
+    return {I(ray.c), I(ray.kappa), I(ray.r)};
+}
+
+}  // namespace dumbbell_bench

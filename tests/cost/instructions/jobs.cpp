@@ -1,0 +1,72 @@
+// Small fixed jobs, one a call, in one thread: what tests/cost/instructions/run counts the instructions of.
+// usage: instruction_jobs JOB
+
+#include <cstdio>
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "collisions/certify.hpp"
+#include "collisions/critical.hpp"
+#include "flight/batch/count.hpp"
+
+using namespace dumbbell;
+
+namespace {
+
+/// Proves it; gives the number of pieces.
+std::size_t pieces(const Rational& q_lo, const Rational& q_hi, Section section = Section::turning) {
+    CertifyRequest request;
+    request.q_lo = q_lo;
+    request.q_hi = q_hi;
+    request.section = section;
+    return certify(request).size();
+}
+
+/// The sum of the bounds on the counts of 8192 rays, flat to steep, at the ratio 1000.
+std::size_t counts(decltype(&batch::count_at_most) count) {
+    std::vector<batch::Query> queries;
+    for (int i = 0; i < 8192; ++i) {
+        queries.push_back({{i * 0x1p-14, (i - 4096) * 0x1p-24, 0x1p-10}, 1000});
+    }
+    std::vector<batch::Answer> answers(queries.size());
+    count(queries, answers, batch::chosen_backend(), never);
+    std::size_t sum = 0;
+    for (const batch::Answer& answer : answers) {
+        sum += static_cast<std::size_t>(answer.count);
+    }
+    return sum;
+}
+
+const std::map<std::string, std::function<std::size_t()>> jobs = {
+    {"start", [] { return batch::name(batch::chosen_backend()).size(); }},
+    {"counts-at-most", [] { return counts(batch::count_at_most); }},
+    {"counts-at-least", [] { return counts(batch::count_at_least); }},
+    {"certify-1e6", [] { return pieces(1'000'000, 1'000'000); }},
+    {"certify-1:20", [] { return pieces(1, 20); }},
+    {"certify-100-full", [] { return pieces(100, 100, Section::full); }},
+    {"critical-7",
+     [] {
+         CriticalOptions options;
+         options.digits = 50;
+         return static_cast<std::size_t>(enclose_critical_ratio(7, options).has_value());
+     }},
+};
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    const auto job = jobs.find(argc == 2 ? argv[1] : "");
+    if (job == jobs.end()) {
+        std::fputs("usage: instruction_jobs JOB, with JOB one of", stderr);
+        for (const auto& [name, run] : jobs) {
+            std::fprintf(stderr, " %s", name.c_str());
+        }
+        std::fputs("\n", stderr);
+        return 2;
+    }
+    const std::size_t result = job->second();
+    std::printf("%zu\n", result);
+    return result == 0 ? 1 : 0;
+}

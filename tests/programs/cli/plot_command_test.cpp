@@ -1,0 +1,186 @@
+#include <catch2/catch.hpp>
+#include <tuple>
+
+#include "rooms/pictures/xml.hpp"
+#include "programs.hpp"
+
+using namespace dumbbell_test;
+using Catch::Matchers::Contains;
+
+TEST_CASE("plot staircase draws a certificate, plain or compressed, and says nothing") {
+    const TemporaryFolder folder;
+    REQUIRE(dumbbell({"certify", "1:100", "--out", "stairs.dbc"}, folder.path()).code == 0);
+    REQUIRE(dumbbell({"certify", "1:100", "--out", "stairs.dbc.gz"}, folder.path()).code == 0);
+    const Outcome plain = dumbbell({"plot", "staircase", "stairs.dbc", "--out", "one.svg"}, folder.path());
+    CHECK(plain.code == 0);
+    CHECK(plain.out.empty());
+    CHECK(plain.err.empty());
+    CHECK(dumbbell({"plot", "staircase", "stairs.dbc.gz", "--out", "two.svg"}, folder.path()).code == 0);
+    CHECK(contents(folder / "one.svg") == contents(folder / "two.svg"));
+    CHECK_THAT(contents(folder / "one.svg"), Contains("<svg") && Contains("class=\"proved\" d=") &&
+                                                 Contains("class=\"paper\" d=") && Contains("</svg>"));
+}
+
+TEST_CASE("the certificate of a single ratio is no staircase: one line, exit 2, no picture") {
+    const TemporaryFolder folder;
+    REQUIRE(dumbbell({"certify", "10", "--out", "ten.dbc"}, folder.path()).code == 0);
+    const Outcome result = dumbbell({"plot", "staircase", "ten.dbc", "--out", "ten.svg"}, folder.path());
+    CHECK(result.code == 2);
+    CHECK(count_lines(result.err) == 1);
+    CHECK(folder.names() == Words{"ten.dbc"});
+}
+
+TEST_CASE("a damaged certificate does not replace an older picture") {
+    const TemporaryFolder folder;
+    REQUIRE(dumbbell({"certify", "1:10", "--out", "stairs.dbc"}, folder.path()).code == 0);
+    write_file(folder / "stairs.svg", "old");
+    const std::string text = contents(folder / "stairs.dbc");
+    write_file(folder / "half.dbc", text.substr(0, text.size() / 2));
+    CHECK(dumbbell({"plot", "staircase", "half.dbc", "--out", "stairs.svg"}, folder.path()).code == 2);
+    CHECK(contents(folder / "stairs.svg") == "old");
+}
+
+TEST_CASE("the picture of a wedge names its scene and does not show the dumbbell's bound") {
+    const TemporaryFolder folder;
+    for (const std::string scene : {"wedge", "hybrid"}) {
+        CAPTURE(scene);
+        REQUIRE(dumbbell({"certify", "1:10", "--scene", scene, "--out", "stairs.dbc"}, folder.path()).code ==
+                0);
+        REQUIRE(dumbbell({"plot", "staircase", "stairs.dbc", "--out", "stairs.svg"}, folder.path()).code ==
+                0);
+        const std::string svg = contents(folder / "stairs.svg");
+        CHECK_THAT(svg,
+                   Contains("scene " + scene) && !Contains("dumbbell") && !Contains("the paper's bound"));
+    }
+}
+
+namespace {
+
+// One certificate of each kind, made once.
+const TemporaryFolder& certificates() {
+    static const TemporaryFolder folder;
+    static const bool made = [] {
+        REQUIRE(dumbbell({"certify", "10", "--out", "ten.dbc"}, folder.path()).code == 0);
+        REQUIRE(dumbbell({"certify", "1:12", "--out", "stairs.dbc"}, folder.path()).code == 0);
+        REQUIRE(dumbbell({"certify", "30", "--section", "full", "--out", "full.dbc"}, folder.path()).code ==
+                0);
+        REQUIRE(dumbbell({"certify", "1:5", "--scene", "wedge", "--out", "wedge.dbc"}, folder.path()).code ==
+                0);
+        REQUIRE(dumbbell({"trace", "10", "--phi", "0:3", "--phidot", "1", "--y", "2", "--ydot=-2:1",
+                          "--subdivide", "--max-boxes", "300", "--out", "falling.dbc"},
+                         folder.path())
+                    .code == 0);
+        REQUIRE(dumbbell({"adiabatic", "--delta", "0.01", "--phi-margin", "0.7", "--out", "adiabatic.dbc"},
+                         folder.path())
+                    .code == 0);
+        return true;
+    }();
+    (void)made;
+    return folder;
+}
+
+// The picture of `words`, drawn without a word.
+std::string picture(Words words) {
+    const TemporaryFolder folder;
+    const std::string path = folder / "picture.svg";
+    words.insert(words.begin(), "plot");
+    words.insert(words.end(), {"--out", path});
+    const Outcome result = dumbbell(words, certificates().path());
+    CAPTURE(words, result.err);
+    REQUIRE(result.code == 0);
+    CHECK(result.out.empty());
+    CHECK(result.err.empty());
+    CHECK(folder.names() == Words{"picture.svg"});
+    std::string svg = contents(path);
+    CHECK(well_formed(svg));
+    return svg;
+}
+
+// The one line on stderr of a picture that is refused; no file is left.
+std::string refusal(Words words) {
+    const TemporaryFolder folder;
+    words.insert(words.begin(), "plot");
+    words.insert(words.end(), {"--out", folder / "picture.svg"});
+    const Outcome result = dumbbell(words, certificates().path());
+    CAPTURE(words, result.err);
+    CHECK(result.code == 2);
+    CHECK(count_lines(result.err) == 1);
+    CHECK(folder.names().empty());
+    return result.err;
+}
+
+}  // namespace
+
+TEST_CASE("every picture is drawn from a certificate of its kind, twice the same") {
+    for (const Words& words : std::vector<Words>{{"cover", "ten.dbc"},
+                                                 {"cover", "full.dbc"},
+                                                 {"cover", "stairs.dbc", "--ratio", "4.7"},
+                                                 {"cover", "falling.dbc"},
+                                                 {"orbit", "ten.dbc"},
+                                                 {"orbit", "stairs.dbc", "--ratio", "9/2"},
+                                                 {"orbit", "100"},
+                                                 {"phase", "falling.dbc"},
+                                                 {"adiabatic", "adiabatic.dbc"}}) {
+        CAPTURE(words);
+        CHECK(picture(words) == picture(words));
+    }
+    CHECK(picture({"orbit", "ten.dbc"}) == picture({"orbit", "10"}));
+    CHECK_THAT(picture({"orbit", "100"}), Contains("q = 100: an orbit with 10 collisions"));
+    CHECK_THAT(picture({"orbit", "1/100"}), Contains("q = 100"));  // the masses are swapped
+}
+
+TEST_CASE("a certificate of another kind is refused with the command that makes the right one") {
+    CHECK_THAT(refusal({"phase", "ten.dbc"}), Contains("dumbbell trace") && Contains("--subdivide"));
+    CHECK_THAT(refusal({"phase", "adiabatic.dbc"}),
+               Contains("adiabatic invariant") && Contains("dumbbell trace"));
+    CHECK_THAT(refusal({"staircase", "falling.dbc"}), Contains("dumbbell certify LO:HI"));
+    CHECK_THAT(refusal({"cover", "adiabatic.dbc"}), Contains("dumbbell certify RATIO"));
+    CHECK_THAT(refusal({"orbit", "falling.dbc"}), Contains("dumbbell certify RATIO"));
+    CHECK_THAT(refusal({"adiabatic", "ten.dbc"}), Contains("dumbbell adiabatic"));
+    CHECK_THAT(refusal({"cover", "wedge.dbc"}), Contains("scene wedge"));
+    CHECK_THAT(refusal({"orbit", "wedge.dbc"}), Contains("scene wedge"));
+}
+
+TEST_CASE("a range needs --ratio, and one that it has; nothing else takes it") {
+    CHECK_THAT(refusal({"cover", "stairs.dbc"}), Contains("--ratio"));
+    CHECK_THAT(refusal({"orbit", "stairs.dbc"}), Contains("--ratio"));
+    CHECK_THAT(refusal({"cover", "stairs.dbc", "--ratio", "13"}),
+               Contains("nothing about the mass ratio 13"));
+    CHECK_THAT(refusal({"cover", "ten.dbc", "--ratio", "11"}), Contains("nothing about the mass ratio 11"));
+    CHECK_THAT(refusal({"cover", "stairs.dbc", "--ratio", "2:3"}), Contains("single"));
+    CHECK_THAT(refusal({"cover", "falling.dbc", "--ratio", "10"}), Contains("--ratio"));
+    CHECK_THAT(refusal({"orbit", "10", "--ratio", "10"}), Contains("one mass ratio"));
+    CHECK_THAT(refusal({"orbit", "1:10"}), Contains("one mass ratio"));
+    CHECK_THAT(refusal({"orbit", "1e9"}), Contains("too many collisions"));
+    CHECK_THAT(refusal({"orbit", "nowhere.dbc"}), Contains("nowhere.dbc"));
+    CHECK_THAT(refusal({"cover", "stairs.dbc", "--ratio", "1"}), Contains("lemma L7"));
+}
+
+TEST_CASE("what is not verified is not drawn, whatever the kind") {
+    for (const auto& [word, file] :
+         {std::pair{"cover", "full.dbc"}, std::pair{"orbit", "ten.dbc"}, std::pair{"phase", "falling.dbc"},
+          std::pair{"adiabatic", "adiabatic.dbc"}}) {
+        CAPTURE(word);
+        std::string text = contents(certificates() / file);
+        const std::size_t seal = text.rfind("sha256 ") + 7;
+        text[seal] = text[seal] == '0' ? '1' : '0';
+        write_file(certificates() / "forged.dbc", text);
+        CHECK_THAT(refusal({word, "forged.dbc"}), Contains("not verified"));
+    }
+}
+
+TEST_CASE("the pictures of docs/ are what the program draws from the shipped certificates") {
+    const auto without_digits = [](std::string text) {  // another C library may round a length otherwise
+        std::erase_if(text, [](char c) { return (c >= '0' && c <= '9') || c == '.' || c == '-'; });
+        return text;
+    };
+    const std::string root = DUMBBELL_PROOFS "/../";
+    for (const auto& [word, certificate, name] :
+         {std::tuple{"staircase", "stairs-1-1e4.dbc.gz", "staircase"},
+          std::tuple{"orbit", "q-100.dbc", "orbit-100"}, std::tuple{"cover", "full-100.dbc.gz", "cover-100"},
+          std::tuple{"cover", "q-100.dbc", "cover-turning-100"}}) {
+        CAPTURE(name);
+        const std::string drawn = picture({word, root + "certificates/" + certificate});
+        CHECK(without_digits(drawn) == without_digits(contents(root + "docs/" + name + ".svg")));
+    }
+}

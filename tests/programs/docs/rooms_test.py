@@ -1,0 +1,76 @@
+"""rooms_test.py: src/README.md says which room may use which; the includes say the same, and no two types of one
+name meet in a program."""
+
+import collections
+import pathlib
+import re
+import sys
+
+SRC = pathlib.Path(__file__).resolve().parents[3] / "src"
+ROW = re.compile(r"\| `([a-z_/]+)` \| [^|]+ \| ([^|]*)\|")
+INCLUDE = re.compile(r'^#include "([a-z_/0-9]+\.hpp)"', re.M)
+NOISE = re.compile(r'//[^\n]*|/\*.*?\*/|R"\((?:.*?)\)"|"(?:\\.|[^"\\\n])*"|\'(?:\\.|[^\'\\\n])+\'', re.S)
+TOKEN = re.compile(
+    r"namespace(?P<space>(?:\s+[\w:]+)?)\s*\{"
+    r"|(?:template\s*<[^;{}]*>\s*)?\b(?:struct|class|enum(?:\s+class|\s+struct)?)\s+(?P<type>\w+)(?:\s+final)?\s*(?::[^;{}()]*)?\{"
+    r"|[{}]")
+
+
+def table():
+    """Room -> the rooms that it may use, in the table's order."""
+    rows = ROW.findall((SRC / "README.md").read_text(encoding="utf-8"))
+    return {room: re.findall(r"`([a-z_/]+)`", used) for room, used in rows}
+
+
+def room_of(path, rooms):
+    """The longest name of a room that the path lies in."""
+    inside = [room for room in rooms if path.startswith(room + "/")]
+    return max(inside, key=len, default=None)
+
+
+def types(text):
+    """The types that a file defines at the level of a namespace with a name."""
+    spaces = []  # of every open brace: the namespace's name, "" without a name, None if it is none
+    for token in TOKEN.finditer(NOISE.sub(" ", text)):
+        if token[0] == "}":
+            if spaces:
+                spaces.pop()
+        elif token["space"] is not None:
+            spaces.append(token["space"].strip())
+        else:
+            if token["type"] and all(spaces):
+                yield "::".join([*spaces, token["type"]])
+            spaces.append(None)
+
+
+def main():
+    allowed, used, faults = table(), collections.defaultdict(set), []
+    order = list(allowed)
+    defined = collections.defaultdict(set)
+    for file in sorted(SRC.rglob("*.?pp")):
+        path = file.relative_to(SRC).as_posix()
+        room, text = room_of(path, order), file.read_text(encoding="utf-8")
+        if room is None:
+            faults.append(f"{path} is in no room of src/README.md")
+            continue
+        for name in types(text):
+            defined[name].add(path)
+        for include in INCLUDE.findall(text):
+            other = room_of(include, order)
+            if other is None or other == room:
+                continue
+            used[room].add(other)
+            if other not in allowed[room]:
+                faults.append(f"{path} includes {include}: {room} may not use {other}")
+            if order.index(other) > order.index(room):
+                faults.append(f"{path} includes {include}: {other} stands on {room} or beside it")
+    for room, rooms in allowed.items():
+        faults += [f"{room} does not use {other}" for other in rooms if other not in used[room]]
+    faults += [f"{name} is defined in {' and '.join(sorted(files))}" for name, files in defined.items() if len(files) > 1]
+    for fault in faults:
+        print(fault)
+    print(f"{len(order)} rooms, {len(defined)} types, {len(faults)} faults")
+    return 1 if faults or not order else 0
+
+
+sys.exit(main())

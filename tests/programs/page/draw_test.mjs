@@ -1,0 +1,209 @@
+// Pixels: pictures are not blank, and have the right colours where it is known what is there.
+import assert from "node:assert/strict";
+import test, { after } from "node:test";
+import { readFileSync } from "node:fs";
+import { countColour } from "../../../web/src/palette.js";
+import { colour, inkShare, launch, open, pixels, placeOf, settled } from "./browser.mjs";
+import { certificates, dumbbell, report, scratch } from "./program.mjs";
+
+const place = scratch();
+const files = certificates(place);
+const browser = await launch();
+after(() => browser.close());
+
+const plain = (css) => css.match(/\d+/g).join(",");
+const near = (a, b) => a !== "" && a.split(",").every((part, i) => Math.abs(part - b.split(",")[i]) <= 12);
+
+const everyKind = () => report(place("kinds.html"), files.ten);
+
+/// Whether a pixel of this colour is within `reach` of the place.
+function has(picture, [x, y], ink, reach = 3) {
+    for (let dx = -reach; dx <= reach; ++dx) {
+        for (let dy = -reach; dy <= reach; ++dy) {
+            if (near(picture.at(x + dx, y + dy), ink)) {
+                return true;
+            }
+        }
+    }
+    return false;
+}
+
+for (const colorScheme of ["light", "dark"]) {
+    test(`the staircase has its steps, its gaps and the paper's bound where they are (${colorScheme})`, async () => {
+        const page = await open(browser, report(place("stairs.html"), files.stairs), { colorScheme });
+        const canvas = page.locator("#file-1 .plane canvas").first();
+        const picture = await pixels(canvas);
+        assert.ok(inkShare(picture) > 0.01);
+        const proved = await colour(page, "--proved");
+        for (const [q, n] of [[2, 3], [8, 4], [15, 5], [25, 6], [40, 7], [50, 8], [70, 9], [90, 10]]) {
+            assert.ok(has(picture, await placeOf(canvas, Math.log10(q), n), proved), `N(${q}) = ${n}`);
+            assert.ok(!has(picture, await placeOf(canvas, Math.log10(q), n + 1), proved), `N(${q}) is not ${n + 1}`);
+        }
+        assert.ok(has(picture, await placeOf(canvas, Math.log10(4.6033388), 3.5), await colour(page, "--gap")));
+        assert.ok(has(picture, await placeOf(canvas, Math.log10(4), 5), await colour(page, "--paper"), 8));
+        assert.ok(has(picture, await placeOf(canvas, Math.log10(50), 2 + 0.8855951 * Math.sqrt(50)), await colour(page, "--growth"), 6));
+        await page.close();
+    });
+
+    test(`a cover of one box is one colour, and beside it there is none (${colorScheme})`, async () => {
+        const page = await open(browser, report(place("ten.html"), files.ten), { colorScheme });
+        const canvas = page.locator("#file-1 .plane canvas").first();
+        const picture = await pixels(canvas);
+        // The cover of q = 10 has a box with 4 collisions in the chart bridge, and one with 3 in the other chart.
+        for (const [e, eta] of [[0.2, 9], [1, 6], [1.9, 14]]) {
+            assert.ok(near(picture.at(...(await placeOf(canvas, e, eta))), plain(countColour(4, 3, 4, colorScheme === "dark" ? 0.84 : 1))));
+        }
+        assert.equal(picture.at(...(await placeOf(canvas, 2.03, 7.3))), "");
+        await page.close();
+    });
+}
+
+/// The count of a collision file's box at a point of the full section's chart departure, by walking through the file's own text.
+function countAt(text, e, eta) {
+    const lines = text.split("\n");
+    let i = lines.indexOf("chart departure") + 1;
+    const box = { e: [0, 2], eta: [0, 2] };
+    const skip = () => {
+        for (let missing = 1; missing > 0; ++i) {
+            missing += lines[i].startsWith("split") ? 1 : -1;
+        }
+    };
+    while (lines[i].startsWith("split")) {
+        const axis = lines[i].slice(6);
+        const middle = (box[axis][0] + box[axis][1]) / 2;
+        ++i;
+        if ({ e, eta }[axis] > middle) {
+            skip();
+            box[axis][0] = middle;
+        } else {
+            box[axis][1] = middle;
+        }
+    }
+    return 1 + Number(lines[i].split(" ")[1]);
+}
+
+test("boxes have the colours of their counts: the file's own lines against the picture, in both coordinates", async () => {
+    const { gunzipSync } = await import("node:zlib");
+    const text = gunzipSync(readFileSync(files.full)).toString();
+    const counts = [...text.matchAll(/^count (\d+)$/gm)].map((match) => 1 + Number(match[1]));
+    const [least, most] = [Math.min(...counts), Math.max(...counts)];
+    const page = await open(browser, report(place("full.html"), files.full));
+    const canvas = page.locator("#file-1 .plane canvas").first();
+    const points = [[0.1, 0.2], [0.3, 1.5], [1.5, 0.3], [0.9, 0.2], [1.2, 0.9], [0.55, 1.7], [1.9, 0.3]];
+    const check = async (map) => {
+        const picture = await pixels(canvas);
+        for (const [e, eta] of points.filter(([a]) => !map || a < 1.5)) {
+            const ink = plain(countColour(countAt(text, e, eta), least, most));
+            const at = await placeOf(canvas, ...(map ? map(e, eta) : [e, eta]));
+            assert.ok(has(picture, at, ink, 3), `(${e}, ${eta}) has ${picture.at(...at)}, not ${ink}`);
+        }
+    };
+    await check(null);
+    await page.locator("#file-1 .controls select").nth(1).selectOption("physical");
+    await settled(page);
+    points.splice(points.findIndex(([, eta]) => eta === 1.7), 1); // steeper than the window shows
+    await check((e, eta) => [Math.PI / 2 + e, (eta - Math.cos(e)) / (1 + 1 / 100)]);
+    await page.close();
+});
+
+test("pointing at a box tells its range, its reason and the verifier's command, which explains that box", async () => {
+    const page = await open(browser, report(place("full.html"), files.full));
+    const canvas = page.locator("#file-1 .plane canvas").first();
+    await canvas.scrollIntoViewIfNeeded();
+    const [x, y] = await placeOf(canvas, 0.9, 0.2);
+    await canvas.hover({ position: { x, y } });
+    const told = await page.locator("#file-1 figure .readout").first().textContent();
+    assert.match(told, /count \d+: at most \d+ later collisions/);
+    const command = /dumbbell (verify --explain \S+ \S+)/.exec(told)[1].split(" ");
+    const explained = dumbbell(...command);
+    const range = /e ([\d.]+) to ([\d.]+), eta ([\d.]+) to ([\d.]+)/.exec(told).slice(1).map(Number);
+    assert.ok(range[0] <= 0.9 && 0.9 <= range[1] && range[2] <= 0.2 && 0.2 <= range[3], told);
+    assert.ok(explained.includes(`within [${range[0]}`), explained.slice(0, 400));
+    assert.match(explained, new RegExp(/count \d+/.exec(told)[0]));
+    await page.close();
+});
+
+test("the extremal orbits and the witness are marked", async () => {
+    const page = await open(browser, report(place("ten.html"), files.ten));
+    const canvas = page.locator("#file-1 .plane canvas").first();
+    const picture = await pixels(canvas);
+    for (const [e, eta, name] of [[0.5, 0.5, "--mark"], [Math.PI / 2, 0, "--mark-top"], [0, 0, "--mark-corner"]]) {
+        assert.ok(has(picture, await placeOf(canvas, e, eta), await colour(page, name), 2), name);
+    }
+    await page.close();
+});
+
+test("a colour means the same in the page and in the pictures of dumbbell plot, light and dark", async () => {
+    const wide = place("wide.dbc"); // with a gap
+    dumbbell("certify", "4.5:4.7", "--gap", "1e-2", "--out", wide);
+    const names = { proved: "stroke", paper: "stroke", growth: "stroke", gap: "fill", light: "fill", heavy: "fill", ground: "fill", witness: "stroke" };
+    const pictures = [["staircase", wide], ["orbit", files.ten], ["cover", files.full]].map(([kind, file], i) => {
+        dumbbell("plot", kind, file, "--out", place(`${i}.svg`));
+        return readFileSync(place(`${i}.svg`), "utf8");
+    });
+    const page = { light: await open(browser, everyKind(), { colorScheme: "light" }), dark: await open(browser, everyKind(), { colorScheme: "dark" }) };
+    const variable = { ground: "--floor", witness: "--mark" };
+    let compared = 0;
+    for (const scheme of ["light", "dark"]) {
+        for (const picture of pictures) {
+            const [light, dark] = picture.match(/<style>(.*?)@media \(prefers-color-scheme:dark\)\{(.*)\}<\/style>/s).slice(1);
+            const rules = scheme === "light" ? light : dark;
+            for (const [name, property] of Object.entries(names)) {
+                const found = new RegExp(`\\.${name}\\{${property}:(#\\w{6})\\}`).exec(rules);
+                if (found) {
+                    const [r, g, b] = [1, 3, 5].map((i) => parseInt(found[1].slice(i, i + 2), 16));
+                    assert.equal(await colour(page[scheme], variable[name] ?? `--${name}`), `${r},${g},${b}`, `${scheme} ${name}`);
+                    ++compared;
+                }
+            }
+            const counts = [...rules.matchAll(/\.n(\d+)\{fill:(#\w{6})\}/g)].map(([, n, ink]) => [Number(n), ink]);
+            const ends = [Math.min(...counts.map(([n]) => n)), Math.max(...counts.map(([n]) => n))];
+            for (const [n, ink] of counts) {
+                const mine = plain(countColour(n, ...ends, scheme === "dark" ? 0.84 : 1)).split(",").map(Number);
+                assert.equal(`#${mine.map((part) => part.toString(16).padStart(2, "0")).join("")}`, ink, `${scheme} ${n}`);
+                ++compared;
+            }
+        }
+    }
+    assert.ok(compared >= 2 * (4 + 3 + 1 + 7), String(compared));
+    await Promise.all(Object.values(page).map((of) => of.close()));
+});
+
+test("initial conditions are coloured by their exact counts, which trace confirms", async () => {
+    const page = await open(browser, report(place("starts.html"), files.starts));
+    const canvas = page.locator("#file-1 .plane canvas").first();
+    const picture = await pixels(canvas);
+    const claims = [...readFileSync(files.starts, "utf8").matchAll(/^exactly (\d+)/gm)].map((match) => Number(match[1]));
+    const ends = [Math.min(...claims), Math.max(...claims)];
+    for (const [phi, phidot] of [[1.5, 0], [0.3, -0.4], [2.8, 0.1]]) {
+        const traced = JSON.parse(dumbbell("trace", 10, "--phi", phi, "--phidot", phidot, "--y", "3/2", "--ydot", -1, "--json"));
+        const ink = plain(countColour(traced.least, ...ends));
+        assert.ok(has(picture, await placeOf(canvas, phi, phidot), ink, 2), `(${phi}, ${phidot}): ${traced.least}`);
+    }
+    await page.close();
+});
+
+test("the dumbbell and its point are drawn, for a wedge the point alone", async () => {
+    const page = await open(browser, report(place("two.html"), files.ten, files.wedge));
+    const [light, heavy, point] = await Promise.all(["--light", "--heavy", "--point"].map((name) => colour(page, name)));
+    const body = await pixels(page.locator("#file-1 canvas.dumbbell"));
+    const inks = new Set();
+    for (let x = 0; x < body.width - 1; x += 2) {
+        for (let y = 0; y < body.height - 40; y += 2) {
+            inks.add(body.at(x, y));
+        }
+    }
+    assert.ok(inks.has(light) && inks.has(heavy));
+    assert.ok(await page.locator("#file-2 canvas.dumbbell").isHidden());
+    const plane = page.locator("#file-2 .player .plane canvas");
+    const picture = await pixels(plane);
+    assert.ok(inkShare(picture) > 0.05);
+    let seen = false;
+    for (let x = 0; x < picture.width - 1 && !seen; ++x) {
+        for (let y = 0; y < picture.height - 1 && !seen; ++y) {
+            seen = picture.at(x, y) === point;
+        }
+    }
+    assert.ok(seen);
+    await page.close();
+});

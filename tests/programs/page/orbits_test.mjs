@@ -1,0 +1,153 @@
+// The motions of the page against the program's enclosures, and the shipped witnesses against their certificates.
+import assert from "node:assert/strict";
+import { spawnSync } from "node:child_process";
+import test from "node:test";
+import { fault, numberFrom } from "../../../web/src/start.js";
+import { orbitFromContact, orbitFromStart, stateAt } from "../../../web/src/orbit.js";
+import { parse, toNumber } from "../../../web/src/rational.js";
+import { bridgeOrbit, extremalOrbits, wedgeOrbit } from "../../../web/src/witness.js";
+import { chartPoints } from "../../../web/src/chart_points.js";
+import { floorAt } from "../../../web/src/flight.js";
+import { certificates, dataIn, dumbbell, report, scratch } from "./program.mjs";
+
+/// What trace says, whatever its exit code.
+const spawnTrace = ({ q, phi, phidot, y, ydot }) => {
+    const { stdout, stderr } = spawnSync(process.env.DUMBBELL_BIN, ["trace", q, "--phi", phi, "--phidot", phidot, "--y", y, "--ydot", ydot].map(String), { encoding: "utf8" });
+    return stdout + stderr;
+};
+
+/// Reproducible numbers in [0, 1).
+function random(seed) {
+    return () => {
+        seed = (seed * 1103515245 + 12345) % 2147483648;
+        return seed / 2147483648;
+    };
+}
+
+test("a start typed into the page has the collisions that dumbbell trace encloses, where it encloses them", () => {
+    const next = random(7);
+    const rounded = (x) => Number(x.toFixed(3));
+    let collisions = 0;
+    let decided = 0;
+    for (let i = 0; i < 60; ++i) {
+        const start = {
+            q: [1, 2, 10, 100, 1000, 1e4][i % 6],
+            phi: rounded(next() * 6 - 3), phidot: rounded(next() * 4 - 2), y: rounded(1.01 + next() * 2), ydot: rounded(-1.5 * next()),
+        };
+        const traced = JSON.parse(dumbbell("trace", start.q, "--phi", start.phi, "--phidot", start.phidot, "--y", start.y, "--ydot", start.ydot, "--json"));
+        const orbit = orbitFromStart(start);
+        const where = JSON.stringify(start);
+        if (traced.outcome !== "exact") {
+            continue;
+        }
+        ++decided;
+        assert.equal(orbit.collisions.length, traced.least, where);
+        const beta2 = 1 / (1 + 1 / start.q);
+        traced.collisions.forEach((c, k) => {
+            const mine = orbit.collisions[k];
+            const close = (value, [lo, hi]) => assert.ok(value > lo - 1e-9 && value < hi + 1e-9, `${where} collision ${k + 1}: ${value} not in ${lo}..${hi}`);
+            assert.equal(mine.heavy, c.mass === "heavy", where);
+            close(mine.t, c.time);
+            close(mine.psi + Math.PI / 2, c.phi);
+            close(mine.y * beta2, c.y);
+            close(mine.before.vy * beta2, c.ydot_before);
+            close(mine.after.vy * beta2, c.ydot_after);
+            close(mine.after.vpsi, c.phidot_after);
+            ++collisions;
+        });
+    }
+    console.log(`${decided} of 60 starts decided by trace, ${collisions} collisions compared`);
+    assert.ok(decided >= 50);
+});
+
+const place = scratch();
+const files = certificates(place);
+const dataOf = (...names) => dataIn(report(place("data.html"), ...names.map((name) => files[name]))).files;
+const middle = ({ lo, hi }) => Math.sqrt(toNumber(parse(lo)) * toNumber(parse(hi)));
+
+test("where both masses hit the floor at once no motion is defined, as dumbbell trace says", () => {
+    const flat = { q: 10, phi: 0, phidot: 0, y: 1, ydot: -1 };
+    const orbit = orbitFromStart(flat);
+    assert.deepEqual([orbit.collisions.length, orbit.isCorner, orbit.complete], [0, true, false]);
+    assert.ok(Math.abs(orbit.last.until - 1) < 1e-9); // falls from 1 with speed 1
+    const traced = spawnTrace(flat);
+    assert.match(traced, /no motion is defined|both masses/);
+    const later = orbitFromStart({ ...flat, phi: 0.001 });
+    assert.equal(later.isCorner, false);
+});
+
+test("each shipped witness has in the page the collisions that its certificate claims", () => {
+    let witnesses = 0;
+    for (const file of dataOf("stairs", "long", "ten", "full", "wedge", "hybrid")) {
+        for (const piece of file.pieces) {
+            const { chart, e, eta, forward, backward } = piece.witness;
+            const [a, b] = [toNumber(parse(e)), toNumber(parse(eta))];
+            const q = middle(piece);
+            const orbit = chart === "wedge" ? wedgeOrbit(b, q) : bridgeOrbit(a, b, q);
+            const found = orbit.collisions.length;
+            assert.ok(found >= 1 + forward + backward && (piece.upper === null || found <= piece.upper), `${file.name} ${piece.lo}: ${found}`);
+            ++witnesses;
+        }
+    }
+    console.log(`${witnesses} witnesses`);
+    assert.ok(witnesses > 1000);
+});
+
+test("an orbit keeps its energy, stays above the floor, and collides on it", () => {
+    for (const [e, eta, q] of [[0.5, 0.5, 10], [0.5, 0.5, 100], [0.25, 0.5, 1e4], [1.2, 3, 50]]) {
+        const orbit = bridgeOrbit(e, eta, q);
+        const energy = ({ vpsi, vy }) => vpsi ** 2 + q * vy ** 2;
+        for (const c of orbit.collisions) {
+            assert.ok(Math.abs(energy(c.before) - 1) < 1e-9 && Math.abs(energy(c.after) - 1) < 1e-9);
+            assert.ok(Math.abs(c.y - floorAt(c.psi, 1 / q)) < 1e-12);
+        }
+        for (let t = orbit.first.until; t < orbit.last.until; t += 0.05) {
+            const { psi, y } = stateAt(orbit, t);
+            assert.ok(y > floorAt(psi, 1 / q) - 1e-9);
+        }
+    }
+});
+
+test("the two extremal orbits have N - 1 or N collisions, with the bridge's contact", () => {
+    for (const [q, n] of [[10, 4], [100, 10], [1e4, 90], [1e6, 887]]) {
+        const { top, corner } = extremalOrbits(q);
+        const counts = [top.collisions.length, corner.collisions.length];
+        assert.ok(counts.every((count) => count === n || count === n - 1), `${q}: ${counts}`);
+        assert.ok(counts.includes(n) || counts[0] === n - 1);
+    }
+});
+
+test("an orbit's states lie in the charts of a full section where its collisions are", () => {
+    const orbit = bridgeOrbit(0.5, 0.5, 100);
+    const [[t, eta]] = chartPoints(orbit, "contact");
+    assert.ok(Math.abs(t - 0.5) < 1e-12 && Math.abs(eta - 0.5) < 1e-12);
+    const departures = chartPoints(orbit, "departure");
+    assert.equal(departures.length, 9); // all collisions of the light mass: each leaves across the cell
+    assert.ok(departures.every(([e, slope]) => e > 0 && e < Math.PI / 2 && slope > 0 && slope < 2));
+});
+
+test("a start from a contact goes on as the orbit through that contact", () => {
+    const orbit = bridgeOrbit(0.5, 0.5, 100);
+    const c = orbit.collisions[2];
+    const again = orbitFromContact(100, { psi: c.psi, y: c.y, ...c.before }, c.heavy);
+    assert.equal(again.collisions.length, orbit.collisions.length - 2);
+});
+
+test("what is typed is read as a number, and what cannot start is told", () => {
+    for (const [text, value] of [["3", 3], [" -1/2 ", -0.5], ["\u22120.5", -0.5], ["1e4", 10000], [".5", 0.5], ["+2", 2]]) {
+        assert.equal(numberFrom(text), value);
+    }
+    for (const text of ["", "x", "1/2/3", "1,5", "--1", "0x10", "Infinity", "1 2"]) {
+        assert.ok(Number.isNaN(numberFrom(text)), text);
+    }
+    const good = { q: 10, phi: 0, phidot: 1, y: 1, ydot: -1 };
+    assert.equal(fault(good), null);
+    assert.equal(fault({ ...good, q: 0.5 }), null); // the masses are swapped
+    for (const q of [0, -1, 1e-320]) {
+        assert.match(fault({ ...good, q }), /greater than 0/);
+    }
+    assert.match(fault({ ...good, y: 0 }), /above the floor/);
+    assert.match(fault({ ...good, phi: -Math.PI / 2, y: 0.5 }), /above the floor/);
+    assert.match(fault({ ...good, phidot: 0, ydot: 0 }), /rest/);
+    assert.match(fault({ ...good, y: Infinity }), /doubles can hold/);
+});

@@ -1,0 +1,105 @@
+// The shipped table of critical ratios: complete, in order, and made again, byte for byte, row by row.
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <random>
+#include <sstream>
+
+#include "programs/cli/process.hpp"
+#include "collisions/reader.hpp"
+
+using namespace dumbbell_test;
+
+namespace {
+
+using Lines = std::vector<std::string>;
+
+constexpr long first = 3;
+constexpr long last = 902;
+
+const std::string table = DUMBBELL_PROJECT "/certificates/critical-ratios.tsv";
+
+Lines lines_of(const std::string& path) {
+    Lines lines;
+    std::istringstream in(contents(path));
+    for (std::string line; std::getline(in, line);) {
+        lines.push_back(line);
+    }
+    return lines;
+}
+
+Lines made(const std::string& counts) {
+    const TemporaryFolder folder;
+    const Outcome result =
+        run({DUMBBELL_BIN, "critical", counts, "--digits", "50", "--out", folder / "made.tsv"});
+    CAPTURE(result.err);
+    REQUIRE(result.code == 0);
+    return lines_of(folder / "made.tsv");
+}
+
+Lines without_remarks(Lines lines) {
+    lines.erase(
+        std::remove_if(lines.begin(), lines.end(), [](const auto& line) { return line.starts_with('#'); }),
+        lines.end());
+    return lines;
+}
+
+}  // namespace
+
+TEST_CASE("the table of critical ratios has every N from 3 to 902, with 50 digits, increasing") {
+    const Lines rows = without_remarks(lines_of(table));
+    REQUIRE(rows.size() == last - first + 1);
+    long double previous = 0;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        std::istringstream in(rows[i]);
+        long n = 0;
+        std::string ratio;
+        in >> n >> ratio;
+        CAPTURE(rows[i]);
+        REQUIRE(n == first + static_cast<long>(i));
+        REQUIRE((n == 3 || ratio.size() == 51));
+        REQUIRE(std::stold(ratio) > previous);
+        previous = std::stold(ratio);
+    }
+}
+
+TEST_CASE("a sample of the table of critical ratios is made again, byte for byte") {
+    const Lines shipped = lines_of(table);
+    const Lines rows = without_remarks(shipped);
+    // The first rows with the remarks in front.
+    const Lines beginning = made("3:40");
+    REQUIRE(beginning.size() <= shipped.size());
+    CHECK(std::equal(beginning.begin(), beginning.end(), shipped.begin()));
+    std::mt19937_64 engine(2026);
+    for (int i = 0; i < 12; ++i) {
+        const auto n = first + static_cast<long>(engine() % (last - first + 1));
+        CAPTURE(n);
+        const Lines again = without_remarks(made(std::to_string(n)));
+        REQUIRE(again.size() == 1);
+        CHECK(again.front() == rows.at(static_cast<std::size_t>(n - first)));
+    }
+}
+
+TEST_CASE("the covers and the two orbits of the theorem agree on [1, 10^6]") {
+    // The staircases know nothing of the theorem, the table nothing of the covers.
+    const Lines rows = without_remarks(lines_of(table));
+    for (const char* name : {"stairs-1-100.dbc", "stairs-1-1e4.dbc.gz", "stairs-1-1e6.dbc.gz"}) {
+        const auto stairs = dumbbell::read_certificate(std::string(DUMBBELL_PROJECT "/certificates/") + name);
+        for (const dumbbell::Piece& piece : stairs.pieces) {
+            const long n = *piece.upper;
+            CAPTURE(name, n);
+            if (piece.status() == dumbbell::Status::exact) {
+                continue;
+            }
+            // The gap from n - 1 to n: q_c(n) = value + [0, radius] lies in it.
+            std::istringstream in(rows.at(static_cast<std::size_t>(n - first)));
+            std::string number, value, radius;
+            in >> number >> value >> radius;
+            REQUIRE(number == std::to_string(n));
+            const dumbbell::Rational from = dumbbell::parse_rational(value);
+            CHECK(piece.q_lo <= from);
+            CHECK(from + dumbbell::parse_rational(radius) <= piece.q_hi);
+        }
+        const auto& last_piece = stairs.pieces.back();
+        CHECK(last_piece.status() == dumbbell::Status::exact);
+    }
+}

@@ -1,0 +1,217 @@
+#!/usr/bin/env bash
+# Tests of ./run: set-up, missing packages, failing builds, and that arguments, stdout, working directory
+# and exit code pass through. Works in a scratch project beside copies of the real scripts.
+set -euo pipefail
+
+source_root=$(cd -- "$(dirname -- "$0")/../../.." && pwd)
+scratch=$(mktemp -d)
+trap 'rm -rf -- "$scratch"' EXIT
+project="$scratch/a project" # a path with a space
+fake=$scratch/fake
+unset DUMBBELL_WERROR
+
+mkdir -p -- "$project/.ci" "$scratch/elsewhere" "$fake"
+cp -- "$source_root/run" "$source_root/CMakePresets.json" "$project"
+cp -- "$source_root"/.ci/{install,packages.txt} "$project/.ci"
+cat > "$project/CMakeLists.txt" << 'END'
+cmake_minimum_required(VERSION 3.25)
+project(scratch LANGUAGES CXX)
+option(BUILD_TESTING "" ON)
+option(DUMBBELL_WERROR "" OFF)
+set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/bin)
+add_executable(dumbbell main.cpp)
+add_executable(dumbbell-verify main.cpp)
+if(BUILD_TESTING)
+  enable_testing()
+  add_test(NAME werror-${DUMBBELL_WERROR} COMMAND dumbbell exit 0)
+endif()
+END
+cat > "$project/main.cpp" << 'END'
+#include <unistd.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+static bool holds_lock(int fd) {
+    char link[64], path[4096] = {};
+    std::snprintf(link, sizeof link, "/proc/self/fd/%d", fd);
+    return readlink(link, path, sizeof path - 1) > 0 && std::strstr(path, ".run.lock") != nullptr;
+}
+int main(int argc, char** argv) {
+    std::printf("cwd=%s\n", std::filesystem::current_path().filename().c_str());
+    for (int i = 1; i < argc; ++i) std::printf("<%s>\n", argv[i]);
+    for (int fd = 3; fd < 30; ++fd)
+        if (holds_lock(fd)) std::puts("the lock is still held");
+    return argc > 2 && std::strcmp(argv[1], "exit") == 0 ? std::atoi(argv[2]) : 0;
+}
+END
+
+failures=0
+# run_in FOLDER COMMAND...: leaves $code, $out, $err.
+run_in() {
+    local folder=$1
+    shift
+    code=0
+    (cd -- "$folder" && "$@") > "$scratch/out" 2> "$scratch/err" < /dev/null || code=$?
+    out=$(< "$scratch/out") err=$(< "$scratch/err")
+}
+expect() { # expect WHAT CONDITION...: the condition is a command
+    local what=$1
+    shift
+    if "$@"; then
+        echo "ok: $what"
+    else
+        failures=$((failures + 1))
+        printf 'FAILED: %s\n  exit code: %s\n  stdout: %s\n  stderr: %s\n' "$what" "$code" "$out" "$err"
+    fi
+}
+has() { [[ $1 == *"$2"* ]]; }
+lacks() { [[ $1 != *"$2"* ]]; }
+is() { [[ $1 == "$2" ]]; }
+
+# Words
+run_in "$scratch" "$project/run"
+expect "no word: exit 2" is "$code" 2
+expect "no word: help on stderr" has "$err" "usage: ./run WORD"
+expect "no word: nothing on stdout" is "$out" ""
+expect "no word: nothing was built" test ! -e "$project/build"
+
+# Missing packages. The fake dpkg-query knows all but two.
+cat > "$fake/dpkg-query" << 'END'
+#!/usr/bin/env bash
+for word in "${@:3}"; do
+    case $word in
+        libmpfi-dev) [[ ! -e $FAKE_STATE ]] || echo "installed:$word" ;;
+        catch2) echo "config-files:$word" ;;
+        *) echo "installed:$word" ;;
+    esac
+done
+[[ -e $FAKE_STATE ]]
+END
+cat > "$fake/apt-get" << 'END'
+#!/usr/bin/env bash
+echo "apt-get's own chatter"
+echo "$* [$DEBIAN_FRONTEND]" >> "$FAKE_LOG"
+[[ $* != *update* ]] || exit 100
+[[ $FAKE_APT == works ]] || exit 100
+touch "$FAKE_STATE"
+END
+printf '#!/bin/sh\necho "$FAKE_UID"\n' > "$fake/id"
+chmod +x "$fake"/*
+export FAKE_STATE=$scratch/installed FAKE_LOG=$scratch/apt.log FAKE_UID=1000 FAKE_APT=works
+with_fakes() { run_in "$scratch/elsewhere" env PATH="$fake:$PATH" "$@"; }
+
+with_fakes "$project/run" certify 10
+expect "without root: exit 2" is "$code" 2
+expect "without root: names what is missing and why" has "$err" "libmpfi-dev          multiple-precision intervals"
+expect "without root: prints the command" has "$err" "apt-get install -y --no-install-recommends libmpfi-dev\""
+expect "without root: only what is missing, only what is needed" lacks "$err" catch2
+expect "without root: nothing on stdout" is "$out" ""
+expect "without root: apt-get is not called" test ! -e "$FAKE_LOG"
+expect "without root: nothing was built" test ! -e "$project/build"
+with_fakes "$project/run" test
+expect "the tests need more packages" has "$err" "install -y --no-install-recommends libmpfi-dev catch2\""
+cp -- "$fake/id" "$fake/catch2"
+with_fakes "$project/run" test
+expect "a program from elsewhere does as well as its package" lacks "$err" catch2
+rm -- "$fake/catch2"
+
+FAKE_UID=0 FAKE_APT=fails
+with_fakes "$project/run" certify 10
+expect "apt-get fails: exit 1" is "$code" 1
+expect "apt-get fails: its output is shown" has "$err" "apt-get's own chatter"
+FAKE_APT=works
+with_fakes "$project/run" certify 10
+expect "as root: installs and goes on, though apt-get update failed" is "$code" 0
+expect "as root: says so" has "$err" "installing them with apt-get"
+expect "as root: waits for the lock, asks nothing" \
+    grep -qxF -- "-o DPkg::Lock::Timeout=300 install -y --no-install-recommends libmpfi-dev [noninteractive]" "$FAKE_LOG"
+expect "as root: stdout is the program's alone" is "$out" $'cwd=elsewhere\n<certify>\n<10>'
+: > "$FAKE_LOG"
+with_fakes "$project/run" certify 10
+expect "installed: silent" is "$err" ""
+expect "installed: apt-get is not called" test ! -s "$FAKE_LOG"
+
+# The build and what passes through
+rm -rf -- "$project/build"
+run_in "$scratch/elsewhere" "$project/run" certify 1:100 --out "my file" ""
+expect "first run: exit 0" is "$code" 0
+expect "first run: arguments and working directory pass through" \
+    is "$out" $'cwd=elsewhere\n<certify>\n<1:100>\n<--out>\n<my file>\n<>'
+expect "first run: says that it builds" has "$err" "run: building in $project/build"
+expect "first run: without the tests" grep -qx BUILD_TESTING:BOOL=OFF "$project/build/CMakeCache.txt"
+ln -s -- "$project/run" "$scratch/elsewhere/link"
+run_in "$scratch/elsewhere" ./link exit 3
+expect "through a link, nothing to do: the program's exit code" is "$code" 3
+expect "through a link, nothing to do: silent" is "$err" ""
+expect "the program does not inherit the lock" lacks "$out" "lock is still held"
+run_in "$project" bash run --help
+expect "--help goes to the program" is "$out" $'cwd=a project\n<--help>'
+run_in "$project" ./run build
+expect "build: exit 0, nothing on stdout" is "$code$out" 0
+run_in "$project" ./run build more
+expect "build: no arguments" is "$code" 2
+run_in "$project" ./run package now
+expect "package takes no arguments" is "$code" 2
+run_in "$project" ./run bench
+expect "bench, none there: exit 1" is "$code" 1
+expect "bench, none there: says so" has "$err" "no benchmarks"
+
+# Tests
+run_in "$scratch/elsewhere" "$project/run" test
+expect "test: exit 0" is "$code" 0
+expect "test: ctest's summary" has "$out" "100% tests passed, 0 tests failed out of 1"
+run_in "$scratch/elsewhere" env DUMBBELL_WERROR=ON "$project/run" test -N
+expect "test: options for ctest; warnings as errors" has "$out" "werror-ON"
+run_in "$scratch/elsewhere" "$project/run" test -R no-such-test
+expect "test: no tests is a failure" test "$code" -ne 0
+run_in "$scratch/elsewhere" "$project/run" --version
+expect "a folder with tests keeps them" grep -qx BUILD_TESTING:BOOL=ON "$project/build/CMakeCache.txt"
+expect "a folder with tests: nothing to do, silent" is "$err" ""
+
+# A moved project
+mv -- "$project" "$scratch/moved"
+project=$scratch/moved
+run_in "$scratch/elsewhere" "$project/run" certify
+expect "moved project: configured again" is "$code" 0
+expect "moved project: like a new one" grep -qx BUILD_TESTING:BOOL=OFF "$project/build/CMakeCache.txt"
+
+# Two at once
+touch "$project/main.cpp"
+(cd -- "$project" && ./run certify > "$scratch/out1" 2>&1) &
+run_in "$project" ./run certify
+wait $!
+expect "two at once: both succeed" is "$code" 0
+
+# Ctrl-C while it builds: the whole group of processes is told
+mkdir -- "$scratch/stopping"
+printf '#!/bin/sh\nkill -INT 0\nsleep 10\n' > "$scratch/stopping/cmake"
+chmod +x "$scratch/stopping/cmake"
+touch "$project/main.cpp"
+run_in "$scratch/elsewhere" setsid --wait env PATH="$scratch/stopping:$PATH" "$project/run" certify
+expect "stopped: exit 130" is "$code" 130
+expect "stopped: one line, and no log" is "$err" "run: stopped; the same command goes on with the build"
+
+# A failing build, then a repaired one
+cp -- "$project/main.cpp" "$scratch/main.cpp"
+echo 'int broken = "text";' >> "$project/main.cpp"
+run_in "$scratch/elsewhere" "$project/run" certify
+expect "compile error: exit 1" is "$code" 1
+expect "compile error: shown on stderr" has "$err" "invalid conversion"
+expect "compile error: nothing on stdout" is "$out" ""
+cp -- "$scratch/main.cpp" "$project/main.cpp"
+run_in "$scratch/elsewhere" "$project/run" certify
+expect "repaired: exit 0" is "$code" 0
+echo 'message(FATAL_ERROR "no such luck")' >> "$project/CMakeLists.txt"
+run_in "$scratch/elsewhere" "$project/run" certify
+expect "configure error: exit 1" is "$code" 1
+expect "configure error: shown on stderr" has "$err" "no such luck"
+rm -rf -- "$project/build"
+run_in "$scratch/elsewhere" "$project/run" certify
+expect "configure error in an empty folder: exit 1" is "$code" 1
+sed -i '$d' "$project/CMakeLists.txt"
+run_in "$scratch/elsewhere" "$project/run" certify
+expect "after a failed configuration: exit 0" is "$code" 0
+
+((failures == 0)) || { echo "$failures failed"; exit 1; }

@@ -1,0 +1,84 @@
+#include "certificates/any_reader.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "programs/cli/process.hpp"
+#include "adiabatic/writer.hpp"
+#include "base/error.hpp"
+#include "collisions/writer.hpp"
+#include "rooms/collisions/example.hpp"
+#include "file/atomic_file.hpp"
+#include "starts/writer.hpp"
+
+using namespace dumbbell_test;
+using Catch::Matchers::Contains;
+
+namespace {
+
+CertificateText initial_text() {
+    InitialCertificate certificate{"dumbbell", "0.1.0", {}, 53, {{}}};
+    certificate.box.lo = certificate.box.hi = {0, 1, 3, -1, 10};
+    return render(certificate);
+}
+
+CertificateText adiabatic_text() {
+    AdiabaticCertificate certificate;
+    certificate.program = "dumbbell";
+    certificate.version = "0.1.0";
+    certificate.hypotheses.claim = AdiabaticClaim::printed;
+    certificate.hypotheses.delta = {Rational(1, 100), Rational(1, 100)};
+    certificate.hypotheses.margin = Rational(1, 2);
+    certificate.attained = {{Rational(1, 2), 1, Rational(1, 100), 63, 3}};
+    return render(certificate);
+}
+
+// Does `check(path)` with a file of this text.
+template <class Check>
+auto with_file(const std::string& text, const Check& check, const std::string& name = "file.dbc") {
+    const TemporaryFolder folder;
+    write_file(folder / name, text);
+    return check(folder / name);
+}
+
+std::string digest_of(const std::string& text) { return with_file(text, sealed_digest); }
+
+}  // namespace
+
+TEST_CASE("a certificate of each claim kind is read as what it is") {
+    CHECK(std::holds_alternative<Certificate>(
+        with_file(render(every_kind_of_line()).text, read_any_certificate)));
+    CHECK(std::holds_alternative<InitialCertificate>(with_file(initial_text().text, read_any_certificate)));
+    CHECK(
+        std::holds_alternative<AdiabaticCertificate>(with_file(adiabatic_text().text, read_any_certificate)));
+}
+
+TEST_CASE("an unknown claim, no certificate and no file are refused") {
+    const std::string unknown = replaced(initial_text().text, "claim initial-conditions", "claim to-fame");
+    CHECK_THROWS_AS(with_file(unknown, read_any_certificate), InputError);
+    CHECK_THROWS_AS(with_file("", read_any_certificate), InputError);
+    CHECK_THROWS_AS(with_file("some text\n", read_any_certificate), InputError);
+    CHECK_THROWS_WITH(read_any_certificate("no/such/file.dbc"), Contains("no such file"));
+}
+
+TEST_CASE("the digest of a file is the one in its last line, plain or compressed") {
+    for (const CertificateText& good : {render(every_kind_of_line()), initial_text(), adiabatic_text()}) {
+        CHECK(digest_of(good.text) == good.sha256);
+        const TemporaryFolder folder;
+        AtomicFile(folder / "file.dbc.gz").commit(good.text);
+        CHECK(sealed_digest(folder / "file.dbc.gz") == good.sha256);
+    }
+}
+
+TEST_CASE("a damaged file has no digest: cut off, changed, or with something behind its end") {
+    const std::string good = render(every_kind_of_line()).text;
+    std::vector<std::string> damaged{
+        "",          good.substr(0, good.size() - 1),       good.substr(0, good.size() / 2), good + "\n",
+        good + good, replaced(good, "bits 128", "bits 129")};
+    damaged.push_back(good);
+    damaged.back()[good.size() - 2] = good[good.size() - 2] == '0' ? '1' : '0';
+    for (const std::string& text : damaged) {
+        CAPTURE(text);
+        CHECK_THROWS_WITH(digest_of(text), Contains("damaged"));
+    }
+    CHECK_THROWS_AS(sealed_digest("no/such/file.dbc"), InputError);
+}

@@ -1,0 +1,196 @@
+#include "collisions/piece_store.hpp"
+
+#include <sys/stat.h>
+
+#include <catch2/catch.hpp>
+#include <filesystem>
+#include <fstream>
+
+#include "example.hpp"
+#include "base/error.hpp"
+#include "collisions/writer.hpp"
+#include "file/file_contents.hpp"
+#include "file/sha256.hpp"
+
+using namespace dumbbell;
+using Catch::Matchers::Contains;
+namespace fs = std::filesystem;
+
+namespace {
+
+/// A place for a folder of pieces, removed at the end.
+struct Place {
+    fs::path path = fs::temp_directory_path() / ("dumbbell-store-" + std::to_string(::getpid()));
+    Place() { fs::remove_all(path); }
+    ~Place() { fs::remove_all(path); }
+    Place(const Place&) = delete;
+    Place& operator=(const Place&) = delete;
+};
+
+StoredClaim claim(long hi) { return {Scene::dumbbell, Section::turning, 1, hi, Rational(1, 1000)}; }
+
+fs::path only_piece(const Place& place) {
+    for (const auto& entry : fs::directory_iterator(place.path)) {
+        if (entry.path().extension() == ".dbc") {
+            return entry.path();
+        }
+    }
+    throw std::runtime_error("no piece was kept");
+}
+
+}  // namespace
+
+TEST_CASE("a kept piece is found again, by a later run too, and by its own bounds only") {
+    const Place place;
+    const Piece piece = dumbbell_test::piece(5, 11, 4, 4);
+    {
+        const PieceStore store(place.path.string(), claim(100));
+        CHECK_FALSE(store.find({5, 11, 4, 4}).has_value());
+        store.keep(piece);
+    }
+    PieceStore store(place.path.string(), claim(100));
+    const auto found = store.find({5, 11, 4, 4});
+    REQUIRE(found.has_value());
+    CHECK(found->cover.leaves() == piece.cover.leaves());
+    CHECK(found->witness->eta == piece.witness->eta);
+    CHECK_FALSE(store.find({5, 11, 5, 4}).has_value());
+    CHECK_FALSE(store.find({5, 12, 4, 4}).has_value());
+    store.remove();
+    CHECK_FALSE(fs::exists(place.path));
+}
+
+TEST_CASE("a piece whose file is not whole, or is another's, is not found") {
+    const Place place;
+    const PieceStore store(place.path.string(), claim(100));
+    store.keep(dumbbell_test::piece(5, 11, 4, 4));
+    const fs::path file = only_piece(place);
+    SECTION("truncated") { fs::resize_file(file, fs::file_size(file) - 1); }
+    SECTION("empty") { fs::resize_file(file, 0); }
+    SECTION("a changed byte") {
+        std::fstream stream(file, std::ios::in | std::ios::out | std::ios::binary);
+        stream.seekp(100);
+        stream.put('#');
+    }
+    SECTION("another piece under its name") {
+        const fs::path mine = file.string() + ".mine";
+        fs::rename(file, mine);
+        store.keep(dumbbell_test::piece(6, 7, 4, 4));
+        fs::rename(only_piece(place), file);
+        fs::remove(mine);
+    }
+    SECTION("a right checksum under what is no certificate") {
+        const std::string text = "dumbbell-certificate 1\n";
+        std::ofstream(file) << text << "sha256 " << sha256_hex(text) << '\n';
+    }
+    std::vector<std::string> damaged;
+    CHECK_FALSE(
+        store.find({5, 11, 4, 4}, [&](const std::string& name) { damaged.push_back(name); }).has_value());
+    CHECK(damaged == std::vector{file.string()});
+    CHECK_FALSE(
+        store.find({5, 12, 4, 4}, [&](const std::string& name) { damaged.push_back(name); }).has_value());
+    CHECK(damaged.size() == 1);  // what was never kept is not damaged
+}
+
+TEST_CASE("pieces under each other's names are not found") {
+    const Place place;
+    const PieceStore store(place.path.string(), claim(100));
+    store.keep(dumbbell_test::piece(5, 11, 4, 4));
+    const fs::path first = only_piece(place);
+    const fs::path beside = place.path.string() + "-first";
+    fs::rename(first, beside);
+    store.keep(dumbbell_test::piece(6, 7, 4, 4));
+    const fs::path second = only_piece(place);
+    SECTION("swapped") {
+        fs::rename(second, first);
+        fs::rename(beside, second);
+        CHECK_FALSE(store.find({5, 11, 4, 4}).has_value());
+        CHECK_FALSE(store.find({6, 7, 4, 4}).has_value());
+    }
+    SECTION("twice") {
+        fs::copy_file(beside, first);
+        fs::copy_file(beside, second, fs::copy_options::overwrite_existing);
+        CHECK(store.find({5, 11, 4, 4}).has_value());
+        CHECK_FALSE(store.find({6, 7, 4, 4}).has_value());
+    }
+    fs::remove(beside);
+}
+
+TEST_CASE("what whoever reads it would wait for is in the way of a piece") {
+    const Place place;
+    const PieceStore store(place.path.string(), claim(100));
+    store.keep(dumbbell_test::piece(5, 11, 4, 4));
+    const fs::path file = only_piece(place);
+    fs::remove(file);
+    REQUIRE(::mkfifo(file.c_str(), 0600) == 0);
+    CHECK_THROWS_WITH(store.find({5, 11, 4, 4}), Contains(file.string()) && Contains("remove it"));
+}
+
+TEST_CASE("a damaged claim costs no piece, and takes none from another run") {
+    const Place place;
+    const std::string claim_file = (place.path / "claim").string();
+    { PieceStore(place.path.string(), claim(100)).keep(dumbbell_test::piece(5, 11, 4, 4)); }
+    const std::string truth = file_contents(claim_file);
+    for (const std::string& damage : {truth.substr(0, 20), std::string(), "x" + truth, truth + "more"}) {
+        std::ofstream(claim_file) << damage;
+        StoredClaim section = claim(100);
+        section.section = Section::full;
+        for (const StoredClaim& other : {claim(101), section}) {
+            CHECK_THROWS_WITH(PieceStore(place.path.string(), other), Contains("another run"));
+            CHECK(file_contents(claim_file) == damage);
+        }
+        const PieceStore store(place.path.string(), claim(100));
+        CHECK(store.find({5, 11, 4, 4}).has_value());
+        CHECK(file_contents(claim_file) == truth);
+    }
+    SECTION("a claim of another run without a piece is in nobody's way") {
+        fs::remove(only_piece(place));
+        { const PieceStore store(place.path.string(), claim(101)); }
+        CHECK_FALSE(fs::exists(place.path));
+    }
+    SECTION("what is no piece is somebody's") {
+        std::ofstream(place.path / GENERATE("thesis.tex", "stairs.dbc")) << "years of work";
+        std::ofstream(claim_file) << "x";
+        CHECK_THROWS_WITH(PieceStore(place.path.string(), claim(100)), Contains("another run"));
+    }
+    SECTION("a link is not followed") {
+        const fs::path other = place.path.string() + "-other";
+        std::ofstream(other) << "x";
+        fs::remove(claim_file);
+        fs::create_symlink(other, claim_file);
+        CHECK_THROWS_WITH(PieceStore(place.path.string(), claim(100)), Contains("another run"));
+        CHECK(file_contents(other.string()) == "x");
+        fs::remove(other);
+    }
+}
+
+TEST_CASE("a run that was killed while it made or removed its folder left nothing that is in the way") {
+    const Place place;
+    fs::create_directory(place.path);
+    { const PieceStore store(place.path.string(), claim(100)); }
+    CHECK_FALSE(fs::exists(place.path));
+
+    fs::create_directory(place.path);
+    std::ofstream(place.path / "claim.dumbbell-tmp") << "dumbbell-par";
+    {
+        const PieceStore store(place.path.string(), claim(100));
+        store.keep(dumbbell_test::piece(5, 11, 4, 4));
+        std::ofstream(only_piece(place).string() + ".dumbbell-tmp") << "dumbbell-cert";
+    }
+    fs::remove(only_piece(place));  // the claim is removed last
+    { const PieceStore store(place.path.string(), claim(100)); }
+    CHECK_FALSE(fs::exists(place.path));
+}
+
+TEST_CASE("a folder of another claim, or in use, is refused, and an unused one disappears") {
+    const Place place;
+    {
+        const PieceStore store(place.path.string(), claim(100));
+        CHECK_THROWS_WITH(PieceStore(place.path.string(), claim(100)), Contains("in use by another run"));
+        store.keep(dumbbell_test::piece(5, 11, 4, 4));
+    }
+    CHECK_THROWS_WITH(PieceStore(place.path.string(), claim(101)), Contains("another run"));
+    CHECK(fs::exists(only_piece(place)));
+    fs::remove(only_piece(place));
+    { const PieceStore store(place.path.string(), claim(100)); }
+    CHECK_FALSE(fs::exists(place.path));
+}

@@ -1,0 +1,98 @@
+// Rays at the edge of what few bits decide (near_rays.tsv): a formula, a pad or an end of an interval that is
+// wrong moves a bound or a count there. The rays were found by random search among those that tell a mutant
+// of the step from the step (tests/attacks/source_mutation/README.md).
+#include <catch2/catch.hpp>
+#include <fstream>
+#include <sstream>
+
+#include "flight/count.hpp"
+#include "rays.hpp"
+
+using namespace dumbbell;
+using namespace dumbbell_test;
+
+namespace {
+
+constexpr long cap = 30;
+
+struct Row {
+    int bits;
+    PlainRay ray;
+    std::string found;
+};
+
+std::vector<Row> rows() {
+    std::ifstream in(DUMBBELL_PROJECT "/tests/data/near_rays.tsv");
+    std::vector<Row> table;
+    for (std::string line; std::getline(in, line);) {
+        if (line[0] == '#') {
+            continue;
+        }
+        const std::size_t tab = line.find('\t');
+        std::istringstream words(line.substr(0, tab));
+        Row row{0, {}, line.substr(tab + 1)};
+        words >> row.bits;
+        for (double* x : {&row.ray.c, &row.ray.kappa, &row.ray.r}) {
+            std::string word;
+            words >> word;
+            *x = std::stod(word);  // hexadecimal, exactly
+        }
+        table.push_back(row);
+    }
+    return table;
+}
+
+std::string show(const std::optional<Contact<BigInterval>>& at) {
+    std::ostringstream out;
+    if (!at) {
+        return "none";
+    }
+    out << std::hexfloat << at->x.lo() << "," << at->sin_x.lo() << "," << at->cos_x.lo();
+    return out.str();
+}
+
+}  // namespace
+
+TEST_CASE("Rays near the edge of few bits have the same bounds and counts as before") {
+    REQUIRE(rows().size() > 50);
+    for (const auto& [bits, ray, expected] : rows()) {
+        const PrecisionScope scope(bits);
+        const BigInterval c(ray.c), kappa(ray.kappa);
+        const std::string found = std::to_string(count_at_least(as<BigInterval>(ray), cap)) + " " +
+                                  std::to_string(count_at_most(as<BigInterval>(ray), cap)) + " " +
+                                  show(lowest_contact(c, kappa)) + " " + show(highest_contact(c, kappa));
+        if (found != expected) {
+            FAIL(bits << " bits, " << dumbbell_test::show(ray) << "\n  expected: " << expected
+                      << "\n  found: " << found);
+        }
+    }
+}
+
+TEST_CASE("What few bits say of these rays, 300 bits do not contradict") {
+    for (const auto& [bits, ray, expected] : rows()) {
+        CAPTURE(bits, dumbbell_test::show(ray));
+        const auto at = [&, &ray = ray](int precision) {
+            const PrecisionScope scope(precision);
+            return std::tuple(lowest_contact(BigInterval(ray.c), BigInterval(ray.kappa)),
+                              highest_contact(BigInterval(ray.c), BigInterval(ray.kappa)),
+                              count_at_least(as<BigInterval>(ray), cap),
+                              count_at_most(as<BigInterval>(ray), cap));
+        };
+        const auto [lowest, highest, fewest, most] = at(bits);
+        const auto [fine_lowest, fine_highest, fine_fewest, fine_most] = at(300);
+        CHECK(fine_fewest <= most);
+        CHECK(fine_most >= fewest);
+        if (fine_highest) {
+            REQUIRE(lowest);
+            CHECK(lowest->x.lo() <= fine_highest->x.hi());
+            CHECK(lowest->sin_x.lo() <= fine_highest->sin_x.hi());
+            CHECK(lowest->cos_x.hi() >= fine_highest->cos_x.lo());
+        }
+        if (highest) {
+            REQUIRE(fine_lowest);
+            CHECK(highest->x.hi() >= fine_lowest->x.lo());
+            CHECK(highest->sin_x.hi() >= fine_lowest->sin_x.lo());
+            CHECK(highest->cos_x.lo() <= fine_lowest->cos_x.hi());
+        }
+    }
+}

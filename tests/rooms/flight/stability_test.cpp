@@ -1,0 +1,179 @@
+// Enclosures along orbits that are hard to enclose, in five forms: each contains the orbits of all its
+// points, and how far they get.
+#include <catch2/catch.hpp>
+
+#include "hard_orbits.hpp"
+#include "rooms/number/random.hpp"
+#include "reference.hpp"
+#include "rooms/number/show.hpp"
+
+using namespace dumbbell;
+using namespace dumbbell_test;
+
+namespace {
+
+/// The departures after each collision from which an orbit turns back, and the number of its collisions.
+template <class T>
+struct Exact {
+    std::vector<WallState<T>> departures;
+    std::size_t collisions = 0;
+};
+
+template <class T>
+Exact<T> exact_orbit(WallState<T> from, const T& r) {
+    Exact<T> orbit;
+    while (from.kappa < 1) {
+        const auto to_wall = flight<T>(T(sin(from.x) + from.kappa * (from.x + pi_in<T>())), from.kappa);
+        if (!to_wall.hits) {
+            break;
+        }
+        ++orbit.collisions;
+        const auto out = reflect<T>({T(1), from.kappa}, T(cos(to_wall.x)), r);
+        if (out.angular >= 0) {
+            break;
+        }
+        from = {to_wall.x, out.vertical / -out.angular};
+        orbit.departures.push_back(from);
+    }
+    return orbit;
+}
+
+template <class T, class I>
+T inside(const I& x, double share) {
+    const T low = low_of<T>(x);
+    return low + (high_of<T>(x) - low) * share;
+}
+
+/// Fails if the orbit of a point of `start` leaves an enclosure, or if its number of collisions contradicts
+/// them.
+template <class T, class I>
+void check_contains(const HardOrbit& orbit, Form form, const WallState<I>& start, double share_x,
+                    double share_kappa) {
+    const I r(orbit.r);
+    const auto ours = propagate(form, start, r);
+    const auto exact =
+        exact_orbit<T>({inside<T>(start.x, share_x), inside<T>(start.kappa, share_kappa)}, T(orbit.r));
+    const std::string where = say(orbit.name, name_of(form), "shares", share_x, share_kappa);
+    if (ours.boxes.size() > exact.departures.size() || ours.collisions() > exact.collisions ||
+        (ours.finished() && ours.collisions() != exact.collisions)) {
+        FAIL(say(where, "has", exact.collisions, "collisions, certified", ours.collisions()));
+    }
+    for (std::size_t i = 0; i < ours.boxes.size(); ++i) {
+        if (!encloses(ours.boxes[i].x, exact.departures[i].x) ||
+            !encloses(ours.boxes[i].kappa, exact.departures[i].kappa)) {
+            FAIL(say(where, "leaves the enclosure after collision", i + 1, exact.departures[i].x,
+                     exact.departures[i].kappa, "of", ours.boxes[i].x, ours.boxes[i].kappa));
+        }
+    }
+}
+
+template <class T, class I>
+void check_all_contain(std::uint64_t seed, int bits, int points) {
+    Random random(seed);
+    for (const HardOrbit& orbit : hard_orbits()) {
+        const PrecisionScope scope(bits);
+        for (const Form form : all_forms) {
+            check_contains<T>(orbit, form, point<I>(orbit), 0, 0);
+            for (int k = 0; k < points; ++k) {
+                const auto share = [&] { return random.coin() ? random.uniform(0, 1) : random.below(2); };
+                check_contains<T>(orbit, form, small_box<I>(orbit, bits), share(), share());
+            }
+        }
+    }
+}
+
+template <class I>
+std::size_t certified(const HardOrbit& orbit, Form form, int bits, bool boxed) {
+    const PrecisionScope scope(bits);
+    return propagate(form, boxed ? small_box<I>(orbit, bits) : point<I>(orbit), I(orbit.r)).collisions();
+}
+
+HardOrbit named(const std::string& name) {
+    for (const HardOrbit& orbit : hard_orbits()) {
+        if (orbit.name == name) {
+            return orbit;
+        }
+    }
+    throw std::logic_error("no such orbit");
+}
+
+}  // namespace
+
+TEST_CASE("In doubles every form contains the orbits of the points of its box") {
+    check_all_contain<Real, Interval>(231, 53, 2);
+}
+
+TEST_CASE("With 64 bits every form contains the orbits of the points of its box") {
+    check_all_contain<Real, BigInterval>(232, 64, 1);
+}
+
+TEST_CASE("With 256 bits every form contains the orbits of the points of its box on the shorter orbits") {
+    Random random(233);
+    const PrecisionScope scope(256);
+    for (const HardOrbit& orbit : hard_orbits()) {
+        for (const Form form : all_forms) {
+            if (orbit.r > 1e-5) {
+                check_contains<Decimal<200>>(orbit, form, small_box<BigInterval>(orbit, 256),
+                                             random.uniform(0, 1), random.uniform(0, 1));
+            }
+        }
+    }
+}
+
+TEST_CASE("More bits certify at least as many collisions, in every form") {
+    for (const HardOrbit& orbit : hard_orbits()) {
+        const std::size_t all = length(orbit);
+        for (const Form form : all_forms) {
+            const std::size_t in_double = certified<Interval>(orbit, form, 53, true);
+            const std::size_t bits_64 = certified<BigInterval>(orbit, form, 64, true);
+            const std::size_t bits_128 = certified<BigInterval>(orbit, form, 128, true);
+            CAPTURE(orbit.name, name_of(form));
+            CHECK(in_double <= bits_64);
+            CHECK(bits_64 <= bits_128);
+            CHECK(bits_128 <= all);
+        }
+    }
+}
+
+TEST_CASE("The lowest and the highest ray survive every orbit whole in doubles, a point and a box") {
+    for (const HardOrbit& orbit : hard_orbits()) {
+        CAPTURE(orbit.name);
+        const std::size_t all = length(orbit);
+        for (const auto& start : {point<Interval>(orbit), small_box<Interval>(orbit, 53)}) {
+            const auto followed = propagate(Form::monotone, start, Interval(orbit.r));
+            CHECK(followed.finished());
+            CHECK(followed.collisions() == all);
+        }
+    }
+    CHECK(length(named("q = 1e6")) > 400);
+    CHECK(length(named("long descent")) > 800);
+}
+
+TEST_CASE("Steps in mean value form survive hundreds of bounces in doubles, natural ones do not") {
+    for (const char* name : {"q = 1e6", "long descent"}) {
+        CAPTURE(name);
+        const HardOrbit orbit = named(name);
+        const std::size_t all = length(orbit);
+        CHECK(certified<Interval>(orbit, Form::mean_value, 53, false) == all);
+        CHECK(certified<Interval>(orbit, Form::parallelepiped, 53, false) == all);
+        CHECK(certified<Interval>(orbit, Form::natural, 53, false) < 50);
+        CHECK(certified<Interval>(orbit, Form::natural, 53, false) > 10);
+    }
+}
+
+TEST_CASE("The two rays give the narrowest enclosure of every orbit, but for a hundredth") {
+    for (const HardOrbit& orbit : hard_orbits()) {
+        const auto start = small_box<Interval>(orbit, 53);
+        const auto rays = propagate(Form::monotone, start, Interval(orbit.r));
+        for (const Form form : {Form::natural, Form::mean_value, Form::correlated, Form::parallelepiped}) {
+            const auto other = propagate(form, start, Interval(orbit.r));
+            CAPTURE(orbit.name, name_of(form));
+            REQUIRE(other.boxes.size() <= rays.boxes.size());
+            for (std::size_t i = 0; i < other.boxes.size(); ++i) {
+                CAPTURE(i);
+                REQUIRE(width(rays.boxes[i].x) <= width(other.boxes[i].x) * 1.01);
+                REQUIRE(width(rays.boxes[i].kappa) <= width(other.boxes[i].kappa) * 1.01);
+            }
+        }
+    }
+}

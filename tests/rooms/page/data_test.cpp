@@ -1,0 +1,226 @@
+#include <catch2/catch.hpp>
+
+#include "rooms/collisions/example.hpp"
+#include "base/error.hpp"
+#include "page/data.hpp"
+
+using namespace dumbbell_test;
+using Json = nlohmann::ordered_json;
+using Catch::Matchers::Contains;
+
+namespace {
+
+Json data_of(const ReportedContent& certificate, std::size_t most_boxes = default_most_boxes,
+             const std::string& path = "some/file.dbc") {
+    return page_data({{path, "abc123", certificate}}, most_boxes);
+}
+
+Json file_of(const ReportedContent& certificate) { return data_of(certificate)["files"][0]; }
+
+InitialNode halved(InitialAxis axis) { return {axis, {}}; }
+InitialNode closed(long least, std::optional<long> most, std::optional<FirstContact> first = {}) {
+    return {std::nullopt, {least, most, std::move(first)}};
+}
+
+// phi from 0 to 1, all else fixed; half of it has one collision, a quarter two, a quarter is left open or not
+// decided.
+InitialCertificate starts(InitialNode last) {
+    const FirstContact window{true, Rational(1, 2), Rational(3, 4)};
+    InitialCertificate certificate{"dumbbell", "0.1.0", {}, 53, {}};
+    certificate.box.lo = {0, -1, 3, Rational(-1, 2), 10};
+    certificate.box.hi = {1, -1, 3, Rational(-1, 2), 10};
+    certificate.tree = {halved(InitialAxis::phi), closed(1, 1, window), halved(InitialAxis::phi),
+                        closed(2, 2, window), std::move(last)};
+    return certificate;
+}
+
+AdiabaticCertificate run_claim() {
+    AdiabaticCertificate certificate;
+    certificate.program = "dumbbell";
+    certificate.version = "0.1.0";
+    certificate.hypotheses = {AdiabaticClaim::run,
+                              {Rational(0), Rational(1, 100)},
+                              {Rational(0), Rational(9, 10)},
+                              Rational(3, 10),
+                              8};
+    certificate.bounds = {Rational(1777, 100)};
+    const AdiabaticNode bound{};
+    AdiabaticNode outside;
+    outside.outside = true;
+    AdiabaticNode split;
+    split.split = AdiabaticAxis::v;
+    certificate.classes = {{Rational(7), {}, {split, bound, outside}}, {Rational(8), {}, {bound}}};
+    AdiabaticNode second;
+    second.by_class = 1;
+    certificate.tree = {split, second, outside};
+    certificate.attained = {{Rational(1, 2), 1, Rational(1, 100), 64, Rational(16)}};
+    return certificate;
+}
+
+}  // namespace
+
+TEST_CASE("every kind of piece is in the data: equal masses, a gap, an open piece") {
+    const Json file = file_of(every_kind_of_line());
+    CHECK(file["claim"] == "collisions");
+    CHECK(file["name"] == "file.dbc");
+    CHECK(file["sha256"] == "abc123");
+    CHECK(file["scene"] == "dumbbell");
+    CHECK(file["section"] == "turning");
+    CHECK(file["upper"].is_null());
+    REQUIRE(file["pieces"].size() == 3);
+    const Json& equal = file["pieces"][0];
+    CHECK(equal["equal_masses"] == true);
+    CHECK(equal["trees"].empty());
+    CHECK(equal["status"] == "exact");
+    CHECK(equal["paper"] == Json{3, 3});
+    const Json& gap = file["pieces"][1];
+    CHECK(gap["status"] == "gap");
+    CHECK(gap["bits"] == 128);
+    CHECK(gap["lo"] == "1/1");
+    CHECK(gap["hi_text"] == "4.5");
+    CHECK(gap["paper"] == Json{3, 5});
+    CHECK(gap["witness"]["e"] == "3/8");
+    CHECK(gap["witness"]["eta"] == "1/1024");
+    CHECK(file["pieces"][2]["status"] == "open");
+    CHECK(file["pieces"][2]["witness"].is_null());
+}
+
+TEST_CASE("a tree's leaves are numbered by their kinds, counts last, and its axes are exact") {
+    const Json file = file_of(every_kind_of_line());
+    const Json& bridge = file["pieces"][1]["trees"][0];
+    CHECK(bridge["chart"] == "bridge");
+    CHECK(bridge["leaves"] == 3);
+    CHECK(bridge["stands_for"].empty());
+    CHECK(bridge["axes"] == Json::parse(R"([{"name": "e", "lo": "0/1", "hi": "2/1"},
+        {"name": "eta", "lo": "0/1", "hi": "8/1"}, {"name": "q", "lo": "1/1", "hi": "9/2"}])"));
+    const Json& kinds = file["kinds"];
+    const Json& nodes = bridge["nodes"];
+    CHECK(nodes[0] == -1);
+    CHECK(nodes[2] == -2);
+    CHECK(kinds[nodes[1].get<std::size_t>()] ==
+          Json::parse(R"({"reason": "count", "forward": 1, "backward": 2})"));
+    CHECK(kinds[nodes[3].get<std::size_t>()] ==
+          Json::parse(R"({"reason": "count", "forward": 0, "backward": 3})"));
+    CHECK(kinds[nodes[4].get<std::size_t>()]["reason"] == "outside");
+    CHECK(kinds.back()["reason"] == "count");
+    CHECK(file["totals"] == Json::parse(R"({"count": 3, "outside": 1, "meets": 1, "meets-reversed": 1})"));
+}
+
+TEST_CASE("the verifier is asked for exactly what the file claims") {
+    const auto options = [](Certificate certificate) { return file_of(certificate)["verify_options"]; };
+    CHECK(options(certificate_of({piece(10, 10, 4, 4)})) == "--ratio 10 --exactly 4");
+    CHECK(options(certificate_of({piece(1, 2, 3, 3), piece(2, 3, 5, 4)})) == "--ratio 1:3 --max 5 --min 3");
+    CHECK(options(certificate_of({open_piece(5, 12)})) == "--ratio 5:12");
+    Certificate wedge = certificate_of({piece(1, 2, 3, 2)});
+    wedge.scene = Scene::wedge;
+    wedge.pieces[0].cover = {};
+    CHECK(options(wedge) == "--scene wedge --ratio 1:2 --max 3 --min 2");
+}
+
+TEST_CASE("the paper's bound is one of the dumbbell, and of ratios that it can be computed for") {
+    Certificate hybrid = certificate_of({piece(1, 2, 3, 2)});
+    hybrid.scene = Scene::hybrid;
+    hybrid.pieces[0].cover = {};
+    CHECK(file_of(hybrid)["pieces"][0]["paper"].is_null());
+    CHECK(file_of(certificate_of({piece(2, exact(1e40), 4, 3)}))["pieces"][0]["paper"].is_null());
+}
+
+TEST_CASE("file names are quoted as a shell needs it") {
+    const auto quoted = [](const std::string& path) {
+        return data_of(certificate_of({piece(10, 10, 4, 4)}), 10, path)["files"][0]["verify_file"];
+    };
+    CHECK(quoted("a/b-1.dbc.gz") == "a/b-1.dbc.gz");
+    CHECK(quoted("two words.dbc") == "'two words.dbc'");
+    CHECK(quoted("it's.dbc") == "'it'\\''s.dbc'");
+    CHECK(quoted("$(x).dbc") == "'$(x).dbc'");
+    CHECK(quoted("-x.dbc") == "./-x.dbc");
+}
+
+TEST_CASE("more boxes than a page takes are thinned out, tree by tree, and the page is told") {
+    const Json data = data_of(every_kind_of_line(), 2);
+    CHECK(data["boxes"]["total"] == 6);
+    CHECK(data["boxes"]["most"] == 2);
+    for (const Json& tree : data["files"][0]["pieces"][1]["trees"]) {
+        CHECK(tree["leaves"] == 3);
+        CHECK(tree["nodes"].size() == 1);
+        CHECK(tree["stands_for"] == Json{3});
+    }
+}
+
+TEST_CASE("more pieces than a page takes are refused with advice") {
+    std::vector<Piece> pieces(most_pieces + 1, open_piece(2, 2));
+    CHECK_THROWS_WITH(data_of(certificate_of(std::move(pieces))), Contains("fewer files"));
+}
+
+TEST_CASE("initial conditions: kinds with their first mass, exact shares, bounds over the box") {
+    const Json file = file_of(starts(closed(1, 3)));
+    CHECK(file["claim"] == "initial-conditions");
+    CHECK(file["least"] == 1);
+    CHECK(file["most"] == 3);
+    CHECK(file["verify_options"] == "--claim initial-conditions --max 3 --min 1");
+    CHECK(file["tree"]["axes"][0] == Json::parse(R"({"name": "phi", "lo": "0/1", "hi": "1/1"})"));
+    CHECK(file["tree"]["axes"][3]["lo"] == "-1/2");
+    CHECK(file["tree"]["nodes"] == Json{-1, 0, -1, 1, 2});
+    CHECK(file["kinds"][0] == Json::parse(R"({"least": 1, "most": 1, "first": "heavy"})"));
+    CHECK(file["kinds"][2] == Json::parse(R"({"least": 1, "most": 3, "first": null})"));
+    CHECK(file["windows"] == Json{0.5, 0.75, 0.5, 0.75, nullptr, nullptr});
+    CHECK(file["shares"] == Json::parse(R"([{"collisions": null, "share": "0.25", "boxes": 1},
+        {"collisions": 1, "share": "0.5", "boxes": 1}, {"collisions": 2, "share": "0.25", "boxes": 1}])"));
+}
+
+TEST_CASE("an open part leaves no upper bound, and no lower one but 0") {
+    const Json file = file_of(starts(closed(0, std::nullopt)));
+    CHECK(file["least"] == 0);
+    CHECK(file["most"].is_null());
+    CHECK(file["verify_options"] == "--claim initial-conditions");
+}
+
+TEST_CASE("a tree of initial conditions deeper than the format permits is refused, not computed with") {
+    InitialCertificate certificate = starts(closed(1, 1));
+    certificate.tree.assign(100'000, halved(InitialAxis::phi));
+    certificate.tree.insert(certificate.tree.end(), 100'001, closed(1, 1));
+    CHECK_THROWS_WITH(file_of(certificate), Contains("levels deep"));
+}
+
+TEST_CASE("the adiabatic invariant: hypotheses, constants, classes of the leaves, attained states") {
+    const Json file = file_of(run_claim());
+    CHECK(file["claim"] == "adiabatic-run");
+    CHECK(file["delta"] == Json{"0", "0.01"});
+    CHECK(file["heights"] == Json{"0", "0.9"});
+    CHECK(file["margin"] == "0.3");
+    CHECK(file["exponent"].is_null());
+    CHECK(file["bounds"] == Json{"17.77"});
+    CHECK(file["leaves"] == Json::parse(R"({"bound": 3, "outside": 2})"));
+    CHECK(file["attained"][0]["n"] == 64);
+    CHECK(file["attained"][0]["u"] == "1/2");
+    CHECK(file["tree"]["nodes"] == Json{-4, 2, 0});
+    CHECK(file["kinds"].size() == 3);
+    CHECK(file["verify_options"] == "--claim adiabatic-run");
+}
+
+TEST_CASE("a claim without boxes has none") {
+    AdiabaticCertificate printed = run_claim();
+    printed.hypotheses.claim = AdiabaticClaim::printed;
+    printed.bounds.clear();
+    printed.classes.clear();
+    printed.tree.clear();
+    const Json file = file_of(printed);
+    CHECK(file["tree"].is_null());
+    CHECK(file["bounds"].empty());
+    CHECK(file["heights"].is_null());
+}
+
+TEST_CASE(
+    "a table of critical ratios comes with the command that makes it again, and none that verifies it") {
+    const CriticalTable table{"abc123",
+                              {{3, "1", "0", 256, "top", 1}, {4, "4.603338", "3.3e-7", 256, "corner", 1}}};
+    const Json file = file_of(table);
+    CHECK(file["claim"] == "critical-ratios");
+    CHECK(file["again"] == "dumbbell critical 3:4 --digits 7");
+    CHECK(file["rows"][1]["q_c"] == "4.603338");
+    CHECK(file["verify_options"] == "");
+}
+
+TEST_CASE("the constant C has 20 digits that are proved") {
+    CHECK(data_of(certificate_of({piece(10, 10, 4, 4)}))["growth_constant"] == "0.88559512945271391141");
+}

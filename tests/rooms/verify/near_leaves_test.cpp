@@ -1,0 +1,48 @@
+// Leaves that are just certified and leaves that just are not (near_leaves.tsv): a formula, a pad or an end
+// of an interval that is wrong moves one of these edges. How the table is made:
+// tests/attacks/source_mutation/README.md.
+#include <catch2/catch.hpp>
+
+#include "leaf_rows.hpp"
+
+using namespace leaf_rows;
+using dumbbell_verify::Work;
+
+namespace {
+
+const std::vector<Row>& rows() {
+    static const std::vector<Row> table = read(DUMBBELL_PROJECT "/tests/data/near_leaves.tsv");
+    return table;
+}
+
+}  // namespace
+
+TEST_CASE("leaves near the edge of what is certified are judged as before, for the same reason") {
+    REQUIRE(rows().size() > 100);
+    std::uint64_t units = 0;
+    for (const Row& row : rows()) {
+        Work::begin();
+        const std::string found = judged(parsed(row.leaf));
+        if (found != row.result) FAIL(row.leaf << "\n  expected: " << row.result << "\n  found: " << found);
+        units += Work::done();
+    }
+    // Nor is more or less charged for them: what was within the default budget still is.
+    CHECK(units == 1'277'093'973);
+}
+
+TEST_CASE("what doubles or few bits certify, 300 bits certify, too") {
+    for (const Row& row : rows()) {
+        if (row.result != "certified") continue;
+        AnyLeaf leaf = parsed(row.leaf);
+        std::visit(
+            [](auto& any) {
+                if constexpr (requires { any.leaf; })
+                    set_bits(any.leaf, 300);
+                else if constexpr (requires { any.bits; })
+                    set_bits(any, 300);
+            },
+            leaf);
+        const std::string found = judged(leaf);
+        if (found != row.result) FAIL(row.leaf << "\n  with 300 bits: " << found);
+    }
+}

@@ -1,0 +1,183 @@
+// The edges of number.hpp and big.hpp: where a bound is exact, where it is the weaker one, where there is
+// none.
+#include <catch2/catch.hpp>
+#include <cmath>
+#ifdef __SSE2__
+#include <fpu_control.h>
+#include <xmmintrin.h>
+#endif
+
+#include "verify/starts/angle.hpp"
+#include "verify/number/big.hpp"
+
+using namespace dumbbell_verify;
+
+namespace {
+
+constexpr double infinity = HUGE_VAL;
+/// Both bounds of an exact value, or of one that is known to be unbounded.
+void check(double lo, double hi, double expected_lo, double expected_hi) {
+    CHECK(lo == expected_lo);
+    CHECK(hi == expected_hi);
+}
+void check_add(double a, double b, double lo, double hi) { check(add(down, a, b), add(up, a, b), lo, hi); }
+void check_mul(double a, double b, double lo, double hi) { check(mul(down, a, b), mul(up, a, b), lo, hi); }
+void check_div(double a, double b, double lo, double hi) { check(div(down, a, b), div(up, a, b), lo, hi); }
+void check_bound(const mpq_class& x, double lo, double hi) {
+    check(bound(down, x, 0.0), bound(up, x, 0.0), lo, hi);
+}
+mpq_class power(int k) { return k < 0 ? mpq_class(mpq_class(1) >> -k) : mpq_class(mpq_class(1) << k); }
+
+template <class N>
+bool is(const Interval<N>& x, double lo, double hi) {
+    return to_double(down, x.lo) == lo && to_double(up, x.hi) == hi;
+}
+
+}  // namespace
+
+TEST_CASE("sums are bounded up to terms of 2^1000") {
+    check_add(0x1p1000, 0x1p1000, 0x1p1001, 0x1p1001);
+    check_add(-0x1p1000, 0, -0x1p1000, -0x1p1000);
+    check_add(0x1.0000000000001p1000, 0, -infinity, infinity);
+    check_add(0, -0x1.0000000000001p1000, -infinity, infinity);
+    check_add(1, 0x1p-60, 1, 0x1.0000000000001p0);
+    check_add(1, -0x1p-60, 0x1.fffffffffffffp-1, 1);
+    check_add(-1, -0x1p-60, -0x1.0000000000001p0, -1);
+    check_add(1, -1, 0, 0);
+    check_add(NAN, 1, -infinity, infinity);
+}
+
+TEST_CASE("products are exact from 2^-900 on, and bounded up to 2^1000") {
+    check_mul(0, 0x1p1020, 0, 0);
+    check_mul(0x1p1020, 0, 0, 0);
+    check_mul(0x1p-450, 0x1p-450, 0x1p-900, 0x1p-900);
+    check_mul(0x1p-450, -0x1p-450, -0x1p-900, -0x1p-900);
+    check_mul(0x1p-451, 0x1p-450, -0x1p-899, 0x1p-899);
+    check_mul(-0x1p-600, 0x1p-600, -0x1p-899, 0x1p-899);
+    check_mul(0x1p500, 0x1p500, 0x1p1000, 0x1p1000);
+    check_mul(0x1p500, 0x1.0000000000001p500, -infinity, infinity);
+    check_mul(0x1.0000000000001p0, 0x1.0000000000001p0, 0x1.0000000000002p0, 0x1.0000000000003p0);
+    check_mul(-0x1.0000000000001p0, 0x1.0000000000001p0, -0x1.0000000000003p0, -0x1.0000000000002p0);
+}
+
+TEST_CASE("quotients are exact between 2^-900 and 2^900, 0 over what is not too large is 0") {
+    check_div(0, 3, 0, 0);
+    check_div(0, 0x1p900, 0, 0);
+    check_div(0, 0x1.0000000000001p900, -infinity, infinity);
+    check_div(1, 0, -infinity, infinity);
+    check_div(0x1p900, 1, 0x1p900, 0x1p900);
+    check_div(0x1.0000000000001p900, 1, -infinity, infinity);
+    check_div(1, 0x1p900, 0x1p-900, 0x1p-900);
+    check_div(1, 0x1.0000000000001p900, -infinity, infinity);
+    check_div(0x1p-1, 0x1p900, -infinity, infinity);  // the quotient is 2^-901
+    check_div(0x1p-900, 0x1p-10, 0x1p-890, 0x1p-890);
+    check_div(0x1p-901, 0x1p-10, -infinity, infinity);
+    check_div(1, 3, 0x1.5555555555555p-2, 0x1.5555555555556p-2);
+    check_div(1, -3, -0x1.5555555555556p-2, -0x1.5555555555555p-2);
+}
+
+TEST_CASE(
+    "rationals are bounded by their neighbours, 0 exactly, and by what is beyond 890 places otherwise") {
+    check_bound(0, 0, 0);
+    check_bound(mpq_class(1, 3), 0x1.5555555555555p-2, 0x1.5555555555556p-2);
+    check_bound(mpq_class(-1, 3), -0x1.5555555555556p-2, -0x1.5555555555555p-2);
+    check_bound(power(890), 0x1p890, 0x1p890);
+    check_bound(power(891), -infinity, infinity);
+    check_bound(power(-890), 0x1p-890, 0x1p-890);
+    check_bound(power(-891), -0x1p-880, 0x1p-880);
+}
+
+TEST_CASE("pi is between neighbours") {
+    CHECK(pi_bound(down, 0.0) == 0x1.921fb54442d18p+1);
+    CHECK(pi_bound(up, 0.0) == 0x1.921fb54442d19p+1);
+}
+
+TEMPLATE_TEST_CASE("a quotient by an interval that is not positive is unbounded", "", double, Big) {
+    using I = Interval<TestType>;
+    const TestType zero(0), one(1);
+    const I two(2);
+    CHECK(is(two / I(-one, one), -infinity, infinity));
+    CHECK(is(two / I(zero, one), -infinity, infinity));
+    CHECK(is(two / I(-one, -one), -infinity, infinity));
+    CHECK(is(I(-one, one) / two, -0.5, 0.5));
+    CHECK(is(two / I(one, TestType(4)), 0.5, 2));
+    CHECK(is(-two / I(one, TestType(4)), -2, -0.5));
+    CHECK(is(square(I(-one, TestType(3))), 0, 9));
+}
+
+TEMPLATE_TEST_CASE("sine and cosine are known on [0, 2] and nowhere else", "", double, Big) {
+    for (const int z : {-1, 3}) {
+        const auto [s, c] = sin_cos(TestType(z));
+        CHECK(is(s, -1, 1));
+        CHECK(is(c, -1, 1));
+    }
+    const auto [s0, c0] = sin_cos(TestType(0));
+    CHECK(is(s0, 0, 0));
+    CHECK((to_double(down, c0.lo) > 0.999 && to_double(up, c0.hi) < 1.001));
+    const auto [s2, c2] = sin_cos(TestType(2));
+    CHECK((to_double(down, s2.lo) > 0.909 && to_double(up, s2.hi) < 0.910));
+    CHECK((to_double(down, c2.lo) > -0.417 && to_double(up, c2.hi) < -0.416));
+}
+
+TEST_CASE("the double series are as tight as their pad of 2^-50") {
+    for (const double z : {0.25, 0.5, 1.0, 1.5, 2.0}) {
+        const auto [s, c] = sin_cos(z);
+        CAPTURE(z, s.lo, s.hi, c.lo, c.hi);
+        CHECK(s.hi - s.lo < 0x1p-50);
+        CHECK(c.hi - c.lo < 0x1p-49);
+    }
+}
+
+TEST_CASE("what MPFR cannot say is unbounded") {
+    const Big infinite = div(up, Big(1), Big(0)), none = add(down, infinite, -infinite);
+    CHECK(to_double(down, none) == -infinity);
+    CHECK(to_double(down, add(up, infinite, -infinite)) == infinity);
+    CHECK(to_double(down, mul(up, infinite, Big(0))) == infinity);
+    CHECK(to_double(up, mul(down, infinite, Big(0))) == -infinity);
+    CHECK(to_double(down, bound(down, mpq_class(1, 3), Big())) == 0x1.5555555555555p-2);
+    CHECK(to_double(up, bound(up, mpq_class(1, 3), Big())) == 0x1.5555555555556p-2);
+}
+
+TEST_CASE("the work of a leaf is counted, from the same on, and refused beyond its share") {
+    Work::begin();
+    const std::uint64_t first = Work::done();
+    Work::operation(53);
+    CHECK(Work::done() == first + 309);
+    Work::collision();
+    CHECK(Work::done() == first + 4405);
+    constexpr std::uint64_t units = std::uint64_t{1} << 30;
+    Shares shares(1, units);
+    Work::begin(&shares);
+    CHECK(Work::done() == first);
+    CHECK_NOTHROW(Work::spend(units - first));
+    CHECK_THROWS_AS(Work::spend(std::uint64_t{1} << 24), std::length_error);
+    Work::begin();
+}
+
+#ifdef __SSE2__
+// fegetround asks the x87 unit, too; these modes concern the unit that the bounds use, and nothing else.
+TEST_CASE("the arithmetic is refused in each mode of the SSE unit alone") {
+    const unsigned usual = _mm_getcsr();
+    CHECK(arithmetic_works());
+    for (const unsigned mode :
+         {0x2000U, 0x4000U, 0x6000U, 0x8000U, 0x0040U}) {  // down, up, to zero, FTZ, DAZ
+        CAPTURE(mode);
+        _mm_setcsr(usual | mode);
+        const bool works = arithmetic_works();
+        _mm_setcsr(usual);
+        CHECK_FALSE(works);
+    }
+}
+TEST_CASE("the arithmetic is refused in each rounding mode of the x87 unit alone") {
+    fpu_control_t usual = 0;
+    _FPU_GETCW(usual);
+    for (const int mode : {_FPU_RC_DOWN, _FPU_RC_UP, _FPU_RC_ZERO}) {
+        CAPTURE(mode);
+        const auto changed = static_cast<fpu_control_t>(usual | mode);
+        _FPU_SETCW(changed);
+        const bool works = arithmetic_works();
+        _FPU_SETCW(usual);
+        CHECK_FALSE(works);
+    }
+}
+#endif

@@ -1,0 +1,120 @@
+// Single steps of the verifier at the edge of their conditions: what is refused there, what is just granted,
+// and that its work is counted.
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "leaf_rows.hpp"
+#include "verify/sections/bridge.hpp"
+#include "verify/starts/reflection.hpp"
+
+using namespace dumbbell_verify;
+
+namespace {
+
+using I = Interval<double>;
+
+/// The bridge of a box, with its parts in reach.
+struct OpenBridge : Bridge<double> {
+    using Base = Bridge<double>;
+    using Base::certainly_above, Base::contacts, Base::half_turn;
+    explicit OpenBridge(const Leaf& leaf) : Base(leaf, full(), nullptr) {}
+};
+Leaf at_ratio(int q) {
+    Leaf leaf;
+    leaf.chart = departure;
+    leaf.box = {{0, 0, q}, {1, 1, q}};
+    return leaf;
+}
+Flight<double> flight(const mpq_class& w_lo, const mpq_class& w_hi, const mpq_class& v, const mpq_class& q) {
+    InitialBox box;
+    box.lo = {0, w_lo, 1, v, q};
+    box.hi = {0, w_hi, 1, v, q};
+    return Flight<double>(box);
+}
+
+}  // namespace
+
+TEST_CASE("step edges: from a point where the wall is too flat, the contact is bounded from the corner") {
+    const Rays<double> rays(nullptr);
+    // cos 1.5 < 0.2; and 1.5708 is behind the peak. L12 (a) at z = 0: x >= c / (1 - kappa) = 0.625.
+    for (const double z : {1.5, 1.5708}) {
+        const auto at = rays.earliest({0.5, 0.2, 0.1}, z);
+        CHECK(at.x == Approx(0.625));
+        CHECK(at.x <= 0.625);
+        CHECK((at.cosine >= std::cos(0.625) && at.cosine <= 1));
+        CHECK((at.sine <= std::sin(0.625) && at.sine >= 0.4));
+    }
+}
+
+TEST_CASE("step edges: a flight below the corner is not above the bridge, however steep") {
+    const Leaf leaf = at_ratio(2);
+    OpenBridge bridge(leaf);
+    CHECK(bridge.certainly_above(0, 0.5));
+    CHECK(bridge.certainly_above(0.001, 0.5));
+    CHECK_FALSE(bridge.certainly_above(-0.001, 0.5));
+    CHECK_FALSE(bridge.certainly_above(-0.001, 3));
+    CHECK_FALSE(bridge.certainly_above(0, 0.499));
+}
+
+TEST_CASE("step edges: all meet the bridge that are below it at one point, be it next to a tangency") {
+    const Leaf leaf = at_ratio(2);
+    OpenBridge bridge(leaf);
+    // A tangent of sin t / 2, less a little: it is below the bridge between two contacts, near 2^-24 at last.
+    for (const double t : {0.5, 1.125, 1.375}) {
+        const double kappa = 0.5 * std::cos(t), h = 0.5 * (std::sin(t) - t * std::cos(t));
+        for (const double gap : {0x1p-6, 0x1p-20, 0x1p-40, 0x1p-48, 0x1p-49, 0x1p-50}) {
+            CAPTURE(t, gap);
+            CHECK(bridge.contacts(kappa, h - gap, kappa).all);
+            CHECK_FALSE(bridge.contacts(kappa, h + gap, kappa).all);
+        }
+    }
+}
+
+TEST_CASE("step edges: who touches a tangent of the bridge does not pass above it") {
+    // Slope and r are such that the tangent at the guess is above the corner behind the bridge.
+    constexpr double r = 161.0 / 256, slope = -2575.0 / 4096;
+    Departures<double> rays(I(r), nullptr);
+    const double z = rays.guess_slope(slope / r);
+    const auto [s, w] = sin_cos_on(I(z), rays.quarter);
+    const double height = (I(r) * (s - I(z) * w)).hi;
+    CHECK_FALSE(rays.passes_bridge({true, I(height), I(slope)}));
+    CHECK(rays.passes_bridge({true, I(std::nextafter(height, 4)), I(slope)}));
+}
+
+TEST_CASE("step edges: rays of which one may go through a corner have no certain contact") {
+    const auto from = [](double height) {
+        return Departures<double>(I(0.5), nullptr).off_bridge({true, I(height, 0.1), I(0.1)}).has_value();
+    };
+    CHECK_FALSE(from(0));
+    CHECK(from(0.09));
+}
+
+TEST_CASE("step edges: r below 2^-43 is a resource limit") {
+    CHECK_THROWS_AS(Departures<double>(I(0x1p-44), nullptr).all_at_most(5), std::length_error);
+    CHECK_FALSE(Departures<double>(I(0x1p-43), nullptr).all_at_most(5));
+}
+
+TEST_CASE("step edges: rising states that may not turn have no certain direction") {
+    FirstReflection<double> reflection(flight(-1, 1, 1, 2), nullptr);
+    bool none = true;
+    CHECK_FALSE(reflection.behind_first(true, I(1), none));
+    CHECK(std::string(reflection.failed()) == "falling, or turning in one direction");
+}
+
+TEST_CASE("step edges: a rising start that turns backwards leaves steeply") {
+    // The light mass, struck at phi = -5/8, is thrown up at slope 4.7.
+    FirstReflection<double> reflection(flight(mpq_class(-5, 4), mpq_class(-5, 4), mpq_class(1, 4), 10),
+                                       nullptr);
+    bool none = false;
+    CHECK_FALSE(reflection.behind_first(false, I(-0.625), none));
+    CHECK(none);
+}
+
+TEST_CASE("step edges: the steps of a flight are counted as work") {
+    // Two flights over the bridge, and two steps of the rays behind it.
+    Work::begin();
+    const std::uint64_t before = Work::done();
+    CHECK(leaf_rows::judged(leaf_rows::parsed("1 dumbbell full departure count 0 5 0 6 3/2 3/2 0 0 20 20")) ==
+          "certified");
+    CHECK(Work::done() - before == 4 * 4096);
+}
