@@ -1,22 +1,19 @@
 #include "pictures/united_boxes.hpp"
 
-#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
-#include <CGAL/Polygon_set_2.h>
-
 #include <algorithm>
+#include <array>
 #include <cstddef>
-#include <iterator>
+#include <map>
+#include <optional>
+#include <utility>
 
 #include "base/error.hpp"
 
 namespace dumbbell {
 namespace {
 
-using Kernel = CGAL::Exact_predicates_exact_constructions_kernel;
-using Polygon = CGAL::Polygon_2<Kernel>;
-
 /// The places on one axis in ascending order. A union of boxes depends on the order of their ends alone, so
-/// CGAL gets the places' numbers: integers that are small and quick, whatever the depth of the boxes.
+/// it is found with the places' numbers, whatever the depth of the boxes.
 class Places {
   public:
     Places(const std::vector<PlaneBox>& boxes, std::size_t axis) {
@@ -31,46 +28,70 @@ class Places {
     [[nodiscard]] int number(const Rational& value) const {
         return static_cast<int>(std::lower_bound(values_.begin(), values_.end(), value) - values_.begin());
     }
-    [[nodiscard]] const Rational& value(const Kernel::FT& number) const {
-        return values_.at(static_cast<std::size_t>(CGAL::to_double(number)));  // a whole number: exact
+    [[nodiscard]] const Rational& value(int number) const {
+        return values_.at(static_cast<std::size_t>(number));
     }
 
   private:
     std::vector<Rational> values_;
 };
 
-Polygon rectangle(const PlaneBox& box, const Places& x, const Places& y) {
-    const int left = x.number(box.lo[0]);
-    const int right = x.number(box.hi[0]);
-    const int bottom = y.number(box.lo[1]);
-    const int top = y.number(box.hi[1]);
-    Polygon polygon;
-    polygon.push_back({left, bottom});
-    polygon.push_back({right, bottom});
-    polygon.push_back({right, top});
-    polygon.push_back({left, top});
-    return polygon;
-}
+using Vertex = std::array<int, 2>;
+/// Along the axis, in its direction or against it.
+struct Heading {
+    std::size_t axis;
+    int sign;
+    bool operator==(const Heading&) const = default;
+};
+Heading left_of(Heading h) { return h.axis == 0 ? Heading{1, h.sign} : Heading{0, -h.sign}; }
 
-/// The vertices at which the curve turns.
-Outline outline(const Polygon& polygon, const Places& x, const Places& y) {
-    std::vector<PlanePoint> points;
-    for (const auto& vertex : polygon.container()) {
-        points.push_back({x.value(vertex.x()), y.value(vertex.y())});
-    }
-    const std::size_t n = points.size();
-    Outline turns;
-    for (std::size_t i = 0; i < n; ++i) {
-        const PlanePoint& before = points[(i + n - 1) % n];
-        const PlanePoint& after = points[(i + 1) % n];
-        const bool goes_on = (before[0] == points[i][0] && points[i][0] == after[0]) ||
-                             (before[1] == points[i][1] && points[i][1] == after[1]);
-        if (!goes_on) {
-            turns.push_back(points[i]);
+/// The edges of all boxes, counterclockwise: where two boxes touch their edges cancel each other, and the
+/// boundary of the union is left, with the union on its left.
+class Boundary {
+  public:
+    void add(Vertex lo, Vertex hi) {
+        for (const std::size_t axis : {0U, 1U}) {
+            const std::size_t across = 1 - axis;
+            const int forward = axis == 0 ? 1 : -1;  // the lower side along x, and the upper side along y
+            change(axis, lo[across], lo[axis], hi[axis], forward);
+            change(axis, hi[across], lo[axis], hi[axis], -forward);
         }
     }
-    return turns;
-}
+
+    /// The edges from vertex to vertex, at each vertex by their heading. Throws BrokenInvariant if boxes
+    /// overlap along an edge.
+    [[nodiscard]] std::map<Vertex, std::vector<std::pair<Heading, Vertex>>> edges() const {
+        std::map<Vertex, std::vector<std::pair<Heading, Vertex>>> result;
+        for (const std::size_t axis : {0U, 1U}) {
+            for (const auto& [line, changes] : lines_[axis]) {
+                int direction = 0;
+                int from = 0;
+                for (const auto& [place, change] : changes) {
+                    if (direction != 0) {
+                        require(direction == 1 || direction == -1, "boxes to be united overlap");
+                        const Vertex low = axis == 0 ? Vertex{from, line} : Vertex{line, from};
+                        const Vertex high = axis == 0 ? Vertex{place, line} : Vertex{line, place};
+                        const Heading heading{axis, direction};
+                        result[direction > 0 ? low : high].emplace_back(heading, direction > 0 ? high : low);
+                    }
+                    direction += change;
+                    from = place;
+                }
+            }
+        }
+        return result;
+    }
+
+  private:
+    void change(std::size_t axis, int line, int from, int to, int by) {
+        lines_[axis][line][from] += by;
+        lines_[axis][line][to] -= by;
+    }
+
+    /// Of each axis and each line along it: where the number of edges, with their directions, changes, and by
+    /// how much.
+    std::array<std::map<int, std::map<int, int>>, 2> lines_;
+};
 
 /// Positive if the curve goes round counterclockwise (outer boundaries), negative for holes.
 Rational signed_area(const Outline& outline) {
@@ -88,29 +109,43 @@ Rational signed_area(const Outline& outline) {
 std::vector<Outline> united(const std::vector<PlaneBox>& boxes) {
     const Places x(boxes, 0);
     const Places y(boxes, 1);
-    std::vector<Polygon> rectangles;
+    Boundary boundary;
     Rational missing = 0;
     for (const PlaneBox& box : boxes) {
-        rectangles.push_back(rectangle(box, x, y));
+        boundary.add({x.number(box.lo[0]), y.number(box.lo[1])}, {x.number(box.hi[0]), y.number(box.hi[1])});
         missing += (box.hi[0] - box.lo[0]) * (box.hi[1] - box.lo[1]);
     }
-    CGAL::Polygon_set_2<Kernel> set;
-    set.join(rectangles.begin(), rectangles.end());
-    std::vector<CGAL::Polygon_with_holes_2<Kernel>> parts;
-    set.polygons_with_holes(std::back_inserter(parts));
 
     std::vector<Outline> outlines;
-    for (const auto& part : parts) {
-        outlines.push_back(outline(part.outer_boundary(), x, y));
-        for (auto hole = part.holes_begin(); hole != part.holes_end(); ++hole) {
-            outlines.push_back(outline(*hole, x, y));
-        }
+    auto edges = boundary.edges();
+    while (!edges.empty()) {
+        // The first vertex is the lowest of those furthest to the left: a corner that no other curve touches.
+        const Vertex start = edges.begin()->first;
+        Vertex at = start;
+        Outline curve;
+        std::optional<Heading> heading;
+        do {
+            // Where boxes touch in a corner only two edges lead on: the one to the right makes one curve of
+            // both.
+            auto& ways = edges.at(at);
+            const bool second = ways.size() == 2 && ways[0].first == left_of(*heading);
+            const auto [next, to] = ways[second ? 1 : 0];
+            if (heading != next) {
+                curve.push_back({x.value(at[0]), y.value(at[1])});
+            }
+            ways.erase(ways.begin() + (second ? 1 : 0));
+            if (ways.empty()) {
+                edges.erase(at);
+            }
+            heading = next;
+            at = to;
+        } while (at != start);
+        outlines.push_back(std::move(curve));
     }
     for (const Outline& curve : outlines) {
         missing -= signed_area(curve);
     }
     require(missing == 0, "the outlines of united boxes do not have their area");
-    // CGAL's order depends on addresses nowhere, but is not documented: the picture's order is our own.
     for (Outline& curve : outlines) {
         std::rotate(curve.begin(), std::min_element(curve.begin(), curve.end()), curve.end());
     }

@@ -10,7 +10,7 @@ namespace dumbbell {
 using Outline = std::vector<PlanePoint>;
 
 /// The outlines of the union of boxes whose interiors are pairwise disjoint: outer boundaries and holes, to
-/// be filled by the even-odd rule; exactly, with CGAL. Throws BrokenInvariant unless they enclose exactly the
+/// be filled by the even-odd rule; exactly. Throws BrokenInvariant unless they enclose exactly the
 /// area that the boxes have together.
 [[nodiscard]] std::vector<Outline> united(const std::vector<PlaneBox>& boxes);
 

@@ -21,6 +21,7 @@
 #include "collisions/witness_orbit.hpp"
 #include "collisions/writer.hpp"
 #include "number/ratio_argument.hpp"
+#include "starts/witness_start.hpp"
 #include "words/json_number.hpp"
 
 namespace dumbbell {
