@@ -22,17 +22,19 @@ async function bundled(entry) {
 }
 
 async function page() {
-    const [html, script, style] = await Promise.all([
+    const [html, script, style, dark] = await Promise.all([
         readFile(new URL("src/page.html", here), "utf8"),
         bundled("src/main.js"),
         bundled("src/style.css"),
+        bundled("src/dark.css"),
     ]);
-    if (/<\/(script|style)/i.test(script + style) || script.includes(place)) {
+    if (/<\/(script|style)/i.test(script + style + dark) || script.includes(place)) {
         throw new Error("the bundle would end its own element, or has the place of the data in it");
     }
     // Functions: a `$` in the code is no pattern.
     return html
         .replace("/*STYLE*/", () => style)
+        .replace("/*DARK*/", () => dark)
         .replace("/*SCRIPT*/", () => script)
         .replace("/*DATA*/", () => place);
 }

@@ -37,7 +37,7 @@ double check_seconds(std::span<const Piece* const> pieces, Section section) {
     return units * (section == Section::turning ? 1 : of_other_sections) / units_per_second;
 }
 
-std::string budget_option(double seconds) {
+std::optional<std::string> budget_option(double seconds) {
     struct Budget {
         double seconds;
         const char* text;
@@ -52,7 +52,7 @@ std::string budget_option(double seconds) {
                                               {24 * 3600, "24h"},
                                               {168 * 3600, "168h"},
                                               {1000 * 3600, "1000h"},
-                                              {99999 * 3600., "99999h"}}};
+                                              {99999 * 3600., "99999h"}}};  // it takes five digits
     if (seconds <= default_seconds) {
         return "";
     }
@@ -61,7 +61,7 @@ std::string budget_option(double seconds) {
             return std::string("--budget ") + budget.text + " ";
         }
     }
-    return "--budget 99999h ";
+    return std::nullopt;
 }
 
 }  // namespace dumbbell

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 
@@ -12,7 +13,8 @@ namespace dumbbell {
 /// 6 * 10^9 units a second. Nothing that is proved rests on it.
 [[nodiscard]] double check_seconds(std::span<const Piece* const> pieces, Section section);
 
-/// `--budget TIME ` if the verifier must be given more than it takes without being asked, else empty.
-[[nodiscard]] std::string budget_option(double seconds);
+/// `--budget TIME ` if the verifier must be given more than it takes without being asked, else empty. Nothing
+/// if it takes no budget that is certainly enough.
+[[nodiscard]] std::optional<std::string> budget_option(double seconds);
 
 }  // namespace dumbbell

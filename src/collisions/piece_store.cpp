@@ -93,10 +93,10 @@ bool PieceStore::has_no_others_pieces() const {
             entry.path().stem().string().size() != name_length) {
             return false;
         }
-        if (!sealed_lines(file_contents(entry.path().string()))) {
-            continue;  // damaged, and so nobody's
+        const auto& [damaged, piece] = kept_in(entry.path().string());
+        if (damaged) {
+            continue;  // nobody's
         }
-        const auto piece = whole_piece(entry.path().string());
         if (!piece || !piece->upper ||
             entry.path() != file_of({piece->q_lo, piece->q_hi, *piece->upper, piece->lower})) {
             return false;
@@ -127,17 +127,17 @@ std::string PieceStore::file_of(const PlannedPiece& planned) const {
     return fmt::format("{}/{}.dbc", folder_, sha256_hex(what).substr(0, name_length));
 }
 
-std::optional<Piece> PieceStore::whole_piece(const std::string& file) const {
+PieceStore::Kept PieceStore::kept_in(const std::string& file) const {
     if (!sealed_lines(file_contents(file))) {
-        return std::nullopt;
+        return {true, std::nullopt};
     }
     try {
         const Certificate kept = read_certificate(file);
         const bool fits =
             kept.pieces.size() == 1 && kept.scene == claim_.scene && kept.section == claim_.section;
-        return fits ? std::optional(kept.pieces.front()) : std::nullopt;
+        return {false, fits ? std::optional(kept.pieces.front()) : std::nullopt};
     } catch (const InputError&) {
-        return std::nullopt;  // a right checksum under something else
+        return {false, std::nullopt};  // a right checksum under something else
     }
 }
 
@@ -150,7 +150,7 @@ std::optional<Piece> PieceStore::find(const PlannedPiece& planned,
     if (!fs::is_regular_file(file)) {  // which whoever reads it might wait for
         throw InputError(fmt::format("'{}' is in the way: it is no file; remove it, and try again", file));
     }
-    const auto piece = whole_piece(file);
+    const auto piece = kept_in(file).piece;
     const bool fits = piece && piece->q_lo == planned.q_lo && piece->q_hi == planned.q_hi &&
                       piece->upper == planned.upper && piece->lower == planned.lower;
     if (!fits) {

@@ -51,8 +51,12 @@ class PieceStore {
 
   private:
     [[nodiscard]] std::string file_of(const PlannedPiece& planned) const;
-    /// The piece of a file, if it is whole and of this store's scene and section.
-    [[nodiscard]] std::optional<Piece> whole_piece(const std::string& file) const;
+    /// What a piece's file holds: the piece if it is whole and of this store's scene and section.
+    struct Kept {
+        bool damaged = false;  ///< the last line is not the checksum of the others
+        std::optional<Piece> piece;
+    };
+    [[nodiscard]] Kept kept_in(const std::string& file) const;
     [[nodiscard]] bool has_no_others_pieces() const;
 
     std::string folder_;

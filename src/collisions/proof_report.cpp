@@ -220,11 +220,14 @@ std::string to_text(const ProofReport& report) {
         for (const ReportRow& row : report.rows) {
             pieces.push_back(row.piece);
         }
+        const auto budget = budget_option(check_seconds(pieces, report.section));
+        const std::string scene =
+            report.scene == Scene::dumbbell ? "" : fmt::format("--scene {} ", name(report.scene));
         fmt::format_to(
-            std::back_inserter(text), "Certificate: {} (sha256 {})\nCheck it:    dumbbell verify {}{}{}\n",
-            one_line(*report.out), *report.sha256, budget_option(check_seconds(pieces, report.section)),
-            report.scene == Scene::dumbbell ? "" : fmt::format("--scene {} ", name(report.scene)),
-            shell_file(*report.out));
+            std::back_inserter(text), "Certificate: {} (sha256 {})\nCheck it:    {}\n", one_line(*report.out),
+            *report.sha256,
+            budget ? fmt::format("dumbbell verify {}{}{}", *budget, scene, shell_file(*report.out))
+                   : "in parts, with --shards I-J: the whole may take more than the greatest --budget");
     }
     return text;
 }

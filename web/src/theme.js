@@ -1,7 +1,10 @@
-// Light and dark. The colours live in style.css; canvases read them here and are drawn again when they change.
+// Light and dark. The colours live in style.css and dark.css; canvases read them here and are drawn again when they
+// change.
 
 const drawers = new Set();
-const system = matchMedia("(prefers-color-scheme: dark)");
+const asTheSystem = "(prefers-color-scheme: dark)";
+const mediaOfDark = { auto: asTheSystem, light: "not all", dark: "all" };
+let chosen = "auto";
 
 /// The value of a CSS variable, e.g. colour("--ink").
 export const colour = (name) => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
@@ -33,24 +36,20 @@ export function redrawAll() {
     }
 }
 
-/// "auto", "light" or "dark"
-export function setTheme(name) {
-    if (name === "auto") {
-        delete document.documentElement.dataset.theme;
-    } else {
-        document.documentElement.dataset.theme = name;
-    }
+function show(name) {
+    document.getElementById("dark").media = mediaOfDark[name];
     redrawAll();
 }
 
-let before;
+/// "auto", "light" or "dark"
+export function setTheme(name) {
+    chosen = name;
+    show(chosen);
+}
 
 export function watchTheme() {
-    system.addEventListener("change", redrawAll);
+    matchMedia(asTheSystem).addEventListener("change", redrawAll);
     // Paper is white.
-    addEventListener("beforeprint", () => {
-        before = document.documentElement.dataset.theme ?? "auto";
-        setTheme("light");
-    });
-    addEventListener("afterprint", () => setTheme(before));
+    addEventListener("beforeprint", () => show("light"));
+    addEventListener("afterprint", () => show(chosen));
 }

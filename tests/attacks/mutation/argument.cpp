@@ -151,6 +151,7 @@ void compare_claims(const Certificate& c, const std::pair<Rational, Rational>& r
 Argument second_argument(const std::string& path, const dumbbell_verify::Proof& proof) {
     try {
         if (proof.initial) return initial_argument(path, *proof.initial);
+        if (proof.adiabatic) return adiabatic_argument(path, &*proof.adiabatic);
         const Certificate certificate = read_certificate(path);
         const auto range = audit::claimed_range(path);
         compare_claims(certificate, range, proof);

@@ -19,4 +19,7 @@ struct Argument {
 /// The same of a file about initial conditions.
 [[nodiscard]] Argument initial_argument(const std::string& path, const dumbbell_verify::Initial& proved);
 
+/// The same of a file about the adiabatic invariant. Without `proved` of all that the file says.
+[[nodiscard]] Argument adiabatic_argument(const std::string& path, const dumbbell_verify::Adiabatic* proved);
+
 }  // namespace dumbbell_mutation

@@ -17,11 +17,11 @@ using namespace dumbbell;
 
 Base base(const std::string& name, Certificate data) {
     std::string text = render(data).text;
-    return {name, std::move(data), std::move(text)};
+    return {name, std::move(data), std::move(text), 1};
 }
 Base base(const std::string& name, InitialCertificate data) {
     std::string text = render(data).text;
-    return {name, std::move(data), std::move(text)};
+    return {name, std::move(data), std::move(text), 1};
 }
 
 Certificate certificate(std::vector<Piece> pieces, Scene scene = Scene::dumbbell,
@@ -159,6 +159,7 @@ std::vector<Base> bases(bool large) {
         all.push_back(base("staircase", certified("1", "50")));
         all.push_back(base("wedge-staircase", certified("1", "50", "1e-6", Scene::wedge)));
     }
+    for (Base& adiabatic : adiabatic_bases()) all.push_back(std::move(adiabatic));
     return all;
 }
 

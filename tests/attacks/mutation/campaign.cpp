@@ -4,6 +4,7 @@
 #include <functional>
 #include <sstream>
 #include <unordered_set>
+#include <utility>
 
 #include "apart.hpp"
 #include "argument.hpp"
@@ -108,22 +109,30 @@ bool is_unmasked(const Scratch& file, const Trial& trial, bool accepted) {
 std::vector<Trial> trials_of(const Base& base, const Options& options) {
     Collector collector(base);
     const Sink sink = [&](const Mutant& mutant) { collector.add(mutant); };
+    const std::size_t most = options.most / base.cost;
+    std::vector<Trial> trials;
+    const auto keep = [&](std::size_t n) {
+        for (Trial& trial : thinned(std::exchange(collector.trials, {}), n))
+            trials.push_back(std::move(trial));
+    };
     claim_mutations(base, sink);
+    if (base.cost > 1)
+        keep(most / 3 * options.scale);  // what is spelled otherwise is the others' business, too
     tree_mutations(base.text, sink);
+    if (base.cost > 1) keep(most / 3 * options.scale);
     word_mutations(base.text, sink);
     line_mutations(base.text, sink);
-    byte_mutations(base.text, sink);
-    std::vector<Trial> trials = thinned(std::move(collector.trials), options.most * options.scale);
+    if (base.cost == 1) byte_mutations(base.text, sink);
+    keep(most * options.scale - trials.size());
     if (options.scale > 1) {
-        collector.trials.clear();
-        random_mutations(base.text, 1, options.most * (options.scale - 1) / 2, sink);
-        for (Trial& trial : collector.trials) trials.push_back(std::move(trial));
+        random_mutations(base.text, 1, most * (options.scale - 1) / 2, sink);
+        keep(collector.trials.size());
     }
     std::vector<Trial> demands;
     for (const Demand& demand : demands_of(base))
         demands.push_back(
             {"demand", demand.what, base.text, "", demand.settings, true, demand.proved, demand.fitting});
-    for (Trial& demand : thinned(std::move(demands), options.most / 10 * options.scale))
+    for (Trial& demand : thinned(std::move(demands), most / 10 * options.scale))
         trials.push_back(std::move(demand));
     return trials;
 }

@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 
 #include "collisions/leaf.hpp"
 #include "collisions/writer.hpp"
@@ -12,9 +11,6 @@ namespace dumbbell_mutation {
 namespace {
 
 using namespace dumbbell;
-
-constexpr const char* steps[] = {"1e-15", "1e-9", "1e-4", "1e-2", "1/3", "1"};  // relative
-constexpr std::array bit_counts{53, 54, 64, 96, 113, 200, 256, 512, 1024, 2048, 4096};
 
 /// A tree that is as good as it gets for the bound: what does not close within `depth` splits is a leaf
 /// `count` all the same, with hints that fit the bound.
@@ -201,6 +197,8 @@ void claims_of(const InitialCertificate& data, const Sink& sink) {
 void claim_mutations(const Base& base, const Sink& sink) {
     if (const auto* data = std::get_if<Certificate>(&base.data))
         Claims(*data, sink).run();
+    else if (const auto* adiabatic = std::get_if<AdiabaticCertificate>(&base.data))
+        adiabatic_claim_mutations(*adiabatic, sink);
     else
         claims_of(std::get<InitialCertificate>(base.data), sink);
 }

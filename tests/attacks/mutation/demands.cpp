@@ -3,11 +3,13 @@
 #include <optional>
 #include <set>
 
+#include "adiabatic/writer.hpp"
 #include "collisions/names.hpp"
 
 namespace dumbbell_mutation {
 namespace {
 
+using dumbbell::AdiabaticCertificate;
 using dumbbell::Certificate;
 using dumbbell::InitialCertificate;
 using dumbbell::Piece;
@@ -121,6 +123,25 @@ std::vector<Demand> demands_of(const InitialCertificate& data) {
                 {settings_of(lo, hi, bounds, "dumbbell"), what + " --claim initial-conditions", proved});
             demands.back().settings.claim = "initial-conditions";
         }
+    return demands;
+}
+
+std::vector<Demand> demands_of(const AdiabaticCertificate& data) {
+    std::vector<Demand> demands;
+    for (const std::string scene : {"dumbbell", "hybrid", "wedge"})
+        for (const std::string claim : {"", "adiabatic-bounce", "adiabatic-run", "adiabatic-scattering",
+                                        "adiabatic-printed", "initial-conditions", "collisions"}) {
+            dumbbell_verify::Settings settings;
+            settings.scene = scene;
+            settings.claim = claim;
+            const bool proved =
+                scene == "dumbbell" && (claim.empty() || claim == name(data.hypotheses.claim));
+            demands.push_back(
+                {settings, "--scene " + scene + (claim.empty() ? "" : " --claim " + claim), proved});
+        }
+    for (const Bounds& bounds : bounds_near({0, 1, 2}))
+        demands.push_back(
+            {settings_of(1, 400, bounds, "dumbbell"), "--ratio 1:400" + bounds.text(), false, false});
     return demands;
 }
 

@@ -68,6 +68,7 @@ int exit_code(Verdict verdict) {
 
 std::string claim_text(const Proof& proof) {
     if (proof.initial) return proof.initial->text();
+    if (proof.adiabatic) return proof.adiabatic->text();
     const Collisions& claim = proof.claim;
     return "ratio=" + dumbbell_verify::to_string(claim.lo) + ":" + dumbbell_verify::to_string(claim.hi) +
            " upper=" + (claim.upper ? std::to_string(*claim.upper) : "none") +

@@ -1,5 +1,6 @@
 // The mutants of one certificate: small changes of its text, its trees and its claims, each of them once.
 #pragma once
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <string>
@@ -10,6 +11,10 @@
 #include "text.hpp"
 
 namespace dumbbell_mutation {
+
+/// By how much a claim's numbers are changed, relatively, and what its working bits are changed to.
+inline constexpr const char* steps[] = {"1e-15", "1e-9", "1e-4", "1e-2", "1/3", "1"};
+inline constexpr std::array bit_counts{53, 54, 64, 96, 113, 200, 256, 512, 1024, 2048, 4096};
 
 /// A changed text, its trailer not yet made anew, or bytes that are to be verified as they are. `what` says
 /// in one line what was changed.
@@ -42,6 +47,8 @@ void tree_mutations(const std::string& text, const Sink& sink);
 /// tree there is; one more attained; wider and other ranges and boxes, pieces merged, other working bits and
 /// sections.
 void claim_mutations(const Base& base, const Sink& sink);
+/// Those of a file about the adiabatic invariant: other ranges, margins, bounds, classes and attained states.
+void adiabatic_claim_mutations(const dumbbell::AdiabaticCertificate& data, const Sink& sink);
 /// `count` texts with two to four random changes of words, lines and trees at once.
 void random_mutations(const std::string& text, std::uint64_t seed, std::size_t count, const Sink& sink);
 

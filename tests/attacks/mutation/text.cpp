@@ -41,6 +41,17 @@ std::string implied_bounds(const Lines& lines, std::size_t header) {
     return "between " + std::to_string(least) + " " + std::to_string(most);
 }
 
+/// Does a tree about the adiabatic invariant begin behind line i?
+bool before_adiabatic_tree(const Lines& lines, std::size_t i) {
+    const auto next_is = [&](std::string_view word) {
+        return i + 1 < lines.size() && lines[i + 1].starts_with(word);
+    };
+    const std::string& line = lines[i];
+    const bool header = line.starts_with("bound ") && line.find('/') != std::string::npos;
+    return line == "end" || (line.starts_with("cell ") && !next_is("cell ")) ||
+           (header && !next_is("classes "));
+}
+
 /// The end of the subtree that begins at line i; 0 if it is not complete. Depth first, without recursion.
 std::size_t subtree_end(const Lines& lines, std::size_t i) {
     for (long missing = 1; missing > 0; ++i) {
@@ -88,6 +99,11 @@ bool is_initial(const Lines& lines) {
     return std::find(lines.begin(), lines.end(), "claim initial-conditions") != lines.end();
 }
 
+bool is_adiabatic(const Lines& lines) {
+    return std::any_of(lines.begin(), lines.end(),
+                       [](const std::string& line) { return line.starts_with("claim adiabatic-"); });
+}
+
 std::string body_of(const std::string& text) {
     Lines lines = lines_of(text);
     lines.erase(std::find_if(lines.begin(), lines.end(), is_trailer), lines.end());
@@ -96,6 +112,7 @@ std::string body_of(const std::string& text) {
 
 std::string closed(const std::string& text) {
     Lines lines = lines_of(body_of(text));
+    if (is_adiabatic(lines)) return make::closed_adiabatic(text_of(lines));
     if (!is_initial(lines)) return make::closed(text_of(lines));
     if (const auto header = bounds_line(lines)) lines[*header] = implied_bounds(lines, *header);
     return make::closed_initial(text_of(lines));
@@ -111,8 +128,11 @@ std::string hashed(const std::string& text) {
 std::vector<TreeNode> nodes_of(const Lines& lines) {
     std::vector<TreeNode> nodes;
     const auto header = is_initial(lines) ? bounds_line(lines) : std::nullopt;
+    const bool adiabatic = is_adiabatic(lines);
     for (std::size_t i = 0; i < lines.size(); ++i) {
-        const bool before_tree = is_initial(lines) ? i == header : lines[i].starts_with("chart ");
+        const bool before_tree = header      ? i == header
+                                 : adiabatic ? before_adiabatic_tree(lines, i)
+                                             : lines[i].starts_with("chart ");
         const std::size_t end = before_tree ? subtree_end(lines, i + 1) : 0;
         for (std::size_t at = i + 1; at < end; ++at) {
             const bool split = lines[at].starts_with("split ");

@@ -25,13 +25,15 @@ using Lines = std::vector<std::string>;  ///< without their line feeds
 [[nodiscard]] std::string hashed(const std::string& text);
 
 [[nodiscard]] bool is_initial(const Lines& lines);
+[[nodiscard]] bool is_adiabatic(const Lines& lines);
 
 /// A node of a tree in pre-order: its subtree is lines [begin, end); the second half's begins at `upper`, 0
 /// for a leaf. Nodes of one tree have the same `tree`, the line of its root.
 struct TreeNode {
     std::size_t begin = 0, end = 0, upper = 0, tree = 0;
 };
-/// The nodes of all complete trees of a file: behind each line `chart`, or behind the header's `between`.
+/// The nodes of all complete trees of a file: behind each line `chart`; behind the header's `between`; behind
+/// the cells of a class, behind `end`, or of a bounce behind the header's `bound`.
 [[nodiscard]] std::vector<TreeNode> nodes_of(const Lines& lines);
 
 }  // namespace dumbbell_mutation

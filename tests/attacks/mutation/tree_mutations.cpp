@@ -1,12 +1,15 @@
 #include <algorithm>
 #include <set>
+#include <span>
 
 #include "mutations.hpp"
 
 namespace dumbbell_mutation {
 namespace {
 
+/// The axes of all trees but those about the adiabatic invariant, and of these.
 constexpr std::string_view axes[] = {"e", "eta", "lambda", "t", "q", "phi", "phidot", "y", "ydot"};
+constexpr std::string_view adiabatic_axes[] = {"u", "s", "v", "delta", "sigma", "q"};
 
 class Trees {
   public:
@@ -24,6 +27,7 @@ class Trees {
                 exchange_subtrees(nodes_[i], nodes_[(i + step) % nodes_.size()]);
         blocks("chart ", "chart");
         blocks("piece ", "piece");
+        classes();
     }
 
   private:
@@ -62,7 +66,8 @@ class Trees {
         const std::string& here = lines_[n.begin];
         for (const std::string& text : other_leaves(n))
             if (text != here) give("leaf replaced", n.begin, " -> " + text, with(n.begin, n.end, {text}));
-        for (const std::string_view axis : axes)
+        using Axes = std::span<const std::string_view>;
+        for (const std::string_view axis : is_adiabatic(lines_) ? Axes(adiabatic_axes) : Axes(axes))
             give("leaf split", n.begin, " by " + std::string(axis),
                  with(n.begin, n.end, {"split " + std::string(axis), here, here}));
     }
@@ -78,6 +83,10 @@ class Trees {
         std::set<std::string> texts;
         for (const TreeNode& other : nodes_)
             if (other.upper == 0) texts.insert(lines_[other.begin]);
+        if (is_adiabatic(lines_)) {
+            for (const char* text : {"outside", "bound", "bound 0", "bound 1", "bound 2"}) texts.insert(text);
+            return texts;
+        }
         if (is_initial(lines_)) {
             for (const char* text :
                  {"open", "exactly 0", "between 0 1", "between 0 2", "between 1 9", "between 0 99"})
@@ -107,6 +116,32 @@ class Trees {
                       changed.begin() + static_cast<std::ptrdiff_t>(a.end));
         changed.insert(changed.begin() + static_cast<std::ptrdiff_t>(a.begin), second.begin(), second.end());
         give("subtrees exchanged", a.begin, " and line " + std::to_string(b.begin + 1), changed);
+    }
+
+    /// Classes with their trees, and the number of them that fits.
+    void classes() {
+        const auto count = std::find_if(lines_.begin(), lines_.end(),
+                                        [](const std::string& line) { return line.starts_with("classes "); });
+        if (count == lines_.end()) return;
+        std::vector<std::size_t> begins;
+        for (std::size_t i = 0; i < lines_.size(); ++i)
+            if (lines_[i].starts_with("class ") || lines_[i] == "end") begins.push_back(i);
+        const auto numbered = [&](Lines changed, std::size_t n) {
+            changed[static_cast<std::size_t>(count - lines_.begin())] = "classes " + std::to_string(n);
+            return changed;
+        };
+        const std::size_t n = begins.size() - 1;
+        for (std::size_t i = 0; i < n; ++i) {
+            const Lines block = part(begins[i], begins[i + 1]);
+            give("class deleted", begins[i], "", numbered(with(begins[i], begins[i + 1], {}), n - 1));
+            for (std::size_t j = 0; j <= n; ++j)
+                give("class doubled", begins[i], " before line " + std::to_string(begins[j] + 1),
+                     numbered(with(begins[j], begins[j], block), n + 1));
+            for (std::size_t j = 0; j < n; ++j)
+                if (i != j)
+                    give("class instead of another", begins[i], " for line " + std::to_string(begins[j] + 1),
+                         with(begins[j], begins[j + 1], block));
+        }
     }
 
     /// Charts with their trees, or pieces.

@@ -103,16 +103,20 @@ Changes of_dyadic(const std::string& word) {
 }
 
 /// The words of the format that may stand in the same place.
-constexpr std::string_view classes[][11] = {{"dumbbell", "hybrid", "wedge", "none"},
-                                            {"turning", "full", "none", "wedge"},
-                                            {"collisions", "initial-conditions", "heavy-collisions"},
-                                            {"bridge", "light", "contact", "departure", "again", "wedge"},
-                                            {"e", "eta", "lambda", "t", "q", "phi", "phidot", "y", "ydot"},
-                                            {"light", "heavy"},
-                                            {"count", "outside", "meets", "meets-reversed", "once", "exactly",
-                                             "between", "open", "equal-masses", "split", "witness"},
-                                            {"1", "minimal", "2"},
-                                            {"none", "0", "1"}};
+constexpr std::string_view classes[][11] = {
+    {"dumbbell", "hybrid", "wedge", "none"},
+    {"turning", "full", "none", "wedge"},
+    {"collisions", "initial-conditions", "heavy-collisions", "adiabatic-bounce", "adiabatic-run",
+     "adiabatic-scattering", "adiabatic-printed"},
+    {"bridge", "light", "contact", "departure", "again", "wedge"},
+    {"e", "eta", "lambda", "t", "q", "phi", "phidot", "y", "ydot"},
+    {"u", "s", "v", "delta", "sigma", "q"},
+    {"bound", "outside", "split", "attained", "cell", "end"},
+    {"light", "heavy"},
+    {"count", "outside", "meets", "meets-reversed", "once", "exactly", "between", "open", "equal-masses",
+     "split", "witness"},
+    {"1", "minimal", "2"},
+    {"none", "0", "1"}};
 
 Changes of_word(const std::string& word) {
     Changes changes = {{"spelling", word + "x"}, {"zero", "0"}};

@@ -247,5 +247,9 @@ test("the choice of colours changes page and pictures at once", async () => {
     await page.getByLabel("Colours").first().selectOption("light");
     assert.equal(await background(), "rgb(255, 255, 255)");
     assert.deepEqual((await pixels(canvas)).bytes, light);
+    await page.emulateMedia({ colorScheme: "dark" }); // what was chosen stays, until it is the system's again
+    assert.equal(await background(), "rgb(255, 255, 255)");
+    await page.getByLabel("Colours").first().selectOption("auto");
+    assert.equal(await background(), "rgb(20, 24, 31)");
     await page.close();
 });

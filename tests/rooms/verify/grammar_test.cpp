@@ -3,6 +3,7 @@
 #include <random>
 
 #include "make_certificate.hpp"
+#include "verify/format/text.hpp"
 #include "verify/program/verify.hpp"
 
 using namespace dumbbell_verify;

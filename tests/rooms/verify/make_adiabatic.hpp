@@ -22,17 +22,6 @@ using dumbbell_verify::axis_sigma;
 using dumbbell_verify::axis_u;
 using dumbbell_verify::axis_v;
 
-/// The totals and the hash that belong to this text.
-inline std::string closed_adiabatic(const std::string& text) {
-    std::map<std::string, int> count;
-    std::istringstream in(text.substr(text.find("\nbits ")));
-    for (std::string line; std::getline(in, line);) ++count[line.substr(0, line.find(' '))];
-    if (text.find("claim adiabatic-printed") == std::string::npos) --count["bound"];  // that of the header
-    std::string all = text;
-    for (const std::string kind : {"split", "bound", "outside"})
-        all += "total " + kind + " " + std::to_string(count[kind]) + "\n";
-    return hashed(all);
-}
 /// A copy with `from` (which must occur) replaced once, and a trailer that fits.
 inline std::string mutated_adiabatic(const std::string& text, const std::string& from,
                                      const std::string& to) {

@@ -46,6 +46,17 @@ inline std::string totals(const std::string& body) {
 
 inline std::string hashed(const std::string& text) { return text + "sha256 " + sha256(text) + "\n"; }
 inline std::string closed(const std::string& body) { return hashed(body + totals(body)); }
+/// The same of a text about the adiabatic invariant.
+inline std::string closed_adiabatic(const std::string& text) {
+    std::map<std::string, int> count;
+    std::istringstream in(text);
+    for (std::string line; std::getline(in, line);) ++count[line.substr(0, line.find(' '))];
+    if (text.find("claim adiabatic-printed") == std::string::npos) --count["bound"];  // that of the header
+    std::string all = text;
+    for (const std::string kind : {"split", "bound", "outside"})
+        all += "total " + kind + " " + std::to_string(count[kind]) + "\n";
+    return hashed(all);
+}
 
 inline std::string header(const std::string& lo, const std::string& hi, int pieces) {
     return "dumbbell-certificate 1\ngenerator test 1.0\nlemmas 1\nscene dumbbell\nsection turning\nclaim "
