@@ -14,11 +14,7 @@ using Exact = CGAL::Gmpq;
 
 Exact exact(const Rational& x) { return Exact(x.raw()); }
 
-Rational rational(const Exact& x) {
-    Rational result;
-    mpq_set(result.raw(), x.mpq());
-    return result;
-}
+Rational rational(const Exact& x) { return Rational(x.mpq()); }
 
 /// An axis on which the root has positive width, in units of the root: the root is [0, 1]. The map is exact
 /// and increasing, so it changes neither order nor shares of the area; bisected coordinates become short

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <limits>
 #include <ostream>
 
 #include "base/error.hpp"
@@ -57,6 +58,19 @@ Rational exact(mpfr_srcptr x) {
     return result;
 }
 
+/// The nearest number with so many bits.
+struct Nearest {
+    Nearest(mpq_srcptr x, int bits) {
+        mpfr_init2(value, bits);
+        mpfr_set_q(value, x, MPFR_RNDN);
+    }
+    Nearest(const Nearest&) = delete;
+    Nearest& operator=(const Nearest&) = delete;
+    ~Nearest() { mpfr_clear(value); }
+
+    mpfr_t value;
+};
+
 Integer power_of_ten(int n) { return pow(Integer(10), static_cast<unsigned>(n)); }
 
 }  // namespace
@@ -90,12 +104,11 @@ std::ostream& operator<<(std::ostream& out, const Rational& x) { return out << t
 
 template <>
 double Rational::convert_to<double>() const {
-    mpfr_t nearest;
-    mpfr_init2(nearest, 53);
-    mpfr_set_q(nearest, q_, MPFR_RNDN);
-    const double result = mpfr_get_d(nearest, MPFR_RNDN);
-    mpfr_clear(nearest);
-    return result;
+    return mpfr_get_d(Nearest(q_, std::numeric_limits<double>::digits).value, MPFR_RNDN);
+}
+template <>
+long double Rational::convert_to<long double>() const {
+    return mpfr_get_ld(Nearest(q_, std::numeric_limits<long double>::digits).value, MPFR_RNDN);
 }
 template <>
 int Rational::convert_to<int>() const {

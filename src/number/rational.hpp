@@ -26,7 +26,9 @@ class Rational {
     }
     /// numerator / denominator. Throws BrokenInvariant if the denominator is 0.
     Rational(const Integer& numerator, const Integer& denominator);
-    Rational(const Rational& other) : Rational() { mpq_set(q_, other.q_); }
+    /// GMP's own. Precondition: in lowest terms.
+    explicit Rational(mpq_srcptr value) : Rational() { mpq_set(q_, value); }
+    Rational(const Rational& other) : Rational(other.q_) {}
     Rational(Rational&& other) noexcept : Rational() { mpq_swap(q_, other.q_); }
     Rational& operator=(Rational other) noexcept {
         mpq_swap(q_, other.q_);
@@ -54,7 +56,7 @@ class Rational {
     }
     friend std::ostream& operator<<(std::ostream& out, const Rational& x);
 
-    /// double, rounded to nearest, ties to even; int or long, towards zero (precondition: it fits).
+    /// double or long double, rounded to nearest, ties to even; int or long, towards zero (precondition: it fits).
     template <class T>
     [[nodiscard]] T convert_to() const;
 
@@ -68,6 +70,8 @@ class Rational {
 
 template <>
 [[nodiscard]] double Rational::convert_to<double>() const;
+template <>
+[[nodiscard]] long double Rational::convert_to<long double>() const;
 template <>
 [[nodiscard]] int Rational::convert_to<int>() const;
 template <>

@@ -5,6 +5,7 @@
 
 #include "verify/adiabatic/claim.hpp"
 #include "verify/format/proof.hpp"
+#include "verify/format/text.hpp"
 #include "verify/starts/claim.hpp"
 
 namespace dumbbell_verify {

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <new>
 
-#include "rooms/verify/make_certificate.hpp"
 #include "choices.hpp"
 #include "collisions/reader.hpp"
 #include "collisions/writer.hpp"
 #include "file_text.hpp"
+#include "rooms/verify/make_certificate.hpp"
 #include "scratch.hpp"
 #include "start_truth.hpp"
 #include "target.hpp"
@@ -17,7 +17,7 @@
 namespace {
 
 using namespace dumbbell_fuzz;
-using dumbbell_verify::Collisions, dumbbell_verify::Failure, dumbbell_verify::Proof,
+using dumbbell_verify::Collisions, dumbbell_verify::Failure, dumbbell_verify::Verified,
     dumbbell_verify::Settings, dumbbell_verify::Verdict;
 
 constexpr unsigned most_bits = 128;  ///< more are refused, as by --max-bits: each bit costs time
@@ -29,7 +29,7 @@ void must_be_meant(const Failure& failure) {
 }
 
 /// What the verifier makes of a file; nothing if it does not accept it. Other exceptions end the program.
-std::optional<Proof> proof_of(const std::string& bytes, const Settings& settings) {
+std::optional<Verified> proof_of(const std::string& bytes, const Settings& settings) {
     static MemoryFile file;
     try {
         return dumbbell_verify::verify(file.holding(bytes), settings);
@@ -46,7 +46,7 @@ bool is_accepted(const std::string& bytes, Settings settings, const Collisions& 
     return proof_of(bytes, settings).has_value();
 }
 
-void check_claim(const Proof& proof, const std::string& text, const Settings& settings) {
+void check_claim(const Verified& proof, const std::string& text, const Settings& settings) {
     const Collisions& claim = proof.claim;
     must(!claim.parts.empty() && claim.parts.front().lo == claim.lo && claim.parts.back().hi == claim.hi,
          "the pieces are the claim");

@@ -28,7 +28,8 @@ const std::vector<Certificate>& bases() {
         for (const char* file :
              {"certificates/q-1.dbc", "certificates/q-10.dbc", "certificates/q-100.dbc",
               "certificates/q-1e4.dbc", "certificates/stairs-1-100.dbc", "certificates/wedge-1-100.dbc",
-              "certificates/hybrid-1-100.dbc", "tests/attacks/fuzz/bases/full-3.dbc", "tests/attacks/fuzz/bases/full-6.dbc"})
+              "certificates/hybrid-1-100.dbc", "tests/attacks/fuzz/bases/full-3.dbc",
+              "tests/attacks/fuzz/bases/full-6.dbc"})
             result.push_back(read_certificate(std::string(DUMBBELL_PROJECT) + "/" + file));
         return result;
     }();
@@ -195,7 +196,7 @@ void change_witness(Piece& piece, Choices& choices) {
 }
 
 /// Exactly, from the numbers of the table.
-Rational rational(const mpq_class& x) { return Rational(x.get_str()); }
+Rational rational(const mpq_class& x) { return Rational(x.get_mpq_t()); }
 
 /// A ratio near this one, or near a critical ratio of about this many collisions.
 Rational near(const Rational& q, const Piece& piece, Choices& choices) {

@@ -36,7 +36,7 @@ Place any_place(Choices& choices) {
     return places[choices.below(std::size(places))];
 }
 
-mpq_class rational(const dumbbell::Rational& x) { return mpq_class(x.backend().data()); }
+mpq_class rational(const dumbbell::Rational& x) { return mpq_class(x.raw()); }
 
 /// In [0, top]: anywhere, or close to 0, to the top, to pi/2 or to pi.
 mpq_class any_coordinate(Choices& choices, const mpq_class& top) {
@@ -138,8 +138,8 @@ void try_leaf(const Place& place, const dumbbell_verify::Leaf& leaf, Choices& ch
 
 void try_witness(const Place& place, dumbbell_verify::Leaf leaf, Choices& choices) {
     for (std::size_t i = 0; i < 2; ++i) leaf.box.hi.at(i) = leaf.box.lo.at(i);
-    dumbbell::Witness said{dumbbell::Rational(leaf.box.lo[0].get_str()),
-                           dumbbell::Rational(leaf.box.lo[1].get_str())};
+    dumbbell::Witness said{dumbbell::Rational(leaf.box.lo[0].get_mpq_t()),
+                           dumbbell::Rational(leaf.box.lo[1].get_mpq_t())};
     said.chart = place.chart;
     const long total = std::max(1L, about_as_many(place, leaf.box, choices));
     said.forward = choices.between(0, total - 1);

@@ -101,8 +101,7 @@ void check_ratio(const std::string& text) {
     const auto verifiers = of_verifier(text);
     must(ratio.has_value() == verifiers.has_value(), "the verifier reads the same ratios");
     if (!ratio) return;
-    must(mpq_class(ratio->lo.backend().data()) == verifiers->first &&
-             mpq_class(ratio->hi.backend().data()) == verifiers->second,
+    must(mpq_class(ratio->lo.raw()) == verifiers->first && mpq_class(ratio->hi.raw()) == verifiers->second,
          "a ratio is the same for the verifier");
 }
 

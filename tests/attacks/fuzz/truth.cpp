@@ -20,9 +20,7 @@ struct Step {
     mpq_class cut, radius;
 };
 
-mpq_class number(const std::string& text) {
-    return mpq_class(dumbbell::parse_rational(text).backend().data());
-}
+mpq_class number(const std::string& text) { return mpq_class(dumbbell::parse_rational(text).raw()); }
 
 /// Of q_c(3), q_c(4), ...
 std::vector<Step> read_table() {

@@ -125,7 +125,7 @@ class Pieces {
 
 /// Is the verifier's word what the file says, as the prover's reader reads it?
 void compare_claims(const Certificate& c, const std::pair<Rational, Rational>& range,
-                    const dumbbell_verify::Proof& proof) {
+                    const dumbbell_verify::Verified& proof) {
     const auto& claim = proof.claim;
     std::optional<long> upper = 0;
     long lower = c.pieces.front().lower, gaps = 0, open = 0;
@@ -148,7 +148,7 @@ void compare_claims(const Certificate& c, const std::pair<Rational, Rational>& r
 
 }  // namespace
 
-Argument second_argument(const std::string& path, const dumbbell_verify::Proof& proof) {
+Argument second_argument(const std::string& path, const dumbbell_verify::Verified& proof) {
     try {
         if (proof.initial) return initial_argument(path, *proof.initial);
         if (proof.adiabatic) return adiabatic_argument(path, &*proof.adiabatic);

@@ -14,7 +14,7 @@ struct Argument {
 };
 
 /// Of the file at `path`, which the verifier accepted with `proof` as its claim.
-[[nodiscard]] Argument second_argument(const std::string& path, const dumbbell_verify::Proof& proof);
+[[nodiscard]] Argument second_argument(const std::string& path, const dumbbell_verify::Verified& proof);
 
 /// The same of a file about initial conditions.
 [[nodiscard]] Argument initial_argument(const std::string& path, const dumbbell_verify::Initial& proved);

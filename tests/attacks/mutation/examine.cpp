@@ -66,7 +66,7 @@ int exit_code(Verdict verdict) {
     }
 }
 
-std::string claim_text(const Proof& proof) {
+std::string claim_text(const Verified& proof) {
     if (proof.initial) return proof.initial->text();
     if (proof.adiabatic) return proof.adiabatic->text();
     const Collisions& claim = proof.claim;

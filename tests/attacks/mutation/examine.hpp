@@ -11,8 +11,8 @@ namespace dumbbell_mutation {
 struct Outcome {
     dumbbell_verify::Verdict verdict = dumbbell_verify::Verdict::verified;
     std::uint64_t line = 0;
-    std::string code, text;                       ///< why not; empty if verified
-    std::optional<dumbbell_verify::Proof> proof;  ///< if verified
+    std::string code, text;                          ///< why not; empty if verified
+    std::optional<dumbbell_verify::Verified> proof;  ///< if verified
 
     [[nodiscard]] bool accepted() const { return verdict == dumbbell_verify::Verdict::verified; }
 };
@@ -44,6 +44,6 @@ class Scratch {
 [[nodiscard]] int exit_code(dumbbell_verify::Verdict verdict);
 
 /// What an accepted file proves, in one line: `upper=4 lower=4 gaps=0 open=0` and the like.
-[[nodiscard]] std::string claim_text(const dumbbell_verify::Proof& proof);
+[[nodiscard]] std::string claim_text(const dumbbell_verify::Verified& proof);
 
 }  // namespace dumbbell_mutation

@@ -27,10 +27,10 @@ const std::vector<Base>& all_bases() {
 }
 
 /// What a verifier would say that believes the file.
-dumbbell_verify::Proof believed(const std::string& path) {
+dumbbell_verify::Verified believed(const std::string& path) {
     const dumbbell::Certificate c = dumbbell::read_certificate(path);
     const auto range = dumbbell::audit::claimed_range(path);
-    dumbbell_verify::Proof proof;
+    dumbbell_verify::Verified proof;
     const auto exact = [](const dumbbell::Rational& x) { return mpq_class(dumbbell::to_fraction(x)); };
     proof.claim.lo = exact(range.first);
     proof.claim.hi = exact(range.second);

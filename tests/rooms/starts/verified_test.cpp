@@ -1,8 +1,8 @@
 // What `subdivide` finds and writes is what dumbbell-verify certifies.
 #include <catch2/catch.hpp>
 
-#include "box.hpp"
 #include "attacks/oracle/trial.hpp"
+#include "box.hpp"
 #include "starts/initial_state.hpp"
 #include "written_file.hpp"
 
@@ -30,7 +30,7 @@ InitialBox box_of(const std::array<std::array<const char*, 2>, initial_axes>& si
 void check_verified(const InitialBox& box, const SubdivideOptions& options) {
     REQUIRE_NOTHROW(require_in_play(box));
     const Subdivision parts = subdivide(box, options);
-    dumbbell_verify::Proof proof;
+    dumbbell_verify::Verified proof;
     REQUIRE(refusal(written(box, parts), &proof) == "");
     CHECK(proof.initial->least == static_cast<std::uint64_t>(parts.most ? parts.least : 0));
     CHECK(proof.initial->most.has_value() == parts.most.has_value());

@@ -20,7 +20,7 @@ inline std::string written(const dumbbell::InitialBox& box, const dumbbell::Subd
 }
 
 /// What the verifier says of this text: its failure, or nothing.
-inline std::string refusal(const std::string& text, dumbbell_verify::Proof* proof = nullptr) {
+inline std::string refusal(const std::string& text, dumbbell_verify::Verified* proof = nullptr) {
     const make::File file(text);
     try {
         dumbbell_verify::Settings settings;

@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "verify/format/section.hpp"
 #include "verify/starts/grammar.hpp"
 
 namespace leaf_rows {

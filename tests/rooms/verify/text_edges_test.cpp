@@ -16,7 +16,7 @@ std::string claims_nothing(const std::string& ratio) {
     return closed(make::header(ratio, ratio, 1) + "piece " + ratio + " " + ratio +
                   "\nbits 53\nupper none\nlower 0\n");
 }
-double covered(const Proof& proof) {
+double covered(const Verified& proof) {
     double sum = 0;
     for (const Tally& tally : proof.tallies)
         if (tally.name != "witness") sum += tally.covered;
@@ -53,11 +53,11 @@ TEST_CASE("edges: a numerator has up to 2100 digits") {
 }
 
 TEST_CASE("edges: the leaves of a proof fill its root boxes") {
-    const Proof stairs = verify(DUMBBELL_PROJECT "/certificates/stairs-1-100.dbc", {});
+    const Verified stairs = verify(DUMBBELL_PROJECT "/certificates/stairs-1-100.dbc", {});
     CHECK(stairs.roots > 2);
     CHECK(covered(stairs) == Approx(stairs.roots));
     const File file(make::falling());
-    const Proof starts = verify(file.path(), {});
+    const Verified starts = verify(file.path(), {});
     CHECK(starts.roots == 1);
     CHECK(covered(starts) == Approx(1));
 }
