@@ -110,6 +110,7 @@ TEST_CASE("no rounding makes a potential too low, nor its least too high") {
     const mpq_class third(1, 3), tiny = power_of_half(60), next = 1 + power_of_half(52);
     CHECK((exactly(made(2, {{1, third}}).upper(1.0)) >= third));
     CHECK((exactly(made(2, {{1, third}}).least(Interval<double>(1.0, 2.0))) <= third));
+    CHECK((exactly(made(mpq_class(1, 2), {{third, 1}}).upper(0.0)) >= mpq_class(1, 6)));
     CHECK((exactly(made(4, {{3, 1}, {2, tiny}}).upper(1.0)) >= 1 + tiny));
     CHECK((exactly(made(2, {{0, 1}}).upper(0x1p-60)) >= 2 - tiny));
     CHECK((exactly(made(3, {{1, next}}).upper(2 - 0x1p-52)) >= next * next));
