@@ -120,6 +120,10 @@ TEST_CASE("pieces tile the range") {
     CHECK(only_fault(audit::audit(certificate, {2, 4}), "the pieces end at ratio 3/1, not at 4/1"));
     certificate.pieces[0].q_hi = Rational(5, 2);
     CHECK(only_fault(audit_of(certificate), "piece 2 begins at ratio 3/1, not at 5/2"));
+    Piece there = piece_of(1, 2, {});
+    Piece back = piece_of(2, 1, {});
+    there.upper = back.upper = std::nullopt;
+    CHECK(only_fault(audit_of(certificate_of({there, back})), "piece 2 ends before it begins"));
 }
 
 TEST_CASE("progress ends with all leaves") {
@@ -130,5 +134,6 @@ TEST_CASE("progress ends with all leaves") {
         steps.push_back(done);
     });
     CHECK(std::is_sorted(steps.begin(), steps.end()));
+    CHECK(steps.front() < 20);  // also within a chart
     CHECK(steps.back() == 31);
 }

@@ -183,6 +183,8 @@ TEST_CASE("a box beyond the root sticks out") {
     CHECK(check_tiling(boxes).fault == Fault::sticks_out);
     boxes.leaves[0] = boxes.box({0, 0, 10}, {2, 16, 11});
     CHECK(check_tiling(boxes).fault == Fault::sticks_out);
+    boxes.leaves[0] = boxes.box({-d, 0, 10}, {2, 16, 10});
+    CHECK(check_tiling(boxes).fault == Fault::sticks_out);
 }
 
 TEST_CASE("a reversed box is refused") {
@@ -199,4 +201,24 @@ TEST_CASE("tilings that no tree makes are tilings too") {
                     boxes.box({1, 2, 1}, {3, 3, 1}), boxes.box({0, 1, 1}, {1, 3, 1}),
                     boxes.box({1, 1, 1}, {2, 2, 1})};
     check_tiles(boxes);
+}
+
+TEST_CASE("boxes without an interior overlap nothing") {
+    for (const bool first : {false, true}) {
+        Boxes boxes = root_of(Chart::bridge, 10, 10);
+        boxes.leaves = {boxes.root, boxes.box({1, 0, 10}, {1, 16, 10})};
+        if (first) {
+            std::swap(boxes.leaves[0], boxes.leaves[1]);
+        }
+        check_tiles(boxes);
+    }
+}
+
+TEST_CASE("only boxes that touch are compared") {
+    Boxes boxes = root_of(Chart::bridge, 10, 10);
+    for (const int i : {0, 1, 2, 3}) {
+        boxes.leaves.push_back(boxes.box({Rational(i, 2), 0, 10}, {Rational(i + 1, 2), 16, 10}));
+    }
+    check_tiles(boxes);
+    CHECK(check_tiling(boxes).pairs == 3);
 }

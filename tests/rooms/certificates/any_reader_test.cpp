@@ -3,12 +3,13 @@
 #include <catch2/catch.hpp>
 
 #include "programs/cli/process.hpp"
-#include "adiabatic/writer.hpp"
 #include "base/error.hpp"
-#include "collisions/writer.hpp"
-#include "rooms/collisions/example.hpp"
+#include "adiabatic/writer.hpp"
 #include "file/atomic_file.hpp"
 #include "starts/writer.hpp"
+#include "collisions/reader.hpp"
+#include "collisions/writer.hpp"
+#include "rooms/collisions/example.hpp"
 
 using namespace dumbbell_test;
 using Catch::Matchers::Contains;
@@ -50,6 +51,13 @@ TEST_CASE("a certificate of each claim kind is read as what it is") {
     CHECK(std::holds_alternative<InitialCertificate>(with_file(initial_text().text, read_any_certificate)));
     CHECK(
         std::holds_alternative<AdiabaticCertificate>(with_file(adiabatic_text().text, read_any_certificate)));
+}
+
+TEST_CASE("where mass ratios are needed, a certificate of another claim is told apart from no certificate") {
+    CHECK_THROWS_WITH(with_file(initial_text().text, read_certificate),
+                      Contains("is about initial conditions"));
+    CHECK_THROWS_WITH(with_file(adiabatic_text().text, read_certificate),
+                      Contains("is about the adiabatic invariant"));
 }
 
 TEST_CASE("an unknown claim, no certificate and no file are refused") {

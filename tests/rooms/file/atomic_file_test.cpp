@@ -187,6 +187,12 @@ TEST_CASE("a link that waits under the temporary name is not followed") {
     CHECK(contents(folder / "mine") == "mine");
 }
 
+TEST_CASE("what is under the temporary name and cannot be removed is told") {
+    const TemporaryFolder folder;
+    std::filesystem::create_directory(dumbbell::temporary_name(folder / "file"));
+    CHECK_THROWS_AS(AtomicFile(folder / "file"), InputError);
+}
+
 TEST_CASE("who writes the same file at the same time waits: one of them is there in the end, whole") {
     const TemporaryFolder folder;
     const auto text = [](int writer) { return std::string(200'000, static_cast<char>('a' + writer)); };

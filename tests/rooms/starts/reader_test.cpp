@@ -40,6 +40,13 @@ TEST_CASE("initial conditions that were written and read are written the same ag
     CHECK(render(read_text(good())).text == good());
 }
 
+TEST_CASE("initial conditions are claimed to have as few and as many collisions as their leaves") {
+    CHECK_THAT(good(), Contains("\nbetween 0 none\n"));
+    InitialCertificate decided = read_text(good());
+    decided.tree = {{InitialAxis::phi, {}}, {{}, {2, 2, {}}}, {{}, {1, 3, FirstContact{false, 3, 4}}}};
+    CHECK_THAT(render(decided).text, Contains("\nbetween 1 3\n"));
+}
+
 TEST_CASE("the box is read with its signs, the ratio from its own place") {
     const InitialCertificate read = read_text(good());
     CHECK(read.box.lower(InitialAxis::phi) == Rational(-1, 3));

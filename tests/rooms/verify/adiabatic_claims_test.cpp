@@ -43,7 +43,9 @@ TEST_CASE("adiabatic: true claims are verified, in double and in multiple precis
     Adiabatics low = small_run();
     low.terms.claim.delta_lo = 0;
     low.terms.claim.bounds = {40};
-    CHECK(outcome(low.file()) == "verified");
+    const std::string from_0 = low.file();
+    CHECK(outcome(from_0) == "verified");
+    CHECK(mutant(from_0, "97/100 1/20 10 93/10\n", "97/100 0/1 10 0/1\n") == "number");
 }
 
 TEST_CASE("adiabatic: bounds below what some state attains are refused") {
@@ -64,6 +66,9 @@ TEST_CASE("adiabatic: attained values above the true ones are refused, and those
     CHECK(mutant(run_file(), " 10 93/10\n", " 10 932/100\n") == "number");
     CHECK(mutant(run_file(), " 10 93/10\n", " 10 233/25\n") == "verified");
     CHECK(mutant(printed(), " 4 72/25\n", " 4 289/100\n") == "attained");
+    // 2.8803209258080 is true, and more than doubles show.
+    CHECK(mutant(printed(), " 4 72/25\n", " 4 180020057863/62500000000\n") == "verified");
+    CHECK(mutant(printed(), " 4 72/25\n", " 4 2880320925809/1000000000000\n") == "attained");
 }
 
 TEST_CASE("adiabatic: at a large delta values are taken up to their sixth digit, and not beyond") {
@@ -97,6 +102,9 @@ TEST_CASE("adiabatic: an attained state must satisfy the hypotheses") {
     CHECK(mutant(bounce(), "attained 1119/5000 1/1", "attained 559/2500 1/1") == "attained");  // 0.2236
     CHECK(mutant(run_file(), "attained 63/125", "attained 499/1000") == "attained");
     CHECK(mutant(run_file(), " 10 93/10\n", " 60 1/1\n") == "attained");
+    for (const auto& [u, found] : {std::pair{"1/2", "verified"}, {"499999/1000000", "attained"}})
+        CHECK(mutant(run_file(), "attained 63/125 97/100 1/20 10 93/10",
+                     "attained " + std::string(u) + " 97/100 1/20 0 0/1") == found);
     // A height that is not asked for.
     CHECK(mutant(bounce(), "heights 3/5 1/1", "heights 3/5 24/25") == "attained");
     CHECK(mutant(run_file(), "heights 3/5 9/10", "heights 3/5 87/100") == "attained");

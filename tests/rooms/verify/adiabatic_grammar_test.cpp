@@ -107,13 +107,14 @@ TEST_CASE("adiabatic grammar: the greatest numbers are allowed") {
     settings.max_bits = 4096;
     const std::string precise = mutated_adiabatic(printed(), "bits 53", "bits 4096");
     CHECK(dumbbell_verify::verify(File(precise).path(), settings).adiabatic.has_value());
-    // The 4096th cell is still one; it is the tree that is missing.
+    // One cell is enough, and the 4096th is still one; it is the tree that is missing.
     const auto with_cells = [](int number) {
         std::string text = run_file().substr(0, run_file().find("cell "));
         text = replaced(text, " 40\n", " " + std::to_string(number) + "\n");
         for (int i = 1; i <= number; ++i) text += "cell " + fraction(mpq_class(9001 - i, 9001)) + " 0/1\n";
         return outcome(closed_adiabatic(text + "split q\n"));
     };
+    CHECK(with_cells(1) == "syntax");
     CHECK(with_cells(4096) == "syntax");
     CHECK(with_cells(4097) == "number");
 }
@@ -132,6 +133,17 @@ TEST_CASE("adiabatic grammar: a leaf that is not certified goes before what is w
     const std::string narrow = mutated_adiabatic(bounce(), "bound 5/2 10/1", "bound 1/100 10/1");
     CHECK(outcome(narrow) == "bound");
     CHECK(mutant(narrow, "1/20 1 97/50", "1/20 1 -97/50") == "bound");
+}
+
+TEST_CASE("adiabatic: leaves are checked while the file is read") {
+    const std::function<std::string(int)> halved = [&](int depth) {
+        const std::string half = depth > 0 ? halved(depth - 1) : "";
+        return depth > 0 ? "split u\n" + half + half : "bound\n";
+    };
+    const std::string file = closed_adiabatic(small_bounce().header() + halved(12));
+    Settings settings;
+    settings.budget = file.size() / 2 * 128;  // units: the price of half of the text
+    CHECK(outcome(file, settings) == "bound");
 }
 
 TEST_CASE("adiabatic: the precision that is asked for is worked in, and its work is told") {

@@ -96,3 +96,29 @@ TEST_CASE("beyond the last cell a potential is as high as at its end, and withou
     CHECK(potential.upper(0.0) == potential.upper(0.25));
     CHECK(potential.upper(1.6) == 0);
 }
+
+TEST_CASE("no rounding makes a potential too low, nor its least too high") {
+    // In each of these all but one operation is exact.
+    using Cells = std::vector<std::pair<mpq_class, mpq_class>>;
+    const auto made = [](const mpq_class& top, const Cells& cells) {
+        Potential potential(top);
+        for (const auto& [low, v] : cells) potential.add_cell(low, v);
+        return potential;
+    };
+    const auto exactly = [](double x) { return mpq_class(x); };
+    const mpq_class third(1, 3), tiny = power_of_half(60), next = 1 + power_of_half(52);
+    CHECK((exactly(made(2, {{1, third}}).upper(1.0)) >= third));
+    CHECK((exactly(made(2, {{1, third}}).least(Interval<double>(1.0, 2.0))) <= third));
+    CHECK((exactly(made(mpq_class(1, 2), {{third, 1}}).upper(0.0)) >= mpq_class(1, 6)));
+    CHECK((exactly(made(4, {{3, 1}, {2, tiny}}).upper(1.0)) >= 1 + tiny));
+    CHECK((exactly(made(2, {{0, 1}}).upper(0x1p-60)) >= 2 - tiny));
+    CHECK((exactly(made(3, {{1, next}}).upper(2 - 0x1p-52)) >= next * next));
+}
+
+TEST_CASE("a potential too great for a double is unbounded, and above its top nothing is known") {
+    Potential great(mpq_class(11, 7));
+    great.add_cell(mpq_class(1, 2), mpz_class(1) << 900);
+    CHECK(great.upper(1.0) == HUGE_VAL);
+    CHECK(great.upper(exact<Big>(1)) > exact<Big>(mpz_class(1) << 1000));
+    CHECK(two_cells().least(Interval<double>(1.6, 1.7)) == 0);
+}

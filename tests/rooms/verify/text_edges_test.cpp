@@ -1,7 +1,7 @@
 // The edges of the lexical classes, and what a proof says of its leaves.
 #include <catch2/catch.hpp>
 
-#include "make_initial.hpp"
+#include "make_adiabatic.hpp"
 
 using namespace dumbbell_verify;
 using make::closed;
@@ -60,6 +60,10 @@ TEST_CASE("edges: the leaves of a proof fill its root boxes") {
     const Verified starts = verify(file.path(), {});
     CHECK(starts.roots == 1);
     CHECK(covered(starts) == Approx(1));
+    const File errors(make::bounce());
+    const Proof bounces = verify(errors.path(), {});
+    CHECK(bounces.roots == 1);
+    CHECK(covered(bounces) == Approx(1));
 }
 
 TEST_CASE("edges: what is missing is said for the ratios that were asked for, or the file's") {

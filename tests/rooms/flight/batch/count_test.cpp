@@ -239,6 +239,7 @@ TEST_CASE("NaN never gives a small upper count, nor a positive lower one; nor do
         }
         for (const double r : {0.0, -0.1, 1.5, infinity, -infinity}) {
             CHECK(answer({{0.01, 0.01, r}, 5}, backend).count == 6);
+            CHECK(answer({{0.01, 0.9, r}, 5}, backend).count == 6);
         }
         CHECK(answer({{infinity, 0.01, 0.1}, 5}, backend).count == 6);
     }

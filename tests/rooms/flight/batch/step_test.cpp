@@ -174,3 +174,37 @@ TEST_CASE("L39 (e), (f): upper bounds hold for rays and tangents as extreme as d
     CHECK(certain > 10'000);
     CHECK(followed > 5'000);
 }
+
+TEST_CASE("L39 (f): the cosine at a contact is bounded, also where it is far less than that at the tangent") {
+    Random random(443);
+    int followed = 0;
+    for (int i = 0; i < 20'000; ++i) {
+        const double z = half_pi_hi - random.scaled(1e-15, 1e-9);
+        const auto at = batch::sin_cos(z);
+        const double shift = at.cos * (1 - random.scaled(1e-6, 0.5));
+        const double w = at.cos - shift;
+        const PlainRay ray{0, 0, w * w * random.uniform(0.1, 0.9)};
+        const auto next = batch::Upper::bounce(z, at, shift, ray.kappa, ray.r);
+        const auto exact = after(ray, Real(z) + Real(shift));
+        if (next.follows) {
+            ++followed;
+            if (!exact || !(Real(next.kappa) >= exact->kappa)) {
+                FAIL(say("no upper state:", ray, "z", z, "shift", shift));
+            }
+        }
+    }
+    CHECK(followed > 10'000);
+}
+
+TEMPLATE_TEST_CASE("what was decided by less than a thousandth is not clear", "", batch::Lower,
+                   batch::Upper) {
+    const auto clear = [](double z, double r) {
+        return TestType::bounce(z, batch::sin_cos(z), 0.0, 0.0, r).clear;
+    };
+    // By the slope of the wall at the contact, and by how much the ray turns back.
+    CHECK(clear(half_pi_hi - 0x1.8p-9, 1e-9));
+    CHECK_FALSE(clear(half_pi_hi - 0x1.8p-11, 1e-9));
+    const double square = std::cos(1.0) * std::cos(1.0);
+    CHECK(clear(1, square * (1 - 0x1p-9)));
+    CHECK_FALSE(clear(1, square * (1 - 0x1p-11)));
+}
