@@ -5,7 +5,6 @@
 #include <iterator>
 
 #include "base/error.hpp"
-#include "file/sha256.hpp"
 
 namespace dumbbell {
 namespace {
@@ -16,13 +15,10 @@ constexpr std::array<const char*, adiabatic_axes> axis_names{"u", "sigma", "s", 
 std::string level(const Rational& x) { return to_fraction(x); }
 
 /// The body's lines and their numbers.
-class Body {
+class Body : SealedLines {
   public:
-    template <class... Words>
-    void line(fmt::format_string<Words...> words, Words&&... values) {
-        fmt::format_to(std::back_inserter(text_), words, std::forward<Words>(values)...);
-        text_ += '\n';
-    }
+    using SealedLines::line;
+
     /// `with_class`: the leaves name the class that bounds them.
     void tree(const AdiabaticTree& nodes, bool with_class) {
         long open = 1;
@@ -46,15 +42,14 @@ class Body {
         }
         require(open == 0, "certificate: a tree is not complete");
     }
-    [[nodiscard]] std::string finished() {
+    [[nodiscard]] SealedText finished() && {
         line("total split {}", splits_);
         line("total bound {}", bound_);
         line("total outside {}", outside_);
-        return std::move(text_);
+        return std::move(*this).sealed();
     }
 
   private:
-    std::string text_;
     long splits_ = 0, bound_ = 0, outside_ = 0;
 };
 
@@ -111,7 +106,7 @@ std::string_view name(AdiabaticClaim claim) {
     }
 }
 
-CertificateText render(const AdiabaticCertificate& certificate) {
+SealedText render(const AdiabaticCertificate& certificate) {
     const AdiabaticClaim claim = certificate.hypotheses.claim;
     const bool by_classes = claim == AdiabaticClaim::run || claim == AdiabaticClaim::scattering;
     const auto& [least, greatest] = certificate.hypotheses.delta;
@@ -128,10 +123,7 @@ CertificateText render(const AdiabaticCertificate& certificate) {
         body.line("attained {} {} {} {} {}", level(state.u), level(state.s), level(state.delta), state.n,
                   level(state.value));
     }
-    std::string text = body.finished();
-    std::string hash = sha256_hex(text);
-    text += fmt::format("sha256 {}\n", hash);
-    return {std::move(text), std::move(hash)};
+    return std::move(body).finished();
 }
 
 }  // namespace dumbbell

@@ -3,12 +3,12 @@
 #include <string_view>
 
 #include "adiabatic/certificate.hpp"
-#include "collisions/writer.hpp"
+#include "file/sealed_lines.hpp"
 
 namespace dumbbell {
 
 /// The one canonical spelling (proofs/format-adiabatic.md). Throws BrokenInvariant if a tree is not complete.
-[[nodiscard]] CertificateText render(const AdiabaticCertificate& certificate);
+[[nodiscard]] SealedText render(const AdiabaticCertificate& certificate);
 
 /// The claim's word in the file, e.g. `adiabatic-run`.
 [[nodiscard]] std::string_view name(AdiabaticClaim claim);

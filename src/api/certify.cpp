@@ -34,7 +34,7 @@ Proof certify(const MassRatio& ratio, const CertifyOptions& options) {
             proof.pieces.push_back(
                 {to_fraction(piece.q_lo), to_fraction(piece.q_hi), piece.lower, piece.upper});
         }
-        CertificateText text = render(certificate);
+        SealedText text = render(certificate);
         proof.certificate = std::move(text.text);
         proof.sha256 = std::move(text.sha256);
         return proof;

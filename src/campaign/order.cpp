@@ -17,7 +17,7 @@ std::string Order::text() const {
     for (const std::string& unit : units) {
         out.line("{}", unit);
     }
-    return std::move(out).sealed();
+    return std::move(out).sealed().text;
 }
 
 std::string Order::id() const { return sha256_hex(text()).substr(0, 32); }

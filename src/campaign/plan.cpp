@@ -60,7 +60,7 @@ std::string render(const Plan& plan) {
     for (const Plan::Shard& shard : plan.shards) {
         out.line("shard {} {} {}", shard.first, shard.end, shard.cost);
     }
-    return std::move(out).sealed();
+    return std::move(out).sealed().text;
 }
 
 Plan parse_plan(const std::string& text) {

@@ -10,7 +10,6 @@
 #include "base/error.hpp"
 #include "collisions/names.hpp"
 #include "file/dyadic.hpp"
-#include "file/sha256.hpp"
 
 namespace dumbbell {
 namespace {
@@ -26,14 +25,8 @@ std::vector<std::string_view> kinds_of(Section section) {
     return kinds;
 }
 
-class Writer {
+class Writer : SealedLines {
   public:
-    template <class... Args>
-    void line(fmt::format_string<Args...> format, Args&&... args) {
-        fmt::format_to(std::back_inserter(text_), format, std::forward<Args>(args)...);
-        text_ += '\n';
-    }
-
     void header(const Certificate& certificate) {
         line("dumbbell-certificate 1");
         line("generator {} {}", certificate.program, certificate.version);
@@ -65,13 +58,11 @@ class Writer {
         }
     }
 
-    CertificateText finish(Section section) {
+    SealedText finish(Section section) && {
         for (const std::string_view kind : kinds_of(section)) {
             line("total {} {}", kind, totals_[kind]);
         }
-        std::string hash = sha256_hex(text_);
-        line("sha256 {}", hash);
-        return {std::move(text_), std::move(hash)};
+        return std::move(*this).sealed();
     }
 
   private:
@@ -106,13 +97,12 @@ class Writer {
         }
     }
 
-    std::string text_;
     std::map<std::string_view, long> totals_;
 };
 
 }  // namespace
 
-CertificateText render(const Certificate& certificate) {
+SealedText render(const Certificate& certificate) {
     require(!certificate.pieces.empty(), "certificate: no pieces");
     Writer writer;
     writer.header(certificate);
@@ -123,7 +113,7 @@ CertificateText render(const Certificate& certificate) {
         end = &piece.q_hi;
         writer.piece(piece);
     }
-    return writer.finish(certificate.section);
+    return std::move(writer).finish(certificate.section);
 }
 
 }  // namespace dumbbell

@@ -1,19 +1,12 @@
 #pragma once
 
-#include <string>
-
 #include "collisions/certificate.hpp"
+#include "file/sealed_lines.hpp"
 
 namespace dumbbell {
 
-/// A certificate as text (proofs/format.md) with the SHA-256 that its last line holds.
-struct CertificateText {
-    std::string text;
-    std::string sha256;
-};
-
-/// The one canonical spelling. Throws BrokenInvariant if the pieces do not follow one another, or a dyadic is
-/// none.
-[[nodiscard]] CertificateText render(const Certificate& certificate);
+/// The one canonical spelling (docs/reference/format.md). Throws BrokenInvariant if the pieces do not follow
+/// one another, or a dyadic is none.
+[[nodiscard]] SealedText render(const Certificate& certificate);
 
 }  // namespace dumbbell

@@ -12,7 +12,13 @@
 
 namespace dumbbell {
 
-/// A text of lines that ends with the checksum of what stands before.
+/// A text whose last line is `sha256 HEX` of all before it.
+struct SealedText {
+    std::string text;
+    std::string sha256;
+};
+
+/// Writes such a text.
 class SealedLines {
   public:
     template <class... Args>
@@ -23,10 +29,10 @@ class SealedLines {
     /// Lines as they are, each with its end.
     void lines(std::string_view text) { text_ += text; }
 
-    [[nodiscard]] std::string sealed() && {
-        const std::string hash = sha256_hex(text_);
+    [[nodiscard]] SealedText sealed() && {
+        std::string hash = sha256_hex(text_);
         line("sha256 {}", hash);
-        return std::move(text_);
+        return {std::move(text_), std::move(hash)};
     }
 
   private:

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <iterator>
 #include <map>
 #include <optional>
 #include <utility>
@@ -68,7 +69,6 @@ class Boundary {
                 int from = 0;
                 for (const auto& [place, change] : changes) {
                     if (direction != 0) {
-                        require(direction == 1 || direction == -1, "boxes to be united overlap");
                         const Vertex low = axis == 0 ? Vertex{from, line} : Vertex{line, from};
                         const Vertex high = axis == 0 ? Vertex{place, line} : Vertex{line, place};
                         const Heading heading{axis, direction};
@@ -93,6 +93,26 @@ class Boundary {
     std::array<std::map<int, std::map<int, int>>, 2> lines_;
 };
 
+/// Throws BrokenInvariant if two boxes overlap: a line that sweeps over them from the left meets those that
+/// it cuts in intervals that have no inner point in common.
+void require_disjoint(std::vector<std::pair<Vertex, Vertex>> boxes) {
+    std::multimap<int, Vertex> ends;  // the boxes that the line cuts, by their right sides
+    std::map<int, int> cut;           // their lower sides and their upper ones
+    std::sort(boxes.begin(), boxes.end());
+    for (const auto& [lo, hi] : boxes) {
+        while (!ends.empty() && ends.begin()->first <= lo[0]) {
+            cut.erase(ends.begin()->second[1]);
+            ends.erase(ends.begin());
+        }
+        const auto above = cut.lower_bound(lo[1]);
+        const bool free = (above == cut.end() || above->first >= hi[1]) &&
+                          (above == cut.begin() || std::prev(above)->second <= lo[1]);
+        require(free, "boxes to be united overlap");
+        cut.emplace(lo[1], hi[1]);
+        ends.emplace(hi[0], lo);
+    }
+}
+
 /// Positive if the curve goes round counterclockwise (outer boundaries), negative for holes.
 Rational signed_area(const Outline& outline) {
     Rational twice = 0;
@@ -110,11 +130,16 @@ std::vector<Outline> united(const std::vector<PlaneBox>& boxes) {
     const Places x(boxes, 0);
     const Places y(boxes, 1);
     Boundary boundary;
+    std::vector<std::pair<Vertex, Vertex>> numbered;
     Rational missing = 0;
     for (const PlaneBox& box : boxes) {
-        boundary.add({x.number(box.lo[0]), y.number(box.lo[1])}, {x.number(box.hi[0]), y.number(box.hi[1])});
+        const auto& [lo, hi] = numbered.emplace_back(Vertex{x.number(box.lo[0]), y.number(box.lo[1])},
+                                                     Vertex{x.number(box.hi[0]), y.number(box.hi[1])});
+        boundary.add(lo, hi);
         missing += (box.hi[0] - box.lo[0]) * (box.hi[1] - box.lo[1]);
     }
+
+    require_disjoint(std::move(numbered));
 
     std::vector<Outline> outlines;
     auto edges = boundary.edges();

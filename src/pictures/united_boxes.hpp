@@ -9,9 +9,8 @@ namespace dumbbell {
 /// A closed curve of horizontal and vertical edges in turns; the last vertex is joined to the first.
 using Outline = std::vector<PlanePoint>;
 
-/// The outlines of the union of boxes whose interiors are pairwise disjoint: outer boundaries and holes, to
-/// be filled by the even-odd rule; exactly. Throws BrokenInvariant unless they enclose exactly the
-/// area that the boxes have together.
+/// The outlines of the union of boxes: outer boundaries and holes, to be filled by the even-odd rule;
+/// exactly. Throws BrokenInvariant if boxes overlap.
 [[nodiscard]] std::vector<Outline> united(const std::vector<PlaneBox>& boxes);
 
 }  // namespace dumbbell

@@ -3,11 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <iterator>
 
 #include "base/error.hpp"
 #include "file/dyadic.hpp"
-#include "file/sha256.hpp"
 
 namespace dumbbell {
 namespace {
@@ -71,26 +69,27 @@ class Body {
 
 }  // namespace
 
-CertificateText render(const InitialCertificate& certificate) {
+SealedText render(const InitialCertificate& certificate) {
     Body body;
     for (const InitialNode& node : certificate.tree) {
         body.node(node);
     }
     require(body.complete(), "certificate: the tree of initial conditions is not complete");
     const auto& [lo, hi] = certificate.box;
-    std::string text = fmt::format(
-        "dumbbell-certificate 1\ngenerator {} {}\nlemmas 1\nscene dumbbell\nsection none\n"
-        "claim initial-conditions\nratio {} {}\n",
-        certificate.program, certificate.version, to_fraction(lo[4]), to_fraction(hi[4]));
+    SealedLines out;
+    out.line("dumbbell-certificate 1");
+    out.line("generator {} {}", certificate.program, certificate.version);
+    out.line("lemmas 1");
+    out.line("scene dumbbell");
+    out.line("section none");
+    out.line("claim initial-conditions");
+    out.line("ratio {} {}", to_fraction(lo[4]), to_fraction(hi[4]));
     for (std::size_t i = 0; i < 4; ++i) {
-        fmt::format_to(std::back_inserter(text), "{} {} {}\n", axis_names[i], to_fraction(lo[i]),
-                       to_fraction(hi[i]));
+        out.line("{} {} {}", axis_names[i], to_fraction(lo[i]), to_fraction(hi[i]));
     }
-    fmt::format_to(std::back_inserter(text), "bits {}\n", certificate.bits);
-    text += body.bounds() + body.lines() + body.totals();
-    std::string hash = sha256_hex(text);
-    text += fmt::format("sha256 {}\n", hash);
-    return {std::move(text), std::move(hash)};
+    out.line("bits {}", certificate.bits);
+    out.lines(body.bounds() + body.lines() + body.totals());
+    return std::move(out).sealed();
 }
 
 }  // namespace dumbbell

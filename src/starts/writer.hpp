@@ -1,11 +1,11 @@
 #pragma once
 
-#include "collisions/writer.hpp"
+#include "file/sealed_lines.hpp"
 #include "starts/certificate.hpp"
 
 namespace dumbbell {
 
 /// The one canonical spelling (proofs/format-initial.md). Throws BrokenInvariant if the tree is not complete.
-[[nodiscard]] CertificateText render(const InitialCertificate& certificate);
+[[nodiscard]] SealedText render(const InitialCertificate& certificate);
 
 }  // namespace dumbbell

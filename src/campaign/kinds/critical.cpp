@@ -45,7 +45,7 @@ std::string render(const std::vector<CriticalRatio>& ratios) {
     for (const CriticalRatio& ratio : ratios) {
         out.line("ratio {} {} {} {}", ratio.n, to_fraction(ratio.q_lo), to_fraction(ratio.q_hi), ratio.bits);
     }
-    return std::move(out).sealed();
+    return std::move(out).sealed().text;
 }
 
 CriticalRatio parse_ratio(SealedReader& in) {

@@ -82,7 +82,7 @@ long most_collisions(const Options& options, const AdiabaticHypotheses& of) {
 }
 
 void write_certificate(AdiabaticReport& report, const Output& output) {
-    CertificateText text = render(certificate_of(report.results.front().proof));
+    SealedText text = render(certificate_of(report.results.front().proof));
     output.commit(text.text);
     report.out = output.file();
     report.sha256 = std::move(text.sha256);

@@ -126,7 +126,7 @@ void write_certificate(const std::vector<ProvedPiece>& pieces, const Output& out
     for (const ProvedPiece& p : pieces) {
         certificate.pieces.push_back(p.piece);
     }
-    CertificateText text = render(certificate);
+    SealedText text = render(certificate);
     output.commit(text.text);
     report.out = output.file();
     report.sha256 = std::move(text.sha256);

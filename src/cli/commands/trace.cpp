@@ -88,7 +88,7 @@ InitialBox box_of(const Options& options, const RatioArgument& ratio) {
 }
 
 void write_certificate(TraceReport& report, const Output& output) {
-    CertificateText text = render(InitialCertificate{.program = "dumbbell",
+    SealedText text = render(InitialCertificate{.program = "dumbbell",
                                                      .version = DUMBBELL_VERSION,
                                                      .box = report.box,
                                                      .bits = report.parts->bits,

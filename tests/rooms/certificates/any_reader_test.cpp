@@ -16,13 +16,13 @@ using Catch::Matchers::Contains;
 
 namespace {
 
-CertificateText initial_text() {
+SealedText initial_text() {
     InitialCertificate certificate{"dumbbell", "0.1.0", {}, 53, {{}}};
     certificate.box.lo = certificate.box.hi = {0, 1, 3, -1, 10};
     return render(certificate);
 }
 
-CertificateText adiabatic_text() {
+SealedText adiabatic_text() {
     AdiabaticCertificate certificate;
     certificate.program = "dumbbell";
     certificate.version = "0.1.0";
@@ -69,7 +69,7 @@ TEST_CASE("an unknown claim, no certificate and no file are refused") {
 }
 
 TEST_CASE("the digest of a file is the one in its last line, plain or compressed") {
-    for (const CertificateText& good : {render(every_kind_of_line()), initial_text(), adiabatic_text()}) {
+    for (const SealedText& good : {render(every_kind_of_line()), initial_text(), adiabatic_text()}) {
         CHECK(digest_of(good.text) == good.sha256);
         const TemporaryFolder folder;
         AtomicFile(folder / "file.dbc.gz").commit(good.text);

@@ -95,7 +95,7 @@ TEST_CASE("every kind of line has its one spelling, and the totals count them") 
 }
 
 TEST_CASE("the SHA-256 is that of all bytes before its own line") {
-    const CertificateText result = render(every_kind_of_line());
+    const SealedText result = render(every_kind_of_line());
     const std::size_t hash = result.text.find("sha256 ");
     CHECK(result.sha256 == sha256_hex(result.text.substr(0, hash)));
     CHECK(result.text.substr(hash) == "sha256 " + result.sha256 + "\n");

@@ -39,7 +39,7 @@ long lines_with(const std::vector<std::string>& lines, const std::string& begin)
 
 TEST_CASE("A certificate of initial conditions is spelt as its page says") {
     const auto parts = subdivide(falling(), {.max_boxes = 300, .jobs = 2});
-    const CertificateText written = render(certificate_of(falling(), parts));
+    const SealedText written = render(certificate_of(falling(), parts));
     const auto lines = lines_of(written.text);
     const std::vector<std::string> header{"dumbbell-certificate 1",
                                           "generator dumbbell 0.1.0",
