@@ -6,7 +6,7 @@
 
 namespace dumbbell {
 
-/// A certificate as text (proofs/format.md) with the SHA-256 that its last line holds.
+/// A certificate as text (format.md) with the SHA-256 that its last line holds.
 struct CertificateText {
     std::string text;
     std::string sha256;

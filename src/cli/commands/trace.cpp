@@ -63,7 +63,7 @@ Examples:
   dumbbell trace 10 --phi 0:3 --phidot -1/2:1/2 --y 3/2 --ydot -1 --subdivide --out falling.dbc)";
 
 constexpr const char* footer =
-    R"(The fields of --json: proofs/json.md.
+    R"(The fields of --json: docs/reference/json.md.
 
 Exit codes: 0 an outcome is certified; 1 internal error; 2 wrong usage or input; 3 not decided at this precision; with
 --subdivide 130 or 143 stopped by SIGINT (Ctrl-C) or SIGTERM: nothing is kept.)";

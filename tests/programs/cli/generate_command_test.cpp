@@ -67,8 +67,8 @@ std::vector<std::string> offered(const Words& words, const std::string& folder =
 
 }  // namespace
 
-TEST_CASE("docs/commands.md is what the program generates") {
-    CHECK(contents(DUMBBELL_PROOFS "/../docs/commands.md") == generated("reference"));
+TEST_CASE("docs/reference/commands.md is what the program generates") {
+    CHECK(contents(DUMBBELL_PROOFS "/../docs/reference/commands.md") == generated("reference"));
 }
 
 TEST_CASE("every option of every command is in the man page, the completion and the reference") {
