@@ -64,7 +64,7 @@ Types types_in(const std::string& cell) {
 
 // The rows "| `field` | type | meaning |" of the section "## command: `schema`".
 Fields documented(const std::string& command, const std::string& schema) {
-    const std::string page = contents(DUMBBELL_PROOFS "/json.md");
+    const std::string page = contents(DUMBBELL_PROJECT "/docs/reference/json.md");
     std::istringstream section(between(page, "## " + command + ": `" + schema + "`\n", "\n## "));
     Fields fields;
     for (std::string line; std::getline(section, line);) {
@@ -245,5 +245,5 @@ TEST_CASE("help and README name the page") {
         CHECK(dumbbell({command, "--help"}).out.find("docs/reference/json.md") != std::string::npos);
     }
     CHECK(dumbbell({"--help"}).out.find("docs/reference/json.md") != std::string::npos);
-    CHECK(contents(DUMBBELL_PROOFS "/../README.md").find("(docs/reference/json.md)") != std::string::npos);
+    CHECK(contents(DUMBBELL_PROJECT "/README.md").find("(docs/reference/json.md)") != std::string::npos);
 }

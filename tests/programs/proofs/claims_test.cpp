@@ -1,5 +1,5 @@
-// The shipped certificates: each row of certificates/claims.tsv is proved by its file, and the small files can be
-// made again, byte for byte, with the command of the row.
+// The shipped certificates: each row of certificates/claims.tsv is proved by its file, and the small files
+// can be made again, byte for byte, with the command of the row.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <sstream>
@@ -59,7 +59,8 @@ bool is_certificate(const fs::path& path) {
 TEST_CASE("every shipped certificate proves its claim") {
     REQUIRE_FALSE(rows().empty());
     // Without a claim in each row the verifier refuses the list.
-    const Outcome result = run({DUMBBELL_VERIFY_BIN, "--claims", "certificates/claims.tsv"}, project.string());
+    const Outcome result =
+        run({DUMBBELL_VERIFY_BIN, "--claims", "certificates/claims.tsv"}, project.string());
     CAPTURE(result.out, result.err);
     CHECK(result.code == 0);
     const Words lines = split(result.out, '\n');
