@@ -186,7 +186,7 @@ void add_trace_command(CLI::App& app, int& exit_code) {
     add_out_option(*command, options->out, {Content::certificate},
                    "with --subdivide: write the certificate to FILE (FILE.gz: compressed)")
         ->needs(subdivide);
-    command->add_option("--max-boxes", options->max_boxes, "with --subdivide: at most so many parts")
+    command->add_option("--max-boxes", options->max_boxes, "with --subdivide: at most this many parts")
         ->needs(subdivide)
         ->check(CLI::Range(1UL, 10'000'000UL))
         ->capture_default_str();

@@ -38,7 +38,7 @@ Checks certificates (docs/reference/format.md) independently of the program that
   --budget TIME        give up on a file that costs more work than a core does in this time, in about 30s, 10m
                        or 2h (30s). Counted in steps, not by a clock: the same on every machine
   --max-bits B         give up on pieces that need a higher precision (2048)
-  --precision BITS     check with at least so many bits instead of in double
+  --precision BITS     check with at least this many bits instead of in double
   --explain PIECE:PATH show one leaf with its inequalities: 3:bridge is the root, 3:light.01 the upper half
                        of its lower half, 3:witness the witness of the third piece; box.01 a leaf of a file
                        about initial conditions or the adiabatic invariant, in which class0.01 is a leaf of
