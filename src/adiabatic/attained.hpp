@@ -7,7 +7,7 @@
 namespace dumbbell {
 
 /// The orbit of a found initial condition, enclosed: that it satisfies the claim's hypotheses, and a lower
-/// bound of its error in the claim's unit, by the rules of proofs/format-adiabatic.md, section 6, with some
+/// bound of its error in the claim's unit, by the rules of format-adiabatic.md, section 6, with some
 /// slack. Nothing if that is not certain.
 [[nodiscard]] std::optional<AdiabaticState> attained(const AdiabaticSearch& search,
                                                      const AdiabaticSample& sample);

@@ -6,7 +6,7 @@
 #include "adiabatic/flight_leaf.hpp"
 #include "flight/reflection.hpp"
 
-/// The leaves of Lemma 3.1 and Corollary 3.2 (proofs/format-adiabatic.md, section 5): one collision and the
+/// The leaves of Lemma 3.1 and Corollary 3.2 (format-adiabatic.md, section 5): one collision and the
 /// next (L38).
 namespace dumbbell {
 

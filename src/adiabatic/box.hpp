@@ -43,7 +43,7 @@ struct AdiabaticBox {
 };
 
 /// The sides of boxes as the certificate's rules are tried with them: a little wider than they are, so that
-/// another implementation has slack (proofs/format-adiabatic.md, section 2), but not beyond the root box.
+/// another implementation has slack (format-adiabatic.md, section 2), but not beyond the root box.
 class AdiabaticSides {
   public:
     explicit AdiabaticSides(const AdiabaticHypotheses& of);

@@ -9,7 +9,7 @@
 
 #include "number/rational.hpp"
 
-/// A certificate about the adiabatic invariant as data (proofs/format-adiabatic.md).
+/// A certificate about the adiabatic invariant as data (format-adiabatic.md).
 namespace dumbbell {
 
 enum class AdiabaticClaim { bounce, run, scattering, printed };

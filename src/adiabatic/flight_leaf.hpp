@@ -6,7 +6,7 @@
 #include "adiabatic/drift.hpp"
 #include "flight/enclosure.hpp"
 
-/// The leaves of a class (proofs/format-adiabatic.md, section 3): boxes of flights on which (D) of L35 holds.
+/// The leaves of a class (format-adiabatic.md, section 3): boxes of flights on which (D) of L35 holds.
 namespace dumbbell {
 
 /// What is certain of a box, and how far it is from being certain: 0 or less if it is, infinite if nothing is

@@ -2,7 +2,7 @@
 
 #include "adiabatic/bounce_leaf.hpp"
 
-/// One orbit of the light mass from collision to collision, enclosed (proofs/format-adiabatic.md, section 6).
+/// One orbit of the light mass from collision to collision, enclosed (format-adiabatic.md, section 6).
 namespace dumbbell {
 
 template <class I>

@@ -5,7 +5,7 @@
 
 #include "adiabatic/flight_leaf.hpp"
 
-/// The leaves of a run and of a scattering (proofs/format-adiabatic.md, section 4): pairs of a first and a
+/// The leaves of a run and of a scattering (format-adiabatic.md, section 4): pairs of a first and a
 /// later collision, u and v their angles from the vertical (L36, L37).
 namespace dumbbell {
 

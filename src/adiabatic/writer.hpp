@@ -7,7 +7,7 @@
 
 namespace dumbbell {
 
-/// The one canonical spelling (proofs/format-adiabatic.md). Throws BrokenInvariant if a tree is not complete.
+/// The one canonical spelling (format-adiabatic.md). Throws BrokenInvariant if a tree is not complete.
 [[nodiscard]] SealedText render(const AdiabaticCertificate& certificate);
 
 /// The claim's word in the file, e.g. `adiabatic-run`.

@@ -51,7 +51,7 @@ std::string fault_text(const Boxes& boxes, Chart chart, const Tiling& tiling) {
     throw BrokenInvariant("unknown fault");
 }
 
-/// The trees of a cover by the table of proofs/format-sections.md.
+/// The trees of a cover by the table of format-sections.md.
 std::vector<Chart> charts_needed(Scene scene, Section section) {
     if (scene != Scene::dumbbell) {
         return {Chart::wedge};

@@ -7,8 +7,8 @@
 #include "collisions/certificate.hpp"
 #include "number/rational.hpp"
 
-/// The leaf boxes of a certificate's tree as exact rationals, derived from proofs/format.md and
-/// proofs/format-sections.md alone: nothing here is shared with the prover.
+/// The leaf boxes of a certificate's tree as exact rationals, derived from format.md and
+/// format-sections.md alone: nothing here is shared with the prover.
 namespace dumbbell::audit {
 
 /// position, slope, ratio: in the order of Axis.

@@ -90,7 +90,7 @@ int parse_and_run(int argc, char** argv) {
     add_generate_command(app);
     // Commands inherit the footer that is there when they are added, and have exit codes of their own.
     app.footer(
-        "The fields of --json: proofs/json.md.\n\n"
+        "The fields of --json: docs/reference/json.md.\n\n"
         "Exit codes: 0 done; 1 internal error; 2 wrong usage or input; 3 not certified within the budget; "
         "130 or\n"
         "143 stopped by SIGINT (Ctrl-C) or SIGTERM.");

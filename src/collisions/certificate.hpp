@@ -7,7 +7,7 @@
 #include "number/rational.hpp"
 
 /// What a certificate says, as data: the claim, and for each piece of the ratio range the tree and the
-/// witness that prove it. The format is proofs/format.md; nothing here checks anything, the independent
+/// witness that prove it. The format is format.md; nothing here checks anything, the independent
 /// verifier does.
 namespace dumbbell {
 
@@ -31,7 +31,7 @@ enum class Chart { bridge, light, contact, departure, plain_contact, plain_depar
 /// light) and the mass ratio q.
 enum class Axis { position, slope, ratio };
 
-/// The one reason for which a leaf's states need no further look (proofs/format.md, sections 3.3 and 3.4).
+/// The one reason for which a leaf's states need no further look (format.md, sections 3.3 and 3.4).
 enum class Reason { count, outside, meets, meets_reversed, once };
 
 /// A closed leaf. For Reason::count: the outgoing ray X has at most `forward` later collisions and the

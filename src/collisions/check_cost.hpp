@@ -9,7 +9,7 @@
 namespace dumbbell {
 
 /// What the check of these pieces costs the verifier at most, in seconds of a core by its own count of work
-/// (proofs/format.md, section 4): 4096 units for a collision in double, less than 40 (b + 64)^2 with b bits,
+/// (format.md, section 4): 4096 units for a collision in double, less than 40 (b + 64)^2 with b bits,
 /// 6 * 10^9 units a second. Nothing that is proved rests on it.
 [[nodiscard]] double check_seconds(std::span<const Piece* const> pieces, Section section);
 

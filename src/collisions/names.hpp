@@ -5,7 +5,7 @@
 
 #include "collisions/certificate.hpp"
 
-/// The words of the file format (proofs/format.md) for scenes, sections, charts, axes and leaves.
+/// The words of the file format (format.md) for scenes, sections, charts, axes and leaves.
 namespace dumbbell {
 
 [[nodiscard]] std::string_view name(Scene scene);

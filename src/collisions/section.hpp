@@ -15,7 +15,7 @@ struct Box {
     Rational q_lo, q_hi;
 };
 
-/// The root box of a chart over mass ratios [q_lo, q_hi] (proofs/format.md): short dyadics that contain the
+/// The root box of a chart over mass ratios [q_lo, q_hi] (format.md): short dyadics that contain the
 /// chart's states, e in [0, 2] (t in [0, 4]; the chart wedge has no position), and a slope range that holds
 /// all slopes in play.
 [[nodiscard]] Box root_box(Chart chart, const Rational& q_lo, const Rational& q_hi);

@@ -5,7 +5,7 @@
 
 namespace dumbbell {
 
-/// The one canonical spelling (docs/reference/format.md). Throws BrokenInvariant if the pieces do not follow
+/// The one canonical spelling (format.md). Throws BrokenInvariant if the pieces do not follow
 /// one another, or a dyadic is none.
 [[nodiscard]] SealedText render(const Certificate& certificate);
 

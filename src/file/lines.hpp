@@ -38,7 +38,7 @@ class Lines {
     /// "... is not a certificate that this program can read (line ...)".
     [[noreturn]] void fail() const;
 
-    /// The lexical classes of proofs/format.md, section 1, and `signed` of format-initial.md.
+    /// The lexical classes of format.md, section 1, and `signed` of format-initial.md.
     [[nodiscard]] long number(const std::string& text) const;
     [[nodiscard]] Rational ratio(const std::string& text) const;
     [[nodiscard]] Rational signed_ratio(const std::string& text) const;

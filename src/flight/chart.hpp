@@ -8,7 +8,7 @@
 #include "number/elementary.hpp"
 
 /// The two charts of the turning section and the rays that leave their states (lemmas L8, L9, L10;
-/// proofs/format.md, sections 3.3-3.5).
+/// format.md, sections 3.3-3.5).
 namespace dumbbell {
 
 /// A position on a wall by its corner distance e in [0, pi/2] (0: the corner, pi/2: the peak), with sin e and

@@ -113,7 +113,7 @@ bool shows_witness(Chart chart) {
     return chart == Chart::bridge || chart == Chart::contact || chart == Chart::plain_contact;
 }
 
-/// The states of a chart, and its slopes (proofs/format.md, format-sections.md), for people.
+/// The states of a chart, and its slopes (format.md, format-sections.md), for people.
 struct ChartWords {
     const char* states;
     const char* slope;
@@ -187,7 +187,7 @@ std::string caption_of(const Piece& piece, const Rational& q, std::size_t boxes,
         "reason. "
         "Dashed: the end of a chart ({}e = \xcf\x80/2).",
         exact_text(q), *piece.upper, boxes, charts,
-        is_full ? "proofs/format-sections.md" : "proofs/format.md",
+        is_full ? "docs/reference/format-sections.md" : "docs/reference/format.md",
         is_full ? ", counted forward from its states," : "", is_full ? "t = \xcf\x80, " : "");
     text += legend_note(cover.counts);
     if (std::any_of(cover.panels.begin(), cover.panels.end(),

@@ -29,7 +29,7 @@ struct InitialPlane {
 /// Throws InputError unless exactly two of the five quantities are intervals.
 [[nodiscard]] InitialPlane initial_plane(const InitialCertificate& certificate);
 
-/// The picture's axis of a quantity, named as in proofs/format-initial.md.
+/// The picture's axis of a quantity, named as in format-initial.md.
 [[nodiscard]] PlotAxis plot_axis(const InitialCertificate& certificate, InitialAxis axis);
 
 /// What the other quantities are: `phidot = 1, y = 2, q = 10`.

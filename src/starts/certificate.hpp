@@ -7,7 +7,7 @@
 
 #include "number/rational.hpp"
 
-/// A certificate about initial conditions as data (proofs/format-initial.md).
+/// A certificate about initial conditions as data (format-initial.md).
 namespace dumbbell {
 
 /// The axes of a box of initial conditions; the ratio is q = heavy mass / light mass.

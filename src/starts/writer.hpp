@@ -5,7 +5,7 @@
 
 namespace dumbbell {
 
-/// The one canonical spelling (proofs/format-initial.md). Throws BrokenInvariant if the tree is not complete.
+/// The one canonical spelling (format-initial.md). Throws BrokenInvariant if the tree is not complete.
 [[nodiscard]] SealedText render(const InitialCertificate& certificate);
 
 }  // namespace dumbbell

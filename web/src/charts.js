@@ -1,4 +1,4 @@
-// The charts of a section (proofs/format.md, format-sections.md): what their axes mean, and where their states are in the plane of
+// The charts of a section (format.md, format-sections.md): what their axes mean, and where their states are in the plane of
 // psi and the slope d yhat / d psi in the direction of travel.
 import { show } from "./numbers.js";
 

@@ -30,7 +30,7 @@ struct Piece {
 
 struct Proof {
     std::vector<Piece> pieces;  ///< in order, each begins where the one before ends
-    std::string certificate;    ///< the text of the file that proves them (proofs/format.md)
+    std::string certificate;    ///< the text of the file that proves them (format.md)
     std::string sha256;         ///< its last line's: of the text before it
 
     /// Whether no piece is open.

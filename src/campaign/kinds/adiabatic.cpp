@@ -37,7 +37,7 @@ AdiabaticHypotheses statement_of(const Order& order) {
     return parse_case(order.units.front());
 }
 
-/// About, in proportion to what docs/adiabatic.md measured.
+/// About, in proportion to what docs/6-adiabatic.md measured.
 std::size_t cost_of(const AdiabaticHypotheses& of) {
     if (of.claim == AdiabaticClaim::bounce || of.claim == AdiabaticClaim::printed) {
         return 1;

@@ -24,7 +24,7 @@ namespace {
 constexpr const char* description =
     R"(Verify the result of each shard with the independent verifier, and join them.
 
-What comes out is the file that the claim's command would have written by itself, byte for byte. One file proves one statement about the adiabatic invariant, so a grid of
+The result is the file that the claim's command would have written by itself, byte for byte. One file proves one statement about the adiabatic invariant, so a grid of
 them is joined to a table, which names for each the certificate in the folder that dumbbell-verify accepts.)";
 
 struct Options {
@@ -108,7 +108,7 @@ void add_campaign_merge(CLI::App& campaign, int& exit_code) {
     CLI::App* command = campaign.add_subcommand("merge", description);
     command->add_option("FOLDER", options->folder, "the campaign's folder")->required();
     add_out_option(*command, options->out, {}, "the file to write (FILE.gz: compressed)")->required();
-    add_jobs_option(*command, options->jobs, "so many shards are verified at the same time");
+    add_jobs_option(*command, options->jobs, "number of shards that are verified at the same time");
     command->add_flag("--unverified", options->unverified,
                       "only join a certificate: it is still to be verified, for instance by a campaign (plan "
                       "... verify FILE)");

@@ -50,7 +50,7 @@ Examples:
   dumbbell adiabatic --delta 0.01 --theorem thm3.5 --out scattering.dbc)";
 
 constexpr const char* footer =
-    R"(The fields of --json: proofs/json.md.
+    R"(The fields of --json: docs/reference/json.md.
 
 Exit codes: 0 certified; 1 internal error; 2 wrong usage or input; 3 not certified within the budget; 130 or 143
 stopped by SIGINT (Ctrl-C) or SIGTERM: nothing is kept.)";

@@ -26,7 +26,7 @@ dumbbell verify, not here.
 Example: dumbbell audit certificates/stairs-1-100.dbc)";
 
 constexpr const char* footer =
-    R"(The fields of --json: proofs/json.md.
+    R"(The fields of --json: docs/reference/json.md.
 
 Exit codes: 0 tiles exactly; 1 internal error; 2 wrong usage or unreadable input; 3 does not tile.)";
 

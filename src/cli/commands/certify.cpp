@@ -53,7 +53,7 @@ A range with --out FILE keeps its finished pieces in FILE.partial/ until all are
 time, the same command goes on with them and ends with the same file.)";
 
 constexpr const char* footer =
-    R"(The fields of --json: proofs/json.md.
+    R"(The fields of --json: docs/reference/json.md.
 
 Exit codes: 0 proved; 1 internal error; 2 wrong usage or input; 3 not decided (within the budget); 130 or 143 stopped by
 SIGINT (Ctrl-C) or SIGTERM: what is kept is said, and FILE not written.)";

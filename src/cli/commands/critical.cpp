@@ -54,7 +54,7 @@ Examples:
   dumbbell critical 3:902 --digits 50 --out ratios.tsv   a table as a file)";
 
 constexpr const char* footer =
-    R"(The fields of --json: proofs/json.md.
+    R"(The fields of --json: docs/reference/json.md.
 
 Exit codes: 0 proved; 1 internal error; 2 wrong usage or input; 3 not finished or not confirmed (within the budget); 130
 or 143 stopped by SIGINT (Ctrl-C) or SIGTERM: nothing is kept.)";

@@ -17,7 +17,7 @@ namespace dumbbell {
 namespace {
 
 constexpr const char* description =
-    R"(Print what is made from the table of commands and options: the man page, the completion for bash, or docs/commands.md.
+    R"(Print what is made from the table of commands and options: man page, bash completion, or docs/reference/commands.md.
 
 Example: source <(dumbbell generate completion))";
 

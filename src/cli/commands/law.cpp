@@ -30,7 +30,7 @@ Examples:
   dumbbell law stairs.dbc)";
 
 constexpr const char* footer =
-    R"(The fields of --json: proofs/json.md.
+    R"(The fields of --json: docs/reference/json.md.
 
 Exit codes: 0 proved; 1 internal error; 2 wrong usage, or a file that is not verified; 3 not proved by this file.)";
 

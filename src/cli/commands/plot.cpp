@@ -39,7 +39,7 @@ Example:
 constexpr const char* cover_description =
     R"(The boxes of a cover, coloured by the number of collisions that they prove.
 
-They are drawn chart by chart in the coordinates of proofs/format.md; a box with another reason has that reason's colour. A range of mass ratios is cut at one of them: --ratio. Of a certificate about
+They are drawn chart by chart in the coordinates of docs/reference/format.md; a box with another reason has that reason's colour. A range of mass ratios is cut at one of them: --ratio. Of a certificate about
 initial conditions (dumbbell trace --subdivide) every box as it is.
 
 Example:

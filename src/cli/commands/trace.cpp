@@ -63,7 +63,7 @@ Examples:
   dumbbell trace 10 --phi 0:3 --phidot -1/2:1/2 --y 3/2 --ydot -1 --subdivide --out falling.dbc)";
 
 constexpr const char* footer =
-    R"(The fields of --json: proofs/json.md.
+    R"(The fields of --json: docs/reference/json.md.
 
 Exit codes: 0 an outcome is certified; 1 internal error; 2 wrong usage or input; 3 not decided at this precision; with
 --subdivide 130 or 143 stopped by SIGINT (Ctrl-C) or SIGTERM: nothing is kept.)";
@@ -186,7 +186,7 @@ void add_trace_command(CLI::App& app, int& exit_code) {
     add_out_option(*command, options->out, {Content::certificate},
                    "with --subdivide: write the certificate to FILE (FILE.gz: compressed)")
         ->needs(subdivide);
-    command->add_option("--max-boxes", options->max_boxes, "with --subdivide: at most so many parts")
+    command->add_option("--max-boxes", options->max_boxes, "with --subdivide: at most this many parts")
         ->needs(subdivide)
         ->check(CLI::Range(1UL, 10'000'000UL))
         ->capture_default_str();

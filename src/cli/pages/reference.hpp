@@ -6,7 +6,7 @@
 
 namespace dumbbell::pages {
 
-/// docs/commands.md: every command with every option, in Markdown.
+/// docs/reference/commands.md: every command with every option, in Markdown.
 [[nodiscard]] std::string reference(const CommandEntry& program);
 
 }  // namespace dumbbell::pages

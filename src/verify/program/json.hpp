@@ -1,4 +1,4 @@
-// What came out, as JSON (proofs/json.md has the fields).
+// The results as JSON (docs/reference/json.md has the fields).
 #pragma once
 #include <string>
 

@@ -14,7 +14,7 @@ namespace {
 
 constexpr const char* help = R"(usage: dumbbell-verify [options] FILE...
        dumbbell-verify [options] --claims LIST
-Checks certificates (proofs/format.md) independently of the program that wrote them.
+Checks certificates (docs/reference/format.md) independently of the program that wrote them.
 
   --ratio RATIO|LO:HI  the mass ratios (heavy/light) in question; else those of the file
   --max N              demand the proof that no trajectory has more than N collisions
@@ -25,8 +25,8 @@ Checks certificates (proofs/format.md) independently of the program that wrote t
                        --subdivide`: then --ratio, --max, --min, --exactly are about the starts in its box), or
                        adiabatic-bounce, -run, -scattering, -printed (the adiabatic invariant: without --ratio,
                        --max, --min, --exactly, of which such a file says nothing)
-  --claims LIST        the certificates and claims of a list like proofs/claims.tsv, one each line: a file, a tab,
-                       the six options above that state its claim; what stands behind another tab is a remark
+  --claims LIST        the certificates and claims of a list like certificates/claims.tsv, one each line: a file, a
+                       tab, the six options above that state its claim; what stands after another tab is a remark
   --lemma 4.1|4.2 A B  compare two files: at most as many collisions in A (scene hybrid) as in B (wedge), or
                        at most one more in A (dumbbell) than in B (hybrid)
   --shards I-J         check only the pieces I to J (or I alone) of one file, counted from 1; the file is read as a
@@ -38,7 +38,7 @@ Checks certificates (proofs/format.md) independently of the program that wrote t
   --budget TIME        give up on a file that costs more work than a core does in this time, in about 30s, 10m
                        or 2h (30s). Counted in steps, not by a clock: the same on every machine
   --max-bits B         give up on pieces that need a higher precision (2048)
-  --precision BITS     check with at least so many bits instead of in double
+  --precision BITS     check with at least this many bits instead of in double
   --explain PIECE:PATH show one leaf with its inequalities: 3:bridge is the root, 3:light.01 the upper half
                        of its lower half, 3:witness the witness of the third piece; box.01 a leaf of a file
                        about initial conditions or the adiabatic invariant, in which class0.01 is a leaf of
@@ -52,7 +52,7 @@ Checks certificates (proofs/format.md) independently of the program that wrote t
   dumbbell-verify --ratio 2:5/2 --max 3 stairs.dbc     at most 3 collisions on a part of the file's range?
   dumbbell-verify --explain 1:bridge.0 ten.dbc         one leaf, in numbers
   dumbbell-verify --claim initial-conditions --min 1 falling.dbc    at least one collision from every start?
-  dumbbell-verify --junit proofs.xml --claims proofs/claims.tsv     in CI: every certificate, its own claim
+  dumbbell-verify --junit proofs.xml --claims certificates/claims.tsv   in CI: every certificate, its own claim
   dumbbell-verify --ratio 3 --max 3 *.dbc | tail -n 1               how many files prove this?
   dumbbell-verify --json --lemma 4.1 hybrid.dbc wedge.dbc           a comparison, for a script
   dumbbell-verify --scene wedge --ratio 1:100 --max 16 wedge.dbc    the paper's model wedge

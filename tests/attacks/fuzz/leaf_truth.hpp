@@ -12,7 +12,7 @@ namespace dumbbell_fuzz {
 
 using Real = long double;
 
-/// A state in the coordinates of a chart (proofs/format.md, section 3; format-sections.md).
+/// A state in the coordinates of a chart (format.md, section 3; format-sections.md).
 struct ChartState {
     Real position = 0;
     Real slope = 0;

@@ -1,4 +1,4 @@
-// The charts of proofs/format.md and the physical states they stand for.
+// The charts of format.md and the physical states they stand for.
 //
 //     psi = phi - pi/2,  yhat = y / beta2,  slope = d yhat / |d psi|,  one cell: psi in [-pi, pi]
 //

@@ -1,4 +1,4 @@
-// The ray iteration of proofs/format.md 3.2 in plain numbers (no enclosures), and the numbers of theory
+// The ray iteration of format.md 3.2 in plain numbers (no enclosures), and the numbers of theory
 // section 4 made from it. The simulation does not use it: tests compare the two.
 #pragma once
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """agreement_test.py DUMBBELL DUMBBELL_VERIFY: the verdict on what the program writes today, and on random changes of it, is the
-one that the project's verifier gives. Two programs that have nothing but the pages in proofs/ in common."""
+one that the project's verifier gives. Two programs that have nothing but the proofs and the format in common."""
 
 import random
 import re

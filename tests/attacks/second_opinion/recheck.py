@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""A second opinion: re-checks certificates, written from the pages in proofs/ alone. It shares nothing with the C++ programs.
+"""A second opinion: re-checks certificates, written from the proofs and the format alone. It shares nothing with the C++ programs.
 
     recheck.py FILE                          VERIFIED ... (exit code 0) or REJECTED at line L: reason (1)
     recheck.py --sample 0.01 --seed 7 FILE   the whole structure, but only a random part of the leaves and witnesses:

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""shipped_test.py PROJECT: re-checks every certificate that the project ships, and compares it with proofs/claims.tsv.
+"""shipped_test.py PROJECT: re-checks every certificate that the project ships, and compares it with certificates/claims.tsv.
 
 Texts over 100,000 bytes by a random 1 % of their leaves and witnesses, the others whole. The seed is the day, so that many
 runs see many leaves; it is printed, and recheck.py --sample 0.01 --seed SEED FILE repeats a run."""
@@ -35,14 +35,14 @@ def check(path, claim):
 
 def main(project):
     print(f"seed {int(time.time()) // 86400}")
-    rows = (line.split("\t") for line in (project / "proofs/claims.tsv").read_text().splitlines() if not line.startswith("#"))
+    rows = (line.split("\t") for line in (project / "certificates/claims.tsv").read_text().splitlines() if not line.startswith("#"))
     claims = {row[0]: row[1].split(" ") for row in rows}
     shipped = {f"certificates/{path.name}" for path in (project / "certificates").iterdir()
                if re.search(r"\.dbc(\.gz)?$", path.name)}
     if shipped != set(claims) or not shipped:
-        return f"certificates/ and proofs/claims.tsv differ: {shipped ^ set(claims)}"
+        return f"certificates/ and certificates/claims.tsv differ: {shipped ^ set(claims)}"
     wrong = [name for name in sorted(shipped) if not check(project / name, claims[name])]
-    return f"another claim than that of proofs/claims.tsv: {wrong}" if wrong else 0
+    return f"another claim than that of certificates/claims.tsv: {wrong}" if wrong else 0
 
 
 if __name__ == "__main__":

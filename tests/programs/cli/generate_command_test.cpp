@@ -67,8 +67,8 @@ std::vector<std::string> offered(const Words& words, const std::string& folder =
 
 }  // namespace
 
-TEST_CASE("docs/commands.md is what the program generates") {
-    CHECK(contents(DUMBBELL_PROOFS "/../docs/commands.md") == generated("reference"));
+TEST_CASE("docs/reference/commands.md is what the program generates") {
+    CHECK(contents(DUMBBELL_PROJECT "/docs/reference/commands.md") == generated("reference"));
 }
 
 TEST_CASE("every option of every command is in the man page, the completion and the reference") {
@@ -100,7 +100,7 @@ TEST_CASE("a command that is called with a folder and a claim is shown so everyw
 }
 
 TEST_CASE("every option of the verifier is in its man page, in that of dumbbell, and in the completion") {
-    const std::string own = without_backslashes(contents(DUMBBELL_PROOFS "/../src/verify/dumbbell-verify.1"));
+    const std::string own = without_backslashes(contents(DUMBBELL_PROJECT "/src/verify/dumbbell-verify.1"));
     const std::string man = without_backslashes(generated("man")), completion = generated("completion");
     const auto options = options_of(verifier({"--help"}).out);
     CHECK(options.size() > 15);
@@ -116,7 +116,7 @@ TEST_CASE("groff finds nothing wrong with the man pages") {
     const TemporaryFolder folder;
     write_file(folder / "dumbbell.1", generated("man"));
     for (const std::string& page :
-         {folder / "dumbbell.1", std::string(DUMBBELL_PROOFS "/../src/verify/dumbbell-verify.1")}) {
+         {folder / "dumbbell.1", std::string(DUMBBELL_PROJECT "/src/verify/dumbbell-verify.1")}) {
         const Outcome set = run({"groff", "-ww", "-man", "-Tutf8", "-P-cbou", page});
         CAPTURE(page);
         CHECK(set.code == 0);

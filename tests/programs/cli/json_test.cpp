@@ -1,4 +1,4 @@
-// proofs/json.md against the programs: the fields that it names are the fields that they print.
+// docs/reference/json.md against the programs: the fields that it names are the fields that they print.
 #include <catch2/catch.hpp>
 #include <map>
 #include <set>
@@ -48,7 +48,7 @@ void collect(const Json& object, const std::string& before, Fields& fields) {
 std::string between(const std::string& text, const std::string& begin, const std::string& end) {
     const std::size_t at = text.find(begin);
     if (at == std::string::npos) {
-        throw std::runtime_error("not in proofs/json.md: " + begin);
+        throw std::runtime_error("not in docs/reference/json.md: " + begin);
     }
     const std::size_t from = at + begin.size();
     return text.substr(from, text.find(end, from) - from);
@@ -64,7 +64,7 @@ Types types_in(const std::string& cell) {
 
 // The rows "| `field` | type | meaning |" of the section "## command: `schema`".
 Fields documented(const std::string& command, const std::string& schema) {
-    const std::string page = contents(DUMBBELL_PROOFS "/json.md");
+    const std::string page = contents(DUMBBELL_PROJECT "/docs/reference/json.md");
     std::istringstream section(between(page, "## " + command + ": `" + schema + "`\n", "\n## "));
     Fields fields;
     for (std::string line; std::getline(section, line);) {
@@ -126,7 +126,7 @@ Words falling(Words options) {
 
 }  // namespace
 
-TEST_CASE("proofs/json.md describes the JSON of certify, in which null says nothing") {
+TEST_CASE("docs/reference/json.md describes the JSON of certify, in which null says nothing") {
     const TemporaryFolder folder;
     const auto objects = printed_by({{"certify", "1:5", "--witness"},
                                      {"certify", "10", "--section", "full", "--out", "ten.dbc"},
@@ -144,14 +144,14 @@ TEST_CASE("proofs/json.md describes the JSON of certify, in which null says noth
     }
 }
 
-TEST_CASE("proofs/json.md describes the JSON of critical") {
+TEST_CASE("docs/reference/json.md describes the JSON of critical") {
     const TemporaryFolder folder;
     check_documented("critical", printed_by({{"critical", "3:4", "--confirm", "1e-6", "--out", "ratios.tsv"},
                                              {"critical", "100", "--budget", "0s"}},
                                             folder));
 }
 
-TEST_CASE("proofs/json.md describes the JSON of law, which says nothing of an open staircase") {
+TEST_CASE("docs/reference/json.md describes the JSON of law, which says nothing of an open staircase") {
     const TemporaryFolder folder;
     REQUIRE(dumbbell({"certify", "2:12", "--out", "stairs.dbc"}, folder.path()).code == 0);
     REQUIRE(dumbbell({"certify", "2:1000", "--budget", "0s", "--out", "open.dbc"}, folder.path()).code == 3);
@@ -164,7 +164,7 @@ TEST_CASE("proofs/json.md describes the JSON of law, which says nothing of an op
     }
 }
 
-TEST_CASE("proofs/json.md describes the JSON of trace") {
+TEST_CASE("docs/reference/json.md describes the JSON of trace") {
     const TemporaryFolder folder;
     const Words part{"--phi",       "0:0.5", "--phidot", "0",      "--subdivide",
                      "--max-boxes", "20",    "--out",    "box.dbc"};
@@ -175,7 +175,7 @@ TEST_CASE("proofs/json.md describes the JSON of trace") {
                                          folder));
 }
 
-TEST_CASE("proofs/json.md describes the JSON of adiabatic") {
+TEST_CASE("docs/reference/json.md describes the JSON of adiabatic") {
     const TemporaryFolder folder;
     check_documented(
         "adiabatic",
@@ -185,13 +185,13 @@ TEST_CASE("proofs/json.md describes the JSON of adiabatic") {
                    folder));
 }
 
-TEST_CASE("proofs/json.md describes the JSON of audit") {
+TEST_CASE("docs/reference/json.md describes the JSON of audit") {
     const TemporaryFolder folder;
     REQUIRE(dumbbell({"certify", "2:3", "--out", "two.dbc"}, folder.path()).code == 0);
     check_documented("audit", printed_by({{"audit", "two.dbc"}}, folder));
 }
 
-TEST_CASE("proofs/json.md describes the JSON of campaign run and campaign status") {
+TEST_CASE("docs/reference/json.md describes the JSON of campaign run and campaign status") {
     const TemporaryFolder folder;
     const std::string place = folder / "c";
     REQUIRE(dumbbell({"campaign", "plan", place, "1:9"}).code == 0);
@@ -201,7 +201,7 @@ TEST_CASE("proofs/json.md describes the JSON of campaign run and campaign status
     check_documented("campaign status", {before, printed(dumbbell(status))});
 }
 
-TEST_CASE("proofs/json.md describes the JSON of verify") {
+TEST_CASE("docs/reference/json.md describes the JSON of verify") {
     const TemporaryFolder folder;
     const auto make = [&](Words words) { REQUIRE(dumbbell(words, folder.path()).code == 0); };
     make({"certify", "10", "--section", "full", "--out", "ten.dbc"});
@@ -242,8 +242,8 @@ TEST_CASE("proofs/json.md describes the JSON of verify") {
 TEST_CASE("help and README name the page") {
     for (const char* command : {"law", "trace", "audit"}) {
         CAPTURE(command);
-        CHECK(dumbbell({command, "--help"}).out.find("proofs/json.md") != std::string::npos);
+        CHECK(dumbbell({command, "--help"}).out.find("docs/reference/json.md") != std::string::npos);
     }
-    CHECK(dumbbell({"--help"}).out.find("proofs/json.md") != std::string::npos);
-    CHECK(contents(DUMBBELL_PROOFS "/../README.md").find("(proofs/json.md)") != std::string::npos);
+    CHECK(dumbbell({"--help"}).out.find("docs/reference/json.md") != std::string::npos);
+    CHECK(contents(DUMBBELL_PROJECT "/README.md").find("(docs/reference/json.md)") != std::string::npos);
 }

@@ -1,8 +1,8 @@
 #include <catch2/catch.hpp>
 #include <tuple>
 
-#include "rooms/pictures/xml.hpp"
 #include "programs.hpp"
+#include "rooms/pictures/xml.hpp"
 
 using namespace dumbbell_test;
 using Catch::Matchers::Contains;
@@ -174,13 +174,13 @@ TEST_CASE("the pictures of docs/ are what the program draws from the shipped cer
         std::erase_if(text, [](char c) { return (c >= '0' && c <= '9') || c == '.' || c == '-'; });
         return text;
     };
-    const std::string root = DUMBBELL_PROOFS "/../";
+    const std::string root = DUMBBELL_PROJECT "/";
     for (const auto& [word, certificate, name] :
          {std::tuple{"staircase", "stairs-1-1e4.dbc.gz", "staircase"},
           std::tuple{"orbit", "q-100.dbc", "orbit-100"}, std::tuple{"cover", "full-100.dbc.gz", "cover-100"},
           std::tuple{"cover", "q-100.dbc", "cover-turning-100"}}) {
         CAPTURE(name);
         const std::string drawn = picture({word, root + "certificates/" + certificate});
-        CHECK(without_digits(drawn) == without_digits(contents(root + "docs/" + name + ".svg")));
+        CHECK(without_digits(drawn) == without_digits(contents(root + "docs/pictures/" + name + ".svg")));
     }
 }

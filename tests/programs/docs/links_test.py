@@ -45,7 +45,7 @@ def missing_in_contents():
     linked = {(contents.parent / target.partition("#")[0]).resolve()
               for target in re.findall(r"\]\(([^)\s]+)\)", contents.read_text())}
     for folder in ("docs", "proofs"):
-        for page in sorted((ROOT / folder).glob("*.md")):
+        for page in sorted((ROOT / folder).rglob("*.md")):
             if page != contents and page.resolve() not in linked:
                 yield page.relative_to(ROOT)
 

@@ -1,5 +1,5 @@
-// The shipped certificates: each row of proofs/claims.tsv is proved by its file, and the small files can be
-// made again, byte for byte, with the command of the row.
+// The shipped certificates: each row of certificates/claims.tsv is proved by its file, and the small files
+// can be made again, byte for byte, with the command of the row.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <sstream>
@@ -36,7 +36,7 @@ Words split(const std::string& text, char separator) {
 // Lines that begin with # are remarks.
 std::vector<Row> rows() {
     std::vector<Row> result;
-    std::istringstream lines(contents(project / "proofs/claims.tsv"));
+    std::istringstream lines(contents(project / "certificates/claims.tsv"));
     for (std::string line; std::getline(lines, line);) {
         if (line.empty() || line[0] == '#') {
             continue;
@@ -59,7 +59,8 @@ bool is_certificate(const fs::path& path) {
 TEST_CASE("every shipped certificate proves its claim") {
     REQUIRE_FALSE(rows().empty());
     // Without a claim in each row the verifier refuses the list.
-    const Outcome result = run({DUMBBELL_VERIFY_BIN, "--claims", "proofs/claims.tsv"}, project.string());
+    const Outcome result =
+        run({DUMBBELL_VERIFY_BIN, "--claims", "certificates/claims.tsv"}, project.string());
     CAPTURE(result.out, result.err);
     CHECK(result.code == 0);
     const Words lines = split(result.out, '\n');

@@ -27,7 +27,7 @@ AdiabaticCertificate small_run() {
 
 }  // namespace
 
-TEST_CASE("An adiabatic certificate is spelled as proofs/format-adiabatic.md says") {
+TEST_CASE("An adiabatic certificate is spelled as docs/reference/format-adiabatic.md says") {
     const std::string text = render(small_run()).text;
     CHECK(text.substr(0, text.find("sha256")) == R"(dumbbell-certificate 1
 generator dumbbell 0.1.0

@@ -1,4 +1,4 @@
-// The trusted core of the main claim is as long as docs/verifying.md says.
+// The trusted core of the main claim is as long as docs/4-verifying.md says.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <filesystem>
@@ -18,7 +18,7 @@ std::string contents(const std::filesystem::path& path) {
 
 }  // namespace
 
-TEST_CASE("the trusted core has as many lines as docs/verifying.md says") {
+TEST_CASE("the trusted core has as many lines as docs/4-verifying.md says") {
     const std::filesystem::path project = DUMBBELL_PROJECT;
     std::ptrdiff_t lines = 0;
     for (const char* room : {"number", "format", "collisions"}) {
@@ -30,5 +30,5 @@ TEST_CASE("the trusted core has as many lines as docs/verifying.md says") {
     std::string figure = std::to_string(lines);
     figure.insert(figure.size() - 3, ",");
     INFO(figure);
-    CHECK(contents(project / "docs/verifying.md").find(" are " + figure + " lines") != std::string::npos);
+    CHECK(contents(project / "docs/4-verifying.md").find(" are " + figure + " lines") != std::string::npos);
 }

@@ -9,7 +9,7 @@ from driver import child, tables
 from driver.effort import Effort
 from driver.goals import Goal
 
-# The README's table, then the other commands.
+# The table of docs/5-results.md, then the other commands.
 CERTIFY = ["1", "1.0000001", "1.1", "4.6", "4.61", "10", "12", "100", "1000", "1e4", "1e6", "1:100 --gap 1e-6", "1e9",
            "1:10000 --gap 1e-9", "1:10000 --gap 1e-12", "100 --section full", "1000 --section full"]
 OTHERS = ["critical 3:22", "trace 10 --phi 0.3:0.4 --phidot 1 --y 3 --ydot 0 --subdivide",

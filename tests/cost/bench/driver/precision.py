@@ -1,4 +1,4 @@
-"""Work and precision: the data of docs/work-precision.svg, as TSV."""
+"""Work and precision: the data of docs/pictures/work-precision.svg, as TSV."""
 import csv
 import io
 import json
