@@ -16,7 +16,7 @@ std::string claims_nothing(const std::string& ratio) {
     return closed(make::header(ratio, ratio, 1) + "piece " + ratio + " " + ratio +
                   "\nbits 53\nupper none\nlower 0\n");
 }
-double covered(const Verified& proof) {
+double covered(const Proof& proof) {
     double sum = 0;
     for (const Tally& tally : proof.tallies)
         if (tally.name != "witness") sum += tally.covered;
