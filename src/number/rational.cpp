@@ -100,6 +100,28 @@ Rational& Rational::operator/=(const Rational& y) {
     return *this;
 }
 
+Rational operator+(const Rational& x, const Rational& y) {
+    Rational result;
+    mpq_add(result.q_, x.q_, y.q_);
+    return result;
+}
+Rational operator-(const Rational& x, const Rational& y) {
+    Rational result;
+    mpq_sub(result.q_, x.q_, y.q_);
+    return result;
+}
+Rational operator*(const Rational& x, const Rational& y) {
+    Rational result;
+    mpq_mul(result.q_, x.q_, y.q_);
+    return result;
+}
+Rational operator/(const Rational& x, const Rational& y) {
+    require(mpq_sgn(y.q_) != 0, "a rational is divided by zero");
+    Rational result;
+    mpq_div(result.q_, x.q_, y.q_);
+    return result;
+}
+
 std::ostream& operator<<(std::ostream& out, const Rational& x) { return out << to_fraction(x); }
 
 template <>

@@ -29,12 +29,17 @@ class Rational {
     /// GMP's own. Precondition: in lowest terms.
     explicit Rational(mpq_srcptr value) : Rational() { mpq_set(q_, value); }
     Rational(const Rational& other) : Rational(other.q_) {}
-    Rational(Rational&& other) noexcept : Rational() { mpq_swap(q_, other.q_); }
+    /// What is moved from may only be assigned to or destroyed.
+    Rational(Rational&& other) noexcept : q_{*other.q_} { other.q_->_mp_den._mp_d = nullptr; }
     Rational& operator=(Rational other) noexcept {
         mpq_swap(q_, other.q_);
         return *this;
     }
-    ~Rational() { mpq_clear(q_); }
+    ~Rational() {
+        if (q_->_mp_den._mp_d != nullptr) {
+            mpq_clear(q_);
+        }
+    }
 
     Rational& operator+=(const Rational& y);
     Rational& operator-=(const Rational& y);
@@ -42,10 +47,10 @@ class Rational {
     /// Throws BrokenInvariant if y is 0.
     Rational& operator/=(const Rational& y);
 
-    friend Rational operator+(Rational x, const Rational& y) { return std::move(x += y); }
-    friend Rational operator-(Rational x, const Rational& y) { return std::move(x -= y); }
-    friend Rational operator*(Rational x, const Rational& y) { return std::move(x *= y); }
-    friend Rational operator/(Rational x, const Rational& y) { return std::move(x /= y); }
+    friend Rational operator+(const Rational& x, const Rational& y);
+    friend Rational operator-(const Rational& x, const Rational& y);
+    friend Rational operator*(const Rational& x, const Rational& y);
+    friend Rational operator/(const Rational& x, const Rational& y);
     friend Rational operator-(Rational x) {
         mpq_neg(x.q_, x.q_);
         return x;
@@ -56,7 +61,8 @@ class Rational {
     }
     friend std::ostream& operator<<(std::ostream& out, const Rational& x);
 
-    /// double or long double, rounded to nearest, ties to even; int or long, towards zero (precondition: it fits).
+    /// double or long double, rounded to nearest, ties to even; int or long, towards zero (precondition: it
+    /// fits).
     template <class T>
     [[nodiscard]] T convert_to() const;
 
