@@ -1,6 +1,7 @@
 #pragma once
 
-/// Sine and cosine as plain arithmetic, for one double and for packs of them (flight/batch/pack.hpp): lemma L14.
+/// Sine and cosine as plain arithmetic, for one double and for packs of them (flight/batch/pack.hpp): lemma
+/// L14.
 namespace dumbbell {
 
 // Kernels on |y| <= 0.79 (a little more than pi/4): Taylor polynomials with coefficients rounded to double, z

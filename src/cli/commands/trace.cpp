@@ -89,10 +89,10 @@ InitialBox box_of(const Options& options, const RatioArgument& ratio) {
 
 void write_certificate(TraceReport& report, const Output& output) {
     SealedText text = render(InitialCertificate{.program = "dumbbell",
-                                                     .version = DUMBBELL_VERSION,
-                                                     .box = report.box,
-                                                     .bits = report.parts->bits,
-                                                     .tree = report.parts->tree});
+                                                .version = DUMBBELL_VERSION,
+                                                .box = report.box,
+                                                .bits = report.parts->bits,
+                                                .tree = report.parts->tree});
     output.commit(text.text);
     report.out = output.file();
     report.sha256 = std::move(text.sha256);

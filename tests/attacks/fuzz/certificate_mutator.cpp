@@ -5,8 +5,8 @@
 #include <sstream>
 #include <vector>
 
-#include "rooms/verify/make_certificate.hpp"
 #include "file_text.hpp"
+#include "rooms/verify/make_certificate.hpp"
 #include "target.hpp"
 
 extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, std::size_t most);

@@ -5,9 +5,9 @@
 #include <numbers>
 #include <sstream>
 
-#include "collisions/names.hpp"
 #include "attacks/oracle/chart.hpp"
 #include "attacks/oracle/simulate.hpp"
+#include "collisions/names.hpp"
 #include "target.hpp"
 
 namespace dumbbell_fuzz {

@@ -1,4 +1,5 @@
-// What a claim about initial conditions says of a start, against the simulated trajectory (tests/attacks/oracle).
+// What a claim about initial conditions says of a start, against the simulated trajectory
+// (tests/attacks/oracle).
 #pragma once
 
 #include <array>

@@ -1,7 +1,7 @@
 // Well-formed files about initial conditions with wrong claims: a box of starts around a random one, halved,
-// with leaves at, above and below what the simulated trajectories (tests/attacks/oracle) do. What the verifier
-// accepts, all of the file or the leaves before the line that it rejects, must hold for the simulated
-// trajectories of the leaf's starts.
+// with leaves at, above and below what the simulated trajectories (tests/attacks/oracle) do. What the
+// verifier accepts, all of the file or the leaves before the line that it rejects, must hold for the
+// simulated trajectories of the leaf's starts.
 #include <algorithm>
 #include <array>
 #include <cmath>

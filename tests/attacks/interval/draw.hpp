@@ -4,9 +4,9 @@
 #include <utility>
 #include <vector>
 
+#include "exact.hpp"
 #include "rooms/number/angles.hpp"
 #include "rooms/number/random.hpp"
-#include "exact.hpp"
 
 /// Arguments that an interval layer likes to get wrong, of any precision.
 namespace dumbbell_test {

@@ -1,10 +1,10 @@
 #pragma once
 
-#include "rooms/number/tightest.hpp"
 #include "number/big_interval.hpp"
 #include "number/interval.hpp"
-#include "verify/starts/angle.hpp"
+#include "rooms/number/tightest.hpp"
 #include "verify/number/big.hpp"
+#include "verify/starts/angle.hpp"
 
 /// The interval layers under attack in one vocabulary: the program's and the verifier's, which share no code,
 /// each in double and in multiple precision. `make` and `low`, `high` are exact if the numbers have bits().

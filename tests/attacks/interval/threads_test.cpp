@@ -9,10 +9,10 @@
 #include <thread>
 #include <vector>
 
-#include "rooms/number/random.hpp"
 #include "base/error.hpp"
 #include "number/elementary.hpp"
 #include "number/self_test.hpp"
+#include "rooms/number/random.hpp"
 #include "verify/starts/angle.hpp"
 
 using namespace dumbbell;

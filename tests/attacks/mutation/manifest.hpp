@@ -1,4 +1,5 @@
-// Tables of files and what a verifier must say of them: tests/attacks/false_claims/manifest.tsv, and the folders that
+// Tables of files and what a verifier must say of them: tests/attacks/false_claims/manifest.tsv, and the
+// folders that
 // --dump writes.
 #pragma once
 #include <cstdint>

@@ -2,9 +2,9 @@
 
 #include "flight/ray.hpp"
 
-/// The counts of flight/count.hpp, the very same templates, with the intervals of other libraries: what a user
-/// would have got by picking one of them. The guesses of Newton's iteration are this project's for all of
-/// them, and every bound is rigorous. Each peer has a file of its own.
+/// The counts of flight/count.hpp, the very same templates, with the intervals of other libraries: what a
+/// user would have got by picking one of them. The guesses of Newton's iteration are this project's for all
+/// of them, and every bound is rigorous. Each peer has a file of its own.
 namespace dumbbell_bench {
 
 struct Peer {

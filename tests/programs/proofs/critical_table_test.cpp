@@ -4,8 +4,8 @@
 #include <random>
 #include <sstream>
 
-#include "programs/cli/process.hpp"
 #include "collisions/reader.hpp"
+#include "programs/cli/process.hpp"
 
 using namespace dumbbell_test;
 

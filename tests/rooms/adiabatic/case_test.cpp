@@ -1,6 +1,7 @@
+#include "adiabatic/case.hpp"
+
 #include <catch2/catch.hpp>
 
-#include "adiabatic/case.hpp"
 #include "base/error.hpp"
 
 using namespace dumbbell;

@@ -1,6 +1,6 @@
-#include <catch2/catch.hpp>
-
 #include "adiabatic/classes.hpp"
+
+#include <catch2/catch.hpp>
 
 using namespace dumbbell;
 

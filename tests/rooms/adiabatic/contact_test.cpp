@@ -1,6 +1,7 @@
+#include "adiabatic/contact.hpp"
+
 #include <catch2/catch.hpp>
 
-#include "adiabatic/contact.hpp"
 #include "samples.hpp"
 
 using namespace dumbbell;

@@ -1,7 +1,7 @@
+#include "adiabatic/cover.hpp"
+
 #include <catch2/catch.hpp>
 #include <cmath>
-
-#include "adiabatic/cover.hpp"
 
 using namespace dumbbell;
 

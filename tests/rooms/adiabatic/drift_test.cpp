@@ -1,6 +1,7 @@
+#include "adiabatic/drift.hpp"
+
 #include <catch2/catch.hpp>
 
-#include "adiabatic/drift.hpp"
 #include "samples.hpp"
 
 using namespace dumbbell;

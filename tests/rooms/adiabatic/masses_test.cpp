@@ -1,6 +1,7 @@
+#include "adiabatic/masses.hpp"
+
 #include <catch2/catch.hpp>
 
-#include "adiabatic/masses.hpp"
 #include "samples.hpp"
 
 using namespace dumbbell;

@@ -1,6 +1,7 @@
+#include "adiabatic/orbit.hpp"
+
 #include <catch2/catch.hpp>
 
-#include "adiabatic/orbit.hpp"
 #include "samples.hpp"
 
 using namespace dumbbell;

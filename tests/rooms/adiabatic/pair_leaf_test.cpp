@@ -1,6 +1,7 @@
+#include "adiabatic/pair_leaf.hpp"
+
 #include <catch2/catch.hpp>
 
-#include "adiabatic/pair_leaf.hpp"
 #include "samples.hpp"
 
 using namespace dumbbell;

@@ -1,6 +1,7 @@
+#include "adiabatic/plot.hpp"
+
 #include <catch2/catch.hpp>
 
-#include "adiabatic/plot.hpp"
 #include "base/error.hpp"
 #include "rooms/pictures/xml.hpp"
 

@@ -1,6 +1,7 @@
+#include "adiabatic/potential.hpp"
+
 #include <catch2/catch.hpp>
 
-#include "adiabatic/potential.hpp"
 #include "samples.hpp"
 
 using namespace dumbbell;

@@ -1,9 +1,10 @@
+#include "adiabatic/prove.hpp"
+
 #include <catch2/catch.hpp>
 #include <cmath>
 
 #include "adiabatic/attained.hpp"
 #include "adiabatic/branch.hpp"
-#include "adiabatic/prove.hpp"
 #include "base/error.hpp"
 
 using namespace dumbbell;

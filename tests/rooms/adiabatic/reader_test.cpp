@@ -1,9 +1,10 @@
+#include "adiabatic/reader.hpp"
+
 #include <catch2/catch.hpp>
 
-#include "programs/cli/process.hpp"
-#include "adiabatic/reader.hpp"
 #include "adiabatic/writer.hpp"
 #include "base/error.hpp"
+#include "programs/cli/process.hpp"
 
 using namespace dumbbell;
 using namespace dumbbell_test;

@@ -1,6 +1,6 @@
-#include <catch2/catch.hpp>
-
 #include "adiabatic/report.hpp"
+
+#include <catch2/catch.hpp>
 
 using namespace dumbbell;
 using Catch::Matchers::Contains;

@@ -1,6 +1,7 @@
+#include "adiabatic/writer.hpp"
+
 #include <catch2/catch.hpp>
 
-#include "adiabatic/writer.hpp"
 #include "base/error.hpp"
 
 using namespace dumbbell;

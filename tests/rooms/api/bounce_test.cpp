@@ -6,9 +6,9 @@
 #include <limits>
 #include <random>
 
-#include "dumbbell/error.hpp"
 #include "attacks/oracle/ray_count.hpp"
 #include "attacks/oracle/scalar.hpp"
+#include "dumbbell/error.hpp"
 
 using namespace dumbbell::api;
 using dumbbell_oracle::Digits80;

@@ -2,8 +2,8 @@
 
 #include <catch2/catch.hpp>
 
-#include "programs/cli/process.hpp"
 #include "base/error.hpp"
+#include "programs/cli/process.hpp"
 
 using namespace dumbbell;
 using namespace dumbbell_test;

@@ -1,10 +1,11 @@
+#include "campaign/folder.hpp"
+
 #include <sys/stat.h>
 
 #include <catch2/catch.hpp>
 #include <fstream>
 
 #include "base/error.hpp"
-#include "campaign/folder.hpp"
 #include "file/file_contents.hpp"
 #include "place.hpp"
 #include "scripted_engine.hpp"

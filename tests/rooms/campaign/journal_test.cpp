@@ -23,9 +23,10 @@ std::vector<JournalEntry> without_time(std::vector<JournalEntry> events) {
 TEST_CASE("events are read back in order, with the time put in") {
     const Place place;
     Journal journal(place.string());
-    const std::vector<JournalEntry> events{{0, JournalEntry::What::begin, "", "", 0, "abc"},
-                                    {0, JournalEntry::What::done, "0123", "host.example:9123", 1.5, ""},
-                                    {0, JournalEntry::What::state, "", "", 2, "workers=1 running=2"}};
+    const std::vector<JournalEntry> events{
+        {0, JournalEntry::What::begin, "", "", 0, "abc"},
+        {0, JournalEntry::What::done, "0123", "host.example:9123", 1.5, ""},
+        {0, JournalEntry::What::state, "", "", 2, "workers=1 running=2"}};
     for (const JournalEntry& event : events) {
         journal.append(event);
     }

@@ -4,8 +4,8 @@
 
 #include <catch2/catch.hpp>
 
-#include "programs/cli/process.hpp"
 #include "base/error.hpp"
+#include "programs/cli/process.hpp"
 
 using namespace dumbbell_test;
 using Catch::Matchers::Contains;

@@ -1,10 +1,11 @@
+#include "campaign/status.hpp"
+
 #include <fmt/format.h>
 
 #include <catch2/catch.hpp>
 #include <fstream>
 
 #include "campaign/campaign.hpp"
-#include "campaign/status.hpp"
 #include "campaign/status_report.hpp"
 #include "place.hpp"
 #include "scripted_engine.hpp"

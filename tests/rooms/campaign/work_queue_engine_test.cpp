@@ -9,9 +9,9 @@
 #include <memory>
 #include <optional>
 
-#include "programs/cli/process.hpp"
 #include "base/deadline.hpp"
 #include "campaign/password.hpp"
+#include "programs/cli/process.hpp"
 
 using namespace dumbbell_test;
 using namespace std::chrono_literals;

@@ -2,14 +2,14 @@
 
 #include <catch2/catch.hpp>
 
-#include "programs/cli/process.hpp"
-#include "base/error.hpp"
 #include "adiabatic/writer.hpp"
-#include "file/atomic_file.hpp"
-#include "starts/writer.hpp"
+#include "base/error.hpp"
 #include "collisions/reader.hpp"
 #include "collisions/writer.hpp"
+#include "file/atomic_file.hpp"
+#include "programs/cli/process.hpp"
 #include "rooms/collisions/example.hpp"
+#include "starts/writer.hpp"
 
 using namespace dumbbell_test;
 using Catch::Matchers::Contains;

@@ -6,9 +6,9 @@
 #include <filesystem>
 #include <fstream>
 
-#include "example.hpp"
 #include "base/error.hpp"
 #include "collisions/writer.hpp"
+#include "example.hpp"
 #include "file/file_contents.hpp"
 #include "file/sha256.hpp"
 

@@ -4,12 +4,12 @@
 
 #include <catch2/catch.hpp>
 
-#include "programs/cli/process.hpp"
 #include "base/error.hpp"
 #include "collisions/writer.hpp"
 #include "example.hpp"
 #include "file/atomic_file.hpp"
 #include "file/dyadic.hpp"
+#include "programs/cli/process.hpp"
 
 using namespace dumbbell_test;
 using Catch::Matchers::Contains;

@@ -6,9 +6,9 @@
 #include <random>
 #include <string>
 
-#include "number/rational.hpp"
 #include "attacks/oracle/ray_count.hpp"
 #include "attacks/oracle/scalar.hpp"
+#include "number/rational.hpp"
 
 namespace dumbbell_test {
 

@@ -1,8 +1,8 @@
 // A report made by hand: an exact piece, a gap, an exact piece, and, if asked for, an open one.
 #pragma once
 
-#include "example.hpp"
 #include "collisions/proof_report.hpp"
+#include "example.hpp"
 
 namespace dumbbell_test {
 

@@ -1,7 +1,8 @@
+#include "collisions/steps.hpp"
+
 #include <catch2/catch.hpp>
 
 #include "base/error.hpp"
-#include "collisions/steps.hpp"
 #include "critical_ratio.hpp"
 
 using namespace dumbbell;

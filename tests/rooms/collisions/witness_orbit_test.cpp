@@ -2,8 +2,8 @@
 
 #include <catch2/catch.hpp>
 
-#include "collisions/piece.hpp"
 #include "attacks/oracle/simulate.hpp"
+#include "collisions/piece.hpp"
 #include "reference.hpp"
 
 using namespace dumbbell;

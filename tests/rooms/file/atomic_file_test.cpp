@@ -11,8 +11,8 @@
 #include <csignal>
 #include <thread>
 
-#include "programs/cli/process.hpp"
 #include "base/error.hpp"
+#include "programs/cli/process.hpp"
 
 using namespace dumbbell_test;
 using Catch::Matchers::Contains;

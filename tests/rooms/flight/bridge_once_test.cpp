@@ -3,8 +3,8 @@
 #include <catch2/catch.hpp>
 #include <optional>
 
-#include "rooms/number/random.hpp"
 #include "reference.hpp"
+#include "rooms/number/random.hpp"
 
 using namespace dumbbell;
 using dumbbell_test::Random;

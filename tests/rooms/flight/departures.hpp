@@ -4,15 +4,15 @@
 #include <cmath>
 #include <optional>
 
-#include "flight/departure.hpp"
 #include "attacks/oracle/chart.hpp"
 #include "attacks/oracle/scalar.hpp"
-#include "rooms/number/random.hpp"
+#include "flight/departure.hpp"
 #include "reference.hpp"
+#include "rooms/number/random.hpp"
 #include "rooms/number/show.hpp"
 
-/// Boxes of departures from R to the left, and what the simulated dumbbell (tests/attacks/oracle: impulses on two
-/// masses, no formula in common) does from their states.
+/// Boxes of departures from R to the left, and what the simulated dumbbell (tests/attacks/oracle: impulses on
+/// two masses, no formula in common) does from their states.
 namespace dumbbell_test {
 
 struct Span {

@@ -3,8 +3,8 @@
 #include <catch2/catch.hpp>
 
 #include "base/error.hpp"
-#include "rooms/number/random.hpp"
 #include "reference.hpp"
+#include "rooms/number/random.hpp"
 #include "rooms/number/show.hpp"
 
 using namespace dumbbell;

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "flight/ray.hpp"
-#include "rooms/number/random.hpp"
 #include "reference.hpp"
+#include "rooms/number/random.hpp"
 #include "rooms/number/show.hpp"
 
 namespace dumbbell_test {

@@ -1,8 +1,9 @@
+#include "page/data.hpp"
+
 #include <catch2/catch.hpp>
 
-#include "rooms/collisions/example.hpp"
 #include "base/error.hpp"
-#include "page/data.hpp"
+#include "rooms/collisions/example.hpp"
 
 using namespace dumbbell_test;
 using Json = nlohmann::ordered_json;

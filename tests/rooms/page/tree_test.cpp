@@ -1,9 +1,10 @@
+#include "page/tree.hpp"
+
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <numeric>
 
 #include "base/error.hpp"
-#include "page/tree.hpp"
 
 using namespace dumbbell;
 

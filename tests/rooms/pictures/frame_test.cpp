@@ -1,10 +1,11 @@
+#include "pictures/frame.hpp"
+
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <numbers>
 #include <set>
 #include <utility>
 
-#include "pictures/frame.hpp"
 #include "xml.hpp"
 
 using namespace dumbbell;

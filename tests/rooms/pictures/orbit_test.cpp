@@ -1,9 +1,10 @@
+#include "pictures/orbit.hpp"
+
 #include <catch2/catch.hpp>
 
 #include "base/error.hpp"
 #include "collisions/witness.hpp"
 #include "collisions/witness_orbit.hpp"
-#include "pictures/orbit.hpp"
 #include "pictures/snapshots.hpp"
 #include "xml.hpp"
 

@@ -1,7 +1,8 @@
+#include "pictures/phase.hpp"
+
 #include <catch2/catch.hpp>
 
 #include "base/error.hpp"
-#include "pictures/phase.hpp"
 #include "rooms/starts/sample.hpp"
 #include "xml.hpp"
 

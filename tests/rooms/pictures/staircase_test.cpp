@@ -1,8 +1,9 @@
+#include "pictures/staircase.hpp"
+
 #include <algorithm>
 #include <catch2/catch.hpp>
 
 #include "base/error.hpp"
-#include "pictures/staircase.hpp"
 #include "rooms/collisions/sample_report.hpp"
 #include "xml.hpp"
 

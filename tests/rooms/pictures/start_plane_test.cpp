@@ -1,7 +1,8 @@
+#include "pictures/start_plane.hpp"
+
 #include <catch2/catch.hpp>
 
 #include "base/error.hpp"
-#include "pictures/start_plane.hpp"
 #include "rooms/starts/sample.hpp"
 
 using namespace dumbbell_test;

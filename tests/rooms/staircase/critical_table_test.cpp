@@ -2,9 +2,9 @@
 
 #include <catch2/catch.hpp>
 
-#include "programs/cli/process.hpp"
 #include "base/error.hpp"
 #include "file/atomic_file.hpp"
+#include "programs/cli/process.hpp"
 #include "staircase/critical_report.hpp"
 
 using namespace dumbbell;

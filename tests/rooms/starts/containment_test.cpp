@@ -1,12 +1,12 @@
-// Simulated orbits (tests/attacks/oracle: another program, other formulas) of random initial conditions lie in what
-// `trace` and `--subdivide` say of the box around them.
+// Simulated orbits (tests/attacks/oracle: another program, other formulas) of random initial conditions lie
+// in what `trace` and `--subdivide` say of the box around them.
 #include <algorithm>
 #include <catch2/catch.hpp>
 
-#include "box.hpp"
 #include "attacks/oracle/scalar.hpp"
 #include "attacks/oracle/simulate.hpp"
 #include "attacks/oracle/trial.hpp"
+#include "box.hpp"
 #include "starts/initial_state.hpp"
 #include "starts/leaf.hpp"
 #include "starts/trace.hpp"

@@ -1,8 +1,9 @@
+#include "starts/reader.hpp"
+
 #include <catch2/catch.hpp>
 
-#include "programs/cli/process.hpp"
 #include "base/error.hpp"
-#include "starts/reader.hpp"
+#include "programs/cli/process.hpp"
 #include "starts/writer.hpp"
 
 using namespace dumbbell;

@@ -2,9 +2,9 @@
 // points (tests/attacks/oracle: another program, other formulas), whoever makes the claim.
 #include <catch2/catch.hpp>
 
-#include "box.hpp"
 #include "attacks/oracle/simulate.hpp"
 #include "attacks/oracle/trial.hpp"
+#include "box.hpp"
 #include "verify/starts/grammar.hpp"
 #include "written_file.hpp"
 

@@ -1,12 +1,11 @@
 // The certified witnesses of `certify`, traced as initial conditions.
-#include "collisions/witness.hpp"
-
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <optional>
 #include <string>
 #include <utility>
 
+#include "collisions/witness.hpp"
 #include "collisions/witness_orbit.hpp"
 #include "starts/initial_state.hpp"
 #include "starts/trace.hpp"

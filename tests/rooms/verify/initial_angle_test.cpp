@@ -2,8 +2,8 @@
 #include <catch2/catch.hpp>
 #include <random>
 
-#include "verify/starts/angle.hpp"
 #include "verify/number/big.hpp"
+#include "verify/starts/angle.hpp"
 
 using namespace dumbbell_verify;
 

@@ -7,8 +7,8 @@
 #include <xmmintrin.h>
 #endif
 
-#include "verify/starts/angle.hpp"
 #include "verify/number/big.hpp"
+#include "verify/starts/angle.hpp"
 
 using namespace dumbbell_verify;
 

@@ -79,7 +79,8 @@ TEST_CASE("shards: one false leaf or witness is rejected by exactly the part tha
 }
 
 TEST_CASE("shards: the false claim across a critical ratio is rejected by the part that has it") {
-    const std::string path = DUMBBELL_PROJECT "/tests/attacks/false_claims/across-gap.dbc", verdict = whole(path);
+    const std::string path = DUMBBELL_PROJECT "/tests/attacks/false_claims/across-gap.dbc",
+                      verdict = whole(path);
     REQUIRE(verdict.starts_with("s REJECTED line=22 code=count "));
     int rejected = 0;
     for (std::uint64_t i = 1; i <= 3; ++i) {

@@ -1,4 +1,6 @@
 // The judge runs the verifier that lies beside the program: tests/programs/cli/campaign_adiabatic_test.cpp.
+#include "campaign/kinds/adiabatic.hpp"
+
 #include <catch2/catch.hpp>
 #include <fstream>
 
@@ -6,7 +8,6 @@
 #include "adiabatic/prove.hpp"
 #include "adiabatic/writer.hpp"
 #include "base/error.hpp"
-#include "campaign/kinds/adiabatic.hpp"
 #include "rooms/campaign/place.hpp"
 
 using namespace dumbbell;

@@ -1,8 +1,9 @@
+#include "campaign/kinds/critical.hpp"
+
 #include <catch2/catch.hpp>
 #include <fstream>
 
 #include "base/error.hpp"
-#include "campaign/kinds/critical.hpp"
 #include "collisions/writer.hpp"
 #include "file/sha256.hpp"
 #include "rooms/campaign/place.hpp"
