@@ -39,7 +39,8 @@ struct CriticalRow {
 /// arithmetic of a thread is not sound.
 [[nodiscard]] std::vector<CriticalRow> critical_ratios(const CriticalRequest& request);
 
-/// About how long the enclosures will take (without confirmation), from the time that a small one takes here.
+/// About how long the enclosures will take (without confirmation), from the processor time that a small one
+/// takes here: on a machine that does nothing else.
 [[nodiscard]] std::chrono::duration<double> estimated_time(const CriticalRequest& request);
 
 }  // namespace dumbbell
