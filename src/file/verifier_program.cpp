@@ -110,6 +110,4 @@ Verdict ask_verifier(std::vector<std::string> arguments, std::string program) {
     return verdict;
 }
 
-std::string verifier_help() { return run_to_end({"--help"}, verifier_path()).out; }
-
 }  // namespace dumbbell

@@ -26,9 +26,6 @@ struct Verdict {
 /// that asks this program to stop ends it early. May be used by several threads at once. Throws NoVerdict.
 [[nodiscard]] Verdict ask_verifier(std::vector<std::string> arguments, std::string program = verifier_path());
 
-/// All that it prints with --help. Throws NoVerdict.
-[[nodiscard]] std::string verifier_help();
-
 /// For whoever could not start it: throws NoVerdict.
 [[noreturn]] void verifier_not_started(const std::string& program, int error);
 

@@ -1,8 +1,6 @@
-#include "cli/campaign/command.hpp"
+#include <array>
 
-#include <CLI/CLI.hpp>
-
-#include "cli/campaign/commands.hpp"
+#include "cli/commands.hpp"
 
 namespace dumbbell {
 namespace {
@@ -26,17 +24,11 @@ The fields of --json: docs/reference/json.md.
 Exit codes: 0 done as asked; 1 internal error, or two results of one shard differ; 2 wrong usage or input; 3 not finished
 or not certified; 130 or 143 stopped by SIGINT (Ctrl-C) or SIGTERM: what is finished is kept.)";
 
+constexpr std::array commands{&campaign_plan_command, &campaign_run_command, &campaign_status_command,
+                              &campaign_merge_command, &campaign_work_command};
+
 }  // namespace
 
-void add_campaign_command(CLI::App& app, int& exit_code) {
-    CLI::App* campaign = app.add_subcommand("campaign", description);
-    campaign->footer(footer);  // of its subcommands, too
-    campaign->require_subcommand(1);
-    add_campaign_plan(*campaign, exit_code);
-    add_campaign_run(*campaign, exit_code);
-    add_campaign_status(*campaign, exit_code);
-    add_campaign_merge(*campaign, exit_code);
-    add_campaign_work(*campaign, exit_code);
-}
+constinit const Command campaign_command{"campaign", "Prove", description, footer, {}, nullptr, commands};
 
 }  // namespace dumbbell

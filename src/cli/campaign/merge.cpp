@@ -2,20 +2,17 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
-#include <memory>
 #include <string>
 #include <vector>
 
 #include "base/deadline.hpp"
 #include "base/error.hpp"
 #include "base/printable.hpp"
-#include "cli/campaign/commands.hpp"
+#include "cli/commands.hpp"
 #include "cli/terminal/exit_code.hpp"
-#include "cli/terminal/jobs_option.hpp"
+#include "cli/terminal/frame.hpp"
 #include "cli/terminal/messages.hpp"
-#include "cli/terminal/out_option.hpp"
-#include "cli/terminal/progress.hpp"
+#include "cli/terminal/output.hpp"
 #include "cli/terminal/stop_signals.hpp"
 
 namespace dumbbell {
@@ -27,72 +24,75 @@ constexpr const char* description =
 The result is the file that the claim's command would have written by itself, byte for byte. One file proves one statement about the adiabatic invariant, so a grid of
 them is joined to a table, which names for each the certificate in the folder that dumbbell-verify accepts.)";
 
-struct Options {
-    std::string folder;
-    std::string out;
-    int jobs = all_cores();
-    bool unverified = false;
-    bool quiet = false;
-};
+constexpr std::array options{
+    argument("FOLDER", "the campaign's folder").required(),
+    Option{"--out", "FILE", "the file to write (FILE.gz: compressed); -: the standard output"}
+        .checked([](const std::string& name) { return fault_of_name(name, std::nullopt); })
+        .required(),
+    jobs_option.saying("number of shards that are verified at the same time"),
+    flag("--unverified",
+         "only join a certificate: it is still to be verified, for instance by a campaign (plan ... "
+         "verify FILE)"),
+    flag("--quiet", "no progress")};
 
 /// What a campaign of this kind is merged to.
 Content content_of(std::string_view kind) {
     return kind == "collisions" ? Content::certificate : kind == "verified" ? Content::parts : Content::table;
 }
 
-int not_merged(const Options& options, const Merge& merge) {
+int not_merged(const std::string& folder, const std::string& out, const Merge& merge) {
     if (stop_signal != 0) {
-        complain(fmt::format("{}: '{}' is not written; nothing is lost", stopped_by(), options.out));
-        return exit_stopped;
+        return stopped(fmt::format("'{}' is not written; nothing is lost", out));
     }
     if (merge.unfinished > 0) {
         complain(fmt::format("{} of {} shards are not finished: dumbbell campaign run {} goes on with them",
-                             merge.unfinished, merge.shards, shell_file(options.folder)));
+                             merge.unfinished, merge.shards, shell_file(folder)));
     }
     if (!merge.withdrawn.empty()) {
-        complain(
-            fmt::format("{} of {} results were not verified and are moved to '{}/rejected' (the first: {}); "
-                        "dumbbell campaign run {} proves them again",
-                        merge.withdrawn.size(), merge.shards, options.folder, merge.withdrawn.front(),
-                        shell_file(options.folder)));
+        complain(fmt::format(
+            "{} of {} results were not verified and are moved to '{}/rejected' (the first: {}); "
+            "dumbbell campaign run {} proves them again",
+            merge.withdrawn.size(), merge.shards, folder, merge.withdrawn.front(), shell_file(folder)));
     }
     return exit_not_certified;
 }
 
-int merge(const Options& options) {
-    CampaignFolder folder(options.folder);
+int run(const Given& given) {
+    const std::string out = given.text("--out");
+    const bool unverified = given.has("--unverified");
+    CampaignFolder folder(given.text("FOLDER"));
     folder.lock();
-    if (options.out != "-" && folder.holds(output_target(options.out))) {
+    if (out != "-" && folder.holds(output_target(out))) {
         throw InputError(fmt::format(
             "'{}' lies in the campaign's folder, where nothing may lie but its own files: give another place",
-            options.out));
+            out));
     }
-    require_name_of(options.out, content_of(folder.plan().whole.kind()));
+    require_name_of(out, content_of(folder.plan().whole.kind()));
     std::vector<std::string> results;
     for (const auto& part : folder.parts()) {
         results.push_back(folder.result_file(part.id));
     }
-    const Output output(options.out, results);
-    MergeOptions how{.jobs = options.jobs,
-                     .scrutiny = options.unverified ? Scrutiny::form : Scrutiny::proof,
+    const Output output(out, results);
+    MergeOptions how{.jobs = jobs_of(given),
+                     .scrutiny = unverified ? Scrutiny::form : Scrutiny::proof,
                      .interrupted = deadline(std::nullopt)};
     Merge merge;
     {
-        Progress progress("shards verified", options.quiet ? Loudness::quiet : Loudness::normal);
+        Progress progress("shards verified", loudness_of(given));
         how.progress = [&](std::size_t done, std::size_t all) { progress.update(done, all); };
         merge = merge_campaign(folder, how);
     }
     if (!merge.whole) {
-        return not_merged(options, merge);
+        return not_merged(given.text("FOLDER"), out, merge);
     }
     output.commit(merge.whole->text);
     const char* what = merge.evidence == Evidence::workers ? "as the workers' verifiers say"
-                       : options.unverified                ? "NOT verified"
+                       : unverified                        ? "NOT verified"
                                                            : "verified";
     fmt::print(output.report(), "{} shards {}; they tile the claim: {}\n", merge.shards, what,
                one_line(folder.plan().claim));
     if (output.file()) {
-        fmt::print("written: {}\n", one_line(options.out));
+        fmt::print("written: {}\n", one_line(out));
     }
     if (merge.whole->is_open) {
         complain("not everything was decided: the file says which pieces are open");
@@ -103,17 +103,7 @@ int merge(const Options& options) {
 
 }  // namespace
 
-void add_campaign_merge(CLI::App& campaign, int& exit_code) {
-    auto options = std::make_shared<Options>();
-    CLI::App* command = campaign.add_subcommand("merge", description);
-    command->add_option("FOLDER", options->folder, "the campaign's folder")->required();
-    add_out_option(*command, options->out, {}, "the file to write (FILE.gz: compressed)")->required();
-    add_jobs_option(*command, options->jobs, "number of shards that are verified at the same time");
-    command->add_flag("--unverified", options->unverified,
-                      "only join a certificate: it is still to be verified, for instance by a campaign (plan "
-                      "... verify FILE)");
-    command->add_flag("--quiet", options->quiet, "no progress");
-    command->callback([options, &exit_code] { exit_code = stoppable([&] { return merge(*options); }); });
-}
+constinit const Command campaign_merge_command{"merge",   one_group, description,
+                                               inherited, options,   stoppable<run>};
 
 }  // namespace dumbbell

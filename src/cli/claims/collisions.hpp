@@ -1,27 +1,28 @@
 #pragma once
 
-#include <CLI/App.hpp>
-#include <string>
+#include <array>
 
+#include "cli/options/given.hpp"
 #include "collisions/certify.hpp"
 #include "number/ratio_argument.hpp"
 
 namespace dumbbell {
 
-/// What `certify` is to prove, as it stands on the command line.
-struct CertifyClaim {
-    std::string ratio;
-    std::string scene = "dumbbell";
-    std::string section = "turning";
-    std::string lemmas = "all";
-    std::string gap = "1e-6";
-};
+inline constexpr Option ratio_option = argument("RATIO", "mass ratio, or closed range LO:HI");
 
-/// Adds RATIO and the options of the claim to a command; `claim` outlives it. Returns RATIO's.
-CLI::Option* add_claim_options(CLI::App& command, CertifyClaim& claim);
+/// What `certify` is to prove of it.
+inline constexpr std::array claim_options{
+    Option{"--scene", "dumbbell|hybrid|wedge",
+           "the system: dumbbell, or the source paper's hybrid or straight wedge", "dumbbell"},
+    Option{"--section", "turning|full",
+           "what is covered: turning, or full (all collision states, forward only)", "turning"},
+    Option{"--lemmas", "all|none",
+           "with --section full: none for plain interval evaluation, without monotonicity", "all"},
+    Option{"--gap", "REL", "ranges: relative width of the gap around a critical ratio, at most 0.01",
+           "1e-6"}};
 
 /// The claim as a request, with the standard number of jobs and no budget. Throws InputError if the options
 /// contradict one another.
-[[nodiscard]] CertifyRequest request_of(const CertifyClaim& claim, const RatioArgument& ratio);
+[[nodiscard]] CertifyRequest request_of(const Given& given, const RatioArgument& ratio);
 
 }  // namespace dumbbell

@@ -1,12 +1,8 @@
-#include "cli/commands/adiabatic.hpp"
+#include "cli/claims/adiabatic.hpp"
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
-#include <chrono>
-#include <memory>
-#include <optional>
 
 #include "adiabatic/branch.hpp"
 #include "adiabatic/prove.hpp"
@@ -14,15 +10,13 @@
 #include "adiabatic/writer.hpp"
 #include "base/deadline.hpp"
 #include "base/error.hpp"
-#include "cli/claims/adiabatic.hpp"
+#include "cli/commands.hpp"
 #include "cli/terminal/exit_code.hpp"
-#include "cli/terminal/jobs_option.hpp"
+#include "cli/terminal/frame.hpp"
 #include "cli/terminal/messages.hpp"
-#include "cli/terminal/out_option.hpp"
-#include "cli/terminal/progress.hpp"
+#include "cli/terminal/output.hpp"
 #include "cli/terminal/stop_signals.hpp"
 #include "number/ratio_argument.hpp"
-#include "words/json_number.hpp"
 
 namespace dumbbell {
 namespace {
@@ -55,41 +49,34 @@ constexpr const char* footer =
 Exit codes: 0 certified; 1 internal error; 2 wrong usage or input; 3 not certified within the budget; 130 or 143
 stopped by SIGINT (Ctrl-C) or SIGTERM: nothing is kept.)";
 
-struct Options {
-    AdiabaticWords claim;
-    std::optional<std::string> bounces, budget;
-    std::string out;
-    int jobs = all_cores();
-    bool json = false;
-    bool quiet = false;
-};
+constexpr std::array options =
+    joined(statement_options(Deltas::one),
+           std::array{Option{"--bounces", "K",
+                             "thm3.3: look for the attained orbit with at most K/delta bounces (the bound "
+                             "holds for any number)"},
+                      budget_option, jobs_option, certificate_option, json_option,
+                      flag("--quiet", "the constants alone, a line each, and no progress")});
 
 /// K/delta, of the attained orbit of a run.
-long most_collisions(const Options& options, const AdiabaticHypotheses& of) {
+long most_collisions(const Given& given, const AdiabaticHypotheses& of) {
     constexpr long most = 1'000'000;
-    if (options.bounces && of.claim != AdiabaticClaim::run) {
+    if (given.has("--bounces") && of.claim != AdiabaticClaim::run) {
         throw InputError("--bounces is for --theorem thm3.3 only");
     }
-    const Rational factor = parse_number("--bounces", options.bounces.value_or("1"));
+    const Rational factor =
+        given.has("--bounces") ? parse_number("--bounces", given.text("--bounces")) : Rational(1);
     if (factor <= 0) {
         throw InputError("--bounces must be greater than 0: orbits of n <= K/delta bounces are looked at");
     }
-    if (!options.bounces || of.delta.first == 0) {
+    if (!given.has("--bounces") || of.delta.first == 0) {
         return most;
     }
     const Rational number = factor / of.delta.first;
     return number >= most ? most : static_cast<long>(number.convert_to<double>());
 }
 
-void write_certificate(AdiabaticReport& report, const Output& output) {
-    SealedText text = render(certificate_of(report.results.front().proof));
-    output.commit(text.text);
-    report.out = output.file();
-    report.sha256 = std::move(text.sha256);
-}
-
 AdiabaticResult proved(const AdiabaticRequest& request) {
-    const auto start = std::chrono::steady_clock::now();
+    const Stopwatch watch;
     AdiabaticResult result;
     result.proof = prove_adiabatic(request);
     if (request.of.claim == AdiabaticClaim::scattering) {
@@ -102,79 +89,65 @@ AdiabaticResult proved(const AdiabaticRequest& request) {
             result.wrong_branch = std::max(result.wrong_branch.value_or(0), printed_branch_error(state));
         }
     }
-    result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    result.seconds = watch.seconds();
     return result;
 }
 
-int run(const Options& options) {
-    const auto wanted = statements_of(options.claim, Deltas::one);
-    AdiabaticReport report{options.claim.theorem, accuracy_of(options.claim), {}, {}, {}};
-    if (!options.out.empty() && wanted.size() > 1) {
+/// Proves all the statements, into the report.
+void prove(const std::vector<AdiabaticHypotheses>& wanted, const Given& given, const Interrupted& interrupted,
+           AdiabaticReport& report) {
+    constexpr const char* search = "looking for an orbit with a great error";
+    Progress progress("boxes", loudness_of(given), search);
+    for (const AdiabaticHypotheses& of : wanted) {
+        AdiabaticRequest request;
+        request.of = of;
+        request.accuracy = report.accuracy;
+        request.most_collisions = most_collisions(given, of);
+        request.jobs = jobs_of(given);
+        request.interrupted = interrupted;
+        request.judged = [&](std::size_t more) {
+            progress.enter("covering all of them", "boxes");
+            progress.advance(more);
+        };
+        progress.enter(search);
+        report.results.push_back(proved(request));
+    }
+}
+
+int run(const Given& given) {
+    const auto wanted = statements_of(given, Deltas::one);
+    AdiabaticReport report{given.text("--theorem"), accuracy_of(given), {}, {}, {}};
+    if (given.has("--out") && wanted.size() > 1) {
         throw InputError(
             "--out takes one statement: give one distance (--phi-margin) and one exponent (--k)");
     }
-    const Output output(options.out, {}, options.json ? "--json" : nullptr);
-    const Interrupted interrupted =
-        deadline(options.budget ? std::optional(parse_duration(*options.budget)) : std::nullopt);
-    bool complete = true;
-    {
-        constexpr const char* search = "looking for an orbit with a great error";
-        Progress progress("boxes", options.quiet ? Loudness::quiet : Loudness::normal, search);
-        for (const AdiabaticHypotheses& of : wanted) {
-            AdiabaticRequest request;
-            request.of = of;
-            request.accuracy = report.accuracy;
-            request.most_collisions = most_collisions(options, of);
-            request.jobs = options.jobs;
-            request.interrupted = interrupted;
-            request.judged = [&](std::size_t more) {
-                progress.enter("covering all of them", "boxes");
-                progress.advance(more);
-            };
-            progress.enter(search);
-            report.results.push_back(proved(request));
-            complete = complete && report.results.back().proof.complete();
-        }
-    }
+    const Output output(given.text("--out"), {}, given.has("--json") ? "--json" : nullptr);
+    const Interrupted interrupted = deadline(budget_of(given));
+    prove(wanted, given, interrupted, report);
+    const bool complete = std::ranges::all_of(
+        report.results, [](const AdiabaticResult& result) { return result.proof.complete(); });
     if (output.is_wanted() && complete) {
-        write_certificate(report, output);
+        write(render(certificate_of(report.results.front().proof)), output, report);
     }
-    fmt::print(output.report(), "{}",
-               options.json    ? json_text(to_json(report))
-               : options.quiet ? verdict(report)
-                               : to_text(report));
+    fmt::print(output.report(), "{}", shown(report, given));
     if (complete) {
         return exit_done;
     }
-    const bool stopped = stop_signal != 0;
-    complain(fmt::format("{}{}",
-                         stopped ? stopped_by() + ": not certified"
-                         : interrupted()
-                             ? "not certified: the budget is used up"
-                             : "not certified: take a smaller delta (or range of them), a greater "
-                               "--phi-margin or a higher --y",
-                         options.out.empty() ? "" : "; no certificate is written"));
-    return stopped ? exit_stopped : exit_not_certified;
+    const char* nothing = output.is_wanted() ? "; no certificate is written" : "";
+    if (stop_signal != 0) {
+        return stopped(std::string("not certified") + nothing);
+    }
+    complain(fmt::format("not certified: {}{}",
+                         interrupted()
+                             ? "the budget is used up"
+                             : "take a smaller delta (or range of them), a greater --phi-margin or a "
+                               "higher --y",
+                         nothing));
+    return exit_not_certified;
 }
 
 }  // namespace
 
-void add_adiabatic_command(CLI::App& app, int& exit_code) {
-    auto options = std::make_shared<Options>();
-    CLI::App* command = app.add_subcommand("adiabatic", description);
-    command->footer(footer);
-    add_adiabatic_options(*command, options->claim, Deltas::one);
-    command
-        ->add_option("--bounces", options->bounces,
-                     "thm3.3: look for the attained orbit with at most K/delta bounces (the bound holds for "
-                     "any number)")
-        ->type_name("K");
-    command->add_option("--budget", options->budget, "stop after this time: 30s, 10m, 2h")->type_name("TIME");
-    add_jobs_option(*command, options->jobs);
-    add_out_option(*command, options->out, {Content::certificate});
-    command->add_flag("--json", options->json, "one JSON object on stdout");
-    command->add_flag("--quiet", options->quiet, "the constants alone, a line each, and no progress");
-    command->callback([options, &exit_code] { exit_code = stoppable([&] { return run(*options); }); });
-}
+constinit const Command adiabatic_command{"adiabatic", "Prove", description, footer, options, stoppable<run>};
 
 }  // namespace dumbbell

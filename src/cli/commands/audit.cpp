@@ -1,17 +1,11 @@
-#include "cli/commands/audit.hpp"
-
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
-#include <chrono>
-#include <memory>
-
 #include "audit/audit_report.hpp"
+#include "cli/commands.hpp"
 #include "cli/terminal/exit_code.hpp"
+#include "cli/terminal/frame.hpp"
 #include "cli/terminal/messages.hpp"
-#include "cli/terminal/progress.hpp"
 #include "cli/terminal/standard_input.hpp"
-#include "words/json_number.hpp"
 
 namespace dumbbell {
 namespace {
@@ -30,28 +24,26 @@ constexpr const char* footer =
 
 Exit codes: 0 tiles exactly; 1 internal error; 2 wrong usage or unreadable input; 3 does not tile.)";
 
-struct Options {
-    std::vector<std::string> files;
-    bool json = false;
-};
+constexpr std::array options{argument("FILE", "certificates (-: the standard input)").required().repeated(),
+                             json_option};
 
 audit::AuditedFile audited(const std::string& path) {
     Progress progress("leaves", Loudness::normal, "auditing");
-    const auto start = std::chrono::steady_clock::now();
+    const Stopwatch watch;
     audit::AuditedFile file{path, 0, {}};
     file.audit = audit::audit_file(
         input_file(path), [&](std::size_t done, std::size_t total) { progress.update(done, total); });
-    file.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    file.seconds = watch.seconds();
     return file;
 }
 
-int run(const Options& options) {
+int run(const Given& given) {
     std::vector<audit::AuditedFile> files;
     bool all = true;
-    for (const std::string& path : options.files) {
+    for (const std::string& path : given.words("FILE")) {
         const audit::AuditedFile& file = files.emplace_back(audited(path));
         all = all && file.audit.tiles();
-        if (!options.json) {
+        if (!given.has("--json")) {
             fmt::print("{}\n", to_text(file));
             std::fflush(stdout);
         }
@@ -59,7 +51,7 @@ int run(const Options& options) {
             complain(path + ": " + fault);
         }
     }
-    if (options.json) {
+    if (given.has("--json")) {
         fmt::print("{}", json_text(to_json(files)));
     }
     return all ? exit_done : exit_not_certified;
@@ -67,13 +59,6 @@ int run(const Options& options) {
 
 }  // namespace
 
-void add_audit_command(CLI::App& app, int& exit_code) {
-    auto options = std::make_shared<Options>();
-    CLI::App* command = app.add_subcommand("audit", description);
-    command->footer(footer);
-    command->add_option("FILE", options->files, "certificates (-: the standard input)")->required();
-    command->add_flag("--json", options->json, "one JSON object on stdout");
-    command->callback([options, &exit_code] { exit_code = run(*options); });
-}
+constinit const Command audit_command{"audit", "Check", description, footer, options, run};
 
 }  // namespace dumbbell

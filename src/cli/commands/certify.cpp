@@ -1,41 +1,27 @@
-#include "cli/commands/certify.hpp"
+#include "collisions/certify.hpp"
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
-#include <chrono>
-#include <memory>
+#include <algorithm>
 
 #include "base/deadline.hpp"
 #include "base/error.hpp"
 #include "cli/claims/collisions.hpp"
+#include "cli/commands.hpp"
 #include "cli/commands/open_pieces.hpp"
 #include "cli/terminal/exit_code.hpp"
-#include "cli/terminal/jobs_option.hpp"
+#include "cli/terminal/frame.hpp"
 #include "cli/terminal/messages.hpp"
-#include "cli/terminal/out_option.hpp"
-#include "cli/terminal/progress.hpp"
+#include "cli/terminal/output.hpp"
 #include "cli/terminal/stop_signals.hpp"
-#include "collisions/certify.hpp"
 #include "collisions/proof_report.hpp"
 #include "collisions/witness_orbit.hpp"
 #include "collisions/writer.hpp"
 #include "number/ratio_argument.hpp"
 #include "starts/witness_start.hpp"
-#include "words/json_number.hpp"
 
 namespace dumbbell {
 namespace {
-
-struct Options {
-    CertifyClaim claim;
-    std::string budget;
-    std::string out;
-    int jobs = all_cores();
-    bool witness = false;
-    bool json = false;
-    bool quiet = false;
-};
 
 constexpr const char* description =
     R"(Prove the greatest number of collisions for a mass ratio, or every ratio of a range.
@@ -58,20 +44,25 @@ constexpr const char* footer =
 Exit codes: 0 proved; 1 internal error; 2 wrong usage or input; 3 not decided (within the budget); 130 or 143 stopped by
 SIGINT (Ctrl-C) or SIGTERM: what is kept is said, and FILE not written.)";
 
-/// Throws InputError if the options contradict one another.
-void check_combination(const Options& options) {
-    if (options.witness && options.claim.scene != "dumbbell") {
-        throw InputError("--witness prints orbits of the dumbbell: leave it out with --scene " +
-                         options.claim.scene);
-    }
-}
+constexpr std::array options = joined(
+    std::array{ratio_option.required()}, claim_options,
+    std::array{
+        certificate_option, jobs_option, budget_option.saying("give up after this time: 30s, 10m, 2h"),
+        flag("--witness",
+             "print an orbit that attains the maximum, every collision enclosed, and a "
+             "start in the air for trace")
+            .excludes("--quiet"),
+        json_option,
+        flag("--quiet", "no table and no progress: what is proved, in a sentence").excludes("--witness")});
 
-CertifyRequest request_of(const Options& options, const RatioArgument& ratio) {
-    CertifyRequest request = request_of(options.claim, ratio);
-    request.jobs = options.jobs;
-    if (!options.budget.empty()) {
-        request.budget = parse_duration(options.budget);
+CertifyRequest certify_request(const Given& given, const RatioArgument& ratio) {
+    if (given.has("--witness") && given.text("--scene") != "dumbbell") {
+        throw InputError("--witness prints orbits of the dumbbell: leave it out with --scene " +
+                         given.text("--scene"));
     }
+    CertifyRequest request = request_of(given, ratio);
+    request.jobs = jobs_of(given);
+    request.budget = budget_of(given);
     return request;
 }
 
@@ -117,28 +108,31 @@ ProofReport describe(const CertifyRequest& request, const std::vector<ProvedPiec
     return report;
 }
 
-void write_certificate(const std::vector<ProvedPiece>& pieces, const Output& output, ProofReport& report) {
+Certificate certificate_of(const CertifyRequest& request, const std::vector<ProvedPiece>& pieces) {
     Certificate certificate{.program = "dumbbell",
                             .version = DUMBBELL_VERSION,
                             .pieces = {},
-                            .scene = report.scene,
-                            .section = report.section};
+                            .scene = request.scene,
+                            .section = request.section};
     for (const ProvedPiece& p : pieces) {
         certificate.pieces.push_back(p.piece);
     }
-    SealedText text = render(certificate);
-    output.commit(text.text);
-    report.out = output.file();
-    report.sha256 = std::move(text.sha256);
+    return certificate;
 }
 
-int run(const Options& options) {
-    const RatioArgument ratio = parse_ratio_argument(options.claim.ratio);
-    check_combination(options);
-    CertifyRequest request = request_of(options, ratio);  // before the output file is touched
-    const Output output(options.out, {}, options.json ? "--json" : nullptr);
+/// What is printed without --json and --quiet.
+std::string text_of(const ProofReport& report, bool swapped, bool witness) {
+    return fmt::format("{}{}{}{}", swapped ? "Ratios below 1: the masses are swapped, q -> 1/q.\n" : "",
+                       orbits_to_text(report), witness ? "\n" : "", to_text(report));
+}
+
+int run(const Given& given) {
+    const RatioArgument ratio = parse_ratio_argument(given.text("RATIO"));
+    CertifyRequest request = certify_request(given, ratio);  // before the output file is touched
+    const bool json = given.has("--json"), quiet = given.has("--quiet"), witness = given.has("--witness");
+    const Output output(given.text("--out"), {}, json ? "--json" : nullptr);
     std::optional<PieceStore> store;
-    const std::string partial = options.out + ".partial";
+    const std::string partial = given.text("--out") + ".partial";
     if (output.file()) {
         if (ratio.lo < ratio.hi) {  // it may take long: its finished pieces are kept
             request.store = &store.emplace(
@@ -147,37 +141,25 @@ int run(const Options& options) {
             PieceStore::require_none(partial);
         }
     }
-    const auto start = std::chrono::steady_clock::now();
-    const Loudness loudness = options.quiet ? Loudness::quiet : Loudness::normal;
-    const auto pieces = prove(request, loudness);
-    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    const Stopwatch watch;
+    const auto pieces = prove(request, loudness_of(given));
+    const double seconds = watch.seconds();
 
     const bool open = std::any_of(pieces.begin(), pieces.end(),
                                   [](const ProvedPiece& p) { return p.piece.status() == Status::open; });
     const std::string kept_in = store ? partial : "";
     if (open && stop_signal != 0) {
-        complain(fmt::format("{}: {}", stopped_by(), kept_when_stopped(request, pieces, kept_in)));
-        return exit_stopped;
+        return stopped(kept_when_stopped(request, pieces, kept_in));
     }
-
-    ProofReport report = describe(request, pieces, seconds, options.witness, loudness);
+    ProofReport report = describe(request, pieces, seconds, witness, loudness_of(given));
     if (output.is_wanted()) {
-        write_certificate(pieces, output, report);
+        write(render(certificate_of(request, pieces)), output, report);
     }
     if (store && !open) {
         store->remove();
     }
-    if (options.json) {
-        fmt::print("{}", json_text(to_json(report)));
-    } else if (options.quiet) {
-        fmt::print(output.report(), "{}", verdict(report));
-    } else {
-        if (ratio.swapped) {
-            fmt::print(output.report(), "Ratios below 1: the masses are swapped, q -> 1/q.\n");
-        }
-        fmt::print(output.report(), "{}{}{}", orbits_to_text(report), options.witness ? "\n" : "",
-                   to_text(report));
-    }
+    fmt::print(output.report(), "{}",
+               json || quiet ? shown(report, given) : text_of(report, ratio.swapped, witness));
     if (open) {
         complain(advice(request, pieces, kept_in));
     }
@@ -186,22 +168,6 @@ int run(const Options& options) {
 
 }  // namespace
 
-void add_certify_command(CLI::App& app, int& exit_code) {
-    auto options = std::make_shared<Options>();
-    CLI::App* command = app.add_subcommand("certify", description);
-    command->footer(footer);
-    add_claim_options(*command, options->claim)->required();
-    add_out_option(*command, options->out, {Content::certificate});
-    add_jobs_option(*command, options->jobs);
-    command->add_option("--budget", options->budget, "give up after this time: 30s, 10m, 2h")
-        ->type_name("TIME");
-    CLI::Option* witness = command->add_flag("--witness", options->witness,
-                                             "print an orbit that attains the maximum, every collision "
-                                             "enclosed, and a start in the air for trace");
-    command->add_flag("--json", options->json, "one JSON object on stdout");
-    command->add_flag("--quiet", options->quiet, "no table and no progress: what is proved, in a sentence")
-        ->excludes(witness);
-    command->callback([options, &exit_code] { exit_code = stoppable([&] { return run(*options); }); });
-}
+constinit const Command certify_command{"certify", "Prove", description, footer, options, stoppable<run>};
 
 }  // namespace dumbbell

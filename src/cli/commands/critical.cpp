@@ -1,44 +1,29 @@
-#include "cli/commands/critical.hpp"
+#include "cli/claims/critical.hpp"
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <iterator>
-#include <memory>
-#include <optional>
 #include <tuple>
 
 #include "base/deadline.hpp"
 #include "base/error.hpp"
+#include "cli/commands.hpp"
 #include "cli/terminal/exit_code.hpp"
-#include "cli/terminal/jobs_option.hpp"
+#include "cli/terminal/frame.hpp"
 #include "cli/terminal/messages.hpp"
-#include "cli/terminal/out_option.hpp"
-#include "cli/terminal/progress.hpp"
+#include "cli/terminal/output.hpp"
 #include "cli/terminal/stop_signals.hpp"
 #include "number/count_argument.hpp"
 #include "number/decimal.hpp"
 #include "number/ratio_argument.hpp"
 #include "staircase/critical_range.hpp"
 #include "staircase/critical_report.hpp"
-#include "words/json_number.hpp"
 
 namespace dumbbell {
 namespace {
-
-struct Options {
-    std::string counts;
-    std::optional<std::string> confirm;
-    std::optional<std::string> budget;
-    std::string out;
-    int digits = CriticalRequest{}.digits;
-    int jobs = all_cores();
-    bool json = false;
-    bool quiet = false;
-};
 
 constexpr const char* description =
     R"(Compute critical mass ratios, where the greatest number steps from N-1 to N.
@@ -58,6 +43,19 @@ constexpr const char* footer =
 
 Exit codes: 0 proved; 1 internal error; 2 wrong usage or input; 3 not finished or not confirmed (within the budget); 130
 or 143 stopped by SIGINT (Ctrl-C) or SIGTERM: nothing is kept.)";
+
+constexpr std::array options{
+    argument("N", "number of collisions from 3 on, or closed range N1:N2").required(),
+    critical_digits_option,
+    Option{"--confirm", "REL",
+           "prove the maximum at q_c (1 - REL) and q_c (1 + REL) by cover and witness, too"},
+    Option{"--out", "FILE",
+           "write the table to FILE, tab-separated (FILE.gz: compressed); -: the standard output"}
+        .checked(fault_of_name<Content::table>),
+    jobs_option,
+    budget_option,
+    json_option,
+    flag("--quiet", "the ratios alone, a line each, and no progress")};
 
 /// Without --budget nothing longer is begun.
 constexpr std::chrono::duration<double> long_time = std::chrono::hours(1);
@@ -119,78 +117,51 @@ std::vector<CriticalRow> enclose(CriticalRequest request, Loudness loudness) {
     return critical_ratios(request);
 }
 
-CriticalRequest request_of(const Options& options) {
+CriticalRequest request_of(const Given& given) {
     CriticalRequest request;
-    std::tie(request.first, request.last) = parse_counts(options.counts);
-    request.digits = options.digits;
-    request.jobs = options.jobs;
-    if (options.budget) {
-        request.budget = parse_duration(*options.budget);
+    std::tie(request.first, request.last) = parse_counts(given.text("N"));
+    request.digits = static_cast<int>(given.number("--digits"));
+    request.jobs = jobs_of(given);
+    request.budget = budget_of(given);
+    if (given.has("--confirm")) {
+        request.confirm = parse_distance(given.text("--confirm"), request.last);
     }
-    if (options.confirm) {
-        request.confirm = parse_distance(*options.confirm, request.last);
-    }
-    check_time(request, options.quiet);
+    check_time(request, given.has("--quiet"));
     return request;
 }
 
-int run(const Options& options) {
-    CriticalReport report{.request = request_of(options), .rows = {}, .seconds = 0, .out = {}};
-    const Output output(options.out, {}, options.json ? "--json" : nullptr);
-    const auto start = std::chrono::steady_clock::now();
-    report.rows = enclose(report.request, options.quiet ? Loudness::quiet : Loudness::normal);
-    report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+int run(const Given& given) {
+    CriticalReport report{.request = request_of(given), .rows = {}, .seconds = 0, .out = {}};
+    const Output output(given.text("--out"), {}, given.has("--json") ? "--json" : nullptr);
+    const Stopwatch watch;
+    report.rows = enclose(report.request, loudness_of(given));
+    report.seconds = watch.seconds();
     const auto finished = std::count_if(report.rows.begin(), report.rows.end(),
                                         [&](const CriticalRow& row) { return row.finished(report.request); });
     const bool all = finished == std::ssize(report.rows);
     if (!all && stop_signal != 0) {
-        complain(fmt::format(
-            "{}: nothing is kept{}", stopped_by(),
+        return stopped(
             finished == 0
-                ? ""
-                : fmt::format(" of the {} critical ratios that were finished (of {}): with --budget "
-                              "TIME what is finished in time is printed",
-                              finished, report.rows.size())));
-        return exit_stopped;
+                ? "nothing is kept"
+                : fmt::format("nothing is kept of the {} critical ratios that were finished (of {}): "
+                              "with --budget TIME what is finished in time is printed",
+                              finished, report.rows.size()));
     }
     if (output.is_wanted()) {
         report.out = output.file();
         output.commit(to_tsv(report));
     }
-    fmt::print(output.report(), "{}",
-               options.json    ? json_text(to_json(report))
-               : options.quiet ? verdict(report)
-                               : to_text(report));
+    fmt::print(output.report(), "{}", shown(report, given));
     if (!all) {
         complain(fmt::format("not everything was {} (--budget)",
-                             options.confirm ? "confirmed: allow more time, or a greater distance"
-                                             : "enclosed: allow more time"));
+                             given.has("--confirm") ? "confirmed: allow more time, or a greater distance"
+                                                    : "enclosed: allow more time"));
     }
     return all ? exit_done : exit_not_certified;
 }
 
 }  // namespace
 
-void add_critical_command(CLI::App& app, int& exit_code) {
-    auto options = std::make_shared<Options>();
-    CLI::App* command = app.add_subcommand("critical", description);
-    command->footer(footer);
-    command->add_option("N", options->counts, "number of collisions from 3 on, or closed range N1:N2")
-        ->required();
-    command->add_option("--digits", options->digits, "significant digits, all of them proved")
-        ->check(CLI::Range(1, most_critical_digits))
-        ->capture_default_str();
-    command
-        ->add_option("--confirm", options->confirm,
-                     "prove the maximum at q_c (1 - REL) and q_c (1 + REL) by cover and witness, too")
-        ->type_name("REL");
-    add_out_option(*command, options->out, {Content::table},
-                   "write the table to FILE, tab-separated (FILE.gz: compressed)");
-    add_jobs_option(*command, options->jobs);
-    command->add_option("--budget", options->budget, "stop after this time: 30s, 10m, 2h")->type_name("TIME");
-    command->add_flag("--json", options->json, "one JSON object on stdout");
-    command->add_flag("--quiet", options->quiet, "the ratios alone, a line each, and no progress");
-    command->callback([options, &exit_code] { exit_code = stoppable([&] { return run(*options); }); });
-}
+constinit const Command critical_command{"critical", "Prove", description, footer, options, stoppable<run>};
 
 }  // namespace dumbbell

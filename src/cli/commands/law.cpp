@@ -1,19 +1,15 @@
-#include "cli/commands/law.hpp"
-
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
-#include <memory>
-
 #include "base/error.hpp"
+#include "cli/commands.hpp"
 #include "cli/commands/verify.hpp"
 #include "cli/terminal/exit_code.hpp"
+#include "cli/terminal/frame.hpp"
 #include "cli/terminal/standard_input.hpp"
 #include "collisions/names.hpp"
 #include "collisions/reader.hpp"
 #include "flight/paper_bound.hpp"
 #include "staircase/law_report.hpp"
-#include "words/json_number.hpp"
 
 namespace dumbbell {
 namespace {
@@ -34,12 +30,11 @@ constexpr const char* footer =
 
 Exit codes: 0 proved; 1 internal error; 2 wrong usage, or a file that is not verified; 3 not proved by this file.)";
 
-struct Options {
-    std::string file;
-    int digits = 50;
-    bool json = false;
-    bool quiet = false;
-};
+constexpr std::array options{
+    argument("FILE", "certificate over a range of mass ratios, scene dumbbell (-: the standard input)")
+        .required(),
+    Option{"--digits", "N", "digits of C, all of them proved", "50"}.from(1, 1000), json_option,
+    flag("--quiet", "what is proved, without the constant")};
 
 /// The staircase that the law is about, as far as the file can be read. Throws InputError for anything else.
 Certificate read_staircase(const std::string& file) {
@@ -62,42 +57,21 @@ Certificate read_staircase(const std::string& file) {
     return certificate;
 }
 
-int run(const Options& options) {
-    const std::string file = input_file(options.file);
+int run(const Given& given) {
+    const std::string name_given = given.text("FILE"), file = input_file(name_given);
     const Certificate certificate = read_staircase(file);
-    LawReport report{.file = options.file,
-                     .verdict = verified(file, name(certificate.scene),
-                                         options.quiet ? Loudness::quiet : Loudness::normal),
-                     .digits = options.digits,
+    LawReport report{.file = name_given,
+                     .verdict = verified(file, name(certificate.scene), loudness_of(given)),
+                     .digits = static_cast<int>(given.number("--digits")),
                      .law = {}};
-    const PrecisionScope scope(static_cast<int>(options.digits * 3.33) + 64);
+    const PrecisionScope scope(static_cast<int>(report.digits * 3.33) + 64);
     report.law = law_of(certificate);
-    if (options.json) {
-        fmt::print("{}", json_text(to_json(report)));
-    } else if (options.quiet) {
-        fmt::print("{}", verdict(report));
-    } else {
-        fmt::print("{}", to_text(report));
-    }
+    fmt::print("{}", shown(report, given));
     return all_proved(report.law) ? exit_done : exit_not_certified;
 }
 
 }  // namespace
 
-void add_law_command(CLI::App& app, int& exit_code) {
-    auto options = std::make_shared<Options>();
-    CLI::App* command = app.add_subcommand("law", description);
-    command->footer(footer);
-    command
-        ->add_option("FILE", options->file,
-                     "certificate over a range of mass ratios, scene dumbbell (-: the standard input)")
-        ->required();
-    command->add_option("--digits", options->digits, "digits of C, all of them proved")
-        ->check(CLI::Range(1, 1000))
-        ->capture_default_str();
-    command->add_flag("--json", options->json, "one JSON object on stdout");
-    command->add_flag("--quiet", options->quiet, "what is proved, without the constant");
-    command->callback([options, &exit_code] { exit_code = run(*options); });
-}
+constinit const Command law_command{"law", "Check", description, footer, options, run};
 
 }  // namespace dumbbell

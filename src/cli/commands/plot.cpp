@@ -1,12 +1,10 @@
-#include "cli/commands/plot.hpp"
-
-#include <CLI/CLI.hpp>
-#include <memory>
 #include <string>
 
+#include "cli/commands.hpp"
 #include "cli/commands/plot_pictures.hpp"
+#include "cli/options/given.hpp"
 #include "cli/terminal/exit_code.hpp"
-#include "cli/terminal/out_option.hpp"
+#include "cli/terminal/output.hpp"
 #include "cli/terminal/standard_input.hpp"
 
 namespace dumbbell {
@@ -79,45 +77,52 @@ Example:
   dumbbell trace 10 --phi 0:6.28 --phidot 1 --y 2 --ydot=-2:1 --subdivide --out falling.dbc
   dumbbell plot phase falling.dbc --out phase.svg)";
 
-/// Adds `dumbbell plot WORD FILE --out`.
-CLI::App& add_picture(CLI::App& plot, int& exit_code, const std::shared_ptr<PlotRequest>& options,
-                      const char* word, const char* text, const char* file,
-                      std::string (*draw)(const PlotRequest&)) {
-    CLI::App* command = plot.add_subcommand(word, text);
-    command->add_option("FILE", options->file, file)->required();
-    add_out_option(*command, options->out, {Content::picture}, "the SVG file to write")->required();
-    command->callback([options, draw, &exit_code] {
-        const Output out(options->out, {options->file});
-        options->file = input_file(options->file);
-        out.commit(draw(*options));
-        exit_code = exit_done;
-    });
-    return *command;
+/// Of a picture from this file.
+constexpr std::array<Option, 2> from_file(std::string_view text) {
+    return {argument("FILE", text).required(),
+            Option{"--out", "FILE", "the SVG file to write; -: the standard output"}
+                .checked(fault_of_name<Content::picture>)
+                .required()};
 }
+
+constexpr std::array at_ratio{
+    Option{"--ratio", "RATIO", "the mass ratio to draw, of a certificate over a range"}};
+
+template <std::string (*draw)(const PlotRequest&), bool has_ratio = false>
+int run(const Given& given) {
+    const Output out(given.text("--out"), {given.text("FILE")});
+    out.commit(draw({input_file(given.text("FILE")), has_ratio ? given.text("--ratio") : ""}));
+    return exit_done;
+}
+
+constexpr std::array staircase_options =
+    from_file("certificate over a range of mass ratios (-: the standard input)");
+constexpr std::array cover_options =
+    joined(from_file("certificate about a mass ratio, or about initial conditions (-: the standard input)"),
+           at_ratio);
+constexpr std::array orbit_options =
+    joined(from_file("mass ratio, or certificate (-: the standard input)"), at_ratio);
+constexpr std::array phase_options =
+    from_file("certificate about initial conditions (-: the standard input)");
+constexpr std::array adiabatic_options =
+    from_file("certificate about the adiabatic invariant (-: the standard input)");
+
+constexpr Command picture(std::string_view name, std::string_view text, std::span<const Option> options,
+                          int (*run)(const Given&)) {
+    return {name, one_group, text, inherited, options, run};
+}
+
+constexpr Command staircase =
+    picture("staircase", staircase_description, staircase_options, run<draw_staircase>);
+constexpr Command cover = picture("cover", cover_description, cover_options, run<draw_cover, true>);
+constexpr Command orbit = picture("orbit", orbit_description, orbit_options, run<draw_orbit, true>);
+constexpr Command phase = picture("phase", phase_description, phase_options, run<draw_phase>);
+constexpr Command adiabatic =
+    picture("adiabatic", adiabatic_description, adiabatic_options, run<draw_adiabatic>);
+constexpr std::array pictures{&staircase, &cover, &orbit, &phase, &adiabatic};
 
 }  // namespace
 
-void add_plot_command(CLI::App& app, int& exit_code) {
-    auto options = std::make_shared<PlotRequest>();
-    CLI::App* plot = app.add_subcommand("plot", description);
-    plot->footer(footer);  // of its subcommands, too
-    plot->require_subcommand(1);
-    add_picture(*plot, exit_code, options, "staircase", staircase_description,
-                "certificate over a range of mass ratios (-: the standard input)", draw_staircase);
-    CLI::App& with_boxes = add_picture(
-        *plot, exit_code, options, "cover", cover_description,
-        "certificate about a mass ratio, or about initial conditions (-: the standard input)", draw_cover);
-    CLI::App& with_orbit = add_picture(*plot, exit_code, options, "orbit", orbit_description,
-                                       "mass ratio, or certificate (-: the standard input)", draw_orbit);
-    for (CLI::App* picture : {&with_boxes, &with_orbit}) {
-        picture
-            ->add_option("--ratio", options->ratio, "the mass ratio to draw, of a certificate over a range")
-            ->type_name("RATIO");
-    }
-    add_picture(*plot, exit_code, options, "phase", phase_description,
-                "certificate about initial conditions (-: the standard input)", draw_phase);
-    add_picture(*plot, exit_code, options, "adiabatic", adiabatic_description,
-                "certificate about the adiabatic invariant (-: the standard input)", draw_adiabatic);
-}
+constinit const Command plot_command{"plot", "Show", description, footer, {}, nullptr, pictures};
 
 }  // namespace dumbbell

@@ -8,8 +8,7 @@
 namespace dumbbell {
 
 struct PlotRequest {
-    std::string file;  ///< of an orbit possibly a mass ratio
-    std::string out;
+    std::string file;   ///< of an orbit possibly a mass ratio
     std::string ratio;  ///< which one to draw, of a certificate over a range; empty: it has only one
 };
 

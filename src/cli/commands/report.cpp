@@ -1,12 +1,9 @@
-#include "cli/commands/report.hpp"
-
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
-#include <memory>
-
+#include "cli/commands.hpp"
+#include "cli/options/given.hpp"
 #include "cli/terminal/exit_code.hpp"
-#include "cli/terminal/out_option.hpp"
+#include "cli/terminal/output.hpp"
 #include "cli/terminal/progress.hpp"
 #include "cli/terminal/standard_input.hpp"
 #include "page/data.hpp"
@@ -34,50 +31,39 @@ Examples:
 constexpr const char* footer =
     "Exit codes: 0 the page is written; 1 internal error; 2 wrong usage, or a file that cannot be read.";
 
-constexpr std::size_t most_boxes_in_any_page = 2'000'000;
+constexpr std::array options{
+    argument("FILE", "certificates of any kind, tables of critical ratios (-: the standard input)")
+        .required()
+        .repeated(),
+    Option{"--out", "FILE", "the HTML file to write; -: the standard output"}
+        .checked(fault_of_name<Content::page>)
+        .required(),
+    Option{"--max-boxes", "N",
+           "boxes that the page draws; where there are more, one stands for several, and is marked", "200000"}
+        .from(1, 2'000'000)};
 
-struct Options {
-    std::vector<std::string> files;
-    std::string out;
-    std::size_t most_boxes = default_most_boxes;
-};
-
-int run(const Options& options) {
-    const Output out(options.out, options.files);
+int run(const Given& given) {
+    const Output out(given.text("--out"), given.words("FILE"));
+    const auto most_boxes = static_cast<std::size_t>(given.number("--max-boxes"));
     Progress progress("", Loudness::normal, "making the page");
     std::vector<ReportedFile> files;
     std::size_t boxes = 0;
-    for (const std::string& path : options.files) {
+    for (const std::string& path : given.words("FILE")) {
         files.push_back(read_reported(input_file(path)));
         files.back().path = path;
         boxes += leaves_of(files.back().content);
     }
-    out.commit(html_page(page_data(files, options.most_boxes)));
-    if (boxes > options.most_boxes) {
+    out.commit(html_page(page_data(files, most_boxes)));
+    if (boxes > most_boxes) {
         progress.note(
             fmt::format("{} boxes are drawn as {} or fewer, as the page says; for more of them: --max-boxes",
-                        boxes, options.most_boxes));
+                        boxes, most_boxes));
     }
     return exit_done;
 }
 
 }  // namespace
 
-void add_report_command(CLI::App& app, int& exit_code) {
-    auto options = std::make_shared<Options>();
-    CLI::App* command = app.add_subcommand("report", description);
-    command->footer(footer);
-    command
-        ->add_option("FILE", options->files,
-                     "certificates of any kind, tables of critical ratios (-: the standard input)")
-        ->required();
-    add_out_option(*command, options->out, {Content::page}, "the HTML file to write")->required();
-    command
-        ->add_option("--max-boxes", options->most_boxes,
-                     "boxes that the page draws; where there are more, one stands for several, and is marked")
-        ->check(CLI::Range(std::size_t{1}, most_boxes_in_any_page))
-        ->capture_default_str();
-    command->callback([options, &exit_code] { exit_code = run(*options); });
-}
+constinit const Command report_command{"report", "Show", description, footer, options, run};
 
 }  // namespace dumbbell

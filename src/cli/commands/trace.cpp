@@ -1,45 +1,27 @@
-#include "cli/commands/trace.hpp"
+#include "starts/trace.hpp"
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
-#include <chrono>
-#include <memory>
-#include <optional>
+#include <algorithm>
 
 #include "base/deadline.hpp"
-#include "base/error.hpp"
+#include "cli/claims/collisions.hpp"
+#include "cli/commands.hpp"
 #include "cli/terminal/exit_code.hpp"
-#include "cli/terminal/jobs_option.hpp"
+#include "cli/terminal/frame.hpp"
 #include "cli/terminal/messages.hpp"
-#include "cli/terminal/out_option.hpp"
-#include "cli/terminal/progress.hpp"
+#include "cli/terminal/output.hpp"
 #include "cli/terminal/stop_signals.hpp"
 #include "collisions/critical.hpp"
 #include "number/ratio_argument.hpp"
 #include "starts/argument.hpp"
 #include "starts/initial_state.hpp"
 #include "starts/subdivide.hpp"
-#include "starts/trace.hpp"
 #include "starts/trace_report.hpp"
 #include "starts/writer.hpp"
-#include "words/json_number.hpp"
 
 namespace dumbbell {
 namespace {
-
-struct Options {
-    std::string ratio, phi, phidot, y, ydot;
-    std::string out;
-    std::string budget;
-    std::size_t max_boxes = SubdivideOptions{}.max_boxes;
-    int digits = 0;
-    int jobs = all_cores();
-    bool subdivide = false;
-    bool json = false;
-    bool csv = false;
-    bool quiet = false;
-};
 
 constexpr int most_subdivide_bits = 4096;  ///< of a certificate
 
@@ -68,149 +50,130 @@ constexpr const char* footer =
 Exit codes: 0 an outcome is certified; 1 internal error; 2 wrong usage or input; 3 not decided at this precision; with
 --subdivide 130 or 143 stopped by SIGINT (Ctrl-C) or SIGTERM: nothing is kept.)";
 
-InitialBox box_of(const Options& options, const RatioArgument& ratio) {
+constexpr Option quantity_option(std::string_view name, std::string_view text) {
+    return Option{name, "A|LO:HI", text}.required();
+}
+
+constexpr std::array options{
+    ratio_option.required(),
+    quantity_option("--phi", "angle of the rod, radians"),
+    quantity_option("--phidot", "its velocity"),
+    quantity_option("--y", "height of the centre of mass, rod lengths"),
+    quantity_option("--ydot", "its velocity (downwards: negative)"),
+    flag("--subdivide", "halve the box until every part has its exact number of collisions"),
+    Option{"--out", "FILE",
+           "with --subdivide: write the certificate to FILE (FILE.gz: compressed); -: the standard output"}
+        .checked(certificate_option.fault)
+        .needs("--subdivide"),
+    Option{"--max-boxes", "N", "with --subdivide: at most this many parts", "50000"}
+        .from(1, 10'000'000)
+        .needs("--subdivide"),
+    Option{"--budget", "TIME", "with --subdivide: stop halving after this time: 30s, 10m, 2h"}.needs(
+        "--subdivide"),
+    Option{"--digits", "N",
+           "decimal digits to compute and show; with --subdivide also the precision for parts that double "
+           "precision does not decide. Default: double precision"}
+        .from(1, most_trace_digits),
+    jobs_option,
+    json_option.excludes("--csv,--quiet"),
+    flag("--csv", "a table with the bounds of every number on stdout, the outcome on stderr")
+        .excludes("--json,--quiet"),
+    flag("--quiet", "the outcome alone, in a sentence").excludes("--csv,--json")};
+
+InitialBox box_of(const Given& given, const RatioArgument& ratio) {
     InitialBox box;
     const auto set = [&](InitialAxis axis, Rational lo, Rational hi) {
         box.lo[static_cast<std::size_t>(axis)] = std::move(lo);
         box.hi[static_cast<std::size_t>(axis)] = std::move(hi);
     };
-    const auto quantity = [&](InitialAxis axis, const char* name, const std::string& text) {
-        auto [lo, hi] = parse_quantity(name, text);
+    const auto quantity = [&](InitialAxis axis, const char* name) {
+        auto [lo, hi] = parse_quantity(name, given.text(name));
         set(axis, std::move(lo), std::move(hi));
     };
-    quantity(InitialAxis::phi, "--phi", options.phi);
-    quantity(InitialAxis::phidot, "--phidot", options.phidot);
-    quantity(InitialAxis::y, "--y", options.y);
-    quantity(InitialAxis::ydot, "--ydot", options.ydot);
+    quantity(InitialAxis::phi, "--phi");
+    quantity(InitialAxis::phidot, "--phidot");
+    quantity(InitialAxis::y, "--y");
+    quantity(InitialAxis::ydot, "--ydot");
     set(InitialAxis::ratio, ratio.lo, ratio.hi);
     require_in_play(box);
     return box;
 }
 
-void write_certificate(TraceReport& report, const Output& output) {
-    SealedText text = render(InitialCertificate{.program = "dumbbell",
-                                                .version = DUMBBELL_VERSION,
-                                                .box = report.box,
-                                                .bits = report.parts->bits,
-                                                .tree = report.parts->tree});
-    output.commit(text.text);
-    report.out = output.file();
-    report.sha256 = std::move(text.sha256);
+InitialCertificate certificate_of(const TraceReport& report) {
+    return {.program = "dumbbell",
+            .version = DUMBBELL_VERSION,
+            .box = report.box,
+            .bits = report.parts->bits,
+            .tree = report.parts->tree};
 }
 
-void print(std::FILE* out, const Options& options, const TraceReport& report, bool swapped) {
-    if (options.json) {
-        fmt::print(out, "{}", json_text(to_json(report)));
-    } else if (options.quiet) {
-        fmt::print(out, "{}", verdict(report));
-    } else if (options.csv) {
+void print(std::FILE* out, const Given& given, const TraceReport& report, bool swapped) {
+    if (given.has("--csv")) {
         fmt::print(out, "{}", to_csv(report));
         remark(outcome_sentence(report));
         if (const std::string theorem = theorem_sentence(report); !theorem.empty()) {
             remark(theorem);
         }
-    } else {
-        fmt::print(out, "{}{}", swapped ? "Ratios below 1: the masses are swapped, q -> 1/q.\n" : "",
-                   to_text(report));
+        return;
     }
+    const bool explains = swapped && !given.has("--json") && !given.has("--quiet");
+    fmt::print(out, "{}{}", explains ? "Ratios below 1: the masses are swapped, q -> 1/q.\n" : "",
+               shown(report, given));
 }
 
-int run(const Options& options) {
-    const RatioArgument ratio = parse_ratio_argument(options.ratio);
-    TraceReport report{.box = box_of(options, ratio),
+int run(const Given& given) {
+    const RatioArgument ratio = parse_ratio_argument(given.text("RATIO"));
+    TraceReport report{.box = box_of(given, ratio),
                        .trace = {},
-                       .digits = options.digits,
+                       .digits = given.has("--digits") ? static_cast<int>(given.number("--digits")) : 0,
                        .parts = {},
                        .seconds = 0,
                        .out = {},
                        .sha256 = {}};
-    const Output output(options.out, {}, options.json ? "--json" : options.csv ? "--csv" : nullptr);
-    const auto budget = options.budget.empty() ? std::nullopt : std::optional(parse_duration(options.budget));
-    SubdivideOptions limits{
-        .max_boxes = options.max_boxes, .jobs = options.jobs, .interrupted = deadline(budget)};
-    const Loudness loudness = options.quiet ? Loudness::quiet : Loudness::normal;
-    const auto start = std::chrono::steady_clock::now();
+    const Output output(given.text("--out"), {},
+                        given.has("--json")  ? "--json"
+                        : given.has("--csv") ? "--csv"
+                                             : nullptr);
+    SubdivideOptions limits{.max_boxes = static_cast<std::size_t>(given.number("--max-boxes")),
+                            .jobs = jobs_of(given),
+                            .interrupted = deadline(budget_of(given))};
+    const Stopwatch watch;
     {
-        const Progress progress("", loudness, "following the orbit");
-        report.trace = trace(report.box, options.digits);
+        const Progress progress("", loudness_of(given), "following the orbit");
+        report.trace = trace(report.box, report.digits);
     }
     const auto finish = [&] {
         if (!report.trace.exact() || (report.parts && report.parts->undecided.share > 0)) {
             report.maximum = bound_by_theorem(ratio.hi);
         }
-        report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+        report.seconds = watch.seconds();
         if (output.is_wanted()) {
-            write_certificate(report, output);
+            write(render(certificate_of(report)), output, report);
         }
-        print(output.report(), options, report, ratio.swapped);
+        print(output.report(), given, report, ratio.swapped);
         const bool certified = !report.box.is_point() || report.trace.exact();
         return certified ? exit_done : exit_not_certified;
     };
-    if (!options.subdivide) {
+    if (!given.has("--subdivide")) {
         return finish();
     }
     return stoppable([&] {
         limits.bits = std::min(report.trace.bits, most_subdivide_bits);
         {
-            Progress progress("boxes", loudness, "halving the box");
+            Progress progress("boxes", loudness_of(given), "halving the box");
             limits.judged = [&](std::size_t boxes) { progress.advance(boxes); };
             report.parts = subdivide(report.box, limits);
         }
         if (stop_signal != 0 && report.parts->undecided.share > 0) {
-            complain(stopped_by() +
-                     ": nothing is kept; with --budget TIME what is decided in time is printed, and written");
-            return exit_stopped;
+            return stopped(
+                "nothing is kept; with --budget TIME what is decided in time is printed, and written");
         }
-        return finish();
+        return static_cast<int>(finish());
     });
 }
 
 }  // namespace
 
-void add_trace_command(CLI::App& app, int& exit_code) {
-    auto options = std::make_shared<Options>();
-    CLI::App* command = app.add_subcommand("trace", description);
-    command->footer(footer);
-    command->add_option("RATIO", options->ratio, "mass ratio, or closed range LO:HI")->required();
-    command->add_option("--phi", options->phi, "angle of the rod, radians")->required()->type_name("A|LO:HI");
-    command->add_option("--phidot", options->phidot, "its velocity")->required()->type_name("A|LO:HI");
-    command->add_option("--y", options->y, "height of the centre of mass, rod lengths")
-        ->required()
-        ->type_name("A|LO:HI");
-    command->add_option("--ydot", options->ydot, "its velocity (downwards: negative)")
-        ->required()
-        ->type_name("A|LO:HI");
-    CLI::Option* subdivide =
-        command->add_flag("--subdivide", options->subdivide,
-                          "halve the box until every part has its exact number of collisions");
-    add_out_option(*command, options->out, {Content::certificate},
-                   "with --subdivide: write the certificate to FILE (FILE.gz: compressed)")
-        ->needs(subdivide);
-    command->add_option("--max-boxes", options->max_boxes, "with --subdivide: at most this many parts")
-        ->needs(subdivide)
-        ->check(CLI::Range(1UL, 10'000'000UL))
-        ->capture_default_str();
-    command
-        ->add_option("--budget", options->budget,
-                     "with --subdivide: stop halving after this time: 30s, 10m, 2h")
-        ->needs(subdivide)
-        ->type_name("TIME");
-    command
-        ->add_option("--digits", options->digits,
-                     "decimal digits to compute and show; with --subdivide also the precision for parts that "
-                     "double precision does not decide. Default: double precision")
-        ->check(CLI::Range(1, most_trace_digits));
-    add_jobs_option(*command, options->jobs);
-    CLI::Option* json = command->add_flag("--json", options->json, "one JSON object on stdout");
-    CLI::Option* csv =
-        command
-            ->add_flag("--csv", options->csv,
-                       "a table with the bounds of every number on stdout, the outcome on stderr")
-            ->excludes(json);
-    command->add_flag("--quiet", options->quiet, "the outcome alone, in a sentence")
-        ->excludes(json)
-        ->excludes(csv);
-    command->callback([options, &exit_code] { exit_code = run(*options); });
-}
+constinit const Command trace_command{"trace", "Prove", description, footer, options, run};
 
 }  // namespace dumbbell

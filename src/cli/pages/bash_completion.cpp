@@ -4,6 +4,9 @@
 
 #include <algorithm>
 #include <iterator>
+#include <ranges>
+
+#include "cli/pages/command_table.hpp"
 
 namespace dumbbell::pages {
 namespace {
@@ -39,70 +42,62 @@ complete -F _dumbbell dumbbell dumbbell-verify
 )";
 
 /// Of all options; every command has --help, though its table does not say so.
-std::string names(const std::vector<OptionEntry>& options) {
+std::string names(const Command& command) {
     std::vector<std::string> all;
-    for (const OptionEntry& option : options) {
-        if (!option.argument) {
-            all.insert(all.end(), option.names.begin(), option.names.end());
+    for (const Option& option : command.options) {
+        if (!option.is_argument()) {
+            std::ranges::copy(option.names(), std::back_inserter(all));
         }
     }
-    if (std::find(all.begin(), all.end(), "--help") == all.end()) {
+    if (std::ranges::find(all, "--help") == all.end()) {
         all.emplace_back("--help");
     }
     return fmt::format("{}", fmt::join(all, " "));
 }
 
 /// The cases in which the word before is an option that takes a value.
-void add_values(std::string& script, const CommandEntry& command) {
-    for (const OptionEntry& option : command.options) {
-        if (option.argument || option.value.empty()) {
+void add_values(std::string& script, const Place& place) {
+    for (const Option& option : place.command->options) {
+        if (option.is_argument() || option.is_flag()) {
             continue;
         }
-        const std::string then = option.is_file() ? "files=yes"
-                                 : option.choices.empty()
-                                     ? "return"
-                                     : fmt::format("words='{}'", fmt::join(option.choices, " "));
-        for (const std::string& name : option.names) {
-            fmt::format_to(std::back_inserter(script), "        '{} {}') {} ;;\n", command.name, name, then);
+        const auto choices = option.choices();
+        const std::string then = is_file(option)   ? "files=yes"
+                                 : choices.empty() ? "return"
+                                                   : fmt::format("words='{}'", fmt::join(choices, " "));
+        for (const std::string& name : option.names()) {
+            fmt::format_to(std::back_inserter(script), "        '{} {}') {} ;;\n", place.name, name, then);
         }
     }
 }
 
 /// The case of any other word before.
-void add_words(std::string& script, const CommandEntry& command) {
-    std::vector<std::string> words;
-    words.reserve(command.commands.size());
-    for (const CommandEntry& below : command.commands) {
-        words.push_back(last_word(below.name));
-    }
-    bool files = false;
-    for (const OptionEntry& option : command.options) {
-        if (option.argument) {
-            files = files || option.is_file();
-            words.insert(words.end(), option.choices.begin(), option.choices.end());
+void add_words(std::string& script, const Place& place) {
+    std::vector<std::string_view> words;
+    for (const Command* below : place.command->commands) {
+        if (!below->group.empty()) {
+            words.push_back(below->name);
         }
     }
+    const bool files = std::ranges::any_of(place.command->options,
+                                           [](const Option& o) { return o.is_argument() && is_file(o); });
     fmt::format_to(std::back_inserter(script), "        '{} '*) options='{}' words='{}' files={} ;;\n",
-                   command.name, names(command.options), fmt::join(words, " "), files ? "yes" : "");
+                   place.name, names(*place.command), fmt::join(words, " "), files ? "yes" : "");
 }
 
 }  // namespace
 
-std::string bash_completion(const CommandEntry& program) {
-    auto commands = with_all_below(program);
+std::string bash_completion(const Command& program) {
+    const auto all = places(program);
     std::string script = head;
-    for (const CommandEntry* command : commands) {
-        if (command != &program) {
-            fmt::format_to(std::back_inserter(script), "            '{0}') command='{0}' ;;\n",
-                           command->name);
-        }
+    for (const Place& place : std::span(all).subspan(1)) {
+        fmt::format_to(std::back_inserter(script), "            '{0}') command='{0}' ;;\n", place.name);
     }
     script += "        esac\n    done\n    COMPREPLY=()\n    case \"$command $before\" in\n";
     // The case of a command also fits the commands below it, which come first.
-    std::reverse(commands.begin(), commands.end());
-    for (const CommandEntry* command : commands) {
-        add_values(script, *command);
-        add_words(script, *command);
+    for (const Place& place : all | std::views::reverse) {
+        add_values(script, place);
+        add_words(script, place);
     }
     return script + tail;
 }

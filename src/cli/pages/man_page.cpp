@@ -2,11 +2,13 @@
 
 #include <fmt/format.h>
 
+#include "cli/pages/command_table.hpp"
+
 namespace dumbbell::pages {
 namespace {
 
 /// Text as groff prints it unchanged: a minus is one that can be copied, and no line is taken for a request.
-std::string plain(const std::string& text) {
+std::string plain(std::string_view text) {
     std::string result = text.starts_with('.') || text.starts_with('\'') ? "\\&" : "";
     for (const char c : text) {
         switch (c) {
@@ -35,9 +37,9 @@ std::string plain(const std::string& text) {
     return result;
 }
 
-std::string bold(const std::string& text) { return "\\fB" + plain(text) + "\\fR"; }
+std::string bold(std::string_view text) { return "\\fB" + plain(text) + "\\fR"; }
 
-void add_text(std::string& page, const std::string& description) {
+void add_text(std::string& page, std::string_view description) {
     for (const Block& block : blocks(description)) {
         page += block.verbatim ? ".PP\n.RS 2\n.nf\n" : ".PP\n";
         for (const std::string& line : block.lines) {
@@ -47,41 +49,39 @@ void add_text(std::string& page, const std::string& description) {
     }
 }
 
-void add_options(std::string& page, const CommandEntry& command) {
-    for (const OptionEntry& option : command.options) {
+void add_options(std::string& page, const Command& command) {
+    for (const Option& option : command.options) {
         page += fmt::format(".TP\n{}\n{}\n", bold(spelling(option)), plain(meaning(option)));
     }
 }
 
-void add_command(std::string& page, const CommandEntry& command) {
-    page += ".SS " + plain(usage(command)) + "\n";
-    add_text(page, command.description);
-    add_options(page, command);
-    add_text(page, command.footer);
+void add_command(std::string& page, const Place& place) {
+    page += ".SS " + plain(usage(place)) + "\n";
+    add_text(page, place.command->text);
+    add_options(page, *place.command);
+    add_text(page, place.footer);
 }
 
 }  // namespace
 
-std::string man_page(const CommandEntry& program) {
-    const auto commands = with_all_below(program);
+std::string man_page(const Command& program) {
+    const auto all = places(program);
     std::string page = fmt::format(
         ".\\\" Generated from the option table: dumbbell generate man\n"
         ".TH DUMBBELL 1 \"\" \"dumbbell {}\" \"User Commands\"\n"
         ".SH NAME\ndumbbell \\- prove how often a bouncing dumbbell can hit the floor\n"
         ".SH SYNOPSIS\n.nf\n",
         DUMBBELL_VERSION);
-    for (const CommandEntry* command : commands) {
-        page += is_called(*command) ? bold(usage(*command)) + "\n" : "";
+    for (const Place& place : all) {
+        page += is_called(*place.command) ? bold(usage(place)) + "\n" : "";
     }
     page += ".fi\n.SH DESCRIPTION\n";
-    add_text(page, program.description);
+    add_text(page, program.text);
     page += ".SH OPTIONS\n";
     add_options(page, program);
     page += ".SH COMMANDS\nEach has a \\fB\\-\\-help\\fR of its own.\n";
-    for (const CommandEntry* command : commands) {
-        if (command != &program) {
-            add_command(page, *command);
-        }
+    for (const Place& place : std::span(all).subspan(1)) {
+        add_command(page, place);
     }
     page += ".SH EXIT STATUS\n";
     add_text(page, program.footer);

@@ -2,11 +2,11 @@
 
 #include <string>
 
-#include "cli/pages/command_table.hpp"
+#include "cli/options/option.hpp"
 
 namespace dumbbell::pages {
 
 /// The page dumbbell(1), for man and groff: every command with every option.
-[[nodiscard]] std::string man_page(const CommandEntry& program);
+[[nodiscard]] std::string man_page(const Command& program);
 
 }  // namespace dumbbell::pages

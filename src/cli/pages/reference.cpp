@@ -4,11 +4,13 @@
 
 #include <iterator>
 
+#include "cli/pages/command_table.hpp"
+
 namespace dumbbell::pages {
 namespace {
 
 /// Text as Markdown prints it unchanged.
-std::string plain(const std::string& text) {
+std::string plain(std::string_view text) {
     std::string result;
     for (const char c : text) {
         if (c == '*' || c == '_' || c == '<' || c == '|' || c == '[' || c == '\\' || c == '`') {
@@ -20,7 +22,7 @@ std::string plain(const std::string& text) {
 }
 
 /// In a table a bar must be escaped, even in code.
-std::string code_in_table(const std::string& text) {
+std::string code_in_table(std::string_view text) {
     std::string result = "`";
     for (const char c : text) {
         result += c == '|' ? "\\|" : std::string(1, c);
@@ -35,7 +37,7 @@ std::string anchor(std::string name) {
     return name;
 }
 
-void add_text(std::string& page, const std::string& description) {
+void add_text(std::string& page, std::string_view description) {
     for (const Block& block : blocks(description)) {
         page += "\n";
         for (const std::string& line : block.lines) {
@@ -44,32 +46,33 @@ void add_text(std::string& page, const std::string& description) {
     }
 }
 
-void add_command(std::string& page, const CommandEntry& command) {
-    fmt::format_to(std::back_inserter(page), "\n## {}\n\n    {}\n", command.name, usage(command));
-    add_text(page, command.description);
-    if (!command.options.empty()) {
+void add_command(std::string& page, const Place& place) {
+    fmt::format_to(std::back_inserter(page), "\n## {}\n\n    {}\n", place.name, usage(place));
+    add_text(page, place.command->text);
+    if (!place.command->options.empty()) {
         page += "\n| | |\n| --- | --- |\n";
-        for (const OptionEntry& option : command.options) {
+        for (const Option& option : place.command->options) {
             fmt::format_to(std::back_inserter(page), "| {} | {} |\n", code_in_table(spelling(option)),
                            plain(meaning(option)));
         }
     }
-    add_text(page, command.footer);
+    add_text(page, place.footer);
 }
 
 }  // namespace
 
-std::string reference(const CommandEntry& program) {
+std::string reference(const Command& program) {
+    const auto all = places(program);
     std::string page =
         "# Commands, options, exit codes\n\n"
         "Made from the table that parses the command line, by `dumbbell generate reference`; a test "
         "compares.\n"
         "Every command has a `--help`, too.\n\n";
-    for (const CommandEntry* command : with_all_below(program)) {
-        fmt::format_to(std::back_inserter(page), "- [{}](#{})\n", command->name, anchor(command->name));
+    for (const Place& place : all) {
+        fmt::format_to(std::back_inserter(page), "- [{}](#{})\n", place.name, anchor(place.name));
     }
-    for (const CommandEntry* command : with_all_below(program)) {
-        add_command(page, *command);
+    for (const Place& place : all) {
+        add_command(page, place);
     }
     return page;
 }

@@ -2,11 +2,11 @@
 
 #include <string>
 
-#include "cli/pages/command_table.hpp"
+#include "cli/options/option.hpp"
 
 namespace dumbbell::pages {
 
 /// docs/reference/commands.md: every command with every option, in Markdown.
-[[nodiscard]] std::string reference(const CommandEntry& program);
+[[nodiscard]] std::string reference(const Command& program);
 
 }  // namespace dumbbell::pages

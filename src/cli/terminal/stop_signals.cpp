@@ -7,6 +7,7 @@
 
 #include "base/deadline.hpp"
 #include "cli/terminal/exit_code.hpp"
+#include "cli/terminal/messages.hpp"
 
 namespace dumbbell {
 namespace {
@@ -41,8 +42,9 @@ int stoppable(const std::function<int()>& command) {
     return code;
 }
 
-std::string stopped_by() {
-    return fmt::format("stopped by {}", stop_signal == SIGINT ? "SIGINT" : "SIGTERM");
+int stopped(const std::string& what) {
+    complain(fmt::format("stopped by {}: {}", stop_signal == SIGINT ? "SIGINT" : "SIGTERM", what));
+    return exit_stopped;
 }
 
 }  // namespace dumbbell

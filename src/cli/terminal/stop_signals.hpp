@@ -3,6 +3,8 @@
 #include <functional>
 #include <string>
 
+#include "cli/options/given.hpp"
+
 namespace dumbbell {
 
 /// Runs a command that SIGINT and SIGTERM only ask to stop (base/deadline.hpp): it ends early and says what
@@ -10,8 +12,12 @@ namespace dumbbell {
 /// what it expects (exit code 130 or 143, and a loop that ends). A second signal ends the program at once,
 /// and one that was ignored when it began stays ignored.
 int stoppable(const std::function<int()>& command);
+template <int (*run)(const Given&)>
+int stoppable(const Given& given) {
+    return stoppable([&] { return run(given); });
+}
 
-/// For example "stopped by SIGINT". Precondition: stop_signal is set.
-[[nodiscard]] std::string stopped_by();
+/// Says that a signal stopped the command, and `what` that means; returns exit_stopped.
+[[nodiscard]] int stopped(const std::string& what);
 
 }  // namespace dumbbell

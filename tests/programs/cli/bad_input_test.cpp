@@ -1,7 +1,9 @@
 // Bad input: one clear line on stderr, exit 2, nothing on stdout, nothing written.
 #include <catch2/catch.hpp>
+#include <cctype>
+#include <regex>
 
-#include "programs.hpp"
+#include "reference.hpp"
 
 using namespace dumbbell_test;
 using Catch::Matchers::Contains;
@@ -121,10 +123,32 @@ TEST_CASE("what is wrong is said in plain words, and in the order given") {
     }
 }
 
-TEST_CASE("options without their value are refused") {
-    for (const char* option : {"--out", "--gap", "--jobs", "--budget", "--scene", "--section"}) {
-        CAPTURE(option);
-        CHECK_THAT(refused({"certify", "10", option}), Contains(option));
+TEST_CASE("every option of every command is refused without its value, with a wrong one, or given twice") {
+    static const std::regex range(".* \\(([0-9]+) to ([0-9]+)\\).*");
+    for (const ListedCommand& command : listed_commands()) {
+        const auto with = [&](Words words) {
+            words.insert(words.begin(), command.called.begin(), command.called.end());
+            return refused(words);
+        };
+        for (const ListedOption& option : command.options) {
+            if (command.words == Words{"verify"} || option.is_argument() || option.value().empty()) {
+                continue;
+            }
+            const std::string name = option.names().back(), value = option.value();
+            CAPTURE(command.words, name);
+            CHECK_THAT(with({name}), Contains(name + " needs a value"));
+            CHECK_THAT(with({name + "="}), Contains(name + " needs a value"));
+            CHECK_THAT(with({name, "1", name, "1"}), Contains(name));
+            if (std::smatch found; std::regex_match(option.meaning, found, range)) {
+                const std::string wrong = " is not from " + found[1].str() + " to " + found[2].str();
+                for (const std::string& number : {std::string("-1"), found[2].str() + "0", std::string("1.5"),
+                                                  std::string("x"), std::string()}) {
+                    CHECK_THAT(with({name, number}), Contains(name + ": " + number + wrong));
+                }
+            } else if (std::islower(value.front()) != 0) {
+                CHECK_THAT(with({name, "trumpet"}), Contains(name + ": trumpet not in {"));
+            }
+        }
     }
 }
 

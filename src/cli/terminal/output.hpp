@@ -1,11 +1,11 @@
 #pragma once
 
-#include <CLI/App.hpp>
 #include <cstdio>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "cli/options/option.hpp"
 #include "file/atomic_file.hpp"
 
 namespace dumbbell {
@@ -13,11 +13,19 @@ namespace dumbbell {
 /// What a command writes, which its file's name must say.
 enum class Content { certificate, table, picture, page, parts };
 
-/// Adds --out FILE to a command, for `file`, which outlives it. A name that is empty or that of a directory,
-/// that does not end as the content's names do, or that lies where no files are (`output_target`) is refused
-/// when the command line is read; `-`, the standard output, is not.
-CLI::Option* add_out_option(CLI::App& command, std::string& file, const std::vector<Content>& contents,
-                            const char* text = "write the certificate to FILE (FILE.gz: compressed)");
+/// What is wrong with a name to write to, empty if nothing is: one that is empty or that of a directory, that
+/// does not end as the content's names do, or that lies where no files are (`output_target`); `-`, the
+/// standard output, is none of these. Without a content every ending is right.
+[[nodiscard]] std::string fault_of_name(const std::string& name, std::optional<Content> content);
+template <Content content>
+std::string fault_of_name(const std::string& name) {
+    return fault_of_name(name, content);
+}
+
+/// Where a command writes its certificate.
+inline constexpr Option certificate_option =
+    Option{"--out", "FILE", "write the certificate to FILE (FILE.gz: compressed); -: the standard output"}
+        .checked(fault_of_name<Content::certificate>);
 
 /// Throws InputError unless the name is one for this content.
 void require_name_of(const std::string& file, Content content);

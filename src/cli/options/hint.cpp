@@ -1,4 +1,4 @@
-#include "cli/terminal/hint.hpp"
+#include "cli/options/hint.hpp"
 
 #include <fmt/format.h>
 
@@ -42,42 +42,32 @@ std::string meant(const std::string& word, const std::vector<std::string>& names
                : "";
 }
 
-std::vector<std::string> names_of_options(const CLI::App& app) {
+std::vector<std::string> names_of_options(const Command& command) {
+    std::vector<std::string> names{"--help", "--help-all"};
+    for (const Option& option : command.options) {
+        names.push_back(option.names().back());
+    }
+    return names;
+}
+
+}  // namespace
+
+std::vector<std::string> names_of_commands(const Command& command) {
     std::vector<std::string> names;
-    for (const CLI::Option* option : app.get_options()) {
-        for (const std::string& name : option->get_lnames()) {
-            names.push_back("--" + name);
+    for (const Command* below : command.commands) {
+        if (!below->group.empty()) {
+            names.emplace_back(below->name);
         }
     }
     return names;
 }
 
-std::vector<const CLI::App*> commands_of(const CLI::App& app) {
-    return app.get_subcommands([](const CLI::App* c) { return !c->get_group().empty(); });
-}
-
-const CLI::App* command_named(const CLI::App& app, const std::string& name) {
-    const auto commands = commands_of(app);
-    const auto found = std::find_if(commands.begin(), commands.end(),
-                                    [&](const CLI::App* c) { return c->get_name() == name; });
-    return found == commands.end() ? nullptr : *found;
-}
-
-}  // namespace
-
-std::vector<std::string> names_of_commands(const CLI::App& app) {
-    std::vector<std::string> names;
-    for (const CLI::App* command : commands_of(app)) {
-        names.push_back(command->get_name());
-    }
-    return names;
-}
-
-std::string hint(const CLI::App& app, const std::vector<std::string>& words) {
-    const CLI::App* command = &app;
-    std::string called = app.get_name(), suggestion;
+std::string hint(const Command& program, const std::vector<std::string>& words) {
+    const Command* command = &program;
+    std::string called(program.name), suggestion;
     for (const std::string& word : words) {
-        if (const CLI::App* below = command_named(*command, word)) {
+        const Command* below = command->below(word);
+        if (below != nullptr && !below->group.empty()) {
             command = below;
             called += " " + word;
         } else if (suggestion.empty() && word.starts_with("--")) {

@@ -1,10 +1,9 @@
-#include "cli/terminal/out_option.hpp"
+#include "cli/terminal/output.hpp"
 
 #include <fmt/format.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
 #include <string_view>
@@ -44,34 +43,6 @@ bool ends_in(const std::string& file, std::string_view ending) {
     return name.size() > ending.size() && name.ends_with(ending);
 }
 
-/// What is wrong with the name; empty if nothing is.
-std::string fault_of(const std::string& name, const std::vector<Content>& contents) {
-    if (name.empty()) {
-        return "the file name is empty";
-    }
-    if (name == standard_stream) {
-        return "";
-    }
-    const std::string target = output_target(name);
-    std::error_code unreadable;
-    if (std::filesystem::is_directory(target, unreadable)) {
-        return fmt::format("'{}' is a directory; give a file name", name);
-    }
-    std::string wanted;
-    if (contents.empty()) {
-        return "";
-    }
-    for (const Content content : contents) {
-        const Names names = names_of(content);
-        if (std::ranges::any_of(names.endings, [&](auto ending) { return ends_in(target, ending); })) {
-            return "";
-        }
-        wanted += fmt::format("{}the name of {} ends in {}", wanted.empty() ? "" : ", ", names.what,
-                              fmt::join(names.endings, " or "));
-    }
-    return fmt::format("{} ('{}' does not)", wanted, target);
-}
-
 bool same_file(const std::string& output, const std::string& input) {
     struct stat out {};
     struct stat in {};
@@ -83,22 +54,32 @@ bool same_file(const std::string& output, const std::string& input) {
 
 }  // namespace
 
-CLI::Option* add_out_option(CLI::App& command, std::string& file, const std::vector<Content>& contents,
-                            const char* text) {
-    const auto fault = [contents](const std::string& name) {
-        try {
-            return fault_of(name, contents);
-        } catch (const InputError& error) {
-            return std::string(error.what());
-        }
-    };
-    return command.add_option("--out", file, std::string(text) + "; -: the standard output")
-        ->check(fault)
-        ->type_name("FILE");
+std::string fault_of_name(const std::string& name, std::optional<Content> content) try {
+    if (name.empty()) {
+        return "the file name is empty";
+    }
+    if (name == standard_stream) {
+        return "";
+    }
+    const std::string target = output_target(name);
+    std::error_code unreadable;
+    if (std::filesystem::is_directory(target, unreadable)) {
+        return fmt::format("'{}' is a directory; give a file name", name);
+    }
+    if (!content) {
+        return "";
+    }
+    const auto [what, endings] = names_of(*content);
+    return std::ranges::any_of(endings, [&](auto ending) { return ends_in(target, ending); })
+               ? ""
+               : fmt::format("the name of {} ends in {} ('{}' does not)", what, fmt::join(endings, " or "),
+                             target);
+} catch (const InputError& error) {
+    return error.what();
 }
 
 void require_name_of(const std::string& file, Content content) {
-    if (const std::string fault = fault_of(file, {content}); !fault.empty()) {
+    if (const std::string fault = fault_of_name(file, content); !fault.empty()) {
         throw InputError("--out: " + fault);
     }
 }

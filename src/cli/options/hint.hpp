@@ -1,16 +1,17 @@
 #pragma once
 
-#include <CLI/App.hpp>
 #include <string>
 #include <vector>
+
+#include "cli/options/option.hpp"
 
 namespace dumbbell {
 
 /// The commands that --help of this one shows.
-[[nodiscard]] std::vector<std::string> names_of_commands(const CLI::App& app);
+[[nodiscard]] std::vector<std::string> names_of_commands(const Command& command);
 
 /// What may help after a command line that was not understood: the command or option that was meant, if one
 /// is spelled nearly so, and whose --help to read. `words`: those behind the program's name.
-[[nodiscard]] std::string hint(const CLI::App& app, const std::vector<std::string>& words);
+[[nodiscard]] std::string hint(const Command& program, const std::vector<std::string>& words);
 
 }  // namespace dumbbell

@@ -1,0 +1,11 @@
+#pragma once
+
+#include "cli/options/option.hpp"
+#include "collisions/critical.hpp"
+
+namespace dumbbell {
+
+inline constexpr Option critical_digits_option =
+    Option{"--digits", "N", "significant digits, all of them proved", "15"}.from(1, most_critical_digits);
+
+}  // namespace dumbbell

@@ -1,0 +1,20 @@
+#pragma once
+
+#include "cli/options/option.hpp"
+
+/// The commands, each in a file of its own.
+namespace dumbbell {
+
+extern const Command certify_command, critical_command, trace_command, adiabatic_command, campaign_command,
+    verify_command, audit_command, law_command, plot_command, report_command;
+/// Below `campaign`. A worker runs `campaign work`; no help shows it.
+extern const Command campaign_plan_command, campaign_run_command, campaign_status_command,
+    campaign_merge_command, campaign_work_command;
+/// For whoever makes a package: the man page, the completion and the reference, from the whole table.
+/// No help shows it.
+extern const Command generate_command;
+
+/// The program itself, with all of them.
+extern const Command dumbbell_command;
+
+}  // namespace dumbbell

@@ -1,0 +1,121 @@
+#include "cli/options/parse.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include "base/error.hpp"
+#include "cli/options/hint.hpp"
+#include "cli/options/usage_error.hpp"
+#include "cli/pages/help.hpp"
+
+namespace dumbbell {
+namespace {
+
+/// CLI11 takes --json=false, too.
+bool is_on(const CLI::Option& flag) {
+    bool on = false;
+    return flag.count() > 0 && CLI::detail::lexical_cast(flag.results().back(), on) && on;
+}
+
+std::string fault_of_flag(const std::string& value) {
+    bool on = false;
+    return CLI::detail::lexical_cast(value, on) ? "" : "it takes no value";
+}
+
+void add_options(CLI::App& app, const Command& command) {
+    for (const Option& option : command.options) {
+        const std::string name(option.name);
+        if (option.is_flag()) {
+            app.add_flag(name)->check(fault_of_flag);
+            continue;
+        }
+        CLI::Option* added = app.add_option(name)->required(option.is_required);
+        added->check([&option](const std::string& value) { return fault_of(option, value); });
+        if (option.is_repeated) {
+            added->expected(1, CLI::detail::expected_max_vector_size)->allow_extra_args();
+        }
+    }
+}
+
+void add_commands(CLI::App& app, const Command& command) {
+    app.require_subcommand(0, 1);
+    for (const Command* below : command.commands) {
+        CLI::App& added = *app.add_subcommand(std::string(below->name))->fallthrough(below->inherits);
+        if (below->become == nullptr) {
+            add_options(added, *below);
+        }
+        add_commands(added, *below);
+    }
+}
+
+/// What was understood so far.
+void collect(const CLI::App& app, const Command& command, CommandLine& line) {
+    line.command = &command;
+    for (const CLI::App* called : app.get_subcommands()) {
+        const Command& below = *command.below(called->get_name());
+        for (std::size_t i = 0; below.become == nullptr && i < below.options.size(); ++i) {
+            const Option& option = below.options[i];
+            const CLI::Option& parsed = *called->get_option(std::string(option.name));
+            line.given.add(option, option.is_flag() && !is_on(parsed) ? CLI::results_t{} : parsed.results());
+        }
+        collect(*called, below, line);
+    }
+}
+
+/// Of the command whose name stands where an argument of the one above was expected, too.
+const Command& explained(const CommandLine& line) {
+    for (const Given::Value& value : line.given.values()) {
+        const Command* below = value.words.empty() ? nullptr : line.command->below(value.words.front());
+        if (below != nullptr) {
+            return *below;
+        }
+    }
+    return *line.command;
+}
+
+std::string wrong(const CLI::ParseError& error, const CLI::App& app, const CommandLine& line,
+                  const std::vector<std::string>& words) {
+    if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr) {
+        return unexpected(app.remaining(true));
+    }
+    if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr) {
+        return mismatch(line.given, words.back());
+    }
+    return error.what();
+}
+
+}  // namespace
+
+CommandLine parse(const Command& program, const std::string& version, const std::vector<std::string>& words) {
+    CLI::App app("", std::string(program.name));
+    app.set_help_flag(std::string(help_option.name));
+    app.set_help_all_flag(std::string(help_all_option.name));
+    app.set_version_flag(std::string(version_option.name), version);
+    add_commands(app, program);
+    CommandLine line;
+    std::string fault;
+    try {
+        app.parse(std::vector<std::string>(words.rbegin(), words.rend()));
+        collect(app, program, line);
+        fault = contradiction(line.given);
+    } catch (const CLI::CallForVersion&) {
+        line.answer = version + "\n";
+    } catch (const CLI::CallForAllHelp&) {
+        collect(app, program, line);
+        line.answer = pages::help_all(program, explained(line));
+    } catch (const CLI::CallForHelp&) {
+        collect(app, program, line);
+        line.answer = pages::help(program, explained(line));
+    } catch (const CLI::ParseError& error) {
+        collect(app, program, line);
+        fault = wrong(error, app, line, words);
+    }
+    if (line.answer.empty() && line.command->run == nullptr) {
+        fault = missing_command(program, words);
+    }
+    if (!fault.empty()) {
+        throw InputError(fault + "; " + hint(program, words));
+    }
+    return line;
+}
+
+}  // namespace dumbbell

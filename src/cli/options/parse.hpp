@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cli/options/given.hpp"
+
+namespace dumbbell {
+
+/// A command line that was understood.
+struct CommandLine {
+    const Command* command = nullptr;
+    Given given;         ///< with the options of the commands above
+    std::string answer;  ///< of --help and --version: print it, and nothing else
+};
+
+/// `words`: those behind the program's name. Throws InputError, which says what is wrong and where to read
+/// on.
+[[nodiscard]] CommandLine parse(const Command& program, const std::string& version,
+                                const std::vector<std::string>& words);
+
+}  // namespace dumbbell

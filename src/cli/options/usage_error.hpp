@@ -1,0 +1,24 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cli/options/given.hpp"
+
+/// What is wrong with a command line, in the words of whoever typed it. `words`: those behind the program's
+/// name.
+namespace dumbbell {
+
+/// Where a command should stand: what stands there instead, or which there are.
+[[nodiscard]] std::string missing_command(const Command& program, const std::vector<std::string>& words);
+
+/// The words that nothing expected, in the order given.
+[[nodiscard]] std::string unexpected(const std::vector<std::string>& words);
+
+/// An option that is given twice, or else the last word of the line, which lacks its value.
+[[nodiscard]] std::string mismatch(const Given& given, const std::string& last_word);
+
+/// Options that exclude each other, or that lack the one that they need; empty if there are none.
+[[nodiscard]] std::string contradiction(const Given& given);
+
+}  // namespace dumbbell

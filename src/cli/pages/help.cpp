@@ -1,0 +1,137 @@
+#include "cli/pages/help.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <sstream>
+
+#include "cli/pages/command_table.hpp"
+
+namespace dumbbell::pages {
+namespace {
+
+constexpr std::size_t indent = 30, columns = 120;
+constexpr std::size_t most_examples = 4, screen_columns = 98;
+
+/// The words, each line with `first` in front, later ones with as many blanks.
+std::string filled(const std::string& text, const std::string& first, std::size_t width) {
+    std::string result = first;
+    const std::string blanks(first.size(), ' ');
+    std::size_t used = first.size();
+    std::istringstream words(text);
+    for (std::string word; words >> word;) {
+        const bool begins = used == blanks.size();
+        if (!begins && used + 1 + word.size() > width) {
+            result += '\n' + blanks;
+            used = blanks.size();
+        } else if (!begins) {
+            result += ' ';
+            ++used;
+        }
+        result += word;
+        used += word.size();
+    }
+    return result + '\n';
+}
+
+/// A name and what it means, which begins in its own line if the name is long.
+std::string row(const std::string& name, const std::string& text) {
+    const std::string first = "  " + name;
+    const bool fits = first.size() + 2 <= indent;
+    return (fits ? "" : first + '\n') +
+           filled(text, fits ? fmt::format("{:<{}}", first, indent) : std::string(indent, ' '), columns);
+}
+
+std::string rows(const char* heading, const std::vector<Option>& options) {
+    std::string text = options.empty() ? "" : fmt::format("\n{}:\n", heading);
+    for (const Option& option : options) {
+        text += row(spelling(option), meaning(option));
+    }
+    return text;
+}
+
+/// Those that every command has come first; the program's own table has them.
+std::vector<Option> all_options(const Command& command, const Command& program) {
+    std::vector<Option> all(command.options.begin(), command.options.end());
+    if (&command != &program) {
+        all.insert(all.begin(), {help_option, help_all_option});
+    }
+    return all;
+}
+
+std::string whole(const Place& place, const Command& program) {
+    const Command& command = *place.command;
+    std::string usage = place.called + " [OPTIONS]", commands;
+    std::vector<Option> arguments, options;
+    for (const Option& option : all_options(command, program)) {
+        (option.is_argument() ? arguments : options).push_back(option);
+    }
+    for (const Option& argument : arguments) {
+        usage += argument.is_required ? " " + spelling(argument) : fmt::format(" [{}]", spelling(argument));
+    }
+    for (const Command* below : command.commands) {
+        commands += row(std::string(below->name), brief(*below));
+    }
+    return fmt::format("{}\nUsage: {}{}\n{}{}{}{}\n{}\n", command.text, usage,
+                       commands.empty() ? "" : " [COMMAND]", rows("Arguments", arguments),
+                       rows("Options", options), commands.empty() ? "" : "\nCommands:\n", commands,
+                       place.footer);
+}
+
+std::string commands_text(const Command& command) {
+    std::string text;
+    std::string_view group;
+    for (const Command* below : command.commands) {
+        if (below->group.empty()) {
+            continue;
+        }
+        if (below->group != group) {
+            group = below->group;
+            text += fmt::format("{}:\n", group);
+        }
+        text += fmt::format("  {:<10} {}\n", below->name, brief(*below));
+    }
+    return text;
+}
+
+/// The first lines of the description that stand as they are.
+std::string examples_text(std::string_view description) {
+    std::string text = "Examples:\n";
+    for (const Block& block : blocks(description)) {
+        for (std::size_t i = 0; block.verbatim && i < std::min(block.lines.size(), most_examples); ++i) {
+            text += "  " + block.lines[i] + '\n';
+        }
+    }
+    return text;
+}
+
+std::string one_screen(const Place& place, const Command& program) {
+    std::string options, footer;
+    for (const Option& option : all_options(*place.command, program)) {
+        options += (options.empty() ? "Options:\n  " : ", ") + std::string(option.name);
+    }
+    for (const Block& block : blocks(place.footer)) {
+        footer += '\n' + filled(fmt::format("{}", fmt::join(block.lines, " ")), "", screen_columns);
+    }
+    return fmt::format(
+        "{}\n\nUsage: {} COMMAND [OPTIONS] ...\nMore:  {} COMMAND --help, and: man dumbbell\n\n{}{}\n{}{}",
+        brief(*place.command), place.name, place.name, commands_text(*place.command), options,
+        examples_text(place.command->text), footer);
+}
+
+}  // namespace
+
+std::string help(const Command& program, const Command& command) {
+    const Place place = place_of(command, program);
+    return is_called(command) ? whole(place, program) : one_screen(place, program);
+}
+
+std::string help_all(const Command& program, const Command& command) {
+    std::string text = help(program, command);
+    for (const Command* below : command.commands) {
+        text += below->group.empty() ? "" : "\n\n" + help_all(program, *below);
+    }
+    return text;
+}
+
+}  // namespace dumbbell::pages
