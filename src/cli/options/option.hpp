@@ -27,36 +27,49 @@ struct Option {
     std::string_view needed{};    ///< the option without which it means nothing
     std::string_view excluded{};  ///< options that cannot be given with it, with commas between
 
-    /// The same option with these properties.
+    // The same option with these properties.
     [[nodiscard]] constexpr Option from(long first, long last) const {
-        return with(&Option::least, first).with(&Option::most, last);
+        Option other = *this;
+        other.least = first;
+        other.most = last;
+        return other;
     }
-    [[nodiscard]] constexpr Option checked(decltype(fault) check) const {
-        return with(&Option::fault, check);
+    [[nodiscard]] constexpr Option checked(std::string (*check)(const std::string& value)) const {
+        Option other = *this;
+        other.fault = check;
+        return other;
     }
-    [[nodiscard]] constexpr Option required() const { return with(&Option::is_required, true); }
-    [[nodiscard]] constexpr Option repeated() const { return with(&Option::is_repeated, true); }
-    [[nodiscard]] constexpr Option needs(std::string_view other) const {
-        return with(&Option::needed, other);
+    [[nodiscard]] constexpr Option required() const {
+        Option other = *this;
+        other.is_required = true;
+        return other;
     }
-    [[nodiscard]] constexpr Option excludes(std::string_view others) const {
-        return with(&Option::excluded, others);
+    [[nodiscard]] constexpr Option repeated() const {
+        Option other = *this;
+        other.is_repeated = true;
+        return other;
     }
-    [[nodiscard]] constexpr Option saying(std::string_view words) const { return with(&Option::text, words); }
+    [[nodiscard]] constexpr Option needs(std::string_view option) const {
+        Option other = *this;
+        other.needed = option;
+        return other;
+    }
+    [[nodiscard]] constexpr Option excludes(std::string_view options) const {
+        Option other = *this;
+        other.excluded = options;
+        return other;
+    }
+    [[nodiscard]] constexpr Option saying(std::string_view words) const {
+        Option other = *this;
+        other.text = words;
+        return other;
+    }
 
     [[nodiscard]] bool is_argument() const { return !name.starts_with('-'); }
     [[nodiscard]] bool is_flag() const { return !is_argument() && value.empty(); }
     [[nodiscard]] std::vector<std::string> names() const;
     /// All values that there are, if it takes certain words only.
     [[nodiscard]] std::vector<std::string> choices() const;
-
-  private:
-    template <class T>
-    [[nodiscard]] constexpr Option with(T Option::*property, T value_of_it) const {
-        Option other = *this;
-        other.*property = value_of_it;
-        return other;
-    }
 };
 
 [[nodiscard]] constexpr Option flag(std::string_view name, std::string_view text) { return {name, "", text}; }
