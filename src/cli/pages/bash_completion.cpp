@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <iterator>
-#include <ranges>
 
 #include "cli/pages/command_table.hpp"
 
@@ -95,9 +94,9 @@ std::string bash_completion(const Command& program) {
     }
     script += "        esac\n    done\n    COMPREPLY=()\n    case \"$command $before\" in\n";
     // The case of a command also fits the commands below it, which come first.
-    for (const Place& place : all | std::views::reverse) {
-        add_values(script, place);
-        add_words(script, place);
+    for (auto place = all.rbegin(); place != all.rend(); ++place) {
+        add_values(script, *place);
+        add_words(script, *place);
     }
     return script + tail;
 }
