@@ -30,5 +30,5 @@ TEST_CASE("the trusted core has as many lines as docs/4-verifying.md says") {
     std::string figure = std::to_string(lines);
     figure.insert(figure.size() - 3, ",");
     INFO(figure);
-    CHECK(contents(project / "docs/4-verifying.md").find(" are " + figure + " lines") != std::string::npos);
+    CHECK(contents(project / "docs/4-verifying.md").find("are " + figure + " lines") != std::string::npos);
 }
