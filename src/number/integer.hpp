@@ -35,9 +35,9 @@ class Integer {
     Integer& operator+=(const Integer& y);
     Integer& operator-=(const Integer& y);
     Integer& operator*=(const Integer& y);
-    /// Towards zero, as for built-in integers. Precondition: y is not 0.
+    /// Towards zero, as for built-in integers. Throws BrokenInvariant if y is 0.
     Integer& operator/=(const Integer& y);
-    /// The remainder of that division, with the sign of this number. Precondition: y is not 0.
+    /// The remainder of that division, with the sign of this number. Throws BrokenInvariant if y is 0.
     Integer& operator%=(const Integer& y);
     Integer& operator++() { return *this += 1; }
     Integer& operator<<=(unsigned bits);

@@ -32,12 +32,7 @@ State<I> wider_state(const InitialBox& box, int bits) {
 }
 
 std::pair<Rational, Rational> exact_ends(const Interval& x) { return {exact(x.lo()), exact(x.hi())}; }
-std::pair<Rational, Rational> exact_ends(const BigInterval& x) {
-    std::pair<Rational, Rational> result;
-    mpfr_get_q(result.first.raw(), &x.raw()->left);
-    mpfr_get_q(result.second.raw(), &x.raw()->right);
-    return result;
-}
+std::pair<Rational, Rational> exact_ends(const BigInterval& x) { return {exact_lo(x), exact_hi(x)}; }
 
 /// An interval of positive times around T with short dyadic ends, wider by `margin` steps of about a 16th of
 /// its width.

@@ -27,43 +27,28 @@ struct Option {
     std::string_view needed{};    ///< the option without which it means nothing
     std::string_view excluded{};  ///< options that cannot be given with it, with commas between
 
-    // The same option with these properties.
-    [[nodiscard]] constexpr Option from(long first, long last) const {
+    /// The same option with another value of a property.
+    template <class T>
+    [[nodiscard]] constexpr Option with(T Option::*property, T changed) const {
         Option other = *this;
-        other.least = first;
-        other.most = last;
+        other.*property = changed;
         return other;
+    }
+    [[nodiscard]] constexpr Option from(long first, long last) const {
+        return with(&Option::least, first).with(&Option::most, last);
     }
     [[nodiscard]] constexpr Option checked(std::string (*check)(const std::string& value)) const {
-        Option other = *this;
-        other.fault = check;
-        return other;
+        return with(&Option::fault, check);
     }
-    [[nodiscard]] constexpr Option required() const {
-        Option other = *this;
-        other.is_required = true;
-        return other;
-    }
-    [[nodiscard]] constexpr Option repeated() const {
-        Option other = *this;
-        other.is_repeated = true;
-        return other;
-    }
+    [[nodiscard]] constexpr Option required() const { return with(&Option::is_required, true); }
+    [[nodiscard]] constexpr Option repeated() const { return with(&Option::is_repeated, true); }
     [[nodiscard]] constexpr Option needs(std::string_view option) const {
-        Option other = *this;
-        other.needed = option;
-        return other;
+        return with(&Option::needed, option);
     }
     [[nodiscard]] constexpr Option excludes(std::string_view options) const {
-        Option other = *this;
-        other.excluded = options;
-        return other;
+        return with(&Option::excluded, options);
     }
-    [[nodiscard]] constexpr Option saying(std::string_view words) const {
-        Option other = *this;
-        other.text = words;
-        return other;
-    }
+    [[nodiscard]] constexpr Option saying(std::string_view words) const { return with(&Option::text, words); }
 
     [[nodiscard]] bool is_argument() const { return !name.starts_with('-'); }
     [[nodiscard]] bool is_flag() const { return !is_argument() && value.empty(); }

@@ -183,11 +183,11 @@ class AdiabaticReader : public Reader<AdiabaticLeaf> {
         Reader::take(leaf_);
     }
     void explain(const std::string& path) {
+        if (!is_asked_for(path)) return;
         std::string box;
-        if (!settings_.explain.empty())
-            for (std::size_t i = 0; i < leaf_.box.lo.size(); ++i)
-                box += "  " + std::string(names[i]) + " in [" + to_string(leaf_.box.lo.at(i)) + ", " +
-                       to_string(leaf_.box.hi.at(i)) + "]\n";
+        for (std::size_t i = 0; i < leaf_.box.lo.size(); ++i)
+            box += "  " + std::string(names[i]) + " in [" + to_string(leaf_.box.lo.at(i)) + ", " +
+                   to_string(leaf_.box.hi.at(i)) + "]\n";
         Reader::explain(leaf_, path, box);
     }
 

@@ -48,9 +48,9 @@ Header read_header(Text& text) {
     text.expect("generator", 2);
     text.require_word(1);
     text.require_word(2, true);
-    Header header{read_section(text), ""};
-    header.claim = known(text, "claim", false, true, [](const std::string&) { return true; });
-    return header;
+    const Section* section = read_section(text);
+    text.expect("claim", 1);
+    return {section, text.word(1)};
 }
 
 }  // namespace dumbbell_verify

@@ -166,14 +166,17 @@ class Reader {
         pending_.push_back(std::move(leaf));
         if (pending_.size() == batch) check_pending();
     }
+    [[nodiscard]] bool is_asked_for(const std::string& path) const {
+        const std::string& wanted = settings_.explain;
+        return !wanted.empty() && (path == wanted || path == wanted + ".");
+    }
     /// Shows a referee the leaf if it is the one that was asked for: its line, what is `shown` of its box,
     /// every inequality, and whether it holds; within what is left of the budget.
     void explain(const Leaf& leaf, const std::string& path, const std::string& shown = "") {
-        const std::string& wanted = settings_.explain;
-        if (wanted.empty() || (path != wanted && path != wanted + ".")) return;
+        if (!is_asked_for(path)) return;
         proof_.explained = true;
-        std::string text = wanted + ", line " + std::to_string(leaf.line) + ": " + text_.fields[0].data() +
-                           shown;  // the whole line
+        std::string text = settings_.explain + ", line " + std::to_string(leaf.line) + ": " +
+                           text_.fields[0].data() + shown;  // the whole line
         Shares alone(1, text_.budget.left());
         Work::begin(&alone);
         text += check(leaf, &text) ? "  NOT certified\n" : "  certified\n";
