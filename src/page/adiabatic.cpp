@@ -4,6 +4,7 @@
 #include "number/decimal.hpp"
 #include "page/file.hpp"
 #include "page/tree.hpp"
+#include "pictures/palette.hpp"
 
 namespace dumbbell {
 namespace {
@@ -61,10 +62,12 @@ Json tree_of(const AdiabaticCertificate& certificate, const BoxBudget& budget) {
 }
 
 Json kinds_json(const AdiabaticCertificate& certificate) {
-    Json kinds = Json::array({{{"reason", "outside"}}});
+    Json kinds =
+        Json::array({{{"reason", "outside"}, {"colour", {palette::outside.light, palette::outside.dark}}}});
     const std::size_t classes = std::max<std::size_t>(1, certificate.classes.size());
     for (std::size_t i = 0; i < classes; ++i) {
-        kinds.push_back({{"reason", "bound"}, {"class", i}});
+        const char* colour = palette::classes.at(i % palette::classes.size());
+        kinds.push_back({{"reason", "bound"}, {"class", i}, {"colour", {colour, colour}}});
     }
     return kinds;
 }

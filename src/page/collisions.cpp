@@ -10,6 +10,8 @@
 #include "number/decimal.hpp"
 #include "page/file.hpp"
 #include "page/tree.hpp"
+#include "pictures/count_colours.hpp"
+#include "pictures/cover.hpp"
 #include "words/json_number.hpp"
 
 namespace dumbbell {
@@ -43,10 +45,22 @@ class Kinds {
     [[nodiscard]] int number(const Leaf& leaf) const { return numbers_.at(key(leaf)); }
 
     [[nodiscard]] Json json() const {
+        std::vector<long> counts;
+        for (const auto& [key, number] : numbers_) {
+            const auto& [counted, both, forward, backward, reason] = key;
+            if (counted) {
+                counts.push_back(1 + both);
+            }
+        }
+        const auto shades = count_shades(counts);
         Json kinds = Json::array();
         for (const auto& [key, number] : numbers_) {
-            const auto& [is_count, sum, forward, backward, reason] = key;
-            kinds.push_back({{"reason", name(reason)}, {"forward", forward}, {"backward", backward}});
+            const auto& [counted, both, forward, backward, reason] = key;
+            const Shade colour = counted ? shades.at(1 + both).shade() : shade_of(reason);
+            kinds.push_back({{"reason", name(reason)},
+                             {"forward", forward},
+                             {"backward", backward},
+                             {"colour", {colour.light, colour.dark}}});
         }
         return kinds;
     }

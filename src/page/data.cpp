@@ -10,6 +10,7 @@
 #include "file/lines.hpp"
 #include "number/decimal.hpp"
 #include "page/file.hpp"
+#include "pictures/palette.hpp"
 #include "staircase/growth_constant.hpp"
 
 namespace dumbbell {
@@ -60,6 +61,22 @@ struct ProvenanceOf {
     Provenance operator()(const CriticalTable& /*unsigned*/) const { return {}; }
 };
 
+/// The colours of the page's pictures by their names in its style sheets: on light and on dark pages.
+nlohmann::ordered_json colours_json() {
+    nlohmann::ordered_json json;
+    const auto add = [&](const char* name, const Shade& shade) { json[name] = {shade.light, shade.dark}; };
+    add("proved", palette::proved);
+    add("paper", palette::paper);
+    add("growth", palette::growth);
+    add("gap", palette::gap);
+    add("hatch", palette::hatch);
+    add("light", palette::light);
+    add("heavy", palette::heavy);
+    add("floor", palette::floor);
+    add("mark", palette::witness);
+    return json;
+}
+
 nlohmann::ordered_json one_file(const ReportedFile& file, const BoxBudget& budget) {
     nlohmann::ordered_json json =
         std::visit([&](const auto& of) { return file_json(of, budget); }, file.content);
@@ -107,6 +124,7 @@ nlohmann::ordered_json page_data(const std::vector<ReportedFile>& files, std::si
     nlohmann::ordered_json json{{"schema", "dumbbell-report-1"},
                                 {"version", DUMBBELL_VERSION},
                                 {"growth_constant", growth_digits()},
+                                {"colours", colours_json()},
                                 {"boxes", {{"total", budget.total}, {"most", budget.most}}},
                                 {"files", nlohmann::ordered_json::array()}};
     for (const ReportedFile& file : files) {

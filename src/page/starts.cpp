@@ -9,6 +9,8 @@
 #include "number/decimal.hpp"
 #include "page/file.hpp"
 #include "page/tree.hpp"
+#include "pictures/count_colours.hpp"
+#include "pictures/start_plane.hpp"
 #include "words/json_number.hpp"
 
 namespace dumbbell {
@@ -31,13 +33,17 @@ Kind kind_of(const InitialLeaf& leaf) {
     return {!leaf.most, leaf.most != leaf.least, leaf.most.value_or(0), leaf.least, mass};
 }
 
-Json kind_json(const Kind& kind) {
+/// The colour is that of its number of collisions; null: it has none.
+Json kind_json(const Kind& kind, const std::map<long, CountShade>& shades) {
     const auto& [is_open, undecided, most, least, mass] = kind;
-    return {{"least", least},
-            {"most", is_open ? Json(nullptr) : Json(most)},
-            {"first", mass == no_mass      ? Json(nullptr)
-                      : mass == heavy_mass ? Json("heavy")
-                                           : Json("light")}};
+    const auto shade = is_open || undecided ? shades.end() : shades.find(least);
+    return {
+        {"least", least},
+        {"most", is_open ? Json(nullptr) : Json(most)},
+        {"first", mass == no_mass      ? Json(nullptr)
+                  : mass == heavy_mass ? Json("heavy")
+                                       : Json("light")},
+        {"colour", shade == shades.end() ? Json(nullptr) : Json{shade->second.light, shade->second.dark}}};
 }
 
 /// The picture's tree and what its leaves add up to.
@@ -74,9 +80,16 @@ class Body {
     PictureTree tree;
 
     [[nodiscard]] Json kinds() const {
+        std::vector<long> counts;  // that are exact; -1: the others
+        for (const auto& [count, depths] : leaves_) {
+            if (count >= 0) {
+                counts.push_back(count);
+            }
+        }
+        const auto shades = count_shades(counts);
         Json json = Json::array();
         for (const auto& kind : kinds_) {
-            json.push_back(kind_json(kind.first));
+            json.push_back(kind_json(kind.first, shades));
         }
         return json;
     }
@@ -144,7 +157,7 @@ nlohmann::ordered_json file_json(const InitialCertificate& certificate, const Bo
             {"bits", certificate.bits},      {"least", body.least()},
             {"most", body.most()},           {"shares", body.shares()},
             {"kinds", body.kinds()},         {"windows", is_whole ? body.windows() : Json::array()},
-            {"tree", std::move(tree)}};
+            {"tree", std::move(tree)},       {"hatched", hatched_note(certificate)}};
 }
 
 std::string claim_options(const InitialCertificate& certificate) {

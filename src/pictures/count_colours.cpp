@@ -6,6 +6,8 @@
 #include <array>
 #include <cmath>
 
+#include "pictures/palette.hpp"
+
 namespace dumbbell {
 namespace {
 
@@ -47,19 +49,22 @@ std::string colour_at(double t) {
 
 std::string count_kind(long count) { return fmt::format("n{}", count); }
 
-void colour_counts(Svg& svg, const std::vector<long>& counts) {
-    if (counts.empty()) {
-        return;
-    }
-    const long first = std::max(1L, counts.front());
-    const auto steps = static_cast<double>(std::max(least_steps, counts.back() - first));
+std::map<long, CountShade> count_shades(const std::vector<long>& counts) {
+    std::map<long, CountShade> shades;
     for (const long count : counts) {
-        if (count == 0) {
-            svg.colour(count_kind(0), "fill", {"#d3d8de", "#4a535d"});
-            continue;
-        }
+        const long first = std::max(1L, counts.front());
+        const auto steps = static_cast<double>(std::max(least_steps, counts.back() - first));
         const double t = static_cast<double>(count - first) / steps;
-        svg.colour(count_kind(count), "fill", {colour_at(t), colour_at(t * share_on_dark)});
+        shades[count] = count == 0 ? CountShade{std::string(palette::no_collision.light),
+                                                std::string(palette::no_collision.dark)}
+                                   : CountShade{colour_at(t), colour_at(t * share_on_dark)};
+    }
+    return shades;
+}
+
+void colour_counts(Svg& svg, const std::vector<long>& counts) {
+    for (const auto& [count, colour] : count_shades(counts)) {
+        svg.colour(count_kind(count), "fill", colour.shade());
     }
 }
 

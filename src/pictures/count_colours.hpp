@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -12,7 +13,17 @@ namespace dumbbell {
 /// The class of the count's colour.
 [[nodiscard]] std::string count_kind(long count);
 
-/// Gives each count its colour. Precondition: ascending, none negative.
+/// A Shade that owns its text.
+struct CountShade {
+    std::string light;
+    std::string dark;
+    [[nodiscard]] Shade shade() const { return {light, dark}; }
+};
+
+/// The colours of these counts in one picture. Precondition: ascending, none negative.
+[[nodiscard]] std::map<long, CountShade> count_shades(const std::vector<long>& counts);
+
+/// Gives each count its colour. Precondition: as count_shades.
 void colour_counts(Svg& svg, const std::vector<long>& counts);
 
 /// The counts that a legend shows: all, or about a dozen from the least to the greatest.

@@ -202,6 +202,8 @@ std::string caption_of(const Piece& piece, const Rational& q, std::size_t boxes,
 
 }  // namespace
 
+Shade shade_of(Reason reason) { return style_of(reason).shade; }
+
 std::string cover_svg(const Piece& piece, const Rational& q) {
     if (piece.cover.equal_masses) {
         throw InputError("the mass ratio 1 is proved by lemma L7, without boxes: there is no cover to draw");

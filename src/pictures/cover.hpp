@@ -4,6 +4,7 @@
 #include <string>
 
 #include "collisions/certificate.hpp"
+#include "pictures/svg.hpp"
 #include "starts/certificate.hpp"
 
 namespace dumbbell {
@@ -15,6 +16,9 @@ inline constexpr std::size_t most_drawn_boxes = 100'000;
 /// proves, or by its other reason; the witness is marked. Preconditions: the piece has an upper bound, of the
 /// dumbbell, and q_lo <= q <= q_hi. Throws InputError if it has no boxes, or more than most_drawn_boxes.
 [[nodiscard]] std::string cover_svg(const Piece& piece, const Rational& q);
+
+/// The colour of boxes with a reason other than a count.
+[[nodiscard]] Shade shade_of(Reason reason);
 
 /// The boxes of a cover of initial conditions, each as it is (phase_svg unites them). Throws InputError as
 /// phase_svg does.

@@ -1,10 +1,11 @@
 #pragma once
 
+#include <array>
+
 #include "pictures/svg.hpp"
 
-/// What has the same colour in every picture; the page of `dumbbell report` has the same ones
-/// (web/src/style.css, under the same names; tests/programs/page/draw_test.mjs). Numbers of collisions:
-/// count_colours.hpp.
+/// What has the same colour in every picture, those of the page of `dumbbell report` included. Numbers of
+/// collisions: count_colours.hpp.
 namespace dumbbell::palette {
 
 inline constexpr Shade proved{"#0055a4", "#6db1ff"};
@@ -21,5 +22,12 @@ inline constexpr Shade meets{"#e69f00", "#e69f00"};
 inline constexpr Shade meets_reversed{"#cc79a7", "#cc79a7"};
 inline constexpr Shade once{"#56b4e9", "#56b4e9"};
 inline constexpr Shade witness{"#b3005e", "#ff7ac0"};
+
+inline constexpr Shade no_collision{"#d3d8de", "#4a535d"};
+inline constexpr Shade hatch{"#b4bbc3", "#4d5762"};  ///< what is not decided
+
+/// Classes without an order, in the set of Okabe and Ito: they stay apart for every kind of colour vision.
+inline constexpr std::array<const char*, 7> classes{"#0072b2", "#e69f00", "#009e73", "#cc79a7",
+                                                    "#56b4e9", "#d55e00", "#f0e442"};
 
 }  // namespace dumbbell::palette

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <iterator>
 
+#include "pictures/palette.hpp"
+
 namespace dumbbell {
 namespace {
 
@@ -15,10 +17,10 @@ constexpr std::string_view light_style =
     "sans-serif;fill:#222}.head{font-weight:600;font-size:15px}.small{font-size:12px;fill:#59626c}"
     ".page{fill:#fff}.grid{stroke:#e2e5e9}.frame{fill:none;stroke:#8b949e}.mark{stroke:#1b2026;stroke-"
     "dasharray:4 3}"
-    ".hatched{fill:url(#hatch)}.hatch-ground{fill:#fff}.hatch{stroke:#b4bbc3;stroke-width:1.6}";
+    ".hatched{fill:url(#hatch)}.hatch-ground{fill:#fff}";
 constexpr std::string_view dark_style =
     "text{fill:#d9dee4}.small{fill:#9aa4af}.page{fill:#12161c}.grid{stroke:#2a313a}.frame{stroke:#6c7680}"
-    ".mark{stroke:#0b0e12}.hatch-ground{fill:#12161c}.hatch{stroke:#4d5762}";
+    ".mark{stroke:#0b0e12}.hatch-ground{fill:#12161c}";
 
 /// What is not decided, or has no value: stripes that no colour is.
 constexpr std::string_view hatch =
@@ -83,8 +85,8 @@ Svg::Svg(double width, double height, std::string_view title)
           R"(<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {0} {1}" width="{0}" height="{1}" role="img">)"
           "\n<title>{2}</title>\n",
           px(width), px(height), xml_text(title))),
-      light_(light_style),
-      dark_(dark_style) {
+      light_(fmt::format("{}.hatch{{stroke:{};stroke-width:1.6}}", light_style, palette::hatch.light)),
+      dark_(fmt::format("{}.hatch{{stroke:{}}}", dark_style, palette::hatch.dark)) {
     body_ = fmt::format("<rect class=\"page\" width=\"{}\" height=\"{}\"/>\n", px(width), px(height));
 }
 

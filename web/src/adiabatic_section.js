@@ -5,10 +5,9 @@ import { h, labelled, select, table } from "./dom.js";
 import { foundations, verifyBox } from "./file_tables.js";
 import { plural, shortened, show } from "./numbers.js";
 import { orbitFromContact } from "./orbit.js";
-import { categorical } from "./palette.js";
 import { Player } from "./player.js";
 import { parse, toNumber } from "./rational.js";
-import { colour } from "./theme.js";
+import { shade } from "./theme.js";
 
 const range = ([lo, hi]) => (lo === hi ? lo : `from ${lo} to ${hi}`);
 const delta = ([lo, hi]) => (lo === hi ? `For \u03b4 = ${lo}` : `For every \u03b4 from ${lo} to ${hi}`);
@@ -85,7 +84,7 @@ function boxes(file) {
         file: file.verify_file,
         colourings: [{
             text: "by class",
-            paint: (kind) => (kind.reason === "outside" ? colour("--outside") : categorical(kind.class)),
+            paint: (kind) => shade(kind.colour),
             label: (kind) => (kind.reason === "outside" ? "outside" : file.classes > 1 ? `bound by class ${kind.class}` : "bound"),
             order: (kind) => kind.class ?? 1e9,
         }],

@@ -1,15 +1,14 @@
 // A certificate about the greatest number of collisions: staircase, cover, witnesses, tables.
 import { chartPoints } from "./chart_points.js";
 import { leafText, total } from "./charts.js";
-import { countPaint, cover } from "./cover.js";
+import { cover } from "./cover.js";
 import { h, labelled, longTable, select, table } from "./dom.js";
 import { foundations, verifyBox } from "./file_tables.js";
 import { plural, shortened, show } from "./numbers.js";
-import { categorical } from "./palette.js";
 import { Player } from "./player.js";
 import { parse, toNumber } from "./rational.js";
 import { staircase } from "./staircase.js";
-import { colour } from "./theme.js";
+import { colour, shade } from "./theme.js";
 import { bridgeOrbit, extremalOrbits, wedgeOrbit } from "./witness.js";
 
 const systems = { dumbbell: "The dumbbell", hybrid: "The hybrid wedge", wedge: "The straight wedge" };
@@ -49,7 +48,6 @@ function coverNote(file) {
 
 function coverSource(file, orbits) {
     const isCount = (kind) => kind.reason === "count";
-    const shade = countPaint(file.kinds.filter(isCount).map(total));
     const choices = file.pieces.flatMap((piece, i) => piece.trees.map((tree) => ({
         text: `${file.pieces.length > 1 ? `${rangeText(piece)}: ${valueText(piece)}, ` : ""}chart ${tree.chart} (${tree.leaves.toLocaleString("en")} ${tree.leaves === 1 ? "box" : "boxes"})`,
         tree,
@@ -71,13 +69,13 @@ function coverSource(file, orbits) {
             {
                 text: "by number of collisions",
                 isByCount: true,
-                paint: (kind) => (isCount(kind) ? shade(total(kind)) : colour(`--${kind.reason}`)),
+                paint: (kind) => shade(kind.colour),
                 label: (kind) => (isCount(kind) ? `at most ${total(kind)}` : kind.reason),
                 order: (kind) => (isCount(kind) ? total(kind) : 1e9 + reasons.indexOf(kind.reason)),
             },
             {
                 text: "by reason",
-                paint: (kind) => (isCount(kind) ? categorical(0) : colour(`--${kind.reason}`)),
+                paint: (kind) => (isCount(kind) ? colour("--proved") : shade(kind.colour)),
                 label: (kind) => kind.reason,
                 order: (kind) => reasons.indexOf(kind.reason) + (kind.reason === "outside" ? 9 : 0),
             },

@@ -1,6 +1,6 @@
 // The boxes of a cover, with their reasons. What a file's boxes mean comes as `source`:
 //   choices: [{text, tree (data), chart, explain (the verifier's path to the root), marks}]
-//   first: index of the choice shown at first;  kinds;  colourings: [{text, paint(kind, i): a colour or "hatched", label(kind), order(kind)}]
+//   first: index of the choice shown at first;  kinds;  colourings: [{text, paint(kind): a colour or "hatched", label(kind), order(kind)}]
 //   countOf(kind): the count that its colour stands for, if there is one (the colouring then has isByCount)
 //   describe(kind, chart): a leaf in a line;  note: text below;  file: for the verifier;  play(point): if boxes can be played
 import { h, labelled, output, select } from "./dom.js";
@@ -9,18 +9,11 @@ import { axisLabel, boxText, chartNamed } from "./charts.js";
 import { drawMarks } from "./marks.js";
 import { plural, show } from "./numbers.js";
 import { Plane } from "./plane.js";
-import { countColour } from "./palette.js";
 import { colour, onTheme } from "./theme.js";
 import { angleTicks, linearTicks } from "./ticks.js";
 import { BoxTree } from "./tree.js";
 
 const hint = "Point at a box, or move the picture with the arrow keys: what lies in the middle is told here.";
-
-/// The colour of each of these counts, in the page's present colours.
-export function countPaint(counts) {
-    const [least, most] = [Math.min(...counts), Math.max(...counts)];
-    return (count) => (count === 0 ? colour("--none") : countColour(count, least, most, Number(colour("--count-share"))));
-}
 
 /// What explains holes in the counts of a legend.
 function legendNote(counts) {
@@ -145,7 +138,7 @@ class Cover {
         for (const i of present) {
             const kind = this.source.kinds[i];
             const label = this.colouring.label(kind);
-            seen.set(label, { paint: this.colouring.paint(kind, i), order: this.colouring.order?.(kind) ?? 0 });
+            seen.set(label, { paint: this.colouring.paint(kind), order: this.colouring.order?.(kind) ?? 0 });
         }
         let entries = [...seen].sort((a, b) => a[1].order - b[1].order);
         const isThinned = entries.length > 14;
@@ -199,7 +192,7 @@ class Cover {
 
     draw(plane) {
         const fixed = this.fixed.map((x, a) => (a === this.x || a === this.y ? NaN : x));
-        const paint = (i) => this.colouring.paint(this.source.kinds[i], i);
+        const paint = (i) => this.colouring.paint(this.source.kinds[i]);
         drawBoxes(plane, { tree: this.tree, xAxis: this.x, yAxis: this.y, fixed, map: this.map, paint, ink: colour("--box-ink") });
         if (this.choice.marks && this.x === 0 && this.y === 1) {
             drawMarks(plane, this.choice.marks(1 / this.r), this.map);

@@ -1,20 +1,17 @@
 // A certificate about initial conditions: its boxes, from which orbits can be played, and its shares.
-import { countPaint, cover } from "./cover.js";
+import { cover } from "./cover.js";
 import { h, table } from "./dom.js";
 import { foundations, verifyBox } from "./file_tables.js";
 import { plural, shortened, show } from "./numbers.js";
-import { colour } from "./theme.js";
+import { colour, shade } from "./theme.js";
 
 const names = { phi: "\u03c6: angle of the rod", phidot: "\u03c6\u2032: its velocity", y: "y: height of the centre of mass, rod lengths", ydot: "y\u2032: its velocity", q: "q: mass ratio, heavy over light" };
 const symbols = { phi: "\u03c6", phidot: "\u03c6\u2032", y: "y", ydot: "y\u2032", q: "q" };
 
 const countText = ({ least, most }) => (most === least ? plural(least, "collision") : most === null ? "open: nothing is said" : `${least} to ${most} collisions`);
-/// What is said of the hatched part; equal masses have no orbit of three collisions.
-const undecided = (q) => `Hatched: not decided by the file. ${q.hi === "1/1" ? "" : "More boxes need not help: dumbbell trace --subdivide has no rule yet for some orbits that hit with the light, the heavy and the light mass; dumbbell trace may decide them one by one. "}`;
 const isExact = (kind) => kind.most === kind.least;
 
 function source(file, play) {
-    const shade = countPaint(file.kinds.filter(isExact).map((kind) => kind.least));
     const hasOpen = file.kinds.some((kind) => !isExact(kind));
     return {
         title: `The boxes of initial conditions of ${file.name}`,
@@ -24,20 +21,20 @@ function source(file, play) {
         axisText: names,
         describe: (kind) => `${isExact(kind) ? "Exactly " : ""}${countText(kind)}${kind.first ? `, the first one of the ${kind.first} mass` : ""}`,
         file: file.verify_file,
-        note: `${hasOpen ? undecided(file.tree.axes.find(({ name }) => name === "q")) : ""}Click a box (or press Enter for the one in the middle) to play the orbit from its centre below.`,
+        note: `${hasOpen ? `${file.hatched} ` : ""}Click a box (or press Enter for the one in the middle) to play the orbit from its centre below.`,
         play,
         extra: (leaf) => windowText(file.windows.slice(2 * leaf, 2 * leaf + 2)),
         colourings: [
             {
                 text: "by number of collisions",
                 isByCount: true,
-                paint: (kind) => (isExact(kind) ? shade(kind.least) : "hatched"),
+                paint: (kind) => (kind.colour ? shade(kind.colour) : "hatched"),
                 label: (kind) => (isExact(kind) ? plural(kind.least, "collision") : "not decided"),
                 order: (kind) => (isExact(kind) ? kind.least : 1e9),
             },
             {
                 text: "by the first mass to hit",
-                paint: (kind) => (kind.first ? colour(`--${kind.first}`) : isExact(kind) ? colour("--none") : "hatched"),
+                paint: (kind) => (kind.first ? colour(`--${kind.first}`) : kind.colour ? shade(kind.colour) : "hatched"),
                 label: (kind) => (kind.first ? `${kind.first} mass first` : isExact(kind) ? "no collision" : "not decided, or without a word about it"),
                 order: (kind) => ["light", "heavy", null].indexOf(kind.first) + (isExact(kind) ? 0 : 1),
             },

@@ -6,7 +6,7 @@ import { h, labelled, select } from "./dom.js";
 import { initialSection } from "./initial_section.js";
 import { OwnStart } from "./own_start.js";
 import { openForPrint } from "./print.js";
-import { setTheme, watchTheme } from "./theme.js";
+import { setTheme, useColours, watchTheme } from "./theme.js";
 
 function header(data) {
     const theme = labelled("Colours", select([["auto", "as the system"], ["light", "light"], ["dark", "dark"]], "auto", setTheme));
@@ -40,6 +40,7 @@ function sectionOf(file, data, own) {
 }
 
 const data = JSON.parse(document.getElementById("data").textContent);
+useColours(data.colours);
 watchTheme();
 openForPrint();
 const own = new OwnStart(firstStart);

@@ -1,5 +1,5 @@
-// Light and dark. The colours live in style.css and dark.css; canvases read them here and are drawn again when they
-// change.
+// Light and dark. The page's colours live in style.css and dark.css, those of the pictures come with the data; canvases read
+// them here and are drawn again when they change.
 
 const drawers = new Set();
 const asTheSystem = "(prefers-color-scheme: dark)";
@@ -8,6 +8,17 @@ let chosen = "auto";
 
 /// The value of a CSS variable, e.g. colour("--ink").
 export const colour = (name) => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
+
+/// Of a pair, as the data have it, the colour on a page as light or as dark as this one is now.
+export const shade = (pair) => pair[matchMedia(document.getElementById("dark").media).matches ? 1 : 0];
+
+/// The colours of the pictures, {name: pair}, as CSS variables.
+export function useColours(colours) {
+    ["light", "dark"].forEach((id, i) => {
+        const rules = Object.entries(colours).map(([name, pair]) => `--${name}:${pair[i]}`);
+        document.getElementById(id).append(`:root{${rules.join(";")}}`);
+    });
+}
 
 /// Stripes for what is not decided, as a fill.
 export function hatching(context) {

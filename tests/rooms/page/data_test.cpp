@@ -99,10 +99,13 @@ TEST_CASE("a tree's leaves are numbered by their kinds, counts last, and its axe
     CHECK(nodes[0] == -1);
     CHECK(nodes[2] == -2);
     CHECK(kinds[nodes[1].get<std::size_t>()] ==
-          Json::parse(R"({"reason": "count", "forward": 1, "backward": 2})"));
+          Json::parse(R"({"reason": "count", "forward": 1, "backward": 2,
+              "colour": ["#fde725", "#fde725"]})"));
     CHECK(kinds[nodes[3].get<std::size_t>()] ==
-          Json::parse(R"({"reason": "count", "forward": 0, "backward": 3})"));
+          Json::parse(R"({"reason": "count", "forward": 0, "backward": 3,
+              "colour": ["#fde725", "#fde725"]})"));
     CHECK(kinds[nodes[4].get<std::size_t>()]["reason"] == "outside");
+    CHECK(kinds[nodes[4].get<std::size_t>()]["colour"] == Json{"#e8eaed", "#39424c"});
     CHECK(kinds.back()["reason"] == "count");
     CHECK(file["totals"] == Json::parse(R"({"count": 3, "outside": 1, "meets": 1, "meets-reversed": 1})"));
 }
@@ -162,8 +165,9 @@ TEST_CASE("initial conditions: kinds with their first mass, exact shares, bounds
     CHECK(file["tree"]["axes"][0] == Json::parse(R"({"name": "phi", "lo": "0/1", "hi": "1/1"})"));
     CHECK(file["tree"]["axes"][3]["lo"] == "-1/2");
     CHECK(file["tree"]["nodes"] == Json{-1, 0, -1, 1, 2});
-    CHECK(file["kinds"][0] == Json::parse(R"({"least": 1, "most": 1, "first": "heavy"})"));
-    CHECK(file["kinds"][2] == Json::parse(R"({"least": 1, "most": 3, "first": null})"));
+    CHECK(file["kinds"][0] == Json::parse(R"({"least": 1, "most": 1, "first": "heavy",
+        "colour": ["#fde725", "#fde725"]})"));
+    CHECK(file["kinds"][2] == Json::parse(R"({"least": 1, "most": 3, "first": null, "colour": null})"));
     CHECK(file["windows"] == Json{0.5, 0.75, 0.5, 0.75, nullptr, nullptr});
     CHECK(file["shares"] == Json::parse(R"([{"collisions": null, "share": "0.25", "boxes": 1},
         {"collisions": 1, "share": "0.5", "boxes": 1}, {"collisions": 2, "share": "0.25", "boxes": 1}])"));
