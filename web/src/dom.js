@@ -1,8 +1,14 @@
 // Building elements. Text is always text: nothing from a certificate is read as HTML.
 
 /// h("p", {class: "note"}, "text", child, ...): attributes by name, functions as listeners (onclick, ...).
-export function h(tag, attributes = {}, ...children) {
-    const element = document.createElement(tag);
+export const h = (tag, ...rest) => filled(document.createElement(tag), ...rest);
+
+const svg = Object.assign(document.createElement("template"), { innerHTML: "<svg></svg>" }).content.firstChild.namespaceURI; // the page has no address in it
+
+/// The same for an element of a picture.
+export const s = (tag, ...rest) => filled(document.createElementNS(svg, tag), ...rest);
+
+function filled(element, attributes = {}, ...children) {
     for (const [name, value] of Object.entries(attributes)) {
         if (typeof value === "function") {
             element.addEventListener(name.slice(2), value);

@@ -4,40 +4,19 @@ import { colour } from "./theme.js";
 /// marks: [{colour (CSS variable), text, points: [[position, slope], ...]}] in chart coordinates; each a chain of dots, named at
 /// its first one that is in the window. map as in boxes.js.
 export function drawMarks(plane, marks, map) {
-    const chains = marks.map(({ colour: name, text, points }) => {
-        const at = points.map(([a, b]) => (map ? [map.x(a), map.y(a, b)] : [a, b]));
-        return { ink: colour(name), text, at, pixels: at.map(([x, y]) => [plane.X(x), plane.Y(y)]) };
-    });
-    for (const chain of chains) {
-        drawChain(plane.context, chain);
+    const chains = marks.map(({ points, ...mark }) => ({ ...mark, at: points.map(([a, b]) => (map ? [map.x(a), map.y(a, b)] : [a, b])) }));
+    for (const { colour: ink, at } of chains) {
+        plane.line(at, ink, 1.25, [4, 3]);
+        at.forEach(([x, y], i) => plane.dot(x, y, i === 0 ? 5 : 3.5, ink, 1.5));
     }
     const w = plane.window;
     const labels = [];
-    for (const { at, pixels, text, ink } of chains) {
-        const first = at.findIndex(([x, y]) => x >= w.x0 && x <= w.x1 && y >= w.y0 && y <= w.y1);
-        if (first >= 0) {
-            drawLabel(plane, pixels[first], text, ink, labels);
+    for (const { at, text, colour: ink } of chains) {
+        const first = at.find(([x, y]) => x >= w.x0 && x <= w.x1 && y >= w.y0 && y <= w.y1);
+        if (first) {
+            drawLabel(plane, [plane.X(first[0]), plane.Y(first[1])], text, colour(ink), labels);
         }
     }
-}
-
-function drawChain(c, { pixels, ink }) {
-    c.lineWidth = 1.25;
-    c.strokeStyle = ink;
-    c.setLineDash([4, 3]);
-    c.beginPath();
-    pixels.forEach(([x, y]) => c.lineTo(x, y));
-    c.stroke();
-    c.setLineDash([]);
-    c.strokeStyle = colour("--paper-white");
-    c.lineWidth = 1.5;
-    pixels.forEach(([x, y], i) => {
-        c.beginPath();
-        c.arc(x, y, i === 0 ? 5 : 3.5, 0, 2 * Math.PI);
-        c.fillStyle = ink;
-        c.fill();
-        c.stroke();
-    });
 }
 
 const lineHeight = 20;

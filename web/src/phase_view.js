@@ -51,14 +51,7 @@ export class PhaseView {
         this.drawPath(plane);
         this.drawCollisions(plane);
         if (this.state) {
-            const c = plane.context;
-            c.beginPath();
-            c.arc(plane.X(this.state.psi), plane.Y(this.state.y * this.unit), 6, 0, 2 * Math.PI);
-            c.fillStyle = colour("--point");
-            c.fill();
-            c.lineWidth = 2;
-            c.strokeStyle = colour("--paper-white");
-            c.stroke();
+            plane.dot(this.state.psi, this.state.y * this.unit, 6, "--point", 2);
         }
     }
 
@@ -75,38 +68,33 @@ export class PhaseView {
         const { frame } = plane;
         const parts = Math.ceil(frame.width / 2);
         const psiAt = (i) => plane.window.x0 + ((plane.window.x1 - plane.window.x0) * i) / parts;
+        const place = (i) => [psiAt(i), this.floor(psiAt(i))];
         c.fillStyle = colour("--floor");
         c.beginPath();
         c.moveTo(frame.x, frame.y + frame.height + 5);
         for (let i = 0; i <= parts; ++i) {
-            c.lineTo(plane.X(psiAt(i)), plane.Y(this.floor(psiAt(i))));
+            const [psi, y] = place(i);
+            c.lineTo(plane.X(psi), plane.Y(y));
         }
         c.lineTo(frame.x + frame.width, frame.y + frame.height + 5);
         c.fill();
-        c.lineWidth = 2;
+        let wall = [place(0)];
         for (let i = 0; i < parts; ++i) {
-            const [a, b] = [psiAt(i), psiAt(i + 1)];
-            c.strokeStyle = colour(this.isHeavy((a + b) / 2) ? "--heavy" : "--light");
-            c.beginPath();
-            c.moveTo(plane.X(a), plane.Y(this.floor(a)));
-            c.lineTo(plane.X(b), plane.Y(this.floor(b)));
-            c.stroke();
+            wall.push(place(i + 1));
+            const [here, next] = [psiAt(i + 0.5), psiAt(i + 1.5)].map((psi) => this.isHeavy(psi));
+            if (here !== next || i === parts - 1) {
+                plane.line(wall, here ? "--heavy" : "--light", 2);
+                wall = [place(i + 1)];
+            }
         }
     }
 
     drawPath(plane) {
-        const c = plane.context;
         const { collisions, first, last } = this.orbit;
         const done = this.state?.done ?? collisions.length + 1;
-        const points = [at(first), ...collisions, at(last)].map((p) => [plane.X(p.psi), plane.Y(p.y * this.unit)]);
-        c.lineWidth = 1.25;
-        for (let i = 0; i + 1 < points.length; ++i) {
-            c.strokeStyle = colour(i < done ? "--ink" : "--faint");
-            c.beginPath();
-            c.moveTo(...points[i]);
-            c.lineTo(...points[i + 1]);
-            c.stroke();
-        }
+        const places = [at(first), ...collisions, at(last)].map((p) => [p.psi, p.y * this.unit]);
+        plane.line(places.slice(done), "--faint", 1.25);
+        plane.line(places.slice(0, done + 1), "--ink", 1.25);
     }
 
     drawCollisions(plane) {
@@ -120,10 +108,7 @@ export class PhaseView {
         const hasRoom = (px, py) => written.every(([a, b]) => Math.abs(a - px) > 13 || Math.abs(b - py) > 10);
         collisions.forEach(({ psi, y, heavy }, i) => {
             const [x, py] = [plane.X(psi), plane.Y(y * this.unit)];
-            c.beginPath();
-            c.arc(x, py, 3.2, 0, 2 * Math.PI);
-            c.fillStyle = colour(heavy ? "--heavy" : "--light");
-            c.fill();
+            plane.dot(psi, y * this.unit, 3.2, heavy ? "--heavy" : "--light");
             if (collisions.length <= mostNumbers) {
                 c.fillStyle = colour("--soft");
                 const row = py + (i < middle ? -12 : 12); // the way down above, the way up below

@@ -186,10 +186,38 @@ export class Plane {
     }
 
     rule(x0, y0, x1, y1) {
+        const half = (px) => Math.round(px) + 0.5;
+        this.stroke([[half(x0), half(y0)], [half(x1), half(y1)]]);
+    }
+
+    stroke(pixels) {
         const { context: c } = this;
         c.beginPath();
-        c.moveTo(Math.round(x0) + 0.5, Math.round(y0) + 0.5);
-        c.lineTo(Math.round(x1) + 0.5, Math.round(y1) + 0.5);
+        pixels.forEach((at) => c.lineTo(...at));
         c.stroke();
+    }
+
+    /// A line through places [x, y] of the picture.
+    line(places, ink, width, dash = []) {
+        const { context: c } = this;
+        c.strokeStyle = colour(ink);
+        c.lineWidth = width;
+        c.setLineDash(dash);
+        this.stroke(places.map(([x, y]) => [this.X(x), this.Y(y)]));
+        c.setLineDash([]);
+    }
+
+    /// A dot at a place, with an edge that keeps it off what is below.
+    dot(x, y, radius, ink, edge = 0) {
+        const { context: c } = this;
+        c.beginPath();
+        c.arc(this.X(x), this.Y(y), radius, 0, 2 * Math.PI);
+        c.fillStyle = colour(ink);
+        c.fill();
+        if (edge > 0) {
+            c.lineWidth = edge;
+            c.strokeStyle = colour("--paper-white");
+            c.stroke();
+        }
     }
 }

@@ -28,7 +28,7 @@ export class Player {
         this.element = h(
             "div",
             { class: "player", onkeydown: (event) => this.key(event) },
-            h("div", { class: "views" }, this.dumbbell.canvas, this.phase.element),
+            h("div", { class: "views" }, this.dumbbell.element, this.phase.element),
             h(
                 "div",
                 { class: "controls transport" },
@@ -55,10 +55,10 @@ export class Player {
         this.clock = new Clock(orbit);
         const top = Math.max(orbit.first.until < orbit.first.t || orbit.collisions.length === 0 ? stateAt(orbit, this.clock.times[0]).y : orbit.first.y, 0);
         const isDumbbell = orbit.scene === "dumbbell";
-        this.dumbbell.canvas.hidden = !isDumbbell;
+        this.dumbbell.element.hidden = !isDumbbell;
         this.element.classList.toggle("single", !isDumbbell);
         const from = this.clock.times[0];
-        this.dumbbell.setOrbit(orbit, Math.min(6, Math.max(2.1, top / (1 + orbit.r) + 1.08)), (t) => (t < from ? null : stateAt(orbit, t)));
+        this.dumbbell.setOrbit(orbit, Math.min(6, Math.max(2.1, top / (1 + orbit.r) + 1.08)), (t) => stateAt(orbit, Math.max(from, t)));
         this.phase.setOrbit(orbit);
         this.summary.textContent = `Every collision in numbers (doubles${isDumbbell ? "; heights in rod lengths" : ""})`;
         this.position.max = this.clock.flights;

@@ -139,7 +139,6 @@ class Staircase {
     }
 
     draw(plane) {
-        const c = plane.context;
         this.pieces.forEach((piece, i) => {
             if (this.x1[i] >= plane.window.x0 && this.x0[i] <= plane.window.x1 && piece.status !== "exact") {
                 this.drawUndecided(plane, piece, i);
@@ -149,7 +148,7 @@ class Staircase {
             this.drawPaper(plane);
             this.drawGrowth(plane);
         }
-        c.lineCap = "butt";
+        const c = plane.context; // all in one path: there may be very many
         c.lineWidth = 3;
         c.strokeStyle = colour("--proved");
         c.beginPath();
@@ -165,24 +164,23 @@ class Staircase {
     }
 
     /// A gap: a riser between its two values, at least a thin one; an open piece: the whole height.
-    drawUndecided(plane, piece, i) {
+    drawUndecided(plane, { status, lower, upper }, i) {
         const c = plane.context;
         const x = plane.X(this.x0[i]);
         const width = Math.max(1.5, plane.X(this.x1[i]) - x);
-        const isGap = piece.status === "gap";
-        const top = isGap ? plane.Y(piece.upper) : plane.frame.y;
-        const bottom = isGap ? plane.Y(piece.lower) : plane.Y(piece.lower);
+        const isGap = status === "gap";
+        const top = isGap ? plane.Y(upper) : plane.frame.y;
         c.fillStyle = isGap ? colour("--gap") : hatching(c);
-        c.fillRect(x, top, width, Math.max(1, bottom - top));
+        c.fillRect(x, top, width, Math.max(1, plane.Y(lower) - top));
     }
 
     drawPaper(plane) {
-        const c = plane.context;
         const last = toNumber(this.pieces.at(-1).q1);
         const from = Math.max(1, this.scale.q(plane.window.x0));
         const to = Math.min(last, this.scale.q(plane.window.x1));
         let bound = paperBound(from);
         if (bound > plane.window.y1) {
+            const c = plane.context;
             c.font = `12px ${colour("--font")}`;
             c.fillStyle = colour("--paper");
             c.textAlign = "right";
@@ -191,38 +189,23 @@ class Staircase {
             return;
         }
         const stride = Math.max(1, Math.ceil((paperBound(to) - bound) / mostPaperSteps));
-        c.strokeStyle = colour("--paper");
-        c.lineWidth = 1.5;
-        c.setLineDash([6, 4]);
-        c.beginPath();
-        c.moveTo(plane.X(Math.max(this.x0[0], plane.window.x0)), plane.Y(bound));
+        const end = Math.min(this.x1.at(-1), plane.window.x1);
+        const places = [[Math.max(this.x0[0], plane.window.x0), bound]];
         for (; ; bound += stride) {
             const x = this.scale.xOf(paperStep(bound - 1));
-            if (!(x < Math.min(plane.window.x1, this.x1.at(-1)))) {
+            if (!(x < end)) {
                 break;
             }
-            c.lineTo(plane.X(x), plane.Y(bound));
-            c.lineTo(plane.X(x), plane.Y(bound + stride));
+            places.push([x, bound], [x, bound + stride]);
         }
-        c.lineTo(plane.X(Math.min(this.x1.at(-1), plane.window.x1)), plane.Y(bound));
-        c.stroke();
-        c.setLineDash([]);
+        plane.line([...places, [end, bound]], "--paper", 1.5, [6, 4]);
     }
 
     drawGrowth(plane) {
-        const c = plane.context;
-        c.strokeStyle = colour("--growth");
-        c.lineWidth = 1.25;
-        c.setLineDash([2, 3]);
-        c.beginPath();
         const lo = Math.max(this.x0[0], plane.window.x0);
         const hi = Math.min(this.x1.at(-1), plane.window.x1);
-        for (let i = 0; i <= 200; ++i) {
-            const x = lo + ((hi - lo) * i) / 200;
-            c.lineTo(plane.X(x), plane.Y(growth(this.scale.q(x), this.constant)));
-        }
-        c.stroke();
-        c.setLineDash([]);
+        const place = (x) => [x, growth(this.scale.q(x), this.constant)];
+        plane.line(Array.from({ length: 201 }, (_, i) => place(lo + ((hi - lo) * i) / 200)), "--growth", 1.25, [2, 3]);
     }
 
     tell(x) {

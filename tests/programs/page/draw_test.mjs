@@ -186,16 +186,21 @@ test("initial conditions are coloured by their exact counts, which trace confirm
 
 test("the dumbbell and its point are drawn, for a wedge the point alone", async () => {
     const page = await open(browser, report(place("two.html"), files.ten, files.wedge));
-    const [light, heavy, point] = await Promise.all(["--light", "--heavy", "--point"].map((name) => colour(page, name)));
-    const body = await pixels(page.locator("#file-1 canvas.dumbbell"));
-    const inks = new Set();
-    for (let x = 0; x < body.width - 1; x += 2) {
-        for (let y = 0; y < body.height - 40; y += 2) {
-            inks.add(body.at(x, y));
-        }
-    }
-    assert.ok(inks.has(light) && inks.has(heavy));
-    assert.ok(await page.locator("#file-2 canvas.dumbbell").isHidden());
+    const point = await colour(page, "--point");
+    const dumbbell = page.locator("#file-1 .dumbbell svg");
+    const places = await dumbbell.evaluate((svg) => {
+        const box = svg.getBoundingClientRect();
+        return ["light", "heavy"].map((kind) => {
+            const line = [...svg.querySelectorAll(`line.${kind}`)].at(-1);
+            const [x, y] = ["x1", "y1"].map((name) => Number(line.getAttribute(name)));
+            const { x: px, y: py } = new DOMPoint(x, y).matrixTransform(svg.getScreenCTM());
+            return { x, y, ink: getComputedStyle(line).stroke.match(/\d+/g).join(","), isSeen: px > box.left && px < box.right && py > box.top && py < box.bottom };
+        });
+    });
+    assert.deepEqual(places.map(({ ink }) => ink), await Promise.all(["--light", "--heavy"].map((name) => colour(page, name))));
+    assert.ok(places.every(({ isSeen }) => isSeen));
+    assert.ok(Math.abs(Math.hypot(places[0].x - places[1].x, places[0].y - places[1].y) - 1) < 1e-9); // a rod long
+    assert.ok(await page.locator("#file-2 .dumbbell").isHidden());
     const plane = page.locator("#file-2 .player .plane canvas");
     const picture = await pixels(plane);
     assert.ok(inkShare(picture) > 0.05);
