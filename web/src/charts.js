@@ -12,36 +12,32 @@ const bridge = {
     limit: Math.PI / 2,
 };
 const contact = {
+    ...bridge,
     about: "contacts of the heavy mass with the floor that leave to the left",
-    axes: { t: "t: angle from the corner", eta: "\u03b7: slope above the tangent, in units of r = 1/q" },
-    psi: (t) => Math.PI / 2 - t,
-    position: (psi) => Math.PI / 2 - psi,
-    slope: (t, eta, r) => r * (Math.cos(t) + eta),
-    steepness: (t, slope, r) => slope / r - Math.cos(t),
+    axes: { t: "t: angle from the corner", eta: bridge.axes.eta },
     limit: Math.PI,
+};
+const light = {
+    about: "turning collisions of the light mass, of trajectories that never touch the floor with the heavy one",
+    axes: { e: "e: angle from the corner", lambda: "\u03bb: slope in units of r = 1/q" },
+    psi: (e) => Math.PI / 2 + e,
+    position: (psi) => psi - Math.PI / 2,
+    slope: (e, lambda, r) => r * lambda,
+    steepness: (e, slope, r) => slope / r,
+    limit: Math.PI / 2,
 };
 
 const charts = {
     bridge,
     contact,
     again: { ...contact, about: "the same contacts once more: none of them comes back to the heavy mass" },
-    light: {
-        about: "turning collisions of the light mass, of trajectories that never touch the floor with the heavy one",
-        axes: { e: "e: angle from the corner", lambda: "\u03bb: slope in units of r = 1/q" },
-        psi: (e) => Math.PI / 2 + e,
-        position: (psi) => psi - Math.PI / 2,
-        slope: (e, lambda, r) => r * lambda,
-        steepness: (e, slope, r) => slope / r,
-        limit: Math.PI / 2,
-    },
+    light,
     departure: {
+        ...light,
         about: "collisions of the light mass, in any direction, that cross the cell next",
-        axes: { e: "e: angle from the corner", eta: "\u03b7: slope above the tangent" },
-        psi: (e) => Math.PI / 2 + e,
-        position: (psi) => psi - Math.PI / 2,
+        axes: { e: light.axes.e, eta: "\u03b7: slope above the tangent" },
         slope: (e, eta) => eta - Math.cos(e),
         steepness: (e, slope) => slope + Math.cos(e),
-        limit: Math.PI / 2,
     },
     wedge: {
         about: "slopes of turning collisions; the wedge has no scale, so no position",

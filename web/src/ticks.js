@@ -8,9 +8,9 @@ export function roundStep(span, wanted) {
     return power * ([1, 2, 5].find((m) => m * power >= raw) ?? 10);
 }
 
-/// Marks {at, text} in [lo, hi], with as many digits as tell them apart.
-export function linearTicks(lo, hi, wanted) {
-    const step = roundStep(hi - lo, wanted);
+/// Marks {at, text} in [lo, hi], with as many digits as tell them apart; no closer than `least`.
+export function linearTicks(lo, hi, wanted, least = 0) {
+    const step = Math.max(least, roundStep(hi - lo, wanted));
     const size = Math.max(Math.abs(lo), Math.abs(hi));
     const digits = Math.max(1, Math.ceil(Math.log10(size / step)) + 1);
     const ticks = [];
@@ -24,14 +24,7 @@ export function linearTicks(lo, hi, wanted) {
 const powers = (x, digits) => (x === 0 ? "0" : Number(x.toPrecision(digits)).toExponential().replace("e+", "e").replace(/-/g, "\u2212"));
 
 /// Counts: whole numbers only.
-export function countTicks(lo, hi, wanted) {
-    const step = Math.max(1, roundStep(hi - lo, wanted));
-    const ticks = [];
-    for (let i = Math.ceil(lo / step); i * step <= hi; ++i) {
-        ticks.push({ at: i * step, text: String(i * step) });
-    }
-    return ticks;
-}
+export const countTicks = (lo, hi, wanted) => linearTicks(lo, hi, wanted, 1);
 
 /// An axis of log10 q, with marks at round q: 1, 2, 5 of each decade, or equal steps of q in a narrow window.
 export function logTicks(lo, hi, wanted) {
