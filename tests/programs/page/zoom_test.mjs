@@ -127,6 +127,7 @@ test("a typed ratio is gone to", async () => {
     const page = await open(browser, report(place("stairs.html"), files.stairs));
     await page.getByLabel("around q =", { exact: true }).fill("50");
     await page.getByRole("button", { name: "Go" }).click();
+    await settled(page);
     const { x0, x1 } = await windowOf(page.locator("#file-1 .plane canvas").first());
     assert.ok(x0 < Math.log10(50) && Math.log10(50) < x1 && x1 - x0 < 0.1);
     const choice = page.getByLabel("Show", { exact: true });
