@@ -5,7 +5,6 @@
 #include "adiabatic/writer.hpp"
 #include "base/printable.hpp"
 #include "number/decimal.hpp"
-#include "words/json_number.hpp"
 #include "words/printed.hpp"
 #include "words/text_table.hpp"
 
@@ -196,52 +195,51 @@ std::string table_text(const AdiabaticReport& report) {
     return aligned(lines, 1);
 }
 
-nlohmann::ordered_json state_json(const AdiabaticState& state) {
-    return {{"u", to_fraction(state.u)},
-            {"s", to_fraction(state.s)},
-            {"delta", to_fraction(state.delta)},
-            {"n", state.n},
-            {"value", to_fraction(state.value)}};
+Json state_json(const AdiabaticState& state) {
+    return Json::object({{"u", to_fraction(state.u)},
+                         {"s", to_fraction(state.s)},
+                         {"delta", to_fraction(state.delta)},
+                         {"n", state.n},
+                         {"value", to_fraction(state.value)}});
 }
 
-nlohmann::ordered_json proof_json(const AdiabaticProof& proof) {
+Json error_json(const AdiabaticProof& proof, const Unit& unit, std::size_t i) {
+    const bool bounded = i < proof.bounds.size(), found = i < proof.attained.size();
+    return Json::object(
+        {{"error", unit.error},
+         {"unit", unit.unit.empty() ? "1" : unit.unit},
+         {"bound", bounded ? Json(to_fraction(proof.bounds[i])) : Json()},
+         {"attained", found ? state_json(proof.attained[i]) : Json()},
+         {"ratio", bounded && found ? Json(enclose<Interval>(proof.bounds[i] / proof.attained[i].value).hi())
+                                    : Json()}});
+}
+
+Json range_json(const std::pair<Rational, Rational>& range) {
+    return Json::object({{"lo", to_fraction(range.first)}, {"hi", to_fraction(range.second)}});
+}
+
+Json result_json(const AdiabaticResult& result) {
+    const AdiabaticProof& proof = result.proof;
     const AdiabaticHypotheses& of = proof.of;
     const bool has_heights = of.claim == AdiabaticClaim::bounce || of.claim == AdiabaticClaim::run;
-    nlohmann::ordered_json errors = nlohmann::ordered_json::array();
+    Json errors = Json::array();
     const auto names = units(of);
     for (std::size_t i = 0; i < names.size(); ++i) {
-        nlohmann::ordered_json entry{{"error", names[i].error},
-                                     {"unit", names[i].unit.empty() ? "1" : names[i].unit},
-                                     {"bound", nullptr},
-                                     {"attained", nullptr},
-                                     {"ratio", nullptr}};
-        if (i < proof.bounds.size()) {
-            entry["bound"] = to_fraction(proof.bounds[i]);
-        }
-        if (i < proof.attained.size()) {
-            entry["attained"] = state_json(proof.attained[i]);
-        }
-        if (i < proof.bounds.size() && i < proof.attained.size()) {
-            entry["ratio"] = enclose<Interval>(proof.bounds[i] / proof.attained[i].value).hi();
-        }
-        errors.push_back(std::move(entry));
+        errors.add(error_json(proof, names[i], i));
     }
-    nlohmann::ordered_json json{
-        {"claim", name(of.claim)},
-        {"delta", {{"lo", to_fraction(of.delta.first)}, {"hi", to_fraction(of.delta.second)}}},
-        {"y", nullptr},
-        {"margin", to_fraction(of.margin)},
-        {"k", nullptr},
-        {"errors", std::move(errors)},
-        {"leaves", proof.leaves},
-        {"accurate", !proof.coarser}};
-    if (has_heights) {
-        json["y"] = {{"lo", to_fraction(of.heights.first)}, {"hi", to_fraction(of.heights.second)}};
-    }
-    if (of.claim == AdiabaticClaim::bounce) {
-        json["k"] = to_fraction(Rational(of.exponent, 16));
-    }
-    return json;
+    const bool has_printed = result.as_printed && !result.as_printed->attained.empty();
+    return Json::object(
+        {{"claim", name(of.claim)},
+         {"delta", range_json(of.delta)},
+         {"y", has_heights ? range_json(of.heights) : Json()},
+         {"margin", to_fraction(of.margin)},
+         {"k", of.claim == AdiabaticClaim::bounce ? Json(to_fraction(Rational(of.exponent, 16))) : Json()},
+         {"errors", errors},
+         {"leaves", proof.leaves},
+         {"accurate", !proof.coarser},
+         {"as_printed", has_printed ? state_json(result.as_printed->attained.front()) : Json()},
+         {"wrong_branch", result.wrong_branch},
+         {"seconds", result.seconds}});
 }
 
 }  // namespace
@@ -277,21 +275,17 @@ std::string to_text(const AdiabaticReport& report) {
     return text;
 }
 
-nlohmann::ordered_json to_json(const AdiabaticReport& report) {
-    nlohmann::ordered_json results = nlohmann::ordered_json::array();
+Json to_json(const AdiabaticReport& report) {
+    Json results = Json::array();
     for (const AdiabaticResult& result : report.results) {
-        nlohmann::ordered_json entry = proof_json(result.proof);
-        entry["as_printed"] = nullptr;
-        if (result.as_printed && !result.as_printed->attained.empty()) {
-            entry["as_printed"] = state_json(result.as_printed->attained.front());
-        }
-        entry["wrong_branch"] = json_or_null(result.wrong_branch);
-        entry["seconds"] = result.seconds;
-        results.push_back(std::move(entry));
+        results.add(result_json(result));
     }
-    return {{"schema", "dumbbell-adiabatic-1"},         {"theorem", report.theorem},
-            {"accuracy", to_fraction(report.accuracy)}, {"results", std::move(results)},
-            {"out", json_or_null(report.out)},          {"sha256", json_or_null(report.sha256)}};
+    return Json::object({{"schema", "dumbbell-adiabatic-1"},
+                         {"theorem", report.theorem},
+                         {"accuracy", to_fraction(report.accuracy)},
+                         {"results", results},
+                         {"out", report.out},
+                         {"sha256", report.sha256}});
 }
 
 }  // namespace dumbbell

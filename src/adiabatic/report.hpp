@@ -1,11 +1,11 @@
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "adiabatic/prove.hpp"
+#include "words/json.hpp"
 
 namespace dumbbell {
 
@@ -34,6 +34,6 @@ struct AdiabaticReport {
 [[nodiscard]] std::string to_text(const AdiabaticReport& report);
 /// The constants alone, a line each.
 [[nodiscard]] std::string verdict(const AdiabaticReport& report);
-[[nodiscard]] nlohmann::ordered_json to_json(const AdiabaticReport& report);
+[[nodiscard]] Json to_json(const AdiabaticReport& report);
 
 }  // namespace dumbbell

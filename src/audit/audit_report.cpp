@@ -31,24 +31,24 @@ std::string to_text(const AuditedFile& file) {
         counted(a.pairs, "candidate pair"), a.tiles() ? "exact" : "not confirmed", file.seconds);
 }
 
-nlohmann::ordered_json to_json(const std::vector<AuditedFile>& files) {
-    nlohmann::ordered_json rows = nlohmann::ordered_json::array();
+Json to_json(const std::vector<AuditedFile>& files) {
+    Json rows = Json::array();
     for (const AuditedFile& file : files) {
         const Audit& a = file.audit;
-        rows.push_back({{"file", file.path},
-                        {"tiles", a.tiles()},
-                        {"pieces", a.pieces},
-                        {"pieces_equal_masses", a.equal_masses},
-                        {"pieces_without_upper_bound", a.without_cover},
-                        {"charts", a.charts},
-                        {"leaves", a.leaves},
-                        {"candidate_pairs", a.pairs},
-                        {"area_exact", a.tiles()},
-                        {"faults", a.faults},
-                        {"seconds", file.seconds}});
+        rows.add(Json::object({{"file", file.path},
+                               {"tiles", a.tiles()},
+                               {"pieces", a.pieces},
+                               {"pieces_equal_masses", a.equal_masses},
+                               {"pieces_without_upper_bound", a.without_cover},
+                               {"charts", a.charts},
+                               {"leaves", a.leaves},
+                               {"candidate_pairs", a.pairs},
+                               {"area_exact", a.tiles()},
+                               {"faults", Json::array(a.faults)},
+                               {"seconds", file.seconds}}));
     }
     const bool all = std::ranges::all_of(files, [](const AuditedFile& file) { return file.audit.tiles(); });
-    return {{"schema", "dumbbell-audit-1"}, {"tiles", all}, {"files", rows}};
+    return Json::object({{"schema", "dumbbell-audit-1"}, {"tiles", all}, {"files", rows}});
 }
 
 }  // namespace dumbbell::audit

@@ -1,10 +1,10 @@
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "audit/audit.hpp"
+#include "words/json.hpp"
 
 namespace dumbbell::audit {
 
@@ -17,6 +17,6 @@ struct AuditedFile {
 /// One line, without its line feed; what is wrong is left to `Audit::faults`.
 [[nodiscard]] std::string to_text(const AuditedFile& file);
 
-[[nodiscard]] nlohmann::ordered_json to_json(const std::vector<AuditedFile>& files);
+[[nodiscard]] Json to_json(const std::vector<AuditedFile>& files);
 
 }  // namespace dumbbell::audit

@@ -43,25 +43,25 @@ std::string to_text(const CampaignRun& run) {
     return text;
 }
 
-nlohmann::ordered_json to_json(const CampaignRun& run, std::string_view engine) {
-    return {{"schema", "dumbbell-campaign-run-1"},
-            {"engine", engine},
-            {"complete", run.left == 0},
-            {"accepted", run.accepted},
-            {"again", run.again},
-            {"rejected", run.rejected},
-            {"failed", run.failed},
-            {"split", run.split},
-            {"given_up", run.given_up},
-            {"left", run.left},
-            {"seconds", run.seconds},
-            {"worked_seconds", run.worked},
-            {"manager_seconds", run.own_seconds},
-            {"manager_seconds_a_shard", overhead(run)},
-            {"verification_seconds", run.verifying},
-            {"workers_joined", run.engine.joined},
-            {"workers_lost", run.engine.lost},
-            {"resent", run.engine.resent}};
+Json to_json(const CampaignRun& run, std::string_view engine) {
+    return Json::object({{"schema", "dumbbell-campaign-run-1"},
+                         {"engine", engine},
+                         {"complete", run.left == 0},
+                         {"accepted", run.accepted},
+                         {"again", run.again},
+                         {"rejected", run.rejected},
+                         {"failed", run.failed},
+                         {"split", run.split},
+                         {"given_up", run.given_up},
+                         {"left", run.left},
+                         {"seconds", run.seconds},
+                         {"worked_seconds", run.worked},
+                         {"manager_seconds", run.own_seconds},
+                         {"manager_seconds_a_shard", overhead(run)},
+                         {"verification_seconds", run.verifying},
+                         {"workers_joined", run.engine.joined},
+                         {"workers_lost", run.engine.lost},
+                         {"resent", run.engine.resent}});
 }
 
 }  // namespace dumbbell

@@ -1,16 +1,16 @@
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
 
 #include "campaign/campaign.hpp"
+#include "words/json.hpp"
 
 namespace dumbbell {
 
 /// What a run of a campaign tells its user.
 [[nodiscard]] std::string to_text(const CampaignRun& run);
-[[nodiscard]] nlohmann::ordered_json to_json(const CampaignRun& run, std::string_view engine);
+[[nodiscard]] Json to_json(const CampaignRun& run, std::string_view engine);
 
 /// One sentence.
 [[nodiscard]] std::string verdict(const CampaignRun& run);

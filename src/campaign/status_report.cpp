@@ -53,32 +53,30 @@ std::string to_text(const CampaignStatus& status) {
     return text;
 }
 
-nlohmann::ordered_json to_json(const CampaignStatus& status) {
-    using Json = nlohmann::ordered_json;
-    const auto or_null = [](const std::optional<double>& x) { return x ? Json(*x) : Json(nullptr); };
+Json to_json(const CampaignStatus& status) {
     Json workers = Json::array();
     for (const auto& [name, worker] : status.workers) {
-        workers.push_back({{"name", name},
-                           {"done", worker.done},
-                           {"failed", worker.failed},
-                           {"seconds", worker.seconds},
-                           {"last_heard_seconds_ago", worker.last_heard}});
+        workers.add(Json::object({{"name", name},
+                                  {"done", worker.done},
+                                  {"failed", worker.failed},
+                                  {"seconds", worker.seconds},
+                                  {"last_heard_seconds_ago", worker.last_heard}}));
     }
-    return {{"schema", "dumbbell-campaign-status-1"},
-            {"claim", status.claim},
-            {"complete", status.is_complete()},
-            {"shards", status.shards},
-            {"done", status.done},
-            {"split", status.split},
-            {"share", status.share},
-            {"run_at_work", status.is_running},
-            {"running", status.running},
-            {"workers_connected", status.connected},
-            {"failed_attempts", status.failed},
-            {"rejected_results", status.rejected},
-            {"shards_a_minute", or_null(status.rate)},
-            {"remaining_seconds", or_null(status.remaining)},
-            {"workers", workers}};
+    return Json::object({{"schema", "dumbbell-campaign-status-1"},
+                         {"claim", status.claim},
+                         {"complete", status.is_complete()},
+                         {"shards", status.shards},
+                         {"done", status.done},
+                         {"split", status.split},
+                         {"share", status.share},
+                         {"run_at_work", status.is_running},
+                         {"running", status.running},
+                         {"workers_connected", status.connected},
+                         {"failed_attempts", status.failed},
+                         {"rejected_results", status.rejected},
+                         {"shards_a_minute", status.rate},
+                         {"remaining_seconds", status.remaining},
+                         {"workers", workers}});
 }
 
 }  // namespace dumbbell

@@ -7,7 +7,6 @@
 #include <cstddef>
 #include <iterator>
 
-#include "words/json_number.hpp"
 #include "words/printed.hpp"
 
 namespace dumbbell {
@@ -71,18 +70,18 @@ std::string widths_text(const Orbit& orbit) {
     return text + '\n';
 }
 
-nlohmann::ordered_json collisions_json(const Orbit& orbit) {
-    nlohmann::ordered_json collisions = nlohmann::ordered_json::array();
+Json collisions_json(const Orbit& orbit) {
+    Json collisions = Json::array();
     for (const auto& c : orbit) {
-        collisions.push_back({{"mass", c.heavy ? "heavy" : "light"},
-                              {"time", ends_json(c.time)},
-                              {"phi", ends_json(c.phi)},
-                              {"y", ends_json(c.y)},
-                              {"ydot_before", ends_json(c.ydot_before)},
-                              {"ydot_after", ends_json(c.ydot_after)},
-                              {"phidot_before", ends_json(c.phidot_before)},
-                              {"phidot_after", ends_json(c.phidot_after)},
-                              {"grazing_sine", ends_json(c.grazing_sine)}});
+        collisions.add(Json::object({{"mass", c.heavy ? "heavy" : "light"},
+                                     {"time", ends_json(c.time)},
+                                     {"phi", ends_json(c.phi)},
+                                     {"y", ends_json(c.y)},
+                                     {"ydot_before", ends_json(c.ydot_before)},
+                                     {"ydot_after", ends_json(c.ydot_after)},
+                                     {"phidot_before", ends_json(c.phidot_before)},
+                                     {"phidot_after", ends_json(c.phidot_after)},
+                                     {"grazing_sine", ends_json(c.grazing_sine)}}));
     }
     return collisions;
 }

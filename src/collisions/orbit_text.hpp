@@ -1,10 +1,10 @@
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "flight/orbit.hpp"
+#include "words/json.hpp"
 
 namespace dumbbell {
 
@@ -16,6 +16,6 @@ namespace dumbbell {
 [[nodiscard]] std::string widths_text(const std::vector<Collision<Interval>>& orbit);
 
 /// An object per collision; every enclosure is a pair of doubles, exactly the computed ones.
-[[nodiscard]] nlohmann::ordered_json collisions_json(const std::vector<Collision<Interval>>& orbit);
+[[nodiscard]] Json collisions_json(const std::vector<Collision<Interval>>& orbit);
 
 }  // namespace dumbbell

@@ -13,7 +13,6 @@
 #include "collisions/orbit_text.hpp"
 #include "flight/paper_bound.hpp"
 #include "number/decimal.hpp"
-#include "words/json_number.hpp"
 #include "words/printed.hpp"
 #include "words/text_table.hpp"
 
@@ -169,15 +168,34 @@ bool heavy_at_most_once(const ProofReport& report) {
                        [](const ReportRow& row) { return row.piece->upper.has_value(); });
 }
 
-nlohmann::ordered_json start_json(const std::optional<WitnessStart>& start) {
-    if (!start) {
-        return nullptr;
+Json start_json(const WitnessStart& start) {
+    return Json::object({{"phi", start.phi},
+                         {"phidot", start.phidot},
+                         {"y", start.y},
+                         {"ydot", start.ydot},
+                         {"digits", start.digits}});
+}
+
+Json row_json(const ProofReport& report, const ReportRow& row) {
+    const Piece& piece = *row.piece;
+    const bool has_margin = row.margin > 0;
+    Json json = Json::object(
+        {{"lo", to_fraction(piece.q_lo)},
+         {"hi", to_fraction(piece.q_hi)},
+         {"upper", piece.upper},
+         {"lower", piece.lower},
+         {"status", name(piece.status())},
+         {"paper_bound", has_paper_bound(report, piece) ? Json(paper_bound(piece.q_hi)) : Json()},
+         {"leaves", piece.cover.leaves()},
+         {"bits", piece.bits},
+         {"margin", has_margin ? Json(row.margin) : Json()},
+         {"width", has_margin ? Json(row.width) : Json()}});
+    if (!row.orbit.empty()) {
+        json.add("witness", Json::object({{"ratio", to_fraction(piece.q_lo)},
+                                          {"collisions", collisions_json(row.orbit)},
+                                          {"start", row.start ? start_json(*row.start) : Json()}}));
     }
-    return {{"phi", start->phi},
-            {"phidot", start->phidot},
-            {"y", start->y},
-            {"ydot", start->ydot},
-            {"digits", start->digits}};
+    return json;
 }
 
 /// The column `paper` is for the dumbbell only.
@@ -232,53 +250,26 @@ std::string to_text(const ProofReport& report) {
     return text;
 }
 
-nlohmann::ordered_json to_json(const ProofReport& report) {
-    nlohmann::ordered_json pieces = nlohmann::ordered_json::array();
+Json to_json(const ProofReport& report) {
+    Json pieces = Json::array();
     for (const ReportRow& row : report.rows) {
-        const Piece& piece = *row.piece;
-        nlohmann::ordered_json entry{{"lo", to_fraction(piece.q_lo)},
-                                     {"hi", to_fraction(piece.q_hi)},
-                                     {"upper", json_or_null(piece.upper)},
-                                     {"lower", piece.lower},
-                                     {"status", name(piece.status())},
-                                     {"paper_bound", nullptr},
-                                     {"leaves", piece.cover.leaves()},
-                                     {"bits", piece.bits},
-                                     {"margin", nullptr},
-                                     {"width", nullptr}};
-        if (has_paper_bound(report, piece)) {
-            entry["paper_bound"] = paper_bound(piece.q_hi);
-        }
-        if (row.margin > 0) {
-            entry["margin"] = row.margin;
-            entry["width"] = row.width;
-        }
-        if (!row.orbit.empty()) {
-            entry["witness"] = {{"ratio", to_fraction(piece.q_lo)},
-                                {"collisions", collisions_json(row.orbit)},
-                                {"start", start_json(row.start)}};
-        }
-        pieces.push_back(std::move(entry));
+        pieces.add(row_json(report, row));
     }
-    nlohmann::ordered_json json{
-        {"schema", "dumbbell-certify-1"},
-        {"scene", name(report.scene)},
-        {"section", name(report.section)},
-        {"lemmas", lemma_set(report.section)},
-        {"ratio", {{"lo", to_fraction(report.q_lo)}, {"hi", to_fraction(report.q_hi)}}},
-        {"gap", to_fraction(report.gap)},
-        {"jobs", report.jobs},
-        {"pieces", std::move(pieces)},
-        {"heavy_at_most_once", nullptr},
-        {"decided_fraction", decided_fraction(report.undecided)},
-        {"undecided_share", to_fraction(report.undecided)},
-        {"seconds", report.seconds},
-        {"out", json_or_null(report.out)},
-        {"sha256", json_or_null(report.sha256)}};
-    if (heavy_at_most_once(report)) {
-        json["heavy_at_most_once"] = true;
-    }
-    return json;
+    return Json::object(
+        {{"schema", "dumbbell-certify-1"},
+         {"scene", name(report.scene)},
+         {"section", name(report.section)},
+         {"lemmas", lemma_set(report.section)},
+         {"ratio", Json::object({{"lo", to_fraction(report.q_lo)}, {"hi", to_fraction(report.q_hi)}})},
+         {"gap", to_fraction(report.gap)},
+         {"jobs", report.jobs},
+         {"pieces", pieces},
+         {"heavy_at_most_once", heavy_at_most_once(report) ? Json(true) : Json()},
+         {"decided_fraction", decided_fraction(report.undecided)},
+         {"undecided_share", to_fraction(report.undecided)},
+         {"seconds", report.seconds},
+         {"out", report.out},
+         {"sha256", report.sha256}});
 }
 
 namespace {

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -8,6 +7,7 @@
 #include "collisions/certificate.hpp"
 #include "collisions/witness.hpp"
 #include "flight/orbit.hpp"
+#include "words/json.hpp"
 
 namespace dumbbell {
 
@@ -40,7 +40,7 @@ struct ProofReport {
 /// The table: ratio interval, N, the paper's bound (for the dumbbell, of which it is one), boxes, time; below
 /// it one sentence that says what was proved. Ratios are exact.
 [[nodiscard]] std::string to_text(const ProofReport& report);
-[[nodiscard]] nlohmann::ordered_json to_json(const ProofReport& report);
+[[nodiscard]] Json to_json(const ProofReport& report);
 
 /// That sentence alone.
 [[nodiscard]] std::string verdict(const ProofReport& report);

@@ -9,8 +9,6 @@
 namespace dumbbell {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 /// Exactly, as the claim has it.
 std::string exactly(const Rational& x) { return x == 0 ? "0" : x < 0 ? "-" + exact_text(-x) : exact_text(x); }
 
@@ -27,7 +25,7 @@ std::string shown_below(const Rational& x) {
 }
 
 Json range_json(const std::pair<Rational, Rational>& range) {
-    return {exactly(range.first), exactly(range.second)};
+    return Json::array({exactly(range.first), exactly(range.second)});
 }
 
 /// Leaves of all its trees by word.
@@ -44,6 +42,10 @@ struct Leaves {
     }
 };
 
+Json axis_json(const char* name, const std::string& lo, const std::string& hi) {
+    return Json::object({{"name", name}, {"lo", lo}, {"hi", hi}});
+}
+
 Json tree_of(const AdiabaticCertificate& certificate, const BoxBudget& budget) {
     PictureTree tree;
     for (const AdiabaticNode& node : certificate.tree) {
@@ -53,28 +55,27 @@ Json tree_of(const AdiabaticCertificate& certificate, const BoxBudget& budget) {
     }
     Json json = tree_json(tree, share_of(leaves_of(tree), budget.total, budget.most));
     const auto& [lo, hi] = certificate.hypotheses.delta;
-    json["axes"] = Json::array({{{"name", "u"}, {"lo", "0/1"}, {"hi", "2/1"}},
-                                {{"name", "sigma"}, {"lo", "0/1"}, {"hi", "0/1"}},
-                                {{"name", "s"}, {"lo", "0/1"}, {"hi", "1/1"}},
-                                {{"name", "v"}, {"lo", "0/1"}, {"hi", "2/1"}},
-                                {{"name", "delta"}, {"lo", to_fraction(lo)}, {"hi", to_fraction(hi)}}});
+    json.add("axes", Json::array({axis_json("u", "0/1", "2/1"), axis_json("sigma", "0/1", "0/1"),
+                                  axis_json("s", "0/1", "1/1"), axis_json("v", "0/1", "2/1"),
+                                  axis_json("delta", to_fraction(lo), to_fraction(hi))}));
     return json;
 }
 
 Json kinds_json(const AdiabaticCertificate& certificate) {
-    Json kinds =
-        Json::array({{{"reason", "outside"}, {"colour", {palette::outside.light, palette::outside.dark}}}});
+    Json kinds = Json::array({Json::object(
+        {{"reason", "outside"}, {"colour", Json::array({palette::outside.light, palette::outside.dark})}})});
     const std::size_t classes = std::max<std::size_t>(1, certificate.classes.size());
     for (std::size_t i = 0; i < classes; ++i) {
         const char* colour = palette::classes.at(i % palette::classes.size());
-        kinds.push_back({{"reason", "bound"}, {"class", i}, {"colour", {colour, colour}}});
+        kinds.add(
+            Json::object({{"reason", "bound"}, {"class", i}, {"colour", Json::array({colour, colour})}}));
     }
     return kinds;
 }
 
 }  // namespace
 
-nlohmann::ordered_json file_json(const AdiabaticCertificate& certificate, const BoxBudget& budget) {
+Json file_json(const AdiabaticCertificate& certificate, const BoxBudget& budget) {
     const AdiabaticHypotheses& of = certificate.hypotheses;
     const bool has_heights = of.claim == AdiabaticClaim::bounce || of.claim == AdiabaticClaim::run;
     Leaves leaves;
@@ -82,33 +83,31 @@ nlohmann::ordered_json file_json(const AdiabaticCertificate& certificate, const 
     for (const AdiabaticClass& one : certificate.classes) {
         leaves.add(one.tree);
     }
-    Json json{{"claim", name(of.claim)},
-              {"lemmas", "1"},
-              {"bits", certificate.bits},
-              {"delta", range_json(of.delta)},
-              {"heights", has_heights ? range_json(of.heights) : Json(nullptr)},
-              {"margin", exactly(of.margin)},
-              {"exponent", of.claim == AdiabaticClaim::bounce ? Json(of.exponent) : Json(nullptr)},
-              {"classes", certificate.classes.size()},
-              {"leaves", {{"bound", leaves.bound}, {"outside", leaves.outside}}},
-              {"bounds", Json::array()},
-              {"attained", Json::array()},
-              {"kinds", kinds_json(certificate)},
-              {"tree", nullptr}};
+    Json bounds = Json::array();
     for (const Rational& bound : certificate.bounds) {
-        json["bounds"].push_back(shown_above(bound));
+        bounds.add(shown_above(bound));
     }
+    Json attained = Json::array();
     for (const AdiabaticState& state : certificate.attained) {
-        json["attained"].push_back({{"u", to_fraction(state.u)},
-                                    {"s", to_fraction(state.s)},
-                                    {"delta", to_fraction(state.delta)},
-                                    {"n", state.n},
-                                    {"value", shown_below(state.value)}});
+        attained.add(Json::object({{"u", to_fraction(state.u)},
+                                   {"s", to_fraction(state.s)},
+                                   {"delta", to_fraction(state.delta)},
+                                   {"n", state.n},
+                                   {"value", shown_below(state.value)}}));
     }
-    if (!certificate.tree.empty()) {
-        json["tree"] = tree_of(certificate, budget);
-    }
-    return json;
+    return Json::object({{"claim", name(of.claim)},
+                         {"lemmas", "1"},
+                         {"bits", certificate.bits},
+                         {"delta", range_json(of.delta)},
+                         {"heights", has_heights ? range_json(of.heights) : Json()},
+                         {"margin", exactly(of.margin)},
+                         {"exponent", of.claim == AdiabaticClaim::bounce ? Json(of.exponent) : Json()},
+                         {"classes", certificate.classes.size()},
+                         {"leaves", Json::object({{"bound", leaves.bound}, {"outside", leaves.outside}})},
+                         {"bounds", bounds},
+                         {"attained", attained},
+                         {"kinds", kinds_json(certificate)},
+                         {"tree", certificate.tree.empty() ? Json() : tree_of(certificate, budget)}});
 }
 
 std::string claim_options(const AdiabaticCertificate& certificate) {

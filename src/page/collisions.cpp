@@ -12,12 +12,9 @@
 #include "page/tree.hpp"
 #include "pictures/count_colours.hpp"
 #include "pictures/cover.hpp"
-#include "words/json_number.hpp"
 
 namespace dumbbell {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 constexpr std::array all_axes{Axis::position, Axis::slope, Axis::ratio};
 
@@ -57,10 +54,10 @@ class Kinds {
         for (const auto& [key, number] : numbers_) {
             const auto& [counted, both, forward, backward, reason] = key;
             const Shade colour = counted ? shades.at(1 + both).shade() : shade_of(reason);
-            kinds.push_back({{"reason", name(reason)},
-                             {"forward", forward},
-                             {"backward", backward},
-                             {"colour", {colour.light, colour.dark}}});
+            kinds.add(Json::object({{"reason", name(reason)},
+                                    {"forward", forward},
+                                    {"backward", backward},
+                                    {"colour", Json::array({colour.light, colour.dark})}}));
         }
         return kinds;
     }
@@ -69,7 +66,7 @@ class Kinds {
     [[nodiscard]] Json totals() const {
         Json totals = Json::object();
         for (const auto& [reason, leaves] : leaves_) {
-            totals[std::string(name(reason))] = leaves;
+            totals.add(name(reason), leaves);
         }
         return totals;
     }
@@ -91,9 +88,9 @@ Json axes_json(Chart chart, const Piece& piece) {
     Json axes = Json::array();
     for (const Axis axis : all_axes) {
         const auto number = static_cast<std::size_t>(axis);
-        axes.push_back({{"name", axis_name(chart, axis)},
-                        {"lo", to_fraction(root.lo(root.root, number))},
-                        {"hi", to_fraction(root.hi(root.root, number))}});
+        axes.add(Json::object({{"name", axis_name(chart, axis)},
+                               {"lo", to_fraction(root.lo(root.root, number))},
+                               {"hi", to_fraction(root.hi(root.root, number))}}));
     }
     return axes;
 }
@@ -106,44 +103,41 @@ Json chart_json(const ChartTree& chart, const Piece& piece, const Kinds& kinds, 
                                   : kinds.number(node.leaf));
     }
     Json json = tree_json(tree, share_of(leaves_of(tree), budget.total, budget.most));
-    json["chart"] = name(chart.chart);
-    json["axes"] = axes_json(chart.chart, piece);
+    json.add("chart", name(chart.chart));
+    json.add("axes", axes_json(chart.chart, piece));
     return json;
 }
 
 Json witness_json(const Witness& witness) {
-    return {{"chart", name(witness.chart)},
-            {"e", to_fraction(witness.e)},
-            {"eta", to_fraction(witness.eta)},
-            {"forward", witness.forward},
-            {"backward", witness.backward}};
+    return Json::object({{"chart", name(witness.chart)},
+                         {"e", to_fraction(witness.e)},
+                         {"eta", to_fraction(witness.eta)},
+                         {"forward", witness.forward},
+                         {"backward", witness.backward}});
 }
 
 Json piece_json(const Piece& piece, const Certificate& certificate, const Kinds& kinds,
                 const BoxBudget& budget) {
-    Json json{{"lo", to_fraction(piece.q_lo)},
-              {"hi", to_fraction(piece.q_hi)},
-              {"lo_text", exact_text(piece.q_lo)},
-              {"hi_text", exact_text(piece.q_hi)},
-              {"status", name(piece.status())},
-              {"upper", json_or_null(piece.upper)},
-              {"lower", piece.lower},
-              {"bits", piece.bits},
-              {"leaves", piece.cover.leaves()},
-              {"equal_masses", piece.cover.equal_masses},
-              {"paper", nullptr},
-              {"witness", nullptr},
-              {"trees", Json::array()}};
-    if (certificate.scene == Scene::dumbbell && piece.q_lo >= 1 && piece.q_hi <= paper_bound_limit()) {
-        json["paper"] = {paper_bound(piece.q_lo), paper_bound(piece.q_hi)};
-    }
-    if (piece.witness) {
-        json["witness"] = witness_json(*piece.witness);
-    }
+    const bool has_paper =
+        certificate.scene == Scene::dumbbell && piece.q_lo >= 1 && piece.q_hi <= paper_bound_limit();
+    Json trees = Json::array();
     for (const ChartTree& chart : piece.cover.charts) {
-        json["trees"].push_back(chart_json(chart, piece, kinds, budget));
+        trees.add(chart_json(chart, piece, kinds, budget));
     }
-    return json;
+    return Json::object(
+        {{"lo", to_fraction(piece.q_lo)},
+         {"hi", to_fraction(piece.q_hi)},
+         {"lo_text", exact_text(piece.q_lo)},
+         {"hi_text", exact_text(piece.q_hi)},
+         {"status", name(piece.status())},
+         {"upper", piece.upper},
+         {"lower", piece.lower},
+         {"bits", piece.bits},
+         {"leaves", piece.cover.leaves()},
+         {"equal_masses", piece.cover.equal_masses},
+         {"paper", has_paper ? Json::array({paper_bound(piece.q_lo), paper_bound(piece.q_hi)}) : Json()},
+         {"witness", piece.witness ? witness_json(*piece.witness) : Json()},
+         {"trees", trees}});
 }
 
 /// The greatest upper and the least lower bound; none if a piece has no upper bound.
@@ -159,24 +153,24 @@ std::pair<std::optional<long>, long> bounds_of(const Certificate& certificate) {
 
 }  // namespace
 
-nlohmann::ordered_json file_json(const Certificate& certificate, const BoxBudget& budget) {
+Json file_json(const Certificate& certificate, const BoxBudget& budget) {
     const Kinds kinds(certificate);
     const auto [upper, lower] = bounds_of(certificate);
-    Json json{{"claim", "collisions"},
-              {"scene", name(certificate.scene)},
-              {"section", name(certificate.section)},
-              {"lemmas", lemma_set(certificate.section)},
-              {"lo_text", exact_text(certificate.q_lo())},
-              {"hi_text", exact_text(certificate.q_hi())},
-              {"upper", json_or_null(upper)},
-              {"lower", lower},
-              {"kinds", kinds.json()},
-              {"totals", kinds.totals()},
-              {"pieces", Json::array()}};
+    Json pieces = Json::array();
     for (const Piece& piece : certificate.pieces) {
-        json["pieces"].push_back(piece_json(piece, certificate, kinds, budget));
+        pieces.add(piece_json(piece, certificate, kinds, budget));
     }
-    return json;
+    return Json::object({{"claim", "collisions"},
+                         {"scene", name(certificate.scene)},
+                         {"section", name(certificate.section)},
+                         {"lemmas", lemma_set(certificate.section)},
+                         {"lo_text", exact_text(certificate.q_lo())},
+                         {"hi_text", exact_text(certificate.q_hi())},
+                         {"upper", upper},
+                         {"lower", lower},
+                         {"kinds", kinds.json()},
+                         {"totals", kinds.totals()},
+                         {"pieces", pieces}});
 }
 
 std::string claim_options(const Certificate& certificate) {

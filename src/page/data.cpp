@@ -62,30 +62,27 @@ struct ProvenanceOf {
 };
 
 /// The colours of the page's pictures by their names in its style sheets: on light and on dark pages.
-nlohmann::ordered_json colours_json() {
-    nlohmann::ordered_json json;
-    const auto add = [&](const char* name, const Shade& shade) { json[name] = {shade.light, shade.dark}; };
-    add("proved", palette::proved);
-    add("paper", palette::paper);
-    add("growth", palette::growth);
-    add("gap", palette::gap);
-    add("hatch", palette::hatch);
-    add("light", palette::light);
-    add("heavy", palette::heavy);
-    add("floor", palette::floor);
-    add("mark", palette::witness);
-    return json;
+Json colours_json() {
+    const auto both = [](const Shade& shade) { return Json::array({shade.light, shade.dark}); };
+    return Json::object({{"proved", both(palette::proved)},
+                         {"paper", both(palette::paper)},
+                         {"growth", both(palette::growth)},
+                         {"gap", both(palette::gap)},
+                         {"hatch", both(palette::hatch)},
+                         {"light", both(palette::light)},
+                         {"heavy", both(palette::heavy)},
+                         {"floor", both(palette::floor)},
+                         {"mark", both(palette::witness)}});
 }
 
-nlohmann::ordered_json one_file(const ReportedFile& file, const BoxBudget& budget) {
-    nlohmann::ordered_json json =
-        std::visit([&](const auto& of) { return file_json(of, budget); }, file.content);
+Json one_file(const ReportedFile& file, const BoxBudget& budget) {
+    Json json = std::visit([&](const auto& of) { return file_json(of, budget); }, file.content);
     const Provenance provenance = std::visit(ProvenanceOf(), file.content);
-    json["name"] = std::filesystem::path(file.path).filename().string();
-    json["generator"] = provenance.generator;
-    json["sha256"] = file.sha256;
-    json["verify_options"] = provenance.verify_options;
-    json["verify_file"] = shell_file(file.path);
+    json.add("name", std::filesystem::path(file.path).filename().string());
+    json.add("generator", provenance.generator);
+    json.add("sha256", file.sha256);
+    json.add("verify_options", provenance.verify_options);
+    json.add("verify_file", shell_file(file.path));
     return json;
 }
 
@@ -106,7 +103,7 @@ ReportedFile read_reported(const std::string& path) {
 
 std::size_t leaves_of(const ReportedContent& content) { return std::visit(LeavesOf(), content); }
 
-nlohmann::ordered_json page_data(const std::vector<ReportedFile>& files, std::size_t most_boxes) {
+Json page_data(const std::vector<ReportedFile>& files, std::size_t most_boxes) {
     BoxBudget budget{0, most_boxes};
     std::size_t pieces = 0;
     for (const ReportedFile& file : files) {
@@ -121,16 +118,16 @@ nlohmann::ordered_json page_data(const std::vector<ReportedFile>& files, std::si
                         "of the range (dumbbell certify LO:HI --out FILE)",
                         pieces, most_pieces));
     }
-    nlohmann::ordered_json json{{"schema", "dumbbell-report-1"},
-                                {"version", DUMBBELL_VERSION},
-                                {"growth_constant", growth_digits()},
-                                {"colours", colours_json()},
-                                {"boxes", {{"total", budget.total}, {"most", budget.most}}},
-                                {"files", nlohmann::ordered_json::array()}};
+    Json shown = Json::array();
     for (const ReportedFile& file : files) {
-        json["files"].push_back(one_file(file, budget));
+        shown.add(one_file(file, budget));
     }
-    return json;
+    return Json::object({{"schema", "dumbbell-report-1"},
+                         {"version", DUMBBELL_VERSION},
+                         {"growth_constant", growth_digits()},
+                         {"colours", colours_json()},
+                         {"boxes", Json::object({{"total", budget.total}, {"most", budget.most}})},
+                         {"files", shown}});
 }
 
 }  // namespace dumbbell

@@ -1,13 +1,13 @@
 #pragma once
 
 #include <cstddef>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <variant>
 #include <vector>
 
 #include "certificates/any_reader.hpp"
 #include "staircase/critical_table.hpp"
+#include "words/json.hpp"
 
 /// What the page of `dumbbell report` shows, as one JSON object: certificates, tables of critical ratios, and
 /// nothing that they do not claim. web/README.md describes it.
@@ -31,8 +31,7 @@ inline constexpr std::size_t default_most_boxes = 200'000;
 /// Pieces of all files together; a page with more would not open. Throws InputError beyond.
 inline constexpr std::size_t most_pieces = 100'000;
 
-[[nodiscard]] nlohmann::ordered_json page_data(const std::vector<ReportedFile>& files,
-                                               std::size_t most_boxes);
+[[nodiscard]] Json page_data(const std::vector<ReportedFile>& files, std::size_t most_boxes);
 
 /// How many leaves its trees have.
 [[nodiscard]] std::size_t leaves_of(const ReportedContent& content);

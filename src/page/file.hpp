@@ -1,13 +1,13 @@
 #pragma once
 
 #include <cstddef>
-#include <nlohmann/json.hpp>
 #include <string>
 
 #include "adiabatic/certificate.hpp"
 #include "collisions/certificate.hpp"
 #include "staircase/critical_table.hpp"
 #include "starts/certificate.hpp"
+#include "words/json.hpp"
 
 /// One file of the page's data, by claim kind: its claim, trees and starting states, and the options with
 /// which the verifier is asked for exactly that claim.
@@ -19,14 +19,12 @@ struct BoxBudget {
     std::size_t most = 0;
 };
 
-[[nodiscard]] nlohmann::ordered_json file_json(const Certificate& certificate, const BoxBudget& budget);
-[[nodiscard]] nlohmann::ordered_json file_json(const InitialCertificate& certificate,
-                                               const BoxBudget& budget);
-[[nodiscard]] nlohmann::ordered_json file_json(const AdiabaticCertificate& certificate,
-                                               const BoxBudget& budget);
+[[nodiscard]] Json file_json(const Certificate& certificate, const BoxBudget& budget);
+[[nodiscard]] Json file_json(const InitialCertificate& certificate, const BoxBudget& budget);
+[[nodiscard]] Json file_json(const AdiabaticCertificate& certificate, const BoxBudget& budget);
 
 /// No certificate, but worth a look: with the command that makes the table again.
-[[nodiscard]] nlohmann::ordered_json file_json(const CriticalTable& table, const BoxBudget& budget);
+[[nodiscard]] Json file_json(const CriticalTable& table, const BoxBudget& budget);
 
 /// Words for the command line, e.g. `--ratio 1:100 --max 10 --min 2`.
 [[nodiscard]] std::string claim_options(const Certificate& certificate);

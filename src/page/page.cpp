@@ -10,14 +10,13 @@ constexpr std::string_view place = "@DUMBBELL_DATA@";
 
 }  // namespace
 
-std::string html_page(const nlohmann::ordered_json& data) {
+std::string html_page(const Json& data) {
     const std::string_view page = page_template();
     const std::size_t at = page.find(place);
     require(at != std::string_view::npos && page.find(place, at + 1) == std::string_view::npos,
             "report: the page does not have exactly one place for its data");
-    const std::string text = data.dump(-1, ' ', true, nlohmann::ordered_json::error_handler_t::replace);
     std::string result(page.substr(0, at));
-    for (const char c : text) {
+    for (const char c : data.text()) {
         if (c == '<') {
             result += "\\u003c";
         } else {

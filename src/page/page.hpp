@@ -1,8 +1,9 @@
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
+
+#include "words/json.hpp"
 
 namespace dumbbell {
 
@@ -11,6 +12,6 @@ namespace dumbbell {
 
 /// The page with the data in it. No data can end the script element that holds it: `<` is written as an
 /// escape, and bytes that are no UTF-8 as U+FFFD.
-[[nodiscard]] std::string html_page(const nlohmann::ordered_json& data);
+[[nodiscard]] std::string html_page(const Json& data);
 
 }  // namespace dumbbell

@@ -11,12 +11,9 @@
 #include "page/tree.hpp"
 #include "pictures/count_colours.hpp"
 #include "pictures/start_plane.hpp"
-#include "words/json_number.hpp"
 
 namespace dumbbell {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 constexpr int deepest = 400 * static_cast<int>(initial_axes);  // format-initial.md; bounds the shares' size
 constexpr int window_digits = 5;                               // shown; the file has the window exactly
@@ -37,13 +34,14 @@ Kind kind_of(const InitialLeaf& leaf) {
 Json kind_json(const Kind& kind, const std::map<long, CountShade>& shades) {
     const auto& [is_open, undecided, most, least, mass] = kind;
     const auto shade = is_open || undecided ? shades.end() : shades.find(least);
-    return {
-        {"least", least},
-        {"most", is_open ? Json(nullptr) : Json(most)},
-        {"first", mass == no_mass      ? Json(nullptr)
-                  : mass == heavy_mass ? Json("heavy")
-                                       : Json("light")},
-        {"colour", shade == shades.end() ? Json(nullptr) : Json{shade->second.light, shade->second.dark}}};
+    return Json::object(
+        {{"least", least},
+         {"most", is_open ? Json() : Json(most)},
+         {"first", mass == no_mass      ? Json()
+                   : mass == heavy_mass ? Json("heavy")
+                                        : Json("light")},
+         {"colour",
+          shade == shades.end() ? Json() : Json::array({shade->second.light, shade->second.dark})}});
 }
 
 /// The picture's tree and what its leaves add up to.
@@ -89,7 +87,7 @@ class Body {
         const auto shades = count_shades(counts);
         Json json = Json::array();
         for (const auto& kind : kinds_) {
-            json.push_back(kind_json(kind.first, shades));
+            json.add(kind_json(kind.first, shades));
         }
         return json;
     }
@@ -104,9 +102,9 @@ class Body {
                 share += Rational(leaves) / Rational(Integer(1) << static_cast<unsigned>(depth));
                 boxes += leaves;
             }
-            json.push_back({{"collisions", count < 0 ? Json(nullptr) : Json(count)},
-                            {"share", to_decimal(share, 6)},
-                            {"boxes", boxes}});
+            json.add(Json::object({{"collisions", count < 0 ? Json() : Json(count)},
+                                   {"share", to_decimal(share, 6)},
+                                   {"boxes", boxes}}));
         }
         return json;
     }
@@ -115,13 +113,13 @@ class Body {
     [[nodiscard]] const Json& windows() const { return windows_; }
 
     [[nodiscard]] long least() const { return least_.value_or(0); }
-    [[nodiscard]] Json most() const { return any_open_ ? Json(nullptr) : Json(most_); }
+    [[nodiscard]] std::optional<long> most() const { return any_open_ ? std::nullopt : std::optional(most_); }
 
   private:
     void add(const InitialLeaf& leaf, int depth) {
         const bool is_exact = leaf.most == leaf.least;
-        windows_.push_back(leaf.first ? Json(rounded(leaf.first->from)) : Json(nullptr));
-        windows_.push_back(leaf.first ? Json(rounded(leaf.first->until)) : Json(nullptr));
+        windows_.add(leaf.first ? Json(rounded(leaf.first->from)) : Json());
+        windows_.add(leaf.first ? Json(rounded(leaf.first->until)) : Json());
         ++leaves_[is_exact ? leaf.least : -1][depth];
         least_ = std::min(least_.value_or(leaf.least), leaf.least);
         most_ = std::max(most_, leaf.most.value_or(0));
@@ -142,29 +140,34 @@ class Body {
 
 }  // namespace
 
-nlohmann::ordered_json file_json(const InitialCertificate& certificate, const BoxBudget& budget) {
+Json file_json(const InitialCertificate& certificate, const BoxBudget& budget) {
     const Body body(certificate.tree);
     Json axes = Json::array();
     for (std::size_t i = 0; i < initial_axes; ++i) {
-        axes.push_back({{"name", axis_names[i]},
-                        {"lo", to_fraction(certificate.box.lo[i])},
-                        {"hi", to_fraction(certificate.box.hi[i])}});
+        axes.add(Json::object({{"name", axis_names[i]},
+                               {"lo", to_fraction(certificate.box.lo[i])},
+                               {"hi", to_fraction(certificate.box.hi[i])}}));
     }
-    Json tree = tree_json(body.tree, share_of(leaves_of(body.tree), budget.total, budget.most));
-    tree["axes"] = std::move(axes);
-    const bool is_whole = tree["stands_for"].empty();
-    return {{"claim", "initial-conditions"}, {"lemmas", "1"},
-            {"bits", certificate.bits},      {"least", body.least()},
-            {"most", body.most()},           {"shares", body.shares()},
-            {"kinds", body.kinds()},         {"windows", is_whole ? body.windows() : Json::array()},
-            {"tree", std::move(tree)},       {"hatched", hatched_note(certificate)}};
+    const std::size_t leaves = leaves_of(body.tree), drawn = share_of(leaves, budget.total, budget.most);
+    Json tree = tree_json(body.tree, drawn);
+    tree.add("axes", axes);
+    return Json::object({{"claim", "initial-conditions"},
+                         {"lemmas", "1"},
+                         {"bits", certificate.bits},
+                         {"least", body.least()},
+                         {"most", body.most()},
+                         {"shares", body.shares()},
+                         {"kinds", body.kinds()},
+                         {"windows", drawn >= leaves ? body.windows() : Json::array()},
+                         {"tree", tree},
+                         {"hatched", hatched_note(certificate)}});
 }
 
 std::string claim_options(const InitialCertificate& certificate) {
     const Body body(certificate.tree);
     std::string options = "--claim initial-conditions";
-    if (!body.most().is_null()) {
-        options += fmt::format(" --max {}", body.most().get<long>());
+    if (body.most()) {
+        options += fmt::format(" --max {}", *body.most());
     }
     return options + (body.least() > 0 ? fmt::format(" --min {}", body.least()) : "");
 }

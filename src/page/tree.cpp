@@ -99,11 +99,11 @@ std::size_t share_of(std::size_t leaves, std::size_t total, std::size_t most) {
     return std::max<std::size_t>(1, static_cast<std::size_t>(share * static_cast<double>(leaves)));
 }
 
-nlohmann::ordered_json tree_json(const PictureTree& tree, std::size_t most) {
-    ThinnedTree drawn = thinned(tree, most);
-    return {{"nodes", std::move(drawn.nodes)},
-            {"leaves", leaves_of(tree)},
-            {"stands_for", std::move(drawn.stands_for)}};
+Json tree_json(const PictureTree& tree, std::size_t most) {
+    const ThinnedTree drawn = thinned(tree, most);
+    return Json::object({{"nodes", Json::array(drawn.nodes)},
+                         {"leaves", leaves_of(tree)},
+                         {"stands_for", Json::array(drawn.stands_for)}});
 }
 
 }  // namespace dumbbell

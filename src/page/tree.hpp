@@ -1,8 +1,9 @@
 #pragma once
 
 #include <cstddef>
-#include <nlohmann/json.hpp>
 #include <vector>
+
+#include "words/json.hpp"
 
 /// A bisection tree as the page draws it.
 namespace dumbbell {
@@ -29,6 +30,6 @@ struct ThinnedTree {
 [[nodiscard]] std::size_t share_of(std::size_t leaves, std::size_t total, std::size_t most);
 
 /// {nodes, leaves, stands_for}
-[[nodiscard]] nlohmann::ordered_json tree_json(const PictureTree& tree, std::size_t most);
+[[nodiscard]] Json tree_json(const PictureTree& tree, std::size_t most);
 
 }  // namespace dumbbell

@@ -1,11 +1,11 @@
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "staircase/critical_range.hpp"
+#include "words/json.hpp"
 
 namespace dumbbell {
 
@@ -21,7 +21,7 @@ struct CriticalReport {
 [[nodiscard]] std::string to_text(const CriticalReport& report);
 /// The ratios alone, a line each.
 [[nodiscard]] std::string verdict(const CriticalReport& report);
-[[nodiscard]] nlohmann::ordered_json to_json(const CriticalReport& report);
+[[nodiscard]] Json to_json(const CriticalReport& report);
 
 /// The table as a file: tab-separated, remarks begin with #, and nothing in it depends on the run.
 [[nodiscard]] std::string to_tsv(const CriticalReport& report);

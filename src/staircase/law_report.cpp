@@ -5,7 +5,7 @@
 #include "base/error.hpp"
 #include "base/printable.hpp"
 #include "number/decimal.hpp"
-#include "words/json_number.hpp"
+#include "words/printed.hpp"
 
 namespace dumbbell {
 namespace {
@@ -52,19 +52,15 @@ std::string attained_sentence(const Law& law) {
                                 "two\nvalues (N(q_c(N)) = N - 1, theorem 2 of proofs/theorem.md).\n";
 }
 
-nlohmann::ordered_json extremum_json(const std::optional<Extremum>& x, int sign) {
-    if (!x) {
-        return nullptr;
-    }
-    const Interval b = bounds(*x, sign);
-    return {{"lo", unsigned_zero(b.lo())}, {"hi", unsigned_zero(b.hi())}, {"at", to_fraction(x->at)}};
+Json extremum_json(const Extremum& x, int sign) {
+    const Interval b = bounds(x, sign);
+    return Json::object(
+        {{"lo", unsigned_zero(b.lo())}, {"hi", unsigned_zero(b.hi())}, {"at", to_fraction(x.at)}});
 }
 
-nlohmann::ordered_json supremum_json(const std::optional<Extremum>& x) {
-    nlohmann::ordered_json json = extremum_json(x, 1);
-    if (x) {
-        json["attained"] = json_or_null(x->attained);
-    }
+Json supremum_json(const Extremum& x) {
+    Json json = extremum_json(x, 1);
+    json.add("attained", x.attained);
     return json;
 }
 
@@ -128,23 +124,22 @@ std::string to_text(const LawReport& report) {
     return text;
 }
 
-nlohmann::ordered_json to_json(const LawReport& report) {
+Json to_json(const LawReport& report) {
     const Law& law = report.law;
-    const auto if_complete = [&](auto value) {
-        return law.complete ? nlohmann::ordered_json(value) : nlohmann::ordered_json(nullptr);
-    };
-    return {{"schema", "dumbbell-law-1"},
-            {"file", report.file},
-            {"verdict", report.verdict},
-            {"ratio", {{"lo", to_fraction(law.q_lo)}, {"hi", to_fraction(law.q_hi)}}},
-            {"complete", law.complete},
-            {"values", if_complete(law.values)},
-            {"gaps", if_complete(law.gaps)},
-            {"never_decreases", if_complete(law.never_decreases)},
-            {"below_paper_bound", if_complete(law.below_paper)},
-            {"C", constant_text(report)},
-            {"sup", supremum_json(law.sup)},
-            {"inf", extremum_json(law.inf, -1)}};
+    const auto if_complete = [&](const Json& value) { return law.complete ? value : Json(); };
+    return Json::object(
+        {{"schema", "dumbbell-law-1"},
+         {"file", report.file},
+         {"verdict", report.verdict},
+         {"ratio", Json::object({{"lo", to_fraction(law.q_lo)}, {"hi", to_fraction(law.q_hi)}})},
+         {"complete", law.complete},
+         {"values", if_complete(law.values)},
+         {"gaps", if_complete(law.gaps)},
+         {"never_decreases", if_complete(law.never_decreases)},
+         {"below_paper_bound", if_complete(law.below_paper)},
+         {"C", constant_text(report)},
+         {"sup", law.sup ? supremum_json(*law.sup) : Json()},
+         {"inf", law.inf ? extremum_json(*law.inf, -1) : Json()}});
 }
 
 }  // namespace dumbbell

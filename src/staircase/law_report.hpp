@@ -1,9 +1,9 @@
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <string>
 
 #include "staircase/law.hpp"
+#include "words/json.hpp"
 
 namespace dumbbell {
 
@@ -21,6 +21,6 @@ struct LawReport {
 [[nodiscard]] std::string to_text(const LawReport& report);
 /// What is proved or not, without the constant.
 [[nodiscard]] std::string verdict(const LawReport& report);
-[[nodiscard]] nlohmann::ordered_json to_json(const LawReport& report);
+[[nodiscard]] Json to_json(const LawReport& report);
 
 }  // namespace dumbbell

@@ -9,7 +9,7 @@
 #include "base/printable.hpp"
 #include "number/decimal.hpp"
 #include "starts/flat_fall.hpp"
-#include "words/json_number.hpp"
+#include "words/printed.hpp"
 
 namespace dumbbell {
 namespace {
@@ -131,23 +131,33 @@ std::string subdivision_text(const TraceReport& report) {
     return text;
 }
 
-nlohmann::ordered_json enclosure_json(const TracedValue& value, bool decimals) {
-    return decimals ? nlohmann::ordered_json{value.lo, value.hi} : ends_json(value.outward);
+Json enclosure_json(const TracedValue& value, bool decimals) {
+    return decimals ? Json::array({value.lo, value.hi}) : ends_json(value.outward);
 }
 
-nlohmann::ordered_json subdivision_json(const TraceReport& report) {
-    const Subdivision& parts = *report.parts;
-    nlohmann::ordered_json exact = nlohmann::ordered_json::array();
-    for (const auto& part : parts.exact) {
-        exact.push_back({{"collisions", part.first},
-                         {"share", to_fraction(part.second.share)},
-                         {"boxes", part.second.boxes}});
+Json collision_json(const Collision<TracedValue>& c, bool decimals) {
+    Json json = Json::object({{"mass", mass_name(c)}});
+    for (const Quantity& q : quantities) {
+        json.add(q.key, enclosure_json(c.*q.value, decimals));
     }
-    return {{"exact", std::move(exact)},
-            {"undecided", {{"share", to_fraction(parts.undecided.share)}, {"boxes", parts.undecided.boxes}}},
-            {"least", parts.least},
-            {"most", json_or_null(clamped(report, parts.most))},
-            {"decided_fraction", decided_fraction(parts.undecided.share)}};
+    return json;
+}
+
+Json subdivision_json(const TraceReport& report) {
+    const Subdivision& parts = *report.parts;
+    Json exact = Json::array();
+    for (const auto& part : parts.exact) {
+        exact.add(Json::object({{"collisions", part.first},
+                                {"share", to_fraction(part.second.share)},
+                                {"boxes", part.second.boxes}}));
+    }
+    const Share& undecided = parts.undecided;
+    return Json::object(
+        {{"exact", exact},
+         {"undecided", Json::object({{"share", to_fraction(undecided.share)}, {"boxes", undecided.boxes}})},
+         {"least", parts.least},
+         {"most", clamped(report, parts.most)},
+         {"decided_fraction", decided_fraction(undecided.share)}});
 }
 
 }  // namespace
@@ -213,48 +223,35 @@ std::string to_text(const TraceReport& report) {
     return text;
 }
 
-nlohmann::ordered_json to_json(const TraceReport& report) {
-    nlohmann::ordered_json initial = nlohmann::ordered_json::object();
+Json to_json(const TraceReport& report) {
+    const Trace& trace = report.trace;
+    Json initial = Json::object();
     for (std::size_t i = 0; i < initial_axes; ++i) {
-        initial[axis_names[i]] = {{"lo", to_fraction(report.box.lo[i])},
-                                  {"hi", to_fraction(report.box.hi[i])}};
+        initial.add(axis_names[i], Json::object({{"lo", to_fraction(report.box.lo[i])},
+                                                 {"hi", to_fraction(report.box.hi[i])}}));
     }
-    nlohmann::ordered_json collisions = nlohmann::ordered_json::array();
-    for (const auto& c : report.trace.collisions) {
-        nlohmann::ordered_json entry{{"mass", mass_name(c)}};
-        for (const Quantity& q : quantities) {
-            entry[q.key] = enclosure_json(c.*q.value, report.digits > 0);
-        }
-        collisions.push_back(std::move(entry));
+    Json collisions = Json::array();
+    for (const auto& c : trace.collisions) {
+        collisions.add(collision_json(c, report.digits > 0));
     }
-    nlohmann::ordered_json json{{"schema", "dumbbell-trace-1"},
-                                {"initial", std::move(initial)},
-                                {"outcome", outcome_word(report)},
-                                {"least", report.trace.least},
-                                {"most", json_or_null(clamped(report, report.trace.most))},
-                                {"maximum", nullptr},
-                                {"splits_at", nullptr},
-                                {"bits", report.trace.bits},
-                                {"collisions", std::move(collisions)},
-                                {"widths", nullptr},
-                                {"parts", nullptr},
-                                {"seconds", report.seconds},
-                                {"out", json_or_null(report.out)},
-                                {"sha256", json_or_null(report.sha256)}};
-    if (!report.trace.exact()) {
-        json["splits_at"] = report.trace.collisions.size() + 1;
+    Json widths;
+    if (trace.widths) {
+        widths = Json::object({{"natural", trace.widths->natural}, {"correlated", trace.widths->correlated}});
     }
-    if (rests_on_theorem(report)) {
-        json["maximum"] = *report.maximum;
-    }
-    if (report.trace.widths) {
-        json["widths"] = {{"natural", json_or_null(report.trace.widths->natural)},
-                          {"correlated", report.trace.widths->correlated}};
-    }
-    if (report.parts) {
-        json["parts"] = subdivision_json(report);
-    }
-    return json;
+    return Json::object({{"schema", "dumbbell-trace-1"},
+                         {"initial", initial},
+                         {"outcome", outcome_word(report)},
+                         {"least", trace.least},
+                         {"most", clamped(report, trace.most)},
+                         {"maximum", rests_on_theorem(report) ? report.maximum : std::nullopt},
+                         {"splits_at", trace.exact() ? Json() : Json(trace.collisions.size() + 1)},
+                         {"bits", trace.bits},
+                         {"collisions", collisions},
+                         {"widths", widths},
+                         {"parts", report.parts ? subdivision_json(report) : Json()},
+                         {"seconds", report.seconds},
+                         {"out", report.out},
+                         {"sha256", report.sha256}});
 }
 
 std::string to_csv(const TraceReport& report) {

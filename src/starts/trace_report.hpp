@@ -1,11 +1,11 @@
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 
 #include "starts/subdivide.hpp"
 #include "starts/trace.hpp"
+#include "words/json.hpp"
 
 namespace dumbbell {
 
@@ -27,7 +27,7 @@ struct TraceReport {
 
 /// The table of collisions, the widths, and the outcome in a sentence; the shares of a subdivision.
 [[nodiscard]] std::string to_text(const TraceReport& report);
-[[nodiscard]] nlohmann::ordered_json to_json(const TraceReport& report);
+[[nodiscard]] Json to_json(const TraceReport& report);
 
 /// One line per collision, with the bounds of every quantity; or, of a subdivision, one line per count with
 /// its share.

@@ -6,9 +6,6 @@
 #include <cmath>
 #include <string_view>
 
-#include "number/rational.hpp"
-#include "words/json_number.hpp"
-
 namespace dumbbell {
 namespace {
 
@@ -36,6 +33,10 @@ std::string enclosure_text(const Interval& x) {
     const Rational c = as_printed(centre);
     const double radius = std::abs(enclose<Interval>(std::max(exact(x.hi()) - c, c - exact(x.lo()))).hi());
     return fmt::format("{}+-{:.1e}", centre, radius * 1.06);  // two digits lose at most 1 part in 20
+}
+
+double decided_fraction(const Rational& undecided) {
+    return undecided == 0 ? 1.0 : enclose<Interval>(Rational(1) - undecided).lo();
 }
 
 std::string time_text(double seconds) {

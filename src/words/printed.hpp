@@ -3,6 +3,7 @@
 #include <string>
 
 #include "number/interval.hpp"
+#include "number/rational.hpp"
 
 namespace dumbbell {
 
@@ -16,6 +17,12 @@ namespace dumbbell {
 
 /// A short decimal and a radius that covers both ends of x from that decimal, e.g. `0.25+-1.0e-14`.
 [[nodiscard]] std::string enclosure_text(const Interval& x);
+
+/// x as it is printed: 0 has no sign, whatever the arithmetic gave it.
+[[nodiscard]] constexpr double unsigned_zero(double x) { return x == 0 ? 0.0 : x; }
+
+/// What an undecided share leaves, as a number that does not exceed it: 1 only if that is all.
+[[nodiscard]] double decided_fraction(const Rational& undecided);
 
 /// A time for people: 40 s, 12 min, 3.5 h, 2.1 days.
 [[nodiscard]] std::string time_text(double seconds);

@@ -8,7 +8,7 @@
 #include "cli/terminal/output.hpp"
 #include "cli/terminal/progress.hpp"
 #include "file/sealed_lines.hpp"
-#include "words/json_number.hpp"
+#include "words/json.hpp"
 
 /// What the commands have in common, from the options that many of them have to what they print.
 namespace dumbbell {

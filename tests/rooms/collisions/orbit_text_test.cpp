@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 #include <sstream>
 
+#include "rooms/parsed.hpp"
 #include "sample_report.hpp"
 
 using namespace dumbbell_test;
@@ -86,7 +87,7 @@ TEST_CASE("rows without an orbit print nothing") {
 
 TEST_CASE("in JSON the orbit's enclosures are pairs of doubles, exactly the computed ones") {
     const ReportWithOrbit sample;
-    const auto witness = to_json(sample.report).at("pieces").at(0).at("witness");
+    const auto witness = parsed(to_json(sample.report)).at("pieces").at(0).at("witness");
     CHECK(witness.at("ratio") == "10/1");
     REQUIRE(witness.at("collisions").size() == 2);
     const auto second = witness.at("collisions").at(1);

@@ -1,6 +1,7 @@
 #include <catch2/catch.hpp>
 #include <sstream>
 
+#include "rooms/parsed.hpp"
 #include "sample_report.hpp"
 
 using namespace dumbbell_test;
@@ -73,8 +74,8 @@ TEST_CASE("the sentence of a range says how much of it is decided") {
     CHECK_THAT(to_text(decided.report), Contains("Decided: all but 9.14e-13 of the range."));
     decided.report.undecided = parse_rational("4.999e-40");
     CHECK_THAT(to_text(decided.report), Contains("Decided: all but 5e-40 of the range."));
-    CHECK(to_json(decided.report)["decided_fraction"] < 1);
-    CHECK(to_json(decided.report)["undecided_share"] == to_fraction(parse_rational("4.999e-40")));
+    CHECK(parsed(to_json(decided.report))["decided_fraction"] < 1);
+    CHECK(parsed(to_json(decided.report))["undecided_share"] == to_fraction(parse_rational("4.999e-40")));
     decided.report.undecided = 1;  // all of it, but for pieces of length 0, as 1:1 is
     CHECK_THAT(to_text(decided.report), Contains("Decided: single ratios only."));
 }
@@ -122,7 +123,7 @@ TEST_CASE("the wedges have no bound of the dumbbell, and other words") {
         CHECK(line_of(text, "mass ratio") == Words{"mass", "ratio", "N", "boxes", "time"});
         CHECK(line_of(text, "4 :") == Words{"4", ":", "4.6033367", "3", "2", "0.500", "s"});
         CHECK_THAT(text, !Contains("floor") && Contains("wedge hits its walls more than N times"));
-        const auto json = to_json(wedge.report);
+        const auto json = parsed(to_json(wedge.report));
         for (const auto& entry : json.at("pieces")) {
             CHECK(entry.at("paper_bound").is_null());
         }
@@ -138,12 +139,12 @@ TEST_CASE("a proof of the full section says that the heavy mass hits the floor a
     CHECK_THAT(to_text(full.report), !Contains("heavy mass"));
     full.report.section = Section::full;
     CHECK_THAT(to_text(full.report), Contains("the heavy mass hits the floor at most once"));
-    CHECK(to_json(full.report)["heavy_at_most_once"] == true);
+    CHECK(parsed(to_json(full.report))["heavy_at_most_once"] == true);
     full.report.section = Section::turning;
-    CHECK(to_json(full.report)["heavy_at_most_once"].is_null());
+    CHECK(parsed(to_json(full.report))["heavy_at_most_once"].is_null());
     SampleReport open({piece(5, 11, 4, 4), open_piece(11, 12)});
     open.report.section = Section::full;
-    CHECK(to_json(open.report)["heavy_at_most_once"].is_null());
+    CHECK(parsed(to_json(open.report))["heavy_at_most_once"].is_null());
 }
 
 TEST_CASE("a written certificate is named with its checksum and the command that checks it") {
@@ -161,7 +162,7 @@ TEST_CASE("the JSON object has the contract's fields") {
     SampleReport sample(four_pieces());
     sample.report.out = "stairs.dbc";
     sample.report.sha256 = std::string(64, 'b');
-    const auto json = to_json(sample.report);
+    const auto json = parsed(to_json(sample.report));
     CHECK(json.at("schema").is_string());
     CHECK(json.at("scene") == "dumbbell");
     CHECK(json.at("section") == "turning");
@@ -180,7 +181,7 @@ TEST_CASE("the JSON object has the contract's fields") {
 TEST_CASE(
     "a piece in JSON: exact rationals, both bounds, status, the paper's bound, leaves, bits, margin, width") {
     const SampleReport sample(four_pieces());
-    const auto pieces = to_json(sample.report).at("pieces");
+    const auto pieces = parsed(to_json(sample.report)).at("pieces");
     const auto& gap = pieces.at(1);
     CHECK(gap.at("lo") == "46033367/10000000");
     CHECK(gap.at("hi") == "4603341/1000000");
@@ -202,7 +203,7 @@ TEST_CASE(
 TEST_CASE("in JSON margin and width are null where no witness orbit is known") {
     SampleReport sample(four_pieces());
     sample.report.rows[3].margin = sample.report.rows[3].width = 0;
-    const auto pieces = to_json(sample.report).at("pieces");
+    const auto pieces = parsed(to_json(sample.report)).at("pieces");
     CHECK(pieces.at(0).at("margin") == 0.125);
     CHECK(pieces.at(3).at("margin").is_null());
     CHECK(pieces.at(3).at("width").is_null());
@@ -210,14 +211,8 @@ TEST_CASE("in JSON margin and width are null where no witness orbit is known") {
 
 TEST_CASE("without a file out and sha256 are null, without an orbit there is no witness") {
     const SampleReport ten({piece(10, 10, 4, 4)});
-    const auto json = to_json(ten.report);
+    const auto json = parsed(to_json(ten.report));
     CHECK(json.at("out").is_null());
     CHECK(json.at("sha256").is_null());
     CHECK_FALSE(json.at("pieces").at(0).contains("witness"));
-}
-
-TEST_CASE("the JSON text can be read back") {
-    const SampleReport sample(four_pieces());
-    const auto json = to_json(sample.report);
-    CHECK(nlohmann::ordered_json::parse(json.dump(2)) == json);
 }

@@ -4,19 +4,20 @@
 
 #include "base/error.hpp"
 #include "rooms/collisions/example.hpp"
+#include "rooms/parsed.hpp"
 
 using namespace dumbbell_test;
-using Json = nlohmann::ordered_json;
+using Parsed = nlohmann::ordered_json;
 using Catch::Matchers::Contains;
 
 namespace {
 
-Json data_of(const ReportedContent& certificate, std::size_t most_boxes = default_most_boxes,
-             const std::string& path = "some/file.dbc") {
-    return page_data({{path, "abc123", certificate}}, most_boxes);
+Parsed data_of(const ReportedContent& certificate, std::size_t most_boxes = default_most_boxes,
+               const std::string& path = "some/file.dbc") {
+    return parsed(page_data({{path, "abc123", certificate}}, most_boxes));
 }
 
-Json file_of(const ReportedContent& certificate) { return data_of(certificate)["files"][0]; }
+Parsed file_of(const ReportedContent& certificate) { return data_of(certificate)["files"][0]; }
 
 InitialNode halved(InitialAxis axis) { return {axis, {}}; }
 InitialNode closed(long least, std::optional<long> most, std::optional<FirstContact> first = {}) {
@@ -61,7 +62,7 @@ AdiabaticCertificate run_claim() {
 }  // namespace
 
 TEST_CASE("every kind of piece is in the data: equal masses, a gap, an open piece") {
-    const Json file = file_of(every_kind_of_line());
+    const Parsed file = file_of(every_kind_of_line());
     CHECK(file["claim"] == "collisions");
     CHECK(file["name"] == "file.dbc");
     CHECK(file["sha256"] == "abc123");
@@ -69,17 +70,17 @@ TEST_CASE("every kind of piece is in the data: equal masses, a gap, an open piec
     CHECK(file["section"] == "turning");
     CHECK(file["upper"].is_null());
     REQUIRE(file["pieces"].size() == 3);
-    const Json& equal = file["pieces"][0];
+    const Parsed& equal = file["pieces"][0];
     CHECK(equal["equal_masses"] == true);
     CHECK(equal["trees"].empty());
     CHECK(equal["status"] == "exact");
-    CHECK(equal["paper"] == Json{3, 3});
-    const Json& gap = file["pieces"][1];
+    CHECK(equal["paper"] == Parsed{3, 3});
+    const Parsed& gap = file["pieces"][1];
     CHECK(gap["status"] == "gap");
     CHECK(gap["bits"] == 128);
     CHECK(gap["lo"] == "1/1");
     CHECK(gap["hi_text"] == "4.5");
-    CHECK(gap["paper"] == Json{3, 5});
+    CHECK(gap["paper"] == Parsed{3, 5});
     CHECK(gap["witness"]["e"] == "3/8");
     CHECK(gap["witness"]["eta"] == "1/1024");
     CHECK(file["pieces"][2]["status"] == "open");
@@ -87,27 +88,27 @@ TEST_CASE("every kind of piece is in the data: equal masses, a gap, an open piec
 }
 
 TEST_CASE("a tree's leaves are numbered by their kinds, counts last, and its axes are exact") {
-    const Json file = file_of(every_kind_of_line());
-    const Json& bridge = file["pieces"][1]["trees"][0];
+    const Parsed file = file_of(every_kind_of_line());
+    const Parsed& bridge = file["pieces"][1]["trees"][0];
     CHECK(bridge["chart"] == "bridge");
     CHECK(bridge["leaves"] == 3);
     CHECK(bridge["stands_for"].empty());
-    CHECK(bridge["axes"] == Json::parse(R"([{"name": "e", "lo": "0/1", "hi": "2/1"},
+    CHECK(bridge["axes"] == Parsed::parse(R"([{"name": "e", "lo": "0/1", "hi": "2/1"},
         {"name": "eta", "lo": "0/1", "hi": "8/1"}, {"name": "q", "lo": "1/1", "hi": "9/2"}])"));
-    const Json& kinds = file["kinds"];
-    const Json& nodes = bridge["nodes"];
+    const Parsed& kinds = file["kinds"];
+    const Parsed& nodes = bridge["nodes"];
     CHECK(nodes[0] == -1);
     CHECK(nodes[2] == -2);
     CHECK(kinds[nodes[1].get<std::size_t>()] ==
-          Json::parse(R"({"reason": "count", "forward": 1, "backward": 2,
+          Parsed::parse(R"({"reason": "count", "forward": 1, "backward": 2,
               "colour": ["#fde725", "#fde725"]})"));
     CHECK(kinds[nodes[3].get<std::size_t>()] ==
-          Json::parse(R"({"reason": "count", "forward": 0, "backward": 3,
+          Parsed::parse(R"({"reason": "count", "forward": 0, "backward": 3,
               "colour": ["#fde725", "#fde725"]})"));
     CHECK(kinds[nodes[4].get<std::size_t>()]["reason"] == "outside");
-    CHECK(kinds[nodes[4].get<std::size_t>()]["colour"] == Json{"#e8eaed", "#39424c"});
+    CHECK(kinds[nodes[4].get<std::size_t>()]["colour"] == Parsed{"#e8eaed", "#39424c"});
     CHECK(kinds.back()["reason"] == "count");
-    CHECK(file["totals"] == Json::parse(R"({"count": 3, "outside": 1, "meets": 1, "meets-reversed": 1})"));
+    CHECK(file["totals"] == Parsed::parse(R"({"count": 3, "outside": 1, "meets": 1, "meets-reversed": 1})"));
 }
 
 TEST_CASE("the verifier is asked for exactly what the file claims") {
@@ -141,13 +142,13 @@ TEST_CASE("file names are quoted as a shell needs it") {
 }
 
 TEST_CASE("more boxes than a page takes are thinned out, tree by tree, and the page is told") {
-    const Json data = data_of(every_kind_of_line(), 2);
+    const Parsed data = data_of(every_kind_of_line(), 2);
     CHECK(data["boxes"]["total"] == 6);
     CHECK(data["boxes"]["most"] == 2);
-    for (const Json& tree : data["files"][0]["pieces"][1]["trees"]) {
+    for (const Parsed& tree : data["files"][0]["pieces"][1]["trees"]) {
         CHECK(tree["leaves"] == 3);
         CHECK(tree["nodes"].size() == 1);
-        CHECK(tree["stands_for"] == Json{3});
+        CHECK(tree["stands_for"] == Parsed{3});
     }
 }
 
@@ -157,24 +158,24 @@ TEST_CASE("more pieces than a page takes are refused with advice") {
 }
 
 TEST_CASE("initial conditions: kinds with their first mass, exact shares, bounds over the box") {
-    const Json file = file_of(starts(closed(1, 3)));
+    const Parsed file = file_of(starts(closed(1, 3)));
     CHECK(file["claim"] == "initial-conditions");
     CHECK(file["least"] == 1);
     CHECK(file["most"] == 3);
     CHECK(file["verify_options"] == "--claim initial-conditions --max 3 --min 1");
-    CHECK(file["tree"]["axes"][0] == Json::parse(R"({"name": "phi", "lo": "0/1", "hi": "1/1"})"));
+    CHECK(file["tree"]["axes"][0] == Parsed::parse(R"({"name": "phi", "lo": "0/1", "hi": "1/1"})"));
     CHECK(file["tree"]["axes"][3]["lo"] == "-1/2");
-    CHECK(file["tree"]["nodes"] == Json{-1, 0, -1, 1, 2});
-    CHECK(file["kinds"][0] == Json::parse(R"({"least": 1, "most": 1, "first": "heavy",
+    CHECK(file["tree"]["nodes"] == Parsed{-1, 0, -1, 1, 2});
+    CHECK(file["kinds"][0] == Parsed::parse(R"({"least": 1, "most": 1, "first": "heavy",
         "colour": ["#fde725", "#fde725"]})"));
-    CHECK(file["kinds"][2] == Json::parse(R"({"least": 1, "most": 3, "first": null, "colour": null})"));
-    CHECK(file["windows"] == Json{0.5, 0.75, 0.5, 0.75, nullptr, nullptr});
-    CHECK(file["shares"] == Json::parse(R"([{"collisions": null, "share": "0.25", "boxes": 1},
+    CHECK(file["kinds"][2] == Parsed::parse(R"({"least": 1, "most": 3, "first": null, "colour": null})"));
+    CHECK(file["windows"] == Parsed{0.5, 0.75, 0.5, 0.75, nullptr, nullptr});
+    CHECK(file["shares"] == Parsed::parse(R"([{"collisions": null, "share": "0.25", "boxes": 1},
         {"collisions": 1, "share": "0.5", "boxes": 1}, {"collisions": 2, "share": "0.25", "boxes": 1}])"));
 }
 
 TEST_CASE("an open part leaves no upper bound, and no lower one but 0") {
-    const Json file = file_of(starts(closed(0, std::nullopt)));
+    const Parsed file = file_of(starts(closed(0, std::nullopt)));
     CHECK(file["least"] == 0);
     CHECK(file["most"].is_null());
     CHECK(file["verify_options"] == "--claim initial-conditions");
@@ -188,17 +189,17 @@ TEST_CASE("a tree of initial conditions deeper than the format permits is refuse
 }
 
 TEST_CASE("the adiabatic invariant: hypotheses, constants, classes of the leaves, attained states") {
-    const Json file = file_of(run_claim());
+    const Parsed file = file_of(run_claim());
     CHECK(file["claim"] == "adiabatic-run");
-    CHECK(file["delta"] == Json{"0", "0.01"});
-    CHECK(file["heights"] == Json{"0", "0.9"});
+    CHECK(file["delta"] == Parsed{"0", "0.01"});
+    CHECK(file["heights"] == Parsed{"0", "0.9"});
     CHECK(file["margin"] == "0.3");
     CHECK(file["exponent"].is_null());
-    CHECK(file["bounds"] == Json{"17.77"});
-    CHECK(file["leaves"] == Json::parse(R"({"bound": 3, "outside": 2})"));
+    CHECK(file["bounds"] == Parsed{"17.77"});
+    CHECK(file["leaves"] == Parsed::parse(R"({"bound": 3, "outside": 2})"));
     CHECK(file["attained"][0]["n"] == 64);
     CHECK(file["attained"][0]["u"] == "1/2");
-    CHECK(file["tree"]["nodes"] == Json{-4, 2, 0});
+    CHECK(file["tree"]["nodes"] == Parsed{-4, 2, 0});
     CHECK(file["kinds"].size() == 3);
     CHECK(file["verify_options"] == "--claim adiabatic-run");
 }
@@ -209,7 +210,7 @@ TEST_CASE("a claim without boxes has none") {
     printed.bounds.clear();
     printed.classes.clear();
     printed.tree.clear();
-    const Json file = file_of(printed);
+    const Parsed file = file_of(printed);
     CHECK(file["tree"].is_null());
     CHECK(file["bounds"].empty());
     CHECK(file["heights"].is_null());
@@ -219,7 +220,7 @@ TEST_CASE(
     "a table of critical ratios comes with the command that makes it again, and none that verifies it") {
     const CriticalTable table{"abc123",
                               {{3, "1", "0", 256, "top", 1}, {4, "4.603338", "3.3e-7", 256, "corner", 1}}};
-    const Json file = file_of(table);
+    const Parsed file = file_of(table);
     CHECK(file["claim"] == "critical-ratios");
     CHECK(file["again"] == "dumbbell critical 3:4 --digits 7");
     CHECK(file["rows"][1]["q_c"] == "4.603338");

@@ -2,9 +2,12 @@
 
 #include <catch2/catch.hpp>
 
+#include "rooms/parsed.hpp"
+
 using namespace dumbbell;
 using Catch::Matchers::Contains;
 using Catch::Matchers::StartsWith;
+using dumbbell_test::parsed;
 
 namespace {
 
@@ -20,7 +23,7 @@ std::string data_in(const std::string& page) {
 }  // namespace
 
 TEST_CASE("the page is one HTML file that may load nothing") {
-    const std::string page = html_page({{"files", nlohmann::ordered_json::array()}});
+    const std::string page = html_page(Json::object({{"files", Json::array()}}));
     CHECK_THAT(page, StartsWith("<!doctype html>") && Contains("default-src 'none'") && Contains("</html>"));
     for (const char* reference : {"src=", "@import", "url(", "http://", "<link rel=\"stylesheet\""}) {
         CAPTURE(reference);
@@ -29,14 +32,14 @@ TEST_CASE("the page is one HTML file that may load nothing") {
 }
 
 TEST_CASE("the data arrives as it was, whatever it holds") {
-    const nlohmann::ordered_json data{
-        {"name", "</script><script>alert(1)</script><!-- & \" \\ \n \xe2\x80\xa8"}, {"number", 0.1}};
+    const Json data = Json::object(
+        {{"name", "</script><script>alert(1)</script><!-- & \" \\ \n \xe2\x80\xa8"}, {"number", 0.1}});
     const std::string page = html_page(data);
-    CHECK(nlohmann::ordered_json::parse(data_in(page)) == data);
+    CHECK(nlohmann::ordered_json::parse(data_in(page)) == parsed(data));
     CHECK_THAT(data_in(page), !Contains("<"));
     CHECK_THAT(page, !Contains("@DUMBBELL_DATA@"));
 }
 
 TEST_CASE("bytes that are no UTF-8 do not stop the page") {
-    CHECK_NOTHROW(html_page({{"name", "\xff\xfe.dbc"}}));
+    CHECK_NOTHROW(html_page(Json::object({{"name", "\xff\xfe.dbc"}})));
 }

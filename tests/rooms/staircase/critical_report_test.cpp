@@ -4,9 +4,11 @@
 #include <sstream>
 
 #include "base/error.hpp"
+#include "rooms/parsed.hpp"
 
 using namespace dumbbell;
 using Catch::Matchers::Contains;
+using dumbbell_test::parsed;
 
 namespace {
 
@@ -54,7 +56,7 @@ TEST_CASE("the output says that it rests on theorem 2, and that the covers do no
             text,
             Contains("theorem 2 of proofs/theorem.md, which the covers of\ndumbbell certify do not use"));
     }
-    CHECK(to_json(sample()).at("rests_on") == "proofs/theorem.md, theorem 2");
+    CHECK(parsed(to_json(sample())).at("rests_on") == "proofs/theorem.md, theorem 2");
     CHECK_THAT(to_tsv(sample()), Contains("theorem 2 of proofs/theorem.md"));
 }
 
@@ -62,7 +64,7 @@ TEST_CASE("an exact ratio is a number without dots and with radius 0") {
     const std::string text = to_text(single(row(3, "1", "1")));
     CHECK_THAT(text, Catch::Matchers::StartsWith("q_c(3) = 1\n"));
     CHECK_THAT(text, Contains("exact"));
-    const auto json = to_json(sample()).at("ratios").at(0);
+    const auto json = parsed(to_json(sample())).at("ratios").at(0);
     CHECK(json.at("q_c") == "1");
     CHECK(json.at("radius") == "0");
     CHECK(json.at("exact") == true);
@@ -94,7 +96,7 @@ TEST_CASE("JSON: numbers as decimals in strings, the enclosure rounded outward")
     CriticalReport report = sample();
     report.rows[1].ratio->q_lo = number("4.6033388487517") + Rational(1) / exact(0x1p400);
     report.out = "ratios.tsv";
-    const auto json = to_json(report);
+    const auto json = parsed(to_json(report));
     CHECK(json.at("schema") == "dumbbell-critical-1");
     CHECK(json.at("digits") == 6);
     CHECK(json.at("jobs") == 2);
@@ -113,7 +115,6 @@ TEST_CASE("JSON: numbers as decimals in strings, the enclosure rounded outward")
     const auto five = json.at("ratios").at(2);
     CHECK(five.at("status") == "open");
     CHECK_FALSE(five.contains("q_c"));
-    CHECK(nlohmann::ordered_json::parse(json.dump(2)) == json);
 }
 
 TEST_CASE("a confirmation names the ratios and what was decided there, without the theorem") {
@@ -123,7 +124,7 @@ TEST_CASE("a confirmation names the ratios and what was decided there, without t
     CHECK_THAT(to_text(report), Contains("Confirmed by cover and witness, without that theorem:\n"
                                          "  at mass ratio 4.55 the maximum is 3,\n"
                                          "  at mass ratio 4.7 the maximum is 4.\n"));
-    const auto json = to_json(report);
+    const auto json = parsed(to_json(report));
     CHECK(json.at("confirm") == "1/100");
     CHECK(json.at("ratios").at(0).at("confirmed") == true);
     CHECK(json.at("ratios").at(0).at("below").at("ratio") == "91/20");
@@ -137,7 +138,7 @@ TEST_CASE("what was not confirmed is not called so") {
     for (const std::optional<long> upper : {std::optional<long>(), std::optional(4L)}) {
         report.rows[0].confirmation = confirmed("4.55", upper);
         CHECK_THAT(to_text(report), Contains("Not confirmed by") && Contains("it was not decided"));
-        CHECK(to_json(report).at("ratios").at(0).at("confirmed") == false);
+        CHECK(parsed(to_json(report)).at("ratios").at(0).at("confirmed") == false);
         CHECK_THAT(to_tsv(report), Catch::Matchers::EndsWith("\tno\n"));
     }
     report.rows[0].confirmation.reset();

@@ -2,8 +2,11 @@
 
 #include <catch2/catch.hpp>
 
+#include "rooms/parsed.hpp"
+
 using namespace dumbbell;
 using Catch::Matchers::Contains;
+using dumbbell_test::parsed;
 
 namespace {
 
@@ -57,16 +60,16 @@ TEST_CASE("no more collisions are said to be possible than any trajectory has, w
     report.trace.least = 1;
     report.trace.most = 5;
     CHECK_THAT(to_text(report), Contains("between 1 and 5 collisions") && !Contains("theorem"));
-    CHECK(to_json(report)["maximum"].is_null());
+    CHECK(parsed(to_json(report))["maximum"].is_null());
     report.maximum = 4;
     CHECK_THAT(to_text(report), Contains("between 1 and 4 collisions") && Contains(theorem));
-    CHECK(to_json(report)["most"] == 4);
-    CHECK(to_json(report)["maximum"] == 4);
+    CHECK(parsed(to_json(report))["most"] == 4);
+    CHECK(parsed(to_json(report))["maximum"] == 4);
     report.trace.most.reset();
     CHECK_THAT(to_text(report), Contains("between 1 and 4 collisions") && Contains(theorem));
     report.trace.most = 3;
     CHECK_THAT(to_text(report), Contains("between 1 and 3 collisions") && !Contains("theorem"));
-    CHECK(to_json(report)["maximum"].is_null());
+    CHECK(parsed(to_json(report))["maximum"].is_null());
     report.parts.emplace();
     report.parts->least = 1;
     report.parts->most = 5;
@@ -86,14 +89,14 @@ TEST_CASE("shares are rounded so that what is said to be certified is") {
     CHECK_THAT(to_text(report), Contains("  0.999999999999          5\n") &&
                                     Contains("  3.33333333334e-21          1\n") &&
                                     Contains("Certified: 0.999999999999 of the box"));
-    CHECK(to_json(report)["parts"]["decided_fraction"] < 1);
+    CHECK(parsed(to_json(report))["parts"]["decided_fraction"] < 1);
 }
 
 TEST_CASE("no zero has a sign") {
     const TraceReport report = report_of(Rational(3, 10), 0, 0);  // phidot is 0 before the first collision
     REQUIRE_FALSE(report.trace.collisions.empty());
     CHECK_THAT(to_csv(report), !Contains("-0,"));
-    CHECK_THAT(to_json(report).dump(), !Contains("-0.0,") && !Contains("-0.0]"));
+    CHECK_THAT(to_json(report).text(), !Contains("-0.0,") && !Contains("-0.0]"));
 }
 
 TEST_CASE("the mass ratio is printed exactly") {

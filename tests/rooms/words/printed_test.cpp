@@ -27,3 +27,10 @@ TEST_CASE("numbers of three digits are printed as they are") {
     CHECK(rounded_down(0.25) == "0.25");
     CHECK(rounded_up(1.25) == "1.25");
 }
+
+TEST_CASE("zero is printed without a sign, every other number as it is") {
+    CHECK_FALSE(std::signbit(unsigned_zero(-0.0)));
+    for (const double x : {1.0, -1.0, -0x1p-1074, 1e300}) {
+        CHECK(unsigned_zero(x) == x);
+    }
+}

@@ -1,0 +1,68 @@
+#include "words/json.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include "words/printed.hpp"
+
+namespace dumbbell {
+namespace {
+
+/// In ASCII alone, whatever bytes a name in it has.
+std::string dumped(const nlohmann::ordered_json& json, int indent) {
+    return json.dump(indent, ' ', true, nlohmann::ordered_json::error_handler_t::replace);
+}
+
+constexpr int on_one_line = -1;
+
+}  // namespace
+
+Json::Json(double value) : text_(dumped(value, on_one_line)) {}
+
+Json Json::quoted(std::string_view value) {
+    Json json;
+    json.text_ = dumped(value, on_one_line);
+    return json;
+}
+
+Json Json::object(std::initializer_list<Member> members) {
+    Json json;
+    json.text_ = "{}";
+    for (const auto& [name, value] : members) {
+        json.add(name, value);
+    }
+    return json;
+}
+
+Json Json::array(std::initializer_list<Json> values) {
+    Json json;
+    json.text_ = "[]";
+    for (const Json& value : values) {
+        json.add(value);
+    }
+    return json;
+}
+
+void Json::reopen() {
+    text_.pop_back();
+    if (text_.size() > 1) {
+        text_ += ',';
+    }
+}
+
+void Json::add(std::string_view name, const Json& value) {
+    reopen();
+    text_.append(1, '"').append(name).append("\":").append(value.text_).append(1, '}');
+}
+
+void Json::add(const Json& value) {
+    reopen();
+    text_.append(value.text_).append(1, ']');
+}
+
+std::string json_text(const Json& json) {
+    return dumped(nlohmann::ordered_json::parse(json.text()), 2) + '\n';
+}
+
+Json ends_json(const Interval& x) { return Json::array({unsigned_zero(x.lo()), unsigned_zero(x.hi())}); }
+
+}  // namespace dumbbell
