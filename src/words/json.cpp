@@ -16,12 +16,22 @@ constexpr int on_one_line = -1;
 
 }  // namespace
 
+Json::Json(std::nullptr_t /*null*/) : text_("null") {}
+Json::Json(bool value) : text_(value ? "true" : "false") {}
+Json::Json(int value) : text_(std::to_string(value)) {}
+Json::Json(long value) : text_(std::to_string(value)) {}
+Json::Json(unsigned long value) : text_(std::to_string(value)) {}
 Json::Json(double value) : text_(dumped(value, on_one_line)) {}
+Json::Json(std::string_view value) : text_(dumped(value, on_one_line)) {}
+Json::Json(const std::string& value) : Json(std::string_view(value)) {}
+Json::Json(const char* value) : Json(std::string_view(value)) {}
 
-Json Json::quoted(std::string_view value) {
-    Json json;
-    json.text_ = dumped(value, on_one_line);
-    return json;
+Json::Json(const Json& other) = default;
+Json::Json(Json&& other) noexcept = default;
+Json::~Json() = default;
+Json& Json::operator=(Json other) noexcept {
+    text_.swap(other.text_);
+    return *this;
 }
 
 Json Json::object(std::initializer_list<Member> members) {

@@ -1,40 +1,43 @@
 #pragma once
 
-#include <concepts>
 #include <cstddef>
 #include <initializer_list>
 #include <optional>
 #include <string>
 #include <string_view>
-#include <type_traits>
-#include <utility>
 
 #include "number/interval.hpp"
 
 namespace dumbbell {
 
 /// A value as JSON, made from the inside out and kept as text: the library that knows how strings and numbers
-/// are spelled is in one source file, not in every one that reports.
+/// are spelled is in one source file, not in every one that reports. Everything is out of line, for a report
+/// is a long expression of such values.
 class Json {
   public:
-    /// A name of a field, plain ASCII, and its value.
-    using Member = std::pair<std::string_view, Json>;
+    /// A field: its name, plain ASCII, and its value.
+    struct Member;
 
     // NOLINTBEGIN(google-explicit-constructor): a value is what it is in JSON, too
-    Json(std::nullptr_t = nullptr) : text_("null") {}
-    template <std::integral T>
-    Json(T value) : text_(!std::same_as<T, bool> ? std::to_string(value)
-                          : value                ? "true"
-                                                 : "false") {}
+    Json(std::nullptr_t = nullptr);
+    Json(bool value);
+    Json(int value);
+    Json(long value);
+    Json(unsigned long value);
     /// Null if it is not finite.
     Json(double value);
     /// What is no UTF-8 becomes U+FFFD.
-    template <class T>
-    requires std::is_convertible_v<const T&, std::string_view> Json(const T& value) : Json(quoted(value)) {}
+    Json(std::string_view value);
+    Json(const std::string& value);
+    Json(const char* value);
     /// Null for what is not known.
     template <class T>
     Json(const std::optional<T>& value) : Json(value ? Json(*value) : Json()) {}
     // NOLINTEND(google-explicit-constructor)
+    Json(const Json& other);
+    Json(Json&& other) noexcept;
+    Json& operator=(Json other) noexcept;
+    ~Json();
 
     /// The fields in the order that they are given.
     [[nodiscard]] static Json object(std::initializer_list<Member> members = {});
@@ -57,11 +60,15 @@ class Json {
     [[nodiscard]] const std::string& text() const { return text_; }
 
   private:
-    [[nodiscard]] static Json quoted(std::string_view value);
     /// Opens an object or array again, for another field or value.
     void reopen();
 
     std::string text_;
+};
+
+struct Json::Member {
+    std::string_view name;
+    Json value;
 };
 
 /// An object as `--json` prints it: indented, a field a line.
