@@ -1,4 +1,4 @@
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "adiabatic/box.hpp"
 #include "adiabatic/prove.hpp"

@@ -1,6 +1,6 @@
 #include "adiabatic/report.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "adiabatic/writer.hpp"
 #include "base/printable.hpp"

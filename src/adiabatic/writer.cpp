@@ -1,6 +1,6 @@
 #include "adiabatic/writer.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <iterator>
 

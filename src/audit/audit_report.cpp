@@ -1,6 +1,6 @@
 #include "audit/audit_report.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 #include "audit/leaf_boxes.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "base/error.hpp"
 

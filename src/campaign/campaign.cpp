@@ -1,6 +1,6 @@
 #include "campaign/campaign.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <deque>
 #include <exception>

@@ -1,6 +1,6 @@
 #include "campaign/judges.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <chrono>
 #include <exception>

@@ -1,6 +1,6 @@
 #include "campaign/kind.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <array>
 #include <fstream>

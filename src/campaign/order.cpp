@@ -1,6 +1,6 @@
 #include "campaign/order.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "base/error.hpp"
 #include "file/sealed_lines.hpp"

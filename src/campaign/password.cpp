@@ -1,7 +1,7 @@
 #include "campaign/password.hpp"
 
 #include <fcntl.h>
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <openssl/rand.h>
 #include <sys/stat.h>
 #include <unistd.h>

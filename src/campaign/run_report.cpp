@@ -1,6 +1,6 @@
 #include "campaign/run_report.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "words/printed.hpp"
 

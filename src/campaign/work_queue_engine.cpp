@@ -1,6 +1,6 @@
 #include "campaign/work_queue_engine.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <openssl/evp.h>
 #include <unistd.h>
 

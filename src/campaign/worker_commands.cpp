@@ -1,6 +1,6 @@
 #include "campaign/worker_commands.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "base/printable.hpp"
 

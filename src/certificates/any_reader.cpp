@@ -1,6 +1,6 @@
 #include "certificates/any_reader.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <openssl/evp.h>
 #include <zlib.h>
 

@@ -1,6 +1,6 @@
 #include "collisions/orbit_text.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
 #include "collisions/piece_store.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <filesystem>

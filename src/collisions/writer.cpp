@@ -1,6 +1,6 @@
 #include "collisions/writer.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <iterator>
 #include <map>

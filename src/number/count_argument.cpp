@@ -1,6 +1,6 @@
 #include "number/count_argument.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 #include "number/ratio_argument.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "base/error.hpp"
 #include "number/decimal.hpp"

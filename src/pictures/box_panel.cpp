@@ -1,6 +1,6 @@
 #include "pictures/box_panel.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <iterator>
 

@@ -1,6 +1,6 @@
 #include "pictures/count_colours.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
 #include "pictures/start_plane.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <array>
 #include <utility>

@@ -1,6 +1,6 @@
 #include "staircase/critical_table.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <zlib.h>
 
 #include <algorithm>

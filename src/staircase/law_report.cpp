@@ -1,6 +1,6 @@
 #include "staircase/law_report.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "base/error.hpp"
 #include "base/printable.hpp"

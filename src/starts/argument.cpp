@@ -1,6 +1,6 @@
 #include "starts/argument.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "base/error.hpp"
 

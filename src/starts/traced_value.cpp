@@ -1,6 +1,6 @@
 #include "starts/traced_value.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 namespace dumbbell {
 namespace {

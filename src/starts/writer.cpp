@@ -1,6 +1,6 @@
 #include "starts/writer.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 

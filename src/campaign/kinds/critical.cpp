@@ -1,6 +1,6 @@
 #include "campaign/kinds/critical.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 

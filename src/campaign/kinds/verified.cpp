@@ -1,6 +1,6 @@
 #include "campaign/kinds/verified.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <filesystem>

@@ -1,6 +1,6 @@
 #include "campaign/merge.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <string>
 #include <vector>

@@ -1,6 +1,6 @@
 #include "campaign/status.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "campaign/status_report.hpp"
 #include "cli/commands.hpp"

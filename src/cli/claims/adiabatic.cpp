@@ -1,6 +1,6 @@
 #include "cli/claims/adiabatic.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 

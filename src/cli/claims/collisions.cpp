@@ -1,6 +1,6 @@
 #include "cli/claims/collisions.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "base/error.hpp"
 #include "base/printable.hpp"

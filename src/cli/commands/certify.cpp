@@ -1,6 +1,6 @@
 #include "collisions/certify.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 

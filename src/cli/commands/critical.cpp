@@ -1,6 +1,6 @@
 #include "cli/claims/critical.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <chrono>

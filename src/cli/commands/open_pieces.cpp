@@ -1,6 +1,6 @@
 #include "cli/commands/open_pieces.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 

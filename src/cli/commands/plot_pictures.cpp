@@ -1,6 +1,6 @@
 #include "cli/commands/plot_pictures.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <filesystem>
 #include <utility>

@@ -1,6 +1,6 @@
 #include "cli/commands/verify.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <unistd.h>
 
 #include <cerrno>

@@ -1,6 +1,6 @@
 #include "cli/pages/man_page.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "cli/pages/command_table.hpp"
 

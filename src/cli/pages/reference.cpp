@@ -1,6 +1,6 @@
 #include "cli/pages/reference.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <iterator>
 

@@ -1,6 +1,6 @@
 #include "cli/terminal/stop_signals.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <signal.h>
 
 #include <cstdio>

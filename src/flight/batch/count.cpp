@@ -1,6 +1,6 @@
 #include "flight/batch/count.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cstdlib>
