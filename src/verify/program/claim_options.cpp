@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <regex>
 #include <string_view>
 
 #include "verify/format/section.hpp"
@@ -10,28 +9,50 @@
 namespace dumbbell_verify {
 namespace {
 
+/// What [0-9]+(.[0-9]+)?([eE][+-]?[0-9]+)? stands for, whose exponent has at most four digits behind zeros; 0
+/// of other texts.
+mpq_class parse_decimal(const std::string& text) {
+    std::string_view rest = text;
+    std::string digits = take_digits(rest), places, exponent = "0";
+    bool fits = !digits.empty(), is_small = false;
+    if (take(rest, '.')) {
+        places = take_digits(rest);
+        fits = fits && !places.empty();
+    }
+    if (take(rest, 'e') || take(rest, 'E')) {
+        is_small = take(rest, '-');
+        if (!is_small) take(rest, '+');
+        exponent = take_digits(rest);
+        fits = fits && !exponent.empty();
+        exponent.erase(0, exponent.find_first_not_of('0'));
+        fits = fits && exponent.size() <= 4;
+    }
+    if (!fits || !rest.empty()) return 0;
+    const unsigned long tens = exponent.empty() ? 0 : std::stoul(exponent);
+    if (tens > 1000) throw std::invalid_argument("an exponent beyond 1000: " + text.substr(0, 60));
+    mpz_class top(digits + places, 10), bottom, power;
+    mpz_ui_pow_ui(power.get_mpz_t(), 10, tens);
+    mpz_ui_pow_ui(bottom.get_mpz_t(), 10, places.size());
+    (is_small ? bottom : top) *= power;
+    return {top, bottom};
+}
+
+/// What [0-9]+/[0-9]+ stands for; 0 of other texts, and if the denominator is 0.
+mpq_class parse_fraction(std::string_view rest) {
+    const std::string top = take_digits(rest);
+    const bool is_fraction = take(rest, '/');
+    const std::string bottom = take_digits(rest);
+    if (top.empty() || !is_fraction || bottom.empty() || !rest.empty()) return 0;
+    const mpz_class denominator(bottom, 10);
+    return denominator == 0 ? mpq_class(0) : mpq_class(mpz_class(top, 10), denominator);
+}
+
 /// RATIO of the command line, exactly.
 mpq_class parse_ratio(const std::string& text) {
-    static const std::regex decimal("([0-9]+)(?:\\.([0-9]+))?(?:[eE]([+-]?)0*([0-9]{1,4}))?");
-    static const std::regex fraction("([0-9]+)/([0-9]+)");
-    std::smatch part;
-    mpz_class top, bottom = 1;
-    if (text.size() <= 1000 && std::regex_match(text, part, fraction)) {
-        top = mpz_class(part.str(1), 10);
-        bottom = mpz_class(part.str(2), 10);
-    } else if (text.size() <= 1000 && std::regex_match(text, part, decimal)) {
-        const unsigned long exponent = part[4].matched ? std::stoul(part.str(4)) : 0;
-        if (exponent > 1000) throw std::invalid_argument("an exponent beyond 1000: " + text.substr(0, 60));
-        top = mpz_class(part.str(1) + part.str(2), 10);
-        mpz_class power;
-        mpz_ui_pow_ui(power.get_mpz_t(), 10, exponent);
-        (part.str(3) == "-" ? bottom : top) *= power;
-        mpz_ui_pow_ui(power.get_mpz_t(), 10, static_cast<unsigned long>(part[2].length()));
-        bottom *= power;
-    }
-    if (top == 0 || bottom == 0)
-        throw std::invalid_argument("not a mass ratio: `" + text.substr(0, 60) + "`");
-    mpq_class ratio(top, bottom);
+    mpq_class ratio = 0;
+    if (text.size() <= 1000)
+        ratio = text.find('/') < text.size() ? parse_fraction(text) : parse_decimal(text);
+    if (ratio == 0) throw std::invalid_argument("not a mass ratio: `" + text.substr(0, 60) + "`");
     ratio.canonicalize();
     return ratio;
 }

@@ -1,16 +1,30 @@
 // The words of a command line, or of a claim in a list, one after the other.
 #pragma once
 #include <cstdint>
-#include <regex>
 #include <set>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 #include "verify/format/text.hpp"
 
 namespace dumbbell_verify {
+
+/// Takes this character from the beginning of the text, if it is there.
+inline bool take(std::string_view& text, char c) {
+    if (!text.starts_with(c)) return false;
+    text.remove_prefix(1);
+    return true;
+}
+
+/// Takes the digits with which the text begins.
+inline std::string take_digits(std::string_view& text) {
+    const std::string digits(text.substr(0, text.find_first_not_of("0123456789")));
+    text.remove_prefix(digits.size());
+    return digits;
+}
 
 /// Options are `--name`, `--name VALUE` or `--name=VALUE`; behind `--` there are none. What is wrong is
 /// thrown as std::invalid_argument with a message for the user.
@@ -52,15 +66,18 @@ class Words {
 
     /// A time as `30s`, `10m` or `1.5h`, in units of work.
     std::uint64_t time() {
-        static const std::regex form("([0-9]{1,5})(?:\\.([0-9]{1,3}))?([smh])");
         const std::string text = value();
-        std::smatch part;
-        if (!std::regex_match(text, part, form))
+        std::string_view rest = text;
+        const std::string whole = take_digits(rest);
+        const bool has_point = take(rest, '.');
+        std::string thousandths = has_point ? take_digits(rest) : "";
+        if (whole.empty() || whole.size() > 5 || thousandths.empty() == has_point || thousandths.size() > 3 ||
+            (rest != "s" && rest != "m" && rest != "h"))
             throw std::invalid_argument(option + " needs a time such as 30s, 10m or 2h, not `" +
                                         text.substr(0, 60) + "`");
-        const std::string thousandths = part.str(2) + std::string(3 - part.length(2), '0');
-        const std::uint64_t n = std::stoull(part.str(1)) * 1000 + std::stoull(thousandths);
-        const std::uint64_t seconds = part.str(3) == "s" ? 1 : part.str(3) == "m" ? 60 : 3600;
+        thousandths.resize(3, '0');
+        const std::uint64_t n = std::stoull(whole) * 1000 + std::stoull(thousandths);
+        const std::uint64_t seconds = rest == "s" ? 1 : rest == "m" ? 60 : 3600;
         return n * (units_per_second / 1000) * seconds;
     }
 
