@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <iterator>
 
 #include "cli/pages/command_table.hpp"
 
@@ -65,7 +64,7 @@ void add_values(std::string& script, const Place& place) {
                                  : choices.empty() ? "return"
                                                    : fmt::format("words='{}'", fmt::join(choices, " "));
         for (const std::string& name : option.names()) {
-            fmt::format_to(std::back_inserter(script), "        '{} {}') {} ;;\n", place.name, name, then);
+            script += fmt::format("        '{} {}') {} ;;\n", place.name, name, then);
         }
     }
 }
@@ -80,8 +79,8 @@ void add_words(std::string& script, const Place& place) {
     }
     const bool files = std::ranges::any_of(place.command->options,
                                            [](const Option& o) { return o.is_argument() && is_file(o); });
-    fmt::format_to(std::back_inserter(script), "        '{} '*) options='{}' words='{}' files={} ;;\n",
-                   place.name, names(*place.command), fmt::join(words, " "), files ? "yes" : "");
+    script += fmt::format("        '{} '*) options='{}' words='{}' files={} ;;\n", place.name,
+                          names(*place.command), fmt::join(words, " "), files ? "yes" : "");
 }
 
 }  // namespace
@@ -90,7 +89,7 @@ std::string bash_completion(const Command& program) {
     const auto all = places(program);
     std::string script = head;
     for (const Place& place : std::span(all).subspan(1)) {
-        fmt::format_to(std::back_inserter(script), "            '{0}') command='{0}' ;;\n", place.name);
+        script += fmt::format("            '{0}') command='{0}' ;;\n", place.name);
     }
     script += "        esac\n    done\n    COMPREPLY=()\n    case \"$command $before\" in\n";
     // The case of a command also fits the commands below it, which come first.
