@@ -61,8 +61,8 @@ struct AdiabaticHypotheses {
 };
 
 struct AdiabaticCertificate {
-    std::string program;
-    std::string version;
+    std::string program = "dumbbell";  ///< what wrote it: this one, unless it was read
+    std::string version = DUMBBELL_VERSION;
     AdiabaticHypotheses hypotheses;
     int bits = 53;
     std::vector<Rational> bounds;  ///< C; of a bounce C1 and C2; none of `printed`

@@ -279,8 +279,6 @@ AdiabaticProof prove_adiabatic(const AdiabaticRequest& request) { return Prover(
 AdiabaticCertificate certificate_of(const AdiabaticProof& proof) {
     require(proof.complete(), "certificate: there is no proof to write");
     AdiabaticCertificate certificate;
-    certificate.program = "dumbbell";
-    certificate.version = DUMBBELL_VERSION;
     certificate.hypotheses = proof.of;
     certificate.bounds = proof.bounds;
     certificate.classes = proof.classes;

@@ -27,7 +27,7 @@ CertifyRequest request_of(const MassRatio& ratio, const CertifyOptions& options)
 
 Proof certify(const MassRatio& ratio, const CertifyOptions& options) {
     return guarded([&] {
-        Certificate certificate{.program = "dumbbell", .version = DUMBBELL_VERSION, .pieces = {}};
+        Certificate certificate;
         Proof proof;
         for (ProvedPiece& proved : dumbbell::certify(request_of(ratio, options))) {
             const dumbbell::Piece& piece = certificate.pieces.emplace_back(std::move(proved.piece));

@@ -94,8 +94,8 @@ struct Piece {
 };
 
 struct Certificate {
-    std::string program;
-    std::string version;
+    std::string program = "dumbbell";  ///< what wrote it: this one, unless it was read
+    std::string version = DUMBBELL_VERSION;
     std::vector<Piece> pieces;  ///< in order, each begins where the one before ends; not empty
     Scene scene = Scene::dumbbell;
     Section section = Section::turning;

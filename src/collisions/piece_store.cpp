@@ -29,18 +29,16 @@ std::string text_of(const StoredClaim& claim) {
                        to_fraction(claim.gap));
 }
 
-/// An empty folder, or what a run leaves that was killed while it wrote its claim.
-bool is_unclaimed(const std::string& folder) {
-    std::error_code no_folder;
-    const fs::directory_iterator entries(folder, no_folder);
-    return !no_folder && std::all_of(begin(entries), end(entries), [&](const fs::directory_entry& entry) {
-        return entry.path() == temporary_name(folder + "/claim");
-    });
-}
-
 constexpr std::size_t name_length = 32;  // of a piece, without extension
 
 bool is_piece(const fs::directory_entry& entry) { return entry.path().extension() == ".dbc"; }
+
+[[noreturn]] void is_in_the_way(const std::string& folder) {
+    throw InputError(
+        fmt::format("'{}' is in the way: it is no folder with the finished pieces of a run; remove it, "
+                    "or use another --out",
+                    folder));
+}
 
 [[noreturn]] void holds_another_run(const std::string& folder) {
     throw InputError(
@@ -53,13 +51,9 @@ bool is_piece(const fs::directory_entry& entry) { return entry.path().extension(
 
 PieceStore::PieceStore(std::string folder, const StoredClaim& claim)
     : folder_(std::move(folder)), claim_(claim), text_(text_of(claim)) {
-    const std::string file = folder_ + "/claim";
     std::error_code failed;
-    if (fs::exists(fs::symlink_status(folder_, failed)) && !fs::exists(file) && !is_unclaimed(folder_)) {
-        throw InputError(
-            fmt::format("'{}' is in the way: it is no folder with the finished pieces of a run; remove it, "
-                        "or use another --out",
-                        folder_));
+    if (fs::exists(fs::symlink_status(folder_, failed)) && !fs::is_directory(folder_, failed)) {
+        is_in_the_way(folder_);
     }
     fs::create_directory(folder_, failed);
     if (failed) {
@@ -69,18 +63,19 @@ PieceStore::PieceStore(std::string folder, const StoredClaim& claim)
         throw InputError(
             fmt::format("'{}' is in use by another run: wait for it, or use another --out", folder_));
     }
-    if (!fs::exists(file)) {
-        AtomicFile(file).commit(text_);
-    } else if (file_contents(file) != text_) {
-        if (!fs::is_regular_file(fs::symlink_status(file)) || !has_no_others_pieces()) {
-            holds_another_run(folder_);
+    const std::string file = folder_ + "/claim";
+    const fs::file_type type = fs::symlink_status(file).type();
+    const bool is_file = type == fs::file_type::regular, is_missing = type == fs::file_type::not_found;
+    if (!is_file || file_contents(file) != text_) {
+        if ((!is_file && !is_missing) || !has_no_others_pieces()) {
+            is_missing ? is_in_the_way(folder_) : holds_another_run(folder_);
         }
         AtomicFile(file).commit(text_);
     }
 }
 
-/// Whether the folder is one of finished pieces in which whatever is whole belongs to this store: then its
-/// claim is damaged, or nothing was finished for another one.
+/// Whether the folder is one of finished pieces in which whatever is whole belongs to this store: then it is
+/// new, its claim is damaged, or nothing was finished for another one.
 bool PieceStore::has_no_others_pieces() const {
     bool has_own = false;
     for (const fs::directory_entry& entry : fs::directory_iterator(folder_)) {
@@ -97,8 +92,7 @@ bool PieceStore::has_no_others_pieces() const {
         if (damaged) {
             continue;  // nobody's
         }
-        if (!piece || !piece->upper ||
-            entry.path() != file_of({piece->q_lo, piece->q_hi, *piece->upper, piece->lower})) {
+        if (!piece || entry.path() != file_of(planned_as(*piece))) {
             return false;
         }
         has_own = true;
@@ -122,9 +116,8 @@ void PieceStore::require_none(const std::string& folder) {
 }
 
 std::string PieceStore::file_of(const PlannedPiece& planned) const {
-    const std::string what = fmt::format("{}piece {} {} {} {}\n", text_, to_fraction(planned.q_lo),
-                                         to_fraction(planned.q_hi), planned.upper, planned.lower);
-    return fmt::format("{}/{}.dbc", folder_, sha256_hex(what).substr(0, name_length));
+    const std::string digest = sha256_hex(text_ + words_of(planned) + "\n");
+    return fmt::format("{}/{}.dbc", folder_, digest.substr(0, name_length));
 }
 
 PieceStore::Kept PieceStore::kept_in(const std::string& file) const {
@@ -132,10 +125,10 @@ PieceStore::Kept PieceStore::kept_in(const std::string& file) const {
         return {true, std::nullopt};
     }
     try {
-        const Certificate kept = read_certificate(file);
-        const bool fits =
-            kept.pieces.size() == 1 && kept.scene == claim_.scene && kept.section == claim_.section;
-        return {false, fits ? std::optional(kept.pieces.front()) : std::nullopt};
+        Certificate kept = read_certificate(file);
+        const bool fits = kept.pieces.size() == 1 && kept.pieces.front().upper &&
+                          kept.scene == claim_.scene && kept.section == claim_.section;
+        return {false, fits ? std::optional(std::move(kept.pieces.front())) : std::nullopt};
     } catch (const InputError&) {
         return {false, std::nullopt};  // a right checksum under something else
     }
@@ -150,25 +143,19 @@ std::optional<Piece> PieceStore::find(const PlannedPiece& planned,
     if (!fs::is_regular_file(file)) {  // which whoever reads it might wait for
         throw InputError(fmt::format("'{}' is in the way: it is no file; remove it, and try again", file));
     }
-    const auto piece = kept_in(file).piece;
-    const bool fits = piece && piece->q_lo == planned.q_lo && piece->q_hi == planned.q_hi &&
-                      piece->upper == planned.upper && piece->lower == planned.lower;
-    if (!fits) {
+    auto piece = kept_in(file).piece;
+    if (!piece || planned_as(*piece) != planned) {
         damaged(file);
+        return std::nullopt;
     }
-    return fits ? piece : std::nullopt;
+    return piece;
 }
 
 void PieceStore::keep(const Piece& piece) const {
-    const Certificate alone{.program = "dumbbell",
-                            .version = DUMBBELL_VERSION,
-                            .pieces = {piece},
-                            .scene = claim_.scene,
-                            .section = claim_.section};
+    const Certificate alone{.pieces = {piece}, .scene = claim_.scene, .section = claim_.section};
     // Not synced: thousands of small pieces would spend their time waiting for the disk, and one that a crash
     // of the machine damages is recognized by its checksum.
-    AtomicFile(file_of({piece.q_lo, piece.q_hi, *piece.upper, piece.lower}))
-        .commit(render(alone).text, Survives::program);
+    AtomicFile(file_of(planned_as(piece))).commit(render(alone).text, Survives::program);
 }
 
 void PieceStore::remove() {

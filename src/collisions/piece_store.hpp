@@ -23,8 +23,8 @@ struct StoredClaim {
 /// piece is a file of its own, a complete certificate that `dumbbell-verify` accepts, with a name that
 /// depends on nothing but what it claims. The folder belongs to one claim of one version of the program, and
 /// to one run at a time. Throws InputError, and changes nothing, if the folder has pieces of another claim,
-/// is none of these, or is in use; a damaged claim is made again if the pieces are of this one, which their
-/// names tell. May be used by several threads at once.
+/// is none of these, or is in use; a damaged or lost claim is made again if the pieces are of this one, which
+/// their names tell. May be used by several threads at once.
 class PieceStore {
   public:
     /// Opens the folder, or makes it.
@@ -51,7 +51,7 @@ class PieceStore {
 
   private:
     [[nodiscard]] std::string file_of(const PlannedPiece& planned) const;
-    /// What a piece's file holds: the piece if it is whole and of this store's scene and section.
+    /// What a piece's file holds: the piece if it is whole, decided, and of this store's scene and section.
     struct Kept {
         bool damaged = false;  ///< the last line is not the checksum of the others
         std::optional<Piece> piece;

@@ -111,6 +111,13 @@ double half_gap(const std::vector<Step>& steps, std::size_t i, double relative_g
 
 }  // namespace
 
+PlannedPiece planned_as(const Piece& piece) { return {piece.q_lo, piece.q_hi, *piece.upper, piece.lower}; }
+
+std::string words_of(const PlannedPiece& planned) {
+    return fmt::format("piece {} {} {} {}", to_fraction(planned.q_lo), to_fraction(planned.q_hi),
+                       planned.upper, planned.lower);
+}
+
 std::vector<PlannedPiece> plan_staircase(Scene scene, const Rational& q_lo, const Rational& q_hi,
                                          const Rational& gap, const Interrupted& interrupted,
                                          const std::function<void(std::size_t, std::size_t)>& placed) {

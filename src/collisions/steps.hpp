@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <string>
 #include <vector>
 
 #include "base/interrupted.hpp"
@@ -16,7 +17,15 @@ struct PlannedPiece {
     Rational q_hi;
     long upper;
     long lower;
+
+    friend bool operator==(const PlannedPiece&, const PlannedPiece&) = default;
 };
+
+/// The plan of a piece that is decided.
+[[nodiscard]] PlannedPiece planned_as(const Piece& piece);
+
+/// `piece LO HI UPPER LOWER`: what names its proof among finished ones, and asks for it in an order.
+[[nodiscard]] std::string words_of(const PlannedPiece& planned);
 
 /// Cuts [q_lo, q_hi], 1 <= q_lo < q_hi, at the places where the maximum seems to step: pieces with one value
 /// each, and between them gap pieces around the critical ratios, at most gap * q wide and at most a

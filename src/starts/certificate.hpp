@@ -46,8 +46,8 @@ struct InitialNode {
 };
 
 struct InitialCertificate {
-    std::string program;
-    std::string version;
+    std::string program = "dumbbell";  ///< what wrote it: this one, unless it was read
+    std::string version = DUMBBELL_VERSION;
     InitialBox box;
     int bits = 53;
     std::vector<InitialNode> tree;  ///< pre-order, lower half first

@@ -37,11 +37,6 @@ Common common_of(const Order& order) {
     return {*scene, *section};
 }
 
-std::string unit_of(const PlannedPiece& piece) {
-    return fmt::format("piece {} {} {} {}", to_fraction(piece.q_lo), to_fraction(piece.q_hi), piece.upper,
-                       piece.lower);
-}
-
 PlannedPiece parse_unit(const std::string& unit) {
     constexpr std::size_t longest = 10'000;  // a ratio of the command line as a fraction
     const auto fields = words(unit);
@@ -50,7 +45,7 @@ PlannedPiece parse_unit(const std::string& unit) {
                                  static_cast<long>(parse_size(fields[3])),
                                  static_cast<long>(parse_size(fields[4]))};
         if (piece.q_lo >= 1 && piece.q_lo <= piece.q_hi && piece.q_hi <= greatest_ratio() &&
-            piece.lower >= 1 && piece.lower <= piece.upper && unit_of(piece) == unit) {
+            piece.lower >= 1 && piece.lower <= piece.upper && words_of(piece) == unit) {
             return piece;
         }
     }
@@ -58,17 +53,14 @@ PlannedPiece parse_unit(const std::string& unit) {
 }
 
 std::string certificate_of(const Common& common, std::vector<Piece> pieces) {
-    return render(Certificate{.program = "dumbbell",
-                              .version = DUMBBELL_VERSION,
-                              .pieces = std::move(pieces),
-                              .scene = common.scene,
-                              .section = common.section})
+    return render(Certificate{.pieces = std::move(pieces), .scene = common.scene, .section = common.section})
         .text;
 }
 
+/// Whether it is this one, decided or not.
 bool is_piece(const Piece& piece, const PlannedPiece& planned) {
-    return piece.q_lo == planned.q_lo && piece.q_hi == planned.q_hi &&
-           (!piece.upper || (*piece.upper == planned.upper && piece.lower == planned.lower));
+    return piece.upper ? planned_as(piece) == planned
+                       : piece.q_lo == planned.q_lo && piece.q_hi == planned.q_hi;
 }
 
 bool is_open(const Piece& piece) { return piece.status() == Status::open; }
@@ -198,7 +190,7 @@ std::optional<Plan> plan_collisions(const CertifyRequest& request, std::optional
               {}};
     std::vector<std::size_t> costs;
     for (const PlannedPiece& piece : pieces) {
-        plan.whole.units.push_back(unit_of(piece));
+        plan.whole.units.push_back(words_of(piece));
         costs.push_back(cost_of(piece, request.section));
     }
     plan.shards = cut(costs, shards, collisions_per_shard);

@@ -109,11 +109,7 @@ ProofReport describe(const CertifyRequest& request, const std::vector<ProvedPiec
 }
 
 Certificate certificate_of(const CertifyRequest& request, const std::vector<ProvedPiece>& pieces) {
-    Certificate certificate{.program = "dumbbell",
-                            .version = DUMBBELL_VERSION,
-                            .pieces = {},
-                            .scene = request.scene,
-                            .section = request.section};
+    Certificate certificate{.pieces = {}, .scene = request.scene, .section = request.section};
     for (const ProvedPiece& p : pieces) {
         certificate.pieces.push_back(p.piece);
     }

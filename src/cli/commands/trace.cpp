@@ -100,11 +100,7 @@ InitialBox box_of(const Given& given, const RatioArgument& ratio) {
 }
 
 InitialCertificate certificate_of(const TraceReport& report) {
-    return {.program = "dumbbell",
-            .version = DUMBBELL_VERSION,
-            .box = report.box,
-            .bits = report.parts->bits,
-            .tree = report.parts->tree};
+    return {.box = report.box, .bits = report.parts->bits, .tree = report.parts->tree};
 }
 
 void print(std::FILE* out, const Given& given, const TraceReport& report, bool swapped) {

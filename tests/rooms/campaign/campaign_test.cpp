@@ -84,8 +84,6 @@ Plan staircase() {
 /// An answer to an order about a range of ratios that leaves all of it undecided: well formed, and true.
 Outcome undecided(const Task& task) {
     Certificate certificate;
-    certificate.program = "dumbbell";
-    certificate.version = DUMBBELL_VERSION;
     for (const std::string& unit : parse_order(task.order).units) {
         const auto fields = words(unit);
         Piece piece;

@@ -142,6 +142,12 @@ TEST_CASE("a damaged claim costs no piece, and takes none from another run") {
         CHECK(store.find({5, 11, 4, 4}).has_value());
         CHECK(file_contents(claim_file) == truth);
     }
+    SECTION("nor does a lost one") {
+        fs::remove(claim_file);
+        CHECK_THROWS_WITH(PieceStore(place.path.string(), claim(101)), Contains("is in the way"));
+        CHECK(PieceStore(place.path.string(), claim(100)).find({5, 11, 4, 4}).has_value());
+        CHECK(file_contents(claim_file) == truth);
+    }
     SECTION("a claim of another run without a piece is in nobody's way") {
         fs::remove(only_piece(place));
         { const PieceStore store(place.path.string(), claim(101)); }
@@ -154,11 +160,11 @@ TEST_CASE("a damaged claim costs no piece, and takes none from another run") {
     }
     SECTION("a link is not followed") {
         const fs::path other = place.path.string() + "-other";
-        std::ofstream(other) << "x";
+        std::ofstream(other) << truth;
         fs::remove(claim_file);
         fs::create_symlink(other, claim_file);
         CHECK_THROWS_WITH(PieceStore(place.path.string(), claim(100)), Contains("another run"));
-        CHECK(file_contents(other.string()) == "x");
+        CHECK(file_contents(other.string()) == truth);
         fs::remove(other);
     }
 }

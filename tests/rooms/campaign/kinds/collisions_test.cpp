@@ -43,11 +43,7 @@ long peak_memory() {
 }
 
 std::string in_one_go(const CertifyRequest& request) {
-    Certificate certificate{.program = "dumbbell",
-                            .version = DUMBBELL_VERSION,
-                            .pieces = {},
-                            .scene = request.scene,
-                            .section = request.section};
+    Certificate certificate{.pieces = {}, .scene = request.scene, .section = request.section};
     for (const ProvedPiece& proved : certify(request)) {
         certificate.pieces.push_back(proved.piece);
     }
