@@ -75,8 +75,8 @@ GROUPS = {
                "number/big_interval.cpp": "number/big_interval.cpp",
                "number/big_interval.hpp": "number/big_interval.cpp"},
         left_out=frozenset({"approximate"}),
-        targets=("test_number",),
-        programs=("tests/rooms/number/test_number",)),
+        targets=("test_number", "test_interval"),
+        programs=("tests/rooms/number/test_number", "tests/attacks/interval/test_interval")),
     "step": Group(
         files={"flight/reflection.hpp": "flight/orbit.cpp", "flight/contact.hpp": "flight/orbit.cpp",
                "flight/chart.hpp": "flight/orbit.cpp", "flight/count.hpp": "collisions/witness.cpp",

@@ -1,9 +1,6 @@
 #pragma once
 
-#include <mpfi.h>
-
 #include "random.hpp"
-#include "tightest.hpp"
 
 namespace dumbbell_test {
 
@@ -76,19 +73,6 @@ template <class Angle>
         default:
             return random.uniform(-1, 1);
     }
-}
-
-using MpfiFunction = int (*)(mpfi_ptr, mpfi_srcptr);
-
-/// The range of f over X, rounded outward to double, by MPFI.
-inline Tightest range_over(MpfiFunction f, const dumbbell::Interval& x) {
-    mpfi_t value;
-    mpfi_init2(value, 53);
-    mpfi_interv_d(value, x.lo(), x.hi());
-    f(value, value);
-    const Tightest range{mpfr_get_d(&value->left, MPFR_RNDD), mpfr_get_d(&value->right, MPFR_RNDU)};
-    mpfi_clear(value);
-    return range;
 }
 
 }  // namespace dumbbell_test

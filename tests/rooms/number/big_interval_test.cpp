@@ -16,7 +16,6 @@ using namespace dumbbell_test;
 
 namespace {
 
-BigInterval wide(const Interval& x) { return {x.lo(), x.hi()}; }
 /// Seen in doubles, rounded outward.
 Interval seen(const BigInterval& x) { return {x.lo(), x.hi()}; }
 long bits(const BigInterval& x) { return static_cast<long>(mpfi_get_prec(x.raw())); }
@@ -37,51 +36,9 @@ bool says_something(const BigInterval& x) {
     return certainly_positive(x) || certainly_positive(-x);
 }
 
-void check(const char* name, const Interval& x, const Interval& y, const BigInterval& ours,
-           const Tightest& exact) {
-    if (!encloses(seen(ours), exact)) {
-        FAIL(say(name, "of", x, y, "gives", ours, "exact", exact));
-    }
-}
-
 }  // namespace
 
-TEST_CASE("BigInterval's arithmetic encloses the exact range at 2 to 300 bits") {
-    Random random(41);
-    for (int i = 0; i < 30'000; ++i) {
-        const PrecisionScope scope(2 + random.below(299));
-        const Interval x = adversarial_interval(random);
-        const Interval y = random.below(8) == 0 ? x : adversarial_interval(random);
-        const BigInterval a = wide(x);
-        const BigInterval b = wide(y);
-        check("+", x, y, a + b, corners(mpfr_add, x, y));
-        check("-", x, y, a - b, corners(mpfr_sub, x, y));
-        check("*", x, y, a * b, corners(mpfr_mul, x, y));
-        if (y.lo() > 0 || y.hi() < 0) {
-            check("/", x, y, a / b, corners(mpfr_div, x, y));
-        }
-        check("neg", x, x, -a, {-x.hi(), -x.lo()});
-        check("min", x, y, min(a, b), {std::min(x.lo(), y.lo()), std::min(x.hi(), y.hi())});
-        check("max", x, y, max(a, b), {std::max(x.lo(), y.lo()), std::max(x.hi(), y.hi())});
-        check("hull", x, y, hull(a, b), {std::min(x.lo(), y.lo()), std::max(x.hi(), y.hi())});
-        check("sqr", x, x, sqr(a), squares(x));
-        if (x.hi() >= 0) {
-            check("sqrt", x, x, sqrt(a), square_roots(x));
-        }
-    }
-}
-
-TEST_CASE("BigInterval's sin, cos and asin enclose MPFR's") {
-    Random random(42);
-    for (int i = 0; i < 10'000; ++i) {
-        const PrecisionScope scope(20 + random.below(200));
-        const double x = adversarial_angle(random);
-        const auto at = sin_cos(BigInterval(x));
-        check("sin", Interval(x), Interval(x), at.sin, at_point(mpfr_sin, x));
-        check("cos", Interval(x), Interval(x), at.cos, at_point(mpfr_cos, x));
-        const double v = std::sin(x);
-        check("asin", Interval(v), Interval(v), asin(BigInterval(v)), at_point(mpfr_asin, v));
-    }
+TEST_CASE("The arcsine of a BigInterval is that of its part in [-1, 1]") {
     CHECK(encloses(seen(asin(BigInterval(-2, 3))), {-1.5707963267948966, 1.5707963267948966}));
     CHECK(asin(BigInterval(-2, 3)).hi() < 1.58);
 }

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "random.hpp"
-#include "tightest.hpp"
+#include "show.hpp"
 
 using namespace dumbbell;
 using namespace dumbbell_test;
@@ -28,49 +28,7 @@ bool says_something(const Interval& x) {
     return certainly_positive(x) || certainly_positive(-x);
 }
 
-void check(const char* name, const Interval& x, const Interval& y, const Interval& ours,
-           const Tightest& exact, int allowed) {
-    if (!encloses(ours, exact) || excess(ours, exact) > allowed) {
-        FAIL(say(name, "of", x, y, "gives", ours, "exact", exact));
-    }
-}
-
 }  // namespace
-
-TEST_CASE("Sums, differences, products and quotients enclose the exact range, one double too wide at most") {
-    Random random(11);
-    for (int i = 0; i < 100'000; ++i) {
-        const Interval x = adversarial_interval(random);
-        const Interval y = random.below(8) == 0 ? x : adversarial_interval(random);
-        check("+", x, y, x + y, corners(mpfr_add, x, y), 1);
-        check("-", x, y, x - y, corners(mpfr_sub, x, y), 1);
-        check("*", x, y, x * y, corners(mpfr_mul, x, y), 1);
-        if (!contains_zero(y)) {
-            check("/", x, y, x / y, corners(mpfr_div, x, y), 1);
-        }
-        check("neg", x, x, -x, {-x.hi(), -x.lo()}, 0);
-        check("min", x, y, min(x, y), {std::min(x.lo(), y.lo()), std::min(x.hi(), y.hi())}, 0);
-        check("max", x, y, max(x, y), {std::max(x.lo(), y.lo()), std::max(x.hi(), y.hi())}, 0);
-        check("hull", x, y, hull(x, y), {std::min(x.lo(), y.lo()), std::max(x.hi(), y.hi())}, 0);
-    }
-}
-
-TEST_CASE("Squares, square roots and absolute values enclose the exact range") {
-    Random random(12);
-    for (int i = 0; i < 100'000; ++i) {
-        const Interval x = adversarial_interval(random);
-        const double inner = contains_zero(x) ? 0.0 : std::min(std::abs(x.lo()), std::abs(x.hi()));
-        const double outer = std::max(std::abs(x.lo()), std::abs(x.hi()));
-        check("sqr", x, x, sqr(x), squares(x), 1);
-        check("abs", x, x, abs(x), {inner, outer}, 0);
-        if (x.hi() >= 0) {
-            check("sqrt", x, x, sqrt(x), square_roots(x), 1);
-            if (sqrt(x).lo() < 0) {
-                FAIL(say("the root of", x, "goes below 0"));
-            }
-        }
-    }
-}
 
 TEST_CASE("A difference of equal intervals contains 0, a square is no product of independent factors") {
     const Interval x(-1, 2);
@@ -79,29 +37,19 @@ TEST_CASE("A difference of equal intervals contains 0, a square is no product of
     CHECK(is(x * x, next_down(-2.0), next_up(4.0)));
 }
 
-TEST_CASE("Division by an interval that contains 0 encloses every defined quotient") {
-    Random random(13);
-    for (int i = 0; i < 50'000; ++i) {
-        const Interval x = adversarial_interval(random);
-        const double reach = adversarial_positive(random);
-        const int side = random.below(3);
-        const Interval y(side == 0 ? 0.0 : -reach, side == 1 ? 0.0 : adversarial_positive(random));
-        const Interval quotient = x / y;
-        for (const double below : {y.lo(), y.hi(), y.lo() / 2, y.hi() / 2, 0x1p-1074, -0x1p-1074}) {
-            if (below != 0 && y.lo() <= below && below <= y.hi()) {
-                const Tightest exact = corners(mpfr_div, x, Interval(below));
-                if (!encloses(quotient, exact)) {
-                    FAIL(say(x, "/", y, "=", quotient, "misses the quotients by", below, exact));
-                }
-            }
-        }
-    }
+TEST_CASE("Division by an interval that contains 0 is bounded on one side, or not at all") {
     CHECK(is(Interval(1) / Interval(-1, 1), -infinity, infinity));
     CHECK(is(Interval(-3, 5) / Interval(-2, 7), -infinity, infinity));
     CHECK((Interval(1) / Interval(0, 2)).hi() == infinity);
     CHECK((Interval(1) / Interval(-2, -0.0)).lo() == -infinity);
     CHECK_FALSE(says_something(Interval(1) / Interval(0)));
     CHECK_FALSE(says_something(Interval(0) / Interval(0)));
+}
+
+TEST_CASE("No square root goes below 0") {
+    for (const Interval& x : {Interval(0), Interval(-1, 0), Interval(-2, 3), Interval(least)}) {
+        CHECK(sqrt(x).lo() >= 0);
+    }
 }
 
 TEST_CASE("Overflow keeps the enclosure") {

@@ -86,11 +86,6 @@ inline double adversarial(Random& random) {
     }
 }
 
-/// A double in which `only_positive` decides about the sign.
-inline double adversarial_positive(Random& random) {
-    return std::max(std::abs(adversarial(random)), 0x1p-1074);
-}
-
 /// A finite interval: thin, a few doubles wide, wide, around zero or with an end in zero.
 inline dumbbell::Interval adversarial_interval(Random& random) {
     const double a = adversarial(random);

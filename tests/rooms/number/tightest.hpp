@@ -53,37 +53,12 @@ struct Tightest {
 using BinaryMpfr = int (*)(mpfr_ptr, mpfr_srcptr, mpfr_srcptr, mpfr_rnd_t);
 using UnaryMpfr = int (*)(mpfr_ptr, mpfr_srcptr, mpfr_rnd_t);
 
-/// The range of an operation that is monotone in each argument: its values at the four corners.
-inline Tightest corners(BinaryMpfr op, const dumbbell::Interval& x, const dumbbell::Interval& y) {
-    Tightest range;
-    for (const double a : {x.lo(), x.hi()}) {
-        for (const double b : {y.lo(), y.hi()}) {
-            Mpfr left(a);
-            Mpfr right(b);
-            range.add([&](mpfr_ptr to, mpfr_rnd_t rounding) { op(to, left, right, rounding); });
-        }
-    }
-    return range;
-}
-
 /// The value of an operation at one point.
 inline Tightest at_point(UnaryMpfr op, double x) {
     Tightest value;
     Mpfr argument(x);
     value.add([&](mpfr_ptr to, mpfr_rnd_t rounding) { op(to, argument, rounding); });
     return value;
-}
-
-/// The range of x^2.
-inline Tightest squares(const dumbbell::Interval& x) {
-    const double inner = x.lo() <= 0 && x.hi() >= 0 ? 0.0 : std::min(std::abs(x.lo()), std::abs(x.hi()));
-    const double outer = std::max(std::abs(x.lo()), std::abs(x.hi()));
-    return {at_point(mpfr_sqr, inner).lo, at_point(mpfr_sqr, outer).hi};
-}
-
-/// The range of the square root of the part of X that is >= 0.
-inline Tightest square_roots(const dumbbell::Interval& x) {
-    return {at_point(mpfr_sqrt, std::max(0.0, x.lo())).lo, at_point(mpfr_sqrt, x.hi()).hi};
 }
 
 inline bool encloses(const dumbbell::Interval& x, const Tightest& exact) {
