@@ -35,7 +35,7 @@ struct AdiabaticBounce {
     }
 };
 
-/// The flight behind the collision.
+/// The flight after the collision.
 template <class I>
 struct NextContact {
     bool none = false;  ///< certainly no collision

@@ -11,7 +11,7 @@ namespace dumbbell {
 [[nodiscard]] std::vector<AdiabaticClass> guess_classes(const AdiabaticHypotheses& of, int jobs = 1,
                                                         const Interrupted& interrupted = never);
 
-/// The same class with a density so many times greater.
+/// The same class with a density greater by this factor.
 [[nodiscard]] AdiabaticClass with_slack(AdiabaticClass one, double slack);
 
 }  // namespace dumbbell

@@ -28,7 +28,7 @@ class AdiabaticOrbit {
     [[nodiscard]] I speed() const { return sqrt(energy_ / (I(1) + sqr(kappa_ / masses_.root_r))); }
     /// I before the collision, less that before the first.
     [[nodiscard]] I change() const { return speed() * at_.f - first_f_; }
-    /// I behind the collision, less that before the first.
+    /// I after the collision, less that before the first.
     [[nodiscard]] I change_behind() const {
         return at_.f * speed() * abs(reflection().denominator) / (sqr(at_.w) + masses_.r) - first_f_;
     }
@@ -79,7 +79,7 @@ class AdiabaticOrbit {
         return reflect_at_light_wall(kappa_, at_.w, masses_.r);
     }
 
-    /// The slope behind the collision, from two opposite ends (L5 (b)).
+    /// The slope after the collision, from two opposite ends (L5 (b)).
     [[nodiscard]] I outgoing() const {
         const auto low = reflect_at_light_wall(low_end(kappa_), high_end(at_.w), masses_.r);
         const auto high = reflect_at_light_wall(high_end(kappa_), low_end(at_.w), masses_.r);

@@ -117,7 +117,7 @@ template <class I>
     return certainly_less(at_bridge * pair.root_energy, pair.share);
 }
 
-/// The same of |I_N - I_0|/sqrt(delta), I_N with |phidot| behind the last collision, of a whole scattering
+/// The same of |I_N - I_0|/sqrt(delta), I_N with |phidot| after the last collision, of a whole scattering
 /// (L37).
 template <class I>
 [[nodiscard]] std::optional<I> scattering_error(const AdiabaticPair<I>& pair, const I& least_share,
@@ -137,7 +137,7 @@ template <class I>
     if (!certainly_less(a2, I(1)) || !certainly_positive(w - steepest)) {
         return std::nullopt;
     }
-    // kappa = -2 r w/(w^2 - r), below which the flight behind the collision descends.
+    // kappa = -2 r w/(w^2 - r), below which the flight after the collision descends.
     const I flattest_over_delta = I(-2) * m.delta_over_beta2 / (w * (I(1) - a2));
     const I step = hull(half_step(w, m.delta * flattest_over_delta, flattest_over_delta, m.delta_over_beta2),
                         half_step(w, steepest, at->greatest_sigma / sqrt(m.beta2), m.delta_over_beta2));

@@ -13,7 +13,7 @@ inline const Interrupted never = [] { return false; };
 /// Flights of a ray between two questions: some hundredths of a second at the highest precision.
 inline constexpr long flights_between_questions = 256;
 
-/// Whether a computation that has done so many flights is to end.
+/// Whether a computation that has done this number of flights is to end.
 [[nodiscard]] inline bool ends_early(long flights, const Interrupted& interrupted) {
     return flights % flights_between_questions == flights_between_questions - 1 && interrupted();
 }

@@ -19,9 +19,9 @@ using Clock = std::chrono::steady_clock;
 using Part = CampaignFolder::Part;
 using What = JournalEntry::What;
 
-/// So often a shard is tried before it is given up.
+/// The number of times that a shard is tried before it is given up.
 constexpr int most_attempts = 5;
-constexpr std::chrono::milliseconds patience(200);
+constexpr std::chrono::milliseconds longest_wait(200);
 constexpr std::chrono::seconds between_states(10);
 /// A worker came or went, the first task is out, or none is any more.
 constexpr std::chrono::seconds between_changes(1);
@@ -95,7 +95,7 @@ class Run {
         const auto begin = Clock::now();
         submit_what_is_wanted();
         result_.own_seconds += seconds_since(begin);
-        auto outcome = engine_.wait(patience);
+        auto outcome = engine_.wait(longest_wait);
         const auto arrival = Clock::now();
         if (outcome) {
             take(std::move(*outcome));
@@ -318,7 +318,7 @@ class Run {
         if (figures.workers > 0) {
             last_company_ = now;
         } else {
-            options_.lonely(seconds_since(last_company_));
+            options_.no_workers(seconds_since(last_company_));
         }
     }
 

@@ -18,8 +18,8 @@ namespace dumbbell {
 struct CampaignOptions {
     /// A shard that takes longer is split, if it can be; nothing: none is.
     std::optional<std::chrono::duration<double>> shard_limit;
-    /// Results come from elsewhere: each is looked at before it counts, so many at the same time; 0: they are
-    /// this program's own, and are looked at when they are merged.
+    /// Results come from elsewhere: each is looked at before it counts, this number of them at the same time;
+    /// 0: they are this program's own, and are looked at when they are merged.
     int verifiers = 0;
     Scrutiny scrutiny = Scrutiny::proof;
     /// This program's own, for shards that an answer from elsewhere leaves undecided: whether they can be
@@ -31,7 +31,7 @@ struct CampaignOptions {
     /// Called with what the user should know: a line.
     std::function<void(const std::string&)> note = [](const std::string&) {};
     /// Called when no worker was there for a while, with the seconds since the last one.
-    std::function<void(double)> lonely = [](double) {};
+    std::function<void(double)> no_workers = [](double) {};
 };
 
 /// What one run did.
@@ -46,11 +46,11 @@ struct CampaignRun {
     double seconds = 0;
     double worked = 0;       ///< seconds of work of the accepted results, wherever it was done
     double own_seconds = 0;  ///< of this program for bookkeeping: the engine's, and accepting results
-    double verifying = 0;    ///< seconds of verification, beside that
+    double verifying = 0;    ///< seconds of verification, in addition
     EngineFigures engine;
 };
 
-/// Works off what is not finished of a campaign; the folder is locked. Ends when all is, when nothing more
+/// Processes what is not finished of a campaign; the folder is locked. Ends when all is, when nothing more
 /// can be done, or when interrupted. Whatever comes from elsewhere costs time and nothing else: what it
 /// proves is verified, here or when it is merged, and what it leaves undecided is tried here. Throws
 /// ResultsDiffer, or InputError if the folder cannot be written.

@@ -9,11 +9,11 @@
 /// A campaign: one claim proved in shards, on one machine or many.
 namespace dumbbell {
 
-/// One shard to be worked off.
+/// One shard to be processed.
 struct Task {
     std::string id;     ///< of the order: 32 hexadecimal digits
     std::string order;  ///< its text
-    /// Files that the order names, which have to lie beside it: regular files, each with a name of its own.
+    /// Files that the order names, which have to lie next to it: regular files, each with a name of its own.
     std::vector<std::string> inputs;
     /// Of work, after which it is given back as too long; nothing: never.
     std::optional<std::chrono::duration<double>> limit;
@@ -44,7 +44,7 @@ struct EngineFigures {
     double busy_seconds = 0;  ///< of its own work: sending, receiving, bookkeeping
 };
 
-/// Works tasks off, in any order, each at least once. One thread uses it.
+/// Processes tasks, in any order, each at least once. One thread uses it.
 class Engine {
   public:
     Engine() = default;
@@ -61,7 +61,7 @@ class Engine {
     /// This outcome's result was not what it should be: its worker is not to be relied on.
     virtual void distrust(const Outcome& outcome) = 0;
 
-    /// So many tasks should be under way, so that no worker waits for one.
+    /// The number of tasks that should be under way, so that no worker waits for one.
     [[nodiscard]] virtual std::size_t wanted() const = 0;
 
     [[nodiscard]] virtual EngineFigures figures() const = 0;

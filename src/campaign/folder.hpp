@@ -21,7 +21,7 @@ class ResultsDiffer : public std::runtime_error {
 ///
 ///     plan            the claim and its shards (plan.hpp)
 ///     results/ID      what is finished: of order ID, complete and durable
-///     splits/ID       order ID turned out too big: its halves are worked off instead
+///     splits/ID       order ID turned out too big: its halves are processed instead
 ///     rejected/ID     the last result of order ID that was not accepted, for a look at it
 ///     arrived/ID      a result that is being verified
 ///     journal         what happened when, for `status` (journal.hpp)
@@ -44,7 +44,7 @@ class CampaignFolder {
     /// making.
     explicit CampaignFolder(std::string path);
 
-    /// For whoever changes it: throws InputError if another program does. Ends with this object.
+    /// For a program that changes it: throws InputError if another program does. Ends with this object.
     void lock();
     [[nodiscard]] bool is_locked_by_another() const { return FolderLock::is_taken(path_); }
 

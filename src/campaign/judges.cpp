@@ -23,16 +23,16 @@ Judges::Judges(const Kind& kind, std::string folder, int jobs, Scrutiny scrutiny
             });
         }
     } catch (const std::system_error& error) {
-        send_home();  // or those who came would wait for ever
+        stop();  // or those who came would wait for ever
         throw InputError(
             fmt::format("{} threads were to be started, and only {} could ({}): give fewer --jobs", jobs,
                         crew_.size(), error.code().message()));
     }
 }
 
-Judges::~Judges() { send_home(); }
+Judges::~Judges() { stop(); }
 
-void Judges::send_home() {
+void Judges::stop() {
     const std::lock_guard lock(mutex_);
     ends_ = true;
     changed_.notify_all();

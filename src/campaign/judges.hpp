@@ -18,7 +18,7 @@ class Judges {
     struct Case {
         Order order;
         std::string file;
-        std::size_t number = 0;  ///< for whoever asks
+        std::size_t number = 0;  ///< for the caller
     };
     struct Answer {
         std::size_t number = 0;
@@ -26,7 +26,7 @@ class Judges {
         double seconds = 0;
     };
 
-    /// `folder`: where the plan's inputs lie. Throws InputError if so many threads cannot be started.
+    /// `folder`: where the plan's inputs lie. Throws InputError if this number of threads cannot be started.
     Judges(const Kind& kind, std::string folder, int jobs, Scrutiny scrutiny);
     /// What nobody looked at yet is forgotten.
     ~Judges();
@@ -41,7 +41,7 @@ class Judges {
 
   private:
     void work();
-    void send_home();
+    void stop();
     [[nodiscard]] Answer taken();
 
     const Kind& kind_;

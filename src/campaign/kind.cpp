@@ -16,7 +16,7 @@
 namespace dumbbell {
 namespace {
 
-/// Whether it begins as gzip does: whoever reads it would unpack up to a thousand times its size.
+/// Whether it begins as gzip does: a reader would unpack up to a thousand times its size.
 bool is_packed(const std::string& file) {
     std::array<char, 2> first{};
     std::ifstream(file, std::ios::binary).read(first.data(), first.size());

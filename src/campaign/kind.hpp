@@ -47,7 +47,7 @@ class Kind {
 
     [[nodiscard]] virtual Evidence evidence() const = 0;
 
-    /// Works an order off, on this thread; nothing if interrupted. The result depends on the order alone.
+    /// Carries an order out, on this thread; nothing if interrupted. The result depends on the order alone.
     /// `folder`: where the plan's inputs lie. Throws InputError if the order is not of this kind's making.
     [[nodiscard]] virtual std::optional<std::string> work(const Order& order, const std::string& folder,
                                                           const Interrupted& interrupted) const = 0;

@@ -13,7 +13,7 @@
 
 namespace dumbbell {
 
-/// Works shards off on the threads of this program. `folder`: where the inputs of the orders lie.
+/// Processes shards on the threads of this program. `folder`: where the inputs of the orders lie.
 class LocalEngine : public Engine {
   public:
     LocalEngine(int jobs, std::string folder);

@@ -24,7 +24,7 @@ struct Order {
     friend bool operator==(const Order&, const Order&) = default;
 };
 
-/// The values of the head's lines: what stands behind these words, which the lines begin with, in this order.
+/// The values of the head's lines: what follows these words, which the lines begin with, in this order.
 /// Throws InputError if the lines are others.
 [[nodiscard]] std::vector<std::string> head_values(const Order& order,
                                                    std::initializer_list<std::string_view> words);

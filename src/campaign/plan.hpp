@@ -14,7 +14,7 @@ namespace dumbbell {
 struct Plan {
     struct Shard {
         std::size_t first = 0;
-        std::size_t end = 0;  ///< behind its last unit
+        std::size_t end = 0;  ///< after its last unit
         std::size_t cost = 0;
 
         friend bool operator==(const Shard&, const Shard&) = default;
@@ -22,7 +22,7 @@ struct Plan {
     std::string claim;  ///< for people: the command that would prove it in one go
     Order whole;        ///< all units
     std::vector<Shard> shards;
-    std::vector<std::string> inputs;  ///< files beside the plan that each order needs
+    std::vector<std::string> inputs;  ///< files next to the plan that each order needs
 
     /// What a shard, or a part of one, is to prove.
     [[nodiscard]] Order order(std::size_t first, std::size_t end) const;
@@ -30,7 +30,7 @@ struct Plan {
     friend bool operator==(const Plan&, const Plan&) = default;
 };
 
-/// So many shards are wanted at least, where nobody says how many.
+/// The number of shards that are wanted at least, where nobody says how many.
 inline constexpr std::size_t many_shards = 64;
 
 /// Cuts units of these costs into at most `wanted` shards of about even cost, in their order. No shard is

@@ -8,7 +8,7 @@
 namespace dumbbell {
 namespace {
 
-/// The number behind `word=` in a line of figures.
+/// The number after `word=` in a line of figures.
 std::size_t figure(const std::string& line, const std::string& word) {
     const std::size_t at = (" " + line).find(" " + word + "=");
     std::size_t value = 0;

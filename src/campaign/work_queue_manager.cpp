@@ -74,7 +74,7 @@ bool has_password(Link* peer, const char* password, std::time_t until) {
         CRYPTO_memcmp(answer_of_peer->data(), expected.data(), expected.size()) != 0) {
         return false;
     }
-    // Only now: whoever has not shown the password gets nothing that was made with it.
+    // Only now: a peer that has not shown the password gets nothing that was made with it.
     return write_line(peer, answer_to(*challenge_of_peer, password), until) &&
            write_line(peer, "ok", until) && read_line(peer, until) == "ok";
 }
@@ -156,7 +156,7 @@ int let_in(Link* peer, const char* password, std::time_t until) {
     return dumbbell::has_password(peer, password, until) ? 1 : 0;
 }
 
-// Advice to whoever wrote the tasks, on stderr whatever the flags say.
+// Advice to the author of the tasks, on stderr whatever the flags say.
 void say_nothing(std::int64_t /*flags*/, const char* /*format*/, ...) {}
 void keep_quiet(std::int64_t /*flags*/, const char* /*format*/, ...) {}
 }

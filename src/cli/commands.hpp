@@ -10,7 +10,7 @@ extern const Command certify_command, critical_command, trace_command, adiabatic
 /// Below `campaign`. A worker runs `campaign work`; no help shows it.
 extern const Command campaign_plan_command, campaign_run_command, campaign_status_command,
     campaign_merge_command, campaign_work_command;
-/// For whoever makes a package: the man page, the completion and the reference, from the whole table.
+/// For the makers of packages: the man page, the completion and the reference, from the whole table.
 /// No help shows it.
 extern const Command generate_command;
 

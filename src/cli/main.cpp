@@ -110,8 +110,8 @@ constinit const Command dumbbell_command{"dumbbell", "", description, footer, op
 }  // namespace dumbbell
 
 int main(int argc, char** argv) {
-    std::signal(SIGCHLD,
-                SIG_DFL);  // ignored by whoever started this, there would be no exit code of a verifier
+    // Where the program that started this one ignores it, there would be no exit code of a verifier.
+    std::signal(SIGCHLD, SIG_DFL);
     int exit_code = dumbbell::exit_internal;
     try {
         exit_code = dumbbell::run(dumbbell::usual_words({argv + std::min(argc, 1), argv + argc}));

@@ -10,7 +10,7 @@ namespace dumbbell {
 
 [[nodiscard]] std::string_view name(Scene scene);
 
-/// The words behind `section` and `lemmas`.
+/// The words after `section` and `lemmas`.
 [[nodiscard]] std::string_view name(Section section);
 [[nodiscard]] std::string_view lemma_set(Section section);
 

@@ -140,7 +140,7 @@ std::optional<Piece> PieceStore::find(const PlannedPiece& planned,
     if (!fs::exists(file)) {
         return std::nullopt;
     }
-    if (!fs::is_regular_file(file)) {  // which whoever reads it might wait for
+    if (!fs::is_regular_file(file)) {  // which a reader might wait for
         throw InputError(fmt::format("'{}' is in the way: it is no file; remove it, and try again", file));
     }
     auto piece = kept_in(file).piece;

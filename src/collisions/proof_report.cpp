@@ -161,7 +161,7 @@ std::string range_sentence(const ProofReport& report) {
     return text + decided_text(report.undecided, counts.exact > 0);
 }
 
-/// What a cover of the full section proves beside the count (its chart `again`, L19).
+/// What a cover of the full section proves besides the count (its chart `again`, L19).
 bool heavy_at_most_once(const ProofReport& report) {
     return report.section != Section::turning &&
            std::all_of(report.rows.begin(), report.rows.end(),

@@ -10,9 +10,9 @@ namespace dumbbell {
 
 enum class Trees { kept, passed_over };
 
-/// A certificate about collisions (plain or gzip), one piece at a time: whoever keeps none needs no more
-/// memory than the longest piece, or a line where trees are passed over, however large the file is, unpacked.
-/// Throws InputError as read_certificate does.
+/// A certificate about collisions (plain or gzip), one piece at a time: a caller that keeps none needs no
+/// more memory than the longest piece, or a line where trees are passed over, however large the file is,
+/// unpacked. Throws InputError as read_certificate does.
 class PieceReader {
   public:
     PieceReader(const std::string& path, Trees trees);

@@ -7,7 +7,7 @@ namespace dumbbell {
 /// Whose death the contents survive: the program's, or the machine's too (which waits for the disk).
 enum class Survives { program, machine };
 
-/// A file that appears under its final name complete or not at all: written beside it under the name
+/// A file that appears under its final name complete or not at all: written next to it under the name
 /// `FILE.dumbbell-tmp`, synced, renamed. A program that is killed leaves at most that one file, which the
 /// next one that writes FILE removes; writers of the same FILE wait for one another, and the last one wins.
 /// A file that is replaced passes its access rights on, and its owner if this program may give them; a link
@@ -33,7 +33,7 @@ class AtomicFile {
 /// which has ordinary files) or /proc, or if the links lead in a circle.
 [[nodiscard]] std::string output_target(const std::string& name);
 
-/// What a killed program may leave beside `path`.
+/// What a killed program may leave next to `path`.
 [[nodiscard]] std::string temporary_name(const std::string& path);
 
 }  // namespace dumbbell

@@ -17,7 +17,7 @@ Descriptor opened(const std::string& folder) {
 
 bool FolderLock::take(const std::string& folder) {
     folder_ = opened(folder);
-    // Whoever asks whether it is taken has it for a moment.
+    // A program that asks whether it is taken has it for a moment.
     for (int tries = 0; folder_.get() >= 0 && tries < 10; ++tries) {
         if (::flock(folder_.get(), LOCK_EX | LOCK_NB) == 0) {
             return true;

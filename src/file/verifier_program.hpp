@@ -5,7 +5,7 @@
 
 #include "base/error.hpp"
 
-/// The program `dumbbell-verify` that lies beside this one. It shares no code with this program, so it is
+/// The program `dumbbell-verify` that lies next to this one. It shares no code with this program, so it is
 /// run, never called.
 namespace dumbbell {
 
@@ -26,7 +26,7 @@ struct Verdict {
 /// that asks this program to stop ends it early. May be used by several threads at once. Throws NoVerdict.
 [[nodiscard]] Verdict ask_verifier(std::vector<std::string> arguments, std::string program = verifier_path());
 
-/// For whoever could not start it: throws NoVerdict.
+/// For a caller that could not start it: throws NoVerdict.
 [[noreturn]] void verifier_not_started(const std::string& program, int error);
 
 }  // namespace dumbbell

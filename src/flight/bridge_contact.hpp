@@ -52,7 +52,7 @@ I latest_bridge_contact(const BridgeApproach<I>& highest, const I& least_kappa, 
             break;
         }
     }
-    // A little behind the place where the highest ray seems to dip below the bridge.
+    // A little beyond the place where the highest ray seems to dip below the bridge.
     const double r = approximate(range.r_lo);
     const double height = approximate(highest.height);
     const double kappa = approximate(highest.kappa);

@@ -145,7 +145,7 @@ I bridge_contacts(const BridgeApproach<I>& ray, const I& latest, const I& r) {
     return hull(proved ? early : I(0), latest);
 }
 
-/// Later collisions behind a contact with the bridge at t in T of rays of slope kappa: to the left or to the
+/// Later collisions, after a contact with the bridge at t in T of rays of slope kappa: to the left or to the
 /// right.
 template <class I>
 long plain_count_after_bridge(const I& t, const I& kappa, const I& r, long cap,

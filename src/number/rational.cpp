@@ -32,7 +32,7 @@ Integer to_integer(const std::string& digits) {
     return Integer(digits.substr(first));
 }
 
-/// The exponent behind e or E, already cut off; nothing else may follow.
+/// The exponent after e or E, already cut off; nothing else may follow.
 int parse_exponent(std::string_view text, std::string_view whole) {
     const bool negative = !text.empty() && text[0] == '-';
     if (!text.empty() && (text[0] == '+' || text[0] == '-')) {
@@ -58,7 +58,7 @@ Rational exact(mpfr_srcptr x) {
     return result;
 }
 
-/// The nearest number with so many bits.
+/// The nearest number with this many bits.
 struct Nearest {
     Nearest(mpq_srcptr x, int bits) {
         mpfr_init2(value, bits);

@@ -9,7 +9,7 @@
 namespace dumbbell {
 namespace {
 
-/// Of the subtree that begins at a node: its leaves, the greatest kind of them, and the node behind it.
+/// Of the subtree that begins at a node: its leaves, the greatest kind of them, and the node after it.
 struct Subtree {
     std::size_t leaves = 1;
     int greatest = 0;
@@ -25,7 +25,7 @@ struct Closed {
 
 std::vector<Subtree> subtrees_of(const PictureTree& tree) {
     std::vector<Subtree> subtrees(tree.size());
-    std::vector<std::size_t> roots;  // of the complete subtrees behind the node: the next one last
+    std::vector<std::size_t> roots;  // of the complete subtrees after the node: the next one last
     for (std::size_t i = tree.size(); i-- > 0;) {
         if (tree[i] >= 0) {
             subtrees[i] = {1, tree[i], i + 1};

@@ -63,7 +63,7 @@ std::string number_label(double value, int digits = 10) {
 
 /// Do the numbers of these marks keep apart on a logarithmic axis?
 bool keep_apart(const std::vector<Tick>& ticks, const PlotAxis& axis, const AxisRoom& room) {
-    constexpr double beside = 10;  // pixels between numbers
+    constexpr double apart = 10;  // pixels between numbers
     constexpr double line = 17;
     const Tick* before = nullptr;
     for (const Tick& tick : ticks) {
@@ -73,7 +73,7 @@ bool keep_apart(const std::vector<Tick>& ticks, const PlotAxis& axis, const Axis
         if (before != nullptr) {
             const double distance = (axis.share(tick.value) - axis.share(before->value)) * room.length;
             const double needed =
-                room.upright ? line : (text_width(before->label) + text_width(tick.label)) / 2 + beside;
+                room.upright ? line : (text_width(before->label) + text_width(tick.label)) / 2 + apart;
             if (distance < needed) {
                 return false;
             }

@@ -59,7 +59,7 @@ class Frame {
     [[nodiscard]] double width() const { return width_; }
     [[nodiscard]] double height() const { return height_; }
 
-    /// The lines behind the picture.
+    /// The lines in the background of the picture.
     void draw_grid(Svg& svg) const;
     /// Its edge, marks, numbers and names: drawn last.
     void draw_axes(Svg& svg) const;

@@ -13,7 +13,7 @@ struct PixelRange {
     double left, top, right, bottom;
 };
 
-/// Where numbers of this width stand beside points, so that they do not cover one another nor, as far as
+/// Where numbers of this width stand next to points, so that they do not cover one another nor, as far as
 /// there is room, the points and the path through them: for each point the middle of its number, or nothing
 /// where it would cover another number or leave the range. In the order of the points, each where it hides
 /// least; deterministic.

@@ -93,7 +93,7 @@ void draw_floor(Svg& svg, const Frame& frame, const Floor& floor) {
 }
 
 /// Which flights are drawn: flight i ends with collision i (0: the one that comes in). All of a few; of many
-/// those at the ends, those at the turn, and one in every so many between.
+/// those at the ends, those at the turn, and one in every few between.
 class ShownFlights {
   public:
     explicit ShownFlights(const Orbit& orbit)

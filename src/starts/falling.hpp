@@ -150,7 +150,7 @@ template <class I>
 inline constexpr long most_steps = 1000;
 inline constexpr long most_counted_steps = 64;
 
-/// The collisions behind a contact of `left`: by the monotone counts, if necessary after some steps from wall
+/// The collisions after a contact of `left`: by the monotone counts, if necessary after some steps from wall
 /// to wall; the best bounds of all steps.
 template <class I>
 [[nodiscard]] LaterCount collisions_behind(Outbound<I> ray, const I& r, Mass left) {
@@ -181,7 +181,7 @@ template <class I>
     }
 }
 
-/// The collisions behind the first contact, with `mass` at a time in `times`, of states in the air. Nothing
+/// The collisions after the first contact, with `mass` at a time in `times`, of states in the air. Nothing
 /// is certain unless they fall, or turn in one direction.
 template <class I>
 [[nodiscard]] LaterCount collisions_behind_first(const State<I>& s, Mass mass, const I& times) {

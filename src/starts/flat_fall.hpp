@@ -7,7 +7,7 @@
 namespace dumbbell {
 
 /// The time at which both masses of this one initial condition reach the floor at once, before either has
-/// touched it: a corner, behind which no motion is defined and no precision decides anything. Nothing if the
+/// touched it: a corner, after which no motion is defined and no precision decides anything. Nothing if the
 /// box is no point; nor, for a rod that turns by more than 3 radians on its way down, if that is not certain.
 ///
 /// Both masses are at height 0 iff y + ydot T = 0 and sin(phi + phidot T) = 0. T = -y/ydot is rational, and

@@ -46,7 +46,7 @@ std::optional<Start> start_of(const Witness& w, const Rational& q) {
                : std::nullopt;
 }
 
-/// The middle of x with so many digits after the point, turned by multiples of `period` towards 0.
+/// The middle of x with this many digits after the point, turned by multiples of `period` towards 0.
 Rational rounded(const BigInterval& x, int places, const std::optional<BigInterval>& period = {}) {
     const auto middle = [](const BigInterval& y) { return (exact_lo(y) + exact_hi(y)) / 2; };
     const auto floor = [](const Rational& y) {

@@ -36,7 +36,7 @@ struct Trace {
 };
 
 /// Follows the orbits through all their collisions. digits = 0 computes in double precision, otherwise with a
-/// precision for so many decimal digits, which decides more.
+/// precision for this number of decimal digits, which decides more.
 ///
 /// Throws InputError, naming the quantity, for what is no number, a mass below the floor, a dumbbell at rest,
 /// values absurdly large, and digits outside [0, 100000].

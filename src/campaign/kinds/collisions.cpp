@@ -72,7 +72,7 @@ std::size_t cost_of(const PlannedPiece& piece, Section section) {
     return orbits * (static_cast<std::size_t>(piece.upper) + of_short_orbits);
 }
 
-/// The claim that pieces over this range prove; how wide its gaps are, which comes behind it, is seen in
+/// The claim that pieces over this range prove; how wide its gaps are, which comes after it, is seen in
 /// them.
 std::string claim_of(const Common& common, const Rational& q_lo, const Rational& q_hi) {
     std::string text = fmt::format("certify {}:{} ", to_fraction(q_lo), to_fraction(q_hi));

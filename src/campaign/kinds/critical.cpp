@@ -50,7 +50,7 @@ std::string render(const std::vector<CriticalRatio>& ratios) {
 
 CriticalRatio parse_ratio(SealedReader& in) {
     constexpr std::size_t most_bits = 16384;
-    constexpr std::size_t longest = 20'000;  // a fraction with so many binary places has about 10,000 digits
+    constexpr std::size_t longest = 20'000;  // digits of a fraction with this many binary places, and more
     const auto fields = words(in.value("ratio"));
     if (fields.size() != 4) {
         in.fail();
@@ -64,7 +64,7 @@ CriticalRatio parse_ratio(SealedReader& in) {
     return ratio;
 }
 
-/// Of a file with at most so many.
+/// Of a file with at most `most` of them.
 std::vector<CriticalRatio> read_rows(const std::string& file, std::size_t most) {
     const std::string text = file_contents(file);
     SealedReader in(text, "table of critical ratios");

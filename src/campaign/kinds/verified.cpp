@@ -76,7 +76,7 @@ std::string in(const std::string& folder, std::string_view name) {
     return fmt::format("{}/{}", folder, name);
 }
 
-/// How the claim ends, behind the file's name.
+/// How the claim ends, after the file's name.
 std::string about(std::string_view ratio, const Subject& subject) {
     return fmt::format(", a certificate over {}, sha256 {}", ratio, subject.digest);
 }

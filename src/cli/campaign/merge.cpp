@@ -78,7 +78,7 @@ int run(const Given& given) {
                      .interrupted = deadline(std::nullopt)};
     Merge merge;
     {
-        Progress progress("shards verified", loudness_of(given));
+        Progress progress("shards verified", verbosity_of(given));
         how.progress = [&](std::size_t done, std::size_t all) { progress.update(done, all); };
         merge = merge_campaign(folder, how);
     }

@@ -50,7 +50,7 @@ constexpr std::array adiabatic_options = statement_options(Deltas::list);
 
 constexpr std::array verify_options{argument("FILE", "certificate about collisions").required()};
 
-/// The folder comes first. Whoever forgot it would get one that has the name of a claim, with another claim
+/// The folder comes first. Forgotten, it would be one that has the name of a claim, with another claim
 /// in it.
 std::string new_folder(const Given& given) {
     const std::string folder = given.text("FOLDER");

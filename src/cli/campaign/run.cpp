@@ -64,13 +64,13 @@ constexpr std::array options{
 /// Says at the start, and when nobody came for a while, how to start a worker.
 class WorkersWanted {
   public:
-    WorkersWanted(const ManagerPlace& place, Loudness loudness)
+    WorkersWanted(const ManagerPlace& place, Verbosity verbosity)
         : line_(worker_command(place, place.address)) {
         std::array<char, 256> host{};
         ::gethostname(host.data(), host.size() - 1);
         remark(
             fmt::format("waiting for workers at {}:{}; to start one: {}", place.address, place.port, line_));
-        if (loudness == Loudness::normal) {
+        if (verbosity == Verbosity::normal) {
             say(worker_examples(place, host.data()));
         }
     }
@@ -107,7 +107,7 @@ std::unique_ptr<Engine> engine_of(const Given& given, const CampaignFolder& fold
     queue.program = given.text("--program");
     queue.password_file = password_file(std::filesystem::absolute(folder.path()));  // for another folder, too
     auto engine = std::make_unique<WorkQueueEngine>(queue);
-    wanted.emplace(engine->place(), loudness_of(given));
+    wanted.emplace(engine->place(), verbosity_of(given));
     return engine;
 }
 
@@ -131,10 +131,10 @@ int run(const Given& given) try {
         std::optional<LocalEngine> own;
         how.own = wanted ? &own.emplace(jobs_of(given), folder.path()) : nullptr;
         how.scrutiny = given.text("--verify") == "arrival" ? Scrutiny::proof : Scrutiny::form;
-        Progress progress("shards", loudness_of(given));
+        Progress progress("shards", verbosity_of(given));
         how.progress = [&](std::size_t finished, std::size_t all) { progress.update(finished, all); };
         how.note = [&](const std::string& line) { progress.note(line); };
-        how.lonely = [&](double seconds) { wanted ? wanted->alone(seconds, progress) : void(); };
+        how.no_workers = [&](double seconds) { wanted ? wanted->alone(seconds, progress) : void(); };
         done = run_campaign(folder, *engine, how);
     }
     fmt::print("{}", given.has("--json")    ? json_text(to_json(done, given.text("--engine")))

@@ -97,7 +97,7 @@ AdiabaticResult proved(const AdiabaticRequest& request) {
 void prove(const std::vector<AdiabaticHypotheses>& wanted, const Given& given, const Interrupted& interrupted,
            AdiabaticReport& report) {
     constexpr const char* search = "looking for an orbit with a great error";
-    Progress progress("boxes", loudness_of(given), search);
+    Progress progress("boxes", verbosity_of(given), search);
     for (const AdiabaticHypotheses& of : wanted) {
         AdiabaticRequest request;
         request.of = of;

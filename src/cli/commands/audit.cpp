@@ -28,7 +28,7 @@ constexpr std::array options{argument("FILE", "certificates (-: the standard inp
                              json_option};
 
 audit::AuditedFile audited(const std::string& path) {
-    Progress progress("leaves", Loudness::normal, "auditing");
+    Progress progress("leaves", Verbosity::normal, "auditing");
     const Stopwatch watch;
     audit::AuditedFile file{path, 0, {}};
     file.audit = audit::audit_file(

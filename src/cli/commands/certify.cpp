@@ -66,9 +66,9 @@ CertifyRequest certify_request(const Given& given, const RatioArgument& ratio) {
     return request;
 }
 
-std::vector<ProvedPiece> prove(CertifyRequest request, Loudness loudness) {
+std::vector<ProvedPiece> prove(CertifyRequest request, Verbosity verbosity) {
     const bool single = request.q_lo == request.q_hi;
-    Progress progress(single ? "boxes" : "steps", loudness, single ? "proving" : "looking for steps");
+    Progress progress(single ? "boxes" : "steps", verbosity, single ? "proving" : "looking for steps");
     request.placed = [&](std::size_t done, std::size_t all) { progress.update(done, all); };
     request.judged = [&](std::size_t boxes) { progress.advance(boxes); };
     request.progress = [&](std::size_t done, std::size_t total, long n) {
@@ -82,8 +82,8 @@ std::vector<ProvedPiece> prove(CertifyRequest request, Loudness loudness) {
 }
 
 ProofReport describe(const CertifyRequest& request, const std::vector<ProvedPiece>& pieces, double seconds,
-                     bool witness, Loudness loudness) {
-    const Progress progress("", loudness, "enclosing the orbits of witnesses");
+                     bool witness, Verbosity verbosity) {
+    const Progress progress("", verbosity, "enclosing the orbits of witnesses");
     const Interrupted interrupted = deadline(std::nullopt);
     ProofReport report{.scene = request.scene,
                        .section = request.section,
@@ -138,7 +138,7 @@ int run(const Given& given) {
         }
     }
     const Stopwatch watch;
-    const auto pieces = prove(request, loudness_of(given));
+    const auto pieces = prove(request, verbosity_of(given));
     const double seconds = watch.seconds();
 
     const bool open = std::any_of(pieces.begin(), pieces.end(),
@@ -147,7 +147,7 @@ int run(const Given& given) {
     if (open && stop_signal != 0) {
         return stopped(kept_when_stopped(request, pieces, kept_in));
     }
-    ProofReport report = describe(request, pieces, seconds, witness, loudness_of(given));
+    ProofReport report = describe(request, pieces, seconds, witness, verbosity_of(given));
     if (output.is_wanted()) {
         write(render(certificate_of(request, pieces)), output, report);
     }

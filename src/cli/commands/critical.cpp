@@ -104,9 +104,9 @@ void check_time(const CriticalRequest& request, bool quiet) {
     }
 }
 
-std::vector<CriticalRow> enclose(CriticalRequest request, Loudness loudness) {
+std::vector<CriticalRow> enclose(CriticalRequest request, Verbosity verbosity) {
     const bool one = request.first == request.last;
-    Progress progress(one ? "flights" : "critical ratios", loudness, "enclosing");
+    Progress progress(one ? "flights" : "critical ratios", verbosity, "enclosing");
     if (one) {
         request.advanced = [&](long flights) { progress.advance(static_cast<std::size_t>(flights)); };
     } else {
@@ -134,7 +134,7 @@ int run(const Given& given) {
     CriticalReport report{.request = request_of(given), .rows = {}, .seconds = 0, .out = {}};
     const Output output(given.text("--out"), {}, given.has("--json") ? "--json" : nullptr);
     const Stopwatch watch;
-    report.rows = enclose(report.request, loudness_of(given));
+    report.rows = enclose(report.request, verbosity_of(given));
     report.seconds = watch.seconds();
     const auto finished = std::count_if(report.rows.begin(), report.rows.end(),
                                         [&](const CriticalRow& row) { return row.finished(report.request); });

@@ -61,7 +61,7 @@ int run(const Given& given) {
     const std::string name_given = given.text("FILE"), file = input_file(name_given);
     const Certificate certificate = read_staircase(file);
     LawReport report{.file = name_given,
-                     .verdict = verified(file, name(certificate.scene), loudness_of(given)),
+                     .verdict = verified(file, name(certificate.scene), verbosity_of(given)),
                      .digits = static_cast<int>(given.number("--digits")),
                      .law = {}};
     const PrecisionScope scope(static_cast<int>(report.digits * 3.33) + 64);

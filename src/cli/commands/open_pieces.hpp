@@ -5,7 +5,7 @@
 
 #include "collisions/certify.hpp"
 
-/// One line of advice for whoever did not get all that was asked for.
+/// One line of advice for users who did not get all that they asked for.
 namespace dumbbell {
 
 /// Why pieces are open, and what to do. `partial`: the folder of the finished pieces, empty if none is kept.

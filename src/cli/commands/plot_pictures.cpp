@@ -112,7 +112,7 @@ bool is_ratio(const std::string& text) {
 
 /// Proves the greatest number of collisions at one mass ratio.
 Piece proved(const Rational& q) {
-    Progress progress("boxes", Loudness::normal, "proving");
+    Progress progress("boxes", Verbosity::normal, "proving");
     CertifyRequest single;
     single.q_lo = single.q_hi = q;
     single.judged = [&](std::size_t boxes) { progress.advance(boxes); };

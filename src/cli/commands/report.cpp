@@ -45,7 +45,7 @@ constexpr std::array options{
 int run(const Given& given) {
     const Output out(given.text("--out"), given.words("FILE"));
     const auto most_boxes = static_cast<std::size_t>(given.number("--max-boxes"));
-    Progress progress("", Loudness::normal, "making the page");
+    Progress progress("", Verbosity::normal, "making the page");
     std::vector<ReportedFile> files;
     std::size_t boxes = 0;
     for (const std::string& path : given.words("FILE")) {

@@ -135,7 +135,7 @@ int run(const Given& given) {
                             .interrupted = deadline(budget_of(given))};
     const Stopwatch watch;
     {
-        const Progress progress("", loudness_of(given), "following the orbit");
+        const Progress progress("", verbosity_of(given), "following the orbit");
         report.trace = trace(report.box, report.digits);
     }
     const auto finish = [&] {
@@ -156,7 +156,7 @@ int run(const Given& given) {
     return stoppable([&] {
         limits.bits = std::min(report.trace.bits, most_subdivide_bits);
         {
-            Progress progress("boxes", loudness_of(given), "halving the box");
+            Progress progress("boxes", verbosity_of(given), "halving the box");
             limits.judged = [&](std::size_t boxes) { progress.advance(boxes); };
             report.parts = subdivide(report.box, limits);
         }

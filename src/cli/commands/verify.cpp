@@ -101,9 +101,9 @@ constexpr std::array options{
 constinit const Command verify_command{"verify", "Check", description, footer,         options,
                                        nullptr,  {},      false,       become_verifier};
 
-std::string verified(const std::string& file, std::string_view scene, Loudness loudness) {
-    const Progress progress("", loudness, "verifying");
-    // Whoever waits for it can stop it; a budget would only be in the way.
+std::string verified(const std::string& file, std::string_view scene, Verbosity verbosity) {
+    const Progress progress("", verbosity, "verifying");
+    // A user who waits for it can stop it; a budget would only be in the way.
     Verdict verdict =
         ask_verifier({"--quiet", "--budget=99999h", "--scene=" + std::string(scene), "--", file});
     if (!verdict.accepts) {

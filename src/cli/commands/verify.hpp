@@ -5,13 +5,13 @@
 
 #include "cli/terminal/progress.hpp"
 
-/// The program `dumbbell-verify` that lies beside this one. It shares no code with this program, so it is
+/// The program `dumbbell-verify` that lies next to this one. It shares no code with this program, so it is
 /// run, never called.
 namespace dumbbell {
 
 /// The verifier's verdict on a certificate of this scene, its last line. Throws InputError, with that
 /// line, if the file is not verified.
 [[nodiscard]] std::string verified(const std::string& file, std::string_view scene,
-                                   Loudness loudness = Loudness::normal);
+                                   Verbosity verbosity = Verbosity::normal);
 
 }  // namespace dumbbell

@@ -14,7 +14,7 @@ struct CommandLine {
     std::string answer;  ///< of --help and --version: print it, and nothing else
 };
 
-/// `words`: those behind the program's name. Throws InputError, which says what is wrong and where to read
+/// `words`: those after the program's name. Throws InputError, which says what is wrong and where to read
 /// on.
 [[nodiscard]] CommandLine parse(const Command& program, const std::string& version,
                                 const std::vector<std::string>& words);

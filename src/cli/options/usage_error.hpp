@@ -5,7 +5,7 @@
 
 #include "cli/options/given.hpp"
 
-/// What is wrong with a command line, in the words of whoever typed it. `words`: those behind the program's
+/// What is wrong with a command line, in the user's own words. `words`: those after the program's
 /// name.
 namespace dumbbell {
 

@@ -16,6 +16,8 @@ std::optional<std::chrono::duration<double>> budget_of(const Given& given) {
     return given.has("--budget") ? std::optional(parse_duration(given.text("--budget"))) : std::nullopt;
 }
 
-Loudness loudness_of(const Given& given) { return given.has("--quiet") ? Loudness::quiet : Loudness::normal; }
+Verbosity verbosity_of(const Given& given) {
+    return given.has("--quiet") ? Verbosity::quiet : Verbosity::normal;
+}
 
 }  // namespace dumbbell

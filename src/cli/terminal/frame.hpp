@@ -20,7 +20,7 @@ namespace dumbbell {
 [[nodiscard]] std::optional<std::chrono::duration<double>> budget_of(const Given& given);
 
 /// No progress with --quiet.
-[[nodiscard]] Loudness loudness_of(const Given& given);
+[[nodiscard]] Verbosity verbosity_of(const Given& given);
 
 /// Measures the time since it began.
 class Stopwatch {

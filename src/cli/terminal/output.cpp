@@ -84,16 +84,16 @@ void require_name_of(const std::string& file, Content content) {
     }
 }
 
-Output::Output(const std::string& file, const std::vector<std::string>& inputs, const char* beside)
+Output::Output(const std::string& file, const std::vector<std::string>& inputs, const char* other)
     : name_(file) {
     if (file.empty()) {
         return;
     }
     if (file == standard_stream) {
-        if (beside != nullptr) {
+        if (other != nullptr) {
             throw InputError(fmt::format(
                 "--out - and {0} both write to the standard output: give --out a file name, or leave {0} out",
-                beside));
+                other));
         }
         return;
     }

@@ -34,16 +34,16 @@ void require_name_of(const std::string& file, Content content);
 class Output {
   public:
     /// Finds out at once whether the file can be written. Throws InputError if not, if it is one of the
-    /// `inputs`, also through links, or if `beside` (an option, or null) writes to the standard output, too.
+    /// `inputs`, also through links, or if `other` (an option, or null) writes to the standard output, too.
     explicit Output(const std::string& file, const std::vector<std::string>& inputs = {},
-                    const char* beside = nullptr);
+                    const char* other = nullptr);
 
     [[nodiscard]] bool is_wanted() const { return !name_.empty(); }
     /// The file's name, as it was given; none of the standard output.
     [[nodiscard]] std::optional<std::string> file() const {
         return file_ ? std::optional(name_) : std::nullopt;
     }
-    /// Where the command says what came out: the standard output, or stderr if that has the data.
+    /// Where the command prints its results: the standard output, or stderr if that has the data.
     [[nodiscard]] std::FILE* report() const { return is_wanted() && !file_ ? stderr : stdout; }
 
     /// Throws InputError if it cannot be written.

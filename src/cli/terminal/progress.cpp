@@ -51,8 +51,8 @@ std::string bar(std::size_t done, std::size_t total, std::size_t room) {
 
 }  // namespace
 
-Progress::Progress(std::string_view unit, Loudness loudness, std::string_view phase)
-    : unit_(unit), phase_(phase), shows_(loudness == Loudness::normal && stderr_is_terminal()) {
+Progress::Progress(std::string_view unit, Verbosity verbosity, std::string_view phase)
+    : unit_(unit), phase_(phase), shows_(verbosity == Verbosity::normal && stderr_is_terminal()) {
     if (!shows_ || phase.empty()) {
         return;
     }

@@ -11,7 +11,7 @@
 
 namespace dumbbell {
 
-enum class Loudness { normal, quiet };
+enum class Verbosity { normal, quiet };
 
 /// A progress line on stderr for work that takes longer than a second, if stderr is a terminal and the user
 /// did not ask for quiet; silent otherwise, but for notes. It is never wider than the terminal. It names the
@@ -19,7 +19,7 @@ enum class Loudness { normal, quiet };
 class Progress {
   public:
     /// `unit`: what is counted, in the plural. `phase`: what is done at first, for example `proving`.
-    explicit Progress(std::string_view unit = "pieces", Loudness loudness = Loudness::normal,
+    explicit Progress(std::string_view unit = "pieces", Verbosity verbosity = Verbosity::normal,
                       std::string_view phase = "");
     ~Progress();
     Progress(const Progress&) = delete;

@@ -113,7 +113,7 @@ void count_at_least(std::span<const Query> queries, std::span<Answer> answers, B
     std::ranges::fill(answers, Answer{});
     kernels(backend).at_least(queries.data(), answers.data(), static_cast<long>(queries.size()),
                               stop_when(interrupted));
-    // The kernel looks at the cap behind a collision.
+    // The kernel looks at the cap after a collision.
     for (std::size_t i = 0; i < queries.size(); ++i) {
         answers[i].count = std::min(answers[i].count, queries[i].cap);
     }

@@ -44,7 +44,7 @@ struct Lower {
                 at.cos - kappa > D(0x1p-10) && denominator > product * 0x1p-10};
     }
 
-    /// The answer, with so many collisions up to now, if nothing more is certain.
+    /// The answer, with `count` collisions up to now, if nothing more is certain.
     template <class D>
     [[nodiscard]] static D undecided(D /*count*/, D cap) {
         return cap + 1.0;

@@ -20,8 +20,8 @@ struct Answer {
     bool clear = false;
 };
 
-/// Up to so many collisions bounds that are off by 1e-14 at each, which grows with the square of their
-/// number, stay far closer than what is called clear.
+/// Up to this number of collisions, bounds that are off by 1e-14 at each, which grows with the square of
+/// their number, stay far closer than what is called clear.
 inline constexpr long most_clear_collisions = 4096;
 
 /// Whether closer bounds would give the same count. Only to save work: nothing is proved by it.

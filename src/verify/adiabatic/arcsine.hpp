@@ -9,7 +9,7 @@ constexpr int most_arcsine_terms = 512;
 
 /// Encloses asin(z)/z, 1 at z = 0, for all z of Z with |z| < 1: the sum of a_n z^(2n), a_0 = 1,
 /// a_n/a_(n-1) = (2n - 1)^2/(2n (2n + 1)) < 1. No term is negative, so that each end comes from the end of
-/// the squares alone, and those behind the term t add up to at most t (z^2 + z^4 + ...) = t z^2/(1 - z^2).
+/// the squares alone, and those after the term t add up to at most t (z^2 + z^4 + ...) = t z^2/(1 - z^2).
 /// Unbounded where Z reaches 1.
 template <class N>
 Interval<N> arcsine_share(const Interval<N>& Z) {

@@ -23,7 +23,7 @@ class OrbitCheck : AdiabaticCheck<N> {
     const char* verdict() { return is_attained() ? nullptr : Base::failed(); }
 
   private:
-    /// A flight off the light wall, behind the contact `from`: its slope, and its height at the far corner.
+    /// A flight off the light wall, after the contact `from`: its slope, and its height at the far corner.
     struct Flight {
         I slope, corner;
     };

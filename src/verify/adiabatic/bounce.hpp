@@ -9,7 +9,7 @@ template <class N>
 Interval<N> onward(const Masses<N>& m, const Interval<N>& w, const Interval<N>& kappa) {
     return square(w) - Interval<N>(2) * kappa * w - m.r;
 }
-/// Encloses the slope behind a collision with D > 0: it grows with kappa and r and falls with w (L5 (b)).
+/// Encloses the slope after a collision with D > 0: it grows with kappa and r and falls with w (L5 (b)).
 /// Unbounded on a side where D is not certainly positive, as a quotient is.
 template <class N>
 Interval<N> slope_behind(const Masses<N>& m, const Interval<N>& w, const Interval<N>& kappa) {
@@ -20,7 +20,7 @@ Interval<N> slope_behind(const Masses<N>& m, const Interval<N>& w, const Interva
     return {at(w.hi, kappa.lo, m.r.lo).lo, at(w.lo, kappa.hi, m.r.hi).hi};
 }
 
-/// The height at the far corner behind such a collision. It grows with kappa and r, as the slope k' does, and
+/// The height at the far corner after such a collision. It grows with kappa and r, as the slope k' does, and
 /// with x, since so does k' (L5 (b)) and cos x + k' > 0 (L33): so it lies between its values at two ends.
 template <class N>
 Interval<N> corner_behind(const Touch<N>& at, const Interval<N>& slope) {

@@ -36,7 +36,7 @@ struct AdiabaticLeaf {
     bool outside = false;
     std::size_t index = 0;  ///< the number of the class, or of the attained state
     std::uint64_t line = 0;
-    unsigned bits = 53;     ///< with so many it must be certified
+    unsigned bits = 53;     ///< with as many it must be certified
     bool multiple = false;  ///< not in double
     std::string_view opcode;
     AdiabaticBox box;
@@ -49,7 +49,7 @@ const char* check_adiabatic_run(const AdiabaticLeaf& leaf, std::string* log);   
 const char* check_adiabatic_bounce(const AdiabaticLeaf& leaf, std::string* log);    ///< section 5
 const char* check_adiabatic_attained(const AdiabaticLeaf& leaf, std::string* log);  ///< section 6
 
-/// Reads on behind the line `claim`; returns only if all that the file and the demand say is certified, else
+/// Reads on after the line `claim`; returns only if all that the file and the demand say is certified, else
 /// throws the Failure of the least line.
 std::pair<Proof, Adiabatic> adiabatic(Text& text, const Settings& settings, Adiabatic::Kind kind);
 

@@ -78,7 +78,7 @@ class RunCheck : AdiabaticCheck<N> {
         return Base::less("the heavy mass is not touched",
                           angle * root(I(1) + m_.r / (I(1) - square(m_.r))) * energy, S_0);
     }
-    /// I_n is behind collision n, the last one.
+    /// I_n is after collision n, the last one.
     bool is_scattering(const Touch<N>& first, const Touch<N>& last, const I& d, const I& S_n, const I& before,
                        const I& g_hi, const I& sigma_hi) {
         if (!Base::less("r/w_n^2 < 1", last.e, I(1))) return false;

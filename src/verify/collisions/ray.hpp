@@ -133,7 +133,7 @@ class Rays {
             steps_.back() += "  tangent at " + show(z) + " from " + show(left) + " to " + show(right);
         return left.lo > zero && right.lo > zero;
     }
-    /// L12 (a), (d): rays above `ray` that collide do so at or behind x, with cos <= cosine, sin >= sine.
+    /// L12 (a), (d): rays above `ray` that collide do so at or beyond x, with cos <= cosine, sin >= sine.
     [[nodiscard]] Contact earliest(const Ray& ray, N z) const {
         const I c = ray.c, kappa = ray.kappa;
         auto [s, w] = sin_cos(z);

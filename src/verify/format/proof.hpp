@@ -13,7 +13,7 @@ namespace dumbbell_verify {
 struct Settings {
     unsigned jobs = 1, max_bits = 2048;
     std::uint64_t budget = default_budget;  ///< of work on the file, in units (work.hpp)
-    unsigned precision = 0;  ///< at least so many bits of MPFR for every piece; 0: what the pieces say
+    unsigned precision = 0;  ///< at least this many bits of MPFR for every piece; 0: what the pieces say
     std::string scene = "dumbbell", explain;  ///< explain: PIECE:PATH or box.PATH, the leaf to show
     std::string claim;                        ///< demanded kind; empty: any
     Pieces check = all_pieces;                ///< of the others no leaf and no witness is checked

@@ -71,7 +71,7 @@ std::optional<Failure> judge(std::uint64_t line, std::string_view opcode, const 
 }
 
 /// Judges all leaves, on up to `jobs` threads and within the budget; the failure on the least line is thrown,
-/// whoever finds it. Leaves behind a failure are not judged; those before it have been taken before.
+/// whichever thread finds it. Leaves after a failure are not judged; those before it have been taken before.
 template <class Leaf, class Judge>
 void judge_all(const std::vector<Leaf>& leaves, unsigned jobs, Budget& budget, const Judge& judge_one) {
     std::vector<std::optional<Failure>> found(leaves.size());
@@ -113,7 +113,7 @@ inline void read_trailer(Text& text, Proof& proof) {
     text.end();
 }
 
-/// Reads a file from behind its line `claim`. Leaves are checked many together, and the failure on the least
+/// Reads a file from after its line `claim`. Leaves are checked many together, and the failure on the least
 /// line is the one that is thrown.
 template <class Leaf>
 class Reader {

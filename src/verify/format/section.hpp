@@ -16,7 +16,7 @@ struct Box {
 };
 
 /// One thing to check: a leaf of a tree, a cover of one line, or a witness (the box: one point times [A, B]).
-/// A chart with a single axis beside q has it in place 1.
+/// A chart with a single axis besides q has it in place 1.
 struct Leaf {
     std::size_t chart = 0, opcode = 0;
     std::uint64_t a = 0, b = 0, claimed = 0, line = 0;  ///< two hints; U of the piece, for a witness V

@@ -193,7 +193,7 @@ class Text {
     static constexpr std::uint64_t units_per_byte = 128;
     static constexpr std::size_t most_bytes = 4096;   ///< of a line, with its line feed
     static constexpr std::size_t most_places = 4096;  ///< of a dyadic: as many as a piece has bits
-    static constexpr std::size_t most_digits = 1250;  ///< of its odd part: so many places, and 56 bits before
+    static constexpr std::size_t most_digits = 1250;  ///< of its odd part: as many places, and 56 bits before
 
     static void need_memory(bool enough) {
         if (!enough) throw std::bad_alloc();
@@ -222,7 +222,7 @@ class Text {
         stream_.next_in = reinterpret_cast<Bytef*>(raw_.data());
         stream_.avail_in = static_cast<uInt>(bytes.size());
     }
-    /// The next block of text; false at its end. At most one gzip member, and nothing behind it.
+    /// The next block of text; false at its end. At most one gzip member, and nothing after it.
     bool fill() {
         if (!gzip_) return !(rest_ = read()).empty();
         stream_.next_out = reinterpret_cast<Bytef*>(block_.data());

@@ -8,16 +8,16 @@
 
 namespace dumbbell_verify {
 
-constexpr std::uint64_t units_per_second = 6'000'000'000;  ///< a core does about so many
+constexpr std::uint64_t units_per_second = 6'000'000'000;  ///< of about one second of a core
 constexpr std::uint64_t default_budget = 30 * units_per_second;
 
 /// For people who wait: of all files so far.
 struct Watched {
-    inline static std::atomic<std::uint64_t> work = 0, read = 0, pieces = 0;  ///< pieces read, of so many
+    inline static std::atomic<std::uint64_t> work = 0, read = 0, pieces = 0;  ///< `read` of all `pieces`
 };
 
 /// The shares of leaves that are judged at the same time, in the order of their lines. A leaf is over if it
-/// and those before it take more than there is, whoever works on them and when.
+/// and those before it take more than there is, whichever threads work on them, and when.
 class Shares {
   public:
     Shares(std::size_t leaves, std::uint64_t units) : units_(units), done_(leaves) {}

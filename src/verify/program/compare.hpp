@@ -16,7 +16,7 @@ const Lemma* find_lemma(std::string_view name);  ///< nullptr if there is none o
 
 struct Comparison {
     bool holds;
-    std::string text;  ///< behind the verdict
+    std::string text;  ///< after the verdict
     std::string
         json;  ///< the same as an object: ratio, excess, least_excess, gaps; null what there is not; reason
 };

@@ -63,7 +63,7 @@ Result examine(const Job& job) {
     return result;
 }
 
-std::vector<Result> examine_all(const std::vector<Job>& jobs, unsigned beside,
+std::vector<Result> examine_all(const std::vector<Job>& jobs, unsigned at_once,
                                 const std::function<void(const Result&)>& report) {
     std::vector<Result> results(jobs.size());  // one without a job is not there yet
     std::atomic<std::size_t> next = 0;
@@ -79,7 +79,7 @@ std::vector<Result> examine_all(const std::vector<Job>& jobs, unsigned beside,
         return true;
     };
     std::vector<std::jthread> crew;
-    crew.reserve(beside);
+    crew.reserve(at_once);
     const auto one_more = [&] {
         try {
             crew.emplace_back([&] {
@@ -91,7 +91,7 @@ std::vector<Result> examine_all(const std::vector<Job>& jobs, unsigned beside,
             return false;  // those that started do the work
         }
     };
-    while (beside > 1 && crew.size() < beside && one_more()) {
+    while (at_once > 1 && crew.size() < at_once && one_more()) {
     }
     for (const Result& result : results) {
         if (crew.empty()) examine_next();

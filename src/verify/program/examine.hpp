@@ -1,4 +1,4 @@
-// Files verified beside each other, and what came out of each.
+// Files verified at the same time, and the result of each.
 #pragma once
 #include <functional>
 #include <string>
@@ -23,7 +23,7 @@ struct Result {
     Failure why{Verdict::verified, 0, "", ""};  ///< if not verified
     Verified proof;                             ///< if verified or combined
     std::optional<Part> part;                   ///< instead, if a part of the file is verified
-    std::optional<std::uint64_t> parts;         ///< so many were combined
+    std::optional<std::uint64_t> parts;         ///< the number that were combined
     double seconds = 0;
 };
 
@@ -38,9 +38,9 @@ inline bool is_of_whole(Verdict verdict) {
 /// Verifies one file; whatever is wrong is in the result.
 Result examine(const Job& job);
 
-/// Verifies all, up to `beside` at the same time; `report` gets each result, in the order of the jobs and on
-/// the calling thread. The results point to the jobs.
-std::vector<Result> examine_all(const std::vector<Job>& jobs, unsigned beside,
+/// Verifies all, up to `at_once` of them at the same time; `report` gets each result, in the order of the
+/// jobs and on the calling thread. The results point to the jobs.
+std::vector<Result> examine_all(const std::vector<Job>& jobs, unsigned at_once,
                                 const std::function<void(const Result&)>& report);
 
 }  // namespace dumbbell_verify

@@ -9,7 +9,7 @@ namespace dumbbell_verify {
 
 std::string json(const Result& result);  ///< one object
 
-/// Of a comparison: what came out of it, JSON or null if a file is not verified, and the objects of both
+/// Of a comparison: its result, JSON or null if a file is not verified, and the objects of both
 /// files.
 std::string json(const Lemma& lemma, Verdict verdict, const std::string& comparison,
                  const std::vector<Result>& files);

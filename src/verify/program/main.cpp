@@ -1,4 +1,4 @@
-// dumbbell-verify: verifies files and prints what came out.
+// dumbbell-verify: verifies files and prints the results.
 #include <gmp.h>
 
 #include <algorithm>
@@ -40,7 +40,7 @@ TestCase test_case(const Result& r) {
 /// Every file by itself. The verdict of all is the worst.
 Verdict run_files(const Options& options, Progress& progress, std::vector<TestCase>& cases) {
     const bool several = options.jobs.size() > 1;
-    const auto results = examine_all(options.jobs, options.beside, [&](const Result& r) {
+    const auto results = examine_all(options.jobs, options.at_once, [&](const Result& r) {
         const auto lock = progress.hidden();
         cases.push_back(test_case(r));
         if (options.json)
@@ -60,7 +60,7 @@ Verdict run_files(const Options& options, Progress& progress, std::vector<TestCa
 
 /// Both files are verified; only then are they compared. The verdict of the whole is the only line with `s`.
 Verdict run_lemma(const Options& options, Progress& progress, std::vector<TestCase>& cases) {
-    const auto results = examine_all(options.jobs, options.beside, [&](const Result& r) {
+    const auto results = examine_all(options.jobs, options.at_once, [&](const Result& r) {
         const auto lock = progress.hidden();
         cases.push_back(test_case(r));
         if (r.why.verdict == Verdict::verified && !options.json && !options.quiet)

@@ -157,8 +157,8 @@ Options parse_options(const std::vector<std::string>& arguments) {
     }
     // A leaf that is explained is printed while it is checked: one file after the other.
     if (settings.explain.empty())
-        result.beside = static_cast<unsigned>(std::min<std::size_t>(settings.jobs, result.jobs.size()));
-    for (Job& job : result.jobs) job.settings.jobs = settings.jobs / result.beside;
+        result.at_once = static_cast<unsigned>(std::min<std::size_t>(settings.jobs, result.jobs.size()));
+    for (Job& job : result.jobs) job.settings.jobs = settings.jobs / result.at_once;
     return result;
 }
 

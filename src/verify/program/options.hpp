@@ -10,7 +10,7 @@ namespace dumbbell_verify {
 
 struct Options {
     std::vector<Job> jobs;  ///< the files, each with its settings and its share of the threads
-    unsigned beside = 1;    ///< so many files are checked at the same time
+    unsigned at_once = 1;   ///< the number of files that are checked at the same time
     bool json = false;
     bool quiet = false;            ///< only the last line of what would be printed
     std::string junit;             ///< where the report goes; empty: nowhere

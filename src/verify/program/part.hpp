@@ -27,7 +27,7 @@ Pieces parse_pieces(std::string_view text);
 /// A proof of the file with these settings says this of the pieces, which it must have kept.
 Part part_of(const Proof& proof, const Settings& settings, const PieceSums& sums, const Pieces& pieces);
 
-/// `name=value`, all that a line of a part has behind `s PART`.
+/// `name=value`, all that a line of a part has after `s PART`.
 struct Field {
     std::string_view name;
     std::string value;

@@ -15,7 +15,7 @@ namespace dumbbell_verify {
 /// A line `s PART`. Of its fields only those that say what was checked are read: whether the others are right
 /// is known when the file says what they must be.
 struct PartLine {
-    std::string_view text;  ///< behind `s PART `
+    std::string_view text;  ///< after `s PART `
     Pieces pieces;
     unsigned precision = 0;
     std::array<std::string_view, std::tuple_size_v<Fields>> values;  ///< as in fields()

@@ -1,4 +1,4 @@
-// What came out, in lines for readers and scripts.
+// Results, in lines for readers and scripts.
 #pragma once
 #include <string>
 #include <vector>
@@ -7,9 +7,8 @@
 
 namespace dumbbell_verify {
 
-std::string claim_text(const Result& result);  ///< what a verified file proves: `scene=S ratio=LO:HI ...`
-std::string result_text(
-    const Result& result);  ///< what stands behind the verdict: claim and SHA-256, or reason
+std::string claim_text(const Result& result);    ///< what a verified file proves: `scene=S ratio=LO:HI ...`
+std::string result_text(const Result& result);   ///< what follows the verdict: claim and SHA-256, or reason
 std::string verdict_line(const Result& result);  ///< `s VERIFIED ...`
 
 /// Of one file alone: its name, what its lines cover, the verdict.

@@ -26,7 +26,7 @@ inline std::string take_digits(std::string_view& text) {
     return digits;
 }
 
-/// Options are `--name`, `--name VALUE` or `--name=VALUE`; behind `--` there are none. What is wrong is
+/// Options are `--name`, `--name VALUE` or `--name=VALUE`; after `--` there are none. What is wrong is
 /// thrown as std::invalid_argument with a message for the user.
 class Words {
   public:

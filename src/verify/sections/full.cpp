@@ -30,7 +30,7 @@ class Full : Bridge<N> {
     }
 
   private:
-    /// A bound, on one side, of the states behind a collision with R or (mirrored) L at corner distance x.
+    /// A bound, on one side, of the states after a collision with R or (mirrored) L at corner distance x.
     struct State {
         N x, sine, kappa;
         /// Bound of the height at t behind the corner's vertical (L15 (a)).

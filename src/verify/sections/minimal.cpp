@@ -88,7 +88,7 @@ class Minimal : Bridge<N> {
         }
     }
 
-    /// The collision of rays (c, kappa) with a wall, after n others: the state behind it, or what came out.
+    /// The collision of rays (c, kappa) with a wall, after n others: the state after it, or the answer.
     std::optional<bool> wall(State& state, const I& c, const I& kappa, std::uint64_t n, N& z, N& z_high) {
         Work::collision();
         const Ray low{c.lo, kappa.lo, r_lo}, high{c.hi, kappa.hi, r_hi};

@@ -18,7 +18,7 @@ struct FirstContact {
 /// A leaf that says: at least `least` and at most `most` collisions from every point of its box.
 struct InitialLeaf {
     std::uint64_t least = 0, most = 0, line = 0;
-    unsigned bits = 53;     ///< with so many it must be certified
+    unsigned bits = 53;     ///< with as many it must be certified
     bool multiple = false;  ///< not in double
     std::string_view opcode;
     std::optional<FirstContact> first;
@@ -32,7 +32,7 @@ const char* check_initial(const InitialLeaf& leaf, std::string* log);
 /// Certified: both masses are above the floor over the whole box (format-initial.md, section 2).
 bool starts_in_the_air(const InitialBox& box, unsigned bits);
 
-/// Reads on behind the line `claim`; returns only if all that the file and the demand say is certified, else
+/// Reads on after the line `claim`; returns only if all that the file and the demand say is certified, else
 /// throws the Failure of the least line.
 std::pair<Proof, Initial> initial(Text& text, const Settings& settings);
 

@@ -1,4 +1,4 @@
-// The collisions behind a contact, for a box of rays: by the monotone counts, and by steps from wall to wall
+// The collisions after a contact, for a box of rays: by the monotone counts, and by steps from wall to wall
 // (format-initial.md, sections 5 and 6).
 #pragma once
 #include "verify/collisions/ray.hpp"
@@ -65,7 +65,7 @@ class Departures : public Rays<N> {
                (ray.height + ray.slope * half_turn - r_ * (s + (half_turn - z) * w)).lo > zero;
     }
 
-    /// The rays behind a contact with the bridge, if all touch it before its top and go on, or all go back.
+    /// The rays after a contact with the bridge, if all touch it before its top and go on, or all go back.
     std::optional<Departure> off_bridge(const Departure& ray) {
         const auto at = contacts(ray.height / r_, ray.slope / r_);
         if (!at) return std::nullopt;
@@ -82,7 +82,7 @@ class Departures : public Rays<N> {
         const I run = back ? at->x : half_turn - at->x, rise = back ? -slope : slope;
         return Departure{false, r_ * at->sine + rise * run, rise};
     }
-    /// The rays that pass the bridge behind a contact with the light wall ahead, if all touch it and turn
+    /// The rays that pass the bridge after a contact with the light wall ahead, if all touch it and turn
     /// back; `last`: all touch it and go on over the peak.
     std::optional<Departure> off_light_wall(const Departure& ray, bool& last) {
         const auto at = contacts(ray.height + ray.slope * half_turn, ray.slope);

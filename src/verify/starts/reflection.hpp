@@ -14,7 +14,7 @@ class FirstReflection : public Departures<N> {
 
     FirstReflection(const Flight<N>& flight, std::string* log) : Base(flight.r, log), flight_(flight) {}
 
-    /// The rays behind the first contact, at phi in `angle`; `none`: they never collide again. The slope
+    /// The rays after the first contact, at phi in `angle`; `none`: they never collide again. The slope
     /// d yhat / d phi is a quotient top / D of m = w / -v for falling states, else of n = v / w.
     std::optional<Departure> behind_first(bool heavy, const I& angle, bool& none) {
         const I &v = flight_.v, &w = flight_.w, &r = flight_.r;

@@ -19,7 +19,7 @@ def used() -> float:
 
 
 def text(axis: str, leaves: int) -> bytes:
-    """A tree of splits of its lower halves, with so many of its leaves."""
+    """A tree of splits of its lower halves, with this number of its leaves."""
     splits = DEEP
     lines = ["dumbbell-certificate 1", "generator dumbbell 0.1.0", "lemmas 1", "scene dumbbell", "section turning",
              "claim collisions", "ratio 10/1 10/1", "pieces 1", "piece 10/1 10/1", "bits 53", "upper 4", "chart bridge"]

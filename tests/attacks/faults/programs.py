@@ -74,7 +74,7 @@ def after(seconds: float):
 
 
 def once_there(path: Path, seconds: float):
-    """As soon as the path exists, at the latest after so many seconds."""
+    """As soon as the path exists, at the latest after this number of seconds."""
 
     def moment(process):
         end = time.monotonic() + seconds

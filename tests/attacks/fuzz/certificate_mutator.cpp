@@ -1,5 +1,5 @@
 // How libFuzzer changes certificate files: like any bytes, or the text inside gzip, or whole lines; mostly
-// with a trailer that fits again, so that the checksum does not hide what stands behind it.
+// with a trailer that fits again, so that the checksum does not hide what comes after it.
 #include <algorithm>
 #include <random>
 #include <sstream>

@@ -19,7 +19,7 @@ namespace dumbbell_fuzz {
     return pick == 2 * most + 2 ? dumbbell::Rational(0) : pick % 2 == 0 ? size : -size;
 }
 
-/// The first node behind the subtree that begins at `node`.
+/// The first node after the subtree that begins at `node`.
 [[nodiscard]] inline std::size_t end_of_subtree(const dumbbell::Tree& tree, std::size_t node) {
     for (std::size_t missing = 1; missing > 0; ++node) missing = tree[node].split ? missing + 1 : missing - 1;
     return node;

@@ -13,7 +13,7 @@ namespace dumbbell_fuzz {
 /// The bytes, decompressed if they are gzip: as far as that goes. Nothing if it is more than `most` bytes.
 [[nodiscard]] std::optional<std::string> plain_text(const std::string& bytes, std::size_t most = 1 << 16);
 
-/// The first value of the first line with this keyword behind the first line of the text; or nothing.
+/// The first value of the first line with this keyword after the first line of the text; or nothing.
 [[nodiscard]] std::string value_of(std::string_view text, std::string_view keyword);
 
 /// Whether the verifier needs no more than about a tenth of a second, whatever it says. The bound is rough:

@@ -18,7 +18,7 @@ using namespace dumbbell_fuzz;
 using namespace dumbbell;
 namespace fs = std::filesystem;
 
-/// A mass ratio of the command line: up to 1,000 digits behind the point.
+/// A mass ratio of the command line: up to 1,000 digits after the point.
 Rational any_ratio(Choices& choices) {
     const std::size_t digits = choices.below(4) == 0 ? choices.below(999) : choices.below(20);
     std::string text = std::to_string(1 + choices.below(1000)) + ".";

@@ -22,7 +22,7 @@ inline long samples(long count) {
     return factor > 1 ? count * factor : count;
 }
 
-/// What came out for one function of one layer, by the excess of the worse end: 0 units in the last place, 1,
+/// The results of one function of one layer, by the excess of the worse end: 0 units in the last place, 1,
 /// up to 16, more, unbounded.
 class Tally {
   public:
@@ -111,7 +111,7 @@ std::vector<int> precisions() {
 /// Bits of the exact side beyond the layer's.
 constexpr int room = 64;
 
-/// Calls body(tally, random, bits) for every sample and prints what came out.
+/// Calls body(tally, random, bits) for every sample and prints the results.
 template <class L, class Body>
 Tally attack(const char* function, std::uint64_t seed, const Body& body) {
     Random random(seed);

@@ -8,7 +8,7 @@
 
 #include "rooms/number/tightest.hpp"
 
-/// Exact ranges by MPFR, in so many more bits than the attacked layer that comparing with them is exact: a
+/// Exact ranges by MPFR, in enough more bits than the attacked layer for comparisons to be exact: a
 /// number of the layer is at most t iff it is at most t rounded down to more bits.
 namespace dumbbell_test {
 
@@ -69,7 +69,7 @@ inline void add_ends(Hull& hull, UnaryMpfr f, Ends& x) {
 }
 
 /// The integer next to x / (pi/2), downwards or upwards. No number in binary but 0 is a multiple of pi/2, and
-/// with so many bits none seems to be one.
+/// with as many bits none seems to be one.
 inline mpz_class quarter_turns(mpfr_ptr x, mpfr_rnd_t direction) {
     mpz_class turns;
     if (mpfr_zero_p(x) == 0) {

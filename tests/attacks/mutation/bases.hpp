@@ -12,7 +12,7 @@ struct Base {
     std::string name;
     dumbbell::AnyCertificate data;
     std::string text;
-    /// How many times as much time as others it takes to verify, about: it gets so many times fewer mutants,
+    /// How many times as much time as others it takes to verify, about: it gets fewer mutants by this factor,
     /// and none of single bytes.
     std::size_t cost = 1;
 };

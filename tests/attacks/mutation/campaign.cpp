@@ -14,7 +14,7 @@
 namespace dumbbell_mutation {
 namespace {
 
-constexpr std::size_t stale_sample = 8;  ///< one of so many is also tried with the old checksum
+constexpr std::size_t stale_sample = 8;  ///< one in this number is also tried with the old checksum
 
 /// Texts that were not seen before.
 class Collector {

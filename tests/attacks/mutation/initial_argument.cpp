@@ -171,7 +171,7 @@ File::File(const std::string& path) {
     for (int n = 1; in && n > 0; text.append(block.data(), static_cast<std::size_t>(std::max(n, 0))))
         n = gzread(in.get(), block.data(), block.size());
     lines_ = lines_of(text);
-    constexpr std::size_t ratio_line = 6;  // counted from 0; behind it the other axes
+    constexpr std::size_t ratio_line = 6;  // counted from 0; after it the other axes
     for (std::size_t i = 0; i < initial_axes; ++i) {
         const bool ratio = i + 1 == initial_axes;
         const Words words = words_of(lines_.at(ratio ? ratio_line : ratio_line + 1 + i));
@@ -180,7 +180,7 @@ File::File(const std::string& path) {
         box_.hi[i] = signed_rational(words.at(2));
     }
     bits_ = std::stoi(words_of(lines_.at(ratio_line + initial_axes)).at(1));
-    next_ = ratio_line + initial_axes + 2;  // behind `bits` and `between`
+    next_ = ratio_line + initial_axes + 2;  // after `bits` and `between`
 }
 
 }  // namespace

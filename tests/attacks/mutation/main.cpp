@@ -86,7 +86,7 @@ int main(int argc, char** argv) {
         ->check(CLI::Range(10, 1'000'000))
         ->capture_default_str();
     app.add_option("--scale", request.options.scale,
-                   "so many times as many mutants, several changes at once among them")
+                   "the factor by which there are more mutants, several changes at once among them")
         ->envname("DUMBBELL_MUTATION_SCALE")
         ->check(CLI::Range(1, 1000));
     app.add_option("--dump", request.dump, "write N mutants and manifest.tsv there")

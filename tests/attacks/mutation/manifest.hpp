@@ -11,7 +11,7 @@
 namespace dumbbell_mutation {
 
 /// One line: file, options, exit code, line, code, reason, why, with a tab between. The reason is a part of
-/// the text behind the code. For a verified file the line is 0, the code `-` and the reason the whole claim
+/// the text after the code. For a verified file the line is 0, the code `-` and the reason the whole claim
 /// of the verdict line from `ratio=` (or `claim=`) up to the checksum.
 struct Entry {
     std::string file;  ///< relative to the table's folder

@@ -37,7 +37,7 @@ struct ChangedLine {
 void word_mutations(const std::string& text, const Sink& sink);
 /// Each line deleted, doubled, exchanged with the next, with bytes that do not belong there.
 void line_mutations(const std::string& text, const Sink& sink);
-/// The text, and the same compressed, cut off at every byte and with bits changed in every byte; bytes behind
+/// The text, and the same compressed, cut off at every byte and with bits changed in every byte; bytes after
 /// the end.
 void byte_mutations(const std::string& text, const Sink& sink);
 /// Halves exchanged, leaves lifted to their parents and to the root, opcodes replaced by every other, axes

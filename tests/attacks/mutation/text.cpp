@@ -27,7 +27,7 @@ std::optional<std::size_t> bounds_line(const Lines& lines) {
     return std::nullopt;
 }
 
-/// The header's line `between` that the leaves behind it imply.
+/// The header's line `between` that the leaves after it imply.
 std::string implied_bounds(const Lines& lines, std::size_t header) {
     std::uint64_t least = UINT64_MAX, most = 0;
     for (std::size_t i = header + 1; i < lines.size() && !is_trailer(lines[i]); ++i) {
@@ -41,7 +41,7 @@ std::string implied_bounds(const Lines& lines, std::size_t header) {
     return "between " + std::to_string(least) + " " + std::to_string(most);
 }
 
-/// Does a tree about the adiabatic invariant begin behind line i?
+/// Does a tree about the adiabatic invariant begin after line i?
 bool before_adiabatic_tree(const Lines& lines, std::size_t i) {
     const auto next_is = [&](std::string_view word) {
         return i + 1 < lines.size() && lines[i + 1].starts_with(word);

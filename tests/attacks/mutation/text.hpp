@@ -32,8 +32,8 @@ using Lines = std::vector<std::string>;  ///< without their line feeds
 struct TreeNode {
     std::size_t begin = 0, end = 0, upper = 0, tree = 0;
 };
-/// The nodes of all complete trees of a file: behind each line `chart`; behind the header's `between`; behind
-/// the cells of a class, behind `end`, or of a bounce behind the header's `bound`.
+/// The nodes of all complete trees of a file: after each line `chart`; after the header's `between`; after
+/// the cells of a class, after `end`, or of a bounce after the header's `bound`.
 [[nodiscard]] std::vector<TreeNode> nodes_of(const Lines& lines);
 
 }  // namespace dumbbell_mutation

@@ -90,7 +90,7 @@ NextContact<S> next_contact(const Dumbbell<S>& body, Mass mass, const State<S>& 
     // The second derivative is -arm spin^2 sin: a minimum where arm sin < 0.
     const S minimum_at = curve.arm > 0 ? S(-acute) : acute;
     const S turn = 2 * pi<S>();
-    // A touching mass rises first, to its next maximum; the minimum wanted lies behind that.
+    // A touching mass rises first, to its next maximum; the minimum wanted comes after that.
     const S ignore_until = touching ? next_angle(S(-minimum_at), curve.angle) : curve.angle;
     const S angle = next_angle(minimum_at, ignore_until);
     S time = (angle - curve.angle) / curve.spin;

@@ -14,7 +14,7 @@ struct Agreement {
     Real worst = 0;
 };
 
-// Follows the iteration of L4 beside the light collisions of a run. Empty if they agree.
+// Follows the iteration of L4 along the light collisions of a run. Empty if they agree.
 template <class S>
 std::string compare(const Dumbbell<S>& body, const Run<S>& run, std::optional<Ray<S>> ray, double tolerance,
                     Agreement& seen) {

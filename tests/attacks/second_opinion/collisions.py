@@ -18,7 +18,7 @@ SECTIONS = {
 
 
 def check(lines, header, judge):
-    """Checks all behind the line `claim` and returns the verdict's fields. `header` is a key of SECTIONS."""
+    """Checks all after the line `claim` and returns the verdict's fields. `header` is a key of SECTIONS."""
     section = SECTIONS[header]
     lo, hi = lines.line("ratio", "ratio", "ratio")
     if not 1 <= lo <= hi:
@@ -52,7 +52,7 @@ def spelled(ratio):
 
 
 def piece(lines, section, scene, a, b, judge):
-    """Checks a piece behind its first line; returns U (or None) and V."""
+    """Checks a piece after its first line; returns U (or None) and V."""
     bits, = lines.line("bits", "nat")
     if not 53 <= bits <= 4096:
         raise lines.wrong("bits from 53 to 4096")

@@ -1,4 +1,4 @@
-"""The first reflection of a box of states, and bounds of the number of collisions behind it: format-initial.md, 5 and 6."""
+"""The first reflection of a box of states, and bounds of the number of collisions after it: format-initial.md, 5 and 6."""
 
 from fixed import Undecided, greatest, half_pi, hull, meet, pi, sin_cos, square
 from rays import earliest, greatest_count, latest, least_count, misses, reflected
@@ -41,7 +41,7 @@ class Rays:
         return 0, None if high is None else max(high, 1 + general_bound(r_lo))
 
     def step(self):
-        """The rays behind the next collision, if that is certain; None if it is certainly the last one."""
+        """The rays after the next collision, if that is certain; None if it is certainly the last one."""
         return self._off_light_wall() if self.passes_bridge() else self._off_bridge()
 
     def _contact(self, c, k, end):
@@ -122,7 +122,7 @@ def first_angle(air, mass, times):
 
 
 def first_reflection(air, mass, times):
-    """The rays behind a first contact in the given times, or None if no collision follows."""
+    """The rays after a first contact in the given times, or None if no collision follows."""
     angle, r = first_angle(air, mass, times), air.r
     c = sin_cos(angle)[1]
     falls = air.v < 0

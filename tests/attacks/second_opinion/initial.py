@@ -40,7 +40,7 @@ def leaf_holds(box, low, high, window):
 
 
 def check(lines, judge):
-    """Checks all behind the line `claim` and returns the verdict's fields."""
+    """Checks all after the line `claim` and returns the verdict's fields."""
     box = {"q": tuple(lines.line("ratio", "ratio", "ratio"))}
     for axis in AXES:
         box[axis] = tuple(lines.line(axis, "signed", "signed"))

@@ -17,7 +17,7 @@ def returning(slope):
 
 
 def new_slope(w, kappa, r):
-    """The slopes behind a light wall that may come back, or None."""
+    """The slopes after a light wall that may come back, or None."""
     numerator, d = reflected(w, kappa, r)
     if d <= 0:
         return None
@@ -64,7 +64,7 @@ def plain_at_most(c, kappa, r, limit):
 
 
 def behind_bridge_at_most(t, kappa, r, limit):
-    """At most `limit` collisions behind a contact with the bridge in t."""
+    """At most `limit` collisions after a contact with the bridge in t."""
     sine, s = sin_cos(t)
     base = r * square(s)
     e, p = 1 + 2 * s * kappa - base, 2 * r * s - kappa * (1 - base)

@@ -74,13 +74,13 @@ class Dumbbell:
 
 
 def later(r, psi, hump, velocity):
-    """Collisions behind a contact that leaves with the velocity."""
+    """Collisions after a contact that leaves with the velocity."""
     size = r if hump % 2 == 0 else 1.0
     return Dumbbell(r, psi, size * math.cos(psi - hump * math.pi), velocity, hump).collisions()[0]
 
 
 def both_ways(r, psi, hump, velocity):
-    """Collisions behind a contact and before it."""
+    """Collisions after a contact and before it."""
     size = r if hump % 2 == 0 else 1.0
     back = Dumbbell(r, psi, size * math.cos(psi - hump * math.pi), velocity, hump)
     back.reflect()

@@ -24,7 +24,7 @@ using Counts = std::vector<long>;
 /// Appends the counts of all rays: the upper ones, then the lower ones.
 using Job = std::function<void(const Queries&, Counts&)>;
 
-/// So many rays that no branch predictor learns them all by heart; fewer by this factor for what is slow.
+/// Enough rays that no branch predictor learns them all by heart; fewer by this factor for what is slow.
 constexpr std::size_t slow = 400;
 struct Setting {
     std::string name;

@@ -1,6 +1,6 @@
-// bench_campaign simulated SHARDS: a campaign of so many small shards with an engine that loses workers,
-// returns garbage and is killed now and then. bench_campaign tasks NUMBER SECONDS CORES: so many tasks that
-// only sleep, on a worker that claims so many cores. Both print a JSON object.
+// bench_campaign simulated SHARDS: a campaign of SHARDS small shards with an engine that loses workers,
+// returns garbage and is killed now and then. bench_campaign tasks NUMBER SECONDS CORES: NUMBER tasks that
+// only sleep, on a worker that claims CORES cores. Both print a JSON object.
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <signal.h>

@@ -1,5 +1,5 @@
-// Google Benchmark: one operation of each shipped arithmetic, beside the same in plain double. Each benchmark
-// is called "operation/OPERATION/ARITHMETIC"; its counter `operations` is the number of them in one
+// Google Benchmark: one operation of each shipped arithmetic, next to the same in plain double. Each
+// benchmark is called "operation/OPERATION/ARITHMETIC"; its counter `operations` is the number of them in one
 // iteration. Operands are a few doubles wide, or thin for sine and cosine as the collision step has them.
 
 #include <benchmark/benchmark.h>

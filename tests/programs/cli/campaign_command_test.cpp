@@ -379,7 +379,7 @@ TEST_CASE(
     CHECK(folder.names() == Words{"critical"});
 }
 
-TEST_CASE("the number of shards may stand before and behind what is planned") {
+TEST_CASE("the number of shards may stand before and after what is planned") {
     const TemporaryFolder folder;
     CHECK(dumbbell({"campaign", "plan", folder / "c", "critical", "3:40", "--shards", "5"}).code == 0);
     CHECK(shards(folder) == 5);

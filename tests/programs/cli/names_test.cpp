@@ -23,7 +23,7 @@ void check_clean(const Words& words, const Outcome& result) {
     }
 }
 
-// The command that the text offers behind these words, as a shell runs it.
+// The command that the text offers after these words, as a shell runs it.
 Outcome pasted(const std::string& text, const std::string& before, const std::string& folder) {
     const std::size_t at = text.find(before);
     REQUIRE(at != std::string::npos);

@@ -14,7 +14,7 @@ namespace {
 const Words two_seconds{DUMBBELL_BIN, "certify", "1:200000", "--gap", "1e-9", "--jobs", "1"};
 const Words long_range{DUMBBELL_BIN, "certify", "1:1000000", "--gap", "1e-9", "--jobs", "1"};
 
-// What a job writes to a terminal so many columns wide as its stderr, up to the text awaited; then it is
+// What a job writes to a terminal of this width (columns) as its stderr, up to the text awaited; then it is
 // killed.
 std::string seen_on_terminal(const Words& job, const std::string& awaited, std::size_t columns = 100) {
     const int terminal = ::posix_openpt(O_RDWR | O_NOCTTY | O_CLOEXEC);

@@ -11,7 +11,8 @@ namespace {
 
 const Words request{"certify", "1:30000", "--gap", "1e-12", "--out", "stairs.dbc"};
 
-/// Kills the run as soon as so many files are in its folder of finished pieces; false if it had ended before.
+/// Kills the run as soon as this number of files is in its folder of finished pieces; false if it had ended
+/// before.
 bool killed_with(std::size_t files, const TemporaryFolder& folder) {
     Process process(with_program(request), folder.path());
     process.until([&] { return kept(folder / "stairs.dbc.partial") >= files; });

@@ -155,7 +155,7 @@ TEST_CASE("the verifier's exit codes: 0 verified, 1 rejected, 2 unreadable, 3 un
     CHECK(code({ten, folder / "missing.dbc", folder / "foreign.dbc", folder / "empty.dbc"}) == 1);
 }
 
-TEST_CASE("without its verifier beside it the program says so") {
+TEST_CASE("without its verifier next to it the program says so") {
     const TemporaryFolder folder;
     std::filesystem::copy_file(DUMBBELL_BIN, folder / "dumbbell");
     const Outcome result = run({folder / "dumbbell", "verify", "file.dbc"});

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """examples_test.py PAGE BIN [--update]: runs what a page shows, and compares what comes out with what the page says.
 
-A block that begins with ```console has commands behind `$ `, and below each what it prints. Numbers that differ from
+A block that begins with ```console has commands after `$ `, and below each what it prints. Numbers that differ from
 run to run (times, threads) may differ; a line `...` stands for any lines. The commands of a page run in one scratch
 folder, one after the other, with the programs of the folder BIN in the PATH; `./run` there is `dumbbell`. With --update
 what is different is written into the page.

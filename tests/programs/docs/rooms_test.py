@@ -63,7 +63,7 @@ def main():
             if other not in allowed[room]:
                 faults.append(f"{path} includes {include}: {room} may not use {other}")
             if order.index(other) > order.index(room):
-                faults.append(f"{path} includes {include}: {other} stands on {room} or beside it")
+                faults.append(f"{path} includes {include}: {other} stands on {room} or next to it")
     for room, rooms in allowed.items():
         faults += [f"{room} does not use {other}" for other in rooms if other not in used[room]]
     faults += [f"{name} is defined in {' and '.join(sorted(files))}" for name, files in defined.items() if len(files) > 1]

@@ -1,4 +1,4 @@
-# Sourced by the tests beside it: a scratch folder, commands that are run in it, and what is expected of them.
+# Sourced by the tests next to it: a scratch folder, commands that are run in it, and what is expected of them.
 scratch=$(mktemp -d)
 trap 'rm -rf -- "$scratch"' EXIT
 failures=0

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Tests of ./run: set-up, missing packages, failing builds, and that arguments, stdout, working directory
-# and exit code pass through. Works in a scratch project beside copies of the real scripts.
+# and exit code pass through. Works in a scratch project next to copies of the real scripts.
 set -euo pipefail
 
 source_root=$(cd -- "$(dirname -- "$0")/../../.." && pwd)

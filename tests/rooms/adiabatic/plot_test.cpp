@@ -21,7 +21,7 @@ AdiabaticCertificate sample(AdiabaticClaim claim, long n) {
 
 }  // namespace
 
-TEST_CASE("the invariant is drawn beside its factors, with the bound that is proved") {
+TEST_CASE("the invariant is drawn next to its factors, with the bound that is proved") {
     const std::string svg = adiabatic_svg(sample(AdiabaticClaim::run, 20));
     CHECK(well_formed(svg));
     CHECK(count_of(svg, "<circle class=\"bounce\"") == 21);

@@ -61,7 +61,7 @@ TEST_CASE("the leaf boxes are the prover's") {
     }
 }
 
-TEST_CASE("a tree with nodes behind its end is refused") {
+TEST_CASE("a tree with nodes after its end is refused") {
     CHECK_THROWS_AS(leaf_boxes(Chart::bridge, 2, 2, {leaf(), leaf()}), InputError);
 }
 

@@ -94,7 +94,7 @@ Outcome undecided(const Task& task) {
     return done(task, render(certificate).text);
 }
 
-/// What is looked at by its form alone, for there is no verifier beside this test.
+/// What is looked at by its form alone, for there is no verifier next to this test.
 CampaignOptions looked_at(Engine& own) {
     CampaignOptions options;
     options.verifiers = 2;
@@ -309,7 +309,7 @@ TEST_CASE("a result that comes twice counts once, and one that is no proof gives
 TEST_CASE("two words of workers that differ stop the campaign, and both are kept") {
     const std::string file = DUMBBELL_PROJECT "/certificates/stairs-1-100.dbc";
     VerifiedPlan verification = plan_verified(file, 2);
-    verification.sources[1] = file;  // there is no verifier beside this test
+    verification.sources[1] = file;  // there is no verifier next to this test
     Campaign campaign(verification.plan, verification.sources);
     const auto word = [](const Task& task) {
         const auto units = parse_order(task.order).units;

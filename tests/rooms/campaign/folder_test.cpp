@@ -56,7 +56,7 @@ TEST_CASE("a campaign is made in a folder that is new or empty only") {
     CHECK_THROWS_AS(CampaignFolder::create(place.string(), small_plan()), InputError);
 }
 
-TEST_CASE("a path lies in the folder or beside it, however it is spelled") {
+TEST_CASE("a path lies in the folder or next to it, however it is spelled") {
     const Place place;
     CampaignFolder::create(place.string(), small_plan());
     const CampaignFolder folder(place.string());
@@ -106,7 +106,7 @@ TEST_CASE("a foreign file is named, and neither used nor deleted") {
     const std::string id = CampaignFolder(place.string()).parts().front().id;
     for (const std::string& name : {"results/" + id, "splits/" + id, std::string("journal")}) {
         CAPTURE(name);
-        REQUIRE(::mkfifo((place.path / name).c_str(), 0600) == 0);  // whoever opens it waits for ever
+        REQUIRE(::mkfifo((place.path / name).c_str(), 0600) == 0);  // a program that opens it waits for ever
         CHECK_THROWS_WITH(CampaignFolder(place.string()), Contains(name) && Contains("move it elsewhere"));
         fs::remove(place.path / name);
     }

@@ -67,7 +67,7 @@ TEST_CASE("what has the right form and is refuted is wrong, and what has another
     CHECK(kind.judge({}, ".", "bad", Scrutiny::proof).verdict == Judgement::Verdict::wrong);
 }
 
-TEST_CASE("what stops a judge reaches whoever asks for the answer") {
+TEST_CASE("what stops a judge reaches the caller that asks for the answer") {
     Judges judges(kind, ".", 1, Scrutiny::form);
     judges.ask({{}, "broken", 0});
     CHECK_THROWS_WITH(judges.next_answer(), "the judge is ill");

@@ -48,7 +48,7 @@ TEST_CASE("a result that was changed on the disk is found, taken away, and prove
     CHECK(merge_campaign(folder, {}).whole->text == before);
 }
 
-TEST_CASE("results that nobody can look at stay where they are") {  // no verifier lies beside this test
+TEST_CASE("results that nobody can look at stay where they are") {  // no verifier lies next to this test
     const Place place;
     CertifyRequest request;
     request.q_lo = 1;

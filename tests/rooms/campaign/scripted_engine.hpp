@@ -50,7 +50,7 @@ class ScriptedEngine : public dumbbell::Engine {
         return figures;
     }
 
-    /// So many tasks were under way at the same time.
+    /// The number of tasks that were under way at the same time.
     [[nodiscard]] std::size_t most() const { return most_; }
     /// Whose results were rejected.
     [[nodiscard]] const std::vector<std::string>& distrusted() const { return distrusted_; }

@@ -77,7 +77,7 @@ TEST_CASE("the digest of a file is the one in its last line, plain or compressed
     }
 }
 
-TEST_CASE("a damaged file has no digest: cut off, changed, or with something behind its end") {
+TEST_CASE("a damaged file has no digest: cut off, changed, or with something after its end") {
     const std::string good = render(every_kind_of_line()).text;
     std::vector<std::string> damaged{
         "",          good.substr(0, good.size() - 1),       good.substr(0, good.size() / 2), good + "\n",

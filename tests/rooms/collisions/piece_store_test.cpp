@@ -96,26 +96,26 @@ TEST_CASE("pieces under each other's names are not found") {
     const PieceStore store(place.path.string(), claim(100));
     store.keep(dumbbell_test::piece(5, 11, 4, 4));
     const fs::path first = only_piece(place);
-    const fs::path beside = place.path.string() + "-first";
-    fs::rename(first, beside);
+    const fs::path aside = place.path.string() + "-first";
+    fs::rename(first, aside);
     store.keep(dumbbell_test::piece(6, 7, 4, 4));
     const fs::path second = only_piece(place);
     SECTION("swapped") {
         fs::rename(second, first);
-        fs::rename(beside, second);
+        fs::rename(aside, second);
         CHECK_FALSE(store.find({5, 11, 4, 4}).has_value());
         CHECK_FALSE(store.find({6, 7, 4, 4}).has_value());
     }
     SECTION("twice") {
-        fs::copy_file(beside, first);
-        fs::copy_file(beside, second, fs::copy_options::overwrite_existing);
+        fs::copy_file(aside, first);
+        fs::copy_file(aside, second, fs::copy_options::overwrite_existing);
         CHECK(store.find({5, 11, 4, 4}).has_value());
         CHECK_FALSE(store.find({6, 7, 4, 4}).has_value());
     }
-    fs::remove(beside);
+    fs::remove(aside);
 }
 
-TEST_CASE("what whoever reads it would wait for is in the way of a piece") {
+TEST_CASE("what a reader would wait for is in the way of a piece") {
     const Place place;
     const PieceStore store(place.path.string(), claim(100));
     store.keep(dumbbell_test::piece(5, 11, 4, 4));

@@ -23,14 +23,14 @@ TEST_CASE("one at a time has a folder, and gives it back at the end") {
     CHECK(second.take(folder.path()));
 }
 
-TEST_CASE("whoever asks whether a folder is taken does not take it") {
+TEST_CASE("a program that asks whether a folder is taken does not take it") {
     const TemporaryFolder folder;
     FolderLock lock;
     CHECK_FALSE(FolderLock::is_taken(folder.path()));
     CHECK(lock.take(folder.path()));
 }
 
-TEST_CASE("whoever has a folder for a moment only is waited for") {
+TEST_CASE("a program that has a folder for a moment only is waited for") {
     const TemporaryFolder folder;
     for (bool taken = false; !taken;) {  // on a busy machine the moment may last too long
         std::optional<FolderLock> first(std::in_place);

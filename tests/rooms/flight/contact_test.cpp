@@ -196,7 +196,7 @@ TEST_CASE("A ray through the corner itself hits there, in both bounds") {
         const auto highest = highest_contact(Interval(0), Interval(kappa));
         REQUIRE((lowest && highest));
         CHECK(lowest->x.lo() <= 0);
-        CHECK(highest->x.hi() > 0);  // L12 (b) wants a step behind the root
+        CHECK(highest->x.hi() > 0);  // L12 (b) wants a step beyond the root
         CHECK(highest->x.hi() < 1e-15);
     }
 }

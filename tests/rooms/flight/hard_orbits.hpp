@@ -28,7 +28,7 @@ WallState<I> small_box(const HardOrbit& orbit, int bits) {
     return {hull(at.x, at.x + width), hull(at.kappa, at.kappa + I(orbit.r) * width)};
 }
 
-/// The number of collisions behind the departure.
+/// The number of collisions after the departure.
 inline std::size_t length(const HardOrbit& orbit) {
     const dumbbell::PrecisionScope scope(256);
     return propagate(Form::monotone, point<dumbbell::BigInterval>(orbit), dumbbell::BigInterval(orbit.r))

@@ -107,7 +107,7 @@ class Operations {
     }
 };
 
-/// What came out for one operation, by the excess in doubles of the worse end.
+/// The results of one operation, by the excess in doubles of the worse end.
 struct Tally {
     int rows = 0;
     int empty = 0;  ///< empty in or out: outside the domain that the layers document, and held by anything

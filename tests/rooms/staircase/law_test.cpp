@@ -69,7 +69,7 @@ TEST_CASE("a value above ceil(pi/gamma) is seen, also where it is too high at th
     // ceil(pi/gamma) = 2 at q = 1 alone.
     CHECK_FALSE(law_of_pieces({piece("1", "1.001", 3, 2), piece("1.001", "2", 3, 3)}).below_paper);
     CHECK_FALSE(law_of_pieces({piece("1", "1", 3, 2), piece("1", "2", 3, 3)}).below_paper);
-    // and 3 at q = 3, 4 behind it.
+    // and 3 at q = 3, 4 after it.
     CHECK(law_of_pieces({piece("2", "3", 3, 3), piece("3", "4", 4, 4)}).below_paper);
     CHECK_FALSE(law_of_pieces({piece("3", "4", 4, 4)}).below_paper);
 }
@@ -112,7 +112,7 @@ TEST_CASE("whether the supremum is attained is said only where the pieces tell")
     CHECK(attained({piece("1.001", "4.5", 3, 3), piece("4.5", "5", 4, 3)}) == std::nullopt);
     // Even 5 in that gap would be less: 5 - C sqrt 11.36 < 4 - C sqrt 4.61.
     CHECK(attained({piece("4.61", "11.36", 4, 4), piece("11.36", "11.37", 5, 4)}) == true);
-    // It begins in a gap, and what is approached behind it may be the value at the lowest ratio.
+    // It begins in a gap, and what is approached after it may be the value at the lowest ratio.
     CHECK(attained({piece("4.6", "4.61", 4, 3), piece("4.61", "5", 4, 4)}) == std::nullopt);
     CHECK_FALSE(law_of_pieces({piece("5", "7", 5, 4)}).sup.has_value());
 }

@@ -1,5 +1,5 @@
 // Whatever dumbbell-verify certifies of a box of initial conditions holds for the simulated orbits of its
-// points (tests/attacks/oracle: another program, other formulas), whoever makes the claim.
+// points (tests/attacks/oracle: another program, other formulas), no matter who makes the claim.
 #include <catch2/catch.hpp>
 
 #include "attacks/oracle/simulate.hpp"

@@ -129,7 +129,7 @@ TEST_CASE("adiabatic grammar: an attained state may be anywhere between the ends
         CHECK(mutant(wide, "1/20 1 97/50", std::string(delta) + " 1 1/100") == "number");
 }
 
-TEST_CASE("adiabatic grammar: a leaf that is not certified goes before what is wrong behind it") {
+TEST_CASE("adiabatic grammar: a leaf that is not certified goes before what is wrong after it") {
     const std::string narrow = mutated_adiabatic(bounce(), "bound 5/2 10/1", "bound 1/100 10/1");
     CHECK(outcome(narrow) == "bound");
     CHECK(mutant(narrow, "1/20 1 97/50", "1/20 1 -97/50") == "bound");

@@ -1,4 +1,4 @@
-// Files beside each other: on as many threads as were asked for.
+// Files at the same time: on as many threads as were asked for.
 #include "verify/program/examine.hpp"
 
 #include <unistd.h>
@@ -41,17 +41,17 @@ class Silence {
 
 TEST_CASE("examine_all works on as many threads as it may, and on no more") {
     using namespace std::chrono_literals;
-    for (const unsigned beside : {2U, 3U}) {
+    for (const unsigned at_once : {2U, 3U}) {
         const Silence input;
         const auto before = threads();
         std::size_t reported = 0;
         {
             const std::vector<Job> jobs(5, Job{"-", {}});
             const std::jthread caller(
-                [&] { reported = examine_all(jobs, beside, [](const Result&) {}).size(); });
-            while (threads() < before + 1 + beside) std::this_thread::sleep_for(1ms);
+                [&] { reported = examine_all(jobs, at_once, [](const Result&) {}).size(); });
+            while (threads() < before + 1 + at_once) std::this_thread::sleep_for(1ms);
             std::this_thread::sleep_for(200ms);  // for one too many to show itself
-            CHECK(threads() == before + 1 + beside);
+            CHECK(threads() == before + 1 + at_once);
             input.end();
         }
         CHECK(reported == 5);

@@ -124,7 +124,7 @@ TEST_CASE("lines: one space between fields, none elsewhere, none empty, none lon
     CHECK(outcome(std::string(100'000, 'x')) == "line");
 }
 
-TEST_CASE("gzip: one member and nothing behind it") {
+TEST_CASE("gzip: one member and nothing after it") {
     const std::string packed = make::gzipped(ten());
     CHECK(outcome(packed + "x") == "gzip");
     CHECK(outcome(packed + std::string(10, '\0')) == "gzip");
@@ -265,7 +265,7 @@ TEST_CASE("dyadics have one spelling") {
     CHECK(outcome(mutated(text, "1b-1 1b-1", "1b-1 " + std::string(1250, '1') + "b-4096")) ==
           "witness");  // eta > q
     CHECK(outcome(mutated(text, "1b-1 1b-1", "1b-1 1b4096")) == "witness");
-    const std::string longest = mpz_class((mpz_class(1) << 4095) + 1).get_str() + "b-4096";  // beside 1/2
+    const std::string longest = mpz_class((mpz_class(1) << 4095) + 1).get_str() + "b-4096";  // besides 1/2
     CHECK(outcome(mutated(text, "1b-1 1b-1", longest + " " + longest)) == "verified");
     const std::string tiny = mutated(text, "1b-1 1b-1", "1b-1 1b-4096");
     CHECK(outcome(tiny) == "witness");  // eta > 0 is beyond doubles

@@ -1,5 +1,5 @@
-// The enclosures behind a check of initial conditions hold for random states in their boxes: the first
-// contact's angle and the rays behind a reflection, against bisection and the law (1) of L0 in long double.
+// The enclosures under a check of initial conditions hold for random states in their boxes: the first
+// contact's angle and the rays after a reflection, against bisection and the law (1) of L0 in long double.
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <random>
@@ -145,7 +145,7 @@ TEST_CASE("initial conditions: steps off the bridge and off a light wall hold fo
     CHECK(last > 500);
 }
 
-TEST_CASE("initial conditions: the rays behind the first reflection hold for every state and angle") {
+TEST_CASE("initial conditions: the rays after the first reflection hold for every state and angle") {
     int found[2][2][2] = {}, outward = 0, steep = 0;  // mass, falling, turning forwards
     for (int i = 0; i < 60'000; ++i) {
         const double size = std::exp2(uniform(-20, -3));

@@ -46,7 +46,7 @@ inline std::string judged(const AnyLeaf& any) try {
     return error.what();
 }
 
-/// Bits of a row: 0 is double, else MPFR with so many, which may be fewer than a file may ask for.
+/// Bits of a row: 0 is double, else MPFR with this many, which may be fewer than a file may ask for.
 inline void set_bits(auto& leaf, unsigned bits) {
     leaf.multiple = bits > 0;
     leaf.bits = bits > 0 ? bits : 53;

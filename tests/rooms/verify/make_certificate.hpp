@@ -124,7 +124,7 @@ inline std::string fraction(const mpq_class& x) {
     return x.get_num().get_str() + "/" + x.get_den().get_str();
 }
 
-/// A whole piece; `witness` is the part of its line behind the word, or empty for `lower 0`.
+/// A whole piece; `witness` is the part of its line after the word, or empty for `lower 0`.
 inline std::string piece(const mpq_class& a, const mpq_class& b, std::uint64_t upper, std::uint64_t lower,
                          const std::string& witness, unsigned bits = 53) {
     return "piece " + fraction(a) + " " + fraction(b) + "\nbits " + std::to_string(bits) + "\nupper " +

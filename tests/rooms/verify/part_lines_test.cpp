@@ -58,7 +58,7 @@ TEST_CASE("lines of parts: any other line of a verdict is an error that names it
     }
 }
 
-TEST_CASE("lines of parts: each field in its place, once, with a value, and nothing behind") {
+TEST_CASE("lines of parts: each field in its place, once, with a value, and nothing after it") {
     for (const auto& [from, to] : std::vector<std::pair<std::string, std::string>>{
              {"pieces=2-5", "pieces=5-2"},
              {"pieces=2-5", "pieces=0-5"},

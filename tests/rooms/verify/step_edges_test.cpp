@@ -36,7 +36,7 @@ Flight<double> flight(const mpq_class& w_lo, const mpq_class& w_hi, const mpq_cl
 
 TEST_CASE("step edges: from a point where the wall is too flat, the contact is bounded from the corner") {
     const Rays<double> rays(nullptr);
-    // cos 1.5 < 0.2; and 1.5708 is behind the peak. L12 (a) at z = 0: x >= c / (1 - kappa) = 0.625.
+    // cos 1.5 < 0.2; and 1.5708 is beyond the peak. L12 (a) at z = 0: x >= c / (1 - kappa) = 0.625.
     for (const double z : {1.5, 1.5708}) {
         const auto at = rays.earliest({0.5, 0.2, 0.1}, z);
         CHECK(at.x == Approx(0.625));
@@ -71,7 +71,7 @@ TEST_CASE("step edges: all meet the bridge that are below it at one point, be it
 }
 
 TEST_CASE("step edges: who touches a tangent of the bridge does not pass above it") {
-    // Slope and r are such that the tangent at the guess is above the corner behind the bridge.
+    // Slope and r are such that the tangent at the guess is above the corner beyond the bridge.
     constexpr double r = 161.0 / 256, slope = -2575.0 / 4096;
     Departures<double> rays(I(r), nullptr);
     const double z = rays.guess_slope(slope / r);
@@ -111,7 +111,7 @@ TEST_CASE("step edges: a rising start that turns backwards leaves steeply") {
 }
 
 TEST_CASE("step edges: the steps of a flight are counted as work") {
-    // Two flights over the bridge, and two steps of the rays behind it.
+    // Two flights over the bridge, and two steps of the rays after it.
     Work::begin();
     const std::uint64_t before = Work::done();
     CHECK(leaf_rows::judged(leaf_rows::parsed("1 dumbbell full departure count 0 5 0 6 3/2 3/2 0 0 20 20")) ==

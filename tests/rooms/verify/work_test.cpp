@@ -13,7 +13,7 @@ using namespace dumbbell_verify;
 
 namespace {
 
-/// Follows a ray at q = 10^12 for so many collisions, of hundreds of thousands. False: it has more.
+/// Follows a ray at q = 10^12 for this number of collisions, of hundreds of thousands. False: it has more.
 template <class N>
 bool follow(std::uint64_t collisions) {
     const N r = bound(down, mpq_class(1, 1'000'000'000'000), N(0));
@@ -96,7 +96,7 @@ TEST_CASE("the leaf at which a budget ends is the same with any number of thread
         CHECK(outcome(tasks, jobs, all) == std::pair(std::uint64_t{0}, Verdict::verified));
         CHECK(outcome(tasks, jobs, all - 1) == std::pair(std::uint64_t{60}, Verdict::limit));
         CHECK(outcome(tasks, jobs, 0) == std::pair(std::uint64_t{1}, Verdict::limit));
-        // A failure before it is told, one behind it is not.
+        // A failure before it is told, one after it is not.
         std::vector<Task> failing = tasks;
         failing[end - 2].fails = failing[end].fails = true;
         CHECK(outcome(failing, jobs, 900'000'000) == std::pair(end - 1, Verdict::rejected));
@@ -105,7 +105,7 @@ TEST_CASE("the leaf at which a budget ends is the same with any number of thread
     }
 }
 
-TEST_CASE("leaves behind a failure are not judged, those before it are") {
+TEST_CASE("leaves after a failure are not judged, those before it are") {
     std::vector<Task> leaves;
     for (std::uint64_t i = 0; i < 500; ++i) leaves.push_back({i, 0});
     for (const unsigned jobs : {1U, 4U}) {

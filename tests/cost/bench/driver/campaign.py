@@ -36,7 +36,7 @@ def looked_at(program, folder, count):
 
 
 def on_workers(program, folder, count, *options):
-    """A run with so many workers of one core each, which are there from the first moment."""
+    """A run with this number of workers of one core each, which are there from the first moment."""
     port = free_port()
     with subprocess.Popen([program, "campaign", "run", folder, "--engine", "workqueue", "--port", str(port), "--json", *options],
                           stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True) as manager:

@@ -4,7 +4,7 @@ from stand_ins import slow
 
 
 def campaign_with_cut_host(place, shards: int, seconds: float, steady_cores: int):
-    """The campaign, its manager and the host to cut, which has done some shards; each takes so many seconds."""
+    """The campaign, its manager and the host to cut, which has done some shards; each takes this number of seconds."""
     manager_host = place.host("manager")
     cut, steady = (place.host(name, program=slow(place.program, seconds)) for name in ("cut", "steady"))
     campaign = place.campaign(shards)

@@ -19,7 +19,7 @@ LONGEST_TAIL = 2000  # characters of each file that a failure prints
 
 
 def show(folder: Path) -> None:
-    """What was said and written, for whoever has to find the cause."""
+    """What was said and written, for those who have to find the cause."""
     for file in sorted(file for pattern in ("*.err", "*.json", "*.log", "*/journal") for file in folder.glob(pattern)):
         print(f"--- {file.relative_to(folder)}\n{file.read_text(errors='replace')[-LONGEST_TAIL:]}", file=sys.stderr)
 

@@ -12,7 +12,7 @@ import tempfile
 INSIDE = "DUMBBELL_HOSTS_WORLD"
 UNSHARE = ["unshare", "--net", "--mount", "--propagation", "unchanged", "--pid", "--fork", "--kill-child", "--mount-proc"]
 # Nothing that is mounted from here on is seen outside. In a chroot, where / is no mount, one has to step out of it to
-# say so: whoever enters a namespace of mounts, here this very one, is at its root.
+# say so: a process that enters a namespace of mounts, here this very one, is at its root.
 ALONE = 'mount --make-rprivate / 2> /dev/null || nsenter --mount=/proc/self/ns/mnt mount --make-rprivate / && exec "$@"'
 PROBE = "mount -t tmpfs tmpfs /run && ip netns add probe && ip link add bridge type bridge && " \
         "ip link add probe type veth peer name eth0 netns probe && unshare --uts true"
@@ -23,7 +23,7 @@ class Forbidden(Exception):
 
 
 def way_in() -> list[str]:
-    """The command behind which a program runs in such a world; an unprivileged user needs a namespace of users, too."""
+    """The command after which a program runs in such a world; an unprivileged user needs a namespace of users, too."""
     complaint = ""
     for user in ([], ["--user", "--map-root-user"]):
         way = [*UNSHARE, *user, "sh", "-c", ALONE, "sh"]

@@ -1,4 +1,4 @@
-// The judge runs the verifier that lies beside the program: tests/programs/cli/campaign_adiabatic_test.cpp.
+// The judge runs the verifier that lies next to the program: tests/programs/cli/campaign_adiabatic_test.cpp.
 #include "campaign/kinds/adiabatic.hpp"
 
 #include <catch2/catch.hpp>

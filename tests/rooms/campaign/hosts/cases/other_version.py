@@ -1,4 +1,4 @@
-"""A host has another version of the program: it refuses the orders and says why, and they are worked off elsewhere."""
+"""A host has another version of the program: it refuses the orders and says why, and they are processed elsewhere."""
 
 import journal
 from checks import check, wait_until
