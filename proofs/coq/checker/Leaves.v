@@ -1,0 +1,357 @@
+(** Leaves, trees and pieces of a certificate (format 3), and their soundness with respect to the charts. *)
+From Coq Require Import Reals ZArith Lra Lia List Bool.
+From Coquelicot Require Import Coquelicot.
+From Flocq Require Import Core.Raux.
+From Interval Require Import Real.Xreal Float.Basic Float.Sig Interval.Interval Interval.Float Interval.Float_full.
+From Dumbbell Require Import Ray Chart Enclosure SineCosine Count.
+Local Open Scope R_scope.
+
+Module Tree (F : FloatOps with Definition sensible_format := true).
+Module Export Z := Count F.
+
+Section S.
+Variable p : F.precision.
+Variable G : guesses.
+Variable T : consts.
+Notation S := I.singleton.
+Definition V (f : F.type) : R := proj_val (F.toX f).
+
+Record box := { e0 : F.type; e1 : F.type; y0 : F.type; y1 : F.type; r0 : F.type; r1 : F.type }.
+Definition inside (b : box) (e y r : R) := V (e0 b) <= e <= V (e1 b) /\ V (y0 b) <= y <= V (y1 b) /\ V (r0 b) <= r <= V (r1 b).
+Inductive tree := LCount (a b : nat) | LOutside | SplitE (m : F.type) (l u : tree) | SplitY (m : F.type) (l u : tree) | SplitR (m : F.type) (l u : tree).
+
+Definition le1 (f : F.type) : bool := F.real f && match F.cmp f (F.fromZ 1) with Xlt | Xeq => true | _ => false end.
+Definition proper (b : box) : bool := nonneg (S (e0 b)) && nonneg (S (y0 b)) && pos (S (r0 b)) && le1 (r1 b).
+Definition cut (e : F.type) : I.type := if nonneg (I.sub p (quarter T) (S e)) then S e else up (quarter T).
+Definition XI (e y r : I.type) : I.type * I.type :=
+  let '(s, w) := sc p T e in let lam := I.add p w y in
+  (I.mul p r (I.add p s (I.mul p lam (I.sub p (pi_ T) e))), I.mul p r lam).
+(** sigma X with eta' at r, times r'. *)
+Definition SI (e y r r' : I.type) : I.type * I.type :=
+  let '(s, w) := sc p T e in let t := I.add p (unit_ T) (I.mul p r (I.sqr p w)) in
+  let lam := I.sub p (I.div p (I.mul p y t) (I.add p t (I.mul2 p (I.mul p (I.mul p r w) y)))) w in
+  (I.mul p r' (I.add p s (I.mul p lam e)), I.mul p r' lam).
+
+Definition leaf_bridge (U : nat) (b : box) (na nb : nat) : bool :=
+  Nat.leb (1 + na + nb) U && proper b &&
+  let e := cut (e1 b) in nonneg (I.sub p (pi_ T) e) &&
+  (let '(c, k) := XI e (S (y0 b)) (S (r0 b)) in at_most p G T na (S (r0 b)) (low c) (low k) (first_guess G)) &&
+  (let '(c, k) := SI (S (e0 b)) (S (y0 b)) (S (r1 b)) (S (r0 b)) in at_most p G T nb (S (r0 b)) (low c) (low k) (first_guess G)).
+Definition out_bridge (b : box) : bool :=
+  pos (I.sub p (S (e0 b)) (quarter T)) || (proper b && nonneg (I.sub p (I.mul p (S (r0 b)) (S (y0 b))) (unit_ T))).
+Definition dI (w rl r : I.type) := I.sub p (I.add p (I.sqr p w) (I.mul2 p (I.mul p rl w))) r.
+Definition leaf_light (U : nat) (b : box) (na nb : nat) : bool :=
+  Nat.leb (1 + na + nb) U && proper b &&
+  let e := S (e0 b) in let '(s, w) := sc p T e in let r := S (r0 b) in
+  (let k := I.mul p r (S (y0 b)) in at_most p G T na r (low (I.add p s (I.mul p k (I.add p (pi_ T) e)))) (low k) (first_guess G)) &&
+  (if nonneg (I.neg (dI w (I.mul p (S (r1 b)) (S (y1 b))) r)) then true else
+   let rl := I.mul p r (S (y1 b)) in let D := dI w rl r in
+   pos D && let k := low0 (I.mul p r (I.div p (I.sub p (I.add p (I.mul2 p w) rl) (I.mul p (S (y1 b)) (I.sqr p w))) D)) in
+   at_most p G T nb r (low (I.add p s (I.mul p k (I.add p (pi_ T) e)))) k (first_guess G)).
+Definition out_light (b : box) : bool :=
+  out_bridge b || (proper b && pos (I.sub p (quarter T) (S (e1 b))) &&
+   let '(_, w) := sc p T (S (e1 b)) in
+   pos (I.sub p (I.mul p (S (y0 b)) (I.sub p (I.sqr p w) (S (r1 b)))) (I.mul2 p w))).
+
+Fixpoint check_tree (leaf : box -> nat -> nat -> bool) (out : box -> bool) (b : box) (t : tree) : bool :=
+  match t with
+  | LCount na nb => leaf b na nb
+  | LOutside => out b
+  | SplitE m l u => if check_tree leaf out {| e0 := e0 b; e1 := m; y0 := y0 b; y1 := y1 b; r0 := r0 b; r1 := r1 b |} l
+                    then check_tree leaf out {| e0 := m; e1 := e1 b; y0 := y0 b; y1 := y1 b; r0 := r0 b; r1 := r1 b |} u else false
+  | SplitY m l u => if check_tree leaf out {| e0 := e0 b; e1 := e1 b; y0 := y0 b; y1 := m; r0 := r0 b; r1 := r1 b |} l
+                    then check_tree leaf out {| e0 := e0 b; e1 := e1 b; y0 := m; y1 := y1 b; r0 := r0 b; r1 := r1 b |} u else false
+  | SplitR m l u => if check_tree leaf out {| e0 := e0 b; e1 := e1 b; y0 := y0 b; y1 := y1 b; r0 := r0 b; r1 := m |} l
+                    then check_tree leaf out {| e0 := e0 b; e1 := e1 b; y0 := y0 b; y1 := y1 b; r0 := m; r1 := r1 b |} u else false
+  end.
+
+Definition check_witness (r0 r1 e y : F.type) (na nb Vn : nat) : bool :=
+  Nat.leb Vn (1 + na + nb) && pos (S e) && pos (I.sub p (quarter T) (S e)) && pos (S y) && pos (S r0) && le1 r1 &&
+  (let '(_, w) := sc p T (S e) in pos (I.sub p (unit_ T) (I.mul p (S r1) (I.add p w (S y))))) &&
+  (let '(c, k) := XI (S e) (S y) (S r1) in at_least p G T na (S r1) (up c) (up k) (first_guess G)) &&
+  (let '(c, k) := SI (S e) (S y) (S r0) (S r1) in at_least p G T nb (S r1) (up c) (up k) (first_guess G)).
+
+Record piece := { An : Z; Ad : Z; Bn : Z; Bd : Z; U : nat; Vn : nat; Emax : F.type; Ymax : F.type; zero_f : F.type;
+  tb : tree; tl : tree; we : F.type; wy : F.type; wa : nat; wb : nat }.
+Definition r_lo (P : piece) := I.lower (I.div p (I.fromZ p (Bd P)) (I.fromZ p (Bn P))).
+Definition r_hi (P : piece) := if (Ad P =? An P)%Z then F.fromZ 1 else I.upper (I.div p (I.fromZ p (Ad P)) (I.fromZ p (An P))).
+Definition check_piece (P : piece) : bool :=
+  let rl := r_lo P in let rh := r_hi P in
+  let root := {| e0 := zero_f P; e1 := Emax P; y0 := zero_f P; y1 := Ymax P; r0 := rl; r1 := rh |} in
+  (0 <? Ad P)%Z && (Ad P <=? An P)%Z && (0 <? Bd P)%Z && (0 <? Bn P)%Z && F.real rl && F.real rh &&
+  nonneg (I.neg (S (zero_f P))) && nonneg (I.sub p (S (Emax P)) (quarter T)) && pos (S rl) && nonneg (I.sub p (I.mul p (S rl) (S (Ymax P))) (unit_ T)) &&
+  check_tree (leaf_bridge (U P)) out_bridge root (tb P) && check_tree (leaf_light (U P)) out_light root (tl P) &&
+  check_witness rl rh (we P) (wy P) (wa P) (wb P) (Vn P).
+
+(* ---------- soundness ---------- *)
+Hypothesis HT : T = mkconsts p.
+Let piI := pi_in p T HT. Let quI := quarter_in p T HT. Let unI := unit_in p T HT.
+Lemma vin f : inI (V f) (S f). Proof. exact (single_in f). Qed.
+
+Lemma one_real : F.toX (F.fromZ 1) = Xreal 1.
+Proof. now rewrite F.fromZ_correct. Qed.
+Lemma le1_ok f : le1 f = true -> V f <= 1.
+Proof.
+  unfold le1, V. intros H. apply andb_prop in H; destruct H as [H1 H2].
+  assert (K1 := F.classify_correct f). rewrite H1 in K1.
+  assert (K2 := F.classify_correct (F.fromZ 1)). rewrite F.real_correct, one_real in K2.
+  rewrite F.cmp_correct in H2. rewrite F.real_correct in H1.
+  destruct (F.classify f); try discriminate K1. destruct (F.classify (F.fromZ 1)); try discriminate K2.
+  rewrite one_real in H2. destruct (F.toX f) as [|x]; [discriminate|]. simpl in H2 |- *.
+  destruct (Raux.Rcompare_spec x 1); try lra; discriminate.
+Qed.
+Lemma proper_ok b : proper b = true -> 0 <= V (e0 b) /\ 0 <= V (y0 b) /\ 0 < V (r0 b) /\ V (r1 b) <= 1.
+Proof.
+  unfold proper. intros H. apply andb_prop in H; destruct H as [H H4]. apply andb_prop in H; destruct H as [H H3]. apply andb_prop in H; destruct H as [H1 H2].
+  assert (A := nonneg_ok _ _ H1 (vin _)). assert (B := nonneg_ok _ _ H2 (vin _)). assert (C := pos_ok _ _ H3 (vin _)).
+  assert (D := le1_ok _ H4). lra.
+Qed.
+Lemma XI_in e y r ei yi ri : inI e ei -> inI y yi -> inI r ri -> inI (r * cX e y) (fst (XI ei yi ri)) /\ inI (r * lamX e y) (snd (XI ei yi ri)).
+Proof.
+  intros He Hy Hr. unfold XI. destruct (sc_ok p T HT e ei He) as [Hs Hw]. destruct (sc p T ei) as [s w]. simpl in *. unfold cX, lamX.
+  split; apply mul_in; try assumption; [|now apply add_in]. apply add_in; [assumption|]. apply mul_in; [now apply add_in | now apply sub_in].
+Qed.
+Lemma SI_in e y r r' ei yi ri ri' : inI e ei -> inI y yi -> inI r ri -> inI r' ri' ->
+  inI (r' * cS e y r) (fst (SI ei yi ri ri')) /\ inI (r' * lamS e y r) (snd (SI ei yi ri ri')).
+Proof.
+  intros He Hy Hr Hr'. unfold SI. destruct (sc_ok p T HT e ei He) as [Hs Hw]. destruct (sc p T ei) as [s w]. simpl in *.
+  assert (Ht : inI (1 + r * (cos e * cos e)) (I.add p (unit_ T) (I.mul p ri (I.sqr p w)))) by (apply add_in; [exact unI | apply mul_in; [assumption | now apply sqr_in]]).
+  assert (Hl : inI (lamS e y r) (I.sub p (I.div p (I.mul p yi (I.add p (unit_ T) (I.mul p ri (I.sqr p w)))) (I.add p (I.add p (unit_ T) (I.mul p ri (I.sqr p w))) (I.mul2 p (I.mul p (I.mul p ri w) yi)))) w)).
+  { unfold lamS, ep. apply sub_in; [|assumption]. apply div_in; [now apply mul_in|]. apply add_in; [assumption|]. apply mul2_in. apply mul_in; [now apply mul_in | assumption]. }
+  split; apply mul_in; try assumption. unfold cS. apply add_in; [assumption | now apply mul_in].
+Qed.
+Lemma cut_ok f e : e <= V f -> e <= PI/2 -> exists x, inI x (cut f) /\ e <= x.
+Proof. intros H1 H2. unfold cut. destruct (nonneg _). - exists (V f). split; [apply vin | assumption].
+  - destruct (up_ok _ _ quI) as [x [A B]]. exists x. split; [exact A | lra]. Qed.
+
+(** From the ray at (r0 c, r0 lam) to (r c, r lam): L5 (d) or L10. *)
+Lemma any_slope n c lam r r' : -1 <= lam -> 0 <= c -> 0 < r -> r <= r' -> r' <= 1 -> coll r' n (r'*c) (r'*lam) -> coll r n (r*c) (r*lam).
+Proof.
+  intros Hl Hc Hr Hr' H1 H. destruct (Rlt_or_le lam 0).
+  - now apply L10 with r'.
+  - apply (G_mono n) with (8 := H); try assumption; try (apply Rmult_le_compat_r; lra); try (apply Rmult_le_pos; lra).
+    assert (0 <= r * lam) by (apply Rmult_le_pos; lra). lra.
+Qed.
+
+Definition Qb U e eta r := 0 < e <= PI/2 -> 0 <= eta -> 0 < r <= 1 -> r * eta < 1 -> forall a b,
+  coll r a (r * cX e eta) (r * lamX e eta) -> coll r b (r * cS e eta r) (r * lamS e eta r) -> (1 + a + b <= U)%nat.
+Definition Ql U e lam r := 0 < e <= PI/2 -> 0 <= lam -> 0 < r <= 1 -> r * lam < 1 -> forall a b,
+  0 <= 2 * cos e + r * lam - lam * (cos e * cos e) ->
+  coll r a (cL e (r * lam)) (r * lam) ->
+  (0 < dL (cos e) lam r -> coll r b (cL e (r * mu (cos e) lam r)) (r * mu (cos e) lam r)) ->
+  (dL (cos e) lam r <= 0 -> b = O) -> (1 + a + b <= U)%nat.
+
+Lemma leaf_bridge_sound U b na nb : leaf_bridge U b na nb = true -> forall e y r, inside b e y r -> Qb U e y r.
+Proof.
+  unfold leaf_bridge. intros H e y r [He [Hy Hr]] He' Hy' Hr' Hlt a c Ha Hc.
+  apply andb_prop in H; destruct H as [H H3]. apply andb_prop in H; destruct H as [HU Hp]. apply Nat.leb_le in HU.
+  apply andb_prop in H3; destruct H3 as [H3 H5]. apply andb_prop in H3; destruct H3 as [H3 H4].
+  destruct (proper_ok b Hp) as [P1 [P2 [P3 P4]]]. assert (HPI : 0 < PI) by apply PI_RGT_0.
+  destruct (cut_ok (e1 b) e ltac:(lra) ltac:(lra)) as [ex [E1 E2]].
+  assert (E3 := nonneg_ok _ _ H3 (sub_in p _ _ _ _ piI E1)).
+  destruct (XI_in _ _ _ _ _ _ E1 (vin (y0 b)) (vin (r0 b))) as [X1 X2].
+  destruct (XI (cut (e1 b)) (S (y0 b)) (S (r0 b))) as [ci ki]. simpl in X1, X2.
+  destruct (low_ok _ _ X1) as [c1 [C1 C2]]. destruct (low_ok _ _ X2) as [k1 [K1 K2]].
+  destruct (cos_range e ltac:(lra)) as [W1 W2].
+  assert (Aa : (a <= na)%nat).
+  { apply (at_most_sound p G T HT na _ _ _ _ H4 (V (r0 b)) c1 k1 (vin _) C1 K1 r (r * cX e y) (r * lamX e y)); [|exact Ha].
+    assert (M1 := cX_mono e ex y (V (y0 b)) ltac:(lra) E2 ltac:(lra) ltac:(lra) P2).
+    assert (M2 := lamX_mono e ex y (V (y0 b)) ltac:(lra) E2 ltac:(lra) ltac:(lra)).
+    assert (N1 : 0 <= lamX e y) by (unfold lamX; lra).
+    assert (N2 : 0 <= cX e y). { unfold cX. assert (0 <= sin e) by (apply sin_ge_0; lra). assert (0 <= lamX e y * (PI - e)) by (apply Rmult_le_pos; lra). lra. }
+    assert (V (r0 b) * cX ex (V (y0 b)) <= r * cX e y). { apply Rle_trans with (V (r0 b) * cX e y); [apply Rmult_le_compat_l; lra | apply Rmult_le_compat_r; lra]. }
+    assert (V (r0 b) * lamX ex (V (y0 b)) <= r * lamX e y). { apply Rle_trans with (V (r0 b) * lamX e y); [apply Rmult_le_compat_l; lra | apply Rmult_le_compat_r; lra]. }
+    assert (0 <= r * cX e y) by (apply Rmult_le_pos; lra). assert (0 <= r * lamX e y) by (apply Rmult_le_pos; lra).
+    repeat split; lra. }
+  destruct (SI_in _ _ _ _ _ _ _ _ (vin (e0 b)) (vin (y0 b)) (vin (r1 b)) (vin (r0 b))) as [Y1 Y2].
+  destruct (SI (S (e0 b)) (S (y0 b)) (S (r1 b)) (S (r0 b))) as [ci' ki']. simpl in Y1, Y2.
+  destruct (low_ok _ _ Y1) as [c2 [C3 C4]]. destruct (low_ok _ _ Y2) as [k2 [K3 K4]].
+  assert (L1 := lamS_mono e (V (e0 b)) y (V (y0 b)) r (V (r1 b)) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra)).
+  assert (L2 := cS_mono e (V (e0 b)) y (V (y0 b)) r (V (r1 b)) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra)).
+  assert (L3 := lamS_ge (V (e0 b)) (V (y0 b)) (V (r1 b)) ltac:(lra) ltac:(lra) ltac:(lra)).
+  assert (L4 := cS_ge (V (e0 b)) (V (y0 b)) (V (r1 b)) ltac:(lra) ltac:(lra) ltac:(lra)).
+  set (lm := lamS (V (e0 b)) (V (y0 b)) (V (r1 b))) in *. set (cc := cS (V (e0 b)) (V (y0 b)) (V (r1 b))) in *.
+  assert (Bb : (c <= nb)%nat).
+  { apply (at_most_sound p G T HT nb _ _ _ _ H5 (V (r0 b)) c2 k2 (vin _) C3 K3 (V (r0 b)) (V (r0 b) * cc) (V (r0 b) * lm)).
+    - assert (0 <= V (r0 b) * cc) by (apply Rmult_le_pos; lra). assert (V (r0 b) * (-1) <= V (r0 b) * lm) by (apply Rmult_le_compat_l; lra). repeat split; lra.
+    - apply any_slope with r; try lra. 
+      apply (G_mono c) with (8 := Hc); try lra; try (apply Rmult_le_compat_l; lra).
+      + apply Rmult_le_pos; lra. + assert (r * (-1) <= r * lm) by (apply Rmult_le_compat_l; lra). lra. }
+  lia.
+Qed.
+
+Lemma out_bridge_sound b e y r : out_bridge b = true -> inside b e y r -> 0 < e <= PI/2 -> 0 < r <= 1 -> r * y < 1 -> 0 <= y -> False.
+Proof.
+  unfold out_bridge. intros H [He [Hy Hr]] He' Hr' Hlt Hy0. apply orb_prop in H. destruct H as [H|H].
+  - assert (A := pos_ok _ _ H (sub_in p _ _ _ _ (vin _) quI)). lra.
+  - apply andb_prop in H; destruct H as [Hp H]. destruct (proper_ok b Hp) as [P1 [P2 [P3 P4]]].
+    assert (A := nonneg_ok _ _ H (sub_in p _ _ _ _ (mul_in p _ _ _ _ (vin _) (vin _)) unI)).
+    assert (V (r0 b) * V (y0 b) <= r * y) by (apply mul_mono; lra). lra.
+Qed.
+Lemma dI_in w lam r r' wi rli ri : inI w wi -> inI (r' * lam) rli -> inI r ri -> inI (w*w + 2*(r'*lam*w) - r) (dI wi rli ri).
+Proof. intros. unfold dI. apply sub_in; [|assumption]. apply add_in; [now apply sqr_in | apply mul2_in; now apply mul_in]. Qed.
+
+Lemma leaf_light_sound U b na nb : leaf_light U b na nb = true -> forall e y r, inside b e y r -> Ql U e y r.
+Proof.
+  unfold leaf_light. intros H e y r [He [Hy Hr]] He' Hy' Hr' Hlt a c HP Ha Hc Hc0.
+  apply andb_prop in H; destruct H as [H H3]. apply andb_prop in H; destruct H as [HU Hp]. apply Nat.leb_le in HU.
+  destruct (proper_ok b Hp) as [P1 [P2 [P3 P4]]]. assert (HPI : 0 < PI) by apply PI_RGT_0.
+  destruct (sc_ok p T HT _ _ (vin (e0 b))) as [Hs Hw]. destruct (sc p T (S (e0 b))) as [s w]. simpl in Hs, Hw.
+  apply andb_prop in H3; destruct H3 as [H4 H5].
+  assert (Sm : sin (V (e0 b)) <= sin e) by (apply sin_mono; lra). assert (Cm : cos e <= cos (V (e0 b))) by (apply cos_mono; lra).
+  assert (S0 : 0 <= sin e) by (apply sin_ge_0; lra). destruct (cos_range e ltac:(lra)) as [W1 W2].
+  assert (Y0 : 0 <= r * y) by (apply Rmult_le_pos; lra). assert (Y1 : V (r0 b) * V (y0 b) <= r * y) by (apply mul_mono; lra).
+  assert (Aa : (a <= na)%nat).
+  { assert (KI := mul_in p _ _ _ _ (vin (r0 b)) (vin (y0 b))).
+    destruct (low_ok _ _ KI) as [k1 [K1 K2]].
+    destruct (low_ok _ _ (add_in p _ _ _ _ Hs (mul_in p _ _ _ _ KI (add_in p _ _ _ _ piI (vin (e0 b)))))) as [c1 [C1 C2]].
+    apply (at_most_sound p G T HT na _ _ _ _ H4 (V (r0 b)) c1 k1 (vin _) C1 K1 r (cL e (r*y)) (r*y)); [|exact Ha].
+    assert (V (r0 b) * V (y0 b) * (PI + V (e0 b)) <= r * y * (PI + e)) by (apply mul_mono; lra).
+    assert (0 <= r * y * (PI + e)) by (apply Rmult_le_pos; lra). unfold cL. repeat split; lra. }
+  assert (Bb : (c <= nb)%nat).
+  { destruct (Rle_or_lt (dL (cos e) y r) 0) as [D|D]. { rewrite (Hc0 D). lia. }
+    destruct (nonneg (I.neg (dI w (I.mul p (S (r1 b)) (S (y1 b))) (S (r0 b))))) eqn:E1.
+    { assert (A := nonneg_ok _ _ E1 (neg_in _ _ (dI_in _ _ _ _ _ _ _ Hw (mul_in p _ _ _ _ (vin (r1 b)) (vin (y1 b))) (vin (r0 b))))).
+      assert (B := dL_upper (cos e) (cos (V (e0 b))) y (V (y1 b)) r (V (r0 b)) (V (r1 b)) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra)). lra. }
+    apply andb_prop in H5; destruct H5 as [H5 H6].
+    assert (RL := mul_in p _ _ _ _ (vin (r0 b)) (vin (y1 b))).
+    assert (DIn := dI_in _ _ _ _ _ _ _ Hw RL (vin (r0 b))). assert (D0 := pos_ok _ _ H5 DIn).
+    assert (M := mu_mono (cos e) (cos (V (e0 b))) y (V (y1 b)) r (V (r0 b)) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra)).
+    assert (Hor : 0 < r * y \/ 0 < cos e). { destruct (Rle_lt_or_eq_dec 0 (cos e) W1) as [|Z]; [now right | left]. unfold dL in D. rewrite <- Z in D. lra. }
+    specialize (M Hor D D0).
+    assert (MU : 0 <= mu (cos e) y r) by (unfold mu; apply Rmult_le_pos; [exact HP | left; now apply Rinv_0_lt_compat]).
+    assert (MR : 0 <= r * mu (cos e) y r) by (apply Rmult_le_pos; lra).
+    assert (KI : inI (V (r0 b) * mu (cos (V (e0 b))) (V (y1 b)) (V (r0 b)))
+      (I.mul p (S (r0 b)) (I.div p (I.sub p (I.add p (I.mul2 p w) (I.mul p (S (r0 b)) (S (y1 b)))) (I.mul p (S (y1 b)) (I.sqr p w))) (dI w (I.mul p (S (r0 b)) (S (y1 b))) (S (r0 b)))))).
+    { apply mul_in; [apply vin|]. unfold mu. apply div_in; [|exact DIn]. apply sub_in; [apply add_in; [now apply mul2_in | exact RL] | apply mul_in; [apply vin | now apply sqr_in]]. }
+    destruct (low0_ok _ _ KI (r * mu (cos e) y r)) as [k1 [K1 K2]]; [|exact MR|].
+    { destruct (Rle_or_lt 0 (mu (cos (V (e0 b))) (V (y1 b)) (V (r0 b)))) as [Q|Q].
+      - apply Rle_trans with (V (r0 b) * mu (cos e) y r); [apply Rmult_le_compat_l; lra | apply Rmult_le_compat_r; lra].
+      - assert (V (r0 b) * mu (cos (V (e0 b))) (V (y1 b)) (V (r0 b)) <= V (r0 b) * 0) by (apply Rmult_le_compat_l; lra). lra. }
+    destruct (low_ok _ _ (add_in p _ _ _ _ Hs (mul_in p _ _ _ _ K1 (add_in p _ _ _ _ piI (vin (e0 b)))))) as [c1 [C1 C2]].
+    apply (at_most_sound p G T HT nb _ _ _ _ H6 (V (r0 b)) c1 k1 (vin _) C1 K1 r (cL e (r * mu (cos e) y r)) (r * mu (cos e) y r)); [|now apply Hc].
+    assert (k1 * (PI + V (e0 b)) <= r * mu (cos e) y r * (PI + e)) by (apply mul_mono; lra).
+    assert (0 <= r * mu (cos e) y r * (PI + e)) by (apply Rmult_le_pos; lra). unfold cL. repeat split; lra. }
+  lia.
+Qed.
+Lemma out_light_sound b e y r : out_light b = true -> inside b e y r -> 0 < e <= PI/2 -> 0 < r <= 1 -> r * y < 1 -> 0 <= y ->
+  0 <= 2 * cos e + r * y - y * (cos e * cos e) -> False.
+Proof.
+  unfold out_light. intros H Hin He' Hr' Hlt Hy0 HP. apply orb_prop in H. destruct H as [H|H]; [now apply out_bridge_sound with b e y r|].
+  destruct Hin as [He [Hy Hr]]. apply andb_prop in H; destruct H as [H H3]. apply andb_prop in H; destruct H as [Hp H2].
+  destruct (proper_ok b Hp) as [P1 [P2 [P3 P4]]].
+  assert (A := pos_ok _ _ H2 (sub_in p _ _ _ _ quI (vin _))).
+  destruct (sc_ok p T HT _ _ (vin (e1 b))) as [Hs Hw]. destruct (sc p T (S (e1 b))) as [s w]. simpl in Hw.
+  assert (B := pos_ok _ _ H3 (sub_in p _ _ _ _ (mul_in p _ _ _ _ (vin (y0 b)) (sub_in p _ _ _ _ (sqr_in p _ _ Hw) (vin (r1 b)))) (mul2_in p _ _ Hw))).
+  assert (W1 : 0 < cos (V (e1 b))) by (apply cos_pos; lra). assert (W2 : cos (V (e1 b)) <= cos e) by (apply cos_mono; lra).
+  set (w1 := cos (V (e1 b))) in *. set (u := cos e) in *.
+  assert (Q1 : 0 < w1 * w1 - V (r1 b)). { destruct (Rlt_or_le 0 (w1*w1 - V (r1 b))) as [|Q]; [assumption|]. assert (V (y0 b) * (w1*w1 - V (r1 b)) <= 0) by (assert (0 <= V (y0 b) * - (w1*w1 - V (r1 b))) by (apply Rmult_le_pos; lra); lra). lra. }
+  assert (Q2 : (w1 * w1 - V (r1 b)) * u <= (u * u - r) * w1).
+  { assert (0 <= u * w1 * (u - w1)) by (repeat apply Rmult_le_pos; lra). assert (r * w1 <= V (r1 b) * u) by (apply mul_mono; lra). lra. }
+  assert (Q3 : V (y0 b) * ((w1 * w1 - V (r1 b)) * u) <= y * ((u * u - r) * w1)). { apply mul_mono; try lra. apply Rmult_le_pos; lra. }
+  assert (Q4 : 2 * w1 * u < V (y0 b) * (w1 * w1 - V (r1 b)) * u) by (apply Rmult_lt_compat_r; lra).
+  assert (Q5 : w1 * (2 * u) < w1 * (y * (u * u - r))) by lra. apply Rmult_lt_reg_l in Q5; lra.
+Qed.
+
+Lemma check_tree_sound (leaf : box -> nat -> nat -> bool) out (Q : R -> R -> R -> Prop) :
+  (forall b na nb, leaf b na nb = true -> forall e y r, inside b e y r -> Q e y r) ->
+  (forall b, out b = true -> forall e y r, inside b e y r -> Q e y r) ->
+  forall t b, check_tree leaf out b t = true -> forall e y r, inside b e y r -> Q e y r.
+Proof.
+  intros HL HO. induction t as [na nb| |m l IHl u IHu|m l IHl u IHu|m l IHl u IHu]; simpl; intros b H e y r Hin.
+  - now apply HL with (1 := H). - now apply HO with (1 := H).
+  - destruct (check_tree leaf out _ l) eqn:E; [|discriminate]. destruct (Rle_or_lt e (V m)).
+    + apply IHl with (1 := E). unfold inside in *; simpl; lra. + apply IHu with (1 := H). unfold inside in *; simpl; lra.
+  - destruct (check_tree leaf out _ l) eqn:E; [|discriminate]. destruct (Rle_or_lt y (V m)).
+    + apply IHl with (1 := E). unfold inside in *; simpl; lra. + apply IHu with (1 := H). unfold inside in *; simpl; lra.
+  - destruct (check_tree leaf out _ l) eqn:E; [|discriminate]. destruct (Rle_or_lt r (V m)).
+    + apply IHl with (1 := E). unfold inside in *; simpl; lra. + apply IHu with (1 := H). unfold inside in *; simpl; lra.
+Qed.
+
+Lemma check_witness_sound r0 r1 e y na nb Vn : check_witness r0 r1 e y na nb Vn = true -> forall r, V r0 <= r <= V r1 -> bridge_witness r Vn.
+Proof.
+  unfold check_witness. intros H r Hr.
+  apply andb_prop in H; destruct H as [H H9]. apply andb_prop in H; destruct H as [H H8]. apply andb_prop in H; destruct H as [H H7].
+  apply andb_prop in H; destruct H as [H H6]. apply andb_prop in H; destruct H as [H H5]. apply andb_prop in H; destruct H as [H H4].
+  apply andb_prop in H; destruct H as [H H3]. apply andb_prop in H; destruct H as [H1 H2]. apply Nat.leb_le in H1.
+  assert (A2 := pos_ok _ _ H2 (vin _)). assert (A3 := pos_ok _ _ H3 (sub_in p _ _ _ _ quI (vin _))). assert (A4 := pos_ok _ _ H4 (vin _)).
+  assert (A5 := pos_ok _ _ H5 (vin _)). assert (A6 := le1_ok _ H6).
+  destruct (sc_ok p T HT _ _ (vin e)) as [Hs Hw]. destruct (sc p T (S e)) as [s w] eqn:Esc. simpl in Hw.
+  assert (A7 := pos_ok _ _ H7 (sub_in p _ _ _ _ unI (mul_in p _ _ _ _ (vin r1) (add_in p _ _ _ _ Hw (vin y))))). clear s w Esc Hs Hw H7.
+  assert (HPI : 0 < PI) by apply PI_RGT_0. destruct (cos_range (V e) ltac:(lra)) as [W1 W2].
+  destruct (XI_in _ _ _ _ _ _ (vin e) (vin y) (vin r1)) as [X1 X2]. destruct (XI (S e) (S y) (S r1)) as [ci ki]. simpl in X1, X2.
+  destruct (up_ok _ _ X1) as [c1 [C1 C2]]. destruct (up_ok _ _ X2) as [k1 [K1 K2]].
+  destruct (SI_in _ _ _ _ _ _ _ _ (vin e) (vin y) (vin r0) (vin r1)) as [Y1 Y2]. destruct (SI (S e) (S y) (S r0) (S r1)) as [ci' ki']. simpl in Y1, Y2.
+  destruct (up_ok _ _ Y1) as [c2 [C3 C4]]. destruct (up_ok _ _ Y2) as [k2 [K3 K4]].
+  assert (N1 : 0 <= lamX (V e) (V y)) by (unfold lamX; lra).
+  assert (N2 : 0 <= cX (V e) (V y)). { unfold cX. assert (0 <= sin (V e)) by (apply sin_ge_0; lra). assert (0 <= lamX (V e) (V y) * (PI - V e)) by (apply Rmult_le_pos; lra). lra. }
+  exists (V e), (V y), na, nb. split; [lra|]. split; [lra|]. split.
+  { unfold lamX in *. assert (r * (cos (V e) + V y) <= V r1 * (cos (V e) + V y)) by (apply Rmult_le_compat_r; lra). lra. }
+  split; [|split; [|exact H1]].
+  - apply any_slope with (V r1); try lra.
+    apply (at_least_sound p G T HT na _ _ _ _ H8 (V r1) c1 k1 (vin _) C1 K1).
+    assert (0 <= V r1 * cX (V e) (V y)) by (apply Rmult_le_pos; lra). assert (0 <= V r1 * lamX (V e) (V y)) by (apply Rmult_le_pos; lra). repeat split; lra.
+  - assert (L3 := lamS_ge (V e) (V y) (V r0) ltac:(lra) ltac:(lra) ltac:(lra)). assert (L4 := cS_ge (V e) (V y) (V r0) ltac:(lra) ltac:(lra) ltac:(lra)).
+    assert (L5 := lamS_ge (V e) (V y) r ltac:(lra) ltac:(lra) ltac:(lra)). assert (L6 := cS_ge (V e) (V y) r ltac:(lra) ltac:(lra) ltac:(lra)).
+    assert (L1 := lamS_mono (V e) (V e) (V y) (V y) (V r0) r ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra)).
+    assert (L2 := cS_mono (V e) (V e) (V y) (V y) (V r0) r ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra)).
+    assert (K : coll r nb (r * cS (V e) (V y) (V r0)) (r * lamS (V e) (V y) (V r0))).
+    { apply any_slope with (V r1); try lra. apply (at_least_sound p G T HT nb _ _ _ _ H9 (V r1) c2 k2 (vin _) C3 K3).
+      assert (0 <= V r1 * cS (V e) (V y) (V r0)) by (apply Rmult_le_pos; lra). assert (V r1 * (-1) <= V r1 * lamS (V e) (V y) (V r0)) by (apply Rmult_le_compat_l; lra). repeat split; lra. }
+    apply (G_mono nb) with (8 := K); try lra; try (apply Rmult_le_compat_l; lra).
+    + apply Rmult_le_pos; lra. + assert (r * (-1) <= r * lamS (V e) (V y) r) by (apply Rmult_le_compat_l; lra). lra.
+Qed.
+
+Lemma lower_le i x : inI x i -> F.real (I.lower i) = true -> V (I.lower i) <= x.
+Proof.
+  intros H Hr. rewrite F.real_correct in Hr. assert (L : F.toX (I.lower i) = Xlower (I.convert i)) by exact (I.lower_correct i (ex_intro _ x H)).
+  unfold V. rewrite L in *. unfold inI in H. destruct (I.convert i) as [|a b]; [easy|]. simpl in *. destruct a; [easy|]. simpl. apply H.
+Qed.
+Lemma upper_ge i x : inI x i -> F.real (I.upper i) = true -> x <= V (I.upper i).
+Proof.
+  intros H Hr. rewrite F.real_correct in Hr. assert (L : F.toX (I.upper i) = Xupper (I.convert i)) by exact (I.upper_correct i (ex_intro _ x H)).
+  unfold V. rewrite L in *. unfold inI in H. destruct (I.convert i) as [|a b]; [easy|]. simpl in *. destruct b; [easy|]. simpl. apply H.
+Qed.
+
+Theorem check_piece_sound P : check_piece P = true -> forall q, IZR (An P) / IZR (Ad P) <= q <= IZR (Bn P) / IZR (Bd P) ->
+  1 <= q /\ bridge_bound (/ q) (U P) /\ light_bound (/ q) (U P) /\ bridge_witness (/ q) (Vn P).
+Proof.
+  unfold check_piece. intros H q Hq.
+  apply andb_prop in H; destruct H as [H H13]. apply andb_prop in H; destruct H as [H H12]. apply andb_prop in H; destruct H as [H H11].
+  apply andb_prop in H; destruct H as [H H10]. apply andb_prop in H; destruct H as [H H9]. apply andb_prop in H; destruct H as [H H8].
+  apply andb_prop in H; destruct H as [H H7]. apply andb_prop in H; destruct H as [H H6]. apply andb_prop in H; destruct H as [H H5].
+  apply andb_prop in H; destruct H as [H H4]. apply andb_prop in H; destruct H as [H H3]. apply andb_prop in H; destruct H as [H1 H2].
+  apply Z.ltb_lt in H1. apply Z.leb_le in H2. apply Z.ltb_lt in H3. apply Z.ltb_lt in H4.
+  apply IZR_lt in H1. apply IZR_le in H2. apply IZR_lt in H3. apply IZR_lt in H4.
+  assert (Q0 : 1 <= IZR (An P) / IZR (Ad P)) by (apply Rmult_le_reg_r with (IZR (Ad P)); [lra|]; unfold Rdiv; rewrite Rmult_assoc, Rinv_l; lra).
+  assert (Q1 : 1 <= q) by lra. split; [exact Q1|].
+  assert (R1 : / q <= IZR (Ad P) / IZR (An P)). { replace (IZR (Ad P) / IZR (An P)) with (/ (IZR (An P) / IZR (Ad P))) by (field; lra). apply Rinv_le_contravar; lra. }
+  assert (R2 : IZR (Bd P) / IZR (Bn P) <= / q). { replace (IZR (Bd P) / IZR (Bn P)) with (/ (IZR (Bn P) / IZR (Bd P))) by (field; lra). apply Rinv_le_contravar; lra. }
+  assert (RL := lower_le _ _ (div_in p _ _ _ _ (fromZ_in p (Bd P)) (fromZ_in p (Bn P))) H5).
+  assert (RH : IZR (Ad P) / IZR (An P) <= V (r_hi P)).
+  { unfold r_hi in *. destruct (Ad P =? An P)%Z eqn:EQ.
+    - apply Z.eqb_eq in EQ. rewrite EQ. unfold V. rewrite one_real. simpl. unfold Rdiv. rewrite Rinv_r; lra.
+    - exact (upper_ge _ _ (div_in p _ _ _ _ (fromZ_in p (Ad P)) (fromZ_in p (An P))) H6). }
+  fold (r_lo P) in RL.
+  assert (Hr : V (r_lo P) <= / q <= V (r_hi P)) by lra.
+  assert (Z0 := nonneg_ok _ _ H7 (neg_in _ _ (vin _))). assert (E2 := nonneg_ok _ _ H8 (sub_in p _ _ _ _ (vin _) quI)).
+  assert (R0 := pos_ok _ _ H9 (vin _)). assert (Y2 := nonneg_ok _ _ H10 (sub_in p _ _ _ _ (mul_in p _ _ _ _ (vin _) (vin _)) unI)).
+  assert (R3 : 0 < / q <= 1). { split; [apply Rinv_0_lt_compat; lra|]. rewrite <- Rinv_1. apply Rinv_le_contravar; lra. }
+  assert (In : forall e y, 0 < e <= PI/2 -> 0 <= y -> / q * y < 1 ->
+    inside {| e0 := zero_f P; e1 := Emax P; y0 := zero_f P; y1 := Ymax P; r0 := r_lo P; r1 := r_hi P |} e y (/ q)).
+  { intros e y He Hy Hyr. unfold inside; simpl. assert (y <= V (Ymax P)).
+    { destruct (Rle_or_lt y (V (Ymax P))) as [|K]; [assumption|]. assert (V (r_lo P) * V (Ymax P) <= / q * y); [|lra].
+      destruct (Rle_or_lt 0 (V (Ymax P))) as [K2|K2]; [apply mul_mono; lra|]. assert (V (r_lo P) * V (Ymax P) <= V (r_lo P) * 0) by (apply Rmult_le_compat_l; lra). assert (0 <= / q * y) by (apply Rmult_le_pos; lra). lra. } lra. }
+  split; [|split].
+  - intros e eta a b He Heta Hlt Ha Hb.
+    apply (check_tree_sound (leaf_bridge (U P)) out_bridge (Qb (U P))) with (3 := H11) (e := e) (y := eta) (r := / q); auto.
+    + intros. eapply leaf_bridge_sound; eassumption.
+    + intros b0 Hb0 e' y' r' Hin' ? ? ? ?. exfalso. eapply out_bridge_sound; eassumption.
+  - intros e lam a b He Hlam Hlt HP Ha Hb Hb0.
+    apply (check_tree_sound (leaf_light (U P)) out_light (Ql (U P))) with (3 := H12) (e := e) (y := lam) (r := / q); auto.
+    + intros. eapply leaf_light_sound; eassumption.
+    + intros b0 Hb1 e' y' r' Hin' ? ? ? ? a' b' HP' ? ? ?. exfalso. eapply out_light_sound; eassumption.
+  - eapply check_witness_sound; eassumption.
+Qed.
+End S.
+End Tree.

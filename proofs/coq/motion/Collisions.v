@@ -1,0 +1,135 @@
+(** Collisions of a motion: each changes the velocity, and there is a first one after any time. Mirror and reversal. *)
+From Coq Require Import Reals Lra List.
+From Coquelicot Require Import Coquelicot.
+From Dumbbell Require Import Physics Ray Flight.
+Local Open Scope R_scope.
+
+Section Events.
+Variable P : dumbbell.
+Hypothesis HP : real_dumbbell P.
+
+Lemma after_unique p t v v' : after p t v -> after p t v' -> v = v'.
+Proof.
+  intros [e [He H]] [e' [He' H']]. set (d := Rmin e e'). assert (0 < d) by (apply Rmin_pos; assumption).
+  assert (d <= e) by apply Rmin_l. assert (d <= e') by apply Rmin_r.
+  destruct (H (t + d) ltac:(lra)) as [A B]. destruct (H' (t + d) ltac:(lra)) as [A' B'].
+  symmetry. apply vel_eq; apply Rmult_eq_reg_r with d; lra.
+Qed.
+
+(** A point that moves down through height 0 is below it soon. *)
+Lemma goes_below h a vy om A : h + A * sin a = 0 -> 0 < A -> vy + A * cos a * om < 0 -> forall eps, 0 < eps ->
+  exists s, 0 < s <= eps /\ h + vy * s + A * sin (a + om * s) < 0.
+Proof.
+  intros H0 HA Hw eps He. set (w := vy + A * cos a * om) in *. set (k := A * (om * om) + 1).
+  assert (Hk : 0 < k). { unfold k. assert (0 <= A * (om * om)) by (apply Rmult_le_pos; [lra | apply Rle_0_sqr]). lra. }
+  assert (Hd : 0 < - w / k) by (apply Rdiv_lt_0_compat; lra).
+  set (s := Rmin eps (- w / k)). assert (S1 : 0 < s) by (apply Rmin_pos; assumption). assert (S2 : s <= eps) by apply Rmin_l. assert (S3 : s <= - w / k) by apply Rmin_r.
+  exists s. split; [lra|]. assert (B := sin_shift a (om * s)). apply Rabs_le_between in B.
+  assert (S4 : s * k <= - w). { replace (- w) with (- w / k * k) by (field; lra). apply Rmult_le_compat_r; lra. }
+  assert (S5 : s * (s * k) <= s * - w) by (apply Rmult_le_compat_l; lra).
+  assert (A * sin (a + om * s) <= A * (sin a + om * s * cos a + om * s * (om * s))) by (apply Rmult_le_compat_l; lra).
+  unfold w, k in *. assert (0 < s * s) by (apply Rmult_lt_0_compat; assumption). nra.
+Qed.
+
+Theorem collision_changes p t v : motion P p -> before p t v -> after p t v -> ~ collision P p t.
+Proof.
+  intros Hm Hb [e [He Ha]] [v0 [Hb0 H]]. assert (v0 = v) by (apply before_unique with p t; assumption). subst v0.
+  destruct H as [[H0 Hw]|[H0 Hw]].
+  - destruct (goes_below (height (p t)) (angle (p t)) (vy v) (om v) (arm1 P) H0 (arm1_pos P HP) Hw e He) as [s [Hs Hn]].
+    destruct (Ha (t + s) ltac:(lra)) as [E1 E2]. replace (t + s - t) with s in * by ring.
+    assert (K := above1 P p Hm (t + s)). unfold y1 in K. rewrite E1, E2 in K. lra.
+  - destruct (goes_below (height (p t)) (angle (p t) + PI) (vy v) (om v) (arm2 P)) with (eps := e) as [s [Hs Hn]]; try assumption.
+    { rewrite neg_sin. unfold y2 in H0. lra. } { exact (arm2_pos P HP). } { rewrite neg_cos. unfold w2 in Hw. lra. }
+    destruct (Ha (t + s) ltac:(lra)) as [E1 E2]. replace (t + s - t) with s in * by ring.
+    assert (K := above2 P p Hm (t + s)). unfold y2 in K. rewrite E1, E2 in K.
+    replace (angle (p t) + PI + om v * s) with (angle (p t) + om v * s + PI) in Hn by ring. rewrite neg_sin in Hn. lra.
+Qed.
+
+Lemma inside_flight p t0 v e t : 0 < e -> (forall s, t0 <= s <= t0 + e -> on_line p t0 v s) -> t0 < t < t0 + e -> before p t v /\ after p t v.
+Proof.
+  intros He H Ht. destruct (H t ltac:(lra)) as [A B]. split.
+  - exists (t - t0). split; [lra|]. intros s Hs. destruct (H s ltac:(lra)). split; lra.
+  - exists (t0 + e - t). split; [lra|]. intros s Hs. destruct (H s ltac:(lra)). split; lra.
+Qed.
+Lemma none_soon p t0 v : motion P p -> after p t0 v -> exists e, 0 < e /\ forall t, t0 < t < t0 + e -> ~ collision P p t.
+Proof.
+  intros Hm [e [He Ha]]. exists e. split; [exact He|]. intros t Ht.
+  destruct (inside_flight p t0 v e t He Ha Ht) as [A B]. now apply collision_changes with v.
+Qed.
+
+Theorem first_collision p t0 T : motion P p -> t0 < T -> collision P p T ->
+  exists t1, t0 < t1 <= T /\ collision P p t1 /\ forall t, t0 < t < t1 -> ~ collision P p t.
+Proof.
+  intros Hm HT HcT.
+  set (E := fun s => t0 < s <= T /\ forall t, t0 < t < s -> ~ collision P p t).
+  destruct (law P p Hm t0) as [_ [v0 [_ [Ha0 _]]]]. destruct (none_soon p t0 v0 Hm Ha0) as [e [He Hn]].
+  assert (HE0 : E (Rmin (t0 + e) T)).
+  { assert (t0 < Rmin (t0 + e) T) by (apply Rmin_glb_lt; lra). assert (Rmin (t0 + e) T <= T) by apply Rmin_r. assert (Rmin (t0 + e) T <= t0 + e) by apply Rmin_l.
+    split; [lra|]. intros t Ht. apply Hn. lra. }
+  destruct (completeness E) as [m [Hub Hlub]]. { exists T. intros s [Hs _]. lra. } { now exists (Rmin (t0 + e) T). }
+  assert (M1 : t0 < m). { assert (t0 < Rmin (t0 + e) T) by (apply Rmin_glb_lt; lra). specialize (Hub _ HE0). lra. }
+  assert (M2 : m <= T) by (apply Hlub; intros s [Hs _]; lra).
+  assert (Hm0 : forall t, t0 < t < m -> ~ collision P p t).
+  { intros t Ht Hc. assert (m <= t); [|lra]. apply Hlub. intros s [Hs Hs']. destruct (Rle_or_lt s t) as [|K]; [assumption|]. exfalso. apply (Hs' t); [lra | exact Hc]. }
+  destruct (Classical_Prop.classic (collision P p m)) as [Hc|Hc]. { exists m. repeat split; try lra; assumption. }
+  exfalso. destruct (Rle_lt_or_eq_dec m T M2) as [L|L]; [|now subst m].
+  destruct (law P p Hm m) as [_ [va [_ [Ha _]]]]. destruct (none_soon p m va Hm Ha) as [e2 [He2 Hn2]].
+  assert (L1 : m < Rmin (m + e2) T) by (apply Rmin_glb_lt; lra). assert (L2 : Rmin (m + e2) T <= T) by apply Rmin_r. assert (L3 : Rmin (m + e2) T <= m + e2) by apply Rmin_l.
+  assert (E (Rmin (m + e2) T)).
+  { split; [lra|]. intros t Ht. destruct (Rtotal_order t m) as [K|[->|K]]; [apply Hm0; lra | exact Hc | apply Hn2; lra]. }
+  specialize (Hub _ H). lra.
+Qed.
+
+(** After a collision: the law (1) at that wall. *)
+Theorem collision_law p t : motion P p -> collision P p t -> exists v v', before p t v /\ after p t v' /\
+  ((y1 P (p t) = 0 /\ reflects P (slope1 (p t)) (uu v) (vv P v) (uu v') (vv P v')) \/
+   (y2 P (p t) = 0 /\ reflects P (slope2 P (p t)) (uu v) (vv P v) (uu v') (vv P v'))).
+Proof.
+  intros Hm Hc. destruct (law P p Hm t) as [v [v' [Hb [Ha H]]]]. exists v, v'. split; [exact Hb|]. split; [exact Ha|].
+  assert (Hne : v' <> v). { intros ->. exact (collision_changes p t v Hm Hb Ha Hc). }
+  destruct H as [H|[[H0 H]|[H0 H]]]; [contradiction| |].
+  - left. split; [exact H0|]. destruct (reflection1 P HP _ _ _ H); [contradiction | assumption].
+  - right. split; [exact H0|]. destruct (reflection2 P HP _ _ _ H); [contradiction | assumption].
+Qed.
+
+(** Mirror: phi -> pi - phi. *)
+Definition mirror (p : R -> pos) t := {| height := height (p t); angle := PI - angle (p t) |}.
+Definition mirror_v v := {| vy := vy v; om := - om v |}.
+Lemma sin_mirror x : sin (PI - x) = sin x. Proof. now rewrite sin_PI_x. Qed.
+Lemma cos_mirror x : cos (PI - x) = - cos x. Proof. rewrite cos_minus, cos_PI, sin_PI. ring. Qed.
+Lemma mirror_before p t v : before p t v -> before (mirror p) t (mirror_v v).
+Proof. intros [e [He H]]. exists e. split; [exact He|]. intros s Hs. destruct (H s Hs). unfold mirror; simpl. split; lra. Qed.
+Lemma mirror_after p t v : after p t v -> after (mirror p) t (mirror_v v).
+Proof. intros [e [He H]]. exists e. split; [exact He|]. intros s Hs. destruct (H s Hs). unfold mirror; simpl. split; lra. Qed.
+Lemma mirror_push l v v' : push P l v v' -> push P (- l) (mirror_v v) (mirror_v v').
+Proof. intros [J [A [B [C D]]]]. exists J. unfold energy in *. simpl. repeat split; try lra. Qed.
+Theorem mirror_motion p : motion P p -> motion P (mirror p).
+Proof.
+  intros Hm. split.
+  - intros t. generalize (above1 P p Hm t). unfold y1, mirror; simpl. now rewrite sin_mirror.
+  - intros t. generalize (above2 P p Hm t). unfold y2, mirror; simpl. now rewrite sin_mirror.
+  - intros t. generalize (regular P p Hm t). unfold y1, y2, mirror; simpl. now rewrite sin_mirror.
+  - intros t. destruct (law P p Hm t) as [v [v' [Hb [Ha H]]]]. exists (mirror_v v), (mirror_v v').
+    split; [now apply mirror_before|]. split; [now apply mirror_after|].
+    destruct H as [->|[[H0 H]|[H0 H]]]; [now left | right; left | right; right]; (split; [revert H0; unfold y1, y2, mirror; simpl; now rewrite sin_mirror|]).
+    + unfold push1 in *. unfold mirror at 1; simpl. rewrite cos_mirror. replace (arm1 P * - cos (angle (p t))) with (- (arm1 P * cos (angle (p t)))) by ring. now apply mirror_push.
+    + unfold push2 in *. unfold mirror at 1; simpl. rewrite cos_mirror. replace (- (arm2 P * - cos (angle (p t)))) with (- - (arm2 P * cos (angle (p t)))) by ring. now apply mirror_push.
+Qed.
+
+(** Reversal of time. *)
+Definition reverse (p : R -> pos) t := p (- t).
+Definition minus_v v := {| vy := - vy v; om := - om v |}.
+Lemma reverse_before p t v : after p (- t) v -> before (reverse p) t (minus_v v).
+Proof. intros [e [He H]]. exists e. split; [exact He|]. intros s Hs. unfold reverse. destruct (H (- s) ltac:(lra)). simpl. split; lra. Qed.
+Lemma reverse_after p t v : before p (- t) v -> after (reverse p) t (minus_v v).
+Proof. intros [e [He H]]. exists e. split; [exact He|]. intros s Hs. unfold reverse. destruct (H (- s) ltac:(lra)). simpl. split; lra. Qed.
+Lemma reverse_push l v v' : push P l v v' -> push P l (minus_v v') (minus_v v).
+Proof. intros [J [A [B [C D]]]]. exists J. unfold energy in *. simpl. repeat split; try lra. Qed.
+Theorem reverse_motion p : motion P p -> motion P (reverse p).
+Proof.
+  intros Hm. split; try (intros t; apply Hm).
+  intros t. destruct (law P p Hm (- t)) as [v [v' [Hb [Ha H]]]]. exists (minus_v v'), (minus_v v).
+  split; [now apply reverse_before|]. split; [now apply reverse_after|].
+  destruct H as [->|[[H0 H]|[H0 H]]]; [now left | right; left | right; right]; (split; [exact H0|]); now apply reverse_push.
+Qed.
+End Events.

@@ -1,0 +1,111 @@
+(** A motion in which the heavy mass hits the floor has at most U collisions: the first half of charts_upper, complete. *)
+From Coq Require Import Reals Lra Lia List FinFun.
+From Coquelicot Require Import Coquelicot.
+From Dumbbell Require Import Physics Ray Chart Flight Collisions Follow BridgeChart SteepRays.
+Local Open Scope R_scope.
+
+Section Total.
+Variable P : dumbbell.
+Hypothesis HP : real_dumbbell P.
+Hypothesis Hr1 : rr P <= 1.
+Notation r := (rr P).
+
+(** Turning by 2 k pi. *)
+Definition turn (k : nat) (p : R -> pos) t := {| height := height (p t); angle := angle (p t) - 2 * INR k * PI |}.
+Lemma sin_turn k p t : sin (angle (turn k p t)) = sin (angle (p t)).
+Proof. simpl. rewrite <- (sin_period (angle (p t) - 2 * INR k * PI) k). f_equal. ring. Qed.
+Lemma cos_turn k p t : cos (angle (turn k p t)) = cos (angle (p t)).
+Proof. simpl. rewrite <- (cos_period (angle (p t) - 2 * INR k * PI) k). f_equal. ring. Qed.
+Lemma turn_before k p t v : before p t v -> before (turn k p) t v.
+Proof. intros [e [He H]]. exists e. split; [exact He|]. intros s Hs. destruct (H s Hs). simpl. split; lra. Qed.
+Lemma turn_after k p t v : after p t v -> after (turn k p) t v.
+Proof. intros [e [He H]]. exists e. split; [exact He|]. intros s Hs. destruct (H s Hs). simpl. split; lra. Qed.
+Theorem turn_motion k p : motion P p -> motion P (turn k p).
+Proof.
+  intros Hm. split.
+  - intros t. unfold y1. rewrite sin_turn. apply Hm.
+  - intros t. unfold y2. rewrite sin_turn. apply Hm.
+  - intros t. unfold y1, y2. rewrite sin_turn. apply Hm.
+  - intros t. destruct (law P p Hm t) as [v [v' [Hb [Ha H]]]]. exists v, v'. split; [now apply turn_before|]. split; [now apply turn_after|].
+    unfold push1, push2, y1, y2. rewrite sin_turn, cos_turn. exact H.
+Qed.
+Lemma collision_turn k p t : collision P p t -> collision P (turn k p) t.
+Proof. intros [v [Hb H]]. exists v. split; [now apply turn_before|]. unfold y1, y2, w1, w2. rewrite sin_turn, cos_turn. exact H. Qed.
+Lemma whole_turns n : forall x, 0 <= x <= PI + 2 * INR n * PI -> exists k, - PI <= x - 2 * INR k * PI <= PI.
+Proof.
+  assert (HPI : 0 < PI) by apply PI_RGT_0. induction n as [|n IH]; intros x Hx.
+  - exists O. simpl in *. lra.
+  - destruct (Rle_or_lt x (PI + 2 * INR n * PI)); [apply IH; lra|]. exists (S n). rewrite S_INR in *. lra.
+Qed.
+
+(** Counting around one time. *)
+Lemma count_split p T l : motion P p -> NoDup l -> (forall t, In t l -> collision P p t) ->
+  exists a b, later P p T a /\ later P (reverse p) (- T) b /\ (length l <= 1 + a + b)%nat.
+Proof.
+  intros Hm. induction l as [|t l IH]; intros Hnd Hc.
+  - exists O, O. split; [|split; [|simpl; lia]]; exists nil; (split; [constructor|]); (split; [reflexivity|]); intros t [].
+  - set (f := fun s => if Rlt_dec T s then true else false). set (g := fun s => if Rlt_dec s T then true else false). clear IH.
+    exists (length (filter f (t :: l))), (length (filter g (t :: l))). split; [|split].
+    + exists (filter f (t :: l)). split; [now apply NoDup_filter|]. split; [reflexivity|]. intros s Hs. apply filter_In in Hs. destruct Hs as [S1 S2]. unfold f in S2. destruct (Rlt_dec T s) as [Hlt|]; [|discriminate]. split; [assumption | now apply Hc].
+    + exists (map Ropp (filter g (t :: l))). split; [|split; [apply map_length|]].
+      { apply Injective_map_NoDup; [intros x y E; lra | now apply NoDup_filter]. }
+      intros s Hs. apply in_map_iff in Hs. destruct Hs as [s' [<- Hs]]. apply filter_In in Hs. destruct Hs as [S1 S2]. unfold g in S2. destruct (Rlt_dec s' T) as [Hlt|]; [|discriminate]. split; [lra|].
+      assert (Hcs := Hc s' S1). destruct (collision_law P HP p s' Hm Hcs) as [v [v' [Hb [Ha HL]]]].
+      exists (minus_v v'). split; [apply reverse_before; now rewrite Ropp_involutive|]. unfold reverse. rewrite Ropp_involutive.
+      assert (A1 := arm1_pos P HP). assert (EA := rr_arms P HP).
+      destruct HL as [[H0 [l0 [_ [_ [_ [Er En]]]]]]|[H0 [l0 [_ [_ [_ [Er En]]]]]]]; [left | right]; (split; [exact H0|]).
+      * unfold slope1 in *. rewrite sin_psi in *. unfold w1, uu, vv in *; simpl.
+        assert (K : 0 < arm1 P * (vy v' / arm1 P - - cos (angle (p s')) * om v')) by (apply Rmult_lt_0_compat; lra).
+        replace (arm1 P * (vy v' / arm1 P - - cos (angle (p s')) * om v')) with (vy v' + arm1 P * cos (angle (p s')) * om v') in K by (field; lra). lra.
+      * unfold slope2 in *. rewrite sin_psi in *. unfold w2, uu, vv in *; simpl. rewrite EA.
+        assert (K : 0 < arm1 P * (vy v' / arm1 P - - r * - cos (angle (p s')) * om v')) by (apply Rmult_lt_0_compat; lra).
+        replace (arm1 P * (vy v' / arm1 P - - r * - cos (angle (p s')) * om v')) with (vy v' - r * arm1 P * cos (angle (p s')) * om v') in K by (field; lra). lra.
+    + assert (G : forall m, NoDup m -> (length m <= length (filter f m) + length (filter g m) + (if in_dec Req_EM_T T m then 1 else 0))%nat).
+      { induction m as [|s m IHm]; intros Hd; [simpl; lia|]. apply NoDup_cons_iff in Hd. destruct Hd as [Hni Hd]. specialize (IHm Hd). cbn [filter length].
+        destruct (in_dec Req_EM_T T (s :: m)) as [I2|I2]; destruct (in_dec Req_EM_T T m) as [I1|I1]; unfold f at 1, g at 1;
+        destruct (Rlt_dec T s) as [Q1|Q1]; destruct (Rlt_dec s T) as [Q2|Q2]; cbn [length]; try lia; try lra.
+        all: try (exfalso; apply I2; now right). all: try (exfalso; apply I2; left; lra).
+        all: exfalso; assert (Es : s = T) by lra; rewrite Es in Hni; contradiction. }
+      specialize (G _ Hnd). destruct (in_dec Req_EM_T T (t :: l)); lia.
+Qed.
+
+Theorem heavy_total U p T : bridge_bound r U -> (1 <= U)%nat -> motion P p -> collision P p T -> y2 P (p T) = 0 -> at_most P p U.
+Proof.
+  intros HB HU. assert (HPI : 0 < PI) by apply PI_RGT_0. assert (R0 := rr_pos P HP).
+  (* with psi in [0, pi/2) *)
+  assert (Main : forall p, motion P p -> collision P p T -> y2 P (p T) = 0 -> 0 <= psi_of (p T) < PI/2 -> at_most P p U).
+  { clear p. intros p Hm Hc H2 Hp l Hnd Hl. destruct (count_split p T l Hm Hnd Hl) as [a [b [La [Lb Hn]]]].
+    destruct (law P p Hm T) as [_ [v' [_ [Ha _]]]]. set (e := PI/2 - psi_of (p T)). assert (Ep : psi_of (p T) = PI/2 - e) by (unfold e; ring).
+    destruct (Rlt_or_le (uu v') 0) as [K|K].
+    - destruct (Rlt_or_le (vv P v') (- uu v' * (1 + r * cos e))) as [K2|K2].
+      + assert (Q := L8_left P HP Hr1 U p T e v' a b HB Hm Hc H2 Ep ltac:(unfold e; lra) Ha K K2 La Lb). lia.
+      + assert (Q := L8_c P HP Hr1 U p T e v' a b HB HU Hm Hc H2 Ep ltac:(unfold e; lra) Ha (or_intror K2) La Lb). lia.
+    - assert (Q := L8_c P HP Hr1 U p T e v' a b HB HU Hm Hc H2 Ep ltac:(unfold e; lra) Ha (or_introl K) La Lb). lia. }
+  assert (Mirror : forall f, at_most P (mirror f) U -> at_most P f U).
+  { intros f H l Hnd Hl. apply H; [assumption|]. intros t Ht. now apply collision_mirror, Hl. }
+  assert (M2 : forall f, y2 P (f T) = 0 -> y2 P (mirror f T) = 0) by (intros f; unfold y2, mirror; simpl; now rewrite sin_mirror).
+  (* with psi >= 0 *)
+  assert (Pos : forall p, motion P p -> collision P p T -> y2 P (p T) = 0 -> 0 <= psi_of (p T) -> at_most P p U).
+  { clear p. intros p Hm Hc H2 Hp. destruct (nfloor_ex (psi_of (p T)) Hp) as [n Hn].
+    destruct (whole_turns n (psi_of (p T))) as [k Hk].
+    { assert (1 < PI/2) by exact PI2_1. assert (0 <= INR n) by apply pos_INR. assert (INR n * 1 <= INR n * PI) by (apply Rmult_le_compat_l; lra). lra. }
+    assert (Turn : at_most P (turn k p) U -> at_most P p U).
+    { intros H l Hnd Hl. apply H; [assumption|]. intros t Ht. now apply collision_turn, Hl. }
+    apply Turn. set (q := turn k p). assert (Hq : motion P q) by (now apply turn_motion). assert (Cq : collision P q T) by (now apply collision_turn).
+    assert (Eq : psi_of (q T) = psi_of (p T) - 2 * INR k * PI) by (unfold psi_of, q; simpl; ring).
+    assert (H2q : y2 P (q T) = 0) by (unfold y2, q; rewrite sin_turn; exact H2).
+    assert (C2 := contact2 P HP q T H2q). assert (F1 := floor1 P HP q T Hq).
+    assert (Cp : 0 < cos (psi_of (q T))).
+    { destruct (Rtotal_order 0 (cos (psi_of (q T)))) as [|[E|E]]; [assumption| |].
+      - exfalso. apply (regular P q Hq T). split; [|exact H2q]. destruct (L0_heights P (q T) HP) as [E1 _]. rewrite E1, C2, <- E. ring.
+      - exfalso. assert (0 < r * - cos (psi_of (q T))) by (apply Rmult_lt_0_compat; lra). lra. }
+    assert (Hq2 : - (PI/2) < psi_of (q T) < PI/2).
+    { split; apply Rnot_le_lt; intros K.
+      - assert (cos (- psi_of (q T)) <= 0) by (apply cos_le_0; lra). rewrite cos_neg in H. lra.
+      - assert (cos (psi_of (q T)) <= 0) by (apply cos_le_0; lra). lra. }
+    destruct (Rle_or_lt 0 (psi_of (q T))) as [K|K]; [apply Main; try assumption; lra|].
+    apply Mirror, Main; [now apply mirror_motion | now apply collision_mirror | now apply M2 | rewrite psi_mirror; lra]. }
+  intros Hm Hc H2. destruct (Rle_or_lt 0 (psi_of (p T))) as [K|K]; [now apply Pos|].
+  apply Mirror, Pos; [now apply mirror_motion | now apply collision_mirror | now apply M2 | rewrite psi_mirror; lra].
+Qed.
+End Total.
