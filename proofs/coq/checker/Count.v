@@ -163,11 +163,11 @@ Proof.
     apply mul2_in. now apply mul_in.
   - rewrite cos_2a. apply sub_in; now apply sqr_in.
 Qed.
-Lemma DI_in w k r wi ki ri : inI w wi -> inI k ki -> inI r ri -> inI (DD w k r) (DI wi ki ri).
-Proof. intros. unfold DD, DI. replace (2 * k * w) with (2 * (k * w)) by ring.
+Lemma DI_in w k r wi ki ri : inI w wi -> inI k ki -> inI r ri -> inI (slope_den w k r) (DI wi ki ri).
+Proof. intros. unfold slope_den, DI. replace (2 * k * w) with (2 * (k * w)) by ring.
   apply sub_in; [apply sub_in; [now apply sqr_in | apply mul2_in; now apply mul_in] | assumption]. Qed.
-Lemma NI_in w k r wi ki ri : inI w wi -> inI k ki -> inI r ri -> inI (NN w k r) (NI wi ki ri).
-Proof. intros. unfold NN, NI. replace (2 * r * w) with (2 * (r * w)) by ring.
+Lemma NI_in w k r wi ki ri : inI w wi -> inI k ki -> inI r ri -> inI (slope_num w k r) (NI wi ki ri).
+Proof. intros. unfold slope_num, NI. replace (2 * r * w) with (2 * (r * w)) by ring.
   apply sub_in; [apply add_in; [apply mul_in; [assumption | now apply sqr_in] | apply mul2_in; now apply mul_in] | now apply mul_in]. Qed.
 
 Lemma misses_sound c0 k0 ci ki : misses ci ki = true -> inI c0 ci -> inI k0 ki -> forall c k, c0 <= c -> k0 <= k -> forall x, ~ hit c k x.
@@ -219,7 +219,7 @@ Theorem at_most_sound n : forall ri ci ki z, at_most n ri ci ki z = true -> fora
 Proof.
   induction n as [|n IH]; intros ri ci ki z H r0 c0 k0 Hr Hc Hk r c k HB m Hm; simpl in H;
     destruct (nonneg (I.sub p ki (unit_ T))) eqn:E1.
-  1, 3: assert (K := nonneg_ok _ _ E1 (sub_in p _ _ _ _ Hk unit_in)); assert (m = O) by (apply steep with (2 := Hm); destruct HB as [? [? [? [? [? [? ?]]]]]]; lra); lia.
+  1, 3: assert (K := nonneg_ok _ _ E1 (sub_in p _ _ _ _ Hk unit_in)); assert (m = O) by (apply steep_ray_misses with (2 := Hm); destruct HB as [? [? [? [? [? [? ?]]]]]]; lra); lia.
   - assert (M : misses ci ki = true) by (destruct (seems_to_hit G ci ki _); destruct (misses ci ki); congruence).
     destruct m as [|m]; [lia|exfalso]. destruct Hm as [x [Hx _]]. destruct HB as [? [? [? [? [? [? ?]]]]]]. now apply (misses_sound c0 k0 ci ki M Hc Hk c k) with x.
   - destruct (if seems_to_hit G ci ki _ then false else misses ci ki) eqn:E2.
@@ -235,9 +235,9 @@ Proof.
     destruct (nonneg (I.neg (DI wi ki ri))) eqn:E3.
     { assert (K := nonneg_ok _ _ E3 (neg_in _ _ HDI)). lra. }
     destruct (next_domain c k r x) as [Q1 Q2]; try assumption.
-    destruct (low0_ok (kap w_ k0 r0) (I.div p (NI wi ki ri) (DI wi ki ri))) with (y := kap (cos x) k r) as [k1 [A1 A2]]; try assumption.
+    destruct (low0_ok (next_slope w_ k0 r0) (I.div p (NI wi ki ri) (DI wi ki ri))) with (y := next_slope (cos x) k r) as [k1 [A1 A2]]; try assumption.
     { apply div_in; [now apply NI_in | assumption]. }
-    destruct (low0_ok (s_ + k1 * (x_ + PI)) (I.add p si (I.mul p (low0 (I.div p (NI wi ki ri) (DI wi ki ri))) (I.add p xi (pi_ T))))) with (y := sin x + kap (cos x) k r * (x + PI)) as [c1 [C1 C2]].
+    destruct (low0_ok (s_ + k1 * (x_ + PI)) (I.add p si (I.mul p (low0 (I.div p (NI wi ki ri) (DI wi ki ri))) (I.add p xi (pi_ T))))) with (y := sin x + next_slope (cos x) k r * (x + PI)) as [c1 [C1 C2]].
     { apply add_in; [assumption | apply mul_in; [assumption | apply add_in; [assumption | exact pi_in]]]. }
     { now apply K3. } { assumption. }
     assert ((S m <= n)%nat); [|lia].
@@ -263,7 +263,7 @@ Proof.
   destruct (above_step _ _ _ _ _ _ x x_ s_ w_ HA Hh) as [D1 [K1 K2]]; try lra.
   split; [exact D1|]. assert (HA' := HA). destruct HA' as [B1 [B2 [B3 [B4 [B5 [B6 B7]]]]]].
   destruct (next_domain c k r x) as [Q1 Q2]; try assumption.
-  destruct (up_ok (kap w_ k0 r0) (I.div p (NI (low w) ki ri) (DI (low w) ki ri))) as [k1 [A1 A2]].
+  destruct (up_ok (next_slope w_ k0 r0) (I.div p (NI (low w) ki ri) (DI (low w) ki ri))) as [k1 [A1 A2]].
   { apply div_in; [now apply NI_in | assumption]. }
   destruct (up_ok (s_ + k1 * (x_ + PI)) (I.add p (up s) (I.mul p (up (I.div p (NI (low w) ki ri) (DI (low w) ki ri))) (I.add p xi (pi_ T))))) as [c1 [C1 C2]].
   { apply add_in; [assumption | apply mul_in; [assumption | apply add_in; [assumption | exact pi_in]]]. }

@@ -117,7 +117,7 @@ Proof.
   intros He Hy Hr Hr'. unfold SI. destruct (sc_ok p T HT e ei He) as [Hs Hw]. destruct (sc p T ei) as [s w]. simpl in *.
   assert (Ht : inI (1 + r * (cos e * cos e)) (I.add p (unit_ T) (I.mul p ri (I.sqr p w)))) by (apply add_in; [exact unI | apply mul_in; [assumption | now apply sqr_in]]).
   assert (Hl : inI (lamS e y r) (I.sub p (I.div p (I.mul p yi (I.add p (unit_ T) (I.mul p ri (I.sqr p w)))) (I.add p (I.add p (unit_ T) (I.mul p ri (I.sqr p w))) (I.mul2 p (I.mul p (I.mul p ri w) yi)))) w)).
-  { unfold lamS, ep. apply sub_in; [|assumption]. apply div_in; [now apply mul_in|]. apply add_in; [assumption|]. apply mul2_in. apply mul_in; [now apply mul_in | assumption]. }
+  { unfold lamS, eta_reversed. apply sub_in; [|assumption]. apply div_in; [now apply mul_in|]. apply add_in; [assumption|]. apply mul2_in. apply mul_in; [now apply mul_in | assumption]. }
   split; apply mul_in; try assumption. unfold cS. apply add_in; [assumption | now apply mul_in].
 Qed.
 Lemma cut_ok f e : e <= V f -> e <= PI/2 -> exists x, inI x (cut f) /\ e <= x.
@@ -128,8 +128,8 @@ Proof. intros H1 H2. unfold cut. destruct (nonneg _). - exists (V f). split; [ap
 Lemma any_slope n c lam r r' : -1 <= lam -> 0 <= c -> 0 < r -> r <= r' -> r' <= 1 -> coll r' n (r'*c) (r'*lam) -> coll r n (r*c) (r*lam).
 Proof.
   intros Hl Hc Hr Hr' H1 H. destruct (Rlt_or_le lam 0).
-  - now apply L10 with r'.
-  - apply (G_mono n) with (8 := H); try assumption; try (apply Rmult_le_compat_r; lra); try (apply Rmult_le_pos; lra).
+  - now apply L10_descending_rays with r'.
+  - apply (coll_mono n) with (8 := H); try assumption; try (apply Rmult_le_compat_r; lra); try (apply Rmult_le_pos; lra).
     assert (0 <= r * lam) by (apply Rmult_le_pos; lra). lra.
 Qed.
 
@@ -138,8 +138,8 @@ Definition Qb U e eta r := 0 < e <= PI/2 -> 0 <= eta -> 0 < r <= 1 -> r * eta < 
 Definition Ql U e lam r := 0 < e <= PI/2 -> 0 <= lam -> 0 < r <= 1 -> r * lam < 1 -> forall a b,
   0 <= 2 * cos e + r * lam - lam * (cos e * cos e) ->
   coll r a (cL e (r * lam)) (r * lam) ->
-  (0 < dL (cos e) lam r -> coll r b (cL e (r * mu (cos e) lam r)) (r * mu (cos e) lam r)) ->
-  (dL (cos e) lam r <= 0 -> b = O) -> (1 + a + b <= U)%nat.
+  (0 < mu_den (cos e) lam r -> coll r b (cL e (r * mu (cos e) lam r)) (r * mu (cos e) lam r)) ->
+  (mu_den (cos e) lam r <= 0 -> b = O) -> (1 + a + b <= U)%nat.
 
 Lemma leaf_bridge_sound U b na nb : leaf_bridge U b na nb = true -> forall e y r, inside b e y r -> Qb U e y r.
 Proof.
@@ -175,7 +175,7 @@ Proof.
   { apply (at_most_sound p G T HT nb _ _ _ _ H5 (V (r0 b)) c2 k2 (vin _) C3 K3 (V (r0 b)) (V (r0 b) * cc) (V (r0 b) * lm)).
     - assert (0 <= V (r0 b) * cc) by (apply Rmult_le_pos; lra). assert (V (r0 b) * (-1) <= V (r0 b) * lm) by (apply Rmult_le_compat_l; lra). repeat split; lra.
     - apply any_slope with r; try lra. 
-      apply (G_mono c) with (8 := Hc); try lra; try (apply Rmult_le_compat_l; lra).
+      apply (coll_mono c) with (8 := Hc); try lra; try (apply Rmult_le_compat_l; lra).
       + apply Rmult_le_pos; lra. + assert (r * (-1) <= r * lm) by (apply Rmult_le_compat_l; lra). lra. }
   lia.
 Qed.
@@ -209,15 +209,15 @@ Proof.
     assert (V (r0 b) * V (y0 b) * (PI + V (e0 b)) <= r * y * (PI + e)) by (apply mul_mono; lra).
     assert (0 <= r * y * (PI + e)) by (apply Rmult_le_pos; lra). unfold cL. repeat split; lra. }
   assert (Bb : (c <= nb)%nat).
-  { destruct (Rle_or_lt (dL (cos e) y r) 0) as [D|D]. { rewrite (Hc0 D). lia. }
+  { destruct (Rle_or_lt (mu_den (cos e) y r) 0) as [D|D]. { rewrite (Hc0 D). lia. }
     destruct (nonneg (I.neg (dI w (I.mul p (S (r1 b)) (S (y1 b))) (S (r0 b))))) eqn:E1.
     { assert (A := nonneg_ok _ _ E1 (neg_in _ _ (dI_in _ _ _ _ _ _ _ Hw (mul_in p _ _ _ _ (vin (r1 b)) (vin (y1 b))) (vin (r0 b))))).
-      assert (B := dL_upper (cos e) (cos (V (e0 b))) y (V (y1 b)) r (V (r0 b)) (V (r1 b)) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra)). lra. }
+      assert (B := mu_den_upper (cos e) (cos (V (e0 b))) y (V (y1 b)) r (V (r0 b)) (V (r1 b)) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra)). lra. }
     apply andb_prop in H5; destruct H5 as [H5 H6].
     assert (RL := mul_in p _ _ _ _ (vin (r0 b)) (vin (y1 b))).
     assert (DIn := dI_in _ _ _ _ _ _ _ Hw RL (vin (r0 b))). assert (D0 := pos_ok _ _ H5 DIn).
     assert (M := mu_mono (cos e) (cos (V (e0 b))) y (V (y1 b)) r (V (r0 b)) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra)).
-    assert (Hor : 0 < r * y \/ 0 < cos e). { destruct (Rle_lt_or_eq_dec 0 (cos e) W1) as [|Z]; [now right | left]. unfold dL in D. rewrite <- Z in D. lra. }
+    assert (Hor : 0 < r * y \/ 0 < cos e). { destruct (Rle_lt_or_eq_dec 0 (cos e) W1) as [|Z]; [now right | left]. unfold mu_den in D. rewrite <- Z in D. lra. }
     specialize (M Hor D D0).
     assert (MU : 0 <= mu (cos e) y r) by (unfold mu; apply Rmult_le_pos; [exact HP | left; now apply Rinv_0_lt_compat]).
     assert (MR : 0 <= r * mu (cos e) y r) by (apply Rmult_le_pos; lra).
@@ -298,7 +298,7 @@ Proof.
     assert (K : coll r nb (r * cS (V e) (V y) (V r0)) (r * lamS (V e) (V y) (V r0))).
     { apply any_slope with (V r1); try lra. apply (at_least_sound p G T HT nb _ _ _ _ H9 (V r1) c2 k2 (vin _) C3 K3).
       assert (0 <= V r1 * cS (V e) (V y) (V r0)) by (apply Rmult_le_pos; lra). assert (V r1 * (-1) <= V r1 * lamS (V e) (V y) (V r0)) by (apply Rmult_le_compat_l; lra). repeat split; lra. }
-    apply (G_mono nb) with (8 := K); try lra; try (apply Rmult_le_compat_l; lra).
+    apply (coll_mono nb) with (8 := K); try lra; try (apply Rmult_le_compat_l; lra).
     + apply Rmult_le_pos; lra. + assert (r * (-1) <= r * lamS (V e) (V y) r) by (apply Rmult_le_compat_l; lra). lra.
 Qed.
 

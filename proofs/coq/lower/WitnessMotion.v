@@ -7,19 +7,19 @@ Local Open Scope R_scope.
 Section Lower.
 Variable P : dumbbell.
 Hypothesis HP : real_dumbbell P.
-Hypothesis Hr1 : rr P <= 1.
-Notation r := (rr P).
+Hypothesis Hr1 : r_of P <= 1.
+Notation r := (r_of P).
 Notation yh := (yhat_of P).
 
 (** L6: out of a contact with the bridge to the left (bridge_ray without a motion). *)
-Theorem bridge_sray s0 v k : uu v < 0 -> k * - uu v = vv P v ->
-  - (PI/2) < psi_of s0 < PI/2 -> yh s0 = r * cos (psi_of s0) -> 0 < vv P v + r * sin (psi_of s0) * uu v ->
-  sray P s0 v (r * cos (psi_of s0) + k * (psi_of s0 + PI/2)) k /\ - r <= k.
+Theorem bridge_start_ray s0 v k : u_of v < 0 -> k * - u_of v = v_of P v ->
+  - (PI/2) < psi_of s0 < PI/2 -> yh s0 = r * cos (psi_of s0) -> 0 < v_of P v + r * sin (psi_of s0) * u_of v ->
+  start_ray P s0 v (r * cos (psi_of s0) + k * (psi_of s0 + PI/2)) k /\ - r <= k.
 Proof.
-  intros Hu Hs Hp Hy Hn. assert (R0 := rr_pos P HP). assert (HPI : 0 < PI) by apply PI_RGT_0. set (x := psi_of s0) in *.
-  assert (Hk : r * sin x < k). { apply Rmult_lt_reg_r with (- uu v); lra. }
+  intros Hu Hs Hp Hy Hn. assert (R0 := r_pos P HP). assert (HPI : 0 < PI) by apply PI_RGT_0. set (x := psi_of s0) in *.
+  assert (Hk : r * sin x < k). { apply Rmult_lt_reg_r with (- u_of v); lra. }
   assert (Hclear : forall z, - (PI/2) <= z < x -> 0 <= cos z /\ r * cos z < r * cos x + k * (x - z)).
-  { intros z Hz. split; [apply cos_ge_0; lra|]. assert (Tg := tangent (PI/2 + x) (PI/2 + z) ltac:(lra) ltac:(lra)).
+  { intros z Hz. split; [apply cos_ge_0; lra|]. assert (Tg := sin_below_tangent (PI/2 + x) (PI/2 + z) ltac:(lra) ltac:(lra)).
     rewrite !sin_plus, cos_plus, sin_PI2, cos_PI2 in Tg.
     assert (r * cos z <= r * (cos x + sin x * (x - z))) by (apply Rmult_le_compat_l; lra).
     assert (r * sin x * (x - z) < k * (x - z)) by (apply Rmult_lt_compat_r; lra). lra. }
@@ -31,9 +31,9 @@ Proof.
     assert (0 < - k * (x + PI)) by (apply Rmult_lt_0_compat; lra). lra.
 Qed.
 
-Lemma ray_future s0 v c k : sray P s0 v c k -> - r <= k -> exists p, future P s0 v p /\ forall n, coll r n c k -> later P p 0 n.
+Lemma ray_future s0 v c k : start_ray P s0 v c k -> - r <= k -> exists p, future P s0 v p /\ forall n, coll r n c k -> later P p 0 n.
 Proof.
-  intros HR Hk. destruct (L5f_all r (rr_pos P HP)) as [M HM]. apply (future_exists P HP Hr1 M s0 v c k HR Hk).
+  intros HR Hk. destruct (L5f_bounded_below_zero r (r_pos P HP)) as [M HM]. apply (future_exists P HP Hr1 M s0 v c k HR Hk).
   intros H. specialize (HM (S M) c k Hk H). lia.
 Qed.
 
@@ -44,7 +44,7 @@ Proof.
   - intros K. apply in_app_iff in K. destruct K as [K|K]; [contradiction|]. apply (H x); [now left | exact K].
   - apply IH; try assumption. intros y Hy. apply H. now right.
 Qed.
-Theorem join s0 v v' pX pS a b : free P s0 -> y2 P s0 = 0 -> w2 P s0 v < 0 -> push2 P s0 v v' ->
+Theorem join_at_heavy_contact s0 v v' pX pS a b : free P s0 -> y2 P s0 = 0 -> w2 P s0 v < 0 -> push2 P s0 v v' ->
   future P s0 v' pX -> future P s0 (minus_v v) pS -> later P pX 0 a -> later P pS 0 b -> exists p, motion P p /\ at_least P p (1 + a + b).
 Proof.
   intros Hf Hy Hw Hpush [X1 [X2 X3]] [S1 [S2 S3]] La Lb. set (p := glue 0 (reverse pS) pX). exists p.
@@ -54,11 +54,11 @@ Proof.
   { apply glue_before. replace v with (minus_v (minus_v v)) by (apply vel_eq; simpl; ring). apply reverse_before. now rewrite Ropp_0. }
   assert (Ha : after p 0 v') by (apply glue_after; [now rewrite E0 | exact X2]).
   assert (Hm : motion P p).
-  { apply good_motion. intros t. destruct (Rtotal_order t 0) as [L|[->|L]].
-    - apply near_good with (reverse pS); [now apply glue_left|]. apply reverse_good, S3. lra.
-    - destruct (free_above P HP s0 Hf) as [A [B C]]. unfold good. rewrite Eat. repeat split; try assumption.
+  { apply lawful_motion. intros t. destruct (Rtotal_order t 0) as [L|[->|L]].
+    - apply near_lawful with (reverse pS); [now apply glue_left|]. apply reverse_lawful, S3. lra.
+    - destruct (free_above P HP s0 Hf) as [A [B C]]. unfold lawful. rewrite Eat. repeat split; try assumption.
       exists v, v'. split; [exact Hb|]. split; [exact Ha|]. right; right. now split.
-    - apply near_good with (shift 0 pX); [now apply glue_right|]. apply shift_good, X3. lra. }
+    - apply near_lawful with (shift 0 pX); [now apply glue_right|]. apply shift_lawful, X3. lra. }
   split; [exact Hm|]. destruct La as [la [A1 [A2 A3]]]. destruct Lb as [lb [B1 [B2 B3]]].
   exists (0 :: la ++ map Ropp lb)%list. split; [|split].
   - constructor.
@@ -79,7 +79,7 @@ Qed.
 Theorem bridge_motion e eta a b : 0 < e <= PI/2 -> 0 < eta ->
   coll r a (r * cX e eta) (r * lamX e eta) -> coll r b (r * cS e eta r) (r * lamS e eta r) -> exists p, motion P p /\ at_least P p (1 + a + b).
 Proof.
-  intros He Heta Ca Cb. assert (R0 := rr_pos P HP). assert (HPI : 0 < PI) by apply PI_RGT_0. assert (A1 := arm1_pos P HP). assert (EA := rr_arms P HP).
+  intros He Heta Ca Cb. assert (R0 := r_pos P HP). assert (HPI : 0 < PI) by apply PI_RGT_0. assert (A1 := arm1_pos P HP). assert (EA := r_arms P HP).
   destruct (cos_range e ltac:(lra)) as [W0 W1]. assert (S0 : 0 < sin e) by (apply sin_gt_0; lra).
   set (s0 := {| height := arm1 P * (r * sin e); angle := PI/2 - e + PI/2 |}).
   assert (Ep : psi_of s0 = PI/2 - e) by (unfold psi_of, s0; simpl; ring). assert (Ey : yh s0 = r * sin e) by (unfold yhat_of, s0; simpl; field; lra).
@@ -88,15 +88,15 @@ Proof.
   assert (Ca0 : cos (angle s0) = - cos e) by (assert (K := sin_psi s0); rewrite Ep, Sp in K; lra).
   assert (Hrs : 0 < r * sin e) by (now apply Rmult_lt_0_compat).
   assert (Hfree : free P s0) by (unfold free; rewrite Ep, Ey, Cp; lra).
-  assert (Hy : y2 P s0 = 0). { destruct (L0_heights P s0 HP) as [_ E]. rewrite E, Ep, Ey, Cp. unfold rr. ring. }
+  assert (Hy : y2 P s0 = 0). { destruct (L0_heights P s0 HP) as [_ E]. rewrite E, Ep, Ey, Cp. unfold r_of. ring. }
   set (k := r * lamX e eta). set (v' := {| vy := arm1 P * k; om := -1 |}).
-  assert (Eu : uu v' = -1) by reflexivity. assert (Ev : vv P v' = k) by (unfold vv, v'; simpl; field; lra).
+  assert (Eu : u_of v' = -1) by reflexivity. assert (Ev : v_of P v' = k) by (unfold v_of, v'; simpl; field; lra).
   assert (Hre : 0 < r * eta) by (now apply Rmult_lt_0_compat).
   set (w := minus_v v'). assert (Hw : vy w + - (arm2 P * cos (angle s0)) * om w < 0).
   { rewrite EA, Ca0. unfold w, v', k, lamX; simpl. assert (0 < arm1 P * (r * eta)) by (now apply Rmult_lt_0_compat). lra. }
   destruct (push_exists P HP _ _ Hw) as [w' [Hpush Hne]]. change (push2 P s0 w w') in Hpush.
-  destruct (reflection2 P HP s0 w w' Hpush) as [|HL]; [contradiction|]. unfold slope2 in HL. rewrite Ep, Sp in HL.
-  assert (Euw : uu w = 1) by (unfold w, uu; simpl; ring). assert (Evw : vv P w = - k) by (unfold w; rewrite (vv_minus P HP), Ev; reflexivity). rewrite Euw, Evw in HL.
+  destruct (L0_reflection2 P HP s0 w w' Hpush) as [|HL]; [contradiction|]. unfold slope2 in HL. rewrite Ep, Sp in HL.
+  assert (Euw : u_of w = 1) by (unfold w, u_of; simpl; ring). assert (Evw : v_of P w = - k) by (unfold w; rewrite (v_of_minus P HP), Ev; reflexivity). rewrite Euw, Evw in HL.
   destruct HL as [l [Hl [Lu [Lv [Lr Ln]]]]].
   assert (Hq : 0 < 1 + r * (cos e * cos e)). { assert (0 <= r * (cos e * cos e)) by (apply Rmult_le_pos; [lra | apply Rle_0_sqr]). lra. }
   assert (Hrc : 0 <= r * cos e) by (apply Rmult_le_pos; lra). assert (Hrce : 0 <= r * cos e * eta) by (apply Rmult_le_pos; lra).
@@ -105,20 +105,20 @@ Proof.
     replace (2 * eta / (1 + r * (cos e * cos e)) * (r * (1 + r * (cos e * cos e)))) with (2 * (r * eta)) by (field; lra).
     rewrite Lu, Lv in Lr. unfold k, lamX in Lr. lra. }
   (* X *)
-  destruct (bridge_sray s0 v' k) as [RX KX]; try (rewrite ?Ep, ?Ey, ?Eu, ?Ev, ?Cp, ?Sp; unfold k, lamX; lra).
+  destruct (bridge_start_ray s0 v' k) as [RX KX]; try (rewrite ?Ep, ?Ey, ?Eu, ?Ev, ?Cp, ?Sp; unfold k, lamX; lra).
   rewrite Ep, Cp in RX. destruct (ray_future _ _ _ _ RX KX) as [pX [FX GX]].
   (* sigma X, mirrored *)
-  set (kS := r * lamS e eta r). assert (EuS : uu (mirror_v w') = - uu w') by reflexivity. assert (EvS : vv P (mirror_v w') = vv P w') by reflexivity.
+  set (kS := r * lamS e eta r). assert (EuS : u_of (mirror_v w') = - u_of w') by reflexivity. assert (EvS : v_of P (mirror_v w') = v_of P w') by reflexivity.
   assert (Hlc : 0 <= l * (r * cos e)) by (apply Rmult_le_pos; lra).
-  assert (EkS : kS * - uu (mirror_v w') = vv P (mirror_v w')).
-  { rewrite EuS, EvS, Lu, Lv, El. unfold kS, lamS, ep, k, lamX. field. split; lra. }
-  destruct (bridge_sray (mirror_pos s0) (mirror_v w') kS) as [RS KS]; rewrite ?psi_mirror_pos, ?Ep, ?cos_neg, ?sin_neg, ?Cp, ?Sp; try assumption; try lra.
+  assert (EkS : kS * - u_of (mirror_v w') = v_of P (mirror_v w')).
+  { rewrite EuS, EvS, Lu, Lv, El. unfold kS, lamS, eta_reversed, k, lamX. field. split; lra. }
+  destruct (bridge_start_ray (mirror_pos s0) (mirror_v w') kS) as [RS KS]; rewrite ?psi_mirror_pos, ?Ep, ?cos_neg, ?sin_neg, ?Cp, ?Sp; try assumption; try lra.
   { rewrite EuS, EvS, Lu, Lv. rewrite Lu, Lv in Lr. unfold k, lamX in *. lra. }
   rewrite psi_mirror_pos, Ep, cos_neg, Cp in RS. destruct (ray_future _ _ _ _ RS KS) as [pS [FS GS]].
   (* the motion *)
-  apply (join s0 (minus_v w') v' pX (mirror pS) a b Hfree Hy).
-  - unfold w2. rewrite EA, Ca0. simpl. assert (K : 0 < arm1 P * (vv P w' + r * cos e * uu w')) by (apply Rmult_lt_0_compat; lra).
-    unfold uu, vv in K. replace (arm1 P * (vy w' / arm1 P + r * cos e * om w')) with (vy w' + r * arm1 P * cos e * om w') in K by (field; lra). lra.
+  apply (join_at_heavy_contact s0 (minus_v w') v' pX (mirror pS) a b Hfree Hy).
+  - unfold w2. rewrite EA, Ca0. simpl. assert (K : 0 < arm1 P * (v_of P w' + r * cos e * u_of w')) by (apply Rmult_lt_0_compat; lra).
+    unfold u_of, v_of in K. replace (arm1 P * (vy w' / arm1 P + r * cos e * om w')) with (vy w' + r * arm1 P * cos e * om w') in K by (field; lra). lra.
   - assert (E : v' = minus_v w) by (unfold w; apply vel_eq; simpl; ring). rewrite E. now apply reverse_push.
   - exact FX.
   - replace (minus_v (minus_v w')) with w' by (apply vel_eq; simpl; ring). now apply future_mirror.
@@ -129,8 +129,8 @@ End Lower.
 
 Theorem charts_lower q n : 1 <= q -> bridge_witness (/ q) n -> lower_bound q n.
 Proof.
-  intros Hq [e [eta [a [b [He [Heta [_ [Ca [Cb Hn]]]]]]]]] P HP Hqq. assert (E : / q = rr P) by (unfold rr; destruct HP as [? [? ?]]; rewrite <- Hqq; field; lra).
-  rewrite E in Ca, Cb. assert (R1 : rr P <= 1) by (rewrite <- E, <- Rinv_1; apply Rinv_le_contravar; lra).
+  intros Hq [e [eta [a [b [He [Heta [_ [Ca [Cb Hn]]]]]]]]] P HP Hqq. assert (E : / q = r_of P) by (unfold r_of; destruct HP as [? [? ?]]; rewrite <- Hqq; field; lra).
+  rewrite E in Ca, Cb. assert (R1 : r_of P <= 1) by (rewrite <- E, <- Rinv_1; apply Rinv_le_contravar; lra).
   destruct n as [|n].
   - destruct (bridge_motion P HP R1 e eta a b ltac:(lra) Heta Ca Cb) as [p [Hm _]]. exists p. split; [exact Hm|].
     exists nil. repeat split; [constructor | contradiction].

@@ -31,7 +31,7 @@ Proof.
   unfold w, k in *. assert (0 < s * s) by (apply Rmult_lt_0_compat; assumption). nra.
 Qed.
 
-Theorem collision_changes p t v : motion P p -> before p t v -> after p t v -> ~ collision P p t.
+Theorem collision_changes_velocity p t v : motion P p -> before p t v -> after p t v -> ~ collision P p t.
 Proof.
   intros Hm Hb [e [He Ha]] [v0 [Hb0 H]]. assert (v0 = v) by (apply before_unique with p t; assumption). subst v0.
   destruct H as [[H0 Hw]|[H0 Hw]].
@@ -51,10 +51,10 @@ Proof.
   - exists (t - t0). split; [lra|]. intros s Hs. destruct (H s ltac:(lra)). split; lra.
   - exists (t0 + e - t). split; [lra|]. intros s Hs. destruct (H s ltac:(lra)). split; lra.
 Qed.
-Lemma none_soon p t0 v : motion P p -> after p t0 v -> exists e, 0 < e /\ forall t, t0 < t < t0 + e -> ~ collision P p t.
+Lemma no_collision_soon p t0 v : motion P p -> after p t0 v -> exists e, 0 < e /\ forall t, t0 < t < t0 + e -> ~ collision P p t.
 Proof.
   intros Hm [e [He Ha]]. exists e. split; [exact He|]. intros t Ht.
-  destruct (inside_flight p t0 v e t He Ha Ht) as [A B]. now apply collision_changes with v.
+  destruct (inside_flight p t0 v e t He Ha Ht) as [A B]. now apply collision_changes_velocity with v.
 Qed.
 
 Theorem first_collision p t0 T : motion P p -> t0 < T -> collision P p T ->
@@ -62,7 +62,7 @@ Theorem first_collision p t0 T : motion P p -> t0 < T -> collision P p T ->
 Proof.
   intros Hm HT HcT.
   set (E := fun s => t0 < s <= T /\ forall t, t0 < t < s -> ~ collision P p t).
-  destruct (law P p Hm t0) as [_ [v0 [_ [Ha0 _]]]]. destruct (none_soon p t0 v0 Hm Ha0) as [e [He Hn]].
+  destruct (law P p Hm t0) as [_ [v0 [_ [Ha0 _]]]]. destruct (no_collision_soon p t0 v0 Hm Ha0) as [e [He Hn]].
   assert (HE0 : E (Rmin (t0 + e) T)).
   { assert (t0 < Rmin (t0 + e) T) by (apply Rmin_glb_lt; lra). assert (Rmin (t0 + e) T <= T) by apply Rmin_r. assert (Rmin (t0 + e) T <= t0 + e) by apply Rmin_l.
     split; [lra|]. intros t Ht. apply Hn. lra. }
@@ -73,7 +73,7 @@ Proof.
   { intros t Ht Hc. assert (m <= t); [|lra]. apply Hlub. intros s [Hs Hs']. destruct (Rle_or_lt s t) as [|K]; [assumption|]. exfalso. apply (Hs' t); [lra | exact Hc]. }
   destruct (Classical_Prop.classic (collision P p m)) as [Hc|Hc]. { exists m. repeat split; try lra; assumption. }
   exfalso. destruct (Rle_lt_or_eq_dec m T M2) as [L|L]; [|now subst m].
-  destruct (law P p Hm m) as [_ [va [_ [Ha _]]]]. destruct (none_soon p m va Hm Ha) as [e2 [He2 Hn2]].
+  destruct (law P p Hm m) as [_ [va [_ [Ha _]]]]. destruct (no_collision_soon p m va Hm Ha) as [e2 [He2 Hn2]].
   assert (L1 : m < Rmin (m + e2) T) by (apply Rmin_glb_lt; lra). assert (L2 : Rmin (m + e2) T <= T) by apply Rmin_r. assert (L3 : Rmin (m + e2) T <= m + e2) by apply Rmin_l.
   assert (E (Rmin (m + e2) T)).
   { split; [lra|]. intros t Ht. destruct (Rtotal_order t m) as [K|[->|K]]; [apply Hm0; lra | exact Hc | apply Hn2; lra]. }
@@ -82,14 +82,14 @@ Qed.
 
 (** After a collision: the law (1) at that wall. *)
 Theorem collision_law p t : motion P p -> collision P p t -> exists v v', before p t v /\ after p t v' /\
-  ((y1 P (p t) = 0 /\ reflects P (slope1 (p t)) (uu v) (vv P v) (uu v') (vv P v')) \/
-   (y2 P (p t) = 0 /\ reflects P (slope2 P (p t)) (uu v) (vv P v) (uu v') (vv P v'))).
+  ((y1 P (p t) = 0 /\ reflects P (slope1 (p t)) (u_of v) (v_of P v) (u_of v') (v_of P v')) \/
+   (y2 P (p t) = 0 /\ reflects P (slope2 P (p t)) (u_of v) (v_of P v) (u_of v') (v_of P v'))).
 Proof.
   intros Hm Hc. destruct (law P p Hm t) as [v [v' [Hb [Ha H]]]]. exists v, v'. split; [exact Hb|]. split; [exact Ha|].
-  assert (Hne : v' <> v). { intros ->. exact (collision_changes p t v Hm Hb Ha Hc). }
+  assert (Hne : v' <> v). { intros ->. exact (collision_changes_velocity p t v Hm Hb Ha Hc). }
   destruct H as [H|[[H0 H]|[H0 H]]]; [contradiction| |].
-  - left. split; [exact H0|]. destruct (reflection1 P HP _ _ _ H); [contradiction | assumption].
-  - right. split; [exact H0|]. destruct (reflection2 P HP _ _ _ H); [contradiction | assumption].
+  - left. split; [exact H0|]. destruct (L0_reflection1 P HP _ _ _ H); [contradiction | assumption].
+  - right. split; [exact H0|]. destruct (L0_reflection2 P HP _ _ _ H); [contradiction | assumption].
 Qed.
 
 (** Mirror: phi -> pi - phi. *)

@@ -76,15 +76,15 @@ Proof.
     - assert (w = v) by (apply before_unique with p t; assumption). subst w. exists v. rewrite <- E. now split.
     - assert (w = v) by (apply before_unique with q t; assumption). subst w. exists v. rewrite E. now split. }
   destruct (Classical_Prop.classic (collision P p t)) as [K|K].
-  - assert (N1 : v1 <> v) by (intros ->; exact (collision_changes P HP p t v Hp Bp Ap K)).
-    assert (N2 : v2 <> v) by (intros ->; exact (collision_changes P HP q t v Hq Bq Aq (proj1 C K))).
+  - assert (N1 : v1 <> v) by (intros ->; exact (collision_changes_velocity P HP p t v Hp Bp Ap K)).
+    assert (N2 : v2 <> v) by (intros ->; exact (collision_changes_velocity P HP q t v Hq Bq Aq (proj1 C K))).
     destruct (law P p Hp t) as [w [w' [Hb [Ha H]]]]. assert (w = v) by (apply before_unique with p t; assumption). assert (w' = v1) by (apply after_unique with p t; assumption). subst w w'.
     destruct (law P q Hq t) as [w [w' [Hb' [Ha' H']]]]. assert (w = v) by (apply before_unique with q t; assumption). assert (w' = v2) by (apply after_unique with q t; assumption). subst w w'.
     rewrite <- E in H'. assert (Rg := regular P p Hp t).
     destruct H as [?|[[H0 H]|[H0 H]]]; [contradiction| |]; (destruct H' as [?|[[H0' H']|[H0' H']]]; [contradiction| |]); try (exfalso; apply Rg; now split); now apply push_determined with (1 := H).
   - assert (K' : ~ collision P q t) by tauto.
-    destruct (law_free P HP p t Hp K) as [w [Hb Ha]]. assert (w = v) by (apply before_unique with p t; assumption). subst w.
-    destruct (law_free P HP q t Hq K') as [w [Hb' Ha']]. assert (w = v) by (apply before_unique with q t; assumption). subst w.
+    destruct (no_collision_no_change P HP p t Hp K) as [w [Hb Ha]]. assert (w = v) by (apply before_unique with p t; assumption). subst w.
+    destruct (no_collision_no_change P HP q t Hq K') as [w [Hb' Ha']]. assert (w = v) by (apply before_unique with q t; assumption). subst w.
     transitivity v; [apply after_unique with p t; assumption | apply after_unique with q t; assumption].
 Qed.
 Lemma line_same p q t v s : p t = q t -> on_line p t v s -> on_line q t v s -> p s = q s.

@@ -10,26 +10,26 @@ Lemma hit_unique c k x x' : hit c k x -> hit c k x' -> x = x'.
 Proof.
   assert (G : forall x x', hit c k x -> hit c k x' -> x < x' -> False).
   { clear x x'. intros x x' [H1 [H2 H3]] [K1 [K2 K3]] L. assert (HPI : 0 < PI) by apply PI_RGT_0.
-    assert (T := tangent x' x ltac:(lra) ltac:(lra)). assert (0 < (x' - x) * (cos x' - k)) by (apply Rmult_lt_0_compat; lra). lra. }
+    assert (T := sin_below_tangent x' x ltac:(lra) ltac:(lra)). assert (0 < (x' - x) * (cos x' - k)) by (apply Rmult_lt_0_compat; lra). lra. }
   intros H K. destruct (Rtotal_order x x') as [L|[L|L]]; [exfalso; now apply (G x x') | exact L | exfalso; now apply (G x' x)].
 Qed.
-Theorem L5f_all r : 0 < r -> exists M, forall n c k, - r <= k -> coll r n c k -> (n <= M)%nat.
+Theorem L5f_bounded_below_zero r : 0 < r -> exists M, forall n c k, - r <= k -> coll r n c k -> (n <= M)%nat.
 Proof.
-  intros Hr. destruct (L5f r Hr) as [M HM]. exists (S M). intros [|n] c k Hk H; [lia|]. destruct H as [x [Hx [->|[HD H]]]]; [lia|].
-  destruct (next_domain c k r x Hr Hk Hx HD) as [Q1 _]. assert (n <= M)%nat; [|lia]. apply (HM n _ _ ltac:(assert (0 <= kap (cos x) k r) by lra; eassumption) H).
+  intros Hr. destruct (L5f_bounded r Hr) as [M HM]. exists (S M). intros [|n] c k Hk H; [lia|]. destruct H as [x [Hx [->|[HD H]]]]; [lia|].
+  destruct (next_domain c k r x Hr Hk Hx HD) as [Q1 _]. assert (n <= M)%nat; [|lia]. apply (HM n _ _ ltac:(assert (0 <= next_slope (cos x) k r) by lra; eassumption) H).
 Qed.
 
 Section Exists.
 Variable P : dumbbell.
 Hypothesis HP : real_dumbbell P.
-Hypothesis Hr1 : rr P <= 1.
-Notation r := (rr P).
+Hypothesis Hr1 : r_of P <= 1.
+Notation r := (r_of P).
 Notation yh := (yhat_of P).
 
 (* ---------- motions are local ---------- *)
-Definition good (p : R -> pos) t := 0 <= y1 P (p t) /\ 0 <= y2 P (p t) /\ ~ (y1 P (p t) = 0 /\ y2 P (p t) = 0) /\
+Definition lawful (p : R -> pos) t := 0 <= y1 P (p t) /\ 0 <= y2 P (p t) /\ ~ (y1 P (p t) = 0 /\ y2 P (p t) = 0) /\
   exists v v', before p t v /\ after p t v' /\ (v' = v \/ (y1 P (p t) = 0 /\ push1 P (p t) v v') \/ (y2 P (p t) = 0 /\ push2 P (p t) v v')).
-Lemma good_motion p : (forall t, good p t) -> motion P p.
+Lemma lawful_motion p : (forall t, lawful p t) -> motion P p.
 Proof. intros H. split; intros t; destruct (H t) as [A [B [C D]]]; assumption. Qed.
 
 Definition near (p q : R -> pos) t := exists d, 0 < d /\ forall s, t - d <= s <= t + d -> p s = q s.
@@ -45,9 +45,9 @@ Proof.
   intros [d [Hd H]] [e [He K]]. exists (Rmin d e). assert (Rmin d e <= d) by apply Rmin_l. assert (Rmin d e <= e) by apply Rmin_r.
   split; [now apply Rmin_pos|]. intros s Hs. rewrite <- (H s), <- (H t) by lra. apply K. lra.
 Qed.
-Lemma near_good p q t : near p q t -> good p t -> good q t.
+Lemma near_lawful p q t : near p q t -> lawful p t -> lawful q t.
 Proof.
-  intros N [A [B [C [v [v' [D [E F]]]]]]]. unfold good. rewrite <- (near_at p q t N). repeat split; try assumption.
+  intros N [A [B [C [v [v' [D [E F]]]]]]]. unfold lawful. rewrite <- (near_at p q t N). repeat split; try assumption.
   exists v, v'. split; [now apply (near_before p)|]. split; [now apply (near_after p) | exact F].
 Qed.
 Lemma near_collision p q t : near p q t -> collision P p t -> collision P q t.
@@ -58,14 +58,14 @@ Lemma shift_before T p t v : before p (t - T) v -> before (shift T p) t v.
 Proof. intros [e [He H]]. exists e. split; [exact He|]. intros s Hs. unfold shift. replace (s - t) with (s - T - (t - T)) by ring. apply H. lra. Qed.
 Lemma shift_after T p t v : after p (t - T) v -> after (shift T p) t v.
 Proof. intros [e [He H]]. exists e. split; [exact He|]. intros s Hs. unfold shift. replace (s - t) with (s - T - (t - T)) by ring. apply H. lra. Qed.
-Lemma shift_good T p t : good p (t - T) -> good (shift T p) t.
+Lemma shift_lawful T p t : lawful p (t - T) -> lawful (shift T p) t.
 Proof. intros [A [B [C [v [v' [D [E F]]]]]]]. repeat split; try assumption. exists v, v'. split; [now apply shift_before|]. split; [now apply shift_after | exact F]. Qed.
 Lemma shift_collision T p t : collision P p (t - T) -> collision P (shift T p) t.
 Proof. intros [v [A B]]. exists v. split; [now apply shift_before | exact B]. Qed.
 
-Lemma mirror_good p t : good p t -> good (mirror p) t.
+Lemma mirror_lawful p t : lawful p t -> lawful (mirror p) t.
 Proof.
-  intros [A [B [C [v [v' [D [E F]]]]]]]. unfold good, push1, push2, y1, y2 in *.
+  intros [A [B [C [v [v' [D [E F]]]]]]]. unfold lawful, push1, push2, y1, y2 in *.
   replace (sin (angle (mirror p t))) with (sin (angle (p t))) by (unfold mirror; simpl; now rewrite sin_mirror).
   replace (cos (angle (mirror p t))) with (- cos (angle (p t))) by (unfold mirror; simpl; now rewrite cos_mirror).
   change (height (mirror p t)) with (height (p t)). repeat split; try assumption.
@@ -74,7 +74,7 @@ Proof.
   - replace (arm1 P * - cos (angle (p t))) with (- (arm1 P * cos (angle (p t)))) by ring. now apply mirror_push.
   - replace (- (arm2 P * - cos (angle (p t)))) with (- - (arm2 P * cos (angle (p t)))) by ring. now apply mirror_push.
 Qed.
-Lemma reverse_good p t : good p (- t) -> good (reverse p) t.
+Lemma reverse_lawful p t : lawful p (- t) -> lawful (reverse p) t.
 Proof.
   intros [A [B [C [v [v' [D [E F]]]]]]]. repeat split; try assumption. exists (minus_v v'), (minus_v v).
   split; [now apply reverse_before|]. split; [now apply reverse_after|].
@@ -106,21 +106,21 @@ Lemma line_before s0 v t : before (line s0 v) t v.
 Proof. exists 1. split; [lra|]. intros s _. simpl. split; ring. Qed.
 Lemma line_after s0 v t : after (line s0 v) t v.
 Proof. exists 1. split; [lra|]. intros s _. simpl. split; ring. Qed.
-Lemma line_psi s0 v t : psi_of (line s0 v t) = psi_of s0 + uu v * t.
-Proof. unfold psi_of, uu; simpl. ring. Qed.
-Lemma line_yh s0 v t : yh (line s0 v t) = yh s0 + vv P v * t.
-Proof. unfold yhat_of, vv; simpl. field. assert (A := arm1_pos P HP); lra. Qed.
+Lemma line_psi s0 v t : psi_of (line s0 v t) = psi_of s0 + u_of v * t.
+Proof. unfold psi_of, u_of; simpl. ring. Qed.
+Lemma line_yh s0 v t : yh (line s0 v t) = yh s0 + v_of P v * t.
+Proof. unfold yhat_of, v_of; simpl. field. assert (A := arm1_pos P HP); lra. Qed.
 
 (** Above the floor curve, at a positive height. *)
 Definition free (s : pos) := 0 < yh s /\ - cos (psi_of s) <= yh s /\ r * cos (psi_of s) <= yh s.
 Lemma free_above s : free s -> 0 <= y1 P s /\ 0 <= y2 P s /\ ~ (y1 P s = 0 /\ y2 P s = 0).
 Proof.
-  intros [A [B C]]. assert (A1 := arm1_pos P HP). assert (R0 := rr_pos P HP). destruct (L0_heights P s HP) as [E1 E2]. fold (rr P) in E2.
+  intros [A [B C]]. assert (A1 := arm1_pos P HP). assert (R0 := r_pos P HP). destruct (L0_heights P s HP) as [E1 E2]. fold (r_of P) in E2.
   rewrite E1, E2. split; [apply Rmult_le_pos; lra|]. split; [apply Rmult_le_pos; lra|]. intros [K1 K2].
   apply Rmult_integral in K1. apply Rmult_integral in K2. assert (K1' : cos (psi_of s) = - yh s) by lra.
   assert (r * yh s = - yh s) by (rewrite K1' in K2; lra). assert (0 < r * yh s) by (now apply Rmult_lt_0_compat). lra.
 Qed.
-Lemma line_good s0 v t : free (line s0 v t) -> good (line s0 v) t.
+Lemma line_lawful s0 v t : free (line s0 v t) -> lawful (line s0 v) t.
 Proof. intros H. destruct (free_above _ H) as [A [B C]]. repeat split; try assumption. exists v, v. split; [apply line_before|]. split; [apply line_after | now left]. Qed.
 
 (** The floor answers: a push that turns the mass. *)

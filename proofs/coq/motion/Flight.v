@@ -17,7 +17,7 @@ Proof.
 Qed.
 
 (** Where there is no collision, the velocity does not change. *)
-Lemma law_free p t : motion P p -> ~ collision P p t -> exists v, before p t v /\ after p t v.
+Lemma no_collision_no_change p t : motion P p -> ~ collision P p t -> exists v, before p t v /\ after p t v.
 Proof.
   intros Hm Hn. destruct (law P p Hm t) as [v [v' [Hb [Ha H]]]]. exists v. split; [exact Hb|].
   destruct H as [->|[[H0 Hp]|[H0 Hp]]]; [exact Ha| |].
@@ -27,7 +27,7 @@ Qed.
 
 Definition on_line (p : R -> pos) t0 v s := height (p s) = height (p t0) + vy v * (s - t0) /\ angle (p s) = angle (p t0) + om v * (s - t0).
 
-Theorem flight p t1 t2 v : motion P p -> after p t1 v -> t1 < t2 -> (forall t, t1 < t < t2 -> ~ collision P p t) ->
+Theorem straight_flight p t1 t2 v : motion P p -> after p t1 v -> t1 < t2 -> (forall t, t1 < t < t2 -> ~ collision P p t) ->
   forall s, t1 <= s <= t2 -> on_line p t1 v s.
 Proof.
   intros Hm [e [He Ha]] H12 Hfree.
@@ -57,7 +57,7 @@ Proof.
   assert (Hall : forall s, t1 <= s <= m -> on_line p t1 v s).
   { intros s Hs. destruct (Req_dec s m) as [->|]; [exact Hat | apply Hbelow; lra]. }
   destruct (Rle_lt_or_eq_dec m t2 M2) as [L|L]; [exfalso | rewrite <- L; exact Hall].
-  destruct (law_free p m Hm) as [w [Wb [d2 [Hd2 Wa]]]]; [apply Hfree; lra|].
+  destruct (no_collision_no_change p m Hm) as [w [Wb [d2 [Hd2 Wa]]]]; [apply Hfree; lra|].
   assert (w = vb) by (apply before_unique with p m; assumption). subst w.
   assert (HE : E (Rmin (m + d2) t2)).
   { assert (Rmin (m + d2) t2 <= m + d2) by apply Rmin_l. assert (Rmin (m + d2) t2 <= t2) by apply Rmin_r.
@@ -67,23 +67,23 @@ Proof.
 Qed.
 
 (** L0 (1): the coordinates psi, yhat; u = d psi/dt, v = d yhat/dt; r = m1/m2; a wall of slope t. *)
-Definition rr := m1 P / m2 P.
-Definition uu (v : vel) := om v.
-Definition vv (v : vel) := vy v / arm1 P.
+Definition r_of := m1 P / m2 P.
+Definition u_of (v : vel) := om v.
+Definition v_of (v : vel) := vy v / arm1 P.
 Definition slope1 (s : pos) := sin (psi_of s).
-Definition slope2 (s : pos) := - rr * sin (psi_of s).
-Definition reflects (t u v u' v' : R) := exists l, 0 < l /\ u' = u + l * (- t) /\ v' = v + l * rr /\ v' - t * u' = - (v - t * u) /\ v - t * u < 0.
-Lemma rr_arms : arm2 P = rr * arm1 P.
-Proof. destruct HP as [? [? ?]]. assert (0 < mass P) by (apply mass_pos; exact HP). unfold rr, arm1, arm2. field. lra. Qed.
+Definition slope2 (s : pos) := - r_of * sin (psi_of s).
+Definition reflects (t u v u' v' : R) := exists l, 0 < l /\ u' = u + l * (- t) /\ v' = v + l * r_of /\ v' - t * u' = - (v - t * u) /\ v - t * u < 0.
+Lemma r_arms : arm2 P = r_of * arm1 P.
+Proof. destruct HP as [? [? ?]]. assert (0 < mass P) by (apply mass_pos; exact HP). unfold r_of, arm1, arm2. field. lra. Qed.
 Lemma sin_psi s : sin (psi_of s) = - cos (angle s).
 Proof. unfold psi_of. rewrite sin_minus, cos_PI2, sin_PI2. ring. Qed.
-Lemma rr_pos : 0 < rr.
+Lemma r_pos : 0 < r_of.
 Proof. destruct HP as [? [? ?]]. now apply Rdiv_lt_0_compat. Qed.
-Theorem reflection1 s v v' : push1 P s v v' -> v' = v \/ reflects (slope1 s) (uu v) (vv v) (uu v') (vv v').
+Theorem L0_reflection1 s v v' : push1 P s v v' -> v' = v \/ reflects (slope1 s) (u_of v) (v_of v) (u_of v') (v_of v').
 Proof.
   intros H. destruct (push_cases P HP _ _ _ H) as [->|[Hr [j [Hj [Hv [Ho Hw]]]]]]; [now left|right].
-  assert (A1 := arm1_pos P HP). assert (R0 := rr_pos). assert (E := rr_arms). unfold reflects, slope1, uu, vv. rewrite sin_psi.
-  exists (j / arm2 P). rewrite E in *. assert (0 < rr * arm1 P) by (now apply Rmult_lt_0_compat). repeat split.
+  assert (A1 := arm1_pos P HP). assert (R0 := r_pos). assert (E := r_arms). unfold reflects, slope1, u_of, v_of. rewrite sin_psi.
+  exists (j / arm2 P). rewrite E in *. assert (0 < r_of * arm1 P) by (now apply Rmult_lt_0_compat). repeat split.
   - apply Rdiv_lt_0_compat; assumption.
   - rewrite Ho. field. lra.
   - rewrite Hv. field. lra.
@@ -91,46 +91,28 @@ Proof.
     rewrite Hr. field. lra.
   - apply Rmult_lt_reg_l with (arm1 P); [assumption|]. replace (arm1 P * (vy v / arm1 P - - cos (angle s) * om v)) with (vy v + arm1 P * cos (angle s) * om v) by (field; lra). lra.
 Qed.
-Theorem reflection2 s v v' : push2 P s v v' -> v' = v \/ reflects (slope2 s) (uu v) (vv v) (uu v') (vv v').
+Theorem L0_reflection2 s v v' : push2 P s v v' -> v' = v \/ reflects (slope2 s) (u_of v) (v_of v) (u_of v') (v_of v').
 Proof.
   intros H. destruct (push_cases P HP _ _ _ H) as [->|[Hr [j [Hj [Hv [Ho Hw]]]]]]; [now left|right].
-  assert (A1 := arm1_pos P HP). assert (R0 := rr_pos). assert (E := rr_arms). unfold reflects, slope2, uu, vv. rewrite sin_psi.
-  exists (j / arm2 P). rewrite E in *. assert (0 < rr * arm1 P) by (now apply Rmult_lt_0_compat). repeat split.
+  assert (A1 := arm1_pos P HP). assert (R0 := r_pos). assert (E := r_arms). unfold reflects, slope2, u_of, v_of. rewrite sin_psi.
+  exists (j / arm2 P). rewrite E in *. assert (0 < r_of * arm1 P) by (now apply Rmult_lt_0_compat). repeat split.
   - apply Rdiv_lt_0_compat; assumption.
   - rewrite Ho. field. lra.
   - rewrite Hv. field. lra.
-  - apply Rmult_eq_reg_l with (arm1 P); [|lra]. replace (arm1 P * (vy v' / arm1 P - - rr * - cos (angle s) * om v')) with (vy v' + - (rr * arm1 P * cos (angle s)) * om v') by (field; lra).
+  - apply Rmult_eq_reg_l with (arm1 P); [|lra]. replace (arm1 P * (vy v' / arm1 P - - r_of * - cos (angle s) * om v')) with (vy v' + - (r_of * arm1 P * cos (angle s)) * om v') by (field; lra).
     rewrite Hr. field. lra.
-  - apply Rmult_lt_reg_l with (arm1 P); [assumption|]. replace (arm1 P * (vy v / arm1 P - - rr * - cos (angle s) * om v)) with (vy v + - (rr * arm1 P * cos (angle s)) * om v) by (field; lra). lra.
+  - apply Rmult_lt_reg_l with (arm1 P); [assumption|]. replace (arm1 P * (vy v / arm1 P - - r_of * - cos (angle s) * om v)) with (vy v + - (r_of * arm1 P * cos (angle s)) * om v) by (field; lra). lra.
 Qed.
 
 (** L2 (a). *)
-Lemma L2a t u v u' v' : reflects t u v u' v' -> v < v'.
-Proof. intros [l [Hl [_ [Hv _]]]]. assert (0 < l * rr) by (apply Rmult_lt_0_compat; [assumption | exact rr_pos]). lra. Qed.
-
-(** (2) of L4 (b), L8 (3) and mu of L9 are this reflection (unit speed to the wall, mirrored so that the wall's slope is w). *)
-Lemma reflect_formula t k u' v' : reflects t 1 k u' v' -> t*t + rr <> 0 /\ u' = (rr - t*t + 2*k*t) / (t*t + rr) /\ v' = (k*(t*t) - k*rr + 2*rr*t) / (t*t + rr).
-Proof.
-  intros [l [Hl [Hu [Hv [Hr Hn]]]]]. assert (R0 := rr_pos). assert (0 < t*t + rr) by (assert (0 <= t*t) by apply Rle_0_sqr; lra).
-  split; [lra|]. assert (El : l = 2 * (t - k) / (t*t + rr)). { apply Rmult_eq_reg_r with (t*t + rr); [|lra]. field_simplify; [|lra]. rewrite Hu, Hv in Hr. lra. }
-  split; [rewrite Hu | rewrite Hv]; rewrite El; field; lra.
-Qed.
-Theorem light_wall w k u' v' : reflects w 1 k u' v' -> (u' < 0 <-> 0 < DD w k rr) /\ (0 < DD w k rr -> v' / - u' = kap w k rr).
-Proof.
-  intros H. destruct (reflect_formula _ _ _ _ H) as [H0 [Hu Hv]]. assert (R0 := rr_pos). assert (0 < w*w + rr) by (assert (0 <= w*w) by apply Rle_0_sqr; lra).
-  assert (E : u' = - DD w k rr / (w*w + rr)) by (rewrite Hu; unfold DD; field; lra).
-  split.
-  - rewrite E. split; intros K.
-    + apply Rmult_lt_reg_r with (/ (w*w + rr)); [now apply Rinv_0_lt_compat|]. unfold Rdiv in K. lra.
-    + unfold Rdiv. rewrite Ropp_mult_distr_l_reverse. assert (0 < DD w k rr * / (w*w + rr)) by (apply Rmult_lt_0_compat; [assumption | now apply Rinv_0_lt_compat]). lra.
-  - intros K. rewrite E, Hv. unfold kap, NN. field. lra.
-Qed.
+Lemma L2a_v_grows t u v u' v' : reflects t u v u' v' -> v < v'.
+Proof. intros [l [Hl [_ [Hv _]]]]. assert (0 < l * r_of) by (apply Rmult_lt_0_compat; [assumption | exact r_pos]). lra. Qed.
 
 (** L3: a collision needs v < t u, |t| <= 1; so none of a steep ascending flight. *)
-Theorem L3_phys p t v : rr <= 1 -> motion P p -> before p t v -> Rabs (uu v) <= vv v -> ~ collision P p t.
+Theorem L3_steep_no_collision p t v : r_of <= 1 -> motion P p -> before p t v -> Rabs (u_of v) <= v_of v -> ~ collision P p t.
 Proof.
   intros Hr Hm Hb Hs [v0 [Hb0 H]]. assert (v0 = v) by (apply before_unique with p t; assumption). subst v0.
-  assert (A1 := arm1_pos P HP). assert (E := rr_arms). assert (R0 := rr_pos). unfold uu, vv in Hs.
+  assert (A1 := arm1_pos P HP). assert (E := r_arms). assert (R0 := r_pos). unfold u_of, v_of in Hs.
   assert (K : forall x, -1 <= x <= 1 -> 0 <= vy v / arm1 P + x * om v).
   { intros x Hx. assert (Rabs (x * om v) <= Rabs (om v)).
     { rewrite Rabs_mult. assert (Rabs x <= 1) by (apply Rabs_le; lra). assert (0 <= Rabs (om v)) by apply Rabs_pos. assert (Rabs x * Rabs (om v) <= 1 * Rabs (om v)) by (apply Rmult_le_compat_r; assumption). lra. }
@@ -139,20 +121,10 @@ Proof.
   destruct H as [[_ H]|[_ H]].
   - unfold w1 in H. assert (K1 := K (cos (angle (p t))) C). assert (0 <= arm1 P * (vy v / arm1 P + cos (angle (p t)) * om v)) by (apply Rmult_le_pos; lra).
     replace (arm1 P * (vy v / arm1 P + cos (angle (p t)) * om v)) with (vy v + arm1 P * cos (angle (p t)) * om v) in * by (field; lra). lra.
-  - unfold w2 in H. assert (Hx : -1 <= - (rr * cos (angle (p t))) <= 1).
-    { assert (rr * cos (angle (p t)) <= rr * 1) by (apply Rmult_le_compat_l; lra). assert (rr * -1 <= rr * cos (angle (p t))) by (apply Rmult_le_compat_l; lra). lra. }
-    assert (K1 := K _ Hx). assert (0 <= arm1 P * (vy v / arm1 P + - (rr * cos (angle (p t))) * om v)) by (apply Rmult_le_pos; lra).
-    rewrite E in H. replace (arm1 P * (vy v / arm1 P + - (rr * cos (angle (p t))) * om v)) with (vy v - rr * arm1 P * cos (angle (p t)) * om v) in * by (field; lra). lra.
+  - unfold w2 in H. assert (Hx : -1 <= - (r_of * cos (angle (p t))) <= 1).
+    { assert (r_of * cos (angle (p t)) <= r_of * 1) by (apply Rmult_le_compat_l; lra). assert (r_of * -1 <= r_of * cos (angle (p t))) by (apply Rmult_le_compat_l; lra). lra. }
+    assert (K1 := K _ Hx). assert (0 <= arm1 P * (vy v / arm1 P + - (r_of * cos (angle (p t))) * om v)) by (apply Rmult_le_pos; lra).
+    rewrite E in H. replace (arm1 P * (vy v / arm1 P + - (r_of * cos (angle (p t))) * om v)) with (vy v - r_of * arm1 P * cos (angle (p t)) * om v) in * by (field; lra). lra.
 Qed.
 
-(** L1 (a), both humps at once: -cos and cos are concave where they are positive. *)
-Lemma hump x0 x : 0 <= sin x0 -> 0 <= x0 <= PI -> 0 <= x <= PI -> sin x <= sin x0 + cos x0 * (x - x0).
-Proof. intros _ H0 H. assert (T := tangent x0 x H0 H). lra. Qed.
-Theorem L1a k x0 y0 u v t : 0 <= x0 <= PI -> 0 <= x0 + u * t <= PI -> 0 < t -> 0 < k -> y0 = k * sin x0 -> 0 < v - k * cos x0 * u ->
-  k * sin (x0 + u * t) < y0 + v * t.
-Proof.
-  intros H0 H1 Ht Hk Hy Hv. assert (T := tangent x0 (x0 + u*t) H0 H1). 
-  assert (k * sin (x0 + u*t) <= k * (sin x0 + (x0 + u * t - x0) * cos x0)) by (apply Rmult_le_compat_l; lra).
-  assert (0 < t * (v - k * cos x0 * u)) by (apply Rmult_lt_0_compat; assumption). lra.
-Qed.
 End Flight.

@@ -7,10 +7,10 @@ Local Open Scope R_scope.
 Section NoAcc.
 Variable P : dumbbell.
 Hypothesis HP : real_dumbbell P.
-Hypothesis Hr1 : rr P <= 1.
+Hypothesis Hr1 : r_of P <= 1.
 
 (** A mass that goes down at the floor is turned. *)
-Lemma must_turn p t e v : 0 < e -> (forall s, t < s < t + e -> good P p s) -> after p t v -> (y1 P (p t) = 0 -> 0 <= w1 P (p t) v) /\ (y2 P (p t) = 0 -> 0 <= w2 P (p t) v).
+Lemma must_turn p t e v : 0 < e -> (forall s, t < s < t + e -> lawful P p s) -> after p t v -> (y1 P (p t) = 0 -> 0 <= w1 P (p t) v) /\ (y2 P (p t) = 0 -> 0 <= w2 P (p t) v).
 Proof.
   intros He Hg [d [Hd Ha]]. set (d' := Rmin d (e / 2)). assert (D0 : 0 < d') by (apply Rmin_pos; lra). assert (D1 : d' <= d) by apply Rmin_l. assert (D2 : d' <= e / 2) by apply Rmin_r.
   split; intros H0; apply Rnot_lt_le; intros Hw.
@@ -24,11 +24,11 @@ Proof.
     replace (angle (p t) + PI + om v * s) with (angle (p t) + om v * s + PI) in Hn by ring. rewrite neg_sin in Hn. lra.
 Qed.
 (** The velocity after a time is determined by the state before it. *)
-Lemma turn_determined p q t e v v1 v2 : 0 < e -> (forall s, t <= s < t + e -> good P p s) -> (forall s, t <= s < t + e -> good P q s) -> p t = q t ->
+Lemma turn_determined p q t e v v1 v2 : 0 < e -> (forall s, t <= s < t + e -> lawful P p s) -> (forall s, t <= s < t + e -> lawful P q s) -> p t = q t ->
   before p t v -> before q t v -> after p t v1 -> after q t v2 -> v1 = v2.
 Proof.
   intros He Gp Gq E Bp Bq Ap Aq.
-  assert (Cases : forall f w, (forall s, t <= s < t + e -> good P f s) -> before f t v -> after f t w -> f t = p t ->
+  assert (Cases : forall f w, (forall s, t <= s < t + e -> lawful P f s) -> before f t v -> after f t w -> f t = p t ->
     w = v \/ (w <> v /\ ((y1 P (p t) = 0 /\ push1 P (p t) v w /\ w1 P (p t) v < 0) \/ (y2 P (p t) = 0 /\ push2 P (p t) v w /\ w2 P (p t) v < 0)))).
   { intros f w Gf Bf Af Ef. destruct (Gf t ltac:(lra)) as [_ [_ [_ [u [u' [Hb [Ha H]]]]]]].
     assert (u = v) by (apply before_unique with f t; assumption). assert (u' = w) by (apply after_unique with f t; assumption). subst u u'. rewrite Ef in H.
@@ -37,7 +37,7 @@ Proof.
       split; [exact N|]. left. split; [exact H0|]. split; [exact H|]. unfold w1. lra.
     - destruct (push_cases P HP _ _ _ H) as [->|[_ [j [_ [_ [_ Hw]]]]]]; [now left|]. destruct (Classical_Prop.classic (w = v)) as [|N]; [now left | right].
       split; [exact N|]. right. split; [exact H0|]. split; [exact H|]. unfold w2. lra. }
-  assert (Free : forall f, (forall s, t <= s < t + e -> good P f s) -> after f t v -> f t = p t -> ~ (y1 P (p t) = 0 /\ w1 P (p t) v < 0) /\ ~ (y2 P (p t) = 0 /\ w2 P (p t) v < 0)).
+  assert (Free : forall f, (forall s, t <= s < t + e -> lawful P f s) -> after f t v -> f t = p t -> ~ (y1 P (p t) = 0 /\ w1 P (p t) v < 0) /\ ~ (y2 P (p t) = 0 /\ w2 P (p t) v < 0)).
   { intros f Gf Af Ef. destruct (must_turn f t e v He) as [M1 M2]; [intros s Hs; apply Gf; lra | exact Af|]. rewrite Ef in M1, M2.
     split; intros [K1 K2]; [specialize (M1 K1) | specialize (M2 K1)]; lra. }
   assert (Rg : ~ (y1 P (p t) = 0 /\ y2 P (p t) = 0)) by (destruct (Gp t ltac:(lra)) as [_ [_ [K _]]]; exact K).
@@ -61,7 +61,7 @@ Proof.
   assert (V1 : vy vp = vy vq) by (apply Rmult_eq_reg_r with (d / 2); lra). assert (V2 : om vp = om vq) by (apply Rmult_eq_reg_r with (d / 2); lra).
   split; [apply pos_eq; [rewrite V1 in X1 | rewrite V2 in X2]; lra | now apply vel_eq].
 Qed.
-Theorem agree p q t0 T v : (forall t, t0 < t < T -> good P p t) -> (forall t, t0 < t < T -> good P q t) -> p t0 = q t0 -> after p t0 v -> after q t0 v ->
+Theorem agree p q t0 T v : (forall t, t0 < t < T -> lawful P p t) -> (forall t, t0 < t < T -> lawful P q t) -> p t0 = q t0 -> after p t0 v -> after q t0 v ->
   forall t, t0 <= t < T -> p t = q t.
 Proof.
   intros Gp Gq E0 Ap Aq T' HT. destruct (Req_dec T' t0) as [->|NT]; [exact E0|].
@@ -89,23 +89,23 @@ Proof.
 Qed.
 
 (** Free just before T. *)
-Definition settles (p : R -> pos) T := exists e s1 u, 0 < e /\ forall t, T - e <= t < T -> p t = line s1 u (t - T).
-Lemma before_settles p q t0 T u : t0 < T -> (forall t, t0 <= t < T -> p t = q t) -> before q T u -> settles p T.
+Definition free_just_before (p : R -> pos) T := exists e s1 u, 0 < e /\ forall t, T - e <= t < T -> p t = line s1 u (t - T).
+Lemma before_free_just_before p q t0 T u : t0 < T -> (forall t, t0 <= t < T -> p t = q t) -> before q T u -> free_just_before p T.
 Proof.
   intros HT H [e [He B]]. exists (Rmin e (T - t0)), (q T), u. assert (D1 : Rmin e (T - t0) <= e) by apply Rmin_l. assert (D2 : Rmin e (T - t0) <= T - t0) by apply Rmin_r.
   split; [apply Rmin_pos; lra|]. intros t Ht. rewrite (H t ltac:(lra)). destruct (B t ltac:(lra)) as [B1 B2]. apply pos_eq; simpl; assumption.
 Qed.
-Theorem no_accumulation s v p T : ok P s -> leaves P s v -> p 0 = s -> after p 0 v -> 0 < T -> (forall t, 0 < t < T -> good P p t) -> settles p T.
+Theorem no_accumulation s v p T : above_floor P s -> leaves P s v -> p 0 = s -> after p 0 v -> 0 < T -> (forall t, 0 < t < T -> lawful P p t) -> free_just_before p T.
 Proof.
   intros Hs Hl E0 Ha HT Hg. destruct (every_state P HP Hr1 s v Hs Hl) as [[q [F0 [Fa Fg]]]|[T2 [q [u [HT2 [F0 [Fa [Fg [Fb Fc]]]]]]]]].
   - assert (A := agree p q 0 T v Hg ltac:(intros t Ht; apply Fg; lra) ltac:(congruence) Ha Fa).
-    destruct (Fg T HT) as [_ [_ [_ [w [_ [Hb _]]]]]]. exact (before_settles p q 0 T w HT A Hb).
+    destruct (Fg T HT) as [_ [_ [_ [w [_ [Hb _]]]]]]. exact (before_free_just_before p q 0 T w HT A Hb).
   - destruct (Rlt_or_le T2 T) as [L|L].
     + exfalso. assert (A := agree p q 0 T2 v ltac:(intros t Ht; apply Hg; lra) Fg ltac:(congruence) Ha Fa).
       destruct (Hg T2 ltac:(lra)) as [_ [_ [Rg [w [_ [Hb _]]]]]]. destruct (agree_at p q 0 T2 w u HT2 A Hb Fb) as [E _]. apply Rg. rewrite E. exact Fc.
     + assert (A := agree p q 0 T v Hg ltac:(intros t Ht; apply Fg; lra) ltac:(congruence) Ha Fa).
       destruct (Rle_lt_or_eq_dec _ _ L) as [K|K].
-      * destruct (Fg T ltac:(lra)) as [_ [_ [_ [w [_ [Hb _]]]]]]. exact (before_settles p q 0 T w HT A Hb).
-      * apply (before_settles p q 0 T u HT A). now rewrite K.
+      * destruct (Fg T ltac:(lra)) as [_ [_ [_ [w [_ [Hb _]]]]]]. exact (before_free_just_before p q 0 T w HT A Hb).
+      * apply (before_free_just_before p q 0 T u HT A). now rewrite K.
 Qed.
 End NoAcc.

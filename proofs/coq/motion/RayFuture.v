@@ -7,17 +7,17 @@ Local Open Scope R_scope.
 Section Future.
 Variable P : dumbbell.
 Hypothesis HP : real_dumbbell P.
-Hypothesis Hr1 : rr P <= 1.
-Notation r := (rr P).
+Hypothesis Hr1 : r_of P <= 1.
+Notation r := (r_of P).
 Notation yh := (yhat_of P).
 
 (** A ray to the left as in Follow.v, without a motion. *)
-Record sray (s0 : pos) (v : vel) (c k : R) : Prop := {
-  q_left : uu v < 0; q_slope : k * - uu v = vv P v;
-  q_c : c = yh s0 + k * (psi_of s0 + PI/2); q_start : - (PI/2) < psi_of s0;
-  q_clear : forall z, - (PI/2) <= z < psi_of s0 -> - cos z < yh s0 + k * (psi_of s0 - z) /\ r * cos z < yh s0 + k * (psi_of s0 - z);
-  q_below : 0 <= k \/ c + k * (PI/2) < 1 }.
-Lemma sray_c s0 v c k : sray s0 v c k -> 0 < c.
+Record start_ray (s0 : pos) (v : vel) (c k : R) : Prop := {
+  sr_left : u_of v < 0; sr_slope : k * - u_of v = v_of P v;
+  sr_height : c = yh s0 + k * (psi_of s0 + PI/2); sr_start : - (PI/2) < psi_of s0;
+  sr_clear : forall z, - (PI/2) <= z < psi_of s0 -> - cos z < yh s0 + k * (psi_of s0 - z) /\ r * cos z < yh s0 + k * (psi_of s0 - z);
+  sr_below : 0 <= k \/ c + k * (PI/2) < 1 }.
+Lemma start_ray_height_pos s0 v c k : start_ray s0 v c k -> 0 < c.
 Proof.
   intros [_ _ Hc Hs Hcl _]. assert (HPI : 0 < PI) by apply PI_RGT_0. destruct (Hcl (- (PI/2)) ltac:(lra)) as [_ K].
   rewrite cos_neg, cos_PI2 in K. rewrite Hc. lra.
@@ -29,12 +29,12 @@ Lemma over_free s X : psi_of s = - (PI/2) - X -> over X (yh s) -> free P s.
 Proof. intros E [A [B C]]. unfold free. rewrite E, cos_left. repeat split; lra. Qed.
 Lemma over_low X y : 0 <= X <= PI/2 -> 0 < y -> sin X <= y -> over X y.
 Proof.
-  intros HX Hy Hs. assert (R0 := rr_pos P HP). assert (0 <= sin X) by (apply sin_ge_0; assert (0 < PI) by apply PI_RGT_0; lra).
+  intros HX Hy Hs. assert (R0 := r_pos P HP). assert (0 <= sin X) by (apply sin_ge_0; assert (0 < PI) by apply PI_RGT_0; lra).
   assert (0 <= r * sin X) by (apply Rmult_le_pos; lra). repeat split; lra.
 Qed.
 Lemma over_high X y : 1 <= y -> over X y.
 Proof.
-  intros Hy. assert (R0 := rr_pos P HP). assert (B := SIN_bound X). assert (r * - sin X <= r * 1) by (apply Rmult_le_compat_l; lra).
+  intros Hy. assert (R0 := r_pos P HP). assert (B := SIN_bound X). assert (r * - sin X <= r * 1) by (apply Rmult_le_compat_l; lra).
   repeat split; lra.
 Qed.
 Lemma over_miss c k X : 0 < c -> 0 <= k \/ c + k * (PI/2) < 1 -> ~ (exists x, hit c k x) -> 0 <= X -> over X (c + k * X).
@@ -49,7 +49,7 @@ Proof.
 Qed.
 Lemma over_before c k x X : 0 < c -> hit c k x -> 0 <= X <= x -> over X (c + k * X).
 Proof.
-  intros Hc [Hx [Hs Hk]] HX. assert (HPI : 0 < PI) by apply PI_RGT_0. assert (T := tangent x X ltac:(lra) ltac:(lra)).
+  intros Hc [Hx [Hs Hk]] HX. assert (HPI : 0 < PI) by apply PI_RGT_0. assert (T := sin_below_tangent x X ltac:(lra) ltac:(lra)).
   assert (0 <= (x - X) * (cos x - k)) by (apply Rmult_le_pos; lra). assert (S : sin X <= c + k * X) by lra.
   apply over_low; [lra | | exact S]. destruct (Req_dec X 0) as [->|]; [lra|]. assert (0 < sin X) by (apply sin_gt_0; lra). lra.
 Qed.
@@ -58,16 +58,16 @@ Lemma over_tangent x X y : 0 < x < PI/2 -> x <= X -> sin x + cos x * (X - x) <= 
 Proof.
   intros Hx HX Hy. assert (HPI : 0 < PI) by apply PI_RGT_0. assert (W := cos_pos x ltac:(lra)).
   destruct (Rle_or_lt X (PI/2)) as [L|L].
-  - assert (T := tangent x X ltac:(lra) ltac:(lra)). assert (0 < sin X) by (apply sin_gt_0; lra). apply over_low; lra.
-  - apply over_high. assert (T := tangent x (PI/2) ltac:(lra) ltac:(lra)). rewrite sin_PI2 in T.
+  - assert (T := sin_below_tangent x X ltac:(lra) ltac:(lra)). assert (0 < sin X) by (apply sin_gt_0; lra). apply over_low; lra.
+  - apply over_high. assert (T := sin_below_tangent x (PI/2) ltac:(lra) ltac:(lra)). rewrite sin_PI2 in T.
     assert ((PI/2 - x) * cos x <= (X - x) * cos x) by (apply Rmult_le_compat_r; lra). lra.
 Qed.
 
 (** Along the ray. *)
-Lemma ray_free s0 v c k t : sray s0 v c k -> 0 < t -> (forall X, 0 <= X -> psi_of (line s0 v t) = - (PI/2) - X -> over X (c + k * X)) -> free P (line s0 v t).
+Lemma ray_free s0 v c k t : start_ray s0 v c k -> 0 < t -> (forall X, 0 <= X -> psi_of (line s0 v t) = - (PI/2) - X -> over X (c + k * X)) -> free P (line s0 v t).
 Proof.
-  intros [Hu Hs Hc Hst Hcl _] Ht HX. assert (R0 := rr_pos P HP). set (z := psi_of (line s0 v t)).
-  assert (Ez : z = psi_of s0 + uu v * t) by apply line_psi. assert (Hz : z < psi_of s0) by (assert (0 < - uu v * t) by (apply Rmult_lt_0_compat; lra); lra).
+  intros [Hu Hs Hc Hst Hcl _] Ht HX. assert (R0 := r_pos P HP). set (z := psi_of (line s0 v t)).
+  assert (Ez : z = psi_of s0 + u_of v * t) by apply line_psi. assert (Hz : z < psi_of s0) by (assert (0 < - u_of v * t) by (apply Rmult_lt_0_compat; lra); lra).
   assert (Ey : yh (line s0 v t) = yh s0 + k * (psi_of s0 - z)) by (rewrite (line_yh P HP), <- Hs, Ez; ring).
   destruct (Rle_or_lt (- (PI/2)) z) as [L|L].
   - destruct (Hcl z ltac:(lra)) as [A B]. unfold free. fold z. rewrite Ey. repeat split; try lra.
@@ -77,49 +77,49 @@ Proof.
 Qed.
 
 (** The contact with the left wall. *)
-Lemma hit_state s0 v c k x : sray s0 v c k -> hit c k x -> exists T, 0 < T /\ let s1 := line s0 v T in
+Lemma hit_state s0 v c k x : start_ray s0 v c k -> hit c k x -> exists T, 0 < T /\ let s1 := line s0 v T in
   psi_of s1 = - (PI/2) - x /\ yh s1 = sin x /\ 0 < x < PI/2 /\ (forall t, 0 < t <= T -> free P (line s0 v t)) /\ y1 P s1 = 0 /\ w1 P s1 v < 0.
 Proof.
-  intros HR Hx. assert (Hc := sray_c _ _ _ _ HR). assert (HR' := HR). destruct HR' as [Hu Hs Ec Hst _ _]. assert (Hx' := Hx). destruct Hx' as [X1 [X2 X3]].
+  intros HR Hx. assert (Hc := start_ray_height_pos _ _ _ _ HR). assert (HR' := HR). destruct HR' as [Hu Hs Ec Hst _ _]. assert (Hx' := Hx). destruct Hx' as [X1 [X2 X3]].
   assert (A1 := arm1_pos P HP). assert (Hx0 : 0 < x). { destruct (Req_dec x 0) as [->|]; [rewrite sin_0 in X2; lra | lra]. }
-  set (T := (psi_of s0 + PI/2 + x) / - uu v). exists T. assert (HT : 0 < T) by (apply Rdiv_lt_0_compat; lra).
-  assert (ET : - uu v * T = psi_of s0 + PI/2 + x) by (unfold T; field; lra). split; [exact HT|]. intros s1.
+  set (T := (psi_of s0 + PI/2 + x) / - u_of v). exists T. assert (HT : 0 < T) by (apply Rdiv_lt_0_compat; lra).
+  assert (ET : - u_of v * T = psi_of s0 + PI/2 + x) by (unfold T; field; lra). split; [exact HT|]. intros s1.
   assert (E1 : psi_of s1 = - (PI/2) - x) by (unfold s1; rewrite line_psi; lra).
-  assert (E2 : yh s1 = sin x). { unfold s1. rewrite (line_yh P HP), <- Hs, X2, Ec. replace (k * - uu v * T) with (k * (- uu v * T)) by ring. rewrite ET. ring. }
+  assert (E2 : yh s1 = sin x). { unfold s1. rewrite (line_yh P HP), <- Hs, X2, Ec. replace (k * - u_of v * T) with (k * (- u_of v * T)) by ring. rewrite ET. ring. }
   split; [exact E1|]. split; [exact E2|]. split; [lra|]. split; [|split].
   - intros t Ht. apply (ray_free s0 v c k t HR); [lra|]. intros X HX EX. apply (over_before c k x X Hc Hx). split; [exact HX|].
-    rewrite line_psi in EX. assert (- uu v * t <= - uu v * T) by (apply Rmult_le_compat_l; lra). lra.
+    rewrite line_psi in EX. assert (- u_of v * t <= - u_of v * T) by (apply Rmult_le_compat_l; lra). lra.
   - destruct (L0_heights P s1 HP) as [E _]. rewrite E, E1, E2, cos_left. ring.
   - unfold w1. assert (Ca : cos (angle s1) = cos x) by (assert (K := sin_psi s1); rewrite E1, sin_left in K; lra). rewrite Ca.
-    assert (0 < arm1 P * ((cos x - k) * - uu v)) by (apply Rmult_lt_0_compat; [lra | apply Rmult_lt_0_compat; lra]).
-    replace (arm1 P * ((cos x - k) * - uu v)) with (- (vy v + arm1 P * cos x * om v)) in H; [lra|].
-    replace ((cos x - k) * - uu v) with (cos x * - uu v - vv P v) by (rewrite <- Hs; ring). unfold uu, vv. field. lra.
+    assert (0 < arm1 P * ((cos x - k) * - u_of v)) by (apply Rmult_lt_0_compat; [lra | apply Rmult_lt_0_compat; lra]).
+    replace (arm1 P * ((cos x - k) * - u_of v)) with (- (vy v + arm1 P * cos x * om v)) in H; [lra|].
+    replace ((cos x - k) * - u_of v) with (cos x * - u_of v - v_of P v) by (rewrite <- Hs; ring). unfold u_of, v_of. field. lra.
 Qed.
 
 (** (2) of L4 (b). *)
-Lemma bounce x k v v' : uu v < 0 -> k * - uu v = vv P v -> reflects P (- cos x) (uu v) (vv P v) (uu v') (vv P v') ->
-  uu v' = - uu v * (DD (cos x) k r / (cos x * cos x + r)) /\ vv P v' = - uu v * (NN (cos x) k r / (cos x * cos x + r)) /\ 0 < vv P v' + cos x * uu v'.
+Lemma reflected_velocity x k v v' : u_of v < 0 -> k * - u_of v = v_of P v -> reflects P (- cos x) (u_of v) (v_of P v) (u_of v') (v_of P v') ->
+  u_of v' = - u_of v * (slope_den (cos x) k r / (cos x * cos x + r)) /\ v_of P v' = - u_of v * (slope_num (cos x) k r / (cos x * cos x + r)) /\ 0 < v_of P v' + cos x * u_of v'.
 Proof.
-  intros Hu Hs [l [Hl [Eu [Ev [Er En]]]]]. assert (R0 := rr_pos P HP). assert (0 < cos x * cos x + r) by (assert (0 <= cos x * cos x) by apply Rle_0_sqr; lra).
-  assert (El : l = 2 * - uu v * (cos x - k) / (cos x * cos x + r)).
-  { apply Rmult_eq_reg_r with (cos x * cos x + r); [|lra]. replace (2 * - uu v * (cos x - k) / (cos x * cos x + r) * (cos x * cos x + r)) with (2 * - uu v * (cos x - k)) by (field; lra).
+  intros Hu Hs [l [Hl [Eu [Ev [Er En]]]]]. assert (R0 := r_pos P HP). assert (0 < cos x * cos x + r) by (assert (0 <= cos x * cos x) by apply Rle_0_sqr; lra).
+  assert (El : l = 2 * - u_of v * (cos x - k) / (cos x * cos x + r)).
+  { apply Rmult_eq_reg_r with (cos x * cos x + r); [|lra]. replace (2 * - u_of v * (cos x - k) / (cos x * cos x + r) * (cos x * cos x + r)) with (2 * - u_of v * (cos x - k)) by (field; lra).
     rewrite Eu, Ev, <- Hs in Er. lra. }
   split; [|split; [|lra]].
-  - rewrite Eu, El. unfold DD. field. lra.
-  - rewrite Ev, El, <- Hs. unfold NN. field. lra.
+  - rewrite Eu, El. unfold slope_den. field. lra.
+  - rewrite Ev, El, <- Hs. unfold slope_num. field. lra.
 Qed.
 
 Definition mirror_pos (s : pos) := {| height := height s; angle := PI - angle s |}.
 Lemma psi_mirror_pos s : psi_of (mirror_pos s) = - psi_of s.
 Proof. unfold psi_of; simpl. lra. Qed.
 (** After the bounce to the other wall: a ray again, mirrored. *)
-Lemma next_sray s1 v' x k' : psi_of s1 = - (PI/2) - x -> yh s1 = sin x -> 0 < x < PI/2 -> 0 < uu v' -> k' * uu v' = vv P v' -> r <= k' ->
-  sray (mirror_pos s1) (mirror_v v') (sin x + k' * (x + PI)) k'.
+Lemma next_start_ray s1 v' x k' : psi_of s1 = - (PI/2) - x -> yh s1 = sin x -> 0 < x < PI/2 -> 0 < u_of v' -> k' * u_of v' = v_of P v' -> r <= k' ->
+  start_ray (mirror_pos s1) (mirror_v v') (sin x + k' * (x + PI)) k'.
 Proof.
-  intros E1 E2 Hx Hu Hs Hk. assert (HPI : 0 < PI) by apply PI_RGT_0. assert (R0 := rr_pos P HP).
+  intros E1 E2 Hx Hu Hs Hk. assert (HPI : 0 < PI) by apply PI_RGT_0. assert (R0 := r_pos P HP).
   assert (EP : psi_of (mirror_pos s1) = PI/2 + x) by (rewrite psi_mirror_pos, E1; ring). assert (EY : yh (mirror_pos s1) = sin x) by exact E2.
   assert (Sx : 0 < sin x) by (apply sin_gt_0; lra).
-  split; rewrite ?EP, ?EY; try lra; try (unfold uu, vv in *; simpl; lra).
+  split; rewrite ?EP, ?EY; try lra; try (unfold u_of, v_of in *; simpl; lra).
   intros z Hz. destruct (Rle_or_lt z (PI/2)) as [Kz|Kz].
   - assert (Hk2 : r * (PI/2 + x - z) <= k' * (PI/2 + x - z)) by (apply Rmult_le_compat_r; lra).
     assert (0 <= cos z) by (apply cos_ge_0; lra).
@@ -133,16 +133,16 @@ Proof.
 Qed.
 
 (** A half motion out of the state s0, v. *)
-Definition future s0 v p := p 0 = s0 /\ after p 0 v /\ forall t, 0 < t -> good P p t.
+Definition future s0 v p := p 0 = s0 /\ after p 0 v /\ forall t, 0 < t -> lawful P p t.
 Lemma later_0 p t : later P p t 0.
 Proof. exists nil. repeat split; [constructor | contradiction | contradiction]. Qed.
 Lemma future_line s0 v : (forall t, 0 < t -> free P (line s0 v t)) -> future s0 v (line s0 v).
-Proof. intros H. split; [apply line_0|]. split; [apply line_after|]. intros t Ht. now apply (line_good P HP), H. Qed.
+Proof. intros H. split; [apply line_0|]. split; [apply line_after|]. intros t Ht. now apply (line_lawful P HP), H. Qed.
 Lemma future_mirror s0 v p : future (mirror_pos s0) (mirror_v v) p -> future s0 v (mirror p).
 Proof.
   intros [A [B C]]. split; [unfold mirror; rewrite A; apply pos_eq; simpl; ring|]. split.
   - replace v with (mirror_v (mirror_v v)) by (apply vel_eq; simpl; ring). now apply mirror_after.
-  - intros t Ht. now apply mirror_good, C.
+  - intros t Ht. now apply mirror_lawful, C.
 Qed.
 Lemma later_mirror p t n : later P p t n -> later P (mirror p) t n.
 Proof. apply same_later. now apply same_mirror. Qed.
@@ -158,10 +158,10 @@ Proof.
   - unfold p, glue. destruct (Rle_dec 0 T); [apply line_0 | lra].
   - apply near_after with (line s0 v); [now apply glue_left | apply line_after].
   - intros t Ht. destruct (Rtotal_order t T) as [L|[->|L]].
-    + apply near_good with (line s0 v); [now apply glue_left|]. apply (line_good P HP), Hf. lra.
-    + destruct (free_above P HP s1) as [A [B C]]; [apply Hf; lra|]. unfold good. rewrite Eat. repeat split; try assumption.
+    + apply near_lawful with (line s0 v); [now apply glue_left|]. apply (line_lawful P HP), Hf. lra.
+    + destruct (free_above P HP s1) as [A [B C]]; [apply Hf; lra|]. unfold lawful. rewrite Eat. repeat split; try assumption.
       exists v, v'. split; [exact Hb|]. split; [exact Ha|]. right; left. now split.
-    + apply near_good with (shift T p2); [now apply glue_right|]. apply shift_good, F3. lra.
+    + apply near_lawful with (shift T p2); [now apply glue_right|]. apply shift_lawful, F3. lra.
   - intros n [l [N1 [N2 N3]]]. exists (T :: map (fun t => t + T) l)%list. split; [|split].
     + constructor.
       * intros Hi. apply in_map_iff in Hi. destruct Hi as [t [Et Hi]]. destruct (N3 t Hi). lra.
@@ -174,27 +174,27 @@ Proof.
 Qed.
 
 (** Every ray has a future. *)
-Theorem future_exists N : forall s0 v c k, sray s0 v c k -> - r <= k -> ~ coll r (S N) c k ->
+Theorem future_exists N : forall s0 v c k, start_ray s0 v c k -> - r <= k -> ~ coll r (S N) c k ->
   exists p, future s0 v p /\ forall n, coll r n c k -> later P p 0 n.
 Proof.
-  assert (R0 := rr_pos P HP). induction N as [|N IH]; intros s0 v c k HR Hk Hno; assert (Hc := sray_c _ _ _ _ HR);
+  assert (R0 := r_pos P HP). induction N as [|N IH]; intros s0 v c k HR Hk Hno; assert (Hc := start_ray_height_pos _ _ _ _ HR);
   (destruct (Classical_Prop.classic (exists x, hit c k x)) as [[x Hx]|Hmiss];
    [|exists (line s0 v); split;
-     [apply future_line; intros t Ht; apply (ray_free s0 v c k t HR Ht); intros X HX _; apply over_miss; try assumption; exact (q_below _ _ _ _ HR)
+     [apply future_line; intros t Ht; apply (ray_free s0 v c k t HR Ht); intros X HX _; apply over_miss; try assumption; exact (sr_below _ _ _ _ HR)
      |intros [|n] H; [apply later_0|]; exfalso; apply Hmiss; destruct H as [x [Hx _]]; now exists x]]).
   { exfalso. apply Hno. exists x. split; [exact Hx | now left]. }
   destruct (hit_state s0 v c k x HR Hx) as [T [HT [E1 [E2 [Hx0 [Hf [Hy Hw]]]]]]]. set (s1 := line s0 v T) in *.
-  assert (Hu := q_left _ _ _ _ HR). assert (Hs := q_slope _ _ _ _ HR).
+  assert (Hu := sr_left _ _ _ _ HR). assert (Hs := sr_slope _ _ _ _ HR).
   destruct (push_exists P HP (arm1 P * cos (angle s1)) v Hw) as [v' [Hpush Hne]]. change (push1 P s1 v v') in Hpush.
-  destruct (reflection1 P HP s1 v v' Hpush) as [|HL]; [contradiction|]. unfold slope1 in HL. rewrite E1, sin_left in HL.
-  destruct (bounce x k v v' Hu Hs HL) as [Bu [Bv Bn]].
+  destruct (L0_reflection1 P HP s1 v v' Hpush) as [|HL]; [contradiction|]. unfold slope1 in HL. rewrite E1, sin_left in HL.
+  destruct (reflected_velocity x k v v' Hu Hs HL) as [Bu [Bv Bn]].
   assert (Hq : 0 < cos x * cos x + r) by (assert (0 <= cos x * cos x) by apply Rle_0_sqr; lra).
-  destruct (Rlt_or_le 0 (DD (cos x) k r)) as [HD|HD].
+  destruct (Rlt_or_le 0 (slope_den (cos x) k r)) as [HD|HD].
   - (* it bounces to the other wall *)
-    destruct (next_domain c k r x R0 Hk Hx HD) as [Q1 Q2]. set (k' := kap (cos x) k r) in *.
-    assert (Hup : 0 < uu v') by (rewrite Bu; apply Rmult_lt_0_compat; [lra | now apply Rdiv_lt_0_compat]).
-    assert (Hkk : k' * uu v' = vv P v') by (rewrite Bu, Bv; unfold k', kap; field; lra).
-    assert (SR := next_sray s1 v' x k' E1 E2 Hx0 Hup Hkk Q1).
+    destruct (next_domain c k r x R0 Hk Hx HD) as [Q1 Q2]. set (k' := next_slope (cos x) k r) in *.
+    assert (Hup : 0 < u_of v') by (rewrite Bu; apply Rmult_lt_0_compat; [lra | now apply Rdiv_lt_0_compat]).
+    assert (Hkk : k' * u_of v' = v_of P v') by (rewrite Bu, Bv; unfold k', next_slope; field; lra).
+    assert (SR := next_start_ray s1 v' x k' E1 E2 Hx0 Hup Hkk Q1).
     destruct (IH _ _ _ _ SR ltac:(lra)) as [p3 [F3 C3]].
     { intros H. apply Hno. exists x. split; [exact Hx|]. right. split; [exact HD | exact H]. }
     destruct (future_glue s0 v T v' (mirror p3) HT Hf Hy Hw Hpush (future_mirror _ _ _ F3)) as [G1 G2].
@@ -202,13 +202,13 @@ Proof.
     destruct H as [x' [Hx' [->|[HD' H]]]]; [apply later_0|]. assert (x' = x) by (now apply hit_unique with c k). subst x'.
     now apply later_mirror, C3.
   - (* it leaves *)
-    assert (Hul : uu v' <= 0).
-    { rewrite Bu. assert (0 <= - uu v * (- DD (cos x) k r * / (cos x * cos x + r))) by (apply Rmult_le_pos; [lra|]; apply Rmult_le_pos; [lra | left; now apply Rinv_0_lt_compat]).
+    assert (Hul : u_of v' <= 0).
+    { rewrite Bu. assert (0 <= - u_of v * (- slope_den (cos x) k r * / (cos x * cos x + r))) by (apply Rmult_le_pos; [lra|]; apply Rmult_le_pos; [lra | left; now apply Rinv_0_lt_compat]).
       unfold Rdiv. lra. }
     assert (F3 : future s1 v' (line s1 v')).
-    { apply future_line. intros t Ht. assert (0 <= - uu v' * t) by (apply Rmult_le_pos; lra).
-      apply over_free with (x - uu v' * t); [rewrite line_psi, E1; ring|]. apply over_tangent with x; [exact Hx0 | lra|].
-      rewrite (line_yh P HP), E2. assert (0 < (vv P v' + cos x * uu v') * t) by (now apply Rmult_lt_0_compat). lra. }
+    { apply future_line. intros t Ht. assert (0 <= - u_of v' * t) by (apply Rmult_le_pos; lra).
+      apply over_free with (x - u_of v' * t); [rewrite line_psi, E1; ring|]. apply over_tangent with x; [exact Hx0 | lra|].
+      rewrite (line_yh P HP), E2. assert (0 < (v_of P v' + cos x * u_of v') * t) by (now apply Rmult_lt_0_compat). lra. }
     destruct (future_glue s0 v T v' _ HT Hf Hy Hw Hpush F3) as [G1 G2]. exists (glue T (line s0 v) (line s1 v')). split; [exact G1|].
     intros [|n] H; [apply later_0|]. apply G2. destruct H as [x' [Hx' [->|[HD' H]]]]; [apply later_0|].
     assert (x' = x) by (now apply hit_unique with c k). subst x'. lra.

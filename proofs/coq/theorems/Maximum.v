@@ -6,36 +6,36 @@ From Dumbbell Require Import Physics Ray Chart Flight Collisions LightTotal Witn
 Local Open Scope R_scope.
 
 (* ---------- L5 (f), L2 (c) with their numbers ---------- *)
-Lemma few r n : 0 < r <= 1 -> forall c k, - r <= k -> coll r n c k -> 2 * r * INR n < 1 + 4 * r.
+Lemma L5f_few_hits r n : 0 < r <= 1 -> forall c k, - r <= k -> coll r n c k -> 2 * r * INR n < 1 + 4 * r.
 Proof.
   intros Hr c k Hk H. destruct (Rle_or_lt 0 k) as [K|K].
-  - destruct n as [|n]; [simpl INR; lra|]. assert (F := TurningCollision.few_coll r n ltac:(lra) c k K H). rewrite S_INR. lra.
+  - destruct n as [|n]; [simpl INR; lra|]. assert (F := TurningCollision.L5f_slopes_grow r n ltac:(lra) c k K H). rewrite S_INR. lra.
   - destruct n as [|[|n]]; [simpl INR; lra | simpl INR; lra|]. destruct H as [x [Hx [H|[HD H]]]]; [discriminate|].
     destruct (next_domain c k r x ltac:(lra) Hk Hx HD) as [Q _].
-    assert (F := TurningCollision.few_coll r n ltac:(lra) _ _ ltac:(assert (0 <= kap (cos x) k r) by lra; eassumption) H). rewrite !S_INR. lra.
+    assert (F := TurningCollision.L5f_slopes_grow r n ltac:(lra) _ _ ltac:(assert (0 <= next_slope (cos x) k r) by lra; eassumption) H). rewrite !S_INR. lra.
 Qed.
-Lemma few_both r a b n ca ka cb kb : 0 < r <= 1 -> / r + 4 <= INR n -> - r <= ka -> - r <= kb -> coll r a ca ka -> coll r b cb kb -> (1 + a + b <= n)%nat.
+Lemma L5f_few_both r a b n ca ka cb kb : 0 < r <= 1 -> / r + 4 <= INR n -> - r <= ka -> - r <= kb -> coll r a ca ka -> coll r b cb kb -> (1 + a + b <= n)%nat.
 Proof.
-  intros Hr Hn Ha Hb Ca Cb. assert (A := few r a Hr ca ka Ha Ca). assert (B := few r b Hr cb kb Hb Cb).
+  intros Hr Hn Ha Hb Ca Cb. assert (A := L5f_few_hits r a Hr ca ka Ha Ca). assert (B := L5f_few_hits r b Hr cb kb Hb Cb).
   assert (K : INR (1 + a + b) < INR (n + 1)).
   { rewrite !plus_INR. simpl (INR 1). assert (2 * r * (/ r + 4) <= 2 * r * INR n) by (apply Rmult_le_compat_l; lra).
     replace (2 * r * (/ r + 4)) with (2 + 8 * r) in H by (field; lra). apply Rmult_lt_reg_l with (2 * r); lra. }
   apply INR_lt in K. lia.
 Qed.
-Theorem L2c q n : 1 <= q -> q + 4 <= INR n -> upper_bound q n.
+Theorem L2c_below_q_plus_5 q n : 1 <= q -> q + 4 <= INR n -> upper_bound q n.
 Proof.
   intros Hq Hn. assert (H1 := Rinv_0_lt_compat q ltac:(lra)). assert (H2 : / q <= 1) by (rewrite <- Rinv_1; apply Rinv_le_contravar; lra).
   assert (HPI : 0 < PI) by apply PI_RGT_0. assert (Hn' : / / q + 4 <= INR n) by (rewrite Rinv_inv; exact Hn). apply charts_upper; [exact Hq | |].
   - intros e eta a b He Heta _ Ca Cb. destruct (cos_range e ltac:(lra)) as [W0 W1].
-    apply (few_both (/ q) a b n _ _ _ _ ltac:(lra) Hn') with (3 := Ca) (4 := Cb).
+    apply (L5f_few_both (/ q) a b n _ _ _ _ ltac:(lra) Hn') with (3 := Ca) (4 := Cb).
     + unfold lamX. assert (0 <= / q * (cos e + eta)) by (apply Rmult_le_pos; lra). lra.
     + assert (L := lamS_ge e eta (/ q) ltac:(lra) ltac:(lra) ltac:(lra)). assert (/ q * -1 <= / q * lamS e eta (/ q)) by (apply Rmult_le_compat_l; lra). lra.
   - intros e lam a b He Hlam _ HP Ca Cb Cb0. assert (L1 : 0 <= / q * lam) by (apply Rmult_le_pos; lra).
-    destruct (Rlt_or_le 0 (dL (cos e) lam (/ q))) as [HD|HD].
-    + apply (few_both (/ q) a b n _ _ _ _ ltac:(lra) Hn') with (3 := Ca) (4 := Cb HD); [lra|].
+    destruct (Rlt_or_le 0 (mu_den (cos e) lam (/ q))) as [HD|HD].
+    + apply (L5f_few_both (/ q) a b n _ _ _ _ ltac:(lra) Hn') with (3 := Ca) (4 := Cb HD); [lra|].
       assert (0 <= mu (cos e) lam (/ q)) by (unfold mu; apply Rmult_le_pos; [exact HP | left; now apply Rinv_0_lt_compat]).
       assert (0 <= / q * mu (cos e) lam (/ q)) by (apply Rmult_le_pos; lra). lra.
-    + apply (few_both (/ q) a b n (cL e (/ q * lam)) (/ q * lam) 0 0 ltac:(lra) Hn'); try lra; [exact Ca | rewrite (Cb0 HD); exact I].
+    + apply (L5f_few_both (/ q) a b n (cL e (/ q * lam)) (/ q * lam) 0 0 ltac:(lra) Hn'); try lra; [exact Ca | rewrite (Cb0 HD); exact I].
 Qed.
 
 (* ---------- lists ---------- *)
@@ -131,12 +131,12 @@ Theorem N_exists q : 1 <= q -> exists n, N_star q n /\ INR n < q + 5.
 Proof.
   intros Hq. assert (Up : exists m, INR m < q + 5 /\ upper_bound q m).
   { destruct (nfloor_ex (q + 4) ltac:(lra)) as [m Hm]. destruct (Req_dec (INR m) (q + 4)) as [E|E].
-    - exists m. split; [lra | apply L2c; lra].
-    - exists (S m). rewrite S_INR. split; [lra | apply L2c; [lra | rewrite S_INR; lra]]. }
+    - exists m. split; [lra | apply L2c_below_q_plus_5; lra].
+    - exists (S m). rewrite S_INR. split; [lra | apply L2c_below_q_plus_5; [lra | rewrite S_INR; lra]]. }
   destruct Up as [m [Hm U]].
   assert (L : lower_bound q 0).
-  { intros P HP Hqq. assert (HPI : 0 < PI) by apply PI_RGT_0. assert (R1 : rr P <= 1).
-    { replace (rr P) with (/ q); [rewrite <- Rinv_1; apply Rinv_le_contravar; lra|]. unfold rr. destruct HP as [? [? ?]]. rewrite <- Hqq. field. lra. }
+  { intros P HP Hqq. assert (HPI : 0 < PI) by apply PI_RGT_0. assert (R1 : r_of P <= 1).
+    { replace (r_of P) with (/ q); [rewrite <- Rinv_1; apply Rinv_le_contravar; lra|]. unfold r_of. destruct HP as [? [? ?]]. rewrite <- Hqq. field. lra. }
     destruct (bridge_motion P HP R1 (PI/2) 1 O O ltac:(lra) ltac:(lra) I I) as [p [Hp Hl]]. exists p. split; [exact Hp|]. apply at_least_le with (2 := Hl). lia. }
   assert (G : forall k, upper_bound q k -> exists n, (n <= k)%nat /\ N_star q n).
   { induction k as [|k IH]; intros Hk.

@@ -13,10 +13,10 @@ Proof.
 Qed.
 
 (** A chain of pieces: for every q in a piece the piece says what N(q) is. *)
-Definition covers (l : list TP.piece) := forallb check l.
-Theorem chain_sound l : covers l = true -> forall P, In P l -> forall q,
+Definition all_checked (l : list TP.piece) := forallb check l.
+Theorem chain_sound l : all_checked l = true -> forall P, In P l -> forall q,
   IZR (TP.An P) / IZR (TP.Ad P) <= q <= IZR (TP.Bn P) / IZR (TP.Bd P) -> upper_bound q (TP.U P) /\ lower_bound q (TP.Vn P).
-Proof. intros H P HP. apply piece_sound. unfold covers in H. rewrite forallb_forall in H. now apply H. Qed.
+Proof. intros H P HP. apply piece_sound. unfold all_checked in H. rewrite forallb_forall in H. now apply H. Qed.
 
 Corollary N_of_10 : N_star 10 4.
 Proof. apply (piece_sound q10 q10_ok). simpl. lra. Qed.

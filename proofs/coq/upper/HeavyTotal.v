@@ -7,8 +7,8 @@ Local Open Scope R_scope.
 Section Total.
 Variable P : dumbbell.
 Hypothesis HP : real_dumbbell P.
-Hypothesis Hr1 : rr P <= 1.
-Notation r := (rr P).
+Hypothesis Hr1 : r_of P <= 1.
+Notation r := (r_of P).
 
 (** Turning by 2 k pi. *)
 Definition turn (k : nat) (p : R -> pos) t := {| height := height (p t); angle := angle (p t) - 2 * INR k * PI |}.
@@ -52,12 +52,12 @@ Proof.
       intros s Hs. apply in_map_iff in Hs. destruct Hs as [s' [<- Hs]]. apply filter_In in Hs. destruct Hs as [S1 S2]. unfold g in S2. destruct (Rlt_dec s' T) as [Hlt|]; [|discriminate]. split; [lra|].
       assert (Hcs := Hc s' S1). destruct (collision_law P HP p s' Hm Hcs) as [v [v' [Hb [Ha HL]]]].
       exists (minus_v v'). split; [apply reverse_before; now rewrite Ropp_involutive|]. unfold reverse. rewrite Ropp_involutive.
-      assert (A1 := arm1_pos P HP). assert (EA := rr_arms P HP).
+      assert (A1 := arm1_pos P HP). assert (EA := r_arms P HP).
       destruct HL as [[H0 [l0 [_ [_ [_ [Er En]]]]]]|[H0 [l0 [_ [_ [_ [Er En]]]]]]]; [left | right]; (split; [exact H0|]).
-      * unfold slope1 in *. rewrite sin_psi in *. unfold w1, uu, vv in *; simpl.
+      * unfold slope1 in *. rewrite sin_psi in *. unfold w1, u_of, v_of in *; simpl.
         assert (K : 0 < arm1 P * (vy v' / arm1 P - - cos (angle (p s')) * om v')) by (apply Rmult_lt_0_compat; lra).
         replace (arm1 P * (vy v' / arm1 P - - cos (angle (p s')) * om v')) with (vy v' + arm1 P * cos (angle (p s')) * om v') in K by (field; lra). lra.
-      * unfold slope2 in *. rewrite sin_psi in *. unfold w2, uu, vv in *; simpl. rewrite EA.
+      * unfold slope2 in *. rewrite sin_psi in *. unfold w2, u_of, v_of in *; simpl. rewrite EA.
         assert (K : 0 < arm1 P * (vy v' / arm1 P - - r * - cos (angle (p s')) * om v')) by (apply Rmult_lt_0_compat; lra).
         replace (arm1 P * (vy v' / arm1 P - - r * - cos (angle (p s')) * om v')) with (vy v' - r * arm1 P * cos (angle (p s')) * om v') in K by (field; lra). lra.
     + assert (G : forall m, NoDup m -> (length m <= length (filter f m) + length (filter g m) + (if in_dec Req_EM_T T m then 1 else 0))%nat).
@@ -71,16 +71,16 @@ Qed.
 
 Theorem heavy_total U p T : bridge_bound r U -> (1 <= U)%nat -> motion P p -> collision P p T -> y2 P (p T) = 0 -> at_most P p U.
 Proof.
-  intros HB HU. assert (HPI : 0 < PI) by apply PI_RGT_0. assert (R0 := rr_pos P HP).
+  intros HB HU. assert (HPI : 0 < PI) by apply PI_RGT_0. assert (R0 := r_pos P HP).
   (* with psi in [0, pi/2) *)
   assert (Main : forall p, motion P p -> collision P p T -> y2 P (p T) = 0 -> 0 <= psi_of (p T) < PI/2 -> at_most P p U).
   { clear p. intros p Hm Hc H2 Hp l Hnd Hl. destruct (count_split p T l Hm Hnd Hl) as [a [b [La [Lb Hn]]]].
     destruct (law P p Hm T) as [_ [v' [_ [Ha _]]]]. set (e := PI/2 - psi_of (p T)). assert (Ep : psi_of (p T) = PI/2 - e) by (unfold e; ring).
-    destruct (Rlt_or_le (uu v') 0) as [K|K].
-    - destruct (Rlt_or_le (vv P v') (- uu v' * (1 + r * cos e))) as [K2|K2].
-      + assert (Q := L8_left P HP Hr1 U p T e v' a b HB Hm Hc H2 Ep ltac:(unfold e; lra) Ha K K2 La Lb). lia.
-      + assert (Q := L8_c P HP Hr1 U p T e v' a b HB HU Hm Hc H2 Ep ltac:(unfold e; lra) Ha (or_intror K2) La Lb). lia.
-    - assert (Q := L8_c P HP Hr1 U p T e v' a b HB HU Hm Hc H2 Ep ltac:(unfold e; lra) Ha (or_introl K) La Lb). lia. }
+    destruct (Rlt_or_le (u_of v') 0) as [K|K].
+    - destruct (Rlt_or_le (v_of P v') (- u_of v' * (1 + r * cos e))) as [K2|K2].
+      + assert (Q := L8_bridge_left P HP Hr1 U p T e v' a b HB Hm Hc H2 Ep ltac:(unfold e; lra) Ha K K2 La Lb). lia.
+      + assert (Q := L8c_bridge_other P HP Hr1 U p T e v' a b HB HU Hm Hc H2 Ep ltac:(unfold e; lra) Ha (or_intror K2) La Lb). lia.
+    - assert (Q := L8c_bridge_other P HP Hr1 U p T e v' a b HB HU Hm Hc H2 Ep ltac:(unfold e; lra) Ha (or_introl K) La Lb). lia. }
   assert (Mirror : forall f, at_most P (mirror f) U -> at_most P f U).
   { intros f H l Hnd Hl. apply H; [assumption|]. intros t Ht. now apply collision_mirror, Hl. }
   assert (M2 : forall f, y2 P (f T) = 0 -> y2 P (mirror f T) = 0) by (intros f; unfold y2, mirror; simpl; now rewrite sin_mirror).

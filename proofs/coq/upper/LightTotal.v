@@ -8,21 +8,21 @@ Local Open Scope R_scope.
 Section Light.
 Variable P : dumbbell.
 Hypothesis HP : real_dumbbell P.
-Hypothesis Hr1 : rr P <= 1.
-Notation r := (rr P).
+Hypothesis Hr1 : r_of P <= 1.
+Notation r := (r_of P).
 Notation yh := (yhat_of P).
 
 (** L9: a turning collision on R whose outgoing ray X goes left with a slope below 1. *)
-Theorem L9_left U p T e v v' a b : light_bound r U -> motion P p -> no_heavy P p -> on_R P p T e ->
-  before p T v -> after p T v' -> reflects P (cos e) (uu v) (vv P v) (uu v') (vv P v') ->
-  vv P v <= 0 <= vv P v' -> uu v' < 0 -> vv P v' < - uu v' ->
+Theorem L9_turning_left U p T e v v' a b : light_bound r U -> motion P p -> no_heavy P p -> on_R P p T e ->
+  before p T v -> after p T v' -> reflects P (cos e) (u_of v) (v_of P v) (u_of v') (v_of P v') ->
+  v_of P v <= 0 <= v_of P v' -> u_of v' < 0 -> v_of P v' < - u_of v' ->
   later P p T a -> later P (reverse p) (- T) b -> (1 + a + b <= U)%nat.
 Proof.
   intros HB Hm Hn HR Hb Ha [l [Hl [Eu [Ev [Er En]]]]] Hv Hu Hlt La Lb.
-  assert (R0 := rr_pos P HP). assert (HPI : 0 < PI) by apply PI_RGT_0. assert (HR' := HR). destruct HR' as [Hp [He Hy]].
+  assert (R0 := r_pos P HP). assert (HPI : 0 < PI) by apply PI_RGT_0. assert (HR' := HR). destruct HR' as [Hp [He Hy]].
   destruct (cos_range e ltac:(lra)) as [W0 W1]. assert (Se : 0 < sin e) by (apply sin_gt_0; lra). set (w := cos e) in *.
-  set (g := - uu v') in *. assert (G0 : 0 < g) by (unfold g; lra).
-  set (k := vv P v' / g). assert (Ek : k * g = vv P v') by (unfold k; field; lra).
+  set (g := - u_of v') in *. assert (G0 : 0 < g) by (unfold g; lra).
+  set (k := v_of P v' / g). assert (Ek : k * g = v_of P v') by (unfold k; field; lra).
   assert (Hk : 0 <= k) by (unfold k; apply Rmult_le_pos; [lra | left; now apply Rinv_0_lt_compat]).
   assert (Hk1 : k < 1) by (apply Rmult_lt_reg_r with g; lra).
   set (lam := k / r). assert (Elam : r * lam = k) by (unfold lam; field; lra).
@@ -30,17 +30,17 @@ Proof.
   assert (Q : 0 < w * w + r) by (assert (0 <= w * w) by apply Rle_0_sqr; lra).
   assert (El : l = 2 * g * (w + k) / (w * w + r)).
   { apply Rmult_eq_reg_r with (w * w + r); [|lra]. replace (2 * g * (w + k) / (w * w + r) * (w * w + r)) with (2 * g * (w + k)) by (field; lra).
-    assert (A1 : uu v = - g + l * w) by (unfold g; lra). assert (A2 : vv P v = k * g - l * r) by lra.
+    assert (A1 : u_of v = - g + l * w) by (unfold g; lra). assert (A2 : v_of P v = k * g - l * r) by lra.
     rewrite A1, A2, <- Ek in Er. unfold g in *. lra. }
   (* sigma X *)
   assert (Hq := reverse_motion P p Hm). assert (Nq := no_heavy_reverse P HP p Hm Hn).
   assert (Haq : after (reverse p) (- T) (minus_v v)) by (apply reverse_after; now rewrite Ropp_involutive).
   assert (HRq : on_R P (reverse p) (- T) e) by (unfold on_R, reverse; rewrite Ropp_involutive; exact HR).
-  assert (Euq : uu (minus_v v) = - uu v) by reflexivity. assert (Evq := vv_minus P HP v).
-  assert (Du : - uu v = - (g * (dL w lam r / (w * w + r)))).
-  { replace (uu v) with (- g + l * w) by (unfold g; lra). rewrite El. unfold dL. rewrite Elam. field. lra. }
-  assert (Dv : - vv P v = g * r * ((2 * w + r * lam - lam * (w * w)) / (w * w + r))).
-  { replace (vv P v) with (k * g - l * r) by lra. rewrite El. rewrite <- Elam at 1 2. field. lra. }
+  assert (Euq : u_of (minus_v v) = - u_of v) by reflexivity. assert (Evq := v_of_minus P HP v).
+  assert (Du : - u_of v = - (g * (mu_den w lam r / (w * w + r)))).
+  { replace (u_of v) with (- g + l * w) by (unfold g; lra). rewrite El. unfold mu_den. rewrite Elam. field. lra. }
+  assert (Dv : - v_of P v = g * r * ((2 * w + r * lam - lam * (w * w)) / (w * w + r))).
+  { replace (v_of P v) with (k * g - l * r) by lra. rewrite El. rewrite <- Elam at 1 2. field. lra. }
   assert (HPn : 0 <= 2 * w + r * lam - lam * (w * w)).
   { assert (K : 0 <= g * r * ((2 * w + r * lam - lam * (w * w)) / (w * w + r))) by lra.
     assert (Gr : 0 < g * r) by (now apply Rmult_lt_0_compat).
@@ -48,74 +48,74 @@ Proof.
   apply (HB e lam a b He Hlam); rewrite ?Elam; fold w; try assumption.
   - rewrite <- Elam at 1. exact HPn.
   - unfold cL. assert (0 <= k * (PI + e)) by (apply Rmult_le_pos; lra).
-    apply (follow P HP Hr1 a p T v'); try assumption; try lra. now apply light_ray.
+    apply (follow_ray P HP Hr1 a p T v'); try assumption; try lra. now apply light_ray.
   - intros HD. set (m := r * mu w lam r).
-    assert (Hd : 0 < dL w lam r / (w * w + r)) by (now apply Rdiv_lt_0_compat).
-    assert (Hgd : 0 < g * (dL w lam r / (w * w + r))) by (now apply Rmult_lt_0_compat).
-    assert (Em : m * - uu (minus_v v) = vv P (minus_v v)). { rewrite Euq, Evq, Du, Dv. unfold m, mu. field. lra. }
+    assert (Hd : 0 < mu_den w lam r / (w * w + r)) by (now apply Rdiv_lt_0_compat).
+    assert (Hgd : 0 < g * (mu_den w lam r / (w * w + r))) by (now apply Rmult_lt_0_compat).
+    assert (Em : m * - u_of (minus_v v) = v_of P (minus_v v)). { rewrite Euq, Evq, Du, Dv. unfold m, mu. field. lra. }
     assert (Hm0 : 0 <= m). { unfold m, mu. apply Rmult_le_pos; [lra|]. apply Rmult_le_pos; [exact HPn | left; now apply Rinv_0_lt_compat]. }
     unfold cL. assert (0 <= m * (PI + e)) by (apply Rmult_le_pos; lra).
-    apply (follow P HP Hr1 b (reverse p) (- T) (minus_v v)); try assumption; try lra. apply light_ray; try assumption. lra.
-  - intros HD. assert (Hd : 0 <= g * (- dL w lam r * / (w * w + r))).
+    apply (follow_ray P HP Hr1 b (reverse p) (- T) (minus_v v)); try assumption; try lra. apply light_ray; try assumption. lra.
+  - intros HD. assert (Hd : 0 <= g * (- mu_den w lam r * / (w * w + r))).
     { apply Rmult_le_pos; [lra|]. apply Rmult_le_pos; [lra | left; now apply Rinv_0_lt_compat]. }
-    apply (right_none P HP Hr1 (reverse p) (- T) (minus_v v) e b Hq Haq HRq); [|rewrite Euq, Evq; fold w; lra | exact Lb].
+    apply (L1b_right_no_later P HP Hr1 (reverse p) (- T) (minus_v v) e b Hq Haq HRq); [|rewrite Euq, Evq; fold w; lra | exact Lb].
     rewrite Euq, Du. unfold Rdiv. lra.
 Qed.
 
 (** Either X or its reversal is in that case, or both have no later collision. *)
-Lemma none_unless_flat p T e v n : motion P p -> on_R P p T e -> after p T v -> 0 < vv P v - cos e * uu v -> later P p T n ->
-  0 <= uu v \/ - uu v <= vv P v -> n = O.
+Lemma none_unless_flat p T e v n : motion P p -> on_R P p T e -> after p T v -> 0 < v_of P v - cos e * u_of v -> later P p T n ->
+  0 <= u_of v \/ - u_of v <= v_of P v -> n = O.
 Proof.
   intros Hm HR Ha Hv Hl [H|H].
-  - now apply (right_none P HP Hr1 p T v e n).
-  - destruct (Rlt_or_le (uu v) 0) as [K|K]; [|now apply (right_none P HP Hr1 p T v e n)].
-    apply (steep_none P HP Hr1 p T v n Hm Ha); [|exact Hl]. rewrite Rabs_left by assumption. exact H.
+  - now apply (L1b_right_no_later P HP Hr1 p T v e n).
+  - destruct (Rlt_or_le (u_of v) 0) as [K|K]; [|now apply (L1b_right_no_later P HP Hr1 p T v e n)].
+    apply (L3_steep_no_later P HP Hr1 p T v n Hm Ha); [|exact Hl]. rewrite Rabs_left by assumption. exact H.
 Qed.
-Theorem L9_R U p T e l : light_bound r U -> (1 <= U)%nat -> motion P p -> no_heavy P p -> turning P p T -> on_R P p T e ->
+Theorem L9_turning_on_R U p T e l : light_bound r U -> (1 <= U)%nat -> motion P p -> no_heavy P p -> turning P p T -> on_R P p T e ->
   NoDup l -> (forall t, In t l -> collision P p t) -> (length l <= U)%nat.
 Proof.
   intros HB HU Hm Hn [Hc [v [v' [Hb [Ha [Hv Hv']]]]]] HR Hnd Hl. assert (A1 := arm1_pos P HP).
   destruct (count_split P HP p T l Hm Hnd Hl) as [a [b [La [Lb Hab]]]].
-  destruct (R_law P HP p T e Hm Hn Hc HR) as [w [w' [Hb' [Ha' HL]]]].
+  destruct (collision_law_on_R P HP p T e Hm Hn Hc HR) as [w [w' [Hb' [Ha' HL]]]].
   assert (w = v) by (apply before_unique with p T; assumption). assert (w' = v') by (apply after_unique with p T; assumption). subst w w'.
   assert (I0 : 0 <= / arm1 P) by (left; now apply Rinv_0_lt_compat).
-  assert (V : vv P v <= 0 <= vv P v').
-  { unfold vv, Rdiv. assert (0 <= vy v' * / arm1 P) by (apply Rmult_le_pos; lra). assert (0 <= - vy v * / arm1 P) by (apply Rmult_le_pos; lra). lra. }
+  assert (V : v_of P v <= 0 <= v_of P v').
+  { unfold v_of, Rdiv. assert (0 <= vy v' * / arm1 P) by (apply Rmult_le_pos; lra). assert (0 <= - vy v * / arm1 P) by (apply Rmult_le_pos; lra). lra. }
   assert (Hq := reverse_motion P p Hm). assert (Nq := no_heavy_reverse P HP p Hm Hn).
   assert (Haq : after (reverse p) (- T) (minus_v v)) by (apply reverse_after; now rewrite Ropp_involutive).
   assert (Hbq : before (reverse p) (- T) (minus_v v')) by (apply reverse_before; now rewrite Ropp_involutive).
   assert (HRq : on_R P (reverse p) (- T) e) by (unfold on_R, reverse; rewrite Ropp_involutive; exact HR).
-  assert (Eu : forall z, uu (minus_v z) = - uu z) by reflexivity. assert (Ev := vv_minus P HP).
+  assert (Eu : forall z, u_of (minus_v z) = - u_of z) by reflexivity. assert (Ev := v_of_minus P HP).
   assert (HL' := HL). destruct HL as [j [Hj [Ju [Jv [Jr Jn]]]]].
-  assert (HLq : reflects P (cos e) (uu (minus_v v')) (vv P (minus_v v')) (uu (minus_v v)) (vv P (minus_v v))).
+  assert (HLq : reflects P (cos e) (u_of (minus_v v')) (v_of P (minus_v v')) (u_of (minus_v v)) (v_of P (minus_v v))).
   { exists j. rewrite !Eu, !Ev. repeat split; try assumption; lra. }
-  destruct (Classical_Prop.classic (uu v' < 0 /\ vv P v' < - uu v')) as [[X1 X2]|X].
-  - assert (Q := L9_left U p T e v v' a b HB Hm Hn HR Hb Ha HL' V X1 X2 La Lb). lia.
+  destruct (Classical_Prop.classic (u_of v' < 0 /\ v_of P v' < - u_of v')) as [[X1 X2]|X].
+  - assert (Q := L9_turning_left U p T e v v' a b HB Hm Hn HR Hb Ha HL' V X1 X2 La Lb). lia.
   - assert (a = O).
     { apply (none_unless_flat p T e v' a Hm HR Ha); [lra | exact La|].
-      destruct (Rlt_or_le (uu v') 0) as [K|K]; [right | now left]. apply Rnot_lt_le. intros K2. apply X. now split. }
-    destruct (Classical_Prop.classic (uu (minus_v v) < 0 /\ vv P (minus_v v) < - uu (minus_v v))) as [[Y1 Y2]|Y].
+      destruct (Rlt_or_le (u_of v') 0) as [K|K]; [right | now left]. apply Rnot_lt_le. intros K2. apply X. now split. }
+    destruct (Classical_Prop.classic (u_of (minus_v v) < 0 /\ v_of P (minus_v v) < - u_of (minus_v v))) as [[Y1 Y2]|Y].
     + assert (Lb0 : later P (reverse (reverse p)) (- - T) a) by (rewrite reverse_reverse, Ropp_involutive; exact La).
-      assert (Q := L9_left U (reverse p) (- T) e (minus_v v') (minus_v v) b a HB Hq Nq HRq Hbq Haq HLq ltac:(rewrite !Ev; lra) Y1 Y2 Lb Lb0). lia.
+      assert (Q := L9_turning_left U (reverse p) (- T) e (minus_v v') (minus_v v) b a HB Hq Nq HRq Hbq Haq HLq ltac:(rewrite !Ev; lra) Y1 Y2 Lb Lb0). lia.
     + assert (b = O).
       { apply (none_unless_flat (reverse p) (- T) e (minus_v v) b Hq HRq Haq); [rewrite Eu, Ev; lra | exact Lb|].
-        destruct (Rlt_or_le (uu (minus_v v)) 0) as [K|K]; [right | now left]. apply Rnot_lt_le. intros K2. apply Y. now split. }
+        destruct (Rlt_or_le (u_of (minus_v v)) 0) as [K|K]; [right | now left]. apply Rnot_lt_le. intros K2. apply Y. now split. }
       lia.
 Qed.
 
 Theorem light_total U p T : light_bound r U -> (1 <= U)%nat -> motion P p -> no_heavy P p -> collision P p T -> at_most P p U.
 Proof.
-  intros HB HU Hm Hn Hc. destruct (turning_exists P HP Hr1 p T Hm Hn Hc) as [t Ht].
-  destruct (normal P HP p t Hm Hn (proj1 Ht)) as [q [e [S HR]]]. apply (same_at_most P p q U S).
-  assert (Hq := s_motion _ _ _ S Hm). assert (Nq := same_no_heavy _ _ _ S Hn).
-  intros l. apply (L9_R U q t e l HB HU Hq Nq); [|exact HR].
-  destruct Ht as [Hct [v [v' [Hb [Ha Hv]]]]]. split; [now apply (s_col _ _ _ S)|].
-  destruct (s_before _ _ _ S t v Hb) as [w [Hb2 E1]]. destruct (s_after _ _ _ S t v' Ha) as [w' [Ha2 E2]].
+  intros HB HU Hm Hn Hc. destruct (L2c_turning_exists P HP Hr1 p T Hm Hn Hc) as [t Ht].
+  destruct (normal_position P HP p t Hm Hn (proj1 Ht)) as [q [e [S HR]]]. apply (same_at_most P p q U S).
+  assert (Hq := same_motion _ _ _ S Hm). assert (Nq := same_no_heavy _ _ _ S Hn).
+  intros l. apply (L9_turning_on_R U q t e l HB HU Hq Nq); [|exact HR].
+  destruct Ht as [Hct [v [v' [Hb [Ha Hv]]]]]. split; [now apply (same_collision _ _ _ S)|].
+  destruct (same_before _ _ _ S t v Hb) as [w [Hb2 E1]]. destruct (same_after _ _ _ S t v' Ha) as [w' [Ha2 E2]].
   exists w, w'. rewrite E1, E2. repeat split; try assumption; apply Hv.
 Qed.
 
 (** The charts bound every motion. *)
-Theorem total U p : bridge_bound r U -> light_bound r U -> motion P p -> at_most P p U.
+Theorem charts_bound_motion U p : bridge_bound r U -> light_bound r U -> motion P p -> at_most P p U.
 Proof.
   intros HB HL Hm. assert (HPI : 0 < PI) by apply PI_RGT_0.
   assert (HU : (1 <= U)%nat) by (apply (HB (PI/2) 0 O O); try exact I; lra).
@@ -128,6 +128,6 @@ End Light.
 
 Theorem charts_upper q n : 1 <= q -> bridge_bound (/ q) n -> light_bound (/ q) n -> upper_bound q n.
 Proof.
-  intros Hq HB HL P p HP Hqq Hm. assert (E : / q = rr P) by (unfold rr; destruct HP as [? [? ?]]; rewrite <- Hqq; field; lra).
-  rewrite E in HB, HL. apply total; try assumption. rewrite <- E, <- Rinv_1. apply Rinv_le_contravar; lra.
+  intros Hq HB HL P p HP Hqq Hm. assert (E : / q = r_of P) by (unfold r_of; destruct HP as [? [? ?]]; rewrite <- Hqq; field; lra).
+  rewrite E in HB, HL. apply charts_bound_motion; try assumption. rewrite <- E, <- Rinv_1. apply Rinv_le_contravar; lra.
 Qed.

@@ -6,19 +6,19 @@ From Dumbbell Require Import Physics Ray Flight Collisions Follow SteepRays Heav
 Local Open Scope R_scope.
 
 (** L5 (f): slopes k, k + 2 r, ... below 1. *)
-Lemma few_coll r n : 0 < r -> forall c k, 0 <= k -> coll r (S n) c k -> k + 2 * r * INR n < 1.
+Lemma L5f_slopes_grow r n : 0 < r -> forall c k, 0 <= k -> coll r (S n) c k -> k + 2 * r * INR n < 1.
 Proof.
   intros Hr. induction n as [|n IH]; intros c k Hk [x [[Hx [_ Hkx]] H]]; destruct (COS_bound x).
   - simpl INR. lra.
   - destruct H as [H|[HD H]]; [discriminate|]. assert (W := cos_pos x Hx).
-    assert (G := kap_grows (cos x) k r ltac:(lra) Hr Hk HD). assert (G0 : 0 <= kap (cos x) k r) by lra.
+    assert (G := next_slope_grows (cos x) k r ltac:(lra) Hr HD). assert (G0 : 0 <= next_slope (cos x) k r) by lra.
     specialize (IH _ _ G0 H). rewrite S_INR. lra.
 Qed.
-Theorem L5f r : 0 < r -> exists M, forall n c k, 0 <= k -> coll r n c k -> (n <= M)%nat.
+Theorem L5f_bounded r : 0 < r -> exists M, forall n c k, 0 <= k -> coll r n c k -> (n <= M)%nat.
 Proof.
   intros Hr. assert (H0 : 0 <= / (2 * r)) by (left; apply Rinv_0_lt_compat; lra).
   destruct (nfloor_ex (/ (2 * r)) H0) as [m Hm]. exists (S m). intros [|n] c k Hk H; [lia|].
-  assert (F := few_coll r n Hr c k Hk H). assert (E : 2 * r * / (2 * r) = 1) by (field; lra).
+  assert (F := L5f_slopes_grow r n Hr c k Hk H). assert (E : 2 * r * / (2 * r) = 1) by (field; lra).
   assert (INR n < INR m + 1).
   { apply Rmult_lt_reg_l with (2 * r); [lra|]. assert (2 * r * / (2 * r) < 2 * r * (INR m + 1)) by (apply Rmult_lt_compat_l; lra). lra. }
   rewrite <- S_INR in H1. apply INR_lt in H1. lia.
@@ -27,12 +27,12 @@ Qed.
 Section Turning.
 Variable P : dumbbell.
 Hypothesis HP : real_dumbbell P.
-Hypothesis Hr1 : rr P <= 1.
-Notation r := (rr P).
+Hypothesis Hr1 : r_of P <= 1.
+Notation r := (r_of P).
 Notation yh := (yhat_of P).
 
 (** The ray out of a contact with the wall R to the left. *)
-Theorem light_ray p T v k e : after p T v -> on_R P p T e -> no_heavy P p -> uu v < 0 -> 0 <= k -> k * - uu v = vv P v ->
+Theorem light_ray p T v k e : after p T v -> on_R P p T e -> no_heavy P p -> u_of v < 0 -> 0 <= k -> k * - u_of v = v_of P v ->
   ray P p T v (sin e + k * (PI + e)) k.
 Proof.
   intros Ha [Hp [He Hy]] Hn Hu Hk Hs. assert (HPI : 0 < PI) by apply PI_RGT_0. assert (Se : 0 < sin e) by (apply sin_gt_0; lra).
@@ -45,25 +45,25 @@ Proof.
 Qed.
 
 (** L1 (b) at the wall R: not to the left, no later collision. *)
-Theorem right_none p T v e n : motion P p -> after p T v -> on_R P p T e -> 0 <= uu v -> 0 < vv P v - cos e * uu v -> later P p T n -> n = O.
+Theorem L1b_right_no_later p T v e n : motion P p -> after p T v -> on_R P p T e -> 0 <= u_of v -> 0 < v_of P v - cos e * u_of v -> later P p T n -> n = O.
 Proof.
   intros Hm Ha [Hp [He Hy]] Hu Hv Hl. destruct n as [|n]; [reflexivity|exfalso].
   destruct (later_next P HP p T n Hm Hl) as [t [Ht [Hc _]]].
-  apply (L1b P HP Hr1 (mirror p) T (mirror_v v) e) with (T := t).
+  apply (L1b_no_return P HP Hr1 (mirror p) T (mirror_v v) e) with (T := t).
   - now apply mirror_motion.
   - now apply mirror_after.
   - rewrite psi_mirror, Hp. ring.
   - lra.
   - exact Hy.
-  - unfold uu in *; simpl; lra.
-  - unfold uu, vv in *; simpl; lra.
+  - unfold u_of in *; simpl; lra.
+  - unfold u_of, v_of in *; simpl; lra.
   - exact Ht.
   - now apply collision_mirror.
 Qed.
 
 (** A collision on R: the two velocities. *)
-Lemma R_law p T e : motion P p -> no_heavy P p -> collision P p T -> on_R P p T e -> exists v v', before p T v /\ after p T v' /\
-  reflects P (cos e) (uu v) (vv P v) (uu v') (vv P v').
+Lemma collision_law_on_R p T e : motion P p -> no_heavy P p -> collision P p T -> on_R P p T e -> exists v v', before p T v /\ after p T v' /\
+  reflects P (cos e) (u_of v) (v_of P v) (u_of v') (v_of P v').
 Proof.
   intros Hm Hn Hc [Hp _]. destruct (collision_law P HP p T Hm Hc) as [v [v' [Hb [Ha [[_ H]|[H _]]]]]]; [|exfalso; now apply (Hn T Hc)].
   exists v, v'. split; [exact Hb|]. split; [exact Ha|]. unfold slope1 in H. rewrite Hp, sin_plus, sin_PI2, cos_PI2 in H.
@@ -74,20 +74,20 @@ Qed.
 Theorem ascending_few : exists M, forall p T v n, motion P p -> no_heavy P p -> collision P p T -> after p T v -> 0 <= vy v ->
   later P p T n -> (n <= M)%nat.
 Proof.
-  assert (R0 := rr_pos P HP). assert (A1 := arm1_pos P HP). destruct (L5f r R0) as [M HM]. exists M. intros p0 T v0 n Hm0 Hn0 Hc0 Ha0 Hv0 Hl0.
-  destruct (normal P HP p0 T Hm0 Hn0 Hc0) as [p [e [S HR]]]. destruct (s_after _ _ _ S T v0 Ha0) as [v' [Ha Ev]].
-  assert (Hm := s_motion _ _ _ S Hm0). assert (Hn := same_no_heavy _ _ _ S Hn0). assert (Hc := s_col _ _ _ S T Hc0). assert (Hl := same_later _ _ _ T n S Hl0).
-  destruct (R_law p T e Hm Hn Hc HR) as [v [v1 [Hb [Ha1 HL]]]]. assert (v1 = v') by (apply after_unique with p T; assumption). subst v1.
-  assert (Hv : 0 <= vv P v'). { unfold vv. rewrite Ev. apply Rmult_le_pos; [lra | left; now apply Rinv_0_lt_compat]. }
+  assert (R0 := r_pos P HP). assert (A1 := arm1_pos P HP). destruct (L5f_bounded r R0) as [M HM]. exists M. intros p0 T v0 n Hm0 Hn0 Hc0 Ha0 Hv0 Hl0.
+  destruct (normal_position P HP p0 T Hm0 Hn0 Hc0) as [p [e [S HR]]]. destruct (same_after _ _ _ S T v0 Ha0) as [v' [Ha Ev]].
+  assert (Hm := same_motion _ _ _ S Hm0). assert (Hn := same_no_heavy _ _ _ S Hn0). assert (Hc := same_collision _ _ _ S T Hc0). assert (Hl := same_later _ _ _ T n S Hl0).
+  destruct (collision_law_on_R p T e Hm Hn Hc HR) as [v [v1 [Hb [Ha1 HL]]]]. assert (v1 = v') by (apply after_unique with p T; assumption). subst v1.
+  assert (Hv : 0 <= v_of P v'). { unfold v_of. rewrite Ev. apply Rmult_le_pos; [lra | left; now apply Rinv_0_lt_compat]. }
   destruct HL as [l [_ [_ [_ [Er En]]]]].
-  destruct (Rlt_or_le (uu v') 0) as [K|K].
-  - set (k := vv P v' / - uu v'). assert (Ek : k * - uu v' = vv P v') by (unfold k; field; lra).
+  destruct (Rlt_or_le (u_of v') 0) as [K|K].
+  - set (k := v_of P v' / - u_of v'). assert (Ek : k * - u_of v' = v_of P v') by (unfold k; field; lra).
     assert (Hk : 0 <= k) by (unfold k; apply Rmult_le_pos; [exact Hv | left; apply Rinv_0_lt_compat; lra]).
     assert (HPI : 0 < PI) by apply PI_RGT_0. assert (He := HR). destruct He as [_ [He _]].
     assert (Se : 0 < sin e) by (apply sin_gt_0; lra). assert (0 <= k * (PI + e)) by (apply Rmult_le_pos; lra).
-    apply (HM n (sin e + k * (PI + e)) k Hk). apply (follow P HP Hr1 n p T v'); try assumption; try lra.
+    apply (HM n (sin e + k * (PI + e)) k Hk). apply (follow_ray P HP Hr1 n p T v'); try assumption; try lra.
     now apply light_ray.
-  - assert (n = O); [|lia]. apply (right_none p T v' e n Hm Ha HR K); [lra | exact Hl].
+  - assert (n = O); [|lia]. apply (L1b_right_no_later p T v' e n Hm Ha HR K); [lra | exact Hl].
 Qed.
 
 (** A descending flight hits the floor. *)
@@ -98,26 +98,26 @@ Proof.
   assert (0 <= arm2 P * (height (p t) + arm1 P * sin (angle (p t)))) by (apply Rmult_le_pos; lra).
   assert (0 <= arm1 P * (height (p t) - arm2 P * sin (angle (p t)))) by (apply Rmult_le_pos; lra). lra.
 Qed.
-Theorem falls p T v : motion P p -> after p T v -> vy v < 0 -> exists t, T < t /\ collision P p t.
+Theorem descending_hits p T v : motion P p -> after p T v -> vy v < 0 -> exists t, T < t /\ collision P p t.
 Proof.
   intros Hm Ha Hv. apply Classical_Prop.NNPP. intros K. assert (H0 := height_pos p T Hm).
   set (d := (height (p T) + 1) / - vy v). assert (Hd : 0 < d) by (apply Rdiv_lt_0_compat; lra).
-  destruct (flight P HP p T (T + d) v Hm Ha ltac:(lra)) with (s := T + d) as [E _]; [|lra|].
+  destruct (straight_flight P HP p T (T + d) v Hm Ha ltac:(lra)) with (s := T + d) as [E _]; [|lra|].
   { intros t Ht Hc. apply K. exists t. split; [lra | exact Hc]. }
   assert (H1 := height_pos p (T + d) Hm). replace (T + d - T) with d in E by ring.
   assert (vy v * d = - (height (p T) + 1)) by (unfold d; field; lra). lra.
 Qed.
 
 (** Before a collision into which the dumbbell ascends there is another one, and it comes out of that with the same velocity. *)
-Theorem comes_from p T v : motion P p -> before p T v -> 0 < vy v -> exists t, t < T /\ collision P p t /\ after p t v.
+Theorem ascending_comes_from p T v : motion P p -> before p T v -> 0 < vy v -> exists t, t < T /\ collision P p t /\ after p t v.
 Proof.
   intros Hm Hb Hv. assert (Hq := reverse_motion P p Hm).
   assert (Ha : after (reverse p) (- T) (minus_v v)) by (apply reverse_after; now rewrite Ropp_involutive).
-  destruct (falls (reverse p) (- T) (minus_v v) Hq Ha) as [S [HS HcS]]; [simpl; lra|].
+  destruct (descending_hits (reverse p) (- T) (minus_v v) Hq Ha) as [S [HS HcS]]; [simpl; lra|].
   destruct (first_collision P HP (reverse p) (- T) S Hq HS HcS) as [t1 [H1 [Hc1 Hf]]].
   exists (- t1). split; [lra|]. split; [now apply collision_unreverse|].
   destruct (law P p Hm (- t1)) as [_ [w [_ [Hw _]]]].
-  assert (L := flight P HP p (- t1) T w Hm Hw ltac:(lra)).
+  assert (L := straight_flight P HP p (- t1) T w Hm Hw ltac:(lra)).
   assert (Hfree : forall t, - t1 < t < T -> ~ collision P p t).
   { intros t Ht Hc. apply (Hf (- t)); [lra|]. now apply collision_reverse. }
   specialize (L Hfree). assert (w = v); [|now subst w].
@@ -126,19 +126,19 @@ Proof.
 Qed.
 
 Definition turning p T := collision P p T /\ exists v v', before p T v /\ after p T v' /\ vy v <= 0 <= vy v'.
-Lemma rises p T v v' : motion P p -> collision P p T -> before p T v -> after p T v' -> vy v < vy v'.
+Lemma collision_rises p T v v' : motion P p -> collision P p T -> before p T v -> after p T v' -> vy v < vy v'.
 Proof.
   intros Hm Hc Hb Ha. assert (A1 := arm1_pos P HP). destruct (collision_law P HP p T Hm Hc) as [w [w' [Hb' [Ha' H]]]].
   assert (w = v) by (apply before_unique with p T; assumption). assert (w' = v') by (apply after_unique with p T; assumption). subst.
-  assert (L : vv P v < vv P v') by (destruct H as [[_ H]|[_ H]]; exact (L2a P HP _ _ _ _ _ H)).
-  unfold vv in L. apply Rmult_lt_reg_r with (/ arm1 P); [now apply Rinv_0_lt_compat | exact L].
+  assert (L : v_of P v < v_of P v') by (destruct H as [[_ H]|[_ H]]; exact (L2a_v_grows P HP _ _ _ _ _ H)).
+  unfold v_of in L. apply Rmult_lt_reg_r with (/ arm1 P); [now apply Rinv_0_lt_compat | exact L].
 Qed.
 
 (** Back from an ascending collision: a turning one, or n + 1 of them. *)
 Lemma go_back p T v n : motion P p -> collision P p T -> before p T v -> 0 < vy v -> later P p T n ->
   (exists t, turning p t) \/ exists t w, collision P p t /\ before p t w /\ 0 < vy w /\ later P p t (S n).
 Proof.
-  intros Hm Hc Hb Hv [l [N1 [N2 N3]]]. destruct (comes_from p T v Hm Hb Hv) as [t [Ht [Hct Hat]]].
+  intros Hm Hc Hb Hv [l [N1 [N2 N3]]]. destruct (ascending_comes_from p T v Hm Hb Hv) as [t [Ht [Hct Hat]]].
   destruct (law P p Hm t) as [w [_ [Hbw _]]]. destruct (Rle_or_lt (vy w) 0) as [K|K].
   - left. exists t. split; [exact Hct|]. exists w, v. repeat split; try assumption; lra.
   - right. exists t, w. repeat split; try assumption. exists (T :: l)%list. split; [|split].
@@ -155,7 +155,7 @@ Proof.
     - now left.
     - now apply go_back with t w. }
   destruct (G (S M)) as [H|[t [w [H1 [H2 [H3 H4]]]]]]; [exact H|exfalso].
-  destruct (law P p Hm t) as [_ [w' [_ [Ha _]]]]. assert (L := rises p t w w' Hm H1 H2 Ha).
+  destruct (law P p Hm t) as [_ [w' [_ [Ha _]]]]. assert (L := collision_rises p t w w' Hm H1 H2 Ha).
   specialize (HM p t w' (S M) Hm Hn H1 Ha ltac:(lra) H4). lia.
 Qed.
 
@@ -168,7 +168,7 @@ Proof.
 Qed.
 
 (** L2 (c). *)
-Theorem turning_exists p T : motion P p -> no_heavy P p -> collision P p T -> exists t, turning p t.
+Theorem L2c_turning_exists p T : motion P p -> no_heavy P p -> collision P p T -> exists t, turning p t.
 Proof.
   intros Hm Hn Hc. destruct (law P p Hm T) as [v [v' [Hb [Ha _]]]].
   destruct (Rlt_or_le 0 (vy v)) as [K|K]; [now apply (turning_up p T v)|].
