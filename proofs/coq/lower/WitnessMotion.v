@@ -1,7 +1,7 @@
 (** L11: a witness of the chart bridge is a motion with that many collisions (L6 (a), (c), (d), L8 (3) read backwards). *)
 From Coq Require Import Reals Lra Lia List FinFun.
 From Coquelicot Require Import Coquelicot.
-From Dumbbell Require Import Physics Ray Chart Flight Collisions Follow Symmetry TurningCollision Existence RayFuture.
+From Dumbbell Require Import Physics Ray Chart Flight Collisions Symmetry Existence StartRay RayFuture.
 Local Open Scope R_scope.
 
 Section Lower.
@@ -10,32 +10,6 @@ Hypothesis HP : real_dumbbell P.
 Hypothesis Hr1 : r_of P <= 1.
 Notation r := (r_of P).
 Notation yh := (yhat_of P).
-
-(** L6: out of a contact with the bridge to the left (bridge_ray without a motion). *)
-Theorem bridge_start_ray s0 v k : u_of v < 0 -> k * - u_of v = v_of P v ->
-  - (PI/2) < psi_of s0 < PI/2 -> yh s0 = r * cos (psi_of s0) -> 0 < v_of P v + r * sin (psi_of s0) * u_of v ->
-  start_ray P s0 v (r * cos (psi_of s0) + k * (psi_of s0 + PI/2)) k /\ - r <= k.
-Proof.
-  intros Hu Hs Hp Hy Hn. assert (R0 := r_pos P HP). assert (HPI : 0 < PI) by apply PI_RGT_0. set (x := psi_of s0) in *.
-  assert (Hk : r * sin x < k). { apply Rmult_lt_reg_r with (- u_of v); lra. }
-  assert (Hclear : forall z, - (PI/2) <= z < x -> 0 <= cos z /\ r * cos z < r * cos x + k * (x - z)).
-  { intros z Hz. split; [apply cos_ge_0; lra|]. assert (Tg := sin_below_tangent (PI/2 + x) (PI/2 + z) ltac:(lra) ltac:(lra)).
-    rewrite !sin_plus, cos_plus, sin_PI2, cos_PI2 in Tg.
-    assert (r * cos z <= r * (cos x + sin x * (x - z))) by (apply Rmult_le_compat_l; lra).
-    assert (r * sin x * (x - z) < k * (x - z)) by (apply Rmult_lt_compat_r; lra). lra. }
-  assert (SB := SIN_bound x). assert (CB := COS_bound x).
-  assert (Hkr : - r <= k) by (assert (r * -1 <= r * sin x) by (apply Rmult_le_compat_l; lra); lra).
-  split; [split|exact Hkr]; fold x; try assumption; try lra.
-  - intros z Hz. rewrite Hy. destruct (Hclear z Hz) as [D1 D2]. assert (0 <= r * cos z) by (apply Rmult_le_pos; lra). split; lra.
-  - destruct (Rle_or_lt 0 k) as [|K]; [now left | right]. assert (r * cos x <= r * 1) by (apply Rmult_le_compat_l; lra).
-    assert (0 < - k * (x + PI)) by (apply Rmult_lt_0_compat; lra). lra.
-Qed.
-
-Lemma ray_future s0 v c k : start_ray P s0 v c k -> - r <= k -> exists p, future P s0 v p /\ forall n, coll r n c k -> later P p 0 n.
-Proof.
-  intros HR Hk. destruct (L5f_bounded_below_zero r (r_pos P HP)) as [M HM]. apply (future_exists P HP Hr1 M s0 v c k HR Hk).
-  intros H. specialize (HM (S M) c k Hk H). lia.
-Qed.
 
 (** A past and a future of a contact with the heavy mass. *)
 Lemma NoDup_apart (l1 l2 : list R) : NoDup l1 -> NoDup l2 -> (forall x, In x l1 -> ~ In x l2) -> NoDup (l1 ++ l2).
@@ -105,16 +79,16 @@ Proof.
     replace (2 * eta / (1 + r * (cos e * cos e)) * (r * (1 + r * (cos e * cos e)))) with (2 * (r * eta)) by (field; lra).
     rewrite Lu, Lv in Lr. unfold k, lamX in Lr. lra. }
   (* X *)
-  destruct (bridge_start_ray s0 v' k) as [RX KX]; try (rewrite ?Ep, ?Ey, ?Eu, ?Ev, ?Cp, ?Sp; unfold k, lamX; lra).
-  rewrite Ep, Cp in RX. destruct (ray_future _ _ _ _ RX KX) as [pX [FX GX]].
+  destruct (bridge_start_ray P HP Hr1 s0 v' k) as [RX KX]; try (rewrite ?Ep, ?Ey, ?Eu, ?Ev, ?Cp, ?Sp; unfold k, lamX; lra).
+  rewrite Ep, Cp in RX. destruct (ray_future P HP Hr1 _ _ _ _ RX KX) as [pX [FX GX]].
   (* sigma X, mirrored *)
   set (kS := r * lamS e eta r). assert (EuS : u_of (mirror_v w') = - u_of w') by reflexivity. assert (EvS : v_of P (mirror_v w') = v_of P w') by reflexivity.
   assert (Hlc : 0 <= l * (r * cos e)) by (apply Rmult_le_pos; lra).
   assert (EkS : kS * - u_of (mirror_v w') = v_of P (mirror_v w')).
   { rewrite EuS, EvS, Lu, Lv, El. unfold kS, lamS, eta_reversed, k, lamX. field. split; lra. }
-  destruct (bridge_start_ray (mirror_pos s0) (mirror_v w') kS) as [RS KS]; rewrite ?psi_mirror_pos, ?Ep, ?cos_neg, ?sin_neg, ?Cp, ?Sp; try assumption; try lra.
+  destruct (bridge_start_ray P HP Hr1 (mirror_pos s0) (mirror_v w') kS) as [RS KS]; rewrite ?psi_mirror_pos, ?Ep, ?cos_neg, ?sin_neg, ?Cp, ?Sp; try assumption; try lra.
   { rewrite EuS, EvS, Lu, Lv. rewrite Lu, Lv in Lr. unfold k, lamX in *. lra. }
-  rewrite psi_mirror_pos, Ep, cos_neg, Cp in RS. destruct (ray_future _ _ _ _ RS KS) as [pS [FS GS]].
+  rewrite psi_mirror_pos, Ep, cos_neg, Cp in RS. destruct (ray_future P HP Hr1 _ _ _ _ RS KS) as [pS [FS GS]].
   (* the motion *)
   apply (join_at_heavy_contact s0 (minus_v w') v' pX (mirror pS) a b Hfree Hy).
   - unfold w2. rewrite EA, Ca0. simpl. assert (K : 0 < arm1 P * (v_of P w' + r * cos e * u_of w')) by (apply Rmult_lt_0_compat; lra).

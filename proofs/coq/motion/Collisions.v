@@ -1,7 +1,8 @@
 (** Collisions of a motion: each changes the velocity, and there is a first one after any time. Mirror and reversal. *)
-From Coq Require Import Reals Lra List.
+From Coq Require Import Reals Lra Lia List.
 From Coquelicot Require Import Coquelicot.
 From Dumbbell Require Import Physics Ray Flight.
+Import ListNotations.
 Local Open Scope R_scope.
 
 Section Events.
@@ -92,44 +93,26 @@ Proof.
   - right. split; [exact H0|]. destruct (L0_reflection2 P HP _ _ _ H); [contradiction | assumption].
 Qed.
 
-(** Mirror: phi -> pi - phi. *)
-Definition mirror (p : R -> pos) t := {| height := height (p t); angle := PI - angle (p t) |}.
-Definition mirror_v v := {| vy := vy v; om := - om v |}.
-Lemma sin_mirror x : sin (PI - x) = sin x. Proof. now rewrite sin_PI_x. Qed.
-Lemma cos_mirror x : cos (PI - x) = - cos x. Proof. rewrite cos_minus, cos_PI, sin_PI. ring. Qed.
-Lemma mirror_before p t v : before p t v -> before (mirror p) t (mirror_v v).
-Proof. intros [e [He H]]. exists e. split; [exact He|]. intros s Hs. destruct (H s Hs). unfold mirror; simpl. split; lra. Qed.
-Lemma mirror_after p t v : after p t v -> after (mirror p) t (mirror_v v).
-Proof. intros [e [He H]]. exists e. split; [exact He|]. intros s Hs. destruct (H s Hs). unfold mirror; simpl. split; lra. Qed.
-Lemma mirror_push l v v' : push P l v v' -> push P (- l) (mirror_v v) (mirror_v v').
-Proof. intros [J [A [B [C D]]]]. exists J. unfold energy in *. simpl. repeat split; try lra. Qed.
-Theorem mirror_motion p : motion P p -> motion P (mirror p).
-Proof.
-  intros Hm. split.
-  - intros t. generalize (above1 P p Hm t). unfold y1, mirror; simpl. now rewrite sin_mirror.
-  - intros t. generalize (above2 P p Hm t). unfold y2, mirror; simpl. now rewrite sin_mirror.
-  - intros t. generalize (regular P p Hm t). unfold y1, y2, mirror; simpl. now rewrite sin_mirror.
-  - intros t. destruct (law P p Hm t) as [v [v' [Hb [Ha H]]]]. exists (mirror_v v), (mirror_v v').
-    split; [now apply mirror_before|]. split; [now apply mirror_after|].
-    destruct H as [->|[[H0 H]|[H0 H]]]; [now left | right; left | right; right]; (split; [revert H0; unfold y1, y2, mirror; simpl; now rewrite sin_mirror|]).
-    + unfold push1 in *. unfold mirror at 1; simpl. rewrite cos_mirror. replace (arm1 P * - cos (angle (p t))) with (- (arm1 P * cos (angle (p t)))) by ring. now apply mirror_push.
-    + unfold push2 in *. unfold mirror at 1; simpl. rewrite cos_mirror. replace (- (arm2 P * - cos (angle (p t)))) with (- - (arm2 P * cos (angle (p t)))) by ring. now apply mirror_push.
-Qed.
+(** At least n collisions after t0; and no collision with the heavy mass. *)
+Definition later p t0 n := exists l, NoDup l /\ length l = n /\ forall t, In t l -> t0 < t /\ collision P p t.
 
-(** Reversal of time. *)
-Definition reverse (p : R -> pos) t := p (- t).
-Definition minus_v v := {| vy := - vy v; om := - om v |}.
-Lemma reverse_before p t v : after p (- t) v -> before (reverse p) t (minus_v v).
-Proof. intros [e [He H]]. exists e. split; [exact He|]. intros s Hs. unfold reverse. destruct (H (- s) ltac:(lra)). simpl. split; lra. Qed.
-Lemma reverse_after p t v : before p (- t) v -> after (reverse p) t (minus_v v).
-Proof. intros [e [He H]]. exists e. split; [exact He|]. intros s Hs. unfold reverse. destruct (H (- s) ltac:(lra)). simpl. split; lra. Qed.
-Lemma reverse_push l v v' : push P l v v' -> push P l (minus_v v') (minus_v v).
-Proof. intros [J [A [B [C D]]]]. exists J. unfold energy in *. simpl. repeat split; try lra. Qed.
-Theorem reverse_motion p : motion P p -> motion P (reverse p).
+Lemma later_next p t0 n : motion P p -> later p t0 (S n) -> exists t1, t0 < t1 /\ collision P p t1 /\ (forall t, t0 < t < t1 -> ~ collision P p t) /\ later p t1 n.
 Proof.
-  intros Hm. split; try (intros t; apply Hm).
-  intros t. destruct (law P p Hm (- t)) as [v [v' [Hb [Ha H]]]]. exists (minus_v v'), (minus_v v).
-  split; [now apply reverse_before|]. split; [now apply reverse_after|].
-  destruct H as [->|[[H0 H]|[H0 H]]]; [now left | right; left | right; right]; (split; [exact H0|]); now apply reverse_push.
+  intros Hm [l [Hnd [Hl Hc]]]. destruct l as [|T l']; [discriminate|].
+  destruct (Hc T (or_introl eq_refl)) as [HT HcT]. destruct (first_collision p t0 T Hm HT HcT) as [t1 [H1 [H2 H3]]].
+  exists t1. split; [lra|]. split; [exact H2|]. split; [exact H3|].
+  assert (Hge : forall t, In t (T :: l') -> t1 <= t).
+  { intros t Ht. destruct (Rle_or_lt t1 t) as [|K]; [assumption|]. destruct (Hc t Ht). exfalso. apply (H3 t); [lra | assumption]. }
+  destruct (in_dec Req_EM_T t1 (T :: l')) as [Hin|Hin].
+  - apply in_split in Hin. destruct Hin as [a [b E]]. rewrite E in *. exists (a ++ b).
+    split; [now apply NoDup_remove_1 in Hnd|]. split. { rewrite app_length in *. simpl in Hl. lia. }
+    intros t Ht. assert (Ht' : In t (a ++ t1 :: b)) by (apply in_app_iff in Ht; apply in_app_iff; destruct Ht; [now left | right; now right]).
+    split; [|now apply Hc]. assert (t1 <> t) by (intros <-; apply NoDup_remove_2 in Hnd; contradiction). specialize (Hge t Ht'). lra.
+  - exists l'. inversion Hnd; subst. split; [assumption|]. split; [now injection Hl|].
+    intros t Ht. assert (Ht' : In t (T :: l')) by now right. split; [|now apply Hc].
+    assert (t1 <> t) by (intros <-; contradiction). specialize (Hge t Ht'). lra.
 Qed.
+Definition no_heavy p := forall t, collision P p t -> y2 P (p t) <> 0.
+Lemma later_0 p t : later p t 0.
+Proof. exists nil. repeat split; [constructor | contradiction | contradiction]. Qed.
 End Events.

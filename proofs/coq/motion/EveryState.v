@@ -2,7 +2,7 @@
     times, or one into a corner (both masses on the floor), where regular motions end. *)
 From Coq Require Import Reals Lra Lia List.
 From Coquelicot Require Import Coquelicot.
-From Dumbbell Require Import Physics Ray Chart Flight Collisions Follow HeavyTotal Symmetry Existence RayFuture WitnessMotion OneFlight.
+From Dumbbell Require Import Physics Ray Chart Flight Symmetry Existence StartRay RayFuture OneFlight.
 Local Open Scope R_scope.
 
 Section General.
@@ -64,8 +64,7 @@ Lemma seen_from (K : pos -> vel -> Prop) :
 Proof.
   intros KM KT Main. assert (HPI : 0 < PI) by apply PI_RGT_0.
   assert (Pos : forall s v, K s v -> 0 <= psi_of s -> outcome s v).
-  { intros s v Hs Hp. destruct (nfloor_ex (psi_of s) Hp) as [n Hf]. destruct (whole_turns n (psi_of s)) as [k Hk].
-    { assert (1 < PI/2) by exact PI2_1. assert (0 <= INR n) by apply pos_INR. assert (INR n * 1 <= INR n * PI) by (apply Rmult_le_compat_l; lra). lra. }
+  { intros s v Hs Hp. destruct (whole_turns _ Hp) as [k Hk].
     set (s' := {| height := height s; angle := angle s - 2 * INR k * PI |}).
     assert (Es : s = turned (2 * INR k * PI) s') by (apply pos_eq; simpl; ring).
     assert (Ep : psi_of s' = psi_of s - 2 * INR k * PI) by (unfold psi_of, s'; simpl; ring).

@@ -2,22 +2,8 @@
     of the chart bridge have. It is built flight by flight, by induction on the bound of L5 (f). *)
 From Coq Require Import Reals Lra Lia List FunctionalExtensionality.
 From Coquelicot Require Import Coquelicot.
-From Dumbbell Require Import Physics Ray Flight Collisions Follow Symmetry TurningCollision.
+From Dumbbell Require Import Physics Flight Symmetry.
 Local Open Scope R_scope.
-
-(** L4 (a): the hit is unique; L5 (f) for slopes down to - r. *)
-Lemma hit_unique c k x x' : hit c k x -> hit c k x' -> x = x'.
-Proof.
-  assert (G : forall x x', hit c k x -> hit c k x' -> x < x' -> False).
-  { clear x x'. intros x x' [H1 [H2 H3]] [K1 [K2 K3]] L. assert (HPI : 0 < PI) by apply PI_RGT_0.
-    assert (T := sin_below_tangent x' x ltac:(lra) ltac:(lra)). assert (0 < (x' - x) * (cos x' - k)) by (apply Rmult_lt_0_compat; lra). lra. }
-  intros H K. destruct (Rtotal_order x x') as [L|[L|L]]; [exfalso; now apply (G x x') | exact L | exfalso; now apply (G x' x)].
-Qed.
-Theorem L5f_bounded_below_zero r : 0 < r -> exists M, forall n c k, - r <= k -> coll r n c k -> (n <= M)%nat.
-Proof.
-  intros Hr. destruct (L5f_bounded r Hr) as [M HM]. exists (S M). intros [|n] c k Hk H; [lia|]. destruct H as [x [Hx [->|[HD H]]]]; [lia|].
-  destruct (next_domain c k r x Hr Hk Hx HD) as [Q1 _]. assert (n <= M)%nat; [|lia]. apply (HM n _ _ ltac:(assert (0 <= next_slope (cos x) k r) by lra; eassumption) H).
-Qed.
 
 Section Exists.
 Variable P : dumbbell.

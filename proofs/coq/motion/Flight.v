@@ -1,7 +1,7 @@
 (** From the motion to flights: between two collisions the dumbbell moves uniformly; the reflection law (1) of L0 in the
     coordinates (psi, yhat); L2 (a); L3 and L1 (a) for the physical dumbbell. *)
 From Coq Require Import Reals Lra.
-From Dumbbell Require Import Physics Ray.
+From Dumbbell Require Import Physics.
 Local Open Scope R_scope.
 
 Section Flight.
@@ -127,4 +127,19 @@ Proof.
     rewrite E in H. replace (arm1 P * (vy v / arm1 P + - (r_of * cos (angle (p t))) * om v)) with (vy v - r_of * arm1 P * cos (angle (p t)) * om v) in * by (field; lra). lra.
 Qed.
 
+(** Contacts in the coordinates; psi = - pi/2 - X is X beyond the left corner. *)
+Lemma on_line_coords (p : R -> pos) t0 v s : on_line p t0 v s -> psi_of (p s) = psi_of (p t0) + u_of v * (s - t0) /\ yhat_of P (p s) = yhat_of P (p t0) + v_of v * (s - t0).
+Proof. intros [A B]. assert (A1 := arm1_pos P HP). unfold psi_of, yhat_of, u_of, v_of. rewrite A, B. split; [ring | field; lra]. Qed.
+Lemma floor1 (p : R -> pos) t : motion P p -> - cos (psi_of (p t)) <= yhat_of P (p t).
+Proof. intros Hm. assert (A := above1 P p Hm t). assert (A1 := arm1_pos P HP). destruct (L0_heights P (p t) HP) as [E _]. rewrite E in A.
+  assert (0 <= yhat_of P (p t) + cos (psi_of (p t))) by (apply Rmult_le_reg_l with (arm1 P); lra). lra. Qed.
+Lemma contact1 (p : R -> pos) t : y1 P (p t) = 0 -> yhat_of P (p t) = - cos (psi_of (p t)).
+Proof. intros A. assert (A1 := arm1_pos P HP). destruct (L0_heights P (p t) HP) as [E _]. rewrite E in A. apply Rmult_integral in A. lra. Qed.
+Lemma contact2 (p : R -> pos) t : y2 P (p t) = 0 -> yhat_of P (p t) = r_of * cos (psi_of (p t)).
+Proof. intros A. assert (A1 := arm1_pos P HP). destruct (L0_heights P (p t) HP) as [_ E]. rewrite E in A. apply Rmult_integral in A. unfold r_of. lra. Qed.
+Lemma cos_left X : cos (- (PI/2) - X) = - sin X.
+Proof. rewrite cos_minus, cos_neg, sin_neg, cos_PI2, sin_PI2. ring. Qed.
+Lemma sin_left X : sin (- (PI/2) - X) = - cos X.
+Proof. rewrite sin_minus, cos_neg, sin_neg, cos_PI2, sin_PI2. ring. Qed.
 End Flight.
+

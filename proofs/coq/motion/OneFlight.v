@@ -2,7 +2,7 @@
     collision, or to a corner (both masses on the floor). *)
 From Coq Require Import Reals Lra Lia.
 From Coquelicot Require Import Coquelicot.
-From Dumbbell Require Import Physics Ray Flight Collisions Follow Symmetry Existence.
+From Dumbbell Require Import Physics Existence.
 Local Open Scope R_scope.
 
 (** Heights along a flight. *)

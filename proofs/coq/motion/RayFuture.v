@@ -1,7 +1,7 @@
 (** The future of a ray: a half motion with as many collisions as the ray has (the converse of Follow.v, G <= F), for all times. *)
 From Coq Require Import Reals Lra Lia List FinFun.
 From Coquelicot Require Import Coquelicot.
-From Dumbbell Require Import Physics Ray Flight Collisions Follow Symmetry TurningCollision Existence.
+From Dumbbell Require Import Physics Ray FewHits Flight Collisions Symmetry Existence StartRay.
 Local Open Scope R_scope.
 
 Section Future.
@@ -10,18 +10,6 @@ Hypothesis HP : real_dumbbell P.
 Hypothesis Hr1 : r_of P <= 1.
 Notation r := (r_of P).
 Notation yh := (yhat_of P).
-
-(** A ray to the left as in Follow.v, without a motion. *)
-Record start_ray (s0 : pos) (v : vel) (c k : R) : Prop := {
-  sr_left : u_of v < 0; sr_slope : k * - u_of v = v_of P v;
-  sr_height : c = yh s0 + k * (psi_of s0 + PI/2); sr_start : - (PI/2) < psi_of s0;
-  sr_clear : forall z, - (PI/2) <= z < psi_of s0 -> - cos z < yh s0 + k * (psi_of s0 - z) /\ r * cos z < yh s0 + k * (psi_of s0 - z);
-  sr_below : 0 <= k \/ c + k * (PI/2) < 1 }.
-Lemma start_ray_height_pos s0 v c k : start_ray s0 v c k -> 0 < c.
-Proof.
-  intros [_ _ Hc Hs Hcl _]. assert (HPI : 0 < PI) by apply PI_RGT_0. destruct (Hcl (- (PI/2)) ltac:(lra)) as [_ K].
-  rewrite cos_neg, cos_PI2 in K. rewrite Hc. lra.
-Qed.
 
 (** What lies above the floor curve left of the corner, psi = - pi/2 - X. *)
 Definition over (X y : R) := 0 < y /\ sin X <= y /\ - r * sin X <= y.
@@ -64,7 +52,7 @@ Proof.
 Qed.
 
 (** Along the ray. *)
-Lemma ray_free s0 v c k t : start_ray s0 v c k -> 0 < t -> (forall X, 0 <= X -> psi_of (line s0 v t) = - (PI/2) - X -> over X (c + k * X)) -> free P (line s0 v t).
+Lemma ray_free s0 v c k t : start_ray P s0 v c k -> 0 < t -> (forall X, 0 <= X -> psi_of (line s0 v t) = - (PI/2) - X -> over X (c + k * X)) -> free P (line s0 v t).
 Proof.
   intros [Hu Hs Hc Hst Hcl _] Ht HX. assert (R0 := r_pos P HP). set (z := psi_of (line s0 v t)).
   assert (Ez : z = psi_of s0 + u_of v * t) by apply line_psi. assert (Hz : z < psi_of s0) by (assert (0 < - u_of v * t) by (apply Rmult_lt_0_compat; lra); lra).
@@ -77,10 +65,10 @@ Proof.
 Qed.
 
 (** The contact with the left wall. *)
-Lemma hit_state s0 v c k x : start_ray s0 v c k -> hit c k x -> exists T, 0 < T /\ let s1 := line s0 v T in
+Lemma hit_state s0 v c k x : start_ray P s0 v c k -> hit c k x -> exists T, 0 < T /\ let s1 := line s0 v T in
   psi_of s1 = - (PI/2) - x /\ yh s1 = sin x /\ 0 < x < PI/2 /\ (forall t, 0 < t <= T -> free P (line s0 v t)) /\ y1 P s1 = 0 /\ w1 P s1 v < 0.
 Proof.
-  intros HR Hx. assert (Hc := start_ray_height_pos _ _ _ _ HR). assert (HR' := HR). destruct HR' as [Hu Hs Ec Hst _ _]. assert (Hx' := Hx). destruct Hx' as [X1 [X2 X3]].
+  intros HR Hx. assert (Hc := start_ray_height_pos P _ _ _ _ HR). assert (HR' := HR). destruct HR' as [Hu Hs Ec Hst _ _]. assert (Hx' := Hx). destruct Hx' as [X1 [X2 X3]].
   assert (A1 := arm1_pos P HP). assert (Hx0 : 0 < x). { destruct (Req_dec x 0) as [->|]; [rewrite sin_0 in X2; lra | lra]. }
   set (T := (psi_of s0 + PI/2 + x) / - u_of v). exists T. assert (HT : 0 < T) by (apply Rdiv_lt_0_compat; lra).
   assert (ET : - u_of v * T = psi_of s0 + PI/2 + x) by (unfold T; field; lra). split; [exact HT|]. intros s1.
@@ -96,46 +84,8 @@ Proof.
     replace ((cos x - k) * - u_of v) with (cos x * - u_of v - v_of P v) by (rewrite <- Hs; ring). unfold u_of, v_of. field. lra.
 Qed.
 
-(** (2) of L4 (b). *)
-Lemma reflected_velocity x k v v' : u_of v < 0 -> k * - u_of v = v_of P v -> reflects P (- cos x) (u_of v) (v_of P v) (u_of v') (v_of P v') ->
-  u_of v' = - u_of v * (slope_den (cos x) k r / (cos x * cos x + r)) /\ v_of P v' = - u_of v * (slope_num (cos x) k r / (cos x * cos x + r)) /\ 0 < v_of P v' + cos x * u_of v'.
-Proof.
-  intros Hu Hs [l [Hl [Eu [Ev [Er En]]]]]. assert (R0 := r_pos P HP). assert (0 < cos x * cos x + r) by (assert (0 <= cos x * cos x) by apply Rle_0_sqr; lra).
-  assert (El : l = 2 * - u_of v * (cos x - k) / (cos x * cos x + r)).
-  { apply Rmult_eq_reg_r with (cos x * cos x + r); [|lra]. replace (2 * - u_of v * (cos x - k) / (cos x * cos x + r) * (cos x * cos x + r)) with (2 * - u_of v * (cos x - k)) by (field; lra).
-    rewrite Eu, Ev, <- Hs in Er. lra. }
-  split; [|split; [|lra]].
-  - rewrite Eu, El. unfold slope_den. field. lra.
-  - rewrite Ev, El, <- Hs. unfold slope_num. field. lra.
-Qed.
-
-Definition mirror_pos (s : pos) := {| height := height s; angle := PI - angle s |}.
-Lemma psi_mirror_pos s : psi_of (mirror_pos s) = - psi_of s.
-Proof. unfold psi_of; simpl. lra. Qed.
-(** After the bounce to the other wall: a ray again, mirrored. *)
-Lemma next_start_ray s1 v' x k' : psi_of s1 = - (PI/2) - x -> yh s1 = sin x -> 0 < x < PI/2 -> 0 < u_of v' -> k' * u_of v' = v_of P v' -> r <= k' ->
-  start_ray (mirror_pos s1) (mirror_v v') (sin x + k' * (x + PI)) k'.
-Proof.
-  intros E1 E2 Hx Hu Hs Hk. assert (HPI : 0 < PI) by apply PI_RGT_0. assert (R0 := r_pos P HP).
-  assert (EP : psi_of (mirror_pos s1) = PI/2 + x) by (rewrite psi_mirror_pos, E1; ring). assert (EY : yh (mirror_pos s1) = sin x) by exact E2.
-  assert (Sx : 0 < sin x) by (apply sin_gt_0; lra).
-  split; rewrite ?EP, ?EY; try lra; try (unfold u_of, v_of in *; simpl; lra).
-  intros z Hz. destruct (Rle_or_lt z (PI/2)) as [Kz|Kz].
-  - assert (Hk2 : r * (PI/2 + x - z) <= k' * (PI/2 + x - z)) by (apply Rmult_le_compat_r; lra).
-    assert (0 <= cos z) by (apply cos_ge_0; lra).
-    assert (cos z <= PI/2 - z). { replace (cos z) with (sin (PI/2 - z)) by (rewrite sin_minus, cos_PI2, sin_PI2; ring). destruct (Req_dec z (PI/2)) as [->|]; [replace (PI/2 - PI/2) with 0 by ring; rewrite sin_0; lra | left; apply sin_lt_x; lra]. }
-    assert (r * cos z <= r * (PI/2 - z)) by (apply Rmult_le_compat_l; lra). assert (0 <= r * x) by (apply Rmult_le_pos; lra).
-    assert (0 <= r * (PI/2 + x - z)) by (apply Rmult_le_pos; lra). split; lra.
-  - set (z' := z - PI/2). assert (Ez : z = PI/2 + z') by (unfold z'; ring). assert (Hz' : 0 < z' < x) by (unfold z'; lra).
-    assert (Cz : cos z = - sin z') by (rewrite Ez, cos_plus, cos_PI2, sin_PI2; ring). rewrite Cz.
-    assert (sin z' <= sin x) by (apply sin_mono; lra). assert (0 < sin z') by (apply sin_gt_0; lra).
-    assert (0 < k' * (PI/2 + x - z)) by (apply Rmult_lt_0_compat; lra). assert (0 <= r * sin z') by (apply Rmult_le_pos; lra). split; lra.
-Qed.
-
 (** A half motion out of the state s0, v. *)
 Definition future s0 v p := p 0 = s0 /\ after p 0 v /\ forall t, 0 < t -> lawful P p t.
-Lemma later_0 p t : later P p t 0.
-Proof. exists nil. repeat split; [constructor | contradiction | contradiction]. Qed.
 Lemma future_line s0 v : (forall t, 0 < t -> free P (line s0 v t)) -> future s0 v (line s0 v).
 Proof. intros H. split; [apply line_0|]. split; [apply line_after|]. intros t Ht. now apply (line_lawful P HP), H. Qed.
 Lemma future_mirror s0 v p : future (mirror_pos s0) (mirror_v v) p -> future s0 v (mirror p).
@@ -144,8 +94,6 @@ Proof.
   - replace v with (mirror_v (mirror_v v)) by (apply vel_eq; simpl; ring). now apply mirror_after.
   - intros t Ht. now apply mirror_lawful, C.
 Qed.
-Lemma later_mirror p t n : later P p t n -> later P (mirror p) t n.
-Proof. apply same_later. now apply same_mirror. Qed.
 
 (** A flight, a bounce off the light wall, and a future from there. *)
 Lemma future_glue s0 v T v' p2 : 0 < T -> (forall t, 0 < t <= T -> free P (line s0 v t)) -> let s1 := line s0 v T in
@@ -174,27 +122,27 @@ Proof.
 Qed.
 
 (** Every ray has a future. *)
-Theorem future_exists N : forall s0 v c k, start_ray s0 v c k -> - r <= k -> ~ coll r (S N) c k ->
+Theorem future_exists N : forall s0 v c k, start_ray P s0 v c k -> - r <= k -> ~ coll r (S N) c k ->
   exists p, future s0 v p /\ forall n, coll r n c k -> later P p 0 n.
 Proof.
-  assert (R0 := r_pos P HP). induction N as [|N IH]; intros s0 v c k HR Hk Hno; assert (Hc := start_ray_height_pos _ _ _ _ HR);
+  assert (R0 := r_pos P HP). induction N as [|N IH]; intros s0 v c k HR Hk Hno; assert (Hc := start_ray_height_pos P _ _ _ _ HR);
   (destruct (Classical_Prop.classic (exists x, hit c k x)) as [[x Hx]|Hmiss];
    [|exists (line s0 v); split;
-     [apply future_line; intros t Ht; apply (ray_free s0 v c k t HR Ht); intros X HX _; apply over_miss; try assumption; exact (sr_below _ _ _ _ HR)
+     [apply future_line; intros t Ht; apply (ray_free s0 v c k t HR Ht); intros X HX _; apply over_miss; try assumption; exact (sr_below _ _ _ _ _ HR)
      |intros [|n] H; [apply later_0|]; exfalso; apply Hmiss; destruct H as [x [Hx _]]; now exists x]]).
   { exfalso. apply Hno. exists x. split; [exact Hx | now left]. }
   destruct (hit_state s0 v c k x HR Hx) as [T [HT [E1 [E2 [Hx0 [Hf [Hy Hw]]]]]]]. set (s1 := line s0 v T) in *.
-  assert (Hu := sr_left _ _ _ _ HR). assert (Hs := sr_slope _ _ _ _ HR).
+  assert (Hu := sr_left _ _ _ _ _ HR). assert (Hs := sr_slope _ _ _ _ _ HR).
   destruct (push_exists P HP (arm1 P * cos (angle s1)) v Hw) as [v' [Hpush Hne]]. change (push1 P s1 v v') in Hpush.
   destruct (L0_reflection1 P HP s1 v v' Hpush) as [|HL]; [contradiction|]. unfold slope1 in HL. rewrite E1, sin_left in HL.
-  destruct (reflected_velocity x k v v' Hu Hs HL) as [Bu [Bv Bn]].
+  destruct (reflected_velocity P HP x k v v' Hu Hs HL) as [Bu [Bv Bn]].
   assert (Hq : 0 < cos x * cos x + r) by (assert (0 <= cos x * cos x) by apply Rle_0_sqr; lra).
   destruct (Rlt_or_le 0 (slope_den (cos x) k r)) as [HD|HD].
   - (* it bounces to the other wall *)
     destruct (next_domain c k r x R0 Hk Hx HD) as [Q1 Q2]. set (k' := next_slope (cos x) k r) in *.
     assert (Hup : 0 < u_of v') by (rewrite Bu; apply Rmult_lt_0_compat; [lra | now apply Rdiv_lt_0_compat]).
     assert (Hkk : k' * u_of v' = v_of P v') by (rewrite Bu, Bv; unfold k', next_slope; field; lra).
-    assert (SR := next_start_ray s1 v' x k' E1 E2 Hx0 Hup Hkk Q1).
+    assert (SR := next_start_ray P HP s1 v' x k' E1 E2 Hx0 Hup Hkk Q1).
     destruct (IH _ _ _ _ SR ltac:(lra)) as [p3 [F3 C3]].
     { intros H. apply Hno. exists x. split; [exact Hx|]. right. split; [exact HD | exact H]. }
     destruct (future_glue s0 v T v' (mirror p3) HT Hf Hy Hw Hpush (future_mirror _ _ _ F3)) as [G1 G2].
@@ -212,5 +160,10 @@ Proof.
     destruct (future_glue s0 v T v' _ HT Hf Hy Hw Hpush F3) as [G1 G2]. exists (glue T (line s0 v) (line s1 v')). split; [exact G1|].
     intros [|n] H; [apply later_0|]. apply G2. destruct H as [x' [Hx' [->|[HD' H]]]]; [apply later_0|].
     assert (x' = x) by (now apply hit_unique with c k). subst x'. lra.
+Qed.
+Lemma ray_future s0 v c k : start_ray P s0 v c k -> - r <= k -> exists p, future s0 v p /\ forall n, coll r n c k -> later P p 0 n.
+Proof.
+  intros HR Hk. destruct (L5f_bounded_below_zero r (r_pos P HP)) as [M HM]. apply (future_exists M s0 v c k HR Hk).
+  intros H. specialize (HM (S M) c k Hk H). lia.
 Qed.
 End Future.

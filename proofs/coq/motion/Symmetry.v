@@ -1,16 +1,97 @@
-(** Symmetries of motions (mirror, turning by 2 k pi, reversal) as relations, and the normal position of a collision of the
-    light mass: on the wall R, psi = pi/2 + e with 0 < e <= pi/2. *)
+(** Symmetries of motions: the mirror, reversal of time, whole turns of the rod; and as a relation [same]. *)
 From Coq Require Import Reals Lra Lia List FunctionalExtensionality.
 From Coquelicot Require Import Coquelicot.
-From Dumbbell Require Import Physics Ray Flight Collisions Follow HeavyTotal.
+From Dumbbell Require Import Physics Flight Collisions.
 Local Open Scope R_scope.
 
-Section Sym.
+Section Symmetry.
 Variable P : dumbbell.
 Hypothesis HP : real_dumbbell P.
 Notation r := (r_of P).
 Notation yh := (yhat_of P).
 
+(** Mirror: phi -> pi - phi. *)
+Definition mirror (p : R -> pos) t := {| height := height (p t); angle := PI - angle (p t) |}.
+Definition mirror_v v := {| vy := vy v; om := - om v |}.
+Lemma sin_mirror x : sin (PI - x) = sin x. Proof. now rewrite sin_PI_x. Qed.
+Lemma cos_mirror x : cos (PI - x) = - cos x. Proof. rewrite cos_minus, cos_PI, sin_PI. ring. Qed.
+Lemma mirror_before p t v : before p t v -> before (mirror p) t (mirror_v v).
+Proof. intros [e [He H]]. exists e. split; [exact He|]. intros s Hs. destruct (H s Hs). unfold mirror; simpl. split; lra. Qed.
+Lemma mirror_after p t v : after p t v -> after (mirror p) t (mirror_v v).
+Proof. intros [e [He H]]. exists e. split; [exact He|]. intros s Hs. destruct (H s Hs). unfold mirror; simpl. split; lra. Qed.
+Lemma mirror_push l v v' : push P l v v' -> push P (- l) (mirror_v v) (mirror_v v').
+Proof. intros [J [A [B [C D]]]]. exists J. unfold energy in *. simpl. repeat split; try lra. Qed.
+Theorem mirror_motion p : motion P p -> motion P (mirror p).
+Proof.
+  intros Hm. split.
+  - intros t. generalize (above1 P p Hm t). unfold y1, mirror; simpl. now rewrite sin_mirror.
+  - intros t. generalize (above2 P p Hm t). unfold y2, mirror; simpl. now rewrite sin_mirror.
+  - intros t. generalize (regular P p Hm t). unfold y1, y2, mirror; simpl. now rewrite sin_mirror.
+  - intros t. destruct (law P p Hm t) as [v [v' [Hb [Ha H]]]]. exists (mirror_v v), (mirror_v v').
+    split; [now apply mirror_before|]. split; [now apply mirror_after|].
+    destruct H as [->|[[H0 H]|[H0 H]]]; [now left | right; left | right; right]; (split; [revert H0; unfold y1, y2, mirror; simpl; now rewrite sin_mirror|]).
+    + unfold push1 in *. unfold mirror at 1; simpl. rewrite cos_mirror. replace (arm1 P * - cos (angle (p t))) with (- (arm1 P * cos (angle (p t)))) by ring. now apply mirror_push.
+    + unfold push2 in *. unfold mirror at 1; simpl. rewrite cos_mirror. replace (- (arm2 P * - cos (angle (p t)))) with (- - (arm2 P * cos (angle (p t)))) by ring. now apply mirror_push.
+Qed.
+
+(** Reversal of time. *)
+Definition reverse (p : R -> pos) t := p (- t).
+Definition minus_v v := {| vy := - vy v; om := - om v |}.
+Lemma reverse_before p t v : after p (- t) v -> before (reverse p) t (minus_v v).
+Proof. intros [e [He H]]. exists e. split; [exact He|]. intros s Hs. unfold reverse. destruct (H (- s) ltac:(lra)). simpl. split; lra. Qed.
+Lemma reverse_after p t v : before p (- t) v -> after (reverse p) t (minus_v v).
+Proof. intros [e [He H]]. exists e. split; [exact He|]. intros s Hs. unfold reverse. destruct (H (- s) ltac:(lra)). simpl. split; lra. Qed.
+Lemma reverse_push l v v' : push P l v v' -> push P l (minus_v v') (minus_v v).
+Proof. intros [J [A [B [C D]]]]. exists J. unfold energy in *. simpl. repeat split; try lra. Qed.
+Theorem reverse_motion p : motion P p -> motion P (reverse p).
+Proof.
+  intros Hm. split; try (intros t; apply Hm).
+  intros t. destruct (law P p Hm (- t)) as [v [v' [Hb [Ha H]]]]. exists (minus_v v'), (minus_v v).
+  split; [now apply reverse_before|]. split; [now apply reverse_after|].
+  destruct H as [->|[[H0 H]|[H0 H]]]; [now left | right; left | right; right]; (split; [exact H0|]); now apply reverse_push.
+Qed.
+
+(** Turning by 2 k pi. *)
+Definition turn (k : nat) (p : R -> pos) t := {| height := height (p t); angle := angle (p t) - 2 * INR k * PI |}.
+Lemma sin_turn k p t : sin (angle (turn k p t)) = sin (angle (p t)).
+Proof. simpl. rewrite <- (sin_period (angle (p t) - 2 * INR k * PI) k). f_equal. ring. Qed.
+Lemma cos_turn k p t : cos (angle (turn k p t)) = cos (angle (p t)).
+Proof. simpl. rewrite <- (cos_period (angle (p t) - 2 * INR k * PI) k). f_equal. ring. Qed.
+Lemma turn_before k p t v : before p t v -> before (turn k p) t v.
+Proof. intros [e [He H]]. exists e. split; [exact He|]. intros s Hs. destruct (H s Hs). simpl. split; lra. Qed.
+Lemma turn_after k p t v : after p t v -> after (turn k p) t v.
+Proof. intros [e [He H]]. exists e. split; [exact He|]. intros s Hs. destruct (H s Hs). simpl. split; lra. Qed.
+Theorem turn_motion k p : motion P p -> motion P (turn k p).
+Proof.
+  intros Hm. split.
+  - intros t. unfold y1. rewrite sin_turn. apply Hm.
+  - intros t. unfold y2. rewrite sin_turn. apply Hm.
+  - intros t. unfold y1, y2. rewrite sin_turn. apply Hm.
+  - intros t. destruct (law P p Hm t) as [v [v' [Hb [Ha H]]]]. exists v, v'. split; [now apply turn_before|]. split; [now apply turn_after|].
+    unfold push1, push2, y1, y2. rewrite sin_turn, cos_turn. exact H.
+Qed.
+Lemma collision_turn k p t : collision P p t -> collision P (turn k p) t.
+Proof. intros [v [Hb H]]. exists v. split; [now apply turn_before|]. unfold y1, y2, w1, w2. rewrite sin_turn, cos_turn. exact H. Qed.
+Lemma whole_turns_up_to n : forall x, 0 <= x <= PI + 2 * INR n * PI -> exists k, - PI <= x - 2 * INR k * PI <= PI.
+Proof.
+  assert (HPI : 0 < PI) by apply PI_RGT_0. induction n as [|n IH]; intros x Hx.
+  - exists O. simpl in *. lra.
+  - destruct (Rle_or_lt x (PI + 2 * INR n * PI)); [apply IH; lra|]. exists (S n). rewrite S_INR in *. lra.
+Qed.
+Lemma whole_turns x : 0 <= x -> exists k, - PI <= x - 2 * INR k * PI <= PI.
+Proof.
+  intros Hx. destruct (nfloor_ex x Hx) as [n Hn]. apply (whole_turns_up_to n).
+  assert (1 < PI/2) by exact PI2_1. assert (0 <= INR n) by apply pos_INR.
+  assert (INR n * 1 <= INR n * PI) by (apply Rmult_le_compat_l; lra). lra.
+Qed.
+
+Lemma psi_mirror (p : R -> pos) t : psi_of (mirror p t) = - psi_of (p t).
+Proof. unfold psi_of, mirror; simpl. lra. Qed.
+Lemma collision_mirror p t : collision P p t -> collision P (mirror p) t.
+Proof.
+  intros [v [Hb H]]. exists (mirror_v v). split; [now apply mirror_before|]. unfold y1, y2, w1, w2, mirror in *; simpl. rewrite sin_mirror, cos_mirror.
+  destruct H as [[A B]|[A B]]; [left | right]; (split; [lra|]); lra.
+Qed.
 Lemma pos_eq a b : height a = height b -> angle a = angle b -> a = b.
 Proof. destruct a, b; simpl; congruence. Qed.
 Lemma mirror_mirror p : mirror (mirror p) = p.
@@ -88,39 +169,6 @@ Lemma same_later p q t n : same p q -> later P p t n -> later P q t n.
 Proof. intros S [l [H1 [H2 H3]]]. exists l. split; [exact H1|]. split; [exact H2|]. intros s Hs. destruct (H3 s Hs). split; [assumption | now apply (same_collision _ _ S)]. Qed.
 Lemma same_at_most p q n : same p q -> at_most P q n -> at_most P p n.
 Proof. intros S H l Hnd Hl. apply H; [assumption|]. intros t Ht. apply (same_collision _ _ S), Hl, Ht. Qed.
-
-(** The normal position. *)
-Definition on_R (p : R -> pos) T e := psi_of (p T) = PI/2 + e /\ 0 < e <= PI/2 /\ yh (p T) = sin e.
-Lemma normal_right p T : motion P p -> no_heavy P p -> collision P p T -> 0 <= psi_of (p T) <= PI -> exists e, on_R p T e.
-Proof.
-  intros Hm Hn Hc Hp. assert (R0 := r_pos P HP). assert (A1 := arm1_pos P HP).
-  assert (H2 : 0 < y2 P (p T)). { destruct (above2 P p Hm T) as [|E]; [assumption|]. exfalso. now apply (Hn T Hc). }
-  assert (H1 : y1 P (p T) = 0). { destruct Hc as [v [_ [[H _]|[H _]]]]; [exact H | lra]. }
-  assert (C := contact1 P HP p T H1). destruct (L0_heights P (p T) HP) as [_ E2]. rewrite E2, C in H2. fold r in H2. unfold r_of in *.
-  assert (Cn : cos (psi_of (p T)) < 0).
-  { apply Rnot_le_lt. intros K. assert (0 <= m1 P / m2 P * cos (psi_of (p T))) by (apply Rmult_le_pos; lra).
-    assert (arm1 P * (- cos (psi_of (p T)) - m1 P / m2 P * cos (psi_of (p T))) <= 0); [|lra].
-    assert (0 <= arm1 P * (cos (psi_of (p T)) + m1 P / m2 P * cos (psi_of (p T)))) by (apply Rmult_le_pos; lra). lra. }
-  assert (K : PI/2 < psi_of (p T)). { apply Rnot_le_lt. intros K. assert (0 <= cos (psi_of (p T))) by (apply cos_ge_0; lra). lra. }
-  exists (psi_of (p T) - PI/2). split; [ring|]. split; [lra|]. rewrite C, sin_minus, cos_PI2, sin_PI2. ring.
-Qed.
-Theorem normal_position p T : motion P p -> no_heavy P p -> collision P p T -> exists q e, same p q /\ on_R q T e.
-Proof.
-  assert (HPI : 0 < PI) by apply PI_RGT_0.
-  assert (Pos : forall p, motion P p -> no_heavy P p -> collision P p T -> 0 <= psi_of (p T) -> exists q e, same p q /\ on_R q T e).
-  { clear p. intros p Hm Hn Hc Hp. destruct (nfloor_ex (psi_of (p T)) Hp) as [n Hf].
-    destruct (whole_turns n (psi_of (p T))) as [k Hk].
-    { assert (1 < PI/2) by exact PI2_1. assert (0 <= INR n) by apply pos_INR. assert (INR n * 1 <= INR n * PI) by (apply Rmult_le_compat_l; lra). lra. }
-    assert (S := same_turn k p). set (q := turn k p) in *. assert (Eq : psi_of (q T) = psi_of (p T) - 2 * INR k * PI) by (unfold psi_of, q; simpl; ring).
-    assert (Hq := same_motion _ _ S Hm). assert (Nq := same_no_heavy _ _ S Hn). assert (Cq := same_collision _ _ S T Hc).
-    destruct (Rle_or_lt 0 (psi_of (q T))) as [K|K].
-    - destruct (normal_right q T Hq Nq Cq ltac:(lra)) as [e He]. now exists q, e.
-    - assert (S2 := same_mirror q). destruct (normal_right (mirror q) T) as [e He].
-      + now apply mirror_motion. + now apply (same_no_heavy _ _ S2). + now apply collision_mirror. + rewrite psi_mirror; lra.
-      + exists (mirror q), e. split; [now apply same_trans with q | exact He]. }
-  intros Hm Hn Hc. destruct (Rle_or_lt 0 (psi_of (p T))) as [K|K]; [now apply Pos|].
-  assert (S := same_mirror p). destruct (Pos (mirror p)) as [q [e [S2 He]]].
-  - now apply mirror_motion. - now apply (same_no_heavy _ _ S). - now apply collision_mirror. - rewrite psi_mirror; lra.
-  - exists q, e. split; [now apply same_trans with (mirror p) | exact He].
-Qed.
-End Sym.
+Lemma later_mirror p t n : later P p t n -> later P (mirror p) t n.
+Proof. apply same_later, same_mirror. Qed.
+End Symmetry.

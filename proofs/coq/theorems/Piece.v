@@ -1,7 +1,7 @@
 (** From a certificate to the physics: an accepted piece bounds the number of collisions of every motion of every dumbbell whose
     mass ratio lies in the piece, and such a motion with that many collisions exists. Nothing is Admitted. *)
 From Coq Require Import Reals ZArith List Lra.
-From Dumbbell Require Import Physics Ray Chart Leaves Doubles LightTotal WitnessMotion.
+From Dumbbell Require Import Physics LightTotal WitnessMotion Doubles.
 Local Open Scope R_scope.
 
 (** A piece of a certificate (Theorem of lemmas.md). *)

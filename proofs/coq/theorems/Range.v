@@ -1,6 +1,6 @@
 (** A certificate of a range: accepted pieces that join without a hole say what N(q) is for every q of the range. *)
 From Coq Require Import Reals ZArith List Lra Lia Bool.
-From Dumbbell Require Import Physics Ray Chart Leaves Doubles Maximum Piece.
+From Dumbbell Require Import Physics Scaling Doubles Maximum Piece.
 Import ListNotations.
 Local Open Scope R_scope.
 

@@ -1,7 +1,6 @@
 (** L6 (a), (c), (d) and the main case of L8 for the physical dumbbell. *)
 From Coq Require Import Reals Lra Lia List.
-From Coquelicot Require Import Coquelicot.
-From Dumbbell Require Import Physics Ray Chart Flight Collisions Follow.
+From Dumbbell Require Import Physics Chart Flight Collisions Symmetry StartRay Follow.
 Local Open Scope R_scope.
 
 Section Bridge.
@@ -16,22 +15,8 @@ Theorem bridge_ray p t0 v k : motion P p -> after p t0 v -> u_of v < 0 -> k * - 
   - (PI/2) < psi_of (p t0) < PI/2 -> yh (p t0) = r * cos (psi_of (p t0)) -> 0 < v_of P v + r * sin (psi_of (p t0)) * u_of v ->
   let c := r * cos (psi_of (p t0)) + k * (psi_of (p t0) + PI/2) in ray P p t0 v c k /\ 0 <= c /\ - r <= k.
 Proof.
-  intros Hm Ha Hu Hs Hp Hy Hn c. assert (R0 := r_pos P HP). assert (HPI : 0 < PI) by apply PI_RGT_0. set (x := psi_of (p t0)) in *.
-  assert (Hk : r * sin x < k). { apply Rmult_lt_reg_r with (- u_of v); lra. }
-  assert (Hclear : forall z, - (PI/2) <= z < x -> 0 <= cos z /\ r * cos z < r * cos x + k * (x - z)).
-  { intros z Hz. split; [apply cos_ge_0; lra|]. assert (Tg := sin_below_tangent (PI/2 + x) (PI/2 + z) ltac:(lra) ltac:(lra)).
-    rewrite !sin_plus, cos_plus, sin_PI2, cos_PI2 in Tg.
-    assert (r * cos z <= r * (cos x + sin x * (x - z))) by (apply Rmult_le_compat_l; lra).
-    assert (r * sin x * (x - z) < k * (x - z)) by (apply Rmult_lt_compat_r; lra). lra. }
-  destruct (Hclear (- (PI/2)) ltac:(lra)) as [C1 C2]. rewrite cos_neg, cos_PI2 in C2.
-  assert (SB := SIN_bound x). assert (CB := COS_bound x).
-  assert (Hkr : - r <= k) by (assert (r * -1 <= r * sin x) by (apply Rmult_le_compat_l; lra); lra).
-  split; [split|split; [unfold c; lra | exact Hkr]]; try assumption.
-  - fold x. rewrite Hy. reflexivity.
-  - fold x. lra.
-  - fold x. intros z Hz. rewrite Hy. destruct (Hclear z Hz) as [D1 D2]. assert (0 <= r * cos z) by (apply Rmult_le_pos; lra). split; [lra | left; lra].
-  - destruct (Rle_or_lt 0 k) as [|K]; [now left | right]. unfold c. assert (r * cos x <= r * 1) by (apply Rmult_le_compat_l; lra).
-    assert (0 < - k * (x + PI)) by (apply Rmult_lt_0_compat; lra). lra.
+  intros _ Ha Hu Hs Hp Hy Hn c. destruct (bridge_start_ray P HP Hr1 (p t0) v k Hu Hs Hp Hy Hn) as [S K].
+  split; [now apply start_ray_ray|]. split; [left; exact (start_ray_height_pos P _ _ _ _ S) | exact K].
 Qed.
 
 (** L8: a contact with the bridge whose outgoing ray X goes left with slope r (s + eta) < 1. *)
@@ -83,8 +68,7 @@ Proof.
   rewrite Hy2, Hpsi2, cos_neg, sin_neg in BS. rewrite cos_minus, sin_minus, sin_PI2, cos_PI2 in BS.
   destruct BS as [RS [CS KS]].
   { rewrite (contact2 P HP p T H2), Ce. ring. } { rewrite Eu2, Ev2. lra. }
-  assert (Lb' : later P p' (- T) b).
-  { destruct Lb as [ls [N1 [N2 N3]]]. exists ls. split; [exact N1|]. split; [exact N2|]. intros t Ht. destruct (N3 t Ht). split; [assumption | now apply collision_mirror]. }
+  assert (Lb' : later P p' (- T) b) by (now apply later_mirror).
   assert (Gb := follow_ray P HP Hr1 b p' (- T) v2 _ kS Hm' RS CS KS Lb').
   apply (HB e eta a b He); try lra.
   - assert (k < 1 + r * cos e) by (apply Rmult_lt_reg_r with g; [assumption|]; unfold g in *; lra). rewrite Eeta in H. lra.

@@ -1,7 +1,6 @@
 (** A motion in which the heavy mass hits the floor has at most U collisions: the first half of charts_upper, complete. *)
 From Coq Require Import Reals Lra Lia List FinFun.
-From Coquelicot Require Import Coquelicot.
-From Dumbbell Require Import Physics Ray Chart Flight Collisions Follow BridgeChart SteepRays.
+From Dumbbell Require Import Physics Chart Flight Collisions Symmetry BridgeChart SteepRays.
 Local Open Scope R_scope.
 
 Section Total.
@@ -9,34 +8,6 @@ Variable P : dumbbell.
 Hypothesis HP : real_dumbbell P.
 Hypothesis Hr1 : r_of P <= 1.
 Notation r := (r_of P).
-
-(** Turning by 2 k pi. *)
-Definition turn (k : nat) (p : R -> pos) t := {| height := height (p t); angle := angle (p t) - 2 * INR k * PI |}.
-Lemma sin_turn k p t : sin (angle (turn k p t)) = sin (angle (p t)).
-Proof. simpl. rewrite <- (sin_period (angle (p t) - 2 * INR k * PI) k). f_equal. ring. Qed.
-Lemma cos_turn k p t : cos (angle (turn k p t)) = cos (angle (p t)).
-Proof. simpl. rewrite <- (cos_period (angle (p t) - 2 * INR k * PI) k). f_equal. ring. Qed.
-Lemma turn_before k p t v : before p t v -> before (turn k p) t v.
-Proof. intros [e [He H]]. exists e. split; [exact He|]. intros s Hs. destruct (H s Hs). simpl. split; lra. Qed.
-Lemma turn_after k p t v : after p t v -> after (turn k p) t v.
-Proof. intros [e [He H]]. exists e. split; [exact He|]. intros s Hs. destruct (H s Hs). simpl. split; lra. Qed.
-Theorem turn_motion k p : motion P p -> motion P (turn k p).
-Proof.
-  intros Hm. split.
-  - intros t. unfold y1. rewrite sin_turn. apply Hm.
-  - intros t. unfold y2. rewrite sin_turn. apply Hm.
-  - intros t. unfold y1, y2. rewrite sin_turn. apply Hm.
-  - intros t. destruct (law P p Hm t) as [v [v' [Hb [Ha H]]]]. exists v, v'. split; [now apply turn_before|]. split; [now apply turn_after|].
-    unfold push1, push2, y1, y2. rewrite sin_turn, cos_turn. exact H.
-Qed.
-Lemma collision_turn k p t : collision P p t -> collision P (turn k p) t.
-Proof. intros [v [Hb H]]. exists v. split; [now apply turn_before|]. unfold y1, y2, w1, w2. rewrite sin_turn, cos_turn. exact H. Qed.
-Lemma whole_turns n : forall x, 0 <= x <= PI + 2 * INR n * PI -> exists k, - PI <= x - 2 * INR k * PI <= PI.
-Proof.
-  assert (HPI : 0 < PI) by apply PI_RGT_0. induction n as [|n IH]; intros x Hx.
-  - exists O. simpl in *. lra.
-  - destruct (Rle_or_lt x (PI + 2 * INR n * PI)); [apply IH; lra|]. exists (S n). rewrite S_INR in *. lra.
-Qed.
 
 (** Counting around one time. *)
 Lemma count_split p T l : motion P p -> NoDup l -> (forall t, In t l -> collision P p t) ->
@@ -50,16 +21,7 @@ Proof.
     + exists (map Ropp (filter g (t :: l))). split; [|split; [apply map_length|]].
       { apply Injective_map_NoDup; [intros x y E; lra | now apply NoDup_filter]. }
       intros s Hs. apply in_map_iff in Hs. destruct Hs as [s' [<- Hs]]. apply filter_In in Hs. destruct Hs as [S1 S2]. unfold g in S2. destruct (Rlt_dec s' T) as [Hlt|]; [|discriminate]. split; [lra|].
-      assert (Hcs := Hc s' S1). destruct (collision_law P HP p s' Hm Hcs) as [v [v' [Hb [Ha HL]]]].
-      exists (minus_v v'). split; [apply reverse_before; now rewrite Ropp_involutive|]. unfold reverse. rewrite Ropp_involutive.
-      assert (A1 := arm1_pos P HP). assert (EA := r_arms P HP).
-      destruct HL as [[H0 [l0 [_ [_ [_ [Er En]]]]]]|[H0 [l0 [_ [_ [_ [Er En]]]]]]]; [left | right]; (split; [exact H0|]).
-      * unfold slope1 in *. rewrite sin_psi in *. unfold w1, u_of, v_of in *; simpl.
-        assert (K : 0 < arm1 P * (vy v' / arm1 P - - cos (angle (p s')) * om v')) by (apply Rmult_lt_0_compat; lra).
-        replace (arm1 P * (vy v' / arm1 P - - cos (angle (p s')) * om v')) with (vy v' + arm1 P * cos (angle (p s')) * om v') in K by (field; lra). lra.
-      * unfold slope2 in *. rewrite sin_psi in *. unfold w2, u_of, v_of in *; simpl. rewrite EA.
-        assert (K : 0 < arm1 P * (vy v' / arm1 P - - r * - cos (angle (p s')) * om v')) by (apply Rmult_lt_0_compat; lra).
-        replace (arm1 P * (vy v' / arm1 P - - r * - cos (angle (p s')) * om v')) with (vy v' - r * arm1 P * cos (angle (p s')) * om v') in K by (field; lra). lra.
+      apply (collision_reverse P HP); [exact Hm | now apply Hc].
     + assert (G : forall m, NoDup m -> (length m <= length (filter f m) + length (filter g m) + (if in_dec Req_EM_T T m then 1 else 0))%nat).
       { induction m as [|s m IHm]; intros Hd; [simpl; lia|]. apply NoDup_cons_iff in Hd. destruct Hd as [Hni Hd]. specialize (IHm Hd). cbn [filter length].
         destruct (in_dec Req_EM_T T (s :: m)) as [I2|I2]; destruct (in_dec Req_EM_T T m) as [I1|I1]; unfold f at 1, g at 1;
@@ -86,9 +48,7 @@ Proof.
   assert (M2 : forall f, y2 P (f T) = 0 -> y2 P (mirror f T) = 0) by (intros f; unfold y2, mirror; simpl; now rewrite sin_mirror).
   (* with psi >= 0 *)
   assert (Pos : forall p, motion P p -> collision P p T -> y2 P (p T) = 0 -> 0 <= psi_of (p T) -> at_most P p U).
-  { clear p. intros p Hm Hc H2 Hp. destruct (nfloor_ex (psi_of (p T)) Hp) as [n Hn].
-    destruct (whole_turns n (psi_of (p T))) as [k Hk].
-    { assert (1 < PI/2) by exact PI2_1. assert (0 <= INR n) by apply pos_INR. assert (INR n * 1 <= INR n * PI) by (apply Rmult_le_compat_l; lra). lra. }
+  { clear p. intros p Hm Hc H2 Hp. destruct (whole_turns _ Hp) as [k Hk].
     assert (Turn : at_most P (turn k p) U -> at_most P p U).
     { intros H l Hnd Hl. apply H; [assumption|]. intros t Ht. now apply collision_turn, Hl. }
     apply Turn. set (q := turn k p). assert (Hq : motion P q) by (now apply turn_motion). assert (Cq : collision P q T) by (now apply collision_turn).

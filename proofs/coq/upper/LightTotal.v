@@ -2,7 +2,7 @@
     and with HeavyTotal.v the whole upper bound. *)
 From Coq Require Import Reals Lra Lia List.
 From Coquelicot Require Import Coquelicot.
-From Dumbbell Require Import Physics Ray Chart Flight Collisions Follow SteepRays HeavyTotal Symmetry TurningCollision.
+From Dumbbell Require Import Physics Chart Flight Collisions Symmetry NormalPosition Follow SteepRays HeavyTotal TurningCollision.
 Local Open Scope R_scope.
 
 Section Light.

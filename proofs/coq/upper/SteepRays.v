@@ -1,7 +1,6 @@
 (** L3 for whole futures, and the parts of L8 (c): a steep ray has no later collision; a ray to the nearer wall is bounded by the tangent. *)
 From Coq Require Import Reals Lra Lia List.
-From Coquelicot Require Import Coquelicot.
-From Dumbbell Require Import Physics Ray Chart Flight Collisions Follow BridgeChart.
+From Dumbbell Require Import Physics Ray Chart Flight Collisions Symmetry Follow BridgeChart.
 Local Open Scope R_scope.
 
 Section Bridge2.
@@ -63,8 +62,6 @@ Proof.
   assert (Haq : after q (- T) (minus_v v)) by (apply reverse_after; now rewrite Ropp_involutive).
   assert (Hqp : q (- T) = p T) by (unfold q, reverse; now rewrite Ropp_involutive).
   assert (Euq : u_of (minus_v v) = - u_of v) by reflexivity. assert (Evq : v_of P (minus_v v) = - v_of P v) by (unfold v_of; simpl; field; assert (A := arm1_pos P HP); lra).
-  assert (Lm : forall f t n, later P f t n -> later P (mirror f) t n).
-  { intros f t n [ls [N1 [N2 N3]]]. exists ls. split; [exact N1|]. split; [exact N2|]. intros s Hs. destruct (N3 s Hs). split; [assumption | now apply collision_mirror]. }
   (* either ray, if it goes right and is not steep: the tangent bounds it *)
   assert (Right : forall f t w n, motion P f -> after f t w -> f t = p T -> later P f t n -> 0 <= u_of w -> 0 < v_of P w + r * cos e * u_of w -> (1 + n <= U)%nat).
   { intros f t w n Hf Haf Hft Hlf Hw Hnw. destruct (Rle_lt_or_eq_dec 0 (u_of w) Hw) as [K|K].
@@ -75,7 +72,7 @@ Proof.
       + rewrite Ep, cos_neg, <- Hpsi, <- (contact2 P HP p T H2). rewrite Em. reflexivity.
       + unfold u_of in *; simpl; lra.
       + rewrite Ep, sin_neg, <- Hpsi, Se. unfold u_of, v_of in *; simpl. lra.
-      + now apply Lm.
+      + now apply later_mirror.
     - assert (n = O); [|lia]. apply (L3_steep_no_later f t w n Hf Haf); [|assumption]. rewrite <- K, Rabs_R0. rewrite <- K in Hnw. lra. }
   assert (HnX : 0 < v_of P v' + r * cos e * u_of v') by lra.
   assert (HnS : 0 < v_of P (minus_v v) + r * cos e * u_of (minus_v v)) by (rewrite Euq, Evq; lra).

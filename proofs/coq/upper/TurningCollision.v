@@ -2,27 +2,8 @@
     turning collision, v_in <= 0 <= v_out. *)
 From Coq Require Import Reals Lra Lia List.
 From Coquelicot Require Import Coquelicot.
-From Dumbbell Require Import Physics Ray Flight Collisions Follow SteepRays HeavyTotal Symmetry.
+From Dumbbell Require Import Physics FewHits Flight Collisions Symmetry NormalPosition Follow.
 Local Open Scope R_scope.
-
-(** L5 (f): slopes k, k + 2 r, ... below 1. *)
-Lemma L5f_slopes_grow r n : 0 < r -> forall c k, 0 <= k -> coll r (S n) c k -> k + 2 * r * INR n < 1.
-Proof.
-  intros Hr. induction n as [|n IH]; intros c k Hk [x [[Hx [_ Hkx]] H]]; destruct (COS_bound x).
-  - simpl INR. lra.
-  - destruct H as [H|[HD H]]; [discriminate|]. assert (W := cos_pos x Hx).
-    assert (G := next_slope_grows (cos x) k r ltac:(lra) Hr HD). assert (G0 : 0 <= next_slope (cos x) k r) by lra.
-    specialize (IH _ _ G0 H). rewrite S_INR. lra.
-Qed.
-Theorem L5f_bounded r : 0 < r -> exists M, forall n c k, 0 <= k -> coll r n c k -> (n <= M)%nat.
-Proof.
-  intros Hr. assert (H0 : 0 <= / (2 * r)) by (left; apply Rinv_0_lt_compat; lra).
-  destruct (nfloor_ex (/ (2 * r)) H0) as [m Hm]. exists (S m). intros [|n] c k Hk H; [lia|].
-  assert (F := L5f_slopes_grow r n Hr c k Hk H). assert (E : 2 * r * / (2 * r) = 1) by (field; lra).
-  assert (INR n < INR m + 1).
-  { apply Rmult_lt_reg_l with (2 * r); [lra|]. assert (2 * r * / (2 * r) < 2 * r * (INR m + 1)) by (apply Rmult_lt_compat_l; lra). lra. }
-  rewrite <- S_INR in H1. apply INR_lt in H1. lia.
-Qed.
 
 Section Turning.
 Variable P : dumbbell.
