@@ -24,7 +24,8 @@ Proof.
   intros H0 HA Hw eps He. set (w := vy + A * cos a * om) in *. set (k := A * (om * om) + 1).
   assert (Hk : 0 < k). { unfold k. assert (0 <= A * (om * om)) by (apply Rmult_le_pos; [lra | apply Rle_0_sqr]). lra. }
   assert (Hd : 0 < - w / k) by (apply Rdiv_lt_0_compat; lra).
-  set (s := Rmin eps (- w / k)). assert (S1 : 0 < s) by (apply Rmin_pos; assumption). assert (S2 : s <= eps) by apply Rmin_l. assert (S3 : s <= - w / k) by apply Rmin_r.
+  set (s := Rmin eps (- w / k)). assert (S1 : 0 < s) by (apply Rmin_pos; assumption).
+  assert (S2 : s <= eps) by apply Rmin_l. assert (S3 : s <= - w / k) by apply Rmin_r.
   exists s. split; [lra|]. assert (B := sin_shift a (om * s)). apply Rabs_le_between in B.
   assert (S4 : s * k <= - w). { replace (- w) with (- w / k * k) by (field; lra). apply Rmult_le_compat_r; lra. }
   assert (S5 : s * (s * k) <= s * - w) by (apply Rmult_le_compat_l; lra).
@@ -39,20 +40,23 @@ Proof.
   - destruct (goes_below (height (p t)) (angle (p t)) (vy v) (om v) (arm1 P) H0 (arm1_pos P HP) Hw e He) as [s [Hs Hn]].
     destruct (Ha (t + s) ltac:(lra)) as [E1 E2]. replace (t + s - t) with s in * by ring.
     assert (K := above1 P p Hm (t + s)). unfold y1 in K. rewrite E1, E2 in K. lra.
-  - destruct (goes_below (height (p t)) (angle (p t) + PI) (vy v) (om v) (arm2 P)) with (eps := e) as [s [Hs Hn]]; try assumption.
+  - destruct (goes_below (height (p t)) (angle (p t) + PI) (vy v) (om v) (arm2 P)) with (eps := e) as [s [Hs Hn]];
+      try assumption.
     { rewrite neg_sin. unfold y2 in H0. lra. } { exact (arm2_pos P HP). } { rewrite neg_cos. unfold w2 in Hw. lra. }
     destruct (Ha (t + s) ltac:(lra)) as [E1 E2]. replace (t + s - t) with s in * by ring.
     assert (K := above2 P p Hm (t + s)). unfold y2 in K. rewrite E1, E2 in K.
     replace (angle (p t) + PI + om v * s) with (angle (p t) + om v * s + PI) in Hn by ring. rewrite neg_sin in Hn. lra.
 Qed.
 
-Lemma inside_flight p t0 v e t : 0 < e -> (forall s, t0 <= s <= t0 + e -> on_line p t0 v s) -> t0 < t < t0 + e -> before p t v /\ after p t v.
+Lemma inside_flight p t0 v e t : 0 < e -> (forall s, t0 <= s <= t0 + e -> on_line p t0 v s) -> t0 < t < t0 + e ->
+  before p t v /\ after p t v.
 Proof.
   intros He H Ht. destruct (H t ltac:(lra)) as [A B]. split.
   - exists (t - t0). split; [lra|]. intros s Hs. destruct (H s ltac:(lra)). split; lra.
   - exists (t0 + e - t). split; [lra|]. intros s Hs. destruct (H s ltac:(lra)). split; lra.
 Qed.
-Lemma no_collision_soon p t0 v : motion P p -> after p t0 v -> exists e, 0 < e /\ forall t, t0 < t < t0 + e -> ~ collision P p t.
+Lemma no_collision_soon p t0 v : motion P p -> after p t0 v -> exists e, 0 < e /\ forall t, t0 < t < t0 + e ->
+  ~ collision P p t.
 Proof.
   intros Hm [e [He Ha]]. exists e. split; [exact He|]. intros t Ht.
   destruct (inside_flight p t0 v e t He Ha Ht) as [A B]. now apply collision_changes_velocity with v.
@@ -65,19 +69,23 @@ Proof.
   set (E := fun s => t0 < s <= T /\ forall t, t0 < t < s -> ~ collision P p t).
   destruct (law P p Hm t0) as [_ [v0 [_ [Ha0 _]]]]. destruct (no_collision_soon p t0 v0 Hm Ha0) as [e [He Hn]].
   assert (HE0 : E (Rmin (t0 + e) T)).
-  { assert (t0 < Rmin (t0 + e) T) by (apply Rmin_glb_lt; lra). assert (Rmin (t0 + e) T <= T) by apply Rmin_r. assert (Rmin (t0 + e) T <= t0 + e) by apply Rmin_l.
+  { assert (t0 < Rmin (t0 + e) T) by (apply Rmin_glb_lt; lra). assert (Rmin (t0 + e) T <= T) by apply Rmin_r.
+    assert (Rmin (t0 + e) T <= t0 + e) by apply Rmin_l.
     split; [lra|]. intros t Ht. apply Hn. lra. }
   destruct (completeness E) as [m [Hub Hlub]]. { exists T. intros s [Hs _]. lra. } { now exists (Rmin (t0 + e) T). }
   assert (M1 : t0 < m). { assert (t0 < Rmin (t0 + e) T) by (apply Rmin_glb_lt; lra). specialize (Hub _ HE0). lra. }
   assert (M2 : m <= T) by (apply Hlub; intros s [Hs _]; lra).
   assert (Hm0 : forall t, t0 < t < m -> ~ collision P p t).
-  { intros t Ht Hc. assert (m <= t); [|lra]. apply Hlub. intros s [Hs Hs']. destruct (Rle_or_lt s t) as [|K]; [assumption|]. exfalso. apply (Hs' t); [lra | exact Hc]. }
+  { intros t Ht Hc. assert (m <= t); [|lra]. apply Hlub. intros s [Hs Hs'].
+    destruct (Rle_or_lt s t) as [|K]; [assumption|]. exfalso. apply (Hs' t); [lra | exact Hc]. }
   destruct (Classical_Prop.classic (collision P p m)) as [Hc|Hc]. { exists m. repeat split; try lra; assumption. }
   exfalso. destruct (Rle_lt_or_eq_dec m T M2) as [L|L]; [|now subst m].
   destruct (law P p Hm m) as [_ [va [_ [Ha _]]]]. destruct (no_collision_soon p m va Hm Ha) as [e2 [He2 Hn2]].
-  assert (L1 : m < Rmin (m + e2) T) by (apply Rmin_glb_lt; lra). assert (L2 : Rmin (m + e2) T <= T) by apply Rmin_r. assert (L3 : Rmin (m + e2) T <= m + e2) by apply Rmin_l.
+  assert (L1 : m < Rmin (m + e2) T) by (apply Rmin_glb_lt; lra). assert (L2 : Rmin (m + e2) T <= T) by apply Rmin_r.
+  assert (L3 : Rmin (m + e2) T <= m + e2) by apply Rmin_l.
   assert (E (Rmin (m + e2) T)).
-  { split; [lra|]. intros t Ht. destruct (Rtotal_order t m) as [K|[->|K]]; [apply Hm0; lra | exact Hc | apply Hn2; lra]. }
+  { split; [lra|]. intros t Ht. destruct (Rtotal_order t m) as [K|[->|K]]; [apply Hm0; lra | exact Hc | apply Hn2; lra].
+    }
   specialize (Hub _ H). lra.
 Qed.
 
@@ -96,18 +104,23 @@ Qed.
 (** At least n collisions after t0; and no collision with the heavy mass. *)
 Definition later p t0 n := exists l, NoDup l /\ length l = n /\ forall t, In t l -> t0 < t /\ collision P p t.
 
-Lemma later_next p t0 n : motion P p -> later p t0 (S n) -> exists t1, t0 < t1 /\ collision P p t1 /\ (forall t, t0 < t < t1 -> ~ collision P p t) /\ later p t1 n.
+Lemma later_next p t0 n : motion P p -> later p t0 (S n) ->
+  exists t1, t0 < t1 /\ collision P p t1 /\ (forall t, t0 < t < t1 -> ~ collision P p t) /\ later p t1 n.
 Proof.
   intros Hm [l [Hnd [Hl Hc]]]. destruct l as [|T l']; [discriminate|].
   destruct (Hc T (or_introl eq_refl)) as [HT HcT]. destruct (first_collision p t0 T Hm HT HcT) as [t1 [H1 [H2 H3]]].
   exists t1. split; [lra|]. split; [exact H2|]. split; [exact H3|].
   assert (Hge : forall t, In t (T :: l') -> t1 <= t).
-  { intros t Ht. destruct (Rle_or_lt t1 t) as [|K]; [assumption|]. destruct (Hc t Ht). exfalso. apply (H3 t); [lra | assumption]. }
+  { intros t Ht. destruct (Rle_or_lt t1 t) as [|K]; [assumption|]. destruct (Hc t Ht). exfalso.
+    apply (H3 t); [lra | assumption]. }
   destruct (in_dec Req_EM_T t1 (T :: l')) as [Hin|Hin].
   - apply in_split in Hin. destruct Hin as [a [b E]]. rewrite E in *. exists (a ++ b).
     split; [now apply NoDup_remove_1 in Hnd|]. split. { rewrite app_length in *. simpl in Hl. lia. }
-    intros t Ht. assert (Ht' : In t (a ++ t1 :: b)) by (apply in_app_iff in Ht; apply in_app_iff; destruct Ht; [now left | right; now right]).
-    split; [|now apply Hc]. assert (t1 <> t) by (intros <-; apply NoDup_remove_2 in Hnd; contradiction). specialize (Hge t Ht'). lra.
+    intros t Ht.
+    assert (Ht' : In t (a ++ t1 :: b))
+      by (apply in_app_iff in Ht; apply in_app_iff; destruct Ht; [now left | right; now right]).
+    split; [|now apply Hc]. assert (t1 <> t) by (intros <-; apply NoDup_remove_2 in Hnd; contradiction).
+    specialize (Hge t Ht'). lra.
   - exists l'. inversion Hnd; subst. split; [assumption|]. split; [now injection Hl|].
     intros t Ht. assert (Ht' : In t (T :: l')) by now right. split; [|now apply Hc].
     assert (t1 <> t) by (intros <-; contradiction). specialize (Hge t Ht'). lra.

@@ -21,13 +21,17 @@ Lemma no_collision_no_change p t : motion P p -> ~ collision P p t -> exists v, 
 Proof.
   intros Hm Hn. destruct (law P p Hm t) as [v [v' [Hb [Ha H]]]]. exists v. split; [exact Hb|].
   destruct H as [->|[[H0 Hp]|[H0 Hp]]]; [exact Ha| |].
-  - destruct (push_cases P HP _ _ _ Hp) as [->|[_ [j [_ [_ [_ Hw]]]]]]; [exact Ha|]. exfalso. apply Hn. exists v. split; [exact Hb|]. left. split; [exact H0|]. unfold w1. lra.
-  - destruct (push_cases P HP _ _ _ Hp) as [->|[_ [j [_ [_ [_ Hw]]]]]]; [exact Ha|]. exfalso. apply Hn. exists v. split; [exact Hb|]. right. split; [exact H0|]. unfold w2. lra.
+  - destruct (push_cases P HP _ _ _ Hp) as [->|[_ [j [_ [_ [_ Hw]]]]]]; [exact Ha|]. exfalso. apply Hn. exists v.
+    split; [exact Hb|]. left. split; [exact H0|]. unfold w1. lra.
+  - destruct (push_cases P HP _ _ _ Hp) as [->|[_ [j [_ [_ [_ Hw]]]]]]; [exact Ha|]. exfalso. apply Hn. exists v.
+    split; [exact Hb|]. right. split; [exact H0|]. unfold w2. lra.
 Qed.
 
-Definition on_line (p : R -> pos) t0 v s := height (p s) = height (p t0) + vy v * (s - t0) /\ angle (p s) = angle (p t0) + om v * (s - t0).
+Definition on_line (p : R -> pos) t0 v s :=
+  height (p s) = height (p t0) + vy v * (s - t0) /\ angle (p s) = angle (p t0) + om v * (s - t0).
 
-Theorem straight_flight p t1 t2 v : motion P p -> after p t1 v -> t1 < t2 -> (forall t, t1 < t < t2 -> ~ collision P p t) ->
+Theorem straight_flight p t1 t2 v : motion P p -> after p t1 v -> t1 < t2 ->
+  (forall t, t1 < t < t2 -> ~ collision P p t) ->
   forall s, t1 <= s <= t2 -> on_line p t1 v s.
 Proof.
   intros Hm [e [He Ha]] H12 Hfree.
@@ -44,11 +48,13 @@ Proof.
   { intros s Hs. destruct (Rlt_or_le s m) as [_|]; [|lra].
     (* some element of E lies above s *)
     assert (Hex : exists s', E s' /\ s < s').
-    { apply Classical_Prop.NNPP. intros K. assert (m <= s); [|lra]. apply Hlub. intros s' Hs'. destruct (Rle_or_lt s' s) as [|L]; [assumption|]. exfalso. apply K. now exists s'. }
+    { apply Classical_Prop.NNPP. intros K. assert (m <= s); [|lra]. apply Hlub. intros s' Hs'.
+      destruct (Rle_or_lt s' s) as [|L]; [assumption|]. exfalso. apply K. now exists s'. }
     destruct Hex as [s' [[_ Hs'] Hlt]]. apply Hs'. lra. }
   (* the line up to and including m *)
   destruct (law P p Hm m) as [vb [va [Hb [_ _]]]]. assert (Hb' := Hb). destruct Hb as [d [Hd Hb]].
-  set (d' := Rmin d (m - t1)). assert (D1 : 0 < d') by (apply Rmin_pos; lra). assert (D2 : d' <= d) by apply Rmin_l. assert (D3 : d' <= m - t1) by apply Rmin_r.
+  set (d' := Rmin d (m - t1)). assert (D1 : 0 < d') by (apply Rmin_pos; lra). assert (D2 : d' <= d) by apply Rmin_l.
+  assert (D3 : d' <= m - t1) by apply Rmin_r.
   destruct (Hb (m - d') ltac:(lra)) as [A1 A2]. destruct (Hb (m - d'/2) ltac:(lra)) as [B1 B2].
   destruct (Hbelow (m - d') ltac:(lra)) as [C1 C2]. destruct (Hbelow (m - d'/2) ltac:(lra)) as [F1 F2].
   assert (V1 : vy vb = vy v) by (apply Rmult_eq_reg_r with (d'/2); lra).
@@ -61,7 +67,8 @@ Proof.
   assert (w = vb) by (apply before_unique with p m; assumption). subst w.
   assert (HE : E (Rmin (m + d2) t2)).
   { assert (Rmin (m + d2) t2 <= m + d2) by apply Rmin_l. assert (Rmin (m + d2) t2 <= t2) by apply Rmin_r.
-    assert (m < Rmin (m + d2) t2) by (apply Rmin_glb_lt; lra). split; [lra|]. intros s Hs. destruct (Rle_or_lt s m) as [|K]; [apply Hall; lra|].
+    assert (m < Rmin (m + d2) t2) by (apply Rmin_glb_lt; lra). split; [lra|]. intros s Hs.
+    destruct (Rle_or_lt s m) as [|K]; [apply Hall; lra|].
     destruct (Wa s ltac:(lra)) as [G1 G2]. destruct Hat as [T1 T2]. rewrite V1 in G1. rewrite V2 in G2. split; lra. }
   specialize (Hub _ HE). assert (m < Rmin (m + d2) t2) by (apply Rmin_glb_lt; lra). lra.
 Qed.
@@ -72,9 +79,11 @@ Definition u_of (v : vel) := om v.
 Definition v_of (v : vel) := vy v / arm1 P.
 Definition slope1 (s : pos) := sin (psi_of s).
 Definition slope2 (s : pos) := - r_of * sin (psi_of s).
-Definition reflects (t u v u' v' : R) := exists l, 0 < l /\ u' = u + l * (- t) /\ v' = v + l * r_of /\ v' - t * u' = - (v - t * u) /\ v - t * u < 0.
+Definition reflects (t u v u' v' : R) := exists l, 0 < l /\ u' = u + l * (- t) /\ v' = v + l * r_of /\
+  v' - t * u' = - (v - t * u) /\ v - t * u < 0.
 Lemma r_arms : arm2 P = r_of * arm1 P.
-Proof. destruct HP as [? [? ?]]. assert (0 < mass P) by (apply mass_pos; exact HP). unfold r_of, arm1, arm2. field. lra. Qed.
+Proof. destruct HP as [? [? ?]]. assert (0 < mass P) by (apply mass_pos; exact HP). unfold r_of, arm1, arm2.
+field. lra. Qed.
 Lemma sin_psi s : sin (psi_of s) = - cos (angle s).
 Proof. unfold psi_of. rewrite sin_minus, cos_PI2, sin_PI2. ring. Qed.
 Lemma r_pos : 0 < r_of.
@@ -82,61 +91,85 @@ Proof. destruct HP as [? [? ?]]. now apply Rdiv_lt_0_compat. Qed.
 Theorem L0_reflection1 s v v' : push1 P s v v' -> v' = v \/ reflects (slope1 s) (u_of v) (v_of v) (u_of v') (v_of v').
 Proof.
   intros H. destruct (push_cases P HP _ _ _ H) as [->|[Hr [j [Hj [Hv [Ho Hw]]]]]]; [now left|right].
-  assert (A1 := arm1_pos P HP). assert (R0 := r_pos). assert (E := r_arms). unfold reflects, slope1, u_of, v_of. rewrite sin_psi.
+  assert (A1 := arm1_pos P HP). assert (R0 := r_pos). assert (E := r_arms). unfold reflects, slope1, u_of, v_of.
+  rewrite sin_psi.
   exists (j / arm2 P). rewrite E in *. assert (0 < r_of * arm1 P) by (now apply Rmult_lt_0_compat). repeat split.
   - apply Rdiv_lt_0_compat; assumption.
   - rewrite Ho. field. lra.
   - rewrite Hv. field. lra.
-  - apply Rmult_eq_reg_l with (arm1 P); [|lra]. replace (arm1 P * (vy v' / arm1 P - - cos (angle s) * om v')) with (vy v' + arm1 P * cos (angle s) * om v') by (field; lra).
+  - apply Rmult_eq_reg_l with (arm1 P); [|lra].
+    replace (arm1 P * (vy v' / arm1 P - - cos (angle s) * om v')) with (vy v' + arm1 P * cos (angle s) * om v')
+      by (field; lra).
     rewrite Hr. field. lra.
-  - apply Rmult_lt_reg_l with (arm1 P); [assumption|]. replace (arm1 P * (vy v / arm1 P - - cos (angle s) * om v)) with (vy v + arm1 P * cos (angle s) * om v) by (field; lra). lra.
+  - apply Rmult_lt_reg_l with (arm1 P); [assumption|].
+    replace (arm1 P * (vy v / arm1 P - - cos (angle s) * om v)) with (vy v + arm1 P * cos (angle s) * om v)
+      by (field; lra). lra.
 Qed.
 Theorem L0_reflection2 s v v' : push2 P s v v' -> v' = v \/ reflects (slope2 s) (u_of v) (v_of v) (u_of v') (v_of v').
 Proof.
   intros H. destruct (push_cases P HP _ _ _ H) as [->|[Hr [j [Hj [Hv [Ho Hw]]]]]]; [now left|right].
-  assert (A1 := arm1_pos P HP). assert (R0 := r_pos). assert (E := r_arms). unfold reflects, slope2, u_of, v_of. rewrite sin_psi.
+  assert (A1 := arm1_pos P HP). assert (R0 := r_pos). assert (E := r_arms). unfold reflects, slope2, u_of, v_of.
+  rewrite sin_psi.
   exists (j / arm2 P). rewrite E in *. assert (0 < r_of * arm1 P) by (now apply Rmult_lt_0_compat). repeat split.
   - apply Rdiv_lt_0_compat; assumption.
   - rewrite Ho. field. lra.
   - rewrite Hv. field. lra.
-  - apply Rmult_eq_reg_l with (arm1 P); [|lra]. replace (arm1 P * (vy v' / arm1 P - - r_of * - cos (angle s) * om v')) with (vy v' + - (r_of * arm1 P * cos (angle s)) * om v') by (field; lra).
+  - apply Rmult_eq_reg_l with (arm1 P); [|lra].
+    replace (arm1 P * (vy v' / arm1 P - - r_of * - cos (angle s) * om v'))
+      with (vy v' + - (r_of * arm1 P * cos (angle s)) * om v') by (field; lra).
     rewrite Hr. field. lra.
-  - apply Rmult_lt_reg_l with (arm1 P); [assumption|]. replace (arm1 P * (vy v / arm1 P - - r_of * - cos (angle s) * om v)) with (vy v + - (r_of * arm1 P * cos (angle s)) * om v) by (field; lra). lra.
+  - apply Rmult_lt_reg_l with (arm1 P); [assumption|].
+    replace (arm1 P * (vy v / arm1 P - - r_of * - cos (angle s) * om v))
+      with (vy v + - (r_of * arm1 P * cos (angle s)) * om v) by (field; lra). lra.
 Qed.
 
 (** L2 (a). *)
 Lemma L2a_v_grows t u v u' v' : reflects t u v u' v' -> v < v'.
-Proof. intros [l [Hl [_ [Hv _]]]]. assert (0 < l * r_of) by (apply Rmult_lt_0_compat; [assumption | exact r_pos]). lra. Qed.
+Proof. intros [l [Hl [_ [Hv _]]]]. assert (0 < l * r_of) by (apply Rmult_lt_0_compat; [assumption | exact r_pos]).
+lra. Qed.
 
 (** L3: a collision needs v < t u, |t| <= 1; so none of a steep ascending flight. *)
-Theorem L3_steep_no_collision p t v : r_of <= 1 -> motion P p -> before p t v -> Rabs (u_of v) <= v_of v -> ~ collision P p t.
+Theorem L3_steep_no_collision p t v : r_of <= 1 -> motion P p -> before p t v -> Rabs (u_of v) <= v_of v ->
+  ~ collision P p t.
 Proof.
   intros Hr Hm Hb Hs [v0 [Hb0 H]]. assert (v0 = v) by (apply before_unique with p t; assumption). subst v0.
   assert (A1 := arm1_pos P HP). assert (E := r_arms). assert (R0 := r_pos). unfold u_of, v_of in Hs.
   assert (K : forall x, -1 <= x <= 1 -> 0 <= vy v / arm1 P + x * om v).
   { intros x Hx. assert (Rabs (x * om v) <= Rabs (om v)).
-    { rewrite Rabs_mult. assert (Rabs x <= 1) by (apply Rabs_le; lra). assert (0 <= Rabs (om v)) by apply Rabs_pos. assert (Rabs x * Rabs (om v) <= 1 * Rabs (om v)) by (apply Rmult_le_compat_r; assumption). lra. }
+    { rewrite Rabs_mult. assert (Rabs x <= 1) by (apply Rabs_le; lra). assert (0 <= Rabs (om v)) by apply Rabs_pos.
+      assert (Rabs x * Rabs (om v) <= 1 * Rabs (om v)) by (apply Rmult_le_compat_r; assumption). lra. }
     assert (- Rabs (x * om v) <= x * om v). { unfold Rabs. destruct Rcase_abs; lra. } lra. }
   assert (C := COS_bound (angle (p t))).
   destruct H as [[_ H]|[_ H]].
-  - unfold w1 in H. assert (K1 := K (cos (angle (p t))) C). assert (0 <= arm1 P * (vy v / arm1 P + cos (angle (p t)) * om v)) by (apply Rmult_le_pos; lra).
-    replace (arm1 P * (vy v / arm1 P + cos (angle (p t)) * om v)) with (vy v + arm1 P * cos (angle (p t)) * om v) in * by (field; lra). lra.
+  - unfold w1 in H. assert (K1 := K (cos (angle (p t))) C).
+    assert (0 <= arm1 P * (vy v / arm1 P + cos (angle (p t)) * om v)) by (apply Rmult_le_pos; lra).
+    replace (arm1 P * (vy v / arm1 P + cos (angle (p t)) * om v)) with (vy v + arm1 P * cos (angle (p t)) * om v) in *
+      by (field; lra). lra.
   - unfold w2 in H. assert (Hx : -1 <= - (r_of * cos (angle (p t))) <= 1).
-    { assert (r_of * cos (angle (p t)) <= r_of * 1) by (apply Rmult_le_compat_l; lra). assert (r_of * -1 <= r_of * cos (angle (p t))) by (apply Rmult_le_compat_l; lra). lra. }
-    assert (K1 := K _ Hx). assert (0 <= arm1 P * (vy v / arm1 P + - (r_of * cos (angle (p t))) * om v)) by (apply Rmult_le_pos; lra).
-    rewrite E in H. replace (arm1 P * (vy v / arm1 P + - (r_of * cos (angle (p t))) * om v)) with (vy v - r_of * arm1 P * cos (angle (p t)) * om v) in * by (field; lra). lra.
+    { assert (r_of * cos (angle (p t)) <= r_of * 1) by (apply Rmult_le_compat_l; lra).
+      assert (r_of * -1 <= r_of * cos (angle (p t))) by (apply Rmult_le_compat_l; lra). lra. }
+    assert (K1 := K _ Hx).
+    assert (0 <= arm1 P * (vy v / arm1 P + - (r_of * cos (angle (p t))) * om v)) by (apply Rmult_le_pos; lra).
+    rewrite E in H.
+    replace (arm1 P * (vy v / arm1 P + - (r_of * cos (angle (p t))) * om v))
+      with (vy v - r_of * arm1 P * cos (angle (p t)) * om v) in * by (field; lra). lra.
 Qed.
 
 (** Contacts in the coordinates; psi = - pi/2 - X is X beyond the left corner. *)
-Lemma on_line_coords (p : R -> pos) t0 v s : on_line p t0 v s -> psi_of (p s) = psi_of (p t0) + u_of v * (s - t0) /\ yhat_of P (p s) = yhat_of P (p t0) + v_of v * (s - t0).
-Proof. intros [A B]. assert (A1 := arm1_pos P HP). unfold psi_of, yhat_of, u_of, v_of. rewrite A, B. split; [ring | field; lra]. Qed.
+Lemma on_line_coords (p : R -> pos) t0 v s : on_line p t0 v s ->
+  psi_of (p s) = psi_of (p t0) + u_of v * (s - t0) /\ yhat_of P (p s) = yhat_of P (p t0) + v_of v * (s - t0).
+Proof. intros [A B]. assert (A1 := arm1_pos P HP). unfold psi_of, yhat_of, u_of, v_of. rewrite A, B.
+split; [ring | field; lra]. Qed.
 Lemma floor1 (p : R -> pos) t : motion P p -> - cos (psi_of (p t)) <= yhat_of P (p t).
-Proof. intros Hm. assert (A := above1 P p Hm t). assert (A1 := arm1_pos P HP). destruct (L0_heights P (p t) HP) as [E _]. rewrite E in A.
+Proof. intros Hm. assert (A := above1 P p Hm t). assert (A1 := arm1_pos P HP).
+destruct (L0_heights P (p t) HP) as [E _]. rewrite E in A.
   assert (0 <= yhat_of P (p t) + cos (psi_of (p t))) by (apply Rmult_le_reg_l with (arm1 P); lra). lra. Qed.
 Lemma contact1 (p : R -> pos) t : y1 P (p t) = 0 -> yhat_of P (p t) = - cos (psi_of (p t)).
-Proof. intros A. assert (A1 := arm1_pos P HP). destruct (L0_heights P (p t) HP) as [E _]. rewrite E in A. apply Rmult_integral in A. lra. Qed.
+Proof. intros A. assert (A1 := arm1_pos P HP). destruct (L0_heights P (p t) HP) as [E _]. rewrite E in A.
+apply Rmult_integral in A. lra. Qed.
 Lemma contact2 (p : R -> pos) t : y2 P (p t) = 0 -> yhat_of P (p t) = r_of * cos (psi_of (p t)).
-Proof. intros A. assert (A1 := arm1_pos P HP). destruct (L0_heights P (p t) HP) as [_ E]. rewrite E in A. apply Rmult_integral in A. unfold r_of. lra. Qed.
+Proof. intros A. assert (A1 := arm1_pos P HP). destruct (L0_heights P (p t) HP) as [_ E]. rewrite E in A.
+apply Rmult_integral in A. unfold r_of. lra. Qed.
 Lemma cos_left X : cos (- (PI/2) - X) = - sin X.
 Proof. rewrite cos_minus, cos_neg, sin_neg, cos_PI2, sin_PI2. ring. Qed.
 Lemma sin_left X : sin (- (PI/2) - X) = - cos X.

@@ -13,28 +13,35 @@ Hypothesis Hr1 : r_of P <= 1.
 Notation r := (r_of P).
 Notation yh := (yhat_of P).
 (** L1 (b): from the wall L, not to the right: no later collision. *)
-Theorem L1b_no_return p t1 v x : motion P p -> after p t1 v -> psi_of (p t1) = - (PI/2) - x -> 0 <= x <= PI/2 -> yh (p t1) = sin x ->
+Theorem L1b_no_return p t1 v x : motion P p -> after p t1 v -> psi_of (p t1) = - (PI/2) - x -> 0 <= x <= PI/2 ->
+  yh (p t1) = sin x ->
   u_of v <= 0 -> 0 < v_of P v + cos x * u_of v -> forall T, t1 < T -> ~ collision P p T.
 Proof.
   intros Hm Ha Hpsi Hx Hy Hu Hn T HT Hc. assert (HPI : 0 < PI) by apply PI_RGT_0. assert (R0 := r_pos P HP).
   destruct (first_collision P HP p t1 T Hm HT Hc) as [t2 [H2 [Hc2 Hf]]].
-  assert (L := straight_flight P HP p t1 t2 v Hm Ha ltac:(lra) Hf t2 ltac:(lra)). destruct (on_line_coords P HP _ _ _ _ L) as [E1 E2].
+  assert (L := straight_flight P HP p t1 t2 v Hm Ha ltac:(lra) Hf t2 ltac:(lra)).
+  destruct (on_line_coords P HP _ _ _ _ L) as [E1 E2].
   set (X := x - u_of v * (t2 - t1)). assert (EX : psi_of (p t2) = - (PI/2) - X) by (rewrite E1, Hpsi; unfold X; ring).
   assert (X1 : x <= X). { unfold X. assert (0 <= - u_of v * (t2 - t1)) by (apply Rmult_le_pos; lra). lra. }
   assert (Hh : sin x + cos x * (X - x) < yh (p t2)).
-  { rewrite E2, Hy. unfold X. assert (0 < (v_of P v + cos x * u_of v) * (t2 - t1)) by (apply Rmult_lt_0_compat; lra). lra. }
+  { rewrite E2, Hy. unfold X. assert (0 < (v_of P v + cos x * u_of v) * (t2 - t1)) by (apply Rmult_lt_0_compat; lra).
+    lra. }
   assert (W : 0 <= cos x) by (apply cos_ge_0; lra).
   destruct (collision_law P HP p t2 Hm Hc2) as [va [vb [_ [_ [[C _]|[C _]]]]]].
   - apply (contact1 P HP) in C. rewrite EX, cos_left in C. destruct (Rle_or_lt X PI) as [K|K].
     + assert (Tg := sin_below_tangent x X ltac:(lra) ltac:(lra)). lra.
-    + assert (Tg := sin_below_tangent x (PI/2) ltac:(lra) ltac:(lra)). rewrite sin_PI2 in Tg. assert ((PI/2 - x) * cos x <= (X - x) * cos x) by (apply Rmult_le_compat_r; lra). destruct (SIN_bound X). lra.
+    + assert (Tg := sin_below_tangent x (PI/2) ltac:(lra) ltac:(lra)). rewrite sin_PI2 in Tg.
+      assert ((PI/2 - x) * cos x <= (X - x) * cos x) by (apply Rmult_le_compat_r; lra). destruct (SIN_bound X). lra.
   - apply (contact2 P HP) in C. rewrite EX, cos_left in C. destruct (Rle_or_lt X PI) as [K|K].
-    + assert (Tg := sin_below_tangent x X ltac:(lra) ltac:(lra)). assert (0 <= sin X) by (apply sin_ge_0; lra). assert (0 <= r * sin X) by (apply Rmult_le_pos; lra). lra.
-    + assert (Tg := sin_below_tangent x (PI/2) ltac:(lra) ltac:(lra)). rewrite sin_PI2 in Tg. assert ((PI/2 - x) * cos x <= (X - x) * cos x) by (apply Rmult_le_compat_r; lra).
+    + assert (Tg := sin_below_tangent x X ltac:(lra) ltac:(lra)). assert (0 <= sin X) by (apply sin_ge_0; lra).
+      assert (0 <= r * sin X) by (apply Rmult_le_pos; lra). lra.
+    + assert (Tg := sin_below_tangent x (PI/2) ltac:(lra) ltac:(lra)). rewrite sin_PI2 in Tg.
+      assert ((PI/2 - x) * cos x <= (X - x) * cos x) by (apply Rmult_le_compat_r; lra).
       destruct (SIN_bound X). assert (r * - sin X <= r * 1) by (apply Rmult_le_compat_l; lra). lra.
 Qed.
 
-(** A ray to the left, over the left corner at height c, with slope k. It clears the bridge, or the bridge is never hit. *)
+(** A ray to the left, over the left corner at height c, with slope k. It clears the bridge, or the bridge is never hit.
+    *)
 Record ray (p : R -> pos) (t0 : R) (v : vel) (c k : R) : Prop := {
   ray_after : after p t0 v; ray_left : u_of v < 0; ray_slope : k * - u_of v = v_of P v;
   ray_height : c = yh (p t0) + k * (psi_of (p t0) + PI/2); ray_start : - (PI/2) < psi_of (p t0);
@@ -44,19 +51,23 @@ Record ray (p : R -> pos) (t0 : R) (v : vel) (c k : R) : Prop := {
 
 Lemma start_ray_ray p t0 v c k : start_ray P (p t0) v c k -> after p t0 v -> ray p t0 v c k.
 Proof.
-  intros [Hu Hs Hc Hst Hcl Hb] Ha. split; try assumption. intros z Hz. destruct (Hcl z Hz) as [A B]. split; [exact A | now left].
+  intros [Hu Hs Hc Hst Hcl Hb] Ha. split; try assumption. intros z Hz. destruct (Hcl z Hz) as [A B].
+  split; [exact A | now left].
 Qed.
 
 (** L4 (a) for the motion. *)
-Theorem next_hit p t0 v c k t1 : motion P p -> ray p t0 v c k -> t0 < t1 -> collision P p t1 -> (forall t, t0 < t < t1 -> ~ collision P p t) ->
+Theorem next_hit p t0 v c k t1 : motion P p -> ray p t0 v c k -> t0 < t1 -> collision P p t1 ->
+  (forall t, t0 < t < t1 -> ~ collision P p t) ->
   exists x, 0 < x /\ hit c k x /\ psi_of (p t1) = - (PI/2) - x /\ yh (p t1) = sin x /\
   exists v', after p t1 v' /\ reflects P (- cos x) (u_of v) (v_of P v) (u_of v') (v_of P v').
 Proof.
   intros Hm [Ha Hu Hs Hc0 Hst Hcl Hbl] H01 Hc Hf. assert (HPI : 0 < PI) by apply PI_RGT_0. assert (R0 := r_pos P HP).
-  assert (Ln := straight_flight P HP p t0 t1 v Hm Ha H01 Hf). destruct (on_line_coords P HP _ _ _ _ (Ln t1 ltac:(lra))) as [E1 E2].
+  assert (Ln := straight_flight P HP p t0 t1 v Hm Ha H01 Hf).
+  destruct (on_line_coords P HP _ _ _ _ (Ln t1 ltac:(lra))) as [E1 E2].
   destruct (collision_law P HP p t1 Hm Hc) as [va [v' [Hb [Ha' HL]]]].
   assert (va = v).
-  { apply before_unique with p t1; [exact Hb|]. destruct (Ln t1 ltac:(lra)) as [Q1 Q2]. exists (t1 - t0). split; [lra|]. intros s Hs'. destruct (Ln s ltac:(lra)). split; lra. }
+  { apply before_unique with p t1; [exact Hb|]. destruct (Ln t1 ltac:(lra)) as [Q1 Q2]. exists (t1 - t0). split; [lra|].
+    intros s Hs'. destruct (Ln s ltac:(lra)). split; lra. }
   subst va. set (X := - (PI/2) - psi_of (p t1)). assert (EX : psi_of (p t1) = - (PI/2) - X) by (unfold X; ring).
   assert (EY : yh (p t1) = c + k * X). { rewrite E2, Hc0, <- Hs. unfold X. rewrite E1. ring. }
   assert (Hup : - u_of v * (t1 - t0) = psi_of (p t0) + PI/2 + X) by (unfold X; rewrite E1; ring).
@@ -64,7 +75,8 @@ Proof.
   destruct (Rle_or_lt X 0) as [K|K].
   { exfalso. destruct (Hcl (psi_of (p t1)) ltac:(lra)) as [K1 K2].
     assert (EZ : yh (p t0) + k * (psi_of (p t0) - psi_of (p t1)) = yh (p t1)) by (rewrite EY, Hc0, EX; ring).
-    destruct HL as [[C _]|[C _]]; [apply (contact1 P HP) in C; lra|]. destruct K2 as [K2|K2]; [apply (contact2 P HP) in C; lra | exact (K2 t1 Hc C)]. }
+    destruct HL as [[C _]|[C _]]; [apply (contact1 P HP) in C; lra|].
+    destruct K2 as [K2|K2]; [apply (contact2 P HP) in C; lra | exact (K2 t1 Hc C)]. }
   destruct (Rlt_or_le X (PI/2)) as [K2|K2].
   - destruct HL as [[C HR]|[C HR]].
     + apply (contact1 P HP) in C. rewrite EX, cos_left in C. exists X. split; [exact K|].
@@ -73,36 +85,47 @@ Proof.
       * split; [lra|]. split; [lra|]. destruct HR' as [l [_ [_ [_ [_ Hn]]]]]. rewrite <- Hs in Hn.
         assert ((cos X - k) * - u_of v > 0) by lra. apply Rmult_lt_reg_r with (- u_of v); lra.
       * exists v'. split; assumption.
-    + exfalso. apply (contact2 P HP) in C. rewrite EX, cos_left in C. assert (F := floor1 P HP p t1 Hm). rewrite EX, cos_left in F.
+    + exfalso. apply (contact2 P HP) in C. rewrite EX, cos_left in C. assert (F := floor1 P HP p t1 Hm).
+      rewrite EX, cos_left in F.
       assert (0 < sin X) by (apply sin_gt_0; lra). assert (0 < r * sin X) by (now apply Rmult_lt_0_compat). lra.
   - exfalso.
     (* at the peak psi = -pi the flight is at least 1 high *)
     set (tp := t0 + (psi_of (p t0) + PI) / - u_of v).
     assert (Htp : tp - t0 = (psi_of (p t0) + PI) / - u_of v) by (unfold tp; ring).
     assert (Htp2 : - u_of v * (tp - t0) = psi_of (p t0) + PI) by (rewrite Htp; field; lra).
-    assert (T1 : t0 <= tp). { assert (0 <= (psi_of (p t0) + PI) / - u_of v) by (apply Rmult_le_pos; [lra | left; apply Rinv_0_lt_compat; lra]). lra. }
+    assert (T1 : t0 <= tp).
+    { assert (0 <= (psi_of (p t0) + PI) / - u_of v) by (apply Rmult_le_pos; [lra | left; apply Rinv_0_lt_compat; lra]).
+      lra. }
     assert (T2 : tp <= t1). { apply Rmult_le_reg_l with (- u_of v); [lra|]. lra. }
     destruct (on_line_coords P HP _ _ _ _ (Ln tp ltac:(lra))) as [F1 F2].
-    assert (Fp : psi_of (p tp) = - PI) by (rewrite F1; lra). assert (Fl := floor1 P HP p tp Hm). rewrite Fp, cos_neg, cos_PI in Fl.
-    assert (Fy : yh (p tp) = c + k * (PI/2)). { rewrite F2, Hc0, <- Hs. replace (k * - u_of v * (tp - t0)) with (k * (- u_of v * (tp - t0))) by ring. rewrite Htp2. field. }
+    assert (Fp : psi_of (p tp) = - PI) by (rewrite F1; lra). assert (Fl := floor1 P HP p tp Hm).
+    rewrite Fp, cos_neg, cos_PI in Fl.
+    assert (Fy : yh (p tp) = c + k * (PI/2)). { rewrite F2, Hc0, <- Hs.
+      replace (k * - u_of v * (tp - t0)) with (k * (- u_of v * (tp - t0))) by ring. rewrite Htp2. field. }
     assert (Hk : 0 <= k) by (destruct Hbl; lra).
-    assert (Hhigh : 1 <= yh (p t1)). { rewrite EY. assert (k * (PI/2) <= k * X) by (apply Rmult_le_compat_l; lra). lra. }
+    assert (Hhigh : 1 <= yh (p t1)). { rewrite EY. assert (k * (PI/2) <= k * X) by (apply Rmult_le_compat_l; lra).
+      lra. }
     assert (Hv : 0 <= v_of P v) by (rewrite <- Hs; apply Rmult_le_pos; lra).
     assert (Flat : sin (psi_of (p t1)) = 0 -> False).
-    { intros Z. destruct HL as [[_ [l [_ [_ [_ [_ Hn]]]]]]|[_ [l [_ [_ [_ [_ Hn]]]]]]]; [unfold slope1 in Hn | unfold slope2 in Hn]; rewrite Z in Hn; lra. }
+    { intros Z. destruct HL as [[_ [l [_ [_ [_ [_ Hn]]]]]]|[_ [l [_ [_ [_ [_ Hn]]]]]]];
+        [unfold slope1 in Hn | unfold slope2 in Hn]; rewrite Z in Hn; lra. }
     assert (SC := sin2_cos2 (psi_of (p t1))). unfold Rsqr in SC. destruct (COS_bound (psi_of (p t1))) as [B1 B2].
     destruct HL as [[C _]|[C _]]; [apply (contact1 P HP) in C | apply (contact2 P HP) in C]; apply Flat.
-    + assert (cos (psi_of (p t1)) = -1) by lra. assert (sin (psi_of (p t1)) * sin (psi_of (p t1)) = 0) by nra. apply Rmult_integral in H0. tauto.
-    + assert (r * cos (psi_of (p t1)) <= 1 * cos (psi_of (p t1)) \/ cos (psi_of (p t1)) <= 0). { destruct (Rle_or_lt (cos (psi_of (p t1))) 0); [now right | left; apply Rmult_le_compat_r; lra]. }
+    + assert (cos (psi_of (p t1)) = -1) by lra. assert (sin (psi_of (p t1)) * sin (psi_of (p t1)) = 0) by nra.
+      apply Rmult_integral in H0. tauto.
+    + assert (r * cos (psi_of (p t1)) <= 1 * cos (psi_of (p t1)) \/ cos (psi_of (p t1)) <= 0).
+      { destruct (Rle_or_lt (cos (psi_of (p t1))) 0); [now right | left; apply Rmult_le_compat_r; lra]. }
       destruct H as [H|H]; [|assert (0 <= r * - cos (psi_of (p t1))) by (apply Rmult_le_pos; lra); lra].
-      assert (cos (psi_of (p t1)) = 1) by lra. assert (sin (psi_of (p t1)) * sin (psi_of (p t1)) = 0) by nra. apply Rmult_integral in H1. tauto.
+      assert (cos (psi_of (p t1)) = 1) by lra. assert (sin (psi_of (p t1)) * sin (psi_of (p t1)) = 0) by nra.
+      apply Rmult_integral in H1. tauto.
 Qed.
 
 (** F <= G: what a flight does later, its ray does. *)
 Lemma reflects_hit p t1 v v' c k x : hit c k x -> u_of v < 0 -> k * - u_of v = v_of P v ->
   reflects P (- cos x) (u_of v) (v_of P v) (u_of v') (v_of P v') -> after p t1 v' -> motion P p ->
   psi_of (p t1) = - (PI/2) - x -> yh (p t1) = sin x -> 0 < x ->
-  (exists T, t1 < T /\ collision P p T) -> 0 < slope_den (cos x) k r /\ 0 < u_of v' /\ next_slope (cos x) k r * u_of v' = v_of P v'.
+  (exists T, t1 < T /\ collision P p T) ->
+  0 < slope_den (cos x) k r /\ 0 < u_of v' /\ next_slope (cos x) k r * u_of v' = v_of P v'.
 Proof.
   intros Hx Hu Hs HR Ha' Hm Hpsi Hy Hx0 [T [HT HcT]]. assert (R0 := r_pos P HP). destruct Hx as [X1 [X2 X3]].
   destruct (reflected_velocity P HP x k v v' Hu Hs HR) as [Bu [Bv Bn]].
@@ -116,7 +139,8 @@ Proof.
   - rewrite Bu. apply Rmult_lt_0_compat; [lra | now apply Rdiv_lt_0_compat].
   - rewrite Bu, Bv. unfold next_slope. field. lra.
 Qed.
-Theorem follow_ray n : forall p t0 v c k, motion P p -> ray p t0 v c k -> 0 <= c -> - r <= k -> later P p t0 n -> coll r n c k.
+Theorem follow_ray n : forall p t0 v c k, motion P p -> ray p t0 v c k -> 0 <= c -> - r <= k -> later P p t0 n ->
+  coll r n c k.
 Proof.
   induction n as [|n IH]; [easy|]. intros p t0 v c k Hm Hray Hc Hk Hl. assert (R0 := r_pos P HP).
   destruct (later_next P HP p t0 n Hm Hl) as [t1 [H01 [Hc1 [Hf Hl1]]]].

@@ -1,8 +1,9 @@
-(** L9, first part, for the physical dumbbell: a motion in which the heavy mass never hits the floor is bounded by the chart light;
-    and with HeavyTotal.v the whole upper bound. *)
+(** L9, first part, for the physical dumbbell: a motion in which the heavy mass never hits the floor is bounded by the
+    chart light; and with HeavyTotal.v the whole upper bound. *)
 From Coq Require Import Reals Lra Lia List.
 From Coquelicot Require Import Coquelicot.
-From Dumbbell Require Import Physics Chart Flight Collisions Symmetry NormalPosition Follow SteepRays HeavyTotal TurningCollision.
+From Dumbbell Require Import Physics Chart Flight Collisions Symmetry NormalPosition Follow SteepRays HeavyTotal
+  TurningCollision.
 Local Open Scope R_scope.
 
 Section Light.
@@ -29,7 +30,8 @@ Proof.
   assert (Hlam : 0 <= lam) by (unfold lam; apply Rmult_le_pos; [lra | left; now apply Rinv_0_lt_compat]).
   assert (Q : 0 < w * w + r) by (assert (0 <= w * w) by apply Rle_0_sqr; lra).
   assert (El : l = 2 * g * (w + k) / (w * w + r)).
-  { apply Rmult_eq_reg_r with (w * w + r); [|lra]. replace (2 * g * (w + k) / (w * w + r) * (w * w + r)) with (2 * g * (w + k)) by (field; lra).
+  { apply Rmult_eq_reg_r with (w * w + r); [|lra].
+    replace (2 * g * (w + k) / (w * w + r) * (w * w + r)) with (2 * g * (w + k)) by (field; lra).
     assert (A1 : u_of v = - g + l * w) by (unfold g; lra). assert (A2 : v_of P v = k * g - l * r) by lra.
     rewrite A1, A2, <- Ek in Er. unfold g in *. lra. }
   (* sigma X *)
@@ -44,7 +46,8 @@ Proof.
   assert (HPn : 0 <= 2 * w + r * lam - lam * (w * w)).
   { assert (K : 0 <= g * r * ((2 * w + r * lam - lam * (w * w)) / (w * w + r))) by lra.
     assert (Gr : 0 < g * r) by (now apply Rmult_lt_0_compat).
-    apply Rmult_le_reg_l with (g * r); [exact Gr|]. apply Rmult_le_reg_r with (/ (w * w + r)); [now apply Rinv_0_lt_compat|]. unfold Rdiv in K. lra. }
+    apply Rmult_le_reg_l with (g * r); [exact Gr|]. apply Rmult_le_reg_r with (/ (w * w + r));
+      [now apply Rinv_0_lt_compat|]. unfold Rdiv in K. lra. }
   apply (HB e lam a b He Hlam); rewrite ?Elam; fold w; try assumption.
   - rewrite <- Elam at 1. exact HPn.
   - unfold cL. assert (0 <= k * (PI + e)) by (apply Rmult_le_pos; lra).
@@ -53,17 +56,21 @@ Proof.
     assert (Hd : 0 < mu_den w lam r / (w * w + r)) by (now apply Rdiv_lt_0_compat).
     assert (Hgd : 0 < g * (mu_den w lam r / (w * w + r))) by (now apply Rmult_lt_0_compat).
     assert (Em : m * - u_of (minus_v v) = v_of P (minus_v v)). { rewrite Euq, Evq, Du, Dv. unfold m, mu. field. lra. }
-    assert (Hm0 : 0 <= m). { unfold m, mu. apply Rmult_le_pos; [lra|]. apply Rmult_le_pos; [exact HPn | left; now apply Rinv_0_lt_compat]. }
+    assert (Hm0 : 0 <= m). { unfold m, mu. apply Rmult_le_pos; [lra|].
+      apply Rmult_le_pos; [exact HPn | left; now apply Rinv_0_lt_compat]. }
     unfold cL. assert (0 <= m * (PI + e)) by (apply Rmult_le_pos; lra).
-    apply (follow_ray P HP Hr1 b (reverse p) (- T) (minus_v v)); try assumption; try lra. apply light_ray; try assumption. lra.
+    apply (follow_ray P HP Hr1 b (reverse p) (- T) (minus_v v)); try assumption; try lra.
+    apply light_ray; try assumption. lra.
   - intros HD. assert (Hd : 0 <= g * (- mu_den w lam r * / (w * w + r))).
     { apply Rmult_le_pos; [lra|]. apply Rmult_le_pos; [lra | left; now apply Rinv_0_lt_compat]. }
-    apply (L1b_right_no_later P HP Hr1 (reverse p) (- T) (minus_v v) e b Hq Haq HRq); [|rewrite Euq, Evq; fold w; lra | exact Lb].
+    apply (L1b_right_no_later P HP Hr1 (reverse p) (- T) (minus_v v) e b Hq Haq HRq);
+      [|rewrite Euq, Evq; fold w; lra | exact Lb].
     rewrite Euq, Du. unfold Rdiv. lra.
 Qed.
 
 (** Either X or its reversal is in that case, or both have no later collision. *)
-Lemma none_unless_flat p T e v n : motion P p -> on_R P p T e -> after p T v -> 0 < v_of P v - cos e * u_of v -> later P p T n ->
+Lemma none_unless_flat p T e v n : motion P p -> on_R P p T e -> after p T v -> 0 < v_of P v - cos e * u_of v ->
+  later P p T n ->
   0 <= u_of v \/ - u_of v <= v_of P v -> n = O.
 Proof.
   intros Hm HR Ha Hv Hl [H|H].
@@ -71,16 +78,19 @@ Proof.
   - destruct (Rlt_or_le (u_of v) 0) as [K|K]; [|now apply (L1b_right_no_later P HP Hr1 p T v e n)].
     apply (L3_steep_no_later P HP Hr1 p T v n Hm Ha); [|exact Hl]. rewrite Rabs_left by assumption. exact H.
 Qed.
-Theorem L9_turning_on_R U p T e l : light_bound r U -> (1 <= U)%nat -> motion P p -> no_heavy P p -> turning P p T -> on_R P p T e ->
+Theorem L9_turning_on_R U p T e l : light_bound r U -> (1 <= U)%nat -> motion P p -> no_heavy P p -> turning P p T ->
+  on_R P p T e ->
   NoDup l -> (forall t, In t l -> collision P p t) -> (length l <= U)%nat.
 Proof.
   intros HB HU Hm Hn [Hc [v [v' [Hb [Ha [Hv Hv']]]]]] HR Hnd Hl. assert (A1 := arm1_pos P HP).
   destruct (count_split P HP p T l Hm Hnd Hl) as [a [b [La [Lb Hab]]]].
   destruct (collision_law_on_R P HP p T e Hm Hn Hc HR) as [w [w' [Hb' [Ha' HL]]]].
-  assert (w = v) by (apply before_unique with p T; assumption). assert (w' = v') by (apply after_unique with p T; assumption). subst w w'.
+  assert (w = v) by (apply before_unique with p T; assumption).
+  assert (w' = v') by (apply after_unique with p T; assumption). subst w w'.
   assert (I0 : 0 <= / arm1 P) by (left; now apply Rinv_0_lt_compat).
   assert (V : v_of P v <= 0 <= v_of P v').
-  { unfold v_of, Rdiv. assert (0 <= vy v' * / arm1 P) by (apply Rmult_le_pos; lra). assert (0 <= - vy v * / arm1 P) by (apply Rmult_le_pos; lra). lra. }
+  { unfold v_of, Rdiv. assert (0 <= vy v' * / arm1 P) by (apply Rmult_le_pos; lra).
+    assert (0 <= - vy v * / arm1 P) by (apply Rmult_le_pos; lra). lra. }
   assert (Hq := reverse_motion P p Hm). assert (Nq := no_heavy_reverse P HP p Hm Hn).
   assert (Haq : after (reverse p) (- T) (minus_v v)) by (apply reverse_after; now rewrite Ropp_involutive).
   assert (Hbq : before (reverse p) (- T) (minus_v v')) by (apply reverse_before; now rewrite Ropp_involutive).
@@ -96,14 +106,18 @@ Proof.
       destruct (Rlt_or_le (u_of v') 0) as [K|K]; [right | now left]. apply Rnot_lt_le. intros K2. apply X. now split. }
     destruct (Classical_Prop.classic (u_of (minus_v v) < 0 /\ v_of P (minus_v v) < - u_of (minus_v v))) as [[Y1 Y2]|Y].
     + assert (Lb0 : later P (reverse (reverse p)) (- - T) a) by (rewrite reverse_reverse, Ropp_involutive; exact La).
-      assert (Q := L9_turning_left U (reverse p) (- T) e (minus_v v') (minus_v v) b a HB Hq Nq HRq Hbq Haq HLq ltac:(rewrite !Ev; lra) Y1 Y2 Lb Lb0). lia.
+      assert (Q :=
+        L9_turning_left U (reverse p) (- T) e (minus_v v') (minus_v v) b a HB Hq Nq HRq Hbq Haq HLq ltac:(rewrite !Ev;
+        lra) Y1 Y2 Lb Lb0). lia.
     + assert (b = O).
       { apply (none_unless_flat (reverse p) (- T) e (minus_v v) b Hq HRq Haq); [rewrite Eu, Ev; lra | exact Lb|].
-        destruct (Rlt_or_le (u_of (minus_v v)) 0) as [K|K]; [right | now left]. apply Rnot_lt_le. intros K2. apply Y. now split. }
+        destruct (Rlt_or_le (u_of (minus_v v)) 0) as [K|K]; [right | now left]. apply Rnot_lt_le. intros K2.
+        apply Y. now split. }
       lia.
 Qed.
 
-Theorem light_total U p T : light_bound r U -> (1 <= U)%nat -> motion P p -> no_heavy P p -> collision P p T -> at_most P p U.
+Theorem light_total U p T : light_bound r U -> (1 <= U)%nat -> motion P p -> no_heavy P p -> collision P p T ->
+  at_most P p U.
 Proof.
   intros HB HU Hm Hn Hc. destruct (L2c_turning_exists P HP Hr1 p T Hm Hn Hc) as [t Ht].
   destruct (normal_position P HP p t Hm Hn (proj1 Ht)) as [q [e [S HR]]]. apply (same_at_most P p q U S).
@@ -121,13 +135,15 @@ Proof.
   assert (HU : (1 <= U)%nat) by (apply (HB (PI/2) 0 O O); try exact I; lra).
   destruct (Classical_Prop.classic (no_heavy P p)) as [Hn|Hn].
   - intros [|T l] Hnd Hl; [simpl; lia|]. apply (light_total U p T HL HU Hm Hn); try assumption. apply Hl. now left.
-  - apply Classical_Pred_Type.not_all_ex_not in Hn. destruct Hn as [T Hn]. apply Classical_Prop.imply_to_and in Hn. destruct Hn as [Hc Hn].
+  - apply Classical_Pred_Type.not_all_ex_not in Hn. destruct Hn as [T Hn]. apply Classical_Prop.imply_to_and in Hn.
+    destruct Hn as [Hc Hn].
     apply (heavy_total P HP Hr1 U p T HB HU Hm Hc). now apply Classical_Prop.NNPP.
 Qed.
 End Light.
 
 Theorem charts_upper q n : 1 <= q -> bridge_bound (/ q) n -> light_bound (/ q) n -> upper_bound q n.
 Proof.
-  intros Hq HB HL P p HP Hqq Hm. assert (E : / q = r_of P) by (unfold r_of; destruct HP as [? [? ?]]; rewrite <- Hqq; field; lra).
+  intros Hq HB HL P p HP Hqq Hm.
+  assert (E : / q = r_of P) by (unfold r_of; destruct HP as [? [? ?]]; rewrite <- Hqq; field; lra).
   rewrite E in HB, HL. apply charts_bound_motion; try assumption. rewrite <- E, <- Rinv_1. apply Rinv_le_contravar; lra.
 Qed.

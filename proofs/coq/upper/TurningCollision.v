@@ -1,5 +1,5 @@
-(** L5 (f) for rays and for the motion, and L2 (c): a motion in which only the light mass hits the floor, if at all, has a
-    turning collision, v_in <= 0 <= v_out. *)
+(** L5 (f) for rays and for the motion, and L2 (c): a motion in which only the light mass hits the floor, if at all, has
+    a turning collision, v_in <= 0 <= v_out. *)
 From Coq Require Import Reals Lra Lia List.
 From Coquelicot Require Import Coquelicot.
 From Dumbbell Require Import Physics FewHits Flight Collisions Symmetry NormalPosition Follow.
@@ -13,10 +13,12 @@ Notation r := (r_of P).
 Notation yh := (yhat_of P).
 
 (** The ray out of a contact with the wall R to the left. *)
-Theorem light_ray p T v k e : after p T v -> on_R P p T e -> no_heavy P p -> u_of v < 0 -> 0 <= k -> k * - u_of v = v_of P v ->
+Theorem light_ray p T v k e : after p T v -> on_R P p T e -> no_heavy P p -> u_of v < 0 -> 0 <= k ->
+  k * - u_of v = v_of P v ->
   ray P p T v (sin e + k * (PI + e)) k.
 Proof.
-  intros Ha [Hp [He Hy]] Hn Hu Hk Hs. assert (HPI : 0 < PI) by apply PI_RGT_0. assert (Se : 0 < sin e) by (apply sin_gt_0; lra).
+  intros Ha [Hp [He Hy]] Hn Hu Hk Hs. assert (HPI : 0 < PI) by apply PI_RGT_0.
+  assert (Se : 0 < sin e) by (apply sin_gt_0; lra).
   split; rewrite ?Hp, ?Hy; try assumption; try lra.
   - intros z Hz. split; [|now right]. assert (K0 : 0 <= k * (PI/2 + e - z)) by (apply Rmult_le_pos; lra).
     destruct (Rle_or_lt z (PI/2)) as [Kz|Kz].
@@ -26,7 +28,8 @@ Proof.
 Qed.
 
 (** L1 (b) at the wall R: not to the left, no later collision. *)
-Theorem L1b_right_no_later p T v e n : motion P p -> after p T v -> on_R P p T e -> 0 <= u_of v -> 0 < v_of P v - cos e * u_of v -> later P p T n -> n = O.
+Theorem L1b_right_no_later p T v e n : motion P p -> after p T v -> on_R P p T e -> 0 <= u_of v ->
+  0 < v_of P v - cos e * u_of v -> later P p T n -> n = O.
 Proof.
   intros Hm Ha [Hp [He Hy]] Hu Hv Hl. destruct n as [|n]; [reflexivity|exfalso].
   destruct (later_next P HP p T n Hm Hl) as [t [Ht [Hc _]]].
@@ -43,23 +46,31 @@ Proof.
 Qed.
 
 (** A collision on R: the two velocities. *)
-Lemma collision_law_on_R p T e : motion P p -> no_heavy P p -> collision P p T -> on_R P p T e -> exists v v', before p T v /\ after p T v' /\
+Lemma collision_law_on_R p T e : motion P p -> no_heavy P p -> collision P p T -> on_R P p T e ->
+  exists v v', before p T v /\ after p T v' /\
   reflects P (cos e) (u_of v) (v_of P v) (u_of v') (v_of P v').
 Proof.
-  intros Hm Hn Hc [Hp _]. destruct (collision_law P HP p T Hm Hc) as [v [v' [Hb [Ha [[_ H]|[H _]]]]]]; [|exfalso; now apply (Hn T Hc)].
+  intros Hm Hn Hc [Hp _]. destruct (collision_law P HP p T Hm Hc) as [v [v' [Hb [Ha [[_ H]|[H _]]]]]];
+    [|exfalso; now apply (Hn T Hc)].
   exists v, v'. split; [exact Hb|]. split; [exact Ha|]. unfold slope1 in H. rewrite Hp, sin_plus, sin_PI2, cos_PI2 in H.
   now replace (1 * cos e + 0 * sin e) with (cos e) in H by ring.
 Qed.
 
 (** L5 (f) for the motion: an ascending flight out of a collision has few later ones. *)
-Theorem ascending_few : exists M, forall p T v n, motion P p -> no_heavy P p -> collision P p T -> after p T v -> 0 <= vy v ->
+Theorem ascending_few : exists M, forall p T v n, motion P p -> no_heavy P p -> collision P p T ->
+  after p T v -> 0 <= vy v ->
   later P p T n -> (n <= M)%nat.
 Proof.
-  assert (R0 := r_pos P HP). assert (A1 := arm1_pos P HP). destruct (L5f_bounded r R0) as [M HM]. exists M. intros p0 T v0 n Hm0 Hn0 Hc0 Ha0 Hv0 Hl0.
-  destruct (normal_position P HP p0 T Hm0 Hn0 Hc0) as [p [e [S HR]]]. destruct (same_after _ _ _ S T v0 Ha0) as [v' [Ha Ev]].
-  assert (Hm := same_motion _ _ _ S Hm0). assert (Hn := same_no_heavy _ _ _ S Hn0). assert (Hc := same_collision _ _ _ S T Hc0). assert (Hl := same_later _ _ _ T n S Hl0).
-  destruct (collision_law_on_R p T e Hm Hn Hc HR) as [v [v1 [Hb [Ha1 HL]]]]. assert (v1 = v') by (apply after_unique with p T; assumption). subst v1.
-  assert (Hv : 0 <= v_of P v'). { unfold v_of. rewrite Ev. apply Rmult_le_pos; [lra | left; now apply Rinv_0_lt_compat]. }
+  assert (R0 := r_pos P HP). assert (A1 := arm1_pos P HP). destruct (L5f_bounded r R0) as [M HM]. exists M.
+  intros p0 T v0 n Hm0 Hn0 Hc0 Ha0 Hv0 Hl0.
+  destruct (normal_position P HP p0 T Hm0 Hn0 Hc0) as [p [e [S HR]]].
+  destruct (same_after _ _ _ S T v0 Ha0) as [v' [Ha Ev]].
+  assert (Hm := same_motion _ _ _ S Hm0). assert (Hn := same_no_heavy _ _ _ S Hn0).
+  assert (Hc := same_collision _ _ _ S T Hc0). assert (Hl := same_later _ _ _ T n S Hl0).
+  destruct (collision_law_on_R p T e Hm Hn Hc HR) as [v [v1 [Hb [Ha1 HL]]]].
+  assert (v1 = v') by (apply after_unique with p T; assumption). subst v1.
+  assert (Hv : 0 <= v_of P v'). { unfold v_of. rewrite Ev. apply Rmult_le_pos; [lra | left; now apply Rinv_0_lt_compat].
+    }
   destruct HL as [l [_ [_ [_ [Er En]]]]].
   destruct (Rlt_or_le (u_of v') 0) as [K|K].
   - set (k := v_of P v' / - u_of v'). assert (Ek : k * - u_of v' = v_of P v') by (unfold k; field; lra).
@@ -74,7 +85,8 @@ Qed.
 (** A descending flight hits the floor. *)
 Lemma height_pos p t : motion P p -> 0 <= height (p t).
 Proof.
-  intros Hm. assert (B1 := above1 P p Hm t). assert (B2 := above2 P p Hm t). assert (A1 := arm1_pos P HP). assert (A2 := arm2_pos P HP).
+  intros Hm. assert (B1 := above1 P p Hm t). assert (B2 := above2 P p Hm t). assert (A1 := arm1_pos P HP).
+  assert (A2 := arm2_pos P HP).
   unfold y1, y2 in *. apply Rmult_le_reg_l with (arm1 P + arm2 P); [lra|].
   assert (0 <= arm2 P * (height (p t) + arm1 P * sin (angle (p t)))) by (apply Rmult_le_pos; lra).
   assert (0 <= arm1 P * (height (p t) - arm2 P * sin (angle (p t)))) by (apply Rmult_le_pos; lra). lra.
@@ -89,8 +101,10 @@ Proof.
   assert (vy v * d = - (height (p T) + 1)) by (unfold d; field; lra). lra.
 Qed.
 
-(** Before a collision into which the dumbbell ascends there is another one, and it comes out of that with the same velocity. *)
-Theorem ascending_comes_from p T v : motion P p -> before p T v -> 0 < vy v -> exists t, t < T /\ collision P p t /\ after p t v.
+(** Before a collision into which the dumbbell ascends there is another one, and it comes out of that with the same
+    velocity. *)
+Theorem ascending_comes_from p T v : motion P p -> before p T v -> 0 < vy v ->
+  exists t, t < T /\ collision P p t /\ after p t v.
 Proof.
   intros Hm Hb Hv. assert (Hq := reverse_motion P p Hm).
   assert (Ha : after (reverse p) (- T) (minus_v v)) by (apply reverse_after; now rewrite Ropp_involutive).
@@ -110,7 +124,8 @@ Definition turning p T := collision P p T /\ exists v v', before p T v /\ after 
 Lemma collision_rises p T v v' : motion P p -> collision P p T -> before p T v -> after p T v' -> vy v < vy v'.
 Proof.
   intros Hm Hc Hb Ha. assert (A1 := arm1_pos P HP). destruct (collision_law P HP p T Hm Hc) as [w [w' [Hb' [Ha' H]]]].
-  assert (w = v) by (apply before_unique with p T; assumption). assert (w' = v') by (apply after_unique with p T; assumption). subst.
+  assert (w = v) by (apply before_unique with p T; assumption).
+  assert (w' = v') by (apply after_unique with p T; assumption). subst.
   assert (L : v_of P v < v_of P v') by (destruct H as [[_ H]|[_ H]]; exact (L2a_v_grows P HP _ _ _ _ _ H)).
   unfold v_of in L. apply Rmult_lt_reg_r with (/ arm1 P); [now apply Rinv_0_lt_compat | exact L].
 Qed.
@@ -127,12 +142,15 @@ Proof.
     + simpl. now f_equal.
     + intros s [<-|Hs]; [now split|]. destruct (N3 s Hs). split; [lra | assumption].
 Qed.
-Lemma turning_up p T v : motion P p -> no_heavy P p -> collision P p T -> before p T v -> 0 < vy v -> exists t, turning p t.
+Lemma turning_up p T v : motion P p -> no_heavy P p -> collision P p T -> before p T v -> 0 < vy v ->
+  exists t, turning p t.
 Proof.
   intros Hm Hn Hc Hb Hv. destruct ascending_few as [M HM].
-  assert (G : forall n, (exists t, turning p t) \/ exists t w, collision P p t /\ before p t w /\ 0 < vy w /\ later P p t n).
+  assert (G : forall n, (exists t, turning p t) \/ exists t w, collision P p t /\ before p t w /\ 0 < vy w /\
+    later P p t n).
   { induction n as [|n [IH|[t [w [H1 [H2 [H3 H4]]]]]]].
-    - right. exists T, v. repeat split; try assumption. exists nil. repeat split; [constructor | contradiction | contradiction].
+    - right. exists T, v. repeat split; try assumption. exists nil.
+      repeat split; [constructor | contradiction | contradiction].
     - now left.
     - now apply go_back with t w. }
   destruct (G (S M)) as [H|[t [w [H1 [H2 [H3 H4]]]]]]; [exact H|exfalso].
