@@ -1,5 +1,5 @@
-(** Theorem 1 (a) of theorem.md: N(q) = 2 + k0 + k1 for every q >= 1, where k0 and k1 count the collisions of two explicit
-    rays (Orbits.v). *)
+(** Theorem 1 (a) of theorem.md: N(q) = 2 + k0 + k1 for every q >= 1, where k0 and k1 count the collisions of two
+    explicit rays (Orbits.v). *)
 From Coq Require Import Reals Lra Lia.
 From Dumbbell Require Import Physics Ray Maximum Orbits UpperBound Attained.
 Local Open Scope R_scope.

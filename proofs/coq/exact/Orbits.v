@@ -1,6 +1,6 @@
-(** The two orbits whose counts give the maximum (theorem.md, Theorem 1, L21): the horizontal ray (r, 0) over the top of the
-    bridge, with k0 collisions, and the ray (pi r, r) out of a corner along the bridge's tangent, with k1. Both counts exist,
-    and k1 <= k0 <= 1 + k1. *)
+(** The two orbits whose counts give the maximum (theorem.md, Theorem 1, L21): the horizontal ray (r, 0) over the
+    top of the bridge, with k0 collisions, and the ray (pi r, r) out of a corner along the bridge's tangent, with
+    k1. Both counts exist, and k1 <= k0 <= 1 + k1. *)
 From Coq Require Import Reals Lra Lia.
 From Coquelicot Require Import Coquelicot.
 From Dumbbell Require Import Ray FewHits.
@@ -17,7 +17,8 @@ Proof.
 Qed.
 Lemma exactly_unique r m n c k : exactly r m c k -> exactly r n c k -> m = n.
 Proof.
-  intros Hm Hn. assert (A := exactly_max r n c k Hn m (proj1 Hm)). assert (B := exactly_max r m c k Hm n (proj1 Hn)). lia.
+  intros Hm Hn. assert (A := exactly_max r n c k Hn m (proj1 Hm)).
+  assert (B := exactly_max r m c k Hm n (proj1 Hn)). lia.
 Qed.
 Lemma exactly_exists r c k : 0 < r -> 0 <= k -> exists n, exactly r n c k.
 Proof.
@@ -27,7 +28,8 @@ Proof.
     destruct (Classical_Prop.classic (coll r m c k)) as [K|K]; [exists m; now split | now apply IH]. }
   apply (G (S M)). intros H. specialize (HM (S M) c k Hk H). lia.
 Qed.
-Lemma exactly_from_max r n c k : 0 < r -> 0 <= k -> coll r n c k -> (forall m, coll r m c k -> (m <= n)%nat) -> exactly r n c k.
+Lemma exactly_from_max r n c k : 0 < r -> 0 <= k -> coll r n c k -> (forall m, coll r m c k -> (m <= n)%nat) ->
+  exactly r n c k.
 Proof. intros Hr Hk H Hm. split; [exact H|]. intros K. apply Hm in K. lia. Qed.
 
 Lemma inv_ratio q : 1 <= q -> 0 < / q <= 1.
@@ -39,21 +41,25 @@ Proof.
 Qed.
 
 (** L40 (a): the ray (0, -r) collides at once, at the corner, and goes on as the corner orbit. *)
-Lemma descending_ray_first r : 0 < r -> hit 0 (- r) 0 /\ slope_den (cos 0) (- r) r = 1 + r /\ next_slope (cos 0) (- r) r = r.
+Lemma descending_ray_first r : 0 < r -> hit 0 (- r) 0 /\ slope_den (cos 0) (- r) r = 1 + r /\
+  next_slope (cos 0) (- r) r = r.
 Proof.
-  intros Hr. assert (HPI : 0 < PI) by apply PI_RGT_0. unfold hit, next_slope, slope_den, slope_num. rewrite sin_0, cos_0.
+  intros Hr. assert (HPI : 0 < PI) by apply PI_RGT_0. unfold hit, next_slope, slope_den, slope_num.
+  rewrite sin_0, cos_0.
   repeat split; try lra; field; lra.
 Qed.
 Lemma L40_one_more r n : 0 < r -> coll r n (PI * r) r -> coll r (S n) 0 (- r).
 Proof.
-  intros Hr H. destruct (descending_ray_first r Hr) as [A [B C]]. exists 0. split; [exact A|right]. rewrite B, C. split; [lra|]. cbv zeta.
+  intros Hr H. destruct (descending_ray_first r Hr) as [A [B C]]. exists 0. split; [exact A|right]. rewrite B, C.
+  split; [lra|]. cbv zeta.
   replace (sin 0 + r * (0 + PI)) with (PI * r) by (rewrite sin_0; ring). exact H.
 Qed.
 Lemma L40_one_less r n : 0 < r -> coll r (S n) 0 (- r) -> coll r n (PI * r) r.
 Proof.
   intros Hr [x [[Hx [Hs _]] H]]. assert (HPI : 0 < PI) by apply PI_RGT_0. destruct H as [->|[_ H]]; [exact I|].
   assert (E : x = 0).
-  { destruct (Rle_lt_or_eq_dec 0 x) as [P|P]; [lra | | auto]. exfalso. assert (0 < sin x) by (apply sin_gt_0; lra). nra. }
+  { destruct (Rle_lt_or_eq_dec 0 x) as [P|P]; [lra | | auto]. exfalso. assert (0 < sin x)
+    by (apply sin_gt_0; lra). nra. }
   subst x. destruct (descending_ray_first r Hr) as [_ [_ C]]. rewrite C in H. cbv zeta in H.
   replace (sin 0 + r * (0 + PI)) with (PI * r) in H by (rewrite sin_0; ring). exact H.
 Qed.

@@ -1,6 +1,6 @@
 (** At most 2 + k0 + k1 collisions: L22 with a contact on the bridge, L24 without one. L24 is used in its weak form
-    2 + 2 k1: the flatter of two rays out of a turning collision has at most the 1 + k1 collisions of the ray (0, 0), and the
-    steeper one at most k1; whether a ray clears the bridge need not be known. *)
+    2 + 2 k1: the flatter of two rays out of a turning collision has at most the 1 + k1 collisions of the ray (0,
+    0), and the steeper one at most k1; whether a ray clears the bridge need not be known. *)
 From Coq Require Import Reals Lra Lia.
 From Coquelicot Require Import Coquelicot.
 From Dumbbell Require Import Physics Ray Chart LightTotal Orbits.
@@ -54,18 +54,23 @@ Qed.
 (** L24, weak form. *)
 Theorem L24_light : light_bound r (2 + k0 + k1).
 Proof.
-  intros e lam a b He Hlam Hl HP Ca Cb Cb0. assert (HPI : 0 < PI) by apply PI_RGT_0. destruct (cos_range e ltac:(lra)) as [W0 W1].
+  intros e lam a b He Hlam Hl HP Ca Cb Cb0. assert (HPI : 0 < PI) by apply PI_RGT_0.
+  destruct (cos_range e ltac:(lra)) as [W0 W1].
   assert (S0 : 0 <= sin e) by (apply sin_ge_0; lra).
   assert (L0 : 0 <= r * lam) by (apply Rmult_le_pos; lra).
-  assert (Hc : forall k, 0 <= k -> PI * k <= cL e k) by (intros k Hk; unfold cL; assert (0 <= k * e) by (apply Rmult_le_pos; lra); lra).
-  assert (Hc0 : forall k, 0 <= k -> 0 <= cL e k) by (intros k Hk; specialize (Hc k Hk); assert (0 <= PI * k) by (apply Rmult_le_pos; lra); lra).
+  assert (Hc : forall k, 0 <= k -> PI * k <= cL e k) by (intros k Hk; unfold cL; assert (0 <= k * e)
+    by (apply Rmult_le_pos; lra); lra).
+  assert (Hc0 : forall k, 0 <= k -> 0 <= cL e k) by (intros k Hk; specialize (Hc k Hk); assert (0 <= PI * k)
+    by (apply Rmult_le_pos; lra); lra).
   assert (A := ascending_ray_count a _ _ L0 (Hc0 _ L0) Ca).
   destruct (Rlt_or_le 0 (mu_den (cos e) lam r)) as [HD|HD]; [|rewrite (Cb0 HD); lia].
   specialize (Cb HD). set (k := r * mu (cos e) lam r) in *.
-  assert (Hk : 0 <= k). { unfold k, mu. apply Rmult_le_pos; [lra|]. apply Rmult_le_pos; [exact HP | left; now apply Rinv_0_lt_compat]. }
+  assert (Hk : 0 <= k). { unfold k, mu. apply Rmult_le_pos; [lra|]. apply Rmult_le_pos; [exact HP | left;
+    now apply Rinv_0_lt_compat]. }
   assert (B := ascending_ray_count b _ _ Hk (Hc0 _ Hk) Cb).
   destruct (L23_steeper (cos e) (r * lam)) as [K|K]; try lra.
-  - replace (slope_den (cos e) (- (r * lam)) r) with (mu_den (cos e) lam r) by (unfold slope_den, mu_den; ring). exact HD.
+  - replace (slope_den (cos e) (- (r * lam)) r) with (mu_den (cos e) lam r) by (unfold slope_den, mu_den; ring).
+  exact HD.
   - assert (A2 := steep_ray_count a _ _ K (Hc _ L0) Ca). lia.
   - rewrite <- mu_next_slope in K by exact HD. fold k in K. assert (B2 := steep_ray_count b _ _ K (Hc _ Hk) Cb). lia.
 Qed.
@@ -73,7 +78,8 @@ End Upper.
 
 Theorem at_most_2_k0_k1 q k0 k1 : 1 <= q -> top_orbit q k0 -> corner_orbit q k1 -> upper_bound q (2 + k0 + k1).
 Proof.
-  intros Hq T C. assert (Hr := inv_ratio q Hq). assert (K : (k1 <= k0)%nat) by (destruct (L21_counts q k0 k1 Hq T C); lia).
+  intros Hq T C. assert (Hr := inv_ratio q Hq). assert (K : (k1 <= k0)%nat)
+    by (destruct (L21_counts q k0 k1 Hq T C); lia).
   assert (HT := exactly_max _ _ _ _ T). assert (HC := exactly_max _ _ _ _ C).
   apply charts_upper; [exact Hq | now apply L22_bridge | now apply L24_light].
 Qed.
