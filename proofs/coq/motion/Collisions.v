@@ -1,7 +1,7 @@
 (** Collisions of a motion: each changes the velocity, and there is a first one after any time. Mirror and reversal. *)
 From Coq Require Import Reals Lra Lia List.
 From Coquelicot Require Import Coquelicot.
-From Dumbbell Require Import Physics Ray Flight.
+From Dumbbell Require Import Physics Ray RealInduction Flight.
 Import ListNotations.
 Local Open Scope R_scope.
 
@@ -65,28 +65,14 @@ Qed.
 Theorem first_collision p t0 T : motion P p -> t0 < T -> collision P p T ->
   exists t1, t0 < t1 <= T /\ collision P p t1 /\ forall t, t0 < t < t1 -> ~ collision P p t.
 Proof.
-  intros Hm HT HcT.
-  set (E := fun s => t0 < s <= T /\ forall t, t0 < t < s -> ~ collision P p t).
-  destruct (law P p Hm t0) as [_ [v0 [_ [Ha0 _]]]]. destruct (no_collision_soon p t0 v0 Hm Ha0) as [e [He Hn]].
-  assert (HE0 : E (Rmin (t0 + e) T)).
-  { assert (t0 < Rmin (t0 + e) T) by (apply Rmin_glb_lt; lra). assert (Rmin (t0 + e) T <= T) by apply Rmin_r.
-    assert (Rmin (t0 + e) T <= t0 + e) by apply Rmin_l.
-    split; [lra|]. intros t Ht. apply Hn. lra. }
-  destruct (completeness E) as [m [Hub Hlub]]. { exists T. intros s [Hs _]. lra. } { now exists (Rmin (t0 + e) T). }
-  assert (M1 : t0 < m). { assert (t0 < Rmin (t0 + e) T) by (apply Rmin_glb_lt; lra). specialize (Hub _ HE0). lra. }
-  assert (M2 : m <= T) by (apply Hlub; intros s [Hs _]; lra).
-  assert (Hm0 : forall t, t0 < t < m -> ~ collision P p t).
-  { intros t Ht Hc. assert (m <= t); [|lra]. apply Hlub. intros s [Hs Hs'].
-    destruct (Rle_or_lt s t) as [|K]; [assumption|]. exfalso. apply (Hs' t); [lra | exact Hc]. }
-  destruct (Classical_Prop.classic (collision P p m)) as [Hc|Hc]. { exists m. repeat split; try lra; assumption. }
-  exfalso. destruct (Rle_lt_or_eq_dec m T M2) as [L|L]; [|now subst m].
-  destruct (law P p Hm m) as [_ [va [_ [Ha _]]]]. destruct (no_collision_soon p m va Hm Ha) as [e2 [He2 Hn2]].
-  assert (L1 : m < Rmin (m + e2) T) by (apply Rmin_glb_lt; lra). assert (L2 : Rmin (m + e2) T <= T) by apply Rmin_r.
-  assert (L3 : Rmin (m + e2) T <= m + e2) by apply Rmin_l.
-  assert (E (Rmin (m + e2) T)).
-  { split; [lra|]. intros t Ht. destruct (Rtotal_order t m) as [K|[->|K]]; [apply Hm0; lra | exact Hc | apply Hn2; lra].
-    }
-  specialize (Hub _ H). lra.
+  intros Hm HT HcT. apply Classical_Prop.NNPP. intros No.
+  assert (K : forall s, t0 <= s <= T -> s = t0 \/ ~ collision P p s); [|destruct (K T); [lra | lra | contradiction]].
+  apply real_induction; [now left | |].
+  - intros m M _. destruct (law P p Hm m) as [_ [v [_ [Ha _]]]].
+    destruct (no_collision_soon p m v Hm Ha) as [e [He Hn]].
+    exists (e / 2). split; [lra|]. intros s Hs. right. apply Hn. lra.
+  - intros m M Hm0. right. intros Hc. apply No. exists m. split; [exact M|]. split; [exact Hc|].
+    intros t Ht. destruct (Hm0 t ltac:(lra)); [lra | assumption].
 Qed.
 
 (** After a collision: the law (1) at that wall. *)

@@ -1,7 +1,7 @@
 (** Determinism: two paths that obey the law on a stretch of time and have the same state at its beginning agree on it;
     so a motion is determined for all later times by its state. *)
 From Coq Require Import Reals Lra.
-From Dumbbell Require Import Physics Flight Collisions Symmetry Existence.
+From Dumbbell Require Import Physics RealInduction Flight Collisions Symmetry Existence.
 Local Open Scope R_scope.
 
 Section Determinism.
@@ -96,33 +96,21 @@ Theorem agree p q t0 T v : (forall t, t0 < t < T -> lawful P p t) -> (forall t, 
   p t0 = q t0 -> after p t0 v -> after q t0 v ->
   forall t, t0 <= t < T -> p t = q t.
 Proof.
-  intros Gp Gq E0 Ap Aq T' HT. destruct (Req_dec T' t0) as [->|NT]; [exact E0|].
-  set (E := fun s => t0 <= s <= T' /\ forall t, t0 <= t <= s -> p t = q t).
-  assert (Next : forall s w, E s -> s < T' -> after p s w -> after q s w -> exists s', s < s' /\ E s').
-  { intros s w [Hs Hs'] L [e [He A]] [e' [He' A']]. set (d := Rmin (Rmin e e') (T' - s)).
-    assert (D1 : 0 < d) by (repeat apply Rmin_pos; lra). assert (D2 : d <= T' - s) by apply Rmin_r.
-    assert (D3 : d <= Rmin e e') by apply Rmin_l. assert (D4 : Rmin e e' <= e) by apply Rmin_l.
-    assert (D5 : Rmin e e' <= e') by apply Rmin_r.
-    exists (s + d). split; [lra|]. split; [lra|]. intros t Ht. destruct (Rle_or_lt t s) as [K|K]; [apply Hs'; lra|].
-    apply line_same with s w; [apply Hs'; lra | apply A; lra | apply A'; lra]. }
-  assert (E00 : E t0) by (split; [lra|]; intros t Ht; now replace t with t0 by lra).
-  destruct (completeness E) as [m [Hub Hlub]]. { exists T'. intros s [Hs _]. lra. } { now exists t0. }
-  assert (M2 : m <= T') by (apply Hlub; intros s [Hs _]; lra).
-  assert (M1 : t0 < m). { destruct (Next t0 v E00 ltac:(lra) Ap Aq) as [s [S1 S2]]. specialize (Hub s S2). lra. }
-  assert (Hbelow : forall t, t0 <= t < m -> p t = q t).
-  { intros t Ht. assert (Hex : exists s, E s /\ t < s).
-    { apply Classical_Prop.NNPP. intros K. assert (m <= t); [|lra]. apply Hlub. intros s Hs. apply Rnot_lt_le. intros L.
-      apply K. now exists s. }
-    destruct Hex as [s [[_ Hs] L]]. apply Hs. lra. }
-  destruct (Gp m ltac:(lra)) as [_ [_ [_ [vp [vp' [Bp [Ap' _]]]]]]].
-  destruct (Gq m ltac:(lra)) as [_ [_ [_ [vq [vq' [Bq [Aq' _]]]]]]].
-  destruct (agree_at p q t0 m vp vq M1 Hbelow Bp Bq) as [Em <-].
-  assert (HEm : E m). { split; [lra|]. intros t Ht. destruct (Req_dec t m) as [->|]; [exact Em | apply Hbelow; lra]. }
-  destruct (Rle_lt_or_eq_dec m T' M2) as [L|L]; [exfalso | rewrite <- L; exact Em].
-  assert (vp' = vq')
-    by (apply (turn_determined p q m (T - m) vp); try assumption; try lra; intros s Hs; [apply Gp | apply Gq]; lra).
-  subst vq'.
-  destruct (Next m vp' HEm L Ap' Aq') as [s [S1 S2]]. specialize (Hub s S2). lra.
+  intros Gp Gq E0 Ap Aq T' HT.
+  assert (Both : forall m, t0 < m < T -> (forall t, t0 <= t < m -> p t = q t) ->
+    p m = q m /\ exists w, after p m w /\ after q m w).
+  { intros m M Hb. destruct (Gp m M) as [_ [_ [_ [vp [vp' [Bp [Ap' _]]]]]]].
+    destruct (Gq m M) as [_ [_ [_ [vq [vq' [Bq [Aq' _]]]]]]].
+    destruct (agree_at p q t0 m vp vq ltac:(lra) Hb Bp Bq) as [Em <-]. split; [exact Em|]. exists vp'.
+    split; [exact Ap'|]. replace vp' with vq'; [exact Aq'|].
+    apply (turn_determined q p m (T - m) vp); try assumption; try lra; try easy; intros s Hs; [apply Gq | apply Gp]; lra. }
+  apply (real_induction (fun t => p t = q t) t0 T' E0); [| |lra].
+  - intros m M Hb. assert (A : exists w, after p m w /\ after q m w).
+    { destruct (Req_dec m t0) as [->|N]; [now exists v|]. apply Both; [lra|]. intros t Ht. apply Hb. lra. }
+    destruct A as [w [[e [He A]] [e' [He' A']]]]. exists (Rmin e e'). split; [now apply Rmin_pos|].
+    assert (D1 : Rmin e e' <= e) by apply Rmin_l. assert (D2 : Rmin e e' <= e') by apply Rmin_r.
+    intros t Ht. apply line_same with m w; [apply Hb; lra | apply A; lra | apply A'; lra].
+  - intros m M Hb. apply Both; [lra | exact Hb].
 Qed.
 Lemma motion_lawful p t : motion P p -> lawful P p t.
 Proof. intros Hm. repeat split; apply Hm. Qed.

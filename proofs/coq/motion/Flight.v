@@ -1,7 +1,7 @@
 (** From the motion to flights: between two collisions the dumbbell moves uniformly; the reflection law (1) of L0 in the
     coordinates (psi, yhat); L2 (a); L3 and L1 (a) for the physical dumbbell. *)
 From Coq Require Import Reals Lra.
-From Dumbbell Require Import Physics.
+From Dumbbell Require Import Physics RealInduction.
 Local Open Scope R_scope.
 
 Section Flight.
@@ -30,47 +30,31 @@ Qed.
 Definition on_line (p : R -> pos) t0 v s :=
   height (p s) = height (p t0) + vy v * (s - t0) /\ angle (p s) = angle (p t0) + om v * (s - t0).
 
-Theorem straight_flight p t1 t2 v : motion P p -> after p t1 v -> t1 < t2 ->
-  (forall t, t1 < t < t2 -> ~ collision P p t) ->
-  forall s, t1 <= s <= t2 -> on_line p t1 v s.
+(** A path that is on the line up to m is on it at m, and comes in with its velocity. *)
+Lemma on_line_until p t1 m v w : t1 < m -> (forall s, t1 <= s < m -> on_line p t1 v s) -> before p m w ->
+  w = v /\ on_line p t1 v m.
 Proof.
-  intros Hm [e [He Ha]] H12 Hfree.
-  set (E := fun s => t1 <= s <= t2 /\ forall s', t1 <= s' <= s -> on_line p t1 v s').
-  assert (Hstart : E (Rmin (t1 + e) t2)).
-  { assert (Rmin (t1 + e) t2 <= t1 + e) by apply Rmin_l. assert (Rmin (t1 + e) t2 <= t2) by apply Rmin_r.
-    assert (t1 < Rmin (t1 + e) t2) by (apply Rmin_glb_lt; lra). split; [lra|]. intros s' Hs'. apply Ha. lra. }
-  assert (Hs0 : t1 < Rmin (t1 + e) t2) by (apply Rmin_glb_lt; lra).
-  destruct (completeness E) as [m [Hub Hlub]].
-  { exists t2. intros s [Hs _]. lra. } { now exists (Rmin (t1 + e) t2). }
-  assert (M1 : t1 < m) by (specialize (Hub _ Hstart); lra).
-  assert (M2 : m <= t2) by (apply Hlub; intros s [Hs _]; lra).
-  assert (Hbelow : forall s, t1 <= s < m -> on_line p t1 v s).
-  { intros s Hs. destruct (Rlt_or_le s m) as [_|]; [|lra].
-    (* some element of E lies above s *)
-    assert (Hex : exists s', E s' /\ s < s').
-    { apply Classical_Prop.NNPP. intros K. assert (m <= s); [|lra]. apply Hlub. intros s' Hs'.
-      destruct (Rle_or_lt s' s) as [|L]; [assumption|]. exfalso. apply K. now exists s'. }
-    destruct Hex as [s' [[_ Hs'] Hlt]]. apply Hs'. lra. }
-  (* the line up to and including m *)
-  destruct (law P p Hm m) as [vb [va [Hb [_ _]]]]. assert (Hb' := Hb). destruct Hb as [d [Hd Hb]].
-  set (d' := Rmin d (m - t1)). assert (D1 : 0 < d') by (apply Rmin_pos; lra). assert (D2 : d' <= d) by apply Rmin_l.
-  assert (D3 : d' <= m - t1) by apply Rmin_r.
+  intros Hm H [d [Hd Hb]]. set (d' := Rmin d (m - t1)). assert (D1 : 0 < d') by (apply Rmin_pos; lra).
+  assert (D2 : d' <= d) by apply Rmin_l. assert (D3 : d' <= m - t1) by apply Rmin_r.
   destruct (Hb (m - d') ltac:(lra)) as [A1 A2]. destruct (Hb (m - d'/2) ltac:(lra)) as [B1 B2].
-  destruct (Hbelow (m - d') ltac:(lra)) as [C1 C2]. destruct (Hbelow (m - d'/2) ltac:(lra)) as [F1 F2].
-  assert (V1 : vy vb = vy v) by (apply Rmult_eq_reg_r with (d'/2); lra).
-  assert (V2 : om vb = om v) by (apply Rmult_eq_reg_r with (d'/2); lra).
-  assert (Hat : on_line p t1 v m) by (split; [rewrite V1 in A1 | rewrite V2 in A2]; lra).
-  assert (Hall : forall s, t1 <= s <= m -> on_line p t1 v s).
-  { intros s Hs. destruct (Req_dec s m) as [->|]; [exact Hat | apply Hbelow; lra]. }
-  destruct (Rle_lt_or_eq_dec m t2 M2) as [L|L]; [exfalso | rewrite <- L; exact Hall].
-  destruct (no_collision_no_change p m Hm) as [w [Wb [d2 [Hd2 Wa]]]]; [apply Hfree; lra|].
-  assert (w = vb) by (apply before_unique with p m; assumption). subst w.
-  assert (HE : E (Rmin (m + d2) t2)).
-  { assert (Rmin (m + d2) t2 <= m + d2) by apply Rmin_l. assert (Rmin (m + d2) t2 <= t2) by apply Rmin_r.
-    assert (m < Rmin (m + d2) t2) by (apply Rmin_glb_lt; lra). split; [lra|]. intros s Hs.
-    destruct (Rle_or_lt s m) as [|K]; [apply Hall; lra|].
-    destruct (Wa s ltac:(lra)) as [G1 G2]. destruct Hat as [T1 T2]. rewrite V1 in G1. rewrite V2 in G2. split; lra. }
-  specialize (Hub _ HE). assert (m < Rmin (m + d2) t2) by (apply Rmin_glb_lt; lra). lra.
+  destruct (H (m - d') ltac:(lra)) as [C1 C2]. destruct (H (m - d'/2) ltac:(lra)) as [F1 F2].
+  assert (V1 : vy w = vy v) by (apply Rmult_eq_reg_r with (d'/2); lra).
+  assert (V2 : om w = om v) by (apply Rmult_eq_reg_r with (d'/2); lra).
+  split; [now apply vel_eq|]. split; [rewrite V1 in A1 | rewrite V2 in A2]; lra.
+Qed.
+Theorem straight_flight p t1 t2 v : motion P p -> after p t1 v -> t1 < t2 ->
+  (forall t, t1 < t < t2 -> ~ collision P p t) -> forall s, t1 <= s <= t2 -> on_line p t1 v s.
+Proof.
+  intros Hm Ha H12 Hfree. apply real_induction.
+  - split; ring.
+  - intros m M Hm0. assert (Hat : after p m v).
+    { destruct (Req_dec m t1) as [->|N]; [exact Ha|].
+      destruct (no_collision_no_change p m Hm) as [w [Wb Wa]]; [apply Hfree; lra|].
+      destruct (on_line_until p t1 m v w) as [<- _]; try assumption; [lra|]. intros s Hs. apply Hm0. lra. }
+    destruct Hat as [d [Hd K]]. exists d. split; [exact Hd|]. intros s Hs. destruct (K s ltac:(lra)) as [G1 G2].
+    destruct (Hm0 m ltac:(lra)) as [T1 T2]. split; lra.
+  - intros m M Hm0. destruct (law P p Hm m) as [w [_ [Wb _]]].
+    now destruct (on_line_until p t1 m v w ltac:(lra) Hm0 Wb).
 Qed.
 
 (** L0 (1): the coordinates psi, yhat; u = d psi/dt, v = d yhat/dt; r = m1/m2; a wall of slope t. *)

@@ -2,7 +2,7 @@
     comes to a collision, or to a corner (both masses on the floor). *)
 From Coq Require Import Reals Lra Lia.
 From Coquelicot Require Import Coquelicot.
-From Dumbbell Require Import Physics Existence.
+From Dumbbell Require Import Physics RealInduction Existence.
 Local Open Scope R_scope.
 
 (** Heights along a flight. *)
@@ -121,41 +121,32 @@ Proof.
   rewrite S. split; ring.
 Qed.
 
+Lemma above_floor_limit s v m : 0 < m -> (forall t, 0 <= t < m -> above_floor (line s v t)) ->
+  above_floor (line s v m) \/ corner (line s v m).
+Proof.
+  intros M0 Hb. assert (A1 := arm1_pos P HP). assert (A2 := arm2_pos P HP).
+  assert (C1 : 0 <= y1 P (line s v m)).
+  { apply (height_at_closed (height s) (vy v) (arm1 P) (angle s) (om v)); [lra | exact M0|]. intros t Ht.
+    apply (Hb t Ht). }
+  assert (C2 : 0 <= y2 P (line s v m)).
+  { rewrite line_y2. apply height_at_closed; [lra | exact M0|]. intros t Ht. rewrite <- line_y2. apply (Hb t Ht). }
+  assert (C0 : 0 <= height (line s v m)).
+  { rewrite line_height. apply height_at_closed; [lra | exact M0|]. intros t Ht. rewrite <- line_height. left.
+    apply (Hb t Ht). }
+  destruct (Rle_lt_or_eq_dec _ _ C0) as [K0|K0]; [left | right; now apply flat_corner]. split; [exact K0 | now split].
+Qed.
 Theorem one_flight s v : above_floor s -> leaves s v -> (forall t, 0 <= t -> above_floor (line s v t)) \/
   exists T, 0 < T /\ (forall t, 0 <= t < T -> above_floor (line s v t)) /\
   (corner (line s v T) \/ (above_floor (line s v T) /\ hits (line s v T) v)).
 Proof.
-  intros Hs Hl. destruct (Classical_Prop.classic (forall t, 0 <= t -> above_floor (line s v t))) as [H|H];
-    [now left | right].
-  apply Classical_Pred_Type.not_all_ex_not in H. destruct H as [B H]. apply Classical_Prop.imply_to_and in H.
-  destruct H as [HB HnB].
-  set (E := fun t => 0 <= t /\ forall s', 0 <= s' <= t -> above_floor (line s v s')).
-  assert (EB : forall t, E t -> t < B). { intros t [Ht Ht']. apply Rnot_le_lt. intros K. apply HnB, Ht'. lra. }
-  assert (E0 : E 0). { split; [lra|]. intros s' Hs'. replace s' with 0 by lra. rewrite line_0. exact Hs. }
-  destruct (completeness E) as [m [Hub Hlub]]. { exists B. intros t Ht. specialize (EB t Ht). lra. } { now exists 0. }
-  assert (M0 : 0 < m).
-  { destruct (above_floor_next s v 0) as [d [Hd K]]; [now rewrite line_0 | now rewrite line_0|].
-    assert (E d) by (split; [lra|]; intros s' Hs'; apply K; lra). specialize (Hub d H). lra. }
-  assert (Hb : forall t, 0 <= t < m -> above_floor (line s v t)).
-  { intros t Ht. assert (Hex : exists t', E t' /\ t < t').
-    { apply Classical_Prop.NNPP. intros K. assert (m <= t); [|lra]. apply Hlub. intros t' Ht'. apply Rnot_lt_le.
-      intros L. apply K. now exists t'. }
-    destruct Hex as [t' [[_ Q] L]]. apply Q. lra. }
-  assert (A1 := arm1_pos P HP). assert (A2 := arm2_pos P HP).
-  assert (C1 : 0 <= y1 P (line s v m))
-    by (apply (height_at_closed (height s) (vy v) (arm1 P) (angle s) (om v));
-    [lra | exact M0 | intros t Ht; apply (Hb t Ht)]).
-  assert (C2 : 0 <= y2 P (line s v m))
-    by (rewrite line_y2; apply height_at_closed; [lra | exact M0 | intros t Ht; rewrite <- line_y2; apply (Hb t Ht)]).
-  assert (C0 : 0 <= height (line s v m))
-    by (rewrite line_height; apply height_at_closed;
-    [lra | exact M0 | intros t Ht; rewrite <- line_height; left; apply (Hb t Ht)]).
-  exists m. split; [exact M0|]. split; [exact Hb|].
-  destruct (Rle_lt_or_eq_dec _ _ C0) as [K0|K0]; [right | left; now apply flat_corner].
-  assert (Hok : above_floor (line s v m)) by (split; [exact K0 | now split]). split; [exact Hok|].
-  apply Classical_Prop.NNPP. intros NH. destruct (above_floor_next s v m Hok) as [d [Hd K]].
-  { split; intros Z; apply Rnot_lt_le; intros L; apply NH; [left | right]; now split. }
-  assert (E (m + d)). { split; [lra|]. intros t Ht. destruct (Rlt_or_le t m); [apply Hb; lra | apply K; lra]. }
-  specialize (Hub _ H). lra.
+  intros Hs Hl. apply Classical_Prop.NNPP. intros No. apply No. left. intros B HB.
+  apply (real_induction (fun t => above_floor (line s v t)) 0 B); [now rewrite line_0 | | |lra].
+  - intros m M Hb. destruct (above_floor_next s v m (Hb m ltac:(lra))) as [d [Hd K]].
+    + destruct (Req_dec m 0) as [->|N]; [now rewrite line_0|].
+      split; intros Z; apply Rnot_lt_le; intros L; apply No; right; exists m; (split; [lra|]);
+        (split; [intros t Ht; apply Hb; lra|]); right; (split; [apply Hb; lra|]); [left | right]; now split.
+    + exists d. split; [exact Hd|]. intros t Ht. apply K. lra.
+  - intros m M Hb. destruct (above_floor_limit s v m ltac:(lra) Hb) as [K|K]; [exact K|]. exfalso. apply No. right.
+    exists m. split; [lra|]. split; [exact Hb | now left].
 Qed.
 End Step.
