@@ -103,7 +103,8 @@ Proof.
     destruct (Gq m M) as [_ [_ [_ [vq [vq' [Bq [Aq' _]]]]]]].
     destruct (agree_at p q t0 m vp vq ltac:(lra) Hb Bp Bq) as [Em <-]. split; [exact Em|]. exists vp'.
     split; [exact Ap'|]. replace vp' with vq'; [exact Aq'|].
-    apply (turn_determined q p m (T - m) vp); try assumption; try lra; try easy; intros s Hs; [apply Gq | apply Gp]; lra. }
+    apply (turn_determined q p m (T - m) vp); try assumption; try lra; try easy; intros s Hs;
+      [apply Gq | apply Gp]; lra. }
   apply (real_induction (fun t => p t = q t) t0 T' E0); [| |lra].
   - intros m M Hb. assert (A : exists w, after p m w /\ after q m w).
     { destruct (Req_dec m t0) as [->|N]; [now exists v|]. apply Both; [lra|]. intros t Ht. apply Hb. lra. }

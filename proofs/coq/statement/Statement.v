@@ -1,14 +1,14 @@
-(** The statement: what a dumbbell, a motion, a collision and the bounds on their number are. Definitions only, to be read
-    beside proofs/claim.md.
+(** The statement: what a dumbbell, a motion, a collision and the bounds on their number are. Definitions only, to be
+    read beside proofs/claim.md.
 
-    Two point masses at the ends of a rigid massless rod, in a vertical plane, above a flat, frictionless, elastic floor at
-    height 0; no gravity. The horizontal motion of the centre of mass is uniform and left out. *)
+    Two point masses at the ends of a rigid massless rod, in a vertical plane, above a flat, frictionless, elastic floor
+    at height 0; no gravity. The horizontal motion of the centre of mass is uniform and left out. *)
 From Coq Require Import Reals List.
 Local Open Scope R_scope.
 
 Record dumbbell := { m1 : R; m2 : R; ell : R }.   (* the masses; the length of the rod *)
 Definition real_dumbbell (P : dumbbell) := 0 < m1 P /\ 0 < m2 P /\ 0 < ell P.
-Record pos := { height : R; angle : R }.   (* of the centre of mass; of the rod, from mass 2 to mass 1, to the horizontal *)
+Record pos := { height : R; angle : R }.   (* of the centre of mass; of the rod, from mass 2 to 1, to the horizontal *)
 Record vel := { vy : R; om : R }.          (* their derivatives *)
 
 Definition mass P := m1 P + m2 P.
