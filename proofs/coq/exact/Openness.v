@@ -69,7 +69,8 @@ Proof.
     assert (CN : continuity_pt (fun t => slope_num (cos (x + t)) (k + p * t) (r + p * t)) 0)
       by (unfold slope_num; reg).
     assert (CK : continuity_pt Kt 0).
-    { change Kt with (div_fct (fun t => slope_num (cos (x + t)) (k + p * t) (r + p * t)) Dt). apply continuity_pt_div; [exact CN | exact CD | lra]. }
+    { change Kt with (div_fct (fun t => slope_num (cos (x + t)) (k + p * t) (r + p * t)) Dt).
+      apply continuity_pt_div; [exact CN | exact CD | lra]. }
     assert (CC : continuity_pt Ct 0).
     { unfold Ct. apply (continuity_pt_plus (fun t => sin (x + t)) (fun t => Kt t * (x + t + PI))); [reg|].
       apply (continuity_pt_mult Kt (fun t => x + t + PI)); [exact CK | reg]. }
