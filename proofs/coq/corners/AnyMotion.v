@@ -2,8 +2,8 @@
     every state in flight has one whole motion. L40, and what `proofs/claim.md` says of corners. *)
 From Coq Require Import Reals Lra Lia List.
 From Coquelicot Require Import Coquelicot.
-From Dumbbell Require Import Physics Ray Chart Flight Collisions Symmetry Existence OneFlight WitnessMotion Exchange.
-From Dumbbell Require Import Stretch Stretches WholeMotion.
+From Dumbbell Require Import Physics Flight Collisions Symmetry Existence Exchange.
+From Dumbbell Require Import Stretch Stretches WholeMotion CollisionCount ThroughCorner.
 Local Open Scope R_scope.
 
 (* ---------- ratios below 1: the masses exchanged ---------- *)
@@ -41,6 +41,14 @@ Proof.
   - destruct B as [->|[T [s [-> [C F]]]]]; [now left | right]. exists T, (swap_state s). split; [reflexivity|].
     split; [now apply swap_down | now apply swap_flies_from].
 Qed.
+Lemma swap_energy v : energy Q v = energy P v.
+Proof. unfold energy. now rewrite swap_mass, swap_inertia. Qed.
+Lemma swap_through a b p : motion_through P a b p -> motion_through Q a b (swap p).
+Proof.
+  intros Hm t Ht. destruct (Hm t Ht) as [H|[C [v [v' [Hb [Ha E]]]]]]; [left; now apply swap_obeys | right].
+  split; [exact (swap_down _ C)|]. exists v, v'. split; [now apply swap_before|]. split; [now apply swap_after|].
+  now rewrite !swap_energy.
+Qed.
 Lemma swap_upper U : real_dumbbell P -> upper_bound (m2 P / m1 P) U -> upper_bound (m2 Q / m1 Q) U.
 Proof.
   intros HP H R p HR E Hm l Hnd Hl. apply (H (swap_dumbbell R) (swap p)) with (4 := Hnd).
@@ -60,77 +68,84 @@ Proof.
   - rewrite Rmax_left by lra. replace (m2 P / m1 P * m1 P) with (m2 P) by (field; lra). lra.
 Qed.
 
-(* ---------- the number of collisions ---------- *)
-Section Count.
-Variable P : dumbbell.
-Hypothesis HP : real_dumbbell P.
-Hypothesis Hr1 : r_of P <= 1.
-Variable U : nat.
-Hypothesis HU : forall p, motion P p -> at_most P p U.
-Notation r := (r_of P).
-
-(** L40 (a), in part: 1 + 2 k1 <= N. The contact with the middle of the bridge, e = pi/2, eta = 1. *)
-Lemma corner_bound a b : coll r a (r * PI) r -> coll r b (r * PI) r -> (1 + a + b <= U)%nat.
-Proof.
-  intros Ca Cb. assert (HPI : 0 < PI) by apply PI_RGT_0. assert (R0 := r_pos P HP). assert (P2 := PI2_1).
-  assert (K : forall n c k, coll r n (r * PI) r -> 0 <= c <= PI -> -1 <= k <= 1 -> coll r n (r * c) (r * k)).
-  { intros n c k H Hc Hk. assert (r * c <= r * PI) by (apply Rmult_le_compat_l; lra).
-    assert (0 <= r * c) by (apply Rmult_le_pos; lra).
-    assert (r * k <= r * 1) by (apply Rmult_le_compat_l; lra).
-    assert (r * -1 <= r * k) by (apply Rmult_le_compat_l; lra).
-    apply (coll_mono n) with (8 := H); lra. }
-  destruct (bridge_motion P HP Hr1 (PI/2) 1 a b ltac:(lra) ltac:(lra)) as [p [Hm [l [A [B C]]]]].
-  - apply K; [exact Ca | |]; unfold cX, lamX; rewrite cos_PI2, ?sin_PI2; lra.
-  - assert (E : eta_reversed 1 (cos (PI/2)) r = 1) by (unfold eta_reversed; rewrite cos_PI2; field).
-    apply K; [exact Cb | |]; unfold cS, lamS; rewrite E, cos_PI2, ?sin_PI2; lra.
-  - rewrite <- B. now apply (HU p Hm l).
-Qed.
-
-Lemma ends_few a b p : Rbar_lt a b -> motion_within P a b p -> ends_in_corner P p b -> at_most_within P a b p U.
-Proof.
-  intros Hab Hm [T [s [-> [C F]]]] l Hnd Hl. destruct (into_corner P HP Hr1 a T s p Hm Hab C F) as [q [E [_ Hc]]].
-  assert (K := corner_bound (length l) 0). enough (1 + length l + 0 <= U)%nat by lia. apply K; [|exact I].
-  apply Hc; [exact Hnd|].
-  intros t Ht. destruct (Hl t Ht) as [[W1 W2] Ct]. split; [now split|].
-  apply near_collision with p; [now apply within_near with a T | exact Ct].
-Qed.
-Lemma reverse_at_most a b p : motion_within P a b p -> at_most_within P (Rbar_opp b) (Rbar_opp a) (reverse p) U ->
-  at_most_within P a b p U.
-Proof.
-  intros Hm H l Hnd Hl. rewrite <- (map_length Ropp). apply H.
-  - apply FinFun.Injective_map_NoDup; [intros x y E; lra | exact Hnd].
-  - intros t Ht. apply in_map_iff in Ht. destruct Ht as [t' [<- Ht']]. destruct (Hl t' Ht') as [W C].
-    split; [now apply within_reverse | now apply (collision_turned P HP a b)].
-Qed.
-Lemma whole_few a b p : Rbar_lt a b -> whole P a b p -> at_most_within P a b p U.
-Proof.
-  intros Hab [Hm [[->|He] Hb]]; [|now apply ends_few]. destruct Hb as [->|Hb].
-  - apply motion_everywhere in Hm. intros l Hnd Hl. apply (HU p Hm l Hnd). intros t Ht. now apply Hl.
-  - apply reverse_at_most; [exact Hm|].
-    apply ends_few; [now apply Rbar_opp_lt | now apply motion_reverse | now apply ends_reverse].
-Qed.
-Theorem stretch_few a b p : motion_within P a b p -> at_most_within P a b p U.
-Proof.
-  intros Hm [|t0 l] Hnd Hl; [simpl; lia|]. destruct (Hl t0 (or_introl eq_refl)) as [H0 _].
-  destruct (whole_around P HP Hr1 a b p t0 Hm H0) as [a' [b' [q [Hq [A [B E]]]]]].
-  assert (H0' := within_sub a' b' a b t0 A B H0). apply (whole_few a' b' q (within_ends _ _ _ H0') Hq (t0 :: l) Hnd).
-  intros t Ht. destruct (Hl t Ht) as [W C]. split; [now apply within_sub with a b|].
-  apply near_collision with p; [now apply within_near with a b | exact C].
-Qed.
-End Count.
+(** An upper bound for the ratio is one for the motions of each dumbbell, in the naming for which r <= 1. *)
+Lemma bound_of P U : upper_bound (m2 P / m1 P) U -> real_dumbbell P -> forall p, motion P p -> at_most P p U.
+Proof. intros HU HP p Hm. now apply (HU P p). Qed.
+Lemma bound_swapped P U : upper_bound (m2 P / m1 P) U -> real_dumbbell P ->
+  forall p, motion (swap_dumbbell P) p -> at_most (swap_dumbbell P) p U.
+Proof. intros HU HP p Hm. apply (swap_upper P U HP HU _ p); [now apply swap_real | reflexivity | exact Hm]. Qed.
 
 (** **Every motion on a stretch of time**, bounded or not, whether or not it comes out of a corner or runs into one,
-    has at most N(q) collisions. *)
+    has at most N(q) collisions; and up to a corner, or after one, it has at most (N(q) - 2)/2. *)
 Theorem stretch_at_most P a b p U : real_dumbbell P -> upper_bound (m2 P / m1 P) U -> motion_within P a b p ->
   at_most_within P a b p U.
 Proof.
   intros HP HU Hm. destruct (one_naming P HP) as [Hr|Hr].
-  - apply (stretch_few P HP Hr U); [|exact Hm]. intros f Hf. now apply (HU P f).
-  - intros l Hnd Hl. assert (HQ := swap_real P HP).
-    apply (stretch_few _ HQ Hr U) with (a := a) (b := b) (p := swap p); [| | exact Hnd |].
-    + intros f Hf. now apply (swap_upper P U HP HU _ f).
+  - apply (stretch_few P HP Hr U); [now apply bound_of | exact Hm].
+  - intros l Hnd Hl. apply (stretch_few _ (swap_real P HP) Hr U (bound_swapped P U HU HP) a b (swap p)); [|exact Hnd|].
     + intros t Ht. now apply swap_obeys, Hm.
     + intros t Ht. destruct (Hl t Ht). split; [assumption | now apply swap_collision].
+Qed.
+Theorem corner_at_most P a b p U l : real_dumbbell P -> upper_bound (m2 P / m1 P) U -> Rbar_lt a b ->
+  motion_within P a b p ->
+  ends_in_corner P p b \/ begins_in_corner P p a -> NoDup l -> (forall t, In t l -> within a b t /\ collision P p t) ->
+  (2 + 2 * length l <= U)%nat.
+Proof.
+  intros HP HU Hab Hm Hc Hnd Hl.
+  assert (G : forall Q f, real_dumbbell Q -> r_of Q <= 1 -> (forall p, motion Q p -> at_most Q p U) ->
+    motion_within Q a b f ->
+    ends_in_corner Q f b \/ begins_in_corner Q f a -> (forall t, In t l -> within a b t /\ collision Q f t) ->
+    (2 + 2 * length l <= U)%nat).
+  { clear - Hab Hnd. intros Q f HQ Hr HU Hm Hc Hl. assert (K := corner_bound Q HQ Hr U HU (length l) (length l)).
+    enough (2 + length l + length l <= U)%nat by lia.
+    destruct Hc; apply K; try (now apply (into_corner_coll Q HQ Hr a b f l));
+      now apply (out_of_corner_coll Q HQ Hr a b f l). }
+  destruct (one_naming P HP) as [Hr|Hr]; [apply (G P p HP Hr); try assumption; now apply bound_of|].
+  apply (G _ (swap p) (swap_real P HP) Hr (bound_swapped P U HU HP)).
+  - intros t Ht. now apply swap_obeys, Hm.
+  - destruct Hc as [[T [s [-> [C F]]]]|[T [s [-> [C F]]]]]; [left | right]; exists T, (swap_state s); (split;
+      [reflexivity|]);
+      (split; [now apply swap_down|]); [now apply swap_flies_to | now apply swap_flies_from].
+  - intros t Ht. destruct (Hl t Ht). split; [assumption | now apply swap_collision].
+Qed.
+
+(** **A motion through corners**, whatever velocity it leaves them with, has at most N(q) collisions, too. If it meets
+    a corner and does not lie at rest there, then it meets no other one, and the corner counts as two collisions. *)
+Theorem through_at_most P a b p U : real_dumbbell P -> upper_bound (m2 P / m1 P) U -> motion_through P a b p ->
+  at_most_within P a b p U.
+Proof.
+  intros HP HU Hm. destruct (one_naming P HP) as [Hr|Hr].
+  - apply (through_few P HP Hr U); [now apply bound_of | exact Hm].
+  - intros l Hnd Hl. apply (through_few _ (swap_real P HP) Hr U (bound_swapped P U HU HP) a b (swap p)); [|exact Hnd|].
+    + now apply swap_through.
+    + intros t Ht. destruct (Hl t Ht). split; [assumption | now apply swap_collision].
+Qed.
+Theorem corner_counts_as_two P a b p T v U l : real_dumbbell P -> upper_bound (m2 P / m1 P) U ->
+  motion_through P a b p ->
+  within a b T -> both_down P (p T) -> before p T v -> 0 < energy P v ->
+  (forall t, within a b t -> t <> T -> obeys P p t) /\
+  (NoDup l -> (forall t, In t l -> within a b t /\ t <> T /\ collision P p t) -> (2 + length l <= U)%nat).
+Proof.
+  intros HP HU Hm HT Hc Hb Hv.
+  assert (G : forall Q f, real_dumbbell Q -> r_of Q <= 1 -> motion_through Q a b f -> both_down Q (f T) ->
+    before f T v ->
+    0 < energy Q v -> forall t, within a b t -> t <> T -> ~ both_down Q (f t)).
+  { intros Q f HQ Hr Mf Cf Bf Ef t Ht N Ct. destruct (only_corner Q HQ Hr a b f T v Mf HT Cf Bf Ef) as [M1 [M2 _]].
+    destruct (Rtotal_order t T) as [L|[L|L]]; [|contradiction|].
+    - destruct (M1 t) as [_ [_ [Rg _]]]; [split; [apply Ht | exact L] | now apply Rg].
+    - destruct (M2 t) as [_ [_ [Rg _]]]; [split; [exact L | apply Ht] | now apply Rg]. }
+  destruct (one_naming P HP) as [Hr|Hr].
+  - split.
+    + intros t Ht N. destruct (Hm t Ht) as [K|[K _]]; [exact K|]. exfalso. now apply (G P p HP Hr Hm Hc Hb Hv t Ht N).
+    + intros Hnd Hl. now apply (corner_counts_two P HP Hr U (bound_of P U HU HP) a b p T v).
+  - assert (Hv' : 0 < energy (swap_dumbbell P) v) by (now rewrite swap_energy).
+    assert (Hm' := swap_through P a b p Hm). assert (Hc' := swap_down P (p T) Hc).
+    assert (Hb' := swap_before p T v Hb). split.
+    + intros t Ht N. destruct (Hm t Ht) as [K|[K _]]; [exact K|]. exfalso.
+      apply (G _ (swap p) (swap_real P HP) Hr Hm' Hc' Hb' Hv' t Ht N). exact (swap_down P (p t) K).
+    + intros Hnd Hl. apply (corner_counts_two _ (swap_real P HP) Hr U (bound_swapped P U HU HP) a b (swap p) T v);
+        try assumption.
+      intros t Ht. destruct (Hl t Ht) as [A [B C]]. split; [exact A|]. split; [exact B | now apply swap_collision].
 Qed.
 
 (** **Collisions do not accumulate**: what obeys the law at each time of (a, T) flies freely just before T, and

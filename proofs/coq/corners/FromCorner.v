@@ -14,7 +14,7 @@ Notation r := (r_of P).
 Notation yh := (yhat_of P).
 
 (** A half motion out of s with at most k1 collisions. *)
-Definition few_future s v := exists p, future P s v p /\ forall n, later P p 0 n -> coll r n (r * PI) r.
+Definition few_future s v := exists p, future P s v p /\ forall n, later P p 0 n -> coll r n (PI * r) r.
 
 (* ---------- symmetries: the mirror, and turning by an angle c with sin c = 0, cos c = 1 ---------- *)
 Lemma few_mirror s v : few_future (mirror_pos s) (mirror_v v) -> few_future s v.
@@ -161,7 +161,7 @@ Proof.
   assert (E1' : psi_of s1 = PI/2 - 1) by lra.
   assert (E2' : yh s1 = k) by (rewrite E2, <- Ek; replace (k * - u_of u * t0) with (k * (- u_of u * t0)) by ring;
     rewrite Et; ring).
-  assert (SR : start_ray P s1 u (k * PI) k).
+  assert (SR : start_ray P s1 u (PI * k) k).
   { split; rewrite ?E1', ?E2'; try assumption; try lra. intros z Hz.
     assert (0 <= cos z) by (apply cos_ge_0; lra). assert (C := Cos z ltac:(lra)).
     assert (r * cos z < r * (PI/2 - z)) by (now apply Rmult_lt_compat_l).
@@ -189,8 +189,8 @@ Proof.
   split.
   - split; [unfold p, glue; destruct (Rle_dec 0 t0); [apply line_0 | lra]|]. split; [|exact Good].
     apply near_after with (line s u); [now apply glue_left | apply line_after].
-  - intros n L. assert (G : coll r n (k * PI) k).
-    { apply (future_count P HP Hr1 n s1 u (k * PI) k p1 SR); [lra | exact (conj G1 (conj G2 G3))|].
+  - intros n L. assert (G : coll r n (PI * k) k).
+    { apply (future_count P HP Hr1 n s1 u (PI * k) k p1 SR); [lra | exact (conj G1 (conj G2 G3))|].
       destruct L as [l [A [B C]]]. apply (later_from P p1 0 n (map (fun t => t - t0) l)).
       - apply FinFun.Injective_map_NoDup; [intros x y E; lra | exact A].
       - rewrite map_length. lia.
@@ -206,7 +206,7 @@ Proof.
           * exists ((t' - t0) / 2). split; [lra|]. intros x Hx. unfold shift, p, glue.
             destruct (Rle_dec (x - - t0) t0); [lra|]. f_equal. ring.
           * apply shift_collision. now replace (t' - t0 - - t0) with t' by ring. }
-    apply (coll_mono n) with (8 := G); try lra; [apply Rmult_le_pos; lra | apply Rmult_le_compat_r; lra].
+    apply (coll_mono n) with (8 := G); try lra; [apply Rmult_le_pos; lra | apply Rmult_le_compat_l; lra].
 Qed.
 Lemma first_flight : few_future s u.
 Proof.
@@ -216,15 +216,20 @@ Proof.
 Qed.
 End First.
 
+Lemma corner_flat s : corner P s -> height s = 0 /\ sin (angle s) = 0.
+Proof.
+  intros [H1 H2]. assert (A1 := arm1_pos P HP). assert (A2 := arm2_pos P HP). unfold y1, y2 in H1, H2.
+  assert (S0 : sin (angle s) = 0) by (apply Rmult_eq_reg_l with (arm1 P + arm2 P); lra).
+  split; [rewrite S0 in H1; lra | exact S0].
+Qed.
+
 (** Out of any corner. *)
 Theorem from_corner s u e : corner P s -> 0 < e -> (forall t, 0 < t < e -> lawful P (line s u) t) -> few_future s u.
 Proof.
-  intros [H1 H2] He Hg. assert (A1 := arm1_pos P HP). assert (A2 := arm2_pos P HP). unfold y1, y2 in H1, H2.
-  assert (S0 : sin (angle s) = 0). { apply Rmult_eq_reg_l with (arm1 P + arm2 P); lra. }
-  assert (H0 : height s = 0) by (rewrite S0 in H1; lra).
+  intros Hs He Hg. destruct (corner_flat s Hs) as [H0 S0].
   assert (Main : forall s u, height s = 0 -> sin (angle s) = 0 -> cos (angle s) = -1 ->
     (forall t, 0 < t < e -> lawful P (line s u) t) -> few_future s u).
-  { clear s u H1 H2 S0 H0 Hg. intros s u H0 S0 C0 Hg. set (c := PI - angle s).
+  { clear s u Hs S0 H0 Hg. intros s u H0 S0 C0 Hg. set (c := PI - angle s).
     assert (Sc : sin c = 0) by (unfold c; rewrite sin_PI_x; exact S0).
     assert (Cc : cos c = 1) by (unfold c; rewrite cos_minus, cos_PI, sin_PI, C0; ring).
     apply (few_turn c s u Sc Cc), (first_flight (turned c s) u e); [split; [exact H0 | simpl; unfold c;

@@ -5,7 +5,7 @@
     L40. *)
 From Coq Require Import Reals List.
 From Coquelicot Require Import Rbar.
-From Dumbbell Require Import Physics.
+From Dumbbell Require Import Statement.
 Local Open Scope R_scope.
 
 (** The time t is in the stretch (a, b). *)
@@ -39,10 +39,9 @@ Definition begins_in_corner P p (a : Rbar) := exists T s, a = Finite T /\ both_d
 Definition whole P a b p := motion_within P a b p /\
   (b = p_infty \/ ends_in_corner P p b) /\ (a = m_infty \/ begins_in_corner P p a).
 
-(** A motion for all times, as in `Physics.v`, is one on the stretch (-oo, +oo). *)
-Lemma motion_everywhere P p : motion P p <-> motion_within P m_infty p_infty p.
-Proof.
-  split.
-  - intros Hm t _. repeat split; [apply Hm | apply Hm | apply (regular P p Hm t) | apply (law P p Hm t)].
-  - intros H. split; intros t; destruct (H t (conj I I)) as [A [B [C D]]]; assumption.
-Qed.
+(** A motion that may pass through corners, too. There the law does not say which way it goes on: it has a velocity
+    before and one after, of the same energy, and that is all. (The energy before is 0 if the dumbbell lies at rest.)
+    *)
+Definition turns_in_corner P p t := both_down P (p t) /\
+  exists v v', before p t v /\ after p t v' /\ energy P v' = energy P v.
+Definition motion_through P a b p := forall t, within a b t -> obeys P p t \/ turns_in_corner P p t.

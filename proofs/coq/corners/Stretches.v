@@ -33,6 +33,14 @@ Lemma within_shift a b (c t : R) : within (Rbar_plus a c) (Rbar_plus b c) t <-> 
 Proof. unfold within. destruct a as [a| |], b as [b| |]; simpl; split; intros [A B]; split; try lra; try assumption;
   exact I. Qed.
 
+(** A motion for all times is one on the stretch (-oo, +oo). *)
+Lemma motion_everywhere P p : motion P p <-> motion_within P m_infty p_infty p.
+Proof.
+  split.
+  - intros Hm t _. repeat split; [apply Hm | apply Hm | apply (regular P p Hm t) | apply (law P p Hm t)].
+  - intros H. split; intros t; destruct (H t (conj I I)) as [A [B [C D]]]; assumption.
+Qed.
+
 Section Stretches.
 Variable P : dumbbell.
 Hypothesis HP : real_dumbbell P.
@@ -157,7 +165,7 @@ Hypothesis Hr1 : r_of P <= 1.
 Notation r := (r_of P).
 Theorem into_corner a (T : R) s p : motion_within P a T p -> Rbar_lt a T -> both_down P s -> flies_to p T s ->
   exists q, (forall t, within a T t -> p t = q t) /\ motion_within P m_infty T q /\
-  forall l, NoDup l -> (forall t, In t l -> within m_infty T t /\ collision P q t) -> coll r (length l) (r * PI) r.
+  forall l, NoDup l -> (forall t, In t l -> within m_infty T t /\ collision P q t) -> coll r (length l) (PI * r) r.
 Proof.
   intros Hm Ha Hs [u [e [He Hf]]].
   assert (K : exists d, 0 < d /\ forall t, T - d < t -> Rbar_lt a t).
