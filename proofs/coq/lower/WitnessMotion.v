@@ -1,5 +1,5 @@
-(** L11: a witness of the chart bridge is a motion with that many collisions (L6 (a), (c), (d), L8 (3) read backwards).
-    *)
+(** L11: out of a contact with the bridge in the chart bridge (L8 (3) read backwards; L6 (a), (c)) there is a motion for
+    all times with at least the collisions of the two rays; so a witness proves a lower bound. *)
 From Coq Require Import Reals Lra Lia List FinFun.
 From Coquelicot Require Import Coquelicot.
 From Dumbbell Require Import Physics Ray Chart Flight Collisions Symmetry Existence StartRay RayFuture.

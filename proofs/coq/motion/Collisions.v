@@ -1,4 +1,5 @@
-(** Collisions of a motion: each changes the velocity, and there is a first one after any time. Mirror and reversal. *)
+(** Collisions of a motion: each changes the velocity by the law (1) of L0, there is a first one after any time, and n +
+    1 later ones are one and n later than that. *)
 From Coq Require Import Reals Lra Lia List.
 From Coquelicot Require Import Coquelicot.
 From Dumbbell Require Import Physics Ray RealInduction Flight.

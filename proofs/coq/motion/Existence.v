@@ -1,5 +1,6 @@
-(** Existence: out of a contact with the bridge there is a motion for all times, with at least the collisions that the
-    two rays of the chart bridge have. It is built flight by flight, by induction on the bound of L5 (f). *)
+(** What a motion is built of: the law at one time (`lawful`), paths that agree near a time, shifted, mirrored, reversed
+    and glued paths, a free flight (`line`), and that the floor has an answer to every mass that comes in. The
+    definition of a trajectory in claim.md; L0. *)
 From Coq Require Import Reals Lra Lia List FunctionalExtensionality.
 From Coquelicot Require Import Coquelicot.
 From Dumbbell Require Import Physics Flight Symmetry.

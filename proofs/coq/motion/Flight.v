@@ -1,5 +1,5 @@
-(** From the motion to flights: between two collisions the dumbbell moves uniformly; the reflection law (1) of L0 in the
-    coordinates (psi, yhat); L2 (a); L3 and L1 (a) for the physical dumbbell. *)
+(** From the motion to flights: between two collisions the dumbbell moves uniformly. In the coordinates (psi, yhat) of
+    L0: the reflection law (1) at the two walls, L2 (a), L3 for the motion, contacts. *)
 From Coq Require Import Reals Lra.
 From Dumbbell Require Import Physics RealInduction.
 Local Open Scope R_scope.

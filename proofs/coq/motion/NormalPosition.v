@@ -11,6 +11,21 @@ Notation r := (r_of P).
 Notation yh := (yhat_of P).
 
 (** The normal position. *)
+(** Every time of a motion, seen from a suitable side, has psi in [0, pi]. *)
+Lemma cell_position p T : exists q, same P p q /\ 0 <= psi_of (q T) <= PI.
+Proof.
+  assert (Pos : forall p, 0 <= psi_of (p T) -> exists q, same P p q /\ 0 <= psi_of (q T) <= PI).
+  { clear p. intros p Hp. destruct (whole_turns _ Hp) as [k Hk].
+    assert (E : psi_of (turn k p T) = psi_of (p T) - 2 * INR k * PI) by (unfold psi_of; simpl; ring).
+    assert (S := same_turn P k p). destruct (Rle_or_lt 0 (psi_of (turn k p T))) as [K|K].
+    - exists (turn k p). split; [exact S | lra].
+    - exists (mirror (turn k p)). split; [now apply same_trans with (turn k p); [|apply same_mirror]|].
+      rewrite psi_mirror. lra. }
+  destruct (Rle_or_lt 0 (psi_of (p T))) as [K|K]; [now apply Pos|].
+  destruct (Pos (mirror p)) as [q [S Hq]]; [rewrite psi_mirror; lra|].
+  exists q. split; [|exact Hq]. now apply same_trans with (mirror p); [apply same_mirror|].
+Qed.
+
 Definition on_R (p : R -> pos) T e := psi_of (p T) = PI/2 + e /\ 0 < e <= PI/2 /\ yh (p T) = sin e.
 Lemma normal_right p T : motion P p -> no_heavy P p -> collision P p T -> 0 <= psi_of (p T) <= PI ->
   exists e, on_R p T e.
@@ -30,24 +45,25 @@ Proof.
 Qed.
 Theorem normal_position p T : motion P p -> no_heavy P p -> collision P p T -> exists q e, same P p q /\ on_R q T e.
 Proof.
-  assert (HPI : 0 < PI) by apply PI_RGT_0.
-  assert (Pos : forall p, motion P p -> no_heavy P p -> collision P p T -> 0 <= psi_of (p T) ->
-    exists q e, same P p q /\ on_R q T e).
-  { clear p. intros p Hm Hn Hc Hp. destruct (whole_turns _ Hp) as [k Hk].
-    assert (S := same_turn P k p). set (q := turn k p) in *.
-    assert (Eq : psi_of (q T) = psi_of (p T) - 2 * INR k * PI) by (unfold psi_of, q; simpl; ring).
-    assert (Hq := same_motion P _ _ S Hm). assert (Nq := same_no_heavy P _ _ S Hn).
-    assert (Cq := same_collision P _ _ S T Hc).
-    destruct (Rle_or_lt 0 (psi_of (q T))) as [K|K].
-    - destruct (normal_right q T Hq Nq Cq ltac:(lra)) as [e He]. now exists q, e.
-    - assert (S2 := same_mirror P q). destruct (normal_right (mirror q) T) as [e He].
-      + now apply mirror_motion. + now apply (same_no_heavy P _ _ S2). + now apply collision_mirror.
-        + rewrite psi_mirror; lra.
-      + exists (mirror q), e. split; [now apply same_trans with q | exact He]. }
-  intros Hm Hn Hc. destruct (Rle_or_lt 0 (psi_of (p T))) as [K|K]; [now apply Pos|].
-  assert (S := same_mirror P p). destruct (Pos (mirror p)) as [q [e [S2 He]]].
-  - now apply mirror_motion. - now apply (same_no_heavy P _ _ S). - now apply collision_mirror.
-    - rewrite psi_mirror; lra.
-  - exists q, e. split; [now apply same_trans with (mirror p) | exact He].
+  intros Hm Hn Hc. destruct (cell_position p T) as [q [S Hq]].
+  destruct (normal_right q T (same_motion _ _ _ S Hm) (same_no_heavy _ _ _ S Hn) (same_collision _ _ _ S T Hc) Hq)
+    as [e He].
+  now exists q, e.
+Qed.
+
+(** A contact of the heavy mass, seen from a suitable side, is at psi = pi/2 - e (the "mirror" of L8). *)
+Theorem heavy_normal_position p T : motion P p -> y2 P (p T) = 0 ->
+  exists q e, same P p q /\ psi_of (q T) = PI/2 - e /\ 0 < e <= PI/2.
+Proof.
+  intros Hm H0. destruct (cell_position p T) as [q [S Hq]]. assert (R0 := r_pos P HP). assert (A1 := arm1_pos P HP).
+  assert (H2 : y2 P (q T) = 0) by (now rewrite (same_y2 _ _ _ S)). assert (C := contact2 P HP q T H2).
+  assert (F := floor1 P HP q T (same_motion _ _ _ S Hm)). exists q, (PI/2 - psi_of (q T)). split; [exact S|].
+  split; [ring|]. assert (Hc : 0 < cos (psi_of (q T))).
+  { apply Rnot_le_lt. intros K. assert (E : cos (psi_of (q T)) = 0).
+    { apply Rle_antisym; [exact K|]. apply Rnot_lt_le. intros L.
+      assert (0 < r * - cos (psi_of (q T))) by (apply Rmult_lt_0_compat; lra). lra. }
+    apply (regular P q (same_motion _ _ _ S Hm) T). split; [|exact H2]. destruct (L0_heights P (q T) HP) as [E1 _].
+    rewrite E1, C, E. ring. }
+  split; [|lra]. apply Rnot_le_lt. intros K. assert (cos (psi_of (q T)) <= 0) by (apply cos_le_0; lra). lra.
 Qed.
 End NormalPosition.

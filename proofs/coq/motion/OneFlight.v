@@ -1,5 +1,5 @@
 (** One flight: out of a state from which no mass goes down through the floor, the free flight goes on for ever, or it
-    comes to a collision, or to a corner (both masses on the floor). *)
+    comes to a collision, or to a corner (both masses on the floor). L0, claim.md (trajectory). *)
 From Coq Require Import Reals Lra Lia.
 From Coquelicot Require Import Coquelicot.
 From Dumbbell Require Import Physics RealInduction Existence.

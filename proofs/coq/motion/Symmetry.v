@@ -1,4 +1,5 @@
-(** Symmetries of motions: the mirror, reversal of time, whole turns of the rod; and as a relation [same]. *)
+(** The symmetries of L0: the mirror, reversal of time (sigma), whole turns of the rod; as a relation `same`: the same
+    motion seen from another side. A motion and its image have the same collisions. *)
 From Coq Require Import Reals Lra Lia List FunctionalExtensionality.
 From Coquelicot Require Import Coquelicot.
 From Dumbbell Require Import Physics Flight Collisions.

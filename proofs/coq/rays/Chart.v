@@ -1,4 +1,5 @@
-(** L8 (a), (b), L9 (a), (b) and L10: the rays of the two charts, and their monotony. *)
+(** L8 (a), (b), L9 (a), (b) and L10: the rays of the two charts, and how they change with e, eta, lambda and the ratio.
+    What a cover has to show (`bridge_bound`, `light_bound`), and what a witness is. *)
 From Coq Require Import Reals Lra Lia.
 From Coquelicot Require Import Coquelicot.
 From Dumbbell Require Import Ray.

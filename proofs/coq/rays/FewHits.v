@@ -1,5 +1,5 @@
-(** L5 (f): slopes grow by 2 r at least from hit to hit and a ray of slope 1 hits nothing, so that a ray has few hits.
-    *)
+(** L4 (a): the hit of a ray is unique. L5 (f): slopes grow by 2 r at least from hit to hit, and a ray of slope 1 hits
+    nothing, so that a ray has few hits. *)
 From Coq Require Import Reals Lra Lia.
 From Coquelicot Require Import Coquelicot.
 From Dumbbell Require Import Ray.

@@ -1,4 +1,5 @@
-(** The masses exchanged and the rod turned by pi: q and 1/q have the same maximum. *)
+(** The masses exchanged and the rod turned by pi: N(1/q) = N(q), "q < 1 is the same system with the masses renamed"
+    (claim.md). *)
 From Coq Require Import Reals Lra List.
 From Dumbbell Require Import Physics.
 Local Open Scope R_scope.

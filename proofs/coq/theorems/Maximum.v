@@ -1,5 +1,5 @@
-(** What the statement means: N(q) exists, is unique, is less than q + 5 (L2 (c)), depends on the ratio only, and may be
-    read with the masses exchanged. No certificate is used. *)
+(** L2 (c) with its number: fewer than q + 5 collisions; hence N(q) exists, and is unique (claim.md, "a maximum, not
+    only a supremum"). No certificate is used. *)
 From Coq Require Import Reals Lra Lia List.
 From Coquelicot Require Import Coquelicot.
 From Dumbbell Require Import Physics FewHits Chart Flight Scaling LightTotal WitnessMotion.

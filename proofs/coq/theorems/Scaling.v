@@ -1,4 +1,5 @@
-(** Only the mass ratio matters: a motion of one dumbbell, scaled, is one of every other dumbbell of its ratio. *)
+(** Only the mass ratio matters: a motion of one dumbbell, scaled, is one of every other dumbbell of its ratio (claim.md
+    has length 1). There is a dumbbell of every ratio. *)
 From Coq Require Import Reals Lra Lia List.
 From Dumbbell Require Import Physics.
 Local Open Scope R_scope.

@@ -1,4 +1,6 @@
-(** L6 (a), (c), (d) and the main case of L8 for the physical dumbbell. *)
+(** L8, the main case, for the dumbbell: a contact with the bridge out of which the dumbbell goes left, with a
+    slope below that of the chart's edge, is a point (e, eta) of the chart bridge; the two rays have at least
+    its collisions. *)
 From Coq Require Import Reals Lra Lia List.
 From Dumbbell Require Import Physics Chart Flight Collisions Symmetry StartRay Follow.
 Local Open Scope R_scope.
@@ -20,6 +22,18 @@ Proof.
   split; [now apply start_ray_ray|]. split; [left; exact (start_ray_height_pos P _ _ _ _ S) | exact K].
 Qed.
 
+(** A collision with the bridge at psi = pi/2 - e: the two velocities. *)
+Lemma heavy_reflection p T e : motion P p -> collision P p T -> y2 P (p T) = 0 -> psi_of (p T) = PI/2 - e ->
+  exists v v', before p T v /\ after p T v' /\
+  reflects P (- (r * cos e)) (u_of v) (v_of P v) (u_of v') (v_of P v').
+Proof.
+  intros Hm Hc H2 Hpsi. destruct (collision_law P HP p T Hm Hc) as [v [v' [Hb [Ha HL]]]]. exists v, v'.
+  split; [exact Hb|]. split; [exact Ha|].
+  destruct HL as [[H1 _]|[_ HR]]; [exfalso; apply (regular P p Hm T); now split|]. unfold slope2 in HR.
+  rewrite Hpsi, sin_minus, sin_PI2, cos_PI2 in HR.
+  now replace (- r * (1 * cos e - 0 * sin e)) with (- (r * cos e)) in HR by ring.
+Qed.
+
 (** L8: a contact with the bridge whose outgoing ray X goes left with slope r (s + eta) < 1. *)
 Theorem L8_bridge_left U p T e v' a b : bridge_bound r U -> motion P p -> collision P p T -> y2 P (p T) = 0 ->
   psi_of (p T) = PI/2 - e -> 0 < e <= PI/2 -> after p T v' -> u_of v' < 0 -> v_of P v' < - u_of v' * (1 + r * cos e) ->
@@ -29,11 +43,8 @@ Proof.
   assert (Se : sin (psi_of (p T)) = cos e) by (rewrite Hpsi, sin_minus, sin_PI2, cos_PI2; ring).
   assert (Ce : cos (psi_of (p T)) = sin e) by (rewrite Hpsi, cos_minus, sin_PI2, cos_PI2; ring).
   destruct (cos_range e ltac:(lra)) as [W0 W1]. assert (S0 : 0 < sin e) by (apply sin_gt_0; lra).
-  destruct (collision_law P HP p T Hm Hc) as [v [v1 [Hb [Ha1 HL]]]].
+  destruct (heavy_reflection p T e Hm Hc H2 Hpsi) as [v [v1 [Hb [Ha1 HR]]]].
   assert (v1 = v') by (apply after_unique with p T; assumption). subst v1.
-  assert (HR : reflects P (- (r * cos e)) (u_of v) (v_of P v) (u_of v') (v_of P v')).
-  { destruct HL as [[H1 _]|[_ HR]]; [exfalso; apply (regular P p Hm T); now split|]. unfold slope2 in HR.
-    rewrite Se in HR. now replace (- r * cos e) with (- (r * cos e)) in HR by ring. }
   destruct HR as [l [Hl [Eu [Ev [Er En]]]]].
   set (g := - u_of v') in *. assert (G0 : 0 < g) by (unfold g; lra).
   set (k := v_of P v' / g). assert (Ek : k * g = v_of P v') by (unfold k; field; lra).

@@ -1,5 +1,5 @@
-(** L1 (b), L4, L6 (c) for the physical dumbbell: a flight to the left that clears what lies before the left wall has as
-    many later collisions as its ray: F <= G. *)
+(** F <= G: L1 (b), L4 and L6 (c) for the dumbbell. A flight to the left that clears what lies before the left wall has
+    at most as many later collisions as its ray. (That the ray has as many: RayFuture.v.) *)
 From Coq Require Import Reals Lra Lia List.
 From Coquelicot Require Import Coquelicot.
 From Dumbbell Require Import Physics Ray Flight Collisions Symmetry StartRay.

@@ -1,5 +1,6 @@
-(** L9, first part, for the physical dumbbell: a motion in which the heavy mass never hits the floor is bounded by the
-    chart light; and with HeavyTotal.v the whole upper bound. *)
+(** L9, first part, for the dumbbell: a motion in which the heavy mass never hits the floor has at most as many
+    collisions as the chart light allows, counted around a turning collision. With HeavyTotal.v: the charts bound every
+    motion, part (a) of the theorem of lemmas.md. *)
 From Coq Require Import Reals Lra Lia List.
 From Coquelicot Require Import Coquelicot.
 From Dumbbell Require Import Physics Chart Flight Collisions Symmetry NormalPosition Follow SteepRays HeavyTotal

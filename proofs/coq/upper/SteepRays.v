@@ -1,5 +1,5 @@
-(** L3 for whole futures, and the parts of L8 (c): a steep ray has no later collision; a ray to the nearer wall is
-    bounded by the tangent. *)
+(** L3 and L8 (c): a steep flight has no later collision; a flight to the nearer side of the bridge has at most those of
+    the bridge's tangent; so every contact with the bridge is bounded by the chart bridge. *)
 From Coq Require Import Reals Lra Lia List.
 From Dumbbell Require Import Physics Ray Chart Flight Collisions Symmetry Follow BridgeChart.
 Local Open Scope R_scope.
@@ -46,103 +46,56 @@ Proof.
   - rewrite E0. lra.
 Qed.
 
-(** L8 (c), all cases but that of L8_bridge_left: no ray to the left, or a steep one. *)
-Theorem L8c_bridge_other U p T e v' a b : bridge_bound r U -> (1 <= U)%nat -> motion P p -> collision P p T ->
-  y2 P (p T) = 0 ->
-  psi_of (p T) = PI/2 - e -> 0 < e <= PI/2 -> after p T v' ->
-  0 <= u_of v' \/ - u_of v' * (1 + r * cos e) <= v_of P v' ->
-  later P p T a -> later P (reverse p) (- T) b -> (1 + a + b <= U)%nat.
+(** The chart's rays out of a contact at psi = pi/2 - e: to the left, below the slope at which L3 rules out collisions.
+    *)
+Definition in_chart e v := u_of v < 0 /\ v_of P v < - u_of v * (1 + r * cos e).
+
+(** L8 (c): a flight out of a contact at psi = pi/2 - e that is none of these is steep, or goes right; then the mirrored
+    tangent bounds it. *)
+Lemma L8c_outside_chart U f t e w n : bridge_bound r U -> motion P f -> after f t w -> y2 P (f t) = 0 ->
+  psi_of (f t) = PI/2 - e -> 0 < e <= PI/2 -> 0 < v_of P w + r * cos e * u_of w -> ~ in_chart e w -> later P f t n ->
+  n = O \/ (v_of P w < u_of w /\ (1 + n <= U)%nat).
 Proof.
-  intros HB HU Hm Hc H2 Hpsi He Ha Hcase La Lb. assert (R0 := r_pos P HP). assert (HPI : 0 < PI) by apply PI_RGT_0.
-  assert (Se : sin (psi_of (p T)) = cos e) by (rewrite Hpsi, sin_minus, sin_PI2, cos_PI2; ring).
+  intros HB Hf Ha H2 Hpsi He Hn Hout Hl. assert (R0 := r_pos P HP). assert (HPI : 0 < PI) by apply PI_RGT_0.
   destruct (cos_range e ltac:(lra)) as [W0 W1]. assert (Hrs : 0 <= r * cos e) by (apply Rmult_le_pos; lra).
-  assert (Hrs1 : r * cos e <= r * 1) by (apply Rmult_le_compat_l; lra).
-  destruct (collision_law P HP p T Hm Hc) as [v [v1 [Hb [Ha1 HL]]]].
-  assert (v1 = v') by (apply after_unique with p T; assumption). subst v1.
-  assert (HR : reflects P (- (r * cos e)) (u_of v) (v_of P v) (u_of v') (v_of P v')).
-  { destruct HL as [[H1 _]|[_ HR]]; [exfalso; apply (regular P p Hm T); now split|]. unfold slope2 in HR.
-    rewrite Se in HR. now replace (- r * cos e) with (- (r * cos e)) in HR by ring. }
-  destruct HR as [l [Hl [Eu [Ev [Er En]]]]]. assert (Hlr : 0 < l * r) by (now apply Rmult_lt_0_compat).
-  assert (Hlc : 0 <= l * (r * cos e) <= l * r). { split; [apply Rmult_le_pos; lra|]. apply Rmult_le_compat_l; lra. }
-  (* the reversed incoming ray *)
+  destruct (Rle_or_lt (Rabs (u_of w)) (v_of P w)) as [K|K]; [left; now apply (L3_steep_no_later f t w) | right].
+  assert (Hu : 0 < u_of w).
+  { apply Rnot_le_lt. intros L. rewrite Rabs_left1 in K by exact L.
+    destruct (Rle_lt_or_eq_dec _ _ L) as [L'|L']; [|rewrite L' in *; lra]. apply Hout. split; [exact L'|].
+    assert (0 <= - u_of w * (r * cos e)) by (apply Rmult_le_pos; lra). lra. }
+  split; [now rewrite Rabs_pos_eq in K by lra|].
+  assert (Ep : psi_of (mirror f t) = - (PI/2 - e)) by (rewrite psi_mirror, Hpsi; reflexivity).
+  apply (tangent_bound U (mirror f) t e (mirror_v w) n HB); try assumption.
+  - now apply mirror_motion.
+  - now apply mirror_after.
+  - rewrite Ep, cos_neg, <- Hpsi. exact (contact2 P HP f t H2).
+  - unfold u_of in *; simpl; lra.
+  - rewrite Ep, sin_neg, sin_minus, sin_PI2, cos_PI2. unfold u_of, v_of in *; simpl. lra.
+  - now apply later_mirror.
+Qed.
+
+(** L8: all contacts with the bridge. If neither X nor sigma X is in the chart, one of them is steep. *)
+Theorem L8_bridge_contact U p T e a b : bridge_bound r U -> (1 <= U)%nat -> motion P p -> collision P p T ->
+  y2 P (p T) = 0 -> psi_of (p T) = PI/2 - e -> 0 < e <= PI/2 -> later P p T a -> later P (reverse p) (- T) b ->
+  (1 + a + b <= U)%nat.
+Proof.
+  intros HB HU Hm Hc H2 Hpsi He La Lb. assert (R0 := r_pos P HP). destruct (cos_range e ltac:(lra)) as [W0 W1].
+  destruct (heavy_reflection P HP p T e Hm Hc H2 Hpsi) as [v [v' [Hb [Ha [l [Hl [Eu [Ev [Er En]]]]]]]]].
   set (q := reverse p). assert (Hq : motion P q) by (now apply reverse_motion).
+  assert (Hcq : collision P q (- T)) by (now apply (collision_reverse P HP)).
   assert (Haq : after q (- T) (minus_v v)) by (apply reverse_after; now rewrite Ropp_involutive).
   assert (Hqp : q (- T) = p T) by (unfold q, reverse; now rewrite Ropp_involutive).
-  assert (Euq : u_of (minus_v v) = - u_of v) by reflexivity.
-  assert (Evq : v_of P (minus_v v) = - v_of P v) by (unfold v_of; simpl; field; assert (A := arm1_pos P HP); lra).
-  (* either ray, if it goes right and is not steep: the tangent bounds it *)
-  assert (Right : forall f t w n, motion P f -> after f t w -> f t = p T -> later P f t n -> 0 <= u_of w ->
-    0 < v_of P w + r * cos e * u_of w -> (1 + n <= U)%nat).
-  { intros f t w n Hf Haf Hft Hlf Hw Hnw. destruct (Rle_lt_or_eq_dec 0 (u_of w) Hw) as [K|K].
-    - assert (Em : mirror f t = {| height := height (p T); angle := PI - angle (p T) |})
-        by (unfold mirror; now rewrite Hft).
-      assert (Ep : psi_of (mirror f t) = - (PI/2 - e)) by (rewrite psi_mirror, Hft, Hpsi; reflexivity).
-      apply (tangent_bound U (mirror f) t e (mirror_v w) n HB); try assumption.
-      + now apply mirror_motion. + now apply mirror_after.
-      + rewrite Ep, cos_neg, <- Hpsi, <- (contact2 P HP p T H2). rewrite Em. reflexivity.
-      + unfold u_of in *; simpl; lra.
-      + rewrite Ep, sin_neg, <- Hpsi, Se. unfold u_of, v_of in *; simpl. lra.
-      + now apply later_mirror.
-    - assert (n = O); [|lia]. apply (L3_steep_no_later f t w n Hf Haf); [|assumption]. rewrite <- K, Rabs_R0.
-      rewrite <- K in Hnw. lra. }
-  assert (HnX : 0 < v_of P v' + r * cos e * u_of v') by lra.
-  assert (HnS : 0 < v_of P (minus_v v) + r * cos e * u_of (minus_v v)) by (rewrite Euq, Evq; lra).
-  destruct (Rle_or_lt (Rabs (u_of v')) (v_of P v')) as [SX|SX].
-  - (* X is steep *)
-    assert (a = O) by (now apply (L3_steep_no_later p T v' a Hm Ha)). subst a.
-    destruct (Rle_or_lt 0 (- u_of v)) as [K|K].
-    + apply (Right q (- T) (minus_v v) b Hq Haq Hqp Lb); [rewrite Euq; exact K | exact HnS].
-    + (* sigma X goes left: then X goes right; by reversal it is the case L8_bridge_left or steep *)
-      destruct (Rle_or_lt (Rabs (- u_of v)) (- v_of P v)) as [SS|SS].
-      * assert (b = O)
-          by (apply (L3_steep_no_later q (- T) (minus_v v) b Hq Haq); [rewrite Euq, Evq; exact SS | exact Lb]).
-        subst b. lia.
-      * assert (Hcq : collision P q (- T)).
-        { exists (minus_v v'). split; [apply reverse_before; now rewrite Ropp_involutive|]. right. rewrite Hqp.
-          split; [exact H2|].
-          unfold w2; simpl. assert (A1 := arm1_pos P HP). assert (EA := r_arms P HP).
-          assert (Ec : cos (angle (p T)) = - cos e) by (rewrite <- Se, sin_psi; ring). rewrite EA, Ec.
-          assert (0 < arm1 P * (v_of P v' + r * cos e * u_of v')) by (now apply Rmult_lt_0_compat).
-          replace (arm1 P * (v_of P v' + r * cos e * u_of v')) with (vy v' + r * arm1 P * cos e * om v') in H
-            by (unfold u_of, v_of; field; lra). lra. }
-        assert (La' : later P (reverse q) (- - T) O)
-          by (exists nil; repeat split; [constructor | contradiction | contradiction]).
-        assert (Hx := L8_bridge_left P HP Hr1 U q (- T) e (minus_v v) b O HB Hq Hcq).
-        rewrite Hqp in Hx. specialize (Hx H2 Hpsi He Haq). rewrite Euq, Evq in Hx.
-        assert (Hlt : - v_of P v < - - u_of v * (1 + r * cos e)). { rewrite Rabs_left in SS by lra.
-          assert (0 <= u_of v * (r * cos e)) by (apply Rmult_le_pos; lra). lra. }
-        specialize (Hx ltac:(lra) Hlt Lb La'). lia.
-  - (* X is not steep: then it goes right, and sigma X is steep, or goes left *)
-    assert (HX0 : 0 <= u_of v').
-    { destruct Hcase as [|K]; [assumption|]. destruct (Rle_or_lt 0 (u_of v')) as [|K2]; [assumption|exfalso].
-      rewrite Rabs_left in SX by assumption. assert (0 <= - u_of v' * (r * cos e)) by (apply Rmult_le_pos; lra). lra. }
-    rewrite Rabs_pos_eq in SX by assumption.
-    destruct (Rle_or_lt 0 (- u_of v)) as [K|K].
-    + assert (b = O). { apply (L3_steep_no_later q (- T) (minus_v v) b Hq Haq); [|exact Lb].
-        rewrite Euq, Evq, Rabs_pos_eq by assumption. lra. } subst b.
-      assert (1 + a <= U)%nat by (apply (Right p T v' a Hm Ha eq_refl La); assumption). lia.
-    + (* sigma X to the left: L8_bridge_left for the reversed motion, if it is not steep *)
-      destruct (Rle_or_lt (- - u_of v * (1 + r * cos e)) (- v_of P v)) as [SS|SS].
-      * assert (b = O). { apply (L3_steep_no_later q (- T) (minus_v v) b Hq Haq); [|exact Lb].
-          rewrite Euq, Evq, Rabs_left by lra. assert (0 <= u_of v * (r * cos e)) by (apply Rmult_le_pos; lra).
-          lra. } subst b.
-        assert (1 + a <= U)%nat by (apply (Right p T v' a Hm Ha eq_refl La); assumption). lia.
-      * assert (Hcq : collision P q (- T)).
-        { exists (minus_v v'). split; [apply reverse_before; now rewrite Ropp_involutive|]. right. rewrite Hqp.
-          split; [exact H2|].
-          unfold w2; simpl. assert (A1 := arm1_pos P HP). assert (EA := r_arms P HP).
-          assert (Ec : cos (angle (p T)) = - cos e) by (rewrite <- Se, sin_psi; ring). rewrite EA, Ec.
-          assert (0 < arm1 P * (v_of P v' + r * cos e * u_of v')) by (now apply Rmult_lt_0_compat).
-          replace (arm1 P * (v_of P v' + r * cos e * u_of v')) with (vy v' + r * arm1 P * cos e * om v') in H
-            by (unfold u_of, v_of; field; lra). lra. }
-        assert (La' : later P (reverse q) (- - T) a).
-        { rewrite Ropp_involutive. destruct La as [ls [N1 [N2 N3]]]. exists ls. split; [exact N1|]. split; [exact N2|].
-          intros s Hs. destruct (N3 s Hs) as [S1 [w [S2 S3]]]. split; [assumption|].
-          exists w. unfold q, reverse. rewrite Ropp_involutive. split; [|exact S3].
-          destruct S2 as [d [D1 D2]]. exists d. split; [exact D1|]. intros z Hz. rewrite !Ropp_involutive.
-          now apply D2. }
-        assert (Hx := L8_bridge_left P HP Hr1 U q (- T) e (minus_v v) b a HB Hq Hcq).
-        rewrite Hqp in Hx. specialize (Hx H2 Hpsi He Haq). rewrite Euq, Evq in Hx. specialize (Hx ltac:(lra) SS Lb La').
-        lia.
+  assert (Euq : u_of (minus_v v) = - u_of v) by reflexivity. assert (Evq := v_of_minus P HP v).
+  destruct (Classical_Prop.classic (in_chart e v')) as [[X1 X2]|X].
+  { now apply (L8_bridge_left P HP Hr1 U p T e v' a b). }
+  destruct (Classical_Prop.classic (in_chart e (minus_v v))) as [[S1 S2]|S].
+  { assert (K : (1 + b + a <= U)%nat); [|lia].
+    apply (L8_bridge_left P HP Hr1 U q (- T) e (minus_v v) b a); try assumption; rewrite ?Hqp; try assumption.
+    unfold q. rewrite reverse_reverse, Ropp_involutive. exact La. }
+  destruct (L8c_outside_chart U p T e v' a HB Hm Ha H2 Hpsi He) as [->|[XA XB]]; try assumption; [lra | |];
+    destruct (L8c_outside_chart U q (- T) e (minus_v v) b HB Hq Haq) as [->|[SA SB]]; rewrite ?Hqp, ?Euq, ?Evq;
+    try assumption; try lra; try lia.
+  exfalso. rewrite Euq, Evq in SA. assert (l * r < l * (r * cos e)) by lra.
+  assert (l * (r * cos e) <= l * (r * 1)) by (repeat (apply Rmult_le_compat_l; [lra|]); lra). lra.
 Qed.
 End Bridge2.

@@ -1,5 +1,6 @@
-(** L5 (f) for rays and for the motion, and L2 (c): a motion in which only the light mass hits the floor, if at all, has
-    a turning collision, v_in <= 0 <= v_out. *)
+(** L2 (c): a motion in which only the light mass hits the floor, if at all, has a turning collision, v_in <= 0 <=
+    v_out. For an ascending flight has few later collisions (L5 (f)), and a descending one comes from, or runs into,
+    another collision. *)
 From Coq Require Import Reals Lra Lia List.
 From Coquelicot Require Import Coquelicot.
 From Dumbbell Require Import Physics FewHits Flight Collisions Symmetry NormalPosition Follow.
