@@ -12,16 +12,15 @@ Fixpoint state (r : R) (n : nat) (c k c' k' : R) : Prop :=
   | S m => exists x, hit c k x /\ 0 < slope_den (cos x) k r /\
       state r m (sin x + next_slope (cos x) k r * (x + PI)) (next_slope (cos x) k r) c' k'
   end.
-(** The flight touches the hump, at x, and does not cross it. *)
-Definition tangent (c k : R) := exists x, 0 <= x <= PI/2 /\ sin x = c + k * x /\ cos x = k.
+(** The flight touches the hump and is nowhere below it: its margin is 0. *)
+Definition tangent (c k : R) :=
+  (exists x, 0 <= x <= PI/2 /\ sin x = c + k * x) /\ (forall y, 0 <= y <= PI/2 -> sin y <= c + k * y).
 
 Lemma state_coll r n c k c' k' : state r n c k c' k' -> coll r n c k.
 Proof.
   revert c k. induction n as [|n IH]; intros c k H; [exact I|]. destruct H as [x [Hx [HD H]]].
   exists x. split; [exact Hx|right]. split; [exact HD | now apply IH].
 Qed.
-Lemma hit_twice c k x y : 0 <= c -> hit c k x -> hit c k y -> x = y.
-Proof. intros _. apply FewHits.hit_unique. Qed.
 Lemma state_more r n m c k c' k' : state r n c k c' k' -> coll r m c' k' -> coll r (n + m) c k.
 Proof.
   revert c k. induction n as [|n IH]; intros c k H Hm; simpl in H; [destruct H as [<- <-]; exact Hm|].
@@ -35,18 +34,17 @@ Proof.
   destruct Hn as [Hn|[_ Hn]]; [lia|]. now apply (IH _ _ H).
 Qed.
 
-(** A line tangent to the hump is nowhere below it. *)
+(** A tangent flight does not collide, and every lower one does. *)
 Lemma tangent_misses c k : 0 <= c -> tangent c k -> forall y, ~ hit c k y.
 Proof.
-  intros Hc [x [Hx [Hs Hk]]] y Hy. assert (HPI := PI2_1). destruct (raised_hit c k y Hc Hy) as [Hp [d [Hd H]]].
-  destruct (H (d / 2) ltac:(lra)) as [_ [_ [z [[Z1 [Z2 _]] _]]]].
-  assert (T := sin_below_tangent x z ltac:(lra) ltac:(lra)).
+  intros Hc [_ HT] y Hy. assert (HPI := PI2_1). destruct (raised_hit c k y Hc Hy) as [Hp [d [Hd H]]].
+  destruct (H (d / 2) ltac:(lra)) as [_ [_ [z [[Z1 [Z2 _]] _]]]]. specialize (HT z ltac:(lra)).
   assert (P : 0 < share k y * (d / 2)) by (apply Rmult_lt_0_compat; lra).
-  assert (0 <= share k y * (d / 2) * z) by (apply Rmult_le_pos; lra). rewrite Hk in T. lra.
+  assert (0 <= share k y * (d / 2) * z) by (apply Rmult_le_pos; lra). lra.
 Qed.
 Lemma tangent_hit c k c' k' : 0 <= c' < c -> k' <= k -> tangent c k -> exists x, hit c' k' x.
 Proof.
-  intros Hc Hk [x [Hx [Hs _]]]. destruct (hit_exists c' k' x) as [y [Hy _]]; [lra | exact Hx | | now exists y].
+  intros Hc Hk [[x [Hx Hs]] _]. destruct (hit_exists c' k' x) as [y [Hy _]]; [lra | exact Hx | | now exists y].
   assert (k' * x <= k * x) by (apply Rmult_le_compat_r; lra). lra.
 Qed.
 
@@ -141,5 +139,9 @@ Proof.
     apply Rmult_integral in Z. destruct Z as [Z|Z]; [lra|]. assert (0 < Q * - cos x) by (apply Rmult_lt_0_compat;
       lra). lra. }
   apply (tangent_corner_critical Q 0 Q1). exists (PI * / Q), (/ Q). split; [now split|].
-  exists (x - PI). split; [lra|]. rewrite sin_minus, cos_minus, sin_PI, cos_PI, <- C. split; [rewrite E; ring | ring].
+  assert (Es : sin (x - PI) = PI * / Q + / Q * (x - PI)).
+  { rewrite sin_minus, sin_PI, cos_PI, <- C, E. ring. }
+  assert (Ec : cos (x - PI) = / Q) by (rewrite cos_minus, sin_PI, cos_PI, <- C; ring).
+  split; [exists (x - PI); split; [lra | exact Es]|]. intros y Hy.
+  assert (T := sin_below_tangent (x - PI) y ltac:(lra) ltac:(lra)). rewrite Ec, Es in T. lra.
 Qed.
