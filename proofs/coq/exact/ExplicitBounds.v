@@ -26,12 +26,14 @@ Qed.
 
 Theorem L30a_top q k : 1 <= q -> coll (/ q) (S k) (/ q) 0 -> 1 + PI * (INR k * (INR k + 1)) < q.
 Proof.
-  intros Hq H. destruct (inv_ratio q Hq) as [R0 R1]. assert (HK := Rle_refl 0). assert (A := heights_add_up k _ _ _ R0 HK H).
+  intros Hq H. destruct (inv_ratio q Hq) as [R0 R1]. assert (HK := Rle_refl 0).
+  assert (A := heights_add_up k _ _ _ R0 HK H).
   apply Rmult_lt_reg_r with (/ q); [exact R0|]. rewrite Rinv_r by lra. lra.
 Qed.
 Theorem L30b_corner q k : 1 <= q -> coll (/ q) (S k) (PI * / q) (/ q) -> PI * (INR (S k) * INR (S k)) < q.
 Proof.
-  intros Hq H. destruct (inv_ratio q Hq) as [R0 R1]. assert (HK := Rlt_le _ _ R0). assert (A := heights_add_up k _ _ _ R0 HK H).
+  intros Hq H. destruct (inv_ratio q Hq) as [R0 R1]. assert (HK := Rlt_le _ _ R0).
+  assert (A := heights_add_up k _ _ _ R0 HK H).
   apply Rmult_lt_reg_r with (/ q); [exact R0|]. rewrite Rinv_r by lra. rewrite S_INR. lra.
 Qed.
 (** The same for the critical ratios. *)
