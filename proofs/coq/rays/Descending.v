@@ -115,8 +115,8 @@ Proof.
 Qed.
 End Descending.
 
-Lemma hit_ratio c a r x : 0 < r -> hit (r*c) (r * - a) x -> sin x = r * (c - a * x).
-Proof. intros Hr [_ [H _]]. lra. Qed.
+Lemma hit_ratio c a r x : hit (r*c) (r * - a) x -> sin x = r * (c - a * x).
+Proof. intros [_ [H _]]. lra. Qed.
 Lemma L10_first_hit c lam r r0 x : -1 <= lam < 0 -> 0 <= c -> 0 < r0 -> r0 < r -> r <= 1 -> hit (r*c) (r*lam) x ->
   exists x0, hit (r0*c) (r0*lam) x0 /\ x0 <= x.
 Proof.
@@ -137,8 +137,8 @@ Lemma L10_inverse_slopes c a r r0 x x0 : 0 < a <= 1 -> 0 <= c -> 0 < r0 -> r0 < 
   hit (r*c) (r * - a) x -> hit (r0*c) (r0 * - a) x0 -> x0 <= x ->
   slope_den (cos x) (r * - a) r / L10_num (cos x) r a <= slope_den (cos x0) (r0 * - a) r0 / L10_num (cos x0) r0 a.
 Proof.
-  intros Ha Hc Hr0 Hr Hr1 Hh Hh0 Hxx. assert (E := hit_ratio c a r x ltac:(lra) Hh).
-  assert (E0 := hit_ratio c a r0 x0 Hr0 Hh0). destruct (Rle_lt_or_eq_dec 0 c Hc) as [P|<-].
+  intros Ha Hc Hr0 Hr Hr1 Hh Hh0 Hxx. assert (E := hit_ratio c a r x Hh).
+  assert (E0 := hit_ratio c a r0 x0 Hh0). destruct (Rle_lt_or_eq_dec 0 c Hc) as [P|<-].
   - destruct Hh as [Hx _], Hh0 as [Hx0 _].
     assert (X0 : 0 < x0).
     { destruct (Rle_lt_or_eq_dec 0 x0) as [|Z]; [lra | assumption |]. rewrite <- Z, sin_0 in E0.
