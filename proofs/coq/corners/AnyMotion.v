@@ -2,7 +2,7 @@
     every state in flight has one whole motion. L40, and what `proofs/claim.md` says of corners. *)
 From Coq Require Import Reals Lra Lia List.
 From Coquelicot Require Import Coquelicot.
-From Dumbbell Require Import Physics Flight Collisions Symmetry Existence Exchange.
+From Dumbbell Require Import Physics Flight Collisions Symmetry Exchange.
 From Dumbbell Require Import Stretch Stretches WholeMotion CollisionCount ThroughCorner.
 Local Open Scope R_scope.
 
@@ -87,15 +87,13 @@ Proof.
     + intros t Ht. destruct (Hl t Ht). split; [assumption | now apply swap_collision].
 Qed.
 Theorem corner_at_most P a b p U l : real_dumbbell P -> upper_bound (m2 P / m1 P) U -> Rbar_lt a b ->
-  motion_within P a b p ->
-  ends_in_corner P p b \/ begins_in_corner P p a -> NoDup l -> (forall t, In t l -> within a b t /\ collision P p t) ->
-  (2 + 2 * length l <= U)%nat.
+  motion_within P a b p -> ends_in_corner P p b \/ begins_in_corner P p a ->
+  NoDup l -> (forall t, In t l -> within a b t /\ collision P p t) -> (2 + 2 * length l <= U)%nat.
 Proof.
   intros HP HU Hab Hm Hc Hnd Hl.
   assert (G : forall Q f, real_dumbbell Q -> r_of Q <= 1 -> (forall p, motion Q p -> at_most Q p U) ->
-    motion_within Q a b f ->
-    ends_in_corner Q f b \/ begins_in_corner Q f a -> (forall t, In t l -> within a b t /\ collision Q f t) ->
-    (2 + 2 * length l <= U)%nat).
+    motion_within Q a b f -> ends_in_corner Q f b \/ begins_in_corner Q f a ->
+    (forall t, In t l -> within a b t /\ collision Q f t) -> (2 + 2 * length l <= U)%nat).
   { clear - Hab Hnd. intros Q f HQ Hr HU Hm Hc Hl. assert (K := corner_bound Q HQ Hr U HU (length l) (length l)).
     enough (2 + length l + length l <= U)%nat by lia.
     destruct Hc; apply K; try (now apply (into_corner_coll Q HQ Hr a b f l));
@@ -103,9 +101,8 @@ Proof.
   destruct (one_naming P HP) as [Hr|Hr]; [apply (G P p HP Hr); try assumption; now apply bound_of|].
   apply (G _ (swap p) (swap_real P HP) Hr (bound_swapped P U HU HP)).
   - intros t Ht. now apply swap_obeys, Hm.
-  - destruct Hc as [[T [s [-> [C F]]]]|[T [s [-> [C F]]]]]; [left | right]; exists T, (swap_state s); (split;
-      [reflexivity|]);
-      (split; [now apply swap_down|]); [now apply swap_flies_to | now apply swap_flies_from].
+  - destruct Hc as [[T [s [-> [C F]]]]|[T [s [-> [C F]]]]]; [left | right]; exists T, (swap_state s);
+      (split; [reflexivity|]); (split; [now apply swap_down|]); [now apply swap_flies_to | now apply swap_flies_from].
   - intros t Ht. destruct (Hl t Ht). split; [assumption | now apply swap_collision].
 Qed.
 
@@ -121,15 +118,13 @@ Proof.
     + intros t Ht. destruct (Hl t Ht). split; [assumption | now apply swap_collision].
 Qed.
 Theorem corner_counts_as_two P a b p T v U l : real_dumbbell P -> upper_bound (m2 P / m1 P) U ->
-  motion_through P a b p ->
-  within a b T -> both_down P (p T) -> before p T v -> 0 < energy P v ->
+  motion_through P a b p -> within a b T -> both_down P (p T) -> before p T v -> 0 < energy P v ->
   (forall t, within a b t -> t <> T -> obeys P p t) /\
   (NoDup l -> (forall t, In t l -> within a b t /\ t <> T /\ collision P p t) -> (2 + length l <= U)%nat).
 Proof.
   intros HP HU Hm HT Hc Hb Hv.
   assert (G : forall Q f, real_dumbbell Q -> r_of Q <= 1 -> motion_through Q a b f -> both_down Q (f T) ->
-    before f T v ->
-    0 < energy Q v -> forall t, within a b t -> t <> T -> ~ both_down Q (f t)).
+    before f T v -> 0 < energy Q v -> forall t, within a b t -> t <> T -> ~ both_down Q (f t)).
   { intros Q f HQ Hr Mf Cf Bf Ef t Ht N Ct. destruct (only_corner Q HQ Hr a b f T v Mf HT Cf Bf Ef) as [M1 [M2 _]].
     destruct (Rtotal_order t T) as [L|[L|L]]; [|contradiction|].
     - destruct (M1 t) as [_ [_ [Rg _]]]; [split; [apply Ht | exact L] | now apply Rg].

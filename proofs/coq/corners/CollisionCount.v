@@ -2,7 +2,7 @@
     by L40 (a), 2 + 2 k1 <= N(q). *)
 From Coq Require Import Reals Lra Lia List FinFun.
 From Coquelicot Require Import Coquelicot.
-From Dumbbell Require Import Physics Ray Flight Collisions Symmetry Existence Orbits Attained.
+From Dumbbell Require Import Physics Ray Flight Symmetry Existence Orbits Attained.
 From Dumbbell Require Import Stretch Stretches WholeMotion.
 Local Open Scope R_scope.
 

@@ -1,9 +1,9 @@
 (** With corners, every state has a motion for all times: one that runs into a corner goes back the way it came, as
     the motions near it do (L40 (b)). So nothing in `AnyMotion.through_at_most` is empty, and no state is left out. *)
-From Coq Require Import Reals Lra Lia List.
+From Coq Require Import Reals Lra.
 From Coquelicot Require Import Coquelicot.
-From Dumbbell Require Import Physics Flight Symmetry Existence.
-From Dumbbell Require Import Stretch Stretches WholeMotion ThroughCorner AnyMotion.
+From Dumbbell Require Import Physics Symmetry Existence.
+From Dumbbell Require Import Stretch Stretches ThroughCorner AnyMotion.
 Local Open Scope R_scope.
 
 (** Until T the path p, at T in s, and then p backwards. *)

@@ -2,8 +2,7 @@
     no more collisions than the ray: F <= G. `Follow.v` says so of whole motions; here nothing is known of the past.
     *)
 From Coq Require Import Reals Lra Lia List FinFun.
-From Coquelicot Require Import Coquelicot.
-From Dumbbell Require Import Physics Ray StartRay Flight Collisions Symmetry Existence RayFuture OneFlight Determinism.
+From Dumbbell Require Import Physics Ray StartRay Flight Collisions Symmetry Existence RayFuture Determinism.
 Local Open Scope R_scope.
 
 Section Half.

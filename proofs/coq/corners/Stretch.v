@@ -1,4 +1,4 @@
-(** Statement: motions on a stretch of time, and their ends. `Physics.v` speaks of motions for all times that never
+(** Statement: motions on a stretch of time, and their ends. `Statement.v` speaks of motions for all times that never
     have both masses on the floor. Here a path need obey the law only at the times of an open stretch (a, b), where a
     and b are times or infinite; what it is outside is not looked at. So a motion may begin in a corner (both masses
     on the floor), end in one, or simply be watched for a while. The theorems are in `AnyMotion.v`; on paper they are

@@ -1,8 +1,8 @@
 (** Motions on stretches of time: they are local, may be reversed and shifted, and are determined by their state at
     one time of the stretch. L40 (a): one that runs into a corner is, backwards, the half motion of `FromCorner.v`. *)
-From Coq Require Import Reals Lra Lia List FinFun.
+From Coq Require Import Reals Lra List FinFun.
 From Coquelicot Require Import Coquelicot.
-From Dumbbell Require Import Physics Ray StartRay Flight Collisions Symmetry Existence RayFuture OneFlight EveryState.
+From Dumbbell Require Import Physics Ray Flight Symmetry Existence OneFlight.
 From Dumbbell Require Import Determinism HalfMotion FromCorner Stretch.
 Local Open Scope R_scope.
 

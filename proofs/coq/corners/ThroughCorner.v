@@ -2,7 +2,7 @@
     after it, and at most N(q) - 2 collisions besides; a dumbbell at rest in a corner stays there. *)
 From Coq Require Import Reals Lra Lia List.
 From Coquelicot Require Import Coquelicot.
-From Dumbbell Require Import Physics Ray Flight Collisions Symmetry Existence RealInduction OneFlight Determinism.
+From Dumbbell Require Import Physics Flight Symmetry Existence RealInduction OneFlight Determinism.
 From Dumbbell Require Import HalfMotion FromCorner Stretch Stretches WholeMotion CollisionCount.
 Local Open Scope R_scope.
 

@@ -1,10 +1,10 @@
 (** Every state has a whole motion, which lasts for ever or until it runs into a corner, and the same backwards; it
     contains every other motion through the state; it has a corner at one end only (L40 (a)); collisions do not
     accumulate. *)
-From Coq Require Import Reals Lra Lia List.
+From Coq Require Import Reals Lra.
 From Coquelicot Require Import Coquelicot.
-From Dumbbell Require Import Physics Ray StartRay Flight Collisions Symmetry Existence RayFuture OneFlight EveryState.
-From Dumbbell Require Import HalfMotion Stretch Stretches.
+From Dumbbell Require Import Physics Flight Symmetry Existence OneFlight EveryState.
+From Dumbbell Require Import Stretch Stretches.
 Local Open Scope R_scope.
 
 Lemma within_sub a b a' b' t : Rbar_le a a' -> Rbar_le b' b -> within a' b' t -> within a b t.
