@@ -43,10 +43,10 @@ Proof.
     assert (0 <= (cos e0 + 0) * (PI - e0)) by (apply Rmult_le_pos; lra); lra).
   assert (S1 := cS_ge e0 0 r He0 ltac:(lra) ltac:(lra)). assert (S2 := lamS_ge e0 0 r He0 ltac:(lra) ltac:(lra)).
   assert (X2 : 0 <= r * lamX e0 0) by (unfold lamX; apply Rmult_le_pos; lra).
-  destruct (L20_raise a (r * cX e0 0) (r * lamX e0 0) r) as [ea [Ha Na]]; [apply Rmult_le_pos;
-    lra | lra | lra | exact Ca|].
-  destruct (L20_raise b (r * cS e0 0 r) (r * lamS e0 0 r) r) as [eb [Hb Nb]]; [apply Rmult_le_pos;
-    lra | lra | nra | exact Cb|].
+  destruct (L20_raise a (r * cX e0 0) (r * lamX e0 0) r) as [ea [Ha Na]];
+    [apply Rmult_le_pos; lra | lra | lra | exact Ca|].
+  destruct (L20_raise b (r * cS e0 0 r) (r * lamS e0 0 r) r) as [eb [Hb Nb]];
+    [apply Rmult_le_pos; lra | lra | nra | exact Cb|].
   set (m := Rmin (Rmin ea eb) (1 - r * cos e0)). assert (M : 0 < m) by (repeat apply Rmin_glb_lt; lra).
   assert (M1 : m <= ea) by (unfold m; apply Rle_trans with (1 := Rmin_l _ _), Rmin_l).
   assert (M2 : m <= eb) by (unfold m; apply Rle_trans with (1 := Rmin_l _ _), Rmin_r).
@@ -85,8 +85,8 @@ Qed.
 Theorem L25_near_top r k0 : 0 < r < 1 -> coll r k0 r 0 -> bridge_witness r (1 + k0 + k0).
 Proof.
   intros Hr H. assert (HPI := PI2_1).
-  apply (L25_contact r (PI/2) (-1) Hr ltac:(lra)); unfold cX, lamX, cS, lamS, eta_reversed; rewrite ?sin_PI2,
-    ?cos_PI2; try lra.
+  apply (L25_contact r (PI/2) (-1) Hr ltac:(lra)); unfold cX, lamX, cS, lamS, eta_reversed;
+    rewrite ?sin_PI2, ?cos_PI2; try lra.
   - intros t Ht. lra.
   - replace (r * (1 + (0 + 0) * (PI - PI / 2))) with r by ring. replace (r * (0 + 0)) with 0 by ring. exact H.
   - replace (0 * (1 + r * (0 * 0)) / (1 + r * (0 * 0) + 2 * (r * 0 * 0))) with 0 by field.
@@ -104,8 +104,8 @@ Theorem at_least_2_k0_k1 q k0 k1 : 1 <= q -> top_orbit q k0 -> corner_orbit q k1
 Proof.
   intros Hq T C. destruct (Req_dec q 1) as [->|Hn].
   - destruct (no_orbit_at_1 k0 k1 T C) as [-> ->]. apply L7_equal_masses.
-  - assert (Hr : 0 < / q < 1). { split; [apply Rinv_0_lt_compat; lra|]. rewrite <- Rinv_1. apply Rinv_lt_contravar;
-    lra. }
+  - assert (Hr : 0 < / q < 1).
+    { split; [apply Rinv_0_lt_compat; lra|]. rewrite <- Rinv_1. apply Rinv_lt_contravar; lra. }
     apply charts_lower; [exact Hq|]. destruct (L21_counts q k0 k1 Hq T C) as [->| ->].
     + apply L25_near_corner; [exact Hr | apply C].
     + replace (2 + S k1 + k1)%nat with (1 + S k1 + S k1)%nat by lia. apply L25_near_top; [exact Hr | apply T].

@@ -2,8 +2,8 @@
     (c), for every motion; at least once follows from L24. *)
 From Coq Require Import Reals Lra Lia List.
 From Coquelicot Require Import Coquelicot.
-From Dumbbell Require Import Physics Ray FewHits Flight Collisions Symmetry StartRay Follow BridgeChart SteepRays.
-From Dumbbell Require Import Orbits ExactMaximum NoHeavy.
+From Dumbbell Require Import Physics Ray FewHits Flight Collisions Symmetry NormalPosition StartRay Follow.
+From Dumbbell Require Import BridgeChart SteepRays Orbits ExactMaximum NoHeavy.
 Local Open Scope R_scope.
 
 Section Once.
@@ -26,8 +26,8 @@ Proof.
       assert (0 < sin x) by (apply sin_gt_0; assert (H := PI2_1); lra).
       assert (0 <= r * sin x) by (apply Rmult_le_pos; lra). lra.
     + destruct (reflects_hit P HP Hr1 p t1 v v' c k x) as [HD [Hup Hkk]]; try assumption.
-      { exact (ray_left _ _ _ _ _ _ HR). } { exact (ray_slope _ _ _ _ _ _ HR). } { exists t. split;
-        [lra | exact Hct]. }
+      { exact (ray_left _ _ _ _ _ _ HR). } { exact (ray_slope _ _ _ _ _ _ HR). }
+      { exists t. split; [lra | exact Hct]. }
       destruct (next_domain c k r x R0 Hk Hx HD) as [Q1 Q2]. cbv zeta in Q1, Q2. rewrite <- (y2_mirror P).
       set (k' := next_slope (cos x) k r) in *. set (c' := sin x + k' * (x + PI)) in *.
       assert (RN : ray P (mirror p) t1 (mirror_v v') c' k').
@@ -82,39 +82,17 @@ Proof.
 Qed.
 
 (** L6 (c): at most one contact with the heavy mass. *)
-Lemma central_view p T : motion P p -> y2 P (p T) = 0 -> exists q, same P p q /\ - (PI/2) < psi_of (q T) < PI/2.
-Proof.
-  intros Hm H2. assert (R0 := r_pos P HP). assert (HPI := PI2_1).
-  assert (G : forall q, motion P q -> y2 P (q T) = 0 -> - PI <= psi_of (q T) <= PI -> - (PI/2) < psi_of (q T) < PI/2).
-  { intros q Hq Z Hp. assert (C2 := contact2 P HP q T Z). assert (F1 := floor1 P HP q T Hq).
-    assert (Cp : 0 < cos (psi_of (q T))).
-    { destruct (Rtotal_order 0 (cos (psi_of (q T)))) as [|[E|E]]; [assumption| |].
-      - exfalso. apply (regular P q Hq T). split; [|exact Z]. destruct (L0_heights P (q T) HP) as [E1 _].
-        rewrite E1, C2, <- E. ring.
-      - exfalso. assert (0 < r * - cos (psi_of (q T))) by (apply Rmult_lt_0_compat; lra). lra. }
-    split; apply Rnot_le_lt; intros K.
-    - assert (cos (- psi_of (q T)) <= 0) by (apply cos_le_0; lra). rewrite cos_neg in H. lra.
-    - assert (cos (psi_of (q T)) <= 0) by (apply cos_le_0; lra). lra. }
-  assert (Pos : forall q, motion P q -> y2 P (q T) = 0 -> 0 <= psi_of (q T) -> exists q', same P q q' /\
-    - (PI/2) < psi_of (q' T) < PI/2).
-  { intros q Hq Z Hp. destruct (whole_turns _ Hp) as [k Hk]. exists (turn k q). assert (S := same_turn P k q).
-    split; [exact S|]. apply G; [now apply turn_motion | rewrite (same_y2 _ _ _ S); exact Z |].
-    replace (psi_of (turn k q T)) with (psi_of (q T) - 2 * INR k * PI) by (unfold psi_of; simpl; ring). exact Hk. }
-  destruct (Rle_or_lt 0 (psi_of (p T))) as [K|K]; [now apply Pos|].
-  destruct (Pos (mirror p)) as [q [S Hq]]; [now apply mirror_motion | now rewrite y2_mirror | rewrite psi_mirror;
-    lra |].
-  exists q. split; [|exact Hq]. exact (same_trans P _ _ _ (same_mirror P p) S).
-Qed.
 Theorem L6c_heavy_at_most_once p T T' : motion P p -> collision P p T -> y2 P (p T) = 0 -> collision P p T' ->
   y2 P (p T') = 0 -> T = T'.
 Proof.
   assert (G : forall T T', motion P p -> collision P p T -> y2 P (p T) = 0 -> collision P p T' -> y2 P (p T') = 0 ->
     ~ T < T').
-  { clear T T'. intros T T' Hm Hc H2 Hc' H2' Ht. destruct (central_view p T Hm H2) as [q [S Hq]].
+  { clear T T'. intros T T' Hm Hc H2 Hc' H2' Ht. destruct (heavy_normal_position P HP p T Hm H2) as [q [e [S [Ep He]]]].
     apply (no_heavy_after_central q T T'); try assumption.
     - exact (same_motion P _ _ S Hm).
     - exact (same_collision P _ _ S T Hc).
     - rewrite (same_y2 _ _ _ S). exact H2.
+    - assert (HPI := PI2_1). lra.
     - exact (same_collision P _ _ S T' Hc').
     - rewrite (same_y2 _ _ _ S). exact H2'. }
   intros Hm Hc H2 Hc' H2'. destruct (Rtotal_order T T') as [L|[E|L]]; [|exact E|]; exfalso; revert L; now apply G.
@@ -130,8 +108,8 @@ Proof.
   assert (E : r_of P = / q) by (unfold r_of; destruct HP as [? [? ?]]; rewrite <- Hqq; field; lra).
   assert (Hr1 : r_of P <= 1) by (rewrite E; apply inv_ratio; exact Hq).
   assert (Ex : exists t, collision P p t /\ y2 P (p t) = 0).
-  { apply Classical_Prop.NNPP. intros No. assert (Hno : no_heavy P p) by (intros t Hc Z; apply No; exists t;
-    now split).
+  { apply Classical_Prop.NNPP. intros No.
+    assert (Hno : no_heavy P p) by (intros t Hc Z; apply No; exists t; now split).
     destruct Hl as [l [L1 [L2 L3]]].
     assert (K : (length l <= 1 + k0 + k1)%nat); [|lia].
     apply (L24_no_heavy P HP Hr1 k0 k1) with (p := p); try assumption.

@@ -106,8 +106,8 @@ Proof.
   assert (K0 : K 0 = next_slope w k r) by (unfold K; now rewrite Rmult_0_r, Rplus_0_r, !Rminus_0_r).
   assert (C0 : C 0 = sin x + next_slope w k r * (x + PI)) by (unfold C; rewrite K0, Rmult_0_r; ring).
   assert (CK : continuity_pt K 0).
-  { change K with (div_fct (fun e => slope_num (w + B * e) (k - e) (r - e)) D). apply continuity_pt_div;
-    [unfold slope_num; reg | unfold D, slope_den; reg | lra]. }
+  { change K with (div_fct (fun e => slope_num (w + B * e) (k - e) (r - e)) D).
+    apply continuity_pt_div; [unfold slope_num; reg | unfold D, slope_den; reg | lra]. }
   assert (CC : continuity_pt C 0).
   { unfold C. apply (continuity_pt_plus (fun e => sin x - B * e) (fun e => K e * (x - B * e + PI))); [reg|].
     apply (continuity_pt_mult K (fun e => x - B * e + PI)); [exact CK | reg]. }

@@ -11,7 +11,7 @@ Proof.
   intros Hf H0. destruct (Hf (f 0) H0) as [d [Hd H]]. exists d. split; [exact Hd|]. intros t Ht.
   destruct (Req_dec t 0) as [->|Hn]; [exact H0|]. assert (K : Rabs (f t - f 0) < f 0).
   { apply H. split; [split; [exact I | lra]|]. unfold dist; simpl. unfold R_dist. rewrite Rminus_0_r, Rabs_pos_eq;
-    lra. }
+      lra. }
   apply Rabs_def2 in K. lra.
 Qed.
 Lemma close_near f e : continuity_pt f 0 -> 0 < e -> exists d, 0 < d /\ forall t, 0 <= t < d -> f t < f 0 + e.
@@ -75,8 +75,8 @@ Proof.
     { unfold Ct. apply (continuity_pt_plus (fun t => sin (x + t)) (fun t => Kt t * (x + t + PI))); [reg|].
       apply (continuity_pt_mult Kt (fun t => x + t + PI)); [exact CK | reg]. }
     assert (K0 : Kt 0 = next_slope (cos x) k r) by (unfold Kt; now rewrite Rmult_0_r, !Rplus_0_r).
-    assert (C0 : Ct 0 = sin x + next_slope (cos x) k r * (x + PI)) by (unfold Ct; rewrite K0, !Rplus_0_r;
-      reflexivity).
+    assert (C0 : Ct 0 = sin x + next_slope (cos x) k r * (x + PI))
+      by (unfold Ct; rewrite K0, !Rplus_0_r; reflexivity).
     destruct (positive_near Dt CD D0) as [d1 [Hd1 N1]]. destruct (close_near Kt e CK He) as [d2 [Hd2 N2]].
     destruct (close_near Ct e CC He) as [d3 [Hd3 N3]].
     set (t := Rmin (Rmin d d1) (Rmin (Rmin d2 d3) (e / p)) / 2).
@@ -91,8 +91,9 @@ Proof.
     assert (U5 := Rmin_r (Rmin d2 d3) (e / p)).
     assert (T3 : t < d2) by (unfold t in *; assert (U2 := Rmin_l d2 d3); lra).
     assert (T4 : t < d3) by (unfold t in *; assert (U2 := Rmin_r d2 d3); lra).
-    assert (T5 : p * t <= e). { assert (p * t <= p * (e / p)) by (apply Rmult_le_compat_l; unfold t in *;
-      lra). replace (p * (e / p)) with e in H by (field; lra). exact H. }
+    assert (T5 : p * t <= e).
+    { assert (p * t <= p * (e / p)) by (apply Rmult_le_compat_l; unfold t in *; lra).
+      replace (p * (e / p)) with e in H by (field; lra). exact H. }
     exists (p * t). split; [now apply Hpt|]. intros c' k' r' C K Rr R1. assert (Pt := Hpt t Ht).
     destruct (Hh t ltac:(lra)) as [Xt [Kx [y [Hy Hyt]]]].
     destruct (flight_mono c' k' (c + p * t) (k + p * t) y) as [z [Hz Hzy]]; try lra; [exact Hy|].

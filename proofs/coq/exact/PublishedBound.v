@@ -24,8 +24,8 @@ Qed.
 
 Lemma atan_nonneg x : 0 <= x -> 0 <= atan x < PI/2.
 Proof.
-  intros H. destruct (atan_bound x). split; [|lra]. destruct (Rle_lt_or_eq_dec 0 x H) as [P|<-]; [|rewrite atan_0;
-    lra].
+  intros H. destruct (atan_bound x). split; [|lra]. destruct (Rle_lt_or_eq_dec 0 x H) as [P|<-];
+    [|rewrite atan_0; lra].
   rewrite <- atan_0. left. now apply atan_increasing.
 Qed.
 Lemma atan_mono x y : x <= y -> atan x <= atan y.
@@ -66,8 +66,8 @@ Qed.
 Lemma flat_slope c k r x : 0 < r -> PI * r <= 1 -> 0 <= k -> PI * k <= c -> hit c k x -> r < 1 /\ 2 * k < 1 - r.
 Proof.
   intros Hr Hr1 Hk Hc Hx. assert (HPI := PI2_3_2). assert (F := L28_flat c k x Hk Hc Hx).
-  assert (3 * r < PI * r) by (apply Rmult_lt_compat_r; lra). assert (3 * k <= PI * k) by (apply Rmult_le_compat_r;
-    lra). lra.
+  assert (3 * r < PI * r) by (apply Rmult_lt_compat_r; lra).
+  assert (3 * k <= PI * k) by (apply Rmult_le_compat_r; lra). lra.
 Qed.
 Lemma flat_angle c k r x : 0 < r -> PI * r <= 1 -> 0 <= k -> PI * k <= c -> hit c k x ->
   atan (k / sqrt r) + 2 * atan (sqrt r) < PI/2.

@@ -81,8 +81,8 @@ Proof.
   { intros t Ht. split; [apply Rmult_lt_0_compat | apply Rmult_le_pos]; lra. }
   split.
   - intros r' Hr'. destruct (Hsr r ltac:(lra)). destruct (Hsr r' ltac:(lra)).
-    assert (c * r' < c * r) by (apply Rmult_lt_compat_l; lra). assert (s * r' <= s * r) by (apply Rmult_le_compat_l;
-      lra).
+    assert (c * r' < c * r) by (apply Rmult_lt_compat_l; lra).
+    assert (s * r' <= s * r) by (apply Rmult_le_compat_l; lra).
     destruct (L26_strict k (c * r) (s * r) r (c * r') (s * r') r' a b) as [a' [b' [G1 [G2 G3]]]]; try lra; [exact H|].
     destruct (tangent_hit a b a' b' G2 G3 HT) as [x Hx]. replace (S k) with (k + 1)%nat by lia.
     apply state_more with (1 := G1). exists x. split; [exact Hx | now left].
@@ -103,8 +103,8 @@ Proof.
   - intros H. apply Rnot_le_lt. intros L. apply B.
   apply (HM (/ q) (/ p)); [apply inv_ratio; lra | | apply inv_ratio; lra | exact H].
     apply Rinv_le_contravar; lra.
-  - intros L. apply A. split; [apply inv_ratio; lra|]. apply Rinv_lt_contravar; [apply Rmult_lt_0_compat;
-    lra | exact L].
+  - intros L. apply A. split; [apply inv_ratio; lra|].
+    apply Rinv_lt_contravar; [apply Rmult_lt_0_compat; lra | exact L].
 Qed.
 Theorem tangent_top_critical q k : 1 <= q -> (exists a b, state (/ q) k (/ q) 0 a b /\ tangent a b) ->
   critical (1 + 2 * S k) q.
@@ -136,8 +136,8 @@ Proof.
   { apply Rmult_eq_reg_l with Q; [|lra]. rewrite Rinv_r by lra.
     assert (Z : (Q * - cos x - 1) * (Q * - cos x + 1) = 0).
     { replace ((Q * - cos x - 1) * (Q * - cos x + 1)) with (Q * Q * (cos x * cos x) - 1) by ring. rewrite QQ. lra. }
-    apply Rmult_integral in Z. destruct Z as [Z|Z]; [lra|]. assert (0 < Q * - cos x) by (apply Rmult_lt_0_compat;
-      lra). lra. }
+    apply Rmult_integral in Z. destruct Z as [Z|Z]; [lra|].
+    assert (0 < Q * - cos x) by (apply Rmult_lt_0_compat; lra). lra. }
   apply (tangent_corner_critical Q 0 Q1). exists (PI * / Q), (/ Q). split; [now split|].
   assert (Es : sin (x - PI) = PI * / Q + / Q * (x - PI)).
   { rewrite sin_minus, sin_PI, cos_PI, <- C, E. ring. }
