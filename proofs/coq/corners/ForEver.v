@@ -49,7 +49,7 @@ Proof.
     lra).
   split; [symmetry; now apply near_at|]. split; [now apply (near_before p) | now apply (near_after p)].
 Qed.
-Theorem state_for_ever P s v : real_dumbbell P -> 0 < y1 P s -> 0 < y2 P s ->
+Lemma goes_on_for_ever P s v : real_dumbbell P -> 0 < y1 P s -> 0 < y2 P s ->
   exists p, motion_through P m_infty p_infty p /\ p 0 = s /\ before p 0 v /\ after p 0 v.
 Proof.
   intros HP H1 H2. destruct (whole_motion P s v HP H1 H2) as [a [b [p [H0 [[Hm [He Hb]] [E [B [A [Hc _]]]]]]]]].
@@ -65,6 +65,17 @@ Proof.
       split; [apply reverse_before | apply reverse_after]; now rewrite Ropp_0.
   - destruct Hc as [->| ->]; [|destruct He as [T [s' [K _]]]; discriminate].
     rewrite <- E. apply (on_for_ever P b p v); try assumption. apply H0.
+Qed.
+
+(** **Every state in flight has a motion for all times**, through a corner if need be, of N(q) collisions at most. *)
+Theorem state_for_ever P s v : real_dumbbell P -> 0 < y1 P s -> 0 < y2 P s ->
+  exists p, motion_through P m_infty p_infty p /\ p 0 = s /\ before p 0 v /\ after p 0 v /\
+    forall U, upper_bound (m2 P / m1 P) U -> at_most P p U.
+Proof.
+  intros HP H1 H2. destruct (goes_on_for_ever P s v HP H1 H2) as [p [Hm [E [B A]]]]. exists p.
+  repeat (split; [assumption|]).
+  intros U HU l Hnd Hl. apply (through_at_most P m_infty p_infty p U HP HU Hm l Hnd). intros t Ht.
+  split; [now split | now apply Hl].
 Qed.
 
 (** There are motions into a corner: the rod is horizontal and comes down. *)

@@ -40,8 +40,7 @@ Definition whole P a b p := motion_within P a b p /\
   (b = p_infty \/ ends_in_corner P p b) /\ (a = m_infty \/ begins_in_corner P p a).
 
 (** A motion that may pass through corners, too. There the law does not say which way it goes on: it has a velocity
-    before and one after, of the same energy, and that is all. (The energy before is 0 if the dumbbell lies at rest.)
-    *)
+    before and one after, of the same energy, and that is all. (At rest in a corner the energy is 0.) *)
 Definition turns_in_corner P p t := both_down P (p t) /\
   exists v v', before p t v /\ after p t v' /\ energy P v' = energy P v.
 Definition motion_through P a b p := forall t, within a b t -> obeys P p t \/ turns_in_corner P p t.
