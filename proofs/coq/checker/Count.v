@@ -13,7 +13,8 @@ Section S.
 Variable p : F.precision.
 (** Untrusted guesses: near the least root of sin z = c + k z, from the guess before; a little behind it; near acos k. *)
 Record guesses := { near_root : I.type -> I.type -> F.type -> F.type; behind_root : I.type -> I.type -> F.type -> F.type;
-  seems_to_hit : I.type -> I.type -> F.type -> bool; near_top : I.type -> F.type; first_guess : F.type }.
+  seems_to_hit : I.type -> I.type -> F.type -> bool; near_top : I.type -> F.type; first_guess : F.type;
+  quick : bool (* the sine of SineCosine.v is good enough: its error is 2^-60 *) }.
 Variable G : guesses.
 Record consts := { fast : tab; pi_ : I.type; quarter : I.type; half : I.type; unit_ : I.type }.
 Definition mkconsts : consts := {| fast := mktab p; pi_ := I.pi p; quarter := I.div p (I.pi p) (I.fromZ p 2);
@@ -26,6 +27,7 @@ Definition nonneg i := match I.sign_large i with Xgt | Xeq => true | _ => false 
 Definition pos i := match I.sign_strict i with Xgt => true | _ => false end.
 Definition low0 i := if nonneg i then low i else I.zero.
 Definition sc (z : I.type) : I.type * I.type :=
+  if negb (quick G) then (I.sin p z, I.cos p z) else
   if indom p (fast T) z then (sinT p (fast T) z, cosT p (fast T) z)
   else let h := I.mul p z (half T) in
     if indom p (fast T) h then
@@ -153,6 +155,7 @@ Lemma unit_in : inI 1 (unit_ T). Proof. rewrite HT. apply fromZ_in. Qed.
 Lemma sc_ok z zi : inI z zi -> inI (sin z) (fst (sc zi)) /\ inI (cos z) (snd (sc zi)).
 Proof.
   intros H. unfold sc. assert (HF : fast T = mktab p) by now rewrite HT. rewrite HF.
+  destruct (negb (quick G)); [split; [now apply sin_in | now apply cos_in]|].
   destruct (indom p (mktab p) zi) eqn:E.
   { assert (Hd := indom_ok p zi z E H). split; [now apply sinT_in | now apply cosT_in]. }
   destruct (indom p (mktab p) (I.mul p zi (half T))) eqn:E2; [|split; [now apply sin_in | now apply cos_in]].

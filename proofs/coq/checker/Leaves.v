@@ -1,12 +1,40 @@
-(** Leaves, trees and pieces of a certificate (format 3), and their soundness with respect to the charts. *)
-From Coq Require Import Reals ZArith Lra Lia List Bool.
+(** What a leaf and a witness of a certificate must satisfy (docs/reference/format.md, sections 3.3 to 3.6), computed with intervals,
+    and that it is enough: L8 (a), (b), L9, L10 and L11 over a whole box. Generic in the numbers. *)
+From Coq Require Import Reals ZArith NArith Lra Lia List Bool.
 From Coquelicot Require Import Coquelicot.
-From Flocq Require Import Core.Raux.
+From Flocq Require Import Core.Raux Core.Zaux.
 From Interval Require Import Real.Xreal Float.Basic Float.Sig Interval.Interval Interval.Float Interval.Float_full.
-From Dumbbell Require Import Ray Chart Enclosure SineCosine Count.
+From Dumbbell Require Import Ray Chart Enclosure SineCosine Count Certificate.
 Local Open Scope R_scope.
 
-Module Tree (F : FloatOps with Definition sensible_format := true).
+(** The slope is steep (r eta >= 1, or r lambda) on the whole box, exactly. *)
+Definition too_steep (b : box) : bool := (high_end (box_q b) * Zpos (part (box_slope b)) <=? low_end (box_slope b) * Zpos (part (box_q b)))%Z.
+Lemma too_steep_sound b e y q : too_steep b = true -> in_box e y q b -> 1 <= q -> / q * y < 1 -> False.
+Proof.
+  unfold too_steep, in_box, in_span. intros H [_ [Hy Hq]] Hq1 Hlt. apply Z.leb_le, IZR_le in H. rewrite !mult_IZR in H.
+  assert (A : 0 < IZR (Zpos (part (box_q b)))) by now apply IZR_lt. assert (B : 0 < IZR (Zpos (part (box_slope b)))) by now apply IZR_lt.
+  set (a := IZR (Zpos (part (box_q b)))) in *. set (c := IZR (Zpos (part (box_slope b)))) in *.
+  assert (K : IZR (high_end (box_q b)) / a <= IZR (low_end (box_slope b)) / c).
+  { apply Rmult_le_reg_r with (a * c); [now apply Rmult_lt_0_compat|]. replace (IZR (high_end (box_q b)) / a * (a * c)) with (IZR (high_end (box_q b)) * c) by (field; lra).
+    replace (IZR (low_end (box_slope b)) / c * (a * c)) with (IZR (low_end (box_slope b)) * a) by (field; lra). exact H. }
+  assert (Y : y < q); [|lra]. apply Rmult_lt_reg_l with (/ q); [apply Rinv_0_lt_compat; lra|]. rewrite (Rinv_l q) by lra. exact Hlt.
+Qed.
+
+(** A hint as the number of steps to try; no ray of a file that is read collides more often than [most_steps]. *)
+Definition most_steps : N := 1000000.
+Definition fuel (n : N) : nat := N.to_nat (N.min n most_steps).
+Lemma fuel_le n : (N.of_nat (fuel n) <= n)%N. Proof. unfold fuel. rewrite N2Nat.id. apply N.le_min_l. Qed.
+
+(** L8 and L9 at one point of a chart: at most U collisions. *)
+Definition bridge_holds U e eta r := 0 < e <= PI/2 -> 0 <= eta -> 0 < r <= 1 -> r * eta < 1 -> forall a b,
+  coll r a (r * cX e eta) (r * lamX e eta) -> coll r b (r * cS e eta r) (r * lamS e eta r) -> (1 + a + b <= U)%nat.
+Definition light_holds U e lam r := 0 < e <= PI/2 -> 0 <= lam -> 0 < r <= 1 -> r * lam < 1 -> forall a b,
+  0 <= 2 * cos e + r * lam - lam * (cos e * cos e) ->
+  coll r a (cL e (r * lam)) (r * lam) ->
+  (0 < mu_den (cos e) lam r -> coll r b (cL e (r * mu (cos e) lam r)) (r * mu (cos e) lam r)) ->
+  (mu_den (cos e) lam r <= 0 -> b = O) -> (1 + a + b <= U)%nat.
+
+Module Leaves (F : FloatOps with Definition sensible_format := true).
 Module Export Z := Count F.
 
 Section S.
@@ -16,72 +44,47 @@ Variable T : consts.
 Notation S := I.singleton.
 Definition V (f : F.type) : R := proj_val (F.toX f).
 
-Record box := { e0 : F.type; e1 : F.type; y0 : F.type; y1 : F.type; r0 : F.type; r1 : F.type }.
-Definition inside (b : box) (e y r : R) := V (e0 b) <= e <= V (e1 b) /\ V (y0 b) <= y <= V (y1 b) /\ V (r0 b) <= r <= V (r1 b).
-Inductive tree := LCount (a b : nat) | LOutside | SplitE (m : F.type) (l u : tree) | SplitY (m : F.type) (l u : tree) | SplitR (m : F.type) (l u : tree).
+Record fbox := { e0 : F.type; e1 : F.type; y0 : F.type; y1 : F.type; r0 : F.type; r1 : F.type }.
+Definition inside (b : fbox) (e y r : R) := V (e0 b) <= e <= V (e1 b) /\ V (y0 b) <= y <= V (y1 b) /\ V (r0 b) <= r <= V (r1 b).
 
 Definition le1 (f : F.type) : bool := F.real f && match F.cmp f (F.fromZ 1) with Xlt | Xeq => true | _ => false end.
-Definition proper (b : box) : bool := nonneg (S (e0 b)) && nonneg (S (y0 b)) && pos (S (r0 b)) && le1 (r1 b).
+Definition proper (b : fbox) : bool := nonneg (S (e0 b)) && nonneg (S (y0 b)) && pos (S (r0 b)) && le1 (r1 b).
 Definition cut (e : F.type) : I.type := if nonneg (I.sub p (quarter T) (S e)) then S e else up (quarter T).
 Definition XI (e y r : I.type) : I.type * I.type :=
-  let '(s, w) := sc p T e in let lam := I.add p w y in
+  let '(s, w) := sc p G T e in let lam := I.add p w y in
   (I.mul p r (I.add p s (I.mul p lam (I.sub p (pi_ T) e))), I.mul p r lam).
 (** sigma X with eta' at r, times r'. *)
 Definition SI (e y r r' : I.type) : I.type * I.type :=
-  let '(s, w) := sc p T e in let t := I.add p (unit_ T) (I.mul p r (I.sqr p w)) in
+  let '(s, w) := sc p G T e in let t := I.add p (unit_ T) (I.mul p r (I.sqr p w)) in
   let lam := I.sub p (I.div p (I.mul p y t) (I.add p t (I.mul2 p (I.mul p (I.mul p r w) y)))) w in
   (I.mul p r' (I.add p s (I.mul p lam e)), I.mul p r' lam).
 
-Definition leaf_bridge (U : nat) (b : box) (na nb : nat) : bool :=
-  Nat.leb (1 + na + nb) U && proper b &&
+Definition leaf_bridge (U : N) (b : fbox) (na nb : N) : bool :=
+  (1 + na + nb <=? U)%N && proper b &&
   let e := cut (e1 b) in nonneg (I.sub p (pi_ T) e) &&
-  (let '(c, k) := XI e (S (y0 b)) (S (r0 b)) in at_most p G T na (S (r0 b)) (low c) (low k) (first_guess G)) &&
-  (let '(c, k) := SI (S (e0 b)) (S (y0 b)) (S (r1 b)) (S (r0 b)) in at_most p G T nb (S (r0 b)) (low c) (low k) (first_guess G)).
-Definition out_bridge (b : box) : bool :=
-  pos (I.sub p (S (e0 b)) (quarter T)) || (proper b && nonneg (I.sub p (I.mul p (S (r0 b)) (S (y0 b))) (unit_ T))).
+  (let '(c, k) := XI e (S (y0 b)) (S (r0 b)) in at_most p G T (fuel na) (S (r0 b)) (low c) (low k) (first_guess G)) &&
+  (let '(c, k) := SI (S (e0 b)) (S (y0 b)) (S (r1 b)) (S (r0 b)) in at_most p G T (fuel nb) (S (r0 b)) (low c) (low k) (first_guess G)).
+Definition beyond_peak (b : fbox) : bool := pos (I.sub p (S (e0 b)) (quarter T)).
 Definition dI (w rl r : I.type) := I.sub p (I.add p (I.sqr p w) (I.mul2 p (I.mul p rl w))) r.
-Definition leaf_light (U : nat) (b : box) (na nb : nat) : bool :=
-  Nat.leb (1 + na + nb) U && proper b &&
-  let e := S (e0 b) in let '(s, w) := sc p T e in let r := S (r0 b) in
-  (let k := I.mul p r (S (y0 b)) in at_most p G T na r (low (I.add p s (I.mul p k (I.add p (pi_ T) e)))) (low k) (first_guess G)) &&
+Definition leaf_light (U : N) (b : fbox) (na nb : N) : bool :=
+  (1 + na + nb <=? U)%N && proper b &&
+  let e := S (e0 b) in let '(s, w) := sc p G T e in let r := S (r0 b) in
+  (let k := I.mul p r (S (y0 b)) in at_most p G T (fuel na) r (low (I.add p s (I.mul p k (I.add p (pi_ T) e)))) (low k) (first_guess G)) &&
   (if nonneg (I.neg (dI w (I.mul p (S (r1 b)) (S (y1 b))) r)) then true else
    let rl := I.mul p r (S (y1 b)) in let D := dI w rl r in
    pos D && let k := low0 (I.mul p r (I.div p (I.sub p (I.add p (I.mul2 p w) rl) (I.mul p (S (y1 b)) (I.sqr p w))) D)) in
-   at_most p G T nb r (low (I.add p s (I.mul p k (I.add p (pi_ T) e)))) k (first_guess G)).
-Definition out_light (b : box) : bool :=
-  out_bridge b || (proper b && pos (I.sub p (quarter T) (S (e1 b))) &&
-   let '(_, w) := sc p T (S (e1 b)) in
-   pos (I.sub p (I.mul p (S (y0 b)) (I.sub p (I.sqr p w) (S (r1 b)))) (I.mul2 p w))).
+   at_most p G T (fuel nb) r (low (I.add p s (I.mul p k (I.add p (pi_ T) e)))) k (first_guess G)).
+Definition descends (b : fbox) : bool :=
+  proper b && pos (I.sub p (quarter T) (S (e1 b))) &&
+   let '(_, w) := sc p G T (S (e1 b)) in
+   pos (I.sub p (I.mul p (S (y0 b)) (I.sub p (I.sqr p w) (S (r1 b)))) (I.mul2 p w)).
 
-Fixpoint check_tree (leaf : box -> nat -> nat -> bool) (out : box -> bool) (b : box) (t : tree) : bool :=
-  match t with
-  | LCount na nb => leaf b na nb
-  | LOutside => out b
-  | SplitE m l u => if check_tree leaf out {| e0 := e0 b; e1 := m; y0 := y0 b; y1 := y1 b; r0 := r0 b; r1 := r1 b |} l
-                    then check_tree leaf out {| e0 := m; e1 := e1 b; y0 := y0 b; y1 := y1 b; r0 := r0 b; r1 := r1 b |} u else false
-  | SplitY m l u => if check_tree leaf out {| e0 := e0 b; e1 := e1 b; y0 := y0 b; y1 := m; r0 := r0 b; r1 := r1 b |} l
-                    then check_tree leaf out {| e0 := e0 b; e1 := e1 b; y0 := m; y1 := y1 b; r0 := r0 b; r1 := r1 b |} u else false
-  | SplitR m l u => if check_tree leaf out {| e0 := e0 b; e1 := e1 b; y0 := y0 b; y1 := y1 b; r0 := r0 b; r1 := m |} l
-                    then check_tree leaf out {| e0 := e0 b; e1 := e1 b; y0 := y0 b; y1 := y1 b; r0 := m; r1 := r1 b |} u else false
-  end.
-
-Definition check_witness (r0 r1 e y : F.type) (na nb Vn : nat) : bool :=
-  Nat.leb Vn (1 + na + nb) && pos (S e) && pos (I.sub p (quarter T) (S e)) && pos (S y) && pos (S r0) && le1 r1 &&
-  (let '(_, w) := sc p T (S e) in pos (I.sub p (unit_ T) (I.mul p (S r1) (I.add p w (S y))))) &&
-  (let '(c, k) := XI (S e) (S y) (S r1) in at_least p G T na (S r1) (up c) (up k) (first_guess G)) &&
-  (let '(c, k) := SI (S e) (S y) (S r0) (S r1) in at_least p G T nb (S r1) (up c) (up k) (first_guess G)).
-
-Record piece := { An : Z; Ad : Z; Bn : Z; Bd : Z; U : nat; Vn : nat; Emax : F.type; Ymax : F.type; zero_f : F.type;
-  tb : tree; tl : tree; we : F.type; wy : F.type; wa : nat; wb : nat }.
-Definition r_lo (P : piece) := I.lower (I.div p (I.fromZ p (Bd P)) (I.fromZ p (Bn P))).
-Definition r_hi (P : piece) := if (Ad P =? An P)%Z then F.fromZ 1 else I.upper (I.div p (I.fromZ p (Ad P)) (I.fromZ p (An P))).
-Definition check_piece (P : piece) : bool :=
-  let rl := r_lo P in let rh := r_hi P in
-  let root := {| e0 := zero_f P; e1 := Emax P; y0 := zero_f P; y1 := Ymax P; r0 := rl; r1 := rh |} in
-  (0 <? Ad P)%Z && (Ad P <=? An P)%Z && (0 <? Bd P)%Z && (0 <? Bn P)%Z && F.real rl && F.real rh &&
-  nonneg (I.neg (S (zero_f P))) && nonneg (I.sub p (S (Emax P)) (quarter T)) && pos (S rl) && nonneg (I.sub p (I.mul p (S rl) (S (Ymax P))) (unit_ T)) &&
-  check_tree (leaf_bridge (U P)) out_bridge root (tb P) && check_tree (leaf_light (U P)) out_light root (tl P) &&
-  check_witness rl rh (we P) (wy P) (wa P) (wb P) (Vn P).
+Definition enough (Vn na nb : N) : bool := ((Vn <=? 1 + na + nb) && (na <=? most_steps) && (nb <=? most_steps))%N.
+Definition check_witness (r0 r1 e y : F.type) (na nb Vn : N) : bool :=
+  enough Vn na nb && pos (S e) && pos (I.sub p (quarter T) (S e)) && pos (S y) && pos (S r0) && le1 r1 &&
+  (let '(_, w) := sc p G T (S e) in pos (I.sub p (unit_ T) (I.mul p (S r1) (I.add p w (S y))))) &&
+  (let '(c, k) := XI (S e) (S y) (S r1) in at_least p G T (fuel na) (S r1) (up c) (up k) (first_guess G)) &&
+  (let '(c, k) := SI (S e) (S y) (S r0) (S r1) in at_least p G T (fuel nb) (S r1) (up c) (up k) (first_guess G)).
 
 (* ---------- soundness ---------- *)
 Hypothesis HT : T = mkconsts p.
@@ -108,13 +111,13 @@ Proof.
 Qed.
 Lemma XI_in e y r ei yi ri : inI e ei -> inI y yi -> inI r ri -> inI (r * cX e y) (fst (XI ei yi ri)) /\ inI (r * lamX e y) (snd (XI ei yi ri)).
 Proof.
-  intros He Hy Hr. unfold XI. destruct (sc_ok p T HT e ei He) as [Hs Hw]. destruct (sc p T ei) as [s w]. simpl in *. unfold cX, lamX.
+  intros He Hy Hr. unfold XI. destruct (sc_ok p G T HT e ei He) as [Hs Hw]. destruct (sc p G T ei) as [s w]. simpl in *. unfold cX, lamX.
   split; apply mul_in; try assumption; [|now apply add_in]. apply add_in; [assumption|]. apply mul_in; [now apply add_in | now apply sub_in].
 Qed.
 Lemma SI_in e y r r' ei yi ri ri' : inI e ei -> inI y yi -> inI r ri -> inI r' ri' ->
   inI (r' * cS e y r) (fst (SI ei yi ri ri')) /\ inI (r' * lamS e y r) (snd (SI ei yi ri ri')).
 Proof.
-  intros He Hy Hr Hr'. unfold SI. destruct (sc_ok p T HT e ei He) as [Hs Hw]. destruct (sc p T ei) as [s w]. simpl in *.
+  intros He Hy Hr Hr'. unfold SI. destruct (sc_ok p G T HT e ei He) as [Hs Hw]. destruct (sc p G T ei) as [s w]. simpl in *.
   assert (Ht : inI (1 + r * (cos e * cos e)) (I.add p (unit_ T) (I.mul p ri (I.sqr p w)))) by (apply add_in; [exact unI | apply mul_in; [assumption | now apply sqr_in]]).
   assert (Hl : inI (lamS e y r) (I.sub p (I.div p (I.mul p yi (I.add p (unit_ T) (I.mul p ri (I.sqr p w)))) (I.add p (I.add p (unit_ T) (I.mul p ri (I.sqr p w))) (I.mul2 p (I.mul p (I.mul p ri w) yi)))) w)).
   { unfold lamS, eta_reversed. apply sub_in; [|assumption]. apply div_in; [now apply mul_in|]. apply add_in; [assumption|]. apply mul2_in. apply mul_in; [now apply mul_in | assumption]. }
@@ -133,18 +136,10 @@ Proof.
     assert (0 <= r * lam) by (apply Rmult_le_pos; lra). lra.
 Qed.
 
-Definition Qb U e eta r := 0 < e <= PI/2 -> 0 <= eta -> 0 < r <= 1 -> r * eta < 1 -> forall a b,
-  coll r a (r * cX e eta) (r * lamX e eta) -> coll r b (r * cS e eta r) (r * lamS e eta r) -> (1 + a + b <= U)%nat.
-Definition Ql U e lam r := 0 < e <= PI/2 -> 0 <= lam -> 0 < r <= 1 -> r * lam < 1 -> forall a b,
-  0 <= 2 * cos e + r * lam - lam * (cos e * cos e) ->
-  coll r a (cL e (r * lam)) (r * lam) ->
-  (0 < mu_den (cos e) lam r -> coll r b (cL e (r * mu (cos e) lam r)) (r * mu (cos e) lam r)) ->
-  (mu_den (cos e) lam r <= 0 -> b = O) -> (1 + a + b <= U)%nat.
-
-Lemma leaf_bridge_sound U b na nb : leaf_bridge U b na nb = true -> forall e y r, inside b e y r -> Qb U e y r.
+Lemma leaf_bridge_sound U b na nb : leaf_bridge U b na nb = true -> forall e y r, inside b e y r -> bridge_holds (N.to_nat U) e y r.
 Proof.
   unfold leaf_bridge. intros H e y r [He [Hy Hr]] He' Hy' Hr' Hlt a c Ha Hc.
-  apply andb_prop in H; destruct H as [H H3]. apply andb_prop in H; destruct H as [HU Hp]. apply Nat.leb_le in HU.
+  apply andb_prop in H; destruct H as [H H3]. apply andb_prop in H; destruct H as [HU Hp]. apply N.leb_le in HU.
   apply andb_prop in H3; destruct H3 as [H3 H5]. apply andb_prop in H3; destruct H3 as [H3 H4].
   destruct (proper_ok b Hp) as [P1 [P2 [P3 P4]]]. assert (HPI : 0 < PI) by apply PI_RGT_0.
   destruct (cut_ok (e1 b) e ltac:(lra) ltac:(lra)) as [ex [E1 E2]].
@@ -153,8 +148,8 @@ Proof.
   destruct (XI (cut (e1 b)) (S (y0 b)) (S (r0 b))) as [ci ki]. simpl in X1, X2.
   destruct (low_ok _ _ X1) as [c1 [C1 C2]]. destruct (low_ok _ _ X2) as [k1 [K1 K2]].
   destruct (cos_range e ltac:(lra)) as [W1 W2].
-  assert (Aa : (a <= na)%nat).
-  { apply (at_most_sound p G T HT na _ _ _ _ H4 (V (r0 b)) c1 k1 (vin _) C1 K1 r (r * cX e y) (r * lamX e y)); [|exact Ha].
+  assert (Aa : (a <= fuel na)%nat).
+  { apply (at_most_sound p G T HT (fuel na) _ _ _ _ H4 (V (r0 b)) c1 k1 (vin _) C1 K1 r (r * cX e y) (r * lamX e y)); [|exact Ha].
     assert (M1 := cX_mono e ex y (V (y0 b)) ltac:(lra) E2 ltac:(lra) ltac:(lra) P2).
     assert (M2 := lamX_mono e ex y (V (y0 b)) ltac:(lra) E2 ltac:(lra) ltac:(lra)).
     assert (N1 : 0 <= lamX e y) by (unfold lamX; lra).
@@ -171,44 +166,38 @@ Proof.
   assert (L3 := lamS_ge (V (e0 b)) (V (y0 b)) (V (r1 b)) ltac:(lra) ltac:(lra) ltac:(lra)).
   assert (L4 := cS_ge (V (e0 b)) (V (y0 b)) (V (r1 b)) ltac:(lra) ltac:(lra) ltac:(lra)).
   set (lm := lamS (V (e0 b)) (V (y0 b)) (V (r1 b))) in *. set (cc := cS (V (e0 b)) (V (y0 b)) (V (r1 b))) in *.
-  assert (Bb : (c <= nb)%nat).
-  { apply (at_most_sound p G T HT nb _ _ _ _ H5 (V (r0 b)) c2 k2 (vin _) C3 K3 (V (r0 b)) (V (r0 b) * cc) (V (r0 b) * lm)).
+  assert (Bb : (c <= fuel nb)%nat).
+  { apply (at_most_sound p G T HT (fuel nb) _ _ _ _ H5 (V (r0 b)) c2 k2 (vin _) C3 K3 (V (r0 b)) (V (r0 b) * cc) (V (r0 b) * lm)).
     - assert (0 <= V (r0 b) * cc) by (apply Rmult_le_pos; lra). assert (V (r0 b) * (-1) <= V (r0 b) * lm) by (apply Rmult_le_compat_l; lra). repeat split; lra.
     - apply any_slope with r; try lra. 
       apply (coll_mono c) with (8 := Hc); try lra; try (apply Rmult_le_compat_l; lra).
       + apply Rmult_le_pos; lra. + assert (r * (-1) <= r * lm) by (apply Rmult_le_compat_l; lra). lra. }
-  lia.
+  assert (FA := fuel_le na). assert (FB := fuel_le nb). lia.
 Qed.
 
-Lemma out_bridge_sound b e y r : out_bridge b = true -> inside b e y r -> 0 < e <= PI/2 -> 0 < r <= 1 -> r * y < 1 -> 0 <= y -> False.
-Proof.
-  unfold out_bridge. intros H [He [Hy Hr]] He' Hr' Hlt Hy0. apply orb_prop in H. destruct H as [H|H].
-  - assert (A := pos_ok _ _ H (sub_in p _ _ _ _ (vin _) quI)). lra.
-  - apply andb_prop in H; destruct H as [Hp H]. destruct (proper_ok b Hp) as [P1 [P2 [P3 P4]]].
-    assert (A := nonneg_ok _ _ H (sub_in p _ _ _ _ (mul_in p _ _ _ _ (vin _) (vin _)) unI)).
-    assert (V (r0 b) * V (y0 b) <= r * y) by (apply mul_mono; lra). lra.
-Qed.
+Lemma beyond_peak_sound b e y r : beyond_peak b = true -> inside b e y r -> PI/2 < e.
+Proof. unfold beyond_peak. intros H [He _]. assert (A := pos_ok _ _ H (sub_in p _ _ _ _ (vin _) quI)). lra. Qed.
 Lemma dI_in w lam r r' wi rli ri : inI w wi -> inI (r' * lam) rli -> inI r ri -> inI (w*w + 2*(r'*lam*w) - r) (dI wi rli ri).
 Proof. intros. unfold dI. apply sub_in; [|assumption]. apply add_in; [now apply sqr_in | apply mul2_in; now apply mul_in]. Qed.
 
-Lemma leaf_light_sound U b na nb : leaf_light U b na nb = true -> forall e y r, inside b e y r -> Ql U e y r.
+Lemma leaf_light_sound U b na nb : leaf_light U b na nb = true -> forall e y r, inside b e y r -> light_holds (N.to_nat U) e y r.
 Proof.
   unfold leaf_light. intros H e y r [He [Hy Hr]] He' Hy' Hr' Hlt a c HP Ha Hc Hc0.
-  apply andb_prop in H; destruct H as [H H3]. apply andb_prop in H; destruct H as [HU Hp]. apply Nat.leb_le in HU.
+  apply andb_prop in H; destruct H as [H H3]. apply andb_prop in H; destruct H as [HU Hp]. apply N.leb_le in HU.
   destruct (proper_ok b Hp) as [P1 [P2 [P3 P4]]]. assert (HPI : 0 < PI) by apply PI_RGT_0.
-  destruct (sc_ok p T HT _ _ (vin (e0 b))) as [Hs Hw]. destruct (sc p T (S (e0 b))) as [s w]. simpl in Hs, Hw.
+  destruct (sc_ok p G T HT _ _ (vin (e0 b))) as [Hs Hw]. destruct (sc p G T (S (e0 b))) as [s w]. simpl in Hs, Hw.
   apply andb_prop in H3; destruct H3 as [H4 H5].
   assert (Sm : sin (V (e0 b)) <= sin e) by (apply sin_mono; lra). assert (Cm : cos e <= cos (V (e0 b))) by (apply cos_mono; lra).
   assert (S0 : 0 <= sin e) by (apply sin_ge_0; lra). destruct (cos_range e ltac:(lra)) as [W1 W2].
   assert (Y0 : 0 <= r * y) by (apply Rmult_le_pos; lra). assert (Y1 : V (r0 b) * V (y0 b) <= r * y) by (apply mul_mono; lra).
-  assert (Aa : (a <= na)%nat).
+  assert (Aa : (a <= fuel na)%nat).
   { assert (KI := mul_in p _ _ _ _ (vin (r0 b)) (vin (y0 b))).
     destruct (low_ok _ _ KI) as [k1 [K1 K2]].
     destruct (low_ok _ _ (add_in p _ _ _ _ Hs (mul_in p _ _ _ _ KI (add_in p _ _ _ _ piI (vin (e0 b)))))) as [c1 [C1 C2]].
-    apply (at_most_sound p G T HT na _ _ _ _ H4 (V (r0 b)) c1 k1 (vin _) C1 K1 r (cL e (r*y)) (r*y)); [|exact Ha].
+    apply (at_most_sound p G T HT (fuel na) _ _ _ _ H4 (V (r0 b)) c1 k1 (vin _) C1 K1 r (cL e (r*y)) (r*y)); [|exact Ha].
     assert (V (r0 b) * V (y0 b) * (PI + V (e0 b)) <= r * y * (PI + e)) by (apply mul_mono; lra).
     assert (0 <= r * y * (PI + e)) by (apply Rmult_le_pos; lra). unfold cL. repeat split; lra. }
-  assert (Bb : (c <= nb)%nat).
+  assert (Bb : (c <= fuel nb)%nat).
   { destruct (Rle_or_lt (mu_den (cos e) y r) 0) as [D|D]. { rewrite (Hc0 D). lia. }
     destruct (nonneg (I.neg (dI w (I.mul p (S (r1 b)) (S (y1 b))) (S (r0 b))))) eqn:E1.
     { assert (A := nonneg_ok _ _ E1 (neg_in _ _ (dI_in _ _ _ _ _ _ _ Hw (mul_in p _ _ _ _ (vin (r1 b)) (vin (y1 b))) (vin (r0 b))))).
@@ -229,19 +218,19 @@ Proof.
       - apply Rle_trans with (V (r0 b) * mu (cos e) y r); [apply Rmult_le_compat_l; lra | apply Rmult_le_compat_r; lra].
       - assert (V (r0 b) * mu (cos (V (e0 b))) (V (y1 b)) (V (r0 b)) <= V (r0 b) * 0) by (apply Rmult_le_compat_l; lra). lra. }
     destruct (low_ok _ _ (add_in p _ _ _ _ Hs (mul_in p _ _ _ _ K1 (add_in p _ _ _ _ piI (vin (e0 b)))))) as [c1 [C1 C2]].
-    apply (at_most_sound p G T HT nb _ _ _ _ H6 (V (r0 b)) c1 k1 (vin _) C1 K1 r (cL e (r * mu (cos e) y r)) (r * mu (cos e) y r)); [|now apply Hc].
+    apply (at_most_sound p G T HT (fuel nb) _ _ _ _ H6 (V (r0 b)) c1 k1 (vin _) C1 K1 r (cL e (r * mu (cos e) y r)) (r * mu (cos e) y r)); [|now apply Hc].
     assert (k1 * (PI + V (e0 b)) <= r * mu (cos e) y r * (PI + e)) by (apply mul_mono; lra).
     assert (0 <= r * mu (cos e) y r * (PI + e)) by (apply Rmult_le_pos; lra). unfold cL. repeat split; lra. }
-  lia.
+  assert (FA := fuel_le na). assert (FB := fuel_le nb). lia.
 Qed.
-Lemma out_light_sound b e y r : out_light b = true -> inside b e y r -> 0 < e <= PI/2 -> 0 < r <= 1 -> r * y < 1 -> 0 <= y ->
+Lemma descends_sound b e y r : descends b = true -> inside b e y r -> 0 < e <= PI/2 -> 0 < r <= 1 -> 0 <= y ->
   0 <= 2 * cos e + r * y - y * (cos e * cos e) -> False.
 Proof.
-  unfold out_light. intros H Hin He' Hr' Hlt Hy0 HP. apply orb_prop in H. destruct H as [H|H]; [now apply out_bridge_sound with b e y r|].
+  unfold descends. intros H Hin He' Hr' Hy0 HP.
   destruct Hin as [He [Hy Hr]]. apply andb_prop in H; destruct H as [H H3]. apply andb_prop in H; destruct H as [Hp H2].
   destruct (proper_ok b Hp) as [P1 [P2 [P3 P4]]].
   assert (A := pos_ok _ _ H2 (sub_in p _ _ _ _ quI (vin _))).
-  destruct (sc_ok p T HT _ _ (vin (e1 b))) as [Hs Hw]. destruct (sc p T (S (e1 b))) as [s w]. simpl in Hw.
+  destruct (sc_ok p G T HT _ _ (vin (e1 b))) as [Hs Hw]. destruct (sc p G T (S (e1 b))) as [s w]. simpl in Hw.
   assert (B := pos_ok _ _ H3 (sub_in p _ _ _ _ (mul_in p _ _ _ _ (vin (y0 b)) (sub_in p _ _ _ _ (sqr_in p _ _ Hw) (vin (r1 b)))) (mul2_in p _ _ Hw))).
   assert (W1 : 0 < cos (V (e1 b))) by (apply cos_pos; lra). assert (W2 : cos (V (e1 b)) <= cos e) by (apply cos_mono; lra).
   set (w1 := cos (V (e1 b))) in *. set (u := cos e) in *.
@@ -253,30 +242,20 @@ Proof.
   assert (Q5 : w1 * (2 * u) < w1 * (y * (u * u - r))) by lra. apply Rmult_lt_reg_l in Q5; lra.
 Qed.
 
-Lemma check_tree_sound (leaf : box -> nat -> nat -> bool) out (Q : R -> R -> R -> Prop) :
-  (forall b na nb, leaf b na nb = true -> forall e y r, inside b e y r -> Q e y r) ->
-  (forall b, out b = true -> forall e y r, inside b e y r -> Q e y r) ->
-  forall t b, check_tree leaf out b t = true -> forall e y r, inside b e y r -> Q e y r.
+Lemma enough_ok Vn na nb : enough Vn na nb = true -> (N.to_nat Vn <= 1 + fuel na + fuel nb)%nat.
 Proof.
-  intros HL HO. induction t as [na nb| |m l IHl u IHu|m l IHl u IHu|m l IHl u IHu]; simpl; intros b H e y r Hin.
-  - now apply HL with (1 := H). - now apply HO with (1 := H).
-  - destruct (check_tree leaf out _ l) eqn:E; [|discriminate]. destruct (Rle_or_lt e (V m)).
-    + apply IHl with (1 := E). unfold inside in *; simpl; lra. + apply IHu with (1 := H). unfold inside in *; simpl; lra.
-  - destruct (check_tree leaf out _ l) eqn:E; [|discriminate]. destruct (Rle_or_lt y (V m)).
-    + apply IHl with (1 := E). unfold inside in *; simpl; lra. + apply IHu with (1 := H). unfold inside in *; simpl; lra.
-  - destruct (check_tree leaf out _ l) eqn:E; [|discriminate]. destruct (Rle_or_lt r (V m)).
-    + apply IHl with (1 := E). unfold inside in *; simpl; lra. + apply IHu with (1 := H). unfold inside in *; simpl; lra.
+  unfold enough, fuel. intros H. apply andb_prop in H; destruct H as [H H3]. apply andb_prop in H; destruct H as [H1 H2].
+  apply N.leb_le in H1, H2, H3. rewrite !N.min_l by assumption. lia.
 Qed.
-
-Lemma check_witness_sound r0 r1 e y na nb Vn : check_witness r0 r1 e y na nb Vn = true -> forall r, V r0 <= r <= V r1 -> bridge_witness r Vn.
+Lemma check_witness_sound r0 r1 e y na nb Vn : check_witness r0 r1 e y na nb Vn = true -> forall r, V r0 <= r <= V r1 -> bridge_witness r (N.to_nat Vn).
 Proof.
   unfold check_witness. intros H r Hr.
   apply andb_prop in H; destruct H as [H H9]. apply andb_prop in H; destruct H as [H H8]. apply andb_prop in H; destruct H as [H H7].
   apply andb_prop in H; destruct H as [H H6]. apply andb_prop in H; destruct H as [H H5]. apply andb_prop in H; destruct H as [H H4].
-  apply andb_prop in H; destruct H as [H H3]. apply andb_prop in H; destruct H as [H1 H2]. apply Nat.leb_le in H1.
+  apply andb_prop in H; destruct H as [H H3]. apply andb_prop in H; destruct H as [H1 H2]. apply enough_ok in H1.
   assert (A2 := pos_ok _ _ H2 (vin _)). assert (A3 := pos_ok _ _ H3 (sub_in p _ _ _ _ quI (vin _))). assert (A4 := pos_ok _ _ H4 (vin _)).
   assert (A5 := pos_ok _ _ H5 (vin _)). assert (A6 := le1_ok _ H6).
-  destruct (sc_ok p T HT _ _ (vin e)) as [Hs Hw]. destruct (sc p T (S e)) as [s w] eqn:Esc. simpl in Hw.
+  destruct (sc_ok p G T HT _ _ (vin e)) as [Hs Hw]. destruct (sc p G T (S e)) as [s w] eqn:Esc. simpl in Hw.
   assert (A7 := pos_ok _ _ H7 (sub_in p _ _ _ _ unI (mul_in p _ _ _ _ (vin r1) (add_in p _ _ _ _ Hw (vin y))))). clear s w Esc Hs Hw H7.
   assert (HPI : 0 < PI) by apply PI_RGT_0. destruct (cos_range (V e) ltac:(lra)) as [W1 W2].
   destruct (XI_in _ _ _ _ _ _ (vin e) (vin y) (vin r1)) as [X1 X2]. destruct (XI (S e) (S y) (S r1)) as [ci ki]. simpl in X1, X2.
@@ -285,73 +264,152 @@ Proof.
   destruct (up_ok _ _ Y1) as [c2 [C3 C4]]. destruct (up_ok _ _ Y2) as [k2 [K3 K4]].
   assert (N1 : 0 <= lamX (V e) (V y)) by (unfold lamX; lra).
   assert (N2 : 0 <= cX (V e) (V y)). { unfold cX. assert (0 <= sin (V e)) by (apply sin_ge_0; lra). assert (0 <= lamX (V e) (V y) * (PI - V e)) by (apply Rmult_le_pos; lra). lra. }
-  exists (V e), (V y), na, nb. split; [lra|]. split; [lra|]. split.
+  exists (V e), (V y), (fuel na), (fuel nb). split; [lra|]. split; [lra|]. split.
   { unfold lamX in *. assert (r * (cos (V e) + V y) <= V r1 * (cos (V e) + V y)) by (apply Rmult_le_compat_r; lra). lra. }
   split; [|split; [|exact H1]].
   - apply any_slope with (V r1); try lra.
-    apply (at_least_sound p G T HT na _ _ _ _ H8 (V r1) c1 k1 (vin _) C1 K1).
+    apply (at_least_sound p G T HT (fuel na) _ _ _ _ H8 (V r1) c1 k1 (vin _) C1 K1).
     assert (0 <= V r1 * cX (V e) (V y)) by (apply Rmult_le_pos; lra). assert (0 <= V r1 * lamX (V e) (V y)) by (apply Rmult_le_pos; lra). repeat split; lra.
   - assert (L3 := lamS_ge (V e) (V y) (V r0) ltac:(lra) ltac:(lra) ltac:(lra)). assert (L4 := cS_ge (V e) (V y) (V r0) ltac:(lra) ltac:(lra) ltac:(lra)).
     assert (L5 := lamS_ge (V e) (V y) r ltac:(lra) ltac:(lra) ltac:(lra)). assert (L6 := cS_ge (V e) (V y) r ltac:(lra) ltac:(lra) ltac:(lra)).
     assert (L1 := lamS_mono (V e) (V e) (V y) (V y) (V r0) r ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra)).
     assert (L2 := cS_mono (V e) (V e) (V y) (V y) (V r0) r ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra)).
-    assert (K : coll r nb (r * cS (V e) (V y) (V r0)) (r * lamS (V e) (V y) (V r0))).
-    { apply any_slope with (V r1); try lra. apply (at_least_sound p G T HT nb _ _ _ _ H9 (V r1) c2 k2 (vin _) C3 K3).
+    assert (K : coll r (fuel nb) (r * cS (V e) (V y) (V r0)) (r * lamS (V e) (V y) (V r0))).
+    { apply any_slope with (V r1); try lra. apply (at_least_sound p G T HT (fuel nb) _ _ _ _ H9 (V r1) c2 k2 (vin _) C3 K3).
       assert (0 <= V r1 * cS (V e) (V y) (V r0)) by (apply Rmult_le_pos; lra). assert (V r1 * (-1) <= V r1 * lamS (V e) (V y) (V r0)) by (apply Rmult_le_compat_l; lra). repeat split; lra. }
-    apply (coll_mono nb) with (8 := K); try lra; try (apply Rmult_le_compat_l; lra).
+    apply (coll_mono (fuel nb)) with (8 := K); try lra; try (apply Rmult_le_compat_l; lra).
     + apply Rmult_le_pos; lra. + assert (r * (-1) <= r * lamS (V e) (V y) r) by (apply Rmult_le_compat_l; lra). lra.
 Qed.
 
-Lemma lower_le i x : inI x i -> F.real (I.lower i) = true -> V (I.lower i) <= x.
+(* ---------- exact boxes ---------- *)
+(** A float compared with the fraction n/d, exactly. *)
+Definition cmp_frac (f : F.type) (n : Z) (d : positive) : option comparison :=
+  match F.toF f with
+  | Basic.Fnan => None
+  | Basic.Fzero => Some (0 ?= n)%Z
+  | Basic.Float s m e => let m := if s then Zneg m else Zpos m in
+    Some match e with
+    | Z0 => (m * Zpos d ?= n)%Z
+    | Zpos k => (m * Z.pow_pos (radix_val F.radix) k * Zpos d ?= n)%Z
+    | Zneg k => (m * Zpos d ?= n * Z.pow_pos (radix_val F.radix) k)%Z
+    end
+  end.
+Definition below_frac f n d := match cmp_frac f n d with Some Lt | Some Eq => true | _ => false end.
+Definition above_frac f n d := match cmp_frac f n d with Some Gt | Some Eq => true | _ => false end.
+Lemma cmp_frac_ok f n d c : cmp_frac f n d = Some c -> match c with Lt => V f < IZR n / IZR (Zpos d) | Eq => V f = IZR n / IZR (Zpos d) | Gt => IZR n / IZR (Zpos d) < V f end.
 Proof.
-  intros H Hr. rewrite F.real_correct in Hr. assert (L : F.toX (I.lower i) = Xlower (I.convert i)) by exact (I.lower_correct i (ex_intro _ x H)).
-  unfold V. rewrite L in *. unfold inI in H. destruct (I.convert i) as [|a b]; [easy|]. simpl in *. destruct a; [easy|]. simpl. apply H.
+  unfold cmp_frac, V, F.toX. assert (D : 0 < IZR (Zpos d)) by now apply IZR_lt.
+  assert (K : forall x a b (w : R), 0 < w -> x * (IZR (Zpos d) * w) = IZR a -> IZR n * w = IZR b ->
+    match (a ?= b)%Z with Lt => x < IZR n / IZR (Zpos d) | Eq => x = IZR n / IZR (Zpos d) | Gt => IZR n / IZR (Zpos d) < x end).
+  { intros x a b w Hw Ha Hb. assert (W : 0 < IZR (Zpos d) * w) by (now apply Rmult_lt_0_compat).
+    assert (E : IZR n / IZR (Zpos d) * (IZR (Zpos d) * w) = IZR b) by (rewrite <- Hb; field; lra).
+    destruct (Z.compare_spec a b) as [Q|Q|Q].
+    - apply Rmult_eq_reg_r with (IZR (Zpos d) * w); [|lra]. rewrite Ha, E. now f_equal.
+    - apply Rmult_lt_reg_r with (IZR (Zpos d) * w); [exact W|]. rewrite Ha, E. now apply IZR_lt.
+    - apply Rmult_lt_reg_r with (IZR (Zpos d) * w); [exact W|]. rewrite Ha, E. now apply IZR_lt. }
+  assert (P : forall k, 0 < IZR (Z.pow_pos (radix_val F.radix) k)).
+  { intros k. apply IZR_lt.  apply Zpower_pos_gt_0. exact (radix_gt_0 F.radix). }
+  unfold F.convert. destruct (F.toF f) as [| |s m e]; [discriminate| |]; intros H; injection H; clear H; intros <-; simpl.
+  - apply (K 0 0%Z n 1); lra.
+  - set (sm := if s then Zneg m else Zpos m). unfold FtoR. fold sm. destruct e as [|k|k].
+    + apply (K _ _ _ 1); try lra. rewrite mult_IZR. ring.
+    + apply (K _ _ _ 1); try lra. rewrite !mult_IZR. ring.
+    + apply (K _ _ _ (IZR (Z.pow_pos (radix_val F.radix) k))); [apply P | | now rewrite mult_IZR]. rewrite mult_IZR. field. specialize (P k). lra.
 Qed.
-Lemma upper_ge i x : inI x i -> F.real (I.upper i) = true -> x <= V (I.upper i).
+Lemma below_ok f n d : below_frac f n d = true -> V f <= IZR n / IZR (Zpos d).
+Proof. unfold below_frac. destruct (cmp_frac f n d) as [c|] eqn:E; [|discriminate]. apply cmp_frac_ok in E. destruct c; try discriminate; lra. Qed.
+Lemma above_ok f n d : above_frac f n d = true -> IZR n / IZR (Zpos d) <= V f.
+Proof. unfold above_frac. destruct (cmp_frac f n d) as [c|] eqn:E; [|discriminate]. apply cmp_frac_ok in E. destruct c; try discriminate; lra. Qed.
+
+(** The float next to the fraction n/d, n >= 0; not trusted: [boxed] compares. *)
+Definition near_frac (up : bool) (n : Z) (d : positive) : F.type :=
+  if (n =? 0)%Z then F.zero else
+  let s := (Zpos (F.prec p) - 1 - (Z.log2 n - Z.log2 (Zpos d)))%Z in
+  let a := if (0 <=? s)%Z then (n * 2 ^ s)%Z else n in
+  let b := if (0 <=? s)%Z then Zpos d else (Zpos d * 2 ^ (- s))%Z in
+  let m := (if up then - (- a / b) else a / b)%Z in
+  match (if (Z.log2 m =? Zpos (F.prec p))%Z then (m / 2, 1 - s)%Z else (m, - s)%Z) with
+  | (Zpos m, e) => F.fromF (Basic.Float false m e)
+  | _ => F.zero
+  end.
+Definition round_box (b : box) : fbox :=
+  let down s := near_frac false (low_end s) (part s) in let up s := near_frac true (high_end s) (part s) in
+  {| e0 := down (box_e b); e1 := up (box_e b); y0 := down (box_slope b); y1 := up (box_slope b);
+     r0 := near_frac false (Zpos (part (box_q b))) (Z.to_pos (high_end (box_q b)));
+     r1 := near_frac true (Zpos (part (box_q b))) (Z.to_pos (low_end (box_q b))) |}.
+(** Does the box of floats contain the exact one, with r = 1/q? *)
+Definition boxed (f : fbox) (b : box) : bool :=
+  let holds lo hi s := below_frac lo (low_end s) (part s) && above_frac hi (high_end s) (part s) in
+  holds (e0 f) (e1 f) (box_e b) && holds (y0 f) (y1 f) (box_slope b) && (0 <? low_end (box_q b))%Z && (0 <? high_end (box_q b))%Z &&
+  below_frac (r0 f) (Zpos (part (box_q b))) (Z.to_pos (high_end (box_q b))) && above_frac (r1 f) (Zpos (part (box_q b))) (Z.to_pos (low_end (box_q b))).
+Lemma boxed_ok f b : boxed f b = true -> forall e y q, in_box e y q b -> inside f e y (/ q).
 Proof.
-  intros H Hr. rewrite F.real_correct in Hr. assert (L : F.toX (I.upper i) = Xupper (I.convert i)) by exact (I.upper_correct i (ex_intro _ x H)).
-  unfold V. rewrite L in *. unfold inI in H. destruct (I.convert i) as [|a b]; [easy|]. simpl in *. destruct b; [easy|]. simpl. apply H.
+  unfold boxed. intros H e y q [He [Hy Hq]].
+  apply andb_prop in H; destruct H as [H H6]. apply andb_prop in H; destruct H as [H H5]. apply andb_prop in H; destruct H as [H H4].
+  apply andb_prop in H; destruct H as [H H3]. apply andb_prop in H; destruct H as [H1 H2].
+  apply andb_prop in H1; destruct H1 as [A1 A2]. apply andb_prop in H2; destruct H2 as [B1 B2].
+  apply below_ok in A1, B1, H5. apply above_ok in A2, B2, H6. apply Z.ltb_lt in H3, H4. unfold in_span in *.
+  rewrite Z2Pos.id in H5, H6 by assumption. apply IZR_lt in H3, H4.
+  assert (D : 0 < IZR (Zpos (part (box_q b)))) by now apply IZR_lt.
+  assert (L : 0 < IZR (low_end (box_q b)) / IZR (Zpos (part (box_q b)))) by now apply Rdiv_lt_0_compat.
+  unfold inside. split; [lra|]. split; [lra|]. split.
+  - apply Rle_trans with (1 := H5). replace (IZR (Zpos (part (box_q b))) / IZR (high_end (box_q b))) with (/ (IZR (high_end (box_q b)) / IZR (Zpos (part (box_q b))))) by (field; lra).
+    apply Rinv_le_contravar; lra.
+  - apply Rle_trans with (2 := H6). replace (IZR (Zpos (part (box_q b))) / IZR (low_end (box_q b))) with (/ (IZR (low_end (box_q b)) / IZR (Zpos (part (box_q b))))) by (field; lra).
+    apply Rinv_le_contravar; lra.
 Qed.
 
-Theorem check_piece_sound P : check_piece P = true -> forall q, IZR (An P) / IZR (Ad P) <= q <= IZR (Bn P) / IZR (Bd P) ->
-  1 <= q /\ bridge_bound (/ q) (U P) /\ light_bound (/ q) (U P) /\ bridge_witness (/ q) (Vn P).
+(** A box that begins above pi/2 is treated as if it began there (format.md, 3.3). *)
+Definition capped (f : fbox) : fbox :=
+  let l := I.lower (quarter T) in
+  {| e0 := match F.cmp l (e0 f) with Xlt => l | _ => e0 f end; e1 := e1 f; y0 := y0 f; y1 := y1 f; r0 := r0 f; r1 := r1 f |}.
+Lemma capped_ok f e y r : F.real (I.lower (quarter T)) = true -> F.real (e0 f) = true -> inside f e y r -> inside (capped f) e y r.
 Proof.
-  unfold check_piece. intros H q Hq.
-  apply andb_prop in H; destruct H as [H H13]. apply andb_prop in H; destruct H as [H H12]. apply andb_prop in H; destruct H as [H H11].
-  apply andb_prop in H; destruct H as [H H10]. apply andb_prop in H; destruct H as [H H9]. apply andb_prop in H; destruct H as [H H8].
-  apply andb_prop in H; destruct H as [H H7]. apply andb_prop in H; destruct H as [H H6]. apply andb_prop in H; destruct H as [H H5].
-  apply andb_prop in H; destruct H as [H H4]. apply andb_prop in H; destruct H as [H H3]. apply andb_prop in H; destruct H as [H1 H2].
-  apply Z.ltb_lt in H1. apply Z.leb_le in H2. apply Z.ltb_lt in H3. apply Z.ltb_lt in H4.
-  apply IZR_lt in H1. apply IZR_le in H2. apply IZR_lt in H3. apply IZR_lt in H4.
-  assert (Q0 : 1 <= IZR (An P) / IZR (Ad P)) by (apply Rmult_le_reg_r with (IZR (Ad P)); [lra|]; unfold Rdiv; rewrite Rmult_assoc, Rinv_l; lra).
-  assert (Q1 : 1 <= q) by lra. split; [exact Q1|].
-  assert (R1 : / q <= IZR (Ad P) / IZR (An P)). { replace (IZR (Ad P) / IZR (An P)) with (/ (IZR (An P) / IZR (Ad P))) by (field; lra). apply Rinv_le_contravar; lra. }
-  assert (R2 : IZR (Bd P) / IZR (Bn P) <= / q). { replace (IZR (Bd P) / IZR (Bn P)) with (/ (IZR (Bn P) / IZR (Bd P))) by (field; lra). apply Rinv_le_contravar; lra. }
-  assert (RL := lower_le _ _ (div_in p _ _ _ _ (fromZ_in p (Bd P)) (fromZ_in p (Bn P))) H5).
-  assert (RH : IZR (Ad P) / IZR (An P) <= V (r_hi P)).
-  { unfold r_hi in *. destruct (Ad P =? An P)%Z eqn:EQ.
-    - apply Z.eqb_eq in EQ. rewrite EQ. unfold V. rewrite one_real. simpl. unfold Rdiv. rewrite Rinv_r; lra.
-    - exact (upper_ge _ _ (div_in p _ _ _ _ (fromZ_in p (Ad P)) (fromZ_in p (An P))) H6). }
-  fold (r_lo P) in RL.
-  assert (Hr : V (r_lo P) <= / q <= V (r_hi P)) by lra.
-  assert (Z0 := nonneg_ok _ _ H7 (neg_in _ _ (vin _))). assert (E2 := nonneg_ok _ _ H8 (sub_in p _ _ _ _ (vin _) quI)).
-  assert (R0 := pos_ok _ _ H9 (vin _)). assert (Y2 := nonneg_ok _ _ H10 (sub_in p _ _ _ _ (mul_in p _ _ _ _ (vin _) (vin _)) unI)).
-  assert (R3 : 0 < / q <= 1). { split; [apply Rinv_0_lt_compat; lra|]. rewrite <- Rinv_1. apply Rinv_le_contravar; lra. }
-  assert (In : forall e y, 0 < e <= PI/2 -> 0 <= y -> / q * y < 1 ->
-    inside {| e0 := zero_f P; e1 := Emax P; y0 := zero_f P; y1 := Ymax P; r0 := r_lo P; r1 := r_hi P |} e y (/ q)).
-  { intros e y He Hy Hyr. unfold inside; simpl. assert (y <= V (Ymax P)).
-    { destruct (Rle_or_lt y (V (Ymax P))) as [|K]; [assumption|]. assert (V (r_lo P) * V (Ymax P) <= / q * y); [|lra].
-      destruct (Rle_or_lt 0 (V (Ymax P))) as [K2|K2]; [apply mul_mono; lra|]. assert (V (r_lo P) * V (Ymax P) <= V (r_lo P) * 0) by (apply Rmult_le_compat_l; lra). assert (0 <= / q * y) by (apply Rmult_le_pos; lra). lra. } lra. }
-  split; [|split].
-  - intros e eta a b He Heta Hlt Ha Hb.
-    apply (check_tree_sound (leaf_bridge (U P)) out_bridge (Qb (U P))) with (3 := H11) (e := e) (y := eta) (r := / q); auto.
-    + intros. eapply leaf_bridge_sound; eassumption.
-    + intros b0 Hb0 e' y' r' Hin' ? ? ? ?. exfalso. eapply out_bridge_sound; eassumption.
-  - intros e lam a b He Hlam Hlt HP Ha Hb Hb0.
-    apply (check_tree_sound (leaf_light (U P)) out_light (Ql (U P))) with (3 := H12) (e := e) (y := lam) (r := / q); auto.
-    + intros. eapply leaf_light_sound; eassumption.
-    + intros b0 Hb1 e' y' r' Hin' ? ? ? ? a' b' HP' ? ? ?. exfalso. eapply out_light_sound; eassumption.
-  - eapply check_witness_sound; eassumption.
+  intros R1 R2 [He [Hy Hr]]. split; [|split]; simpl; try assumption. split; [|apply He].
+  assert (K := F.cmp_correct (I.lower (quarter T)) (e0 f)). destruct (F.cmp _ _); try lra.
+  rewrite F.classify_correct in R1, R2. destruct (F.classify (I.lower (quarter T))) eqn:C1; try discriminate R1. destruct (F.classify (e0 f)) eqn:C2; try discriminate R2.
+  unfold V in *. destruct (F.toX (I.lower (quarter T))) as [|a] eqn:X1; [discriminate K|]. destruct (F.toX (e0 f)) as [|b] eqn:X2; [discriminate K|]. simpl in *.
+  destruct (Raux.Rcompare_spec a b); try discriminate K. lra.
+Qed.
+
+(** A leaf of the chart bridge (or light) in a piece with at most [U] collisions. *)
+Definition check_reason (U : N) (light : bool) (b : box) (why : reason) : bool :=
+  let f := round_box b in boxed f b &&
+  match why with
+  | Count na nb => F.real (I.lower (quarter T)) && F.real (e0 f) && (if light then leaf_light else leaf_bridge) U (capped f) na nb
+  | Outside => beyond_peak f || too_steep b || (light && descends f)
+  | Meets | Meets_reversed => false
+  end.
+Lemma check_bridge_sound U b why : check_reason U false b why = true -> forall e y q, in_box e y q b -> 1 <= q -> bridge_holds (N.to_nat U) e y (/ q).
+Proof.
+  unfold check_reason. intros H e y q Hin Hq. apply andb_prop in H; destruct H as [Hb H]. assert (Hf := boxed_ok _ _ Hb e y q Hin).
+  destruct why as [na nb| | |]; try discriminate.
+  - apply andb_prop in H; destruct H as [H HL]. apply andb_prop in H; destruct H as [R1 R2].
+    apply leaf_bridge_sound with (1 := HL). now apply capped_ok.
+  - rewrite orb_false_r in H. intros He Hy Hr Hlt a c _ _. exfalso. apply orb_prop in H. destruct H as [H|H].
+    + assert (K := beyond_peak_sound _ _ _ _ H Hf). lra.
+    + exact (too_steep_sound _ _ _ _ H Hin Hq Hlt).
+Qed.
+Lemma check_light_sound U b why : check_reason U true b why = true -> forall e y q, in_box e y q b -> 1 <= q -> light_holds (N.to_nat U) e y (/ q).
+Proof.
+  unfold check_reason. intros H e y q Hin Hq. apply andb_prop in H; destruct H as [Hb H]. assert (Hf := boxed_ok _ _ Hb e y q Hin).
+  destruct why as [na nb| | |]; try discriminate.
+  - apply andb_prop in H; destruct H as [H HL]. apply andb_prop in H; destruct H as [R1 R2].
+    apply leaf_light_sound with (1 := HL). now apply capped_ok.
+  - intros He Hy Hr Hlt a c HP _ _ _. exfalso. apply orb_prop in H. destruct H as [H|H]; [apply orb_prop in H; destruct H as [H|H]|].
+    + assert (K := beyond_peak_sound _ _ _ _ H Hf). lra.
+    + exact (too_steep_sound _ _ _ _ H Hin Hq Hlt).
+    + simpl in H. exact (descends_sound _ _ _ _ H Hf He Hr Hy HP).
+Qed.
+
+(** The witness of the piece [A, B]. That the floats are those of the file is not needed: any contact is a witness. *)
+Definition near_dyadic (x : dyadic) : F.type := match odd_part x with N0 => F.zero | Npos m => F.fromF (Basic.Float false m (exponent x)) end.
+Definition check_contact (V : N) (b : box) (w : contact) : bool :=
+  let f := round_box b in boxed f b && check_witness (r0 f) (r1 f) (near_dyadic (contact_e w)) (near_dyadic (contact_eta w)) (after_X w) (after_reversed w) V.
+Lemma check_contact_sound V b w : check_contact V b w = true -> forall e y q, in_box e y q b -> bridge_witness (/ q) (N.to_nat V).
+Proof.
+  unfold check_contact. intros H e y q Hin. apply andb_prop in H; destruct H as [Hb H]. destruct (boxed_ok _ _ Hb e y q Hin) as [_ [_ Hr]].
+  exact (check_witness_sound _ _ _ _ _ _ _ H _ Hr).
 Qed.
 End S.
-End Tree.
+End Leaves.
