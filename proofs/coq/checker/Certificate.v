@@ -105,3 +105,8 @@ Proof.
     rewrite <- E1, <- E2, Pos2Z.inj_mul, mult_IZR. set (d := IZR (Zpos (den a)) * IZR (Zpos (den b))) in *.
     replace (ratio_value a * d / d) with (ratio_value a) by (field; lra). replace (ratio_value b * d / d) with (ratio_value b) by (field; lra). exact Hq.
 Qed.
+
+(** For the command line, which takes other spellings of a ratio than a file has. *)
+Definition lowest_terms (x : ratio) : ratio :=
+  let d := Pos.gcd (num x) (den x) in
+  {| num := Z.to_pos (Zpos (num x) / Zpos d); den := Z.to_pos (Zpos (den x) / Zpos d) |}.
