@@ -124,10 +124,10 @@ Section Judge.
 Variable t : list string.
 Let number (rest : list string) : nat := (List.length t - List.length rest + 1)%nat.
 Definition header (k : list string -> answer) : answer :=
-  let unknown word rest := Unsupported (number rest - 1) ("only the scene dumbbell, section turning, claim collisions, lemmas 1 is checked here: unknown " ++ word) in
+  let unknown word rest := Unsupported (number rest - 1) ("not checked here: " ++ nth (number rest - 2) t "" ++ ", where only " ++ word ++ " is") in
   let expect keyword expected rest k := match known keyword expected rest with
     | Wrong rest => Rejected (number rest) ("expected `" ++ keyword ++ "`")
-    | Read false rest => unknown keyword rest
+    | Read false rest => unknown (keyword ++ " " ++ expected) rest
     | Read true rest => k rest end in
   expect "dumbbell-certificate" "1" t (fun rest =>
   match rest with [] => Rejected (number rest) "the text ends too early" | _ :: rest =>
@@ -151,7 +151,7 @@ Definition most_bits : N := 2048.
 Definition too_much (P : piece) : bool :=
   (most_bits <? bits P)%N || match witness P with Some w => (most_steps <? after_X w)%N || (most_steps <? after_reversed w)%N | None => false end.
 
-(** The verdict on the lines of a file; [sha256] is the checksum of all but the last. *)
+(** The verdict on the lines of a file: read, written again, compared, and checked. [sha256] is the checksum of all lines but the last. *)
 Definition judge (sha256 : string) (d : demand) : answer :=
   header (fun rest =>
   match read_body (nth 1 t "") rest with
@@ -160,7 +160,7 @@ Definition judge (sha256 : string) (d : demand) : answer :=
     match first_difference (file_text c sha256) t with
     | Some n => Rejected (S n) "the text is not as this certificate is written"
     | None =>
-      if negb (canonical c) then Rejected 0 "a value beyond its limits or not in lowest terms" else
+      if negb (canonical c) then Rejected 0 "a value beyond its limits, or not in lowest terms" else
       if existsb too_much (pieces c) then Limit "more than 2048 bits, or a witness with more than a million collisions" else
       match certificate_fault d c with Some why => Rejected 0 why | None => Verified c end
     end

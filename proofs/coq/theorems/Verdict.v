@@ -22,6 +22,22 @@ Proof.
   - intros q Hq. destruct (range_asked d c) as [a b] eqn:E. now apply (demand_sound d c H a b E q Hq).
 Qed.
 
+(** A certificate in parts, each of which the kernel has checked by itself. *)
+Definition faultless (l : list piece) : bool := forallb (fun P => match piece_fault P with None => true | Some _ => false end) l.
+Lemma faultless_app a b : faultless (a ++ b)%list = (faultless a && faultless b)%bool.
+Proof. apply forallb_app. Qed.
+Lemma faultless_first l : faultless l = true -> forall n, first_fault n l = None.
+Proof.
+  induction l as [|P l IH]; intros H n; [reflexivity|]. simpl in *. apply Bool.andb_true_iff in H. destruct H as [H1 H2].
+  destruct (piece_fault P); [discriminate | now apply IH].
+Qed.
+Theorem all_parts d c : joined (range_from c) (pieces c) (range_to c) = true -> pieces c <> [] -> faultless (pieces c) = true ->
+  unproved d c = None -> certificate_fault d c = None.
+Proof.
+  intros H1 H2 H3 H4. unfold certificate_fault. rewrite H1. simpl. destruct (pieces c) as [|P l] eqn:E; [easy|].
+  now rewrite (faultless_first _ H3).
+Qed.
+
 (** For any lines and any demand: if the checker accepts the lines, they are those of a certificate, and everything that it says of the
     mass ratios is true of two masses and a floor. *)
 Theorem verdict_sound t sha256 d c : judge t sha256 d = Verified c ->
