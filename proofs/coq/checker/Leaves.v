@@ -403,7 +403,8 @@ Proof.
 Qed.
 
 (** The witness of the piece [A, B]. That the floats are those of the file is not needed: any contact is a witness. *)
-Definition near_dyadic (x : dyadic) : F.type := match odd_part x with N0 => F.zero | Npos m => F.fromF (Basic.Float false m (exponent x)) end.
+Definition near_dyadic (x : dyadic) : F.type :=
+  near_frac false (Z.of_N (odd_part x) * 2 ^ Z.max 0 (exponent x)) (Z.to_pos (2 ^ Z.max 0 (- exponent x))).
 Definition check_contact (V : N) (b : box) (w : contact) : bool :=
   let f := round_box b in boxed f b && check_witness (r0 f) (r1 f) (near_dyadic (contact_e w)) (near_dyadic (contact_eta w)) (after_X w) (after_reversed w) V.
 Lemma check_contact_sound V b w : check_contact V b w = true -> forall e y q, in_box e y q b -> bridge_witness (/ q) (N.to_nat V).

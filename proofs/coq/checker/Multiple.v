@@ -23,18 +23,24 @@ Definition of_double (x : PrimFloat.float) : BigFloat.type := BigFloat.fromF (Pr
 Definition low (i : I.type) : BigFloat.type := I.lower i.
 Definition one_point (i : I.type) : D.Z.Y.X.I.type := D.Z.Y.X.I.singleton (to_double (low i)).
 
-(** One step of Newton's iteration for f z = 0, from enclosures of f and f'. *)
-Definition newton (f f' : I.type -> I.type) (z : BigFloat.type) : BigFloat.type :=
-  let i := I.singleton z in I.midpoint (I.sub p i (I.div p (f i) (f' i))).
-Fixpoint improve (n : nat) (f f' : I.type -> I.type) (z : BigFloat.type) : BigFloat.type :=
-  match n with O => I.lower (I.add p (I.singleton z) (I.fromZ p 0)) | S m => improve m f f' (newton f f' z) end.
-(** From 50 bits to those of p; more if the double has lost the root. *)
-Definition rounds : nat := S (Z.to_nat (Z.log2_up (Zpos (BigFloat.prec p) / 45))).
-Definition root_from (c k : I.type) (z : BigFloat.type) (n : nat) : BigFloat.type :=
-  improve n (fun z => I.sub p (I.sub p (I.sin p z) (I.mul p k z)) c) (fun z => I.sub p (I.cos p z) k) z.
+(** Newton's iteration for f z = 0, from enclosures of f and f', until half of the digits stay; then one step more is enough. *)
+Definition settled (old new : BigFloat.type) : bool :=
+  let step := I.abs (I.sub p (I.singleton new) (I.singleton old)) in
+  match I.sign_large (I.sub p (I.abs (I.singleton new)) (I.mul p step (I.power_int p (I.fromZ p 2) (Zpos (BigFloat.prec p) / 2 + 4)))) with
+  | Xreal.Xgt | Xreal.Xeq => true
+  | _ => false
+  end.
+Fixpoint newton (n : nat) (f f' : I.type -> I.type) (z : BigFloat.type) : BigFloat.type :=
+  match n with
+  | O => z
+  | S m => let i := I.singleton z in let new := I.lower (I.sub p i (I.div p (f i) (f' i))) in
+           if settled z new then new else newton m f f' new
+  end.
+Definition root_from (c k : I.type) (z : BigFloat.type) : BigFloat.type :=
+  newton 100 (fun z => I.sub p (I.sub p (I.sin p z) (I.mul p k z)) c) (fun z => I.sub p (I.cos p z) k) z.
 Definition near_root (c k : I.type) (z : BigFloat.type) : BigFloat.type :=
   let guess := Doubles.near_root (one_point c) (one_point k) (to_double z) in
-  if PrimFloat.eqb guess guess then root_from c k (of_double guess) rounds else root_from c k BigFloat.zero 40.
+  root_from c k (if PrimFloat.eqb guess guess then of_double guess else BigFloat.zero).
 Definition tiny : I.type := I.singleton (BigFloat.fromF (Basic.Float false 1 (8 - Zpos (BigFloat.prec p)))).
 Definition behind_root (c k : I.type) (z : BigFloat.type) : BigFloat.type :=
   let z := near_root c k z in let i := I.singleton z in
@@ -42,7 +48,7 @@ Definition behind_root (c k : I.type) (z : BigFloat.type) : BigFloat.type :=
 Definition near_top (k : I.type) : BigFloat.type :=
   let z := of_double (Doubles.near_top (one_point k)) in
   let half_turn := I.div p (I.pi p) (I.fromZ p 2) in
-  let z := improve rounds (fun z => I.sub p (I.cos p z) k) (fun z => I.neg (I.sin p z)) z in
+  let z := newton 20 (fun z => I.sub p (I.cos p z) k) (fun z => I.neg (I.sin p z)) z in
   match BigFloat.cmp z (I.lower half_turn) with Xreal.Xlt => z | _ => I.lower half_turn end.
 Definition G : M.Z.guesses := {| M.Z.near_root := near_root; M.Z.behind_root := behind_root;
   M.Z.seems_to_hit := fun _ _ z => BigFloat.real z; M.Z.near_top := near_top; M.Z.first_guess := BigFloat.zero; M.Z.quick := false |}.
