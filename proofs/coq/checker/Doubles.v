@@ -1,4 +1,5 @@
-(** The checker of leaves with the processor's doubles. The guesses are not trusted: nothing is proved, or need be, about them. *)
+(** The checker of leaves with the processor's doubles. The guesses are not trusted: nothing is proved, or need be,
+  about them. *)
 From Coq Require Import ZArith List Floats Bool.
 From Interval Require Import Float.Basic Float.Sig Float.Primitive_ops Interval.Float.
 From Dumbbell Require Import Leaves.
@@ -7,8 +8,12 @@ Definition p53 : PrimitiveFloat.precision := PrimitiveFloat.PtoP 53.
 
 Section Guess.
 Local Open Scope float_scope.
-Definition ks (x : PrimFloat.float) := let z := x*x in let p := (-0x1.5555555555548p-3)+z*(0x1.111111110f75ep-7+z*((-0x1.a01a019bf2621p-13)+z*(0x1.71de355f53fa9p-19+z*((-0x1.ae5e54bfd3f7ep-26)+z*0x1.5d8e4fcf8b1f8p-33)))) in x+(x*z)*p.
-Definition kc (x : PrimFloat.float) := let z := x*x in let p := 0x1.555555555554bp-5+z*((-0x1.6c16c16c1504cp-10)+z*(0x1.a01a019c97a15p-16+z*((-0x1.27e4f7f91218fp-22)+z*(0x1.1ee9e17e9ec48p-29+z*(-0x1.8fa9a763a4de1p-37))))) in 1+((-0.5)*z+(z*z)*p).
+Definition ks (x : PrimFloat.float) := let z := x*x in let p :=
+  (-0x1.5555555555548p-3)+z*(0x1.111111110f75ep-7+z*((-0x1.a01a019bf2621p-13)+z*(0x1.71de355f53fa9p-19+
+    z*((-0x1.ae5e54bfd3f7ep-26)+z*0x1.5d8e4fcf8b1f8p-33)))) in x+(x*z)*p.
+Definition kc (x : PrimFloat.float) := let z := x*x in let p :=
+  0x1.555555555554bp-5+z*((-0x1.6c16c16c1504cp-10)+z*(0x1.a01a019c97a15p-16+z*((-0x1.27e4f7f91218fp-22)+
+    z*(0x1.1ee9e17e9ec48p-29+z*(-0x1.8fa9a763a4de1p-37))))) in 1+((-0.5)*z+(z*z)*p).
 Definition halfpi := 0x1.921fb54442d18p+0.
 Definition gsc (x : PrimFloat.float) := if x <=? 0x1.9p-1 then (ks x, kc x) else let y := halfpi - x in (kc y, ks y).
 Definition fl (i : D.Z.Y.X.I.type) : PrimFloat.float := match i with Ibnd l _ => l | _ => nan end.

@@ -1,23 +1,28 @@
-(** What a leaf and a witness of a certificate must satisfy (docs/reference/format.md, sections 3.3 to 3.6), computed with intervals,
-    and that it is enough: L8 (a), (b), L9, L10 and L11 over a whole box. Generic in the numbers. *)
+(** What a leaf and a witness of a certificate must satisfy (docs/reference/format.md, sections 3.3 to 3.6), computed
+    with intervals, and that it is enough: L8 (a), (b), L9, L10 and L11 over a whole box. Generic in the numbers. *)
 From Coq Require Import Reals ZArith NArith Lra Lia List Bool.
 From Coquelicot Require Import Coquelicot.
 From Flocq Require Import Core.Raux Core.Zaux.
 From Interval Require Import Real.Xreal Float.Basic Float.Sig Interval.Interval Interval.Float Interval.Float_full.
-From Dumbbell Require Import Ray Chart Enclosure SineCosine Count Certificate.
+From Dumbbell Require Import Ray Chart Enclosure SineCosine Count Certificate FloatBoxes.
 Local Open Scope R_scope.
 
 (** The slope is steep (r eta >= 1, or r lambda) on the whole box, exactly. *)
-Definition too_steep (b : box) : bool := (high_end (box_q b) * Zpos (part (box_slope b)) <=? low_end (box_slope b) * Zpos (part (box_q b)))%Z.
+Definition too_steep (b : box) : bool := (high_end (box_q b) * Zpos (part (box_slope b)) <=? low_end (box_slope b) *
+  Zpos (part (box_q b)))%Z.
 Lemma too_steep_sound b e y q : too_steep b = true -> in_box e y q b -> 1 <= q -> / q * y < 1 -> False.
 Proof.
   unfold too_steep, in_box, in_span. intros H [_ [Hy Hq]] Hq1 Hlt. apply Z.leb_le, IZR_le in H. rewrite !mult_IZR in H.
-  assert (A : 0 < IZR (Zpos (part (box_q b)))) by now apply IZR_lt. assert (B : 0 < IZR (Zpos (part (box_slope b)))) by now apply IZR_lt.
+  assert (A : 0 < IZR (Zpos (part (box_q b)))) by now apply IZR_lt. assert (B : 0 < IZR (Zpos (part (box_slope b))))
+    by now apply IZR_lt.
   set (a := IZR (Zpos (part (box_q b)))) in *. set (c := IZR (Zpos (part (box_slope b)))) in *.
   assert (K : IZR (high_end (box_q b)) / a <= IZR (low_end (box_slope b)) / c).
-  { apply Rmult_le_reg_r with (a * c); [now apply Rmult_lt_0_compat|]. replace (IZR (high_end (box_q b)) / a * (a * c)) with (IZR (high_end (box_q b)) * c) by (field; lra).
-    replace (IZR (low_end (box_slope b)) / c * (a * c)) with (IZR (low_end (box_slope b)) * a) by (field; lra). exact H. }
-  assert (Y : y < q); [|lra]. apply Rmult_lt_reg_l with (/ q); [apply Rinv_0_lt_compat; lra|]. rewrite (Rinv_l q) by lra. exact Hlt.
+  { apply Rmult_le_reg_r with (a * c); [now apply Rmult_lt_0_compat|]. replace (IZR (high_end (box_q b)) / a * (a * c))
+    with (IZR (high_end (box_q b)) * c) by (field; lra).
+    replace (IZR (low_end (box_slope b)) / c * (a * c)) with (IZR (low_end (box_slope b)) * a) by (field; lra).
+      exact H. }
+  assert (Y : y < q); [|lra]. apply Rmult_lt_reg_l with (/ q); [apply Rinv_0_lt_compat; lra|].
+    rewrite (Rinv_l q) by lra. exact Hlt.
 Qed.
 
 (** A hint as the number of steps to try; no ray of a file that is read collides more often than [most_steps]. *)
@@ -36,16 +41,14 @@ Definition light_holds U e lam r := 0 < e <= PI/2 -> 0 <= lam -> 0 < r <= 1 -> r
 
 Module Leaves (F : FloatOps with Definition sensible_format := true).
 Module Export Z := Count F.
+Module Export B := FloatBoxes F.
 
 Section S.
 Variable p : F.precision.
 Variable G : guesses.
 Variable T : consts.
 Notation S := I.singleton.
-Definition V (f : F.type) : R := proj_val (F.toX f).
-
-Record fbox := { e0 : F.type; e1 : F.type; y0 : F.type; y1 : F.type; r0 : F.type; r1 : F.type }.
-Definition inside (b : fbox) (e y r : R) := V (e0 b) <= e <= V (e1 b) /\ V (y0 b) <= y <= V (y1 b) /\ V (r0 b) <= r <= V (r1 b).
+Notation round_box := (round_box p).
 
 Definition le1 (f : F.type) : bool := F.real f && match F.cmp f (F.fromZ 1) with Xlt | Xeq => true | _ => false end.
 Definition proper (b : fbox) : bool := nonneg (S (e0 b)) && nonneg (S (y0 b)) && pos (S (r0 b)) && le1 (r1 b).
@@ -63,16 +66,19 @@ Definition leaf_bridge (U : N) (b : fbox) (na nb : N) : bool :=
   (1 + na + nb <=? U)%N && proper b &&
   let e := cut (e1 b) in nonneg (I.sub p (pi_ T) e) &&
   (let '(c, k) := XI e (S (y0 b)) (S (r0 b)) in at_most p G T (fuel na) (S (r0 b)) (low c) (low k) (first_guess G)) &&
-  (let '(c, k) := SI (S (e0 b)) (S (y0 b)) (S (r1 b)) (S (r0 b)) in at_most p G T (fuel nb) (S (r0 b)) (low c) (low k) (first_guess G)).
+  (let '(c, k) := SI (S (e0 b)) (S (y0 b)) (S (r1 b)) (S (r0 b)) in at_most p G T (fuel nb) (S (r0 b)) (low c) (low k)
+    (first_guess G)).
 Definition beyond_peak (b : fbox) : bool := pos (I.sub p (S (e0 b)) (quarter T)).
 Definition dI (w rl r : I.type) := I.sub p (I.add p (I.sqr p w) (I.mul2 p (I.mul p rl w))) r.
 Definition leaf_light (U : N) (b : fbox) (na nb : N) : bool :=
   (1 + na + nb <=? U)%N && proper b &&
   let e := S (e0 b) in let '(s, w) := sc p G T e in let r := S (r0 b) in
-  (let k := I.mul p r (S (y0 b)) in at_most p G T (fuel na) r (low (I.add p s (I.mul p k (I.add p (pi_ T) e)))) (low k) (first_guess G)) &&
+  (let k := I.mul p r (S (y0 b)) in at_most p G T (fuel na) r (low (I.add p s (I.mul p k (I.add p (pi_ T) e)))) (low k)
+    (first_guess G)) &&
   (if nonneg (I.neg (dI w (I.mul p (S (r1 b)) (S (y1 b))) r)) then true else
    let rl := I.mul p r (S (y1 b)) in let D := dI w rl r in
-   pos D && let k := low0 (I.mul p r (I.div p (I.sub p (I.add p (I.mul2 p w) rl) (I.mul p (S (y1 b)) (I.sqr p w))) D)) in
+   pos D && let k := low0 (I.mul p r (I.div p (I.sub p (I.add p (I.mul2 p w) rl) (I.mul p (S (y1 b)) (I.sqr p w))) D))
+     in
    at_most p G T (fuel nb) r (low (I.add p s (I.mul p k (I.add p (pi_ T) e)))) k (first_guess G)).
 Definition descends (b : fbox) : bool :=
   proper b && pos (I.sub p (quarter T) (S (e1 b))) &&
@@ -105,22 +111,30 @@ Proof.
 Qed.
 Lemma proper_ok b : proper b = true -> 0 <= V (e0 b) /\ 0 <= V (y0 b) /\ 0 < V (r0 b) /\ V (r1 b) <= 1.
 Proof.
-  unfold proper. intros H. apply andb_prop in H; destruct H as [H H4]. apply andb_prop in H; destruct H as [H H3]. apply andb_prop in H; destruct H as [H1 H2].
+  unfold proper. intros H. apply andb_prop in H; destruct H as [H H4]. apply andb_prop in H; destruct H as [H H3].
+    apply andb_prop in H; destruct H as [H1 H2].
   assert (A := nonneg_ok _ _ H1 (vin _)). assert (B := nonneg_ok _ _ H2 (vin _)). assert (C := pos_ok _ _ H3 (vin _)).
   assert (D := le1_ok _ H4). lra.
 Qed.
-Lemma XI_in e y r ei yi ri : inI e ei -> inI y yi -> inI r ri -> inI (r * cX e y) (fst (XI ei yi ri)) /\ inI (r * lamX e y) (snd (XI ei yi ri)).
+Lemma XI_in e y r ei yi ri : inI e ei -> inI y yi -> inI r ri -> inI (r * cX e y) (fst (XI ei yi ri)) /\
+  inI (r * lamX e y) (snd (XI ei yi ri)).
 Proof.
-  intros He Hy Hr. unfold XI. destruct (sc_ok p G T HT e ei He) as [Hs Hw]. destruct (sc p G T ei) as [s w]. simpl in *. unfold cX, lamX.
-  split; apply mul_in; try assumption; [|now apply add_in]. apply add_in; [assumption|]. apply mul_in; [now apply add_in | now apply sub_in].
+  intros He Hy Hr. unfold XI. destruct (sc_ok p G T HT e ei He) as [Hs Hw]. destruct (sc p G T ei) as [s w].
+    simpl in *. unfold cX, lamX.
+  split; apply mul_in; try assumption; [|now apply add_in]. apply add_in; [assumption|].
+    apply mul_in; [now apply add_in | now apply sub_in].
 Qed.
 Lemma SI_in e y r r' ei yi ri ri' : inI e ei -> inI y yi -> inI r ri -> inI r' ri' ->
   inI (r' * cS e y r) (fst (SI ei yi ri ri')) /\ inI (r' * lamS e y r) (snd (SI ei yi ri ri')).
 Proof.
-  intros He Hy Hr Hr'. unfold SI. destruct (sc_ok p G T HT e ei He) as [Hs Hw]. destruct (sc p G T ei) as [s w]. simpl in *.
-  assert (Ht : inI (1 + r * (cos e * cos e)) (I.add p (unit_ T) (I.mul p ri (I.sqr p w)))) by (apply add_in; [exact unI | apply mul_in; [assumption | now apply sqr_in]]).
-  assert (Hl : inI (lamS e y r) (I.sub p (I.div p (I.mul p yi (I.add p (unit_ T) (I.mul p ri (I.sqr p w)))) (I.add p (I.add p (unit_ T) (I.mul p ri (I.sqr p w))) (I.mul2 p (I.mul p (I.mul p ri w) yi)))) w)).
-  { unfold lamS, eta_reversed. apply sub_in; [|assumption]. apply div_in; [now apply mul_in|]. apply add_in; [assumption|]. apply mul2_in. apply mul_in; [now apply mul_in | assumption]. }
+  intros He Hy Hr Hr'. unfold SI. destruct (sc_ok p G T HT e ei He) as [Hs Hw]. destruct (sc p G T ei) as [s w].
+    simpl in *.
+  assert (Ht : inI (1 + r * (cos e * cos e)) (I.add p (unit_ T) (I.mul p ri (I.sqr p w)))) by (apply add_in;
+    [exact unI | apply mul_in; [assumption | now apply sqr_in]]).
+  assert (Hl : inI (lamS e y r) (I.sub p (I.div p (I.mul p yi (I.add p (unit_ T) (I.mul p ri (I.sqr p w)))) (I.add p
+    (I.add p (unit_ T) (I.mul p ri (I.sqr p w))) (I.mul2 p (I.mul p (I.mul p ri w) yi)))) w)).
+  { unfold lamS, eta_reversed. apply sub_in; [|assumption]. apply div_in; [now apply mul_in|].
+    apply add_in; [assumption|]. apply mul2_in. apply mul_in; [now apply mul_in | assumption]. }
   split; apply mul_in; try assumption. unfold cS. apply add_in; [assumption | now apply mul_in].
 Qed.
 Lemma cut_ok f e : e <= V f -> e <= PI/2 -> exists x, inI x (cut f) /\ e <= x.
@@ -128,15 +142,18 @@ Proof. intros H1 H2. unfold cut. destruct (nonneg _). - exists (V f). split; [ap
   - destruct (up_ok _ _ quI) as [x [A B]]. exists x. split; [exact A | lra]. Qed.
 
 (** From the ray at (r0 c, r0 lam) to (r c, r lam): L5 (d) or L10. *)
-Lemma any_slope n c lam r r' : -1 <= lam -> 0 <= c -> 0 < r -> r <= r' -> r' <= 1 -> coll r' n (r'*c) (r'*lam) -> coll r n (r*c) (r*lam).
+Lemma any_slope n c lam r r' : -1 <= lam -> 0 <= c -> 0 < r -> r <= r' -> r' <= 1 -> coll r' n (r'*c) (r'*lam) ->
+  coll r n (r*c) (r*lam).
 Proof.
   intros Hl Hc Hr Hr' H1 H. destruct (Rlt_or_le lam 0).
   - now apply L10_descending_rays with r'.
-  - apply (coll_mono n) with (8 := H); try assumption; try (apply Rmult_le_compat_r; lra); try (apply Rmult_le_pos; lra).
+  - apply (coll_mono n) with (8 := H); try assumption; try (apply Rmult_le_compat_r; lra); try (apply Rmult_le_pos;
+    lra).
     assert (0 <= r * lam) by (apply Rmult_le_pos; lra). lra.
 Qed.
 
-Lemma leaf_bridge_sound U b na nb : leaf_bridge U b na nb = true -> forall e y r, inside b e y r -> bridge_holds (N.to_nat U) e y r.
+Lemma leaf_bridge_sound U b na nb : leaf_bridge U b na nb = true -> forall e y r, inside b e y r ->
+  bridge_holds (N.to_nat U) e y r.
 Proof.
   unfold leaf_bridge. intros H e y r [He [Hy Hr]] He' Hy' Hr' Hlt a c Ha Hc.
   apply andb_prop in H; destruct H as [H H3]. apply andb_prop in H; destruct H as [HU Hp]. apply N.leb_le in HU.
@@ -149,26 +166,34 @@ Proof.
   destruct (low_ok _ _ X1) as [c1 [C1 C2]]. destruct (low_ok _ _ X2) as [k1 [K1 K2]].
   destruct (cos_range e ltac:(lra)) as [W1 W2].
   assert (Aa : (a <= fuel na)%nat).
-  { apply (at_most_sound p G T HT (fuel na) _ _ _ _ H4 (V (r0 b)) c1 k1 (vin _) C1 K1 r (r * cX e y) (r * lamX e y)); [|exact Ha].
+  { apply (at_most_sound p G T HT (fuel na) _ _ _ _ H4 (V (r0 b)) c1 k1 (vin _) C1 K1 r (r * cX e y) (r * lamX e y));
+    [|exact Ha].
     assert (M1 := cX_mono e ex y (V (y0 b)) ltac:(lra) E2 ltac:(lra) ltac:(lra) P2).
     assert (M2 := lamX_mono e ex y (V (y0 b)) ltac:(lra) E2 ltac:(lra) ltac:(lra)).
     assert (N1 : 0 <= lamX e y) by (unfold lamX; lra).
-    assert (N2 : 0 <= cX e y). { unfold cX. assert (0 <= sin e) by (apply sin_ge_0; lra). assert (0 <= lamX e y * (PI - e)) by (apply Rmult_le_pos; lra). lra. }
-    assert (V (r0 b) * cX ex (V (y0 b)) <= r * cX e y). { apply Rle_trans with (V (r0 b) * cX e y); [apply Rmult_le_compat_l; lra | apply Rmult_le_compat_r; lra]. }
-    assert (V (r0 b) * lamX ex (V (y0 b)) <= r * lamX e y). { apply Rle_trans with (V (r0 b) * lamX e y); [apply Rmult_le_compat_l; lra | apply Rmult_le_compat_r; lra]. }
+    assert (N2 : 0 <= cX e y). { unfold cX. assert (0 <= sin e) by (apply sin_ge_0; lra).
+      assert (0 <= lamX e y * (PI - e)) by (apply Rmult_le_pos; lra). lra. }
+    assert (V (r0 b) * cX ex (V (y0 b)) <= r * cX e y). { apply Rle_trans with (V (r0 b) * cX e y);
+      [apply Rmult_le_compat_l; lra | apply Rmult_le_compat_r; lra]. }
+    assert (V (r0 b) * lamX ex (V (y0 b)) <= r * lamX e y). { apply Rle_trans with (V (r0 b) * lamX e y);
+      [apply Rmult_le_compat_l; lra | apply Rmult_le_compat_r; lra]. }
     assert (0 <= r * cX e y) by (apply Rmult_le_pos; lra). assert (0 <= r * lamX e y) by (apply Rmult_le_pos; lra).
     repeat split; lra. }
   destruct (SI_in _ _ _ _ _ _ _ _ (vin (e0 b)) (vin (y0 b)) (vin (r1 b)) (vin (r0 b))) as [Y1 Y2].
   destruct (SI (S (e0 b)) (S (y0 b)) (S (r1 b)) (S (r0 b))) as [ci' ki']. simpl in Y1, Y2.
   destruct (low_ok _ _ Y1) as [c2 [C3 C4]]. destruct (low_ok _ _ Y2) as [k2 [K3 K4]].
-  assert (L1 := lamS_mono e (V (e0 b)) y (V (y0 b)) r (V (r1 b)) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra)).
-  assert (L2 := cS_mono e (V (e0 b)) y (V (y0 b)) r (V (r1 b)) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra)).
+  assert (L1 := lamS_mono e (V (e0 b)) y (V (y0 b)) r (V (r1 b)) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra)
+    ltac:(lra) ltac:(lra) ltac:(lra)).
+  assert (L2 := cS_mono e (V (e0 b)) y (V (y0 b)) r (V (r1 b)) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra)
+    ltac:(lra) ltac:(lra) ltac:(lra)).
   assert (L3 := lamS_ge (V (e0 b)) (V (y0 b)) (V (r1 b)) ltac:(lra) ltac:(lra) ltac:(lra)).
   assert (L4 := cS_ge (V (e0 b)) (V (y0 b)) (V (r1 b)) ltac:(lra) ltac:(lra) ltac:(lra)).
   set (lm := lamS (V (e0 b)) (V (y0 b)) (V (r1 b))) in *. set (cc := cS (V (e0 b)) (V (y0 b)) (V (r1 b))) in *.
   assert (Bb : (c <= fuel nb)%nat).
-  { apply (at_most_sound p G T HT (fuel nb) _ _ _ _ H5 (V (r0 b)) c2 k2 (vin _) C3 K3 (V (r0 b)) (V (r0 b) * cc) (V (r0 b) * lm)).
-    - assert (0 <= V (r0 b) * cc) by (apply Rmult_le_pos; lra). assert (V (r0 b) * (-1) <= V (r0 b) * lm) by (apply Rmult_le_compat_l; lra). repeat split; lra.
+  { apply (at_most_sound p G T HT (fuel nb) _ _ _ _ H5 (V (r0 b)) c2 k2 (vin _) C3 K3 (V (r0 b)) (V (r0 b) * cc) (V (r0
+    b) * lm)).
+    - assert (0 <= V (r0 b) * cc) by (apply Rmult_le_pos; lra). assert (V (r0 b) * (-1) <= V (r0 b) * lm) by (apply
+      Rmult_le_compat_l; lra). repeat split; lra.
     - apply any_slope with r; try lra. 
       apply (coll_mono c) with (8 := Hc); try lra; try (apply Rmult_le_compat_l; lra).
       + apply Rmult_le_pos; lra. + assert (r * (-1) <= r * lm) by (apply Rmult_le_compat_l; lra). lra. }
@@ -177,48 +202,64 @@ Qed.
 
 Lemma beyond_peak_sound b e y r : beyond_peak b = true -> inside b e y r -> PI/2 < e.
 Proof. unfold beyond_peak. intros H [He _]. assert (A := pos_ok _ _ H (sub_in p _ _ _ _ (vin _) quI)). lra. Qed.
-Lemma dI_in w lam r r' wi rli ri : inI w wi -> inI (r' * lam) rli -> inI r ri -> inI (w*w + 2*(r'*lam*w) - r) (dI wi rli ri).
-Proof. intros. unfold dI. apply sub_in; [|assumption]. apply add_in; [now apply sqr_in | apply mul2_in; now apply mul_in]. Qed.
+Lemma dI_in w lam r r' wi rli ri : inI w wi -> inI (r' * lam) rli -> inI r ri -> inI (w*w + 2*(r'*lam*w) - r) (dI wi
+  rli ri).
+Proof. intros. unfold dI. apply sub_in; [|assumption]. apply add_in; [now apply sqr_in | apply mul2_in;
+  now apply mul_in]. Qed.
 
-Lemma leaf_light_sound U b na nb : leaf_light U b na nb = true -> forall e y r, inside b e y r -> light_holds (N.to_nat U) e y r.
+Lemma leaf_light_sound U b na nb : leaf_light U b na nb = true -> forall e y r, inside b e y r ->
+  light_holds (N.to_nat U) e y r.
 Proof.
   unfold leaf_light. intros H e y r [He [Hy Hr]] He' Hy' Hr' Hlt a c HP Ha Hc Hc0.
   apply andb_prop in H; destruct H as [H H3]. apply andb_prop in H; destruct H as [HU Hp]. apply N.leb_le in HU.
   destruct (proper_ok b Hp) as [P1 [P2 [P3 P4]]]. assert (HPI : 0 < PI) by apply PI_RGT_0.
   destruct (sc_ok p G T HT _ _ (vin (e0 b))) as [Hs Hw]. destruct (sc p G T (S (e0 b))) as [s w]. simpl in Hs, Hw.
   apply andb_prop in H3; destruct H3 as [H4 H5].
-  assert (Sm : sin (V (e0 b)) <= sin e) by (apply sin_mono; lra). assert (Cm : cos e <= cos (V (e0 b))) by (apply cos_mono; lra).
+  assert (Sm : sin (V (e0 b)) <= sin e) by (apply sin_mono; lra). assert (Cm : cos e <= cos (V (e0 b))) by (apply
+    cos_mono; lra).
   assert (S0 : 0 <= sin e) by (apply sin_ge_0; lra). destruct (cos_range e ltac:(lra)) as [W1 W2].
-  assert (Y0 : 0 <= r * y) by (apply Rmult_le_pos; lra). assert (Y1 : V (r0 b) * V (y0 b) <= r * y) by (apply mul_mono; lra).
+  assert (Y0 : 0 <= r * y) by (apply Rmult_le_pos; lra). assert (Y1 : V (r0 b) * V (y0 b) <= r * y) by (apply mul_mono;
+    lra).
   assert (Aa : (a <= fuel na)%nat).
   { assert (KI := mul_in p _ _ _ _ (vin (r0 b)) (vin (y0 b))).
     destruct (low_ok _ _ KI) as [k1 [K1 K2]].
-    destruct (low_ok _ _ (add_in p _ _ _ _ Hs (mul_in p _ _ _ _ KI (add_in p _ _ _ _ piI (vin (e0 b)))))) as [c1 [C1 C2]].
-    apply (at_most_sound p G T HT (fuel na) _ _ _ _ H4 (V (r0 b)) c1 k1 (vin _) C1 K1 r (cL e (r*y)) (r*y)); [|exact Ha].
+    destruct (low_ok _ _ (add_in p _ _ _ _ Hs (mul_in p _ _ _ _ KI (add_in p _ _ _ _ piI (vin (e0 b)))))) as [c1 [C1
+      C2]].
+    apply (at_most_sound p G T HT (fuel na) _ _ _ _ H4 (V (r0 b)) c1 k1 (vin _) C1 K1 r (cL e (r*y)) (r*y));
+      [|exact Ha].
     assert (V (r0 b) * V (y0 b) * (PI + V (e0 b)) <= r * y * (PI + e)) by (apply mul_mono; lra).
     assert (0 <= r * y * (PI + e)) by (apply Rmult_le_pos; lra). unfold cL. repeat split; lra. }
   assert (Bb : (c <= fuel nb)%nat).
   { destruct (Rle_or_lt (mu_den (cos e) y r) 0) as [D|D]. { rewrite (Hc0 D). lia. }
     destruct (nonneg (I.neg (dI w (I.mul p (S (r1 b)) (S (y1 b))) (S (r0 b))))) eqn:E1.
-    { assert (A := nonneg_ok _ _ E1 (neg_in _ _ (dI_in _ _ _ _ _ _ _ Hw (mul_in p _ _ _ _ (vin (r1 b)) (vin (y1 b))) (vin (r0 b))))).
-      assert (B := mu_den_upper (cos e) (cos (V (e0 b))) y (V (y1 b)) r (V (r0 b)) (V (r1 b)) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra)). lra. }
+    { assert (A := nonneg_ok _ _ E1 (neg_in _ _ (dI_in _ _ _ _ _ _ _ Hw (mul_in p _ _ _ _ (vin (r1 b)) (vin (y1 b)))
+      (vin (r0 b))))).
+      assert (B := mu_den_upper (cos e) (cos (V (e0 b))) y (V (y1 b)) r (V (r0 b)) (V (r1 b)) ltac:(lra) ltac:(lra)
+        ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra)). lra. }
     apply andb_prop in H5; destruct H5 as [H5 H6].
     assert (RL := mul_in p _ _ _ _ (vin (r0 b)) (vin (y1 b))).
     assert (DIn := dI_in _ _ _ _ _ _ _ Hw RL (vin (r0 b))). assert (D0 := pos_ok _ _ H5 DIn).
-    assert (M := mu_mono (cos e) (cos (V (e0 b))) y (V (y1 b)) r (V (r0 b)) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra)).
-    assert (Hor : 0 < r * y \/ 0 < cos e). { destruct (Rle_lt_or_eq_dec 0 (cos e) W1) as [|Z]; [now right | left]. unfold mu_den in D. rewrite <- Z in D. lra. }
+    assert (M := mu_mono (cos e) (cos (V (e0 b))) y (V (y1 b)) r (V (r0 b)) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra)
+      ltac:(lra) ltac:(lra)).
+    assert (Hor : 0 < r * y \/ 0 < cos e). { destruct (Rle_lt_or_eq_dec 0 (cos e) W1) as [|Z]; [now right | left].
+      unfold mu_den in D. rewrite <- Z in D. lra. }
     specialize (M Hor D D0).
     assert (MU : 0 <= mu (cos e) y r) by (unfold mu; apply Rmult_le_pos; [exact HP | left; now apply Rinv_0_lt_compat]).
     assert (MR : 0 <= r * mu (cos e) y r) by (apply Rmult_le_pos; lra).
     assert (KI : inI (V (r0 b) * mu (cos (V (e0 b))) (V (y1 b)) (V (r0 b)))
-      (I.mul p (S (r0 b)) (I.div p (I.sub p (I.add p (I.mul2 p w) (I.mul p (S (r0 b)) (S (y1 b)))) (I.mul p (S (y1 b)) (I.sqr p w))) (dI w (I.mul p (S (r0 b)) (S (y1 b))) (S (r0 b)))))).
-    { apply mul_in; [apply vin|]. unfold mu. apply div_in; [|exact DIn]. apply sub_in; [apply add_in; [now apply mul2_in | exact RL] | apply mul_in; [apply vin | now apply sqr_in]]. }
+      (I.mul p (S (r0 b)) (I.div p (I.sub p (I.add p (I.mul2 p w) (I.mul p (S (r0 b)) (S (y1 b)))) (I.mul p (S (y1 b))
+        (I.sqr p w))) (dI w (I.mul p (S (r0 b)) (S (y1 b))) (S (r0 b)))))).
+    { apply mul_in; [apply vin|]. unfold mu. apply div_in; [|exact DIn]. apply sub_in; [apply add_in;
+      [now apply mul2_in | exact RL] | apply mul_in; [apply vin | now apply sqr_in]]. }
     destruct (low0_ok _ _ KI (r * mu (cos e) y r)) as [k1 [K1 K2]]; [|exact MR|].
     { destruct (Rle_or_lt 0 (mu (cos (V (e0 b))) (V (y1 b)) (V (r0 b)))) as [Q|Q].
       - apply Rle_trans with (V (r0 b) * mu (cos e) y r); [apply Rmult_le_compat_l; lra | apply Rmult_le_compat_r; lra].
-      - assert (V (r0 b) * mu (cos (V (e0 b))) (V (y1 b)) (V (r0 b)) <= V (r0 b) * 0) by (apply Rmult_le_compat_l; lra). lra. }
-    destruct (low_ok _ _ (add_in p _ _ _ _ Hs (mul_in p _ _ _ _ K1 (add_in p _ _ _ _ piI (vin (e0 b)))))) as [c1 [C1 C2]].
-    apply (at_most_sound p G T HT (fuel nb) _ _ _ _ H6 (V (r0 b)) c1 k1 (vin _) C1 K1 r (cL e (r * mu (cos e) y r)) (r * mu (cos e) y r)); [|now apply Hc].
+      - assert (V (r0 b) * mu (cos (V (e0 b))) (V (y1 b)) (V (r0 b)) <= V (r0 b) * 0) by (apply Rmult_le_compat_l;
+        lra). lra. }
+    destruct (low_ok _ _ (add_in p _ _ _ _ Hs (mul_in p _ _ _ _ K1 (add_in p _ _ _ _ piI (vin (e0 b)))))) as [c1 [C1
+      C2]].
+    apply (at_most_sound p G T HT (fuel nb) _ _ _ _ H6 (V (r0 b)) c1 k1 (vin _) C1 K1 r (cL e (r * mu (cos e) y r)) (r
+      * mu (cos e) y r)); [|now apply Hc].
     assert (k1 * (PI + V (e0 b)) <= r * mu (cos e) y r * (PI + e)) by (apply mul_mono; lra).
     assert (0 <= r * mu (cos e) y r * (PI + e)) by (apply Rmult_le_pos; lra). unfold cL. repeat split; lra. }
   assert (FA := fuel_le na). assert (FB := fuel_le nb). lia.
@@ -231,144 +272,93 @@ Proof.
   destruct (proper_ok b Hp) as [P1 [P2 [P3 P4]]].
   assert (A := pos_ok _ _ H2 (sub_in p _ _ _ _ quI (vin _))).
   destruct (sc_ok p G T HT _ _ (vin (e1 b))) as [Hs Hw]. destruct (sc p G T (S (e1 b))) as [s w]. simpl in Hw.
-  assert (B := pos_ok _ _ H3 (sub_in p _ _ _ _ (mul_in p _ _ _ _ (vin (y0 b)) (sub_in p _ _ _ _ (sqr_in p _ _ Hw) (vin (r1 b)))) (mul2_in p _ _ Hw))).
-  assert (W1 : 0 < cos (V (e1 b))) by (apply cos_pos; lra). assert (W2 : cos (V (e1 b)) <= cos e) by (apply cos_mono; lra).
+  assert (B := pos_ok _ _ H3 (sub_in p _ _ _ _ (mul_in p _ _ _ _ (vin (y0 b)) (sub_in p _ _ _ _ (sqr_in p _ _ Hw) (vin
+    (r1 b)))) (mul2_in p _ _ Hw))).
+  assert (W1 : 0 < cos (V (e1 b))) by (apply cos_pos; lra). assert (W2 : cos (V (e1 b)) <= cos e) by (apply cos_mono;
+    lra).
   set (w1 := cos (V (e1 b))) in *. set (u := cos e) in *.
-  assert (Q1 : 0 < w1 * w1 - V (r1 b)). { destruct (Rlt_or_le 0 (w1*w1 - V (r1 b))) as [|Q]; [assumption|]. assert (V (y0 b) * (w1*w1 - V (r1 b)) <= 0) by (assert (0 <= V (y0 b) * - (w1*w1 - V (r1 b))) by (apply Rmult_le_pos; lra); lra). lra. }
+  assert (Q1 : 0 < w1 * w1 - V (r1 b)). { destruct (Rlt_or_le 0 (w1*w1 - V (r1 b))) as [|Q]; [assumption|].
+    assert (V (y0 b) * (w1*w1 - V (r1 b)) <= 0) by (assert (0 <= V (y0 b) * - (w1*w1 - V (r1 b))) by (apply
+    Rmult_le_pos; lra); lra). lra. }
   assert (Q2 : (w1 * w1 - V (r1 b)) * u <= (u * u - r) * w1).
-  { assert (0 <= u * w1 * (u - w1)) by (repeat apply Rmult_le_pos; lra). assert (r * w1 <= V (r1 b) * u) by (apply mul_mono; lra). lra. }
-  assert (Q3 : V (y0 b) * ((w1 * w1 - V (r1 b)) * u) <= y * ((u * u - r) * w1)). { apply mul_mono; try lra. apply Rmult_le_pos; lra. }
+  { assert (0 <= u * w1 * (u - w1)) by (repeat apply Rmult_le_pos; lra).
+    assert (r * w1 <= V (r1 b) * u) by (apply mul_mono; lra). lra. }
+  assert (Q3 : V (y0 b) * ((w1 * w1 - V (r1 b)) * u) <= y * ((u * u - r) * w1)). { apply mul_mono; try lra.
+    apply Rmult_le_pos; lra. }
   assert (Q4 : 2 * w1 * u < V (y0 b) * (w1 * w1 - V (r1 b)) * u) by (apply Rmult_lt_compat_r; lra).
   assert (Q5 : w1 * (2 * u) < w1 * (y * (u * u - r))) by lra. apply Rmult_lt_reg_l in Q5; lra.
 Qed.
 
 Lemma enough_ok Vn na nb : enough Vn na nb = true -> (N.to_nat Vn <= 1 + fuel na + fuel nb)%nat.
 Proof.
-  unfold enough, fuel. intros H. apply andb_prop in H; destruct H as [H H3]. apply andb_prop in H; destruct H as [H1 H2].
+  unfold enough, fuel. intros H. apply andb_prop in H; destruct H as [H H3]. apply andb_prop in H;
+    destruct H as [H1 H2].
   apply N.leb_le in H1, H2, H3. rewrite !N.min_l by assumption. lia.
 Qed.
-Lemma check_witness_sound r0 r1 e y na nb Vn : check_witness r0 r1 e y na nb Vn = true -> forall r, V r0 <= r <= V r1 -> bridge_witness r (N.to_nat Vn).
+Lemma check_witness_sound r0 r1 e y na nb Vn : check_witness r0 r1 e y na nb Vn = true ->
+  forall r, V r0 <= r <= V r1 -> bridge_witness r (N.to_nat Vn).
 Proof.
   unfold check_witness. intros H r Hr.
-  apply andb_prop in H; destruct H as [H H9]. apply andb_prop in H; destruct H as [H H8]. apply andb_prop in H; destruct H as [H H7].
-  apply andb_prop in H; destruct H as [H H6]. apply andb_prop in H; destruct H as [H H5]. apply andb_prop in H; destruct H as [H H4].
+  apply andb_prop in H; destruct H as [H H9]. apply andb_prop in H; destruct H as [H H8]. apply andb_prop in H;
+    destruct H as [H H7].
+  apply andb_prop in H; destruct H as [H H6]. apply andb_prop in H; destruct H as [H H5]. apply andb_prop in H;
+    destruct H as [H H4].
   apply andb_prop in H; destruct H as [H H3]. apply andb_prop in H; destruct H as [H1 H2]. apply enough_ok in H1.
-  assert (A2 := pos_ok _ _ H2 (vin _)). assert (A3 := pos_ok _ _ H3 (sub_in p _ _ _ _ quI (vin _))). assert (A4 := pos_ok _ _ H4 (vin _)).
+  assert (A2 := pos_ok _ _ H2 (vin _)). assert (A3 := pos_ok _ _ H3 (sub_in p _ _ _ _ quI (vin _))).
+    assert (A4 := pos_ok _ _ H4 (vin _)).
   assert (A5 := pos_ok _ _ H5 (vin _)). assert (A6 := le1_ok _ H6).
   destruct (sc_ok p G T HT _ _ (vin e)) as [Hs Hw]. destruct (sc p G T (S e)) as [s w] eqn:Esc. simpl in Hw.
-  assert (A7 := pos_ok _ _ H7 (sub_in p _ _ _ _ unI (mul_in p _ _ _ _ (vin r1) (add_in p _ _ _ _ Hw (vin y))))). clear s w Esc Hs Hw H7.
+  assert (A7 := pos_ok _ _ H7 (sub_in p _ _ _ _ unI (mul_in p _ _ _ _ (vin r1) (add_in p _ _ _ _ Hw (vin y))))).
+    clear s w Esc Hs Hw H7.
   assert (HPI : 0 < PI) by apply PI_RGT_0. destruct (cos_range (V e) ltac:(lra)) as [W1 W2].
-  destruct (XI_in _ _ _ _ _ _ (vin e) (vin y) (vin r1)) as [X1 X2]. destruct (XI (S e) (S y) (S r1)) as [ci ki]. simpl in X1, X2.
+  destruct (XI_in _ _ _ _ _ _ (vin e) (vin y) (vin r1)) as [X1 X2]. destruct (XI (S e) (S y) (S r1)) as [ci ki].
+    simpl in X1, X2.
   destruct (up_ok _ _ X1) as [c1 [C1 C2]]. destruct (up_ok _ _ X2) as [k1 [K1 K2]].
-  destruct (SI_in _ _ _ _ _ _ _ _ (vin e) (vin y) (vin r0) (vin r1)) as [Y1 Y2]. destruct (SI (S e) (S y) (S r0) (S r1)) as [ci' ki']. simpl in Y1, Y2.
+  destruct (SI_in _ _ _ _ _ _ _ _ (vin e) (vin y) (vin r0) (vin r1)) as [Y1 Y2].
+    destruct (SI (S e) (S y) (S r0) (S r1)) as [ci' ki']. simpl in Y1, Y2.
   destruct (up_ok _ _ Y1) as [c2 [C3 C4]]. destruct (up_ok _ _ Y2) as [k2 [K3 K4]].
   assert (N1 : 0 <= lamX (V e) (V y)) by (unfold lamX; lra).
-  assert (N2 : 0 <= cX (V e) (V y)). { unfold cX. assert (0 <= sin (V e)) by (apply sin_ge_0; lra). assert (0 <= lamX (V e) (V y) * (PI - V e)) by (apply Rmult_le_pos; lra). lra. }
+  assert (N2 : 0 <= cX (V e) (V y)). { unfold cX. assert (0 <= sin (V e)) by (apply sin_ge_0; lra).
+    assert (0 <= lamX (V e) (V y) * (PI - V e)) by (apply Rmult_le_pos; lra). lra. }
   exists (V e), (V y), (fuel na), (fuel nb). split; [lra|]. split; [lra|]. split.
-  { unfold lamX in *. assert (r * (cos (V e) + V y) <= V r1 * (cos (V e) + V y)) by (apply Rmult_le_compat_r; lra). lra. }
+  { unfold lamX in *. assert (r * (cos (V e) + V y) <= V r1 * (cos (V e) + V y)) by (apply Rmult_le_compat_r; lra).
+    lra. }
   split; [|split; [|exact H1]].
   - apply any_slope with (V r1); try lra.
     apply (at_least_sound p G T HT (fuel na) _ _ _ _ H8 (V r1) c1 k1 (vin _) C1 K1).
-    assert (0 <= V r1 * cX (V e) (V y)) by (apply Rmult_le_pos; lra). assert (0 <= V r1 * lamX (V e) (V y)) by (apply Rmult_le_pos; lra). repeat split; lra.
-  - assert (L3 := lamS_ge (V e) (V y) (V r0) ltac:(lra) ltac:(lra) ltac:(lra)). assert (L4 := cS_ge (V e) (V y) (V r0) ltac:(lra) ltac:(lra) ltac:(lra)).
-    assert (L5 := lamS_ge (V e) (V y) r ltac:(lra) ltac:(lra) ltac:(lra)). assert (L6 := cS_ge (V e) (V y) r ltac:(lra) ltac:(lra) ltac:(lra)).
-    assert (L1 := lamS_mono (V e) (V e) (V y) (V y) (V r0) r ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra)).
-    assert (L2 := cS_mono (V e) (V e) (V y) (V y) (V r0) r ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra)).
+    assert (0 <= V r1 * cX (V e) (V y)) by (apply Rmult_le_pos; lra). assert (0 <= V r1 * lamX (V e) (V y)) by (apply
+      Rmult_le_pos; lra). repeat split; lra.
+  - assert (L3 := lamS_ge (V e) (V y) (V r0) ltac:(lra) ltac:(lra) ltac:(lra)).
+    assert (L4 := cS_ge (V e) (V y) (V r0) ltac:(lra) ltac:(lra) ltac:(lra)).
+    assert (L5 := lamS_ge (V e) (V y) r ltac:(lra) ltac:(lra) ltac:(lra)).
+      assert (L6 := cS_ge (V e) (V y) r ltac:(lra) ltac:(lra) ltac:(lra)).
+    assert (L1 := lamS_mono (V e) (V e) (V y) (V y) (V r0) r ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra)
+      ltac:(lra) ltac:(lra) ltac:(lra)).
+    assert (L2 := cS_mono (V e) (V e) (V y) (V y) (V r0) r ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra)
+      ltac:(lra) ltac:(lra) ltac:(lra)).
     assert (K : coll r (fuel nb) (r * cS (V e) (V y) (V r0)) (r * lamS (V e) (V y) (V r0))).
-    { apply any_slope with (V r1); try lra. apply (at_least_sound p G T HT (fuel nb) _ _ _ _ H9 (V r1) c2 k2 (vin _) C3 K3).
-      assert (0 <= V r1 * cS (V e) (V y) (V r0)) by (apply Rmult_le_pos; lra). assert (V r1 * (-1) <= V r1 * lamS (V e) (V y) (V r0)) by (apply Rmult_le_compat_l; lra). repeat split; lra. }
+    { apply any_slope with (V r1); try lra. apply (at_least_sound p G T HT (fuel nb) _ _ _ _ H9 (V r1) c2 k2 (vin _) C3
+      K3).
+      assert (0 <= V r1 * cS (V e) (V y) (V r0)) by (apply Rmult_le_pos; lra).
+        assert (V r1 * (-1) <= V r1 * lamS (V e) (V y) (V r0)) by (apply Rmult_le_compat_l; lra). repeat split; lra. }
     apply (coll_mono (fuel nb)) with (8 := K); try lra; try (apply Rmult_le_compat_l; lra).
     + apply Rmult_le_pos; lra. + assert (r * (-1) <= r * lamS (V e) (V y) r) by (apply Rmult_le_compat_l; lra). lra.
-Qed.
-
-(* ---------- exact boxes ---------- *)
-(** A float compared with the fraction n/d, exactly. *)
-Definition cmp_frac (f : F.type) (n : Z) (d : positive) : option comparison :=
-  match F.toF f with
-  | Basic.Fnan => None
-  | Basic.Fzero => Some (0 ?= n)%Z
-  | Basic.Float s m e => let m := if s then Zneg m else Zpos m in
-    Some match e with
-    | Z0 => (m * Zpos d ?= n)%Z
-    | Zpos k => (m * Z.pow_pos (radix_val F.radix) k * Zpos d ?= n)%Z
-    | Zneg k => (m * Zpos d ?= n * Z.pow_pos (radix_val F.radix) k)%Z
-    end
-  end.
-Definition below_frac f n d := match cmp_frac f n d with Some Lt | Some Eq => true | _ => false end.
-Definition above_frac f n d := match cmp_frac f n d with Some Gt | Some Eq => true | _ => false end.
-Lemma cmp_frac_ok f n d c : cmp_frac f n d = Some c -> match c with Lt => V f < IZR n / IZR (Zpos d) | Eq => V f = IZR n / IZR (Zpos d) | Gt => IZR n / IZR (Zpos d) < V f end.
-Proof.
-  unfold cmp_frac, V, F.toX. assert (D : 0 < IZR (Zpos d)) by now apply IZR_lt.
-  assert (K : forall x a b (w : R), 0 < w -> x * (IZR (Zpos d) * w) = IZR a -> IZR n * w = IZR b ->
-    match (a ?= b)%Z with Lt => x < IZR n / IZR (Zpos d) | Eq => x = IZR n / IZR (Zpos d) | Gt => IZR n / IZR (Zpos d) < x end).
-  { intros x a b w Hw Ha Hb. assert (W : 0 < IZR (Zpos d) * w) by (now apply Rmult_lt_0_compat).
-    assert (E : IZR n / IZR (Zpos d) * (IZR (Zpos d) * w) = IZR b) by (rewrite <- Hb; field; lra).
-    destruct (Z.compare_spec a b) as [Q|Q|Q].
-    - apply Rmult_eq_reg_r with (IZR (Zpos d) * w); [|lra]. rewrite Ha, E. now f_equal.
-    - apply Rmult_lt_reg_r with (IZR (Zpos d) * w); [exact W|]. rewrite Ha, E. now apply IZR_lt.
-    - apply Rmult_lt_reg_r with (IZR (Zpos d) * w); [exact W|]. rewrite Ha, E. now apply IZR_lt. }
-  assert (P : forall k, 0 < IZR (Z.pow_pos (radix_val F.radix) k)).
-  { intros k. apply IZR_lt.  apply Zpower_pos_gt_0. exact (radix_gt_0 F.radix). }
-  unfold F.convert. destruct (F.toF f) as [| |s m e]; [discriminate| |]; intros H; injection H; clear H; intros <-; simpl.
-  - apply (K 0 0%Z n 1); lra.
-  - set (sm := if s then Zneg m else Zpos m). unfold FtoR. fold sm. destruct e as [|k|k].
-    + apply (K _ _ _ 1); try lra. rewrite mult_IZR. ring.
-    + apply (K _ _ _ 1); try lra. rewrite !mult_IZR. ring.
-    + apply (K _ _ _ (IZR (Z.pow_pos (radix_val F.radix) k))); [apply P | | now rewrite mult_IZR]. rewrite mult_IZR. field. specialize (P k). lra.
-Qed.
-Lemma below_ok f n d : below_frac f n d = true -> V f <= IZR n / IZR (Zpos d).
-Proof. unfold below_frac. destruct (cmp_frac f n d) as [c|] eqn:E; [|discriminate]. apply cmp_frac_ok in E. destruct c; try discriminate; lra. Qed.
-Lemma above_ok f n d : above_frac f n d = true -> IZR n / IZR (Zpos d) <= V f.
-Proof. unfold above_frac. destruct (cmp_frac f n d) as [c|] eqn:E; [|discriminate]. apply cmp_frac_ok in E. destruct c; try discriminate; lra. Qed.
-
-(** The float next to the fraction n/d, n >= 0; not trusted: [boxed] compares. *)
-Definition near_frac (up : bool) (n : Z) (d : positive) : F.type :=
-  if (n =? 0)%Z then F.zero else
-  let s := (Zpos (F.prec p) - 1 - (Z.log2 n - Z.log2 (Zpos d)))%Z in
-  let a := if (0 <=? s)%Z then (n * 2 ^ s)%Z else n in
-  let b := if (0 <=? s)%Z then Zpos d else (Zpos d * 2 ^ (- s))%Z in
-  let m := (if up then - (- a / b) else a / b)%Z in
-  match (if (Z.log2 m =? Zpos (F.prec p))%Z then (m / 2, 1 - s)%Z else (m, - s)%Z) with
-  | (Zpos m, e) => F.fromF (Basic.Float false m e)
-  | _ => F.zero
-  end.
-Definition round_box (b : box) : fbox :=
-  let down s := near_frac false (low_end s) (part s) in let up s := near_frac true (high_end s) (part s) in
-  {| e0 := down (box_e b); e1 := up (box_e b); y0 := down (box_slope b); y1 := up (box_slope b);
-     r0 := near_frac false (Zpos (part (box_q b))) (Z.to_pos (high_end (box_q b)));
-     r1 := near_frac true (Zpos (part (box_q b))) (Z.to_pos (low_end (box_q b))) |}.
-(** Does the box of floats contain the exact one, with r = 1/q? *)
-Definition boxed (f : fbox) (b : box) : bool :=
-  let holds lo hi s := below_frac lo (low_end s) (part s) && above_frac hi (high_end s) (part s) in
-  holds (e0 f) (e1 f) (box_e b) && holds (y0 f) (y1 f) (box_slope b) && (0 <? low_end (box_q b))%Z && (0 <? high_end (box_q b))%Z &&
-  below_frac (r0 f) (Zpos (part (box_q b))) (Z.to_pos (high_end (box_q b))) && above_frac (r1 f) (Zpos (part (box_q b))) (Z.to_pos (low_end (box_q b))).
-Lemma boxed_ok f b : boxed f b = true -> forall e y q, in_box e y q b -> inside f e y (/ q).
-Proof.
-  unfold boxed. intros H e y q [He [Hy Hq]].
-  apply andb_prop in H; destruct H as [H H6]. apply andb_prop in H; destruct H as [H H5]. apply andb_prop in H; destruct H as [H H4].
-  apply andb_prop in H; destruct H as [H H3]. apply andb_prop in H; destruct H as [H1 H2].
-  apply andb_prop in H1; destruct H1 as [A1 A2]. apply andb_prop in H2; destruct H2 as [B1 B2].
-  apply below_ok in A1, B1, H5. apply above_ok in A2, B2, H6. apply Z.ltb_lt in H3, H4. unfold in_span in *.
-  rewrite Z2Pos.id in H5, H6 by assumption. apply IZR_lt in H3, H4.
-  assert (D : 0 < IZR (Zpos (part (box_q b)))) by now apply IZR_lt.
-  assert (L : 0 < IZR (low_end (box_q b)) / IZR (Zpos (part (box_q b)))) by now apply Rdiv_lt_0_compat.
-  unfold inside. split; [lra|]. split; [lra|]. split.
-  - apply Rle_trans with (1 := H5). replace (IZR (Zpos (part (box_q b))) / IZR (high_end (box_q b))) with (/ (IZR (high_end (box_q b)) / IZR (Zpos (part (box_q b))))) by (field; lra).
-    apply Rinv_le_contravar; lra.
-  - apply Rle_trans with (2 := H6). replace (IZR (Zpos (part (box_q b))) / IZR (low_end (box_q b))) with (/ (IZR (low_end (box_q b)) / IZR (Zpos (part (box_q b))))) by (field; lra).
-    apply Rinv_le_contravar; lra.
 Qed.
 
 (** A box that begins above pi/2 is treated as if it began there (format.md, 3.3). *)
 Definition capped (f : fbox) : fbox :=
   let l := I.lower (quarter T) in
-  {| e0 := match F.cmp l (e0 f) with Xlt => l | _ => e0 f end; e1 := e1 f; y0 := y0 f; y1 := y1 f; r0 := r0 f; r1 := r1 f |}.
-Lemma capped_ok f e y r : F.real (I.lower (quarter T)) = true -> F.real (e0 f) = true -> inside f e y r -> inside (capped f) e y r.
+  {| e0 := match F.cmp l (e0 f) with Xlt => l | _ => e0 f end; e1 := e1 f; y0 := y0 f; y1 := y1 f; r0 := r0 f; r1 :=
+    r1 f |}.
+Lemma capped_ok f e y r : F.real (I.lower (quarter T)) = true -> F.real (e0 f) = true -> inside f e y r ->
+  inside (capped f) e y r.
 Proof.
   intros R1 R2 [He [Hy Hr]]. split; [|split]; simpl; try assumption. split; [|apply He].
   assert (K := F.cmp_correct (I.lower (quarter T)) (e0 f)). destruct (F.cmp _ _); try lra.
-  rewrite F.classify_correct in R1, R2. destruct (F.classify (I.lower (quarter T))) eqn:C1; try discriminate R1. destruct (F.classify (e0 f)) eqn:C2; try discriminate R2.
-  unfold V in *. destruct (F.toX (I.lower (quarter T))) as [|a] eqn:X1; [discriminate K|]. destruct (F.toX (e0 f)) as [|b] eqn:X2; [discriminate K|]. simpl in *.
+  rewrite F.classify_correct in R1, R2. destruct (F.classify (I.lower (quarter T))) eqn:C1; try discriminate R1.
+    destruct (F.classify (e0 f)) eqn:C2; try discriminate R2.
+  unfold V in *. destruct (F.toX (I.lower (quarter T))) as [|a] eqn:X1; [discriminate K|].
+    destruct (F.toX (e0 f)) as [|b] eqn:X2; [discriminate K|]. simpl in *.
   destruct (Raux.Rcompare_spec a b); try discriminate K. lra.
 Qed.
 
@@ -376,13 +366,16 @@ Qed.
 Definition check_reason (U : N) (light : bool) (b : box) (why : reason) : bool :=
   let f := round_box b in boxed f b &&
   match why with
-  | Count na nb => F.real (I.lower (quarter T)) && F.real (e0 f) && (if light then leaf_light else leaf_bridge) U (capped f) na nb
+  | Count na nb => F.real (I.lower (quarter T)) && F.real (e0 f) && (if light then leaf_light else
+    leaf_bridge) U (capped f) na nb
   | Outside => beyond_peak f || too_steep b || (light && descends f)
   | Meets | Meets_reversed => false
   end.
-Lemma check_bridge_sound U b why : check_reason U false b why = true -> forall e y q, in_box e y q b -> 1 <= q -> bridge_holds (N.to_nat U) e y (/ q).
+Lemma check_bridge_sound U b why : check_reason U false b why = true -> forall e y q, in_box e y q b -> 1 <= q ->
+  bridge_holds (N.to_nat U) e y (/ q).
 Proof.
-  unfold check_reason. intros H e y q Hin Hq. apply andb_prop in H; destruct H as [Hb H]. assert (Hf := boxed_ok _ _ Hb e y q Hin).
+  unfold check_reason. intros H e y q Hin Hq. apply andb_prop in H; destruct H as [Hb H].
+    assert (Hf := boxed_ok _ _ Hb e y q Hin).
   destruct why as [na nb| | |]; try discriminate.
   - apply andb_prop in H; destruct H as [H HL]. apply andb_prop in H; destruct H as [R1 R2].
     apply leaf_bridge_sound with (1 := HL). now apply capped_ok.
@@ -390,13 +383,16 @@ Proof.
     + assert (K := beyond_peak_sound _ _ _ _ H Hf). lra.
     + exact (too_steep_sound _ _ _ _ H Hin Hq Hlt).
 Qed.
-Lemma check_light_sound U b why : check_reason U true b why = true -> forall e y q, in_box e y q b -> 1 <= q -> light_holds (N.to_nat U) e y (/ q).
+Lemma check_light_sound U b why : check_reason U true b why = true -> forall e y q, in_box e y q b -> 1 <= q ->
+  light_holds (N.to_nat U) e y (/ q).
 Proof.
-  unfold check_reason. intros H e y q Hin Hq. apply andb_prop in H; destruct H as [Hb H]. assert (Hf := boxed_ok _ _ Hb e y q Hin).
+  unfold check_reason. intros H e y q Hin Hq. apply andb_prop in H; destruct H as [Hb H].
+    assert (Hf := boxed_ok _ _ Hb e y q Hin).
   destruct why as [na nb| | |]; try discriminate.
   - apply andb_prop in H; destruct H as [H HL]. apply andb_prop in H; destruct H as [R1 R2].
     apply leaf_light_sound with (1 := HL). now apply capped_ok.
-  - intros He Hy Hr Hlt a c HP _ _ _. exfalso. apply orb_prop in H. destruct H as [H|H]; [apply orb_prop in H; destruct H as [H|H]|].
+  - intros He Hy Hr Hlt a c HP _ _ _. exfalso. apply orb_prop in H. destruct H as [H|H]; [apply orb_prop in H;
+    destruct H as [H|H]|].
     + assert (K := beyond_peak_sound _ _ _ _ H Hf). lra.
     + exact (too_steep_sound _ _ _ _ H Hin Hq Hlt).
     + simpl in H. exact (descends_sound _ _ _ _ H Hf He Hr Hy HP).
@@ -404,12 +400,15 @@ Qed.
 
 (** The witness of the piece [A, B]. That the floats are those of the file is not needed: any contact is a witness. *)
 Definition near_dyadic (x : dyadic) : F.type :=
-  near_frac false (Z.of_N (odd_part x) * 2 ^ Z.max 0 (exponent x)) (Z.to_pos (2 ^ Z.max 0 (- exponent x))).
+  near_frac p false (Z.of_N (odd_part x) * 2 ^ Z.max 0 (exponent x)) (Z.to_pos (2 ^ Z.max 0 (- exponent x))).
 Definition check_contact (V : N) (b : box) (w : contact) : bool :=
-  let f := round_box b in boxed f b && check_witness (r0 f) (r1 f) (near_dyadic (contact_e w)) (near_dyadic (contact_eta w)) (after_X w) (after_reversed w) V.
-Lemma check_contact_sound V b w : check_contact V b w = true -> forall e y q, in_box e y q b -> bridge_witness (/ q) (N.to_nat V).
+  let f := round_box b in boxed f b && check_witness (r0 f) (r1 f) (near_dyadic (contact_e w)) (near_dyadic
+    (contact_eta w)) (after_X w) (after_reversed w) V.
+Lemma check_contact_sound V b w : check_contact V b w = true -> forall e y q, in_box e y q b ->
+  bridge_witness (/ q) (N.to_nat V).
 Proof.
-  unfold check_contact. intros H e y q Hin. apply andb_prop in H; destruct H as [Hb H]. destruct (boxed_ok _ _ Hb e y q Hin) as [_ [_ Hr]].
+  unfold check_contact. intros H e y q Hin. apply andb_prop in H; destruct H as [Hb H].
+    destruct (boxed_ok _ _ Hb e y q Hin) as [_ [_ Hr]].
   exact (check_witness_sound _ _ _ _ _ _ _ H _ Hr).
 Qed.
 End S.

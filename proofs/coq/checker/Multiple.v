@@ -1,7 +1,9 @@
-(** The checker of leaves with more bits than a double has: the same functor over big integers. The guesses begin with those of
+(** The checker of leaves with more bits than a double has: the same functor over big integers.
+  The guesses begin with those of
     Doubles.v, which Newton's iteration makes better; they are not trusted. *)
 From Coq Require Import ZArith List Floats Bool.
-From Interval Require Import Float.Basic Float.Sig Float.Primitive_ops Float.Specific_ops Float.Specific_bigint Interval.Float.
+From Interval Require Import Float.Basic Float.Sig Float.Primitive_ops Float.Specific_ops Float.Specific_bigint
+  Interval.Float.
 From Dumbbell Require Import Leaves Doubles.
 Module BigFloat := SpecificFloat BigIntRadix2.
 Module M := Leaves BigFloat.
@@ -23,10 +25,12 @@ Definition of_double (x : PrimFloat.float) : BigFloat.type := BigFloat.fromF (Pr
 Definition low (i : I.type) : BigFloat.type := I.lower i.
 Definition one_point (i : I.type) : D.Z.Y.X.I.type := D.Z.Y.X.I.singleton (to_double (low i)).
 
-(** Newton's iteration for f z = 0, from enclosures of f and f', until half of the digits stay; then one step more is enough. *)
+(** Newton's iteration for f z = 0, from enclosures of f and f', until half of the digits stay; then
+  one step more is enough. *)
 Definition settled (old new : BigFloat.type) : bool :=
   let step := I.abs (I.sub p (I.singleton new) (I.singleton old)) in
-  match I.sign_large (I.sub p (I.abs (I.singleton new)) (I.mul p step (I.power_int p (I.fromZ p 2) (Zpos (BigFloat.prec p) / 2 + 4)))) with
+  match I.sign_large (I.sub p (I.abs (I.singleton new)) (I.mul p step (I.power_int p (I.fromZ p 2) (Zpos (BigFloat.prec
+    p) / 2 + 4)))) with
   | Xreal.Xgt | Xreal.Xeq => true
   | _ => false
   end.
@@ -44,14 +48,16 @@ Definition near_root (c k : I.type) (z : BigFloat.type) : BigFloat.type :=
 Definition tiny : I.type := I.singleton (BigFloat.fromF (Basic.Float false 1 (8 - Zpos (BigFloat.prec p)))).
 Definition behind_root (c k : I.type) (z : BigFloat.type) : BigFloat.type :=
   let z := near_root c k z in let i := I.singleton z in
-  I.upper (I.add p i (I.div p (I.mul p tiny (I.add p (I.add p (I.sin p i) (I.abs (I.mul p k i))) (I.abs c))) (I.sub p (I.cos p i) k))).
+  I.upper (I.add p i (I.div p (I.mul p tiny (I.add p (I.add p (I.sin p i) (I.abs (I.mul p k i))) (I.abs c))) (I.sub p
+    (I.cos p i) k))).
 Definition near_top (k : I.type) : BigFloat.type :=
   let z := of_double (Doubles.near_top (one_point k)) in
   let half_turn := I.div p (I.pi p) (I.fromZ p 2) in
   let z := newton 20 (fun z => I.sub p (I.cos p z) k) (fun z => I.neg (I.sin p z)) z in
   match BigFloat.cmp z (I.lower half_turn) with Xreal.Xlt => z | _ => I.lower half_turn end.
 Definition G : M.Z.guesses := {| M.Z.near_root := near_root; M.Z.behind_root := behind_root;
-  M.Z.seems_to_hit := fun _ _ z => BigFloat.real z; M.Z.near_top := near_top; M.Z.first_guess := BigFloat.zero; M.Z.quick := false |}.
+  M.Z.seems_to_hit := fun _ _ z => BigFloat.real z; M.Z.near_top := near_top; M.Z.first_guess := BigFloat.zero;
+    M.Z.quick := false |}.
 End Guess.
 
 Definition precision (bits : N) : BigFloat.precision := BigFloat.PtoP (match bits with N0 => 53 | Npos b => b end).

@@ -1,4 +1,5 @@
-(** Reads a certificate, line by line. Nothing is believed of it: what was read is written again (Text.v) and compared with the file, so
+(** Reads a certificate, line by line. Nothing is believed of it: what was read is written again (Text.v) and compared
+  with the file, so
     that this reader can only refuse. *)
 From Coq Require Import ZArith NArith List Bool String Ascii DecimalString DecimalN.
 From Dumbbell Require Import Certificate Leaves Check Text.
@@ -25,15 +26,18 @@ Definition integer (s : string) : option Z :=
   | String "-" s => option_map (fun n => (- Z.of_N n)%Z) (natural s)
   | _ => option_map Z.of_N (natural s)
   end.
-Definition positive_number (s : string) : option positive := match natural s with Some (Npos p) => Some p | _ => None end.
+Definition positive_number (s : string) : option positive := match natural s with Some (Npos p) => Some p | _ =>
+  None end.
 Definition ratio_of (s : string) : option ratio :=
   match split_at "/" s with
-  | [a; b] => match positive_number a, positive_number b with Some a, Some b => Some {| num := a; den := b |} | _, _ => None end
+  | [a; b] => match positive_number a, positive_number b with Some a, Some b => Some {| num := a; den := b |} | _, _ =>
+    None end
   | _ => None
   end.
 Definition dyadic_of (s : string) : option dyadic :=
   match split_at "b" s with
-  | [a; b] => match natural a, integer b with Some a, Some b => Some {| odd_part := a; exponent := b |} | _, _ => None end
+  | [a; b] => match natural a, integer b with Some a, Some b => Some {| odd_part := a; exponent := b |} | _, _ =>
+    None end
   | _ => None
   end.
 
@@ -47,7 +51,8 @@ Definition value {A} (keyword : string) (f : string -> option A) : list string -
   line (fun w => match w with [k; v] => if k =? keyword then f v else None | _ => None end).
 Definition two_ratios (keyword : string) : list string -> reading (ratio * ratio) :=
   line (fun w => match w with
-    | [k; a; b] => if k =? keyword then match ratio_of a, ratio_of b with Some a, Some b => Some (a, b) | _, _ => None end else None
+    | [k; a; b] => if k =? keyword then match ratio_of a, ratio_of b with Some a, Some b => Some (a, b) | _, _ =>
+      None end else None
     | _ => None end).
 
 Inductive node := Ends (why : reason) | Halved (a : axis).
@@ -86,7 +91,8 @@ Definition contact_of (w : list string) : option contact :=
   match w with
   | ["witness"; "bridge"; e; eta; a; b] =>
     match dyadic_of e, dyadic_of eta, natural a, natural b with
-    | Some e, Some eta, Some a, Some b => Some {| contact_e := e; contact_eta := eta; after_X := a; after_reversed := b |}
+    | Some e, Some eta, Some a, Some b => Some {| contact_e := e; contact_eta := eta; after_X := a; after_reversed :=
+      b |}
     | _, _, _, _ => None
     end
   | _ => None
@@ -112,26 +118,31 @@ Fixpoint read_pieces (fuel : nat) (t : list string) : reading (list piece) :=
   | _, _ => Read [] t
   end.
 
-(** A file that is about something else than the section turning of the dumbbell is not wrong, but not for this checker. *)
+(** A file that is about something else than the section turning of the dumbbell is not wrong, but not for this
+  checker. *)
 Definition known (keyword expected : string) (t : list string) : reading bool :=
   line (fun w => match w with
-    | [k; v] => if k =? keyword then if v =? expected then Some true else if is_word false v || (all_chars is_digit v && negb (v =? "")) then Some false else None else None
+    | [k; v] => if k =? keyword then if v =? expected then Some true else if is_word false v ||
+      (all_chars is_digit v && negb (v =? "")) then Some false else None else None
     | _ => None end) t.
 
-Inductive answer := Verified (c : certificate) | Rejected (number : nat) (why : string) | Unsupported (number : nat) (why : string) | Limit (why : string).
+Inductive answer := Verified (c : certificate) | Rejected (number : nat) (why : string) | Unsupported (number : nat)
+  (why : string) | Limit (why : string).
 
 Section Judge.
 Variable t : list string.
 Let number (rest : list string) : nat := (List.length t - List.length rest + 1)%nat.
 Definition header (k : list string -> answer) : answer :=
-  let unknown word rest := Unsupported (number rest - 1) ("not checked here: " ++ nth (number rest - 2) t "" ++ ", where only " ++ word ++ " is") in
+  let unknown word rest := Unsupported (number rest - 1) ("not checked here: " ++ nth (number rest - 2) t "" ++
+    ", where only " ++ word ++ " is") in
   let expect keyword expected rest k := match known keyword expected rest with
     | Wrong rest => Rejected (number rest) ("expected `" ++ keyword ++ "`")
     | Read false rest => unknown (keyword ++ " " ++ expected) rest
     | Read true rest => k rest end in
   expect "dumbbell-certificate" "1" t (fun rest =>
   match rest with [] => Rejected (number rest) "the text ends too early" | _ :: rest =>
-  expect "lemmas" "1" rest (fun rest => expect "scene" "dumbbell" rest (fun rest => expect "section" "turning" rest (fun rest => expect "claim" "collisions" rest k)))
+  expect "lemmas" "1" rest (fun rest => expect "scene" "dumbbell" rest (fun rest => expect "section" "turning" rest
+    (fun rest => expect "claim" "collisions" rest k)))
   end).
 Definition read_body (generator : string) (rest : list string) : reading certificate :=
   let* (r, rest) := two_ratios "ratio" rest in
@@ -149,9 +160,11 @@ Fixpoint first_difference (a b : list string) : option nat :=
   end.
 Definition most_bits : N := 2048.
 Definition too_much (P : piece) : bool :=
-  (most_bits <? bits P)%N || match witness P with Some w => (most_steps <? after_X w)%N || (most_steps <? after_reversed w)%N | None => false end.
+  (most_bits <? bits P)%N || match witness P with Some w => (most_steps <? after_X w)%N ||
+    (most_steps <? after_reversed w)%N | None => false end.
 
-(** The verdict on the lines of a file: read, written again, compared, and checked. [sha256] is the checksum of all lines but the last. *)
+(** The verdict on the lines of a file: read, written again, compared, and checked.
+  [sha256] is the checksum of all lines but the last. *)
 Definition judge (sha256 : string) (d : demand) : answer :=
   header (fun rest =>
   match read_body (nth 1 t "") rest with
@@ -161,13 +174,15 @@ Definition judge (sha256 : string) (d : demand) : answer :=
     | Some n => Rejected (S n) "the text is not as this certificate is written"
     | None =>
       if negb (canonical c) then Rejected 0 "a value beyond its limits, or not in lowest terms" else
-      if existsb too_much (pieces c) then Limit "more than 2048 bits, or a witness with more than a million collisions" else
+      if existsb too_much (pieces c) then Limit "more than 2048 bits, or a witness with more than a million collisions"
+        else
       match certificate_fault d c with Some why => Rejected 0 why | None => Verified c end
     end
   end).
 Lemma same_lines a : forall b, first_difference a b = None -> a = b.
 Proof.
-  induction a as [|x a IH]; intros [|y b] H; try discriminate; [reflexivity|]. simpl in H. destruct (x =? y) eqn:E; [|discriminate].
+  induction a as [|x a IH]; intros [|y b] H; try discriminate; [reflexivity|]. simpl in H. destruct (x =? y) eqn:E;
+    [|discriminate].
   apply String.eqb_eq in E. subst y. destruct (first_difference a b) eqn:D; [discriminate|]. now rewrite (IH b D).
 Qed.
 
@@ -176,14 +191,18 @@ Theorem verified_text sha256 d c : judge sha256 d = Verified c ->
   t = file_text c sha256 /\ canonical c = true /\ certificate_fault d c = None.
 Proof.
   unfold judge. set (K := fun rest => match read_body (nth 1 t "") rest with Wrong _ => _ | Read _ _ => _ end).
-  assert (HK : forall rest, K rest = Verified c -> t = file_text c sha256 /\ canonical c = true /\ certificate_fault d c = None).
+  assert (HK : forall rest, K rest = Verified c -> t = file_text c sha256 /\ canonical c = true /\
+    certificate_fault d c = None).
   { intros rest. unfold K. destruct (read_body _ rest) as [c' rest'|]; [|discriminate].
     destruct (first_difference _ t) eqn:E1; [discriminate|]. destruct (canonical c') eqn:E2; [|discriminate]. simpl.
     destruct (existsb too_much (pieces c')); [discriminate|]. destruct (certificate_fault d c') eqn:E3; [discriminate|].
     intros H. injection H; intros <-. apply same_lines in E1. repeat split; try assumption. now symmetry. }
-  unfold header. destruct (known "dumbbell-certificate" "1" t) as [[|] r1|]; try discriminate. destruct r1 as [|g r1]; [discriminate|].
-  destruct (known "lemmas" "1" r1) as [[|] r2|]; try discriminate. destruct (known "scene" "dumbbell" r2) as [[|] r3|]; try discriminate.
-  destruct (known "section" "turning" r3) as [[|] r4|]; try discriminate. destruct (known "claim" "collisions" r4) as [[|] r5|]; try discriminate.
+  unfold header. destruct (known "dumbbell-certificate" "1" t) as [[|] r1|]; try discriminate. destruct r1 as [|g r1];
+    [discriminate|].
+  destruct (known "lemmas" "1" r1) as [[|] r2|]; try discriminate. destruct (known "scene" "dumbbell" r2) as [[|] r3|];
+    try discriminate.
+  destruct (known "section" "turning" r3) as [[|] r4|]; try discriminate.
+    destruct (known "claim" "collisions" r4) as [[|] r5|]; try discriminate.
   apply HK.
 Qed.
 End Judge.

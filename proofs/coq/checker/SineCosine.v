@@ -2,7 +2,8 @@
    mean-value form around the midpoint; falls back to the library's I.sin/I.cos outside. *)
 From Coq Require Import Reals ZArith Lra List Bool.
 From Coquelicot Require Import Coquelicot.
-From Interval Require Import Real.Xreal Float.Basic Float.Sig Interval.Interval Interval.Float Interval.Float_full Tactic.
+From Interval Require Import Real.Xreal Float.Basic Float.Sig Interval.Interval Interval.Float Interval.Float_full
+  Tactic.
 From Dumbbell Require Import Enclosure.
 Import ListNotations.
 Local Open Scope R_scope.
@@ -21,7 +22,7 @@ Proof. intros H. cbv [cR cosZ map hornerR]. change (2^60)%Z with 115292150460684
   split; interval with (i_taylor x, i_degree 22, i_prec 110). Qed.
 
 Module Fast (F : FloatOps with Definition sensible_format := true).
-Module Import X := Bounce F.
+Module Import X := Enclosure F.
 Section S.
 Variable p : F.precision.
 Definition co (l : list Z) : list I.type := map (fun z => I.inv p (I.fromZ p z)) l.
@@ -39,14 +40,6 @@ Definition sinT (t : tab) x := I.add p (I.mul p x (hornerI (tS t) (I.sqr p x))) 
 Definition cosT (t : tab) x := I.add p (hornerI (tC t) (I.sqr p x)) (tE t).
 Definition indom (t : tab) i := match I.sign_large (I.sub p i (tD t)), I.sign_large (I.add p i (tD t)) with
   | (Xlt|Xeq), (Xgt|Xeq) => true | _, _ => false end.
-Definition sincos (t : tab) (x : I.type) : I.type * I.type :=
-  if indom t x then
-    let m := I.singleton (I.midpoint x) in
-    let r := I.sub p x m in
-    let cx := cosT t x in
-    let sx := sinT t x in
-    (I.add p (sinT t m) (I.mul p cx r), I.sub p (cosT t m) (I.mul p sx r))
-  else (I.sin p x, I.cos p x).
 
 Lemma inv_in z : z <> 0%Z -> inI (/ IZR z) (I.inv p (I.fromZ p z)).
 Proof.
@@ -94,47 +87,8 @@ Proof.
   unfold inI. 
   destruct (I.sign_large (I.sub p i dom)); destruct (I.sign_large (I.add p i dom)); try discriminate H;
   intros A B C D; specialize (A _ C); specialize (B _ D); simpl in A, B; 
-  repeat match goal with H : _ /\ _ |- _ => destruct H | H : Xreal _ = Xreal 0 |- _ => injection H; clear H; intro H end; lra.
+  repeat match goal with H : _ /\ _ |- _ => destruct H | H : Xreal _ = Xreal 0 |- _ => injection H; clear H;
+    intro H end; lra.
 Qed.
-Lemma sincos_in x i : inI x i -> inI (sin x) (fst (sincos mktab i)) /\ inI (cos x) (snd (sincos mktab i)).
-Proof.
-  intros Hx. unfold sincos. destruct (indom mktab i) eqn:Hs; cycle 1.
-  { split; [now apply sin_in | now apply cos_in]. }
-  assert (Hd : forall y, inI y i -> -0.8 <= y <= 0.8).
-  { intros y Hy. now apply indom_ok with (1 := Hs). }
-  destruct (I.midpoint_correct i) as [Hm1 Hm2]. { now exists x. }
-  rewrite Hm1 in Hm2. set (m := proj_val (I.F.toX (I.midpoint i))) in *.
-  assert (Hm : inI m (I.singleton (I.midpoint i))) by exact (I.singleton_correct (I.midpoint i)).
-  assert (Hc : forall c, Rmin m x <= c <= Rmax m x -> inI c i).
-  { intros c Hc. unfold Rmin, Rmax in Hc. destruct (Rle_dec m x).
-    - now apply (contains_connected (I.convert i) m x).
-    - now apply (contains_connected (I.convert i) x m). }
-  simpl. split.
-  - destruct (MVT_gen sin m x cos) as [c [Hcc E]].
-    { intros; auto_derive; [easy|ring]. } { intros; reg. }
-    replace (sin x) with (sin m + cos c * (x - m)) by lra.
-    apply add_in; [apply sinT_in; auto | apply mul_in; [apply cosT_in; auto | now apply sub_in]].
-  - destruct (MVT_gen cos m x (fun y => - sin y)) as [c [Hcc E]].
-    { intros; auto_derive; [easy|ring]. } { intros; reg. }
-    replace (cos x) with (cos m - sin c * (x - m)) by lra.
-    apply sub_in; [apply cosT_in; auto | apply mul_in; [apply sinT_in; auto | now apply sub_in]].
-Qed.
-
-Definition newtonF t (a psi c s' D : I.type) : I.type :=
-  let m := I.singleton (I.midpoint D) in
-  let cm := if indom t D then cosT t m else I.cos p m in
-  let sD := if indom t D then sinT t D else I.sin p D in
-  let fm := I.sub p (I.mul p a (I.sub p cm c)) (I.mul p s' (I.sub p m psi)) in
-  let df := I.neg (I.add p (I.mul p a sD) s') in
-  I.meet (I.sub p m (I.div p fm df)) D.
-Definition stepF t (a q psi s D : I.type) : I.type * I.type :=
-  let '(sn, cs) := sincos t psi in
-  let s' := reflI p q sn s in
-  (newtonF t a psi cs s' D, s').
-Fixpoint benchF (n : nat) t (a q psi s D acc : I.type) : bool :=
-  match n with
-  | O => I.is_empty acc
-  | S n' => let '(X, s') := stepF t a q psi s D in benchF n' t a q psi s D X
-  end.
 End S.
 End Fast.
