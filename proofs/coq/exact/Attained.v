@@ -100,13 +100,15 @@ Proof.
   - apply (too_high k0 1 0); try lra. apply T.
   - apply (steep_ray_misses 1 k1 (PI * 1) 1); [lra | apply C].
 Qed.
-Theorem at_least_2_k0_k1 q k0 k1 : 1 <= q -> top_orbit q k0 -> corner_orbit q k1 -> lower_bound q (2 + k0 + k1).
+Theorem maximum_witness q k0 k1 : 1 <= q -> top_orbit q k0 -> corner_orbit q k1 -> bridge_witness (/ q) (2 + k0 + k1).
 Proof.
   intros Hq T C. destruct (Req_dec q 1) as [->|Hn].
-  - destruct (no_orbit_at_1 k0 k1 T C) as [-> ->]. apply L7_equal_masses.
+  - destruct (no_orbit_at_1 k0 k1 T C) as [-> ->]. rewrite Rinv_1. apply equal_witness.
   - assert (Hr : 0 < / q < 1).
     { split; [apply Rinv_0_lt_compat; lra|]. rewrite <- Rinv_1. apply Rinv_lt_contravar; lra. }
-    apply charts_lower; [exact Hq|]. destruct (L21_counts q k0 k1 Hq T C) as [->| ->].
+    destruct (L21_counts q k0 k1 Hq T C) as [->| ->].
     + apply L25_near_corner; [exact Hr | apply C].
     + replace (2 + S k1 + k1)%nat with (1 + S k1 + S k1)%nat by lia. apply L25_near_top; [exact Hr | apply T].
 Qed.
+Theorem at_least_2_k0_k1 q k0 k1 : 1 <= q -> top_orbit q k0 -> corner_orbit q k1 -> lower_bound q (2 + k0 + k1).
+Proof. intros Hq T C. apply charts_lower; [exact Hq | now apply maximum_witness]. Qed.

@@ -1,5 +1,4 @@
-(** Theorem 2 (a): N does not decrease with q, and exceeds every bound; L30 (c), with the factor 28 in place of 23.
-    *)
+(** Theorem 2 (a): N does not decrease with q, and exceeds every bound; L30 (c). *)
 From Coq Require Import Reals Lra Lia.
 From Coquelicot Require Import Coquelicot.
 From Dumbbell Require Import Physics Ray Orbits ExactMaximum.
@@ -23,12 +22,24 @@ Proof.
   assert (B := exactly_max _ _ _ _ C' _ (corner_mono _ _ _ R0' Hr R1 (proj1 C))). lia.
 Qed.
 
-(** L30 (c): while c, k and r are at most z <= 1/8, a ray collides, and then c and k are at most 28 z. *)
+(** pi/12 <= tan(pi/12) = 1/(2 + sqrt 3). *)
+Lemma PI_below_3_22 : PI < 322/100.
+Proof.
+  assert (HPI := PI2_1). set (a := PI/12). assert (T := sin_below_tangent a 0 ltac:(unfold a; lra) ltac:(lra)).
+  rewrite sin_0 in T. assert (C := cos_gt_0 a ltac:(unfold a; lra) ltac:(unfold a; lra)).
+  assert (S2 := sin_2a a). assert (C2 := cos_2a_cos a). replace (2 * a) with (PI/6) in S2, C2 by (unfold a; field).
+  rewrite sin_PI6 in S2. rewrite cos_PI6 in C2. assert (R3 := sqrt_sqrt 3 ltac:(lra)). assert (P3 := sqrt_pos 3).
+  assert (L3 : 173/100 < sqrt 3) by nra.
+  assert (K : a * (cos a * cos a) <= sin a * cos a) by (rewrite <- Rmult_assoc; apply Rmult_le_compat_r; lra).
+  replace (cos a * cos a) with ((2 + sqrt 3) / 4) in K by lra. unfold a in *. nra.
+Qed.
+
+(** L30 (c): while c, k and r are at most z <= 1/8, a ray collides, and then c and k are at most 23 z. *)
 Lemma small_step c k r z : 0 <= c <= z -> 0 <= k <= z -> 0 < r <= z -> z <= 1/8 -> exists x, hit c k x /\
   0 < slope_den (cos x) k r /\ 0 <= next_slope (cos x) k r <= 6 * z /\
-  0 <= sin x + next_slope (cos x) k r * (x + PI) <= 28 * z.
+  0 <= sin x + next_slope (cos x) k r * (x + PI) <= 23 * z.
 Proof.
-  intros Hc Hk Hr Hz. assert (HPI := PI2_1). assert (HPI4 := PI_4).
+  intros Hc Hk Hr Hz. assert (HPI := PI2_1). assert (HPI4 := PI_below_3_22).
   assert (C2 : 15/16 <= cos (2 * z)).
   { assert (S := cos_shift 0 (2 * z)). rewrite sin_0, cos_0, Rplus_0_l in S.
     assert (K := Rabs_maj2 (cos (2 * z) - (1 - 2 * z * 0))). nra. }
@@ -51,27 +62,27 @@ Proof.
   split; [exact HK|]. set (k' := next_slope w k r) in *.
   assert (0 <= sin x) by (apply sin_ge_0; lra). assert (T := sin_below_tangent 0 x ltac:(lra) ltac:(lra)).
   rewrite sin_0, cos_0 in T. assert (0 <= k' * (x + PI)) by (apply Rmult_le_pos; lra).
-  assert (k' * (x + PI) <= 6 * z * (1/4 + 4)) by (apply mul_mono; lra). lra.
+  assert (k' * (x + PI) <= 6 * z * (1/4 + 322/100)) by (apply mul_mono; lra). lra.
 Qed.
-Theorem L30c_many_collisions n : forall c k r z, 0 <= c <= z -> 0 <= k <= z -> 0 < r <= z -> 28 ^ n * z <= 1/8 ->
+Theorem L30c_many_collisions n : forall c k r z, 0 <= c <= z -> 0 <= k <= z -> 0 < r <= z -> 23 ^ n * z <= 1/8 ->
   coll r (S n) c k.
 Proof.
   induction n as [|n IH]; intros c k r z Hc Hk Hr Hz.
   - simpl in Hz. destruct (small_step c k r z) as [x [Hx _]]; try lra. exists x. split; [exact Hx | now left].
-  - assert (P := pow_R1_Rle 28 n ltac:(lra)). simpl in Hz.
+  - assert (P := pow_R1_Rle 23 n ltac:(lra)). simpl in Hz.
     destruct (small_step c k r z) as [x [Hx [HD [HK HC]]]]; try lra; [nra|].
-    exists x. split; [exact Hx|right]. split; [exact HD|]. cbv zeta. apply (IH _ _ r (28 * z)); lra.
+    exists x. split; [exact Hx|right]. split; [exact HD|]. cbv zeta. apply (IH _ _ r (23 * z)); lra.
 Qed.
 Theorem L30c_corner n : exists r0, 0 < r0 <= 1 /\ forall r, 0 < r <= r0 -> coll r n (PI * r) r.
 Proof.
-  assert (HPI := PI2_1). assert (P := pow_R1_Rle 28 n ltac:(lra)). exists (/ (8 * (28 ^ n * PI))).
-  assert (D : 1 <= 8 * (28 ^ n * PI)) by nra. split.
+  assert (HPI := PI2_1). assert (P := pow_R1_Rle 23 n ltac:(lra)). exists (/ (8 * (23 ^ n * PI))).
+  assert (D : 1 <= 8 * (23 ^ n * PI)) by nra. split.
   - split; [apply Rinv_0_lt_compat; lra|]. rewrite <- Rinv_1. apply Rinv_le_contravar; lra.
-  - intros r Hr. apply coll_le with (S n); [lia|]. assert (K : PI * r <= PI * / (8 * (28 ^ n * PI)))
+  - intros r Hr. apply coll_le with (S n); [lia|]. assert (K : PI * r <= PI * / (8 * (23 ^ n * PI)))
     by (apply Rmult_le_compat_l; lra).
     assert (0 < PI * r) by (apply Rmult_lt_0_compat; lra).
     apply (L30c_many_collisions n _ _ r (PI * r)); try lra; try nra.
-    replace (1/8) with (28 ^ n * (PI * / (8 * (28 ^ n * PI)))) by (field; split; lra). apply Rmult_le_compat_l; lra.
+    replace (1/8) with (23 ^ n * (PI * / (8 * (23 ^ n * PI)))) by (field; split; lra). apply Rmult_le_compat_l; lra.
 Qed.
 Theorem N_unbounded N : exists q0, 1 <= q0 /\ forall q, q0 <= q -> N_at_least q N.
 Proof.
