@@ -2,7 +2,7 @@
     all times with at least the collisions of the two rays; so a witness proves a lower bound. *)
 From Coq Require Import Reals Lra Lia List FinFun.
 From Coquelicot Require Import Coquelicot.
-From Dumbbell Require Import Physics Ray Chart Flight Collisions Symmetry Existence StartRay RayFuture.
+From Dumbbell Require Import Physics Ray Chart Flight Collisions Symmetry Existence StartRay BridgeRays RayFuture.
 Local Open Scope R_scope.
 
 Section Lower.
@@ -62,67 +62,45 @@ Theorem bridge_motion e eta a b : 0 < e <= PI/2 -> 0 < eta ->
   exists p, motion P p /\ at_least P p (1 + a + b).
 Proof.
   intros He Heta Ca Cb. assert (R0 := r_pos P HP). assert (HPI : 0 < PI) by apply PI_RGT_0.
-  assert (A1 := arm1_pos P HP). assert (EA := r_arms P HP).
-  destruct (cos_range e ltac:(lra)) as [W0 W1]. assert (S0 : 0 < sin e) by (apply sin_gt_0; lra).
+  assert (A1 := arm1_pos P HP). assert (0 < sin e) by (apply sin_gt_0; lra).
   set (s0 := {| height := arm1 P * (r * sin e); angle := PI/2 - e + PI/2 |}).
   assert (Ep : psi_of s0 = PI/2 - e) by (unfold psi_of, s0; simpl; ring).
   assert (Ey : yh s0 = r * sin e) by (unfold yhat_of, s0; simpl; field; lra).
-  assert (Sp : sin (PI/2 - e) = cos e) by (rewrite sin_minus, sin_PI2, cos_PI2; ring).
-  assert (Cp : cos (PI/2 - e) = sin e) by (rewrite cos_minus, sin_PI2, cos_PI2; ring).
-  assert (Ca0 : cos (angle s0) = - cos e) by (assert (K := sin_psi s0); rewrite Ep, Sp in K; lra).
-  assert (Hrs : 0 < r * sin e) by (now apply Rmult_lt_0_compat).
-  assert (Hfree : free P s0) by (unfold free; rewrite Ep, Ey, Cp; lra).
-  assert (Hy : y2 P s0 = 0). { destruct (L0_heights P s0 HP) as [_ E]. rewrite E, Ep, Ey, Cp. unfold r_of. ring. }
-  set (k := r * lamX e eta). set (v' := {| vy := arm1 P * k; om := -1 |}).
-  assert (Eu : u_of v' = -1) by reflexivity. assert (Ev : v_of P v' = k) by (unfold v_of, v'; simpl; field; lra).
-  assert (Hre : 0 < r * eta) by (now apply Rmult_lt_0_compat).
-  set (w := minus_v v'). assert (Hw : vy w + - (arm2 P * cos (angle s0)) * om w < 0).
-  { rewrite EA, Ca0. unfold w, v', k, lamX; simpl. assert (0 < arm1 P * (r * eta)) by (now apply Rmult_lt_0_compat).
-    lra. }
-  destruct (push_exists P HP _ _ Hw) as [w' [Hpush Hne]]. change (push2 P s0 w w') in Hpush.
-  destruct (L0_reflection2 P HP s0 w w' Hpush) as [|HL]; [contradiction|]. unfold slope2 in HL. rewrite Ep, Sp in HL.
-  assert (Euw : u_of w = 1) by (unfold w, u_of; simpl; ring).
-  assert (Evw : v_of P w = - k) by (unfold w; rewrite (v_of_minus P HP), Ev; reflexivity). rewrite Euw, Evw in HL.
-  destruct HL as [l [Hl [Lu [Lv [Lr Ln]]]]].
-  assert (Hq : 0 < 1 + r * (cos e * cos e)).
-  { assert (0 <= r * (cos e * cos e)) by (apply Rmult_le_pos; [lra | apply Rle_0_sqr]). lra. }
-  assert (Hrc : 0 <= r * cos e) by (apply Rmult_le_pos; lra).
-  assert (Hrce : 0 <= r * cos e * eta) by (apply Rmult_le_pos; lra).
-  assert (El : l = 2 * eta / (1 + r * (cos e * cos e))).
-  { apply Rmult_eq_reg_r with (r * (1 + r * (cos e * cos e))); [|apply Rmult_integral_contrapositive_currified; lra].
-    replace (2 * eta / (1 + r * (cos e * cos e)) * (r * (1 + r * (cos e * cos e)))) with (2 * (r * eta))
-      by (field; lra).
-    rewrite Lu, Lv in Lr. unfold k, lamX in Lr. lra. }
-  (* X *)
-  destruct (bridge_start_ray P HP Hr1 s0 v' k) as [RX KX];
-    try (rewrite ?Ep, ?Ey, ?Eu, ?Ev, ?Cp, ?Sp; unfold k, lamX; lra).
-  rewrite Ep, Cp in RX. destruct (ray_future P HP Hr1 _ _ _ _ RX KX) as [pX [FX GX]].
-  (* sigma X, mirrored *)
-  set (kS := r * lamS e eta r). assert (EuS : u_of (mirror_v w') = - u_of w') by reflexivity.
-  assert (EvS : v_of P (mirror_v w') = v_of P w') by reflexivity.
-  assert (Hlc : 0 <= l * (r * cos e)) by (apply Rmult_le_pos; lra).
-  assert (EkS : kS * - u_of (mirror_v w') = v_of P (mirror_v w')).
-  { rewrite EuS, EvS, Lu, Lv, El. unfold kS, lamS, eta_reversed, k, lamX. field. split; lra. }
-  destruct (bridge_start_ray P HP Hr1 (mirror_pos s0) (mirror_v w') kS) as [RS KS];
-    rewrite ?psi_mirror_pos, ?Ep, ?cos_neg, ?sin_neg, ?Cp, ?Sp; try assumption; try lra.
-  { rewrite EuS, EvS, Lu, Lv. rewrite Lu, Lv in Lr. unfold k, lamX in *. lra. }
-  rewrite psi_mirror_pos, Ep, cos_neg, Cp in RS. destruct (ray_future P HP Hr1 _ _ _ _ RS KS) as [pS [FS GS]].
+  assert (0 < r * sin e) by (now apply Rmult_lt_0_compat).
+  assert (Hfree : free P s0) by (unfold free; rewrite Ep, Ey, cos_top; lra).
+  assert (Hy : y2 P s0 = 0).
+  { destruct (L0_heights P s0 HP) as [_ E]. rewrite E, Ep, Ey, cos_top. unfold r_of. ring. }
+  (* out of it with the slope of X; in with what the floor answers to the reversed velocity *)
+  set (v' := {| vy := arm1 P * (r * lamX e eta); om := -1 |}).
+  assert (Ev : v_of P v' = r * lamX e eta) by (unfold v_of, v'; simpl; field; lra).
+  assert (Es : r * lamX e eta * - u_of v' = v_of P v') by (rewrite Ev; unfold u_of; simpl; ring).
+  destruct (push_exists P HP (- (arm2 P * cos (angle s0))) (minus_v v')) as [w [Hpush Hne]].
+  { assert (K := sin_psi s0). rewrite Ep, sin_top in K. replace (cos (angle s0)) with (- cos e) by lra.
+    rewrite (r_arms P HP). unfold v', lamX; simpl. assert (0 < r * eta) by (now apply Rmult_lt_0_compat).
+    assert (0 < arm1 P * (r * eta)) by (now apply Rmult_lt_0_compat). lra. }
+  change (push2 P s0 (minus_v v') w) in Hpush. assert (Emm : minus_v (minus_v v') = v') by (apply vel_eq; simpl; ring).
+  destruct (L0_reflection2 P HP s0 _ w Hpush) as [|HL]; [contradiction|]. apply reflects_reverse in HL.
+  unfold slope2 in HL. rewrite Ep, sin_top, <- !(v_of_minus P HP), Emm in HL.
+  replace (- u_of (minus_v v')) with (u_of v') in HL by (unfold u_of; simpl; ring).
+  replace (- r * cos e) with (- (r * cos e)) in HL by ring.
+  destruct (bridge_slopes P HP e eta _ _ _ _ He HL ltac:(unfold u_of; simpl; lra) Es) as [_ [Hin ES]].
+  (* the rays *)
+  destruct (bridge_out_X P HP Hr1 s0 v' e eta He Heta Ep Ey ltac:(unfold u_of; simpl; lra) Es) as [RX KX].
+  destruct (ray_future P HP Hr1 _ _ _ _ RX KX) as [pX [FX GX]].
+  destruct (bridge_out_S P HP Hr1 (mirror_pos s0) (mirror_v w) e eta He Heta) as [RS KS]; try assumption.
+  { rewrite psi_mirror_pos, Ep. reflexivity. }
+  { change (r * lamS e eta r * - - u_of w = v_of P w). rewrite (v_of_minus P HP) in ES. lra. }
+  destruct (ray_future P HP Hr1 _ _ _ _ RS KS) as [pS [FS GS]].
   (* the motion *)
-  apply (join_at_heavy_contact s0 (minus_v w') v' pX (mirror pS) a b Hfree Hy).
-  - unfold w2. rewrite EA, Ca0. simpl.
-    assert (K : 0 < arm1 P * (v_of P w' + r * cos e * u_of w')) by (apply Rmult_lt_0_compat; lra).
-    unfold u_of, v_of in K.
-    replace (arm1 P * (vy w' / arm1 P + r * cos e * om w')) with (vy w' + r * arm1 P * cos e * om w') in K
-      by (field; lra). lra.
-  - assert (E : v' = minus_v w) by (unfold w; apply vel_eq; simpl; ring). rewrite E. now apply reverse_push.
+  assert (Hin2 : push2 P s0 (minus_v w) v') by (rewrite <- Emm; now apply reverse_push).
+  apply (join_at_heavy_contact s0 (minus_v w) v' pX (mirror pS) a b Hfree Hy).
+  - destruct (push_cases P HP _ _ _ Hin2) as [E|[_ [j [_ [_ [_ Hw]]]]]]; [|unfold w2; lra]. exfalso. apply Hne.
+    rewrite E. apply vel_eq; simpl; ring.
+  - exact Hin2.
   - exact FX.
-  - replace (minus_v (minus_v w')) with w' by (apply vel_eq; simpl; ring). now apply future_mirror.
-  - apply GX. unfold cX in Ca. fold k in Ca.
-    replace (r * (sin e + lamX e eta * (PI - e))) with (r * sin e + k * (PI / 2 - e + PI / 2)) in Ca
-      by (unfold k; field). exact Ca.
-  - apply later_mirror, GS. unfold cS in Cb. fold kS in Cb.
-    replace (r * (sin e + lamS e eta r * e)) with (r * sin e + kS * (- (PI / 2 - e) + PI / 2)) in Cb
-      by (unfold kS; ring). exact Cb.
+  - replace (minus_v (minus_v w)) with w by (apply vel_eq; simpl; ring). now apply future_mirror.
+  - now apply GX.
+  - now apply later_mirror, GS.
 Qed.
 End Lower.
 

@@ -2,7 +2,7 @@
     1 later ones are one and n later than that. *)
 From Coq Require Import Reals Lra Lia List.
 From Coquelicot Require Import Coquelicot.
-From Dumbbell Require Import Physics Ray RealInduction Flight.
+From Dumbbell Require Import Physics RealInduction Ray Flight.
 Import ListNotations.
 Local Open Scope R_scope.
 

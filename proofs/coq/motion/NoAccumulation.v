@@ -1,7 +1,7 @@
 (** Collisions cannot accumulate: a path that obeys the law at each time of (0, T) flies freely just before T. So that
     `motion` asks for a velocity before and after each time excludes no trajectory but those into a corner. *)
 From Coq Require Import Reals Lra Lia.
-From Dumbbell Require Import Physics Flight Symmetry Existence OneFlight EveryState Determinism.
+From Dumbbell Require Import Statement Flight Symmetry Existence OneFlight EveryState Determinism.
 Local Open Scope R_scope.
 
 Section NoAcc.

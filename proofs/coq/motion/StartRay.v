@@ -11,7 +11,7 @@ Hypothesis Hr1 : r_of P <= 1.
 Notation r := (r_of P).
 Notation yh := (yhat_of P).
 
-(** A ray to the left *)
+(** A ray to the left, over the left corner at the height c, with slope k; it clears what lies before that corner. *)
 Record start_ray (s0 : pos) (v : vel) (c k : R) : Prop := {
   sr_left : u_of v < 0; sr_slope : k * - u_of v = v_of P v;
   sr_height : c = yh s0 + k * (psi_of s0 + PI/2); sr_start : - (PI/2) < psi_of s0;
@@ -24,7 +24,7 @@ Proof.
   rewrite cos_neg, cos_PI2 in K. rewrite Hc. lra.
 Qed.
 
-(** L6: out of a contact with the bridge to the left (bridge_ray without a motion). *)
+(** L6: out of a contact with the bridge to the left. *)
 Theorem bridge_start_ray s0 v k : u_of v < 0 -> k * - u_of v = v_of P v ->
   - (PI/2) < psi_of s0 < PI/2 -> yh s0 = r * cos (psi_of s0) -> 0 < v_of P v + r * sin (psi_of s0) * u_of v ->
   start_ray s0 v (r * cos (psi_of s0) + k * (psi_of s0 + PI/2)) k /\ - r <= k.

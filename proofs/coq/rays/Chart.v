@@ -1,7 +1,6 @@
 (** L8 (a), (b), L9 (a), (b): the rays of the two charts, and how they change with e, eta, lambda and the ratio.
     What a cover has to show (`bridge_bound`, `light_bound`), and what a witness is. *)
 From Coq Require Import Reals Lra Lia.
-From Coquelicot Require Import Coquelicot.
 From Dumbbell Require Import Ray.
 From Dumbbell Require Export Descending.
 Local Open Scope R_scope.

@@ -1,7 +1,7 @@
 (** The masses exchanged and the rod turned by pi: N(1/q) = N(q), "q < 1 is the same system with the masses renamed"
     (claim.md). *)
 From Coq Require Import Reals Lra List.
-From Dumbbell Require Import Physics.
+From Dumbbell Require Import Statement.
 Local Open Scope R_scope.
 
 Definition swap_dumbbell P := {| m1 := m2 P; m2 := m1 P; ell := ell P |}.

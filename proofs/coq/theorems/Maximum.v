@@ -2,7 +2,7 @@
     only a supremum"). No certificate is used. *)
 From Coq Require Import Reals Lra Lia List.
 From Coquelicot Require Import Coquelicot.
-From Dumbbell Require Import Physics FewHits Chart Flight Scaling LightTotal WitnessMotion.
+From Dumbbell Require Import Statement FewHits Chart Flight Scaling LightTotal WitnessMotion.
 Local Open Scope R_scope.
 
 Theorem L2c_below_q_plus_5 q n : 1 <= q -> q + 4 <= INR n -> upper_bound q n.

@@ -4,7 +4,7 @@
     theory: the upright rod that bounces once. (Newton.v: the floor's push is Newton's law for two masses and a rod.) *)
 From Coq Require Import Reals Lra Lia List.
 From Coquelicot Require Import Coquelicot.
-From Dumbbell Require Import Physics RealInduction Flight Collisions Existence Scaling.
+From Dumbbell Require Import Physics RealInduction Flight Collisions Scaling Existence.
 Import ListNotations.
 Local Open Scope R_scope.
 

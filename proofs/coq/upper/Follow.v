@@ -40,8 +40,8 @@ Proof.
       destruct (SIN_bound X). assert (r * - sin X <= r * 1) by (apply Rmult_le_compat_l; lra). lra.
 Qed.
 
-(** A ray to the left, over the left corner at height c, with slope k. It clears the bridge, or the bridge is never hit.
-    *)
+(** A ray to the left, over the left corner at height c, with slope k. It clears the bridge, or the
+    bridge is never hit. *)
 Record ray (p : R -> pos) (t0 : R) (v : vel) (c k : R) : Prop := {
   ray_after : after p t0 v; ray_left : u_of v < 0; ray_slope : k * - u_of v = v_of P v;
   ray_height : c = yh (p t0) + k * (psi_of (p t0) + PI/2); ray_start : - (PI/2) < psi_of (p t0);
@@ -155,5 +155,11 @@ Proof.
   - apply start_ray_ray; [|now apply mirror_after]. destruct Hx as [X1 _].
     apply (next_start_ray P HP (p t1)); try assumption. lra.
   - now apply later_mirror.
+Qed.
+Corollary follow_start n p t0 v c k : motion P p -> start_ray P (p t0) v c k -> after p t0 v -> - r <= k ->
+  later P p t0 n -> coll r n c k.
+Proof.
+  intros Hm S Ha Hk. apply (follow_ray n p t0 v c k Hm); [now apply start_ray_ray | | exact Hk]. left.
+  exact (start_ray_height_pos P _ _ _ _ S).
 Qed.
 End Follow.

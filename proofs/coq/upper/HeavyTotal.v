@@ -1,7 +1,7 @@
 (** L8 complete: a motion in which the heavy mass hits the floor has at most as many collisions as the chart bridge
     allows. The collisions are counted before and after that one. *)
 From Coq Require Import Reals Lra Lia List FinFun.
-From Dumbbell Require Import Physics Chart Flight Collisions Symmetry NormalPosition BridgeChart SteepRays.
+From Dumbbell Require Import Statement Chart Flight Collisions Symmetry NormalPosition SteepRays.
 Local Open Scope R_scope.
 
 Section Total.

@@ -1,7 +1,7 @@
 (** L3 and L8 (c): a steep flight has no later collision; a flight to the nearer side of the bridge has at most those of
     the bridge's tangent; so every contact with the bridge is bounded by the chart bridge. *)
 From Coq Require Import Reals Lra Lia List.
-From Dumbbell Require Import Physics Ray Chart Flight Collisions Symmetry Follow BridgeChart.
+From Dumbbell Require Import Physics Ray Chart Flight Collisions Symmetry StartRay Follow BridgeChart.
 Local Open Scope R_scope.
 
 Section Bridge2.
@@ -30,11 +30,10 @@ Theorem tangent_bound U p t0 e v b : bridge_bound r U -> motion P p -> after p t
 Proof.
   intros HB Hm Ha Hp He Hy Hu Hn Hl. assert (R0 := r_pos P HP). assert (HPI : 0 < PI) by apply PI_RGT_0.
   set (k := v_of P v / - u_of v). assert (Ek : k * - u_of v = v_of P v) by (unfold k; field; lra).
-  assert (B := bridge_ray P HP Hr1 p t0 v k Hm Ha Hu Ek ltac:(lra) Hy Hn). simpl in B.
+  destruct (bridge_start_ray P HP Hr1 (p t0) v k Hu Ek ltac:(lra) Hy Hn) as [RX KX].
   assert (Sp : sin (psi_of (p t0)) = - cos e) by (rewrite Hp, sin_neg, sin_minus, sin_PI2, cos_PI2; ring).
   assert (Cp : cos (psi_of (p t0)) = sin e) by (rewrite Hp, cos_neg, cos_minus, sin_PI2, cos_PI2; ring).
-  destruct B as [RX [CX KX]].
-  assert (Gb := follow_ray P HP Hr1 b p t0 v _ k Hm RX CX KX Hl). rewrite Cp, Hp in Gb. rewrite Sp in Hn.
+  assert (Gb := follow_start P HP Hr1 b p t0 v _ k Hm RX Ha KX Hl). rewrite Cp, Hp in Gb. rewrite Sp in Hn.
   assert (Hk : r * - cos e < k). { apply Rmult_lt_reg_r with (- u_of v); lra. }
   assert (E0 : lamS e 0 r = - cos e) by (unfold lamS, eta_reversed, Rdiv; ring).
   assert (C0 : cS e 0 r = sin e - cos e * e) by (unfold cS; rewrite E0; ring).
