@@ -55,69 +55,75 @@ Proof.
   split; [exact A | now left].
 Qed.
 
+(** An ascending flight does not collide where it is at least 1 high: only the peaks are as high, and they are flat. *)
+Lemma high_no_collision p t v : motion P p -> before p t v -> 0 <= v_of P v -> 1 <= yh (p t) -> ~ collision P p t.
+Proof.
+  intros Hm Hb Hv Hh Hc. assert (R0 := r_pos P HP). destruct (collision_law P HP p t Hm Hc) as [w [w' [Wb [_ HL]]]].
+  assert (w = v) by (apply before_unique with p t; assumption). subst w.
+  assert (Flat : sin (psi_of (p t)) = 0 -> False).
+  { intros Z. destruct HL as [[_ [l [_ [_ [_ [_ Hn]]]]]]|[_ [l [_ [_ [_ [_ Hn]]]]]]];
+      [unfold slope1 in Hn | unfold slope2 in Hn]; rewrite Z in Hn; lra. }
+  assert (Peak : cos (psi_of (p t)) * cos (psi_of (p t)) = 1 -> False).
+  { intros E. apply Flat. assert (SC := sin2_cos2 (psi_of (p t))). unfold Rsqr in SC.
+    assert (Z : sin (psi_of (p t)) * sin (psi_of (p t)) = 0) by lra. apply Rmult_integral in Z. tauto. }
+  destruct (COS_bound (psi_of (p t))) as [B1 B2].
+  destruct HL as [[C _]|[C _]]; [apply (contact1 P HP) in C | apply (contact2 P HP) in C]; apply Peak.
+  - replace (cos (psi_of (p t))) with (-1) by lra. ring.
+  - destruct (Rle_or_lt (cos (psi_of (p t))) 0) as [K|K].
+    + assert (0 <= r * - cos (psi_of (p t))) by (apply Rmult_le_pos; lra). lra.
+    + assert (r * cos (psi_of (p t)) <= 1 * cos (psi_of (p t))) by (apply Rmult_le_compat_r; lra).
+      replace (cos (psi_of (p t))) with 1 by lra. ring.
+Qed.
+(** A ray that passes the peak psi = - pi is at least 1 high there, and from there on. *)
+Lemma past_peak p t0 v c k t1 : motion P p -> ray p t0 v c k -> (forall s, t0 <= s <= t1 -> on_line p t0 v s) ->
+  psi_of (p t1) <= - PI -> t0 < t1 -> 0 <= v_of P v /\ 1 <= yh (p t1).
+Proof.
+  intros Hm [Ha Hu Hs Hc0 Hst _ Hbl] Ln Hpast H01. assert (HPI : 0 < PI) by apply PI_RGT_0.
+  destruct (on_line_coords P HP _ _ _ _ (Ln t1 ltac:(lra))) as [E1 E2].
+  set (d := (psi_of (p t0) + PI) / - u_of v). assert (Hd : - u_of v * d = psi_of (p t0) + PI) by (unfold d; field; lra).
+  assert (D0 : 0 <= d) by (unfold d; apply Rmult_le_pos; [lra | left; apply Rinv_0_lt_compat; lra]).
+  assert (D1 : d <= t1 - t0) by (apply Rmult_le_reg_l with (- u_of v); lra).
+  destruct (on_line_coords P HP _ _ _ _ (Ln (t0 + d) ltac:(lra))) as [F1 F2].
+  replace (t0 + d - t0) with d in F1, F2 by ring. assert (Fl := floor1 P HP p (t0 + d) Hm).
+  replace (psi_of (p (t0 + d))) with (- PI) in Fl by lra. rewrite cos_neg, cos_PI in Fl.
+  assert (Fy : yh (p (t0 + d)) = c + k * (PI/2)).
+  { rewrite F2, Hc0, <- Hs. replace (k * - u_of v * d) with (k * (- u_of v * d)) by ring. rewrite Hd. field. }
+  assert (Hk : 0 <= k) by (destruct Hbl; lra).
+  assert (Hv : 0 <= v_of P v) by (rewrite <- Hs; apply Rmult_le_pos; lra). split; [exact Hv|].
+  assert (v_of P v * d <= v_of P v * (t1 - t0)) by (apply Rmult_le_compat_l; lra). lra.
+Qed.
+
 (** L4 (a) for the motion. *)
 Theorem next_hit p t0 v c k t1 : motion P p -> ray p t0 v c k -> t0 < t1 -> collision P p t1 ->
   (forall t, t0 < t < t1 -> ~ collision P p t) ->
   exists x, 0 < x /\ hit c k x /\ psi_of (p t1) = - (PI/2) - x /\ yh (p t1) = sin x /\
   exists v', after p t1 v' /\ reflects P (- cos x) (u_of v) (v_of P v) (u_of v') (v_of P v').
 Proof.
-  intros Hm [Ha Hu Hs Hc0 Hst Hcl Hbl] H01 Hc Hf. assert (HPI : 0 < PI) by apply PI_RGT_0. assert (R0 := r_pos P HP).
-  assert (Ln := straight_flight P HP p t0 t1 v Hm Ha H01 Hf).
+  intros Hm HR H01 Hc Hf. assert (HPI : 0 < PI) by apply PI_RGT_0. assert (R0 := r_pos P HP).
+  assert (Ln := straight_flight P HP p t0 t1 v Hm (ray_after _ _ _ _ _ HR) H01 Hf).
   destruct (on_line_coords P HP _ _ _ _ (Ln t1 ltac:(lra))) as [E1 E2].
   destruct (collision_law P HP p t1 Hm Hc) as [va [v' [Hb [Ha' HL]]]].
-  assert (va = v).
-  { apply before_unique with p t1; [exact Hb|]. destruct (Ln t1 ltac:(lra)) as [Q1 Q2]. exists (t1 - t0). split; [lra|].
-    intros s Hs'. destruct (Ln s ltac:(lra)). split; lra. }
-  subst va. set (X := - (PI/2) - psi_of (p t1)). assert (EX : psi_of (p t1) = - (PI/2) - X) by (unfold X; ring).
+  destruct (on_line_until p t0 t1 v va H01) as [-> _]; [intros s Hs; apply Ln; lra | exact Hb |].
+  set (X := - (PI/2) - psi_of (p t1)). assert (EX : psi_of (p t1) = - (PI/2) - X) by (unfold X; ring).
+  destruct (Rle_or_lt (PI/2) X) as [K2|K2].
+  { exfalso. destruct (past_peak p t0 v c k t1 Hm HR Ln ltac:(lra) H01) as [V Y].
+    exact (high_no_collision p t1 v Hm Hb V Y Hc). }
+  destruct HR as [_ Hu Hs Hc0 Hst Hcl _].
   assert (EY : yh (p t1) = c + k * X). { rewrite E2, Hc0, <- Hs. unfold X. rewrite E1. ring. }
-  assert (Hup : - u_of v * (t1 - t0) = psi_of (p t0) + PI/2 + X) by (unfold X; rewrite E1; ring).
   assert (Hpos : 0 < - u_of v * (t1 - t0)) by (apply Rmult_lt_0_compat; lra).
   destruct (Rle_or_lt X 0) as [K|K].
-  { exfalso. destruct (Hcl (psi_of (p t1)) ltac:(lra)) as [K1 K2].
+  { exfalso. destruct (Hcl (psi_of (p t1)) ltac:(lra)) as [K1 K3].
     assert (EZ : yh (p t0) + k * (psi_of (p t0) - psi_of (p t1)) = yh (p t1)) by (rewrite EY, Hc0, EX; ring).
     destruct HL as [[C _]|[C _]]; [apply (contact1 P HP) in C; lra|].
-    destruct K2 as [K2|K2]; [apply (contact2 P HP) in C; lra | exact (K2 t1 Hc C)]. }
-  destruct (Rlt_or_le X (PI/2)) as [K2|K2].
-  - destruct HL as [[C HR]|[C HR]].
-    + apply (contact1 P HP) in C. rewrite EX, cos_left in C. exists X. split; [exact K|].
-      assert (HR' := HR). unfold slope1 in HR'. rewrite EX, sin_left in HR'.
-      split; [|split; [exact EX | split; [lra|]]].
-      * split; [lra|]. split; [lra|]. destruct HR' as [l [_ [_ [_ [_ Hn]]]]]. rewrite <- Hs in Hn.
-        assert ((cos X - k) * - u_of v > 0) by lra. apply Rmult_lt_reg_r with (- u_of v); lra.
-      * exists v'. split; assumption.
-    + exfalso. apply (contact2 P HP) in C. rewrite EX, cos_left in C. assert (F := floor1 P HP p t1 Hm).
-      rewrite EX, cos_left in F.
-      assert (0 < sin X) by (apply sin_gt_0; lra). assert (0 < r * sin X) by (now apply Rmult_lt_0_compat). lra.
-  - exfalso.
-    (* at the peak psi = -pi the flight is at least 1 high *)
-    set (tp := t0 + (psi_of (p t0) + PI) / - u_of v).
-    assert (Htp : tp - t0 = (psi_of (p t0) + PI) / - u_of v) by (unfold tp; ring).
-    assert (Htp2 : - u_of v * (tp - t0) = psi_of (p t0) + PI) by (rewrite Htp; field; lra).
-    assert (T1 : t0 <= tp).
-    { assert (0 <= (psi_of (p t0) + PI) / - u_of v) by (apply Rmult_le_pos; [lra | left; apply Rinv_0_lt_compat; lra]).
-      lra. }
-    assert (T2 : tp <= t1). { apply Rmult_le_reg_l with (- u_of v); [lra|]. lra. }
-    destruct (on_line_coords P HP _ _ _ _ (Ln tp ltac:(lra))) as [F1 F2].
-    assert (Fp : psi_of (p tp) = - PI) by (rewrite F1; lra). assert (Fl := floor1 P HP p tp Hm).
-    rewrite Fp, cos_neg, cos_PI in Fl.
-    assert (Fy : yh (p tp) = c + k * (PI/2)). { rewrite F2, Hc0, <- Hs.
-      replace (k * - u_of v * (tp - t0)) with (k * (- u_of v * (tp - t0))) by ring. rewrite Htp2. field. }
-    assert (Hk : 0 <= k) by (destruct Hbl; lra).
-    assert (Hhigh : 1 <= yh (p t1)). { rewrite EY. assert (k * (PI/2) <= k * X) by (apply Rmult_le_compat_l; lra).
-      lra. }
-    assert (Hv : 0 <= v_of P v) by (rewrite <- Hs; apply Rmult_le_pos; lra).
-    assert (Flat : sin (psi_of (p t1)) = 0 -> False).
-    { intros Z. destruct HL as [[_ [l [_ [_ [_ [_ Hn]]]]]]|[_ [l [_ [_ [_ [_ Hn]]]]]]];
-        [unfold slope1 in Hn | unfold slope2 in Hn]; rewrite Z in Hn; lra. }
-    assert (SC := sin2_cos2 (psi_of (p t1))). unfold Rsqr in SC. destruct (COS_bound (psi_of (p t1))) as [B1 B2].
-    destruct HL as [[C _]|[C _]]; [apply (contact1 P HP) in C | apply (contact2 P HP) in C]; apply Flat.
-    + assert (cos (psi_of (p t1)) = -1) by lra. assert (sin (psi_of (p t1)) * sin (psi_of (p t1)) = 0) by nra.
-      apply Rmult_integral in H0. tauto.
-    + assert (r * cos (psi_of (p t1)) <= 1 * cos (psi_of (p t1)) \/ cos (psi_of (p t1)) <= 0).
-      { destruct (Rle_or_lt (cos (psi_of (p t1))) 0); [now right | left; apply Rmult_le_compat_r; lra]. }
-      destruct H as [H|H]; [|assert (0 <= r * - cos (psi_of (p t1))) by (apply Rmult_le_pos; lra); lra].
-      assert (cos (psi_of (p t1)) = 1) by lra. assert (sin (psi_of (p t1)) * sin (psi_of (p t1)) = 0) by nra.
-      apply Rmult_integral in H1. tauto.
+    destruct K3 as [K3|K3]; [apply (contact2 P HP) in C; lra | exact (K3 t1 Hc C)]. }
+  destruct HL as [[C HR]|[C HR]].
+  - apply (contact1 P HP) in C. rewrite EX, cos_left in C. exists X. split; [exact K|].
+    unfold slope1 in HR. rewrite EX, sin_left in HR. split; [|split; [exact EX | split; [lra | now exists v']]].
+    split; [lra|]. split; [lra|]. destruct HR as [l [_ [_ [_ [_ Hn]]]]]. rewrite <- Hs in Hn.
+    apply Rmult_lt_reg_r with (- u_of v); lra.
+  - exfalso. apply (contact2 P HP) in C. rewrite EX, cos_left in C. assert (F := floor1 P HP p t1 Hm).
+    rewrite EX, cos_left in F. assert (0 < sin X) by (apply sin_gt_0; lra).
+    assert (0 < r * sin X) by (now apply Rmult_lt_0_compat). lra.
 Qed.
 
 (** F <= G: what a flight does later, its ray does. *)
