@@ -3,7 +3,7 @@
 From Coq Require Import Reals Lra Lia List.
 From Coquelicot Require Import Coquelicot.
 From Dumbbell Require Import Physics Ray FewHits Flight Collisions Symmetry NormalPosition StartRay Follow.
-From Dumbbell Require Import BridgeChart SteepRays Orbits ExactMaximum NoHeavy.
+From Dumbbell Require Import SteepRays Orbits ExactMaximum NoHeavy.
 Local Open Scope R_scope.
 
 Section Once.
@@ -61,9 +61,10 @@ Proof.
   assert (Left : forall q w, motion P q -> after q T w -> u_of w < 0 -> - (PI/2) < psi_of (q T) < PI/2 ->
     y2 P (q T) = 0 ->
     0 < v_of P w + r * sin (psi_of (q T)) * u_of w -> collision P q t -> y2 P (q t) <> 0).
-  { intros q w Hq Hw Hu Hpq H2q Nq Hcq. set (k := v_of P w / - u_of w). assert (Hs : k * - u_of w = v_of P w)
-    by (unfold k; field; lra).
-    destruct (bridge_ray P HP Hr1 q T w k Hq Hw Hu Hs Hpq (contact2 P HP q T H2q) Nq) as [RX [CX KX]].
+  { intros q w Hq Hw Hu Hpq H2q Nq Hcq. set (k := v_of P w / - u_of w).
+    assert (Hs : k * - u_of w = v_of P w) by (unfold k; field; lra).
+    destruct (bridge_start_ray P HP Hr1 (q T) w k Hu Hs Hpq (contact2 P HP q T H2q) Nq) as [SX KX].
+    assert (CX := Rlt_le _ _ (start_ray_height_pos P _ _ _ _ SX)). assert (RX := start_ray_ray P q T w _ k SX Hw).
     now apply (ray_never_heavy q T w _ k Hq RX CX KX t). }
   destruct (Rtotal_order (u_of v') 0) as [L|[E|G]].
   - now apply (Left p v').

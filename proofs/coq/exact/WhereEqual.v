@@ -2,7 +2,8 @@
     ceil(pi/gamma) always, the two are equal if and only if pi <= N(q) gamma. *)
 From Coq Require Import Reals Lra Lia.
 From Coquelicot Require Import Coquelicot.
-From Dumbbell Require Import Physics Ray Maximum Orbits ExactMaximum Monotone CriticalRatios PublishedBound ExplicitBounds.
+From Dumbbell Require Import Physics Ray Maximum Orbits ExactMaximum Monotone CriticalRatios PublishedBound.
+From Dumbbell Require Import ExplicitBounds.
 Local Open Scope R_scope.
 
 Lemma PI_above_3_1 : 31/10 < PI.
