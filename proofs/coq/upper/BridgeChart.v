@@ -2,7 +2,7 @@
     slope below that of the chart's edge, is a point (e, eta) of the chart bridge; the two rays have at least
     its collisions. *)
 From Coq Require Import Reals Lra Lia List.
-From Dumbbell Require Import Physics Chart Flight Collisions Symmetry StartRay BridgeRays Follow.
+From Dumbbell Require Import Physics Chart Flight Collisions Symmetry BridgeRays Follow.
 Local Open Scope R_scope.
 
 Section Bridge.
@@ -11,16 +11,6 @@ Hypothesis HP : real_dumbbell P.
 Hypothesis Hr1 : r_of P <= 1.
 Notation r := (r_of P).
 Notation yh := (yhat_of P).
-
-(** L6: a flight out of a contact with the bridge to the left is a ray. *)
-Theorem bridge_ray p t0 v k : motion P p -> after p t0 v -> u_of v < 0 -> k * - u_of v = v_of P v ->
-  - (PI/2) < psi_of (p t0) < PI/2 -> yh (p t0) = r * cos (psi_of (p t0)) ->
-  0 < v_of P v + r * sin (psi_of (p t0)) * u_of v ->
-  let c := r * cos (psi_of (p t0)) + k * (psi_of (p t0) + PI/2) in ray P p t0 v c k /\ 0 <= c /\ - r <= k.
-Proof.
-  intros _ Ha Hu Hs Hp Hy Hn c. destruct (bridge_start_ray P HP Hr1 (p t0) v k Hu Hs Hp Hy Hn) as [S K].
-  split; [now apply start_ray_ray|]. split; [left; exact (start_ray_height_pos P _ _ _ _ S) | exact K].
-Qed.
 
 (** A collision with the bridge at psi = pi/2 - e: the two velocities. *)
 Lemma heavy_reflection p T e : motion P p -> collision P p T -> y2 P (p T) = 0 -> psi_of (p T) = PI/2 - e ->
