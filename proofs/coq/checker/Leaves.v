@@ -35,6 +35,7 @@ Definition bridge_holds U e eta r := 0 < e <= PI/2 -> 0 <= eta -> 0 < r <= 1 -> 
   coll r a (r * cX e eta) (r * lamX e eta) -> coll r b (r * cS e eta r) (r * lamS e eta r) -> (1 + a + b <= U)%nat.
 Definition light_holds U e lam r := 0 < e <= PI/2 -> 0 <= lam -> 0 < r <= 1 -> r * lam < 1 -> forall a b,
   0 <= 2 * cos e + r * lam - lam * (cos e * cos e) ->
+  above_bridge r e (r * lam) -> (0 < mu_den (cos e) lam r -> above_bridge r e (r * mu (cos e) lam r)) ->
   coll r a (cL e (r * lam)) (r * lam) ->
   (0 < mu_den (cos e) lam r -> coll r b (cL e (r * mu (cos e) lam r)) (r * mu (cos e) lam r)) ->
   (mu_den (cos e) lam r <= 0 -> b = O) -> (1 + a + b <= U)%nat.
@@ -84,6 +85,17 @@ Definition descends (b : fbox) : bool :=
   proper b && pos (I.sub p (quarter T) (S (e1 b))) &&
    let '(_, w) := sc p G T (S (e1 b)) in
    pos (I.sub p (I.mul p (S (y0 b)) (I.sub p (I.sqr p w) (S (r1 b)))) (I.mul2 p w)).
+
+(** L9 (c): a ray from the wall R whose slope is at most r [slope] meets the bridge, for every e of the box. *)
+Definition meets (b : fbox) (slope : I.type) : bool :=
+  let e := S (e1 b) in let t := S (near_top G slope) in let '(s, _) := sc p G T e in let '(h, _) := sc p G T t in
+  proper b && pos (I.sub p (quarter T) e) && pos t && pos (I.sub p (pi_ T) t) &&
+  pos (I.sub p h (I.add p (I.div p s (S (r0 b))) (I.mul p slope (I.add p e t)))).
+Definition meets_reversed (b : fbox) : bool :=
+  let '(_, w) := sc p G T (S (e1 b)) in let r := S (r1 b) in
+  proper b && pos (I.sub p (quarter T) (S (e1 b))) && pos (dI w (I.mul p (S (r0 b)) (S (y0 b))) r) &&
+  (let rl := I.mul p r (S (y0 b)) in
+   meets b (up (I.div p (I.sub p (I.add p (I.mul2 p w) rl) (I.mul p (S (y0 b)) (I.sqr p w))) (dI w rl r)))).
 
 Definition enough (Vn na nb : N) : bool := ((Vn <=? 1 + na + nb) && (na <=? most_steps) && (nb <=? most_steps))%N.
 Definition check_witness (r0 r1 e y : F.type) (na nb Vn : N) : bool :=
@@ -210,7 +222,7 @@ Proof. intros. unfold dI. apply sub_in; [|assumption]. apply add_in; [now apply 
 Lemma leaf_light_sound U b na nb : leaf_light U b na nb = true -> forall e y r, inside b e y r ->
   light_holds (N.to_nat U) e y r.
 Proof.
-  unfold leaf_light. intros H e y r [He [Hy Hr]] He' Hy' Hr' Hlt a c HP Ha Hc Hc0.
+  unfold leaf_light. intros H e y r [He [Hy Hr]] He' Hy' Hr' Hlt a c HP _ _ Ha Hc Hc0.
   apply andb_prop in H; destruct H as [H H3]. apply andb_prop in H; destruct H as [HU Hp]. apply N.leb_le in HU.
   destruct (proper_ok b Hp) as [P1 [P2 [P3 P4]]]. assert (HPI : 0 < PI) by apply PI_RGT_0.
   destruct (sc_ok p G T HT _ _ (vin (e0 b))) as [Hs Hw]. destruct (sc p G T (S (e0 b))) as [s w]. simpl in Hs, Hw.
@@ -289,6 +301,66 @@ Proof.
   assert (Q5 : w1 * (2 * u) < w1 * (y * (u * u - r))) by lra. apply Rmult_lt_reg_l in Q5; lra.
 Qed.
 
+Lemma meets_sound b slope m e y r : meets b slope = true -> inI m slope -> y <= m -> inside b e y r \/
+  (V (e0 b) <= e <= V (e1 b) /\ V (r0 b) <= r <= V (r1 b)) -> 0 < e <= PI/2 -> 0 < r <= 1 -> 0 <= y ->
+    above_bridge r e (r * y) -> False.
+Proof.
+  unfold meets. intros H Hm Hym Hin He Hr Hy HB.
+  assert (HI : V (e0 b) <= e <= V (e1 b) /\ V (r0 b) <= r <= V (r1 b)) by (destruct Hin as [[A [_ B]]|[A B]];
+    now split).
+  destruct HI as [Ie Ir]. clear Hin.
+  destruct (sc_ok p G T HT _ _ (vin (e1 b))) as [Hs _]. destruct (sc p G T (S (e1 b))) as [s w]. simpl in Hs.
+  destruct (sc_ok p G T HT _ _ (vin (near_top G slope))) as [Hh _].
+  destruct (sc p G T (S (near_top G slope))) as [h w']. simpl in Hh. set (t := V (near_top G slope)) in *.
+  apply andb_prop in H; destruct H as [H H5]. apply andb_prop in H; destruct H as [H H4].
+  apply andb_prop in H; destruct H as [H H3]. apply andb_prop in H; destruct H as [Hp H2].
+  destruct (proper_ok b Hp) as [P1 [P2 [P3 P4]]].
+  assert (A2 := pos_ok _ _ H2 (sub_in p _ _ _ _ quI (vin _))). assert (A3 := pos_ok _ _ H3 (vin _)). fold t in A3.
+  assert (A4 := pos_ok _ _ H4 (sub_in p _ _ _ _ piI (vin _))). fold t in A4.
+  assert (A5 := pos_ok _ _ H5 (sub_in p _ _ _ _ Hh (add_in p _ _ _ _ (div_in p _ _ _ _ Hs (vin (r0 b)))
+    (mul_in p _ _ _ _ Hm (add_in p _ _ _ _ (vin (e1 b)) (vin (near_top G slope))))))). fold t in A5.
+  specialize (HB t ltac:(lra)). assert (HPI : 0 < PI) by apply PI_RGT_0.
+  assert (Q1 : sin e <= sin (V (e1 b))) by (apply sin_mono; lra). assert (Q2 : 0 <= sin e) by (apply sin_ge_0; lra).
+  assert (Q3 : y * (e + t) <= m * (V (e1 b) + t)) by (apply mul_mono; lra).
+  assert (Q4 : sin (V (e1 b)) <= r * (sin (V (e1 b)) / V (r0 b))).
+  { apply Rle_trans with (V (r0 b) * (sin (V (e1 b)) / V (r0 b))); [right; field; lra|].
+    apply Rmult_le_compat_r; [|lra]. apply Rmult_le_pos; [lra | left; now apply Rinv_0_lt_compat]. }
+  assert (Q5 : r * (y * (e + t)) <= r * (m * (V (e1 b) + t))) by (apply Rmult_le_compat_l; lra).
+  assert (Q6 : r * (sin (V (e1 b)) / V (r0 b) + m * (V (e1 b) + t)) < r * sin t) by (apply Rmult_lt_compat_l; lra).
+  lra.
+Qed.
+Lemma meets_reversed_sound b e y r : meets_reversed b = true -> inside b e y r -> 0 < e <= PI/2 -> 0 < r <= 1 ->
+  0 <= y ->
+  0 <= 2 * cos e + r * y - y * (cos e * cos e) -> (0 < mu_den (cos e) y r -> above_bridge r e (r * mu (cos e) y r)) ->
+    False.
+Proof.
+  unfold meets_reversed. intros H [Ie [Iy Ir]] He Hr Hy HP HB.
+  destruct (sc_ok p G T HT _ _ (vin (e1 b))) as [_ Hw]. destruct (sc p G T (S (e1 b))) as [s w]. simpl in Hw.
+  apply andb_prop in H; destruct H as [H H4]. apply andb_prop in H; destruct H as [H H3].
+  apply andb_prop in H; destruct H as [Hp H2]. destruct (proper_ok b Hp) as [P1 [P2 [P3 P4]]].
+  assert (A2 := pos_ok _ _ H2 (sub_in p _ _ _ _ quI (vin _))).
+  assert (A3 := pos_ok _ _ H3 (dI_in _ _ _ _ _ _ _ Hw (mul_in p _ _ _ _ (vin (r0 b)) (vin (y0 b))) (vin (r1 b)))).
+  assert (HPI : 0 < PI) by apply PI_RGT_0. set (w1 := cos (V (e1 b))) in *.
+  assert (W1 : 0 < w1) by (apply cos_pos; lra). assert (W2 : w1 <= cos e) by (apply cos_mono; lra).
+  set (l0 := V (y0 b)) in *. set (rl := V (r0 b)) in *. set (rh := V (r1 b)) in *.
+  assert (L1 : rl * l0 <= rh * l0) by (apply Rmult_le_compat_r; lra).
+  assert (L2 : rl * l0 <= r * y) by (apply mul_mono; lra).
+  assert (D1 : 0 < mu_den w1 l0 rh).
+  { unfold mu_den. assert (rl * l0 * w1 <= rh * l0 * w1) by (apply Rmult_le_compat_r; lra). lra. }
+  assert (D2 : 0 < mu_den (cos e) y r).
+  { unfold mu_den. assert (w1 * w1 <= cos e * cos e) by (apply Rmult_le_compat; lra).
+    assert (rl * l0 * w1 <= r * y * cos e) by (apply mul_mono; try lra; apply Rmult_le_pos; lra). lra. }
+  assert (M : mu (cos e) y r <= mu w1 l0 rh) by (apply mu_mono; try lra; now right).
+  assert (M0 : 0 <= mu (cos e) y r) by (unfold mu; apply Rmult_le_pos; [exact HP | left; now apply Rinv_0_lt_compat]).
+  assert (RH := mul_in p _ _ _ _ (vin (r1 b)) (vin (y0 b))).
+  assert (DIn := dI_in _ _ _ _ _ _ _ Hw RH (vin (r1 b))).
+  assert (MI : inI (mu w1 l0 rh) (I.div p (I.sub p (I.add p (I.mul2 p w) (I.mul p (S (r1 b)) (S (y0 b))))
+    (I.mul p (S (y0 b)) (I.sqr p w))) (dI w (I.mul p (S (r1 b)) (S (y0 b))) (S (r1 b))))).
+  { unfold mu. apply div_in; [|exact DIn]. apply sub_in; [apply add_in; [now apply mul2_in | exact RH]
+      | apply mul_in; [apply vin | now apply sqr_in]]. }
+  destruct (up_ok _ _ MI) as [m [M1 M2]].
+  apply (meets_sound b _ m e (mu (cos e) y r) r H4 M1); try assumption; try lra; [right; now split | exact (HB D2)].
+Qed.
 Lemma enough_ok Vn na nb : enough Vn na nb = true -> (N.to_nat Vn <= 1 + fuel na + fuel nb)%nat.
 Proof.
   unfold enough, fuel. intros H. apply andb_prop in H; destruct H as [H H3]. apply andb_prop in H;
@@ -369,7 +441,8 @@ Definition check_reason (U : N) (light : bool) (b : box) (why : reason) : bool :
   | Count na nb => F.real (I.lower (quarter T)) && F.real (e0 f) && (if light then leaf_light else
     leaf_bridge) U (capped f) na nb
   | Outside => beyond_peak f || too_steep b || (light && descends f)
-  | Meets | Meets_reversed => false
+  | Meets => light && meets f (S (y1 f))
+  | Meets_reversed => light && meets_reversed f
   end.
 Lemma check_bridge_sound U b why : check_reason U false b why = true -> forall e y q, in_box e y q b -> 1 <= q ->
   bridge_holds (N.to_nat U) e y (/ q).
@@ -388,14 +461,19 @@ Lemma check_light_sound U b why : check_reason U true b why = true -> forall e y
 Proof.
   unfold check_reason. intros H e y q Hin Hq. apply andb_prop in H; destruct H as [Hb H].
     assert (Hf := boxed_ok _ _ Hb e y q Hin).
-  destruct why as [na nb| | |]; try discriminate.
+  destruct why as [na nb| | |].
   - apply andb_prop in H; destruct H as [H HL]. apply andb_prop in H; destruct H as [R1 R2].
     apply leaf_light_sound with (1 := HL). now apply capped_ok.
-  - intros He Hy Hr Hlt a c HP _ _ _. exfalso. apply orb_prop in H. destruct H as [H|H]; [apply orb_prop in H;
+  - intros He Hy Hr Hlt a c HP _ _ _ _ _. exfalso. apply orb_prop in H. destruct H as [H|H]; [apply orb_prop in H;
     destruct H as [H|H]|].
     + assert (K := beyond_peak_sound _ _ _ _ H Hf). lra.
     + exact (too_steep_sound _ _ _ _ H Hin Hq Hlt).
     + simpl in H. exact (descends_sound _ _ _ _ H Hf He Hr Hy HP).
+  - intros He Hy Hr Hlt a c HP HX _ _ _ _. exfalso.
+    refine (meets_sound _ _ (V (y1 (round_box b))) e y (/ q) _ (vin _) (proj2 (proj1 (proj2 Hf))) (or_introl Hf) He Hr
+      Hy HX).
+    exact H.
+  - intros He Hy Hr Hlt a c HP _ HS _ _ _. exfalso. exact (meets_reversed_sound _ _ _ _ H Hf He Hr Hy HP HS).
 Qed.
 
 (** The witness of the piece [A, B]. That the floats are those of the file is not needed: any contact is a witness. *)

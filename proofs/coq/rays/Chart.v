@@ -19,8 +19,12 @@ Definition mu (w lam r : R) := (2*w + r*lam - lam*(w*w)) / mu_den w lam r.
 (** What a cover of one mass ratio is to show, and a witness. *)
 Definition bridge_bound r U := forall e eta a b, 0 < e <= PI/2 -> 0 <= eta -> r * eta < 1 ->
   coll r a (r * cX e eta) (r * lamX e eta) -> coll r b (r * cS e eta r) (r * lamS e eta r) -> (1 + a + b <= U)%nat.
+(** A ray from the wall R at corner distance e does not go below the bridge (L9 (c)); and what makes this so of X and
+  sigma X. *)
+Definition above_bridge r e k := forall t, 0 < t < PI -> r * sin t <= sin e + k * (e + t).
 Definition light_bound r U := forall e lam a b, 0 < e <= PI/2 -> 0 <= lam -> r * lam < 1 ->
   0 <= 2 * cos e + r * lam - lam * (cos e * cos e) ->
+  above_bridge r e (r * lam) -> (0 < mu_den (cos e) lam r -> above_bridge r e (r * mu (cos e) lam r)) ->
   coll r a (cL e (r * lam)) (r * lam) ->
   (0 < mu_den (cos e) lam r -> coll r b (cL e (r * mu (cos e) lam r)) (r * mu (cos e) lam r)) ->
   (mu_den (cos e) lam r <= 0 -> b = O) -> (1 + a + b <= U)%nat.

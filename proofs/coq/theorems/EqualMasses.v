@@ -29,7 +29,7 @@ Proof.
 Qed.
 Theorem equal_light : light_bound 1 2.
 Proof.
-  intros e lam a b He Hlam Hl HP Ha Hb Hb0. assert (HPI : 0 < PI) by apply PI_RGT_0.
+  intros e lam a b He Hlam Hl HP _ _ Ha Hb Hb0. assert (HPI : 0 < PI) by apply PI_RGT_0.
   destruct (cos_range e ltac:(lra)) as [W0 W1]. rewrite !Rmult_1_l in *.
   assert (a <= 1)%nat by (apply (one_at_most a (cL e lam) lam); [lra | exact Ha]). assert (b = O); [|lia].
   destruct (Rlt_or_le 0 (mu_den (cos e) lam 1)) as [HD|HD]; [|now apply Hb0]. specialize (Hb HD).

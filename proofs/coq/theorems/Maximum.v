@@ -16,7 +16,7 @@ Proof.
     + unfold lamX. assert (0 <= / q * (cos e + eta)) by (apply Rmult_le_pos; lra). lra.
     + assert (L := lamS_ge e eta (/ q) ltac:(lra) ltac:(lra) ltac:(lra)).
       assert (/ q * -1 <= / q * lamS e eta (/ q)) by (apply Rmult_le_compat_l; lra). lra.
-  - intros e lam a b He Hlam _ HP Ca Cb Cb0. assert (L1 : 0 <= / q * lam) by (apply Rmult_le_pos; lra).
+  - intros e lam a b He Hlam _ HP _ _ Ca Cb Cb0. assert (L1 : 0 <= / q * lam) by (apply Rmult_le_pos; lra).
     destruct (Rlt_or_le 0 (mu_den (cos e) lam (/ q))) as [HD|HD].
     + apply (L5f_few_both (/ q) a b n _ _ _ _ ltac:(lra) Hn') with (3 := Ca) (4 := Cb HD); [lra|].
       assert (0 <= mu (cos e) lam (/ q))

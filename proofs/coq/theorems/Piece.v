@@ -49,9 +49,9 @@ Proof.
       refine (check_tree_sound (leaf_holds (more_bits P) U false) (fun e y q => 1 <= q ->
         bridge_holds (N.to_nat U) e y (/ q)) _ tb _ Eb e eta q K Hq He Heta R3 Hlt a b Ha Hb).
       intros b0 why HL e' y' q' Hin' Hq'. exact (leaf_sound U false b0 why HL e' y' q' Hin' Hq').
-    + intros e lam a b He Hlam Hlt HP Ha Hb Hb0. assert (K := in_root (from P) (to P) e lam q Ew He Hlam Hin Hlt).
+    + intros e lam a b He Hlam Hlt HP HX HS Ha Hb Hb0. assert (K := in_root (from P) (to P) e lam q Ew He Hlam Hin Hlt).
       refine (check_tree_sound (leaf_holds (more_bits P) U true) (fun e y q => 1 <= q ->
-        light_holds (N.to_nat U) e y (/ q)) _ tl _ El e lam q K Hq He Hlam R3 Hlt a b HP Ha Hb Hb0).
+        light_holds (N.to_nat U) e y (/ q)) _ tl _ El e lam q K Hq He Hlam R3 Hlt a b HP HX HS Ha Hb Hb0).
       intros b0 why HL e' y' q' Hin' Hq'. exact (leaf_sound U true b0 why HL e' y' q' Hin' Hq').
 Qed.
 

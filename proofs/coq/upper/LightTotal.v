@@ -14,6 +14,37 @@ Hypothesis Hr1 : r_of P <= 1.
 Notation r := (r_of P).
 Notation yh := (yhat_of P).
 
+(** L9 (c): a flight to the left from R that the heavy mass never interrupts stays above the bridge. *)
+Lemma L9c_above_bridge p T e v k : motion P p -> no_heavy P p -> on_R P p T e -> after p T v -> u_of v < 0 ->
+  k * - u_of v = v_of P v -> 0 <= k -> above_bridge r e k.
+Proof.
+  intros Hm Hn [Hp [He Hy]] Ha Hu Hk Hk0 t Ht. assert (HPI : 0 < PI) by apply PI_RGT_0. set (g := - u_of v) in *.
+  assert (G0 : 0 < g) by (unfold g; lra). set (d := (e + t) / g). assert (D0 : 0 < d) by (apply Rdiv_lt_0_compat; lra).
+  assert (Dg : g * d = e + t) by (unfold d; field; lra).
+  assert (At : forall s, on_line p T v s ->
+    psi_of (p s) = PI/2 + e - g * (s - T) /\ yh (p s) = sin e + k * (g * (s - T))).
+  { intros s Hs. destruct (on_line_coords P HP p T v s Hs) as [A B]. rewrite A, B, Hp, Hy, <- Hk. unfold g.
+    split; ring. }
+  assert (Free : forall s, T < s < T + d -> ~ collision P p s).
+  { intros s Hs Hc. destruct (first_collision P HP p T s Hm ltac:(lra) Hc) as [t1 [H1 [Hc1 Hf]]].
+    destruct (At t1) as [A B]; [apply (straight_flight P HP p T t1 v Hm Ha); [lra | exact Hf | lra]|].
+    set (z := g * (t1 - T)) in *. assert (Z : 0 < z < e + t).
+    { unfold z. split; [apply Rmult_lt_0_compat; lra|]. rewrite <- Dg. apply Rmult_lt_compat_l; lra. }
+    assert (Kz : 0 <= k * z) by (apply Rmult_le_pos; lra). assert (Se : 0 < sin e) by (apply sin_gt_0; lra).
+    assert (Hno := Hn t1 Hc1). destruct Hc1 as [w [_ [[H0 _]|[H0 _]]]]; [|contradiction].
+    apply (contact1 P HP) in H0. rewrite A, B in H0. destruct (Rle_or_lt e z) as [Q|Q].
+    - assert (0 <= cos (PI/2 + e - z)) by (apply cos_ge_0; lra). lra.
+    - replace (PI/2 + e - z) with (PI/2 + (e - z)) in H0 by ring. rewrite cos_plus, cos_PI2, sin_PI2 in H0.
+      assert (sin (e - z) < sin e) by (apply sin_increasing_1; lra). lra. }
+  destruct (At (T + d)) as [A B]; [apply (straight_flight P HP p T (T + d) v Hm Ha); [lra | exact Free | lra]|].
+  replace (g * (T + d - T)) with (e + t) in A, B by (rewrite <- Dg; ring).
+  assert (F := above2 P p Hm (T + d)). assert (A1 := arm1_pos P HP).
+  destruct (L0_heights P (p (T + d)) HP) as [_ E]. rewrite E, A, B in F.
+  replace (PI/2 + e - (e + t)) with (PI/2 - t) in F by ring. rewrite cos_minus, cos_PI2, sin_PI2 in F. unfold r_of.
+  assert (0 <= sin e + k * (e + t) - m1 P / m2 P * (0 * cos t + 1 * sin t)); [|lra].
+  apply Rmult_le_reg_l with (arm1 P); lra.
+Qed.
+
 (** L9: a turning collision on R whose outgoing ray X goes left with a slope below 1. *)
 Theorem L9_turning_left U p T e v v' a b : light_bound r U -> motion P p -> no_heavy P p -> on_R P p T e ->
   before p T v -> after p T v' -> reflects P (cos e) (u_of v) (v_of P v) (u_of v') (v_of P v') ->
@@ -51,6 +82,13 @@ Proof.
       [now apply Rinv_0_lt_compat|]. unfold Rdiv in K. lra. }
   apply (HB e lam a b He Hlam); rewrite ?Elam; fold w; try assumption.
   - rewrite <- Elam at 1. exact HPn.
+  - now apply (L9c_above_bridge p T e v').
+  - intros HD. assert (Hd : 0 < g * (mu_den w lam r / (w * w + r)))
+      by (apply Rmult_lt_0_compat; [exact G0 | now apply Rdiv_lt_0_compat]).
+    apply (L9c_above_bridge (reverse p) (- T) e (minus_v v)); try assumption.
+    + rewrite Euq. lra.
+    + rewrite Euq, Evq, Du, Dv. unfold mu. field. lra.
+    + unfold mu. apply Rmult_le_pos; [lra|]. apply Rmult_le_pos; [exact HPn | left; now apply Rinv_0_lt_compat].
   - unfold cL. assert (0 <= k * (PI + e)) by (apply Rmult_le_pos; lra).
     apply (follow_ray P HP Hr1 a p T v'); try assumption; try lra. now apply light_ray.
   - intros HD. set (m := r * mu w lam r).
