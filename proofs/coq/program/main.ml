@@ -12,7 +12,7 @@ let examine (o : Demand.t) path =
   let lines, digest = Text.lines path in
   let place k = match int_of_nat k with 0 -> "" | k -> Printf.sprintf "line=%d " k in
   match C.judge (List.map to_coq lines) (to_coq digest) o.asked with
-  | C.Verified c -> Option.iter (fun folder -> Term.write_all folder o.asked c) o.term; claim c digest
+  | C.Verified c -> Option.iter (fun folder -> Coq_term.write_all folder o.asked c) o.term; claim c digest
   | C.Rejected (k, why) -> raise (Ended (1, "s REJECTED " ^ place k ^ of_coq why))
   | C.Unsupported (k, why) -> raise (Ended (3, "s UNSUPPORTED " ^ place k ^ of_coq why))
   | C.Limit why -> raise (Ended (4, "s LIMIT " ^ of_coq why))

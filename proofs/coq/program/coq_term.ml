@@ -92,7 +92,7 @@ Theorem proved_by_the_kernel : forall q : R, %s <= q <= %s -> %s.\nProof.\n  int
   repeat split; (apply U || apply V); reflexivity.\nQed.\nCheck proved_by_the_kernel.\n\
 Theorem each_piece_proved : forall P, In P (pieces whole) -> forall q : R, in_piece P q ->\n\
   (forall U w, bound P = Some (U, w) -> upper_bound q (N.to_nat U)) /\\ lower_bound q (N.to_nat (attained P)).\n\
-Proof. exact (each_piece _ _ (fault_none _ _ accepted)). Qed.\nPrint Assumptions proved_by_the_kernel.\n"
+Proof. exact (each_piece _ _ (fault_none _ _ accepted)). Qed.\nRedirect \"assumptions\" Print Assumptions proved_by_the_kernel.\n"
     (String.concat " " names) (of_coq c.C.program) (of_coq c.C.program_version) (ratio c.C.range_from) (ratio c.C.range_to)
     (String.concat " ++ " (List.map (fun n -> n ^ ".part") names)) said
     (ratio from) (ratio upto) (option count most) (option count least)
