@@ -1,0 +1,130 @@
+(** What a certificate of the section `turning` is, once it is read (docs/reference/format.md, sections 2 and 3),
+  with the exact
+    boxes of its trees. Nothing here is about rays or floating point: Text.v says how a certificate is written in lines,
+    Leaves.v what a leaf must satisfy. *)
+From Coq Require Import Reals ZArith NArith Lra Lia List Bool String.
+Local Open Scope R_scope.
+
+Record ratio := { num : positive; den : positive }.
+Definition ratio_value (x : ratio) : R := IZR (Zpos (num x)) / IZR (Zpos (den x)).
+Definition ratio_le (x y : ratio) : bool := (num x * den y <=? num y * den x)%positive.
+Definition ratio_eq (x y : ratio) : bool := (num x * den y =? num y * den x)%positive.
+
+(** The number odd * 2^exponent. *)
+Record dyadic := { odd_part : N; exponent : Z }.
+
+Inductive axis := axis_e | axis_slope | axis_q.
+Inductive reason := Count (a b : N) | Outside | Meets | Meets_reversed.
+Inductive tree := Leaf (why : reason) | Split (halved : axis) (lower upper : tree).
+Inductive cover := Equal_masses | Charts (bridge light : tree).
+Record contact := { contact_e : dyadic; contact_eta : dyadic; after_X : N; after_reversed : N }.
+(** For each mass ratio in [from, to]: at most the number in [bound] of collisions, if there is one;
+  some motion has [attained],
+    which the witness shows unless it is 0. *)
+Record piece := { from : ratio; to : ratio; bits : N; bound : option (N * cover); attained : N;
+  witness : option contact }.
+Record certificate := { program : string; program_version : string; range_from : ratio; range_to : ratio;
+  pieces : list piece }.
+
+Lemma ratio_pos x : 0 < ratio_value x.
+Proof. unfold ratio_value. apply Rdiv_lt_0_compat; now apply IZR_lt. Qed.
+Lemma ratio_cross x y : ratio_value x * (IZR (Zpos (den x)) * IZR (Zpos (den y))) = IZR (Zpos (num x * den y)) /\
+  ratio_value y * (IZR (Zpos (den x)) * IZR (Zpos (den y))) = IZR (Zpos (num y * den x)).
+Proof.
+  unfold ratio_value. rewrite !Pos2Z.inj_mul, !mult_IZR. assert (0 < IZR (Zpos (den x))) by now apply IZR_lt.
+  assert (0 < IZR (Zpos (den y))) by now apply IZR_lt. split; field; lra.
+Qed.
+Lemma ratio_le_ok x y : ratio_le x y = true -> ratio_value x <= ratio_value y.
+Proof.
+  unfold ratio_le. intros H. apply Pos.leb_le in H. destruct (ratio_cross x y) as [A B].
+  assert (0 < IZR (Zpos (den x)) * IZR (Zpos (den y))) by (apply Rmult_lt_0_compat; now apply IZR_lt).
+  apply Rmult_le_reg_r with (IZR (Zpos (den x)) * IZR (Zpos (den y))); [assumption|]. rewrite A, B. now apply IZR_le.
+Qed.
+Lemma ratio_eq_ok x y : ratio_eq x y = true -> ratio_value x = ratio_value y.
+Proof.
+  unfold ratio_eq. intros H. apply Pos.eqb_eq in H. apply Rle_antisym; apply ratio_le_ok; unfold ratio_le; rewrite H;
+    apply Pos.leb_refl.
+Qed.
+
+(** An interval with rational ends: [low / part, high / part]. *)
+Record span := { low_end : Z; high_end : Z; part : positive }.
+Definition in_span (x : R) (s : span) := IZR (low_end s) / IZR (Zpos (part s)) <= x <= IZR (high_end s) / IZR (Zpos
+  (part s)).
+Definition lower_half (s : span) := {| low_end := 2 * low_end s; high_end := low_end s + high_end s; part :=
+  2 * part s |}.
+Definition upper_half (s : span) := {| low_end := low_end s + high_end s; high_end := 2 * high_end s; part :=
+  2 * part s |}.
+Lemma halves x s : in_span x s -> in_span x (lower_half s) \/ in_span x (upper_half s).
+Proof.
+  unfold in_span, lower_half, upper_half; cbn [low_end high_end part]. intros H.
+  change (Zpos (2 * part s)) with (2 * Zpos (part s))%Z. rewrite plus_IZR, !mult_IZR.
+  assert (P : 0 < IZR (Zpos (part s))) by now apply IZR_lt. set (d := IZR (Zpos (part s))) in *. set (l :=
+    IZR (low_end s)) in *. set (h := IZR (high_end s)) in *.
+  replace (2 * l / (2 * d)) with (l / d) by (field; lra). replace (2 * h / (2 * d)) with (h / d) by (field; lra).
+  destruct (Rle_or_lt x ((l + h) / (2 * d))); [left | right]; lra.
+Qed.
+
+(** Corner distance, slope (eta or lambda) and mass ratio. *)
+Record box := { box_e : span; box_slope : span; box_q : span }.
+Definition in_box e y q b := in_span e (box_e b) /\ in_span y (box_slope b) /\ in_span q (box_q b).
+Definition box_half (half : span -> span) (a : axis) (b : box) : box :=
+  match a with
+  | axis_e => {| box_e := half (box_e b); box_slope := box_slope b; box_q := box_q b |}
+  | axis_slope => {| box_e := box_e b; box_slope := half (box_slope b); box_q := box_q b |}
+  | axis_q => {| box_e := box_e b; box_slope := box_slope b; box_q := half (box_q b) |}
+  end.
+Definition splittable (a : axis) (b : box) : bool :=
+  let s := match a with axis_e => box_e b | axis_slope => box_slope b | axis_q => box_q b end in (low_end s <? high_end
+    s)%Z.
+Fixpoint check_tree (leaf : box -> reason -> bool) (b : box) (t : tree) : bool :=
+  match t with
+  | Leaf why => leaf b why
+  | Split a l u => if splittable a b then if check_tree leaf (box_half lower_half a b) l
+                   then check_tree leaf (box_half upper_half a b) u else false else false
+  end.
+Lemma check_tree_sound leaf (Q : R -> R -> R -> Prop) :
+  (forall b why, leaf b why = true -> forall e y q, in_box e y q b -> Q e y q) ->
+  forall t b, check_tree leaf b t = true -> forall e y q, in_box e y q b -> Q e y q.
+Proof.
+  intros HL. induction t as [why|a l IHl u IHu]; simpl; intros b H e y q Hin; [now apply HL with (1 := H)|].
+  destruct (splittable a b); [|discriminate]. destruct (check_tree leaf _ l) eqn:E; [|discriminate].
+  assert (K : in_box e y q (box_half lower_half a b) \/ in_box e y q (box_half upper_half a b)).
+  { destruct Hin as [A [B C]]. destruct a; unfold in_box; simpl; [destruct (halves _ _ A) | destruct (halves _ _ B) |
+    destruct (halves _ _ C)]; tauto. }
+  destruct K as [K|K]; [now apply IHl with (1 := E) | now apply IHu with (1 := H)].
+Qed.
+
+(** The root box: e in [0, 2], the slope in [0, 2^k] with 2^k >= to, q in [from, to]. *)
+Definition least_power (x : ratio) : Z :=
+  let k := Z.log2_up (Zpos (num x) / Zpos (den x)) in let y := (2 ^ k)%Z in if (Zpos (num x) <=? y * Zpos (den x))%Z
+    then y else (2 * y)%Z.
+Definition root_box (a b : ratio) : box :=
+  {| box_e := {| low_end := 0; high_end := 2; part := 1 |};
+     box_slope := {| low_end := 0; high_end := least_power b; part := 1 |};
+     box_q := {| low_end := Zpos (num a * den b); high_end := Zpos (num b * den a); part := den a * den b |} |}.
+Definition wide_enough (b : ratio) : bool := (Zpos (num b) <=? least_power b * Zpos (den b))%Z.
+Lemma in_root a b e y q : wide_enough b = true -> 0 < e <= PI/2 -> 0 <= y -> ratio_value a <= q <= ratio_value b ->
+  / q * y < 1 ->
+  in_box e y q (root_box a b).
+Proof.
+  intros Hw He Hy Hq Hlt. assert (P4 := PI_4). assert (A := ratio_pos a).
+    assert (B : 0 < IZR (Zpos (den b))) by now apply IZR_lt.
+  assert (Yq : y < q). { apply Rmult_lt_reg_l with (/ q); [apply Rinv_0_lt_compat; lra|]. rewrite (Rinv_l q) by lra.
+    exact Hlt. }
+  unfold in_box, in_span; simpl box_e; simpl box_slope; simpl box_q; simpl low_end; simpl high_end; simpl part.
+  split; [split; lra|]. split.
+  - split; [lra|]. unfold wide_enough in Hw. apply Z.leb_le, IZR_le in Hw. rewrite mult_IZR in Hw.
+    assert (ratio_value b <= IZR (least_power b)); [|lra]. unfold ratio_value.
+      apply Rmult_le_reg_r with (IZR (Zpos (den b))); [exact B|].
+    unfold Rdiv. rewrite Rmult_assoc, Rinv_l by lra. lra.
+  - destruct (ratio_cross a b) as [E1 E2]. assert (D : 0 < IZR (Zpos (den a)) * IZR (Zpos (den b))) by (apply
+    Rmult_lt_0_compat; now apply IZR_lt).
+    rewrite <- E1, <- E2, Pos2Z.inj_mul, mult_IZR. set (d := IZR (Zpos (den a)) * IZR (Zpos (den b))) in *.
+    replace (ratio_value a * d / d) with (ratio_value a) by (field; lra).
+      replace (ratio_value b * d / d) with (ratio_value b) by (field; lra). exact Hq.
+Qed.
+
+(** For the command line, which takes other spellings of a ratio than a file has. *)
+Definition lowest_terms (x : ratio) : ratio :=
+  let d := Pos.gcd (num x) (den x) in
+  {| num := Z.to_pos (Zpos (num x) / Zpos d); den := Z.to_pos (Zpos (den x) / Zpos d) |}.

@@ -1,0 +1,97 @@
+(** The checker of a certificate: every leaf and witness in double precision, and if a piece asks for more bits and it
+  needs them,
+    with those; that the pieces join; and whether together they prove what was asked.
+      Its answer is proved in theorems/Verdict.v. *)
+From Coq Require Import ZArith NArith List Bool String DecimalString DecimalN.
+From Dumbbell Require Import Certificate Doubles Multiple.
+Import ListNotations.
+Local Open Scope string_scope.
+
+Definition decimal (n : N) : string := NilZero.string_of_uint (N.to_uint n).
+Definition one : ratio := {| num := 1; den := 1 |}.
+
+(** The numbers for a piece of more than 53 bits. *)
+Definition more_bits (P : piece) : option (N * M.Z.consts) :=
+  if (bits P <=? 53)%N then None else Some (bits P, Multiple.consts (precision (bits P))).
+Definition leaf_holds (more : option (N * M.Z.consts)) (U : N) (light : bool) (b : box) (why : reason) : bool :=
+  if Doubles.check_reason U light b why then true
+  else match more with Some (n, T) => Multiple.check_reason n T U light b why | None => false end.
+Definition contact_holds (more : option (N * M.Z.consts)) (V : N) (b : box) (w : contact) : bool :=
+  if Doubles.check_contact V b w then true else match more with Some (n, T) => Multiple.check_contact n T V b w | None
+    => false end.
+
+(** What is wrong with a piece; None: nothing. *)
+Definition cover_fault (P : piece) (U : N) (c : cover) : option string :=
+  let more := more_bits P in let root := root_box (from P) (to P) in
+  if (U <? attained P)%N then Some "lower above upper" else
+  match c with
+  | Equal_masses => if ratio_eq (from P) one && ratio_eq (to P) one && (2 <=? U)%N then None else
+    Some "equal-masses: not certified"
+  | Charts bridge light =>
+    if negb (wide_enough (to P)) then Some "its root box" else
+    if negb (check_tree (leaf_holds more U false) root bridge) then Some "chart bridge: not certified" else
+    if negb (check_tree (leaf_holds more U true) root light) then Some "chart light: not certified" else None
+  end.
+Definition witness_fault (P : piece) : option string :=
+  match witness P with
+  | Some w => if contact_holds (more_bits P) (attained P) (root_box (from P) (to P)) w then None else
+    Some "witness: not certified"
+  | None => if (attained P =? 0)%N then None else Some "no witness"
+  end.
+Definition piece_fault (P : piece) : option string :=
+  if negb (ratio_le one (from P)) || negb (ratio_le (from P) (to P)) then Some "not 1 <= A <= B" else
+  match match bound P with Some (U, c) => cover_fault P U c | None => None end with
+  | Some why => Some why
+  | None => witness_fault P
+  end.
+Fixpoint first_fault (number : N) (l : list piece) : option string :=
+  match l with
+  | [] => None
+  | P :: l => match piece_fault P with Some why => Some ("piece " ++ decimal number ++ ": " ++ why) | None =>
+    first_fault (number + 1) l end
+  end.
+
+(** Each piece begins where the one before it ends. *)
+Fixpoint joined (start : ratio) (l : list piece) (stop : ratio) : bool :=
+  match l with [] => ratio_eq start stop | P :: l => ratio_eq start (from P) && joined (to P) l stop end.
+
+(** Do the pieces that are good for it cover [a, b]? They come in increasing order. *)
+Definition arrive (good : piece -> bool) (a : ratio) (reached : option ratio) (P : piece) : option ratio :=
+  if good P && match reached with Some x => ratio_le (from P) x | None => ratio_le (from P) a &&
+    ratio_le a (to P) end then Some (to P) else reached.
+Definition covered (good : piece -> bool) (a b : ratio) (l : list piece) : bool :=
+  match fold_left (arrive good a) l None with Some x => ratio_le b x | None => false end.
+
+(** What is asked: for each mass ratio in the range (else that of the file) at most, and at least,
+  a number of collisions. *)
+Record demand := { asked_range : option (ratio * ratio); asked_most : option N; asked_least : option N }.
+Definition at_most_in (n : N) (P : piece) : bool := match bound P with Some (U, _) => (U <=? n)%N | None => false end.
+Definition at_least_in (n : N) (P : piece) : bool := (n <=? attained P)%N.
+Definition range_asked (d : demand) (c : certificate) : ratio * ratio := match asked_range d with Some r => r | None =>
+  (range_from c, range_to c) end.
+Definition unproved (d : demand) (c : certificate) : option string :=
+  let '(a, b) := range_asked d c in
+  if negb (covered (fun _ => true) a b (pieces c)) then
+    Some "the file does not cover the mass ratios that were asked for" else
+  if match asked_most d with Some n => negb (covered (at_most_in n) a b (pieces c)) | None => false end
+  then Some "not proved: the greatest number of collisions that was asked for" else
+  if match asked_least d with Some n => negb (covered (at_least_in n) a b (pieces c)) | None => false end
+  then Some "not proved: the least number of collisions that was asked for" else None.
+
+Definition certificate_fault (d : demand) (c : certificate) : option string :=
+  if negb (joined (range_from c) (pieces c) (range_to c)) then Some "the pieces do not join" else
+  match pieces c with [] => Some "no piece" | _ =>
+    match first_fault 1 (pieces c) with Some why => Some why | None => unproved d c end
+  end.
+
+(** What the file says: the greatest upper bound, if each piece has one, and the least lower one;
+  pieces whose two bounds differ by one,
+    and by more. *)
+Definition greatest (l : list piece) : option N :=
+  fold_left (fun u P => match u, bound P with Some u, Some (v, _) => Some (N.max u v) | _, _ => None end) l (Some 0%N).
+Definition least (l : list piece) : N := match l with [] => 0%N | P :: l => fold_left (fun v Q =>
+  N.min v (attained Q)) l (attained P) end.
+Definition is_gap (P : piece) : bool := match bound P with Some (U, _) => (U =? attained P + 1)%N | None => false end.
+Definition is_open (P : piece) : bool := match bound P with Some (U, _) => (attained P + 1 <? U)%N | None => true end.
+Definition how_many (p : piece -> bool) (l : list piece) : N := fold_left (fun n P => if p P then N.succ n else
+  n) l 0%N.

@@ -1,0 +1,208 @@
+(** Reads a certificate, line by line. Nothing is believed of it: what was read is written again (Text.v) and compared
+  with the file, so
+    that this reader can only refuse. *)
+From Coq Require Import ZArith NArith List Bool String Ascii DecimalString DecimalN.
+From Dumbbell Require Import Certificate Leaves Check Text.
+Import ListNotations.
+Local Open Scope string_scope.
+
+(** What was read and the lines that follow, or the lines from the one that is wrong. *)
+Inductive reading A := Read (x : A) (rest : list string) | Wrong (rest : list string).
+Arguments Read {A}. Arguments Wrong {A}.
+Definition bind {A B} (r : reading A) (f : A -> list string -> reading B) : reading B :=
+  match r with Read x rest => f x rest | Wrong rest => Wrong rest end.
+Notation "'let*' ( x , rest ) := r 'in' f" := (bind r (fun x rest => f)) (at level 200, x name, rest name).
+
+(** The parts of a string between occurrences of a character. *)
+Fixpoint split_at (mark : ascii) (s : string) : list string :=
+  match s with
+  | EmptyString => [EmptyString]
+  | String c s => if Ascii.eqb c mark then EmptyString :: split_at mark s
+                  else match split_at mark s with w :: l => String c w :: l | [] => [String c EmptyString] end
+  end.
+Definition natural (s : string) : option N := option_map N.of_uint (NilZero.uint_of_string s).
+Definition integer (s : string) : option Z :=
+  match s with
+  | String "-" s => option_map (fun n => (- Z.of_N n)%Z) (natural s)
+  | _ => option_map Z.of_N (natural s)
+  end.
+Definition positive_number (s : string) : option positive := match natural s with Some (Npos p) => Some p | _ =>
+  None end.
+Definition ratio_of (s : string) : option ratio :=
+  match split_at "/" s with
+  | [a; b] => match positive_number a, positive_number b with Some a, Some b => Some {| num := a; den := b |} | _, _ =>
+    None end
+  | _ => None
+  end.
+Definition dyadic_of (s : string) : option dyadic :=
+  match split_at "b" s with
+  | [a; b] => match natural a, integer b with Some a, Some b => Some {| odd_part := a; exponent := b |} | _, _ =>
+    None end
+  | _ => None
+  end.
+
+(** The next line as what [f] makes of its fields. *)
+Definition line {A} (f : list string -> option A) (t : list string) : reading A :=
+  match t with
+  | [] => Wrong []
+  | l :: rest => match f (split_at " " l) with Some x => Read x rest | None => Wrong t end
+  end.
+Definition value {A} (keyword : string) (f : string -> option A) : list string -> reading A :=
+  line (fun w => match w with [k; v] => if k =? keyword then f v else None | _ => None end).
+Definition two_ratios (keyword : string) : list string -> reading (ratio * ratio) :=
+  line (fun w => match w with
+    | [k; a; b] => if k =? keyword then match ratio_of a, ratio_of b with Some a, Some b => Some (a, b) | _, _ =>
+      None end else None
+    | _ => None end).
+
+Inductive node := Ends (why : reason) | Halved (a : axis).
+Definition node_of (slope : string) (w : list string) : option node :=
+  match w with
+  | ["count"; a; b] => match natural a, natural b with Some a, Some b => Some (Ends (Count a b)) | _, _ => None end
+  | ["outside"] => Some (Ends Outside)
+  | ["meets"] => if slope =? "lambda" then Some (Ends Meets) else None
+  | ["meets-reversed"] => if slope =? "lambda" then Some (Ends Meets_reversed) else None
+  | ["split"; a] => if a =? "e" then Some (Halved axis_e) else if a =? slope then Some (Halved axis_slope)
+                    else if a =? "q" then Some (Halved axis_q) else None
+  | _ => None
+  end.
+(** A tree of at most [fuel] levels. *)
+Fixpoint read_tree (fuel : nat) (slope : string) (t : list string) : reading tree :=
+  match fuel with
+  | O => Wrong t
+  | S fuel =>
+    let* (n, t) := line (node_of slope) t in
+    match n with
+    | Ends why => Read (Leaf why) t
+    | Halved a => let* (l, t) := read_tree fuel slope t in let* (u, t) := read_tree fuel slope t in Read (Split a l u) t
+    end
+  end.
+Definition levels : nat := 1201.
+Definition read_cover (t : list string) : reading cover :=
+  match t with
+  | "equal-masses" :: t => Read Equal_masses t
+  | _ =>
+    let* (_, t) := value "chart" (fun v => if v =? "bridge" then Some tt else None) t in
+    let* (b, t) := read_tree levels "eta" t in
+    let* (_, t) := value "chart" (fun v => if v =? "light" then Some tt else None) t in
+    let* (l, t) := read_tree levels "lambda" t in Read (Charts b l) t
+  end.
+Definition contact_of (w : list string) : option contact :=
+  match w with
+  | ["witness"; "bridge"; e; eta; a; b] =>
+    match dyadic_of e, dyadic_of eta, natural a, natural b with
+    | Some e, Some eta, Some a, Some b => Some {| contact_e := e; contact_eta := eta; after_X := a; after_reversed :=
+      b |}
+    | _, _, _, _ => None
+    end
+  | _ => None
+  end.
+Definition read_witness (v : N) (t : list string) : reading (option contact) :=
+  if (v =? 0)%N then Read None t else let* (w, t) := line contact_of t in Read (Some w) t.
+Definition read_piece (t : list string) : reading piece :=
+  let* (r, t) := two_ratios "piece" t in
+  let* (n, t) := value "bits" natural t in
+  let* (u, t) := value "upper" (fun v => if v =? "none" then Some None else option_map Some (natural v)) t in
+  let* (c, t) := match u with None => Read None t | Some u => let* (c, t) := read_cover t in Read (Some (u, c)) t end in
+  let* (v, t) := value "lower" natural t in
+  let* (w, t) := read_witness v t in
+  Read {| from := fst r; to := snd r; bits := n; bound := c; attained := v; witness := w |} t.
+(** Pieces as long as there are; [fuel] is the number of lines. *)
+Fixpoint read_pieces (fuel : nat) (t : list string) : reading (list piece) :=
+  match fuel, t with
+  | S fuel, l :: _ =>
+    match split_at " " l with
+    | "piece" :: _ => let* (P, t) := read_piece t in let* (l, t) := read_pieces fuel t in Read (P :: l) t
+    | _ => Read [] t
+    end
+  | _, _ => Read [] t
+  end.
+
+(** A file that is about something else than the section turning of the dumbbell is not wrong, but not for this
+  checker. *)
+Definition known (keyword expected : string) (t : list string) : reading bool :=
+  line (fun w => match w with
+    | [k; v] => if k =? keyword then if v =? expected then Some true else if is_word false v ||
+      (all_chars is_digit v && negb (v =? "")) then Some false else None else None
+    | _ => None end) t.
+
+Inductive answer := Verified (c : certificate) | Rejected (number : nat) (why : string) | Unsupported (number : nat)
+  (why : string) | Limit (why : string).
+
+Section Judge.
+Variable t : list string.
+Let number (rest : list string) : nat := (List.length t - List.length rest + 1)%nat.
+Definition header (k : list string -> answer) : answer :=
+  let unknown word rest := Unsupported (number rest - 1) ("not checked here: " ++ nth (number rest - 2) t "" ++
+    ", where only " ++ word ++ " is") in
+  let expect keyword expected rest k := match known keyword expected rest with
+    | Wrong rest => Rejected (number rest) ("expected `" ++ keyword ++ "`")
+    | Read false rest => unknown (keyword ++ " " ++ expected) rest
+    | Read true rest => k rest end in
+  expect "dumbbell-certificate" "1" t (fun rest =>
+  match rest with [] => Rejected (number rest) "the text ends too early" | _ :: rest =>
+  expect "lemmas" "1" rest (fun rest => expect "scene" "dumbbell" rest (fun rest => expect "section" "turning" rest
+    (fun rest => expect "claim" "collisions" rest k)))
+  end).
+Definition read_body (generator : string) (rest : list string) : reading certificate :=
+  let* (r, rest) := two_ratios "ratio" rest in
+  let* (_, rest) := value "pieces" natural rest in
+  let* (l, rest) := read_pieces (List.length t) rest in
+  match split_at " " generator with
+  | [_; p; v] => Read {| program := p; program_version := v; range_from := fst r; range_to := snd r; pieces := l |} rest
+  | _ => Wrong (tl t)
+  end.
+Fixpoint first_difference (a b : list string) : option nat :=
+  match a, b with
+  | [], [] => None
+  | x :: a, y :: b => if x =? y then option_map S (first_difference a b) else Some O
+  | _, _ => Some O
+  end.
+Definition most_bits : N := 2048.
+Definition too_much (P : piece) : bool :=
+  (most_bits <? bits P)%N || match witness P with Some w => (most_steps <? after_X w)%N ||
+    (most_steps <? after_reversed w)%N | None => false end.
+
+(** The verdict on the lines of a file: read, written again, compared, and checked.
+  [sha256] is the checksum of all lines but the last. *)
+Definition judge (sha256 : string) (d : demand) : answer :=
+  header (fun rest =>
+  match read_body (nth 1 t "") rest with
+  | Wrong rest => Rejected (number rest) "not a line for this place"
+  | Read c _ =>
+    match first_difference (file_text c sha256) t with
+    | Some n => Rejected (S n) "the text is not as this certificate is written"
+    | None =>
+      if negb (canonical c) then Rejected 0 "a value beyond its limits, or not in lowest terms" else
+      if existsb too_much (pieces c) then Limit "more than 2048 bits, or a witness with more than a million collisions"
+        else
+      match certificate_fault d c with Some why => Rejected 0 why | None => Verified c end
+    end
+  end).
+Lemma same_lines a : forall b, first_difference a b = None -> a = b.
+Proof.
+  induction a as [|x a IH]; intros [|y b] H; try discriminate; [reflexivity|]. simpl in H. destruct (x =? y) eqn:E;
+    [|discriminate].
+  apply String.eqb_eq in E. subst y. destruct (first_difference a b) eqn:D; [discriminate|]. now rewrite (IH b D).
+Qed.
+
+(** An accepted file is, line by line, the certificate that was judged. *)
+Theorem verified_text sha256 d c : judge sha256 d = Verified c ->
+  t = file_text c sha256 /\ canonical c = true /\ certificate_fault d c = None.
+Proof.
+  unfold judge. set (K := fun rest => match read_body (nth 1 t "") rest with Wrong _ => _ | Read _ _ => _ end).
+  assert (HK : forall rest, K rest = Verified c -> t = file_text c sha256 /\ canonical c = true /\
+    certificate_fault d c = None).
+  { intros rest. unfold K. destruct (read_body _ rest) as [c' rest'|]; [|discriminate].
+    destruct (first_difference _ t) eqn:E1; [discriminate|]. destruct (canonical c') eqn:E2; [|discriminate]. simpl.
+    destruct (existsb too_much (pieces c')); [discriminate|]. destruct (certificate_fault d c') eqn:E3; [discriminate|].
+    intros H. injection H; intros <-. apply same_lines in E1. repeat split; try assumption. now symmetry. }
+  unfold header. destruct (known "dumbbell-certificate" "1" t) as [[|] r1|]; try discriminate. destruct r1 as [|g r1];
+    [discriminate|].
+  destruct (known "lemmas" "1" r1) as [[|] r2|]; try discriminate. destruct (known "scene" "dumbbell" r2) as [[|] r3|];
+    try discriminate.
+  destruct (known "section" "turning" r3) as [[|] r4|]; try discriminate.
+    destruct (known "claim" "collisions" r4) as [[|] r5|]; try discriminate.
+  apply HK.
+Qed.
+End Judge.

@@ -1,0 +1,100 @@
+(* A certificate as Coq terms, for the kernel: --term FOLDER writes Part1.v, Part2.v, ... of at most 200 pieces each, and Whole.v with
+   the theorem. It is not trusted: what is proved stands in the theorem, which coqc prints. *)
+open Convert
+
+let pieces_a_part = 200
+
+let integer z = match z with
+  | C.Z0 -> "0"
+  | C.Zpos p -> decimal (C.Npos p)
+  | C.Zneg p -> "(-" ^ decimal (C.Npos p) ^ ")"
+let ratio r = Printf.sprintf "(Build_ratio %s %s)" (decimal (C.Npos r.C.num)) (decimal (C.Npos r.C.den))
+let dyadic d = Printf.sprintf "(Build_dyadic %s %s)" (decimal d.C.odd_part) (integer d.C.exponent)
+
+let rec tree b = function
+  | C.Leaf (C.Count (x, y)) -> Printf.bprintf b "(count %s %s)" (decimal x) (decimal y)
+  | C.Leaf C.Outside -> Buffer.add_string b "out"
+  | C.Leaf C.Meets -> Buffer.add_string b "(Leaf Meets)"
+  | C.Leaf C.Meets_reversed -> Buffer.add_string b "(Leaf Meets_reversed)"
+  | C.Split (axis, l, u) ->
+    Buffer.add_string b (match axis with C.Axis_e -> "(half_e " | C.Axis_slope -> "(half_y " | C.Axis_q -> "(half_q ");
+    tree b l;
+    Buffer.add_char b ' ';
+    tree b u;
+    Buffer.add_char b ')'
+
+let piece b p =
+  Printf.bprintf b "(Build_piece %s %s %s " (ratio p.C.from) (ratio p.C.to0) (decimal p.C.bits);
+  (match p.C.bound with
+   | None -> Buffer.add_string b "None"
+   | Some (u, C.Equal_masses) -> Printf.bprintf b "(Some (%s, Equal_masses))" (decimal u)
+   | Some (u, C.Charts (bridge, light)) ->
+     Printf.bprintf b "(Some (%s, Charts " (decimal u);
+     tree b bridge;
+     Buffer.add_char b ' ';
+     tree b light;
+     Buffer.add_string b "))");
+  Printf.bprintf b " %s " (decimal p.C.attained);
+  (match p.C.witness with
+   | None -> Buffer.add_string b "None"
+   | Some w -> Printf.bprintf b "(Some (Build_contact %s %s %s %s))" (dyadic w.C.contact_e) (dyadic w.C.contact_eta)
+                 (decimal w.C.after_X) (decimal w.C.after_reversed));
+  Buffer.add_char b ')'
+
+let rec parts l =
+  let rec first n = function
+    | x :: l when n > 0 -> let a, rest = first (n - 1) l in x :: a, rest
+    | l -> [], l in
+  if l = [] then [] else let a, rest = first pieces_a_part l in a :: parts rest
+
+let write folder name text =
+  let channel = open_out (Filename.concat folder name) in
+  output_string channel text;
+  close_out channel
+
+let write_part folder k l =
+  let b = Buffer.create 100000 in
+  Buffer.add_string b "From Coq Require Import ZArith NArith List.\nFrom Dumbbell Require Import Certificate Check Verdict.\n\
+Import ListNotations.\nLocal Open Scope N_scope.\n\
+Local Notation count a b := (Leaf (Count a b)).\nLocal Notation out := (Leaf Outside).\n\
+Local Notation half_e := (Split axis_e).\nLocal Notation half_y := (Split axis_slope).\nLocal Notation half_q := (Split axis_q).\n\
+Definition part : list piece := [\n";
+  List.iteri (fun i p -> if i > 0 then Buffer.add_string b ";\n"; piece b p) l;
+  Buffer.add_string b "].\nLemma part_holds : faultless part = true.\nProof. vm_cast_no_check (eq_refl true). Qed.\n";
+  write folder (Printf.sprintf "Part%d.v" k) (Buffer.contents b)
+
+let count n = decimal n ^ "%N"
+let option f = function None -> "None" | Some x -> "(Some " ^ f x ^ ")"
+
+let write_all folder demand c =
+  let l = parts c.C.pieces in
+  List.iteri (fun i part -> write_part folder (i + 1) part) l;
+  let names = List.mapi (fun i _ -> Printf.sprintf "Part%d" (i + 1)) l in
+  let range = match demand.C.asked_range with Some r -> r | None -> c.C.range_from, c.C.range_to in
+  let value r = Printf.sprintf "%s / %s" (decimal (C.Npos r.C.num)) (decimal (C.Npos r.C.den)) in
+  let said, most, least = match demand.C.asked_most, demand.C.asked_least with
+    | None, None -> "the file", C.greatest c.C.pieces, Some (C.least c.C.pieces)
+    | most, least -> "the demand", most, least in
+  let bounds =
+    (match most with Some n -> [Printf.sprintf "upper_bound q (N.to_nat %s)" (count n)] | None -> [])
+    @ (match least with Some n -> [Printf.sprintf "lower_bound q (N.to_nat %s)" (count n)] | None -> []) in
+  let from, upto = range in
+  write folder "Whole.v" (Printf.sprintf "From Coq Require Import Reals ZArith NArith List String Lra.\n\
+From Dumbbell Require Import Statement Certificate Check Piece Verdict.\nFrom Kernel Require %s.\nImport ListNotations.\n\
+Definition whole : certificate := Build_certificate \"%s\" \"%s\" %s %s (%s).\n\
+(** As asked; what is not asked of it is what %s says. *)\n\
+Definition asked : demand := Build_demand (Some (%s, %s)) %s %s.\n\
+Lemma accepted : certificate_fault asked whole = None.\nProof.\n  apply all_parts.\n  - vm_cast_no_check (eq_refl true).\n\
+  - discriminate.\n  - unfold whole; cbn [pieces]. rewrite ?faultless_app%s. reflexivity.\n\
+  - vm_cast_no_check (eq_refl (@None string)).\nQed.\nLocal Open Scope R_scope.\n\
+Theorem proved_by_the_kernel : forall q : R, %s <= q <= %s -> %s.\nProof.\n  intros q Hq.\n\
+  destruct (as_asked _ _ (fault_none _ _ accepted) q) as [U V]; [exact Hq|].\n\
+  repeat split; (apply U || apply V); reflexivity.\nQed.\nCheck proved_by_the_kernel.\n\
+Theorem each_piece_proved : forall P, In P (pieces whole) -> forall q : R, in_piece P q ->\n\
+  (forall U w, bound P = Some (U, w) -> upper_bound q (N.to_nat U)) /\\ lower_bound q (N.to_nat (attained P)).\n\
+Proof. exact (each_piece _ _ (fault_none _ _ accepted)). Qed.\nRedirect \"assumptions\" Print Assumptions proved_by_the_kernel.\n"
+    (String.concat " " names) (of_coq c.C.program) (of_coq c.C.program_version) (ratio c.C.range_from) (ratio c.C.range_to)
+    (String.concat " ++ " (List.map (fun n -> n ^ ".part") names)) said
+    (ratio from) (ratio upto) (option count most) (option count least)
+    (String.concat "" (List.map (fun n -> ", " ^ n ^ ".part_holds") names))
+    (value from) (value upto) (if bounds = [] then "1 <= q" else String.concat " /\\ " bounds))

@@ -1,0 +1,89 @@
+(* The command line: the files, and what they are to prove, with the meaning that the options have for dumbbell-verify. *)
+open Convert
+
+let usage message = raise (Ended (2, message))
+let is_digits s = s <> "" && String.for_all (fun c -> '0' <= c && c <= '9') s
+
+let number option s =
+  let fits = is_digits s && String.length s <= 18 && (s.[0] <> '0' || s = "0") in
+  match if fits then C.natural (to_coq s) else None with
+  | Some n -> n
+  | None -> usage (option ^ " needs a number from 0 to 999999999999999999, not `" ^ s ^ "`")
+
+let without_zeros s =
+  let rec from i = if i < String.length s - 1 && s.[i] = '0' then from (i + 1) else i in
+  let i = from 0 in
+  String.sub s i (String.length s - i)
+
+(* P/Q, or a decimal, perhaps with an exponent, exactly. *)
+let ratio s =
+  let bad () = usage ("not a mass ratio: `" ^ s ^ "`") in
+  let fraction a b =
+    match C.ratio_of (to_coq (without_zeros a ^ "/" ^ without_zeros b)) with Some r -> C.lowest_terms r | None -> bad () in
+  let exponent_of e =
+    let signed = e <> "" && (e.[0] = '+' || e.[0] = '-') in
+    let digits = if signed then String.sub e 1 (String.length e - 1) else e in
+    if not (is_digits digits && String.length (without_zeros digits) <= 4) then bad ();
+    let n = int_of_string (without_zeros digits) in
+    if n > 1000 then usage ("an exponent beyond 1000: " ^ s);
+    if e.[0] = '-' then - n else n in
+  if String.length s > 1000 then bad ();
+  match String.split_on_char '/' s with
+  | [a; b] when is_digits a && is_digits b -> fraction a b
+  | [_] ->
+    let mantissa, exponent = match String.split_on_char 'e' (String.lowercase_ascii s) with
+      | [m] -> m, 0
+      | [m; e] -> m, exponent_of e
+      | _ -> bad () in
+    let whole, part = match String.split_on_char '.' mantissa with
+      | [whole] -> whole, ""
+      | [whole; part] when is_digits part -> whole, part
+      | _ -> bad () in
+    if not (is_digits whole) then bad ();
+    let shift = exponent - String.length part in
+    fraction (whole ^ part ^ String.make (max 0 shift) '0') ("1" ^ String.make (max 0 (- shift)) '0')
+  | _ -> bad ()
+
+let one = { C.num = C.XH; C.den = C.XH }
+let inverse r = { C.num = r.C.den; C.den = r.C.num }
+
+(* Below 1 the masses are exchanged. *)
+let ratios s =
+  let lo, hi = match String.split_on_char ':' s with
+    | [a] -> let r = ratio a in r, r
+    | [a; b] -> ratio a, ratio b
+    | _ -> usage ("not a mass ratio or LO:HI: `" ^ s ^ "`") in
+  if not (C.ratio_le lo hi) then usage ("LO:HI needs LO <= HI: " ^ s)
+  else if C.ratio_le one lo then lo, hi
+  else if C.ratio_le hi one then inverse hi, inverse lo
+  else usage ("a range across 1: split it at 1: " ^ s)
+
+type t = { files : string list; term : string option; asked : C.demand }
+
+let nothing = { files = []; term = None; asked = { C.asked_range = None; C.asked_most = None; C.asked_least = None } }
+
+let rec parse seen o = function
+  | [] -> if o.files = [] then usage "no FILE; see docs/4-verifying.md" else { o with files = List.rev o.files }
+  | "--" :: files -> parse seen { o with files = List.rev_append files o.files } []
+  | word :: rest when String.length word > 1 && word.[0] = '-' ->
+    let name, rest = match String.index_opt word '=' with
+      | Some k -> String.sub word 0 k, String.sub word (k + 1) (String.length word - k - 1) :: rest
+      | None -> word, rest in
+    if not (List.mem name ["--ratio"; "--max"; "--min"; "--exactly"; "--term"]) then
+      usage ("unknown option " ^ name ^ "; there are --ratio, --max, --min, --exactly and --kernel");
+    if List.mem name seen then usage (name ^ " is given twice");
+    let seen = name :: seen in
+    if List.mem "--exactly" seen && (List.mem "--max" seen || List.mem "--min" seen) then
+      usage "--exactly N is --max N and --min N: give it without them";
+    (match rest with
+     | [] -> usage ("no value behind " ^ name)
+     | value :: rest ->
+       let n () = Some (number name value) in
+       let o = match name with
+         | "--ratio" -> { o with asked = { o.asked with C.asked_range = Some (ratios value) } }
+         | "--max" -> { o with asked = { o.asked with C.asked_most = n () } }
+         | "--min" -> { o with asked = { o.asked with C.asked_least = n () } }
+         | "--exactly" -> { o with asked = { o.asked with C.asked_most = n (); C.asked_least = n () } }
+         | _ -> { o with term = Some value } in
+       parse seen o rest)
+  | file :: rest -> parse seen { o with files = file :: o.files } rest

@@ -1,0 +1,42 @@
+(* The extracted checker as a program. Trusted is that it gives the checker the lines of the file and the demand of the user, and prints
+   what the checker answers; what a file says, and whether it is proved, is decided in the extracted code (theorems/Verdict.v). *)
+open Convert
+
+let claim c digest =
+  let l = c.C.pieces and ratio r = of_coq (C.ratio_text r) in
+  Printf.sprintf "s VERIFIED scene=dumbbell ratio=%s:%s upper=%s lower=%s gaps=%s open=%s sha256=%s"
+    (ratio c.C.range_from) (ratio c.C.range_to) (match C.greatest l with Some u -> decimal u | None -> "none")
+    (decimal (C.least l)) (decimal (C.how_many C.is_gap l)) (decimal (C.how_many C.is_open l)) digest
+
+let examine (o : Demand.t) path =
+  let lines, digest = Text.lines path in
+  let place k = match int_of_nat k with 0 -> "" | k -> Printf.sprintf "line=%d " k in
+  match C.judge (List.map to_coq lines) (to_coq digest) o.asked with
+  | C.Verified c -> Option.iter (fun folder -> Coq_term.write_all folder o.asked c) o.term; claim c digest
+  | C.Rejected (k, why) -> raise (Ended (1, "s REJECTED " ^ place k ^ of_coq why))
+  | C.Unsupported (k, why) -> raise (Ended (3, "s UNSUPPORTED " ^ place k ^ of_coq why))
+  | C.Limit why -> raise (Ended (4, "s LIMIT " ^ of_coq why))
+
+let verdict o path =
+  try 0, examine o path with
+  | Ended (code, line) -> code, line
+  | Stack_overflow | Out_of_memory -> 4, "s LIMIT out of memory"
+
+(* Of several exit codes the first of 1, 4, 3, 2, 0. *)
+let worse a b =
+  let rank = function 1 -> 4 | 4 -> 3 | 3 -> 2 | 2 -> 1 | _ -> 0 in
+  if rank a >= rank b then a else b
+
+let run words =
+  let o = Demand.parse [] Demand.nothing words in
+  let several = List.length o.files > 1 in
+  let next code file =
+    let one, line = verdict o file in
+    print_endline (if several then line ^ " file=" ^ file else line);
+    worse code one in
+  List.fold_left next 0 o.files
+
+let () =
+  exit (try run (List.tl (Array.to_list Sys.argv)) with
+      | Ended (code, message) -> prerr_endline ("prove: " ^ message); code
+      | Sys_error message -> prerr_endline ("prove: " ^ message); 2)
