@@ -4,6 +4,7 @@
 
 #include "base/error.hpp"
 #include "collisions/leaf_judges.hpp"
+#include "flight/batch/query.hpp"
 
 namespace dumbbell {
 namespace {
@@ -35,7 +36,7 @@ void judge(Chart chart, std::span<const Box> boxes, long upper, std::span<std::o
     require(boxes.size() == results.size(), "judge: as many results as boxes");
     const bool turning = chart == Chart::bridge || chart == Chart::light;
     std::vector<BoxJudgement> verdicts(boxes.size(), BoxJudgement::unsure);
-    if (turning) {
+    if (turning && upper <= batch::most_worth_a_batch) {
         verdicts = judge_turning_together(chart, boxes, upper, results, interrupted);
     }
     for (std::size_t i = 0; i < boxes.size(); ++i) {

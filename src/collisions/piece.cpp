@@ -100,7 +100,7 @@ void describe_in_time(ProvedPiece& proved, const PieceOptions& options) {
 /// in time. It only says what to try.
 template <class I>
 std::optional<long> suspected_maximum(const Rational& q, const PieceOptions& options) {
-    constexpr long cap = 1'000'000'000;  // years
+    constexpr long cap = 1L << 60;  // at the greatest ratio
     const I r = enclose<I>(Rational(1) / q);
     long most = 2;
     long least = 2;
@@ -124,7 +124,8 @@ PieceOptions piece_options(Scene scene, Section section) {
 
 void describe_witness(ProvedPiece& proved) {
     const Piece& piece = proved.piece;
-    if (!piece.witness || piece.witness->chart != Chart::bridge) {
+    constexpr long most = 1'000'000;  // collisions: they are looked at one by one
+    if (!piece.witness || piece.witness->chart != Chart::bridge || piece.witness->total() > most) {
         return;
     }
     const PrecisionScope scope(piece.bits);

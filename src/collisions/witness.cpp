@@ -168,11 +168,12 @@ std::optional<Witness> find_witness(const Rational& q_lo, const Rational& q_hi, 
                                     const Interrupted& interrupted) {
     const int bits = PrecisionScope::current();
     const int deepest = std::min(bits + 8, shortest_distance_bits);
-    if constexpr (std::is_same_v<I, Interval>) {
+    constexpr bool in_double = std::is_same_v<I, Interval>;
+    if (in_double && target <= batch::most_worth_a_batch) {
         return find_in_double(q_lo, q_hi, target, deepest, interrupted);
     }
     // Where half the precision does not suffice the distances are beyond that, nearly always.
-    const int first = std::clamp(bits / 2 - 28, 1, deepest);
+    const int first = in_double ? 20 : std::clamp(bits / 2 - 28, 1, deepest);
     for (int i = 0; i < deepest && !interrupted(); ++i) {
         for (const auto& [e, eta] : candidates(1 + (first - 1 + i) % deepest)) {
             auto witness = checked_witness<I>(e, eta, q_lo, q_hi, target, interrupted);

@@ -2,12 +2,43 @@
 
 #include "base/interrupted.hpp"
 #include "flight/contact.hpp"
+#include "flight/macro/steps.hpp"
 #include "flight/ray.hpp"
 #include "flight/reflection.hpp"
 
 /// Certified bounds of G, the number of later collisions of a set of rays with the light walls (lemmas L4,
 /// L5).
 namespace dumbbell {
+
+namespace detail {
+
+/// Follows a bound of rays after a collision (`state`, at count + 1 collisions) by macro steps, and counts
+/// them.
+template <class I>
+class MacroSteps {
+  public:
+    MacroSteps(BoundSide side, const I& r, long cap)
+        : side_(side), r_(r), attempts_(cap >= least_worth_a_macro_step<I>() ? 4 : 0), cap_(cap) {}
+
+    void follow(WallState<I>& state, long& count) {
+        while (attempts_ > 0) {
+            const long steps = macro_step(side_, r_, state, cap_ - count - 1);
+            count += steps;
+            if (steps == 0) {
+                --attempts_;
+                return;
+            }
+        }
+    }
+
+  private:
+    BoundSide side_;
+    I r_;
+    int attempts_;  ///< that may fail: first where the orbit has hardly begun, at last where it ends
+    long cap_;
+};
+
+}  // namespace detail
 
 /// An upper bound of G over all rays that lie at or above `lowest` in c, kappa and r: the lowest, flattest
 /// ray is followed with lower bounds, and a contact counts unless a strict miss is certain. Stops at `cap` +
@@ -17,6 +48,7 @@ long count_at_most(const Ray<I>& lowest, long cap, const Interrupted& interrupte
     const I r = low_end(lowest.r);
     I c = low_end(lowest.c);
     I kappa = low_end(lowest.kappa);
+    detail::MacroSteps<I> macro_steps(BoundSide::lower, r, cap);
     for (long count = 0; count <= cap; ++count) {
         if (certainly_at_most(I(1), kappa)) {
             return count;  // L3
@@ -36,8 +68,15 @@ long count_at_most(const Ray<I>& lowest, long cap, const Interrupted& interrupte
         if (ends_early(count, interrupted)) {
             return cap + 1;
         }
-        kappa = low_end(low_end(out.numerator) / denominator);
-        c = low_end(contact->sin_x + kappa * (contact->x + pi<I>()));
+        WallState<I> state{contact->x, low_end(low_end(out.numerator) / denominator)};
+        I sine = contact->sin_x;
+        const long before = count;
+        macro_steps.follow(state, count);
+        if (count != before) {
+            sine = low_end(sin_cos(state.x).sin);
+        }
+        kappa = state.kappa;
+        c = low_end(sine + kappa * (state.x + pi<I>()));
     }
     return cap + 1;
 }
@@ -50,6 +89,7 @@ long count_at_least(const Ray<I>& highest, long cap, const Interrupted& interrup
     const I r = high_end(highest.r);
     I c = high_end(highest.c);
     I kappa = high_end(highest.kappa);
+    detail::MacroSteps<I> macro_steps(BoundSide::upper, r, cap);
     for (long count = 0; count < cap; ++count) {
         if (!certainly_less(kappa, I(1))) {
             return count;
@@ -62,8 +102,15 @@ long count_at_least(const Ray<I>& highest, long cap, const Interrupted& interrup
         if (!certainly_positive(out.denominator) || ends_early(count, interrupted)) {
             return count + 1;
         }
-        kappa = high_end(out.numerator / out.denominator);
-        c = high_end(contact->sin_x + kappa * (contact->x + pi<I>()));
+        WallState<I> state{contact->x, high_end(out.numerator / out.denominator)};
+        I sine = contact->sin_x;
+        const long before = count;
+        macro_steps.follow(state, count);
+        if (count != before) {
+            sine = high_end(sin_cos(state.x).sin);
+        }
+        kappa = state.kappa;
+        c = high_end(sine + kappa * (state.x + pi<I>()));
     }
     return cap;
 }

@@ -14,6 +14,9 @@ struct Query {
     long cap = 0;
 };
 
+/// Rays with more collisions are followed faster one by one, by macro steps (flight/macro).
+inline constexpr long most_worth_a_batch = 500'000;
+
 struct Answer {
     long count = 0;
     /// Nothing on the way was decided by less than a thousandth.

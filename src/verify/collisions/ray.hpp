@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "verify/format/section.hpp"
+#include "verify/macro/macro.hpp"
 #include "verify/number/interval.hpp"
 #include "verify/number/work.hpp"
 
@@ -66,23 +67,28 @@ class Rays {
     /// Certified G <= most for all rays above `ray`.
     bool at_most(const char* what, Ray ray, std::uint64_t most) {
         N z = zero;
+        int attempts = most < least_macro ? 0 : 4;
         for (std::uint64_t count = 0;; ++count) {
             step(count, ray);
             if (ray.kappa >= one) return counted(what, true);
             const bool seems_to_hit = guess_root(ray.c, ray.kappa, z);
             if ((!seems_to_hit || count == most) && misses(ray)) return counted(what, true);
             if (count == most) return counted(what, false);
-            if (!reflect(down, ray, earliest(ray, z))) return counted(what, true);
+            const Contact at = earliest(ray, z);
+            if (!reflect(down, ray, at)) return counted(what, true);
+            count += leap(down, ray, at.x, most - count - 1, attempts);
         }
     }
     /// Certified G >= least for all rays below `ray`.
     bool at_least(const char* what, Ray ray, std::uint64_t least) {
         N z = zero;
+        int attempts = least < least_macro ? 0 : 4;
         for (std::uint64_t count = 0; count < least; ++count) {
             step(count, ray);
             if (!(ray.kappa < one && guess_root(ray.c, ray.kappa, z))) return counted(what, false);
             const auto at = latest(ray, z);
             if (!at || (count + 1 < least && !reflect(up, ray, *at))) return counted(what, false);
+            if (count + 1 < least) count += leap(up, ray, at->x, least - count - 1, attempts);
         }
         return counted(what, true);
     }
@@ -172,6 +178,26 @@ class Rays {
         const I c = I(at.sine) + I(ray.kappa) * (I(at.x) + half_turn);
         ray.c = std::max(zero, d == down ? c.lo : c.hi);
         return true;
+    }
+
+    /// L42: moves the ray, which leaves a collision at x, over more of them, at most `most`; how many. Gives up
+    /// where so many attempts have failed: at the beginning of an orbit, and at its end.
+    std::uint64_t leap(Round d, Ray& ray, const N& x, std::uint64_t most, int& attempts) {
+        if (attempts == 0 || !(ray.kappa < one)) return 0;
+        WallBound wall{exact(x), exact(ray.kappa), exact(ray.r)};
+        std::uint64_t all = 0;
+        for (std::uint64_t more = 1; more > 0 && most > all; all += more) {
+            more = macro_step(d, wall, most - all, bits(x));
+            if (more == 0) --attempts;
+            if (more > 0 && log_) steps_.push_back("    " + std::to_string(more) + " collisions by L42");
+        }
+        if (all > 0) {
+            const N at = bound(d, wall.x, zero);
+            ray.kappa = bound(d, wall.kappa, zero);
+            const I c = sin_cos(at).sin + I(ray.kappa) * (I(at) + half_turn);
+            ray.c = std::max(zero, d == down ? c.lo : c.hi);
+        }
+        return all;
     }
 
   protected:

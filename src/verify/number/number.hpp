@@ -79,6 +79,8 @@ inline double pi_bound(Round d, double) {
 }
 
 inline double to_double(Round, double x) { return x; }
+inline mpq_class exact(double x) { return mpq_class(x); }
+inline long bits(double) { return 53; }
 
 // For guesses, which promise nothing.
 inline double sqrt(double x) { return std::sqrt(x); }

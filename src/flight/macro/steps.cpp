@@ -1,0 +1,161 @@
+#include "flight/macro/steps.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <type_traits>
+
+#include "flight/macro/orbit_guess.hpp"
+
+namespace dumbbell {
+namespace {
+
+using namespace macro;
+
+/// An upper bound of |sine - sin x| and |cosine - cos x| on [-1, 1]: Z = cosine + i sine solves Z' = i x' Z but
+/// for a residual, and starts near exp(i x(0)).
+Ball trigonometric_error(const Orbit& orbit) {
+    const slong all = 2 * orbit.x.raw()->length;
+    const Series speed = orbit.x.derivative();
+    Ball sine, cosine;
+    const Ball centre = orbit.x[0];
+    arb_sin_cos(sine.raw(), cosine.raw(), centre.raw(), bits());
+    const Ball start = greatest_size(orbit.sine[0] - sine) + greatest_size(orbit.cosine[0] - cosine);
+    const Ball residual =
+        size_from(orbit.sine.derivative() - speed.times(orbit.cosine, all), 0) +
+        size_from(orbit.cosine.derivative() + speed.times(orbit.sine, all), 0);
+    return end(start + residual, true);
+}
+
+/// x with a radius in place of an error of at most this size.
+Series widened(Series p, const Ball& error) {
+    Ball first = p[0];
+    arb_add_error(first.raw(), error.raw());
+    p.set(0, first);
+    return p;
+}
+
+/// All of a polynomial's values on [-1, 1] have this sign.
+bool certainly_signed(const Series& p, bool above) {
+    const Ball first = above ? p[0] : Ball(-1) * p[0];
+    return positive(first - size_from(p, 1));
+}
+
+/// The hypotheses of L42 for all real numbers of collisions of [a, b - 1].
+bool is_macro_step(BoundSide side, Orbit orbit, const Task& task) {
+    const bool above = side == BoundSide::upper;
+    const Ball error = trigonometric_error(orbit);
+    orbit.sine = widened(std::move(orbit.sine), error);
+    orbit.cosine = widened(std::move(orbit.cosine), error);
+    const Excess found = excess(orbit, task, 4 * task.terms);
+    if (!certainly_signed(found.height, above) || !certainly_signed(found.slope, above)) return false;
+
+    const Ball half_length = whole(task.collisions) * Ball(0.5);
+    const Ball least_cosine = end(orbit.cosine[0] - size_from(orbit.cosine, 1), false);
+    const Ball steepest = end(orbit.kappa[0] + size_from(orbit.kappa, 1), true);
+    const Ball room = least_cosine - Ball(2) * steepest;
+    const Ball farthest = size_from(orbit.x, 0);
+    const bool inside = positive(least_cosine) && positive(room) && positive(least_cosine * room - task.r) &&
+                        positive(pi() * Ball(0.5) - farthest);
+    const Ball start = orbit.kappa.at(Ball(-1));
+    const bool climbs =  // L42 (c)
+        above || (positive(orbit.x.at(Ball(-1))) &&
+                  positive(half_length * start * pi() * Ball(0.5) - size_from(found.height, 0)) &&
+                  positive(half_length * Ball(2) * task.r * least_cosine - size_from(found.slope, 0)));
+    return inside && climbs;
+}
+
+/// How closely the polynomials are to follow the orbit, as a share of one collision, and with what.
+struct Effort {
+    long share_bits;  ///< 2^-share_bits of a collision's progress is lost in all
+    int bits;         ///< working precision
+    slong terms;      ///< of the polynomials
+    long least;       ///< a step over fewer collisions is not worth it
+};
+Effort effort(double root_bits, int bound_bits) {
+    const bool in_double = bound_bits == 53;
+    const auto share = static_cast<long>(
+        std::clamp(bound_bits - root_bits - 4, 8., std::max(12., bound_bits / 4. - 20)));
+    const double resolution = 2 * root_bits + static_cast<double>(share);
+    const auto terms = static_cast<slong>(resolution / 2.6) + 4;
+    return {share, static_cast<int>(resolution) + 16, terms, in_double && root_bits < 30 ? 2000 : 40 + terms};
+}
+
+/// About how many collisions are left before the peak is reached, for an orbit like the extremal ones.
+double collisions_left(double depth, double kappa) {
+    const double half = std::sin(depth / 2);
+    return 2 * half * half / (kappa * 2 * (std::numbers::pi - depth));
+}
+
+template <class I>
+int working_bits() {
+    return std::is_same_v<I, Interval> ? 53 : PrecisionScope::current();
+}
+Ball ball(const Interval& x) { return Ball(x.lo()); }
+Ball ball(const BigInterval& x) { return Ball(x); }
+
+void round_to(Interval& bound, const Ball& x, bool up, int /*bits*/) {
+    bound = Interval(arf_get_d(arb_midref(end(x, up).raw()), up ? ARF_RND_CEIL : ARF_RND_FLOOR));
+}
+void round_to(BigInterval& bound, const Ball& x, bool up, int bits) {
+    const PrecisionScope scope(bits);
+    BigInterval result(0.);
+    const Ball exact = end(x, up);
+    arf_get_mpfr(&result.raw()->left, arb_midref(exact.raw()), up ? MPFR_RNDU : MPFR_RNDD);
+    mpfr_set(&result.raw()->right, &result.raw()->left, MPFR_RNDN);
+    bound = result;
+}
+
+}  // namespace
+
+template <class I>
+long least_worth_a_macro_step() {
+    return std::is_same_v<I, Interval> ? 20'000 : 400;
+}
+
+template <class I>
+long macro_step(BoundSide side, const I& r, WallState<I>& state, long most) {
+    const bool above = side == BoundSide::upper;
+    const int bound_bits = working_bits<I>();
+    const double depth = approximate(half_pi<I>() - state.x);
+    const double root = std::sqrt(approximate(r));
+    const Effort work = effort(-std::log2(root), bound_bits);
+    const double left = std::min(collisions_left(depth, approximate(state.kappa)), 0.5 / root);
+    const double share = std::min(0.25 * left, static_cast<double>(most));
+    if (!(share >= static_cast<double>(work.least) && share < 0x1p62)) return 0;
+
+    const PrecisionScope scope(work.bits);
+    const auto share_left = power_of_two(-work.share_bits);
+    Task task;
+    task.r = ball(r);
+    task.x = ball(state.x);
+    task.kappa = ball(state.kappa);
+    task.terms = work.terms;
+    for (auto collisions = static_cast<long>(share); collisions >= work.least; collisions /= 2) {
+        task.collisions = collisions;
+        const Ball unit = whole(collisions) * Ball(0.5) * share_left * task.r;
+        task.x_excess = middle(above ? unit : Ball(-1) * unit);
+        task.kappa_excess = middle(task.x_excess * Ball(root));
+        auto orbit = guess_orbit(task);
+        if (!orbit) continue;
+        // From there on the polynomials start at a bound of the state.
+        const auto start = [&](Series& p, const Ball& value) {
+            p.set(0, end(p[0] + value - p.at(Ball(-1)), above));
+        };
+        start(orbit->x, task.x);
+        start(orbit->kappa, task.kappa);
+        if (!is_macro_step(side, *orbit, task)) continue;
+        round_to(state.x, orbit->x.at(Ball(1)), above, bound_bits);
+        round_to(state.kappa, orbit->kappa.at(Ball(1)), above, bound_bits);
+        return collisions;
+    }
+    return 0;
+}
+
+template long least_worth_a_macro_step<Interval>();
+template long least_worth_a_macro_step<BigInterval>();
+template long macro_step<Interval>(BoundSide, const Interval&, WallState<Interval>&, long);
+template long macro_step<BigInterval>(BoundSide, const BigInterval&, WallState<BigInterval>&, long);
+
+}  // namespace dumbbell

@@ -1,0 +1,31 @@
+#pragma once
+
+#include "number/big_interval.hpp"
+#include "number/interval.hpp"
+
+/// Macro steps (lemma L42): a bound of a ray is moved over many collisions at once.
+namespace dumbbell {
+
+/// A bound, from below or from above, of the states of a set of rays after a collision with a light wall: its
+/// corner distance, and the slope of the flight that follows. Thin.
+template <class I>
+struct WallState {
+    I x;
+    I kappa;
+};
+
+enum class BoundSide { lower, upper };
+
+/// Moves `state` over as many collisions as it can at a time, at most `most`, and returns how many: 0 if none,
+/// or too few to be worth it. If `state` bounds rays of mass ratio 1/r (thin, a bound on the same side) after
+/// collision n, it then bounds them after collision n + result: from below, those that collide so often; from
+/// above, all of them, and they do collide so often. Precondition: 0 < r, 0 <= x, 0 <= kappa. For guesses
+/// nothing of it is trusted but L42. (Interval: works in multiple precision, too, for bounds in double.)
+template <class I>
+[[nodiscard]] long macro_step(BoundSide side, const I& r, WallState<I>& state, long most);
+
+/// Rays that are followed for fewer collisions than this have no macro step worth trying.
+template <class I>
+[[nodiscard]] long least_worth_a_macro_step();
+
+}  // namespace dumbbell

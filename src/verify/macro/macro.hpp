@@ -1,0 +1,24 @@
+// Macro steps (L42): a bound of a ray is moved over many collisions at once, by polynomials that it cannot cross.
+#pragma once
+#include <cstdint>
+
+#include "verify/number/number.hpp"
+
+namespace dumbbell_verify {
+
+/// A bound of a set of rays after a collision, on the side d: corner distance, slope of the flight that follows,
+/// and mass ratio 1/r. All >= 0.
+struct WallBound {
+    mpq_class x, kappa, r;
+};
+
+/// Moves x and kappa over as many collisions as it finds that it can at a time, at most `most`, and returns how
+/// many: 0 if none, or too few to be worth it. `down`: every ray of the set that collides so often has then
+/// x, kappa at or above them; `up`: every ray collides so often, and has them at or below. `bits`: about the
+/// precision that the bounds have.
+[[nodiscard]] std::uint64_t macro_step(Round d, WallBound& bound, std::uint64_t most, long bits);
+
+/// Below so many collisions it is not worth trying.
+constexpr std::uint64_t least_macro = 20'000;
+
+}  // namespace dumbbell_verify

@@ -1,0 +1,112 @@
+// Polynomials in s with fixed-point coefficients, and a bound of how far they are from the function they stand
+// for, on -1 <= s <= 1.
+#pragma once
+#include <gmpxx.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "verify/number/work.hpp"
+
+namespace dumbbell_verify {
+
+/// floor(x 2^n), n of either sign.
+inline mpz_class shifted(const mpz_class& x, long n) {
+    mpz_class result;
+    if (n >= 0)
+        mpz_mul_2exp(result.get_mpz_t(), x.get_mpz_t(), static_cast<mp_bitcnt_t>(n));
+    else
+        mpz_fdiv_q_2exp(result.get_mpz_t(), x.get_mpz_t(), static_cast<mp_bitcnt_t>(-n));
+    return result;
+}
+/// The least integer that is at least x 2^n.
+inline mpz_class shifted_up(const mpz_class& x, long n) { return -shifted(-x, n); }
+
+/// For every s in [-1, 1]: |f(s) - sum of term[i] s^i 2^-places| <= error 2^-places. All operations on series
+/// keep that, for the functions they stand for. `terms` and `places` are the same for all that meet.
+struct Series {
+    std::vector<mpz_class> term;
+    mpz_class error = 0;
+    long places = 0;
+
+    Series(std::size_t terms, long fixed) : term(terms), places(fixed) {}
+
+    /// At least the sizes of the terms from degree `first` on, added up, and so (for 0, with the error) |f|.
+    [[nodiscard]] mpz_class size(std::size_t first = 0) const {
+        mpz_class sum = 0;
+        for (std::size_t i = first; i < term.size(); ++i) sum += abs(term[i]);
+        return sum;
+    }
+    /// The polynomial's value at s = 1 or -1, exactly.
+    [[nodiscard]] mpz_class at(int s) const {
+        mpz_class sum = 0;
+        for (std::size_t i = 0; i < term.size(); ++i) sum += s < 0 && i % 2 ? -term[i] : term[i];
+        return sum;
+    }
+    /// f 2^n m, for an integer m.
+    [[nodiscard]] Series times(const mpz_class& m, long n) const {
+        Series result(term.size(), places);
+        for (std::size_t i = 0; i < term.size(); ++i) result.term[i] = shifted(term[i] * m, n);
+        result.error = shifted_up(error * abs(m), n) + term.size();
+        return result;
+    }
+};
+
+inline Series operator+(Series a, const Series& b) {
+    for (std::size_t i = 0; i < a.term.size(); ++i) a.term[i] += b.term[i];
+    a.error += b.error;
+    return a;
+}
+inline Series operator-(Series a, const Series& b) {
+    for (std::size_t i = 0; i < a.term.size(); ++i) a.term[i] -= b.term[i];
+    a.error += b.error;
+    return a;
+}
+
+/// The coefficient i of a b, from the terms `first` to i of a, rounded down.
+inline mpz_class coefficient(const Series& a, const Series& b, std::size_t i, std::size_t first = 0) {
+    mpz_class sum = 0;
+    for (std::size_t j = first; j <= i; ++j)
+        mpz_addmul(sum.get_mpz_t(), a.term[j].get_mpz_t(), b.term[i - j].get_mpz_t());
+    return shifted(sum, -a.places);
+}
+
+/// The product. What is cut off, of degree >= terms, is at most the sum of its sizes.
+inline Series operator*(const Series& a, const Series& b) {
+    const std::size_t n = a.term.size();
+    Work::spend(16 * n * n);
+    Series result(n, a.places);
+    mpz_class tail = 0, cut = 0;  // tail: the sizes of b's terms from degree n - i on
+    for (std::size_t i = 0; i < n; ++i) {
+        result.term[i] = coefficient(a, b, i);
+        cut += abs(a.term[i]) * tail;
+        tail += abs(b.term[n - 1 - i]);
+    }
+    result.error = shifted_up(a.size() * b.error + b.size() * a.error + a.error * b.error + cut, -a.places) + n;
+    return result;
+}
+
+/// (f(s + 2/k) - f(s)) k/2 for s in [-1, 1 - 2/k]: Taylor's formula, sum of f^(j)(s)/j! (2/k)^(j - 1). The
+/// polynomial's is found to within the roundings; the error of f counts twice, times k/2.
+inline Series slope_over(const Series& f, const mpz_class& k) {
+    const std::size_t n = f.term.size();
+    Work::spend(16 * n * n);
+    Series sum(n, f.places), part = f;  // part: f^(j)/j! (2/k)^(j - 1)
+    mpz_class rounding = 0, all = 0;    // of part: the sum of its terms' errors is at most that
+    for (std::size_t j = 1; j < n; ++j) {
+        const mpz_class over = j == 1 ? mpz_class(1) : k * mpz_class(j), times = j == 1 ? 1 : 2;
+        for (std::size_t i = 0; i + 1 < n; ++i) {
+            const mpz_class next = part.term[i + 1] * mpz_class(i + 1) * times;
+            mpz_fdiv_q(part.term[i].get_mpz_t(), next.get_mpz_t(), over.get_mpz_t());
+        }
+        part.term[n - 1] = 0;
+        rounding = rounding * times * mpz_class(n) / over + 1 + n;
+        all += rounding;
+        sum = sum + part;
+    }
+    sum.error = all + f.error * k;
+    return sum;
+}
+
+}  // namespace dumbbell_verify
