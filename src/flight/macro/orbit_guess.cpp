@@ -135,22 +135,6 @@ double size(const Ball& x) { return std::abs(approximate(x)); }
 
 }  // namespace
 
-Excess excess(const Orbit& orbit, const Task& task, slong length) {
-    const Ball collisions = whole(task.collisions);
-    const Ball eta = Ball(2) / collisions;
-    const Ball half_length = collisions * Ball(0.5);
-    const Series next_x = orbit.x.shifted(eta);
-    const Series next_kappa = orbit.kappa.shifted(eta);
-    const Series w = orbit.cosine.shifted(eta);
-    const Series climb = (orbit.sine.shifted(eta) - orbit.sine).times(half_length);
-    const Series turn = (next_kappa - orbit.kappa).times(half_length);
-    const Series reach = (orbit.x + next_x).plus(pi());
-    const Series push = orbit.kappa.times(next_kappa, length).plus(task.r).times(half_length);
-    return {climb - orbit.kappa.times(reach, length).times(half_length),
-            turn.times(w.times(w, length).plus(Ball(-1) * task.r), length) -
-                w.times(push, length).times(Ball(2))};
-}
-
 std::optional<Orbit> guess_orbit(const Task& task) {
     constexpr int sweeps = 40;
     const Point start{approximate(pi() * Ball(0.5) - task.x), approximate(task.kappa)};

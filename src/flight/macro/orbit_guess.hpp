@@ -2,36 +2,11 @@
 
 #include <optional>
 
-#include "flight/macro/ball.hpp"
+#include "flight/macro/check.hpp"
 
 /// Polynomials that nearly follow an orbit over many collisions. Guesses: nothing is proved here, and L42
 /// needs no more than that they are polynomials.
 namespace dumbbell::macro {
-
-/// The number n of collisions runs over [a, a + collisions], s = 2 (n - a)/collisions - 1 over [-1, 1].
-/// After collision n the ray has left the wall at corner distance x(s), with slope kappa(s).
-struct Orbit {
-    Series x;
-    Series kappa;
-    Series sine;    ///< nearly sin x(s)
-    Series cosine;  ///< nearly cos x(s)
-};
-
-/// What an orbit is wanted for.
-struct Task {
-    Ball r;                ///< 1/q
-    Ball x, kappa;         ///< the state at s = -1
-    long collisions = 0;   ///< how many, at most 2^62
-    slong terms = 0;       ///< of the polynomials
-    Ball x_excess, kappa_excess;  ///< wanted of both sides of L42 (6), (7), times collisions/2
-};
-
-/// The two expressions of L42, times collisions/2, to `length` terms.
-struct Excess {
-    Series height;  ///< sin x(s + eta) - sin x - kappa (x + x(s + eta) + pi)
-    Series slope;   ///< (kappa(s + eta) - kappa)(w^2 - r) - 2 w (r + kappa kappa(s + eta)), w = cos x(s + eta)
-};
-[[nodiscard]] Excess excess(const Orbit& orbit, const Task& task, slong length);
 
 /// Nothing if it does not converge: fewer collisions may help.
 [[nodiscard]] std::optional<Orbit> guess_orbit(const Task& task);

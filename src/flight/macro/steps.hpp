@@ -6,6 +6,8 @@
 /// Macro steps (lemma L42): a bound of a ray is moved over many collisions at once.
 namespace dumbbell {
 
+enum class BoundSide { lower, upper };
+
 /// A bound, from below or from above, of the states of a set of rays after a collision with a light wall: its
 /// corner distance, and the slope of the flight that follows. Thin.
 template <class I>
@@ -13,8 +15,6 @@ struct WallState {
     I x;
     I kappa;
 };
-
-enum class BoundSide { lower, upper };
 
 /// Moves `state` over as many collisions as it can at a time, at most `most`, and returns how many: 0 if none,
 /// or too few to be worth it. If `state` bounds rays of mass ratio 1/r (thin, a bound on the same side) after

@@ -89,33 +89,6 @@ struct Flow {
 
 }  // namespace
 
-Excess excess(const Orbit& orbit, const Start& start) {
-    const mpz_class& k = start.k;
-    const long scale = -1 - start.root;
-    const auto next = [&](const Series& f, const Series& slope) {  // f(s + 2/k), from its slope over 2/k
-        Series result = start.series();
-        for (std::size_t i = 0; i < start.terms; ++i) {
-            const mpz_class twice = 2 * slope.term[i];
-            mpz_fdiv_q(result.term[i].get_mpz_t(), twice.get_mpz_t(), k.get_mpz_t());
-        }
-        result.error = 2 * slope.error / k + 1 + start.terms;
-        return f + result;
-    };
-    const Series dx = slope_over(orbit.x, k), dslope = slope_over(orbit.slope, k),
-                 dsine = slope_over(orbit.sine, k), dcosine = slope_over(orbit.cosine, k);
-    const Series w = next(orbit.cosine, dcosine);
-    Series reach = orbit.x + next(orbit.x, dx);
-    reach.term[0] += start.pi;
-    reach.error += 1;
-    Series square = w * w;
-    square.term[0] -= shifted(start.r, -start.root);
-    square.error += 1;
-    Series push = (orbit.slope * next(orbit.slope, dslope)).times(k, scale);
-    push.term[0] += shifted(start.r * k, -1);
-    push.error += 1;
-    return {dsine - (orbit.slope * reach).times(k, scale), square * dslope - (w * push).times(2, 0)};
-}
-
 bool guess_orbit(const Start& start, Orbit& orbit) {
     const long one = start.places;
     const Flow flow{to_double(start.k, 0) / 2, to_double(start.r, one), std::ldexp(1., static_cast<int>(-start.root))};

@@ -1,0 +1,127 @@
+// L42: many collisions at once against one after the other, and polynomials that are just false.
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <vector>
+
+#include "flight/batch/count.hpp"
+#include "flight/count.hpp"
+#include "flight/macro/orbit_guess.hpp"
+#include "rooms/number/random.hpp"
+
+using namespace dumbbell;
+using namespace dumbbell::macro;
+using dumbbell_test::Random;
+
+namespace {
+
+constexpr long cap = 2'000'000;
+
+/// A state in the middle of an orbit like the extremal ones, and polynomials that should bound it.
+Task task_of(Random& random, BoundSide side) {
+    const double root = std::pow(10, random.uniform(-12, -5));
+    Task task;
+    task.r = Ball(root) * Ball(root);
+    task.x = Ball(random.uniform(0.01, 1.2));
+    task.kappa = Ball(root * random.uniform(0.05, 1.5));
+    task.collisions = static_cast<long>(0.05 / root * random.uniform(0.1, 1));
+    task.terms = 56;
+    const Ball share(std::pow(2, -random.uniform(4, 20)) * (side == BoundSide::upper ? 1 : -1));
+    task.x_excess = middle(whole(task.collisions) * Ball(0.5) * share * task.r);
+    task.kappa_excess = middle(task.x_excess * Ball(root));
+    return task;
+}
+
+/// Whether the inequalities of L42 hold after collision n, by their definition. Certain at 500 bits but for ties.
+bool holds(BoundSide side, const Orbit& orbit, const Task& task, long n) {
+    const PrecisionScope scope(500);
+    const Ball k = whole(task.collisions);
+    const Ball s = Ball(2) * whole(n) / k - Ball(1), next_s = Ball(2) * whole(n + 1) / k - Ball(1);
+    const Ball x = orbit.x.at(s), next_x = orbit.x.at(next_s);
+    const Ball kappa = orbit.kappa.at(s), next_kappa = orbit.kappa.at(next_s);
+    Ball sine, next_sine, w;
+    arb_sin(sine.raw(), x.raw(), bits());
+    arb_sin_cos(next_sine.raw(), w.raw(), next_x.raw(), bits());
+    const Ball height = next_sine - sine - kappa * (x + next_x + pi());
+    const Ball turn =
+        (next_kappa - kappa) * (w * w - task.r) - Ball(2) * w * (task.r + kappa * next_kappa);
+    const Ball sign(side == BoundSide::upper ? 1 : -1);
+    return positive(sign * height) && positive(sign * turn);
+}
+
+batch::Answer counted(const Ray<double>& ray, bool above) {
+    const std::vector<batch::Query> queries{{ray, cap}};
+    std::vector<batch::Answer> answers(1);
+    (above ? batch::count_at_most : batch::count_at_least)(queries, answers, batch::chosen_backend(), never);
+    return answers.front();
+}
+
+}  // namespace
+
+TEST_CASE("L42: bounds by macro steps are those of one collision after the other") {
+    Random random(421);
+    int equal = 0;
+    constexpr int rays = 150;
+    for (int i = 0; i < rays; ++i) {
+        const double r = std::pow(10, random.uniform(-11, -9));
+        const Ray<double> ray{r * random.uniform(0, 4), r * random.uniform(-0.9, 3), r};
+        const Ray<Interval> same{Interval(ray.c), Interval(ray.kappa), Interval(ray.r)};
+        const long most = count_at_most(same, cap), least = count_at_least(same, cap);
+        const long plain_most = counted(ray, true).count, plain_least = counted(ray, false).count;
+        CAPTURE(ray.c, ray.kappa, ray.r, most, least, plain_most, plain_least);
+        REQUIRE(least <= plain_most);
+        REQUIRE(plain_least <= most);
+        equal += most == least && plain_most == plain_least ? 1 : 0;
+    }
+    CHECK(equal > rays * 9 / 10);
+}
+
+TEST_CASE("L42: multiple precision takes macro steps earlier, and counts the same") {
+    const PrecisionScope scope(128);
+    Random random(422);
+    for (int i = 0; i < 10; ++i) {
+        const double r = std::pow(10, random.uniform(-8, -7));
+        const Ray<double> ray{r * random.uniform(0, 4), r * random.uniform(0, 3), r};
+        const Ray<BigInterval> same{BigInterval(ray.c), BigInterval(ray.kappa), BigInterval(ray.r)};
+        const long most = count_at_most(same, cap), least = count_at_least(same, cap);
+        CHECK(least <= counted(ray, true).count);
+        CHECK(counted(ray, false).count <= most);
+        CHECK(most - least <= 1);
+    }
+}
+
+TEST_CASE("L42: polynomials that are just false are refused") {
+    const PrecisionScope scope(200);
+    Random random(423);
+    int accepted = 0, moved_accepted = 0, false_ones = 0;
+    for (int i = 0; i < 150; ++i) {
+        const BoundSide side = random.coin() ? BoundSide::upper : BoundSide::lower;
+        const BoundSide other = side == BoundSide::upper ? BoundSide::lower : BoundSide::upper;
+        const Task task = task_of(random, side);
+        const auto orbit = guess_orbit(task);
+        if (!orbit) continue;
+        accepted += is_macro_step(side, *orbit, task) ? 1 : 0;
+        CHECK_FALSE(is_macro_step(other, *orbit, task));
+        for (int j = 0; j < 10; ++j) {
+            // A coefficient moved by about as much as there is room: some are true, some are not.
+            Orbit moved = *orbit;
+            Series& p = random.coin() ? moved.x : moved.kappa;
+            const auto at = static_cast<slong>(random.uniform(0, 6));
+            const double room = approximate(task.kappa_excess / (whole(task.collisions) * task.r)) *
+                                (&p == &moved.x ? 1 : std::sqrt(approximate(task.r)));
+            p.set(at, p[at] + Ball(random.sign() * room * std::pow(10, random.uniform(-2, 2))));
+            bool true_everywhere = true;
+            for (int sample = 0; sample < 20 && true_everywhere; ++sample) {
+                const double part = sample < 2 ? sample : random.uniform(0, 1);
+                const auto n = static_cast<long>(part * static_cast<double>(task.collisions - 1));
+                true_everywhere = holds(side, moved, task, n);
+            }
+            const bool found = is_macro_step(side, moved, task);
+            REQUIRE((true_everywhere || !found));
+            moved_accepted += found ? 1 : 0;
+            false_ones += true_everywhere ? 0 : 1;
+        }
+    }
+    CHECK(accepted > 60);
+    CHECK(moved_accepted > 50);
+    CHECK(false_ones > 100);
+}
