@@ -12,30 +12,34 @@ namespace dumbbell {
 
 namespace detail {
 
-/// Follows a bound of rays after a collision (`state`, at count + 1 collisions) by macro steps, and counts
-/// them.
+/// Follows a bound of rays after a collision by macro steps, and counts them.
 template <class I>
 class MacroSteps {
   public:
     MacroSteps(BoundSide side, const I& r, long cap)
         : side_(side), r_(r), attempts_(cap >= least_worth_a_macro_step<I>() ? 4 : 0), cap_(cap) {}
 
-    void follow(WallState<I>& state, long& count) {
-        while (attempts_ > 0) {
-            const long steps = macro_step(side_, r_, state, cap_ - count - 1);
-            count += steps;
-            if (steps == 0) {
-                --attempts_;
-                return;
-            }
+    /// `state`, and c of the flight that leaves it, after count + 1 collisions.
+    void follow(WallState<I>& state, I& c, long& count) {
+        const long before = count;
+        for (long steps = 1; attempts_ > 0 && steps > 0; count += steps) {
+            steps = macro_step(side_, r_, state, cap_ - count - 1);
+            attempts_ -= steps == 0 ? 1 : 0;
+        }
+        if (count != before) {
+            last_ = count;
+            c = sin_cos(state.x).sin + state.kappa * (state.x + pi<I>());
         }
     }
+    /// Far from the last macro step: at this precision none is found, and one after the other they are too many.
+    [[nodiscard]] bool hopeless(long count) const { return attempts_ == 0 && count - last_ > 4'000'000; }
 
   private:
     BoundSide side_;
     I r_;
     int attempts_;  ///< that may fail: first where the orbit has hardly begun, at last where it ends
     long cap_;
+    long last_ = 0;
 };
 
 }  // namespace detail
@@ -65,18 +69,14 @@ long count_at_most(const Ray<I>& lowest, long cap, const Interrupted& interrupte
         if (!certainly_positive(out.numerator)) {
             return cap + 1;  // bounds too coarse to go on (or NaN): undecided
         }
-        if (ends_early(count, interrupted)) {
+        if (ends_early(count, interrupted) || macro_steps.hopeless(count)) {
             return cap + 1;
         }
         WallState<I> state{contact->x, low_end(low_end(out.numerator) / denominator)};
-        I sine = contact->sin_x;
-        const long before = count;
-        macro_steps.follow(state, count);
-        if (count != before) {
-            sine = low_end(sin_cos(state.x).sin);
-        }
+        c = contact->sin_x + state.kappa * (state.x + pi<I>());
+        macro_steps.follow(state, c, count);
         kappa = state.kappa;
-        c = low_end(sine + kappa * (state.x + pi<I>()));
+        c = low_end(c);
     }
     return cap + 1;
 }
@@ -99,18 +99,15 @@ long count_at_least(const Ray<I>& highest, long cap, const Interrupted& interrup
             return count;
         }
         const auto out = reflect_at_light_wall(kappa, contact->cos_x, r);
-        if (!certainly_positive(out.denominator) || ends_early(count, interrupted)) {
+        if (!certainly_positive(out.denominator) || ends_early(count, interrupted) ||
+            macro_steps.hopeless(count)) {
             return count + 1;
         }
         WallState<I> state{contact->x, high_end(out.numerator / out.denominator)};
-        I sine = contact->sin_x;
-        const long before = count;
-        macro_steps.follow(state, count);
-        if (count != before) {
-            sine = high_end(sin_cos(state.x).sin);
-        }
+        c = contact->sin_x + state.kappa * (state.x + pi<I>());
+        macro_steps.follow(state, c, count);
         kappa = state.kappa;
-        c = high_end(sine + kappa * (state.x + pi<I>()));
+        c = high_end(c);
     }
     return cap;
 }

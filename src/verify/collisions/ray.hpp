@@ -67,7 +67,7 @@ class Rays {
     /// Certified G <= most for all rays above `ray`.
     bool at_most(const char* what, Ray ray, std::uint64_t most) {
         N z = zero;
-        int attempts = most < least_macro ? 0 : 4;
+        Leaps leaps(most);
         for (std::uint64_t count = 0;; ++count) {
             step(count, ray);
             if (ray.kappa >= one) return counted(what, true);
@@ -76,19 +76,20 @@ class Rays {
             if (count == most) return counted(what, false);
             const Contact at = earliest(ray, z);
             if (!reflect(down, ray, at)) return counted(what, true);
-            count += leap(down, ray, at.x, most - count - 1, attempts);
+            if (!leaps.over(*this, down, ray, at.x, most - 1, count)) return counted(what, false);
         }
     }
     /// Certified G >= least for all rays below `ray`.
     bool at_least(const char* what, Ray ray, std::uint64_t least) {
         N z = zero;
-        int attempts = least < least_macro ? 0 : 4;
+        Leaps leaps(least);
         for (std::uint64_t count = 0; count < least; ++count) {
             step(count, ray);
             if (!(ray.kappa < one && guess_root(ray.c, ray.kappa, z))) return counted(what, false);
             const auto at = latest(ray, z);
             if (!at || (count + 1 < least && !reflect(up, ray, *at))) return counted(what, false);
-            if (count + 1 < least) count += leap(up, ray, at->x, least - count - 1, attempts);
+            if (count + 1 < least && !leaps.over(*this, up, ray, at->x, least - 1, count))
+                return counted(what, false);
         }
         return counted(what, true);
     }
@@ -180,25 +181,39 @@ class Rays {
         return true;
     }
 
-    /// L42: moves the ray, which leaves a collision at x, over more of them, at most `most`; how many. Gives up
-    /// where so many attempts have failed: at the beginning of an orbit, and at its end.
-    std::uint64_t leap(Round d, Ray& ray, const N& x, std::uint64_t most, int& attempts) {
-        if (attempts == 0 || !(ray.kappa < one)) return 0;
-        WallBound wall{exact(x), exact(ray.kappa), exact(ray.r)};
-        std::uint64_t all = 0;
-        for (std::uint64_t more = 1; more > 0 && most > all; all += more) {
-            more = macro_step(d, wall, most - all, bits(x));
-            if (more == 0) --attempts;
-            if (more > 0 && log_) steps_.push_back("    " + std::to_string(more) + " collisions by L42");
+    /// L42: macro steps of a ray that is followed over many collisions.
+    class Leaps {
+      public:
+        explicit Leaps(std::uint64_t collisions) : attempts_(collisions < least_macro ? 0 : 4) {}
+
+        /// Moves the ray, which leaves collision count + 1 at x, over more of them, up to `most` + 1 in all, and
+        /// counts them. False if it has gone far without: there are too many to go one by one.
+        bool over(Rays& rays, Round d, Ray& ray, const N& x, std::uint64_t most, std::uint64_t& count) {
+            if (attempts_ == 0) return count - last_ < 4'000'000 || last_ == never;
+            if (!(ray.kappa < rays.one)) return true;
+            WallBound wall{exact(x), exact(ray.kappa), exact(ray.r)};
+            const std::uint64_t before = count;
+            last_ = count;
+            for (std::uint64_t more = 1; more > 0 && count < most; count += more) {
+                more = macro_step(d, wall, most - count, bits(x));
+                if (more == 0) --attempts_;
+                if (more > 0 && rays.log_)
+                    rays.steps_.push_back("    " + std::to_string(more) + " collisions by L42");
+            }
+            if (count == before) return true;
+            last_ = count;
+            const N at = bound(d, wall.x, N(0));
+            ray.kappa = bound(d, wall.kappa, N(0));
+            const I c = sin_cos(at).sin + I(ray.kappa) * (I(at) + rays.half_turn);
+            ray.c = std::max(N(0), d == down ? c.lo : c.hi);
+            return true;
         }
-        if (all > 0) {
-            const N at = bound(d, wall.x, zero);
-            ray.kappa = bound(d, wall.kappa, zero);
-            const I c = sin_cos(at).sin + I(ray.kappa) * (I(at) + half_turn);
-            ray.c = std::max(zero, d == down ? c.lo : c.hi);
-        }
-        return all;
-    }
+
+      private:
+        static constexpr std::uint64_t never = UINT64_MAX;
+        int attempts_;  ///< that may fail: first where the orbit has hardly begun, at last where it ends
+        std::uint64_t last_ = never;
+    };
 
   protected:
     void step(std::uint64_t count, const Ray& ray) {
