@@ -40,7 +40,7 @@ struct CertifyRequest {
 /// not sound.
 [[nodiscard]] std::vector<ProvedPiece> certify(const CertifyRequest& request);
 
-/// Beyond this ratio, 10^16, one orbit has about 10^8 collisions; nothing is tried.
+/// Beyond this ratio, 10^36, one orbit has about 10^18 collisions, and a count has 64 bits; nothing is tried.
 [[nodiscard]] Rational greatest_ratio();
 
 /// The share of [q_lo, q_hi] whose pieces are gaps or open, exactly; 0 for a single decided ratio, else 1.

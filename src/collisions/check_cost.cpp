@@ -1,6 +1,8 @@
 #include "collisions/check_cost.hpp"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace dumbbell {
 namespace {
@@ -16,15 +18,35 @@ double of_collision(int bits) {
     return bits > 53 ? in_double + 40 * width * width : in_double;
 }
 
-double collisions(const Piece& piece) {
+/// A ray with so many collisions. With many of them most are left to macro steps (L42): about so many for a
+/// doubling of the collisions, of so many sweeps over polynomials with this many terms.
+double of_ray(long collisions, int bits) {
+    const auto count = static_cast<double>(collisions);
+    if (count < 20'000) {
+        return count * of_collision(bits);
+    }
+    constexpr double steps_a_doubling = 4;
+    constexpr double sweeps = 8;
+    const double doublings = std::log2(count);
+    const double resolution = 2 * (doublings + 2) + std::max(12., bits / 4. - 20);
+    const double terms = resolution / 2.6 + 4;
+    const double sweep = terms * terms * 16 * (50 + resolution / 4);
+    return steps_a_doubling * doublings * sweeps * sweep + 8 * (40 + terms) * of_collision(bits);
+}
+
+double of_piece(const Piece& piece) {
+    const auto rays = [&](long forward, long backward) {
+        // In double first: what it certifies needs no more.
+        const double once = of_ray(forward, 53) + of_ray(backward, 53) + of_a_leaf * in_double;
+        return piece.bits > 53 ? once + of_ray(forward, piece.bits) + of_ray(backward, piece.bits) : once;
+    };
     double sum = 0;
     for (const ChartTree& part : piece.cover.charts) {
         for (const Node& node : part.tree) {
-            sum +=
-                static_cast<double>(node.leaf.forward) + static_cast<double>(node.leaf.backward) + of_a_leaf;
+            sum += rays(node.leaf.forward, node.leaf.backward);
         }
     }
-    return sum + (piece.witness ? static_cast<double>(piece.witness->total()) + of_a_leaf : 0);
+    return piece.witness ? sum + rays(piece.witness->forward, piece.witness->backward) : sum;
 }
 
 }  // namespace
@@ -32,7 +54,7 @@ double collisions(const Piece& piece) {
 double check_seconds(std::span<const Piece* const> pieces, Section section) {
     double units = 0;
     for (const Piece* piece : pieces) {
-        units += collisions(*piece) * of_collision(piece->bits);
+        units += of_piece(*piece);
     }
     return units * (section == Section::turning ? 1 : of_other_sections) / units_per_second;
 }

@@ -1,6 +1,10 @@
 #include "collisions/witness_orbit.hpp"
 
+#include <fmt/core.h>
+
 #include <utility>
+
+#include "base/error.hpp"
 
 namespace dumbbell {
 namespace {
@@ -29,6 +33,10 @@ std::vector<Collision<Interval>> orbit_in(const Witness& w, const Rational& q) {
 }  // namespace
 
 std::vector<Collision<Interval>> witness_orbit(const Witness& witness, const Rational& q, int bits) {
+    if (witness.total() > 10'000'000) {
+        throw InputError(fmt::format(
+            "the orbit has {} collisions: they are listed, and drawn, up to 10000000", witness.total()));
+    }
     const PrecisionScope scope(bits);
     return bits <= 53 ? orbit_in<Interval>(witness, q) : orbit_in<BigInterval>(witness, q);
 }

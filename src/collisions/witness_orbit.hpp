@@ -8,7 +8,8 @@
 namespace dumbbell {
 
 /// The witness's orbit at one mass ratio, every collision enclosed with `bits` of working precision and
-/// rounded outward to double. Empty if that precision cannot enclose it.
+/// rounded outward to double. Empty if that precision cannot enclose it. Throws InputError for more
+/// collisions than anybody reads, 10^7.
 [[nodiscard]] std::vector<Collision<Interval>> witness_orbit(const Witness& witness, const Rational& q,
                                                              int bits);
 

@@ -31,7 +31,8 @@ class MacroSteps {
             c = sin_cos(state.x).sin + state.kappa * (state.x + pi<I>());
         }
     }
-    /// Far from the last macro step: at this precision none is found, and one after the other they are too many.
+    /// Far from the last macro step: at this precision none is found, and one after the other they are too
+    /// many.
     [[nodiscard]] bool hopeless(long count) const { return attempts_ == 0 && count - last_ > 4'000'000; }
 
   private:

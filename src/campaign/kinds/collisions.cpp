@@ -176,7 +176,7 @@ std::optional<Plan> plan_collisions(const CertifyRequest& request, std::optional
         throw InputError("a single ratio is one shard: use dumbbell certify, or give a range LO:HI");
     }
     if (request.q_hi > greatest_ratio()) {
-        throw InputError("ratios beyond 1e16 are out of reach");
+        throw InputError("ratios beyond 1e36 are out of reach");
     }
     const auto pieces =
         plan_staircase(request.scene, request.q_lo, request.q_hi, request.gap, interrupted, request.placed);

@@ -28,8 +28,8 @@ CertifyRequest request_of(const Given& given, const RatioArgument& ratio) {
     }
     if (ratio.hi > greatest_ratio()) {
         throw InputError(
-            fmt::format("the mass ratio {} is beyond 10^16, the greatest that is tried: one orbit "
-                        "has about 10^8 collisions there",
+            fmt::format("the mass ratio {} is beyond 10^36, the greatest that is tried: one orbit "
+                        "has about 10^18 collisions there",
                         printable(exact_text(ratio.hi), 40)));
     }
     CertifyRequest request;

@@ -28,7 +28,7 @@ Checks certificates (docs/reference/format.md) independently of the program that
   dumbbell-verify --ratio 3 --max 3 *.dbc | tail -n 1               how many files prove this?
   dumbbell-verify --json --lemma 4.1 hybrid.dbc wedge.dbc           a comparison, for a script
   dumbbell-verify --scene wedge --ratio 1:100 --max 16 wedge.dbc    the paper's model wedge
-  dumbbell-verify --budget 10m huge.dbc                a ratio of 10^16, or a staircase up to 10^8
+  dumbbell-verify --budget 10m huge.dbc                a staircase up to 10^8
   dumbbell-verify --jobs 1 --precision 200 --max-bits 4096 ten.dbc  slowly, in multiple precision, on one thread
   dumbbell-verify --quiet --shards 1-90 stairs.dbc >> parts.txt     one part of a large certificate
   dumbbell-verify --combine parts.txt --ratio 3:9 --max 4 stairs.dbc    all of its parts, put together)";

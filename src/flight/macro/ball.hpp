@@ -39,8 +39,7 @@ class Ball {
     friend Ball operator/(const Ball& a, const Ball& b) { return made(arb_div, a, b); }
 
   private:
-    static Ball made(void (*function)(arb_ptr, arb_srcptr, arb_srcptr, slong), const Ball& a,
-                     const Ball& b) {
+    static Ball made(void (*function)(arb_ptr, arb_srcptr, arb_srcptr, slong), const Ball& a, const Ball& b) {
         Ball result;
         function(result.value_, a.value_, b.value_, bits());
         return result;

@@ -3,8 +3,8 @@
 namespace dumbbell::macro {
 namespace {
 
-/// An upper bound of |sine - sin x| and |cosine - cos x| on [-1, 1]: Z = cosine + i sine solves Z' = i x' Z but
-/// for a residual, and starts near exp(i x(0)).
+/// An upper bound of |sine - sin x| and |cosine - cos x| on [-1, 1]: Z = cosine + i sine solves Z' = i x' Z
+/// but for a residual, and starts near exp(i x(0)).
 Ball trigonometric_error(const Orbit& orbit) {
     const slong all = 2 * orbit.x.raw()->length;
     const Series speed = orbit.x.derivative();
@@ -12,9 +12,8 @@ Ball trigonometric_error(const Orbit& orbit) {
     const Ball centre = orbit.x[0];
     arb_sin_cos(sine.raw(), cosine.raw(), centre.raw(), bits());
     const Ball start = greatest_size(orbit.sine[0] - sine) + greatest_size(orbit.cosine[0] - cosine);
-    const Ball residual =
-        size_from(orbit.sine.derivative() - speed.times(orbit.cosine, all), 0) +
-        size_from(orbit.cosine.derivative() + speed.times(orbit.sine, all), 0);
+    const Ball residual = size_from(orbit.sine.derivative() - speed.times(orbit.cosine, all), 0) +
+                          size_from(orbit.cosine.derivative() + speed.times(orbit.sine, all), 0);
     return end(start + residual, true);
 }
 

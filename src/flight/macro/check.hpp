@@ -17,17 +17,17 @@ struct Orbit {
 
 /// What an orbit is wanted for.
 struct Task {
-    Ball r;                ///< 1/q
-    Ball x, kappa;         ///< the state at s = -1
-    long collisions = 0;   ///< how many, at most 2^62
-    slong terms = 0;       ///< of the polynomials
+    Ball r;                       ///< 1/q
+    Ball x, kappa;                ///< the state at s = -1
+    long collisions = 0;          ///< how many, at most 2^62
+    slong terms = 0;              ///< of the polynomials
     Ball x_excess, kappa_excess;  ///< wanted of both sides of L42 (6), (7), times collisions/2
 };
 
 /// The two expressions of L42, times collisions/2, to `length` terms.
 struct Excess {
     Series height;  ///< sin x(s + eta) - sin x - kappa (x + x(s + eta) + pi)
-    Series slope;   ///< (kappa(s + eta) - kappa)(w^2 - r) - 2 w (r + kappa kappa(s + eta)), w = cos x(s + eta)
+    Series slope;  ///< (kappa(s + eta) - kappa)(w^2 - r) - 2 w (r + kappa kappa(s + eta)), w = cos x(s + eta)
 };
 [[nodiscard]] Excess excess(const Orbit& orbit, const Task& task, slong length);
 

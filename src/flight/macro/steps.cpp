@@ -22,8 +22,8 @@ struct Effort {
 };
 Effort effort(double root_bits, int bound_bits) {
     const bool in_double = bound_bits == 53;
-    const auto share = static_cast<long>(
-        std::clamp(bound_bits - root_bits - 4, 8., std::max(12., bound_bits / 4. - 20)));
+    const auto share =
+        static_cast<long>(std::clamp(bound_bits - root_bits - 4, 8., std::max(12., bound_bits / 4. - 20)));
     const double resolution = 2 * root_bits + static_cast<double>(share);
     const auto terms = static_cast<slong>(resolution / 2.6) + 4;
     return {share, static_cast<int>(resolution) + 16, terms, in_double && root_bits < 30 ? 2000 : 40 + terms};

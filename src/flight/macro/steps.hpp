@@ -16,11 +16,12 @@ struct WallState {
     I kappa;
 };
 
-/// Moves `state` over as many collisions as it can at a time, at most `most`, and returns how many: 0 if none,
-/// or too few to be worth it. If `state` bounds rays of mass ratio 1/r (thin, a bound on the same side) after
-/// collision n, it then bounds them after collision n + result: from below, those that collide so often; from
-/// above, all of them, and they do collide so often. Precondition: 0 < r, 0 <= x, 0 <= kappa. For guesses
-/// nothing of it is trusted but L42. (Interval: works in multiple precision, too, for bounds in double.)
+/// Moves `state` over as many collisions as it can at a time, at most `most`, and returns how many: 0 if
+/// none, or too few to be worth it. If `state` bounds rays of mass ratio 1/r (thin, a bound on the same side)
+/// after collision n, it then bounds them after collision n + result: from below, those that collide so
+/// often; from above, all of them, and they do collide so often. Precondition: 0 < r, 0 <= x, 0 <= kappa. For
+/// guesses nothing of it is trusted but L42. (Interval: works in multiple precision, too, for bounds in
+/// double.)
 template <class I>
 [[nodiscard]] long macro_step(BoundSide side, const I& r, WallState<I>& state, long most);
 

@@ -186,12 +186,12 @@ class Rays {
       public:
         explicit Leaps(std::uint64_t collisions) : attempts_(collisions < least_macro ? 0 : 4) {}
 
-        /// Moves the ray, which leaves collision count + 1 at x, over more of them, up to `most` + 1 in all, and
-        /// counts them. False if it has gone far without: there are too many to go one by one.
+        /// Moves the ray, which leaves collision count + 1 at x, over more of them, up to `most` + 1 in all,
+        /// and counts them. False if it has gone far without: there are too many to go one by one.
         bool over(Rays& rays, Round d, Ray& ray, const N& x, std::uint64_t most, std::uint64_t& count) {
             if (attempts_ == 0) return count - last_ < 4'000'000 || last_ == never;
             if (!(ray.kappa < rays.one)) return true;
-            WallBound wall{exact(x), exact(ray.kappa), exact(ray.r)};
+            WallBound wall{exact_value(x), exact_value(ray.kappa), exact_value(ray.r)};
             const std::uint64_t before = count;
             last_ = count;
             for (std::uint64_t more = 1; more > 0 && count < most; count += more) {

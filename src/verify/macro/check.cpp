@@ -8,7 +8,7 @@
 namespace dumbbell_verify {
 namespace {
 
-mpz_class fixed(Round d, const Big& x, long places) { return dumbbell_verify::fixed(d, exact(x), places); }
+mpz_class fixed(Round d, const Big& x, long places) { return dumbbell_verify::fixed(d, exact_value(x), places); }
 
 /// Bounds of |sine - sin x| and |cosine - cos x| on [-1, 1], as the errors of the series: Z = cosine + i sine
 /// has Z' = i x' Z but for a residual, which is all that can move it away from exp(i x), and starts near
@@ -19,12 +19,13 @@ void enclose_sine(Orbit& orbit) {
     Big::precision = one + 32;
     const auto [s, c] = sin_cos(Big::rounded(down, mpfr_set_z_2exp, orbit.x.term[0].get_mpz_t(), -one));
     const auto apart = [&](const mpz_class& guess, const Interval<Big>& value) {
-        return mpz_class(std::max(abs(guess - fixed(down, value.lo, one)), abs(guess - fixed(up, value.hi, one))));
+        return mpz_class(
+            std::max(abs(guess - fixed(down, value.lo, one)), abs(guess - fixed(up, value.hi, one))));
     };
     mpz_class error = apart(orbit.sine.term[0], s) + apart(orbit.cosine.term[0], c);
     // The derivatives are exact, and so are the products' terms up to degree 2 n, at 2 one places.
     std::vector<mpz_class> sine(2 * n), cosine(2 * n);
-    Work::spend(64 * n * n);
+    Work::spend(4 * n * n * (40 + static_cast<std::uint64_t>(one) / 4));
     for (std::size_t i = 0; i + 1 < n; ++i) {
         sine[i] += shifted(orbit.sine.term[i + 1] * mpz_class(i + 1), one);
         cosine[i] += shifted(orbit.cosine.term[i + 1] * mpz_class(i + 1), one);
@@ -96,7 +97,8 @@ bool is_macro_step(Round d, Orbit orbit, const Start& start) {
                         orbit.x.size() < shifted(start.pi - 1, -1);
     if (d == up) return inside;
     // The bounds climb: the two expressions are not too far below 0.
-    const mpz_class height = found.height.size() + found.height.error, turn = found.turn.size() + found.turn.error;
+    const mpz_class height = found.height.size() + found.height.error,
+                    turn = found.turn.size() + found.turn.error;
     return inside && start.x >= 0 && height < shifted(start.slope * start.k, -1 - start.root) &&
            turn < shifted(start.r * cosine * start.k, -one);
 }

@@ -15,7 +15,8 @@ std::uint64_t macro_step(Round d, WallBound& bound, std::uint64_t most, long bit
     const double left = std::min(2 * half * half / (kappa * 2 * (M_PI - depth)), 0.5 / std::sqrt(r));
     const double length = std::min(0.25 * left, static_cast<double>(most));
     // What is lost of a collision in all, and what that takes.
-    const double share = std::clamp(static_cast<double>(bits) - root_bits - 4, 8., std::max(12., static_cast<double>(bits) / 4 - 20));
+    const double share = std::clamp(static_cast<double>(bits) - root_bits - 4, 8.,
+                                    std::max(12., static_cast<double>(bits) / 4 - 20));
     Start start;
     start.root = std::lround(std::floor(root_bits));
     start.places = std::lround(2 * root_bits + share) + 24;
@@ -28,7 +29,7 @@ std::uint64_t macro_step(Round d, WallBound& bound, std::uint64_t most, long bit
     start.slope = fixed(d, bound.kappa, one + start.root);
     start.r = fixed(d, bound.r, one + start.root);
     Big::precision = one + 32;
-    start.pi = fixed(down, exact(pi_bound(down, Big())), one);
+    start.pi = fixed(down, exact_value(pi_bound(down, Big())), one);
     if (start.x <= 0 || start.slope <= 0 || start.r <= 0) return 0;
     Orbit orbit{start.series(), start.series(), start.series(), start.series()};
     for (auto k = static_cast<std::uint64_t>(length); static_cast<double>(k) >= least; k /= 2) {

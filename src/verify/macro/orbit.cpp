@@ -28,7 +28,7 @@ void follow_flow(const Start& start, const mpz_class& x0, const mpz_class& slope
                  const Series& g, Orbit& orbit) {
     const long one = start.places;
     const std::size_t n = start.terms;
-    Work::spend(64 * n * n);
+    Work::spend(7 * n * n * (40 + static_cast<std::uint64_t>(one) / 4));
     auto& [x, slope, sine, cosine] = orbit;
     Series dx = start.series(), dslope = dx, reach = dx, square = dx, push = dx;
     x.term[0] = x0;
@@ -49,8 +49,7 @@ void follow_flow(const Start& start, const mpz_class& x0, const mpz_class& slope
         }
         if (i + 1 == n) return;
         const mpz_class next(i + 1);
-        const mpz_class climb =
-            shifted(coefficient(slope, reach, i) * start.k, -1 - start.root) + f.term[i];
+        const mpz_class climb = shifted(coefficient(slope, reach, i) * start.k, -1 - start.root) + f.term[i];
         sine.term[i + 1] = climb / next;
         dx.term[i] = divided(climb - coefficient(cosine, dx, i, 1), cosine.term[0], one);
         x.term[i + 1] = dx.term[i] / next;
@@ -70,7 +69,8 @@ struct Flow {
 
     [[nodiscard]] Middle rate(const Middle& at) const {
         const double w = std::sin(at.depth), push = r + at.slope * at.slope * scale;
-        return {-half * scale * at.slope * 2 * (M_PI - at.depth) / w, 2 * half * w * push / (w * w - r * scale)};
+        return {-half * scale * at.slope * 2 * (M_PI - at.depth) / w,
+                2 * half * w * push / (w * w - r * scale)};
     }
     [[nodiscard]] Middle operator()(Middle at) const {
         constexpr int steps = 8;
@@ -91,7 +91,8 @@ struct Flow {
 
 bool guess_orbit(const Start& start, Orbit& orbit) {
     const long one = start.places;
-    const Flow flow{to_double(start.k, 0) / 2, to_double(start.r, one), std::ldexp(1., static_cast<int>(-start.root))};
+    const Flow flow{to_double(start.k, 0) / 2, to_double(start.r, one),
+                    std::ldexp(1., static_cast<int>(-start.root))};
     const Middle from{to_double(shifted(start.pi, -1) - start.x, one), to_double(start.slope, one)};
     if (!(from.depth > 0 && from.slope > 0)) return false;
     const Middle to = flow(from);

@@ -1,5 +1,5 @@
-// Polynomials in s with fixed-point coefficients, and a bound of how far they are from the function they stand
-// for, on -1 <= s <= 1.
+// Polynomials in s with fixed-point coefficients, and a bound of how far they are from the function they
+// stand for, on -1 <= s <= 1.
 #pragma once
 #include <gmpxx.h>
 
@@ -75,7 +75,7 @@ inline mpz_class coefficient(const Series& a, const Series& b, std::size_t i, st
 /// The product. What is cut off, of degree >= terms, is at most the sum of its sizes.
 inline Series operator*(const Series& a, const Series& b) {
     const std::size_t n = a.term.size();
-    Work::spend(16 * n * n);
+    Work::spend(n * n * (40 + static_cast<std::uint64_t>(a.places) / 4));
     Series result(n, a.places);
     mpz_class tail = 0, cut = 0;  // tail: the sizes of b's terms from degree n - i on
     for (std::size_t i = 0; i < n; ++i) {
@@ -83,7 +83,8 @@ inline Series operator*(const Series& a, const Series& b) {
         cut += abs(a.term[i]) * tail;
         tail += abs(b.term[n - 1 - i]);
     }
-    result.error = shifted_up(a.size() * b.error + b.size() * a.error + a.error * b.error + cut, -a.places) + n;
+    result.error =
+        shifted_up(a.size() * b.error + b.size() * a.error + a.error * b.error + cut, -a.places) + n;
     return result;
 }
 
@@ -91,7 +92,7 @@ inline Series operator*(const Series& a, const Series& b) {
 /// polynomial's is found to within the roundings; the error of f counts twice, times k/2.
 inline Series slope_over(const Series& f, const mpz_class& k) {
     const std::size_t n = f.term.size();
-    Work::spend(16 * n * n);
+    Work::spend(n * n * (60 + static_cast<std::uint64_t>(f.places) / 4));
     Series sum(n, f.places), part = f;  // part: f^(j)/j! (2/k)^(j - 1)
     mpz_class rounding = 0, all = 0;    // of part: the sum of its terms' errors is at most that
     for (std::size_t j = 1; j < n; ++j) {

@@ -55,7 +55,7 @@ inline Big operator-(const Big& a) { return Big::rounded(down, mpfr_neg, a.get()
 inline double to_double(Round d, const Big& a) {
     return mpfr_get_d(a.get(), d == up ? MPFR_RNDU : MPFR_RNDD);
 }
-inline mpq_class exact(const Big& a) {
+inline mpq_class exact_value(const Big& a) {
     mpq_class result;
     mpfr_get_q(result.get_mpq_t(), a.get());
     return result;

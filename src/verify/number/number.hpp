@@ -79,7 +79,7 @@ inline double pi_bound(Round d, double) {
 }
 
 inline double to_double(Round, double x) { return x; }
-inline mpq_class exact(double x) { return mpq_class(x); }
+inline mpq_class exact_value(double x) { return mpq_class(x); }
 inline long bits(double) { return 53; }
 
 // For guesses, which promise nothing.

@@ -31,7 +31,8 @@ Task task_of(Random& random, BoundSide side) {
     return task;
 }
 
-/// Whether the inequalities of L42 hold after collision n, by their definition. Certain at 500 bits but for ties.
+/// Whether the inequalities of L42 hold after collision n, by their definition. Certain at 500 bits but for
+/// ties.
 bool holds(BoundSide side, const Orbit& orbit, const Task& task, long n) {
     const PrecisionScope scope(500);
     const Ball k = whole(task.collisions);
@@ -42,8 +43,7 @@ bool holds(BoundSide side, const Orbit& orbit, const Task& task, long n) {
     arb_sin(sine.raw(), x.raw(), bits());
     arb_sin_cos(next_sine.raw(), w.raw(), next_x.raw(), bits());
     const Ball height = next_sine - sine - kappa * (x + next_x + pi());
-    const Ball turn =
-        (next_kappa - kappa) * (w * w - task.r) - Ball(2) * w * (task.r + kappa * next_kappa);
+    const Ball turn = (next_kappa - kappa) * (w * w - task.r) - Ball(2) * w * (task.r + kappa * next_kappa);
     const Ball sign(side == BoundSide::upper ? 1 : -1);
     return positive(sign * height) && positive(sign * turn);
 }

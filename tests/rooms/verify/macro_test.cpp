@@ -1,4 +1,5 @@
-// L42 in the verifier: many collisions at once against one after the other, and polynomials that are just false.
+// L42 in the verifier: many collisions at once against one after the other, and polynomials that are just
+// false.
 #include "verify/macro/macro.hpp"
 
 #include <catch2/catch.hpp>
@@ -36,7 +37,7 @@ Start start_of(Random& random, Round d) {
     start.r = number(std::exp2(-2 * root), 128 + start.root);
     start.slope = number(random.uniform(0.05, 1.5), 128);
     Big::precision = 160;
-    start.pi = fixed(down, exact(pi_bound(down, Big())), 128);
+    start.pi = fixed(down, exact_value(pi_bound(down, Big())), 128);
     start.k = mpz_class(std::floor(0.05 * std::exp2(root) * random.uniform(0.1, 1)));
     start.excess = shifted(start.k * start.r, -1 - start.root - std::lround(random.uniform(4, 20)));
     if (d == down) start.excess = -start.excess;
@@ -127,7 +128,8 @@ TEST_CASE("L42: the verifier refuses polynomials that are just false") {
             Series& p = random.coin() ? moved.x : moved.slope;
             const mpz_class room = abs(shifted(start.excess, start.root + 1) / start.k) + 1;
             p.term[static_cast<std::size_t>(random.uniform(0, 6))] +=
-                (random.coin() ? 1 : -1) * mpz_class(room * mpz_class(std::exp2(random.uniform(0, 14)))) / 128;
+                (random.coin() ? 1 : -1) * mpz_class(room * mpz_class(std::exp2(random.uniform(0, 14)))) /
+                128;
             bool true_everywhere = true;
             for (int sample = 0; sample < 20 && true_everywhere; ++sample) {
                 const mpz_class last = start.k - 1,
