@@ -75,7 +75,7 @@ std::vector<ProvedPiece> prove_plan(const CertifyRequest& request, const PieceOp
 
 }  // namespace
 
-Rational greatest_ratio() { return exact(1e36); }
+Rational greatest_ratio() { return parse_rational("1e36"); }
 
 std::vector<ProvedPiece> certify(const CertifyRequest& request) {
     require_sound_arithmetic();

@@ -16,14 +16,18 @@ namespace detail {
 template <class I>
 class MacroSteps {
   public:
-    MacroSteps(BoundSide side, const I& r, long cap)
-        : side_(side), r_(r), attempts_(cap >= least_worth_a_macro_step<I>() ? 4 : 0), cap_(cap) {}
+    MacroSteps(BoundSide side, const I& r, long cap, const Interrupted& interrupted)
+        : side_(side),
+          r_(r),
+          attempts_(cap >= least_worth_a_macro_step<I>() ? 4 : 0),
+          cap_(cap),
+          interrupted_(interrupted) {}
 
     /// `state`, and c of the flight that leaves it, after count + 1 collisions.
     void follow(WallState<I>& state, I& c, long& count) {
         const long before = count;
         for (long steps = 1; attempts_ > 0 && steps > 0; count += steps) {
-            steps = macro_step(side_, r_, state, cap_ - count - 1);
+            steps = interrupted_() ? 0 : macro_step(side_, r_, state, cap_ - count - 1);
             attempts_ -= steps == 0 ? 1 : 0;
         }
         if (count != before) {
@@ -40,6 +44,7 @@ class MacroSteps {
     I r_;
     int attempts_;  ///< that may fail: first where the orbit has hardly begun, at last where it ends
     long cap_;
+    const Interrupted& interrupted_;
     long last_ = 0;
 };
 
@@ -53,7 +58,7 @@ long count_at_most(const Ray<I>& lowest, long cap, const Interrupted& interrupte
     const I r = low_end(lowest.r);
     I c = low_end(lowest.c);
     I kappa = low_end(lowest.kappa);
-    detail::MacroSteps<I> macro_steps(BoundSide::lower, r, cap);
+    detail::MacroSteps<I> macro_steps(BoundSide::lower, r, cap, interrupted);
     for (long count = 0; count <= cap; ++count) {
         if (certainly_at_most(I(1), kappa)) {
             return count;  // L3
@@ -90,7 +95,7 @@ long count_at_least(const Ray<I>& highest, long cap, const Interrupted& interrup
     const I r = high_end(highest.r);
     I c = high_end(highest.c);
     I kappa = high_end(highest.kappa);
-    detail::MacroSteps<I> macro_steps(BoundSide::upper, r, cap);
+    detail::MacroSteps<I> macro_steps(BoundSide::upper, r, cap, interrupted);
     for (long count = 0; count < cap; ++count) {
         if (!certainly_less(kappa, I(1))) {
             return count;

@@ -8,7 +8,9 @@
 namespace dumbbell_verify {
 namespace {
 
-mpz_class fixed(Round d, const Big& x, long places) { return dumbbell_verify::fixed(d, exact_value(x), places); }
+mpz_class fixed(Round d, const Big& x, long places) {
+    return dumbbell_verify::fixed(d, exact_value(x), places);
+}
 
 /// Bounds of |sine - sin x| and |cosine - cos x| on [-1, 1], as the errors of the series: Z = cosine + i sine
 /// has Z' = i x' Z but for a residual, which is all that can move it away from exp(i x), and starts near

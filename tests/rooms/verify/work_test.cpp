@@ -63,16 +63,16 @@ TEST_CASE("the collisions of format.md, section 4, are within a budget of 100 s"
 
 TEST_CASE("a leaf's share ends rays, in double and in multiple precision") {
     const auto ends = [](const auto& work) {
-        Shares shares(1, 100'000'000);
+        Shares shares(1, 50'000'000);
         Work::begin(&shares);
         CHECK_THROWS_AS(work(), std::length_error);
         const std::uint64_t done = Work::done();
         Work::begin();
         return done;
     };
-    CHECK(ends([] { (void)follow<double>(100'000); }) < 130'000'000);
+    CHECK(ends([] { (void)follow<double>(19'000); }) < 80'000'000);
     Big::precision = 128;
-    CHECK(ends([] { (void)follow<Big>(100'000); }) < 130'000'000);
+    CHECK(ends([] { (void)follow<Big>(19'000); }) < 80'000'000);
     CHECK_FALSE(follow<Big>(10));  // without a share there is no end
 }
 
