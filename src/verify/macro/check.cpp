@@ -88,6 +88,7 @@ Excess excess(const Orbit& orbit, const Start& start) {
 }
 
 bool is_macro_step(Round d, Orbit orbit, const Start& start) {
+    if (orbit.x.at(-1) != start.x || orbit.slope.at(-1) != start.slope) return false;
     enclose_sine(orbit);
     const Excess found = excess(orbit, start);
     if (!has_sign(d, found.height) || !has_sign(d, found.turn)) return false;

@@ -30,8 +30,8 @@ struct Excess {
 };
 [[nodiscard]] Excess excess(const Orbit& orbit, const Start& start);
 
-/// Certified for 0 < k, x >= 0, slope > 0, and polynomials that begin at x and slope: L42 (a) for `up`, (b)
-/// for `down`.
+/// Certified that the polynomials begin at x and slope and satisfy L42: (a) for `up`, (b) for `down`.
+/// Precondition: k > 0, x >= 0, slope > 0.
 [[nodiscard]] bool is_macro_step(Round d, Orbit orbit, const Start& start);
 
 /// x as a multiple of 2^-places, rounded.

@@ -8,6 +8,7 @@
 #include "verify/number/interval.hpp"
 
 namespace dumbbell_verify {
+
 std::uint64_t macro_step(Round d, WallBound& bound, std::uint64_t most, long bits) {
     const PrecisionKept kept;
     const double r = bound.r.get_d(), depth = M_PI / 2 - bound.x.get_d(), kappa = bound.kappa.get_d();
