@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <optional>
 #include <vector>
 
@@ -119,8 +118,8 @@ template <class Value>
 std::string path_of(const Frame& frame, const std::vector<Bounce>& bounces, const Value& value) {
     std::string path;
     for (std::size_t n = 0; n < bounces.size(); ++n) {
-        fmt::format_to(std::back_inserter(path), "{}{} {}", n == 0 ? 'M' : 'L',
-                       px(frame.x(static_cast<double>(n))), px(frame.y(value(bounces[n]))));
+        path += fmt::format("{}{} {}", n == 0 ? 'M' : 'L', px(frame.x(static_cast<double>(n))),
+                            px(frame.y(value(bounces[n]))));
     }
     return path;
 }

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <iterator>
 
 #include "words/printed.hpp"
 
@@ -34,11 +33,10 @@ std::string collisions_text(const Orbit& orbit) {
                     "phi", "y", "ydot before", "ydot after", "phidot before", "phidot after");
     long number = 0;
     for (const auto& c : orbit) {
-        fmt::format_to(std::back_inserter(text),
-                       "{:>4} {:5} {:>24} {:>24} {:>24} {:>24} {:>24} {:>24} {:>24}\n", ++number,
-                       c.heavy ? "heavy" : "light", enclosure_text(c.time), enclosure_text(c.phi),
-                       enclosure_text(c.y), enclosure_text(c.ydot_before), enclosure_text(c.ydot_after),
-                       enclosure_text(c.phidot_before), enclosure_text(c.phidot_after));
+        text += fmt::format("{:>4} {:5} {:>24} {:>24} {:>24} {:>24} {:>24} {:>24} {:>24}\n", ++number,
+                            c.heavy ? "heavy" : "light", enclosure_text(c.time), enclosure_text(c.phi),
+                            enclosure_text(c.y), enclosure_text(c.ydot_before), enclosure_text(c.ydot_after),
+                            enclosure_text(c.phidot_before), enclosure_text(c.phidot_after));
     }
     return text;
 }
@@ -46,13 +44,13 @@ std::string collisions_text(const Orbit& orbit) {
 std::string widths_text(const Orbit& orbit) {
     std::string text = fmt::format("{:>8}", "#");
     for (const Column& column : width_columns) {
-        fmt::format_to(std::back_inserter(text), " {:>12}", column.name);
+        text += fmt::format(" {:>12}", column.name);
     }
     text += '\n';
     const auto line = [&](std::size_t number) {
-        fmt::format_to(std::back_inserter(text), "{:>8}", number);
+        text += fmt::format("{:>8}", number);
         for (const Column& column : width_columns) {
-            fmt::format_to(std::back_inserter(text), " {:>12}", width_text(orbit[number - 1].*column.member));
+            text += fmt::format(" {:>12}", width_text(orbit[number - 1].*column.member));
         }
         text += '\n';
     };
@@ -60,12 +58,12 @@ std::string widths_text(const Orbit& orbit) {
         line(number);
     }
     line(orbit.size());
-    fmt::format_to(std::back_inserter(text), "{:>8}", "widest");
+    text += fmt::format("{:>8}", "widest");
     for (const Column& column : width_columns) {
         const auto widest = std::max_element(orbit.begin(), orbit.end(), [&](const auto& a, const auto& b) {
             return width(a.*column.member) < width(b.*column.member);
         });
-        fmt::format_to(std::back_inserter(text), " {:>12}", width_text((*widest).*column.member));
+        text += fmt::format(" {:>12}", width_text((*widest).*column.member));
     }
     return text + '\n';
 }

@@ -3,7 +3,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <iterator>
 #include <string_view>
 
 #include "base/error.hpp"
@@ -226,9 +225,8 @@ std::string verdict(const ProofReport& report) {
 
 std::string to_text(const ProofReport& report) {
     std::string text = pieces_table(report);
-    fmt::format_to(std::back_inserter(text), "{} in {:.2f} s with {}\n\n",
-                   counted(static_cast<long>(report.rows.size()), "piece"), report.seconds,
-                   counted(report.jobs, "thread"));
+    text += fmt::format("{} in {:.2f} s with {}\n\n", counted(static_cast<long>(report.rows.size()), "piece"),
+                        report.seconds, counted(report.jobs, "thread"));
     text += verdict(report) + witness_sentence(report);
     if (heavy_at_most_once(report)) {
         text += "In every trajectory the heavy mass hits the floor at most once.\n";
@@ -241,9 +239,8 @@ std::string to_text(const ProofReport& report) {
         const auto budget = budget_option(check_seconds(pieces, report.section));
         const std::string scene =
             report.scene == Scene::dumbbell ? "" : fmt::format("--scene {} ", name(report.scene));
-        fmt::format_to(
-            std::back_inserter(text), "Certificate: {} (sha256 {})\nCheck it:    {}\n", one_line(*report.out),
-            *report.sha256,
+        text += fmt::format(
+            "Certificate: {} (sha256 {})\nCheck it:    {}\n", one_line(*report.out), *report.sha256,
             budget ? fmt::format("dumbbell verify {}{}{}", *budget, scene, shell_file(*report.out))
                    : "in parts, with --shards I-J: the whole may take more than the greatest --budget");
     }
@@ -293,8 +290,7 @@ std::string orbits_to_text(const ProofReport& report) {
         if (row.orbit.empty()) {
             continue;
         }
-        fmt::format_to(
-            std::back_inserter(text),
+        text += fmt::format(
             "Witness at mass ratio {}: {} collisions. Rod length 1; phi in radians; y: height of the centre "
             "of mass;\n"
             "unit of time: phidot^2 + q (ydot / beta2)^2 = 1. Each number is enclosed: value+-radius.\n{}"

@@ -2,8 +2,6 @@
 
 #include <fmt/core.h>
 
-#include <iterator>
-
 namespace dumbbell {
 
 void style_boxes(Svg& svg, std::size_t boxes) {
@@ -17,8 +15,8 @@ void draw_boxes(Svg& svg, const Frame& frame, const DrawnBoxes& boxes) {
         std::string path;
         for (const DrawnBox& box : of_kind) {
             const std::string left = px(frame.x(box.x_lo));
-            fmt::format_to(std::back_inserter(path), "M{} {}H{}V{}H{}z", left, px(frame.y(box.y_lo)),
-                           px(frame.x(box.x_hi)), px(frame.y(box.y_hi)), left);
+            path += fmt::format("M{} {}H{}V{}H{}z", left, px(frame.y(box.y_lo)), px(frame.x(box.x_hi)),
+                                px(frame.y(box.y_hi)), left);
         }
         svg.path(fmt::format("box {}", kind), path);
     }

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <numbers>
 
 #include "base/error.hpp"
@@ -64,7 +63,7 @@ std::vector<Pixel> cut_above(const std::vector<Pixel>& points, const Frame& fram
 std::string path_text(const std::vector<Pixel>& points) {
     std::string path;
     for (const Pixel& p : points) {
-        fmt::format_to(std::back_inserter(path), "{}{} {}", path.empty() ? 'M' : 'L', px(p.x), px(p.y));
+        path += fmt::format("{}{} {}", path.empty() ? 'M' : 'L', px(p.x), px(p.y));
     }
     return path;
 }

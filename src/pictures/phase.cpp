@@ -49,19 +49,18 @@ long multiple(const Rational& x, int bits) {
 
 std::string path_of(const std::vector<Outline>& outlines, const std::array<int, 2>& bits) {
     std::string path;
-    auto out = std::back_inserter(path);
     for (const Outline& outline : outlines) {
         long x = multiple(outline.front()[0], bits[0]);
         long y = multiple(outline.front()[1], bits[1]);
-        fmt::format_to(out, "M{} {}", x, y);
+        path += fmt::format("M{} {}", x, y);
         for (auto point = std::next(outline.begin()); point != outline.end(); ++point) {
             const long next_x = multiple((*point)[0], bits[0]);
             const long next_y = multiple((*point)[1], bits[1]);
             if (next_x != x) {
-                fmt::format_to(out, "h{}", next_x - x);
+                path += fmt::format("h{}", next_x - x);
             }
             if (next_y != y) {
-                fmt::format_to(out, "v{}", next_y - y);
+                path += fmt::format("v{}", next_y - y);
             }
             x = next_x;
             y = next_y;

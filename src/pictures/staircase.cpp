@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <numbers>
 #include <utility>
 #include <vector>
@@ -34,7 +33,7 @@ std::string paper_path(const Frame& frame, const std::vector<Piece>& pieces, lon
     std::string path = fmt::format("M{:.2f} {:.2f}", frame.x(value(q_lo)), y(m));
     for (; m < last; ++m) {
         const double t = std::tan(std::numbers::pi / (2 * static_cast<double>(m)));
-        fmt::format_to(std::back_inserter(path), "H{:.2f}V{:.2f}", frame.x(1 / (t * t)), y(m + 1));
+        path += fmt::format("H{:.2f}V{:.2f}", frame.x(1 / (t * t)), y(m + 1));
     }
     return path + fmt::format("H{:.2f}", frame.x(value(q_hi)));
 }
@@ -53,8 +52,7 @@ std::string growth_path(const Frame& frame, double q_lo, double q_hi) {
     constexpr int parts = 200;
     for (int i = 0; i <= parts; ++i) {
         const double q = q_lo * std::pow(q_hi / q_lo, static_cast<double>(i) / parts);
-        fmt::format_to(std::back_inserter(path), "{}{:.2f} {:.2f}", i == 0 ? 'M' : 'L', frame.x(q),
-                       frame.y(2 + c * std::sqrt(q)));
+        path += fmt::format("{}{:.2f} {:.2f}", i == 0 ? 'M' : 'L', frame.x(q), frame.y(2 + c * std::sqrt(q)));
     }
     return path;
 }
@@ -64,8 +62,8 @@ std::string proved_path(const Frame& frame, const std::vector<Piece>& pieces) {
     std::string path;
     for (const Piece& piece : pieces) {
         if (piece.status() == Status::exact) {
-            fmt::format_to(std::back_inserter(path), "M{:.2f} {:.2f}H{:.2f}", frame.x(value(piece.q_lo)),
-                           frame.y(static_cast<double>(*piece.upper)), frame.x(value(piece.q_hi)));
+            path += fmt::format("M{:.2f} {:.2f}H{:.2f}", frame.x(value(piece.q_lo)),
+                                frame.y(static_cast<double>(*piece.upper)), frame.x(value(piece.q_hi)));
         }
     }
     return path;
@@ -77,9 +75,9 @@ std::string gap_path(const Frame& frame, const std::vector<Piece>& pieces) {
     for (const Piece& piece : pieces) {
         if (piece.status() == Status::gap) {
             const double left_end = frame.x(value(piece.q_lo));
-            fmt::format_to(std::back_inserter(path), "M{:.2f} {:.2f}H{:.2f}V{:.2f}H{:.2f}z", left_end,
-                           frame.y(static_cast<double>(piece.lower)), frame.x(value(piece.q_hi)),
-                           frame.y(static_cast<double>(*piece.upper)), left_end);
+            path += fmt::format("M{:.2f} {:.2f}H{:.2f}V{:.2f}H{:.2f}z", left_end,
+                                frame.y(static_cast<double>(piece.lower)), frame.x(value(piece.q_hi)),
+                                frame.y(static_cast<double>(*piece.upper)), left_end);
         }
     }
     return path;

@@ -3,7 +3,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <iterator>
 
 #include "pictures/palette.hpp"
 
@@ -91,57 +90,54 @@ Svg::Svg(double width, double height, std::string_view title)
 }
 
 void Svg::colour(std::string_view kind, std::string_view property, const Shade& shade) {
-    fmt::format_to(std::back_inserter(light_), ".{}{{{}:{}}}", kind, property, shade.light);
-    fmt::format_to(std::back_inserter(dark_), ".{}{{{}:{}}}", kind, property, shade.dark);
+    light_ += fmt::format(".{}{{{}:{}}}", kind, property, shade.light);
+    dark_ += fmt::format(".{}{{{}:{}}}", kind, property, shade.dark);
 }
 
 void Svg::rules(std::string_view css) { light_ += css; }
 
 void Svg::line(std::string_view kind, double x1, double y1, double x2, double y2) {
-    fmt::format_to(std::back_inserter(body_),
-                   "<line class=\"{}\" x1=\"{}\" y1=\"{}\" x2=\"{}\" y2=\"{}\"/>\n", kind, px(x1), px(y1),
-                   px(x2), px(y2));
+    body_ += fmt::format("<line class=\"{}\" x1=\"{}\" y1=\"{}\" x2=\"{}\" y2=\"{}\"/>\n", kind, px(x1),
+                         px(y1), px(x2), px(y2));
 }
 
 void Svg::rect(std::string_view kind, double x, double y, double width, double height) {
-    fmt::format_to(std::back_inserter(body_),
-                   "<rect class=\"{}\" x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\"/>\n", kind, px(x), px(y),
-                   px(width), px(height));
+    body_ += fmt::format("<rect class=\"{}\" x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\"/>\n", kind, px(x),
+                         px(y), px(width), px(height));
 }
 
 void Svg::circle(std::string_view kind, double x, double y, double radius) {
-    fmt::format_to(std::back_inserter(body_), "<circle class=\"{}\" cx=\"{}\" cy=\"{}\" r=\"{}\"/>\n", kind,
-                   px(x), px(y), px(radius));
+    body_ +=
+        fmt::format("<circle class=\"{}\" cx=\"{}\" cy=\"{}\" r=\"{}\"/>\n", kind, px(x), px(y), px(radius));
 }
 
 void Svg::path(std::string_view kind, std::string_view data) {
-    fmt::format_to(std::back_inserter(body_), "<path class=\"{}\" d=\"{}\"/>\n", kind, data);
+    body_ += fmt::format("<path class=\"{}\" d=\"{}\"/>\n", kind, data);
 }
 
 void Svg::text(double x, double y, std::string_view words, Anchor anchor, std::string_view kind) {
-    fmt::format_to(std::back_inserter(body_), "<text{} x=\"{}\" y=\"{}\"{}>{}</text>\n",
-                   kind.empty() ? "" : fmt::format(" class=\"{}\"", kind), px(x), px(y), attribute(anchor),
-                   xml_text(words));
+    body_ += fmt::format("<text{} x=\"{}\" y=\"{}\"{}>{}</text>\n",
+                         kind.empty() ? "" : fmt::format(" class=\"{}\"", kind), px(x), px(y),
+                         attribute(anchor), xml_text(words));
 }
 
 void Svg::upright_text(double x, double y, std::string_view words) {
-    fmt::format_to(std::back_inserter(body_),
-                   "<text transform=\"translate({} {}) rotate(-90)\" text-anchor=\"middle\">{}</text>\n",
-                   px(x), px(y), xml_text(words));
+    body_ +=
+        fmt::format("<text transform=\"translate({} {}) rotate(-90)\" text-anchor=\"middle\">{}</text>\n",
+                    px(x), px(y), xml_text(words));
 }
 
 void Svg::open_clip(double x, double y, double width, double height) {
     ++clips_;
-    fmt::format_to(
-        std::back_inserter(body_),
+    body_ += fmt::format(
         "<clipPath id=\"clip{0}\"><rect x=\"{1}\" y=\"{2}\" width=\"{3}\" height=\"{4}\"/></clipPath>\n"
         "<g clip-path=\"url(#clip{0})\">\n",
         clips_, px(x), px(y), px(width), px(height));
 }
 
 void Svg::open_units(double x, double y, double x_unit, double y_unit) {
-    fmt::format_to(std::back_inserter(body_), "<g transform=\"translate({} {}) scale({:.12g} {:.12g})\">\n",
-                   px(x), px(y), x_unit, y_unit);
+    body_ += fmt::format("<g transform=\"translate({} {}) scale({:.12g} {:.12g})\">\n", px(x), px(y), x_unit,
+                         y_unit);
 }
 
 void Svg::close() { body_ += "</g>\n"; }

@@ -2,8 +2,6 @@
 
 #include <fmt/core.h>
 
-#include <iterator>
-
 #include "cli/pages/command_table.hpp"
 
 namespace dumbbell::pages {
@@ -47,13 +45,12 @@ void add_text(std::string& page, std::string_view description) {
 }
 
 void add_command(std::string& page, const Place& place) {
-    fmt::format_to(std::back_inserter(page), "\n## {}\n\n    {}\n", place.name, usage(place));
+    page += fmt::format("\n## {}\n\n    {}\n", place.name, usage(place));
     add_text(page, place.command->text);
     if (!place.command->options.empty()) {
         page += "\n| | |\n| --- | --- |\n";
         for (const Option& option : place.command->options) {
-            fmt::format_to(std::back_inserter(page), "| {} | {} |\n", code_in_table(spelling(option)),
-                           plain(meaning(option)));
+            page += fmt::format("| {} | {} |\n", code_in_table(spelling(option)), plain(meaning(option)));
         }
     }
     add_text(page, place.footer);
@@ -69,7 +66,7 @@ std::string reference(const Command& program) {
         "compares.\n"
         "Every command has a `--help`, too.\n\n";
     for (const Place& place : all) {
-        fmt::format_to(std::back_inserter(page), "- [{}](#{})\n", place.name, anchor(place.name));
+        page += fmt::format("- [{}](#{})\n", place.name, anchor(place.name));
     }
     for (const Place& place : all) {
         add_command(page, place);
