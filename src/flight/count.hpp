@@ -19,7 +19,7 @@ class MacroSteps {
     MacroSteps(BoundSide side, const I& r, long cap, const Interrupted& interrupted)
         : side_(side),
           r_(r),
-          attempts_(cap >= least_worth_a_macro_step<I>() ? 4 : 0),
+          attempts_(cap >= least_worth_a_macro_step<I> ? 4 : 0),
           cap_(cap),
           interrupted_(interrupted) {}
 

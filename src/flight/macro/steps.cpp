@@ -54,15 +54,8 @@ void round_to(BigInterval& bound, const Ball& x, bool up, int bits) {
     bound = result;
 }
 
-}  // namespace
-
 template <class I>
-long least_worth_a_macro_step() {
-    return std::is_same_v<I, Interval> ? 20'000 : 400;
-}
-
-template <class I>
-long macro_step(BoundSide side, const I& r, WallState<I>& state, long most) {
+long stepped(BoundSide side, const I& r, WallState<I>& state, long most) {
     const bool above = side == BoundSide::upper;
     const int bound_bits = working_bits<I>();
     const double depth = approximate(half_pi<I>() - state.x);
@@ -100,9 +93,15 @@ long macro_step(BoundSide side, const I& r, WallState<I>& state, long most) {
     return 0;
 }
 
-template long least_worth_a_macro_step<Interval>();
-template long least_worth_a_macro_step<BigInterval>();
-template long macro_step<Interval>(BoundSide, const Interval&, WallState<Interval>&, long);
-template long macro_step<BigInterval>(BoundSide, const BigInterval&, WallState<BigInterval>&, long);
+}  // namespace
+
+template <>
+long macro_step(BoundSide side, const Interval& r, WallState<Interval>& state, long most) {
+    return stepped(side, r, state, most);
+}
+template <>
+long macro_step(BoundSide side, const BigInterval& r, WallState<BigInterval>& state, long most) {
+    return stepped(side, r, state, most);
+}
 
 }  // namespace dumbbell

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <limits>
+
 #include "number/big_interval.hpp"
 #include "number/interval.hpp"
 
@@ -19,14 +21,23 @@ struct WallState {
 /// Moves `state` over as many collisions as it can at a time, at most `most`, and returns how many: 0 if
 /// none, or too few to be worth it. If `state` bounds rays of mass ratio 1/r (thin, a bound on the same side)
 /// after collision n, it then bounds them after collision n + result: from below, those that collide so
-/// often; from above, all of them, and they do collide so often. Precondition: 0 < r, 0 <= x, 0 <= kappa. For
-/// guesses nothing of it is trusted but L42. (Interval: works in multiple precision, too, for bounds in
-/// double.)
+/// often; from above, all of them, and they do collide so often. Precondition: 0 < r, 0 <= x, 0 <= kappa. It
+/// works in multiple precision for bounds in double, too. Only the two types below have macro steps.
 template <class I>
-[[nodiscard]] long macro_step(BoundSide side, const I& r, WallState<I>& state, long most);
+[[nodiscard]] long macro_step(BoundSide /*side*/, const I& /*r*/, WallState<I>& /*state*/, long /*most*/) {
+    return 0;
+}
+template <>
+[[nodiscard]] long macro_step(BoundSide side, const Interval& r, WallState<Interval>& state, long most);
+template <>
+[[nodiscard]] long macro_step(BoundSide side, const BigInterval& r, WallState<BigInterval>& state, long most);
 
 /// Rays that are followed for fewer collisions than this have no macro step worth trying.
 template <class I>
-[[nodiscard]] long least_worth_a_macro_step();
+inline constexpr long least_worth_a_macro_step = std::numeric_limits<long>::max();
+template <>
+inline constexpr long least_worth_a_macro_step<Interval> = 20'000;
+template <>
+inline constexpr long least_worth_a_macro_step<BigInterval> = 400;
 
 }  // namespace dumbbell
