@@ -11,7 +11,7 @@
 namespace dumbbell {
 
 /// An exact integer (GMP), with GMP's calls out of line: this header is in nearly every source file.
-class Integer {
+class Integer {  // NOLINT(cppcoreguidelines-special-member-functions): one assignment does both
   public:
     Integer() noexcept { mpz_init(z_); }
     template <std::signed_integral T>

@@ -16,7 +16,7 @@
 namespace dumbbell {
 
 /// An exact rational in lowest terms (GMP): mass ratios and box coordinates. GMP's calls are out of line.
-class Rational {
+class Rational {  // NOLINT(cppcoreguidelines-special-member-functions): one assignment does both
   public:
     Rational() noexcept { mpq_init(q_); }
     template <std::integral T>

@@ -13,7 +13,7 @@ namespace dumbbell {
 /// A value as JSON, made from the inside out and kept as text: the library that knows how strings and numbers
 /// are spelled is in one source file, not in every one that reports. Everything is out of line, for a report
 /// is a long expression of such values.
-class Json {
+class Json {  // NOLINT(cppcoreguidelines-special-member-functions): one assignment does both
   public:
     /// A field: its name, plain ASCII, and its value.
     struct Member;
