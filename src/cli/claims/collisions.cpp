@@ -32,6 +32,9 @@ CertifyRequest request_of(const Given& given, const RatioArgument& ratio) {
                         "has about 10^18 collisions there",
                         printable(exact_text(ratio.hi), 40)));
     }
+    if (ratio.lo != ratio.hi && ratio.hi > parse_rational("1e16")) {
+        throw InputError("ranges are tried up to 10^16: beyond, prove one mass ratio at a time");
+    }
     CertifyRequest request;
     request.q_lo = ratio.lo;
     request.q_hi = ratio.hi;
