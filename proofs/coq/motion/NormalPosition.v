@@ -27,12 +27,11 @@ Proof.
 Qed.
 
 Definition on_R (p : R -> pos) T e := psi_of (p T) = PI/2 + e /\ 0 < e <= PI/2 /\ yh (p T) = sin e.
-Lemma normal_right p T : motion P p -> no_heavy P p -> collision P p T -> 0 <= psi_of (p T) <= PI ->
-  exists e, on_R p T e.
+Lemma light_right p T : motion P p -> y1 P (p T) = 0 -> 0 <= psi_of (p T) <= PI -> exists e, on_R p T e.
 Proof.
-  intros Hm Hn Hc Hp. assert (R0 := r_pos P HP). assert (A1 := arm1_pos P HP).
-  assert (H2 : 0 < y2 P (p T)). { destruct (above2 P p Hm T) as [|E]; [assumption|]. exfalso. now apply (Hn T Hc). }
-  assert (H1 : y1 P (p T) = 0). { destruct Hc as [v [_ [[H _]|[H _]]]]; [exact H | lra]. }
+  intros Hm H1 Hp. assert (R0 := r_pos P HP). assert (A1 := arm1_pos P HP).
+  assert (H2 : 0 < y2 P (p T)). { destruct (above2 P p Hm T) as [|E]; [assumption|]. exfalso.
+    apply (regular P p Hm T). now split. }
   assert (C := contact1 P HP p T H1). destruct (L0_heights P (p T) HP) as [_ E2]. rewrite E2, C in H2. fold r in H2.
   unfold r_of in *.
   assert (Cn : cos (psi_of (p T)) < 0).
@@ -42,6 +41,13 @@ Proof.
   assert (K : PI/2 < psi_of (p T)). { apply Rnot_le_lt. intros K.
     assert (0 <= cos (psi_of (p T))) by (apply cos_ge_0; lra). lra. }
   exists (psi_of (p T) - PI/2). split; [ring|]. split; [lra|]. rewrite C, sin_minus, cos_PI2, sin_PI2. ring.
+Qed.
+Lemma normal_right p T : motion P p -> no_heavy P p -> collision P p T -> 0 <= psi_of (p T) <= PI ->
+  exists e, on_R p T e.
+Proof.
+  intros Hm Hn Hc Hp. apply (light_right p T Hm); [|exact Hp].
+  destruct Hc as [v [Hb [[H _]|[H Hw]]]]; [exact H|exfalso]. apply (Hn T); [|exact H]. exists v. split; [exact Hb|].
+  right. now split.
 Qed.
 Theorem normal_position p T : motion P p -> no_heavy P p -> collision P p T -> exists q e, same P p q /\ on_R q T e.
 Proof.

@@ -1,0 +1,37 @@
+(** L15, the counts: the later collisions of a state that leaves the wall R, and what a cover of all first collisions
+    has to show. No physics. *)
+From Coq Require Import Reals Lra Lia.
+From Dumbbell Require Import Ray Chart.
+Local Open Scope R_scope.
+
+(** A flight that leaves R to the left, at the corner distance x with the slope k: its height at psi = pi/2 - t. *)
+Definition height_at (x k t : R) := sin x + k * (x + t).
+(** It meets the bridge at t; or it is never below the bridge. *)
+Definition meets_bridge (r x k t : R) := 0 < t < PI /\ height_at x k t = r * sin t /\ k < r * cos t.
+Definition clears_bridge (r x k : R) := forall t, 0 <= t <= PI -> r * sin t <= height_at x k t.
+
+(** At least n collisions after it. A contact with the bridge may let any ray go that leaves it to the left; what it
+    brings in is not used. *)
+Fixpoint forward (r : R) (n : nat) (x k : R) : Prop :=
+  match n with
+  | O => True
+  | S m =>
+      (exists t, meets_bridge r x k t /\
+         (m = O \/ exists eta, 0 < eta /\ coll r m (r * cX t eta) (r * lamX t eta))) \/
+      (clears_bridge r x k /\ exists y, 0 < y /\ hit (height_at x k PI) k y /\
+         (m = O \/ (0 < slope_den (cos y) k r /\ forward r m y (next_slope (cos y) k r))))
+  end.
+
+(** The charts contact and departure: what their covers have to show. *)
+Definition contact_bound r U := forall t eta a, 0 < t < PI -> 0 < eta ->
+  coll r a (r * cX t eta) (r * lamX t eta) -> (1 + a <= U)%nat.
+Definition departure_bound r U := forall e eta a, 0 < e <= PI/2 -> 0 < eta ->
+  forward r a e (eta - cos e) -> (1 + a <= U)%nat.
+
+(** A reflection leaves the wall. *)
+Lemma next_leaves w k r : 0 < w * w + r -> k < w -> 0 < slope_den w k r -> - w < next_slope w k r.
+Proof.
+  intros Hq Hk HD. unfold next_slope. apply Rmult_lt_reg_r with (slope_den w k r); [exact HD|].
+  unfold Rdiv. rewrite Rmult_assoc, Rinv_l, Rmult_1_r by lra.
+  assert (0 < (w * w + r) * (w - k)) by (apply Rmult_lt_0_compat; lra). unfold slope_num, slope_den in *. lra.
+Qed.
