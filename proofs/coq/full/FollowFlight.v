@@ -32,7 +32,8 @@ Proof.
   assert (G := follow_start P HP Hr1 n p T v _ k Hm RX Ha KX Hl).
   exists (k / r - cos t). assert (E : r * lamX t (k / r - cos t) = k) by (unfold lamX; field; lra). split.
   - apply Rmult_lt_reg_l with r; [exact R0|]. replace (r * (k / r - cos t)) with (k - r * cos t) by (field; lra). lra.
-  - rewrite E. replace (r * cX t (k / r - cos t)) with (r * (0 * cos t + 1 * sin t) + k * (PI/2 - t + PI/2)); [exact G|].
+  - rewrite E.
+    replace (r * cX t (k / r - cos t)) with (r * (0 * cos t + 1 * sin t) + k * (PI/2 - t + PI/2)); [exact G|].
     replace (r * cX t (k / r - cos t)) with (r * sin t + r * lamX t (k / r - cos t) * (PI - t)) by (unfold cX; ring).
     rewrite E. field.
 Qed.
@@ -54,7 +55,8 @@ Lemma leaves_height p t0 v x k t1 : leaves_R p t0 v x k -> on_line p t0 v t1 -> 
   yh (p t1) = height_at x k t.
 Proof.
   intros [_ Hp _ Hy Hu Hs _] L t Et. destruct (on_line_coords P HP _ _ _ _ L) as [E1 E2].
-  rewrite E2, Hy, <- Hs. unfold height_at. rewrite Et, Hp in E1. replace (x + t) with (- u_of v * (t1 - t0)) by lra. ring.
+  rewrite E2, Hy, <- Hs. unfold height_at. rewrite Et, Hp in E1.
+  replace (x + t) with (- u_of v * (t1 - t0)) by lra. ring.
 Qed.
 
 (** It does not come behind the peak of the left hump and collide there. *)

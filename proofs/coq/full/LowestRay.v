@@ -1,0 +1,64 @@
+(** L15 (a) to (c), one step of the lowest ray: lower bounds of a state's x and k bound its flight from below, and its
+    next state; a contact with the bridge comes before any T with r cos T <= k, and the tangent ray at T bounds what is
+    later. The highest ray of L15 (a) is not here. *)
+From Coq Require Import Reals Lra Lia.
+From Dumbbell Require Import Ray Chart Forward.
+Local Open Scope R_scope.
+
+(** Lower bounds of a state that leaves R. *)
+Definition lower (x0 k0 x k : R) := 0 <= x0 <= x /\ x <= PI/2 /\ k0 <= k /\ - cos x <= k.
+
+(** L15 (a): the height. *)
+Lemma L15a_height x0 k0 x k t : lower x0 k0 x k -> 0 <= t -> height_at x0 k0 t <= height_at x k t.
+Proof.
+  intros [Hx [Hx2 [Hk Hup]]] Ht. assert (HPI : 0 < PI) by apply PI_RGT_0. unfold height_at.
+  assert (T := sin_below_tangent x x0 ltac:(lra) ltac:(lra)).
+  assert (k0 * (x0 + t) <= k * (x0 + t)) by (apply Rmult_le_compat_r; lra).
+  assert (0 <= (k + cos x) * (x - x0)) by (apply Rmult_le_pos; lra). lra.
+Qed.
+
+(** L15 (a): the collision with the wall, and the reflection. *)
+Lemma L15a_wall r x0 k0 x k y : lower x0 k0 x k -> clears_bridge r x k -> hit (height_at x k PI) k y ->
+  exists y0, hit (Rmax 0 (height_at x0 k0 PI)) k0 y0 /\ y0 <= y.
+Proof.
+  intros HL Hc Hy. assert (HPI : 0 < PI) by apply PI_RGT_0. assert (K := Hc PI ltac:(lra)). rewrite sin_PI in K.
+  assert (A := L15a_height x0 k0 x k PI HL ltac:(lra)).
+  apply (flight_mono _ _ (height_at x k PI) k); [apply Rmax_l | apply Rmax_lub; lra | apply HL | exact Hy].
+Qed.
+Lemma L15a_reflection r0 r k0 k y0 y : 0 < r0 <= r -> 0 <= y0 <= y -> y < PI/2 -> k0 <= k -> k < cos y ->
+  0 < slope_den (cos y) k r ->
+  0 < slope_den (cos y0) k0 r0 /\ lower y0 (next_slope (cos y0) k0 r0) y (next_slope (cos y) k r).
+Proof.
+  intros Hr Hy Hy2 Hk Hky HD. assert (W := cos_pos y ltac:(lra)). assert (C : cos y <= cos y0) by (apply cos_mono; lra).
+  destruct (reflect_mono (cos y0) (cos y) k0 k r0 r) as [D1 K1]; try lra. split; [exact D1|].
+  assert (0 <= cos y * cos y) by apply Rle_0_sqr. assert (N := next_leaves (cos y) k r ltac:(lra) Hky HD).
+  unfold lower. repeat split; lra.
+Qed.
+
+(** L15 (b): where a contact with the bridge is. *)
+Lemma L15b_before r x0 k0 x k t T : 0 < r -> lower x0 k0 x k -> meets_bridge r x k t -> 0 <= T <= PI ->
+  r * cos T <= k0 -> t <= T.
+Proof.
+  intros Hr HL [Ht [_ Hk]] HT HkT. destruct HL as [_ [_ [K _]]]. apply Rnot_lt_le. intros L.
+  assert (cos t <= cos T) by (apply cos_decr_1; lra).
+  assert (r * cos t <= r * cos T) by (apply Rmult_le_compat_l; lra). lra.
+Qed.
+(** A lowest ray that is above the bridge: no contact. *)
+Lemma L15b_none r x0 k0 x k t : lower x0 k0 x k -> meets_bridge r x k t -> height_at x0 k0 t <= r * sin t.
+Proof. intros HL [Ht [E _]]. rewrite <- E. apply L15a_height; [exact HL | lra]. Qed.
+
+(** L15 (c), and (i): a ray out of the bridge at t <= T lies above that at T of a smaller eta; eta0 = 0: the tangent. *)
+Lemma L15c_contact r n t eta T eta0 : 0 < r <= 1 -> 0 <= t <= T -> T <= PI -> 0 <= eta0 <= eta ->
+  coll r n (r * cX t eta) (r * lamX t eta) -> coll r n (Rmax 0 (r * cX T eta0)) (r * lamX T eta0).
+Proof.
+  intros Hr Ht HT He H. assert (HPI : 0 < PI) by apply PI_RGT_0. destruct (COS_bound T) as [B _].
+  assert (L : r * lamX T eta0 <= r * lamX t eta) by (apply Rmult_le_compat_l; [lra | apply lamX_mono; lra]).
+  assert (K : r * cX T eta0 <= r * cX t eta) by (apply Rmult_le_compat_l; [lra | apply cX_mono; lra]).
+  assert (B1 : - r <= r * lamX T eta0).
+  { unfold lamX. assert (r * -1 <= r * (cos T + eta0)) by (apply Rmult_le_compat_l; lra). lra. }
+  assert (P : 0 <= cX t eta).
+  { assert (Q := cX_mono t PI eta 0 ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra)).
+    assert (cX PI 0 = 0) by (unfold cX; rewrite sin_PI; ring). lra. }
+  apply (coll_mono n) with (8 := H); try lra; [apply Rmax_l|].
+  apply Rmax_lub; [apply Rmult_le_pos; lra | exact K].
+Qed.
