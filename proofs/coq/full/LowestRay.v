@@ -1,6 +1,7 @@
 (** L15 (a) to (c), one step of the lowest ray: lower bounds of a state's x and k bound its flight from below, and its
     next state; a contact with the bridge comes before any T with r cos T <= k, and the tangent ray at T bounds what is
-    later. The highest ray of L15 (a) is not here. *)
+    later. The highest ray bounds the contacts where it collides or is below the bridge; the case that it does neither,
+    and its own reflection, are not here. *)
 From Coq Require Import Reals Lra Lia.
 From Dumbbell Require Import Ray Chart Forward.
 Local Open Scope R_scope.
@@ -61,4 +62,22 @@ Proof.
     assert (cX PI 0 = 0) by (unfold cX; rewrite sin_PI; ring). lra. }
   apply (coll_mono n) with (8 := H); try lra; [apply Rmax_l|].
   apply Rmax_lub; [apply Rmult_le_pos; lra | exact K].
+Qed.
+
+(** Upper bounds of a state, L15 (a): where the highest ray collides, the state does before. *)
+Lemma L15a_highest r x k x1 k1 y1 : lower x k x1 k1 -> clears_bridge r x k -> hit (height_at x1 k1 PI) k1 y1 ->
+  exists y, hit (height_at x k PI) k y /\ y <= y1.
+Proof.
+  intros HL Hc Hy. assert (HPI : 0 < PI) by apply PI_RGT_0. assert (K := Hc PI ltac:(lra)). rewrite sin_PI in K.
+  apply (flight_mono _ _ (height_at x1 k1 PI) k1); [lra | apply L15a_height; [exact HL | lra] | apply HL | exact Hy].
+Qed.
+(** L15 (b): where the highest ray is below the bridge, at T, all states have met it, at T or before. *)
+Lemma L15b_met r x k x1 k1 T : 0 < r -> lower x k x1 k1 -> 0 <= T <= PI -> height_at x1 k1 T < r * sin T ->
+  ~ clears_bridge r x k /\ forall t, meets_bridge r x k t -> t <= T.
+Proof.
+  intros Hr HL HT Hb. assert (A := L15a_height x k x1 k1 T HL ltac:(lra)). split.
+  - intros Hc. specialize (Hc T HT). lra.
+  - intros t [Ht [E Hk]]. apply Rnot_lt_le. intros L. assert (Tg := sin_below_tangent t T ltac:(lra) HT).
+    assert (r * sin T <= r * (sin t + (T - t) * cos t)) by (apply Rmult_le_compat_l; lra).
+    assert (0 < (r * cos t - k) * (t - T)) by (apply Rmult_lt_0_compat; lra). unfold height_at in *. lra.
 Qed.
