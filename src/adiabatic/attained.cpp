@@ -4,7 +4,7 @@
 #include "adiabatic/orbit.hpp"
 #include "number/decimal.hpp"
 
-namespace dumbbell {
+namespace dumbbell::adiabatic {
 namespace {
 
 constexpr double smaller = 1 - 0x1p-18;
@@ -82,4 +82,4 @@ std::optional<AdiabaticState> attained(const AdiabaticSearch& search, const Adia
     return AdiabaticState{exact(sample.u), exact(sample.s), exact_delta, sample.n, value};
 }
 
-}  // namespace dumbbell
+}  // namespace dumbbell::adiabatic

@@ -8,7 +8,7 @@
 
 /// The leaves of Lemma 3.1 and Corollary 3.2 (format-adiabatic.md, section 5): one collision and the
 /// next (L38).
-namespace dumbbell {
+namespace dumbbell::adiabatic {
 
 /// A collision at angle u from the vertical; just before it |phidot| = 1 and ydot = -delta s.
 template <class I>
@@ -48,18 +48,18 @@ template <class I>
 [[nodiscard]] std::optional<NextContact<I>> next_contact(const AdiabaticBounce<I>& bounce) {
     const LightContact<I>& at = bounce.at;
     const I& r = bounce.masses.r;
-    const auto low = reflect_at_light_wall(low_end(bounce.kappa), high_end(at.w), low_end(r));
+    const auto low = flight::reflect_at_light_wall(low_end(bounce.kappa), high_end(at.w), low_end(r));
     if (!certainly_positive(low.denominator)) {
         return std::nullopt;
     }
     const I least = low_end(low.numerator / low.denominator);
     const auto height = [&](const I& slope, const I& x) { return sin(x) + slope * (x + pi<I>()); };
     const I lowest = low_end(height(least, low_end(at.x)));
-    const auto first = lowest_contact(max(I(0), lowest), least);
+    const auto first = flight::lowest_contact(max(I(0), lowest), least);
     if (!first || certainly_at_most(I(1), least)) {
         return NextContact<I>{true, at.x, least};
     }
-    const auto high = reflect_at_light_wall(high_end(bounce.kappa), low_end(at.w), high_end(r));
+    const auto high = flight::reflect_at_light_wall(high_end(bounce.kappa), low_end(at.w), high_end(r));
     if (!certainly_positive(high.denominator) || !certainly_positive(bounce.forward())) {
         return std::nullopt;
     }
@@ -68,7 +68,7 @@ template <class I>
     if (certainly_less(highest, I(0))) {
         return NextContact<I>{true, at.x, least};
     }
-    const auto last = highest_contact(highest, greatest);
+    const auto last = flight::highest_contact(highest, greatest);
     return NextContact<I>{false, hull(first->x, last ? last->x : high_end(half_pi<I>())),
                           hull(least, greatest)};
 }
@@ -89,4 +89,4 @@ template <class I>
     return abs(turn - m.delta * bounce.s * (step + I(2) * asin(z)));
 }
 
-}  // namespace dumbbell
+}  // namespace dumbbell::adiabatic

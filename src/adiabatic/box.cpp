@@ -2,7 +2,7 @@
 
 #include "number/elementary.hpp"
 
-namespace dumbbell {
+namespace dumbbell::adiabatic {
 namespace {
 
 constexpr std::array<double, adiabatic_axes> root_ends{2, 8, 1, 2, 1};
@@ -72,4 +72,4 @@ bool AdiabaticSides::certainly_of_height(const Interval& u, const AdiabaticMasse
     return certainly_at_most(lowest_, y) && certainly_at_most(y, highest_);
 }
 
-}  // namespace dumbbell
+}  // namespace dumbbell::adiabatic

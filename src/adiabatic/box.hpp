@@ -5,7 +5,7 @@
 #include "adiabatic/certificate.hpp"
 #include "adiabatic/masses.hpp"
 
-namespace dumbbell {
+namespace dumbbell::adiabatic {
 
 /// A box of a tree of an adiabatic certificate; its coordinates are exact. That of delta is its share t of
 /// the way from D1 to D2. Axes that the tree lacks have width 0.
@@ -67,4 +67,4 @@ class AdiabaticSides {
     Interval margin_, lowest_, highest_;
 };
 
-}  // namespace dumbbell
+}  // namespace dumbbell::adiabatic

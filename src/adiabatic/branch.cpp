@@ -4,7 +4,7 @@
 
 #include "adiabatic/bounce_leaf.hpp"
 
-namespace dumbbell {
+namespace dumbbell::adiabatic {
 
 double printed_branch_error(const AdiabaticState& state) {
     const auto in = [](const Rational& x) { return enclose<Interval>(x); };
@@ -16,4 +16,4 @@ double printed_branch_error(const AdiabaticState& state) {
     return std::max(0.0, error.lo());
 }
 
-}  // namespace dumbbell
+}  // namespace dumbbell::adiabatic

@@ -10,7 +10,7 @@
 #include "file/sealed_lines.hpp"
 #include "number/decimal.hpp"
 
-namespace dumbbell {
+namespace dumbbell::adiabatic {
 namespace {
 
 bool has_heights(AdiabaticClaim claim) {
@@ -142,4 +142,4 @@ std::string options_of(const std::vector<AdiabaticHypotheses>& grid) {
     return text;
 }
 
-}  // namespace dumbbell
+}  // namespace dumbbell::adiabatic

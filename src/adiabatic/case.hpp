@@ -5,7 +5,7 @@
 
 #include "adiabatic/certificate.hpp"
 
-namespace dumbbell {
+namespace dumbbell::adiabatic {
 
 /// A statement about the adiabatic invariant as a unit of an order:
 ///
@@ -25,4 +25,4 @@ namespace dumbbell {
 /// list of each quantity.
 [[nodiscard]] std::string options_of(const std::vector<AdiabaticHypotheses>& grid);
 
-}  // namespace dumbbell
+}  // namespace dumbbell::adiabatic

@@ -10,7 +10,7 @@
 #include "number/rational.hpp"
 
 /// A certificate about the adiabatic invariant as data (format-adiabatic.md).
-namespace dumbbell {
+namespace dumbbell::adiabatic {
 
 enum class AdiabaticClaim { bounce, run, scattering, printed };
 
@@ -71,4 +71,4 @@ struct AdiabaticCertificate {
     std::vector<AdiabaticState> attained;  ///< of a bounce two, else one
 };
 
-}  // namespace dumbbell
+}  // namespace dumbbell::adiabatic

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace dumbbell {
+namespace dumbbell::adiabatic {
 namespace {
 
 constexpr double half_pi = std::numbers::pi / 2;
@@ -212,4 +212,4 @@ AdiabaticClass with_slack(AdiabaticClass one, double slack) {
     return one;
 }
 
-}  // namespace dumbbell
+}  // namespace dumbbell::adiabatic

@@ -3,7 +3,7 @@
 #include "adiabatic/certificate.hpp"
 #include "base/interrupted.hpp"
 
-namespace dumbbell {
+namespace dumbbell::adiabatic {
 
 /// The classes of L35 to try for a run or a scattering, without trees: numbers J that suit the hypotheses,
 /// and for each about the least density v that does. In plain doubles: nothing rests on it before a tree
@@ -14,4 +14,4 @@ namespace dumbbell {
 /// The same class with a density greater by this factor.
 [[nodiscard]] AdiabaticClass with_slack(AdiabaticClass one, double slack);
 
-}  // namespace dumbbell
+}  // namespace dumbbell::adiabatic

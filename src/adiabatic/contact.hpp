@@ -4,7 +4,7 @@
 #include "number/elementary.hpp"
 
 /// A contact of the light mass and the mean invariant S there (proofs/adiabatic.md, L33).
-namespace dumbbell {
+namespace dumbbell::adiabatic {
 
 /// At corner distance x: w = cos x, s = sin x, F = pi/2 + x, f = pi/2 + asin(beta2 s) = pi - arccos y.
 template <class I>
@@ -35,4 +35,4 @@ template <class I>
     return (delta_over_beta2 / w + kappa_over_delta) / (w - kappa);
 }
 
-}  // namespace dumbbell
+}  // namespace dumbbell::adiabatic

@@ -11,7 +11,7 @@
 #include "base/growing_tree.hpp"
 #include "number/self_test.hpp"
 
-namespace dumbbell {
+namespace dumbbell::adiabatic {
 namespace {
 
 struct Node {
@@ -165,4 +165,4 @@ std::optional<AdiabaticCover> adiabatic_cover(const AdiabaticBox& root, const Ad
     return arena.execute([&] { return Growth(root, judge, target, limits).grow(); });
 }
 
-}  // namespace dumbbell
+}  // namespace dumbbell::adiabatic

@@ -10,7 +10,7 @@
 #include "base/interrupted.hpp"
 
 /// Covers of a box by boxes on each of which a bound holds: the trees of an adiabatic certificate.
-namespace dumbbell {
+namespace dumbbell::adiabatic {
 
 /// What is certain of a box: nothing in it satisfies the hypotheses, or a bound of the error on it.
 struct AdiabaticJudged {
@@ -54,4 +54,4 @@ struct AdiabaticCover {
                                                             const AdiabaticTarget& target,
                                                             const AdiabaticLimits& limits);
 
-}  // namespace dumbbell
+}  // namespace dumbbell::adiabatic

@@ -7,7 +7,7 @@
 #include "flight/contact.hpp"
 
 /// The drift of S along one flight (proofs/adiabatic.md, L34, L35), over a box of flights.
-namespace dumbbell {
+namespace dumbbell::adiabatic {
 
 /// Flights between two contacts of the light mass, given by the upper one at corner distance `x` and the
 /// slope k = sigma sqrt(r) >= 0.
@@ -25,7 +25,7 @@ struct LightFlights {
     /// with lambda and x and decreases with k. Of flights with a lower contact, and with k < cos x.
     [[nodiscard]] I least_root(const I& lambda) const {
         const auto [c, l] = line(low_end(x), high_end(k), lambda);
-        const auto contact = lowest_contact(low_end(c), low_end(l));
+        const auto contact = flight::lowest_contact(low_end(c), low_end(l));
         return contact ? max(I(0), min(contact->x, low_end(x))) : low_end(x);
     }
     [[nodiscard]] I greatest_root(const I& lambda) const {
@@ -36,7 +36,7 @@ struct LightFlights {
         if (!certainly_at_most(low_end(k), steepest) || !certainly_at_most(I(0), from)) {
             return high_end(x);
         }
-        const auto contact = highest_contact(from, high_end(l));
+        const auto contact = flight::highest_contact(from, high_end(l));
         return contact ? min(contact->x, high_end(x)) : high_end(x);
     }
 
@@ -122,4 +122,4 @@ template <class I, class Density>
     return sums;
 }
 
-}  // namespace dumbbell
+}  // namespace dumbbell::adiabatic

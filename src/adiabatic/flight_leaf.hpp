@@ -4,10 +4,10 @@
 #include <optional>
 
 #include "adiabatic/drift.hpp"
-#include "flight/enclosure.hpp"
+#include "number/enclosure.hpp"
 
 /// The leaves of a class (format-adiabatic.md, section 3): boxes of flights on which (D) of L35 holds.
-namespace dumbbell {
+namespace dumbbell::adiabatic {
 
 /// What is certain of a box, and how far it is from being certain: 0 or less if it is, infinite if nothing is
 /// known.
@@ -58,4 +58,4 @@ template <class I>
     return {false, over.hi() <= 0 || over.hi() > 0 ? over.hi() : std::numeric_limits<double>::infinity()};
 }
 
-}  // namespace dumbbell
+}  // namespace dumbbell::adiabatic

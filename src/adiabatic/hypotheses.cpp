@@ -5,7 +5,7 @@
 #include "base/error.hpp"
 #include "number/decimal.hpp"
 
-namespace dumbbell {
+namespace dumbbell::adiabatic {
 namespace {
 
 const char* margin_option = "--phi-margin";
@@ -77,4 +77,4 @@ void require_sensible(const AdiabaticHypotheses& of) {
     require_some(of);
 }
 
-}  // namespace dumbbell
+}  // namespace dumbbell::adiabatic

@@ -4,7 +4,7 @@
 
 /// The masses of the paper's section 3: beta1 = epsilon = delta^2, beta2 = 1 - delta^2 (proofs/adiabatic.md,
 /// Setting).
-namespace dumbbell {
+namespace dumbbell::adiabatic {
 
 /// An increasing function over the interval x, from its two ends.
 template <class I, class Function>
@@ -47,4 +47,4 @@ template <class I>
     return power;
 }
 
-}  // namespace dumbbell
+}  // namespace dumbbell::adiabatic

@@ -3,7 +3,7 @@
 #include "adiabatic/bounce_leaf.hpp"
 
 /// One orbit of the light mass from collision to collision, enclosed (format-adiabatic.md, section 6).
-namespace dumbbell {
+namespace dumbbell::adiabatic {
 
 template <class I>
 class AdiabaticOrbit {
@@ -64,8 +64,8 @@ class AdiabaticOrbit {
         if (!certainly_less(r, at_.s) || !certainly_less(r, c) || !certainly_less(slope, I(1))) {
             return false;
         }
-        const auto least = lowest_contact(low_end(c), low_end(slope));
-        const auto greatest = highest_contact(high_end(c), high_end(slope));
+        const auto least = flight::lowest_contact(low_end(c), low_end(slope));
+        const auto greatest = flight::highest_contact(high_end(c), high_end(slope));
         if (!least || !greatest) {
             return false;
         }
@@ -75,20 +75,20 @@ class AdiabaticOrbit {
     }
 
   private:
-    [[nodiscard]] LightReflection<I> reflection() const {
-        return reflect_at_light_wall(kappa_, at_.w, masses_.r);
+    [[nodiscard]] flight::LightReflection<I> reflection() const {
+        return flight::reflect_at_light_wall(kappa_, at_.w, masses_.r);
     }
 
     /// The slope after the collision, from two opposite ends (L5 (b)).
     [[nodiscard]] I outgoing() const {
-        const auto low = reflect_at_light_wall(low_end(kappa_), high_end(at_.w), masses_.r);
-        const auto high = reflect_at_light_wall(high_end(kappa_), low_end(at_.w), masses_.r);
+        const auto low = flight::reflect_at_light_wall(low_end(kappa_), high_end(at_.w), masses_.r);
+        const auto high = flight::reflect_at_light_wall(high_end(kappa_), low_end(at_.w), masses_.r);
         return hull(low.numerator / low.denominator, high.numerator / high.denominator);
     }
     [[nodiscard]] I height(const I& slope) const { return at_.s + slope * (at_.x + pi<I>()); }
 
     [[nodiscard]] static bool certainly_misses(const I& c, const I& slope) {
-        return !lowest_contact(low_end(c), low_end(slope)).has_value();
+        return !flight::lowest_contact(low_end(c), low_end(slope)).has_value();
     }
 
     AdiabaticMasses<I> masses_;
@@ -100,4 +100,4 @@ class AdiabaticOrbit {
     I first_kappa_;
 };
 
-}  // namespace dumbbell
+}  // namespace dumbbell::adiabatic

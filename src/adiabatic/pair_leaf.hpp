@@ -7,7 +7,7 @@
 
 /// The leaves of a run and of a scattering (format-adiabatic.md, section 4): pairs of a first and a
 /// later collision, u and v their angles from the vertical (L36, L37).
-namespace dumbbell {
+namespace dumbbell::adiabatic {
 
 /// Just before the first collision |phidot| = 1 and ydot = -delta s.
 template <class I>
@@ -156,7 +156,7 @@ template <class I>
 [[nodiscard]] bool certainly_not_first(const AdiabaticPair<I>& pair) {
     const I k = high_end(-pair.kappa);
     const I c = high_end(pair.first.s + k * (pair.first.x + pi<I>()));
-    return highest_contact(c, k).has_value();
+    return flight::highest_contact(c, k).has_value();
 }
 
-}  // namespace dumbbell
+}  // namespace dumbbell::adiabatic

@@ -14,7 +14,10 @@
 #include "pictures/palette.hpp"
 #include "words/printed.hpp"
 
-namespace dumbbell {
+namespace dumbbell::adiabatic {
+
+using pictures::Frame;
+
 namespace {
 
 constexpr double left = 84;
@@ -118,35 +121,35 @@ template <class Value>
 std::string path_of(const Frame& frame, const std::vector<Bounce>& bounces, const Value& value) {
     std::string path;
     for (std::size_t n = 0; n < bounces.size(); ++n) {
-        path += fmt::format("{}{} {}", n == 0 ? 'M' : 'L', px(frame.x(static_cast<double>(n))),
-                            px(frame.y(value(bounces[n]))));
+        path += fmt::format("{}{} {}", n == 0 ? 'M' : 'L', pictures::px(frame.x(static_cast<double>(n))),
+                            pictures::px(frame.y(value(bounces[n]))));
     }
     return path;
 }
 
 /// What lies after the last collision stands where the next one would be.
-PlotAxis numbers_axis(const Orbit& orbit) {
+pictures::PlotAxis numbers_axis(const Orbit& orbit) {
     const auto last = static_cast<double>(orbit.bounces.size() - 1);
     return {0, last + (orbit.after ? 1 : 0), "collision n",
-            even_ticks(0, last, std::min(10, static_cast<int>(last)))};
+            pictures::even_ticks(0, last, std::min(10, static_cast<int>(last)))};
 }
 
-void style(Svg& svg) {
+void style(pictures::Svg& svg) {
     svg.rules(
         ".speed,.f,.invariant,.bound{fill:none;stroke-width:1.8}.speed{stroke-dasharray:6 "
         "3}.f{stroke-dasharray:2 2.5}"
         ".invariant{stroke-width:2.4}.after{fill:none;stroke-width:2}.bound{stroke-dasharray:9 3 2 3}");
     svg.colour("speed", "stroke", {"#c46a00", "#ffb347"});
     svg.colour("f", "stroke", {"#0a7d5a", "#4fd6a6"});
-    svg.colour("invariant", "stroke", palette::proved);
-    svg.colour("bounce", "fill", palette::proved);
-    svg.colour("after", "stroke", palette::proved);
+    svg.colour("invariant", "stroke", pictures::palette::proved);
+    svg.colour("bounce", "fill", pictures::palette::proved);
+    svg.colour("after", "stroke", pictures::palette::proved);
     svg.colour("bound", "stroke", {"#a3195b", "#ff8ac0"});
     svg.colour("bound-word", "fill", {"#a3195b", "#ff8ac0"});
 }
 
 /// The factors of the invariant and the invariant, each relative to its first value.
-void draw_factors(Svg& svg, const Frame& frame, const Orbit& orbit) {
+void draw_factors(pictures::Svg& svg, const Frame& frame, const Orbit& orbit) {
     frame.draw_grid(svg);
     svg.path("speed", path_of(frame, orbit.bounces, [](const Bounce& b) { return b.speed; }));
     svg.path("f", path_of(frame, orbit.bounces, [](const Bounce& b) { return b.f; }));
@@ -155,7 +158,8 @@ void draw_factors(Svg& svg, const Frame& frame, const Orbit& orbit) {
     frame.draw_axes(svg);
 }
 
-void draw_changes(Svg& svg, const Frame& frame, const Orbit& orbit, double unit, const Bound& bound) {
+void draw_changes(pictures::Svg& svg, const Frame& frame, const Orbit& orbit, double unit,
+                  const Bound& bound) {
     constexpr std::size_t many = 200;  // dots that would merge
     frame.draw_grid(svg);
     for (const double sign : {-1.0, 1.0}) {
@@ -166,13 +170,14 @@ void draw_changes(Svg& svg, const Frame& frame, const Orbit& orbit, double unit,
     }
     if (bound.value && !bound.is_drawn) {
         svg.text(frame.left() + 10, frame.top() + 20,
-                 fmt::format("\xe2\x86\x91 {}: \xc2\xb1{}", bound_words, bound.text), Anchor::start,
+                 fmt::format("\xe2\x86\x91 {}: \xc2\xb1{}", bound_words, bound.text), pictures::Anchor::start,
                  "bound-word");
     }
     const auto change = [&](const Bounce& b) { return approximate(b.change) / unit; };
     std::string path = path_of(frame, orbit.bounces, change);
     if (orbit.after) {
-        path += fmt::format("L{} {}", px(frame.right()), px(frame.y(approximate(*orbit.after) / unit)));
+        path += fmt::format("L{} {}", pictures::px(frame.right()),
+                            pictures::px(frame.y(approximate(*orbit.after) / unit)));
     }
     svg.path("invariant", path);
     for (std::size_t n = 0; n < orbit.bounces.size() && orbit.bounces.size() <= many; ++n) {
@@ -223,30 +228,32 @@ std::string adiabatic_svg(const AdiabaticCertificate& certificate) {
     const Bound bound(certificate, unit, change_hi);
     change_hi = 1.12 * (bound.is_drawn ? std::max(change_hi, *bound.value) : change_hi);
 
-    std::vector<LegendEntry> entries{{Swatch::curve, "speed", "|phidot|"},
-                                     {Swatch::curve, "f", "f = \xcf\x80 \xe2\x88\x92 arccos y"},
-                                     {Swatch::curve, "invariant", "I = |phidot| f"}};
+    std::vector<pictures::LegendEntry> entries{
+        {pictures::Swatch::curve, "speed", "|phidot|"},
+        {pictures::Swatch::curve, "f", "f = \xcf\x80 \xe2\x88\x92 arccos y"},
+        {pictures::Swatch::curve, "invariant", "I = |phidot| f"}};
     if (bound.is_drawn) {
-        entries.push_back({Swatch::curve, "bound", fmt::format("{}: {}", bound_words, bound.text)});
+        entries.push_back({pictures::Swatch::curve, "bound", fmt::format("{}: {}", bound_words, bound.text)});
     }
-    const double whole_width = page_width - left - right_margin;
-    const Legend legend(std::move(entries), whole_width);
-    const Frame factors(left, top_margin + legend.height() + 10, whole_width, plot_height,
+    const double whole_width = pictures::page_width - left - pictures::right_margin;
+    const pictures::Legend legend(std::move(entries), whole_width);
+    const Frame factors(left, pictures::top_margin + legend.height() + 10, whole_width, plot_height,
                         numbers_axis(orbit),
                         {factor_lo - margin, factor_hi + margin, "relative to the start",
-                         even_ticks(factor_lo - margin, factor_hi + margin, 5)});
+                         pictures::even_ticks(factor_lo - margin, factor_hi + margin, 5)});
     const Frame changes(left, factors.bottom() + below_axes, whole_width, plot_height, numbers_axis(orbit),
-                        {-change_hi, change_hi, unit.name, even_ticks(-change_hi, change_hi, 6)});
-    const auto caption = broken_lines(caption_of(certificate, orbit), whole_width);
+                        {-change_hi, change_hi, unit.name, pictures::even_ticks(-change_hi, change_hi, 6)});
+    const auto caption = pictures::broken_lines(caption_of(certificate, orbit), whole_width);
     const double caption_top = changes.bottom() + below_axes;
-    Svg svg(page_width, caption_top + caption_step * static_cast<double>(caption.size()),
-            "The adiabatic invariant of a bouncing dumbbell along an orbit");
+    pictures::Svg svg(pictures::page_width,
+                      caption_top + pictures::caption_step * static_cast<double>(caption.size()),
+                      "The adiabatic invariant of a bouncing dumbbell along an orbit");
     style(svg);
-    legend.draw(svg, left, top_margin);
+    legend.draw(svg, left, pictures::top_margin);
     draw_factors(svg, factors, orbit);
     draw_changes(svg, changes, orbit, unit.size, bound);
     draw_caption(svg, left, caption_top, caption);
     return svg.finished();
 }
 
-}  // namespace dumbbell
+}  // namespace dumbbell::adiabatic

@@ -4,7 +4,7 @@
 
 #include "adiabatic/certificate.hpp"
 
-namespace dumbbell {
+namespace dumbbell::adiabatic {
 
 /// The attained orbit of a certificate about the adiabatic invariant, enclosed again, collision by collision,
 /// as a self-contained SVG: |phidot| and f = pi - arccos y next to I = |phidot| f, and the change of I next
@@ -15,4 +15,4 @@ namespace dumbbell {
 
 inline constexpr long most_plotted_bounces = 20'000;
 
-}  // namespace dumbbell
+}  // namespace dumbbell::adiabatic

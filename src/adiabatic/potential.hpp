@@ -6,7 +6,7 @@
 #include "number/elementary.hpp"
 #include "number/interval.hpp"
 
-namespace dumbbell {
+namespace dumbbell::adiabatic {
 
 /// The potential V of L35: the integral over u, from the rod's angle from the vertical to pi/2, of a density
 /// v >= 0 that is constant on cells.
@@ -75,4 +75,4 @@ class AdiabaticPotential {
     std::vector<I> sums_;   ///< V there
 };
 
-}  // namespace dumbbell
+}  // namespace dumbbell::adiabatic

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace dumbbell {
+namespace dumbbell::adiabatic {
 namespace {
 
 constexpr std::size_t velocities = 1024;
@@ -69,4 +69,4 @@ std::vector<AdiabaticSample> search_printed(const AdiabaticSearch& search) {
     return samples;
 }
 
-}  // namespace dumbbell
+}  // namespace dumbbell::adiabatic

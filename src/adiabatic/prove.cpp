@@ -12,7 +12,7 @@
 #include "base/error.hpp"
 #include "number/decimal.hpp"
 
-namespace dumbbell {
+namespace dumbbell::adiabatic {
 namespace {
 
 using Axis = AdiabaticAxis;
@@ -287,4 +287,4 @@ AdiabaticCertificate certificate_of(const AdiabaticProof& proof) {
     return certificate;
 }
 
-}  // namespace dumbbell
+}  // namespace dumbbell::adiabatic

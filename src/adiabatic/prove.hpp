@@ -7,7 +7,7 @@
 #include "base/interrupted.hpp"
 
 /// Proofs about the adiabatic invariant (proofs/adiabatic.md).
-namespace dumbbell {
+namespace dumbbell::adiabatic {
 
 struct AdiabaticRequest {
     AdiabaticHypotheses of;
@@ -45,4 +45,4 @@ void require_sensible(const AdiabaticHypotheses& of);
 /// What this program writes of a complete proof.
 [[nodiscard]] AdiabaticCertificate certificate_of(const AdiabaticProof& proof);
 
-}  // namespace dumbbell
+}  // namespace dumbbell::adiabatic

@@ -5,7 +5,7 @@
 #include "adiabatic/writer.hpp"
 #include "file/lines.hpp"
 
-namespace dumbbell {
+namespace dumbbell::adiabatic {
 namespace {
 
 constexpr std::array<std::string_view, adiabatic_axes> axis_names{"u", "sigma", "s", "v", "delta"};
@@ -143,4 +143,4 @@ AdiabaticCertificate read_adiabatic_certificate(const std::string& path) {
     return certificate;
 }
 
-}  // namespace dumbbell
+}  // namespace dumbbell::adiabatic

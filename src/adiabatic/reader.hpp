@@ -4,7 +4,7 @@
 
 #include "adiabatic/certificate.hpp"
 
-namespace dumbbell {
+namespace dumbbell::adiabatic {
 
 /// Reads a certificate about the adiabatic invariant back into data, as read_certificate does with those
 /// about mass ratios: no verification. Throws InputError (naming file and line) if it cannot be read.
@@ -13,4 +13,4 @@ namespace dumbbell {
 /// Of the same file only what its statement is about; the rest may be anything, and is not read.
 [[nodiscard]] AdiabaticHypotheses read_adiabatic_hypotheses(const std::string& path);
 
-}  // namespace dumbbell
+}  // namespace dumbbell::adiabatic

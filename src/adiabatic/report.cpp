@@ -8,7 +8,7 @@
 #include "words/printed.hpp"
 #include "words/text_table.hpp"
 
-namespace dumbbell {
+namespace dumbbell::adiabatic {
 namespace {
 
 constexpr int shown_digits =
@@ -288,4 +288,4 @@ Json to_json(const AdiabaticReport& report) {
                          {"sha256", report.sha256}});
 }
 
-}  // namespace dumbbell
+}  // namespace dumbbell::adiabatic

@@ -7,7 +7,7 @@
 #include "adiabatic/prove.hpp"
 #include "words/json.hpp"
 
-namespace dumbbell {
+namespace dumbbell::adiabatic {
 
 /// One statement of the paper's section 3 with what was proved of it.
 struct AdiabaticResult {
@@ -36,4 +36,4 @@ struct AdiabaticReport {
 [[nodiscard]] std::string verdict(const AdiabaticReport& report);
 [[nodiscard]] Json to_json(const AdiabaticReport& report);
 
-}  // namespace dumbbell
+}  // namespace dumbbell::adiabatic

@@ -9,7 +9,7 @@
 
 #include "flight/contact_guess.hpp"
 
-namespace dumbbell {
+namespace dumbbell::adiabatic {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -60,7 +60,7 @@ Step step(double x, double kappa, double r) {
     if (!(d > 0) || !(slope < 1) || !(c > r) || !(std::sin(x) > r)) {
         return {d / (w * w + r), slope, false, x};
     }
-    const auto guess = guess_contact(Interval(c), Interval(slope));
+    const auto guess = flight::guess_contact(Interval(c), Interval(slope));
     return {d / (w * w + r), slope, guess.hits, approximate(guess.z)};
 }
 
@@ -273,4 +273,4 @@ AdiabaticSample simulated(const AdiabaticSearch& search, double u, double s, dou
 
 std::vector<AdiabaticSample> search_errors(const AdiabaticSearch& search) { return Search(search).found(); }
 
-}  // namespace dumbbell
+}  // namespace dumbbell::adiabatic

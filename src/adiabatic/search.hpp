@@ -6,7 +6,7 @@
 #include "base/interrupted.hpp"
 
 /// The search for orbits with a great error, in plain doubles: guesses that prove nothing.
-namespace dumbbell {
+namespace dumbbell::adiabatic {
 
 /// What a search may cost, about, whatever delta is: its orbits are the fewer the longer they are.
 inline constexpr double most_collisions_in_all = 2e8;
@@ -36,4 +36,4 @@ struct AdiabaticSearch {
 /// Deterministic.
 [[nodiscard]] std::vector<AdiabaticSample> search_errors(const AdiabaticSearch& search);
 
-}  // namespace dumbbell
+}  // namespace dumbbell::adiabatic

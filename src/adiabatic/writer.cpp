@@ -6,7 +6,7 @@
 
 #include "base/error.hpp"
 
-namespace dumbbell {
+namespace dumbbell::adiabatic {
 namespace {
 
 constexpr std::array<const char*, adiabatic_axes> axis_names{"u", "sigma", "s", "v", "delta"};
@@ -126,4 +126,4 @@ SealedText render(const AdiabaticCertificate& certificate) {
     return std::move(body).finished();
 }
 
-}  // namespace dumbbell
+}  // namespace dumbbell::adiabatic

@@ -5,7 +5,7 @@
 #include "adiabatic/certificate.hpp"
 #include "file/sealed_lines.hpp"
 
-namespace dumbbell {
+namespace dumbbell::adiabatic {
 
 /// The one canonical spelling (format-adiabatic.md). Throws BrokenInvariant if a tree is not complete.
 [[nodiscard]] SealedText render(const AdiabaticCertificate& certificate);
@@ -13,4 +13,4 @@ namespace dumbbell {
 /// The claim's word in the file, e.g. `adiabatic-run`.
 [[nodiscard]] std::string_view name(AdiabaticClaim claim);
 
-}  // namespace dumbbell
+}  // namespace dumbbell::adiabatic

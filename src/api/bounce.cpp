@@ -24,12 +24,12 @@ Interval given(const I& x) { return {x.lo(), x.hi()}; }
 
 /// Bounds of what follows a collision: from below and from above, lemma L5 (e).
 struct Reflected {
-    LightReflection<I> low;
-    LightReflection<I> high;
+    flight::LightReflection<I> low;
+    flight::LightReflection<I> high;
 };
 
 /// The reflected rays of a collision at x; D > 0 for all of them.
-Bounce reflected(const Contact<I>& low, const Contact<I>& high, const Reflected& out) {
+Bounce reflected(const flight::Contact<I>& low, const flight::Contact<I>& high, const Reflected& out) {
     const I steepest = high_end(out.high.numerator / out.high.denominator);
     const I flattest =
         min(steepest, low_end(max(I(0), low_end(out.low.numerator)) / high_end(out.low.denominator)));
@@ -44,20 +44,20 @@ Bounce bounce_of(const I& c, const I& kappa, const I& r) {
     if (certainly_at_most(I(1), low_end(kappa))) {
         return {Outcome::misses, {}, {}};  // L3
     }
-    const auto low = lowest_contact(low_end(c), low_end(kappa));
+    const auto low = flight::lowest_contact(low_end(c), low_end(kappa));
     if (!low) {
         return {Outcome::misses, {}, {}};
     }
     if (!certainly_less(high_end(kappa), I(1))) {
         return {};
     }
-    const auto high = highest_contact(high_end(c), high_end(kappa));
+    const auto high = flight::highest_contact(high_end(c), high_end(kappa));
     if (!high) {
         return {};
     }
     const Interval x{low->x.lo(), high->x.hi()};
-    const Reflected out{reflect_at_light_wall(low_end(kappa), low->cos_x, low_end(r)),
-                        reflect_at_light_wall(high_end(kappa), high->cos_x, high_end(r))};
+    const Reflected out{flight::reflect_at_light_wall(low_end(kappa), low->cos_x, low_end(r)),
+                        flight::reflect_at_light_wall(high_end(kappa), high->cos_x, high_end(r))};
     if (certainly_at_most(high_end(out.low.denominator), I(0))) {
         return {Outcome::leaves, x, {}};  // L1
     }

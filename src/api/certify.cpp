@@ -10,11 +10,11 @@
 namespace dumbbell::api {
 namespace {
 
-CertifyRequest request_of(const MassRatio& ratio, const CertifyOptions& options) {
+collisions::CertifyRequest request_of(const MassRatio& ratio, const CertifyOptions& options) {
     if (options.jobs < 1 || options.jobs > 1024) {
         throw dumbbell::InputError("jobs is out of range: give a number of threads from 1 to 1024");
     }
-    CertifyRequest request;
+    collisions::CertifyRequest request;
     request.q_lo = exact_ratio(ratio.lo());
     request.q_hi = exact_ratio(ratio.hi());
     request.gap = parse_gap(options.gap);
@@ -27,10 +27,11 @@ CertifyRequest request_of(const MassRatio& ratio, const CertifyOptions& options)
 
 Proof certify(const MassRatio& ratio, const CertifyOptions& options) {
     return guarded([&] {
-        Certificate certificate;
+        collisions::Certificate certificate;
         Proof proof;
-        for (ProvedPiece& proved : dumbbell::certify(request_of(ratio, options))) {
-            const dumbbell::Piece& piece = certificate.pieces.emplace_back(std::move(proved.piece));
+        for (collisions::ProvedPiece& proved : dumbbell::collisions::certify(request_of(ratio, options))) {
+            const dumbbell::collisions::Piece& piece =
+                certificate.pieces.emplace_back(std::move(proved.piece));
             proof.pieces.push_back(
                 {to_fraction(piece.q_lo), to_fraction(piece.q_hi), piece.lower, piece.upper});
         }

@@ -7,28 +7,31 @@
 #include "starts/trace.hpp"
 
 namespace dumbbell::api {
+
+using starts::InitialAxis;
+
 namespace {
 
 constexpr int most_digits = 100'000;
 
-InitialBox box_of(const MassRatio& ratio, const InitialCondition& start) {
-    InitialBox box;
+starts::InitialBox box_of(const MassRatio& ratio, const InitialCondition& start) {
+    starts::InitialBox box;
     const auto set = [&](InitialAxis axis, std::pair<Rational, Rational> ends) {
         box.lo[static_cast<std::size_t>(axis)] = std::move(ends.first);
         box.hi[static_cast<std::size_t>(axis)] = std::move(ends.second);
     };
-    set(InitialAxis::phi, parse_quantity("phi", start.phi));
-    set(InitialAxis::phidot, parse_quantity("phidot", start.phidot));
-    set(InitialAxis::y, parse_quantity("y", start.y));
-    set(InitialAxis::ydot, parse_quantity("ydot", start.ydot));
+    set(InitialAxis::phi, starts::parse_quantity("phi", start.phi));
+    set(InitialAxis::phidot, starts::parse_quantity("phidot", start.phidot));
+    set(InitialAxis::y, starts::parse_quantity("y", start.y));
+    set(InitialAxis::ydot, starts::parse_quantity("ydot", start.ydot));
     set(InitialAxis::ratio, {exact_ratio(ratio.lo()), exact_ratio(ratio.hi())});
     require_in_play(box);
     return box;
 }
 
-Interval given(const TracedValue& x) { return {x.outward.lo(), x.outward.hi()}; }
+Interval given(const starts::TracedValue& x) { return {x.outward.lo(), x.outward.hi()}; }
 
-Collision given(const dumbbell::Collision<TracedValue>& c) {
+Collision given(const dumbbell::flight::Collision<starts::TracedValue>& c) {
     return {.heavy = c.heavy,
             .time = given(c.time),
             .phi = given(c.phi),
@@ -47,7 +50,7 @@ Trace trace(const MassRatio& ratio, const InitialCondition& start, int digits) {
         if (digits < 0 || digits > most_digits) {
             throw dumbbell::InputError("digits is out of range: give 0 (double precision) to 100000");
         }
-        const dumbbell::Trace traced = dumbbell::trace(box_of(ratio, start), digits);
+        const dumbbell::starts::Trace traced = dumbbell::starts::trace(box_of(ratio, start), digits);
         Trace result{.least = traced.least, .most = traced.most, .collisions = {}};
         for (const auto& collision : traced.collisions) {
             result.collisions.push_back(given(collision));

@@ -12,6 +12,12 @@
 #include "collisions/reader.hpp"
 
 namespace dumbbell::audit {
+
+using collisions::Axis;
+using collisions::Certificate;
+using collisions::Chart;
+using collisions::Piece;
+
 namespace {
 
 /// A place in a leaf: the fraction if it is short, else a decimal.
@@ -52,16 +58,16 @@ std::string fault_text(const Boxes& boxes, Chart chart, const Tiling& tiling) {
 }
 
 /// The trees of a cover by the table of format-sections.md.
-std::vector<Chart> charts_needed(Scene scene, Section section) {
-    if (scene != Scene::dumbbell) {
+std::vector<Chart> charts_needed(collisions::Scene scene, collisions::Section section) {
+    if (scene != collisions::Scene::dumbbell) {
         return {Chart::wedge};
     }
     switch (section) {
-        case Section::turning:
+        case collisions::Section::turning:
             return {Chart::bridge, Chart::light};
-        case Section::full:
+        case collisions::Section::full:
             return {Chart::contact, Chart::departure, Chart::again};
-        case Section::plain:
+        case collisions::Section::plain:
             return {Chart::plain_contact, Chart::plain_departure, Chart::again};
     }
     throw BrokenInvariant("unknown section");
@@ -119,10 +125,10 @@ class Auditor {
             }
             return;
         }
-        if (!std::ranges::equal(piece.cover.charts, needed_, {}, &ChartTree::chart)) {
+        if (!std::ranges::equal(piece.cover.charts, needed_, {}, &collisions::ChartTree::chart)) {
             fault("", "its cover lacks a chart or has a wrong one");
         }
-        for (const ChartTree& tree : piece.cover.charts) {
+        for (const collisions::ChartTree& tree : piece.cover.charts) {
             add(piece, tree);
         }
     }
@@ -130,7 +136,7 @@ class Auditor {
     Audit result;
 
   private:
-    void add(const Piece& piece, const ChartTree& tree) {
+    void add(const Piece& piece, const collisions::ChartTree& tree) {
         ++result.charts;
         const std::string where = fmt::format(", chart {}", name(tree.chart));
         try {
@@ -178,7 +184,7 @@ Audit audit(const Certificate& certificate, const std::pair<Rational, Rational>&
 }
 
 Audit audit_file(const std::string& path, const AuditProgress& progress) {
-    const Certificate certificate = read_certificate(path);
+    const Certificate certificate = collisions::read_certificate(path);
     return audit(certificate, claimed_range(path), progress);
 }
 

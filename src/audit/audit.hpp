@@ -32,8 +32,8 @@ struct Audit {
 using AuditProgress = std::function<void(std::size_t done, std::size_t total)>;
 
 /// Audits a certificate that claims the mass ratios [claimed.first, claimed.second].
-[[nodiscard]] Audit audit(const Certificate& certificate, const std::pair<Rational, Rational>& claimed,
-                          const AuditProgress& progress = {});
+[[nodiscard]] Audit audit(const collisions::Certificate& certificate,
+                          const std::pair<Rational, Rational>& claimed, const AuditProgress& progress = {});
 
 /// Reads the file and audits it. Throws InputError if it cannot be read.
 [[nodiscard]] Audit audit_file(const std::string& path, const AuditProgress& progress = {});

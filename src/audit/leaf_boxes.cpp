@@ -5,6 +5,9 @@
 #include "base/error.hpp"
 
 namespace dumbbell::audit {
+
+using collisions::Chart;
+
 namespace {
 
 constexpr std::size_t position = 0;
@@ -16,13 +19,13 @@ struct Waiting {
     std::array<int, axes> splits{};
 };
 
-std::size_t number_of(Axis axis) {
+std::size_t number_of(collisions::Axis axis) {
     switch (axis) {
-        case Axis::position:
+        case collisions::Axis::position:
             return position;
-        case Axis::slope:
+        case collisions::Axis::slope:
             return 1;
-        case Axis::ratio:
+        case collisions::Axis::ratio:
             return 2;
     }
     throw BrokenInvariant("unknown axis");
@@ -91,10 +94,10 @@ Boxes root_of(Chart chart, const Rational& q_lo, const Rational& q_hi) {
     return boxes;
 }
 
-Boxes leaf_boxes(Chart chart, const Rational& q_lo, const Rational& q_hi, const Tree& tree) {
+Boxes leaf_boxes(Chart chart, const Rational& q_lo, const Rational& q_hi, const collisions::Tree& tree) {
     Boxes boxes = root_of(chart, q_lo, q_hi);
     std::vector<Waiting> waiting{{boxes.root}};  // the nodes to come: the next one last
-    for (const Node& node : tree) {
+    for (const collisions::Node& node : tree) {
         if (waiting.empty()) {
             throw InputError("nodes follow the end of a tree");
         }

@@ -40,11 +40,12 @@ struct Boxes {
 
 /// The root box of the chart over the mass ratios [q_lo, q_hi], without leaves. The chart wedge has no
 /// position: [0, 0].
-[[nodiscard]] Boxes root_of(Chart chart, const Rational& q_lo, const Rational& q_hi);
+[[nodiscard]] Boxes root_of(collisions::Chart chart, const Rational& q_lo, const Rational& q_hi);
 
 /// The root box and the box of every leaf of the tree. A tree that ends early gives the leaves it has.
 /// Throws InputError if nodes follow its end, if the chart wedge splits a position, or if an axis is split
 /// more than 400 times above a node (format.md).
-[[nodiscard]] Boxes leaf_boxes(Chart chart, const Rational& q_lo, const Rational& q_hi, const Tree& tree);
+[[nodiscard]] Boxes leaf_boxes(collisions::Chart chart, const Rational& q_lo, const Rational& q_hi,
+                               const collisions::Tree& tree);
 
 }  // namespace dumbbell::audit

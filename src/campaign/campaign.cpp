@@ -12,7 +12,7 @@
 #include "base/printable.hpp"
 #include "campaign/judges.hpp"
 
-namespace dumbbell {
+namespace dumbbell::campaign {
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -376,4 +376,4 @@ CampaignRun run_campaign(CampaignFolder& folder, Engine& engine, const CampaignO
     return Run(folder, engine, options).run();
 }
 
-}  // namespace dumbbell
+}  // namespace dumbbell::campaign

@@ -13,7 +13,7 @@
 #include "campaign/folder.hpp"
 #include "campaign/kind.hpp"
 
-namespace dumbbell {
+namespace dumbbell::campaign {
 
 struct CampaignOptions {
     /// A shard that takes longer is split, if it can be; nothing: none is.
@@ -61,4 +61,4 @@ struct CampaignRun {
 /// many they were. The folder is locked.
 [[nodiscard]] std::size_t withdraw_open_results(const CampaignFolder& folder);
 
-}  // namespace dumbbell
+}  // namespace dumbbell::campaign

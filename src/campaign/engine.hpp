@@ -7,7 +7,7 @@
 #include <vector>
 
 /// A campaign: one claim proved in shards, on one machine or many.
-namespace dumbbell {
+namespace dumbbell::campaign {
 
 /// One shard to be processed.
 struct Task {
@@ -67,4 +67,4 @@ class Engine {
     [[nodiscard]] virtual EngineFigures figures() const = 0;
 };
 
-}  // namespace dumbbell
+}  // namespace dumbbell::campaign

@@ -15,7 +15,7 @@
 #include "file/file_contents.hpp"
 #include "file/sha256.hpp"
 
-namespace dumbbell {
+namespace dumbbell::campaign {
 namespace {
 
 namespace fs = std::filesystem;
@@ -243,4 +243,4 @@ void CampaignFolder::withdraw_result(const std::string& id) const {
     }
 }
 
-}  // namespace dumbbell
+}  // namespace dumbbell::campaign

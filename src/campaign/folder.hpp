@@ -8,7 +8,7 @@
 #include "campaign/plan.hpp"
 #include "file/folder_lock.hpp"
 
-namespace dumbbell {
+namespace dumbbell::campaign {
 
 /// Two results of one order that differ, and nothing tells which is true: one of the machines, or the
 /// program, is not to be relied on.
@@ -103,4 +103,4 @@ class CampaignFolder {
     FolderLock lock_;
 };
 
-}  // namespace dumbbell
+}  // namespace dumbbell::campaign

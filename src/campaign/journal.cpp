@@ -17,7 +17,7 @@
 #include "base/error.hpp"
 #include "base/printable.hpp"
 
-namespace dumbbell {
+namespace dumbbell::campaign {
 namespace {
 
 constexpr std::array<std::string_view, 8> words_of{"begin",    "end",    "done",  "again",
@@ -97,4 +97,4 @@ std::vector<JournalEntry> Journal::read() const {
     return events;
 }
 
-}  // namespace dumbbell
+}  // namespace dumbbell::campaign

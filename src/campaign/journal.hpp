@@ -5,7 +5,7 @@
 
 #include "file/descriptor.hpp"
 
-namespace dumbbell {
+namespace dumbbell::campaign {
 
 /// What happened to a shard, or to the campaign.
 struct JournalEntry {
@@ -49,4 +49,4 @@ class Journal {
     Descriptor file_;
 };
 
-}  // namespace dumbbell
+}  // namespace dumbbell::campaign

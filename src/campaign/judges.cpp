@@ -11,7 +11,7 @@
 #include "number/big_interval.hpp"
 #include "number/self_test.hpp"
 
-namespace dumbbell {
+namespace dumbbell::campaign {
 
 Judges::Judges(const Kind& kind, std::string folder, int jobs, Scrutiny scrutiny)
     : kind_(kind), folder_(std::move(folder)), scrutiny_(scrutiny) {
@@ -94,4 +94,4 @@ Judges::Answer Judges::next_answer() {
     return taken();
 }
 
-}  // namespace dumbbell
+}  // namespace dumbbell::campaign

@@ -10,7 +10,7 @@
 
 #include "campaign/kind.hpp"
 
-namespace dumbbell {
+namespace dumbbell::campaign {
 
 /// Results to be looked at, each by one of several threads.
 class Judges {
@@ -56,4 +56,4 @@ class Judges {
     std::vector<std::jthread> crew_;
 };
 
-}  // namespace dumbbell
+}  // namespace dumbbell::campaign

@@ -13,7 +13,7 @@
 #include "campaign/kinds/verified.hpp"
 #include "file/verifier_program.hpp"
 
-namespace dumbbell {
+namespace dumbbell::campaign {
 namespace {
 
 /// Whether it begins as gzip does: a reader would unpack up to a thousand times its size.
@@ -66,4 +66,4 @@ const Kind& kind_named(std::string_view name) {
     throw InputError(fmt::format("there are no campaigns of the kind '{}'", printable(name, 40)));
 }
 
-}  // namespace dumbbell
+}  // namespace dumbbell::campaign

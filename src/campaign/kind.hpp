@@ -9,7 +9,7 @@
 #include "campaign/order.hpp"
 #include "campaign/plan.hpp"
 
-namespace dumbbell {
+namespace dumbbell::campaign {
 
 /// What a look at a result says.
 struct Judgement {
@@ -82,4 +82,4 @@ class Kind {
 /// The kind of an order or a plan. Throws InputError if there is none of this name.
 [[nodiscard]] const Kind& kind_named(std::string_view name);
 
-}  // namespace dumbbell
+}  // namespace dumbbell::campaign

@@ -7,7 +7,7 @@
 #include "campaign/kind.hpp"
 #include "number/self_test.hpp"
 
-namespace dumbbell {
+namespace dumbbell::campaign {
 
 LocalEngine::LocalEngine(int jobs, std::string folder)
     : jobs_(jobs),
@@ -80,4 +80,4 @@ EngineFigures LocalEngine::figures() const {
     return figures;
 }
 
-}  // namespace dumbbell
+}  // namespace dumbbell::campaign

@@ -11,7 +11,7 @@
 
 #include "campaign/engine.hpp"
 
-namespace dumbbell {
+namespace dumbbell::campaign {
 
 /// Processes shards on the threads of this program. `folder`: where the inputs of the orders lie.
 class LocalEngine : public Engine {
@@ -41,4 +41,4 @@ class LocalEngine : public Engine {
     std::deque<Outcome> outcomes_;
 };
 
-}  // namespace dumbbell
+}  // namespace dumbbell::campaign

@@ -8,7 +8,7 @@
 #include "base/error.hpp"
 #include "campaign/judges.hpp"
 
-namespace dumbbell {
+namespace dumbbell::campaign {
 namespace {
 
 using Part = CampaignFolder::Part;
@@ -69,4 +69,4 @@ Merge merge_campaign(const CampaignFolder& folder, const MergeOptions& options) 
     return merge;
 }
 
-}  // namespace dumbbell
+}  // namespace dumbbell::campaign

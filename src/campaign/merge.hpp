@@ -9,7 +9,7 @@
 #include "campaign/folder.hpp"
 #include "campaign/kind.hpp"
 
-namespace dumbbell {
+namespace dumbbell::campaign {
 
 struct MergeOptions {
     int jobs = 1;
@@ -35,4 +35,4 @@ struct Merge {
 /// and nobody could verify the whole.
 [[nodiscard]] Merge merge_campaign(const CampaignFolder& folder, const MergeOptions& options);
 
-}  // namespace dumbbell
+}  // namespace dumbbell::campaign

@@ -6,7 +6,7 @@
 #include "file/sealed_lines.hpp"
 #include "file/sha256.hpp"
 
-namespace dumbbell {
+namespace dumbbell::campaign {
 
 std::string Order::text() const {
     SealedLines out;
@@ -70,4 +70,4 @@ Order parse_order(const std::string& text) {
     return order;
 }
 
-}  // namespace dumbbell
+}  // namespace dumbbell::campaign

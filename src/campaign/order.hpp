@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-namespace dumbbell {
+namespace dumbbell::campaign {
 
 /// What is to be proved in one go, in words: complete, so that the result depends on nothing else, and with a
 /// checksum, so that half of it is recognized. `head` says what all of a campaign has in common, line by
@@ -32,4 +32,4 @@ struct Order {
 /// Throws InputError if this is no whole order, or one of another version of the program.
 [[nodiscard]] Order parse_order(const std::string& text);
 
-}  // namespace dumbbell
+}  // namespace dumbbell::campaign

@@ -16,7 +16,7 @@
 #include "file/atomic_file.hpp"
 #include "file/descriptor.hpp"
 
-namespace dumbbell {
+namespace dumbbell::campaign {
 namespace {
 
 constexpr std::size_t least_characters = 16;
@@ -104,4 +104,4 @@ std::string read_password(const std::string& file) {
     return line;
 }
 
-}  // namespace dumbbell
+}  // namespace dumbbell::campaign

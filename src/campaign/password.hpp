@@ -2,7 +2,7 @@
 
 #include <string>
 
-namespace dumbbell {
+namespace dumbbell::campaign {
 
 /// The file `FOLDER/password`, the secret that a campaign shares with its workers: made if it is not there
 /// (256 random bits in hexadecimal, for its owner alone), never replaced. Returns its path. Throws InputError
@@ -14,4 +14,4 @@ namespace dumbbell {
 /// read by others than its owner, or does not hold one line of 16 to 256 printable characters.
 [[nodiscard]] std::string read_password(const std::string& file);
 
-}  // namespace dumbbell
+}  // namespace dumbbell::campaign

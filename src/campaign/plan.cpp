@@ -8,7 +8,7 @@
 #include "base/error.hpp"
 #include "file/sealed_lines.hpp"
 
-namespace dumbbell {
+namespace dumbbell::campaign {
 
 Order Plan::order(std::size_t first, std::size_t end) const {
     return {whole.head,
@@ -106,4 +106,4 @@ Plan parse_plan(const std::string& text) {
     return plan;
 }
 
-}  // namespace dumbbell
+}  // namespace dumbbell::campaign

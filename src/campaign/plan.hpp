@@ -7,7 +7,7 @@
 
 #include "campaign/order.hpp"
 
-namespace dumbbell {
+namespace dumbbell::campaign {
 
 /// A claim cut into shards: runs of units, each unit with an estimate of its cost (in no particular measure).
 /// Nothing in it depends on the machine's speed or on the time.
@@ -47,4 +47,4 @@ inline constexpr std::size_t many_shards = 64;
 [[nodiscard]] std::string render(const Plan& plan);
 [[nodiscard]] Plan parse_plan(const std::string& text);
 
-}  // namespace dumbbell
+}  // namespace dumbbell::campaign

@@ -4,7 +4,7 @@
 
 #include "words/printed.hpp"
 
-namespace dumbbell {
+namespace dumbbell::campaign {
 namespace {
 
 std::size_t answers(const CampaignRun& run) { return run.accepted + run.again + run.rejected; }
@@ -64,4 +64,4 @@ Json to_json(const CampaignRun& run, std::string_view engine) {
                          {"resent", run.engine.resent}});
 }
 
-}  // namespace dumbbell
+}  // namespace dumbbell::campaign

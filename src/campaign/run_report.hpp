@@ -6,7 +6,7 @@
 #include "campaign/campaign.hpp"
 #include "words/json.hpp"
 
-namespace dumbbell {
+namespace dumbbell::campaign {
 
 /// What a run of a campaign tells its user.
 [[nodiscard]] std::string to_text(const CampaignRun& run);
@@ -15,4 +15,4 @@ namespace dumbbell {
 /// One sentence.
 [[nodiscard]] std::string verdict(const CampaignRun& run);
 
-}  // namespace dumbbell
+}  // namespace dumbbell::campaign

@@ -5,7 +5,7 @@
 #include <limits>
 #include <set>
 
-namespace dumbbell {
+namespace dumbbell::campaign {
 namespace {
 
 /// The number after `word=` in a line of figures.
@@ -109,4 +109,4 @@ CampaignStatus campaign_status(const CampaignFolder& folder) {
     return status;
 }
 
-}  // namespace dumbbell
+}  // namespace dumbbell::campaign

@@ -7,7 +7,7 @@
 
 #include "campaign/folder.hpp"
 
-namespace dumbbell {
+namespace dumbbell::campaign {
 
 /// How far a campaign is: from its finished shards, and, for all that concerns the time, from its journal.
 struct CampaignStatus {
@@ -36,4 +36,4 @@ struct CampaignStatus {
 
 [[nodiscard]] CampaignStatus campaign_status(const CampaignFolder& folder);
 
-}  // namespace dumbbell
+}  // namespace dumbbell::campaign

@@ -8,7 +8,7 @@
 #include "words/printed.hpp"
 #include "words/text_table.hpp"
 
-namespace dumbbell {
+namespace dumbbell::campaign {
 
 std::string verdict(const CampaignStatus& status) {
     std::string text = fmt::format("{} of {} shards are done", status.done, status.shards);
@@ -79,4 +79,4 @@ Json to_json(const CampaignStatus& status) {
                          {"workers", workers}});
 }
 
-}  // namespace dumbbell
+}  // namespace dumbbell::campaign

@@ -5,7 +5,7 @@
 #include "campaign/status.hpp"
 #include "words/json.hpp"
 
-namespace dumbbell {
+namespace dumbbell::campaign {
 
 [[nodiscard]] std::string to_text(const CampaignStatus& status);
 [[nodiscard]] Json to_json(const CampaignStatus& status);
@@ -13,4 +13,4 @@ namespace dumbbell {
 /// One sentence.
 [[nodiscard]] std::string verdict(const CampaignStatus& status);
 
-}  // namespace dumbbell
+}  // namespace dumbbell::campaign

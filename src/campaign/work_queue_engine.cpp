@@ -20,7 +20,7 @@
 #include "campaign/work_queue_api.hpp"
 #include "file/last_line.hpp"
 
-namespace dumbbell {
+namespace dumbbell::campaign {
 namespace {
 
 constexpr std::string_view plain_characters =
@@ -254,4 +254,4 @@ EngineFigures WorkQueueEngine::figures() const {
     return figures;
 }
 
-}  // namespace dumbbell
+}  // namespace dumbbell::campaign

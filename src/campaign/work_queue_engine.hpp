@@ -13,7 +13,7 @@
 
 struct work_queue_task;
 
-namespace dumbbell {
+namespace dumbbell::campaign {
 
 struct WorkQueueOptions {
     std::string address = "127.0.0.1";  ///< to listen on, numeric: this machine's programs only
@@ -98,4 +98,4 @@ class WorkQueueEngine : public Engine {
     std::size_t resent_ = 0;
 };
 
-}  // namespace dumbbell
+}  // namespace dumbbell::campaign

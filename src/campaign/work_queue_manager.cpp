@@ -18,7 +18,7 @@
 #include "base/hexadecimal.hpp"
 #include "campaign/work_queue_api.hpp"
 
-namespace dumbbell {
+namespace dumbbell::campaign {
 namespace {
 
 /// Where the queue that is being made is to listen, and what came of it: work_queue_create cannot be told.
@@ -135,7 +135,7 @@ WorkQueueManager make_work_queue_manager(const std::string& address, int port, c
     return queue;
 }
 
-}  // namespace dumbbell
+}  // namespace dumbbell::campaign
 
 // The linker puts these in the place of the library's functions (cmake/work_queue.cmake).
 extern "C" {
@@ -146,14 +146,14 @@ void keep_quiet(std::int64_t flags, const char* format, ...) __asm__("__wrap_cct
 
 /// The port that the library asks for may come from its environment: ours does not.
 Link* listen_as_told(int /*port*/) {
-    auto* where = dumbbell::listening;
+    auto* where = dumbbell::campaign::listening;
     Link* made = link_serve_address(where->address.c_str(), where->port);
     where->error = made == nullptr ? errno : 0;
     return made;
 }
 
 int let_in(Link* peer, const char* password, std::time_t until) {
-    return dumbbell::has_password(peer, password, until) ? 1 : 0;
+    return dumbbell::campaign::has_password(peer, password, until) ? 1 : 0;
 }
 
 // Advice to the author of the tasks, on stderr whatever the flags say.

@@ -5,7 +5,7 @@
 
 struct work_queue;  // of the library, see work_queue_api.hpp
 
-namespace dumbbell {
+namespace dumbbell::campaign {
 
 struct WorkQueueDeleter {
     void operator()(work_queue* queue) const;
@@ -25,4 +25,4 @@ using WorkQueueManager = std::unique_ptr<work_queue, WorkQueueDeleter>;
 [[nodiscard]] WorkQueueManager make_work_queue_manager(const std::string& address, int port,
                                                        const std::string& password);
 
-}  // namespace dumbbell
+}  // namespace dumbbell::campaign

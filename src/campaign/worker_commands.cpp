@@ -4,7 +4,7 @@
 
 #include "base/printable.hpp"
 
-namespace dumbbell {
+namespace dumbbell::campaign {
 namespace {
 
 /// `port` is a number, or an expression of the shell that it is for.
@@ -62,4 +62,4 @@ std::string worker_examples(const ManagerPlace& manager, const std::string& host
     return text;
 }
 
-}  // namespace dumbbell
+}  // namespace dumbbell::campaign

@@ -2,7 +2,7 @@
 
 #include <string>
 
-namespace dumbbell {
+namespace dumbbell::campaign {
 
 /// Where a manager waits for its workers.
 struct ManagerPlace {
@@ -20,4 +20,4 @@ struct ManagerPlace {
 /// the loopback address.
 [[nodiscard]] std::string worker_examples(const ManagerPlace& manager, const std::string& host);
 
-}  // namespace dumbbell
+}  // namespace dumbbell::campaign

@@ -16,7 +16,7 @@
 #include "file/lines.hpp"
 #include "starts/reader.hpp"
 
-namespace dumbbell {
+namespace dumbbell::certificates {
 namespace {
 
 constexpr int head_lines = 5;  // before the line `claim`
@@ -51,12 +51,12 @@ AnyCertificate read_any_certificate(const std::string& path) {
     }
     const std::string claim = lines.expect("claim", 2)[1];
     if (claim == "initial-conditions") {
-        return read_initial_certificate(path);
+        return starts::read_initial_certificate(path);
     }
     if (claim.starts_with("adiabatic-")) {
-        return read_adiabatic_certificate(path);
+        return adiabatic::read_adiabatic_certificate(path);
     }
-    return read_certificate(path);
+    return collisions::read_certificate(path);
 }
 
 std::string sealed_digest(const std::string& path) {
@@ -80,4 +80,4 @@ std::string sealed_digest(const std::string& path) {
         "'{}' is damaged: its last line is not the checksum of its text (dumbbell verify says more)", path));
 }
 
-}  // namespace dumbbell
+}  // namespace dumbbell::certificates

@@ -7,9 +7,10 @@
 #include "collisions/certificate.hpp"
 #include "starts/certificate.hpp"
 
-namespace dumbbell {
+namespace dumbbell::certificates {
 
-using AnyCertificate = std::variant<Certificate, InitialCertificate, AdiabaticCertificate>;
+using AnyCertificate =
+    std::variant<collisions::Certificate, starts::InitialCertificate, adiabatic::AdiabaticCertificate>;
 
 /// Reads a certificate of any claim kind. No verification; throws InputError (naming file and line) if the
 /// file is missing or is no certificate.
@@ -20,4 +21,4 @@ using AnyCertificate = std::variant<Certificate, InitialCertificate, AdiabaticCe
 /// file can compute one.)
 [[nodiscard]] std::string sealed_digest(const std::string& path);
 
-}  // namespace dumbbell
+}  // namespace dumbbell::certificates

@@ -3,7 +3,7 @@
 #include "cli/options/option.hpp"
 
 /// The commands, each in a file of its own.
-namespace dumbbell {
+namespace dumbbell::cli {
 
 extern const Command certify_command, critical_command, trace_command, adiabatic_command, campaign_command,
     verify_command, audit_command, law_command, plot_command, report_command;
@@ -17,4 +17,4 @@ extern const Command generate_command;
 /// The program itself, with all of them.
 extern const Command dumbbell_command;
 
-}  // namespace dumbbell
+}  // namespace dumbbell::cli

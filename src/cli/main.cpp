@@ -18,7 +18,7 @@
 #include "cli/terminal/messages.hpp"
 #include "number/self_test.hpp"
 
-namespace dumbbell {
+namespace dumbbell::cli {
 namespace {
 
 constexpr const char* description =
@@ -107,27 +107,27 @@ int run(const std::vector<std::string>& words) {
 
 constinit const Command dumbbell_command{"dumbbell", "", description, footer, options, nullptr, commands};
 
-}  // namespace dumbbell
+}  // namespace dumbbell::cli
 
 int main(int argc, char** argv) {
     // Where the program that started this one ignores it, there would be no exit code of a verifier.
     std::signal(SIGCHLD, SIG_DFL);
-    int exit_code = dumbbell::exit_internal;
+    int exit_code = dumbbell::cli::exit_internal;
     try {
-        exit_code = dumbbell::run(dumbbell::usual_words({argv + std::min(argc, 1), argv + argc}));
+        exit_code = dumbbell::cli::run(dumbbell::cli::usual_words({argv + std::min(argc, 1), argv + argc}));
     } catch (const dumbbell::InputError& error) {
-        dumbbell::complain(error.what());
-        return dumbbell::exit_bad_input;
+        dumbbell::cli::complain(error.what());
+        return dumbbell::cli::exit_bad_input;
     } catch (const std::bad_alloc&) {
         std::fputs("dumbbell: out of memory\n", stderr);
     } catch (const std::exception& error) {
-        if (dumbbell::is_printed()) {  // else that is why: fmt::print throws
-            dumbbell::complain(fmt::format("internal error: {}", error.what()));
+        if (dumbbell::cli::is_printed()) {  // else that is why: fmt::print throws
+            dumbbell::cli::complain(fmt::format("internal error: {}", error.what()));
         }
     }
-    if (!dumbbell::is_printed()) {
-        dumbbell::complain(dumbbell::not_printed);
-        return dumbbell::exit_bad_input;
+    if (!dumbbell::cli::is_printed()) {
+        dumbbell::cli::complain(dumbbell::cli::not_printed);
+        return dumbbell::cli::exit_bad_input;
     }
     return exit_code;
 }

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace dumbbell {
+namespace dumbbell::collisions {
 
 std::vector<Chart> charts_of(Scene scene, Section section) {
     if (scene != Scene::dumbbell) {
@@ -34,4 +34,4 @@ Status Piece::status() const {
     return *upper == lower ? Status::exact : Status::gap;
 }
 
-}  // namespace dumbbell
+}  // namespace dumbbell::collisions

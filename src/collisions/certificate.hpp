@@ -9,7 +9,7 @@
 /// What a certificate says, as data: the claim, and for each piece of the ratio range the tree and the
 /// witness that prove it. The format is format.md; nothing here checks anything, the independent
 /// verifier does.
-namespace dumbbell {
+namespace dumbbell::collisions {
 
 /// The system: the dumbbell, or one of the source paper's model wedges (lemmas L17, L18).
 enum class Scene { dumbbell, hybrid, wedge };
@@ -104,4 +104,4 @@ struct Certificate {
     [[nodiscard]] const Rational& q_hi() const { return pieces.back().q_hi; }
 };
 
-}  // namespace dumbbell
+}  // namespace dumbbell::collisions

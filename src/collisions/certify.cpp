@@ -11,7 +11,7 @@
 #include "collisions/steps.hpp"
 #include "number/self_test.hpp"
 
-namespace dumbbell {
+namespace dumbbell::collisions {
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -113,4 +113,4 @@ Rational undecided_share(const std::vector<ProvedPiece>& pieces) {
     return undecided / whole;
 }
 
-}  // namespace dumbbell
+}  // namespace dumbbell::collisions

@@ -10,7 +10,7 @@
 #include "collisions/piece.hpp"
 #include "collisions/piece_store.hpp"
 
-namespace dumbbell {
+namespace dumbbell::collisions {
 
 struct CertifyRequest {
     Rational q_lo;  ///< >= 1
@@ -46,4 +46,4 @@ struct CertifyRequest {
 /// The share of [q_lo, q_hi] whose pieces are gaps or open, exactly; 0 for a single decided ratio, else 1.
 [[nodiscard]] Rational undecided_share(const std::vector<ProvedPiece>& pieces);
 
-}  // namespace dumbbell
+}  // namespace dumbbell::collisions

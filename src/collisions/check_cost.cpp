@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-namespace dumbbell {
+namespace dumbbell::collisions {
 namespace {
 
 constexpr double units_per_second = 6e9;
@@ -86,4 +86,4 @@ std::optional<std::string> budget_option(double seconds) {
     return std::nullopt;
 }
 
-}  // namespace dumbbell
+}  // namespace dumbbell::collisions

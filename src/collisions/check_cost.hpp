@@ -6,7 +6,7 @@
 
 #include "collisions/certificate.hpp"
 
-namespace dumbbell {
+namespace dumbbell::collisions {
 
 /// What the check of these pieces costs the verifier at most, in seconds of a core by its own count of work
 /// (format.md, section 4): 4096 units for a collision in double, less than 40 (b + 64)^2 with b bits,
@@ -17,4 +17,4 @@ namespace dumbbell {
 /// if it takes no budget that is certainly enough.
 [[nodiscard]] std::optional<std::string> budget_option(double seconds);
 
-}  // namespace dumbbell
+}  // namespace dumbbell::collisions

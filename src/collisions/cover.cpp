@@ -10,7 +10,7 @@
 #include "base/growing_tree.hpp"
 #include "number/self_test.hpp"
 
-namespace dumbbell {
+namespace dumbbell::collisions {
 namespace {
 
 /// Smaller spans would leave lanes of the batch kernel idle; but one box in multiple precision is work
@@ -137,4 +137,4 @@ template std::optional<Tree> cover<Interval>(Chart, const Rational&, const Ratio
 template std::optional<Tree> cover<BigInterval>(Chart, const Rational&, const Rational&, long,
                                                 const CoverOptions&);
 
-}  // namespace dumbbell
+}  // namespace dumbbell::collisions

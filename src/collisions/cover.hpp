@@ -8,7 +8,7 @@
 #include "collisions/leaf.hpp"
 #include "collisions/section.hpp"
 
-namespace dumbbell {
+namespace dumbbell::collisions {
 
 /// The order in which axes are split. `scaled` compares position with slope / r, the natural units of the
 /// counts; the others exist to show that nothing but the number of leaves depends on it.
@@ -30,4 +30,4 @@ template <class I>
 [[nodiscard]] std::optional<Tree> cover(Chart chart, const Rational& q_lo, const Rational& q_hi, long upper,
                                         const CoverOptions& options);
 
-}  // namespace dumbbell
+}  // namespace dumbbell::collisions

@@ -8,7 +8,10 @@
 #include "flight/extremal_orbit.hpp"
 #include "number/decimal.hpp"
 
-namespace dumbbell {
+namespace dumbbell::collisions {
+
+using flight::ExtremalFlight;
+
 namespace {
 
 constexpr int least_bits = 128;
@@ -16,8 +19,8 @@ constexpr int most_bits = 16384;
 
 /// The margin of the flight that decides, for all r of a range; nothing if it is not certain that the orbit
 /// comes so far at each of them, or if interrupted.
-std::optional<Margin<BigInterval>> margin_over(const ExtremalFlight& flight, const BigInterval& r,
-                                               const CriticalOptions& options) {
+std::optional<flight::Margin<BigInterval>> margin_over(const ExtremalFlight& flight, const BigInterval& r,
+                                                       const CriticalOptions& options) {
     auto ray = first_moving_ray(flight.orbit, r);
     for (long i = 1; i < flight.flight; ++i) {
         auto next = options.interrupted() ? std::nullopt : after_collision(ray);
@@ -35,15 +38,16 @@ std::optional<Margin<BigInterval>> margin_over(const ExtremalFlight& flight, con
 /// b_{k-1} of L27: the margin of flight k falls at least so fast with r.
 BigInterval least_rate(const ExtremalFlight& flight) {
     const BigInterval k(static_cast<double>(flight.flight));
-    return flight.orbit == ExtremalOrbit::top ? BigInterval(1) + pi<BigInterval>() * k * (k - BigInterval(1))
-                                              : pi<BigInterval>() * sqr(k);
+    return flight.orbit == flight::ExtremalOrbit::top
+               ? BigInterval(1) + pi<BigInterval>() * k * (k - BigInterval(1))
+               : pi<BigInterval>() * sqr(k);
 }
 
 /// A thin r in (0, 1] at the working precision.
 BigInterval point_near(const Rational& r) { return min(midpoint(enclose<BigInterval>(r)), BigInterval(1)); }
 
 /// The r of a Newton step from the thin r: a guess.
-Rational improved(const BigInterval& r, const Margin<BigInterval>& at) {
+Rational improved(const BigInterval& r, const flight::Margin<BigInterval>& at) {
     const BigInterval next = midpoint(r - at.value / at.rate);
     return exact_lo(certainly_positive(next) ? next : r);
 }
@@ -88,7 +92,7 @@ int expected_bits(int digits, long flight) {
 std::optional<CriticalRatio> enclose_critical_ratio(long n, const CriticalOptions& options) {
     require(n >= 3 && options.digits >= 1 && options.digits <= most_critical_digits,
             "critical ratio: out of the domain");
-    const ExtremalFlight flight = tangent_flight(n);
+    const ExtremalFlight flight = flight::tangent_flight(n);
     Rational guess = Rational(1) / exact(guess_critical_ratio(n, options.interrupted));
 
     int bits = least_bits;
@@ -128,7 +132,7 @@ bool certainly_encloses(const CriticalRatio& ratio, const Interrupted& interrupt
     // At the ends of an enclosure as narrow as its precision permits the margin is a few units in the last
     // place.
     const PrecisionScope scope(2 * ratio.bits);
-    const ExtremalFlight flight = tangent_flight(ratio.n);
+    const ExtremalFlight flight = flight::tangent_flight(ratio.n);
     const CriticalOptions options{.interrupted = interrupted};
     const auto margin_at = [&](const Rational& q) {
         return margin_over(flight, enclose<BigInterval>(Rational(1) / q), options);
@@ -152,4 +156,4 @@ std::optional<long> bound_by_theorem(const Rational& q) {
     return std::nullopt;
 }
 
-}  // namespace dumbbell
+}  // namespace dumbbell::collisions

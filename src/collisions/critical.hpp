@@ -6,7 +6,7 @@
 #include "base/interrupted.hpp"
 #include "number/rational.hpp"
 
-namespace dumbbell {
+namespace dumbbell::collisions {
 
 /// The critical ratio q_c(n), n >= 3, enclosed: q_lo <= q_c(n) <= q_hi.
 ///
@@ -42,4 +42,4 @@ inline constexpr int most_critical_digits = 200;
 /// is the maximum at q, or one more where 15 digits of q_c do not tell. Nothing beyond q = 10^6.
 [[nodiscard]] std::optional<long> bound_by_theorem(const Rational& q);
 
-}  // namespace dumbbell
+}  // namespace dumbbell::collisions

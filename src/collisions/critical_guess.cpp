@@ -7,12 +7,15 @@
 
 #include "flight/extremal_orbit.hpp"
 
-namespace dumbbell {
+namespace dumbbell::collisions {
+
+using flight::Ray;
+
 namespace {
 
 /// The first flight of an orbit in plain doubles: enclosures are several times slower, and nothing rests on
 /// it.
-Ray<double> guessed_ray(ExtremalOrbit orbit, double r) {
+Ray<double> guessed_ray(flight::ExtremalOrbit orbit, double r) {
     const auto ray = extremal_ray(orbit, Interval(r));
     return {approximate(ray.c), approximate(ray.kappa), r};
 }
@@ -24,9 +27,10 @@ double guessed_margin(const Ray<double>& ray) {
 
 /// The next flight, if there is one in play.
 std::optional<Ray<double>> guessed_next(const Ray<double>& ray) {
-    const auto contact = guess_contact(Interval(ray.c), Interval(ray.kappa));
+    const auto contact = flight::guess_contact(Interval(ray.c), Interval(ray.kappa));
     const double x = contact.z.lo();
-    const auto out = reflect_at_light_wall(Interval(ray.kappa), Interval(std::cos(x)), Interval(ray.r));
+    const auto out =
+        flight::reflect_at_light_wall(Interval(ray.kappa), Interval(std::cos(x)), Interval(ray.r));
     const double kappa = approximate(out.numerator) / approximate(out.denominator);
     if (!contact.hits || !(approximate(out.denominator) > 0) || !(kappa < 1)) {
         return std::nullopt;
@@ -36,7 +40,7 @@ std::optional<Ray<double>> guessed_next(const Ray<double>& ray) {
 
 /// The margin of a flight; `far` if the orbit does not come so far. Increases with q.
 constexpr double far = -1;
-double guessed_margin(const ExtremalFlight& flight, double q, const Interrupted& interrupted) {
+double guessed_margin(const flight::ExtremalFlight& flight, double q, const Interrupted& interrupted) {
     Ray<double> ray = guessed_ray(flight.orbit, 1 / q);
     for (long i = 1; i < flight.flight; ++i) {
         const bool goes_on = guessed_margin(ray) > 0 && !ends_early(i, interrupted);
@@ -49,7 +53,7 @@ double guessed_margin(const ExtremalFlight& flight, double q, const Interrupted&
     return guessed_margin(ray);
 }
 
-long guessed_count(ExtremalOrbit orbit, double r, const Interrupted& interrupted) {
+long guessed_count(flight::ExtremalOrbit orbit, double r, const Interrupted& interrupted) {
     long n = 0;
     for (std::optional ray = guessed_ray(orbit, r);
          ray && guessed_margin(*ray) > 0 && !ends_early(n, interrupted); ++n) {
@@ -61,12 +65,12 @@ long guessed_count(ExtremalOrbit orbit, double r, const Interrupted& interrupted
 }  // namespace
 
 long guess_maximum(double q, const Interrupted& interrupted) {
-    return 2 + guessed_count(ExtremalOrbit::top, 1 / q, interrupted) +
-           guessed_count(ExtremalOrbit::corner, 1 / q, interrupted);
+    return 2 + guessed_count(flight::ExtremalOrbit::top, 1 / q, interrupted) +
+           guessed_count(flight::ExtremalOrbit::corner, 1 / q, interrupted);
 }
 
 double guess_critical_ratio(long n, const Interrupted& interrupted) {
-    const ExtremalFlight flight = tangent_flight(n);
+    const flight::ExtremalFlight flight = flight::tangent_flight(n);
     const auto f = [&](double q) { return guessed_margin(flight, q, interrupted); };
 
     const double about = std::pow(static_cast<double>(n - 2) / 0.8855951, 2);
@@ -104,4 +108,4 @@ double guess_critical_ratio(long n, const Interrupted& interrupted) {
     return hi;
 }
 
-}  // namespace dumbbell
+}  // namespace dumbbell::collisions

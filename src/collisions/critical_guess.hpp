@@ -2,7 +2,7 @@
 
 #include "base/interrupted.hpp"
 
-namespace dumbbell {
+namespace dumbbell::collisions {
 
 /// Where the maximum seems to step up to `n` (n >= 3): the critical ratio q_c(n) of theory, in double
 /// precision, from the two extremal orbits. A guess that says where to split a range; every claim about the
@@ -13,4 +13,4 @@ namespace dumbbell {
 /// What the maximum seems to be at q >= 1: a guess, wrong near critical ratios and if it is interrupted.
 [[nodiscard]] long guess_maximum(double q, const Interrupted& interrupted = never);
 
-}  // namespace dumbbell
+}  // namespace dumbbell::collisions

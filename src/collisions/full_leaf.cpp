@@ -3,14 +3,14 @@
 #include "flight/departure.hpp"
 #include "flight/plain.hpp"
 
-namespace dumbbell {
+namespace dumbbell::collisions {
 namespace {
 
 /// A box in enclosures.
 template <class I>
 struct Bounds {
     I position_lo, position_hi, eta_lo, eta_hi;
-    RatioRange<I> range;
+    flight::RatioRange<I> range;
 };
 
 template <class I>
@@ -35,7 +35,7 @@ bool beyond_contacts(const Bounds<I>& b) {
 
 /// The ray from the bridge at min(t, pi) with steepness eta, in units of r.
 template <class I>
-ScaledRay<I> from_bridge(const I& position, const I& eta) {
+flight::ScaledRay<I> from_bridge(const I& position, const I& eta) {
     const I t = min(position, pi<I>());
     const SinCos<I> at = sin_cos(t);
     const I lambda = max(I(-1), at.cos) + eta;
@@ -59,10 +59,11 @@ std::optional<Leaf> judge_plain_contact(const Bounds<I>& b, long upper, const In
         return Leaf{Reason::outside};
     }
     const I r = hull(b.range.r_lo, b.range.r_hi);
-    const ScaledRay<I> rays = from_bridge(hull(b.position_lo, b.position_hi), hull(b.eta_lo, b.eta_hi));
-    return counted(
-        plain_count(PlainRay<I>{r * rays.c, detail::in_play(r * rays.lambda)}, r, upper - 1, interrupted),
-        upper);
+    const flight::ScaledRay<I> rays =
+        from_bridge(hull(b.position_lo, b.position_hi), hull(b.eta_lo, b.eta_hi));
+    return counted(plain_count(flight::PlainRay<I>{r * rays.c, flight::detail::in_play(r * rays.lambda)}, r,
+                               upper - 1, interrupted),
+                   upper);
 }
 
 template <class I>
@@ -79,7 +80,7 @@ std::optional<Leaf> judge_again(const Bounds<I>& b) {
 template <class I>
 bool beyond_departures(const Bounds<I>& b) {
     return certainly_less(half_pi<I>(), b.position_lo) ||
-           certainly_at_most(I(1), departure(position(b.position_lo), b.eta_lo).kappa);
+           certainly_at_most(I(1), departure(flight::position(b.position_lo), b.eta_lo).kappa);
 }
 
 template <class I>
@@ -87,8 +88,8 @@ std::optional<Leaf> judge_departure(const Bounds<I>& b, long upper, const Interr
     if (beyond_departures(b)) {
         return Leaf{Reason::outside};
     }
-    const auto low = lowest(departure(position(b.position_lo), b.eta_lo));
-    const auto high = highest(departure(position(b.position_hi), b.eta_hi));
+    const auto low = lowest(departure(flight::position(b.position_lo), b.eta_lo));
+    const auto high = highest(departure(flight::position(b.position_hi), b.eta_hi));
     return counted(later_collisions_at_most(low, high, b.range, upper - 1, interrupted), upper);
 }
 
@@ -97,8 +98,9 @@ std::optional<Leaf> judge_plain_departure(const Bounds<I>& b, long upper, const 
     if (beyond_departures(b)) {
         return Leaf{Reason::outside};
     }
-    const auto all = departure(position(hull(b.position_lo, b.position_hi)), hull(b.eta_lo, b.eta_hi));
-    const PlainDeparture<I> from{all.x, all.sin_x, detail::in_play(all.kappa)};
+    const auto all =
+        departure(flight::position(hull(b.position_lo, b.position_hi)), hull(b.eta_lo, b.eta_hi));
+    const flight::PlainDeparture<I> from{all.x, all.sin_x, flight::detail::in_play(all.kappa)};
     return counted(plain_later_collisions(from, hull(b.range.r_lo, b.range.r_hi), upper - 1, interrupted),
                    upper);
 }
@@ -125,4 +127,4 @@ std::optional<Leaf> judge_full(Chart chart, const Box& box, long upper, const In
 template std::optional<Leaf> judge_full<Interval>(Chart, const Box&, long, const Interrupted&);
 template std::optional<Leaf> judge_full<BigInterval>(Chart, const Box&, long, const Interrupted&);
 
-}  // namespace dumbbell
+}  // namespace dumbbell::collisions

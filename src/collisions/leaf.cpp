@@ -6,7 +6,7 @@
 #include "collisions/leaf_judges.hpp"
 #include "flight/batch/query.hpp"
 
-namespace dumbbell {
+namespace dumbbell::collisions {
 namespace {
 
 /// A box that double precision closes needs no more: the others pay for it alone.
@@ -36,7 +36,7 @@ void judge(Chart chart, std::span<const Box> boxes, long upper, std::span<std::o
     require(boxes.size() == results.size(), "judge: as many results as boxes");
     const bool turning = chart == Chart::bridge || chart == Chart::light;
     std::vector<BoxJudgement> verdicts(boxes.size(), BoxJudgement::unsure);
-    if (turning && upper <= batch::most_worth_a_batch) {
+    if (turning && upper <= flight::batch::most_worth_a_batch) {
         verdicts = judge_turning_together(chart, boxes, upper, results, interrupted);
     }
     for (std::size_t i = 0; i < boxes.size(); ++i) {
@@ -51,4 +51,4 @@ template void judge<Interval>(Chart, std::span<const Box>, long, std::span<std::
 template void judge<BigInterval>(Chart, std::span<const Box>, long, std::span<std::optional<Leaf>>,
                                  const Interrupted&);
 
-}  // namespace dumbbell
+}  // namespace dumbbell::collisions

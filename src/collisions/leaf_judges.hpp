@@ -10,7 +10,7 @@
 
 /// One function per section: the reason that closes a box of one of its charts, if any, or none if
 /// interrupted. `judge` (leaf.hpp) dispatches.
-namespace dumbbell {
+namespace dumbbell::collisions {
 
 template <class I>
 [[nodiscard]] std::optional<Leaf> judge_turning(Chart chart, const Box& box, long upper,
@@ -36,4 +36,4 @@ template <class I>
 template <class I>
 [[nodiscard]] std::optional<Leaf> judge_wedge(const Box& box, long upper, const Interrupted& interrupted);
 
-}  // namespace dumbbell
+}  // namespace dumbbell::collisions

@@ -1,6 +1,6 @@
 #include "collisions/names.hpp"
 
-namespace dumbbell {
+namespace dumbbell::collisions {
 
 std::string_view name(Scene scene) {
     switch (scene) {
@@ -114,4 +114,4 @@ std::optional<Reason> reason_named(std::string_view word) {
     return std::nullopt;
 }
 
-}  // namespace dumbbell
+}  // namespace dumbbell::collisions

@@ -6,7 +6,7 @@
 #include "collisions/certificate.hpp"
 
 /// The words of the file format (format.md) for scenes, sections, charts, axes and leaves.
-namespace dumbbell {
+namespace dumbbell::collisions {
 
 [[nodiscard]] std::string_view name(Scene scene);
 
@@ -33,4 +33,4 @@ namespace dumbbell {
 [[nodiscard]] std::optional<Axis> axis_named(Chart chart, std::string_view word);
 [[nodiscard]] std::optional<Reason> reason_named(std::string_view word);
 
-}  // namespace dumbbell
+}  // namespace dumbbell::collisions

@@ -8,7 +8,10 @@
 
 #include "words/printed.hpp"
 
-namespace dumbbell {
+namespace dumbbell::collisions {
+
+using flight::Collision;
+
 namespace {
 
 using Orbit = std::vector<Collision<Interval>>;
@@ -84,4 +87,4 @@ Json collisions_json(const Orbit& orbit) {
     return collisions;
 }
 
-}  // namespace dumbbell
+}  // namespace dumbbell::collisions

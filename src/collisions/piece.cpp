@@ -8,7 +8,7 @@
 #include "flight/orbit.hpp"
 #include "flight/paper_bound.hpp"
 
-namespace dumbbell {
+namespace dumbbell::collisions {
 namespace {
 
 constexpr int double_bits = 53;
@@ -54,10 +54,11 @@ template <class I>
 void describe(ProvedPiece& proved) {
     const Piece& piece = proved.piece;
     const Witness& w = *piece.witness;
-    const RatioRange<I> range{enclose<I>(Rational(1) / piece.q_hi), enclose<I>(Rational(1) / piece.q_lo)};
+    const flight::RatioRange<I> range{enclose<I>(Rational(1) / piece.q_hi),
+                                      enclose<I>(Rational(1) / piece.q_lo)};
     double least = 1;
     double greatest_width = 0;
-    const auto see = [&](const Collision<I>& collision) {
+    const auto see = [&](const flight::Collision<I>& collision) {
         least = std::min(least, low_end(collision.grazing_sine).lo());
         greatest_width = std::max(greatest_width, width(collision.y));
     };
@@ -104,8 +105,8 @@ std::optional<long> suspected_maximum(const Rational& q, const PieceOptions& opt
     const I r = enclose<I>(Rational(1) / q);
     long most = 2;
     long least = 2;
-    for (const ExtremalOrbit orbit : {ExtremalOrbit::top, ExtremalOrbit::corner}) {
-        const Ray<I> ray = extremal_ray(orbit, r);
+    for (const flight::ExtremalOrbit orbit : {flight::ExtremalOrbit::top, flight::ExtremalOrbit::corner}) {
+        const flight::Ray<I> ray = extremal_ray(orbit, r);
         most += count_at_most(ray, cap, options.interrupted);
         least += options.interrupted() ? 0 : count_at_least(ray, cap, options.interrupted);
     }
@@ -140,7 +141,7 @@ ProvedPiece prove_single(const Rational& q, const PieceOptions& options) {
     ProvedPiece proved;
     proved.piece.q_lo = proved.piece.q_hi = q;
     proved.obstacle = escalate(options, [&]<class I>(const I&, int bits) {
-        const auto n = options.scene != Scene::dumbbell ? std::optional(paper_bound(q) - 1)
+        const auto n = options.scene != Scene::dumbbell ? std::optional(flight::paper_bound(q) - 1)
                        : q == 1                         ? std::optional(2L)
                                                         : suspected_maximum<I>(q, options);
         return n ? attempt_piece<I>(proved, bits, *n, *n, options) : Obstacle::maximum;
@@ -161,4 +162,4 @@ ProvedPiece prove_piece(const Rational& q_lo, const Rational& q_hi, long upper, 
     return proved;
 }
 
-}  // namespace dumbbell
+}  // namespace dumbbell::collisions

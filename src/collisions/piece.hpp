@@ -5,7 +5,7 @@
 #include "collisions/certificate.hpp"
 #include "collisions/cover.hpp"
 
-namespace dumbbell {
+namespace dumbbell::collisions {
 
 struct PieceOptions {
     Scene scene = Scene::dumbbell;
@@ -56,4 +56,4 @@ void describe_witness(ProvedPiece& proved);
 [[nodiscard]] ProvedPiece prove_piece(const Rational& q_lo, const Rational& q_hi, long upper, long lower,
                                       const PieceOptions& options);
 
-}  // namespace dumbbell
+}  // namespace dumbbell::collisions

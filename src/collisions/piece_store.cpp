@@ -15,7 +15,7 @@
 #include "file/file_contents.hpp"
 #include "file/sha256.hpp"
 
-namespace dumbbell {
+namespace dumbbell::collisions {
 namespace {
 
 namespace fs = std::filesystem;
@@ -169,4 +169,4 @@ void PieceStore::remove() {
     fs::remove_all(folder_, ignored);
 }
 
-}  // namespace dumbbell
+}  // namespace dumbbell::collisions

@@ -8,7 +8,7 @@
 #include "collisions/steps.hpp"
 #include "file/folder_lock.hpp"
 
-namespace dumbbell {
+namespace dumbbell::collisions {
 
 /// What a run was asked for, as far as its pieces depend on it.
 struct StoredClaim {
@@ -66,4 +66,4 @@ class PieceStore {
     FolderLock lock_;
 };
 
-}  // namespace dumbbell
+}  // namespace dumbbell::collisions

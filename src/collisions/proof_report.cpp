@@ -15,7 +15,7 @@
 #include "words/printed.hpp"
 #include "words/text_table.hpp"
 
-namespace dumbbell {
+namespace dumbbell::collisions {
 namespace {
 
 std::string range_text(const Rational& lo, const Rational& hi) {
@@ -42,7 +42,7 @@ Words words_of(Scene scene) {
 
 /// The source paper's bound is one for the dumbbell; not computed for the greatest ratios.
 bool has_paper_bound(const ProofReport& report, const Piece& piece) {
-    return report.scene == Scene::dumbbell && piece.q_hi <= paper_bound_limit();
+    return report.scene == Scene::dumbbell && piece.q_hi <= flight::paper_bound_limit();
 }
 
 std::string value_text(const Piece& piece) {
@@ -61,8 +61,8 @@ std::string paper_text(const ProofReport& report, const Piece& piece) {
     if (!has_paper_bound(report, piece)) {
         return "-";
     }
-    const long lo = paper_bound(piece.q_lo);
-    const long hi = paper_bound(piece.q_hi);
+    const long lo = flight::paper_bound(piece.q_lo);
+    const long hi = flight::paper_bound(piece.q_hi);
     return lo == hi ? fmt::format("{}", lo) : fmt::format("{}-{}", lo, hi);
 }
 
@@ -184,7 +184,7 @@ Json row_json(const ProofReport& report, const ReportRow& row) {
          {"upper", piece.upper},
          {"lower", piece.lower},
          {"status", name(piece.status())},
-         {"paper_bound", has_paper_bound(report, piece) ? Json(paper_bound(piece.q_hi)) : Json()},
+         {"paper_bound", has_paper_bound(report, piece) ? Json(flight::paper_bound(piece.q_hi)) : Json()},
          {"leaves", piece.cover.leaves()},
          {"bits", piece.bits},
          {"margin", has_margin ? Json(row.margin) : Json()},
@@ -305,4 +305,4 @@ std::string orbits_to_text(const ProofReport& report) {
     return text;
 }
 
-}  // namespace dumbbell
+}  // namespace dumbbell::collisions

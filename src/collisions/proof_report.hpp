@@ -9,7 +9,7 @@
 #include "flight/orbit.hpp"
 #include "words/json.hpp"
 
-namespace dumbbell {
+namespace dumbbell::collisions {
 
 /// One line of the report of a proof.
 struct ReportRow {
@@ -17,7 +17,7 @@ struct ReportRow {
     double margin;  ///< of the witness orbit; 0: none known, nor a width
     double width;
     double seconds;
-    std::vector<Collision<Interval>>
+    std::vector<flight::Collision<Interval>>
         orbit;  ///< of the witness, at the piece's lower end; empty unless asked for
     std::optional<WitnessStart> start{};  ///< in the air, of an orbit with as many collisions there
 };
@@ -48,4 +48,4 @@ struct ProofReport {
 /// The orbits of the rows that have one: per collision mass, time, phi, height and velocities, enclosed.
 [[nodiscard]] std::string orbits_to_text(const ProofReport& report);
 
-}  // namespace dumbbell
+}  // namespace dumbbell::collisions

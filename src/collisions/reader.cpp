@@ -10,7 +10,7 @@
 #include "collisions/names.hpp"
 #include "file/lines.hpp"
 
-namespace dumbbell {
+namespace dumbbell::collisions {
 namespace {
 
 Node node_from(Lines& lines, Chart chart) {
@@ -128,4 +128,4 @@ Certificate read_certificate(const std::string& path) {
     return certificate;
 }
 
-}  // namespace dumbbell
+}  // namespace dumbbell::collisions

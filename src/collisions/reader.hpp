@@ -6,7 +6,7 @@
 #include "collisions/certificate.hpp"
 #include "file/lines.hpp"
 
-namespace dumbbell {
+namespace dumbbell::collisions {
 
 enum class Trees { kept, passed_over };
 
@@ -36,4 +36,4 @@ class PieceReader {
 /// (naming file and line) if the file is missing or is no certificate.
 [[nodiscard]] Certificate read_certificate(const std::string& path);
 
-}  // namespace dumbbell
+}  // namespace dumbbell::collisions

@@ -1,6 +1,6 @@
 #include "collisions/section.hpp"
 
-namespace dumbbell {
+namespace dumbbell::collisions {
 namespace {
 
 std::pair<Box, Box> cut(const Box& box, Rational Box::*lo, Rational Box::*hi) {
@@ -50,4 +50,4 @@ std::pair<Box, Box> halves(const Box& box, Axis axis) {
     }
 }
 
-}  // namespace dumbbell
+}  // namespace dumbbell::collisions

@@ -5,7 +5,7 @@
 #include "collisions/certificate.hpp"
 #include "number/rational.hpp"
 
-namespace dumbbell {
+namespace dumbbell::collisions {
 
 /// A box of states, exact: corner distance e, slope coordinate (eta in the chart bridge, lambda in the chart
 /// light), mass ratio.
@@ -23,4 +23,4 @@ struct Box {
 /// The lower and the upper half; the midpoint is exact and belongs to both.
 [[nodiscard]] std::pair<Box, Box> halves(const Box& box, Axis axis);
 
-}  // namespace dumbbell
+}  // namespace dumbbell::collisions

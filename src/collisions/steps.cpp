@@ -13,7 +13,7 @@
 #include "collisions/critical_guess.hpp"
 #include "number/self_test.hpp"
 
-namespace dumbbell {
+namespace dumbbell::collisions {
 namespace {
 
 constexpr long max_steps = 1'000'000;
@@ -169,4 +169,4 @@ std::vector<PlannedPiece> plan_staircase(Scene scene, const Rational& q_lo, cons
     return plan;
 }
 
-}  // namespace dumbbell
+}  // namespace dumbbell::collisions

@@ -9,7 +9,7 @@
 #include "collisions/certificate.hpp"
 #include "number/rational.hpp"
 
-namespace dumbbell {
+namespace dumbbell::collisions {
 
 /// A piece to be proved: the bounds that are expected to hold.
 struct PlannedPiece {
@@ -37,4 +37,4 @@ struct PlannedPiece {
     const Interrupted& interrupted = never,
     const std::function<void(std::size_t, std::size_t)>& placed = [](std::size_t, std::size_t) {});
 
-}  // namespace dumbbell
+}  // namespace dumbbell::collisions

@@ -4,15 +4,18 @@
 #include "flight/chart.hpp"
 #include "flight/count.hpp"
 
-namespace dumbbell {
+namespace dumbbell::collisions {
+
+using flight::Ray;
+
 namespace {
 
 /// A box in enclosures. Positions are clipped to the section, e <= pi/2.
 template <class I>
 struct Bounds {
     I e_lo, slope_lo, slope_hi;
-    Position<I> low, high;
-    RatioRange<I> range;
+    flight::Position<I> low, high;
+    flight::RatioRange<I> range;
 };
 
 template <class I>
@@ -21,8 +24,8 @@ Bounds<I> bounds_of(const Box& box) {
     return {e_lo,
             enclose<I>(box.slope_lo),
             enclose<I>(box.slope_hi),
-            position(e_lo),
-            position(enclose<I>(box.e_hi)),
+            flight::position(e_lo),
+            flight::position(enclose<I>(box.e_hi)),
             {enclose<I>(Rational(1) / box.q_hi), enclose<I>(Rational(1) / box.q_lo)}};
 }
 
@@ -67,7 +70,7 @@ bool reversed_meets_bridge(const Bounds<I>& b) {
     if (!certainly_positive(least_denominator)) {
         return false;
     }
-    const auto steepest = reversed_at_light_wall(b.slope_lo, w, b.range.r_hi);
+    const auto steepest = flight::reversed_at_light_wall(b.slope_lo, w, b.range.r_hi);
     const I mu = max(I(0), steepest.numerator / steepest.denominator);
     return certainly_meets_bridge(b.high, mu, b.range);
 }
@@ -90,7 +93,7 @@ Case<I> light_case(const Bounds<I>& b) {
     if (certainly_at_most(greatest_denominator, I(0))) {
         return {std::nullopt, out, std::nullopt};  // sigma X leaves the cell (L1)
     }
-    const auto lowest = reversed_at_light_wall(b.slope_hi, w, r);
+    const auto lowest = flight::reversed_at_light_wall(b.slope_hi, w, r);
     if (!certainly_positive(lowest.denominator)) {
         return {};
     }
@@ -105,7 +108,7 @@ Case<I> case_of(Chart chart, const Box& box) {
 }
 
 /// The lower, flatter corner of a box of rays, as a question to the batch kernel.
-batch::Query query(const Ray<Interval>& ray, long cap) {
+flight::batch::Query query(const Ray<Interval>& ray, long cap) {
     return {{ray.c.lo(), ray.kappa.lo(), ray.r.lo()}, cap};
 }
 
@@ -119,8 +122,8 @@ class Questions {
     /// Calls use(box, answer, cap) for each question.
     template <class Use>
     void answer(const Interrupted& interrupted, Use use) {
-        std::vector<batch::Answer> answers(queries_.size());
-        batch::count_at_most(queries_, answers, batch::chosen_backend(), interrupted);
+        std::vector<flight::batch::Answer> answers(queries_.size());
+        flight::batch::count_at_most(queries_, answers, flight::batch::chosen_backend(), interrupted);
         for (std::size_t i = 0; i < boxes_.size(); ++i) {
             use(boxes_[i], answers[i], queries_[i].cap);
         }
@@ -128,7 +131,7 @@ class Questions {
 
   private:
     std::vector<std::size_t> boxes_;
-    std::vector<batch::Query> queries_;
+    std::vector<flight::batch::Query> queries_;
 };
 
 }  // namespace
@@ -172,8 +175,8 @@ std::vector<BoxJudgement> judge_turning_together(Chart chart, std::span<const Bo
     };
     std::vector<bool> settled(boxes.size());
     Questions backward;
-    forward.answer(interrupted, [&](std::size_t i, const batch::Answer& answer, long cap) {
-        settled[i] = batch::settled(answer);
+    forward.answer(interrupted, [&](std::size_t i, const flight::batch::Answer& answer, long cap) {
+        settled[i] = flight::batch::settled(answer);
         if (answer.count > cap) {
             verdicts[i] = settled[i] ? BoxJudgement::open : BoxJudgement::unsure;
         } else if (cases[i].reversed) {
@@ -183,10 +186,11 @@ std::vector<BoxJudgement> judge_turning_together(Chart chart, std::span<const Bo
             close(i, {Reason::count, answer.count, 0});
         }
     });
-    backward.answer(interrupted, [&](std::size_t i, const batch::Answer& answer, long cap) {
+    backward.answer(interrupted, [&](std::size_t i, const flight::batch::Answer& answer, long cap) {
         if (answer.count > cap) {
             results[i].reset();
-            verdicts[i] = settled[i] && batch::settled(answer) ? BoxJudgement::open : BoxJudgement::unsure;
+            verdicts[i] =
+                settled[i] && flight::batch::settled(answer) ? BoxJudgement::open : BoxJudgement::unsure;
         } else {
             close(i, {Reason::count, results[i]->forward, answer.count});
         }
@@ -194,4 +198,4 @@ std::vector<BoxJudgement> judge_turning_together(Chart chart, std::span<const Bo
     return verdicts;
 }
 
-}  // namespace dumbbell
+}  // namespace dumbbell::collisions

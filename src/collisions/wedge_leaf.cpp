@@ -1,7 +1,7 @@
 #include "collisions/leaf_judges.hpp"
 #include "flight/wedge.hpp"
 
-namespace dumbbell {
+namespace dumbbell::collisions {
 namespace {
 
 /// Exact counting doubles and more the length of the numbers with every few steps: only for short orbits.
@@ -44,16 +44,17 @@ std::optional<Leaf> judge_wedge(const Box& box, long upper, const Interrupted& i
     const LowestSlopes slopes = lowest_slopes(box, r);
     const I ratio = enclose<I>(r);
     const auto rounded = counted(slopes, upper, [&](const Rational& kappa, long cap) {
-        return wedge_count_at_most(enclose<I>(kappa), ratio, cap, interrupted);
+        return flight::wedge_count_at_most(enclose<I>(kappa), ratio, cap, interrupted);
     });
     if (rounded || upper > longest_exact_orbit) {
         return rounded;
     }
-    return counted(slopes, upper,
-                   [&](const Rational& kappa, long cap) { return wedge_count(kappa, r, cap, interrupted); });
+    return counted(slopes, upper, [&](const Rational& kappa, long cap) {
+        return flight::wedge_count(kappa, r, cap, interrupted);
+    });
 }
 
 template std::optional<Leaf> judge_wedge<Interval>(const Box&, long, const Interrupted&);
 template std::optional<Leaf> judge_wedge<BigInterval>(const Box&, long, const Interrupted&);
 
-}  // namespace dumbbell
+}  // namespace dumbbell::collisions

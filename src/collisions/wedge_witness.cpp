@@ -3,7 +3,7 @@
 #include "collisions/witness.hpp"
 #include "flight/wedge.hpp"
 
-namespace dumbbell {
+namespace dumbbell::collisions {
 
 std::optional<Witness> find_wedge_witness(const Rational& q_lo, long target, const Interrupted& interrupted) {
     const Rational r = 1 / q_lo;
@@ -13,8 +13,8 @@ std::optional<Witness> find_wedge_witness(const Rational& q_lo, long target, con
         if (r * lambda >= 1 || mu < 0) {
             return std::nullopt;
         }
-        const auto forward = wedge_count(r * lambda, r, target, interrupted);
-        const auto backward = forward ? wedge_count(r * mu, r, target, interrupted) : std::nullopt;
+        const auto forward = flight::wedge_count(r * lambda, r, target, interrupted);
+        const auto backward = forward ? flight::wedge_count(r * mu, r, target, interrupted) : std::nullopt;
         if (!backward) {
             return std::nullopt;
         }
@@ -33,4 +33,4 @@ std::optional<Witness> find_wedge_witness(const Rational& q_lo, long target, con
     return std::nullopt;
 }
 
-}  // namespace dumbbell
+}  // namespace dumbbell::collisions

@@ -11,7 +11,7 @@
 #include "flight/chart.hpp"
 #include "flight/count.hpp"
 
-namespace dumbbell {
+namespace dumbbell::collisions {
 namespace {
 
 /// below_peak(n) has n + 3 binary places.
@@ -33,28 +33,28 @@ Rational below_peak(int distance_bits) {
 /// The rays above both sides of a contact for every ratio of a range.
 template <class I>
 struct HighestRays {
-    Ray<I> out;
-    Ray<I> reversed;
+    flight::Ray<I> out;
+    flight::Ray<I> reversed;
 };
 
 /// Of the contact (e, eta) over [q_lo, q_hi]; nothing if it is no admissible contact there.
 template <class I>
 std::optional<HighestRays<I>> highest_rays(const Rational& e, const Rational& eta, const Rational& q_lo,
                                            const Rational& q_hi) {
-    const RatioRange<I> range{enclose<I>(Rational(1) / q_hi), enclose<I>(Rational(1) / q_lo)};
+    const flight::RatioRange<I> range{enclose<I>(Rational(1) / q_hi), enclose<I>(Rational(1) / q_lo)};
     const I position_enclosure = enclose<I>(e);
     const I steepness = enclose<I>(eta);
     if (!certainly_positive(position_enclosure) || !certainly_less(position_enclosure, half_pi<I>()) ||
         !certainly_positive(steepness)) {
         return std::nullopt;
     }
-    const Position<I> at = position(position_enclosure);
+    const flight::Position<I> at = flight::position(position_enclosure);
     const auto out = bridge_outgoing(at, steepness);
     if (!certainly_less(range.r_hi * out.lambda, I(1))) {
         return std::nullopt;
     }
     // sigma X must pass above the corner: its height there is least at r_hi, where eta' is.
-    const I lowest_lambda = reversed_steepness(steepness, at.cos_e, range.r_hi) - at.cos_e;
+    const I lowest_lambda = flight::reversed_steepness(steepness, at.cos_e, range.r_hi) - at.cos_e;
     if (!certainly_positive(at.sin_e + lowest_lambda * at.e)) {
         return std::nullopt;
     }
@@ -87,7 +87,7 @@ class BatchSearch {
     /// The first of the places that is a witness.
     std::optional<Witness> first(const std::vector<Candidate>& places) {
         std::vector<const Candidate*> admissible;
-        std::vector<batch::Query> queries;
+        std::vector<flight::batch::Query> queries;
         for (const Candidate& place : places) {
             if (const auto rays = highest_rays<Interval>(place.e, place.eta, q_lo_, q_hi_)) {
                 admissible.push_back(&place);
@@ -95,11 +95,11 @@ class BatchSearch {
                 queries.push_back(query(rays->reversed));
             }
         }
-        std::vector<batch::Answer> answers(queries.size());
-        batch::count_at_least(queries, answers, batch::chosen_backend(), interrupted_);
+        std::vector<flight::batch::Answer> answers(queries.size());
+        flight::batch::count_at_least(queries, answers, flight::batch::chosen_backend(), interrupted_);
         for (std::size_t i = 0; i < admissible.size(); ++i) {
-            const batch::Answer& forward = answers[2 * i];
-            const batch::Answer& backward = answers[2 * i + 1];
+            const flight::batch::Answer& forward = answers[2 * i];
+            const flight::batch::Answer& backward = answers[2 * i + 1];
             Witness witness{admissible[i]->e, admissible[i]->eta, forward.count, backward.count};
             if (witness.total() >= target_) {
                 return witness;
@@ -114,7 +114,7 @@ class BatchSearch {
     [[nodiscard]] const std::vector<Candidate>& narrow() const { return narrow_; }
 
   private:
-    [[nodiscard]] batch::Query query(const Ray<Interval>& ray) const {
+    [[nodiscard]] flight::batch::Query query(const flight::Ray<Interval>& ray) const {
         return {{ray.c.hi(), ray.kappa.hi(), ray.r.hi()}, target_};
     }
 
@@ -169,7 +169,7 @@ std::optional<Witness> find_witness(const Rational& q_lo, const Rational& q_hi, 
     const int bits = PrecisionScope::current();
     const int deepest = std::min(bits + 8, shortest_distance_bits);
     constexpr bool in_double = std::is_same_v<I, Interval>;
-    if (in_double && target <= batch::most_worth_a_batch) {
+    if (in_double && target <= flight::batch::most_worth_a_batch) {
         return find_in_double(q_lo, q_hi, target, deepest, interrupted);
     }
     // Where half the precision does not suffice the distances are beyond that, nearly always.
@@ -195,4 +195,4 @@ template std::optional<Witness> find_witness<Interval>(const Rational&, const Ra
 template std::optional<Witness> find_witness<BigInterval>(const Rational&, const Rational&, long,
                                                           const Interrupted&);
 
-}  // namespace dumbbell
+}  // namespace dumbbell::collisions

@@ -7,7 +7,7 @@
 #include "collisions/certificate.hpp"
 #include "number/rational.hpp"
 
-namespace dumbbell {
+namespace dumbbell::collisions {
 
 /// The counts that are certain from (e, eta) for every ratio in [q_lo, q_hi], up to `cap` in each direction;
 /// nothing if it is no admissible contact there; less than is certain if interrupted. I: Interval or
@@ -37,4 +37,4 @@ struct WitnessStart {
     int digits = 0;  ///< that `trace` needs; 0: double precision suffices
 };
 
-}  // namespace dumbbell
+}  // namespace dumbbell::collisions

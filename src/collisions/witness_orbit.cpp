@@ -6,7 +6,7 @@
 
 #include "base/error.hpp"
 
-namespace dumbbell {
+namespace dumbbell::collisions {
 namespace {
 
 template <class I>
@@ -15,11 +15,12 @@ Interval outward(const I& x) {
 }
 
 template <class I>
-std::vector<Collision<Interval>> orbit_in(const Witness& w, const Rational& q) {
+std::vector<flight::Collision<Interval>> orbit_in(const Witness& w, const Rational& q) {
     const I r = enclose<I>(Rational(1) / q);
-    const auto orbit = enclose_orbit(
-        BridgeContact<I>{enclose<I>(w.e), enclose<I>(w.eta), w.forward, w.backward}, RatioRange<I>{r, r});
-    std::vector<Collision<Interval>> result;
+    const auto orbit =
+        enclose_orbit(flight::BridgeContact<I>{enclose<I>(w.e), enclose<I>(w.eta), w.forward, w.backward},
+                      flight::RatioRange<I>{r, r});
+    std::vector<flight::Collision<Interval>> result;
     if (orbit) {
         for (const auto& c : *orbit) {
             result.push_back({c.heavy, outward(c.time), outward(c.phi), outward(c.y), outward(c.ydot_before),
@@ -32,7 +33,7 @@ std::vector<Collision<Interval>> orbit_in(const Witness& w, const Rational& q) {
 
 }  // namespace
 
-std::vector<Collision<Interval>> witness_orbit(const Witness& witness, const Rational& q, int bits) {
+std::vector<flight::Collision<Interval>> witness_orbit(const Witness& witness, const Rational& q, int bits) {
     if (witness.total() > 10'000'000) {
         throw InputError(fmt::format(
             "the orbit has {} collisions: they are listed, and drawn, up to 10000000", witness.total()));
@@ -41,4 +42,4 @@ std::vector<Collision<Interval>> witness_orbit(const Witness& witness, const Rat
     return bits <= 53 ? orbit_in<Interval>(witness, q) : orbit_in<BigInterval>(witness, q);
 }
 
-}  // namespace dumbbell
+}  // namespace dumbbell::collisions

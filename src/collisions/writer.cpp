@@ -11,7 +11,7 @@
 #include "collisions/names.hpp"
 #include "file/dyadic.hpp"
 
-namespace dumbbell {
+namespace dumbbell::collisions {
 namespace {
 
 /// The kinds of lines that the trailer counts, in its order.
@@ -116,4 +116,4 @@ SealedText render(const Certificate& certificate) {
     return std::move(writer).finish(certificate.section);
 }
 
-}  // namespace dumbbell
+}  // namespace dumbbell::collisions

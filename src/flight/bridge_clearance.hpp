@@ -5,7 +5,7 @@
 
 #include "flight/chart.hpp"
 
-namespace dumbbell {
+namespace dumbbell::flight {
 
 /// Whether every ray that leaves R at a corner distance at most `at` and with slope at most r lambda, for
 /// every r in the range, certainly crosses the bridge (L9 (c)): some t in (0, pi) has sin e + kappa (e + t) <
@@ -20,4 +20,4 @@ bool certainly_meets_bridge(const Position<I>& at, const I& lambda, const RatioR
     return certainly_less(at.sin_e / range.r_lo + lambda * (at.e + t), sin_cos(t).sin);
 }
 
-}  // namespace dumbbell
+}  // namespace dumbbell::flight

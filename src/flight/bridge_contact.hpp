@@ -7,7 +7,7 @@
 
 /// Where rays that fly left from R meet the bridge: at psi = pi/2 - t, 0 < t < pi, where it has height r sin
 /// t and slope r cos t.
-namespace dumbbell {
+namespace dumbbell::flight {
 
 /// A flight to the left over the right corner: height there and slope; at t its height is height + kappa t.
 template <class I>
@@ -79,4 +79,4 @@ ScaledRay<I> bridge_tangent(const I& t) {
     return {max(I(0), at.sin + at.cos * (pi<I>() - t)), at.cos};
 }
 
-}  // namespace dumbbell
+}  // namespace dumbbell::flight

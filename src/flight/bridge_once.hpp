@@ -4,7 +4,7 @@
 #include "number/elementary.hpp"
 
 /// The heavy mass touches the floor at most once (lemma L19).
-namespace dumbbell {
+namespace dumbbell::flight {
 
 /// Certified: of all rays that leave the bridge at a position up to `t` (from the right corner, radians) with
 /// a steepness in `eta` (their slope is r (cos t + eta), eta >= 0), those that come back from the next light
@@ -28,4 +28,4 @@ template <class I>
            certainly_at_most(I(0), high_end(greatest) * first + (w + r_lo) / I(2));
 }
 
-}  // namespace dumbbell
+}  // namespace dumbbell::flight

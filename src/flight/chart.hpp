@@ -9,7 +9,7 @@
 
 /// The two charts of the turning section and the rays that leave their states (lemmas L8, L9, L10;
 /// format.md, sections 3.3-3.5).
-namespace dumbbell {
+namespace dumbbell::flight {
 
 /// A position on a wall by its corner distance e in [0, pi/2] (0: the corner, pi/2: the peak), with sin e and
 /// cos e.
@@ -82,4 +82,4 @@ Ray<I> highest_over(const ScaledRay<I>& ray, const RatioRange<I>& range) {
     return at_ratio(ScaledRay<I>{high_end(ray.c), high_end(ray.lambda)}, range.r_hi);
 }
 
-}  // namespace dumbbell
+}  // namespace dumbbell::flight

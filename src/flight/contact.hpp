@@ -8,7 +8,7 @@
 
 /// The flight to a light wall: bounds of the least root x of sin x = c + kappa x in [0, pi/2] (lemmas L4,
 /// L12).
-namespace dumbbell {
+namespace dumbbell::flight {
 
 /// A bound of the contact's corner distance x, with the sine and cosine that belong to it: for a lower bound
 /// sin_x is a lower and cos_x an upper bound, for an upper bound the other way round. All thin.
@@ -117,4 +117,4 @@ std::optional<Contact<I>> highest_contact(const I& c, const I& kappa) {
     return Contact<I>{x, high_end(at.sin), cos_x};
 }
 
-}  // namespace dumbbell
+}  // namespace dumbbell::flight

@@ -5,7 +5,7 @@
 
 #include "number/elementary.hpp"
 
-namespace dumbbell {
+namespace dumbbell::flight {
 namespace {
 
 constexpr double half_pi_guess = 0x1.921fb54442d18p+0;
@@ -95,4 +95,4 @@ ContactGuess<BigInterval> guess_contact(const BigInterval& c, const BigInterval&
     return {refined_root(left, c, kappa), true};
 }
 
-}  // namespace dumbbell
+}  // namespace dumbbell::flight

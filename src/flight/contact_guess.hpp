@@ -3,7 +3,7 @@
 #include "number/big_interval.hpp"
 #include "number/interval.hpp"
 
-namespace dumbbell {
+namespace dumbbell::flight {
 
 /// Where a ray (c, kappa) seems to meet the light wall, sin x = c + kappa x: a guess that steers the
 /// enclosures of contact.hpp and proves nothing. If it seems to miss, `z` is where it comes closest, cos z =
@@ -17,4 +17,4 @@ struct ContactGuess {
 [[nodiscard]] ContactGuess<Interval> guess_contact(const Interval& c, const Interval& kappa) noexcept;
 [[nodiscard]] ContactGuess<BigInterval> guess_contact(const BigInterval& c, const BigInterval& kappa);
 
-}  // namespace dumbbell
+}  // namespace dumbbell::flight

@@ -3,9 +3,9 @@
 #include <optional>
 
 #include "flight/contact.hpp"
-#include "flight/enclosure.hpp"
+#include "number/enclosure.hpp"
 
-namespace dumbbell {
+namespace dumbbell::flight {
 
 /// Bounds of the contact's corner distance x over a set of rays.
 template <class I>
@@ -50,4 +50,4 @@ std::optional<ContactRange<I>> contact_range(const I& c, const I& kappa) {
                            {x_greatest, high_end(at_greatest.sin), low_end(at_greatest.cos)}};
 }
 
-}  // namespace dumbbell
+}  // namespace dumbbell::flight

@@ -8,7 +8,7 @@
 
 /// Certified bounds of G, the number of later collisions of a set of rays with the light walls (lemmas L4,
 /// L5).
-namespace dumbbell {
+namespace dumbbell::flight {
 
 namespace detail {
 
@@ -16,15 +16,15 @@ namespace detail {
 template <class I>
 class MacroSteps {
   public:
-    MacroSteps(BoundSide side, const I& r, long cap, const Interrupted& interrupted)
+    MacroSteps(macro::BoundSide side, const I& r, long cap, const Interrupted& interrupted)
         : side_(side),
           r_(r),
-          attempts_(cap >= least_worth_a_macro_step<I> ? 4 : 0),
+          attempts_(cap >= macro::least_worth_a_macro_step<I> ? 4 : 0),
           cap_(cap),
           interrupted_(interrupted) {}
 
     /// `state`, and c of the flight that leaves it, after count + 1 collisions.
-    void follow(WallState<I>& state, I& c, long& count) {
+    void follow(macro::WallState<I>& state, I& c, long& count) {
         const long before = count;
         for (long steps = 1; attempts_ > 0 && steps > 0; count += steps) {
             steps = interrupted_() ? 0 : macro_step(side_, r_, state, cap_ - count - 1);
@@ -40,7 +40,7 @@ class MacroSteps {
     [[nodiscard]] bool hopeless(long count) const { return attempts_ == 0 && count - last_ > 4'000'000; }
 
   private:
-    BoundSide side_;
+    macro::BoundSide side_;
     I r_;
     int attempts_;  ///< that may fail: first where the orbit has hardly begun, at last where it ends
     long cap_;
@@ -58,7 +58,7 @@ long count_at_most(const Ray<I>& lowest, long cap, const Interrupted& interrupte
     const I r = low_end(lowest.r);
     I c = low_end(lowest.c);
     I kappa = low_end(lowest.kappa);
-    detail::MacroSteps<I> macro_steps(BoundSide::lower, r, cap, interrupted);
+    detail::MacroSteps<I> macro_steps(macro::BoundSide::lower, r, cap, interrupted);
     for (long count = 0; count <= cap; ++count) {
         if (certainly_at_most(I(1), kappa)) {
             return count;  // L3
@@ -78,7 +78,7 @@ long count_at_most(const Ray<I>& lowest, long cap, const Interrupted& interrupte
         if (ends_early(count, interrupted) || macro_steps.hopeless(count)) {
             return cap + 1;
         }
-        WallState<I> state{contact->x, low_end(low_end(out.numerator) / denominator)};
+        macro::WallState<I> state{contact->x, low_end(low_end(out.numerator) / denominator)};
         c = contact->sin_x + state.kappa * (state.x + pi<I>());
         macro_steps.follow(state, c, count);
         kappa = state.kappa;
@@ -95,7 +95,7 @@ long count_at_least(const Ray<I>& highest, long cap, const Interrupted& interrup
     const I r = high_end(highest.r);
     I c = high_end(highest.c);
     I kappa = high_end(highest.kappa);
-    detail::MacroSteps<I> macro_steps(BoundSide::upper, r, cap, interrupted);
+    detail::MacroSteps<I> macro_steps(macro::BoundSide::upper, r, cap, interrupted);
     for (long count = 0; count < cap; ++count) {
         if (!certainly_less(kappa, I(1))) {
             return count;
@@ -109,7 +109,7 @@ long count_at_least(const Ray<I>& highest, long cap, const Interrupted& interrup
             macro_steps.hopeless(count)) {
             return count + 1;
         }
-        WallState<I> state{contact->x, high_end(out.numerator / out.denominator)};
+        macro::WallState<I> state{contact->x, high_end(out.numerator / out.denominator)};
         c = contact->sin_x + state.kappa * (state.x + pi<I>());
         macro_steps.follow(state, c, count);
         kappa = state.kappa;
@@ -118,4 +118,4 @@ long count_at_least(const Ray<I>& highest, long cap, const Interrupted& interrup
     return cap;
 }
 
-}  // namespace dumbbell
+}  // namespace dumbbell::flight

@@ -9,7 +9,7 @@
 
 /// Counting forward from a box of departures from a light wall, in any direction, from its lowest and its
 /// highest corner (lemma L15).
-namespace dumbbell {
+namespace dumbbell::flight {
 
 /// One departure from a light wall: corner distance x with its sine and cosine, and slope kappa (negative:
 /// descending).
@@ -105,4 +105,4 @@ long later_collisions_at_most(Departure<I> low, Departure<I> high, const RatioRa
     return cap + 1;
 }
 
-}  // namespace dumbbell
+}  // namespace dumbbell::flight

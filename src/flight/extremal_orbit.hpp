@@ -9,7 +9,7 @@
 
 /// The two extremal orbits of proofs/theorem.md and how they move with the mass ratio: what the critical
 /// ratios are computed from.
-namespace dumbbell {
+namespace dumbbell::flight {
 
 /// The horizontal ray that touches the bridge's top, and the ray out of a corner along the bridge's tangent.
 enum class ExtremalOrbit { top, corner };
@@ -131,4 +131,4 @@ template <class I>
         -(angle(kappa) * flight.rate[1] + flight.rate[0])};
 }
 
-}  // namespace dumbbell
+}  // namespace dumbbell::flight

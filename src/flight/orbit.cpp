@@ -6,7 +6,7 @@
 
 #include "flight/contact.hpp"
 
-namespace dumbbell {
+namespace dumbbell::flight {
 namespace {
 
 /// A velocity (phidot, d yhat/dt) with phidot^2 + q yhat'^2 = 1.
@@ -161,4 +161,4 @@ template std::optional<std::vector<Collision<Interval>>> enclose_orbit(const Bri
 template std::optional<std::vector<Collision<BigInterval>>> enclose_orbit(const BridgeContact<BigInterval>&,
                                                                           const RatioRange<BigInterval>&);
 
-}  // namespace dumbbell
+}  // namespace dumbbell::flight

@@ -7,7 +7,7 @@
 #include "flight/chart.hpp"
 #include "number/rational.hpp"
 
-namespace dumbbell {
+namespace dumbbell::flight {
 
 /// One collision of an orbit, enclosed, in physical terms: rod length 1, phi in radians (0: heavy mass to the
 /// right of ... as in the source paper: y1 = y + beta2 sin phi is the light mass's height), y the height of
@@ -49,4 +49,4 @@ template <class I>
 [[nodiscard]] std::optional<std::vector<Collision<I>>> enclose_orbit(const BridgeContact<I>& contact,
                                                                      const RatioRange<I>& range);
 
-}  // namespace dumbbell
+}  // namespace dumbbell::flight

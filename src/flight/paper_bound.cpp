@@ -6,7 +6,7 @@
 
 #include "base/error.hpp"
 
-namespace dumbbell {
+namespace dumbbell::flight {
 namespace {
 
 /// Whether q <= cot^2(pi / 2m), for m >= 2.
@@ -49,4 +49,4 @@ long paper_bound(const Rational& q) {
 
 long paper_bound_behind(const Rational& q) { return paper_bound(q) + (q == 1 || q == 3 ? 1 : 0); }
 
-}  // namespace dumbbell
+}  // namespace dumbbell::flight

@@ -2,7 +2,7 @@
 
 #include "number/rational.hpp"
 
-namespace dumbbell {
+namespace dumbbell::flight {
 
 /// The greatest ratio that paper_bound takes: 3e31; beyond, m is no longer an exact double.
 [[nodiscard]] Rational paper_bound_limit();
@@ -19,4 +19,4 @@ namespace dumbbell {
 /// q = 3.
 [[nodiscard]] long paper_bound_behind(const Rational& q);
 
-}  // namespace dumbbell
+}  // namespace dumbbell::flight

@@ -6,12 +6,12 @@
 #include "base/interrupted.hpp"
 #include "flight/bridge_contact.hpp"
 #include "flight/contact.hpp"
-#include "flight/enclosure.hpp"
 #include "flight/reflection.hpp"
+#include "number/enclosure.hpp"
 
 /// Counting forward by plain interval evaluation (lemma L16): every formula is evaluated over the whole box,
 /// none is known to be monotone. Rests on L1, L3, L4, and of L6 on "B at most once".
-namespace dumbbell {
+namespace dumbbell::flight {
 
 /// All rays with these heights and slopes on their way to a light wall.
 template <class I>
@@ -216,4 +216,4 @@ long plain_later_collisions(PlainDeparture<I> from, const I& r, long cap,
     return cap + 1;
 }
 
-}  // namespace dumbbell
+}  // namespace dumbbell::flight

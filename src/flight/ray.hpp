@@ -1,6 +1,6 @@
 #pragma once
 
-namespace dumbbell {
+namespace dumbbell::flight {
 
 /// A flight towards a light wall, in the chart of lemma L4: it crosses the vertical through the corner before
 /// that wall (psi = -pi/2 when it flies left) at height `c` >= 0 (0 is a bound: flights of regular
@@ -14,4 +14,4 @@ struct Ray {
     I r;
 };
 
-}  // namespace dumbbell
+}  // namespace dumbbell::flight

@@ -2,7 +2,7 @@
 
 /// Reflections off the three walls, in units of the theory: slopes kappa, or lambda = kappa / r
 /// (proofs/lemmas.md, L4, L8, L9).
-namespace dumbbell {
+namespace dumbbell::flight {
 
 /// The reflection of a ray of slope kappa at a light wall of slope w = cos x, formula (2) of L4: it stays in
 /// the cell iff `denominator` > 0, and then leaves with slope numerator / denominator.
@@ -37,4 +37,4 @@ I reversed_steepness(const I& eta, const I& s, const I& r) {
     return eta * base / (base + I(2) * r * s * eta);
 }
 
-}  // namespace dumbbell
+}  // namespace dumbbell::flight

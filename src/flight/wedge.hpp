@@ -9,7 +9,7 @@
 
 /// The straight wedge yhat = |psi| - pi/2: it has no scale, a flight collides iff its slope is below 1, and a
 /// slope changes by L4 with w = 1 (lemma L17).
-namespace dumbbell {
+namespace dumbbell::flight {
 
 /// The number of later collisions of a ray of slope kappa at mass ratio 1/r, exactly; nothing if interrupted.
 /// Stops at `cap` + 1. Does not increase with kappa or r.
@@ -54,4 +54,4 @@ template <class I>
     return cap + 1;
 }
 
-}  // namespace dumbbell
+}  // namespace dumbbell::flight

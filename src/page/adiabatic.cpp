@@ -6,7 +6,7 @@
 #include "page/tree.hpp"
 #include "pictures/palette.hpp"
 
-namespace dumbbell {
+namespace dumbbell::page {
 namespace {
 
 /// Exactly, as the claim has it.
@@ -33,8 +33,8 @@ struct Leaves {
     std::size_t bound = 0;
     std::size_t outside = 0;
 
-    void add(const AdiabaticTree& tree) {
-        for (const AdiabaticNode& node : tree) {
+    void add(const adiabatic::AdiabaticTree& tree) {
+        for (const adiabatic::AdiabaticNode& node : tree) {
             if (!node.split) {
                 ++(node.outside ? outside : bound);
             }
@@ -46,9 +46,9 @@ Json axis_json(const char* name, const std::string& lo, const std::string& hi) {
     return Json::object({{"name", name}, {"lo", lo}, {"hi", hi}});
 }
 
-Json tree_of(const AdiabaticCertificate& certificate, const BoxBudget& budget) {
+Json tree_of(const adiabatic::AdiabaticCertificate& certificate, const BoxBudget& budget) {
     PictureTree tree;
-    for (const AdiabaticNode& node : certificate.tree) {
+    for (const adiabatic::AdiabaticNode& node : certificate.tree) {
         tree.push_back(node.split     ? split_of(static_cast<std::size_t>(*node.split))
                        : node.outside ? 0
                                       : 1 + node.by_class);
@@ -61,12 +61,13 @@ Json tree_of(const AdiabaticCertificate& certificate, const BoxBudget& budget) {
     return json;
 }
 
-Json kinds_json(const AdiabaticCertificate& certificate) {
+Json kinds_json(const adiabatic::AdiabaticCertificate& certificate) {
     Json kinds = Json::array({Json::object(
-        {{"reason", "outside"}, {"colour", Json::array({palette::outside.light, palette::outside.dark})}})});
+        {{"reason", "outside"},
+         {"colour", Json::array({pictures::palette::outside.light, pictures::palette::outside.dark})}})});
     const std::size_t classes = std::max<std::size_t>(1, certificate.classes.size());
     for (std::size_t i = 0; i < classes; ++i) {
-        const char* colour = palette::classes.at(i % palette::classes.size());
+        const char* colour = pictures::palette::classes.at(i % pictures::palette::classes.size());
         kinds.add(
             Json::object({{"reason", "bound"}, {"class", i}, {"colour", Json::array({colour, colour})}}));
     }
@@ -75,12 +76,13 @@ Json kinds_json(const AdiabaticCertificate& certificate) {
 
 }  // namespace
 
-Json file_json(const AdiabaticCertificate& certificate, const BoxBudget& budget) {
-    const AdiabaticHypotheses& of = certificate.hypotheses;
-    const bool has_heights = of.claim == AdiabaticClaim::bounce || of.claim == AdiabaticClaim::run;
+Json file_json(const adiabatic::AdiabaticCertificate& certificate, const BoxBudget& budget) {
+    const adiabatic::AdiabaticHypotheses& of = certificate.hypotheses;
+    const bool has_heights =
+        of.claim == adiabatic::AdiabaticClaim::bounce || of.claim == adiabatic::AdiabaticClaim::run;
     Leaves leaves;
     leaves.add(certificate.tree);
-    for (const AdiabaticClass& one : certificate.classes) {
+    for (const adiabatic::AdiabaticClass& one : certificate.classes) {
         leaves.add(one.tree);
     }
     Json bounds = Json::array();
@@ -88,30 +90,31 @@ Json file_json(const AdiabaticCertificate& certificate, const BoxBudget& budget)
         bounds.add(shown_above(bound));
     }
     Json attained = Json::array();
-    for (const AdiabaticState& state : certificate.attained) {
+    for (const adiabatic::AdiabaticState& state : certificate.attained) {
         attained.add(Json::object({{"u", to_fraction(state.u)},
                                    {"s", to_fraction(state.s)},
                                    {"delta", to_fraction(state.delta)},
                                    {"n", state.n},
                                    {"value", shown_below(state.value)}}));
     }
-    return Json::object({{"claim", name(of.claim)},
-                         {"lemmas", "1"},
-                         {"bits", certificate.bits},
-                         {"delta", range_json(of.delta)},
-                         {"heights", has_heights ? range_json(of.heights) : Json()},
-                         {"margin", exactly(of.margin)},
-                         {"exponent", of.claim == AdiabaticClaim::bounce ? Json(of.exponent) : Json()},
-                         {"classes", certificate.classes.size()},
-                         {"leaves", Json::object({{"bound", leaves.bound}, {"outside", leaves.outside}})},
-                         {"bounds", bounds},
-                         {"attained", attained},
-                         {"kinds", kinds_json(certificate)},
-                         {"tree", certificate.tree.empty() ? Json() : tree_of(certificate, budget)}});
+    return Json::object(
+        {{"claim", name(of.claim)},
+         {"lemmas", "1"},
+         {"bits", certificate.bits},
+         {"delta", range_json(of.delta)},
+         {"heights", has_heights ? range_json(of.heights) : Json()},
+         {"margin", exactly(of.margin)},
+         {"exponent", of.claim == adiabatic::AdiabaticClaim::bounce ? Json(of.exponent) : Json()},
+         {"classes", certificate.classes.size()},
+         {"leaves", Json::object({{"bound", leaves.bound}, {"outside", leaves.outside}})},
+         {"bounds", bounds},
+         {"attained", attained},
+         {"kinds", kinds_json(certificate)},
+         {"tree", certificate.tree.empty() ? Json() : tree_of(certificate, budget)}});
 }
 
-std::string claim_options(const AdiabaticCertificate& certificate) {
+std::string claim_options(const adiabatic::AdiabaticCertificate& certificate) {
     return fmt::format("--claim {}", name(certificate.hypotheses.claim));
 }
 
-}  // namespace dumbbell
+}  // namespace dumbbell::page

@@ -13,10 +13,14 @@
 #include "pictures/count_colours.hpp"
 #include "pictures/cover.hpp"
 
-namespace dumbbell {
+namespace dumbbell::page {
+
+using collisions::Certificate;
+using collisions::Piece;
+
 namespace {
 
-constexpr std::array all_axes{Axis::position, Axis::slope, Axis::ratio};
+constexpr std::array all_axes{collisions::Axis::position, collisions::Axis::slope, collisions::Axis::ratio};
 
 /// The different leaves of a file, numbered so that of two numbers the greater one says more: counts last, by
 /// their sums.
@@ -24,8 +28,8 @@ class Kinds {
   public:
     explicit Kinds(const Certificate& certificate) {
         for (const Piece& piece : certificate.pieces) {
-            for (const ChartTree& tree : piece.cover.charts) {
-                for (const Node& node : tree.tree) {
+            for (const collisions::ChartTree& tree : piece.cover.charts) {
+                for (const collisions::Node& node : tree.tree) {
                     if (!node.split) {
                         numbers_.emplace(key(node.leaf), 0);
                         ++leaves_[node.leaf.reason];
@@ -39,7 +43,7 @@ class Kinds {
         }
     }
 
-    [[nodiscard]] int number(const Leaf& leaf) const { return numbers_.at(key(leaf)); }
+    [[nodiscard]] int number(const collisions::Leaf& leaf) const { return numbers_.at(key(leaf)); }
 
     [[nodiscard]] Json json() const {
         std::vector<long> counts;
@@ -49,11 +53,11 @@ class Kinds {
                 counts.push_back(1 + both);
             }
         }
-        const auto shades = count_shades(counts);
+        const auto shades = pictures::count_shades(counts);
         Json kinds = Json::array();
         for (const auto& [key, number] : numbers_) {
             const auto& [counted, both, forward, backward, reason] = key;
-            const Shade colour = counted ? shades.at(1 + both).shade() : shade_of(reason);
+            const pictures::Shade colour = counted ? shades.at(1 + both).shade() : pictures::shade_of(reason);
             kinds.add(Json::object({{"reason", name(reason)},
                                     {"forward", forward},
                                     {"backward", backward},
@@ -72,21 +76,21 @@ class Kinds {
     }
 
   private:
-    using Key = std::tuple<bool, long, long, long, Reason>;
+    using Key = std::tuple<bool, long, long, long, collisions::Reason>;
 
-    static Key key(const Leaf& leaf) {
-        return {leaf.reason == Reason::count, leaf.forward + leaf.backward, leaf.forward, leaf.backward,
-                leaf.reason};
+    static Key key(const collisions::Leaf& leaf) {
+        return {leaf.reason == collisions::Reason::count, leaf.forward + leaf.backward, leaf.forward,
+                leaf.backward, leaf.reason};
     }
 
     std::map<Key, int> numbers_;
-    std::map<Reason, long> leaves_;
+    std::map<collisions::Reason, long> leaves_;
 };
 
-Json axes_json(Chart chart, const Piece& piece) {
+Json axes_json(collisions::Chart chart, const Piece& piece) {
     const audit::Boxes root = audit::root_of(chart, piece.q_lo, piece.q_hi);
     Json axes = Json::array();
-    for (const Axis axis : all_axes) {
+    for (const collisions::Axis axis : all_axes) {
         const auto number = static_cast<std::size_t>(axis);
         axes.add(Json::object({{"name", axis_name(chart, axis)},
                                {"lo", to_fraction(root.lo(root.root, number))},
@@ -95,10 +99,11 @@ Json axes_json(Chart chart, const Piece& piece) {
     return axes;
 }
 
-Json chart_json(const ChartTree& chart, const Piece& piece, const Kinds& kinds, const BoxBudget& budget) {
+Json chart_json(const collisions::ChartTree& chart, const Piece& piece, const Kinds& kinds,
+                const BoxBudget& budget) {
     PictureTree tree;
     tree.reserve(chart.tree.size());
-    for (const Node& node : chart.tree) {
+    for (const collisions::Node& node : chart.tree) {
         tree.push_back(node.split ? split_of(static_cast<std::size_t>(*node.split))
                                   : kinds.number(node.leaf));
     }
@@ -108,7 +113,7 @@ Json chart_json(const ChartTree& chart, const Piece& piece, const Kinds& kinds, 
     return json;
 }
 
-Json witness_json(const Witness& witness) {
+Json witness_json(const collisions::Witness& witness) {
     return Json::object({{"chart", name(witness.chart)},
                          {"e", to_fraction(witness.e)},
                          {"eta", to_fraction(witness.eta)},
@@ -118,10 +123,10 @@ Json witness_json(const Witness& witness) {
 
 Json piece_json(const Piece& piece, const Certificate& certificate, const Kinds& kinds,
                 const BoxBudget& budget) {
-    const bool has_paper =
-        certificate.scene == Scene::dumbbell && piece.q_lo >= 1 && piece.q_hi <= paper_bound_limit();
+    const bool has_paper = certificate.scene == collisions::Scene::dumbbell && piece.q_lo >= 1 &&
+                           piece.q_hi <= flight::paper_bound_limit();
     Json trees = Json::array();
-    for (const ChartTree& chart : piece.cover.charts) {
+    for (const collisions::ChartTree& chart : piece.cover.charts) {
         trees.add(chart_json(chart, piece, kinds, budget));
     }
     return Json::object(
@@ -135,7 +140,8 @@ Json piece_json(const Piece& piece, const Certificate& certificate, const Kinds&
          {"bits", piece.bits},
          {"leaves", piece.cover.leaves()},
          {"equal_masses", piece.cover.equal_masses},
-         {"paper", has_paper ? Json::array({paper_bound(piece.q_lo), paper_bound(piece.q_hi)}) : Json()},
+         {"paper", has_paper ? Json::array({flight::paper_bound(piece.q_lo), flight::paper_bound(piece.q_hi)})
+                             : Json()},
          {"witness", piece.witness ? witness_json(*piece.witness) : Json()},
          {"trees", trees}});
 }
@@ -176,7 +182,7 @@ Json file_json(const Certificate& certificate, const BoxBudget& budget) {
 std::string claim_options(const Certificate& certificate) {
     const auto [upper, lower] = bounds_of(certificate);
     std::string options;
-    if (certificate.scene != Scene::dumbbell) {
+    if (certificate.scene != collisions::Scene::dumbbell) {
         options += fmt::format("--scene {} ", name(certificate.scene));
     }
     options += "--ratio " + exact_text(certificate.q_lo());
@@ -192,4 +198,4 @@ std::string claim_options(const Certificate& certificate) {
     return options + (lower > 0 ? fmt::format(" --min {}", lower) : "");
 }
 
-}  // namespace dumbbell
+}  // namespace dumbbell::page

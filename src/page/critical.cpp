@@ -2,11 +2,11 @@
 
 #include "page/file.hpp"
 
-namespace dumbbell {
+namespace dumbbell::page {
 
-Json file_json(const CriticalTable& table, const BoxBudget& /*no boxes*/) {
+Json file_json(const staircase::CriticalTable& table, const BoxBudget& /*no boxes*/) {
     Json rows = Json::array();
-    for (const CriticalTableRow& row : table.rows) {
+    for (const staircase::CriticalTableRow& row : table.rows) {
         rows.add(Json::object({{"n", row.n},
                                {"q_c", row.q_c},
                                {"radius", row.radius},
@@ -24,4 +24,4 @@ Json file_json(const CriticalTable& table, const BoxBudget& /*no boxes*/) {
          {"rows", rows}});
 }
 
-}  // namespace dumbbell
+}  // namespace dumbbell::page

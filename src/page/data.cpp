@@ -13,23 +13,27 @@
 #include "pictures/palette.hpp"
 #include "staircase/growth_constant.hpp"
 
-namespace dumbbell {
+namespace dumbbell::page {
 namespace {
 
 constexpr int constant_digits = 20;
 constexpr int constant_bits = 128;
 
 struct LeavesOf {
-    std::size_t operator()(const Certificate& certificate) const {
+    std::size_t operator()(const collisions::Certificate& certificate) const {
         long leaves = 0;
-        for (const Piece& piece : certificate.pieces) {
+        for (const collisions::Piece& piece : certificate.pieces) {
             leaves += piece.cover.leaves();
         }
         return static_cast<std::size_t>(leaves);
     }
-    std::size_t operator()(const InitialCertificate& certificate) const { return closed(certificate.tree); }
-    std::size_t operator()(const AdiabaticCertificate& certificate) const { return closed(certificate.tree); }
-    std::size_t operator()(const CriticalTable& /*no trees*/) const { return 0; }
+    std::size_t operator()(const starts::InitialCertificate& certificate) const {
+        return closed(certificate.tree);
+    }
+    std::size_t operator()(const adiabatic::AdiabaticCertificate& certificate) const {
+        return closed(certificate.tree);
+    }
+    std::size_t operator()(const staircase::CriticalTable& /*no trees*/) const { return 0; }
 
   private:
     template <class Tree>
@@ -41,7 +45,7 @@ struct LeavesOf {
 
 std::string growth_digits() {
     const PrecisionScope scope(constant_bits);
-    const BigInterval c = growth_constant();
+    const BigInterval c = staircase::growth_constant();
     const auto digits = shared_digits(exact_lo(c), exact_hi(c), constant_digits);
     require(digits.has_value(), "report: the constant C is not known to 20 digits");
     return to_text(*digits);
@@ -58,21 +62,21 @@ struct ProvenanceOf {
     Provenance operator()(const Certified& of) const {
         return {of.program + " " + of.version, claim_options(of)};
     }
-    Provenance operator()(const CriticalTable& /*unsigned*/) const { return {}; }
+    Provenance operator()(const staircase::CriticalTable& /*unsigned*/) const { return {}; }
 };
 
 /// The colours of the page's pictures by their names in its style sheets: on light and on dark pages.
 Json colours_json() {
-    const auto both = [](const Shade& shade) { return Json::array({shade.light, shade.dark}); };
-    return Json::object({{"proved", both(palette::proved)},
-                         {"paper", both(palette::paper)},
-                         {"growth", both(palette::growth)},
-                         {"gap", both(palette::gap)},
-                         {"hatch", both(palette::hatch)},
-                         {"light", both(palette::light)},
-                         {"heavy", both(palette::heavy)},
-                         {"floor", both(palette::floor)},
-                         {"mark", both(palette::witness)}});
+    const auto both = [](const pictures::Shade& shade) { return Json::array({shade.light, shade.dark}); };
+    return Json::object({{"proved", both(pictures::palette::proved)},
+                         {"paper", both(pictures::palette::paper)},
+                         {"growth", both(pictures::palette::growth)},
+                         {"gap", both(pictures::palette::gap)},
+                         {"hatch", both(pictures::palette::hatch)},
+                         {"light", both(pictures::palette::light)},
+                         {"heavy", both(pictures::palette::heavy)},
+                         {"floor", both(pictures::palette::floor)},
+                         {"mark", both(pictures::palette::witness)}});
 }
 
 Json one_file(const ReportedFile& file, const BoxBudget& budget) {
@@ -90,15 +94,15 @@ Json one_file(const ReportedFile& file, const BoxBudget& budget) {
 
 ReportedFile read_reported(const std::string& path) {
     require_readable(path);
-    if (is_critical_table(path)) {
-        CriticalTable table = read_critical_table(path);
+    if (staircase::is_critical_table(path)) {
+        staircase::CriticalTable table = staircase::read_critical_table(path);
         std::string sha256 = table.sha256;
         return {path, std::move(sha256), std::move(table)};
     }
-    std::string sha256 = sealed_digest(path);
+    std::string sha256 = certificates::sealed_digest(path);
     return {path, std::move(sha256),
             std::visit([](auto&& of) { return ReportedContent(std::forward<decltype(of)>(of)); },
-                       read_any_certificate(path))};
+                       certificates::read_any_certificate(path))};
 }
 
 std::size_t leaves_of(const ReportedContent& content) { return std::visit(LeavesOf(), content); }
@@ -108,7 +112,7 @@ Json page_data(const std::vector<ReportedFile>& files, std::size_t most_boxes) {
     std::size_t pieces = 0;
     for (const ReportedFile& file : files) {
         budget.total += leaves_of(file.content);
-        if (const auto* certificate = std::get_if<Certificate>(&file.content)) {
+        if (const auto* certificate = std::get_if<collisions::Certificate>(&file.content)) {
             pieces += certificate->pieces.size();
         }
     }
@@ -130,4 +134,4 @@ Json page_data(const std::vector<ReportedFile>& files, std::size_t most_boxes) {
                          {"files", shown}});
 }
 
-}  // namespace dumbbell
+}  // namespace dumbbell::page

@@ -11,9 +11,10 @@
 
 /// What the page of `dumbbell report` shows, as one JSON object: certificates, tables of critical ratios, and
 /// nothing that they do not claim. web/README.md describes it.
-namespace dumbbell {
+namespace dumbbell::page {
 
-using ReportedContent = std::variant<Certificate, InitialCertificate, AdiabaticCertificate, CriticalTable>;
+using ReportedContent = std::variant<collisions::Certificate, starts::InitialCertificate,
+                                     adiabatic::AdiabaticCertificate, staircase::CriticalTable>;
 
 struct ReportedFile {
     std::string path;    ///< as the user wrote it, for the command that verifies it
@@ -36,4 +37,4 @@ inline constexpr std::size_t most_pieces = 100'000;
 /// How many leaves its trees have.
 [[nodiscard]] std::size_t leaves_of(const ReportedContent& content);
 
-}  // namespace dumbbell
+}  // namespace dumbbell::page

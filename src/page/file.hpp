@@ -11,7 +11,7 @@
 
 /// One file of the page's data, by claim kind: its claim, trees and starting states, and the options with
 /// which the verifier is asked for exactly that claim.
-namespace dumbbell {
+namespace dumbbell::page {
 
 /// Of `total` leaves in all files, `most` may be drawn.
 struct BoxBudget {
@@ -19,16 +19,16 @@ struct BoxBudget {
     std::size_t most = 0;
 };
 
-[[nodiscard]] Json file_json(const Certificate& certificate, const BoxBudget& budget);
-[[nodiscard]] Json file_json(const InitialCertificate& certificate, const BoxBudget& budget);
-[[nodiscard]] Json file_json(const AdiabaticCertificate& certificate, const BoxBudget& budget);
+[[nodiscard]] Json file_json(const collisions::Certificate& certificate, const BoxBudget& budget);
+[[nodiscard]] Json file_json(const starts::InitialCertificate& certificate, const BoxBudget& budget);
+[[nodiscard]] Json file_json(const adiabatic::AdiabaticCertificate& certificate, const BoxBudget& budget);
 
 /// No certificate, but worth a look: with the command that makes the table again.
-[[nodiscard]] Json file_json(const CriticalTable& table, const BoxBudget& budget);
+[[nodiscard]] Json file_json(const staircase::CriticalTable& table, const BoxBudget& budget);
 
 /// Words for the command line, e.g. `--ratio 1:100 --max 10 --min 2`.
-[[nodiscard]] std::string claim_options(const Certificate& certificate);
-[[nodiscard]] std::string claim_options(const InitialCertificate& certificate);
-[[nodiscard]] std::string claim_options(const AdiabaticCertificate& certificate);
+[[nodiscard]] std::string claim_options(const collisions::Certificate& certificate);
+[[nodiscard]] std::string claim_options(const starts::InitialCertificate& certificate);
+[[nodiscard]] std::string claim_options(const adiabatic::AdiabaticCertificate& certificate);
 
-}  // namespace dumbbell
+}  // namespace dumbbell::page

@@ -2,7 +2,7 @@
 
 #include "base/error.hpp"
 
-namespace dumbbell {
+namespace dumbbell::page {
 namespace {
 
 /// Where the data goes: once in the template.
@@ -26,4 +26,4 @@ std::string html_page(const Json& data) {
     return result.append(page.substr(at + place.size()));
 }
 
-}  // namespace dumbbell
+}  // namespace dumbbell::page

@@ -5,7 +5,7 @@
 
 #include "words/json.hpp"
 
-namespace dumbbell {
+namespace dumbbell::page {
 
 /// The built page (web/dist/report.html) without data: one HTML file that asks for nothing else.
 [[nodiscard]] std::string_view page_template();
@@ -14,4 +14,4 @@ namespace dumbbell {
 /// escape, and bytes that are no UTF-8 as U+FFFD.
 [[nodiscard]] std::string html_page(const Json& data);
 
-}  // namespace dumbbell
+}  // namespace dumbbell::page

@@ -12,26 +12,27 @@
 #include "pictures/count_colours.hpp"
 #include "pictures/start_plane.hpp"
 
-namespace dumbbell {
+namespace dumbbell::page {
 namespace {
 
-constexpr int deepest = 400 * static_cast<int>(initial_axes);  // format-initial.md; bounds the shares' size
-constexpr int window_digits = 5;                               // shown; the file has the window exactly
+constexpr int deepest =
+    400 * static_cast<int>(starts::initial_axes);  // format-initial.md; bounds the shares' size
+constexpr int window_digits = 5;                   // shown; the file has the window exactly
 
-constexpr std::array<const char*, initial_axes> axis_names{"phi", "phidot", "y", "ydot", "q"};
+constexpr std::array<const char*, starts::initial_axes> axis_names{"phi", "phidot", "y", "ydot", "q"};
 
 /// A leaf apart from its box and the window of the first contact: open ones last, undecided ones before.
 using Kind = std::tuple<bool, bool, long, long, int>;
 
 enum FirstMass { no_mass, light_mass, heavy_mass };
 
-Kind kind_of(const InitialLeaf& leaf) {
+Kind kind_of(const starts::InitialLeaf& leaf) {
     const int mass = !leaf.first ? no_mass : leaf.first->heavy ? heavy_mass : light_mass;
     return {!leaf.most, leaf.most != leaf.least, leaf.most.value_or(0), leaf.least, mass};
 }
 
 /// The colour is that of its number of collisions; null: it has none.
-Json kind_json(const Kind& kind, const std::map<long, CountShade>& shades) {
+Json kind_json(const Kind& kind, const std::map<long, pictures::CountShade>& shades) {
     const auto& [is_open, undecided, most, least, mass] = kind;
     const auto shade = is_open || undecided ? shades.end() : shades.find(least);
     return Json::object(
@@ -47,8 +48,8 @@ Json kind_json(const Kind& kind, const std::map<long, CountShade>& shades) {
 /// The picture's tree and what its leaves add up to.
 class Body {
   public:
-    explicit Body(const std::vector<InitialNode>& nodes) {
-        for (const InitialNode& node : nodes) {
+    explicit Body(const std::vector<starts::InitialNode>& nodes) {
+        for (const starts::InitialNode& node : nodes) {
             if (!node.split) {
                 kinds_.emplace(kind_of(node.leaf), 0);
             }
@@ -58,7 +59,7 @@ class Body {
             kind.second = number++;
         }
         std::vector<int> depths{0};  // of the nodes to come: the next one last
-        for (const InitialNode& node : nodes) {
+        for (const starts::InitialNode& node : nodes) {
             const int depth = depths.back();
             depths.pop_back();
             if (depth > deepest) {
@@ -84,7 +85,7 @@ class Body {
                 counts.push_back(count);
             }
         }
-        const auto shades = count_shades(counts);
+        const auto shades = pictures::count_shades(counts);
         Json json = Json::array();
         for (const auto& kind : kinds_) {
             json.add(kind_json(kind.first, shades));
@@ -116,7 +117,7 @@ class Body {
     [[nodiscard]] std::optional<long> most() const { return any_open_ ? std::nullopt : std::optional(most_); }
 
   private:
-    void add(const InitialLeaf& leaf, int depth) {
+    void add(const starts::InitialLeaf& leaf, int depth) {
         const bool is_exact = leaf.most == leaf.least;
         windows_.add(leaf.first ? Json(rounded(leaf.first->from)) : Json());
         windows_.add(leaf.first ? Json(rounded(leaf.first->until)) : Json());
@@ -140,10 +141,10 @@ class Body {
 
 }  // namespace
 
-Json file_json(const InitialCertificate& certificate, const BoxBudget& budget) {
+Json file_json(const starts::InitialCertificate& certificate, const BoxBudget& budget) {
     const Body body(certificate.tree);
     Json axes = Json::array();
-    for (std::size_t i = 0; i < initial_axes; ++i) {
+    for (std::size_t i = 0; i < starts::initial_axes; ++i) {
         axes.add(Json::object({{"name", axis_names[i]},
                                {"lo", to_fraction(certificate.box.lo[i])},
                                {"hi", to_fraction(certificate.box.hi[i])}}));
@@ -160,10 +161,10 @@ Json file_json(const InitialCertificate& certificate, const BoxBudget& budget) {
                          {"kinds", body.kinds()},
                          {"windows", drawn >= leaves ? body.windows() : Json::array()},
                          {"tree", tree},
-                         {"hatched", hatched_note(certificate)}});
+                         {"hatched", pictures::hatched_note(certificate)}});
 }
 
-std::string claim_options(const InitialCertificate& certificate) {
+std::string claim_options(const starts::InitialCertificate& certificate) {
     const Body body(certificate.tree);
     std::string options = "--claim initial-conditions";
     if (body.most()) {
@@ -172,4 +173,4 @@ std::string claim_options(const InitialCertificate& certificate) {
     return options + (body.least() > 0 ? fmt::format(" --min {}", body.least()) : "");
 }
 
-}  // namespace dumbbell
+}  // namespace dumbbell::page

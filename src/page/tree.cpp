@@ -6,7 +6,7 @@
 
 #include "base/error.hpp"
 
-namespace dumbbell {
+namespace dumbbell::page {
 namespace {
 
 /// Of the subtree that begins at a node: its leaves, the greatest kind of them, and the node after it.
@@ -106,4 +106,4 @@ Json tree_json(const PictureTree& tree, std::size_t most) {
                          {"stands_for", Json::array(drawn.stands_for)}});
 }
 
-}  // namespace dumbbell
+}  // namespace dumbbell::page

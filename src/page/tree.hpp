@@ -6,7 +6,7 @@
 #include "words/json.hpp"
 
 /// A bisection tree as the page draws it.
-namespace dumbbell {
+namespace dumbbell::page {
 
 /// Pre-order, lower half first: the number k >= 0 is a leaf of kind k, -1 - a a split of axis a.
 using PictureTree = std::vector<int>;
@@ -32,4 +32,4 @@ struct ThinnedTree {
 /// {nodes, leaves, stands_for}
 [[nodiscard]] Json tree_json(const PictureTree& tree, std::size_t most);
 
-}  // namespace dumbbell
+}  // namespace dumbbell::page

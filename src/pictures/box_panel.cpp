@@ -2,7 +2,7 @@
 
 #include <fmt/core.h>
 
-namespace dumbbell {
+namespace dumbbell::pictures {
 
 void style_boxes(Svg& svg, std::size_t boxes) {
     constexpr std::size_t many = 3000;  // their outlines would hide their colours
@@ -22,4 +22,4 @@ void draw_boxes(Svg& svg, const Frame& frame, const DrawnBoxes& boxes) {
     }
 }
 
-}  // namespace dumbbell
+}  // namespace dumbbell::pictures

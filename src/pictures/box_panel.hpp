@@ -7,7 +7,7 @@
 
 #include "pictures/frame.hpp"
 
-namespace dumbbell {
+namespace dumbbell::pictures {
 
 /// A box in the coordinates of a frame.
 struct DrawnBox {
@@ -23,4 +23,4 @@ void style_boxes(Svg& svg, std::size_t boxes);
 /// Draws them into the frame, one path for each class.
 void draw_boxes(Svg& svg, const Frame& frame, const DrawnBoxes& boxes);
 
-}  // namespace dumbbell
+}  // namespace dumbbell::pictures

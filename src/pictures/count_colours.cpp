@@ -8,7 +8,7 @@
 
 #include "pictures/palette.hpp"
 
-namespace dumbbell {
+namespace dumbbell::pictures {
 namespace {
 
 struct Colour {
@@ -80,4 +80,4 @@ std::vector<long> shown_counts(const std::vector<long>& counts) {
     return shown;
 }
 
-}  // namespace dumbbell
+}  // namespace dumbbell::pictures

@@ -8,7 +8,7 @@
 
 /// Colours of numbers of collisions: an even, bright-to-dark scale that stays ordered for every kind of
 /// colour vision and in grey print (viridis); no collision at all is grey.
-namespace dumbbell {
+namespace dumbbell::pictures {
 
 /// The class of the count's colour.
 [[nodiscard]] std::string count_kind(long count);
@@ -29,4 +29,4 @@ void colour_counts(Svg& svg, const std::vector<long>& counts);
 /// The counts that a legend shows: all, or about a dozen from the least to the greatest.
 [[nodiscard]] std::vector<long> shown_counts(const std::vector<long>& counts);
 
-}  // namespace dumbbell
+}  // namespace dumbbell::pictures

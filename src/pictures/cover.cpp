@@ -17,7 +17,11 @@
 #include "pictures/palette.hpp"
 #include "pictures/start_plane.hpp"
 
-namespace dumbbell {
+namespace dumbbell::pictures {
+
+using collisions::Chart;
+using collisions::Reason;
+
 namespace {
 
 constexpr double left = 76;
@@ -79,11 +83,12 @@ bool has_ratio(const Rational& lo, const Rational& hi, const Rational& q, const 
     return lo <= q && (q < hi || hi == last) && q <= hi;
 }
 
-Panel panel_of(const ChartTree& tree, const Piece& piece, const Rational& q, DrawnCover& cover) {
+Panel panel_of(const collisions::ChartTree& tree, const collisions::Piece& piece, const Rational& q,
+               DrawnCover& cover) {
     const audit::Boxes boxes = audit::leaf_boxes(tree.chart, piece.q_lo, piece.q_hi, tree.tree);
     Panel panel{tree.chart, value(boxes.hi(boxes.root, 0)), value(boxes.hi(boxes.root, 1)), {}};
     std::size_t number = 0;
-    for (const Node& node : tree.tree) {
+    for (const collisions::Node& node : tree.tree) {
         if (node.split) {
             continue;
         }
@@ -106,7 +111,7 @@ Panel panel_of(const ChartTree& tree, const Piece& piece, const Rational& q, Dra
     return panel;
 }
 
-bool is_contact(Chart chart) { return axis_name(chart, Axis::position) == "t"; }
+bool is_contact(Chart chart) { return axis_name(chart, collisions::Axis::position) == "t"; }
 
 /// Does a witness, a contact with the bridge, lie in this chart?
 bool shows_witness(Chart chart) {
@@ -146,7 +151,7 @@ Frame frame_of(const Panel& panel, double x, double y, double width) {
             width,
             plot_height,
             {0, panel.position_hi,
-             fmt::format("{}: angle from the corner", axis_name(panel.chart, Axis::position)),
+             fmt::format("{}: angle from the corner", axis_name(panel.chart, collisions::Axis::position)),
              even_ticks(0, panel.position_hi, wanted)},
             {0, panel.slope_hi, words_of(panel.chart).slope,
              panel.is_compact() ? compact_ticks(panel.slope_hi) : even_ticks(0, panel.slope_hi, wanted),
@@ -174,7 +179,8 @@ std::string legend_note(const std::set<long>& counts) {
     return has_holes ? " A count that the legend leaves out belongs to no box." : "";
 }
 
-std::string caption_of(const Piece& piece, const Rational& q, std::size_t boxes, const DrawnCover& cover) {
+std::string caption_of(const collisions::Piece& piece, const Rational& q, std::size_t boxes,
+                       const DrawnCover& cover) {
     const bool is_full = is_contact(cover.panels.front().chart);
     std::string charts;
     for (const Panel& panel : cover.panels) {
@@ -204,14 +210,14 @@ std::string caption_of(const Piece& piece, const Rational& q, std::size_t boxes,
 
 Shade shade_of(Reason reason) { return style_of(reason).shade; }
 
-std::string cover_svg(const Piece& piece, const Rational& q) {
+std::string cover_svg(const collisions::Piece& piece, const Rational& q) {
     if (piece.cover.equal_masses) {
         throw InputError("the mass ratio 1 is proved by lemma L7, without boxes: there is no cover to draw");
     }
     require_few(static_cast<std::size_t>(piece.cover.leaves()));
     DrawnCover cover;
     std::size_t boxes = 0;
-    for (const ChartTree& tree : piece.cover.charts) {
+    for (const collisions::ChartTree& tree : piece.cover.charts) {
         cover.panels.push_back(panel_of(tree, piece, q, cover));
         for (const auto& kind : cover.panels.back().boxes) {
             boxes += kind.second.size();
@@ -253,7 +259,7 @@ std::string cover_svg(const Piece& piece, const Rational& q) {
     return svg.finished();
 }
 
-std::string cover_svg(const InitialCertificate& certificate) {
+std::string cover_svg(const starts::InitialCertificate& certificate) {
     require_few(certificate.tree.size() / 2 + 1);
     const InitialPlane plane = initial_plane(certificate);
     const double whole_width = page_width - left - right_margin;
@@ -298,4 +304,4 @@ std::string cover_svg(const InitialCertificate& certificate) {
     return svg.finished();
 }
 
-}  // namespace dumbbell
+}  // namespace dumbbell::pictures

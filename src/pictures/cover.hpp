@@ -7,7 +7,7 @@
 #include "pictures/svg.hpp"
 #include "starts/certificate.hpp"
 
-namespace dumbbell {
+namespace dumbbell::pictures {
 
 inline constexpr std::size_t most_drawn_boxes = 100'000;
 
@@ -15,13 +15,13 @@ inline constexpr std::size_t most_drawn_boxes = 100'000;
 /// coordinates (format.md, format-sections.md), each box coloured by the number of collisions that it
 /// proves, or by its other reason; the witness is marked. Preconditions: the piece has an upper bound, of the
 /// dumbbell, and q_lo <= q <= q_hi. Throws InputError if it has no boxes, or more than most_drawn_boxes.
-[[nodiscard]] std::string cover_svg(const Piece& piece, const Rational& q);
+[[nodiscard]] std::string cover_svg(const collisions::Piece& piece, const Rational& q);
 
 /// The colour of boxes with a reason other than a count.
-[[nodiscard]] Shade shade_of(Reason reason);
+[[nodiscard]] Shade shade_of(collisions::Reason reason);
 
 /// The boxes of a cover of initial conditions, each as it is (phase_svg unites them). Throws InputError as
 /// phase_svg does.
-[[nodiscard]] std::string cover_svg(const InitialCertificate& certificate);
+[[nodiscard]] std::string cover_svg(const starts::InitialCertificate& certificate);
 
-}  // namespace dumbbell
+}  // namespace dumbbell::pictures

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <utility>
 
-namespace dumbbell {
+namespace dumbbell::pictures {
 namespace {
 
 constexpr double tolerance = 1e-9;  // of a range: a mark at its end is in it
@@ -280,4 +280,4 @@ void draw_caption(Svg& svg, double left, double top, const std::vector<std::stri
     }
 }
 
-}  // namespace dumbbell
+}  // namespace dumbbell::pictures

@@ -7,7 +7,7 @@
 #include "pictures/svg.hpp"
 
 /// Axes, marks and legends, as all pictures have them.
-namespace dumbbell {
+namespace dumbbell::pictures {
 
 struct Tick {
     double value;
@@ -115,4 +115,4 @@ inline constexpr double caption_step = 17;
 /// Draws them; the first one's base line is at `top`.
 void draw_caption(Svg& svg, double left, double top, const std::vector<std::string>& lines);
 
-}  // namespace dumbbell
+}  // namespace dumbbell::pictures

@@ -6,7 +6,7 @@
 #include <limits>
 #include <numbers>
 
-namespace dumbbell {
+namespace dumbbell::pictures {
 namespace {
 
 constexpr double number_height = 14;
@@ -86,4 +86,4 @@ std::vector<std::optional<Pixel>> label_places(const std::vector<Pixel>& points,
     return places;
 }
 
-}  // namespace dumbbell
+}  // namespace dumbbell::pictures

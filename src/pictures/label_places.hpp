@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-namespace dumbbell {
+namespace dumbbell::pictures {
 
 struct Pixel {
     double x, y;
@@ -21,4 +21,4 @@ struct PixelRange {
                                                              const std::vector<Pixel>& path, double width,
                                                              const PixelRange& range);
 
-}  // namespace dumbbell
+}  // namespace dumbbell::pictures

@@ -14,10 +14,10 @@
 #include "pictures/snapshots.hpp"
 #include "words/printed.hpp"
 
-namespace dumbbell {
+namespace dumbbell::pictures {
 namespace {
 
-using Orbit = std::vector<Collision<Interval>>;
+using Orbit = std::vector<flight::Collision<Interval>>;
 using std::numbers::pi;
 
 constexpr double left = 76;
@@ -41,7 +41,9 @@ struct Place {
     double psi, y;
 };
 
-Place place_of(const Collision<Interval>& c) { return {approximate(c.phi) - pi / 2, approximate(c.y)}; }
+Place place_of(const flight::Collision<Interval>& c) {
+    return {approximate(c.phi) - pi / 2, approximate(c.y)};
+}
 
 /// The polyline with what lies far above the frame moved to a line just above it, where it is not seen: a
 /// detail is stretched so much that programs that draw would lose the rest among their digits.
@@ -125,8 +127,8 @@ class ShownFlights {
 /// leaves.
 std::vector<Pixel> path_of(const Frame& frame, const Orbit& orbit) {
     const auto pixel = [&](const Place& p) { return Pixel{frame.x(p.psi), frame.y(p.y)}; };
-    const auto beyond = [&](const Collision<Interval>& c, const Interval& phidot, const Interval& ydot,
-                            double way) {
+    const auto beyond = [&](const flight::Collision<Interval>& c, const Interval& phidot,
+                            const Interval& ydot, double way) {
         const Place at = place_of(c);
         constexpr double far = 10;  // more than the frame is wide
         const double time = way * far / std::hypot(approximate(phidot), approximate(ydot));
@@ -314,4 +316,4 @@ std::string orbit_svg(const Orbit& orbit, const Rational& q) {
     return svg.finished();
 }
 
-}  // namespace dumbbell
+}  // namespace dumbbell::pictures

@@ -7,7 +7,7 @@
 #include "flight/orbit.hpp"
 #include "number/rational.hpp"
 
-namespace dumbbell {
+namespace dumbbell::pictures {
 
 inline constexpr std::size_t most_drawn_collisions = 20'000;
 
@@ -17,6 +17,6 @@ inline constexpr std::size_t most_drawn_collisions = 20'000;
 /// and collisions some are drawn, and the caption says which. Each collision is drawn at the middle of its
 /// enclosure; the caption says how wide those are at most. Precondition: not empty. Throws InputError beyond
 /// most_drawn_collisions.
-[[nodiscard]] std::string orbit_svg(const std::vector<Collision<Interval>>& orbit, const Rational& q);
+[[nodiscard]] std::string orbit_svg(const std::vector<flight::Collision<Interval>>& orbit, const Rational& q);
 
-}  // namespace dumbbell
+}  // namespace dumbbell::pictures

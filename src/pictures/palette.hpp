@@ -6,7 +6,7 @@
 
 /// What has the same colour in every picture, those of the page of `dumbbell report` included. Numbers of
 /// collisions: count_colours.hpp.
-namespace dumbbell::palette {
+namespace dumbbell::pictures::palette {
 
 inline constexpr Shade proved{"#0055a4", "#6db1ff"};
 inline constexpr Shade paper{"#c8501e", "#ff9d66"};
@@ -30,4 +30,4 @@ inline constexpr Shade hatch{"#b4bbc3", "#4d5762"};  ///< what is not decided
 inline constexpr std::array<const char*, 7> classes{"#0072b2", "#e69f00", "#009e73", "#cc79a7",
                                                     "#56b4e9", "#d55e00", "#f0e442"};
 
-}  // namespace dumbbell::palette
+}  // namespace dumbbell::pictures::palette

@@ -13,7 +13,7 @@
 #include "pictures/start_plane.hpp"
 #include "pictures/united_boxes.hpp"
 
-namespace dumbbell {
+namespace dumbbell::pictures {
 namespace {
 
 constexpr double left = 76;
@@ -95,7 +95,7 @@ std::vector<LegendEntry> legend_entries(const std::map<long, Region>& regions, c
 
 }  // namespace
 
-std::string phase_svg(const InitialCertificate& certificate) {
+std::string phase_svg(const starts::InitialCertificate& certificate) {
     if (certificate.tree.size() / 2 >= most_phase_leaves) {
         throw InputError(
             fmt::format("a phase portrait shows {} boxes at most, and this certificate has {}: dumbbell "
@@ -148,4 +148,4 @@ std::string phase_svg(const InitialCertificate& certificate) {
     return svg.finished();
 }
 
-}  // namespace dumbbell
+}  // namespace dumbbell::pictures

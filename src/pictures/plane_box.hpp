@@ -4,7 +4,7 @@
 
 #include "number/rational.hpp"
 
-namespace dumbbell {
+namespace dumbbell::pictures {
 
 /// A closed box in the plane of a picture, its ends exact: horizontal axis first.
 struct PlaneBox {
@@ -14,4 +14,4 @@ struct PlaneBox {
 
 using PlanePoint = std::array<Rational, 2>;
 
-}  // namespace dumbbell
+}  // namespace dumbbell::pictures

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace dumbbell {
+namespace dumbbell::pictures {
 namespace {
 
 constexpr std::size_t most_snapshots = 14;
@@ -25,7 +25,7 @@ double heavy_radius(const Rational& q) {
 
 }  // namespace
 
-std::size_t turn_of(const std::vector<Collision<Interval>>& orbit) {
+std::size_t turn_of(const std::vector<flight::Collision<Interval>>& orbit) {
     const auto heavy = std::find_if(orbit.begin(), orbit.end(), [](const auto& c) { return c.heavy; });
     const auto lowest = std::min_element(orbit.begin(), orbit.end(), [](const auto& a, const auto& b) {
         return approximate(a.y) < approximate(b.y);
@@ -33,7 +33,7 @@ std::size_t turn_of(const std::vector<Collision<Interval>>& orbit) {
     return static_cast<std::size_t>((heavy != orbit.end() ? heavy : lowest) - orbit.begin());
 }
 
-std::vector<std::size_t> shown_collisions(const std::vector<Collision<Interval>>& orbit) {
+std::vector<std::size_t> shown_collisions(const std::vector<flight::Collision<Interval>>& orbit) {
     const std::size_t turn = turn_of(orbit);
     std::vector<std::size_t> shown;
     for (std::size_t i = 0; i < orbit.size(); ++i) {
@@ -47,8 +47,8 @@ std::vector<std::size_t> shown_collisions(const std::vector<Collision<Interval>>
 
 double snapshots_height() { return above + rod + below + 20; }
 
-void draw_snapshots(Svg& svg, const std::vector<Collision<Interval>>& orbit, const Rational& q, double left,
-                    double top, double width) {
+void draw_snapshots(Svg& svg, const std::vector<flight::Collision<Interval>>& orbit, const Rational& q,
+                    double left, double top, double width) {
     const std::vector<std::size_t> shown = shown_collisions(orbit);
     std::size_t slots = shown.size();
     for (std::size_t i = 1; i < shown.size(); ++i) {
@@ -81,4 +81,4 @@ void draw_snapshots(Svg& svg, const std::vector<Collision<Interval>>& orbit, con
     }
 }
 
-}  // namespace dumbbell
+}  // namespace dumbbell::pictures

@@ -14,7 +14,12 @@
 #include "pictures/palette.hpp"
 #include "staircase/growth_constant.hpp"
 
-namespace dumbbell {
+namespace dumbbell::pictures {
+
+using collisions::Piece;
+using collisions::Scene;
+using collisions::Status;
+
 namespace {
 
 constexpr double left = 64;
@@ -27,8 +32,8 @@ double value(const Rational& q) { return q.convert_to<double>(); }
 std::string paper_path(const Frame& frame, const std::vector<Piece>& pieces, long above) {
     const Rational& q_lo = pieces.front().q_lo;
     const Rational& q_hi = pieces.back().q_hi;
-    long m = paper_bound(q_lo) - 1;
-    const long last = paper_bound(q_hi) - 1;
+    long m = flight::paper_bound(q_lo) - 1;
+    const long last = flight::paper_bound(q_hi) - 1;
     const auto y = [&](long of) { return frame.y(static_cast<double>(of + above)); };
     std::string path = fmt::format("M{:.2f} {:.2f}", frame.x(value(q_lo)), y(m));
     for (; m < last; ++m) {
@@ -40,14 +45,14 @@ std::string paper_path(const Frame& frame, const std::vector<Piece>& pieces, lon
 
 /// What stands in the picture for the paper's bound where that lies too far above the maximum to be drawn.
 std::string far_bound(const std::vector<Piece>& pieces) {
-    const long lo = paper_bound(pieces.front().q_lo);
-    const long hi = paper_bound(pieces.back().q_hi);
+    const long lo = flight::paper_bound(pieces.front().q_lo);
+    const long hi = flight::paper_bound(pieces.back().q_hi);
     return fmt::format("\xe2\x86\x91 the paper's bound: {}{}", lo, lo == hi ? "" : fmt::format(" to {}", hi));
 }
 
 /// 2 + C sqrt q, which the maximum stays close to (theorem 4).
 std::string growth_path(const Frame& frame, double q_lo, double q_hi) {
-    const double c = approximate(growth_constant());
+    const double c = approximate(staircase::growth_constant());
     std::string path;
     constexpr int parts = 200;
     for (int i = 0; i <= parts; ++i) {
@@ -100,7 +105,7 @@ Counts counts_of(const std::vector<Piece>& pieces, Scene scene) {
         least = std::min(least, piece.lower);
         most = std::max({most, piece.lower, piece.upper.value_or(0)});
     }
-    const long highest = paper_bound(pieces.back().q_hi);
+    const long highest = flight::paper_bound(pieces.back().q_hi);
     constexpr long share = 4;  // of the axis, at least, that is left to the steps
     const bool has_paper =
         scene == Scene::dumbbell && (highest <= many || highest - least <= share * (most - least) + 8);
@@ -230,4 +235,4 @@ std::string staircase_svg(const std::vector<Piece>& pieces, Scene scene) {
     return svg.finished();
 }
 
-}  // namespace dumbbell
+}  // namespace dumbbell::pictures

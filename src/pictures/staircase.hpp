@@ -5,7 +5,7 @@
 
 #include "collisions/certificate.hpp"
 
-namespace dumbbell {
+namespace dumbbell::pictures {
 
 /// The staircase of a certificate over its range as a self-contained SVG (logarithmic mass ratio), named
 /// after its scene; for the dumbbell with 2 + C sqrt q and the source paper's bound above it, or its value in
@@ -13,6 +13,7 @@ namespace dumbbell {
 /// value is proved; gap pieces are filled between their two values; open pieces are hatched. Counts that grow
 /// many times over are drawn by their logarithm. Precondition: at least one piece, q_lo < q_hi <=
 /// paper_bound_limit(). Throws InputError for a range narrower than doubles tell apart.
-[[nodiscard]] std::string staircase_svg(const std::vector<Piece>& pieces, Scene scene);
+[[nodiscard]] std::string staircase_svg(const std::vector<collisions::Piece>& pieces,
+                                        collisions::Scene scene);
 
-}  // namespace dumbbell
+}  // namespace dumbbell::pictures

@@ -8,7 +8,10 @@
 #include "base/error.hpp"
 #include "number/decimal.hpp"
 
-namespace dumbbell {
+namespace dumbbell::pictures {
+
+using starts::InitialAxis;
+
 namespace {
 
 struct Quantity {
@@ -16,14 +19,14 @@ struct Quantity {
     const char* meaning;
 };
 
-constexpr std::array<Quantity, initial_axes> quantities{
+constexpr std::array<Quantity, starts::initial_axes> quantities{
     {{"phi", "phi (angle of the rod, radians)"},
      {"phidot", "phidot (angular velocity)"},
      {"y", "y (height of the centre of mass, rod lengths)"},
      {"ydot", "ydot (vertical velocity, downwards negative)"},
      {"q", "q (mass ratio, heavy over light)"}}};
 
-bool has_width(const InitialBox& box, std::size_t axis) { return box.lo[axis] < box.hi[axis]; }
+bool has_width(const starts::InitialBox& box, std::size_t axis) { return box.lo[axis] < box.hi[axis]; }
 
 std::string signed_text(const Rational& x) {
     return x == 0 ? "0" : x < 0 ? "\xe2\x88\x92" + exact_text(-x) : exact_text(x);
@@ -31,9 +34,9 @@ std::string signed_text(const Rational& x) {
 
 }  // namespace
 
-InitialPlane initial_plane(const InitialCertificate& certificate) {
+InitialPlane initial_plane(const starts::InitialCertificate& certificate) {
     std::vector<std::size_t> wide;
-    for (std::size_t axis = 0; axis < initial_axes; ++axis) {
+    for (std::size_t axis = 0; axis < starts::initial_axes; ++axis) {
         if (has_width(certificate.box, axis)) {
             wide.push_back(axis);
         }
@@ -46,7 +49,7 @@ InitialPlane initial_plane(const InitialCertificate& certificate) {
     }
     InitialPlane plane{{static_cast<InitialAxis>(wide[0]), static_cast<InitialAxis>(wide[1])}, {}};
     std::vector<PlaneBox> waiting{{{0, 0}, {1, 1}}};  // the nodes to come: the next one last
-    for (const InitialNode& node : certificate.tree) {
+    for (const starts::InitialNode& node : certificate.tree) {
         require(!waiting.empty(), "nodes follow the end of a tree of initial conditions");
         PlaneBox box = std::move(waiting.back());
         waiting.pop_back();
@@ -68,7 +71,7 @@ InitialPlane initial_plane(const InitialCertificate& certificate) {
     return plane;
 }
 
-PlotAxis plot_axis(const InitialCertificate& certificate, InitialAxis axis) {
+PlotAxis plot_axis(const starts::InitialCertificate& certificate, InitialAxis axis) {
     constexpr int wanted = 7;
     const auto lo = certificate.box.lower(axis).convert_to<double>();
     const auto hi = certificate.box.upper(axis).convert_to<double>();
@@ -76,9 +79,9 @@ PlotAxis plot_axis(const InitialCertificate& certificate, InitialAxis axis) {
             axis == InitialAxis::phi ? angle_ticks(lo, hi) : even_ticks(lo, hi, wanted)};
 }
 
-std::string fixed_quantities(const InitialCertificate& certificate) {
+std::string fixed_quantities(const starts::InitialCertificate& certificate) {
     std::string text;
-    for (std::size_t axis = 0; axis < initial_axes; ++axis) {
+    for (std::size_t axis = 0; axis < starts::initial_axes; ++axis) {
         if (!has_width(certificate.box, axis)) {
             text += fmt::format("{}{} = {}", text.empty() ? "" : ", ", quantities[axis].name,
                                 signed_text(certificate.box.lo[axis]));
@@ -87,7 +90,7 @@ std::string fixed_quantities(const InitialCertificate& certificate) {
     return text;
 }
 
-std::string hatched_note(const InitialCertificate& certificate) {
+std::string hatched_note(const starts::InitialCertificate& certificate) {
     std::string text = "Hatched: not decided by this certificate.";
     if (certificate.box.upper(InitialAxis::ratio) > 1) {  // equal masses have no orbit of three collisions
         text +=
@@ -97,4 +100,4 @@ std::string hatched_note(const InitialCertificate& certificate) {
     return text;
 }
 
-}  // namespace dumbbell
+}  // namespace dumbbell::pictures

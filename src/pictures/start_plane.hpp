@@ -9,12 +9,12 @@
 #include "starts/certificate.hpp"
 
 /// A certificate about initial conditions that vary in two quantities, as a picture has them.
-namespace dumbbell {
+namespace dumbbell::pictures {
 
 /// A leaf in units of the certificate's box: the root is [0, 1] x [0, 1].
 struct InitialCell {
     PlaneBox box;
-    InitialLeaf leaf;
+    starts::InitialLeaf leaf;
 
     /// Is the number of collisions the same for all its initial conditions?
     [[nodiscard]] bool is_exact() const { return leaf.most == leaf.least; }
@@ -22,20 +22,20 @@ struct InitialCell {
 };
 
 struct InitialPlane {
-    std::array<InitialAxis, 2> axes;  ///< horizontal, vertical
-    std::vector<InitialCell> cells;   ///< they tile the unit square, in the order of the file
+    std::array<starts::InitialAxis, 2> axes;  ///< horizontal, vertical
+    std::vector<InitialCell> cells;           ///< they tile the unit square, in the order of the file
 };
 
 /// Throws InputError unless exactly two of the five quantities are intervals.
-[[nodiscard]] InitialPlane initial_plane(const InitialCertificate& certificate);
+[[nodiscard]] InitialPlane initial_plane(const starts::InitialCertificate& certificate);
 
 /// The picture's axis of a quantity, named as in format-initial.md.
-[[nodiscard]] PlotAxis plot_axis(const InitialCertificate& certificate, InitialAxis axis);
+[[nodiscard]] PlotAxis plot_axis(const starts::InitialCertificate& certificate, starts::InitialAxis axis);
 
 /// What the other quantities are: `phidot = 1, y = 2, q = 10`.
-[[nodiscard]] std::string fixed_quantities(const InitialCertificate& certificate);
+[[nodiscard]] std::string fixed_quantities(const starts::InitialCertificate& certificate);
 
 /// What is said of the hatched part of such a picture.
-[[nodiscard]] std::string hatched_note(const InitialCertificate& certificate);
+[[nodiscard]] std::string hatched_note(const starts::InitialCertificate& certificate);
 
-}  // namespace dumbbell
+}  // namespace dumbbell::pictures

@@ -6,7 +6,7 @@
 
 #include "pictures/palette.hpp"
 
-namespace dumbbell {
+namespace dumbbell::pictures {
 namespace {
 
 constexpr double letter_width = 7.4;  // of the usual size, on average
@@ -148,4 +148,4 @@ std::string Svg::finished() const {
                        light_, dark_, is_hatched ? hatch : "", body_);
 }
 
-}  // namespace dumbbell
+}  // namespace dumbbell::pictures

@@ -6,7 +6,7 @@
 /// Pictures as SVG text, the one way in which all of them are written: elements with classes, one style sheet
 /// with colours for light and for dark pages, text as text in the reader's own fonts. The same calls give the
 /// same bytes. Lengths are pixels, x to the right and y downwards.
-namespace dumbbell {
+namespace dumbbell::pictures {
 
 /// A length as it stands in a picture: two decimals at most, none of them a zero at the end.
 [[nodiscard]] std::string px(double length);
@@ -62,4 +62,4 @@ class Svg {
     int clips_ = 0;
 };
 
-}  // namespace dumbbell
+}  // namespace dumbbell::pictures

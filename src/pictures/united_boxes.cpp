@@ -10,7 +10,7 @@
 
 #include "base/error.hpp"
 
-namespace dumbbell {
+namespace dumbbell::pictures {
 namespace {
 
 /// The places on one axis in ascending order. A union of boxes depends on the order of their ends alone, so
@@ -178,4 +178,4 @@ std::vector<Outline> united(const std::vector<PlaneBox>& boxes) {
     return outlines;
 }
 
-}  // namespace dumbbell
+}  // namespace dumbbell::pictures

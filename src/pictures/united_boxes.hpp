@@ -4,7 +4,7 @@
 
 #include "pictures/plane_box.hpp"
 
-namespace dumbbell {
+namespace dumbbell::pictures {
 
 /// A closed curve of horizontal and vertical edges in turns; the last vertex is joined to the first.
 using Outline = std::vector<PlanePoint>;
@@ -13,4 +13,4 @@ using Outline = std::vector<PlanePoint>;
 /// exactly. Throws BrokenInvariant if boxes overlap.
 [[nodiscard]] std::vector<Outline> united(const std::vector<PlaneBox>& boxes);
 
-}  // namespace dumbbell
+}  // namespace dumbbell::pictures

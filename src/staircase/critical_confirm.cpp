@@ -6,19 +6,19 @@
 #include "collisions/piece.hpp"
 #include "number/decimal.hpp"
 
-namespace dumbbell {
+namespace dumbbell::staircase {
 namespace {
 
 Decided decide(const Rational& q, long expected, const Interrupted& interrupted) {
-    PieceOptions options;
+    collisions::PieceOptions options;
     options.interrupted = interrupted;
-    const Piece piece = prove_single(q, options).piece;
+    const collisions::Piece piece = prove_single(q, options).piece;
     return {q, expected, piece.upper, piece.lower, piece.bits};
 }
 
 }  // namespace
 
-Confirmation confirm(const CriticalRatio& critical, const Rational& distance,
+Confirmation confirm(const collisions::CriticalRatio& critical, const Rational& distance,
                      const Interrupted& interrupted) {
     require(distance > 0 && distance <= Rational(1, 100), "confirm: distance out of range");
     const int digits = digits_to_confirm(distance);
@@ -34,4 +34,4 @@ int digits_to_confirm(const Rational& distance) {
     return 3 - first.exponent;
 }
 
-}  // namespace dumbbell
+}  // namespace dumbbell::staircase

@@ -4,7 +4,7 @@
 
 #include "collisions/critical.hpp"
 
-namespace dumbbell {
+namespace dumbbell::staircase {
 
 /// What cover and witness say of the maximum at one ratio.
 struct Decided {
@@ -28,10 +28,10 @@ struct Confirmation {
 /// At q_c (1 - distance), rounded down, but at 1 for n = 3 (below 1 the masses are only renamed), and q_c (1
 /// + distance), rounded up; by at most a hundredth of the distance, to short decimals. Precondition: 0 <
 /// distance <= 0.01, and the enclosure shares digits_to_confirm(distance) digits.
-[[nodiscard]] Confirmation confirm(const CriticalRatio& critical, const Rational& distance,
+[[nodiscard]] Confirmation confirm(const collisions::CriticalRatio& critical, const Rational& distance,
                                    const Interrupted& interrupted);
 
 /// Digits of q_c with which its enclosure is narrow against the distance.
 [[nodiscard]] int digits_to_confirm(const Rational& distance);
 
-}  // namespace dumbbell
+}  // namespace dumbbell::staircase

@@ -5,7 +5,7 @@
 #include "staircase/critical_number.hpp"
 #include "staircase/critical_report.hpp"
 
-namespace dumbbell {
+namespace dumbbell::staircase {
 namespace {
 
 /// Of the ends, beyond those of the number.
@@ -22,7 +22,7 @@ Json decided_json(const Decided& decided) {
 Json row_json(const CriticalRow& row, const CriticalReport& report) {
     Json json = Json::object({{"n", row.n},
                               {"orbit", orbit_name(row.n)},
-                              {"flight", tangent_flight(row.n).flight},
+                              {"flight", flight::tangent_flight(row.n).flight},
                               {"status", row.ratio ? "proved" : "open"}});
     if (row.ratio) {
         const CriticalNumber p = critical_number(*row.ratio, report.request.digits);
@@ -63,4 +63,4 @@ Json to_json(const CriticalReport& report) {
          {"out", report.out}});
 }
 
-}  // namespace dumbbell
+}  // namespace dumbbell::staircase

@@ -4,9 +4,9 @@
 #include "flight/extremal_orbit.hpp"
 #include "number/decimal.hpp"
 
-namespace dumbbell {
+namespace dumbbell::staircase {
 
-CriticalNumber critical_number(const CriticalRatio& ratio, int digits) {
+CriticalNumber critical_number(const collisions::CriticalRatio& ratio, int digits) {
     constexpr int radius_digits = 2;
     const auto shared = shared_digits(ratio.q_lo, ratio.q_hi, digits);
     require(shared.has_value(), "a critical ratio without the digits that were asked for");
@@ -16,6 +16,8 @@ CriticalNumber critical_number(const CriticalRatio& ratio, int digits) {
             to_text(cut_up(ratio.q_hi - value, radius_digits)), is_exact};
 }
 
-const char* orbit_name(long n) { return tangent_flight(n).orbit == ExtremalOrbit::top ? "top" : "corner"; }
+const char* orbit_name(long n) {
+    return flight::tangent_flight(n).orbit == flight::ExtremalOrbit::top ? "top" : "corner";
+}
 
-}  // namespace dumbbell
+}  // namespace dumbbell::staircase

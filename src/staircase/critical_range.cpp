@@ -14,7 +14,7 @@
 #include "number/decimal.hpp"
 #include "number/self_test.hpp"
 
-namespace dumbbell {
+namespace dumbbell::staircase {
 namespace {
 
 /// Flights of all orbits of the request: n/2 each.
@@ -36,7 +36,7 @@ std::chrono::duration<double> processor_time() {
 std::vector<CriticalRow> critical_ratios(const CriticalRequest& request) {
     require_sound_arithmetic();
     const auto interrupted = deadline(request.budget);
-    CriticalOptions options{
+    collisions::CriticalOptions options{
         .digits = request.digits, .interrupted = interrupted, .advanced = request.advanced};
     if (request.confirm) {
         options.digits = std::max(request.digits, digits_to_confirm(*request.confirm));
@@ -67,11 +67,12 @@ std::chrono::duration<double> estimated_time(const CriticalRequest& request) {
     const double longer = static_cast<double>(request.last) / sample;
     const int lost = static_cast<int>(std::ceil(4 * std::log10(std::max(1.0, longer))));
     const auto start = processor_time();
-    (void)enclose_critical_ratio(sample, {.digits = std::min(request.digits + lost, most_critical_digits)});
+    (void)collisions::enclose_critical_ratio(
+        sample, {.digits = std::min(request.digits + lost, collisions::most_critical_digits)});
     const auto time = processor_time() - start;
     const double together =
         std::min<double>(request.jobs, static_cast<double>(request.last - request.first + 1));
     return time * (flights(request) / (sample / 2)) / together;
 }
 
-}  // namespace dumbbell
+}  // namespace dumbbell::staircase

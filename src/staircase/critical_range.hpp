@@ -9,7 +9,7 @@
 #include "collisions/critical.hpp"
 #include "staircase/critical_confirm.hpp"
 
-namespace dumbbell {
+namespace dumbbell::staircase {
 
 struct CriticalRequest {
     long first = 3;  ///< q_c(first), ..., q_c(last); 3 <= first <= last
@@ -27,7 +27,7 @@ struct CriticalRequest {
 
 struct CriticalRow {
     long n = 0;
-    std::optional<CriticalRatio> ratio;  ///< nothing: not within the budget
+    std::optional<collisions::CriticalRatio> ratio;  ///< nothing: not within the budget
     std::optional<Confirmation> confirmation;
 
     [[nodiscard]] bool finished(const CriticalRequest& request) const {
@@ -43,4 +43,4 @@ struct CriticalRow {
 /// takes here: on a machine that does nothing else.
 [[nodiscard]] std::chrono::duration<double> estimated_time(const CriticalRequest& request);
 
-}  // namespace dumbbell
+}  // namespace dumbbell::staircase

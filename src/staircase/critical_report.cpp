@@ -10,7 +10,7 @@
 #include "staircase/critical_number.hpp"
 #include "words/text_table.hpp"
 
-namespace dumbbell {
+namespace dumbbell::staircase {
 namespace {
 
 long count_if(const CriticalReport& report, bool (*holds)(const CriticalRow&)) {
@@ -70,7 +70,7 @@ std::string single_text(const CriticalReport& report) {
                         row.ratio->bits, row.n - 1, row.n);
     text += p.exact ? "The number is exact.\n"
                     : fmt::format("It is within {} of the digits shown (cut off, not rounded).\n", p.radius);
-    const ExtremalFlight flight = tangent_flight(row.n);
+    const flight::ExtremalFlight flight = flight::tangent_flight(row.n);
     text += foundation(fmt::format("flight {} of the {} orbit", flight.flight, orbit_name(row.n)));
     return text + (report.request.confirm ? confirmation_text(row) : "");
 }
@@ -92,7 +92,7 @@ TableLine line_of(const CriticalRow& row, const CriticalReport& report, const ch
     } else {
         line.insert(line.end(), {"open", "-", "-"});
     }
-    line.insert(line.end(), {orbit_name(row.n), fmt::format("{}", tangent_flight(row.n).flight)});
+    line.insert(line.end(), {orbit_name(row.n), fmt::format("{}", flight::tangent_flight(row.n).flight)});
     if (report.request.confirm) {
         line.emplace_back(is_confirmed(row) ? "yes" : "no");
     }
@@ -166,4 +166,4 @@ std::string to_tsv(const CriticalReport& report) {
     return text;
 }
 
-}  // namespace dumbbell
+}  // namespace dumbbell::staircase

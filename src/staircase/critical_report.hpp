@@ -7,7 +7,7 @@
 #include "staircase/critical_range.hpp"
 #include "words/json.hpp"
 
-namespace dumbbell {
+namespace dumbbell::staircase {
 
 /// What `critical` tells its user.
 struct CriticalReport {
@@ -26,4 +26,4 @@ struct CriticalReport {
 /// The table as a file: tab-separated, remarks begin with #, and nothing in it depends on the run.
 [[nodiscard]] std::string to_tsv(const CriticalReport& report);
 
-}  // namespace dumbbell
+}  // namespace dumbbell::staircase

@@ -16,7 +16,7 @@
 #include "file/sha256.hpp"
 #include "number/rational.hpp"
 
-namespace dumbbell {
+namespace dumbbell::staircase {
 namespace {
 
 constexpr std::string_view first_words = "# Critical mass ratios";
@@ -134,4 +134,4 @@ CriticalTable read_critical_table(const std::string& path) {
     return table;
 }
 
-}  // namespace dumbbell
+}  // namespace dumbbell::staircase

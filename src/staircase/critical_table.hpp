@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-namespace dumbbell {
+namespace dumbbell::staircase {
 
 /// One line of a table of critical ratios, as `dumbbell critical --out` writes it: q_c(n) as the first digits
 /// that are proved, and the orbit whose flight is tangent there.
@@ -30,4 +30,4 @@ struct CriticalTable {
 /// Throws InputError (naming file and line) for what is no such table.
 [[nodiscard]] CriticalTable read_critical_table(const std::string& path);
 
-}  // namespace dumbbell
+}  // namespace dumbbell::staircase

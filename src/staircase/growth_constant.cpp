@@ -4,7 +4,7 @@
 
 #include "base/error.hpp"
 
-namespace dumbbell {
+namespace dumbbell::staircase {
 namespace {
 
 /// The integrand on a complex ball. It is holomorphic wherever it is finite, as acb_calc demands for order 1:
@@ -42,4 +42,4 @@ BigInterval growth_constant() {
     return result;
 }
 
-}  // namespace dumbbell
+}  // namespace dumbbell::staircase

@@ -7,14 +7,15 @@
 #include "number/rational.hpp"
 #include "staircase/growth_constant.hpp"
 
-namespace dumbbell {
+namespace dumbbell::staircase {
 namespace {
 
 /// Whether `upper` <= ceil(pi / gamma) = paper_bound - 1 on the piece. That grows with the ratio, so the
 /// lower end decides; if a piece before it ends there, the end itself belongs to that one.
-bool is_below_paper(const Piece& piece, bool first) {
+bool is_below_paper(const collisions::Piece& piece, bool first) {
     const bool closed = first || piece.q_lo == piece.q_hi;
-    return *piece.upper <= (closed ? paper_bound(piece.q_lo) : paper_bound_behind(piece.q_lo)) - 1;
+    return *piece.upper <=
+           (closed ? flight::paper_bound(piece.q_lo) : flight::paper_bound_behind(piece.q_lo)) - 1;
 }
 
 /// Takes the greater (sign = 1) or the lesser (-1) of what is known and a new value.
@@ -50,12 +51,12 @@ class Best {
 /// Whether the supremum of N - C sqrt q is attained, from its enclosures at the pieces' lower ends, with N's
 /// upper bound. Where N is constant that falls, and at a step N has the lower of its values (theorem 2): so
 /// only the value at the lowest ratio can be the supremum, and it is unless a greater one is approached.
-std::optional<bool> supremum_attained(const std::vector<Piece>& pieces,
+std::optional<bool> supremum_attained(const std::vector<collisions::Piece>& pieces,
                                       const std::vector<BigInterval>& highest) {
     const BigInterval& lowest_ratio = highest.front();
-    bool all_less = pieces.front().status() == Status::exact;
+    bool all_less = pieces.front().status() == collisions::Status::exact;
     for (std::size_t i = 1; i < pieces.size(); ++i) {
-        if (pieces[i].status() == Status::exact && certainly_less(lowest_ratio, highest[i])) {
+        if (pieces[i].status() == collisions::Status::exact && certainly_less(lowest_ratio, highest[i])) {
             return false;
         }
         all_less = all_less && certainly_less(highest[i], lowest_ratio);
@@ -65,13 +66,14 @@ std::optional<bool> supremum_attained(const std::vector<Piece>& pieces,
 
 }  // namespace
 
-Law law_of(const Certificate& certificate) {
+Law law_of(const collisions::Certificate& certificate) {
     Law law;
     law.q_lo = certificate.q_lo();
     law.q_hi = certificate.q_hi();
     law.constant = growth_constant();
-    law.complete = std::none_of(certificate.pieces.begin(), certificate.pieces.end(),
-                                [](const Piece& piece) { return piece.status() == Status::open; });
+    law.complete = std::none_of(
+        certificate.pieces.begin(), certificate.pieces.end(),
+        [](const collisions::Piece& piece) { return piece.status() == collisions::Status::open; });
     if (!law.complete) {
         return law;
     }
@@ -85,8 +87,8 @@ Law law_of(const Certificate& certificate) {
     Best sup(1);
     Best inf(-1);
     long before = 0;  // the upper bound of the piece before
-    for (const Piece& piece : certificate.pieces) {
-        const bool exact = piece.status() == Status::exact;
+    for (const collisions::Piece& piece : certificate.pieces) {
+        const bool exact = piece.status() == collisions::Status::exact;
         ++(exact ? law.values : law.gaps);
         law.never_decreases = law.never_decreases && piece.lower >= before;
         before = *piece.upper;
@@ -103,4 +105,4 @@ Law law_of(const Certificate& certificate) {
     return law;
 }
 
-}  // namespace dumbbell
+}  // namespace dumbbell::staircase

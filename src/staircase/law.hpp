@@ -6,7 +6,7 @@
 #include "number/big_interval.hpp"
 
 /// What a verified staircase says of N(q) as a whole.
-namespace dumbbell {
+namespace dumbbell::staircase {
 
 /// All that is proved of N at one mass ratio: that it is one of these numbers.
 struct Bounds {
@@ -41,6 +41,6 @@ struct Law {
 /// Precondition: the certificate was verified, scene dumbbell, q_hi <= paper_bound_limit(). In the thread's
 /// working precision. On a piece with one value N - C sqrt q falls, so its ends decide; a gap may have either
 /// of its two values anywhere. Whether the supremum is attained rests on theorem 2 of proofs/theorem.md.
-[[nodiscard]] Law law_of(const Certificate& certificate);
+[[nodiscard]] Law law_of(const collisions::Certificate& certificate);
 
-}  // namespace dumbbell
+}  // namespace dumbbell::staircase

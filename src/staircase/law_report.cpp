@@ -7,7 +7,7 @@
 #include "number/decimal.hpp"
 #include "words/printed.hpp"
 
-namespace dumbbell {
+namespace dumbbell::staircase {
 namespace {
 
 /// The digits of C that are certain, as many as asked for.
@@ -142,4 +142,4 @@ Json to_json(const LawReport& report) {
          {"inf", law.inf ? extremum_json(*law.inf, -1) : Json()}});
 }
 
-}  // namespace dumbbell
+}  // namespace dumbbell::staircase

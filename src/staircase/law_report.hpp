@@ -5,7 +5,7 @@
 #include "staircase/law.hpp"
 #include "words/json.hpp"
 
-namespace dumbbell {
+namespace dumbbell::staircase {
 
 /// What `law` tells its user of a verified file.
 struct LawReport {
@@ -23,4 +23,4 @@ struct LawReport {
 [[nodiscard]] std::string verdict(const LawReport& report);
 [[nodiscard]] Json to_json(const LawReport& report);
 
-}  // namespace dumbbell
+}  // namespace dumbbell::staircase

@@ -4,7 +4,7 @@
 
 #include "base/error.hpp"
 
-namespace dumbbell {
+namespace dumbbell::starts {
 namespace {
 
 Rational parse_signed(const std::string& text) {
@@ -37,4 +37,4 @@ std::pair<Rational, Rational> parse_quantity(const std::string& option, const st
     return ends;
 }
 
-}  // namespace dumbbell
+}  // namespace dumbbell::starts

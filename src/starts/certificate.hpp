@@ -8,7 +8,7 @@
 #include "number/rational.hpp"
 
 /// A certificate about initial conditions as data (format-initial.md).
-namespace dumbbell {
+namespace dumbbell::starts {
 
 /// The axes of a box of initial conditions; the ratio is q = heavy mass / light mass.
 enum class InitialAxis { phi, phidot, y, ydot, ratio };
@@ -53,4 +53,4 @@ struct InitialCertificate {
     std::vector<InitialNode> tree;  ///< pre-order, lower half first
 };
 
-}  // namespace dumbbell
+}  // namespace dumbbell::starts

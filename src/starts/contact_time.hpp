@@ -6,7 +6,7 @@
 #include "starts/state.hpp"
 
 /// The time of a contact over a box of states, by the interval Newton method.
-namespace dumbbell {
+namespace dumbbell::starts {
 namespace detail {
 
 /// A better guess: Newton steps from the middle of the box, as many as the working precision needs.
@@ -90,4 +90,4 @@ template <class I>
                   clearance(s, mass, at).displacement());
 }
 
-}  // namespace dumbbell
+}  // namespace dumbbell::starts

@@ -9,7 +9,7 @@
 /// The first collision of a dumbbell in the air and what comes after it, over a box of states, in closed
 /// forms that lose little of the correlations and that a verifier can repeat (format-initial.md, sections 5
 /// and 6).
-namespace dumbbell {
+namespace dumbbell::starts {
 
 /// The angle phi at which `mass` touches, for all states of the box, all of whose contacts lie in `times`.
 ///
@@ -88,8 +88,8 @@ template <class I>
     if (!certainly_positive(ray.height) || !certainly_less(slope, I(1))) {
         return std::nullopt;
     }
-    const auto least = lowest_contact(low_end(height), low_end(slope));
-    const auto greatest = highest_contact(high_end(height), high_end(slope));
+    const auto least = flight::lowest_contact(low_end(height), low_end(slope));
+    const auto greatest = flight::highest_contact(high_end(height), high_end(slope));
     if (!least || !greatest) {
         return std::nullopt;
     }
@@ -127,18 +127,18 @@ template <class I>
     if (!certainly_positive(c) || !certainly_less(ray.slope, I(1))) {
         return std::nullopt;
     }
-    const auto least = lowest_contact(low_end(c), low_end(ray.slope));
-    const auto greatest = highest_contact(high_end(c), high_end(ray.slope));
+    const auto least = flight::lowest_contact(low_end(c), low_end(ray.slope));
+    const auto greatest = flight::highest_contact(high_end(c), high_end(ray.slope));
     if (!least || !greatest) {
         return std::nullopt;
     }
-    const auto whole = reflect_at_light_wall(ray.slope, hull(greatest->cos_x, least->cos_x), r);
+    const auto whole = flight::reflect_at_light_wall(ray.slope, hull(greatest->cos_x, least->cos_x), r);
     leaves = certainly_at_most(whole.denominator, I(0));
     if (!certainly_positive(whole.denominator)) {
         return std::nullopt;
     }
-    const auto low = reflect_at_light_wall(low_end(ray.slope), least->cos_x, r);
-    const auto high = reflect_at_light_wall(high_end(ray.slope), greatest->cos_x, r);
+    const auto low = flight::reflect_at_light_wall(low_end(ray.slope), least->cos_x, r);
+    const auto high = flight::reflect_at_light_wall(high_end(ray.slope), greatest->cos_x, r);
     const I rise = hull(low.numerator / low.denominator, high.numerator / high.denominator);
     const I x = hull(least->x, greatest->x);
     return Outbound<I>{-ray.direction, ray.corner + ray.direction, x,
@@ -212,4 +212,4 @@ template <class I>
     return collisions_behind(outbound(phi, yhat, reflection.slopes(x, at.cos, s.r), right), s.r, mass);
 }
 
-}  // namespace dumbbell
+}  // namespace dumbbell::starts

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace dumbbell {
+namespace dumbbell::starts {
 
 std::optional<FirstContactGuess> guess_first_contact(double phi, double yhat, double phidot, double yhatdot,
                                                      double r) noexcept {
@@ -56,4 +56,4 @@ std::optional<double> guess_bridge_contact(double height, double slope, double r
     return x;
 }
 
-}  // namespace dumbbell
+}  // namespace dumbbell::starts

@@ -8,7 +8,7 @@
 #include "starts/flight.hpp"
 
 /// The first flight, from the air: proofs for a whole box of states, in time (lemmas L0, L3).
-namespace dumbbell {
+namespace dumbbell::starts {
 
 /// Where a flight from the air seems to end; a guess that proves nothing.
 struct FirstContactGuess {
@@ -104,4 +104,4 @@ template <class S>
     return {};
 }
 
-}  // namespace dumbbell
+}  // namespace dumbbell::starts

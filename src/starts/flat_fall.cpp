@@ -1,6 +1,6 @@
 #include "starts/flat_fall.hpp"
 
-namespace dumbbell {
+namespace dumbbell::starts {
 
 std::optional<Rational> flat_fall(const InitialBox& box) {
     const Rational& phi = box.lower(InitialAxis::phi);
@@ -17,4 +17,4 @@ std::optional<Rational> flat_fall(const InitialBox& box) {
     return neither_before ? std::optional(Rational(height / -climb)) : std::nullopt;
 }
 
-}  // namespace dumbbell
+}  // namespace dumbbell::starts

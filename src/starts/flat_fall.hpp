@@ -4,7 +4,7 @@
 
 #include "starts/certificate.hpp"
 
-namespace dumbbell {
+namespace dumbbell::starts {
 
 /// The time at which both masses of this one initial condition reach the floor at once, before either has
 /// touched it: a corner, after which no motion is defined and no precision decides anything. Nothing if the
@@ -18,4 +18,4 @@ namespace dumbbell {
 /// 1/(1+q), if phi > 0. Precondition: require_in_play(box).
 [[nodiscard]] std::optional<Rational> flat_fall(const InitialBox& box);
 
-}  // namespace dumbbell
+}  // namespace dumbbell::starts

@@ -9,7 +9,7 @@
 #include "starts/contact_time.hpp"
 
 /// Which contact ends a flight that begins at a contact: proofs for a whole box of states (lemmas L1-L4, L6).
-namespace dumbbell {
+namespace dumbbell::starts {
 
 /// What is certain of the next event of every state in a box.
 enum class Next {
@@ -166,7 +166,8 @@ template <class S>
     }
     // c > 0: the bridge is cleared, or left for good (L6 (c)). All collisions lie in one cell (L2 (b)): only
     // the light wall up to its peak is left.
-    const ContactGuess<I> guess = guess_contact(midpoint(range(c)), midpoint(range(d->slope)));
+    const flight::ContactGuess<I> guess =
+        flight::guess_contact(midpoint(range(c)), midpoint(range(d->slope)));
     if (guess.hits) {
         return contact_behind_corner(s, *d, corner, Mass::light, guess.z, half_pi<I>());
     }
@@ -177,4 +178,4 @@ template <class S>
     return miss ? Event<S>{Next::none} : Event<S>{};
 }
 
-}  // namespace dumbbell
+}  // namespace dumbbell::starts

@@ -8,7 +8,7 @@
 #include "starts/wall_to_wall.hpp"
 
 /// The orbits of a box of initial states, collision by collision, as far as all of them share it.
-namespace dumbbell {
+namespace dumbbell::starts {
 
 /// What was found: the collisions that every state of the box has, in order, enclosed; and bounds of their
 /// number.
@@ -59,4 +59,4 @@ template <class S>
     return result;
 }
 
-}  // namespace dumbbell
+}  // namespace dumbbell::starts

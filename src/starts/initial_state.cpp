@@ -6,7 +6,7 @@
 
 #include "base/error.hpp"
 
-namespace dumbbell {
+namespace dumbbell::starts {
 namespace {
 
 constexpr int check_bits = 512;
@@ -103,4 +103,4 @@ void require_in_play(const InitialBox& box) {
     require_above(box, heavy, remedy);
 }
 
-}  // namespace dumbbell
+}  // namespace dumbbell::starts

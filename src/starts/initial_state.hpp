@@ -5,7 +5,7 @@
 #include "starts/state.hpp"
 
 /// Boxes of initial conditions as states of the model.
-namespace dumbbell {
+namespace dumbbell::starts {
 
 /// Throws InputError, in one line that names the quantity and the remedy, unless every state of the box is in
 /// play: no value absurdly large, phi over less than a turn, both masses above the floor, and no dumbbell at
@@ -58,4 +58,4 @@ class BoxJets {
     Gradient<I> displacement_;
 };
 
-}  // namespace dumbbell
+}  // namespace dumbbell::starts

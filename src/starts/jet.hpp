@@ -3,9 +3,9 @@
 #include <utility>
 
 #include "flight/eigen_interval.hpp"
-#include "flight/enclosure.hpp"
+#include "number/enclosure.hpp"
 
-namespace dumbbell {
+namespace dumbbell::starts {
 
 /// The parameters of a box of initial conditions: phi, phidot, y, ydot and the mass ratio.
 inline constexpr int parameters = 5;
@@ -103,9 +103,9 @@ template <class I>
     return x.range();
 }
 
+}  // namespace dumbbell::starts
+
 template <class I>
-struct EnclosureOf<Jet<I>> {
+struct dumbbell::EnclosureOf<dumbbell::starts::Jet<I>> {
     using Type = I;
 };
-
-}  // namespace dumbbell

@@ -8,7 +8,7 @@
 
 /// Bounds of the number of later collisions of a box of states from the monotone count G (lemmas L5, L6),
 /// without following them.
-namespace dumbbell {
+namespace dumbbell::starts {
 
 /// `most` is empty if nothing is certain.
 struct LaterCount {
@@ -27,7 +27,7 @@ inline constexpr long count_cap = 1'000'000;
 template <class I>
 [[nodiscard]] std::optional<long> most_later_collisions(const I& r) {
     const I lowest = low_end(r);
-    const long later = count_at_most(Ray<I>{low_end(lowest * pi<I>()), lowest, lowest}, count_cap);
+    const long later = count_at_most(flight::Ray<I>{low_end(lowest * pi<I>()), lowest, lowest}, count_cap);
     return later > count_cap ? std::nullopt : std::optional(1 + later);
 }
 
@@ -45,8 +45,8 @@ namespace detail {
 template <class I>
 LaterCount ray_counts(const I& c, const I& kappa, const I& r) {
     const I height = max(I(0), c);
-    const long most = count_at_most(Ray<I>{height, kappa, r}, count_cap);
-    return {count_at_least(Ray<I>{height, kappa, r}, count_cap),
+    const long most = count_at_most(flight::Ray<I>{height, kappa, r}, count_cap);
+    return {count_at_least(flight::Ray<I>{height, kappa, r}, count_cap),
             most > count_cap ? std::nullopt : std::optional(most)};
 }
 
@@ -89,4 +89,4 @@ template <class S>
              : LaterCount{0, left == Mass::heavy ? most_later_collisions(range(s.r)) : std::nullopt};
 }
 
-}  // namespace dumbbell
+}  // namespace dumbbell::starts

@@ -7,7 +7,7 @@
 #include "starts/first_flight.hpp"
 #include "starts/initial_state.hpp"
 
-namespace dumbbell {
+namespace dumbbell::starts {
 namespace {
 
 constexpr long most_spans = 1024;
@@ -118,4 +118,4 @@ InitialLeaf judge_initial(const InitialBox& box, int bits) {
     return judge_in<BigInterval>(box, bits);
 }
 
-}  // namespace dumbbell
+}  // namespace dumbbell::starts

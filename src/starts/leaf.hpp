@@ -2,11 +2,11 @@
 
 #include "starts/certificate.hpp"
 
-namespace dumbbell {
+namespace dumbbell::starts {
 
 /// What the rules of format-initial.md certify of a box in double precision, and if that does not decide it
 /// with `bits` bits (53: double only); made for a box a little larger, so that another implementation has
 /// slack. Precondition: require_in_play(box).
 [[nodiscard]] InitialLeaf judge_initial(const InitialBox& box, int bits);
 
-}  // namespace dumbbell
+}  // namespace dumbbell::starts

@@ -4,7 +4,7 @@
 
 #include "file/lines.hpp"
 
-namespace dumbbell {
+namespace dumbbell::starts {
 namespace {
 
 constexpr std::array<std::string_view, initial_axes> axis_names{"phi", "phidot", "y", "ydot", "q"};
@@ -81,4 +81,4 @@ InitialCertificate read_initial_certificate(const std::string& path) {
     return certificate;
 }
 
-}  // namespace dumbbell
+}  // namespace dumbbell::starts

@@ -4,7 +4,7 @@
 
 #include "starts/jet.hpp"
 
-namespace dumbbell {
+namespace dumbbell::starts {
 
 /// Some values over a box, as the parameters of what is computed next. In natural form they are that anyway.
 template <class S, std::size_t n>
@@ -71,4 +71,4 @@ class Recentred<Jet<I>, n> {
     Gradient<I> displacement_;
 };
 
-}  // namespace dumbbell
+}  // namespace dumbbell::starts

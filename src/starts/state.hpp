@@ -4,7 +4,7 @@
 
 /// The dumbbell over the floor in free flight and at a contact, by the angle phi of its rod, without any
 /// chart: lemma L0.
-namespace dumbbell {
+namespace dumbbell::starts {
 
 enum class Mass { light, heavy };
 
@@ -68,4 +68,4 @@ template <class S>
     return {mass, before, after};
 }
 
-}  // namespace dumbbell
+}  // namespace dumbbell::starts

@@ -16,7 +16,7 @@
 #include "starts/initial_state.hpp"
 #include "starts/leaf.hpp"
 
-namespace dumbbell {
+namespace dumbbell::starts {
 namespace {
 
 using Tree = GrowingTree<InitialNode, InitialBox, initial_axes>;
@@ -141,4 +141,4 @@ Subdivision subdivide(const InitialBox& box, const SubdivideOptions& options) {
     return arena.execute([&] { return grow(box, options); });
 }
 
-}  // namespace dumbbell
+}  // namespace dumbbell::starts

@@ -9,7 +9,7 @@
 #include "starts/certificate.hpp"
 
 /// Covers of a box of initial conditions by boxes whose number of collisions is certain.
-namespace dumbbell {
+namespace dumbbell::starts {
 
 struct SubdivideOptions {
     std::size_t max_boxes = 50000;  ///< leaves
@@ -41,4 +41,4 @@ struct Subdivision {
 /// rules of format-initial.md give for a slightly larger box. Precondition: require_in_play(box).
 [[nodiscard]] Subdivision subdivide(const InitialBox& box, const SubdivideOptions& options);
 
-}  // namespace dumbbell
+}  // namespace dumbbell::starts

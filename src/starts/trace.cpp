@@ -7,7 +7,7 @@
 #include "starts/initial_state.hpp"
 #include "starts/traced_value.hpp"
 
-namespace dumbbell {
+namespace dumbbell::starts {
 namespace {
 
 constexpr int double_bits = 53;
@@ -27,7 +27,7 @@ Enclosure<S> grazing_sine(const Bounce<S>& b) {
 }
 
 template <class S>
-Collision<TracedValue> shown(const Bounce<S>& b, int digits) {
+flight::Collision<TracedValue> shown(const Bounce<S>& b, int digits) {
     const auto value = [&](const Enclosure<S>& x) { return traced_value(x, digits); };
     const auto physical = [&](const S& hat) { return value(range(hat / (S(1) + b.before.r))); };
     return {b.mass == Mass::heavy,         value(range(b.after.time)),   value(range(b.after.phi)),
@@ -93,4 +93,4 @@ Trace trace(const InitialBox& box, int digits) {
     return trace_in<BigInterval>(box, bits, digits);
 }
 
-}  // namespace dumbbell
+}  // namespace dumbbell::starts

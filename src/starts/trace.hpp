@@ -8,7 +8,7 @@
 #include "starts/certificate.hpp"
 
 /// The rigorous orbits of a box of initial conditions.
-namespace dumbbell {
+namespace dumbbell::starts {
 
 /// An enclosure for people and programs: outward in doubles, and in decimals as `value+-radius` and by its
 /// bounds (rounded outward).
@@ -26,7 +26,7 @@ struct TracedWidths {
 };
 
 struct Trace {
-    std::vector<Collision<TracedValue>>
+    std::vector<flight::Collision<TracedValue>>
         collisions;  ///< those that all orbits of the box share, until it splits
     long least = 0;
     std::optional<long> most;
@@ -40,4 +40,4 @@ struct Trace {
 /// digits wanted. Precondition: require_in_play(box).
 [[nodiscard]] Trace trace(const InitialBox& box, int digits);
 
-}  // namespace dumbbell
+}  // namespace dumbbell::starts

@@ -11,7 +11,10 @@
 #include "starts/flat_fall.hpp"
 #include "words/printed.hpp"
 
-namespace dumbbell {
+namespace dumbbell::starts {
+
+using flight::Collision;
+
 namespace {
 
 struct Quantity {
@@ -283,4 +286,4 @@ std::string to_csv(const TraceReport& report) {
     return text;
 }
 
-}  // namespace dumbbell
+}  // namespace dumbbell::starts

@@ -7,7 +7,7 @@
 #include "starts/trace.hpp"
 #include "words/json.hpp"
 
-namespace dumbbell {
+namespace dumbbell::starts {
 
 /// The most that may be asked for.
 inline constexpr int most_trace_digits = 10'000;
@@ -43,4 +43,4 @@ struct TraceReport {
 /// The outcome, what it rests on, and what the parts of a box say.
 [[nodiscard]] std::string verdict(const TraceReport& report);
 
-}  // namespace dumbbell
+}  // namespace dumbbell::starts

@@ -2,7 +2,7 @@
 
 #include <fmt/core.h>
 
-namespace dumbbell {
+namespace dumbbell::starts {
 namespace {
 
 std::string decimal(mpfr_srcptr x, const char* format, int digits) {
@@ -39,4 +39,4 @@ TracedValue traced_value(const Interval& x, int digits) {
     return traced_value(BigInterval(x.lo(), x.hi()), digits);
 }
 
-}  // namespace dumbbell
+}  // namespace dumbbell::starts

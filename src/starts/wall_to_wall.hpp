@@ -6,7 +6,7 @@
 #include "starts/flight.hpp"
 #include "starts/recentred.hpp"
 
-namespace dumbbell {
+namespace dumbbell::starts {
 
 /// A box of orbits from contact to contact. Every step is enclosed twice; the common part is kept.
 ///
@@ -118,4 +118,4 @@ class WallToWall {
     S speed_;
 };
 
-}  // namespace dumbbell
+}  // namespace dumbbell::starts

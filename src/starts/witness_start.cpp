@@ -6,7 +6,7 @@
 #include "number/decimal.hpp"
 #include "starts/trace.hpp"
 
-namespace dumbbell {
+namespace dumbbell::starts {
 namespace {
 
 constexpr long most_collisions = 5000;
@@ -26,16 +26,16 @@ struct Start {
     BigInterval phi, phidot, ydot;
 };
 
-std::optional<Start> start_of(const Witness& w, const Rational& q) {
+std::optional<Start> start_of(const collisions::Witness& w, const Rational& q) {
     const BigInterval r = enclose<BigInterval>(Rational(1) / q);
     const auto orbit =
-        enclose_orbit(BridgeContact<BigInterval>{enclose<BigInterval>(w.e), enclose<BigInterval>(w.eta),
-                                                 w.forward, w.backward},
-                      RatioRange<BigInterval>{r, r});
+        enclose_orbit(flight::BridgeContact<BigInterval>{enclose<BigInterval>(w.e),
+                                                         enclose<BigInterval>(w.eta), w.forward, w.backward},
+                      flight::RatioRange<BigInterval>{r, r});
     if (!orbit || !certainly_positive(-orbit->front().ydot_before)) {
         return std::nullopt;
     }
-    const Collision<BigInterval>& first = orbit->front();
+    const flight::Collision<BigInterval>& first = orbit->front();
     const BigInterval time = (BigInterval(2) - first.y) / -first.ydot_before;
     const bool turns = approximate(first.phidot_before) * approximate(first.phidot_before) > 1e-6;
     const BigInterval& unit = turns ? first.phidot_before : first.ydot_before;
@@ -73,9 +73,9 @@ InitialBox point(const Rational& phi, const Rational& phidot, const Rational& y,
 
 }  // namespace
 
-std::optional<WitnessStart> witness_start(const Witness& witness, const Rational& q,
-                                          const Interrupted& interrupted) {
-    if (witness.total() > most_collisions || witness.chart != Chart::bridge) {
+std::optional<collisions::WitnessStart> witness_start(const collisions::Witness& witness, const Rational& q,
+                                                      const Interrupted& interrupted) {
+    if (witness.total() > most_collisions || witness.chart != collisions::Chart::bridge) {
         return std::nullopt;
     }
     for (const auto& [places, digits] : efforts) {
@@ -95,10 +95,10 @@ std::optional<WitnessStart> witness_start(const Witness& witness, const Rational
         }
         const Trace found = trace(point(phi, phidot, 2, ydot, q), digits);
         if (found.exact() && found.least == witness.total()) {
-            return WitnessStart{spelled(phi), spelled(phidot), "2", spelled(ydot), digits};
+            return collisions::WitnessStart{spelled(phi), spelled(phidot), "2", spelled(ydot), digits};
         }
     }
     return std::nullopt;
 }
 
-}  // namespace dumbbell
+}  // namespace dumbbell::starts

@@ -5,12 +5,13 @@
 #include "base/interrupted.hpp"
 #include "collisions/witness.hpp"
 
-namespace dumbbell {
+namespace dumbbell::starts {
 
 /// A start near the witness's orbit, before its first collision. `trace` was run on it: it has exactly as
 /// many collisions at q as the witness. Nothing if no such start of up to 256 digits is found, if the witness
 /// has more than 5000 collisions, or if interrupted.
-[[nodiscard]] std::optional<WitnessStart> witness_start(const Witness& witness, const Rational& q,
-                                                        const Interrupted& interrupted = never);
+[[nodiscard]] std::optional<collisions::WitnessStart> witness_start(const collisions::Witness& witness,
+                                                                    const Rational& q,
+                                                                    const Interrupted& interrupted = never);
 
-}  // namespace dumbbell
+}  // namespace dumbbell::starts

@@ -7,7 +7,7 @@
 #include "base/error.hpp"
 #include "file/dyadic.hpp"
 
-namespace dumbbell {
+namespace dumbbell::starts {
 namespace {
 
 constexpr std::array<const char*, initial_axes> axis_names{"phi", "phidot", "y", "ydot", "q"};
@@ -92,4 +92,4 @@ SealedText render(const InitialCertificate& certificate) {
     return std::move(out).sealed();
 }
 
-}  // namespace dumbbell
+}  // namespace dumbbell::starts

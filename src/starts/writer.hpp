@@ -3,9 +3,9 @@
 #include "file/sealed_lines.hpp"
 #include "starts/certificate.hpp"
 
-namespace dumbbell {
+namespace dumbbell::starts {
 
 /// The one canonical spelling (format-initial.md). Throws BrokenInvariant if the tree is not complete.
 [[nodiscard]] SealedText render(const InitialCertificate& certificate);
 
-}  // namespace dumbbell
+}  // namespace dumbbell::starts

@@ -14,7 +14,10 @@
 #include "file/verifier_program.hpp"
 #include "number/decimal.hpp"
 
-namespace dumbbell {
+namespace dumbbell::campaign {
+
+using adiabatic::AdiabaticHypotheses;
+
 namespace {
 
 std::string head_of(const Rational& accuracy) {
@@ -34,17 +37,17 @@ AdiabaticHypotheses statement_of(const Order& order) {
     if (order.units.size() != 1) {
         throw InputError("the order has several statements: a certificate proves one");
     }
-    return parse_case(order.units.front());
+    return adiabatic::parse_case(order.units.front());
 }
 
 /// About, in proportion to what docs/6-adiabatic.md measured.
 std::size_t cost_of(const AdiabaticHypotheses& of) {
-    if (of.claim == AdiabaticClaim::bounce || of.claim == AdiabaticClaim::printed) {
+    if (of.claim == adiabatic::AdiabaticClaim::bounce || of.claim == adiabatic::AdiabaticClaim::printed) {
         return 1;
     }
     constexpr int greatest = 1000;
     constexpr std::size_t of_a_range = 4;
-    const Rational far = of.claim == AdiabaticClaim::run ? 11 : 50;
+    const Rational far = of.claim == adiabatic::AdiabaticClaim::run ? 11 : 50;
     const Rational cost = std::min(Rational(far / of.margin), Rational(greatest));
     return static_cast<std::size_t>(cost.convert_to<double>()) *
            (of.delta.first < of.delta.second ? of_a_range : 1);
@@ -65,7 +68,7 @@ constexpr std::string_view table_head =
 /// Exactly.
 std::string cell(const Rational& x) { return x == 0 ? "0" : exact_text(x); }
 
-std::string line_of(const AdiabaticCertificate& certificate, const std::string& digest,
+std::string line_of(const adiabatic::AdiabaticCertificate& certificate, const std::string& digest,
                     const std::string& file) {
     std::vector<std::string> cells = columns_of(certificate.hypotheses);
     for (std::size_t i = 0; i < 2; ++i) {
@@ -87,11 +90,11 @@ class AdiabaticKind : public Kind {
 
     [[nodiscard]] std::optional<std::string> work(const Order& order, const std::string& /*folder*/,
                                                   const Interrupted& interrupted) const override {
-        AdiabaticRequest request;
+        adiabatic::AdiabaticRequest request;
         request.of = statement_of(order);
         request.accuracy = accuracy_of(order);
         request.interrupted = interrupted;
-        const AdiabaticProof proof = prove_adiabatic(request);
+        const adiabatic::AdiabaticProof proof = prove_adiabatic(request);
         if (interrupted()) {
             return std::nullopt;  // even of a complete proof: a search that ended early finds other orbits
         }
@@ -99,7 +102,7 @@ class AdiabaticKind : public Kind {
             throw InputError(
                 fmt::format("not certified: adiabatic {}; take a smaller delta (or range of them), a greater "
                             "--phi-margin or a higher --y",
-                            options_of({request.of})));
+                            adiabatic::options_of({request.of})));
         }
         return render(certificate_of(proof)).text;
     }
@@ -111,10 +114,12 @@ class AdiabaticKind : public Kind {
         std::string text(table_head);
         std::vector<AdiabaticHypotheses> proved;
         for (std::size_t i = 0; tiles && i < files.size(); ++i) {
-            const AdiabaticCertificate certificate = read_adiabatic_certificate(files[i]);
+            const adiabatic::AdiabaticCertificate certificate =
+                adiabatic::read_adiabatic_certificate(files[i]);
             tiles = case_of(certificate.hypotheses) == units[i];
             proved.push_back(certificate.hypotheses);
-            text += line_of(certificate, sealed_digest(files[i]), "results/" + plan.order(i, i + 1).id());
+            text += line_of(certificate, certificates::sealed_digest(files[i]),
+                            "results/" + plan.order(i, i + 1).id());
         }
         require_tiling(tiles && plan.claim == claim_of(proved, accuracy_of(plan.whole)));
         return {text, false};
@@ -122,8 +127,8 @@ class AdiabaticKind : public Kind {
 
   private:
     [[nodiscard]] Judgement form(const Order& order, const std::string& file) const override {
-        (void)sealed_digest(file);  // it is complete
-        if (case_of(read_adiabatic_hypotheses(file)) != case_of(statement_of(order))) {
+        (void)certificates::sealed_digest(file);  // it is complete
+        if (case_of(adiabatic::read_adiabatic_hypotheses(file)) != case_of(statement_of(order))) {
             return {Judgement::Verdict::wrong, "it proves something else"};
         }
         return {Judgement::Verdict::proved, ""};
@@ -158,10 +163,11 @@ Plan plan_adiabatic(const std::vector<AdiabaticHypotheses>& grid, const Rational
         plan.whole.units.push_back(case_of(of));
         plan.shards.push_back({number, number + 1, cost_of(of)});
         if (!known.insert(plan.whole.units.back()).second) {
-            throw InputError(fmt::format("the lists have a statement twice: {}", options_of({of})));
+            throw InputError(
+                fmt::format("the lists have a statement twice: {}", adiabatic::options_of({of})));
         }
     }
     return plan;
 }
 
-}  // namespace dumbbell
+}  // namespace dumbbell::campaign

@@ -3,7 +3,7 @@
 #include "adiabatic/certificate.hpp"
 #include "campaign/kind.hpp"
 
-namespace dumbbell {
+namespace dumbbell::campaign {
 
 /// Constants of the adiabatic invariant for a grid of hypotheses: what `dumbbell adiabatic` proves. A unit is
 /// one statement, a shard of its own, and a result the certificate that `adiabatic --out` writes. One file
@@ -12,6 +12,7 @@ namespace dumbbell {
 
 /// A shard for each statement of a grid, which are all of one claim. Throws InputError if there is only one,
 /// or one twice. Preconditions: require_sensible for each; 0 < accuracy <= 1.
-[[nodiscard]] Plan plan_adiabatic(const std::vector<AdiabaticHypotheses>& grid, const Rational& accuracy);
+[[nodiscard]] Plan plan_adiabatic(const std::vector<adiabatic::AdiabaticHypotheses>& grid,
+                                  const Rational& accuracy);
 
-}  // namespace dumbbell
+}  // namespace dumbbell::campaign

@@ -13,12 +13,17 @@
 #include "file/sealed_lines.hpp"
 #include "file/verifier_program.hpp"
 
-namespace dumbbell {
+namespace dumbbell::campaign {
+
+using collisions::Piece;
+using collisions::PlannedPiece;
+using collisions::Section;
+
 namespace {
 
 /// What all pieces have in common.
 struct Common {
-    Scene scene;
+    collisions::Scene scene;
     Section section;
 };
 
@@ -29,8 +34,8 @@ std::string head_of(const Common& common) {
 
 Common common_of(const Order& order) {
     const auto values = head_values(order, {"prove", "lemmas", "scene", "section"});
-    const auto scene = scene_named(values[2]);
-    const auto section = section_named(values[3], values[1]);
+    const auto scene = collisions::scene_named(values[2]);
+    const auto section = collisions::section_named(values[3], values[1]);
     if (!scene || !section || order.head != head_of({*scene, *section})) {
         throw InputError("the order asks for a scene, section or lemma set that this program does not know");
     }
@@ -44,7 +49,7 @@ PlannedPiece parse_unit(const std::string& unit) {
         const PlannedPiece piece{parse_rational(fields[1], longest), parse_rational(fields[2], longest),
                                  static_cast<long>(parse_size(fields[3])),
                                  static_cast<long>(parse_size(fields[4]))};
-        if (piece.q_lo >= 1 && piece.q_lo <= piece.q_hi && piece.q_hi <= greatest_ratio() &&
+        if (piece.q_lo >= 1 && piece.q_lo <= piece.q_hi && piece.q_hi <= collisions::greatest_ratio() &&
             piece.lower >= 1 && piece.lower <= piece.upper && words_of(piece) == unit) {
             return piece;
         }
@@ -53,7 +58,8 @@ PlannedPiece parse_unit(const std::string& unit) {
 }
 
 std::string certificate_of(const Common& common, std::vector<Piece> pieces) {
-    return render(Certificate{.pieces = std::move(pieces), .scene = common.scene, .section = common.section})
+    return render(collisions::Certificate{
+                      .pieces = std::move(pieces), .scene = common.scene, .section = common.section})
         .text;
 }
 
@@ -63,7 +69,7 @@ bool is_piece(const Piece& piece, const PlannedPiece& planned) {
                        : piece.q_lo == planned.q_lo && piece.q_hi == planned.q_hi;
 }
 
-bool is_open(const Piece& piece) { return piece.status() == Status::open; }
+bool is_open(const Piece& piece) { return piece.status() == collisions::Status::open; }
 
 /// Orbits are followed to their end; a section of all states takes many more.
 std::size_t cost_of(const PlannedPiece& piece, Section section) {
@@ -76,7 +82,7 @@ std::size_t cost_of(const PlannedPiece& piece, Section section) {
 /// them.
 std::string claim_of(const Common& common, const Rational& q_lo, const Rational& q_hi) {
     std::string text = fmt::format("certify {}:{} ", to_fraction(q_lo), to_fraction(q_hi));
-    if (common.scene != Scene::dumbbell) {
+    if (common.scene != collisions::Scene::dumbbell) {
         text += fmt::format("--scene {} ", name(common.scene));
     }
     if (common.section != Section::turning) {
@@ -95,15 +101,15 @@ class CollisionsKind : public Kind {
     [[nodiscard]] std::optional<std::string> work(const Order& order, const std::string& /*folder*/,
                                                   const Interrupted& interrupted) const override {
         const Common common = common_of(order);
-        PieceOptions options = piece_options(common.scene, common.section);
+        collisions::PieceOptions options = piece_options(common.scene, common.section);
         options.interrupted = interrupted;
         options.describes = false;
         std::vector<Piece> pieces;
         for (const std::string& unit : order.units) {
             const PlannedPiece planned = parse_unit(unit);
-            ProvedPiece proved =
+            collisions::ProvedPiece proved =
                 prove_piece(planned.q_lo, planned.q_hi, planned.upper, planned.lower, options);
-            if (proved.obstacle == Obstacle::time) {
+            if (proved.obstacle == collisions::Obstacle::time) {
                 return std::nullopt;
             }
             pieces.push_back(std::move(proved.piece));
@@ -117,7 +123,7 @@ class CollisionsKind : public Kind {
         std::vector<Piece> pieces;
         pieces.reserve(plan.whole.units.size());
         for (const std::string& file : files) {
-            Certificate part = read_certificate(file);
+            collisions::Certificate part = collisions::read_certificate(file);
             std::move(part.pieces.begin(), part.pieces.end(), std::back_inserter(pieces));
         }
         // They tile the claim: each piece of the plan once, in its order, each beginning where the last one
@@ -137,8 +143,8 @@ class CollisionsKind : public Kind {
   private:
     [[nodiscard]] Judgement form(const Order& order, const std::string& file) const override {
         const Common common = common_of(order);
-        (void)sealed_digest(file);  // it is complete
-        PieceReader in(file, Trees::passed_over);
+        (void)certificates::sealed_digest(file);  // it is complete
+        collisions::PieceReader in(file, collisions::Trees::passed_over);
         bool fits = in.head().scene == common.scene && in.head().section == common.section &&
                     in.pieces() == order.units.size();
         bool open = false;
@@ -170,12 +176,12 @@ const Kind& collisions_kind() {
     return kind;
 }
 
-std::optional<Plan> plan_collisions(const CertifyRequest& request, std::optional<std::size_t> shards,
-                                    const Interrupted& interrupted) {
+std::optional<Plan> plan_collisions(const collisions::CertifyRequest& request,
+                                    std::optional<std::size_t> shards, const Interrupted& interrupted) {
     if (request.q_lo == request.q_hi) {
         throw InputError("a single ratio is one shard: use dumbbell certify, or give a range LO:HI");
     }
-    if (request.q_hi > greatest_ratio()) {
+    if (request.q_hi > collisions::greatest_ratio()) {
         throw InputError("ratios beyond 1e36 are out of reach");
     }
     const auto pieces =
@@ -197,4 +203,4 @@ std::optional<Plan> plan_collisions(const CertifyRequest& request, std::optional
     return plan;
 }
 
-}  // namespace dumbbell
+}  // namespace dumbbell::campaign

@@ -10,7 +10,10 @@
 #include "number/decimal.hpp"
 #include "staircase/critical_report.hpp"
 
-namespace dumbbell {
+namespace dumbbell::campaign {
+
+using collisions::CriticalRatio;
+
 namespace {
 
 constexpr std::size_t most_count = 1'000'000'000'000;
@@ -24,7 +27,8 @@ std::string claim_of(long first, long last, int digits) {
 
 int digits_of(const Order& order) {
     const std::size_t digits = parse_size(head_values(order, {"prove", "digits"})[1]);
-    if (digits < 1 || digits > most_critical_digits || order.head != head_of(static_cast<int>(digits))) {
+    if (digits < 1 || digits > collisions::most_critical_digits ||
+        order.head != head_of(static_cast<int>(digits))) {
         throw InputError("the order asks for digits that this program does not give");
     }
     return static_cast<int>(digits);
@@ -105,7 +109,7 @@ class CriticalKind : public Kind {
 
     [[nodiscard]] std::optional<std::string> work(const Order& order, const std::string& /*folder*/,
                                                   const Interrupted& interrupted) const override {
-        const CriticalOptions options{.digits = digits_of(order), .interrupted = interrupted};
+        const collisions::CriticalOptions options{.digits = digits_of(order), .interrupted = interrupted};
         std::vector<CriticalRatio> ratios;
         for (const std::string& unit : order.units) {
             const long n = parse_unit(unit);
@@ -123,7 +127,7 @@ class CriticalKind : public Kind {
 
     [[nodiscard]] Merged merge(const Plan& plan, const std::string& /*folder*/,
                                const std::vector<std::string>& files) const override {
-        CriticalReport report;
+        staircase::CriticalReport report;
         report.request.digits = digits_of(plan.whole);
         for (const std::string& file : files) {
             for (CriticalRatio& ratio : read_rows(file, plan.whole.units.size())) {
@@ -132,9 +136,10 @@ class CriticalKind : public Kind {
             }
         }
         const auto& units = plan.whole.units;
-        const bool tiles = std::equal(
-            report.rows.begin(), report.rows.end(), units.begin(), units.end(),
-            [](const CriticalRow& row, const std::string& unit) { return row.n == parse_unit(unit); });
+        const bool tiles = std::equal(report.rows.begin(), report.rows.end(), units.begin(), units.end(),
+                                      [](const staircase::CriticalRow& row, const std::string& unit) {
+                                          return row.n == parse_unit(unit);
+                                      });
         require_tiling(tiles);
         report.request.first = report.rows.front().n;
         report.request.last = report.rows.back().n;
@@ -167,7 +172,7 @@ const Kind& critical_kind() {
     return kind;
 }
 
-Plan plan_critical(const CriticalRequest& request, std::optional<std::size_t> shards) {
+Plan plan_critical(const staircase::CriticalRequest& request, std::optional<std::size_t> shards) {
     if (request.first == request.last) {
         throw InputError(
             "a single critical ratio is one shard: use dumbbell critical, or give a range N1:N2");
@@ -183,4 +188,4 @@ Plan plan_critical(const CriticalRequest& request, std::optional<std::size_t> sh
     return plan;
 }
 
-}  // namespace dumbbell
+}  // namespace dumbbell::campaign

@@ -16,7 +16,7 @@
 #include "file/sealed_lines.hpp"
 #include "file/verifier_program.hpp"
 
-namespace dumbbell {
+namespace dumbbell::campaign {
 namespace {
 
 constexpr std::string_view verifier_name = "dumbbell-verify";
@@ -30,7 +30,7 @@ constexpr std::size_t most_pieces = 3'000'000;
 /// What an order is about.
 struct Subject {
     std::string file;
-    Scene scene = Scene::dumbbell;
+    collisions::Scene scene = collisions::Scene::dumbbell;
     std::string digest;
     std::size_t of = 0;  ///< pieces of the file
 };
@@ -44,7 +44,7 @@ std::string head_of(const Subject& subject) {
 
 Subject subject_of(const Order& order) {
     const auto values = head_values(order, {"prove", "file", "scene", "digest", "of"});
-    const auto scene = scene_named(values[2]);
+    const auto scene = collisions::scene_named(values[2]);
     const std::string& digest = values[3];
     if ((values[1] != certificate_name && values[1] != packed_name) || !scene || digest.size() != 64 ||
         digest.find_first_not_of("0123456789abcdef") != std::string::npos) {
@@ -166,7 +166,7 @@ const Kind& verified_kind() {
 }
 
 VerifiedPlan plan_verified(const std::string& file, std::optional<std::size_t> shards) {
-    PieceReader in(file, Trees::passed_over);
+    collisions::PieceReader in(file, collisions::Trees::passed_over);
     if (in.pieces() > most_pieces) {
         throw InputError(fmt::format("'{}' has {} pieces, more than {}: certify the range in parts", file,
                                      in.pieces(), most_pieces));
@@ -176,7 +176,7 @@ VerifiedPlan plan_verified(const std::string& file, std::optional<std::size_t> s
     Rational q_lo = 0;
     Rational q_hi = 0;
     for (std::size_t i = 0; i < in.pieces(); ++i) {
-        const Piece piece = in.next();
+        const collisions::Piece piece = in.next();
         q_lo = i == 0 ? piece.q_lo : q_lo;
         q_hi = piece.q_hi;
         units.push_back(fmt::format("piece {}", i + 1));
@@ -184,7 +184,7 @@ VerifiedPlan plan_verified(const std::string& file, std::optional<std::size_t> s
         costs.push_back(static_cast<std::size_t>(std::clamp(upper, 0L, 1'000'000'000L)) + 10);
     }
     const Subject subject{std::string(file.ends_with(".gz") ? packed_name : certificate_name),
-                          in.head().scene, sealed_digest(file), in.pieces()};
+                          in.head().scene, certificates::sealed_digest(file), in.pieces()};
     return {{fmt::format("verify {}{}", printable(std::filesystem::path(file).filename().string(), 100),
                          about(fmt::format("{}:{}", to_fraction(q_lo), to_fraction(q_hi)), subject)),
              {head_of(subject), std::move(units)},
@@ -193,4 +193,4 @@ VerifiedPlan plan_verified(const std::string& file, std::optional<std::size_t> s
             {file, verifier_path()}};
 }
 
-}  // namespace dumbbell
+}  // namespace dumbbell::campaign

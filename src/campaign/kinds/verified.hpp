@@ -2,7 +2,7 @@
 
 #include "campaign/kind.hpp"
 
-namespace dumbbell {
+namespace dumbbell::campaign {
 
 /// The verification of a large certificate: a unit is one of its pieces, a result the line that the
 /// verifier's --shards prints of a run of them, and merged they are what its --combine takes. The orders'
@@ -21,4 +21,4 @@ struct VerifiedPlan {
 /// Throws InputError if the file is none, or is damaged.
 [[nodiscard]] VerifiedPlan plan_verified(const std::string& file, std::optional<std::size_t> shards);
 
-}  // namespace dumbbell
+}  // namespace dumbbell::campaign

@@ -2,7 +2,7 @@
 
 #include "cli/commands.hpp"
 
-namespace dumbbell {
+namespace dumbbell::cli {
 namespace {
 
 constexpr const char* description =
@@ -31,4 +31,4 @@ constexpr std::array commands{&campaign_plan_command, &campaign_run_command, &ca
 
 constinit const Command campaign_command{"campaign", "Prove", description, footer, {}, nullptr, commands};
 
-}  // namespace dumbbell
+}  // namespace dumbbell::cli

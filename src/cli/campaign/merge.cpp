@@ -15,7 +15,7 @@
 #include "cli/terminal/output.hpp"
 #include "cli/terminal/stop_signals.hpp"
 
-namespace dumbbell {
+namespace dumbbell::cli {
 namespace {
 
 constexpr const char* description =
@@ -40,7 +40,7 @@ Content content_of(std::string_view kind) {
     return kind == "collisions" ? Content::certificate : kind == "verified" ? Content::parts : Content::table;
 }
 
-int not_merged(const std::string& folder, const std::string& out, const Merge& merge) {
+int not_merged(const std::string& folder, const std::string& out, const campaign::Merge& merge) {
     if (stop_signal != 0) {
         return stopped(fmt::format("'{}' is not written; nothing is lost", out));
     }
@@ -60,7 +60,7 @@ int not_merged(const std::string& folder, const std::string& out, const Merge& m
 int run(const Given& given) {
     const std::string out = given.text("--out");
     const bool unverified = given.has("--unverified");
-    CampaignFolder folder(given.text("FOLDER"));
+    campaign::CampaignFolder folder(given.text("FOLDER"));
     folder.lock();
     if (out != "-" && folder.holds(output_target(out))) {
         throw InputError(fmt::format(
@@ -73,10 +73,10 @@ int run(const Given& given) {
         results.push_back(folder.result_file(part.id));
     }
     const Output output(out, results);
-    MergeOptions how{.jobs = jobs_of(given),
-                     .scrutiny = unverified ? Scrutiny::form : Scrutiny::proof,
-                     .interrupted = deadline(std::nullopt)};
-    Merge merge;
+    campaign::MergeOptions how{.jobs = jobs_of(given),
+                               .scrutiny = unverified ? campaign::Scrutiny::form : campaign::Scrutiny::proof,
+                               .interrupted = deadline(std::nullopt)};
+    campaign::Merge merge;
     {
         Progress progress("shards verified", verbosity_of(given));
         how.progress = [&](std::size_t done, std::size_t all) { progress.update(done, all); };
@@ -86,9 +86,9 @@ int run(const Given& given) {
         return not_merged(given.text("FOLDER"), out, merge);
     }
     output.commit(merge.whole->text);
-    const char* what = merge.evidence == Evidence::workers ? "as the workers' verifiers say"
-                       : unverified                        ? "NOT verified"
-                                                           : "verified";
+    const char* what = merge.evidence == campaign::Evidence::workers ? "as the workers' verifiers say"
+                       : unverified                                  ? "NOT verified"
+                                                                     : "verified";
     fmt::print(output.report(), "{} shards {}; they tile the claim: {}\n", merge.shards, what,
                one_line(folder.plan().claim));
     if (output.file()) {
@@ -106,4 +106,4 @@ int run(const Given& given) {
 constinit const Command campaign_merge_command{"merge",   one_group, description,
                                                inherited, options,   stoppable<run>};
 
-}  // namespace dumbbell
+}  // namespace dumbbell::cli

@@ -23,7 +23,7 @@
 #include "cli/terminal/stop_signals.hpp"
 #include "number/count_argument.hpp"
 
-namespace dumbbell {
+namespace dumbbell::cli {
 namespace {
 
 constexpr const char* description =
@@ -59,7 +59,7 @@ std::string new_folder(const Given& given) {
             "the folder is missing: dumbbell campaign plan FOLDER {0} ... (one with this name: ./{0})",
             folder));
     }
-    CampaignFolder::require_new(folder);
+    campaign::CampaignFolder::require_new(folder);
     return folder;
 }
 
@@ -81,8 +81,9 @@ std::optional<std::size_t> shards_of(const Given& given) {
                                  : std::nullopt;
 }
 
-int made(const std::string& folder, const Plan& plan, const std::vector<std::string>& sources = {}) {
-    CampaignFolder::create(folder, plan, sources);
+int made(const std::string& folder, const campaign::Plan& plan,
+         const std::vector<std::string>& sources = {}) {
+    campaign::CampaignFolder::create(folder, plan, sources);
     fmt::print("{}\n{} shards of {} units in '{}'; to work them off: dumbbell campaign run {}\n",
                one_line(plan.claim), plan.shards.size(), plan.whole.units.size(), one_line(folder),
                shell_file(folder));
@@ -96,19 +97,19 @@ int plan_range(const Given& given) {
             "give the claim: a range of mass ratios LO:HI, critical N1:N2, adiabatic --delta ..., or verify "
             "FILE");
     }
-    CertifyRequest request = request_of(given, parse_ratio_argument(given.text("RATIO")));
+    collisions::CertifyRequest request = request_of(given, parse_ratio_argument(given.text("RATIO")));
     Progress progress("steps");
     request.placed = [&](std::size_t done, std::size_t all) { progress.update(done, all); };
-    const auto plan = plan_collisions(request, shards_of(given), deadline(std::nullopt));
+    const auto plan = campaign::plan_collisions(request, shards_of(given), deadline(std::nullopt));
     return plan ? made(folder, *plan) : stopped("nothing was planned");
 }
 
 int plan_steps(const Given& given) {
     const std::string folder = new_folder(given, "critical");
-    CriticalRequest request;
+    staircase::CriticalRequest request;
     std::tie(request.first, request.last) = parse_counts(given.text("N1:N2"));
     request.digits = static_cast<int>(given.number("--digits"));
-    return made(folder, plan_critical(request, shards_of(given)));
+    return made(folder, campaign::plan_critical(request, shards_of(given)));
 }
 
 int plan_statements(const Given& given) {
@@ -116,12 +117,12 @@ int plan_statements(const Given& given) {
     if (given.has("--shards")) {
         throw InputError("--shards is not for adiabatic: each statement is a shard");
     }
-    return made(folder, plan_adiabatic(statements_of(given, Deltas::list), accuracy_of(given)));
+    return made(folder, campaign::plan_adiabatic(statements_of(given, Deltas::list), accuracy_of(given)));
 }
 
 int plan_verification(const Given& given) {
     const std::string folder = new_folder(given, "verify");
-    const VerifiedPlan made_of = plan_verified(given.text("FILE"), shards_of(given));
+    const campaign::VerifiedPlan made_of = campaign::plan_verified(given.text("FILE"), shards_of(given));
     return made(folder, made_of.plan, made_of.sources);
 }
 
@@ -157,4 +158,4 @@ constexpr std::array claims{&critical, &adiabatic, &verify};
 constinit const Command campaign_plan_command{
     "plan", one_group, description, inherited, options, stoppable<plan_range>, claims};
 
-}  // namespace dumbbell
+}  // namespace dumbbell::cli

@@ -25,7 +25,7 @@
 #include "number/ratio_argument.hpp"
 #include "words/printed.hpp"
 
-namespace dumbbell {
+namespace dumbbell::cli {
 namespace {
 
 constexpr const char* description = R"(Work off what is not finished of a campaign.
@@ -64,7 +64,7 @@ constexpr std::array options{
 /// Says at the start, and when nobody came for a while, how to start a worker.
 class WorkersWanted {
   public:
-    WorkersWanted(const ManagerPlace& place, Verbosity verbosity)
+    WorkersWanted(const campaign::ManagerPlace& place, Verbosity verbosity)
         : line_(worker_command(place, place.address)) {
         std::array<char, 256> host{};
         ::gethostname(host.data(), host.size() - 1);
@@ -92,29 +92,30 @@ class WorkersWanted {
     double next_ = first;
 };
 
-std::unique_ptr<Engine> engine_of(const Given& given, const CampaignFolder& folder,
-                                  std::optional<WorkersWanted>& wanted) {
+std::unique_ptr<campaign::Engine> engine_of(const Given& given, const campaign::CampaignFolder& folder,
+                                            std::optional<WorkersWanted>& wanted) {
     if (given.text("--engine") == "local") {
         if (given.has("--port") || given.has("--address") || given.has("--program") ||
             given.has("--verify")) {
             throw InputError("--port, --address, --program and --verify are for --engine workqueue");
         }
-        return std::make_unique<LocalEngine>(jobs_of(given), folder.path());
+        return std::make_unique<campaign::LocalEngine>(jobs_of(given), folder.path());
     }
-    WorkQueueOptions queue;
+    campaign::WorkQueueOptions queue;
     queue.address = given.text("--address");
     queue.port = static_cast<int>(given.number("--port"));
     queue.program = given.text("--program");
-    queue.password_file = password_file(std::filesystem::absolute(folder.path()));  // for another folder, too
-    auto engine = std::make_unique<WorkQueueEngine>(queue);
+    queue.password_file =
+        campaign::password_file(std::filesystem::absolute(folder.path()));  // for another folder, too
+    auto engine = std::make_unique<campaign::WorkQueueEngine>(queue);
     wanted.emplace(engine->place(), verbosity_of(given));
     return engine;
 }
 
 int run(const Given& given) try {
-    CampaignFolder folder(given.text("FOLDER"));
+    campaign::CampaignFolder folder(given.text("FOLDER"));
     folder.lock();
-    CampaignOptions how;
+    campaign::CampaignOptions how;
     how.shard_limit = parse_duration(given.text("--shard-limit"), "--shard-limit");
     if (how.shard_limit->count() <= 0) {
         throw InputError("--shard-limit must be greater than 0: no shard is done at once");
@@ -123,14 +124,15 @@ int run(const Given& given) try {
     if (const std::size_t open = given.has("--again") ? withdraw_open_results(folder) : 0; open > 0) {
         remark(fmt::format("shards that left something undecided, and are tried again: {}", open));
     }
-    CampaignRun done;
+    campaign::CampaignRun done;
     {
         std::optional<WorkersWanted> wanted;
         const auto engine = engine_of(given, folder, wanted);
         how.verifiers = wanted ? jobs_of(given) : 0;
-        std::optional<LocalEngine> own;
+        std::optional<campaign::LocalEngine> own;
         how.own = wanted ? &own.emplace(jobs_of(given), folder.path()) : nullptr;
-        how.scrutiny = given.text("--verify") == "arrival" ? Scrutiny::proof : Scrutiny::form;
+        how.scrutiny =
+            given.text("--verify") == "arrival" ? campaign::Scrutiny::proof : campaign::Scrutiny::form;
         Progress progress("shards", verbosity_of(given));
         how.progress = [&](std::size_t finished, std::size_t all) { progress.update(finished, all); };
         how.note = [&](const std::string& line) { progress.note(line); };
@@ -149,7 +151,7 @@ int run(const Given& given) try {
     }
     complain(left);
     return exit_not_certified;
-} catch (const ResultsDiffer& error) {  // no error of this program's, at least not surely
+} catch (const campaign::ResultsDiffer& error) {  // no error of this program's, at least not surely
     complain(error.what());
     return exit_internal;
 }
@@ -159,4 +161,4 @@ int run(const Given& given) try {
 constinit const Command campaign_run_command{"run",     one_group, description,
                                              inherited, options,   stoppable<run>};
 
-}  // namespace dumbbell
+}  // namespace dumbbell::cli

@@ -7,7 +7,7 @@
 #include "cli/terminal/exit_code.hpp"
 #include "cli/terminal/frame.hpp"
 
-namespace dumbbell {
+namespace dumbbell::cli {
 namespace {
 
 constexpr std::array options{argument("FOLDER", "the campaign's folder").required(),
@@ -15,7 +15,7 @@ constexpr std::array options{argument("FOLDER", "the campaign's folder").require
                              flag("--quiet", "one sentence").excludes("--json")};
 
 int run(const Given& given) {
-    fmt::print("{}", shown(campaign_status(CampaignFolder(given.text("FOLDER"))), given));
+    fmt::print("{}", shown(campaign_status(campaign::CampaignFolder(given.text("FOLDER"))), given));
     return exit_done;
 }
 
@@ -29,4 +29,4 @@ constinit const Command campaign_status_command{
     options,
     run};
 
-}  // namespace dumbbell
+}  // namespace dumbbell::cli

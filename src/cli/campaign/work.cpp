@@ -19,7 +19,7 @@
 #include "number/ratio_argument.hpp"
 #include "number/self_test.hpp"
 
-namespace dumbbell {
+namespace dumbbell::cli {
 namespace {
 
 constexpr const char* description =
@@ -40,11 +40,11 @@ int run(const Given& given) {
     // A worker that gives a task up ends the shell that waits for this program, and nothing else.
     ::prctl(PR_SET_PDEATHSIG, SIGKILL);
     require_sound_arithmetic();
-    const Order order = parse_order(file_contents(given.text("ORDER")));
+    const campaign::Order order = campaign::parse_order(file_contents(given.text("ORDER")));
     const auto folder = std::filesystem::absolute(given.text("ORDER")).parent_path().string();
     const auto limit = limit_of(given);
     const AtomicFile file(given.text("RESULT"));
-    const auto result = kind_named(order.kind()).work(order, folder, deadline(limit));
+    const auto result = campaign::kind_named(order.kind()).work(order, folder, deadline(limit));
     if (!result) {
         return stop_signal != 0 ? exit_stopped : exit_not_certified;
     }
@@ -56,4 +56,4 @@ int run(const Given& given) {
 
 constinit const Command campaign_work_command{"work", "", description, inherited, options, stoppable<run>};
 
-}  // namespace dumbbell
+}  // namespace dumbbell::cli

@@ -9,7 +9,10 @@
 #include "number/ratio_argument.hpp"
 #include "starts/argument.hpp"
 
-namespace dumbbell {
+namespace dumbbell::cli {
+
+using adiabatic::AdiabaticClaim;
+
 namespace {
 
 constexpr std::size_t most_statements = 100'000;
@@ -62,8 +65,8 @@ void require_applicable(const Given& given, AdiabaticClaim claim) {
 
 }  // namespace
 
-std::vector<AdiabaticHypotheses> statements_of(const Given& given, Deltas deltas) {
-    AdiabaticHypotheses of;
+std::vector<adiabatic::AdiabaticHypotheses> statements_of(const Given& given, Deltas deltas) {
+    adiabatic::AdiabaticHypotheses of;
     of.claim = claim_of(given.text("--theorem"));
     require_applicable(given, of.claim);
     const std::string delta = given.text("--delta");
@@ -75,11 +78,11 @@ std::vector<AdiabaticHypotheses> statements_of(const Given& given, Deltas deltas
         throw InputError(
             fmt::format("the lists make more than {} statements: take them in parts", most_statements));
     }
-    of.heights =
-        parse_quantity("--y", text_or(given, "--y", of.claim == AdiabaticClaim::run ? "0:0.9" : "0:1"));
-    std::vector<AdiabaticHypotheses> result;
+    of.heights = starts::parse_quantity(
+        "--y", text_or(given, "--y", of.claim == AdiabaticClaim::run ? "0:0.9" : "0:1"));
+    std::vector<adiabatic::AdiabaticHypotheses> result;
     for (const std::string& range : ranges) {
-        of.delta = parse_quantity("--delta", range);
+        of.delta = starts::parse_quantity("--delta", range);
         for (const Rational& k : exponents) {
             of.exponent = parse_exponent(k);
             for (const Rational& margin : margins) {
@@ -100,4 +103,4 @@ Rational accuracy_of(const Given& given) {
     return accuracy;
 }
 
-}  // namespace dumbbell
+}  // namespace dumbbell::cli

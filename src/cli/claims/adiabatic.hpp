@@ -6,7 +6,7 @@
 #include "adiabatic/certificate.hpp"
 #include "cli/options/given.hpp"
 
-namespace dumbbell {
+namespace dumbbell::cli {
 
 /// Whether --delta is one number or range, or a list of them.
 enum class Deltas { one, list };
@@ -30,9 +30,9 @@ enum class Deltas { one, list };
 
 /// All statements asked for: one for each delta, exponent and distance from the vertical, the distance
 /// running fastest. Throws InputError, which names the option, if one of them makes no sense.
-[[nodiscard]] std::vector<AdiabaticHypotheses> statements_of(const Given& given, Deltas deltas);
+[[nodiscard]] std::vector<adiabatic::AdiabaticHypotheses> statements_of(const Given& given, Deltas deltas);
 
 /// Of --accuracy: greater than 0, at most 1. Throws InputError.
 [[nodiscard]] Rational accuracy_of(const Given& given);
 
-}  // namespace dumbbell
+}  // namespace dumbbell::cli

@@ -7,26 +7,26 @@
 #include "collisions/names.hpp"
 #include "number/decimal.hpp"
 
-namespace dumbbell {
+namespace dumbbell::cli {
 namespace {
 
-Section section_of(const Given& given) {
+collisions::Section section_of(const Given& given) {
     if (given.text("--section") == "turning") {
-        return Section::turning;
+        return collisions::Section::turning;
     }
-    return given.text("--lemmas") == "none" ? Section::plain : Section::full;
+    return given.text("--lemmas") == "none" ? collisions::Section::plain : collisions::Section::full;
 }
 
 }  // namespace
 
-CertifyRequest request_of(const Given& given, const RatioArgument& ratio) {
+collisions::CertifyRequest request_of(const Given& given, const RatioArgument& ratio) {
     if (given.text("--lemmas") == "none" && given.text("--section") != "full") {
         throw InputError("--lemmas none needs --section full");
     }
     if (given.text("--section") == "full" && given.text("--scene") != "dumbbell") {
         throw InputError("--section full is for the scene dumbbell: the wedges have --section turning");
     }
-    if (ratio.hi > greatest_ratio()) {
+    if (ratio.hi > collisions::greatest_ratio()) {
         throw InputError(
             fmt::format("the mass ratio {} is beyond 10^36, the greatest that is tried: one orbit "
                         "has about 10^18 collisions there",
@@ -35,13 +35,13 @@ CertifyRequest request_of(const Given& given, const RatioArgument& ratio) {
     if (ratio.lo != ratio.hi && ratio.hi > parse_rational("1e16")) {
         throw InputError("ranges are tried up to 10^16: beyond, prove one mass ratio at a time");
     }
-    CertifyRequest request;
+    collisions::CertifyRequest request;
     request.q_lo = ratio.lo;
     request.q_hi = ratio.hi;
     request.gap = parse_gap(given.text("--gap"));
-    request.scene = *scene_named(given.text("--scene"));
+    request.scene = *collisions::scene_named(given.text("--scene"));
     request.section = section_of(given);
     return request;
 }
 
-}  // namespace dumbbell
+}  // namespace dumbbell::cli

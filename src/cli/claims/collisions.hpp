@@ -6,7 +6,7 @@
 #include "collisions/certify.hpp"
 #include "number/ratio_argument.hpp"
 
-namespace dumbbell {
+namespace dumbbell::cli {
 
 inline constexpr Option ratio_option = argument("RATIO", "mass ratio, or closed range LO:HI");
 
@@ -23,6 +23,6 @@ inline constexpr std::array claim_options{
 
 /// The claim as a request, with the standard number of jobs and no budget. Throws InputError if the options
 /// contradict one another.
-[[nodiscard]] CertifyRequest request_of(const Given& given, const RatioArgument& ratio);
+[[nodiscard]] collisions::CertifyRequest request_of(const Given& given, const RatioArgument& ratio);
 
-}  // namespace dumbbell
+}  // namespace dumbbell::cli

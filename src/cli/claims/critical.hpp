@@ -3,9 +3,10 @@
 #include "cli/options/option.hpp"
 #include "collisions/critical.hpp"
 
-namespace dumbbell {
+namespace dumbbell::cli {
 
 inline constexpr Option critical_digits_option =
-    Option{"--digits", "N", "significant digits, all of them proved", "15"}.from(1, most_critical_digits);
+    Option{"--digits", "N", "significant digits, all of them proved", "15"}.from(
+        1, collisions::most_critical_digits);
 
-}  // namespace dumbbell
+}  // namespace dumbbell::cli

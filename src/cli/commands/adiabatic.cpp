@@ -18,7 +18,7 @@
 #include "cli/terminal/stop_signals.hpp"
 #include "number/ratio_argument.hpp"
 
-namespace dumbbell {
+namespace dumbbell::cli {
 namespace {
 
 constexpr const char* description =
@@ -58,9 +58,9 @@ constexpr std::array options =
                       flag("--quiet", "the constants alone, a line each, and no progress")});
 
 /// K/delta, of the attained orbit of a run.
-long most_collisions(const Given& given, const AdiabaticHypotheses& of) {
+long most_collisions(const Given& given, const adiabatic::AdiabaticHypotheses& of) {
     constexpr long most = 1'000'000;
-    if (given.has("--bounces") && of.claim != AdiabaticClaim::run) {
+    if (given.has("--bounces") && of.claim != adiabatic::AdiabaticClaim::run) {
         throw InputError("--bounces is for --theorem thm3.3 only");
     }
     const Rational factor =
@@ -75,17 +75,17 @@ long most_collisions(const Given& given, const AdiabaticHypotheses& of) {
     return number >= most ? most : static_cast<long>(number.convert_to<double>());
 }
 
-AdiabaticResult proved(const AdiabaticRequest& request) {
+adiabatic::AdiabaticResult proved(const adiabatic::AdiabaticRequest& request) {
     const Stopwatch watch;
-    AdiabaticResult result;
+    adiabatic::AdiabaticResult result;
     result.proof = prove_adiabatic(request);
-    if (request.of.claim == AdiabaticClaim::scattering) {
-        AdiabaticRequest printed = request;
-        printed.of.claim = AdiabaticClaim::printed;
+    if (request.of.claim == adiabatic::AdiabaticClaim::scattering) {
+        adiabatic::AdiabaticRequest printed = request;
+        printed.of.claim = adiabatic::AdiabaticClaim::printed;
         result.as_printed = prove_adiabatic(printed);
     }
-    if (request.of.claim == AdiabaticClaim::bounce) {
-        for (const AdiabaticState& state : result.proof.attained) {
+    if (request.of.claim == adiabatic::AdiabaticClaim::bounce) {
+        for (const adiabatic::AdiabaticState& state : result.proof.attained) {
             result.wrong_branch = std::max(result.wrong_branch.value_or(0), printed_branch_error(state));
         }
     }
@@ -94,12 +94,12 @@ AdiabaticResult proved(const AdiabaticRequest& request) {
 }
 
 /// Proves all the statements, into the report.
-void prove(const std::vector<AdiabaticHypotheses>& wanted, const Given& given, const Interrupted& interrupted,
-           AdiabaticReport& report) {
+void prove(const std::vector<adiabatic::AdiabaticHypotheses>& wanted, const Given& given,
+           const Interrupted& interrupted, adiabatic::AdiabaticReport& report) {
     constexpr const char* search = "looking for an orbit with a great error";
     Progress progress("boxes", verbosity_of(given), search);
-    for (const AdiabaticHypotheses& of : wanted) {
-        AdiabaticRequest request;
+    for (const adiabatic::AdiabaticHypotheses& of : wanted) {
+        adiabatic::AdiabaticRequest request;
         request.of = of;
         request.accuracy = report.accuracy;
         request.most_collisions = most_collisions(given, of);
@@ -116,7 +116,7 @@ void prove(const std::vector<AdiabaticHypotheses>& wanted, const Given& given, c
 
 int run(const Given& given) {
     const auto wanted = statements_of(given, Deltas::one);
-    AdiabaticReport report{given.text("--theorem"), accuracy_of(given), {}, {}, {}};
+    adiabatic::AdiabaticReport report{given.text("--theorem"), accuracy_of(given), {}, {}, {}};
     if (given.has("--out") && wanted.size() > 1) {
         throw InputError(
             "--out takes one statement: give one distance (--phi-margin) and one exponent (--k)");
@@ -125,7 +125,7 @@ int run(const Given& given) {
     const Interrupted interrupted = deadline(budget_of(given));
     prove(wanted, given, interrupted, report);
     const bool complete = std::ranges::all_of(
-        report.results, [](const AdiabaticResult& result) { return result.proof.complete(); });
+        report.results, [](const adiabatic::AdiabaticResult& result) { return result.proof.complete(); });
     if (output.is_wanted() && complete) {
         write(render(certificate_of(report.results.front().proof)), output, report);
     }
@@ -150,4 +150,4 @@ int run(const Given& given) {
 
 constinit const Command adiabatic_command{"adiabatic", "Prove", description, footer, options, stoppable<run>};
 
-}  // namespace dumbbell
+}  // namespace dumbbell::cli

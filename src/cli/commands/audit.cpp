@@ -7,7 +7,7 @@
 #include "cli/terminal/messages.hpp"
 #include "cli/terminal/standard_input.hpp"
 
-namespace dumbbell {
+namespace dumbbell::cli {
 namespace {
 
 constexpr const char* description =
@@ -61,4 +61,4 @@ int run(const Given& given) {
 
 constinit const Command audit_command{"audit", "Check", description, footer, options, run};
 
-}  // namespace dumbbell
+}  // namespace dumbbell::cli

@@ -20,7 +20,11 @@
 #include "number/ratio_argument.hpp"
 #include "starts/witness_start.hpp"
 
-namespace dumbbell {
+namespace dumbbell::cli {
+
+using collisions::CertifyRequest;
+using collisions::ProvedPiece;
+
 namespace {
 
 constexpr const char* description =
@@ -81,35 +85,37 @@ std::vector<ProvedPiece> prove(CertifyRequest request, Verbosity verbosity) {
     return certify(request);
 }
 
-ProofReport describe(const CertifyRequest& request, const std::vector<ProvedPiece>& pieces, double seconds,
-                     bool witness, Verbosity verbosity) {
+collisions::ProofReport describe(const CertifyRequest& request, const std::vector<ProvedPiece>& pieces,
+                                 double seconds, bool witness, Verbosity verbosity) {
     const Progress progress("", verbosity, "enclosing the orbits of witnesses");
     const Interrupted interrupted = deadline(std::nullopt);
-    ProofReport report{.scene = request.scene,
-                       .section = request.section,
-                       .q_lo = request.q_lo,
-                       .q_hi = request.q_hi,
-                       .gap = request.gap,
-                       .jobs = request.jobs,
-                       .seconds = seconds,
-                       .undecided = undecided_share(pieces),
-                       .rows = {},
-                       .out = {},
-                       .sha256 = {}};
+    collisions::ProofReport report{.scene = request.scene,
+                                   .section = request.section,
+                                   .q_lo = request.q_lo,
+                                   .q_hi = request.q_hi,
+                                   .gap = request.gap,
+                                   .jobs = request.jobs,
+                                   .seconds = seconds,
+                                   .undecided = undecided_share(pieces),
+                                   .rows = {},
+                                   .out = {},
+                                   .sha256 = {}};
     for (const ProvedPiece& p : pieces) {
-        ReportRow row{&p.piece, p.margin, p.width, p.seconds, {}, {}};
+        collisions::ReportRow row{&p.piece, p.margin, p.width, p.seconds, {}, {}};
         if (witness && p.piece.witness) {
             row.orbit = witness_orbit(*p.piece.witness, p.piece.q_lo, p.piece.bits);
-            row.start =
-                row.orbit.empty() ? std::nullopt : witness_start(*p.piece.witness, p.piece.q_lo, interrupted);
+            row.start = row.orbit.empty()
+                            ? std::nullopt
+                            : starts::witness_start(*p.piece.witness, p.piece.q_lo, interrupted);
         }
         report.rows.push_back(std::move(row));
     }
     return report;
 }
 
-Certificate certificate_of(const CertifyRequest& request, const std::vector<ProvedPiece>& pieces) {
-    Certificate certificate{.pieces = {}, .scene = request.scene, .section = request.section};
+collisions::Certificate certificate_of(const CertifyRequest& request,
+                                       const std::vector<ProvedPiece>& pieces) {
+    collisions::Certificate certificate{.pieces = {}, .scene = request.scene, .section = request.section};
     for (const ProvedPiece& p : pieces) {
         certificate.pieces.push_back(p.piece);
     }
@@ -117,7 +123,7 @@ Certificate certificate_of(const CertifyRequest& request, const std::vector<Prov
 }
 
 /// What is printed without --json and --quiet.
-std::string text_of(const ProofReport& report, bool swapped, bool witness) {
+std::string text_of(const collisions::ProofReport& report, bool swapped, bool witness) {
     return fmt::format("{}{}{}{}", swapped ? "Ratios below 1: the masses are swapped, q -> 1/q.\n" : "",
                        orbits_to_text(report), witness ? "\n" : "", to_text(report));
 }
@@ -127,27 +133,28 @@ int run(const Given& given) {
     CertifyRequest request = certify_request(given, ratio);  // before the output file is touched
     const bool json = given.has("--json"), quiet = given.has("--quiet"), witness = given.has("--witness");
     const Output output(given.text("--out"), {}, json ? "--json" : nullptr);
-    std::optional<PieceStore> store;
+    std::optional<collisions::PieceStore> store;
     const std::string partial = given.text("--out") + ".partial";
     if (output.file()) {
         if (ratio.lo < ratio.hi) {  // it may take long: its finished pieces are kept
-            request.store = &store.emplace(
-                partial, StoredClaim{request.scene, request.section, ratio.lo, ratio.hi, request.gap});
+            request.store = &store.emplace(partial, collisions::StoredClaim{request.scene, request.section,
+                                                                            ratio.lo, ratio.hi, request.gap});
         } else {
-            PieceStore::require_none(partial);
+            collisions::PieceStore::require_none(partial);
         }
     }
     const Stopwatch watch;
     const auto pieces = prove(request, verbosity_of(given));
     const double seconds = watch.seconds();
 
-    const bool open = std::any_of(pieces.begin(), pieces.end(),
-                                  [](const ProvedPiece& p) { return p.piece.status() == Status::open; });
+    const bool open = std::any_of(pieces.begin(), pieces.end(), [](const ProvedPiece& p) {
+        return p.piece.status() == collisions::Status::open;
+    });
     const std::string kept_in = store ? partial : "";
     if (open && stop_signal != 0) {
         return stopped(kept_when_stopped(request, pieces, kept_in));
     }
-    ProofReport report = describe(request, pieces, seconds, witness, verbosity_of(given));
+    collisions::ProofReport report = describe(request, pieces, seconds, witness, verbosity_of(given));
     if (output.is_wanted()) {
         write(render(certificate_of(request, pieces)), output, report);
     }
@@ -166,4 +173,4 @@ int run(const Given& given) {
 
 constinit const Command certify_command{"certify", "Prove", description, footer, options, stoppable<run>};
 
-}  // namespace dumbbell
+}  // namespace dumbbell::cli

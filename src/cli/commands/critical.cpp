@@ -22,7 +22,7 @@
 #include "staircase/critical_range.hpp"
 #include "staircase/critical_report.hpp"
 
-namespace dumbbell {
+namespace dumbbell::cli {
 namespace {
 
 constexpr const char* description =
@@ -66,7 +66,8 @@ Rational parse_distance(const std::string& text, long n) {
     const Rational distance = parse_number("--confirm", text);
     // Neighbouring critical ratios are about 2/n apart, relatively.
     const Rational most = std::min(Rational(1, 100), Rational(Integer(1), Integer(n)));
-    if (distance <= 0 || distance > most || digits_to_confirm(distance) > most_critical_digits) {
+    if (distance <= 0 || distance > most ||
+        staircase::digits_to_confirm(distance) > collisions::most_critical_digits) {
         throw InputError(
             fmt::format("--confirm {} is out of range: a relative distance from 1e-190 to {}, so that no "
                         "other step is near",
@@ -88,7 +89,7 @@ std::string time_text(std::chrono::duration<double> time) {
 }
 
 /// Says how long it will take, if long. Throws InputError if it would take very long and no budget is given.
-void check_time(const CriticalRequest& request, bool quiet) {
+void check_time(const staircase::CriticalRequest& request, bool quiet) {
     if (request.budget) {
         return;
     }
@@ -104,7 +105,7 @@ void check_time(const CriticalRequest& request, bool quiet) {
     }
 }
 
-std::vector<CriticalRow> enclose(CriticalRequest request, Verbosity verbosity) {
+std::vector<staircase::CriticalRow> enclose(staircase::CriticalRequest request, Verbosity verbosity) {
     const bool one = request.first == request.last;
     Progress progress(one ? "flights" : "critical ratios", verbosity, "enclosing");
     if (one) {
@@ -117,8 +118,8 @@ std::vector<CriticalRow> enclose(CriticalRequest request, Verbosity verbosity) {
     return critical_ratios(request);
 }
 
-CriticalRequest request_of(const Given& given) {
-    CriticalRequest request;
+staircase::CriticalRequest request_of(const Given& given) {
+    staircase::CriticalRequest request;
     std::tie(request.first, request.last) = parse_counts(given.text("N"));
     request.digits = static_cast<int>(given.number("--digits"));
     request.jobs = jobs_of(given);
@@ -131,13 +132,14 @@ CriticalRequest request_of(const Given& given) {
 }
 
 int run(const Given& given) {
-    CriticalReport report{.request = request_of(given), .rows = {}, .seconds = 0, .out = {}};
+    staircase::CriticalReport report{.request = request_of(given), .rows = {}, .seconds = 0, .out = {}};
     const Output output(given.text("--out"), {}, given.has("--json") ? "--json" : nullptr);
     const Stopwatch watch;
     report.rows = enclose(report.request, verbosity_of(given));
     report.seconds = watch.seconds();
-    const auto finished = std::count_if(report.rows.begin(), report.rows.end(),
-                                        [&](const CriticalRow& row) { return row.finished(report.request); });
+    const auto finished =
+        std::count_if(report.rows.begin(), report.rows.end(),
+                      [&](const staircase::CriticalRow& row) { return row.finished(report.request); });
     const bool all = finished == std::ssize(report.rows);
     if (!all && stop_signal != 0) {
         return stopped(
@@ -164,4 +166,4 @@ int run(const Given& given) {
 
 constinit const Command critical_command{"critical", "Prove", description, footer, options, stoppable<run>};
 
-}  // namespace dumbbell
+}  // namespace dumbbell::cli

@@ -7,7 +7,7 @@
 #include "cli/pages/reference.hpp"
 #include "cli/terminal/exit_code.hpp"
 
-namespace dumbbell {
+namespace dumbbell::cli {
 namespace {
 
 constexpr const char* description =
@@ -31,4 +31,4 @@ int run(const Given& given) {
 constinit const Command generate_command{
     "generate", "", description, "Exit codes: 0 done; 1 internal error; 2 wrong usage.", options, run};
 
-}  // namespace dumbbell
+}  // namespace dumbbell::cli

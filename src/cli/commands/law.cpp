@@ -11,7 +11,7 @@
 #include "flight/paper_bound.hpp"
 #include "staircase/law_report.hpp"
 
-namespace dumbbell {
+namespace dumbbell::cli {
 namespace {
 
 constexpr const char* description =
@@ -37,9 +37,9 @@ constexpr std::array options{
     flag("--quiet", "what is proved, without the constant")};
 
 /// The staircase that the law is about, as far as the file can be read. Throws InputError for anything else.
-Certificate read_staircase(const std::string& file) {
-    Certificate certificate = read_certificate(file);
-    if (certificate.scene != Scene::dumbbell) {
+collisions::Certificate read_staircase(const std::string& file) {
+    collisions::Certificate certificate = collisions::read_certificate(file);
+    if (certificate.scene != collisions::Scene::dumbbell) {
         throw InputError(
             fmt::format("'{}' is a certificate of the scene {}: the law is one of the dumbbell "
                         "(dumbbell certify LO:HI --out FILE)",
@@ -51,7 +51,7 @@ Certificate read_staircase(const std::string& file) {
                         "certify LO:HI --out FILE)",
                         file));
     }
-    if (certificate.q_hi() > paper_bound_limit()) {
+    if (certificate.q_hi() > flight::paper_bound_limit()) {
         throw InputError(fmt::format("'{}' reaches beyond the mass ratio 3e31: no law of that", file));
     }
     return certificate;
@@ -59,13 +59,13 @@ Certificate read_staircase(const std::string& file) {
 
 int run(const Given& given) {
     const std::string name_given = given.text("FILE"), file = input_file(name_given);
-    const Certificate certificate = read_staircase(file);
-    LawReport report{.file = name_given,
-                     .verdict = verified(file, name(certificate.scene), verbosity_of(given)),
-                     .digits = static_cast<int>(given.number("--digits")),
-                     .law = {}};
+    const collisions::Certificate certificate = read_staircase(file);
+    staircase::LawReport report{.file = name_given,
+                                .verdict = verified(file, name(certificate.scene), verbosity_of(given)),
+                                .digits = static_cast<int>(given.number("--digits")),
+                                .law = {}};
     const PrecisionScope scope(static_cast<int>(report.digits * 3.33) + 64);
-    report.law = law_of(certificate);
+    report.law = staircase::law_of(certificate);
     fmt::print("{}", shown(report, given));
     return all_proved(report.law) ? exit_done : exit_not_certified;
 }
@@ -74,4 +74,4 @@ int run(const Given& given) {
 
 constinit const Command law_command{"law", "Check", description, footer, options, run};
 
-}  // namespace dumbbell
+}  // namespace dumbbell::cli

@@ -6,7 +6,12 @@
 
 #include "file/dyadic.hpp"
 
-namespace dumbbell {
+namespace dumbbell::cli {
+
+using collisions::CertifyRequest;
+using collisions::Obstacle;
+using collisions::ProvedPiece;
+
 namespace {
 
 bool is_range(const CertifyRequest& request) { return request.q_lo < request.q_hi; }
@@ -33,21 +38,24 @@ std::string plain_advice(const CertifyRequest& request) {
 }
 
 std::string reason(const CertifyRequest& request, Obstacle obstacle) {
-    if (request.section == Section::plain && (obstacle == Obstacle::time || obstacle == Obstacle::boxes)) {
+    if (request.section == collisions::Section::plain &&
+        (obstacle == Obstacle::time || obstacle == Obstacle::boxes)) {
         return plain_advice(request);
     }
     const char* wider = is_range(request) ? ", or a wider --gap" : "";
     switch (obstacle) {
         case Obstacle::maximum:
-            return fmt::format(": {} bits do not tell it from a critical ratio", PieceOptions{}.max_bits);
+            return fmt::format(": {} bits do not tell it from a critical ratio",
+                               collisions::PieceOptions{}.max_bits);
         case Obstacle::witness:
             return fmt::format(
                 ": no orbit with so many collisions was found that a certificate can spell ({} binary "
                 "places) and {} "
                 "bits can follow{}",
-                most_binary_places, PieceOptions{}.max_bits, is_range(request) ? ": try a wider --gap" : "");
+                most_binary_places, collisions::PieceOptions{}.max_bits,
+                is_range(request) ? ": try a wider --gap" : "");
         case Obstacle::boxes:
-            return fmt::format(": too many boxes, even with {} bits{}", PieceOptions{}.max_bits,
+            return fmt::format(": too many boxes, even with {} bits{}", collisions::PieceOptions{}.max_bits,
                                is_range(request) ? ": try a wider --gap" : "");
         default:
             return fmt::format(": allow more time (--budget){}", wider);
@@ -83,4 +91,4 @@ std::string kept_when_stopped(const CertifyRequest& request, const std::vector<P
                              partial);
 }
 
-}  // namespace dumbbell
+}  // namespace dumbbell::cli

@@ -7,7 +7,7 @@
 #include "cli/terminal/output.hpp"
 #include "cli/terminal/standard_input.hpp"
 
-namespace dumbbell {
+namespace dumbbell::cli {
 namespace {
 
 constexpr const char* footer =
@@ -125,4 +125,4 @@ constexpr std::array pictures{&staircase, &cover, &orbit, &phase, &adiabatic};
 
 constinit const Command plot_command{"plot", "Show", description, footer, {}, nullptr, pictures};
 
-}  // namespace dumbbell
+}  // namespace dumbbell::cli

@@ -22,7 +22,11 @@
 #include "pictures/phase.hpp"
 #include "pictures/staircase.hpp"
 
-namespace dumbbell {
+namespace dumbbell::cli {
+
+using collisions::Certificate;
+using collisions::Piece;
+
 namespace {
 
 const Rational greatest_drawn_ratio = 100'000'000;  // about 9,000 collisions
@@ -34,9 +38,9 @@ constexpr const char* make_orbit = "dumbbell certify RATIO --out FILE";
 constexpr const char* make_initial = "dumbbell trace RATIO ... --subdivide --out FILE";
 constexpr const char* make_adiabatic = "dumbbell adiabatic --delta D --out FILE";
 
-const char* what_it_is(const AnyCertificate& certificate) {
+const char* what_it_is(const certificates::AnyCertificate& certificate) {
     return std::holds_alternative<Certificate>(certificate) ? "about mass ratios (dumbbell certify)"
-           : std::holds_alternative<InitialCertificate>(certificate)
+           : std::holds_alternative<starts::InitialCertificate>(certificate)
                ? "about initial conditions (dumbbell trace)"
                : "about the adiabatic invariant";
 }
@@ -44,7 +48,7 @@ const char* what_it_is(const AnyCertificate& certificate) {
 /// The certificate, if it is of this kind. Throws InputError, saying what to run, if it is of another.
 template <class Kind>
 Kind certificate_of(const std::string& file, const char* picture, const char* make) {
-    AnyCertificate any = read_any_certificate(file);
+    certificates::AnyCertificate any = certificates::read_any_certificate(file);
     Kind* certificate = std::get_if<Kind>(&any);
     if (certificate == nullptr) {
         throw InputError(fmt::format("'{}' is {}; plot {} needs a certificate by {}", file, what_it_is(any),
@@ -75,7 +79,8 @@ Rational ratio_of(const PlotRequest& request, const Certificate& certificate) {
 const Piece& piece_at(const PlotRequest& request, const Certificate& certificate, const Rational& q) {
     const Piece* found = nullptr;
     for (const Piece& piece : certificate.pieces) {
-        if (piece.q_lo <= q && q <= piece.q_hi && (found == nullptr || piece.status() == Status::exact)) {
+        if (piece.q_lo <= q && q <= piece.q_hi &&
+            (found == nullptr || piece.status() == collisions::Status::exact)) {
             found = &piece;
         }
     }
@@ -88,7 +93,7 @@ const Piece& piece_at(const PlotRequest& request, const Certificate& certificate
 
 Certificate verified_dumbbell(const PlotRequest& request, const char* picture, const char* make) {
     auto certificate = certificate_of<Certificate>(request.file, picture, make);
-    if (certificate.scene != Scene::dumbbell) {
+    if (certificate.scene != collisions::Scene::dumbbell) {
         throw InputError(fmt::format("'{}' is about the scene {}: plot {} draws the dumbbell", request.file,
                                      name(certificate.scene), picture));
     }
@@ -113,10 +118,10 @@ bool is_ratio(const std::string& text) {
 /// Proves the greatest number of collisions at one mass ratio.
 Piece proved(const Rational& q) {
     Progress progress("boxes", Verbosity::normal, "proving");
-    CertifyRequest single;
+    collisions::CertifyRequest single;
     single.q_lo = single.q_hi = q;
     single.judged = [&](std::size_t boxes) { progress.advance(boxes); };
-    std::vector<ProvedPiece> pieces = certify(single);
+    std::vector<collisions::ProvedPiece> pieces = certify(single);
     return std::move(pieces.front().piece);
 }
 
@@ -128,22 +133,22 @@ std::string draw_staircase(const PlotRequest& request) {
     if (certificate.q_lo() == certificate.q_hi()) {
         throw InputError("a staircase needs a range of mass ratios: this certificate holds a single one");
     }
-    if (certificate.q_hi() > paper_bound_limit()) {
+    if (certificate.q_hi() > flight::paper_bound_limit()) {
         throw InputError(
             fmt::format("'{}' reaches beyond the mass ratio 3e31: no picture of that", request.file));
     }
     (void)verified(request.file, name(certificate.scene));
-    return staircase_svg(certificate.pieces, certificate.scene);
+    return pictures::staircase_svg(certificate.pieces, certificate.scene);
 }
 
 std::string draw_cover(const PlotRequest& request) {
-    const AnyCertificate any = read_any_certificate(request.file);
-    if (const auto* initial = std::get_if<InitialCertificate>(&any)) {
+    const certificates::AnyCertificate any = certificates::read_any_certificate(request.file);
+    if (const auto* initial = std::get_if<starts::InitialCertificate>(&any)) {
         if (!request.ratio.empty()) {
             throw InputError("--ratio is for certificates about mass ratios");
         }
-        (void)verified(request.file, name(Scene::dumbbell));
-        return cover_svg(*initial);
+        (void)verified(request.file, name(collisions::Scene::dumbbell));
+        return pictures::cover_svg(*initial);
     }
     const Certificate certificate = verified_dumbbell(request, "cover", make_cover);
     const Rational q = ratio_of(request, certificate);
@@ -152,7 +157,7 @@ std::string draw_cover(const PlotRequest& request) {
         throw InputError(fmt::format("'{}' has no cover of the mass ratio {}: it is left open there",
                                      request.file, exact_text(q)));
     }
-    return cover_svg(piece, q);
+    return pictures::cover_svg(piece, q);
 }
 
 std::string draw_orbit(const PlotRequest& request) {
@@ -181,19 +186,20 @@ std::string draw_orbit(const PlotRequest& request) {
     if (collisions.empty()) {
         throw InputError(fmt::format("the orbit cannot be enclosed with {} bits", piece.bits));
     }
-    return orbit_svg(collisions, q);
+    return pictures::orbit_svg(collisions, q);
 }
 
 std::string draw_phase(const PlotRequest& request) {
-    const auto certificate = certificate_of<InitialCertificate>(request.file, "phase", make_initial);
-    (void)verified(request.file, name(Scene::dumbbell));
-    return phase_svg(certificate);
+    const auto certificate = certificate_of<starts::InitialCertificate>(request.file, "phase", make_initial);
+    (void)verified(request.file, name(collisions::Scene::dumbbell));
+    return pictures::phase_svg(certificate);
 }
 
 std::string draw_adiabatic(const PlotRequest& request) {
-    const auto certificate = certificate_of<AdiabaticCertificate>(request.file, "adiabatic", make_adiabatic);
-    (void)verified(request.file, name(Scene::dumbbell));
+    const auto certificate =
+        certificate_of<adiabatic::AdiabaticCertificate>(request.file, "adiabatic", make_adiabatic);
+    (void)verified(request.file, name(collisions::Scene::dumbbell));
     return adiabatic_svg(certificate);
 }
 
-}  // namespace dumbbell
+}  // namespace dumbbell::cli

@@ -5,7 +5,7 @@
 /// What `dumbbell plot` draws: from what is asked for to SVG text. Every certificate is verified first. All
 /// throw InputError, saying what to run instead, for a certificate of another kind, one that is not verified,
 /// or one that the picture cannot show.
-namespace dumbbell {
+namespace dumbbell::cli {
 
 struct PlotRequest {
     std::string file;   ///< of an orbit possibly a mass ratio
@@ -18,4 +18,4 @@ struct PlotRequest {
 [[nodiscard]] std::string draw_phase(const PlotRequest& request);
 [[nodiscard]] std::string draw_adiabatic(const PlotRequest& request);
 
-}  // namespace dumbbell
+}  // namespace dumbbell::cli

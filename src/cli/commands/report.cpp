@@ -9,7 +9,7 @@
 #include "page/data.hpp"
 #include "page/page.hpp"
 
-namespace dumbbell {
+namespace dumbbell::cli {
 namespace {
 
 constexpr const char* description =
@@ -46,14 +46,14 @@ int run(const Given& given) {
     const Output out(given.text("--out"), given.words("FILE"));
     const auto most_boxes = static_cast<std::size_t>(given.number("--max-boxes"));
     Progress progress("", Verbosity::normal, "making the page");
-    std::vector<ReportedFile> files;
+    std::vector<page::ReportedFile> files;
     std::size_t boxes = 0;
     for (const std::string& path : given.words("FILE")) {
-        files.push_back(read_reported(input_file(path)));
+        files.push_back(page::read_reported(input_file(path)));
         files.back().path = path;
-        boxes += leaves_of(files.back().content);
+        boxes += page::leaves_of(files.back().content);
     }
-    out.commit(html_page(page_data(files, most_boxes)));
+    out.commit(page::html_page(page_data(files, most_boxes)));
     if (boxes > most_boxes) {
         progress.note(
             fmt::format("{} boxes are drawn as {} or fewer, as the page says; for more of them: --max-boxes",
@@ -66,4 +66,4 @@ int run(const Given& given) {
 
 constinit const Command report_command{"report", "Show", description, footer, options, run};
 
-}  // namespace dumbbell
+}  // namespace dumbbell::cli

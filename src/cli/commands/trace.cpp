@@ -20,7 +20,10 @@
 #include "starts/trace_report.hpp"
 #include "starts/writer.hpp"
 
-namespace dumbbell {
+namespace dumbbell::cli {
+
+using starts::InitialAxis;
+
 namespace {
 
 constexpr int most_subdivide_bits = 4096;  ///< of a certificate
@@ -73,21 +76,21 @@ constexpr std::array options{
     Option{"--digits", "N",
            "decimal digits to compute and show; with --subdivide also the precision for parts that double "
            "precision does not decide. Default: double precision"}
-        .from(1, most_trace_digits),
+        .from(1, starts::most_trace_digits),
     jobs_option,
     json_option.excludes("--csv,--quiet"),
     flag("--csv", "a table with the bounds of every number on stdout, the outcome on stderr")
         .excludes("--json,--quiet"),
     flag("--quiet", "the outcome alone, in a sentence").excludes("--csv,--json")};
 
-InitialBox box_of(const Given& given, const RatioArgument& ratio) {
-    InitialBox box;
+starts::InitialBox box_of(const Given& given, const RatioArgument& ratio) {
+    starts::InitialBox box;
     const auto set = [&](InitialAxis axis, Rational lo, Rational hi) {
         box.lo[static_cast<std::size_t>(axis)] = std::move(lo);
         box.hi[static_cast<std::size_t>(axis)] = std::move(hi);
     };
     const auto quantity = [&](InitialAxis axis, const char* name) {
-        auto [lo, hi] = parse_quantity(name, given.text(name));
+        auto [lo, hi] = starts::parse_quantity(name, given.text(name));
         set(axis, std::move(lo), std::move(hi));
     };
     quantity(InitialAxis::phi, "--phi");
@@ -99,11 +102,11 @@ InitialBox box_of(const Given& given, const RatioArgument& ratio) {
     return box;
 }
 
-InitialCertificate certificate_of(const TraceReport& report) {
+starts::InitialCertificate certificate_of(const starts::TraceReport& report) {
     return {.box = report.box, .bits = report.parts->bits, .tree = report.parts->tree};
 }
 
-void print(std::FILE* out, const Given& given, const TraceReport& report, bool swapped) {
+void print(std::FILE* out, const Given& given, const starts::TraceReport& report, bool swapped) {
     if (given.has("--csv")) {
         fmt::print(out, "{}", to_csv(report));
         remark(outcome_sentence(report));
@@ -119,20 +122,21 @@ void print(std::FILE* out, const Given& given, const TraceReport& report, bool s
 
 int run(const Given& given) {
     const RatioArgument ratio = parse_ratio_argument(given.text("RATIO"));
-    TraceReport report{.box = box_of(given, ratio),
-                       .trace = {},
-                       .digits = given.has("--digits") ? static_cast<int>(given.number("--digits")) : 0,
-                       .parts = {},
-                       .seconds = 0,
-                       .out = {},
-                       .sha256 = {}};
+    starts::TraceReport report{
+        .box = box_of(given, ratio),
+        .trace = {},
+        .digits = given.has("--digits") ? static_cast<int>(given.number("--digits")) : 0,
+        .parts = {},
+        .seconds = 0,
+        .out = {},
+        .sha256 = {}};
     const Output output(given.text("--out"), {},
                         given.has("--json")  ? "--json"
                         : given.has("--csv") ? "--csv"
                                              : nullptr);
-    SubdivideOptions limits{.max_boxes = static_cast<std::size_t>(given.number("--max-boxes")),
-                            .jobs = jobs_of(given),
-                            .interrupted = deadline(budget_of(given))};
+    starts::SubdivideOptions limits{.max_boxes = static_cast<std::size_t>(given.number("--max-boxes")),
+                                    .jobs = jobs_of(given),
+                                    .interrupted = deadline(budget_of(given))};
     const Stopwatch watch;
     {
         const Progress progress("", verbosity_of(given), "following the orbit");
@@ -140,7 +144,7 @@ int run(const Given& given) {
     }
     const auto finish = [&] {
         if (!report.trace.exact() || (report.parts && report.parts->undecided.share > 0)) {
-            report.maximum = bound_by_theorem(ratio.hi);
+            report.maximum = collisions::bound_by_theorem(ratio.hi);
         }
         report.seconds = watch.seconds();
         if (output.is_wanted()) {
@@ -172,4 +176,4 @@ int run(const Given& given) {
 
 constinit const Command trace_command{"trace", "Prove", description, footer, options, run};
 
-}  // namespace dumbbell
+}  // namespace dumbbell::cli

@@ -11,7 +11,7 @@
 #include "cli/commands.hpp"
 #include "file/verifier_program.hpp"
 
-namespace dumbbell {
+namespace dumbbell::cli {
 
 namespace {
 
@@ -112,4 +112,4 @@ std::string verified(const std::string& file, std::string_view scene, Verbosity 
     return std::move(verdict.line);
 }
 
-}  // namespace dumbbell
+}  // namespace dumbbell::cli

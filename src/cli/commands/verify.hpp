@@ -7,11 +7,11 @@
 
 /// The program `dumbbell-verify` that lies next to this one. It shares no code with this program, so it is
 /// run, never called.
-namespace dumbbell {
+namespace dumbbell::cli {
 
 /// The verifier's verdict on a certificate of this scene, its last line. Throws InputError, with that
 /// line, if the file is not verified.
 [[nodiscard]] std::string verified(const std::string& file, std::string_view scene,
                                    Verbosity verbosity = Verbosity::normal);
 
-}  // namespace dumbbell
+}  // namespace dumbbell::cli

@@ -8,7 +8,7 @@
 
 #include "base/error.hpp"
 
-namespace dumbbell {
+namespace dumbbell::cli {
 namespace {
 
 std::optional<long> whole_number(const std::string& text) {
@@ -55,4 +55,4 @@ std::string fault_of(const Option& option, const std::string& value) {
     return option.fault == nullptr ? "" : option.fault(value);
 }
 
-}  // namespace dumbbell
+}  // namespace dumbbell::cli

@@ -6,7 +6,7 @@
 
 #include "cli/options/option.hpp"
 
-namespace dumbbell {
+namespace dumbbell::cli {
 
 /// The options of a command, as they were given. Each is asked for by its name (the last, if it has several);
 /// one that the command does not have is a BrokenInvariant.
@@ -37,4 +37,4 @@ class Given {
 /// What is wrong with the value of an option, empty if nothing is.
 [[nodiscard]] std::string fault_of(const Option& option, const std::string& value);
 
-}  // namespace dumbbell
+}  // namespace dumbbell::cli

@@ -6,7 +6,7 @@
 #include <numeric>
 #include <utility>
 
-namespace dumbbell {
+namespace dumbbell::cli {
 namespace {
 
 /// The number of letters to insert, remove, replace or exchange with their neighbour.
@@ -79,4 +79,4 @@ std::string hint(const Command& program, const std::vector<std::string>& words) 
     return fmt::format("{}see {} --help", suggestion, called);
 }
 
-}  // namespace dumbbell
+}  // namespace dumbbell::cli

@@ -5,7 +5,7 @@
 
 #include "cli/options/option.hpp"
 
-namespace dumbbell {
+namespace dumbbell::cli {
 
 /// The commands that --help of this one shows.
 [[nodiscard]] std::vector<std::string> names_of_commands(const Command& command);
@@ -14,4 +14,4 @@ namespace dumbbell {
 /// is spelled nearly so, and whose --help to read. `words`: those after the program's name.
 [[nodiscard]] std::string hint(const Command& program, const std::vector<std::string>& words);
 
-}  // namespace dumbbell
+}  // namespace dumbbell::cli

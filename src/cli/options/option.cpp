@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <sstream>
 
-namespace dumbbell {
+namespace dumbbell::cli {
 
 std::vector<std::string> Option::names() const { return split(name, ','); }
 
@@ -27,4 +27,4 @@ std::vector<std::string> split(std::string_view text, char separator) {
     return parts;
 }
 
-}  // namespace dumbbell
+}  // namespace dumbbell::cli

@@ -9,7 +9,7 @@
 
 /// The commands and options of the program as data. The command line is read by them, and help, man page,
 /// completion and reference are made from them.
-namespace dumbbell {
+namespace dumbbell::cli {
 
 class Given;
 
@@ -107,4 +107,4 @@ inline constexpr Option json_option = flag("--json", "one JSON object on stdout"
 /// The parts of a text.
 [[nodiscard]] std::vector<std::string> split(std::string_view text, char separator);
 
-}  // namespace dumbbell
+}  // namespace dumbbell::cli

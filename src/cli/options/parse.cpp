@@ -7,7 +7,7 @@
 #include "cli/options/usage_error.hpp"
 #include "cli/pages/help.hpp"
 
-namespace dumbbell {
+namespace dumbbell::cli {
 namespace {
 
 /// CLI11 takes --json=false, too.
@@ -118,4 +118,4 @@ CommandLine parse(const Command& program, const std::string& version, const std:
     return line;
 }
 
-}  // namespace dumbbell
+}  // namespace dumbbell::cli

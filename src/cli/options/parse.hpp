@@ -5,7 +5,7 @@
 
 #include "cli/options/given.hpp"
 
-namespace dumbbell {
+namespace dumbbell::cli {
 
 /// A command line that was understood.
 struct CommandLine {
@@ -19,4 +19,4 @@ struct CommandLine {
 [[nodiscard]] CommandLine parse(const Command& program, const std::string& version,
                                 const std::vector<std::string>& words);
 
-}  // namespace dumbbell
+}  // namespace dumbbell::cli

@@ -4,7 +4,7 @@
 
 #include "cli/options/hint.hpp"
 
-namespace dumbbell {
+namespace dumbbell::cli {
 
 std::string missing_command(const Command& program, const std::vector<std::string>& words) {
     const Command* command = &program;
@@ -56,4 +56,4 @@ std::string contradiction(const Given& given) {
     return "";
 }
 
-}  // namespace dumbbell
+}  // namespace dumbbell::cli

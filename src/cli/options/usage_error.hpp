@@ -7,7 +7,7 @@
 
 /// What is wrong with a command line, in the user's own words. `words`: those after the program's
 /// name.
-namespace dumbbell {
+namespace dumbbell::cli {
 
 /// Where a command should stand: what stands there instead, or which there are.
 [[nodiscard]] std::string missing_command(const Command& program, const std::vector<std::string>& words);
@@ -21,4 +21,4 @@ namespace dumbbell {
 /// Options that exclude each other, or that lack the one that they need; empty if there are none.
 [[nodiscard]] std::string contradiction(const Given& given);
 
-}  // namespace dumbbell
+}  // namespace dumbbell::cli

@@ -6,7 +6,7 @@
 
 #include "cli/pages/command_table.hpp"
 
-namespace dumbbell::pages {
+namespace dumbbell::cli::pages {
 namespace {
 
 constexpr const char* head = R"(# bash completion for dumbbell and dumbbell-verify
@@ -100,4 +100,4 @@ std::string bash_completion(const Command& program) {
     return script + tail;
 }
 
-}  // namespace dumbbell::pages
+}  // namespace dumbbell::cli::pages

@@ -4,10 +4,10 @@
 
 #include "cli/options/option.hpp"
 
-namespace dumbbell::pages {
+namespace dumbbell::cli::pages {
 
 /// A script for bash that completes commands, options, their words and file names, of dumbbell and of
 /// dumbbell-verify, whose options are those of `dumbbell verify`.
 [[nodiscard]] std::string bash_completion(const Command& program);
 
-}  // namespace dumbbell::pages
+}  // namespace dumbbell::cli::pages

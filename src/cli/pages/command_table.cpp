@@ -6,7 +6,7 @@
 
 #include "base/error.hpp"
 
-namespace dumbbell::pages {
+namespace dumbbell::cli::pages {
 namespace {
 
 void collect(const Place& place, bool with_hidden, std::vector<Place>& all) {
@@ -101,4 +101,4 @@ std::string brief(const Command& command) {
     return std::string(command.text.substr(0, command.text.find('\n')));
 }
 
-}  // namespace dumbbell::pages
+}  // namespace dumbbell::cli::pages

@@ -6,7 +6,7 @@
 #include "cli/options/option.hpp"
 
 /// What help, man page, completion and reference say of a command and of an option, in the same words.
-namespace dumbbell::pages {
+namespace dumbbell::cli::pages {
 
 /// A command where it stands in the table.
 struct Place {
@@ -48,4 +48,4 @@ struct Block {
 /// The first line.
 [[nodiscard]] std::string brief(const Command& command);
 
-}  // namespace dumbbell::pages
+}  // namespace dumbbell::cli::pages

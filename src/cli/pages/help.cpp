@@ -7,7 +7,7 @@
 
 #include "cli/pages/command_table.hpp"
 
-namespace dumbbell::pages {
+namespace dumbbell::cli::pages {
 namespace {
 
 constexpr std::size_t indent = 30, columns = 120;
@@ -134,4 +134,4 @@ std::string help_all(const Command& program, const Command& command) {
     return text;
 }
 
-}  // namespace dumbbell::pages
+}  // namespace dumbbell::cli::pages

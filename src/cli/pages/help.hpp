@@ -4,7 +4,7 @@
 
 #include "cli/options/option.hpp"
 
-namespace dumbbell::pages {
+namespace dumbbell::cli::pages {
 
 /// The --help of a command: its options in the words of the man page, in lines of at most 120 columns. Of one
 /// that is nothing but its commands: each of these in a line, on one screen; the whole of its description
@@ -14,4 +14,4 @@ namespace dumbbell::pages {
 /// The help of a command and of all that are below it.
 [[nodiscard]] std::string help_all(const Command& program, const Command& command);
 
-}  // namespace dumbbell::pages
+}  // namespace dumbbell::cli::pages

@@ -4,7 +4,7 @@
 
 #include "cli/pages/command_table.hpp"
 
-namespace dumbbell::pages {
+namespace dumbbell::cli::pages {
 namespace {
 
 /// Text as groff prints it unchanged: a minus is one that can be copied, and no line is taken for a request.
@@ -93,4 +93,4 @@ std::string man_page(const Command& program) {
     return page;
 }
 
-}  // namespace dumbbell::pages
+}  // namespace dumbbell::cli::pages

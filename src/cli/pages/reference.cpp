@@ -4,7 +4,7 @@
 
 #include "cli/pages/command_table.hpp"
 
-namespace dumbbell::pages {
+namespace dumbbell::cli::pages {
 namespace {
 
 /// Text as Markdown prints it unchanged.
@@ -74,4 +74,4 @@ std::string reference(const Command& program) {
     return page;
 }
 
-}  // namespace dumbbell::pages
+}  // namespace dumbbell::cli::pages

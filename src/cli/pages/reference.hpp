@@ -4,9 +4,9 @@
 
 #include "cli/options/option.hpp"
 
-namespace dumbbell::pages {
+namespace dumbbell::cli::pages {
 
 /// docs/reference/commands.md: every command with every option, in Markdown.
 [[nodiscard]] std::string reference(const Command& program);
 
-}  // namespace dumbbell::pages
+}  // namespace dumbbell::cli::pages

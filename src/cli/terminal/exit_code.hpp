@@ -1,6 +1,6 @@
 #pragma once
 
-namespace dumbbell {
+namespace dumbbell::cli {
 
 /// The exit codes of `dumbbell` (`dumbbell-verify` has its own).
 enum ExitCode : int {
@@ -11,4 +11,4 @@ enum ExitCode : int {
     exit_stopped = 128,      ///< plus the number of the signal: 130 for SIGINT, 143 for SIGTERM
 };
 
-}  // namespace dumbbell
+}  // namespace dumbbell::cli

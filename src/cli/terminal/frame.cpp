@@ -5,7 +5,7 @@
 
 #include "number/ratio_argument.hpp"
 
-namespace dumbbell {
+namespace dumbbell::cli {
 
 int jobs_of(const Given& given) {
     return given.has("--jobs") ? static_cast<int>(given.number("--jobs"))
@@ -20,4 +20,4 @@ Verbosity verbosity_of(const Given& given) {
     return given.has("--quiet") ? Verbosity::quiet : Verbosity::normal;
 }
 
-}  // namespace dumbbell
+}  // namespace dumbbell::cli

@@ -11,7 +11,7 @@
 #include "words/json.hpp"
 
 /// What the commands have in common, from the options that many of them have to what they print.
-namespace dumbbell {
+namespace dumbbell::cli {
 
 /// --jobs, or the cores of this machine.
 [[nodiscard]] int jobs_of(const Given& given);
@@ -49,4 +49,4 @@ void write(const SealedText& certificate, const Output& output, Report& report) 
     report.sha256 = certificate.sha256;
 }
 
-}  // namespace dumbbell
+}  // namespace dumbbell::cli

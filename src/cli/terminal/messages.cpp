@@ -10,7 +10,7 @@
 
 #include "base/printable.hpp"
 
-namespace dumbbell {
+namespace dumbbell::cli {
 namespace {
 
 std::string_view environment(const char* name) {
@@ -37,4 +37,4 @@ bool is_printed() { return std::cout.flush() && std::fflush(stdout) == 0 && std:
 
 void remark(const std::string& text) { say(fmt::format("dumbbell: {}\n", one_line(text))); }
 
-}  // namespace dumbbell
+}  // namespace dumbbell::cli

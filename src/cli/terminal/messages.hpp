@@ -4,7 +4,7 @@
 
 /// What the program says on stderr. None of these fails: where it cannot be written (a log on a full disk),
 /// the exit code alone says what happened.
-namespace dumbbell {
+namespace dumbbell::cli {
 
 /// The text as it is.
 void say(const std::string& text);
@@ -25,4 +25,4 @@ void remark(const std::string& text);
 [[nodiscard]] bool is_printed();
 inline constexpr const char* not_printed = "cannot write the output: is the disk full, or the reader gone?";
 
-}  // namespace dumbbell
+}  // namespace dumbbell::cli

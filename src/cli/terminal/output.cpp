@@ -11,7 +11,7 @@
 #include "base/error.hpp"
 #include "cli/terminal/messages.hpp"
 
-namespace dumbbell {
+namespace dumbbell::cli {
 namespace {
 
 constexpr std::string_view standard_stream = "-";
@@ -116,4 +116,4 @@ void Output::commit(const std::string& contents) const {
     }
 }
 
-}  // namespace dumbbell
+}  // namespace dumbbell::cli

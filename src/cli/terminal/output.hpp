@@ -8,7 +8,7 @@
 #include "cli/options/option.hpp"
 #include "file/atomic_file.hpp"
 
-namespace dumbbell {
+namespace dumbbell::cli {
 
 /// What a command writes, which its file's name must say.
 enum class Content { certificate, table, picture, page, parts };
@@ -54,4 +54,4 @@ class Output {
     std::optional<AtomicFile> file_;
 };
 
-}  // namespace dumbbell
+}  // namespace dumbbell::cli

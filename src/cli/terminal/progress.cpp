@@ -13,7 +13,7 @@
 #include "cli/terminal/messages.hpp"
 #include "words/printed.hpp"
 
-namespace dumbbell {
+namespace dumbbell::cli {
 namespace {
 
 using namespace std::chrono_literals;
@@ -152,4 +152,4 @@ void Progress::update(std::size_t done, std::size_t total, std::optional<long> c
     }
 }
 
-}  // namespace dumbbell
+}  // namespace dumbbell::cli

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <thread>
 
-namespace dumbbell {
+namespace dumbbell::cli {
 
 enum class Verbosity { normal, quiet };
 
@@ -63,4 +63,4 @@ class Progress {
     std::thread ticker_;
 };
 
-}  // namespace dumbbell
+}  // namespace dumbbell::cli

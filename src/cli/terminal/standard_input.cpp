@@ -11,7 +11,7 @@
 #include "base/error.hpp"
 #include "file/descriptor.hpp"
 
-namespace dumbbell {
+namespace dumbbell::cli {
 namespace {
 
 [[noreturn]] void fail() {
@@ -58,4 +58,4 @@ std::string input_file(const std::string& name) {
     return "/dev/stdin";
 }
 
-}  // namespace dumbbell
+}  // namespace dumbbell::cli

@@ -2,11 +2,11 @@
 
 #include <string>
 
-namespace dumbbell {
+namespace dumbbell::cli {
 
 /// The file that the name of an input stands for: `-` is the standard input, read to its end here, so that
 /// `/dev/stdin` can be read again and again, by the verifier that this program starts, too. Throws InputError
 /// if it cannot be read.
 [[nodiscard]] std::string input_file(const std::string& name);
 
-}  // namespace dumbbell
+}  // namespace dumbbell::cli

@@ -9,7 +9,7 @@
 #include "cli/terminal/exit_code.hpp"
 #include "cli/terminal/messages.hpp"
 
-namespace dumbbell {
+namespace dumbbell::cli {
 namespace {
 
 extern "C" void request_stop(int signal) { stop_signal = signal; }
@@ -47,4 +47,4 @@ int stopped(const std::string& what) {
     return exit_stopped;
 }
 
-}  // namespace dumbbell
+}  // namespace dumbbell::cli

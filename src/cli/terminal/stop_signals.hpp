@@ -5,7 +5,7 @@
 
 #include "cli/options/given.hpp"
 
-namespace dumbbell {
+namespace dumbbell::cli {
 
 /// Runs a command that SIGINT and SIGTERM only ask to stop (base/deadline.hpp): it ends early and says what
 /// is kept. Where its exit code then is exit_stopped the program ends by that signal, so that a shell sees
@@ -20,4 +20,4 @@ int stoppable(const Given& given) {
 /// Says that a signal stopped the command, and `what` that means; returns exit_stopped.
 [[nodiscard]] int stopped(const std::string& what);
 
-}  // namespace dumbbell
+}  // namespace dumbbell::cli

@@ -4,7 +4,7 @@
 
 /// Where a ray (c, kappa) seems to meet the light wall, sin x = c + kappa x: what steers the bounds of
 /// lower_step.hpp and upper_step.hpp, and proves nothing.
-namespace dumbbell::batch {
+namespace dumbbell::flight::batch {
 
 /// A point z of [0, half_pi_hi] to lay the tangent at. `at_top`: no contact is expected any more, and z is to
 /// be where the ray comes closest, cos z = kappa.
@@ -80,4 +80,4 @@ template <class D>
     return {select(aim.at_top, top.z, contact.z), select(aim.at_top, top.at_top, contact.at_top)};
 }
 
-}  // namespace dumbbell::batch
+}  // namespace dumbbell::flight::batch

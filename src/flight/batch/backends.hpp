@@ -3,7 +3,7 @@
 #include "flight/batch/query.hpp"
 
 /// The kernel, each time compiled for other instructions, in a translation unit of its own (pack.hpp).
-namespace dumbbell::batch {
+namespace dumbbell::flight::batch {
 
 void count_at_most_plain(const Query* queries, Answer* answers, long size, Stop stop);
 void count_at_least_plain(const Query* queries, Answer* answers, long size, Stop stop);
@@ -12,4 +12,4 @@ void count_at_least_avx2(const Query* queries, Answer* answers, long size, Stop 
 void count_at_most_avx512(const Query* queries, Answer* answers, long size, Stop stop);
 void count_at_least_avx512(const Query* queries, Answer* answers, long size, Stop stop);
 
-}  // namespace dumbbell::batch
+}  // namespace dumbbell::flight::batch

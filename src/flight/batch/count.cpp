@@ -11,7 +11,7 @@
 #include "number/rounding.hpp"  // refuses compilers that break IEEE arithmetic
 #include "number/self_test.hpp"
 
-namespace dumbbell::batch {
+namespace dumbbell::flight::batch {
 namespace {
 
 constexpr const char* variable = "DUMBBELL_BACKEND";
@@ -119,4 +119,4 @@ void count_at_least(std::span<const Query> queries, std::span<Answer> answers, B
     }
 }
 
-}  // namespace dumbbell::batch
+}  // namespace dumbbell::flight::batch

@@ -8,7 +8,7 @@
 #include "flight/batch/query.hpp"
 
 /// Certified bounds of G (L4, L5) for many rays at once.
-namespace dumbbell::batch {
+namespace dumbbell::flight::batch {
 
 /// What runs the kernel. All of them give the same answers, bit for bit.
 enum class Backend { plain, avx2, avx512 };
@@ -32,4 +32,4 @@ void count_at_most(std::span<const Query> queries, std::span<Answer> answers, Ba
 void count_at_least(std::span<const Query> queries, std::span<Answer> answers, Backend backend,
                     const Interrupted& interrupted = never);
 
-}  // namespace dumbbell::batch
+}  // namespace dumbbell::flight::batch

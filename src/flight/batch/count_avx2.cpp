@@ -4,7 +4,7 @@
 #include "flight/batch/pack_avx2.hpp"
 #include "flight/batch/upper_step.hpp"
 
-namespace dumbbell::batch {
+namespace dumbbell::flight::batch {
 
 void count_at_most_avx2(const Query* queries, Answer* answers, long size, Stop stop) {
     CountLanes<Pack4, Lower>(queries, answers, size).run(stop);
@@ -14,4 +14,4 @@ void count_at_least_avx2(const Query* queries, Answer* answers, long size, Stop 
     CountLanes<Pack4, Upper>(queries, answers, size).run(stop);
 }
 
-}  // namespace dumbbell::batch
+}  // namespace dumbbell::flight::batch

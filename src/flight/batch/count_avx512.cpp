@@ -4,7 +4,7 @@
 #include "flight/batch/pack_avx512.hpp"
 #include "flight/batch/upper_step.hpp"
 
-namespace dumbbell::batch {
+namespace dumbbell::flight::batch {
 
 void count_at_most_avx512(const Query* queries, Answer* answers, long size, Stop stop) {
     CountLanes<Pack8, Lower>(queries, answers, size).run(stop);
@@ -14,4 +14,4 @@ void count_at_least_avx512(const Query* queries, Answer* answers, long size, Sto
     CountLanes<Pack8, Upper>(queries, answers, size).run(stop);
 }
 
-}  // namespace dumbbell::batch
+}  // namespace dumbbell::flight::batch

@@ -4,7 +4,7 @@
 #include "flight/batch/query.hpp"
 #include "flight/batch/step.hpp"
 
-namespace dumbbell::batch {
+namespace dumbbell::flight::batch {
 
 /// Rounds without a contact after which a lane gives up.
 inline constexpr double most_rounds = 40;
@@ -135,4 +135,4 @@ class CountLanes {
     Mask<D> clear_ = Lanes<D>::none();
 };
 
-}  // namespace dumbbell::batch
+}  // namespace dumbbell::flight::batch

@@ -3,7 +3,7 @@
 #include "flight/batch/lower_step.hpp"
 #include "flight/batch/upper_step.hpp"
 
-namespace dumbbell::batch {
+namespace dumbbell::flight::batch {
 
 void count_at_most_plain(const Query* queries, Answer* answers, long size, Stop stop) {
     CountLanes<double, Lower>(queries, answers, size).run(stop);
@@ -13,4 +13,4 @@ void count_at_least_plain(const Query* queries, Answer* answers, long size, Stop
     CountLanes<double, Upper>(queries, answers, size).run(stop);
 }
 
-}  // namespace dumbbell::batch
+}  // namespace dumbbell::flight::batch

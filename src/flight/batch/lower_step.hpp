@@ -2,7 +2,7 @@
 
 #include "flight/batch/step.hpp"
 
-namespace dumbbell::batch {
+namespace dumbbell::flight::batch {
 
 /// The lowest, flattest ray of a set, followed with lower bounds: its count is at least that of every ray of
 /// the set.
@@ -55,4 +55,4 @@ struct Lower {
     }
 };
 
-}  // namespace dumbbell::batch
+}  // namespace dumbbell::flight::batch

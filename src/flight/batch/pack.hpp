@@ -17,7 +17,7 @@
 /// - abs(a), sqrt(a), max(a, b), min(a, b); the latter are b where either is NaN, or both are equal
 /// - lanes(mask): bit i is set if lane i is
 /// - Lanes<D>: width, the mask of one lane, a pack from and to an array
-namespace dumbbell::batch {
+namespace dumbbell::flight::batch {
 
 [[nodiscard]] inline double select(bool mask, double a, double b) { return mask ? a : b; }
 [[nodiscard]] inline bool select(bool mask, bool a, bool b) { return mask ? a : b; }
@@ -43,4 +43,4 @@ struct Lanes<double> {
 template <class D>
 using Mask = typename Lanes<D>::Mask;
 
-}  // namespace dumbbell::batch
+}  // namespace dumbbell::flight::batch

@@ -5,7 +5,7 @@
 #include "flight/batch/pack.hpp"
 
 /// Four doubles in an AVX2 register (pack.hpp).
-namespace dumbbell::batch {
+namespace dumbbell::flight::batch {
 
 struct Mask4 {
     __m256d bits;  // all of a lane's, or none
@@ -54,4 +54,4 @@ struct Lanes<Pack4> {
     static void store(double* to, Pack4 a) { _mm256_storeu_pd(to, a.v); }
 };
 
-}  // namespace dumbbell::batch
+}  // namespace dumbbell::flight::batch

@@ -5,7 +5,7 @@
 #include "flight/batch/pack.hpp"
 
 /// Eight doubles in an AVX-512 register (pack.hpp).
-namespace dumbbell::batch {
+namespace dumbbell::flight::batch {
 
 struct Mask8 {
     unsigned bits;  // one for each lane
@@ -52,4 +52,4 @@ struct Lanes<Pack8> {
     static void store(double* to, Pack8 a) { _mm512_storeu_pd(to, a.v); }
 };
 
-}  // namespace dumbbell::batch
+}  // namespace dumbbell::flight::batch

@@ -2,7 +2,7 @@
 
 #include "flight/ray.hpp"
 
-namespace dumbbell::batch {
+namespace dumbbell::flight::batch {
 
 /// The kernel counts in doubles.
 inline constexpr long greatest_cap = 1L << 52;
@@ -38,4 +38,4 @@ struct Stop {
     const void* context = nullptr;
 };
 
-}  // namespace dumbbell::batch
+}  // namespace dumbbell::flight::batch

@@ -3,7 +3,7 @@
 #include "flight/batch/pack.hpp"
 #include "number/sine_kernel.hpp"
 
-namespace dumbbell::batch {
+namespace dumbbell::flight::batch {
 
 template <class D>
 struct SinCosOf {
@@ -33,4 +33,4 @@ template <class D>
     return {x * s, c};
 }
 
-}  // namespace dumbbell::batch
+}  // namespace dumbbell::flight::batch

@@ -8,7 +8,7 @@
 /// Every pad is that of L39: the sum of the sizes of all terms, times 16 u. Rounding takes at most two thirds
 /// of it; the rest is what lets quotients and heights go without a pad of their own. Precondition everywhere:
 /// c >= 0, -1 <= kappa < 1, 0 < r <= 1.
-namespace dumbbell::batch {
+namespace dumbbell::flight::batch {
 
 inline constexpr double relative_pad = 0x1p-49;
 inline constexpr double least_pad = 0x1p-1000;
@@ -48,4 +48,4 @@ template <class D>
            (((c + line) - at.sin) - rise) - padding(size + abs(line) + rise) > D(0.0);
 }
 
-}  // namespace dumbbell::batch
+}  // namespace dumbbell::flight::batch

@@ -2,7 +2,7 @@
 
 #include "flight/batch/step.hpp"
 
-namespace dumbbell::batch {
+namespace dumbbell::flight::batch {
 
 /// The highest, steepest ray of a set, followed with upper bounds: its certain collisions are had by every
 /// ray of the set.
@@ -59,4 +59,4 @@ struct Upper {
     }
 };
 
-}  // namespace dumbbell::batch
+}  // namespace dumbbell::flight::batch

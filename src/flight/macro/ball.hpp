@@ -8,7 +8,7 @@
 
 /// Arb's balls and polynomials, as values. Every operation works at the precision of the thread's
 /// PrecisionScope.
-namespace dumbbell::macro {
+namespace dumbbell::flight::macro {
 
 inline slong bits() { return PrecisionScope::current(); }
 
@@ -172,4 +172,4 @@ inline Ball size_from(const Series& p, slong first) {
     return result;
 }
 
-}  // namespace dumbbell::macro
+}  // namespace dumbbell::flight::macro

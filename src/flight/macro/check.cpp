@@ -1,6 +1,6 @@
 #include "flight/macro/check.hpp"
 
-namespace dumbbell::macro {
+namespace dumbbell::flight::macro {
 namespace {
 
 /// An upper bound of |sine - sin x| and |cosine - cos x| on [-1, 1]: Z = cosine + i sine solves Z' = i x' Z
@@ -72,4 +72,4 @@ bool is_macro_step(BoundSide side, Orbit orbit, const Task& task) {
     return inside && climbs;
 }
 
-}  // namespace dumbbell::macro
+}  // namespace dumbbell::flight::macro

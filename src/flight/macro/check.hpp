@@ -4,7 +4,7 @@
 #include "flight/macro/steps.hpp"
 
 /// Macro steps (lemma L42): what polynomials must satisfy, for a bound of rays to move along them.
-namespace dumbbell::macro {
+namespace dumbbell::flight::macro {
 
 /// The number n of collisions runs over [a, a + collisions], s = 2 (n - a)/collisions - 1 over [-1, 1].
 /// After collision n the ray has left the wall at corner distance x(s), with slope kappa(s).
@@ -35,4 +35,4 @@ struct Excess {
 /// state is the caller's business.
 [[nodiscard]] bool is_macro_step(BoundSide side, Orbit orbit, const Task& task);
 
-}  // namespace dumbbell::macro
+}  // namespace dumbbell::flight::macro

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace dumbbell::macro {
+namespace dumbbell::flight::macro {
 namespace {
 
 /// Coefficients without radii.
@@ -173,4 +173,4 @@ std::optional<Orbit> guess_orbit(const Task& task) {
     return std::nullopt;
 }
 
-}  // namespace dumbbell::macro
+}  // namespace dumbbell::flight::macro

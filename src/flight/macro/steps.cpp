@@ -8,7 +8,7 @@
 
 #include "flight/macro/orbit_guess.hpp"
 
-namespace dumbbell {
+namespace dumbbell::flight::macro {
 namespace {
 
 using namespace macro;
@@ -104,4 +104,4 @@ long macro_step(BoundSide side, const BigInterval& r, WallState<BigInterval>& st
     return stepped(side, r, state, most);
 }
 
-}  // namespace dumbbell
+}  // namespace dumbbell::flight::macro

@@ -6,7 +6,7 @@
 #include "number/interval.hpp"
 
 /// Macro steps (lemma L42): a bound of a ray is moved over many collisions at once.
-namespace dumbbell {
+namespace dumbbell::flight::macro {
 
 enum class BoundSide { lower, upper };
 
@@ -40,4 +40,4 @@ inline constexpr long least_worth_a_macro_step<Interval> = 20'000;
 template <>
 inline constexpr long least_worth_a_macro_step<BigInterval> = 400;
 
-}  // namespace dumbbell
+}  // namespace dumbbell::flight::macro

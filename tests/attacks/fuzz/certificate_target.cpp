@@ -90,7 +90,8 @@ void check_initial(const dumbbell_verify::Initial& claim, const std::string& tex
 /// What the verifier accepts the program can read, and would write in the same way.
 void check_spelling(const std::string& text) {
     static MemoryFile file;
-    const auto again = dumbbell::render(dumbbell::read_certificate(file.holding(text)));
+    const auto again =
+        dumbbell::collisions::render(dumbbell::collisions::read_certificate(file.holding(text)));
     must(again.text == text, "there is one spelling");
 }
 

@@ -20,14 +20,14 @@ namespace dumbbell_fuzz {
 }
 
 /// The first node after the subtree that begins at `node`.
-[[nodiscard]] inline std::size_t end_of_subtree(const dumbbell::Tree& tree, std::size_t node) {
+[[nodiscard]] inline std::size_t end_of_subtree(const dumbbell::collisions::Tree& tree, std::size_t node) {
     for (std::size_t missing = 1; missing > 0; ++node) missing = tree[node].split ? missing + 1 : missing - 1;
     return node;
 }
 
 /// Any leaf; it need not be one of this chart.
-[[nodiscard]] inline dumbbell::Node any_leaf(Choices& choices) {
-    using dumbbell::Reason;
+[[nodiscard]] inline dumbbell::collisions::Node any_leaf(Choices& choices) {
+    using dumbbell::collisions::Reason;
     constexpr Reason reasons[] = {Reason::count, Reason::outside, Reason::meets, Reason::meets_reversed,
                                   Reason::once};
     const Reason reason = reasons[choices.below(5)];
@@ -37,15 +37,17 @@ namespace dumbbell_fuzz {
 }
 
 /// Any axis that the chart has.
-[[nodiscard]] inline dumbbell::Axis any_axis(Choices& choices, dumbbell::Chart chart) {
-    using dumbbell::Axis;
-    if (chart == dumbbell::Chart::wedge) return choices.coin() ? Axis::ratio : Axis::slope;
+[[nodiscard]] inline dumbbell::collisions::Axis any_axis(Choices& choices,
+                                                         dumbbell::collisions::Chart chart) {
+    using dumbbell::collisions::Axis;
+    if (chart == dumbbell::collisions::Chart::wedge) return choices.coin() ? Axis::ratio : Axis::slope;
     constexpr Axis axes[] = {Axis::position, Axis::slope, Axis::ratio};
     return axes[choices.below(3)];
 }
 
 /// Any tree of at most about 2 * `splits` nodes.
-inline void grow_any_tree(Choices& choices, dumbbell::Chart chart, std::size_t splits, dumbbell::Tree& tree) {
+inline void grow_any_tree(Choices& choices, dumbbell::collisions::Chart chart, std::size_t splits,
+                          dumbbell::collisions::Tree& tree) {
     const std::size_t here = splits == 0 ? 0 : choices.below(splits + 1);
     if (here == 0) {
         tree.push_back(any_leaf(choices));

@@ -20,6 +20,7 @@ namespace {
 
 using namespace dumbbell_fuzz;
 using namespace dumbbell;
+using namespace dumbbell::collisions;
 
 /// Kept cases depend on the order: add at the end.
 const std::vector<Certificate>& bases() {

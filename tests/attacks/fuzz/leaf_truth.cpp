@@ -13,7 +13,7 @@
 namespace dumbbell_fuzz {
 namespace {
 
-using dumbbell::Chart, dumbbell::Reason;
+using dumbbell::collisions::Chart, dumbbell::collisions::Reason;
 using dumbbell_oracle::BridgeState, dumbbell_oracle::Contact, dumbbell_oracle::Dumbbell,
     dumbbell_oracle::LightState, dumbbell_oracle::Mass, dumbbell_oracle::Total;
 using Body = Dumbbell<Real>;
@@ -109,7 +109,7 @@ std::optional<Seen> simulated(Chart chart, const ChartState& state) {
     }
 }
 
-void must_hold(Chart chart, const dumbbell::Leaf& leaf, const ChartState& state) {
+void must_hold(Chart chart, const dumbbell::collisions::Leaf& leaf, const ChartState& state) {
     const auto seen = simulated(chart, state);
     if (!seen) return;
     // The other reasons say that there is no such state.
@@ -128,7 +128,7 @@ void must_hold(Chart chart, const dumbbell::Leaf& leaf, const ChartState& state)
     trap(text.str());
 }
 
-void must_hold(const dumbbell::Witness& witness, Real ratio) {
+void must_hold(const dumbbell::collisions::Witness& witness, Real ratio) {
     const ChartState state{witness.e.convert_to<Real>(), witness.eta.convert_to<Real>(), ratio};
     long seen = 0;
     if (witness.chart == Chart::wedge) {

@@ -28,12 +28,13 @@ struct Seen {
 
 /// Nothing if the state is none of those that the chart is about, or so close to that, to a corner or to a
 /// tangency that the simulation may be wrong.
-[[nodiscard]] std::optional<Seen> simulated(dumbbell::Chart chart, const ChartState& state);
+[[nodiscard]] std::optional<Seen> simulated(dumbbell::collisions::Chart chart, const ChartState& state);
 
 /// Ends the program if the leaf is certainly wrong about the state.
-void must_hold(dumbbell::Chart chart, const dumbbell::Leaf& leaf, const ChartState& state);
+void must_hold(dumbbell::collisions::Chart chart, const dumbbell::collisions::Leaf& leaf,
+               const ChartState& state);
 
 /// Ends the program if the witness certainly has fewer collisions at this ratio than it says.
-void must_hold(const dumbbell::Witness& witness, Real ratio);
+void must_hold(const dumbbell::collisions::Witness& witness, Real ratio);
 
 }  // namespace dumbbell_fuzz

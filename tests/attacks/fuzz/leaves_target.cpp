@@ -14,7 +14,7 @@
 namespace {
 
 using namespace dumbbell_fuzz;
-using dumbbell::Chart, dumbbell::Reason;
+using dumbbell::collisions::Chart, dumbbell::collisions::Reason;
 
 /// A chart with the section of the verifier that has it.
 struct Place {
@@ -122,7 +122,7 @@ constexpr std::array reasons{Reason::count, Reason::count,          Reason::coun
                              Reason::meets, Reason::meets_reversed, Reason::once};
 
 void try_leaf(const Place& place, const dumbbell_verify::Leaf& leaf, Choices& choices) {
-    dumbbell::Leaf said{.reason = reasons[choices.below(std::size(reasons))]};
+    dumbbell::collisions::Leaf said{.reason = reasons[choices.below(std::size(reasons))]};
     if (said.reason == Reason::count) {
         const bool both_ways = counts_both_ways(place.chart);
         const long total = std::max(0L, about_as_many(place, leaf.box, choices) - (both_ways ? 1 : 0));
@@ -138,8 +138,8 @@ void try_leaf(const Place& place, const dumbbell_verify::Leaf& leaf, Choices& ch
 
 void try_witness(const Place& place, dumbbell_verify::Leaf leaf, Choices& choices) {
     for (std::size_t i = 0; i < 2; ++i) leaf.box.hi.at(i) = leaf.box.lo.at(i);
-    dumbbell::Witness said{dumbbell::Rational(leaf.box.lo[0].get_mpq_t()),
-                           dumbbell::Rational(leaf.box.lo[1].get_mpq_t())};
+    dumbbell::collisions::Witness said{dumbbell::Rational(leaf.box.lo[0].get_mpq_t()),
+                                       dumbbell::Rational(leaf.box.lo[1].get_mpq_t())};
     said.chart = place.chart;
     const long total = std::max(1L, about_as_many(place, leaf.box, choices));
     said.forward = choices.between(0, total - 1);

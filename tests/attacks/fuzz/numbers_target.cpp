@@ -106,12 +106,12 @@ void check_ratio(const std::string& text) {
 }
 
 void check_quantity(const std::string& text) {
-    const auto quantity = read([&] { return parse_quantity("--phi", text); });
+    const auto quantity = read([&] { return starts::parse_quantity("--phi", text); });
     if (!quantity) return;
     must(quantity->first <= quantity->second, "an interval");
     const std::string lo = to_fraction(quantity->first), hi = to_fraction(quantity->second);
     if (std::max(lo.size(), hi.size()) <= longest)
-        must(parse_quantity("--phi", lo + ":" + hi) == *quantity,
+        must(starts::parse_quantity("--phi", lo + ":" + hi) == *quantity,
              "a printed interval is the same when it is read");
 }
 

@@ -16,6 +16,7 @@ namespace {
 
 using namespace dumbbell_fuzz;
 using namespace dumbbell;
+using namespace dumbbell::collisions;
 namespace fs = std::filesystem;
 
 /// A mass ratio of the command line: up to 1,000 digits after the point.

@@ -12,12 +12,12 @@
 namespace {
 
 using namespace dumbbell_fuzz;
-using dumbbell::Certificate, dumbbell::Piece;
+using dumbbell::collisions::Certificate, dumbbell::collisions::Piece;
 
 std::optional<Certificate> read(const std::string& bytes) {
     static MemoryFile file;
     try {
-        return dumbbell::read_certificate(file.holding(bytes));
+        return dumbbell::collisions::read_certificate(file.holding(bytes));
     } catch (const dumbbell::InputError& error) {
         const std::string message = error.what();
         must(message.find('\n') == std::string::npos, "a message is one line");
@@ -40,9 +40,9 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     if (!plain_text(bytes)) return 0;
     const auto first = read(bytes);
     if (!first || !follow_one_another(first->pieces)) return 0;
-    const std::string text = dumbbell::render(*first).text;
+    const std::string text = dumbbell::collisions::render(*first).text;
     const auto second = read(text);
     must(second.has_value(), "what was written can be read");
-    must(dumbbell::render(*second).text == text, "reading and writing again changes nothing");
+    must(dumbbell::collisions::render(*second).text == text, "reading and writing again changes nothing");
     return 0;
 }

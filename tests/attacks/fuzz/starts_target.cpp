@@ -18,6 +18,7 @@ namespace {
 
 using namespace dumbbell_fuzz;
 using namespace dumbbell;
+using namespace dumbbell::starts;
 using dumbbell_oracle::Mass;
 constexpr std::size_t header_lines = 13;
 

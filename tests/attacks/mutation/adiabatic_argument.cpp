@@ -12,6 +12,7 @@ namespace dumbbell_mutation {
 namespace {
 
 using namespace dumbbell;
+using namespace dumbbell::adiabatic;
 using Found = AdiabaticJudge::Found;
 
 /// Something that could not be shown.

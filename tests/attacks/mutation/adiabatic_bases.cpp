@@ -11,6 +11,7 @@ namespace dumbbell_mutation {
 namespace {
 
 using namespace dumbbell;
+using namespace dumbbell::adiabatic;
 using Found = AdiabaticJudge::Found;
 
 constexpr double density_slack = 3;  ///< so that few boxes are needed

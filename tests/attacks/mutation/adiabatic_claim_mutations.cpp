@@ -9,6 +9,7 @@ namespace dumbbell_mutation {
 namespace {
 
 using namespace dumbbell;
+using namespace dumbbell::adiabatic;
 
 /// Numbers a little and much greater and less.
 class AdiabaticClaims {

@@ -8,6 +8,7 @@ namespace dumbbell_mutation {
 namespace {
 
 using namespace dumbbell;
+using namespace dumbbell::adiabatic;
 using Axis = AdiabaticAxis;
 using Found = AdiabaticJudge::Found;
 using Masses = AdiabaticMasses<Interval>;

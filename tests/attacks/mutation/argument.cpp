@@ -20,6 +20,7 @@ namespace dumbbell_mutation {
 namespace {
 
 using namespace dumbbell;
+using namespace dumbbell::collisions;
 
 /// Something that could not be shown.
 struct NotShown {
@@ -62,8 +63,8 @@ bool wedge_witnessed(const Piece& piece) {
     const Rational r = 1 / piece.q_lo;
     if (w.e != 0 || !returns(r) || !returns(1 / piece.q_hi)) return false;
     const Rational mu = (2 + r * w.eta - w.eta) / (1 + 2 * r * w.eta - r);
-    return wedge_count(r * w.eta, r, w.forward) >= w.forward &&
-           wedge_count(r * mu, r, w.backward) >= w.backward;
+    return flight::wedge_count(r * w.eta, r, w.forward) >= w.forward &&
+           flight::wedge_count(r * mu, r, w.backward) >= w.backward;
 }
 
 class Pieces {

@@ -14,6 +14,8 @@ namespace dumbbell_mutation {
 namespace {
 
 using namespace dumbbell;
+using namespace dumbbell::collisions;
+using namespace dumbbell::starts;
 
 Base base(const std::string& name, Certificate data) {
     std::string text = render(data).text;

@@ -10,7 +10,7 @@ namespace dumbbell_mutation {
 
 struct Base {
     std::string name;
-    dumbbell::AnyCertificate data;
+    dumbbell::certificates::AnyCertificate data;
     std::string text;
     /// How many times as much time as others it takes to verify, about: it gets fewer mutants by this factor,
     /// and none of single bytes.

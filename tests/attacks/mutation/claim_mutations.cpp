@@ -11,6 +11,8 @@ namespace dumbbell_mutation {
 namespace {
 
 using namespace dumbbell;
+using namespace dumbbell::collisions;
+using namespace dumbbell::starts;
 
 /// A tree that is as good as it gets for the bound: what does not close within `depth` splits is a leaf
 /// `count` all the same, with hints that fit the bound.
@@ -197,7 +199,7 @@ void claims_of(const InitialCertificate& data, const Sink& sink) {
 void claim_mutations(const Base& base, const Sink& sink) {
     if (const auto* data = std::get_if<Certificate>(&base.data))
         Claims(*data, sink).run();
-    else if (const auto* adiabatic = std::get_if<AdiabaticCertificate>(&base.data))
+    else if (const auto* adiabatic = std::get_if<adiabatic::AdiabaticCertificate>(&base.data))
         adiabatic_claim_mutations(*adiabatic, sink);
     else
         claims_of(std::get<InitialCertificate>(base.data), sink);

@@ -9,11 +9,11 @@
 namespace dumbbell_mutation {
 namespace {
 
-using dumbbell::AdiabaticCertificate;
-using dumbbell::Certificate;
-using dumbbell::InitialCertificate;
-using dumbbell::Piece;
 using dumbbell::Rational;
+using dumbbell::adiabatic::AdiabaticCertificate;
+using dumbbell::collisions::Certificate;
+using dumbbell::collisions::Piece;
+using dumbbell::starts::InitialCertificate;
 
 mpq_class exact(const Rational& x) { return mpq_class(dumbbell::to_fraction(x)); }
 
@@ -99,7 +99,7 @@ std::vector<Demand> demands_of(const Certificate& data) {
 std::vector<Demand> demands_of(const InitialCertificate& data) {
     long least = LONG_MAX, most = 0;
     bool all = true;
-    for (const dumbbell::InitialNode& node : data.tree) {
+    for (const dumbbell::starts::InitialNode& node : data.tree) {
         if (node.split) continue;
         all = all && node.leaf.most;
         least = std::min(least, node.leaf.least);

@@ -17,6 +17,7 @@ namespace dumbbell_mutation {
 namespace {
 
 using namespace dumbbell;
+using namespace dumbbell::starts;
 
 constexpr std::array<std::string_view, initial_axes> names{"phi", "phidot", "y", "ydot", "q"};
 

@@ -28,17 +28,17 @@ const std::vector<Base>& all_bases() {
 
 /// What a verifier would say that believes the file.
 dumbbell_verify::Verified believed(const std::string& path) {
-    const dumbbell::Certificate c = dumbbell::read_certificate(path);
+    const dumbbell::collisions::Certificate c = dumbbell::collisions::read_certificate(path);
     const auto range = dumbbell::audit::claimed_range(path);
     dumbbell_verify::Verified proof;
     const auto exact = [](const dumbbell::Rational& x) { return mpq_class(dumbbell::to_fraction(x)); };
     proof.claim.lo = exact(range.first);
     proof.claim.hi = exact(range.second);
-    for (const dumbbell::Piece& piece : c.pieces)
+    for (const dumbbell::collisions::Piece& piece : c.pieces)
         proof.claim.add(exact(piece.q_lo), exact(piece.q_hi),
                         piece.upper ? std::optional(static_cast<std::uint64_t>(*piece.upper)) : std::nullopt,
                         static_cast<std::uint64_t>(piece.lower));
-    proof.heavy_once = c.section != dumbbell::Section::turning && proof.claim.upper;
+    proof.heavy_once = c.section != dumbbell::collisions::Section::turning && proof.claim.upper;
     return proof;
 }
 
@@ -169,7 +169,7 @@ TEST_CASE("The second argument refuses the committed false claims") {
 }
 
 TEST_CASE("The second argument refuses false claims about the adiabatic invariant") {
-    using dumbbell::AdiabaticCertificate;
+    using dumbbell::adiabatic::AdiabaticCertificate;
     const Scratch file;
     int refused = 0;
     for (const Base& base : all_bases()) {
@@ -178,7 +178,7 @@ TEST_CASE("The second argument refuses false claims about the adiabatic invarian
         const auto refuses = [&](const std::string& what, const auto& change) {
             AdiabaticCertificate changed = *data;
             change(changed);
-            file.write(dumbbell::render(changed).text);
+            file.write(dumbbell::adiabatic::render(changed).text);
             INFO(base.name << ": " << what);
             CHECK_FALSE(adiabatic_argument(file.path(), nullptr).holds);
             ++refused;
@@ -194,7 +194,7 @@ TEST_CASE("The second argument refuses false claims about the adiabatic invarian
         if (!data->bounds.empty()) {
             refuses("no state at all", [](AdiabaticCertificate& c) { c.tree = {{std::nullopt, true, 0}}; });
             refuses("a part is missing", [](AdiabaticCertificate& c) {
-                c.tree.insert(c.tree.begin(), {dumbbell::AdiabaticAxis::u, false, 0});
+                c.tree.insert(c.tree.begin(), {dumbbell::adiabatic::AdiabaticAxis::u, false, 0});
                 c.tree.push_back({std::nullopt, true, 0});
             });
         }

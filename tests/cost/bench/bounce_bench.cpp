@@ -15,6 +15,7 @@
 #include "peers.hpp"
 
 using namespace dumbbell;
+using namespace dumbbell::flight;
 using namespace dumbbell_bench;
 
 namespace {

@@ -16,9 +16,9 @@ namespace dumbbell_bench {
 inline constexpr long cap = 1'000'000;
 
 /// Outgoing rays of contacts with the bridge at ratios near q (L8): what a cover and a witness follow.
-inline std::vector<dumbbell::batch::Query> bridge_rays(double q, std::size_t n) {
+inline std::vector<dumbbell::flight::batch::Query> bridge_rays(double q, std::size_t n) {
     dumbbell_test::Random random(1);
-    std::vector<dumbbell::batch::Query> rays;
+    std::vector<dumbbell::flight::batch::Query> rays;
     while (rays.size() < n) {
         const double r = 1 / (q * random.uniform(0.5, 1));
         const double e = random.uniform(0, std::numbers::pi / 2);
@@ -33,7 +33,7 @@ inline std::vector<dumbbell::batch::Query> bridge_rays(double q, std::size_t n) 
 
 /// What nobody would prove anything with: Newton's iteration and the reflection as in src/model, libm's sine
 /// and cosine.
-inline long plain_count(const dumbbell::Ray<double>& ray) {
+inline long plain_count(const dumbbell::flight::Ray<double>& ray) {
     double c = ray.c;
     double kappa = ray.kappa;
     for (long count = 0;; ++count) {

@@ -32,6 +32,7 @@
 namespace {
 
 using namespace dumbbell;
+using namespace dumbbell::campaign;
 using Clock = std::chrono::steady_clock;
 using Json = nlohmann::ordered_json;
 namespace fs = std::filesystem;
@@ -86,7 +87,7 @@ class UnluckyEngine : public Engine {
         : random_(random), misfortunes_(misfortunes) {}
 
     void submit(const Task& task) override { tasks_.push_back(task); }
-    std::optional<Outcome> wait(std::chrono::milliseconds time) override {
+    std::optional<campaign::Outcome> wait(std::chrono::milliseconds time) override {
         if (tasks_.empty()) {
             std::this_thread::sleep_for(std::min(time, std::chrono::milliseconds(1)));
             return std::nullopt;
@@ -97,7 +98,7 @@ class UnluckyEngine : public Engine {
         ++outcomes_;
         return outcome_of(task);
     }
-    void distrust(const Outcome& /*outcome*/) override {}
+    void distrust(const campaign::Outcome& /*outcome*/) override {}
     [[nodiscard]] std::size_t wanted() const override { return 200; }
     [[nodiscard]] EngineFigures figures() const override {
         EngineFigures figures;
@@ -107,8 +108,8 @@ class UnluckyEngine : public Engine {
     [[nodiscard]] std::size_t outcomes() const { return outcomes_; }
 
   private:
-    Outcome outcome_of(const Task& task) {
-        Outcome outcome{task.id, Outcome::End::failed, {}, "worker lost", "simulated", 0};
+    campaign::Outcome outcome_of(const Task& task) {
+        campaign::Outcome outcome{task.id, campaign::Outcome::End::failed, {}, "worker lost", "simulated", 0};
         const auto luck = random_() % 1000;
         if (luck < 20) {
             ++misfortunes_.lost;
@@ -116,11 +117,11 @@ class UnluckyEngine : public Engine {
         }
         if (luck < 25 && task.limit) {
             ++misfortunes_.too_long;
-            outcome.end = Outcome::End::too_long;
+            outcome.end = campaign::Outcome::End::too_long;
             return outcome;
         }
         const Order order = parse_order(task.order);
-        outcome.end = Outcome::End::done;
+        outcome.end = campaign::Outcome::End::done;
         outcome.result = *kind_named(order.kind()).work(order, ".", never);
         if (luck < 35) {
             ++misfortunes_.garbage;

@@ -65,7 +65,7 @@ bool certainly_less(const Ball& a, const Ball& b) { return arb_lt(a.raw(), b.raw
 bool certainly_at_most(const Ball& a, const Ball& b) { return arb_le(a.raw(), b.raw()) != 0; }
 bool certainly_positive(const Ball& a) { return arb_is_positive(a.raw()) != 0; }
 double approximate(const Ball& a) { return arf_get_d(arb_midref(a.raw()), ARF_RND_NEAR); }
-dumbbell::ContactGuess<Ball> guess_contact(const Ball& c, const Ball& kappa) {
+dumbbell::flight::ContactGuess<Ball> guess_contact(const Ball& c, const Ball& kappa) {
     return double_guess(c, kappa);
 }
 
@@ -85,14 +85,15 @@ dumbbell_bench::Ball dumbbell::half_pi() {
     return result;
 }
 template <>
-dumbbell_bench::Ball dumbbell::detail::least_step() {
+dumbbell_bench::Ball dumbbell::flight::detail::least_step() {
     return dumbbell_bench::Ball(0x1p-1000);
 }
 
-const dumbbell_bench::Peer dumbbell_bench::arb{"Arb",
-                                               [](const dumbbell::Ray<double>& ray, long most) {
-                                                   return dumbbell::count_at_most(as_ray<Ball>(ray), most);
-                                               },
-                                               [](const dumbbell::Ray<double>& ray, long most) {
-                                                   return dumbbell::count_at_least(as_ray<Ball>(ray), most);
-                                               }};
+const dumbbell_bench::Peer dumbbell_bench::arb{
+    "Arb",
+    [](const dumbbell::flight::Ray<double>& ray, long most) {
+        return dumbbell::flight::count_at_most(as_ray<Ball>(ray), most);
+    },
+    [](const dumbbell::flight::Ray<double>& ray, long most) {
+        return dumbbell::flight::count_at_least(as_ray<Ball>(ray), most);
+    }};

@@ -70,7 +70,7 @@ class Cgal {
     friend bool certainly_at_most(const Cgal& a, const Cgal& b) { return a.value_.sup() <= b.value_.inf(); }
     friend bool certainly_positive(const Cgal& a) { return a.value_.inf() > 0; }
     friend double approximate(const Cgal& a) { return a.value_.inf(); }
-    friend dumbbell::ContactGuess<Cgal> guess_contact(const Cgal& c, const Cgal& kappa) {
+    friend dumbbell::flight::ContactGuess<Cgal> guess_contact(const Cgal& c, const Cgal& kappa) {
         return double_guess(c, kappa);
     }
     /// Of a point: the kernel asks for no other.
@@ -84,14 +84,14 @@ class Cgal {
 };
 
 template <class Sine>
-long at_most(const dumbbell::Ray<double>& ray, long most) {
+long at_most(const dumbbell::flight::Ray<double>& ray, long most) {
     const CGAL::Protect_FPU_rounding<true> rounding(CGAL_FE_UPWARD);
-    return dumbbell::count_at_most(as_ray<Cgal<Sine>>(ray), most);
+    return dumbbell::flight::count_at_most(as_ray<Cgal<Sine>>(ray), most);
 }
 template <class Sine>
-long at_least(const dumbbell::Ray<double>& ray, long most) {
+long at_least(const dumbbell::flight::Ray<double>& ray, long most) {
     const CGAL::Protect_FPU_rounding<true> rounding(CGAL_FE_UPWARD);
-    return dumbbell::count_at_least(as_ray<Cgal<Sine>>(ray), most);
+    return dumbbell::flight::count_at_least(as_ray<Cgal<Sine>>(ray), most);
 }
 
 using WithMpfr = Cgal<MpfrSine>;
@@ -119,11 +119,11 @@ dumbbell_bench::WithOwn dumbbell::half_pi() {
     return dumbbell_bench::WithOwn(dumbbell_bench::as_cgal(half_pi<Interval>()));
 }
 template <>
-dumbbell_bench::WithMpfr dumbbell::detail::least_step() {
+dumbbell_bench::WithMpfr dumbbell::flight::detail::least_step() {
     return dumbbell_bench::WithMpfr(0x1p-1000);
 }
 template <>
-dumbbell_bench::WithOwn dumbbell::detail::least_step() {
+dumbbell_bench::WithOwn dumbbell::flight::detail::least_step() {
     return dumbbell_bench::WithOwn(0x1p-1000);
 }
 

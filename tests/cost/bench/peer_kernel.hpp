@@ -9,14 +9,14 @@ namespace dumbbell_bench {
 
 /// The guess of Newton's iteration in plain double, for any type: it proves nothing.
 template <class I>
-dumbbell::ContactGuess<I> double_guess(const I& c, const I& kappa) {
-    const auto guess =
-        guess_contact(dumbbell::Interval(approximate(c)), dumbbell::Interval(approximate(kappa)));
+dumbbell::flight::ContactGuess<I> double_guess(const I& c, const I& kappa) {
+    const auto guess = dumbbell::flight::guess_contact(dumbbell::Interval(approximate(c)),
+                                                       dumbbell::Interval(approximate(kappa)));
     return {I(guess.z.lo()), guess.hits};
 }
 
 template <class I>
-dumbbell::Ray<I> as_ray(const dumbbell::Ray<double>& ray) {
+dumbbell::flight::Ray<I> as_ray(const dumbbell::flight::Ray<double>& ray) {
     return {I(ray.c), I(ray.kappa), I(ray.r)};
 }
 

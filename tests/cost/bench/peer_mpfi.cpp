@@ -72,7 +72,7 @@ bool certainly_at_most(const Mpfi& a, const Mpfi& b) {
 }
 bool certainly_positive(const Mpfi& a) { return certainly_less(Mpfi(0), a); }
 double approximate(const Mpfi& a) { return mpfi_get_d(a.raw()); }
-dumbbell::ContactGuess<Mpfi> guess_contact(const Mpfi& c, const Mpfi& kappa) {
+dumbbell::flight::ContactGuess<Mpfi> guess_contact(const Mpfi& c, const Mpfi& kappa) {
     return double_guess(c, kappa);
 }
 
@@ -92,14 +92,15 @@ dumbbell_bench::Mpfi dumbbell::half_pi() {
     return result;
 }
 template <>
-dumbbell_bench::Mpfi dumbbell::detail::least_step() {
+dumbbell_bench::Mpfi dumbbell::flight::detail::least_step() {
     return dumbbell_bench::Mpfi(0x1p-1000);
 }
 
-const dumbbell_bench::Peer dumbbell_bench::mpfi{"MPFI",
-                                                [](const dumbbell::Ray<double>& ray, long most) {
-                                                    return dumbbell::count_at_most(as_ray<Mpfi>(ray), most);
-                                                },
-                                                [](const dumbbell::Ray<double>& ray, long most) {
-                                                    return dumbbell::count_at_least(as_ray<Mpfi>(ray), most);
-                                                }};
+const dumbbell_bench::Peer dumbbell_bench::mpfi{
+    "MPFI",
+    [](const dumbbell::flight::Ray<double>& ray, long most) {
+        return dumbbell::flight::count_at_most(as_ray<Mpfi>(ray), most);
+    },
+    [](const dumbbell::flight::Ray<double>& ray, long most) {
+        return dumbbell::flight::count_at_least(as_ray<Mpfi>(ray), most);
+    }};

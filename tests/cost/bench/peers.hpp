@@ -9,8 +9,8 @@ namespace dumbbell_bench {
 
 struct Peer {
     const char* name;
-    long (*at_most)(const dumbbell::Ray<double>& lowest, long cap);
-    long (*at_least)(const dumbbell::Ray<double>& highest, long cap);
+    long (*at_most)(const dumbbell::flight::Ray<double>& lowest, long cap);
+    long (*at_least)(const dumbbell::flight::Ray<double>& highest, long cap);
 };
 
 /// CGAL::Interval_nt has no sine. A user has to bring one: MPFR's, the only one that Debian has with

@@ -12,6 +12,8 @@
 #include "flight/batch/count.hpp"
 
 using namespace dumbbell;
+using namespace dumbbell::collisions;
+using namespace dumbbell::flight;
 
 namespace {
 

@@ -1,5 +1,5 @@
-"""rooms_test.py: src/README.md says which room may use which; the includes say the same, and no two types of one
-name meet in a program."""
+"""rooms_test.py: src/README.md says which room may use which; the includes say the same, every file opens its room's
+namespace and no other, and no two types of one name meet in a program."""
 
 import collections
 import pathlib
@@ -8,6 +8,7 @@ import sys
 
 SRC = pathlib.Path(__file__).resolve().parents[3] / "src"
 ROW = re.compile(r"\| `([a-z_/]+)` \| [^|]+ \| ([^|]*)\|")
+GROUND = re.compile(r"The ground \(([^)]*)\) is `namespace dumbbell`")
 INCLUDE = re.compile(r'^#include "([a-z_/0-9]+\.hpp)"', re.M)
 NOISE = re.compile(r'//[^\n]*|/\*.*?\*/|R"\((?:.*?)\)"|"(?:\\.|[^"\\\n])*"|\'(?:\\.|[^\'\\\n])+\'', re.S)
 TOKEN = re.compile(
@@ -28,6 +29,22 @@ def room_of(path, rooms):
     return max(inside, key=len, default=None)
 
 
+def namespace_of(room, ground):
+    """The namespace that the room's files open."""
+    if room.startswith("verify/"):
+        return "dumbbell_verify"
+    return "::".join(["dumbbell"] if room in ground else ["dumbbell", *room.split("/")])
+
+
+def opened(text):
+    """The namespaces of this project that a file opens: those that no brace surrounds."""
+    depth = 0
+    for token in TOKEN.finditer(NOISE.sub(" ", text)):
+        if depth == 0 and (token["space"] or "").strip().startswith("dumbbell"):
+            yield token["space"].strip()
+        depth += -1 if token[0] == "}" else 1
+
+
 def types(text):
     """The types that a file defines at the level of a namespace with a name."""
     spaces = []  # of every open brace: the namespace's name, "" without a name, None if it is none
@@ -46,6 +63,8 @@ def types(text):
 def main():
     allowed, used, faults = table(), collections.defaultdict(set), []
     order = list(allowed)
+    ground = re.findall(r"`([a-z_/]+)`", GROUND.search((SRC / "README.md").read_text(encoding="utf-8"))[1])
+    spaces = {room: namespace_of(room, ground) for room in order}
     defined = collections.defaultdict(set)
     for file in sorted(SRC.rglob("*.?pp")):
         path = file.relative_to(SRC).as_posix()
@@ -53,6 +72,10 @@ def main():
         if room is None:
             faults.append(f"{path} is in no room of src/README.md")
             continue
+        for space in opened(text):
+            owners = [owner for owner in spaces.values() if space == owner or space.startswith(owner + "::")]
+            if max(owners, key=len, default=None) != spaces[room]:
+                faults.append(f"{path} opens namespace {space}: the room's is {spaces[room]}")
         for name in types(text):
             defined[name].add(path)
         for include in INCLUDE.findall(text):

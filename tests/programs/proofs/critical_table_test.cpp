@@ -83,11 +83,12 @@ TEST_CASE("the covers and the two orbits of the theorem agree on [1, 10^6]") {
     // The staircases know nothing of the theorem, the table nothing of the covers.
     const Lines rows = without_remarks(lines_of(table));
     for (const char* name : {"stairs-1-100.dbc", "stairs-1-1e4.dbc.gz", "stairs-1-1e6.dbc.gz"}) {
-        const auto stairs = dumbbell::read_certificate(std::string(DUMBBELL_PROJECT "/certificates/") + name);
-        for (const dumbbell::Piece& piece : stairs.pieces) {
+        const auto stairs =
+            dumbbell::collisions::read_certificate(std::string(DUMBBELL_PROJECT "/certificates/") + name);
+        for (const dumbbell::collisions::Piece& piece : stairs.pieces) {
             const long n = *piece.upper;
             CAPTURE(name, n);
-            if (piece.status() == dumbbell::Status::exact) {
+            if (piece.status() == dumbbell::collisions::Status::exact) {
                 continue;
             }
             // The gap from n - 1 to n: q_c(n) = value + [0, radius] lies in it.
@@ -100,6 +101,6 @@ TEST_CASE("the covers and the two orbits of the theorem agree on [1, 10^6]") {
             CHECK(from + dumbbell::parse_rational(radius) <= piece.q_hi);
         }
         const auto& last_piece = stairs.pieces.back();
-        CHECK(last_piece.status() == dumbbell::Status::exact);
+        CHECK(last_piece.status() == dumbbell::collisions::Status::exact);
     }
 }

@@ -5,6 +5,7 @@
 #include "base/error.hpp"
 
 using namespace dumbbell;
+using namespace dumbbell::adiabatic;
 using Catch::Matchers::Contains;
 
 namespace {

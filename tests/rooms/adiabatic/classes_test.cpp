@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 
 using namespace dumbbell;
+using namespace dumbbell::adiabatic;
 
 namespace {
 

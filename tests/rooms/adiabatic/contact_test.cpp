@@ -5,6 +5,7 @@
 #include "samples.hpp"
 
 using namespace dumbbell;
+using namespace dumbbell::adiabatic;
 using namespace dumbbell_test;
 
 TEST_CASE("L33: the share of the mean invariant and its half step are enclosed over boxes") {

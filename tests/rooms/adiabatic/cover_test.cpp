@@ -4,6 +4,7 @@
 #include <cmath>
 
 using namespace dumbbell;
+using namespace dumbbell::adiabatic;
 
 namespace {
 

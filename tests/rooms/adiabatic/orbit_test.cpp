@@ -5,6 +5,7 @@
 #include "samples.hpp"
 
 using namespace dumbbell;
+using namespace dumbbell::adiabatic;
 using namespace dumbbell_test;
 
 namespace {

@@ -6,6 +6,7 @@
 #include "rooms/pictures/xml.hpp"
 
 using namespace dumbbell;
+using namespace dumbbell::adiabatic;
 using namespace dumbbell_test;
 using Catch::Matchers::Contains;
 

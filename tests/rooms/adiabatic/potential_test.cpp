@@ -9,7 +9,7 @@ using namespace dumbbell_test;
 
 namespace {
 
-using Potential = AdiabaticPotential<Interval>;
+using Potential = adiabatic::AdiabaticPotential<Interval>;
 
 Potential three_cells() {
     return Potential(

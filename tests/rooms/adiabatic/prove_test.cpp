@@ -8,6 +8,7 @@
 #include "base/error.hpp"
 
 using namespace dumbbell;
+using namespace dumbbell::adiabatic;
 using Catch::Matchers::Contains;
 
 namespace {

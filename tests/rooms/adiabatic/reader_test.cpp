@@ -7,6 +7,7 @@
 #include "programs/cli/process.hpp"
 
 using namespace dumbbell;
+using namespace dumbbell::adiabatic;
 using namespace dumbbell_test;
 using Catch::Matchers::Contains;
 

@@ -6,6 +6,7 @@
 #include "random_tree.hpp"
 
 using namespace dumbbell_test;
+using namespace dumbbell::collisions;
 using dumbbell::audit::Audit;
 
 namespace {

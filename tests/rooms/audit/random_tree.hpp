@@ -9,6 +9,7 @@
 namespace dumbbell_test {
 
 using namespace dumbbell;
+using namespace dumbbell::collisions;
 using dumbbell::audit::Boxes;
 using dumbbell::audit::check_tiling;
 using dumbbell::audit::Fault;

@@ -5,6 +5,7 @@
 #include "random_tree.hpp"
 
 using namespace dumbbell_test;
+using namespace dumbbell::collisions;
 using dumbbell::audit::leaf_boxes;
 using dumbbell::audit::root_of;
 

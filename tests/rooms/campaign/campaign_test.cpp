@@ -19,6 +19,8 @@
 #include "staircase/critical_report.hpp"
 
 using namespace dumbbell;
+using namespace dumbbell::campaign;
+using namespace dumbbell::collisions;
 using namespace dumbbell_test;
 using Catch::Matchers::Contains;
 
@@ -26,7 +28,7 @@ namespace {
 
 /// The table as one run of `critical` makes it.
 std::string in_one_go(long first, long last) {
-    CriticalReport report;
+    staircase::CriticalReport report;
     report.request.first = first;
     report.request.last = last;
     report.request.digits = 10;
@@ -74,7 +76,7 @@ CampaignOptions verified() {
     return options;
 }
 
-Plan staircase() {
+Plan plan_to_30() {
     CertifyRequest request;
     request.q_lo = 1;
     request.q_hi = 30;
@@ -82,7 +84,7 @@ Plan staircase() {
 }
 
 /// An answer to an order about a range of ratios that leaves all of it undecided: well formed, and true.
-Outcome undecided(const Task& task) {
+campaign::Outcome undecided(const Task& task) {
     Certificate certificate;
     for (const std::string& unit : parse_order(task.order).units) {
         const auto fields = words(unit);
@@ -139,7 +141,7 @@ TEST_CASE("what is finished is not done again") {
 TEST_CASE("garbage is rejected by verification, kept for a look, and the shard proved elsewhere") {
     Campaign campaign;
     ScriptedEngine engine([](const Task& task, int attempt) {
-        const Outcome truth = worked(task);
+        const campaign::Outcome truth = worked(task);
         switch (attempt) {
             case 1:
                 return done(task, "garbage");
@@ -212,7 +214,7 @@ TEST_CASE("shards that are too big are split until they fit, and a single unit h
 }
 
 TEST_CASE("a worker that leaves everything undecided costs time and nothing else") {
-    Campaign campaign(staircase());
+    Campaign campaign(plan_to_30());
     ScriptedEngine liar([](const Task& task, int) { return undecided(task); });
     LocalEngine own(2, campaign.place.string());
     const CampaignRun run = campaign.run(liar, looked_at(own));
@@ -227,7 +229,7 @@ TEST_CASE("a worker that leaves everything undecided costs time and nothing else
 }
 
 TEST_CASE("what is undecided on this machine too is the result, and its worker told the truth") {
-    Campaign campaign(staircase());
+    Campaign campaign(plan_to_30());
     const std::string hard = campaign.folder->parts()[2].id;
     const Script script = [&](const Task& task, int) {
         return task.id == hard ? undecided(task) : worked(task);
@@ -254,7 +256,7 @@ TEST_CASE("what is undecided on this machine too is the result, and its worker t
 }
 
 TEST_CASE("a shard that is too big here is split, and while enough is tried here others may try, too") {
-    Campaign campaign(staircase());
+    Campaign campaign(plan_to_30());
     ScriptedEngine far([](const Task& task, int) { return undecided(task); });
     ScriptedEngine own([](const Task& task, int) { return task.limit ? too_long(task) : worked(task); }, 1);
     CampaignOptions options = looked_at(own);
@@ -331,7 +333,7 @@ TEST_CASE("outcomes of tasks that nobody gave are passed over") {
     int strange = 0;
     ScriptedEngine engine([&](const Task& task, int attempt) {
         if (attempt == 1 && strange++ == 0) {
-            return Outcome{std::string(32, 'f'), Outcome::End::done, "x", {}, "far", 0};
+            return campaign::Outcome{std::string(32, 'f'), campaign::Outcome::End::done, "x", {}, "far", 0};
         }
         return worked(task);
     });

@@ -11,6 +11,7 @@
 #include "scripted_engine.hpp"
 
 using namespace dumbbell;
+using namespace dumbbell::campaign;
 using namespace dumbbell_test;
 using Catch::Matchers::Contains;
 namespace fs = std::filesystem;

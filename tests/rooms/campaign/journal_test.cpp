@@ -7,6 +7,7 @@
 #include "place.hpp"
 
 using namespace dumbbell;
+using namespace dumbbell::campaign;
 using namespace dumbbell_test;
 
 namespace {

@@ -5,11 +5,12 @@
 #include <stdexcept>
 
 using namespace dumbbell;
+using namespace dumbbell::campaign;
 
 namespace {
 
 /// Judges by the name of the file alone.
-class NamedKind : public Kind {
+class NamedKind : public campaign::Kind {
   public:
     [[nodiscard]] Evidence evidence() const override { return Evidence::results; }
     [[nodiscard]] std::optional<std::string> work(const Order& /*order*/, const std::string& /*folder*/,

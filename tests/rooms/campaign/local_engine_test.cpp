@@ -7,6 +7,7 @@
 #include "scripted_engine.hpp"
 
 using namespace dumbbell;
+using namespace dumbbell::campaign;
 using namespace dumbbell_test;
 using namespace std::chrono_literals;
 using Catch::Matchers::Contains;
@@ -30,7 +31,7 @@ TEST_CASE("each task has its own result") {
     for (std::size_t i = 0; i < expected.size(); ++i) {
         const auto outcome = engine.wait(1h);
         REQUIRE(outcome.has_value());
-        CHECK(outcome->end == Outcome::End::done);
+        CHECK(outcome->end == campaign::Outcome::End::done);
         CHECK(outcome->result == expected.at(outcome->id));
         CHECK(outcome->worker == "local");
     }
@@ -44,11 +45,11 @@ TEST_CASE("a task beyond its limit is too long, and one that cannot be understoo
     engine.submit(task);
     auto outcome = engine.wait(1h);
     REQUIRE(outcome.has_value());
-    CHECK(outcome->end == Outcome::End::too_long);
+    CHECK(outcome->end == campaign::Outcome::End::too_long);
     engine.submit({"x", "nonsense", {}, {}});
     outcome = engine.wait(1h);
     REQUIRE(outcome.has_value());
-    CHECK(outcome->end == Outcome::End::failed);
+    CHECK(outcome->end == campaign::Outcome::End::failed);
     CHECK_THAT(outcome->reason, Contains("no order"));
     engine.submit(task_of({"prove nonsense\n", {"x"}}));
     outcome = engine.wait(1h);

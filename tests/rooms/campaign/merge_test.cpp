@@ -9,6 +9,7 @@
 #include "scripted_engine.hpp"
 
 using namespace dumbbell;
+using namespace dumbbell::campaign;
 using namespace dumbbell_test;
 using Catch::Matchers::Contains;
 
@@ -50,7 +51,7 @@ TEST_CASE("a result that was changed on the disk is found, taken away, and prove
 
 TEST_CASE("results that nobody can look at stay where they are") {  // no verifier lies next to this test
     const Place place;
-    CertifyRequest request;
+    collisions::CertifyRequest request;
     request.q_lo = 1;
     request.q_hi = 12;
     CampaignFolder::create(place.string(), *plan_collisions(request, 3, never));

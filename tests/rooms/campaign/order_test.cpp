@@ -6,6 +6,7 @@
 #include "resealed.hpp"
 
 using namespace dumbbell;
+using namespace dumbbell::campaign;
 using Catch::Matchers::Contains;
 using dumbbell_test::resealed;
 

@@ -10,8 +10,8 @@
 using namespace dumbbell_test;
 using Catch::Matchers::Contains;
 using dumbbell::InputError;
-using dumbbell::password_file;
-using dumbbell::read_password;
+using dumbbell::campaign::password_file;
+using dumbbell::campaign::read_password;
 
 TEST_CASE("a new password is random, hexadecimal, and its owner's alone") {
     const TemporaryFolder folder;

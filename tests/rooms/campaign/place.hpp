@@ -26,11 +26,11 @@ struct Place {
 };
 
 /// The results of all shards as files, in order.
-inline std::vector<std::string> results(const dumbbell::Kind& kind, const dumbbell::Plan& plan,
-                                        const Place& place) {
+inline std::vector<std::string> results(const dumbbell::campaign::Kind& kind,
+                                        const dumbbell::campaign::Plan& plan, const Place& place) {
     std::filesystem::create_directory(place.path);
     std::vector<std::string> files;
-    for (const dumbbell::Plan::Shard& shard : plan.shards) {
+    for (const dumbbell::campaign::Plan::Shard& shard : plan.shards) {
         files.push_back(place.string() + "/" + std::to_string(files.size()));
         std::ofstream(files.back()) << *kind.work(plan.order(shard.first, shard.end), ".", dumbbell::never);
     }

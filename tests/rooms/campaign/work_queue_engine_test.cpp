@@ -16,9 +16,9 @@
 using namespace dumbbell_test;
 using namespace std::chrono_literals;
 using Catch::Matchers::Contains;
-using dumbbell::WorkQueueEngine;
-using dumbbell::WorkQueueOptions;
-using End = dumbbell::Outcome::End;
+using dumbbell::campaign::WorkQueueEngine;
+using dumbbell::campaign::WorkQueueOptions;
+using End = dumbbell::campaign::Outcome::End;
 
 namespace {
 
@@ -50,7 +50,7 @@ esac
 // What a campaign has: a folder with a password, and a program that does what its orders say.
 class Site {
   public:
-    Site() : password_(dumbbell::password_file(folder_.path())), program_(folder_ / "stand-in") {
+    Site() : password_(dumbbell::campaign::password_file(folder_.path())), program_(folder_ / "stand-in") {
         write_file(program_, stand_in);
         ::chmod(program_.c_str(), 0755);
     }
@@ -80,15 +80,17 @@ class Site {
     std::string program_;
 };
 
-dumbbell::Task task(const std::string& id, const std::string& order) { return {id, order + "\n", {}, {}}; }
+dumbbell::campaign::Task task(const std::string& id, const std::string& order) {
+    return {id, order + "\n", {}, {}};
+}
 
-dumbbell::Outcome next(WorkQueueEngine& engine) {
+dumbbell::campaign::Outcome next(WorkQueueEngine& engine) {
     auto outcome = engine.wait(1h);
     REQUIRE(outcome);
     return *outcome;
 }
 
-dumbbell::Outcome outcome(WorkQueueEngine& engine, const std::string& order) {
+dumbbell::campaign::Outcome outcome(WorkQueueEngine& engine, const std::string& order) {
     engine.submit(task("one", order));
     return next(engine);
 }
@@ -250,7 +252,7 @@ TEST_CASE("a worker without the password gets nothing") {
     const Site site;
     WorkQueueEngine engine(site.options());
     const TemporaryFolder elsewhere;
-    const auto worker = site.worker(engine.port(), dumbbell::password_file(elsewhere.path()));
+    const auto worker = site.worker(engine.port(), dumbbell::campaign::password_file(elsewhere.path()));
     engine.submit(task("one", "say hello"));
     CHECK_FALSE(engine.wait(3s));
     CHECK(engine.figures().joined == 0);
@@ -323,7 +325,7 @@ TEST_CASE("the printed line starts a worker") {
     const Site site;
     WorkQueueEngine engine(site.options());
     const Process worker({"env", "TMPDIR=" + site.folder().path(), "sh", "-c",
-                          "exec " + dumbbell::worker_command(engine.place(), "127.0.0.1")});
+                          "exec " + dumbbell::campaign::worker_command(engine.place(), "127.0.0.1")});
     CHECK(outcome(engine, "say hello").result == "hello");
 }
 

@@ -19,7 +19,7 @@
 
 using Catch::Matchers::Contains;
 using dumbbell::InputError;
-using dumbbell::make_work_queue_manager;
+using dumbbell::campaign::make_work_queue_manager;
 
 namespace {
 

@@ -3,9 +3,9 @@
 #include <catch2/catch.hpp>
 
 using Catch::Matchers::Contains;
-using dumbbell::ManagerPlace;
-using dumbbell::worker_command;
-using dumbbell::worker_examples;
+using dumbbell::campaign::ManagerPlace;
+using dumbbell::campaign::worker_command;
+using dumbbell::campaign::worker_examples;
 
 TEST_CASE("the line that starts a worker names password, host and port") {
     CHECK(worker_command({"127.0.0.1", 9123, "c/password"}, "127.0.0.1") ==

@@ -12,12 +12,15 @@
 #include "starts/writer.hpp"
 
 using namespace dumbbell_test;
+using namespace dumbbell::adiabatic;
+using namespace dumbbell::certificates;
+using namespace dumbbell::collisions;
 using Catch::Matchers::Contains;
 
 namespace {
 
 SealedText initial_text() {
-    InitialCertificate certificate{"dumbbell", "0.1.0", {}, 53, {{}}};
+    dumbbell::starts::InitialCertificate certificate{"dumbbell", "0.1.0", {}, 53, {{}}};
     certificate.box.lo = certificate.box.hi = {0, 1, 3, -1, 10};
     return render(certificate);
 }
@@ -48,7 +51,8 @@ std::string digest_of(const std::string& text) { return with_file(text, sealed_d
 TEST_CASE("a certificate of each claim kind is read as what it is") {
     CHECK(std::holds_alternative<Certificate>(
         with_file(render(every_kind_of_line()).text, read_any_certificate)));
-    CHECK(std::holds_alternative<InitialCertificate>(with_file(initial_text().text, read_any_certificate)));
+    CHECK(std::holds_alternative<dumbbell::starts::InitialCertificate>(
+        with_file(initial_text().text, read_any_certificate)));
     CHECK(
         std::holds_alternative<AdiabaticCertificate>(with_file(adiabatic_text().text, read_any_certificate)));
 }

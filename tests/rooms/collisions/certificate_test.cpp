@@ -5,6 +5,7 @@
 #include "example.hpp"
 
 using namespace dumbbell_test;
+using namespace dumbbell::collisions;
 
 TEST_CASE("leaves are counted over both charts, splits are not") {
     CHECK(every_kind_of_line().pieces[1].cover.leaves() == 6);

@@ -4,6 +4,7 @@
 #include <string>
 
 using namespace dumbbell;
+using namespace dumbbell::collisions;
 
 namespace {
 

@@ -9,6 +9,7 @@
 #include "critical_ratio.hpp"
 
 using namespace dumbbell;
+using namespace dumbbell::collisions;
 using namespace dumbbell_test;
 
 namespace {

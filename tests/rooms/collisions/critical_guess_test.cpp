@@ -6,6 +6,7 @@
 #include "critical_ratio.hpp"
 
 using namespace dumbbell;
+using namespace dumbbell::collisions;
 using namespace dumbbell_test;
 
 TEST_CASE("the known critical ratios") {

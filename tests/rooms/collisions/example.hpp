@@ -6,6 +6,7 @@
 namespace dumbbell_test {
 
 using namespace dumbbell;
+using namespace dumbbell::collisions;
 
 inline Node count(long forward, long backward) { return {std::nullopt, {Reason::count, forward, backward}}; }
 inline Node leaf(Reason reason) { return {std::nullopt, {reason}}; }

@@ -4,6 +4,7 @@
 #include "rooms/number/random.hpp"
 
 using namespace dumbbell;
+using namespace dumbbell::collisions;
 using namespace dumbbell_test;
 
 namespace {

@@ -8,6 +8,7 @@
 #include "reference.hpp"
 
 using namespace dumbbell;
+using namespace dumbbell::collisions;
 using namespace dumbbell_test;
 
 namespace {

@@ -103,10 +103,11 @@ TEST_CASE("in JSON the orbit's enclosures are pairs of doubles, exactly the comp
 }
 
 TEST_CASE("the widths are listed at collisions 1, 10, 100 and the last, with the widest") {
-    std::vector<Collision<Interval>> orbit(25, collision(false, Interval(0), Interval(1, 1.5)));
+    std::vector<dumbbell::flight::Collision<Interval>> orbit(25,
+                                                             collision(false, Interval(0), Interval(1, 1.5)));
     orbit[0].y = Interval(0, 0.24999);
     orbit[3].phi = Interval(0, 4);
-    const std::string text = widths_text(orbit);
+    const std::string text = dumbbell::collisions::widths_text(orbit);
     CAPTURE(text);
     for (const char* number : {"1", "10", "25"}) {
         const auto fields = fields_of_line(text, number);

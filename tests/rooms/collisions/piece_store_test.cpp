@@ -13,6 +13,7 @@
 #include "file/sha256.hpp"
 
 using namespace dumbbell;
+using namespace dumbbell::collisions;
 using Catch::Matchers::Contains;
 namespace fs = std::filesystem;
 

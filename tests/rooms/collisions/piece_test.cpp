@@ -7,6 +7,7 @@
 #include "critical_ratio.hpp"
 
 using namespace dumbbell;
+using namespace dumbbell::collisions;
 using namespace dumbbell_test;
 
 TEST_CASE("a single ratio is decided: upper and lower bound are the recomputed maximum") {

@@ -5,6 +5,7 @@
 #include "sample_report.hpp"
 
 using namespace dumbbell_test;
+using namespace dumbbell::collisions;
 using Catch::Matchers::Contains;
 
 namespace {

@@ -12,6 +12,7 @@
 #include "programs/cli/process.hpp"
 
 using namespace dumbbell_test;
+using namespace dumbbell::collisions;
 using Catch::Matchers::Contains;
 
 namespace {

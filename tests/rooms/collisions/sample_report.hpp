@@ -7,17 +7,17 @@
 namespace dumbbell_test {
 
 struct SampleReport {
-    std::vector<Piece> pieces;
-    ProofReport report{};
+    std::vector<dumbbell::collisions::Piece> pieces;
+    dumbbell::collisions::ProofReport report{};
 
-    explicit SampleReport(std::vector<Piece> of) : pieces(std::move(of)) {
+    explicit SampleReport(std::vector<dumbbell::collisions::Piece> of) : pieces(std::move(of)) {
         report.q_lo = pieces.front().q_lo;
         report.q_hi = pieces.back().q_hi;
         report.gap = Rational(1, 1'000'000);
         report.jobs = 2;
         report.seconds = 1.25;
         report.undecided = Rational(1, 4);
-        for (const Piece& p : pieces) {
+        for (const dumbbell::collisions::Piece& p : pieces) {
             report.rows.push_back({&p, 0.125, 1e-9, 0.5, {}});
         }
     }
@@ -25,20 +25,21 @@ struct SampleReport {
     SampleReport& operator=(const SampleReport&) = delete;
 };
 
-inline std::vector<Piece> three_pieces() {
+inline std::vector<dumbbell::collisions::Piece> three_pieces() {
     const Rational left(46033367, 10000000);
     const Rational right(4603341, 1000000);
     return {piece(4, left, 3, 3), piece(left, right, 4, 3), piece(right, 5, 4, 4)};
 }
 
-inline std::vector<Piece> four_pieces() {
+inline std::vector<dumbbell::collisions::Piece> four_pieces() {
     auto pieces = three_pieces();
     pieces.push_back(open_piece(5, 12));
     return pieces;
 }
 
 // A collision with the given time and angle, and otherwise harmless numbers.
-inline Collision<Interval> collision(bool heavy, const Interval& time, const Interval& phi) {
+inline dumbbell::flight::Collision<Interval> collision(bool heavy, const Interval& time,
+                                                       const Interval& phi) {
     return {heavy,           time,         phi, Interval(0.25), Interval(-0.5), Interval(0.5), Interval(-1),
             Interval(-0.75), Interval(0.5)};
 }

@@ -5,6 +5,7 @@
 #include "reference.hpp"
 
 using namespace dumbbell;
+using namespace dumbbell::collisions;
 
 TEST_CASE("the root box holds the section: positions to pi/2, slopes r lambda to 1, the ratios") {
     for (const char* text : {"1", "1.0000001", "2", "2.0000001", "4.6", "1000000", "9/2", "1e300"}) {

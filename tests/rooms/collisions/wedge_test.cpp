@@ -7,6 +7,7 @@
 #include "reference.hpp"
 
 using namespace dumbbell;
+using namespace dumbbell::collisions;
 using namespace dumbbell_test;
 
 namespace {

@@ -8,6 +8,7 @@
 #include "file/sha256.hpp"
 
 using namespace dumbbell_test;
+using namespace dumbbell::collisions;
 using Catch::Matchers::Contains;
 
 namespace {

@@ -31,7 +31,8 @@ State random_state(Random& random) {
 
 template <class I>
 bool meets(const State& s) {
-    return certainly_meets_bridge(position(I(s.e)), I(s.lambda), RatioRange<I>{I(s.r_lo), I(s.r_hi)});
+    return certainly_meets_bridge(flight::position(I(s.e)), I(s.lambda),
+                                  flight::RatioRange<I>{I(s.r_lo), I(s.r_hi)});
 }
 
 std::string show(const State& s) { return say("e", s.e, "lambda", s.lambda, "r", s.r_lo, s.r_hi); }

@@ -7,6 +7,7 @@
 #include "rooms/number/random.hpp"
 
 using namespace dumbbell;
+using namespace dumbbell::flight;
 using dumbbell_test::Random;
 using dumbbell_test::Real;
 
@@ -27,7 +28,7 @@ std::optional<Back> comes_back(const Real& c, const Real& lambda, const Real& r)
     if (kappa >= 1) {
         return std::nullopt;
     }
-    const auto to_wall = dumbbell_test::flight<Real>(c, kappa);
+    const auto to_wall = dumbbell_test::exact_flight<Real>(c, kappa);
     if (!to_wall.hits) {
         return std::nullopt;
     }

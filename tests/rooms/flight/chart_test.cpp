@@ -5,6 +5,7 @@
 #include "rays.hpp"
 
 using namespace dumbbell;
+using namespace dumbbell::flight;
 using namespace dumbbell_test;
 
 namespace {

@@ -5,6 +5,7 @@
 #include "rays.hpp"
 
 using namespace dumbbell;
+using namespace dumbbell::flight;
 using namespace dumbbell_test;
 
 namespace {
@@ -12,7 +13,7 @@ namespace {
 /// Fails unless both contacts bound what `flight` finds in T.
 template <class I, class T>
 void check_bounds(const PlainRay& ray) {
-    const auto exact = flight(T(ray.c), T(ray.kappa));
+    const auto exact = exact_flight(T(ray.c), T(ray.kappa));
     const auto lowest = lowest_contact(I(ray.c), I(ray.kappa));
     const auto highest = highest_contact(I(ray.c), I(ray.kappa));
     if (!lowest && exact.hits) {
@@ -98,7 +99,7 @@ TEST_CASE("Away from tangency both bounds are within 1e-14 of the root, relative
     double worst = 0;
     for (int i = 0; i < 5'000; ++i) {
         const PlainRay ray = random_ray(random);
-        const auto exact = flight(Real(ray.c), Real(ray.kappa));
+        const auto exact = exact_flight(Real(ray.c), Real(ray.kappa));
         if (!exact.hits || exact.clearance < 1e-6) {
             continue;
         }
@@ -143,13 +144,13 @@ TEST_CASE("A lower bound holds for all rays above, an upper bound for all rays b
         const double up_c = ray.c + (random.coin() ? 0 : random.scaled(1e-18, 1));
         const double up_kappa =
             std::min(0x1.fffffffffffffp-1, ray.kappa + (random.coin() ? 0 : random.scaled(1e-18, 0.5)));
-        const auto above = flight(Real(up_c), Real(up_kappa));
+        const auto above = exact_flight(Real(up_c), Real(up_kappa));
         if (above.hits && (!lowest || !low_at_most(lowest->x, above.x))) {
             FAIL(say("ray", ray, "above it", up_c, up_kappa));
         }
         if (highest) {
-            const auto below =
-                flight(Real(ray.c * random.uniform(0, 1)), Real(ray.kappa - random.scaled(1e-18, 1e-3)));
+            const auto below = exact_flight(Real(ray.c * random.uniform(0, 1)),
+                                            Real(ray.kappa - random.scaled(1e-18, 1e-3)));
             if (!below.hits || !high_at_least(highest->x, below.x)) {
                 FAIL(say("below", ray, "misses, or hits higher"));
             }
@@ -165,9 +166,9 @@ TEST_CASE("A strict miss is one, wherever the tangent is laid") {
         const Interval c(ray.c);
         const Interval kappa(ray.kappa);
         const Interval z(random.uniform(0, 0x1.921fb54442d18p+0));
-        if (detail::strict_miss(detail::tangent_at(z, c, kappa), c, kappa)) {
+        if (flight::detail::strict_miss(flight::detail::tangent_at(z, c, kappa), c, kappa)) {
             ++misses;
-            if (flight(Real(ray.c), Real(ray.kappa)).hits) {
+            if (exact_flight(Real(ray.c), Real(ray.kappa)).hits) {
                 FAIL(say("hits:", ray, "tangent at", z));
             }
         }
@@ -181,8 +182,8 @@ TEST_CASE("Sine and cosine are enclosed near the point of the tangent, and far f
         const double z = random.uniform(0, 0x1.921fb54442d18p+0);
         const double x = random.coin() ? random.uniform(0, 0x1.921fb54442d18p+0)
                                        : std::max(0.0, z + random.sign() * random.scaled(1e-18, 1e-3));
-        const auto at =
-            detail::shifted(detail::tangent_at(Interval(z), Interval(0), Interval(0)), Interval(x));
+        const auto at = flight::detail::shifted(
+            flight::detail::tangent_at(Interval(z), Interval(0), Interval(0)), Interval(x));
         if (!encloses(at.sin, Real(sin(Real(x)))) || !encloses(at.cos, Real(cos(Real(x))))) {
             FAIL(say("from z", z, "to x", x, "sin", at.sin, "cos", at.cos));
         }

@@ -7,6 +7,7 @@
 #include "departures.hpp"
 
 using namespace dumbbell;
+using namespace dumbbell::flight;
 using namespace dumbbell_test;
 
 namespace {

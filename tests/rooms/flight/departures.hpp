@@ -111,7 +111,7 @@ inline std::optional<DepartureState> one_earlier(const DepartureState& s) {
     if (!(turned > 0) || !(slope < 1)) {
         return std::nullopt;
     }
-    const auto at = dumbbell::guess_contact(dumbbell::Interval(height), dumbbell::Interval(slope));
+    const auto at = dumbbell::flight::guess_contact(dumbbell::Interval(height), dumbbell::Interval(slope));
     const double e = at.z.lo();
     return at.hits && std::cos(e) > slope ? std::optional(DepartureState{e, std::cos(e) - slope, s.r})
                                           : std::nullopt;
@@ -181,7 +181,7 @@ inline DepartureBox random_departure_box(Random& random, double least_r, double 
 }
 
 template <class I>
-dumbbell::RatioRange<I> ratios_of(const DepartureBox& box) {
+dumbbell::flight::RatioRange<I> ratios_of(const DepartureBox& box) {
     return {I(box.r.lo), I(box.r.hi)};
 }
 

@@ -10,6 +10,7 @@
 #include "flight/wedge.hpp"
 
 using namespace dumbbell;
+using namespace dumbbell::flight;
 
 namespace {
 
@@ -46,7 +47,7 @@ TEST_CASE("Interrupted counts of departures and of plain boxes are undecided") {
     const Departure<Interval> steep = departure(position(Interval(1e-3)), Interval(1) + Interval(1e-7));
     REQUIRE(later_collisions_at_most(steep, steep, range, cap) < cap);
     CHECK(later_collisions_at_most(steep, steep, range, cap, Patience(0)) == cap + 1);
-    const PlainRay<Interval> thin{Interval(0), Interval(1e-7)};
+    const flight::PlainRay<Interval> thin{Interval(0), Interval(1e-7)};
     CHECK(plain_count(thin, r, cap, Patience(0)) == cap + 1);
     const PlainDeparture<Interval> from{steep.x, steep.sin_x, steep.kappa};
     CHECK(plain_later_collisions(from, r, cap, Patience(0)) == cap + 1);

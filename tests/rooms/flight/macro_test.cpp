@@ -9,7 +9,8 @@
 #include "rooms/number/random.hpp"
 
 using namespace dumbbell;
-using namespace dumbbell::macro;
+using namespace dumbbell::flight;
+using namespace dumbbell::flight::macro;
 using dumbbell_test::Random;
 
 namespace {

@@ -40,7 +40,7 @@ inline std::vector<Bump> follow(Real psi, Real yhat, Vector<Real> v, const Real&
         if (kappa >= 1) {
             break;
         }
-        const auto to_wall = flight(Real(yhat + kappa * run), kappa);
+        const auto to_wall = exact_flight(Real(yhat + kappa * run), kappa);
         if (!to_wall.hits) {
             break;
         }

@@ -7,6 +7,7 @@
 #include "rooms/number/show.hpp"
 
 using namespace dumbbell;
+using namespace dumbbell::flight;
 using namespace dumbbell_test;
 
 namespace {

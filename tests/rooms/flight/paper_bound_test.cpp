@@ -8,6 +8,7 @@
 #include "rooms/number/show.hpp"
 
 using namespace dumbbell;
+using namespace dumbbell::flight;
 using namespace dumbbell_test;
 
 namespace {

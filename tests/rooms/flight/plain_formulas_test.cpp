@@ -36,7 +36,7 @@ TEST_CASE("The plain count of rays to the light walls bounds the true number, 20
             continue;  // not a ray of L4
         }
         const dumbbell_test::PlainRay state{pick(random, c), pick(random, kappa), pick(random, r)};
-        const long most = plain_count(dumbbell::PlainRay<Interval>{c, kappa}, r, cap);
+        const long most = plain_count(dumbbell::flight::PlainRay<Interval>{c, kappa}, r, cap);
         const long exact = ray_count<Real>(state, cap).hits;
         if (exact > most) {
             FAIL(say(state, "has", exact, "collisions, the bound is", most, "for", c, kappa, r));
@@ -53,8 +53,8 @@ TEST_CASE("The plain contact encloses the contact of every ray of a box that col
         const dumbbell_test::PlainRay ray = random_ray(random);
         const auto c = around<Interval>(random, ray.c, 0.1, 10);
         const auto kappa = around<Interval>(random, ray.kappa, 0.1, 1);
-        const auto at = detail::plain_contact(dumbbell::PlainRay<Interval>{c, kappa});
-        const auto exact = flight<Real>(Real(pick(random, c)), Real(pick(random, kappa)));
+        const auto at = flight::detail::plain_contact(dumbbell::flight::PlainRay<Interval>{c, kappa});
+        const auto exact = exact_flight<Real>(Real(pick(random, c)), Real(pick(random, kappa)));
         if (!exact.hits || abs(exact.clearance) < Real(1e-50)) {
             continue;
         }
@@ -88,7 +88,7 @@ TEST_CASE("The plain reflected slope encloses every slope below 1, near denomina
         const auto w = around<Interval>(random, w_mid, 0.1, 1);
         const auto kappa = around<Interval>(random, kappa_mid, 0.1, 1);
         bool undecided = false;
-        const Interval ours = detail::reflected_slope(kappa, w, r, undecided);
+        const Interval ours = flight::detail::reflected_slope(kappa, w, r, undecided);
         const Real k(pick(random, kappa));
         const auto out = reflect<Real>({Real(1), k}, Real(pick(random, w)), Real(pick(random, r)));
         if (undecided || !(out.angular < 0)) {
@@ -108,14 +108,14 @@ TEST_CASE("The plain reflected slope encloses every slope below 1, near denomina
 TEST_CASE(
     "A slope whose denominator may be 0 is bounded from below if its numerator is positive, or undecided") {
     bool undecided = false;
-    const Interval bounded = detail::slope_of(Interval(0.1, 0.2), Interval(-1, 0.5), undecided);
+    const Interval bounded = flight::detail::slope_of(Interval(0.1, 0.2), Interval(-1, 0.5), undecided);
     CHECK_FALSE(undecided);
     CHECK(bounded.lo() <= 0.2);
     CHECK(bounded.lo() > 0.199);
     CHECK(bounded.hi() >= 1);
-    detail::slope_of(Interval(-0.1, 0.2), Interval(-1, 0.5), undecided);
+    flight::detail::slope_of(Interval(-0.1, 0.2), Interval(-1, 0.5), undecided);
     CHECK(undecided);
     undecided = false;
-    detail::slope_of(Interval(not_a_number), Interval(-1, 0.5), undecided);
+    flight::detail::slope_of(Interval(not_a_number), Interval(-1, 0.5), undecided);
     CHECK(undecided);
 }

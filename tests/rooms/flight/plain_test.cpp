@@ -7,6 +7,7 @@
 #include "departures.hpp"
 
 using namespace dumbbell;
+using namespace dumbbell::flight;
 using namespace dumbbell_test;
 
 namespace {
@@ -21,7 +22,7 @@ I ratios(const DepartureBox& box) {
 template <class I>
 PlainDeparture<I> departures(const DepartureBox& box) {
     const auto all = departure(position(I(box.e.lo, box.e.hi)), I(box.eta.lo, box.eta.hi));
-    return {all.x, all.sin_x, detail::in_play(all.kappa)};
+    return {all.x, all.sin_x, flight::detail::in_play(all.kappa)};
 }
 
 struct Tally {
@@ -111,7 +112,7 @@ TEST_CASE("The place of the first contact with the bridge is enclosed") {
         const Interval latest =
             latest_bridge_contact(BridgeApproach<Interval>{high_end(over.height), high_end(over.kappa)},
                                   low_end(from.kappa), RatioRange<Interval>{low_end(r), high_end(r)});
-        const Interval t = detail::bridge_contacts(over, latest, r);
+        const Interval t = flight::detail::bridge_contacts(over, latest, r);
         const double tolerance = 1e-9 * *contact;  // grazing contacts in long double
         if (!(t.lo() <= *contact + tolerance && *contact - tolerance <= t.hi())) {
             FAIL(say("contact at", *contact, "not in", t, "from", state, "of", box));
@@ -127,9 +128,9 @@ TEST_CASE("NaN never gives a small plain count") {
         const PlainDeparture<I> good{I(0.5), I(0.479, 0.48), I(0.01)};
         CHECK(plain_later_collisions(PlainDeparture<I>{good.x, good.sin_x, bad}, I(0.1), 9) > 9);
         CHECK(plain_later_collisions(good, bad, 9) > 9);
-        CHECK(plain_count(dumbbell::PlainRay<I>{bad, I(0.01)}, I(0.1), 9) > 9);
-        CHECK(plain_count(dumbbell::PlainRay<I>{I(0.01), bad}, I(0.1), 9) > 9);
-        CHECK(plain_count(dumbbell::PlainRay<I>{I(0.01), I(0.01)}, bad, 9) > 9);
+        CHECK(plain_count(dumbbell::flight::PlainRay<I>{bad, I(0.01)}, I(0.1), 9) > 9);
+        CHECK(plain_count(dumbbell::flight::PlainRay<I>{I(0.01), bad}, I(0.1), 9) > 9);
+        CHECK(plain_count(dumbbell::flight::PlainRay<I>{I(0.01), I(0.01)}, bad, 9) > 9);
     };
     SECTION("in doubles") { check(Interval()); }
     SECTION("in multiple precision") { check(BigInterval()); }

@@ -50,13 +50,13 @@ inline const char* name_of(Form form) {
 
 /// A box as functions of its two coordinates.
 template <class I>
-WallState<dumbbell::Jet<I>> as_parameters(const WallState<I>& box, const WallState<I>& centre,
-                                          dumbbell::Gradient<I>& displacement) {
-    displacement = dumbbell::Gradient<I>::Zero();
+WallState<dumbbell::starts::Jet<I>> as_parameters(const WallState<I>& box, const WallState<I>& centre,
+                                                  dumbbell::starts::Gradient<I>& displacement) {
+    displacement = dumbbell::starts::Gradient<I>::Zero();
     displacement[0] = box.x - centre.x;
     displacement[1] = box.kappa - centre.kappa;
-    return {dumbbell::Jet<I>::parameter(0, centre.x, box.x, displacement),
-            dumbbell::Jet<I>::parameter(1, centre.kappa, box.kappa, displacement)};
+    return {dumbbell::starts::Jet<I>::parameter(0, centre.x, box.x, displacement),
+            dumbbell::starts::Jet<I>::parameter(1, centre.kappa, box.kappa, displacement)};
 }
 
 template <class I>
@@ -75,7 +75,7 @@ class Parallelepiped {
     /// f(centre + A z) lies in f(centre) + J A z, J the derivative over the box. With A' near J A and its
     /// inverse enclosed, z' = A'^-1 J A z + A'^-1 (f(centre) - centre').
     bool advance(const I& r, End& end) {
-        dumbbell::Gradient<I> displacement;
+        dumbbell::starts::Gradient<I> displacement;
         const auto image = step(as_parameters(box_, centre_, displacement), r, end);
         if (!image) {
             return false;
@@ -125,11 +125,11 @@ class Parallelepiped {
 /// Follows all states of `start` at mass ratio 1/r, through at most `limit` collisions.
 template <class I>
 Propagated<I> propagate(Form form, const WallState<I>& start, const I& r, long limit = 100'000) {
-    using dumbbell::Jet;
+    using dumbbell::starts::Jet;
     Propagated<I> result;
     WallState<I> box = start;
     Parallelepiped<I> linear(start);
-    dumbbell::Gradient<I> first, displacement;
+    dumbbell::starts::Gradient<I> first, displacement;
     WallState<Jet<I>> jets = as_parameters(start, middle(start), first);
     const auto advance = [&]() -> std::optional<WallState<I>> {
         switch (form) {

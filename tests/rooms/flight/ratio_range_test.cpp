@@ -6,6 +6,7 @@
 #include "rays.hpp"
 
 using namespace dumbbell;
+using namespace dumbbell::flight;
 using namespace dumbbell_test;
 
 namespace {
@@ -18,7 +19,7 @@ struct Step {
 };
 
 Step first_step(const Real& c, const Real& kappa, const Real& r) {
-    const auto to_wall = kappa < 1 ? flight(c, kappa) : Flight<Real>{false, Real(0), Real(0)};
+    const auto to_wall = kappa < 1 ? exact_flight(c, kappa) : Flight<Real>{false, Real(0), Real(0)};
     if (!to_wall.hits) {
         return {false, false, Real(0), Real(0), Real(0)};
     }

@@ -13,7 +13,7 @@ struct PlainRay {
 };
 
 template <class I>
-dumbbell::Ray<I> as(const PlainRay& ray) {
+dumbbell::flight::Ray<I> as(const PlainRay& ray) {
     return {I(ray.c), I(ray.kappa), I(ray.r)};
 }
 /// 2^-n at the working precision, also where a double has none.

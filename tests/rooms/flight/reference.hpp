@@ -45,7 +45,7 @@ struct Flight {
 };
 
 template <class T>
-Flight<T> flight(const T& c, const T& kappa) {
+Flight<T> exact_flight(const T& c, const T& kappa) {
     const T top = kappa <= 0 ? T(pi_in<T>() / 2) : T(acos(kappa));
     const T clearance = sin(top) - kappa * top - c;
     if (!(clearance > 0)) {
@@ -79,7 +79,7 @@ RayCount<T> ray_count(T c, T kappa, const T& r, long cap = 1'000'000) {
         if (kappa >= 1) {
             break;
         }
-        const auto to_wall = flight(c, kappa);
+        const auto to_wall = exact_flight(c, kappa);
         decide(to_wall.clearance);
         if (!to_wall.hits) {
             break;

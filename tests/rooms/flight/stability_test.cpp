@@ -23,7 +23,7 @@ template <class T>
 Exact<T> exact_orbit(WallState<T> from, const T& r) {
     Exact<T> orbit;
     while (from.kappa < 1) {
-        const auto to_wall = flight<T>(T(sin(from.x) + from.kappa * (from.x + pi_in<T>())), from.kappa);
+        const auto to_wall = exact_flight<T>(T(sin(from.x) + from.kappa * (from.x + pi_in<T>())), from.kappa);
         if (!to_wall.hits) {
             break;
         }

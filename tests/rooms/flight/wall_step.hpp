@@ -25,9 +25,11 @@ enum class End { open, struck, passed, left };
 template <class S, class R>
 std::optional<WallState<S>> step(const WallState<S>& from, const R& r, End& end) {
     using namespace dumbbell;
+    using namespace dumbbell::flight;
+    using namespace dumbbell::starts;
     using I = Enclosure<S>;
     const State<S> start{S(pi<I>()) + from.x, sin_cos(from.x).sin, S(-1), from.kappa, S(r), S(0)};
-    const Event<S> event = event_after_contact(start, Mass::light);
+    const dumbbell::starts::Event<S> event = event_after_contact(start, Mass::light);
     end = event.next == Next::none ? End::passed : End::open;
     if (event.next != Next::contact || event.mass != Mass::light) {
         return std::nullopt;
@@ -43,6 +45,8 @@ std::optional<WallState<S>> step(const WallState<S>& from, const R& r, End& end)
 template <class I>
 std::optional<WallState<I>> monotone_step(const WallState<I>& from, const I& r, End& end) {
     using namespace dumbbell;
+    using namespace dumbbell::flight;
+    using namespace dumbbell::starts;
     const auto ray = [](const I& x, const I& kappa) {
         return std::pair(sin_cos(x).sin + kappa * (x + pi<I>()), kappa);
     };

@@ -7,6 +7,10 @@
 #include "rooms/parsed.hpp"
 
 using namespace dumbbell_test;
+using namespace dumbbell::adiabatic;
+using namespace dumbbell::collisions;
+using namespace dumbbell::page;
+using namespace dumbbell::starts;
 using Parsed = nlohmann::ordered_json;
 using Catch::Matchers::Contains;
 
@@ -26,7 +30,7 @@ InitialNode closed(long least, std::optional<long> most, std::optional<FirstCont
 
 // phi from 0 to 1, all else fixed; half of it has one collision, a quarter two, a quarter is left open or not
 // decided.
-InitialCertificate starts(InitialNode last) {
+InitialCertificate starts_file(InitialNode last) {
     const FirstContact window{true, Rational(1, 2), Rational(3, 4)};
     InitialCertificate certificate{"dumbbell", "0.1.0", {}, 53, {}};
     certificate.box.lo = {0, -1, 3, Rational(-1, 2), 10};
@@ -158,7 +162,7 @@ TEST_CASE("more pieces than a page takes are refused with advice") {
 }
 
 TEST_CASE("initial conditions: kinds with their first mass, exact shares, bounds over the box") {
-    const Parsed file = file_of(starts(closed(1, 3)));
+    const Parsed file = file_of(starts_file(closed(1, 3)));
     CHECK(file["claim"] == "initial-conditions");
     CHECK(file["least"] == 1);
     CHECK(file["most"] == 3);
@@ -175,14 +179,14 @@ TEST_CASE("initial conditions: kinds with their first mass, exact shares, bounds
 }
 
 TEST_CASE("an open part leaves no upper bound, and no lower one but 0") {
-    const Parsed file = file_of(starts(closed(0, std::nullopt)));
+    const Parsed file = file_of(starts_file(closed(0, std::nullopt)));
     CHECK(file["least"] == 0);
     CHECK(file["most"].is_null());
     CHECK(file["verify_options"] == "--claim initial-conditions");
 }
 
 TEST_CASE("a tree of initial conditions deeper than the format permits is refused, not computed with") {
-    InitialCertificate certificate = starts(closed(1, 1));
+    InitialCertificate certificate = starts_file(closed(1, 1));
     certificate.tree.assign(100'000, halved(InitialAxis::phi));
     certificate.tree.insert(certificate.tree.end(), 100'001, closed(1, 1));
     CHECK_THROWS_WITH(file_of(certificate), Contains("levels deep"));
@@ -218,8 +222,8 @@ TEST_CASE("a claim without boxes has none") {
 
 TEST_CASE(
     "a table of critical ratios comes with the command that makes it again, and none that verifies it") {
-    const CriticalTable table{"abc123",
-                              {{3, "1", "0", 256, "top", 1}, {4, "4.603338", "3.3e-7", 256, "corner", 1}}};
+    const dumbbell::staircase::CriticalTable table{
+        "abc123", {{3, "1", "0", 256, "top", 1}, {4, "4.603338", "3.3e-7", 256, "corner", 1}}};
     const Parsed file = file_of(table);
     CHECK(file["claim"] == "critical-ratios");
     CHECK(file["again"] == "dumbbell critical 3:4 --digits 7");

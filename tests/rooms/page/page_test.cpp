@@ -5,6 +5,7 @@
 #include "rooms/parsed.hpp"
 
 using namespace dumbbell;
+using namespace dumbbell::page;
 using Catch::Matchers::Contains;
 using Catch::Matchers::StartsWith;
 using dumbbell_test::parsed;

@@ -7,6 +7,7 @@
 #include "base/error.hpp"
 
 using namespace dumbbell;
+using namespace dumbbell::page;
 
 namespace {
 
@@ -14,7 +15,7 @@ constexpr int across = split_of(0);
 constexpr int up = split_of(1);
 
 // Split `depth` times towards the lower half, leaves of the kinds 0, 1, ..., depth from the top.
-PictureTree staircase(int depth) {
+PictureTree one_sided(int depth) {
     PictureTree tree(static_cast<std::size_t>(depth), across);
     for (int kind = depth; kind >= 0; --kind) {
         tree.push_back(kind);
@@ -57,7 +58,7 @@ TEST_CASE("a tree that is small enough is drawn as it is") {
 }
 
 TEST_CASE("a thinned tree is complete, small enough, and its leaves stand for all leaves") {
-    for (const PictureTree& tree : {staircase(40), full(9)}) {
+    for (const PictureTree& tree : {one_sided(40), full(9)}) {
         for (const std::size_t most : {1, 2, 3, 10, 39, 40}) {
             const ThinnedTree drawn = thinned(tree, most);
             CAPTURE(tree.size(), most);
@@ -86,7 +87,7 @@ TEST_CASE("large boxes are shown in detail before small ones with as many leaves
 }
 
 TEST_CASE("a tree as deep as it is large is no trouble") {
-    const ThinnedTree drawn = thinned(staircase(300'000), 1000);
+    const ThinnedTree drawn = thinned(one_sided(300'000), 1000);
     CHECK(leaves_of(drawn.nodes) == 1000);
     CHECK(is_complete(drawn.nodes));
 }

@@ -5,6 +5,7 @@
 #include <set>
 
 using namespace dumbbell;
+using namespace dumbbell::pictures;
 using Catch::Matchers::Contains;
 
 namespace {

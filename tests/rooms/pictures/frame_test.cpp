@@ -9,6 +9,7 @@
 #include "xml.hpp"
 
 using namespace dumbbell;
+using namespace dumbbell::pictures;
 using namespace dumbbell_test;
 using Catch::Matchers::Contains;
 using std::numbers::pi;

@@ -9,13 +9,14 @@
 #include "xml.hpp"
 
 using namespace dumbbell;
+using namespace dumbbell::pictures;
 using namespace dumbbell_test;
 using Catch::Matchers::Contains;
 
 namespace {
 
-std::vector<Collision<Interval>> orbit_at(const Rational& q, long collisions) {
-    const auto witness = find_witness<Interval>(q, q, collisions);
+std::vector<flight::Collision<Interval>> orbit_at(const Rational& q, long collisions) {
+    const auto witness = collisions::find_witness<Interval>(q, q, collisions);
     REQUIRE(witness);
     auto orbit = witness_orbit(*witness, q, 53);
     REQUIRE(orbit.size() == static_cast<std::size_t>(collisions));

@@ -7,6 +7,8 @@
 #include "xml.hpp"
 
 using namespace dumbbell_test;
+using namespace dumbbell::pictures;
+using namespace dumbbell::starts;
 using Catch::Matchers::Contains;
 
 TEST_CASE("a phase portrait unites the boxes of a count, and hatches what is not decided") {

@@ -8,6 +8,8 @@
 #include "xml.hpp"
 
 using namespace dumbbell_test;
+using namespace dumbbell::collisions;
+using namespace dumbbell::pictures;
 using Catch::Matchers::Contains;
 
 namespace {

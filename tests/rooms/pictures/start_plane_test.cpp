@@ -6,6 +6,8 @@
 #include "rooms/starts/sample.hpp"
 
 using namespace dumbbell_test;
+using namespace dumbbell::pictures;
+using namespace dumbbell::starts;
 using Catch::Matchers::Contains;
 
 TEST_CASE("the leaves lie in the unit square as the tree says, and tile it") {

@@ -6,6 +6,7 @@
 #include "base/error.hpp"
 
 using namespace dumbbell;
+using namespace dumbbell::pictures;
 
 namespace {
 

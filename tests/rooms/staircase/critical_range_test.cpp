@@ -7,6 +7,8 @@
 #include "rooms/collisions/critical_ratio.hpp"
 
 using namespace dumbbell;
+using namespace dumbbell::collisions;
+using namespace dumbbell::staircase;
 using namespace dumbbell_test;
 
 namespace {

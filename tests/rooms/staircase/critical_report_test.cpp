@@ -7,6 +7,7 @@
 #include "rooms/parsed.hpp"
 
 using namespace dumbbell;
+using namespace dumbbell::staircase;
 using Catch::Matchers::Contains;
 using dumbbell_test::parsed;
 
@@ -15,7 +16,7 @@ namespace {
 Rational number(const char* text) { return parse_rational(text); }
 
 CriticalRow row(long n, const char* lo, const char* hi) {
-    return {n, CriticalRatio{.n = n, .q_lo = number(lo), .q_hi = number(hi), .bits = 128}, {}};
+    return {n, collisions::CriticalRatio{.n = n, .q_lo = number(lo), .q_hi = number(hi), .bits = 128}, {}};
 }
 
 // q_c(3), q_c(4) to more than 15 digits, q_c(5) open.

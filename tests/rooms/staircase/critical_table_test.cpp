@@ -8,6 +8,7 @@
 #include "staircase/critical_report.hpp"
 
 using namespace dumbbell;
+using namespace dumbbell::staircase;
 using namespace dumbbell_test;
 using Catch::Matchers::Contains;
 

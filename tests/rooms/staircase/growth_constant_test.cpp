@@ -32,7 +32,7 @@ TEST_CASE("C is enclosed, as narrowly as the precision asks for") {
     for (const int bits : {53, 128, 256, 350}) {
         CAPTURE(bits);
         const PrecisionScope scope(bits);
-        const BigInterval enclosure = growth_constant();
+        const BigInterval enclosure = staircase::growth_constant();
         CHECK(dumbbell_test::encloses(enclosure, c));
         CHECK(width(enclosure) < std::ldexp(1.0, 2 - bits));
     }

@@ -7,17 +7,18 @@
 #include "rooms/parsed.hpp"
 
 using namespace dumbbell;
+using namespace dumbbell::collisions;
 using namespace dumbbell_test;
 using Catch::Matchers::Contains;
 
 namespace {
 
-LawReport report_of(std::vector<Piece> pieces) {
+staircase::LawReport report_of(std::vector<Piece> pieces) {
     const PrecisionScope scope(230);
     return {.file = "stairs.dbc",
             .verdict = "s VERIFIED",
             .digits = 50,
-            .law = law_of(Certificate{"test", "1", std::move(pieces)})};
+            .law = staircase::law_of(Certificate{"test", "1", std::move(pieces)})};
 }
 
 std::string text_of(std::vector<Piece> pieces) { return to_text(report_of(std::move(pieces))); }

@@ -5,6 +5,8 @@
 #include "collisions/certify.hpp"
 
 using namespace dumbbell;
+using namespace dumbbell::collisions;
+using namespace dumbbell::staircase;
 
 namespace {
 
@@ -23,7 +25,7 @@ Law law_of_pieces(std::vector<Piece> pieces) {
 }
 
 /// The true staircase from 1 to 12.
-std::vector<Piece> staircase() {
+std::vector<Piece> true_staircase() {
     return {piece("1", "1", 2, 2),      piece("1", "1.001", 3, 2),    piece("1.001", "4.6", 3, 3),
             piece("4.6", "4.61", 4, 3), piece("4.61", "11.36", 4, 4), piece("11.36", "11.37", 5, 4),
             piece("11.37", "12", 5, 5)};
@@ -32,7 +34,7 @@ std::vector<Piece> staircase() {
 }  // namespace
 
 TEST_CASE("the law of a true staircase") {
-    const Law law = law_of_pieces(staircase());
+    const Law law = law_of_pieces(true_staircase());
     CHECK(law.complete);
     CHECK(law.never_decreases);
     CHECK(law.below_paper);
@@ -49,13 +51,13 @@ TEST_CASE("the law of a true staircase") {
 }
 
 TEST_CASE("a staircase that goes down is seen, wherever it does") {
-    auto down = staircase();
+    auto down = true_staircase();
     down[4] = piece("4.61", "11.36", 2, 2);
     CHECK_FALSE(law_of_pieces(down).never_decreases);
-    auto gap_too_high = staircase();
+    auto gap_too_high = true_staircase();
     gap_too_high[5] = piece("11.36", "11.37", 6, 5);
     CHECK_FALSE(law_of_pieces(gap_too_high).never_decreases);
-    auto gap_too_low = staircase();
+    auto gap_too_low = true_staircase();
     gap_too_low[5] = piece("11.36", "11.37", 4, 3);
     CHECK_FALSE(law_of_pieces(gap_too_low).never_decreases);
     // Of two gaps side by side the first may have its upper value, the second its lower one.
@@ -63,7 +65,7 @@ TEST_CASE("a staircase that goes down is seen, wherever it does") {
 }
 
 TEST_CASE("a value above ceil(pi/gamma) is seen, also where it is too high at the lower end only") {
-    auto high = staircase();
+    auto high = true_staircase();
     high[2] = piece("1.001", "4.6", 4, 4);
     CHECK_FALSE(law_of_pieces(high).below_paper);
     // ceil(pi/gamma) = 2 at q = 1 alone.
@@ -75,7 +77,7 @@ TEST_CASE("a value above ceil(pi/gamma) is seen, also where it is too high at th
 }
 
 TEST_CASE("with an open piece nothing is said") {
-    auto open = staircase();
+    auto open = true_staircase();
     open[3].upper.reset();
     const Law law = law_of_pieces(open);
     CHECK_FALSE(law.complete);
@@ -102,7 +104,7 @@ TEST_CASE("whether the supremum is attained is said only where the pieces tell")
     const auto attained = [](std::vector<Piece> pieces) {
         return law_of_pieces(std::move(pieces)).sup->attained;
     };
-    CHECK(attained(staircase()) == false);
+    CHECK(attained(true_staircase()) == false);
     // No step in the range: N - C sqrt q falls.
     CHECK(attained({piece("5", "6", 4, 4)}) == true);
     CHECK(attained({piece("5", "6", 4, 4), piece("6", "7", 4, 4)}) == true);

@@ -11,7 +11,7 @@ struct Sides {
     double phi_lo, phi_hi, phidot_lo, phidot_hi, y_lo, y_hi, ydot_lo, ydot_hi;
     double q;
 
-    [[nodiscard]] dumbbell::InitialBox box() const {
+    [[nodiscard]] dumbbell::starts::InitialBox box() const {
         using dumbbell::exact;
         return {{exact(phi_lo), exact(phidot_lo), exact(y_lo), exact(ydot_lo), exact(q)},
                 {exact(phi_hi), exact(phidot_hi), exact(y_hi), exact(ydot_hi), exact(q)}};

@@ -8,6 +8,7 @@
 #include "starts/writer.hpp"
 
 using namespace dumbbell;
+using namespace dumbbell::starts;
 
 namespace {
 

@@ -13,8 +13,8 @@
 
 namespace {
 
-using dumbbell::Collision;
-using dumbbell::TracedValue;
+using dumbbell::flight::Collision;
+using dumbbell::starts::TracedValue;
 using dumbbell_oracle::Dumbbell;
 using dumbbell_oracle::Mass;
 using dumbbell_oracle::Real;
@@ -77,7 +77,7 @@ TEST_CASE("10,000 random boxes contain the simulated orbits of their points") {
     for (int i = 0; i < dumbbell_oracle::trials(10000); ++i) {
         const double q = ratios[i % 6];
         const Sides sides = random_sides(engine, q, std::pow(10.0, -uniform(engine, 1, 8)));
-        const auto traced = dumbbell::trace(sides.box(), 0);
+        const auto traced = dumbbell::starts::trace(sides.box(), 0);
         const Dumbbell<Real> body(q);
         for (int j = 0; j < 10; ++j) {
             const State<Real> start = random_point(engine, sides);
@@ -104,7 +104,7 @@ TEST_CASE("In double precision every collision of random starts is enclosed, als
         long collisions = 0;
         for (int i = 0; i < dumbbell_oracle::trials(400); ++i) {
             const Sides sides = random_sides(engine, q, 0);
-            const auto traced = dumbbell::trace(sides.box(), 0);
+            const auto traced = dumbbell::starts::trace(sides.box(), 0);
             INFO(describe(sides));
             REQUIRE(traced.exact());
             REQUIRE(traced.collisions.size() == static_cast<std::size_t>(traced.least));
@@ -124,7 +124,7 @@ TEST_CASE("What a leaf of a subdivision says holds for the simulated orbits of i
     for (int i = 0; i < dumbbell_oracle::trials(10000); ++i) {
         const double q = ratios[i % 6];
         const Sides sides = random_sides(engine, q, std::pow(10.0, -uniform(engine, 1, 4)));
-        const auto leaf = dumbbell::judge_initial(sides.box(), 53);
+        const auto leaf = dumbbell::starts::judge_initial(sides.box(), 53);
         exact += leaf.most == leaf.least ? 1 : 0;
         const Dumbbell<Real> body(q);
         for (int j = 0; j < 5; ++j) {
@@ -157,10 +157,10 @@ TEST_CASE("Orbits in double precision and with more digits overlap, and decide n
         const int points = dumbbell_oracle::trials(4000);
         for (int i = 0; i < points; ++i) {
             const auto box = random_sides(engine, q, 0).box();
-            const auto traced = dumbbell::trace(box, 0);
+            const auto traced = dumbbell::starts::trace(box, 0);
             decided += traced.exact() ? 1 : 0;
             if (i % 200 == 0 || !traced.exact()) {
-                const auto fine = dumbbell::trace(box, 40);
+                const auto fine = dumbbell::starts::trace(box, 40);
                 INFO("point " << i << " of q = " << q);
                 REQUIRE(fine.exact());
                 REQUIRE(fine.bits <= 300);

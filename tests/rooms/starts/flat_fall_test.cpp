@@ -6,6 +6,7 @@
 #include "starts/trace.hpp"
 
 using namespace dumbbell;
+using namespace dumbbell::starts;
 
 namespace {
 

@@ -7,6 +7,7 @@
 #include "starts/writer.hpp"
 
 using namespace dumbbell;
+using namespace dumbbell::starts;
 using namespace dumbbell_test;
 using Catch::Matchers::Contains;
 

@@ -7,6 +7,7 @@
 namespace dumbbell_test {
 
 using namespace dumbbell;
+using namespace dumbbell::starts;
 
 inline InitialNode initial_split(InitialAxis axis) { return {axis, {}}; }
 inline InitialNode exactly(long count) { return {{}, {count, count, {}}}; }

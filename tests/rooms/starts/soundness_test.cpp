@@ -10,7 +10,7 @@
 
 namespace {
 
-using dumbbell::InitialBox;
+using dumbbell::starts::InitialBox;
 using dumbbell_oracle::Dumbbell;
 using dumbbell_oracle::Mass;
 using dumbbell_oracle::Real;
@@ -63,7 +63,7 @@ bool agrees(const Run& run, const Leaf& leaf, std::uint64_t least, std::optional
 
 /// The leaves of a tree with their boxes.
 template <class Use>
-void for_each_leaf(const std::vector<dumbbell::InitialNode>& tree, InitialBox box, const Use& use) {
+void for_each_leaf(const std::vector<dumbbell::starts::InitialNode>& tree, InitialBox box, const Use& use) {
     std::vector<InitialBox> boxes{std::move(box)};
     for (const auto& node : tree) {
         InitialBox here = std::move(boxes.back());
@@ -95,24 +95,26 @@ TEST_CASE("The leaves of verified files hold for the simulated orbits of their p
         if (i % 3 == 0) {
             box.hi[4] = box.lo[4] * dumbbell::exact(1 + 0.125 * uniform(engine, 0, 1));
         }
-        const auto parts = dumbbell::subdivide(box, {.max_boxes = 16});
+        const auto parts = dumbbell::starts::subdivide(box, {.max_boxes = 16});
         REQUIRE(refusal(written(box, parts)) == "");
-        for_each_leaf(parts.tree, box, [&](const InitialBox& here, const dumbbell::InitialLeaf& leaf) {
-            std::array<double, 5> lo{}, hi{};
-            for (std::size_t k = 0; k < 5; ++k) {
-                lo.at(k) = here.lo[k].convert_to<double>();
-                hi.at(k) = here.hi[k].convert_to<double>();
-            }
-            const Point p = random_point(engine, lo, hi);
-            const auto run = dumbbell_oracle::simulate(Dumbbell<Real>(p.q), p.start);
-            checked += run.care.doubtful() ? 0 : 1;
-            INFO(describe(p) << "simulated " << run.collisions.size() << ", leaf " << leaf.least << " to "
-                             << leaf.most.value_or(-1));
-            REQUIRE(agrees(run, leaf, static_cast<std::uint64_t>(leaf.least),
+        for_each_leaf(
+            parts.tree, box, [&](const InitialBox& here, const dumbbell::starts::InitialLeaf& leaf) {
+                std::array<double, 5> lo{}, hi{};
+                for (std::size_t k = 0; k < 5; ++k) {
+                    lo.at(k) = here.lo[k].convert_to<double>();
+                    hi.at(k) = here.hi[k].convert_to<double>();
+                }
+                const Point p = random_point(engine, lo, hi);
+                const auto run = dumbbell_oracle::simulate(Dumbbell<Real>(p.q), p.start);
+                checked += run.care.doubtful() ? 0 : 1;
+                INFO(describe(p) << "simulated " << run.collisions.size() << ", leaf " << leaf.least << " to "
+                                 << leaf.most.value_or(-1));
+                REQUIRE(
+                    agrees(run, leaf, static_cast<std::uint64_t>(leaf.least),
                            leaf.most ? std::optional(static_cast<std::uint64_t>(*leaf.most)) : std::nullopt,
                            leaf.first ? leaf.first->from.convert_to<Real>() : 0,
                            leaf.first ? leaf.first->until.convert_to<Real>() : 0));
-        });
+            });
     }
     CHECK(checked > 4000);
 }

@@ -5,6 +5,7 @@
 #include "rooms/parsed.hpp"
 
 using namespace dumbbell;
+using namespace dumbbell::starts;
 using Catch::Matchers::Contains;
 using dumbbell_test::parsed;
 

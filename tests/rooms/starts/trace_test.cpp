@@ -9,6 +9,7 @@
 #include "starts/initial_state.hpp"
 
 using namespace dumbbell;
+using namespace dumbbell::starts;
 
 namespace {
 

@@ -7,6 +7,7 @@
 #include "written_file.hpp"
 
 using namespace dumbbell;
+using namespace dumbbell::starts;
 using dumbbell_trace_test::random_sides;
 using dumbbell_trace_test::refusal;
 using dumbbell_trace_test::uniform;

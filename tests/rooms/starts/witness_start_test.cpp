@@ -11,6 +11,9 @@
 #include "starts/trace.hpp"
 
 using namespace dumbbell;
+using namespace dumbbell::collisions;
+using namespace dumbbell::flight;
+using namespace dumbbell::starts;
 
 namespace {
 

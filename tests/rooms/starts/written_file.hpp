@@ -10,12 +10,13 @@
 
 namespace dumbbell_trace_test {
 
-inline std::string written(const dumbbell::InitialBox& box, const dumbbell::Subdivision& parts) {
-    return render(dumbbell::InitialCertificate{.program = "dumbbell",
-                                               .version = "test",
-                                               .box = box,
-                                               .bits = parts.bits,
-                                               .tree = parts.tree})
+inline std::string written(const dumbbell::starts::InitialBox& box,
+                           const dumbbell::starts::Subdivision& parts) {
+    return render(dumbbell::starts::InitialCertificate{.program = "dumbbell",
+                                                       .version = "test",
+                                                       .box = box,
+                                                       .bits = parts.bits,
+                                                       .tree = parts.tree})
         .text;
 }
 

@@ -11,13 +11,15 @@
 #include "rooms/campaign/place.hpp"
 
 using namespace dumbbell;
+using namespace dumbbell::adiabatic;
+using namespace dumbbell::campaign;
 using namespace dumbbell_test;
 using Catch::Matchers::Contains;
 namespace fs = std::filesystem;
 
 namespace {
 
-const Kind& kind = adiabatic_kind();
+const campaign::Kind& kind = adiabatic_kind();
 const std::string head = "prove adiabatic\naccuracy 1/10\n";
 
 AdiabaticHypotheses bounce(const Rational& delta_lo, const Rational& delta_hi) {
@@ -55,7 +57,7 @@ TEST_CASE("each statement of a grid is a shard, and its result what one run prov
 TEST_CASE("results merge to a table with a line for each statement, wherever their files lie") {
     const Place place;
     const Plan plan = planned();
-    const Kind::Merged merged = kind.merge(plan, ".", results(kind, plan, place));
+    const campaign::Kind::Merged merged = kind.merge(plan, ".", results(kind, plan, place));
     CHECK_FALSE(merged.is_open);
     CHECK(merged.text.find(place.string()) == std::string::npos);
     const std::string text = *kind.work(plan.order(0, 1), ".", never);

@@ -14,13 +14,15 @@
 #include "rooms/campaign/resealed.hpp"
 
 using namespace dumbbell;
+using namespace dumbbell::campaign;
+using namespace dumbbell::collisions;
 using namespace dumbbell_test;
 using Catch::Matchers::Contains;
 namespace fs = std::filesystem;
 
 namespace {
 
-const Kind& kind = collisions_kind();
+const campaign::Kind& kind = collisions_kind();
 
 CertifyRequest request(const Rational& lo, const Rational& hi) {
     CertifyRequest request;
@@ -65,7 +67,7 @@ TEST_CASE("shards of any number, of every scene and section, merge to what one r
         for (const std::size_t shards : {1, 3, 1000}) {
             const Place place;
             const Plan plan = planned(of, shards);
-            const Kind::Merged merged = kind.merge(plan, ".", results(kind, plan, place));
+            const campaign::Kind::Merged merged = kind.merge(plan, ".", results(kind, plan, place));
             CHECK(merged.text == expected);
             CHECK_FALSE(merged.is_open);
         }

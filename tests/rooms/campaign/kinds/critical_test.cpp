@@ -10,12 +10,13 @@
 #include "rooms/campaign/scripted_engine.hpp"
 
 using namespace dumbbell;
+using namespace dumbbell::campaign;
 using namespace dumbbell_test;
 using Catch::Matchers::Contains;
 
 namespace {
 
-const Kind& kind = critical_kind();
+const campaign::Kind& kind = critical_kind();
 const Order order{"prove critical\ndigits 10\n", {"ratio 3", "ratio 4", "ratio 5"}};
 
 Judgement judged(const Place& place, const std::string& bytes) {
@@ -106,7 +107,7 @@ TEST_CASE("an order about critical ratios that is interrupted has no result") {
 }
 
 TEST_CASE("a single critical ratio needs no campaign") {
-    CriticalRequest request;
+    staircase::CriticalRequest request;
     request.first = request.last = 5;
     CHECK_THROWS_WITH(plan_critical(request, std::nullopt), Contains("use dumbbell critical"));
 }

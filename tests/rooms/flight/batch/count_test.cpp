@@ -8,6 +8,7 @@
 #include "rooms/flight/rays.hpp"
 
 using namespace dumbbell;
+using namespace dumbbell::flight;
 using namespace dumbbell_test;
 using batch::Answer;
 using batch::Backend;

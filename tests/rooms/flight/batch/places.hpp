@@ -16,10 +16,11 @@ inline double some_place(Random& random, const PlainRay& ray, const Flight<Real>
             return std::clamp(exact.x.convert_to<double>() * (1 + random.sign() * random.scaled(1e-17, 0.5)),
                               0.0, dumbbell::half_pi_hi);
         default: {
-            const auto aim = dumbbell::batch::first_aim(ray.c, ray.kappa);
-            return random.coin()
-                       ? aim.z
-                       : dumbbell::batch::next_aim(aim, dumbbell::batch::sin_cos(aim.z), ray.c, ray.kappa).z;
+            const auto aim = dumbbell::flight::batch::first_aim(ray.c, ray.kappa);
+            return random.coin() ? aim.z
+                                 : dumbbell::flight::batch::next_aim(
+                                       aim, dumbbell::flight::batch::sin_cos(aim.z), ray.c, ray.kappa)
+                                       .z;
         }
     }
 }
@@ -28,15 +29,15 @@ inline double some_place(Random& random, const PlainRay& ray, const Flight<Real>
 /// Precondition: the ray collides, clearly.
 template <class Bound>
 Real close_contact(const PlainRay& ray, const Flight<Real>& exact) {
-    auto aim = dumbbell::batch::first_aim(ray.c, ray.kappa);
-    auto at = dumbbell::batch::sin_cos(aim.z);
+    auto aim = dumbbell::flight::batch::first_aim(ray.c, ray.kappa);
+    auto at = dumbbell::flight::batch::sin_cos(aim.z);
     auto contact = Bound::contact(aim.z, at, ray.c, ray.kappa);
     for (int round = 0; !contact.close || aim.at_top; ++round) {
         if (round == 10) {
             FAIL(say("not found:", ray, "x", exact.x, "z", aim.z));
         }
-        aim = dumbbell::batch::next_aim(aim, at, ray.c, ray.kappa);
-        at = dumbbell::batch::sin_cos(aim.z);
+        aim = dumbbell::flight::batch::next_aim(aim, at, ray.c, ray.kappa);
+        at = dumbbell::flight::batch::sin_cos(aim.z);
         contact = Bound::contact(aim.z, at, ray.c, ray.kappa);
     }
     return Real(aim.z) + Real(contact.shift);

@@ -13,7 +13,7 @@ using namespace dumbbell_test;
 TEST_CASE("Sine and cosine of a lane are the bits of guess_sin_cos, which L14 is about") {
     Random random(401);
     const auto check = [](double x) {
-        const auto lane = batch::sin_cos(x);
+        const auto lane = flight::batch::sin_cos(x);
         const auto known = guess_sin_cos(x);
         if (lane.sin != known.sin || lane.cos != known.cos) {
             FAIL(say("x", x, "sin", lane.sin, known.sin, "cos", lane.cos, known.cos));
@@ -30,7 +30,7 @@ TEST_CASE("Sine and cosine of a lane are the bits of guess_sin_cos, which L14 is
 TEST_CASE("The rough ones are good to 1e-7") {
     for (int i = 0; i <= 10'000; ++i) {
         const double x = half_pi_hi * i / 10'000;
-        const auto rough = batch::rough_sin_cos(x);
+        const auto rough = flight::batch::rough_sin_cos(x);
         REQUIRE(std::abs(rough.sin - std::sin(x)) <= 1e-8 * x);
         REQUIRE(std::abs(rough.cos - std::cos(x)) < 1e-7);
     }

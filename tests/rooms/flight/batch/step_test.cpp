@@ -9,6 +9,7 @@
 #include "rooms/flight/rays.hpp"
 
 using namespace dumbbell;
+using namespace dumbbell::flight;
 using namespace dumbbell_test;
 
 // L39 is about every ray with c >= 0, -1 <= kappa < 1, 0 < r <= 1 and every z of [0, half_pi_hi]: here they
