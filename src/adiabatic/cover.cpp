@@ -89,7 +89,8 @@ class Growth {
             for (std::size_t i = range.begin(); i != range.end() && !limits_.interrupted(); ++i) {
                 work(i);
             }
-            limits_.judged(range.size());
+            limits_.observer->enter("covering all of them", "boxes");
+            limits_.observer->advance(range.size());
         });
     }
 

@@ -8,6 +8,7 @@
 
 #include "adiabatic/box.hpp"
 #include "base/interrupted.hpp"
+#include "base/observer.hpp"
 
 /// Covers of a box by boxes on each of which a bound holds: the trees of an adiabatic certificate.
 namespace dumbbell::adiabatic {
@@ -26,8 +27,7 @@ struct AdiabaticLimits {
     std::size_t max_leaves = 100'000;
     int max_depth = 40;  ///< splits of one axis
     Interrupted interrupted = never;
-    /// Called with the number of boxes judged since the last call.
-    std::function<void(std::size_t)> judged = [](std::size_t) {};
+    Observer* observer = &nobody;  ///< told of boxes that are judged
 };
 
 /// The bound that is good enough: `goal`, or `slack` (relative) more than the greatest that the judge gives

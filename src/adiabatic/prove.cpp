@@ -71,7 +71,7 @@ class Prover {
         result.jobs = request_.jobs;
         result.max_leaves = most_leaves;
         result.interrupted = request_.interrupted;
-        result.judged = request_.judged;
+        result.observer = request_.observer;
         return result;
     }
     [[nodiscard]] AdiabaticLimits limits() const { return limits(AdiabaticLimits{}.max_leaves); }

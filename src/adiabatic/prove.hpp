@@ -1,10 +1,10 @@
 #pragma once
 
-#include <functional>
 #include <vector>
 
 #include "adiabatic/certificate.hpp"
 #include "base/interrupted.hpp"
+#include "base/observer.hpp"
 
 /// Proofs about the adiabatic invariant (proofs/adiabatic.md).
 namespace dumbbell::adiabatic {
@@ -15,8 +15,7 @@ struct AdiabaticRequest {
     long most_collisions = 1'000'000;     ///< of the attained orbit of a run
     int jobs = 1;
     Interrupted interrupted = never;
-    /// Called, from any thread, with the number of boxes judged since the last call.
-    std::function<void(std::size_t)> judged = [](std::size_t) {};
+    Observer* observer = &nobody;  ///< told of boxes that are judged
 };
 
 /// What was proved, in the claim's unit: |errors| <= bounds, and orbits that attain almost as much.

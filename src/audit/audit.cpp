@@ -107,8 +107,8 @@ std::size_t leaves_of(const Certificate& certificate) {
 /// Audits the pieces one after the other.
 class Auditor {
   public:
-    Auditor(const Certificate& certificate, const AuditProgress& progress)
-        : progress_(progress),
+    Auditor(const Certificate& certificate, Observer& observer)
+        : observer_(observer),
           total_(leaves_of(certificate)),
           needed_(charts_needed(certificate.scene, certificate.section)) {}
 
@@ -161,12 +161,12 @@ class Auditor {
     }
 
     void show(std::size_t done) const {
-        if (progress_ && done > 0) {
-            progress_(done, total_);
+        if (done > 0) {
+            observer_.update(done, total_, std::nullopt);
         }
     }
 
-    const AuditProgress& progress_;
+    Observer& observer_;
     std::size_t total_;
     std::vector<Chart> needed_;
 };
@@ -174,8 +174,8 @@ class Auditor {
 }  // namespace
 
 Audit audit(const Certificate& certificate, const std::pair<Rational, Rational>& claimed,
-            const AuditProgress& progress) {
-    Auditor auditor(certificate, progress);
+            Observer& observer) {
+    Auditor auditor(certificate, observer);
     auditor.result.faults = range_faults(certificate, claimed);
     for (const Piece& piece : certificate.pieces) {
         auditor.add(piece);
@@ -183,9 +183,9 @@ Audit audit(const Certificate& certificate, const std::pair<Rational, Rational>&
     return std::move(auditor.result);
 }
 
-Audit audit_file(const std::string& path, const AuditProgress& progress) {
+Audit audit_file(const std::string& path, Observer& observer) {
     const Certificate certificate = collisions::read_certificate(path);
-    return audit(certificate, claimed_range(path), progress);
+    return audit(certificate, claimed_range(path), observer);
 }
 
 }  // namespace dumbbell::audit

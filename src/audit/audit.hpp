@@ -1,11 +1,11 @@
 #pragma once
 
 #include <cstddef>
-#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "base/observer.hpp"
 #include "collisions/certificate.hpp"
 #include "number/rational.hpp"
 
@@ -28,14 +28,12 @@ struct Audit {
     [[nodiscard]] bool tiles() const { return faults.empty(); }
 };
 
-/// Called with the leaves that are done, of how many.
-using AuditProgress = std::function<void(std::size_t done, std::size_t total)>;
-
-/// Audits a certificate that claims the mass ratios [claimed.first, claimed.second].
+/// The observer is told of the leaves that are done. Audits a certificate that claims the mass ratios
+/// [claimed.first, claimed.second].
 [[nodiscard]] Audit audit(const collisions::Certificate& certificate,
-                          const std::pair<Rational, Rational>& claimed, const AuditProgress& progress = {});
+                          const std::pair<Rational, Rational>& claimed, Observer& observer = nobody);
 
 /// Reads the file and audits it. Throws InputError if it cannot be read.
-[[nodiscard]] Audit audit_file(const std::string& path, const AuditProgress& progress = {});
+[[nodiscard]] Audit audit_file(const std::string& path, Observer& observer = nobody);
 
 }  // namespace dumbbell::audit

@@ -234,7 +234,7 @@ class Run {
         const Judgement judgement = kind_.judge(folder_.order(answer.shard.part), folder_.path(),
                                                 folder_.result_file(own.id), Scrutiny::form);
         if (judgement.verdict == Judgement::Verdict::open) {
-            options_.note(fmt::format("shard {}: {}, here too", own.id, judgement.reason));
+            options_.observer->note(fmt::format("shard {}: {}, here too", own.id, judgement.reason));
         } else {
             reject(answer, "it left undecided what this machine decides");
         }
@@ -250,7 +250,7 @@ class Run {
         ++(kept == Kept::now ? result_.accepted : result_.again);
         result_.worked += outcome.seconds;
         ++finished_;
-        options_.progress(finished_, all_);
+        options_.observer->update(finished_, all_, std::nullopt);
     }
 
     /// There is another result, and proofs of one statement may differ: the first one that proves it is kept,
@@ -275,7 +275,7 @@ class Run {
             folder_.withdraw_result(id);
             (void)folder_.keep_result(id, outcome.result);
         }
-        options_.note(
+        options_.observer->note(
             fmt::format("shard {} has two results that differ: the {} is kept, the other one is in "
                         "'{}/rejected'",
                         id, stays ? "first" : "second", folder_.path()));
@@ -294,7 +294,7 @@ class Run {
         for (Part& half : folder_.halves(shard.part)) {
             waiting_.push_front({std::move(half)});
         }
-        options_.progress(finished_, all_);
+        options_.observer->update(finished_, all_, std::nullopt);
     }
 
     void try_again(Shard shard, const std::string& reason) {
@@ -303,8 +303,8 @@ class Run {
             return;
         }
         ++result_.given_up;
-        options_.note(fmt::format("shard {} is given up after {} attempts: {}", shard.part.id, most_attempts,
-                                  printable(reason, 200)));
+        options_.observer->note(fmt::format("shard {} is given up after {} attempts: {}", shard.part.id,
+                                            most_attempts, printable(reason, 200)));
     }
 
     void look_at_workers() {
@@ -318,7 +318,7 @@ class Run {
         if (figures.workers > 0) {
             last_company_ = now;
         } else {
-            options_.no_workers(seconds_since(last_company_));
+            options_.observer->wait(seconds_since(last_company_));
         }
     }
 

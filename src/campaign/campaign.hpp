@@ -2,13 +2,13 @@
 
 #include <chrono>
 #include <cstddef>
-#include <functional>
 #include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "base/interrupted.hpp"
+#include "base/observer.hpp"
 #include "campaign/engine.hpp"
 #include "campaign/folder.hpp"
 #include "campaign/kind.hpp"
@@ -26,12 +26,9 @@ struct CampaignOptions {
     /// decided is nobody else's word. Needed where results come from elsewhere.
     Engine* own = nullptr;
     Interrupted interrupted = never;
-    /// Called after each event with the numbers of finished and of all shards (which grows with splits).
-    std::function<void(std::size_t, std::size_t)> progress = [](std::size_t, std::size_t) {};
-    /// Called with what the user should know: a line.
-    std::function<void(const std::string&)> note = [](const std::string&) {};
-    /// Called when no worker was there for a while, with the seconds since the last one.
-    std::function<void(double)> no_workers = [](double) {};
+    /// Told of the shards that are finished after each event, of all (there are more after a split); of what
+    /// the user should know; and when no worker was there for a while.
+    Observer* observer = &nobody;
 };
 
 /// What one run did.

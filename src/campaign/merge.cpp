@@ -36,7 +36,7 @@ bool verify_all(const CampaignFolder& folder, const Kind& kind, const std::vecto
             folder.withdraw_result(id);
             merge.withdrawn.push_back(fmt::format("{}: {}", id, answer.judgement.reason));
         }
-        options.progress(done + 1, parts.size());
+        options.observer->update(done + 1, parts.size(), std::nullopt);
     }
     return true;
 }

@@ -1,11 +1,11 @@
 #pragma once
 
-#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "base/interrupted.hpp"
+#include "base/observer.hpp"
 #include "campaign/folder.hpp"
 #include "campaign/kind.hpp"
 
@@ -15,8 +15,7 @@ struct MergeOptions {
     int jobs = 1;
     Scrutiny scrutiny = Scrutiny::proof;
     Interrupted interrupted = never;
-    /// Called with the numbers of verified and of all shards.
-    std::function<void(std::size_t, std::size_t)> progress = [](std::size_t, std::size_t) {};
+    Observer* observer = &nobody;  ///< told of the shards that are verified
 };
 
 /// What came of it: either the whole, or what stands in its way.

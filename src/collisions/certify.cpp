@@ -37,7 +37,7 @@ ProvedPiece timed(Prove prove) {
 ProvedPiece prove_or_recall(const PlannedPiece& planned, const CertifyRequest& request,
                             const PieceOptions& options) {
     const PieceStore* store = request.store;
-    auto kept = store ? store->find(planned, request.damaged) : std::nullopt;
+    auto kept = store ? store->find(planned, *request.observer) : std::nullopt;
     const bool late = options.interrupted();
     if (kept) {
         ProvedPiece recalled;
@@ -59,7 +59,7 @@ ProvedPiece prove_or_recall(const PlannedPiece& planned, const CertifyRequest& r
 
 std::vector<ProvedPiece> prove_plan(const CertifyRequest& request, const PieceOptions& options) {
     const auto plan = plan_staircase(request.scene, request.q_lo, request.q_hi, request.gap,
-                                     options.interrupted, request.placed);
+                                     options.interrupted, *request.observer);
     if (plan.empty()) {
         return {open_piece(request.q_lo, request.q_hi)};
     }
@@ -68,7 +68,8 @@ std::vector<ProvedPiece> prove_plan(const CertifyRequest& request, const PieceOp
     tbb::parallel_for(std::size_t{0}, plan.size(), [&](std::size_t i) {
         require_sound_arithmetic();
         pieces[i] = timed([&] { return prove_or_recall(plan[i], request, options); });
-        request.progress(++finished, plan.size(), plan[i].upper);
+        request.observer->enter("proving", "pieces");
+        request.observer->update(++finished, plan.size(), plan[i].upper);
     });
     return pieces;
 }
@@ -91,7 +92,7 @@ std::vector<ProvedPiece> certify(const CertifyRequest& request) {
     return arena.execute([&]() -> std::vector<ProvedPiece> {
         if (request.q_lo == request.q_hi) {
             options.parallel = true;
-            options.judged = request.judged;
+            options.observer = request.observer;
             return {options.interrupted() ? open_piece(request.q_lo, request.q_hi)
                                           : timed([&] { return prove_single(request.q_lo, options); })};
         }

@@ -2,11 +2,11 @@
 
 #include <chrono>
 #include <cstddef>
-#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "base/observer.hpp"
 #include "collisions/piece.hpp"
 #include "collisions/piece_store.hpp"
 
@@ -22,17 +22,10 @@ struct CertifyRequest {
     std::optional<std::chrono::duration<double>> budget;
     SplitRule rule = SplitRule::scaled;
     const PieceStore* store = nullptr;  ///< ranges: where finished pieces are kept, and found again
-    /// Ranges: called, from any thread, with the numbers of critical ratios that are placed and of all,
-    /// before the first piece.
-    std::function<void(std::size_t, std::size_t)> placed = [](std::size_t, std::size_t) {};
-    /// Called, from any thread, when a piece is finished: the numbers of finished and of all pieces, and the
-    /// maximum that was looked for in this one.
-    std::function<void(std::size_t, std::size_t, long)> progress = [](std::size_t, std::size_t, long) {};
-    /// A single ratio: called now and then with the number of boxes judged since the last call.
-    std::function<void(std::size_t)> judged = [](std::size_t) {};
-    /// Called, from any thread, with the name of a kept piece's file that is damaged: the piece is proved
-    /// again.
-    std::function<void(const std::string&)> damaged = [](const std::string&) {};
+    /// Told of the boxes that are judged for a single ratio; for a range of the critical ratios that are
+    /// placed, then in a phase of its own of the pieces that are finished, with the maximum that was looked
+    /// for.
+    Observer* observer = &nobody;
 };
 
 /// Proves the request piece by piece. Pieces that cannot be decided, or not within the budget, are left open.

@@ -109,7 +109,7 @@ std::optional<Tree> cover(Chart chart, const Rational& q_lo, const Rational& q_h
         const std::vector<Box>& boxes = tree.boxes();
         std::vector<std::optional<Leaf>> results(boxes.size());
         judge_all<I>(chart, boxes, upper, results, options);
-        options.judged(boxes.size());
+        options.observer->advance(boxes.size());
         const std::vector<bool> by_ratio =
             depends_on_both_ratios(chart) ? std::vector<bool>(boxes.size())
                                           : with_too_wide_ratios<I>(chart, boxes, results, upper, options);

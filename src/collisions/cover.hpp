@@ -1,10 +1,10 @@
 #pragma once
 
 #include <cstddef>
-#include <functional>
 #include <optional>
 
 #include "base/interrupted.hpp"
+#include "base/observer.hpp"
 #include "collisions/leaf.hpp"
 #include "collisions/section.hpp"
 
@@ -20,7 +20,7 @@ struct CoverOptions {
     int max_depth = 400;            ///< per axis; the format's limit
     bool parallel = false;          ///< judge the boxes of a generation on all of the calling arena's threads
     Interrupted interrupted = never;
-    std::function<void(std::size_t)> judged = [](std::size_t) {};  ///< called with the number of boxes judged
+    Observer* observer = &nobody;  ///< told of boxes that are judged
 };
 
 /// A bisection tree of the chart over mass ratios [q_lo, q_hi], each leaf of which closes for "at most

@@ -29,7 +29,7 @@ std::optional<flight::Margin<BigInterval>> margin_over(const ExtremalFlight& fli
         }
         ray = std::move(*next);
         if (i % flights_between_questions == 0) {
-            options.advanced(flights_between_questions);
+            options.observer->advance(flights_between_questions);
         }
     }
     return margin(ray);

@@ -1,9 +1,9 @@
 #pragma once
 
-#include <functional>
 #include <optional>
 
 #include "base/interrupted.hpp"
+#include "base/observer.hpp"
 #include "number/rational.hpp"
 
 namespace dumbbell::collisions {
@@ -23,8 +23,7 @@ struct CriticalRatio {
 struct CriticalOptions {
     int digits = 15;  ///< significant digits that all of [q_lo, q_hi] share
     Interrupted interrupted = never;
-    /// Called now and then with the number of flights enclosed since the last call.
-    std::function<void(long)> advanced = [](long) {};
+    Observer* observer = &nobody;  ///< told of flights that are enclosed
 };
 
 inline constexpr int most_critical_digits = 200;

@@ -38,7 +38,7 @@ std::optional<Cover> prove_upper(const Rational& q_lo, const Rational& q_hi, lon
                               .max_nodes = options.max_nodes,
                               .parallel = options.parallel,
                               .interrupted = options.interrupted,
-                              .judged = options.judged};
+                              .observer = options.observer};
     Cover whole;
     for (const Chart chart : charts_of(options.scene, options.section)) {
         auto tree = cover<I>(chart, q_lo, q_hi, upper, limits);

@@ -1,7 +1,6 @@
 #pragma once
 
-#include <functional>
-
+#include "base/observer.hpp"
 #include "collisions/certificate.hpp"
 #include "collisions/cover.hpp"
 
@@ -17,8 +16,8 @@ struct PieceOptions {
     int max_bits = 2048;
     std::size_t max_nodes = CoverOptions{}.max_nodes;
     Interrupted interrupted = never;
-    std::function<void(std::size_t)> judged = [](std::size_t) {};  ///< called with the number of boxes judged
-    bool describes = true;  ///< margin and width of the witness orbit, for people, are wanted
+    Observer* observer = &nobody;  ///< told of boxes that are judged
+    bool describes = true;         ///< margin and width of the witness orbit, for people, are wanted
 };
 
 /// The limits with which a claim about this section is proved, wherever it is.

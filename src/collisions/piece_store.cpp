@@ -134,8 +134,7 @@ PieceStore::Kept PieceStore::kept_in(const std::string& file) const {
     }
 }
 
-std::optional<Piece> PieceStore::find(const PlannedPiece& planned,
-                                      const std::function<void(const std::string&)>& damaged) const {
+std::optional<Piece> PieceStore::find(const PlannedPiece& planned, Observer& observer) const {
     const std::string file = file_of(planned);
     if (!fs::exists(file)) {
         return std::nullopt;
@@ -145,7 +144,7 @@ std::optional<Piece> PieceStore::find(const PlannedPiece& planned,
     }
     auto piece = kept_in(file).piece;
     if (!piece || planned_as(*piece) != planned) {
-        damaged(file);
+        observer.note(fmt::format("'{}' is damaged: its piece is proved again", file));
         return std::nullopt;
     }
     return piece;

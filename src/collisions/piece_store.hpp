@@ -1,9 +1,9 @@
 #pragma once
 
-#include <functional>
 #include <optional>
 #include <string>
 
+#include "base/observer.hpp"
 #include "collisions/certificate.hpp"
 #include "collisions/steps.hpp"
 #include "file/folder_lock.hpp"
@@ -37,10 +37,8 @@ class PieceStore {
     static void require_none(const std::string& folder);
 
     /// The piece with these bounds, if it was kept and its file is whole. A damaged file is as good as none:
-    /// `damaged` is called with its name. Throws InputError if its name is no file's.
-    [[nodiscard]] std::optional<Piece> find(
-        const PlannedPiece& planned,
-        const std::function<void(const std::string&)>& damaged = [](const std::string&) {}) const;
+    /// the observer is told its name. Throws InputError if its name is no file's.
+    [[nodiscard]] std::optional<Piece> find(const PlannedPiece& planned, Observer& observer = nobody) const;
 
     /// Keeps the piece, whatever happens to the program; of what a crash of the machine spoils, `find` finds
     /// nothing. Precondition: its bounds are the planned ones.

@@ -77,7 +77,7 @@ long guessed_value(Scene scene, double q, const Interrupted& interrupted) {
 
 /// The steps that seem to lie near [lo, hi], with a neighbour on either side for the distances.
 std::vector<Step> steps_near(Scene scene, double lo, double hi, double gap, const Interrupted& interrupted,
-                             const std::function<void(std::size_t, std::size_t)>& placed) {
+                             Observer& observer) {
     const long first = std::max(4L, guessed_value(scene, lo, interrupted) - 1);
     const long last = guessed_value(scene, hi, interrupted) + 2;
     if (interrupted()) {
@@ -93,7 +93,7 @@ std::vector<Step> steps_near(Scene scene, double lo, double hi, double gap, cons
         require_sound_arithmetic();
         if (!interrupted()) {
             steps[i] = step_to(scene, first + static_cast<long>(i), gap, interrupted);
-            placed(++done, steps.size());
+            observer.update(++done, steps.size(), std::nullopt);
         }
     });
     return steps;
@@ -120,10 +120,10 @@ std::string words_of(const PlannedPiece& planned) {
 
 std::vector<PlannedPiece> plan_staircase(Scene scene, const Rational& q_lo, const Rational& q_hi,
                                          const Rational& gap, const Interrupted& interrupted,
-                                         const std::function<void(std::size_t, std::size_t)>& placed) {
+                                         Observer& observer) {
     const auto width = gap.convert_to<double>();
     const auto steps =
-        steps_near(scene, q_lo.convert_to<double>(), q_hi.convert_to<double>(), width, interrupted, placed);
+        steps_near(scene, q_lo.convert_to<double>(), q_hi.convert_to<double>(), width, interrupted, observer);
     if (interrupted()) {
         return {};
     }

@@ -1,11 +1,11 @@
 #pragma once
 
 #include <cstddef>
-#include <functional>
 #include <string>
 #include <vector>
 
 #include "base/interrupted.hpp"
+#include "base/observer.hpp"
 #include "collisions/certificate.hpp"
 #include "number/rational.hpp"
 
@@ -32,9 +32,9 @@ struct PlannedPiece {
 /// thousandth of the distance to the next step. At q = 1 the step is known exactly: the single ratio is a
 /// piece, and a gap lies to its right. Empty if it is interrupted. `placed` is called, from any thread, with
 /// the numbers of steps that are placed and of all. Throws InputError if there are more than 10^6 steps.
-[[nodiscard]] std::vector<PlannedPiece> plan_staircase(
-    Scene scene, const Rational& q_lo, const Rational& q_hi, const Rational& gap,
-    const Interrupted& interrupted = never,
-    const std::function<void(std::size_t, std::size_t)>& placed = [](std::size_t, std::size_t) {});
+[[nodiscard]] std::vector<PlannedPiece> plan_staircase(Scene scene, const Rational& q_lo,
+                                                       const Rational& q_hi, const Rational& gap,
+                                                       const Interrupted& interrupted = never,
+                                                       Observer& observer = nobody);
 
 }  // namespace dumbbell::collisions

@@ -36,8 +36,11 @@ std::chrono::duration<double> processor_time() {
 std::vector<CriticalRow> critical_ratios(const CriticalRequest& request) {
     require_sound_arithmetic();
     const auto interrupted = deadline(request.budget);
-    collisions::CriticalOptions options{
-        .digits = request.digits, .interrupted = interrupted, .advanced = request.advanced};
+    collisions::CriticalOptions options{.digits = request.digits, .interrupted = interrupted};
+    const bool one = request.first == request.last;
+    if (one) {
+        options.observer = request.observer;
+    }
     if (request.confirm) {
         options.digits = std::max(request.digits, digits_to_confirm(*request.confirm));
     }
@@ -55,7 +58,9 @@ std::vector<CriticalRow> critical_ratios(const CriticalRequest& request) {
             if (row.ratio && request.confirm) {
                 row.confirmation = confirm(*row.ratio, *request.confirm, interrupted);
             }
-            request.progress(++done, rows.size(), row.n);
+            if (!one) {
+                request.observer->update(++done, rows.size(), row.n);
+            }
         });
     });
     return rows;

@@ -2,10 +2,10 @@
 
 #include <chrono>
 #include <cstddef>
-#include <functional>
 #include <optional>
 #include <vector>
 
+#include "base/observer.hpp"
 #include "collisions/critical.hpp"
 #include "staircase/critical_confirm.hpp"
 
@@ -18,11 +18,7 @@ struct CriticalRequest {
     std::optional<Rational> confirm;  ///< check by covers and witnesses at this relative distance, too
     int jobs = 1;
     std::optional<std::chrono::duration<double>> budget;
-    /// Called, from any thread, when a ratio is finished: the numbers of finished and of all ratios, and its
-    /// N.
-    std::function<void(std::size_t, std::size_t, long)> progress = [](std::size_t, std::size_t, long) {};
-    /// Called now and then, from any thread, with the number of flights enclosed since the last call.
-    std::function<void(long)> advanced = [](long) {};
+    Observer* observer = &nobody;  ///< told of the ratios that are finished; of a single one, of its flights
 };
 
 struct CriticalRow {

@@ -85,7 +85,7 @@ std::vector<Judged> judge_all(const Tree& tree, const SubdivideOptions& options)
         for (std::size_t i = range.begin(); i != range.end(); ++i) {
             results[i] = judge(tree.boxes()[i], tree.depths(i), options);
         }
-        options.judged(range.size());
+        options.observer->advance(range.size());
     });
     return results;
 }

@@ -1,11 +1,12 @@
 #pragma once
 
 #include <cstddef>
-#include <functional>
 #include <map>
 #include <optional>
 #include <vector>
 
+#include "base/interrupted.hpp"
+#include "base/observer.hpp"
 #include "starts/certificate.hpp"
 
 /// Covers of a box of initial conditions by boxes whose number of collisions is certain.
@@ -16,9 +17,8 @@ struct SubdivideOptions {
     int max_depth = 60;             ///< splits of one axis
     int jobs = 1;
     int bits = 53;  ///< for boxes that double precision does not decide; beyond 53 MPFR
-    std::function<bool()> interrupted = [] { return false; };
-    /// Called now and then, from any thread, with the number of boxes judged since the last call.
-    std::function<void(std::size_t)> judged = [](std::size_t) {};
+    Interrupted interrupted = never;
+    Observer* observer = &nobody;  ///< told of boxes that are judged
 };
 
 struct Share {

@@ -184,8 +184,8 @@ std::optional<Plan> plan_collisions(const collisions::CertifyRequest& request,
     if (request.q_hi > collisions::greatest_ratio()) {
         throw InputError("ratios beyond 1e36 are out of reach");
     }
-    const auto pieces =
-        plan_staircase(request.scene, request.q_lo, request.q_hi, request.gap, interrupted, request.placed);
+    const auto pieces = plan_staircase(request.scene, request.q_lo, request.q_hi, request.gap, interrupted,
+                                       *request.observer);
     if (pieces.empty()) {
         return std::nullopt;
     }

@@ -79,7 +79,7 @@ int run(const Given& given) {
     campaign::Merge merge;
     {
         Progress progress("shards verified", verbosity_of(given));
-        how.progress = [&](std::size_t done, std::size_t all) { progress.update(done, all); };
+        how.observer = &progress;
         merge = merge_campaign(folder, how);
     }
     if (!merge.whole) {

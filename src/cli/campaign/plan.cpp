@@ -99,7 +99,7 @@ int plan_range(const Given& given) {
     }
     collisions::CertifyRequest request = request_of(given, parse_ratio_argument(given.text("RATIO")));
     Progress progress("steps");
-    request.placed = [&](std::size_t done, std::size_t all) { progress.update(done, all); };
+    request.observer = &progress;
     const auto plan = campaign::plan_collisions(request, shards_of(given), deadline(std::nullopt));
     return plan ? made(folder, *plan) : stopped("nothing was planned");
 }

@@ -92,6 +92,22 @@ class WorkersWanted {
     double next_ = first;
 };
 
+class ShardProgress final : public Progress {
+  public:
+    /// `wanted` may be null: then no workers are waited for.
+    ShardProgress(Verbosity verbosity, WorkersWanted* wanted)
+        : Progress("shards", verbosity), wanted_(wanted) {}
+
+    void wait(double seconds) override {
+        if (wanted_ != nullptr) {
+            wanted_->alone(seconds, *this);
+        }
+    }
+
+  private:
+    WorkersWanted* wanted_;
+};
+
 std::unique_ptr<campaign::Engine> engine_of(const Given& given, const campaign::CampaignFolder& folder,
                                             std::optional<WorkersWanted>& wanted) {
     if (given.text("--engine") == "local") {
@@ -133,10 +149,8 @@ int run(const Given& given) try {
         how.own = wanted ? &own.emplace(jobs_of(given), folder.path()) : nullptr;
         how.scrutiny =
             given.text("--verify") == "arrival" ? campaign::Scrutiny::proof : campaign::Scrutiny::form;
-        Progress progress("shards", verbosity_of(given));
-        how.progress = [&](std::size_t finished, std::size_t all) { progress.update(finished, all); };
-        how.note = [&](const std::string& line) { progress.note(line); };
-        how.no_workers = [&](double seconds) { wanted ? wanted->alone(seconds, progress) : void(); };
+        ShardProgress progress(verbosity_of(given), wanted ? &*wanted : nullptr);
+        how.observer = &progress;
         done = run_campaign(folder, *engine, how);
     }
     fmt::print("{}", given.has("--json")    ? json_text(to_json(done, given.text("--engine")))

@@ -105,11 +105,8 @@ void prove(const std::vector<adiabatic::AdiabaticHypotheses>& wanted, const Give
         request.most_collisions = most_collisions(given, of);
         request.jobs = jobs_of(given);
         request.interrupted = interrupted;
-        request.judged = [&](std::size_t more) {
-            progress.enter("covering all of them", "boxes");
-            progress.advance(more);
-        };
-        progress.enter(search);
+        request.observer = &progress;
+        progress.enter(search, "");
         report.results.push_back(proved(request));
     }
 }

@@ -31,8 +31,7 @@ audit::AuditedFile audited(const std::string& path) {
     Progress progress("leaves", Verbosity::normal, "auditing");
     const Stopwatch watch;
     audit::AuditedFile file{path, 0, {}};
-    file.audit = audit::audit_file(
-        input_file(path), [&](std::size_t done, std::size_t total) { progress.update(done, total); });
+    file.audit = audit::audit_file(input_file(path), progress);
     file.seconds = watch.seconds();
     return file;
 }

@@ -73,15 +73,7 @@ CertifyRequest certify_request(const Given& given, const RatioArgument& ratio) {
 std::vector<ProvedPiece> prove(CertifyRequest request, Verbosity verbosity) {
     const bool single = request.q_lo == request.q_hi;
     Progress progress(single ? "boxes" : "steps", verbosity, single ? "proving" : "looking for steps");
-    request.placed = [&](std::size_t done, std::size_t all) { progress.update(done, all); };
-    request.judged = [&](std::size_t boxes) { progress.advance(boxes); };
-    request.progress = [&](std::size_t done, std::size_t total, long n) {
-        progress.enter("proving", "pieces");
-        progress.update(done, total, n);
-    };
-    request.damaged = [&](const std::string& file) {
-        progress.note(fmt::format("'{}' is damaged: its piece is proved again", file));
-    };
+    request.observer = &progress;
     return certify(request);
 }
 

@@ -108,13 +108,7 @@ void check_time(const staircase::CriticalRequest& request, bool quiet) {
 std::vector<staircase::CriticalRow> enclose(staircase::CriticalRequest request, Verbosity verbosity) {
     const bool one = request.first == request.last;
     Progress progress(one ? "flights" : "critical ratios", verbosity, "enclosing");
-    if (one) {
-        request.advanced = [&](long flights) { progress.advance(static_cast<std::size_t>(flights)); };
-    } else {
-        request.progress = [&](std::size_t done, std::size_t total, long n) {
-            progress.update(done, total, n);
-        };
-    }
+    request.observer = &progress;
     return critical_ratios(request);
 }
 

@@ -120,7 +120,7 @@ Piece proved(const Rational& q) {
     Progress progress("boxes", Verbosity::normal, "proving");
     collisions::CertifyRequest single;
     single.q_lo = single.q_hi = q;
-    single.judged = [&](std::size_t boxes) { progress.advance(boxes); };
+    single.observer = &progress;
     std::vector<collisions::ProvedPiece> pieces = certify(single);
     return std::move(pieces.front().piece);
 }

@@ -161,7 +161,7 @@ int run(const Given& given) {
         limits.bits = std::min(report.trace.bits, most_subdivide_bits);
         {
             Progress progress("boxes", verbosity_of(given), "halving the box");
-            limits.judged = [&](std::size_t boxes) { progress.advance(boxes); };
+            limits.observer = &progress;
             report.parts = subdivide(report.box, limits);
         }
         if (stop_signal != 0 && report.parts->undecided.share > 0) {

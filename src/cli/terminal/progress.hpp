@@ -9,6 +9,8 @@
 #include <string_view>
 #include <thread>
 
+#include "base/observer.hpp"
+
 namespace dumbbell::cli {
 
 enum class Verbosity { normal, quiet };
@@ -16,26 +18,24 @@ enum class Verbosity { normal, quiet };
 /// A progress line on stderr for work that takes longer than a second, if stderr is a terminal and the user
 /// did not ask for quiet; silent otherwise, but for notes. It is never wider than the terminal. It names the
 /// phase that the work is in, if it has one, and while there is nothing to count says for how long.
-class Progress {
+class Progress : public Observer {
   public:
     /// `unit`: what is counted, in the plural. `phase`: what is done at first, for example `proving`.
     explicit Progress(std::string_view unit = "pieces", Verbosity verbosity = Verbosity::normal,
                       std::string_view phase = "");
-    ~Progress();
-    Progress(const Progress&) = delete;
-    Progress& operator=(const Progress&) = delete;
+    ~Progress() override;
 
     /// Another phase begins, unless the work is in it. Thread-safe.
-    void enter(std::string_view phase, std::string_view unit = "");
+    void enter(std::string_view phase, std::string_view unit) override;
 
     /// `count`: the number of collisions N that the work is at, if there is one. Thread-safe.
-    void update(std::size_t done, std::size_t total, std::optional<long> count = std::nullopt);
+    void update(std::size_t done, std::size_t total, std::optional<long> count) override;
 
     /// The same for work of unknown size: `more` was done since the last call.
-    void advance(std::size_t more);
+    void advance(std::size_t more) override;
 
     /// A message on stderr, a line of its own. Thread-safe.
-    void note(const std::string& line);
+    void note(const std::string& line) override;
 
   private:
     using Clock = std::chrono::steady_clock;

@@ -128,13 +128,16 @@ TEST_CASE("pieces tile the range") {
 }
 
 TEST_CASE("progress ends with all leaves") {
-    std::vector<std::size_t> steps;
-    (void)audit::audit(example(), {2, 3}, [&](std::size_t done, std::size_t total) {
-        CHECK(done > 0);
-        CHECK(done <= total);
-        steps.push_back(done);
-    });
-    CHECK(std::is_sorted(steps.begin(), steps.end()));
-    CHECK(steps.front() < 20);  // also within a chart
-    CHECK(steps.back() == 31);
+    struct Told : Observer {
+        void update(std::size_t done, std::size_t total, std::optional<long>) override {
+            CHECK(done > 0);
+            CHECK(done <= total);
+            steps.push_back(done);
+        }
+        std::vector<std::size_t> steps;
+    } told;
+    (void)audit::audit(example(), {2, 3}, told);
+    CHECK(std::is_sorted(told.steps.begin(), told.steps.end()));
+    CHECK(told.steps.front() < 20);  // also within a chart
+    CHECK(told.steps.back() == 31);
 }

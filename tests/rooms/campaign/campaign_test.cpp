@@ -26,6 +26,12 @@ using Catch::Matchers::Contains;
 
 namespace {
 
+struct Notes : Observer {
+    void note(const std::string& line) override { text += line; }
+
+    std::string text;
+};
+
 /// The table as one run of `critical` makes it.
 std::string in_one_go(long first, long last) {
     staircase::CriticalReport report;
@@ -182,15 +188,15 @@ TEST_CASE("a shard that always fails is given up, with the reason, and the other
     const std::string bad = campaign.folder->parts()[1].id;
     ScriptedEngine engine(
         [&](const Task& task, int) { return task.id == bad ? failed(task, "disk\nfull") : worked(task); });
-    std::string said;
+    Notes said;
     CampaignOptions options = verified();
-    options.note = [&](const std::string& line) { said += line; };
+    options.observer = &said;
     const CampaignRun run = campaign.run(engine, options);
     CHECK(run.accepted == 3);
     CHECK(run.given_up == 1);
     CHECK(run.left == 1);
     CHECK(engine.attempts().at(bad) == 5);
-    CHECK_THAT(said, Contains(bad) && Contains("disk?full"));
+    CHECK_THAT(said.text, Contains(bad) && Contains("disk?full"));
     const Merge merge = merge_campaign(*campaign.folder, {});
     CHECK(merge.unfinished == 1);
     CHECK_FALSE(merge.whole.has_value());
@@ -236,15 +242,15 @@ TEST_CASE("what is undecided on this machine too is the result, and its worker t
     };
     ScriptedEngine far(script);
     ScriptedEngine own(script);
-    std::string said;
+    Notes said;
     CampaignOptions options = looked_at(own);
-    options.note = [&](const std::string& line) { said += line; };
+    options.observer = &said;
     const CampaignRun run = campaign.run(far, options);
     CHECK(run.left == 0);
     CHECK(run.rejected == 0);
     CHECK(far.distrusted().empty());
     CHECK(own.attempts() == std::map<std::string, int>{{hard, 1}});
-    CHECK_THAT(said, Contains(hard) && Contains("a piece stays undecided, here too"));
+    CHECK_THAT(said.text, Contains(hard) && Contains("a piece stays undecided, here too"));
     CHECK(merge_campaign(*campaign.folder, {.scrutiny = Scrutiny::form}).whole->is_open);
 
     CHECK(withdraw_open_results(*campaign.folder) == 1);
@@ -279,21 +285,21 @@ TEST_CASE("a result that comes twice counts once, and one that is no proof gives
         }
         return worked(task);
     });
-    std::string said;
+    Notes said;
     CampaignOptions options;
-    options.note = [&](const std::string& line) { said += line; };
+    options.observer = &said;
     SECTION("the same") {
         const CampaignRun run = campaign.run(engine, options);
         CHECK(run.again == 1);
         CHECK(run.accepted == 3);
-        CHECK(said.empty());
+        CHECK(said.text.empty());
     }
     SECTION("garbage") {
         there = "something else";
         CHECK(campaign.run(engine, options).left == 0);
         CHECK(campaign.result(part.id) == truth);
         CHECK(campaign.rejected(part.id) == "something else");
-        CHECK_THAT(said, Contains(part.id) && Contains("the second is kept"));
+        CHECK_THAT(said.text, Contains(part.id) && Contains("the second is kept"));
     }
     SECTION("another proof") {
         // 4.6033388487517003 lies between; the ends of the true result are nearer.
@@ -303,7 +309,7 @@ TEST_CASE("a result that comes twice counts once, and one that is no proof gives
         CHECK(campaign.run(engine, options).left == 0);
         CHECK(campaign.result(part.id) == there);
         CHECK(campaign.rejected(part.id) == truth);
-        CHECK_THAT(said, Contains("the first is kept"));
+        CHECK_THAT(said.text, Contains("the first is kept"));
     }
     CHECK(merge_campaign(*campaign.folder, {}).whole.has_value());
 }

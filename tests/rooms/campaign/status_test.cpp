@@ -94,12 +94,17 @@ TEST_CASE("a worker that comes, and the first task that is out, are in the journ
     CampaignFolder folder(place.string());
     folder.lock();
     ScriptedEngine engine([](const Task& task, int) { return worked(task); });
+    struct Look : Observer {
+        explicit Look(std::string of) : folder(std::move(of)) {}
+        void update(std::size_t done, std::size_t, std::optional<long>) override {
+            const CampaignStatus status = campaign_status(CampaignFolder(folder));
+            CHECK(status.connected == (done > 1 ? 1 : 0));  // the first look is after the first result
+            CHECK((status.running > 0) == (done > 1));
+        }
+        std::string folder;
+    } look(place.string());
     CampaignOptions options;
-    options.progress = [&](std::size_t done, std::size_t) {
-        const CampaignStatus status = campaign_status(CampaignFolder(place.string()));
-        CHECK(status.connected == (done > 1 ? 1 : 0));  // the first look is after the first result
-        CHECK((status.running > 0) == (done > 1));
-    };
+    options.observer = &look;
     CHECK(run_campaign(folder, engine, options).left == 0);
 }
 

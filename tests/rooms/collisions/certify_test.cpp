@@ -157,26 +157,34 @@ TEST_CASE("ratios beyond 10^36 are left open at once") {
 }
 
 TEST_CASE("progress is reported once per piece and ends complete") {
-    std::atomic<std::size_t> calls = 0;
-    std::atomic<std::size_t> most = 0;
-    std::atomic<std::size_t> total = 0;
-    std::atomic<bool> in_range = true;
+    struct Told : Observer {
+        void enter(std::string_view phase, std::string_view) override { proving = phase == "proving"; }
+        void update(std::size_t done, std::size_t all, std::optional<long> n) override {
+            if (!proving) {
+                return;  // still looking for steps
+            }
+            in_range = in_range && n >= 2 && n <= 11;
+            ++calls;
+            total = all;
+            for (std::size_t seen = most; done > seen && !most.compare_exchange_weak(seen, done);) {
+            }
+        }
+        std::atomic<std::size_t> calls = 0;
+        std::atomic<std::size_t> most = 0;
+        std::atomic<std::size_t> total = 0;
+        std::atomic<bool> in_range = true;
+        std::atomic<bool> proving = false;
+    } told;
     CertifyRequest request;
     request.q_lo = 1;
     request.q_hi = 100;
     request.jobs = 2;
-    request.progress = [&](std::size_t done, std::size_t all, long n) {
-        in_range = in_range && n >= 2 && n <= 11;
-        ++calls;
-        total = all;
-        for (std::size_t seen = most; done > seen && !most.compare_exchange_weak(seen, done);) {
-        }
-    };
+    request.observer = &told;
     const auto pieces = certify(request);
-    CHECK(calls == pieces.size());
-    CHECK(most == pieces.size());
-    CHECK(total == pieces.size());
-    CHECK(in_range);
+    CHECK(told.calls == pieces.size());
+    CHECK(told.most == pieces.size());
+    CHECK(told.total == pieces.size());
+    CHECK(told.in_range);
 }
 
 TEST_CASE("the undecided share is the exact share of the pieces that are not exact") {

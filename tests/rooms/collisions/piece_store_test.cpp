@@ -83,13 +83,14 @@ TEST_CASE("a piece whose file is not whole, or is another's, is not found") {
         const std::string text = "dumbbell-certificate 1\n";
         std::ofstream(file) << text << "sha256 " << sha256_hex(text) << '\n';
     }
-    std::vector<std::string> damaged;
-    CHECK_FALSE(
-        store.find({5, 11, 4, 4}, [&](const std::string& name) { damaged.push_back(name); }).has_value());
-    CHECK(damaged == std::vector{file.string()});
-    CHECK_FALSE(
-        store.find({5, 12, 4, 4}, [&](const std::string& name) { damaged.push_back(name); }).has_value());
-    CHECK(damaged.size() == 1);  // what was never kept is not damaged
+    struct Notes : Observer {
+        void note(const std::string& line) override { lines.push_back(line); }
+        std::vector<std::string> lines;
+    } said;
+    CHECK_FALSE(store.find({5, 11, 4, 4}, said).has_value());
+    CHECK(said.lines == std::vector{"'" + file.string() + "' is damaged: its piece is proved again"});
+    CHECK_FALSE(store.find({5, 12, 4, 4}, said).has_value());
+    CHECK(said.lines.size() == 1);  // what was never kept is not damaged
 }
 
 TEST_CASE("pieces under each other's names are not found") {

@@ -74,15 +74,18 @@ TEST_CASE(
 TEST_CASE("A range has its ratios in order, the same with any number of threads") {
     CriticalRequest one = request(3, 40);
     one.digits = 20;
-    std::atomic<std::size_t> seen = 0;
-    one.progress = [&](std::size_t, std::size_t total, long n) {
-        seen += total == 38 && n >= 3 && n <= 40 ? 1 : 100;
-    };
+    struct Told : Observer {
+        void update(std::size_t, std::size_t total, std::optional<long> n) override {
+            seen += total == 38 && n >= 3 && n <= 40 ? 1 : 100;
+        }
+        std::atomic<std::size_t> seen = 0;
+    } told;
+    one.observer = &told;
     CriticalRequest two = one;
     two.jobs = 2;
     const auto rows = critical_ratios(one);
     const auto again = critical_ratios(two);
-    CHECK(seen == 76);
+    CHECK(told.seen == 76);
     REQUIRE(rows.size() == 38);
     REQUIRE(again.size() == 38);
     for (std::size_t i = 0; i < rows.size(); ++i) {
