@@ -1,7 +1,6 @@
-(** What a certificate of the section `turning` is, once it is read (docs/reference/format.md, sections 2 and 3),
-  with the exact
-    boxes of its trees. Nothing here is about rays or floating point: Text.v says how a certificate is written in lines,
-    Leaves.v what a leaf must satisfy. *)
+(** What a certificate of the section `turning` or `full` is, once it is read (docs/reference/format.md, sections 2 and
+    3; format-sections.md, section 1), with the exact boxes of its trees. Nothing here is about rays or floating point:
+    Text.v says how a certificate is written in lines, Leaves.v and FullLeaves.v what a leaf must satisfy. *)
 From Coq Require Import Reals ZArith NArith Lra Lia List Bool String.
 Local Open Scope R_scope.
 
@@ -14,17 +13,20 @@ Definition ratio_eq (x y : ratio) : bool := (num x * den y =? num y * den x)%pos
 Record dyadic := { odd_part : N; exponent : Z }.
 
 Inductive axis := axis_e | axis_slope | axis_q.
-Inductive reason := Count (a b : N) | Outside | Meets | Meets_reversed.
+(** [Forward] is `count` with one hint. *)
+Inductive reason := Count (a b : N) | Forward (a : N) | Outside | Meets | Meets_reversed | Once.
+Inductive chart := Bridge | Light | Contact | Departure | Again.
 Inductive tree := Leaf (why : reason) | Split (halved : axis) (lower upper : tree).
-Inductive cover := Equal_masses | Charts (bridge light : tree).
+Inductive cover := Equal_masses | Charts (bridge light : tree) | Full_charts (contact departure again : tree).
 Record contact := { contact_e : dyadic; contact_eta : dyadic; after_X : N; after_reversed : N }.
 (** For each mass ratio in [from, to]: at most the number in [bound] of collisions, if there is one;
   some motion has [attained],
     which the witness shows unless it is 0. *)
 Record piece := { from : ratio; to : ratio; bits : N; bound : option (N * cover); attained : N;
   witness : option contact }.
-Record certificate := { program : string; program_version : string; range_from : ratio; range_to : ratio;
-  pieces : list piece }.
+Inductive section := turning | full.
+Record certificate := { program : string; program_version : string; about : section; range_from : ratio;
+  range_to : ratio; pieces : list piece }.
 
 Lemma ratio_pos x : 0 < ratio_value x.
 Proof. unfold ratio_value. apply Rdiv_lt_0_compat; now apply IZR_lt. Qed.
@@ -94,34 +96,44 @@ Proof.
   destruct K as [K|K]; [now apply IHl with (1 := E) | now apply IHu with (1 := H)].
 Qed.
 
-(** The root box: e in [0, 2], the slope in [0, 2^k] with 2^k >= to, q in [from, to]. *)
+(** The root boxes: e in [0, 2], t in [0, 4]; eta or lambda in [0, 2^k] with 2^k >= to, or to + 1, or in [0, 2]; q in
+    [from, to]. *)
 Definition least_power (x : ratio) : Z :=
   let k := Z.log2_up (Zpos (num x) / Zpos (den x)) in let y := (2 ^ k)%Z in if (Zpos (num x) <=? y * Zpos (den x))%Z
     then y else (2 * y)%Z.
-Definition root_box (a b : ratio) : box :=
-  {| box_e := {| low_end := 0; high_end := 2; part := 1 |};
-     box_slope := {| low_end := 0; high_end := least_power b; part := 1 |};
+Definition root_box (e slope : Z) (a b : ratio) : box :=
+  {| box_e := {| low_end := 0; high_end := e; part := 1 |};
+     box_slope := {| low_end := 0; high_end := slope; part := 1 |};
      box_q := {| low_end := Zpos (num a * den b); high_end := Zpos (num b * den a); part := den a * den b |} |}.
+Definition one_more (x : ratio) : ratio := {| num := num x + den x; den := den x |}.
+Definition chart_box (c : chart) (a b : ratio) : box :=
+  match c with
+  | Bridge | Light => root_box 2 (least_power b) a b
+  | Contact | Again => root_box 4 (least_power (one_more b)) a b
+  | Departure => root_box 2 2 a b
+  end.
 Definition wide_enough (b : ratio) : bool := (Zpos (num b) <=? least_power b * Zpos (den b))%Z.
-Lemma in_root a b e y q : wide_enough b = true -> 0 < e <= PI/2 -> 0 <= y -> ratio_value a <= q <= ratio_value b ->
-  / q * y < 1 ->
-  in_box e y q (root_box a b).
+Lemma wide_enough_ok b : wide_enough b = true -> ratio_value b <= IZR (least_power b).
 Proof.
-  intros Hw He Hy Hq Hlt. assert (P4 := PI_4). assert (A := ratio_pos a).
-    assert (B : 0 < IZR (Zpos (den b))) by now apply IZR_lt.
-  assert (Yq : y < q). { apply Rmult_lt_reg_l with (/ q); [apply Rinv_0_lt_compat; lra|]. rewrite (Rinv_l q) by lra.
-    exact Hlt. }
-  unfold in_box, in_span; simpl box_e; simpl box_slope; simpl box_q; simpl low_end; simpl high_end; simpl part.
-  split; [split; lra|]. split.
-  - split; [lra|]. unfold wide_enough in Hw. apply Z.leb_le, IZR_le in Hw. rewrite mult_IZR in Hw.
-    assert (ratio_value b <= IZR (least_power b)); [|lra]. unfold ratio_value.
-      apply Rmult_le_reg_r with (IZR (Zpos (den b))); [exact B|].
-    unfold Rdiv. rewrite Rmult_assoc, Rinv_l by lra. lra.
-  - destruct (ratio_cross a b) as [E1 E2]. assert (D : 0 < IZR (Zpos (den a)) * IZR (Zpos (den b))) by (apply
-    Rmult_lt_0_compat; now apply IZR_lt).
-    rewrite <- E1, <- E2, Pos2Z.inj_mul, mult_IZR. set (d := IZR (Zpos (den a)) * IZR (Zpos (den b))) in *.
-    replace (ratio_value a * d / d) with (ratio_value a) by (field; lra).
-      replace (ratio_value b * d / d) with (ratio_value b) by (field; lra). exact Hq.
+  unfold wide_enough, ratio_value. intros H. apply Z.leb_le, IZR_le in H. rewrite mult_IZR in H.
+  assert (B : 0 < IZR (Zpos (den b))) by now apply IZR_lt. apply Rmult_le_reg_r with (IZR (Zpos (den b))); [exact B|].
+  unfold Rdiv. rewrite Rmult_assoc, Rinv_l by lra. lra.
+Qed.
+Lemma one_more_ok x : ratio_value (one_more x) = ratio_value x + 1.
+Proof.
+  unfold ratio_value, one_more; cbn [num den]. rewrite Pos2Z.inj_add, plus_IZR.
+  assert (0 < IZR (Zpos (den x))) by now apply IZR_lt. field. lra.
+Qed.
+Lemma in_root a b e y q e1 y1 : 0 <= e <= IZR e1 -> 0 <= y <= IZR y1 -> ratio_value a <= q <= ratio_value b ->
+  in_box e y q (root_box e1 y1 a b).
+Proof.
+  intros He Hy Hq. unfold in_box, in_span; simpl box_e; simpl box_slope; simpl box_q; simpl low_end; simpl high_end.
+  simpl part. split; [lra|]. split; [lra|].
+  destruct (ratio_cross a b) as [E1 E2].
+  assert (D : 0 < IZR (Zpos (den a)) * IZR (Zpos (den b))) by (apply Rmult_lt_0_compat; now apply IZR_lt).
+  rewrite <- E1, <- E2, Pos2Z.inj_mul, mult_IZR. set (d := IZR (Zpos (den a)) * IZR (Zpos (den b))) in *.
+  replace (ratio_value a * d / d) with (ratio_value a) by (field; lra).
+  replace (ratio_value b * d / d) with (ratio_value b) by (field; lra). exact Hq.
 Qed.
 
 (** For the command line, which takes other spellings of a ratio than a file has. *)

@@ -13,28 +13,42 @@ Definition one : ratio := {| num := 1; den := 1 |}.
 (** The numbers for a piece of more than 53 bits. *)
 Definition more_bits (P : piece) : option (N * M.Z.consts) :=
   if (bits P <=? 53)%N then None else Some (bits P, Multiple.consts (precision (bits P))).
-Definition leaf_holds (more : option (N * M.Z.consts)) (U : N) (light : bool) (b : box) (why : reason) : bool :=
-  if Doubles.check_reason U light b why then true
-  else match more with Some (n, T) => Multiple.check_reason n T U light b why | None => false end.
+Definition leaf_holds (more : option (N * M.Z.consts)) (U : N) (c : chart) (b : box) (why : reason) : bool :=
+  if Doubles.check_leaf U c b why then true
+  else match more with Some (n, T) => Multiple.check_leaf n T U c b why | None => false end.
 Definition contact_holds (more : option (N * M.Z.consts)) (V : N) (b : box) (w : contact) : bool :=
   if Doubles.check_contact V b w then true else match more with Some (n, T) => Multiple.check_contact n T V b w | None
     => false end.
 
 (** What is wrong with a piece; None: nothing. *)
+Definition chart_name (c : chart) : string :=
+  match c with
+  | Bridge => "bridge"
+  | Light => "light"
+  | Contact => "contact"
+  | Departure => "departure"
+  | Again => "again"
+  end.
+Definition chart_fault (P : piece) (U : N) (c : chart) (t : tree) : option string :=
+  if check_tree (leaf_holds (more_bits P) U c) (chart_box c (from P) (to P)) t then None
+  else Some ("chart " ++ chart_name c ++ ": not certified").
+Definition first_of (a b : option string) : option string := match a with Some why => Some why | None => b end.
 Definition cover_fault (P : piece) (U : N) (c : cover) : option string :=
-  let more := more_bits P in let root := root_box (from P) (to P) in
   if (U <? attained P)%N then Some "lower above upper" else
   match c with
   | Equal_masses => if ratio_eq (from P) one && ratio_eq (to P) one && (2 <=? U)%N then None else
     Some "equal-masses: not certified"
   | Charts bridge light =>
     if negb (wide_enough (to P)) then Some "its root box" else
-    if negb (check_tree (leaf_holds more U false) root bridge) then Some "chart bridge: not certified" else
-    if negb (check_tree (leaf_holds more U true) root light) then Some "chart light: not certified" else None
+    first_of (chart_fault P U Bridge bridge) (chart_fault P U Light light)
+  | Full_charts contact departure again =>
+    if negb (wide_enough (one_more (to P))) || (U =? 0)%N then Some "its root box" else
+    first_of (chart_fault P U Contact contact)
+      (first_of (chart_fault P U Departure departure) (chart_fault P U Again again))
   end.
 Definition witness_fault (P : piece) : option string :=
   match witness P with
-  | Some w => if contact_holds (more_bits P) (attained P) (root_box (from P) (to P)) w then None else
+  | Some w => if contact_holds (more_bits P) (attained P) (chart_box Bridge (from P) (to P)) w then None else
     Some "witness: not certified"
   | None => if (attained P =? 0)%N then None else Some "no witness"
   end.
@@ -93,5 +107,12 @@ Definition least (l : list piece) : N := match l with [] => 0%N | P :: l => fold
   N.min v (attained Q)) l (attained P) end.
 Definition is_gap (P : piece) : bool := match bound P with Some (U, _) => (U =? attained P + 1)%N | None => false end.
 Definition is_open (P : piece) : bool := match bound P with Some (U, _) => (attained P + 1 <? U)%N | None => true end.
+(** Does the file say, too, that the heavy mass hits the floor at most once? That needs no certificate: it is true of
+    every q >= 1 (HeavyOnce.L6c_heavy_at_most_once). *)
+Definition says_heavy_once (c : certificate) : bool :=
+  match about c with
+  | turning => false
+  | full => forallb (fun P => match bound P with Some _ => true | None => false end) (pieces c)
+  end.
 Definition how_many (p : piece -> bool) (l : list piece) : N := fold_left (fun n P => if p P then N.succ n else
   n) l 0%N.

@@ -205,7 +205,7 @@ Qed.
 
 Lemma earliest_sound c0 k0 ci ki z : inI c0 ci -> inI k0 ki -> forall c k x, c0 <= c -> k0 <= k -> hit c k x ->
   let '(xi, si, wi) := earliest ci ki z in
-  exists x_ s_ w_, inI x_ xi /\ inI s_ si /\ inI w_ wi /\ 0 <= x_ <= x /\ s_ <= sin x /\ cos x <= w_.
+  exists x_ s_ w_, inI x_ xi /\ inI s_ si /\ inI w_ wi /\ 0 <= x_ <= x /\ s_ <= sin x_ /\ cos x_ <= w_.
 Proof.
   intros Hc Hk c k x Hcc Hkk Hh. unfold earliest.
   assert (Hz := single_in z). set (zr := proj_val _) in Hz. set (zi := I.singleton z) in *.
@@ -230,11 +230,10 @@ Proof.
     { apply add_in; [apply sub_in; [assumption | now apply mul_in] | assumption]. }
     exists x_, s_, w_. repeat split; try assumption; try lra.
     + assert (A := sin_shift zr (x_ - zr)). apply Rabs_le_between in A. replace (zr + (x_ - zr)) with x_ in A by ring.
-      assert (sin x_ <= sin x) by (apply sin_mono; lra). lra.
+      lra.
     + assert (A := cos_shift zr (x_ - zr)). apply Rabs_le_between in A. replace (zr + (x_ - zr)) with x_ in A by ring.
-      assert (cos x <= cos x_) by (apply cos_mono; lra). lra.
-  - exists 0, 0, 1. repeat split; try apply zero_in; try exact unit_in; try lra.
-    + assert (0 < PI) by apply PI_RGT_0. apply sin_ge_0; lra. + apply COS_bound.
+      lra.
+  - exists 0, 0, 1. rewrite sin_0, cos_0. repeat split; try apply zero_in; try exact unit_in; lra.
 Qed.
 
 Theorem at_most_sound n : forall ri ci ki z, at_most n ri ci ki z = true -> forall r0 c0 k0, inI r0 ri -> inI c0 ci ->
@@ -258,7 +257,9 @@ Proof.
     assert (ES := earliest_sound c0 k0 ci ki (near_root G ci ki z) Hc Hk c k x B5 B6 Hx).
     destruct (earliest ci ki (near_root G ci ki z)) as [[xi si] wi]. destruct ES as [x_ [s_ [w_ [X1 [S1 [W1 [X2 [S2
       W2]]]]]]]].
-    destruct (below_step _ _ _ _ _ _ x x_ s_ w_ HB Hx HD X2 S2 W2) as [D1 [K1 [K2 K3]]].
+    assert (S3 : sin x_ <= sin x) by (apply sin_mono; destruct Hx; lra).
+    assert (W3 : cos x <= cos x_) by (apply cos_mono; destruct Hx; lra).
+    destruct (below_step _ _ _ _ _ _ x x_ s_ w_ HB Hx HD X2 ltac:(lra) ltac:(lra)) as [D1 [K1 [K2 K3]]].
     assert (HDI := DI_in _ _ _ _ _ _ W1 Hk Hr).
     destruct (nonneg (I.neg (DI wi ki ri))) eqn:E3.
     { assert (K := nonneg_ok _ _ E3 (neg_in _ _ HDI)). lra. }

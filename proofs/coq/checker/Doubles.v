@@ -2,8 +2,8 @@
   about them. *)
 From Coq Require Import ZArith List Floats Bool.
 From Interval Require Import Float.Basic Float.Sig Float.Primitive_ops Interval.Float.
-From Dumbbell Require Import Leaves.
-Module D := Leaves PrimitiveFloat.
+From Dumbbell Require Import FullLeaves.
+Module D := FullLeaves PrimitiveFloat.
 Definition p53 : PrimitiveFloat.precision := PrimitiveFloat.PtoP 53.
 
 Section Guess.
@@ -42,5 +42,5 @@ Definition G : D.Z.guesses := {| D.Z.near_root := near_root; D.Z.behind_root := 
 End Guess.
 
 Definition doubles : D.Z.consts := D.Z.mkconsts p53.
-Definition check_reason := D.check_reason p53 G doubles.
+Definition check_leaf := D.check_leaf p53 G doubles.
 Definition check_contact := D.check_contact p53 G doubles.

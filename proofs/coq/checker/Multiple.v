@@ -4,9 +4,9 @@
 From Coq Require Import ZArith List Floats Bool.
 From Interval Require Import Float.Basic Float.Sig Float.Primitive_ops Float.Specific_ops Float.Specific_bigint
   Interval.Float.
-From Dumbbell Require Import Leaves Doubles.
+From Dumbbell Require Import FullLeaves Doubles.
 Module BigFloat := SpecificFloat BigIntRadix2.
-Module M := Leaves BigFloat.
+Module M := FullLeaves BigFloat.
 Module I := M.Z.Y.X.I.
 
 Section Guess.
@@ -62,5 +62,5 @@ End Guess.
 
 Definition precision (bits : N) : BigFloat.precision := BigFloat.PtoP (match bits with N0 => 53 | Npos b => b end).
 Definition consts := M.Z.mkconsts.
-Definition check_reason (bits : N) (T : M.Z.consts) := M.check_reason (precision bits) (G (precision bits)) T.
+Definition check_leaf (bits : N) (T : M.Z.consts) := M.check_leaf (precision bits) (G (precision bits)) T.
 Definition check_contact (bits : N) (T : M.Z.consts) := M.check_contact (precision bits) (G (precision bits)) T.

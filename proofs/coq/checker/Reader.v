@@ -56,36 +56,39 @@ Definition two_ratios (keyword : string) : list string -> reading (ratio * ratio
     | _ => None end).
 
 Inductive node := Ends (why : reason) | Halved (a : axis).
-Definition node_of (slope : string) (w : list string) : option node :=
+Definition node_of (c : chart) (w : list string) : option node :=
   match w with
   | ["count"; a; b] => match natural a, natural b with Some a, Some b => Some (Ends (Count a b)) | _, _ => None end
+  | ["count"; a] => option_map (fun a => Ends (Forward a)) (natural a)
   | ["outside"] => Some (Ends Outside)
-  | ["meets"] => if slope =? "lambda" then Some (Ends Meets) else None
-  | ["meets-reversed"] => if slope =? "lambda" then Some (Ends Meets_reversed) else None
-  | ["split"; a] => if a =? "e" then Some (Halved axis_e) else if a =? slope then Some (Halved axis_slope)
-                    else if a =? "q" then Some (Halved axis_q) else None
+  | ["meets"] => Some (Ends Meets)
+  | ["meets-reversed"] => Some (Ends Meets_reversed)
+  | ["once"] => Some (Ends Once)
+  | ["split"; a] => option_map Halved (find (fun x => a =? axis_text c x) [axis_e; axis_slope; axis_q])
   | _ => None
   end.
 (** A tree of at most [fuel] levels. *)
-Fixpoint read_tree (fuel : nat) (slope : string) (t : list string) : reading tree :=
+Fixpoint read_tree (fuel : nat) (c : chart) (t : list string) : reading tree :=
   match fuel with
   | O => Wrong t
   | S fuel =>
-    let* (n, t) := line (node_of slope) t in
+    let* (n, t) := line (node_of c) t in
     match n with
     | Ends why => Read (Leaf why) t
-    | Halved a => let* (l, t) := read_tree fuel slope t in let* (u, t) := read_tree fuel slope t in Read (Split a l u) t
+    | Halved a => let* (l, t) := read_tree fuel c t in let* (u, t) := read_tree fuel c t in Read (Split a l u) t
     end
   end.
 Definition levels : nat := 1201.
-Definition read_cover (t : list string) : reading cover :=
-  match t with
-  | "equal-masses" :: t => Read Equal_masses t
-  | _ =>
-    let* (_, t) := value "chart" (fun v => if v =? "bridge" then Some tt else None) t in
-    let* (b, t) := read_tree levels "eta" t in
-    let* (_, t) := value "chart" (fun v => if v =? "light" then Some tt else None) t in
-    let* (l, t) := read_tree levels "lambda" t in Read (Charts b l) t
+Definition read_chart (c : chart) (t : list string) : reading tree :=
+  let* (_, t) := value "chart" (fun v => if v =? chart_name c then Some tt else None) t in read_tree levels c t.
+Definition read_cover (about : section) (t : list string) : reading cover :=
+  match t, about with
+  | "equal-masses" :: t, _ => Read Equal_masses t
+  | _, turning =>
+    let* (b, t) := read_chart Bridge t in let* (l, t) := read_chart Light t in Read (Charts b l) t
+  | _, full =>
+    let* (c, t) := read_chart Contact t in let* (d, t) := read_chart Departure t in let* (a, t) := read_chart Again t in
+    Read (Full_charts c d a) t
   end.
 Definition contact_of (w : list string) : option contact :=
   match w with
@@ -99,31 +102,39 @@ Definition contact_of (w : list string) : option contact :=
   end.
 Definition read_witness (v : N) (t : list string) : reading (option contact) :=
   if (v =? 0)%N then Read None t else let* (w, t) := line contact_of t in Read (Some w) t.
-Definition read_piece (t : list string) : reading piece :=
+Definition read_piece (about : section) (t : list string) : reading piece :=
   let* (r, t) := two_ratios "piece" t in
   let* (n, t) := value "bits" natural t in
   let* (u, t) := value "upper" (fun v => if v =? "none" then Some None else option_map Some (natural v)) t in
-  let* (c, t) := match u with None => Read None t | Some u => let* (c, t) := read_cover t in Read (Some (u, c)) t end in
+  let* (c, t) :=
+    match u with
+    | None => Read None t
+    | Some u => let* (c, t) := read_cover about t in Read (Some (u, c)) t
+    end in
   let* (v, t) := value "lower" natural t in
   let* (w, t) := read_witness v t in
   Read {| from := fst r; to := snd r; bits := n; bound := c; attained := v; witness := w |} t.
 (** Pieces as long as there are; [fuel] is the number of lines. *)
-Fixpoint read_pieces (fuel : nat) (t : list string) : reading (list piece) :=
+Fixpoint read_pieces (fuel : nat) (about : section) (t : list string) : reading (list piece) :=
   match fuel, t with
   | S fuel, l :: _ =>
     match split_at " " l with
-    | "piece" :: _ => let* (P, t) := read_piece t in let* (l, t) := read_pieces fuel t in Read (P :: l) t
+    | "piece" :: _ => let* (P, t) := read_piece about t in let* (l, t) := read_pieces fuel about t in Read (P :: l) t
     | _ => Read [] t
     end
   | _, _ => Read [] t
   end.
 
-(** A file that is about something else than the section turning of the dumbbell is not wrong, but not for this
-  checker. *)
-Definition known (keyword expected : string) (t : list string) : reading bool :=
+(** A file that is about something else than the sections turning and full of the dumbbell is not wrong, but not for
+    this checker. *)
+Definition known {A} (keyword : string) (expected : list (string * A)) (t : list string) : reading (option A) :=
   line (fun w => match w with
-    | [k; v] => if k =? keyword then if v =? expected then Some true else if is_word false v ||
-      (all_chars is_digit v && negb (v =? "")) then Some false else None else None
+    | [k; v] =>
+        if negb (k =? keyword) then None else
+        match find (fun x => v =? fst x) expected with
+        | Some x => Some (Some (snd x))
+        | None => if is_word false v || (all_chars is_digit v && negb (v =? "")) then Some None else None
+        end
     | _ => None end) t.
 
 Inductive answer := Verified (c : certificate) | Rejected (number : nat) (why : string) | Unsupported (number : nat)
@@ -132,24 +143,29 @@ Inductive answer := Verified (c : certificate) | Rejected (number : nat) (why : 
 Section Judge.
 Variable t : list string.
 Let number (rest : list string) : nat := (List.length t - List.length rest + 1)%nat.
-Definition header (k : list string -> answer) : answer :=
-  let unknown word rest := Unsupported (number rest - 1) ("not checked here: " ++ nth (number rest - 2) t "" ++
-    ", where only " ++ word ++ " is") in
-  let expect keyword expected rest k := match known keyword expected rest with
-    | Wrong rest => Rejected (number rest) ("expected `" ++ keyword ++ "`")
-    | Read false rest => unknown (keyword ++ " " ++ expected) rest
-    | Read true rest => k rest end in
-  expect "dumbbell-certificate" "1" t (fun rest =>
+Definition expect {A} (keyword : string) (expected : list (string * A)) (rest : list string)
+    (k : A -> list string -> answer) : answer :=
+  match known keyword expected rest with
+  | Wrong rest => Rejected (number rest) ("expected `" ++ keyword ++ "`")
+  | Read None rest => Unsupported (number rest - 1)
+      ("not checked here: " ++ nth (number rest - 2) t "" ++ ", where only " ++ keyword ++ " " ++
+       String.concat " or " (map fst expected) ++ " is")
+  | Read (Some x) rest => k x rest
+  end.
+Definition header (k : section -> list string -> answer) : answer :=
+  expect "dumbbell-certificate" [("1", tt)] t (fun _ rest =>
   match rest with [] => Rejected (number rest) "the text ends too early" | _ :: rest =>
-  expect "lemmas" "1" rest (fun rest => expect "scene" "dumbbell" rest (fun rest => expect "section" "turning" rest
-    (fun rest => expect "claim" "collisions" rest k)))
+  expect "lemmas" [("1", tt)] rest (fun _ rest => expect "scene" [("dumbbell", tt)] rest (fun _ rest =>
+  expect "section" [("turning", turning); ("full", full)] rest (fun about rest =>
+  expect "claim" [("collisions", tt)] rest (fun _ rest => k about rest))))
   end).
-Definition read_body (generator : string) (rest : list string) : reading certificate :=
+Definition read_body (generator : string) (about : section) (rest : list string) : reading certificate :=
   let* (r, rest) := two_ratios "ratio" rest in
   let* (_, rest) := value "pieces" natural rest in
-  let* (l, rest) := read_pieces (List.length t) rest in
+  let* (l, rest) := read_pieces (List.length t) about rest in
   match split_at " " generator with
-  | [_; p; v] => Read {| program := p; program_version := v; range_from := fst r; range_to := snd r; pieces := l |} rest
+  | [_; p; v] => Read {| program := p; program_version := v; about := about; range_from := fst r; range_to := snd r;
+                         pieces := l |} rest
   | _ => Wrong (tl t)
   end.
 Fixpoint first_difference (a b : list string) : option nat :=
@@ -166,8 +182,8 @@ Definition too_much (P : piece) : bool :=
 (** The verdict on the lines of a file: read, written again, compared, and checked.
   [sha256] is the checksum of all lines but the last. *)
 Definition judge (sha256 : string) (d : demand) : answer :=
-  header (fun rest =>
-  match read_body (nth 1 t "") rest with
+  header (fun about rest =>
+  match read_body (nth 1 t "") about rest with
   | Wrong rest => Rejected (number rest) "not a line for this place"
   | Read c _ =>
     match first_difference (file_text c sha256) t with
@@ -190,19 +206,19 @@ Qed.
 Theorem verified_text sha256 d c : judge sha256 d = Verified c ->
   t = file_text c sha256 /\ canonical c = true /\ certificate_fault d c = None.
 Proof.
-  unfold judge. set (K := fun rest => match read_body (nth 1 t "") rest with Wrong _ => _ | Read _ _ => _ end).
-  assert (HK : forall rest, K rest = Verified c -> t = file_text c sha256 /\ canonical c = true /\
+  unfold judge.
+  set (K := fun about rest => match read_body (nth 1 t "") about rest with Wrong _ => _ | Read _ _ => _ end).
+  assert (HK : forall about rest, K about rest = Verified c -> t = file_text c sha256 /\ canonical c = true /\
     certificate_fault d c = None).
-  { intros rest. unfold K. destruct (read_body _ rest) as [c' rest'|]; [|discriminate].
+  { intros about rest. unfold K. destruct (read_body _ about rest) as [c' rest'|]; [|discriminate].
     destruct (first_difference _ t) eqn:E1; [discriminate|]. destruct (canonical c') eqn:E2; [|discriminate]. simpl.
     destruct (existsb too_much (pieces c')); [discriminate|]. destruct (certificate_fault d c') eqn:E3; [discriminate|].
     intros H. injection H; intros <-. apply same_lines in E1. repeat split; try assumption. now symmetry. }
-  unfold header. destruct (known "dumbbell-certificate" "1" t) as [[|] r1|]; try discriminate. destruct r1 as [|g r1];
-    [discriminate|].
-  destruct (known "lemmas" "1" r1) as [[|] r2|]; try discriminate. destruct (known "scene" "dumbbell" r2) as [[|] r3|];
-    try discriminate.
-  destruct (known "section" "turning" r3) as [[|] r4|]; try discriminate.
-    destruct (known "claim" "collisions" r4) as [[|] r5|]; try discriminate.
-  apply HK.
+  assert (HE : forall A keyword (expected : list (string * A)) rest k, expect keyword expected rest k = Verified c ->
+    exists x rest', k x rest' = Verified c).
+  { intros A keyword expected rest k. unfold expect. destruct (known _ _ _) as [[x|] rest'|]; try discriminate. eauto. }
+  unfold header. intros H. apply HE in H. destruct H as [_ [[|_ r1] H]]; [discriminate|].
+  apply HE in H. destruct H as [_ [r2 H]]. apply HE in H. destruct H as [_ [r3 H]].
+  apply HE in H. destruct H as [about [r4 H]]. apply HE in H. destruct H as [_ [r5 H]]. exact (HK about r5 H).
 Qed.
 End Judge.

@@ -1,5 +1,6 @@
-(** How a certificate is written in lines (docs/reference/format.md, sections 1 to 3): [file_text c sha256] are its
-  lines. This is the relation between a file and what it says; Reader.v only looks for the c. *)
+(** How a certificate is written in lines (docs/reference/format.md, sections 1 to 3; format-sections.md, its table and
+    section 1): [file_text c sha256] are its lines. This is the relation between a file and what it says;
+    Reader.v only looks for the c. *)
 From Coq Require Import ZArith NArith List Bool String Ascii DecimalString DecimalN.
 From Dumbbell Require Import Certificate Check.
 Import ListNotations.
@@ -13,22 +14,32 @@ Definition dyadic_text (x : dyadic) : string := decimal (odd_part x) ++ "b" ++ i
 Definition reason_text (why : reason) : string :=
   match why with
   | Count a b => "count " ++ decimal a ++ " " ++ decimal b
+  | Forward a => "count " ++ decimal a
   | Outside => "outside"
   | Meets => "meets"
   | Meets_reversed => "meets-reversed"
+  | Once => "once"
   end.
-(** [slope] is the name of the second axis: eta in the chart bridge, lambda in the chart light. *)
-Definition axis_text (slope : string) (a : axis) : string := match a with axis_e => "e" | axis_slope =>
-  slope | axis_q => "q" end.
-Fixpoint tree_text (slope : string) (t : tree) (rest : list string) : list string :=
+(** The axes of a chart; the third is q. *)
+Definition axis_text (c : chart) (a : axis) : string :=
+  match a with
+  | axis_e => match c with Contact | Again => "t" | _ => "e" end
+  | axis_slope => match c with Light => "lambda" | _ => "eta" end
+  | axis_q => "q"
+  end.
+Fixpoint tree_text (c : chart) (t : tree) (rest : list string) : list string :=
   match t with
   | Leaf why => reason_text why :: rest
-  | Split a lower upper => ("split " ++ axis_text slope a) :: tree_text slope lower (tree_text slope upper rest)
+  | Split a lower upper => ("split " ++ axis_text c a) :: tree_text c lower (tree_text c upper rest)
   end.
+Definition chart_text (c : chart) (t : tree) (rest : list string) : list string :=
+  ("chart " ++ chart_name c) :: tree_text c t rest.
 Definition cover_text (c : cover) (rest : list string) : list string :=
   match c with
   | Equal_masses => "equal-masses" :: rest
-  | Charts bridge light => "chart bridge" :: tree_text "eta" bridge ("chart light" :: tree_text "lambda" light rest)
+  | Charts bridge light => chart_text Bridge bridge (chart_text Light light rest)
+  | Full_charts contact departure again =>
+      chart_text Contact contact (chart_text Departure departure (chart_text Again again rest))
   end.
 Definition witness_text (w : option contact) (rest : list string) : list string :=
   match w with
@@ -45,46 +56,42 @@ Definition piece_text (P : piece) (rest : list string) : list string :=
   end.
 
 (** The totals: how many lines of each kind there are. *)
-Record totals := { splits : N; counts : N; outsides : N; meetings : N; meetings_reversed : N; equals : N;
-  witnesses : N; opens : N }.
-Fixpoint tree_totals (t : tree) (s : totals) : totals :=
+Fixpoint in_tree (counts_split : bool) (leaf : reason -> bool) (t : tree) (n : N) : N :=
   match t with
-  | Leaf (Count _ _) => {| splits := splits s; counts := N.succ (counts s); outsides := outsides s; meetings :=
-    meetings s;
-      meetings_reversed := meetings_reversed s; equals := equals s; witnesses := witnesses s; opens := opens s |}
-  | Leaf Outside => {| splits := splits s; counts := counts s; outsides := N.succ (outsides s); meetings := meetings s;
-      meetings_reversed := meetings_reversed s; equals := equals s; witnesses := witnesses s; opens := opens s |}
-  | Leaf Meets => {| splits := splits s; counts := counts s; outsides := outsides s; meetings := N.succ (meetings s);
-      meetings_reversed := meetings_reversed s; equals := equals s; witnesses := witnesses s; opens := opens s |}
-  | Leaf Meets_reversed => {| splits := splits s; counts := counts s; outsides := outsides s; meetings := meetings s;
-      meetings_reversed := N.succ (meetings_reversed s); equals := equals s; witnesses := witnesses s; opens :=
-        opens s |}
-  | Split _ l u => let s := tree_totals u (tree_totals l s) in
-      {| splits := N.succ (splits s); counts := counts s; outsides := outsides s; meetings := meetings s;
-         meetings_reversed := meetings_reversed s; equals := equals s; witnesses := witnesses s; opens := opens s |}
+  | Leaf why => if leaf why then N.succ n else n
+  | Split _ l u => in_tree counts_split leaf u (in_tree counts_split leaf l (if counts_split then N.succ n else n))
   end.
-Definition piece_totals (s : totals) (P : piece) : totals :=
-  let s := match bound P with Some (_, Charts b l) => tree_totals l (tree_totals b s) | _ => s end in
-  {| splits := splits s; counts := counts s; outsides := outsides s; meetings := meetings s; meetings_reversed :=
-    meetings_reversed s;
-     equals := match bound P with Some (_, Equal_masses) => N.succ (equals s) | _ => equals s end;
-     witnesses := match witness P with Some _ => N.succ (witnesses s) | None => witnesses s end;
-     opens := match bound P with None => N.succ (opens s) | Some _ => opens s end |}.
-Definition no_lines : totals := {| splits := 0; counts := 0; outsides := 0; meetings := 0; meetings_reversed :=
-  0; equals := 0; witnesses := 0; opens := 0 |}.
-Definition totals_text (s : totals) : list string :=
-  ["total split " ++ decimal (splits s); "total count " ++ decimal (counts s); "total outside " ++ decimal (outsides s);
-   "total meets " ++ decimal (meetings s); "total meets-reversed " ++ decimal (meetings_reversed s);
-   "total equal-masses " ++ decimal (equals s); "total witness " ++ decimal (witnesses s);
-     "total open " ++ decimal (opens s)].
+Definition in_cover (counts_split : bool) (leaf : reason -> bool) (n : N) (P : piece) : N :=
+  let count := in_tree counts_split leaf in
+  match bound P with
+  | Some (_, Charts b l) => count l (count b n)
+  | Some (_, Full_charts c d a) => count a (count d (count c n))
+  | _ => n
+  end.
+Definition total_text (name : string) (n : N) : string := "total " ++ name ++ " " ++ decimal n.
+Definition totals_text (about : section) (l : list piece) : list string :=
+  let leaves name leaf := total_text name (fold_left (in_cover false leaf) l 0%N) in
+  let those name good := total_text name (how_many good l) in
+  ([total_text "split" (fold_left (in_cover true (fun _ => false)) l 0%N);
+   leaves "count" (fun why => match why with Count _ _ | Forward _ => true | _ => false end);
+   leaves "outside" (fun why => match why with Outside => true | _ => false end);
+   leaves "meets" (fun why => match why with Meets => true | _ => false end);
+   leaves "meets-reversed" (fun why => match why with Meets_reversed => true | _ => false end);
+   those "equal-masses" (fun P => match bound P with Some (_, Equal_masses) => true | _ => false end);
+   those "witness" (fun P => match witness P with Some _ => true | None => false end)] ++
+  match about with
+  | turning => []
+  | full => [leaves "once" (fun why => match why with Once => true | _ => false end)]
+  end ++
+  [those "open" (fun P => match bound P with None => true | Some _ => false end)])%list.
 
+Definition section_name (about : section) : string := match about with turning => "turning" | full => "full" end.
 Definition certificate_text (c : certificate) : list string :=
   "dumbbell-certificate 1" :: ("generator " ++ program c ++ " " ++ program_version c) :: "lemmas 1" :: "scene dumbbell"
-    ::
-  "section turning" :: "claim collisions" :: ("ratio " ++ ratio_text (range_from c) ++ " " ++ ratio_text (range_to c))
-    ::
-  ("pieces " ++ decimal (N.of_nat (List.length (pieces c)))) ::
-  fold_right piece_text (totals_text (fold_left piece_totals (pieces c) no_lines)) (pieces c).
+    :: ("section " ++ section_name (about c)) :: "claim collisions"
+    :: ("ratio " ++ ratio_text (range_from c) ++ " " ++ ratio_text (range_to c))
+    :: ("pieces " ++ decimal (N.of_nat (List.length (pieces c))))
+    :: fold_right piece_text (totals_text (about c) (pieces c)) (pieces c).
 (** With the last line, the checksum of all lines before it. *)
 Definition file_text (c : certificate) (sha256 : string) : list string := List.app (certificate_text c) ["sha256 " ++
   sha256].
@@ -111,6 +118,7 @@ Definition contact_canonical (w : contact) : bool :=
 Fixpoint tree_canonical (e slope q : nat) (t : tree) : bool :=
   match t with
   | Leaf (Count a b) => short a && short b
+  | Leaf (Forward a) => short a
   | Leaf _ => true
   | Split axis_e l u => match e with O => false | S e => tree_canonical e slope q l && tree_canonical e slope q u end
   | Split axis_slope l u => match slope with O => false | S slope => tree_canonical e slope q l &&
@@ -122,6 +130,8 @@ Definition piece_canonical (P : piece) : bool :=
     short (attained P) &&
   match bound P with
   | Some (U, Charts b l) => short U && tree_canonical 400 400 400 b && tree_canonical 400 400 400 l
+  | Some (U, Full_charts c d a) =>
+      short U && tree_canonical 400 400 400 c && tree_canonical 400 400 400 d && tree_canonical 400 400 400 a
   | Some (U, Equal_masses) => short U
   | None => true
   end && match witness P with Some w => contact_canonical w && negb (attained P =? 0)%N | None => true end.

@@ -13,6 +13,8 @@ let dyadic d = Printf.sprintf "(Build_dyadic %s %s)" (decimal d.C.odd_part) (int
 
 let rec tree b = function
   | C.Leaf (C.Count (x, y)) -> Printf.bprintf b "(count %s %s)" (decimal x) (decimal y)
+  | C.Leaf (C.Forward x) -> Printf.bprintf b "(Leaf (Forward %s))" (decimal x)
+  | C.Leaf C.Once -> Buffer.add_string b "(Leaf Once)"
   | C.Leaf C.Outside -> Buffer.add_string b "out"
   | C.Leaf C.Meets -> Buffer.add_string b "(Leaf Meets)"
   | C.Leaf C.Meets_reversed -> Buffer.add_string b "(Leaf Meets_reversed)"
@@ -23,17 +25,18 @@ let rec tree b = function
     tree b u;
     Buffer.add_char b ')'
 
+let charts b u name trees =
+  Printf.bprintf b "(Some (%s, %s" (decimal u) name;
+  List.iter (fun t -> Buffer.add_char b ' '; tree b t) trees;
+  Buffer.add_string b "))"
+
 let piece b p =
   Printf.bprintf b "(Build_piece %s %s %s " (ratio p.C.from) (ratio p.C.to0) (decimal p.C.bits);
   (match p.C.bound with
    | None -> Buffer.add_string b "None"
    | Some (u, C.Equal_masses) -> Printf.bprintf b "(Some (%s, Equal_masses))" (decimal u)
-   | Some (u, C.Charts (bridge, light)) ->
-     Printf.bprintf b "(Some (%s, Charts " (decimal u);
-     tree b bridge;
-     Buffer.add_char b ' ';
-     tree b light;
-     Buffer.add_string b "))");
+   | Some (u, C.Charts (bridge, light)) -> charts b u "Charts" [bridge; light]
+   | Some (u, C.Full_charts (contact, departure, again)) -> charts b u "Full_charts" [contact; departure; again]);
   Printf.bprintf b " %s " (decimal p.C.attained);
   (match p.C.witness with
    | None -> Buffer.add_string b "None"
@@ -81,7 +84,7 @@ let write_all folder demand c =
   let from, upto = range in
   write folder "Whole.v" (Printf.sprintf "From Coq Require Import Reals ZArith NArith List String Lra.\n\
 From Dumbbell Require Import Statement Certificate Check Piece Verdict.\nFrom Kernel Require %s.\nImport ListNotations.\n\
-Definition whole : certificate := Build_certificate \"%s\" \"%s\" %s %s (%s).\n\
+Definition whole : certificate := Build_certificate \"%s\" \"%s\" %s %s %s (%s).\n\
 (** As asked; what is not asked of it is what %s says. *)\n\
 Definition asked : demand := Build_demand (Some (%s, %s)) %s %s.\n\
 Lemma accepted : certificate_fault asked whole = None.\nProof.\n  apply all_parts.\n  - vm_cast_no_check (eq_refl true).\n\
@@ -93,7 +96,8 @@ Theorem proved_by_the_kernel : forall q : R, %s <= q <= %s -> %s.\nProof.\n  int
 Theorem each_piece_proved : forall P, In P (pieces whole) -> forall q : R, in_piece P q ->\n\
   (forall U w, bound P = Some (U, w) -> upper_bound q (N.to_nat U)) /\\ lower_bound q (N.to_nat (attained P)).\n\
 Proof. exact (each_piece _ _ (fault_none _ _ accepted)). Qed.\nRedirect \"assumptions\" Print Assumptions proved_by_the_kernel.\n"
-    (String.concat " " names) (of_coq c.C.program) (of_coq c.C.program_version) (ratio c.C.range_from) (ratio c.C.range_to)
+    (String.concat " " names) (of_coq c.C.program) (of_coq c.C.program_version)
+    (match c.C.about with C.Turning -> "turning" | C.Full -> "full") (ratio c.C.range_from) (ratio c.C.range_to)
     (String.concat " ++ " (List.map (fun n -> n ^ ".part") names)) said
     (ratio from) (ratio upto) (option count most) (option count least)
     (String.concat "" (List.map (fun n -> ", " ^ n ^ ".part_holds") names))

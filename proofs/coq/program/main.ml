@@ -4,9 +4,10 @@ open Convert
 
 let claim c digest =
   let l = c.C.pieces and ratio r = of_coq (C.ratio_text r) in
-  Printf.sprintf "s VERIFIED scene=dumbbell ratio=%s:%s upper=%s lower=%s gaps=%s open=%s sha256=%s"
+  Printf.sprintf "s VERIFIED scene=dumbbell ratio=%s:%s upper=%s lower=%s gaps=%s open=%s%s sha256=%s"
     (ratio c.C.range_from) (ratio c.C.range_to) (match C.greatest l with Some u -> decimal u | None -> "none")
-    (decimal (C.least l)) (decimal (C.how_many C.is_gap l)) (decimal (C.how_many C.is_open l)) digest
+    (decimal (C.least l)) (decimal (C.how_many C.is_gap l)) (decimal (C.how_many C.is_open l))
+    (if C.says_heavy_once c then " heavy-at-most=1" else "") digest
 
 let examine (o : Demand.t) path =
   let lines, digest = Text.lines path in

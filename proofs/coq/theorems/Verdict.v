@@ -57,8 +57,8 @@ Proof. intros H. destruct (verified_text t sha256 d c H) as [A [_ B]]. split; [e
 Definition one_leaf a b := Leaf (Count a b).
 Definition half : dyadic := {| odd_part := 1; exponent := -1 |}.
 Definition ten : ratio := {| num := 10; den := 1 |}.
-Definition q_10 : certificate := {| program := "dumbbell"; program_version := "0.1.0"; range_from := ten; range_to :=
-  ten;
+Definition q_10 : certificate := {| program := "dumbbell"; program_version := "0.1.0"; about := turning;
+  range_from := ten; range_to := ten;
   pieces := [{| from := ten; to := ten; bits := 53; bound := Some (4%N, Charts (one_leaf 1 2) (one_leaf 1 1));
     attained := 4;
     witness := Some {| contact_e := half; contact_eta := half; after_X := 1; after_reversed := 2 |} |}] |}.

@@ -1,5 +1,5 @@
 (** L15, the counts: the later collisions of a state that leaves the wall R, and what a cover of all first collisions
-    has to show. No physics. *)
+    has to show. No physics. A steep flight has no later collision; one steeper than the bridge is a ray. *)
 From Coq Require Import Reals Lra Lia.
 From Dumbbell Require Import Ray Chart.
 Local Open Scope R_scope.
@@ -34,4 +34,22 @@ Proof.
   intros Hq Hk HD. unfold next_slope. apply Rmult_lt_reg_r with (slope_den w k r); [exact HD|].
   unfold Rdiv. rewrite Rmult_assoc, Rinv_l, Rmult_1_r by lra.
   assert (0 < (w * w + r) * (w - k)) by (apply Rmult_lt_0_compat; lra). unfold slope_num, slope_den in *. lra.
+Qed.
+
+(** L3: no later collision. *)
+Lemma forward_steep r n x k : 0 < r <= 1 -> 1 <= k -> forward r n x k -> n = O.
+Proof.
+  intros Hr Hk. destruct n as [|n]; [easy|]. intros [[t [[_ [_ Ht]] _]]|[_ [y [_ [[_ [_ Hy]] _]]]]].
+  - destruct (COS_bound t). assert (r * cos t <= r * 1) by (apply Rmult_le_compat_l; lra). lra.
+  - destruct (COS_bound y). lra.
+Qed.
+(** As steep as the bridge, it never meets it: it is a ray. *)
+Lemma forward_is_ray r n : 0 < r <= 1 -> forall x k, 0 <= x <= PI/2 -> r <= k -> forward r n x k ->
+  coll r n (height_at x k PI) k.
+Proof.
+  intros Hr. induction n as [|n IH]; [easy|]. intros x k Hx Hk [[t [[_ [_ Ht]] _]]|[_ [y [_ [Hy Hn]]]]].
+  - destruct (COS_bound t). assert (r * cos t <= r * 1) by (apply Rmult_le_compat_l; lra). lra.
+  - exists y. split; [exact Hy|]. destruct Hn as [Hn|[HD Hn]]; [now left | right]. split; [exact HD|].
+    destruct (next_domain (height_at x k PI) k r y ltac:(lra) ltac:(lra) Hy HD) as [K _]. simpl.
+    apply IH; [destruct Hy; lra | exact K | exact Hn].
 Qed.

@@ -1,7 +1,6 @@
-(** L15 (a) to (c), one step of the lowest ray: lower bounds of a state's x and k bound its flight from below, and its
-    next state; a contact with the bridge comes before any T with r cos T <= k, and the tangent ray at T bounds what is
-    later. The highest ray bounds the contacts where it collides or is below the bridge; the case that it does neither,
-    and its own reflection, are not here. *)
+(** L15 (a) to (c), one step of the lowest and of the highest ray: bounds of a state's x and k bound its flight, and its
+    next state. A contact with the bridge comes before any T with r cos T <= k of the lowest ray, or at which the
+    highest ray is below the bridge; the tangent ray at T bounds what is later. *)
 From Coq Require Import Reals Lra Lia.
 From Dumbbell Require Import Ray Chart Forward.
 Local Open Scope R_scope.
@@ -18,21 +17,24 @@ Proof.
   assert (0 <= (k + cos x) * (x - x0)) by (apply Rmult_le_pos; lra). lra.
 Qed.
 
-(** L15 (a): the collision with the wall, and the reflection. *)
-Lemma L15a_wall r x0 k0 x k y : lower x0 k0 x k -> clears_bridge r x k -> hit (height_at x k PI) k y ->
-  exists y0, hit (Rmax 0 (height_at x0 k0 PI)) k0 y0 /\ y0 <= y.
+(** L15 (a): the reflection of the lowest ray, with a lower bound y0 of the contact and an upper bound w0 of cos y0; *)
+Lemma L15a_lowest r0 r k0 k y0 y w0 : 0 < r0 <= r -> 0 <= y0 <= y -> y < PI/2 -> cos y0 <= w0 -> k0 <= k ->
+  k < cos y -> 0 < slope_den (cos y) k r -> lower y0 (next_slope w0 k0 r0) y (next_slope (cos y) k r).
 Proof.
-  intros HL Hc Hy. assert (HPI : 0 < PI) by apply PI_RGT_0. assert (K := Hc PI ltac:(lra)). rewrite sin_PI in K.
-  assert (A := L15a_height x0 k0 x k PI HL ltac:(lra)).
-  apply (flight_mono _ _ (height_at x k PI) k); [apply Rmax_l | apply Rmax_lub; lra | apply HL | exact Hy].
-Qed.
-Lemma L15a_reflection r0 r k0 k y0 y : 0 < r0 <= r -> 0 <= y0 <= y -> y < PI/2 -> k0 <= k -> k < cos y ->
-  0 < slope_den (cos y) k r ->
-  0 < slope_den (cos y0) k0 r0 /\ lower y0 (next_slope (cos y0) k0 r0) y (next_slope (cos y) k r).
-Proof.
-  intros Hr Hy Hy2 Hk Hky HD. assert (W := cos_pos y ltac:(lra)). assert (C : cos y <= cos y0) by (apply cos_mono; lra).
-  destruct (reflect_mono (cos y0) (cos y) k0 k r0 r) as [D1 K1]; try lra. split; [exact D1|].
+  intros Hr Hy Hy2 Hw Hk Hky HD. assert (W := cos_pos y ltac:(lra)).
+  assert (C : cos y <= cos y0) by (apply cos_mono; lra).
+  destruct (reflect_mono w0 (cos y) k0 k r0 r) as [_ K1]; try lra.
   assert (0 <= cos y * cos y) by apply Rle_0_sqr. assert (N := next_leaves (cos y) k r ltac:(lra) Hky HD).
+  unfold lower. repeat split; lra.
+Qed.
+(** and of the highest ray, with an upper bound y1 of the contact and a lower bound w1 of cos y1. *)
+Lemma L15a_highest r r1 k k1 y y1 w1 : 0 < r <= r1 -> 0 <= y <= y1 -> y1 <= PI/2 -> 0 < w1 <= cos y1 -> k <= k1 ->
+  0 < slope_den w1 k1 r1 -> lower y (next_slope (cos y) k r) y1 (next_slope w1 k1 r1).
+Proof.
+  intros Hr Hy Hy2 Hw Hk HD. assert (C : cos y1 <= cos y) by (apply cos_mono; lra).
+  assert (K := slope_below_wall w1 k1 r1 ltac:(lra) ltac:(lra) HD).
+  destruct (reflect_mono (cos y) w1 k k1 r r1) as [_ K1]; try lra.
+  assert (0 <= w1 * w1) by apply Rle_0_sqr. assert (N := next_leaves w1 k1 r1 ltac:(lra) K HD).
   unfold lower. repeat split; lra.
 Qed.
 
@@ -65,7 +67,7 @@ Proof.
 Qed.
 
 (** Upper bounds of a state, L15 (a): where the highest ray collides, the state does before. *)
-Lemma L15a_highest r x k x1 k1 y1 : lower x k x1 k1 -> clears_bridge r x k -> hit (height_at x1 k1 PI) k1 y1 ->
+Lemma L15a_collides_before r x k x1 k1 y1 : lower x k x1 k1 -> clears_bridge r x k -> hit (height_at x1 k1 PI) k1 y1 ->
   exists y, hit (height_at x k PI) k y /\ y <= y1.
 Proof.
   intros HL Hc Hy. assert (HPI : 0 < PI) by apply PI_RGT_0. assert (K := Hc PI ltac:(lra)). rewrite sin_PI in K.
