@@ -28,8 +28,6 @@ Inductive section := turning | full.
 Record certificate := { program : string; program_version : string; about : section; range_from : ratio;
   range_to : ratio; pieces : list piece }.
 
-Lemma ratio_pos x : 0 < ratio_value x.
-Proof. unfold ratio_value. apply Rdiv_lt_0_compat; now apply IZR_lt. Qed.
 Lemma ratio_cross x y : ratio_value x * (IZR (Zpos (den x)) * IZR (Zpos (den y))) = IZR (Zpos (num x * den y)) /\
   ratio_value y * (IZR (Zpos (den x)) * IZR (Zpos (den y))) = IZR (Zpos (num y * den x)).
 Proof.

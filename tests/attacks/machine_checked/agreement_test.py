@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """agreement_test.py PROJECT PROVE DUMBBELL DUMBBELL_VERIFY MUTATION: the checker extracted from the Coq proof and the project's verifier
-have the same verdict on what both can judge, files with the section turning of the scene dumbbell: on the shipped certificates, the
+have the same verdict on what both can judge, files with the sections turning and full of the scene dumbbell: on the shipped certificates, the
 committed false claims, a sample of all mutants, and on certificates written now. Where the verifier says no, the proved checker must.
 
 DUMBBELL_PROVE_SCALE (1) times as many fresh certificates, and mutants (up to ten times), and the largest shipped certificate. Exit code 77 if PROVE was not built: `./run prove` does."""
@@ -21,8 +21,8 @@ PROVE, DUMBBELL, VERIFIER, MUTATION = sys.argv[2:6]
 del sys.argv[1:6]
 SCALE = int(os.environ.get("DUMBBELL_PROVE_SCALE", "1"))
 BASES = ["equal", "single", "thousand", "single-split", "deep", "range", "range-from-1", "range-split", "range-deep", "open", "loose", "big",
-         "big-range"]
-TURNING = [b"lemmas 1", b"scene dumbbell", b"section turning"]
+         "big-range", "full", "full-equal", "full-range", "full-deep", "full-again"]
+JUDGED = [[b"lemmas 1", b"scene dumbbell", b"section " + section] for section in (b"turning", b"full")]
 
 
 def verdict(program, options, path):
@@ -30,13 +30,13 @@ def verdict(program, options, path):
     return ended.returncode, (ended.stdout.splitlines() or [ended.stderr])[-1]
 
 
-def is_turning(path):
+def is_judged(path):
     data = path.read_bytes()
     try:
         data = gzip.decompress(data) if data[:2] == b"\x1f\x8b" else data
     except (OSError, EOFError, zlib.error):
         return True  # refused by both
-    return data.split(b"\n")[2:5] == TURNING
+    return data.split(b"\n")[2:5] in JUDGED
 
 
 def manifest(path):
@@ -61,7 +61,7 @@ class Agreement(unittest.TestCase):
         for row in (PROJECT / "certificates/claims.tsv").read_text().splitlines():
             name, claim, _, small = row.split("\t")
             path = PROJECT / name
-            if name.startswith("#") or not is_turning(path) or (small != "yes" and SCALE == 1):
+            if name.startswith("#") or not is_judged(path) or (small != "yes" and SCALE == 1):
                 continue
             theirs = verdict(VERIFIER, ["--quiet", *claim.split()], path)
             ours = self.same(claim.split(), path, theirs)
@@ -73,7 +73,7 @@ class Agreement(unittest.TestCase):
         """How many files of the table were refused and accepted."""
         numbers = [0, 0]
         for path, options, code in manifest(table):
-            if is_turning(path) and not any(option.startswith(("--scene", "--claim")) for option in options):
+            if is_judged(path) and not any(option.startswith(("--scene", "--claim")) for option in options):
                 self.same(options, path, (code, ""))
                 numbers[code == 0] += 1
         return numbers
@@ -99,11 +99,12 @@ class Agreement(unittest.TestCase):
         for _ in range(20 * SCALE):
             low = round(10 ** chance.uniform(0, 4), chance.randrange(6))
             # Single ratios, narrow ranges, and ratios next to a step, which take more than 53 bits.
-            request = chance.choice([str(low), f"{low}:{low * (1 + 10 ** chance.uniform(-6, -1)):.9f}", "4.603338848751701",
-                                     f"{4.603338848751 + chance.uniform(0, 1e-11):.17f}"])
+            request = chance.choice([[str(low)], [f"{low}:{low * (1 + 10 ** chance.uniform(-6, -1)):.9f}"], ["4.603338848751701"],
+                                     [f"{4.603338848751 + chance.uniform(0, 1e-11):.17f}"],
+                                     [f"{1 + chance.uniform(0, 100):.3f}", "--section", "full"]])
             with tempfile.TemporaryDirectory() as folder:
                 path = Path(folder) / "fresh.dbc"
-                written = subprocess.run([DUMBBELL, "certify", request, "--out", path], capture_output=True, text=True, check=False)
+                written = subprocess.run([DUMBBELL, "certify", *request, "--out", path], capture_output=True, text=True, check=False)
                 self.assertIn(written.returncode, (0, 3), written.stderr)
                 if path.exists():
                     theirs = verdict(VERIFIER, ["--quiet"], path)
