@@ -63,24 +63,9 @@ Qed.
 Lemma before_peak p t0 v x k t1 : motion P p -> leaves_R p t0 v x k -> t0 < t1 ->
   (forall s, t0 <= s <= t1 -> on_line p t0 v s) -> collision P p t1 -> - PI < psi_of (p t1).
 Proof.
-  intros Hm HR H01 Ln Hc. apply Rnot_le_lt. intros K. assert (HPI : 0 < PI) by apply PI_RGT_0. assert (HR0 := HR).
-  destruct HR as [Ha Hp Hx Hy Hu Hs Hup].
-  destruct (on_line_coords P HP _ _ _ _ (Ln t1 ltac:(lra))) as [E1 E2].
-  set (d := (psi_of (p t0) + PI) / - u_of v). assert (Hd : - u_of v * d = psi_of (p t0) + PI) by (unfold d; field; lra).
-  assert (D0 : 0 <= d) by (unfold d; apply Rmult_le_pos; [lra | left; apply Rinv_0_lt_compat; lra]).
-  assert (D1 : d <= t1 - t0) by (apply Rmult_le_reg_l with (- u_of v); lra).
-  destruct (on_line_coords P HP _ _ _ _ (Ln (t0 + d) ltac:(lra))) as [F1 F2].
-  replace (t0 + d - t0) with d in F1, F2 by ring. assert (Fl := floor1 P HP p (t0 + d) Hm).
-  replace (psi_of (p (t0 + d))) with (- PI) in Fl by lra. rewrite cos_neg, cos_PI in Fl.
-  assert (Fy : yh (p (t0 + d)) = sin x + k * (psi_of (p t0) + PI)).
-  { rewrite F2, Hy, <- Hs. replace (k * - u_of v * d) with (k * (- u_of v * d)) by ring. rewrite Hd. ring. }
-  destruct (SIN_bound x). assert (Hk : 0 <= k).
-  { apply Rmult_le_reg_r with (psi_of (p t0) + PI); lra. }
-  assert (Hv : 0 <= v_of P v) by (rewrite <- Hs; apply Rmult_le_pos; lra).
-  assert (v_of P v * d <= v_of P v * (t1 - t0)) by (apply Rmult_le_compat_l; lra).
-  apply (high_no_collision P HP Hr1 p t1 v Hm); [|exact Hv | lra | exact Hc].
-  destruct (Ln t1 ltac:(lra)) as [Q1 Q2]. exists (t1 - t0). split; [lra|]. intros s Hs'.
-  destruct (Ln s ltac:(lra)). split; lra.
+  intros Hm [Ha Hp Hx Hy Hu Hs Hup] H01 Ln Hc. apply Rnot_le_lt. intros K. assert (HPI : 0 < PI) by apply PI_RGT_0.
+  apply (past_peak P HP Hr1 p t0 v k t1); try assumption; [lra|]. intros Hh. destruct (SIN_bound x).
+  apply Rmult_le_reg_r with (psi_of (p t0) + PI); lra.
 Qed.
 
 (** On its way to the left wall it is never below the bridge. *)

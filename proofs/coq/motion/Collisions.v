@@ -2,7 +2,7 @@
     1 later ones are one and n later than that. *)
 From Coq Require Import Reals Lra Lia List.
 From Coquelicot Require Import Coquelicot.
-From Dumbbell Require Import Physics RealInduction Ray Flight.
+From Dumbbell Require Import Physics RealInduction LaterTimes Ray Flight.
 Import ListNotations.
 Local Open Scope R_scope.
 
@@ -89,28 +89,12 @@ Proof.
 Qed.
 
 (** At least n collisions after t0; and no collision with the heavy mass. *)
-Definition later p t0 n := exists l, NoDup l /\ length l = n /\ forall t, In t l -> t0 < t /\ collision P p t.
+Definition later p := later_times (collision P p).
 
 Lemma later_next p t0 n : motion P p -> later p t0 (S n) ->
   exists t1, t0 < t1 /\ collision P p t1 /\ (forall t, t0 < t < t1 -> ~ collision P p t) /\ later p t1 n.
 Proof.
-  intros Hm [l [Hnd [Hl Hc]]]. destruct l as [|T l']; [discriminate|].
-  destruct (Hc T (or_introl eq_refl)) as [HT HcT]. destruct (first_collision p t0 T Hm HT HcT) as [t1 [H1 [H2 H3]]].
-  exists t1. split; [lra|]. split; [exact H2|]. split; [exact H3|].
-  assert (Hge : forall t, In t (T :: l') -> t1 <= t).
-  { intros t Ht. destruct (Rle_or_lt t1 t) as [|K]; [assumption|]. destruct (Hc t Ht). exfalso.
-    apply (H3 t); [lra | assumption]. }
-  destruct (in_dec Req_EM_T t1 (T :: l')) as [Hin|Hin].
-  - apply in_split in Hin. destruct Hin as [a [b E]]. rewrite E in *. exists (a ++ b).
-    split; [now apply NoDup_remove_1 in Hnd|]. split. { rewrite app_length in *. simpl in Hl. lia. }
-    intros t Ht.
-    assert (Ht' : In t (a ++ t1 :: b))
-      by (apply in_app_iff in Ht; apply in_app_iff; destruct Ht; [now left | right; now right]).
-    split; [|now apply Hc]. assert (t1 <> t) by (intros <-; apply NoDup_remove_2 in Hnd; contradiction).
-    specialize (Hge t Ht'). lra.
-  - exists l'. inversion Hnd; subst. split; [assumption|]. split; [now injection Hl|].
-    intros t Ht. assert (Ht' : In t (T :: l')) by now right. split; [|now apply Hc].
-    assert (t1 <> t) by (intros <-; contradiction). specialize (Hge t Ht'). lra.
+  intros Hm. apply later_times_next. intros T. now apply first_collision.
 Qed.
 Definition no_heavy p := forall t, collision P p t -> y2 P (p t) <> 0.
 Lemma later_0 p t : later p t 0.

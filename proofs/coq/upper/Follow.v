@@ -74,11 +74,13 @@ Proof.
     + assert (r * cos (psi_of (p t)) <= 1 * cos (psi_of (p t))) by (apply Rmult_le_compat_r; lra).
       replace (cos (psi_of (p t))) with 1 by lra. ring.
 Qed.
-(** A ray that passes the peak psi = - pi is at least 1 high there, and from there on. *)
-Lemma past_peak p t0 v c k t1 : motion P p -> ray p t0 v c k -> (forall s, t0 <= s <= t1 -> on_line p t0 v s) ->
-  psi_of (p t1) <= - PI -> t0 < t1 -> 0 <= v_of P v /\ 1 <= yh (p t1).
+(** A flight to the left that passes the peak psi = - pi, and ascends if it was at least 1 high there, does not collide
+    behind it. *)
+Lemma past_peak p t0 v k t1 : motion P p -> u_of v < 0 -> k * - u_of v = v_of P v -> - PI <= psi_of (p t0) ->
+  (1 <= yh (p t0) + k * (psi_of (p t0) + PI) -> 0 <= k) -> (forall s, t0 <= s <= t1 -> on_line p t0 v s) ->
+  psi_of (p t1) <= - PI -> t0 < t1 -> ~ collision P p t1.
 Proof.
-  intros Hm [Ha Hu Hs Hc0 Hst _ Hbl] Ln Hpast H01. assert (HPI : 0 < PI) by apply PI_RGT_0.
+  intros Hm Hu Hs Hst Hup Ln Hpast H01.
   destruct (on_line_coords P HP _ _ _ _ (Ln t1 ltac:(lra))) as [E1 E2].
   set (d := (psi_of (p t0) + PI) / - u_of v). assert (Hd : - u_of v * d = psi_of (p t0) + PI) by (unfold d; field; lra).
   assert (D0 : 0 <= d) by (unfold d; apply Rmult_le_pos; [lra | left; apply Rinv_0_lt_compat; lra]).
@@ -86,11 +88,14 @@ Proof.
   destruct (on_line_coords P HP _ _ _ _ (Ln (t0 + d) ltac:(lra))) as [F1 F2].
   replace (t0 + d - t0) with d in F1, F2 by ring. assert (Fl := floor1 P HP p (t0 + d) Hm).
   replace (psi_of (p (t0 + d))) with (- PI) in Fl by lra. rewrite cos_neg, cos_PI in Fl.
-  assert (Fy : yh (p (t0 + d)) = c + k * (PI/2)).
-  { rewrite F2, Hc0, <- Hs. replace (k * - u_of v * d) with (k * (- u_of v * d)) by ring. rewrite Hd. field. }
-  assert (Hk : 0 <= k) by (destruct Hbl; lra).
-  assert (Hv : 0 <= v_of P v) by (rewrite <- Hs; apply Rmult_le_pos; lra). split; [exact Hv|].
-  assert (v_of P v * d <= v_of P v * (t1 - t0)) by (apply Rmult_le_compat_l; lra). lra.
+  assert (Fy : yh (p (t0 + d)) = yh (p t0) + k * (psi_of (p t0) + PI)).
+  { rewrite F2, <- Hs. replace (k * - u_of v * d) with (k * (- u_of v * d)) by ring. rewrite Hd. ring. }
+  assert (Hk : 0 <= k) by (apply Hup; lra).
+  assert (Hv : 0 <= v_of P v) by (rewrite <- Hs; apply Rmult_le_pos; lra).
+  assert (v_of P v * d <= v_of P v * (t1 - t0)) by (apply Rmult_le_compat_l; lra).
+  apply (high_no_collision p t1 v Hm); [|exact Hv | lra].
+  destruct (Ln t1 ltac:(lra)) as [Q1 Q2]. exists (t1 - t0). split; [lra|]. intros s Hs'.
+  destruct (Ln s ltac:(lra)). split; lra.
 Qed.
 
 (** L4 (a) for the motion. *)
@@ -106,8 +111,9 @@ Proof.
   destruct (on_line_until p t0 t1 v va H01) as [-> _]; [intros s Hs; apply Ln; lra | exact Hb |].
   set (X := - (PI/2) - psi_of (p t1)). assert (EX : psi_of (p t1) = - (PI/2) - X) by (unfold X; ring).
   destruct (Rle_or_lt (PI/2) X) as [K2|K2].
-  { exfalso. destruct (past_peak p t0 v c k t1 Hm HR Ln ltac:(lra) H01) as [V Y].
-    exact (high_no_collision p t1 v Hm Hb V Y Hc). }
+  { exfalso. destruct HR as [_ Hu Hs Hc0 Hst _ Hbl]. apply (past_peak p t0 v k t1); try assumption; [lra | | lra].
+    intros K. replace (k * (psi_of (p t0) + PI)) with (k * (psi_of (p t0) + PI/2) + k * (PI/2)) in K by field.
+    destruct Hbl; lra. }
   destruct HR as [_ Hu Hs Hc0 Hst Hcl _].
   assert (EY : yh (p t1) = c + k * X). { rewrite E2, Hc0, <- Hs. unfold X. rewrite E1. ring. }
   assert (Hpos : 0 < - u_of v * (t1 - t0)) by (apply Rmult_lt_0_compat; lra).

@@ -1,7 +1,7 @@
 (** In a wedge whose walls are concave graphs: a collision changes the velocity by law (1) of L0, there is a first one
     after any time, and up to it the point flies uniformly. *)
 From Coq Require Import Reals Lra Lia List.
-From Dumbbell Require Import RealInduction Wedge.
+From Dumbbell Require Import RealInduction LaterTimes Wedge.
 Import ListNotations.
 Local Open Scope R_scope.
 
@@ -160,26 +160,10 @@ Proof.
 Qed.
 
 (** At least n collisions after t0. *)
-Definition later p t0 n := exists l, NoDup l /\ length l = n /\ forall t, In t l -> t0 < t /\ collision W p t.
+Definition later p := later_times (collision W p).
 Lemma later_next p t0 n : motion W q p -> later p t0 (S n) ->
   exists t1, t0 < t1 /\ collision W p t1 /\ (forall t, t0 < t < t1 -> ~ collision W p t) /\ later p t1 n.
 Proof.
-  intros Hm [l [Hnd [Hl Hc]]]. destruct l as [|T l']; [discriminate|].
-  destruct (Hc T (or_introl eq_refl)) as [HT HcT]. destruct (first_collision p t0 T Hm HT HcT) as [t1 [H1 [H2 H3]]].
-  exists t1. split; [lra|]. split; [exact H2|]. split; [exact H3|].
-  assert (Hge : forall t, In t (T :: l') -> t1 <= t).
-  { intros t Ht. destruct (Rle_or_lt t1 t) as [|K]; [assumption|]. destruct (Hc t Ht). exfalso.
-    apply (H3 t); [lra | assumption]. }
-  destruct (in_dec Req_EM_T t1 (T :: l')) as [Hin|Hin].
-  - apply in_split in Hin. destruct Hin as [a [b E]]. rewrite E in *. exists (a ++ b).
-    split; [now apply NoDup_remove_1 in Hnd|]. split. { rewrite app_length in *. simpl in Hl. lia. }
-    intros t Ht.
-    assert (Ht' : In t (a ++ t1 :: b))
-      by (apply in_app_iff in Ht; apply in_app_iff; destruct Ht; [now left | right; now right]).
-    split; [|now apply Hc]. assert (t1 <> t) by (intros <-; apply NoDup_remove_2 in Hnd; contradiction).
-    specialize (Hge t Ht'). lra.
-  - exists l'. inversion Hnd; subst. split; [assumption|]. split; [now injection Hl|].
-    intros t Ht. assert (Ht' : In t (T :: l')) by now right. split; [|now apply Hc].
-    assert (t1 <> t) by (intros <-; contradiction). specialize (Hge t Ht'). lra.
+  intros Hm. apply later_times_next. intros T. now apply first_collision.
 Qed.
 End Flights.
