@@ -26,8 +26,8 @@ Definition at_most_contact (n : nat) (r t y : I.type) : bool :=
   at_most p G T n r (low0 (I.mul p r (I.add p s (I.mul p lam (I.sub p (pi_ T) t))))) (low (I.mul p r lam))
     (first_guess G).
 
-(** Near the t with cos t = k, or near pi if k <= - 1; not trusted. *)
 Definition tiny : I.type := I.div p (unit_ T) (I.fromZ p (2 ^ 48)).
+(** Near the t with cos t = k, or near pi if k <= - 1; not trusted. *)
 Definition near_slope (k : I.type) : I.type :=
   if nonneg k then pt (near_top G k) else
   pt (I.lower (if nonneg (I.add p k (unit_ T)) then I.sub p (pi_ T) (pt (near_top G (I.neg k)))

@@ -31,7 +31,6 @@ Variable p : F.precision.
 Variable G : guesses.
 Variable T : consts.
 Notation pt := I.singleton.
-
 Notation turn := (turn p G T).
 Notation at_most_contact := (at_most_contact p G T).
 Notation follow := (follow p G T).
@@ -50,7 +49,7 @@ Definition leaf_departure (U : N) (b : fbox) (n : N) : bool :=
 Definition steep_departure (b : fbox) : bool :=
   proper b && let '(_, w) := sc p G T (pt (e0 b)) in nonneg (I.sub p (I.sub p (pt (y0 b)) w) (unit_ T)).
 
-(** L19, the leaf `once`. *)
+(** L19, the leaf `once`: the format demands it, no theorem needs it. *)
 Definition leaf_once (b : fbox) : bool :=
   let t := if nonneg (I.sub p (pi_ T) (pt (e1 b))) then pt (e1 b) else pi_ T in
   let '(_, w) := turn t in let lam := low (I.add p w (pt (y0 b))) in
@@ -72,16 +71,16 @@ Definition less_one (b : box) : box :=
      box_slope := {| low_end := low_end s - Zpos (part s); high_end := high_end s - Zpos (part s); part := part s |} |}.
 Definition check_leaf (U : N) (c : chart) (b : box) (why : reason) : bool :=
   let f := round_box p b in
-  let full := boxed f b && (1 <=? U)%N in
+  let holds := boxed f b && (1 <=? U)%N in
   match c, why with
   | Bridge, _ => check_reason p G T U false b why
   | Light, _ => check_reason p G T U true b why
-  | Contact, Forward n => full && leaf_contact U f n
-  | (Contact | Again), Outside => full && (beyond_pi f || too_steep (less_one b))
+  | Contact, Forward n => holds && leaf_contact U f n
+  | (Contact | Again), Outside => holds && (beyond_pi f || too_steep (less_one b))
   | Departure, Forward n =>
-      full && F.real (I.lower (quarter T)) && F.real (e0 f) && leaf_departure U (capped T f) n
-  | Departure, Outside => full && (beyond_peak p T f || steep_departure f)
-  | Again, Once => full && leaf_once f
+      holds && F.real (I.lower (quarter T)) && F.real (e0 f) && leaf_departure U (capped T f) n
+  | Departure, Outside => holds && (beyond_peak p T f || steep_departure f)
+  | Again, Once => holds && leaf_once f
   | _, _ => false
   end.
 
