@@ -1,9 +1,7 @@
 // The grammar of a file about mass ratios (format.md, sections 2 and 3).
 #include "verify/collisions/grammar.hpp"
 
-#include <algorithm>
-#include <cmath>
-
+#include "verify/collisions/proofs.hpp"
 #include "verify/format/reader.hpp"
 
 namespace dumbbell_verify {
@@ -12,11 +10,14 @@ namespace {
 class CollisionsReader : public Reader<Leaf> {
   public:
     CollisionsReader(Text& text, const Settings& settings, const Section& section)
-        : Reader(text, settings), section_(section) {
+        : Reader(text, settings),
+          section_(section),
+          proofs_{text, section, proof_.tallies, [this](Leaf leaf, const std::string& path) {
+                      take(std::move(leaf), path);
+                  }} {
         proof_.claim = settings.demand;
         proof_.section = section.name;
-        proof_.tallies.push_back({"split"});
-        for (const Opcode& opcode : section.opcodes) proof_.tallies.push_back({opcode.name});
+        proofs_.add_tallies();
         proof_.tallies.push_back({"open"});
     }
 
@@ -67,61 +68,25 @@ class CollisionsReader : public Reader<Leaf> {
         if (text_.fields[1] != "none") {
             upper = leaf.claimed = text_.natural(1);
             proof_.roots += static_cast<double>(section_.charts.size());
-            cover(leaf, a, b);
+            proofs_.cover(leaf, a, b);
         } else {
             ++proof_.tallies.back().lines;
         }
         text_.expect("lower", 1);
         leaf.claimed = text_.natural(1);
         if (upper && leaf.claimed > *upper) text_.reject("number", "lower above upper");
-        if (leaf.claimed > 0) {
-            text_.expect("witness", 5);
-            const mpq_class e = text_.dyadic(2), y = text_.dyadic(3);
-            leaf.box = {{e, y, a}, {e, y, b}};
-            take(leaf, Place::witness, 4, 0, "witness");
-        }
+        if (leaf.claimed > 0) proofs_.witness(leaf, a, b);
         claim_.add(a, b, upper, leaf.claimed);
         ++Watched::read;
     }
 
-    void cover(Leaf leaf, const mpq_class& a, const mpq_class& b) {
-        for (std::size_t i = 0; i < section_.charts.size(); ++i) {
-            leaf.box = section_.root(i, a, b);
-            text_.next();
-            if (i == 0 && text_.fields[0] != "chart")
-                return take(leaf, Place::cover, 1, static_cast<double>(section_.charts.size()), "cover");
-            std::string path(section_.charts[i].name);
-            if (text_.fields.size() != 2 || text_.fields[0] != "chart" || text_.fields[1] != path)
-                text_.reject("syntax", "expected `chart " + path + "`");
-            leaf.chart = i;
-            Tree<Box> tree{text_, section_.charts[i].axes, proof_.tallies[0].lines, leaf.box, path + '.'};
-            tree.read([&] { take(leaf, Place::leaf, 1, std::ldexp(1, -tree.depth), tree.path); });
-        }
-    }
-
-    /// The present line as one thing to check; its hints are the fields from number `hints` on.
-    void take(Leaf leaf, Place place, std::size_t hints, double covered, const std::string& path) {
-        const auto& fields = text_.fields;
-        const auto& table = section_.opcodes;
-        const auto fits = [&](const Opcode& o) {
-            return o.name == fields[0] && o.place == place && (o.charts >> leaf.chart & 1) != 0;
-        };
-        const auto opcode = std::find_if(table.begin(), table.end(), fits);
-        if (opcode == table.end()) text_.reject("opcode", "not a line for this place");
-        if (fields.size() != hints + opcode->hints ||
-            (place == Place::witness && fields[1] != section_.witness))
-            text_.reject("syntax", "wrong number of values, or unknown kind");
-        if (opcode->hints > 0) leaf.a = text_.natural(hints);
-        if (opcode->hints > 1) leaf.b = text_.natural(hints + 1);
-        leaf.opcode = static_cast<std::size_t>(opcode - table.begin());
-        leaf.line = text_.line;
-        ++proof_.tallies[1 + leaf.opcode].lines;
-        proof_.tallies[1 + leaf.opcode].covered += covered;
+    void take(Leaf leaf, const std::string& path) {
         if (!settings_.explain.empty()) explain(leaf, std::to_string(claim_.pieces + 1) + ":" + path);
         if (checked()) Reader::take(std::move(leaf));
     }
 
     const Section& section_;
+    const Proofs proofs_;
     Collisions& claim_ = proof_.claim;
     mpq_class end_;  ///< of the pieces so far
 };

@@ -47,6 +47,7 @@ std::string claim(const Result& result) {
     if (!is_of_whole(result.why.verdict)) return "null";
     if (result.proof.initial) return result.proof.initial->json();
     if (result.proof.adiabatic) return result.proof.adiabatic->json();
+    if (result.proof.law) return result.proof.law->json();
     const Collisions& c = result.proof.claim;
     return object({{"scene", json_string(result.job->settings.scene)},
                    {"ratio", range(c.lo, c.hi)},

@@ -11,6 +11,7 @@ namespace dumbbell_verify {
 std::string claim_text(const Result& result) {
     if (result.proof.initial) return result.proof.initial->text();
     if (result.proof.adiabatic) return result.proof.adiabatic->text();
+    if (result.proof.law) return result.proof.law->text();
     const Collisions& claim = result.proof.claim;
     return "scene=" + result.job->settings.scene + " ratio=" + to_string(claim.lo, claim.hi) +
            " upper=" + (claim.upper ? std::to_string(*claim.upper) : "none") +
@@ -46,6 +47,7 @@ std::string block(const Result& result) {
         text += line.data();
     }
     if (verified && result.proof.adiabatic) text += result.proof.adiabatic->paragraph();
+    if (verified && result.proof.law) text += Law::paragraph();
     return text + verdict_line(result) + "\n";
 }
 

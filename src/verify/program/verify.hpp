@@ -6,6 +6,7 @@
 #include "verify/adiabatic/claim.hpp"
 #include "verify/format/proof.hpp"
 #include "verify/format/text.hpp"
+#include "verify/law/claim.hpp"
 #include "verify/starts/claim.hpp"
 
 namespace dumbbell_verify {
@@ -14,6 +15,7 @@ namespace dumbbell_verify {
 struct Verified : Proof {
     std::optional<Initial> initial;      ///< if the file is about initial conditions
     std::optional<Adiabatic> adiabatic;  ///< if it is about the adiabatic invariant
+    std::optional<Law> law;              ///< if it is about the law
 };
 
 /// Returns only if all that the file and the demand say is certified, but for the leaves and witnesses of the

@@ -1,0 +1,189 @@
+// A part of the bulk: steps with middle U >= 9/10, by the angle th of their flight, for all eps in [0, 1/1000] in one.
+#include "verify/law/rule.hpp"
+
+namespace dumbbell_verify {
+namespace {
+
+/// At [alpha, alpha'] of a step, with Q at its middle: W(x) = sin(Q/cos x) is the clock's integrand, and its
+/// derivative with Q is w(x) = cos(Q/cos x)/cos x.
+template <class N>
+class Clock {
+    using I = Interval<N>;
+
+  public:
+    explicit Clock(const I& right_angle) : quarter_(right_angle) {}
+
+    [[nodiscard]] I by_Q(const I& x, const I& Q) const {
+        const I c = sin_cos_on(x, quarter_).cos;
+        return -sin_cos_on(Q / c - quarter_, quarter_).sin / c;
+    }
+    [[nodiscard]] I W_second(const I& x, const I& Q) const {
+        const auto [s, c] = sin_cos_on(x, quarter_);
+        const I a = Q / c, t2 = square(s / c);
+        const auto [sin_y, cos_y] = sin_cos_on(a - quarter_, quarter_);
+        return -(cos_y * square(a) * t2) - sin_y * a * (I(2) * t2 + I(1));
+    }
+    /// The angle where Q/cos = pi, for Q in pi/2 + [-1e-5, 3e-5] and the sizes of A taken off: pi/3 within 1/50000.
+    [[nodiscard]] I last_angle() const { return pi<N>() / I(3) + spread(); }
+    [[nodiscard]] bool has_last_angle(const I& Q) const {
+        const I half = Q / pi<N>(), from = pi<N>() / I(3) + spread().lo, until = pi<N>() / I(3) + spread().hi;
+        return half.hi <= sin_cos_on(from, quarter_).cos.lo && sin_cos_on(until, quarter_).cos.hi <= half.lo;
+    }
+    /// P = -tau_J at fixed alpha: the integral of -w over [x, last angle], by the values at the parts.
+    [[nodiscard]] I P(const I& x, const I& Q) const {
+        constexpr int parts = 48;
+        const I length = last_angle() - x;
+        I sum = 0;
+        for (int i = 0; i < parts; ++i) sum = sum - by_Q(x + length * part(i, parts), Q);
+        return sum * length / I(parts);
+    }
+    /// tau_JJ at fixed alpha.
+    [[nodiscard]] I second(const I& x, const I& Q) const {
+        constexpr int parts = 8;
+        const I length = last_angle() - x;
+        I sum = 0;
+        for (int i = 0; i < parts; ++i) {
+            const I c = sin_cos_on(x + length * part(i, parts), quarter_).cos;
+            sum = sum + sin_cos_on(Q / c - quarter_, quarter_).cos / square(c);
+        }
+        return pi<N>() / (Q * square_root(square(pi<N>()) - square(Q))) - sum * length / I(parts);
+    }
+
+  private:
+    static I part(int i, int parts) { return {fraction<N>(i, parts).lo, fraction<N>(i + 1, parts).hi}; }
+    static I spread() { return {fraction<N>(-1, 50000).lo, fraction<N>(1, 50000).hi}; }
+    const I quarter_;
+};
+
+template <class N>
+class BulkRule : LawRule<N> {
+    using Base = LawRule<N>;
+    using Base::fact, Base::less, Base::within, Base::quarter;
+    using I = Interval<N>;
+
+  public:
+    BulkRule(const LawLeaf& leaf, std::string* log) : Base(leaf, log) {}
+
+    const char* verdict() {
+        const Range& range = ranges.at(this->leaf_.range);
+        const auto [M, K] = defect();
+        const bool holds = fact("the angle where Q/cos is pi", Clock<N>(quarter).has_last_angle(Q())) &&
+                           within("D/((eps/2) (alpha' - alpha)) in its range", M,
+                                  fraction<N>(range.least, 1000), fraction<N>(range.most, 1000)) &&
+                           less("(J - J')/(eps^2 (alpha' - alpha)) in its range", K,
+                                fraction<N>(range.most_fall, 10), false);
+        return holds ? nullptr : Base::failed();
+    }
+    const char* window_verdict() { return is_in_window() ? nullptr : Base::failed(); }
+
+  private:
+    struct Range {
+        int least, most, most_fall;  ///< of M, in thousandths; of K, in tenths
+    };
+    static constexpr std::array<Range, 3> ranges{{{-334, 0, 21}, {-125, 85, 62}, {-105, 470, 227}}};
+
+    [[nodiscard]] I Q() const {
+        return quarter + I(fraction<N>(-1, 100'000).lo, fraction<N>(3, 100'000).hi);
+    }
+
+    struct Defect {
+        I M, K;
+    };
+    /// Every term is a power of eps times what is bounded at eps = 0: these powers are left out.
+    [[nodiscard]] Defect defect() const {
+        const I th = Base::side(0), eps(N(0), Base::most_eps().hi), Q_ = Q();
+        const auto [sine, cosine] = sin_cos_on(th, quarter);
+        const I tangent = sine / cosine, F = Q_ / cosine, U = pi<N>() - F;
+        const auto [sin_U, cos_U] = sin_cos_on(U, quarter);
+        // sin d = eps t = x; asin x lies in x [1, 1 + (x^2/6) (1 + x^2)].
+        const I t = tangent * F / sin_U, x = eps * t, x2 = square(x);
+        const I grown(N(1), (I(1) + x2 / I(6) * (I(1) + x2)).hi), d1 = t * grown, d = eps * d1, d2 = square(d);
+        const I cos_d = square_root(I(1) - x2);
+        // sin u, sin u'; tan beta = eps/sin u and its cosine.
+        const I w = sin_U * cos_d + cos_U * x, w_last = sin_U * cos_d - cos_U * x;
+        const I tan2 = square(eps / w), tan2_last = square(eps / w_last);
+        const I c = I(1) / square_root(I(1) + tan2), c_last = I(1) / square_root(I(1) + tan2_last);
+
+        const I both = w * w_last, cc = c * c_last, doubles = sin_U * cos_U * t * cos_d * I(4);
+        const I turn = square(cc) / (c + c_last) * doubles / square(both);  // (c - c')/eps^3
+        const I lift = doubles * cc / (both * (w / c + w_last / c_last));   // (sin beta' - sin beta)/eps^2
+        const I X_fall = I(2) * d1 *
+                         (square(t / sin_U) - fraction<N>(2, 3) * square(d1) * below_one(d2, fraction<N>(1, 5))) /
+                         (I(1) - square(x / sin_U));
+        const I X_last = -(d1 * t * cos_U + square(d1) * sin_U * d / I(3) * below_one(d2, fraction<N>(1, 10))) /
+                         w_last;
+        const I fall = cosine * (c * X_fall + square(eps) * X_last * turn) + Q_ * turn + sine * d1 * lift;
+        const I A_last = cosine * c_last * X_last - Q_ * square(c_last / w_last) / (I(1) + c_last) -
+                         sine * d1 * c_last / w_last;
+        const I A = A_last + eps * fall;
+
+        const auto angle = [](const I& sin_u, const I& tan2_beta) {  // beta/eps
+            return below_one(tan2_beta, fraction<N>(1, 3)) / sin_u;
+        };
+        const I beta = angle(w, tan2), beta_last = angle(w_last, tan2_last), betas = beta + beta_last;
+        const I W_part = clock_part(th, eps, beta, beta_last,
+                                    {Q_, F, tangent, sin_U, cos_U, t, d1, d2, w, w_last, tan2, tan2_last});
+        const Clock<N> clock(quarter);
+        const I alpha = th - eps * beta, alpha_last = th + eps * beta_last, way = hull(alpha, alpha_last);
+        const I size = up_to_size(hull(A, A_last)) * square(eps);
+        const I second = clock.second(way, Q_ + size);  // at two places
+        const I defect = W_part - clock.P(alpha_last, Q_) * fall + clock.by_Q(way, Q_) * betas * A +
+                         eps * (second * square(A) - second * square(A_last)) / I(2);
+        return {defect / betas, fall / betas};
+    }
+
+    struct Step {
+        I Q, F, tangent, sin_U, cos_U, t, d1, d2, w, w_last, tan2, tan2_last;
+    };
+    /// The integral of W over [alpha, alpha'], less 2 eps, over eps^3.
+    [[nodiscard]] I clock_part(const I& th, const I& eps, const I& beta, const I& beta_last, const Step& s) const {
+        const auto excess = [](const I& w, const I& tan2) {  // tan beta - beta
+            return cube(I(1) / w) / I(3) * below_one(tan2, fraction<N>(3, 5));
+        };
+        const I spread = I(2) * s.cos_U * s.t / (s.w * s.w_last);  // tan beta' - tan beta
+        const I most2(std::max(s.tan2.hi, s.tan2_last.hi));
+        const I angles = spread * I((I(1) / (I(1) + most2)).lo, N(1));  // beta' - beta
+        const I way = hull(th - eps * beta, th + eps * beta_last);
+        return -(s.sin_U * (excess(s.w, s.tan2) + excess(s.w_last, s.tan2_last))) +
+               s.sin_U * square(s.d1) / I(2) * below_one(s.d2, fraction<N>(1, 12)) *
+                   (I(1) / s.w + I(1) / s.w_last) +
+               s.cos_U * s.t * spread - s.cos_U * s.F * s.tangent * angles * (beta + beta_last) / I(2) +
+               Clock<N>(quarter).W_second(way, s.Q) * (cube(beta) + cube(beta_last)) / I(6);
+    }
+
+    /// With J in pi/2 + [-1e-5, eps^2/4]: Q >= J, as A <= 0, so that sin d sin U <= eps F sqrt(F^2 - J^2)/J, and
+    /// |A| <= cos th d^2 cot U + F beta^2/2 + d beta with d <= 1.001 sin d, beta <= eps/sin U, cos th <= (J + |A|)/F.
+    bool is_in_window() {
+        constexpr int parts = 700;
+        const I J = quarter + I(fraction<N>(-1, 100'000).lo, fraction<N>(1, 4'000'000).hi);
+        const I least = fraction<N>(9, 10), length = quarter + fraction<N>(1, 1000) - least;
+        if (!less("th < 0.7944 for U >= 9/10", sin_cos_on(fraction<N>(7944, 10'000), quarter).cos * (pi<N>() - least),
+                  J))
+            return false;
+        for (int i = 0; i < parts; ++i) {
+            const I share(fraction<N>(i, parts).lo, fraction<N>(i + 1, parts).hi), U = least + length * share;
+            const I F = pi<N>() - U, R = square(F) - square(J), root = square_root(I(std::max(N(0), R.lo), R.hi));
+            const auto [s, c] = sin_cos_on(U, quarter);
+            const I cosine = I(std::max(N(0), c.lo), c.hi);
+            const I d = fraction<N>(1001, 1000) * F * root / (J * s);
+            const I A = (J + fraction<N>(1, 100)) / F * square(d) * cosine / s + F / (I(2) * square(s)) + d / s;
+            if (!less("1.001 sin d < 1/10", d * Base::most_eps(), fraction<N>(1, 10)) ||
+                !less("|A|/eps^2 <= 20", A, 20, false))
+                return false;
+        }
+        return true;
+    }
+};
+
+}  // namespace
+
+const char* check_law_bulk(const LawLeaf& leaf, std::string* log) { return judged<BulkRule>(leaf, log); }
+
+const char* check_law_bulk_window(unsigned bits, bool multiple) {
+    LawLeaf leaf;
+    if (!multiple) return BulkRule<double>(leaf, nullptr).window_verdict();
+    Big::precision = bits;
+    return BulkRule<Big>(leaf, nullptr).window_verdict();
+}
+
+}  // namespace dumbbell_verify

@@ -1,0 +1,189 @@
+// The grammar of a file about the law (format.md, section 5).
+#include "verify/law/grammar.hpp"
+
+#include "verify/collisions/proofs.hpp"
+#include "verify/format/reader.hpp"
+#include "verify/law/leaf.hpp"
+#include "verify/law/steps.hpp"
+
+namespace dumbbell_verify {
+namespace {
+
+constexpr std::uint64_t most_parts = 100'000;  ///< of a range of the bulk, and of the end
+constexpr std::array<std::string_view, 2> layer_axes{"U", "rho"};
+
+class LawReader : public Reader<LawLeaf> {
+  public:
+    LawReader(Text& text, const Settings& settings)
+        : Reader(text, settings),
+          proofs_{text, turning(), proof_.tallies,
+                  [this](const Leaf& leaf, const std::string& path) { take_of_step(leaf, path); }} {
+        require_fitting_demand();
+        proof_.section = turning().name;
+        proofs_.add_tallies();
+        first_ = proof_.tallies.size();
+        for (const auto rule : {LawLeaf::slope, LawLeaf::direct, LawLeaf::beyond})
+            proof_.tallies.push_back({LawLeaf::names.at(rule)});
+    }
+    [[nodiscard]] Law& claim() { return claim_; }
+
+  private:
+    [[nodiscard]] std::string_view kind() const override { return "law"; }
+    [[nodiscard]] const char* check(const LawLeaf& leaf, std::string* log) const override {
+        if (leaf.rule == LawLeaf::step) return turning().check(leaf.at_step, log);
+        if (leaf.rule == LawLeaf::bulk) return check_law_bulk(leaf, log);
+        return leaf.rule == LawLeaf::end ? check_law_end(leaf, log) : check_law_layer(leaf, log);
+    }
+    [[nodiscard]] std::string_view opcode(const LawLeaf& leaf) const override {
+        return leaf.rule == LawLeaf::step ? turning().opcodes[leaf.at_step.opcode].name
+                                          : LawLeaf::names.at(leaf.rule);
+    }
+
+    void read() override {
+        text_.expect("steps", 2);
+        if (text_.natural(1) != first_step || text_.natural(2) != last_step)
+            text_.reject("number", "the steps are 3 to 902");
+        Watched::pieces += last_step - first_step + 1;
+        if (settings_.precision > 0) {
+            Big::precision = settings_.precision;
+            steps(StepPlaces<Big>());
+        } else {
+            steps(StepPlaces<double>());
+        }
+        leaf_.bits = std::max(53U, settings_.precision);
+        leaf_.multiple = settings_.precision > 0;
+        layer();
+        bulk();
+        end();
+    }
+
+    /// The law is about all mass ratios, and gives no number of collisions by itself.
+    void require_fitting_demand() const {
+        const Collisions& demand = settings_.demand;
+        const auto refuse = [](const char* text) { throw Failure{Verdict::unreadable, 0, "usage", text}; };
+        if (demand.keep != Pieces{}) refuse("--lemma compares covers; this file is about the law");
+        if (demand.ratios || demand.most || demand.least)
+            refuse(
+                "--ratio, --max, --min and --exactly are about certificates of single ratios and ranges; this file "
+                "is about the law for every mass ratio: ask with --claim law");
+    }
+
+    template <class Places>
+    void steps(const Places& places) {
+        for (std::uint64_t n = first_step; n <= last_step; ++n) {
+            text_.expect("step", 3);
+            if (text_.natural(1) != n) text_.reject("number", "expected step " + std::to_string(n));
+            const mpq_class a = text_.ratio(2), b = text_.ratio(3);
+            if (!(1 <= a && a < b)) text_.reject("number", "not 1 <= A < B");
+            require(text_.line, "step", [&] { return places.check(n, a, b); });
+            if (n == law_step) claim_ = {a, b};
+            step_ = n;
+            read_bits(leaf_);
+            Leaf leaf;
+            leaf.bits = leaf_.bits;
+            leaf.multiple = leaf_.multiple;
+            leaf.claimed = number("upper", n - 1);
+            proof_.roots += static_cast<double>(turning().charts.size());
+            proofs_.cover(leaf, a, a);
+            leaf.claimed = number("lower", n);
+            proofs_.witness(leaf, b, b);
+            ++Watched::read;
+        }
+    }
+    std::uint64_t number(std::string_view keyword, std::uint64_t expected) {
+        text_.expect(keyword, 1);
+        if (text_.natural(1) != expected) text_.reject("number", "expected " + std::to_string(expected));
+        return expected;
+    }
+    template <class Check>
+    static void require(std::uint64_t line, std::string_view code, const Check& check) {
+        if (const auto failure = judge(line, code, check)) throw Failure(*failure);
+    }
+    void take_of_step(const Leaf& leaf, const std::string& path) {
+        LawLeaf law;
+        law.line = leaf.line;
+        law.at_step = leaf;
+        explain(law, std::to_string(step_) + ":" + path);
+        Reader::take(std::move(law));
+    }
+
+    void cover(std::string_view name, std::size_t counts) {
+        text_.expect("cover", 1 + counts);
+        if (text_.fields[1] != name) text_.reject("syntax", "expected `cover " + std::string(name) + "`");
+        leaf_.line = text_.line;
+    }
+    void layer() {
+        cover("layer", 0);
+        require(text_.line, "layer", [&] { return check_law_constant(leaf_.bits, leaf_.multiple); });
+        leaf_.box.hi = {mpq_class(9, 10), mpq_class(1, 5)};
+        ++proof_.roots;
+        Tree<LawBox> tree{text_, layer_axes, proof_.tallies[0].lines, leaf_.box, "layer."};
+        tree.read([&] { layer_leaf(std::ldexp(1, -tree.depth), tree.path); });
+    }
+    void layer_leaf(double share, const std::string& path) {
+        const auto& names = LawLeaf::names;
+        const auto* const name = std::find(&names.at(LawLeaf::slope), &names.at(LawLeaf::bulk), text_.fields[0]);
+        if (name == &names.at(LawLeaf::bulk)) text_.reject("opcode", "not a line for this place");
+        if (text_.fields.size() != 1) text_.reject("syntax", "wrong number of values");
+        leaf_.rule = static_cast<LawLeaf::Rule>(name - names.data());
+        leaf_.line = text_.line;
+        Tally& tally = proof_.tallies.at(first_ + static_cast<std::size_t>(leaf_.rule - LawLeaf::slope));
+        ++tally.lines;
+        tally.covered += share;
+        take(path);
+    }
+
+    void bulk() {
+        cover("bulk", 3);
+        require(text_.line, "bulk", [&] { return check_law_bulk_window(leaf_.bits, leaf_.multiple); });
+        leaf_.rule = LawLeaf::bulk;
+        const std::array<mpq_class, 4> ends{0, mpq_class(3, 5), mpq_class(7, 10), mpq_class(993, 1250)};
+        for (leaf_.range = 0; leaf_.range < 3; ++leaf_.range)
+            parts(ends.at(leaf_.range), ends.at(leaf_.range + 1), 2 + leaf_.range,
+                  "bulk" + std::to_string(leaf_.range + 1));
+    }
+    void end() {
+        cover("end", 1);
+        leaf_.rule = LawLeaf::end;
+        parts(0, mpq_class(9, 100), 2, "end");
+    }
+    /// All parts of a range, as many as a field says.
+    void parts(const mpq_class& lo, const mpq_class& hi, std::size_t field, const std::string& name) {
+        const std::uint64_t n = text_.natural(field);
+        if (n < 1 || n > most_parts) text_.reject("number", "not 1 to 100000 parts");
+        const mpq_class width = (hi - lo) / static_cast<unsigned long>(n);
+        for (std::uint64_t i = 0; i < n; ++i) {
+            leaf_.box.lo = {lo + width * static_cast<unsigned long>(i), 0};
+            leaf_.box.hi = {lo + width * static_cast<unsigned long>(i + 1), 0};
+            take(name + "." + std::to_string(i + 1));
+        }
+    }
+    /// The present leaf of a cover is to be checked.
+    void take(const std::string& path) {
+        if (is_asked_for(path)) {
+            const bool layer = leaf_.rule < LawLeaf::bulk;
+            std::string box;
+            for (std::size_t i = 0; i < (layer ? 2 : 1); ++i)
+                box += "  " + std::string(layer ? layer_axes.at(i) : leaf_.rule == LawLeaf::bulk ? "th" : "d") +
+                       " in [" + to_string(leaf_.box.lo.at(i)) + ", " + to_string(leaf_.box.hi.at(i)) + "]\n";
+            explain(leaf_, path, box);
+        }
+        Reader::take(leaf_);
+    }
+
+    const Proofs proofs_;
+    Law claim_;
+    LawLeaf leaf_;           ///< the present one of the covers
+    std::uint64_t step_ = 0;
+    std::size_t first_ = 0;  ///< the place of `slope` in the tallies
+};
+
+}  // namespace
+
+std::pair<Proof, Law> law(Text& text, const Settings& settings) {
+    LawReader reader(text, settings);
+    Proof proof = reader.run();
+    return {std::move(proof), std::move(reader.claim())};
+}
+
+}  // namespace dumbbell_verify

@@ -1,0 +1,15 @@
+// Files of the claim kind `law` (format.md, section 5).
+#pragma once
+#include <utility>
+
+#include "verify/format/proof.hpp"
+#include "verify/format/text.hpp"
+#include "verify/law/claim.hpp"
+
+namespace dumbbell_verify {
+
+/// Reads on after the line `claim`; returns only if all that the file and the demand say is certified, else
+/// throws the Failure of the least line.
+std::pair<Proof, Law> law(Text& text, const Settings& settings);
+
+}  // namespace dumbbell_verify

@@ -1,0 +1,38 @@
+// What a file of the claim kind `law` has to be checked, one thing after the other, and by which rule.
+#pragma once
+#include <array>
+#include <string>
+
+#include "verify/format/section.hpp"
+
+namespace dumbbell_verify {
+
+/// A part of one of the three covers. The box: U and rho in the layer, the angle th in the bulk, d at the end.
+struct LawBox {
+    std::array<mpq_class, 2> lo, hi;
+};
+struct LawLeaf {
+    enum Rule { step, slope, direct, beyond, bulk, end };
+    static constexpr std::array<std::string_view, 6> names{"", "slope", "direct", "beyond", "bulk", "end"};
+
+    Rule rule = step;
+    std::size_t range = 0;  ///< of the bulk: 0, 1, 2
+    std::uint64_t line = 0;
+    unsigned bits = 53;
+    bool multiple = false;
+    LawBox box;
+    Leaf at_step;  ///< instead of the box, if it is a part of a step
+};
+
+// nullptr if the rule of format.md, section 5, certifies the leaf, else what is missing; a log gets a line for
+// every inequality.
+const char* check_law_layer(const LawLeaf& leaf, std::string* log);
+const char* check_law_bulk(const LawLeaf& leaf, std::string* log);
+const char* check_law_end(const LawLeaf& leaf, std::string* log);
+
+/// Certified for the whole bulk: |A| <= 2e-5 for all J in pi/2 + [-1e-5, eps^2/4], and no angle beyond its ranges.
+const char* check_law_bulk_window(unsigned bits, bool multiple);
+/// Certified for this arithmetic: the comparison function's constant k0 is the one that makes D/D0(T) = 1 at U = 0.
+const char* check_law_constant(unsigned bits, bool multiple);
+
+}  // namespace dumbbell_verify

@@ -1,0 +1,36 @@
+// What the three rules share: the box, the numbers of the law, the window of J.
+#pragma once
+#include "verify/collisions/ray.hpp"
+#include "verify/format/precision.hpp"
+#include "verify/law/constants.hpp"
+#include "verify/law/kernel.hpp"
+#include "verify/law/leaf.hpp"
+
+namespace dumbbell_verify {
+
+template <class N>
+class LawRule : public Rays<N> {
+  public:
+    using I = Interval<N>;
+    using Rays<N>::fact, Rays<N>::less, Rays<N>::half_turn, Rays<N>::quarter, Rays<N>::zero;
+
+  protected:
+    LawRule(const LawLeaf& leaf, std::string* log) : Rays<N>(log), leaf_(leaf) { Work::spend(1 << 19); }
+
+    [[nodiscard]] I side(std::size_t axis) const {
+        return {bound(down, leaf_.box.lo.at(axis), zero), bound(up, leaf_.box.hi.at(axis), zero)};
+    }
+    /// Certified a <= x <= b, for x of any sign; never if x is empty.
+    bool within(const char* what, const I& x, const I& a, const I& b) {
+        return fact(what, x.lo <= x.hi) && less(what, a, x, false) && less(what, x, b, false);
+    }
+    /// What J is known to be before a rule: pi/2 + [-5.3 eps^2/u^3, eps^2/4], of these the first.
+    static I drift() { return fraction<N>(53, 10); }
+    static I most_eps() { return fraction<N>(1, 1000); }
+    /// What Q is known to be then.
+    [[nodiscard]] I crude_Q() const { return quarter + I(fraction<N>(-1, 100).lo, fraction<N>(1, 20).hi); }
+
+    const LawLeaf& leaf_;
+};
+
+}  // namespace dumbbell_verify

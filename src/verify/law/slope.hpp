@@ -1,0 +1,139 @@
+// Intervals, and intervals with a slope: what is divided by U must be small with U, and be seen to be.
+#pragma once
+#include "verify/number/interval.hpp"
+#include "verify/starts/angle.hpp"
+
+namespace dumbbell_verify {
+
+/// A quantity x that depends on one number U of a box [0, ...] or [U_lo, U_hi], and on others: for every U
+/// there are x0 in `zero`, the quantity's value at U = 0 (with the others as they are), and x1 in `rise` with
+/// x = x0 + U x1; and x lies in `whole`. The operations keep that.
+template <class N>
+struct Slope {
+    using I = Interval<N>;
+    I zero, rise, whole;
+
+    friend Slope operator-(const Slope& x) { return {-x.zero, -x.rise, -x.whole}; }
+    friend Slope operator+(const Slope& x, const Slope& y) {
+        return {x.zero + y.zero, x.rise + y.rise, x.whole + y.whole};
+    }
+    friend Slope operator-(const Slope& x, const Slope& y) {
+        return {x.zero - y.zero, x.rise - y.rise, x.whole - y.whole};
+    }
+    friend Slope operator*(const Slope& x, const Slope& y) {
+        return {x.zero * y.zero, x.zero * y.rise + x.rise * y.whole, x.whole * y.whole};
+    }
+    friend Slope operator/(const Slope& x, const Slope& y) { return x * (I(1) / y); }
+    // With numbers that do not depend on U.
+    friend Slope operator/(const I& k, const Slope& y) {
+        const I inverse = k / y.zero;
+        return {inverse, -(y.rise * inverse / y.whole), k / y.whole};
+    }
+    friend Slope operator+(const Slope& x, const I& k) { return {x.zero + k, x.rise, x.whole + k}; }
+    friend Slope operator+(const I& k, const Slope& x) { return x + k; }
+    friend Slope operator-(const I& k, const Slope& x) { return -x + k; }
+    friend Slope operator-(const Slope& x, const I& k) { return x + -k; }
+    friend Slope operator*(const Slope& x, const I& k) { return {x.zero * k, x.rise * k, x.whole * k}; }
+    friend Slope operator*(const I& k, const Slope& x) { return x * k; }
+    friend Slope operator/(const Slope& x, const I& k) { return {x.zero / k, x.rise / k, x.whole / k}; }
+};
+
+/// The square roots of an interval without negative numbers; unbounded otherwise.
+template <class N>
+Interval<N> square_root(const Interval<N>& x) {
+    const auto end = [](Round d, const N& y) {
+        if (!(y > N(0))) return N(0);
+        const N guess = sqrt(y), other = div(d, y, guess);  // the root lies between y/g and g, for any g > 0
+        return d == down ? std::min(guess, other) : std::max(guess, other);
+    };
+    if (!(x.lo >= N(0))) return Interval<N>(1) / Interval<N>(0);
+    return {end(down, x.lo), end(up, x.hi)};
+}
+template <class N>
+Slope<N> square_root(const Slope<N>& x) {
+    const Interval<N> zero = square_root(x.zero), whole = square_root(x.whole);
+    return {zero, x.rise / (zero + whole), whole};
+}
+template <class N>
+Slope<N> square(const Slope<N>& x) {
+    return {square(x.zero), x.rise * (x.zero + x.whole), square(x.whole)};
+}
+template <class T>
+T cube(const T& x) {
+    return x * square(x);
+}
+
+/// p/q, for small integers.
+template <class N>
+Interval<N> fraction(int p, int q) {
+    return Interval<N>(p) / Interval<N>(q);
+}
+/// [1 - k y, 1], for k >= 0, y >= 0.
+template <class N>
+Interval<N> below_one(const Interval<N>& y, const Interval<N>& k) {
+    return {(Interval<N>(1) - k * y).lo, N(1)};
+}
+/// The numbers that lie in both; lo > hi if there is none.
+template <class N>
+Interval<N> common(const Interval<N>& x, const Interval<N>& y) {
+    return {std::max(x.lo, y.lo), std::min(x.hi, y.hi)};
+}
+/// Numbers of any sign that are at most |x| for some x of X, and all x.
+template <class N>
+Interval<N> up_to_size(const Interval<N>& x) {
+    const N size = std::max(-x.lo, x.hi);
+    return {-size, size};
+}
+/// sin x / x for x in [0, 2], where it falls; 1 at 0.
+template <class N>
+Interval<N> sinc(const Interval<N>& x) {
+    if (!(x.lo >= N(0) && x.hi <= N(2))) return Interval<N>(1) / Interval<N>(0);
+    return {series(square(Interval<N>(x.hi)), 2).lo, series(square(Interval<N>(x.lo)), 2).hi};
+}
+/// cos x for x in [0, 2], where it falls.
+template <class N>
+Interval<N> falling_cosine(const Interval<N>& x) {
+    if (!(x.lo >= N(0) && x.hi <= N(2))) return Interval<N>(1) / Interval<N>(0);
+    return {series(square(Interval<N>(x.hi)), 1).lo, series(square(Interval<N>(x.lo)), 1).hi};
+}
+
+/// How the formulas of a rule are evaluated on a box of U: in intervals (`Form` Interval) or with slopes.
+template <class N, template <class> class Form>
+struct Along {
+    using I = Interval<N>;
+    using T = Form<N>;
+    const I U;
+
+    /// x0 + U x1 that lies in `whole` as well.
+    T make(const I& zero, const I& rise, const I& whole) const {
+        if constexpr (std::is_same_v<T, I>)
+            return whole;
+        else
+            return {zero, rise, whole};
+    }
+    T line(const I& zero, const I& rise) const { return make(zero, rise, zero + U * rise); }
+    /// The values of the quantity.
+    I values(const T& x) const {
+        if constexpr (std::is_same_v<T, I>)
+            return x;
+        else
+            return common(x.whole, x.zero + U * x.rise);
+    }
+    /// sinc(k U) and cos(k U) for numbers k >= 0, k U in [0, 2]: with x = k U, 1 - sinc x lies in
+    /// (x^2/6) [1 - x^2/20, 1] and 1 - cos x in (x^2/2) [1 - x^2/12, 1] (alternating series).
+    T sinc_of(const I& k) const {
+        const I x = k * U, share = below_one(square(x), fraction<N>(1, 20));
+        return make(1, -(k * x / I(6) * share), sinc(x));
+    }
+    T cos_of(const I& k) const {
+        const I x = k * U, share = below_one(square(x), fraction<N>(1, 12));
+        return make(1, -(k * x / I(2) * share), falling_cosine(x));
+    }
+    /// w [1 - s x^2, 1] with x = k U: a number that is w at U = 0.
+    T nearly(const I& w, const I& k, const I& s) const {
+        const I x = k * U, most = w * s * k * x;
+        return make(w, {-most.hi, N(0)}, w * below_one(square(x), s));
+    }
+};
+
+}  // namespace dumbbell_verify
