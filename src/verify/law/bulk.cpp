@@ -1,4 +1,5 @@
-// A part of the bulk: steps with middle U >= 9/10, by the angle th of their flight, for all eps in [0, 1/1000] in one.
+// A part of the bulk (format-law.md, section 3.2): steps of middle U >= 9/10, by the angle th of their flight, for
+// all eps in [0, 1/1000] at once.
 #include "verify/law/rule.hpp"
 
 namespace dumbbell_verify {
@@ -23,7 +24,7 @@ class Clock {
         const auto [sin_y, cos_y] = sin_cos_on(a - quarter_, quarter_);
         return -(cos_y * square(a) * t2) - sin_y * a * (I(2) * t2 + I(1));
     }
-    /// The angle where Q/cos = pi, for Q in pi/2 + [-1e-5, 3e-5] and the sizes of A taken off: pi/3 within 1/50000.
+    /// The angle where Q/cos = pi, if has_last_angle(Q).
     [[nodiscard]] I last_angle() const { return pi<N>() / I(3) + spread(); }
     [[nodiscard]] bool has_last_angle(const I& Q) const {
         const I half = Q / pi<N>(), from = pi<N>() / I(3) + spread().lo, until = pi<N>() / I(3) + spread().hi;
@@ -66,8 +67,8 @@ class BulkRule : LawRule<N> {
 
     const char* verdict() {
         const Range& range = ranges.at(this->leaf_.range);
-        const auto [M, K] = defect();
-        const bool holds = fact("the angle where Q/cos is pi", Clock<N>(quarter).has_last_angle(Q())) &&
+        const auto [M, K, J] = defect();
+        const bool holds = fact("Q/cos = pi at pi/3 within 1/50000, and J/cos", Clock<N>(quarter).has_last_angle(J)) &&
                            within("D/((eps/2) (alpha' - alpha)) in its range", M,
                                   fraction<N>(range.least, 1000), fraction<N>(range.most, 1000)) &&
                            less("(J - J')/(eps^2 (alpha' - alpha)) in its range", K,
@@ -87,7 +88,7 @@ class BulkRule : LawRule<N> {
     }
 
     struct Defect {
-        I M, K;
+        I M, K, J;  ///< J: and Q, and all between
     };
     /// Every term is a power of eps times what is bounded at eps = 0: these powers are left out.
     [[nodiscard]] Defect defect() const {
@@ -126,10 +127,10 @@ class BulkRule : LawRule<N> {
         const Clock<N> clock(quarter);
         const I alpha = th - eps * beta, alpha_last = th + eps * beta_last, way = hull(alpha, alpha_last);
         const I size = up_to_size(hull(A, A_last)) * square(eps);
-        const I second = clock.second(way, Q_ + size);  // at two places
+        const I J = Q_ + size, second = clock.second(way, J);  // at two places
         const I defect = W_part - clock.P(alpha_last, Q_) * fall + clock.by_Q(way, Q_) * betas * A +
                          eps * (second * square(A) - second * square(A_last)) / I(2);
-        return {defect / betas, fall / betas};
+        return {defect / betas, fall / betas, J};
     }
 
     struct Step {

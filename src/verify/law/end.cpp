@@ -1,4 +1,4 @@
-// A part of the end: the last contact, u_b = 2 d, and the tangent flight after it, for every eps in (0, 1/1000].
+// A part of the end (format-law.md, section 3.3): the last contact, u_b = 2 d, and the tangent flight after it, for every eps in (0, 1/1000].
 #include "verify/law/rule.hpp"
 
 namespace dumbbell_verify {
@@ -48,26 +48,25 @@ class EndRule : LawRule<N> {
     bool is_beyond() {
         const Along<N, Interval> along{d_};
         return less("1/1000 < d^2 epsh", Base::most_eps(),
-                    square(d_) * End<Interval>(along, Base::crude_Q()).epsh);
+                    square(d_) * End<Interval>(along, along.line(quarter, window())).epsh);
     }
 
     bool is_bounded() {
         const Along<N, Slope> along{d_};
-        const Along<N, Interval> plain{d_};
-        I q = offset(plain, End<Interval>(plain, Base::crude_Q()));
-        if (!within("Q = J - A in pi/2 + d [-1/10, 3/5]", q, fraction<N>(-1, 10), fraction<N>(3, 5))) return false;
+        I q = window();
         for (int i = 0; i < refinements; ++i)
             q = common(q, offset(along, End<Slope>(along, along.line(quarter, q))));
         if (!fact("Q = J - A for some J of its window", q.lo <= q.hi)) return false;
         const End<Slope> end(along, along.line(quarter, q));
         const S share = end_defect(along, end), root = square_root(end.epsh);
-        const I k0 = comparison_constant<N>(), near = along.values(root);
+        const I k0 = comparison_constant<N>();
         return within("e_end/sqrt(eps) = k0 at d = 0", k0, I(share.zero.lo), I(share.zero.hi)) &&
-               within("-0.23 <= (e_end - k0 sqrt(eps))/eps <= -0.0885", share.rise / near, fraction<N>(-23, 100),
-                      fraction<N>(-885, 10'000)) &&
-               within("4.5 <= u_b/sqrt(eps) <= 4.68", I(2) / near, fraction<N>(9, 2), fraction<N>(468, 100));
+               within("-0.23 <= (e_end - k0 sqrt(eps))/eps <= -0.0885", share.rise / along.values(root), fraction<N>(-23, 100),
+                      fraction<N>(-885, 10'000));
     }
 
+    /// (Q - pi/2)/d, to begin with (L53).
+    static I window() { return {fraction<N>(-1, 10).lo, fraction<N>(3, 5).hi}; }
     /// (Q - pi/2)/d, as Q = J - A and J in pi/2 + [-5.3 eps^2/u_b^3, eps^2/4].
     template <class Along, class End>
     I offset(const Along& along, const End& end) const {

@@ -1,4 +1,4 @@
-// The grammar of a file about the law (format.md, section 5).
+// The grammar of a file about the law (format-law.md).
 #include "verify/law/grammar.hpp"
 
 #include "verify/collisions/proofs.hpp"

@@ -1,4 +1,4 @@
-// Files of the claim kind `law` (format.md, section 5).
+// Files of the claim kind `law` (format-law.md).
 #pragma once
 #include <utility>
 

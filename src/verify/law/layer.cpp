@@ -1,4 +1,4 @@
-// A leaf of the layer: steps of middle U <= 9/10 and half-length rho U, for every eps in (0, 1/1000].
+// A leaf of the layer (format-law.md, section 3.1): steps of middle U <= 9/10 and half-length rho U, for every eps in (0, 1/1000].
 #include "verify/law/rule.hpp"
 
 namespace dumbbell_verify {
@@ -82,7 +82,9 @@ class LayerRule : LawRule<N> {
             q = common(q, offset(along, LayerStep<N, Form>(along, rho_, offset_by(along, q))));
         if (!fact("Q = J - A for some J of its window", q.lo <= q.hi)) return false;
         const LayerStep<N, Form> step(along, rho_, offset_by(along, q));
-        const Form<N> ratio = defect_ratio(along, step);
+        Form<N> excess;
+        const Form<N> ratio = defect_ratio(along, step, excess);
+        if (!less("0 < (1 + rho)^2 k1 - 2 rho ehat", 0, along.values(excess))) return false;
         I gamma = (I(1) - along.values(ratio)) / U_;
         if constexpr (!std::is_same_v<Form<N>, I>) {
             if (!within("D/D0(T) = 1 at U = 0", 1, I(ratio.zero.lo), I(ratio.zero.hi))) return false;
@@ -90,9 +92,9 @@ class LayerRule : LawRule<N> {
         }
         const I drift = along.values(step.change / (square(step.ehat) * I(2)));
         const bool near = this->leaf_.box.hi[0] <= mpq_class(3, 4);
-        return within("1/20 <= (1 - D/D0(T))/U <= 13/10, or 111/100 if U > 3/4", gamma, fraction<N>(1, 20),
+        return within("0 <= (1 - D/D0(T))/U <= 13/10, or 111/100 if U > 3/4", gamma, 0,
                       near ? fraction<N>(13, 10) : fraction<N>(111, 100)) &&
-               within("a/(2 ehat^2) <= 15.9", drift, I(drift.lo), I(3) * Base::drift());
+               less("a/(2 ehat^2) <= 15.9", drift, I(3) * Base::drift(), false);
     }
 
     /// (J - pi/2)/(U rho^2), from its window pi/2 + [-5.3 eps^2/u^3, eps^2/4].
@@ -111,9 +113,9 @@ class LayerRule : LawRule<N> {
         return along.line(quarter, square(rho_) * q);
     }
 
-    /// D/D0(T), with T = (1 + rho)^2 k1/(2 rho ehat) and D0(T) = k0 eps^(1/2) (T^(1/2) - (T - 1)^(1/2))^3.
+    /// (1 + rho)^2 k1/ehat - 2 rho = 2 rho (T - 1) in `excess`; and D/D0(T), with T = (1 + rho)^2 k1/(2 rho ehat) and D0(T) = k0 eps^(1/2) (T^(1/2) - (T - 1)^(1/2))^3.
     template <template <class> class Form>
-    Form<N> defect_ratio(const Along<N, Form>& along, const LayerStep<N, Form>& step) const {
+    Form<N> defect_ratio(const Along<N, Form>& along, const LayerStep<N, Form>& step, Form<N>& excess) const {
         using T = Form<N>;
         const T J = offset_by(along, J_offset(along, step));
         const Moments<N, Form> moments(along, step.Q, J);
@@ -127,7 +129,8 @@ class LayerRule : LawRule<N> {
         const T E2 = way.H * step.change * square(step.plus) + moments.over_step(rho_) * step.last +
                      along.line(0, rho_) * (second(step.first, step.plus) - second(step.last, step.minus)) / I(2);
         const T k = way.G / step.ehat * square(step.plus);  // 2 rho T
-        const T roots = square_root(k) + square_root(k - rho_ * I(2));
+        excess = k - rho_ * I(2);
+        const T roots = square_root(k) + square_root(excess);
         const I norm = I(4) * square_root(I(2)) * comparison_constant<N>();
         return (E1 + E2) * cube(roots) / (step.ehat * square_root(step.ehat)) / norm;
     }
@@ -135,7 +138,8 @@ class LayerRule : LawRule<N> {
     bool is_one() {
         const Along<N, Slope> along{U_};
         const LayerStep<N, Slope> step(along, rho_, offset_by(along, I(0)));
-        const I found = defect_ratio(along, step).zero, width = I(found.hi) - found.lo;
+        Slope<N> excess;
+        const I found = defect_ratio(along, step, excess).zero, width = I(found.hi) - found.lo;
         return found.lo <= N(1) && N(1) <= found.hi && width.hi < fraction<N>(1, 1'000'000).lo;
     }
 

@@ -24,7 +24,7 @@ struct LawLeaf {
     Leaf at_step;  ///< instead of the box, if it is a part of a step
 };
 
-// nullptr if the rule of format.md, section 5, certifies the leaf, else what is missing; a log gets a line for
+// nullptr if the rule of format-law.md certifies the leaf, else what is missing; a log gets a line for
 // every inequality.
 const char* check_law_layer(const LawLeaf& leaf, std::string* log);
 const char* check_law_bulk(const LawLeaf& leaf, std::string* log);

@@ -1,4 +1,4 @@
-// Where the steps of the staircase must be, for the law to hold there (format.md, section 5.2).
+// Where the steps of the staircase must be, for the law to hold there (format-law.md, section 2).
 #pragma once
 #include "verify/format/precision.hpp"
 #include "verify/law/claim.hpp"

@@ -1,0 +1,218 @@
+// The rules of the law's covers against true steps in 80 digits: what a box encloses holds the truth, and in a small
+// box it is so narrow that a wrong constant or sign would not.
+#include <catch2/catch.hpp>
+#include <random>
+
+#include "law_truth.hpp"
+#include "verify/law/constants.hpp"
+#include "verify/law/leaf.hpp"
+#include "verify/number/big.hpp"
+
+using namespace dumbbell_verify;
+using law_truth::enclosure;
+using law_truth::Real;
+
+namespace {
+
+std::mt19937_64 engine(20261122);
+double uniform(double lo, double hi) {
+    return lo + (hi - lo) * (static_cast<double>(engine() >> 11) * 0x1p-53);
+}
+/// Of any size between the two, each as likely.
+double any_size(double lo, double hi) { return lo * std::pow(hi / lo, uniform(0, 1)); }
+
+const char* const gamma_fact = "0 <= (1 - D/D0(T))/U";
+const char* const drift_fact = "a/(2 ehat^2)";
+
+/// A true step of the layer, J at `share` of its window [-5.3 eps^2/u^3, eps^2/4].
+struct LayerTruth {
+    Real gamma, drift, eps;
+    LayerTruth(double U_, double rho_, double share, const Real& factor = 1) {
+        const Real U = U_, d = U * Real(rho_);
+        Real Q = law_truth::pi() / 2;
+        for (int i = 0; i < 60; ++i) {
+            const law_truth::Step step(U, d, acos(Q / (law_truth::pi() - U)));
+            const Real lo = -Real("5.3") * step.eps * step.eps / pow(step.u, 3), hi = step.eps * step.eps / 4;
+            Q += law_truth::pi() / 2 + lo + (hi - lo) * Real(share) - step.J;
+        }
+        const law_truth::Step step(U, d, acos(Q / (law_truth::pi() - U)));
+        eps = step.eps;
+        const Real T = law_truth::clock(step.u, step.J) / (2 * eps),
+                   after = law_truth::clock(step.u_last, step.J_last) / (2 * eps);
+        const Real D0 = factor * law_truth::k0() * sqrt(eps) * pow(sqrt(T) - sqrt(T - 1), 3);
+        gamma = (1 - (T - 1 - after) / D0) / U;
+        drift = (step.J - step.J_last) * pow(U, 4) / (2 * d * eps * eps);
+    }
+};
+
+/// A box with the point in it, of these widths; not beyond the layer.
+LawLeaf layer_leaf(LawLeaf::Rule rule, double U, double rho, double width_U, double width_rho) {
+    LawLeaf leaf;
+    leaf.rule = rule;
+    const double point[] = {U, rho}, width[] = {width_U, width_rho}, most[] = {0.9, 0.2};
+    for (std::size_t i = 0; i < 2; ++i) {
+        const double lo = std::max(0.0, point[i] - uniform(0, width[i]));
+        leaf.box.lo.at(i) = mpq_class(lo);
+        leaf.box.hi.at(i) = mpq_class(std::max(point[i], std::min(most[i], lo + width[i])));
+    }
+    return leaf;
+}
+bool holds(const std::pair<double, double>& x, const Real& truth) { return x.first <= truth && truth <= x.second; }
+
+}  // namespace
+
+TEST_CASE("law: the constants hold their values in 80 digits") {
+    const Real C = law_truth::clock_by_angle(0, law_truth::pi() / 2);
+    const Real zeta = [] {  // -6 zeta(-1/2), the sum of (sqrt n - sqrt(n - 1))^3 with its tail expanded
+        Real sum = 0;
+        const int m = 2000;
+        for (int n = 1; n <= m; ++n) sum += pow(sqrt(Real(n)) - sqrt(Real(n - 1)), 3);
+        return sum + 1 / (4 * sqrt(Real(m)));
+    }();
+    const auto growth = growth_constant<double>(), comparison = comparison_constant<double>(), law = law_constant<double>();
+    CHECK(holds({growth.lo, growth.hi}, C));
+    CHECK(growth.hi - growth.lo < 1e-8);
+    CHECK(holds({comparison.lo, comparison.hi}, law_truth::k0()));
+    CHECK(comparison.hi - comparison.lo < 1e-15);
+    CHECK(abs(2 * zeta * law_truth::k0() - (Real(law.lo) + law.hi) / 2) < 1e-6);
+    CHECK(holds({law.lo, law.hi}, Real("0.205811589482")));
+    CHECK(law.hi - law.lo < 1e-9);
+    CHECK(check_law_constant(53, false) == nullptr);
+    CHECK(check_law_constant(120, true) == nullptr);
+    CHECK(check_law_bulk_window(53, false) == nullptr);
+    CHECK(check_law_bulk_window(80, true) == nullptr);
+}
+
+TEST_CASE("law: a box of the layer holds the defect and the drift of its steps") {
+    int passed = 0;
+    for (int i = 0; i < 400; ++i) {
+        const double U = i % 4 == 0 ? any_size(1e-6, 0.9) : uniform(0.01, 0.9);
+        const double rho = any_size(1e-5, std::min(0.2, 2e-3 / (U * U)));
+        const LayerTruth truth(U, rho, uniform(0, 1));
+        if (truth.eps > 1e-3) continue;
+        for (const auto rule : {LawLeaf::slope, LawLeaf::direct}) {
+            LawLeaf leaf = layer_leaf(rule, U, rho, any_size(1e-9, rule == LawLeaf::direct ? U / 50 : 0.02),
+                                      any_size(1e-9, 5e-3));
+            if (rule == LawLeaf::direct && leaf.box.lo[0] == 0) continue;
+            std::string log;
+            passed += check_law_layer(leaf, &log) == nullptr;
+            const auto gamma = enclosure(log, gamma_fact);
+            INFO("U " << U << " rho " << rho << " gamma " << truth.gamma << " drift " << truth.drift << "\n" << log);
+            REQUIRE(gamma.first <= gamma.second);
+            REQUIRE(holds(gamma, truth.gamma));
+            if (const auto drift = enclosure(log, drift_fact); drift.first <= drift.second)
+                REQUIRE(holds(drift, truth.drift));
+            leaf.rule = LawLeaf::beyond;
+            REQUIRE(check_law_layer(leaf, nullptr) != nullptr);
+        }
+    }
+    CHECK(passed > 200);
+}
+
+TEST_CASE("law: in a point of the layer the defect is known so well that a constant a little off would show") {
+    for (const auto& [U, rho, width] : {std::tuple{0x1p-10, 0.125, 0.1}, {0x1p-10, 0.1875, 0.2}, {0.25, 0.03125, 0.06},
+                                        {0.5, 0x1p-7, 0.25}, {0.875, 0x1p-9, 0.5}}) {
+        LawLeaf leaf;
+        leaf.rule = U < 0.3 ? LawLeaf::slope : LawLeaf::direct;
+        leaf.box = {{mpq_class(U), mpq_class(rho)}, {mpq_class(U), mpq_class(rho)}};
+        std::string log;
+        CHECK(check_law_layer(leaf, &log) == nullptr);
+        const auto gamma = enclosure(log, gamma_fact);
+        INFO("U " << U << " rho " << rho << "\n" << log);
+        CHECK(gamma.second - gamma.first < width);
+        for (const double share : {0.0, 0.5, 1.0}) CHECK(holds(gamma, LayerTruth(U, rho, share).gamma));
+        // k0 larger or smaller by this would be out of the box.
+        const Real off = Real(width) * Real(U);
+        CHECK_FALSE(holds(gamma, LayerTruth(U, rho, 0.5, 1 + off).gamma));
+        CHECK_FALSE(holds(gamma, LayerTruth(U, rho, 0.5, 1 - off).gamma));
+    }
+}
+
+TEST_CASE("law: a leaf is refused where its inequality is false") {
+    const auto verdict = [](LawLeaf::Rule rule, double U, double rho, double U_hi, double rho_hi) {
+        LawLeaf leaf;
+        leaf.rule = rule;
+        leaf.box = {{mpq_class(U), mpq_class(rho)}, {mpq_class(U_hi), mpq_class(rho_hi)}};
+        const char* missing = check_law_layer(leaf, nullptr);
+        return std::string(missing ? missing : "certified");
+    };
+    CHECK(verdict(LawLeaf::slope, 0, 0, 0x1p-12, 0x1p-12) == "certified");
+    CHECK(verdict(LawLeaf::direct, 0, 0, 0x1p-12, 0x1p-12) == "0 < U");
+    CHECK(verdict(LawLeaf::direct, 0.5, 0, 0.5, 0x1p-12) == "certified");
+    // The whole layer in one box says nothing, by any rule.
+    for (const auto rule : {LawLeaf::slope, LawLeaf::direct, LawLeaf::beyond})
+        CHECK(verdict(rule, 0.001, 0, 0.9, 0.2) != "certified");
+    // eps = 1/1000 runs through the layer: on both sides of it.
+    CHECK(verdict(LawLeaf::beyond, 0.5, 0.0145, 0.5, 0.0145) != "certified");
+    CHECK(LayerTruth(0.5, 0.0145, 0.5).eps < 1e-3);
+    CHECK(verdict(LawLeaf::beyond, 0.5, 0.0165, 0.5, 0.0165) == "certified");
+    CHECK(LayerTruth(0.5, 0.0165, 0.5).eps > 1e-3);
+}
+
+TEST_CASE("law: a part of the bulk holds the defect and the drift of its steps") {
+    for (int i = 0; i < 150; ++i) {
+        const std::size_t range = static_cast<std::size_t>(i) % 3;
+        const double ends[] = {0.002, 0.6, 0.7, 0.7944};
+        const double th = uniform(ends[range], ends[range + 1]), eps = any_size(1e-8, 1e-3);
+        const Real Q = law_truth::pi() / 2 + Real(uniform(-1e-5, 3e-5)), F = Q / cos(Real(th)), U = law_truth::pi() - F;
+        const law_truth::Step step(U, asin(Real(eps) * tan(Real(th)) * F / sin(U)), Real(th));
+        if (step.alpha < 0 || step.u > law_truth::pi() / 2) continue;
+        const Real angles = step.alpha_last - step.alpha;
+        const Real D = (law_truth::clock_by_angle(step.alpha, step.J) -
+                        law_truth::clock_by_angle(step.alpha_last, step.J_last)) /
+                           (2 * step.eps) -
+                       1;
+        LawLeaf leaf;
+        leaf.rule = LawLeaf::bulk;
+        leaf.range = range;
+        const double width = any_size(1e-9, 1e-3);
+        leaf.box.lo[0] = mpq_class(th - uniform(0, width));
+        leaf.box.hi[0] = leaf.box.lo[0] + mpq_class(width);
+        if (leaf.box.hi[0] < mpq_class(th)) leaf.box.hi[0] = mpq_class(th);
+        std::string log;
+        check_law_bulk(leaf, &log);
+        const Real M = 2 * D / (step.eps * angles), fall = (step.J - step.J_last) / (step.eps * step.eps * angles);
+        INFO("th " << th << " eps " << eps << " M " << M << " fall " << fall << "\n" << log);
+        REQUIRE(abs(step.eps / Real(eps) - 1) < 1e-60);
+        const auto enclosed = enclosure(log, "D/((eps/2) (alpha' - alpha))");
+        REQUIRE(holds(enclosed, M));
+        if (th < 0.6) REQUIRE(enclosed.second - enclosed.first < 0.08 + 10 * width);
+        if (const auto drift = enclosure(log, "(J - J')/(eps^2"); drift.first <= drift.second)
+            REQUIRE(holds(drift, fall));
+    }
+}
+
+TEST_CASE("law: a part of the end holds what the last contact loses") {
+    for (int i = 0; i < 150; ++i) {
+        const double d_ = i % 3 == 0 ? any_size(1e-8, 0.07) : uniform(1e-3, 0.0713), share = uniform(0, 1);
+        const Real d = d_;
+        Real Q = law_truth::pi() / 2;
+        for (int round = 0; round < 60; ++round) {
+            const law_truth::End end(d, acos(Q / (law_truth::pi() - d)));
+            const Real lo = -Real("5.3") * end.eps * end.eps / pow(end.u, 3), hi = end.eps * end.eps / 4;
+            Q += law_truth::pi() / 2 + lo + (hi - lo) * Real(share) - end.J;
+        }
+        const law_truth::End end(d, acos(Q / (law_truth::pi() - d)));
+        if (end.eps > 1e-3) continue;
+        const Real loss = law_truth::clock(end.u, end.J) / (2 * end.eps) - 1;
+        const Real truth = (loss - law_truth::k0() * sqrt(end.eps)) / end.eps;
+        LawLeaf leaf;
+        leaf.rule = LawLeaf::end;
+        leaf.box.lo[0] = mpq_class(std::max(0.0, d_ - uniform(0, 3e-5)));
+        leaf.box.hi[0] = mpq_class(std::max(d_, leaf.box.lo[0].get_d() + 6e-5));
+        std::string log;
+        const bool certified = check_law_end(leaf, &log) == nullptr;
+        INFO("d " << d_ << " truth " << truth << "\n" << log);
+        REQUIRE(certified);
+        const auto enclosed = enclosure(log, "-0.23 <= (e_end");
+        REQUIRE(holds(enclosed, truth));
+        REQUIRE(enclosed.second - enclosed.first < 0.15);
+    }
+    LawLeaf beyond;
+    beyond.rule = LawLeaf::end;
+    beyond.box.lo[0] = mpq_class(760, 10'000);
+    beyond.box.hi[0] = mpq_class(761, 10'000);
+    CHECK(check_law_end(beyond, nullptr) == nullptr);
+    beyond.box.lo[0] = mpq_class(700, 10'000);
+    CHECK(check_law_end(beyond, nullptr) != nullptr);
+}
