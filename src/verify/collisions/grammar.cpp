@@ -12,9 +12,8 @@ class CollisionsReader : public Reader<Leaf> {
     CollisionsReader(Text& text, const Settings& settings, const Section& section)
         : Reader(text, settings),
           section_(section),
-          proofs_{text, section, proof_.tallies, [this](Leaf leaf, const std::string& path) {
-                      take(std::move(leaf), path);
-                  }} {
+          proofs_{text, section, proof_.tallies,
+                  [this](Leaf leaf, const std::string& path) { take(std::move(leaf), path); }} {
         proof_.claim = settings.demand;
         proof_.section = section.name;
         proofs_.add_tallies();

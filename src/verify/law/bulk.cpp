@@ -1,5 +1,5 @@
-// A part of the bulk (format-law.md, section 3.2): steps of middle U >= 9/10, by the angle th of their flight, for
-// all eps in [0, 1/1000] at once.
+// A part of the bulk (format-law.md, section 3.2): steps of middle U >= 9/10, by the angle th of their
+// flight, for all eps in [0, 1/1000] at once.
 #include "verify/law/rule.hpp"
 
 namespace dumbbell_verify {
@@ -68,11 +68,12 @@ class BulkRule : LawRule<N> {
     const char* verdict() {
         const Range& range = ranges.at(this->leaf_.range);
         const auto [M, K, J] = defect();
-        const bool holds = fact("Q/cos = pi at pi/3 within 1/50000, and J/cos", Clock<N>(quarter).has_last_angle(J)) &&
-                           within("D/((eps/2) (alpha' - alpha)) in its range", M,
-                                  fraction<N>(range.least, 1000), fraction<N>(range.most, 1000)) &&
-                           less("(J - J')/(eps^2 (alpha' - alpha)) in its range", K,
-                                fraction<N>(range.most_fall, 10), false);
+        const bool holds =
+            fact("Q/cos = pi at pi/3 within 1/50000, and J/cos", Clock<N>(quarter).has_last_angle(J)) &&
+            within("D/((eps/2) (alpha' - alpha)) in its range", M, fraction<N>(range.least, 1000),
+                   fraction<N>(range.most, 1000)) &&
+            less("(J - J')/(eps^2 (alpha' - alpha)) in its range", K, fraction<N>(range.most_fall, 10),
+                 false);
         return holds ? nullptr : Base::failed();
     }
     const char* window_verdict() { return is_in_window() ? nullptr : Base::failed(); }
@@ -83,9 +84,7 @@ class BulkRule : LawRule<N> {
     };
     static constexpr std::array<Range, 3> ranges{{{-334, 0, 21}, {-125, 85, 62}, {-105, 470, 227}}};
 
-    [[nodiscard]] I Q() const {
-        return quarter + I(fraction<N>(-1, 100'000).lo, fraction<N>(3, 100'000).hi);
-    }
+    [[nodiscard]] I Q() const { return quarter + I(fraction<N>(-1, 100'000).lo, fraction<N>(3, 100'000).hi); }
 
     struct Defect {
         I M, K, J;  ///< J: and Q, and all between
@@ -98,7 +97,8 @@ class BulkRule : LawRule<N> {
         const auto [sin_U, cos_U] = sin_cos_on(U, quarter);
         // sin d = eps t = x; asin x lies in x [1, 1 + (x^2/6) (1 + x^2)].
         const I t = tangent * F / sin_U, x = eps * t, x2 = square(x);
-        const I grown(N(1), (I(1) + x2 / I(6) * (I(1) + x2)).hi), d1 = t * grown, d = eps * d1, d2 = square(d);
+        const I grown(N(1), (I(1) + x2 / I(6) * (I(1) + x2)).hi), d1 = t * grown, d = eps * d1,
+                                                                  d2 = square(d);
         const I cos_d = square_root(I(1) - x2);
         // sin u, sin u'; tan beta = eps/sin u and its cosine.
         const I w = sin_U * cos_d + cos_U * x, w_last = sin_U * cos_d - cos_U * x;
@@ -108,11 +108,12 @@ class BulkRule : LawRule<N> {
         const I both = w * w_last, cc = c * c_last, doubles = sin_U * cos_U * t * cos_d * I(4);
         const I turn = square(cc) / (c + c_last) * doubles / square(both);  // (c - c')/eps^3
         const I lift = doubles * cc / (both * (w / c + w_last / c_last));   // (sin beta' - sin beta)/eps^2
-        const I X_fall = I(2) * d1 *
-                         (square(t / sin_U) - fraction<N>(2, 3) * square(d1) * below_one(d2, fraction<N>(1, 5))) /
-                         (I(1) - square(x / sin_U));
-        const I X_last = -(d1 * t * cos_U + square(d1) * sin_U * d / I(3) * below_one(d2, fraction<N>(1, 10))) /
-                         w_last;
+        const I X_fall =
+            I(2) * d1 *
+            (square(t / sin_U) - fraction<N>(2, 3) * square(d1) * below_one(d2, fraction<N>(1, 5))) /
+            (I(1) - square(x / sin_U));
+        const I X_last =
+            -(d1 * t * cos_U + square(d1) * sin_U * d / I(3) * below_one(d2, fraction<N>(1, 10))) / w_last;
         const I fall = cosine * (c * X_fall + square(eps) * X_last * turn) + Q_ * turn + sine * d1 * lift;
         const I A_last = cosine * c_last * X_last - Q_ * square(c_last / w_last) / (I(1) + c_last) -
                          sine * d1 * c_last / w_last;
@@ -137,7 +138,8 @@ class BulkRule : LawRule<N> {
         I Q, F, tangent, sin_U, cos_U, t, d1, d2, w, w_last, tan2, tan2_last;
     };
     /// The integral of W over [alpha, alpha'], less 2 eps, over eps^3.
-    [[nodiscard]] I clock_part(const I& th, const I& eps, const I& beta, const I& beta_last, const Step& s) const {
+    [[nodiscard]] I clock_part(const I& th, const I& eps, const I& beta, const I& beta_last,
+                               const Step& s) const {
         const auto excess = [](const I& w, const I& tan2) {  // tan beta - beta
             return cube(I(1) / w) / I(3) * below_one(tan2, fraction<N>(3, 5));
         };
@@ -152,22 +154,25 @@ class BulkRule : LawRule<N> {
                Clock<N>(quarter).W_second(way, s.Q) * (cube(beta) + cube(beta_last)) / I(6);
     }
 
-    /// With J in pi/2 + [-1e-5, eps^2/4]: Q >= J, as A <= 0, so that sin d sin U <= eps F sqrt(F^2 - J^2)/J, and
-    /// |A| <= cos th d^2 cot U + F beta^2/2 + d beta with d <= 1.001 sin d, beta <= eps/sin U, cos th <= (J + |A|)/F.
+    /// With J in pi/2 + [-1e-5, eps^2/4]: Q >= J, as A <= 0, so that sin d sin U <= eps F sqrt(F^2 - J^2)/J,
+    /// and |A| <= cos th d^2 cot U + F beta^2/2 + d beta with d <= 1.001 sin d, beta <= eps/sin U, cos th <=
+    /// (J + |A|)/F.
     bool is_in_window() {
         constexpr int parts = 700;
         const I J = quarter + I(fraction<N>(-1, 100'000).lo, fraction<N>(1, 4'000'000).hi);
         const I least = fraction<N>(9, 10), length = quarter + fraction<N>(1, 1000) - least;
-        if (!less("th < 0.7944 for U >= 9/10", sin_cos_on(fraction<N>(7944, 10'000), quarter).cos * (pi<N>() - least),
-                  J))
+        if (!less("th < 0.7944 for U >= 9/10",
+                  sin_cos_on(fraction<N>(7944, 10'000), quarter).cos * (pi<N>() - least), J))
             return false;
         for (int i = 0; i < parts; ++i) {
             const I share(fraction<N>(i, parts).lo, fraction<N>(i + 1, parts).hi), U = least + length * share;
-            const I F = pi<N>() - U, R = square(F) - square(J), root = square_root(I(std::max(N(0), R.lo), R.hi));
+            const I F = pi<N>() - U, R = square(F) - square(J),
+                    root = square_root(I(std::max(N(0), R.lo), R.hi));
             const auto [s, c] = sin_cos_on(U, quarter);
             const I cosine = I(std::max(N(0), c.lo), c.hi);
             const I d = fraction<N>(1001, 1000) * F * root / (J * s);
-            const I A = (J + fraction<N>(1, 100)) / F * square(d) * cosine / s + F / (I(2) * square(s)) + d / s;
+            const I A =
+                (J + fraction<N>(1, 100)) / F * square(d) * cosine / s + F / (I(2) * square(s)) + d / s;
             if (!less("1.001 sin d < 1/10", d * Base::most_eps(), fraction<N>(1, 10)) ||
                 !less("|A|/eps^2 <= 20", A, 20, false))
                 return false;

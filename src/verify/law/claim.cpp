@@ -8,7 +8,8 @@ std::string Law::text() const {
 }
 
 std::string Law::paragraph() {
-    return "  N*(q) is the greatest number of collisions at the mass ratio q, q_c(N) the ratio beyond which it is\n"
+    return "  N*(q) is the greatest number of collisions at the mass ratio q, q_c(N) the ratio beyond which "
+           "it is\n"
            "  at least N. For every q >= q_c(9):\n"
            "  2 + floor(C sqrt q - c0 q^(-1/4)) <= N*(q) <= 2 + floor(C sqrt q),\n"
            "  C = 0.885595..., c0 = 0.205811...; and 0.980 <= N*(q) - C sqrt q <= 2.115 for every q >= 1.\n";
@@ -16,8 +17,8 @@ std::string Law::paragraph() {
 
 std::string Law::json() const {
     return "{\"kind\":\"law\",\"steps\":{\"first\":" + std::to_string(first_step) +
-           ",\"last\":" + std::to_string(last_step) + "},\"from\":{\"lo\":\"" + to_string(lo) + "\",\"hi\":\"" +
-           to_string(hi) + "\"},\"excess\":{\"lo\":\"49/50\",\"hi\":\"423/200\"}}";
+           ",\"last\":" + std::to_string(last_step) + "},\"from\":{\"lo\":\"" + to_string(lo) +
+           "\",\"hi\":\"" + to_string(hi) + "\"},\"excess\":{\"lo\":\"49/50\",\"hi\":\"423/200\"}}";
 }
 
 }  // namespace dumbbell_verify

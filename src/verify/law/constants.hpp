@@ -26,9 +26,9 @@ Interval<N> law_constant() {
     return I(3) * zeta / pi<N>() * comparison_constant<N>();
 }
 
-/// C, the integral of W(a) = sin((pi/2)/cos a) over [0, pi/3]: on each of equal parts, W at the middle and W''
-/// on the part. With x = (pi/2)/cos a, y = x - pi/2 and t = tan a: W = cos y, W'' = -cos y (x t)^2 - sin y x (2
-/// t^2 + 1).
+/// C, the integral of W(a) = sin((pi/2)/cos a) over [0, pi/3]: on each of equal parts, W at the middle and
+/// W'' on the part. With x = (pi/2)/cos a, y = x - pi/2 and t = tan a: W = cos y, W'' = -cos y (x t)^2 - sin
+/// y x (2 t^2 + 1).
 template <class N>
 Interval<N> growth_constant() {
     using I = Interval<N>;
@@ -37,8 +37,8 @@ Interval<N> growth_constant() {
     I sum = 0;
     for (int i = 0; i < parts; ++i) {
         const I middle = pi<N>() * fraction<N>(2 * i + 1, 6 * parts);
-        const I a(middle.lo, middle.hi), part((pi<N>() * fraction<N>(i, 3 * parts)).lo,
-                                              (pi<N>() * fraction<N>(i + 1, 3 * parts)).hi);
+        const I a(middle.lo, middle.hi),
+            part((pi<N>() * fraction<N>(i, 3 * parts)).lo, (pi<N>() * fraction<N>(i + 1, 3 * parts)).hi);
         sum = sum + sin_cos_on(quarter / sin_cos_on(a, quarter).cos - quarter, quarter).cos * h;
         const auto [s, c] = sin_cos_on(part, quarter);
         const I x = quarter / c, t2 = square(s / c);

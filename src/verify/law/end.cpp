@@ -1,4 +1,5 @@
-// A part of the end (format-law.md, section 3.3): the last contact, u_b = 2 d, and the tangent flight after it, for every eps in (0, 1/1000].
+// A part of the end (format-law.md, section 3.3): the last contact, u_b = 2 d, and the tangent flight after
+// it, for every eps in (0, 1/1000].
 #include "verify/law/rule.hpp"
 
 namespace dumbbell_verify {
@@ -20,8 +21,8 @@ class EndRule : LawRule<N> {
             const T d = along.line(0, 1), wave = along.sinc_of(1), double_wave = along.sinc_of(2);
             F = along.line(pi<N>(), I(-1));
             const T cosine = Q / F, sine = square_root(I(1) - square(cosine));
-            // kappa = d^2 kh, and kh = (sinc^2 d + d^2 kh^2/4 [1, 1 + kappa^2])/F: from kh in [0, 1/2], again and
-            // again.
+            // kappa = d^2 kh, and kh = (sinc^2 d + d^2 kh^2/4 [1, 1 + kappa^2])/F: from kh in [0, 1/2], again
+            // and again.
             I k(N(0), fraction<N>(1, 2).hi);
             for (int i = 0; i < 4; ++i) {
                 above = I(N(1), (I(1) + square(d2 * k)).hi);
@@ -61,8 +62,8 @@ class EndRule : LawRule<N> {
         const S share = end_defect(along, end), root = square_root(end.epsh);
         const I k0 = comparison_constant<N>();
         return within("e_end/sqrt(eps) = k0 at d = 0", k0, I(share.zero.lo), I(share.zero.hi)) &&
-               within("-0.23 <= (e_end - k0 sqrt(eps))/eps <= -0.0885", share.rise / along.values(root), fraction<N>(-23, 100),
-                      fraction<N>(-885, 10'000));
+               within("-0.23 <= (e_end - k0 sqrt(eps))/eps <= -0.0885", share.rise / along.values(root),
+                      fraction<N>(-23, 100), fraction<N>(-885, 10'000));
     }
 
     /// (Q - pi/2)/d, to begin with (L53).

@@ -64,7 +64,8 @@ class LawReader : public Reader<LawLeaf> {
         if (demand.keep != Pieces{}) refuse("--lemma compares covers; this file is about the law");
         if (demand.ratios || demand.most || demand.least)
             refuse(
-                "--ratio, --max, --min and --exactly are about certificates of single ratios and ranges; this file "
+                "--ratio, --max, --min and --exactly are about certificates of single ratios and ranges; "
+                "this file "
                 "is about the law for every mass ratio: ask with --claim law");
     }
 
@@ -122,7 +123,8 @@ class LawReader : public Reader<LawLeaf> {
     }
     void layer_leaf(double share, const std::string& path) {
         const auto& names = LawLeaf::names;
-        const auto* const name = std::find(&names.at(LawLeaf::slope), &names.at(LawLeaf::bulk), text_.fields[0]);
+        const auto* const name =
+            std::find(&names.at(LawLeaf::slope), &names.at(LawLeaf::bulk), text_.fields[0]);
         if (name == &names.at(LawLeaf::bulk)) text_.reject("opcode", "not a line for this place");
         if (text_.fields.size() != 1) text_.reject("syntax", "wrong number of values");
         leaf_.rule = static_cast<LawLeaf::Rule>(name - names.data());
@@ -164,7 +166,10 @@ class LawReader : public Reader<LawLeaf> {
             const bool layer = leaf_.rule < LawLeaf::bulk;
             std::string box;
             for (std::size_t i = 0; i < (layer ? 2 : 1); ++i)
-                box += "  " + std::string(layer ? layer_axes.at(i) : leaf_.rule == LawLeaf::bulk ? "th" : "d") +
+                box += "  " +
+                       std::string(layer                         ? layer_axes.at(i)
+                                   : leaf_.rule == LawLeaf::bulk ? "th"
+                                                                 : "d") +
                        " in [" + to_string(leaf_.box.lo.at(i)) + ", " + to_string(leaf_.box.hi.at(i)) + "]\n";
             explain(leaf_, path, box);
         }
@@ -173,7 +178,7 @@ class LawReader : public Reader<LawLeaf> {
 
     const Proofs proofs_;
     Law claim_;
-    LawLeaf leaf_;           ///< the present one of the covers
+    LawLeaf leaf_;  ///< the present one of the covers
     std::uint64_t step_ = 0;
     std::size_t first_ = 0;  ///< the place of `slope` in the tallies
 };

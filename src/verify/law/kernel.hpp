@@ -39,9 +39,11 @@ Form<N> middle_error(const Along<N, Form>& along, const Form<N>& sin_U, const Fo
     using I = Interval<N>;
     using T = Form<N>;
     const I third = fraction<N>(1, 3), U = along.U, d = rho * U, middle = pi<N>() - U;
-    const T I2 = along.nearly(third, rho, fraction<N>(3, 10)), J1 = along.nearly(third, rho, fraction<N>(1, 10));
+    const T I2 = along.nearly(third, rho, fraction<N>(3, 10)),
+            J1 = along.nearly(third, rho, fraction<N>(1, 10));
     const T d2 = square(along.line(0, rho)) / I(5);
-    const T I4 = d2 * below_one(square(d), fraction<N>(1, 2)), J3 = d2 * below_one(square(d), fraction<N>(1, 6));
+    const T I4 = d2 * below_one(square(d), fraction<N>(1, 2)),
+            J3 = d2 * below_one(square(d), fraction<N>(1, 6));
     const I most = middle + d, least = middle - d;
     const FarBends<N> far = far_bends(I(least.lo, most.hi), along.values(Q));
     const Bends<T> G = bends<N>(F, Q);
@@ -58,8 +60,8 @@ Interval<N> falling_product(const Interval<N>& x, const Interval<N>& g, const In
 }
 
 /// Integrals over the way from u = 0, of f(x) = sinc(x) g(pi - x) with g = G(., J) or H(., Q), H = dG/dQ. On
-/// each part of the way f(x) = f(middle) + (x - middle) f'(somewhere): the middle with its slope in U, f' as an
-/// interval on the part.
+/// each part of the way f(x) = f(middle) + (x - middle) f'(somewhere): the middle with its slope in U, f' as
+/// an interval on the part.
 template <class N, template <class> class Form>
 class Moments {
     using I = Interval<N>;
@@ -103,8 +105,8 @@ class Moments {
         I sum = 0;
         constexpr int parts = 4;
         for (int i = 0; i < parts; ++i) {
-            const I t(fraction<N>(i, parts).lo, fraction<N>(i + 1, parts).hi), x = along_.U * p * t,
-                F = pi<N>() - x, R = square(F) - square(X);
+            const I t(fraction<N>(i, parts).lo, fraction<N>(i + 1, parts).hi),
+                x = along_.U * p * t, F = pi<N>() - x, R = square(F) - square(X);
             sum = sum + sinc(x) * (I(3) * X * F / (square(R) * square_root(R))) *
                             fraction<N>(2 * i + 1, 2 * parts * parts);
         }

@@ -1,4 +1,5 @@
-// A leaf of the layer (format-law.md, section 3.1): steps of middle U <= 9/10 and half-length rho U, for every eps in (0, 1/1000].
+// A leaf of the layer (format-law.md, section 3.1): steps of middle U <= 9/10 and half-length rho U, for
+// every eps in (0, 1/1000].
 #include "verify/law/rule.hpp"
 
 namespace dumbbell_verify {
@@ -26,10 +27,11 @@ struct LayerStep {
         const T waves = wave_first * wave_last * (plus * minus);
         const T doubles = ehat * (wave_U * cos_U) * (wave_d * along.cos_of(rho)) * I(4);
         const T kc = square(c * c_last) / (c + c_last) * doubles * ehat / square(waves);
-        const T ks = doubles * c * c_last / (waves * (plus * (wave_first / c) + minus * (wave_last / c_last)));
+        const T ks =
+            doubles * c * c_last / (waves * (plus * (wave_first / c) + minus * (wave_last / c_last)));
         const T ratio = wave_d / wave_U;
-        const T xh = (square(ratio) - square(U) * below_one(square(rho * along.U), fraction<N>(1, 5)) *
-                                          fraction<N>(2, 3)) *
+        const T xh = (square(ratio) -
+                      square(U) * below_one(square(rho * along.U), fraction<N>(1, 5)) * fraction<N>(2, 3)) *
                      I(2) / (I(1) - square(ratio * rho));
         const T shift = d * below_one(square(rho * along.U), fraction<N>(1, 10)) / I(3);
         const T X_last = -(cos_U * wave_d + sin_U * shift) / (minus * wave_last);
@@ -42,8 +44,8 @@ struct LayerStep {
     I rho, plus = I(1) + rho, minus = I(1) - rho;
     T Q;
     T sin_U, cos_U, F;
-    T ehat;                ///< eps = rho U^2 ehat
-    T change, first, last; ///< A - A' = (d^3/U^2) change; A, A' = (d^2/U) first, last
+    T ehat;                 ///< eps = rho U^2 ehat
+    T change, first, last;  ///< A - A' = (d^3/U^2) change; A, A' = (d^2/U) first, last
 };
 
 template <class N>
@@ -113,7 +115,8 @@ class LayerRule : LawRule<N> {
         return along.line(quarter, square(rho_) * q);
     }
 
-    /// (1 + rho)^2 k1/ehat - 2 rho = 2 rho (T - 1) in `excess`; and D/D0(T), with T = (1 + rho)^2 k1/(2 rho ehat) and D0(T) = k0 eps^(1/2) (T^(1/2) - (T - 1)^(1/2))^3.
+    /// (1 + rho)^2 k1/ehat - 2 rho = 2 rho (T - 1) in `excess`; and D/D0(T), with T = (1 + rho)^2 k1/(2 rho
+    /// ehat) and D0(T) = k0 eps^(1/2) (T^(1/2) - (T - 1)^(1/2))^3.
     template <template <class> class Form>
     Form<N> defect_ratio(const Along<N, Form>& along, const LayerStep<N, Form>& step, Form<N>& excess) const {
         using T = Form<N>;
@@ -126,8 +129,9 @@ class LayerRule : LawRule<N> {
             const I size = up_to_size(along.values(A)) * square(rho_) * U_;
             return square(A) * (moments.second_order(p, along.values(step.Q) + size) * square(p));
         };
-        const T E2 = way.H * step.change * square(step.plus) + moments.over_step(rho_) * step.last +
-                     along.line(0, rho_) * (second(step.first, step.plus) - second(step.last, step.minus)) / I(2);
+        const T E2 =
+            way.H * step.change * square(step.plus) + moments.over_step(rho_) * step.last +
+            along.line(0, rho_) * (second(step.first, step.plus) - second(step.last, step.minus)) / I(2);
         const T k = way.G / step.ehat * square(step.plus);  // 2 rho T
         excess = k - rho_ * I(2);
         const T roots = square_root(k) + square_root(excess);

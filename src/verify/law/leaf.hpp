@@ -7,7 +7,8 @@
 
 namespace dumbbell_verify {
 
-/// A part of one of the three covers. The box: U and rho in the layer, the angle th in the bulk, d at the end.
+/// A part of one of the three covers. The box: U and rho in the layer, the angle th in the bulk, d at the
+/// end.
 struct LawBox {
     std::array<mpq_class, 2> lo, hi;
 };
@@ -30,9 +31,11 @@ const char* check_law_layer(const LawLeaf& leaf, std::string* log);
 const char* check_law_bulk(const LawLeaf& leaf, std::string* log);
 const char* check_law_end(const LawLeaf& leaf, std::string* log);
 
-/// Certified for the whole bulk: |A| <= 2e-5 for all J in pi/2 + [-1e-5, eps^2/4], and no angle beyond its ranges.
+/// Certified for the whole bulk: |A| <= 2e-5 for all J in pi/2 + [-1e-5, eps^2/4], and no angle beyond its
+/// ranges.
 const char* check_law_bulk_window(unsigned bits, bool multiple);
-/// Certified for this arithmetic: the comparison function's constant k0 is the one that makes D/D0(T) = 1 at U = 0.
+/// Certified for this arithmetic: the comparison function's constant k0 is the one that makes D/D0(T) = 1 at
+/// U = 0.
 const char* check_law_constant(unsigned bits, bool multiple);
 
 }  // namespace dumbbell_verify

@@ -22,8 +22,7 @@ class LawRule : public Rays<N> {
     }
     /// Certified a <= x <= b, for x of any sign; never if x is empty.
     bool within(const char* what, const I& x, const I& a, const I& b) {
-        if (this->log_)
-            *this->log_ += "  " + this->show(x) + " in " + this->show({a.hi, b.lo}) + "\n";
+        if (this->log_) *this->log_ += "  " + this->show(x) + " in " + this->show({a.hi, b.lo}) + "\n";
         return fact(what, x.lo <= x.hi && a.hi <= x.lo && x.hi <= b.lo);
     }
     /// What J is known to be before a rule: pi/2 + [-5.3 eps^2/u^3, eps^2/4], of these the first.

@@ -6,7 +6,7 @@
 
 namespace dumbbell_verify {
 
-/// With delta(x) = C sqrt x - (N - 2) and q_c(N) in [a, b].
+/// With delta(x) = C sqrt x - (N - 2) and q_c(N) in [a, b]. (The last has a >= 10^6, as sqrt a > 900/C.)
 template <class N>
 class StepPlaces {
     using I = Interval<N>;
@@ -14,13 +14,13 @@ class StepPlaces {
   public:
     /// nullptr if all is certified, else what is not.
     [[nodiscard]] const char* check(std::uint64_t step, const mpq_class& a, const mpq_class& b) const {
-        const I before = delta(step, a), behind = delta(step, b), quarter_power = square_root(square_root(number(b)));
+        const I before = delta(step, a), behind = delta(step, b),
+                quarter_power = square_root(square_root(number(b)));
         const auto less = [](const I& x, const I& y) { return x.hi < y.lo; };
         if (!less(fraction<N>(-115, 1000), before)) return "C sqrt A - (N - 2) > -0.115";
         if (!less(behind, fraction<N>(2, 100))) return "C sqrt B - (N - 2) < 0.02";
         if (step >= law_step && !less(0, before)) return "C sqrt A - (N - 2) > 0";
         if (step >= law_step && !less(behind, c0_ / quarter_power)) return "C sqrt B - (N - 2) < c0 B^(-1/4)";
-        if (step == last_step && a < 1'000'000) return "A >= 1000000 at the last step";
         return nullptr;
     }
 

@@ -42,7 +42,8 @@ Job parse_row(const std::string& row, Settings settings) {
             throw std::invalid_argument("`" + words.word.substr(0, 60) + "` states no claim; see --help");
     const Collisions& demand = settings.demand;
     if (settings.claim != "law" && (!demand.ratios || !(demand.most || demand.least)))
-        throw std::invalid_argument("the claim needs --ratio, and --max, --min or --exactly; or it is --claim law");
+        throw std::invalid_argument(
+            "the claim needs --ratio, and --max, --min or --exactly; or it is --claim law");
     return {fields[0], std::move(settings)};
 }
 

@@ -94,8 +94,8 @@ bool claim_option(Words& words, Settings& settings) {
     }
     if (name == "--claim") {
         settings.claim = words.value();
-        if (settings.claim != "collisions" && settings.claim != "initial-conditions" && settings.claim != "law" &&
-            !adiabatic_kind(settings.claim))
+        if (settings.claim != "collisions" && settings.claim != "initial-conditions" &&
+            settings.claim != "law" && !adiabatic_kind(settings.claim))
             throw std::invalid_argument(
                 "--claim is collisions, initial-conditions, adiabatic-bounce, adiabatic-run, "
                 "adiabatic-scattering, adiabatic-printed or law");

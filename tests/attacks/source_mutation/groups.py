@@ -34,7 +34,7 @@ VERIFIER = {
             "starts/reflection:starts/leaf"),
     # the files and their claims
     **below("verify", "collisions/grammar starts/grammar starts/claim format/claim format/header program/verify program/compare",
-            "format/text:format/header format/reader:collisions/grammar format/proof:collisions/grammar "
+            "collisions/proofs:collisions/grammar format/text:format/header format/reader:collisions/grammar format/proof:collisions/grammar "
             "format/claim:program/verify starts/grammar:starts/grammar"),
     # the program: what was asked, and what the verdict and the exit code say
     **below("verify/program", "options claim_options claim_list part_options part part_lines piece_sums combine "
@@ -69,6 +69,13 @@ GROUPS = {
         targets=("dumbbell-verify", "test_verify", "mutation"),
         programs=("tests/rooms/verify/test_verify",),
         replays=(("{build}/tests/attacks/mutation/mutation", "--replay", "{tree}/tests/attacks/false_claims/manifest.tsv"),)),
+    "law": Group(
+        files=below("verify", "law/bulk law/claim law/end law/grammar law/layer",
+                    "law/constants:law/grammar law/kernel:law/layer law/rule:law/layer law/slope:law/layer law/steps:law/grammar"),
+        left_out=frozenset(),
+        texts=frozenset({"verify/law/claim.cpp"}),
+        targets=("dumbbell-verify", "test_verify"),
+        programs=("tests/rooms/verify/test_verify",)),
     "interval": Group(
         files={"number/interval.hpp": "number/elementary.cpp", "number/rounding.hpp": "number/elementary.cpp",
                "number/elementary.cpp": "number/elementary.cpp", "number/sine_kernel.hpp": "number/elementary.cpp",

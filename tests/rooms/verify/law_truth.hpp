@@ -1,5 +1,5 @@
-// Steps near a critical ratio, in 80 digits, from the reflection law and the clock as proofs/law.md defines them: no
-// formula of the covers is used.
+// Steps near a critical ratio, in 80 digits, from the reflection law and the clock as proofs/law.md defines
+// them: no formula of the covers is used.
 #pragma once
 #include <boost/multiprecision/mpfr.hpp>
 #include <functional>
@@ -24,7 +24,8 @@ inline Real integral(const std::function<Real(Real)>& f, const Real& a, const Re
             Real x = cos(pi() * (i - Real(1) / 4) / (n + Real(1) / 2)), slope;
             for (int round = 0; round < 9; ++round) {
                 Real before = 1, p = x;
-                for (int k = 2; k <= n; ++k) before = std::exchange(p, ((2 * k - 1) * x * p - (k - 1) * before) / k);
+                for (int k = 2; k <= n; ++k)
+                    before = std::exchange(p, ((2 * k - 1) * x * p - (k - 1) * before) / k);
                 slope = n * (x * p - before) / (x * x - 1);
                 x -= p / slope;
             }
@@ -38,8 +39,9 @@ inline Real integral(const std::function<Real(Real)>& f, const Real& a, const Re
 }
 /// tau(u, J), for u well below pi - J.
 inline Real clock(const Real& u, const Real& J) {
-    return integral([&](const Real& x) { return sin(x) * J / ((pi() - x) * sqrt((pi() - x) * (pi() - x) - J * J)); },
-                    0, u);
+    return integral(
+        [&](const Real& x) { return sin(x) * J / ((pi() - x) * sqrt((pi() - x) * (pi() - x) - J * J)); }, 0,
+        u);
 }
 /// The same for any alpha >= 0, J = (pi - u) cos alpha.
 inline Real clock_by_angle(const Real& alpha, const Real& J) {
