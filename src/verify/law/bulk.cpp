@@ -31,8 +31,7 @@ class Clock {
         return half.hi <= sin_cos_on(from, quarter_).cos.lo && sin_cos_on(until, quarter_).cos.hi <= half.lo;
     }
     /// P = -tau_J at fixed alpha: the integral of -w over [x, last angle], by the values at the parts.
-    [[nodiscard]] I P(const I& x, const I& Q) const {
-        constexpr int parts = 48;
+    [[nodiscard]] I P(const I& x, const I& Q, int parts) const {
         const I length = last_angle() - x;
         I sum = 0;
         for (int i = 0; i < parts; ++i) sum = sum - by_Q(x + length * part(i, parts), Q);
@@ -84,14 +83,17 @@ class BulkRule : LawRule<N> {
     };
     static constexpr std::array<Range, 3> ranges{{{-334, 0, 21}, {-125, 85, 62}, {-105, 470, 227}}};
 
-    [[nodiscard]] I Q() const { return quarter + I(fraction<N>(-1, 100'000).lo, fraction<N>(3, 100'000).hi); }
+    [[nodiscard]] I Q() const {
+        return quarter + Base::between(this->leaf_.states->least_Q, this->leaf_.states->most_Q);
+    }
 
     struct Defect {
         I M, K, J;  ///< J: and Q, and all between
     };
     /// Every term is a power of eps times what is bounded at eps = 0: these powers are left out.
     [[nodiscard]] Defect defect() const {
-        const I th = Base::side(0), eps(N(0), Base::most_eps().hi), Q_ = Q();
+        const I th = Base::side(0), Q_ = Q();
+        const I eps = Base::between(this->leaf_.states->least_eps, this->leaf_.states->most_eps);
         const auto [sine, cosine] = sin_cos_on(th, quarter);
         const I tangent = sine / cosine, F = Q_ / cosine, U = pi<N>() - F;
         const auto [sin_U, cos_U] = sin_cos_on(U, quarter);
@@ -129,7 +131,8 @@ class BulkRule : LawRule<N> {
         const I alpha = th - eps * beta, alpha_last = th + eps * beta_last, way = hull(alpha, alpha_last);
         const I size = up_to_size(hull(A, A_last)) * square(eps);
         const I J = Q_ + size, second = clock.second(way, J);  // at two places
-        const I defect = W_part - clock.P(alpha_last, Q_) * fall + clock.by_Q(way, Q_) * betas * A +
+        const I defect = W_part - clock.P(alpha_last, Q_, 4 * this->leaf_.states->parts) * fall +
+                         clock.by_Q(way, Q_) * betas * A +
                          eps * (second * square(A) - second * square(A_last)) / I(2);
         return {defect / betas, fall / betas, J};
     }

@@ -21,8 +21,9 @@ class EndRule : LawRule<N> {
             const T d = along.line(0, 1), wave = along.sinc_of(1), double_wave = along.sinc_of(2);
             F = along.line(pi<N>(), I(-1));
             const T cosine = Q / F, sine = square_root(I(1) - square(cosine));
-            // kappa = d^2 kh, and kh = (sinc^2 d + d^2 kh^2/4 [1, 1 + kappa^2])/F: from kh in [0, 1/2], again
-            // and again.
+            // kappa = d^2 kh, and kh = (sinc^2 d + d^2 kh^2/4 [1, 1 + kappa^2])/F, again and again; at first
+            // kh is in [0, 1/2], as rk, convex in kappa, is at most (pi/2 - 1) kappa, and kappa (2 pi - 2 d)
+            // = 2 sin^2 d + rk.
             I k(N(0), fraction<N>(1, 2).hi);
             for (int i = 0; i < 4; ++i) {
                 above = I(N(1), (I(1) + square(d2 * k)).hi);
@@ -32,7 +33,7 @@ class EndRule : LawRule<N> {
             kh = (square(wave) + lift) / F;
             epsh = kh * cosine / sine;
             const T b = epsh / (double_wave * I(2)), c = I(1) / square_root(I(1) + square(d * b));
-            A = c * cosine * (wave / (along.cos_of(1) * I(2)) - I(1) + lift / (double_wave * I(4))) -
+            A = c * cosine * (wave / (along.cos_of(1) * I(2)) - I(1) + lift / (double_wave * I(2))) -
                 Q * d * square(b * c) / (I(1) + c) - d * sine * b * c;
         }
         T Q, F, kh, epsh;  ///< eps = d^2 epsh
@@ -68,11 +69,11 @@ class EndRule : LawRule<N> {
 
     /// (Q - pi/2)/d, to begin with (L53).
     static I window() { return {fraction<N>(-1, 10).lo, fraction<N>(3, 5).hi}; }
-    /// (Q - pi/2)/d, as Q = J - A and J in pi/2 + [-5.3 eps^2/u_b^3, eps^2/4].
+    /// (Q - pi/2)/d, as Q = J - A and u_b = 2 d.
     template <class Along, class End>
     I offset(const Along& along, const End& end) const {
         const I e2 = square(along.values(end.epsh));
-        return I(-(Base::drift() * e2 / I(8)).hi, (cube(d_) * e2 / I(4)).hi) - along.values(end.A);
+        return I(-(Base::drift() * e2 / I(8)).hi, (cube(d_) * e2 * Base::rise()).hi) - along.values(end.A);
     }
 
     /// e_end/sqrt(eps).
@@ -81,13 +82,13 @@ class EndRule : LawRule<N> {
         const Moments<N, Slope> moments(along, end.Q, end.Q);
         const I size = up_to_size(along.values(end.A)) * d_;
         const S me = middle_error(along, sin_d, cos_d, end.F, end.Q, I(1)) +
-                     moments.over_way(2, parts).H * end.A * I(4) +
+                     moments.over_way(2, 2 * this->leaf_.states->parts).H * end.A * I(4) +
                      d * square(end.A) * (moments.second_order(2, along.values(end.Q) + size) * I(2));
         const S root = square_root(end.epsh);
         return me / (end.epsh * root * I(2)) - d * end.kh * end.above / (end.F * root * I(4));
     }
 
-    static constexpr int parts = 24, refinements = 3;
+    static constexpr int refinements = 3;
     const I d_;
 };
 

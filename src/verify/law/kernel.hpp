@@ -39,8 +39,9 @@ Form<N> middle_error(const Along<N, Form>& along, const Form<N>& sin_U, const Fo
     using I = Interval<N>;
     using T = Form<N>;
     const I third = fraction<N>(1, 3), U = along.U, d = rho * U, middle = pi<N>() - U;
-    const T I2 = along.nearly(third, rho, fraction<N>(3, 10)),
-            J1 = along.nearly(third, rho, fraction<N>(1, 10));
+    // Integrals over [0, d]: y^2 cos y, y sin y, y^4 cos y, y^3 sin y, over d^3 (alternating series).
+    const T I2 = along.nearly(third, rho, fraction<N>(3, 10), fraction<N>(5, 84));
+    const T J1 = along.nearly(third, rho, fraction<N>(1, 10), fraction<N>(1, 28));
     const T d2 = square(along.line(0, rho)) / I(5);
     const T I4 = d2 * below_one(square(d), fraction<N>(1, 2)),
             J3 = d2 * below_one(square(d), fraction<N>(1, 6));

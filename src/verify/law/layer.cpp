@@ -96,14 +96,14 @@ class LayerRule : LawRule<N> {
         const bool near = this->leaf_.box.hi[0] <= mpq_class(3, 4);
         return within("0 <= (1 - D/D0(T))/U <= 13/10, or 111/100 if U > 3/4", gamma, 0,
                       near ? fraction<N>(13, 10) : fraction<N>(111, 100)) &&
-               less("a/(2 ehat^2) <= 15.9", drift, I(3) * Base::drift(), false);
+               less("a/(2 ehat^2) <= 15.9", drift, fraction<N>(159, 10), false);
     }
 
-    /// (J - pi/2)/(U rho^2), from its window pi/2 + [-5.3 eps^2/u^3, eps^2/4].
+    /// (J - pi/2)/(U rho^2), from its window; eps = rho U^2 ehat.
     template <class Step, class Along>
     I J_offset(const Along& along, const Step& step) const {
         const I e2 = square(along.values(step.ehat));
-        return {-(Base::drift() * e2 / cube(step.plus)).hi, (cube(U_) * e2 / I(4)).hi};
+        return {-(Base::drift() * e2 / cube(step.plus)).hi, (cube(U_) * e2 * Base::rise()).hi};
     }
     /// (Q - pi/2)/(U rho^2), as Q = J - A.
     template <class Step, class Along>
@@ -122,7 +122,7 @@ class LayerRule : LawRule<N> {
         using T = Form<N>;
         const T J = offset_by(along, J_offset(along, step));
         const Moments<N, Form> moments(along, step.Q, J);
-        const auto way = moments.over_way(step.plus, parts);
+        const auto way = moments.over_way(step.plus, this->leaf_.states->parts);
         const T E1 = middle_error(along, step.sin_U, step.cos_U, step.F, step.Q, rho_);
         // Second order in A: between Q and Q + A.
         const auto second = [&](const T& A, const I& p) {
@@ -147,7 +147,7 @@ class LayerRule : LawRule<N> {
         return found.lo <= N(1) && N(1) <= found.hi && width.hi < fraction<N>(1, 1'000'000).lo;
     }
 
-    static constexpr int parts = 12, refinements = 3;
+    static constexpr int refinements = 3;
     const I U_, rho_;
 };
 

@@ -12,6 +12,16 @@ namespace dumbbell_verify {
 struct LawBox {
     std::array<mpq_class, 2> lo, hi;
 };
+/// What a rule knows of the steps; a test may know more, to see the rule alone.
+struct LawStates {
+    mpq_class drift{53, 10}, rise{1, 4};  ///< J in pi/2 + [-drift eps^2/u^3, rise eps^2]
+    // In the bulk; in the layer and at the end these follow.
+    mpq_class least_eps = 0, most_eps{1, 1000};
+    mpq_class least_Q{-1, 100'000}, most_Q{3, 100'000};  ///< less pi/2
+    int parts = 12;                                      ///< of an integral in the layer
+};
+inline const LawStates law_states;
+
 struct LawLeaf {
     enum Rule { step, slope, direct, beyond, bulk, end };
     static constexpr std::array<std::string_view, 6> names{"", "slope", "direct", "beyond", "bulk", "end"};
@@ -21,6 +31,7 @@ struct LawLeaf {
     std::uint64_t line = 0;
     unsigned bits = 53;
     bool multiple = false;
+    const LawStates* states = &law_states;
     LawBox box;
     Leaf at_step;  ///< instead of the box, if it is a part of a step
 };

@@ -18,15 +18,20 @@ class LawRule : public Rays<N> {
     LawRule(const LawLeaf& leaf, std::string* log) : Rays<N>(log), leaf_(leaf) { Work::spend(1 << 19); }
 
     [[nodiscard]] I side(std::size_t axis) const {
-        return {bound(down, leaf_.box.lo.at(axis), zero), bound(up, leaf_.box.hi.at(axis), zero)};
+        return between(leaf_.box.lo.at(axis), leaf_.box.hi.at(axis));
     }
     /// Certified a <= x <= b, for x of any sign; never if x is empty.
     bool within(const char* what, const I& x, const I& a, const I& b) {
         if (this->log_) *this->log_ += "  " + this->show(x) + " in " + this->show({a.hi, b.lo}) + "\n";
         return fact(what, x.lo <= x.hi && a.hi <= x.lo && x.hi <= b.lo);
     }
-    /// What J is known to be before a rule: pi/2 + [-5.3 eps^2/u^3, eps^2/4], of these the first.
-    static I drift() { return fraction<N>(53, 10); }
+    /// The number, or all between two.
+    static I number(const mpq_class& x) { return between(x, x); }
+    static I between(const mpq_class& lo, const mpq_class& hi) {
+        return {bound(down, lo, N(0)), bound(up, hi, N(0))};
+    }
+    [[nodiscard]] I drift() const { return number(leaf_.states->drift); }
+    [[nodiscard]] I rise() const { return number(leaf_.states->rise); }
     static I most_eps() { return fraction<N>(1, 1000); }
     /// What Q is known to be then.
     [[nodiscard]] I crude_Q() const { return quarter + I(fraction<N>(-1, 100).lo, fraction<N>(1, 20).hi); }

@@ -129,10 +129,10 @@ struct Along {
         const I x = k * U, share = below_one(square(x), fraction<N>(1, 12));
         return make(1, -(k * x / I(2) * share), falling_cosine(x));
     }
-    /// w [1 - s x^2, 1] with x = k U: a number that is w at U = 0.
-    T nearly(const I& w, const I& k, const I& s) const {
-        const I x = k * U, most = w * s * k * x;
-        return make(w, {-most.hi, N(0)}, w * below_one(square(x), s));
+    /// w (1 - s x^2 [1 - t x^2, 1]) with x = k U.
+    T nearly(const I& w, const I& k, const I& s, const I& t) const {
+        const I x = k * U, share = s * below_one(square(x), t);
+        return make(w, -(w * k * x * share), w * (I(1) - square(x) * share));
     }
 };
 

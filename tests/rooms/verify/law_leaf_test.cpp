@@ -24,16 +24,16 @@ double any_size(double lo, double hi) { return lo * std::pow(hi / lo, uniform(0,
 const char* const gamma_fact = "0 <= (1 - D/D0(T))/U";
 const char* const drift_fact = "a/(2 ehat^2)";
 
-/// A true step of the layer, J at `share` of its window [-5.3 eps^2/u^3, eps^2/4].
+/// A true step of the layer, J at `share` of its window pi/2 + [-5.3 eps^2/u^3, eps^2/4], times `window`.
 struct LayerTruth {
     Real gamma, drift, eps;
-    LayerTruth(double U_, double rho_, double share, const Real& factor = 1) {
+    LayerTruth(double U_, double rho_, double share, const Real& factor = 1, double window = 1) {
         const Real U = U_, d = U * Real(rho_);
         Real Q = law_truth::pi() / 2;
         for (int i = 0; i < 60; ++i) {
             const law_truth::Step step(U, d, acos(Q / (law_truth::pi() - U)));
             const Real lo = -Real("5.3") * step.eps * step.eps / pow(step.u, 3), hi = step.eps * step.eps / 4;
-            Q += law_truth::pi() / 2 + lo + (hi - lo) * Real(share) - step.J;
+            Q += law_truth::pi() / 2 + Real(window) * (lo + (hi - lo) * Real(share)) - step.J;
         }
         const law_truth::Step step(U, d, acos(Q / (law_truth::pi() - U)));
         eps = step.eps;
@@ -136,6 +136,32 @@ TEST_CASE(
     }
 }
 
+TEST_CASE("law: if J is known, a point of the layer is known to many digits") {
+    LawStates exact;
+    exact.drift = exact.rise = 0;
+    exact.parts = 200;
+    for (int i = 0; i < 60; ++i) {
+        const double U = i % 2 == 0 ? any_size(1e-3, 0.9) : uniform(0.1, 0.9);
+        const double rho = any_size(1e-4, std::min(0.2, 2e-3 / (U * U)));
+        const LayerTruth truth(U, rho, 0, 1, 0);
+        for (const auto rule : {LawLeaf::slope, LawLeaf::direct}) {
+            LawLeaf leaf;
+            leaf.rule = rule;
+            leaf.states = &exact;
+            leaf.box = {{mpq_class(U), mpq_class(rho)}, {mpq_class(U), mpq_class(rho)}};
+            std::string log;
+            check_law_layer(leaf, &log);
+            const auto gamma = enclosure(log, gamma_fact), drift = enclosure(log, drift_fact);
+            INFO("U " << U << " rho " << rho << " gamma " << truth.gamma << " drift " << truth.drift << "\n"
+                      << log);
+            REQUIRE(holds(gamma, truth.gamma));
+            REQUIRE(holds(drift, truth.drift));
+            REQUIRE(gamma.second - gamma.first < 0.003 + rho);
+            REQUIRE(drift.second - drift.first < 1e-4);
+        }
+    }
+}
+
 TEST_CASE("law: a leaf is refused where its inequality is false") {
     const auto verdict = [](LawLeaf::Rule rule, double U, double rho, double U_hi, double rho_hi) {
         LawLeaf leaf;
@@ -162,8 +188,8 @@ TEST_CASE("law: a part of the bulk holds the defect and the drift of its steps")
         const std::size_t range = static_cast<std::size_t>(i) % 3;
         const double ends[] = {0.002, 0.6, 0.7, 0.7944};
         const double th = uniform(ends[range], ends[range + 1]), eps = any_size(1e-8, 1e-3);
-        const Real Q = law_truth::pi() / 2 + Real(uniform(-1e-5, 3e-5)), F = Q / cos(Real(th)),
-                   U = law_truth::pi() - F;
+        const double offset = uniform(-1e-5, 3e-5);
+        const Real Q = law_truth::pi() / 2 + Real(offset), F = Q / cos(Real(th)), U = law_truth::pi() - F;
         const law_truth::Step step(U, asin(Real(eps) * tan(Real(th)) * F / sin(U)), Real(th));
         if (step.alpha < 0 || step.u > law_truth::pi() / 2) continue;
         const Real angles = step.alpha_last - step.alpha;
@@ -189,6 +215,23 @@ TEST_CASE("law: a part of the bulk holds the defect and the drift of its steps")
         if (th < 0.6) REQUIRE(enclosed.second - enclosed.first < 0.08 + 10 * width);
         if (const auto drift = enclosure(log, "(J - J')/(eps^2"); drift.first <= drift.second)
             REQUIRE(holds(drift, fall));
+        // If all is known: to more digits.
+        LawStates exact;
+        exact.parts = 600;
+        exact.least_eps = exact.most_eps = mpq_class(eps);
+        exact.least_Q = exact.most_Q = mpq_class(offset);
+        leaf.states = &exact;
+        leaf.box.lo[0] = leaf.box.hi[0] = mpq_class(th);
+        log.clear();
+        check_law_bulk(leaf, &log);
+        const auto sharp = enclosure(log, "D/((eps/2) (alpha' - alpha))");
+        INFO(log);
+        REQUIRE(holds(sharp, M));
+        REQUIRE(sharp.second - sharp.first < 0.01 + 200 * eps);
+        if (const auto drift = enclosure(log, "(J - J')/(eps^2"); drift.first <= drift.second) {
+            REQUIRE(holds(drift, fall));
+            REQUIRE(drift.second - drift.first < 1e-4);
+        }
     }
 }
 
@@ -197,10 +240,11 @@ TEST_CASE("law: a part of the end holds what the last contact loses") {
         const double d_ = i % 3 == 0 ? any_size(1e-8, 0.07) : uniform(1e-3, 0.0713), share = uniform(0, 1);
         const Real d = d_;
         Real Q = law_truth::pi() / 2;
+        const bool exact = i % 2 == 0;  // J = pi/2
         for (int round = 0; round < 60; ++round) {
             const law_truth::End end(d, acos(Q / (law_truth::pi() - d)));
             const Real lo = -Real("5.3") * end.eps * end.eps / pow(end.u, 3), hi = end.eps * end.eps / 4;
-            Q += law_truth::pi() / 2 + lo + (hi - lo) * Real(share) - end.J;
+            Q += law_truth::pi() / 2 + (exact ? Real(0) : Real(lo + (hi - lo) * Real(share))) - end.J;
         }
         const law_truth::End end(d, acos(Q / (law_truth::pi() - d)));
         if (end.eps > 1e-3) continue;
@@ -210,13 +254,17 @@ TEST_CASE("law: a part of the end holds what the last contact loses") {
         leaf.rule = LawLeaf::end;
         leaf.box.lo[0] = mpq_class(std::max(0.0, d_ - uniform(0, 3e-5)));
         leaf.box.hi[0] = mpq_class(std::max(d_, leaf.box.lo[0].get_d() + 6e-5));
+        LawStates known;
+        known.drift = known.rise = 0;
+        known.parts = 200;
+        if (exact) leaf.states = &known, leaf.box.lo[0] = leaf.box.hi[0] = mpq_class(d_);
         std::string log;
         const bool certified = check_law_end(leaf, &log) == nullptr;
         INFO("d " << d_ << " truth " << truth << "\n" << log);
         REQUIRE(certified);
         const auto enclosed = enclosure(log, "-0.23 <= (e_end");
         REQUIRE(holds(enclosed, truth));
-        REQUIRE(enclosed.second - enclosed.first < 0.15);
+        REQUIRE(enclosed.second - enclosed.first < (exact ? 0.03 : 0.15));
     }
     LawLeaf beyond;
     beyond.rule = LawLeaf::end;
