@@ -58,7 +58,7 @@ class EndRule : LawRule<N> {
         I q = window();
         for (int i = 0; i < refinements; ++i)
             q = common(q, offset(along, End<Slope>(along, along.line(quarter, q))));
-        if (!fact("Q = J - A for some J of its window", q.lo <= q.hi)) return false;
+        if (!less("(Q - pi/2)/d, its least and its most", I(q.lo), I(q.hi), false)) return false;
         const End<Slope> end(along, along.line(quarter, q));
         const S share = end_defect(along, end), root = square_root(end.epsh);
         const I k0 = comparison_constant<N>();

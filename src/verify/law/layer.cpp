@@ -82,7 +82,7 @@ class LayerRule : LawRule<N> {
         I q = offset(plain, LayerStep<N, Interval>(plain, rho_, Base::crude_Q()));
         for (int i = 0; i < refinements; ++i)
             q = common(q, offset(along, LayerStep<N, Form>(along, rho_, offset_by(along, q))));
-        if (!fact("Q = J - A for some J of its window", q.lo <= q.hi)) return false;
+        if (!less("(Q - pi/2)/(rho^2 U), its least and its most", I(q.lo), I(q.hi), false)) return false;
         const LayerStep<N, Form> step(along, rho_, offset_by(along, q));
         Form<N> excess;
         const Form<N> ratio = defect_ratio(along, step, excess);

@@ -26,7 +26,7 @@ const char* const drift_fact = "a/(2 ehat^2)";
 
 /// A true step of the layer, J at `share` of its window pi/2 + [-5.3 eps^2/u^3, eps^2/4], times `window`.
 struct LayerTruth {
-    Real gamma, drift, eps;
+    Real gamma, drift, eps, offset;  ///< offset: (Q - pi/2)/(rho^2 U)
     LayerTruth(double U_, double rho_, double share, const Real& factor = 1, double window = 1) {
         const Real U = U_, d = U * Real(rho_);
         Real Q = law_truth::pi() / 2;
@@ -37,6 +37,7 @@ struct LayerTruth {
         }
         const law_truth::Step step(U, d, acos(Q / (law_truth::pi() - U)));
         eps = step.eps;
+        offset = (Q - law_truth::pi() / 2) / (U * Real(rho_) * Real(rho_));
         const Real T = law_truth::clock(step.u, step.J) / (2 * eps),
                    after = law_truth::clock(step.u_last, step.J_last) / (2 * eps);
         const Real D0 = factor * law_truth::k0() * sqrt(eps) * pow(sqrt(T) - sqrt(T - 1), 3);
@@ -155,8 +156,11 @@ TEST_CASE("law: if J is known, a point of the layer is known to many digits") {
             INFO("U " << U << " rho " << rho << " gamma " << truth.gamma << " drift " << truth.drift << "\n"
                       << log);
             REQUIRE(holds(gamma, truth.gamma));
+            const auto q = law_truth::bounds(log, "(Q - pi/2)/(rho^2 U)");
+            REQUIRE(holds(q, truth.offset));
+            REQUIRE(q.second - q.first < 1e-6);
             REQUIRE(holds(drift, truth.drift));
-            REQUIRE(gamma.second - gamma.first < 0.003 + rho);
+            REQUIRE(gamma.second - gamma.first < 0.01 + rho);
             REQUIRE(drift.second - drift.first < 1e-4);
         }
     }
@@ -263,6 +267,9 @@ TEST_CASE("law: a part of the end holds what the last contact loses") {
         INFO("d " << d_ << " truth " << truth << "\n" << log);
         REQUIRE(certified);
         const auto enclosed = enclosure(log, "-0.23 <= (e_end");
+        const auto q = law_truth::bounds(log, "(Q - pi/2)/d");
+        REQUIRE(holds(q, Real((Q - law_truth::pi() / 2) / d)));
+        if (exact) REQUIRE(q.second - q.first < 5e-6);
         REQUIRE(holds(enclosed, truth));
         REQUIRE(enclosed.second - enclosed.first < (exact ? 0.03 : 0.15));
     }

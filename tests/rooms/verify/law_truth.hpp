@@ -82,4 +82,12 @@ inline std::pair<double, double> enclosure(const std::string& log, const std::st
     return {std::stod(text.substr(open + 1)), std::stod(text.substr(text.find(", ") + 2))};
 }
 
+/// What stands there if the line is `least <= most`.
+inline std::pair<double, double> bounds(const std::string& log, const std::string& what) {
+    const std::size_t fact = log.find("  " + what);
+    if (fact == std::string::npos || fact == 0) return {1, 0};
+    const std::string text = log.substr(log.rfind('\n', fact - 2) + 1);
+    return {std::stod(text), std::stod(text.substr(text.find("<= ") + 3))};
+}
+
 }  // namespace law_truth
