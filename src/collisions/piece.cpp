@@ -68,13 +68,23 @@ void describe(ProvedPiece& proved) {
     }
 }
 
+/// The bounds that a piece is to prove, and the ratios at which they are to hold: all of its own, or for a
+/// step its ends.
+struct Goal {
+    long upper;
+    long lower;
+    const Rational& greatest_of_upper;
+    const Rational& least_of_lower;
+};
+
 /// One precision's attempt at a piece with given bounds.
 template <class I>
-Obstacle attempt_piece(ProvedPiece& proved, int bits, long upper, long lower, const PieceOptions& options) {
+Obstacle attempt_piece(ProvedPiece& proved, int bits, const Goal& goal, const PieceOptions& options) {
     Piece& piece = proved.piece;
+    const auto [upper, lower, greatest, least] = goal;
     auto witness = options.scene == Scene::dumbbell
-                       ? find_witness<I>(piece.q_lo, piece.q_hi, lower, options.interrupted)
-                       : find_wedge_witness(piece.q_lo, lower, options.interrupted);
+                       ? find_witness<I>(least, piece.q_hi, lower, options.interrupted)
+                       : find_wedge_witness(least, lower, options.interrupted);
     if (!witness) {
         return Obstacle::witness;
     }
@@ -82,7 +92,7 @@ Obstacle attempt_piece(ProvedPiece& proved, int bits, long upper, long lower, co
     piece.bits = bits == double_bits ? double_bits : 2 * bits;
     piece.lower = lower;
     piece.witness = std::move(*witness);
-    auto cover = prove_upper<I>(piece.q_lo, piece.q_hi, upper, options);
+    auto cover = prove_upper<I>(piece.q_lo, greatest, upper, options);
     if (!cover) {
         return Obstacle::boxes;
     }
@@ -144,7 +154,7 @@ ProvedPiece prove_single(const Rational& q, const PieceOptions& options) {
         const auto n = options.scene != Scene::dumbbell ? std::optional(flight::paper_bound(q) - 1)
                        : q == 1                         ? std::optional(2L)
                                                         : suspected_maximum<I>(q, options);
-        return n ? attempt_piece<I>(proved, bits, *n, *n, options) : Obstacle::maximum;
+        return n ? attempt_piece<I>(proved, bits, {*n, *n, q, q}, options) : Obstacle::maximum;
     });
     describe_in_time(proved, options);
     return proved;
@@ -156,9 +166,19 @@ ProvedPiece prove_piece(const Rational& q_lo, const Rational& q_hi, long upper, 
     proved.piece.q_lo = q_lo;
     proved.piece.q_hi = q_hi;
     proved.obstacle = escalate(options, [&]<class I>(const I&, int bits) {
-        return attempt_piece<I>(proved, bits, upper, lower, options);
+        return attempt_piece<I>(proved, bits, {upper, lower, q_hi, q_lo}, options);
     });
     describe_in_time(proved, options);
+    return proved;
+}
+
+ProvedPiece prove_step(const Rational& q_lo, const Rational& q_hi, long n, const PieceOptions& options) {
+    ProvedPiece proved;
+    proved.piece.q_lo = q_lo;
+    proved.piece.q_hi = q_hi;
+    proved.obstacle = escalate(options, [&]<class I>(const I&, int bits) {
+        return attempt_piece<I>(proved, bits, {n - 1, n, q_lo, q_hi}, options);
+    });
     return proved;
 }
 

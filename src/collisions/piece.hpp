@@ -55,4 +55,9 @@ void describe_witness(ProvedPiece& proved);
 [[nodiscard]] ProvedPiece prove_piece(const Rational& q_lo, const Rational& q_hi, long upper, long lower,
                                       const PieceOptions& options);
 
+/// Where the maximum steps up to n: `upper` = n - 1 proved at q_lo alone, and `lower` = n at q_hi alone; left
+/// open where that fails.
+[[nodiscard]] ProvedPiece prove_step(const Rational& q_lo, const Rational& q_hi, long n,
+                                     const PieceOptions& options);
+
 }  // namespace dumbbell::collisions

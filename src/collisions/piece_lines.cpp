@@ -1,0 +1,64 @@
+#include "collisions/piece_lines.hpp"
+
+#include "base/error.hpp"
+#include "collisions/names.hpp"
+#include "file/dyadic.hpp"
+
+namespace dumbbell::collisions {
+
+void PieceLines::proof(const Piece& piece) {
+    line("bits {}", piece.bits);
+    if (piece.upper) {
+        line("upper {}", *piece.upper);
+        cover(piece.cover);
+    } else {
+        line("upper none");
+        count("open");
+    }
+    line("lower {}", piece.lower);
+    if (piece.lower > 0) {
+        require(piece.witness.has_value(), "certificate: a lower bound needs a witness");
+        const Witness& w = *piece.witness;
+        line("witness {} {} {} {} {}", name(w.chart), to_dyadic(w.e), to_dyadic(w.eta), w.forward,
+             w.backward);
+        count("witness");
+    }
+}
+
+void PieceLines::cover(const Cover& cover) {
+    if (cover.equal_masses) {
+        line("equal-masses");
+        count("equal-masses");
+        return;
+    }
+    for (const ChartTree& part : cover.charts) {
+        line("chart {}", name(part.chart));
+        for (const Node& node : part.tree) {
+            if (node.split) {
+                line("split {}", axis_name(part.chart, *node.split));
+                count("split");
+            } else {
+                leaf(part.chart, node.leaf);
+            }
+        }
+    }
+}
+
+void PieceLines::leaf(Chart chart, const Leaf& leaf) {
+    const std::string_view word = name(leaf.reason);
+    count(word);
+    if (leaf.reason != Reason::count) {
+        line("{}", word);
+    } else if (counts_both_ways(chart)) {
+        line("{} {} {}", word, leaf.forward, leaf.backward);
+    } else {
+        line("{} {}", word, leaf.forward);
+    }
+}
+
+long PieceLines::total(std::string_view kind) const {
+    const auto found = totals_.find(kind);
+    return found == totals_.end() ? 0 : found->second;
+}
+
+}  // namespace dumbbell::collisions

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <map>
+#include <string_view>
+
+#include "collisions/certificate.hpp"
+#include "file/sealed_lines.hpp"
+
+namespace dumbbell::collisions {
+
+/// Writes the proofs of pieces, and counts their lines for the trailer.
+class PieceLines : public SealedLines {
+  public:
+    /// From `bits` to the witness.
+    void proof(const Piece& piece);
+    /// The number of lines of this kind (format.md) until now.
+    [[nodiscard]] long total(std::string_view kind) const;
+
+  protected:
+    /// One more line of this kind; the view outlives this.
+    void count(std::string_view kind) { ++totals_[kind]; }
+
+  private:
+    void cover(const Cover& cover);
+    void leaf(Chart chart, const Leaf& leaf);
+
+    std::map<std::string_view, long> totals_;
+};
+
+}  // namespace dumbbell::collisions

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <string>
+
+#include "number/big_interval.hpp"
+#include "number/rational.hpp"
+
+namespace dumbbell::law {
+
+/// What the law says of one mass ratio.
+struct AtRatio {
+    Rational q;
+    Integer step;          ///< n whose step, at q_c(n), is the nearest one by C sqrt q
+    Integer lower, upper;  ///< of N(q); n - 1 and n where it is open on which side of that step q lies
+    /// C (sqrt q - sqrt q_c(n)), enclosed: how far q is past the step, as a share of the way to the next one,
+    /// which is 1.
+    BigInterval past;
+};
+
+/// Bounds of delta_n = C sqrt(q_c(n)) - (n - 2), by the theorem's part for this n: the general one of
+/// proofs/law.md from 903 on, c0 q_c(n)^(-1/4) from 9 on, the certificate's for less. In the thread's working
+/// precision. Precondition: n >= 3.
+[[nodiscard]] BigInterval delta_bounds(const Integer& n);
+
+/// With as many bits as q needs. Precondition: q >= 1.
+[[nodiscard]] AtRatio law_at(const Rational& q);
+
+}  // namespace dumbbell::law

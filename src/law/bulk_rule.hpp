@@ -1,0 +1,16 @@
+#pragma once
+
+#include "number/interval.hpp"
+
+/// One step of an orbit in the bulk, U >= 9/10 (proofs/law.md), for all eps in (0, 1/1000] at once.
+namespace dumbbell::law {
+
+struct BulkBounds {
+    Interval defect;  ///< M: D = (eps/2) M (alpha' - alpha)
+    Interval fall;    ///< (J - J')/(eps^2 (alpha' - alpha))
+};
+
+/// Of the steps with th in this interval, in [0, 0.7944], and Q in pi/2 + [-1, 3]/100000.
+[[nodiscard]] BulkBounds bulk_bounds(const Interval& th);
+
+}  // namespace dumbbell::law

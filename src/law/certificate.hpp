@@ -1,0 +1,28 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "collisions/certificate.hpp"
+#include "law/layer_cover.hpp"
+#include "law/ranges.hpp"
+
+namespace dumbbell::law {
+
+/// The steps that the certificate encloses one by one; beyond, the covers hold.
+inline constexpr long first_step = 3, last_step = 902;
+
+/// The certificate of the law as data (docs/reference/format-law.md).
+struct LawCertificate {
+    std::string program = "dumbbell";
+    std::string version = DUMBBELL_VERSION;
+    /// first_step, ..., last_step in order: N - 1 is proved at q_lo alone, N at q_hi alone.
+    std::vector<collisions::Piece> steps;
+    LayerTree layer;
+    Parts parts;
+};
+
+/// Whether the file (plain or gzip) begins as such a certificate does; false if it cannot be read.
+[[nodiscard]] bool is_law_certificate(const std::string& path);
+
+}  // namespace dumbbell::law

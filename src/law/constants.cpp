@@ -1,0 +1,32 @@
+#include "law/constants.hpp"
+
+#include <arb.h>
+
+#include "staircase/growth_constant.hpp"
+
+namespace dumbbell::law {
+
+BigInterval correction_constant() {
+    const slong bits = PrecisionScope::current() + 20;
+    arb_t value, factor;
+    arb_init(value);
+    arb_init(factor);
+    arb_set_d(value, -0.5);
+    arb_zeta(value, value, bits);
+    arb_mul_si(value, value, -4, bits);  // zeta(-1/2) < 0
+    arb_sqrt_ui(factor, 27, bits);       // 3^(3/4) = sqrt(sqrt 27)
+    arb_sqrt(factor, factor, bits);
+    arb_div(value, value, factor, bits);
+    arb_const_sqrt_pi(factor, bits);
+    arb_div(value, value, factor, bits);
+    BigInterval result;
+    arb_get_interval_mpfr(&result.raw()->left, &result.raw()->right, value);
+    arb_clear(value);
+    arb_clear(factor);
+    flint_cleanup();
+    return result;
+}
+
+Constants::Constants() : C(staircase::growth_constant()), c0(correction_constant()) {}
+
+}  // namespace dumbbell::law

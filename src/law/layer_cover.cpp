@@ -1,0 +1,99 @@
+#include "law/layer_cover.hpp"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <tuple>
+
+#include "base/growing_tree.hpp"
+#include "number/self_test.hpp"
+
+namespace dumbbell::law {
+namespace {
+
+constexpr int most_splits = 24;       ///< of one axis
+constexpr double slope_until = 0.25;  ///< beyond, the slope form is the coarser one
+
+/// [lo, hi] of a side of length num/den.
+Interval side(const std::pair<double, double>& share, int num, int den) {
+    const Interval length = Interval(num) / Interval(den);
+    return hull(Interval(share.first) * length, Interval(share.second) * length);
+}
+
+std::pair<std::pair<double, double>, std::pair<double, double>> halved(
+    const std::pair<double, double>& side) {
+    const double middle = (side.first + side.second) / 2;
+    return {{side.first, middle}, {middle, side.second}};
+}
+
+std::optional<LayerLeaf> judged(const LayerBox& box) {
+    if (certainly_beyond(box)) {
+        return LayerLeaf::beyond;
+    }
+    if (box.U.hi() <= slope_until && closes(box, LayerForm::slope)) {
+        return LayerLeaf::slope;
+    }
+    if (box.U.lo() > 0 && closes(box, LayerForm::direct)) {
+        return LayerLeaf::direct;
+    }
+    return std::nullopt;
+}
+
+LayerAxis longer_side(const LayerShares& shares) {
+    const LayerBox box = shares.box();
+    return width(box.rho) > width(box.U) ? LayerAxis::rho : LayerAxis::U;
+}
+
+}  // namespace
+
+LayerBox LayerShares::box() const {
+    LayerBox result{side(U, 9, 10), side(rho, 1, 5)};
+    // Rounding must not lead below 0: 0 times a length is 0.
+    if (U.first == 0) {
+        result.U = Interval(0, result.U.hi());
+    }
+    if (rho.first == 0) {
+        result.rho = Interval(0, result.rho.hi());
+    }
+    return result;
+}
+
+std::pair<LayerShares, LayerShares> LayerShares::halves(LayerAxis axis) const {
+    std::pair<LayerShares, LayerShares> result{*this, *this};
+    auto& lower = axis == LayerAxis::U ? result.first.U : result.first.rho;
+    auto& upper = axis == LayerAxis::U ? result.second.U : result.second.rho;
+    std::tie(lower, upper) = halved(lower);
+    return result;
+}
+
+std::optional<LayerTree> cover_layer(const Interrupted& interrupted, Observer& observer) {
+    GrowingTree<LayerNode, LayerShares, 2> tree{LayerShares()};
+    for (; !tree.boxes().empty(); tree.next_generation()) {
+        const std::vector<LayerShares>& boxes = tree.boxes();
+        std::vector<std::optional<LayerLeaf>> leaves(boxes.size());
+        tbb::parallel_for(tbb::blocked_range<std::size_t>(0, boxes.size(), 8), [&](const auto& range) {
+            require_sound_arithmetic();
+            for (std::size_t i = range.begin(); i != range.end() && !interrupted(); ++i) {
+                leaves[i] = judged(boxes[i].box());
+            }
+            observer.advance(range.size());
+        });
+        if (interrupted()) {
+            return std::nullopt;
+        }
+        for (std::size_t i = 0; i < boxes.size(); ++i) {
+            if (leaves[i]) {
+                tree.close(i, *leaves[i]);
+                continue;
+            }
+            const LayerAxis axis = longer_side(boxes[i]);
+            if (tree.depths(i)[static_cast<std::size_t>(axis)] >= most_splits) {
+                return std::nullopt;
+            }
+            tree.split(i, axis, boxes[i].halves(axis));
+        }
+    }
+    return tree.pre_order();
+}
+
+}  // namespace dumbbell::law

@@ -1,0 +1,77 @@
+#include "law/writer.hpp"
+
+#include "base/error.hpp"
+#include "collisions/piece_lines.hpp"
+
+namespace dumbbell::law {
+namespace {
+
+constexpr std::array totals{"split",        "count",   "outside", "meets",  "meets-reversed",
+                            "equal-masses", "witness", "slope",   "direct", "beyond"};
+
+const char* word(LayerLeaf leaf) {
+    switch (leaf) {
+        case LayerLeaf::slope:
+            return "slope";
+        case LayerLeaf::direct:
+            return "direct";
+        default:
+            return "beyond";
+    }
+}
+
+class Writer : collisions::PieceLines {
+  public:
+    void header(const LawCertificate& certificate) {
+        line("dumbbell-certificate 1");
+        line("generator {} {}", certificate.program, certificate.version);
+        line("lemmas 1");
+        line("scene dumbbell");
+        line("section turning");
+        line("claim law");
+        line("steps {} {}", first_step, last_step);
+    }
+
+    void step(long n, const collisions::Piece& piece) {
+        line("step {} {} {}", n, to_fraction(piece.q_lo), to_fraction(piece.q_hi));
+        proof(piece);
+    }
+
+    void layer(const LayerTree& tree) {
+        line("cover layer");
+        for (const LayerNode& node : tree) {
+            if (node.split) {
+                line("split {}", *node.split == LayerAxis::U ? "U" : "rho");
+                count("split");
+            } else {
+                line("{}", word(node.leaf));
+                count(word(node.leaf));
+            }
+        }
+    }
+
+    SealedText finish(const Parts& parts) && {
+        line("cover bulk {} {} {}", parts.bulk[0], parts.bulk[1], parts.bulk[2]);
+        line("cover end {}", parts.end);
+        for (const char* kind : totals) {
+            line("total {} {}", kind, total(kind));
+        }
+        return std::move(*this).sealed();
+    }
+};
+
+}  // namespace
+
+SealedText render(const LawCertificate& certificate) {
+    require(std::ssize(certificate.steps) == last_step - first_step + 1, "the law: a step is missing");
+    Writer writer;
+    writer.header(certificate);
+    long n = first_step;
+    for (const collisions::Piece& step : certificate.steps) {
+        writer.step(n++, step);
+    }
+    writer.layer(certificate.layer);
+    return std::move(writer).finish(certificate.parts);
+}
+
+}  // namespace dumbbell::law
