@@ -1,0 +1,129 @@
+#include <catch2/catch.hpp>
+#include <random>
+
+#include "law/bulk_rule.hpp"
+#include "law/end_rule.hpp"
+#include "law/functions.hpp"
+#include "law/layer_rule.hpp"
+#include "rooms/law/direct.hpp"
+
+using namespace dumbbell;
+using namespace dumbbell::law;
+using namespace dumbbell_test;
+
+namespace {
+
+bool contains(const Interval& x, const Real& value) { return x.lo() <= value && value <= x.hi(); }
+
+/// Around a point, but not below 0.
+Interval around(double x, double radius) { return {std::max(0.0, x - radius), x + radius}; }
+
+}  // namespace
+
+TEST_CASE("both forms of the layer's rule contain steps evaluated directly") {
+    std::mt19937_64 random(20);
+    std::uniform_real_distribution<double> share(0, 1);
+    int seen = 0;
+    while (seen < 60) {
+        const double U = 0.9 * std::pow(10, -4 * share(random)), rho = 0.2 * std::pow(10, -2 * share(random));
+        const DirectStep step = step_with(U, Real(rho) * U, Real(-0.02 + 5.3 * share(random)));
+        if (step.eps > Real(1) / 1000) {
+            continue;
+        }
+        ++seen;
+        const Real T = clock_by_place(step.u, step.J) / (2 * step.eps);
+        const Real D = T - 1 - clock_by_place(step.u2, step.J2) / (2 * step.eps);
+        const Real gamma = (1 - D / comparison(step.eps, T)) / U;
+        const Real d = Real(rho) * U, ehat = step.eps / (d * U);
+        const Real drift = Real(U) * U * (step.J - step.J2) / (d * d * d) / (2 * ehat * ehat);
+        CAPTURE(U, rho, gamma, drift);
+        for (const double radius : {0.0, 1e-5}) {
+            const LayerBox box{around(U, radius * U), around(rho, radius * rho)};
+            for (const LayerForm form : {LayerForm::slope, LayerForm::direct}) {
+                const LayerBounds found = layer_bounds(box, form);
+                CHECK(contains(found.gamma, gamma));
+                CHECK(contains(found.drift, drift));
+                CHECK(contains(found.at_zero, 1));
+            }
+            CHECK_FALSE(certainly_beyond(box));
+        }
+    }
+}
+
+TEST_CASE("the layer's rule is sharp: gamma is 5/(3 pi) at U = 0 and rho = 0") {
+    const LayerBounds found = layer_bounds({Interval(0, 1e-9), Interval(0, 1e-9)}, LayerForm::slope);
+    CHECK(contains(found.gamma, 5 / (3 * pi_in<Real>())));
+    CHECK(width(found.gamma) < 0.5);
+    CHECK(std::abs(approximate(found.gamma) - 0.5305) < 0.01);
+}
+
+TEST_CASE("no form of the layer's rule closes a box in which it fails, or does not apply") {
+    CHECK_FALSE(closes({Interval(0, 0.1), Interval(0, 0.01)}, LayerForm::direct));   // U = 0
+    CHECK_FALSE(closes({Interval(0, 0.9), Interval(0, 0.2)}, LayerForm::slope));     // too wide
+    CHECK_FALSE(closes({Interval(0.5, 0.6), Interval(0, 0.2)}, LayerForm::direct));  // too wide
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    CHECK_FALSE(closes({Interval(nan), Interval(0.1)}, LayerForm::slope));
+    CHECK_FALSE(closes({Interval(0.1), Interval(nan)}, LayerForm::direct));
+    CHECK_FALSE(certainly_beyond({Interval(nan), Interval(nan)}));
+    CHECK(certainly_beyond({Interval(0.5), Interval(0.1)}));
+}
+
+TEST_CASE("the bulk's rule contains steps evaluated directly") {
+    std::mt19937_64 random(21);
+    std::uniform_real_distribution<double> share(0, 1);
+    for (int i = 0; i < 40; ++i) {
+        const double th = 0.01 + 0.78 * share(random);
+        const Real eps = pow(Real(10), Real(-3 - 4 * share(random)));
+        // The step of this eps and angle: its mid-point by Q, its half width by the clock's rule.
+        const Real Q = pi_in<Real>() / 2 + eps * eps * Real(2 * share(random) - 1);
+        const Real F = Q / cos(Real(th)), U = pi_in<Real>() - F;
+        const DirectStep step(U, asin(eps * tan(Real(th)) * F / sin(U)), Q);
+        CHECK(abs(step.eps - eps) < 1e-50);
+        if (step.alpha < 0) {
+            continue;  // no state of an orbit: its clock has two values there
+        }
+        const Real D =
+            (clock_by_angle(step.alpha, step.J) - clock_by_angle(step.alpha2, step.J2)) / (2 * eps) - 1;
+        const Real way = step.alpha2 - step.alpha;
+        CAPTURE(th, eps);
+        for (const double radius : {0.0, 1e-4}) {
+            const BulkBounds found = bulk_bounds(around(th, radius));
+            CHECK(contains(found.defect, 2 * D / (eps * way)));
+            CHECK(contains(found.fall, (step.J - step.J2) / (eps * eps * way)));
+        }
+    }
+}
+
+TEST_CASE("the rule of the end contains ends evaluated directly") {
+    std::mt19937_64 random(22);
+    std::uniform_real_distribution<double> share(0, 1);
+    const Real pi = pi_in<Real>(), k0 = 1 / (pow(Real(3), Real(7) / 4) * sqrt(pi));
+    for (int i = 0; i < 40; ++i) {
+        const double d = 0.0713 * std::pow(10, -3 * share(random));
+        const Real u = 2 * Real(d);
+        // Tangent: 1 - cos u + rk = kappa (2 pi - u).
+        Real kappa = 0;
+        for (int k = 0; k < 200; ++k) {
+            const Real rk = sqrt(1 - kappa * kappa) + kappa * asin(kappa) - 1;
+            kappa = (1 - cos(u) + rk) / (2 * pi - u);
+        }
+        // alpha, th by J = pi/2 - share eps^2/u^3.
+        const Real wanted_share = Real(5.2 * share(random));
+        Real th = acos(pi / 2 / (pi - Real(d))), eps = 0, J = 0;
+        for (int k = 0; k < 200; ++k) {
+            eps = kappa / tan(th);
+            J = pi / 2 - wanted_share * eps * eps / (u * u * u);
+            th = acos(J / (pi - u)) + atan(eps / sin(u));
+        }
+        const Real e_end = clock_by_place(u, J) / (2 * eps) - 1, s = sqrt(eps);
+        CAPTURE(d, eps);
+        for (const double radius : {0.0, 1e-5}) {
+            const EndBounds found = end_bounds(around(d, radius));
+            CHECK(contains(found.surplus, (e_end - k0 * s) / eps));
+            CHECK(contains(found.place, u / s));
+            CHECK(contains(found.at_zero, k0));
+        }
+        CHECK_FALSE(certainly_beyond(around(d, 0)));
+    }
+    CHECK(certainly_beyond(Interval(0.09)));
+}
