@@ -2,72 +2,73 @@
 
 #include "base/error.hpp"
 #include "cli/commands.hpp"
-#include "cli/commands/verify.hpp"
-#include "cli/terminal/exit_code.hpp"
-#include "cli/terminal/frame.hpp"
+#include "cli/commands/law_modes.hpp"
+#include "cli/terminal/output.hpp"
 #include "cli/terminal/standard_input.hpp"
-#include "collisions/names.hpp"
-#include "collisions/reader.hpp"
-#include "flight/paper_bound.hpp"
-#include "staircase/law_report.hpp"
+#include "cli/terminal/stop_signals.hpp"
+#include "file/shipped.hpp"
+#include "law/certificate.hpp"
 
 namespace dumbbell::cli {
 namespace {
 
 constexpr const char* description =
-    R"(Prove what a staircase says as a whole: never decreasing, below the paper's bound.
+    R"(State the law of N(q) for every mass ratio, or what one staircase says as a whole.
 
-That is: the maximum never decreases with the mass ratio, the paper's bound is never attained, and how far N(q) is from
-C sqrt q. The independent verifier checks the certificate first; what follows rests on its pieces alone. C, the limit of
-N(q) / sqrt q (theorem 4 of proofs/theorem.md), is enclosed by verified quadrature.
+Without a FILE: for every q >= 62.72, 2 + floor(C sqrt q - c0 q^(-1/4)) <= N(q) <= 2 + floor(C sqrt q), with its two
+constants (proofs/law.md). What of it rests on a computation is a certificate that comes with the program; the
+independent verifier checks it first. --prove makes that certificate. --ratio says what the law says of one mass
+ratio, however great: N(q), or the two values that remain where q is too near a step; it is not verified again then.
+
+With a staircase, a FILE by dumbbell certify LO:HI: the maximum never decreases with the mass ratio, the paper's bound
+is never attained, and how far N(q) is from C sqrt q. The verifier checks the certificate first; what follows rests on
+its pieces alone. C, the limit of N(q) / sqrt q (theorem 4 of proofs/theorem.md), is enclosed by verified quadrature.
 
 Examples:
+  dumbbell law                                the law for every mass ratio, verified
+  dumbbell law --ratio 1e100                  N at q = 10^100
+  dumbbell law --prove --out law.dbc          its certificate, anew
   dumbbell certify 1:10000 --gap 1e-12 --out stairs.dbc
-  dumbbell law stairs.dbc)";
+  dumbbell law stairs.dbc                     what this staircase says)";
 
 constexpr const char* footer =
     R"(The fields of --json: docs/reference/json.md.
 
-Exit codes: 0 proved; 1 internal error; 2 wrong usage, or a file that is not verified; 3 not proved by this file.)";
+Exit codes: 0 proved; 1 internal error; 2 wrong usage, or a file that is not verified; 3 not proved by this file, or two
+values remain (--ratio); 130 or 143 stopped by SIGINT (Ctrl-C) or SIGTERM: nothing is kept.)";
 
 constexpr std::array options{
-    argument("FILE", "certificate over a range of mass ratios, scene dumbbell (-: the standard input)")
-        .required(),
-    Option{"--digits", "N", "digits of C, all of them proved", "50"}.from(1, 1000), json_option,
-    flag("--quiet", "what is proved, without the constant")};
-
-/// The staircase that the law is about, as far as the file can be read. Throws InputError for anything else.
-collisions::Certificate read_staircase(const std::string& file) {
-    collisions::Certificate certificate = collisions::read_certificate(file);
-    if (certificate.scene != collisions::Scene::dumbbell) {
-        throw InputError(
-            fmt::format("'{}' is a certificate of the scene {}: the law is one of the dumbbell "
-                        "(dumbbell certify LO:HI --out FILE)",
-                        file, name(certificate.scene)));
-    }
-    if (certificate.q_lo() == certificate.q_hi()) {
-        throw InputError(
-            fmt::format("'{}' is no staircase: the law needs a range of mass ratios (dumbbell "
-                        "certify LO:HI --out FILE)",
-                        file));
-    }
-    if (certificate.q_hi() > flight::paper_bound_limit()) {
-        throw InputError(fmt::format("'{}' reaches beyond the mass ratio 3e31: no law of that", file));
-    }
-    return certificate;
-}
+    argument("FILE",
+             "certificate of a staircase, scene dumbbell, or of the law (-: the standard input); none: "
+             "that of the law, which comes with the program"),
+    flag("--prove", "prove the law's computed part anew").excludes("--ratio"),
+    certificate_option.needs("--prove"),
+    jobs_option.needs("--prove"),
+    Option{"--ratio", "RATIO", "what the law says of this mass ratio: 1e100, 7/3"}.excludes("--prove"),
+    Option{"--digits", "N", "digits of C and c0, all of them proved", "50"}.from(1, 1000),
+    json_option,
+    flag("--quiet", "what is proved, without the constants, and no progress")};
 
 int run(const Given& given) {
-    const std::string name_given = given.text("FILE"), file = input_file(name_given);
-    const collisions::Certificate certificate = read_staircase(file);
-    staircase::LawReport report{.file = name_given,
-                                .verdict = verified(file, name(certificate.scene), verbosity_of(given)),
-                                .digits = static_cast<int>(given.number("--digits")),
-                                .law = {}};
-    const PrecisionScope scope(static_cast<int>(report.digits * 3.33) + 64);
-    report.law = staircase::law_of(certificate);
-    fmt::print("{}", shown(report, given));
-    return all_proved(report.law) ? exit_done : exit_not_certified;
+    if (given.has("--prove") && given.has("FILE")) {
+        throw InputError(
+            "--prove makes the certificate of the law: name where to write it by --out, and no FILE");
+    }
+    if (given.has("--prove")) {
+        return stoppable([&] { return prove_law_for_all(given); });
+    }
+    const std::string file =
+        given.has("FILE") ? input_file(given.text("FILE")) : shipped_certificate("law.dbc.gz");
+    if (given.has("--ratio")) {
+        if (!law::is_law_certificate(file)) {
+            throw InputError(
+                fmt::format("'{}' is no certificate of the law for every mass ratio "
+                            "(dumbbell law --prove --out FILE)",
+                            given.text("FILE")));
+        }
+        return law_at_one_ratio(given, file);
+    }
+    return law::is_law_certificate(file) ? law_for_all(given, file) : law_of_staircase(given, file);
 }
 
 }  // namespace

@@ -96,20 +96,28 @@ constexpr std::array options{
     verifier_not_started(program, errno);
 }
 
+/// The verdict on a file of which this is demanded.
+std::string accepted(const std::string& file, const std::string& demand, Verbosity verbosity) {
+    const Progress progress("", verbosity, "verifying");
+    // A user who waits for it can stop it; a budget would only be in the way.
+    Verdict verdict = ask_verifier({"--quiet", "--budget=99999h", demand, "--", file});
+    if (!verdict.accepts) {
+        throw InputError(fmt::format("'{}' is not verified: {}", file, verdict.line));
+    }
+    return std::move(verdict.line);
+}
+
 }  // namespace
 
 constinit const Command verify_command{"verify", "Check", description, footer,         options,
                                        nullptr,  {},      false,       become_verifier};
 
 std::string verified(const std::string& file, std::string_view scene, Verbosity verbosity) {
-    const Progress progress("", verbosity, "verifying");
-    // A user who waits for it can stop it; a budget would only be in the way.
-    Verdict verdict =
-        ask_verifier({"--quiet", "--budget=99999h", "--scene=" + std::string(scene), "--", file});
-    if (!verdict.accepts) {
-        throw InputError(fmt::format("'{}' is not verified: {}", file, verdict.line));
-    }
-    return std::move(verdict.line);
+    return accepted(file, "--scene=" + std::string(scene), verbosity);
+}
+
+std::string verified_law(const std::string& file, Verbosity verbosity) {
+    return accepted(file, "--claim=law", verbosity);
 }
 
 }  // namespace dumbbell::cli

@@ -14,4 +14,7 @@ namespace dumbbell::cli {
 [[nodiscard]] std::string verified(const std::string& file, std::string_view scene,
                                    Verbosity verbosity = Verbosity::normal);
 
+/// The same for a certificate of the law for every mass ratio.
+[[nodiscard]] std::string verified_law(const std::string& file, Verbosity verbosity);
+
 }  // namespace dumbbell::cli

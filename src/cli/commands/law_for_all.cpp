@@ -1,0 +1,75 @@
+#include <fmt/core.h>
+
+#include "base/deadline.hpp"
+#include "base/error.hpp"
+#include "certificates/any_reader.hpp"
+#include "cli/commands/law_modes.hpp"
+#include "cli/commands/verify.hpp"
+#include "cli/terminal/exit_code.hpp"
+#include "cli/terminal/frame.hpp"
+#include "cli/terminal/messages.hpp"
+#include "cli/terminal/output.hpp"
+#include "cli/terminal/stop_signals.hpp"
+#include "law/at_ratio_report.hpp"
+#include "law/prove.hpp"
+#include "law/theorem_report.hpp"
+#include "law/writer.hpp"
+#include "number/ratio_argument.hpp"
+
+namespace dumbbell::cli {
+namespace {
+
+std::optional<law::LawCertificate> prove(const Given& given) {
+    Progress progress("boxes", verbosity_of(given), "covering the layer");
+    law::LawRequest request;
+    request.jobs = jobs_of(given);
+    request.interrupted = deadline(std::nullopt);
+    request.observer = &progress;
+    return prove_law(request);
+}
+
+}  // namespace
+
+int law_for_all(const Given& given, const std::string& file) {
+    law::TheoremReport report{.digits = static_cast<int>(given.number("--digits")),
+                              .verdict = verified_law(file, verbosity_of(given)),
+
+                              .out = given.has("FILE") ? given.text("FILE") : file,
+                              .sha256 = certificates::sealed_digest(file)};
+    fmt::print("{}", shown(report, given));
+    return exit_done;
+}
+
+int prove_law_for_all(const Given& given) {
+    const Output output(given.text("--out"), {}, given.has("--json") ? "--json" : nullptr);
+    const Stopwatch watch;
+    const auto certificate = prove(given);
+    if (!certificate) {
+        const std::string nothing = output.is_wanted() ? "; no certificate is written" : "";
+        if (stop_signal != 0) {
+            return stopped("not proved" + nothing);
+        }
+        complain("the law was not proved, which is a fault of this program: please report it" + nothing);
+        return exit_not_certified;
+    }
+    law::TheoremReport report{.digits = static_cast<int>(given.number("--digits")),
+                              .leaves = leaves_of(certificate->layer),
+                              .seconds = watch.seconds()};
+    if (output.is_wanted()) {
+        write(render(*certificate), output, report);
+    }
+    fmt::print(output.report(), "{}", shown(report, given));
+    return exit_done;
+}
+
+int law_at_one_ratio(const Given& given, const std::string& file) {
+    const RatioArgument ratio = parse_ratio_argument(given.text("--ratio"));
+    if (ratio.lo != ratio.hi) {
+        throw InputError("--ratio takes one mass ratio, for example 1e100 or 7/3");
+    }
+    const law::AtRatioReport report{law::law_at(ratio.lo), file, certificates::sealed_digest(file)};
+    fmt::print("{}", shown(report, given));
+    return report.at.lower == report.at.upper ? exit_done : exit_not_certified;
+}
+
+}  // namespace dumbbell::cli

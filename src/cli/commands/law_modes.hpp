@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string>
+
+#include "cli/options/given.hpp"
+
+/// What the command `law` does; each returns its exit code.
+namespace dumbbell::cli {
+
+/// What a verified staircase says as a whole.
+int law_of_staircase(const Given& given, const std::string& file);
+
+/// The law for every mass ratio, by its verified certificate.
+int law_for_all(const Given& given, const std::string& file);
+/// --prove.
+int prove_law_for_all(const Given& given);
+/// --ratio, by this certificate.
+int law_at_one_ratio(const Given& given, const std::string& file);
+
+}  // namespace dumbbell::cli
