@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "collisions/certificate.hpp"
@@ -11,6 +12,9 @@ namespace dumbbell::law {
 
 /// The steps that the certificate encloses one by one; beyond, the covers hold.
 inline constexpr long first_step = 3, last_step = 902;
+
+/// Its certificate among those that are shipped.
+inline constexpr std::string_view certificate_name = "law.dbc.gz";
 
 /// The certificate of the law as data (docs/reference/format-law.md).
 struct LawCertificate {

@@ -11,6 +11,7 @@
 #include "base/deadline.hpp"
 #include "base/error.hpp"
 #include "cli/commands.hpp"
+#include "cli/commands/law_modes.hpp"
 #include "cli/terminal/exit_code.hpp"
 #include "cli/terminal/frame.hpp"
 #include "cli/terminal/messages.hpp"
@@ -36,7 +37,8 @@ Examples:
   dumbbell critical 4 --digits 100                       more of its digits
   dumbbell critical 3:20                                 the first 18 steps
   dumbbell critical 12 --confirm 1e-9                    cover and witness at q_c(12) (1 -+ 1e-9)
-  dumbbell critical 3:902 --digits 50 --out ratios.tsv   a table as a file)";
+  dumbbell critical 3:902 --digits 50 --out ratios.tsv   a table as a file
+  dumbbell critical 1e50 --by law                        by the law, with its width)";
 
 constexpr const char* footer =
     R"(The fields of --json: docs/reference/json.md.
@@ -52,6 +54,10 @@ constexpr std::array options{
     Option{"--out", "FILE",
            "write the table to FILE, tab-separated (FILE.gz: compressed); -: the standard output"}
         .checked(fault_of_name<Content::table>),
+    Option{
+        "--by", "orbit|law",
+        "follow the orbit, or take the law for every mass ratio (dumbbell law): for one N from 903 to 10^100",
+        "orbit"},
     jobs_option,
     budget_option,
     json_option,
@@ -126,6 +132,9 @@ staircase::CriticalRequest request_of(const Given& given) {
 }
 
 int run(const Given& given) {
+    if (given.text("--by") == "law") {
+        return critical_by_law(given);
+    }
     staircase::CriticalReport report{.request = request_of(given), .rows = {}, .seconds = 0, .out = {}};
     const Output output(given.text("--out"), {}, given.has("--json") ? "--json" : nullptr);
     const Stopwatch watch;

@@ -58,7 +58,7 @@ int run(const Given& given) {
         return stoppable([&] { return prove_law_for_all(given); });
     }
     const std::string file =
-        given.has("FILE") ? input_file(given.text("FILE")) : shipped_certificate("law.dbc.gz");
+        given.has("FILE") ? input_file(given.text("FILE")) : shipped_certificate(law::certificate_name);
     if (given.has("--ratio")) {
         if (!law::is_law_certificate(file)) {
             throw InputError(

@@ -10,7 +10,10 @@
 #include "cli/terminal/messages.hpp"
 #include "cli/terminal/output.hpp"
 #include "cli/terminal/stop_signals.hpp"
+#include "file/shipped.hpp"
 #include "law/at_ratio_report.hpp"
+#include "law/critical.hpp"
+#include "law/critical_report.hpp"
 #include "law/prove.hpp"
 #include "law/theorem_report.hpp"
 #include "law/writer.hpp"
@@ -26,6 +29,18 @@ std::optional<law::LawCertificate> prove(const Given& given) {
     request.interrupted = deadline(std::nullopt);
     request.observer = &progress;
     return prove_law(request);
+}
+
+/// N of `critical --by law`, also as 1e50. Throws InputError.
+Integer parse_law_count(const std::string& text) {
+    const Rational n = parse_number("N", text);
+    if (denominator(n) != 1 || n <= law::last_step || n > parse_rational("1e100")) {
+        throw InputError(
+            fmt::format("--by law encloses q_c(N) for one whole N from {} to 10^100, not for '{}': for less, "
+                        "dumbbell critical N",
+                        law::last_step + 1, shortened(text)));
+    }
+    return numerator(n);
 }
 
 }  // namespace
@@ -70,6 +85,19 @@ int law_at_one_ratio(const Given& given, const std::string& file) {
     const law::AtRatioReport report{law::law_at(ratio.lo), file, certificates::sealed_digest(file)};
     fmt::print("{}", shown(report, given));
     return report.at.lower == report.at.upper ? exit_done : exit_not_certified;
+}
+
+int critical_by_law(const Given& given) {
+    for (const char* option : {"--digits", "--confirm", "--out", "--budget", "--jobs"}) {
+        if (given.has(option)) {
+            throw InputError(fmt::format("{} means nothing with --by law: leave it out", option));
+        }
+    }
+    const Integer n = parse_law_count(given.text("N"));
+    const std::string file = shipped_certificate(law::certificate_name);
+    const law::CriticalByLaw report{n, law::critical_ratio(n), file, certificates::sealed_digest(file)};
+    fmt::print("{}", shown(report, given));
+    return exit_done;
 }
 
 }  // namespace dumbbell::cli

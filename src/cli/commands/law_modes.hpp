@@ -4,7 +4,7 @@
 
 #include "cli/options/given.hpp"
 
-/// What the command `law` does; each returns its exit code.
+/// What the law of N(q) is used for by the commands; each returns its exit code.
 namespace dumbbell::cli {
 
 /// What a verified staircase says as a whole.
@@ -16,5 +16,8 @@ int law_for_all(const Given& given, const std::string& file);
 int prove_law_for_all(const Given& given);
 /// --ratio, by this certificate.
 int law_at_one_ratio(const Given& given, const std::string& file);
+
+/// `critical --by law`.
+int critical_by_law(const Given& given);
 
 }  // namespace dumbbell::cli

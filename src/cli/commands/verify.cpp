@@ -47,11 +47,12 @@ constexpr std::array options{
     Option{"--min", "N", "demand the proof that some trajectory has at least N collisions"},
     Option{"--exactly", "N", "both"},
     Option{"--scene", "dumbbell|hybrid|wedge", "demand this scene (dumbbell)"},
-    Option{"--claim", "KIND",
-           "demand this kind of claim: collisions, or initial-conditions (a file of `dumbbell trace "
-           "--subdivide`: then --ratio, --max, --min, --exactly are about the starts in its box), or "
-           "adiabatic-bounce, -run, -scattering, -printed (the adiabatic invariant: without --ratio, --max, "
-           "--min, --exactly, of which such a file says nothing)"},
+    Option{
+        "--claim", "KIND",
+        "demand this kind of claim: collisions, or initial-conditions (a file of `dumbbell trace "
+        "--subdivide`: then --ratio, --max, --min, --exactly are about the starts in its box), or "
+        "adiabatic-bounce, -run, -scattering, -printed (the adiabatic invariant) or law (all mass ratios), "
+        "both without --ratio, --max, --min, --exactly, which such a file does not answer"},
     Option{"--claims", "LIST",
            "the certificates and claims of a list like certificates/claims.tsv, one each line: a file, a "
            "tab, the six options above that state its claim; what stands after another tab is a remark"},
@@ -75,7 +76,8 @@ constexpr std::array options{
            "show one leaf with its inequalities: 3:bridge is the root, 3:light.01 the upper half of its "
            "lower half, 3:witness the witness of the third piece; box.01 a leaf of a file about initial "
            "conditions or the adiabatic invariant, in which class0.01 is a leaf of the first class and "
-           "attained1 the first attained state"},
+           "attained1 the first attained state; layer.01, bulk1.17 and end.17 boxes of a file about the "
+           "law"},
     flag("--json",
          "print JSON and nothing else: an array of one object for each file; with --lemma one object"),
     Option{"--junit", "FILE.xml", "write a JUnit report, too: one test case for each file"},

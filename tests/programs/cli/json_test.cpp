@@ -164,6 +164,16 @@ TEST_CASE("docs/reference/json.md describes the JSON of law, which says nothing 
     }
 }
 
+TEST_CASE("docs/reference/json.md describes the JSON of the law for every mass ratio") {
+    const TemporaryFolder folder;
+    check_documented(
+        "law without FILE",
+        printed_by({{"law"}, {"law", "--prove"}, {"law", "--prove", "--out", "law.dbc"}}, folder));
+    check_documented("law --ratio",
+                     printed_by({{"law", "--ratio", "1e100"}, {"law", "--ratio", "63"}}, folder));
+    check_documented("critical --by law", printed_by({{"critical", "1e50", "--by", "law"}}, folder));
+}
+
 TEST_CASE("docs/reference/json.md describes the JSON of trace") {
     const TemporaryFolder folder;
     const Words part{"--phi",       "0:0.5", "--phidot", "0",      "--subdivide",

@@ -1,4 +1,5 @@
 #include <catch2/catch.hpp>
+#include <tuple>
 
 #include "programs.hpp"
 
@@ -66,4 +67,57 @@ TEST_CASE("law, audit and plot say what they read when given a certificate about
         CHECK_THAT(result.err, Contains("'box.dbc' is about initial conditions") && Contains(needed));
     }
     CHECK(folder.names() == Words{"box.dbc"});
+}
+
+TEST_CASE("law without a file states the law for every mass ratio, and what the verifier says of it") {
+    const Outcome law = dumbbell({"law"});
+    CHECK(law.code == 0);
+    CHECK(law.err.empty());
+    CHECK_THAT(law.out, Contains("2 + floor(C sqrt q - c0 q^(-1/4)) <= N(q) <= 2 + floor(C sqrt q)") &&
+                            Contains("0.88559512945271391141202194891455767300579529460285...") &&
+                            Contains("0.205811589549495595339706567") && Contains("s VERIFIED"));
+    CHECK(dumbbell({"law", DUMBBELL_PROJECT "/certificates/law.dbc.gz", "--quiet"}).out ==
+          dumbbell({"law", "--quiet"}).out);
+}
+
+TEST_CASE("law believes no certificate of the law that the verifier rejects") {
+    const TemporaryFolder folder;
+    const std::string file = folder / "law.dbc";
+    REQUIRE(dumbbell({"law", "--prove", "--out", file}).code == 0);
+    std::string text = contents(file);
+    text.replace(text.find("\ncover end 1500"), 15, "\ncover end 150");
+    write_file(file, text);
+    CHECK_THAT(refused({"law", file}), Contains("is not verified: s REJECTED"));
+}
+
+TEST_CASE("law --ratio says N, or the two values that remain, of any ratio") {
+    for (const auto& [ratio, code, said] : std::vector<std::tuple<std::string, int, std::string>>{
+             {"1", 0, "N(q) = 2 at q = 1.\n"},
+             {"1e6", 0, "N(q) = 887 at q = 1000000.\n"},
+             {"1e24", 0, "N(q) = 885595129454 at q = 1e24.\n"},
+             {"1e100", 0, "N(q) = 88559512945271391141202194891455767300579529460287 at q = 1e100.\n"},
+             {"3/7", 0, "N(q) = 3 at q = 7/3.\n"},
+             {"63", 3, "N(q) is 8 or 9 at q = 63.\n"}}) {
+        CAPTURE(ratio);
+        const Outcome law = dumbbell({"law", "--ratio", ratio, "--quiet"});
+        CHECK(law.code == code);
+        CHECK(law.err.empty());
+        CHECK(law.out == said);
+    }
+    CHECK_THAT(
+        dumbbell({"law", "--ratio", "1e100"}).out,
+        Contains("It lies 0.208 to 0.209 of a step above the ratio at which the maximum becomes 885595") &&
+            Contains("This rests on the law for every mass ratio (proofs/law.md)"));
+}
+
+TEST_CASE("law says what is wrong with its options, and leaves no file") {
+    const TemporaryFolder folder;
+    const std::string ten = certificate(folder, "10");
+    CHECK_THAT(refused({"law", "--prove", ten}), Contains("name where to write it by --out, and no FILE"));
+    CHECK_THAT(refused({"law", "--ratio", "1:2"}), Contains("--ratio takes one mass ratio"));
+    CHECK_THAT(refused({"law", "--ratio", "0"}), Contains("must be greater than 0"));
+    CHECK_THAT(refused({"law", "--ratio", "2", ten}), Contains("is no certificate of the law"));
+    CHECK_THAT(refused({"law", "--out", folder / "x.dbc"}), Contains("--out requires --prove"));
+    CHECK_THAT(refused({"law", "--prove", "--out", folder / "x.txt"}), Contains("x.txt"));
+    CHECK(folder.names().size() == 1);
 }

@@ -3,8 +3,10 @@
 #include <catch2/catch.hpp>
 #include <random>
 
+#include "collisions/critical.hpp"
 #include "collisions/piece.hpp"
 #include "law/constants.hpp"
+#include "law/critical.hpp"
 
 using namespace dumbbell;
 using namespace dumbbell::collisions;
@@ -71,4 +73,18 @@ TEST_CASE("the law reaches as far as one can write ratios") {
     CHECK(width(at.past) < 1e-45);
     const AtRatio third = law_at(parse_rational("1e300") / 3);
     CHECK(third.lower == third.upper);
+}
+
+TEST_CASE("critical ratios by the law contain those of the orbits, and are as narrow as it says") {
+    for (const long n : {903L, 904L, 2001L, 5002L}) {
+        CAPTURE(n);
+        const BigInterval by_law = critical_ratio(Integer(n));
+        const auto by_orbit = enclose_critical_ratio(n, {.digits = 20});
+        REQUIRE(by_orbit);
+        CHECK(exact_lo(by_law) <= by_orbit->q_lo);
+        CHECK(by_orbit->q_hi <= exact_hi(by_law));
+        // delta is known to (0.063 ln q + 0.54) q^(-1/2), and q = (place/C)^2.
+        const double q = approximate(by_law);
+        CHECK(width(by_law) <= 2 / 0.8855 * (0.063 * std::log(q) + 0.55));
+    }
 }
