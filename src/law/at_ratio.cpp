@@ -56,8 +56,9 @@ AtRatio law_at(const Rational& q) {
     // to n - 1 and to n + 1, and it is n - 1 or n, by the side of the step to n.
     result.past = place - number(Rational(m)) - delta_bounds(result.step, constants);
     if (q == 1) {
-        result.upper = result.lower;  // the certificate's first step: at q = 1 itself the maximum is 2
-    } else if (certainly_positive(result.past)) {
+        result.past = BigInterval(0);  // q_c(3) = 1: the maximum is 2 there, by the certificate's first step
+    }
+    if (certainly_positive(result.past)) {
         result.lower = result.upper;
     } else if (certainly_at_most(result.past, BigInterval(0))) {
         result.upper = result.lower;

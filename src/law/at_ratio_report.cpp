@@ -17,17 +17,17 @@ std::string size(const Rational& x, bool up) {
 /// Where q lies by the step, in words.
 std::string place(const AtRatio& at) {
     const Rational lo = exact_lo(at.past), hi = exact_hi(at.past);
-    const std::string n = at.step.str();
+    const std::string ratio = "the ratio beyond which the maximum is " + at.step.str();
     if (at.lower < at.upper) {
-        return fmt::format(
-            "It lies at most {} of a step below or {} above the ratio at which the maximum "
-            "becomes {}: too near to tell.\n",
-            size(lo, true), size(hi, true), n);
+        return fmt::format("It lies at most {} of a step below or {} above {}: too near to tell.\n",
+                           size(lo, true), size(hi, true), ratio);
+    }
+    if (lo == 0 && hi == 0) {
+        return fmt::format("It is {}.\n", ratio);
     }
     const bool above = lo > 0;
-    return fmt::format("It lies {} to {} of a step {} the ratio at which the maximum becomes {}.\n",
-                       size(above ? lo : hi, false), size(above ? hi : lo, true), above ? "above" : "below",
-                       n);
+    return fmt::format("It lies {} to {} of a step {} {}.\n", size(above ? lo : hi, false),
+                       size(above ? hi : lo, true), above ? "above" : "below", ratio);
 }
 
 }  // namespace

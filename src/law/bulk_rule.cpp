@@ -70,7 +70,7 @@ BulkBounds bulk_bounds(const Interval& th) {
     const Interval c = 1 / sqrt(1 + sqr(k)), c2 = 1 / sqrt(1 + sqr(k2));
     const Interval sinc_2d = sinc(2 * d), sin_2U = 2 * (sin_U * cos_U);
 
-    // (3) of proofs/law.md, each over its power of eps.
+    // (8) of proofs/law.md, each over its power of eps.
     const Interval dX =
         2 * (de * (sqr(t / sin_U) - 2 * (sqr(de) * at_most_one(d2 / 5)) / 3)) / (1 - sqr(sin_d / sin_U));
     const Interval X2 = -(sqr(de) * (sinc(d) * cos_U + sin_U * (d * at_most_one(d2 / 10) / 3)) / w2);
@@ -80,7 +80,7 @@ BulkBounds bulk_bounds(const Interval& th) {
     const Interval A2 = cos_th * c2 * X2 - Q * sqr(c2) / (1 + c2) / sqr(w2) - sin_th * de * c2 / w2;
     const Interval A = A2 + eps * dA;
 
-    // (7): int W - 2 eps, over eps^3. b = beta/eps.
+    // (14): int W - 2 eps, over eps^3. b = beta/eps.
     const Interval b = at_most_one(sqr(k) / 3) / w, b2 = at_most_one(sqr(k2) / 3) / w2, sum_b = b + b2;
     const Interval tangents =
         (cube(1 / w) * at_most_one(3 * sqr(k) / 5) + cube(1 / w2) * at_most_one(3 * sqr(k2) / 5)) / 3;

@@ -2,7 +2,7 @@
 
 #include "number/interval.hpp"
 
-/// One step of an orbit in the bulk, U >= 9/10 (proofs/law.md), for all eps in (0, 1/1000] at once.
+/// One step of an orbit in the bulk, U >= 9/10 (proofs/law.md, L51), for all eps in (0, 1/1000] at once.
 namespace dumbbell::law {
 
 struct BulkBounds {

@@ -9,8 +9,8 @@ constexpr int parts = 300;        ///< of the quadrature over t
 constexpr int second_parts = 16;  ///< of that in the term of second order
 constexpr int passes = 5;         ///< of the iteration that encloses Q
 
-/// The quantities of the last flight; (8) of proofs/law.md. kappa = d^2 kh, eps = d^2 epsh, A = d ah, and
-/// rk = d^4 kh^2/2 [1, 1 + kappa^2].
+/// The quantities of the last flight; (10) and (15) of proofs/law.md. kappa = d^2 kh, eps = d^2 epsh, A = d
+/// ah, and rk = d^4 kh^2/2 [1, 1 + kappa^2].
 struct Last {
     Slope F, Q, kh, epsh, ah;
     Interval one;  ///< [1, 1 + kappa^2]
@@ -23,7 +23,7 @@ Last last(const Interval& d, const Slope& Q) {
     const Slope cos_th = Q / F, sin_th = sqrt(1 - sqr(cos_th));
     const Interval d2 = sqr(d);
 
-    // kh = (sinc^2 d + d^2 kh^2/4 [1, 1 + kappa^2])/F, from a window that holds by kappa < 0.31.
+    // kh = (sinc^2 d + d^2 kh^2/4 [1, 1 + kappa^2])/F, from a window that holds by L53 (c).
     Interval k(0, 0.5), one(1);
     for (int i = 0; i < passes; ++i) {
         one = hull(Interval(1), 1 + sqr(k * d2));
@@ -80,7 +80,6 @@ EndBounds end_bounds(const Interval& d) {
     const Slope per_s = m / (2 * (at.epsh * root)) - x * at.kh / (4 * (at.F * root)) * at.one;
     EndBounds result;
     result.surplus = per_s.slope / range(root);
-    result.place = 2 / range(root);
     result.at_zero = per_s.at0;
     return result;
 }

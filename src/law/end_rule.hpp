@@ -2,13 +2,12 @@
 
 #include "number/interval.hpp"
 
-/// The end of an orbit at a critical ratio (proofs/law.md): its last contact at u_b = 2d, after which the
-/// flight is tangent.
+/// The end of an orbit at a critical ratio (proofs/law.md, L52): its last contact at u_b = 2d, after which
+/// the flight is tangent.
 namespace dumbbell::law {
 
 struct EndBounds {
     Interval surplus;  ///< (e_end - k0 s)/eps, s = sqrt(eps)
-    Interval place;    ///< u_b/s
     Interval at_zero;  ///< e_end/s at d = 0, which is k0
 };
 

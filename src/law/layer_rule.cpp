@@ -14,10 +14,10 @@ constexpr int passes = 4;        ///< of the iteration that encloses Q
 /// How far J may lie below pi/2, in units of eps^2/u^3.
 Interval drift_window() { return Interval(53) / Interval(10); }
 
-/// Where Q of every step of the layer lies.
+/// Where Q of every step of the layer lies (L53).
 Interval first_window() { return half_pi<Interval>() + hull(Interval(-1) / 100, Interval(1) / 20); }
 
-/// The quantities of a step that the rule is made of; (3) and (5) of proofs/law.md.
+/// The quantities of a step that the rule is made of; (8) and (11) of proofs/law.md.
 template <class X>
 struct Step {
     X sin_U, cos_U, d, F, Q, ehat;
@@ -120,10 +120,12 @@ LayerBounds bounds(const LayerBox& box) {
                  at.d * (sqr(at.a_whole) * (sqr(plus) * h1 / 2) - sqr(at.a_prime) * (sqr(minus) * h2 / 2));
     const X m = midpoint_error<X>(U, rho, at.F, at.Q, at.sin_U, at.cos_U) + E2;
 
-    const X B = sqrt(k1) * plus + sqrt(k1 * sqr(plus) - at.ehat * (2 * rho));
+    const X rest = k1 * sqr(plus) - at.ehat * (2 * rho);
+    const X B = sqrt(k1) * plus + sqrt(rest);
     const Interval scale = 4 * (sqrt(Interval(2)) * comparison_constant());
     const X share_of_D0 = m * B * sqr(B) / (at.ehat * sqr(at.ehat) * scale);
     LayerBounds result;
+    result.rest = range(rest);
     result.drift = range(at.a) / (2 * sqr(range(at.ehat)));
     if constexpr (std::is_same_v<X, Slope>) {
         result.gamma = -share_of_D0.slope;
@@ -148,7 +150,7 @@ bool certainly_beyond(const LayerBox& box) {
 
 bool closes(const LayerBox& box, LayerForm form) {
     const LayerBounds found = layer_bounds(box, form);
-    return within(Interval(1), found.at_zero.lo(), found.at_zero.hi()) &&
+    return certainly_positive(found.rest) && within(Interval(1), found.at_zero.lo(), found.at_zero.hi()) &&
            within(found.gamma, 0.055, box.U.hi() > 0.75 ? 1.10 : 1.29) && within(found.drift, 0, 15.88);
 }
 

@@ -2,8 +2,8 @@
 
 #include "number/interval.hpp"
 
-/// One step of an orbit in the layer U <= 9/10 (proofs/law.md): its defect D against the comparison function
-/// D0(T) = k0 s (sqrt T - sqrt(T - 1))^3.
+/// One step of an orbit in the layer U <= 9/10 (proofs/law.md, L49 and L50): its defect D against the
+/// comparison function D0(T) = k0 s (sqrt T - sqrt(T - 1))^3.
 namespace dumbbell::law {
 
 /// Steps with mid-point U and half width d = rho U, in units that leave no eps: it is rho U^2 ehat.
@@ -14,8 +14,9 @@ struct LayerBox {
 
 enum class LayerForm { slope, direct };
 
-/// What is enclosed of all steps of a box with eps <= 1/1000 whose J is in the window of the drift.
+/// What is enclosed of all states of a box as (C5) to (C8) of proofs/law.md have them.
 struct LayerBounds {
+    Interval rest;     ///< (1 + rho)^2 k1 - 2 rho ehat, which must be positive: then T > 1
     Interval gamma;    ///< (1 - D/D0(T))/U
     Interval drift;    ///< a/(2 ehat^2): J falls by eps^2 drift U^-4 per unit of u
     Interval at_zero;  ///< slope form: D/D0(T) at U = 0, which is 1
@@ -27,7 +28,8 @@ struct LayerBounds {
 [[nodiscard]] bool certainly_beyond(const LayerBox& box);
 
 /// Whether the form proves all that a leaf claims, with a little to spare for another arithmetic:
-/// 0.05 U <= 1 - D/D0(T) <= 1.3 U, where U > 3/4 at most 1.11 U, and a/(2 ehat^2) <= 15.9.
+/// (C5) to (C8) of proofs/law.md, 0 <= 1 - D/D0(T) <= 1.3 U, where U > 3/4 at most 1.11 U, and a/(2 ehat^2)
+/// <= 15.9.
 [[nodiscard]] bool closes(const LayerBox& box, LayerForm form);
 
 }  // namespace dumbbell::law

@@ -45,7 +45,7 @@ bool end_closes(const Parts& parts) {
         }
         const EndBounds found = end_bounds(d);
         const Interval k0 = comparison_constant();
-        if (!within(found.surplus, -0.23, -0.0885) || !within(found.place, 4.5, 4.68) ||
+        if (!within(found.surplus, -0.23, -0.0885) ||
             !(found.at_zero.lo() <= k0.lo() && k0.hi() <= found.at_zero.hi())) {
             return false;
         }

@@ -11,11 +11,10 @@ struct Parts {
     int end = 1500;
 };
 
-/// Whether on every part D and J - J' lie within the bounds that the certificate states of its range
-/// (docs/reference/format-law.md).
+/// Whether on every part D and J - J' lie within the bounds of its range: (C9), (C10) of proofs/law.md.
 [[nodiscard]] bool bulk_closes(const Parts& parts);
 
-/// Whether every part is certainly beyond eps = 1/1000, or e_end and u_b within the bounds.
+/// Whether every part is certainly beyond eps = 1/1000, or e_end within its bounds (C11).
 [[nodiscard]] bool end_closes(const Parts& parts);
 
 }  // namespace dumbbell::law

@@ -48,7 +48,6 @@ Integer parse_law_count(const std::string& text) {
 int law_for_all(const Given& given, const std::string& file) {
     law::TheoremReport report{.digits = static_cast<int>(given.number("--digits")),
                               .verdict = verified_law(file, verbosity_of(given)),
-
                               .out = given.has("FILE") ? given.text("FILE") : file,
                               .sha256 = certificates::sealed_digest(file)};
     fmt::print("{}", shown(report, given));

@@ -106,7 +106,7 @@ TEST_CASE("law --ratio says N, or the two values that remain, of any ratio") {
     }
     CHECK_THAT(
         dumbbell({"law", "--ratio", "1e100"}).out,
-        Contains("It lies 0.208 to 0.209 of a step above the ratio at which the maximum becomes 885595") &&
+        Contains("It lies 0.208 to 0.209 of a step above the ratio beyond which the maximum is 885595") &&
             Contains("This rests on the law for every mass ratio (proofs/law.md)"));
 }
 
