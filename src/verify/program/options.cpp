@@ -23,8 +23,8 @@ Checks certificates (docs/reference/format.md) independently of the program that
   --scene dumbbell|hybrid|wedge  demand this scene (dumbbell)
   --claim KIND         demand this kind of claim: collisions, or initial-conditions (a file of `dumbbell trace
                        --subdivide`: then --ratio, --max, --min, --exactly are about the starts in its box), or
-                       adiabatic-bounce, -run, -scattering, -printed (the adiabatic invariant) or law (all mass ratios), both without
-                       --ratio, --max, --min, --exactly, which such a file does not answer
+                       adiabatic-bounce, -run, -scattering, -printed (the adiabatic invariant), or law (all mass
+                       ratios): these without --ratio, --max, --min, --exactly, which they do not answer
   --claims LIST        the certificates and claims of a list like certificates/claims.tsv, one each line: a file, a
                        tab, the six options above that state its claim; what stands after another tab is a remark
   --lemma 4.1|4.2 A B  compare two files: at most as many collisions in A (scene hybrid) as in B (wedge), or

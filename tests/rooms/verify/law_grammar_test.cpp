@@ -87,7 +87,7 @@ TEST_CASE("law: a cover that does not close, or is not one, is refused") {
                                          {"bulk 4000 2000 4000", "bulk 4000 2000", "syntax"},
                                          {"bulk 4000 2000 4000", "bulk 0 2000 4000", "number"},
                                          {"bulk 4000 2000 4000", "bulk 4000 2000 400", "bulk"},
-                                         {"cover end 1500", "cover end 150", "end"}}) {
+                                         {"cover end 1500", "cover end 20", "end"}}) {
         INFO(from << " -> " << to);
         CHECK(mutant(from, to) == code);
     }
