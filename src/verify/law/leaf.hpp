@@ -36,8 +36,8 @@ struct LawLeaf {
     Leaf at_step;  ///< instead of the box, if it is a part of a step
 };
 
-// nullptr if the rule of format-law.md certifies the leaf, else what is missing; a log gets a line for
-// every inequality.
+/// nullptr if the rule of format-law.md certifies the leaf, else what is missing; a log gets a line for every
+/// inequality.
 const char* check_law_layer(const LawLeaf& leaf, std::string* log);
 const char* check_law_bulk(const LawLeaf& leaf, std::string* log);
 const char* check_law_end(const LawLeaf& leaf, std::string* log);

@@ -166,6 +166,23 @@ TEST_CASE("law: if J is known, a point of the layer is known to many digits") {
     }
 }
 
+TEST_CASE("law: with more bits the rules say the same") {
+    LawLeaf leaf;
+    leaf.bits = 120;
+    leaf.multiple = true;
+    leaf.box = {{mpq_class(1, 2), 0}, {mpq_class(501, 1000), mpq_class(1, 1000)}};
+    for (const auto rule : {LawLeaf::slope, LawLeaf::direct, LawLeaf::beyond}) {
+        leaf.rule = rule;
+        CHECK((check_law_layer(leaf, nullptr) == nullptr) == (rule != LawLeaf::beyond));
+    }
+    leaf.box = {{mpq_class(4, 5), mpq_class(1, 10)}, {mpq_class(9, 10), mpq_class(1, 5)}};
+    CHECK(check_law_layer(leaf, nullptr) == nullptr);
+    leaf.box = {{mpq_class(1, 10), 0}, {mpq_class(1001, 10'000), 0}};
+    CHECK(check_law_bulk(leaf, nullptr) == nullptr);
+    leaf.box = {{mpq_class(1, 100), 0}, {mpq_class(1001, 100'000), 0}};
+    CHECK(check_law_end(leaf, nullptr) == nullptr);
+}
+
 TEST_CASE("law: a leaf is refused where its inequality is false") {
     const auto verdict = [](LawLeaf::Rule rule, double U, double rho, double U_hi, double rho_hi) {
         LawLeaf leaf;
