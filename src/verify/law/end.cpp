@@ -17,7 +17,7 @@ class EndRule : LawRule<N> {
     struct End {
         using T = Form<N>;
         End(const Along<N, Form>& along, const T& Q_) : Q(Q_) {
-            const I d_ = along.U, d2 = square(d_);
+            const I at = along.U, d2 = square(at);
             const T d = along.line(0, 1), wave = along.sinc_of(1), double_wave = along.sinc_of(2);
             F = along.line(pi<N>(), I(-1));
             const T cosine = Q / F, sine = square_root(I(1) - square(cosine));
@@ -27,9 +27,9 @@ class EndRule : LawRule<N> {
             I k(N(0), fraction<N>(1, 2).hi);
             for (int i = 0; i < 4; ++i) {
                 above = I(N(1), (I(1) + square(d2 * k)).hi);
-                k = common(k, (square(sinc(d_)) + d2 * square(k) / I(4) * above) / (pi<N>() - d_));
+                k = common(k, (square(sinc(at)) + d2 * square(k) / I(4) * above) / (pi<N>() - at));
             }
-            const T lift = along.line(0, d_ * square(k) / I(4) * above);  // rk/(2 d^2)
+            const T lift = along.line(0, at * square(k) / I(4) * above);  // rk/(2 d^2)
             kh = (square(wave) + lift) / F;
             epsh = kh * cosine / sine;
             const T b = epsh / (double_wave * I(2)), c = I(1) / square_root(I(1) + square(d * b));
