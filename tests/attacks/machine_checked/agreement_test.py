@@ -36,7 +36,8 @@ def is_judged(path):
         data = gzip.decompress(data) if data[:2] == b"\x1f\x8b" else data
     except (OSError, EOFError, zlib.error):
         return True  # refused by both
-    return data.split(b"\n")[2:5] in JUDGED
+    lines = data.split(b"\n")
+    return lines[2:5] in JUDGED and lines[5:6] != [b"claim law"]
 
 
 def manifest(path):

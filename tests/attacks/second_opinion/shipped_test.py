@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""shipped_test.py PROJECT: re-checks every certificate that the project ships, and compares it with certificates/claims.tsv.
+"""shipped_test.py PROJECT: re-checks every certificate of N(q) that the project ships, and compares it with
+certificates/claims.tsv. (That of the law for every mass ratio it does not judge.)
 
 Texts over 100,000 bytes by a random 1 % of their leaves and witnesses, the others whole. The seed is the day, so that many
 runs see many leaves; it is printed, and recheck.py --sample 0.01 --seed SEED FILE repeats a run."""
@@ -41,7 +42,8 @@ def main(project):
                if re.search(r"\.dbc(\.gz)?$", path.name)}
     if shipped != set(claims) or not shipped:
         return f"certificates/ and certificates/claims.tsv differ: {shipped ^ set(claims)}"
-    wrong = [name for name in sorted(shipped) if not check(project / name, claims[name])]
+    judged = [name for name in sorted(shipped) if claims[name] != ["--claim", "law"]]
+    wrong = [name for name in judged if not check(project / name, claims[name])]
     return f"another claim than that of certificates/claims.tsv: {wrong}" if wrong else 0
 
 
