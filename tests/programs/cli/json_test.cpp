@@ -224,11 +224,11 @@ TEST_CASE("docs/reference/json.md describes the JSON of verify") {
     write_file(folder / "bad.dbc", "no certificate\n");
 
     std::vector<Json> objects;
-    for (const Words& options :
-         std::vector<Words>{{"ten.dbc", "box.dbc", "bounce.dbc", "printed.dbc", "bad.dbc"},
-                            {"--ratio", "10", "--exactly", "4", "ten.dbc"},
-                            {"--shards", "1", "--precision", "60", "ten.dbc"},
-                            {"--combine", "parts.txt", "ten.dbc"}}) {
+    for (const Words& options : std::vector<Words>{{"ten.dbc", "box.dbc", "bounce.dbc", "printed.dbc",
+                                                    "bad.dbc", DUMBBELL_PROJECT "/certificates/law.dbc.gz"},
+                                                   {"--ratio", "10", "--exactly", "4", "ten.dbc"},
+                                                   {"--shards", "1", "--precision", "60", "ten.dbc"},
+                                                   {"--combine", "parts.txt", "ten.dbc"}}) {
         words = options;
         words.insert(words.begin(), {"verify", "--json"});
         for (const Json& object : printed(dumbbell(words, folder.path()))) {
