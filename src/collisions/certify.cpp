@@ -1,5 +1,6 @@
 #include "collisions/certify.hpp"
 
+#include <fmt/core.h>
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
@@ -8,7 +9,9 @@
 #include <cmath>
 
 #include "base/deadline.hpp"
+#include "base/printable.hpp"
 #include "collisions/steps.hpp"
+#include "number/decimal.hpp"
 #include "number/self_test.hpp"
 
 namespace dumbbell::collisions {
@@ -76,11 +79,22 @@ std::vector<ProvedPiece> prove_plan(const CertifyRequest& request, const PieceOp
 
 }  // namespace
 
-Rational greatest_ratio() { return parse_rational("1e36"); }
+std::optional<std::string> out_of_reach(const Rational& q_lo, const Rational& q_hi) {
+    if (q_hi > parse_rational("1e36")) {
+        return fmt::format(
+            "the mass ratio {} is beyond 10^36, the greatest that is tried: one orbit has about 10^18 "
+            "collisions there",
+            printable(exact_text(q_hi), 40));
+    }
+    if (q_lo != q_hi && q_hi > parse_rational("1e16")) {
+        return "ranges are tried up to 10^16: beyond, prove one mass ratio at a time";
+    }
+    return std::nullopt;
+}
 
 std::vector<ProvedPiece> certify(const CertifyRequest& request) {
     require_sound_arithmetic();
-    if (request.q_hi > greatest_ratio()) {
+    if (out_of_reach(request.q_lo, request.q_hi)) {
         return {open_piece(request.q_lo, request.q_hi)};
     }
     PieceOptions options = piece_options(request.scene, request.section);

@@ -41,7 +41,7 @@ class MacroSteps {
 
   private:
     macro::BoundSide side_;
-    I r_;
+    const I& r_;
     int attempts_;  ///< that may fail: first where the orbit has hardly begun, at last where it ends
     long cap_;
     const Interrupted& interrupted_;

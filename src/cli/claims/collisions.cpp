@@ -1,11 +1,7 @@
 #include "cli/claims/collisions.hpp"
 
-#include <fmt/core.h>
-
 #include "base/error.hpp"
-#include "base/printable.hpp"
 #include "collisions/names.hpp"
-#include "number/decimal.hpp"
 
 namespace dumbbell::cli {
 namespace {
@@ -26,14 +22,8 @@ collisions::CertifyRequest request_of(const Given& given, const RatioArgument& r
     if (given.text("--section") == "full" && given.text("--scene") != "dumbbell") {
         throw InputError("--section full is for the scene dumbbell: the wedges have --section turning");
     }
-    if (ratio.hi > collisions::greatest_ratio()) {
-        throw InputError(
-            fmt::format("the mass ratio {} is beyond 10^36, the greatest that is tried: one orbit "
-                        "has about 10^18 collisions there",
-                        printable(exact_text(ratio.hi), 40)));
-    }
-    if (ratio.lo != ratio.hi && ratio.hi > parse_rational("1e16")) {
-        throw InputError("ranges are tried up to 10^16: beyond, prove one mass ratio at a time");
+    if (const auto reason = collisions::out_of_reach(ratio.lo, ratio.hi)) {
+        throw InputError(*reason);
     }
     collisions::CertifyRequest request;
     request.q_lo = ratio.lo;

@@ -156,6 +156,13 @@ TEST_CASE("ratios beyond 10^36 are left open at once") {
     CHECK(certified(10, huge).size() == 1);
 }
 
+TEST_CASE("a range ends at 10^16, a single ratio at 10^36") {
+    CHECK_FALSE(out_of_reach(at("1e36"), at("1e36")));
+    CHECK_FALSE(out_of_reach(10, at("1e16")));
+    CHECK(out_of_reach(10, at("1e16") + 1)->find("one mass ratio at a time") != std::string::npos);
+    CHECK(certified(at("1e16"), at("2e16")).size() == 1);  // at once
+}
+
 TEST_CASE("progress is reported once per piece and ends complete") {
     struct Told : Observer {
         void enter(std::string_view phase, std::string_view) override { proving = phase == "proving"; }
