@@ -18,19 +18,20 @@ double of_collision(int bits) {
     return bits > 53 ? in_double + 40 * width * width : in_double;
 }
 
-/// A ray with so many collisions. With many of them most are left to macro steps (L42): about so many for a
-/// doubling of the collisions, of so many sweeps over polynomials with this many terms.
+/// A ray with so many collisions. With many of them most are left to macro steps (L42): at most about so many
+/// for a doubling of the collisions, each as much as so many sweeps over polynomials with this many terms,
+/// which is two to three times what is needed; the last collisions go one by one.
 double of_ray(long collisions, int bits) {
     const auto count = static_cast<double>(collisions);
     if (count < 20'000) {
         return count * of_collision(bits);
     }
-    constexpr double steps_a_doubling = 4;
-    constexpr double sweeps = 8;
+    constexpr double steps_a_doubling = 2;
+    constexpr double sweeps = 4;
     const double doublings = std::log2(count);
-    const double resolution = 2 * (doublings + 2) + std::max(12., bits / 4. - 20);
-    const double terms = resolution / 2.6 + 4;
-    const double sweep = terms * terms * 16 * (50 + resolution / 4);
+    const double resolution = 2 * (doublings + 2) + std::max(12., bits / 8. - 20) + 1;
+    const double terms = resolution / 2.2 + 4;
+    const double sweep = terms * terms * 17 * (66 + resolution / 4);
     return steps_a_doubling * doublings * sweeps * sweep + 8 * (40 + terms) * of_collision(bits);
 }
 

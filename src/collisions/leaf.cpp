@@ -13,8 +13,11 @@ namespace {
 template <class I>
 std::optional<Leaf> judge_one(Chart chart, const Box& box, long upper, const Interrupted& interrupted) {
     if constexpr (!std::is_same_v<I, Interval>) {
-        if (auto leaf = judge_one<Interval>(chart, box, upper, interrupted)) {
-            return leaf;
+        constexpr long most = 20'000'000'000'000;  // collisions: it cannot tell such counts apart
+        if (upper <= most) {
+            if (auto leaf = judge_one<Interval>(chart, box, upper, interrupted)) {
+                return leaf;
+            }
         }
     }
     switch (chart) {

@@ -119,8 +119,11 @@ std::optional<long> suspected_maximum(const Rational& q, const PieceOptions& opt
         const flight::Ray<I> ray = extremal_ray(orbit, r);
         most += count_at_most(ray, cap, options.interrupted);
         least += options.interrupted() ? 0 : count_at_least(ray, cap, options.interrupted);
+        if (most != least) {
+            return std::nullopt;
+        }
     }
-    return most == least ? std::optional(most) : std::nullopt;
+    return most;
 }
 
 }  // namespace
@@ -135,7 +138,7 @@ PieceOptions piece_options(Scene scene, Section section) {
 
 void describe_witness(ProvedPiece& proved) {
     const Piece& piece = proved.piece;
-    constexpr long most = 1'000'000;  // collisions: they are looked at one by one
+    constexpr long most = 100'000;  // collisions: they are looked at one by one
     if (!piece.witness || piece.witness->chart != Chart::bridge || piece.witness->total() > most) {
         return;
     }
@@ -150,7 +153,12 @@ void describe_witness(ProvedPiece& proved) {
 ProvedPiece prove_single(const Rational& q, const PieceOptions& options) {
     ProvedPiece proved;
     proved.piece.q_lo = proved.piece.q_hi = q;
+    // Two neighbouring counts are beyond double precision there.
+    const bool beyond_double = options.scene == Scene::dumbbell && q > parse_rational("1e27");
     proved.obstacle = escalate(options, [&]<class I>(const I&, int bits) {
+        if (bits == double_bits && beyond_double) {
+            return Obstacle::maximum;
+        }
         const auto n = options.scene != Scene::dumbbell ? std::optional(flight::paper_bound(q) - 1)
                        : q == 1                         ? std::optional(2L)
                                                         : suspected_maximum<I>(q, options);

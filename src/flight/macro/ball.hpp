@@ -129,12 +129,6 @@ class Series {
         arb_poly_mullow(result.value_, value_, other.value_, length, bits());
         return result;
     }
-    /// s -> value(s + shift).
-    [[nodiscard]] Series shifted(const Ball& shift) const {
-        Series result;
-        arb_poly_taylor_shift(result.value_, value_, shift.raw(), bits());
-        return result;
-    }
     [[nodiscard]] Series derivative() const {
         Series result;
         arb_poly_derivative(result.value_, value_, bits());

@@ -29,10 +29,15 @@ struct Excess {
     Series height;  ///< sin x(s + eta) - sin x - kappa (x + x(s + eta) + pi)
     Series slope;  ///< (kappa(s + eta) - kappa)(w^2 - r) - 2 w (r + kappa kappa(s + eta)), w = cos x(s + eta)
 };
-[[nodiscard]] Excess excess(const Orbit& orbit, const Task& task, slong length);
+/// Bounds on [-1, 1] of the sizes of sine - sin x and cosine - cos x, and of their derivatives; 0 for a
+/// guess.
+struct SineError {
+    Ball value, slope;
+};
+[[nodiscard]] Excess excess(const Orbit& orbit, const Task& task, slong length, const SineError& error);
 
 /// Certified: the polynomials satisfy L42 (a) for `upper`, (b) for `lower`. That they begin at a bound of the
 /// state is the caller's business.
-[[nodiscard]] bool is_macro_step(BoundSide side, Orbit orbit, const Task& task);
+[[nodiscard]] bool is_macro_step(BoundSide side, const Orbit& orbit, const Task& task);
 
 }  // namespace dumbbell::flight::macro

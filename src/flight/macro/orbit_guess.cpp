@@ -155,7 +155,7 @@ std::optional<Orbit> guess_orbit(const Task& task) {
         Orbit orbit = follow_flow(task, x, kappa, f, g);
         const Ball missed_x = middle(task.x - orbit.x.at(Ball(-1)));
         const Ball missed_kappa = middle(task.kappa - orbit.kappa.at(Ball(-1)));
-        Excess found = excess(orbit, task, task.terms - 1);
+        Excess found = excess(orbit, task, task.terms - 1, {});
         found.height = without_radii(found.height.plus(Ball(-1) * task.x_excess));
         found.slope = without_radii(found.slope.plus(Ball(-1) * task.kappa_excess));
         const double height = approximate(size_from(found.height, 0));

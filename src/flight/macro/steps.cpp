@@ -15,24 +15,45 @@ using namespace macro;
 
 /// How closely the polynomials are to follow the orbit, as a share of one collision, and with what.
 struct Effort {
-    long share_bits;  ///< 2^-share_bits of a collision's progress is lost in all
-    int bits;         ///< working precision
-    slong terms;      ///< of the polynomials
-    long least;       ///< a step over fewer collisions is not worth it
+    double root_bits;  ///< of 1/root, root the square root of r
+    long share_bits;   ///< 2^-share_bits of a collision's progress is lost in all
+    long least;        ///< a step over fewer collisions is not worth it
+
+    /// What both sides of L42 (6), (7), times collisions/2, are found to within, for a step over so many.
+    [[nodiscard]] double resolution(long collisions) const {
+        return 2 * root_bits + static_cast<double>(share_bits) + 1 -
+               std::log2(static_cast<double>(collisions));
+    }
+    [[nodiscard]] int bits(long collisions) const { return static_cast<int>(resolution(collisions)) + 16; }
+    [[nodiscard]] slong terms(long collisions) const {
+        return static_cast<slong>(resolution(collisions) / 2.2) + 4;
+    }
 };
 Effort effort(double root_bits, int bound_bits) {
     const bool in_double = bound_bits == 53;
     const auto share =
         static_cast<long>(std::clamp(bound_bits - root_bits - 4, 8., std::max(12., bound_bits / 4. - 20)));
-    const double resolution = 2 * root_bits + static_cast<double>(share);
-    const auto terms = static_cast<slong>(resolution / 2.6) + 4;
-    return {share, static_cast<int>(resolution) + 16, terms, in_double && root_bits < 30 ? 2000 : 40 + terms};
+    Effort result{root_bits, share, 2000};
+    if (!in_double || root_bits >= 30) {
+        result.least = 40 + result.terms(1);
+    }
+    return result;
 }
 
-/// About how many collisions are left before the peak is reached, for an orbit like the extremal ones.
-double collisions_left(double depth, double kappa) {
-    const double half = std::sin(depth / 2);
-    return 2 * half * half / (kappa * 2 * (std::numbers::pi - depth));
+/// About how many collisions are left before the peak is reached. With the angle th, kappa = root tan th, the
+/// orbit nearly keeps P = (2 x + pi) cos th, which leaves an integral over x = pi/2 - depth + u^2.
+double collisions_left(double depth, double kappa, double root) {
+    constexpr int nodes = 32;
+    const double end = std::numbers::pi - depth;
+    const double angle = std::atan(kappa / root);
+    const double least = end * end * std::sin(angle) * std::sin(angle);
+    const double range = std::sqrt(depth);
+    double sum = 0;
+    for (int i = 0; i < nodes; ++i) {
+        const double u = range * (i + 0.5) / nodes;
+        sum += std::sin(depth - u * u) * u / ((end + u * u) * std::sqrt(u * u * (2 * end + u * u) + least));
+    }
+    return end * std::cos(angle) * sum * range / nodes / root;
 }
 
 template <class I>
@@ -61,20 +82,21 @@ long stepped(BoundSide side, const I& r, WallState<I>& state, long most) {
     const double depth = approximate(half_pi<I>() - state.x);
     const double root = std::sqrt(approximate(r));
     const Effort work = effort(-std::log2(root), bound_bits);
-    const double left = std::min(collisions_left(depth, approximate(state.kappa)), 0.5 / root);
-    const double share = std::min(0.25 * left, static_cast<double>(most));
+    const double left = collisions_left(depth, approximate(state.kappa), root);
+    const double share = std::min(0.33 * left, static_cast<double>(most));
     if (!(share >= static_cast<double>(work.least) && share < 0x1p62)) return 0;
 
-    const PrecisionScope scope(work.bits);
-    const auto share_left = power_of_two(-work.share_bits);
-    Task task;
-    task.r = ball(r);
-    task.x = ball(state.x);
-    task.kappa = ball(state.kappa);
-    task.terms = work.terms;
+    const int at_start = 8 + static_cast<int>(-std::log2(std::clamp(approximate(state.x), root * root, 1.)));
     for (auto collisions = static_cast<long>(share); collisions >= work.least; collisions /= 2) {
+        // X_0 >= 0, which a lower bound needs, may be far below its neighbours.
+        const PrecisionScope scope(std::max(work.bits(collisions), at_start));
+        Task task;
+        task.r = ball(r);
+        task.x = ball(state.x);
+        task.kappa = ball(state.kappa);
         task.collisions = collisions;
-        const Ball unit = whole(collisions) * Ball(0.5) * share_left * task.r;
+        task.terms = work.terms(collisions);
+        const Ball unit = whole(collisions) * power_of_two(-1 - work.share_bits) * task.r;
         task.x_excess = middle(above ? unit : Ball(-1) * unit);
         task.kappa_excess = middle(task.x_excess * Ball(root));
         auto orbit = guess_orbit(task);

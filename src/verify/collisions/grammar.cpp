@@ -66,6 +66,8 @@ class CollisionsReader : public Reader<Leaf> {
         std::optional<std::uint64_t> upper;
         if (text_.fields[1] != "none") {
             upper = leaf.claimed = text_.natural(1);
+            // Double precision cannot tell such counts apart.
+            leaf.multiple = leaf.multiple || (leaf.bits > 53 && *upper > 20'000'000'000'000);
             proof_.roots += static_cast<double>(section_.charts.size());
             proofs_.cover(leaf, a, b);
         } else {

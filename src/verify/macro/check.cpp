@@ -12,7 +12,8 @@ mpz_class fixed(Round d, const Big& x, long places) {
     return dumbbell_verify::fixed(d, exact_value(x), places);
 }
 
-/// Bounds of |sine - sin x| and |cosine - cos x| on [-1, 1], as the errors of the series: Z = cosine + i sine
+/// Bounds of |sine - sin x| and |cosine - cos x| on [-1, 1], as the errors of the series, and of the
+/// derivative of the former: Z = cosine + i sine
 /// has Z' = i x' Z but for a residual, which is all that can move it away from exp(i x), and starts near
 /// exp(i x(0)). (L42, on its polynomials)
 void enclose_sine(Orbit& orbit) {
@@ -27,11 +28,13 @@ void enclose_sine(Orbit& orbit) {
     mpz_class error = apart(orbit.sine.term[0], s) + apart(orbit.cosine.term[0], c);
     // The derivatives are exact, and so are the products' terms up to degree 2 n, at 2 one places.
     std::vector<mpz_class> sine(2 * n), cosine(2 * n);
+    mpz_class fastest = 0;
     Work::spend(4 * n * n * (40 + static_cast<std::uint64_t>(one) / 4));
     for (std::size_t i = 0; i + 1 < n; ++i) {
         sine[i] += shifted(orbit.sine.term[i + 1] * mpz_class(i + 1), one);
         cosine[i] += shifted(orbit.cosine.term[i + 1] * mpz_class(i + 1), one);
         const mpz_class speed = orbit.x.term[i + 1] * mpz_class(i + 1);
+        fastest += abs(speed);
         for (std::size_t j = 0; j < n; ++j) {
             mpz_submul(sine[i + j].get_mpz_t(), speed.get_mpz_t(), orbit.cosine.term[j].get_mpz_t());
             mpz_addmul(cosine[i + j].get_mpz_t(), speed.get_mpz_t(), orbit.sine.term[j].get_mpz_t());
@@ -41,6 +44,7 @@ void enclose_sine(Orbit& orbit) {
     for (std::size_t i = 0; i < 2 * n; ++i) residual += abs(sine[i]) + abs(cosine[i]);
     error += shifted_up(residual, -one);
     orbit.sine.error = orbit.cosine.error = error;
+    orbit.sine_slope_error = shifted_up(residual, -one) + shifted_up(fastest * error, -one);
 }
 
 /// f > 0 (up), or f < 0 (down), on all of [-1, 1].
@@ -72,17 +76,19 @@ Excess excess(const Orbit& orbit, const Start& start) {
         result.error = 2 * slope.error / k + 1 + start.terms;
         return f + result;
     };
-    const Series dx = slope_over(orbit.x, k), dslope = slope_over(orbit.slope, k),
-                 dsine = slope_over(orbit.sine, k), dcosine = slope_over(orbit.cosine, k);
+    const Slope slope(start.terms, start.places, k);
+    const Series dx = slope.of(orbit.x), dslope = slope.of(orbit.slope), dcosine = slope.of(orbit.cosine);
+    Series dsine = slope.of(orbit.sine);
+    dsine.error += orbit.sine_slope_error;
     const Series w = next(orbit.cosine, dcosine);
     Series reach = orbit.x + next(orbit.x, dx);
     reach.term[0] += start.pi;
     reach.error += 1;
     Series square = w * w;
-    square.term[0] -= shifted(start.r, -start.root);
+    square.term[0] -= shifted(start.r, -2 * start.root);
     square.error += 1;
     Series push = (orbit.slope * next(orbit.slope, dslope)).times(k, scale);
-    push.term[0] += shifted(start.r * k, -1);
+    push.term[0] += shifted(start.r * k, scale);
     push.error += 1;
     return {dsine - (orbit.slope * reach).times(k, scale), square * dslope - (w * push).times(2, 0)};
 }
@@ -96,14 +102,14 @@ bool is_macro_step(Round d, Orbit orbit, const Start& start) {
     const mpz_class cosine = orbit.cosine.term[0] - orbit.cosine.size(1) - orbit.cosine.error,
                     slope = orbit.slope.term[0] + orbit.slope.size(1),
                     room = cosine - shifted_up(slope, 1 - start.root);
-    const bool inside = cosine > 0 && room > 0 && cosine * room > shifted_up(start.r, one - start.root) &&
+    const bool inside = cosine > 0 && room > 0 && cosine * room > shifted_up(start.r, one - 2 * start.root) &&
                         orbit.x.size() < shifted(start.pi - 1, -1);
     if (d == up) return inside;
     // The bounds climb: the two expressions are not too far below 0.
     const mpz_class height = found.height.size() + found.height.error,
                     turn = found.turn.size() + found.turn.error;
     return inside && start.x >= 0 && height < shifted(start.slope * start.k, -1 - start.root) &&
-           turn < shifted(start.r * cosine * start.k, -one);
+           turn < shifted(start.r * cosine * start.k, -one - start.root);
 }
 
 }  // namespace dumbbell_verify

@@ -9,6 +9,7 @@ namespace dumbbell_verify {
 /// slope(s). The others are nearly sin x(s) and cos x(s).
 struct Orbit {
     Series x, slope, sine, cosine;
+    mpz_class sine_slope_error = 0;  ///< of sine' as the derivative of sin x
 };
 
 /// A bound of rays after a collision, and how they are to be followed. Numbers are multiples of 2^-places.
@@ -16,7 +17,7 @@ struct Start {
     long places = 0;
     std::size_t terms = 0;  ///< of the polynomials
     long root = 0;          ///< 2^-root is about the square root of r
-    mpz_class x, slope, r;  ///< the bound: x, kappa 2^root; r 2^root
+    mpz_class x, slope, r;  ///< the bound: x, kappa 2^root; r 4^root
     mpz_class pi;           ///< rounded
     mpz_class k;            ///< collisions, > 0
     mpz_class excess;       ///< what both expressions of L42 should be

@@ -29,7 +29,7 @@ void follow_flow(const Start& start, const mpz_class& x0, const mpz_class& slope
     const long one = start.places;
     const std::size_t n = start.terms;
     Work::spend(7 * n * n * (40 + static_cast<std::uint64_t>(one) / 4));
-    auto& [x, slope, sine, cosine] = orbit;
+    Series &x = orbit.x, &slope = orbit.slope, &sine = orbit.sine, &cosine = orbit.cosine;
     Series dx = start.series(), dslope = dx, reach = dx, square = dx, push = dx;
     x.term[0] = x0;
     slope.term[0] = slope0;
@@ -44,8 +44,8 @@ void follow_flow(const Start& start, const mpz_class& x0, const mpz_class& slope
         push.term[i] = shifted(coefficient(slope, slope, i) * start.k, -1 - start.root);
         if (i == 0) {
             reach.term[0] += start.pi;
-            square.term[0] -= shifted(start.r, -start.root);
-            push.term[0] += shifted(start.r * start.k, -1);
+            square.term[0] -= shifted(start.r, -2 * start.root);
+            push.term[0] += shifted(start.r * start.k, -1 - start.root);
         }
         if (i + 1 == n) return;
         const mpz_class next(i + 1);
@@ -91,7 +91,7 @@ struct Flow {
 
 bool guess_orbit(const Start& start, Orbit& orbit) {
     const long one = start.places;
-    const Flow flow{to_double(start.k, 0) / 2, to_double(start.r, one),
+    const Flow flow{to_double(start.k, 0) / 2, to_double(start.r, one + start.root),
                     std::ldexp(1., static_cast<int>(-start.root))};
     const Middle from{to_double(shifted(start.pi, -1) - start.x, one), to_double(start.slope, one)};
     if (!(from.depth > 0 && from.slope > 0)) return false;

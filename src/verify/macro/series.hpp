@@ -3,6 +3,7 @@
 #pragma once
 #include <gmpxx.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -88,26 +89,47 @@ inline Series operator*(const Series& a, const Series& b) {
     return result;
 }
 
-/// (f(s + 2/k) - f(s)) k/2 for s in [-1, 1 - 2/k]: Taylor's formula, sum of f^(j)(s)/j! (2/k)^(j - 1). The
-/// polynomial's is found to within the roundings; the error of f counts twice, times k/2.
-inline Series slope_over(const Series& f, const mpz_class& k) {
-    const std::size_t n = f.term.size();
-    Work::spend(n * n * (60 + static_cast<std::uint64_t>(f.places) / 4));
-    Series sum(n, f.places), part = f;  // part: f^(j)/j! (2/k)^(j - 1)
-    mpz_class rounding = 0, all = 0;    // of part: the sum of its terms' errors is at most that
-    for (std::size_t j = 1; j < n; ++j) {
-        const mpz_class over = j == 1 ? mpz_class(1) : k * mpz_class(j), times = j == 1 ? 1 : 2;
-        for (std::size_t i = 0; i + 1 < n; ++i) {
-            const mpz_class next = part.term[i + 1] * mpz_class(i + 1) * times;
-            mpz_fdiv_q(part.term[i].get_mpz_t(), next.get_mpz_t(), over.get_mpz_t());
+/// How a polynomial changes over 2/k, by Taylor's formula.
+class Slope {
+  public:
+    Slope(std::size_t terms, long places, const mpz_class& k) : weights_(terms) {
+        std::vector<mpz_class> choose(terms);  // (m over j), for one m after the other
+        mpz_class power = 1;                   // k^(j - 1)
+        std::vector<mpz_class> small;          // (2/k)^(j - 1) 2^places, rounded down, as long as it is not 0
+        for (std::size_t j = 1; j < terms && power <= shifted(1, places + static_cast<long>(j) - 1); ++j) {
+            small.push_back(shifted(1, places + static_cast<long>(j) - 1) / power);
+            power *= k;
         }
-        part.term[n - 1] = 0;
-        rounding = rounding * times * mpz_class(n) / over + 1 + n;
-        all += rounding;
-        sum = sum + part;
+        Work::spend(terms * small.size() * (60 + static_cast<std::uint64_t>(places) / 4));
+        for (std::size_t m = 0; m < terms; ++m) {
+            for (std::size_t j = m; j > 0; --j) choose[j] += choose[j - 1];
+            choose[0] = 1;
+            for (std::size_t j = 1; j <= std::min(m, small.size()); ++j)
+                weights_[m].push_back(choose[j] * small[j - 1]);
+        }
     }
-    sum.error = all + f.error * k;
-    return sum;
-}
+
+    /// (f(s + 2/k) - f(s)) k/2 for s in [-1, 1 - 2/k], of the polynomial without its error: the sum of (m
+    /// over j) term[m] (2/k)^(j - 1) s^(m - j). Each of the powers of 2/k is less than a unit off, those left
+    /// out too, and the binomials of m add up to 2^m.
+    [[nodiscard]] Series of(const Series& f) const {
+        const std::size_t n = f.term.size();
+        Series result(n, f.places);
+        mpz_class all = 0;
+        for (std::size_t m = 1; m < n; ++m) {
+            Work::spend(weights_[m].size() * (60 + static_cast<std::uint64_t>(f.places) / 4));
+            for (std::size_t j = 1; j <= weights_[m].size(); ++j)
+                mpz_addmul(result.term[m - j].get_mpz_t(), f.term[m].get_mpz_t(),
+                           weights_[m][j - 1].get_mpz_t());
+            all += shifted(abs(f.term[m]), static_cast<long>(m));
+        }
+        for (mpz_class& term : result.term) term = shifted(term, -f.places);
+        result.error = shifted_up(all, -f.places) + n;
+        return result;
+    }
+
+  private:
+    std::vector<std::vector<mpz_class>> weights_;
+};
 
 }  // namespace dumbbell_verify

@@ -33,6 +33,24 @@ TEST_CASE("the check of one ratio needs no budget in double, and one with many b
     CHECK_FALSE(option_of(single(442'798, 2048)).empty());
 }
 
+TEST_CASE("macro steps cost the verifier no more than is said") {
+    struct Measured {
+        long half;
+        int bits;
+        double
+            seconds;  ///< `work` of dumbbell-verify --json, with --precision where a file has double's bits
+    };
+    for (const auto& [half, bits, seconds] :
+         {Measured{442'798, 53, 0.042}, Measured{442'798, 512, 0.865}, Measured{442'797'564'726, 53, 0.262},
+          Measured{442'797'564'726, 256, 0.515}, Measured{442'797'564'726, 512, 1.568},
+          Measured{442'797'564'726'356'956, 256, 1.317}, Measured{442'797'564'726'356'956, 512, 3.283}}) {
+        const Piece piece = single(half, bits);
+        const Piece* const pieces[] = {&piece};
+        CAPTURE(half, bits);
+        CHECK(check_seconds(pieces, Section::turning) > 2 * seconds);
+    }
+}
+
 TEST_CASE("a budget is named from the verifier's own on, and never less than the cost") {
     CHECK(budget_option(30) == "");
     CHECK(budget_option(30.1) == "--budget 1m ");

@@ -34,12 +34,12 @@ Start start_of(Random& random, Round d) {
     start.places = 128;
     start.terms = 56;
     start.x = number(random.uniform(0.01, 1.2), 128);
-    start.r = number(std::exp2(-2 * root), 128 + start.root);
+    start.r = number(std::exp2(-2 * root), 128 + 2 * start.root);
     start.slope = number(random.uniform(0.05, 1.5), 128);
     Big::precision = 160;
     start.pi = fixed(down, exact_value(pi_bound(down, Big())), 128);
     start.k = mpz_class(std::floor(0.05 * std::exp2(root) * random.uniform(0.1, 1)));
-    start.excess = shifted(start.k * start.r, -1 - start.root - std::lround(random.uniform(4, 20)));
+    start.excess = shifted(start.k * start.r, -1 - 2 * start.root - std::lround(random.uniform(4, 20)));
     if (d == down) start.excess = -start.excess;
     return start;
 }
@@ -61,7 +61,7 @@ bool holds(Round d, const Orbit& orbit, const Start& start, const mpz_class& n) 
     const auto x = number(at(orbit.x, n, start)), next_x = number(at(orbit.x, n + 1, start));
     const auto kappa = number(at(orbit.slope, n, start) * scale),
                next_kappa = number(at(orbit.slope, n + 1, start) * scale),
-               r = number(mpq_class(start.r) / shifted(1, start.places + start.root));
+               r = number(mpq_class(start.r) / shifted(1, start.places + 2 * start.root));
     const auto [next_s, w] = sin_cos(next_x.lo);
     const I height = next_s - sin_cos(x.lo).sin - kappa * (x + next_x + pi<Big>());
     const I turn = (next_kappa - kappa) * (w * w - r) - I(2) * w * (r + kappa * next_kappa);
