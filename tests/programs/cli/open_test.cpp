@@ -55,7 +55,7 @@ TEST_CASE("a budget ends a search that is in the middle of an orbit, of a cover,
                                Words{"certify", "1e12", "--scene", "wedge"}, Words{"certify", "9e10:1e11"}}) {
         CAPTURE(words);
         Words limited = words;
-        limited.insert(limited.end(), {"--budget", "1s", "--jobs", "2"});
+        limited.insert(limited.end(), {"--budget", "0.3s", "--jobs", "2"});
         const Outcome result = dumbbell(limited);
         CHECK(result.code == 3);
         CHECK(result.cpu_seconds < 8);
