@@ -51,8 +51,8 @@ constexpr std::array options{
         "--claim", "KIND",
         "demand this kind of claim: collisions, or initial-conditions (a file of `dumbbell trace "
         "--subdivide`: then --ratio, --max, --min, --exactly are about the starts in its box), or "
-        "adiabatic-bounce, -run, -scattering, -printed (the adiabatic invariant) or law (all mass ratios), "
-        "both without --ratio, --max, --min, --exactly, which such a file does not answer"},
+        "adiabatic-bounce, -run, -scattering, -printed (the adiabatic invariant), or law (all mass ratios): "
+        "these without --ratio, --max, --min, --exactly, which they do not answer"},
     Option{"--claims", "LIST",
            "the certificates and claims of a list like certificates/claims.tsv, one each line: a file, a "
            "tab, the six options above that state its claim; what stands after another tab is a remark"},
