@@ -13,9 +13,8 @@ mpz_class fixed(Round d, const Big& x, long places) {
 }
 
 /// Bounds of |sine - sin x| and |cosine - cos x| on [-1, 1], as the errors of the series, and of the
-/// derivative of the former: Z = cosine + i sine
-/// has Z' = i x' Z but for a residual, which is all that can move it away from exp(i x), and starts near
-/// exp(i x(0)). (L42, on its polynomials)
+/// derivative of the former: Z = cosine + i sine has Z' = i x' Z but for a residual, which is all that can
+/// move it away from exp(i x), and starts near exp(i x(0)). (L42, on its polynomials)
 void enclose_sine(Orbit& orbit) {
     const std::size_t n = orbit.x.term.size();
     const long one = orbit.x.places;
@@ -76,7 +75,7 @@ Excess excess(const Orbit& orbit, const Start& start) {
         result.error = 2 * slope.error / k + 1 + start.terms;
         return f + result;
     };
-    const Slope slope(start.terms, start.places, k);
+    const Difference slope(start.terms, start.places, k);
     const Series dx = slope.of(orbit.x), dslope = slope.of(orbit.slope), dcosine = slope.of(orbit.cosine);
     Series dsine = slope.of(orbit.sine);
     dsine.error += orbit.sine_slope_error;

@@ -90,9 +90,9 @@ inline Series operator*(const Series& a, const Series& b) {
 }
 
 /// How a polynomial changes over 2/k, by Taylor's formula.
-class Slope {
+class Difference {
   public:
-    Slope(std::size_t terms, long places, const mpz_class& k) : weights_(terms) {
+    Difference(std::size_t terms, long places, const mpz_class& k) : weights_(terms) {
         std::vector<mpz_class> choose(terms);  // (m over j), for one m after the other
         mpz_class power = 1;                   // k^(j - 1)
         std::vector<mpz_class> small;          // (2/k)^(j - 1) 2^places, rounded down, as long as it is not 0
