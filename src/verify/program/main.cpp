@@ -1,8 +1,8 @@
 // dumbbell-verify: verifies files and prints the results.
 #include <gmp.h>
+#include <sys/resource.h>
 
 #include <algorithm>
-#include <array>
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
@@ -104,12 +104,19 @@ void* reallocate(void* old, std::size_t /*old_size*/, std::size_t size) {
 void release(void* block, std::size_t /*size*/) { std::free(block); }
 
 /// The stack of the first thread grows as it is used, and where the threads' stacks have taken all memory it
-/// could not: a crash. It takes as much as is ever needed at once.
-[[gnu::noinline]] void take_stack() {
-    constexpr std::size_t page = 4096;
-    std::array<volatile char, 256 * page>
-        stack;  // NOLINT(cppcoreguidelines-pro-type-member-init): only touched
-    for (std::size_t i = 0; i < stack.size(); i += page) stack[i] = 0;
+/// could not: a crash. So it takes many pages at first.
+[[gnu::noinline]] void take_stack(std::size_t pages) {
+    volatile char page[4096];
+    page[0] = 0;
+    if (pages > 1) take_stack(pages - 1);
+    page[1] = 0;  // after the call, or the compiler would turn it into a loop in one page
+}
+/// As many as a deep tree needs, or a quarter of all that there may be.
+std::size_t pages_of_stack() {
+    constexpr rlim_t most = 1 << 20;
+    rlimit stack{};
+    const bool known = getrlimit(RLIMIT_STACK, &stack) == 0;
+    return (known ? std::min(most, stack.rlim_cur / 4) : most) / 4096;
 }
 
 int run(const Options& options) {
@@ -139,7 +146,7 @@ int run(const Options& options) {
 
 int main(int argc, char** argv) {
     using namespace dumbbell_verify;
-    take_stack();
+    take_stack(pages_of_stack());
     mp_set_memory_functions(allocate, reallocate, release);
     try {
         const Options options = parse_options({argv + std::min(argc, 1), argv + argc});
