@@ -106,7 +106,7 @@ void release(void* block, std::size_t /*size*/) { std::free(block); }
 /// The stack of the first thread grows as it is used, and where the threads' stacks have taken all memory it
 /// could not: a crash. So it takes many pages at first.
 [[gnu::noinline]] void take_stack(std::size_t pages) {
-    volatile char page[4096];
+    [[maybe_unused]] volatile char page[4096];
     page[0] = 0;
     if (pages > 1) take_stack(pages - 1);
     page[1] = 0;  // after the call, or the compiler would turn it into a loop in one page
