@@ -20,6 +20,7 @@ Nothing is drawn as proved that is not: each certificate is verified first. The 
 
 Examples:
   dumbbell plot staircase certificates/stairs-1-100.dbc --out stairs.svg
+  dumbbell plot law certificates/stairs-1-100.dbc --out law.svg
   dumbbell plot cover certificates/full-100.dbc.gz --out cover.svg
   dumbbell plot orbit 100 --out orbit.svg
   dumbbell plot phase falling.dbc --out phase.svg
@@ -33,6 +34,17 @@ For the dumbbell with the source paper's bound, for a wedge with its formula.
 Example:
   dumbbell certify 1:100 --out stairs.dbc
   dumbbell plot staircase stairs.dbc --out stairs.svg)";
+
+constexpr const char* law_description =
+    R"(N(q) - C sqrt q: as a staircase proves it, and for all greater mass ratios as the law does.
+
+The teeth are the certificate's. Beyond its end the picture shows what Theorem B of proofs/law.md says of every q, and
+everywhere the strips in which the law leaves two values; below, the steps of the staircase in the greater scale in which
+their strip is even. What the law rests on is a certificate of its own, which dumbbell law verifies and this command does
+not read.
+
+Example:
+  dumbbell plot law certificates/stairs-1-100.dbc --to 1e6 --out law.svg)";
 
 constexpr const char* cover_description =
     R"(The boxes of a cover, coloured by the number of collisions that they prove.
@@ -88,15 +100,22 @@ constexpr std::array<Option, 2> from_file(std::string_view text) {
 constexpr std::array at_ratio{
     Option{"--ratio", "RATIO", "the mass ratio to draw, of a certificate over a range"}};
 
-template <std::string (*draw)(const PlotRequest&), bool has_ratio = false>
+constexpr std::array to_ratio{Option{"--to", "RATIO", "the mass ratio where the picture ends", "1e12"}};
+
+enum class Asks { nothing, ratio, to };
+
+template <std::string (*draw)(const PlotRequest&), Asks asks = Asks::nothing>
 int run(const Given& given) {
     const Output out(given.text("--out"), {given.text("FILE")});
-    out.commit(draw({input_file(given.text("FILE")), has_ratio ? given.text("--ratio") : ""}));
+    out.commit(draw({.file = input_file(given.text("FILE")),
+                     .ratio = asks == Asks::ratio ? given.text("--ratio") : "",
+                     .to = asks == Asks::to ? given.text("--to") : ""}));
     return exit_done;
 }
 
 constexpr std::array staircase_options =
     from_file("certificate over a range of mass ratios (-: the standard input)");
+constexpr std::array law_options = joined(staircase_options, to_ratio);
 constexpr std::array cover_options =
     joined(from_file("certificate about a mass ratio, or about initial conditions (-: the standard input)"),
            at_ratio);
@@ -114,12 +133,13 @@ constexpr Command picture(std::string_view name, std::string_view text, std::spa
 
 constexpr Command staircase =
     picture("staircase", staircase_description, staircase_options, run<draw_staircase>);
-constexpr Command cover = picture("cover", cover_description, cover_options, run<draw_cover, true>);
-constexpr Command orbit = picture("orbit", orbit_description, orbit_options, run<draw_orbit, true>);
+constexpr Command law = picture("law", law_description, law_options, run<draw_law, Asks::to>);
+constexpr Command cover = picture("cover", cover_description, cover_options, run<draw_cover, Asks::ratio>);
+constexpr Command orbit = picture("orbit", orbit_description, orbit_options, run<draw_orbit, Asks::ratio>);
 constexpr Command phase = picture("phase", phase_description, phase_options, run<draw_phase>);
 constexpr Command adiabatic =
     picture("adiabatic", adiabatic_description, adiabatic_options, run<draw_adiabatic>);
-constexpr std::array pictures{&staircase, &cover, &orbit, &phase, &adiabatic};
+constexpr std::array pictures{&staircase, &cover, &orbit, &phase, &adiabatic, &law};
 
 }  // namespace
 

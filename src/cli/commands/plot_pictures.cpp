@@ -18,6 +18,7 @@
 #include "number/decimal.hpp"
 #include "number/ratio_argument.hpp"
 #include "pictures/cover.hpp"
+#include "pictures/law.hpp"
 #include "pictures/orbit.hpp"
 #include "pictures/phase.hpp"
 #include "pictures/staircase.hpp"
@@ -31,9 +32,13 @@ namespace {
 
 const Rational greatest_drawn_ratio = 100'000'000;  // about 9,000 collisions
 
+/// Up to where the law is drawn.
+const Rational greatest_ratio_of_law = Rational(pow(Integer(10), 36));
+
 /// What to run for a certificate of the kind that a picture needs.
 constexpr const char* make_cover =
     "dumbbell certify RATIO --out FILE, or by dumbbell trace ... --subdivide --out FILE";
+constexpr const char* make_staircase = "dumbbell certify LO:HI --out FILE";
 constexpr const char* make_orbit = "dumbbell certify RATIO --out FILE";
 constexpr const char* make_initial = "dumbbell trace RATIO ... --subdivide --out FILE";
 constexpr const char* make_adiabatic = "dumbbell adiabatic --delta D --out FILE";
@@ -128,8 +133,7 @@ Piece proved(const Rational& q) {
 }  // namespace
 
 std::string draw_staircase(const PlotRequest& request) {
-    const auto certificate =
-        certificate_of<Certificate>(request.file, "staircase", "dumbbell certify LO:HI --out FILE");
+    const auto certificate = certificate_of<Certificate>(request.file, "staircase", make_staircase);
     if (certificate.q_lo() == certificate.q_hi()) {
         throw InputError("a staircase needs a range of mass ratios: this certificate holds a single one");
     }
@@ -139,6 +143,26 @@ std::string draw_staircase(const PlotRequest& request) {
     }
     (void)verified(request.file, name(certificate.scene));
     return pictures::staircase_svg(certificate.pieces, certificate.scene);
+}
+
+std::string draw_law(const PlotRequest& request) {
+    const RatioArgument to = parse_ratio_argument(request.to);
+    if (to.lo != to.hi || to.lo > greatest_ratio_of_law) {
+        throw InputError("--to takes a single mass ratio, at most 10^36");
+    }
+    const Certificate certificate = verified_dumbbell(request, "law", make_staircase);
+    if (certificate.q_lo() == certificate.q_hi() || certificate.q_hi() < Rational(63)) {
+        throw InputError(
+            fmt::format("plot law needs a certificate over a range of mass ratios that reaches 63, where the "
+                        "law holds: '{}' is about {} to {}",
+                        request.file, exact_text(certificate.q_lo()), exact_text(certificate.q_hi())));
+    }
+    if (to.lo <= certificate.q_hi()) {
+        throw InputError(
+            fmt::format("'{}' reaches {} itself: --to is a greater mass ratio, where the law goes on",
+                        request.file, exact_text(certificate.q_hi())));
+    }
+    return pictures::law_svg(certificate.pieces, to.lo.convert_to<double>());
 }
 
 std::string draw_cover(const PlotRequest& request) {

@@ -10,9 +10,11 @@ namespace dumbbell::cli {
 struct PlotRequest {
     std::string file;   ///< of an orbit possibly a mass ratio
     std::string ratio;  ///< which one to draw, of a certificate over a range; empty: it has only one
+    std::string to;     ///< where the picture of the law ends
 };
 
 [[nodiscard]] std::string draw_staircase(const PlotRequest& request);
+[[nodiscard]] std::string draw_law(const PlotRequest& request);
 [[nodiscard]] std::string draw_cover(const PlotRequest& request);
 [[nodiscard]] std::string draw_orbit(const PlotRequest& request);
 [[nodiscard]] std::string draw_phase(const PlotRequest& request);

@@ -98,7 +98,7 @@ TEST_CASE("the help of a command that only has commands fits one screen, a line 
         {{},
          {"certify", "critical", "trace", "adiabatic", "campaign", "verify", "audit", "law", "plot",
           "report"}},
-        {{"plot"}, {"staircase", "cover", "orbit", "phase", "adiabatic"}},
+        {{"plot"}, {"staircase", "cover", "orbit", "phase", "adiabatic", "law"}},
         {{"campaign"}, {"plan", "run", "status", "merge"}}};
     for (const auto& [parent, below] : parents) {
         const std::string help = help_of(parent).out;

@@ -156,10 +156,23 @@ TEST_CASE("a range needs --ratio, and one that it has; nothing else takes it") {
     CHECK_THAT(refusal({"cover", "stairs.dbc", "--ratio", "1"}), Contains("lemma L7"));
 }
 
+TEST_CASE("the law continues a staircase that reaches it, up to --to") {
+    const std::string stairs = DUMBBELL_PROJECT "/certificates/stairs-1-100.dbc";
+    CHECK_THAT(picture({"law", stairs}), Contains("10\xc2\xb9\xc2\xb2") && Contains("Theorem B"));
+    CHECK_THAT(picture({"law", stairs, "--to", "1e6"}),
+               Contains("10\xe2\x81\xb6") && !Contains("10\xe2\x81\xb7"));
+    CHECK_THAT(refusal({"law", stairs, "--to", "100"}), Contains("reaches 100 itself"));
+    CHECK_THAT(refusal({"law", stairs, "--to", "200:300"}), Contains("single"));
+    CHECK_THAT(refusal({"law", stairs, "--to", "1e37"}), Contains("at most 10^36"));
+    CHECK_THAT(refusal({"law", "stairs.dbc"}), Contains("that reaches 63") && Contains("about 1 to 12"));
+    CHECK_THAT(refusal({"law", "ten.dbc"}), Contains("over a range"));
+    CHECK_THAT(refusal({"law", "falling.dbc"}), Contains("dumbbell certify LO:HI"));
+}
+
 TEST_CASE("what is not verified is not drawn, whatever the kind") {
     for (const auto& [word, file] :
          {std::pair{"cover", "full.dbc"}, std::pair{"orbit", "ten.dbc"}, std::pair{"phase", "falling.dbc"},
-          std::pair{"adiabatic", "adiabatic.dbc"}}) {
+          std::pair{"adiabatic", "adiabatic.dbc"}, std::pair{"law", "stairs.dbc"}}) {
         CAPTURE(word);
         std::string text = contents(certificates() / file);
         const std::size_t seal = text.rfind("sha256 ") + 7;
@@ -177,7 +190,8 @@ TEST_CASE("the pictures of docs/ are what the program draws from the shipped cer
     const std::string root = DUMBBELL_PROJECT "/";
     for (const auto& [word, certificate, name] :
          {std::tuple{"staircase", "stairs-1-1e4.dbc.gz", "staircase"},
-          std::tuple{"orbit", "q-100.dbc", "orbit-100"}, std::tuple{"cover", "full-100.dbc.gz", "cover-100"},
+          std::tuple{"law", "stairs-1-1e6.dbc.gz", "law"}, std::tuple{"orbit", "q-100.dbc", "orbit-100"},
+          std::tuple{"cover", "full-100.dbc.gz", "cover-100"},
           std::tuple{"cover", "q-100.dbc", "cover-turning-100"}}) {
         CAPTURE(name);
         const std::string drawn = picture({word, root + "certificates/" + certificate});
