@@ -36,7 +36,7 @@ Example:
   dumbbell plot staircase stairs.dbc --out stairs.svg)";
 
 constexpr const char* law_description =
-    R"(N(q) - C sqrt q: as a staircase proves it, and for all greater mass ratios as the law does.
+    R"(N(q) - C sqrt q: what a staircase proves, and beyond it the law.
 
 The teeth are the certificate's. Beyond its end the picture shows what Theorem B of proofs/law.md says of every q, and
 everywhere the strips in which the law leaves two values; below, the steps of the staircase in the greater scale in which
