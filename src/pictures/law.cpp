@@ -57,8 +57,8 @@ struct Law {
     }
     /// The fourth root of q times C sqrt q - (n - 2): of q_c(n) between 0 and c0, if n >= 9.
     [[nodiscard]] double lateness(long n, double q) const { return fourth_root(q) * (2 - excess(n)(q)); }
-    // The bounds of that by Theorem A, and from where on all steps have them: beyond q_c(903), where C sqrt q
-    // < 902.
+    // The bounds of that by Theorem A, and a ratio from where on all steps have them: C sqrt q < 902 at
+    // q_c(903).
     [[nodiscard]] Curve theorem_a_low() const {
         return [c0 = c0](double q) { return c0 - (0.063 * std::log(q) + 0.7) / fourth_root(q); };
     }
