@@ -29,7 +29,7 @@ template <>
     return {range, at0, slope};
 }
 
-[[nodiscard]] inline const Interval& range(const Interval& x) { return x; }
+[[nodiscard]] inline Interval range(const Interval& x) { return x; }
 [[nodiscard]] inline const Interval& range(const Slope& x) { return x.range; }
 
 // A whole number stands for itself, exactly.

@@ -71,13 +71,13 @@ class EndRule : LawRule<N> {
     static I window() { return {fraction<N>(-1, 10).lo, fraction<N>(3, 5).hi}; }
     /// (Q - pi/2)/d, as Q = J - A and u_b = 2 d.
     template <class Along, class End>
-    I offset(const Along& along, const End& end) const {
+    [[nodiscard]] I offset(const Along& along, const End& end) const {
         const I e2 = square(along.values(end.epsh));
         return I(-(Base::drift() * e2 / I(8)).hi, (cube(d_) * e2 * Base::rise()).hi) - along.values(end.A);
     }
 
     /// e_end/sqrt(eps).
-    S end_defect(const Along<N, Slope>& along, const End<Slope>& end) const {
+    [[nodiscard]] S end_defect(const Along<N, Slope>& along, const End<Slope>& end) const {
         const S d = along.line(0, 1), cos_d = along.cos_of(1), sin_d = d * along.sinc_of(1);
         const Moments<N, Slope> moments(along, end.Q, end.Q);
         const I size = up_to_size(along.values(end.A)) * d_;

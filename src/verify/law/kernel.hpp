@@ -76,7 +76,7 @@ class Moments {
         T G, H;
     };
     /// The integrals of t f(p U t) over t in [0, 1].
-    Pair over_way(const I& p, int parts) const {
+    [[nodiscard]] Pair over_way(const I& p, int parts) const {
         Pair sum{along_.line(0, 0), along_.line(0, 0)};
         I rise_G = 0, rise_H = 0;
         const I h = fraction<N>(1, parts), beyond = cube(h) / I(24);
@@ -95,14 +95,14 @@ class Moments {
         return {sum.G + along_.line(0, p * rise_G), sum.H + along_.line(0, p * rise_H)};
     }
     /// The integral of (1 + rho t) f(U (1 + rho t)) over t in [-1, 1], for H.
-    T over_step(const I& rho) const {
+    [[nodiscard]] T over_step(const I& rho) const {
         const I spread(-rho.hi, rho.hi), slope = slopes(I(1) + spread).second;
         const I right = fraction<N>(1, 2) + rho / I(3), left = fraction<N>(1, 2) - rho / I(3);
         return at(1).H * I(2) + along_.line(0, rho * (slope * right - slope * left));
     }
     /// Encloses the integral of t sinc(x) H2(pi - x, X), x = p U t, over t in [0, 1], H2 = 3 X F (F^2 -
     /// X^2)^(-5/2).
-    I second_order(const I& p, const I& X) const {
+    [[nodiscard]] I second_order(const I& p, const I& X) const {
         I sum = 0;
         constexpr int parts = 4;
         for (int i = 0; i < parts; ++i) {
@@ -115,13 +115,13 @@ class Moments {
     }
 
   private:
-    Pair at(const I& k) const {
+    [[nodiscard]] Pair at(const I& k) const {
         const T wave = along_.sinc_of(k), F = along_.line(pi<N>(), -k);
         const T by_Q = square(F) - square(Q_), by_J = square(F) - square(J_);
         return {wave * (J_ / (F * square_root(by_J))), wave * (F / (by_Q * square_root(by_Q)))};
     }
     /// f' of both at x = k U.
-    std::pair<I, I> slopes(const I& k) const {
+    [[nodiscard]] std::pair<I, I> slopes(const I& k) const {
         const I x = k * along_.U, F = pi<N>() - x, f = I(1) / F;
         const I R_J = square(F) - square(whole_J_), j1 = I(1) / square_root(R_J), j3 = j1 / R_J;
         const I R = square(F) - square(whole_Q_), r3 = I(1) / (R * square_root(R));

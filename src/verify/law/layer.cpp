@@ -107,11 +107,11 @@ class LayerRule : LawRule<N> {
     }
     /// (Q - pi/2)/(U rho^2), as Q = J - A.
     template <class Step, class Along>
-    I offset(const Along& along, const Step& step) const {
+    [[nodiscard]] I offset(const Along& along, const Step& step) const {
         return J_offset(along, step) - along.values(step.first);
     }
     template <class Along>
-    typename Along::T offset_by(const Along& along, const I& q) const {
+    [[nodiscard]] typename Along::T offset_by(const Along& along, const I& q) const {
         return along.line(quarter, square(rho_) * q);
     }
 

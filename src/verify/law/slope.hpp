@@ -105,15 +105,15 @@ struct Along {
     const I U;
 
     /// x0 + U x1 that lies in `whole` as well.
-    T make(const I& zero, const I& rise, const I& whole) const {
+    [[nodiscard]] T make(const I& zero, const I& rise, const I& whole) const {
         if constexpr (std::is_same_v<T, I>)
             return whole;
         else
             return {zero, rise, whole};
     }
-    T line(const I& zero, const I& rise) const { return make(zero, rise, zero + U * rise); }
+    [[nodiscard]] T line(const I& zero, const I& rise) const { return make(zero, rise, zero + U * rise); }
     /// The values of the quantity.
-    I values(const T& x) const {
+    [[nodiscard]] I values(const T& x) const {
         if constexpr (std::is_same_v<T, I>)
             return x;
         else
@@ -121,16 +121,16 @@ struct Along {
     }
     /// sinc(k U) and cos(k U) for numbers k >= 0, k U in [0, 2]: with x = k U, 1 - sinc x lies in
     /// (x^2/6) [1 - x^2/20, 1] and 1 - cos x in (x^2/2) [1 - x^2/12, 1] (alternating series).
-    T sinc_of(const I& k) const {
+    [[nodiscard]] T sinc_of(const I& k) const {
         const I x = k * U, share = below_one(square(x), fraction<N>(1, 20));
         return make(1, -(k * x / I(6) * share), sinc(x));
     }
-    T cos_of(const I& k) const {
+    [[nodiscard]] T cos_of(const I& k) const {
         const I x = k * U, share = below_one(square(x), fraction<N>(1, 12));
         return make(1, -(k * x / I(2) * share), falling_cosine(x));
     }
     /// w (1 - s x^2 [1 - t x^2, 1]) with x = k U.
-    T nearly(const I& w, const I& k, const I& s, const I& t) const {
+    [[nodiscard]] T nearly(const I& w, const I& k, const I& s, const I& t) const {
         const I x = k * U, share = s * below_one(square(x), t);
         return make(w, -(w * k * x * share), w * (I(1) - square(x) * share));
     }

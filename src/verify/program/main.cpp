@@ -121,6 +121,7 @@ std::size_t pages_of_stack() {
 
 int run(const Options& options) {
     std::vector<std::string> inputs;
+    inputs.reserve(options.jobs.size());
     for (const Job& job : options.jobs) inputs.push_back(job.file);
     if (!options.junit.empty()) require_replaceable(options.junit, inputs);
     const auto start = std::chrono::steady_clock::now();
