@@ -2,7 +2,7 @@
 
 #include <fmt/core.h>
 
-#include "base/printable.hpp"
+#include "law/certificate.hpp"
 #include "number/decimal.hpp"
 
 namespace dumbbell::law {
@@ -41,11 +41,7 @@ std::string verdict(const AtRatioReport& report) {
 }
 
 std::string to_text(const AtRatioReport& report) {
-    return verdict(report) + place(report.at) +
-           fmt::format(
-               "\nThis rests on the law for every mass ratio (proofs/law.md) with its certificate\n"
-               "{} (sha256 {}); dumbbell law checks it.\n",
-               one_line(report.file), report.sha256);
+    return verdict(report) + place(report.at) + "\n" + basis_text(report.file, report.sha256);
 }
 
 Json to_json(const AtRatioReport& report) {

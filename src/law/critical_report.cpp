@@ -2,7 +2,7 @@
 
 #include <fmt/core.h>
 
-#include "base/printable.hpp"
+#include "law/certificate.hpp"
 #include "number/decimal.hpp"
 
 namespace dumbbell::law {
@@ -32,12 +32,9 @@ std::string verdict(const CriticalByLaw& report) {
 std::string to_text(const CriticalByLaw& report) {
     const Rational width = exact_hi(report.q_c) - exact_lo(report.q_c);
     return verdict(report) +
-           fmt::format(
-               "Width: {}. The maximum steps from {} to {} there.\n\n"
-               "This rests on the law for every mass ratio (proofs/law.md) with its certificate\n"
-               "{} (sha256 {}); dumbbell law checks it.\n",
-               dumbbell::to_text(cut_up(width, 3)), Integer(report.n - 1).str(), report.n.str(),
-               one_line(report.file), report.sha256);
+           fmt::format("Width: {}. The maximum steps from {} to {} there.\n\n",
+                       dumbbell::to_text(cut_up(width, 3)), Integer(report.n - 1).str(), report.n.str()) +
+           basis_text(report.file, report.sha256);
 }
 
 Json to_json(const CriticalByLaw& report) {

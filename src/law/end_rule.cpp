@@ -48,7 +48,7 @@ Last last(const Interval& d, const Interval& q) {
 Interval narrowed(const Interval& d, const Interval& q) {
     const Last at = last(d, q);
     const Interval e2 = sqr(range(at.epsh));
-    const Interval J(-(Interval(53) / 10 * e2 / 8).hi(), (d * sqr(d) * e2 / 4).hi());
+    const Interval J(-(drift_window() * e2 / 8).hi(), (d * sqr(d) * e2 / 4).hi());
     return common(J - range(at.ah), q);
 }
 
@@ -85,7 +85,7 @@ EndBounds end_bounds(const Interval& d) {
 }
 
 bool certainly_beyond(const Interval& d) {
-    const Interval Q = half_pi<Interval>() + hull(Interval(-1) / 100, Interval(1) / 20);
+    const Interval Q = first_window();
     return (sqr(d) * range(last(d, Slope{Q, Q, Interval(0)}).epsh)).lo() > 0.001;
 }
 

@@ -70,6 +70,14 @@ template <class X>
 /// int_0^1 t sinc(u t) H2(pi - u t, Q) dt in n equal parts.
 [[nodiscard]] Interval second_moment(const Interval& u, const Interval& Q, int n);
 
+/// How far J may lie below pi/2, in units of eps^2/u^3.
+[[nodiscard]] inline Interval drift_window() { return Interval(53) / Interval(10); }
+
+/// Where Q of every step of the layer and of the end lies (L53).
+[[nodiscard]] inline Interval first_window() {
+    return half_pi<Interval>() + hull(Interval(-1) / 100, Interval(1) / 20);
+}
+
 /// k0 = 3^(-7/4) pi^(-1/2).
 [[nodiscard]] Interval comparison_constant();
 

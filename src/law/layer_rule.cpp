@@ -11,12 +11,6 @@ constexpr int parts = 64;        ///< of the quadratures over t
 constexpr int second_parts = 8;  ///< of those in terms of second order
 constexpr int passes = 4;        ///< of the iteration that encloses Q
 
-/// How far J may lie below pi/2, in units of eps^2/u^3.
-Interval drift_window() { return Interval(53) / Interval(10); }
-
-/// Where Q of every step of the layer lies (L53).
-Interval first_window() { return half_pi<Interval>() + hull(Interval(-1) / 100, Interval(1) / 20); }
-
 /// The quantities of a step that the rule is made of; (8) and (11) of proofs/law.md.
 template <class X>
 struct Step {

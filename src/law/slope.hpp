@@ -1,6 +1,7 @@
 #pragma once
 
 #include "number/elementary.hpp"
+#include "number/enclosure.hpp"
 
 /// Two ways to write a quantity that depends on U over a box: plainly, as the Interval of its values, or as
 /// a Slope, which also knows its value at U = 0 and what it changes by per unit of U. The rules of the law
@@ -29,7 +30,7 @@ template <>
     return {range, at0, slope};
 }
 
-[[nodiscard]] inline Interval range(const Interval& x) { return x; }
+using dumbbell::range;  // of plain values
 [[nodiscard]] inline const Interval& range(const Slope& x) { return x.range; }
 
 // A whole number stands for itself, exactly.

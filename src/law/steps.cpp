@@ -28,18 +28,18 @@ Rational simplest_between(const Rational& lo, const Rational& hi) {
 }
 
 /// ((n - 2 + delta)/C)^2 in plain doubles: the ratio at which C sqrt q - (n - 2) is delta.
-double ratio_of(long n, double delta) {
-    const double root = (static_cast<double>(n - 2) + delta) / 0.885595129452713911;
+double ratio_of(long n, double delta, double C) {
+    const double root = (static_cast<double>(n - 2) + delta) / C;
     return root * root;
 }
 
 }  // namespace
 
-StepEnds step_ends(long n) {
+StepEnds step_ends(long n, const Constants& constants) {
     const double q = collisions::guess_critical_ratio(n);
-    const double least = ratio_of(n, n < 9 ? -0.115 : 0);
-    const double greatest =
-        ratio_of(n, std::min(0.02, n < 9 ? 0.02 : 0.2058115895 / std::sqrt(std::sqrt(q))));
+    const double C = approximate(constants.C), strip = approximate(constants.c0) / std::sqrt(std::sqrt(q));
+    const double least = ratio_of(n, n < 9 ? -0.115 : 0, C);
+    const double greatest = ratio_of(n, n < 9 ? 0.02 : std::min(0.02, strip), C);
     // From a quarter to a half of the room on each side.
     const auto between = [](double x, double y) { return simplest_between(exact(x), exact(y)); };
     return {n == 3 ? Rational(1) : between(q - (q - least) / 2, q - (q - least) / 4),
@@ -77,7 +77,7 @@ std::optional<std::vector<collisions::Piece>> prove_steps(const Interrupted& int
             all = false;
             return;
         }
-        const StepEnds ends = step_ends(n);
+        const StepEnds ends = step_ends(n, constants);
         steps[i] = collisions::prove_step(ends.below, ends.above, n, options).piece;
         if (!steps[i].upper || !steps[i].witness || !shows_the_law(n, ends, constants)) {
             all = false;

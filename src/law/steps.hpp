@@ -16,7 +16,7 @@ namespace dumbbell::law {
 struct StepEnds {
     Rational below, above;
 };
-[[nodiscard]] StepEnds step_ends(long n);
+[[nodiscard]] StepEnds step_ends(long n, const Constants& constants);
 
 /// Whether certainly, for all q_c in [A, B]: -0.115 <= delta <= 0.02, and for n >= 9 0 < delta < c0
 /// q_c^(-1/4), delta = C sqrt q_c - (n - 2).

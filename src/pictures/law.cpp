@@ -12,6 +12,7 @@
 #include "law/constants.hpp"
 #include "pictures/frame.hpp"
 #include "pictures/palette.hpp"
+#include "pictures/staircase.hpp"
 
 namespace dumbbell::pictures {
 
@@ -188,19 +189,10 @@ struct Content {
     }
 };
 
-void draw_open(Svg& svg, const Frame& frame, const Content& content) {
-    for (const Piece& piece : content.pieces) {
-        if (piece.status() == Status::open) {
-            const double x = frame.x(value(piece.q_lo));
-            svg.rect("hatched", x, frame.top(), frame.x(value(piece.q_hi)) - x, frame.height());
-        }
-    }
-}
-
 void draw_teeth(Svg& svg, const Frame& frame, const Content& content) {
     const auto& [pieces, law, all, known] = content;
     const Range lawful{std::max(all.lo, law_from), all.hi};
-    draw_open(svg, frame, content);
+    draw_open(svg, frame, pieces);
     frame.open_clip(svg);
     svg.path("law", area(frame, {known.hi, all.hi}, law.strip_below(1), level(2)));
     svg.path("strip", area(frame, lawful, law.strip_below(1), level(1)) +
@@ -228,7 +220,7 @@ void draw_steps(Svg& svg, const Frame& frame, const Content& content) {
     const auto& [pieces, law, all, known] = content;
     const Range lawful{std::max(all.lo, law_from), all.hi};
     const double narrow = std::max(lawful.lo, law.theorem_a_from());
-    draw_open(svg, frame, content);
+    draw_open(svg, frame, pieces);
     frame.open_clip(svg);
     svg.path("strip", area(frame, lawful, level(0), level(law.c0)));
     if (narrow < all.hi) {

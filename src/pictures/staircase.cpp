@@ -156,6 +156,15 @@ Names names_of(Scene scene) {
 
 }  // namespace
 
+void draw_open(Svg& svg, const Frame& frame, const std::vector<Piece>& pieces) {
+    for (const Piece& piece : pieces) {
+        if (piece.status() == Status::open) {
+            const double x = frame.x(value(piece.q_lo));
+            svg.rect("hatched", x, frame.top(), frame.x(value(piece.q_hi)) - x, frame.height());
+        }
+    }
+}
+
 std::string staircase_svg(const std::vector<Piece>& pieces, Scene scene) {
     require(!pieces.empty() && pieces.front().q_lo < pieces.back().q_hi, "staircase picture: an empty range");
     const double q_lo = value(pieces.front().q_lo);
@@ -209,12 +218,7 @@ std::string staircase_svg(const std::vector<Piece>& pieces, Scene scene) {
     svg.colour("paper-word", "fill", palette::paper);
     svg.colour("growth", "stroke", palette::growth);
     svg.text(left, top_margin + 9, names.title, Anchor::start, "head");
-    for (const Piece& piece : pieces) {
-        if (piece.status() == Status::open) {
-            const double x = frame.x(value(piece.q_lo));
-            svg.rect("hatched", x, frame.top(), frame.x(value(piece.q_hi)) - x, frame.height());
-        }
-    }
+    draw_open(svg, frame, pieces);
     frame.draw_grid(svg);
     frame.open_clip(svg);
     if (has(Status::gap)) {

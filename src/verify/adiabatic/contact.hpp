@@ -6,17 +6,6 @@
 
 namespace dumbbell_verify {
 
-/// The square roots of what is not negative in x.
-template <class N>
-Interval<N> root(const Interval<N>& x) {
-    const auto end = [](Round d, const N& y) {
-        if (!(y > N(0))) return N(0);
-        const N guess = sqrt(y), other = div(d, y, guess);  // the root lies between y/g and g, for any g > 0
-        return d == down ? std::min(guess, other) : std::max(guess, other);
-    };
-    return {end(down, x.lo), end(up, x.hi)};
-}
-
 /// x^(n/16) for x >= 0.
 template <class N>
 Interval<N> sixteenths(const Interval<N>& x, unsigned n) {

@@ -41,13 +41,7 @@ struct Slope {
 /// The square roots of an interval without negative numbers; unbounded otherwise.
 template <class N>
 Interval<N> square_root(const Interval<N>& x) {
-    const auto end = [](Round d, const N& y) {
-        if (!(y > N(0))) return N(0);
-        const N guess = sqrt(y), other = div(d, y, guess);  // the root lies between y/g and g, for any g > 0
-        return d == down ? std::min(guess, other) : std::max(guess, other);
-    };
-    if (!(x.lo >= N(0))) return Interval<N>(1) / Interval<N>(0);
-    return {end(down, x.lo), end(up, x.hi)};
+    return x.lo >= N(0) ? root(x) : Interval<N>(1) / Interval<N>(0);
 }
 template <class N>
 Slope<N> square_root(const Slope<N>& x) {

@@ -1,8 +1,19 @@
-// Sine and cosine of intervals anywhere on the line, from those on [0, 2].
+// Sine and cosine of intervals anywhere on the line, from those on [0, 2]; square roots.
 #pragma once
 #include "verify/number/interval.hpp"
 
 namespace dumbbell_verify {
+
+/// The square roots of what is not negative in x.
+template <class N>
+Interval<N> root(const Interval<N>& x) {
+    const auto end = [](Round d, const N& y) {
+        if (!(y > N(0))) return N(0);
+        const N guess = sqrt(y), other = div(d, y, guess);  // the root lies between y/g and g, for any g > 0
+        return d == down ? std::min(guess, other) : std::max(guess, other);
+    };
+    return {end(down, x.lo), end(up, x.hi)};
+}
 
 constexpr double most_quarters = 0x1p28;  ///< of a turn: farther out nothing is known
 

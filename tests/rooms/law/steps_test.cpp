@@ -14,7 +14,7 @@ TEST_CASE("the ends of a step enclose its critical ratio and show the law") {
     const Constants constants;
     for (const long n : {3L, 4L, 8L, 9L, 10L, 21L, 22L, 100L, 901L, 902L}) {
         CAPTURE(n);
-        const StepEnds ends = step_ends(n);
+        const StepEnds ends = step_ends(n, constants);
         CHECK(shows_the_law(n, ends, constants));
         CHECK(certainly_encloses({n, ends.below, ends.above, 64}));
     }
@@ -23,7 +23,7 @@ TEST_CASE("the ends of a step enclose its critical ratio and show the law") {
 TEST_CASE("ends that lie too far off show nothing") {
     const PrecisionScope scope(128);
     const Constants constants;
-    const StepEnds ends = step_ends(21);
+    const StepEnds ends = step_ends(21, constants);
     CHECK_FALSE(shows_the_law(21, {ends.below, ends.above * Rational(101, 100)}, constants));
     CHECK_FALSE(shows_the_law(21, {ends.below * Rational(99, 100), ends.above}, constants));
     // delta < 0.02 at the step to 21, as 0.980 demands: 1/9 more of it would be too much.
