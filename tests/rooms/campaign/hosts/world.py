@@ -12,8 +12,9 @@ import tempfile
 INSIDE = "DUMBBELL_HOSTS_WORLD"
 UNSHARE = ["unshare", "--net", "--mount", "--propagation", "unchanged", "--pid", "--fork", "--kill-child", "--mount-proc"]
 # Nothing that is mounted from here on is seen outside. In a chroot, where / is no mount, one has to step out of it to
-# say so: a process that enters a namespace of mounts, here this very one, is at its root.
-ALONE = 'mount --make-rprivate / 2> /dev/null || nsenter --mount=/proc/self/ns/mnt mount --make-rprivate / && exec "$@"'
+# say so: a process that enters a namespace of mounts, here this very one, is at its root, where PATH means nothing.
+ALONE = 'mount --make-rprivate / 2> /dev/null || nsenter --mount=/proc/self/ns/mnt ' \
+        '"$(readlink -f "$(command -v mount)")" --make-rprivate / && exec "$@"'
 PROBE = "mount -t tmpfs tmpfs /run && ip netns add probe && ip link add bridge type bridge && " \
         "ip link add probe type veth peer name eth0 netns probe && unshare --uts true"
 
