@@ -20,7 +20,11 @@ struct LawStates {
     mpq_class least_Q{-1, 100'000}, most_Q{3, 100'000};  ///< less pi/2
     int parts = 12;                                      ///< of an integral in the layer
 };
-inline const LawStates law_states;
+/// Made when it is first used: before main() nobody could say that there is no memory.
+inline const LawStates& law_states() {
+    static const LawStates states;
+    return states;
+}
 
 struct LawLeaf {
     enum Rule { step, slope, direct, beyond, bulk, end };
@@ -31,7 +35,7 @@ struct LawLeaf {
     std::uint64_t line = 0;
     unsigned bits = 53;
     bool multiple = false;
-    const LawStates* states = &law_states;
+    const LawStates* states = &law_states();
     LawBox box;
     Leaf at_step;  ///< instead of the box, if it is a part of a step
 };

@@ -1,5 +1,6 @@
 // dumbbell-verify: verifies files and prints the results.
 #include <gmp.h>
+#include <sys/mman.h>
 #include <sys/resource.h>
 
 #include <algorithm>
@@ -103,20 +104,24 @@ void* reallocate(void* old, std::size_t /*old_size*/, std::size_t size) {
 }
 void release(void* block, std::size_t /*size*/) { std::free(block); }
 
-/// The stack of the first thread grows as it is used, and where the threads' stacks have taken all memory it
-/// could not: a crash. So it takes many pages at first.
-[[gnu::noinline]] void take_stack(std::size_t pages) {
+[[gnu::noinline]] void touch_stack(std::size_t pages) {
     [[maybe_unused]] volatile char page[4096];
     page[0] = 0;
-    if (pages > 1) take_stack(pages - 1);
+    if (pages > 1) touch_stack(pages - 1);
     page[1] = 0;  // after the call, or the compiler would turn it into a loop in one page
 }
-/// As many as a deep tree needs, or a quarter of all that there may be.
-std::size_t pages_of_stack() {
+/// The stack of the first thread grows as it is used, and where the threads' stacks have taken all memory it
+/// could not: a crash. So it takes as many pages at first as a deep tree needs, or a quarter of all that
+/// there may be; where there is no room for them, it says so.
+void take_stack() {
     constexpr rlim_t most = 1 << 20;
     rlimit stack{};
     const bool known = getrlimit(RLIMIT_STACK, &stack) == 0;
-    return (known ? std::min(most, stack.rlim_cur / 4) : most) / 4096;
+    const std::size_t size = known ? std::min(most, stack.rlim_cur / 4) : most;
+    void* room = mmap(nullptr, size, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+    if (room == MAP_FAILED) out_of_memory();
+    munmap(room, size);
+    touch_stack(size / 4096);
 }
 
 int run(const Options& options) {
@@ -147,7 +152,7 @@ int run(const Options& options) {
 
 int main(int argc, char** argv) {
     using namespace dumbbell_verify;
-    take_stack(pages_of_stack());
+    take_stack();
     mp_set_memory_functions(allocate, reallocate, release);
     try {
         const Options options = parse_options({argv + std::min(argc, 1), argv + argc});

@@ -309,6 +309,19 @@ TEST_CASE(
     }
 }
 
+TEST_CASE("with hardly enough memory to be loaded the exit code is that of a resource limit") {
+    if (sanitized) return;
+    const File file(ten());
+    int limits = 0;
+    for (int kilobytes = 10'000; kilobytes < 24'000; kilobytes += 60) {
+        const Run r = run(file.path(), "ulimit -v " + std::to_string(kilobytes) + "; ");
+        INFO(kilobytes << ": " << r.code << " " << r.err);
+        CHECK((r.code == 0 || r.code == 4 || r.code == 127));  // 127: it was not loaded
+        limits += r.code == 4;
+    }
+    CHECK(limits > 0);
+}
+
 TEST_CASE("results do not depend on the number of threads") {
     std::string leaves, text;
     for (int i = 0; i < 400; ++i) leaves += "split e\n";
