@@ -5,6 +5,7 @@
 
 #include "base/error.hpp"
 #include "collisions/critical_guess.hpp"
+#include "collisions/critical_long.hpp"
 #include "flight/extremal_orbit.hpp"
 #include "number/decimal.hpp"
 
@@ -93,6 +94,9 @@ std::optional<CriticalRatio> enclose_critical_ratio(long n, const CriticalOption
     require(n >= 3 && options.digits >= 1 && options.digits <= most_critical_digits,
             "critical ratio: out of the domain");
     const ExtremalFlight flight = flight::tangent_flight(n);
+    if (is_long(n)) {
+        return enclose_long_critical_ratio(n, options);
+    }
     Rational guess = Rational(1) / exact(guess_critical_ratio(n, options.interrupted));
 
     int bits = least_bits;
@@ -128,6 +132,9 @@ std::optional<CriticalRatio> enclose_critical_ratio(long n, const CriticalOption
 bool certainly_encloses(const CriticalRatio& ratio, const Interrupted& interrupted) {
     if (ratio.n == 3) {
         return ratio.q_lo <= 1 && ratio.q_hi >= 1;
+    }
+    if (is_long(ratio.n)) {
+        return certainly_encloses_by_counts(ratio, interrupted);
     }
     // At the ends of an enclosure as narrow as its precision permits the margin is a few units in the last
     // place.

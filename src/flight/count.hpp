@@ -50,16 +50,23 @@ class MacroSteps {
 
 }  // namespace detail
 
+/// Looks at no ray on the way.
+inline constexpr auto unseen = [](long, const auto&, const auto&) {};
+
 /// An upper bound of G over all rays that lie at or above `lowest` in c, kappa and r: the lowest, flattest
 /// ray is followed with lower bounds, and a contact counts unless a strict miss is certain. Stops at `cap` +
-/// 1 ("more than cap"), also if interrupted. Precondition: lowest.c >= 0, lowest.kappa >= -lowest.r.
-template <class I>
-long count_at_most(const Ray<I>& lowest, long cap, const Interrupted& interrupted = never) {
+/// 1 ("more than cap"), also if interrupted. `see(n, c, kappa)` gets the bounds of the flight after n
+/// collisions, but for those that macro steps pass over. Precondition: lowest.c >= 0, lowest.kappa >=
+/// -lowest.r.
+template <class I, class See = decltype(unseen)>
+long count_at_most(const Ray<I>& lowest, long cap, const Interrupted& interrupted = never,
+                   const See& see = unseen) {
     const I r = low_end(lowest.r);
     I c = low_end(lowest.c);
     I kappa = low_end(lowest.kappa);
     detail::MacroSteps<I> macro_steps(macro::BoundSide::lower, r, cap, interrupted);
     for (long count = 0; count <= cap; ++count) {
+        see(count, c, kappa);
         if (certainly_at_most(I(1), kappa)) {
             return count;  // L3
         }

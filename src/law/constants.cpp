@@ -2,7 +2,7 @@
 
 #include <arb.h>
 
-#include "staircase/growth_constant.hpp"
+#include "flight/growth_constant.hpp"
 
 namespace dumbbell::law {
 
@@ -27,6 +27,6 @@ BigInterval correction_constant() {
     return result;
 }
 
-Constants::Constants() : C(staircase::growth_constant()), c0(correction_constant()) {}
+Constants::Constants() : C(flight::growth_constant()), c0(correction_constant()) {}
 
 }  // namespace dumbbell::law

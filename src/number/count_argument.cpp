@@ -2,34 +2,41 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
+#include <cmath>
+#include <optional>
 
 #include "base/error.hpp"
 #include "base/printable.hpp"
+#include "number/rational.hpp"
 
 namespace dumbbell {
 namespace {
 
-constexpr long greatest_count = 1'000'000'000'000;
 constexpr long most_ratios = 1'000'000;
 
 long parse_count(const std::string& text) {
-    const bool digits = !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
-    if (!digits) {
+    const auto number = [&]() -> std::optional<Rational> {
+        try {
+            return parse_rational(text, text.size());
+        } catch (const InputError&) {
+            return std::nullopt;
+        }
+    }();
+    if (!number || denominator(*number) != 1 || *number < 0) {
         throw InputError(fmt::format(
             "'{}' is no number of collisions: write N or N1:N2, for example 4 or 3:20", printable(text, 40)));
     }
-    const std::size_t zeros = std::min(text.find_first_not_of('0'), text.size() - 1);
-    const long n = text.size() - zeros > 13 ? greatest_count + 1 : std::stol(text);
-    if (n > greatest_count) {
-        throw InputError(fmt::format("{}... collisions are too many: at most 10^12", text.substr(zeros, 14)));
+    if (*number > greatest_count) {
+        throw InputError(
+            fmt::format("{} collisions are too many: at most 10^{} (dumbbell critical N --by law goes on)",
+                        printable(text, 40), static_cast<int>(std::log10(greatest_count))));
     }
-    if (n < 3) {
+    if (*number < 3) {
         throw InputError(fmt::format(
             "there is no critical ratio for N = {}: the maximum is never below 2; the first is for N = 3",
-            n));
+            numerator(*number).str()));
     }
-    return n;
+    return number->convert_to<long>();
 }
 
 }  // namespace

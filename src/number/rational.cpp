@@ -184,6 +184,10 @@ Rational parse_rational(std::string_view text, std::size_t max_length) {
         return {to_integer(digits), denominator};
     }
     int exponent = 0;
+    if (digits == "10" && rest.starts_with('^')) {
+        digits = "1";
+        exponent = parse_exponent(std::exchange(rest, {}).substr(1), text);
+    }
     if (!rest.empty() && rest[0] == '.') {
         rest.remove_prefix(1);
         const std::string fraction = take_digits(rest);

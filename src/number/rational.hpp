@@ -87,8 +87,9 @@ template <>
 [[nodiscard]] Integer denominator(const Rational& x);
 [[nodiscard]] Rational abs(Rational x);
 
-/// A decimal, [0-9]+(.[0-9]+)?([eE][+-]?[0-9]+)?, or a fraction, INT/INT, exactly. Throws InputError (naming
-/// the text) for anything else, more than 1,000 characters, |exponent| > 1000, or a zero denominator.
+/// A decimal, [0-9]+(.[0-9]+)?([eE][+-]?[0-9]+)?, a power 10^[+-]?[0-9]+, or a fraction, INT/INT, exactly.
+/// Throws InputError (naming the text) for anything else, more than 1,000 characters, |exponent| > 1000, or a
+/// zero denominator.
 [[nodiscard]] Rational parse_rational(std::string_view text, std::size_t max_length = 1000);
 
 /// A user's text as it may stand in a message: printable, and its first 40 characters only.

@@ -8,10 +8,10 @@
 #include "base/error.hpp"
 #include "base/printable.hpp"
 #include "file/lines.hpp"
+#include "flight/growth_constant.hpp"
 #include "number/decimal.hpp"
 #include "page/file.hpp"
 #include "pictures/palette.hpp"
-#include "staircase/growth_constant.hpp"
 
 namespace dumbbell::page {
 namespace {
@@ -45,7 +45,7 @@ struct LeavesOf {
 
 std::string growth_digits() {
     const PrecisionScope scope(constant_bits);
-    const BigInterval c = staircase::growth_constant();
+    const BigInterval c = flight::growth_constant();
     const auto digits = shared_digits(exact_lo(c), exact_hi(c), constant_digits);
     require(digits.has_value(), "report: the constant C is not known to 20 digits");
     return to_text(*digits);

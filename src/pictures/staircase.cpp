@@ -9,10 +9,10 @@
 #include <vector>
 
 #include "base/error.hpp"
+#include "flight/growth_constant.hpp"
 #include "flight/paper_bound.hpp"
 #include "pictures/frame.hpp"
 #include "pictures/palette.hpp"
-#include "staircase/growth_constant.hpp"
 
 namespace dumbbell::pictures {
 
@@ -52,7 +52,7 @@ std::string far_bound(const std::vector<Piece>& pieces) {
 
 /// 2 + C sqrt q, which the maximum stays close to (theorem 4).
 std::string growth_path(const Frame& frame, double q_lo, double q_hi) {
-    const double c = approximate(staircase::growth_constant());
+    const double c = approximate(flight::growth_constant());
     std::string path;
     constexpr int parts = 200;
     for (int i = 0; i <= parts; ++i) {

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "collisions/critical_long.hpp"
 #include "flight/extremal_orbit.hpp"
 #include "number/decimal.hpp"
 #include "staircase/critical_number.hpp"
@@ -42,6 +43,15 @@ Json row_json(const CriticalRow& row, const CriticalReport& report) {
     return json;
 }
 
+std::string method(long first, long last) {
+    const std::string newton = "interval Newton: exactly one tangency in the bracket";
+    const std::string counts = "numbers of collisions at both ends, by macro steps (L42)";
+    if (collisions::is_long(first) || !collisions::is_long(last)) {
+        return collisions::is_long(first) ? counts : newton;
+    }
+    return newton + "; from N = " + std::to_string(collisions::first_long) + " on " + counts;
+}
+
 }  // namespace
 
 Json to_json(const CriticalReport& report) {
@@ -51,7 +61,7 @@ Json to_json(const CriticalReport& report) {
     }
     return Json::object(
         {{"schema", "dumbbell-critical-1"},
-         {"method", "interval Newton: exactly one tangency in the bracket"},
+         {"method", method(report.request.first, report.request.last)},
          {"rests_on", "proofs/theorem.md, theorem 2"},
          {"digits", report.request.digits},
          {"confirm", report.request.confirm ? Json(to_fraction(*report.request.confirm)) : Json()},

@@ -11,17 +11,25 @@
 
 #include "base/deadline.hpp"
 #include "base/error.hpp"
+#include "collisions/critical_long.hpp"
 #include "number/decimal.hpp"
 #include "number/self_test.hpp"
 
 namespace dumbbell::staircase {
 namespace {
 
-/// Flights of all orbits of the request: n/2 each.
+/// Flights that take as long as the request: n/2 for each orbit that is followed, and for a long one about as
+/// many as for the first, times its digits beyond them.
 double flights(const CriticalRequest& request) {
-    const auto first = static_cast<double>(request.first);
-    const auto last = static_cast<double>(request.last);
-    return (last - first + 1) * (first + last) / 4;
+    const auto number = [](long first, long last) {
+        return static_cast<double>(std::max(0L, last - first + 1));
+    };
+    const long followed = std::min(request.last, collisions::first_long - 1);
+    const long jumped = std::max(request.first, collisions::first_long);
+    const double longer = static_cast<double>(request.last) / collisions::first_long;
+    return number(request.first, followed) * static_cast<double>(request.first + followed) / 4 +
+           number(jumped, request.last) * collisions::first_long / 2 *
+               (1 + std::log10(std::max(1.0, longer)));
 }
 
 /// Of this thread: however busy the machine is, the same work takes as much.
@@ -69,7 +77,7 @@ std::vector<CriticalRow> critical_ratios(const CriticalRequest& request) {
 std::chrono::duration<double> estimated_time(const CriticalRequest& request) {
     constexpr long sample = 62;  // 30 flights: a few milliseconds
     // Longer orbits lose more digits (expected_bits of critical.cpp): let the sample have as many bits.
-    const double longer = static_cast<double>(request.last) / sample;
+    const double longer = static_cast<double>(std::min(request.last, collisions::first_long)) / sample;
     const int lost = static_cast<int>(std::ceil(4 * std::log10(std::max(1.0, longer))));
     const auto start = processor_time();
     (void)collisions::enclose_critical_ratio(

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "base/printable.hpp"
+#include "collisions/critical_long.hpp"
 #include "flight/extremal_orbit.hpp"
 #include "number/decimal.hpp"
 #include "staircase/critical_number.hpp"
@@ -58,6 +59,14 @@ std::string foundation(const std::string& flight) {
         "dumbbell certify do not use.\n",
         flight);
 }
+std::string long_foundation(const std::string& beginning, const std::string& flight) {
+    return beginning + fmt::format(
+                           "ust below it {} does not collide, just above it it does: the orbit was\n"
+                           "followed by macro steps (L42). That the maximum steps there is theorem 2 of "
+                           "proofs/theorem.md,\n"
+                           "which the covers of dumbbell certify do not use.\n",
+                           flight);
+}
 
 std::string single_text(const CriticalReport& report) {
     const CriticalRow& row = report.rows.front();
@@ -71,7 +80,8 @@ std::string single_text(const CriticalReport& report) {
     text += p.exact ? "The number is exact.\n"
                     : fmt::format("It is within {} of the digits shown (cut off, not rounded).\n", p.radius);
     const flight::ExtremalFlight flight = flight::tangent_flight(row.n);
-    text += foundation(fmt::format("flight {} of the {} orbit", flight.flight, orbit_name(row.n)));
+    const std::string what = fmt::format("flight {} of the {} orbit", flight.flight, orbit_name(row.n));
+    text += collisions::is_long(row.n) ? long_foundation("J", what) : foundation(what);
     return text + (report.request.confirm ? confirmation_text(row) : "");
 }
 
@@ -120,7 +130,11 @@ std::string range_text(const CriticalReport& report) {
         text +=
             "Proved: at q_c(N) the maximum steps from N - 1 to N.\n"
             "It is within the radius of the digits shown (cut off, not rounded).\n";
-        text += foundation("that flight of the orbit");
+        const bool first_is_long = collisions::is_long(report.request.first);
+        const bool last_is_long = collisions::is_long(report.request.last);
+        text += first_is_long ? "" : foundation("that flight of the orbit");
+        const std::string from = fmt::format("From N = {} on, j", collisions::first_long);
+        text += last_is_long ? long_foundation(first_is_long ? "J" : from, "that flight of the orbit") : "";
     }
     return text + (report.request.confirm ? confirmations_text(report) : "");
 }

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <vector>
 
+#include "flight/growth_constant.hpp"
 #include "flight/paper_bound.hpp"
 #include "number/rational.hpp"
-#include "staircase/growth_constant.hpp"
 
 namespace dumbbell::staircase {
 namespace {
@@ -70,7 +70,7 @@ Law law_of(const collisions::Certificate& certificate) {
     Law law;
     law.q_lo = certificate.q_lo();
     law.q_hi = certificate.q_hi();
-    law.constant = growth_constant();
+    law.constant = flight::growth_constant();
     law.complete = std::none_of(
         certificate.pieces.begin(), certificate.pieces.end(),
         [](const collisions::Piece& piece) { return piece.status() == collisions::Status::open; });

@@ -7,6 +7,7 @@
 #include "base/error.hpp"
 #include "file/file_contents.hpp"
 #include "file/sealed_lines.hpp"
+#include "number/count_argument.hpp"
 #include "number/decimal.hpp"
 #include "staircase/critical_report.hpp"
 
@@ -16,7 +17,6 @@ using collisions::CriticalRatio;
 
 namespace {
 
-constexpr std::size_t most_count = 1'000'000'000'000;
 constexpr std::string_view first_line = "dumbbell-critical-rows 1";
 
 std::string head_of(int digits) { return fmt::format("prove critical\ndigits {}\n", digits); }
@@ -37,7 +37,7 @@ int digits_of(const Order& order) {
 long parse_unit(const std::string& unit) {
     const auto fields = words(unit);
     const std::size_t n = fields.size() == 2 && fields[0] == "ratio" ? parse_size(fields[1]) : 0;
-    if (n < 3 || n > most_count) {
+    if (n < 3 || n > std::size_t{greatest_count}) {
         throw InputError("the order has a critical ratio that is none");
     }
     return static_cast<long>(n);

@@ -37,6 +37,7 @@ Examples:
   dumbbell critical 4 --digits 100                       more of its digits
   dumbbell critical 3:20                                 the first 18 steps
   dumbbell critical 12 --confirm 1e-9                    cover and witness at q_c(12) (1 -+ 1e-9)
+  dumbbell critical 10^12 --digits 50                    one of a very long orbit, by macro steps
   dumbbell critical 3:902 --digits 50 --out ratios.tsv   a table as a file
   dumbbell critical 1e50 --by law                        by the law, with its width)";
 

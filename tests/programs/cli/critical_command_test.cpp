@@ -108,22 +108,35 @@ TEST_CASE("critical refuses what is no number of collisions from 3 on, and says 
     for (const char* count : {"0", "1", "2", "0002", "2:5"}) {
         CHECK_THAT(refused({"critical", count, "--out", "file.tsv"}), Contains("never below 2"));
     }
-    for (const char* count : {"", "x", "-4", "+4", "4.0", "1e3", ":", "4:", ":4", "3:4:5", "3-5", "nan",
-                              "4/1", "0x4", "4\n5", "4 "}) {
+    for (const char* count : {"", "x", "-4", "+4", "4.5", "1e-3", ":", "4:", ":4", "3:4:5", "3-5", "nan",
+                              "4/3", "0x4", "4\n5", "4 "}) {
         CAPTURE(count);
         refused({"critical", count, "--out", "file.tsv"});
     }
     CHECK_THAT(refused({"critical", "x"}), Contains("write N or N1:N2"));
     CHECK_THAT(refused({"critical", "5:3"}), Contains("smaller N first"));
-    CHECK_THAT(refused({"critical", "1000000000001"}), Contains("10^12"));
-    CHECK_THAT(refused({"critical", std::string(100'000, '9')}), Contains("10^12"));
+    CHECK_THAT(refused({"critical", "100000000000000001"}), Contains("10^17"));
+    CHECK_THAT(refused({"critical", std::string(100'000, '9')}), Contains("10^17"));
     CHECK_THAT(refused({"critical", "3:2000000"}), Contains("in parts"));
     refused({"critical"});
     refused({"critical", "4", "5"});
 }
 
+TEST_CASE("critical takes every spelling of a whole number, and encloses those of long orbits") {
+    const std::string million = dumbbell({"critical", "1000000", "--digits", "20", "--quiet"}).out;
+    CHECK(million == "q_c(1000000) = 1275051786969.0753000...\n");
+    for (const char* count : {"1e6", "10^6", "1000000.0", "2000000/2"}) {
+        CHECK(dumbbell({"critical", count, "--digits", "20", "--quiet"}).out == million);
+    }
+    const Outcome outcome = dumbbell({"critical", "10^12", "--digits", "20"});
+    CHECK_THAT(outcome.out, StartsWith("q_c(1000000000000) = 1.2750568866952327882e24...\n") &&
+                                Contains("followed by macro steps (L42)"));
+    CHECK_THAT(dumbbell({"critical", "20000:20001"}).out,
+               Contains("By interval Newton") && Contains("From N = 20001 on, just below it"));
+}
+
 TEST_CASE("critical does not begin what takes days, unless it is given a budget") {
-    for (const char* count : {"1000000000000", "3:500000"}) {
+    for (const char* count : {"3:1000000", "3:500000"}) {
         const std::string message = refused({"critical", count, "--out", "file.tsv"});
         CHECK_THAT(message, Contains("would take about") && Contains("--budget"));
     }
@@ -131,7 +144,7 @@ TEST_CASE("critical does not begin what takes days, unless it is given a budget"
 
 TEST_CASE("critical says how long a long computation will take before it begins") {
     const TemporaryFolder folder;
-    Process process({DUMBBELL_BIN, "critical", "1000000", "--jobs", "1"}, folder.path());
+    Process process({DUMBBELL_BIN, "critical", "15000:16000", "--jobs", "1"}, folder.path());
     process.until([&] { return process.cpu_seconds() > 0.7; });
     process.send(SIGTERM);
     const Outcome outcome = process.wait();

@@ -36,6 +36,8 @@ TEST_CASE("All spellings of a number give the same rational") {
         CHECK(to_fraction(parse_rational(text)) == "9/2");
     }
     CHECK(parse_rational("1e6") == 1'000'000);
+    CHECK(parse_rational("10^6") == 1'000'000);
+    CHECK(parse_rational("10^-2") == Rational(1, 100));
     CHECK(parse_rational("1E+3") == 1000);
     CHECK(parse_rational("1.0000001") == Rational(10'000'001, 10'000'000));
     CHECK(parse_rational("0") == 0);

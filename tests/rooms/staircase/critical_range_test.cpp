@@ -123,6 +123,6 @@ TEST_CASE("What is not done within the budget stays open") {
 TEST_CASE("The time is estimated from the number of flights") {
     using namespace std::chrono_literals;
     CHECK(estimated_time(request(4, 4)) < 10s);
-    CHECK(estimated_time(request(1'000'000'000'000, 1'000'000'000'000)) > 24h);
+    CHECK(estimated_time(request(1'000'000'000'000, 1'000'000'000'000)) < 10min);  // by macro steps
     CHECK(estimated_time(request(3, 1'000'000)) > 24h);
 }

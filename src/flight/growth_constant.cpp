@@ -1,10 +1,10 @@
-#include "staircase/growth_constant.hpp"
+#include "flight/growth_constant.hpp"
 
 #include <acb_calc.h>
 
 #include "base/error.hpp"
 
-namespace dumbbell::staircase {
+namespace dumbbell::flight {
 namespace {
 
 /// The integrand on a complex ball. It is holomorphic wherever it is finite, as acb_calc demands for order 1:
@@ -42,4 +42,4 @@ BigInterval growth_constant() {
     return result;
 }
 
-}  // namespace dumbbell::staircase
+}  // namespace dumbbell::flight

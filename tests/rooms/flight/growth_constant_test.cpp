@@ -1,4 +1,4 @@
-#include "staircase/growth_constant.hpp"
+#include "flight/growth_constant.hpp"
 
 #include <boost/math/quadrature/gauss.hpp>
 #include <catch2/catch.hpp>
@@ -32,7 +32,7 @@ TEST_CASE("C is enclosed, as narrowly as the precision asks for") {
     for (const int bits : {53, 128, 256, 350}) {
         CAPTURE(bits);
         const PrecisionScope scope(bits);
-        const BigInterval enclosure = staircase::growth_constant();
+        const BigInterval enclosure = flight::growth_constant();
         CHECK(dumbbell_test::encloses(enclosure, c));
         CHECK(width(enclosure) < std::ldexp(1.0, 2 - bits));
     }
