@@ -32,9 +32,9 @@ inline constexpr int most_critical_digits = 200;
 /// 200.
 [[nodiscard]] std::optional<CriticalRatio> enclose_critical_ratio(long n, const CriticalOptions& options);
 
-/// Whether it is certain that q_lo <= q_c(n) <= q_hi, by the signs of the margin at both ends alone: it falls
-/// with r (L27), so nothing of the search is used. (q_c(3) = 1 by L7.) Works in twice
-/// as many bits. Precondition: 1 <= q_lo <= q_hi; 53 <= bits <= 16,384.
+/// Whether it is certain that q_lo <= q_c(n) <= q_hi, by the signs of the margin at both ends alone, in twice
+/// as many bits: it falls with r (L27), so nothing of the search is used. (q_c(3) = 1 by L7.) For a long
+/// orbit by the counts at both ends. Precondition: 1 <= q_lo <= q_hi; 53 <= bits <= 16,384.
 [[nodiscard]] bool certainly_encloses(const CriticalRatio& ratio, const Interrupted& interrupted = never);
 
 /// No trajectory has more collisions at a mass ratio of at most q >= 1: by theorem 2, as q <= q_c(n + 1). It

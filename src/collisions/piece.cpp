@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "collisions/witness.hpp"
+#include "flight/batch/query.hpp"
 #include "flight/count.hpp"
 #include "flight/extremal_orbit.hpp"
 #include "flight/orbit.hpp"
@@ -126,6 +127,32 @@ std::optional<long> suspected_maximum(const Rational& q, const PieceOptions& opt
     return most;
 }
 
+/// Whether this precision tells the counts of the two extremal orbits apart from more than `upper` at the
+/// greatest ratio and from fewer than `lower` at the least one. It only says what to try: with long orbits a
+/// search for a witness or a cover in vain takes long.
+template <class I>
+bool precise_enough(const Goal& goal, const PieceOptions& options) {
+    long most = 2;
+    long least = 2;
+    for (const flight::ExtremalOrbit orbit : {flight::ExtremalOrbit::top, flight::ExtremalOrbit::corner}) {
+        const auto ray = [&](const Rational& q) { return extremal_ray(orbit, enclose<I>(Rational(1) / q)); };
+        most += count_at_most(ray(goal.greatest_of_upper), goal.upper, options.interrupted);
+        least += count_at_least(ray(goal.least_of_lower), goal.lower, options.interrupted);
+        if (most > goal.upper) {
+            return false;
+        }
+    }
+    return least >= goal.lower;
+}
+
+/// As attempt_piece, for bounds that are guesses.
+template <class I>
+Obstacle attempt_guess(ProvedPiece& proved, int bits, const Goal& goal, const PieceOptions& options) {
+    const bool is_long = options.scene == Scene::dumbbell && goal.lower > flight::batch::most_worth_a_batch;
+    return is_long && !precise_enough<I>(goal, options) ? Obstacle::maximum
+                                                        : attempt_piece<I>(proved, bits, goal, options);
+}
+
 }  // namespace
 
 PieceOptions piece_options(Scene scene, Section section) {
@@ -174,7 +201,7 @@ ProvedPiece prove_piece(const Rational& q_lo, const Rational& q_hi, long upper, 
     proved.piece.q_lo = q_lo;
     proved.piece.q_hi = q_hi;
     proved.obstacle = escalate(options, [&]<class I>(const I&, int bits) {
-        return attempt_piece<I>(proved, bits, {upper, lower, q_hi, q_lo}, options);
+        return attempt_guess<I>(proved, bits, {upper, lower, q_hi, q_lo}, options);
     });
     describe_in_time(proved, options);
     return proved;
@@ -185,7 +212,7 @@ ProvedPiece prove_step(const Rational& q_lo, const Rational& q_hi, long n, const
     proved.piece.q_lo = q_lo;
     proved.piece.q_hi = q_hi;
     proved.obstacle = escalate(options, [&]<class I>(const I&, int bits) {
-        return attempt_piece<I>(proved, bits, {n - 1, n, q_lo, q_hi}, options);
+        return attempt_guess<I>(proved, bits, {n - 1, n, q_lo, q_hi}, options);
     });
     return proved;
 }

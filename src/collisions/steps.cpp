@@ -11,6 +11,8 @@
 #include "base/error.hpp"
 #include "collisions/critical.hpp"
 #include "collisions/critical_guess.hpp"
+#include "collisions/critical_long.hpp"
+#include "flight/growth_constant.hpp"
 #include "number/self_test.hpp"
 
 namespace dumbbell::collisions {
@@ -43,6 +45,19 @@ struct Step {
 /// Gaps at least this wide are placed with doubles.
 constexpr double narrow = 1e-13;
 
+/// From this number of collisions on the steps are placed by macro steps.
+constexpr long least_long = 100'000;
+
+/// q_c(n) to a small part of the gap, which is at most a thousandth of the distance to the next step.
+Step long_step(long n, double gap, const Interrupted& interrupted) {
+    // Relative distances are 2/n times those between the steps.
+    const double share = std::min(1e-3, gap * static_cast<double>(n) / 2);
+    const int share_bits = std::clamp(12 - static_cast<int>(std::log2(share)), 24, 2000);
+    const auto found = guess_long_critical_ratio(n, share_bits, interrupted);
+    return found ? Step{n, *found, Rational(Integer(1), (Integer(1) << (share_bits - 6)) * n), false}
+                 : Step{n, 0, 0, false};
+}
+
 /// q_c(n) to some digits beyond the gap's width. Were it wrong, pieces would stay open.
 Step narrow_step(long n, double gap, const Interrupted& interrupted) {
     const int digits = std::min(most_critical_digits, 8 - static_cast<int>(std::log10(gap)));
@@ -66,18 +81,35 @@ Step step_to(Scene scene, long n, double gap, const Interrupted& interrupted) {
     if (scene != Scene::dumbbell) {
         return wedge_step(n, gap);
     }
+    if (n >= least_long) {
+        return long_step(n, gap, interrupted);
+    }
     return gap < narrow ? narrow_step(n, gap, interrupted)
                         : Step{n, exact(guess_critical_ratio(n, interrupted)), exact(0x1p-48), false};
 }
 
-long guessed_value(Scene scene, double q, const Interrupted& interrupted) {
+/// 2 + C sqrt q, which is a little more than the maximum.
+long asymptotic_value(const Rational& q) {
+    const PrecisionScope scope(128);
+    const BigInterval value = flight::growth_constant() * sqrt(enclose<BigInterval>(q));
+    const Rational most = exact_hi(value);
+    return 2 + (numerator(most) / denominator(most)).convert_to<long>();
+}
+
+long guessed_value(Scene scene, const Rational& ratio, const Interrupted& interrupted) {
+    const auto q = ratio.convert_to<double>();
+    // Where both ways are open.
+    constexpr double far = 2e10;
+    if (scene == Scene::dumbbell && q > far) {
+        return asymptotic_value(ratio);
+    }
     return scene == Scene::dumbbell ? guess_maximum(q, interrupted)
                                     : std::lround(std::numbers::pi / (2 * std::atan(1 / std::sqrt(q))));
 }
 
 /// The steps that seem to lie near [lo, hi], with a neighbour on either side for the distances.
-std::vector<Step> steps_near(Scene scene, double lo, double hi, double gap, const Interrupted& interrupted,
-                             Observer& observer) {
+std::vector<Step> steps_near(Scene scene, const Rational& lo, const Rational& hi, double gap,
+                             const Interrupted& interrupted, Observer& observer) {
     const long first = std::max(4L, guessed_value(scene, lo, interrupted) - 1);
     const long last = guessed_value(scene, hi, interrupted) + 2;
     if (interrupted()) {
@@ -102,10 +134,11 @@ std::vector<Step> steps_near(Scene scene, double lo, double hi, double gap, cons
 /// Half the width of the gap around a step: 0.9 of what is permitted; the rounding of the ends takes less
 /// than the rest.
 double half_gap(const std::vector<Step>& steps, std::size_t i, double relative_gap) {
-    const auto critical = [&](std::size_t k) { return steps[k].critical.convert_to<double>(); };
-    const double q = critical(i);
-    const double before = i > 0 ? q - critical(i - 1) : q - 1;
-    const double after = i + 1 < steps.size() ? critical(i + 1) - q : before;
+    const Rational& at = steps[i].critical;
+    const auto q = at.convert_to<double>();
+    const double before = i > 0 ? Rational(at - steps[i - 1].critical).convert_to<double>() : q - 1;
+    const double after =
+        i + 1 < steps.size() ? Rational(steps[i + 1].critical - at).convert_to<double>() : before;
     return 0.45 * std::min(relative_gap * q, std::min(before, after) / 1000);
 }
 
@@ -122,8 +155,7 @@ std::vector<PlannedPiece> plan_staircase(Scene scene, const Rational& q_lo, cons
                                          const Rational& gap, const Interrupted& interrupted,
                                          Observer& observer) {
     const auto width = gap.convert_to<double>();
-    const auto steps =
-        steps_near(scene, q_lo.convert_to<double>(), q_hi.convert_to<double>(), width, interrupted, observer);
+    const auto steps = steps_near(scene, q_lo, q_hi, width, interrupted, observer);
     if (interrupted()) {
         return {};
     }

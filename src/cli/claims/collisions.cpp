@@ -22,7 +22,7 @@ collisions::CertifyRequest request_of(const Given& given, const RatioArgument& r
     if (given.text("--section") == "full" && given.text("--scene") != "dumbbell") {
         throw InputError("--section full is for the scene dumbbell: the wedges have --section turning");
     }
-    if (const auto reason = collisions::out_of_reach(ratio.lo, ratio.hi)) {
+    if (const auto reason = collisions::out_of_reach(ratio.hi)) {
         throw InputError(*reason);
     }
     collisions::CertifyRequest request;

@@ -37,6 +37,8 @@ class Rays {
     const N zero{0}, one{1};
     const I half_turn = pi<N>(), quarter = half_turn / I(2);
 
+    class Leaps;
+
     /// The box of a leaf, for the log.
     void describe(const Leaf& leaf, const Chart& chart) {
         *log_ += "  " + std::to_string(std::is_same_v<N, double> ? 53 : leaf.bits) + " bits, claimed " +
@@ -65,33 +67,14 @@ class Rays {
     }
 
     /// Certified G <= most for all rays above `ray`.
-    bool at_most(const char* what, Ray ray, std::uint64_t most) {
-        N z = zero;
-        Leaps leaps(most);
-        for (std::uint64_t count = 0;; ++count) {
-            step(count, ray);
-            if (ray.kappa >= one) return counted(what, true);
-            const bool seems_to_hit = guess_root(ray.c, ray.kappa, z);
-            if ((!seems_to_hit || count == most) && misses(ray)) return counted(what, true);
-            if (count == most) return counted(what, false);
-            const Contact at = earliest(ray, z);
-            if (!reflect(down, ray, at)) return counted(what, true);
-            if (!leaps.over(*this, down, ray, at.x, most - 1, count)) return counted(what, false);
-        }
+    bool at_most(const char* what, const Ray& ray, std::uint64_t most) {
+        return counted(what,
+                       by_leaps_or_steps(most, [&](Leaps leaps) { return hits_at_most(ray, most, leaps); }));
     }
     /// Certified G >= least for all rays below `ray`.
-    bool at_least(const char* what, Ray ray, std::uint64_t least) {
-        N z = zero;
-        Leaps leaps(least);
-        for (std::uint64_t count = 0; count < least; ++count) {
-            step(count, ray);
-            if (!(ray.kappa < one && guess_root(ray.c, ray.kappa, z))) return counted(what, false);
-            const auto at = latest(ray, z);
-            if (!at || (count + 1 < least && !reflect(up, ray, *at))) return counted(what, false);
-            if (count + 1 < least && !leaps.over(*this, up, ray, at->x, least - 1, count))
-                return counted(what, false);
-        }
-        return counted(what, true);
+    bool at_least(const char* what, const Ray& ray, std::uint64_t least) {
+        return counted(
+            what, by_leaps_or_steps(least, [&](Leaps leaps) { return hits_at_least(ray, least, leaps); }));
     }
 
     /// Near the least root of sin x = c + kappa x, from z, by the root of the parabola at z (third order;
@@ -184,6 +167,7 @@ class Rays {
     /// L42: macro steps of a ray that is followed over many collisions.
     class Leaps {
       public:
+        /// With so few collisions none are tried.
         explicit Leaps(std::uint64_t collisions) : attempts_(collisions < least_macro ? 0 : 4) {}
 
         /// Moves the ray, which leaves collision count + 1 at x, over more of them, up to `most` + 1 in all,
@@ -216,6 +200,40 @@ class Rays {
     };
 
   protected:
+    /// Macro steps lose a small part of a collision, more than rounding: where that is what the answer hangs
+    /// on, one step after the other, unless they are too many.
+    template <class Hits>
+    bool by_leaps_or_steps(std::uint64_t collisions, Hits hits) {
+        constexpr std::uint64_t most_steps = 1'000'000;
+        if (hits(Leaps(collisions))) return true;
+        if (collisions < least_macro || collisions > most_steps) return false;
+        steps_.clear();
+        return hits(Leaps(0));
+    }
+    bool hits_at_most(Ray ray, std::uint64_t most, Leaps& leaps) {
+        N z = zero;
+        for (std::uint64_t count = 0;; ++count) {
+            step(count, ray);
+            if (ray.kappa >= one) return true;
+            const bool seems_to_hit = guess_root(ray.c, ray.kappa, z);
+            if ((!seems_to_hit || count == most) && misses(ray)) return true;
+            if (count == most) return false;
+            const Contact at = earliest(ray, z);
+            if (!reflect(down, ray, at)) return true;
+            if (!leaps.over(*this, down, ray, at.x, most - 1, count)) return false;
+        }
+    }
+    bool hits_at_least(Ray ray, std::uint64_t least, Leaps& leaps) {
+        N z = zero;
+        for (std::uint64_t count = 0; count < least; ++count) {
+            step(count, ray);
+            if (!(ray.kappa < one && guess_root(ray.c, ray.kappa, z))) return false;
+            const auto at = latest(ray, z);
+            if (!at || (count + 1 < least && !reflect(up, ray, *at))) return false;
+            if (count + 1 < least && !leaps.over(*this, up, ray, at->x, least - 1, count)) return false;
+        }
+        return true;
+    }
     void step(std::uint64_t count, const Ray& ray) {
         Work::collision();
         if (log_)

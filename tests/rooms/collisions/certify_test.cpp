@@ -156,11 +156,29 @@ TEST_CASE("ratios beyond 10^36 are left open at once") {
     CHECK(certified(10, huge).size() == 1);
 }
 
-TEST_CASE("a range ends at 10^16, a single ratio at 10^36") {
-    CHECK_FALSE(out_of_reach(at("1e36"), at("1e36")));
-    CHECK_FALSE(out_of_reach(10, at("1e16")));
-    CHECK(out_of_reach(10, at("1e16") + 1)->find("one mass ratio at a time") != std::string::npos);
-    CHECK(certified(at("1e16"), at("2e16")).size() == 1);  // at once
+TEST_CASE("ratios are tried up to 10^36") {
+    CHECK_FALSE(out_of_reach(at("1e36")));
+    CHECK(out_of_reach(at("1e36") + 1)->find("beyond 10^36") != std::string::npos);
+}
+
+TEST_CASE("a range of more than a million steps is refused at once, wherever it lies") {
+    for (const auto& [lo, hi] : {std::pair("1e12", "1e13"), std::pair("1e34", "1e36")}) {
+        CHECK_THROWS_WITH(certified(at(lo), at(hi)), Catch::Contains("certify it in parts"));
+    }
+}
+
+TEST_CASE("pieces and gaps high up are decided, on both sides of a step") {
+    for (const auto& [lo, hi, n] :
+         {std::tuple("1e12", "1000003000000", 885'597L), std::tuple("1e18", "1000000002e9", 885'595'131L)}) {
+        CAPTURE(lo);
+        const auto pieces = certified(at(lo), at(hi));
+        REQUIRE(pieces.size() == 3);
+        for (std::size_t i = 0; i < 3; ++i) {
+            CHECK(pieces[i].piece.lower == n + (i == 2 ? 1 : 0));
+            CHECK(pieces[i].piece.upper == n + (i > 0 ? 1 : 0));
+        }
+        CHECK(undecided_share(pieces) < Rational(1, 500));
+    }
 }
 
 TEST_CASE("progress is reported once per piece and ends complete") {
