@@ -1,5 +1,5 @@
 (** What a certificate of the section `turning` or `full` is, once it is read (docs/reference/format.md, sections 2 and
-    3; format-sections.md, section 1), with the exact boxes of its trees. Nothing here is about rays or floating point:
+    3; format-sections.md, sections 1 and 2), with the exact boxes of its trees. Nothing here is about rays or floating point:
     Text.v says how a certificate is written in lines, Leaves.v and FullLeaves.v what a leaf must satisfy. *)
 From Coq Require Import Reals ZArith NArith Lra Lia List Bool String.
 Local Open Scope R_scope.
@@ -13,8 +13,8 @@ Definition ratio_eq (x y : ratio) : bool := (num x * den y =? num y * den x)%pos
 Record dyadic := { odd_part : N; exponent : Z }.
 
 Inductive axis := axis_e | axis_slope | axis_q.
-(** [Forward] is `count` with one hint. *)
-Inductive reason := Count (a b : N) | Forward (a : N) | Outside | Meets | Meets_reversed | Once.
+(** [Forward] and [Plain] are `count` with one hint, the latter with `lemmas minimal`. *)
+Inductive reason := Count (a b : N) | Forward (a : N) | Plain (a : N) | Outside | Meets | Meets_reversed | Once.
 Inductive chart := Bridge | Light | Contact | Departure | Again.
 Inductive tree := Leaf (why : reason) | Split (halved : axis) (lower upper : tree).
 Inductive cover := Equal_masses | Charts (bridge light : tree) | Full_charts (contact departure again : tree).
@@ -24,7 +24,8 @@ Record contact := { contact_e : dyadic; contact_eta : dyadic; after_X : N; after
     which the witness shows unless it is 0. *)
 Record piece := { from : ratio; to : ratio; bits : N; bound : option (N * cover); attained : N;
   witness : option contact }.
-Inductive section := turning | full.
+(** [full_minimal] is the section full with `lemmas minimal`. *)
+Inductive section := turning | full | full_minimal.
 Record certificate := { program : string; program_version : string; about : section; range_from : ratio;
   range_to : ratio; pieces : list piece }.
 

@@ -112,7 +112,7 @@ Definition is_open (P : piece) : bool := match bound P with Some (U, _) => (atta
 Definition says_heavy_once (c : certificate) : bool :=
   match about c with
   | turning => false
-  | full => forallb (fun P => match bound P with Some _ => true | None => false end) (pieces c)
+  | full | full_minimal => forallb (fun P => match bound P with Some _ => true | None => false end) (pieces c)
   end.
 Definition how_many (p : piece -> bool) (l : list piece) : N := fold_left (fun n P => if p P then N.succ n else
   n) l 0%N.

@@ -66,17 +66,17 @@ Fixpoint crossing (n : nat) (r h k : I.type) (t : F.type) : F.type :=
 Record state := { corner : I.type; sine : I.type; slope : I.type }.
 Definition height (b : state) (t : I.type) : I.type := I.add p (sine b) (I.mul p (slope b) (I.add p (corner b) t)).
 
-(** No first contact with the bridge comes after this t; and whether all states have one. *)
-Definition last_contact (r0 r1 : I.type) (lo hi : state) : I.type * bool :=
-  let k := slope lo in let h := height hi I.zero in
+(** Of flights of a slope >= k, below the line h + k1 t: no first contact with the bridge comes after this t; and
+    whether all have one. *)
+Definition last_contact (r0 r1 k h k1 : I.type) : I.type * bool :=
   let t := match widen 7 (flat_at r0 r1 k) (near_slope (I.div p k (if nonneg k then r1 else r0))) (unit_ T) tiny with
            | Some t => t
            | None => pi_ T
            end in
-  let below := below_at r0 h (slope hi) in
-  let lowest := near_slope (I.div p (slope hi) r0) in
+  let below := below_at r0 h k1 in
+  let lowest := near_slope (I.div p k1 r0) in
   if below lowest then
-    let root := pt (crossing 40 r0 h (slope hi) F.zero) in
+    let root := pt (crossing 40 r0 h k1 F.zero) in
     let t' := match widen 8 below root (I.sub p (pi_ T) root) tiny with Some t' => t' | None => lowest end in
     (if pos (I.sub p t' t) then t else t', true)
   else (t, false).
@@ -94,7 +94,7 @@ Definition highest (r : I.type) (hi : state) (z : F.type) : state * F.type :=
 (** Is a contact with the bridge counted, if there may be one? And do all states have one? *)
 Definition bridge_counted (n : nat) (r0 r1 : I.type) (lo hi : state) : bool * bool :=
   if above r1 (height lo I.zero) (slope lo) then (true, false) else
-  let '(t, all) := last_contact r0 r1 lo hi in
+  let '(t, all) := last_contact r0 r1 (slope lo) (height hi I.zero) (slope hi) in
   (match n with O => false | S m => at_most_contact m r0 t I.zero end, all).
 (** At most n later collisions of all states between the two. *)
 Fixpoint follow (n : nat) (r0 r1 : I.type) (lo hi : state) (z zh : F.type) : bool :=
@@ -224,33 +224,33 @@ Lemma height_in x0 s0 k0 t b ti : inI x0 (corner b) -> inI s0 (sine b) -> inI k0
   inI (s0 + k0 * (x0 + t)) (height b ti).
 Proof. intros. unfold height. apply add_in; [assumption|]. apply mul_in; [assumption | now apply add_in]. Qed.
 
-Lemma last_contact_sound lo hi x k : lies_above lo x k -> lies_below hi x k ->
-  let '(ti, all) := last_contact r0i r1i lo hi in
+Lemma last_contact_sound ki hi li x k k0 h1 k1 : inI k0 ki -> inI h1 hi -> inI k1 li -> k0 <= k ->
+  (forall t, 0 <= t <= PI -> height_at x k t <= h1 + k1 * t) ->
+  let '(ti, all) := last_contact r0i r1i ki hi li in
   (exists t, inI t ti /\ 0 <= t <= PI /\ forall u, meets_bridge r x k u -> u <= t) /\
   (all = true -> ~ clears_bridge r x k).
 Proof.
-  intros [x0 [s0 [k0 [X0 [S0 [K0 [L0 _]]]]]]] [x1 [s1 [k1 [X1 [S1 [K1 [L1 E1]]]]]]].
+  intros K0 X1 K1 L0 L1.
   assert (HPI : 0 < PI) by apply PI_RGT_0. unfold last_contact.
   set (t1 := match widen 7 _ _ _ _ with Some t => t | None => _ end).
   assert (A : exists t, inI t t1 /\ 0 <= t <= PI /\ forall u, meets_bridge r x k u -> u <= t).
   { unfold t1. destruct (widen 7 _ _ _ _) as [t|] eqn:E.
     - apply widen_good in E. destruct E as [E [v Hv]]. exists v. split; [exact Hv|].
       destruct (flat_at_sound _ _ _ _ E r0 r1 k0 v H0 H1 K0 Hv) as [V [V0 V1]]. split; [exact V|]. intros u Hu.
-      apply (L15b_before r x0 k0 x k u v ltac:(lra) L0 Hu V).
+      apply (L15b_before r k0 k x u v ltac:(lra) L0 Hu V).
       destruct (Rle_or_lt 0 (cos v)).
       + assert (r * cos v <= r1 * cos v) by (apply Rmult_le_compat_r; lra). lra.
       + assert (r0 * - cos v <= r * - cos v) by (apply Rmult_le_compat_r; lra). lra.
     - exists PI. split; [exact piI|]. split; [lra|]. intros u [[_ Hu] _]. lra. }
-  assert (Met : forall ti, below_at r0i (height hi I.zero) (slope hi) ti = true -> (exists v, inI v ti) ->
+  assert (Met : forall ti, below_at r0i hi li ti = true -> (exists v, inI v ti) ->
     (exists t, inI t ti /\ 0 <= t <= PI /\ forall u, meets_bridge r x k u -> u <= t) /\ ~ clears_bridge r x k).
-  { intros ti E [v Hv]. destruct (below_at_sound _ _ _ _ E r0 (s1 + k1 * (x1 + 0)) k1 v H0) as [V V1]; try assumption.
-    { apply height_in; try assumption. apply zero_in. }
+  { intros ti E [v Hv]. destruct (below_at_sound _ _ _ _ E r0 h1 k1 v H0) as [V V1]; try assumption.
     assert (r0 * sin v <= r * sin v) by (apply Rmult_le_compat_r; [apply sin_ge_0; lra | lra]).
-    destruct (L15b_met r x k x1 k1 v ltac:(lra) L1 V) as [M1 M2]; [unfold height_at; lra|].
+    destruct (L15b_met r x k v ltac:(lra) V) as [M1 M2]; [specialize (L1 v V); lra|].
     split; [|exact M1]. exists v. now repeat split. }
   set (lowest := near_slope _). destruct (below_at r0i _ _ lowest) eqn:Eb; [|split; [exact A | discriminate]].
   set (t' := match widen 8 _ _ _ _ with Some t => t | None => _ end).
-  assert (B : below_at r0i (height hi I.zero) (slope hi) t' = true /\ exists v, inI v t').
+  assert (B : below_at r0i hi li t' = true /\ exists v, inI v t').
   { unfold t'. destruct (widen 8 _ _ _ _) as [t|] eqn:E; [exact (widen_good _ _ _ _ _ _ E)|]. split; [exact Eb|].
     apply near_slope_point. }
   destruct (Met t' (proj1 B) (proj2 B)) as [M1 M2]. split; [|intros _; exact M2]. now destruct (pos _).
@@ -268,7 +268,12 @@ Proof.
     assert (A := above_sound _ _ _ Ea r1 _ k0 H1 (height_in _ _ _ _ _ _ X0 S0 K0 zero_in) K0 ltac:(lra) t ltac:(lra)).
     assert (B := L15b_none r x0 k0 x k t L0 Hm). assert (0 <= sin t) by (apply sin_ge_0; lra).
     assert (r * sin t <= r1 * sin t) by (apply Rmult_le_compat_r; lra). unfold height_at in B. lra.
-  - assert (K := last_contact_sound lo hi x k HL HU). destruct (last_contact _ _ _ _) as [ti all].
+  - destruct HL as [x0 [s0 [k0 [_ [_ [K0 [[_ [_ [Lk _]]] _]]]]]]].
+    destruct HU as [x1 [s1 [k1 [X1 [S1 [K1 [L1 E1]]]]]]].
+    assert (B : forall t, 0 <= t <= PI -> height_at x k t <= s1 + k1 * (x1 + 0) + k1 * t).
+    { intros t Ht. assert (A := L15a_height x k x1 k1 t L1 ltac:(lra)). unfold height_at in A at 2. lra. }
+    assert (K := last_contact_sound _ _ _ x k _ _ _ K0 (height_in _ _ _ _ _ _ X1 S1 K1 zero_in) K1 Lk B).
+    destruct (last_contact _ _ _ _ _) as [ti all].
     destruct K as [[v [Hv [V Hlast]]] Hall]. split; [|exact Hall].
     intros Hn t m Hm Hc. destruct n as [|n]; [discriminate|].
     destruct Hc as [->|[eta [He Hc]]]; [lia|]. apply le_n_S.
@@ -331,7 +336,7 @@ Proof.
      [unfold height_at in *; repeat split; lra | apply forward_is_ray; [lra | lra | lra | exact Hm]]|]);
     destruct (bridge_counted _ _ _ _ _) as [cd all]; destruct HB as [HB1 HB2]; destruct cd; try discriminate;
     simpl in H;
-    (destruct Hm as [[t [Ht Hc]]|[Hcl [y [Hy0 [Hy Hn]]]]]; [exact (HB1 eq_refl t m Ht Hc)|]);
+    (destruct Hm as [[t [Ht Hc]]|[Hcl [y [Hy0 [Hy Hn]]]]]; [apply (HB1 eq_refl t m Ht); destruct Hc as [Hc|[eta [He [_ [_ Hc]]]]]; [now left | right; now exists eta]|]);
     (destruct all; [exfalso; now apply HB2|]);
     assert (P0 : 0 <= height_at x k PI) by (assert (P := Hcl PI ltac:(lra)); now rewrite sin_PI, Rmult_0_r in P);
     destruct (Ch P0) as [c [C1 C2]]; set (z' := near_root _ _ _ _) in H.

@@ -443,14 +443,14 @@ Definition check_reason (U : N) (light : bool) (b : box) (why : reason) : bool :
   | Outside => beyond_peak f || too_steep b || (light && descends f)
   | Meets => light && meets f (S (y1 f))
   | Meets_reversed => light && meets_reversed f
-  | Forward _ | Once => false
+  | Forward _ | Plain _ | Once => false
   end.
 Lemma check_bridge_sound U b why : check_reason U false b why = true -> forall e y q, in_box e y q b -> 1 <= q ->
   bridge_holds (N.to_nat U) e y (/ q).
 Proof.
   unfold check_reason. intros H e y q Hin Hq. apply andb_prop in H; destruct H as [Hb H].
     assert (Hf := boxed_ok _ _ Hb e y q Hin).
-  destruct why as [na nb|n| | | |]; try discriminate.
+  destruct why as [na nb|n|n| | | |]; try discriminate.
   - apply andb_prop in H; destruct H as [H HL]. apply andb_prop in H; destruct H as [R1 R2].
     apply leaf_bridge_sound with (1 := HL). now apply capped_ok.
   - rewrite orb_false_r in H. intros He Hy Hr Hlt a c _ _. exfalso. apply orb_prop in H. destruct H as [H|H].
@@ -462,7 +462,7 @@ Lemma check_light_sound U b why : check_reason U true b why = true -> forall e y
 Proof.
   unfold check_reason. intros H e y q Hin Hq. apply andb_prop in H; destruct H as [Hb H].
     assert (Hf := boxed_ok _ _ Hb e y q Hin).
-  destruct why as [na nb|n| | | |]; try discriminate.
+  destruct why as [na nb|n|n| | | |]; try discriminate.
   - apply andb_prop in H; destruct H as [H HL]. apply andb_prop in H; destruct H as [R1 R2].
     apply leaf_light_sound with (1 := HL). now apply capped_ok.
   - intros He Hy Hr Hlt a c HP _ _ _ _ _. exfalso. apply orb_prop in H. destruct H as [H|H]; [apply orb_prop in H;

@@ -56,10 +56,11 @@ Definition two_ratios (keyword : string) : list string -> reading (ratio * ratio
     | _ => None end).
 
 Inductive node := Ends (why : reason) | Halved (a : axis).
-Definition node_of (c : chart) (w : list string) : option node :=
+(** [hint] is what `count` with one hint is. *)
+Definition node_of (hint : N -> reason) (c : chart) (w : list string) : option node :=
   match w with
   | ["count"; a; b] => match natural a, natural b with Some a, Some b => Some (Ends (Count a b)) | _, _ => None end
-  | ["count"; a] => option_map (fun a => Ends (Forward a)) (natural a)
+  | ["count"; a] => option_map (fun a => Ends (hint a)) (natural a)
   | ["outside"] => Some (Ends Outside)
   | ["meets"] => Some (Ends Meets)
   | ["meets-reversed"] => Some (Ends Meets_reversed)
@@ -68,26 +69,28 @@ Definition node_of (c : chart) (w : list string) : option node :=
   | _ => None
   end.
 (** A tree of at most [fuel] levels. *)
-Fixpoint read_tree (fuel : nat) (c : chart) (t : list string) : reading tree :=
+Fixpoint read_tree (hint : N -> reason) (fuel : nat) (c : chart) (t : list string) : reading tree :=
   match fuel with
   | O => Wrong t
   | S fuel =>
-    let* (n, t) := line (node_of c) t in
+    let* (n, t) := line (node_of hint c) t in
     match n with
     | Ends why => Read (Leaf why) t
-    | Halved a => let* (l, t) := read_tree fuel c t in let* (u, t) := read_tree fuel c t in Read (Split a l u) t
+    | Halved a => let* (l, t) := read_tree hint fuel c t in let* (u, t) := read_tree hint fuel c t in Read (Split a l u) t
     end
   end.
 Definition levels : nat := 1201.
-Definition read_chart (c : chart) (t : list string) : reading tree :=
-  let* (_, t) := value "chart" (fun v => if v =? chart_name c then Some tt else None) t in read_tree levels c t.
+Definition read_chart (hint : N -> reason) (c : chart) (t : list string) : reading tree :=
+  let* (_, t) := value "chart" (fun v => if v =? chart_name c then Some tt else None) t in
+  read_tree hint levels c t.
 Definition read_cover (about : section) (t : list string) : reading cover :=
   match t, about with
   | "equal-masses" :: t, _ => Read Equal_masses t
   | _, turning =>
-    let* (b, t) := read_chart Bridge t in let* (l, t) := read_chart Light t in Read (Charts b l) t
-  | _, full =>
-    let* (c, t) := read_chart Contact t in let* (d, t) := read_chart Departure t in let* (a, t) := read_chart Again t in
+    let* (b, t) := read_chart Forward Bridge t in let* (l, t) := read_chart Forward Light t in Read (Charts b l) t
+  | _, _ =>
+    let chart := read_chart (match about with full_minimal => Plain | _ => Forward end) in
+    let* (c, t) := chart Contact t in let* (d, t) := chart Departure t in let* (a, t) := chart Again t in
     Read (Full_charts c d a) t
   end.
 Definition contact_of (w : list string) : option contact :=
@@ -155,8 +158,9 @@ Definition expect {A} (keyword : string) (expected : list (string * A)) (rest : 
 Definition header (k : section -> list string -> answer) : answer :=
   expect "dumbbell-certificate" [("1", tt)] t (fun _ rest =>
   match rest with [] => Rejected (number rest) "the text ends too early" | _ :: rest =>
-  expect "lemmas" [("1", tt)] rest (fun _ rest => expect "scene" [("dumbbell", tt)] rest (fun _ rest =>
-  expect "section" [("turning", turning); ("full", full)] rest (fun about rest =>
+  expect "lemmas" [("1", [("turning", turning); ("full", full)]); ("minimal", [("full", full_minimal)])] rest
+    (fun sections rest => expect "scene" [("dumbbell", tt)] rest (fun _ rest => expect "section" sections rest
+    (fun about rest =>
   expect "claim" [("collisions", tt)] rest (fun _ rest => k about rest))))
   end).
 Definition read_body (generator : string) (about : section) (rest : list string) : reading certificate :=
@@ -218,7 +222,7 @@ Proof.
     exists x rest', k x rest' = Verified c).
   { intros A keyword expected rest k. unfold expect. destruct (known _ _ _) as [[x|] rest'|]; try discriminate. eauto. }
   unfold header. intros H. apply HE in H. destruct H as [_ [[|_ r1] H]]; [discriminate|].
-  apply HE in H. destruct H as [_ [r2 H]]. apply HE in H. destruct H as [_ [r3 H]].
+  apply HE in H. destruct H as [sections [r2 H]]. apply HE in H. destruct H as [_ [r3 H]].
   apply HE in H. destruct H as [about [r4 H]]. apply HE in H. destruct H as [_ [r5 H]]. exact (HK about r5 H).
 Qed.
 End Judge.

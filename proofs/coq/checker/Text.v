@@ -14,7 +14,7 @@ Definition dyadic_text (x : dyadic) : string := decimal (odd_part x) ++ "b" ++ i
 Definition reason_text (why : reason) : string :=
   match why with
   | Count a b => "count " ++ decimal a ++ " " ++ decimal b
-  | Forward a => "count " ++ decimal a
+  | Forward a | Plain a => "count " ++ decimal a
   | Outside => "outside"
   | Meets => "meets"
   | Meets_reversed => "meets-reversed"
@@ -73,7 +73,7 @@ Definition totals_text (about : section) (l : list piece) : list string :=
   let leaves name leaf := total_text name (fold_left (in_cover false leaf) l 0%N) in
   let those name good := total_text name (how_many good l) in
   ([total_text "split" (fold_left (in_cover true (fun _ => false)) l 0%N);
-   leaves "count" (fun why => match why with Count _ _ | Forward _ => true | _ => false end);
+   leaves "count" (fun why => match why with Count _ _ | Forward _ | Plain _ => true | _ => false end);
    leaves "outside" (fun why => match why with Outside => true | _ => false end);
    leaves "meets" (fun why => match why with Meets => true | _ => false end);
    leaves "meets-reversed" (fun why => match why with Meets_reversed => true | _ => false end);
@@ -81,14 +81,16 @@ Definition totals_text (about : section) (l : list piece) : list string :=
    those "witness" (fun P => match witness P with Some _ => true | None => false end)] ++
   match about with
   | turning => []
-  | full => [leaves "once" (fun why => match why with Once => true | _ => false end)]
+  | full | full_minimal => [leaves "once" (fun why => match why with Once => true | _ => false end)]
   end ++
   [those "open" (fun P => match bound P with None => true | Some _ => false end)])%list.
 
-Definition section_name (about : section) : string := match about with turning => "turning" | full => "full" end.
+Definition section_name (about : section) : string :=
+  match about with turning => "turning" | full | full_minimal => "full" end.
+Definition lemmas_name (about : section) : string := match about with full_minimal => "minimal" | _ => "1" end.
 Definition certificate_text (c : certificate) : list string :=
-  "dumbbell-certificate 1" :: ("generator " ++ program c ++ " " ++ program_version c) :: "lemmas 1" :: "scene dumbbell"
-    :: ("section " ++ section_name (about c)) :: "claim collisions"
+  "dumbbell-certificate 1" :: ("generator " ++ program c ++ " " ++ program_version c) :: ("lemmas " ++ lemmas_name (about c))
+    :: "scene dumbbell" :: ("section " ++ section_name (about c)) :: "claim collisions"
     :: ("ratio " ++ ratio_text (range_from c) ++ " " ++ ratio_text (range_to c))
     :: ("pieces " ++ decimal (N.of_nat (List.length (pieces c))))
     :: fold_right piece_text (totals_text (about c) (pieces c)) (pieces c).
@@ -118,7 +120,7 @@ Definition contact_canonical (w : contact) : bool :=
 Fixpoint tree_canonical (e slope q : nat) (t : tree) : bool :=
   match t with
   | Leaf (Count a b) => short a && short b
-  | Leaf (Forward a) => short a
+  | Leaf (Forward a | Plain a) => short a
   | Leaf _ => true
   | Split axis_e l u => match e with O => false | S e => tree_canonical e slope q l && tree_canonical e slope q u end
   | Split axis_slope l u => match slope with O => false | S slope => tree_canonical e slope q l &&

@@ -22,7 +22,7 @@ Qed.
 (** Out of a contact with the bridge at psi = pi/2 - t to the left: the rays of the chart contact, L15 (i). *)
 Theorem contact_follow p T v t n : motion P p -> after p T v -> psi_of (p T) = PI/2 - t -> 0 < t < PI ->
   yh (p T) = r * sin t -> u_of v < 0 -> 0 < v_of P v + r * cos t * u_of v -> later P p T n ->
-  exists eta, 0 < eta /\ coll r n (r * cX t eta) (r * lamX t eta).
+  exists eta, 0 < eta /\ r * lamX t eta = v_of P v / - u_of v /\ coll r n (r * cX t eta) (r * lamX t eta).
 Proof.
   intros Hm Ha Hp Ht Hy Hu Hn Hl. assert (R0 := r_pos P HP). set (k := v_of P v / - u_of v).
   assert (Ek : k * - u_of v = v_of P v) by (unfold k; field; lra).
@@ -32,10 +32,35 @@ Proof.
   assert (G := follow_start P HP Hr1 n p T v _ k Hm RX Ha KX Hl).
   exists (k / r - cos t). assert (E : r * lamX t (k / r - cos t) = k) by (unfold lamX; field; lra). split.
   - apply Rmult_lt_reg_l with r; [exact R0|]. replace (r * (k / r - cos t)) with (k - r * cos t) by (field; lra). lra.
-  - rewrite E.
+  - split; [exact E|]. rewrite E.
     replace (r * cX t (k / r - cos t)) with (r * (0 * cos t + 1 * sin t) + k * (PI/2 - t + PI/2)); [exact G|].
     replace (r * cX t (k / r - cos t)) with (r * sin t + r * lamX t (k / r - cos t) * (PI - t)) by (unfold cX; ring).
     rewrite E. field.
+Qed.
+
+(** L16: its slope. *)
+Lemma contact_slope t u v u' v' k : reflects P (- (r * cos t)) u v u' v' -> u < 0 -> k * - u = v -> u' < 0 ->
+  0 < contact_den (cos t) k r /\ v' / - u' * contact_den (cos t) k r = contact_num (cos t) k r.
+Proof.
+  intros [l [Hl [Eu [Ev [Er _]]]]] Hu Hs Hu'. assert (R0 := r_pos P HP). set (s := cos t) in *.
+  assert (S0 : 0 < 1 + r * (s * s)) by (assert (0 <= r * (s * s)) by (apply Rmult_le_pos; [lra | apply Rle_0_sqr]); lra).
+  assert (El : l * r * (1 + r * (s * s)) = 2 * (k - r * s) * u).
+  { rewrite <- Hs in *. replace (l * r * (1 + r * (s * s))) with (l * r + r * s * (l * (r * s))) by ring.
+    replace (l * r) with (v' - k * - u) by lra. replace (l * (r * s)) with (u' - u) by lra. lra. }
+  assert (A : - u' * (1 + r * (s * s)) = - u * contact_den s k r).
+  { replace (- u' * (1 + r * (s * s))) with (- u * (1 + r * (s * s)) - s * (l * r * (1 + r * (s * s)))).
+    - rewrite El. unfold contact_den. ring.
+    - rewrite Eu. ring. }
+  assert (B : v' * (1 + r * (s * s)) = - u * contact_num s k r).
+  { replace (v' * (1 + r * (s * s))) with (k * - u * (1 + r * (s * s)) + l * r * (1 + r * (s * s))).
+    - rewrite El. unfold contact_num. ring.
+    - rewrite Ev, <- Hs. ring. }
+  assert (D : 0 < contact_den s k r).
+  { apply Rmult_lt_reg_l with (- u); [lra|]. rewrite Rmult_0_r, <- A. apply Rmult_lt_0_compat; lra. }
+  split; [exact D|]. apply Rmult_eq_reg_l with (- u * - u'); [|apply Rgt_not_eq; apply Rmult_lt_0_compat; lra].
+  replace (- u * - u' * (v' / - u' * contact_den s k r)) with (v' * (- u * contact_den s k r)) by (field; lra).
+  rewrite <- A. replace (v' * (- u' * (1 + r * (s * s)))) with (v' * (1 + r * (s * s)) * - u') by ring.
+  rewrite B. ring.
 Qed.
 
 (** L15 (c): to the right it is steep. *)
@@ -145,9 +170,11 @@ Proof.
   destruct (next_of_flight p t0 v x k t1 Hm HR H01 Hc1 Hf) as [[t [v' [H2 [Hp [Hb [Ha' HL]]]]]]|
     [Hcl [y [v' [Hy0 [Hy [Hp [Hyh [Ha' HL]]]]]]]]]; destruct HR as [Ha Hpsi Hx Hyx Hu Hs Hup].
   - left. exists t. split; [exact Hb|]. destruct (Rlt_or_le (u_of v') 0) as [K|K]; [right | left].
-    + apply (contact_follow p t1 v' t n Hm Ha' Hp (proj1 Hb)); try assumption.
+    + destruct (contact_follow p t1 v' t n Hm Ha' Hp (proj1 Hb)) as [eta [He [El G]]]; try assumption.
       * rewrite (contact2 P HP p t1 H2), Hp, cos_minus, cos_PI2, sin_PI2. ring.
       * destruct HL as [l [_ [_ [_ [Er En]]]]]. lra.
+      * destruct (contact_slope t _ _ _ _ k HL Hu Hs K) as [D1 D2].
+        exists eta. rewrite El. rewrite El in G. now repeat split.
     + apply (L3_steep_no_later P HP Hr1 p t1 v' n Hm Ha'); [|exact Hl1].
       apply (contact_right_steep t (u_of v) (v_of P v)); [exact HL | | exact K].
       destruct (COS_bound x). assert (-1 * - u_of v <= k * - u_of v) by (apply Rmult_le_compat_r; lra). lra.

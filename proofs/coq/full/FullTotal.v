@@ -29,7 +29,7 @@ Lemma contact_left U p T v t n : contact_bound r U -> motion P p -> after p T v 
   (1 + n <= U)%nat.
 Proof.
   intros HB Hm Ha Hp Ht Hy Hu Hn Hl.
-  destruct (contact_follow P HP Hr1 p T v t n Hm Ha Hp Ht Hy Hu Hn Hl) as [eta [He G]]. now apply (HB t eta n).
+  destruct (contact_follow P HP Hr1 p T v t n Hm Ha Hp Ht Hy Hu Hn Hl) as [eta [He [_ G]]]. now apply (HB t eta n).
 Qed.
 Lemma first_is_heavy U p T n : contact_bound r U -> motion P p -> collision P p T -> y2 P (p T) = 0 -> (1 <= U)%nat ->
   later P p T n -> (1 + n <= U)%nat.

@@ -14,6 +14,7 @@ let dyadic d = Printf.sprintf "(Build_dyadic %s %s)" (decimal d.C.odd_part) (int
 let rec tree b = function
   | C.Leaf (C.Count (x, y)) -> Printf.bprintf b "(count %s %s)" (decimal x) (decimal y)
   | C.Leaf (C.Forward x) -> Printf.bprintf b "(Leaf (Forward %s))" (decimal x)
+  | C.Leaf (C.Plain x) -> Printf.bprintf b "(Leaf (Plain %s))" (decimal x)
   | C.Leaf C.Once -> Buffer.add_string b "(Leaf Once)"
   | C.Leaf C.Outside -> Buffer.add_string b "out"
   | C.Leaf C.Meets -> Buffer.add_string b "(Leaf Meets)"
@@ -97,7 +98,7 @@ Theorem each_piece_proved : forall P, In P (pieces whole) -> forall q : R, in_pi
   (forall U w, bound P = Some (U, w) -> upper_bound q (N.to_nat U)) /\\ lower_bound q (N.to_nat (attained P)).\n\
 Proof. exact (each_piece _ _ (fault_none _ _ accepted)). Qed.\nRedirect \"assumptions\" Print Assumptions proved_by_the_kernel.\n"
     (String.concat " " names) (of_coq c.C.program) (of_coq c.C.program_version)
-    (match c.C.about with C.Turning -> "turning" | C.Full -> "full") (ratio c.C.range_from) (ratio c.C.range_to)
+    (match c.C.about with C.Turning -> "turning" | C.Full -> "full" | C.Full_minimal -> "full_minimal") (ratio c.C.range_from) (ratio c.C.range_to)
     (String.concat " ++ " (List.map (fun n -> n ^ ".part") names)) said
     (ratio from) (ratio upto) (option count most) (option count least)
     (String.concat "" (List.map (fun n -> ", " ^ n ^ ".part_holds") names))

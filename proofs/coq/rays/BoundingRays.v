@@ -39,10 +39,9 @@ Proof.
 Qed.
 
 (** L15 (b): where a contact with the bridge is. *)
-Lemma L15b_before r x0 k0 x k t T : 0 < r -> lower x0 k0 x k -> meets_bridge r x k t -> 0 <= T <= PI ->
-  r * cos T <= k0 -> t <= T.
+Lemma L15b_before r k0 k x t T : 0 < r -> k0 <= k -> meets_bridge r x k t -> 0 <= T <= PI -> r * cos T <= k0 -> t <= T.
 Proof.
-  intros Hr HL [Ht [_ Hk]] HT HkT. destruct HL as [_ [_ [K _]]]. apply Rnot_lt_le. intros L.
+  intros Hr K [Ht [_ Hk]] HT HkT. apply Rnot_lt_le. intros L.
   assert (cos t <= cos T) by (apply cos_decr_1; lra).
   assert (r * cos t <= r * cos T) by (apply Rmult_le_compat_l; lra). lra.
 Qed.
@@ -73,11 +72,11 @@ Proof.
   intros HL Hc Hy. assert (HPI : 0 < PI) by apply PI_RGT_0. assert (K := Hc PI ltac:(lra)). rewrite sin_PI in K.
   apply (flight_mono _ _ (height_at x1 k1 PI) k1); [lra | apply L15a_height; [exact HL | lra] | apply HL | exact Hy].
 Qed.
-(** L15 (b): where the highest ray is below the bridge, at T, all states have met it, at T or before. *)
-Lemma L15b_met r x k x1 k1 T : 0 < r -> lower x k x1 k1 -> 0 <= T <= PI -> height_at x1 k1 T < r * sin T ->
+(** L15 (b): a flight that would be below the bridge, at T, has met it, at T or before. *)
+Lemma L15b_met r x k T : 0 < r -> 0 <= T <= PI -> height_at x k T < r * sin T ->
   ~ clears_bridge r x k /\ forall t, meets_bridge r x k t -> t <= T.
 Proof.
-  intros Hr HL HT Hb. assert (A := L15a_height x k x1 k1 T HL ltac:(lra)). split.
+  intros Hr HT Hb. split.
   - intros Hc. specialize (Hc T HT). lra.
   - intros t [Ht [E Hk]]. apply Rnot_lt_le. intros L. assert (Tg := sin_below_tangent t T ltac:(lra) HT).
     assert (r * sin T <= r * (sin t + (T - t) * cos t)) by (apply Rmult_le_compat_l; lra).

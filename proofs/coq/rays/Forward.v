@@ -10,14 +10,19 @@ Definition height_at (x k t : R) := sin x + k * (x + t).
 Definition meets_bridge (r x k t : R) := 0 < t < PI /\ height_at x k t = r * sin t /\ k < r * cos t.
 Definition clears_bridge (r x k : R) := forall t, 0 <= t <= PI -> r * sin t <= height_at x k t.
 
-(** At least n collisions after it. A contact with the bridge may let any ray go that leaves it to the left; what it
-    brings in is not used. *)
+(** What a contact with the bridge makes of the slope k, s being cos t: where the one is positive, a ray to the left
+    leaves whose slope is the other divided by it. *)
+Definition contact_den (s k r : R) := 1 + 2 * (s * k) - r * (s * s).
+Definition contact_num (s k r : R) := 2 * (r * s) - k * (1 - r * (s * s)).
+(** At least n collisions after it. L15 uses of a contact that the ray leaves the bridge to the left, L16 its slope. *)
 Fixpoint forward (r : R) (n : nat) (x k : R) : Prop :=
   match n with
   | O => True
   | S m =>
       (exists t, meets_bridge r x k t /\
-         (m = O \/ exists eta, 0 < eta /\ coll r m (r * cX t eta) (r * lamX t eta))) \/
+         (m = O \/ exists eta, 0 < eta /\ 0 < contact_den (cos t) k r /\
+            r * lamX t eta * contact_den (cos t) k r = contact_num (cos t) k r /\
+            coll r m (r * cX t eta) (r * lamX t eta))) \/
       (clears_bridge r x k /\ exists y, 0 < y /\ hit (height_at x k PI) k y /\
          (m = O \/ (0 < slope_den (cos y) k r /\ forward r m y (next_slope (cos y) k r))))
   end.
