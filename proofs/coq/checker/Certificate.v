@@ -1,6 +1,6 @@
 (** What a certificate of the section `turning` or `full` is, once it is read (docs/reference/format.md, sections 2 and
-    3; format-sections.md, sections 1 and 2), with the exact boxes of its trees. Nothing here is about rays or floating point:
-    Text.v says how a certificate is written in lines, Leaves.v and FullLeaves.v what a leaf must satisfy. *)
+    3; format-sections.md, sections 1 and 2), with the exact boxes of its trees. Nothing here is about rays or floating
+    point: Text.v says how a certificate is written in lines, Leaves.v and FullLeaves.v what a leaf must satisfy. *)
 From Coq Require Import Reals ZArith NArith Lra Lia List Bool String.
 Local Open Scope R_scope.
 

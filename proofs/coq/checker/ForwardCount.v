@@ -336,7 +336,8 @@ Proof.
      [unfold height_at in *; repeat split; lra | apply forward_is_ray; [lra | lra | lra | exact Hm]]|]);
     destruct (bridge_counted _ _ _ _ _) as [cd all]; destruct HB as [HB1 HB2]; destruct cd; try discriminate;
     simpl in H;
-    (destruct Hm as [[t [Ht Hc]]|[Hcl [y [Hy0 [Hy Hn]]]]]; [apply (HB1 eq_refl t m Ht); destruct Hc as [Hc|[eta [He [_ [_ Hc]]]]]; [now left | right; now exists eta]|]);
+    (destruct Hm as [[t [Ht Hc]]|[Hcl [y [Hy0 [Hy Hn]]]]]; [apply (HB1 eq_refl t m Ht);
+      destruct Hc as [Hc|[eta [He [_ [_ Hc]]]]]; [now left | right; now exists eta]|]);
     (destruct all; [exfalso; now apply HB2|]);
     assert (P0 : 0 <= height_at x k PI) by (assert (P := Hcl PI ltac:(lra)); now rewrite sin_PI, Rmult_0_r in P);
     destruct (Ch P0) as [c [C1 C2]]; set (z' := near_root _ _ _ _) in H.

@@ -130,7 +130,8 @@ Proof.
   destruct (proper_ok b Hp) as [P1 [P2 [P3 P4]]]. assert (HPI : 0 < PI) by apply PI_RGT_0.
   destruct (sc_ok p G T HT _ _ (vin (e0 b))) as [S0 W0]. destruct (sc p G T (pt (e0 b))) as [s0 w0]. simpl in S0, W0.
   set (xi := until _ _) in H3.
-  destruct (until_ok (PI/2) (quarter T) (e1 b) e quI ltac:(lra) ltac:(lra)) as [x1 [X1 X2]]. fold xi in X1. destruct (sc_ok p G T HT _ _ X1) as [S1 W1]. destruct (sc p G T xi) as [s1 w1].
+  destruct (until_ok (PI/2) (quarter T) (e1 b) e quI ltac:(lra) ltac:(lra)) as [x1 [X1 X2]]. fold xi in X1.
+  destruct (sc_ok p G T HT _ _ X1) as [S1 W1]. destruct (sc p G T xi) as [s1 w1].
   simpl in S1, W1. assert (C0 : cos e <= cos (V (e0 b))) by (apply cos_mono; lra).
   assert (C1 : cos x1 <= cos e) by (apply cos_mono; lra).
   destruct (low_ok _ _ S0) as [s2 [S2 S3]]. destruct (low_ok _ _ (sub_in p _ _ _ _ (vin (y0 b)) W0)) as [k0 [K0 K1]].

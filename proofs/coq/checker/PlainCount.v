@@ -1,6 +1,6 @@
-(** L16 with intervals: all states of a box together, each formula evaluated over them (docs/reference/format-sections.md,
-    section 2). Only the least root of sin x = c + k x is bounded by those for the ends of c and k. Generic in the
-    numbers. *)
+(** L16 with intervals: all states of a box together, each formula evaluated over them
+    (docs/reference/format-sections.md, section 2). Only the least root of sin x = c + k x is bounded by those for the
+    ends of c and k. Generic in the numbers. *)
 From Coq Require Import Reals ZArith Lra Lia List Bool.
 From Interval Require Import Real.Xreal Float.Basic Float.Sig Interval.Interval Interval.Float Interval.Float_full.
 From Dumbbell Require Import Ray Chart Forward BoundingRays FewHits ForwardCount.
@@ -53,17 +53,16 @@ Definition reflected (r k w : I.type) : reflection :=
     Returns (if pos w && pos q
              then I.meet (I.meet k' ((I.sqr p a + r) / q - a)%i) (k + (r + I.sqr p k) / q)%i else k')
   end.
-Definition missed (n : nat) (c k : I.type) (z : F.type) : bool :=
-  if seems_to_hit G (low c) (low k) z then match n with O => misses p G T (low c) (low k) | _ => false end
-  else misses p G T (low c) (low k).
+Definition missed (c k : I.type) : bool := misses p G T (low c) (low k).
 (** At most n later collisions of all rays (c, k). *)
 Fixpoint plain_ray (n : nat) (r c k : I.type) (z zh : F.type) : bool :=
   if nonneg (k - unit_ T)%i then true else
-  let k := to_one k in let z := near_root G (low c) (low k) z in
-  if missed n c k z then true else
+  let k := to_one k in
+  if missed c k then true else
   match n with
   | O => false
   | S m =>
+    let z := near_root G (low c) (low k) z in
     let '(x, s, w, zh) := place c k z zh in
     match reflected r k w with
     | Undecided => false
@@ -104,11 +103,12 @@ Fixpoint plain_follow (n : nat) (r0 r1 r : I.type) (b : state) (z zh : F.type) :
   let '(counted, all) := plain_bridge n r0 r1 r b in
   if negb counted then false else
   if all then true else
-  let c := not_negative (height p b (pi_ T)) in let z := near_root G (low c) (low k) z in
-  if missed n c k z then true else
+  let c := not_negative (height p b (pi_ T)) in
+  if missed c k then true else
   match n with
   | O => false
   | S m =>
+    let z := near_root G (low c) (low k) z in
     let '(x, s, w, zh) := place c k z zh in
     match reflected r k w with
     | Undecided => false
@@ -226,13 +226,13 @@ Proof.
         unfold slope_num, a. field. lra.
       * apply Rgt_not_eq. apply Rmult_lt_0_compat; lra.
 Qed.
-Lemma missed_sound n ci ki z c k : missed n ci ki z = true -> inI c ci -> inI k ki -> forall x, ~ hit c k x.
+Lemma missed_sound ci ki c k : missed ci ki = true -> inI c ci -> inI k ki -> forall x, ~ hit c k x.
 Proof.
   intros H Hc Hk. destruct (low_ok _ _ Hc) as [c0 [C1 C2]]. destruct (low_ok _ _ Hk) as [k0 [K1 K2]].
-  apply (misses_sound p G T HT c0 k0 (low ci) (low ki)); try assumption.
-  unfold missed in H. destruct (seems_to_hit _ _ _ _); [destruct n; [exact H | discriminate] | exact H].
+  now apply (misses_sound p G T HT c0 k0 (low ci) (low ki)).
 Qed.
-Lemma to_pi_in x k xi si ki : inI x xi -> inI (sin x) si -> inI k ki -> inI (sin x + k * (x + PI)) (si + ki * (xi + pi_ T))%i.
+Lemma to_pi_in x k xi si ki : inI x xi -> inI (sin x) si -> inI k ki ->
+  inI (sin x + k * (x + PI)) (si + ki * (xi + pi_ T))%i.
 Proof. intros. apply add_in; [assumption|]. apply mul_in; [assumption | now apply add_in]. Qed.
 
 Theorem plain_ray_sound n : forall ri ci ki z zh, plain_ray n ri ci ki z zh = true -> forall r c k, inI r ri ->
@@ -243,10 +243,10 @@ Proof.
     cbn [plain_ray] in H;
     (destruct (nonneg (ki - unit_ T)%i) eqn:E1;
       [assert (A := nonneg_ok _ _ E1 (sub_in p _ _ _ _ Hk unI)); lra|]);
-    assert (Hk' := to_one_ok _ _ Hk K1); set (kj := to_one ki) in *; set (z' := near_root _ _ _ _) in H;
+    assert (Hk' := to_one_ok _ _ Hk K1); set (kj := to_one ki) in *;
     destruct Hm as [x [Hx Hn]];
-    (destruct (missed _ ci kj z') eqn:E2; [exfalso; exact (missed_sound _ _ _ _ _ _ E2 Hc Hk' x Hx)|]);
-    [discriminate|].
+    (destruct (missed ci kj) eqn:E2; [exfalso; exact (missed_sound _ _ _ _ E2 Hc Hk' x Hx)|]);
+    [discriminate|]. set (z' := near_root _ _ _ _) in H.
   destruct Hn as [->|[HD Hn]]; [lia|]. apply le_n_S.
   destruct (next_domain c k r x ltac:(lra) K0 Hx HD) as [Q1 Q2]. set (k' := next_slope (cos x) k r) in *.
   assert (PS := place_sound ci kj z' zh c k x Hc Hk' C0 Hx). destruct (place ci kj z' zh) as [[[xi si] wi] zh'].
@@ -274,7 +274,8 @@ Proof.
   assert (Q := sub_in p _ _ _ _ (mul_in p _ _ _ _ Hr Hw) Hk).
   destruct (on_bridge p T (pt z) && pos (ri * w - ki)%i) eqn:E.
   - apply andb_prop in E. destruct E as [E1 E2]. assert (V := on_bridge_ok p T HT v _ E1 Hv).
-    apply (low0_ok' ((h - r1 * (sin v - v * cos v)) / (r1 * cos v - k))); [|apply Tg; [exact V | exact (pos_ok _ _ E2 Q)] | lra].
+    apply (low0_ok' ((h - r1 * (sin v - v * cos v)) / (r1 * cos v - k)));
+      [|apply Tg; [exact V | exact (pos_ok _ _ E2 Q)] | lra].
     apply div_in; [|exact Q]. apply sub_in; [exact Hh|]. apply mul_in; [exact Hr|].
     apply sub_in; [exact Hs | now apply mul_in].
   - destruct (pos (ri - ki)%i) eqn:E2; [|exists 0; split; [apply zero_in | lra]].
@@ -284,8 +285,8 @@ Proof.
 Qed.
 
 (** Out of the bridge to the left. *)
-Lemma both_ways_sound m ri ki ti r k t : both_ways m ri ki ti = true -> inI r ri -> inI k ki -> inI t ti -> 0 < r <= 1 ->
-  0 <= t <= PI -> 0 < contact_den (cos t) k r -> forall eta, 0 <= eta ->
+Lemma both_ways_sound m ri ki ti r k t : both_ways m ri ki ti = true -> inI r ri -> inI k ki -> inI t ti ->
+  0 < r <= 1 -> 0 <= t <= PI -> 0 < contact_den (cos t) k r -> forall eta, 0 <= eta ->
   r * lamX t eta * contact_den (cos t) k r = contact_num (cos t) k r ->
   forall a, coll r a (r * cX t eta) (r * lamX t eta) -> (a <= m)%nat.
 Proof.
@@ -319,7 +320,8 @@ Qed.
 
 Section States.
 Variables (r0i r1i ri : I.type) (r0 r1 r : R).
-Hypotheses (H0 : inI r0 r0i) (H1 : inI r1 r1i) (Hr : inI r ri) (R0 : 0 < r0) (Ra : r0 <= r) (Rb : r <= r1) (R1 : r1 <= 1).
+Hypotheses (H0 : inI r0 r0i) (H1 : inI r1 r1i) (Hr : inI r ri) (R0 : 0 < r0) (Ra : r0 <= r) (Rb : r <= r1)
+  (R1 : r1 <= 1).
 
 Definition in_state (b : state) x k := inI x (corner b) /\ inI (sin x) (sine b) /\ inI k (slope b).
 
@@ -365,7 +367,8 @@ Theorem plain_follow_sound n : forall b z zh, plain_follow n r0i r1i ri b z zh =
   0 <= x <= PI/2 -> - cos x <= k -> forall m, forward r m x k -> (m <= n)%nat.
 Proof.
   induction n as [|n IH]; intros b z zh H x k [X [S K]] Hx Hup m Hm; (destruct m as [|m]; [lia|]);
-    assert (K1 : k < 1) by (apply Rnot_le_lt; intros L; now assert (A := forward_steep r (Datatypes.S m) x k ltac:(lra) L Hm));
+    assert (K1 : k < 1)
+      by (apply Rnot_le_lt; intros L; now assert (A := forward_steep r (Datatypes.S m) x k ltac:(lra) L Hm));
     cbn [plain_follow] in H;
     (destruct (nonneg (slope b - unit_ T)%i) eqn:E1;
       [assert (A := nonneg_ok _ _ E1 (sub_in p _ _ _ _ K unI)); lra|]);
@@ -379,8 +382,8 @@ Proof.
       by (assert (P := Hcl PI ltac:(assert (0 < PI) by apply PI_RGT_0; lra)); now rewrite sin_PI, Rmult_0_r in P);
     set (ci := not_negative (height p b' (pi_ T))) in *;
     assert (C : inI (height_at x k PI) ci) by (apply not_negative_ok; [now apply to_pi_in | exact P0]);
-    set (z' := near_root _ _ _ _) in H;
-    (destruct (missed _ ci ki z') eqn:E2; [exfalso; exact (missed_sound _ _ _ _ _ _ E2 C K' y Hy)|]); [discriminate|].
+    (destruct (missed ci ki) eqn:E2; [exfalso; exact (missed_sound _ _ _ _ E2 C K' y Hy)|]); [discriminate|].
+  set (z' := near_root _ _ _ _) in H.
   destruct Hn as [->|[HD Hn]]; [lia|]. apply le_n_S. set (k' := next_slope (cos y) k r) in *.
   assert (PS := place_sound ci ki z' zh _ k y C K' P0 Hy). destruct (place ci ki z' zh) as [[[xi si] wi] zh'].
   destruct PS as [Y [Sy W]]. destruct (Rle_or_lt 1 k') as [K2|K2].

@@ -76,7 +76,8 @@ Fixpoint read_tree (hint : N -> reason) (fuel : nat) (c : chart) (t : list strin
     let* (n, t) := line (node_of hint c) t in
     match n with
     | Ends why => Read (Leaf why) t
-    | Halved a => let* (l, t) := read_tree hint fuel c t in let* (u, t) := read_tree hint fuel c t in Read (Split a l u) t
+    | Halved a =>
+      let* (l, t) := read_tree hint fuel c t in let* (u, t) := read_tree hint fuel c t in Read (Split a l u) t
     end
   end.
 Definition levels : nat := 1201.

@@ -89,8 +89,9 @@ Definition section_name (about : section) : string :=
   match about with turning => "turning" | full | full_minimal => "full" end.
 Definition lemmas_name (about : section) : string := match about with full_minimal => "minimal" | _ => "1" end.
 Definition certificate_text (c : certificate) : list string :=
-  "dumbbell-certificate 1" :: ("generator " ++ program c ++ " " ++ program_version c) :: ("lemmas " ++ lemmas_name (about c))
-    :: "scene dumbbell" :: ("section " ++ section_name (about c)) :: "claim collisions"
+  "dumbbell-certificate 1" :: ("generator " ++ program c ++ " " ++ program_version c)
+    :: ("lemmas " ++ lemmas_name (about c)) :: "scene dumbbell" :: ("section " ++ section_name (about c))
+    :: "claim collisions"
     :: ("ratio " ++ ratio_text (range_from c) ++ " " ++ ratio_text (range_to c))
     :: ("pieces " ++ decimal (N.of_nat (List.length (pieces c))))
     :: fold_right piece_text (totals_text (about c) (pieces c)) (pieces c).

@@ -43,7 +43,8 @@ Lemma contact_slope t u v u' v' k : reflects P (- (r * cos t)) u v u' v' -> u < 
   0 < contact_den (cos t) k r /\ v' / - u' * contact_den (cos t) k r = contact_num (cos t) k r.
 Proof.
   intros [l [Hl [Eu [Ev [Er _]]]]] Hu Hs Hu'. assert (R0 := r_pos P HP). set (s := cos t) in *.
-  assert (S0 : 0 < 1 + r * (s * s)) by (assert (0 <= r * (s * s)) by (apply Rmult_le_pos; [lra | apply Rle_0_sqr]); lra).
+  assert (S0 : 0 < 1 + r * (s * s)).
+  { assert (0 <= r * (s * s)) by (apply Rmult_le_pos; [lra | apply Rle_0_sqr]). lra. }
   assert (El : l * r * (1 + r * (s * s)) = 2 * (k - r * s) * u).
   { rewrite <- Hs in *. replace (l * r * (1 + r * (s * s))) with (l * r + r * s * (l * (r * s))) by ring.
     replace (l * r) with (v' - k * - u) by lra. replace (l * (r * s)) with (u' - u) by lra. lra. }
