@@ -1,4 +1,4 @@
-(** L15 (ii) and (c) for the motion: a flight that leaves the wall R to the left has at most the later collisions that
+(** L15 (ii) and (c), and a contact's slope (L16), for the motion: a flight that leaves the wall R to the left has at most the later collisions that
     `forward` counts: it meets the bridge, and then a ray out of the bridge bounds it (to the right it is steep), or
     the other wall, which it leaves as from R, seen in the mirror. *)
 From Coq Require Import Reals Lra Lia List.
@@ -39,7 +39,7 @@ Proof.
 Qed.
 
 (** L16: its slope. *)
-Lemma contact_slope t u v u' v' k : reflects P (- (r * cos t)) u v u' v' -> u < 0 -> k * - u = v -> u' < 0 ->
+Lemma L16_contact_slope t u v u' v' k : reflects P (- (r * cos t)) u v u' v' -> u < 0 -> k * - u = v -> u' < 0 ->
   0 < contact_den (cos t) k r /\ v' / - u' * contact_den (cos t) k r = contact_num (cos t) k r.
 Proof.
   intros [l [Hl [Eu [Ev [Er _]]]]] Hu Hs Hu'. assert (R0 := r_pos P HP). set (s := cos t) in *.
@@ -174,7 +174,7 @@ Proof.
     + destruct (contact_follow p t1 v' t n Hm Ha' Hp (proj1 Hb)) as [eta [He [El G]]]; try assumption.
       * rewrite (contact2 P HP p t1 H2), Hp, cos_minus, cos_PI2, sin_PI2. ring.
       * destruct HL as [l [_ [_ [_ [Er En]]]]]. lra.
-      * destruct (contact_slope t _ _ _ _ k HL Hu Hs K) as [D1 D2].
+      * destruct (L16_contact_slope t _ _ _ _ k HL Hu Hs K) as [D1 D2].
         exists eta. rewrite El. rewrite El in G. now repeat split.
     + apply (L3_steep_no_later P HP Hr1 p t1 v' n Hm Ha'); [|exact Hl1].
       apply (contact_right_steep t (u_of v) (v_of P v)); [exact HL | | exact K].

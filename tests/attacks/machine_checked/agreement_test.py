@@ -6,6 +6,7 @@ committed false claims, a sample of all mutants, and on certificates written now
 DUMBBELL_PROVE_SCALE (1) times as many fresh certificates, and mutants (up to ten times), and the largest shipped certificate. Exit code 77 if PROVE was not built: `./run prove` does."""
 
 import gzip
+import hashlib
 import os
 import random
 import subprocess
@@ -22,7 +23,8 @@ del sys.argv[1:6]
 SCALE = int(os.environ.get("DUMBBELL_PROVE_SCALE", "1"))
 BASES = ["equal", "single", "thousand", "single-split", "deep", "range", "range-from-1", "range-split", "range-deep", "open", "loose", "big",
          "big-range", "full", "full-equal", "full-range", "full-deep", "full-again"]
-JUDGED = [[b"lemmas 1", b"scene dumbbell", b"section " + section] for section in (b"turning", b"full")]
+JUDGED = [[b"lemmas " + lemmas, b"scene dumbbell", b"section " + section]
+          for lemmas, section in ((b"1", b"turning"), (b"1", b"full"), (b"minimal", b"full"))]
 
 
 def verdict(program, options, path):
@@ -45,6 +47,19 @@ def manifest(path):
         if line and not line.startswith("#"):
             name, options, code = line.split("\t")[:3]
             yield path.parent / name, options.split(), int(code)
+
+
+def tampered(lines, chance):
+    """A certificate with one line of a tree, a bound or the ratios changed, and its checksum again right."""
+    changes = {"count": lambda a: f"count {max(0, int(a) + chance.choice([-1, -1, -1, 1]))}",
+               "split": lambda a: f"split {chance.choice([axis for axis in ('e', 't', 'eta', 'q') if axis != a])}",
+               "upper": lambda a: f"upper {int(a) - 1}", "lower": lambda a: f"lower {int(a) + 1}"}
+    places = [k for k, line in enumerate(lines) if line.split()[0] in changes]
+    common = [k for k in places if lines[k].split()[0] in ("count", "split")]
+    place = chance.choice(common if chance.random() < 0.9 else places)
+    word, *rest = lines[place].split()
+    text = "".join(line + "\n" for line in [*lines[:place], changes[word](*rest), *lines[place + 1:-1]])
+    return f"{text}sha256 {hashlib.sha256(text.encode()).hexdigest()}\n"
 
 
 class Agreement(unittest.TestCase):
@@ -95,6 +110,18 @@ class Agreement(unittest.TestCase):
                 total += refused
         self.assertGreater(total, 200)
 
+    def test_plain_mutants(self):
+        """The mutants above have no certificate with `lemmas minimal`."""
+        chance = random.Random(16)
+        lines = gzip.decompress((PROJECT / "certificates/full-plain-10.dbc.gz").read_bytes()).decode().splitlines()
+        refused = 0
+        with tempfile.TemporaryDirectory() as folder:
+            path = Path(folder) / "tampered.dbc"
+            for _ in range(60 * SCALE):
+                path.write_text(tampered(lines, chance))
+                refused += self.same([], path)[0] != 0
+        self.assertGreater(refused, 40)
+
     def test_fresh(self):
         chance = random.Random(4)
         for _ in range(20 * SCALE):
@@ -102,7 +129,8 @@ class Agreement(unittest.TestCase):
             # Single ratios, narrow ranges, and ratios next to a step, which take more than 53 bits.
             request = chance.choice([[str(low)], [f"{low}:{low * (1 + 10 ** chance.uniform(-6, -1)):.9f}"], ["4.603338848751701"],
                                      [f"{4.603338848751 + chance.uniform(0, 1e-11):.17f}"],
-                                     [f"{1 + chance.uniform(0, 100):.3f}", "--section", "full"]])
+                                     [f"{1 + chance.uniform(0, 100):.3f}", "--section", "full"],
+                                     [f"{1 + chance.uniform(0, 6):.3f}", "--section", "full", "--lemmas", "none"]])
             with tempfile.TemporaryDirectory() as folder:
                 path = Path(folder) / "fresh.dbc"
                 written = subprocess.run([DUMBBELL, "certify", *request, "--out", path], capture_output=True, text=True, check=False)
