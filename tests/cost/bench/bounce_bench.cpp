@@ -1,7 +1,8 @@
-// Google Benchmark: the bounce, for the same rays (bounce_rays.hpp) in plain double, in the intervals of
-// src/model, by the batch kernel on each backend of this machine, and with the intervals of other libraries
-// (peers.hpp). Each benchmark is called "bounce/RATIO/METHOD"; its counter `operations` is the number of
-// bounces of one iteration, `agreeing` the share of the rays whose counts are those of Interval.
+// Google Benchmark: the bounce, for the same rays (bounce_rays.hpp) in plain double, scalar and packed, in
+// the intervals of src/model, by the batch kernel on each backend of this machine, and with the intervals of
+// other libraries (peers.hpp). Each benchmark is called "bounce/RATIO/METHOD"; its counter `operations` is
+// the number of bounces of one iteration, `agreeing` the share of the rays whose counts are those of
+// Interval.
 
 #include <benchmark/benchmark.h>
 
@@ -13,6 +14,7 @@
 #include "flight/batch/count.hpp"
 #include "flight/count.hpp"
 #include "peers.hpp"
+#include "plain_packs.hpp"
 
 using namespace dumbbell;
 using namespace dumbbell::flight;
@@ -79,6 +81,17 @@ Job batched(batch::Backend backend, Sides sides) {
     };
 }
 
+template <class F>
+Job plain_packed(F count) {
+    return [=](const Queries& queries, Counts& counts) {
+        std::vector<batch::Answer> answers(queries.size());
+        count(queries.data(), answers.data(), static_cast<long>(queries.size()));
+        for (const batch::Answer& answer : answers) {
+            counts.push_back(answer.count);
+        }
+    };
+}
+
 double agreeing(const Counts& counts, const Counts& expected) {
     std::size_t same = 0;
     for (std::size_t i = 0; i < counts.size(); ++i) {
@@ -134,9 +147,15 @@ void measure_big(const Setting& setting, int bits) {
 void measure_all(const Setting& setting) {
     const auto plain = [](const Ray<double>& ray, long) { return plain_count(ray); };
     measure(setting, "plain double, libm", upper, one_by_one(plain, plain, upper));
+    const auto warm = [](const Ray<double>& ray, long) { return warm_count(ray); };
+    measure(setting, "plain double, warm", upper, one_by_one(warm, warm, upper));
     measure(setting, "Interval, one-sided", upper, one_by_one(own_at_most, own_at_least, upper));
     measure(setting, "Interval, two-sided", both, one_by_one(own_at_most, own_at_least, both));
     for (const batch::Backend backend : batch::backends()) {
+        if (backend == batch::Backend::avx512) {
+            measure(setting, "plain avx512, one pack", upper, plain_packed(plain_one_pack));
+            measure(setting, "plain avx512, four packs", upper, plain_packed(plain_four_packs));
+        }
         const std::string name = "batch " + std::string(batch::name(backend));
         measure(setting, name + ", one-sided", upper, batched(backend, upper));
         measure(setting, name + ", at least", lower, batched(backend, lower));

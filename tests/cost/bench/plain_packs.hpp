@@ -1,0 +1,14 @@
+#pragma once
+
+#include "flight/batch/query.hpp"
+
+/// The plain bounce for eight rays at once (plain_step.hpp), in AVX-512: what a processor can do that need
+/// not prove anything. One pack at a time waits for its own results; four packs side by side keep it busy.
+namespace dumbbell_bench {
+
+void plain_one_pack(const dumbbell::flight::batch::Query* queries, dumbbell::flight::batch::Answer* answers,
+                    long size);
+void plain_four_packs(const dumbbell::flight::batch::Query* queries, dumbbell::flight::batch::Answer* answers,
+                      long size);
+
+}  // namespace dumbbell_bench
