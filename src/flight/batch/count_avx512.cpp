@@ -2,16 +2,17 @@
 #include "flight/batch/count_lanes.hpp"
 #include "flight/batch/lower_step.hpp"
 #include "flight/batch/pack_avx512.hpp"
+#include "flight/batch/packs.hpp"
 #include "flight/batch/upper_step.hpp"
 
 namespace dumbbell::flight::batch {
 
 void count_at_most_avx512(const Query* queries, Answer* answers, long size, Stop stop) {
-    CountLanes<Pack8, Lower>(queries, answers, size).run(stop);
+    CountLanes<Packs<Pack8, 2>, Lower>(queries, answers, size).run(stop);
 }
 
 void count_at_least_avx512(const Query* queries, Answer* answers, long size, Stop stop) {
-    CountLanes<Pack8, Upper>(queries, answers, size).run(stop);
+    CountLanes<Packs<Pack8, 2>, Upper>(queries, answers, size).run(stop);
 }
 
 }  // namespace dumbbell::flight::batch
