@@ -8,11 +8,11 @@
 namespace dumbbell::flight::batch {
 
 void count_at_most_avx512(const Query* queries, Answer* answers, long size, Stop stop) {
-    CountLanes<Packs<Pack8, 2>, Lower>(queries, answers, size).run(stop);
+    CountLanes<Packs<Pack8, 3>, Lower>(queries, answers, size).run(stop);
 }
 
 void count_at_least_avx512(const Query* queries, Answer* answers, long size, Stop stop) {
-    CountLanes<Packs<Pack8, 2>, Upper>(queries, answers, size).run(stop);
+    CountLanes<Packs<Pack8, 3>, Upper>(queries, answers, size).run(stop);
 }
 
 }  // namespace dumbbell::flight::batch

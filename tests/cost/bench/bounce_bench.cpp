@@ -152,10 +152,12 @@ void measure_all(const Setting& setting) {
     measure(setting, "Interval, one-sided", upper, one_by_one(own_at_most, own_at_least, upper));
     measure(setting, "Interval, two-sided", both, one_by_one(own_at_most, own_at_least, both));
     for (const batch::Backend backend : batch::backends()) {
+#if defined(__x86_64__)
         if (backend == batch::Backend::avx512) {
             measure(setting, "plain avx512, one pack", upper, plain_packed(plain_one_pack));
             measure(setting, "plain avx512, four packs", upper, plain_packed(plain_four_packs));
         }
+#endif
         const std::string name = "batch " + std::string(batch::name(backend));
         measure(setting, name + ", one-sided", upper, batched(backend, upper));
         measure(setting, name + ", at least", lower, batched(backend, lower));
