@@ -25,9 +25,8 @@ Rational below_peak(int distance_bits) {
     const PrecisionScope scope(bits + 16);
     const BigInterval scaled = (half_pi<BigInterval>() - enclose<BigInterval>(power_of_half(distance_bits))) *
                                enclose<BigInterval>(Rational(Integer(1) << bits));
-    Integer numerator;
-    mpfr_get_z(numerator.raw(), &scaled.raw()->left, MPFR_RNDD);
-    return {numerator, Integer(1) << bits};
+    const Rational low = exact_lo(scaled);  // positive: the quotient of integers is its floor
+    return {numerator(low) / denominator(low), Integer(1) << bits};
 }
 
 /// The rays above both sides of a contact for every ratio of a range.

@@ -55,9 +55,7 @@ inline Interval least_step() {
 }
 template <>
 inline BigInterval least_step() {
-    BigInterval step(0x1p-1000);
-    mpfi_div_2ui(step.raw(), step.raw(), static_cast<unsigned long>(PrecisionScope::current()));
-    return step;
+    return power_of_two(-1000 - PrecisionScope::current());
 }
 
 /// Lemma L12 (c): g < 0 on all of [0, pi/2].

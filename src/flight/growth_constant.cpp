@@ -33,7 +33,7 @@ BigInterval growth_constant() {
     mag_set_ui_2exp_si(tolerance, 1, -bits);
     acb_calc_integrate(integral, integrand, nullptr, from, to, bits, tolerance, nullptr, bits);
     BigInterval result;
-    arb_get_interval_mpfr(&result.raw()->left, &result.raw()->right, acb_realref(integral));
+    arb_get_interval_arf(result.lower(), result.upper(), acb_realref(integral), PrecisionScope::current());
     mag_clear(tolerance);
     acb_clear(from);
     acb_clear(to);

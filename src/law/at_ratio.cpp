@@ -1,7 +1,5 @@
 #include "law/at_ratio.hpp"
 
-#include <mpfi.h>
-
 #include <algorithm>
 
 #include "law/certificate.hpp"
@@ -12,12 +10,6 @@ namespace {
 
 BigInterval number(const Rational& x) { return enclose<BigInterval>(x); }
 BigInterval number(long p, long q) { return number(Rational(Integer(p), Integer(q))); }
-
-BigInterval ln(const BigInterval& x) {
-    BigInterval result;
-    mpfi_log(result.raw(), x.raw());
-    return result;
-}
 
 /// delta_n by c0 and the root of q_c(n), enclosed.
 BigInterval delta_bounds(const Integer& n, const Constants& constants) {
@@ -30,7 +22,7 @@ BigInterval delta_bounds(const Integer& n, const Constants& constants) {
     if (n <= last_step) {
         return hull(BigInterval(0), high_end(most));
     }
-    const BigInterval log_term = number(63, 1000) * (ln(root) + ln(root)) + number(7, 10);
+    const BigInterval log_term = number(63, 1000) * (log(root) + log(root)) + number(7, 10);
     return hull(low_end(most - log_term / root), high_end(most - number(16, 100) / root));
 }
 

@@ -20,7 +20,7 @@ BigInterval correction_constant() {
     arb_const_sqrt_pi(factor, bits);
     arb_div(value, value, factor, bits);
     BigInterval result;
-    arb_get_interval_mpfr(&result.raw()->left, &result.raw()->right, value);
+    arb_get_interval_arf(result.lower(), result.upper(), value, PrecisionScope::current());
     arb_clear(value);
     arb_clear(factor);
     flint_cleanup();

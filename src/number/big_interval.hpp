@@ -1,32 +1,68 @@
 #pragma once
 
-#include <mpfi.h>
+#include <arf.h>
 
 #include "number/elementary.hpp"
 
 namespace dumbbell {
 
-/// An interval with MPFR bounds of any precision (MPFI): the same vocabulary as Interval, for escalation and
-/// as the oracle in tests. New values get the calling thread's working precision, see PrecisionScope.
+/// An interval with ends of any precision (Arb's arf_t): the same vocabulary as Interval, for escalation and
+/// as the oracle in tests. An operation rounds the ends of its result outward to the calling thread's working
+/// precision, see PrecisionScope; every result here is the tightest one, sine, cosine and the like included.
+/// Copies and intervals of doubles are exact.
 class BigInterval {
   public:
-    BigInterval() : BigInterval(0.0) {}
-    explicit BigInterval(double point);
-    BigInterval(double lo, double hi);
-    BigInterval(const BigInterval& other);
-    BigInterval(BigInterval&& other) noexcept;
-    BigInterval& operator=(const BigInterval& other);
-    BigInterval& operator=(BigInterval&& other) noexcept;
-    ~BigInterval();
+    BigInterval() { init(); }
+    explicit BigInterval(double point) : BigInterval(point, point) {}
+    BigInterval(double lo, double hi) {
+        init();
+        arf_set_d(lo_, lo);
+        arf_set_d(hi_, hi);
+    }
+    BigInterval(const BigInterval& other) {
+        init();
+        arf_set(lo_, other.lo_);
+        arf_set(hi_, other.hi_);
+    }
+    BigInterval(BigInterval&& other) noexcept {
+        init();
+        swap(other);
+    }
+    BigInterval& operator=(const BigInterval& other) {
+        arf_set(lo_, other.lo_);
+        arf_set(hi_, other.hi_);
+        return *this;
+    }
+    BigInterval& operator=(BigInterval&& other) noexcept {
+        swap(other);
+        return *this;
+    }
+    ~BigInterval() {
+        arf_clear(lo_);
+        arf_clear(hi_);
+    }
 
     /// The bounds, rounded outward to double.
-    [[nodiscard]] double lo() const;
-    [[nodiscard]] double hi() const;
-    [[nodiscard]] mpfi_srcptr raw() const noexcept { return value_; }
-    [[nodiscard]] mpfi_ptr raw() noexcept { return value_; }
+    [[nodiscard]] double lo() const { return arf_get_d(lo_, ARF_RND_FLOOR); }
+    [[nodiscard]] double hi() const { return arf_get_d(hi_, ARF_RND_CEIL); }
+
+    /// The bounds, for calls of Arb. What writes one writes both: lower <= upper, or both NaN.
+    [[nodiscard]] arf_srcptr lower() const noexcept { return lo_; }
+    [[nodiscard]] arf_srcptr upper() const noexcept { return hi_; }
+    [[nodiscard]] arf_ptr lower() noexcept { return lo_; }
+    [[nodiscard]] arf_ptr upper() noexcept { return hi_; }
 
   private:
-    mpfi_t value_;
+    void init() noexcept {
+        arf_init(lo_);
+        arf_init(hi_);
+    }
+    void swap(BigInterval& other) noexcept {
+        arf_swap(lo_, other.lo_);
+        arf_swap(hi_, other.hi_);
+    }
+
+    arf_t lo_, hi_;
 };
 
 /// Sets the working precision (bits) of BigInterval on this thread for its lifetime. Precondition: 2 <= bits
@@ -48,6 +84,7 @@ class PrecisionScope {
 [[nodiscard]] BigInterval operator+(const BigInterval& a, const BigInterval& b);
 [[nodiscard]] BigInterval operator-(const BigInterval& a, const BigInterval& b);
 [[nodiscard]] BigInterval operator*(const BigInterval& a, const BigInterval& b);
+/// The whole line if 0 is in `b`.
 [[nodiscard]] BigInterval operator/(const BigInterval& a, const BigInterval& b);
 [[nodiscard]] BigInterval operator-(const BigInterval& a);
 [[nodiscard]] BigInterval sqr(const BigInterval& a);
@@ -58,10 +95,15 @@ class PrecisionScope {
 
 [[nodiscard]] SinCos<BigInterval> sin_cos(const BigInterval& x);
 [[nodiscard]] BigInterval asin(const BigInterval& x);
+/// The natural logarithm; NaN unless x is finite and certainly positive.
+[[nodiscard]] BigInterval log(const BigInterval& x);
 template <>
 [[nodiscard]] BigInterval pi<BigInterval>();
 template <>
 [[nodiscard]] BigInterval half_pi<BigInterval>();
+
+/// 2^exponent, exactly.
+[[nodiscard]] BigInterval power_of_two(long exponent);
 
 [[nodiscard]] BigInterval low_end(const BigInterval& x);
 [[nodiscard]] BigInterval high_end(const BigInterval& x);
@@ -73,8 +115,8 @@ template <>
 /// A thin interval near the middle of X: for guesses only.
 [[nodiscard]] BigInterval midpoint(const BigInterval& x);
 
-/// MPFR keeps pi and its like for each thread that used them. A thread of one's own calls this before it
-/// ends, or their memory is lost.
+/// MPFR and Arb keep pi and its like for each thread that used them. A thread of one's own calls this before
+/// it ends, or their memory is lost.
 void forget_thread_constants();
 
 }  // namespace dumbbell

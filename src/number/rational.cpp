@@ -1,6 +1,8 @@
 #include "number/rational.hpp"
 
+#include <flint/fmpz.h>
 #include <fmt/core.h>
+#include <mpfr.h>
 
 #include <algorithm>
 #include <cctype>
@@ -51,10 +53,19 @@ int parse_exponent(std::string_view text, std::string_view whole) {
     return negative ? -value.convert_to<int>() : value.convert_to<int>();
 }
 
-Rational exact(mpfr_srcptr x) {
-    require(mpfr_number_p(x) != 0, "exact value of a number that is not finite");
+Rational exact(arf_srcptr x) {
+    require(arf_is_finite(x) != 0, "exact value of a number that is not finite");
+    fmpz_t odd, exponent;
+    fmpz_init(odd);
+    fmpz_init(exponent);
+    arf_get_fmpz_2exp(odd, exponent, x);
     Rational result;
-    mpfr_get_q(result.raw(), x);
+    fmpz_get_mpz(mpq_numref(result.raw()), odd);
+    const slong places = fmpz_get_si(exponent);  // of a number that is nearly 2^places, so it fits
+    places < 0 ? mpq_div_2exp(result.raw(), result.raw(), static_cast<mp_bitcnt_t>(-places))
+               : mpq_mul_2exp(result.raw(), result.raw(), static_cast<mp_bitcnt_t>(places));
+    fmpz_clear(odd);
+    fmpz_clear(exponent);
     return result;
 }
 
@@ -224,8 +235,14 @@ std::string to_decimal(const Rational& x, int digits) {
 
 template <>
 BigInterval enclose<BigInterval>(const Rational& x) {
+    fmpz_t numerator, denominator;
+    fmpz_init_set_readonly(numerator, mpq_numref(x.raw()));
+    fmpz_init_set_readonly(denominator, mpq_denref(x.raw()));
     BigInterval result;
-    mpfi_set_q(result.raw(), x.raw());
+    arf_fmpz_div_fmpz(result.lower(), numerator, denominator, PrecisionScope::current(), ARF_RND_FLOOR);
+    arf_fmpz_div_fmpz(result.upper(), numerator, denominator, PrecisionScope::current(), ARF_RND_CEIL);
+    fmpz_clear_readonly(numerator);
+    fmpz_clear_readonly(denominator);
     return result;
 }
 
@@ -243,7 +260,7 @@ Rational exact(double x) {
     return result;
 }
 
-Rational exact_lo(const BigInterval& x) { return exact(&x.raw()->left); }
-Rational exact_hi(const BigInterval& x) { return exact(&x.raw()->right); }
+Rational exact_lo(const BigInterval& x) { return exact(x.lower()); }
+Rational exact_hi(const BigInterval& x) { return exact(x.upper()); }
 
 }  // namespace dumbbell

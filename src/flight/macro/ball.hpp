@@ -18,7 +18,7 @@ class Ball {
     Ball() { arb_init(value_); }
     explicit Ball(double x) : Ball() { arb_set_d(value_, x); }
     explicit Ball(const BigInterval& x) : Ball() {
-        arb_set_interval_mpfr(value_, &x.raw()->left, &x.raw()->right, bits());
+        arb_set_interval_arf(value_, x.lower(), x.upper(), bits());
     }
     explicit Ball(arb_srcptr x) : Ball() { arb_set(value_, x); }
     Ball(const Ball& other) : Ball(other.value_) {}

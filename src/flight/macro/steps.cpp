@@ -67,12 +67,9 @@ void round_to(Interval& bound, const Ball& x, bool up, int /*bits*/) {
     bound = Interval(arf_get_d(arb_midref(end(x, up).raw()), up ? ARF_RND_CEIL : ARF_RND_FLOOR));
 }
 void round_to(BigInterval& bound, const Ball& x, bool up, int bits) {
-    const PrecisionScope scope(bits);
-    BigInterval result(0.);
     const Ball exact = end(x, up);
-    arf_get_mpfr(&result.raw()->left, arb_midref(exact.raw()), up ? MPFR_RNDU : MPFR_RNDD);
-    mpfr_set(&result.raw()->right, &result.raw()->left, MPFR_RNDN);
-    bound = result;
+    arf_set_round(bound.lower(), arb_midref(exact.raw()), bits, up ? ARF_RND_CEIL : ARF_RND_FLOOR);
+    arf_set(bound.upper(), bound.lower());
 }
 
 template <class I>

@@ -18,9 +18,7 @@ dumbbell::flight::Ray<I> as(const PlainRay& ray) {
 }
 /// 2^-n at the working precision, also where a double has none.
 inline dumbbell::BigInterval power_of_half(int n) {
-    dumbbell::BigInterval power(1);
-    mpfi_div_2si(power.raw(), power.raw(), n);
-    return power;
+    return dumbbell::power_of_two(-n);
 }
 template <class T>
 RayCount<T> ray_count(const PlainRay& ray, long cap = 1'000'000) {
