@@ -4,7 +4,6 @@
 #include <mpfr.h>
 
 #include <limits>
-#include <utility>
 
 #include "base/error.hpp"
 
@@ -18,13 +17,12 @@ constexpr arf_rnd_t up = ARF_RND_CEIL;
 
 bool is_nan(const BigInterval& x) { return arf_is_nan(x.lower()) != 0 || arf_is_nan(x.upper()) != 0; }
 
-/// The same; NaN at both ends if it is so at one.
-BigInterval checked(BigInterval x) {
+/// Makes both ends NaN if one is.
+void spread_nan(BigInterval& x) {
     if (is_nan(x)) {
         arf_nan(x.lower());
         arf_nan(x.upper());
     }
-    return x;
 }
 
 BigInterval between(double lo, double hi, const BigInterval& nan_if) {
@@ -43,36 +41,91 @@ void multiply(arf_ptr to, arf_srcptr x, arf_srcptr y, arf_rnd_t rounding) {
     }
 }
 
+/// Bounds whose values have gone, with their memory, for new values of this thread.
+constexpr int most_spare = 64;
+thread_local arf_struct spare[most_spare];
+thread_local int spares = 0;
+thread_local bool spares_are_kept = false;
+
+/// Its destructor frees this thread's spare bounds. Later ones are freed at once.
+struct SpareKeeper {
+    SpareKeeper() noexcept { spares_are_kept = true; }
+    SpareKeeper(const SpareKeeper&) = delete;
+    SpareKeeper& operator=(const SpareKeeper&) = delete;
+    ~SpareKeeper() {
+        spares_are_kept = false;
+        while (spares > 0) {
+            arf_clear(&spare[--spares]);
+        }
+    }
+};
+
+/// Makes `bound` any number.
+void renew(arf_ptr bound) noexcept {
+    if (spares > 0) {
+        *bound = spare[--spares];
+    } else {
+        arf_init(bound);
+    }
+}
+void dismiss(arf_ptr bound) noexcept {
+    constexpr slong most_limbs = 64;
+    const bool is_plain = !COEFF_IS_MPZ(ARF_EXP(bound));
+    if (!ARF_HAS_PTR(bound) && is_plain) {
+        return;  // nothing to free
+    }
+    if (spares_are_kept && spares < most_spare && is_plain && ARF_PTR_ALLOC(bound) <= most_limbs) {
+        spare[spares++] = *bound;
+    } else {
+        arf_clear(bound);
+    }
+}
+
 }  // namespace
+
+BigInterval BigInterval::unset() noexcept {
+    BigInterval result;
+    renew(result.lo_);
+    renew(result.hi_);
+    return result;
+}
+BigInterval::~BigInterval() {
+    dismiss(lo_);
+    dismiss(hi_);
+}
 
 PrecisionScope::PrecisionScope(int bits) : previous_(working_bits) {
     require(bits >= 2 && bits <= (1 << 20), "working precision out of range");
+    thread_local SpareKeeper keeper;
+    (void)keeper;
     working_bits = bits;
 }
 PrecisionScope::~PrecisionScope() { working_bits = previous_; }
 int PrecisionScope::current() noexcept { return working_bits; }
 
 BigInterval operator+(const BigInterval& a, const BigInterval& b) {
-    BigInterval result;
+    BigInterval result = BigInterval::unset();
     arf_add(result.lower(), a.lower(), b.lower(), working_bits, down);
     arf_add(result.upper(), a.upper(), b.upper(), working_bits, up);
-    return checked(std::move(result));
+    spread_nan(result);
+    return result;
 }
 BigInterval operator-(const BigInterval& a, const BigInterval& b) {
-    BigInterval result;
+    BigInterval result = BigInterval::unset();
     arf_sub(result.lower(), a.lower(), b.upper(), working_bits, down);
     arf_sub(result.upper(), a.upper(), b.lower(), working_bits, up);
-    return checked(std::move(result));
+    spread_nan(result);
+    return result;
 }
 BigInterval operator*(const BigInterval& a, const BigInterval& b) {
     if (is_nan(a) || is_nan(b)) {
         return is_nan(a) ? a : b;
     }
-    BigInterval result;
+    BigInterval result = BigInterval::unset();
     const bool a_pos = is_at_least_0(a.lower()), a_neg = is_at_most_0(a.upper());
     const bool b_pos = is_at_least_0(b.lower()), b_neg = is_at_most_0(b.upper());
     if (!a_pos && !a_neg && !b_pos && !b_neg) {
-        BigInterval other;
+        BigInterval other = BigInterval::unset();
         multiply(result.lower(), a.lower(), b.upper(), down);
         multiply(other.lower(), a.upper(), b.lower(), down);
         multiply(result.upper(), a.lower(), b.lower(), up);
@@ -94,7 +147,7 @@ BigInterval operator/(const BigInterval& a, const BigInterval& b) {
         constexpr double infinity = std::numeric_limits<double>::infinity();
         return {-infinity, infinity};
     }
-    BigInterval result;
+    BigInterval result = BigInterval::unset();
     // Of b's ends, the nearer to 0 makes a quotient larger in size.
     arf_srcptr near = b_pos ? b.lower() : b.upper();
     arf_srcptr far = b_pos ? b.upper() : b.lower();
@@ -104,10 +157,11 @@ BigInterval operator/(const BigInterval& a, const BigInterval& b) {
     const bool greatest_is_positive = b_pos ? is_at_least_0(greatest) : is_at_most_0(greatest);
     arf_div(result.lower(), least, least_is_positive ? far : near, working_bits, down);
     arf_div(result.upper(), greatest, greatest_is_positive ? near : far, working_bits, up);
-    return checked(std::move(result));
+    spread_nan(result);
+    return result;
 }
 BigInterval operator-(const BigInterval& a) {
-    BigInterval result;
+    BigInterval result = BigInterval::unset();
     arf_neg_round(result.lower(), a.upper(), working_bits, down);
     arf_neg_round(result.upper(), a.lower(), working_bits, up);
     return result;
@@ -146,7 +200,7 @@ arf_srcptr lesser(arf_srcptr x, arf_srcptr y) { return arf_cmp(x, y) <= 0 ? x : 
 arf_srcptr greater(arf_srcptr x, arf_srcptr y) { return arf_cmp(x, y) >= 0 ? x : y; }
 
 BigInterval rounded(arf_srcptr lower, arf_srcptr upper) {
-    BigInterval result;
+    BigInterval result = BigInterval::unset();
     arf_set_round(result.lower(), lower, working_bits, down);
     arf_set_round(result.upper(), upper, working_bits, up);
     return result;
@@ -207,7 +261,8 @@ bool round_tightly(BigInterval& to, arb_srcptr value) {
     if (arb_can_round_arf(value, working_bits, down) == 0 || arb_can_round_arf(value, working_bits, up) == 0) {
         return false;
     }
-    to = rounded(arb_midref(value), arb_midref(value));
+    arf_set_round(to.lower(), arb_midref(value), working_bits, down);
+    arf_set_round(to.upper(), arb_midref(value), working_bits, up);
     return true;
 }
 
@@ -222,7 +277,7 @@ void until_tight(const Evaluate& evaluate) {
 /// The tightest enclosure of function(x), or any where that needs too many bits.
 template <class Function>
 BigInterval at_point(const Function& function, arf_srcptr x) {
-    BigInterval result;
+    BigInterval result = BigInterval::unset();
     Ball value;
     const arb_struct point = as_ball(x);
     until_tight([&](slong bits) {
@@ -300,13 +355,17 @@ BigInterval log(const BigInterval& x) {
 }
 template <>
 BigInterval pi<BigInterval>() {
-    BigInterval result;
-    Ball value;
-    until_tight([&](slong bits) {
-        arb_const_pi(value, bits);
-        return round_tightly(result, value);
-    });
-    return result;
+    thread_local BigInterval known;
+    thread_local int known_bits = 0;
+    if (known_bits != working_bits) {
+        Ball value;
+        until_tight([&](slong bits) {
+            arb_const_pi(value, bits);
+            return round_tightly(known, value);
+        });
+        known_bits = working_bits;
+    }
+    return known;
 }
 template <>
 BigInterval half_pi<BigInterval>() {
@@ -324,13 +383,13 @@ BigInterval power_of_two(long exponent) {
 }
 
 BigInterval low_end(const BigInterval& x) {
-    BigInterval result;
+    BigInterval result = BigInterval::unset();
     arf_set_round(result.lower(), x.lower(), working_bits, down);
     arf_set(result.upper(), result.lower());
     return result;
 }
 BigInterval high_end(const BigInterval& x) {
-    BigInterval result;
+    BigInterval result = BigInterval::unset();
     arf_set_round(result.upper(), x.upper(), working_bits, up);
     arf_set(result.lower(), result.upper());
     return result;
@@ -364,7 +423,7 @@ double width(const BigInterval& x) {
     return diameter.hi();
 }
 BigInterval midpoint(const BigInterval& x) {
-    BigInterval result;
+    BigInterval result = BigInterval::unset();
     middle(result.lower(), x, working_bits);
     arf_set(result.upper(), result.lower());
     return result;

@@ -12,22 +12,22 @@ namespace dumbbell {
 /// Copies and intervals of doubles are exact.
 class BigInterval {
   public:
-    BigInterval() { init(); }
+    BigInterval() {
+        arf_init(lo_);
+        arf_init(hi_);
+    }
     explicit BigInterval(double point) : BigInterval(point, point) {}
     BigInterval(double lo, double hi) {
-        init();
+        arf_init(lo_);
+        arf_init(hi_);
         arf_set_d(lo_, lo);
         arf_set_d(hi_, hi);
     }
-    BigInterval(const BigInterval& other) {
-        init();
+    BigInterval(const BigInterval& other) : BigInterval(unset()) {
         arf_set(lo_, other.lo_);
         arf_set(hi_, other.hi_);
     }
-    BigInterval(BigInterval&& other) noexcept {
-        init();
-        swap(other);
-    }
+    BigInterval(BigInterval&& other) noexcept : BigInterval() { swap(other); }
     BigInterval& operator=(const BigInterval& other) {
         arf_set(lo_, other.lo_);
         arf_set(hi_, other.hi_);
@@ -37,10 +37,11 @@ class BigInterval {
         swap(other);
         return *this;
     }
-    ~BigInterval() {
-        arf_clear(lo_);
-        arf_clear(hi_);
-    }
+    ~BigInterval();
+
+    /// Any value, for a function that sets both bounds. Its memory is that of one gone before where it can
+    /// be: allocation would cost as much as the arithmetic.
+    [[nodiscard]] static BigInterval unset() noexcept;
 
     /// The bounds, rounded outward to double.
     [[nodiscard]] double lo() const { return arf_get_d(lo_, ARF_RND_FLOOR); }
@@ -53,10 +54,6 @@ class BigInterval {
     [[nodiscard]] arf_ptr upper() noexcept { return hi_; }
 
   private:
-    void init() noexcept {
-        arf_init(lo_);
-        arf_init(hi_);
-    }
     void swap(BigInterval& other) noexcept {
         arf_swap(lo_, other.lo_);
         arf_swap(hi_, other.hi_);

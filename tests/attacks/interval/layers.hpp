@@ -1,5 +1,7 @@
 #pragma once
 
+#include <mpfr.h>
+
 #include "number/big_interval.hpp"
 #include "number/interval.hpp"
 #include "rooms/number/tightest.hpp"
@@ -45,11 +47,12 @@ struct ProgramBig {
     static constexpr bool has_roots = true;
     static I make(mpfr_srcptr lo, mpfr_srcptr hi) {
         I x;
-        mpfi_interv_fr(x.raw(), lo, hi);
+        arf_set_mpfr(x.lower(), lo);
+        arf_set_mpfr(x.upper(), hi);
         return x;
     }
-    static void low(mpfr_ptr to, const I& x) { mpfr_set(to, &x.raw()->left, MPFR_RNDN); }
-    static void high(mpfr_ptr to, const I& x) { mpfr_set(to, &x.raw()->right, MPFR_RNDN); }
+    static void low(mpfr_ptr to, const I& x) { arf_get_mpfr(to, x.lower(), MPFR_RNDN); }
+    static void high(mpfr_ptr to, const I& x) { arf_get_mpfr(to, x.upper(), MPFR_RNDN); }
     static I square(const I& x) { return sqr(x); }
     static I join(const I& a, const I& b) { return hull(a, b); }
     static I turn() { return dumbbell::pi<I>(); }

@@ -104,13 +104,28 @@ template <class T>
 bool high_at_least(const dumbbell::Interval& x, const T& v) {
     return v <= T(x.hi());
 }
+/// The number v, exactly.
+template <class T>
+dumbbell::BigInterval number_of(const T& v) {
+    dumbbell::BigInterval number;
+    arf_set_mpfr(number.lower(), v.backend().data());
+    arf_set(number.upper(), number.lower());
+    return number;
+}
+/// The number x, rounded to T's digits.
+template <class T>
+T number_in(arf_srcptr x) {
+    T number;
+    arf_get_mpfr(number.backend().data(), x, MPFR_RNDN);
+    return number;
+}
 template <class T>
 bool low_at_most(const dumbbell::BigInterval& x, const T& v) {
-    return mpfr_lessequal_p(&x.raw()->left, v.backend().data()) != 0;
+    return arf_cmp(x.lower(), number_of(v).lower()) <= 0;
 }
 template <class T>
 bool high_at_least(const dumbbell::BigInterval& x, const T& v) {
-    return mpfr_lessequal_p(v.backend().data(), &x.raw()->right) != 0;
+    return arf_cmp(number_of(v).lower(), x.upper()) <= 0;
 }
 template <class I, class T>
 bool encloses(const I& x, const T& v) {
@@ -123,7 +138,7 @@ T low_of(const dumbbell::Interval& x) {
 }
 template <class T>
 T low_of(const dumbbell::BigInterval& x) {
-    return T(&x.raw()->left);
+    return number_in<T>(x.lower());
 }
 
 template <class T>
@@ -132,7 +147,7 @@ T high_of(const dumbbell::Interval& x) {
 }
 template <class T>
 T high_of(const dumbbell::BigInterval& x) {
-    return T(&x.raw()->right);
+    return number_in<T>(x.upper());
 }
 
 template <unsigned Digits>

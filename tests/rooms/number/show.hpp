@@ -18,7 +18,7 @@ inline std::string show(const char* text) { return text; }
 inline std::string show(const std::string& text) { return text; }
 inline std::string show(const dumbbell::Interval& x) { return fmt::format("[{:a}, {:a}]", x.lo(), x.hi()); }
 inline std::string show(const dumbbell::BigInterval& x) {
-    return fmt::format("[{:a}, {:a}] of {} bits", x.lo(), x.hi(), mpfi_get_prec(x.raw()));
+    return fmt::format("[{:a}, {:a}] in doubles", x.lo(), x.hi());
 }
 
 /// The arguments, separated by blanks: say("x =", x, "got", y).
