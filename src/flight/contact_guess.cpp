@@ -44,37 +44,29 @@ BigInterval clamped(const BigInterval& z) {
     return midpoint(max(BigInterval(0), min(z, low_end(half_pi<BigInterval>()))));
 }
 
-/// Newton's iteration z + step(z) from double precision to the working precision. It converges
-/// quadratically: the early steps need no more bits than they can win, and a step that is short in
-/// comparison with its precision is the last.
-template <class Step>
-BigInterval refined(BigInterval z, const Step& step) {
-    const int all = PrecisionScope::current();
-    for (int won = 80;; won *= 2) {
-        const PrecisionScope scope(std::min(won + 48, all));
-        const BigInterval next = clamped(z + step(z));
-        const BigInterval change = next - z;
-        z = next;
-        const bool is_short =
-            certainly_at_most(max(change, -change), power_of_two(-PrecisionScope::current() / 2 - 8));
-        if (PrecisionScope::current() == all && (is_short || won >= 2 * all)) {
-            return z;
-        }
+/// Quadratic convergence from double precision to the working precision.
+int refinements() {
+    int steps = 1;
+    for (int bits = 40; bits < PrecisionScope::current(); bits *= 2) {
+        ++steps;
     }
+    return steps;
 }
 
-BigInterval refined_root(const BigInterval& z, const BigInterval& c, const BigInterval& kappa) {
-    return refined(z, [&](const BigInterval& x) {
-        const auto at = sin_cos(x);
-        return -((at.sin - kappa * x - c) / (at.cos - kappa));
-    });
+BigInterval refined_root(BigInterval z, const BigInterval& c, const BigInterval& kappa) {
+    for (int i = refinements(); i > 0; --i) {
+        const auto at = sin_cos(z);
+        z = clamped(z - (at.sin - kappa * z - c) / (at.cos - kappa));
+    }
+    return z;
 }
 
-BigInterval refined_top(const BigInterval& z, const BigInterval& kappa) {
-    return refined(z, [&](const BigInterval& x) {
-        const auto at = sin_cos(x);
-        return (at.cos - kappa) / at.sin;
-    });
+BigInterval refined_top(BigInterval z, const BigInterval& kappa) {
+    for (int i = refinements(); i > 0; --i) {
+        const auto at = sin_cos(z);
+        z = clamped(z + (at.cos - kappa) / at.sin);
+    }
+    return z;
 }
 
 }  // namespace
