@@ -258,7 +258,8 @@ constexpr slong most_bits = 1 << 22;
 /// Makes `to` the tightest enclosure of the number in `value`, and says true, if `value` is narrow enough to
 /// tell it.
 bool round_tightly(BigInterval& to, arb_srcptr value) {
-    if (arb_can_round_arf(value, working_bits, down) == 0 || arb_can_round_arf(value, working_bits, up) == 0) {
+    if (arb_can_round_arf(value, working_bits, down) == 0 ||
+        arb_can_round_arf(value, working_bits, up) == 0) {
         return false;
     }
     arf_set_round(to.lower(), arb_midref(value), working_bits, down);

@@ -10,7 +10,8 @@ namespace {
 
 std::string decimal(arf_srcptr x, const char* format, int digits) {
     mpfr_t same;
-    mpfr_init2(same, std::max(static_cast<mpfr_prec_t>(arf_bits(x)), static_cast<mpfr_prec_t>(MPFR_PREC_MIN)));
+    mpfr_init2(same,
+               std::max(static_cast<mpfr_prec_t>(arf_bits(x)), static_cast<mpfr_prec_t>(MPFR_PREC_MIN)));
     arf_get_mpfr(same, x, MPFR_RNDN);
     char* text = nullptr;
     mpfr_asprintf(&text, format, digits, same);

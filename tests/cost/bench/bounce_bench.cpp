@@ -163,7 +163,7 @@ void measure_all(const Setting& setting) {
         measure(setting, name + ", at least", lower, batched(backend, lower));
         measure(setting, name + ", two-sided", both, batched(backend, both));
     }
-    for (const Peer& peer : {cgal_with_own_sine, cgal_with_mpfr_sine, arb, mpfi}) {
+    for (const Peer& peer : {cgal_with_own_sine, cgal_with_mpfr_sine, arb}) {
         measure_peer(setting, peer);
     }
     for (const int bits : {64, 128, 256, 512, 1024}) {

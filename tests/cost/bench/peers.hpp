@@ -18,7 +18,6 @@ struct Peer {
 extern const Peer cgal_with_mpfr_sine;
 extern const Peer cgal_with_own_sine;
 /// At 53 bits.
-extern const Peer mpfi;
 /// At 53 bits.
 extern const Peer arb;
 

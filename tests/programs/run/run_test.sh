@@ -82,7 +82,7 @@ cat > "$fake/dpkg-query" << 'END'
 #!/usr/bin/env bash
 for word in "${@:3}"; do
     case $word in
-        libmpfi-dev) [[ ! -e $FAKE_STATE ]] || echo "installed:$word" ;;
+        libmpfr-dev) [[ ! -e $FAKE_STATE ]] || echo "installed:$word" ;;
         catch2) echo "config-files:$word" ;;
         *) echo "installed:$word" ;;
     esac
@@ -104,14 +104,14 @@ with_fakes() { run_in "$scratch/elsewhere" env PATH="$fake:$PATH" "$@"; }
 
 with_fakes "$project/run" certify 10
 expect "without root: exit 2" is "$code" 2
-expect "without root: names what is missing and why" has "$err" "libmpfi-dev          multiple-precision intervals"
-expect "without root: prints the command" has "$err" "apt-get install -y --no-install-recommends libmpfi-dev\""
+expect "without root: names what is missing and why" has "$err" "libmpfr-dev          multiple-precision numbers"
+expect "without root: prints the command" has "$err" "apt-get install -y --no-install-recommends libmpfr-dev\""
 expect "without root: only what is missing, only what is needed" lacks "$err" catch2
 expect "without root: nothing on stdout" is "$out" ""
 expect "without root: apt-get is not called" test ! -e "$FAKE_LOG"
 expect "without root: nothing was built" test ! -e "$project/build"
 with_fakes "$project/run" test
-expect "the tests need more packages" has "$err" "install -y --no-install-recommends libmpfi-dev catch2\""
+expect "the tests need more packages" has "$err" "install -y --no-install-recommends libmpfr-dev catch2\""
 cp -- "$fake/id" "$fake/catch2"
 with_fakes "$project/run" test
 expect "a program from elsewhere does as well as its package" lacks "$err" catch2
@@ -126,7 +126,7 @@ with_fakes "$project/run" certify 10
 expect "as root: installs and goes on, though apt-get update failed" is "$code" 0
 expect "as root: says so" has "$err" "installing them with apt-get"
 expect "as root: waits for the lock, asks nothing" \
-    grep -qxF -- "-o DPkg::Lock::Timeout=300 install -y --no-install-recommends libmpfi-dev [noninteractive]" "$FAKE_LOG"
+    grep -qxF -- "-o DPkg::Lock::Timeout=300 install -y --no-install-recommends libmpfr-dev [noninteractive]" "$FAKE_LOG"
 expect "as root: stdout is the program's alone" is "$out" $'cwd=elsewhere\n<certify>\n<10>'
 : > "$FAKE_LOG"
 with_fakes "$project/run" certify 10

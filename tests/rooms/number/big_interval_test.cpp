@@ -91,7 +91,8 @@ TEST_CASE("The logarithm of what is not certainly positive, or not finite, is Na
 }
 
 TEST_CASE("A quotient by an interval that holds 0 is the whole line") {
-    for (const BigInterval& divisor : {BigInterval(0, 1), BigInterval(-1, 0), BigInterval(-1, 1), BigInterval(0)}) {
+    for (const BigInterval& divisor :
+         {BigInterval(0, 1), BigInterval(-1, 0), BigInterval(-1, 1), BigInterval(0)}) {
         CHECK(is(BigInterval(1, 2) / divisor, -infinity, infinity));
     }
 }

@@ -10,7 +10,7 @@ BOUNCE_GOALS = [
     ("batch avx2, two-sided", 0.5, 0.5), ("batch avx2, one-sided", 0.4, 0.24),
     ("batch avx512, two-sided", 0.25, 0.25), ("batch avx512, one-sided", 0.2, 0.12),
 ]
-PEERS = ("CGAL", "Arb", "MPFI")
+PEERS = ("CGAL", "Arb")
 
 
 def columns(results):
@@ -44,7 +44,7 @@ def bounce(bin_folder, effort):
     rows.append(["ns of the plain bounce", *(f"{plain[group]:.0f}" for group in groups)])
     tables.show("One bounce, over the plain one", ["", *groups], rows, [
         "one-sided: an upper bound of the count; at least: a lower bound; two-sided: both. `plain double` and `plain avx512` prove nothing, all others do.",
-        "batch: the kernel of src/batch, `plain` one ray at a time; Interval, BigInterval, CGAL, Arb, MPFI: the general",
+        "batch: the kernel of src/batch, `plain` one ray at a time; Interval, BigInterval, CGAL, Arb: the general",
         "count of src/model, the same template for all of them."])
     goals = []
     for method, short, long in BOUNCE_GOALS:
