@@ -17,11 +17,12 @@ class BigInterval {
         arf_init(hi_);
     }
     explicit BigInterval(double point) : BigInterval(point, point) {}
+    /// What lies between the two, in whichever order.
     BigInterval(double lo, double hi) {
         arf_init(lo_);
         arf_init(hi_);
-        arf_set_d(lo_, lo);
-        arf_set_d(hi_, hi);
+        arf_set_d(lo_, hi < lo ? hi : lo);
+        arf_set_d(hi_, hi < lo ? lo : hi);
     }
     BigInterval(const BigInterval& other) : BigInterval(unset()) {
         arf_set(lo_, other.lo_);
