@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "flight/reflection.hpp"
+#include "starts/bridge_contact.hpp"
 #include "starts/flight.hpp"
 #include "starts/later_count.hpp"
 
@@ -72,58 +73,49 @@ struct FirstReflection {
     }
 };
 
-/// What a ray does that meets the bridge before its top, over a box of rays: `ray` is a way out of a light
-/// wall, all of whose states touch the bridge at a distance x in [0, pi/2] behind the corner. Nothing if
-/// that, or the direction after it, is not certain.
+/// What a ray does that meets the bridge, over a box of rays: `ray` is a way out of a light wall, all of
+/// whose states touch the bridge at a distance x in [0, pi] behind the corner. Nothing if that, or the
+/// direction after it, is not certain.
 ///
-/// x is the least root of sin x = c + k x with c = height / r, k = slope / r: it increases with c and k (L5).
 /// With c = cos x the reflected slope along the ray's direction is (2 r c - slope (1 - r c^2)) / (1 - r c^2 +
 /// 2 slope c), the denominator having the sign of the new direction; where it keeps its sign the quotient
-/// decreases with the slope and increases with c: the numerators of its derivatives are -(1 + r c^2)^2 and 2
-/// (r + slope^2)(1 + r c^2).
+/// decreases with the slope and increases with c: lemma L60 (c).
 template <class I>
 [[nodiscard]] std::optional<Outbound<I>> off_the_bridge(const Outbound<I>& ray, const I& r) {
-    const I height = ray.height / r;
-    const I slope = ray.slope / r;
-    if (!certainly_positive(ray.height) || !certainly_less(slope, I(1))) {
+    const auto at = bridge_contacts(ray.height / r, ray.slope / r);
+    if (!at) {
         return std::nullopt;
     }
-    const auto least = flight::lowest_contact(low_end(height), low_end(slope));
-    const auto greatest = flight::highest_contact(high_end(height), high_end(slope));
-    if (!least || !greatest) {
-        return std::nullopt;
-    }
-    const I x = hull(least->x, greatest->x);
     const auto forward = [&](const I& k, const I& c) { return I(1) - r * sqr(c) + I(2) * k * c; };
     const auto reflected = [&](const I& k, const I& c) {
         return (I(2) * r * c - k * (I(1) - r * sqr(c))) / forward(k, c);
     };
-    const I onward = forward(ray.slope, hull(greatest->cos_x, least->cos_x));
+    const I onward = forward(ray.slope, at->cosine);
     const bool back = certainly_positive(-onward);
     if (!back && !certainly_positive(onward)) {
         return std::nullopt;
     }
-    const I along =
-        hull(reflected(high_end(ray.slope), greatest->cos_x), reflected(low_end(ray.slope), least->cos_x));
-    const I run = back ? x : pi<I>() - x;
+    const I along = hull(reflected(high_end(ray.slope), low_end(at->cosine)),
+                         reflected(low_end(ray.slope), high_end(at->cosine)));
+    const I run = back ? at->x : pi<I>() - at->x;
     const I rise = back ? -along : along;
-    const I top = r * hull(least->sin_x, greatest->sin_x);
     return Outbound<I>{back ? -ray.direction : ray.direction, ray.corner + (back ? 0 : ray.direction), run,
-                       top + rise * run, rise};
+                       r * at->sine + rise * run, rise};
 }
 
-/// What a ray does at the light wall ahead, over a box of rays: `ray` is a way out of a light wall, all of
-/// whose states pass the bridge and touch the wall ahead at a distance x behind its corner. Nothing if that,
-/// or that they turn back, is not certain; `leaves` is set if all of them touch it and go on over its peak
-/// (L1).
+/// What a ray does at the light wall ahead, over a box of rays: `ray` is a way out of the bridge, or of a
+/// light wall past the bridge, all of whose states touch the wall ahead at a distance x behind its corner.
+/// Nothing if that, or that they turn back, is not certain; `leaves` is set if all of them touch it and go on
+/// over its peak (L1).
 ///
 /// x increases with the height c at that corner and with the slope, the reflected slope (2) of L4 increases
-/// with the slope and decreases with w = cos x (L5).
+/// with the slope and decreases with w = cos x, however steeply the ray falls (L60 (d)).
 template <class I>
-[[nodiscard]] std::optional<Outbound<I>> off_the_light_wall(const Outbound<I>& ray, const I& r,
+[[nodiscard]] std::optional<Outbound<I>> off_the_light_wall(const Outbound<I>& ray, const I& r, Mass left,
                                                             bool& leaves) {
     leaves = false;
-    const I c = ray.height + ray.slope * pi<I>();
+    const bool over_bridge = left == Mass::light;
+    const I c = over_bridge ? ray.height + ray.slope * pi<I>() : ray.height;
     if (!certainly_positive(c) || !certainly_less(ray.slope, I(1))) {
         return std::nullopt;
     }
@@ -141,7 +133,7 @@ template <class I>
     const auto high = flight::reflect_at_light_wall(high_end(ray.slope), greatest->cos_x, r);
     const I rise = hull(low.numerator / low.denominator, high.numerator / high.denominator);
     const I x = hull(least->x, greatest->x);
-    return Outbound<I>{-ray.direction, ray.corner + ray.direction, x,
+    return Outbound<I>{-ray.direction, ray.corner + (over_bridge ? ray.direction : 0), x,
                        hull(least->sin_x, greatest->sin_x) + rise * x, rise};
 }
 
@@ -164,12 +156,12 @@ template <class I>
             best.most = steps + *later.most;
         }
         counted += certainly_at_most(-low_end(r), ray.slope) ? 1 : 0;
-        if (best.exact() || left == Mass::heavy || steps == most_steps || counted > most_counted_steps) {
+        if (best.exact() || steps == most_steps || counted > most_counted_steps) {
             return best;
         }
-        const bool passes = certainly_passes_bridge(ray, r);
+        const bool to_wall = left == Mass::heavy || certainly_passes_bridge(ray, r);
         bool leaves = false;
-        const auto next = passes ? off_the_light_wall(ray, r, leaves) : off_the_bridge(ray, r);
+        const auto next = to_wall ? off_the_light_wall(ray, r, left, leaves) : off_the_bridge(ray, r);
         if (leaves) {
             return {steps + 1, steps + 1};
         }
@@ -177,7 +169,7 @@ template <class I>
             return best;
         }
         ray = *next;
-        left = passes ? Mass::light : Mass::heavy;
+        left = to_wall ? Mass::light : Mass::heavy;
     }
 }
 

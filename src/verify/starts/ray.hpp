@@ -35,9 +35,9 @@ class Departures : public Rays<N> {
             count(ray, passes, least - std::min(least, done), most - done);
             if (enough_ && few_) return true;
             counted += ray.slope.lo >= -r_.lo;
-            if (!ray.light || counted > most_counted_steps) break;
+            if (counted > most_counted_steps) break;
             bool last = false;
-            const auto next = passes ? off_light_wall(ray, last) : off_bridge(ray);
+            const auto next = ray.light && !passes ? off_bridge(ray) : off_light_wall(ray, last);
             if (last)
                 return fact("a last collision (L1), the number of all is as said",
                             least <= done + 1 && done + 1 <= most);
@@ -65,9 +65,9 @@ class Departures : public Rays<N> {
                (ray.height + ray.slope * half_turn - r_ * (s + (half_turn - z) * w)).lo > zero;
     }
 
-    /// The rays after a contact with the bridge, if all touch it before its top and go on, or all go back.
+    /// The rays after a contact with the bridge, if all touch it and go on, or all go back.
     std::optional<Departure> off_bridge(const Departure& ray) {
-        const auto at = contacts(ray.height / r_, ray.slope / r_);
+        const auto at = bridge_contacts(ray.height / r_, ray.slope / r_);
         if (!at) return std::nullopt;
         const auto onward = [&](const I& k, const I& w) { return I(1) - r_ * square(w) + I(2) * k * w; };
         const I D = onward(ray.slope, at->cosine);
@@ -82,10 +82,10 @@ class Departures : public Rays<N> {
         const I run = back ? at->x : half_turn - at->x, rise = back ? -slope : slope;
         return Departure{false, r_ * at->sine + rise * run, rise};
     }
-    /// The rays that pass the bridge after a contact with the light wall ahead, if all touch it and turn
-    /// back; `last`: all touch it and go on over the peak.
+    /// The rays that leave the bridge, or pass it, after a contact with the light wall ahead, if all touch it
+    /// and turn back; `last`: all touch it and go on over the peak.
     std::optional<Departure> off_light_wall(const Departure& ray, bool& last) {
-        const auto at = contacts(ray.height + ray.slope * half_turn, ray.slope);
+        const auto at = contacts(ray.light ? ray.height + ray.slope * half_turn : ray.height, ray.slope);
         if (!at) return std::nullopt;
         const auto divisor = [&](const I& k, const I& w) { return square(w) - I(2) * k * w - r_; };
         const I D = divisor(ray.slope, at->cosine);
@@ -145,6 +145,43 @@ class Departures : public Rays<N> {
         const auto last = this->latest({c.hi, kappa.hi, r_.hi}, near(c.hi, kappa.hi));
         if (!last || !(first.x <= last->x && last->cosine <= first.cosine)) return std::nullopt;
         return Contacts{{first.x, last->x}, {first.sine, last->sine}, {last->cosine, first.cosine}};
+    }
+
+    /// L60: the same with a wall up to pi. Of the lowest ray nothing lies before its tangent's root; the
+    /// highest one has a root before a point where sin x > c + kappa x.
+    [[nodiscard]] std::optional<Contacts> bridge_contacts(const I& c, const I& kappa) const {
+        if (!(c.lo > zero && kappa.hi < one)) return std::nullopt;
+        const N low = near_bridge(c.lo, kappa.lo), high = near_bridge(c.hi, kappa.hi);
+        const auto gap = [&](const N& height, const N& slope, const N& x) {
+            return sin_cos_on(I(x), quarter).sin - I(slope) * x - height;
+        };
+        const auto rate = [&](const N& slope, const N& x) { return sin_cos_on(I(x), quarter).cos - slope; };
+        const I p = rate(kappa.lo, low), p_high = rate(kappa.hi, high);
+        if (!(p.lo > zero && p_high.lo > zero)) return std::nullopt;
+        const N first = std::max(zero, (I(low) - gap(c.lo, kappa.lo, low) / p).lo);
+        const I rest = gap(c.hi, kappa.hi, high), size = I(std::max(-rest.lo, rest.hi)) / p_high;
+        for (const int factor : {2, 8, 64}) {
+            const N last = (I(high) + I(factor) * size).hi;
+            if (!(first <= last && last <= half_turn.lo)) return std::nullopt;
+            if (!(gap(c.hi, kappa.hi, last).lo > zero)) continue;
+            const auto [sine, cosine] = sin_cos_on(I(first, last), quarter);
+            return Contacts{{first, last}, sine, cosine};
+        }
+        return std::nullopt;
+    }
+    /// Near the least root of sin x = c + kappa x in [0, pi], by Newton's iteration from the left.
+    [[nodiscard]] N near_bridge(const N& c, const N& kappa) const {
+        N z = zero;
+        for (int i = 0; i < 100; ++i) {
+            const auto [s, w] = sin_cos_on(I(z), quarter);
+            const I step = (I(c) + I(kappa) * z - s) / (w - kappa);
+            const N next = z + step.lo;
+            if (!(next >= zero && next <= half_turn.lo)) break;
+            const bool near = std::max(step.lo, -step.lo) <= z * guess_tolerance(z);
+            z = next;
+            if (near) break;
+        }
+        return z;
     }
 
     const I r_;

@@ -34,10 +34,10 @@ std::pair<Real, Real> reflected(Real spin, Real climb, Real t, Real r) {
     const Real rate = climb - t * spin, factor = 2 * rate / (t * t + r);
     return {spin + factor * t, climb - factor * r};
 }
-/// The least root of sin x = c + k x in (0, pi/2], or none; c > 0.
+/// The least root of sin x = c + k x in (0, pi], or none; c > 0.
 std::optional<Real> contact(Real c, Real k) {
     const auto gap = [&](Real x) { return std::sin(x) - c - k * x; };
-    Real lo = 0, hi = k >= 1 ? 0 : k <= 0 ? pi_real / 2 : std::acos(k);  // the gap is greatest at hi
+    Real lo = 0, hi = k >= 1 ? 0 : k <= -1 ? pi_real : std::acos(k);  // the gap is greatest at hi
     if (gap(hi) < 0) return std::nullopt;
     for (int j = 0; j < 80; ++j) ((gap((lo + hi) / 2) < 0) ? lo : hi) = (lo + hi) / 2;
     return lo;
@@ -102,8 +102,8 @@ TEST_CASE("initial conditions: the enclosure of the first contact's angle holds,
 }
 
 TEST_CASE("initial conditions: steps off the bridge and off a light wall hold for every ray of the box") {
-    int bridge[2] = {0, 0}, light = 0, last = 0;
-    for (int i = 0; i < 20'000; ++i) {
+    int bridge[2] = {0, 0}, light = 0, last = 0, far = 0, dives = 0;
+    for (int i = 0; i < 40'000; ++i) {
         const double size = std::exp2(uniform(-16, -3));
         const I r = around(1 / uniform(1.05, 40), 0);
         const I ratio(r.lo, std::min(1.0, r.lo * (1 + size * uniform(0, 1))));
@@ -111,19 +111,22 @@ TEST_CASE("initial conditions: steps off the bridge and off a light wall hold fo
         const bool low = engine()() % 2 == 0;  // heights that meet the bridge, and such that do not
         const I height = around(low ? r.lo * uniform(0.01, 1) : uniform(0.01, 1.2), r.lo * size);
         const I slope = around(low ? r.lo * uniform(-2, 1) : uniform(-0.3, 0.6), r.lo * size);
-        const bool passes = departures.passes_bridge({true, height, slope});
+        const bool from_light = engine()() % 4 != 0;  // else from the bridge: a light wall is ahead
+        const bool passes = !from_light || departures.passes_bridge({true, height, slope});
         bool leaves = false;
-        const auto next = passes ? departures.off_light_wall({true, height, slope}, leaves)
+        const auto next = passes ? departures.off_light_wall({from_light, height, slope}, leaves)
                                  : departures.off_bridge({true, height, slope});
         if (!next && !leaves) continue;
         for (int j = 0; j < 6; ++j) {
             const Real a = in(height), k = in(slope), q = in(ratio);
             INFO("height " << a << " slope " << k << " r " << q);
-            const auto x = passes ? contact(a + k * pi_real, k) : contact(a / q, k / q);
+            const auto x = !from_light ? contact(a, k)
+                           : passes    ? contact(a + k * pi_real, k)
+                                       : contact(a / q, k / q);
             REQUIRE(x);
             const Real wall = passes ? std::cos(*x) : q * std::cos(*x);
             const auto [spin, climb] = reflected(1, k, wall, q);
-            if (passes)  // nothing of the bridge on the way
+            if (passes && from_light)  // nothing of the bridge on the way
                 for (int n = 1; n < 40; ++n)
                     REQUIRE(a + k * pi_real * n / 40 > q * std::sin(pi_real * n / 40));
             if (leaves) {
@@ -133,6 +136,8 @@ TEST_CASE("initial conditions: steps off the bridge and off a light wall hold fo
             }
             const Real run = !passes && spin > 0 ? pi_real - *x : *x;
             if (passes) REQUIRE(spin < 0);
+            far += !passes && *x > pi_real / 2;
+            dives += passes && k < -q;
             REQUIRE(next->light == passes);
             REQUIRE(holds(next->slope, climb / std::abs(spin)));
             REQUIRE(holds(next->height, (passes ? 1 : q) * std::sin(*x) + climb / std::abs(spin) * run));
@@ -143,6 +148,8 @@ TEST_CASE("initial conditions: steps off the bridge and off a light wall hold fo
     CHECK(bridge[1] > 1000);
     CHECK(light > 1000);
     CHECK(last > 500);
+    CHECK(far > 1000);
+    CHECK(dives > 1000);
 }
 
 TEST_CASE("initial conditions: the rays after the first reflection hold for every state and angle") {
