@@ -161,7 +161,7 @@ Json file_json(const starts::InitialCertificate& certificate, const BoxBudget& b
                          {"kinds", body.kinds()},
                          {"windows", drawn >= leaves ? body.windows() : Json::array()},
                          {"tree", tree},
-                         {"hatched", pictures::hatched_note(certificate)}});
+                         {"hatched", pictures::hatched_note}});
 }
 
 std::string claim_options(const starts::InitialCertificate& certificate) {

@@ -289,7 +289,7 @@ std::string cover_svg(const starts::InitialCertificate& certificate) {
         broken_lines(fmt::format("{}. {} boxes; all initial conditions of a box have the number of "
                                  "collisions of its colour, unless both masses hit the floor at once.{} {}",
                                  fixed_quantities(certificate), plane.cells.size(), legend_note(counts),
-                                 boxes.contains("hatched") ? hatched_note(certificate) : ""),
+                                 boxes.contains("hatched") ? hatched_note : ""),
                      whole_width);
     const double caption_top = frame.bottom() + above_caption;
     Svg svg(page_width, caption_top + caption_step * static_cast<double>(caption.size()),

@@ -123,7 +123,7 @@ std::string phase_svg(const starts::InitialCertificate& certificate) {
     const auto caption = broken_lines(
         fmt::format("{}. Every initial condition inside a region of one colour has exactly that number of "
                     "collisions, unless both masses hit the floor at once: certified, box by box. {}",
-                    fixed_quantities(certificate), undecided > 0 ? hatched_note(certificate) : ""),
+                    fixed_quantities(certificate), undecided > 0 ? hatched_note : ""),
         width);
     const double caption_top = frame.bottom() + 66;
     Svg svg(page_width, caption_top + caption_step * static_cast<double>(caption.size()),

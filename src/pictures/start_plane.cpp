@@ -90,14 +90,4 @@ std::string fixed_quantities(const starts::InitialCertificate& certificate) {
     return text;
 }
 
-std::string hatched_note(const starts::InitialCertificate& certificate) {
-    std::string text = "Hatched: not decided by this certificate.";
-    if (certificate.box.upper(InitialAxis::ratio) > 1) {  // equal masses have no orbit of three collisions
-        text +=
-            " More boxes need not help: dumbbell trace --subdivide has no rule yet for some orbits that hit "
-            "with the light, the heavy and the light mass; dumbbell trace may decide them one by one.";
-    }
-    return text;
-}
-
 }  // namespace dumbbell::pictures

@@ -36,6 +36,6 @@ struct InitialPlane {
 [[nodiscard]] std::string fixed_quantities(const starts::InitialCertificate& certificate);
 
 /// What is said of the hatched part of such a picture.
-[[nodiscard]] std::string hatched_note(const starts::InitialCertificate& certificate);
+inline constexpr const char* hatched_note = "Hatched: not decided by this certificate.";
 
 }  // namespace dumbbell::pictures

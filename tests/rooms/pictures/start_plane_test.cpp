@@ -56,13 +56,3 @@ TEST_CASE("the axes have the ends of the box and the names of the format") {
     CHECK_THAT(phi.label, Contains("phi") && Contains("radians"));
     CHECK_THAT(plot_axis(sample_initial(), InitialAxis::ydot).label, Contains("ydot"));
 }
-
-TEST_CASE(
-    "more boxes are not promised to decide the rest; of equal masses, which have no orbit of three, nothing "
-    "is said") {
-    InitialCertificate certificate = sample_initial();
-    CHECK_THAT(hatched_note(certificate),
-               Contains("not decided by this certificate. More boxes need not help"));
-    certificate.box.lo[4] = certificate.box.hi[4] = 1;
-    CHECK(hatched_note(certificate) == "Hatched: not decided by this certificate.");
-}
