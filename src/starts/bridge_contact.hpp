@@ -48,7 +48,7 @@ template <class I>
     const I residual = magnitude(value(*far, high_end(c), high_end(kappa)) / rate_far);
     for (const int factor : {2, 8, 64}) {
         const I greatest = high_end(*far + residual * I(factor));
-        if (certainly_at_most(greatest, pi<I>()) &&
+        if (certainly_at_most(least, greatest) && certainly_at_most(greatest, pi<I>()) &&
             certainly_positive(value(greatest, high_end(c), high_end(kappa)))) {  // L60 (b)
             const I x = hull(least, greatest);
             const SinCos<I> at = sin_cos(x);
