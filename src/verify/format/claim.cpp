@@ -22,7 +22,7 @@ std::string covered_part(const mpq_class& lo, const mpq_class& hi, const mpq_cla
 void Collisions::add(const mpq_class& a, const mpq_class& b, std::optional<std::uint64_t> u,
                      std::uint64_t v) {
     const mpq_class& from = ratios ? ratios->first : lo;
-    const bool proves[] = {true, u && u <= most.value_or(*u), v >= least.value_or(v)};
+    const bool proves[] = {true, u && (!most || *u <= *most), !least || v >= *least};
     for (std::size_t i = 0; i < 3; ++i)
         if (proves[i] && (reached_[i] ? a <= *reached_[i] : a <= from && from <= b)) reached_[i] = b;
     upper = upper && u ? std::max(upper, u) : std::nullopt;
@@ -38,8 +38,8 @@ std::string Collisions::missing() const {
     const std::string range = " for every mass ratio in " + to_string(from, to);
     const auto covered = [&](std::size_t i) { return reached_[i] && *reached_[i] >= to; };
     if (!covered(0)) return covered_part(lo, hi, from, to);
-    if (most && !covered(1)) return "not proved: at most " + std::to_string(*most) + " collisions" + range;
-    if (least && !covered(2)) return "not proved: at least " + std::to_string(*least) + " collisions" + range;
+    if (most && !covered(1)) return "not proved: at most " + most->get_str() + " collisions" + range;
+    if (least && !covered(2)) return "not proved: at least " + least->get_str() + " collisions" + range;
     return "";
 }
 

@@ -30,7 +30,7 @@ constexpr Pieces all_pieces{1, UINT64_MAX};
 /// For all pieces so far: N*(q) <= upper if it is a number, N*(q) >= lower.
 struct Collisions {
     std::optional<std::pair<mpq_class, mpq_class>> ratios;  ///< demanded; else the file's
-    std::optional<std::uint64_t> most, least;               ///< demanded: N* <= most, N* >= least on `ratios`
+    std::optional<mpz_class> most, least;                   ///< demanded: N* <= most, N* >= least on `ratios`
 
     mpq_class lo, hi;                        ///< of the file
     std::optional<std::uint64_t> upper = 0;  ///< the largest; none if a piece has none

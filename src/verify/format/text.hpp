@@ -75,6 +75,8 @@ inline std::FILE* open_file(const std::string& path, std::string& why) {
     return stream;
 }
 
+constexpr std::size_t longest_integer = 2100;  ///< digits of one in a file
+
 /// A natural number without leading zero and with at most `most` digits.
 inline bool is_natural(std::string_view text, std::size_t most) {
     return !text.empty() && text.size() <= most && (text[0] != '0' || text.size() == 1) &&
@@ -159,6 +161,10 @@ class Text {
         if (!is_natural(fields[i], 18)) reject("number", "not a natural number, or of more than 18 digits");
         return std::stoull(std::string(fields[i]));
     }
+    [[nodiscard]] mpz_class long_natural(std::size_t i) const {
+        if (!is_natural(fields[i], longest_integer)) reject("number", "not a natural number");
+        return mpz_class(std::string(fields[i]));
+    }
     [[nodiscard]] mpq_class ratio(std::size_t i) const { return ratio(fields[i]); }
     [[nodiscard]] mpq_class signed_ratio(std::size_t i) const {
         if (fields[i] == "0/1") return 0;
@@ -207,7 +213,7 @@ class Text {
     }
     [[nodiscard]] mpq_class ratio(std::string_view text) const {
         const auto [p, q] = halves(text, '/');
-        if (!is_natural(p, 2100) || !is_natural(q, 2100) || p == "0" || q == "0")
+        if (!is_natural(p, longest_integer) || !is_natural(q, longest_integer) || p == "0" || q == "0")
             reject("number", "not a ratio P/Q");
         const mpq_class x{mpz_class(std::string(p)), mpz_class(std::string(q))};
         if (gcd(x.get_num(), x.get_den()) != 1) reject("number", "a ratio that is not in lowest terms");

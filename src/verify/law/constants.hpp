@@ -11,41 +11,63 @@ Interval<N> comparison_constant() {
     return I(1) / (I(3) * square_root(I(3) * square_root(I(3))) * square_root(pi<N>()));
 }
 
-/// c0 = 12 |zeta(-1/2)| k0. By the functional equation |zeta(-1/2)| = zeta(3/2)/(4 pi), and zeta(3/2) is the
-/// sum of n^(-3/2): over n >= m, as n^(-3/2) falls and is convex, it lies above the integral from m on by
-/// [1/2 f(m), 1/2 f(m) - f'(m)/12] (trapezoids, and Euler-Maclaurin).
+/// zeta(3/2) = eta(3/2)/(1 - 2^(-1/2)). eta(3/2) is the sum of (-1)^k a_k, a_k = (k + 1)^(-3/2), the integral
+/// of 1/(1 + x) by a measure on [0, 1] of which a_k are the moments: |ln x|^(1/2) dx/Gamma(3/2). With T(x) =
+/// T_n(1 - 2x), Chebyshev's, (T(-1) - T(x))/(1 + x) is a polynomial, its coefficients are (-1)^k c_k, and
+/// what is left is at most eta(3/2)/T(-1) < 1/T(-1), as |T| <= 1 on [0, 1]; T(-1) = T_n(3). (Cohen, Rodriguez
+/// Villegas, Zagier: Convergence acceleration of alternating series, algorithm 1.)
 template <class N>
-Interval<N> law_constant() {
+Interval<N> zeta_of_three_halves() {
     using I = Interval<N>;
-    constexpr int m = 1000;
-    const auto term = [](int n) { return I(1) / (I(n) * square_root(I(n))); };
+    const auto number = [](const mpz_class& x) { return I(bound(down, x, N(0)), bound(up, x, N(0))); };
+    const long n = bits(N(0)) * 2 / 5 + 4;
+    mpz_class before = 1, last = 3;  // T_{i-1}(3), T_i(3)
+    for (long i = 1; i < n; ++i) {
+        const mpz_class next = 6 * last - before;
+        before = last;
+        last = next;
+    }
+    mpz_class b = -1, c = -last;
     I sum = 0;
-    for (int n = 1; n < m; ++n) sum = sum + term(n);
-    const I from = I(2) / square_root(I(m)) + term(m) / I(2), more = term(m) / I(8 * m);
-    const I zeta = sum + I(from.lo, (from + more).hi);
-    return I(3) * zeta / pi<N>() * comparison_constant<N>();
+    for (long k = 0; k < n; ++k) {
+        c = b - c;
+        const I term(static_cast<int>(k + 1));
+        sum = sum + number(c) / (term * square_root(term));
+        b = b * (2 * (k + n) * (k - n)) / ((2 * k + 1) * (k + 1));  // without a remainder
+    }
+    const I all = number(last);
+    return (sum + I(N(-1), N(1))) / all / (I(1) - I(1) / square_root(I(2)));
 }
 
-/// C, the integral of W(a) = sin((pi/2)/cos a) over [0, pi/3]: on each of equal parts, W at the middle and
-/// W'' on the part. With x = (pi/2)/cos a, y = x - pi/2 and t = tan a: W = cos y, W'' = -cos y (x t)^2 - sin
-/// y x (2 t^2 + 1).
+/// c0 = 12 |zeta(-1/2)| k0, and by the functional equation |zeta(-1/2)| = zeta(3/2)/(4 pi).
+template <class N>
+Interval<N> law_constant() {
+    return Interval<N>(3) * zeta_of_three_halves<N>() / pi<N>() * comparison_constant<N>();
+}
+
+/// C, the integral of sin((pi/2) s) over [0, pi/3], s = 1/cos a. With sine's series it is the sum of (-1)^k
+/// (pi/2)^n/n! S_n, n = 2k + 1, S_n the integral of s^n: S_1 = ln(2 + sqrt3) = (2/sqrt3) times the sum of
+/// 3^-k/(2k + 1), (n + 1) S_{n+2} = 2^n sqrt3 + n S_n by parts, and S_{n+2} <= 4 S_n as s <= 2. So from n = 3
+/// on the terms fall, and what is left of the alternating sum lies between 0 and the next one.
 template <class N>
 Interval<N> growth_constant() {
     using I = Interval<N>;
-    constexpr int parts = 1000;
-    const I quarter = pi<N>() / I(2), h = pi<N>() / I(3 * parts), h3 = cube(h) / I(24);
-    I sum = 0;
-    for (int i = 0; i < parts; ++i) {
-        const I middle = pi<N>() * fraction<N>(2 * i + 1, 6 * parts);
-        const I a(middle.lo, middle.hi),
-            part((pi<N>() * fraction<N>(i, 3 * parts)).lo, (pi<N>() * fraction<N>(i + 1, 3 * parts)).hi);
-        sum = sum + sin_cos_on(quarter / sin_cos_on(a, quarter).cos - quarter, quarter).cos * h;
-        const auto [s, c] = sin_cos_on(part, quarter);
-        const I x = quarter / c, t2 = square(s / c);
-        const auto [sin_y, cos_y] = sin_cos_on(x - quarter, quarter);
-        sum = sum - (cos_y * square(x) * t2 + sin_y * x * (I(2) * t2 + I(1))) * h3;
+    const int digits = static_cast<int>(bits(N(0)));
+    const I root = square_root(I(3)), quarter = pi<N>() / I(2);
+    I S = 0, power = 1;
+    for (int k = 0; k < digits; ++k) {
+        S = S + power / I(2 * k + 1);
+        power = power / I(3);
     }
-    return sum;
+    S = I(2) * (S + I(N(0), (power * I(2)).hi)) / root;
+    I sum = 0, share = quarter, twice = root + root;  // (pi/2)^n/n!, 2^n sqrt3
+    for (int n = 1; n < digits / 2 + 20; n += 2) {
+        sum = n % 4 == 1 ? sum + share * S : sum - share * S;
+        S = (twice + I(n) * S) / I(n + 1);
+        share = share * square(quarter) / I((n + 1) * (n + 2));
+        twice = I(4) * twice;
+    }
+    return sum + I((-(share * S)).lo, (share * S).hi);
 }
 
 }  // namespace dumbbell_verify

@@ -78,12 +78,11 @@ bool claim_option(Words& words, Settings& settings) {
     words.once();
     if (words.seen("--exactly") && (words.seen("--max") || words.seen("--min")))
         throw std::invalid_argument("--exactly N is --max N and --min N: give it without them");
-    constexpr std::uint64_t any = 999'999'999'999'999'999;
     Collisions& demand = settings.demand;
     if (name == "--ratio") demand.ratios = parse_ratios(words.value());
-    if (name == "--max") demand.most = words.number(0, any);
-    if (name == "--min") demand.least = words.number(0, any);
-    if (name == "--exactly") demand.most = demand.least = words.number(0, any);
+    if (name == "--max") demand.most = words.count();
+    if (name == "--min") demand.least = words.count();
+    if (name == "--exactly") demand.most = demand.least = words.count();
     if (name == "--scene") {
         settings.scene = words.value();
         const auto known = sections();
@@ -95,9 +94,10 @@ bool claim_option(Words& words, Settings& settings) {
     if (name == "--claim") {
         settings.claim = words.value();
         if (settings.claim != "collisions" && settings.claim != "initial-conditions" &&
-            settings.claim != "law" && !adiabatic_kind(settings.claim))
+            settings.claim != "law" && settings.claim != LawAtRatio::kind && !adiabatic_kind(settings.claim))
             throw std::invalid_argument(
-                "--claim is collisions, initial-conditions, adiabatic-bounce, adiabatic-run, "
+                "--claim is collisions, collisions-by-law, initial-conditions, adiabatic-bounce, "
+                "adiabatic-run, "
                 "adiabatic-scattering, adiabatic-printed or law");
     }
     return true;
@@ -107,8 +107,8 @@ std::string demand_text(const Settings& settings) {
     const Collisions& demand = settings.demand;
     std::string text;
     if (demand.ratios) text = " ratio=" + to_string(demand.ratios->first, demand.ratios->second);
-    if (demand.most) text += " max=" + std::to_string(*demand.most);
-    if (demand.least) text += " min=" + std::to_string(*demand.least);
+    if (demand.most) text += " max=" + demand.most->get_str();
+    if (demand.least) text += " min=" + demand.least->get_str();
     if (settings.check != all_pieces && settings.check != Pieces{})
         text += " pieces=" + std::to_string(settings.check.first) + "-" + std::to_string(settings.check.last);
     return text;

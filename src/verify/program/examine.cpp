@@ -21,6 +21,7 @@ std::string trees(const Verified& proof, const std::string& scene) {
     if (proof.initial) return "the leaves of this file are box, box.01, ...";
     if (proof.adiabatic) return "the leaves of this file are box.01, class0.01, attained1, ...";
     if (proof.law) return "the leaves of this file are 9:light.01, 9:witness, layer.01, bulk1.1, end.1, ...";
+    if (proof.by_law) return "the leaves of this file are upper and lower";
     std::string text =
         "PIECE is from 1 to " + std::to_string(proof.claim.pieces) + ", and the trees of a piece are ";
     for (const Section* section : sections())

@@ -21,6 +21,7 @@ std::string object(const std::vector<Member>& members) {
     return "{" + text + "}";
 }
 std::string number(const std::optional<std::uint64_t>& n) { return n ? std::to_string(*n) : "null"; }
+std::string integer(const std::optional<mpz_class>& n) { return n ? n->get_str() : "null"; }
 std::string string_unless(bool absent, const std::string& text) {
     return absent ? "null" : json_string(text);
 }
@@ -39,8 +40,8 @@ std::string work(bool known, const Proof& proof) {
 std::string demand(const Settings& settings) {
     const Collisions& d = settings.demand;
     return object({{"ratio", d.ratios ? range(d.ratios->first, d.ratios->second) : "null"},
-                   {"max", number(d.most)},
-                   {"min", number(d.least)}});
+                   {"max", integer(d.most)},
+                   {"min", integer(d.least)}});
 }
 
 std::string claim(const Result& result) {
@@ -48,6 +49,7 @@ std::string claim(const Result& result) {
     if (result.proof.initial) return result.proof.initial->json();
     if (result.proof.adiabatic) return result.proof.adiabatic->json();
     if (result.proof.law) return result.proof.law->json();
+    if (result.proof.by_law) return result.proof.by_law->json();
     const Collisions& c = result.proof.claim;
     return object({{"scene", json_string(result.job->settings.scene)},
                    {"ratio", range(c.lo, c.hi)},

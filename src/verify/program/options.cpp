@@ -4,6 +4,7 @@
 #include <initializer_list>
 #include <thread>
 
+#include "verify/law/file.hpp"
 #include "verify/program/claim_list.hpp"
 #include "verify/program/claim_options.hpp"
 #include "verify/program/part_options.hpp"
@@ -21,10 +22,13 @@ Checks certificates (docs/reference/format.md) independently of the program that
   --min N              demand the proof that some trajectory has at least N collisions
   --exactly N          both
   --scene dumbbell|hybrid|wedge  demand this scene (dumbbell)
-  --claim KIND         demand this kind of claim: collisions, or initial-conditions (a file of `dumbbell trace
+  --claim KIND         demand this kind of claim: collisions, or collisions-by-law (one mass ratio by the law, with
+                       --law), or initial-conditions (a file of `dumbbell trace
                        --subdivide`: then --ratio, --max, --min, --exactly are about the starts in its box), or
                        adiabatic-bounce, -run, -scattering, -printed (the adiabatic invariant), or law (all mass
                        ratios): these without --ratio, --max, --min, --exactly, which they do not answer
+  --law FILE           the certificate of the law, on which files of the kind collisions-by-law rest by its SHA-256:
+                       it is verified first, once for all of them; `dumbbell verify` takes the shipped one by itself
   --claims LIST        the certificates and claims of a list like certificates/claims.tsv, one each line: a file, a
                        tab, the six options above that state its claim; what stands after another tab is a remark
   --lemma 4.1|4.2 A B  compare two files: at most as many collisions in A (scene hybrid) as in B (wedge), or
@@ -43,7 +47,7 @@ Checks certificates (docs/reference/format.md) independently of the program that
                        of its lower half, 3:witness the witness of the third piece; box.01 a leaf of a file
                        about initial conditions or the adiabatic invariant, in which class0.01 is a leaf of
                        the first class and attained1 the first attained state; layer.01, bulk1.17 and end.17
-                       boxes of a file about the law
+                       boxes of a file about the law; upper and lower the bounds of one by the law
   --json               print JSON and nothing else: an array of one object for each file; with --lemma one object
   --junit FILE.xml     write a JUnit report, too: one test case for each file
   --quiet              print the last line only, and show no progress
@@ -53,6 +57,7 @@ Checks certificates (docs/reference/format.md) independently of the program that
   dumbbell-verify --ratio 2:5/2 --max 3 stairs.dbc     at most 3 collisions on a part of the file's range?
   dumbbell-verify --explain 1:bridge.0 ten.dbc         one leaf, in numbers
   dumbbell-verify --claim initial-conditions --min 1 falling.dbc    at least one collision from every start?
+  dumbbell-verify --law certificates/law.dbc.gz --ratio 1e6 --exactly 887 million.dbc    one mass ratio by the law
   dumbbell-verify --junit proofs.xml --claims certificates/claims.tsv   in CI: every certificate, its own claim
   dumbbell-verify --ratio 3 --max 3 *.dbc | tail -n 1               how many files prove this?
   dumbbell-verify --json --lemma 4.1 hybrid.dbc wedge.dbc           a comparison, for a script
@@ -119,7 +124,10 @@ Options parse_options(const std::vector<std::string>& arguments) {
             continue;
         else if (name == "--claims")
             claims = words.value();
-        else if (name == "--lemma") {
+        else if (name == "--law") {
+            words.once();
+            settings.law = std::make_shared<LawFile>(words.value());
+        } else if (name == "--lemma") {
             const std::string lemma = words.value();
             result.lemma = find_lemma(lemma);
             if (!result.lemma)

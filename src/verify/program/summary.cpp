@@ -12,6 +12,7 @@ std::string claim_text(const Result& result) {
     if (result.proof.initial) return result.proof.initial->text();
     if (result.proof.adiabatic) return result.proof.adiabatic->text();
     if (result.proof.law) return result.proof.law->text();
+    if (result.proof.by_law) return result.proof.by_law->text();
     const Collisions& claim = result.proof.claim;
     return "scene=" + result.job->settings.scene + " ratio=" + to_string(claim.lo, claim.hi) +
            " upper=" + (claim.upper ? std::to_string(*claim.upper) : "none") +
@@ -48,6 +49,7 @@ std::string block(const Result& result) {
     }
     if (verified && result.proof.adiabatic) text += result.proof.adiabatic->paragraph();
     if (verified && result.proof.law) text += Law::paragraph();
+    if (verified && result.proof.by_law) text += LawAtRatio::paragraph();
     return text + verdict_line(result) + "\n";
 }
 

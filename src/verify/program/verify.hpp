@@ -16,6 +16,7 @@ struct Verified : Proof {
     std::optional<Initial> initial;      ///< if the file is about initial conditions
     std::optional<Adiabatic> adiabatic;  ///< if it is about the adiabatic invariant
     std::optional<Law> law;              ///< if it is about the law
+    std::optional<LawAtRatio> by_law;    ///< if it is about one mass ratio by the law
 };
 
 /// Returns only if all that the file and the demand say is certified, but for the leaves and witnesses of the

@@ -21,9 +21,9 @@ std::string Initial::missing(const Collisions& demand) const {
     if (demand.ratios && (demand.ratios->first < lo || demand.ratios->second > hi))
         return covered_part(lo, hi, demand.ratios->first, demand.ratios->second);
     if (demand.most && (!most || *most > *demand.most))
-        return "not proved: at most " + std::to_string(*demand.most) + " collisions from the box";
+        return "not proved: at most " + demand.most->get_str() + " collisions from the box";
     if (demand.least && least < *demand.least)
-        return "not proved: at least " + std::to_string(*demand.least) + " collisions from the box";
+        return "not proved: at least " + demand.least->get_str() + " collisions from the box";
     return "";
 }
 
