@@ -1,7 +1,8 @@
 #pragma once
 
-#include <string>
+#include <vector>
 
+#include "law/certificate.hpp"
 #include "number/big_interval.hpp"
 #include "number/rational.hpp"
 
@@ -17,12 +18,12 @@ struct AtRatio {
     BigInterval past;
 };
 
-/// Bounds of delta_n = C sqrt(q_c(n)) - (n - 2), by the theorem's part for this n: the general one of
-/// proofs/law.md from 903 on, c0 q_c(n)^(-1/4) from 9 on, the certificate's for less. In the thread's working
-/// precision. Precondition: n >= 3.
+/// Bounds of delta_n = C sqrt(q_c(n)) - (n - 2) by Theorem A of proofs/law.md, in the thread's working
+/// precision. Precondition: n > last_step.
 [[nodiscard]] BigInterval delta_bounds(const Integer& n);
 
-/// With as many bits as q needs. Precondition: q >= 1.
-[[nodiscard]] AtRatio law_at(const Rational& q);
+/// With as many bits as q needs; by the steps of the law's certificate, and by Theorem A beyond them.
+/// Precondition: q >= 1.
+[[nodiscard]] AtRatio law_at(const Rational& q, const std::vector<StepEnds>& steps);
 
 }  // namespace dumbbell::law

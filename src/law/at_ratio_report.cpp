@@ -25,7 +25,7 @@ std::string place(const AtRatio& at) {
     if (lo == 0 && hi == 0) {
         return fmt::format("It is {}.\n", ratio);
     }
-    const bool above = lo > 0;
+    const bool above = lo >= 0;
     return fmt::format("It lies {} to {} of a step {} {}.\n", size(above ? lo : hi, false),
                        size(above ? hi : lo, true), above ? "above" : "below", ratio);
 }

@@ -15,6 +15,22 @@ std::string basis_text(const std::string& file, const std::string& sha256) {
         one_line(file), sha256);
 }
 
+std::vector<StepEnds> read_steps(const std::string& path) {
+    Lines lines(path);
+    std::vector<StepEnds> steps;
+    for (long n = first_step; n <= last_step;) {
+        const auto& fields = lines.next();
+        if (fields[0] != "step") {
+            continue;
+        }
+        if (fields.size() != 4 || lines.number(fields[1]) != n++) {
+            lines.fail();
+        }
+        steps.push_back({lines.ratio(fields[2]), lines.ratio(fields[3])});
+    }
+    return steps;
+}
+
 bool is_law_certificate(const std::string& path) try {
     constexpr int before = 5;
     Lines lines(path);

@@ -26,6 +26,15 @@ struct LawCertificate {
     Parts parts;
 };
 
+/// The ratios A < B of a step to n: n - 1 is proved at A, n at B, and q_c(n) lies in [A, B).
+struct StepEnds {
+    Rational below, above;
+};
+
+/// Of all steps of such a certificate, first_step at first. No verification; throws InputError if the file
+/// cannot be read as one.
+[[nodiscard]] std::vector<StepEnds> read_steps(const std::string& path);
+
 /// What an answer by the law says that it rests on: this file, with this SHA-256.
 [[nodiscard]] std::string basis_text(const std::string& file, const std::string& sha256);
 

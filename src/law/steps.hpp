@@ -5,7 +5,7 @@
 
 #include "base/interrupted.hpp"
 #include "base/observer.hpp"
-#include "collisions/certificate.hpp"
+#include "law/certificate.hpp"
 #include "law/constants.hpp"
 
 namespace dumbbell::law {
@@ -13,9 +13,6 @@ namespace dumbbell::law {
 /// Exact fractions A < B with q_c(n) in [A, B] as it seems, so near that they show what the law says of the
 /// step, and far enough that little has to be proved: a guess, which cover and witness must confirm.
 /// Precondition: first_step <= n <= last_step.
-struct StepEnds {
-    Rational below, above;
-};
 [[nodiscard]] StepEnds step_ends(long n, const Constants& constants);
 
 /// Whether certainly, for all q_c in [A, B]: -0.115 <= delta <= 0.02, and for n >= 9 0 < delta < c0

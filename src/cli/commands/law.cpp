@@ -57,17 +57,11 @@ int run(const Given& given) {
     if (given.has("--prove")) {
         return stoppable([&] { return prove_law_for_all(given); });
     }
+    if (given.has("--ratio")) {
+        return law_at_one_ratio(given);
+    }
     const std::string file =
         given.has("FILE") ? input_file(given.text("FILE")) : shipped_certificate(law::certificate_name);
-    if (given.has("--ratio")) {
-        if (!law::is_law_certificate(file)) {
-            throw InputError(
-                fmt::format("'{}' is no certificate of the law for every mass ratio "
-                            "(dumbbell law --prove --out FILE)",
-                            given.text("FILE")));
-        }
-        return law_at_one_ratio(given, file);
-    }
     return law::is_law_certificate(file) ? law_for_all(given, file) : law_of_staircase(given, file);
 }
 

@@ -9,6 +9,7 @@
 #include "cli/terminal/frame.hpp"
 #include "cli/terminal/messages.hpp"
 #include "cli/terminal/output.hpp"
+#include "cli/terminal/standard_input.hpp"
 #include "cli/terminal/stop_signals.hpp"
 #include "file/shipped.hpp"
 #include "law/at_ratio_report.hpp"
@@ -29,6 +30,32 @@ std::optional<law::LawCertificate> prove(const Given& given) {
     request.interrupted = deadline(std::nullopt);
     request.observer = &progress;
     return prove_law(request);
+}
+
+/// The certificate of the law that was named, or the shipped one. Throws InputError for any other file.
+std::string law_certificate(const std::string& name) {
+    std::string file = name.empty() ? shipped_certificate(law::certificate_name) : input_file(name);
+    if (!law::is_law_certificate(file)) {
+        throw InputError(
+            fmt::format("'{}' is no certificate of the law for every mass ratio "
+                        "(dumbbell law --prove --out FILE)",
+                        name));
+    }
+    return file;
+}
+
+law::AtRatioReport at_ratio(const Rational& q, const std::string& file) {
+    std::string sha256 = certificates::sealed_digest(file);
+    return {law::law_at(q, law::read_steps(file)), file, std::move(sha256)};
+}
+
+/// The law needs no search: what is about one is refused.
+void refuse_with_law(const Given& given, std::initializer_list<const char*> options) {
+    for (const char* option : options) {
+        if (given.has(option)) {
+            throw InputError(fmt::format("{} means nothing with --by law: leave it out", option));
+        }
+    }
 }
 
 /// N of `critical --by law`, also as 1e50. Throws InputError.
@@ -76,22 +103,18 @@ int prove_law_for_all(const Given& given) {
     return exit_done;
 }
 
-int law_at_one_ratio(const Given& given, const std::string& file) {
+int law_at_one_ratio(const Given& given) {
     const RatioArgument ratio = parse_ratio_argument(given.text("--ratio"));
     if (ratio.lo != ratio.hi) {
         throw InputError("--ratio takes one mass ratio, for example 1e100 or 7/3");
     }
-    const law::AtRatioReport report{law::law_at(ratio.lo), file, certificates::sealed_digest(file)};
+    const law::AtRatioReport report = at_ratio(ratio.lo, law_certificate(given.text("FILE")));
     fmt::print("{}", shown(report, given));
     return report.at.lower == report.at.upper ? exit_done : exit_not_certified;
 }
 
 int critical_by_law(const Given& given) {
-    for (const char* option : {"--digits", "--confirm", "--out", "--budget", "--jobs"}) {
-        if (given.has(option)) {
-            throw InputError(fmt::format("{} means nothing with --by law: leave it out", option));
-        }
-    }
+    refuse_with_law(given, {"--digits", "--confirm", "--out", "--budget", "--jobs"});
     const Integer n = parse_law_count(given.text("N"));
     const std::string file = shipped_certificate(law::certificate_name);
     const law::CriticalByLaw report{n, law::critical_ratio(n), file, certificates::sealed_digest(file)};

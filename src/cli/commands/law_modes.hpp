@@ -14,8 +14,8 @@ int law_of_staircase(const Given& given, const std::string& file);
 int law_for_all(const Given& given, const std::string& file);
 /// --prove.
 int prove_law_for_all(const Given& given);
-/// --ratio, by this certificate.
-int law_at_one_ratio(const Given& given, const std::string& file);
+/// --ratio, by the certificate FILE.
+int law_at_one_ratio(const Given& given);
 
 /// `critical --by law`.
 int critical_by_law(const Given& given);

@@ -2,7 +2,9 @@
 
 #include <catch2/catch.hpp>
 #include <random>
+#include <tuple>
 
+#include "base/error.hpp"
 #include "collisions/critical.hpp"
 #include "collisions/piece.hpp"
 #include "law/constants.hpp"
@@ -22,8 +24,13 @@ long proved(const Rational& q) {
     return piece.lower;
 }
 
+AtRatio at_ratio(const Rational& q) {
+    static const auto steps = read_steps(DUMBBELL_PROJECT "/certificates/law.dbc.gz");
+    return law_at(q, steps);
+}
+
 void check_agreement(const Rational& q) {
-    const AtRatio at = law_at(q);
+    const AtRatio at = at_ratio(q);
     const long n = proved(q);
     CAPTURE(q, n, at.lower.str(), at.upper.str());
     CHECK(at.lower <= Integer(n));
@@ -44,6 +51,38 @@ TEST_CASE("the law agrees with covers at ratios of all sizes") {
     }
 }
 
+TEST_CASE("below the theorem's ratios the law is that of its certificate's steps") {
+    for (const auto& [text, lower, upper] :
+         std::vector<std::tuple<const char*, long, long>>{{"1", 2, 2},
+                                                          {"1.000000000000000000000000000001", 3, 3},
+                                                          {"32/7", 3, 3},
+                                                          {"4.6", 3, 4},
+                                                          {"24/5", 4, 4},
+                                                          {"10", 4, 4},
+                                                          {"62.6", 8, 8},
+                                                          {"62.7", 8, 9},
+                                                          {"62.75", 9, 9},
+                                                          {"1032803", 901, 901},
+                                                          {"1032804", 901, 902},
+                                                          {"1032809.5", 902, 902}}) {
+        CAPTURE(text);
+        const AtRatio at = at_ratio(parse_rational(text));
+        CHECK(at.lower == Integer(lower));
+        CHECK(at.upper == Integer(upper));
+        CHECK((at.lower == at.upper) == (exact_lo(at.past) >= 0 || exact_hi(at.past) <= 0));
+    }
+}
+
+TEST_CASE("all steps of the shipped certificate are read, and nothing else as one") {
+    const auto steps = read_steps(DUMBBELL_PROJECT "/certificates/law.dbc.gz");
+    REQUIRE(std::ssize(steps) == last_step - first_step + 1);
+    for (std::size_t i = 0; i + 1 < steps.size(); ++i) {
+        CHECK(steps[i].below < steps[i].above);
+        CHECK(steps[i].above < steps[i + 1].below);
+    }
+    CHECK_THROWS_AS(read_steps(DUMBBELL_PROJECT "/certificates/q-10.dbc"), InputError);
+}
+
 TEST_CASE("the law agrees with covers next to steps, and decides all but a share q^(-1/2) ln q of each") {
     std::mt19937_64 random(21);
     std::uniform_int_distribution<long> steps(903, 3000);
@@ -58,7 +97,7 @@ TEST_CASE("the law agrees with covers next to steps, and decides all but a share
             const Rational root = (Rational(n - 2) + middle + width * Rational(51 * side, 100)) / C;
             const Rational q = exact((root * root).convert_to<double>());
             check_agreement(q);
-            const AtRatio at = law_at(q);
+            const AtRatio at = at_ratio(q);
             CAPTURE(n, side);
             CHECK((at.lower == at.upper) == (side != 0));
             CHECK(at.step == Integer(n));
@@ -67,11 +106,11 @@ TEST_CASE("the law agrees with covers next to steps, and decides all but a share
 }
 
 TEST_CASE("the law reaches as far as one can write ratios") {
-    const AtRatio at = law_at(parse_rational("1e100"));
+    const AtRatio at = at_ratio(parse_rational("1e100"));
     CHECK(at.lower == at.upper);
     CHECK(at.lower.str() == "88559512945271391141202194891455767300579529460287");
     CHECK(width(at.past) < 1e-45);
-    const AtRatio third = law_at(parse_rational("1e300") / 3);
+    const AtRatio third = at_ratio(parse_rational("1e300") / 3);
     CHECK(third.lower == third.upper);
 }
 
