@@ -96,13 +96,15 @@ PieceReader::PieceReader(const std::string& path, Trees trees) : lines_(path), t
     const auto scene = scene_named(lines_.expect("scene", 2)[1]);
     const auto section = section_named(lines_.expect("section", 2)[1], lemmas);
     const std::string claim = lines_.expect("claim", 2)[1];
-    const bool adiabatic = claim.starts_with("adiabatic-"), law = claim == "law";
-    if (claim == "initial-conditions" || adiabatic || law) {
+    const bool adiabatic = claim.starts_with("adiabatic-"), law = claim == "law",
+               by_law = claim == "collisions-by-law";
+    if (claim == "initial-conditions" || adiabatic || law || by_law) {
         throw InputError(
             fmt::format("'{}' is about {}: a certificate about mass ratios is needed here "
                         "(dumbbell certify RATIO --out FILE); dumbbell verify reads both",
                         path,
-                        law         ? "the law for every mass ratio (dumbbell law)"
+                        by_law      ? "one mass ratio by the law, without a cover (dumbbell certify --by law)"
+                        : law       ? "the law for every mass ratio (dumbbell law)"
                         : adiabatic ? "the adiabatic invariant (dumbbell adiabatic)"
                                     : "initial conditions (dumbbell trace)"));
     }

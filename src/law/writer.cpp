@@ -74,4 +74,20 @@ SealedText render(const LawCertificate& certificate) {
     return std::move(writer).finish(certificate.parts);
 }
 
+SealedText render(const AtRatio& at, const std::string& law_sha256) {
+    const LawCertificate by_this_program;
+    SealedLines text;
+    text.line("dumbbell-certificate 1");
+    text.line("generator {} {}", by_this_program.program, by_this_program.version);
+    text.line("lemmas 1");
+    text.line("scene dumbbell");
+    text.line("section none");
+    text.line("claim collisions-by-law");
+    text.line("ratio {}", to_fraction(at.q));
+    text.line("law {}", law_sha256);
+    text.line("upper {}", at.upper.str());
+    text.line("lower {}", at.lower.str());
+    return std::move(text).sealed();
+}
+
 }  // namespace dumbbell::law

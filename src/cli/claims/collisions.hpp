@@ -21,6 +21,9 @@ inline constexpr std::array claim_options{
     Option{"--gap", "REL", "ranges: relative width of the gap around a critical ratio, at most 0.01",
            "1e-6"}};
 
+/// What is said first if the ratios were given below 1.
+inline constexpr const char* masses_are_swapped = "Ratios below 1: the masses are swapped, q -> 1/q.\n";
+
 /// The claim as a request, with the standard number of jobs and no budget. Throws InputError if the options
 /// contradict one another.
 [[nodiscard]] collisions::CertifyRequest request_of(const Given& given, const RatioArgument& ratio);

@@ -3,6 +3,7 @@
 #include "base/deadline.hpp"
 #include "base/error.hpp"
 #include "certificates/any_reader.hpp"
+#include "cli/claims/collisions.hpp"
 #include "cli/commands/law_modes.hpp"
 #include "cli/commands/verify.hpp"
 #include "cli/terminal/exit_code.hpp"
@@ -12,7 +13,7 @@
 #include "cli/terminal/standard_input.hpp"
 #include "cli/terminal/stop_signals.hpp"
 #include "file/shipped.hpp"
-#include "law/at_ratio_report.hpp"
+#include "law/certified_report.hpp"
 #include "law/critical.hpp"
 #include "law/critical_report.hpp"
 #include "law/prove.hpp"
@@ -111,6 +112,33 @@ int law_at_one_ratio(const Given& given) {
     const law::AtRatioReport report = at_ratio(ratio.lo, law_certificate(given.text("FILE")));
     fmt::print("{}", shown(report, given));
     return report.at.lower == report.at.upper ? exit_done : exit_not_certified;
+}
+
+int certify_by_law(const Given& given) {
+    refuse_with_law(given, {"--scene", "--section", "--lemmas", "--gap", "--jobs", "--budget", "--witness"});
+    const RatioArgument ratio = parse_ratio_argument(given.text("RATIO"));
+    if (ratio.lo != ratio.hi) {
+        throw InputError(
+            "--by law takes one mass ratio, for example 1e100 or 7/3: a range is proved without it");
+    }
+    const std::string file = law_certificate(given.text("--law"));
+    const Output output(given.text("--out"), {file}, given.has("--json") ? "--json" : nullptr);
+    law::CertifiedReport report{.answer = at_ratio(ratio.lo, file)};
+    if (given.has("--law")) {
+        report.law = given.text("--law");
+    }
+    const law::AtRatio& at = report.answer.at;
+    if (output.is_wanted()) {
+        write(render(at, report.answer.sha256), output, report);
+    }
+    const bool is_text = !given.has("--json") && !given.has("--quiet");
+    fmt::print(output.report(), "{}{}", ratio.swapped && is_text ? masses_are_swapped : "",
+               shown(report, given));
+    if (at.lower == at.upper) {
+        return exit_done;
+    }
+    complain("not decided: the law leaves two values at this ratio; without --by law a cover may decide");
+    return exit_not_certified;
 }
 
 int critical_by_law(const Given& given) {

@@ -17,6 +17,8 @@ int prove_law_for_all(const Given& given);
 /// --ratio, by the certificate FILE.
 int law_at_one_ratio(const Given& given);
 
+/// `certify --by law`.
+int certify_by_law(const Given& given);
 /// `critical --by law`.
 int critical_by_law(const Given& given);
 

@@ -3,13 +3,16 @@
 #include <fmt/core.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <utility>
 #include <vector>
 
 #include "base/error.hpp"
 #include "cli/commands.hpp"
+#include "file/shipped.hpp"
 #include "file/verifier_program.hpp"
+#include "law/certificate.hpp"
 
 namespace dumbbell::cli {
 
@@ -24,6 +27,7 @@ Checks certificates (docs/reference/format.md) independently of the program that
   dumbbell-verify --ratio 2:5/2 --max 3 stairs.dbc     at most 3 collisions on a part of the file's range?
   dumbbell-verify --explain 1:bridge.0 ten.dbc         one leaf, in numbers
   dumbbell-verify --claim initial-conditions --min 1 falling.dbc    at least one collision from every start?
+  dumbbell-verify --law certificates/law.dbc.gz --ratio 1e6 --exactly 887 million.dbc    one mass ratio by the law
   dumbbell-verify --junit proofs.xml --claims certificates/claims.tsv   in CI: every certificate, its own claim
   dumbbell-verify --ratio 3 --max 3 *.dbc | tail -n 1               how many files prove this?
   dumbbell-verify --json --lemma 4.1 hybrid.dbc wedge.dbc           a comparison, for a script
@@ -49,7 +53,8 @@ constexpr std::array options{
     Option{"--scene", "dumbbell|hybrid|wedge", "demand this scene (dumbbell)"},
     Option{
         "--claim", "KIND",
-        "demand this kind of claim: collisions, or initial-conditions (a file of `dumbbell trace "
+        "demand this kind of claim: collisions, or collisions-by-law (one mass ratio, with --law), or "
+        "initial-conditions (a file of `dumbbell trace "
         "--subdivide`: then --ratio, --max, --min, --exactly are about the starts in its box), or "
         "adiabatic-bounce, -run, -scattering, -printed (the adiabatic invariant), or law (all mass ratios): "
         "these without --ratio, --max, --min, --exactly, which they do not answer"},
@@ -59,6 +64,10 @@ constexpr std::array options{
     Option{"--lemma", "4.1|4.2 A B",
            "compare two files: at most as many collisions in A (scene hybrid) as in B (wedge), or at most "
            "one more in A (dumbbell) than in B (hybrid)"},
+    Option{
+        "--law", "FILE",
+        "the certificate of the law, on which files of the kind collisions-by-law rest by its SHA-256: it is "
+        "verified first, once for all of them; `dumbbell verify` takes the shipped one by itself"},
     Option{"--shards", "I-J",
            "check only the pieces I to J (or I alone) of one file, counted from 1; the file is read as a "
            "whole. The last line is `s PART ...`, which is no verdict of the file"},
@@ -77,7 +86,7 @@ constexpr std::array options{
            "lower half, 3:witness the witness of the third piece; box.01 a leaf of a file about initial "
            "conditions or the adiabatic invariant, in which class0.01 is a leaf of the first class and "
            "attained1 the first attained state; layer.01, bulk1.17 and end.17 boxes of a file about the "
-           "law"},
+           "law; upper and lower the bounds of one by the law"},
     flag("--json",
          "print JSON and nothing else: an array of one object for each file; with --lemma one object"),
     Option{"--junit", "FILE.xml", "write a JUnit report, too: one test case for each file"},
@@ -85,10 +94,23 @@ constexpr std::array options{
     flag("--help,--version", "print that and nothing else"),
     argument("FILE", "certificates").repeated()};
 
+/// With the shipped certificate of the law, unless one is named, or none is there.
+std::vector<std::string> with_law(std::vector<std::string> words) try {
+    const auto names_law = [](const std::string& word) {
+        return word == "--law" || word.starts_with("--law=");
+    };
+    if (std::ranges::none_of(words, names_law)) {
+        words.insert(words.begin(), "--law=" + shipped_certificate(law::certificate_name));
+    }
+    return words;
+} catch (const InputError&) {
+    return words;
+}
+
 /// Its exit code is the verifier's. Returns only if it cannot be started: throws InputError.
 [[noreturn]] void become_verifier(const std::vector<std::string>& words) {
     std::string program = verifier_path();
-    std::vector<std::string> copies = words;
+    std::vector<std::string> copies = with_law(words);
     std::vector<char*> arguments{program.data()};
     for (std::string& word : copies) {
         arguments.push_back(word.data());

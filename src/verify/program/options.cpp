@@ -22,17 +22,17 @@ Checks certificates (docs/reference/format.md) independently of the program that
   --min N              demand the proof that some trajectory has at least N collisions
   --exactly N          both
   --scene dumbbell|hybrid|wedge  demand this scene (dumbbell)
-  --claim KIND         demand this kind of claim: collisions, or collisions-by-law (one mass ratio by the law, with
-                       --law), or initial-conditions (a file of `dumbbell trace
-                       --subdivide`: then --ratio, --max, --min, --exactly are about the starts in its box), or
-                       adiabatic-bounce, -run, -scattering, -printed (the adiabatic invariant), or law (all mass
-                       ratios): these without --ratio, --max, --min, --exactly, which they do not answer
-  --law FILE           the certificate of the law, on which files of the kind collisions-by-law rest by its SHA-256:
-                       it is verified first, once for all of them; `dumbbell verify` takes the shipped one by itself
+  --claim KIND         demand this kind of claim: collisions, or collisions-by-law (one mass ratio, with --law), or
+                       initial-conditions (a file of `dumbbell trace --subdivide`: then --ratio, --max, --min,
+                       --exactly are about the starts in its box), or adiabatic-bounce, -run, -scattering, -printed
+                       (the adiabatic invariant), or law (all mass ratios): these without --ratio, --max, --min,
+                       --exactly, which they do not answer
   --claims LIST        the certificates and claims of a list like certificates/claims.tsv, one each line: a file, a
                        tab, the six options above that state its claim; what stands after another tab is a remark
   --lemma 4.1|4.2 A B  compare two files: at most as many collisions in A (scene hybrid) as in B (wedge), or
                        at most one more in A (dumbbell) than in B (hybrid)
+  --law FILE           the certificate of the law, on which files of the kind collisions-by-law rest by its SHA-256:
+                       it is verified first, once for all of them; `dumbbell verify` takes the shipped one by itself
   --shards I-J         check only the pieces I to J (or I alone) of one file, counted from 1; the file is read as a
                        whole. The last line is `s PART ...`, which is no verdict of the file
   --combine PARTS      check no piece, but take the lines `s PART` in the file PARTS, in any order: `s COMBINED`

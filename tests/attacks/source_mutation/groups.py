@@ -70,7 +70,7 @@ GROUPS = {
         programs=("tests/rooms/verify/test_verify",),
         replays=(("{build}/tests/attacks/mutation/mutation", "--replay", "{tree}/tests/attacks/false_claims/manifest.tsv"),)),
     "law": Group(
-        files=below("verify", "law/bulk law/claim law/end law/grammar law/layer",
+        files=below("verify", "law/at_ratio law/bulk law/claim law/end law/file law/grammar law/layer",
                     "law/constants:law/grammar law/kernel:law/layer law/rule:law/layer law/slope:law/layer law/steps:law/grammar"),
         left_out=frozenset(),
         texts=frozenset({"verify/law/claim.cpp"}),

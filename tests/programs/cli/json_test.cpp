@@ -169,6 +169,9 @@ TEST_CASE("docs/reference/json.md describes the JSON of the law for every mass r
     check_documented(
         "law without FILE",
         printed_by({{"law"}, {"law", "--prove"}, {"law", "--prove", "--out", "law.dbc"}}, folder));
+    check_documented("certify --by law", printed_by({{"certify", "1e100", "--by", "law"},
+                                                     {"certify", "10", "--by", "law", "--out", "ten.dbc"}},
+                                                    folder));
     check_documented("law --ratio",
                      printed_by({{"law", "--ratio", "1e100"}, {"law", "--ratio", "63"}}, folder));
     check_documented("critical --by law", printed_by({{"critical", "1e50", "--by", "law"}}, folder));
@@ -215,6 +218,7 @@ TEST_CASE("docs/reference/json.md describes the JSON of verify") {
     const TemporaryFolder folder;
     const auto make = [&](Words words) { REQUIRE(dumbbell(words, folder.path()).code == 0); };
     make({"certify", "10", "--section", "full", "--out", "ten.dbc"});
+    make({"certify", "10", "--by", "law", "--out", "by-law.dbc"});
     make({"certify", "2:3", "--scene", "wedge", "--out", "wedge.dbc"});
     make({"certify", "2:3", "--scene", "hybrid", "--out", "hybrid.dbc"});
     Words words = falling({"--phi", "0.3:0.31", "--phidot", "0", "--subdivide", "--out", "box.dbc"});
@@ -224,11 +228,12 @@ TEST_CASE("docs/reference/json.md describes the JSON of verify") {
     write_file(folder / "bad.dbc", "no certificate\n");
 
     std::vector<Json> objects;
-    for (const Words& options : std::vector<Words>{{"ten.dbc", "box.dbc", "bounce.dbc", "printed.dbc",
-                                                    "bad.dbc", DUMBBELL_PROJECT "/certificates/law.dbc.gz"},
-                                                   {"--ratio", "10", "--exactly", "4", "ten.dbc"},
-                                                   {"--shards", "1", "--precision", "60", "ten.dbc"},
-                                                   {"--combine", "parts.txt", "ten.dbc"}}) {
+    for (const Words& options :
+         std::vector<Words>{{"ten.dbc", "box.dbc", "bounce.dbc", "printed.dbc", "bad.dbc", "by-law.dbc",
+                             DUMBBELL_PROJECT "/certificates/law.dbc.gz"},
+                            {"--ratio", "10", "--exactly", "4", "ten.dbc"},
+                            {"--shards", "1", "--precision", "60", "ten.dbc"},
+                            {"--combine", "parts.txt", "ten.dbc"}}) {
         words = options;
         words.insert(words.begin(), {"verify", "--json"});
         for (const Json& object : printed(dumbbell(words, folder.path()))) {

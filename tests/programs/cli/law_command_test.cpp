@@ -97,7 +97,8 @@ TEST_CASE("law --ratio says N, or the two values that remain, of any ratio") {
              {"1e24", 0, "N(q) = 885595129454 at q = 1e24.\n"},
              {"1e100", 0, "N(q) = 88559512945271391141202194891455767300579529460287 at q = 1e100.\n"},
              {"3/7", 0, "N(q) = 3 at q = 7/3.\n"},
-             {"63", 3, "N(q) is 8 or 9 at q = 63.\n"}}) {
+             {"10", 0, "N(q) = 4 at q = 10.\n"},
+             {"62.7", 3, "N(q) is 8 or 9 at q = 62.7.\n"}}) {
         CAPTURE(ratio);
         const Outcome law = dumbbell({"law", "--ratio", ratio, "--quiet"});
         CHECK(law.code == code);
