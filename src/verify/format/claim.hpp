@@ -14,6 +14,8 @@ namespace dumbbell_verify {
 
 std::string to_string(const mpq_class& ratio);                    ///< P/Q
 std::string to_string(const mpq_class& lo, const mpq_class& hi);  ///< LO:HI
+/// A JSON string from 2^63 on: hardly a reader of JSON keeps such numbers exactly.
+std::string json_count(const mpz_class& n);
 /// For a file about the ratios [lo, hi] that was asked about [from, to], and does not cover them: what it
 /// covers.
 std::string covered_part(const mpq_class& lo, const mpq_class& hi, const mpq_class& from,

@@ -47,8 +47,8 @@ std::string LawAtRatio::paragraph() {
 
 std::string LawAtRatio::json() const {
     return R"({"kind":")" + std::string(kind) + R"(","ratio":{"lo":")" + to_string(q) + R"(","hi":")" +
-           to_string(q) + R"("},"upper":")" + upper.get_str() + R"(","lower":")" + lower.get_str() +
-           R"(","law":")" + law + "\"}";
+           to_string(q) + R"("},"upper":)" + json_count(upper) + R"(,"lower":)" + json_count(lower) +
+           R"(,"law":")" + law + "\"}";
 }
 
 }  // namespace dumbbell_verify

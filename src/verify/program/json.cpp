@@ -21,7 +21,7 @@ std::string object(const std::vector<Member>& members) {
     return "{" + text + "}";
 }
 std::string number(const std::optional<std::uint64_t>& n) { return n ? std::to_string(*n) : "null"; }
-std::string integer(const std::optional<mpz_class>& n) { return n ? n->get_str() : "null"; }
+std::string count(const std::optional<mpz_class>& n) { return n ? json_count(*n) : "null"; }
 std::string string_unless(bool absent, const std::string& text) {
     return absent ? "null" : json_string(text);
 }
@@ -40,8 +40,8 @@ std::string work(bool known, const Proof& proof) {
 std::string demand(const Settings& settings) {
     const Collisions& d = settings.demand;
     return object({{"ratio", d.ratios ? range(d.ratios->first, d.ratios->second) : "null"},
-                   {"max", integer(d.most)},
-                   {"min", integer(d.least)}});
+                   {"max", count(d.most)},
+                   {"min", count(d.least)}});
 }
 
 std::string claim(const Result& result) {

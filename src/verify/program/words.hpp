@@ -68,7 +68,7 @@ class Words {
     mpz_class count() {
         const std::string text = value();
         if (is_natural(text, longest_integer)) return mpz_class(text);
-        throw std::invalid_argument(option + " needs a whole number such as 4, without a sign, not `" +
+        throw std::invalid_argument(option + " needs a number of at most 2100 digits, not `" +
                                     text.substr(0, 60) + "`");
     }
 

@@ -205,7 +205,7 @@ TEST_CASE("by law: verdict, exit code, JSON and demands, as a script sees them")
     CHECK(times("\"code\":\"claim-not-proved\"") == 3);
     CHECK(times("\"code\":\"lower\"") == 1);
     CHECK(times("\"claim\":{\"kind\":\"collisions-by-law\",\"ratio\":{\"lo\":\"627/10\",\"hi\":\"627/10\"},"
-                "\"upper\":\"9\",\"lower\":\"8\",\"law\":\"" +
+                "\"upper\":9,\"lower\":8,\"law\":\"" +
                 law_digest + "\"}") == 1);
     CHECK(run(law + "--explain lower " + open.path()).out.find("  the step to 8 is in 45/1:46/1\n") !=
           std::string::npos);
