@@ -55,7 +55,7 @@ inline Interval least_step() {
 }
 template <>
 inline BigInterval least_step() {
-    return power_of_two(-1000 - PrecisionScope::current());
+    return two_to(-1000 - PrecisionScope::current());
 }
 
 /// Lemma L12 (c): g < 0 on all of [0, pi/2].

@@ -376,7 +376,7 @@ BigInterval half_pi<BigInterval>() {
     return result;
 }
 
-BigInterval power_of_two(long exponent) {
+BigInterval two_to(long exponent) {
     BigInterval result(1);
     arf_mul_2exp_si(result.lower(), result.lower(), exponent);
     arf_set(result.upper(), result.lower());

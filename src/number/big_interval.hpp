@@ -101,7 +101,7 @@ template <>
 [[nodiscard]] BigInterval half_pi<BigInterval>();
 
 /// 2^exponent, exactly.
-[[nodiscard]] BigInterval power_of_two(long exponent);
+[[nodiscard]] BigInterval two_to(long exponent);
 
 [[nodiscard]] BigInterval low_end(const BigInterval& x);
 [[nodiscard]] BigInterval high_end(const BigInterval& x);

@@ -80,7 +80,7 @@ total witness 2
 total open 1
 )";
 
-Rational two_to(unsigned n) { return Rational(Integer(1) << n); }
+Rational power_of_two(unsigned n) { return Rational(Integer(1) << n); }
 
 }  // namespace
 
@@ -134,18 +134,18 @@ TEST_CASE("a dyadic has an odd numerator and no sign but the exponent's") {
     CHECK(to_dyadic(12) == "3b2");
     CHECK(to_dyadic(Rational(1, 2)) == "1b-1");
     CHECK(to_dyadic(Rational(6, 16)) == "3b-3");
-    CHECK(to_dyadic(two_to(400)) == "1b400");
-    CHECK(to_dyadic(1 / two_to(400)) == "1b-400");
-    CHECK(to_dyadic(two_to(most_binary_places)) == "1b4096");
-    CHECK(to_dyadic(3 / two_to(most_binary_places)) == "3b-4096");
+    CHECK(to_dyadic(power_of_two(400)) == "1b400");
+    CHECK(to_dyadic(1 / power_of_two(400)) == "1b-400");
+    CHECK(to_dyadic(power_of_two(most_binary_places)) == "1b4096");
+    CHECK(to_dyadic(3 / power_of_two(most_binary_places)) == "3b-4096");
     CHECK(to_dyadic(exact(1.5707963267948966)) == "884279719003555b-49");
 }
 
 TEST_CASE("what is no dyadic is refused") {
     CHECK_THROWS_AS(to_dyadic(Rational(1, 3)), BrokenInvariant);
     CHECK_THROWS_AS(to_dyadic(Rational(1, 10)), BrokenInvariant);
-    CHECK_THROWS_AS(to_dyadic(two_to(most_binary_places + 1)), BrokenInvariant);
-    CHECK_THROWS_AS(to_dyadic(1 / two_to(most_binary_places + 1)), BrokenInvariant);
+    CHECK_THROWS_AS(to_dyadic(power_of_two(most_binary_places + 1)), BrokenInvariant);
+    CHECK_THROWS_AS(to_dyadic(1 / power_of_two(most_binary_places + 1)), BrokenInvariant);
     Piece bad = piece(10, 10, 4, 4);
     bad.witness->eta = Rational(1, 10);
     CHECK_THROWS_AS(render(certificate_of({bad})), BrokenInvariant);

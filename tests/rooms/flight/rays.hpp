@@ -17,7 +17,7 @@ dumbbell::flight::Ray<I> as(const PlainRay& ray) {
     return {I(ray.c), I(ray.kappa), I(ray.r)};
 }
 /// 2^-n at the working precision, also where a double has none.
-inline dumbbell::BigInterval power_of_half(int n) { return dumbbell::power_of_two(-n); }
+inline dumbbell::BigInterval power_of_half(int n) { return dumbbell::two_to(-n); }
 template <class T>
 RayCount<T> ray_count(const PlainRay& ray, long cap = 1'000'000) {
     return ray_count<T>(T(ray.c), T(ray.kappa), T(ray.r), cap);
