@@ -1,3 +1,4 @@
+#include <flint/flint.h>
 #include <fmt/core.h>
 #include <gmp.h>
 
@@ -53,7 +54,8 @@ std::string version_text() {
                        DUMBBELL_BUILD_TYPE, DUMBBELL_FLAGS);
 }
 
-/// GMP (and MPFR by it) would abort the program, and an exception must not pass through its C functions.
+/// GMP (and MPFR by it) and FLINT (and Arb by it) would abort the program, and an exception must not pass
+/// through their C functions.
 [[noreturn]] void out_of_memory() {
     std::fputs("dumbbell: out of memory\n", stderr);
     std::_Exit(exit_internal);
@@ -75,6 +77,16 @@ void* reallocate(void* old, std::size_t /*old_size*/, std::size_t size) {
     return block;
 }
 
+void* allocate_zeros(std::size_t number, std::size_t size) {
+    void* block = std::calloc(number, size);
+    if (block == nullptr) {
+        out_of_memory();
+    }
+    return block;
+}
+
+void* reallocate_block(void* old, std::size_t size) { return reallocate(old, 0, size); }
+
 void release(void* block, std::size_t /*size*/) { std::free(block); }
 
 /// With the words that other programs understand: `help COMMAND...`, `version`.
@@ -90,6 +102,7 @@ std::vector<std::string> usual_words(std::vector<std::string> words) {
 
 int run(const std::vector<std::string>& words) {
     mp_set_memory_functions(allocate, reallocate, release);
+    __flint_set_memory_functions(allocate, allocate_zeros, reallocate_block, std::free);
     require_sound_arithmetic();
     const Command* first = words.empty() ? nullptr : dumbbell_command.below(words[0]);
     if (first != nullptr && first->become != nullptr) {

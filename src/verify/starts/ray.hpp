@@ -67,7 +67,9 @@ class Departures : public Rays<N> {
 
     /// The rays after a contact with the bridge, if all touch it and go on, or all go back.
     std::optional<Departure> off_bridge(const Departure& ray) {
-        const auto at = bridge_contacts(ray.height / r_, ray.slope / r_);
+        const I height = ray.height / r_, steepness = ray.slope / r_;
+        auto at = contacts(height, steepness);  // narrower, but before the top only
+        if (!at) at = bridge_contacts(height, steepness);
         if (!at) return std::nullopt;
         const auto onward = [&](const I& k, const I& w) { return I(1) - r_ * square(w) + I(2) * k * w; };
         const I D = onward(ray.slope, at->cosine);

@@ -96,7 +96,7 @@ TEST_CASE("the phases of a long job are named, and what counts nothing says for 
     for (const auto& [job, phase] : std::vector<std::pair<Words, std::string>>{
              {{DUMBBELL_BIN, "law", stairs}, "verifying, "},
              {{DUMBBELL_BIN, "plot", "staircase", stairs, "--out", folder / "x.svg"}, "verifying, "},
-             {{DUMBBELL_BIN, "trace", "10", "--phi", "1/3", "--phidot", "1", "--y", "3", "--ydot", "-1/2",
+             {{DUMBBELL_BIN, "trace", "1e6", "--phi", "1/3", "--phidot", "1", "--y", "3", "--ydot", "-1/2",
                "--digits", "10000"},
               "following the orbit, "},
              {{DUMBBELL_BIN, "adiabatic", "--delta", "0:0.01", "--jobs", "1"},

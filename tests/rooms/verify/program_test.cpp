@@ -138,7 +138,7 @@ TEST_CASE("wrong usage is one line on stderr and exit code 2") {
              "--max",
              "--max -1 F",
              "--max 4x F",
-             "--max 1000000000000000000 F",
+             "--max 1e3 F",
              "--ratio 0 F",
              "--ratio -1 F",
              "--ratio nan F",
