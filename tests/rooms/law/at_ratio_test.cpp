@@ -105,6 +105,24 @@ TEST_CASE("the law agrees with covers next to steps, and decides all but a share
     }
 }
 
+TEST_CASE("the law agrees with covers a hundredth of a step away from steps, up to N = 10^6") {
+    std::mt19937_64 random(22);
+    std::uniform_real_distribution<double> exponent(4, 6);
+    const PrecisionScope scope(256);
+    const Rational C = exact_lo(Constants().C);
+    for (int i = 0; i < 25; ++i) {
+        const auto n = std::lround(std::pow(10, exponent(random)));
+        const Rational step = Rational(n - 2) + exact_lo(delta_bounds(Integer(n)));
+        for (const int side : {-1, 1}) {
+            const Rational root = (step + Rational(side, 100)) / C;
+            const Rational q = exact((root * root).convert_to<double>());
+            check_agreement(q);
+            CAPTURE(n, side);
+            CHECK(at_ratio(q).lower == Integer(side < 0 ? n - 1 : n));
+        }
+    }
+}
+
 TEST_CASE("the law reaches as far as one can write ratios") {
     const AtRatio at = at_ratio(parse_rational("1e100"));
     CHECK(at.lower == at.upper);
