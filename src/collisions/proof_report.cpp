@@ -233,6 +233,7 @@ std::string to_text(const ProofReport& report) {
     }
     if (report.out) {
         std::vector<const Piece*> pieces;
+        pieces.reserve(report.rows.size());
         for (const ReportRow& row : report.rows) {
             pieces.push_back(row.piece);
         }

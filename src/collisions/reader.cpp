@@ -18,7 +18,7 @@ Node node_from(Lines& lines, Chart chart) {
     const std::string& word = fields[0];
     if (word == "split" && fields.size() == 2) {
         if (const auto axis = axis_named(chart, fields[1])) {
-            return {*axis, {}};
+            return {axis, {}};
         }
     }
     const auto reason = reason_named(word);

@@ -53,7 +53,7 @@ I slope_of(const I& numerator, const I& denominator, bool& undecided) {
 template <class I>
 I reflected_slope(const I& kappa, const I& w, const I& r, bool& undecided) {
     const auto out = reflect_at_light_wall(kappa, w, r);
-    const I plain = slope_of(out.numerator, out.denominator, undecided);
+    I plain = slope_of(out.numerator, out.denominator, undecided);
     if (undecided || !certainly_positive(out.denominator) || !certainly_positive(w)) {
         return plain;
     }

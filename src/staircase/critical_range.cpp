@@ -75,7 +75,7 @@ std::vector<CriticalRow> critical_ratios(const CriticalRequest& request) {
 }
 
 std::chrono::duration<double> estimated_time(const CriticalRequest& request) {
-    constexpr long sample = 62;  // 30 flights: a few milliseconds
+    constexpr long sample_flights = 31, sample = 2 * sample_flights;  // a few milliseconds
     // Longer orbits lose more digits (expected_bits of critical.cpp): let the sample have as many bits.
     const double longer = static_cast<double>(std::min(request.last, collisions::first_long)) / sample;
     const int lost = static_cast<int>(std::ceil(4 * std::log10(std::max(1.0, longer))));
@@ -85,7 +85,7 @@ std::chrono::duration<double> estimated_time(const CriticalRequest& request) {
     const auto time = processor_time() - start;
     const double together =
         std::min<double>(request.jobs, static_cast<double>(request.last - request.first + 1));
-    return time * (flights(request) / (sample / 2)) / together;
+    return time * (flights(request) / sample_flights) / together;
 }
 
 }  // namespace dumbbell::staircase

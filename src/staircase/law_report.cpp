@@ -70,7 +70,7 @@ std::string bounds_text(const Bounds& n) {
 
 /// `9 pieces with one value, and 8 gaps in each of which it is one of two neighbouring values`.
 std::string pieces_text(const Law& law) {
-    const std::string values =
+    std::string values =
         law.values == 0 ? ""
                         : fmt::format("{} piece{} with one value", law.values, law.values == 1 ? "" : "s");
     if (law.gaps == 0) {

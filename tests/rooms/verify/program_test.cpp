@@ -9,6 +9,7 @@ using make::File;
 using make::mutated;
 using make::Run;
 using make::run;
+using make::sanitized;
 
 namespace {
 
@@ -271,14 +272,6 @@ TEST_CASE("the option --explain shows a leaf with its numbers") {
         closed(make::header("10000/1", "10000/1", 1) + make::piece(10'000, 10'000, 90, 0, "")));
     CHECK(run("--explain 1:bridge " + long_ray.path()).out.size() < 40'000);
 }
-
-#if defined(__SANITIZE_ADDRESS__)
-constexpr bool sanitized = true;
-#elif defined(__has_feature)
-constexpr bool sanitized = __has_feature(address_sanitizer);
-#else
-constexpr bool sanitized = false;
-#endif
 
 TEST_CASE("a gigabyte of zeros, plain or compressed, is refused at once in little memory") {
     const std::string little_memory = sanitized ? "" : "ulimit -v 400000; ";  // the sanitizer maps terabytes

@@ -8,6 +8,15 @@
 
 namespace make {
 
+/// With sanitizers the program is slow, and maps terabytes.
+#if defined(__SANITIZE_ADDRESS__)
+constexpr bool sanitized = true;
+#elif defined(__has_feature)
+constexpr bool sanitized = __has_feature(address_sanitizer);
+#else
+constexpr bool sanitized = false;
+#endif
+
 struct Run {
     int code;
     std::string out, err;
