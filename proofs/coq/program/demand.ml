@@ -15,7 +15,7 @@ let without_zeros s =
   let i = from 0 in
   String.sub s i (String.length s - i)
 
-(* P/Q, or a decimal, perhaps with an exponent, exactly. *)
+(* P/Q, or 10^N, or a decimal, perhaps with an exponent, exactly. *)
 let ratio s =
   let bad () = usage ("not a mass ratio: `" ^ s ^ "`") in
   let fraction a b =
@@ -31,7 +31,8 @@ let ratio s =
   match String.split_on_char '/' s with
   | [a; b] when is_digits a && is_digits b -> fraction a b
   | [_] ->
-    let mantissa, exponent = match String.split_on_char 'e' (String.lowercase_ascii s) with
+    let decimal = if String.starts_with ~prefix:"10^" s then "1e" ^ String.sub s 3 (String.length s - 3) else s in
+    let mantissa, exponent = match String.split_on_char 'e' (String.lowercase_ascii decimal) with
       | [m] -> m, 0
       | [m; e] -> m, exponent_of e
       | _ -> bad () in

@@ -9,17 +9,20 @@
 namespace dumbbell_verify {
 namespace {
 
-/// What [0-9]+(.[0-9]+)?([eE][+-]?[0-9]+)? stands for, whose exponent has at most four digits behind zeros; 0
-/// of other texts.
+/// What [0-9]+(.[0-9]+)?([eE][+-]?[0-9]+)? or 10^[+-]?[0-9]+ stands for, whose exponent has at most four
+/// digits behind zeros; 0 of other texts.
 mpq_class parse_decimal(const std::string& text) {
     std::string_view rest = text;
     std::string digits = take_digits(rest), places, exponent = "0";
     bool fits = !digits.empty(), is_small = false;
-    if (take(rest, '.')) {
+    const bool is_power = digits == "10" && take(rest, '^');
+    if (is_power) {
+        digits = "1";
+    } else if (take(rest, '.')) {
         places = take_digits(rest);
         fits = fits && !places.empty();
     }
-    if (take(rest, 'e') || take(rest, 'E')) {
+    if (is_power || take(rest, 'e') || take(rest, 'E')) {
         is_small = take(rest, '-');
         if (!is_small) take(rest, '+');
         exponent = take_digits(rest);

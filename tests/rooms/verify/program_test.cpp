@@ -114,6 +114,9 @@ TEST_CASE("a demand is proved or the file is rejected") {
     CHECK(code("--ratio 10 --max 4") == 0);
     CHECK(code("--ratio=1e1 --max=4") == 0);
     CHECK(code("--ratio 100e-1") == 0);
+    CHECK(code("--ratio 10^+01") == 0);
+    CHECK(code("--ratio 10^1e0") == 2);
+    CHECK(code("--ratio 10^-1") == 0);  // the masses are swapped
     CHECK(code("--ratio 20/2") == 0);
     CHECK(code("--ratio 0.1") == 0);  // the masses are swapped
     CHECK(code("--ratio 1/10:10e-2") == 0);
