@@ -15,6 +15,7 @@ struct Adiabatic {
     enum Kind { bounce, run, scattering, printed };
     static constexpr std::array<std::string_view, 4> names{"adiabatic-bounce", "adiabatic-run",
                                                            "adiabatic-scattering", "adiabatic-printed"};
+    static constexpr std::string_view leaves = "box.01, class0.01, attained1, ...";
     struct Attained {
         mpq_class u, s, delta;
         std::uint64_t collisions = 0;

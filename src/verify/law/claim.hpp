@@ -15,6 +15,7 @@ constexpr std::uint64_t law_step = 9;
 /// For every mass ratio q >= q_c(9): 2 + floor(C sqrt q - c0 q^(-1/4)) <= N*(q) <= 2 + floor(C sqrt q); for
 /// every q >= 1: 0.980 <= N*(q) - C sqrt q <= 2.115 (proofs/law.md).
 struct Law {
+    static constexpr std::string_view leaves = "9:light.01, 9:witness, layer.01, bulk1.1, end.1, ...";
     /// q_c(N) lies in [lo, hi].
     struct Step {
         mpq_class lo, hi;
@@ -30,7 +31,7 @@ struct Law {
 
 /// lower <= N*(q) <= upper, by the law and the file of it with the SHA-256 `law`.
 struct LawAtRatio {
-    static constexpr std::string_view kind = "collisions-by-law";
+    static constexpr std::string_view kind = "collisions-by-law", leaves = "upper and lower";
     mpq_class q;
     mpz_class lower, upper;
     std::string law;

@@ -18,10 +18,8 @@ constexpr int exit_codes[] = {0, 0, 0, 2, 3, 4, 1};
 
 /// What --explain can show of a file.
 std::string trees(const Verified& proof, const std::string& scene) {
-    if (proof.initial) return "the leaves of this file are box, box.01, ...";
-    if (proof.adiabatic) return "the leaves of this file are box.01, class0.01, attained1, ...";
-    if (proof.law) return "the leaves of this file are 9:light.01, 9:witness, layer.01, bulk1.1, end.1, ...";
-    if (proof.by_law) return "the leaves of this file are upper and lower";
+    if (const auto leaves = proof.of_other([](const auto& it) { return it.leaves; }))
+        return "the leaves of this file are " + *leaves;
     std::string text =
         "PIECE is from 1 to " + std::to_string(proof.claim.pieces) + ", and the trees of a piece are ";
     for (const Section* section : sections())

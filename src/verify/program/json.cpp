@@ -46,10 +46,7 @@ std::string demand(const Settings& settings) {
 
 std::string claim(const Result& result) {
     if (!is_of_whole(result.why.verdict)) return "null";
-    if (result.proof.initial) return result.proof.initial->json();
-    if (result.proof.adiabatic) return result.proof.adiabatic->json();
-    if (result.proof.law) return result.proof.law->json();
-    if (result.proof.by_law) return result.proof.by_law->json();
+    if (const auto object = result.proof.of_other([](const auto& it) { return it.json(); })) return *object;
     const Collisions& c = result.proof.claim;
     return object({{"scene", json_string(result.job->settings.scene)},
                    {"ratio", range(c.lo, c.hi)},

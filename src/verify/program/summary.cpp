@@ -9,10 +9,7 @@
 namespace dumbbell_verify {
 
 std::string claim_text(const Result& result) {
-    if (result.proof.initial) return result.proof.initial->text();
-    if (result.proof.adiabatic) return result.proof.adiabatic->text();
-    if (result.proof.law) return result.proof.law->text();
-    if (result.proof.by_law) return result.proof.by_law->text();
+    if (const auto text = result.proof.of_other([](const auto& it) { return it.text(); })) return *text;
     const Collisions& claim = result.proof.claim;
     return "scene=" + result.job->settings.scene + " ratio=" + to_string(claim.lo, claim.hi) +
            " upper=" + (claim.upper ? std::to_string(*claim.upper) : "none") +
@@ -47,9 +44,7 @@ std::string block(const Result& result) {
                       100 * tally.covered / std::max(1.0, result.proof.roots));
         text += line.data();
     }
-    if (verified && result.proof.adiabatic) text += result.proof.adiabatic->paragraph();
-    if (verified && result.proof.law) text += Law::paragraph();
-    if (verified && result.proof.by_law) text += LawAtRatio::paragraph();
+    if (verified) text += result.proof.of_other([](const auto& it) { return it.paragraph(); }).value_or("");
     return text + verdict_line(result) + "\n";
 }
 

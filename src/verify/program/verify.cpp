@@ -11,10 +11,8 @@ namespace dumbbell_verify {
 namespace {
 
 template <class Claim>
-Verified with(std::optional<Claim> Verified::*place, std::pair<Proof, Claim> found) {
-    Verified result{std::move(found.first), {}, {}, {}, {}};
-    result.*place = std::move(found.second);
-    return result;
+Verified about(std::pair<Proof, Claim> found) {
+    return {std::move(found.first), std::move(found.second)};
 }
 
 }  // namespace
@@ -23,8 +21,7 @@ Verified verify(const std::string& path, const Settings& settings) {
     Text text(path, settings.budget);
     const Header header = read_header(text);
     const std::string& claim = header.claim;
-    if (header.section && claim == "collisions")
-        return {collisions(text, settings, *header.section), {}, {}, {}, {}};
+    if (header.section && claim == "collisions") return {collisions(text, settings, *header.section), {}};
     const auto invariant = adiabatic_kind(claim);
     const bool is_law = header.section == &turning() && claim == "law", is_by_law = claim == LawAtRatio::kind;
     if (!is_law && (header.section || !(invariant || is_by_law || claim == "initial-conditions")))
@@ -32,10 +29,10 @@ Verified verify(const std::string& path, const Settings& settings) {
     if (settings.check != all_pieces)
         throw Failure{Verdict::unreadable, text.line, "usage",
                       "a file with this claim has no pieces: it is verified as a whole only"};
-    if (is_law) return with(&Verified::law, law(text, settings));
-    if (is_by_law) return with(&Verified::by_law, law_at_ratio(text, settings));
-    if (invariant) return with(&Verified::adiabatic, adiabatic(text, settings, *invariant));
-    return with(&Verified::initial, initial(text, settings));
+    if (is_law) return about(law(text, settings));
+    if (is_by_law) return about(law_at_ratio(text, settings));
+    if (invariant) return about(adiabatic(text, settings, *invariant));
+    return about(initial(text, settings));
 }
 
 }  // namespace dumbbell_verify

@@ -2,6 +2,8 @@
 #pragma once
 #include <optional>
 #include <string>
+#include <type_traits>
+#include <variant>
 
 #include "verify/adiabatic/claim.hpp"
 #include "verify/format/proof.hpp"
@@ -11,12 +13,22 @@
 
 namespace dumbbell_verify {
 
-/// What a file proves: `claim`, or instead one of these.
+/// What a file proves: `claim` if it is about numbers of collisions, else what it is about instead.
 struct Verified : Proof {
-    std::optional<Initial> initial;      ///< if the file is about initial conditions
-    std::optional<Adiabatic> adiabatic;  ///< if it is about the adiabatic invariant
-    std::optional<Law> law;              ///< if it is about the law
-    std::optional<LawAtRatio> by_law;    ///< if it is about one mass ratio by the law
+    std::variant<std::monostate, Initial, Adiabatic, Law, LawAtRatio> other;
+
+    /// What `say` has to say of it; nothing if the file is about numbers of collisions.
+    template <class Say>
+    [[nodiscard]] std::optional<std::string> of_other(Say say) const {
+        return std::visit(
+            [&]<class Claim>(const Claim& it) -> std::optional<std::string> {
+                if constexpr (std::is_same_v<Claim, std::monostate>)
+                    return std::nullopt;
+                else
+                    return std::string(say(it));
+            },
+            other);
+    }
 };
 
 /// Returns only if all that the file and the demand say is certified, but for the leaves and witnesses of the

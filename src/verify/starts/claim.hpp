@@ -15,6 +15,7 @@ struct InitialBox {
 /// Every regular trajectory that starts in the box has at least `least` and, if it is a number, at most
 /// `most` collisions; on the share `decided` of the box's volume their exact number is proved.
 struct Initial {
+    static constexpr std::string_view leaves = "box, box.01, ...";  ///< as --explain names them
     InitialBox box;
     std::uint64_t least = 0;
     std::optional<std::uint64_t> most;
@@ -24,6 +25,7 @@ struct Initial {
     [[nodiscard]] std::string missing(const Collisions& demand) const;
     /// For the verdict: the box, the range of collisions and the share, rounded down.
     [[nodiscard]] std::string text() const;
+    [[nodiscard]] static std::string paragraph() { return ""; }
     [[nodiscard]] std::string json() const;
 };
 

@@ -112,8 +112,9 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     must(is_accepted(is_gzip(bytes) ? *text : make::gzipped(bytes), settings, settings.demand),
          "plain and compressed are the same");
     if (initial) {
-        must(proof->initial.has_value(), "a claim about initial conditions");
-        check_initial(*proof->initial, *text);
+        const auto* claim = std::get_if<dumbbell_verify::Initial>(&proof->other);
+        must(claim != nullptr, "a claim about initial conditions");
+        check_initial(*claim, *text);
     } else {
         check_claim(*proof, *text, settings);
         check_spelling(*text);

@@ -151,8 +151,10 @@ void compare_claims(const Certificate& c, const std::pair<Rational, Rational>& r
 
 Argument second_argument(const std::string& path, const dumbbell_verify::Verified& proof) {
     try {
-        if (proof.initial) return initial_argument(path, *proof.initial);
-        if (proof.adiabatic) return adiabatic_argument(path, &*proof.adiabatic);
+        if (const auto* it = std::get_if<dumbbell_verify::Initial>(&proof.other))
+            return initial_argument(path, *it);
+        if (const auto* it = std::get_if<dumbbell_verify::Adiabatic>(&proof.other))
+            return adiabatic_argument(path, it);
         const Certificate certificate = read_certificate(path);
         const auto range = audit::claimed_range(path);
         compare_claims(certificate, range, proof);

@@ -67,8 +67,7 @@ int exit_code(Verdict verdict) {
 }
 
 std::string claim_text(const Verified& proof) {
-    if (proof.initial) return proof.initial->text();
-    if (proof.adiabatic) return proof.adiabatic->text();
+    if (const auto text = proof.of_other([](const auto& it) { return it.text(); })) return *text;
     const Collisions& claim = proof.claim;
     return "ratio=" + dumbbell_verify::to_string(claim.lo) + ":" + dumbbell_verify::to_string(claim.hi) +
            " upper=" + (claim.upper ? std::to_string(*claim.upper) : "none") +

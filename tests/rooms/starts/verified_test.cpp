@@ -33,13 +33,13 @@ void check_verified(const InitialBox& box, const SubdivideOptions& options) {
     const Subdivision parts = subdivide(box, options);
     dumbbell_verify::Verified proof;
     REQUIRE(refusal(written(box, parts), &proof) == "");
-    CHECK(proof.initial->least == static_cast<std::uint64_t>(parts.most ? parts.least : 0));
-    CHECK(proof.initial->most.has_value() == parts.most.has_value());
+    const auto& claim = std::get<dumbbell_verify::Initial>(proof.other);
+    CHECK(claim.least == static_cast<std::uint64_t>(parts.most ? parts.least : 0));
+    CHECK(claim.most.has_value() == parts.most.has_value());
     if (parts.most) {
-        CHECK(*proof.initial->most == static_cast<std::uint64_t>(*parts.most));
+        CHECK(*claim.most == static_cast<std::uint64_t>(*parts.most));
     }
-    CHECK(dumbbell_verify::to_string(proof.initial->decided) ==
-          to_fraction(Rational(1) - parts.undecided.share));
+    CHECK(dumbbell_verify::to_string(claim.decided) == to_fraction(Rational(1) - parts.undecided.share));
 }
 
 }  // namespace
