@@ -1,7 +1,7 @@
 // What the lemmas L33 to L38 are written in: the masses by delta, and a contact of the light mass.
 #pragma once
 #include "verify/adiabatic/arcsine.hpp"
-#include "verify/number/work.hpp"
+#include "verify/input/work.hpp"
 #include "verify/starts/angle.hpp"
 
 namespace dumbbell_verify {

@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "verify/format/section.hpp"
-#include "verify/macro/macro.hpp"
+#include "verify/input/work.hpp"
+#include "verify/macro/leaps.hpp"
 #include "verify/number/interval.hpp"
-#include "verify/number/work.hpp"
 
 namespace dumbbell_verify {
 
@@ -36,8 +36,6 @@ class Rays {
 
     const N zero{0}, one{1};
     const I half_turn = pi<N>(), quarter = half_turn / I(2);
-
-    class Leaps;
 
     /// The box of a leaf, for the log.
     void describe(const Leaf& leaf, const Chart& chart) {
@@ -164,41 +162,6 @@ class Rays {
         return true;
     }
 
-    /// L42: macro steps of a ray that is followed over many collisions.
-    class Leaps {
-      public:
-        /// With so few collisions none are tried.
-        explicit Leaps(std::uint64_t collisions) : attempts_(collisions < least_macro ? 0 : 4) {}
-
-        /// Moves the ray, which leaves collision count + 1 at x, over more of them, up to `most` + 1 in all,
-        /// and counts them. False if it has gone far without: there are too many to go one by one.
-        bool over(Rays& rays, Round d, Ray& ray, const N& x, std::uint64_t most, std::uint64_t& count) {
-            if (attempts_ == 0) return count - last_ < 4'000'000 || last_ == never;
-            if (!(ray.kappa < rays.one)) return true;
-            WallBound wall{exact_value(x), exact_value(ray.kappa), exact_value(ray.r)};
-            const std::uint64_t before = count;
-            last_ = count;
-            for (std::uint64_t more = 1; more > 0 && count < most; count += more) {
-                more = macro_step(d, wall, most - count, bits(x));
-                if (more == 0) --attempts_;
-                if (more > 0 && rays.log_)
-                    rays.steps_.push_back("    " + std::to_string(more) + " collisions by L42");
-            }
-            if (count == before) return true;
-            last_ = count;
-            const N at = bound(d, wall.x, N(0));
-            ray.kappa = bound(d, wall.kappa, N(0));
-            const I c = sin_cos(at).sin + I(ray.kappa) * (I(at) + rays.half_turn);
-            ray.c = std::max(N(0), d == down ? c.lo : c.hi);
-            return true;
-        }
-
-      private:
-        static constexpr std::uint64_t never = UINT64_MAX;
-        int attempts_;  ///< that may fail: first where the orbit has hardly begun, at last where it ends
-        std::uint64_t last_ = never;
-    };
-
   protected:
     /// Macro steps lose a small part of a collision, more than rounding: where that is what the answer hangs
     /// on, one step after the other, unless they are too many.
@@ -220,7 +183,7 @@ class Rays {
             if (count == most) return false;
             const Contact at = earliest(ray, z);
             if (!reflect(down, ray, at)) return true;
-            if (!leaps.over(*this, down, ray, at.x, most - 1, count)) return false;
+            if (!leap(leaps, down, ray, at.x, most - 1, count)) return false;
         }
     }
     bool hits_at_least(Ray ray, std::uint64_t least, Leaps& leaps) {
@@ -230,8 +193,21 @@ class Rays {
             if (!(ray.kappa < one && guess_root(ray.c, ray.kappa, z))) return false;
             const auto at = latest(ray, z);
             if (!at || (count + 1 < least && !reflect(up, ray, *at))) return false;
-            if (count + 1 < least && !leaps.over(*this, up, ray, at->x, least - 1, count)) return false;
+            if (count + 1 < least && !leap(leaps, up, ray, at->x, least - 1, count)) return false;
         }
+        return true;
+    }
+    /// Moves the ray, which leaves collision count + 1 at x, over more of them if that is worth it, up to
+    /// `most` + 1 in all, and counts them. False if there are too many to go one by one.
+    bool leap(Leaps& leaps, Round d, Ray& ray, const N& x, std::uint64_t most, std::uint64_t& count) {
+        if (!leaps.may()) return leaps.near(count);
+        if (!(ray.kappa < one)) return true;
+        WallBound wall{exact_value(x), exact_value(ray.kappa), exact_value(ray.r)};
+        if (!leaps.over(d, wall, most, bits(x), count, log_ ? &steps_ : nullptr)) return true;
+        const N at = bound(d, wall.x, zero);
+        ray.kappa = bound(d, wall.kappa, zero);
+        const I c = sin_cos(at).sin + I(ray.kappa) * (I(at) + half_turn);
+        ray.c = std::max(zero, d == down ? c.lo : c.hi);
         return true;
     }
     void step(std::uint64_t count, const Ray& ray) {

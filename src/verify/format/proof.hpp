@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "verify/format/claim.hpp"
-#include "verify/number/work.hpp"
+#include "verify/input/work.hpp"
 
 namespace dumbbell_verify {
 

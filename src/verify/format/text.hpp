@@ -1,79 +1,20 @@
-// The text of a certificate, line by line: bytes, gzip, SHA-256 and the lexical classes (format.md, section
-// 1). Memory does not grow with the file.
+// The text of a certificate, line by line: SHA-256 and the lexical classes (format.md, section 1).
 #pragma once
-#include <fcntl.h>
 #include <gmpxx.h>
 #include <openssl/evp.h>
-#include <sys/stat.h>
-#include <unistd.h>
-#include <zlib.h>
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
 #include <cstdint>
-#include <cstdio>
-#include <cstring>
 #include <memory>
-#include <new>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
-#include "verify/number/work.hpp"
+#include "verify/input/bytes.hpp"
 
 namespace dumbbell_verify {
-
-/// With several files the last one of these counts. Only `verified` says that a whole file was checked;
-/// `part`: what was asked for is a part of it, which was; `combined`: nothing was, lines say that all parts
-/// were.
-enum class Verdict { verified, part, combined, unreadable, unsupported, limit, rejected };
-
-/// Why a file is not verified; thrown, and reported as it is.
-struct Failure {
-    Verdict verdict;
-    std::uint64_t line;
-    std::string code, text;
-};
-
-/// What a file may cost, in the units of work.hpp; its reader and what it reads share it.
-class Budget {
-  public:
-    explicit Budget(std::uint64_t units) : all_(units), left_(units) {}
-    [[nodiscard]] std::uint64_t left() const { return left_; }
-    [[nodiscard]] std::uint64_t taken() const { return all_ - left_; }
-    /// Throws Failure if there is not so much; then nothing is left.
-    void take(std::uint64_t units, std::uint64_t line) {
-        const bool enough = units <= left_;
-        left_ -= enough ? units : left_;
-        if (!enough)
-            throw Failure{Verdict::limit, line, "limit",
-                          "more work than the budget of " + std::to_string(all_ / units_per_second) +
-                              " s: --budget allows more"};
-    }
-
-  private:
-    std::uint64_t all_, left_;
-};
-
-/// A file to read; `-` is the standard input. A pipe with a name is refused: if nobody writes to it, a reader
-/// would wait for ever. nullptr: `why` says what is wrong.
-inline std::FILE* open_file(const std::string& path, std::string& why) {
-    const int file =
-        path == "-" ? ::dup(STDIN_FILENO) : ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
-    struct stat what {};
-    const bool unnamed = path == "-" || path.starts_with("/dev/") || path.starts_with("/proc/");
-    if (!unnamed && file >= 0 && ::fstat(file, &what) == 0 && S_ISFIFO(what.st_mode)) {
-        why = "a named pipe: give `-` and let the shell redirect it";
-        ::close(file);
-        return nullptr;
-    }
-    if (file >= 0 && path != "-") ::fcntl(file, F_SETFL, 0);  // from now on it may wait
-    std::FILE* stream = file < 0 ? nullptr : ::fdopen(file, "rb");
-    if (!stream) why = std::strerror(errno);
-    return stream;
-}
 
 constexpr std::size_t longest_integer = 2100;  ///< digits of one in a file
 
@@ -85,20 +26,9 @@ inline bool is_natural(std::string_view text, std::size_t most) {
 
 class Text {
   public:
-    Text(const std::string& path, std::uint64_t units) : budget(units), file_(nullptr, std::fclose) {
-        std::string why;
-        file_.reset(open_file(path, why));
-        if (!file_) throw Failure{Verdict::unreadable, 0, "unreadable", why};
+    Text(const std::string& path, std::uint64_t units) : budget(units), bytes_(path) {
         need_memory(hash_ && EVP_DigestInit_ex(hash_.get(), EVP_sha256(), nullptr) == 1);
-        rest_ = read();
-        gzip_ = rest_.starts_with("\x1f\x8b");
-        if (!gzip_) return;
-        feed(std::exchange(rest_, {}));
-        need_memory(inflateInit2(&stream_, 15 + 16) == Z_OK);
     }
-    ~Text() { inflateEnd(&stream_); }
-    Text(const Text&) = delete;
-    Text& operator=(const Text&) = delete;
 
     Budget budget;
     std::uint64_t line = 0;                ///< number of the present line
@@ -201,12 +131,6 @@ class Text {
     static constexpr std::size_t most_places = 4096;  ///< of a dyadic: as many as a piece has bits
     static constexpr std::size_t most_digits = 1250;  ///< of its odd part: as many places, and 56 bits before
 
-    static void need_memory(bool enough) {
-        if (!enough) throw std::bad_alloc();
-    }
-    static void need_file(bool readable) {
-        if (!readable) throw Failure{Verdict::unreadable, 0, "unreadable", std::strerror(errno)};
-    }
     static std::pair<std::string_view, std::string_view> halves(std::string_view text, char mark) {
         const std::size_t at = std::min(text.find(mark), text.size());
         return {text.substr(0, at), text.substr(std::min(at + 1, text.size()))};
@@ -219,40 +143,12 @@ class Text {
         if (gcd(x.get_num(), x.get_den()) != 1) reject("number", "a ratio that is not in lowest terms");
         return x;
     }
-    std::string_view read() {
-        const std::size_t n = std::fread(raw_.data(), 1, raw_.size(), file_.get());
-        need_file(std::ferror(file_.get()) == 0);
-        return {raw_.data(), n};
-    }
-    void feed(std::string_view bytes) {
-        stream_.next_in = reinterpret_cast<Bytef*>(raw_.data());
-        stream_.avail_in = static_cast<uInt>(bytes.size());
-    }
-    /// The next block of text; false at its end. At most one gzip member, and nothing after it.
-    bool fill() {
-        if (!gzip_) return !(rest_ = read()).empty();
-        stream_.next_out = reinterpret_cast<Bytef*>(block_.data());
-        stream_.avail_out = static_cast<uInt>(block_.size());
-        while (!ended_ && stream_.avail_out == block_.size()) {
-            if (stream_.avail_in == 0) feed(read());
-            if (stream_.avail_in == 0) reject("gzip", "the compressed file is truncated");
-            const int state = inflate(&stream_, Z_NO_FLUSH);
-            need_memory(state != Z_MEM_ERROR);
-            if (state != Z_OK && state != Z_STREAM_END) reject("gzip", "the compressed file is damaged");
-            ended_ = state == Z_STREAM_END;
-            if (ended_ && (stream_.avail_in > 0 || !read().empty()))
-                reject("gzip", "bytes behind the gzip member");
-        }
-        rest_ = {block_.data(), block_.size() - stream_.avail_out};
-        return !rest_.empty();
-    }
+    /// The next block of text; false at its end.
+    bool fill() { return !(rest_ = bytes_.next(line)).empty(); }
 
-    std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_;
+    Bytes bytes_;
     std::unique_ptr<EVP_MD_CTX, void (*)(EVP_MD_CTX*)> hash_{EVP_MD_CTX_new(), EVP_MD_CTX_free};
-    z_stream stream_{};
-    bool gzip_ = false, ended_ = false;
-    std::vector<char> raw_ = std::vector<char>(1 << 16), block_ = raw_;  ///< not on the stack
-    std::string_view rest_;  ///< of the block, or of the raw bytes of a plain file
+    std::string_view rest_;  ///< of the block
     std::string line_;       ///< with its line feed
 };
 

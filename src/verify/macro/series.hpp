@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "verify/number/work.hpp"
+#include "verify/input/work.hpp"
 
 namespace dumbbell_verify {
 

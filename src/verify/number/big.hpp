@@ -4,7 +4,7 @@
 #include <concepts>
 
 #include "verify/number/number.hpp"
-#include "verify/number/work.hpp"
+#include "verify/input/work.hpp"
 
 namespace dumbbell_verify {
 

@@ -6,7 +6,7 @@
 #include <chrono>
 #include <cstdio>
 
-#include "verify/number/work.hpp"
+#include "verify/input/work.hpp"
 
 namespace dumbbell_verify {
 namespace {

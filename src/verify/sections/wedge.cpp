@@ -4,7 +4,7 @@
 #include <stdexcept>
 
 #include "verify/format/section.hpp"
-#include "verify/number/work.hpp"
+#include "verify/input/work.hpp"
 
 namespace dumbbell_verify {
 namespace {

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "verify/number/work.hpp"
+#include "verify/input/work.hpp"
 #include "verify/starts/angle.hpp"
 #include "verify/starts/grammar.hpp"
 

@@ -26,7 +26,7 @@ VERIFIER = {
     # the numbers
     **below("verify", "",
             "number/number:collisions/turning number/interval:collisions/turning starts/angle:starts/leaf "
-            "number/big:collisions/turning number/work:collisions/turning"),
+            "number/big:collisions/turning input/work:collisions/turning"),
     # the leaves
     **below("verify", "collisions/turning sections/full sections/minimal sections/wedge starts/leaf",
             "format/precision:collisions/turning collisions/ray:collisions/turning sections/bridge:sections/full "
@@ -34,7 +34,8 @@ VERIFIER = {
             "starts/reflection:starts/leaf"),
     # the files and their claims
     **below("verify", "collisions/grammar starts/grammar starts/claim format/claim format/header program/verify program/compare",
-            "collisions/proofs:collisions/grammar format/text:format/header format/reader:collisions/grammar format/proof:collisions/grammar "
+            "collisions/proofs:collisions/grammar format/text:format/header input/bytes:format/header input/budget:format/header "
+            "format/reader:collisions/grammar format/proof:collisions/grammar "
             "format/claim:program/verify starts/grammar:starts/grammar"),
     # the program: what was asked, and what the verdict and the exit code say
     **below("verify/program", "options claim_options claim_list part_options part part_lines piece_sums combine "

@@ -1,5 +1,5 @@
 // The bound of the work on a leaf: what format.md promises to accept is within it, and what is beyond ends.
-#include "verify/number/work.hpp"
+#include "verify/input/work.hpp"
 
 #include <algorithm>
 #include <atomic>
