@@ -18,8 +18,9 @@ struct ReportRow {
     double width;
     double seconds;
     std::vector<flight::Collision<Interval>>
-        orbit;                          ///< of the witness, at the piece's lower end; empty unless asked for
-    std::optional<WitnessStart> start;  ///< in the air, of an orbit with as many collisions there
+        orbit;  ///< of the witness, at the piece's lower end; empty unless asked for
+    std::optional<WitnessStart> start =
+        std::nullopt;  ///< in the air, of an orbit with as many collisions there
 };
 
 /// What `certify` tells its user, as text or as JSON (the contract's object).
