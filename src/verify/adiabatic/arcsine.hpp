@@ -1,7 +1,7 @@
 // The arcsine by its series (format-adiabatic.md, section 3).
 #pragma once
-#include "verify/number/interval.hpp"
 #include "verify/input/work.hpp"
+#include "verify/number/interval.hpp"
 
 namespace dumbbell_verify {
 

@@ -3,8 +3,8 @@
 #include <compare>
 #include <concepts>
 
-#include "verify/number/number.hpp"
 #include "verify/input/work.hpp"
+#include "verify/number/number.hpp"
 
 namespace dumbbell_verify {
 
