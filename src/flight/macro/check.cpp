@@ -130,7 +130,8 @@ bool is_macro_step(BoundSide side, const Orbit& orbit, const Task& task) {
     const Ball least_cosine = end(orbit.cosine[0] - size_from(orbit.cosine, 1) - error.value, false);
     const Ball steepest = end(orbit.kappa[0] + size_from(orbit.kappa, 1), true);
     const Ball room = least_cosine - Ball(2) * steepest;
-    const Ball farthest = size_from(orbit.x, 0);
+    // The first term by itself: the sizes of all are added with 30 bits, and x comes close to pi/2.
+    const Ball farthest = greatest_size(orbit.x[0]) + size_from(orbit.x, 1);
     const bool inside = positive(least_cosine) && positive(room) && positive(least_cosine * room - task.r) &&
                         positive(pi() * Ball(0.5) - farthest);
     const Ball start = orbit.kappa.at(Ball(-1));

@@ -78,7 +78,7 @@ struct Point {
     double depth, kappa;  ///< pi/2 - x, slope
 };
 Point flow_in_double(const Task& task, Point at) {
-    constexpr int steps = 8;
+    constexpr int steps = 64;
     const double half_length = static_cast<double>(task.collisions) / 2;
     const double r = approximate(task.r);
     const auto rate = [&](const Point& p) -> Point {
@@ -106,7 +106,7 @@ struct Response {
     std::array<std::array<double, 2>, 2> by;
 };
 Response response(const Task& task, const Point& start) {
-    constexpr double part = 1e-4;
+    constexpr double part = 3e-5;
     Response result{flow_in_double(task, start), {}};
     const std::array<Point, 2> nudge{{{-start.depth * part, 0}, {0, result.middle.kappa * part}}};
     for (std::size_t i = 0; i < 2; ++i) {
@@ -143,10 +143,12 @@ std::optional<Orbit> guess_orbit(const Task& task) {
     const double depth = response.middle.depth;
     if (!(depth > 0 && depth <= start.depth && response.middle.kappa >= start.kappa)) return std::nullopt;
 
-    // A shift of the whole orbit by so much changes the excess by less than it should be.
+    // A shift of the whole orbit by so much changes the excess by less than it should be: dx/ds cos x too, by
+    // no more than the shift times the depth.
     const Ball half_length = whole(task.collisions) * Ball(0.5);
-    const double x_slack = 0.1 * size(task.kappa_excess / (half_length * task.r));
-    const double kappa_slack = x_slack * std::sqrt(approximate(task.r));
+    const double slack = 0.1 * size(task.kappa_excess / (half_length * task.r));
+    const double x_slack = std::min(slack, 0.1 * size(task.x_excess) / depth);
+    const double kappa_slack = slack * std::sqrt(approximate(task.r));
 
     Ball x = middle(task.x + Ball(start.depth - depth));
     Ball kappa = middle(task.kappa + Ball(response.middle.kappa - start.kappa));

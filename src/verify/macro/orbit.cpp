@@ -1,5 +1,6 @@
 #include "verify/macro/orbit.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -73,7 +74,7 @@ struct Flow {
                 2 * half * w * push / (w * w - r * scale)};
     }
     [[nodiscard]] Middle operator()(Middle at) const {
-        constexpr int steps = 8;
+        constexpr int steps = 64;
         constexpr double h = 1. / steps;
         const auto moved = [](const Middle& p, const Middle& v, double t) -> Middle {
             return {p.depth + t * v.depth, p.slope + t * v.slope};
@@ -99,15 +100,17 @@ bool guess_orbit(const Start& start, Orbit& orbit) {
     if (!(to.depth > 0 && to.depth <= from.depth && to.slope >= from.slope)) return false;
     std::array<Middle, 2> by{};  // the derivatives of `to` by x and by slope
     for (int i = 0; i < 2; ++i) {
-        const double step = 1e-4 * (i == 0 ? from.depth : to.slope);
+        const double step = 3e-5 * (i == 0 ? from.depth : to.slope);
         const double depth = i == 0 ? -step : 0, slope = i == 0 ? 0 : step;
         const Middle above = flow({from.depth + depth, from.slope + slope}),
                      below = flow({from.depth - depth, from.slope - slope});
         by.at(i) = {(below.depth - above.depth) / (2 * step), (above.slope - below.slope) / (2 * step)};
     }
 
-    // A shift of the orbit by that much changes the excess by less than it should be.
-    const mpz_class enough = abs(shifted(start.excess, start.root + 1) / start.k) / 10 + 1;
+    // A shift of the orbit by that much changes the excess by less than it should be: dx/ds cos x too, by no
+    // more than the shift times the depth.
+    const mpz_class enough = abs(shifted(start.excess, start.root + 1) / start.k) / 10 + 1,
+                    enough_x = std::min(enough, mpz_class(times(0.1 / to.depth, abs(start.excess)) + 1));
     const auto far = [](const mpz_class& x, const mpz_class& limit) { return abs(x) > limit; };
     mpz_class x = start.x + times(from.depth - to.depth, shifted(1, one)),
               slope = start.slope + times(to.slope - from.slope, shifted(1, one));
@@ -119,7 +122,7 @@ bool guess_orbit(const Start& start, Orbit& orbit) {
         found.height.term[0] -= start.excess;
         found.turn.term[0] -= start.excess;
         const mpz_class limit = abs(start.excess) / 2, lost = shifted(1, one);
-        if (!far(missed_x, enough) && !far(missed_slope, enough) && found.height.size() < limit &&
+        if (!far(missed_x, enough_x) && !far(missed_slope, enough) && found.height.size() < limit &&
             found.turn.size() < limit) {
             orbit.x.term[0] += missed_x;  // so that it begins there exactly; sine and cosine follow
             orbit.slope.term[0] += missed_slope;

@@ -90,6 +90,16 @@ TEST_CASE("L42: multiple precision takes macro steps earlier, and counts the sam
     }
 }
 
+TEST_CASE("L42: the last of very many collisions are taken together, too") {
+    const PrecisionScope scope(160);
+    const BigInterval r = low_end(BigInterval(1e-44));
+    for (const BoundSide side : {BoundSide::upper, BoundSide::lower}) {
+        WallState<BigInterval> state{low_end(half_pi<BigInterval>() - BigInterval(1e-8)),
+                                     low_end(BigInterval(1.7e-22))};
+        CHECK(macro_step(side, r, state, cap) > 1000);
+    }
+}
+
 TEST_CASE("L42: polynomials that are just false are refused") {
     const PrecisionScope scope(200);
     Random random(423);
