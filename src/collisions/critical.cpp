@@ -18,22 +18,28 @@ namespace {
 constexpr int least_bits = 128;
 constexpr int most_bits = 16384;
 
-/// The margin of the flight that decides, for all r of a range; nothing if it is not certain that the orbit
-/// comes so far at each of them, or if interrupted.
-std::optional<flight::Margin<BigInterval>> margin_over(const ExtremalFlight& flight, const BigInterval& r,
-                                                       const CriticalOptions& options) {
-    auto ray = first_moving_ray(flight.orbit, r);
+/// The flight that decides, from its orbit's first; nothing if it is not certain at every r of the range that
+/// the orbit comes so far, or if interrupted.
+template <class State>
+std::optional<State> last_flight(State state, const ExtremalFlight& flight, const CriticalOptions& options) {
     for (long i = 1; i < flight.flight; ++i) {
-        auto next = options.interrupted() ? std::nullopt : after_collision(ray);
+        auto next = options.interrupted() ? std::nullopt : after_collision(state);
         if (!next) {
             return std::nullopt;
         }
-        ray = std::move(*next);
+        state = std::move(*next);
         if (i % flights_between_questions == 0) {
             options.observer->advance(flights_between_questions);
         }
     }
-    return margin(ray);
+    return state;
+}
+
+/// Its margin.
+std::optional<BigInterval> margin_at(const ExtremalFlight& flight, const BigInterval& r,
+                                     const CriticalOptions& options) {
+    const auto last = last_flight(extremal_ray(flight.orbit, r), flight, options);
+    return last ? std::optional(margin(*last)) : std::nullopt;
 }
 
 /// b_{k-1} of L27: the margin of flight k falls at least so fast with r.
@@ -47,45 +53,77 @@ BigInterval least_rate(const ExtremalFlight& flight) {
 /// A thin r in (0, 1] at the working precision.
 BigInterval point_near(const Rational& r) { return min(midpoint(enclose<BigInterval>(r)), BigInterval(1)); }
 
-/// The r of a Newton step from the thin r: a guess.
-Rational improved(const BigInterval& r, const flight::Margin<BigInterval>& at) {
-    const BigInterval next = midpoint(r - at.value / at.rate);
-    return exact_lo(certainly_positive(next) ? next : r);
+/// r with exactly one zero of the margin.
+struct Bracket {
+    BigInterval range;
+    BigInterval rate;  ///< the margin's derivative by r, all over the range
+    BigInterval zero;  ///< in the range
+};
+
+/// The r where the margin is 0, from its value at a thin r of the bracket: every zero lies there, and if that
+/// is in the bracket there is exactly one; nothing if it is not.
+std::optional<BigInterval> newton(const BigInterval& range, const BigInterval& rate, const BigInterval& r,
+                                  const BigInterval& value) {
+    const BigInterval zero = r - value / rate;
+    const bool inside = certainly_at_most(low_end(range), zero) && certainly_at_most(zero, high_end(range));
+    return inside ? std::optional(zero) : std::nullopt;
 }
 
-/// An enclosure of 1/q_c from a thin r in (0, 1], at the working precision; nothing if the interval Newton
-/// step proves nothing.
-std::optional<BigInterval> enclosure_from(const BigInterval& r, const ExtremalFlight& flight,
-                                          const CriticalOptions& options) {
-    const auto at_r = margin_over(flight, r, options);
-    if (!at_r) {
+/// From a thin r in (0, 1], at the working precision; nothing if the interval Newton step proves nothing.
+std::optional<Bracket> bracket_from(const BigInterval& r, const ExtremalFlight& flight,
+                                    const CriticalOptions& options) {
+    const auto value = margin_at(flight, r, options);
+    if (!value) {
         return std::nullopt;
     }
     // Formula (5) of theorem.md.
-    const BigInterval bracket =
-        min(r + hull(BigInterval(0), at_r->value / least_rate(flight)), BigInterval(1));
-    if (!certainly_positive(bracket)) {
+    const BigInterval range = min(r + hull(BigInterval(0), *value / least_rate(flight)), BigInterval(1));
+    if (!certainly_positive(range)) {
         return std::nullopt;
     }
-    const auto over = margin_over(flight, bracket, options);
-    if (!over || !certainly_positive(-over->rate)) {
+    const auto over = last_flight(first_moving_ray(flight.orbit, range), flight, options);
+    const BigInterval rate = over ? margin_rate(*over) : BigInterval(0);
+    if (!certainly_positive(-rate)) {
         return std::nullopt;
     }
-    // Every zero of the margin in the bracket lies in `newton`; if that is inside, there is exactly one.
-    const BigInterval newton = r - at_r->value / over->rate;
-    const bool inside =
-        certainly_at_most(low_end(bracket), newton) && certainly_at_most(newton, high_end(bracket));
-    return inside ? std::optional(newton) : std::nullopt;
+    const auto zero = newton(range, rate, r, *value);
+    return zero ? std::optional(Bracket{range, rate, *zero}) : std::nullopt;
+}
+
+CriticalRatio critical_ratio(long n, const BigInterval& r) {
+    return {.n = n,
+            .q_lo = Rational(1) / exact_hi(r),
+            .q_hi = Rational(1) / exact_lo(r),
+            .bits = PrecisionScope::current()};
+}
+
+/// The digits, by Newton steps in the bracket at the working precision: each leaves of the zero's width the
+/// share that the rate is uncertain by. Nothing if the steps come to nothing.
+std::optional<CriticalRatio> refined(long n, Bracket& bracket, const ExtremalFlight& flight,
+                                     const CriticalOptions& options) {
+    for (;;) {
+        const BigInterval r = midpoint(bracket.zero);
+        const auto value = margin_at(flight, r, options);
+        const auto zero = value ? newton(bracket.range, bracket.rate, r, *value) : std::nullopt;
+        if (!zero) {
+            return std::nullopt;
+        }
+        CriticalRatio result = critical_ratio(n, *zero);
+        if (shared_digits(result.q_lo, result.q_hi, options.digits)) {
+            return result;
+        }
+        const bool gains = width(*zero) < width(bracket.zero) / 1024;
+        bracket.zero = *zero;
+        if (!gains) {
+            return std::nullopt;
+        }
+    }
 }
 
 /// Bits that should do: the digits, and what the orbit loses (its sensitivity grows like a power of k).
 int expected_bits(int digits, long flight) {
     const double loss = 24 + 4 * std::log2(static_cast<double>(flight));
-    int bits = least_bits;
-    while (bits < digits * std::log2(10.0) + loss) {
-        bits *= 2;
-    }
-    return bits;
+    return 64 * static_cast<int>(std::ceil((digits * std::log2(10.0) + loss) / 64));
 }
 
 }  // namespace
@@ -98,33 +136,21 @@ std::optional<CriticalRatio> enclose_critical_ratio(long n, const CriticalOption
         return enclose_long_critical_ratio(n, options);
     }
     Rational guess = Rational(1) / exact(guess_critical_ratio(n, options.interrupted));
-
-    int bits = least_bits;
-    for (const int enough = expected_bits(options.digits, flight.flight); bits < enough; bits *= 2) {
+    const int enough = expected_bits(options.digits, flight.flight);
+    for (int bits = least_bits; bits <= most_bits && !options.interrupted(); bits *= 2) {
         const PrecisionScope scope(bits);
-        for (int i = 0; i < 2; ++i) {  // each step doubles the digits, up to the precision
-            const BigInterval r = point_near(guess);
-            const auto at_r = margin_over(flight, r, options);
-            guess = at_r ? improved(r, *at_r) : guess;
+        auto bracket = bracket_from(point_near(guess), flight, options);
+        if (!bracket) {
+            continue;
         }
-    }
-    for (; bits <= most_bits; bits *= 2) {
-        const PrecisionScope scope(bits);
-        for (int i = 0; i < 3; ++i) {
-            const auto r = enclosure_from(point_near(guess), flight, options);
-            if (options.interrupted()) {
-                return std::nullopt;
-            }
-            if (!r) {
-                break;
-            }
-            CriticalRatio result{
-                .n = n, .q_lo = Rational(1) / exact_hi(*r), .q_hi = Rational(1) / exact_lo(*r), .bits = bits};
-            if (shared_digits(result.q_lo, result.q_hi, options.digits)) {
+        // The rate needs half of the digits that the value needs.
+        if (2 * bits >= enough) {
+            const PrecisionScope finer(std::max(bits, enough));
+            if (auto result = refined(n, *bracket, flight, options)) {
                 return result;
             }
-            guess = exact_lo(midpoint(*r));
         }
+        guess = exact_lo(midpoint(bracket->zero));
     }
     return std::nullopt;
 }
@@ -141,12 +167,12 @@ bool certainly_encloses(const CriticalRatio& ratio, const Interrupted& interrupt
     const PrecisionScope scope(2 * ratio.bits);
     const ExtremalFlight flight = flight::tangent_flight(ratio.n);
     const CriticalOptions options{.interrupted = interrupted};
-    const auto margin_at = [&](const Rational& q) {
-        return margin_over(flight, enclose<BigInterval>(Rational(1) / q), options);
+    const auto at = [&](const Rational& q) {
+        return margin_at(flight, enclose<BigInterval>(Rational(1) / q), options);
     };
-    const auto below = margin_at(ratio.q_lo);
-    const auto above = margin_at(ratio.q_hi);
-    return below && above && certainly_positive(-below->value) && certainly_positive(above->value);
+    const auto below = at(ratio.q_lo);
+    const auto above = at(ratio.q_hi);
+    return below && above && certainly_positive(-*below) && certainly_positive(*above);
 }
 
 std::optional<long> bound_by_theorem(const Rational& q) {

@@ -63,14 +63,14 @@ class Search {
     /// Of the flight that decides; thin, and nearly right.
     [[nodiscard]] std::optional<BigInterval> margin_at(const BigInterval& place) const {
         const BigInterval r = midpoint(BigInterval(1) / enclose<BigInterval>(ratio(place)));
-        std::optional<flight::MovingRay<BigInterval>> last;
+        std::optional<flight::Ray<BigInterval>> last;
         (void)count_at_most(extremal_ray(flight_.orbit, r), flight_.flight - 1, interrupted_,
                             [&](long count, const BigInterval& c, const BigInterval& kappa) {
                                 if (count == flight_.flight - 1) {
-                                    last = {{c, kappa, r}, {BigInterval(0), BigInterval(0)}};
+                                    last = {c, kappa, r};
                                 }
                             });
-        return last ? std::optional(midpoint(margin(*last).value)) : std::nullopt;
+        return last ? std::optional(midpoint(margin(*last))) : std::nullopt;
     }
 
     ExtremalFlight flight_;

@@ -53,8 +53,8 @@ int refinements() {
     return steps;
 }
 
-BigInterval refined_root(BigInterval z, const BigInterval& c, const BigInterval& kappa) {
-    for (int i = refinements(); i > 0; --i) {
+BigInterval refined_root(BigInterval z, const BigInterval& c, const BigInterval& kappa, int steps) {
+    for (; steps > 0; --steps) {
         const auto at = sin_cos(z);
         z = clamped(z - (at.sin - kappa * z - c) / (at.cos - kappa));
     }
@@ -81,7 +81,8 @@ ContactGuess<BigInterval> guess_contact(const BigInterval& c, const BigInterval&
     const Point guess = newton(approximate(c), slope);
     constexpr double far_from_tangency = 0x1p-10;
     if (guess.hits && guess_sin_cos(guess.z).cos - slope > far_from_tangency) {
-        return {refined_root(BigInterval(guess.z), c, kappa), true};
+        // Here the guess is better than 40 bits.
+        return {refined_root(BigInterval(guess.z), c, kappa, std::max(1, refinements() - 1)), true};
     }
     // Near a tangency double precision may err about whether there is a root: look at the top of g, where it
     // is well conditioned.
@@ -92,7 +93,7 @@ ContactGuess<BigInterval> guess_contact(const BigInterval& c, const BigInterval&
         return {top, false};
     }
     const BigInterval left = clamped(top - sqrt(BigInterval(2) * height / at.sin));
-    return {refined_root(left, c, kappa), true};
+    return {refined_root(left, c, kappa, refinements()), true};
 }
 
 }  // namespace dumbbell::flight

@@ -47,44 +47,18 @@ template <class I>
 
 namespace detail {
 
-/// The derivatives of a collision, by the chain rule from sin x = c + kappa x, the derivatives of (2) in L5
-/// (b), and c' = sin x + kappa' (x + pi). All of them are >= 0, so that enclosures of them do not widen by
-/// cancellation.
+/// What is between two flights, at every r of a range.
 template <class I>
-Eigen::Matrix<I, 2, 1> rate_after(const MovingRay<I>& before, const I& x, const SinCos<I>& at,
-                                  const I& denominator, const I& next_kappa) {
-    using Matrix = Eigen::Matrix<I, 2, 2>;
-    using Vector = Eigen::Matrix<I, 2, 1>;
-    const I& kappa = before.ray.kappa;
-    const I& r = before.ray.r;
-    const I slope = at.cos - kappa;
-    const I a = sqr(at.cos) + r;
-    const I scale = I(1) / sqr(denominator);
+struct Collision {
+    Ray<I> next;
+    I x;
+    SinCos<I> at;
+    I denominator;
+};
 
-    const Vector dx(I(1) / slope, x / slope);  // by (c, kappa)
-    const I steepening = I(2) * (sqr(kappa) + r) * a * at.sin * scale;
-    const Vector dkappa(steepening * dx[0], sqr(a) * scale + steepening * dx[1]);
-    const I reach = x + pi<I>();
-    const I turn = at.cos + next_kappa;
-
-    Matrix by_state;
-    by_state << turn * dx[0] + reach * dkappa[0], turn * dx[1] + reach * dkappa[1], dkappa[0], dkappa[1];
-    const I explicit_kappa = I(2) * at.cos * sqr(slope) * scale;
-    const Vector by_ratio(reach * explicit_kappa, explicit_kappa);
-    return by_state * before.rate + by_ratio;
-}
-
-}  // namespace detail
-
-/// The flight after the next collision; nothing unless it is certain that at every r of the range the flight
-/// collides, transversally, and comes back (D > 0, kappa' < 1).
-///
-/// By L5 the state moves monotonely with the state before and with r: its bounds are computed at opposite
-/// ends (L5 (e), with the orbit at all r of the range as the set of rays), so that they are only as far apart
-/// as the orbits at both ends of the range, but for rounding.
 template <class I>
-[[nodiscard]] std::optional<MovingRay<I>> after_collision(const MovingRay<I>& before) {
-    const auto& [c, kappa, r] = before.ray;
+std::optional<Collision<I>> collision(const Ray<I>& before) {
+    const auto& [c, kappa, r] = before;
     const auto contact = contact_range(c, kappa);
     if (!contact) {
         return std::nullopt;
@@ -100,35 +74,71 @@ template <class I>
     if (!certainly_less(kappa_greatest, I(1))) {
         return std::nullopt;
     }
-    const I next_kappa = hull(kappa_least, kappa_greatest);
     const I next_c = hull(low_end(least.sin_x + kappa_least * (least.x + pi<I>())),
                           high_end(greatest.sin_x + kappa_greatest * (greatest.x + pi<I>())));
-
-    const I x = hull(least.x, greatest.x);
-    const SinCos<I> at{hull(least.sin_x, greatest.sin_x), hull(greatest.cos_x, least.cos_x)};
-    const I denominator = hull(low_end(highest.denominator), high_end(lowest.denominator));
-    return MovingRay<I>{{next_c, next_kappa, r}, detail::rate_after(before, x, at, denominator, next_kappa)};
+    return Collision<I>{{next_c, hull(kappa_least, kappa_greatest), r},
+                        hull(least.x, greatest.x),
+                        {hull(least.sin_x, greatest.sin_x), hull(greatest.cos_x, least.cos_x)},
+                        hull(low_end(highest.denominator), high_end(lowest.denominator))};
 }
 
-/// The margin m = M(kappa) - c of a flight, M(kappa) = sqrt(1 - kappa^2) - kappa acos kappa, and its
-/// derivative by r. It collides iff m > 0 and is tangent to the hump iff m = 0 (L4 (a); theorem.md,
-/// notation).
+/// The derivatives by r behind a collision, from those before it: of x, from sin x = c + kappa x; of kappa',
+/// with the derivatives of (2) in L5 (b); of c' = sin x + kappa' (x + pi). All summands and factors are >= 0,
+/// so that enclosures of them do not widen by cancellation.
 template <class I>
-struct Margin {
-    I value;
-    I rate;
-};
+Eigen::Matrix<I, 2, 1> rate_after(const MovingRay<I>& before, const Collision<I>& collision) {
+    const auto& [c, kappa, r] = before.ray;
+    const auto& [next, x, at, denominator] = collision;
+    const I& kappa_rate = before.rate[1];
+    const I slope = at.cos - kappa;
+    const I a = sqr(at.cos) + r;
+    const I x_rate = (before.rate[0] + x * kappa_rate) / slope;
+    const I steepening = I(2) * (sqr(kappa) + r) * at.sin * x_rate;
+    const I next_kappa_rate =
+        (a * (steepening + a * kappa_rate) + I(2) * at.cos * sqr(slope)) / sqr(denominator);
+    return {(at.cos + next.kappa) * x_rate + (x + pi<I>()) * next_kappa_rate, next_kappa_rate};
+}
 
-/// Precondition: 0 <= kappa, certainly.
+}  // namespace detail
+
+/// The flight after the next collision; nothing unless it is certain that at every r of the range the flight
+/// collides, transversally, and comes back (D > 0, kappa' < 1).
+///
+/// By L5 the state moves monotonely with the state before and with r: its bounds are computed at opposite
+/// ends (L5 (e), with the orbit at all r of the range as the set of rays), so that they are only as far apart
+/// as the orbits at both ends of the range, but for rounding.
 template <class I>
-[[nodiscard]] Margin<I> margin(const MovingRay<I>& flight) {
-    const auto angle = [](const I& kappa) { return half_pi<I>() - asin(kappa); };
+[[nodiscard]] std::optional<Ray<I>> after_collision(const Ray<I>& before) {
+    const auto collision = detail::collision(before);
+    return collision ? std::optional(collision->next) : std::nullopt;
+}
+
+/// The same with the derivatives by r.
+template <class I>
+[[nodiscard]] std::optional<MovingRay<I>> after_collision(const MovingRay<I>& before) {
+    const auto collision = detail::collision(before.ray);
+    return collision ? std::optional(MovingRay<I>{collision->next, detail::rate_after(before, *collision)})
+                     : std::nullopt;
+}
+
+/// The margin m = M(kappa) - c of a flight, M(kappa) = sqrt(1 - kappa^2) - kappa acos kappa. It collides iff
+/// m > 0 and is tangent to the hump iff m = 0 (L4 (a); theorem.md, notation). Precondition: 0 <= kappa,
+/// certainly.
+template <class I>
+[[nodiscard]] I margin(const Ray<I>& flight) {
     // M falls with kappa.
-    const auto height = [&](const I& kappa) { return sqrt(I(1) - sqr(kappa)) - kappa * angle(kappa); };
-    const auto& [c, kappa, r] = flight.ray;
-    return {
-        hull(low_end(height(high_end(kappa)) - high_end(c)), high_end(height(low_end(kappa)) - low_end(c))),
-        -(angle(kappa) * flight.rate[1] + flight.rate[0])};
+    const auto height = [](const I& kappa) {
+        return sqrt(I(1) - sqr(kappa)) - kappa * (half_pi<I>() - asin(kappa));
+    };
+    const auto& [c, kappa, r] = flight;
+    return hull(low_end(height(high_end(kappa)) - high_end(c)),
+                high_end(height(low_end(kappa)) - low_end(c)));
+}
+
+/// The margin's derivative by r. Precondition: 0 <= kappa, certainly.
+template <class I>
+[[nodiscard]] I margin_rate(const MovingRay<I>& flight) {
+    return -((half_pi<I>() - asin(flight.ray.kappa)) * flight.rate[1] + flight.rate[0]);
 }
 
 }  // namespace dumbbell::flight

@@ -100,9 +100,9 @@ TEST_CASE("More digits refine: each shares the digits asked for, and begins with
 TEST_CASE("The least sufficient precision is chosen") {
     CHECK(enclosed(4, 1).bits == 128);
     CHECK(enclosed(4, 15).bits == 128);
-    CHECK(enclosed(4, 50).bits == 256);
-    CHECK(enclosed(4, 100).bits == 512);
-    CHECK(enclosed(4, 200).bits == 1024);
+    CHECK(enclosed(4, 50).bits == 192);
+    CHECK(enclosed(4, 100).bits == 384);
+    CHECK(enclosed(4, 200).bits == 704);
 }
 
 TEST_CASE("The signs of the margin accept enclosures, however wide, and nothing that lies beside the ratio") {

@@ -50,14 +50,14 @@ void check_range(ExtremalOrbit orbit, const I& range, const std::vector<Digits>&
     }
     for (std::size_t j = 0; j < enclosed.size(); ++j) {
         const auto& [c, kappa, r] = enclosed[j].ray;
-        const auto m = margin(enclosed[j]);
+        const auto m = margin(enclosed[j].ray), m_rate = margin_rate(enclosed[j]);
         const auto& rate = enclosed[j].rate;
         for (std::size_t i = 0; i < at.size(); ++i) {
             const auto& one = exact[i][j];
             INFO("flight " << j << " at " << at[i]);
             REQUIRE(encloses(c, one.c));
             REQUIRE(encloses(kappa, one.kappa));
-            REQUIRE(encloses(m.value, greatest_excess(one)));
+            REQUIRE(encloses(m, greatest_excess(one)));
             if (i == 0) {
                 continue;
             }
@@ -66,7 +66,7 @@ void check_range(ExtremalOrbit orbit, const I& range, const std::vector<Digits>&
             REQUIRE(nearly_encloses(rate[0], Digits((one.c - other.c) / change)));
             REQUIRE(nearly_encloses(rate[1], Digits((one.kappa - other.kappa) / change)));
             REQUIRE(
-                nearly_encloses(m.rate, Digits((greatest_excess(one) - greatest_excess(other)) / change)));
+                nearly_encloses(m_rate, Digits((greatest_excess(one) - greatest_excess(other)) / change)));
         }
     }
 }
@@ -110,9 +110,9 @@ TEST_CASE("At a single r every flight is found, up to the one that misses") {
             const auto exact = exact_flights(orbit, Digits(r));
             REQUIRE(enclosed.size() == exact.size());
             // The last one is not certain to collide, all others are.
-            CHECK_FALSE(certainly_positive(margin(enclosed.back()).value));
+            CHECK_FALSE(certainly_positive(margin(enclosed.back().ray)));
             for (std::size_t j = 0; j + 1 < enclosed.size(); ++j) {
-                REQUIRE(certainly_positive(margin(enclosed[j]).value));
+                REQUIRE(certainly_positive(margin(enclosed[j].ray)));
             }
         }
     }
@@ -131,7 +131,7 @@ TEST_CASE("L27: the enclosed rates are at least those of the lemma") {
                 CAPTURE(q, j);
                 CHECK(flights[j].rate[0].lo() >= bound * (1 - 1e-12));
                 CHECK(flights[j].rate[1].lo() >= (top ? 2 * n : 2 * n + 1) * (1 - 1e-12));
-                CHECK(margin(flights[j]).rate.hi() <= -bound * (1 - 1e-12));
+                CHECK(margin_rate(flights[j]).hi() <= -bound * (1 - 1e-12));
             }
         }
     }
@@ -143,7 +143,7 @@ TEST_CASE("theorem 2: the margin of the tangent flight changes its sign at the c
     const auto margin_over = [](double q_lo, double q_hi) {
         const auto flights = enclosed_flights(ExtremalOrbit::top, BigInterval(1 / q_hi, 1 / q_lo));
         REQUIRE(flights.size() == 2);
-        return margin(flights[1]).value;
+        return margin(flights[1].ray);
     };
     CHECK(certainly_positive(margin_over(11.3623, 11.37)));
     CHECK(certainly_positive(-margin_over(11.35, 11.3622)));
@@ -163,10 +163,11 @@ TEST_CASE("Enclosures stay narrow over hundreds of flights") {
 }
 
 TEST_CASE("Equal masses: the top orbit is tangent at once, exactly") {
-    const auto m = margin(first_moving_ray(ExtremalOrbit::top, BigInterval(1)));
-    CHECK((m.value.lo() == 0 && m.value.hi() == 0));
-    CHECK((m.rate.lo() == -1 && m.rate.hi() == -1));
-    CHECK_FALSE(after_collision(first_moving_ray(ExtremalOrbit::top, BigInterval(1))));
+    const auto flight = first_moving_ray(ExtremalOrbit::top, BigInterval(1));
+    const auto m = margin(flight.ray), rate = margin_rate(flight);
+    CHECK((m.lo() == 0 && m.hi() == 0));
+    CHECK((rate.lo() == -1 && rate.hi() == -1));
+    CHECK_FALSE(after_collision(flight));
 }
 
 TEST_CASE("A ray that is not a number has no next flight") {
