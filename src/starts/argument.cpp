@@ -7,34 +7,75 @@
 namespace dumbbell::starts {
 namespace {
 
-Rational parse_signed(const std::string& text) {
-    const bool negative = !text.empty() && text[0] == '-';
-    const Rational size = parse_rational(std::string_view(text).substr(negative ? 1 : 0));
-    return negative ? Rational(-size) : size;
+/// Of the comparison of two angles: numbers of 1,000 characters differ from multiples of pi by more.
+constexpr int comparing_bits = 8192;
+
+bool is_negative(std::string_view text) { return text.starts_with('-'); }
+std::string_view without_sign(std::string_view text) { return text.substr(is_negative(text) ? 1 : 0); }
+
+Rational signed_number(std::string_view text) {
+    const Rational size = parse_rational(without_sign(text));
+    return is_negative(text) ? Rational(-size) : size;
 }
 
-std::pair<Rational, Rational> parse_ends(const std::string& text) {
+Angle signed_angle(std::string_view text) {
+    const Angle size = parse_angle(without_sign(text));
+    return is_negative(text) ? Angle{-size.radians, -size.pis} : size;
+}
+
+/// What `read` makes of it; if it refuses, the name of the option before and the hint behind what it says.
+template <class Read>
+auto named(const std::string& option, const char* hint, const Read& read) {
+    try {
+        return read();
+    } catch (const InputError& error) {
+        throw InputError(fmt::format("{}: {}{}", option, error.what(), hint));
+    }
+}
+
+template <class End>
+std::pair<End, End> ends(std::string_view text, End (*read)(std::string_view)) {
     const auto colon = text.find(':');
-    const Rational lo = parse_signed(text.substr(0, colon));
-    return {lo, colon == std::string::npos ? lo : parse_signed(text.substr(colon + 1))};
+    const End lo = read(text.substr(0, colon));
+    return {lo, colon == std::string_view::npos ? lo : read(text.substr(colon + 1))};
+}
+
+void require_order(const std::string& option, const std::string& text, bool in_order) {
+    if (!in_order) {
+        throw InputError(fmt::format("{}: the interval '{}' is reversed: write the smaller number first",
+                                     option, text.substr(0, 80)));
+    }
 }
 
 }  // namespace
 
 std::pair<Rational, Rational> parse_quantity(const std::string& option, const std::string& text) {
-    std::pair<Rational, Rational> ends;
-    try {
-        ends = parse_ends(text);
-    } catch (const InputError& error) {
-        const char* hint =
-            option == "--phi" ? "; phi is in radians: 30 degrees are 0.5236, pi/2 is 1.5708" : "";
-        throw InputError(fmt::format("{}: {}{}", option, error.what(), hint));
+    auto result = named(option, "", [&] { return ends(text, signed_number); });
+    require_order(option, text, result.first <= result.second);
+    return result;
+}
+
+std::pair<Angle, Angle> parse_angles(const std::string& option, const std::string& text) {
+    auto result = named(option, "; an angle is in radians, or like 30deg, pi/2 or 0.3pi",
+                        [&] { return ends(text, signed_angle); });
+    require_order(option, text,
+                  bounds(result.first, comparing_bits).first <= bounds(result.second, comparing_bits).second);
+    return result;
+}
+
+std::pair<Rational, Rational> parse_pair(const std::string& option, const std::string& text) {
+    const auto comma = text.find(',');
+    if (comma == std::string::npos || text.find(':') != std::string::npos) {
+        throw InputError(
+            fmt::format("{}: '{}' is no pair of numbers: write LIGHT,HEAVY, for example 1.2,0.8 (a box of "
+                        "starts has --phi "
+                        "and --y)",
+                        option, shortened(text)));
     }
-    if (ends.first > ends.second) {
-        throw InputError(fmt::format("{}: the interval '{}' is reversed: write the smaller number first",
-                                     option, text.substr(0, 80)));
-    }
-    return ends;
+    return named(option, "", [&] {
+        return std::pair(signed_number(std::string_view(text).substr(0, comma)),
+                         signed_number(std::string_view(text).substr(comma + 1)));
+    });
 }
 
 }  // namespace dumbbell::starts

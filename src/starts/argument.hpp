@@ -4,12 +4,20 @@
 #include <utility>
 
 #include "number/rational.hpp"
+#include "starts/angle.hpp"
 
 namespace dumbbell::starts {
 
-/// A or LO:HI of an option like --phi, --y or --delta: exact, with or without a leading minus. Throws
-/// InputError that names the option and says how it is written.
+/// A or LO:HI of an option like --y or --delta: exact, with or without a leading minus. Throws InputError
+/// that names the option and says how it is written; also if LO > HI.
 [[nodiscard]] std::pair<Rational, Rational> parse_quantity(const std::string& option,
                                                            const std::string& text);
+
+/// The same of an option like --phi, whose ends are angles.
+[[nodiscard]] std::pair<Angle, Angle> parse_angles(const std::string& option, const std::string& text);
+
+/// A,B of --heights, two exact numbers. Throws InputError that names the option and says how they are
+/// written.
+[[nodiscard]] std::pair<Rational, Rational> parse_pair(const std::string& option, const std::string& text);
 
 }  // namespace dumbbell::starts

@@ -83,12 +83,16 @@ Trace trace_in(const InitialBox& box, int bits, int digits) {
 
 }  // namespace
 
-Trace trace(const InitialBox& box, int digits) {
-    if (digits == 0) {
-        return trace_in<Interval>(box, double_bits, shown_digits);
-    }
+int working_bits(int digits) {
     // log2(10) bits per digit, and as many again up to 128 for what the collisions lose.
-    const int bits = static_cast<int>(digits * 3.33) + 1 + std::min(128, 64 + digits * 2);
+    return digits == 0 ? double_bits : static_cast<int>(digits * 3.33) + 1 + std::min(128, 64 + digits * 2);
+}
+
+Trace trace(const InitialBox& box, int digits) {
+    const int bits = working_bits(digits);
+    if (digits == 0) {
+        return trace_in<Interval>(box, bits, shown_digits);
+    }
     const PrecisionScope scope(bits);
     return trace_in<BigInterval>(box, bits, digits);
 }

@@ -36,6 +36,9 @@ struct Trace {
     [[nodiscard]] bool exact() const { return most == least; }
 };
 
+/// The precision for this number of digits: 53 for 0.
+[[nodiscard]] int working_bits(int digits);
+
 /// With digits = 0 in double precision, shown with 12 digits; otherwise with a precision chosen from the
 /// digits wanted. Precondition: require_in_play(box).
 [[nodiscard]] Trace trace(const InitialBox& box, int digits);

@@ -40,7 +40,7 @@ const char* mass_name(const Collision<TracedValue>& c) { return c.heavy ? "heavy
 std::string plural(long count) { return count == 1 ? "1 collision" : fmt::format("{} collisions", count); }
 
 const char* outcome_word(const TraceReport& report) {
-    return report.trace.exact() ? "exact" : report.box.is_point() ? "undecided" : "between";
+    return report.trace.exact() ? "exact" : report.is_single() ? "undecided" : "between";
 }
 
 std::string bounds_text(long least, const std::optional<long>& most) {
@@ -105,6 +105,26 @@ std::string widths_text(const TracedWidths& widths) {
                        widths.correlated,
                        widths.natural ? fmt::format("{:.3g}", *widths.natural)
                                       : std::string("plain intervals do not get as far"));
+}
+
+/// What the box has to do with a start that is given by heights or by an irrational angle.
+std::string meaning_text(const TraceReport& report) {
+    const StartMeaning& meaning = report.meaning;
+    std::string text;
+    if (meaning.heights) {
+        text += fmt::format(
+            "Heights {} (light mass) and {} (heavy mass): phi is the angle with cos phi >= 0. The other, pi "
+            "- "
+            "phi, with the\nopposite phidot is the mirror image, and has as many collisions.\n",
+            exact_text(meaning.heights->first), exact_text(meaning.heights->second));
+    }
+    if (!meaning.rounded_phi.empty()) {
+        text += fmt::format(
+            "phi: {}, irrational and rounded outward; what is said is proved for every phi in\n  {} : {}\n",
+            meaning.rounded_phi, to_fraction(report.box.lower(InitialAxis::phi)),
+            to_fraction(report.box.upper(InitialAxis::phi)));
+    }
+    return text;
 }
 
 constexpr int share_digits = 12;
@@ -182,7 +202,7 @@ std::string outcome_sentence(const TraceReport& report) {
             "where no motion is defined); move the initial condition, for example --phi",
             bounds, exact_text(*corner));
     }
-    if (report.box.is_point()) {
+    if (report.is_single()) {
         return fmt::format("cannot be decided at this precision: {}; undecided from collision {} on; {}",
                            bounds, next, advice(report));
     }
@@ -214,11 +234,11 @@ std::string to_text(const TraceReport& report) {
                 ? exact_text(report.box.lo[4])
                 : exact_text(report.box.lo[4]) + " : " + exact_text(report.box.hi[4]));
         text += collisions_table(report);
-        if (!report.box.is_point() && report.trace.widths) {
+        if (!report.is_single() && report.trace.widths) {
             text += widths_text(*report.trace.widths);
         }
     }
-    text += verdict(report);
+    text += meaning_text(report) + verdict(report);
     if (report.out) {
         text += fmt::format("Certificate: {} (sha256 {})\nCheck it:    dumbbell verify {}\n",
                             one_line(*report.out), *report.sha256, shell_file(*report.out));
@@ -230,15 +250,23 @@ Json to_json(const TraceReport& report) {
     const Trace& trace = report.trace;
     Json initial = Json::object();
     for (std::size_t i = 0; i < initial_axes; ++i) {
-        initial.add(axis_names[i], Json::object({{"lo", to_fraction(report.box.lo[i])},
-                                                 {"hi", to_fraction(report.box.hi[i])}}));
+        Json axis =
+            Json::object({{"lo", to_fraction(report.box.lo[i])}, {"hi", to_fraction(report.box.hi[i])}});
+        if (i == 0 && !report.meaning.rounded_phi.empty()) {
+            axis.add("given", report.meaning.rounded_phi);
+        }
+        initial.add(axis_names[i], axis);
+    }
+    if (const auto& heights = report.meaning.heights) {
+        initial.add("heights", Json::object({{"light", to_fraction(heights->first)},
+                                             {"heavy", to_fraction(heights->second)}}));
     }
     Json collisions = Json::array();
     for (const auto& c : trace.collisions) {
         collisions.add(collision_json(c, report.digits > 0));
     }
     Json widths;
-    if (trace.widths) {
+    if (trace.widths && !report.is_single()) {
         widths = Json::object({{"natural", trace.widths->natural}, {"correlated", trace.widths->correlated}});
     }
     return Json::object({{"schema", "dumbbell-trace-1"},

@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 
+#include "starts/given_start.hpp"
 #include "starts/subdivide.hpp"
 #include "starts/trace.hpp"
 #include "words/json.hpp"
@@ -23,6 +24,9 @@ struct TraceReport {
     std::optional<std::string> sha256;
     /// Of all trajectories at these mass ratios, by theorem 2; for what the enclosures do not decide.
     std::optional<long> maximum{};
+    StartMeaning meaning{};
+
+    [[nodiscard]] bool is_single() const { return meaning.is_single || box.is_point(); }
 };
 
 /// The table of collisions, the widths, and the outcome in a sentence; the shares of a subdivision.

@@ -10,8 +10,9 @@
 namespace dumbbell::api {
 
 /// A dumbbell in the air, or a box of them: each quantity an exact number as written (`3`, `-0.5`, `1/3`) or
-/// a closed interval `LO:HI`. The rod has length 1; phi is its angle in radians, y the height of the centre
-/// of mass: the light mass is at height y + q/(1+q) sin phi, the heavy one at y - 1/(1+q) sin phi.
+/// a closed interval `LO:HI`. The rod has length 1; phi is its angle in radians, in degrees (`30deg`) or as a
+/// multiple of pi (`pi/2`, `2pi/3`, `0.3pi`), y the height of the centre of mass: the light mass is at height
+/// y + q/(1+q) sin phi, the heavy one at y - 1/(1+q) sin phi.
 struct InitialCondition {
     std::string phi, phidot, y, ydot;
 };

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "base/deadline.hpp"
+#include "base/error.hpp"
 #include "cli/claims/collisions.hpp"
 #include "cli/commands.hpp"
 #include "cli/terminal/exit_code.hpp"
@@ -14,15 +15,12 @@
 #include "cli/terminal/stop_signals.hpp"
 #include "collisions/critical.hpp"
 #include "number/ratio_argument.hpp"
-#include "starts/argument.hpp"
-#include "starts/initial_state.hpp"
+#include "starts/given_start.hpp"
 #include "starts/subdivide.hpp"
 #include "starts/trace_report.hpp"
 #include "starts/writer.hpp"
 
 namespace dumbbell::cli {
-
-using starts::InitialAxis;
 
 namespace {
 
@@ -33,8 +31,12 @@ constexpr const char* description =
 
 RATIO is q = heavy mass / light mass (below 1 the masses are swapped). The dumbbell starts in the air: the
 rod has length 1, the light mass is at height y + beta2 sin phi and the heavy one at y - beta1 sin phi
-(beta2 = q/(1+q), beta1 = 1/(1+q)), y is the height of the centre of mass, phi in radians. Every quantity is
-exact, as written (3, -0.5, 1/3), or an interval LO:HI.
+(beta2 = q/(1+q), beta1 = 1/(1+q)), y is the height of the centre of mass, phi in radians (1/3), degrees (30deg) or as a
+multiple of pi (pi/2, 2pi/3, -0.3pi). Every quantity is exact, as written (3, -0.5, 1/3), or an interval LO:HI; a multiple
+of pi is irrational, and what is proved holds for the rational bounds of it that --json and the certificate give.
+
+--heights LIGHT,HEAVY gives the heights of both masses instead of phi and y. They leave two angles: phi is the one with
+cos phi >= 0, from -pi/2 to pi/2. The other, pi - phi, with the opposite --phidot is its mirror image.
 
 Every number is printed as value+-radius, or as its bounds (--csv, --json). The grazing sine is |n.v| / (|n| |v|)
 before a collision, in the metric of the kinetic energy: the sine of the angle between flight and floor, 1 head-on, near
@@ -44,7 +46,9 @@ all trajectories (theorem 2 of proofs/theorem.md, up to mass ratio 10^6) where t
 Examples:
   dumbbell trace 10 --phi 1/3 --phidot 1 --y 3 --ydot -1/2               one orbit
   dumbbell trace 10 --phi 1/3 --phidot 1 --y 3 --ydot -1/2 --digits 50   the same with 50 digits
-  dumbbell trace 10 --phi 0.3:0.31 --phidot 0 --y 3 --ydot -1            a box
+  dumbbell trace 10 --phi 30deg --phidot 1 --y 3 --ydot -1/2             phi = pi/6
+  dumbbell trace 10 --heights 2.3,1.9 --phidot 1 --ydot -1/2             the light mass at 2.3, the heavy one at 1.9
+  dumbbell trace 10 --phi pi/6:pi/3 --phidot 0 --y 3 --ydot -1           a box
   dumbbell trace 10 --phi 0:3 --phidot -1/2:1/2 --y 3/2 --ydot -1 --subdivide --out falling.dbc)";
 
 constexpr const char* footer =
@@ -54,15 +58,20 @@ Exit codes: 0 an outcome is certified; 1 internal error; 2 wrong usage or input;
 --subdivide 130 or 143 stopped by SIGINT (Ctrl-C) or SIGTERM: nothing is kept.)";
 
 constexpr Option quantity_option(std::string_view name, std::string_view text) {
-    return Option{name, "A|LO:HI", text}.required();
+    return Option{name, "A|LO:HI", text};
 }
 
 constexpr std::array options{
     ratio_option.required(),
-    quantity_option("--phi", "angle of the rod, radians"),
-    quantity_option("--phidot", "its velocity"),
-    quantity_option("--y", "height of the centre of mass, rod lengths"),
-    quantity_option("--ydot", "its velocity (downwards: negative)"),
+    quantity_option("--phi",
+                    "angle of the rod: radians, or like 30deg, pi/2, 0.3pi (required without --heights)"),
+    quantity_option("--phidot", "its velocity (radians)").required(),
+    quantity_option("--y", "height of the centre of mass, rod lengths (required without --heights)"),
+    quantity_option("--ydot", "its velocity (downwards: negative)").required(),
+    Option{"--heights", "LIGHT,HEAVY",
+           "heights of the two masses, rod lengths, instead of --phi and --y; of the two angles that with "
+           "cos phi >= 0"}
+        .excludes("--phi,--y"),
     flag("--subdivide", "halve the box until every part has its exact number of collisions"),
     Option{"--out", "FILE",
            "with --subdivide: write the certificate to FILE (FILE.gz: compressed); -: the standard output"}
@@ -83,23 +92,39 @@ constexpr std::array options{
         .excludes("--json,--quiet"),
     flag("--quiet", "the outcome alone, in a sentence").excludes("--csv,--json")};
 
-starts::InitialBox box_of(const Given& given, const RatioArgument& ratio) {
-    starts::InitialBox box;
-    const auto set = [&](InitialAxis axis, Rational lo, Rational hi) {
-        box.lo[static_cast<std::size_t>(axis)] = std::move(lo);
-        box.hi[static_cast<std::size_t>(axis)] = std::move(hi);
-    };
-    const auto quantity = [&](InitialAxis axis, const char* name) {
-        auto [lo, hi] = starts::parse_quantity(name, given.text(name));
-        set(axis, std::move(lo), std::move(hi));
-    };
-    quantity(InitialAxis::phi, "--phi");
-    quantity(InitialAxis::phidot, "--phidot");
-    quantity(InitialAxis::y, "--y");
-    quantity(InitialAxis::ydot, "--ydot");
-    set(InitialAxis::ratio, ratio.lo, ratio.hi);
-    require_in_play(box);
-    return box;
+/// Bits of the bounds of an irrational angle: with --subdivide no more than a line of a certificate holds.
+int bits_of_angle(const Given& given, int digits) {
+    constexpr int most_in_certificate = 3000;
+    const int bits = starts::bits_of_bounds(digits);
+    return given.has("--subdivide") ? std::min(bits, most_in_certificate) : bits;
+}
+
+/// What a verifier takes for too long is not worth any work.
+void require_short_lines(const starts::InitialBox& box) {
+    constexpr std::size_t most = 4000;  // of the 4096 bytes of a line
+    constexpr std::array names{"--phi", "--phidot", "--y", "--ydot", "RATIO"};
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        if (to_fraction(box.lo[i]).size() + to_fraction(box.hi[i]).size() > most) {
+            throw InputError(fmt::format(
+                "{}: too long for a line of a certificate (--out): write a number of fewer digits",
+                names[i]));
+        }
+    }
+}
+
+starts::GivenStart start_of(const Given& given, const RatioArgument& ratio, int digits) {
+    const bool by_heights = given.has("--heights");
+    for (const char* name : {"--phi", "--y"}) {
+        if (!by_heights && !given.has(name)) {
+            throw InputError(fmt::format("{} is required, or --heights; see dumbbell trace --help", name));
+        }
+    }
+    return starts::read_start({.phi = given.text("--phi"),
+                               .phidot = given.text("--phidot"),
+                               .y = given.text("--y"),
+                               .ydot = given.text("--ydot"),
+                               .heights = by_heights ? std::optional(given.text("--heights")) : std::nullopt},
+                              ratio.lo, ratio.hi, "--", bits_of_angle(given, digits));
 }
 
 starts::InitialCertificate certificate_of(const starts::TraceReport& report) {
@@ -122,14 +147,19 @@ void print(std::FILE* out, const Given& given, const starts::TraceReport& report
 
 int run(const Given& given) {
     const RatioArgument ratio = parse_ratio_argument(given.text("RATIO"));
-    starts::TraceReport report{
-        .box = box_of(given, ratio),
-        .trace = {},
-        .digits = given.has("--digits") ? static_cast<int>(given.number("--digits")) : 0,
-        .parts = {},
-        .seconds = 0,
-        .out = {},
-        .sha256 = {}};
+    const int digits = given.has("--digits") ? static_cast<int>(given.number("--digits")) : 0;
+    starts::GivenStart start = start_of(given, ratio, digits);
+    if (given.has("--out")) {
+        require_short_lines(start.box);
+    }
+    starts::TraceReport report{.box = std::move(start.box),
+                               .trace = {},
+                               .digits = digits,
+                               .parts = {},
+                               .seconds = 0,
+                               .out = {},
+                               .sha256 = {},
+                               .meaning = std::move(start.meaning)};
     const Output output(given.text("--out"), {},
                         given.has("--json")  ? "--json"
                         : given.has("--csv") ? "--csv"
@@ -151,7 +181,7 @@ int run(const Given& given) {
             write(render(certificate_of(report)), output, report);
         }
         print(output.report(), given, report, ratio.swapped);
-        const bool certified = !report.box.is_point() || report.trace.exact();
+        const bool certified = !report.is_single() || report.trace.exact();
         return certified ? exit_done : exit_not_certified;
     };
     if (!given.has("--subdivide")) {

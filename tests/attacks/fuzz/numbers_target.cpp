@@ -106,13 +106,22 @@ void check_ratio(const std::string& text) {
 }
 
 void check_quantity(const std::string& text) {
-    const auto quantity = read([&] { return starts::parse_quantity("--phi", text); });
+    const auto quantity = read([&] { return starts::parse_quantity("--y", text); });
     if (!quantity) return;
     must(quantity->first <= quantity->second, "an interval");
     const std::string lo = to_fraction(quantity->first), hi = to_fraction(quantity->second);
     if (std::max(lo.size(), hi.size()) <= longest)
-        must(starts::parse_quantity("--phi", lo + ":" + hi) == *quantity,
+        must(starts::parse_quantity("--y", lo + ":" + hi) == *quantity,
              "a printed interval is the same when it is read");
+}
+
+void check_angle(const std::string& text) {
+    const auto angles = read([&] { return starts::parse_angles("--phi", text); });
+    if (!angles) return;
+    const auto [lo, hi] = starts::bounds(angles->first, 128);
+    const auto finer = starts::bounds(angles->first, 256);
+    must(lo <= finer.first && finer.first <= finer.second && finer.second <= hi, "finer bounds lie within");
+    must(angles->first.is_rational() == (lo == hi), "bounds of a rational angle are that angle");
 }
 
 }  // namespace
@@ -122,6 +131,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     check_number(text);
     check_ratio(text);
     check_quantity(text);
+    check_angle(text);
     if (const auto gap = read([&] { return parse_gap(text); }))
         must(0 < *gap && *gap <= Rational(1, 100), "a gap");
     if (const auto time = read([&] { return parse_duration(text); })) must(time->count() >= 0, "a time");

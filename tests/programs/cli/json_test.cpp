@@ -181,11 +181,15 @@ TEST_CASE("docs/reference/json.md describes the JSON of trace") {
     const TemporaryFolder folder;
     const Words part{"--phi",       "0:0.5", "--phidot", "0",      "--subdivide",
                      "--max-boxes", "20",    "--out",    "box.dbc"};
-    check_documented("trace", printed_by({falling({"--phi", "0.3", "--phidot", "0"}),
-                                          falling({"--phi", "0.3", "--phidot", "0", "--digits", "20"}),
-                                          falling({"--phi", "0.3:0.31", "--phidot", "0"}),
-                                          falling({"--phi", "0", "--phidot", "0"}), falling(part)},
-                                         folder));
+    check_documented("trace",
+                     printed_by({falling({"--phi", "0.3", "--phidot", "0"}),
+                                 falling({"--phi", "0.3", "--phidot", "0", "--digits", "20"}),
+                                 falling({"--phi", "0.3:0.31", "--phidot", "0"}),
+                                 falling({"--phi", "0", "--phidot", "0"}),
+                                 falling({"--phi", "pi/6", "--phidot", "0"}),
+                                 {"trace", "10", "--heights", "2,1.5", "--phidot", "0", "--ydot", "-1"},
+                                 falling(part)},
+                                folder));
 }
 
 TEST_CASE("docs/reference/json.md describes the JSON of adiabatic") {
