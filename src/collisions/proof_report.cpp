@@ -99,7 +99,24 @@ std::string counted(long n, std::string_view one) {
     return fmt::format("{} {}{}", n, one, n == 1 ? "" : "s");
 }
 
-/// How clear of tangency the witness's collisions are, and how narrowly it is known; nothing of a range.
+/// What to type so that `trace` follows a start at mass ratio q.
+std::string trace_command(const Rational& q, const WitnessStart& start) {
+    return fmt::format("dumbbell trace {} --phi {} --phidot {} --y {} --ydot {}{}", exact_text(q), start.phi,
+                       start.phidot, start.y, start.ydot,
+                       start.digits == 0 ? "" : fmt::format(" --digits {}", start.digits));
+}
+
+/// The command that proves that a start in the air has as many collisions.
+std::string start_text(const ReportRow& row) {
+    return fmt::format(
+        "A start in the air, near this orbit, that has {} as well; the command was run, and proves it:\n  "
+        "{}\n",
+        counted(static_cast<long>(row.orbit.size()), "collision"),
+        trace_command(row.piece->q_lo, *row.start));
+}
+
+/// How clear of tangency the witness's collisions are, how narrowly it is known, and a start near it unless
+/// the orbit itself is printed with it; nothing of a range.
 std::string witness_sentence(const ProofReport& report) {
     const ReportRow& row = report.rows.front();
     if (report.q_lo < report.q_hi || row.piece->status() != Status::exact || row.margin <= 0) {
@@ -108,8 +125,11 @@ std::string witness_sentence(const ProofReport& report) {
     return fmt::format(
         "Its orbit meets the floor at an angle of {} rad or more (in the metric of the kinetic energy), and "
         "the "
-        "heights along it are enclosed to {}.\n",
-        rounded_down(row.margin), rounded_up(row.width));
+        "heights along it are enclosed to {}.\n{}",
+        rounded_down(row.margin), rounded_up(row.width),
+        row.start && row.orbit.empty()
+            ? fmt::format("A start in the air with as many: {}\n", trace_command(row.piece->q_lo, *row.start))
+            : "");
 }
 
 std::string single_sentence(const ProofReport& report) {
@@ -269,21 +289,6 @@ Json to_json(const ProofReport& report) {
          {"out", report.out},
          {"sha256", report.sha256}});
 }
-
-namespace {
-
-/// The command that proves that a start in the air has as many collisions.
-std::string start_text(const ReportRow& row) {
-    const WitnessStart& start = *row.start;
-    return fmt::format(
-        "A start in the air, near this orbit, that has {} as well; the command was run, and proves it:\n"
-        "  dumbbell trace {} --phi {} --phidot {} --y {} --ydot {}{}\n",
-        counted(static_cast<long>(row.orbit.size()), "collision"), exact_text(row.piece->q_lo), start.phi,
-        start.phidot, start.y, start.ydot,
-        start.digits == 0 ? "" : fmt::format(" --digits {}", start.digits));
-}
-
-}  // namespace
 
 std::string orbits_to_text(const ProofReport& report) {
     std::string text;

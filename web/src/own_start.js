@@ -3,7 +3,7 @@ import { command, h, labelled, output } from "./dom.js";
 import { plural } from "./numbers.js";
 import { mostCollisions, orbitFromStart } from "./orbit.js";
 import { Player } from "./player.js";
-import { fault, numberFrom } from "./start.js";
+import { angleFrom, fault, numberFrom, startFrom } from "./start.js";
 
 const fields = [
     ["q", "mass ratio q"],
@@ -21,7 +21,7 @@ export class OwnStart {
         this.inputs = fields.map(([name]) => h("input", { type: "text", name, size: "9", inputmode: "decimal", value: start[name], autocomplete: "off" }));
         const form = h(
             "form",
-            { class: "controls", onsubmit: (event) => { event.preventDefault(); this.go(); } },
+            { class: "controls", onsubmit: (event) => { event.preventDefault(); this.go(); }, onpaste: (event) => this.paste(event) },
             fields.map(([, text], i) => labelled(text, this.inputs[i])),
             h("button", { type: "submit" }, "Follow it"),
         );
@@ -29,7 +29,7 @@ export class OwnStart {
             "section",
             { id: "own" },
             h("h2", {}, "Your own initial condition"),
-            h("p", { class: "claim" }, h("strong", { class: "warning" }, "Not rigorous: "), "computed by this page in double precision. The rod has length 1, y is the height of the centre of mass, \u03c6 the rod\u2019s angle in radians: the light mass is at y + \u03b2\u2082 sin \u03c6, the heavy one at y \u2212 \u03b2\u2081 sin \u03c6, \u03b2\u2082 = q/(1 + q), \u03b2\u2081 = 1/(1 + q)."),
+            h("p", { class: "claim" }, h("strong", { class: "warning" }, "Not rigorous: "), "computed by this page in double precision. The rod has length 1, y is the height of the centre of mass, \u03c6 the rod\u2019s angle in radians: the light mass is at y + \u03b2\u2082 sin \u03c6, the heavy one at y \u2212 \u03b2\u2081 sin \u03c6, \u03b2\u2082 = q/(1 + q), \u03b2\u2081 = 1/(1 + q). A whole command \u201cdumbbell trace \u2026\u201d, like the one that \u201cdumbbell certify\u201d prints, can be pasted into any field."),
             form,
             this.message,
             h("figure", { class: "wide" }, this.player.element),
@@ -45,8 +45,16 @@ export class OwnStart {
         this.element.scrollIntoView();
     }
 
+    paste(event) {
+        const start = startFrom(event.clipboardData.getData("text"));
+        if (start) {
+            event.preventDefault();
+            this.set(fields.map(([name]) => start[name]));
+        }
+    }
+
     go() {
-        const start = Object.fromEntries(fields.map(([name], i) => [name, numberFrom(this.inputs[i].value)]));
+        const start = Object.fromEntries(fields.map(([name], i) => [name, (name === "phi" ? angleFrom : numberFrom)(this.inputs[i].value)]));
         const unread = fields.findIndex(([name]) => Number.isNaN(start[name]));
         const wrong = unread < 0 ? fault(start) : `${fields[unread][1]}: \u201c${this.inputs[unread].value}\u201d is no number; write one like 3, \u22120.5, 1/3 or 1e4.`;
         this.inputs.forEach((input, i) => input.setAttribute("aria-invalid", String(i === unread)));

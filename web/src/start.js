@@ -1,9 +1,27 @@
-// What a user types as a start.
+// What a user types or pastes as a start.
 
 /// `1.5`, `-1/3`, `2e3`; NaN for anything else.
 export function numberFrom(text) {
     const match = /^\s*([-+\u2212]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)\s*(?:\/\s*(\d+\.?\d*))?\s*$/.exec(text);
     return match ? Number(match[1].replace("\u2212", "-")) / (match[2] ? Number(match[2]) : 1) : NaN;
+}
+
+/// The same, or degrees (`30deg`), or a multiple of pi (`pi/2`, `-2pi/3`, `0.3pi`); in radians.
+export function angleFrom(text) {
+    const degrees = /^(.*\d)\s*deg\s*$/.exec(text);
+    if (degrees) {
+        return (numberFrom(degrees[1]) * Math.PI) / 180;
+    }
+    const multiple = /^\s*([-+\u2212]?)([\d.]*(?:[eE][-+]?\d+)?)pi(?:\/([\d.]+))?\s*$/.exec(text);
+    return multiple ? (numberFrom(`${multiple[1]}${multiple[2] || "1"}`) * Math.PI) / numberFrom(multiple[3] ?? "1") : numberFrom(text);
+}
+
+/// The start of a command `dumbbell trace 10 --phi ... --phidot ... --y ... --ydot ...`, as its words; null for anything else.
+export function startFrom(text) {
+    const words = text.trim().split(/[\s=]+/);
+    const after = (name) => (words.includes(name) ? words[words.indexOf(name) + 1] : undefined);
+    const start = { q: words[2], phi: after("--phi"), phidot: after("--phidot"), y: after("--y"), ydot: after("--ydot") };
+    return words[0] === "dumbbell" && words[1] === "trace" && Object.values(start).every((word) => word !== undefined) ? start : null;
 }
 
 /// What is wrong with a start of numbers; null if nothing is. Below 1, q is the ratio of swapped masses.

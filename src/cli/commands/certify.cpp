@@ -35,7 +35,7 @@ RATIO is q = heavy mass / light mass: 10, 4.6, 1e6 or 9/2, exactly as written. L
 masses are swapped.
 
 Examples:
-  dumbbell certify 10                          at most 4 collisions, and 4 occur
+  dumbbell certify 10                          at most 4 collisions, 4 occur, and a start that has them
   dumbbell certify 10 --witness                ... and print an orbit that has them
   dumbbell certify 1:100 --out stairs.dbc      every mass ratio from 1 to 100, with a certificate
   dumbbell certify 4.6:4.61 --gap 1e-9 --json  a narrower gap around the critical ratio, for scripts
@@ -87,9 +87,14 @@ std::vector<ProvedPiece> prove(CertifyRequest request, Verbosity verbosity) {
     return certify(request);
 }
 
+/// Orbits up to this long are traced in milliseconds, so that a start is said without being asked for.
+constexpr long most_traced_unasked = 100;
+
 collisions::ProofReport describe(const CertifyRequest& request, const std::vector<ProvedPiece>& pieces,
-                                 double seconds, bool witness, Verbosity verbosity) {
-    const Progress progress("", verbosity, "enclosing the orbits of witnesses");
+                                 double seconds, const Given& given) {
+    const bool witness = given.has("--witness");
+    const bool said_unasked = !given.has("--json") && !given.has("--quiet") && request.q_lo == request.q_hi;
+    const Progress progress("", verbosity_of(given), "enclosing the orbits of witnesses");
     const Interrupted interrupted = deadline(std::nullopt);
     collisions::ProofReport report{.scene = request.scene,
                                    .section = request.section,
@@ -106,9 +111,12 @@ collisions::ProofReport describe(const CertifyRequest& request, const std::vecto
         collisions::ReportRow row{&p.piece, p.margin, p.width, p.seconds, {}, {}};
         if (witness && p.piece.witness) {
             row.orbit = witness_orbit(*p.piece.witness, p.piece.q_lo, p.piece.bits);
-            row.start = row.orbit.empty()
-                            ? std::nullopt
-                            : starts::witness_start(*p.piece.witness, p.piece.q_lo, interrupted);
+        }
+        const bool traced =
+            witness ? !row.orbit.empty()
+                    : said_unasked && p.piece.witness && p.piece.witness->total() <= most_traced_unasked;
+        if (traced) {
+            row.start = starts::witness_start(*p.piece.witness, p.piece.q_lo, interrupted);
         }
         report.rows.push_back(std::move(row));
     }
@@ -162,7 +170,7 @@ int run(const Given& given) {
     if (open && stop_signal != 0) {
         return stopped(kept_when_stopped(request, pieces, kept_in));
     }
-    collisions::ProofReport report = describe(request, pieces, seconds, witness, verbosity_of(given));
+    collisions::ProofReport report = describe(request, pieces, seconds, given);
     if (output.is_wanted()) {
         write(render(certificate_of(request, pieces)), output, report);
     }

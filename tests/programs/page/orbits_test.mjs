@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { spawnSync } from "node:child_process";
 import test from "node:test";
-import { fault, numberFrom } from "../../../web/src/start.js";
+import { angleFrom, fault, numberFrom, startFrom } from "../../../web/src/start.js";
 import { orbitFromContact, orbitFromStart, stateAt } from "../../../web/src/orbit.js";
 import { parse, toNumber } from "../../../web/src/rational.js";
 import { bridgeOrbit, extremalOrbits, wedgeOrbit } from "../../../web/src/witness.js";
@@ -150,4 +150,25 @@ test("what is typed is read as a number, and what cannot start is told", () => {
     assert.match(fault({ ...good, phi: -Math.PI / 2, y: 0.5 }), /above the floor/);
     assert.match(fault({ ...good, phidot: 0, ydot: 0 }), /rest/);
     assert.match(fault({ ...good, y: Infinity }), /doubles can hold/);
+});
+
+test("an angle is typed as for dumbbell trace, and a command of it can be pasted", () => {
+    const close = (text, value) => assert.ok(Math.abs(angleFrom(text) - value) <= 1e-15 * Math.abs(value), `${text}: ${angleFrom(text)}`);
+    for (const [text, value] of [["1/3", 1 / 3], ["30deg", Math.PI / 6], ["-22.5deg", -Math.PI / 8], ["pi", Math.PI], ["pi/2", Math.PI / 2], ["-2pi/3", (-2 * Math.PI) / 3], ["0.3pi", 0.3 * Math.PI]]) {
+        close(text, value);
+        const traced = JSON.parse(dumbbell("trace", "10", "--phi", text, "--phidot", "1", "--y", "3", "--ydot", "-1", "--json")).initial.phi;
+        close(text, toNumber(parse(traced.lo)));
+    }
+    for (const text of ["deg", "1/3pi", "pix", "pi/", "pi/x", "30degrees", "twopi"]) {
+        assert.ok(Number.isNaN(angleFrom(text)), text);
+    }
+    const command = dumbbell("certify", "100").split("\n").map((line) => /dumbbell trace .*/.exec(line)?.[0]).find(Boolean);
+    const start = startFrom(`  ${command} --digits 20\n`);
+    assert.equal(start.q, "100");
+    const numbers = Object.fromEntries(Object.entries(start).map(([name, word]) => [name, numberFrom(word)]));
+    assert.equal(orbitFromStart(numbers).collisions.length, 10);
+    assert.deepEqual(startFrom("dumbbell trace 4 --ydot=-1 --y 2 --phidot 0 --phi=pi/2"), { q: "4", phi: "pi/2", phidot: "0", y: "2", ydot: "-1" });
+    for (const text of ["", "3", "dumbbell trace 10", "dumbbell certify 10", "dumbbell trace 10 --heights 2,1.5 --phidot 1 --ydot -1"]) {
+        assert.equal(startFrom(text), null, text);
+    }
 });

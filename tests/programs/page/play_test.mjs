@@ -185,6 +185,13 @@ test("your own start is followed, called not rigorous, and comes with the comman
     await own.getByLabel("height y", { exact: true }).press("Enter");
     assert.match(await own.locator(".readout").first().textContent(), /In doubles: 1 collision\./);
     assert.match(await own.textContent(), /dumbbell trace 10 --phi 1\/3 --phidot 1 --y 3 --ydot -1\/2/);
+    await own.getByLabel("height y", { exact: true }).evaluate((input) => {
+        const clipboardData = new DataTransfer();
+        clipboardData.setData("text", "dumbbell trace 4 --phi pi/2 --phidot 0 --y 2 --ydot -1");
+        input.dispatchEvent(new ClipboardEvent("paste", { clipboardData, bubbles: true, cancelable: true }));
+    });
+    assert.match(await own.locator(".readout").first().textContent(), /In doubles: 1 collision\./);
+    assert.match(await own.textContent(), /dumbbell trace 4 --phi pi\/2 --phidot 0 --y 2 --ydot -1/);
     await own.getByLabel("height y", { exact: true }).fill("0");
     await own.getByRole("button", { name: "Follow it" }).click();
     assert.match(await own.locator(".readout").first().textContent(), /above the floor/);
