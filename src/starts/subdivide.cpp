@@ -12,6 +12,7 @@
 
 #include "base/growing_tree.hpp"
 #include "number/self_test.hpp"
+#include "starts/find_obstacle.hpp"
 #include "starts/follow.hpp"
 #include "starts/initial_state.hpp"
 #include "starts/leaf.hpp"
@@ -111,6 +112,27 @@ void include(Subdivision& result, const InitialLeaf& leaf, int depth) {
     ++sum.boxes;
 }
 
+/// What an undecided box is on or near to.
+Obstacle obstacle_in(const InitialBox& box) {
+    constexpr long most_spans = 1024;
+    const BoxJets<Interval> jets(box);
+    return find_obstacle(follow(jets.state(), most_spans), natural_state<Interval>(box));
+}
+
+/// Names what the undecided among the boxes of a generation are on or near to.
+void explain(Subdivision& result, const Tree& tree, const std::vector<std::size_t>& undecided) {
+    std::vector<Obstacle> found(undecided.size());
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, found.size(), 16), [&](const auto& range) {
+        require_sound_arithmetic();
+        for (std::size_t i = range.begin(); i != range.end(); ++i) {
+            found[i] = obstacle_in(tree.boxes()[undecided[i]]);
+        }
+    });
+    for (const Obstacle obstacle : found) {
+        ++result.near.at(static_cast<std::size_t>(obstacle));
+    }
+}
+
 /// Grows the tree, and adds up its leaves.
 Subdivision grow(const InitialBox& box, const SubdivideOptions& options) {
     Subdivision result;
@@ -119,15 +141,24 @@ Subdivision grow(const InitialBox& box, const SubdivideOptions& options) {
     for (std::size_t leaves = 1; !tree.boxes().empty(); tree.next_generation()) {
         const std::vector<Judged> judged = judge_all(tree, options);
         const bool stop = options.interrupted();
+        std::vector<std::size_t> undecided;
         for (std::size_t i = 0; i < judged.size(); ++i) {
             if (!judged[i].split || stop || leaves >= options.max_boxes) {
                 tree.close(i, judged[i].leaf);
                 const auto& depths = tree.depths(i);
                 include(result, judged[i].leaf, std::accumulate(depths.begin(), depths.end(), 0));
+                if (judged[i].leaf.most != judged[i].leaf.least) {
+                    undecided.push_back(i);
+                }
                 continue;
             }
             ++leaves;
             tree.split(i, *judged[i].split, halves(tree.boxes()[i], *judged[i].split));
+        }
+        if (stop) {
+            result.unexplained += static_cast<long>(undecided.size());
+        } else {
+            explain(result, tree, undecided);
         }
     }
     result.tree = tree.pre_order();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <map>
 #include <optional>
@@ -8,6 +9,7 @@
 #include "base/interrupted.hpp"
 #include "base/observer.hpp"
 #include "starts/certificate.hpp"
+#include "starts/obstacle.hpp"
 
 /// Covers of a box of initial conditions by boxes whose number of collisions is certain.
 namespace dumbbell::starts {
@@ -31,7 +33,9 @@ struct Subdivision {
     std::vector<InitialNode> tree;
     std::map<long, Share> exact;  ///< by number of collisions
     Share undecided;
-    long least = 0;  ///< over the whole box
+    std::array<long, obstacles> near{};  ///< undecided boxes by their Obstacle
+    long unexplained = 0;                ///< undecided boxes that an interruption left without one
+    long least = 0;                      ///< over the whole box
     std::optional<long> most;
     int bits = 53;  ///< of the options
 };

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 
+#include "starts/exact_event.hpp"
 #include "starts/falling.hpp"
+#include "starts/find_obstacle.hpp"
 #include "starts/follow.hpp"
 #include "starts/initial_state.hpp"
 #include "starts/traced_value.hpp"
@@ -61,6 +63,9 @@ Trace described(const Followed<S>& followed, const State<I>& start, int bits, in
     for (const auto& b : followed.bounces) {
         result.collisions.push_back(shown(b, digits));
     }
+    if (!total.exact()) {
+        result.obstacle = find_obstacle(followed, start);
+    }
     return result;
 }
 
@@ -90,6 +95,10 @@ int working_bits(int digits) {
 
 Trace trace(const InitialBox& box, int digits) {
     const int bits = working_bits(digits);
+    const auto event = exact_event(box);
+    if (event && event->kind == ExactKind::graze) {
+        return {.collisions = {}, .least = 0, .most = 0, .bits = bits, .widths = {}};
+    }
     if (digits == 0) {
         return trace_in<Interval>(box, bits, shown_digits);
     }

@@ -6,6 +6,7 @@
 
 #include "flight/orbit.hpp"
 #include "starts/certificate.hpp"
+#include "starts/obstacle.hpp"
 
 /// The rigorous orbits of a box of initial conditions.
 namespace dumbbell::starts {
@@ -32,6 +33,7 @@ struct Trace {
     std::optional<long> most;
     int bits = 53;
     std::optional<TracedWidths> widths;  ///< after the last of `collisions`; none for a point
+    std::optional<Obstacle> obstacle{};  ///< what is not excluded after them; none if the number is exact
 
     [[nodiscard]] bool exact() const { return most == least; }
 };

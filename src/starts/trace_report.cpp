@@ -8,7 +8,7 @@
 
 #include "base/printable.hpp"
 #include "number/decimal.hpp"
-#include "starts/flat_fall.hpp"
+#include "starts/event_words.hpp"
 #include "words/printed.hpp"
 
 namespace dumbbell::starts {
@@ -147,6 +147,7 @@ std::string subdivision_text(const TraceReport& report) {
     }
     text += fmt::format("{:>10}  {:>22}  {:>9}\n", "undecided", share_at_most(parts.undecided.share),
                         parts.undecided.boxes);
+    text += kinds_text(parts);
     text +=
         fmt::format("Certified: {} of the box with its exact count; every initial condition in it has {}.\n",
                     share_at_least(Rational(1) - parts.undecided.share),
@@ -175,15 +176,20 @@ Json subdivision_json(const TraceReport& report) {
                                 {"boxes", part.second.boxes}}));
     }
     const Share& undecided = parts.undecided;
-    return Json::object(
-        {{"exact", exact},
-         {"undecided", Json::object({{"share", to_fraction(undecided.share)}, {"boxes", undecided.boxes}})},
-         {"least", parts.least},
-         {"most", clamped(report, parts.most)},
-         {"decided_fraction", decided_fraction(undecided.share)}});
+    return Json::object({{"exact", exact},
+                         {"undecided", Json::object({{"share", to_fraction(undecided.share)},
+                                                     {"boxes", undecided.boxes},
+                                                     {"near", kinds_json(parts)}})},
+                         {"least", parts.least},
+                         {"most", clamped(report, parts.most)},
+                         {"decided_fraction", decided_fraction(undecided.share)}});
 }
 
 }  // namespace
+
+std::optional<ExactEvent> event_of(const TraceReport& report) {
+    return exact_event(report.box, report.meaning.phi);
+}
 
 std::string outcome_sentence(const TraceReport& report) {
     const Trace& trace = report.trace;
@@ -191,20 +197,21 @@ std::string outcome_sentence(const TraceReport& report) {
         return fmt::format("exactly {}{}", plural(trace.least),
                            trace.least > static_cast<long>(trace.collisions.size())
                                ? fmt::format(" (enclosed: the first {})", trace.collisions.size())
+                           : event_of(report)
+                               ? " (in every turn a mass grazes the floor, which does not count)"
                                : "");
     }
     const std::string bounds = bounds_text(trace.least, clamped(report, trace.most));
     const auto next = trace.collisions.size() + 1;
-    if (const auto corner = flat_fall(report.box)) {
+    if (const auto event = event_of(report)) {
         return fmt::format(
-            "cannot be decided at any precision: {}; both masses reach the floor at once, at time {} (a "
-            "corner, "
-            "where no motion is defined); move the initial condition, for example --phi",
-            bounds, exact_text(*corner));
+            "cannot be decided at any precision: {}; {}; move the initial condition, for example --phi",
+            bounds, corner_words(*event));
     }
     if (report.is_single()) {
-        return fmt::format("cannot be decided at this precision: {}; undecided from collision {} on; {}",
-                           bounds, next, advice(report));
+        const std::string near = event_words(trace.obstacle.value_or(Obstacle::other));
+        return fmt::format("cannot be decided at this precision: {}; undecided from collision {} on{}; {}",
+                           bounds, next, near.empty() ? "" : " (on or near " + near + ")", advice(report));
     }
     return fmt::format("{}: the box splits at collision {} (smaller boxes: --subdivide)", bounds, next);
 }
@@ -269,20 +276,25 @@ Json to_json(const TraceReport& report) {
     if (trace.widths && !report.is_single()) {
         widths = Json::object({{"natural", trace.widths->natural}, {"correlated", trace.widths->correlated}});
     }
-    return Json::object({{"schema", "dumbbell-trace-1"},
-                         {"initial", initial},
-                         {"outcome", outcome_word(report)},
-                         {"least", trace.least},
-                         {"most", clamped(report, trace.most)},
-                         {"maximum", rests_on_theorem(report) ? report.maximum : std::nullopt},
-                         {"splits_at", trace.exact() ? Json() : Json(trace.collisions.size() + 1)},
-                         {"bits", trace.bits},
-                         {"collisions", collisions},
-                         {"widths", widths},
-                         {"parts", report.parts ? subdivision_json(report) : Json()},
-                         {"seconds", report.seconds},
-                         {"out", report.out},
-                         {"sha256", report.sha256}});
+    Json object = Json::object({{"schema", "dumbbell-trace-1"},
+                                {"initial", initial},
+                                {"outcome", outcome_word(report)},
+                                {"least", trace.least},
+                                {"most", clamped(report, trace.most)},
+                                {"maximum", rests_on_theorem(report) ? report.maximum : std::nullopt},
+                                {"splits_at", trace.exact() ? Json() : Json(trace.collisions.size() + 1)},
+                                {"bits", trace.bits},
+                                {"collisions", collisions},
+                                {"widths", widths},
+                                {"parts", report.parts ? subdivision_json(report) : Json()},
+                                {"seconds", report.seconds},
+                                {"out", report.out},
+                                {"sha256", report.sha256}});
+    const auto event = event_of(report);
+    if (event || (report.is_single() && trace.obstacle)) {
+        object.add("event", event_json(event, trace.obstacle, trace.collisions.size()));
+    }
+    return object;
 }
 
 std::string to_csv(const TraceReport& report) {

@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 
+#include "starts/exact_event.hpp"
 #include "starts/given_start.hpp"
 #include "starts/subdivide.hpp"
 #include "starts/trace.hpp"
@@ -37,8 +38,11 @@ struct TraceReport {
 /// its share.
 [[nodiscard]] std::string to_csv(const TraceReport& report);
 
+/// The corner or the grazing contact that exact arithmetic finds in the first flight of all its starts.
+[[nodiscard]] std::optional<ExactEvent> event_of(const TraceReport& report);
+
 /// "exactly k collisions", "between a and b collisions: ...", or "cannot be decided at this precision: ..."
-/// with what to do; "... at any precision" of a flat fall.
+/// with what to do, and the corner or grazing contact next to it; "... at any precision" of a certain corner.
 [[nodiscard]] std::string outcome_sentence(const TraceReport& report);
 
 /// What a bound rests on that the enclosures do not give; else nothing.

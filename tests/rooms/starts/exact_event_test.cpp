@@ -1,7 +1,8 @@
-#include "starts/flat_fall.hpp"
+#include "starts/exact_event.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <tuple>
 
 #include "starts/trace.hpp"
 
@@ -14,6 +15,11 @@ InitialBox point(const Rational& phi, const Rational& phidot, const Rational& y,
                  const Rational& q) {
     const std::array<Rational, initial_axes> at{phi, phidot, y, ydot, q};
     return {at, at};
+}
+
+std::optional<Rational> corner_time(const InitialBox& box) {
+    const auto event = exact_event(box);
+    return event && event->kind != ExactKind::graze ? event->time : std::nullopt;
 }
 
 // Whether a mass is at the floor or below it before the time at which both are.
@@ -34,25 +40,57 @@ bool touches_before(const InitialBox& box, double time) {
 }  // namespace
 
 TEST_CASE("a level rod without spin falls flat; one that rises, or is a hair off level, does not") {
-    CHECK(flat_fall(point(0, 0, 3, -1, 10)) == Rational(3));
-    CHECK(flat_fall(point(0, 0, 3, -2, 10)) == Rational(3, 2));
-    CHECK_FALSE(flat_fall(point(0, 0, 3, 1, 10)));
-    CHECK_FALSE(flat_fall(point(Rational(1) / exact(0x1p300), 0, 3, -1, 10)));
-    CHECK_FALSE(flat_fall(point(Rational(314159265, 100000000), 0, 3, -1, 10)));
-    CHECK_FALSE(flat_fall(point(0, Rational(1, 10), 3, -1, 10)));
+    CHECK(corner_time(point(0, 0, 3, -1, 10)) == Rational(3));
+    CHECK(corner_time(point(0, 0, 3, -2, 10)) == Rational(3, 2));
+    CHECK_FALSE(corner_time(point(0, 0, 3, 1, 10)));
+    CHECK_FALSE(corner_time(point(Rational(1) / exact(0x1p300), 0, 3, -1, 10)));
+    CHECK_FALSE(corner_time(point(Rational(314159265, 100000000), 0, 3, -1, 10)));
+    CHECK_FALSE(corner_time(point(0, Rational(1, 10), 3, -1, 10)));
 }
 
 TEST_CASE("a rod that turns level just when it comes down falls flat, unless a mass touches before") {
-    CHECK(flat_fall(point(-1, 1, 1, -1, 10)) == Rational(1));
-    CHECK(flat_fall(point(1, -1, Rational(1, 2), Rational(-1, 2), 10)) == Rational(1));
+    CHECK(corner_time(point(-1, 1, 1, -1, 10)) == Rational(1));
+    CHECK(corner_time(point(1, -1, Rational(1, 2), Rational(-1, 2), 10)) == Rational(1));
     // The light mass leads, and is faster than the fall.
-    CHECK_FALSE(flat_fall(point(-1, 1, Rational(9, 10), Rational(-9, 10), 10)));
+    CHECK_FALSE(corner_time(point(-1, 1, Rational(9, 10), Rational(-9, 10), 10)));
 }
 
-TEST_CASE("no box falls flat") {
+TEST_CASE("a box falls flat if all of it is level and does not turn, whatever its heights and mass ratios") {
     InitialBox box = point(0, 0, 3, -1, 10);
     box.hi[1] = Rational(1, 100);
-    CHECK_FALSE(flat_fall(box));
+    CHECK_FALSE(exact_event(box));
+    box.hi[1] = 0;
+    box.hi[2] = 4;
+    box.hi[4] = 20;
+    REQUIRE(exact_event(box));
+    CHECK(exact_event(box)->kind == ExactKind::flat);
+    CHECK_FALSE(exact_event(box)->time);
+    box.hi[3] = 0;
+    CHECK_FALSE(exact_event(box));
+    box.hi[3] = Rational(-1, 2);
+    box.hi[0] = Rational(1, 100);
+    CHECK_FALSE(exact_event(box));
+}
+
+TEST_CASE("multiples of pi are level exactly, their bounds are not") {
+    InitialBox box = point(3, 0, 3, -1, 10);
+    std::tie(box.lo[0], box.hi[0]) = bounds({0, 1}, 128);
+    CHECK_FALSE(exact_event(box));
+    CHECK(exact_event(box, Angle{0, 1})->kind == ExactKind::flat);
+    CHECK(exact_event(box, Angle{0, 1})->time == Rational(3));
+    CHECK_FALSE(exact_event(box, Angle{0, Rational(1, 2)}));
+    box.lo[1] = box.hi[1] = Rational(1, 7);
+    CHECK_FALSE(exact_event(box, Angle{0, 1}));
+}
+
+TEST_CASE("a centre of mass that stays at the light mass's lever grazes, and only there") {
+    for (const int q : {1, 10}) {
+        const Rational beta2(q, 1 + q);
+        CHECK(exact_event(point(0, 1, beta2, 0, q))->kind == ExactKind::graze);
+        CHECK_FALSE(exact_event(point(0, 1, beta2, Rational(-1, 100), q)));
+        CHECK_FALSE(exact_event(point(0, 1, beta2 + Rational(1, 100), 0, q)));
+        CHECK_FALSE(exact_event(point(0, 1, beta2, 0, q + 1)));
+    }
 }
 
 TEST_CASE("in a flat fall neither mass touches before, and no precision decides it") {
@@ -63,7 +101,7 @@ TEST_CASE("in a flat fall neither mass touches before, and no precision decides 
                 // Level at the time 1, where y = 0.
                 const Rational ydot(-climb, 4);
                 const InitialBox box = point(Rational(phi, 4), Rational(-phi, 4), -ydot, ydot, q);
-                const auto time = flat_fall(box);
+                const auto time = corner_time(box);
                 const bool sooner = touches_before(box, 1);
                 CAPTURE(phi, climb, q);
                 CHECK_FALSE((time && sooner));
