@@ -113,9 +113,9 @@ std::string meaning_text(const TraceReport& report) {
     std::string text;
     if (meaning.heights) {
         text += fmt::format(
-            "Heights {} (light mass) and {} (heavy mass): phi is the angle with cos phi >= 0. The other, pi "
-            "- "
-            "phi, with the\nopposite phidot is the mirror image, and has as many collisions.\n",
+            "Heights {} (light mass) and {} (heavy mass): phi is the angle with cos phi >= 0.\n"
+            "The other, pi - phi, with the opposite phidot is the mirror image, and has as many "
+            "collisions.\n",
             exact_text(meaning.heights->first), exact_text(meaning.heights->second));
     }
     if (!meaning.rounded_phi.empty()) {
