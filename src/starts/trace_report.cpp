@@ -9,6 +9,7 @@
 #include "base/printable.hpp"
 #include "number/decimal.hpp"
 #include "starts/event_words.hpp"
+#include "starts/shares.hpp"
 #include "words/printed.hpp"
 
 namespace dumbbell::starts {
@@ -138,8 +139,12 @@ std::string share_at_most(const Rational& share) {
     return to_text(without_zeros(cut_up(share, share_digits)));
 }
 
-std::string subdivision_text(const TraceReport& report) {
-    const Subdivision& parts = *report.parts;
+/// As dumbbell-verify --shares, but for numbers that no trajectory has.
+std::vector<ShareBounds> bounds_of_shares(const TraceReport& report) {
+    return up_to(share_bounds(report.parts->tree), report.maximum);
+}
+
+std::string decided_text(const Subdivision& parts) {
     std::string text = fmt::format("{:>10}  {:>22}  {:>9}\n", "collisions", "share of the box", "boxes");
     for (const auto& part : parts.exact) {
         text += fmt::format("{:>10}  {:>22}  {:>9}\n", part.first, share_at_least(part.second.share),
@@ -147,7 +152,15 @@ std::string subdivision_text(const TraceReport& report) {
     }
     text += fmt::format("{:>10}  {:>22}  {:>9}\n", "undecided", share_at_most(parts.undecided.share),
                         parts.undecided.boxes);
-    text += kinds_text(parts);
+    return text + kinds_text(parts);
+}
+
+std::string subdivision_text(const TraceReport& report) {
+    const Subdivision& parts = *report.parts;
+    std::string text = report.shares
+                           ? fmt::format("{:>12}  share of the box with exactly that many: proved bounds\n{}",
+                                         "collisions", share_lines(bounds_of_shares(report)))
+                           : decided_text(parts);
     text +=
         fmt::format("Certified: {} of the box with its exact count; every initial condition in it has {}.\n",
                     share_at_least(Rational(1) - parts.undecided.share),
@@ -176,13 +189,26 @@ Json subdivision_json(const TraceReport& report) {
                                 {"boxes", part.second.boxes}}));
     }
     const Share& undecided = parts.undecided;
-    return Json::object({{"exact", exact},
-                         {"undecided", Json::object({{"share", to_fraction(undecided.share)},
-                                                     {"boxes", undecided.boxes},
-                                                     {"near", kinds_json(parts)}})},
-                         {"least", parts.least},
-                         {"most", clamped(report, parts.most)},
-                         {"decided_fraction", decided_fraction(undecided.share)}});
+    Json json = Json::object({{"exact", exact},
+                              {"undecided", Json::object({{"share", to_fraction(undecided.share)},
+                                                          {"boxes", undecided.boxes},
+                                                          {"near", kinds_json(parts)}})},
+                              {"least", parts.least},
+                              {"most", clamped(report, parts.most)},
+                              {"decided_fraction", decided_fraction(undecided.share)}});
+    if (report.shares) {
+        json.add("shares", share_json(bounds_of_shares(report)));
+    }
+    return json;
+}
+
+std::string shares_csv(const TraceReport& report) {
+    std::string text = "least,most,lo,hi\n";
+    for (const ShareBounds& b : bounds_of_shares(report)) {
+        text += fmt::format("{},{},{},{}\n", b.least, b.most ? fmt::format("{}", *b.most) : "",
+                            to_fraction(b.lo), to_fraction(b.hi));
+    }
+    return text;
 }
 
 }  // namespace
@@ -299,6 +325,9 @@ Json to_json(const TraceReport& report) {
 
 std::string to_csv(const TraceReport& report) {
     std::string text;
+    if (report.parts && report.shares) {
+        return shares_csv(report);
+    }
     if (report.parts) {
         text = "collisions,share,boxes\n";
         for (const auto& part : report.parts->exact) {

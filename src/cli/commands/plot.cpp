@@ -24,6 +24,7 @@ Examples:
   dumbbell plot cover certificates/full-100.dbc.gz --out cover.svg
   dumbbell plot orbit 100 --out orbit.svg
   dumbbell plot phase falling.dbc --out phase.svg
+  dumbbell plot shares falling.dbc --out shares.svg
   dumbbell plot adiabatic scattering.dbc --out adiabatic.svg)";
 
 constexpr const char* staircase_description =
@@ -89,6 +90,16 @@ Example:
   dumbbell trace 10 --phi 0:6.28 --phidot 1 --y 2 --ydot=-2:1 --subdivide --out falling.dbc
   dumbbell plot phase falling.dbc --out phase.svg)";
 
+constexpr const char* shares_description =
+    R"(How likely each number of collisions is, of a box of initial conditions.
+
+They are those of a certificate by dumbbell trace --subdivide: a bar for each number of collisions, up to the share that
+is proved at least, hatched up to what is proved at most.
+
+Example:
+  dumbbell trace 10 --phi 0:6.28 --phidot 1 --y 2 --ydot=-2:1 --subdivide --out falling.dbc
+  dumbbell plot shares falling.dbc --out shares.svg)";
+
 /// Of a picture from this file.
 constexpr std::array<Option, 2> from_file(std::string_view text) {
     return {argument("FILE", text).required(),
@@ -123,6 +134,7 @@ constexpr std::array orbit_options =
     joined(from_file("mass ratio, or certificate (-: the standard input)"), at_ratio);
 constexpr std::array phase_options =
     from_file("certificate about initial conditions (-: the standard input)");
+constexpr std::array shares_options = phase_options;
 constexpr std::array adiabatic_options =
     from_file("certificate about the adiabatic invariant (-: the standard input)");
 
@@ -137,9 +149,10 @@ constexpr Command law = picture("law", law_description, law_options, run<draw_la
 constexpr Command cover = picture("cover", cover_description, cover_options, run<draw_cover, Asks::ratio>);
 constexpr Command orbit = picture("orbit", orbit_description, orbit_options, run<draw_orbit, Asks::ratio>);
 constexpr Command phase = picture("phase", phase_description, phase_options, run<draw_phase>);
+constexpr Command shares = picture("shares", shares_description, shares_options, run<draw_shares>);
 constexpr Command adiabatic =
     picture("adiabatic", adiabatic_description, adiabatic_options, run<draw_adiabatic>);
-constexpr std::array pictures{&staircase, &cover, &orbit, &phase, &adiabatic, &law};
+constexpr std::array pictures{&staircase, &cover, &orbit, &phase, &shares, &adiabatic, &law};
 
 }  // namespace
 

@@ -21,6 +21,7 @@
 #include "pictures/law.hpp"
 #include "pictures/orbit.hpp"
 #include "pictures/phase.hpp"
+#include "pictures/shares.hpp"
 #include "pictures/staircase.hpp"
 
 namespace dumbbell::cli {
@@ -217,6 +218,12 @@ std::string draw_phase(const PlotRequest& request) {
     const auto certificate = certificate_of<starts::InitialCertificate>(request.file, "phase", make_initial);
     (void)verified(request.file, name(collisions::Scene::dumbbell));
     return pictures::phase_svg(certificate);
+}
+
+std::string draw_shares(const PlotRequest& request) {
+    const auto certificate = certificate_of<starts::InitialCertificate>(request.file, "shares", make_initial);
+    (void)verified(request.file, name(collisions::Scene::dumbbell));
+    return pictures::shares_svg(certificate);
 }
 
 std::string draw_adiabatic(const PlotRequest& request) {

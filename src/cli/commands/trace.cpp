@@ -49,7 +49,8 @@ Examples:
   dumbbell trace 10 --phi 30deg --phidot 1 --y 3 --ydot -1/2             phi = pi/6
   dumbbell trace 10 --heights 2.3,1.9 --phidot 1 --ydot -1/2             the light mass at 2.3, the heavy one at 1.9
   dumbbell trace 10 --phi pi/6:pi/3 --phidot 0 --y 3 --ydot -1           a box
-  dumbbell trace 10 --phi 0:3 --phidot -1/2:1/2 --y 3/2 --ydot -1 --subdivide --out falling.dbc)";
+  dumbbell trace 10 --phi 0:3 --phidot -1/2:1/2 --y 3/2 --ydot -1 --subdivide --out falling.dbc
+  dumbbell trace 10 --phi 0:3 --phidot -1/2:1/2 --y 3/2 --ydot -1 --subdivide --shares)";
 
 constexpr const char* footer =
     R"(The fields of --json: docs/reference/json.md.
@@ -77,6 +78,8 @@ constexpr std::array options{
     Option{"--out", "FILE",
            "with --subdivide: write the certificate to FILE (FILE.gz: compressed); -: the standard output"}
         .checked(certificate_option.fault)
+        .needs("--subdivide"),
+    flag("--shares", "with --subdivide: how likely each number of collisions is: proved bounds of its share")
         .needs("--subdivide"),
     Option{"--max-boxes", "N", "with --subdivide: at most this many parts", "50000"}
         .from(1, 10'000'000)
@@ -160,7 +163,8 @@ int run(const Given& given) {
                                .seconds = 0,
                                .out = {},
                                .sha256 = {},
-                               .meaning = std::move(start.meaning)};
+                               .meaning = std::move(start.meaning),
+                               .shares = given.has("--shares")};
     const Output output(given.text("--out"), {},
                         given.has("--json")  ? "--json"
                         : given.has("--csv") ? "--csv"

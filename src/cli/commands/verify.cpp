@@ -87,6 +87,9 @@ constexpr std::array options{
            "conditions or the adiabatic invariant, in which class0.01 is a leaf of the first class and "
            "attained1 the first attained state; layer.01, bulk1.17 and end.17 boxes of a file about the "
            "law; upper and lower the bounds of one by the law"},
+    flag("--shares",
+         "of one file about initial conditions: how likely each number of collisions is, bounds of its share "
+         "of the box, from the leaves that were checked"),
     flag("--json",
          "print JSON and nothing else: an array of one object for each file; with --lemma one object"),
     Option{"--junit", "FILE.xml", "write a JUnit report, too: one test case for each file"},

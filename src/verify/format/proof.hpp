@@ -21,6 +21,7 @@ struct Settings {
     std::string claim;                        ///< demanded kind; empty: any
     std::shared_ptr<LawFile> law;             ///< on which files about one mass ratio by the law rest
     Pieces check = all_pieces;                ///< of the others no leaf and no witness is checked
+    bool shares = false;                      ///< of the numbers of collisions, from a box of starts
     Collisions demand;
 };
 

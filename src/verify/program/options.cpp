@@ -48,6 +48,8 @@ Checks certificates (docs/reference/format.md) independently of the program that
                        about initial conditions or the adiabatic invariant, in which class0.01 is a leaf of
                        the first class and attained1 the first attained state; layer.01, bulk1.17 and end.17
                        boxes of a file about the law; upper and lower the bounds of one by the law
+  --shares             of one file about initial conditions: how likely each number of collisions is, bounds of its
+                       share of the box, from the leaves that were checked
   --json               print JSON and nothing else: an array of one object for each file; with --lemma one object
   --junit FILE.xml     write a JUnit report, too: one test case for each file
   --quiet              print the last line only, and show no progress
@@ -97,10 +99,11 @@ void check_together(const Words& words, const Options& options) {
     exclude(words, "--shards",
             {"--ratio", "--max", "--min", "--exactly", "--lemma", "--claims", "--explain", "--combine"});
     exclude(words, "--combine", {"--lemma", "--claims", "--explain", "--max-bits"});
+    exclude(words, "--shares", {"--quiet", "--lemma", "--claims", "--shards", "--combine"});
     if (words.seen("--claims") && !options.jobs.empty())
         throw std::invalid_argument("--claims names the files: give no other FILE");
     if (options.lemma && options.jobs.size() != 2) throw std::invalid_argument("--lemma compares two files");
-    for (const char* name : {"--shards", "--combine"})
+    for (const char* name : {"--shards", "--combine", "--shares"})
         if (words.seen(name) && options.jobs.size() != 1)
             throw std::invalid_argument(std::string(name) + " is about one FILE");
     if (!words.seen("--claims") && options.jobs.empty()) throw std::invalid_argument("no FILE; see --help");
@@ -144,6 +147,8 @@ Options parse_options(const std::vector<std::string>& arguments) {
             settings.explain = words.value();
         else if (name == "--junit")
             result.junit = report_name(words.value());
+        else if (words.word == "--shares")
+            settings.shares = true;
         else if (words.word == "--json")
             result.json = true;
         else if (words.word == "--quiet")

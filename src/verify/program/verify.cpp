@@ -21,6 +21,10 @@ Verified verify(const std::string& path, const Settings& settings) {
     Text text(path, settings.budget);
     const Header header = read_header(text);
     const std::string& claim = header.claim;
+    if (settings.shares && claim != "initial-conditions")
+        throw Failure{Verdict::unreadable, text.line, "usage",
+                      "--shares is about a box of initial conditions (dumbbell trace --subdivide), and this "
+                      "file is about something else"};
     if (header.section && claim == "collisions") return {collisions(text, settings, *header.section), {}};
     const auto invariant = adiabatic_kind(claim);
     const bool is_law = header.section == &turning() && claim == "law", is_by_law = claim == LawAtRatio::kind;

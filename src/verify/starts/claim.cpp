@@ -3,12 +3,32 @@
 namespace dumbbell_verify {
 namespace {
 
+constexpr std::size_t decimals = 12;
+constexpr long one = 1'000'000'000'000;  // 10^decimals
+
+std::string decimal(const mpz_class& units) {
+    const std::string digits = units.get_str();
+    return "0." + std::string(decimals - digits.size(), '0') + digits;
+}
 /// x in [0, 1] with twelve decimals, rounded down.
 std::string decimal(const mpq_class& x) {
-    if (x >= 1) return "1";
-    const mpz_class scaled = x.get_num() * 1'000'000'000'000 / x.get_den();
-    const std::string digits = scaled.get_str();
-    return "0." + std::string(12 - digits.size(), '0') + digits;
+    return x >= 1 ? "1" : decimal(mpz_class(x.get_num() * one / x.get_den()));
+}
+/// The same with all decimals of 1, rounded down or up.
+std::string bound(const mpq_class& x, bool up) {
+    mpz_class units = x.get_num() * one;
+    if (up) units += x.get_den() - 1;
+    units /= x.get_den();
+    return units >= one ? "1." + std::string(decimals, '0') : decimal(units);
+}
+
+std::string shares_json(const StartShares& shares) {
+    std::string text;
+    for (const StartShares::Row& row : shares.rows())
+        text += (text.empty() ? "{\"least\":" : ",{\"least\":") + std::to_string(row.least) +
+                ",\"most\":" + (row.most ? std::to_string(*row.most) : "null") + ",\"lo\":\"" +
+                to_string(row.lo) + "\",\"hi\":\"" + to_string(row.hi) + "\"}";
+    return "[" + text + "]";
 }
 
 /// The name that the header of a file has for an axis.
@@ -42,7 +62,39 @@ std::string Initial::json() const {
                   "\",\"hi\":\"" + to_string(box.hi[i]) + "\"}";
     return result + "},\"least\":" + std::to_string(least) +
            ",\"most\":" + (most ? std::to_string(*most) : "null") + ",\"decided\":\"" + to_string(decided) +
-           "\"}";
+           "\"" + (shares ? ",\"shares\":" + shares_json(*shares) : "") + "}";
+}
+
+std::string Initial::paragraph() const {
+    if (!shares) return "";
+    std::string text = "  collisions  share of the box with exactly that many: proved bounds\n";
+    for (const StartShares::Row& row : shares->rows()) {
+        const std::string counts = std::to_string(row.least) + (row.most == row.least ? "" : "-") +
+                                   (row.most && *row.most > row.least ? std::to_string(*row.most) : "");
+        text += std::string(counts.size() < 12 ? 12 - counts.size() : 0, ' ') + counts + "  " +
+                bound(row.lo, false) + " to " + bound(row.hi, true) + "\n";
+    }
+    return text;
+}
+
+void StartShares::add(std::uint64_t least, std::uint64_t most, const mpq_class& volume) {
+    if (least == most) exact[least] += volume;
+    change[least] += volume;
+    change[most + 1] -= volume;
+}
+
+std::vector<StartShares::Row> StartShares::rows() const {
+    std::vector<Row> rows;
+    mpq_class hi = open;
+    if (!change.contains(0)) rows.push_back({0, std::nullopt, 0, hi});
+    for (const auto& [count, by] : change) {
+        if (!rows.empty()) rows.back().most = count - 1;
+        hi += by;
+        const auto found = exact.find(count);
+        rows.push_back({count, std::nullopt, found == exact.end() ? mpq_class(0) : found->second, hi});
+    }
+    if (open == 0) rows.pop_back();
+    return rows;
 }
 
 }  // namespace dumbbell_verify

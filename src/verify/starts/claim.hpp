@@ -1,6 +1,7 @@
 // The claim kind `initial-conditions`: what a file says of its box, and whether it proves what is demanded.
 #pragma once
 #include <array>
+#include <map>
 
 #include "verify/format/claim.hpp"
 
@@ -12,6 +13,24 @@ struct InitialBox {
     std::array<mpq_class, initial_axes.size()> lo, hi;
 };
 
+/// How likely each number of collisions is (format-initial.md, section 7): the volumes of leaves, in units of
+/// the box's.
+struct StartShares {
+    std::map<std::uint64_t, mpq_class> exact;   ///< of the leaves with this number
+    std::map<std::uint64_t, mpq_class> change;  ///< from k - 1 to k: of the leaves that do not exclude k
+    mpq_class open;                             ///< of the leaves that exclude nothing
+
+    void add(std::uint64_t least, std::uint64_t most, const mpq_class& volume);
+    /// From `least` to `most` collisions, each of these numbers: the share is at least lo, at most hi.
+    struct Row {
+        std::uint64_t least;
+        std::optional<std::uint64_t> most;
+        mpq_class lo, hi;
+    };
+    /// In ascending order, from 0 on; behind them all shares are 0.
+    [[nodiscard]] std::vector<Row> rows() const;
+};
+
 /// Every regular trajectory that starts in the box has at least `least` and, if it is a number, at most
 /// `most` collisions; on the share `decided` of the box's volume their exact number is proved.
 struct Initial {
@@ -20,13 +39,15 @@ struct Initial {
     std::uint64_t least = 0;
     std::optional<std::uint64_t> most;
     mpq_class decided;
+    std::optional<StartShares> shares;  ///< if they were asked for
 
     /// Empty if this proves the bounds and contains the ratios that are demanded.
     [[nodiscard]] std::string missing(const Collisions& demand) const;
     /// For the verdict: the box, the range of collisions and the share, rounded down.
     [[nodiscard]] std::string text() const;
-    [[nodiscard]] static std::string paragraph() { return ""; }
     [[nodiscard]] std::string json() const;
+    /// A line for each row of the shares, with twelve decimals rounded outward.
+    [[nodiscard]] std::string paragraph() const;
 };
 
 }  // namespace dumbbell_verify

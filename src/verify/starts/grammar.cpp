@@ -14,6 +14,7 @@ class StartsReader : public Reader<InitialLeaf> {
   public:
     StartsReader(Text& text, const Settings& settings) : Reader(text, settings) {
         require_fitting_demand();
+        if (settings.shares) claim_.shares.emplace();
         for (const auto* name : {"split", "exactly", "between", "open"}) proof_.tallies.push_back({name});
     }
     [[nodiscard]] Initial& claim() { return claim_; }
@@ -81,8 +82,10 @@ class StartsReader : public Reader<InitialLeaf> {
         const double share = std::ldexp(1, -depth);
         ++proof_.tallies[opcode].lines;
         proof_.tallies[opcode].covered += share;
+        const mpq_class volume(1, mpz_class(1) << depth);
         if (opcode == open) {
             if (f.size() != 1 || f[0] != "open") text_.reject("opcode", "not a line for this place");
+            if (claim_.shares) claim_.shares->open += volume;
             return;
         }
         const std::size_t numbers = opcode == exactly ? 1 : 2;
@@ -97,7 +100,8 @@ class StartsReader : public Reader<InitialLeaf> {
         if (opcode == exactly && leaf_.first.has_value() != (leaf_.least > 0))
             text_.reject("syntax", "`exactly` has a window iff its number is not 0");
         if (opcode == between && leaf_.least >= leaf_.most) text_.reject("number", "not a < b");
-        if (opcode == exactly) claim_.decided += mpq_class(1, mpz_class(1) << depth);
+        if (opcode == exactly) claim_.decided += volume;
+        if (claim_.shares) claim_.shares->add(leaf_.least, leaf_.most, volume);
         found_least_ = std::min(found_least_, leaf_.least);
         found_most_ = std::max(found_most_, leaf_.most);
         explain(leaf_, path);

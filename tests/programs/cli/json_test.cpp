@@ -179,8 +179,8 @@ TEST_CASE("docs/reference/json.md describes the JSON of the law for every mass r
 
 TEST_CASE("docs/reference/json.md describes the JSON of trace") {
     const TemporaryFolder folder;
-    const Words part{"--phi",       "0:0.5", "--phidot", "0",      "--subdivide",
-                     "--max-boxes", "20",    "--out",    "box.dbc"};
+    const Words part{"--phi",       "0:0.5", "--phidot", "0",       "--subdivide",
+                     "--max-boxes", "20",    "--out",    "box.dbc", "--shares"};
     check_documented("trace",
                      printed_by({falling({"--phi", "0.3", "--phidot", "0"}),
                                  falling({"--phi", "0.3", "--phidot", "0", "--digits", "20"}),
@@ -237,6 +237,7 @@ TEST_CASE("docs/reference/json.md describes the JSON of verify") {
                              DUMBBELL_PROJECT "/certificates/law.dbc.gz"},
                             {"--ratio", "10", "--exactly", "4", "ten.dbc"},
                             {"--shards", "1", "--precision", "60", "ten.dbc"},
+                            {"--shares", "box.dbc"},
                             {"--combine", "parts.txt", "ten.dbc"}}) {
         words = options;
         words.insert(words.begin(), {"verify", "--json"});

@@ -81,3 +81,23 @@ TEST_CASE("initial conditions: --json and --explain") {
         CHECK(run(std::string("--explain ") + none + " " + file.path()).code == 2);
     }
 }
+
+TEST_CASE("initial conditions: --shares prints bounds from the leaves, of such a file and of one only") {
+    const File file(falling());
+    const std::string shown = run("--shares " + file.path()).out;
+    CHECK(shown.find("  collisions  share of the box with exactly that many: proved bounds\n"
+                     "           0  0.000000000000 to 0.000000000000\n") != std::string::npos);
+    CHECK(shown.substr(shown.rfind("\ns ")) ==
+          run(file.path()).out.substr(run(file.path()).out.rfind("\ns ")));
+    CHECK(run(file.path()).out.find("proved bounds") == std::string::npos);
+    CHECK(run("--shares --json " + file.path())
+              .out.find(R"("shares":[{"least":0,"most":0,"lo":"0/1","hi":"0/1"})") != std::string::npos);
+    CHECK(run("--json " + file.path()).out.find("shares") == std::string::npos);
+    CHECK(run("--shares " + file.path() + " " + file.path()).code == 2);
+    CHECK(run("--shares --quiet " + file.path()).code == 2);
+    const File ten(make::closed(make::header("10/1", "10/1", 1) + make::piece(10, 10, 4, 0, "")));
+    CHECK(run("--shares " + ten.path()).code == 2);
+    CHECK(run("--shares " + ten.path()).last().find("dumbbell trace --subdivide") != std::string::npos);
+    const File bad(mutated_initial(falling(), "exactly 1 heavy", "exactly 2 heavy"));
+    CHECK(run("--shares " + bad.path()).out.find("proved bounds") == std::string::npos);
+}

@@ -1,0 +1,120 @@
+#include "starts/shares.hpp"
+
+#include <fmt/core.h>
+
+#include <map>
+#include <utility>
+
+#include "base/error.hpp"
+
+namespace dumbbell::starts {
+namespace {
+
+/// The volumes of the leaves of a tree.
+struct Volumes {
+    std::map<long, Rational> exact;   ///< by number of collisions
+    std::map<long, Rational> change;  ///< from k - 1 to k, of the leaves whose bounds have k between them
+    Rational open = 0;
+
+    explicit Volumes(const std::vector<InitialNode>& tree) {
+        std::vector<Rational> waiting{1};  // the volumes of the nodes to come: the next one last
+        for (const InitialNode& node : tree) {
+            require(!waiting.empty(), "nodes follow the end of a tree of initial conditions");
+            const Rational volume = std::move(waiting.back());
+            waiting.pop_back();
+            if (node.split) {
+                waiting.insert(waiting.end(), 2, volume / 2);
+            } else {
+                add(node.leaf, volume);
+            }
+        }
+        require(waiting.empty(), "a tree of initial conditions is not complete");
+    }
+
+  private:
+    void add(const InitialLeaf& leaf, const Rational& volume) {
+        if (!leaf.most) {
+            open += volume;
+            return;
+        }
+        if (leaf.least == *leaf.most) {
+            exact[leaf.least] += volume;
+        }
+        change[leaf.least] += volume;
+        change[*leaf.most + 1] -= volume;
+    }
+};
+
+constexpr unsigned decimals = 12;
+
+/// x in [0, 1] with twelve decimals, rounded up or down.
+std::string fixed(const Rational& x, bool up) {
+    const Integer one = pow(Integer(10), decimals);
+    const Rational scaled = x * Rational(one);
+    Integer units = numerator(scaled) / denominator(scaled);
+    if (up && Rational(units) < scaled) {
+        units += 1;
+    }
+    const Rational whole = Rational(units);
+    if (whole >= Rational(one)) {
+        return "1.000000000000";
+    }
+    return fmt::format("0.{:012}", whole.convert_to<long>());
+}
+
+std::string counts_text(const ShareBounds& bounds) {
+    return !bounds.most                   ? fmt::format("{}-", bounds.least)
+           : *bounds.most == bounds.least ? fmt::format("{}", bounds.least)
+                                          : fmt::format("{}-{}", bounds.least, *bounds.most);
+}
+
+}  // namespace
+
+std::vector<ShareBounds> share_bounds(const std::vector<InitialNode>& tree) {
+    Volumes volumes(tree);
+    volumes.change[0];
+    std::vector<ShareBounds> bounds;
+    Rational hi = volumes.open;
+    for (const auto& [count, change] : volumes.change) {
+        if (!bounds.empty()) {
+            bounds.back().most = count - 1;
+        }
+        hi += change;
+        const auto exact = volumes.exact.find(count);
+        bounds.push_back(
+            {count, std::nullopt, exact == volumes.exact.end() ? Rational(0) : exact->second, hi});
+    }
+    if (volumes.open == 0) {
+        bounds.pop_back();  // the rest has the share 0
+    }
+    return bounds;
+}
+
+std::vector<ShareBounds> up_to(std::vector<ShareBounds> bounds, const std::optional<long>& maximum) {
+    while (maximum && !bounds.empty() && bounds.back().least > *maximum) {
+        bounds.pop_back();
+    }
+    if (maximum && !bounds.empty() && (!bounds.back().most || *bounds.back().most > *maximum)) {
+        bounds.back().most = maximum;
+    }
+    return bounds;
+}
+
+std::string share_lines(const std::vector<ShareBounds>& bounds) {
+    std::string text;
+    for (const ShareBounds& b : bounds) {
+        text += fmt::format("{:>12}  {} to {}\n", counts_text(b), fixed(b.lo, false), fixed(b.hi, true));
+    }
+    return text;
+}
+
+Json share_json(const std::vector<ShareBounds>& bounds) {
+    Json json = Json::array();
+    for (const ShareBounds& b : bounds) {
+        json.add(Json::object(
+            {{"least", b.least}, {"most", b.most}, {"lo", to_fraction(b.lo)}, {"hi", to_fraction(b.hi)}}));
+    }
+    return json;
+}
+
+}  // namespace dumbbell::starts
