@@ -50,7 +50,7 @@ AnyCertificate read_any_certificate(const std::string& path) {
         lines.next();
     }
     const std::string claim = lines.expect("claim", 2)[1];
-    if (claim == "initial-conditions") {
+    if (claim == "initial-conditions" || claim == "incoming") {
         return starts::read_initial_certificate(path);
     }
     if (claim.starts_with("adiabatic-")) {

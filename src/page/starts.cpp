@@ -142,6 +142,11 @@ class Body {
 }  // namespace
 
 Json file_json(const starts::InitialCertificate& certificate, const BoxBudget& budget) {
+    if (certificate.incoming) {
+        throw InputError(
+            "the page shows boxes of initial conditions; of a certificate about all incoming trajectories "
+            "dumbbell plot phase and dumbbell plot shares draw pictures");
+    }
     const Body body(certificate.tree);
     Json axes = Json::array();
     for (std::size_t i = 0; i < starts::initial_axes; ++i) {

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <array>
+#include <numbers>
 #include <utility>
 
 #include "base/error.hpp"
@@ -73,6 +74,13 @@ InitialPlane initial_plane(const starts::InitialCertificate& certificate) {
 
 PlotAxis plot_axis(const starts::InitialCertificate& certificate, InitialAxis axis) {
     constexpr int wanted = 7;
+    if (certificate.incoming && axis == InitialAxis::phi) {
+        constexpr double turn = 2 * std::numbers::pi;
+        return {0, turn, quantities.front().meaning, angle_ticks(0, turn)};
+    }
+    if (certificate.incoming) {
+        return {0, 1, "s (sine of the direction of flight against the vertical)", even_ticks(0, 1, wanted)};
+    }
     const auto lo = certificate.box.lower(axis).convert_to<double>();
     const auto hi = certificate.box.upper(axis).convert_to<double>();
     return {lo, hi, quantities[static_cast<std::size_t>(axis)].meaning,
@@ -80,6 +88,10 @@ PlotAxis plot_axis(const starts::InitialCertificate& certificate, InitialAxis ax
 }
 
 std::string fixed_quantities(const starts::InitialCertificate& certificate) {
+    if (certificate.incoming) {
+        return fmt::format("q = {}: all trajectories as they come in, evenly by the natural measure",
+                           exact_text(certificate.box.lo[4]));
+    }
     std::string text;
     for (std::size_t axis = 0; axis < starts::initial_axes; ++axis) {
         if (!has_width(certificate.box, axis)) {

@@ -109,6 +109,10 @@ InitialLeaf judge_in(const InitialBox& box, int bits) {
 
 }  // namespace
 
+InitialLeaf judge_falling(const Rational& q) {
+    return {1, most_collisions(min(Interval(1) / with_slack<Interval>(q, q, double_bits), Interval(1)))};
+}
+
 InitialLeaf judge_initial(const InitialBox& box, int bits) {
     InitialLeaf leaf = judge_in<Interval>(box, double_bits);
     if (leaf.most == leaf.least || bits == double_bits) {

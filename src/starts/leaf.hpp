@@ -9,4 +9,7 @@ namespace dumbbell::starts {
 /// slack. Precondition: require_in_play(box).
 [[nodiscard]] InitialLeaf judge_initial(const InitialBox& box, int bits);
 
+/// What they certify of all falling states at this mass ratio.
+[[nodiscard]] InitialLeaf judge_falling(const Rational& q);
+
 }  // namespace dumbbell::starts

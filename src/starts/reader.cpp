@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "file/lines.hpp"
+#include "starts/incoming.hpp"
 
 namespace dumbbell::starts {
 namespace {
@@ -17,9 +18,12 @@ constexpr std::array<std::pair<std::string_view, InitialAxis>, initial_axes> hea
      {"y", InitialAxis::y},
      {"ydot", InitialAxis::ydot}}};
 
-InitialNode split_from(const Lines& lines, const std::string& axis) {
+InitialNode split_from(const Lines& lines, bool incoming, const std::string& axis) {
+    if (incoming && (axis == "phi" || axis == "s")) {
+        return {axis == "s" ? InitialAxis::phidot : InitialAxis::phi, {}};
+    }
     const auto* const found = std::find(axis_names.begin(), axis_names.end(), axis);
-    if (found == axis_names.end()) {
+    if (found == axis_names.end() || incoming) {
         lines.fail();
     }
     return {static_cast<InitialAxis>(found - axis_names.begin()), {}};
@@ -57,10 +61,15 @@ InitialCertificate read_initial_certificate(const std::string& path) {
     lines.expect("lemmas", 2);
     lines.expect("scene", 2);
     lines.expect("section", 2);
-    if (lines.expect("claim", 2)[1] != "initial-conditions") {
+    const std::string claim = lines.expect("claim", 2)[1];
+    certificate.incoming = claim == "incoming";
+    if (claim != "initial-conditions" && !certificate.incoming) {
         lines.fail();
     }
     for (const auto& [word, axis] : head_axes) {
+        if (certificate.incoming && axis != InitialAxis::ratio) {
+            break;  // the ratio comes first, and there is nothing else
+        }
         const auto& ends = lines.expect(word, 3);
         const auto number = static_cast<std::size_t>(axis);
         certificate.box.lo[number] = lines.signed_ratio(ends[1]);
@@ -69,12 +78,18 @@ InitialCertificate read_initial_certificate(const std::string& path) {
             lines.fail();
         }
     }
+    if (certificate.incoming) {
+        if (certificate.box.lo[4] != certificate.box.hi[4]) {
+            lines.fail();
+        }
+        certificate.box = incoming_box(certificate.box.lo[4]);
+    }
     certificate.bits = static_cast<int>(std::min(lines.number(lines.expect("bits", 2)[1]), 4096L));
     lines.expect("between", 3);
     for (long missing = 1; missing > 0;) {
         const auto& fields = lines.next();
         const bool is_split = fields[0] == "split" && fields.size() == 2;
-        certificate.tree.push_back(is_split ? split_from(lines, fields[1])
+        certificate.tree.push_back(is_split ? split_from(lines, certificate.incoming, fields[1])
                                             : InitialNode{{}, leaf_from(lines, fields)});
         missing += is_split ? 1 : -1;
     }

@@ -14,6 +14,7 @@
 #include "number/self_test.hpp"
 #include "starts/find_obstacle.hpp"
 #include "starts/follow.hpp"
+#include "starts/incoming.hpp"
 #include "starts/initial_state.hpp"
 #include "starts/leaf.hpp"
 
@@ -69,7 +70,13 @@ std::optional<InitialAxis> split_axis(const InitialBox& box, const Tree::Depths&
     return best ? std::optional(static_cast<InitialAxis>(*best)) : std::nullopt;
 }
 
-Judged judge(const InitialBox& box, const Tree::Depths& depths, const SubdivideOptions& options) {
+Judged judge(const InitialBox& given, const Tree::Depths& depths, const SubdivideOptions& options) {
+    if (options.incoming && is_unbounded(given)) {
+        const bool may = depths[static_cast<std::size_t>(InitialAxis::phidot)] < options.max_depth;
+        return {judge_falling(given.lower(InitialAxis::ratio)),
+                may ? std::optional(InitialAxis::phidot) : std::nullopt};
+    }
+    const InitialBox& box = options.incoming ? states_of_incoming(given) : given;
     Judged result{judge_initial(box, options.bits), std::nullopt};
     if (result.leaf.most != result.leaf.least) {
         result.split =
@@ -113,19 +120,24 @@ void include(Subdivision& result, const InitialLeaf& leaf, int depth) {
 }
 
 /// What an undecided box is on or near to.
-Obstacle obstacle_in(const InitialBox& box) {
+Obstacle obstacle_in(const InitialBox& given, bool incoming) {
     constexpr long most_spans = 1024;
+    if (incoming && is_unbounded(given)) {
+        return Obstacle::other;
+    }
+    const InitialBox& box = incoming ? states_of_incoming(given) : given;
     const BoxJets<Interval> jets(box);
     return find_obstacle(follow(jets.state(), most_spans), natural_state<Interval>(box));
 }
 
 /// Names what the undecided among the boxes of a generation are on or near to.
-void explain(Subdivision& result, const Tree& tree, const std::vector<std::size_t>& undecided) {
+void explain(Subdivision& result, const Tree& tree, const std::vector<std::size_t>& undecided,
+             bool incoming) {
     std::vector<Obstacle> found(undecided.size());
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, found.size(), 16), [&](const auto& range) {
         require_sound_arithmetic();
         for (std::size_t i = range.begin(); i != range.end(); ++i) {
-            found[i] = obstacle_in(tree.boxes()[undecided[i]]);
+            found[i] = obstacle_in(tree.boxes()[undecided[i]], incoming);
         }
     });
     for (const Obstacle obstacle : found) {
@@ -158,7 +170,7 @@ Subdivision grow(const InitialBox& box, const SubdivideOptions& options) {
         if (stop) {
             result.unexplained += static_cast<long>(undecided.size());
         } else {
-            explain(result, tree, undecided);
+            explain(result, tree, undecided, options.incoming);
         }
     }
     result.tree = tree.pre_order();

@@ -18,7 +18,8 @@ struct SubdivideOptions {
     std::size_t max_boxes = 50000;  ///< leaves
     int max_depth = 60;             ///< splits of one axis
     int jobs = 1;
-    int bits = 53;  ///< for boxes that double precision does not decide; beyond 53 MPFR
+    bool incoming = false;  ///< the box is one of incoming.hpp; then bits = 53
+    int bits = 53;          ///< for boxes that double precision does not decide; beyond 53 MPFR
     Interrupted interrupted = never;
     Observer* observer = &nobody;  ///< told of boxes that are judged
 };
@@ -42,7 +43,8 @@ struct Subdivision {
 
 /// Bisects until each box has an exact count, or a limit is reached; then the largest boxes are the ones that
 /// were halved. Deterministic whatever the number of threads, unless interrupted. A leaf says only what the
-/// rules of format-initial.md give for a slightly larger box. Precondition: require_in_play(box).
+/// rules of format-initial.md give for a slightly larger box. Precondition: require_in_play(box), or it is an
+/// incoming_box.
 [[nodiscard]] Subdivision subdivide(const InitialBox& box, const SubdivideOptions& options);
 
 }  // namespace dumbbell::starts

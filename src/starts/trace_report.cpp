@@ -35,6 +35,7 @@ constexpr std::array<Quantity, 8> quantities{
      {"grazing_sine", "grazing sine", &Collision<TracedValue>::grazing_sine}}};
 
 constexpr std::array<const char*, initial_axes> axis_names{"phi", "phidot", "y", "ydot", "ratio"};
+constexpr std::array<const char*, initial_axes> incoming_names{"phi_over_pi", "s", nullptr, nullptr, "ratio"};
 
 const char* mass_name(const Collision<TracedValue>& c) { return c.heavy ? "heavy" : "light"; }
 
@@ -157,14 +158,15 @@ std::string decided_text(const Subdivision& parts) {
 
 std::string subdivision_text(const TraceReport& report) {
     const Subdivision& parts = *report.parts;
+    const char* whole = report.incoming ? "trajectories" : "box";
     std::string text = report.shares
-                           ? fmt::format("{:>12}  share of the box with exactly that many: proved bounds\n{}",
-                                         "collisions", share_lines(bounds_of_shares(report)))
+                           ? fmt::format("{:>12}  share of the {} with exactly that many: proved bounds\n{}",
+                                         "collisions", whole, share_lines(bounds_of_shares(report)))
                            : decided_text(parts);
-    text +=
-        fmt::format("Certified: {} of the box with its exact count; every initial condition in it has {}.\n",
-                    share_at_least(Rational(1) - parts.undecided.share),
-                    bounds_text(parts.least, clamped(report, parts.most)));
+    text += fmt::format("Certified: {} of the {} with its exact count; every {} has {}.\n",
+                        share_at_least(Rational(1) - parts.undecided.share), whole,
+                        report.incoming ? "one of them" : "initial condition in it",
+                        bounds_text(parts.least, clamped(report, parts.most)));
     return text;
 }
 
@@ -214,11 +216,16 @@ std::string shares_csv(const TraceReport& report) {
 }  // namespace
 
 std::optional<ExactEvent> event_of(const TraceReport& report) {
-    return exact_event(report.box, report.meaning.phi);
+    return report.incoming ? std::nullopt : exact_event(report.box, report.meaning.phi);
 }
 
 std::string outcome_sentence(const TraceReport& report) {
     const Trace& trace = report.trace;
+    if (report.incoming) {
+        return fmt::format(
+            "all incoming trajectories, by their natural measure (L61 of proofs/lemmas.md): {}",
+            bounds_text(trace.least, clamped(report, trace.most)));
+    }
     if (trace.exact()) {
         return fmt::format("exactly {}{}", plural(trace.least),
                            trace.least > static_cast<long>(trace.collisions.size())
@@ -283,12 +290,16 @@ Json to_json(const TraceReport& report) {
     const Trace& trace = report.trace;
     Json initial = Json::object();
     for (std::size_t i = 0; i < initial_axes; ++i) {
+        const char* name = report.incoming ? incoming_names[i] : axis_names[i];
+        if (name == nullptr) {
+            continue;
+        }
         Json axis =
             Json::object({{"lo", to_fraction(report.box.lo[i])}, {"hi", to_fraction(report.box.hi[i])}});
         if (i == 0 && !report.meaning.rounded_phi.empty()) {
             axis.add("given", report.meaning.rounded_phi);
         }
-        initial.add(axis_names[i], axis);
+        initial.add(name, axis);
     }
     if (const auto& heights = report.meaning.heights) {
         initial.add("heights", Json::object({{"light", to_fraction(heights->first)},
@@ -302,20 +313,21 @@ Json to_json(const TraceReport& report) {
     if (trace.widths && !report.is_single()) {
         widths = Json::object({{"natural", trace.widths->natural}, {"correlated", trace.widths->correlated}});
     }
-    Json object = Json::object({{"schema", "dumbbell-trace-1"},
-                                {"initial", initial},
-                                {"outcome", outcome_word(report)},
-                                {"least", trace.least},
-                                {"most", clamped(report, trace.most)},
-                                {"maximum", rests_on_theorem(report) ? report.maximum : std::nullopt},
-                                {"splits_at", trace.exact() ? Json() : Json(trace.collisions.size() + 1)},
-                                {"bits", trace.bits},
-                                {"collisions", collisions},
-                                {"widths", widths},
-                                {"parts", report.parts ? subdivision_json(report) : Json()},
-                                {"seconds", report.seconds},
-                                {"out", report.out},
-                                {"sha256", report.sha256}});
+    Json object = Json::object(
+        {{"schema", "dumbbell-trace-1"},
+         {"initial", initial},
+         {"outcome", outcome_word(report)},
+         {"least", trace.least},
+         {"most", clamped(report, trace.most)},
+         {"maximum", rests_on_theorem(report) ? report.maximum : std::nullopt},
+         {"splits_at", trace.exact() || report.incoming ? Json() : Json(trace.collisions.size() + 1)},
+         {"bits", trace.bits},
+         {"collisions", collisions},
+         {"widths", widths},
+         {"parts", report.parts ? subdivision_json(report) : Json()},
+         {"seconds", report.seconds},
+         {"out", report.out},
+         {"sha256", report.sha256}});
     const auto event = event_of(report);
     if (event || (report.is_single() && trace.obstacle)) {
         object.add("event", event_json(event, trace.obstacle, trace.collisions.size()));

@@ -26,7 +26,8 @@ struct TraceReport {
     /// Of all trajectories at these mass ratios, by theorem 2; for what the enclosures do not decide.
     std::optional<long> maximum{};
     StartMeaning meaning{};
-    bool shares = false;  ///< bounds of the share of each number of collisions instead of what is decided
+    bool incoming = false;  ///< all incoming trajectories (incoming.hpp): no orbit, but `parts`
+    bool shares = false;    ///< bounds of the share of each number of collisions instead of what is decided
 
     [[nodiscard]] bool is_single() const { return meaning.is_single || box.is_point(); }
 };

@@ -10,7 +10,9 @@
 namespace dumbbell::starts {
 namespace {
 
-constexpr std::array<const char*, initial_axes> axis_names{"phi", "phidot", "y", "ydot", "q"};
+using AxisNames = std::array<const char*, initial_axes>;
+constexpr AxisNames axis_names{"phi", "phidot", "y", "ydot", "q"};
+constexpr AxisNames incoming_names{"phi", "s", "", "", ""};
 
 std::string contact_text(const std::optional<FirstContact>& first) {
     return first ? fmt::format(" {} {} {}", first->heavy ? "heavy" : "light", to_dyadic(first->from),
@@ -21,9 +23,11 @@ std::string contact_text(const std::optional<FirstContact>& first) {
 /// The body's lines and their numbers.
 class Body {
   public:
+    explicit Body(const AxisNames& names) : names_(names) {}
+
     void node(const InitialNode& node) {
         if (node.split) {
-            line(fmt::format("split {}", axis_names[static_cast<std::size_t>(*node.split)]));
+            line(fmt::format("split {}", names_[static_cast<std::size_t>(*node.split)]));
             ++splits_;
         } else {
             leaf(node.leaf);
@@ -62,6 +66,7 @@ class Body {
 
     void line(const std::string& words) { text_ += words + '\n'; }
 
+    const AxisNames& names_;
     std::string text_;
     long splits_ = 0, exactly_ = 0, between_ = 0, open_ = 0;
     long least_ = 0, most_ = 0;
@@ -70,7 +75,7 @@ class Body {
 }  // namespace
 
 SealedText render(const InitialCertificate& certificate) {
-    Body body;
+    Body body(certificate.incoming ? incoming_names : axis_names);
     for (const InitialNode& node : certificate.tree) {
         body.node(node);
     }
@@ -82,9 +87,9 @@ SealedText render(const InitialCertificate& certificate) {
     out.line("lemmas 1");
     out.line("scene dumbbell");
     out.line("section none");
-    out.line("claim initial-conditions");
+    out.line("claim {}", certificate.incoming ? "incoming" : "initial-conditions");
     out.line("ratio {} {}", to_fraction(lo[4]), to_fraction(hi[4]));
-    for (std::size_t i = 0; i < 4; ++i) {
+    for (std::size_t i = 0; i < 4 && !certificate.incoming; ++i) {
         out.line("{} {} {}", axis_names[i], to_fraction(lo[i]), to_fraction(hi[i]));
     }
     out.line("bits {}", certificate.bits);

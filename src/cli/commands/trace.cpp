@@ -16,6 +16,7 @@
 #include "collisions/critical.hpp"
 #include "number/ratio_argument.hpp"
 #include "starts/given_start.hpp"
+#include "starts/incoming.hpp"
 #include "starts/subdivide.hpp"
 #include "starts/trace_report.hpp"
 #include "starts/writer.hpp"
@@ -50,7 +51,8 @@ Examples:
   dumbbell trace 10 --heights 2.3,1.9 --phidot 1 --ydot -1/2             the light mass at 2.3, the heavy one at 1.9
   dumbbell trace 10 --phi pi/6:pi/3 --phidot 0 --y 3 --ydot -1           a box
   dumbbell trace 10 --phi 0:3 --phidot -1/2:1/2 --y 3/2 --ydot -1 --subdivide --out falling.dbc
-  dumbbell trace 10 --phi 0:3 --phidot -1/2:1/2 --y 3/2 --ydot -1 --subdivide --shares)";
+  dumbbell trace 10 --phi 0:3 --phidot -1/2:1/2 --y 3/2 --ydot -1 --subdivide --shares
+  dumbbell trace 10 --incoming --subdivide --shares                      how likely is each number of collisions?)";
 
 constexpr const char* footer =
     R"(The fields of --json: docs/reference/json.md.
@@ -65,15 +67,20 @@ constexpr Option quantity_option(std::string_view name, std::string_view text) {
 
 constexpr std::array options{
     ratio_option.required(),
-    quantity_option("--phi",
-                    "angle of the rod: radians, or like 30deg, pi/2, 0.3pi (required without --heights)"),
-    quantity_option("--phidot", "its velocity (radians)").required(),
-    quantity_option("--y", "height of the centre of mass, rod lengths (required without --heights)"),
-    quantity_option("--ydot", "its velocity (downwards: negative)").required(),
+    quantity_option("--phi", "angle of the rod: radians, or like 30deg, pi/2, 0.3pi"),
+    quantity_option("--phidot", "its velocity (radians)"),
+    quantity_option("--y", "height of the centre of mass, rod lengths"),
+    quantity_option("--ydot", "its velocity (downwards: negative)"),
     Option{"--heights", "LIGHT,HEAVY",
            "heights of the two masses, rod lengths, instead of --phi and --y; of the two angles that with "
            "cos phi >= 0"}
         .excludes("--phi,--y"),
+    flag(
+        "--incoming",
+        "with --subdivide, instead of all these: all trajectories as they come in from above, by the natural "
+        "measure (L61 of proofs/lemmas.md)")
+        .needs("--subdivide")
+        .excludes("--phi,--phidot,--y,--ydot,--heights,--digits"),
     flag("--subdivide", "halve the box until every part has its exact number of collisions"),
     Option{"--out", "FILE",
            "with --subdivide: write the certificate to FILE (FILE.gz: compressed); -: the standard output"}
@@ -118,10 +125,18 @@ void require_short_lines(const starts::InitialBox& box) {
 
 starts::GivenStart start_of(const Given& given, const RatioArgument& ratio, int digits) {
     const bool by_heights = given.has("--heights");
-    for (const char* name : {"--phi", "--y"}) {
-        if (!by_heights && !given.has(name)) {
-            throw InputError(fmt::format("{} is required, or --heights; see dumbbell trace --help", name));
+    const auto require = [&](const char* name, const char* instead) {
+        if (!given.has(name)) {
+            throw InputError(fmt::format("{} is required ({}); see dumbbell trace --help", name, instead));
         }
+    };
+    for (const char* name : {"--phi", "--y"}) {
+        if (!by_heights) {
+            require(name, "or --heights, or --incoming --subdivide for all incoming trajectories");
+        }
+    }
+    for (const char* name : {"--phidot", "--ydot"}) {
+        require(name, "or --incoming --subdivide, for all incoming trajectories");
     }
     return starts::read_start({.phi = given.text("--phi"),
                                .phidot = given.text("--phidot"),
@@ -131,8 +146,19 @@ starts::GivenStart start_of(const Given& given, const RatioArgument& ratio, int 
                               ratio.lo, ratio.hi, "--", bits_of_angle(given, digits));
 }
 
+/// All incoming trajectories.
+starts::InitialBox incoming_box_of(const RatioArgument& ratio) {
+    if (ratio.lo != ratio.hi) {
+        throw InputError("--incoming takes a single mass ratio: the natural measure depends on it");
+    }
+    return starts::incoming_box(ratio.lo);
+}
+
 starts::InitialCertificate certificate_of(const starts::TraceReport& report) {
-    return {.box = report.box, .bits = report.parts->bits, .tree = report.parts->tree};
+    return {.box = report.box,
+            .incoming = report.incoming,
+            .bits = report.parts->bits,
+            .tree = report.parts->tree};
 }
 
 void print(std::FILE* out, const Given& given, const starts::TraceReport& report, bool swapped) {
@@ -152,7 +178,9 @@ void print(std::FILE* out, const Given& given, const starts::TraceReport& report
 int run(const Given& given) {
     const RatioArgument ratio = parse_ratio_argument(given.text("RATIO"));
     const int digits = given.has("--digits") ? static_cast<int>(given.number("--digits")) : 0;
-    starts::GivenStart start = start_of(given, ratio, digits);
+    const bool incoming = given.has("--incoming");
+    starts::GivenStart start =
+        incoming ? starts::GivenStart{incoming_box_of(ratio), {}} : start_of(given, ratio, digits);
     if (given.has("--out")) {
         require_short_lines(start.box);
     }
@@ -164,6 +192,7 @@ int run(const Given& given) {
                                .out = {},
                                .sha256 = {},
                                .meaning = std::move(start.meaning),
+                               .incoming = incoming,
                                .shares = given.has("--shares")};
     const Output output(given.text("--out"), {},
                         given.has("--json")  ? "--json"
@@ -173,7 +202,7 @@ int run(const Given& given) {
                                     .jobs = jobs_of(given),
                                     .interrupted = deadline(budget_of(given))};
     const Stopwatch watch;
-    {
+    if (!report.incoming) {
         const Progress progress("", verbosity_of(given), "following the orbit");
         report.trace = trace(report.box, report.digits);
     }
@@ -194,10 +223,15 @@ int run(const Given& given) {
     }
     return stoppable([&] {
         limits.bits = std::min(report.trace.bits, most_subdivide_bits);
+        limits.incoming = report.incoming;
         {
             Progress progress("boxes", verbosity_of(given), "halving the box");
             limits.observer = &progress;
             report.parts = subdivide(report.box, limits);
+        }
+        if (report.incoming) {
+            report.trace.least = report.parts->least;
+            report.trace.most = report.parts->most;
         }
         if (stop_signal != 0 && report.parts->undecided.share > 0) {
             return stopped(

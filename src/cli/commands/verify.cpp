@@ -56,6 +56,7 @@ constexpr std::array options{
         "demand this kind of claim: collisions, or collisions-by-law (one mass ratio, with --law), or "
         "initial-conditions (a file of `dumbbell trace "
         "--subdivide`: then --ratio, --max, --min, --exactly are about the starts in its box), or "
+        "incoming (the same of all trajectories that come in, --incoming), or "
         "adiabatic-bounce, -run, -scattering, -printed (the adiabatic invariant), or law (all mass ratios): "
         "these without --ratio, --max, --min, --exactly, which they do not answer"},
     Option{"--claims", "LIST",

@@ -24,7 +24,8 @@ Checks certificates (docs/reference/format.md) independently of the program that
   --scene dumbbell|hybrid|wedge  demand this scene (dumbbell)
   --claim KIND         demand this kind of claim: collisions, or collisions-by-law (one mass ratio, with --law), or
                        initial-conditions (a file of `dumbbell trace --subdivide`: then --ratio, --max, --min,
-                       --exactly are about the starts in its box), or adiabatic-bounce, -run, -scattering, -printed
+                       --exactly are about the starts in its box), or incoming (the same of all trajectories
+                       that come in, --incoming), or adiabatic-bounce, -run, -scattering, -printed
                        (the adiabatic invariant), or law (all mass ratios): these without --ratio, --max, --min,
                        --exactly, which they do not answer
   --claims LIST        the certificates and claims of a list like certificates/claims.tsv, one each line: a file, a

@@ -48,26 +48,30 @@ std::string Initial::missing(const Collisions& demand) const {
 }
 
 std::string Initial::text() const {
-    std::string result = "claim=initial-conditions";
-    for (std::size_t i = 0; i < initial_axes.size(); ++i)
+    std::string result = incoming ? "claim=incoming" : "claim=initial-conditions";
+    for (std::size_t i = incoming ? 4 : 0; i < initial_axes.size(); ++i)
         result += " " + header_name(i) + "=" + to_string(box.lo[i], box.hi[i]);
     return result + " collisions=" + std::to_string(least) + ":" + (most ? std::to_string(*most) : "none") +
            " decided=" + decimal(decided);
 }
 
 std::string Initial::json() const {
+    const auto range = [&](std::size_t i) {
+        return "\"" + header_name(i) + "\":{\"lo\":\"" + to_string(box.lo[i]) + "\",\"hi\":\"" +
+               to_string(box.hi[i]) + "\"}";
+    };
     std::string result = "{\"kind\":\"initial-conditions\",\"box\":{";
-    for (std::size_t i = 0; i < initial_axes.size(); ++i)
-        result += (i > 0 ? ",\"" : "\"") + header_name(i) + "\":{\"lo\":\"" + to_string(box.lo[i]) +
-                  "\",\"hi\":\"" + to_string(box.hi[i]) + "\"}";
-    return result + "},\"least\":" + std::to_string(least) +
-           ",\"most\":" + (most ? std::to_string(*most) : "null") + ",\"decided\":\"" + to_string(decided) +
-           "\"" + (shares ? ",\"shares\":" + shares_json(*shares) : "") + "}";
+    for (std::size_t i = 0; i < initial_axes.size(); ++i) result += (i > 0 ? "," : "") + range(i);
+    return (incoming ? "{\"kind\":\"incoming\"," + range(4) : result + "}") +
+           ",\"least\":" + std::to_string(least) + ",\"most\":" + (most ? std::to_string(*most) : "null") +
+           ",\"decided\":\"" + to_string(decided) + "\"" +
+           (shares ? ",\"shares\":" + shares_json(*shares) : "") + "}";
 }
 
 std::string Initial::paragraph() const {
     if (!shares) return "";
-    std::string text = "  collisions  share of the box with exactly that many: proved bounds\n";
+    std::string text = "  collisions  share of the " + std::string(incoming ? "trajectories" : "box") +
+                       " with exactly that many: proved bounds\n";
     for (const StartShares::Row& row : shares->rows()) {
         const std::string counts = std::to_string(row.least) + (row.most == row.least ? "" : "-") +
                                    (row.most && *row.most > row.least ? std::to_string(*row.most) : "");

@@ -35,6 +35,7 @@ struct StartShares {
 /// `most` collisions; on the share `decided` of the box's volume their exact number is proved.
 struct Initial {
     static constexpr std::string_view leaves = "box, box.01, ...";  ///< as --explain names them
+    bool incoming = false;  ///< not a box, but all incoming trajectories (format-initial.md, section 8)
     InitialBox box;
     std::uint64_t least = 0;
     std::optional<std::uint64_t> most;

@@ -12,7 +12,8 @@ enum { split, exactly, between, open };
 
 class StartsReader : public Reader<InitialLeaf> {
   public:
-    StartsReader(Text& text, const Settings& settings) : Reader(text, settings) {
+    StartsReader(Text& text, const Settings& settings, bool incoming) : Reader(text, settings) {
+        claim_.incoming = incoming;
         require_fitting_demand();
         if (settings.shares) claim_.shares.emplace();
         for (const auto* name : {"split", "exactly", "between", "open"}) proof_.tallies.push_back({name});
@@ -20,7 +21,9 @@ class StartsReader : public Reader<InitialLeaf> {
     [[nodiscard]] Initial& claim() { return claim_; }
 
   private:
-    [[nodiscard]] std::string_view kind() const override { return "initial-conditions"; }
+    [[nodiscard]] std::string_view kind() const override {
+        return claim_.incoming ? "incoming" : "initial-conditions";
+    }
     [[nodiscard]] std::string missing() const override { return claim_.missing(settings_.demand); }
     [[nodiscard]] const char* check(const InitialLeaf& leaf, std::string* log) const override {
         return check_initial(leaf, log);
@@ -29,9 +32,14 @@ class StartsReader : public Reader<InitialLeaf> {
 
     void read() override {
         header();
-        Tree<InitialBox> tree{text_, initial_axes, proof_.tallies[split].lines, leaf_.box, "box."};
+        Tree<InitialBox> tree{text_, axes(), proof_.tallies[split].lines, leaf_.box, "box."};
         tree.read([&] { leaf(tree.depth, tree.path); });
         compare_bounds();
+    }
+
+    [[nodiscard]] std::span<const std::string_view> axes() const {
+        static constexpr std::array<std::string_view, 2> section{"phi", "s"};
+        return claim_.incoming ? std::span<const std::string_view>(section) : initial_axes;
     }
 
     /// A bound on N* is not proved by a file about some initial conditions: those who ask must mean the box.
@@ -41,18 +49,26 @@ class StartsReader : public Reader<InitialLeaf> {
         if (demand.keep != Pieces{})
             refuse("--lemma compares covers; this file is about a box of initial conditions");
         if ((demand.ratios || demand.most || demand.least) && settings_.claim.empty())
-            refuse(
-                "--ratio, --max, --min and --exactly are about all trajectories; this file is about a box of "
-                "initial conditions: to ask about that add --claim initial-conditions");
+            refuse(claim_.incoming
+                       ? "--ratio, --max, --min and --exactly are about all trajectories; this file is about "
+                         "how those that come in are spread: to ask about that add --claim incoming"
+                       : "--ratio, --max, --min and --exactly are about all trajectories; this file is about "
+                         "a box of initial conditions: to ask about that add --claim initial-conditions");
     }
 
     void header() {
         read_axis("ratio", 4, &Text::ratio);
         if (leaf_.box.lo[4] < 1) text_.reject("number", "not 1 <= LO");
-        for (std::size_t i = 0; i < 4; ++i) read_axis(initial_axes[i], i, &Text::signed_ratio);
+        for (std::size_t i = 0; i < 4 && !claim_.incoming; ++i)
+            read_axis(initial_axes[i], i, &Text::signed_ratio);
+        if (claim_.incoming) {
+            if (leaf_.box.lo[4] != leaf_.box.hi[4]) text_.reject("number", "not LO = HI");
+            leaf_.box.hi[0] = 2;
+            leaf_.box.hi[1] = 1;
+        }
         claim_.box = leaf_.box;
         read_bits(leaf_);
-        require_motion();
+        if (!claim_.incoming) require_motion();
         text_.expect("between", 2);
         bounds_line_ = text_.line;
         least_ = text_.natural(1);
@@ -104,8 +120,20 @@ class StartsReader : public Reader<InitialLeaf> {
         if (claim_.shares) claim_.shares->add(leaf_.least, leaf_.most, volume);
         found_least_ = std::min(found_least_, leaf_.least);
         found_most_ = std::max(found_most_, leaf_.most);
-        explain(leaf_, path);
-        take(leaf_);
+        const InitialLeaf judged = claim_.incoming ? of_states() : leaf_;
+        explain(judged, path);
+        take(judged);
+    }
+    /// The present leaf, its piece of the section replaced by its states. Up to s = 1 they have no bound:
+    /// there nothing but that they fall may be used.
+    InitialLeaf of_states() {
+        InitialLeaf result = leaf_;
+        const bool unbounded = leaf_.box.hi[1] == 1;
+        if (unbounded && (leaf_.first || leaf_.least == leaf_.most))
+            text_.reject("section", "up to s = 1 a leaf is `open`, or `between` without a window");
+        if (unbounded) result.box.hi[1] = result.box.lo[1];
+        result.box = incoming_states(result.box);
+        return result;
     }
     void window(std::size_t i) {
         const auto mass = text_.fields[i];
@@ -132,8 +160,28 @@ class StartsReader : public Reader<InitialLeaf> {
 
 }  // namespace
 
-std::pair<Proof, Initial> initial(Text& text, const Settings& settings) {
-    StartsReader reader(text, settings);
+InitialBox incoming_states(const InitialBox& piece) {
+    constexpr unsigned places = 512;  // binary
+    static const mpz_class units("100000000000000000000000000000000000000000000000000"),
+        half_turn("314159265358979323846264338327950288419716939937510");  // units * pi, rounded down
+    const mpq_class q = piece.lo[4], beta2 = q / (q + 1);
+    const auto spin = [&](const mpq_class& s, int more) {
+        const mpq_class squared = s * s * q / (1 - s * s) * (mpz_class(1) << (2 * places));
+        const mpz_class whole = squared.get_num() / squared.get_den(), root = sqrt(whole);
+        return mpq_class(mpq_class(root + more) / (mpz_class(1) << places));
+    };
+    InitialBox box = piece;
+    box.lo[0] *= mpq_class(half_turn) / units;
+    box.hi[0] *= mpq_class(half_turn + 1) / units;
+    box.lo[1] = spin(piece.lo[1], 0);
+    box.hi[1] = spin(piece.hi[1], 1);
+    box.lo[2] = box.hi[2] = beta2 * (1 + mpq_class(1, 1 << 20));
+    box.lo[3] = box.hi[3] = -beta2;
+    return box;
+}
+
+std::pair<Proof, Initial> initial(Text& text, const Settings& settings, bool incoming) {
+    StartsReader reader(text, settings, incoming);
     Proof proof = reader.run();
     return {std::move(proof), std::move(reader.claim())};
 }

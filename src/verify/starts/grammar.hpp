@@ -32,8 +32,12 @@ const char* check_initial(const InitialLeaf& leaf, std::string* log);
 /// Certified: both masses are above the floor over the whole box (format-initial.md, section 2).
 bool starts_in_the_air(const InitialBox& box, unsigned bits);
 
-/// Reads on after the line `claim`; returns only if all that the file and the demand say is certified, else
-/// throws the Failure of the least line.
-std::pair<Proof, Initial> initial(Text& text, const Settings& settings);
+/// For a piece [x0, x1] x [s0, s1] of the section of all incoming trajectories, in the first two quantities:
+/// its states (format-initial.md, section 8). Precondition: s1 < 1.
+InitialBox incoming_states(const InitialBox& piece);
+
+/// Reads on after the line `claim`, for all incoming trajectories or for a box; returns only if all that the
+/// file and the demand say is certified, else throws the Failure of the least line.
+std::pair<Proof, Initial> initial(Text& text, const Settings& settings, bool incoming);
 
 }  // namespace dumbbell_verify

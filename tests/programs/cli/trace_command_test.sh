@@ -108,6 +108,10 @@ expect 2 'crosses 1' 0.5:2 --phi 1 --phidot 1 --y 3 --ydot -1
 expect 2 '--subdivide' "${start[@]}" --out "$scratch/x.dbc"
 expect 2 '--subdivide' "${start[@]}" --shares
 expect 0 'least,most,lo,hi' 10 --phi 0:3 --phidot 0 --y 3/2 --ydot -1 --subdivide --max-boxes 50 --shares --csv
+expect 0 'all incoming trajectories' 10 --incoming --subdivide --max-boxes 50 --shares
+expect 2 '--subdivide' 10 --incoming
+expect 2 '--phi' 10 --incoming --subdivide --phi 1
+expect 2 'single mass ratio' 10:11 --incoming --subdivide
 expect 2 '--budget' "${start[@]}" --subdivide --budget 10
 expect 2 '--digits' "${start[@]}" --digits 0
 expect 2 'no/such' "${start[@]}" --subdivide --out "$scratch/no/such/x.dbc"

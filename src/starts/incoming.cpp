@@ -1,0 +1,42 @@
+#include "starts/incoming.hpp"
+
+#include <utility>
+
+namespace dumbbell::starts {
+namespace {
+
+constexpr int working_bits = 256;
+
+/// s sqrt(q/(1 - s^2)), 0 <= s < 1.
+BigInterval spin(const Rational& s, const Rational& q) {
+    return sqrt(enclose<BigInterval>(s * s * q / (Rational(1) - s * s)));
+}
+
+}  // namespace
+
+InitialBox incoming_box(const Rational& q) {
+    const Rational beta2 = q / (q + 1);
+    const Rational y = beta2 * (Rational(1) + Rational(1, Integer(1) << 20U));
+    return {{Rational(0), Rational(0), y, -beta2, q}, {Rational(2), Rational(1), y, -beta2, q}};
+}
+
+bool is_unbounded(const InitialBox& piece) { return piece.upper(InitialAxis::phidot) >= 1; }
+
+InitialBox states_of_incoming(const InitialBox& piece) {
+    const PrecisionScope scope(working_bits);
+    InitialBox box = piece;
+    const auto half_turn = pi<BigInterval>();
+    const auto angle = [&](const Rational& x) { return enclose<BigInterval>(x) * half_turn; };
+    const Rational& q = piece.lower(InitialAxis::ratio);
+    const auto set = [&](InitialAxis axis, const BigInterval& low, const BigInterval& high) {
+        const auto i = static_cast<std::size_t>(axis);
+        box.lo[i] = exact_lo(low);
+        box.hi[i] = exact_hi(high);
+    };
+    set(InitialAxis::phi, angle(piece.lower(InitialAxis::phi)), angle(piece.upper(InitialAxis::phi)));
+    set(InitialAxis::phidot, spin(piece.lower(InitialAxis::phidot), q),
+        spin(piece.upper(InitialAxis::phidot), q));
+    return box;
+}
+
+}  // namespace dumbbell::starts

@@ -1,0 +1,167 @@
+// All incoming trajectories by the natural measure (lemma L61): pieces of the section as states, the file,
+// the verifier, and the simulation.
+#include "starts/incoming.hpp"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "attacks/oracle/simulate.hpp"
+#include "attacks/oracle/trial.hpp"
+#include "box.hpp"
+#include "rooms/verify/make_initial.hpp"
+#include "sample.hpp"
+#include "starts/reader.hpp"
+#include "starts/shares.hpp"
+#include "verify/starts/grammar.hpp"
+#include "written_file.hpp"
+
+using namespace dumbbell_test;
+using Catch::Matchers::Contains;
+using dumbbell_trace_test::refusal;
+using dumbbell_trace_test::uniform;
+using make::mutated_initial;
+
+namespace {
+
+SealedText sealed(const Rational& q, const Subdivision& parts) {
+    return render({.box = incoming_box(q), .incoming = true, .tree = parts.tree});
+}
+
+/// s sqrt(q/(1 - s^2)).
+long double spin(long double s, long double q) { return s * std::sqrt(q / (1 - s * s)); }
+
+}  // namespace
+
+TEST_CASE("a piece of the section becomes the same states here and in the verifier, outward") {
+    std::mt19937_64 engine(1);
+    for (int i = 0; i < 300; ++i) {
+        const double q = std::exp(uniform(engine, 0, 12)), s = uniform(engine, 0, 0.9),
+                     x = uniform(engine, 0, 1.9);
+        InitialBox piece = incoming_box(exact(q));
+        piece.lo[0] = exact(x);
+        piece.hi[0] = piece.lo[0] + Rational(1, 1024);
+        piece.lo[1] = exact(s);
+        piece.hi[1] = piece.lo[1] + Rational(1, 1024);
+        const InitialBox states = states_of_incoming(piece);
+        dumbbell_verify::InitialBox same;
+        for (std::size_t axis = 0; axis < initial_axes; ++axis) {
+            same.lo[axis] = mpq_class(piece.lo[axis].raw());
+            same.hi[axis] = mpq_class(piece.hi[axis].raw());
+        }
+        const dumbbell_verify::InitialBox checked = dumbbell_verify::incoming_states(same);
+        constexpr long double pi = 3.14159265358979323846264338327950288L;
+        const auto below = [](long double a, long double b) { return a <= b * (1 + 1e-17L) + 1e-17L; };
+        const auto tight = [](long double a, long double b) {
+            return std::abs(a - b) <= 1e-17L * (1 + std::abs(b));
+        };
+        INFO("q " << q << " x " << x << " s " << s);
+        const std::array<long double, 2> ends_of_phi{pi * x, pi * (x + 1.0L / 1024)};
+        const std::array<long double, 2> ends_of_spin{spin(s, q), spin(s + 1.0L / 1024, q)};
+        CHECK(below(states.lo[0].convert_to<long double>(), ends_of_phi[0]));
+        CHECK(below(ends_of_spin[1], states.hi[1].convert_to<long double>()));
+        CHECK(tight(states.hi[0].convert_to<long double>(), ends_of_phi[1]));
+        CHECK(tight(states.lo[1].convert_to<long double>(), ends_of_spin[0]));
+        for (std::size_t axis = 0; axis < initial_axes; ++axis) {
+            const Rational lo(checked.lo[axis].get_mpq_t()), hi(checked.hi[axis].get_mpq_t());
+            CHECK(abs(lo - states.lo[axis]) < parse_rational("1e-45"));
+            CHECK(abs(hi - states.hi[axis]) < parse_rational("1e-45"));
+            CHECK(lo <= states.hi[axis]);
+            CHECK(states.lo[axis] <= hi);
+        }
+    }
+}
+
+TEST_CASE("the verifier's bounds of pi and of the root contain them") {
+    InitialBox piece = incoming_box(2);  // s = 3/5: the root of 2 times 3/4
+    dumbbell_verify::InitialBox same;
+    for (std::size_t axis = 0; axis < initial_axes; ++axis) {
+        same.lo[axis] = same.hi[axis] = mpq_class(piece.lo[axis].raw());
+    }
+    same.lo[0] = same.hi[0] = 1;
+    same.lo[1] = same.hi[1] = mpq_class(3, 5);
+    const auto states = dumbbell_verify::incoming_states(same);
+    const PrecisionScope scope(300);
+    const auto half_turn = pi<BigInterval>();
+    CHECK(Rational(states.lo[0].get_mpq_t()) < exact_lo(half_turn));
+    CHECK(exact_hi(half_turn) < Rational(states.hi[0].get_mpq_t()));
+    CHECK((states.lo[1] * states.lo[1] < mpq_class(9, 8)));
+    CHECK((states.hi[1] * states.hi[1] > mpq_class(9, 8)));
+}
+
+TEST_CASE("certificates about incoming trajectories are verified, with the same shares, and read again") {
+    for (const char* q : {"1", "4.61", "10", "100", "1000"}) {
+        INFO("q = " << q);
+        const Rational ratio = parse_rational(q);
+        const auto parts = subdivide(incoming_box(ratio), {.max_boxes = 300, .jobs = 2, .incoming = true});
+        CHECK(parts.least == 1);
+        const SealedText written = sealed(ratio, parts);
+        CHECK(written.text.find("claim incoming\nratio ") != std::string::npos);
+        const make::File file(written.text);
+        dumbbell_verify::Settings settings;
+        settings.shares = true;
+        const auto proof =
+            std::get<dumbbell_verify::Initial>(dumbbell_verify::verify(file.path(), settings).other);
+        CHECK(proof.paragraph().ends_with("\n" + share_lines(share_bounds(parts.tree))));
+        CHECK(proof.text().starts_with("claim=incoming ratio="));
+        CHECK(render(read_initial_certificate(file.path())).sha256 == written.sha256);
+    }
+}
+
+TEST_CASE("up to s = 1 nothing is certified but that all states fall") {
+    const std::string text =
+        sealed(10, subdivide(incoming_box(10), {.max_boxes = 200, .incoming = true})).text;
+    CHECK(refusal(text).empty());
+    const std::string root = make::closed_initial(
+        "dumbbell-certificate 1\ngenerator dumbbell 0.1.0\nlemmas 1\nscene dumbbell\nsection none\n"
+        "claim incoming\nratio 10/1 10/1\nbits 53\nbetween 1 5\nbetween 1 5\n");
+    CHECK(refusal(root).empty());
+    const std::string bounds = "between 1 5\nbetween 1 5\n";
+    const auto with = [&](const std::string& changed) {
+        return refusal(mutated_initial(root, bounds, changed));
+    };
+    CHECK_THAT(with("between 2 5\nbetween 2 5\n"), Contains("not certified"));
+    CHECK_THAT(with("between 1 2\nbetween 1 2\n"), Contains("not certified"));
+    CHECK_THAT(with("between 1 5\nbetween 1 5 light 1b0 1b1\n"), Contains("up to s = 1"));
+    CHECK_THAT(with("between 0 0\nexactly 0\n"), Contains("up to s = 1"));
+    CHECK_THAT(refusal(mutated_initial(root, "ratio 10/1 10/1", "ratio 10/1 11/1")), Contains("LO = HI"));
+    CHECK_THAT(refusal(mutated_initial(text, "split s", "split phidot")), Contains("not an axis"));
+    CHECK_FALSE(refusal(mutated_initial(text, "split s", "split phi")).empty());
+    CHECK_FALSE(refusal(mutated_initial(text, "ratio 10/1 10/1", "ratio 100/1 100/1")).empty());
+}
+
+TEST_CASE("random incoming trajectories have each number of collisions as often as is proved") {
+    const int trials = dumbbell_oracle::trials(20'000);
+    std::mt19937_64 engine(7);
+    for (const char* q : {"1", "4.61", "10", "100", "1000"}) {
+        const Rational ratio = parse_rational(q);
+        const auto bounds = share_bounds(
+            subdivide(incoming_box(ratio), {.max_boxes = 3000, .jobs = 2, .incoming = true}).tree);
+        using Real = dumbbell_oracle::Real;
+        const dumbbell_oracle::Dumbbell<Real> body(ratio.convert_to<double>());
+        std::map<long, int> found;
+        int doubtful = 0;
+        for (int i = 0; i < trials; ++i) {
+            const Real phi = uniform(engine, 0, 6.283185307179586), s = uniform(engine, -1, 1);
+            // From twice the height of the highest wall; only the direction matters.
+            const auto run = simulate(
+                body, dumbbell_oracle::State<Real>{phi, s * std::sqrt(body.ratio()), 2 * body.beta2(),
+                                                   -std::sqrt(1 - s * s) * body.beta2()});
+            ++found[static_cast<long>(run.collisions.size())];
+            doubtful += run.care.doubtful() ? 1 : 0;
+        }
+        for (const ShareBounds& b : bounds) {
+            REQUIRE(b.most);
+            const auto lo = b.lo.convert_to<double>(), hi = b.hi.convert_to<double>();
+            for (long count = b.least; count <= *b.most; ++count) {
+                const int hits = found.contains(count) ? found.at(count) : 0;
+                // Six standard deviations of a binomial distribution, and what its smallest numbers scatter.
+                const auto error = [&](double p) { return 6 * std::sqrt(trials * p * (1 - p)) + 12; };
+                INFO("q " << q << ": " << count << " collisions " << hits << " times, proved " << lo << " to "
+                          << hi);
+                CHECK(hits + doubtful >= lo * trials - error(lo));
+                CHECK(hits - doubtful <= hi * trials + error(hi));
+            }
+        }
+        CHECK(doubtful < trials / 50);
+    }
+}
