@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <string_view>
 #include <vector>
 
 #include "base/error.hpp"
@@ -86,6 +87,23 @@ Piece piece_from(Lines& lines, const std::vector<Chart>& charts, Trees trees) {
     return piece;
 }
 
+/// What a file with this claim is about, if it is no certificate about mass ratios; nullptr: nothing known.
+const char* other_subject(std::string_view claim) {
+    if (claim == "initial-conditions") {
+        return "initial conditions (dumbbell trace)";
+    }
+    if (claim == "incoming") {
+        return "all incoming trajectories (dumbbell trace --incoming)";
+    }
+    if (claim == "law") {
+        return "the law for every mass ratio (dumbbell law)";
+    }
+    if (claim == "collisions-by-law") {
+        return "one mass ratio by the law, without a cover (dumbbell certify --by law)";
+    }
+    return claim.starts_with("adiabatic-") ? "the adiabatic invariant (dumbbell adiabatic)" : nullptr;
+}
+
 }  // namespace
 
 PieceReader::PieceReader(const std::string& path, Trees trees) : lines_(path), trees_(trees) {
@@ -96,17 +114,11 @@ PieceReader::PieceReader(const std::string& path, Trees trees) : lines_(path), t
     const auto scene = scene_named(lines_.expect("scene", 2)[1]);
     const auto section = section_named(lines_.expect("section", 2)[1], lemmas);
     const std::string claim = lines_.expect("claim", 2)[1];
-    const bool adiabatic = claim.starts_with("adiabatic-"), law = claim == "law",
-               by_law = claim == "collisions-by-law";
-    if (claim == "initial-conditions" || adiabatic || law || by_law) {
+    if (const char* subject = other_subject(claim)) {
         throw InputError(
             fmt::format("'{}' is about {}: a certificate about mass ratios is needed here "
                         "(dumbbell certify RATIO --out FILE); dumbbell verify reads both",
-                        path,
-                        by_law      ? "one mass ratio by the law, without a cover (dumbbell certify --by law)"
-                        : law       ? "the law for every mass ratio (dumbbell law)"
-                        : adiabatic ? "the adiabatic invariant (dumbbell adiabatic)"
-                                    : "initial conditions (dumbbell trace)"));
+                        path, subject));
     }
     if (!scene || !section || claim != "collisions") {
         lines_.fail();

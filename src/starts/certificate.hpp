@@ -49,9 +49,9 @@ struct InitialCertificate {
     std::string program = "dumbbell";  ///< what wrote it: this one, unless it was read
     std::string version = DUMBBELL_VERSION;
     InitialBox box;
-    bool incoming = false;  ///< all incoming trajectories: box, tree in the coordinates of incoming.hpp
     int bits = 53;
     std::vector<InitialNode> tree;  ///< pre-order, lower half first
+    bool incoming = false;  ///< all incoming trajectories: box, tree in the coordinates of incoming.hpp
 };
 
 }  // namespace dumbbell::starts

@@ -156,9 +156,9 @@ starts::InitialBox incoming_box_of(const RatioArgument& ratio) {
 
 starts::InitialCertificate certificate_of(const starts::TraceReport& report) {
     return {.box = report.box,
-            .incoming = report.incoming,
             .bits = report.parts->bits,
-            .tree = report.parts->tree};
+            .tree = report.parts->tree,
+            .incoming = report.incoming};
 }
 
 void print(std::FILE* out, const Given& given, const starts::TraceReport& report, bool swapped) {

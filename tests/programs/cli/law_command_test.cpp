@@ -67,6 +67,10 @@ TEST_CASE("law, audit and plot say what they read when given a certificate about
         CHECK_THAT(result.err, Contains("'box.dbc' is about initial conditions") && Contains(needed));
     }
     CHECK(folder.names() == Words{"box.dbc"});
+    (void)dumbbell({"trace", "10", "--incoming", "--subdivide", "--max-boxes", "20", "--out", "in.dbc"},
+                   folder.path());
+    CHECK_THAT(dumbbell({"law", "in.dbc"}, folder.path()).err,
+               Contains("'in.dbc' is about all incoming trajectories"));
 }
 
 TEST_CASE("law without a file states the law for every mass ratio, and what the verifier says of it") {

@@ -24,7 +24,7 @@ using make::mutated_initial;
 namespace {
 
 SealedText sealed(const Rational& q, const Subdivision& parts) {
-    return render({.box = incoming_box(q), .incoming = true, .tree = parts.tree});
+    return render({.box = incoming_box(q), .tree = parts.tree, .incoming = true});
 }
 
 /// s sqrt(q/(1 - s^2)).
