@@ -65,7 +65,8 @@ Range asin_bounds(const Rational& x, int bits) {
 void place_by_heights(GivenStart& start, const std::string& text, int bits) {
     const Range heights = parse_pair("--heights", text);
     require_apart(text, heights, bits);
-    const auto& [light, heavy] = heights;
+    const Rational& light = heights.first;
+    const Rational& heavy = heights.second;
     const Rational sine = light - heavy;
     start.meaning.phi = exact_asin(sine);
     set(start.box, InitialAxis::phi,
