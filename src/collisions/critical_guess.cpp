@@ -73,15 +73,9 @@ double guess_critical_ratio(long n, const Interrupted& interrupted) {
     const flight::ExtremalFlight flight = flight::tangent_flight(n);
     const auto f = [&](double q) { return guessed_margin(flight, q, interrupted); };
 
-    // Theorem 4 says where about; the law (law.md) how far beyond at most.
-    const auto about = [&](double beyond) {
-        return std::pow((static_cast<double>(n - 2) + beyond) / 0.8855951, 2);
-    };
-    double lo = std::max(1.0, about(-0.02));
-    if (!(f(lo) < 0 && f(lo) > far)) {
-        lo = 1;
-    }
-    double hi = std::max(2.0, about(0.12) + 1);
+    const double about = std::pow(static_cast<double>(n - 2) / 0.8855951, 2);
+    double lo = 1;
+    double hi = std::max(2.0, about * 1.1 + 2);
     while (f(hi) < 0 && !interrupted()) {
         lo = hi;
         hi *= 1.5;
