@@ -60,12 +60,12 @@ struct Bracket {
     BigInterval zero;  ///< in the range
 };
 
-/// The r where the margin is 0, from its value at a thin r of the bracket: every zero lies there, and if that
-/// is in the bracket there is exactly one; nothing if it is not.
-std::optional<BigInterval> newton(const BigInterval& range, const BigInterval& rate, const BigInterval& r,
-                                  const BigInterval& value) {
-    const BigInterval zero = r - value / rate;
-    const bool inside = certainly_at_most(low_end(range), zero) && certainly_at_most(zero, high_end(range));
+/// The r where the margin is 0, from its value at a thin r of the bracket's range: every zero lies there, and
+/// if that is in the range there is exactly one; nothing if it is not.
+std::optional<BigInterval> newton(const Bracket& bracket, const BigInterval& r, const BigInterval& value) {
+    const BigInterval zero = r - value / bracket.rate;
+    const bool inside =
+        certainly_at_most(low_end(bracket.range), zero) && certainly_at_most(zero, high_end(bracket.range));
     return inside ? std::optional(zero) : std::nullopt;
 }
 
@@ -82,12 +82,16 @@ std::optional<Bracket> bracket_from(const BigInterval& r, const ExtremalFlight& 
         return std::nullopt;
     }
     const auto over = last_flight(first_moving_ray(flight.orbit, range), flight, options);
-    const BigInterval rate = over ? margin_rate(*over) : BigInterval(0);
-    if (!certainly_positive(-rate)) {
+    Bracket bracket{range, over ? margin_rate(*over) : BigInterval(0), r};
+    if (!certainly_positive(-bracket.rate)) {
         return std::nullopt;
     }
-    const auto zero = newton(range, rate, r, *value);
-    return zero ? std::optional(Bracket{range, rate, *zero}) : std::nullopt;
+    const auto zero = newton(bracket, r, *value);
+    if (!zero) {
+        return std::nullopt;
+    }
+    bracket.zero = *zero;
+    return bracket;
 }
 
 CriticalRatio critical_ratio(long n, const BigInterval& r) {
@@ -104,7 +108,7 @@ std::optional<CriticalRatio> refined(long n, Bracket& bracket, const ExtremalFli
     for (;;) {
         const BigInterval r = midpoint(bracket.zero);
         const auto value = margin_at(flight, r, options);
-        const auto zero = value ? newton(bracket.range, bracket.rate, r, *value) : std::nullopt;
+        const auto zero = value ? newton(bracket, r, *value) : std::nullopt;
         if (!zero) {
             return std::nullopt;
         }

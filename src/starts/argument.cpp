@@ -7,7 +7,7 @@
 namespace dumbbell::starts {
 namespace {
 
-/// Of the comparison of two angles: numbers of 1,000 characters differ from multiples of pi by more.
+/// Of the comparison of two angles; closer ones are taken to be in order.
 constexpr int comparing_bits = 8192;
 
 bool is_negative(std::string_view text) { return text.starts_with('-'); }

@@ -9,47 +9,32 @@
 namespace dumbbell::starts {
 namespace {
 
+struct Words {
+    const char* name;  ///< in JSON
+    const char* kind;
+    const char* near;  ///< what something is on or near to
+};
+
+/// Of each Obstacle.
+constexpr std::array<Words, obstacles> words{
+    {{"flat", "fall flat", "a fall flat, a contact of both masses at once"},
+     {"corner", "corner", "a corner, a contact of both masses at once"},
+     {"graze", "grazing contact", "a grazing contact"},
+     {"corner_or_graze", "corner or grazing contact",
+      "a corner, a contact of both masses at once, or a grazing contact"},
+     {"other", "neither", ""}}};
+
+const Words& words_of(Obstacle obstacle) { return words.at(static_cast<std::size_t>(obstacle)); }
+
 const char* name(ExactKind kind) {
     return kind == ExactKind::flat ? "flat" : kind == ExactKind::corner ? "corner" : "graze";
 }
 
 }  // namespace
 
-const char* name(Obstacle obstacle) {
-    switch (obstacle) {
-        case Obstacle::flat:
-            return "flat";
-        case Obstacle::corner:
-            return "corner";
-        case Obstacle::graze:
-            return "graze";
-        case Obstacle::corner_or_graze:
-            return "corner_or_graze";
-        case Obstacle::other:
-            break;
-    }
-    return "other";
-}
-
-std::string event_words(Obstacle obstacle) {
-    switch (obstacle) {
-        case Obstacle::flat:
-            return "a fall flat, a contact of both masses at once";
-        case Obstacle::corner:
-            return "a corner, a contact of both masses at once";
-        case Obstacle::graze:
-            return "a grazing contact";
-        case Obstacle::corner_or_graze:
-            return "a corner, a contact of both masses at once, or a grazing contact";
-        case Obstacle::other:
-            break;
-    }
-    return "";
-}
+std::string event_words(Obstacle obstacle) { return words_of(obstacle).near; }
 
 std::string kinds_text(const Subdivision& parts) {
-    constexpr std::array<const char*, obstacles> words{"fall flat", "corner", "grazing contact",
-                                                       "corner or grazing contact", "neither"};
     std::string text;
     const auto add = [&](const char* word, long boxes) {
         if (boxes > 0) {
@@ -59,7 +44,7 @@ std::string kinds_text(const Subdivision& parts) {
         }
     };
     for (std::size_t i = 0; i < obstacles; ++i) {
-        add(words.at(i), parts.near.at(i));
+        add(words.at(i).kind, parts.near.at(i));
     }
     add("not looked at", parts.unexplained);
     return text.empty() ? "" : text + "\n";
@@ -68,7 +53,7 @@ std::string kinds_text(const Subdivision& parts) {
 Json kinds_json(const Subdivision& parts) {
     Json kinds = Json::object();
     for (std::size_t i = 0; i < obstacles; ++i) {
-        kinds.add(name(static_cast<Obstacle>(i)), parts.near.at(i));
+        kinds.add(words.at(i).name, parts.near.at(i));
     }
     kinds.add("not_looked_at", parts.unexplained);
     return kinds;
@@ -83,7 +68,7 @@ std::string corner_words(const ExactEvent& event) {
 Json event_json(const std::optional<ExactEvent>& event, const std::optional<Obstacle>& obstacle,
                 std::size_t collisions) {
     const bool none_collides = event && event->kind == ExactKind::graze;
-    return Json::object({{"kind", event ? name(event->kind) : name(*obstacle)},
+    return Json::object({{"kind", event ? name(event->kind) : words_of(*obstacle).name},
                          {"certain", event.has_value()},
                          {"collision", none_collides ? Json() : Json(collisions + 1)},
                          {"time", event && event->time ? Json(to_fraction(*event->time)) : Json()}});

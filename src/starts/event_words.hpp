@@ -10,9 +10,6 @@
 /// How corners, falls flat and grazing contacts are said.
 namespace dumbbell::starts {
 
-/// One word, as in JSON: `flat`, `corner_or_graze`.
-[[nodiscard]] const char* name(Obstacle obstacle);
-
 /// What a start, or a part of a box, is on or near to: `a grazing contact`; empty for `other`.
 [[nodiscard]] std::string event_words(Obstacle obstacle);
 

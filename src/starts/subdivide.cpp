@@ -70,19 +70,25 @@ std::optional<InitialAxis> split_axis(const InitialBox& box, const Tree::Depths&
     return best ? std::optional(static_cast<InitialAxis>(*best)) : std::nullopt;
 }
 
-Judged judge(const InitialBox& given, const Tree::Depths& depths, const SubdivideOptions& options) {
-    if (options.incoming && is_unbounded(given)) {
-        const bool may = depths[static_cast<std::size_t>(InitialAxis::phidot)] < options.max_depth;
-        return {judge_falling(given.lower(InitialAxis::ratio)),
-                may ? std::optional(InitialAxis::phidot) : std::nullopt};
-    }
-    const InitialBox& box = options.incoming ? states_of_incoming(given) : given;
+Judged judge_states(const InitialBox& box, const Tree::Depths& depths, const SubdivideOptions& options) {
     Judged result{judge_initial(box, options.bits), std::nullopt};
     if (result.leaf.most != result.leaf.least) {
         result.split =
             split_axis(box, depths, static_cast<std::size_t>(result.leaf.least), options.max_depth);
     }
     return result;
+}
+
+Judged judge(const InitialBox& box, const Tree::Depths& depths, const SubdivideOptions& options) {
+    if (!options.incoming) {
+        return judge_states(box, depths, options);
+    }
+    if (!is_unbounded(box)) {
+        return judge_states(states_of_incoming(box), depths, options);
+    }
+    const bool may = depths[static_cast<std::size_t>(InitialAxis::phidot)] < options.max_depth;
+    return {judge_falling(box.lower(InitialAxis::ratio)),
+            may ? std::optional(InitialAxis::phidot) : std::nullopt};
 }
 
 /// The boxes of one generation; the results do not depend on how the work is shared out.
@@ -119,15 +125,17 @@ void include(Subdivision& result, const InitialLeaf& leaf, int depth) {
     ++sum.boxes;
 }
 
-/// What an undecided box is on or near to.
-Obstacle obstacle_in(const InitialBox& given, bool incoming) {
+Obstacle obstacle_of_states(const InitialBox& box) {
     constexpr long most_spans = 1024;
-    if (incoming && is_unbounded(given)) {
-        return Obstacle::other;
-    }
-    const InitialBox& box = incoming ? states_of_incoming(given) : given;
     const BoxJets<Interval> jets(box);
     return find_obstacle(follow(jets.state(), most_spans), natural_state<Interval>(box));
+}
+
+/// What an undecided box is on or near to.
+Obstacle obstacle_in(const InitialBox& box, bool incoming) {
+    return !incoming           ? obstacle_of_states(box)
+           : is_unbounded(box) ? Obstacle::other
+                               : obstacle_of_states(states_of_incoming(box));
 }
 
 /// Names what the undecided among the boxes of a generation are on or near to.

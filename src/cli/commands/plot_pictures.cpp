@@ -107,6 +107,14 @@ Certificate verified_dumbbell(const PlotRequest& request, const char* picture, c
     return certificate;
 }
 
+/// One of another kind, which knows of no scene but the dumbbell's.
+template <class Kind>
+Kind verified_certificate(const PlotRequest& request, const char* picture, const char* make) {
+    auto certificate = certificate_of<Kind>(request.file, picture, make);
+    (void)verified(request.file, name(collisions::Scene::dumbbell));
+    return certificate;
+}
+
 /// Is it a mass ratio, not the name of a file? Throws InputError if it is neither, but begins like a number.
 bool is_ratio(const std::string& text) {
     try {
@@ -215,21 +223,18 @@ std::string draw_orbit(const PlotRequest& request) {
 }
 
 std::string draw_phase(const PlotRequest& request) {
-    const auto certificate = certificate_of<starts::InitialCertificate>(request.file, "phase", make_initial);
-    (void)verified(request.file, name(collisions::Scene::dumbbell));
-    return pictures::phase_svg(certificate);
+    return pictures::phase_svg(
+        verified_certificate<starts::InitialCertificate>(request, "phase", make_initial));
 }
 
 std::string draw_shares(const PlotRequest& request) {
-    const auto certificate = certificate_of<starts::InitialCertificate>(request.file, "shares", make_initial);
-    (void)verified(request.file, name(collisions::Scene::dumbbell));
-    return pictures::shares_svg(certificate);
+    return pictures::shares_svg(
+        verified_certificate<starts::InitialCertificate>(request, "shares", make_initial));
 }
 
 std::string draw_adiabatic(const PlotRequest& request) {
     const auto certificate =
-        certificate_of<adiabatic::AdiabaticCertificate>(request.file, "adiabatic", make_adiabatic);
-    (void)verified(request.file, name(collisions::Scene::dumbbell));
+        verified_certificate<adiabatic::AdiabaticCertificate>(request, "adiabatic", make_adiabatic);
     return adiabatic_svg(certificate);
 }
 

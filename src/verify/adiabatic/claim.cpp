@@ -1,5 +1,7 @@
 #include "verify/adiabatic/claim.hpp"
 
+#include "verify/starts/claim.hpp"
+
 namespace dumbbell_verify {
 namespace {
 
@@ -58,16 +60,6 @@ std::optional<Adiabatic::Kind> adiabatic_kind(std::string_view name) {
     for (const auto kind : {Adiabatic::bounce, Adiabatic::run, Adiabatic::scattering, Adiabatic::printed})
         if (Adiabatic::names.at(kind) == name) return kind;
     return std::nullopt;
-}
-
-std::string decimals(const mpq_class& x, bool upward, unsigned places) {
-    mpz_class scale, rest, digits;
-    mpz_ui_pow_ui(scale.get_mpz_t(), 10, places);
-    const mpz_class scaled = x.get_num() * scale;
-    (upward ? mpz_cdiv_q : mpz_fdiv_q)(digits.get_mpz_t(), scaled.get_mpz_t(), x.get_den_mpz_t());
-    std::string text = digits.get_str();
-    if (text.size() <= places) text.insert(0, places + 1 - text.size(), '0');
-    return places == 0 ? text : text.insert(text.size() - places, ".");
 }
 
 std::vector<Adiabatic::Summary> Adiabatic::summaries() const {

@@ -47,7 +47,4 @@ struct Adiabatic {
 /// The kind with this name, if there is one.
 std::optional<Adiabatic::Kind> adiabatic_kind(std::string_view name);
 
-/// x >= 0 with this number of decimals, rounded up or down.
-std::string decimals(const mpq_class& x, bool upward, unsigned places = 6);
-
 }  // namespace dumbbell_verify

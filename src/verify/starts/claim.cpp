@@ -3,24 +3,7 @@
 namespace dumbbell_verify {
 namespace {
 
-constexpr std::size_t decimals = 12;
-constexpr long one = 1'000'000'000'000;  // 10^decimals
-
-std::string decimal(const mpz_class& units) {
-    const std::string digits = units.get_str();
-    return "0." + std::string(decimals - digits.size(), '0') + digits;
-}
-/// x in [0, 1] with twelve decimals, rounded down.
-std::string decimal(const mpq_class& x) {
-    return x >= 1 ? "1" : decimal(mpz_class(x.get_num() * one / x.get_den()));
-}
-/// The same with all decimals of 1, rounded down or up.
-std::string bound(const mpq_class& x, bool up) {
-    mpz_class units = x.get_num() * one;
-    if (up) units += x.get_den() - 1;
-    units /= x.get_den();
-    return units >= one ? "1." + std::string(decimals, '0') : decimal(units);
-}
+constexpr unsigned share_places = 12;
 
 std::string shares_json(const StartShares& shares) {
     std::string text;
@@ -35,6 +18,16 @@ std::string shares_json(const StartShares& shares) {
 std::string header_name(std::size_t axis) { return axis == 4 ? "ratio" : std::string(initial_axes[axis]); }
 
 }  // namespace
+
+std::string decimals(const mpq_class& x, bool upward, unsigned places) {
+    mpz_class scale, rest, digits;
+    mpz_ui_pow_ui(scale.get_mpz_t(), 10, places);
+    const mpz_class scaled = x.get_num() * scale;
+    (upward ? mpz_cdiv_q : mpz_fdiv_q)(digits.get_mpz_t(), scaled.get_mpz_t(), x.get_den_mpz_t());
+    std::string text = digits.get_str();
+    if (text.size() <= places) text.insert(0, places + 1 - text.size(), '0');
+    return places == 0 ? text : text.insert(text.size() - places, ".");
+}
 
 std::string Initial::missing(const Collisions& demand) const {
     const mpq_class &lo = box.lo.back(), &hi = box.hi.back();
@@ -52,17 +45,16 @@ std::string Initial::text() const {
     for (std::size_t i = incoming ? 4 : 0; i < initial_axes.size(); ++i)
         result += " " + header_name(i) + "=" + to_string(box.lo[i], box.hi[i]);
     return result + " collisions=" + std::to_string(least) + ":" + (most ? std::to_string(*most) : "none") +
-           " decided=" + decimal(decided);
+           " decided=" + (decided == 1 ? "1" : decimals(decided, false, share_places));
 }
 
 std::string Initial::json() const {
-    const auto range = [&](std::size_t i) {
-        return "\"" + header_name(i) + "\":{\"lo\":\"" + to_string(box.lo[i]) + "\",\"hi\":\"" +
-               to_string(box.hi[i]) + "\"}";
-    };
-    std::string result = "{\"kind\":\"initial-conditions\",\"box\":{";
-    for (std::size_t i = 0; i < initial_axes.size(); ++i) result += (i > 0 ? "," : "") + range(i);
-    return (incoming ? "{\"kind\":\"incoming\"," + range(4) : result + "}") +
+    std::string sides;
+    for (std::size_t i = incoming ? 4 : 0; i < initial_axes.size(); ++i)
+        sides += (sides.empty() ? "\"" : ",\"") + header_name(i) + "\":{\"lo\":\"" + to_string(box.lo[i]) +
+                 "\",\"hi\":\"" + to_string(box.hi[i]) + "\"}";
+    return (incoming ? "{\"kind\":\"incoming\"," + sides
+                     : "{\"kind\":\"initial-conditions\",\"box\":{" + sides + "}") +
            ",\"least\":" + std::to_string(least) + ",\"most\":" + (most ? std::to_string(*most) : "null") +
            ",\"decided\":\"" + to_string(decided) + "\"" +
            (shares ? ",\"shares\":" + shares_json(*shares) : "") + "}";
@@ -76,7 +68,7 @@ std::string Initial::paragraph() const {
         const std::string counts = std::to_string(row.least) + (row.most == row.least ? "" : "-") +
                                    (row.most && *row.most > row.least ? std::to_string(*row.most) : "");
         text += std::string(counts.size() < 12 ? 12 - counts.size() : 0, ' ') + counts + "  " +
-                bound(row.lo, false) + " to " + bound(row.hi, true) + "\n";
+                decimals(row.lo, false, share_places) + " to " + decimals(row.hi, true, share_places) + "\n";
     }
     return text;
 }

@@ -7,6 +7,9 @@
 
 namespace dumbbell_verify {
 
+/// x >= 0 with this number of decimals, rounded up or down.
+std::string decimals(const mpq_class& x, bool upward, unsigned places = 6);
+
 /// phi, phidot, y, ydot and the mass ratio q, in this order.
 inline constexpr std::array<std::string_view, 5> initial_axes{"phi", "phidot", "y", "ydot", "q"};
 struct InitialBox {

@@ -18,6 +18,14 @@ struct Sides {
     }
 };
 
+/// A single start.
+inline dumbbell::starts::InitialBox point(const dumbbell::Rational& phi, const dumbbell::Rational& phidot,
+                                          const dumbbell::Rational& y, const dumbbell::Rational& ydot,
+                                          const dumbbell::Rational& q) {
+    const std::array<dumbbell::Rational, dumbbell::starts::initial_axes> at{phi, phidot, y, ydot, q};
+    return {at, at};
+}
+
 inline double uniform(std::mt19937_64& engine, double lo, double hi) {
     return std::uniform_real_distribution<double>(lo, hi)(engine);
 }

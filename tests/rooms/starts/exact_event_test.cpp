@@ -4,18 +4,14 @@
 #include <cmath>
 #include <tuple>
 
+#include "box.hpp"
 #include "starts/trace.hpp"
 
 using namespace dumbbell;
 using namespace dumbbell::starts;
+using dumbbell_trace_test::point;
 
 namespace {
-
-InitialBox point(const Rational& phi, const Rational& phidot, const Rational& y, const Rational& ydot,
-                 const Rational& q) {
-    const std::array<Rational, initial_axes> at{phi, phidot, y, ydot, q};
-    return {at, at};
-}
 
 std::optional<Rational> corner_time(const InitialBox& box) {
     const auto event = exact_event(box);

@@ -4,19 +4,15 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "box.hpp"
 #include "starts/subdivide.hpp"
 #include "starts/trace.hpp"
 
 using namespace dumbbell;
 using namespace dumbbell::starts;
+using dumbbell_trace_test::point;
 
 namespace {
-
-InitialBox point(const Rational& phi, const Rational& phidot, const Rational& y, const Rational& ydot,
-                 const Rational& q) {
-    const std::array<Rational, initial_axes> at{phi, phidot, y, ydot, q};
-    return {at, at};
-}
 
 std::optional<Obstacle> obstacle_of(const InitialBox& box, int digits = 0) {
     const Trace traced = trace(box, digits);
