@@ -9,12 +9,14 @@
 namespace dumbbell {
 
 std::string shipped_certificate(std::string_view name) {
-    // bin/dumbbell below a prefix, or build/bin/dumbbell below the source.
-    const auto above = std::filesystem::read_symlink("/proc/self/exe").parent_path().parent_path();
-    for (const auto& folder : {above / "share/dumbbell/certificates", above.parent_path() / "certificates"}) {
+    // bin/dumbbell below a prefix, or below build/ or build/PRESET/ in the source tree.
+    const auto prefix = std::filesystem::read_symlink("/proc/self/exe").parent_path().parent_path();
+    for (const auto& folder : {prefix / "share/dumbbell/certificates", prefix / "../certificates",
+                               prefix / "../../certificates"}) {
         std::error_code error;
-        if (std::filesystem::is_regular_file(folder / name, error)) {
-            return (folder / name).string();
+        const auto file = (folder / name).lexically_normal();
+        if (std::filesystem::is_regular_file(file, error)) {
+            return file.string();
         }
     }
     throw InputError(

@@ -19,16 +19,17 @@ const findings = (page) =>
         return violations.map(({ id, impact, nodes }) => `${impact}: ${id}: ${nodes.slice(0, 3).map((node) => node.html.slice(0, 120)).join(" | ")}`);
     });
 
-for (const colorScheme of ["light", "dark"]) {
-    for (const width of [400, 1280]) {
-        test(`axe finds nothing at ${width} px, ${colorScheme}, with everything unfolded`, async () => {
-            const page = await open(browser, everything, { viewport: { width, height: 900 }, colorScheme });
-            await page.evaluate(() => document.querySelectorAll("details").forEach((details) => (details.open = true)));
-            await page.evaluate(axe);
-            assert.deepEqual(await findings(page), []);
-            await page.close();
-        });
-    }
+for (const width of [400, 1280]) {
+    test(`axe finds nothing at ${width} px, light and dark, with everything unfolded`, async () => {
+        const page = await open(browser, everything, { viewport: { width, height: 900 } });
+        await page.evaluate(() => document.querySelectorAll("details").forEach((details) => (details.open = true)));
+        await page.evaluate(axe);
+        for (const colorScheme of ["light", "dark"]) {
+            await page.emulateMedia({ colorScheme });
+            assert.deepEqual(await findings(page), [], colorScheme);
+        }
+        await page.close();
+    });
 }
 
 test("axe does find what is wrong", async () => {
