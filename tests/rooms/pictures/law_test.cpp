@@ -86,7 +86,7 @@ TEST_CASE("a tooth is N - C sqrt q, from the one end of its piece to the other")
     CHECK(heights.value(teeth.back().y) == Approx(10 - C * std::sqrt(100.0)).margin(a_pixel));
 }
 
-TEST_CASE("beyond the certificate lies the law's band, in (1 - c0 q^(-1/4), 2], and so do its strips") {
+TEST_CASE("beyond the certificate the law's band lies above 1 - c0 q^(-1/4), up to 2, and so do its strips") {
     const std::string svg = law_svg(near_nine(), 1e12);
     const Heights heights(svg);
     const auto band = points(paths(svg, "law").at(0));
