@@ -31,7 +31,8 @@ function(dumbbell_add_tests name)
   target_include_directories(test_${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
   target_link_libraries(test_${name} PRIVATE dumbbell_options dumbbell_catch_main ${arg_LIBS})
   set_target_properties(test_${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR})
-  # A name that matches no test case is a failure: one with an unpaired bracket swallows those that follow it.
+  # A name that matches no test case is a failure: cmake splits one that has a semicolon, and joins one that has an
+  # unpaired bracket to those that follow it.
   catch_discover_tests(test_${name} TEST_PREFIX "${name}/" EXTRA_ARGS -w NoTests)
 
   # ctest reads this after the list that catch_discover_tests made. A program that crashes when it is

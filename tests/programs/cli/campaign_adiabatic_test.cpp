@@ -48,7 +48,8 @@ const Words bounces{"--theorem", "lemma3.1", "--delta", "0.01,0.02:0.03,0.05"};
 
 }  // namespace
 
-TEST_CASE("a grid is planned, run and merged; each line has the certificate that adiabatic --out writes") {
+TEST_CASE(
+    "a grid is planned, run and merged, and each line has the certificate that adiabatic --out writes") {
     Campaign campaign(bounces);
     CHECK(campaign.run().code == 0);
     CHECK(campaign.merge().code == 0);

@@ -99,7 +99,7 @@ TEST_CASE("a certificate depends on nothing but the claim: not on the jobs, the 
     CHECK(contents(certificate(folder, "1:50", {"--jobs", "8", "--budget", "1h", "--witness"})) == one);
 }
 
-TEST_CASE("nor on the backend of the batch kernel; one that the machine lacks is refused") {
+TEST_CASE("nor on the backend of the batch kernel, and one that the machine lacks is refused") {
     const TemporaryFolder folder;
     const std::string one = contents(certificate(folder, "1:50", {}));
     ::setenv("DUMBBELL_BACKEND", "plain", 1);

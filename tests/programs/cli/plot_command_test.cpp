@@ -142,7 +142,7 @@ TEST_CASE("a certificate of another kind is refused with the command that makes 
     CHECK_THAT(refusal({"orbit", "wedge.dbc"}), Contains("scene wedge"));
 }
 
-TEST_CASE("a range needs --ratio, and one that it has; nothing else takes it") {
+TEST_CASE("a range needs --ratio, and one that it has, and nothing else takes it") {
     CHECK_THAT(refusal({"cover", "stairs.dbc"}), Contains("--ratio"));
     CHECK_THAT(refusal({"orbit", "stairs.dbc"}), Contains("--ratio"));
     CHECK_THAT(refusal({"cover", "stairs.dbc", "--ratio", "13"}),

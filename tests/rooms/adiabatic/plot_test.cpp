@@ -48,7 +48,7 @@ TEST_CASE(
     CHECK_THAT(path, Contains("L" + x + " "));
 }
 
-TEST_CASE("without a proved bound there is no line for it; one far outside is told in words") {
+TEST_CASE("without a proved bound there is no line for it, and one far outside is told in words") {
     AdiabaticCertificate certificate = sample(AdiabaticClaim::run, 20);
     certificate.bounds.clear();
     CHECK(count_of(adiabatic_svg(certificate), "class=\"bound\"") == 0);

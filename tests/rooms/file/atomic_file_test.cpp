@@ -136,7 +136,8 @@ TEST_CASE("what a killed program left is not written into: it may have another n
     CHECK(folder.names() == Names{"file", "mine"});
 }
 
-TEST_CASE("a file keeps its access rights, whatever was left under the temporary name; a link is replaced") {
+TEST_CASE(
+    "a file keeps its access rights, whatever was left under the temporary name, and a link is replaced") {
     const TemporaryFolder folder;
     const auto mode = [](const std::string& file) {
         struct stat status {};

@@ -56,7 +56,7 @@ TEST_CASE("a cover is cut at one mass ratio: boxes of other ratios are not in th
     CHECK(boxes_in(cover_svg(turning_piece(), 4)) == 3);
 }
 
-TEST_CASE("each chart has its frame, its axes' names and its boxes; the witness is marked") {
+TEST_CASE("each chart has its frame, its axes' names and its boxes, and the witness is marked") {
     const std::string svg = cover_svg(turning_piece(), 5);
     CHECK_THAT(svg, Contains("chart bridge") && Contains("chart light") &&
                         Contains(">e: angle from the corner<") &&

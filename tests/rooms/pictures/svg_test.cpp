@@ -32,7 +32,7 @@ TEST_CASE("letters of two bytes are as wide as others") {
     CHECK(text_width("\xcf\x80\xcf\x80") == text_width("pi"));
 }
 
-TEST_CASE("every element makes a well-formed page; the same calls give the same bytes") {
+TEST_CASE("every element makes a well-formed page, and the same calls give the same bytes") {
     const auto drawn = [] {
         Svg svg(200, 100, "all");
         svg.colour("kind", "fill", {"#123", "#fed"});

@@ -43,7 +43,7 @@ bool turns_everywhere(const Outline& outline) {
 
 }  // namespace
 
-TEST_CASE("one box is its own outline; no box has none") {
+TEST_CASE("one box is its own outline, and no box has none") {
     CHECK(united({}).empty());
     const auto outlines = united({box(0, 0, 2, 1)});
     REQUIRE(outlines.size() == 1);

@@ -35,7 +35,7 @@ bool touches_before(const InitialBox& box, double time) {
 
 }  // namespace
 
-TEST_CASE("a level rod without spin falls flat; one that rises, or is a hair off level, does not") {
+TEST_CASE("a level rod without spin falls flat, and one that rises, or is a hair off level, does not") {
     CHECK(corner_time(point(0, 0, 3, -1, 10)) == Rational(3));
     CHECK(corner_time(point(0, 0, 3, -2, 10)) == Rational(3, 2));
     CHECK_FALSE(corner_time(point(0, 0, 3, 1, 10)));

@@ -51,7 +51,7 @@ TEST_CASE("what is not proved is named") {
           "lemma=4.1 the files have no mass ratio in common");
 }
 
-TEST_CASE("a gap's excess of one is counted; nothing but gaps proves nothing") {
+TEST_CASE("a gap's excess of one is counted, and nothing but gaps proves nothing") {
     const Comparison found = compared("4.1", {{1, 3, 4, 4}, {3, 4, 5, 4}, {4, 6, 5, 5}},
                                       {{1, 3, 4, 4}, {3, 4, 5, 4}, {4, 6, 5, 5}});
     CHECK(found.holds);

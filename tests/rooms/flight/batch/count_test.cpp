@@ -219,7 +219,7 @@ TEST_CASE("The counts stop at their cap") {
 }
 
 TEST_CASE(
-    "Rays that are too steep or too high never collide; bounds below the domain are taken as its edge") {
+    "Rays that are too steep or too high never collide, and bounds below the domain are taken as its edge") {
     for (const PlainRay& ray : {PlainRay{0, 1, 0.1}, {0.5, 2, 1}, {1.5, 0, 0.5}, {1e9, 0.5, 1e-3}}) {
         CAPTURE(show(ray));
         CHECK(answer(query(ray), Backend::plain).count == 0);
@@ -229,7 +229,7 @@ TEST_CASE(
     CHECK(low.count == answer(query({0, -1, 0.1}), Backend::plain).count);
 }
 
-TEST_CASE("NaN never gives a small upper count, nor a positive lower one; nor does a ratio that is none") {
+TEST_CASE("NaN never gives a small upper count, nor a positive lower one, nor does a ratio that is none") {
     for (const Backend backend : batch::backends()) {
         for (int which = 1; which < 8; ++which) {
             const auto part = [&](int bit) { return (which & bit) != 0 ? not_a_number : 0.01; };
