@@ -26,10 +26,10 @@ struct CriticalOptions {
     Observer* observer = &nobody;  ///< told of flights that are enclosed
 };
 
-inline constexpr int most_critical_digits = 200;
+inline constexpr int most_critical_digits = 1000;
 
 /// Nothing if interrupted, or if 16,384 bits do not give the digits. Precondition: n >= 3, 1 <= digits <=
-/// 200.
+/// 1000.
 [[nodiscard]] std::optional<CriticalRatio> enclose_critical_ratio(long n, const CriticalOptions& options);
 
 /// Whether it is certain that q_lo <= q_c(n) <= q_hi, by the signs of the margin at both ends alone, in twice

@@ -60,7 +60,7 @@ Step long_step(long n, double gap, const Interrupted& interrupted) {
 
 /// q_c(n) to some digits beyond the gap's width. Were it wrong, pieces would stay open.
 Step narrow_step(long n, double gap, const Interrupted& interrupted) {
-    const int digits = std::min(most_critical_digits, 8 - static_cast<int>(std::log10(gap)));
+    const int digits = 8 - static_cast<int>(std::log10(gap));
     const auto found = enclose_critical_ratio(n, {.digits = digits, .interrupted = interrupted});
     return found ? Step{n, found->q_lo, (found->q_hi - found->q_lo) / found->q_lo, false} : Step{};
 }

@@ -53,9 +53,9 @@ Rational parse_number(std::string_view option, const std::string& text) {
 
 Rational parse_gap(const std::string& text) {
     const Rational gap = parse_number("--gap", text);
-    if (gap <= 0 || gap > Rational(1, 100)) {
-        throw InputError(fmt::format(
-            "--gap {} is out of range: a relative width greater than 0 and at most 0.01", shortened(text)));
+    if (gap < parse_rational("1e-300") || gap > Rational(1, 100)) {
+        throw InputError(
+            fmt::format("--gap {} is out of range: a relative width from 1e-300 to 0.01", shortened(text)));
     }
     return gap;
 }

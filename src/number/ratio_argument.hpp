@@ -18,7 +18,7 @@ struct RatioArgument {
 /// Throws InputError for anything that is no ratio, is 0, has LO > HI, or crosses 1.
 [[nodiscard]] RatioArgument parse_ratio_argument(const std::string& text);
 
-/// REL of --gap: 0 < REL <= 0.01. Throws InputError.
+/// REL of --gap: 1e-300 <= REL <= 0.01. Throws InputError.
 [[nodiscard]] Rational parse_gap(const std::string& text);
 
 /// The exact number of an option. Throws InputError, which names the option.

@@ -13,7 +13,7 @@
 namespace dumbbell::api {
 
 struct CertifyOptions {
-    std::string gap = "1e-6";  ///< ranges: relative width of the gap around a critical ratio, in (0, 0.01]
+    std::string gap = "1e-6";  ///< ranges: relative width of the gap around a critical ratio, 1e-300 to 0.01
     int jobs = 1;              ///< threads, 1 to 1024; the result does not depend on it
     std::optional<std::chrono::duration<double>> budget =
         std::nullopt;  ///< what is not decided by then is left open

@@ -18,7 +18,7 @@ inline constexpr std::array claim_options{
            "what is covered: turning, or full (all collision states, forward only)", "turning"},
     Option{"--lemmas", "all|none",
            "with --section full: none for plain interval evaluation, without monotonicity", "all"},
-    Option{"--gap", "REL", "ranges: relative width of the gap around a critical ratio, at most 0.01",
+    Option{"--gap", "REL", "ranges: relative width of the gap around a critical ratio, from 1e-300 to 0.01",
            "1e-6"}};
 
 /// What is said first if the ratios were given below 1.

@@ -73,10 +73,9 @@ Rational parse_distance(const std::string& text, long n) {
     const Rational distance = parse_number("--confirm", text);
     // Neighbouring critical ratios are about 2/n apart, relatively.
     const Rational most = std::min(Rational(1, 100), Rational(Integer(1), Integer(n)));
-    if (distance <= 0 || distance > most ||
-        staircase::digits_to_confirm(distance) > collisions::most_critical_digits) {
+    if (distance < parse_rational("1e-300") || distance > most) {
         throw InputError(
-            fmt::format("--confirm {} is out of range: a relative distance from 1e-190 to {}, so that no "
+            fmt::format("--confirm {} is out of range: a relative distance from 1e-300 to {}, so that no "
                         "other step is near",
                         text, to_decimal(exact(cut_down(most, 2)), 2)));
     }

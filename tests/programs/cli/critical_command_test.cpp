@@ -28,12 +28,16 @@ TEST_CASE("critical 4 prints 15 proved digits, and what they rest on") {
                                Contains("do not use"));
 }
 
-TEST_CASE("critical 4 with 200 digits ends in the right ones") {
-    const auto four = json_of({"critical", "4", "--digits", "200"}).at("ratios").at(0);
-    const std::string digits = four.at("q_c");
-    CHECK(digits.size() == 201);
-    CHECK_THAT(digits, StartsWith("4.60333884875170035255658202910301651306739713416053234603943"));
-    CHECK_THAT(digits, Catch::Matchers::EndsWith("816266515463097253546184"));
+TEST_CASE("critical 4 with 200 and 1000 digits has the right ones") {
+    const auto digits = [](const char* n) {
+        return json_of({"critical", "4", "--digits", n}).at("ratios").at(0).at("q_c").get<std::string>();
+    };
+    const std::string some = digits("200"), many = digits("1000");
+    CHECK(some.size() == 201);
+    CHECK_THAT(some, StartsWith("4.60333884875170035255658202910301651306739713416053234603943"));
+    CHECK_THAT(some, Catch::Matchers::EndsWith("816266515463097253546184"));
+    CHECK(many.size() == 1001);
+    CHECK_THAT(many, StartsWith(some));
 }
 
 TEST_CASE("critical 3 is exactly 1") {
@@ -152,19 +156,19 @@ TEST_CASE("critical says how long a long computation will take before it begins"
     CHECK_THAT(outcome.err, StartsWith("dumbbell: this will take about ") && Contains(" minutes\n"));
 }
 
-TEST_CASE("critical confirms at distances of 1e-119 and 1e-180 too") {
-    for (const char* distance : {"1e-119", "1e-180"}) {
+TEST_CASE("critical confirms at distances of 1e-119 and 1e-300 too") {
+    for (const char* distance : {"1e-119", "1e-300"}) {
         CAPTURE(distance);
         CHECK(dumbbell({"critical", "4:5", "--confirm", distance}).code == 0);
     }
 }
 
 TEST_CASE("critical refuses options out of range") {
-    for (const char* digits : {"0", "201", "-1", "x", "1.5", ""}) {
+    for (const char* digits : {"0", "1001", "-1", "x", "1.5", ""}) {
         CAPTURE(digits);
         CHECK_THAT(refused({"critical", "4", "--digits", digits}), Contains("--digits"));
     }
-    for (const char* distance : {"0", "0.011", "1", "-1", "x", "", "nan", "1e-500", "1:2"}) {
+    for (const char* distance : {"0", "0.011", "1", "-1", "x", "", "nan", "9e-301", "1e-500", "1:2"}) {
         CAPTURE(distance);
         refused({"critical", "4", "--confirm", distance});
     }

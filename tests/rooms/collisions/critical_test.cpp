@@ -25,28 +25,29 @@ std::string digits_of(const CriticalRatio& ratio, int digits) {
     return to_text(*shared);
 }
 
-// sqrt(1 + x^2), x the first positive root of tan x = x, in 260 digits.
+// sqrt(1 + x^2), x the first positive root of tan x = x, in 1060 digits.
 std::string closed_form(std::size_t characters) {
-    using Digits260 = boost::multiprecision::number<boost::multiprecision::mpfr_float_backend<260>,
-                                                    boost::multiprecision::et_off>;
-    Digits260 x = 4.4934;
-    for (int i = 0; i < 12; ++i) {
+    using Digits1060 = boost::multiprecision::number<boost::multiprecision::mpfr_float_backend<1060>,
+                                                     boost::multiprecision::et_off>;
+    Digits1060 x = 4.4934;
+    for (int i = 0; i < 14; ++i) {
         x -= (sin(x) - x * cos(x)) / (x * sin(x));
     }
-    return Digits260(sqrt(1 + x * x)).str(250, std::ios::fixed).substr(0, characters);
+    return Digits1060(sqrt(1 + x * x)).str(1050, std::ios::fixed).substr(0, characters);
 }
 
 }  // namespace
 
 TEST_CASE("q_c(3) is 1, exactly, with any number of digits") {
-    for (const int digits : {1, 15, 50, 200}) {
+    for (const int digits : {1, 15, 50, 200, 1000}) {
         const CriticalRatio ratio = enclosed(3, digits);
         CHECK(ratio.q_lo == 1);
         CHECK(ratio.q_hi == 1);
     }
 }
 
-TEST_CASE("q_c(4) has the 200 digits of sqrt(1 + x^2), tan x = x") {
+TEST_CASE("q_c(4) has the 1000 digits of sqrt(1 + x^2), tan x = x") {
+    CHECK(digits_of(enclosed(4, 1000), 1000) == closed_form(1001));
     CHECK(digits_of(enclosed(4, 200), 200) == closed_form(201));
     CHECK(digits_of(enclosed(4, 15), 15) == "4.60333884875170");
 }
@@ -97,6 +98,17 @@ TEST_CASE("More digits refine: each shares the digits asked for, and begins with
     }
 }
 
+TEST_CASE("1000 digits lie within 200, and are certainly right by the signs of the margin") {
+    for (const long n : {4, 5, 30, 31}) {
+        CAPTURE(n);
+        const CriticalRatio coarse = enclosed(n, 200), fine = enclosed(n, most_critical_digits);
+        CHECK(coarse.q_lo < fine.q_lo);
+        CHECK(fine.q_hi < coarse.q_hi);
+        CHECK(fine.q_hi - fine.q_lo < fine.q_lo * parse_rational("1e-998"));
+        CHECK(certainly_encloses(fine));
+    }
+}
+
 TEST_CASE("The least sufficient precision is chosen") {
     CHECK(enclosed(4, 1).bits == 128);
     CHECK(enclosed(4, 15).bits == 128);
@@ -130,7 +142,7 @@ TEST_CASE("An interrupted enclosure is none, and what has no critical ratio is r
     int calls = 0;
     CHECK_FALSE(enclose_critical_ratio(100, {.digits = 15, .interrupted = [&] { return ++calls > 100; }}));
     CHECK_THROWS_AS(enclose_critical_ratio(2, {}), BrokenInvariant);
-    CHECK_THROWS_AS(enclose_critical_ratio(4, {.digits = 201}), BrokenInvariant);
+    CHECK_THROWS_AS(enclose_critical_ratio(4, {.digits = most_critical_digits + 1}), BrokenInvariant);
     CHECK_THROWS_AS(enclose_critical_ratio(4, {.digits = 0}), BrokenInvariant);
 }
 
