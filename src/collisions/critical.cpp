@@ -179,18 +179,4 @@ bool certainly_encloses(const CriticalRatio& ratio, const Interrupted& interrupt
     return below && above && certainly_positive(-*below) && certainly_positive(*above);
 }
 
-std::optional<long> bound_by_theorem(const Rational& q) {
-    if (q > 1'000'000) {
-        return std::nullopt;
-    }
-    const long guess = guess_maximum(q.convert_to<double>());
-    for (long n = std::max(2L, guess - 1); n <= guess + 1; ++n) {
-        const auto step = enclose_critical_ratio(n + 1, {});
-        if (step && q <= step->q_lo) {
-            return n;
-        }
-    }
-    return std::nullopt;
-}
-
 }  // namespace dumbbell::collisions

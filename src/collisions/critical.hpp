@@ -37,8 +37,4 @@ inline constexpr int most_critical_digits = 1000;
 /// orbit by the counts at both ends. Precondition: 1 <= q_lo <= q_hi; 53 <= bits <= 16,384.
 [[nodiscard]] bool certainly_encloses(const CriticalRatio& ratio, const Interrupted& interrupted = never);
 
-/// No trajectory has more collisions at a mass ratio of at most q >= 1: by theorem 2, as q <= q_c(n + 1). It
-/// is the maximum at q, or one more where 15 digits of q_c do not tell. Nothing beyond q = 10^6.
-[[nodiscard]] std::optional<long> bound_by_theorem(const Rational& q);
-
 }  // namespace dumbbell::collisions

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "base/error.hpp"
-#include "collisions/critical.hpp"
 #include "number/decimal.hpp"
 #include "pictures/frame.hpp"
 #include "pictures/palette.hpp"
@@ -83,10 +82,7 @@ std::vector<Tick> counts_ticks(double first, double last) {
 }  // namespace
 
 std::string shares_svg(const starts::InitialCertificate& certificate) {
-    const std::vector<ShareBounds> proved = starts::share_bounds(certificate.tree);
-    const auto maximum = collisions::bound_by_theorem(certificate.box.upper(starts::InitialAxis::ratio));
-    const std::vector<ShareBounds> possible = starts::up_to(proved, maximum);
-    const std::vector<Bar> bars = bars_of(possible);
+    const std::vector<Bar> bars = bars_of(starts::share_bounds(certificate.tree));
     if (std::none_of(bars.begin(), bars.end(), [](const Bar& bar) { return bar.lo > 0; })) {
         throw InputError("nothing of the box is decided: dumbbell trace with a greater --max-boxes");
     }
@@ -98,14 +94,10 @@ std::string shares_svg(const starts::InitialCertificate& certificate) {
     const Frame frame(left, top_margin + legend.height() + 12, width, plot_height,
                       {first - 0.5, last + 0.5, "number of collisions", counts_ticks(first, last)},
                       {least, 1.5, "share (logarithmic)", decades(least), Scale::logarithmic});
-    const std::string beyond =
-        possible.back().most == proved.back().most
-            ? ""
-            : fmt::format(" No trajectory has more than {} collisions (theorem 2).", *maximum);
     const auto caption =
         broken_lines(fmt::format("{}. Proved, box by box: each number of collisions has at least the share "
-                                 "of its bar and at most that of its hatched end.{}",
-                                 fixed_quantities(certificate), beyond),
+                                 "of its bar and at most that of its hatched end.",
+                                 fixed_quantities(certificate)),
                      width);
     const double caption_top = frame.bottom() + 66;
     Svg svg(page_width, caption_top + caption_step * static_cast<double>(caption.size()),

@@ -9,6 +9,12 @@
 namespace dumbbell::starts {
 namespace detail {
 
+template <class S>
+[[nodiscard]] State<Enclosure<S>> middle_of(const State<S>& s) {
+    return {midpoint(range(s.phi)),     midpoint(range(s.yhat)), midpoint(range(s.phidot)),
+            midpoint(range(s.yhatdot)), midpoint(range(s.r)),    Enclosure<S>(0)};
+}
+
 /// A better guess: Newton steps from the middle of the box, as many as the working precision needs.
 template <class S, class I>
 I polished_guess(const State<S>& s, Mass mass, I t) {
@@ -16,8 +22,7 @@ I polished_guess(const State<S>& s, Mass mass, I t) {
     for (int bits = 53; bits < PrecisionScope::current(); bits *= 2) {
         ++steps;
     }
-    const State<I> middle{midpoint(range(s.phi)),     midpoint(range(s.yhat)), midpoint(range(s.phidot)),
-                          midpoint(range(s.yhatdot)), midpoint(range(s.r)),    I(0)};
+    const State<I> middle = middle_of(s);
     for (; steps > 0; --steps) {
         const I next = midpoint(t - clearance(middle, mass, t) / clearance_rate(middle, mass, t));
         if (!certainly_less(I(0), next)) {

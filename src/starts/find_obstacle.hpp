@@ -101,8 +101,7 @@ I lowest_time(const State<I>& middle, Mass mass, I t) {
 
 template <class I>
 Suspicion from_air(const State<I>& s) {
-    const State<I> middle{midpoint(s.phi),     midpoint(s.yhat), midpoint(s.phidot),
-                          midpoint(s.yhatdot), midpoint(s.r),    I(0)};
+    const State<I> middle = middle_of(s);
     const double phi = approximate(s.phi), phidot = approximate(s.phidot), yhatdot = approximate(s.yhatdot);
     const double r = approximate(s.r);
     const auto guess = guess_first_contact(phi, approximate(s.yhat), phidot, yhatdot, r);

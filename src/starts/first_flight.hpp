@@ -70,6 +70,19 @@ template <class S, class I>
     return true;
 }
 
+/// The mass that seems to touch first: next to a corner, where both nearly do, not always that of the guess.
+template <class S>
+[[nodiscard]] Mass seemingly_first(const State<S>& s, const FirstContactGuess& guess) {
+    using I = Enclosure<S>;
+    const Mass other = guess.mass == Mass::light ? Mass::heavy : Mass::light;
+    const I time = detail::polished_guess(s, guess.mass, I(guess.time));
+    const I before = detail::polished_guess(s, other, I(guess.time));
+    const State<I> middle = detail::middle_of(s);
+    const bool is_contact = certainly_less(magnitude(clearance(middle, other, before)), I(0x1p-26)) &&
+                            certainly_positive(-clearance_rate(middle, other, before));
+    return is_contact && certainly_less(before, time) ? other : guess.mass;
+}
+
 /// What is certain without looking for a contact: every state ascends steeply (L3), or from above every wall.
 template <class S>
 [[nodiscard]] bool certainly_leaves_air(const State<S>& s) {
@@ -89,10 +102,10 @@ template <class S>
                                            approximate(range(s.phidot)), approximate(range(s.yhatdot)),
                                            approximate(range(s.r)));
     if (guess) {
-        auto time = contact_time(s, guess->mass, I(guess->time));
-        if (time && certainly_positive(range(*time)) &&
-            certainly_first(s, guess->mass, range(*time), most_spans)) {
-            return {Next::contact, guess->mass, std::move(time)};
+        const Mass mass = seemingly_first(s, *guess);
+        auto time = contact_time(s, mass, I(guess->time));
+        if (time && certainly_positive(range(*time)) && certainly_first(s, mass, range(*time), most_spans)) {
+            return {Next::contact, mass, std::move(time)};
         }
         return {};
     }

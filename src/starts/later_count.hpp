@@ -31,12 +31,18 @@ template <class I>
     return later > count_cap ? std::nullopt : std::optional(1 + later);
 }
 
-/// No regular trajectory has more collisions, for every ratio with 1/q >= r: a turning collision, or the
-/// contact with the bridge, and G on both sides (L2 (c), L6 (c)).
+/// No regular trajectory has more collisions, for every ratio with 1/q >= r: two at q = 1 (L7), else 2 + k0 +
+/// k1 (Theorem 1), and k1 <= k0 <= 1 + k1. It is the maximum at the greatest such q, unless that is so near
+/// to a critical ratio that the arithmetic does not tell.
 template <class I>
 [[nodiscard]] std::optional<long> most_collisions(const I& r) {
+    const I lowest = low_end(r);
+    if (certainly_at_most(I(1), lowest)) {
+        return 2;
+    }
     const auto later = most_later_collisions(r);
-    return later ? std::optional(1 + 2 * *later) : std::nullopt;
+    const long top = count_at_most(flight::Ray<I>{lowest, I(0), lowest}, count_cap);
+    return later && top <= count_cap ? std::optional(std::min(1 + 2 * *later, 2 + 2 * top)) : std::nullopt;
 }
 
 namespace detail {

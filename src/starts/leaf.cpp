@@ -27,7 +27,7 @@ template <class I>
 State<I> wider_state(const InitialBox& box, int bits) {
     const auto side = [&](std::size_t i) { return with_slack<I>(box.lo[i], box.hi[i], bits); };
     State<I> s = state_of(side(0), side(1), side(2), side(3), side(4));
-    s.r = min(s.r, I(1));
+    s.r = box.upper(InitialAxis::ratio) == 1 ? I(1) : min(s.r, I(1));
     return s;
 }
 
@@ -110,7 +110,7 @@ InitialLeaf judge_in(const InitialBox& box, int bits) {
 }  // namespace
 
 InitialLeaf judge_falling(const Rational& q) {
-    return {1, most_collisions(min(Interval(1) / with_slack<Interval>(q, q, double_bits), Interval(1)))};
+    return {1, most_collisions(q == 1 ? Interval(1) : Interval(1) / with_slack<Interval>(q, q, double_bits))};
 }
 
 InitialLeaf judge_initial(const InitialBox& box, int bits) {

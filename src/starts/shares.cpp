@@ -90,16 +90,6 @@ std::vector<ShareBounds> share_bounds(const std::vector<InitialNode>& tree) {
     return bounds;
 }
 
-std::vector<ShareBounds> up_to(std::vector<ShareBounds> bounds, const std::optional<long>& maximum) {
-    while (maximum && !bounds.empty() && bounds.back().least > *maximum) {
-        bounds.pop_back();
-    }
-    if (maximum && !bounds.empty() && (!bounds.back().most || *bounds.back().most > *maximum)) {
-        bounds.back().most = maximum;
-    }
-    return bounds;
-}
-
 std::string share_lines(const std::vector<ShareBounds>& bounds) {
     std::string text;
     for (const ShareBounds& b : bounds) {

@@ -25,10 +25,6 @@ struct ShareBounds {
 /// complete tree.
 [[nodiscard]] std::vector<ShareBounds> share_bounds(const std::vector<InitialNode>& tree);
 
-/// Only those up to `maximum` collisions, if that is a number.
-[[nodiscard]] std::vector<ShareBounds> up_to(std::vector<ShareBounds> bounds,
-                                             const std::optional<long>& maximum);
-
 /// A line for each, `3`, `4-6` or `7-` collisions, with twelve decimals rounded outward: as dumbbell-verify
 /// --shares prints them.
 [[nodiscard]] std::string share_lines(const std::vector<ShareBounds>& bounds);

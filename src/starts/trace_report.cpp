@@ -51,15 +51,13 @@ std::string bounds_text(long least, const std::optional<long>& most) {
                          : fmt::format("at least {}", plural(least));
 }
 
-/// What is known of `most` collisions at most, with the maximum over all trajectories.
-std::optional<long> clamped(const TraceReport& report, const std::optional<long>& most) {
-    return report.maximum ? std::min(most.value_or(*report.maximum), *report.maximum) : most;
-}
-
-/// Whether a bound that is said is that maximum.
+/// Whether a bound that is said is that of all trajectories.
 bool rests_on_theorem(const TraceReport& report) {
-    const bool whole = !report.trace.exact() && clamped(report, report.trace.most) != report.trace.most;
-    return whole || (report.parts && clamped(report, report.parts->most) != report.parts->most);
+    const auto is_general = [&](long least, const std::optional<long>& most) {
+        return most && most != least && most == report.maximum;
+    };
+    return is_general(report.trace.least, report.trace.most) ||
+           (report.parts && is_general(report.parts->least, report.parts->most));
 }
 
 /// What to do about an orbit that is not decided.
@@ -140,11 +138,6 @@ std::string share_at_most(const Rational& share) {
     return to_text(without_zeros(cut_up(share, share_digits)));
 }
 
-/// As dumbbell-verify --shares, but for numbers that no trajectory has.
-std::vector<ShareBounds> bounds_of_shares(const TraceReport& report) {
-    return up_to(share_bounds(report.parts->tree), report.maximum);
-}
-
 std::string decided_text(const Subdivision& parts) {
     std::string text = fmt::format("{:>10}  {:>22}  {:>9}\n", "collisions", "share of the box", "boxes");
     for (const auto& part : parts.exact) {
@@ -161,12 +154,12 @@ std::string subdivision_text(const TraceReport& report) {
     const char* whole = report.incoming ? "trajectories" : "box";
     std::string text = report.shares
                            ? fmt::format("{:>12}  share of the {} with exactly that many: proved bounds\n{}",
-                                         "collisions", whole, share_lines(bounds_of_shares(report)))
+                                         "collisions", whole, share_lines(share_bounds(report.parts->tree)))
                            : decided_text(parts);
     text += fmt::format("Certified: {} of the {} with its exact count; every {} has {}.\n",
                         share_at_least(Rational(1) - parts.undecided.share), whole,
                         report.incoming ? "one of them" : "initial condition in it",
-                        bounds_text(parts.least, clamped(report, parts.most)));
+                        bounds_text(parts.least, parts.most));
     return text;
 }
 
@@ -196,17 +189,17 @@ Json subdivision_json(const TraceReport& report) {
                                                           {"boxes", undecided.boxes},
                                                           {"near", kinds_json(parts)}})},
                               {"least", parts.least},
-                              {"most", clamped(report, parts.most)},
+                              {"most", parts.most},
                               {"decided_fraction", decided_fraction(undecided.share)}});
     if (report.shares) {
-        json.add("shares", share_json(bounds_of_shares(report)));
+        json.add("shares", share_json(share_bounds(report.parts->tree)));
     }
     return json;
 }
 
 std::string shares_csv(const TraceReport& report) {
     std::string text = "least,most,lo,hi\n";
-    for (const ShareBounds& b : bounds_of_shares(report)) {
+    for (const ShareBounds& b : share_bounds(report.parts->tree)) {
         text += fmt::format("{},{},{},{}\n", b.least, b.most ? fmt::format("{}", *b.most) : "",
                             to_fraction(b.lo), to_fraction(b.hi));
     }
@@ -224,7 +217,7 @@ std::string outcome_sentence(const TraceReport& report) {
     if (report.incoming) {
         return fmt::format(
             "all incoming trajectories, by their natural measure (L61 of proofs/lemmas.md): {}",
-            bounds_text(trace.least, clamped(report, trace.most)));
+            bounds_text(trace.least, trace.most));
     }
     if (trace.exact()) {
         return fmt::format("exactly {}{}", plural(trace.least),
@@ -234,7 +227,7 @@ std::string outcome_sentence(const TraceReport& report) {
                                ? " (in every turn a mass grazes the floor, which does not count)"
                                : "");
     }
-    const std::string bounds = bounds_text(trace.least, clamped(report, trace.most));
+    const std::string bounds = bounds_text(trace.least, trace.most);
     const auto next = trace.collisions.size() + 1;
     if (const auto event = event_of(report)) {
         return fmt::format(
@@ -251,7 +244,7 @@ std::string outcome_sentence(const TraceReport& report) {
 
 std::string theorem_sentence(const TraceReport& report) {
     return rests_on_theorem(report)
-               ? fmt::format("No trajectory at {} {} has more than {} (theorem 2 of proofs/theorem.md).",
+               ? fmt::format("No trajectory at {} {} has more than {} (theorem 1 of proofs/theorem.md).",
                              report.box.lo[4] == report.box.hi[4] ? "mass ratio" : "mass ratios up to",
                              exact_text(report.box.hi[4]), plural(*report.maximum))
                : "";
@@ -318,7 +311,7 @@ Json to_json(const TraceReport& report) {
          {"initial", initial},
          {"outcome", outcome_word(report)},
          {"least", trace.least},
-         {"most", clamped(report, trace.most)},
+         {"most", trace.most},
          {"maximum", rests_on_theorem(report) ? report.maximum : std::nullopt},
          {"splits_at", trace.exact() || report.incoming ? Json() : Json(trace.collisions.size() + 1)},
          {"bits", trace.bits},

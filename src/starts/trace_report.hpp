@@ -23,7 +23,7 @@ struct TraceReport {
     double seconds = 0;
     std::optional<std::string> out;
     std::optional<std::string> sha256;
-    /// Of all trajectories at these mass ratios, by theorem 2; for what the enclosures do not decide.
+    /// Of all trajectories at these mass ratios, by theorem 1: for those who ask what a bound rests on.
     std::optional<long> maximum{};
     StartMeaning meaning{};
     bool incoming = false;  ///< all incoming trajectories (incoming.hpp): no orbit, but `parts`

@@ -13,10 +13,10 @@
 #include "cli/terminal/messages.hpp"
 #include "cli/terminal/output.hpp"
 #include "cli/terminal/stop_signals.hpp"
-#include "collisions/critical.hpp"
 #include "number/ratio_argument.hpp"
 #include "starts/given_start.hpp"
 #include "starts/incoming.hpp"
+#include "starts/leaf.hpp"
 #include "starts/subdivide.hpp"
 #include "starts/trace_report.hpp"
 #include "starts/writer.hpp"
@@ -42,7 +42,7 @@ cos phi >= 0, from -pi/2 to pi/2. The other, pi - phi, with the opposite --phido
 Every number is printed as value+-radius, or as its bounds (--csv, --json). The grazing sine is |n.v| / (|n| |v|)
 before a collision, in the metric of the kinetic energy: the sine of the angle between flight and floor, 1 head-on, near
 0 where the mass only just touches. What is left undecided has bounds: those that the enclosures give, or the maximum over
-all trajectories (theorem 2 of proofs/theorem.md, up to mass ratio 10^6) where that is less.
+all trajectories (theorem 1 of proofs/theorem.md) where that is less; a certificate has the same bounds.
 
 Examples:
   dumbbell trace 10 --phi 1/3 --phidot 1 --y 3 --ydot -1/2               one orbit
@@ -207,9 +207,7 @@ int run(const Given& given) {
         report.trace = trace(report.box, report.digits);
     }
     const auto finish = [&] {
-        if (!report.trace.exact() || (report.parts && report.parts->undecided.share > 0)) {
-            report.maximum = collisions::bound_by_theorem(ratio.hi);
-        }
+        report.maximum = starts::judge_falling(ratio.hi).most;
         report.seconds = watch.seconds();
         if (output.is_wanted()) {
             write(render(certificate_of(report)), output, report);

@@ -35,10 +35,8 @@ class Check : FirstReflection<N> {
     }
 
     bool leaves() { return fact("no collision at all", flight_.never_collides()); }
-    /// Certified: no trajectory has more collisions than the leaf says (L2 (c), L6 (c)).
-    bool all_in_all() {
-        return fact("M <= most", leaf_.most >= 3 && Base::all_at_most((leaf_.most - 1) / 2));
-    }
+    /// Certified: no trajectory has more collisions than the leaf says (Theorem 1, L7).
+    bool all_in_all() { return fact("M <= most", Base::trajectories_at_most(leaf_.most)); }
     bool bounded() {
         return fact("0 collisions, or 1 for falling states",
                     leaf_.least == 0 || (leaf_.least == 1 && flight_.v.hi < zero)) &&

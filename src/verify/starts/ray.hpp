@@ -51,9 +51,17 @@ class Departures : public Rays<N> {
 
     /// Certified U <= most: G <= U for all c >= 0, kappa >= -r_lo.
     bool all_at_most(std::uint64_t most) {
-        if (to_double(down, r_.lo) < least_ratio) throw std::length_error("a mass ratio beyond 2^43");
+        require_countable();
         return most >= 1 &&
                this->at_most("1 + G(pi r_lo, r_lo, r_lo)", {(half_turn * r_.lo).lo, r_.lo, r_.lo}, most - 1);
+    }
+    /// Certified M <= most: no trajectory at these mass ratios has more collisions. M is 1 + 2 U or 2 + 2 V;
+    /// as V is U or U - 1, the former decides about odd numbers, the latter about even ones.
+    bool trajectories_at_most(std::uint64_t most) {
+        if (most < 2 || r_.lo >= one) return most >= 2;
+        if (most % 2 == 1) return all_at_most(most / 2);
+        require_countable();
+        return this->at_most("G(r_lo, 0, r_lo)", {r_.lo, zero, r_.lo}, most / 2 - 1);
     }
 
     /// Certified height + slope x > r sin x on [0, pi]: above a tangent of r sin x, the best one.
@@ -106,6 +114,10 @@ class Departures : public Rays<N> {
     static constexpr std::uint64_t most_steps_made = 2000;
     static constexpr int most_counted_steps = 128;
     static constexpr double least_ratio = 0x1p-43;  ///< of r: below are more than 10^6 collisions
+
+    void require_countable() const {
+        if (to_double(down, r_.lo) < least_ratio) throw std::length_error("a mass ratio beyond 2^43");
+    }
 
     void note(std::uint64_t done, const Departure& ray) {
         if (this->log_)

@@ -1,6 +1,6 @@
 """The first reflection of a box of states, and bounds of the number of collisions after it: format-initial.md, 5 and 6."""
 
-from fixed import Undecided, greatest, half_pi, hull, meet, pi, sin_cos, square
+from fixed import Undecided, greatest, half_pi, hull, interval, meet, pi, sin_cos, square
 from rays import earliest, greatest_count, latest, least_count, misses, reflected
 
 GREATEST_STEPS, GREATEST_LATE_STEPS, GREATEST_BOUND = 1000, 64, 10 ** 6
@@ -13,6 +13,17 @@ def general_bound(r):
     if bound is None:
         raise Undecided("r is too small for a general bound")
     return 1 + bound
+
+
+def greatest_number(r):
+    """M: no trajectory has more collisions at any r' >= r."""
+    r_lo = r.lower()
+    if r_lo >= 1:
+        return 2
+    top = greatest_count(r_lo, interval(0).lower(), r_lo, GREATEST_BOUND)
+    if top is None:
+        raise Undecided("r is too small for a general bound")
+    return min(1 + 2 * general_bound(r), 2 + 2 * top)
 
 
 class Rays:

@@ -5,7 +5,7 @@ from fractions import Fraction
 from collisions import spelled
 from contact import Air, has_no_collision, is_first_contact
 from fixed import hull, interval, sin_cos
-from flight import counts_within, first_reflection, general_bound
+from flight import counts_within, first_reflection, greatest_number
 from grammar import Rejected
 from judge import ends
 from tree import walk
@@ -27,12 +27,12 @@ def leaf_holds(box, low, high, window):
     if window is None:
         if high == 0:
             return has_no_collision(air)
-        return (low == 0 or (low == 1 and air.v < 0)) and high >= 1 + 2 * general_bound(air.r)
+        return (low == 0 or (low == 1 and air.v < 0)) and high >= greatest_number(air.r)
     mass, t0, t1 = window
     if not is_first_contact(air, mass, t0, t1):
         return False
     later_least = None if low == 1 else low - 1
-    later_most = None if low < high and high >= 1 + 2 * general_bound(air.r) else high - 1
+    later_most = None if low < high and high >= greatest_number(air.r) else high - 1
     if later_least is None and later_most is None:
         return True
     rays = first_reflection(air, mass, hull(t0, t1))

@@ -67,10 +67,10 @@ verified() {
         ((++failures))
     fi
 }
-verified 'collisions=1:5 ' 10 --phi 0:3 --phidot -1/2:1/2 --y 3/2 --ydot -1 --max-boxes 3000
+verified 'collisions=1:4 ' 10 --phi 0:3 --phidot -1/2:1/2 --y 3/2 --ydot -1 --max-boxes 3000
 verified 'collisions=0:0 decided=1 ' 10 --phi 0.5:0.6 --phidot 0.9:1 --y 2:3 --ydot 1:2
 verified 'collisions=2:2 decided=1 ' 10 --phi 1e-30:2e-30 --phidot 0 --y 3 --ydot -1 --digits 60
-verified 'collisions=1:91 ' 10000 --phi 4:5 --phidot -0.01:0.01 --y 3 --ydot -0.001 --max-boxes 500
+verified 'collisions=1:90 ' 10000 --phi 4:5 --phidot -0.01:0.01 --y 3 --ydot -0.001 --max-boxes 500
 verified 'collisions=1:1 decided=1 ' 10 --phi pi/6:pi/3 --phidot 1/2 --y 3/2 --ydot -1
 verified 'decided=1 ' 2:3 --heights 2,3/2 --phidot 1/2 --ydot -1 --digits 200
 verified ' ratio=2/1:20/1 ' 2:20 --phi 0.3:0.5 --phidot 0 --y 3/2 --ydot -1 --max-boxes 200

@@ -145,23 +145,3 @@ TEST_CASE("An interrupted enclosure is none, and what has no critical ratio is r
     CHECK_THROWS_AS(enclose_critical_ratio(4, {.digits = most_critical_digits + 1}), BrokenInvariant);
     CHECK_THROWS_AS(enclose_critical_ratio(4, {.digits = 0}), BrokenInvariant);
 }
-
-TEST_CASE("No trajectory has more collisions than theorem 2 says, at and next to the steps, too") {
-    for (const auto& [q, n] : std::vector<std::pair<const char*, long>>{{"1", 2},
-                                                                        {"1.0000001", 3},
-                                                                        {"4.6", 3},
-                                                                        {"4.61", 4},
-                                                                        {"10", 4},
-                                                                        {"12", 5},
-                                                                        {"100", 10},
-                                                                        {"1000", 29},
-                                                                        {"1e6", 887},
-                                                                        {"4.6033388487517", 3},
-                                                                        {"4.6033388487518", 4}}) {
-        CAPTURE(q);
-        CHECK(bound_by_theorem(parse_rational(q)) == n);
-    }
-    // So near a step, below it, that few digits do not tell: one more is no false bound.
-    CHECK(bound_by_theorem(parse_rational("4.60333884875170035255655658202910301651306739")) >= 3);
-    CHECK(bound_by_theorem(parse_rational("1e7")) == std::nullopt);
-}

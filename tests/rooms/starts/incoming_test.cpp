@@ -10,6 +10,7 @@
 #include "box.hpp"
 #include "rooms/verify/make_initial.hpp"
 #include "sample.hpp"
+#include "starts/leaf.hpp"
 #include "starts/reader.hpp"
 #include "starts/shares.hpp"
 #include "verify/starts/grammar.hpp"
@@ -113,20 +114,51 @@ TEST_CASE("up to s = 1 nothing is certified but that all states fall") {
     CHECK(refusal(text).empty());
     const std::string root = make::closed_initial(
         "dumbbell-certificate 1\ngenerator dumbbell 0.1.0\nlemmas 1\nscene dumbbell\nsection none\n"
-        "claim incoming\nratio 10/1 10/1\nbits 53\nbetween 1 5\nbetween 1 5\n");
+        "claim incoming\nratio 10/1 10/1\nbits 53\nbetween 1 4\nbetween 1 4\n");
     CHECK(refusal(root).empty());
-    const std::string bounds = "between 1 5\nbetween 1 5\n";
+    const std::string bounds = "between 1 4\nbetween 1 4\n";
     const auto with = [&](const std::string& changed) {
         return refusal(mutated_initial(root, bounds, changed));
     };
-    CHECK_THAT(with("between 2 5\nbetween 2 5\n"), Contains("not certified"));
-    CHECK_THAT(with("between 1 2\nbetween 1 2\n"), Contains("not certified"));
-    CHECK_THAT(with("between 1 5\nbetween 1 5 light 1b0 1b1\n"), Contains("up to s = 1"));
+    CHECK_THAT(with("between 2 4\nbetween 2 4\n"), Contains("not certified"));
+    CHECK_THAT(with("between 1 3\nbetween 1 3\n"), Contains("not certified"));
+    CHECK_THAT(with("between 1 4\nbetween 1 4 light 1b0 1b1\n"), Contains("up to s = 1"));
     CHECK_THAT(with("between 0 0\nexactly 0\n"), Contains("up to s = 1"));
     CHECK_THAT(refusal(mutated_initial(root, "ratio 10/1 10/1", "ratio 10/1 11/1")), Contains("LO = HI"));
     CHECK_THAT(refusal(mutated_initial(text, "split s", "split phidot")), Contains("not an axis"));
     CHECK_FALSE(refusal(mutated_initial(text, "split s", "split phi")).empty());
     CHECK_FALSE(refusal(mutated_initial(text, "ratio 10/1 10/1", "ratio 100/1 100/1")).empty());
+}
+
+TEST_CASE("no leaf says more than the maximum over all trajectories; less than that is refused") {
+    for (const auto& [q, n] : std::vector<std::pair<const char*, long>>{{"1", 2},
+                                                                        {"1.0000001", 3},
+                                                                        {"4.6", 3},
+                                                                        {"4.603338848", 3},
+                                                                        {"4.603338849", 4},
+                                                                        {"4.61", 4},
+                                                                        {"10", 4},
+                                                                        {"12", 5},
+                                                                        {"100", 10},
+                                                                        {"1000", 29},
+                                                                        {"1e6", 887},
+                                                                        {"1e9", 28008}}) {
+        INFO("q = " << q);
+        const Rational ratio = parse_rational(q);
+        CHECK(judge_falling(ratio).most == n);
+        const auto root = [&](long most) {
+            const std::string bounds = "between 1 " + std::to_string(most) + "\n";
+            return make::closed_initial(
+                "dumbbell-certificate 1\ngenerator dumbbell 0.1.0\nlemmas 1\nscene dumbbell\nsection none\n"
+                "claim incoming\nratio " +
+                to_fraction(ratio) + " " + to_fraction(ratio) + "\nbits 53\n" + bounds + bounds);
+        };
+        CHECK(refusal(root(n)).empty());
+        CHECK(refusal(root(n + 1)).empty());
+        if (n > 2) {
+            CHECK_THAT(refusal(root(n - 1)), Contains("M <= most"));
+        }
+    }
 }
 
 TEST_CASE("random incoming trajectories have each number of collisions as often as is proved") {

@@ -6,6 +6,7 @@
 #include "attacks/oracle/simulate.hpp"
 #include "attacks/oracle/trial.hpp"
 #include "box.hpp"
+#include "starts/trace.hpp"
 #include "written_file.hpp"
 
 using namespace dumbbell;
@@ -74,5 +75,20 @@ TEST_CASE("The undecided share of the pictures' plane shrinks with the number of
         INFO(boxes << " boxes: " << share << ", exponent " << std::log2(share / before) / 2);
         CHECK(share < before * (boxes == 1024 ? 0.7 : 0.55));
         before = share;
+    }
+}
+
+TEST_CASE(
+    "a start that just misses a corner is decided: the mass that touches first is not the one near it") {
+    for (const auto& [beyond, digits] : std::vector<std::pair<const char*, int>>{
+             {"8e-10", 0}, {"8e-10", 40}, {"1e-20", 40}, {"1e-30", 60}}) {
+        INFO("y = 1 + " << beyond << ", " << digits << " digits");
+        InitialBox box;
+        box.lo = box.hi = {Rational(-1, 2), Rational(1, 2), 1 + parse_rational(beyond), -1, 10};
+        const Trace found = trace(box, digits);
+        CHECK(found.exact() == (digits > 0 || std::string(beyond) == "8e-10"));
+        REQUIRE_FALSE(found.collisions.empty());
+        CHECK(found.collisions.front().heavy);
+        CHECK(found.least == 2);
     }
 }
