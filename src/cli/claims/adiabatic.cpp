@@ -6,6 +6,7 @@
 
 #include "adiabatic/prove.hpp"
 #include "base/error.hpp"
+#include "number/decimal.hpp"
 #include "number/ratio_argument.hpp"
 #include "starts/argument.hpp"
 
@@ -26,6 +27,22 @@ std::vector<Rational> parse_list(const char* option, const std::string& text) {
         numbers.push_back(parse_number(option, part));
     }
     return numbers;
+}
+
+/// Radians. A multiple of pi is irrational, and cut down to 12 digits: what is proved from there on holds.
+std::vector<Rational> parse_margins(const std::string& text) {
+    constexpr int bits = 128, digits = 12;
+    std::vector<Rational> margins;
+    for (const std::string& part : list_of(text)) {
+        const auto [margin, end] = starts::parse_angles("--phi-margin", part);
+        if (!(margin == end)) {
+            throw InputError(fmt::format("--phi-margin takes distances, no range: '{}'", shortened(part)));
+        }
+        const Rational least = starts::bounds(margin, bits).first;
+        margins.push_back(
+            margin.is_rational() || least <= 0 ? least : parse_rational(to_text(cut_down(least, digits))));
+    }
+    return margins;
 }
 
 int parse_exponent(const Rational& k) {
@@ -72,7 +89,7 @@ std::vector<adiabatic::AdiabaticHypotheses> statements_of(const Given& given, De
     const std::string delta = given.text("--delta");
     const auto ranges = deltas == Deltas::list ? list_of(delta) : std::vector<std::string>{delta};
     const auto exponents = parse_list("--k", text_or(given, "--k", "1/2"));
-    const auto margins = parse_list("--phi-margin", text_or(given, "--phi-margin", default_margin(of.claim)));
+    const auto margins = parse_margins(text_or(given, "--phi-margin", default_margin(of.claim)));
     // Each list fits on a command line, so the product fits a number.
     if (ranges.size() * exponents.size() * margins.size() > most_statements) {
         throw InputError(

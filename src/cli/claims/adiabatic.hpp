@@ -23,7 +23,8 @@ enum class Deltas { one, list };
                    "heights of the centre of mass before the first collision; default 0:1, thm3.3: 0:0.9"},
             Option{"--phi-margin", "M[,M...]",
                    "distance from the vertical: m of m delta^k (default 1), u_* (thm3.3: 0.3) or c of c "
-                   "sqrt(delta) (thm3.5, printed: 1/2); or a list of them"},
+                   "sqrt(delta) (thm3.5, printed: 1/2); radians, or like 30deg, pi/6, 0.1pi (cut down to 12 "
+                   "digits); or a list of them"},
             Option{"--k", "K[,K...]", "cor3.2: the exponent, a multiple of 1/16 from 0 to 1; or a list"},
             Option{"--accuracy", "A", "of the bound over what is attained, relative", "0.1"}};
 }

@@ -83,6 +83,17 @@ TEST_CASE("several distances give a table") {
     CHECK_THAT(result.out, Contains("distance") && Contains("\n     0.7  |I_n - I_0|"));
 }
 
+TEST_CASE("a distance in degrees or as a multiple of pi is the one in radians, cut down") {
+    const auto printed = [](const std::string& margin) {
+        const Outcome result = dumbbell(adiabatic({"--delta", "0.01", "--phi-margin", margin, "--quiet"}));
+        CHECK(result.code == 0);
+        return result.out;
+    };
+    CHECK(printed("30deg,0.25pi") == printed("0.523598775598,0.785398163397"));
+    CHECK_THAT(refused({"adiabatic", "--delta", "0.01", "--phi-margin", "0.3:0.4"}), Contains("no range"));
+    CHECK_THAT(refused({"adiabatic", "--delta", "0.01", "--phi-margin", "pi/"}), Contains("--phi-margin"));
+}
+
 TEST_CASE("hypotheses that make no sense are refused in one line, and nothing is written") {
     for (const char* delta : {"0", "0.5", "0.7", "-0.1", "x", "0.02:0.01", "0.1:0.5", ""}) {
         refused({"adiabatic", "--delta", delta, "--out", "file.dbc"});
