@@ -20,6 +20,11 @@ constexpr int deepest =
 constexpr int window_digits = 5;                   // shown; the file has the window exactly
 
 constexpr std::array<const char*, starts::initial_axes> axis_names{"phi", "phidot", "y", "ydot", "q"};
+constexpr std::array<const char*, 2> incoming_names{"phi_over_pi", "s"};
+
+const char* claim_kind(const starts::InitialCertificate& certificate) {
+    return certificate.incoming ? "incoming" : "initial-conditions";
+}
 
 /// A leaf apart from its box and the window of the first contact: open ones last, undecided ones before.
 using Kind = std::tuple<bool, bool, long, long, int>;
@@ -142,22 +147,18 @@ class Body {
 }  // namespace
 
 Json file_json(const starts::InitialCertificate& certificate, const BoxBudget& budget) {
-    if (certificate.incoming) {
-        throw InputError(
-            "the page shows boxes of initial conditions; of a certificate about all incoming trajectories "
-            "dumbbell plot phase and dumbbell plot shares draw pictures");
-    }
     const Body body(certificate.tree);
     Json axes = Json::array();
-    for (std::size_t i = 0; i < starts::initial_axes; ++i) {
-        axes.add(Json::object({{"name", axis_names[i]},
+    for (std::size_t i = 0; i < (certificate.incoming ? incoming_names.size() : axis_names.size()); ++i) {
+        axes.add(Json::object({{"name", certificate.incoming ? incoming_names.at(i) : axis_names.at(i)},
                                {"lo", to_fraction(certificate.box.lo[i])},
                                {"hi", to_fraction(certificate.box.hi[i])}}));
     }
     const std::size_t leaves = leaves_of(body.tree), drawn = share_of(leaves, budget.total, budget.most);
     Json tree = tree_json(body.tree, drawn);
     tree.add("axes", axes);
-    return Json::object({{"claim", "initial-conditions"},
+    return Json::object({{"claim", claim_kind(certificate)},
+                         {"ratio", to_fraction(certificate.box.upper(starts::InitialAxis::ratio))},
                          {"lemmas", "1"},
                          {"bits", certificate.bits},
                          {"least", body.least()},
@@ -171,7 +172,7 @@ Json file_json(const starts::InitialCertificate& certificate, const BoxBudget& b
 
 std::string claim_options(const starts::InitialCertificate& certificate) {
     const Body body(certificate.tree);
-    std::string options = "--claim initial-conditions";
+    std::string options = fmt::format("--claim {}", claim_kind(certificate));
     if (body.most()) {
         options += fmt::format(" --max {}", *body.most());
     }

@@ -3,6 +3,7 @@
 //   first: index of the choice shown at first;  kinds;  colourings: [{text, paint(kind): a colour or "hatched", label(kind), order(kind)}]
 //   countOf(kind): the count that its colour stands for, if there is one (the colouring then has isByCount)
 //   describe(kind, chart): a leaf in a line;  note: text below;  file: for the verifier;  play(point): if boxes can be played
+//   simulate(point): follows it, and says what it found; the picture then has a start that can be dragged
 import { h, labelled, output, select } from "./dom.js";
 import { drawBoxes } from "./boxes.js";
 import { axisLabel, boxText, chartNamed } from "./charts.js";
@@ -14,6 +15,8 @@ import { angleTicks, linearTicks } from "./ticks.js";
 import { BoxTree } from "./tree.js";
 
 const hint = "Point at a box, or move the picture with the arrow keys: what lies in the middle is told here.";
+
+const startHint = "Drag the dot, or move it with shift and the arrow keys: what is certified of that start is told here, beside what the page simulates.";
 
 /// What explains holes in the counts of a legend.
 function legendNote(counts) {
@@ -41,7 +44,9 @@ class Cover {
             moved: () => (this.outline.hidden = true),
             probe: (x, y) => this.tell(x, y),
             click: source.play && ((x, y) => this.play(x, y)),
+            handle: source.simulate && { x: () => this.fixed[this.x], y: () => this.fixed[this.y], move: (x, y) => this.moveStart(x, y) },
         });
+        this.start = source.simulate ? output("readout start", startHint) : null;
         this.outline = h("div", { class: "outline", hidden: true });
         this.plane.element.append(this.outline);
         this.counter = h("span", {});
@@ -52,6 +57,7 @@ class Cover {
             this.sliders,
             this.plane.element,
             this.readout,
+            this.start,
             h("figcaption", {}, this.legend, this.counter, source.note ? h("span", {}, " ", source.note) : null),
         );
         this.choose(source.first ?? 0);
@@ -127,7 +133,7 @@ class Cover {
                 value.textContent = show(this.fixed[a]);
                 this.plane.draw();
             };
-            const slider = h("input", { type: "range", min: 0, max: 1000, value: 500, "aria-label": `cut at ${name}`, oninput });
+            const slider = h("input", { type: "range", min: 0, max: 1000, value: Math.round((1000 * (this.fixed[a] - lo)) / (hi - lo)), "aria-label": `cut at ${name}`, oninput });
             return labelled(`cut at ${name} =`, h("span", { class: "slider" }, slider, value));
         }));
     }
@@ -197,6 +203,23 @@ class Cover {
         if (this.choice.marks && this.x === 0 && this.y === 1) {
             drawMarks(plane, this.choice.marks(1 / this.r), this.map);
         }
+        if (this.start) {
+            plane.dot(this.fixed[this.x], this.fixed[this.y], 6, "--mark", 2);
+        }
+    }
+
+    /// The start is the point through which the picture cuts.
+    moveStart(x, y) {
+        const within = (value, { lo, hi }) => Math.min(hi, Math.max(lo, value));
+        this.fixed[this.x] = within(x, this.tree.axes[this.x]);
+        this.fixed[this.y] = within(y, this.tree.axes[this.y]);
+        this.plane.draw();
+        const { kind, standsFor } = this.tree.find(this.fixed);
+        const several = standsFor > 1 ? ` (the greatest of ${standsFor} leaves)` : "";
+        this.start.replaceChildren(
+            h("strong", {}, `Certified: ${this.source.describe(this.source.kinds[kind])}${several}. `),
+            `Simulated, not rigorous: ${this.source.simulate(this.fixed)}`,
+        );
     }
 
     /// The place in the tree's own coordinates.

@@ -7,12 +7,20 @@ const place = (plane, event) => {
     return [event.clientX - box.left, event.clientY - box.top];
 };
 
-/// Dragging moves, two fingers or a double click zoom; so does the wheel if the canvas has the focus, or with Ctrl: a page that
-/// is scrolled through stays as it is.
+const reach = 14; // px around a handle
+
+const isOnHandle = (plane, [px, py]) => {
+    const { handle } = plane.options;
+    return Boolean(handle) && Math.hypot(px - plane.X(handle.x()), py - plane.Y(handle.y())) <= reach;
+};
+
+/// Dragging moves, or takes the handle along; two fingers or a double click zoom; so does the wheel if the canvas has the focus,
+/// or with Ctrl: a page that is scrolled through stays as it is.
 export function moveByPointer(plane) {
     const { canvas } = plane;
     const fingers = new Map();
     let travelled = 0;
+    let isHeld = false;
 
     canvas.addEventListener("wheel", (event) => {
         if (!event.ctrlKey && document.activeElement !== canvas) {
@@ -32,6 +40,7 @@ export function moveByPointer(plane) {
         canvas.setPointerCapture(event.pointerId);
         fingers.set(event.pointerId, place(plane, event));
         travelled = 0;
+        isHeld = fingers.size === 1 && isOnHandle(plane, place(plane, event));
     });
 
     canvas.addEventListener("pointermove", (event) => {
@@ -39,11 +48,14 @@ export function moveByPointer(plane) {
         const before = fingers.get(event.pointerId);
         if (!before) {
             plane.probe(plane.xAt(now[0]), plane.yAt(now[1]));
+            canvas.style.cursor = isOnHandle(plane, now) ? "grab" : "";
             return;
         }
         fingers.set(event.pointerId, now);
         travelled += Math.hypot(now[0] - before[0], now[1] - before[1]);
-        if (fingers.size === 1 && travelled > 3) {
+        if (isHeld && fingers.size === 1) {
+            plane.options.handle.move(plane.xAt(now[0]), plane.yAt(now[1]));
+        } else if (fingers.size === 1 && travelled > 3) {
             plane.pan((before[0] - now[0]) / plane.frame.width, (now[1] - before[1]) / plane.frame.height);
         } else if (fingers.size === 2) {
             const other = [...fingers].find(([id]) => id !== event.pointerId)[1];
@@ -75,10 +87,20 @@ const keys = {
     0: (plane) => plane.reset(),
 };
 
-/// After each key, what lies in the middle is told.
+const steps = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
+const step = 0.01; // of the window
+
+/// After each key, what lies in the middle is told. With shift the arrows move the handle.
 export function moveByKeys(plane) {
     plane.canvas.addEventListener("keydown", (event) => {
         const { x0, x1, y0, y1 } = plane.window;
+        const { handle } = plane.options;
+        if (handle && event.shiftKey && steps[event.key]) {
+            event.preventDefault();
+            const [dx, dy] = steps[event.key];
+            handle.move(handle.x() + dx * step * (x1 - x0), handle.y() + dy * step * (y1 - y0));
+            return;
+        }
         if (event.key === "Enter") {
             plane.options.click?.((x0 + x1) / 2, (y0 + y1) / 2);
             return;

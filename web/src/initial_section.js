@@ -1,17 +1,32 @@
-// A certificate about initial conditions: its boxes, from which orbits can be played, and its shares.
+// A certificate about initial conditions, or about all incoming trajectories: its boxes, from which orbits can be played, a start
+// that can be dragged, and its shares.
 import { cover } from "./cover.js";
 import { h, table } from "./dom.js";
 import { foundations, verifyBox } from "./file_tables.js";
 import { plural, shortened, show } from "./numbers.js";
+import { parse, toNumber } from "./rational.js";
 import { colour, shade } from "./theme.js";
 
-const names = { phi: "\u03c6: angle of the rod", phidot: "\u03c6\u2032: its velocity", y: "y: height of the centre of mass, rod lengths", ydot: "y\u2032: its velocity", q: "q: mass ratio, heavy over light" };
+const names = { phi: "\u03c6: angle of the rod", phidot: "\u03c6\u2032: its velocity", y: "y: height of the centre of mass, rod lengths", ydot: "y\u2032: its velocity", q: "q: mass ratio, heavy over light", phi_over_pi: "\u03c6/\u03c0: angle of the rod where it comes in, over \u03c0", s: "s: sine of the angle between its flight and the vertical" };
 const symbols = { phi: "\u03c6", phidot: "\u03c6\u2032", y: "y", ydot: "y\u2032", q: "q" };
 
 const countText = ({ least, most }) => (most === least ? plural(least, "collision") : most === null ? "open: nothing is said" : `${least} to ${most} collisions`);
 const isExact = (kind) => kind.most === kind.least;
 
-function source(file, play) {
+const lift = 1 + 2 ** -20; // of the states of format-initial.md, section 8, above all walls
+
+/// The start of a point of the tree: q, phi, phidot, y, ydot.
+function startOf(file, point) {
+    if (file.claim !== "incoming") {
+        const [phi, phidot, y, ydot, q] = point;
+        return [q, phi, phidot, y, ydot];
+    }
+    const [x, s] = point;
+    const q = toNumber(parse(file.ratio));
+    return [q, Math.PI * x, s * Math.sqrt(q / (1 - s * s)), (lift * q) / (1 + q), -q / (1 + q)];
+}
+
+function source(file, own) {
     const hasOpen = file.kinds.some((kind) => !isExact(kind));
     return {
         title: `The boxes of initial conditions of ${file.name}`,
@@ -22,7 +37,8 @@ function source(file, play) {
         describe: (kind) => `${isExact(kind) ? "Exactly " : ""}${countText(kind)}${kind.first ? `, the first one of the ${kind.first} mass` : ""}`,
         file: file.verify_file,
         note: `${hasOpen ? `${file.hatched} ` : ""}Click a box (or press Enter for the one in the middle) to play the orbit from its centre below.`,
-        play,
+        play: (point) => own.set(startOf(file, point)),
+        simulate: (point) => own.follow(startOf(file, point)),
         extra: (leaf) => windowText(file.windows.slice(2 * leaf, 2 * leaf + 2)),
         colourings: [
             {
@@ -44,23 +60,28 @@ function source(file, play) {
 
 const windowText = ([from, until]) => (typeof from === "number" ? `, which comes between the times ${show(from)} and ${show(until)} (rounded)` : "");
 
+const countsText = ({ least, most }) => (most === null ? `at least ${plural(least, "collision")}` : most === least ? `exactly ${plural(least, "collision")}` : `between ${least} and ${most} collisions`);
+
 function claimText(file) {
+    if (file.claim === "incoming") {
+        return `Every trajectory that comes in from above at mass ratio q = ${plain(file.ratio)} and meets no corner has ${countsText(file)}. The table says which share of all of them, by their natural measure (uniform in \u03c6 and s), has exactly so many. Here 0 \u2264 s \u2264 1: the others are mirror images.`;
+    }
     const axes = file.tree.axes.map(({ name, lo, hi }) => `${symbols[name]} ${lo === hi ? `= ${plain(lo)}` : `from ${plain(lo)} to ${plain(hi)}`}`).join(", ");
-    const count = file.most === null ? `at least ${plural(file.least, "collision")}` : file.most === file.least ? `exactly ${plural(file.least, "collision")}` : `between ${file.least} and ${file.most} collisions`;
-    return `Every trajectory that starts in the box ${axes} and meets no corner later has ${count}; in each part of the box as many as the table says. Nothing is said about other starts, and so nothing about N(q).`;
+    return `Every trajectory that starts in the box ${axes} and meets no corner later has ${countsText(file)}; in each part of the box as many as the table says. Nothing is said about other starts, and so nothing about N(q).`;
 }
 
 const plain = (text) => shortened(text.endsWith("/1") ? text.slice(0, -2) : text).replace("-", "\u2212");
 
-export function initialSection(file, play, isAlone) {
+export function initialSection(file, own, isAlone) {
+    const isIncoming = file.claim === "incoming";
     const shares = file.shares.map(({ collisions, share, boxes }) => [collisions === null ? "not decided" : `exactly ${collisions}`, `${show(Number(share) * 100, 5)} %`, boxes.toLocaleString("en")]);
     return [
-        h("h2", {}, "Initial conditions"),
+        h("h2", {}, isIncoming ? "Incoming trajectories" : "Initial conditions"),
         h("p", { class: "claim" }, claimText(file)),
         verifyBox(file),
         h("h3", {}, "The cover"),
-        cover(source(file, play)).element,
-        h("h3", {}, "How much of the box"),
+        cover(source(file, own)).element,
+        h("h3", {}, isIncoming ? "How many of them" : "How much of the box"),
         table("Shares (rounded)", ["collisions", "share", "boxes"], shares, [1, 2]),
         foundations(file, isAlone),
     ];

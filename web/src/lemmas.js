@@ -21,16 +21,22 @@ const lemmas = {
     L17: "The straight wedge",
     L18: "The hybrid wedge has the straight wedge\u2019s maximum",
     L19: "The heavy mass at most once, for every state of a box",
+    L21: "The two extremal orbits: k1 \u2264 k0 \u2264 1 + k1, N(q) = 2 + k0 + k1 (Theorem 1)",
     L33: "One collision, and the adiabatic invariant",
     L34: "The drift of S along one flight",
     L35: "A potential for the drift",
     L36: "Theorem 3.3, for any number of bounces",
     L37: "Theorem 3.5: whole scatterings",
     L38: "Lemma 3.1 and Corollary 3.2",
+    L40: "Corners cost nothing: a motion on a stretch of time has at most N(q) collisions",
+    L60: "A start\u2019s flights from contact to contact",
+    L61: "The natural measure on incoming trajectories",
 };
 
-const pages = [[15, "proofs/lemmas.md"], [33, "proofs/lemmas-sections.md"], [99, "proofs/adiabatic.md"]];
+const pages = [[15, "proofs/lemmas.md"], [20, "proofs/lemmas-sections.md"], [33, "proofs/theorem.md"], [39, "proofs/adiabatic.md"], [99, "proofs/lemmas.md"]];
 const numerical = ["L12", "L13", "L14"];
+
+const starts = ["L0", "L1", "L2", "L3", "L4", "L5", "L6", "L7", ...numerical, "L21", "L40", "L60"];
 
 const sets = {
     turning: ["L0", "L1", "L2", "L3", "L4", "L5", "L6", "L8", "L9", "L10", "L11", ...numerical],
@@ -38,7 +44,8 @@ const sets = {
     minimal: ["L0", "L1", "L2", "L3", "L4", "L6", "L11", ...numerical, "L15", "L16", "L19"],
     wedge: ["L0", "L2", "L4", "L5", "L9", "L13", "L17"],
     hybrid: ["L0", "L2", "L4", "L5", "L9", "L13", "L17", "L18"],
-    "initial-conditions": ["L0", "L1", "L2", "L3", "L4", "L5", "L6", ...numerical],
+    "initial-conditions": starts,
+    incoming: [...starts, "L61"],
     "adiabatic-bounce": ["L0", "L4", "L5", ...numerical, "L33", "L38"],
     "adiabatic-run": ["L0", "L4", "L5", ...numerical, "L33", "L34", "L35", "L36"],
     "adiabatic-scattering": ["L0", "L3", "L4", "L5", ...numerical, "L33", "L34", "L35", "L36", "L37"],

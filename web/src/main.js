@@ -31,7 +31,8 @@ function sectionOf(file, data, own) {
         case "collisions":
             return collisionsSection(file, Number(data.growth_constant), isAlone);
         case "initial-conditions":
-            return initialSection(file, ([phi, phidot, y, ydot, q]) => own.set([q, phi, phidot, y, ydot]), isAlone);
+        case "incoming":
+            return initialSection(file, own, isAlone);
         case "critical-ratios":
             return criticalSection(file);
         default:

@@ -38,10 +38,16 @@ export class OwnStart {
         this.go();
     }
 
-    /// Values in the order q, phi, phidot, y, ydot.
-    set(values) {
+    /// Values in the order q, phi, phidot, y, ydot. Says what was found.
+    follow(values) {
         this.inputs.forEach((input, i) => (input.value = String(values[i])));
         this.go();
+        return this.message.textContent;
+    }
+
+    /// The same, and shows it.
+    set(values) {
+        this.follow(values);
         this.element.scrollIntoView();
     }
 

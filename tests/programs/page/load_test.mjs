@@ -47,7 +47,7 @@ for (const [name, file] of Object.entries(files)) {
 }
 
 test("what is claimed is said, with its lemmas", async () => {
-    const page = await open(browser, report(place("some.html"), files.ten, files.stairs, files.full, files.starts));
+    const page = await open(browser, report(place("some.html"), files.ten, files.stairs, files.full, files.starts, files.incoming));
     const text = await page.textContent("main");
     for (const words of [
         "With mass ratio q = 10 no trajectory hits the floor more than 4 times, and some trajectory does so 4 times",
@@ -55,6 +55,7 @@ test("what is claimed is said, with its lemmas", async () => {
         "The heavy mass hits the floor at most once.",
         "Why so few boxes?",
         "Nothing is said about other starts",
+        "Every trajectory that comes in from above at mass ratio q = 10 and meets no corner has between 1 and 4 collisions",
         "Monotone step: a lower, flatter ray never has fewer collisions left",
         "Not rigorous: computed by this page in double precision",
     ]) {

@@ -243,6 +243,39 @@ test("a click on a box of initial conditions plays the orbit from its centre", a
     await page.close();
 });
 
+for (const kind of ["starts", "incoming"]) {
+    test(`a start is dragged, or moved by keys, through the picture of ${kind}: its certified and its simulated count agree`, async () => {
+        const page = await open(browser, report(place(`${kind}.html`), files[kind]));
+        const canvas = page.locator("#file-1 .plane canvas").first();
+        await canvas.scrollIntoViewIfNeeded();
+        const told = () => page.locator("#file-1 figure .readout.start").textContent();
+        assert.match(await told(), /Drag the dot/);
+        const before = await canvas.getAttribute("data-window");
+        const { x: left, y: top } = await canvas.boundingBox();
+        const frame = JSON.parse(await canvas.getAttribute("data-frame"));
+        const at = (u, v) => [left + frame.x + u * frame.width, top + frame.y + v * frame.height];
+        await page.mouse.move(...at(0.5, 0.5)); // where it is at first
+        await page.mouse.down();
+        const seen = new Set();
+        for (let i = 1; i <= 60; ++i) {
+            await page.mouse.move(...at(0.5 + 0.4 * Math.sin(i), 0.5 + 0.4 * Math.sin(2.3 * i)));
+            const text = await told();
+            const [, exact, least, most, simulated] = /^Certified: (?:Exactly (\d+)|(\d+) to (\d+)) collision.*not rigorous: In doubles: (\d+) collision/.exec(text).map(Number);
+            assert.ok(exact === simulated || (least <= simulated && simulated <= most), text);
+            seen.add(exact);
+        }
+        await page.mouse.up();
+        assert.ok(seen.has(1) && seen.has(2), [...seen].join());
+        assert.equal(await canvas.getAttribute("data-window"), before, "the picture stays where it is");
+        const now = await page.locator("#own input[name=phi]").inputValue();
+        await canvas.focus();
+        await page.keyboard.press("Shift+ArrowRight");
+        assert.ok(Number(await page.locator("#own input[name=phi]").inputValue()) > Number(now));
+        assert.deepEqual(page.complaints, []);
+        await page.close();
+    });
+}
+
 test("the choice of colours changes page and pictures at once", async () => {
     const page = await open(browser, report(place("ten.html"), files.ten));
     const background = () => page.evaluate(() => getComputedStyle(document.body).backgroundColor);

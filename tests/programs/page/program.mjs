@@ -22,6 +22,8 @@ export function scratch() {
 export function certificates(place) {
     const starts = place("starts.dbc");
     dumbbell("trace", 10, "--phi", "0:3", "--phidot", "-1/2:1/2", "--y", "3/2", "--ydot", "-1", "--subdivide", "--max-boxes", 2000, "--out", starts);
+    const incoming = place("incoming.dbc");
+    dumbbell("trace", 10, "--incoming", "--subdivide", "--max-boxes", 2000, "--out", incoming);
     const adiabatic = place("adiabatic.dbc");
     dumbbell("adiabatic", "--delta", "0.01", "--phi-margin", "0.5", "--out", adiabatic);
     const printed = place("printed.dbc");
@@ -40,6 +42,7 @@ export function certificates(place) {
         wedge: shipped("wedge-1-100.dbc"),
         hybrid: shipped("hybrid-1-100.dbc"),
         starts,
+        incoming,
         adiabatic,
         printed,
         fine,

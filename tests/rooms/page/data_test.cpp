@@ -5,6 +5,7 @@
 #include "base/error.hpp"
 #include "rooms/collisions/example.hpp"
 #include "rooms/parsed.hpp"
+#include "starts/incoming.hpp"
 
 using namespace dumbbell_test;
 using namespace dumbbell::adiabatic;
@@ -176,6 +177,19 @@ TEST_CASE("initial conditions: kinds with their first mass, exact shares, bounds
     CHECK(file["windows"] == Parsed{0.5, 0.75, 0.5, 0.75, nullptr, nullptr});
     CHECK(file["shares"] == Parsed::parse(R"([{"collisions": null, "share": "0.25", "boxes": 1},
         {"collisions": 1, "share": "0.5", "boxes": 1}, {"collisions": 2, "share": "0.25", "boxes": 1}])"));
+}
+
+TEST_CASE("incoming trajectories: the two coordinates of their section, and the mass ratio") {
+    InitialCertificate certificate = starts_file(closed(1, 3));
+    certificate.incoming = true;
+    certificate.box = incoming_box(10);
+    const Parsed file = file_of(certificate);
+    CHECK(file["claim"] == "incoming");
+    CHECK(file["ratio"] == "10/1");
+    CHECK(file["verify_options"] == "--claim incoming --max 3 --min 1");
+    CHECK(file["tree"]["axes"] == Parsed::parse(R"([{"name": "phi_over_pi", "lo": "0/1", "hi": "2/1"},
+        {"name": "s", "lo": "0/1", "hi": "1/1"}])"));
+    CHECK(file["shares"][1]["share"] == "0.5");
 }
 
 TEST_CASE("an open part leaves no upper bound, and no lower one but 0") {
