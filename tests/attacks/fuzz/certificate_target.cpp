@@ -1,6 +1,7 @@
 // Any bytes as a file for the verifier: they get a verdict; what it accepts is true, is accepted plain and
 // compressed, with its own claim as the demand but with no stronger one, and has the one canonical spelling.
 #include <algorithm>
+#include <cmath>
 #include <new>
 
 #include "choices.hpp"
@@ -73,6 +74,13 @@ void check_claim(const Verified& proof, const std::string& text, const Settings&
     must(!is_accepted(text, settings, demand), "refused if more ratios are demanded");
 }
 
+/// A start of the section of all incoming trajectories: format-initial.md, section 8.
+Start coming_in(const Start& point) {
+    constexpr Real half_turn = 3.14159265358979323846264338327950288L, height = 1 + 0x1p-20L;
+    const Real s = point[1], q = point[4], fall = q / (1 + q);
+    return {point[0] * half_turn, s * std::sqrt(q / (1 - s * s)), height * fall, -fall, q};
+}
+
 void check_initial(const dumbbell_verify::Initial& claim, const std::string& text) {
     must(!claim.most || claim.least <= *claim.most, "bounds in order");
     Choices choices(reinterpret_cast<const std::uint8_t*>(text.data()), text.size());
@@ -83,6 +91,7 @@ void check_initial(const dumbbell_verify::Initial& claim, const std::string& tex
             const Real lo = claim.box.lo.at(k).get_d(), hi = claim.box.hi.at(k).get_d();
             start.at(k) = lo + static_cast<Real>(choices.sample()) * (hi - lo);
         }
+        if (claim.incoming) start = coming_in(start);
         if (const auto run = simulated(start)) must_be_between(*run, claim.least, claim.most, start);
     }
 }
@@ -103,7 +112,8 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     if (!text || !is_little_work(*text)) return 0;
     Settings settings;
     settings.max_bits = most_bits;
-    const bool initial = value_of(*text, "claim") == "initial-conditions";
+    const std::string kind = value_of(*text, "claim");
+    const bool initial = kind == "initial-conditions" || kind == "incoming";
     if (!initial) settings.demand.keep = dumbbell_verify::all_pieces;
     if (const std::string scene = value_of(*text, "scene"); !scene.empty()) settings.scene = scene;
 

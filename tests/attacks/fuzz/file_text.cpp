@@ -88,7 +88,9 @@ std::string with_fitting_trailer(const std::string& text) {
     const std::size_t totals = text.find("\ntotal ");
     std::string body = text.substr(0, totals == std::string::npos ? text.find("\nsha256 ") : totals);
     if (!body.ends_with('\n')) body += '\n';
-    return value_of(body, "claim") == "initial-conditions" ? make::closed_initial(body) : make::closed(body);
+    const std::string claim = value_of(body, "claim");
+    return claim == "initial-conditions" || claim == "incoming" ? make::closed_initial(body)
+                                                                : make::closed(body);
 }
 
 }  // namespace dumbbell_fuzz

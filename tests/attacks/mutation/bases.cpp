@@ -7,6 +7,7 @@
 #include "collisions/leaf.hpp"
 #include "collisions/piece.hpp"
 #include "collisions/writer.hpp"
+#include "starts/incoming.hpp"
 #include "starts/subdivide.hpp"
 #include "starts/writer.hpp"
 
@@ -105,6 +106,10 @@ InitialCertificate subdivided(const InitialBox& box, std::size_t boxes, int bits
     const Subdivision parts = subdivide(box, {.max_boxes = boxes, .bits = bits});
     return {"mutation", "1.0", box, parts.bits, parts.tree};
 }
+InitialCertificate all_incoming(const Rational& q, std::size_t boxes) {
+    const Subdivision parts = subdivide(incoming_box(q), {.max_boxes = boxes, .incoming = true});
+    return {"mutation", "1.0", incoming_box(q), parts.bits, parts.tree, true};
+}
 InitialCertificate with_open_leaf(InitialCertificate certificate) {
     for (InitialNode& node : certificate.tree)
         if (!node.split && node.leaf.least != node.leaf.most) {
@@ -155,7 +160,8 @@ std::vector<Base> bases(bool large) {
              subdivided(box({{{"0", "3"}, {"2", "3"}, {"1", "1"}, {"1/4", "2"}, {"2", "2"}}}), 12)),
         base("open-starts",
              with_open_leaf(subdivided(
-                 box({{{"0", "3"}, {"-1/2", "1/2"}, {"3/2", "3/2"}, {"-1", "-1"}, {"1", "3/2"}}}), 8)))};
+                 box({{{"0", "3"}, {"-1/2", "1/2"}, {"3/2", "3/2"}, {"-1", "-1"}, {"1", "3/2"}}}), 8))),
+        base("incoming", all_incoming(10, 96))};
     if (large) {
         all.push_back(base("full-large", certified("10", "10", "1e-3", Scene::dumbbell, Section::full)));
         all.push_back(base("staircase", certified("1", "50")));

@@ -165,7 +165,8 @@ void claims_of(const InitialCertificate& data, const Sink& sink) {
     const auto give = [&](std::string_view kind, const std::string& what, const InitialCertificate& changed) {
         sink({kind, what, render(changed).text});
     };
-    for (std::size_t axis = 0; axis < initial_axes; ++axis)
+    // All incoming trajectories have nothing to choose but the ratio.
+    for (std::size_t axis = data.incoming ? initial_axes - 1 : 0; axis < initial_axes; ++axis)
         for (const char* step : steps)
             for (const int sides : {1, 2, 3, 4, 5}) {
                 InitialCertificate changed = data;

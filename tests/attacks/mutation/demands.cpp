@@ -110,6 +110,7 @@ std::vector<Demand> demands_of(const InitialCertificate& data) {
     with_one_more_and_less(numbers, least);
     with_one_more_and_less(numbers, most);
     const Rational from = data.box.lo.back(), to = data.box.hi.back();
+    const std::string kind = data.incoming ? "incoming" : "initial-conditions";
     std::vector<Demand> demands;
     for (const auto& [lo, hi] :
          {std::pair(from, to), {(from + to) / 2, to}, {from, to * 2}, {from / 2 + Rational(1, 2), to}})
@@ -119,9 +120,8 @@ std::vector<Demand> demands_of(const InitialCertificate& data) {
             const bool proved = from <= lo && hi <= to && (!bounds.most || (all && most <= *bounds.most)) &&
                                 (!bounds.least || least >= *bounds.least);
             demands.push_back({settings_of(lo, hi, bounds, "dumbbell"), what, false, false});
-            demands.push_back(
-                {settings_of(lo, hi, bounds, "dumbbell"), what + " --claim initial-conditions", proved});
-            demands.back().settings.claim = "initial-conditions";
+            demands.push_back({settings_of(lo, hi, bounds, "dumbbell"), what + " --claim " + kind, proved});
+            demands.back().settings.claim = kind;
         }
     return demands;
 }

@@ -9,6 +9,7 @@
 
 #include "argument.hpp"
 #include "base/error.hpp"
+#include "starts/incoming.hpp"
 #include "starts/leaf.hpp"
 #include "starts/trace.hpp"
 #include "text.hpp"
@@ -19,7 +20,9 @@ namespace {
 using namespace dumbbell;
 using namespace dumbbell::starts;
 
-constexpr std::array<std::string_view, initial_axes> names{"phi", "phidot", "y", "ydot", "q"};
+using Names = std::array<std::string_view, initial_axes>;
+constexpr Names box_names{"phi", "phidot", "y", "ydot", "q"};
+constexpr Names incoming_names{"phi", "s", "", "", ""};  ///< that a file about incoming trajectories splits
 
 struct NotShown {
     std::string what;
@@ -114,7 +117,7 @@ class File {
     explicit File(const std::string& path);
 
     void check(const dumbbell_verify::Initial& proved) {
-        if (!starts_in_the_air(box_)) throw NotShown{"at rest, or not in the air"};
+        if (!incoming_ && !starts_in_the_air(box_)) throw NotShown{"at rest, or not in the air"};
         const std::size_t begin = next_;
         walk(box_, 1);
         if (!lines_.at(next_).starts_with("total ")) throw NotShown{"lines behind the tree"};
@@ -123,7 +126,8 @@ class File {
             (all && *proved.most != static_cast<std::uint64_t>(most_)) ||
             dumbbell_verify::to_string(proved.decided) != to_fraction(decided_))
             throw NotShown{"the verdict states another claim than the leaves"};
-        for (std::size_t i = 0; i < initial_axes; ++i)
+        if (proved.incoming != incoming_) throw NotShown{"the verdict states another claim than the file"};
+        for (std::size_t i = incoming_ ? initial_axes - 1 : 0; i < initial_axes; ++i)
             if (dumbbell_verify::to_string(proved.box.lo[i]) != to_fraction(box_.lo[i]) ||
                 dumbbell_verify::to_string(proved.box.hi[i]) != to_fraction(box_.hi[i]))
                 throw NotShown{"the verdict states another box than the file"};
@@ -136,6 +140,7 @@ class File {
         const std::size_t line = next_++;
         const Words words = words_of(lines_.at(line));
         if (words[0] == "split") {
+            const Names& names = incoming_ ? incoming_names : box_names;
             const auto axis =
                 static_cast<std::size_t>(std::find(names.begin(), names.end(), words.at(1)) - names.begin());
             InitialBox lower = box, upper = box;
@@ -145,7 +150,7 @@ class File {
             return;
         }
         const InitialLeaf leaf = leaf_of(words);
-        if (!confirmed(box, leaf, bits_, most_halvings))
+        if (!(incoming_ ? holds_for_incoming(box, leaf) : confirmed(box, leaf, bits_, most_halvings)))
             throw NotShown{fmt::format("line {}: {}", line + 1, lines_[line])};
         if (!leaf.most) {
             ++open_;
@@ -156,11 +161,20 @@ class File {
         most_ = std::max(most_, *leaf.most);
     }
 
+    /// Up to s = 1 the states have no bound: they fall, and no trajectory has more than the maximum.
+    [[nodiscard]] bool holds_for_incoming(const InitialBox& piece, const InitialLeaf& leaf) const {
+        if (!is_unbounded(piece)) return confirmed(states_of_incoming(piece), leaf, bits_, most_halvings);
+        const auto maximum = judge_falling(piece.lower(InitialAxis::ratio)).most;
+        return !leaf.most || (!leaf.first && leaf.least <= 1 && leaf.least < *leaf.most && maximum &&
+                              *maximum <= *leaf.most);
+    }
+
     static constexpr int most_halvings = 10;
     Lines lines_;
     std::size_t next_ = 0, nodes_ = 0;
     InitialBox box_;
     int bits_ = 53;
+    bool incoming_ = false;
     Rational decided_ = 0;
     long least_ = LONG_MAX, most_ = 0, open_ = 0;
 };
@@ -172,16 +186,22 @@ File::File(const std::string& path) {
     for (int n = 1; in && n > 0; text.append(block.data(), static_cast<std::size_t>(std::max(n, 0))))
         n = gzread(in.get(), block.data(), block.size());
     lines_ = lines_of(text);
-    constexpr std::size_t ratio_line = 6;  // counted from 0; after it the other axes
-    for (std::size_t i = 0; i < initial_axes; ++i) {
+    constexpr std::size_t ratio_line = 6;  // counted from 0; after it the other axes, if it is about a box
+    incoming_ = lines_.at(ratio_line - 1) == "claim incoming";
+    for (std::size_t i = incoming_ ? initial_axes - 1 : 0; i < initial_axes; ++i) {
         const bool ratio = i + 1 == initial_axes;
         const Words words = words_of(lines_.at(ratio ? ratio_line : ratio_line + 1 + i));
-        if (words.at(0) != (ratio ? "ratio" : names.at(i))) throw NotShown{"the header"};
+        if (words.at(0) != (ratio ? "ratio" : box_names.at(i))) throw NotShown{"the header"};
         box_.lo[i] = signed_rational(words.at(1));
         box_.hi[i] = signed_rational(words.at(2));
     }
-    bits_ = std::stoi(words_of(lines_.at(ratio_line + initial_axes)).at(1));
-    next_ = ratio_line + initial_axes + 2;  // after `bits` and `between`
+    const std::size_t bits_line = ratio_line + (incoming_ ? 1 : initial_axes);
+    if (incoming_) {
+        if (box_.lo.back() != box_.hi.back()) throw NotShown{"a range of ratios"};
+        box_ = incoming_box(box_.lo.back());
+    }
+    bits_ = std::stoi(words_of(lines_.at(bits_line)).at(1));
+    next_ = bits_line + 2;  // after `bits` and `between`
 }
 
 }  // namespace

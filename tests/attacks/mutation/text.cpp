@@ -96,7 +96,9 @@ std::string line_of(const Words& words) {
 }
 
 bool is_initial(const Lines& lines) {
-    return std::find(lines.begin(), lines.end(), "claim initial-conditions") != lines.end();
+    return std::any_of(lines.begin(), lines.end(), [](const std::string& line) {
+        return line == "claim initial-conditions" || line == "claim incoming";
+    });
 }
 
 bool is_adiabatic(const Lines& lines) {

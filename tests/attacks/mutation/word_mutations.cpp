@@ -106,10 +106,10 @@ Changes of_dyadic(const std::string& word) {
 constexpr std::string_view classes[][11] = {
     {"dumbbell", "hybrid", "wedge", "none"},
     {"turning", "full", "none", "wedge"},
-    {"collisions", "initial-conditions", "heavy-collisions", "adiabatic-bounce", "adiabatic-run",
+    {"collisions", "initial-conditions", "incoming", "heavy-collisions", "adiabatic-bounce", "adiabatic-run",
      "adiabatic-scattering", "adiabatic-printed"},
     {"bridge", "light", "contact", "departure", "again", "wedge"},
-    {"e", "eta", "lambda", "t", "q", "phi", "phidot", "y", "ydot"},
+    {"e", "eta", "lambda", "t", "q", "phi", "phidot", "y", "ydot", "s"},
     {"u", "s", "v", "delta", "sigma", "q"},
     {"bound", "outside", "split", "attained", "cell", "end"},
     {"light", "heavy"},
