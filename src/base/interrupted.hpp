@@ -14,7 +14,8 @@ inline const Interrupted never = [] { return false; };
 inline constexpr long flights_between_questions = 256;
 
 /// Whether a computation that has done this number of flights is to end.
-[[nodiscard]] inline bool ends_early(long flights, const Interrupted& interrupted) {
+template <class Number>
+[[nodiscard]] bool ends_early(const Number& flights, const Interrupted& interrupted) {
     return flights % flights_between_questions == flights_between_questions - 1 && interrupted();
 }
 

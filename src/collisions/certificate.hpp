@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "number/count.hpp"
 #include "number/rational.hpp"
 
 /// What a certificate says, as data: the claim, and for each piece of the ratio range the tree and the
@@ -38,8 +39,8 @@ enum class Reason { count, outside, meets, meets_reversed, once };
 /// reversed incoming ray sigma X at most `backward`.
 struct Leaf {
     Reason reason = Reason::count;
-    long forward = 0;
-    long backward = 0;
+    Count forward{};
+    Count backward{};
 };
 
 /// One node of a bisection tree in pre-order: an inner node names the axis of its split and is followed by
@@ -70,11 +71,11 @@ struct Cover {
 struct Witness {
     Rational e;
     Rational eta;
-    long forward = 0;
-    long backward = 0;
+    Count forward{};
+    Count backward{};
     Chart chart = Chart::bridge;
 
-    [[nodiscard]] long total() const { return 1 + forward + backward; }
+    [[nodiscard]] Count total() const { return 1 + forward + backward; }
 };
 
 enum class Status { exact, gap, open };
@@ -85,9 +86,9 @@ struct Piece {
     Rational q_lo;
     Rational q_hi;
     int bits = 53;
-    std::optional<long> upper;
+    std::optional<Count> upper;
     Cover cover;
-    long lower = 0;
+    Count lower{};
     std::optional<Witness> witness;
 
     [[nodiscard]] Status status() const;

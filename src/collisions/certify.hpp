@@ -33,9 +33,12 @@ struct CertifyRequest {
 /// not sound.
 [[nodiscard]] std::vector<ProvedPiece> certify(const CertifyRequest& request);
 
-/// Why nothing is tried of mass ratios up to q_hi, in a line for the user; nothing if they are within reach:
-/// up to 10^36, where one orbit has about 10^18 collisions and a count has 64 bits.
-[[nodiscard]] std::optional<std::string> out_of_reach(const Rational& q_hi);
+/// Why nothing is tried of the mass ratios, in a line for the user; nothing if they are within reach: a
+/// single ratio of the dumbbell (turning section) up to 10^50, where one orbit has about 10^25 collisions;
+/// others up to 10^36, where a count has 64 bits.
+[[nodiscard]] std::optional<std::string> out_of_reach(const Rational& q_lo, const Rational& q_hi,
+                                                      Scene scene = Scene::dumbbell,
+                                                      Section section = Section::turning);
 
 /// The share of [q_lo, q_hi] whose pieces are gaps or open, exactly; 0 for a single decided ratio, else 1.
 [[nodiscard]] Rational undecided_share(const std::vector<ProvedPiece>& pieces);

@@ -21,7 +21,7 @@ double of_collision(int bits) {
 /// A ray with so many collisions. With many of them most are left to macro steps (L42): at most about so many
 /// for a doubling of the collisions, each as much as so many sweeps over polynomials with this many terms,
 /// which is two to three times what is needed; the last collisions go one by one.
-double of_ray(long collisions, int bits) {
+double of_ray(const Count& collisions, int bits) {
     const auto count = static_cast<double>(collisions);
     if (count < 20'000) {
         return count * of_collision(bits);
@@ -36,7 +36,7 @@ double of_ray(long collisions, int bits) {
 }
 
 double of_piece(const Piece& piece) {
-    const auto rays = [&](long forward, long backward) {
+    const auto rays = [&](const Count& forward, const Count& backward) {
         // In double first: what it certifies needs no more.
         const double once = of_ray(forward, 53) + of_ray(backward, 53) + of_a_leaf * in_double;
         return piece.bits > 53 ? once + of_ray(forward, piece.bits) + of_ray(backward, piece.bits) : once;

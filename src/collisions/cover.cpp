@@ -20,8 +20,8 @@ constexpr std::size_t boxes_together = std::is_same_v<I, Interval> ? 16 : 1;
 
 /// The boxes of one generation, judged in spans; the results do not depend on how the work is shared out.
 template <class I>
-void judge_all(Chart chart, std::span<const Box> boxes, long upper, std::span<std::optional<Leaf>> results,
-               const CoverOptions& options) {
+void judge_all(Chart chart, std::span<const Box> boxes, const Count& upper,
+               std::span<std::optional<Leaf>> results, const CoverOptions& options) {
     const int bits = PrecisionScope::current();
     const auto judge_some = [&](std::size_t begin, std::size_t size) {
         if (!options.interrupted()) {
@@ -45,7 +45,7 @@ void judge_all(Chart chart, std::span<const Box> boxes, long upper, std::span<st
 /// state: at a ratio where the answer changes this would never end.
 template <class I>
 std::vector<bool> with_too_wide_ratios(Chart chart, std::span<const Box> boxes,
-                                       std::span<const std::optional<Leaf>> results, long upper,
+                                       std::span<const std::optional<Leaf>> results, const Count& upper,
                                        const CoverOptions& options) {
     std::vector<std::size_t> asked;
     std::vector<Box> thin;
@@ -101,7 +101,7 @@ Axis longest_side(Chart chart, const Box& box, SplitRule rule) {
 }  // namespace
 
 template <class I>
-std::optional<Tree> cover(Chart chart, const Rational& q_lo, const Rational& q_hi, long upper,
+std::optional<Tree> cover(Chart chart, const Rational& q_lo, const Rational& q_hi, const Count& upper,
                           const CoverOptions& options) {
     require(upper >= 1, "cover: an upper bound is at least 1");
     GrowingTree<Node, Box, 3> tree(root_box(chart, q_lo, q_hi));
@@ -132,9 +132,9 @@ std::optional<Tree> cover(Chart chart, const Rational& q_lo, const Rational& q_h
     return tree.pre_order();
 }
 
-template std::optional<Tree> cover<Interval>(Chart, const Rational&, const Rational&, long,
+template std::optional<Tree> cover<Interval>(Chart, const Rational&, const Rational&, const Count&,
                                              const CoverOptions&);
-template std::optional<Tree> cover<BigInterval>(Chart, const Rational&, const Rational&, long,
+template std::optional<Tree> cover<BigInterval>(Chart, const Rational&, const Rational&, const Count&,
                                                 const CoverOptions&);
 
 }  // namespace dumbbell::collisions

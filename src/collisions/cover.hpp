@@ -27,7 +27,7 @@ struct CoverOptions {
 /// `upper` collisions"; nothing if none was found within the options' limits. Deterministic, whatever the
 /// number of threads.
 template <class I>
-[[nodiscard]] std::optional<Tree> cover(Chart chart, const Rational& q_lo, const Rational& q_hi, long upper,
-                                        const CoverOptions& options);
+[[nodiscard]] std::optional<Tree> cover(Chart chart, const Rational& q_lo, const Rational& q_hi,
+                                        const Count& upper, const CoverOptions& options);
 
 }  // namespace dumbbell::collisions

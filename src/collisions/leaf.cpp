@@ -11,7 +11,8 @@ namespace {
 
 /// A box that double precision closes needs no more: the others pay for it alone.
 template <class I>
-std::optional<Leaf> judge_one(Chart chart, const Box& box, long upper, const Interrupted& interrupted) {
+std::optional<Leaf> judge_one(Chart chart, const Box& box, const Count& upper,
+                              const Interrupted& interrupted) {
     if constexpr (!std::is_same_v<I, Interval>) {
         constexpr long most = 20'000'000'000'000;  // collisions: it cannot tell such counts apart
         if (upper <= most) {
@@ -34,8 +35,8 @@ std::optional<Leaf> judge_one(Chart chart, const Box& box, long upper, const Int
 }  // namespace
 
 template <class I>
-void judge(Chart chart, std::span<const Box> boxes, long upper, std::span<std::optional<Leaf>> results,
-           const Interrupted& interrupted) {
+void judge(Chart chart, std::span<const Box> boxes, const Count& upper,
+           std::span<std::optional<Leaf>> results, const Interrupted& interrupted) {
     require(boxes.size() == results.size(), "judge: as many results as boxes");
     const bool turning = chart == Chart::bridge || chart == Chart::light;
     std::vector<BoxJudgement> verdicts(boxes.size(), BoxJudgement::unsure);
@@ -49,9 +50,9 @@ void judge(Chart chart, std::span<const Box> boxes, long upper, std::span<std::o
     }
 }
 
-template void judge<Interval>(Chart, std::span<const Box>, long, std::span<std::optional<Leaf>>,
+template void judge<Interval>(Chart, std::span<const Box>, const Count&, std::span<std::optional<Leaf>>,
                               const Interrupted&);
-template void judge<BigInterval>(Chart, std::span<const Box>, long, std::span<std::optional<Leaf>>,
+template void judge<BigInterval>(Chart, std::span<const Box>, const Count&, std::span<std::optional<Leaf>>,
                                  const Interrupted&);
 
 }  // namespace dumbbell::collisions

@@ -12,7 +12,7 @@ namespace dumbbell::collisions {
 /// collisions", or nothing where none is certain, or where it was interrupted. I: Interval or BigInterval
 /// (with the calling thread's precision).
 template <class I>
-void judge(Chart chart, std::span<const Box> boxes, long upper, std::span<std::optional<Leaf>> results,
-           const Interrupted& interrupted = never);
+void judge(Chart chart, std::span<const Box> boxes, const Count& upper,
+           std::span<std::optional<Leaf>> results, const Interrupted& interrupted = never);
 
 }  // namespace dumbbell::collisions

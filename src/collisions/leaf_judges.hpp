@@ -13,7 +13,7 @@
 namespace dumbbell::collisions {
 
 template <class I>
-[[nodiscard]] std::optional<Leaf> judge_turning(Chart chart, const Box& box, long upper,
+[[nodiscard]] std::optional<Leaf> judge_turning(Chart chart, const Box& box, const Count& upper,
                                                 const Interrupted& interrupted);
 
 /// What the batch kernel says of a box: it is closed; or it is not, and closer bounds would not close it

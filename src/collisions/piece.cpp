@@ -1,6 +1,7 @@
 #include "collisions/piece.hpp"
 
 #include <algorithm>
+#include <type_traits>
 
 #include "collisions/witness.hpp"
 #include "flight/batch/query.hpp"
@@ -30,7 +31,7 @@ Obstacle escalate(const PieceOptions& options, Attempt attempt) {
 }
 
 template <class I>
-std::optional<Cover> prove_upper(const Rational& q_lo, const Rational& q_hi, long upper,
+std::optional<Cover> prove_upper(const Rational& q_lo, const Rational& q_hi, const Count& upper,
                                  const PieceOptions& options) {
     if (options.scene == Scene::dumbbell && q_lo == 1 && q_hi == 1 && upper >= 2) {
         return Cover{.equal_masses = true, .charts = {}};
@@ -72,8 +73,8 @@ void describe(ProvedPiece& proved) {
 /// The bounds that a piece is to prove, and the ratios at which they are to hold: all of its own, or for a
 /// step its ends.
 struct Goal {
-    long upper;
-    long lower;
+    Count upper;
+    Count lower;
     const Rational& greatest_of_upper;
     const Rational& least_of_lower;
 };
@@ -82,7 +83,7 @@ struct Goal {
 template <class I>
 Obstacle attempt_piece(ProvedPiece& proved, int bits, const Goal& goal, const PieceOptions& options) {
     Piece& piece = proved.piece;
-    const auto [upper, lower, greatest, least] = goal;
+    const auto& [upper, lower, greatest, least] = goal;
     auto witness = options.scene == Scene::dumbbell
                        ? find_witness<I>(least, piece.q_hi, lower, options.interrupted)
                        : find_wedge_witness(least, lower, options.interrupted);
@@ -111,15 +112,20 @@ void describe_in_time(ProvedPiece& proved, const PieceOptions& options) {
 /// What N* seems to be, from bounds on the two extremal orbits; nothing if this precision cannot tell, or not
 /// in time. It only says what to try.
 template <class I>
-std::optional<long> suspected_maximum(const Rational& q, const PieceOptions& options) {
-    constexpr long cap = 1L << 60;  // at the greatest ratio
+std::optional<Count> suspected_maximum(const Rational& q, const PieceOptions& options) {
+    flight::CountOf<I> cap = 1L << 60;
+    if constexpr (std::is_same_v<I, BigInterval>) {
+        cap += Count(numerator(q) / denominator(q));  // more than C sqrt q
+    }
     const I r = enclose<I>(Rational(1) / q);
-    long most = 2;
-    long least = 2;
+    Count most = 2;
+    Count least = 2;
     for (const flight::ExtremalOrbit orbit : {flight::ExtremalOrbit::top, flight::ExtremalOrbit::corner}) {
         const flight::Ray<I> ray = extremal_ray(orbit, r);
         most += count_at_most(ray, cap, options.interrupted);
-        least += options.interrupted() ? 0 : count_at_least(ray, cap, options.interrupted);
+        if (!options.interrupted()) {
+            least += count_at_least(ray, cap, options.interrupted);
+        }
         if (most != least) {
             return std::nullopt;
         }
@@ -132,8 +138,8 @@ std::optional<long> suspected_maximum(const Rational& q, const PieceOptions& opt
 /// search for a witness or a cover in vain takes long.
 template <class I>
 bool precise_enough(const Goal& goal, const PieceOptions& options) {
-    long most = 2;
-    long least = 2;
+    Count most = 2;
+    Count least = 2;
     for (const flight::ExtremalOrbit orbit : {flight::ExtremalOrbit::top, flight::ExtremalOrbit::corner}) {
         const auto ray = [&](const Rational& q) { return extremal_ray(orbit, enclose<I>(Rational(1) / q)); };
         most += count_at_most(ray(goal.greatest_of_upper), goal.upper, options.interrupted);
@@ -186,8 +192,8 @@ ProvedPiece prove_single(const Rational& q, const PieceOptions& options) {
         if (bits == double_bits && beyond_double) {
             return Obstacle::maximum;
         }
-        const auto n = options.scene != Scene::dumbbell ? std::optional(flight::paper_bound(q) - 1)
-                       : q == 1                         ? std::optional(2L)
+        const auto n = options.scene != Scene::dumbbell ? std::optional<Count>(flight::paper_bound(q) - 1)
+                       : q == 1                         ? std::optional<Count>(2)
                                                         : suspected_maximum<I>(q, options);
         return n ? attempt_piece<I>(proved, bits, {*n, *n, q, q}, options) : Obstacle::maximum;
     });

@@ -68,7 +68,7 @@ std::string paper_text(const ProofReport& report, const Piece& piece) {
 
 struct Counts {
     long exact = 0, gaps = 0, open = 0;
-    long least = 0, most = 0;  ///< the values of the exact pieces, of which there is one
+    Count least{}, most{};  ///< the values of the exact pieces, of which there is one
 };
 
 Counts count_statuses(const ProofReport& report) {
@@ -95,7 +95,7 @@ std::string pieces_with_value(const Counts& counts) {
                                        : fmt::format("{}, from {} to {}", pieces, counts.least, counts.most);
 }
 
-std::string counted(long n, std::string_view one) {
+std::string counted(const Count& n, std::string_view one) {
     return fmt::format("{} {}{}", n, one, n == 1 ? "" : "s");
 }
 
@@ -111,8 +111,7 @@ std::string start_text(const ReportRow& row) {
     return fmt::format(
         "A start in the air, near this orbit, that has {} as well; the command was run, and proves it:\n  "
         "{}\n",
-        counted(static_cast<long>(row.orbit.size()), "collision"),
-        trace_command(row.piece->q_lo, *row.start));
+        counted(row.orbit.size(), "collision"), trace_command(row.piece->q_lo, *row.start));
 }
 
 /// How clear of tangency the witness's collisions are, how narrowly it is known, and a start near it unless
@@ -245,8 +244,8 @@ std::string verdict(const ProofReport& report) {
 
 std::string to_text(const ProofReport& report) {
     std::string text = pieces_table(report);
-    text += fmt::format("{} in {:.2f} s with {}\n\n", counted(static_cast<long>(report.rows.size()), "piece"),
-                        report.seconds, counted(report.jobs, "thread"));
+    text += fmt::format("{} in {:.2f} s with {}\n\n", counted(report.rows.size(), "piece"), report.seconds,
+                        counted(report.jobs, "thread"));
     text += verdict(report) + witness_sentence(report);
     if (heavy_at_most_once(report)) {
         text += "In every trajectory the heavy mass hits the floor at most once.\n";

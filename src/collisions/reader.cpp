@@ -25,9 +25,9 @@ Node node_from(Lines& lines, Chart chart) {
     const auto reason = reason_named(word);
     const std::size_t counts = reason != Reason::count ? 0 : counts_both_ways(chart) ? 2 : 1;
     if (reason && fields.size() == 1 + counts) {
-        return {
-            std::nullopt,
-            {*reason, counts > 0 ? lines.number(fields[1]) : 0, counts > 1 ? lines.number(fields[2]) : 0}};
+        return {std::nullopt,
+                {*reason, counts > 0 ? lines.count(fields[1]) : Count(),
+                 counts > 1 ? lines.count(fields[2]) : Count()}};
     }
     lines.fail();
 }
@@ -70,10 +70,10 @@ Piece piece_from(Lines& lines, const std::vector<Chart>& charts, Trees trees) {
     piece.bits = static_cast<int>(std::min(lines.number(lines.expect("bits", 2)[1]), 4096L));
     const std::string upper = lines.expect("upper", 2)[1];
     if (upper != "none") {
-        piece.upper = lines.number(upper);
+        piece.upper = lines.count(upper);
         piece.cover = cover_from(lines, charts, trees);
     }
-    piece.lower = lines.number(lines.expect("lower", 2)[1]);
+    piece.lower = lines.count(lines.expect("lower", 2)[1]);
     if (piece.lower > 0) {
         const auto& w = lines.expect("witness", 6);
         const auto chart = std::find_if(witness_charts.begin(), witness_charts.end(),
@@ -82,7 +82,7 @@ Piece piece_from(Lines& lines, const std::vector<Chart>& charts, Trees trees) {
             lines.fail();
         }
         piece.witness =
-            Witness{lines.dyadic(w[2]), lines.dyadic(w[3]), lines.number(w[4]), lines.number(w[5]), *chart};
+            Witness{lines.dyadic(w[2]), lines.dyadic(w[3]), lines.count(w[4]), lines.count(w[5]), *chart};
     }
     return piece;
 }

@@ -137,22 +137,25 @@ class Questions {
 }  // namespace
 
 template <class I>
-std::optional<Leaf> judge_turning(Chart chart, const Box& box, long upper, const Interrupted& interrupted) {
+std::optional<Leaf> judge_turning(Chart chart, const Box& box, const Count& upper,
+                                  const Interrupted& interrupted) {
     const Case<I> found = case_of<I>(chart, box);
     if (found.leaf || !found.out) {
         return found.leaf;
     }
-    const long forward = count_at_most(*found.out, upper - 1, interrupted);
-    if (forward > upper - 1) {
+    using N = flight::CountOf<I>;
+    const N most = upper - 1;
+    const N forward = count_at_most(*found.out, most, interrupted);
+    if (forward > most) {
         return std::nullopt;
     }
-    const long room = upper - 1 - forward;
-    const long backward = found.reversed ? count_at_most(*found.reversed, room, interrupted) : 0;
+    const N room = most - forward;
+    const N backward = found.reversed ? count_at_most(*found.reversed, room, interrupted) : N(0);
     return backward > room ? std::nullopt : std::optional(Leaf{Reason::count, forward, backward});
 }
 
-template std::optional<Leaf> judge_turning<Interval>(Chart, const Box&, long, const Interrupted&);
-template std::optional<Leaf> judge_turning<BigInterval>(Chart, const Box&, long, const Interrupted&);
+template std::optional<Leaf> judge_turning<Interval>(Chart, const Box&, const Count&, const Interrupted&);
+template std::optional<Leaf> judge_turning<BigInterval>(Chart, const Box&, const Count&, const Interrupted&);
 
 std::vector<BoxJudgement> judge_turning_together(Chart chart, std::span<const Box> boxes, long upper,
                                                  std::span<std::optional<Leaf>> results,

@@ -25,8 +25,8 @@ std::optional<Witness> find_wedge_witness(const Rational& q_lo, long target, con
     // is even.
     for (int depth = 0; depth <= 200 && !interrupted(); ++depth) {
         if (auto witness = attempt(Rational(1, Integer(1) << depth))) {
-            witness->forward = std::min(witness->forward, target);
-            witness->backward = std::min(witness->backward, target);
+            witness->forward = std::min<Count>(witness->forward, target);
+            witness->backward = std::min<Count>(witness->backward, target);
             return witness;
         }
     }

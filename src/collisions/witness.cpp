@@ -155,7 +155,8 @@ std::optional<Witness> find_in_double(const Rational& q_lo, const Rational& q_hi
 
 template <class I>
 std::optional<Witness> checked_witness(const Rational& e, const Rational& eta, const Rational& q_lo,
-                                       const Rational& q_hi, long cap, const Interrupted& interrupted) {
+                                       const Rational& q_hi, const Count& cap,
+                                       const Interrupted& interrupted) {
     const auto rays = highest_rays<I>(e, eta, q_lo, q_hi);
     return rays ? std::optional(Witness{e, eta, count_at_least(rays->out, cap, interrupted),
                                         count_at_least(rays->reversed, cap, interrupted)})
@@ -163,7 +164,7 @@ std::optional<Witness> checked_witness(const Rational& e, const Rational& eta, c
 }
 
 template <class I>
-std::optional<Witness> find_witness(const Rational& q_lo, const Rational& q_hi, long target,
+std::optional<Witness> find_witness(const Rational& q_lo, const Rational& q_hi, const Count& target,
                                     const Interrupted& interrupted) {
     const int bits = PrecisionScope::current();
     const int deepest = std::min(bits + 8, shortest_distance_bits);
@@ -185,13 +186,13 @@ std::optional<Witness> find_witness(const Rational& q_lo, const Rational& q_hi, 
 }
 
 template std::optional<Witness> checked_witness<Interval>(const Rational&, const Rational&, const Rational&,
-                                                          const Rational&, long, const Interrupted&);
+                                                          const Rational&, const Count&, const Interrupted&);
 template std::optional<Witness> checked_witness<BigInterval>(const Rational&, const Rational&,
-                                                             const Rational&, const Rational&, long,
+                                                             const Rational&, const Rational&, const Count&,
                                                              const Interrupted&);
-template std::optional<Witness> find_witness<Interval>(const Rational&, const Rational&, long,
+template std::optional<Witness> find_witness<Interval>(const Rational&, const Rational&, const Count&,
                                                        const Interrupted&);
-template std::optional<Witness> find_witness<BigInterval>(const Rational&, const Rational&, long,
+template std::optional<Witness> find_witness<BigInterval>(const Rational&, const Rational&, const Count&,
                                                           const Interrupted&);
 
 }  // namespace dumbbell::collisions

@@ -14,7 +14,8 @@ namespace dumbbell::collisions {
 /// BigInterval.
 template <class I>
 [[nodiscard]] std::optional<Witness> checked_witness(const Rational& e, const Rational& eta,
-                                                     const Rational& q_lo, const Rational& q_hi, long cap,
+                                                     const Rational& q_lo, const Rational& q_hi,
+                                                     const Count& cap,
                                                      const Interrupted& interrupted = never);
 
 /// Searches for a witness of at least `target` collisions. The extremal orbits leave the bridge near its top,
@@ -22,7 +23,8 @@ template <class I>
 /// (where to look is a guess, what is returned is checked). Nothing if none is found, or none before it is
 /// interrupted.
 template <class I>
-[[nodiscard]] std::optional<Witness> find_witness(const Rational& q_lo, const Rational& q_hi, long target,
+[[nodiscard]] std::optional<Witness> find_witness(const Rational& q_lo, const Rational& q_hi,
+                                                  const Count& target,
                                                   const Interrupted& interrupted = never);
 
 /// The straight and the hybrid wedge: a collision of scaled slope lambda, its counts exact at the greatest r,

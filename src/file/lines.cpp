@@ -87,6 +87,13 @@ long Lines::number(const std::string& text) const {
     return value;
 }
 
+Count Lines::count(const std::string& text) const {
+    if (text.empty() || text.find_first_not_of("0123456789") != std::string::npos) {
+        fail();
+    }
+    return Count(Integer(text));
+}
+
 Rational Lines::ratio(const std::string& text) const {
     try {
         return parse_rational(text, max_line);

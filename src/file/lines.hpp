@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "number/count.hpp"
 #include "number/rational.hpp"
 
 struct gzFile_s;
@@ -40,6 +41,7 @@ class Lines {
 
     /// The lexical classes of format.md, section 1, and `signed` of format-initial.md.
     [[nodiscard]] long number(const std::string& text) const;
+    [[nodiscard]] Count count(const std::string& text) const;
     [[nodiscard]] Rational ratio(const std::string& text) const;
     [[nodiscard]] Rational signed_ratio(const std::string& text) const;
     [[nodiscard]] Rational dyadic(const std::string& text) const;

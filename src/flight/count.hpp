@@ -1,14 +1,21 @@
 #pragma once
 
+#include <type_traits>
+
 #include "base/interrupted.hpp"
 #include "flight/contact.hpp"
 #include "flight/macro/steps.hpp"
 #include "flight/ray.hpp"
 #include "flight/reflection.hpp"
+#include "number/count.hpp"
 
 /// Certified bounds of G, the number of later collisions of a set of rays with the light walls (lemmas L4,
 /// L5).
 namespace dumbbell::flight {
+
+/// What the collisions of rays in I are counted with: double cannot tell greater numbers apart.
+template <class I>
+using CountOf = std::conditional_t<std::is_same_v<I, BigInterval>, Count, long>;
 
 namespace detail {
 
@@ -16,7 +23,9 @@ namespace detail {
 template <class I>
 class MacroSteps {
   public:
-    MacroSteps(macro::BoundSide side, const I& r, long cap, const Interrupted& interrupted)
+    using N = CountOf<I>;
+
+    MacroSteps(macro::BoundSide side, const I& r, const N& cap, const Interrupted& interrupted)
         : side_(side),
           r_(r),
           attempts_(cap >= macro::least_worth_a_macro_step<I> ? 4 : 0),
@@ -24,10 +33,13 @@ class MacroSteps {
           interrupted_(interrupted) {}
 
     /// `state`, and c of the flight that leaves it, after count + 1 collisions.
-    void follow(macro::WallState<I>& state, I& c, long& count) {
-        const long before = count;
-        for (long steps = 1; attempts_ > 0 && steps > 0; count += steps) {
-            steps = interrupted_() ? 0 : macro_step(side_, r_, state, cap_ - count - 1);
+    void follow(macro::WallState<I>& state, I& c, N& count) {
+        if (attempts_ == 0) {
+            return;
+        }
+        const N before = count;
+        for (N steps = 1; attempts_ > 0 && steps > 0; count += steps) {
+            steps = interrupted_() ? N(0) : N(macro_step(side_, r_, state, cap_ - count - 1));
             attempts_ -= steps == 0 ? 1 : 0;
         }
         if (count != before) {
@@ -37,21 +49,21 @@ class MacroSteps {
     }
     /// Far from the last macro step: at this precision none is found, and one after the other they are too
     /// many.
-    [[nodiscard]] bool hopeless(long count) const { return attempts_ == 0 && count - last_ > 4'000'000; }
+    [[nodiscard]] bool hopeless(const N& count) const { return attempts_ == 0 && count - last_ > 4'000'000; }
 
   private:
     macro::BoundSide side_;
     const I& r_;
     int attempts_;  ///< that may fail: first where the orbit has hardly begun, at last where it ends
-    long cap_;
+    N cap_;
     const Interrupted& interrupted_;
-    long last_ = 0;
+    N last_ = 0;
 };
 
 }  // namespace detail
 
 /// Looks at no ray on the way.
-inline constexpr auto unseen = [](long, const auto&, const auto&) {};
+inline constexpr auto unseen = [](const auto&, const auto&, const auto&) {};
 
 /// An upper bound of G over all rays that lie at or above `lowest` in c, kappa and r: the lowest, flattest
 /// ray is followed with lower bounds, and a contact counts unless a strict miss is certain. Stops at `cap` +
@@ -59,13 +71,13 @@ inline constexpr auto unseen = [](long, const auto&, const auto&) {};
 /// collisions, but for those that macro steps pass over. Precondition: lowest.c >= 0, lowest.kappa >=
 /// -lowest.r.
 template <class I, class See = decltype(unseen)>
-long count_at_most(const Ray<I>& lowest, long cap, const Interrupted& interrupted = never,
-                   const See& see = unseen) {
+CountOf<I> count_at_most(const Ray<I>& lowest, const CountOf<I>& cap, const Interrupted& interrupted = never,
+                         const See& see = unseen) {
     const I r = low_end(lowest.r);
     I c = low_end(lowest.c);
     I kappa = low_end(lowest.kappa);
     detail::MacroSteps<I> macro_steps(macro::BoundSide::lower, r, cap, interrupted);
-    for (long count = 0; count <= cap; ++count) {
+    for (CountOf<I> count = 0; count <= cap; ++count) {
         see(count, c, kappa);
         if (certainly_at_most(I(1), kappa)) {
             return count;  // L3
@@ -98,12 +110,13 @@ long count_at_most(const Ray<I>& lowest, long cap, const Interrupted& interrupte
 /// steepest ray is followed with upper bounds, and only certain, transversal collisions count. Stops at
 /// `cap`, and early if interrupted.
 template <class I>
-long count_at_least(const Ray<I>& highest, long cap, const Interrupted& interrupted = never) {
+CountOf<I> count_at_least(const Ray<I>& highest, const CountOf<I>& cap,
+                          const Interrupted& interrupted = never) {
     const I r = high_end(highest.r);
     I c = high_end(highest.c);
     I kappa = high_end(highest.kappa);
     detail::MacroSteps<I> macro_steps(macro::BoundSide::upper, r, cap, interrupted);
-    for (long count = 0; count < cap; ++count) {
+    for (CountOf<I> count = 0; count < cap; ++count) {
         if (!certainly_less(kappa, I(1))) {
             return count;
         }

@@ -76,7 +76,7 @@ class Kinds {
     }
 
   private:
-    using Key = std::tuple<bool, long, long, long, collisions::Reason>;
+    using Key = std::tuple<bool, Count, Count, Count, collisions::Reason>;
 
     static Key key(const collisions::Leaf& leaf) {
         return {leaf.reason == collisions::Reason::count, leaf.forward + leaf.backward, leaf.forward,
@@ -147,9 +147,9 @@ Json piece_json(const Piece& piece, const Certificate& certificate, const Kinds&
 }
 
 /// The greatest upper and the least lower bound; none if a piece has no upper bound.
-std::pair<std::optional<long>, long> bounds_of(const Certificate& certificate) {
-    std::optional<long> upper = 0;
-    long lower = certificate.pieces.front().lower;
+std::pair<std::optional<Count>, Count> bounds_of(const Certificate& certificate) {
+    std::optional<Count> upper = 0;
+    Count lower = certificate.pieces.front().lower;
     for (const Piece& piece : certificate.pieces) {
         upper = upper && piece.upper ? std::optional(std::max(*upper, *piece.upper)) : std::nullopt;
         lower = std::min(lower, piece.lower);

@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "number/count.hpp"
 #include "number/interval.hpp"
 
 namespace dumbbell {
@@ -24,6 +25,8 @@ class Json {  // NOLINT(cppcoreguidelines-special-member-functions): one assignm
     Json(int value);
     Json(long value);
     Json(unsigned long value);
+    /// A string from 2^63 on: hardly a reader of JSON keeps such numbers exactly.
+    Json(const Count& value);
     /// Null if it is not finite.
     Json(double value);
     /// What is no UTF-8 becomes U+FFFD.

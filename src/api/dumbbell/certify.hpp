@@ -40,8 +40,8 @@ struct Proof {
 };
 
 /// Proves the maximum for one mass ratio, or for every one of a range. What it claims rests on the
-/// certificate: verify that. Throws InputError for an option out of range, or a range with more than a
-/// million steps.
+/// certificate: verify that. Throws InputError for an option out of range, a range with more than a million
+/// steps, or a maximum beyond 2^63.
 [[nodiscard]] [[gnu::visibility("default")]] Proof certify(const MassRatio& ratio,
                                                            const CertifyOptions& options = {});
 

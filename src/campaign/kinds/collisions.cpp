@@ -49,8 +49,9 @@ PlannedPiece parse_unit(const std::string& unit) {
         const PlannedPiece piece{parse_rational(fields[1], longest), parse_rational(fields[2], longest),
                                  static_cast<long>(parse_size(fields[3])),
                                  static_cast<long>(parse_size(fields[4]))};
-        if (piece.q_lo >= 1 && piece.q_lo <= piece.q_hi && !collisions::out_of_reach(piece.q_hi) &&
-            piece.lower >= 1 && piece.lower <= piece.upper && words_of(piece) == unit) {
+        if (piece.q_lo >= 1 && piece.q_lo <= piece.q_hi &&
+            !collisions::out_of_reach(piece.q_lo, piece.q_hi) && piece.lower >= 1 &&
+            piece.lower <= piece.upper && words_of(piece) == unit) {
             return piece;
         }
     }
@@ -181,7 +182,7 @@ std::optional<Plan> plan_collisions(const collisions::CertifyRequest& request,
     if (request.q_lo == request.q_hi) {
         throw InputError("a single ratio is one shard: use dumbbell certify, or give a range LO:HI");
     }
-    if (const auto reason = collisions::out_of_reach(request.q_hi)) {
+    if (const auto reason = collisions::out_of_reach(request.q_lo, request.q_hi)) {
         throw InputError(*reason);
     }
     const auto pieces = plan_staircase(request.scene, request.q_lo, request.q_hi, request.gap, interrupted,

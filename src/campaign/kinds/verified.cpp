@@ -180,8 +180,8 @@ VerifiedPlan plan_verified(const std::string& file, std::optional<std::size_t> s
         q_lo = i == 0 ? piece.q_lo : q_lo;
         q_hi = piece.q_hi;
         units.push_back(fmt::format("piece {}", i + 1));
-        const long upper = piece.upper.value_or(0);
-        costs.push_back(static_cast<std::size_t>(std::clamp(upper, 0L, 1'000'000'000L)) + 10);
+        const Count upper = std::min(piece.upper.value_or(0), Count(1'000'000'000));
+        costs.push_back(static_cast<std::size_t>(upper) + 10);
     }
     const Subject subject{std::string(file.ends_with(".gz") ? packed_name : certificate_name),
                           in.head().scene, certificates::sealed_digest(file), in.pieces()};

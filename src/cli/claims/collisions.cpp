@@ -22,15 +22,16 @@ collisions::CertifyRequest request_of(const Given& given, const RatioArgument& r
     if (given.text("--section") == "full" && given.text("--scene") != "dumbbell") {
         throw InputError("--section full is for the scene dumbbell: the wedges have --section turning");
     }
-    if (const auto reason = collisions::out_of_reach(ratio.hi)) {
-        throw InputError(*reason);
-    }
     collisions::CertifyRequest request;
     request.q_lo = ratio.lo;
     request.q_hi = ratio.hi;
     request.gap = parse_gap(given.text("--gap"));
     request.scene = *collisions::scene_named(given.text("--scene"));
     request.section = section_of(given);
+    if (const auto reason =
+            collisions::out_of_reach(request.q_lo, request.q_hi, request.scene, request.section)) {
+        throw InputError(*reason);
+    }
     return request;
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "number/big_interval.hpp"
+#include "number/count.hpp"
 
 /// Arb's balls and polynomials, as values. Every operation works at the precision of the thread's
 /// PrecisionScope.
@@ -51,6 +52,11 @@ class Ball {
 inline Ball whole(long n) {
     Ball result;
     arb_set_si(result.raw(), n);
+    return result;
+}
+inline Ball whole(const Count& n) {
+    Ball result;
+    arf_set_mpz(arb_midref(result.raw()), n.integer().raw());
     return result;
 }
 inline bool positive(const Ball& x) { return arb_is_positive(x.raw()) != 0; }

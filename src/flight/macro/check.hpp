@@ -19,7 +19,7 @@ struct Orbit {
 struct Task {
     Ball r;                       ///< 1/q
     Ball x, kappa;                ///< the state at s = -1
-    long collisions = 0;          ///< how many, at most 2^62
+    Count collisions{};           ///< how many
     slong terms = 0;              ///< of the polynomials
     Ball x_excess, kappa_excess;  ///< wanted of both sides of L42 (6), (7), times collisions/2
 };

@@ -20,12 +20,14 @@ struct Effort {
     long least;        ///< a step over fewer collisions is not worth it
 
     /// What both sides of L42 (6), (7), times collisions/2, are found to within, for a step over so many.
-    [[nodiscard]] double resolution(long collisions) const {
+    [[nodiscard]] double resolution(const Count& collisions) const {
         return 2 * root_bits + static_cast<double>(share_bits) + 1 -
                std::log2(static_cast<double>(collisions));
     }
-    [[nodiscard]] int bits(long collisions) const { return static_cast<int>(resolution(collisions)) + 16; }
-    [[nodiscard]] slong terms(long collisions) const {
+    [[nodiscard]] int bits(const Count& collisions) const {
+        return static_cast<int>(resolution(collisions)) + 16;
+    }
+    [[nodiscard]] slong terms(const Count& collisions) const {
         return static_cast<slong>(resolution(collisions) / 2.2) + 4;
     }
 };
@@ -73,18 +75,19 @@ void round_to(BigInterval& bound, const Ball& x, bool up, int bits) {
 }
 
 template <class I>
-long stepped(BoundSide side, const I& r, WallState<I>& state, long most) {
+Count stepped(BoundSide side, const I& r, WallState<I>& state, const Count& most) {
     const bool above = side == BoundSide::upper;
     const int bound_bits = working_bits<I>();
     const double depth = approximate(half_pi<I>() - state.x);
     const double root = std::sqrt(approximate(r));
     const Effort work = effort(-std::log2(root), bound_bits);
     const double left = collisions_left(depth, approximate(state.kappa), root);
-    const double share = std::min(0.33 * left, static_cast<double>(most));
-    if (!(share >= static_cast<double>(work.least) && share < 0x1p62)) return 0;
+    const double longest = std::min(0.33 * left, static_cast<double>(most));
+    if (!std::isfinite(longest)) return 0;
 
     const int at_start = 8 + static_cast<int>(-std::log2(std::clamp(approximate(state.x), root * root, 1.)));
-    for (auto collisions = static_cast<long>(share); collisions >= work.least; collisions /= 2) {
+    for (double length = longest; length >= static_cast<double>(work.least); length /= 2) {
+        const Count collisions(length);
         // X_0 >= 0, which a lower bound needs, may be far below its neighbours.
         const PrecisionScope scope(std::max(work.bits(collisions), at_start));
         Task task;
@@ -115,11 +118,11 @@ long stepped(BoundSide side, const I& r, WallState<I>& state, long most) {
 }  // namespace
 
 template <>
-long macro_step(BoundSide side, const Interval& r, WallState<Interval>& state, long most) {
+Count macro_step(BoundSide side, const Interval& r, WallState<Interval>& state, const Count& most) {
     return stepped(side, r, state, most);
 }
 template <>
-long macro_step(BoundSide side, const BigInterval& r, WallState<BigInterval>& state, long most) {
+Count macro_step(BoundSide side, const BigInterval& r, WallState<BigInterval>& state, const Count& most) {
     return stepped(side, r, state, most);
 }
 

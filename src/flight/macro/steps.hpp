@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "number/big_interval.hpp"
+#include "number/count.hpp"
 #include "number/interval.hpp"
 
 /// Macro steps (lemma L42): a bound of a ray is moved over many collisions at once.
@@ -24,13 +25,16 @@ struct WallState {
 /// often; from above, all of them, and they do collide so often. Precondition: 0 < r, 0 <= x, 0 <= kappa. It
 /// works in multiple precision for bounds in double, too. Only the two types below have macro steps.
 template <class I>
-[[nodiscard]] long macro_step(BoundSide /*side*/, const I& /*r*/, WallState<I>& /*state*/, long /*most*/) {
+[[nodiscard]] Count macro_step(BoundSide /*side*/, const I& /*r*/, WallState<I>& /*state*/,
+                               const Count& /*most*/) {
     return 0;
 }
 template <>
-[[nodiscard]] long macro_step(BoundSide side, const Interval& r, WallState<Interval>& state, long most);
+[[nodiscard]] Count macro_step(BoundSide side, const Interval& r, WallState<Interval>& state,
+                               const Count& most);
 template <>
-[[nodiscard]] long macro_step(BoundSide side, const BigInterval& r, WallState<BigInterval>& state, long most);
+[[nodiscard]] Count macro_step(BoundSide side, const BigInterval& r, WallState<BigInterval>& state,
+                               const Count& most);
 
 /// Rays that are followed for fewer collisions than this have no macro step worth trying.
 template <class I>

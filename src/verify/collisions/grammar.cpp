@@ -63,9 +63,9 @@ class CollisionsReader : public Reader<Leaf> {
         end_ = b;
         read_bits(leaf, checked());
         text_.expect("upper", 1);
-        std::optional<std::uint64_t> upper;
+        std::optional<mpz_class> upper;
         if (text_.fields[1] != "none") {
-            upper = leaf.claimed = text_.natural(1);
+            upper = leaf.claimed = text_.long_natural(1);
             // Double precision cannot tell such counts apart.
             leaf.multiple = leaf.multiple || (leaf.bits > 53 && *upper > 20'000'000'000'000);
             proof_.roots += static_cast<double>(section_.charts.size());
@@ -74,7 +74,7 @@ class CollisionsReader : public Reader<Leaf> {
             ++proof_.tallies.back().lines;
         }
         text_.expect("lower", 1);
-        leaf.claimed = text_.natural(1);
+        leaf.claimed = text_.long_natural(1);
         if (upper && leaf.claimed > *upper) text_.reject("number", "lower above upper");
         if (leaf.claimed > 0) proofs_.witness(leaf, a, b);
         claim_.add(a, b, upper, leaf.claimed);

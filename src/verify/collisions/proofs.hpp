@@ -57,8 +57,8 @@ struct Proofs {
         if (fields.size() != hints + opcode->hints ||
             (place == Place::witness && fields[1] != section.witness))
             text.reject("syntax", "wrong number of values, or unknown kind");
-        if (opcode->hints > 0) leaf.a = text.natural(hints);
-        if (opcode->hints > 1) leaf.b = text.natural(hints + 1);
+        if (opcode->hints > 0) leaf.a = text.long_natural(hints);
+        if (opcode->hints > 1) leaf.b = text.long_natural(hints + 1);
         leaf.opcode = static_cast<std::size_t>(opcode - table.begin());
         leaf.line = text.line;
         ++tallies[1 + leaf.opcode].lines;

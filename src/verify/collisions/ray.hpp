@@ -6,6 +6,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "verify/format/section.hpp"
@@ -19,6 +20,8 @@ template <class N>
 class Rays {
   public:
     using I = Interval<N>;
+    /// Collisions of a ray that are counted; double cannot tell greater numbers apart.
+    using Count = std::conditional_t<std::is_same_v<N, double>, std::uint64_t, mpz_class>;
 
     /// A ray (c, kappa) at mass ratio r: bounds, all from below or all from above, of a set of rays.
     struct Ray {
@@ -40,7 +43,7 @@ class Rays {
     /// The box of a leaf, for the log.
     void describe(const Leaf& leaf, const Chart& chart) {
         *log_ += "  " + std::to_string(std::is_same_v<N, double> ? 53 : leaf.bits) + " bits, claimed " +
-                 std::to_string(leaf.claimed) + "\n";
+                 leaf.claimed.get_str() + "\n";
         for (std::size_t i = 0; i < 3; ++i) {
             const mpq_class &lo = leaf.box.lo[i], &hi = leaf.box.hi[i];
             *log_ += "  " + std::string(chart.axes[i]) + " in [" + lo.get_str() + ", " + hi.get_str() +
@@ -65,14 +68,16 @@ class Rays {
     }
 
     /// Certified G <= most for all rays above `ray`.
-    bool at_most(const char* what, const Ray& ray, std::uint64_t most) {
-        return counted(what,
-                       by_leaps_or_steps(most, [&](Leaps leaps) { return hits_at_most(ray, most, leaps); }));
+    bool at_most(const char* what, const Ray& ray, const mpz_class& most) {
+        return counted(what, by_leaps_or_steps(most, [&](const Count& n, Leaps<Count> leaps) {
+                           return hits_at_most(ray, n, leaps);
+                       }));
     }
     /// Certified G >= least for all rays below `ray`.
-    bool at_least(const char* what, const Ray& ray, std::uint64_t least) {
-        return counted(
-            what, by_leaps_or_steps(least, [&](Leaps leaps) { return hits_at_least(ray, least, leaps); }));
+    bool at_least(const char* what, const Ray& ray, const mpz_class& least) {
+        return counted(what, by_leaps_or_steps(least, [&](const Count& n, Leaps<Count> leaps) {
+                           return hits_at_least(ray, n, leaps);
+                       }));
     }
 
     /// Near the least root of sin x = c + kappa x, from z, by the root of the parabola at z (third order;
@@ -166,16 +171,18 @@ class Rays {
     /// Macro steps lose a small part of a collision, more than rounding: where that is what the answer hangs
     /// on, one step after the other, unless they are too many.
     template <class Hits>
-    bool by_leaps_or_steps(std::uint64_t collisions, Hits hits) {
+    bool by_leaps_or_steps(const mpz_class& collisions, Hits hits) {
         constexpr std::uint64_t most_steps = 1'000'000;
-        if (hits(Leaps(collisions))) return true;
-        if (collisions < least_macro || collisions > most_steps) return false;
+        if (std::is_same_v<N, double> && !collisions.fits_ulong_p()) return false;
+        const Count n(as<Count>(collisions));
+        if (hits(n, Leaps<Count>(n))) return true;
+        if (n < least_macro || n > most_steps) return false;
         steps_.clear();
-        return hits(Leaps(0));
+        return hits(n, Leaps<Count>(0));
     }
-    bool hits_at_most(Ray ray, std::uint64_t most, Leaps& leaps) {
+    bool hits_at_most(Ray ray, const Count& most, Leaps<Count>& leaps) {
         N z = zero;
-        for (std::uint64_t count = 0;; ++count) {
+        for (Count count = 0;; ++count) {
             step(count, ray);
             if (ray.kappa >= one) return true;
             const bool seems_to_hit = guess_root(ray.c, ray.kappa, z);
@@ -186,9 +193,9 @@ class Rays {
             if (!leap(leaps, down, ray, at.x, most - 1, count)) return false;
         }
     }
-    bool hits_at_least(Ray ray, std::uint64_t least, Leaps& leaps) {
+    bool hits_at_least(Ray ray, const Count& least, Leaps<Count>& leaps) {
         N z = zero;
-        for (std::uint64_t count = 0; count < least; ++count) {
+        for (Count count = 0; count < least; ++count) {
             step(count, ray);
             if (!(ray.kappa < one && guess_root(ray.c, ray.kappa, z))) return false;
             const auto at = latest(ray, z);
@@ -199,7 +206,7 @@ class Rays {
     }
     /// Moves the ray, which leaves collision count + 1 at x, over more of them if that is worth it, up to
     /// `most` + 1 in all, and counts them. False if there are too many to go one by one.
-    bool leap(Leaps& leaps, Round d, Ray& ray, const N& x, std::uint64_t most, std::uint64_t& count) {
+    bool leap(Leaps<Count>& leaps, Round d, Ray& ray, const N& x, const Count& most, Count& count) {
         if (!leaps.may()) return leaps.near(count);
         if (!(ray.kappa < one)) return true;
         WallBound wall{exact_value(x), exact_value(ray.kappa), exact_value(ray.r)};
@@ -210,10 +217,10 @@ class Rays {
         ray.c = std::max(zero, d == down ? c.lo : c.hi);
         return true;
     }
-    void step(std::uint64_t count, const Ray& ray) {
+    void step(const Count& count, const Ray& ray) {
         Work::collision();
         if (log_)
-            steps_.push_back("    " + std::to_string(count) + ": c " + show(ray.c) + " kappa " +
+            steps_.push_back("    " + mpz_class(count).get_str() + ": c " + show(ray.c) + " kappa " +
                              show(ray.kappa));
     }
     bool counted(const char* what, bool holds) {

@@ -22,14 +22,14 @@ std::string covered_part(const mpq_class& lo, const mpq_class& hi, const mpq_cla
            to_string(std::max(lo, from), std::min(hi, to));
 }
 
-void Collisions::add(const mpq_class& a, const mpq_class& b, std::optional<std::uint64_t> u,
-                     std::uint64_t v) {
+void Collisions::add(const mpq_class& a, const mpq_class& b, const std::optional<mpz_class>& u,
+                     const mpz_class& v) {
     const mpq_class& from = ratios ? ratios->first : lo;
     const bool proves[] = {true, u && (!most || *u <= *most), !least || v >= *least};
     for (std::size_t i = 0; i < 3; ++i)
         if (proves[i] && (reached_[i] ? a <= *reached_[i] : a <= from && from <= b)) reached_[i] = b;
     upper = upper && u ? std::max(upper, u) : std::nullopt;
-    lower = std::min(lower, v);
+    lower = pieces == 0 ? v : std::min(lower, v);
     ++pieces;
     if (keep.have(pieces)) parts.push_back({a, b, u, v});
     gaps += u && *u == v + 1;

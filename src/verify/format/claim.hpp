@@ -34,20 +34,21 @@ struct Collisions {
     std::optional<std::pair<mpq_class, mpq_class>> ratios;  ///< demanded; else the file's
     std::optional<mpz_class> most, least;                   ///< demanded: N* <= most, N* >= least on `ratios`
 
-    mpq_class lo, hi;                        ///< of the file
-    std::optional<std::uint64_t> upper = 0;  ///< the largest; none if a piece has none
-    std::uint64_t lower = UINT64_MAX, pieces = 0, gaps = 0, open = 0;
+    mpq_class lo, hi;                    ///< of the file
+    std::optional<mpz_class> upper = 0;  ///< the largest; none if a piece has none
+    mpz_class lower;                     ///< the least
+    std::uint64_t pieces = 0, gaps = 0, open = 0;
 
     struct Part {
         mpq_class lo, hi;
-        std::optional<std::uint64_t> upper;
-        std::uint64_t lower;
+        std::optional<mpz_class> upper;
+        mpz_class lower;
     };
     Pieces keep;              ///< collect these
     std::vector<Part> parts;  ///< the pieces that are kept
 
     /// The pieces come in increasing order, [lo, hi] of the file is their union.
-    void add(const mpq_class& a, const mpq_class& b, std::optional<std::uint64_t> u, std::uint64_t v);
+    void add(const mpq_class& a, const mpq_class& b, const std::optional<mpz_class>& u, const mpz_class& v);
     /// Empty if the pieces with an upper bound <= most cover `ratios`, and those with a lower bound >= least
     /// do.
     [[nodiscard]] std::string missing() const;

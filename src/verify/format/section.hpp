@@ -19,8 +19,9 @@ struct Box {
 /// A chart with a single axis besides q has it in place 1.
 struct Leaf {
     std::size_t chart = 0, opcode = 0;
-    std::uint64_t a = 0, b = 0, claimed = 0, line = 0;  ///< two hints; U of the piece, for a witness V
-    unsigned bits = 53;                                 ///< working precision; 53 is double unless `multiple`
+    mpz_class a = 0, b = 0, claimed = 0;  ///< two hints; U of the piece, for a witness V
+    std::uint64_t line = 0;
+    unsigned bits = 53;  ///< working precision; 53 is double unless `multiple`
     bool multiple = false;
     Box box;
 };

@@ -27,24 +27,24 @@ double collisions_left(double depth, double kappa, double root) {
 
 }  // namespace
 
-std::uint64_t macro_step(Round d, WallBound& bound, std::uint64_t most, long bits) {
+mpz_class macro_step(Round d, WallBound& bound, const mpz_class& most, long bits) {
     const PrecisionKept kept;
     const double r = bound.r.get_d(), x = bound.x.get_d(), depth = M_PI / 2 - x;
     const double root = std::sqrt(r), root_bits = -std::log2(root);
-    if (!(depth > 0)) return 0;
+    if (!(depth > 0 && r > 0x1p-1000)) return 0;
     const double left = collisions_left(depth, bound.kappa.get_d(), root);
-    const double length = std::min(0.33 * left, static_cast<double>(most));
+    const double length = std::min(0.33 * left, most.get_d());
     // What is lost of a collision in all, and what that takes.
     const double share = std::clamp(static_cast<double>(bits) - root_bits - 4, 8.,
                                     std::max(12., static_cast<double>(bits) / 8 - 20));
     const double finest = 2 * root_bits + share + 1, least = 44 + finest / 2.2;
-    if (!(length >= least && length < 0x1p63)) return 0;
+    if (!std::isfinite(length)) return 0;
 
     Start start;
     start.root = std::lround(std::floor(root_bits));
     const double at_start = 8 - std::log2(std::clamp(x, r, 1.));  // x must not be rounded away
-    for (auto k = static_cast<std::uint64_t>(length); static_cast<double>(k) >= least; k /= 2) {
-        const double resolution = finest - std::log2(static_cast<double>(k));
+    for (double k = std::floor(length); k >= least; k = std::floor(k / 2)) {
+        const double resolution = finest - std::log2(k);
         const long one = start.places = std::lround(std::max(resolution + 24, at_start));
         start.terms = static_cast<std::size_t>(resolution / 2.2) + 4;
         start.x = fixed(d, bound.x, one);
@@ -54,7 +54,7 @@ std::uint64_t macro_step(Round d, WallBound& bound, std::uint64_t most, long bit
         start.pi = fixed(down, exact_value(pi_bound(down, Big())), one);
         if (start.x <= 0 || start.slope <= 0 || start.r <= 0) return 0;
         Orbit orbit{start.series(), start.series(), start.series(), start.series()};
-        start.k = mpz_class(std::to_string(k));
+        start.k = mpz_class(k);
         const mpz_class excess = shifted(start.k * start.r, -1 - 2 * start.root - std::lround(share));
         start.excess = d == up ? excess : mpz_class(-excess);
         if (!guess_orbit(start, orbit) || !is_macro_step(d, orbit, start)) continue;
@@ -62,7 +62,7 @@ std::uint64_t macro_step(Round d, WallBound& bound, std::uint64_t most, long bit
         bound.kappa = mpq_class(orbit.slope.at(1), shifted(1, one + start.root));
         bound.x.canonicalize();
         bound.kappa.canonicalize();
-        return k;
+        return start.k;
     }
     return 0;
 }

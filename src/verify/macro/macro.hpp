@@ -17,7 +17,7 @@ struct WallBound {
 /// how many: 0 if none, or too few to be worth it. `down`: every ray of the set that collides so often has
 /// then x, kappa at or above them; `up`: every ray collides so often, and has them at or below. `bits`: about
 /// the precision that the bounds have.
-[[nodiscard]] std::uint64_t macro_step(Round d, WallBound& bound, std::uint64_t most, long bits);
+[[nodiscard]] mpz_class macro_step(Round d, WallBound& bound, const mpz_class& most, long bits);
 
 /// Below so many collisions it is not worth trying.
 constexpr std::uint64_t least_macro = 20'000;

@@ -32,11 +32,11 @@ Comparison compare(const Lemma& lemma, const Collisions& a, const Collisions& b)
     if (a.ratios) lo = std::max(lo, a.ratios->first), hi = std::min(hi, a.ratios->second);
     if (lo > hi) return refuted(lemma, "the files have no mass ratio in common");
     const bool point = lo == hi;
-    const auto slack = static_cast<std::int64_t>(lemma.slack);
+    const mpz_class slack = lemma.slack;
     const auto is_gap = [](const Collisions::Part& part) {
         return part.upper && *part.upper == part.lower + 1;
     };
-    std::optional<std::int64_t> excess, least;
+    std::optional<mpz_class> excess, least;
     std::uint64_t gaps = 0;
     std::size_t first = 0;
     for (const Collisions::Part& p : a.parts) {
@@ -45,24 +45,22 @@ Comparison compare(const Lemma& lemma, const Collisions& a, const Collisions& b)
             const Collisions::Part& other = b.parts[j];
             const mpq_class from = std::max({p.lo, other.lo, lo}), to = std::min({p.hi, other.hi, hi});
             if (from > to || (from == to && !point) || (point && !p.upper)) continue;
-            const std::int64_t here =
-                p.upper ? static_cast<std::int64_t>(*p.upper) - static_cast<std::int64_t>(other.lower)
-                        : INT64_MAX;
+            const mpz_class here = p.upper ? mpz_class(*p.upper - other.lower) : mpz_class(slack + 2);
             if (!point && here == slack + 1 && (is_gap(p) || is_gap(other))) {
                 ++gaps;
                 continue;
             }
             if (!point && here > slack)
                 return refuted(lemma, "not proved on " + to_string(from, to) +
-                                          ": upper=" + (p.upper ? std::to_string(*p.upper) : "none") +
-                                          " of the first file, lower=" + std::to_string(other.lower) +
+                                          ": upper=" + (p.upper ? p.upper->get_str() : "none") +
+                                          " of the first file, lower=" + other.lower.get_str() +
                                           " of the second");
             least = std::min(least.value_or(here), here);
             excess = point && excess ? std::min(*excess, here) : std::max(excess.value_or(here), here);
         }
     }
     if (!excess || *excess > slack) return refuted(lemma, "not proved at " + to_string(lo));
-    const std::string e = std::to_string(*excess), l = std::to_string(*least), k = std::to_string(gaps);
+    const std::string e = excess->get_str(), l = least->get_str(), k = std::to_string(gaps);
     return {true,
             said(lemma, "ratio=" + to_string(lo, hi) + " excess=" + e + " least-excess=" + l + " gaps=" + k),
             R"({"ratio":{"lo":")" + to_string(lo) + R"(","hi":")" + to_string(hi) + R"("},"excess":)" + e +

@@ -25,13 +25,14 @@ PieceSums::PieceSums(const Collisions& claim)
 }
 
 Bounds PieceSums::of(const Pieces& pieces) const {
-    Bounds sum;
+    std::optional<Bounds> sum;
+    const auto take = [&](const Bounds& node) { sum = sum ? together(*sum, node) : node; };
     std::uint64_t from = pieces.first - first_ + count_, to = pieces.last - first_ + count_ + 1;
     for (; from < to; from /= 2, to /= 2) {
-        if (from % 2 == 1) sum = together(sum, nodes_.at(from++));
-        if (to % 2 == 1) sum = together(sum, nodes_.at(--to));
+        if (from % 2 == 1) take(nodes_.at(from++));
+        if (to % 2 == 1) take(nodes_.at(--to));
     }
-    return sum;
+    return sum.value();
 }
 
 }  // namespace dumbbell_verify

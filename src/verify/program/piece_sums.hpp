@@ -6,10 +6,11 @@
 
 namespace dumbbell_verify {
 
-/// As in a verdict, of some pieces; at first of none.
+/// As in a verdict, of some pieces.
 struct Bounds {
-    std::optional<std::uint64_t> upper = 0;  ///< the largest; none if a piece has none
-    std::uint64_t lower = UINT64_MAX, gaps = 0, open = 0;
+    std::optional<mpz_class> upper;  ///< the largest; none if a piece has none
+    mpz_class lower;
+    std::uint64_t gaps = 0, open = 0;
 };
 
 /// Of n pieces, in memory O(n); an answer takes O(log n).

@@ -12,9 +12,8 @@ std::string claim_text(const Result& result) {
     if (const auto text = result.proof.of_other([](const auto& it) { return it.text(); })) return *text;
     const Collisions& claim = result.proof.claim;
     return "scene=" + result.job->settings.scene + " ratio=" + to_string(claim.lo, claim.hi) +
-           " upper=" + (claim.upper ? std::to_string(*claim.upper) : "none") +
-           " lower=" + std::to_string(claim.lower) + " gaps=" + std::to_string(claim.gaps) +
-           " open=" + std::to_string(claim.open);
+           " upper=" + (claim.upper ? claim.upper->get_str() : "none") + " lower=" + claim.lower.get_str() +
+           " gaps=" + std::to_string(claim.gaps) + " open=" + std::to_string(claim.open);
 }
 
 std::string result_text(const Result& result) {

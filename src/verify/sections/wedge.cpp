@@ -17,8 +17,8 @@ class Wedge {
   public:
     Wedge(const Leaf& leaf, std::string* log) : leaf_(leaf), log_(log) {
         if (log)
-            *log += "  exact, claimed " + std::to_string(leaf.claimed) + "\n  lambda in [" + y0.get_str() +
-                    ", " + y1.get_str() + "]\n  q in [" + leaf.box.lo[2].get_str() + ", " +
+            *log += "  exact, claimed " + leaf.claimed.get_str() + "\n  lambda in [" + y0.get_str() + ", " +
+                    y1.get_str() + "]\n  q in [" + leaf.box.lo[2].get_str() + ", " +
                     leaf.box.hi[2].get_str() + "]\n";
     }
 
@@ -40,7 +40,8 @@ class Wedge {
         return holds;
     }
     /// G_w(kappa, r), or limit + 1 if it is greater than the limit.
-    std::uint64_t count(const mpq_class& kappa, const mpq_class& r, std::uint64_t limit) {
+    std::uint64_t count(const mpq_class& kappa, const mpq_class& r, const mpz_class& hint) {
+        const std::uint64_t limit = hint.get_ui();  // it is small
         const mpz_class &light = r.get_num(), &heavy = r.get_den(), rest = heavy - light;
         mpz_class top = kappa.get_num(), bottom = kappa.get_den();
         std::uint64_t n = 0;

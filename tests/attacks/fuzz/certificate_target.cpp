@@ -65,7 +65,7 @@ void check_claim(const Verified& proof, const std::string& text, const Settings&
         demand.least = claim.lower + 1;
         must(!is_accepted(text, settings, demand), "refused if more collisions are demanded");
         demand.least.reset();
-        demand.most = claim.upper ? std::max<std::uint64_t>(*claim.upper, 1) - 1 : 1'000'000;
+        demand.most = claim.upper ? std::max(*claim.upper, mpz_class(1)) - 1 : mpz_class(1'000'000);
         must(!is_accepted(text, settings, demand), "refused if fewer collisions are demanded");
     }
     demand.least.reset();

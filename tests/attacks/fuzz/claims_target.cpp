@@ -141,18 +141,18 @@ void strengthen_upper(Piece& piece, Choices& choices) {
             Leaf& leaf = node.leaf;
             const long too_many = 1 + leaf.forward + leaf.backward - *piece.upper;
             if (node.split || leaf.reason != Reason::count || too_many <= 0) continue;
-            long& first = forward_first ? leaf.forward : leaf.backward;
-            long& second = forward_first ? leaf.backward : leaf.forward;
-            const long taken = std::min(first, too_many);
+            dumbbell::Count& first = forward_first ? leaf.forward : leaf.backward;
+            dumbbell::Count& second = forward_first ? leaf.backward : leaf.forward;
+            const long taken = std::min<long>(first, too_many);
             first -= taken;
-            second = std::max(0L, second - (too_many - taken));
+            second = std::max<long>(0L, second - (too_many - taken));
         }
 }
 
 void strengthen_lower(Piece& piece, Choices& choices) {
     if (!piece.witness) return;
     const long more = choices.between(-1, 2);
-    piece.lower = std::max(0L, piece.lower + more);
+    piece.lower = std::max<long>(0L, piece.lower + more);
     (choices.coin() ? piece.witness->forward : piece.witness->backward) += std::max(0L, more);
     if (piece.upper) piece.upper = std::max(*piece.upper, piece.lower);
 }

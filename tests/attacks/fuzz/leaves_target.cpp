@@ -127,7 +127,7 @@ void try_leaf(const Place& place, const dumbbell_verify::Leaf& leaf, Choices& ch
         const bool both_ways = counts_both_ways(place.chart);
         const long total = std::max(0L, about_as_many(place, leaf.box, choices) - (both_ways ? 1 : 0));
         said.forward = both_ways ? choices.between(0, total) : total;
-        said.backward = total - said.forward;
+        said.backward = dumbbell::Count(total) - said.forward;
     }
     if (!is_accepted(place, name(said.reason), leaf, said.forward, said.backward, choices)) return;
     constexpr int samples = 5;
@@ -143,7 +143,7 @@ void try_witness(const Place& place, dumbbell_verify::Leaf leaf, Choices& choice
     said.chart = place.chart;
     const long total = std::max(1L, about_as_many(place, leaf.box, choices));
     said.forward = choices.between(0, total - 1);
-    said.backward = total - 1 - said.forward;
+    said.backward = dumbbell::Count(total - 1) - said.forward;
     if (!is_accepted(place, "witness", leaf, said.forward, said.backward, choices)) return;
     for (const mpq_class& q : {leaf.box.lo[2], leaf.box.hi[2]}) must_hold(said, real(q));
 }

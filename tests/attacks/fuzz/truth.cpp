@@ -62,8 +62,6 @@ Bounds of_wedge(const mpq_class& q) {
     return {natural(value * (1 - 1e-12L)), natural(value * (1 + 1e-12L))};
 }
 
-std::string text(const std::optional<std::uint64_t>& n) { return n ? std::to_string(*n) : "none"; }
-
 }  // namespace
 
 Bounds maximum(const std::string& scene, const mpq_class& q) {
@@ -74,14 +72,14 @@ mpq_class critical_ratio(std::size_t n) { return table().at(n - first_step).cut;
 std::size_t greatest_critical() { return first_step + table().size() - 1; }
 
 void must_be_true(const std::string& scene, const mpq_class& lo, const mpq_class& hi,
-                  const std::optional<std::uint64_t>& upper, std::uint64_t lower) {
+                  const std::optional<mpz_class>& upper, const mpz_class& lower) {
     // The maximum does not decrease with q.
     const Bounds at_lo = maximum(scene, lo), at_hi = maximum(scene, hi);
     if ((!upper || *upper >= at_hi.least) && lower <= at_lo.most) return;
     trap("verified, but false: scene " + scene + ", ratios " + lo.get_str() + ":" + hi.get_str() +
-         ", upper " + text(upper) + ", lower " + std::to_string(lower) + "; the maximum is at least " +
-         std::to_string(at_hi.least) + " at the end, at most " + std::to_string(at_lo.most) +
-         " at the beginning");
+         ", upper " + (upper ? upper->get_str() : "none") + ", lower " + lower.get_str() +
+         "; the maximum is at least " + std::to_string(at_hi.least) + " at the end, at most " +
+         std::to_string(at_lo.most) + " at the beginning");
 }
 
 }  // namespace dumbbell_fuzz

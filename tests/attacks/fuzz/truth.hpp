@@ -27,6 +27,6 @@ struct Bounds {
 
 /// Ends the program if "N* <= upper and N* >= lower at all ratios of [lo, hi]" is certainly false.
 void must_be_true(const std::string& scene, const mpq_class& lo, const mpq_class& hi,
-                  const std::optional<std::uint64_t>& upper, std::uint64_t lower);
+                  const std::optional<mpz_class>& upper, const mpz_class& lower);
 
 }  // namespace dumbbell_fuzz

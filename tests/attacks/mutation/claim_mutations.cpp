@@ -21,7 +21,7 @@ void best_tree(Chart chart, const Box& box, long upper, int depth, Tree& tree) {
     judge<Interval>(chart, {&box, 1}, upper, {&leaf, 1});
     if (!leaf && depth == 0) {
         judge<Interval>(chart, {&box, 1}, upper + 1, {&leaf, 1});
-        const long forward = leaf ? std::clamp(leaf->forward, 0L, upper - 1) : upper - 1;
+        const long forward = leaf ? std::clamp<long>(leaf->forward, 0L, upper - 1) : upper - 1;
         leaf = Leaf{chart == Chart::again ? Reason::once : Reason::count, forward, upper - 1 - forward};
     }
     if (leaf) {
@@ -102,9 +102,9 @@ class Claims {
                     without_lower(p);
                     for (ChartTree& chart : p.cover.charts)
                         for (Node& node : chart.tree)
-                            if (long& hint = forward ? node.leaf.forward : node.leaf.backward;
+                            if (dumbbell::Count& hint = forward ? node.leaf.forward : node.leaf.backward;
                                 1 + node.leaf.forward + node.leaf.backward > *p.upper)
-                                hint = std::max(0L, hint - less);
+                                hint = std::max<long>(0L, hint - less);
                 });
         }
         for (const int depth : {0, 1, 2, 3, 4, 6, 8})

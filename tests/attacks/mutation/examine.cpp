@@ -70,9 +70,9 @@ std::string claim_text(const Verified& proof) {
     if (const auto text = proof.of_other([](const auto& it) { return it.text(); })) return *text;
     const Collisions& claim = proof.claim;
     return "ratio=" + dumbbell_verify::to_string(claim.lo) + ":" + dumbbell_verify::to_string(claim.hi) +
-           " upper=" + (claim.upper ? std::to_string(*claim.upper) : "none") +
-           " lower=" + std::to_string(claim.lower) + " gaps=" + std::to_string(claim.gaps) +
-           " open=" + std::to_string(claim.open) + (proof.heavy_once ? " heavy-at-most=1" : "");
+           " upper=" + (claim.upper ? claim.upper->get_str() : "none") + " lower=" + claim.lower.get_str() +
+           " gaps=" + std::to_string(claim.gaps) + " open=" + std::to_string(claim.open) +
+           (proof.heavy_once ? " heavy-at-most=1" : "");
 }
 
 }  // namespace dumbbell_mutation

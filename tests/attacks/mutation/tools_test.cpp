@@ -36,8 +36,8 @@ dumbbell_verify::Verified believed(const std::string& path) {
     proof.claim.hi = exact(range.second);
     for (const dumbbell::collisions::Piece& piece : c.pieces)
         proof.claim.add(exact(piece.q_lo), exact(piece.q_hi),
-                        piece.upper ? std::optional(static_cast<std::uint64_t>(*piece.upper)) : std::nullopt,
-                        static_cast<std::uint64_t>(piece.lower));
+                        piece.upper ? std::optional(mpz_class(piece.upper->str())) : std::nullopt,
+                        mpz_class(piece.lower.str()));
     proof.heavy_once = c.section != dumbbell::collisions::Section::turning && proof.claim.upper;
     return proof;
 }

@@ -61,17 +61,17 @@ def piece(lines, section, scene, a, b, judge):
         upper = None
         lines.count("open")
     elif fields[0] == "upper":
-        upper, = lines.values(fields[1:], "nat")
+        upper, = lines.values(fields[1:], "count")
         cover(lines, section, scene, a, b, upper, bits, judge)
     else:
         raise lines.wrong("expected `upper`")
-    lower, = lines.line("lower", "nat")
+    lower, = lines.line("lower", "count")
     if upper is not None and lower > upper:
         raise lines.wrong("the lower bound is above the upper one")
     if lower > 0:
         kind = section.WITNESS
         values = lines.line(f"witness {kind}" + (" 0b0" if kind == "wedge" else ""),
-                            *["dyadic"] * (1 if kind == "wedge" else 2), "nat", "nat")
+                            *["dyadic"] * (1 if kind == "wedge" else 2), "count", "count")
         lines.count("witness")
         if 1 + values[-2] + values[-1] < lower:
             raise lines.wrong("the witness has less than `lower` collisions")
@@ -85,7 +85,7 @@ def cover(lines, section, scene, a, b, upper, bits, judge):
         hints = section.LEAVES[chart].get(op)
         if hints is None:
             raise lines.wrong(f"no node of the chart {chart}: {op}")
-        values = lines.values(fields[1:], *["nat"] * hints)
+        values = lines.values(fields[1:], *["count"] * hints)
         lines.count(op)
         if op == "count" and 1 + sum(values) > upper:
             raise lines.wrong("the leaf counts more than `upper` collisions")

@@ -75,6 +75,10 @@ def _nat(text):
     return int(_matching(r"0|[1-9][0-9]{0,17}")(text))
 
 
+def _count(text):
+    return int(_matching(r"0|[1-9][0-9]{0,2099}")(text))
+
+
 def _lemmas(text):
     """A nat, or a word."""
     return text if text[0].islower() and CLASSES["word"](text) else str(_nat(text))
@@ -82,6 +86,7 @@ def _lemmas(text):
 
 CLASSES = {
     "nat": _nat,
+    "count": _count,
     "lemmas": _lemmas,
     "ratio": _ratio,
     "signed": _signed,

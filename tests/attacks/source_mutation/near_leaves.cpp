@@ -158,12 +158,12 @@ class Maker {
                     move(any, {&leaf.box.lo[i], &leaf.box.hi[i]}, -1);
                     move(any, {&leaf.box.lo[i], &leaf.box.hi[i]}, 1);
                 }
-            for (std::uint64_t* hint : {&leaf.a, &leaf.b, &leaf.claimed})
+            for (mpz_class* hint : {&leaf.a, &leaf.b, &leaf.claimed})
                 for (const int step : {-1, 1}) {
                     if (*hint == 0 && step < 0) continue;
-                    *hint += static_cast<std::uint64_t>(step);
+                    *hint += step;
                     print(any);
-                    *hint -= static_cast<std::uint64_t>(step);
+                    *hint -= step;
                 }
             return;
         }

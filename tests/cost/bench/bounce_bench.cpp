@@ -132,11 +132,11 @@ void measure_peer(const Setting& setting, const Peer& peer) {
 /// With its own refinement of the guess to the working precision.
 void measure_big(const Setting& setting, int bits) {
     const Setting few{setting.name, setting.q, setting.rays / slow};
-    const auto at_most = [bits](const Ray<double>& ray, long most) {
+    const auto at_most = [bits](const Ray<double>& ray, long most) -> long {
         const PrecisionScope scope(bits);
         return count_at_most(enclosed_big(ray), most);
     };
-    const auto at_least = [bits](const Ray<double>& ray, long most) {
+    const auto at_least = [bits](const Ray<double>& ray, long most) -> long {
         const PrecisionScope scope(bits);
         return count_at_least(enclosed_big(ray), most);
     };

@@ -185,11 +185,16 @@ TEST_CASE("an output that cannot be written is known before the search, named, w
     refused({"certify", "1:1000000", "--gap", "1e-9", "--out", "no/such/folder/file.dbc"});
 }
 
-TEST_CASE("a ratio beyond 10^36 is refused") {
+TEST_CASE("a ratio beyond 10^50, or a range beyond 10^36, is refused") {
     for (const char* ratio :
-         {"1000000000000000000000000000000000001", "1e37", "1e300", "1e-1000", "1:1e37"}) {
-        CHECK_THAT(refused({"certify", ratio, "--out", "file.dbc"}), Contains("beyond 10^36, the greatest"));
+         {"100000000000000000000000000000000000000000000000001", "1e51", "1e300", "1e-1000"}) {
+        CHECK_THAT(refused({"certify", ratio, "--out", "file.dbc"}), Contains("beyond 10^50, the greatest"));
     }
+    for (const char* range : {"1:1000000000000000000000000000000000001", "1:1e37"}) {
+        CHECK_THAT(refused({"certify", range, "--out", "file.dbc"}), Contains("beyond 10^36, the greatest"));
+    }
+    CHECK_THAT(refused({"certify", "1e37", "--scene", "wedge"}), Contains("beyond 10^36, the greatest"));
+    CHECK_THAT(refused({"certify", "1e37", "--section", "full"}), Contains("beyond 10^36, the greatest"));
 }
 
 TEST_CASE("a range of more than a million steps is refused with advice") {

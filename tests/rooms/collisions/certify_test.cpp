@@ -147,7 +147,7 @@ TEST_CASE("a generous budget changes nothing") {
     CHECK(spelled(certify(request)) == spelled(certified(1, 30)));
 }
 
-TEST_CASE("ratios beyond 10^36 are left open at once") {
+TEST_CASE("ratios beyond those that are tried are left open at once") {
     const Rational huge = at("1e300");
     const auto pieces = certified(huge, huge);
     REQUIRE(pieces.size() == 1);
@@ -156,9 +156,16 @@ TEST_CASE("ratios beyond 10^36 are left open at once") {
     CHECK(certified(10, huge).size() == 1);
 }
 
-TEST_CASE("ratios are tried up to 10^36") {
-    CHECK_FALSE(out_of_reach(at("1e36")));
-    CHECK(out_of_reach(at("1e36") + 1)->find("beyond 10^36") != std::string::npos);
+TEST_CASE("ranges are tried up to 10^36, single ratios of the dumbbell up to 10^50") {
+    const Rational most = at("1e36"), more = most + 1, far = at("1e50");
+    CHECK_FALSE(out_of_reach(1, most));
+    CHECK_FALSE(out_of_reach(far, far));
+    CHECK(out_of_reach(far + 1, far + 1)->find("beyond 10^50") != std::string::npos);
+    for (const auto& reason : {out_of_reach(most, more), out_of_reach(more, more, Scene::wedge),
+                               out_of_reach(more, more, Scene::dumbbell, Section::full)}) {
+        REQUIRE(reason);
+        CHECK(reason->find("beyond 10^36") != std::string::npos);
+    }
 }
 
 TEST_CASE("a range of more than a million steps is refused at once, wherever it lies") {

@@ -33,7 +33,7 @@ InitialBox before(const Collision<Interval>& first, const Rational& q) {
 Witness best_witness(const Rational& q) {
     const PrecisionScope scope(53);
     std::optional<Witness> witness;
-    while (const auto better = find_witness<Interval>(q, q, witness ? witness->total() + 1 : 1)) {
+    while (const auto better = find_witness<Interval>(q, q, witness ? long(witness->total() + 1) : 1L)) {
         witness = better;
     }
     REQUIRE(witness);

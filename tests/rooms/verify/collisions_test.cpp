@@ -88,7 +88,7 @@ TEST_CASE("gaps and open pieces are told apart") {
     claim.hi = 12;
     for (const Piece& p : stairs) claim.add(p.a, p.b, p.upper, p.lower);
     CHECK_FALSE(claim.upper);
-    CHECK(claim.lower == 2);
+    CHECK((claim.lower == 2));
     CHECK(claim.gaps == 1);
     CHECK(claim.open == 1);
     CHECK(claim.pieces == 5);

@@ -63,7 +63,8 @@ inline std::string words(const AnyLeaf& any) {
         const auto& [section, leaf] = *one;
         out << section->lemmas << " " << section->scene << " " << section->name << " "
             << section->charts[leaf.chart].name << " " << section->opcodes[leaf.opcode].name << " "
-            << bits_of(leaf) << " " << leaf.a << " " << leaf.b << " " << leaf.claimed;
+            << bits_of(leaf) << " " << leaf.a.get_str() << " " << leaf.b.get_str() << " "
+            << leaf.claimed.get_str();
         box(leaf.box);
     } else if (const auto* start = std::get_if<Start>(&any)) {
         out << "start";
@@ -126,9 +127,9 @@ inline AnyLeaf parsed(const std::string& text) {
         leaf.chart = place(section->charts);
         leaf.opcode = place(section->opcodes);
         set_bits(leaf, static_cast<unsigned>(number()));
-        leaf.a = number();
-        leaf.b = number();
-        leaf.claimed = number();
+        leaf.a = mpz_class(word());
+        leaf.b = mpz_class(word());
+        leaf.claimed = mpz_class(word());
         box(leaf.box);
         return result;
     }

@@ -81,7 +81,7 @@ inline std::string mutated(const std::string& text, const std::string& from, con
 using dumbbell_verify::count_leaf, dumbbell_verify::meets, dumbbell_verify::meets_reversed,
     dumbbell_verify::outside;
 
-inline bool accepts(Leaf leaf, std::size_t opcode, std::uint64_t a = 0, std::uint64_t b = 0) {
+inline bool accepts(Leaf leaf, std::size_t opcode, const mpz_class& a = 0, const mpz_class& b = 0) {
     leaf.opcode = opcode;
     leaf.a = a;
     leaf.b = b;
@@ -96,7 +96,7 @@ inline std::string tree(Leaf leaf, int depth = 0) {
     if (leaf.chart == 1 && accepts(leaf, meets_reversed)) return "meets-reversed\n";
     for (std::uint64_t a = 0; a < leaf.claimed; ++a)
         if (accepts(leaf, count_leaf, a, leaf.claimed - 1 - a))
-            return "count " + std::to_string(a) + " " + std::to_string(leaf.claimed - 1 - a) + "\n";
+            return "count " + std::to_string(a) + " " + mpz_class(leaf.claimed - 1 - a).get_str() + "\n";
     const auto& axes = dumbbell_verify::turning().charts[leaf.chart].axes;
     const bool ratio = depth % 3 == 2 && leaf.box.hi[2] > leaf.box.lo[2];
     const std::size_t i =

@@ -29,8 +29,8 @@ void check_all(const Collisions& claim) {
             expected.add(p.lo, p.hi, p.upper, p.lower);
             const Bounds found = sums.of({claim.keep.first + i, claim.keep.first + j});
             INFO(claim.parts.size() << " pieces, " << i << " to " << j);
-            REQUIRE(found.upper == expected.upper);
-            REQUIRE(found.lower == expected.lower);
+            REQUIRE((found.upper == expected.upper));
+            REQUIRE((found.lower == expected.lower));
             REQUIRE(found.gaps == expected.gaps);
             REQUIRE(found.open == expected.open);
         }

@@ -56,7 +56,7 @@ std::string tree(const Section& section, Leaf leaf, int depth = 0) {
     leaf.opcode = count_leaf;
     leaf.a = leaf.claimed - 1;
     if (section.charts[leaf.chart].name != "again" && !section.check(leaf, nullptr))
-        return "count " + std::to_string(leaf.a) + "\n";
+        return "count " + leaf.a.get_str() + "\n";
     const std::size_t i = leaf.box.hi[0] - leaf.box.lo[0] > 2 * (leaf.box.hi[1] - leaf.box.lo[1]) ? 0 : 1;
     Leaf lower = leaf, upper = leaf;
     lower.box.hi[i] = upper.box.lo[i] = (leaf.box.lo[i] + leaf.box.hi[i]) / 2;

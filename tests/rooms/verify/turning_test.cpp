@@ -39,7 +39,7 @@ std::string find_witness(const mpq_class& a, const mpq_class& b, std::uint64_t l
                 leaf.box = {{mpq_class(i, 64), mpq_class(j, 64), a}, {mpq_class(i, 64), mpq_class(j, 64), b}};
                 if (turning().check(leaf, nullptr) == nullptr)
                     return "bridge " + std::to_string(i) + "b-6 " + std::to_string(j) + "b-6 " +
-                           std::to_string(leaf.a) + " " + std::to_string(leaf.b);
+                           leaf.a.get_str() + " " + leaf.b.get_str();
             }
     return "";
 }
