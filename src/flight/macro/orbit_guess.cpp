@@ -136,7 +136,7 @@ double size(const Ball& x) { return std::abs(approximate(x)); }
 }  // namespace
 
 std::optional<Orbit> guess_orbit(const Task& task) {
-    constexpr int sweeps = 40;
+    constexpr int sweeps = 60;
     const Point start{approximate(pi() * Ball(0.5) - task.x), approximate(task.kappa)};
     if (!(start.depth > 0 && start.kappa > 0)) return std::nullopt;
     const Response response = macro::response(task, start);
@@ -150,23 +150,54 @@ std::optional<Orbit> guess_orbit(const Task& task) {
     const double x_slack = std::min(slack, 0.1 * size(task.x_excess) / depth);
     const double kappa_slack = slack * std::sqrt(approximate(task.r));
 
+    // A sweep finds about 40 more bits of where the orbit is at s = 0, and of its shape as many as the number
+    // of collisions has: it is made with no more than these. The last one has all.
+    struct Part {
+        double slack, unit, won;
+
+        [[nodiscard]] double wanted() const { return -std::log2(slack / unit); }
+        [[nodiscard]] double right(double wrong) const { return -std::log2(wrong / unit); }
+    };
+    const double root = std::sqrt(approximate(task.r));
+    const double of_shape = std::log2(static_cast<double>(task.collisions)) + 4;
+    const std::array<Part, 4> parts{{{x_slack, 1, 40},
+                                     {kappa_slack, root, 40},
+                                     {size(task.x_excess) / 2, 1, of_shape},
+                                     {size(task.kappa_excess) / 2, root, of_shape}}};
+    constexpr int spare = 24;
+    const int full = PrecisionScope::current();
+    int work = std::min(full, 96);
     Ball x = middle(task.x + Ball(start.depth - depth));
     Ball kappa = middle(task.kappa + Ball(response.middle.kappa - start.kappa));
     Series f, g;
     for (int i = 0; i < sweeps; ++i) {
-        Orbit orbit = follow_flow(task, x, kappa, f, g);
+        std::optional<PrecisionScope> scope(std::in_place, work);
+        Task now = task;
+        now.terms = 4 + (task.terms - 4) * work / full;
+        Orbit orbit = follow_flow(now, x, kappa, f, g);
         const Ball missed_x = middle(task.x - orbit.x.at(Ball(-1)));
         const Ball missed_kappa = middle(task.kappa - orbit.kappa.at(Ball(-1)));
-        Excess found = excess(orbit, task, task.terms - 1, {});
+        Excess found = excess(orbit, now, now.terms - 1, {});
         found.height = without_radii(found.height.plus(Ball(-1) * task.x_excess));
         found.slope = without_radii(found.slope.plus(Ball(-1) * task.kappa_excess));
-        const double height = approximate(size_from(found.height, 0));
-        const double slope = approximate(size_from(found.slope, 0));
-        if (!std::isfinite(height) || !std::isfinite(slope) || !(size(missed_x) < depth)) return std::nullopt;
-        if (size(missed_x) < x_slack && size(missed_kappa) < kappa_slack &&
-            height < size(task.x_excess) / 2 && slope < size(task.kappa_excess) / 2) {
+        const std::array<double, 4> wrong{size(missed_x), size(missed_kappa),
+                                          approximate(size_from(found.height, 0)),
+                                          approximate(size_from(found.slope, 0))};
+        if (!std::isfinite(wrong[2]) || !std::isfinite(wrong[3]) || !(wrong[0] < depth)) return std::nullopt;
+        const auto is_right = [&](std::size_t j) { return wrong.at(j) < parts.at(j).slack; };
+        const auto next = [&](std::size_t j) {
+            const Part& part = parts.at(j);
+            return spare + std::min(part.wanted(), part.right(wrong.at(j)) + part.won);
+        };
+        const bool is_placed = is_right(0) && is_right(1), is_done = is_placed && is_right(2) && is_right(3);
+        if (is_done && work == full) {
             return moved(orbit, missed_x, missed_kappa);
         }
+        // As long as it is not in its place, its shape need not be closer than that.
+        const double more = is_placed ? std::max(next(2), next(3)) : std::max(next(0), next(1));
+        work = is_done ? full : std::min(full, std::max(work + 16, static_cast<int>(std::min(more, 1e6))));
+        scope.reset();
+        scope.emplace(work);
         x = middle(x + Ball(response.by[0][0]) * missed_x + Ball(response.by[0][1]) * missed_kappa);
         kappa = middle(kappa + Ball(response.by[1][0]) * missed_x + Ball(response.by[1][1]) * missed_kappa);
         f = f - found.height;
