@@ -20,6 +20,7 @@ collisions::CertifyRequest request_of(const MassRatio& ratio, const CertifyOptio
     request.gap = parse_gap(options.gap);
     request.jobs = options.jobs;
     request.budget = options.budget;
+    request.describes = false;
     return request;
 }
 

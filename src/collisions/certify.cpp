@@ -45,7 +45,7 @@ ProvedPiece prove_or_recall(const PlannedPiece& planned, const CertifyRequest& r
     if (kept) {
         ProvedPiece recalled;
         recalled.piece = std::move(*kept);
-        if (!late) {
+        if (!late && options.describes) {
             describe_witness(recalled);
         }
         return recalled;
@@ -100,6 +100,7 @@ std::vector<ProvedPiece> certify(const CertifyRequest& request) {
     }
     PieceOptions options = piece_options(request.scene, request.section);
     options.rule = request.rule;
+    options.describes = request.describes;
     options.interrupted = deadline(request.budget);
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
                                     static_cast<std::size_t>(request.jobs));

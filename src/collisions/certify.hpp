@@ -21,6 +21,7 @@ struct CertifyRequest {
     int jobs = 1;
     std::optional<std::chrono::duration<double>> budget;
     SplitRule rule = SplitRule::scaled;
+    bool describes = true;              ///< as in PieceOptions
     const PieceStore* store = nullptr;  ///< ranges: where finished pieces are kept, and found again
     /// Told of the boxes that are judged for a single ratio; for a range of the critical ratios that are
     /// placed, then in a phase of its own of the pieces that are finished, with the maximum that was looked

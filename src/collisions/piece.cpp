@@ -70,6 +70,22 @@ void describe(ProvedPiece& proved) {
     }
 }
 
+/// Whether this precision tells that there are n >= 2 collisions at q: the flight that decides (Theorem 2
+/// (c)) certainly has one. Like orbits_stay_below it only says what to try: a search for a witness or a cover
+/// in vain takes long.
+template <class I>
+bool orbits_reach(long n, const Rational& q, const Interrupted& interrupted) {
+    const auto [orbit, flight] = flight::tangent_flight(n);
+    return count_at_least(extremal_ray(orbit, enclose<I>(Rational(1) / q)), flight, interrupted) == flight;
+}
+
+/// Whether it tells that there are not more than n >= 2.
+template <class I>
+bool orbits_stay_below(long n, const Rational& q, const Interrupted& interrupted) {
+    const auto [orbit, flight] = flight::tangent_flight(n + 1);
+    return count_at_most(extremal_ray(orbit, enclose<I>(Rational(1) / q)), flight - 1, interrupted) < flight;
+}
+
 /// The bounds that a piece is to prove, and the ratios at which they are to hold: all of its own, or for a
 /// step its ends.
 struct Goal {
@@ -77,13 +93,18 @@ struct Goal {
     Count lower;
     const Rational& greatest_of_upper;
     const Rational& least_of_lower;
+    bool is_suspected = false;  ///< by suspected_maximum, at the same precision
 };
 
 /// One precision's attempt at a piece with given bounds.
 template <class I>
 Obstacle attempt_piece(ProvedPiece& proved, int bits, const Goal& goal, const PieceOptions& options) {
     Piece& piece = proved.piece;
-    const auto& [upper, lower, greatest, least] = goal;
+    const auto& [upper, lower, greatest, least, is_suspected] = goal;
+    const bool asks_orbits = options.scene == Scene::dumbbell && !is_suspected;
+    if (asks_orbits && !orbits_reach<I>(lower, least, options.interrupted)) {
+        return Obstacle::witness;
+    }
     auto witness = options.scene == Scene::dumbbell
                        ? find_witness<I>(least, piece.q_hi, lower, options.interrupted)
                        : find_wedge_witness(least, lower, options.interrupted);
@@ -94,6 +115,10 @@ Obstacle attempt_piece(ProvedPiece& proved, int bits, const Goal& goal, const Pi
     piece.bits = bits == double_bits ? double_bits : 2 * bits;
     piece.lower = lower;
     piece.witness = std::move(*witness);
+    // At 1 equal masses need no cover.
+    if (asks_orbits && greatest > 1 && !orbits_stay_below<I>(upper, greatest, options.interrupted)) {
+        return Obstacle::boxes;
+    }
     auto cover = prove_upper<I>(piece.q_lo, greatest, upper, options);
     if (!cover) {
         return Obstacle::boxes;
@@ -133,32 +158,6 @@ std::optional<Count> suspected_maximum(const Rational& q, const PieceOptions& op
     return most;
 }
 
-/// Whether this precision tells the counts of the two extremal orbits apart from more than `upper` at the
-/// greatest ratio and from fewer than `lower` at the least one. It only says what to try: with long orbits a
-/// search for a witness or a cover in vain takes long.
-template <class I>
-bool precise_enough(const Goal& goal, const PieceOptions& options) {
-    Count most = 2;
-    Count least = 2;
-    for (const flight::ExtremalOrbit orbit : {flight::ExtremalOrbit::top, flight::ExtremalOrbit::corner}) {
-        const auto ray = [&](const Rational& q) { return extremal_ray(orbit, enclose<I>(Rational(1) / q)); };
-        most += count_at_most(ray(goal.greatest_of_upper), goal.upper, options.interrupted);
-        least += count_at_least(ray(goal.least_of_lower), goal.lower, options.interrupted);
-        if (most > goal.upper) {
-            return false;
-        }
-    }
-    return least >= goal.lower;
-}
-
-/// As attempt_piece, for bounds that are guesses.
-template <class I>
-Obstacle attempt_guess(ProvedPiece& proved, int bits, const Goal& goal, const PieceOptions& options) {
-    const bool is_long = options.scene == Scene::dumbbell && goal.lower > flight::batch::most_worth_a_batch;
-    return is_long && !precise_enough<I>(goal, options) ? Obstacle::maximum
-                                                        : attempt_piece<I>(proved, bits, goal, options);
-}
-
 }  // namespace
 
 PieceOptions piece_options(Scene scene, Section section) {
@@ -195,7 +194,7 @@ ProvedPiece prove_single(const Rational& q, const PieceOptions& options) {
         const auto n = options.scene != Scene::dumbbell ? std::optional<Count>(flight::paper_bound(q) - 1)
                        : q == 1                         ? std::optional<Count>(2)
                                                         : suspected_maximum<I>(q, options);
-        return n ? attempt_piece<I>(proved, bits, {*n, *n, q, q}, options) : Obstacle::maximum;
+        return n ? attempt_piece<I>(proved, bits, {*n, *n, q, q, true}, options) : Obstacle::maximum;
     });
     describe_in_time(proved, options);
     return proved;
@@ -207,7 +206,7 @@ ProvedPiece prove_piece(const Rational& q_lo, const Rational& q_hi, long upper, 
     proved.piece.q_lo = q_lo;
     proved.piece.q_hi = q_hi;
     proved.obstacle = escalate(options, [&]<class I>(const I&, int bits) {
-        return attempt_guess<I>(proved, bits, {upper, lower, q_hi, q_lo}, options);
+        return attempt_piece<I>(proved, bits, {upper, lower, q_hi, q_lo}, options);
     });
     describe_in_time(proved, options);
     return proved;
@@ -218,7 +217,7 @@ ProvedPiece prove_step(const Rational& q_lo, const Rational& q_hi, long n, const
     proved.piece.q_lo = q_lo;
     proved.piece.q_hi = q_hi;
     proved.obstacle = escalate(options, [&]<class I>(const I&, int bits) {
-        return attempt_guess<I>(proved, bits, {n - 1, n, q_lo, q_hi}, options);
+        return attempt_piece<I>(proved, bits, {n - 1, n, q_lo, q_hi}, options);
     });
     return proved;
 }

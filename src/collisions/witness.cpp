@@ -172,8 +172,8 @@ std::optional<Witness> find_witness(const Rational& q_lo, const Rational& q_hi, 
     if (in_double && target <= flight::batch::most_worth_a_batch) {
         return find_in_double(q_lo, q_hi, target, deepest, interrupted);
     }
-    // Where half the precision does not suffice the distances are beyond that, nearly always.
-    const int first = in_double ? 20 : std::clamp(bits / 2 - 28, 1, deepest);
+    // The shorter the distance, the nearer to the extremal orbits, as long as the precision tells them apart.
+    const int first = in_double ? 20 : std::clamp(bits - 32, 1, deepest);
     for (int i = 0; i < deepest && !interrupted(); ++i) {
         for (const auto& [e, eta] : candidates(1 + (first - 1 + i) % deepest)) {
             auto witness = checked_witness<I>(e, eta, q_lo, q_hi, target, interrupted);

@@ -28,7 +28,7 @@ class MacroSteps {
     MacroSteps(macro::BoundSide side, const I& r, const N& cap, const Interrupted& interrupted)
         : side_(side),
           r_(r),
-          attempts_(cap >= macro::least_worth_a_macro_step<I> ? 4 : 0),
+          attempts_(cap >= macro::least_worth_a_macro_step<I>() ? 4 : 0),
           cap_(cap),
           interrupted_(interrupted) {}
 

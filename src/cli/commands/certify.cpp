@@ -77,6 +77,8 @@ CertifyRequest certify_request(const Given& given, const RatioArgument& ratio) {
     CertifyRequest request = request_of(given, ratio);
     request.jobs = jobs_of(given);
     request.budget = budget_of(given);
+    // Of a range nothing else prints it.
+    request.describes = ratio.lo == ratio.hi || given.has("--json") || given.has("--witness");
     return request;
 }
 

@@ -126,4 +126,12 @@ Count macro_step(BoundSide side, const BigInterval& r, WallState<BigInterval>& s
     return stepped(side, r, state, most);
 }
 
+template <>
+long least_worth_a_macro_step<BigInterval>() {
+    // More bits make the polynomials dearer than the collisions. With few bits a macro step costs little, but
+    // loses so many of them that the next precision has to be tried.
+    const long bits = PrecisionScope::current();
+    return std::max(5'000L, bits * bits / 30);
+}
+
 }  // namespace dumbbell::flight::macro

@@ -36,12 +36,17 @@ template <>
 [[nodiscard]] Count macro_step(BoundSide side, const BigInterval& r, WallState<BigInterval>& state,
                                const Count& most);
 
-/// Rays that are followed for fewer collisions than this have no macro step worth trying.
+/// Rays that are followed for fewer collisions than this have no macro step worth trying, at the working
+/// precision.
 template <class I>
-inline constexpr long least_worth_a_macro_step = std::numeric_limits<long>::max();
+[[nodiscard]] long least_worth_a_macro_step() {
+    return std::numeric_limits<long>::max();
+}
 template <>
-inline constexpr long least_worth_a_macro_step<Interval> = 20'000;
+[[nodiscard]] inline long least_worth_a_macro_step<Interval>() {
+    return 20'000;
+}
 template <>
-inline constexpr long least_worth_a_macro_step<BigInterval> = 400;
+[[nodiscard]] long least_worth_a_macro_step<BigInterval>();
 
 }  // namespace dumbbell::flight::macro

@@ -2,6 +2,8 @@
 
 #include <catch2/catch.hpp>
 #include <ctime>
+#include <tuple>
+#include <vector>
 
 #include "collisions/critical.hpp"
 #include "critical_ratio.hpp"
@@ -57,7 +59,7 @@ TEST_CASE("nearer to a critical ratio than doubles can tell, the precision escal
 
 TEST_CASE("ratios are decided at every distance from a critical one that a certificate can spell") {
     const CriticalRatio five = *enclose_critical_ratio(5, {.digits = most_critical_digits});
-    for (const char* distance : {"1e-90", "1e-119", "1e-150", "1e-190"}) {
+    for (const char* distance : {"1e-90", "1e-119", "1e-150", "1e-190", "1e-300"}) {
         CAPTURE(distance);
         const ProvedPiece above = prove_single(five.q_hi * (1 + parse_rational(distance)), {});
         CHECK(above.piece.upper == 5L);
@@ -109,6 +111,28 @@ TEST_CASE("false claims about a range stay open") {
     CHECK(prove_piece(5, 12, 4, 4, cheap).piece.status() == Status::open);   // straddles q_c(5)
     CHECK(prove_piece(11, 12, 5, 5, cheap).piece.status() == Status::open);  // straddles q_c(5)
     CHECK_FALSE(prove_piece(5, 12, 4, 4, cheap).piece.upper.has_value());
+}
+
+TEST_CASE(
+    "ends close to critical ratios are proved at the first precision that tells them, without boxes in "
+    "vain") {
+    struct Boxes : Observer {
+        std::size_t judged = 0;
+        void advance(std::size_t more) override { judged += more; }
+    };
+    const std::vector<std::tuple<long, const char*, int>> ends{
+        {5, "1e-30", 256}, {5, "1e-120", 1024}, {887, "1e-12", 256}};
+    for (const auto& [n, distance, bits] : ends) {
+        CAPTURE(n, distance);
+        const Rational rel = parse_rational(distance);
+        const Rational lo = enclose_critical_ratio(n, {.digits = 130})->q_hi * (1 + rel);
+        const Rational hi = enclose_critical_ratio(n + 1, {.digits = 130})->q_lo * (1 - rel);
+        Boxes boxes;
+        const ProvedPiece proved = prove_piece(lo, hi, n, n, {.observer = &boxes});
+        CHECK(proved.piece.status() == Status::exact);
+        CHECK(proved.piece.bits == bits);
+        CHECK(boxes.judged == 2);  // one for each chart
+    }
 }
 
 TEST_CASE("what fails only above keeps its proved lower bound") {
