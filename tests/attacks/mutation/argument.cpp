@@ -39,8 +39,8 @@ bool confirms(const std::optional<Leaf>& found, const Leaf& leaf) {
 
 /// With the bound that the leaf's own hints make, which is the claimed one or less.
 template <class I>
-bool judged(Chart chart, const Box& box, long upper, const Leaf& leaf) {
-    const long said = leaf.reason == Reason::count ? long(1 + leaf.forward + leaf.backward) : upper;
+bool judged(Chart chart, const Box& box, const Count& upper, const Leaf& leaf) {
+    const Count said = leaf.reason == Reason::count ? 1 + leaf.forward + leaf.backward : upper;
     std::optional<Leaf> found;
     judge<I>(chart, {&box, 1}, said, {&found, 1});
     return said <= upper && confirms(found, leaf);
@@ -104,7 +104,7 @@ class Pieces {
             ++leaves_;
         }
     }
-    static bool closes(Chart chart, const Box& box, long upper, const Leaf& leaf, int bits) {
+    static bool closes(Chart chart, const Box& box, const Count& upper, const Leaf& leaf, int bits) {
         if (judged<Interval>(chart, box, upper, leaf)) return true;
         const PrecisionScope scope(std::max(bits, 128));
         return judged<BigInterval>(chart, box, upper, leaf);
@@ -128,19 +128,20 @@ class Pieces {
 void compare_claims(const Certificate& c, const std::pair<Rational, Rational>& range,
                     const dumbbell_verify::Verified& proof) {
     const auto& claim = proof.claim;
-    std::optional<long> upper = 0;
-    long lower = c.pieces.front().lower, gaps = 0, open = 0;
+    std::optional<Count> upper = 0;
+    Count lower = c.pieces.front().lower;
+    long gaps = 0, open = 0;
     for (const Piece& piece : c.pieces) {
-        upper = upper && piece.upper ? std::optional(std::max<long>(*upper, *piece.upper)) : std::nullopt;
-        lower = std::min<long>(lower, piece.lower);
+        upper = upper && piece.upper ? std::optional(std::max(*upper, *piece.upper)) : std::nullopt;
+        lower = std::min(lower, piece.lower);
         gaps += piece.status() == Status::gap ? 1 : 0;
         open += piece.status() == Status::open ? 1 : 0;
     }
     const bool same_upper =
-        upper.has_value() == claim.upper.has_value() && (!upper || *claim.upper == *upper);
+        upper.has_value() == claim.upper.has_value() && (!upper || claim.upper->get_str() == upper->str());
     if (to_fraction(range.first) != dumbbell_verify::to_string(claim.lo) ||
         to_fraction(range.second) != dumbbell_verify::to_string(claim.hi) || !same_upper ||
-        claim.lower != lower || c.pieces.size() != claim.pieces ||
+        claim.lower.get_str() != lower.str() || c.pieces.size() != claim.pieces ||
         static_cast<std::uint64_t>(gaps) != claim.gaps || static_cast<std::uint64_t>(open) != claim.open)
         throw NotShown{"the verdict states another claim than the file"};
     if (proof.heavy_once != (upper && c.section != Section::turning))

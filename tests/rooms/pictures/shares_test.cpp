@@ -21,15 +21,6 @@ TEST_CASE("bars of the shares: at least, hatched up to at most, with words that 
     CHECK(svg == shares_svg(sample_initial()));
 }
 
-TEST_CASE("numbers that no trajectory has are not drawn, and it says why") {
-    InitialCertificate certificate = sample_initial();
-    certificate.tree = {initial_split(InitialAxis::phi), exactly(2), between(1, 9)};
-    CHECK_THAT(shares_svg(certificate), Contains("No trajectory has more than 4 collisions (theorem 2)."));
-    CHECK_THAT(shares_svg(sample_initial()), !Contains("theorem"));
-    certificate.box.hi[4] = parse_rational("1e9");  // where the theorem's steps are not computed
-    CHECK_THAT(shares_svg(certificate), !Contains("theorem"));
-}
-
 TEST_CASE("small shares have room below the great ones, many numbers no words") {
     InitialCertificate certificate = sample_initial();
     certificate.box.lo[4] = certificate.box.hi[4] = 10000;
