@@ -15,7 +15,7 @@ constexpr double of_other_sections = 4;  ///< their collisions are steps of boxe
 
 double of_collision(int bits) {
     const double width = bits + 64;
-    return bits > 53 ? in_double + 40 * width * width : in_double;
+    return bits > 53 ? in_double + 10 * width * width : in_double;
 }
 
 /// A ray with so many collisions. With many of them most are left to macro steps (L42): at most about so many

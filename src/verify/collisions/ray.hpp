@@ -83,6 +83,11 @@ class Rays {
     /// Near the least root of sin x = c + kappa x, from z, by the root of the parabola at z (third order;
     /// from the left it stays left of the root); false if there seems to be none.
     static bool guess_root(const N& c, const N& kappa, N& z) {
+        if constexpr (!std::is_same_v<N, double>) {  // most of the way in double
+            double near = to_double(down, z);
+            if (bits(c) > 64 && Rays<double>::guess_root(to_double(down, c), to_double(down, kappa), near))
+                z = bound(down, mpq_class(near), z);
+        }
         for (int i = 0; i < 60; ++i) {
             const auto [s, w] = guess_sin_cos(z);
             const N gap = c + kappa * z - s, p = w - kappa, square = p * p - N(2) * gap * s;

@@ -1,5 +1,6 @@
 // The vocabulary of number.hpp on MPFR: the same guarantees at any precision.
 #pragma once
+#include <algorithm>
 #include <compare>
 #include <concepts>
 
@@ -13,12 +14,11 @@ class Big {
     inline static thread_local mpfr_prec_t precision = 53;  ///< of all numbers of this thread
 
     Big() : Big(0) {}
-    Big(std::same_as<int> auto n) {  // NOLINT(google-explicit-constructor): exact; and never from a double
-        mpfr_init2(x_, precision);
+    Big(std::same_as<int> auto n) : Big(Unset()) {  // NOLINT(google-explicit-constructor): exact
         mpfr_set_si(x_, n, MPFR_RNDN);
     }
-    Big(const Big& other) : Big(0) { mpfr_set(x_, other.x_, MPFR_RNDN); }
-    Big(Big&& other) noexcept : Big(0) { mpfr_swap(x_, other.x_); }
+    Big(const Big& other) : Big(Unset()) { mpfr_set(x_, other.x_, MPFR_RNDN); }
+    Big(Big&& other) noexcept : Big(Unset()) { mpfr_swap(x_, other.x_); }
     Big& operator=(const Big& other) { return *this = Big(other); }
     Big& operator=(Big&& other) noexcept {
         mpfr_swap(x_, other.x_);
@@ -30,7 +30,7 @@ class Big {
     template <class Function, class... Values>
     static Big rounded(Round d, Function function, Values... values) {
         Work::operation(static_cast<std::uint64_t>(precision));
-        Big result;
+        Big result{Unset()};
         function(result.x_, values..., d == up ? MPFR_RNDU : MPFR_RNDD);
         if (mpfr_nan_p(result.x_)) mpfr_set_inf(result.x_, d == up ? 1 : -1);
         return result;
@@ -39,14 +39,24 @@ class Big {
 
     friend bool operator==(const Big& a, const Big& b) { return mpfr_equal_p(a.x_, b.x_) != 0; }
     friend std::weak_ordering operator<=>(const Big& a, const Big& b) { return mpfr_cmp(a.x_, b.x_) <=> 0; }
+    friend std::weak_ordering operator<=>(const Big& a, std::same_as<int> auto b) {
+        return mpfr_cmp_si(a.x_, b) <=> 0;
+    }
 
   private:
+    struct Unset {};  ///< is given a value before anything else
+    explicit Big(Unset) { mpfr_init2(x_, precision); }
+
     mpfr_t x_;
 };
 
 inline Big add(Round d, const Big& a, const Big& b) { return Big::rounded(d, mpfr_add, a.get(), b.get()); }
+inline Big sub(Round d, const Big& a, const Big& b) { return Big::rounded(d, mpfr_sub, a.get(), b.get()); }
 inline Big mul(Round d, const Big& a, const Big& b) { return Big::rounded(d, mpfr_mul, a.get(), b.get()); }
 inline Big div(Round d, const Big& a, const Big& b) { return Big::rounded(d, mpfr_div, a.get(), b.get()); }
+inline Big div(Round d, const Big& a, std::same_as<int> auto n) {
+    return Big::rounded(d, mpfr_div_si, a.get(), long{n});
+}
 inline Big bound(Round d, const mpq_class& x, const Big&) {
     return Big::rounded(d, mpfr_set_q, x.get_mpq_t());
 }
@@ -61,11 +71,19 @@ inline mpq_class exact_value(const Big& a) {
     return result;
 }
 inline long bits(const Big&) { return Big::precision; }
-inline int terms(const Big&) { return static_cast<int>(Big::precision / 8) + 14; }
+/// So many brackets that what is left of the series, y/(1 2) y/(3 4) ..., is below the last bit, for y <= 4.
+inline int terms(const Big& y) {
+    const int most = static_cast<int>(Big::precision / 8) + 14;
+    const long size = y > 0 ? std::min<long>(mpfr_get_exp(y.get()), 3) : -Big::precision;
+    int n = Big::precision > 64 ? 1 : most;
+    for (long left = Big::precision; left > 0 && n < most; ++n)
+        left += size + 1 - std::bit_width(static_cast<unsigned>(2 * n * (2 * n - 1)));
+    return n;
+}
 
 // For guesses, which promise nothing.
 inline Big operator+(const Big& a, const Big& b) { return add(down, a, b); }
-inline Big operator-(const Big& a, const Big& b) { return add(down, a, -b); }
+inline Big operator-(const Big& a, const Big& b) { return sub(down, a, b); }
 inline Big operator*(const Big& a, const Big& b) { return mul(down, a, b); }
 inline Big operator/(const Big& a, const Big& b) { return div(down, a, b); }
 inline Big sqrt(const Big& a) { return Big::rounded(down, mpfr_sqrt, a.get()); }

@@ -2,6 +2,7 @@
 #pragma once
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "verify/number/number.hpp"
 
@@ -14,15 +15,17 @@ struct Interval {
 
     Interval(const N& x) : lo(x), hi(x) {}  // NOLINT(google-explicit-constructor): x encloses itself
     Interval(int n = 0) : lo(n), hi(n) {}   // NOLINT(google-explicit-constructor): exact
-    Interval(const N& low, const N& high) : lo(low), hi(high) {}
+    Interval(N low, N high) : lo(std::move(low)), hi(std::move(high)) {}
 
     friend Interval operator-(const Interval& a) { return {-a.hi, -a.lo}; }
     friend Interval operator+(const Interval& a, const Interval& b) {
         return {add(down, a.lo, b.lo), add(up, a.hi, b.hi)};
     }
-    friend Interval operator-(const Interval& a, const Interval& b) { return a + -b; }
+    friend Interval operator-(const Interval& a, const Interval& b) {
+        return {sub(down, a.lo, b.hi), sub(up, a.hi, b.lo)};
+    }
     friend Interval operator*(const Interval& a, const Interval& b) {
-        if (a.lo >= N(0) && b.lo >= N(0)) return {mul(down, a.lo, b.lo), mul(up, a.hi, b.hi)};
+        if (a.lo >= 0 && b.lo >= 0) return {mul(down, a.lo, b.lo), mul(up, a.hi, b.hi)};
         const auto corners = [&](Round d) {
             return std::minmax(
                 {mul(d, a.lo, b.lo), mul(d, a.lo, b.hi), mul(d, a.hi, b.lo), mul(d, a.hi, b.hi)});
@@ -31,8 +34,8 @@ struct Interval {
     }
     /// Unbounded unless the divisor is positive.
     friend Interval operator/(const Interval& a, const Interval& b) {
-        if (!(b.lo > N(0))) return {div(down, N(-1), N(0)), div(up, N(1), N(0))};
-        return {div(down, a.lo, a.lo < N(0) ? b.lo : b.hi), div(up, a.hi, a.hi < N(0) ? b.hi : b.lo)};
+        if (!(b.lo > 0)) return {div(down, N(-1), N(0)), div(up, N(1), N(0))};
+        return {div(down, a.lo, a.lo < 0 ? b.lo : b.hi), div(up, a.hi, a.hi < 0 ? b.hi : b.lo)};
     }
 };
 
@@ -53,19 +56,20 @@ Interval<N> pi() {
 }
 
 /// y / (k (k + 1)); for double by a table, because a division is slow.
-template <class T>
-T scaled(const T& y, int k) {
-    return y / T(k * (k + 1));
+template <class N>
+N scaled(const N& y, int k) {
+    return div(down, y, k * (k + 1));
+}
+template <class N>
+Interval<N> scaled(const Interval<N>& y, int k) {
+    return {div(down, y.lo, k * (k + 1)), div(up, y.hi, k * (k + 1))};
 }
 inline const auto reciprocals = [] {
     std::array<Interval<double>, 28> table;
     for (int k = 1; k < 28; ++k) table.at(k) = Interval<double>(1) / (k * (k + 1));
     return table;
 }();
-template <>
-inline double scaled(const double& y, int k) {
-    return y * reciprocals[k].lo;
-}
+inline double scaled(const double& y, int k) { return y * reciprocals[k].lo; }
 template <>
 inline Interval<double> scaled(const Interval<double>& y, int k) {
     return y * reciprocals[k];
@@ -89,7 +93,7 @@ Interval<N> series(const Interval<N>& y, int first) {
         const double inner = brackets(y.lo, first + 6, 10, 1.0);
         return brackets(y, first, 3, Interval<N>(inner - 0x1p-50, inner + 0x1p-50));
     } else {
-        return brackets(y, first, terms(y.lo), Interval<N>(N(0), N(1)));
+        return brackets(y, first, terms(y.hi), Interval<N>(N(0), N(1)));
     }
 }
 
@@ -111,7 +115,7 @@ SinCos<Interval<N>> sin_cos(const N& z) {
 template <class N>
 SinCos<N> guess_sin_cos(const N& z) {
     const N y = z * z;
-    return {z * brackets(y, 2, terms(z), N(1)), brackets(y, 1, terms(z), N(1))};
+    return {z * brackets(y, 2, terms(y), N(1)), brackets(y, 1, terms(y), N(1))};
 }
 
 }  // namespace dumbbell_verify

@@ -42,6 +42,8 @@ inline double add(Round d, double a, double b) {
     return settle(d, s, (a - (s - part)) + (b - part));
 }
 
+inline double sub(Round d, double a, double b) { return add(d, a, -b); }
+
 /// The residual a b - p is 0 or at least 2^-106 |p| in size, so the fma is exact for |p| >= 2^-900.
 inline double mul(Round d, double a, double b) {
     if (a == 0 || b == 0) return 0;

@@ -45,6 +45,8 @@ TEST_CASE("sums are bounded up to terms of 2^1000") {
     check_add(-1, -0x1p-60, -0x1.0000000000001p0, -1);
     check_add(1, -1, 0, 0);
     check_add(NAN, 1, -infinity, infinity);
+    check(sub(down, 1.0, 0x1p-60), sub(up, 1.0, 0x1p-60), 0x1.fffffffffffffp-1, 1);
+    check(sub(down, 0x1p-60, 1.0), sub(up, 0x1p-60, 1.0), -1, -0x1.fffffffffffffp-1);
 }
 
 TEST_CASE("products are exact from 2^-900 on, and bounded up to 2^1000") {
@@ -121,6 +123,30 @@ TEST_CASE("the double series are as tight as their pad of 2^-50") {
         CHECK(s.hi - s.lo < 0x1p-50);
         CHECK(c.hi - c.lo < 0x1p-49);
     }
+}
+
+TEST_CASE("with more bits the series are as tight as those allow, for small arguments, too") {
+    for (const int bits : {64, 256, 2048}) {
+        Big::precision = bits;
+        for (const mpq_class& q : {power(-700), power(-40), mpq_class(1, 10), mpq_class(1), mpq_class(2)}) {
+            CAPTURE(bits, q.get_d());
+            const auto [s, c] = sin_cos(bound(down, q, Big()));
+            CHECK((exact_value(sub(up, s.hi, s.lo)) < std::min(q, mpq_class(1)) * power(6 - bits)));
+            CHECK((exact_value(sub(up, c.hi, c.lo)) < power(6 - bits)));
+        }
+    }
+    Big::precision = 53;
+}
+
+TEST_CASE("numbers of MPFR are compared with whole numbers and divided by them") {
+    CHECK((Big(2) > 1 && Big(-2) < -1 && Big(0) >= 0 && Big(0) <= 0 && !(Big(0) > 0)));
+    for (const int sign : {1, -1}) {
+        const mpq_class exact(sign, 3);
+        CHECK((exact_value(div(down, Big(sign), 3)) < exact));
+        CHECK((exact_value(div(up, Big(sign), 3)) > exact));
+    }
+    CHECK((exact_value(div(down, Big(3), 4)) == mpq_class(3, 4)));
+    CHECK(to_double(up, sub(up, Big(1), Big(3))) == -2);
 }
 
 TEST_CASE("what MPFR cannot say is unbounded") {
