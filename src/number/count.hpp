@@ -63,7 +63,11 @@ class Count {
 
 }  // namespace dumbbell
 
+namespace fmt {
+
 template <>
-struct fmt::formatter<dumbbell::Count> : fmt::formatter<fmt::string_view> {
-    fmt::format_context::iterator format(const dumbbell::Count& x, fmt::format_context& context) const;
+struct formatter<dumbbell::Count> : formatter<string_view> {
+    format_context::iterator format(const dumbbell::Count& x, format_context& context) const;
 };
+
+}  // namespace fmt
