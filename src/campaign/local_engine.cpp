@@ -43,14 +43,23 @@ Outcome LocalEngine::carry_out(const Task& task) const {
     return outcome;
 }
 
+Task LocalEngine::next_task() {
+    const std::lock_guard lock(mutex_);
+    Task task = std::move(waiting_.front());
+    waiting_.pop_front();
+    return task;
+}
+
 void LocalEngine::submit(const Task& task) {
     {
         const std::lock_guard lock(mutex_);
         ++under_way_;
+        waiting_.push_back(task);
     }
-    arena_.enqueue([this, task] {
+    // Not the task itself: the arena may keep what it is given until after the engine is gone.
+    arena_.enqueue([this] {
         ++running_;
-        Outcome outcome = carry_out(task);
+        Outcome outcome = carry_out(next_task());
         --running_;
         const std::lock_guard lock(mutex_);
         // A shard that was given up because the program is to stop says nothing of its size.

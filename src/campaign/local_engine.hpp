@@ -28,6 +28,7 @@ class LocalEngine : public Engine {
 
   private:
     [[nodiscard]] Outcome carry_out(const Task& task) const;
+    [[nodiscard]] Task next_task();
 
     int jobs_;
     std::string folder_;
@@ -38,6 +39,7 @@ class LocalEngine : public Engine {
     mutable std::mutex mutex_;
     std::condition_variable changed_;
     std::size_t under_way_ = 0;
+    std::deque<Task> waiting_;
     std::deque<Outcome> outcomes_;
 };
 

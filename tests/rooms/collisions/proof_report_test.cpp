@@ -156,7 +156,7 @@ TEST_CASE("a written certificate is named with its checksum and the command that
     CHECK_THAT(to_text(ten.report), Contains("ten.dbc (sha256 " + std::string(64, 'a') + ")") &&
                                         Contains("dumbbell verify ten.dbc\n"));
     ten.pieces[0].bits = 4096;
-    ten.pieces[0].cover.charts.at(0).tree.assign(200'000, {std::nullopt, {Reason::count, 19'999, 19'999}});
+    ten.pieces[0].cover.charts.at(0).tree.assign(400'000, {std::nullopt, {Reason::count, 19'999, 19'999}});
     CHECK_THAT(to_text(ten.report), Contains("in parts, with --shards I-J") && !Contains("dumbbell verify"));
 }
 
