@@ -108,7 +108,8 @@ Definition is_word (digit_may_lead : bool) (s : string) : bool :=
   match s with EmptyString => false | String c _ => is_lower c || (digit_may_lead && is_digit c) end &&
   all_chars (fun c => is_lower c || is_digit c || Ascii.eqb c "-" || Ascii.eqb c ".")%char s &&
     (String.length s <=? 32)%nat.
-Definition short (n : N) : bool := (n <? 10 ^ 18)%N.
+(** A number of collisions has at most 2100 digits; a longer power than needed is not made. *)
+Definition is_count (n : N) : bool := if (n <? 10 ^ 18)%N then true else (n <? 10 ^ 2100)%N.
 Definition ratio_canonical (x : ratio) : bool :=
   (Pos.gcd (num x) (den x) =? 1)%positive && (String.length (decimal (Npos (num x))) <=? 2100)%nat &&
     (String.length (decimal (Npos (den x))) <=? 2100)%nat.
@@ -116,12 +117,12 @@ Definition dyadic_canonical (x : dyadic) : bool :=
   (if (odd_part x =? 0)%N then (exponent x =? 0)%Z else N.odd (odd_part x)) &&
   (String.length (decimal (odd_part x)) <=? 1250)%nat && (Z.abs (exponent x) <=? 4096)%Z.
 Definition contact_canonical (w : contact) : bool :=
-  dyadic_canonical (contact_e w) && dyadic_canonical (contact_eta w) && short (after_X w) && short (after_reversed w).
+  dyadic_canonical (contact_e w) && dyadic_canonical (contact_eta w) && is_count (after_X w) && is_count (after_reversed w).
 (** At most 400 splits of each axis above a node. *)
 Fixpoint tree_canonical (e slope q : nat) (t : tree) : bool :=
   match t with
-  | Leaf (Count a b) => short a && short b
-  | Leaf (Forward a | Plain a) => short a
+  | Leaf (Count a b) => is_count a && is_count b
+  | Leaf (Forward a | Plain a) => is_count a
   | Leaf _ => true
   | Split axis_e l u => match e with O => false | S e => tree_canonical e slope q l && tree_canonical e slope q u end
   | Split axis_slope l u => match slope with O => false | S slope => tree_canonical e slope q l &&
@@ -130,12 +131,12 @@ Fixpoint tree_canonical (e slope q : nat) (t : tree) : bool :=
   end.
 Definition piece_canonical (P : piece) : bool :=
   ratio_canonical (from P) && ratio_canonical (to P) && (53 <=? bits P)%N && (bits P <=? 4096)%N &&
-    short (attained P) &&
+    is_count (attained P) &&
   match bound P with
-  | Some (U, Charts b l) => short U && tree_canonical 400 400 400 b && tree_canonical 400 400 400 l
+  | Some (U, Charts b l) => is_count U && tree_canonical 400 400 400 b && tree_canonical 400 400 400 l
   | Some (U, Full_charts c d a) =>
-      short U && tree_canonical 400 400 400 c && tree_canonical 400 400 400 d && tree_canonical 400 400 400 a
-  | Some (U, Equal_masses) => short U
+      is_count U && tree_canonical 400 400 400 c && tree_canonical 400 400 400 d && tree_canonical 400 400 400 a
+  | Some (U, Equal_masses) => is_count U
   | None => true
   end && match witness P with Some w => contact_canonical w && negb (attained P =? 0)%N | None => true end.
 Definition canonical (c : certificate) : bool :=
