@@ -105,9 +105,11 @@ class Pieces {
         }
     }
     static bool closes(Chart chart, const Box& box, const Count& upper, const Leaf& leaf, int bits) {
-        if (judged<Interval>(chart, box, upper, leaf)) return true;
+        const Count bound =
+            std::min(upper, Count(1L << 62));  // some charts take no greater one; less says more
+        if (judged<Interval>(chart, box, bound, leaf)) return true;
         const PrecisionScope scope(std::max(bits, 128));
-        return judged<BigInterval>(chart, box, upper, leaf);
+        return judged<BigInterval>(chart, box, bound, leaf);
     }
 
     void lower(const Piece& piece) const {
