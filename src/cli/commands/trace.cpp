@@ -207,7 +207,9 @@ int run(const Given& given) {
         report.trace = trace(report.box, report.digits);
     }
     const auto finish = [&] {
-        report.maximum = starts::judge_falling(ratio.hi).most;
+        if (!report.trace.exact() || report.parts) {
+            report.maximum = starts::judge_falling(ratio.hi).most;
+        }
         report.seconds = watch.seconds();
         if (output.is_wanted()) {
             write(render(certificate_of(report)), output, report);
