@@ -11,6 +11,10 @@ include(Catch)
 add_library(dumbbell_catch_main STATIC ${PROJECT_SOURCE_DIR}/tests/catch_main.cpp)
 target_compile_features(dumbbell_catch_main PUBLIC cxx_std_20)
 target_link_libraries(dumbbell_catch_main PUBLIC Catch2::Catch2)
+# Most of what a test program takes to build is Catch's macros: a third less without a block for exceptions around each
+# assertion (one that throws still fails its test case), and with less optimisation of what a test says itself.
+target_compile_definitions(dumbbell_catch_main PUBLIC CATCH_CONFIG_FAST_COMPILE)
+target_compile_options(dumbbell_catch_main PUBLIC $<$<CONFIG:Release>:-O1>)
 
 # The programs of the tests labelled `unit`, and nothing else.
 add_custom_target(unit_tests)
