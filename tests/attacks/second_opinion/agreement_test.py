@@ -29,9 +29,11 @@ WRITTEN = [
     "trace 100 --phi -2:1 --phidot 1:2 --y 3/2 --ydot -1:1 --subdivide --max-boxes 300",
     "trace 1000 --phi 7 --phidot -1/100 --y 6/5 --ydot -1/50:-1/60 --subdivide --max-boxes 100",
     "trace 1 --phi 0:6 --phidot -1:1 --y 3/2:2 --ydot 1/5:1 --subdivide --max-boxes 100",
+    "trace 1 --incoming --subdivide --max-boxes 200", "trace 10 --incoming --subdivide --max-boxes 400",
+    "trace 4.61 --incoming --subdivide --max-boxes 60", "trace 1000 --incoming --subdivide --max-boxes 1000",
 ]
 STRANGE = ["0", "1", "-1", "00", "1000000000000000000", "1/1", "0/1", "2/2", "1b-400", "1b9999", "0b0", "2b0", "none", "q", "e", "eta",
-           "lambda", "t", "phi", "ydot", "meets", "meets-reversed", "outside", "once", "open", "count", "exactly", "between", "light",
+           "lambda", "t", "phi", "s", "ydot", "meets", "meets-reversed", "outside", "once", "open", "count", "exactly", "between", "light",
            "heavy", "split", "upper", "lower", ""]
 MUTANTS = 300
 

@@ -41,22 +41,40 @@ def leaf_holds(box, low, high, window):
 
 def check(lines, judge):
     """Checks all after the line `claim` and returns the verdict's fields."""
-    box = {"q": tuple(lines.line("ratio", "ratio", "ratio"))}
+    box = {"q": read_ratio(lines)}
     for axis in AXES:
         box[axis] = tuple(lines.line(axis, "signed", "signed"))
         if box[axis][0] > box[axis][1]:
             raise lines.wrong("LO <= HI is required")
-    if not 1 <= box["q"][0] <= box["q"][1]:
-        raise lines.wrong("1 <= LO <= HI is required of the ratio")
-    bits, = lines.line("bits", "nat")
-    if not 53 <= bits <= 4096:
-        raise lines.wrong("bits from 53 to 4096")
+    bits = read_bits(lines)
     if all(box[axis][0] <= 0 <= box[axis][1] for axis in ("phidot", "ydot")):
         raise lines.wrong("the box holds a dumbbell at rest")
     if box["phi"][1] - box["phi"][0] > 7:
         raise lines.wrong("phi is wider than 7")
     judge.always(lambda: above_floor(box), ends(box), max(bits, 512),
                  lines.wrong("the masses are not certainly above the floor"))
+    sides = " ".join(f"{axis}={spelled(box[axis][0])}:{spelled(box[axis][1])}" for axis in AXES)
+    found = check_leaves(lines, judge, box, bits, leaf_holds, ends)
+    return f"claim=initial-conditions {sides} ratio={spelled(box['q'][0])}:{spelled(box['q'][1])} {found}"
+
+
+def read_ratio(lines):
+    low, high = lines.line("ratio", "ratio", "ratio")
+    if not 1 <= low <= high:
+        raise lines.wrong("1 <= LO <= HI is required of the ratio")
+    return low, high
+
+
+def read_bits(lines):
+    bits, = lines.line("bits", "nat")
+    if not 53 <= bits <= 4096:
+        raise lines.wrong("bits from 53 to 4096")
+    return bits
+
+
+def check_leaves(lines, judge, root, bits, holds, numbers):
+    """Checks all from the line `between` on and returns the rest of the verdict's fields. holds(box, low, high, window) is what
+    must be certified of a leaf, numbers(box) are those that this is about."""
     fields = lines.next()
     if fields[0] != "between":
         raise lines.wrong("expected `between`")
@@ -93,14 +111,12 @@ def check(lines, judge):
             decided += share
         lows.append(low)
         highs.append(high)
-        judge(lambda: leaf_holds(box, low, high, window), ends(box), bits, lines.wrong(f"the leaf `{op}` is not certified"))
+        judge(lambda: holds(box, low, high, window), numbers(box), bits, lines.wrong(f"the leaf `{op}` is not certified"))
 
-    walk(lines, box, leaf)
+    walk(lines, root, leaf)
     found = ["0", "none"] if None in highs else [str(min(lows)), str(max(highs))]
     if claimed != found:
         raise Rejected(claim_line, f"the leaves say between {' '.join(found)}")
     checksum = lines.trailer(["split", "exactly", "between", "open"])
-    sides = " ".join(f"{axis}={spelled(box[axis][0])}:{spelled(box[axis][1])}" for axis in AXES)
     digits = f"{decided.numerator * 10**12 // decided.denominator:013d}"  # cut off, not rounded
-    return (f"claim=initial-conditions {sides} ratio={spelled(box['q'][0])}:{spelled(box['q'][1])} "
-            f"collisions={':'.join(found)} decided={digits[:-12]}.{digits[-12:]} sha256={checksum}")
+    return f"collisions={':'.join(found)} decided={digits[:-12]}.{digits[-12:]} sha256={checksum}"

@@ -13,6 +13,7 @@ sys.dont_write_bytecode = True
 import contact
 import fixed
 import full
+import incoming
 import initial
 import plain
 import turning
@@ -237,6 +238,38 @@ class Leaves(unittest.TestCase):
                 mass, t0, t1 = window
                 for wrong in ((mass, t1, 2 * t1 - t0), (mass, t0 / 2, t0), ("light" if mass == "heavy" else "heavy", t0, t1)):
                     self.assertFalse(certified(lambda: initial.leaf_holds(box, 1, 10 ** 9, wrong)), (box, wrong))
+        self.assertGreater(sum(tightness) / len(tightness), 0.7)
+        self.assertGreater(refused, 100)
+
+    def test_incoming(self):
+        """Pieces of the section of all incoming trajectories; from a greater height they come in with as many collisions."""
+        tightness, refused = [], 0
+        for _ in range(300):
+            q = Fraction(self.random.choice((1.0, 4, 20, 300)))
+            piece = self.box(phi=(0, 1.9), s=(0, 0.65))
+            states = incoming.states(piece, q)
+            found = set()
+            for p in self.points(piece):
+                angle, spin = math.pi * p["phi"], p["s"] * math.sqrt(q / (1 - p["s"] ** 2))
+                for axis, value in (("phi", angle), ("phidot", spin)):
+                    low, high = states[axis]
+                    self.assertTrue(low - 1e-13 < value < high + 1e-13, (piece, axis))
+                try:
+                    start = Dumbbell(1 / float(q), angle - spin - math.pi / 2, 2 + 2.0 ** -20, (spin, -1.0))
+                    found.add(start.collisions())
+                except Doubtful:
+                    pass
+            window = self.window([(time - 1, hump) for _, (time, hump) in found]) if found else None
+            if window is None or window[1] <= 0:
+                continue
+            counts = {count for count, _ in found}
+            for count in counts | {min(counts) + 1, max(counts) + 1}:
+                holds = certified(lambda: initial.leaf_holds(states, count, count, window))
+                if counts == {count}:
+                    tightness.append(holds)
+                else:
+                    refused += 1
+                    self.assertFalse(holds, (piece, counts, count))
         self.assertGreater(sum(tightness) / len(tightness), 0.7)
         self.assertGreater(refused, 100)
 

@@ -14,6 +14,7 @@ import sys
 sys.dont_write_bytecode = True  # leaves no folder behind in the source tree
 
 import collisions
+import incoming
 import initial
 from grammar import Limit, Lines, Rejected, Unsupported, unpacked
 from judge import Judge
@@ -22,7 +23,7 @@ WORDS = {
     "lemmas": {"1", "minimal"},
     "scene": {"dumbbell", "wedge", "hybrid"},
     "section": {"turning", "full", "none"},
-    "claim": {"collisions", "initial-conditions"},
+    "claim": {"collisions", "initial-conditions", "incoming"},
 }
 
 
@@ -41,8 +42,8 @@ def checked(text, judge):
     header = known["lemmas"], known["scene"], known["section"]
     if known["claim"] == "collisions" and header in collisions.SECTIONS:
         return collisions.check(lines, header, judge)
-    if known["claim"] == "initial-conditions" and header == initial.HEADER:
-        return initial.check(lines, judge)
+    if known["claim"] != "collisions" and header == initial.HEADER:
+        return (incoming if known["claim"] == "incoming" else initial).check(lines, judge)
     raise Unsupported("this combination of lemmas, scene, section and claim")
 
 

@@ -21,7 +21,7 @@ def recounted(lines):
     """The same lines with the totals of the others."""
     counts = collections.Counter(line.split(" ")[0] for line in lines)
     counts["open"] += sum(line == "upper none" for line in lines)
-    if "claim initial-conditions" in lines:
+    if "claim initial-conditions" in lines or "claim incoming" in lines:
         counts["between"] -= 1  # the header has such a line, too
     return [f"total {line.split(' ')[1]} {counts[line.split(' ')[1]]}" if line.startswith("total ") and line.count(" ") == 2
             else line for line in lines]

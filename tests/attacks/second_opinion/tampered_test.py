@@ -16,6 +16,9 @@ from resealed import body, recounted, signed
 PROJECT = Path(sys.argv.pop())
 HERE = Path(__file__).parent
 
+INCOMING = "../tests/attacks/fuzz/bases/incoming.dbc"
+LAST = "between 1 4\nbetween 1 4\ntotal split 95"  # the last leaf reaches s = 1
+
 TREE = "split lambda\ncount 2 1\ncount 1 2\ncount 1 1\noutside\ncount 1 1\ncount 0 2\ncount 1 1\nlower 4"
 
 # file, lines (they occur once, as a whole), what they become, line and reason
@@ -73,6 +76,30 @@ TAMPERED = [
     ("q-10.dbc", "witness bridge 1b-1 1b-1 1 2", "witness bridge 1b-1 1b-1 2 1", 17, "the witness is not certified"),
     ("q-10.dbc", "witness bridge 1b-1 1b-1 1 2", "witness bridge 2b-1 1b-1 1 2", 17, "not of the classes"),
     ("hybrid-1-100.dbc", "witness wedge 0b0 1b-21 2 1", "witness wedge 0b0 1b-21 1 2", 51, "the witness is not certified"),
+    # All incoming trajectories: other counts, another first contact, another ratio.
+    (INCOMING, "exactly 1 light 5b-9 33b-9", "between 1 4 light 5b-9 33b-9", None, None),  # true, and weaker
+    (INCOMING, "exactly 1 light 5b-9 33b-9", "exactly 2 light 5b-9 33b-9", 103, "the leaf `exactly` is not certified"),
+    (INCOMING, "exactly 1 light 5b-9 33b-9", "exactly 1 heavy 5b-9 33b-9", 103, "the leaf `exactly` is not certified"),
+    (INCOMING, "exactly 1 light 5b-9 33b-9", "exactly 1 light 5b-9 17b-9", 103, "the leaf `exactly` is not certified"),
+    (INCOMING, "exactly 1 light 5b-9 33b-9", "exactly 1", 103, "a leaf without its window"),
+    (INCOMING, "between 1 2 light 3b-8 5b-6", "exactly 1 light 3b-8 5b-6", 102, "the leaf `exactly` is not certified"),
+    (INCOMING, "between 1 4 light 9b-7 27b-7", "between 1 3 light 9b-7 27b-7", 98, "the leaf `between` is not certified"),
+    (INCOMING, "ratio 10/1 10/1", "ratio 10/1 11/1", 7, "LO = HI is required"),
+    (INCOMING, "ratio 10/1 10/1", "ratio 100/1 100/1", 17, "the leaf `between` is not certified"),
+    # What is left up to s = 1, where the states have no bound.
+    (INCOMING, LAST, LAST.replace("4\ntotal", "9\ntotal"), 9, "the leaves say between 1 9"),
+    (INCOMING, LAST, LAST.replace("4\ntotal", "3\ntotal"), 200, "the leaf `between` is not certified"),
+    (INCOMING, LAST, LAST.replace("1 4\ntotal", "2 4\ntotal"), 200, "the leaf `between` is not certified"),
+    (INCOMING, LAST, LAST.replace("1 4\ntotal", "1 4 light 3b-8 5b-6\ntotal"), 200, "the leaf `between` is not certified"),
+    (INCOMING, LAST, LAST.replace("between 1 4\ntotal", "exactly 0\ntotal"), 200, "the leaf `exactly` is not certified"),
+    (INCOMING, LAST, LAST.replace("between 1 4\ntotal", "open\ntotal"), 9, "the leaves say between 0 none"),
+    # Another section, or a box.
+    (INCOMING, "split s", "split phidot", 10, "not an axis"),
+    (INCOMING, "split s", "split q", 10, "not an axis"),
+    (INCOMING, "split phi\nexactly 1 heavy 465b-9 247b-8", "split s\nexactly 1 heavy 465b-9 247b-8", 20,
+     "the leaf `exactly` is not certified"),
+    (INCOMING, "bits 53", "phi 0/1 6/1\nbits 53", 8, "expected `bits`"),
+    (INCOMING, "claim incoming", "claim initial-conditions", 8, "expected `phi`"),
 ]
 
 
@@ -135,7 +162,8 @@ class Tampered(unittest.TestCase):
         lines = body(PROJECT / "certificates/q-10.dbc")
         for old, new in (("dumbbell-certificate 1", "dumbbell-certificate 2"), ("lemmas 1", "lemmas 2"),
                          ("lemmas 1", "lemmas minimal"), ("scene dumbbell", "scene moon"), ("section turning", "section none"),
-                         ("claim collisions", "claim heavy"), ("claim collisions", "claim initial-conditions")):
+                         ("claim collisions", "claim heavy"), ("claim collisions", "claim initial-conditions"),
+                         ("claim collisions", "claim incoming")):
             self.expect(signed([line.replace(old, new) for line in lines]), 3, "UNSUPPORTED: ")
 
     def test_a_sample_is_no_proof(self):
