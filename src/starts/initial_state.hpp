@@ -20,18 +20,27 @@ template <class S>
     return {phi, y * scale, phidot, ydot * scale, r, S(0)};
 }
 
+/// Whether q can only be 1. Then r is 1 itself, whatever the division loses: no trajectory has more than two
+/// collisions (L7).
+[[nodiscard]] inline bool has_equal_masses(const InitialBox& box) {
+    return box.upper(InitialAxis::ratio) == 1;
+}
+
 /// All states of the box, in natural form.
 template <class I>
 [[nodiscard]] State<I> natural_state(const InitialBox& box) {
     const auto side = [&](std::size_t i) { return hull(enclose<I>(box.lo[i]), enclose<I>(box.hi[i])); };
-    return state_of(side(0), side(1), side(2), side(3), side(4));
+    State<I> s = state_of(side(0), side(1), side(2), side(3), side(4));
+    s.r = has_equal_masses(box) ? I(1) : s.r;
+    return s;
 }
 
 /// All states of the box as functions of the five quantities.
 template <class I>
 class BoxJets {
   public:
-    explicit BoxJets(const InitialBox& box) : displacement_(Gradient<I>::Zero()) {
+    explicit BoxJets(const InitialBox& box)
+        : equal_masses_(has_equal_masses(box)), displacement_(Gradient<I>::Zero()) {
         for (std::size_t i = 0; i < initial_axes; ++i) {
             centre_[i] = enclose<I>((box.lo[i] + box.hi[i]) / 2);
             range_[i] = hull(enclose<I>(box.lo[i]), enclose<I>(box.hi[i]));
@@ -49,10 +58,13 @@ class BoxJets {
         const auto side = [&](std::size_t i) {
             return Jet<I>::parameter(static_cast<int>(i), centre_[i], range_[i], displacement_);
         };
-        return state_of(side(0), side(1), side(2), side(3), side(4));
+        State<Jet<I>> s = state_of(side(0), side(1), side(2), side(3), side(4));
+        s.r = equal_masses_ ? Jet<I>(1) : s.r;
+        return s;
     }
 
   private:
+    bool equal_masses_;
     std::array<I, initial_axes> centre_;
     std::array<I, initial_axes> range_;
     Gradient<I> displacement_;

@@ -27,7 +27,7 @@ template <class I>
 State<I> wider_state(const InitialBox& box, int bits) {
     const auto side = [&](std::size_t i) { return with_slack<I>(box.lo[i], box.hi[i], bits); };
     State<I> s = state_of(side(0), side(1), side(2), side(3), side(4));
-    s.r = box.upper(InitialAxis::ratio) == 1 ? I(1) : min(s.r, I(1));
+    s.r = has_equal_masses(box) ? I(1) : min(s.r, I(1));
     return s;
 }
 

@@ -93,6 +93,16 @@ TEST_CASE("A box that splits has bounds, and says what its orbits share") {
     CHECK(traced.collisions.empty());
 }
 
+TEST_CASE("Equal masses have at most two collisions, decided or not") {
+    for (const int digits : {0, 40}) {
+        const Trace corner = trace(point("0", "0", "3", "-1", "1"), digits);
+        CHECK(!corner.exact());
+        CHECK(corner.most == 2);
+        CHECK(trace(with(point("0", "0", "3", "-1", "1"), InitialAxis::phi, "-1", "1"), digits).most == 2);
+    }
+    CHECK(trace(point("0", "0", "3", "-1", "1.001"), 0).most == 3);
+}
+
 TEST_CASE("More digits make the enclosures as narrow as asked for") {
     const Trace traced = trace(point("1/3", "1", "3", "-1/2"), 60);
     CHECK(traced.exact());
