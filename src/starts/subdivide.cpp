@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <numeric>
 #include <utility>
 
@@ -17,6 +16,7 @@
 #include "starts/incoming.hpp"
 #include "starts/initial_state.hpp"
 #include "starts/leaf.hpp"
+#include "starts/spread.hpp"
 
 namespace dumbbell::starts {
 namespace {
@@ -28,38 +28,10 @@ struct Judged {
     std::optional<InitialAxis> split;  ///< of a box that may be halved
 };
 
-/// How much each axis spreads the box's orbits where they part, from the derivatives of the centre's orbit: a
-/// guess that only decides which axis is halved.
-std::array<double, initial_axes> spreads(const InitialBox& box, std::size_t collisions) {
-    InitialBox centre;
-    for (std::size_t i = 0; i < initial_axes; ++i) {
-        centre.lo[i] = centre.hi[i] = (box.lo[i] + box.hi[i]) / 2;
-    }
-    const BoxJets<Interval> jets(centre);
-    const auto start = jets.state();
-    const auto followed = follow(start);
-    const std::size_t shared = std::min(collisions + 1, followed.bounces.size());
-    const auto& s = shared == 0 ? start : followed.bounces[shared - 1].after;
-    const double spin = approximate(range(s.phidot));
-    const double climb = approximate(range(s.yhatdot));
-    const double r = approximate(range(s.r));
-    const double speed = std::hypot(spin, climb / std::sqrt(r));
-    std::array<double, initial_axes> spread{};
-    for (std::size_t i = 0; i < initial_axes; ++i) {
-        const auto change = [&](const Jet<Interval>& x) {
-            return std::abs(approximate(x.gradient()[static_cast<int>(i)]));
-        };
-        const double sum =
-            change(s.phi) + change(s.yhat) + (change(s.phidot) + change(s.yhatdot) / r) / std::abs(speed);
-        spread[i] = (box.hi[i] - box.lo[i]).convert_to<double>() * (std::isfinite(sum) ? sum : 1);
-    }
-    return spread;
-}
-
-/// The axis to halve; nothing if none may be.
-std::optional<InitialAxis> split_axis(const InitialBox& box, const Tree::Depths& depths,
-                                      std::size_t collisions, int max_depth) {
-    const auto spread = spreads(box, collisions);
+/// The axis to halve, where so many collisions are certain; nothing if none may be.
+std::optional<InitialAxis> split_axis(const InitialBox& box, const Tree::Depths& depths, long certain,
+                                      int max_depth) {
+    const auto spread = spreads(box, certain + 1);
     std::optional<std::size_t> best;
     for (std::size_t i = 0; i < initial_axes; ++i) {
         const bool may = box.lo[i] != box.hi[i] && depths[i] < max_depth;
@@ -73,8 +45,7 @@ std::optional<InitialAxis> split_axis(const InitialBox& box, const Tree::Depths&
 Judged judge_states(const InitialBox& box, const Tree::Depths& depths, const SubdivideOptions& options) {
     Judged result{judge_initial(box, options.bits), std::nullopt};
     if (result.leaf.most != result.leaf.least) {
-        result.split =
-            split_axis(box, depths, static_cast<std::size_t>(result.leaf.least), options.max_depth);
+        result.split = split_axis(box, depths, result.leaf.least, options.max_depth);
     }
     return result;
 }
@@ -175,7 +146,7 @@ Subdivision grow(const InitialBox& box, const SubdivideOptions& options) {
             ++leaves;
             tree.split(i, *judged[i].split, halves(tree.boxes()[i], *judged[i].split));
         }
-        if (stop) {
+        if (stop || !options.name_obstacles) {
             result.unexplained += static_cast<long>(undecided.size());
         } else {
             explain(result, tree, undecided, options.incoming);

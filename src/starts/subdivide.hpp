@@ -18,8 +18,9 @@ struct SubdivideOptions {
     std::size_t max_boxes = 50000;  ///< leaves
     int max_depth = 60;             ///< splits of one axis
     int jobs = 1;
-    bool incoming = false;  ///< the box is one of incoming.hpp; then bits = 53
-    int bits = 53;          ///< for boxes that double precision does not decide; beyond 53 MPFR
+    bool incoming = false;       ///< the box is one of incoming.hpp; then bits = 53
+    int bits = 53;               ///< for boxes that double precision does not decide; beyond 53 MPFR
+    bool name_obstacles = true;  ///< fill `near`: two fifths of the work
     Interrupted interrupted = never;
     Observer* observer = &nobody;  ///< told of boxes that are judged
 };
@@ -35,8 +36,8 @@ struct Subdivision {
     std::map<long, Share> exact;  ///< by number of collisions
     Share undecided;
     std::array<long, obstacles> near{};  ///< undecided boxes by their Obstacle
-    long unexplained = 0;                ///< undecided boxes that an interruption left without one
-    long least = 0;                      ///< over the whole box
+    long unexplained = 0;  ///< undecided boxes without one: after an interruption, or not asked for
+    long least = 0;        ///< over the whole box
     std::optional<long> most;
     int bits = 53;  ///< of the options
 };

@@ -224,6 +224,8 @@ int run(const Given& given) {
     return stoppable([&] {
         limits.bits = std::min(report.trace.bits, most_subdivide_bits);
         limits.incoming = report.incoming;
+        limits.name_obstacles =
+            !report.shares || given.has("--json");  // what the table of shares does not say
         {
             Progress progress("boxes", verbosity_of(given), "halving the box");
             limits.observer = &progress;

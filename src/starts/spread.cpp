@@ -1,0 +1,62 @@
+#include "starts/spread.hpp"
+
+#include <cmath>
+
+#include "starts/first_flight.hpp"
+#include "starts/initial_state.hpp"
+#include "starts/tangent.hpp"
+
+namespace dumbbell::starts {
+namespace {
+
+constexpr long most_spans = 1024;
+
+State<Tangent> centre_of(const InitialBox& box) {
+    const auto side = [&](std::size_t i) {
+        const Rational centre = (box.lo[i] + box.hi[i]) / 2;
+        return Tangent(centre.convert_to<double>(), Gradient<double>::Unit(static_cast<int>(i)));
+    };
+    return state_of(side(0), side(1), side(2), side(3), side(4));
+}
+
+/// The state itself, where an enclosure is asked for.
+State<Interval> point(const State<Tangent>& s) {
+    return {Interval(s.phi.value),     Interval(s.yhat.value), Interval(s.phidot.value),
+            Interval(s.yhatdot.value), Interval(s.r.value),    Interval(s.time.value)};
+}
+
+/// After a contact at about this time: the derivatives of the time are those of a root of the clearance.
+State<Tangent> after_contact(const State<Tangent>& s, Mass mass, double time) {
+    const Tangent at(time);
+    return bounce(s, mass, {time, clearance(s, mass, at).gradient / -clearance_rate(s, mass, at).value})
+        .after;
+}
+
+/// The orbit of the centre after so many collisions, or as far as it can be followed.
+State<Tangent> follow_centre(const InitialBox& box, long collisions) {
+    State<Tangent> s = centre_of(box);
+    Event<Interval> event = event_from_air(point(s), most_spans);
+    for (long done = 0; done < collisions && event.next == Next::contact; ++done) {
+        s = after_contact(s, event.mass, approximate(*event.time));
+        event = event_after_contact(point(s), event.mass);
+    }
+    return s;
+}
+
+}  // namespace
+
+std::array<double, initial_axes> spreads(const InitialBox& box, long shared) {
+    const State<Tangent> s = follow_centre(box, shared);
+    const double r = s.r.value;
+    const double speed = std::hypot(s.phidot.value, s.yhatdot.value / std::sqrt(r));
+    std::array<double, initial_axes> spread{};
+    for (std::size_t i = 0; i < initial_axes; ++i) {
+        const auto change = [&](const Tangent& x) { return std::abs(x.gradient[static_cast<int>(i)]); };
+        const double sum =
+            change(s.phi) + change(s.yhat) + (change(s.phidot) + change(s.yhatdot) / r) / speed;
+        spread[i] = (box.hi[i] - box.lo[i]).convert_to<double>() * (std::isfinite(sum) ? sum : 1);
+    }
+    return spread;
+}
+
+}  // namespace dumbbell::starts
