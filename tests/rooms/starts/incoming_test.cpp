@@ -161,6 +161,55 @@ TEST_CASE("no leaf says more than the maximum over all trajectories, and less th
     }
 }
 
+TEST_CASE("what each leaf says holds for a simulated trajectory of its piece, and for its mirror image") {
+    using Real = dumbbell_oracle::Real;
+    std::mt19937_64 engine(8);
+    for (const char* q : {"1", "4.61", "10", "100", "1000"}) {
+        const Rational ratio = parse_rational(q);
+        const dumbbell_oracle::Dumbbell<Real> body(ratio.convert_to<double>());
+        const auto parts = subdivide(incoming_box(ratio), {.max_boxes = 4000, .jobs = 2, .incoming = true});
+        std::vector<InitialBox> waiting{incoming_box(ratio)};
+        int decided = 0, simulated = 0;
+        for (const InitialNode& node : parts.tree) {
+            const InitialBox piece = waiting.back();
+            waiting.pop_back();
+            if (node.split) {
+                const auto axis = static_cast<std::size_t>(*node.split);
+                const Rational middle = (piece.lo.at(axis) + piece.hi.at(axis)) / 2;
+                waiting.insert(waiting.end(), 2, piece);
+                (waiting.end() - 2)->lo.at(axis) = middle;  // the lower half is the next one
+                waiting.back().hi.at(axis) = middle;
+                continue;
+            }
+            const auto within = [&](InitialAxis axis) {
+                const double u = uniform(engine, 0, 1);
+                const Rational lo = piece.lower(axis), hi = piece.upper(axis);
+                return Real((lo + exact(u) * (hi - lo)).convert_to<double>());
+            };
+            const Real phi = within(InitialAxis::phi) * dumbbell_oracle::pi<Real>();
+            const Real s = std::min<Real>(within(InitialAxis::phidot), 1 - 1e-6L);
+            const bool mirrored = uniform(engine, 0, 1) < 0.5;
+            // At yhat = 2, where each has turned back by what it turns on the way down (L61).
+            const Real turn = s * std::sqrt(body.ratio() / (1 - s * s)), back = phi - turn * (1 - 0x1p-20L);
+            const auto run = simulate(
+                body, dumbbell_oracle::State<Real>{mirrored ? dumbbell_oracle::pi<Real>() - back : back,
+                                                   mirrored ? -turn : turn, 2 * body.beta2(), -body.beta2()});
+            if (run.care.doubtful()) {
+                continue;
+            }
+            const auto found = static_cast<long>(run.collisions.size());
+            INFO("q " << q << " phi " << phi << " s " << s << ": " << found << " collisions");
+            REQUIRE(node.leaf.least <= found);
+            REQUIRE(node.leaf.most);
+            REQUIRE(found <= *node.leaf.most);
+            ++simulated;
+            decided += node.leaf.least == *node.leaf.most ? 1 : 0;
+        }
+        CHECK(simulated > 3000);
+        CHECK(decided > 200);
+    }
+}
+
 TEST_CASE("random incoming trajectories have each number of collisions as often as is proved") {
     const int trials = dumbbell_oracle::trials(20'000);
     std::mt19937_64 engine(7);
