@@ -20,7 +20,7 @@ struct SubdivideOptions {
     int jobs = 1;
     bool incoming = false;       ///< the box is one of incoming.hpp; then bits = 53
     int bits = 53;               ///< for boxes that double precision does not decide; beyond 53 MPFR
-    bool name_obstacles = true;  ///< fill `near`: two fifths of the work
+    bool name_obstacles = true;  ///< fill `near`, much of the work
     Interrupted interrupted = never;
     Observer* observer = &nobody;  ///< told of boxes that are judged
 };
