@@ -23,6 +23,7 @@ struct Start {
     mpz_class excess;       ///< what both expressions of L42 should be
 
     [[nodiscard]] Series series() const { return {terms, places}; }
+    [[nodiscard]] Orbit orbit() const { return {series(), series(), series(), series()}; }
 };
 
 /// The two expressions of L42, the second one times 2^root, both times k/2; on [-1, 1 - 2/k].

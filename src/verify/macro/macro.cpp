@@ -29,7 +29,11 @@ double collisions_left(double depth, double kappa, double root) {
 
 mpz_class macro_step(Round d, WallBound& bound, const mpz_class& most, long bits) {
     const PrecisionKept kept;
-    const double r = bound.r.get_d(), x = bound.x.get_d(), depth = M_PI / 2 - x;
+    const double r = bound.r.get_d(), x = bound.x.get_d();
+    Big::precision = bits + 32;
+    const Big rest =
+        pi_bound(down, Big()) / Big(2) - Big::rounded(down, mpfr_set_q, bound.x.get_mpq_t());
+    const double depth = to_double(down, rest);
     const double root = std::sqrt(r), root_bits = -std::log2(root);
     if (!(depth > 0 && r > 0x1p-1000)) return 0;
     const double left = collisions_left(depth, bound.kappa.get_d(), root);
@@ -53,7 +57,7 @@ mpz_class macro_step(Round d, WallBound& bound, const mpz_class& most, long bits
         Big::precision = one + 32;
         start.pi = fixed(down, exact_value(pi_bound(down, Big())), one);
         if (start.x <= 0 || start.slope <= 0 || start.r <= 0) return 0;
-        Orbit orbit{start.series(), start.series(), start.series(), start.series()};
+        Orbit orbit = start.orbit();
         start.k = mpz_class(k);
         const mpz_class excess = shifted(start.k * start.r, -1 - 2 * start.root - std::lround(share));
         start.excess = d == up ? excess : mpz_class(-excess);

@@ -1,8 +1,7 @@
 #include "verify/macro/orbit.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
+#include <optional>
 
 #include "verify/number/big.hpp"
 #include "verify/number/interval.hpp"
@@ -10,26 +9,16 @@
 namespace dumbbell_verify {
 namespace {
 
-double to_double(const mpz_class& x, long places) {
-    long exponent = 0;
-    const double mantissa = mpz_get_d_2exp(&exponent, x.get_mpz_t());
-    return std::ldexp(mantissa, static_cast<int>(exponent - places));
-}
-/// a x, for an a that is not exact anyway.
-mpz_class times(double a, const mpz_class& x) {
-    int exponent = 0;
-    const double mantissa = std::frexp(a, &exponent);
-    return shifted(x * mpz_class(std::ldexp(mantissa, 53)), exponent - 53L);
-}
 mpz_class divided(const mpz_class& x, const mpz_class& y, long places) { return shifted(x, places) / y; }
 
 /// The power series at s = 0 of the flow that the collisions follow, from x(0), slope(0):
 ///     cos x dx/ds = k/2 kappa (2 x + pi) + f,    (cos^2 x - r) dkappa/ds = k cos x (r + kappa^2) + g.
-void follow_flow(const Start& start, const mpz_class& x0, const mpz_class& slope0, const Series& f,
+/// False where it is no such orbit: its terms are not small.
+bool follow_flow(const Start& start, const mpz_class& x0, const mpz_class& slope0, const Series& f,
                  const Series& g, Orbit& orbit) {
     const long one = start.places;
     const std::size_t n = start.terms;
-    Work::spend(7 * n * n * (40 + static_cast<std::uint64_t>(one) / 4));
+    Work::spend(4 * n * n * (40 + static_cast<std::uint64_t>(one) / 4));
     Series &x = orbit.x, &slope = orbit.slope, &sine = orbit.sine, &cosine = orbit.cosine;
     Series dx = start.series(), dslope = dx, reach = dx, square = dx, push = dx;
     x.term[0] = x0;
@@ -39,6 +28,9 @@ void follow_flow(const Start& start, const mpz_class& x0, const mpz_class& slope
     const auto [s, c] = guess_sin_cos(at);
     mpfr_get_z(sine.term[0].get_mpz_t(), Big::rounded(down, mpfr_mul_2si, s.get(), one).get(), MPFR_RNDN);
     mpfr_get_z(cosine.term[0].get_mpz_t(), Big::rounded(down, mpfr_mul_2si, c.get(), one).get(), MPFR_RNDN);
+    const auto great = [&](const mpz_class& term) {
+        return mpz_sizeinbase(term.get_mpz_t(), 2) > static_cast<std::size_t>(one) + 16;
+    };
     for (std::size_t i = 0;; ++i) {
         reach.term[i] = 2 * x.term[i];
         square.term[i] = coefficient(cosine, cosine, i);
@@ -48,7 +40,8 @@ void follow_flow(const Start& start, const mpz_class& x0, const mpz_class& slope
             square.term[0] -= shifted(start.r, -2 * start.root);
             push.term[0] += shifted(start.r * start.k, -1 - start.root);
         }
-        if (i + 1 == n) return;
+        if (i + 1 == n) return true;
+        if (cosine.term[0] <= 0 || square.term[0] <= 0) return false;
         const mpz_class next(i + 1);
         const mpz_class climb = shifted(coefficient(slope, reach, i) * start.k, -1 - start.root) + f.term[i];
         sine.term[i + 1] = climb / next;
@@ -58,85 +51,133 @@ void follow_flow(const Start& start, const mpz_class& x0, const mpz_class& slope
         dslope.term[i] = divided(turn - coefficient(square, dslope, i, 1), square.term[0], one);
         slope.term[i + 1] = dslope.term[i] / next;
         cosine.term[i + 1] = -coefficient(dx, sine, i) / next;
+        if (great(dx.term[i]) || great(dslope.term[i])) return false;
     }
 }
 
-/// The flow in double from s = -1 to 0, and how its end moves with its beginning.
-struct Middle {
-    double depth, slope;  ///< pi/2 - x, kappa 2^root
-};
-struct Flow {
-    double half, r, scale;  ///< k/2, r 2^root, 2^-root
+/// The same with so many places, and as many terms as they are worth.
+Start resized(Start start, long places) {
+    for (mpz_class* number : {&start.x, &start.slope, &start.r, &start.pi, &start.excess})
+        *number = shifted(*number, places - start.places);
+    const auto more = static_cast<std::size_t>(places), all = static_cast<std::size_t>(start.places);
+    start.terms = 4 + (start.terms - 4) * more / all;
+    start.places = places;
+    return start;
+}
+/// The guess with the terms and places of `start`.
+Series refitted(const Series& f, const Start& start) {
+    Series result = start.series();
+    for (std::size_t i = 0; i < std::min(f.term.size(), result.term.size()); ++i)
+        result.term[i] = shifted(f.term[i], start.places - f.places);
+    return result;
+}
+/// f(s + h/k), but for the third power of 1/k.
+Series moved(const Series& f, long h, const mpz_class& k) {
+    Series result = f;
+    const mpz_class twice = 2 * k * k;
+    for (std::size_t i = 0; i + 1 < f.term.size(); ++i) {
+        result.term[i] += mpz_class(f.term[i + 1] * mpz_class(h * static_cast<long>(i + 1))) / k;
+        if (i + 2 < f.term.size())
+            result.term[i] +=
+                mpz_class(f.term[i + 2] * mpz_class(h * h * static_cast<long>((i + 1) * (i + 2)))) / twice;
+    }
+    return result;
+}
+/// f(s - 1).
+Series from_the_start(Series f) {
+    const std::size_t n = f.term.size();
+    Work::spend(n * n * 10);
+    for (std::size_t i = 0; i + 1 < n; ++i)
+        for (std::size_t j = n - 1; j-- > i;) f.term[j] -= f.term[j + 1];
+    return f;
+}
 
-    [[nodiscard]] Middle rate(const Middle& at) const {
-        const double w = std::sin(at.depth), push = r + at.slope * at.slope * scale;
-        return {-half * scale * at.slope * 2 * (M_PI - at.depth) / w,
-                2 * half * w * push / (w * w - r * scale)};
+/// The greatest n known with |x| 2^-places < 2^-n.
+long leading_zeros(const mpz_class& x, long places) {
+    return places - static_cast<long>(mpz_sizeinbase(x.get_mpz_t(), 2));
+}
+
+/// The slope before the collision at s = -1 that makes start.slope the one after it, with f and g from there.
+std::optional<mpz_class> first_slope(const Start& start, const Series& f, const Series& g) {
+    Start few = start;
+    few.terms = 3;
+    mpz_class slope = start.slope;
+    for (int i = 0; i < 100; ++i) {
+        Orbit begin = few.orbit();
+        if (!follow_flow(few, start.x, slope, refitted(f, few), refitted(g, few), begin)) return std::nullopt;
+        const mpz_class missed = start.slope - moved(begin.slope, 1, start.k).term[0];
+        slope += missed;
+        if (abs(missed) <= 1) break;
     }
-    [[nodiscard]] Middle operator()(Middle at) const {
-        constexpr int steps = 64;
-        constexpr double h = 1. / steps;
-        const auto moved = [](const Middle& p, const Middle& v, double t) -> Middle {
-            return {p.depth + t * v.depth, p.slope + t * v.slope};
-        };
-        for (int i = 0; i < steps; ++i) {
-            const Middle a = rate(at), b = rate(moved(at, a, h / 2)), c = rate(moved(at, b, h / 2)),
-                         d = rate(moved(at, c, h));
-            at = moved(moved(moved(moved(at, a, h / 6), b, h / 3), c, h / 3), d, h / 6);
-        }
-        return at;
-    }
-};
+    return slope;
+}
+
+/// The flow with f and g, from start.x and start.slope at s = -1. For its slope half a collision counts: with
+/// that it is the same forwards and backwards, as the collisions are, and misses them by the square of 1/k.
+bool follow_collisions(const Start& start, const Series& f, const Series& g, Orbit& orbit) {
+    const Series f0 = from_the_start(f), g0 = from_the_start(g);
+    const auto slope0 = first_slope(start, f0, g0);
+    if (!slope0 || !follow_flow(start, start.x, *slope0, f0, g0, orbit)) return false;
+    const mpz_class x = orbit.x.at(1), slope = orbit.slope.at(1);
+    if (!follow_flow(start, x, slope, f, g, orbit)) return false;
+    orbit.slope = moved(orbit.slope, 1, start.k);
+    return true;
+}
+
+/// The orbit rounded to the places of `start`, and moved so that it begins exactly there.
+void settle(const Start& start, Orbit& orbit) {
+    for (Series* p : {&orbit.x, &orbit.slope, &orbit.sine, &orbit.cosine}) *p = refitted(*p, start);
+    const mpz_class missed = start.x - orbit.x.at(-1);
+    const Series sine = orbit.sine;
+    orbit.x.term[0] += missed;
+    orbit.slope.term[0] += start.slope - orbit.slope.at(-1);
+    orbit.sine = sine + orbit.cosine.times(missed, -start.places);
+    orbit.cosine = orbit.cosine - sine.times(missed, -start.places);
+}
 
 }  // namespace
 
 bool guess_orbit(const Start& start, Orbit& orbit) {
-    const long one = start.places;
-    const Flow flow{to_double(start.k, 0) / 2, to_double(start.r, one + start.root),
-                    std::ldexp(1., static_cast<int>(-start.root))};
-    const Middle from{to_double(shifted(start.pi, -1) - start.x, one), to_double(start.slope, one)};
-    if (!(from.depth > 0 && from.slope > 0)) return false;
-    const Middle to = flow(from);
-    if (!(to.depth > 0 && to.depth <= from.depth && to.slope >= from.slope)) return false;
-    std::array<Middle, 2> by{};  // the derivatives of `to` by x and by slope
-    for (int i = 0; i < 2; ++i) {
-        const double step = 3e-5 * (i == 0 ? from.depth : to.slope);
-        const double depth = i == 0 ? -step : 0, slope = i == 0 ? 0 : step;
-        const Middle above = flow({from.depth + depth, from.slope + slope}),
-                     below = flow({from.depth - depth, from.slope - slope});
-        by.at(i) = {(below.depth - above.depth) / (2 * step), (above.slope - below.slope) / (2 * step)};
-    }
-
-    // A shift of the orbit by that much changes the excess by less than it should be: dx/ds cos x too, by no
-    // more than the shift times the depth.
-    const mpz_class enough = abs(shifted(start.excess, start.root + 1) / start.k) / 10 + 1,
-                    enough_x = std::min(enough, mpz_class(times(0.1 / to.depth, abs(start.excess)) + 1));
-    const auto far = [](const mpz_class& x, const mpz_class& limit) { return abs(x) > limit; };
-    mpz_class x = start.x + times(from.depth - to.depth, shifted(1, one)),
-              slope = start.slope + times(to.slope - from.slope, shifted(1, one));
-    Series f = start.series(), g = f;
-    for (int sweep = 0; sweep < 40; ++sweep) {
-        follow_flow(start, x, slope, f, g, orbit);
-        const mpz_class missed_x = start.x - orbit.x.at(-1), missed_slope = start.slope - orbit.slope.at(-1);
-        Excess found = excess(orbit, start);
-        found.height.term[0] -= start.excess;
-        found.turn.term[0] -= start.excess;
-        const mpz_class limit = abs(start.excess) / 2, lost = shifted(1, one);
-        if (!far(missed_x, enough_x) && !far(missed_slope, enough) && found.height.size() < limit &&
-            found.turn.size() < limit) {
-            orbit.x.term[0] += missed_x;  // so that it begins there exactly; sine and cosine follow
-            orbit.slope.term[0] += missed_slope;
-            const Series sine = orbit.sine;
-            orbit.sine = orbit.sine + orbit.cosine.times(missed_x, -one);
-            orbit.cosine = orbit.cosine - sine.times(missed_x, -one);
+    // Bits of the excess: a sweep finds 2 log k more, a few less to be sure, and needs some to spare. Nearer
+    // the peak the first one has more, for the orbit is nearer to that of a ball that falls, but to begin at
+    // x with what the last one finds takes more places.
+    constexpr long spare = 24;
+    const long of_k = static_cast<long>(mpz_sizeinbase(start.k.get_mpz_t(), 2)), won = 2 * of_k - 8;
+    const long wanted = leading_zeros(start.excess, start.places) + 4;
+    const long depth = leading_zeros(shifted(start.pi, -1) - start.x, start.places);
+    const long full = start.places + std::max(0L, depth) / 2;
+    long known = std::max(0L, 3 * (start.root - of_k) / 2), first = 0;
+    Series f(1, start.places);  // a flow with f and g exceeds the collisions by about as much
+    f.term[0] = start.excess;
+    Series g = f;
+    for (int sweep = 0; sweep < 60; ++sweep) {
+        const bool last = known + won >= wanted;
+        const Start now =
+            resized(start, last ? full : std::min(full, std::max(64L, known + 2 * won + spare)));
+        f = refitted(f, now);
+        g = refitted(g, now);
+        orbit = now.orbit();
+        if (!follow_collisions(now, f, g, orbit)) return false;
+        if (last) {
+            settle(start, orbit);
             return true;
         }
-        if (far(missed_x, lost) || far(missed_slope, lost)) return false;
-        x += times(by[0].depth, missed_x) + times(by[1].depth, missed_slope);
-        slope += times(by[0].slope, missed_x) + times(by[1].slope, missed_slope);
-        f = f - found.height;
-        g = g - found.turn;
-        f.term.back() = g.term.back() = 0;  // they were cut off
+        Excess found = excess(orbit, now);
+        found.height.term[0] -= now.excess;
+        found.turn.term[0] -= now.excess;
+        const long before = known;
+        known = std::min(leading_zeros(found.height.size() + found.turn.size(), now.places),
+                         now.places - spare - won + 8);
+        if (sweep == 0)
+            first = known;
+        else if (known < before + 2)
+            return false;
+        // Beyond that degree there is nothing but rounding.
+        const long degree = std::max(0L, known - first + won + 8) / 2 + 4;
+        for (auto i = static_cast<std::size_t>(degree); i < now.terms; ++i)
+            found.height.term[i] = found.turn.term[i] = 0;
+        f = f - moved(found.height, -1, now.k);
+        g = g - moved(found.turn, -2, now.k);
     }
     return false;
 }
