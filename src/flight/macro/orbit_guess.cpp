@@ -1,9 +1,7 @@
 #include "flight/macro/orbit_guess.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <numbers>
 
 namespace dumbbell::flight::macro {
 namespace {
@@ -73,135 +71,104 @@ Orbit follow_flow(const Task& task, const Ball& x0, const Ball& kappa0, const Se
     return {x.series(), kappa.series(), sine.series(), cosine.series()};
 }
 
-/// The flow from s = -1 to 0 in double, by the distance from the peak.
-struct Point {
-    double depth, kappa;  ///< pi/2 - x, slope
-};
-Point flow_in_double(const Task& task, Point at) {
-    constexpr int steps = 64;
-    const double half_length = static_cast<double>(task.collisions) / 2;
-    const double r = approximate(task.r);
-    const auto rate = [&](const Point& p) -> Point {
-        const double w = std::sin(p.depth);
-        return {-half_length * p.kappa * 2 * (std::numbers::pi - p.depth) / w,
-                2 * half_length * w * (r + p.kappa * p.kappa) / (w * w - r)};
-    };
-    const auto moved = [](const Point& p, const Point& v, double h) -> Point {
-        return {p.depth + h * v.depth, p.kappa + h * v.kappa};
-    };
-    constexpr double h = 1. / steps;
-    for (int i = 0; i < steps; ++i) {
-        const Point a = rate(at);
-        const Point b = rate(moved(at, a, h / 2));
-        const Point c = rate(moved(at, b, h / 2));
-        const Point d = rate(moved(at, c, h));
-        at = moved(moved(moved(moved(at, a, h / 6), b, h / 3), c, h / 3), d, h / 6);
-    }
-    return at;
-}
-
-/// How the state at s = 0 moves with the state at s = -1: derivatives of (x, kappa) by (x, kappa).
-struct Response {
-    Point middle;
-    std::array<std::array<double, 2>, 2> by;
-};
-Response response(const Task& task, const Point& start) {
-    constexpr double part = 3e-5;
-    Response result{flow_in_double(task, start), {}};
-    const std::array<Point, 2> nudge{{{-start.depth * part, 0}, {0, result.middle.kappa * part}}};
-    for (std::size_t i = 0; i < 2; ++i) {
-        const auto [depth, kappa] = nudge.at(i);
-        const Point above = flow_in_double(task, {start.depth + depth, start.kappa + kappa});
-        const Point below = flow_in_double(task, {start.depth - depth, start.kappa - kappa});
-        const double step = 2 * (i == 0 ? -depth : kappa);
-        result.by.at(0).at(i) = (below.depth - above.depth) / step;
-        result.by.at(1).at(i) = (above.kappa - below.kappa) / step;
-    }
-    return result;
-}
-
 Series without_radii(Series p) {
     for (slong i = 0; i < p.raw()->length; ++i) {
         mag_zero(arb_radref(p.raw()->coeffs + i));
     }
     return p;
 }
-/// The orbit with x and kappa moved by so little that its square does not count.
-Orbit moved(const Orbit& orbit, const Ball& x, const Ball& kappa) {
+/// p(s + h/collisions), but for its third power.
+Series moved(const Series& p, double h, const Task& task) {
+    const Ball by = Ball(h) / whole(task.collisions);
+    const Series slope = p.derivative();
+    return without_radii(p + slope.times(by) + slope.derivative().times(by * by * Ball(0.5)));
+}
+/// p(s - 1).
+Series from_the_start(const Series& p) {
+    Series result;
+    arb_poly_taylor_shift(result.raw(), p.raw(), Ball(-1).raw(), bits());
+    return without_radii(std::move(result));
+}
+
+/// The slope before the collision at s = -1 that makes task.kappa the one after it, with f and g from there.
+Ball first_kappa(const Task& task, const Series& f, const Series& g) {
+    Task few = task;
+    few.terms = 3;
+    Ball kappa = middle(task.kappa);
+    for (int i = 0; i < 100; ++i) {
+        const Orbit begin = follow_flow(few, middle(task.x), kappa, f, g);
+        const Ball missed = middle(task.kappa - moved(begin.kappa, 1, task)[0]);
+        kappa = middle(kappa + missed);
+        if (!positive(greatest_size(missed) - greatest_size(kappa) * power_of_two(2 - bits()))) break;
+    }
+    return kappa;
+}
+
+/// The flow with f and g, from task.x and task.kappa at s = -1. For its slope half a collision counts: with
+/// that it is the same forwards and backwards, as the collisions are, and misses them by the square of
+/// 1/collisions.
+Orbit follow_collisions(const Task& task, const Series& f, const Series& g) {
+    const Series f0 = from_the_start(f);
+    const Series g0 = from_the_start(g);
+    const Orbit begin = follow_flow(task, middle(task.x), first_kappa(task, f0, g0), f0, g0);
+    Orbit orbit = follow_flow(task, middle(begin.x.at(Ball(1))), middle(begin.kappa.at(Ball(1))), f, g);
+    orbit.kappa = moved(orbit.kappa, 1, task);
+    return orbit;
+}
+
+/// The orbit with x and kappa moved, by so little that its square does not count, to where it is to begin.
+Orbit settled(const Orbit& orbit, const Task& task) {
+    const Ball x = middle(task.x - orbit.x.at(Ball(-1)));
+    const Ball kappa = middle(task.kappa - orbit.kappa.at(Ball(-1)));
     return {orbit.x.plus(x), orbit.kappa.plus(kappa), without_radii(orbit.sine + orbit.cosine.times(x)),
             without_radii(orbit.cosine - orbit.sine.times(x))};
 }
-double size(const Ball& x) { return std::abs(approximate(x)); }
+
+double right_bits(const Ball& wrong, double unit) { return -std::log2(std::abs(approximate(wrong)) / unit); }
 
 }  // namespace
 
 std::optional<Orbit> guess_orbit(const Task& task) {
-    constexpr int sweeps = 60;
-    const Point start{approximate(pi() * Ball(0.5) - task.x), approximate(task.kappa)};
-    if (!(start.depth > 0 && start.kappa > 0)) return std::nullopt;
-    const Response response = macro::response(task, start);
-    const double depth = response.middle.depth;
-    if (!(depth > 0 && depth <= start.depth && response.middle.kappa >= start.kappa)) return std::nullopt;
-
-    // A shift of the whole orbit by so much changes the excess by less than it should be: dx/ds cos x too, by
-    // no more than the shift times the depth.
-    const Ball half_length = whole(task.collisions) * Ball(0.5);
-    const double slack = 0.1 * size(task.kappa_excess / (half_length * task.r));
-    const double x_slack = std::min(slack, 0.1 * size(task.x_excess) / depth);
-    const double kappa_slack = slack * std::sqrt(approximate(task.r));
-
-    // A sweep finds about 40 more bits of where the orbit is at s = 0, and of its shape as many as the number
-    // of collisions has: it is made with no more than these. The last one has all.
-    struct Part {
-        double slack, unit, won;
-
-        [[nodiscard]] double wanted() const { return -std::log2(slack / unit); }
-        [[nodiscard]] double right(double wrong) const { return -std::log2(wrong / unit); }
-    };
+    // Bits of the excess: a sweep finds 2 log k more of them, a few less to be sure, and needs some to spare.
+    // Nearer the peak the first one has more, for the orbit is nearer to that of a ball that falls.
+    constexpr double spare = 24;
     const double root = std::sqrt(approximate(task.r));
-    const double of_shape = std::log2(static_cast<double>(task.collisions)) + 4;
-    const std::array<Part, 4> parts{{{x_slack, 1, 40},
-                                     {kappa_slack, root, 40},
-                                     {size(task.x_excess) / 2, 1, of_shape},
-                                     {size(task.kappa_excess) / 2, root, of_shape}}};
-    constexpr int spare = 24;
+    const double of_k = std::log2(static_cast<double>(task.collisions));
+    const double won = 2 * of_k - 8;
+    const double wanted = right_bits(task.x_excess, 1) + 3;
+    const double small =
+        std::max(0., -std::log2(root) - of_k);  // so many bits are both sides' terms less than 1
+    double known = 1.5 * small;
+    double first = 0;
     const int full = PrecisionScope::current();
-    int work = std::min(full, 96);
-    Ball x = middle(task.x + Ball(start.depth - depth));
-    Ball kappa = middle(task.kappa + Ball(response.middle.kappa - start.kappa));
-    Series f, g;
-    for (int i = 0; i < sweeps; ++i) {
-        std::optional<PrecisionScope> scope(std::in_place, work);
+    Series f, g;  // a flow with f and g exceeds the collisions by about as much
+    f.set(0, task.x_excess);
+    g.set(0, task.kappa_excess);
+    for (int sweep = 0; sweep < 60; ++sweep) {
+        const bool last = known + won >= wanted;
+        const double enough = std::max(64., known + 2 * won + spare - small);
+        const int work = last || enough > full ? full : static_cast<int>(enough);
+        const PrecisionScope scope(work);
         Task now = task;
         now.terms = 4 + (task.terms - 4) * work / full;
-        Orbit orbit = follow_flow(now, x, kappa, f, g);
-        const Ball missed_x = middle(task.x - orbit.x.at(Ball(-1)));
-        const Ball missed_kappa = middle(task.kappa - orbit.kappa.at(Ball(-1)));
+        const Orbit orbit = follow_collisions(now, f, g);
+        if (last) {
+            return settled(orbit, task);
+        }
         Excess found = excess(orbit, now, now.terms - 1, {});
         found.height = without_radii(found.height.plus(Ball(-1) * task.x_excess));
         found.slope = without_radii(found.slope.plus(Ball(-1) * task.kappa_excess));
-        const std::array<double, 4> wrong{size(missed_x), size(missed_kappa),
-                                          approximate(size_from(found.height, 0)),
-                                          approximate(size_from(found.slope, 0))};
-        if (!std::isfinite(wrong[2]) || !std::isfinite(wrong[3]) || !(wrong[0] < depth)) return std::nullopt;
-        const auto is_right = [&](std::size_t j) { return wrong.at(j) < parts.at(j).slack; };
-        const auto next = [&](std::size_t j) {
-            const Part& part = parts.at(j);
-            return spare + std::min(part.wanted(), part.right(wrong.at(j)) + part.won);
-        };
-        const bool is_placed = is_right(0) && is_right(1), is_done = is_placed && is_right(2) && is_right(3);
-        if (is_done && work == full) {
-            return moved(orbit, missed_x, missed_kappa);
-        }
-        // As long as it is not in its place, its shape need not be closer than that.
-        const double more = is_placed ? std::max(next(2), next(3)) : std::max(next(0), next(1));
-        work = is_done ? full : std::min(full, std::max(work + 16, static_cast<int>(std::min(more, 1e6))));
-        scope.reset();
-        scope.emplace(work);
-        x = middle(x + Ball(response.by[0][0]) * missed_x + Ball(response.by[0][1]) * missed_kappa);
-        kappa = middle(kappa + Ball(response.by[1][0]) * missed_x + Ball(response.by[1][1]) * missed_kappa);
-        f = f - found.height;
-        g = g - found.slope;
+        const double before = known;
+        known = std::min({right_bits(size_from(found.height, 0), 1),
+                          right_bits(size_from(found.slope, 0), root), work + small - spare - won + 8});
+        if (!std::isfinite(known) || (sweep > 0 && known < before + 2)) return std::nullopt;
+        first = sweep == 0 ? known : first;
+        // Beyond that degree there is nothing but rounding.
+        const slong degree = static_cast<slong>(std::max(0., known - first + won + 8) / 2) + 4;
+        arb_poly_truncate(found.height.raw(), degree);
+        arb_poly_truncate(found.slope.raw(), degree);
+        f = without_radii(f - moved(found.height, -1, now));
+        g = without_radii(g - moved(found.slope, -2, now));
     }
     return std::nullopt;
 }
