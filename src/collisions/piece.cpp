@@ -70,6 +70,15 @@ void describe(ProvedPiece& proved) {
     }
 }
 
+/// Whether two neighbouring counts at q are not beyond this precision: C sqrt q has half the digits of q.
+bool tells_counts_apart(int bits, const Rational& q) {
+    if (bits == double_bits) {
+        return q <= parse_rational("1e27");
+    }
+    constexpr int spare = 24;
+    return static_cast<int>(msb(Integer(numerator(q) / denominator(q)))) / 2 + spare <= bits;
+}
+
 /// Whether this precision tells that there are n >= 2 collisions at q: the flight that decides (Theorem 2
 /// (c)) certainly has one. Like orbits_stay_below it only says what to try: a search for a witness or a cover
 /// in vain takes long.
@@ -134,28 +143,29 @@ void describe_in_time(ProvedPiece& proved, const PieceOptions& options) {
     }
 }
 
-/// What N* seems to be, from bounds on the two extremal orbits; nothing if this precision cannot tell, or not
-/// in time. It only says what to try.
+/// What N* seems to be, from upper bounds on the two extremal orbits and a lower one on that whose last
+/// flight decides (Theorem 2 (c)); nothing if this precision cannot tell, or not in time. It only says what
+/// to try.
 template <class I>
 std::optional<Count> suspected_maximum(const Rational& q, const PieceOptions& options) {
-    flight::CountOf<I> cap = 1L << 60;
+    using flight::ExtremalOrbit;
+    using N = flight::CountOf<I>;
+    N cap = 1L << 60;
     if constexpr (std::is_same_v<I, BigInterval>) {
         cap += Count(numerator(q) / denominator(q));  // more than C sqrt q
     }
     const I r = enclose<I>(Rational(1) / q);
-    Count most = 2;
-    Count least = 2;
-    for (const flight::ExtremalOrbit orbit : {flight::ExtremalOrbit::top, flight::ExtremalOrbit::corner}) {
-        const flight::Ray<I> ray = extremal_ray(orbit, r);
-        most += count_at_most(ray, cap, options.interrupted);
-        if (!options.interrupted()) {
-            least += count_at_least(ray, cap, options.interrupted);
-        }
-        if (most != least) {
-            return std::nullopt;
-        }
+    const N top = count_at_most(extremal_ray(ExtremalOrbit::top, r), cap, options.interrupted);
+    const N corner =
+        top > cap ? top : count_at_most(extremal_ray(ExtremalOrbit::corner, r), cap, options.interrupted);
+    if (corner > cap) {
+        return std::nullopt;
     }
-    return most;
+    const bool by_top = top > corner;
+    const N& last = by_top ? top : corner;
+    const auto ray = extremal_ray(by_top ? ExtremalOrbit::top : ExtremalOrbit::corner, r);
+    const bool reached = count_at_least(ray, last, options.interrupted) == last;
+    return reached ? std::optional(Count(2) + top + corner) : std::nullopt;
 }
 
 }  // namespace
@@ -185,10 +195,8 @@ void describe_witness(ProvedPiece& proved) {
 ProvedPiece prove_single(const Rational& q, const PieceOptions& options) {
     ProvedPiece proved;
     proved.piece.q_lo = proved.piece.q_hi = q;
-    // Two neighbouring counts are beyond double precision there.
-    const bool beyond_double = options.scene == Scene::dumbbell && q > parse_rational("1e27");
     proved.obstacle = escalate(options, [&]<class I>(const I&, int bits) {
-        if (bits == double_bits && beyond_double) {
+        if (options.scene == Scene::dumbbell && !tells_counts_apart(bits, q)) {
             return Obstacle::maximum;
         }
         const auto n = options.scene != Scene::dumbbell ? std::optional<Count>(flight::paper_bound(q) - 1)
