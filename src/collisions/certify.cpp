@@ -82,7 +82,7 @@ std::vector<ProvedPiece> prove_plan(const CertifyRequest& request, const PieceOp
 std::optional<std::string> out_of_reach(const Rational& q_lo, const Rational& q_hi, Scene scene,
                                         Section section) {
     const bool far = q_lo == q_hi && scene == Scene::dumbbell && section == Section::turning;
-    const unsigned most = far ? 50 : 36;
+    const unsigned most = far ? 100 : 36;
     if (q_hi <= Rational(pow(Integer(10), most))) {
         return std::nullopt;
     }

@@ -35,7 +35,7 @@ struct CertifyRequest {
 [[nodiscard]] std::vector<ProvedPiece> certify(const CertifyRequest& request);
 
 /// Why nothing is tried of the mass ratios, in a line for the user; nothing if they are within reach: a
-/// single ratio of the dumbbell (turning section) up to 10^50, where one orbit has about 10^25 collisions;
+/// single ratio of the dumbbell (turning section) up to 10^100, where one orbit has about 10^50 collisions;
 /// others up to 10^36, where a count has 64 bits.
 [[nodiscard]] std::optional<std::string> out_of_reach(const Rational& q_lo, const Rational& q_hi,
                                                       Scene scene = Scene::dumbbell,

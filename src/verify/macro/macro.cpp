@@ -31,8 +31,7 @@ mpz_class macro_step(Round d, WallBound& bound, const mpz_class& most, long bits
     const PrecisionKept kept;
     const double r = bound.r.get_d(), x = bound.x.get_d();
     Big::precision = bits + 32;
-    const Big rest =
-        pi_bound(down, Big()) / Big(2) - Big::rounded(down, mpfr_set_q, bound.x.get_mpq_t());
+    const Big rest = pi_bound(down, Big()) / Big(2) - Big::rounded(down, mpfr_set_q, bound.x.get_mpq_t());
     const double depth = to_double(down, rest);
     const double root = std::sqrt(r), root_bits = -std::log2(root);
     if (!(depth > 0 && r > 0x1p-1000)) return 0;

@@ -68,7 +68,7 @@ TEST_CASE("without a file, and for a single ratio, a stopped run says that nothi
     const TemporaryFolder folder;
     for (const auto& [arguments, said] : std::vector<std::pair<Words, const char*>>{
              {{"certify", "1:1000000", "--gap", "1e-9"}, "with --out FILE they are kept"},
-             {{"certify", "1e36", "--out", "one.dbc"}, "nothing is kept of a single ratio"},
+             {{"certify", "1e100", "--out", "one.dbc"}, "nothing is kept of a single ratio"},
              {{"critical", "20000", "--digits", "200"}, "nothing is kept"},
              {{"trace", "100", "--phi", "0:6", "--phidot", "-1:1", "--y", "2", "--ydot", "-1", "--subdivide",
                "--max-boxes", "10000000", "--out", "box.dbc"},
