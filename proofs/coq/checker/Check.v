@@ -1,7 +1,6 @@
-(** The checker of a certificate: every leaf and witness in double precision, and if a piece asks for more bits and it
-  needs them,
-    with those; that the pieces join; and whether together they prove what was asked.
-      Its answer is proved in theorems/Verdict.v. *)
+(** The checker of a certificate: every leaf and witness in double precision, and what does not hold there with the
+    piece's bits; that the pieces join; and whether together they prove what was asked. Its answer is proved in
+    theorems/Verdict.v. *)
 From Coq Require Import ZArith NArith List Bool String DecimalString DecimalN.
 From Dumbbell Require Import Certificate Doubles Multiple.
 Import ListNotations.
@@ -10,15 +9,13 @@ Local Open Scope string_scope.
 Definition decimal (n : N) : string := NilZero.string_of_uint (N.to_uint n).
 Definition one : ratio := {| num := 1; den := 1 |}.
 
-(** The numbers for a piece of more than 53 bits. *)
-Definition more_bits (P : piece) : option (N * M.Z.consts) :=
-  if (bits P <=? 53)%N then None else Some (bits P, Multiple.consts (precision (bits P))).
-Definition leaf_holds (more : option (N * M.Z.consts)) (U : N) (c : chart) (b : box) (why : reason) : bool :=
-  if Doubles.check_leaf U c b why then true
-  else match more with Some (n, T) => Multiple.check_leaf n T U c b why | None => false end.
-Definition contact_holds (more : option (N * M.Z.consts)) (V : N) (b : box) (w : contact) : bool :=
-  if Doubles.check_contact V b w then true else match more with Some (n, T) => Multiple.check_contact n T V b w | None
-    => false end.
+(** [bits P] is at least 53 in a file, as many as a double has. Doubles may lose where 53 bits do not: their enclosures
+    go to the next double after each operation, also where it is exact. So both are tried, in pieces of 53 bits, too. *)
+Definition leaf_holds (P : piece) (U : N) (c : chart) (b : box) (why : reason) : bool :=
+  if Doubles.check_leaf U c b why then true else Multiple.check_leaf (bits P) U c b why.
+Definition contact_holds (P : piece) (V : N) (b : box) (w : contact) : bool :=
+  (if Doubles.above_corner b w then true else Multiple.above_corner (bits P) b w) &&
+  if Doubles.check_contact V b w then true else Multiple.check_contact (bits P) V b w.
 
 (** What is wrong with a piece; None: nothing. *)
 Definition chart_name (c : chart) : string :=
@@ -30,7 +27,7 @@ Definition chart_name (c : chart) : string :=
   | Again => "again"
   end.
 Definition chart_fault (P : piece) (U : N) (c : chart) (t : tree) : option string :=
-  if check_tree (leaf_holds (more_bits P) U c) (chart_box c (from P) (to P)) t then None
+  if check_tree (leaf_holds P U c) (chart_box c (from P) (to P)) t then None
   else Some ("chart " ++ chart_name c ++ ": not certified").
 Definition first_of (a b : option string) : option string := match a with Some why => Some why | None => b end.
 Definition cover_fault (P : piece) (U : N) (c : cover) : option string :=
@@ -48,7 +45,7 @@ Definition cover_fault (P : piece) (U : N) (c : cover) : option string :=
   end.
 Definition witness_fault (P : piece) : option string :=
   match witness P with
-  | Some w => if contact_holds (more_bits P) (attained P) (chart_box Bridge (from P) (to P)) w then None else
+  | Some w => if contact_holds P (attained P) (chart_box Bridge (from P) (to P)) w then None else
     Some "witness: not certified"
   | None => if (attained P =? 0)%N then None else Some "no witness"
   end.

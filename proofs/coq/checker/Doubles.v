@@ -44,3 +44,4 @@ End Guess.
 Definition doubles : D.Z.consts := D.Z.mkconsts p53.
 Definition check_leaf := D.check_leaf p53 G doubles.
 Definition check_contact := D.check_contact p53 G doubles.
+Definition above_corner := D.above_corner p53 G doubles.

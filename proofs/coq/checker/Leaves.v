@@ -483,6 +483,10 @@ Definition near_dyadic (x : dyadic) : F.type :=
 Definition check_contact (V : N) (b : box) (w : contact) : bool :=
   let f := round_box b in boxed f b && check_witness (r0 f) (r1 f) (near_dyadic (contact_e w)) (near_dyadic
     (contact_eta w)) (after_X w) (after_reversed w) V.
+(** That sigma X passes above the corner, the format demands; the proof has it without. *)
+Definition above_corner (b : box) (w : contact) : bool :=
+  let r := S (r1 (round_box b)) in
+  pos (fst (SI (S (near_dyadic (contact_e w))) (S (near_dyadic (contact_eta w))) r r)).
 Lemma check_contact_sound V b w : check_contact V b w = true -> forall e y q, in_box e y q b ->
   bridge_witness (/ q) (N.to_nat V).
 Proof.

@@ -45,11 +45,14 @@ Definition root_from (c k : I.type) (z : BigFloat.type) : BigFloat.type :=
 Definition near_root (c k : I.type) (z : BigFloat.type) : BigFloat.type :=
   let guess := Doubles.near_root (one_point c) (one_point k) (to_double z) in
   root_from c k (if PrimFloat.eqb guess guess then of_double guess else BigFloat.zero).
-Definition tiny : I.type := I.singleton (BigFloat.fromF (Basic.Float false 1 (8 - Zpos (BigFloat.prec p)))).
+Definition tiny : I.type := I.singleton (BigFloat.fromF (Basic.Float false 1 (3 - Zpos (BigFloat.prec p)))).
+(** Behind the root by what rounding leaves of the height at [z], and a few units of the last place for what it takes at
+    the new place: less may not be certified, and more moves the ray. *)
 Definition behind_root (c k : I.type) (z : BigFloat.type) : BigFloat.type :=
-  let z := near_root c k z in let i := I.singleton z in
-  I.upper (I.add p i (I.div p (I.mul p tiny (I.add p (I.add p (I.sin p i) (I.abs (I.mul p k i))) (I.abs c))) (I.sub p
-    (I.cos p i) k))).
+  let z := near_root c k z in let i := I.singleton z in let s := I.sin p i in let kz := I.mul p k i in
+  let units := I.mul p tiny (I.add p (I.add p s (I.abs kz)) (I.abs c)) in
+  let gap := I.abs (I.sub p (I.sub p s kz) c) in
+  I.upper (I.add p i (I.div p (I.add p gap units) (I.sub p (I.cos p i) k))).
 Definition near_top (k : I.type) : BigFloat.type :=
   let z := of_double (Doubles.near_top (one_point k)) in
   let half_turn := I.div p (I.pi p) (I.fromZ p 2) in
@@ -61,6 +64,6 @@ Definition G : M.Z.guesses := {| M.Z.near_root := near_root; M.Z.behind_root := 
 End Guess.
 
 Definition precision (bits : N) : BigFloat.precision := BigFloat.PtoP (match bits with N0 => 53 | Npos b => b end).
-Definition consts := M.Z.mkconsts.
-Definition check_leaf (bits : N) (T : M.Z.consts) := M.check_leaf (precision bits) (G (precision bits)) T.
-Definition check_contact (bits : N) (T : M.Z.consts) := M.check_contact (precision bits) (G (precision bits)) T.
+Definition check_leaf (bits : N) := let p := precision bits in M.check_leaf p (G p) (M.Z.mkconsts p).
+Definition check_contact (bits : N) := let p := precision bits in M.check_contact p (G p) (M.Z.mkconsts p).
+Definition above_corner (bits : N) := let p := precision bits in M.above_corner p (G p) (M.Z.mkconsts p).

@@ -9,13 +9,12 @@ Local Open Scope R_scope.
 
 Section Piece.
 Variable P : piece.
-Lemma leaf_sound U c b why : leaf_holds (more_bits P) U c b why = true -> forall e y q, in_box e y q b -> 1 <= q ->
+Lemma leaf_sound U c b why : leaf_holds P U c b why = true -> forall e y q, in_box e y q b -> 1 <= q ->
   chart_holds c (N.to_nat U) e y (/ q).
 Proof.
-  unfold leaf_holds, more_bits. intros H. destruct (Doubles.check_leaf U c b why) eqn:E.
+  unfold leaf_holds. intros H. destruct (Doubles.check_leaf U c b why) eqn:E.
   - exact (D.check_leaf_sound p53 Doubles.G doubles eq_refl U c b why E).
-  - destruct (bits P <=? 53)%N; [discriminate|]. set (p := precision (bits P)) in *.
-    exact (M.check_leaf_sound p (Multiple.G p) (consts p) eq_refl U c b why H).
+  - set (p := precision (bits P)). exact (M.check_leaf_sound p (Multiple.G p) (M.Z.mkconsts p) eq_refl U c b why H).
 Qed.
 Lemma chart_sound U c t : chart_fault P U c t = None -> forall e y q, in_box e y q (chart_box c (from P) (to P)) ->
   1 <= q -> chart_holds c (N.to_nat U) e y (/ q).
@@ -24,13 +23,13 @@ Proof.
   refine (check_tree_sound _ (fun e y q => 1 <= q -> chart_holds c (N.to_nat U) e y (/ q)) _ t _ E).
   intros b why. exact (leaf_sound U c b why).
 Qed.
-Lemma contact_sound V b w : contact_holds (more_bits P) V b w = true -> forall e y q, in_box e y q b ->
+Lemma contact_sound V b w : contact_holds P V b w = true -> forall e y q, in_box e y q b ->
   bridge_witness (/ q) (N.to_nat V).
 Proof.
-  unfold contact_holds, more_bits. intros H. destruct (Doubles.check_contact V b w) eqn:E.
+  unfold contact_holds. intros H. apply andb_prop in H; destruct H as [_ H].
+  destruct (Doubles.check_contact V b w) eqn:E.
   - exact (D.check_contact_sound p53 Doubles.G doubles eq_refl V b w E).
-  - destruct (bits P <=? 53)%N; [discriminate|]. set (p := precision (bits P)) in *.
-    exact (M.check_contact_sound p (Multiple.G p) (consts p) eq_refl V b w H).
+  - set (p := precision (bits P)). exact (M.check_contact_sound p (Multiple.G p) (M.Z.mkconsts p) eq_refl V b w H).
 Qed.
 
 Definition in_piece (q : R) := ratio_value (from P) <= q <= ratio_value (to P).
