@@ -19,24 +19,24 @@ const Real size = 0.885595129452713911412021948915L;  // C
 const Real c0 = 0.205811589549495595339706567102L;
 const Real slope_of_log = 5 / (18 * std::sqrt(3.0L) * pi<Real>());  // of eps ln(1/eps), Theorem C
 
-struct Contact {
+struct OrbitContact {
     Real u, th, alpha, beta, j, t;
 };
 
-struct Orbit {
+struct CriticalOrbit {
     std::size_t n;
     Real eps, delta;
-    std::vector<Contact> contacts;  // with the corner's virtual one
+    std::vector<OrbitContact> contacts;  // with the corner's virtual one
 };
 
-Orbit orbit_at_critical(std::size_t n) {
+CriticalOrbit orbit_at_critical(std::size_t n) {
     const Real steps = static_cast<Real>(n - 2);
     // delta_N lies within 0.03 of 0 here, whatever Theorem A says; 60 halvings exhaust long double.
     const Real low = (steps - 0.03L) / size, high = (steps + 0.03L) / size;
     const Real ratio = bisect_critical<Real>(n, low * low, high * high, 60).below;
     REQUIRE(ratio > low * low);
     const Real r = 1 / ratio;
-    Orbit out{n, std::sqrt(r), size * std::sqrt(ratio) - steps, {}};
+    CriticalOrbit out{n, std::sqrt(r), size * std::sqrt(ratio) - steps, {}};
     const Real eps = out.eps;
     const auto all = flights(orbit_of(n, r), r);
     REQUIRE(all.size() == orbit_count(n));  // the last one, flight k, misses by a hair
@@ -65,7 +65,7 @@ struct Seen {
     }
 };
 
-void see_layer_step(const Contact& a, const Contact& b, Real eps, Seen& out) {
+void see_layer_step(const OrbitContact& a, const OrbitContact& b, Real eps, Seen& out) {
     const Real U = (a.u + b.u) / 2, d = (a.u - b.u) / 2;
     const Real Q = (pi<Real>() - U) * std::cos(a.th);
     const Real gain = a.t - 1 - b.t;
@@ -90,7 +90,7 @@ void see_layer_step(const Contact& a, const Contact& b, Real eps, Seen& out) {
     }
 }
 
-void see_bulk_step(const Contact& a, const Contact& b, Real eps, Seen& out) {
+void see_bulk_step(const OrbitContact& a, const OrbitContact& b, Real eps, Seen& out) {
     const Real half = pi<Real>() / 2;
     const Real U = (a.u + b.u) / 2, d = (a.u - b.u) / 2;
     const Real Q = (pi<Real>() - U) * std::cos(a.th);
@@ -108,21 +108,21 @@ void see_bulk_step(const Contact& a, const Contact& b, Real eps, Seen& out) {
     out.need(lambda < fall[range] + blur, "(C10)");
 }
 
-Seen see(const Orbit& orbit) {
+Seen see(const CriticalOrbit& orbit) {
     Seen out;
     const Real eps = orbit.eps, s = std::sqrt(eps);
     const auto& all = orbit.contacts;
     for (std::size_t i = 0; i + 1 < all.size(); ++i) {
-        const Contact &a = all[i], &b = all[i + 1];
+        const OrbitContact &a = all[i], &b = all[i + 1];
         // Next to u = pi/2 J falls by less than it is rounded.
         out.need(b.j < a.j + 1e-17L && a.alpha >= 0, "L44");
         ((a.u + b.u) / 2 < 0.9L ? see_layer_step : see_bulk_step)(a, b, eps, out);
     }
-    for (const Contact& a : all) {
+    for (const OrbitContact& a : all) {
         out.need(std::abs(std::tan(a.beta) - eps / std::sin(a.u)) < 1e-15L, "L43");
         out.need(std::tan(a.beta) < 0.00717L, "L47 (b)");
     }
-    const Contact& last = all.back();
+    const OrbitContact& last = all.back();
     const Real Q = (pi<Real>() - last.u / 2) * std::cos(last.th);
     out.need(last.u > 4.42L * s && last.u < 0.18L, "L47");
     out.need(Q >= last.j && Q < pi<Real>() / 2 + 0.3L * last.u, "L53 (c)");
@@ -161,7 +161,7 @@ TEST_CASE(
     std::vector<std::size_t> sizes{903, 904, 1205, 2002, 4001, 10'001, 10'002};
     if (trials(1) > 1) sizes.insert(sizes.end(), {100'001, 100'002});
     for (const std::size_t n : sizes) {
-        const Orbit orbit = orbit_at_critical(n);
+        const CriticalOrbit orbit = orbit_at_critical(n);
         const Seen seen = see(orbit);
         const Real eps = orbit.eps, s = std::sqrt(eps);
         INFO("N " << n << " gamma " << seen.least_gamma << ' ' << seen.greatest_gamma << " drift "
@@ -243,7 +243,7 @@ TEST_CASE("Theorem C: what is left after the next term is bounded, and tells ano
     CHECK((least > -0.50L && greatest < -0.36L));
     for (const std::size_t n :
          {901, 902}) {  // the same parity, ten times as far: the rest moves by less than 0.003
-        const Orbit near = orbit_at_critical(n), far = orbit_at_critical(n + 9'100);
+        const CriticalOrbit near = orbit_at_critical(n), far = orbit_at_critical(n + 9'100);
         const auto moved = [&](Real coefficient) {
             return rest(far.delta, far.eps, coefficient) - rest(near.delta, near.eps, coefficient);
         };

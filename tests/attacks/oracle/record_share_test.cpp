@@ -11,7 +11,7 @@ using namespace dumbbell_oracle;
 
 namespace {
 
-Real uniform(std::mt19937_64& engine, Real lo, Real hi) {
+Real uniform_real(std::mt19937_64& engine, Real lo, Real hi) {
     return lo + (hi - lo) * std::uniform_real_distribution<double>(0, 1)(engine);
 }
 
@@ -28,7 +28,7 @@ Estimate share_of_contacts(Real q, std::size_t n, Real from, Real to, Real most,
     const Real r = 1 / q;
     Real sum = 0, squares = 0;
     for (int i = 0; i < samples; ++i) {
-        const Real e = uniform(engine, from, to), eta = most * std::sqrt(uniform(engine, 0, 1));
+        const Real e = uniform_real(engine, from, to), eta = most * std::sqrt(uniform_real(engine, 0, 1));
         const auto total = total_collisions(body, contact_of(body, BridgeState<Real>{e, eta}));
         const Real rise = std::cos(e) + eta;
         const Real value = total.collisions == n ? std::pow(1 + r * rise * rise, Real(-1.5)) : 0;
@@ -66,7 +66,7 @@ TEST_CASE("theorem 5: the contacts with the bridge give the share of incoming tr
         const int samples = trials(60'000);
         int found = 0;
         for (int i = 0; i < samples; ++i) {
-            const Real phi = uniform(engine, 0, 2 * pi<Real>()), s = uniform(engine, -1, 1);
+            const Real phi = uniform_real(engine, 0, 2 * pi<Real>()), s = uniform_real(engine, -1, 1);
             const auto run = simulate(body, State<Real>{phi, s * std::sqrt(body.ratio()), 2 * body.beta2(),
                                                         -std::sqrt(1 - s * s) * body.beta2()});
             found += run.collisions.size() == static_cast<std::size_t>(n) ? 1 : 0;

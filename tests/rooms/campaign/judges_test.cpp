@@ -38,12 +38,12 @@ class NamedKind : public campaign::Kind {
     }
 };
 
-const NamedKind kind;
+const NamedKind named_kind;
 
 }  // namespace
 
 TEST_CASE("each question gets its own answer, whichever judge looks at it") {
-    Judges judges(kind, ".", 3, Scrutiny::form);
+    Judges judges(named_kind, ".", 3, Scrutiny::form);
     CHECK_FALSE(judges.answer());
     for (std::size_t i = 0; i < 100; ++i) {
         judges.ask({{}, i % 3 == 0 ? "good" : "bad", i});
@@ -60,22 +60,22 @@ TEST_CASE("each question gets its own answer, whichever judge looks at it") {
 }
 
 TEST_CASE("what has the right form and is refuted is wrong, and what has another form is not asked about") {
-    CHECK(kind.judge({}, ".", "good", Scrutiny::proof).verdict == Judgement::Verdict::proved);
-    CHECK(kind.judge({}, ".", "false", Scrutiny::form).verdict == Judgement::Verdict::proved);
-    const Judgement refuted = kind.judge({}, ".", "false", Scrutiny::proof);
+    CHECK(named_kind.judge({}, ".", "good", Scrutiny::proof).verdict == Judgement::Verdict::proved);
+    CHECK(named_kind.judge({}, ".", "false", Scrutiny::form).verdict == Judgement::Verdict::proved);
+    const Judgement refuted = named_kind.judge({}, ".", "false", Scrutiny::proof);
     CHECK(refuted.verdict == Judgement::Verdict::wrong);
     CHECK(refuted.reason == "not verified");
-    CHECK(kind.judge({}, ".", "bad", Scrutiny::proof).verdict == Judgement::Verdict::wrong);
+    CHECK(named_kind.judge({}, ".", "bad", Scrutiny::proof).verdict == Judgement::Verdict::wrong);
 }
 
 TEST_CASE("what stops a judge reaches the caller that asks for the answer") {
-    Judges judges(kind, ".", 1, Scrutiny::form);
+    Judges judges(named_kind, ".", 1, Scrutiny::form);
     judges.ask({{}, "broken", 0});
     CHECK_THROWS_WITH(judges.next_answer(), "the judge is ill");
 }
 
 TEST_CASE("questions that nobody has looked at are forgotten at the end") {
-    Judges judges(kind, ".", 1, Scrutiny::form);
+    Judges judges(named_kind, ".", 1, Scrutiny::form);
     for (std::size_t i = 0; i < 1000; ++i) {
         judges.ask({{}, "good", i});
     }

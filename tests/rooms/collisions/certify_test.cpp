@@ -12,8 +12,6 @@ using namespace dumbbell_test;
 
 namespace {
 
-Rational at(const char* text) { return parse_rational(text); }
-
 std::vector<ProvedPiece> certified(const Rational& lo, const Rational& hi, int jobs = 2) {
     CertifyRequest request;
     request.q_lo = lo;
@@ -30,7 +28,7 @@ std::string spelled(const std::vector<ProvedPiece>& pieces) {
     return render(certificate).text;
 }
 
-ProvedPiece piece(const Rational& lo, const Rational& hi, std::optional<long> upper, long lower) {
+ProvedPiece proved(const Rational& lo, const Rational& hi, std::optional<long> upper, long lower) {
     ProvedPiece result;
     result.piece.q_lo = lo;
     result.piece.q_hi = hi;
@@ -220,12 +218,12 @@ TEST_CASE("progress is reported once per piece and ends complete") {
 }
 
 TEST_CASE("the undecided share is the exact share of the pieces that are not exact") {
-    CHECK(undecided_share({piece(1, 2, 3, 3), piece(2, 5, 4, 3)}) == Rational(3, 4));
-    CHECK(undecided_share({piece(1, 2, 3, 3), piece(2, 4, 4, 3)}) == Rational(2, 3));
-    CHECK(undecided_share({piece(1, 2, 3, 3), piece(2, 3, 4, 4)}) == 0);
-    CHECK(undecided_share({piece(1, 2, std::nullopt, 3)}) == 1);
-    CHECK(undecided_share({piece(10, 10, 4, 4)}) == 0);
-    CHECK(undecided_share({piece(10, 10, 5, 4)}) == 1);
+    CHECK(undecided_share({proved(1, 2, 3, 3), proved(2, 5, 4, 3)}) == Rational(3, 4));
+    CHECK(undecided_share({proved(1, 2, 3, 3), proved(2, 4, 4, 3)}) == Rational(2, 3));
+    CHECK(undecided_share({proved(1, 2, 3, 3), proved(2, 3, 4, 4)}) == 0);
+    CHECK(undecided_share({proved(1, 2, std::nullopt, 3)}) == 1);
+    CHECK(undecided_share({proved(10, 10, 4, 4)}) == 0);
+    CHECK(undecided_share({proved(10, 10, 5, 4)}) == 1);
     const Rational nearly = 1 + at("1e-300");
-    CHECK(undecided_share({piece(1, nearly, 3, 2), piece(nearly, 2, 3, 3)}) == at("1e-300"));
+    CHECK(undecided_share({proved(1, nearly, 3, 2), proved(nearly, 2, 3, 3)}) == at("1e-300"));
 }

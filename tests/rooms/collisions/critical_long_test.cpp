@@ -5,6 +5,7 @@
 #include "collisions/critical_guess.hpp"
 #include "collisions/piece.hpp"
 #include "critical_ratio.hpp"
+#include "enclosed.hpp"
 #include "number/decimal.hpp"
 
 using namespace dumbbell;
@@ -12,14 +13,6 @@ using namespace dumbbell::collisions;
 using namespace dumbbell_test;
 
 namespace {
-
-CriticalRatio enclosed(long n, int digits) {
-    auto ratio = enclose_critical_ratio(n, {.digits = digits});
-    REQUIRE(ratio);
-    return *ratio;
-}
-
-Rational at(const char* text) { return parse_rational(text); }
 
 CriticalRatio moved(CriticalRatio ratio, const Rational& below, const Rational& above) {
     ratio.q_lo *= below;

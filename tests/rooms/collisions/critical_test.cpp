@@ -5,6 +5,7 @@
 #include "base/error.hpp"
 #include "collisions/critical_guess.hpp"
 #include "critical_ratio.hpp"
+#include "enclosed.hpp"
 #include "number/decimal.hpp"
 
 using namespace dumbbell;
@@ -12,12 +13,6 @@ using namespace dumbbell::collisions;
 using namespace dumbbell_test;
 
 namespace {
-
-CriticalRatio enclosed(long n, int digits) {
-    auto ratio = enclose_critical_ratio(n, {.digits = digits});
-    REQUIRE(ratio);
-    return *ratio;
-}
 
 std::string digits_of(const CriticalRatio& ratio, int digits) {
     const auto shared = shared_digits(ratio.q_lo, ratio.q_hi, digits);

@@ -13,8 +13,6 @@ using namespace dumbbell_test;
 
 namespace {
 
-Rational at(const char* text) { return parse_rational(text); }
-
 std::optional<Leaf> judged(Chart chart, const Box& box, long upper) {
     std::optional<Leaf> result;
     judge<Interval>(chart, {&box, 1}, upper, {&result, 1});
@@ -27,23 +25,23 @@ Reason reason_of(Chart chart, const Box& box, long upper) {
     return leaf->reason;
 }
 
-const Rational ten = 10;
+const Rational ratio_ten = 10;
 
 }  // namespace
 
 TEST_CASE("a box beyond the peak, or of rays too steep to come back, is outside in both charts") {
     for (const Chart chart : {Chart::bridge, Chart::light}) {
-        CHECK(reason_of(chart, {at("1.6"), 2, 0, 1, ten, ten}, 1) == Reason::outside);
-        CHECK(reason_of(chart, {0, 1, at("10.001"), 12, ten, ten}, 1) == Reason::outside);
+        CHECK(reason_of(chart, {at("1.6"), 2, 0, 1, ratio_ten, ratio_ten}, 1) == Reason::outside);
+        CHECK(reason_of(chart, {0, 1, at("10.001"), 12, ratio_ten, ratio_ten}, 1) == Reason::outside);
         CHECK(reason_of(chart, {0, 1, at("12.001"), 14, 10, 12}, 1) == Reason::outside);
     }
 }
 
 TEST_CASE("a box that only touches the section from outside is not called outside") {
     for (const Chart chart : {Chart::bridge, Chart::light}) {
-        const auto below_peak = judged(chart, {at("1.5707963"), 2, 0, at("0.001"), ten, ten}, 1);
+        const auto below_peak = judged(chart, {at("1.5707963"), 2, 0, at("0.001"), ratio_ten, ratio_ten}, 1);
         CHECK((!below_peak || below_peak->reason != Reason::outside));
-        const auto slow = judged(chart, {at("1.5"), at("1.55"), at("9.999"), 10, ten, ten}, 1);
+        const auto slow = judged(chart, {at("1.5"), at("1.55"), at("9.999"), 10, ratio_ten, ratio_ten}, 1);
         CHECK((!slow || slow->reason != Reason::outside));
         // The greatest ratio of the box decides: slope 10/12 at q = 12.
         const auto some_slow = judged(chart, {at("1.5"), at("1.55"), 11, 12, 10, 12}, 1);
@@ -52,17 +50,18 @@ TEST_CASE("a box that only touches the section from outside is not called outsid
 }
 
 TEST_CASE("a contact with a light wall that the ray leaves too steeply to have come down is outside") {
-    const Box box{0, at("0.1"), 3, 4, ten, ten};
+    const Box box{0, at("0.1"), 3, 4, ratio_ten, ratio_ten};
     CHECK(reason_of(Chart::light, box, 1) == Reason::outside);
 }
 
 TEST_CASE("low and flat rays from a light wall meet the bridge, forwards or backwards") {
-    CHECK(reason_of(Chart::light, {0, at("0.01"), 0, at("0.01"), ten, ten}, 1) == Reason::meets);
-    CHECK(reason_of(Chart::light, {0, at("0.01"), at("1.99"), 2, ten, ten}, 1) == Reason::meets_reversed);
+    CHECK(reason_of(Chart::light, {0, at("0.01"), 0, at("0.01"), ratio_ten, ratio_ten}, 1) == Reason::meets);
+    CHECK(reason_of(Chart::light, {0, at("0.01"), at("1.99"), 2, ratio_ten, ratio_ten}, 1) ==
+          Reason::meets_reversed);
 }
 
 TEST_CASE("the whole section of q = 10 closes with counts for 4 collisions and not for 3") {
-    const Box root = root_box(Chart::light, ten, ten);
+    const Box root = root_box(Chart::light, ratio_ten, ratio_ten);
     const auto bridge = judged(Chart::bridge, root, 4);
     REQUIRE(bridge.has_value());
     CHECK(bridge->reason == Reason::count);
@@ -72,9 +71,9 @@ TEST_CASE("the whole section of q = 10 closes with counts for 4 collisions and n
 }
 
 TEST_CASE("each box of a span is judged as if it were alone") {
-    const std::vector<Box> boxes{root_box(Chart::light, ten, ten),
-                                 {at("1.6"), 2, 0, 1, ten, ten},
-                                 {0, at("0.01"), 0, at("0.01"), ten, ten},
+    const std::vector<Box> boxes{root_box(Chart::light, ratio_ten, ratio_ten),
+                                 {at("1.6"), 2, 0, 1, ratio_ten, ratio_ten},
+                                 {0, at("0.01"), 0, at("0.01"), ratio_ten, ratio_ten},
                                  root_box(Chart::light, 20, 30)};
     std::vector<std::optional<Leaf>> results(boxes.size());
     judge<Interval>(Chart::light, boxes, 4, results);

@@ -15,6 +15,8 @@ namespace dumbbell_test {
 using Real = dumbbell_oracle::Digits80;
 using dumbbell::Rational;
 
+inline Rational at(const char* ratio) { return dumbbell::parse_rational(ratio); }
+
 inline Real real(const Rational& x) { return Real(numerator(x).str()) / Real(denominator(x).str()); }
 
 // N* at an exact mass ratio, by the theorem of theory section 4.

@@ -11,8 +11,6 @@ using namespace dumbbell_test;
 
 namespace {
 
-Rational at(const char* text) { return parse_rational(text); }
-
 // The least N whose step lies above q.
 Rational next_step_above(const Rational& q) { return critical_ratio(reference_maximum(q) + 1); }
 

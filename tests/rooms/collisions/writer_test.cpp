@@ -13,7 +13,7 @@ using Catch::Matchers::Contains;
 
 namespace {
 
-constexpr const char* ten = R"(dumbbell-certificate 1
+constexpr const char* ten_dbc = R"(dumbbell-certificate 1
 generator dumbbell 0.1.0
 lemmas 1
 scene dumbbell
@@ -85,7 +85,7 @@ Rational power_of_two(unsigned n) { return Rational(Integer(1) << n); }
 }  // namespace
 
 TEST_CASE("the certificate of q = 10 is spelled like this") {
-    CHECK(render(certificate_of({piece(10, 10, 4, 4)})).text == ten);
+    CHECK(render(certificate_of({piece(10, 10, 4, 4)})).text == ten_dbc);
 }
 
 TEST_CASE("every kind of line has its one spelling, and the totals count them") {

@@ -12,7 +12,7 @@ using namespace dumbbell_test;
 TEST_CASE("Away from tangency the guess in doubles is right about hit or miss and near the root") {
     Random random(121);
     for (int i = 0; i < 10'000; ++i) {
-        const PlainRay ray = random_ray(random);
+        const DoubleRay ray = random_ray(random);
         const auto exact = exact_flight(Real(ray.c), Real(ray.kappa));
         const auto guess = guess_contact(Interval(ray.c), Interval(ray.kappa));
         const double z = guess.z.lo();
@@ -34,7 +34,7 @@ TEST_CASE("In multiple precision the guess uses the bits it is given") {
     for (const int bits : {64, 128, 256, 500}) {
         const PrecisionScope scope(bits);
         for (int i = 0; i < 400; ++i) {
-            const PlainRay ray = random_ray(random);
+            const DoubleRay ray = random_ray(random);
             const auto exact = exact_flight(Decimal<200>(ray.c), Decimal<200>(ray.kappa));
             if (abs(exact.clearance) < 1e-14) {
                 continue;

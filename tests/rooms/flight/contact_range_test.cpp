@@ -12,7 +12,7 @@ namespace {
 
 // The rays between two of them, both of c >= 0.
 struct RaySet {
-    PlainRay low;
+    DoubleRay low;
     double c_hi, kappa_hi;
 
     template <class I>
@@ -21,7 +21,7 @@ struct RaySet {
     }
 };
 
-RaySet around(Random& random, const PlainRay& ray, double size) {
+RaySet around(Random& random, const DoubleRay& ray, double size) {
     const double c_hi = ray.c + size * random.uniform(0, 1) * (random.coin() ? 1 : ray.c);
     return {ray, c_hi, std::min(0.9999, ray.kappa + size * random.uniform(0, 1))};
 }
@@ -72,8 +72,8 @@ TEST_CASE("Contacts are found where the rays clearly collide, and never if one o
     for (int i = 0; i < 1'000; ++i) {
         const double kappa = random.uniform(0, 0.3);
         found += around(random, {random.uniform(0, 0.3), kappa, 1}, 1e-3).contact<Interval>() ? 1 : 0;
-        const PlainRay below = grazing_ray(kappa, -random.scaled(1e-9, 0.1), 1);
-        const PlainRay above = grazing_ray(kappa, random.scaled(1e-9, 0.1), 1);
+        const DoubleRay below = grazing_ray(kappa, -random.scaled(1e-9, 0.1), 1);
+        const DoubleRay above = grazing_ray(kappa, random.scaled(1e-9, 0.1), 1);
         REQUIRE_FALSE(contact_range(Interval(below.c, above.c), Interval(kappa)));
         REQUIRE_FALSE(contact_range(Interval(above.c), Interval(kappa)));
     }

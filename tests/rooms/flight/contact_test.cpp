@@ -12,7 +12,7 @@ namespace {
 
 /// Fails unless both contacts bound what `flight` finds in T.
 template <class I, class T>
-void check_bounds(const PlainRay& ray) {
+void check_bounds(const DoubleRay& ray) {
     const auto exact = exact_flight(T(ray.c), T(ray.kappa));
     const auto lowest = lowest_contact(I(ray.c), I(ray.kappa));
     const auto highest = highest_contact(I(ray.c), I(ray.kappa));
@@ -61,7 +61,7 @@ TEST_CASE("They bound the root with 6 to 40 bits, where a bound rounded to the w
     Random random(108);
     for (int i = 0; i < 6'000; ++i) {
         const PrecisionScope scope(6 + random.below(35));
-        PlainRay ray = random_ray(random);
+        DoubleRay ray = random_ray(random);
         // The ray in so few bits, exactly.
         ray.c = BigInterval(ray.c).lo();
         ray.kappa = BigInterval(ray.kappa).lo();
@@ -98,7 +98,7 @@ TEST_CASE("Away from tangency both bounds are within 1e-14 of the root, relative
     Random random(104);
     double worst = 0;
     for (int i = 0; i < 5'000; ++i) {
-        const PlainRay ray = random_ray(random);
+        const DoubleRay ray = random_ray(random);
         const auto exact = exact_flight(Real(ray.c), Real(ray.kappa));
         if (!exact.hits || exact.clearance < 1e-6) {
             continue;
@@ -124,7 +124,7 @@ TEST_CASE("Away from tangency both bounds are within 1e-14 of the root, relative
 TEST_CASE("In multiple precision both bounds are as close as the working precision, beyond 2^-1000 too") {
     for (const int bits : {128, 1000, 1024, 1500, 2048, 4096}) {
         const PrecisionScope scope(bits);
-        for (const PlainRay& ray : {PlainRay{0.1, 0.2, 0.1}, {0.5, 0.01, 0.01}, {0.25, -0.5, 1}}) {
+        for (const DoubleRay& ray : {DoubleRay{0.1, 0.2, 0.1}, {0.5, 0.01, 0.01}, {0.25, -0.5, 1}}) {
             INFO(bits << " bits, " << show(ray));
             const auto lowest = lowest_contact(BigInterval(ray.c), BigInterval(ray.kappa));
             const auto highest = highest_contact(BigInterval(ray.c), BigInterval(ray.kappa));
@@ -138,7 +138,7 @@ TEST_CASE("In multiple precision both bounds are as close as the working precisi
 TEST_CASE("A lower bound holds for all rays above, an upper bound for all rays below") {
     Random random(105);
     for (int i = 0; i < 10'000; ++i) {
-        const PlainRay ray = random_ray(random);
+        const DoubleRay ray = random_ray(random);
         const auto lowest = lowest_contact(Interval(ray.c), Interval(ray.kappa));
         const auto highest = highest_contact(Interval(ray.c), Interval(ray.kappa));
         const double up_c = ray.c + (random.coin() ? 0 : random.scaled(1e-18, 1));
@@ -162,7 +162,7 @@ TEST_CASE("A strict miss is one, wherever the tangent is laid") {
     Random random(106);
     int misses = 0;
     for (int i = 0; i < 10'000; ++i) {
-        const PlainRay ray = random_ray(random);
+        const DoubleRay ray = random_ray(random);
         const Interval c(ray.c);
         const Interval kappa(ray.kappa);
         const Interval z(random.uniform(0, 0x1.921fb54442d18p+0));

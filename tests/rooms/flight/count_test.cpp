@@ -10,26 +10,26 @@ using namespace dumbbell_test;
 
 namespace {
 
-constexpr long cap = 4000;
+constexpr long count_cap = 4000;
 
 /// Fails unless upper >= true number >= lower, with equality where no decision was closer than `clear`.
 /// Returns whether there was equality.
 template <class I, class T>
-bool check_counts(const PlainRay& ray, double clear) {
-    const auto exact = ray_count<T>(ray, cap);
-    const long upper = count_at_most(as<I>(ray), cap);
-    const long lower = count_at_least(as<I>(ray), cap);
+bool check_counts(const DoubleRay& ray, double clear) {
+    const auto exact = ray_count<T>(ray, count_cap);
+    const long upper = count_at_most(as<I>(ray), count_cap);
+    const long lower = count_at_least(as<I>(ray), count_cap);
     if (upper < exact.hits || lower > exact.hits) {
         FAIL(say(ray, "has", exact.hits, "collisions, bounds are", lower, upper));
     }
-    if (exact.hits < cap && exact.margin > clear && (upper != exact.hits || lower != exact.hits)) {
+    if (exact.hits < count_cap && exact.margin > clear && (upper != exact.hits || lower != exact.hits)) {
         FAIL(say(ray, "has", exact.hits, "collisions with margin", exact.margin, "bounds are only", lower,
                  upper));
     }
     return upper == lower;
 }
 
-PlainRay raised(Random& random, const PlainRay& ray) {
+DoubleRay raised(Random& random, const DoubleRay& ray) {
     const auto some = [&](double most) { return random.coin() ? 0.0 : random.scaled(1e-16, most); };
     return {ray.c + some(1), ray.kappa + some(0.5), std::min(1.0, ray.r + some(0.5))};
 }
@@ -60,10 +60,10 @@ TEST_CASE("Mass ratios of 1e4 to 1e6 with hundreds of collisions keep their encl
     Random random(113);
     for (const double r : {1e-4, 1e-5, 1e-6}) {
         for (int i = 0; i < 8; ++i) {
-            const PlainRay ray{r * random.uniform(0, 3), r * random.uniform(-1, 1.5), r};
-            const auto exact = ray_count<Real>(ray, cap);
-            const long upper = count_at_most(as<Interval>(ray), cap);
-            const long lower = count_at_least(as<Interval>(ray), cap);
+            const DoubleRay ray{r * random.uniform(0, 3), r * random.uniform(-1, 1.5), r};
+            const auto exact = ray_count<Real>(ray, count_cap);
+            const long upper = count_at_most(as<Interval>(ray), count_cap);
+            const long lower = count_at_least(as<Interval>(ray), count_cap);
             CAPTURE(show(ray), exact.hits);
             CHECK(exact.hits > 40);
             CHECK(upper >= exact.hits);
@@ -100,7 +100,8 @@ TEST_CASE("More bits decide rays that graze too closely for doubles") {
     for (int i = 0; i < 300; ++i) {
         const auto ray = grazing_ray(random.uniform(0, 0.9), random.sign() * 1e-16, 0.01);
         undecided_in_double +=
-            count_at_most(as<Interval>(ray), cap) != count_at_least(as<Interval>(ray), cap) ? 1 : 0;
+            count_at_most(as<Interval>(ray), count_cap) != count_at_least(as<Interval>(ray), count_cap) ? 1
+                                                                                                        : 0;
         if (!check_counts<BigInterval, Real>(ray, 1e-30)) {
             FAIL(say("undecided with 256 bits:", ray));
         }
@@ -111,11 +112,11 @@ TEST_CASE("More bits decide rays that graze too closely for doubles") {
 TEST_CASE("The upper count holds for every ray above, the lower count for every ray below") {
     Random random(116);
     for (int i = 0; i < 6'000; ++i) {
-        const PlainRay low = random_ray(random, 1e-3);
-        const PlainRay high = raised(random, low);
-        const long upper = count_at_most(as<Interval>(low), cap);
-        const long lower = count_at_least(as<Interval>(high), cap);
-        if (ray_count<Real>(high, cap).hits > upper || ray_count<Real>(low, cap).hits < lower) {
+        const DoubleRay low = random_ray(random, 1e-3);
+        const DoubleRay high = raised(random, low);
+        const long upper = count_at_most(as<Interval>(low), count_cap);
+        const long lower = count_at_least(as<Interval>(high), count_cap);
+        if (ray_count<Real>(high, count_cap).hits > upper || ray_count<Real>(low, count_cap).hits < lower) {
             FAIL(say("from", low, "to", high, "bounds", lower, upper));
         }
         if (lower > upper) {
@@ -126,22 +127,23 @@ TEST_CASE("The upper count holds for every ray above, the lower count for every 
 
 TEST_CASE("A wide ray is counted at its lower ends from above, at its upper ends from below") {
     const Ray<Interval> wide{Interval(0.01, 0.3), Interval(0, 0.2), Interval(0.01, 0.1)};
-    CHECK(count_at_most(wide, cap) == ray_count<Real>(PlainRay{0.01, 0, 0.01}).hits);
-    CHECK(count_at_least(wide, cap) == ray_count<Real>(PlainRay{0.3, 0.2, 0.1}).hits);
-    CHECK(count_at_most(wide, cap) > count_at_least(wide, cap));
+    CHECK(count_at_most(wide, count_cap) == ray_count<Real>(DoubleRay{0.01, 0, 0.01}).hits);
+    CHECK(count_at_least(wide, count_cap) == ray_count<Real>(DoubleRay{0.3, 0.2, 0.1}).hits);
+    CHECK(count_at_most(wide, count_cap) > count_at_least(wide, count_cap));
 }
 
 TEST_CASE("Of a ray that is wide in one of c, kappa and r one end counts, from either side") {
-    const PlainRay low{0.01, 0, 0.01};
+    const DoubleRay low{0.01, 0, 0.01};
     for (const int which : {0, 1, 2}) {
         CAPTURE(which);
-        const PlainRay high{which == 0 ? 0.9 : low.c, which == 1 ? 0.4 : low.kappa, which == 2 ? 0.2 : low.r};
+        const DoubleRay high{which == 0 ? 0.9 : low.c, which == 1 ? 0.4 : low.kappa,
+                             which == 2 ? 0.2 : low.r};
         const Ray<Interval> wide{Interval(low.c, high.c), Interval(low.kappa, high.kappa),
                                  Interval(low.r, high.r)};
         const long most = ray_count<Real>(low).hits, fewest = ray_count<Real>(high).hits;
         REQUIRE(fewest < most);
-        CHECK(count_at_most(wide, cap) == most);
-        CHECK(count_at_least(wide, cap) == fewest);
+        CHECK(count_at_most(wide, count_cap) == most);
+        CHECK(count_at_least(wide, count_cap) == fewest);
     }
 }
 
@@ -152,7 +154,7 @@ TEST_CASE("A lower count never exceeds its cap, also where the next collision is
 
 TEST_CASE("The counts stop at their cap") {
     const auto ray = as<Interval>({1e-6, 1e-6, 1e-4});
-    const long all = ray_count<Real>(PlainRay{1e-6, 1e-6, 1e-4}).hits;
+    const long all = ray_count<Real>(DoubleRay{1e-6, 1e-6, 1e-4}).hits;
     REQUIRE(all > 20);
     CHECK(count_at_most(ray, 10) == 11);
     CHECK(count_at_most(ray, all) == all);
@@ -164,11 +166,11 @@ TEST_CASE("The counts stop at their cap") {
 }
 
 TEST_CASE("Rays that are too steep or too high never collide") {
-    for (const PlainRay& ray :
-         {PlainRay{0, 1, 0.1}, PlainRay{0.5, 2, 1}, PlainRay{1.5, 0, 0.5}, PlainRay{1e9, 0.5, 1e-3}}) {
+    for (const DoubleRay& ray :
+         {DoubleRay{0, 1, 0.1}, DoubleRay{0.5, 2, 1}, DoubleRay{1.5, 0, 0.5}, DoubleRay{1e9, 0.5, 1e-3}}) {
         CAPTURE(show(ray));
-        CHECK(count_at_most(as<Interval>(ray), cap) == 0);
-        CHECK(count_at_least(as<Interval>(ray), cap) == 0);
+        CHECK(count_at_most(as<Interval>(ray), count_cap) == 0);
+        CHECK(count_at_least(as<Interval>(ray), count_cap) == 0);
     }
 }
 

@@ -12,7 +12,7 @@ using namespace dumbbell_test;
 
 namespace {
 
-constexpr long cap = 400;
+constexpr long departure_cap = 400;
 
 template <class I>
 Departure<I> lowest_of(const DepartureBox& box) {
@@ -25,10 +25,10 @@ Departure<I> highest_of(const DepartureBox& box) {
 
 template <class I>
 long bound(const DepartureBox& box) {
-    return later_collisions_at_most(lowest_of<I>(box), highest_of<I>(box), ratios_of<I>(box), cap);
+    return later_collisions_at_most(lowest_of<I>(box), highest_of<I>(box), ratios_of<I>(box), departure_cap);
 }
 
-struct Tally {
+struct DepartureTally {
     int boxes = 0;
     int tight = 0;      // the bound is attained by a sampled state
     int undecided = 0;  // more than the cap
@@ -36,7 +36,7 @@ struct Tally {
 
 /// Fails if a sampled state has more collisions than the bound.
 template <class I>
-void check_box(Random& random, const DepartureBox& box, int samples, Tally& tally) {
+void check_box(Random& random, const DepartureBox& box, int samples, DepartureTally& tally) {
     const long most = bound<I>(box);
     bool attained = false;
     for (int k = 0; k < samples; ++k) {
@@ -52,13 +52,13 @@ void check_box(Random& random, const DepartureBox& box, int samples, Tally& tall
     }
     ++tally.boxes;
     tally.tight += attained ? 1 : 0;
-    tally.undecided += most > cap ? 1 : 0;
+    tally.undecided += most > departure_cap ? 1 : 0;
 }
 
 template <class I>
-Tally check_boxes(std::uint64_t seed, int boxes, double least_r, double widest) {
+DepartureTally check_boxes(std::uint64_t seed, int boxes, double least_r, double widest) {
     Random random(seed);
-    Tally tally;
+    DepartureTally tally;
     for (int i = 0; i < boxes; ++i) {
         check_box<I>(random, random_departure_box(random, least_r, widest), 2, tally);
     }
@@ -70,13 +70,13 @@ Tally check_boxes(std::uint64_t seed, int boxes, double least_r, double widest) 
 TEST_CASE(
     "From 6,000 narrow boxes no simulated state collides more often than bounded, and the bound is mostly "
     "met") {
-    const Tally tally = check_boxes<Interval>(211, 6000, 1e-3, 1e-6);
+    const DepartureTally tally = check_boxes<Interval>(211, 6000, 1e-3, 1e-6);
     CHECK(tally.tight > 4500);
     CHECK(tally.undecided < 60);
 }
 
 TEST_CASE("From 6,000 boxes of up to double size, with ranges of ratios, the bound holds") {
-    const Tally tally = check_boxes<Interval>(212, 6000, 1e-3, 1);
+    const DepartureTally tally = check_boxes<Interval>(212, 6000, 1e-3, 1);
     CHECK(tally.tight > 3000);
 }
 
@@ -84,7 +84,7 @@ TEST_CASE(
     "From 30,000 boxes that nearly touch the bridge or the wall ahead the bound holds at many points of "
     "each") {
     Random random(217);
-    Tally tally;
+    DepartureTally tally;
     for (int i = 0; i < 30'000; ++i) {
         const Kind kind = tangent_kinds[random.below(3)];
         check_box<Interval>(random, random_departure_box(random, kind, 1e-2, 0.5), 6, tally);
@@ -94,13 +94,13 @@ TEST_CASE(
 
 TEST_CASE("In multiple precision the bound holds and is met at most points") {
     const PrecisionScope scope(200);
-    const Tally tally = check_boxes<BigInterval>(213, 400, 1e-2, 1e-15);
+    const DepartureTally tally = check_boxes<BigInterval>(213, 400, 1e-2, 1e-15);
     CHECK(tally.tight > 330);
 }
 
 TEST_CASE("With 6 to 40 bits, where rounding to the wrong side shows, the bound from a departure holds") {
     Random random(214);
-    Tally tally;
+    DepartureTally tally;
     for (int i = 0; i < 3000; ++i) {
         const PrecisionScope scope(6 + random.below(35));
         check_box<BigInterval>(random, random_departure_box(random, 1e-2, 1e-2), 1, tally);
@@ -158,7 +158,7 @@ TEST_CASE("A departure is bounded by its cap") {
     const DepartureBox box{{0.5, 0.5}, {std::cos(0.5), std::cos(0.5)}, {1e-4, 1e-4}};
     const long all = bound<Interval>(box);
     REQUIRE(all > 20);
-    REQUIRE(all < cap);
+    REQUIRE(all < departure_cap);
     const auto low = lowest_of<Interval>(box);
     const auto high = highest_of<Interval>(box);
     CHECK(later_collisions_at_most(low, high, ratios_of<Interval>(box), all) == all);

@@ -15,6 +15,8 @@
 /// two masses, no formula in common) does from their states.
 namespace dumbbell_test {
 
+inline constexpr long plain_cap = 200;  // of counts by plain interval evaluation
+
 struct Span {
     double lo, hi;
 

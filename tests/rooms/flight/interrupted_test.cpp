@@ -24,40 +24,41 @@ class Patience {
     int left_;
 };
 
-constexpr long cap = 15'000;  // no macro step, which is a question of its own
+constexpr long interrupted_cap = 15'000;  // no macro step, which is a question of its own
 
 }  // namespace
 
 TEST_CASE("An interrupted upper count is undecided, an interrupted lower count is what was seen") {
     const Ray<Interval> ray = extremal_ray(ExtremalOrbit::corner, Interval(1e-8));
-    const long all = count_at_least(ray, cap);
+    const long all = count_at_least(ray, interrupted_cap);
     REQUIRE(all > 3 * flights_between_questions);
-    CHECK(count_at_most(ray, cap) == all);
+    CHECK(count_at_most(ray, interrupted_cap) == all);
     for (int n = 0; n < 3; ++n) {
-        CHECK(count_at_most(ray, cap, Patience(n)) == cap + 1);
-        CHECK(count_at_least(ray, cap, Patience(n)) == (n + 1) * flights_between_questions);
+        CHECK(count_at_most(ray, interrupted_cap, Patience(n)) == interrupted_cap + 1);
+        CHECK(count_at_least(ray, interrupted_cap, Patience(n)) == (n + 1) * flights_between_questions);
     }
-    CHECK(count_at_most(ray, cap, Patience(1000)) == all);
-    CHECK(count_at_least(ray, cap, Patience(1000)) == all);
+    CHECK(count_at_most(ray, interrupted_cap, Patience(1000)) == all);
+    CHECK(count_at_least(ray, interrupted_cap, Patience(1000)) == all);
 }
 
 TEST_CASE("Interrupted counts of departures and of plain boxes are undecided") {
     const Interval r(1e-8);
     const RatioRange<Interval> range{r, r};
     const Departure<Interval> steep = departure(position(Interval(1e-3)), Interval(1) + Interval(1e-7));
-    REQUIRE(later_collisions_at_most(steep, steep, range, cap) < cap);
-    CHECK(later_collisions_at_most(steep, steep, range, cap, Patience(0)) == cap + 1);
+    REQUIRE(later_collisions_at_most(steep, steep, range, interrupted_cap) < interrupted_cap);
+    CHECK(later_collisions_at_most(steep, steep, range, interrupted_cap, Patience(0)) == interrupted_cap + 1);
     const flight::PlainRay<Interval> thin{Interval(0), Interval(1e-7)};
-    CHECK(plain_count(thin, r, cap, Patience(0)) == cap + 1);
+    CHECK(plain_count(thin, r, interrupted_cap, Patience(0)) == interrupted_cap + 1);
     const PlainDeparture<Interval> from{steep.x, steep.sin_x, steep.kappa};
-    CHECK(plain_later_collisions(from, r, cap, Patience(0)) == cap + 1);
+    CHECK(plain_later_collisions(from, r, interrupted_cap, Patience(0)) == interrupted_cap + 1);
 }
 
 TEST_CASE("Interrupted counts in the wedge: the exact one says nothing, the rounded one is undecided") {
     const Rational r(1, 10'000);
-    const auto all = wedge_count(0, r, cap);
+    const auto all = wedge_count(0, r, interrupted_cap);
     REQUIRE(all.has_value());
     CHECK(*all > 50);
-    CHECK_FALSE(wedge_count(0, r, cap, Patience(50)).has_value());
-    CHECK(wedge_count_at_most(Interval(0), Interval(1e-8), cap, Patience(0)) == cap + 1);
+    CHECK_FALSE(wedge_count(0, r, interrupted_cap, Patience(50)).has_value());
+    CHECK(wedge_count_at_most(Interval(0), Interval(1e-8), interrupted_cap, Patience(0)) ==
+          interrupted_cap + 1);
 }

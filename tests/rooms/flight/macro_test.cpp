@@ -15,7 +15,7 @@ using dumbbell_test::Random;
 
 namespace {
 
-constexpr long cap = 2'000'000;
+constexpr long macro_cap = 2'000'000;
 
 /// A state in the middle of an orbit like the extremal ones, and polynomials that should bound it.
 Task task_of(Random& random, BoundSide side) {
@@ -50,7 +50,7 @@ bool holds(BoundSide side, const Orbit& orbit, const Task& task, long n) {
 }
 
 batch::Answer counted(const Ray<double>& ray, bool above) {
-    const std::vector<batch::Query> queries{{ray, cap}};
+    const std::vector<batch::Query> queries{{ray, macro_cap}};
     std::vector<batch::Answer> answers(1);
     (above ? batch::count_at_most : batch::count_at_least)(queries, answers, batch::chosen_backend(), never);
     return answers.front();
@@ -66,7 +66,7 @@ TEST_CASE("L42: bounds by macro steps are those of one collision after the other
         const double r = std::pow(10, random.uniform(-11, -9));
         const Ray<double> ray{r * random.uniform(0, 4), r * random.uniform(-0.9, 3), r};
         const Ray<Interval> same{Interval(ray.c), Interval(ray.kappa), Interval(ray.r)};
-        const long most = count_at_most(same, cap), least = count_at_least(same, cap);
+        const long most = count_at_most(same, macro_cap), least = count_at_least(same, macro_cap);
         const long plain_most = counted(ray, true).count, plain_least = counted(ray, false).count;
         CAPTURE(ray.c, ray.kappa, ray.r, most, least, plain_most, plain_least);
         REQUIRE(least <= plain_most);
@@ -83,7 +83,7 @@ TEST_CASE("L42: multiple precision takes macro steps earlier, and counts the sam
         const double r = std::pow(10, random.uniform(-8, -7));
         const Ray<double> ray{r * random.uniform(0, 4), r * random.uniform(0, 3), r};
         const Ray<BigInterval> same{BigInterval(ray.c), BigInterval(ray.kappa), BigInterval(ray.r)};
-        const long most = count_at_most(same, cap), least = count_at_least(same, cap);
+        const long most = count_at_most(same, macro_cap), least = count_at_least(same, macro_cap);
         CHECK(least <= counted(ray, true).count);
         CHECK(counted(ray, false).count <= most);
         CHECK(most - least <= 1);
@@ -96,7 +96,7 @@ TEST_CASE("L42: the last of very many collisions are taken together, too") {
     for (const BoundSide side : {BoundSide::upper, BoundSide::lower}) {
         WallState<BigInterval> state{low_end(half_pi<BigInterval>() - BigInterval(1e-8)),
                                      low_end(BigInterval(1.7e-22))};
-        CHECK(macro_step(side, r, state, cap) > 1000);
+        CHECK(macro_step(side, r, state, macro_cap) > 1000);
     }
 }
 

@@ -14,11 +14,11 @@ using namespace dumbbell_test;
 
 namespace {
 
-constexpr long cap = 30;
+constexpr long near_rays_cap = 30;
 
 struct Row {
     int bits;
-    PlainRay ray;
+    DoubleRay ray;
     std::string found;
 };
 
@@ -59,8 +59,8 @@ TEST_CASE("Rays near the edge of few bits have the same bounds and counts as bef
     for (const auto& [bits, ray, expected] : rows()) {
         const PrecisionScope scope(bits);
         const BigInterval c(ray.c), kappa(ray.kappa);
-        const std::string found = std::to_string(count_at_least(as<BigInterval>(ray), cap)) + " " +
-                                  std::to_string(count_at_most(as<BigInterval>(ray), cap)) + " " +
+        const std::string found = std::to_string(count_at_least(as<BigInterval>(ray), near_rays_cap)) + " " +
+                                  std::to_string(count_at_most(as<BigInterval>(ray), near_rays_cap)) + " " +
                                   show(lowest_contact(c, kappa)) + " " + show(highest_contact(c, kappa));
         if (found != expected) {
             FAIL(bits << " bits, " << dumbbell_test::show(ray) << "\n  expected: " << expected
@@ -76,8 +76,8 @@ TEST_CASE("What few bits say of these rays, 300 bits do not contradict") {
             const PrecisionScope scope(precision);
             return std::tuple(lowest_contact(BigInterval(ray.c), BigInterval(ray.kappa)),
                               highest_contact(BigInterval(ray.c), BigInterval(ray.kappa)),
-                              count_at_least(as<BigInterval>(ray), cap),
-                              count_at_most(as<BigInterval>(ray), cap));
+                              count_at_least(as<BigInterval>(ray), near_rays_cap),
+                              count_at_most(as<BigInterval>(ray), near_rays_cap));
         };
         const auto [lowest, highest, fewest, most] = at(bits);
         const auto [fine_lowest, fine_highest, fine_fewest, fine_most] = at(300);

@@ -15,12 +15,12 @@ namespace {
 
 using Wide = Decimal<200>;
 
-Wide value(const Rational& q) { return Wide(numerator(q).str()) / Wide(denominator(q).str()); }
+Wide wide_value(const Rational& q) { return Wide(numerator(q).str()) / Wide(denominator(q).str()); }
 
 /// ceil(pi / gamma) + 1 as the paper writes it; q must not be a tie.
 long as_printed(const Rational& q) {
     const Wide pi = pi_in<Wide>();
-    const Wide quotient = pi / (pi - 2 * atan(sqrt(value(q))));
+    const Wide quotient = pi / (pi - 2 * atan(sqrt(wide_value(q))));
     REQUIRE(abs(quotient - round(quotient)) > 1e-150);
     return ceil(quotient).convert_to<long>() + 1;
 }

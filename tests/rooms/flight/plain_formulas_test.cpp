@@ -10,8 +10,6 @@ using namespace dumbbell_test;
 
 namespace {
 
-constexpr long cap = 200;
-
 /// x, and a neighbour of it, as an interval.
 template <class I>
 I around(Random& random, double x, double widest, double most) {
@@ -27,7 +25,7 @@ TEST_CASE("The plain count of rays to the light walls bounds the true number, 20
     Random random(225);
     int met = 0;
     for (int i = 0; i < 20'000; ++i) {
-        const dumbbell_test::PlainRay ray = random_ray(random, 1e-2);
+        const dumbbell_test::DoubleRay ray = random_ray(random, 1e-2);
         const double widest = random.coin() ? 1e-9 : 0.3;
         const auto c = around<Interval>(random, ray.c, widest, 10);
         const auto kappa = around<Interval>(random, ray.kappa, widest, 1);
@@ -35,9 +33,9 @@ TEST_CASE("The plain count of rays to the light walls bounds the true number, 20
         if (!(kappa.lo() >= -r.lo())) {
             continue;  // not a ray of L4
         }
-        const dumbbell_test::PlainRay state{pick(random, c), pick(random, kappa), pick(random, r)};
-        const long most = plain_count(dumbbell::flight::PlainRay<Interval>{c, kappa}, r, cap);
-        const long exact = ray_count<Real>(state, cap).hits;
+        const dumbbell_test::DoubleRay state{pick(random, c), pick(random, kappa), pick(random, r)};
+        const long most = plain_count(dumbbell::flight::PlainRay<Interval>{c, kappa}, r, plain_cap);
+        const long exact = ray_count<Real>(state, plain_cap).hits;
         if (exact > most) {
             FAIL(say(state, "has", exact, "collisions, the bound is", most, "for", c, kappa, r));
         }
@@ -50,7 +48,7 @@ TEST_CASE("The plain contact encloses the contact of every ray of a box that col
     Random random(226);
     int collided = 0;
     for (int i = 0; i < 10'000; ++i) {
-        const dumbbell_test::PlainRay ray = random_ray(random);
+        const dumbbell_test::DoubleRay ray = random_ray(random);
         const auto c = around<Interval>(random, ray.c, 0.1, 10);
         const auto kappa = around<Interval>(random, ray.kappa, 0.1, 1);
         const auto at = flight::detail::plain_contact(dumbbell::flight::PlainRay<Interval>{c, kappa});

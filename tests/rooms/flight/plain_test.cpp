@@ -12,8 +12,6 @@ using namespace dumbbell_test;
 
 namespace {
 
-constexpr long cap = 200;
-
 template <class I>
 I ratios(const DepartureBox& box) {
     return I(box.r.lo, box.r.hi);
@@ -25,14 +23,14 @@ PlainDeparture<I> departures(const DepartureBox& box) {
     return {all.x, all.sin_x, flight::detail::in_play(all.kappa)};
 }
 
-struct Tally {
+struct PlainTally {
     int decided = 0;
     int met = 0;  // the bound is attained by the sampled state
 };
 
 template <class I>
-void check_box(Random& random, const DepartureBox& box, Tally& tally) {
-    const long most = plain_later_collisions(departures<I>(box), ratios<I>(box), cap);
+void check_plain_box(Random& random, const DepartureBox& box, PlainTally& tally) {
+    const long most = plain_later_collisions(departures<I>(box), ratios<I>(box), plain_cap);
     const DepartureState state = sample(random, box);
     long found = simulated(state).collisions;
     if (found > most) {
@@ -41,16 +39,16 @@ void check_box(Random& random, const DepartureBox& box, Tally& tally) {
     if (found > most) {
         FAIL(say("from", state, "there are", found, "collisions, the bound is", most, "for", box));
     }
-    tally.decided += most <= cap ? 1 : 0;
+    tally.decided += most <= plain_cap ? 1 : 0;
     tally.met += found == most ? 1 : 0;
 }
 
 template <class I>
-Tally check_boxes(std::uint64_t seed, int boxes, double least_r, double widest) {
+PlainTally check_plain_boxes(std::uint64_t seed, int boxes, double least_r, double widest) {
     Random random(seed);
-    Tally tally;
+    PlainTally tally;
     for (int i = 0; i < boxes; ++i) {
-        check_box<I>(random, random_departure_box(random, least_r, widest), tally);
+        check_plain_box<I>(random, random_departure_box(random, least_r, widest), tally);
     }
     return tally;
 }
@@ -58,39 +56,39 @@ Tally check_boxes(std::uint64_t seed, int boxes, double least_r, double widest) 
 }  // namespace
 
 TEST_CASE("From 8,000 narrow boxes no simulated state collides more often than plain evaluation bounds") {
-    const Tally tally = check_boxes<Interval>(221, 8000, 1e-2, 1e-6);
+    const PlainTally tally = check_plain_boxes<Interval>(221, 8000, 1e-2, 1e-6);
     CHECK(tally.decided > 7500);
     CHECK(tally.met > 6500);
 }
 
 TEST_CASE("From 8,000 boxes of up to double size plain evaluation bounds, or says that it cannot") {
-    const Tally tally = check_boxes<Interval>(222, 8000, 1e-2, 1);
+    const PlainTally tally = check_plain_boxes<Interval>(222, 8000, 1e-2, 1);
     CHECK(tally.decided > 4000);
 }
 
 TEST_CASE("From 30,000 boxes that nearly touch the bridge or the wall ahead plain evaluation bounds") {
     Random random(229);
-    Tally tally;
+    PlainTally tally;
     for (int i = 0; i < 30'000; ++i) {
         const Kind kind = tangent_kinds[random.below(3)];
-        check_box<Interval>(random, random_departure_box(random, kind, 1e-2, 0.5), tally);
+        check_plain_box<Interval>(random, random_departure_box(random, kind, 1e-2, 0.5), tally);
     }
     CHECK(tally.decided > 15'000);
 }
 
 TEST_CASE("In multiple precision plain evaluation bounds, and mostly exactly at points") {
     const PrecisionScope scope(200);
-    const Tally tally = check_boxes<BigInterval>(223, 400, 1e-2, 1e-15);
+    const PlainTally tally = check_plain_boxes<BigInterval>(223, 400, 1e-2, 1e-15);
     CHECK(tally.decided > 390);
     CHECK(tally.met > 350);
 }
 
 TEST_CASE("With 6 to 40 bits, where rounding to the wrong side shows, plain evaluation bounds") {
     Random random(224);
-    Tally tally;
+    PlainTally tally;
     for (int i = 0; i < 3000; ++i) {
         const PrecisionScope scope(6 + random.below(35));
-        check_box<BigInterval>(random, random_departure_box(random, 1e-2, 1e-2), tally);
+        check_plain_box<BigInterval>(random, random_departure_box(random, 1e-2, 1e-2), tally);
     }
     CHECK(tally.met > 500);
 }

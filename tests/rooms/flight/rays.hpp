@@ -8,21 +8,21 @@
 namespace dumbbell_test {
 
 /// A ray in doubles, exactly.
-struct PlainRay {
+struct DoubleRay {
     double c, kappa, r;
 };
 
 template <class I>
-dumbbell::flight::Ray<I> as(const PlainRay& ray) {
+dumbbell::flight::Ray<I> as(const DoubleRay& ray) {
     return {I(ray.c), I(ray.kappa), I(ray.r)};
 }
 /// 2^-n at the working precision, also where a double has none.
 inline dumbbell::BigInterval power_of_half(int n) { return dumbbell::two_to(-n); }
 template <class T>
-RayCount<T> ray_count(const PlainRay& ray, long cap = 1'000'000) {
+RayCount<T> ray_count(const DoubleRay& ray, long cap = 1'000'000) {
     return ray_count<T>(T(ray.c), T(ray.kappa), T(ray.r), cap);
 }
-inline std::string show(const PlainRay& ray) { return say("c", ray.c, "kappa", ray.kappa, "r", ray.r); }
+inline std::string show(const DoubleRay& ray) { return say("c", ray.c, "kappa", ray.kappa, "r", ray.r); }
 
 /// 1/q: ordinary, small, 1 or close to 1.
 inline double random_r(Random& random, double least_r = 1e-5) {
@@ -38,7 +38,7 @@ inline double random_r(Random& random, double least_r = 1e-5) {
 
 /// A ray that nearly touches the wall: `margin` is by how much c lies above (or, negative, below) the
 /// tangency, relatively.
-inline PlainRay grazing_ray(double kappa, double margin, double r) {
+inline DoubleRay grazing_ray(double kappa, double margin, double r) {
     const Real top = kappa <= 0 ? Real(pi_in<Real>() / 2) : Real(acos(Real(kappa)));
     const Real c = (sin(top) - kappa * top) * (1 + Real(margin));
     return {std::max(0.0, c.convert_to<double>()), kappa, r};
@@ -46,7 +46,7 @@ inline PlainRay grazing_ray(double kappa, double margin, double r) {
 
 /// A ray of c >= 0 and kappa in [-r, 1): anywhere, tiny, grazing, near the corner, near the peak, nearly too
 /// steep.
-inline PlainRay random_ray(Random& random, double least_r = 1e-5) {
+inline DoubleRay random_ray(Random& random, double least_r = 1e-5) {
     const double r = random_r(random, least_r);
     switch (random.below(8)) {
         case 0:

@@ -12,7 +12,7 @@ using namespace dumbbell_test;
 namespace {
 
 /// An interval around v, some thin, some wide; v is in it.
-Interval around(Random& random, double v) {
+Interval spread_around(Random& random, double v) {
     if (random.coin()) {
         return Interval(v);
     }
@@ -47,7 +47,8 @@ TEST_CASE("A light wall's reflection encloses the vector reflection, formula (2)
         const double kappa = random.uniform(-r, 1);
         const Vector<Real> out = reflect<Real>({Real(1), Real(kappa)}, Real(w), Real(r));
         const Real norm = Real(w) * w + r;
-        const auto ours = reflect_at_light_wall(around(random, kappa), around(random, w), around(random, r));
+        const auto ours = reflect_at_light_wall(spread_around(random, kappa), spread_around(random, w),
+                                                spread_around(random, r));
         // The ray comes in to the right; it goes back if out.angular < 0.
         if (!encloses(ours.denominator, Real(-out.angular * norm)) ||
             !encloses(ours.numerator, Real(out.vertical * norm))) {
@@ -65,8 +66,8 @@ TEST_CASE("The reversed incoming ray at a light wall is enclosed, in units of r"
         // X leaves R to the left; its reflection is the velocity before, to be reversed.
         const Vector<Real> before = reflect<Real>({Real(-1), r * Real(lambda)}, Real(w), Real(r));
         const Real norm = Real(w) * w + r;
-        const auto ours =
-            reversed_at_light_wall(around(random, lambda), around(random, w), around(random, r));
+        const auto ours = reversed_at_light_wall(spread_around(random, lambda), spread_around(random, w),
+                                                 spread_around(random, r));
         if (!encloses(ours.denominator, Real(before.angular * norm)) ||
             !encloses(ours.numerator, Real(-before.vertical * norm / r))) {
             FAIL(say("lambda", lambda, "w", w, "r", r, "gives", ours.numerator, ours.denominator));
@@ -84,7 +85,8 @@ TEST_CASE("The reversed steepness at the bridge is enclosed, formula (3)") {
             reflect<Real>({Real(-1), r * (Real(s) + eta)}, Real(-r * Real(s)), Real(r));
         // sigma X = -before flies to the right with slope r (eta' - s).
         const Real steepness = before.vertical / before.angular / r + s;
-        const auto ours = reversed_steepness(around(random, eta), around(random, s), around(random, r));
+        const auto ours = reversed_steepness(spread_around(random, eta), spread_around(random, s),
+                                             spread_around(random, r));
         if (!(before.angular < 0) || !encloses(ours, steepness)) {
             FAIL(say("eta", eta, "s", s, "r", r, "gives", ours, "exact", steepness));
         }

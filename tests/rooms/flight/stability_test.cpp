@@ -15,12 +15,12 @@ namespace {
 /// The departures after each collision from which an orbit turns back, and the number of its collisions.
 template <class T>
 struct Exact {
-    std::vector<WallState<T>> departures;
+    std::vector<dumbbell_test::WallState<T>> departures;
     std::size_t collisions = 0;
 };
 
 template <class T>
-Exact<T> exact_orbit(WallState<T> from, const T& r) {
+Exact<T> exact_orbit(dumbbell_test::WallState<T> from, const T& r) {
     Exact<T> orbit;
     while (from.kappa < 1) {
         const auto to_wall = exact_flight<T>(T(sin(from.x) + from.kappa * (from.x + pi_in<T>())), from.kappa);
@@ -47,8 +47,8 @@ T inside(const I& x, double share) {
 /// Fails if the orbit of a point of `start` leaves an enclosure, or if its number of collisions contradicts
 /// them.
 template <class T, class I>
-void check_contains(const HardOrbit& orbit, Form form, const WallState<I>& start, double share_x,
-                    double share_kappa) {
+void check_contains(const HardOrbit& orbit, Form form, const dumbbell_test::WallState<I>& start,
+                    double share_x, double share_kappa) {
     const I r(orbit.r);
     const auto ours = propagate(form, start, r);
     const auto exact =

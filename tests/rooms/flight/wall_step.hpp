@@ -60,19 +60,19 @@ std::optional<WallState<I>> monotone_step(const WallState<I>& from, const I& r, 
         !certainly_clears_bridge(low_end(sin_cos(x_low).sin + low_kappa * x_low), low_kappa, r)) {
         return std::nullopt;
     }
-    const auto least = lowest_contact(c_low, low_kappa);
-    end = least ? End::open : End::passed;
-    const auto greatest = highest_contact(c_high, high_kappa);
-    if (!least || !greatest) {
+    const auto lowest = lowest_contact(c_low, low_kappa);
+    end = lowest ? End::open : End::passed;
+    const auto highest = highest_contact(c_high, high_kappa);
+    if (!lowest || !highest) {
         return std::nullopt;
     }
-    const auto low = reflect_at_light_wall(low_kappa, least->cos_x, r);
-    const auto high = reflect_at_light_wall(high_kappa, greatest->cos_x, r);
+    const auto low = reflect_at_light_wall(low_kappa, lowest->cos_x, r);
+    const auto high = reflect_at_light_wall(high_kappa, highest->cos_x, r);
     end = certainly_at_most(low.denominator, I(0)) ? End::left : End::struck;
     if (!certainly_positive(low.denominator) || !certainly_positive(high.denominator)) {
         return std::nullopt;
     }
-    return WallState<I>{hull(least->x, greatest->x), hull(low_end(low.numerator / low.denominator),
+    return WallState<I>{hull(lowest->x, highest->x), hull(low_end(low.numerator / low.denominator),
                                                           high_end(high.numerator / high.denominator))};
 }
 

@@ -8,6 +8,10 @@
 /// law of reflection, nothing expanded and nothing divided out.
 namespace dumbbell_test {
 
+inline bool contains(const dumbbell::Interval& x, const Real& value) {
+    return x.lo() <= value && value <= x.hi();
+}
+
 template <class Function>
 Real integrate(const Function& f, const Real& a, const Real& b) {
     constexpr int parts = 8;

@@ -10,12 +10,6 @@ using namespace dumbbell;
 using namespace dumbbell::law;
 using namespace dumbbell_test;
 
-namespace {
-
-bool contains(const Interval& x, const Real& value) { return x.lo() <= value && value <= x.hi(); }
-
-}  // namespace
-
 TEST_CASE("sinc is enclosed, narrowly") {
     for (const double x : {0.0, 1e-300, 1e-8, 0.05, 0.1, 0.1001, 0.7, 1.5, 2.16, 2.4}) {
         CAPTURE(x);

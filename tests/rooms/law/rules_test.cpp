@@ -13,8 +13,6 @@ using namespace dumbbell_test;
 
 namespace {
 
-bool contains(const Interval& x, const Real& value) { return x.lo() <= value && value <= x.hi(); }
-
 /// Around a point, but not below 0.
 Interval around(double x, double radius) { return {std::max(0.0, x - radius), x + radius}; }
 

@@ -12,7 +12,6 @@ using namespace dumbbell_test;
 
 namespace {
 
-bool is(const Interval& x, double lo, double hi) { return x.lo() == lo && x.hi() == hi; }
 bool within_one(const Interval& x) { return -1 <= x.lo() && x.lo() <= x.hi() && x.hi() <= 1; }
 
 }  // namespace

@@ -13,7 +13,6 @@ using namespace dumbbell_test;
 namespace {
 
 bool is_nan(const Interval& x) { return std::isnan(x.lo()) && std::isnan(x.hi()); }
-bool is(const Interval& x, double lo, double hi) { return x.lo() == lo && x.hi() == hi; }
 bool contains_zero(const Interval& x) { return x.lo() <= 0 && x.hi() >= 0; }
 
 /// Whether anything at all is certain about x.

@@ -16,6 +16,8 @@ inline constexpr double greatest = std::numeric_limits<double>::max();
 inline constexpr double least = std::numeric_limits<double>::denorm_min();
 inline constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
+inline bool is(const dumbbell::Interval& x, double lo, double hi) { return x.lo() == lo && x.hi() == hi; }
+
 /// Deterministic random numbers, the same on every platform (the standard's distributions are not).
 class Random {
   public:

@@ -12,7 +12,6 @@ using namespace dumbbell;
 using namespace dumbbell::pictures;
 using namespace dumbbell_test;
 using Catch::Matchers::Contains;
-using std::numbers::pi;
 
 namespace {
 
@@ -87,9 +86,10 @@ TEST_CASE("great and small numbers are written with true exponents") {
 }
 
 TEST_CASE("marks of angles are multiples of a quarter turn, at most nine or so") {
-    CHECK(labels(angle_ticks(-pi, pi)) ==
+    CHECK(labels(angle_ticks(-std::numbers::pi, std::numbers::pi)) ==
           Labels{"\xe2\x88\x92\xcf\x80", "\xe2\x88\x92\xcf\x80/2", "0", "\xcf\x80/2", "\xcf\x80"});
-    CHECK(labels(angle_ticks(pi, 2 * pi)) == Labels{"\xcf\x80", "3\xcf\x80/2", "2\xcf\x80"});
+    CHECK(labels(angle_ticks(std::numbers::pi, 2 * std::numbers::pi)) ==
+          Labels{"\xcf\x80", "3\xcf\x80/2", "2\xcf\x80"});
     CHECK(angle_ticks(-50, 50).size() <= 10);
     CHECK(labels(angle_ticks(0.2, 0.3)).size() >= 3);
 }

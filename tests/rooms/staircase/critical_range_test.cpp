@@ -13,8 +13,6 @@ using namespace dumbbell_test;
 
 namespace {
 
-Rational at(const char* text) { return parse_rational(text); }
-
 CriticalRatio enclosed(long n, int digits) { return *enclose_critical_ratio(n, {.digits = digits}); }
 
 CriticalRequest request(long first, long last) {

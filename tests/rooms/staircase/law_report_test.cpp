@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 
 #include "rooms/collisions/example.hpp"
+#include "rooms/collisions/reference.hpp"
 #include "rooms/parsed.hpp"
 
 using namespace dumbbell;
@@ -22,8 +23,6 @@ staircase::LawReport report_of(std::vector<Piece> pieces) {
 }
 
 std::string text_of(std::vector<Piece> pieces) { return to_text(report_of(std::move(pieces))); }
-
-Rational at(const char* text) { return parse_rational(text); }
 
 }  // namespace
 

@@ -12,7 +12,6 @@ namespace {
 
 using dumbbell::starts::InitialBox;
 using dumbbell_oracle::Dumbbell;
-using dumbbell_oracle::Mass;
 using dumbbell_oracle::Real;
 using dumbbell_oracle::State;
 using dumbbell_trace_test::random_sides;
@@ -57,8 +56,8 @@ bool agrees(const Run& run, const Leaf& leaf, std::uint64_t least, std::optional
     }
     const auto& first = run.collisions.front();
     const Real tolerance = 1e-12L * (1 + first.time);
-    return leaf.first->heavy == (first.mass == Mass::heavy) && from - tolerance <= first.time &&
-           first.time <= until + tolerance;
+    return leaf.first->heavy == (first.mass == dumbbell_oracle::Mass::heavy) &&
+           from - tolerance <= first.time && first.time <= until + tolerance;
 }
 
 /// The leaves of a tree with their boxes.
@@ -81,7 +80,7 @@ void for_each_leaf(const std::vector<dumbbell::starts::InitialNode>& tree, Initi
     }
 }
 
-mpq_class exact(double x) { return mpq_class(x); }
+mpq_class exact_mpq(double x) { return mpq_class(x); }
 
 }  // namespace
 
@@ -139,8 +138,8 @@ TEST_CASE("What the verifier accepts of claims made up at random is true") {
         const std::array hi{sides.phi_hi, sides.phidot_hi, sides.y_hi, sides.ydot_hi, q_hi};
         dumbbell_verify::InitialLeaf leaf;
         for (std::size_t k = 0; k < 5; ++k) {
-            leaf.box.lo.at(k) = exact(lo.at(k));
-            leaf.box.hi.at(k) = exact(hi.at(k));
+            leaf.box.lo.at(k) = exact_mpq(lo.at(k));
+            leaf.box.hi.at(k) = exact_mpq(hi.at(k));
         }
         if (!dumbbell_verify::starts_in_the_air(leaf.box, 53)) {
             continue;
@@ -162,8 +161,10 @@ TEST_CASE("What the verifier accepts of claims made up at random is true") {
             from = static_cast<double>(time - width * static_cast<Real>(uniform(engine, -0.1, 1)));
             until = static_cast<double>(time + width * static_cast<Real>(uniform(engine, -0.1, 1)));
             if (from > 0 && from < until) {
-                const bool heavy = (guiding.collisions.front().mass == Mass::heavy) != (engine() % 20 == 0);
-                leaf.first = {heavy, exact(static_cast<double>(from)), exact(static_cast<double>(until))};
+                const bool heavy =
+                    (guiding.collisions.front().mass == dumbbell_oracle::Mass::heavy) != (engine() % 20 == 0);
+                leaf.first = {heavy, exact_mpq(static_cast<double>(from)),
+                              exact_mpq(static_cast<double>(until))};
             }
         }
         leaf.multiple = i % 50 == 0;

@@ -24,8 +24,8 @@ InitialBox small_box(double phi, double phidot, double y, double ydot, double q,
     InitialBox box;
     const std::array lo{phi, phidot, y, ydot, q};
     for (std::size_t i = 0; i < initial_axes; ++i) {
-        box.lo.at(i) = exact(lo.at(i));
-        box.hi.at(i) = exact(i < 2 ? lo.at(i) + width : lo.at(i));
+        box.lo.at(i) = dumbbell::exact(lo.at(i));
+        box.hi.at(i) = dumbbell::exact(i < 2 ? lo.at(i) + width : lo.at(i));
     }
     return box;
 }

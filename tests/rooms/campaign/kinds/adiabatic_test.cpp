@@ -19,7 +19,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-const campaign::Kind& kind = adiabatic_kind();
 const std::string head = "prove adiabatic\naccuracy 1/10\n";
 
 AdiabaticHypotheses bounce(const Rational& delta_lo, const Rational& delta_hi) {
@@ -51,16 +50,18 @@ TEST_CASE("each statement of a grid is a shard, and its result what one run prov
     request.of = grid()[1];
     request.jobs = 2;
     CHECK(plan.shards[1].end == plan.shards[1].first + 1);
-    CHECK(*kind.work(plan.order(1, 2), ".", never) == render(certificate_of(prove_adiabatic(request))).text);
+    CHECK(*adiabatic_kind().work(plan.order(1, 2), ".", never) ==
+          render(certificate_of(prove_adiabatic(request))).text);
 }
 
 TEST_CASE("results merge to a table with a line for each statement, wherever their files lie") {
     const Place place;
     const Plan plan = planned();
-    const campaign::Kind::Merged merged = kind.merge(plan, ".", results(kind, plan, place));
+    const campaign::Kind::Merged merged =
+        adiabatic_kind().merge(plan, ".", results(adiabatic_kind(), plan, place));
     CHECK_FALSE(merged.is_open);
     CHECK(merged.text.find(place.string()) == std::string::npos);
-    const std::string text = *kind.work(plan.order(0, 1), ".", never);
+    const std::string text = *adiabatic_kind().work(plan.order(0, 1), ".", never);
     const std::string digest = text.substr(text.size() - 65, 64);
     CHECK_THAT(merged.text, Contains("\nlemma3.1\t0.01\t0.01\t0\t1\t1\t0.5\t1.988\t") &&
                                 Contains("\t" + digest + "\tresults/" + plan.order(0, 1).id() + "\n"));
@@ -70,25 +71,25 @@ TEST_CASE("results merge to a table with a line for each statement, wherever the
 TEST_CASE("certificates of other statements are not merged") {
     const Place place;
     const Plan plan = planned();
-    const auto files = results(kind, plan, place);
+    const auto files = results(adiabatic_kind(), plan, place);
     const auto refused = [&](const std::vector<std::string>& some) {
-        CHECK_THROWS_WITH(kind.merge(plan, ".", some), Contains("do not tile the claim"));
+        CHECK_THROWS_WITH(adiabatic_kind().merge(plan, ".", some), Contains("do not tile the claim"));
     };
     refused({files[0], files[1]});
     refused({files[0], files[1], files[1]});
     refused({files[1], files[0], files[2]});
     Plan other = plan;
     other.claim.replace(plan.claim.find("0:1 "), 3, "0:2");
-    CHECK_THROWS_WITH(kind.merge(other, ".", files), Contains("do not tile the claim"));
+    CHECK_THROWS_WITH(adiabatic_kind().merge(other, ".", files), Contains("do not tile the claim"));
     std::ofstream(files[1], std::ios::app) << "more";
-    CHECK_THROWS_AS(kind.merge(plan, ".", files), InputError);
+    CHECK_THROWS_AS(adiabatic_kind().merge(plan, ".", files), InputError);
 }
 
 TEST_CASE("orders about the adiabatic invariant that no plan makes are refused before any work") {
     const std::string unit = case_of(grid()[0]);
     const auto refused = [](const Order& order) {
         CAPTURE(order.head, order.units);
-        CHECK_THROWS_AS(kind.work(order, ".", never), InputError);
+        CHECK_THROWS_AS(adiabatic_kind().work(order, ".", never), InputError);
     };
     refused({head, {}});
     refused({head, {unit, unit}});
@@ -102,15 +103,15 @@ TEST_CASE("orders about the adiabatic invariant that no plan makes are refused b
 
 TEST_CASE("an order about the adiabatic invariant that is interrupted has no result") {
     const Order order = planned().order(0, 1);
-    CHECK_FALSE(kind.work(order, ".", [] { return true; }).has_value());
+    CHECK_FALSE(adiabatic_kind().work(order, ".", [] { return true; }).has_value());
     int left = 3;
-    CHECK_FALSE(kind.work(order, ".", [&] { return --left < 0; }).has_value());
+    CHECK_FALSE(adiabatic_kind().work(order, ".", [&] { return --left < 0; }).has_value());
 }
 
 TEST_CASE("a statement that cannot be proved has no result, and the reason names it") {
     AdiabaticHypotheses of = bounce(Rational(49, 100), Rational(49, 100));
     of.claim = AdiabaticClaim::scattering;
-    CHECK_THROWS_WITH(kind.work({head, {case_of(of)}}, ".", never),
+    CHECK_THROWS_WITH(adiabatic_kind().work({head, {case_of(of)}}, ".", never),
                       Contains("not certified: adiabatic --theorem thm3.5 --delta 0.49 --phi-margin 1;"));
 }
 

@@ -22,8 +22,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-const campaign::Kind& kind = collisions_kind();
-
 CertifyRequest request(const Rational& lo, const Rational& hi) {
     CertifyRequest request;
     request.q_lo = lo;
@@ -67,7 +65,8 @@ TEST_CASE("shards of any number, of every scene and section, merge to what one r
         for (const std::size_t shards : {1, 3, 1000}) {
             const Place place;
             const Plan plan = planned(of, shards);
-            const campaign::Kind::Merged merged = kind.merge(plan, ".", results(kind, plan, place));
+            const campaign::Kind::Merged merged =
+                collisions_kind().merge(plan, ".", results(collisions_kind(), plan, place));
             CHECK(merged.text == expected);
             CHECK_FALSE(merged.is_open);
         }
@@ -77,9 +76,9 @@ TEST_CASE("shards of any number, of every scene and section, merge to what one r
 TEST_CASE("what does not tile the claim is not merged") {
     const Place place;
     const Plan plan = planned(request(Rational(1), Rational(60)), 5);
-    const auto files = results(kind, plan, place);
+    const auto files = results(collisions_kind(), plan, place);
     const auto refused = [&](const Plan& of, std::vector<std::string> some) {
-        CHECK_THROWS_WITH(kind.merge(of, ".", some), Contains("do not tile the claim"));
+        CHECK_THROWS_WITH(collisions_kind().merge(of, ".", some), Contains("do not tile the claim"));
     };
     refused(plan, {files.begin(), files.end() - 1});
     refused(plan, {files.begin() + 1, files.end()});
@@ -99,11 +98,11 @@ TEST_CASE("what does not tile the claim is not merged") {
 TEST_CASE("a result has the pieces of its order with their bounds, and is no compressed file") {
     const Place place;
     const Plan plan = planned(request(Rational(4), Rational(6)), 1);
-    const std::string file = results(kind, plan, place).front();
+    const std::string file = results(collisions_kind(), plan, place).front();
     const std::string truth = file_contents(file);
     const auto look = [&](const std::string& text) {
         std::ofstream(file) << text;
-        return kind.judge(plan.whole, ".", file, Scrutiny::form);
+        return collisions_kind().judge(plan.whole, ".", file, Scrutiny::form);
     };
     const auto refused = [&](const std::string& text) {
         return look(text).verdict == Judgement::Verdict::wrong;
@@ -115,7 +114,7 @@ TEST_CASE("a result has the pieces of its order with their bounds, and is no com
     CHECK(refused(resealed(truth, "\npieces 3\n", "\npieces 2\n")));
     CHECK(refused(truth.substr(0, truth.size() - 1)));
     AtomicFile(file + ".gz").commit(truth);
-    const Judgement packed = kind.judge(plan.whole, ".", file + ".gz", Scrutiny::form);
+    const Judgement packed = collisions_kind().judge(plan.whole, ".", file + ".gz", Scrutiny::form);
     CHECK(packed.verdict == Judgement::Verdict::wrong);
     CHECK_THAT(packed.reason, Contains("compressed"));
 }
@@ -123,7 +122,7 @@ TEST_CASE("a result has the pieces of its order with their bounds, and is no com
 TEST_CASE("a result of more pieces than were ordered is refused before they are read") {
     const Place place;
     const Plan plan = planned(request(Rational(4), Rational(6)), 1);
-    const std::string file = results(kind, plan, place).front();
+    const std::string file = results(collisions_kind(), plan, place).front();
     std::string many =
         "dumbbell-certificate 1\ngenerator dumbbell 0.1.0\nlemmas 1\nscene dumbbell\n"
         "section turning\nclaim collisions\nratio 1/1 1/1\npieces 1000000\n";
@@ -132,7 +131,8 @@ TEST_CASE("a result of more pieces than were ordered is refused before they are 
     }
     std::ofstream(file) << many << "sha256 " << sha256_hex(many) << '\n';
     const auto before = peak_memory();
-    CHECK(kind.judge(plan.whole, ".", file, Scrutiny::form).verdict == Judgement::Verdict::wrong);
+    CHECK(collisions_kind().judge(plan.whole, ".", file, Scrutiny::form).verdict ==
+          Judgement::Verdict::wrong);
     CHECK(peak_memory() - before < 20'000'000);
 }
 
@@ -146,12 +146,14 @@ TEST_CASE("the claim of a plan is the command that proves it in one go") {
 TEST_CASE("ratios as long as a command line may have them are planned and proved") {
     const Rational long_one = parse_rational("1." + std::string(990, '3'));
     const Plan plan = planned(request(Rational(1), long_one), 1);
-    CHECK(kind.work(plan.whole, ".", never).has_value());
+    CHECK(collisions_kind().work(plan.whole, ".", never).has_value());
 }
 
 TEST_CASE("orders that no plan makes are refused before any work") {
     const Order order = planned(request(Rational(1), Rational(6)), 1).whole;
-    const auto refused = [&](Order changed) { CHECK_THROWS_AS(kind.work(changed, ".", never), InputError); };
+    const auto refused = [&](Order changed) {
+        CHECK_THROWS_AS(collisions_kind().work(changed, ".", never), InputError);
+    };
     for (const char* unit : {"piece 1/1 2/1 3", "piece 2/1 1/1 3 2", "piece 1/2 2/1 3 2", "piece 1/1 2/1 x 2",
                              "piece 1/1 2/1 3 -2", "piece 1/1 1/1 0 2", "piece 1/1 2/1 2 3",
                              "piece 1/1 2/1 3 0", "piece 2/2 2/1 3 2", "piece 1/1 1e17 3 2", ""}) {
@@ -164,7 +166,7 @@ TEST_CASE("orders that no plan makes are refused before any work") {
 
 TEST_CASE("an order that is interrupted has no result") {
     const Order order = planned(request(Rational(1), Rational(6)), 1).whole;
-    CHECK_FALSE(kind.work(order, ".", [] { return true; }).has_value());
+    CHECK_FALSE(collisions_kind().work(order, ".", [] { return true; }).has_value());
 }
 
 TEST_CASE("a single ratio needs no campaign, and beyond reach there is none") {

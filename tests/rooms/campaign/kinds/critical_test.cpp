@@ -16,15 +16,14 @@ using Catch::Matchers::Contains;
 
 namespace {
 
-const campaign::Kind& kind = critical_kind();
-const Order order{"prove critical\ndigits 10\n", {"ratio 3", "ratio 4", "ratio 5"}};
+const Order three_ratios{"prove critical\ndigits 10\n", {"ratio 3", "ratio 4", "ratio 5"}};
 
 Judgement judged(const Place& place, const std::string& bytes) {
     std::ofstream(place.path, std::ios::binary) << bytes;
-    return kind.judge(order, ".", place.string(), Scrutiny::proof);
+    return critical_kind().judge(three_ratios, ".", place.string(), Scrutiny::proof);
 }
 
-std::string result() { return *kind.work(order, ".", never); }
+std::string result() { return *critical_kind().work(three_ratios, ".", never); }
 
 /// The result with one row replaced, and its checksum made right.
 std::string with_row(const std::string& number, const std::string& row) {
@@ -70,8 +69,8 @@ TEST_CASE("a table with too few or too many rows is rejected") {
     std::string text = result();
     CHECK(judged(place, "").verdict == Judgement::Verdict::wrong);
     CHECK(judged(place, text + text).verdict == Judgement::Verdict::wrong);
-    const Order fewer{order.head, {"ratio 3", "ratio 4"}};
-    CHECK(judged(place, *kind.work(fewer, ".", never)).verdict == Judgement::Verdict::wrong);
+    const Order fewer{three_ratios.head, {"ratio 3", "ratio 4"}};
+    CHECK(judged(place, *critical_kind().work(fewer, ".", never)).verdict == Judgement::Verdict::wrong);
 }
 
 TEST_CASE("rows beyond those that were ordered are not even read") {
@@ -85,25 +84,27 @@ TEST_CASE("rows beyond those that were ordered are not even read") {
 TEST_CASE("results are not merged under a claim that they do not prove") {
     const Place place;
     Plan plan = small_plan();
-    const auto files = results(kind, plan, place);
-    CHECK_THAT(kind.merge(plan, ".", files).text, Contains("\n14\t"));
+    const auto files = results(critical_kind(), plan, place);
+    CHECK_THAT(critical_kind().merge(plan, ".", files).text, Contains("\n14\t"));
     for (const char* claim : {"critical 3:15 --digits 10", "critical 3:14 --digits 11", ""}) {
         plan.claim = claim;
-        CHECK_THROWS_WITH(kind.merge(plan, ".", files), Contains("do not tile the claim"));
+        CHECK_THROWS_WITH(critical_kind().merge(plan, ".", files), Contains("do not tile the claim"));
     }
 }
 
 TEST_CASE("orders about critical ratios that no plan makes are refused before any work") {
-    CHECK_THROWS_AS(kind.work({"prove critical\ndigits 0\n", {"ratio 4"}}, ".", never), InputError);
-    CHECK_THROWS_AS(kind.work({"prove critical\ndigits 99999\n", {"ratio 4"}}, ".", never), InputError);
-    CHECK_THROWS_AS(kind.work({"prove critical\n", {"ratio 4"}}, ".", never), InputError);
-    CHECK_THROWS_AS(kind.work({order.head, {"ratio 2"}}, ".", never), InputError);
-    CHECK_THROWS_AS(kind.work({order.head, {"ratio 4 4"}}, ".", never), InputError);
-    CHECK_THROWS_AS(kind.work({order.head, {"ratio x"}}, ".", never), InputError);
+    CHECK_THROWS_AS(critical_kind().work({"prove critical\ndigits 0\n", {"ratio 4"}}, ".", never),
+                    InputError);
+    CHECK_THROWS_AS(critical_kind().work({"prove critical\ndigits 99999\n", {"ratio 4"}}, ".", never),
+                    InputError);
+    CHECK_THROWS_AS(critical_kind().work({"prove critical\n", {"ratio 4"}}, ".", never), InputError);
+    CHECK_THROWS_AS(critical_kind().work({three_ratios.head, {"ratio 2"}}, ".", never), InputError);
+    CHECK_THROWS_AS(critical_kind().work({three_ratios.head, {"ratio 4 4"}}, ".", never), InputError);
+    CHECK_THROWS_AS(critical_kind().work({three_ratios.head, {"ratio x"}}, ".", never), InputError);
 }
 
 TEST_CASE("an order about critical ratios that is interrupted has no result") {
-    CHECK_FALSE(kind.work(order, ".", [] { return true; }).has_value());
+    CHECK_FALSE(critical_kind().work(three_ratios, ".", [] { return true; }).has_value());
 }
 
 TEST_CASE("a single critical ratio needs no campaign") {

@@ -18,7 +18,7 @@ namespace {
 
 constexpr long cap = 4000;
 
-Query query(const PlainRay& ray, long most = cap) { return {{ray.c, ray.kappa, ray.r}, most}; }
+Query query(const DoubleRay& ray, long most = cap) { return {{ray.c, ray.kappa, ray.r}, most}; }
 
 std::vector<Answer> answers(const std::vector<Query>& queries, Backend backend) {
     std::vector<Answer> result(queries.size());
@@ -75,7 +75,7 @@ void check_same(const std::vector<Query>& queries) {
 }
 
 /// Fails unless upper >= true number >= lower, with equality where no decision was closer than 1e-9.
-void check_bounds(const PlainRay& ray) {
+void check_bounds(const DoubleRay& ray) {
     const auto exact = ray_count<Real>(ray, cap);
     const long upper = answer(query(ray), Backend::plain).count;
     const long lower = fewest(query(ray), Backend::plain);
@@ -145,7 +145,7 @@ TEST_CASE("The bounds of 200 bits lie between them, also for small ratios and up
     Random random(426);
     for (int i = 0; i < 6'000; ++i) {
         const Query one = query(random_ray(random, 1e-4), random.coin() ? cap : random.below(5));
-        const PlainRay ray{one.ray.c, one.ray.kappa, one.ray.r};
+        const DoubleRay ray{one.ray.c, one.ray.kappa, one.ray.r};
         const long big_most = count_at_most(as<BigInterval>(ray), one.cap);
         const long big_least = count_at_least(as<BigInterval>(ray), one.cap);
         const long upper = answer(one, Backend::plain).count;
@@ -175,9 +175,9 @@ TEST_CASE("What is not certain although all was clear is not certain for Interva
 TEST_CASE("The upper count holds for every ray above, the lower count for every ray below") {
     Random random(428);
     for (int i = 0; i < 6'000; ++i) {
-        const PlainRay low = random_ray(random, 1e-3);
+        const DoubleRay low = random_ray(random, 1e-3);
         const auto some = [&](double most) { return random.coin() ? 0.0 : random.scaled(1e-16, most); };
-        const PlainRay high{low.c + some(1), low.kappa + some(0.5), std::min(1.0, low.r + some(0.5))};
+        const DoubleRay high{low.c + some(1), low.kappa + some(0.5), std::min(1.0, low.r + some(0.5))};
         const long upper = answer(query(low), Backend::plain).count;
         const long lower = fewest(query(high), Backend::plain);
         if (ray_count<Real>(high, cap).hits > upper || ray_count<Real>(low, cap).hits < lower) {
@@ -190,7 +190,7 @@ TEST_CASE("Mass ratios of 1e4 to 1e6 with hundreds of collisions are counted to 
     Random random(429);
     for (const double r : {1e-4, 1e-5, 1e-6}) {
         for (int i = 0; i < 8; ++i) {
-            const PlainRay ray{r * random.uniform(0, 3), r * random.uniform(-1, 1.5), r};
+            const DoubleRay ray{r * random.uniform(0, 3), r * random.uniform(-1, 1.5), r};
             const auto exact = ray_count<Real>(ray, cap);
             const Answer found = answer(query(ray), Backend::plain);
             CAPTURE(show(ray), exact.hits);
@@ -204,7 +204,7 @@ TEST_CASE("Mass ratios of 1e4 to 1e6 with hundreds of collisions are counted to 
 }
 
 TEST_CASE("The counts stop at their cap") {
-    const PlainRay ray{1e-6, 1e-6, 1e-4};
+    const DoubleRay ray{1e-6, 1e-6, 1e-4};
     const long all = ray_count<Real>(ray).hits;
     REQUIRE(all > 20);
     for (const Backend backend : batch::backends()) {
@@ -220,7 +220,7 @@ TEST_CASE("The counts stop at their cap") {
 
 TEST_CASE(
     "Rays that are too steep or too high never collide, and bounds below the domain are taken as its edge") {
-    for (const PlainRay& ray : {PlainRay{0, 1, 0.1}, {0.5, 2, 1}, {1.5, 0, 0.5}, {1e9, 0.5, 1e-3}}) {
+    for (const DoubleRay& ray : {DoubleRay{0, 1, 0.1}, {0.5, 2, 1}, {1.5, 0, 0.5}, {1e9, 0.5, 1e-3}}) {
         CAPTURE(show(ray));
         CHECK(answer(query(ray), Backend::plain).count == 0);
         CHECK(fewest(query(ray), Backend::plain) == 0);
@@ -258,7 +258,7 @@ TEST_CASE("A thread that does not round to nearest gets no answer") {
 }
 
 TEST_CASE("A cap that doubles cannot tell from the next number is refused") {
-    const PlainRay ray{0.5, 0.9, 0.1};
+    const DoubleRay ray{0.5, 0.9, 0.1};
     for (const Backend backend : batch::backends()) {
         CHECK(answer(query(ray, batch::greatest_cap), backend).count <= 1);
         CHECK_THROWS_AS(answer(query(ray, batch::greatest_cap + 1), backend), BrokenInvariant);

@@ -12,7 +12,7 @@ TEST_CASE("A close bound of the contact is one, and so is what follows from it, 
     Random random(411);
     int followed = 0;
     for (int i = 0; i < 60'000; ++i) {
-        const PlainRay ray = random_ray(random);
+        const DoubleRay ray = random_ray(random);
         const auto exact = exact_flight(Real(ray.c), Real(ray.kappa));
         const double z = some_place(random, ray, exact);
         const auto at = batch::sin_cos(z);
@@ -50,7 +50,7 @@ TEST_CASE("Close bounds are close: within 1e-14 of contact and next state, relat
     Random random(412);
     int close = 0;
     for (int i = 0; i < 20'000; ++i) {
-        const PlainRay ray = random_ray(random);
+        const DoubleRay ray = random_ray(random);
         const auto exact = exact_flight(Real(ray.c), Real(ray.kappa));
         if (!exact.hits || exact.clearance < 1e-3) {
             continue;
@@ -69,9 +69,9 @@ TEST_CASE("A strict miss is one, wherever the tangent is laid") {
     Random random(413);
     int misses = 0;
     for (int i = 0; i < 40'000; ++i) {
-        const PlainRay ray = random.coin() ? random_ray(random)
-                                           : grazing_ray(random.uniform(-1, 0.999),
-                                                         random.sign() * random.scaled(1e-17, 1e-3), 1);
+        const DoubleRay ray = random.coin() ? random_ray(random)
+                                            : grazing_ray(random.uniform(-1, 0.999),
+                                                          random.sign() * random.scaled(1e-17, 1e-3), 1);
         const auto exact = exact_flight(Real(ray.c), Real(ray.kappa));
         const double z = random.coin() ? exact.x.convert_to<double>() : random.uniform(0, half_pi_hi);
         if (batch::strict_miss(std::min(z, half_pi_hi), batch::sin_cos(std::min(z, half_pi_hi)), ray.c,

@@ -8,7 +8,7 @@
 namespace dumbbell_test {
 
 /// Where a tangent may be laid: at the contact, near it, or anywhere.
-inline double some_place(Random& random, const PlainRay& ray, const Flight<Real>& exact) {
+inline double some_place(Random& random, const DoubleRay& ray, const Flight<Real>& exact) {
     switch (random.below(4)) {
         case 0:
             return random.uniform(0, dumbbell::half_pi_hi);
@@ -28,7 +28,7 @@ inline double some_place(Random& random, const PlainRay& ray, const Flight<Real>
 /// The bound of the contact that the kernel finds from its own first place, in at most ten rounds.
 /// Precondition: the ray collides, clearly.
 template <class Bound>
-Real close_contact(const PlainRay& ray, const Flight<Real>& exact) {
+Real close_contact(const DoubleRay& ray, const Flight<Real>& exact) {
     auto aim = dumbbell::flight::batch::first_aim(ray.c, ray.kappa);
     auto at = dumbbell::flight::batch::sin_cos(aim.z);
     auto contact = Bound::contact(aim.z, at, ray.c, ray.kappa);

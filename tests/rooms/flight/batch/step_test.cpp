@@ -19,7 +19,7 @@ using namespace dumbbell_test;
 namespace {
 
 struct Place {
-    PlainRay ray;
+    DoubleRay ray;
     double z;
 };
 
@@ -74,14 +74,14 @@ Place extreme_place(Random& random) {
 }
 
 /// sin x - kappa x - c, and by how much it may be off.
-Real gap(const PlainRay& ray, const Real& x) { return sin(x) - ray.kappa * x - ray.c; }
-Real tolerance(const PlainRay& ray, const Real& x) { return Real("1e-55") * (x + ray.c); }
+Real gap(const DoubleRay& ray, const Real& x) { return sin(x) - ray.kappa * x - ray.c; }
+Real tolerance(const DoubleRay& ray, const Real& x) { return Real("1e-55") * (x + ray.c); }
 
 /// What L4 says of a ray of this slope that meets the wall at x; nothing if it does not come back.
 struct Next {
     Real c, kappa;
 };
-std::optional<Next> after(const PlainRay& ray, const Real& x) {
+std::optional<Next> after(const DoubleRay& ray, const Real& x) {
     const Real w = cos(x);
     const Real d = w * w - 2 * ray.kappa * w - ray.r;
     if (!(d > Real("1e-55"))) {
@@ -184,7 +184,7 @@ TEST_CASE("L39 (f): the cosine at a contact is bounded, also where it is far les
         const auto at = batch::sin_cos(z);
         const double shift = at.cos * (1 - random.scaled(1e-6, 0.5));
         const double w = at.cos - shift;
-        const PlainRay ray{0, 0, w * w * random.uniform(0.1, 0.9)};
+        const DoubleRay ray{0, 0, w * w * random.uniform(0.1, 0.9)};
         const auto next = batch::Upper::bounce(z, at, shift, ray.kappa, ray.r);
         const auto exact = after(ray, Real(z) + Real(shift));
         if (next.follows) {

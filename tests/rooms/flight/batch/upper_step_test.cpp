@@ -13,7 +13,7 @@ TEST_CASE(
     Random random(431);
     int followed = 0;
     for (int i = 0; i < 60'000; ++i) {
-        const PlainRay ray = random_ray(random);
+        const DoubleRay ray = random_ray(random);
         const auto exact = exact_flight(Real(ray.c), Real(ray.kappa));
         const double z = some_place(random, ray, exact);
         const auto at = batch::sin_cos(z);
@@ -44,7 +44,7 @@ TEST_CASE("Close upper bounds are close: within 1e-13 of the contact, relative t
     Random random(432);
     int close = 0;
     for (int i = 0; i < 20'000; ++i) {
-        const PlainRay ray = random_ray(random);
+        const DoubleRay ray = random_ray(random);
         const auto exact = exact_flight(Real(ray.c), Real(ray.kappa));
         if (!exact.hits || exact.clearance < 1e-3) {
             continue;
