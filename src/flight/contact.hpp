@@ -41,7 +41,7 @@ Tangent<I> tangent_at(const I& z, const I& c, const I& kappa) {
 template <class I>
 SinCos<I> shifted(const Tangent<I>& t, const I& x) {
     const I d = x - t.z;
-    const I half_square = sqr(d) / I(2);
+    const I half_square = sqr(d) * I(0.5);
     const I error = hull(-half_square, half_square);
     return {t.at.sin + t.at.cos * d + error, t.at.cos - t.at.sin * d + error};
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <utility>
 
 #include "flight/contact_range.hpp"
 #include "flight/eigen_interval.hpp"
@@ -51,35 +52,30 @@ namespace detail {
 template <class I>
 struct Collision {
     Ray<I> next;
-    I x;
-    SinCos<I> at;
-    I denominator;
+    ContactRange<I> contact;
+    I share;  ///< D / w
 };
 
 template <class I>
 std::optional<Collision<I>> collision(const Ray<I>& before) {
     const auto& [c, kappa, r] = before;
-    const auto contact = contact_range(c, kappa);
+    auto contact = contact_range(c, kappa);
     if (!contact) {
         return std::nullopt;
     }
-    const auto& [least, greatest] = *contact;
-    const auto lowest = reflect_at_light_wall(low_end(kappa), least.cos_x, low_end(r));
-    const auto highest = reflect_at_light_wall(high_end(kappa), greatest.cos_x, high_end(r));
-    if (!certainly_positive(highest.denominator) || !certainly_positive(lowest.denominator)) {
+    const auto& [x, at] = *contact;
+    // kappa' by the first formula in the proof of L5 (f).
+    I share = at.cos - r / at.cos - (kappa + kappa);
+    if (!certainly_positive(share)) {
         return std::nullopt;
     }
-    const I kappa_least = low_end(max(I(0), low_end(lowest.numerator) / high_end(lowest.denominator)));
-    const I kappa_greatest = high_end(highest.numerator / highest.denominator);
-    if (!certainly_less(kappa_greatest, I(1))) {
+    const I rise = (r + sqr(kappa)) / share;
+    const I next_kappa = kappa + (rise + rise);
+    if (!certainly_less(next_kappa, I(1))) {
         return std::nullopt;
     }
-    const I next_c = hull(low_end(least.sin_x + kappa_least * (least.x + pi<I>())),
-                          high_end(greatest.sin_x + kappa_greatest * (greatest.x + pi<I>())));
-    return Collision<I>{{next_c, hull(kappa_least, kappa_greatest), r},
-                        hull(least.x, greatest.x),
-                        {hull(least.sin_x, greatest.sin_x), hull(greatest.cos_x, least.cos_x)},
-                        hull(low_end(highest.denominator), high_end(lowest.denominator))};
+    Ray<I> next{at.sin + next_kappa * (x + pi<I>()), next_kappa, r};
+    return Collision<I>{std::move(next), std::move(*contact), std::move(share)};
 }
 
 /// The derivatives by r behind a collision, from those before it: of x, from sin x = c + kappa x; of kappa',
@@ -88,14 +84,15 @@ std::optional<Collision<I>> collision(const Ray<I>& before) {
 template <class I>
 Eigen::Matrix<I, 2, 1> rate_after(const MovingRay<I>& before, const Collision<I>& collision) {
     const auto& [c, kappa, r] = before.ray;
-    const auto& [next, x, at, denominator] = collision;
+    const auto& [next, contact, share] = collision;
+    const auto& [x, at] = contact;
     const I& kappa_rate = before.rate[1];
     const I slope = at.cos - kappa;
     const I a = sqr(at.cos) + r;
     const I x_rate = (before.rate[0] + x * kappa_rate) / slope;
     const I steepening = I(2) * (sqr(kappa) + r) * at.sin * x_rate;
     const I next_kappa_rate =
-        (a * (steepening + a * kappa_rate) + I(2) * at.cos * sqr(slope)) / sqr(denominator);
+        (a * (steepening + a * kappa_rate) + I(2) * at.cos * sqr(slope)) / sqr(at.cos * share);
     return {(at.cos + next.kappa) * x_rate + (x + pi<I>()) * next_kappa_rate, next_kappa_rate};
 }
 
@@ -104,21 +101,24 @@ Eigen::Matrix<I, 2, 1> rate_after(const MovingRay<I>& before, const Collision<I>
 /// The flight after the next collision; nothing unless it is certain that at every r of the range the flight
 /// collides, transversally, and comes back (D > 0, kappa' < 1).
 ///
-/// By L5 the state moves monotonely with the state before and with r: its bounds are computed at opposite
-/// ends (L5 (e), with the orbit at all r of the range as the set of rays), so that they are only as far apart
-/// as the orbits at both ends of the range, but for rounding.
+/// Plain enclosures of formulas in which x, w = cos x, kappa and r stand so that one end is that of the least
+/// and the other that of the greatest r of the range: by L5 the state moves monotonely with the state before
+/// and with r. So the ends are only as far apart as the orbits at both ends of the range, but for rounding.
 template <class I>
 [[nodiscard]] std::optional<Ray<I>> after_collision(const Ray<I>& before) {
-    const auto collision = detail::collision(before);
-    return collision ? std::optional(collision->next) : std::nullopt;
+    auto collision = detail::collision(before);
+    return collision ? std::optional(std::move(collision->next)) : std::nullopt;
 }
 
 /// The same with the derivatives by r.
 template <class I>
 [[nodiscard]] std::optional<MovingRay<I>> after_collision(const MovingRay<I>& before) {
-    const auto collision = detail::collision(before.ray);
-    return collision ? std::optional(MovingRay<I>{collision->next, detail::rate_after(before, *collision)})
-                     : std::nullopt;
+    auto collision = detail::collision(before.ray);
+    if (!collision) {
+        return std::nullopt;
+    }
+    auto rate = detail::rate_after(before, *collision);
+    return MovingRay<I>{std::move(collision->next), std::move(rate)};
 }
 
 /// The margin m = M(kappa) - c of a flight, M(kappa) = sqrt(1 - kappa^2) - kappa acos kappa. It collides iff
