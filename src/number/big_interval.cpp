@@ -233,10 +233,16 @@ namespace {
 /// A ball of Arb's.
 class Ball {
   public:
-    Ball() noexcept { arb_init(value_); }
+    Ball() noexcept {
+        renew(arb_midref(value_));
+        mag_init(arb_radref(value_));
+    }
     Ball(const Ball&) = delete;
     Ball& operator=(const Ball&) = delete;
-    ~Ball() { arb_clear(value_); }
+    ~Ball() {
+        dismiss(arb_midref(value_));
+        mag_clear(arb_radref(value_));
+    }
     operator arb_ptr() noexcept { return value_; }
 
   private:
@@ -256,10 +262,10 @@ arb_struct as_ball(arf_srcptr x) {
 constexpr slong most_bits = 1 << 22;
 
 /// Makes `to` the tightest enclosure of the number in `value`, and says true, if `value` is narrow enough to
-/// tell it.
+/// tell it: if all of it has one value L rounded down, it lies in [L, the next number after L), so that its
+/// middle rounded up is no less than any of it.
 bool round_tightly(BigInterval& to, arb_srcptr value) {
-    if (arb_can_round_arf(value, working_bits, down) == 0 ||
-        arb_can_round_arf(value, working_bits, up) == 0) {
+    if (arb_can_round_arf(value, working_bits, down) == 0) {
         return false;
     }
     arf_set_round(to.lower(), arb_midref(value), working_bits, down);
