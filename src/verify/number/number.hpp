@@ -58,7 +58,8 @@ inline double div(Round d, double a, double b) {
     const double q = a / b, size = std::abs(q);
     if (!(size <= 0x1p900 && std::abs(b) <= 0x1p900)) return unbounded(d);
     if (a == 0) return 0;
-    if (size < 0x1p-900 || std::abs(a) < 0x1p-900) return unbounded(d);
+    if (size < 0x1p-900) return d == up ? 0x1p-899 : -0x1p-899;
+    if (std::abs(a) < 0x1p-900) return unbounded(d);
     const double residual = std::fma(-q, b, a);
     return settle(d, q, b > 0 ? residual : -residual);
 }

@@ -62,7 +62,7 @@ TEST_CASE("products are exact from 2^-900 on, and bounded up to 2^1000") {
     check_mul(-0x1.0000000000001p0, 0x1.0000000000001p0, -0x1.0000000000003p0, -0x1.0000000000002p0);
 }
 
-TEST_CASE("quotients are exact between 2^-900 and 2^900, 0 over what is not too large is 0") {
+TEST_CASE("quotients are exact between 2^-900 and 2^900, bounded below, 0 over what is not too large is 0") {
     check_div(0, 3, 0, 0);
     check_div(0, 0x1p900, 0, 0);
     check_div(0, 0x1.0000000000001p900, -infinity, infinity);
@@ -71,7 +71,8 @@ TEST_CASE("quotients are exact between 2^-900 and 2^900, 0 over what is not too 
     check_div(0x1.0000000000001p900, 1, -infinity, infinity);
     check_div(1, 0x1p900, 0x1p-900, 0x1p-900);
     check_div(1, 0x1.0000000000001p900, -infinity, infinity);
-    check_div(0x1p-1, 0x1p900, -infinity, infinity);  // the quotient is 2^-901
+    check_div(0x1p-1, 0x1p900, -0x1p-899, 0x1p-899);  // the quotient is 2^-901
+    check_div(0x1p-1074, -3, -0x1p-899, 0x1p-899);
     check_div(0x1p-900, 0x1p-10, 0x1p-890, 0x1p-890);
     check_div(0x1p-901, 0x1p-10, -infinity, infinity);
     check_div(1, 3, 0x1.5555555555555p-2, 0x1.5555555555556p-2);
