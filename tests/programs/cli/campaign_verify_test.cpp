@@ -21,7 +21,7 @@ void planned(const TemporaryFolder& folder, const std::string& file, const Words
     REQUIRE(plan.code == 0);
 }
 
-Outcome run_it(const TemporaryFolder& folder) { return dumbbell({"campaign", "run", folder / "c"}); }
+Outcome run_campaign(const TemporaryFolder& folder) { return dumbbell({"campaign", "run", folder / "c"}); }
 
 Outcome merged(const TemporaryFolder& folder) {
     return dumbbell({"campaign", "merge", folder / "c", "--out", folder / "parts.txt"});
@@ -36,7 +36,7 @@ TEST_CASE("verified in shards, a certificate has the verdict that it has in one 
         const TemporaryFolder folder;
         const std::string file = std::string(DUMBBELL_PROJECT "/certificates/") + name;
         planned(folder, file, {"--shards", "9"});
-        REQUIRE(run_it(folder).code == 0);
+        REQUIRE(run_campaign(folder).code == 0);
         REQUIRE(merged(folder).code == 0);
         const std::string parts = verdict({"--combine", folder / "parts.txt", file});
         const std::string whole = replaced(verdict({file}), "s VERIFIED ", "s COMBINED ");
@@ -48,7 +48,7 @@ TEST_CASE("of a wedge's certificate the parts combine, too") {
     const TemporaryFolder folder;
     const std::string file = DUMBBELL_PROJECT "/certificates/wedge-1-100.dbc";
     planned(folder, file);
-    REQUIRE(run_it(folder).code == 0);
+    REQUIRE(run_campaign(folder).code == 0);
     REQUIRE(merged(folder).code == 0);
     CHECK_THAT(verdict({"--scene", "wedge", "--combine", folder / "parts.txt", file}),
                Contains("s COMBINED"));
@@ -58,7 +58,7 @@ TEST_CASE("a certificate with something false in it is not verified in shards ei
     const TemporaryFolder folder;
     const std::string file = DUMBBELL_PROJECT "/tests/attacks/false_claims/across-gap.dbc";
     planned(folder, file, {"--shards", "100"});
-    const Outcome ran = run_it(folder);
+    const Outcome ran = run_campaign(folder);
     CHECK(ran.code == 3);
     CHECK_THAT(ran.err, Contains("given up after 5 attempts") && Contains("REJECTED"));
     CHECK(merged(folder).code == 3);
@@ -69,7 +69,7 @@ TEST_CASE("lines of another certificate, or of other pieces, are no results") {
     const TemporaryFolder folder;
     const std::string file = DUMBBELL_PROJECT "/certificates/stairs-1-100.dbc";
     planned(folder, file, {"--shards", "3"});
-    REQUIRE(run_it(folder).code == 0);
+    REQUIRE(run_campaign(folder).code == 0);
     const auto result = fs::directory_iterator(folder / "c/results")->path().string();
     const std::string truth = contents(result);
     const std::string other = last_line(
@@ -81,7 +81,7 @@ TEST_CASE("lines of another certificate, or of other pieces, are no results") {
         CAPTURE(line);
         CHECK(refused.code == 3);
         CHECK_THAT(refused.err, Contains("no verification of these pieces"));
-        REQUIRE(run_it(folder).code == 0);
+        REQUIRE(run_campaign(folder).code == 0);
         CHECK(contents(result) == truth);
     }
     // Of the right form, but not what the verifier says: found when the parts are combined.
@@ -95,7 +95,7 @@ TEST_CASE("lines of another certificate, or of other pieces, are no results") {
 TEST_CASE("whose word a verification in shards is, is said") {
     const TemporaryFolder folder;
     planned(folder, DUMBBELL_PROJECT "/certificates/stairs-1-100.dbc");
-    REQUIRE(run_it(folder).code == 0);
+    REQUIRE(run_campaign(folder).code == 0);
     CHECK_THAT(merged(folder).out, Contains("shards as the workers' verifiers say; they tile the claim"));
 }
 
@@ -104,7 +104,7 @@ TEST_CASE("a claim that the certificate does not prove is not said to be tiled")
     planned(folder, DUMBBELL_PROJECT "/certificates/stairs-1-100.dbc");
     write_sealed(folder / "c/plan",
                  replaced(contents(folder / "c/plan"), "over 1/1:100/1", "over 1/1:900/1"));
-    REQUIRE(run_it(folder).code == 0);
+    REQUIRE(run_campaign(folder).code == 0);
     const Outcome refused = merged(folder);
     CHECK(refused.code == 2);
     CHECK_THAT(refused.err, Contains("do not tile the claim"));

@@ -9,7 +9,7 @@ using Catch::Matchers::StartsWith;
 
 namespace {
 
-const Words range{"certify", "1:30000", "--gap", "1e-12", "--out", "stairs.dbc"};
+const Words long_proof{"certify", "1:30000", "--gap", "1e-12", "--out", "stairs.dbc"};
 
 /// Sends the signal once the job has had a third of a second of the processor.
 Outcome stopped(const Words& arguments, int signal, const TemporaryFolder& folder) {
@@ -19,10 +19,10 @@ Outcome stopped(const Words& arguments, int signal, const TemporaryFolder& folde
     return process.wait();
 }
 
-/// Sends it to `range` once some pieces are kept; again if that was done before the signal came.
+/// Sends it to `long_proof` once some pieces are kept; again if that was done before the signal came.
 Outcome stopped_range(int signal, const TemporaryFolder& folder) {
     for (;;) {
-        Process process(with_program(range), folder.path());
+        Process process(with_program(long_proof), folder.path());
         process.until([&] { return kept(folder / "stairs.dbc.partial") >= 12; });
         process.send(signal);
         Outcome outcome = process.wait();
@@ -37,7 +37,7 @@ Outcome stopped_range(int signal, const TemporaryFolder& folder) {
 
 TEST_CASE("a range that is stopped says what is kept, and the same command goes on to the same bytes") {
     const TemporaryFolder undisturbed;
-    REQUIRE(dumbbell(range, undisturbed.path()).code == 0);
+    REQUIRE(dumbbell(long_proof, undisturbed.path()).code == 0);
     for (const int signal : {SIGINT, SIGTERM}) {
         const TemporaryFolder folder;
         const Outcome outcome = stopped_range(signal, folder);
@@ -50,7 +50,7 @@ TEST_CASE("a range that is stopped says what is kept, and the same command goes 
         CHECK_THAT(outcome.err, Contains(" pieces are finished and kept in 'stairs.dbc.partial'") &&
                                     Contains("the same command goes on"));
         CHECK(folder.names() == Words{"stairs.dbc.partial"});
-        REQUIRE(dumbbell(range, folder.path()).code == 0);
+        REQUIRE(dumbbell(long_proof, folder.path()).code == 0);
         CHECK(contents(folder / "stairs.dbc") == contents(undisturbed / "stairs.dbc"));
         CHECK(folder.names() == Words{"stairs.dbc"});
     }
@@ -60,7 +60,7 @@ TEST_CASE("a stopped run leaves the older certificate of the same name as it was
     const TemporaryFolder folder;
     do {
         write_file(folder / "stairs.dbc", "old");
-    } while (stopped(range, SIGINT, folder).code == 0);
+    } while (stopped(long_proof, SIGINT, folder).code == 0);
     CHECK(contents(folder / "stairs.dbc") == "old");
 }
 

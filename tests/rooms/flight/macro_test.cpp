@@ -66,12 +66,12 @@ TEST_CASE("L42: bounds by macro steps are those of one collision after the other
         const double r = std::pow(10, random.uniform(-11, -9));
         const Ray<double> ray{r * random.uniform(0, 4), r * random.uniform(-0.9, 3), r};
         const Ray<Interval> same{Interval(ray.c), Interval(ray.kappa), Interval(ray.r)};
-        const long most = count_at_most(same, macro_cap), least = count_at_least(same, macro_cap);
+        const long most = count_at_most(same, macro_cap), fewest = count_at_least(same, macro_cap);
         const long plain_most = counted(ray, true).count, plain_least = counted(ray, false).count;
-        CAPTURE(ray.c, ray.kappa, ray.r, most, least, plain_most, plain_least);
-        REQUIRE(least <= plain_most);
+        CAPTURE(ray.c, ray.kappa, ray.r, most, fewest, plain_most, plain_least);
+        REQUIRE(fewest <= plain_most);
         REQUIRE(plain_least <= most);
-        equal += most == least && plain_most == plain_least ? 1 : 0;
+        equal += most == fewest && plain_most == plain_least ? 1 : 0;
     }
     CHECK(equal > rays * 9 / 10);
 }
@@ -83,10 +83,10 @@ TEST_CASE("L42: multiple precision takes macro steps earlier, and counts the sam
         const double r = std::pow(10, random.uniform(-8, -7));
         const Ray<double> ray{r * random.uniform(0, 4), r * random.uniform(0, 3), r};
         const Ray<BigInterval> same{BigInterval(ray.c), BigInterval(ray.kappa), BigInterval(ray.r)};
-        const long most = count_at_most(same, macro_cap), least = count_at_least(same, macro_cap);
-        CHECK(least <= counted(ray, true).count);
+        const long most = count_at_most(same, macro_cap), fewest = count_at_least(same, macro_cap);
+        CHECK(fewest <= counted(ray, true).count);
         CHECK(counted(ray, false).count <= most);
-        CHECK(most - least <= 1);
+        CHECK(most - fewest <= 1);
     }
 }
 

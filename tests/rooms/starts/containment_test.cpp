@@ -67,7 +67,7 @@ std::string describe(const Sides& s) {
                                 s.y_lo, s.y_hi, "ydot", s.ydot_lo, s.ydot_hi);
 }
 
-constexpr double ratios[] = {1, 1.5, 3, 10, 100, 10000};
+constexpr double tried_ratios[] = {1, 1.5, 3, 10, 100, 10000};
 
 }  // namespace
 
@@ -75,7 +75,7 @@ TEST_CASE("10,000 random boxes contain the simulated orbits of their points") {
     std::mt19937_64 engine(20260801);
     long checked = 0;
     for (int i = 0; i < dumbbell_oracle::trials(10000); ++i) {
-        const double q = ratios[i % 6];
+        const double q = tried_ratios[i % 6];
         const Sides sides = random_sides(engine, q, std::pow(10.0, -uniform(engine, 1, 8)));
         const auto traced = dumbbell::starts::trace(sides.box(), 0);
         const Dumbbell<Real> body(q);
@@ -122,7 +122,7 @@ TEST_CASE("What a leaf of a subdivision says holds for the simulated orbits of i
     std::mt19937_64 engine(7);
     long exact = 0;
     for (int i = 0; i < dumbbell_oracle::trials(10000); ++i) {
-        const double q = ratios[i % 6];
+        const double q = tried_ratios[i % 6];
         const Sides sides = random_sides(engine, q, std::pow(10.0, -uniform(engine, 1, 4)));
         const auto leaf = dumbbell::starts::judge_initial(sides.box(), 53);
         exact += leaf.most == leaf.least ? 1 : 0;

@@ -162,11 +162,11 @@ TEST_CASE("no leaf says more than the maximum over all trajectories, and less th
 }
 
 TEST_CASE("what each leaf says holds for a simulated trajectory of its piece, and for its mirror image") {
-    using Real = dumbbell_oracle::Real;
+    using Number = dumbbell_oracle::Real;
     std::mt19937_64 engine(8);
     for (const char* q : {"1", "4.61", "10", "100", "1000"}) {
         const Rational ratio = parse_rational(q);
-        const dumbbell_oracle::Dumbbell<Real> body(ratio.convert_to<double>());
+        const dumbbell_oracle::Dumbbell<Number> body(ratio.convert_to<double>());
         const auto parts = subdivide(incoming_box(ratio), {.max_boxes = 4000, .jobs = 2, .incoming = true});
         std::vector<InitialBox> waiting{incoming_box(ratio)};
         int decided = 0, simulated = 0;
@@ -184,16 +184,16 @@ TEST_CASE("what each leaf says holds for a simulated trajectory of its piece, an
             const auto within = [&](InitialAxis axis) {
                 const double u = uniform(engine, 0, 1);
                 const Rational lo = piece.lower(axis), hi = piece.upper(axis);
-                return Real((lo + exact(u) * (hi - lo)).convert_to<double>());
+                return Number((lo + exact(u) * (hi - lo)).convert_to<double>());
             };
-            const Real phi = within(InitialAxis::phi) * dumbbell_oracle::pi<Real>();
-            const Real s = std::min<Real>(within(InitialAxis::phidot), 1 - 1e-6L);
+            const Number phi = within(InitialAxis::phi) * dumbbell_oracle::pi<Number>();
+            const Number s = std::min<Number>(within(InitialAxis::phidot), 1 - 1e-6L);
             const bool mirrored = uniform(engine, 0, 1) < 0.5;
             // At yhat = 2, where each has turned back by what it turns on the way down (L61).
-            const Real turn = s * std::sqrt(body.ratio() / (1 - s * s)), back = phi - turn * (1 - 0x1p-20L);
-            const auto run = simulate(
-                body, dumbbell_oracle::State<Real>{mirrored ? dumbbell_oracle::pi<Real>() - back : back,
-                                                   mirrored ? -turn : turn, 2 * body.beta2(), -body.beta2()});
+            const Number turn = s * std::sqrt(body.ratio() / (1 - s * s)), back = phi - turn * (1 - 0x1p-20L);
+            const auto run = simulate(body, dumbbell_oracle::State<Number>{
+                                                mirrored ? dumbbell_oracle::pi<Number>() - back : back,
+                                                mirrored ? -turn : turn, 2 * body.beta2(), -body.beta2()});
             if (run.care.doubtful()) {
                 continue;
             }
@@ -217,16 +217,16 @@ TEST_CASE("random incoming trajectories have each number of collisions as often 
         const Rational ratio = parse_rational(q);
         const auto bounds = share_bounds(
             subdivide(incoming_box(ratio), {.max_boxes = 3000, .jobs = 2, .incoming = true}).tree);
-        using Real = dumbbell_oracle::Real;
-        const dumbbell_oracle::Dumbbell<Real> body(ratio.convert_to<double>());
+        using Number = dumbbell_oracle::Real;
+        const dumbbell_oracle::Dumbbell<Number> body(ratio.convert_to<double>());
         std::map<long, int> found;
         int doubtful = 0;
         for (int i = 0; i < trials; ++i) {
-            const Real phi = uniform(engine, 0, 6.283185307179586), s = uniform(engine, -1, 1);
+            const Number phi = uniform(engine, 0, 6.283185307179586), s = uniform(engine, -1, 1);
             // From twice the height of the highest wall; only the direction matters.
             const auto run = simulate(
-                body, dumbbell_oracle::State<Real>{phi, s * std::sqrt(body.ratio()), 2 * body.beta2(),
-                                                   -std::sqrt(1 - s * s) * body.beta2()});
+                body, dumbbell_oracle::State<Number>{phi, s * std::sqrt(body.ratio()), 2 * body.beta2(),
+                                                     -std::sqrt(1 - s * s) * body.beta2()});
             ++found[static_cast<long>(run.collisions.size())];
             doubtful += run.care.doubtful() ? 1 : 0;
         }

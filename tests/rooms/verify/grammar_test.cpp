@@ -16,7 +16,7 @@ using make::replaced;
 namespace {
 
 /// "verified", or the code of the failure, with its line if `with_line`.
-std::string outcome(const std::string& bytes, bool with_line = false) {
+std::string checked(const std::string& bytes, bool with_line = false) {
     const File file(bytes);
     try {
         Settings settings;
@@ -35,20 +35,20 @@ const std::string& ten() {
 }  // namespace
 
 TEST_CASE("the example is verified, plain and compressed") {
-    CHECK(outcome(ten()) == "verified");
-    CHECK(outcome(make::gzipped(ten())) == "verified");
+    CHECK(checked(ten()) == "verified");
+    CHECK(checked(make::gzipped(ten())) == "verified");
 }
 
 TEST_CASE("truncation at every byte is refused, plain and compressed") {
     const std::string packed = make::gzipped(ten());
     for (std::size_t n = 0; n < ten().size(); ++n) {
         INFO(n);
-        REQUIRE(outcome(ten().substr(0, n)) != "verified");
+        REQUIRE(checked(ten().substr(0, n)) != "verified");
     }
-    for (std::size_t n = 0; n < packed.size(); ++n) REQUIRE(outcome(packed.substr(0, n)) != "verified");
-    CHECK(outcome("") == "truncated");
-    CHECK(outcome(ten().substr(0, ten().size() - 1)) == "truncated");
-    CHECK(outcome(packed.substr(0, packed.size() - 1)) == "gzip");
+    for (std::size_t n = 0; n < packed.size(); ++n) REQUIRE(checked(packed.substr(0, n)) != "verified");
+    CHECK(checked("") == "truncated");
+    CHECK(checked(ten().substr(0, ten().size() - 1)) == "truncated");
+    CHECK(checked(packed.substr(0, packed.size() - 1)) == "gzip");
 }
 
 TEST_CASE("a changed byte is refused, wherever it is") {
@@ -57,7 +57,7 @@ TEST_CASE("a changed byte is refused, wherever it is") {
         text[n] = text[n] == '1' ? '2' : '1';
         if (text == ten()) continue;
         INFO(n);
-        REQUIRE(outcome(text) != "verified");
+        REQUIRE(checked(text) != "verified");
     }
 }
 
@@ -89,7 +89,7 @@ TEST_CASE("lines mixed up at random, with a correct trailer, end in a verdict an
         }
         std::string body;
         for (const std::string& line : mixed) body += line + "\n";
-        const std::string result = outcome(closed(body));
+        const std::string result = checked(closed(body));
         INFO(body << result);
         if (result == "verified") {  // a higher bound, or another order of the same leaves
             REQUIRE(body.find("upper 1\n") == std::string::npos);
@@ -101,59 +101,59 @@ TEST_CASE("lines mixed up at random, with a correct trailer, end in a verdict an
 }
 
 TEST_CASE("bytes: printable ASCII and line feeds only") {
-    CHECK(outcome(replaced(ten(), "lemmas 1\n", "lemmas 1\r\n")) == "byte");
-    CHECK(outcome(replaced(ten(), "lemmas 1", "lemmas\t1")) == "byte");
-    CHECK(outcome(replaced(ten(), "lemmas 1",
+    CHECK(checked(replaced(ten(), "lemmas 1\n", "lemmas 1\r\n")) == "byte");
+    CHECK(checked(replaced(ten(), "lemmas 1", "lemmas\t1")) == "byte");
+    CHECK(checked(replaced(ten(), "lemmas 1",
                            "lemmas\xc2\xa0"
                            "1")) == "byte");
-    CHECK(outcome(replaced(ten(), "lemmas 1", std::string("lemmas 1\0", 9))) == "byte");
-    CHECK(outcome(std::string(1 << 20, '\0')) == "byte");
-    CHECK(outcome("\x7f") == "byte");
-    CHECK(outcome("\xef\xbb\xbf" + ten()) == "byte");
-    CHECK(outcome(ten() + "\n") == "trailing");
-    CHECK(outcome(ten() + ten()) == "trailing");
-    CHECK(outcome(ten() + std::string(1, '\0')) == "trailing");
+    CHECK(checked(replaced(ten(), "lemmas 1", std::string("lemmas 1\0", 9))) == "byte");
+    CHECK(checked(std::string(1 << 20, '\0')) == "byte");
+    CHECK(checked("\x7f") == "byte");
+    CHECK(checked("\xef\xbb\xbf" + ten()) == "byte");
+    CHECK(checked(ten() + "\n") == "trailing");
+    CHECK(checked(ten() + ten()) == "trailing");
+    CHECK(checked(ten() + std::string(1, '\0')) == "trailing");
 }
 
 TEST_CASE("lines: one space between fields, none elsewhere, none empty, none long") {
-    CHECK(outcome(mutated(ten(), "lemmas 1", "lemmas  1")) == "line");
-    CHECK(outcome(mutated(ten(), "lemmas 1", " lemmas 1")) == "line");
-    CHECK(outcome(mutated(ten(), "lemmas 1", "lemmas 1 ")) == "line");
-    CHECK(outcome(mutated(ten(), "lemmas 1\n", "lemmas 1\n\n")) == "line");
-    CHECK(outcome(mutated(ten(), "lemmas 1", "lemmas 1 " + std::string(5000, '1'))) == "line");
-    CHECK(outcome(std::string(100'000, 'x')) == "line");
+    CHECK(checked(mutated(ten(), "lemmas 1", "lemmas  1")) == "line");
+    CHECK(checked(mutated(ten(), "lemmas 1", " lemmas 1")) == "line");
+    CHECK(checked(mutated(ten(), "lemmas 1", "lemmas 1 ")) == "line");
+    CHECK(checked(mutated(ten(), "lemmas 1\n", "lemmas 1\n\n")) == "line");
+    CHECK(checked(mutated(ten(), "lemmas 1", "lemmas 1 " + std::string(5000, '1'))) == "line");
+    CHECK(checked(std::string(100'000, 'x')) == "line");
 }
 
 TEST_CASE("gzip: one member and nothing after it") {
     const std::string packed = make::gzipped(ten());
-    CHECK(outcome(packed + "x") == "gzip");
-    CHECK(outcome(packed + std::string(10, '\0')) == "gzip");
-    CHECK(outcome(packed + packed) == "gzip");
-    CHECK(outcome(packed + make::gzipped("")) == "gzip");
-    CHECK(outcome(make::gzipped(packed)) == "byte");
-    CHECK(outcome(make::gzipped(ten() + "\n")) == "trailing");
+    CHECK(checked(packed + "x") == "gzip");
+    CHECK(checked(packed + std::string(10, '\0')) == "gzip");
+    CHECK(checked(packed + packed) == "gzip");
+    CHECK(checked(packed + make::gzipped("")) == "gzip");
+    CHECK(checked(make::gzipped(packed)) == "byte");
+    CHECK(checked(make::gzipped(ten() + "\n")) == "trailing");
     std::string damaged = packed;
     damaged[damaged.size() - 6] = static_cast<char>(damaged[damaged.size() - 6] ^ 1);  // the CRC
-    CHECK(outcome(damaged) == "gzip");
-    CHECK(outcome("\x1f\x8b") == "gzip");
-    CHECK(outcome("\x1f") == "byte");
+    CHECK(checked(damaged) == "gzip");
+    CHECK(checked("\x1f\x8b") == "gzip");
+    CHECK(checked("\x1f") == "byte");
 }
 
 TEST_CASE("what this program does not know is unsupported, what is misspelled is rejected") {
-    CHECK(outcome(mutated(ten(), "certificate 1", "certificate 2"), true) == "unsupported 1");
-    CHECK(outcome(mutated(ten(), "certificate 1", "certificate 01"), true) == "number 1");
-    CHECK(outcome(mutated(ten(), "certificate 1", "certificate one"), true) == "number 1");
-    CHECK(outcome(mutated(ten(), "dumbbell-certificate", "Dumbbell-certificate"), true) == "syntax 1");
-    CHECK(outcome(mutated(ten(), "lemmas 1", "lemmas 2"), true) == "unsupported 3");
-    CHECK(outcome(mutated(ten(), "scene dumbbell", "scene torus"), true) == "unsupported 4");
-    CHECK(outcome(mutated(ten(), "scene dumbbell", "scene Dumbbell"), true) == "word 4");
-    CHECK(outcome(mutated(ten(), "section turning", "section heavy"), true) == "unsupported 5");
-    CHECK(outcome(mutated(ten(), "claim collisions", "claim heavy"), true) == "unsupported 6");
-    CHECK(outcome(mutated(ten(), "claim collisions", "claim 7"), true) == "word 6");
-    CHECK(outcome(mutated(ten(), "generator test", "generator Test"), true) == "word 2");
-    CHECK(outcome(mutated(ten(), "generator test", "generator " + std::string(33, 'a')), true) == "word 2");
-    CHECK(outcome(mutated(ten(), "generator test 1.0", "generator test"), true) == "syntax 2");
-    CHECK(outcome(mutated(ten(), "lemmas 1\nscene dumbbell\n", "scene dumbbell\nlemmas 1\n"), true) ==
+    CHECK(checked(mutated(ten(), "certificate 1", "certificate 2"), true) == "unsupported 1");
+    CHECK(checked(mutated(ten(), "certificate 1", "certificate 01"), true) == "number 1");
+    CHECK(checked(mutated(ten(), "certificate 1", "certificate one"), true) == "number 1");
+    CHECK(checked(mutated(ten(), "dumbbell-certificate", "Dumbbell-certificate"), true) == "syntax 1");
+    CHECK(checked(mutated(ten(), "lemmas 1", "lemmas 2"), true) == "unsupported 3");
+    CHECK(checked(mutated(ten(), "scene dumbbell", "scene torus"), true) == "unsupported 4");
+    CHECK(checked(mutated(ten(), "scene dumbbell", "scene Dumbbell"), true) == "word 4");
+    CHECK(checked(mutated(ten(), "section turning", "section heavy"), true) == "unsupported 5");
+    CHECK(checked(mutated(ten(), "claim collisions", "claim heavy"), true) == "unsupported 6");
+    CHECK(checked(mutated(ten(), "claim collisions", "claim 7"), true) == "word 6");
+    CHECK(checked(mutated(ten(), "generator test", "generator Test"), true) == "word 2");
+    CHECK(checked(mutated(ten(), "generator test", "generator " + std::string(33, 'a')), true) == "word 2");
+    CHECK(checked(mutated(ten(), "generator test 1.0", "generator test"), true) == "syntax 2");
+    CHECK(checked(mutated(ten(), "lemmas 1\nscene dumbbell\n", "scene dumbbell\nlemmas 1\n"), true) ==
           "syntax 3");
 }
 
@@ -161,25 +161,25 @@ TEST_CASE("ratios have one spelling, and 1 <= LO <= HI") {
     for (const char* bad : {"10", "10/", "/1", "010/1", "10/01", "20/2", "10/0", "0/1", "-10/1", "10/1/1",
                             "1e1/1", "10.0/1", "+10/1"}) {
         INFO(bad);
-        CHECK(outcome(mutated(ten(), "ratio 10/1 10/1", std::string("ratio ") + bad + " 10/1"), true) ==
+        CHECK(checked(mutated(ten(), "ratio 10/1 10/1", std::string("ratio ") + bad + " 10/1"), true) ==
               "number 7");
     }
-    CHECK(outcome(mutated(ten(), "ratio 10/1 10/1", "ratio 1/2 10/1"), true) == "number 7");
-    CHECK(outcome(mutated(ten(), "ratio 10/1 10/1", "ratio 11/1 10/1"), true) == "number 7");
-    CHECK(outcome(mutated(ten(), "ratio 10/1 10/1", "ratio " + std::string(2101, '9') + "/1 10/1"), true) ==
+    CHECK(checked(mutated(ten(), "ratio 10/1 10/1", "ratio 1/2 10/1"), true) == "number 7");
+    CHECK(checked(mutated(ten(), "ratio 10/1 10/1", "ratio 11/1 10/1"), true) == "number 7");
+    CHECK(checked(mutated(ten(), "ratio 10/1 10/1", "ratio " + std::string(2101, '9') + "/1 10/1"), true) ==
           "number 7");
-    CHECK(outcome(mutated(ten(), "ratio 10/1 10/1", "ratio 10/1"), true) == "syntax 7");
+    CHECK(checked(mutated(ten(), "ratio 10/1 10/1", "ratio 10/1"), true) == "syntax 7");
 }
 
 TEST_CASE("numbers have one spelling, counts at most 2100 digits and others 18") {
     for (const std::string& bad :
          std::vector<std::string>{"01", "-1", "+1", "1.0", "x", "0x1", "1" + std::string(2100, '0')}) {
         INFO(bad);
-        CHECK(outcome(mutated(ten(), "upper 4", "upper " + bad), true) == "number 11");
+        CHECK(checked(mutated(ten(), "upper 4", "upper " + bad), true) == "number 11");
     }
-    CHECK(outcome(mutated(ten(), "pieces 1", "pieces 0"), true) == "number 8");
-    CHECK(outcome(mutated(ten(), "pieces 1", "pieces 1000000000000000000"), true) == "number 8");
-    CHECK(outcome(mutated(ten(), "pieces 1", "pieces 2")) == "syntax");
+    CHECK(checked(mutated(ten(), "pieces 1", "pieces 0"), true) == "number 8");
+    CHECK(checked(mutated(ten(), "pieces 1", "pieces 1000000000000000000"), true) == "number 8");
+    CHECK(checked(mutated(ten(), "pieces 1", "pieces 2")) == "syntax");
 }
 
 TEST_CASE("the pieces form a chain from LO to HI") {
@@ -188,49 +188,49 @@ TEST_CASE("the pieces form a chain from LO to HI") {
         const std::string rest = "\nbits 53\nupper none\nlower 0\n";
         return closed(make::header(lo, hi, 2) + "piece " + p1 + rest + "piece " + p2 + rest);
     };
-    CHECK(outcome(file("2/1", "4/1", "2/1 3/1", "3/1 4/1")) == "verified");
-    CHECK(outcome(file("2/1", "4/1", "2/1 2/1", "2/1 4/1")) == "verified");
-    CHECK(outcome(file("2/1", "4/1", "2/1 3/1", "7/2 4/1")) == "chain");
-    CHECK(outcome(file("2/1", "4/1", "2/1 3/1", "5/2 4/1")) == "chain");
-    CHECK(outcome(file("2/1", "4/1", "5/2 3/1", "3/1 4/1")) == "chain");
-    CHECK(outcome(file("2/1", "4/1", "2/1 3/1", "3/1 7/2")) == "chain");
-    CHECK(outcome(file("2/1", "4/1", "2/1 5/1", "5/1 4/1")) == "chain");
+    CHECK(checked(file("2/1", "4/1", "2/1 3/1", "3/1 4/1")) == "verified");
+    CHECK(checked(file("2/1", "4/1", "2/1 2/1", "2/1 4/1")) == "verified");
+    CHECK(checked(file("2/1", "4/1", "2/1 3/1", "7/2 4/1")) == "chain");
+    CHECK(checked(file("2/1", "4/1", "2/1 3/1", "5/2 4/1")) == "chain");
+    CHECK(checked(file("2/1", "4/1", "5/2 3/1", "3/1 4/1")) == "chain");
+    CHECK(checked(file("2/1", "4/1", "2/1 3/1", "3/1 7/2")) == "chain");
+    CHECK(checked(file("2/1", "4/1", "2/1 5/1", "5/1 4/1")) == "chain");
 }
 
 TEST_CASE("a piece has bits, an upper bound or none, a cover, a lower bound not above it") {
-    CHECK(outcome(mutated(ten(), "bits 53", "bits 52")) == "number");
-    CHECK(outcome(mutated(ten(), "bits 53", "bits 4097")) == "number");
-    CHECK(outcome(mutated(ten(), "bits 53", "bits 2049")) == "limit");
-    CHECK(outcome(mutated(ten(), "bits 53", "bits 200")) == "verified");
-    CHECK(outcome(mutated(ten(), "bits 53\n", "")) == "syntax");
-    CHECK(outcome(mutated(ten(), "upper 4", "upper some")) == "number");
-    CHECK(outcome(mutated(ten(), "upper 4", "upper none")) == "syntax");  // a cover where none may be
-    CHECK(outcome(mutated(ten(), "lower 0", "lower 5")) == "number");
-    CHECK(outcome(mutated(ten(), "lower 0", "lower 1")) == "syntax");  // no witness
-    CHECK(outcome(mutated(ten(), "lower 0\n", "lower 0\nwitness bridge 1b-1 1b-1 0 0\n")) == "syntax");
-    CHECK(outcome(mutated(ten(), "chart bridge", "chart light")) == "syntax");
-    CHECK(outcome(mutated(ten(), "chart light\ncount 1 2\n", "")) == "syntax");
-    CHECK(outcome(mutated(ten(), "chart bridge\ncount 1 2\n", "")) == "syntax");
-    CHECK(outcome(mutated(ten(), "chart light", "chart light light")) == "syntax");
+    CHECK(checked(mutated(ten(), "bits 53", "bits 52")) == "number");
+    CHECK(checked(mutated(ten(), "bits 53", "bits 4097")) == "number");
+    CHECK(checked(mutated(ten(), "bits 53", "bits 2049")) == "limit");
+    CHECK(checked(mutated(ten(), "bits 53", "bits 200")) == "verified");
+    CHECK(checked(mutated(ten(), "bits 53\n", "")) == "syntax");
+    CHECK(checked(mutated(ten(), "upper 4", "upper some")) == "number");
+    CHECK(checked(mutated(ten(), "upper 4", "upper none")) == "syntax");  // a cover where none may be
+    CHECK(checked(mutated(ten(), "lower 0", "lower 5")) == "number");
+    CHECK(checked(mutated(ten(), "lower 0", "lower 1")) == "syntax");  // no witness
+    CHECK(checked(mutated(ten(), "lower 0\n", "lower 0\nwitness bridge 1b-1 1b-1 0 0\n")) == "syntax");
+    CHECK(checked(mutated(ten(), "chart bridge", "chart light")) == "syntax");
+    CHECK(checked(mutated(ten(), "chart light\ncount 1 2\n", "")) == "syntax");
+    CHECK(checked(mutated(ten(), "chart bridge\ncount 1 2\n", "")) == "syntax");
+    CHECK(checked(mutated(ten(), "chart light", "chart light light")) == "syntax");
 }
 
 TEST_CASE("tree lines: known opcodes of the chart, axes of the chart, all hints, whole trees") {
-    CHECK(outcome(mutated(ten(), "count 1 2", "meets")) == "opcode");
-    CHECK(outcome(mutated(ten(), "count 1 2", "meets-reversed")) == "opcode");
-    CHECK(outcome(mutated(ten(), "count 1 2", "equal-masses")) == "opcode");
-    CHECK(outcome(mutated(ten(), "count 1 2", "witness 1 2")) == "opcode");
-    CHECK(outcome(mutated(ten(), "count 1 2", "trust me")) == "opcode");
-    CHECK(outcome(mutated(ten(), "count 1 2", "count 1")) == "syntax");
-    CHECK(outcome(mutated(ten(), "count 1 2", "count 1 2 3")) == "syntax");
-    CHECK(outcome(mutated(ten(), "count 1 2", "count 1 -2")) == "number");
-    CHECK(outcome(mutated(ten(), "count 1 2", "split lambda\ncount 1 2\ncount 1 2")) == "syntax");
-    CHECK(outcome(mutated(ten(), "chart light\n", "chart light\nsplit eta\ncount 1 2\n")) == "syntax");
-    CHECK(outcome(mutated(ten(), "count 1 2", "split e e\ncount 1 2\ncount 1 2")) == "syntax");
-    CHECK(outcome(mutated(ten(), "count 1 2", "split\ncount 1 2\ncount 1 2")) == "syntax");
-    CHECK(outcome(mutated(ten(), "count 1 2", "split e\ncount 1 2\ncount 1 2")) == "verified");
-    CHECK(outcome(mutated(ten(), "count 1 2", "split q\ncount 1 2\ncount 1 2")) == "split");  // of width 0
-    CHECK(outcome(mutated(ten(), "count 1 2", "split e\ncount 1 2")) == "opcode");  // a leaf is missing
-    CHECK(outcome(mutated(ten(), "count 1 2", "count 1 2\ncount 1 2")) == "syntax");
+    CHECK(checked(mutated(ten(), "count 1 2", "meets")) == "opcode");
+    CHECK(checked(mutated(ten(), "count 1 2", "meets-reversed")) == "opcode");
+    CHECK(checked(mutated(ten(), "count 1 2", "equal-masses")) == "opcode");
+    CHECK(checked(mutated(ten(), "count 1 2", "witness 1 2")) == "opcode");
+    CHECK(checked(mutated(ten(), "count 1 2", "trust me")) == "opcode");
+    CHECK(checked(mutated(ten(), "count 1 2", "count 1")) == "syntax");
+    CHECK(checked(mutated(ten(), "count 1 2", "count 1 2 3")) == "syntax");
+    CHECK(checked(mutated(ten(), "count 1 2", "count 1 -2")) == "number");
+    CHECK(checked(mutated(ten(), "count 1 2", "split lambda\ncount 1 2\ncount 1 2")) == "syntax");
+    CHECK(checked(mutated(ten(), "chart light\n", "chart light\nsplit eta\ncount 1 2\n")) == "syntax");
+    CHECK(checked(mutated(ten(), "count 1 2", "split e e\ncount 1 2\ncount 1 2")) == "syntax");
+    CHECK(checked(mutated(ten(), "count 1 2", "split\ncount 1 2\ncount 1 2")) == "syntax");
+    CHECK(checked(mutated(ten(), "count 1 2", "split e\ncount 1 2\ncount 1 2")) == "verified");
+    CHECK(checked(mutated(ten(), "count 1 2", "split q\ncount 1 2\ncount 1 2")) == "split");  // of width 0
+    CHECK(checked(mutated(ten(), "count 1 2", "split e\ncount 1 2")) == "opcode");  // a leaf is missing
+    CHECK(checked(mutated(ten(), "count 1 2", "count 1 2\ncount 1 2")) == "syntax");
 }
 
 TEST_CASE("400 splits of one axis may lie above a node, 401 not") {
@@ -241,54 +241,54 @@ TEST_CASE("400 splits of one axis may lie above a node, 401 not") {
         for (int i = 0; i < n; ++i) tree += "\ncount 1 2";
         return mutated(ten(), "count 1 2", tree);
     };
-    CHECK(outcome(chain(400)) == "verified");
-    CHECK(outcome(chain(401)) == "depth");
+    CHECK(checked(chain(400)) == "verified");
+    CHECK(checked(chain(401)) == "depth");
     std::string all;
     for (int i = 0; i < 400; ++i) all += "split e\nsplit eta\n";
     std::string leaves = "count 1 2";
     for (int i = 0; i < 800; ++i) leaves += "\ncount 1 2";
-    CHECK(outcome(mutated(ten(), "count 1 2", all + leaves)) == "verified");
+    CHECK(checked(mutated(ten(), "count 1 2", all + leaves)) == "verified");
     std::string endless;
     for (int i = 0; i < 1'000'000; ++i) endless += "split e\n";
-    CHECK(outcome(make::header("10/1", "10/1", 1) + "piece 10/1 10/1\nbits 53\nupper 4\nchart bridge\n" +
+    CHECK(checked(make::header("10/1", "10/1", 1) + "piece 10/1 10/1\nbits 53\nupper 4\nchart bridge\n" +
                   endless) == "depth");
 }
 
 TEST_CASE("dyadics have one spelling") {
     const std::string text = mutated(ten(), "lower 0\n", "lower 1\nwitness bridge 1b-1 1b-1 0 0\n");
-    CHECK(outcome(text) == "verified");
+    CHECK(checked(text) == "verified");
     for (const char* bad :
          {"2b-2", "1b-01", "01b-1", "1b-0", "1", "b1", "1b", "-1b-1", "1b--1", "1b+1", "1b4097", "1b-4097",
           "1b9999", "1b-9999", "1b-00001", "1b1b1", "0b1", "0b-1", "0.5"}) {
         INFO(bad);
-        CHECK(outcome(mutated(text, "1b-1 1b-1", std::string(bad) + " 1b-1")) == "number");
+        CHECK(checked(mutated(text, "1b-1 1b-1", std::string(bad) + " 1b-1")) == "number");
     }
-    CHECK(outcome(mutated(text, "1b-1 1b-1", "1b-1 " + std::string(1251, '1') + "b-4096")) == "number");
-    CHECK(outcome(mutated(text, "1b-1 1b-1", "1b-1 " + std::string(1250, '1') + "b-4096")) ==
+    CHECK(checked(mutated(text, "1b-1 1b-1", "1b-1 " + std::string(1251, '1') + "b-4096")) == "number");
+    CHECK(checked(mutated(text, "1b-1 1b-1", "1b-1 " + std::string(1250, '1') + "b-4096")) ==
           "witness");  // eta > q
-    CHECK(outcome(mutated(text, "1b-1 1b-1", "1b-1 1b4096")) == "witness");
+    CHECK(checked(mutated(text, "1b-1 1b-1", "1b-1 1b4096")) == "witness");
     const std::string longest = mpz_class((mpz_class(1) << 4095) + 1).get_str() + "b-4096";  // besides 1/2
-    CHECK(outcome(mutated(text, "1b-1 1b-1", longest + " " + longest)) == "verified");
+    CHECK(checked(mutated(text, "1b-1 1b-1", longest + " " + longest)) == "verified");
     const std::string tiny = mutated(text, "1b-1 1b-1", "1b-1 1b-4096");
-    CHECK(outcome(tiny) == "witness");  // eta > 0 is beyond doubles
-    CHECK(outcome(mutated(tiny, "bits 53", "bits 64")) == "verified");
-    CHECK(outcome(mutated(text, "witness bridge", "witness light")) == "syntax");
-    CHECK(outcome(mutated(text, "witness bridge 1b-1 1b-1 0 0", "witness bridge 1b-1 1b-1 0")) == "syntax");
+    CHECK(checked(tiny) == "witness");  // eta > 0 is beyond doubles
+    CHECK(checked(mutated(tiny, "bits 53", "bits 64")) == "verified");
+    CHECK(checked(mutated(text, "witness bridge", "witness light")) == "syntax");
+    CHECK(checked(mutated(text, "witness bridge 1b-1 1b-1 0 0", "witness bridge 1b-1 1b-1 0")) == "syntax");
 }
 
 TEST_CASE("totals and SHA-256 must be there and right") {
     const std::string body = ten().substr(0, ten().find("total split"));
-    CHECK(outcome(body) == "truncated");
-    CHECK(outcome(hashed(body)) == "syntax");
-    CHECK(outcome(hashed(body + replaced(make::totals(body), "count 2", "count 3"))) == "total");
-    CHECK(outcome(hashed(body + replaced(make::totals(body), "count 2", "count 02"))) == "number");
-    CHECK(outcome(hashed(body + replaced(make::totals(body), "total outside 0\n", ""))) == "total");
-    CHECK(outcome(hashed(body + replaced(make::totals(body), "outside", "inside"))) == "total");
-    CHECK(outcome(body + make::totals(body) + "sha256 " + std::string(64, '0') + "\n") == "sha256");
+    CHECK(checked(body) == "truncated");
+    CHECK(checked(hashed(body)) == "syntax");
+    CHECK(checked(hashed(body + replaced(make::totals(body), "count 2", "count 3"))) == "total");
+    CHECK(checked(hashed(body + replaced(make::totals(body), "count 2", "count 02"))) == "number");
+    CHECK(checked(hashed(body + replaced(make::totals(body), "total outside 0\n", ""))) == "total");
+    CHECK(checked(hashed(body + replaced(make::totals(body), "outside", "inside"))) == "total");
+    CHECK(checked(body + make::totals(body) + "sha256 " + std::string(64, '0') + "\n") == "sha256");
     std::string capital = ten();
     for (std::size_t i = capital.size() - 65; i < capital.size(); ++i)
         if (capital[i] >= 'a') capital[i] = static_cast<char>(capital[i] - 32);
-    CHECK(outcome(capital) == "sha256");
+    CHECK(checked(capital) == "sha256");
 }
 
 TEST_CASE("the first failing line of the file is reported, whatever the threads do") {

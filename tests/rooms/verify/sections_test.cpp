@@ -27,7 +27,7 @@ std::string outcome(const std::string& text, const std::string& scene = "dumbbel
     }
 }
 
-int run(const std::string& arguments, std::string* out = nullptr) {
+int code_of(const std::string& arguments, std::string* out = nullptr) {
     const File text("");
     const int status =
         std::system((DUMBBELL_VERIFY_BIN " " + arguments + " >" + text.path() + " 2>/dev/null").c_str());
@@ -144,10 +144,10 @@ TEST_CASE("section full: the leaf outside holds beyond the chart only") {
 TEST_CASE("section full: the heavy mass is proved to touch at most once, unless a piece is open") {
     const std::string text = full_text(full(), "10/1", 4);
     std::string out;
-    CHECK(run(File(text).path(), &out) == 0);
+    CHECK(code_of(File(text).path(), &out) == 0);
     CHECK(out.find(" heavy-at-most=1 sha256=") != std::string::npos);
     const std::string cover = full_cover(full(), 10, 4);
-    CHECK(run(File(mutated(text, "upper 4\n" + cover, "upper none\n")).path(), &out) == 0);
+    CHECK(code_of(File(mutated(text, "upper 4\n" + cover, "upper none\n")).path(), &out) == 0);
     CHECK(out.find("heavy") == std::string::npos);
 }
 
@@ -208,7 +208,7 @@ TEST_CASE("combinations of words that are not in the table are unsupported") {
     CHECK(outcome(mutated(text, "lemmas 1", "lemmas none"), "wedge") == "unsupported");
     CHECK(outcome(mutated(text, "scene wedge", "scene vedge"), "wedge") == "unsupported");
     const File file(mutated(text, "section turning", "section full"));
-    CHECK(run("--scene wedge " + file.path()) == 3);
+    CHECK(code_of("--scene wedge " + file.path()) == 3);
 }
 
 TEST_CASE("the option --lemma compares two files") {
@@ -217,29 +217,29 @@ TEST_CASE("the option --lemma compares two files") {
         foreign(mutated(wedge10(), "lemmas 1", "lemmas 9"));
     const File three(wedge_text("wedge", "3/1", "3/1", 3, "count 1 1\n", 3, "0b0 1b0 1 1"));
     std::string out;
-    CHECK(run("--lemma 4.1 " + h.path() + " " + w.path(), &out) == 0);
+    CHECK(code_of("--lemma 4.1 " + h.path() + " " + w.path(), &out) == 0);
     CHECK(out.find("\ns VERIFIED lemma=4.1 ratio=10/1:10/1 excess=0 least-excess=0 gaps=0\n") !=
           std::string::npos);
-    CHECK(run("--lemma 4.2 " + d.path() + " " + h.path(), &out) == 0);
+    CHECK(code_of("--lemma 4.2 " + d.path() + " " + h.path(), &out) == 0);
     CHECK(out.find("excess=-2") != std::string::npos);
-    CHECK(run("--lemma 4.1 " + h.path() + " " + low.path(), &out) == 1);
+    CHECK(code_of("--lemma 4.1 " + h.path() + " " + low.path(), &out) == 1);
     CHECK(out.find("VERIFIED") == std::string::npos);
-    CHECK(run("--lemma 4.1 " + w.path() + " " + h.path()) == 1);      // the scenes are exchanged
-    CHECK(run("--lemma 4.1 " + h.path() + " " + three.path()) == 1);  // no common ratio
-    CHECK(run("--lemma 4.1 " + h.path() + " " + foreign.path()) == 3);
-    CHECK(run("--lemma 4.1 " + h.path() + " /nonexistent") == 2);
-    CHECK(run("--lemma 4.3 " + h.path() + " " + w.path()) == 2);
-    CHECK(run("--lemma 4.1 " + h.path()) == 2);
+    CHECK(code_of("--lemma 4.1 " + w.path() + " " + h.path()) == 1);      // the scenes are exchanged
+    CHECK(code_of("--lemma 4.1 " + h.path() + " " + three.path()) == 1);  // no common ratio
+    CHECK(code_of("--lemma 4.1 " + h.path() + " " + foreign.path()) == 3);
+    CHECK(code_of("--lemma 4.1 " + h.path() + " /nonexistent") == 2);
+    CHECK(code_of("--lemma 4.3 " + h.path() + " " + w.path()) == 2);
+    CHECK(code_of("--lemma 4.1 " + h.path()) == 2);
     // A gap in both: only one more is proved there, and that is said.
     const auto with_gap = [](const std::string& scene) {
         return wedge_text(scene, "3/1", "3000001/1000000", 4, "count 2 1\n", 3, "0b0 1b0 1 1");
     };
     const File h_gap(with_gap("hybrid")), w_gap(with_gap("wedge"));
-    CHECK(run("--lemma 4.1 " + h_gap.path() + " " + w_gap.path(), &out) == 1);  // nothing but the gap
-    CHECK(run("--explain 1:wedge.000 --scene wedge " + w.path(), &out) == 0);
+    CHECK(code_of("--lemma 4.1 " + h_gap.path() + " " + w_gap.path(), &out) == 1);  // nothing but the gap
+    CHECK(code_of("--explain 1:wedge.000 --scene wedge " + w.path(), &out) == 0);
     CHECK(out.find("G_w <= a for X: holds") != std::string::npos);
     const Section& s = full();
     CHECK(s.charts.size() == 3);
-    CHECK(run("--explain 1:contact " + d.path(), &out) == 0);
+    CHECK(code_of("--explain 1:contact " + d.path(), &out) == 0);
     CHECK(out.find("1 + a <= U: holds") != std::string::npos);
 }

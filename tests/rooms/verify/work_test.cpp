@@ -84,17 +84,17 @@ TEST_CASE("a leaf costs something even if it has no ray") {
 TEST_CASE("the leaf at which a budget ends is the same with any number of threads") {
     std::vector<Task> tasks;
     for (std::uint64_t line = 1; line <= 60; ++line) tasks.push_back({line, 20'000'000 * (line % 7)});
-    std::uint64_t all = 0, end = 0;
+    std::uint64_t done = 0, end = 0;
     for (const Task& task : tasks) {
         Work::begin();
-        all += Work::done() + task.units;
-        if (end == 0 && all > 900'000'000) end = task.line;
+        done += Work::done() + task.units;
+        if (end == 0 && done > 900'000'000) end = task.line;
     }
     REQUIRE((end > 10 && end < 50));
     for (const unsigned jobs : {1U, 2U, 7U}) {
         CHECK(outcome(tasks, jobs, 900'000'000) == std::pair(end, Verdict::limit));
-        CHECK(outcome(tasks, jobs, all) == std::pair(std::uint64_t{0}, Verdict::verified));
-        CHECK(outcome(tasks, jobs, all - 1) == std::pair(std::uint64_t{60}, Verdict::limit));
+        CHECK(outcome(tasks, jobs, done) == std::pair(std::uint64_t{0}, Verdict::verified));
+        CHECK(outcome(tasks, jobs, done - 1) == std::pair(std::uint64_t{60}, Verdict::limit));
         CHECK(outcome(tasks, jobs, 0) == std::pair(std::uint64_t{1}, Verdict::limit));
         // A failure before it is told, one after it is not.
         std::vector<Task> failing = tasks;
