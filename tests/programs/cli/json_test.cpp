@@ -7,14 +7,14 @@
 #include "programs.hpp"
 
 using namespace dumbbell_test;
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 namespace {
 
 using Types = std::set<std::string>;
 using Fields = std::map<std::string, Types>;
 
-std::string type_of(const Json& value) {
+std::string type_of(const OrderedJson& value) {
     return value.is_null()             ? "null"
            : value.is_boolean()        ? "boolean"
            : value.is_string()         ? "string"
@@ -28,7 +28,7 @@ std::string type_of(const Json& value) {
 bool is_tally(const std::string& path) { return path == "leaves" || path == "coverage"; }
 
 // The fields of an object and of all that is in it. Elements of a list are objects, or belong to its meaning.
-void collect(const Json& object, const std::string& before, Fields& fields) {
+void collect(const OrderedJson& object, const std::string& before, Fields& fields) {
     for (const auto& [key, value] : object.items()) {
         const std::string path = before + key;
         fields[path].insert(type_of(value));
@@ -36,7 +36,7 @@ void collect(const Json& object, const std::string& before, Fields& fields) {
             collect(value, path + ".", fields);
         }
         if (value.is_array()) {
-            for (const Json& element : value) {
+            for (const OrderedJson& element : value) {
                 if (element.is_object()) {
                     collect(element, path + "[].", fields);
                 }
@@ -78,18 +78,18 @@ Fields documented(const std::string& command, const std::string& schema) {
     return fields;
 }
 
-Json printed(const Outcome& result) {
+OrderedJson printed(const Outcome& result) {
     CAPTURE(result.out, result.err);
-    return Json::parse(result.out);
+    return OrderedJson::parse(result.out);
 }
 
 // Everything that these runs print is documented, with its type, and everything documented is printed by one
 // of them.
-void check_documented(const std::string& command, const std::vector<Json>& objects) {
+void check_documented(const std::string& command, const std::vector<OrderedJson>& objects) {
     const std::string schema = objects.front().at("schema").get<std::string>();
     const Fields page = documented(command, schema);
     Fields found;
-    for (const Json& object : objects) {
+    for (const OrderedJson& object : objects) {
         CHECK(object.at("schema") == schema);
         collect(object, "", found);
     }
@@ -107,8 +107,8 @@ void check_documented(const std::string& command, const std::vector<Json>& objec
     }
 }
 
-std::vector<Json> printed_by(const std::vector<Words>& commands, const TemporaryFolder& folder) {
-    std::vector<Json> objects;
+std::vector<OrderedJson> printed_by(const std::vector<Words>& commands, const TemporaryFolder& folder) {
+    std::vector<OrderedJson> objects;
     for (Words words : commands) {
         words.emplace_back("--json");
         const Outcome result = dumbbell(words, folder.path());
@@ -214,7 +214,7 @@ TEST_CASE("docs/reference/json.md describes the JSON of campaign run and campaig
     const std::string place = folder / "c";
     REQUIRE(dumbbell({"campaign", "plan", place, "1:9"}).code == 0);
     const Words status{"campaign", "status", place, "--json"};
-    const Json before = printed(dumbbell(status));
+    const OrderedJson before = printed(dumbbell(status));
     check_documented("campaign run", {printed(dumbbell({"campaign", "run", place, "--json"}))});
     check_documented("campaign status", {before, printed(dumbbell(status))});
 }
@@ -232,7 +232,7 @@ TEST_CASE("docs/reference/json.md describes the JSON of verify") {
     make({"adiabatic", "--delta", "0.05", "--theorem", "printed", "--out", "printed.dbc"});
     write_file(folder / "bad.dbc", "no certificate\n");
 
-    std::vector<Json> objects;
+    std::vector<OrderedJson> objects;
     for (const Words& options :
          std::vector<Words>{{"ten.dbc", "box.dbc", "bounce.dbc", "printed.dbc", "bad.dbc", "by-law.dbc",
                              DUMBBELL_PROJECT "/certificates/law.dbc.gz"},
@@ -242,7 +242,7 @@ TEST_CASE("docs/reference/json.md describes the JSON of verify") {
                             {"--combine", "parts.txt", "ten.dbc"}}) {
         words = options;
         words.insert(words.begin(), {"verify", "--json"});
-        for (const Json& object : printed(dumbbell(words, folder.path()))) {
+        for (const OrderedJson& object : printed(dumbbell(words, folder.path()))) {
             objects.push_back(object);
             if (object.at("part").is_object()) {
                 write_file(folder / "parts.txt", object.at("part").at("line").get<std::string>() + "\n");
@@ -251,9 +251,9 @@ TEST_CASE("docs/reference/json.md describes the JSON of verify") {
     }
     check_documented("verify", objects);
 
-    Json lemma =
+    OrderedJson lemma =
         printed(dumbbell({"verify", "--json", "--lemma", "4.1", "hybrid.dbc", "wedge.dbc"}, folder.path()));
-    for (Json& file : lemma.at("files")) {
+    for (OrderedJson& file : lemma.at("files")) {
         CHECK(file.at("schema") == "dumbbell-verify-1");
         file = nullptr;  // described above
     }

@@ -14,7 +14,7 @@ using dumbbell_test::Real;
 namespace {
 
 /// A contact with the bridge: distance t from the right corner, steepness eta, r.
-struct BridgeContact {
+struct ContactOnce {
     double t, eta, r;
 };
 
@@ -41,7 +41,7 @@ std::optional<Back> comes_back(const Real& c, const Real& lambda, const Real& r)
 }
 
 /// Often at the corners of the chart, at small eta, and at large ratios.
-BridgeContact random_contact(Random& random) {
+ContactOnce random_contact(Random& random) {
     const auto edge = [&](double lo, double hi) {
         const double part = (hi - lo) * (random.coin() ? random.uniform(0, 1) : random.scaled(1e-12, 1));
         return random.coin() ? lo + part : hi - part;
@@ -56,7 +56,7 @@ TEST_CASE("L19: rays from the bridge come back from the light wall with slope r 
     Random random(1901);
     int back = 0;
     for (int i = 0; i < 20000; ++i) {
-        const BridgeContact at = random_contact(random);
+        const ContactOnce at = random_contact(random);
         const Real t(at.t), r(at.r);
         const Real lambda = cos(t) + Real(at.eta);
         const auto found = comes_back(r * (sin(t) + lambda * (dumbbell_test::pi_in<Real>() - t)), lambda, r);
@@ -91,7 +91,7 @@ TEMPLATE_TEST_CASE("L19: boxes whose rays come back with slope r at least are re
     using I = TestType;
     Random random(1903);
     for (int i = 0; i < 500; ++i) {
-        const BridgeContact at = random_contact(random);
+        const ContactOnce at = random_contact(random);
         const RatioRange<I> thin{I(at.r), I(at.r)};
         CAPTURE(at.t, at.eta, at.r);
         CHECK(certainly_once(I(at.t), I(at.eta), thin));

@@ -9,7 +9,6 @@ using make::run;
 
 namespace {
 std::string digest(const std::string& text) { return text.substr(text.size() - 65, 64); }
-bool has(const Run& result, const std::string& text) { return result.out.find(text) != std::string::npos; }
 }  // namespace
 
 TEST_CASE("adiabatic: the verdict states the claim, C and C/B rounded up, B rounded down") {

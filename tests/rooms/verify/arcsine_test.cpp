@@ -12,24 +12,26 @@ using namespace dumbbell_verify;
 
 namespace {
 
-std::mt19937_64 engine(20250611);
-double uniform(double lo, double hi) { return std::uniform_real_distribution<double>(lo, hi)(engine); }
+std::mt19937_64 arcsine_engine(20250611);
+double arcsine_uniform(double lo, double hi) {
+    return std::uniform_real_distribution<double>(lo, hi)(arcsine_engine);
+}
 
 /// A number with 5000 bits.
-class Real {
+class LongBinary {
   public:
-    Real() { mpfr_init2(x_, 5000); }
-    Real(const Real&) = delete;
-    Real& operator=(const Real&) = delete;
-    ~Real() { mpfr_clear(x_); }
+    LongBinary() { mpfr_init2(x_, 5000); }
+    LongBinary(const LongBinary&) = delete;
+    LongBinary& operator=(const LongBinary&) = delete;
+    ~LongBinary() { mpfr_clear(x_); }
     mpfr_ptr get() { return x_; }
 
   private:
     mpfr_t x_;
 };
 
-mpq_class exact(double x) { return mpq_class(x); }
-mpq_class exact(const Big& x) {
+mpq_class exact_rational(double x) { return mpq_class(x); }
+mpq_class exact_rational(const Big& x) {
     mpq_class q;
     mpfr_get_q(q.get_mpq_t(), x.get());
     return q;
@@ -37,7 +39,7 @@ mpq_class exact(const Big& x) {
 /// In this many bits, so that its error is far below all that is compared.
 mpq_class share(const mpq_class& z, mpfr_prec_t bits) {
     if (z == 0) return 1;
-    Real x;
+    LongBinary x;
     mpfr_set_prec(x.get(), bits);
     mpfr_set_q(x.get(), z.get_mpq_t(), MPFR_RNDN);
     mpfr_asin(x.get(), x.get(), MPFR_RNDN);
@@ -45,20 +47,20 @@ mpq_class share(const mpq_class& z, mpfr_prec_t bits) {
     mpfr_get_q(q.get_mpq_t(), x.get());
     return q / z;
 }
-double power_of_two(double lo, double hi) { return std::exp2(uniform(lo, hi)); }
+double arcsine_power_of_two(double lo, double hi) { return std::exp2(arcsine_uniform(lo, hi)); }
 
 }  // namespace
 
 TEST_CASE("arcsine: the share encloses, and is tight where a contact needs it") {
     for (int i = 0; i < 20'000; ++i) {
-        const double z = i % 3 == 0   ? power_of_two(-400, -1)
-                         : i % 3 == 1 ? uniform(0, 0.89)
-                                      : 1 - power_of_two(-40, -3);
+        const double z = i % 3 == 0   ? arcsine_power_of_two(-400, -1)
+                         : i % 3 == 1 ? arcsine_uniform(0, 0.89)
+                                      : 1 - arcsine_power_of_two(-40, -3);
         const Interval<double> enclosed = arcsine_share(Interval<double>(z));
-        const mpq_class value = share(exact(z), 1200);
+        const mpq_class value = share(exact_rational(z), 1200);
         INFO(z << " " << enclosed.lo << " " << enclosed.hi);
-        REQUIRE((exact(enclosed.lo) <= value));
-        if (std::isfinite(enclosed.hi)) REQUIRE((value <= exact(enclosed.hi)));
+        REQUIRE((exact_rational(enclosed.lo) <= value));
+        if (std::isfinite(enclosed.hi)) REQUIRE((value <= exact_rational(enclosed.hi)));
         if (z < 0.89) REQUIRE(enclosed.hi - enclosed.lo < 0x1p-44);
         if (z < 0.125) REQUIRE(enclosed.hi - enclosed.lo < 0x1p-48);
     }
@@ -66,15 +68,15 @@ TEST_CASE("arcsine: the share encloses, and is tight where a contact needs it") 
 
 TEST_CASE("arcsine: of intervals, every number in them") {
     for (int i = 0; i < 20'000; ++i) {
-        const double lo = uniform(-0.2, 0.95), hi = std::min(1.0, lo + power_of_two(-40, -2));
+        const double lo = arcsine_uniform(-0.2, 0.95), hi = std::min(1.0, lo + arcsine_power_of_two(-40, -2));
         const Interval<double> enclosed = arcsine_share(Interval<double>(lo, hi));
         for (int j = 0; j < 4; ++j) {
-            const double z = j == 0 ? lo : j == 1 ? hi : uniform(lo, hi);
+            const double z = j == 0 ? lo : j == 1 ? hi : arcsine_uniform(lo, hi);
             if (!(z >= lo && z < 1)) continue;
-            const mpq_class value = share(exact(std::abs(z)), 300);
+            const mpq_class value = share(exact_rational(std::abs(z)), 300);
             INFO(z << " in [" << lo << ", " << hi << "]: " << enclosed.lo << " " << enclosed.hi);
-            REQUIRE((exact(enclosed.lo) <= value));
-            if (std::isfinite(enclosed.hi)) REQUIRE((value <= exact(enclosed.hi)));
+            REQUIRE((exact_rational(enclosed.lo) <= value));
+            if (std::isfinite(enclosed.hi)) REQUIRE((value <= exact_rational(enclosed.hi)));
         }
     }
 }
@@ -99,8 +101,8 @@ TEST_CASE("arcsine: the share encloses and is tight at any precision") {
         for (int i = 0; i <= 66; ++i) {
             const Big z = bound(down, mpq_class(i, 100), Big());
             const Interval<Big> enclosed = arcsine_share(Interval<Big>(z));
-            const mpq_class value = share(exact(z), bits + 200), lo = exact(enclosed.lo),
-                            hi = exact(enclosed.hi);
+            const mpq_class value = share(exact_rational(z), bits + 200), lo = exact_rational(enclosed.lo),
+                            hi = exact_rational(enclosed.hi);
             INFO(bits << " bits, " << i);
             REQUIRE((lo <= value && value <= hi));
             REQUIRE(((hi - lo) * (mpz_class(1) << static_cast<mp_bitcnt_t>(bits - 12)) < 1));
@@ -111,19 +113,19 @@ TEST_CASE("arcsine: the share encloses and is tight at any precision") {
 TEST_CASE("arcsine: f of a contact is enclosed over ranges of u and delta, and tight at points") {
     const Interval<double> quarter = pi<double>() / Interval<double>(2);
     for (int i = 0; i < 5'000; ++i) {
-        const double delta = power_of_two(-10, -1.01), u = power_of_two(-8, 0.6),
-                     du = u * power_of_two(-30, -2),
-                     dd = i % 2 == 0 ? 0 : std::min(0.5 - delta, delta * power_of_two(-30, 0));
+        const double delta = arcsine_power_of_two(-10, -1.01), u = arcsine_power_of_two(-8, 0.6),
+                     du = u * arcsine_power_of_two(-30, -2),
+                     dd = i % 2 == 0 ? 0 : std::min(0.5 - delta, delta * arcsine_power_of_two(-30, 0));
         const Interval<double> angle(u, std::min(u + du, 1.57)), range(delta, delta + dd);
         if (!(angle.lo <= angle.hi)) continue;
         const auto at = Touch<double>::at(Masses<double>(range), angle, quarter);
         for (int j = 0; j < 4; ++j) {
             const double d = j == 0   ? range.lo
                              : j == 1 ? range.hi
-                                      : uniform(range.lo, range.hi),
+                                      : arcsine_uniform(range.lo, range.hi),
                          v = j == 0   ? angle.hi
                              : j == 1 ? angle.lo
-                                      : uniform(angle.lo, angle.hi);
+                                      : arcsine_uniform(angle.lo, angle.hi);
             if (d < range.lo || d > range.hi || v < angle.lo || v > angle.hi) continue;
             const long double y = (1 - static_cast<long double>(d) * d) *
                                   std::cos(static_cast<long double>(v)),

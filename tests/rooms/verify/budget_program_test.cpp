@@ -12,15 +12,13 @@ using namespace make;
 
 namespace {
 
-bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
-
 /// The count is one too low, so that doubles fail and 2048 bits are tried: 480 bytes that cost minutes.
 std::string short_and_dear() {
     const std::string q = "1000000000000/1", leaf = "count 442797 442798\n";
     return closed(header(q, q, 1) + "piece " + q + " " + q + "\nbits 2048\nupper 885596\nchart bridge\n" +
                   leaf + "chart light\n" + leaf + "lower 0\n");
 }
-const std::string ten = shipped("q-10.dbc");
+const std::string ten_path = shipped("q-10.dbc");
 
 }  // namespace
 
@@ -34,26 +32,26 @@ TEST_CASE("budget: a short file that costs minutes is given up where the budget 
 }
 
 TEST_CASE("budget: text costs, too, and what is enough for a file is told") {
-    CHECK(run("--budget 0s " + ten).code == 4);
-    CHECK(run("--budget 0.001s " + ten).code == 0);
+    CHECK(run("--budget 0s " + ten_path).code == 4);
+    CHECK(run("--budget 0.001s " + ten_path).code == 0);
     const Run json = run("--json --jobs 2 " + shipped("stairs-1-1e4.dbc.gz"));
     REQUIRE(has(json.out, "\"work\":0."));
     const std::string work = json.out.substr(json.out.find("\"work\":") + 7, 5);
     CHECK(run("--budget " + work + "s " + shipped("stairs-1-1e4.dbc.gz")).code == 0);
     const std::string less = std::to_string(std::stod(work) - 0.002).substr(0, 5);
     CHECK(run("--budget " + less + "s --jobs 1 " + shipped("stairs-1-1e4.dbc.gz")).code == 4);
-    CHECK(has(run("--json --budget 0s " + ten).out, "\"work\":null"));
+    CHECK(has(run("--json --budget 0s " + ten_path).out, "\"work\":null"));
 }
 
 TEST_CASE("budget: each file has its own") {
-    CHECK(run("--budget 0.001s " + ten + " " + ten + " " + ten).code == 0);
+    CHECK(run("--budget 0.001s " + ten_path + " " + ten_path + " " + ten_path).code == 0);
 }
 
 TEST_CASE("budget: a time is a number with s, m or h") {
     for (const char* time : {"1s", "0.5m", "1.5h", "99999h"})
-        CHECK(run(std::string("--budget ") + time + " " + ten).code == 0);
+        CHECK(run(std::string("--budget ") + time + " " + ten_path).code == 0);
     for (const char* time : {"5", "s", "-1s", "1d", "1 s", "1.s", "1e3s", "999999h", "1.0001s", "''"}) {
-        const Run r = run(std::string("--budget=") + time + " " + ten);
+        const Run r = run(std::string("--budget=") + time + " " + ten_path);
         INFO(time);
         CHECK(r.code == 2);
         CHECK(has(r.err, "--budget needs a time such as 30s, 10m or 2h"));
@@ -78,14 +76,15 @@ TEST_CASE("a name cannot imitate a verdict") {
 
 TEST_CASE("a certificate may come from the standard input, or from a pipe that the shell makes") {
     const std::string exactly = "--quiet --ratio 10 --exactly 4 ";
-    const std::string verdict = run(exactly + ten).out;
-    CHECK(run(exactly + "- <" + ten).out == verdict);
-    CHECK(run(exactly + "-", "cat " + ten + " | ").out == verdict);
-    CHECK(run(exactly + "/dev/stdin", "cat " + ten + " | ").out == verdict);
-    CHECK(run("--version; bash -c '" DUMBBELL_VERIFY_BIN " " + exactly + "<(sleep 0.1; cat " + ten + ")'")
-                  .last() +
-              "\n" ==
-          verdict);
+    const std::string verdict = run(exactly + ten_path).out;
+    CHECK(run(exactly + "- <" + ten_path).out == verdict);
+    CHECK(run(exactly + "-", "cat " + ten_path + " | ").out == verdict);
+    CHECK(run(exactly + "/dev/stdin", "cat " + ten_path + " | ").out == verdict);
+    CHECK(
+        run("--version; bash -c '" DUMBBELL_VERIFY_BIN " " + exactly + "<(sleep 0.1; cat " + ten_path + ")'")
+                .last() +
+            "\n" ==
+        verdict);
     CHECK(run(exactly + "- <&-").code == 2);
 }
 
@@ -93,7 +92,7 @@ TEST_CASE("a named pipe that nobody writes to is refused at once") {
     const std::string pipe =
         std::filesystem::temp_directory_path() / ("dumbbell_verify_pipe" + std::to_string(::getpid()));
     REQUIRE(std::system(("rm -f " + pipe + "; mkfifo " + pipe).c_str()) == 0);
-    for (const std::string& options : {pipe, "--combine " + pipe + " " + ten, "--claims " + pipe}) {
+    for (const std::string& options : {pipe, "--combine " + pipe + " " + ten_path, "--claims " + pipe}) {
         const Run r = run(options, "timeout 1000 ");
         INFO(options << r.out << r.err);
         CHECK(r.code == 2);
@@ -102,19 +101,19 @@ TEST_CASE("a named pipe that nobody writes to is refused at once") {
     std::filesystem::remove(pipe);
 }
 
-TEST_CASE("a small stack is enough") { CHECK(run(ten, "ulimit -s 128; ").code == 0); }
+TEST_CASE("a small stack is enough") { CHECK(run(ten_path, "ulimit -s 128; ").code == 0); }
 
 TEST_CASE("a scene that there is not is wrong usage, not a rejection") {
-    const Run r = run("--scene foo " + ten);
+    const Run r = run("--scene foo " + ten_path);
     CHECK(r.code == 2);
     CHECK(r.err == "dumbbell-verify: --scene is dumbbell, hybrid or wedge, not `foo`\n");
 }
 
 TEST_CASE("progress goes to a terminal only, without escape codes, and not with --quiet") {
-    const std::string stairs = shipped("stairs-1-1e6.dbc.gz");
+    const std::string many_stairs = shipped("stairs-1-1e6.dbc.gz");
     const auto on_terminal = [&](const std::string& options) {
-        return run("--version >/dev/null; script -qec '" DUMBBELL_VERIFY_BIN " --jobs 1 " + options + stairs +
-                   "' /dev/null </dev/null");
+        return run("--version >/dev/null; script -qec '" DUMBBELL_VERIFY_BIN " --jobs 1 " + options +
+                   many_stairs + "' /dev/null </dev/null");
     };
     if (std::system("command -v script >/dev/null") == 0) {
         const Run shown = on_terminal(""), quiet = on_terminal("--quiet ");
@@ -123,5 +122,5 @@ TEST_CASE("progress goes to a terminal only, without escape codes, and not with 
         CHECK_FALSE(has(shown.out, "\033"));
         CHECK(quiet.out.starts_with("s VERIFIED "));
     }
-    CHECK(run(stairs).err.empty());
+    CHECK(run(many_stairs).err.empty());
 }

@@ -5,46 +5,43 @@
 
 using make::closed;
 using make::File;
+using make::has;
 using make::Run;
 using make::run;
+using make::ten;
 
 namespace {
 
-const std::string& text_of_ten() {
-    static const std::string text = closed(make::header("10/1", "10/1", 1) + make::piece(10, 10, 4, 0, ""));
-    return text;
-}
 Run run_list(const std::string& rows, const std::string& options = "") {
     const File list(rows);
     return run(options + " --claims " + list.path());
 }
-bool says(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 }  // namespace
 
 TEST_CASE("a list of claims: each row is proved by its file, or it is rejected") {
-    const File file(text_of_ten());
+    const File file(ten());
     const std::string four = file.path() + "\t--ratio 10 --max 4",
                       three = file.path() + "\t--ratio=10 --max=3";
     const Run good = run_list("# certificate\tclaim\n\n" + four + "\n" + four + "\tmade by hand\tyes\n");
     CHECK(good.code == 0);
-    CHECK(says(good.out, "\nc files=2 verified=2 rejected=0 "));
+    CHECK(has(good.out, "\nc files=2 verified=2 rejected=0 "));
     const Run bad = run_list(four + "\n" + three + "\n" + file.path() + "x\t--ratio 10 --exactly 4");
     CHECK(bad.code == 1);
-    CHECK(says(bad.out, " code=claim-not-proved not proved: at most 3 collisions"));
-    CHECK(says(bad.out, "\nc files=3 verified=1 rejected=1 limit=0 unsupported=0 unreadable=1 exit=1\n"));
+    CHECK(has(bad.out, " code=claim-not-proved not proved: at most 3 collisions"));
+    CHECK(has(bad.out, "\nc files=3 verified=1 rejected=1 limit=0 unsupported=0 unreadable=1 exit=1\n"));
     const Run least = run_list(file.path() + "\t--ratio 10 --min 1\n");  // such a claim is one, proved or not
-    CHECK(says(least.out, " code=claim-not-proved not proved: at least 1 collisions"));
+    CHECK(has(least.out, " code=claim-not-proved not proved: at least 1 collisions"));
     CHECK(run_list(four + "\n").out.starts_with(file.path() + "\n  split "));  // one file alone: in full
     CHECK(run_list(file.path() + "\t--scene wedge --ratio 10 --max 4\n").code == 1);
     CHECK(run_list(file.path() + "\t--claim initial-conditions --ratio 10 --max 4\n").code == 1);
     const Run json = run_list(four + "\n" + three + "\n", "--json --jobs 2 --precision 60");
-    CHECK(says(json.out, "\"demand\":{\"ratio\":{\"lo\":\"10/1\",\"hi\":\"10/1\"},\"max\":4,\"min\":null}"));
-    CHECK(says(json.out, "\"demand\":{\"ratio\":{\"lo\":\"10/1\",\"hi\":\"10/1\"},\"max\":3,\"min\":null}"));
+    CHECK(has(json.out, "\"demand\":{\"ratio\":{\"lo\":\"10/1\",\"hi\":\"10/1\"},\"max\":4,\"min\":null}"));
+    CHECK(has(json.out, "\"demand\":{\"ratio\":{\"lo\":\"10/1\",\"hi\":\"10/1\"},\"max\":3,\"min\":null}"));
 }
 
 TEST_CASE("a list of claims: names are those of the working folder") {
-    const File file(text_of_ten());
+    const File file(ten());
     const std::filesystem::path path = file.path();
     const File list(path.filename().string() + "\t--ratio 10 --max 4\n");
     CHECK(run("--claims " + list.path(), "cd " + path.parent_path().string() + " && ").code == 0);
@@ -75,9 +72,9 @@ TEST_CASE("a list of claims: a row that states none, or a list without rows, is 
         const Run r = run_list(rows);
         CHECK(r.code == 2);
         CHECK(r.out.empty());
-        CHECK(says(r.err, message));
+        CHECK(has(r.err, message));
         CHECK(std::count(r.err.begin(), r.err.end(), '\n') == 1);
     }
-    CHECK(says(run_list(std::string((1 << 24) + 1, '#')).err, "at most 16 MiB"));
-    CHECK(says(run_list(std::string(1 << 24, '#')).err, "no claim in this list"));
+    CHECK(has(run_list(std::string((1 << 24) + 1, '#')).err, "at most 16 MiB"));
+    CHECK(has(run_list(std::string(1 << 24, '#')).err, "no claim in this list"));
 }

@@ -27,38 +27,39 @@ bool proves(const std::vector<Piece>& pieces, int lo, int hi, std::optional<std:
     return claim.missing().empty();
 }
 
-const std::vector<Piece> stairs = {{1, 5, 3, 3}, {5, 6, 4, 3}, {6, 9, 4, 4}, {9, 9, 4, 4}, {9, 12, {}, 2}};
+const std::vector<Piece> five_pieces = {
+    {1, 5, 3, 3}, {5, 6, 4, 3}, {6, 9, 4, 4}, {9, 9, 4, 4}, {9, 12, {}, 2}};
 constexpr auto none = std::nullopt;
 
 }  // namespace
 
 TEST_CASE("a demand is met by implication") {
-    CHECK(proves(stairs, 0, 0, none, none));
-    CHECK(proves(stairs, 1, 9, 4, 3));
-    CHECK(proves(stairs, 1, 9, 7, 1));
-    CHECK_FALSE(proves(stairs, 1, 9, 3, none));
-    CHECK_FALSE(proves(stairs, 1, 9, none, 4));
-    CHECK(proves(stairs, 0, 0, none, 2));
-    CHECK_FALSE(proves(stairs, 0, 0, none, 3));
-    CHECK_FALSE(proves(stairs, 0, 0, 1000, none));  // a piece without upper bound
+    CHECK(proves(five_pieces, 0, 0, none, none));
+    CHECK(proves(five_pieces, 1, 9, 4, 3));
+    CHECK(proves(five_pieces, 1, 9, 7, 1));
+    CHECK_FALSE(proves(five_pieces, 1, 9, 3, none));
+    CHECK_FALSE(proves(five_pieces, 1, 9, none, 4));
+    CHECK(proves(five_pieces, 0, 0, none, 2));
+    CHECK_FALSE(proves(five_pieces, 0, 0, none, 3));
+    CHECK_FALSE(proves(five_pieces, 0, 0, 1000, none));  // a piece without upper bound
 }
 
 TEST_CASE("only the pieces that meet the range count, and a shared end point may use either") {
-    CHECK(proves(stairs, 2, 4, 3, 3));
-    CHECK(proves(stairs, 5, 5, 3, 3));
-    CHECK(proves(stairs, 1, 5, 3, 3));
-    CHECK_FALSE(proves(stairs, 1, 6, 3, none));
-    CHECK(proves(stairs, 6, 9, 4, 4));
-    CHECK_FALSE(proves(stairs, 5, 9, none, 4));
-    CHECK(proves(stairs, 6, 6, 4, 4));
-    CHECK(proves(stairs, 9, 9, 4, 4));
-    CHECK_FALSE(proves(stairs, 9, 10, 4, none));
-    CHECK(proves(stairs, 9, 10, none, 2));
+    CHECK(proves(five_pieces, 2, 4, 3, 3));
+    CHECK(proves(five_pieces, 5, 5, 3, 3));
+    CHECK(proves(five_pieces, 1, 5, 3, 3));
+    CHECK_FALSE(proves(five_pieces, 1, 6, 3, none));
+    CHECK(proves(five_pieces, 6, 9, 4, 4));
+    CHECK_FALSE(proves(five_pieces, 5, 9, none, 4));
+    CHECK(proves(five_pieces, 6, 6, 4, 4));
+    CHECK(proves(five_pieces, 9, 9, 4, 4));
+    CHECK_FALSE(proves(five_pieces, 9, 10, 4, none));
+    CHECK(proves(five_pieces, 9, 10, none, 2));
 }
 
 TEST_CASE("ratios that the file does not cover are not proved") {
-    CHECK_FALSE(proves(stairs, 13, 14, none, none));
-    CHECK_FALSE(proves(stairs, 12, 13, none, none));
+    CHECK_FALSE(proves(five_pieces, 13, 14, none, none));
+    CHECK_FALSE(proves(five_pieces, 12, 13, none, none));
     CHECK_FALSE(proves({{3, 4, 3, 3}}, 2, 3, 3, none));
     CHECK(proves({{3, 4, 3, 3}}, 3, 3, 3, none));
 }
@@ -86,7 +87,7 @@ TEST_CASE("gaps and open pieces are told apart") {
     Collisions claim;
     claim.lo = 1;
     claim.hi = 12;
-    for (const Piece& p : stairs) claim.add(p.a, p.b, p.upper, p.lower);
+    for (const Piece& p : five_pieces) claim.add(p.a, p.b, p.upper, p.lower);
     CHECK_FALSE(claim.upper);
     CHECK((claim.lower == 2));
     CHECK(claim.gaps == 1);

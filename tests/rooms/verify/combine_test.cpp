@@ -12,12 +12,11 @@ using make::combined;
 using make::File;
 using make::replaced;
 using make::shard;
+using make::stairs_pieces;
+using make::stairs_to_100;
 using make::whole;
 
 namespace {
-
-const std::string parted = make::shipped("stairs-1-100.dbc");  // 17 pieces
-constexpr std::uint64_t pieces = 17;
 
 /// The lines of all parts of a cut, one each.
 std::string lines(const std::string& path, const std::vector<Pieces>& cut, unsigned precision = 0,
@@ -70,7 +69,9 @@ TEST_CASE("combine: shipped certificates cut at random places get the verdict of
 }
 
 TEST_CASE("combine: a hole is told, wherever it is") {
-    const auto text = [](const std::vector<Pieces>& cut) { return combined(parted, lines(parted, cut)); };
+    const auto text = [](const std::vector<Pieces>& cut) {
+        return combined(stairs_to_100, lines(stairs_to_100, cut));
+    };
     const std::string start = "s REJECTED code=parts ", by = " not verified by any part";
     CHECK(text({}) == start + "pieces 1-17 are" + by);
     CHECK(text({{2, 17}}) == start + "piece 1 is" + by);
@@ -79,18 +80,18 @@ TEST_CASE("combine: a hole is told, wherever it is") {
     CHECK(text({{8, 17}, {1, 4}, {2, 3}, {1, 2}}) == start + "pieces 5-7 are" + by);
     CHECK(text({{1, 4}, {6, 9}, {11, 15}}) == start + "piece 5 is" + by + "; 4 pieces in all");
     CHECK(text({{3, 3}}) == start + "pieces 1-2 are" + by + "; 16 pieces in all");
-    for (std::uint64_t hole = 1; hole <= pieces; ++hole) {
+    for (std::uint64_t hole = 1; hole <= stairs_pieces; ++hole) {
         std::vector<Pieces> cut;
-        for (std::uint64_t i = 1; i <= pieces; ++i)
+        for (std::uint64_t i = 1; i <= stairs_pieces; ++i)
             if (i != hole) cut.push_back({i, i});
         REQUIRE(text(cut) == start + "piece " + std::to_string(hole) + " is" + by);
     }
 }
 
 TEST_CASE("combine: lines of another file are refused, though it has as many pieces of the same ratios") {
-    const std::string text = make::contents(parted);
+    const std::string text = make::contents(stairs_to_100);
     const std::string body = text.substr(0, text.find("total split"));
-    const std::string honest = lines(parted, {{1, 9}, {10, 17}});
+    const std::string honest = lines(stairs_to_100, {{1, 9}, {10, 17}});
     const auto refused = [&](const std::string& other) {
         const File file(other);
         INFO(whole(file.path()));
@@ -99,7 +100,8 @@ TEST_CASE("combine: lines of another file are refused, though it has as many pie
         return result.starts_with("s REJECTED code=parts PARTS:1: about another file, ");
     };
     CHECK_FALSE(refused(text));
-    CHECK(combined(File(make::gzipped(text)).path(), honest) == as_combined(whole(parted)) + " parts=2");
+    CHECK(combined(File(make::gzipped(text)).path(), honest) ==
+          as_combined(whole(stairs_to_100)) + " parts=2");
     CHECK(refused(closed(replaced(body, "generator dumbbell", "generator dumbbel"))));
     CHECK(refused(closed(replaced(body, "count ", "count 1"))));   // a leaf that may be false
     CHECK(refused(closed(replaced(body, "bits 53", "bits 54"))));  // another precision
@@ -109,7 +111,7 @@ TEST_CASE("combine: lines of another file are refused, though it has as many pie
 }
 
 TEST_CASE("combine: an edited file that keeps its old trailer is refused by reading it") {
-    const std::string text = make::contents(parted), honest = lines(parted, {{1, 17}});
+    const std::string text = make::contents(stairs_to_100), honest = lines(stairs_to_100, {{1, 17}});
     for (const auto& [from, to, code] : std::vector<std::tuple<std::string, std::string, std::string>>{
              {"upper 3", "upper 2", ""},
              {"lower 2", "lower 3", ""},
@@ -134,8 +136,9 @@ TEST_CASE("combine: an edited file that keeps its old trailer is refused by read
 }
 
 TEST_CASE("combine: each value of a line must be what the file says of these pieces") {
-    const std::string honest = shard(parted, {1, 9}) + "\n", rest = shard(parted, {10, 17}) + "\n";
-    REQUIRE(combined(parted, honest + rest) == as_combined(whole(parted)) + " parts=2");
+    const std::string honest = shard(stairs_to_100, {1, 9}) + "\n",
+                      rest = shard(stairs_to_100, {10, 17}) + "\n";
+    REQUIRE(combined(stairs_to_100, honest + rest) == as_combined(whole(stairs_to_100)) + " parts=2");
     for (const auto& [from, to] : std::vector<std::pair<std::string, std::string>>{
              {"pieces=1-9", "pieces=1-10"},
              {"pieces=1-9", "pieces=3-9"},
@@ -163,55 +166,57 @@ TEST_CASE("combine: each value of a line must be what the file says of these pie
              {"open=0", "open=0\t"},
          }) {
         const std::string wrong = replaced(honest, from, to);
-        const std::string result = combined(parted, rest + wrong);
+        const std::string result = combined(stairs_to_100, rest + wrong);
         INFO(wrong << result);
         CHECK(result.starts_with("s REJECTED code=parts PARTS:2: "));
-        CHECK(combined(parted, honest + rest + wrong).starts_with("s REJECTED code=parts PARTS:3: "));
+        CHECK(combined(stairs_to_100, honest + rest + wrong).starts_with("s REJECTED code=parts PARTS:3: "));
     }
-    CHECK(combined(parted, replaced(honest, "lower=2", "lower=1")) ==
+    CHECK(combined(stairs_to_100, replaced(honest, "lower=2", "lower=1")) ==
           "s REJECTED code=parts PARTS:1: lower=1, but the file has 2 for pieces 1-9");
-    CHECK(combined(parted, replaced(honest, "pieces=1-9", "pieces=1-18")) ==
+    CHECK(combined(stairs_to_100, replaced(honest, "pieces=1-9", "pieces=1-18")) ==
           "s REJECTED code=parts PARTS:1: pieces 1-18, but the file has only 17");
 }
 
 TEST_CASE("combine: no byte of the lines can be changed or left out") {
-    const std::string honest = lines(parted, {{1, 9}, {10, 17}});
+    const std::string honest = lines(stairs_to_100, {{1, 9}, {10, 17}});
     for (std::size_t i = 0; i < honest.size(); ++i) {
         INFO(i);
         const bool last = i + 1 == honest.size();
-        REQUIRE(combined(parted, std::string(honest).erase(i, 1)).starts_with("s COMBINED ") == last);
+        REQUIRE(combined(stairs_to_100, std::string(honest).erase(i, 1)).starts_with("s COMBINED ") == last);
         for (const char byte : {'0', '1', '9', ' ', '-', '=', 'n', '\n', '\r', '\0', '\xff'}) {
             if (honest[i] == byte) continue;
             std::string changed = honest;
             changed[i] = byte;
-            REQUIRE_FALSE(combined(parted, changed).starts_with("s COMBINED "));
+            REQUIRE_FALSE(combined(stairs_to_100, changed).starts_with("s COMBINED "));
         }
     }
 }
 
 TEST_CASE("combine: a precision that is demanded must have been demanded of each part") {
-    const std::string loose = lines(parted, {{1, 9}}), least = lines(parted, {{1, 9}}, 53),
-                      more = lines(parted, {{10, 17}}, 200);
-    const std::string verdict = as_combined(whole(parted)) + " parts=2";
-    CHECK(combined(parted, loose + more) == verdict);
-    CHECK(combined(parted, least + more, 53) == verdict);
-    CHECK(combined(parted, loose + more, 53) ==
+    const std::string loose = lines(stairs_to_100, {{1, 9}}), least = lines(stairs_to_100, {{1, 9}}, 53),
+                      more = lines(stairs_to_100, {{10, 17}}, 200);
+    const std::string verdict = as_combined(whole(stairs_to_100)) + " parts=2";
+    CHECK(combined(stairs_to_100, loose + more) == verdict);
+    CHECK(combined(stairs_to_100, least + more, 53) == verdict);
+    CHECK(combined(stairs_to_100, loose + more, 53) ==
           "s REJECTED code=parts PARTS:1: pieces 1-9 checked without --precision 53");
-    CHECK(combined(parted, more + least, 54) ==
+    CHECK(combined(stairs_to_100, more + least, 54) ==
           "s REJECTED code=parts PARTS:2: pieces 1-9 checked without --precision 54");
-    CHECK(combined(parted, least + more, 201).starts_with("s REJECTED code=parts PARTS:1: "));
-    CHECK(combined(parted, lines(parted, {{1, 17}}, 60) + loose, 60)
+    CHECK(combined(stairs_to_100, least + more, 201).starts_with("s REJECTED code=parts PARTS:1: "));
+    CHECK(combined(stairs_to_100, lines(stairs_to_100, {{1, 17}}, 60) + loose, 60)
               .starts_with("s REJECTED code=parts PARTS:2: "));
 }
 
 TEST_CASE("combine: lines of another version are unsupported, other lines with a verdict unreadable") {
-    const std::string all = lines(parted, {{1, 17}}), now = "verifier=" + std::string(version);
-    CHECK(combined(parted, all + replaced(all, now, "verifier=9.9")).starts_with("s UNSUPPORTED PARTS:2: "));
-    CHECK(combined(parted, all + whole(parted) + "\n").starts_with("s UNREADABLE PARTS:2: "));
-    CHECK(combined(parted, all + "s REJECTED line=4 code=count\n").starts_with("s UNREADABLE PARTS:2: "));
-    CHECK(combined(parted, replaced(all, "\n", "\r\n")).starts_with("s UNREADABLE PARTS:1: "));
-    CHECK(combined(parted, all + "dumbbell-verify: resource limit\n") ==
-          as_combined(whole(parted)) + " parts=1");
+    const std::string all = lines(stairs_to_100, {{1, 17}}), now = "verifier=" + std::string(version);
+    CHECK(combined(stairs_to_100, all + replaced(all, now, "verifier=9.9"))
+              .starts_with("s UNSUPPORTED PARTS:2: "));
+    CHECK(combined(stairs_to_100, all + whole(stairs_to_100) + "\n").starts_with("s UNREADABLE PARTS:2: "));
+    CHECK(combined(stairs_to_100, all + "s REJECTED line=4 code=count\n")
+              .starts_with("s UNREADABLE PARTS:2: "));
+    CHECK(combined(stairs_to_100, replaced(all, "\n", "\r\n")).starts_with("s UNREADABLE PARTS:1: "));
+    CHECK(combined(stairs_to_100, all + "dumbbell-verify: resource limit\n") ==
+          as_combined(whole(stairs_to_100)) + " parts=1");
 }
 
 TEST_CASE("combine: open pieces stay open, and a claim is judged as of the whole") {

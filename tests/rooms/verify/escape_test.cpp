@@ -8,7 +8,7 @@ using namespace dumbbell_verify;
 
 namespace {
 
-const std::string bad = "\xef\xbf\xbd";  // U+FFFD
+const std::string replacement = "\xef\xbf\xbd";  // U+FFFD
 
 std::string times(std::size_t n, const std::string& text) {
     std::string result;
@@ -36,7 +36,7 @@ TEST_CASE("escape: what moves a terminal's cursor is escaped or replaced, C1 as 
         CAPTURE(control);
         CHECK(one_line("a" + control + "z") == "a?z");
         CHECK(json_string(control).starts_with("\"\\u00"));
-        CHECK(xml_text(control) == bad);
+        CHECK(xml_text(control) == replacement);
     }
 }
 
@@ -46,14 +46,14 @@ TEST_CASE("escape: what is no character of UTF-8 or none of XML is replaced, byt
           "\xed\xbf\xbf", "\xef\xbf\xbe", "\xef\xbf\xbf", "\xf0\x80\x80\x80", "\xf0\x8f\xbf\xbf",
           "\xf4\x90\x80\x80", "\xf5\x80\x80\x80", "\xff", "\xc2", "\xe1\x80", "\xf1\x80\x80"}) {
         CAPTURE(bytes);
-        CHECK(json_string(bytes) == "\"" + times(bytes.size(), bad) + "\"");
-        CHECK(xml_text(bytes) == times(bytes.size(), bad));
+        CHECK(json_string(bytes) == "\"" + times(bytes.size(), replacement) + "\"");
+        CHECK(xml_text(bytes) == times(bytes.size(), replacement));
     }
     // A character that is cut short by another one does not swallow it.
-    CHECK(xml_text("\xc2z") == bad + "z");
-    CHECK(xml_text("\xe1z\x80") == bad + "z" + bad);
-    CHECK(xml_text("\xe1\x80z") == bad + bad + "z");
-    CHECK(xml_text("\xf1\x80\x80z") == bad + bad + bad + "z");
+    CHECK(xml_text("\xc2z") == replacement + "z");
+    CHECK(xml_text("\xe1z\x80") == replacement + "z" + replacement);
+    CHECK(xml_text("\xe1\x80z") == replacement + replacement + "z");
+    CHECK(xml_text("\xf1\x80\x80z") == replacement + replacement + replacement + "z");
 }
 
 TEST_CASE("escape: control characters and marks") {
@@ -61,7 +61,7 @@ TEST_CASE("escape: control characters and marks") {
     CHECK(one_line("\xc2\x9b \xc2\xa0") == "? \xc2\xa0");
     CHECK(json_string("\xc2\x9b \xc2\xa0") == "\"\\u009b \xc2\xa0\"");
     CHECK(json_string("\"\\\n\x1f\x7f /") == "\"\\u0022\\u005c\\u000a\\u001f\\u007f /\"");
-    CHECK(xml_text("<&>\"'\n\t\x7f") == "&lt;&amp;&gt;&quot;'\n" + bad + bad);
+    CHECK(xml_text("<&>\"'\n\t\x7f") == "&lt;&amp;&gt;&quot;'\n" + replacement + replacement);
     CHECK(json_string("") == "\"\"");
     CHECK(xml_text("").empty());
 }

@@ -12,11 +12,12 @@ using make::File;
 using make::hashed;
 using make::mutated;
 using make::replaced;
+using make::ten;
 
 namespace {
 
 /// "verified", or the code of the failure, with its line if `with_line`.
-std::string checked(const std::string& bytes, bool with_line = false) {
+std::string outcome_at_line(const std::string& bytes, bool with_line = false) {
     const File file(bytes);
     try {
         Settings settings;
@@ -27,28 +28,24 @@ std::string checked(const std::string& bytes, bool with_line = false) {
     }
 }
 
-const std::string& ten() {
-    static const std::string text = closed(make::header("10/1", "10/1", 1) + make::piece(10, 10, 4, 0, ""));
-    return text;
-}
-
 }  // namespace
 
 TEST_CASE("the example is verified, plain and compressed") {
-    CHECK(checked(ten()) == "verified");
-    CHECK(checked(make::gzipped(ten())) == "verified");
+    CHECK(outcome_at_line(ten()) == "verified");
+    CHECK(outcome_at_line(make::gzipped(ten())) == "verified");
 }
 
 TEST_CASE("truncation at every byte is refused, plain and compressed") {
     const std::string packed = make::gzipped(ten());
     for (std::size_t n = 0; n < ten().size(); ++n) {
         INFO(n);
-        REQUIRE(checked(ten().substr(0, n)) != "verified");
+        REQUIRE(outcome_at_line(ten().substr(0, n)) != "verified");
     }
-    for (std::size_t n = 0; n < packed.size(); ++n) REQUIRE(checked(packed.substr(0, n)) != "verified");
-    CHECK(checked("") == "truncated");
-    CHECK(checked(ten().substr(0, ten().size() - 1)) == "truncated");
-    CHECK(checked(packed.substr(0, packed.size() - 1)) == "gzip");
+    for (std::size_t n = 0; n < packed.size(); ++n)
+        REQUIRE(outcome_at_line(packed.substr(0, n)) != "verified");
+    CHECK(outcome_at_line("") == "truncated");
+    CHECK(outcome_at_line(ten().substr(0, ten().size() - 1)) == "truncated");
+    CHECK(outcome_at_line(packed.substr(0, packed.size() - 1)) == "gzip");
 }
 
 TEST_CASE("a changed byte is refused, wherever it is") {
@@ -57,7 +54,7 @@ TEST_CASE("a changed byte is refused, wherever it is") {
         text[n] = text[n] == '1' ? '2' : '1';
         if (text == ten()) continue;
         INFO(n);
-        REQUIRE(checked(text) != "verified");
+        REQUIRE(outcome_at_line(text) != "verified");
     }
 }
 
@@ -89,7 +86,7 @@ TEST_CASE("lines mixed up at random, with a correct trailer, end in a verdict an
         }
         std::string body;
         for (const std::string& line : mixed) body += line + "\n";
-        const std::string result = checked(closed(body));
+        const std::string result = outcome_at_line(closed(body));
         INFO(body << result);
         if (result == "verified") {  // a higher bound, or another order of the same leaves
             REQUIRE(body.find("upper 1\n") == std::string::npos);
@@ -101,59 +98,61 @@ TEST_CASE("lines mixed up at random, with a correct trailer, end in a verdict an
 }
 
 TEST_CASE("bytes: printable ASCII and line feeds only") {
-    CHECK(checked(replaced(ten(), "lemmas 1\n", "lemmas 1\r\n")) == "byte");
-    CHECK(checked(replaced(ten(), "lemmas 1", "lemmas\t1")) == "byte");
-    CHECK(checked(replaced(ten(), "lemmas 1",
-                           "lemmas\xc2\xa0"
-                           "1")) == "byte");
-    CHECK(checked(replaced(ten(), "lemmas 1", std::string("lemmas 1\0", 9))) == "byte");
-    CHECK(checked(std::string(1 << 20, '\0')) == "byte");
-    CHECK(checked("\x7f") == "byte");
-    CHECK(checked("\xef\xbb\xbf" + ten()) == "byte");
-    CHECK(checked(ten() + "\n") == "trailing");
-    CHECK(checked(ten() + ten()) == "trailing");
-    CHECK(checked(ten() + std::string(1, '\0')) == "trailing");
+    CHECK(outcome_at_line(replaced(ten(), "lemmas 1\n", "lemmas 1\r\n")) == "byte");
+    CHECK(outcome_at_line(replaced(ten(), "lemmas 1", "lemmas\t1")) == "byte");
+    CHECK(outcome_at_line(replaced(ten(), "lemmas 1",
+                                   "lemmas\xc2\xa0"
+                                   "1")) == "byte");
+    CHECK(outcome_at_line(replaced(ten(), "lemmas 1", std::string("lemmas 1\0", 9))) == "byte");
+    CHECK(outcome_at_line(std::string(1 << 20, '\0')) == "byte");
+    CHECK(outcome_at_line("\x7f") == "byte");
+    CHECK(outcome_at_line("\xef\xbb\xbf" + ten()) == "byte");
+    CHECK(outcome_at_line(ten() + "\n") == "trailing");
+    CHECK(outcome_at_line(ten() + ten()) == "trailing");
+    CHECK(outcome_at_line(ten() + std::string(1, '\0')) == "trailing");
 }
 
 TEST_CASE("lines: one space between fields, none elsewhere, none empty, none long") {
-    CHECK(checked(mutated(ten(), "lemmas 1", "lemmas  1")) == "line");
-    CHECK(checked(mutated(ten(), "lemmas 1", " lemmas 1")) == "line");
-    CHECK(checked(mutated(ten(), "lemmas 1", "lemmas 1 ")) == "line");
-    CHECK(checked(mutated(ten(), "lemmas 1\n", "lemmas 1\n\n")) == "line");
-    CHECK(checked(mutated(ten(), "lemmas 1", "lemmas 1 " + std::string(5000, '1'))) == "line");
-    CHECK(checked(std::string(100'000, 'x')) == "line");
+    CHECK(outcome_at_line(mutated(ten(), "lemmas 1", "lemmas  1")) == "line");
+    CHECK(outcome_at_line(mutated(ten(), "lemmas 1", " lemmas 1")) == "line");
+    CHECK(outcome_at_line(mutated(ten(), "lemmas 1", "lemmas 1 ")) == "line");
+    CHECK(outcome_at_line(mutated(ten(), "lemmas 1\n", "lemmas 1\n\n")) == "line");
+    CHECK(outcome_at_line(mutated(ten(), "lemmas 1", "lemmas 1 " + std::string(5000, '1'))) == "line");
+    CHECK(outcome_at_line(std::string(100'000, 'x')) == "line");
 }
 
 TEST_CASE("gzip: one member and nothing after it") {
     const std::string packed = make::gzipped(ten());
-    CHECK(checked(packed + "x") == "gzip");
-    CHECK(checked(packed + std::string(10, '\0')) == "gzip");
-    CHECK(checked(packed + packed) == "gzip");
-    CHECK(checked(packed + make::gzipped("")) == "gzip");
-    CHECK(checked(make::gzipped(packed)) == "byte");
-    CHECK(checked(make::gzipped(ten() + "\n")) == "trailing");
+    CHECK(outcome_at_line(packed + "x") == "gzip");
+    CHECK(outcome_at_line(packed + std::string(10, '\0')) == "gzip");
+    CHECK(outcome_at_line(packed + packed) == "gzip");
+    CHECK(outcome_at_line(packed + make::gzipped("")) == "gzip");
+    CHECK(outcome_at_line(make::gzipped(packed)) == "byte");
+    CHECK(outcome_at_line(make::gzipped(ten() + "\n")) == "trailing");
     std::string damaged = packed;
     damaged[damaged.size() - 6] = static_cast<char>(damaged[damaged.size() - 6] ^ 1);  // the CRC
-    CHECK(checked(damaged) == "gzip");
-    CHECK(checked("\x1f\x8b") == "gzip");
-    CHECK(checked("\x1f") == "byte");
+    CHECK(outcome_at_line(damaged) == "gzip");
+    CHECK(outcome_at_line("\x1f\x8b") == "gzip");
+    CHECK(outcome_at_line("\x1f") == "byte");
 }
 
 TEST_CASE("what this program does not know is unsupported, what is misspelled is rejected") {
-    CHECK(checked(mutated(ten(), "certificate 1", "certificate 2"), true) == "unsupported 1");
-    CHECK(checked(mutated(ten(), "certificate 1", "certificate 01"), true) == "number 1");
-    CHECK(checked(mutated(ten(), "certificate 1", "certificate one"), true) == "number 1");
-    CHECK(checked(mutated(ten(), "dumbbell-certificate", "Dumbbell-certificate"), true) == "syntax 1");
-    CHECK(checked(mutated(ten(), "lemmas 1", "lemmas 2"), true) == "unsupported 3");
-    CHECK(checked(mutated(ten(), "scene dumbbell", "scene torus"), true) == "unsupported 4");
-    CHECK(checked(mutated(ten(), "scene dumbbell", "scene Dumbbell"), true) == "word 4");
-    CHECK(checked(mutated(ten(), "section turning", "section heavy"), true) == "unsupported 5");
-    CHECK(checked(mutated(ten(), "claim collisions", "claim heavy"), true) == "unsupported 6");
-    CHECK(checked(mutated(ten(), "claim collisions", "claim 7"), true) == "word 6");
-    CHECK(checked(mutated(ten(), "generator test", "generator Test"), true) == "word 2");
-    CHECK(checked(mutated(ten(), "generator test", "generator " + std::string(33, 'a')), true) == "word 2");
-    CHECK(checked(mutated(ten(), "generator test 1.0", "generator test"), true) == "syntax 2");
-    CHECK(checked(mutated(ten(), "lemmas 1\nscene dumbbell\n", "scene dumbbell\nlemmas 1\n"), true) ==
+    CHECK(outcome_at_line(mutated(ten(), "certificate 1", "certificate 2"), true) == "unsupported 1");
+    CHECK(outcome_at_line(mutated(ten(), "certificate 1", "certificate 01"), true) == "number 1");
+    CHECK(outcome_at_line(mutated(ten(), "certificate 1", "certificate one"), true) == "number 1");
+    CHECK(outcome_at_line(mutated(ten(), "dumbbell-certificate", "Dumbbell-certificate"), true) ==
+          "syntax 1");
+    CHECK(outcome_at_line(mutated(ten(), "lemmas 1", "lemmas 2"), true) == "unsupported 3");
+    CHECK(outcome_at_line(mutated(ten(), "scene dumbbell", "scene torus"), true) == "unsupported 4");
+    CHECK(outcome_at_line(mutated(ten(), "scene dumbbell", "scene Dumbbell"), true) == "word 4");
+    CHECK(outcome_at_line(mutated(ten(), "section turning", "section heavy"), true) == "unsupported 5");
+    CHECK(outcome_at_line(mutated(ten(), "claim collisions", "claim heavy"), true) == "unsupported 6");
+    CHECK(outcome_at_line(mutated(ten(), "claim collisions", "claim 7"), true) == "word 6");
+    CHECK(outcome_at_line(mutated(ten(), "generator test", "generator Test"), true) == "word 2");
+    CHECK(outcome_at_line(mutated(ten(), "generator test", "generator " + std::string(33, 'a')), true) ==
+          "word 2");
+    CHECK(outcome_at_line(mutated(ten(), "generator test 1.0", "generator test"), true) == "syntax 2");
+    CHECK(outcome_at_line(mutated(ten(), "lemmas 1\nscene dumbbell\n", "scene dumbbell\nlemmas 1\n"), true) ==
           "syntax 3");
 }
 
@@ -161,25 +160,25 @@ TEST_CASE("ratios have one spelling, and 1 <= LO <= HI") {
     for (const char* bad : {"10", "10/", "/1", "010/1", "10/01", "20/2", "10/0", "0/1", "-10/1", "10/1/1",
                             "1e1/1", "10.0/1", "+10/1"}) {
         INFO(bad);
-        CHECK(checked(mutated(ten(), "ratio 10/1 10/1", std::string("ratio ") + bad + " 10/1"), true) ==
-              "number 7");
+        CHECK(outcome_at_line(mutated(ten(), "ratio 10/1 10/1", std::string("ratio ") + bad + " 10/1"),
+                              true) == "number 7");
     }
-    CHECK(checked(mutated(ten(), "ratio 10/1 10/1", "ratio 1/2 10/1"), true) == "number 7");
-    CHECK(checked(mutated(ten(), "ratio 10/1 10/1", "ratio 11/1 10/1"), true) == "number 7");
-    CHECK(checked(mutated(ten(), "ratio 10/1 10/1", "ratio " + std::string(2101, '9') + "/1 10/1"), true) ==
-          "number 7");
-    CHECK(checked(mutated(ten(), "ratio 10/1 10/1", "ratio 10/1"), true) == "syntax 7");
+    CHECK(outcome_at_line(mutated(ten(), "ratio 10/1 10/1", "ratio 1/2 10/1"), true) == "number 7");
+    CHECK(outcome_at_line(mutated(ten(), "ratio 10/1 10/1", "ratio 11/1 10/1"), true) == "number 7");
+    CHECK(outcome_at_line(mutated(ten(), "ratio 10/1 10/1", "ratio " + std::string(2101, '9') + "/1 10/1"),
+                          true) == "number 7");
+    CHECK(outcome_at_line(mutated(ten(), "ratio 10/1 10/1", "ratio 10/1"), true) == "syntax 7");
 }
 
 TEST_CASE("numbers have one spelling, counts at most 2100 digits and others 18") {
     for (const std::string& bad :
          std::vector<std::string>{"01", "-1", "+1", "1.0", "x", "0x1", "1" + std::string(2100, '0')}) {
         INFO(bad);
-        CHECK(checked(mutated(ten(), "upper 4", "upper " + bad), true) == "number 11");
+        CHECK(outcome_at_line(mutated(ten(), "upper 4", "upper " + bad), true) == "number 11");
     }
-    CHECK(checked(mutated(ten(), "pieces 1", "pieces 0"), true) == "number 8");
-    CHECK(checked(mutated(ten(), "pieces 1", "pieces 1000000000000000000"), true) == "number 8");
-    CHECK(checked(mutated(ten(), "pieces 1", "pieces 2")) == "syntax");
+    CHECK(outcome_at_line(mutated(ten(), "pieces 1", "pieces 0"), true) == "number 8");
+    CHECK(outcome_at_line(mutated(ten(), "pieces 1", "pieces 1000000000000000000"), true) == "number 8");
+    CHECK(outcome_at_line(mutated(ten(), "pieces 1", "pieces 2")) == "syntax");
 }
 
 TEST_CASE("the pieces form a chain from LO to HI") {
@@ -188,49 +187,53 @@ TEST_CASE("the pieces form a chain from LO to HI") {
         const std::string rest = "\nbits 53\nupper none\nlower 0\n";
         return closed(make::header(lo, hi, 2) + "piece " + p1 + rest + "piece " + p2 + rest);
     };
-    CHECK(checked(file("2/1", "4/1", "2/1 3/1", "3/1 4/1")) == "verified");
-    CHECK(checked(file("2/1", "4/1", "2/1 2/1", "2/1 4/1")) == "verified");
-    CHECK(checked(file("2/1", "4/1", "2/1 3/1", "7/2 4/1")) == "chain");
-    CHECK(checked(file("2/1", "4/1", "2/1 3/1", "5/2 4/1")) == "chain");
-    CHECK(checked(file("2/1", "4/1", "5/2 3/1", "3/1 4/1")) == "chain");
-    CHECK(checked(file("2/1", "4/1", "2/1 3/1", "3/1 7/2")) == "chain");
-    CHECK(checked(file("2/1", "4/1", "2/1 5/1", "5/1 4/1")) == "chain");
+    CHECK(outcome_at_line(file("2/1", "4/1", "2/1 3/1", "3/1 4/1")) == "verified");
+    CHECK(outcome_at_line(file("2/1", "4/1", "2/1 2/1", "2/1 4/1")) == "verified");
+    CHECK(outcome_at_line(file("2/1", "4/1", "2/1 3/1", "7/2 4/1")) == "chain");
+    CHECK(outcome_at_line(file("2/1", "4/1", "2/1 3/1", "5/2 4/1")) == "chain");
+    CHECK(outcome_at_line(file("2/1", "4/1", "5/2 3/1", "3/1 4/1")) == "chain");
+    CHECK(outcome_at_line(file("2/1", "4/1", "2/1 3/1", "3/1 7/2")) == "chain");
+    CHECK(outcome_at_line(file("2/1", "4/1", "2/1 5/1", "5/1 4/1")) == "chain");
 }
 
 TEST_CASE("a piece has bits, an upper bound or none, a cover, a lower bound not above it") {
-    CHECK(checked(mutated(ten(), "bits 53", "bits 52")) == "number");
-    CHECK(checked(mutated(ten(), "bits 53", "bits 4097")) == "number");
-    CHECK(checked(mutated(ten(), "bits 53", "bits 2049")) == "limit");
-    CHECK(checked(mutated(ten(), "bits 53", "bits 200")) == "verified");
-    CHECK(checked(mutated(ten(), "bits 53\n", "")) == "syntax");
-    CHECK(checked(mutated(ten(), "upper 4", "upper some")) == "number");
-    CHECK(checked(mutated(ten(), "upper 4", "upper none")) == "syntax");  // a cover where none may be
-    CHECK(checked(mutated(ten(), "lower 0", "lower 5")) == "number");
-    CHECK(checked(mutated(ten(), "lower 0", "lower 1")) == "syntax");  // no witness
-    CHECK(checked(mutated(ten(), "lower 0\n", "lower 0\nwitness bridge 1b-1 1b-1 0 0\n")) == "syntax");
-    CHECK(checked(mutated(ten(), "chart bridge", "chart light")) == "syntax");
-    CHECK(checked(mutated(ten(), "chart light\ncount 1 2\n", "")) == "syntax");
-    CHECK(checked(mutated(ten(), "chart bridge\ncount 1 2\n", "")) == "syntax");
-    CHECK(checked(mutated(ten(), "chart light", "chart light light")) == "syntax");
+    CHECK(outcome_at_line(mutated(ten(), "bits 53", "bits 52")) == "number");
+    CHECK(outcome_at_line(mutated(ten(), "bits 53", "bits 4097")) == "number");
+    CHECK(outcome_at_line(mutated(ten(), "bits 53", "bits 2049")) == "limit");
+    CHECK(outcome_at_line(mutated(ten(), "bits 53", "bits 200")) == "verified");
+    CHECK(outcome_at_line(mutated(ten(), "bits 53\n", "")) == "syntax");
+    CHECK(outcome_at_line(mutated(ten(), "upper 4", "upper some")) == "number");
+    CHECK(outcome_at_line(mutated(ten(), "upper 4", "upper none")) == "syntax");  // a cover where none may be
+    CHECK(outcome_at_line(mutated(ten(), "lower 0", "lower 5")) == "number");
+    CHECK(outcome_at_line(mutated(ten(), "lower 0", "lower 1")) == "syntax");  // no witness
+    CHECK(outcome_at_line(mutated(ten(), "lower 0\n", "lower 0\nwitness bridge 1b-1 1b-1 0 0\n")) ==
+          "syntax");
+    CHECK(outcome_at_line(mutated(ten(), "chart bridge", "chart light")) == "syntax");
+    CHECK(outcome_at_line(mutated(ten(), "chart light\ncount 1 2\n", "")) == "syntax");
+    CHECK(outcome_at_line(mutated(ten(), "chart bridge\ncount 1 2\n", "")) == "syntax");
+    CHECK(outcome_at_line(mutated(ten(), "chart light", "chart light light")) == "syntax");
 }
 
 TEST_CASE("tree lines: known opcodes of the chart, axes of the chart, all hints, whole trees") {
-    CHECK(checked(mutated(ten(), "count 1 2", "meets")) == "opcode");
-    CHECK(checked(mutated(ten(), "count 1 2", "meets-reversed")) == "opcode");
-    CHECK(checked(mutated(ten(), "count 1 2", "equal-masses")) == "opcode");
-    CHECK(checked(mutated(ten(), "count 1 2", "witness 1 2")) == "opcode");
-    CHECK(checked(mutated(ten(), "count 1 2", "trust me")) == "opcode");
-    CHECK(checked(mutated(ten(), "count 1 2", "count 1")) == "syntax");
-    CHECK(checked(mutated(ten(), "count 1 2", "count 1 2 3")) == "syntax");
-    CHECK(checked(mutated(ten(), "count 1 2", "count 1 -2")) == "number");
-    CHECK(checked(mutated(ten(), "count 1 2", "split lambda\ncount 1 2\ncount 1 2")) == "syntax");
-    CHECK(checked(mutated(ten(), "chart light\n", "chart light\nsplit eta\ncount 1 2\n")) == "syntax");
-    CHECK(checked(mutated(ten(), "count 1 2", "split e e\ncount 1 2\ncount 1 2")) == "syntax");
-    CHECK(checked(mutated(ten(), "count 1 2", "split\ncount 1 2\ncount 1 2")) == "syntax");
-    CHECK(checked(mutated(ten(), "count 1 2", "split e\ncount 1 2\ncount 1 2")) == "verified");
-    CHECK(checked(mutated(ten(), "count 1 2", "split q\ncount 1 2\ncount 1 2")) == "split");  // of width 0
-    CHECK(checked(mutated(ten(), "count 1 2", "split e\ncount 1 2")) == "opcode");  // a leaf is missing
-    CHECK(checked(mutated(ten(), "count 1 2", "count 1 2\ncount 1 2")) == "syntax");
+    CHECK(outcome_at_line(mutated(ten(), "count 1 2", "meets")) == "opcode");
+    CHECK(outcome_at_line(mutated(ten(), "count 1 2", "meets-reversed")) == "opcode");
+    CHECK(outcome_at_line(mutated(ten(), "count 1 2", "equal-masses")) == "opcode");
+    CHECK(outcome_at_line(mutated(ten(), "count 1 2", "witness 1 2")) == "opcode");
+    CHECK(outcome_at_line(mutated(ten(), "count 1 2", "trust me")) == "opcode");
+    CHECK(outcome_at_line(mutated(ten(), "count 1 2", "count 1")) == "syntax");
+    CHECK(outcome_at_line(mutated(ten(), "count 1 2", "count 1 2 3")) == "syntax");
+    CHECK(outcome_at_line(mutated(ten(), "count 1 2", "count 1 -2")) == "number");
+    CHECK(outcome_at_line(mutated(ten(), "count 1 2", "split lambda\ncount 1 2\ncount 1 2")) == "syntax");
+    CHECK(outcome_at_line(mutated(ten(), "chart light\n", "chart light\nsplit eta\ncount 1 2\n")) ==
+          "syntax");
+    CHECK(outcome_at_line(mutated(ten(), "count 1 2", "split e e\ncount 1 2\ncount 1 2")) == "syntax");
+    CHECK(outcome_at_line(mutated(ten(), "count 1 2", "split\ncount 1 2\ncount 1 2")) == "syntax");
+    CHECK(outcome_at_line(mutated(ten(), "count 1 2", "split e\ncount 1 2\ncount 1 2")) == "verified");
+    CHECK(outcome_at_line(mutated(ten(), "count 1 2", "split q\ncount 1 2\ncount 1 2")) ==
+          "split");  // of width 0
+    CHECK(outcome_at_line(mutated(ten(), "count 1 2", "split e\ncount 1 2")) ==
+          "opcode");  // a leaf is missing
+    CHECK(outcome_at_line(mutated(ten(), "count 1 2", "count 1 2\ncount 1 2")) == "syntax");
 }
 
 TEST_CASE("400 splits of one axis may lie above a node, 401 not") {
@@ -241,54 +244,56 @@ TEST_CASE("400 splits of one axis may lie above a node, 401 not") {
         for (int i = 0; i < n; ++i) tree += "\ncount 1 2";
         return mutated(ten(), "count 1 2", tree);
     };
-    CHECK(checked(chain(400)) == "verified");
-    CHECK(checked(chain(401)) == "depth");
+    CHECK(outcome_at_line(chain(400)) == "verified");
+    CHECK(outcome_at_line(chain(401)) == "depth");
     std::string all;
     for (int i = 0; i < 400; ++i) all += "split e\nsplit eta\n";
     std::string leaves = "count 1 2";
     for (int i = 0; i < 800; ++i) leaves += "\ncount 1 2";
-    CHECK(checked(mutated(ten(), "count 1 2", all + leaves)) == "verified");
+    CHECK(outcome_at_line(mutated(ten(), "count 1 2", all + leaves)) == "verified");
     std::string endless;
     for (int i = 0; i < 1'000'000; ++i) endless += "split e\n";
-    CHECK(checked(make::header("10/1", "10/1", 1) + "piece 10/1 10/1\nbits 53\nupper 4\nchart bridge\n" +
-                  endless) == "depth");
+    CHECK(outcome_at_line(make::header("10/1", "10/1", 1) +
+                          "piece 10/1 10/1\nbits 53\nupper 4\nchart bridge\n" + endless) == "depth");
 }
 
 TEST_CASE("dyadics have one spelling") {
     const std::string text = mutated(ten(), "lower 0\n", "lower 1\nwitness bridge 1b-1 1b-1 0 0\n");
-    CHECK(checked(text) == "verified");
+    CHECK(outcome_at_line(text) == "verified");
     for (const char* bad :
          {"2b-2", "1b-01", "01b-1", "1b-0", "1", "b1", "1b", "-1b-1", "1b--1", "1b+1", "1b4097", "1b-4097",
           "1b9999", "1b-9999", "1b-00001", "1b1b1", "0b1", "0b-1", "0.5"}) {
         INFO(bad);
-        CHECK(checked(mutated(text, "1b-1 1b-1", std::string(bad) + " 1b-1")) == "number");
+        CHECK(outcome_at_line(mutated(text, "1b-1 1b-1", std::string(bad) + " 1b-1")) == "number");
     }
-    CHECK(checked(mutated(text, "1b-1 1b-1", "1b-1 " + std::string(1251, '1') + "b-4096")) == "number");
-    CHECK(checked(mutated(text, "1b-1 1b-1", "1b-1 " + std::string(1250, '1') + "b-4096")) ==
+    CHECK(outcome_at_line(mutated(text, "1b-1 1b-1", "1b-1 " + std::string(1251, '1') + "b-4096")) ==
+          "number");
+    CHECK(outcome_at_line(mutated(text, "1b-1 1b-1", "1b-1 " + std::string(1250, '1') + "b-4096")) ==
           "witness");  // eta > q
-    CHECK(checked(mutated(text, "1b-1 1b-1", "1b-1 1b4096")) == "witness");
+    CHECK(outcome_at_line(mutated(text, "1b-1 1b-1", "1b-1 1b4096")) == "witness");
     const std::string longest = mpz_class((mpz_class(1) << 4095) + 1).get_str() + "b-4096";  // besides 1/2
-    CHECK(checked(mutated(text, "1b-1 1b-1", longest + " " + longest)) == "verified");
+    CHECK(outcome_at_line(mutated(text, "1b-1 1b-1", longest + " " + longest)) == "verified");
     const std::string tiny = mutated(text, "1b-1 1b-1", "1b-1 1b-4096");
-    CHECK(checked(tiny) == "witness");  // eta > 0 is beyond doubles
-    CHECK(checked(mutated(tiny, "bits 53", "bits 64")) == "verified");
-    CHECK(checked(mutated(text, "witness bridge", "witness light")) == "syntax");
-    CHECK(checked(mutated(text, "witness bridge 1b-1 1b-1 0 0", "witness bridge 1b-1 1b-1 0")) == "syntax");
+    CHECK(outcome_at_line(tiny) == "witness");  // eta > 0 is beyond doubles
+    CHECK(outcome_at_line(mutated(tiny, "bits 53", "bits 64")) == "verified");
+    CHECK(outcome_at_line(mutated(text, "witness bridge", "witness light")) == "syntax");
+    CHECK(outcome_at_line(mutated(text, "witness bridge 1b-1 1b-1 0 0", "witness bridge 1b-1 1b-1 0")) ==
+          "syntax");
 }
 
 TEST_CASE("totals and SHA-256 must be there and right") {
     const std::string body = ten().substr(0, ten().find("total split"));
-    CHECK(checked(body) == "truncated");
-    CHECK(checked(hashed(body)) == "syntax");
-    CHECK(checked(hashed(body + replaced(make::totals(body), "count 2", "count 3"))) == "total");
-    CHECK(checked(hashed(body + replaced(make::totals(body), "count 2", "count 02"))) == "number");
-    CHECK(checked(hashed(body + replaced(make::totals(body), "total outside 0\n", ""))) == "total");
-    CHECK(checked(hashed(body + replaced(make::totals(body), "outside", "inside"))) == "total");
-    CHECK(checked(body + make::totals(body) + "sha256 " + std::string(64, '0') + "\n") == "sha256");
+    CHECK(outcome_at_line(body) == "truncated");
+    CHECK(outcome_at_line(hashed(body)) == "syntax");
+    CHECK(outcome_at_line(hashed(body + replaced(make::totals(body), "count 2", "count 3"))) == "total");
+    CHECK(outcome_at_line(hashed(body + replaced(make::totals(body), "count 2", "count 02"))) == "number");
+    CHECK(outcome_at_line(hashed(body + replaced(make::totals(body), "total outside 0\n", ""))) == "total");
+    CHECK(outcome_at_line(hashed(body + replaced(make::totals(body), "outside", "inside"))) == "total");
+    CHECK(outcome_at_line(body + make::totals(body) + "sha256 " + std::string(64, '0') + "\n") == "sha256");
     std::string capital = ten();
     for (std::size_t i = capital.size() - 65; i < capital.size(); ++i)
         if (capital[i] >= 'a') capital[i] = static_cast<char>(capital[i] - 32);
-    CHECK(checked(capital) == "sha256");
+    CHECK(outcome_at_line(capital) == "sha256");
 }
 
 TEST_CASE("the first failing line of the file is reported, whatever the threads do") {

@@ -18,7 +18,7 @@ std::string leaving(const std::string& tree, const std::string& bounds = "betwee
     return closed_initial(initial_header("2/1 3/1", "0/1 1/1", "1/2 1/1", "1/1 2/1", "1/1 2/1") + bounds +
                           "\n" + tree);
 }
-std::string mutant(const std::string& from, const std::string& to) {
+std::string initial_mutant(const std::string& from, const std::string& to) {
     return outcome(mutated_initial(falling(), from, to));
 }
 
@@ -43,7 +43,7 @@ TEST_CASE("unknown words make a file about initial conditions unsupported") {
                                    {"scene dumbbell", "scene hybrid"},
                                    {"dumbbell-certificate 1", "dumbbell-certificate 2"}}) {
         INFO(to);
-        CHECK(mutant(from, to) == "unsupported");
+        CHECK(initial_mutant(from, to) == "unsupported");
     }
 }
 
@@ -51,19 +51,19 @@ TEST_CASE("each value has one spelling") {
     for (const char* value : {"-0/1", "0/2", "+1/1", "--1/1", "-2/2", "-1", "-1/0", "-1/01", "1/-1", "-1.0",
                               "-1b0", "-01/1", "-/1", "-1/"}) {
         INFO(value);
-        CHECK(mutant("phi -1/1", std::string("phi ") + value) == "number");
+        CHECK(initial_mutant("phi -1/1", std::string("phi ") + value) == "number");
     }
-    CHECK(mutant("ratio 10/1 10/1", "ratio -10/1 10/1") == "number");
-    CHECK(mutant("ratio 10/1 10/1", "ratio 1/2 10/1") == "number");
-    CHECK(mutant("ratio 10/1 10/1", "ratio 11/1 10/1") == "number");
-    CHECK(mutant("phi -1/1 1/1", "phi 1/1 -1/1") == "number");
-    CHECK(mutant("phi -1/1 1/1", "phi -1/1") == "syntax");
-    CHECK(mutant("phi -1/1 1/1", "psi -1/1 1/1") == "syntax");
-    CHECK(mutant("phi -1/1 1/1", "phi -4/1 4/1") == "number");
-    CHECK(mutant("bits 53", "bits 52") == "number");
-    CHECK(mutant("bits 53", "bits 4097") == "number");
-    CHECK(mutant("bits 53", "bits 2049") == "limit");
-    CHECK(mutant("bits 53", "bits 300") == "verified");
+    CHECK(initial_mutant("ratio 10/1 10/1", "ratio -10/1 10/1") == "number");
+    CHECK(initial_mutant("ratio 10/1 10/1", "ratio 1/2 10/1") == "number");
+    CHECK(initial_mutant("ratio 10/1 10/1", "ratio 11/1 10/1") == "number");
+    CHECK(initial_mutant("phi -1/1 1/1", "phi 1/1 -1/1") == "number");
+    CHECK(initial_mutant("phi -1/1 1/1", "phi -1/1") == "syntax");
+    CHECK(initial_mutant("phi -1/1 1/1", "psi -1/1 1/1") == "syntax");
+    CHECK(initial_mutant("phi -1/1 1/1", "phi -4/1 4/1") == "number");
+    CHECK(initial_mutant("bits 53", "bits 52") == "number");
+    CHECK(initial_mutant("bits 53", "bits 4097") == "number");
+    CHECK(initial_mutant("bits 53", "bits 2049") == "limit");
+    CHECK(initial_mutant("bits 53", "bits 300") == "verified");
 }
 
 TEST_CASE("each line has one spelling, and a place") {
@@ -93,14 +93,14 @@ TEST_CASE("each line has one spelling, and a place") {
                                      {"split ratio", "syntax"},
                                      {"total split 0", "opcode"}}) {
         INFO(line);
-        CHECK(mutant("exactly 1 heavy 91b-6 373b-8", line) == code);
+        CHECK(initial_mutant("exactly 1 heavy 91b-6 373b-8", line) == code);
     }
 }
 
 TEST_CASE("only axes of positive width are halved, at most 400 times each") {
     for (const char* axis : {"phidot", "y", "ydot", "q"}) {
         const std::string halved = "exactly 1 heavy 91b-6 373b-8\n";
-        CHECK(mutant(halved, "split " + std::string(axis) + "\n" + halved + halved) == "split");
+        CHECK(initial_mutant(halved, "split " + std::string(axis) + "\n" + halved + halved) == "split");
     }
     const auto chain = [](int depth) {
         std::string tree;
@@ -121,9 +121,9 @@ TEST_CASE("only axes of positive width are halved, at most 400 times each") {
 TEST_CASE("bounds and totals are those of the leaves") {
     for (const char* bounds :
          {"between 0 5", "between 1 4", "between 1 6", "between 2 5", "between 1 none", "between 0 none"})
-        CHECK(mutant("between 1 5\n", std::string(bounds) + "\n") == "between");
-    CHECK(mutant("between 1 5\n", "between 1\n") == "syntax");
-    CHECK(mutant("between 1 5\n", "between none 5\n") == "number");
+        CHECK(initial_mutant("between 1 5\n", std::string(bounds) + "\n") == "between");
+    CHECK(initial_mutant("between 1 5\n", "between 1\n") == "syntax");
+    CHECK(initial_mutant("between 1 5\n", "between none 5\n") == "number");
     CHECK(outcome(leaving("open\n", "between 0 0")) == "between");
     CHECK(outcome(leaving("open\n", "between 1 none")) == "between");
     for (const char* total : {"total split 1", "total exactly ", "total between ", "total open "}) {
@@ -141,12 +141,12 @@ TEST_CASE("bounds and totals are those of the leaves") {
 }
 
 TEST_CASE("boxes at rest or in the floor are refused") {
-    CHECK(mutant("ydot -1/1 -1/1", "ydot -1/1 0/1") != "verified");
+    CHECK(initial_mutant("ydot -1/1 -1/1", "ydot -1/1 0/1") != "verified");
     CHECK(outcome(mutated_initial(mutated_initial(falling(), "phidot 1/100 1/100", "phidot 0/1 1/100"),
                                   "ydot -1/1 -1/1", "ydot -1/1 0/1")) == "rest");
-    CHECK(mutant("y 3/2 3/2", "y 1/2 3/2") == "floor");  // the light mass, at phi = -1
-    CHECK(mutant("y 3/2 3/2", "y 1/100 1/100") == "floor");
-    CHECK(mutant("y 3/2 3/2", "y -3/2 3/2") == "floor");
+    CHECK(initial_mutant("y 3/2 3/2", "y 1/2 3/2") == "floor");  // the light mass, at phi = -1
+    CHECK(initial_mutant("y 3/2 3/2", "y 1/100 1/100") == "floor");
+    CHECK(initial_mutant("y 3/2 3/2", "y -3/2 3/2") == "floor");
     const auto upright = [](const std::string& y) {  // the heavy mass is lowest, at height y - sin(phi)/11
         return closed_initial(initial_header("10/1 10/1", "1/1 2/1", "1/2 1/1", y + " 2/1", "1/1 2/1") +
                               "between 0 0\nexactly 0\n");

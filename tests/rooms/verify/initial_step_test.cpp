@@ -10,34 +10,34 @@ using namespace dumbbell_verify;
 
 namespace {
 
-using Real = long double;
-using I = Interval<double>;
-constexpr Real pi_real = 3.14159265358979323846264338327950288L;
+using LongDouble = long double;
+using Doubles = Interval<double>;
+constexpr LongDouble pi_long = 3.14159265358979323846264338327950288L;
 
-std::mt19937_64& engine() {
+std::mt19937_64& step_engine() {
     static std::mt19937_64 random(2024);
     return random;
 }
-double uniform(double lo, double hi) { return std::uniform_real_distribution<>(lo, hi)(engine()); }
-I around(double lo, double width) { return {lo, lo + width}; }
+double step_uniform(double lo, double hi) { return std::uniform_real_distribution<>(lo, hi)(step_engine()); }
+Doubles around(double lo, double width) { return {lo, lo + width}; }
 /// A number of X, often an end.
-double in(const I& x) {
-    return engine()() % 3 == 0 ? x.lo : engine()() % 2 == 0 ? x.hi : uniform(x.lo, x.hi);
+double in(const Doubles& x) {
+    return step_engine()() % 3 == 0 ? x.lo : step_engine()() % 2 == 0 ? x.hi : step_uniform(x.lo, x.hi);
 }
-bool holds(const I& x, Real value) {
-    const Real tolerance = 1e-13L * (1 + std::abs(value));
+bool step_holds(const Doubles& x, LongDouble value) {
+    const LongDouble tolerance = 1e-13L * (1 + std::abs(value));
     return x.lo - tolerance <= value && value <= x.hi + tolerance;
 }
 
 /// (1) of L0 at a wall of slope t.
-std::pair<Real, Real> reflected(Real spin, Real climb, Real t, Real r) {
-    const Real rate = climb - t * spin, factor = 2 * rate / (t * t + r);
+std::pair<LongDouble, LongDouble> reflected(LongDouble spin, LongDouble climb, LongDouble t, LongDouble r) {
+    const LongDouble rate = climb - t * spin, factor = 2 * rate / (t * t + r);
     return {spin + factor * t, climb - factor * r};
 }
 /// The least root of sin x = c + k x in (0, pi], or none; c > 0.
-std::optional<Real> contact(Real c, Real k) {
-    const auto gap = [&](Real x) { return std::sin(x) - c - k * x; };
-    Real lo = 0, hi = k >= 1 ? 0 : k <= -1 ? pi_real : std::acos(k);  // the gap is greatest at hi
+std::optional<LongDouble> contact(LongDouble c, LongDouble k) {
+    const auto gap = [&](LongDouble x) { return std::sin(x) - c - k * x; };
+    LongDouble lo = 0, hi = k >= 1 ? 0 : k <= -1 ? pi_long : std::acos(k);  // the gap is greatest at hi
     if (gap(hi) < 0) return std::nullopt;
     for (int j = 0; j < 80; ++j) ((gap((lo + hi) / 2) < 0) ? lo : hi) = (lo + hi) / 2;
     return lo;
@@ -48,12 +48,15 @@ std::optional<Real> contact(Real c, Real k) {
 TEST_CASE("initial conditions: the enclosure of the first contact's angle holds, for either mass") {
     int found[2] = {0, 0}, narrow = 0;
     for (int i = 0; i < 15'000; ++i) {
-        const double size = std::exp2(uniform(-20, -3));
+        const double size = std::exp2(step_uniform(-20, -3));
         const auto rational = [](double x) { return mpq_class(x); };
         // One wide side or all of them.
-        const std::size_t wide = engine()() % 6;
-        const auto width = [&](std::size_t k) { return wide == 5 || wide == k ? size * uniform(0, 1) : 0; };
-        const std::array lo{uniform(-4, 4), uniform(-2, 2), uniform(1, 2), -uniform(0.1, 2), uniform(1, 12)};
+        const std::size_t wide = step_engine()() % 6;
+        const auto width = [&](std::size_t k) {
+            return wide == 5 || wide == k ? size * step_uniform(0, 1) : 0;
+        };
+        const std::array lo{step_uniform(-4, 4), step_uniform(-2, 2), step_uniform(1, 2),
+                            -step_uniform(0.1, 2), step_uniform(1, 12)};
         InitialBox box;
         std::array<double, 5> hi{};
         for (std::size_t k = 0; k < 5; ++k) {
@@ -62,11 +65,11 @@ TEST_CASE("initial conditions: the enclosure of the first contact's angle holds,
             box.hi.at(k) = rational(hi.at(k));
         }
         const Flight<double> flight(box);
-        const bool heavy = engine()() % 2 == 0;
+        const bool heavy = step_engine()() % 2 == 0;
         struct Start {
-            Real phi, w, h, v, r;
-            [[nodiscard]] Real clearance(bool heavy, Real t) const {
-                const Real sine = std::sin(phi + w * t);
+            LongDouble phi, w, h, v, r;
+            [[nodiscard]] LongDouble clearance(bool heavy, LongDouble t) const {
+                const LongDouble sine = std::sin(phi + w * t);
                 return h + v * t + (heavy ? -r * sine : sine);
             }
         };
@@ -74,16 +77,16 @@ TEST_CASE("initial conditions: the enclosure of the first contact's angle holds,
             return Start{in(flight.phi), in(flight.w), in(flight.h), in(flight.v), in(flight.r)};
         };
         // A zero of the clearance, and a window around it in which all states have one.
-        const auto zero = [&](const Start& s, Real from, Real until) {
+        const auto zero = [&](const Start& s, LongDouble from, LongDouble until) {
             for (int j = 0; j < 90; ++j)
                 (s.clearance(heavy, (from + until) / 2) > 0 ? from : until) = (from + until) / 2;
             return from;
         };
         const Start guide = start();
-        const Real near = zero(guide, 0, (guide.h + 2) / -guide.v);
-        const I window(static_cast<double>(near - 30 * size), static_cast<double>(near + 30 * size));
-        if (!(window.lo > 0 && flight.clearance(heavy, I(window.lo)).lo > 0 &&
-              flight.clearance(heavy, I(window.hi)).hi < 0 && flight.rate_over(heavy, window).hi < 0))
+        const LongDouble near = zero(guide, 0, (guide.h + 2) / -guide.v);
+        const Doubles window(static_cast<double>(near - 30 * size), static_cast<double>(near + 30 * size));
+        if (!(window.lo > 0 && flight.clearance(heavy, Doubles(window.lo)).lo > 0 &&
+              flight.clearance(heavy, Doubles(window.hi)).hi < 0 && flight.rate_over(heavy, window).hi < 0))
             continue;
         const auto angle = flight.contact_angle(heavy, window);
         REQUIRE(angle);
@@ -91,9 +94,9 @@ TEST_CASE("initial conditions: the enclosure of the first contact's angle holds,
         narrow += angle->hi - angle->lo < 10 * size;
         for (int j = 0; j < 8; ++j) {
             const Start s = start();
-            const Real phi = s.phi + s.w * zero(s, window.lo, window.hi);
+            const LongDouble phi = s.phi + s.w * zero(s, window.lo, window.hi);
             INFO("box " << i << ", wide side " << wide << ", heavy " << heavy);
-            REQUIRE(holds(*angle, phi));
+            REQUIRE(step_holds(*angle, phi));
         }
     }
     CHECK(found[0] > 1000);
@@ -104,43 +107,44 @@ TEST_CASE("initial conditions: the enclosure of the first contact's angle holds,
 TEST_CASE("initial conditions: steps off the bridge and off a light wall hold for every ray of the box") {
     int bridge[2] = {0, 0}, light = 0, last = 0, far = 0, dives = 0;
     for (int i = 0; i < 40'000; ++i) {
-        const double size = std::exp2(uniform(-16, -3));
-        const I r = around(1 / uniform(1.05, 40), 0);
-        const I ratio(r.lo, std::min(1.0, r.lo * (1 + size * uniform(0, 1))));
+        const double size = std::exp2(step_uniform(-16, -3));
+        const Doubles r = around(1 / step_uniform(1.05, 40), 0);
+        const Doubles ratio(r.lo, std::min(1.0, r.lo * (1 + size * step_uniform(0, 1))));
         Departures<double> departures(ratio, nullptr);
-        const bool low = engine()() % 2 == 0;  // heights that meet the bridge, and such that do not
-        const I height = around(low ? r.lo * uniform(0.01, 1) : uniform(0.01, 1.2), r.lo * size);
-        const I slope = around(low ? r.lo * uniform(-2, 1) : uniform(-0.3, 0.6), r.lo * size);
-        const bool from_light = engine()() % 4 != 0;  // else from the bridge: a light wall is ahead
+        const bool low = step_engine()() % 2 == 0;  // heights that meet the bridge, and such that do not
+        const Doubles height =
+            around(low ? r.lo * step_uniform(0.01, 1) : step_uniform(0.01, 1.2), r.lo * size);
+        const Doubles slope = around(low ? r.lo * step_uniform(-2, 1) : step_uniform(-0.3, 0.6), r.lo * size);
+        const bool from_light = step_engine()() % 4 != 0;  // else from the bridge: a light wall is ahead
         const bool passes = !from_light || departures.passes_bridge({true, height, slope});
         bool leaves = false;
         const auto next = passes ? departures.off_light_wall({from_light, height, slope}, leaves)
                                  : departures.off_bridge({true, height, slope});
         if (!next && !leaves) continue;
         for (int j = 0; j < 6; ++j) {
-            const Real a = in(height), k = in(slope), q = in(ratio);
+            const LongDouble a = in(height), k = in(slope), q = in(ratio);
             INFO("height " << a << " slope " << k << " r " << q);
             const auto x = !from_light ? contact(a, k)
-                           : passes    ? contact(a + k * pi_real, k)
+                           : passes    ? contact(a + k * pi_long, k)
                                        : contact(a / q, k / q);
             REQUIRE(x);
-            const Real wall = passes ? std::cos(*x) : q * std::cos(*x);
+            const LongDouble wall = passes ? std::cos(*x) : q * std::cos(*x);
             const auto [spin, climb] = reflected(1, k, wall, q);
             if (passes && from_light)  // nothing of the bridge on the way
                 for (int n = 1; n < 40; ++n)
-                    REQUIRE(a + k * pi_real * n / 40 > q * std::sin(pi_real * n / 40));
+                    REQUIRE(a + k * pi_long * n / 40 > q * std::sin(pi_long * n / 40));
             if (leaves) {
                 ++last;
                 REQUIRE(spin >= -1e-15L);
                 continue;
             }
-            const Real run = !passes && spin > 0 ? pi_real - *x : *x;
+            const LongDouble run = !passes && spin > 0 ? pi_long - *x : *x;
             if (passes) REQUIRE(spin < 0);
-            far += !passes && *x > pi_real / 2;
+            far += !passes && *x > pi_long / 2;
             dives += passes && k < -q;
             REQUIRE(next->light == passes);
-            REQUIRE(holds(next->slope, climb / std::abs(spin)));
-            REQUIRE(holds(next->height, (passes ? 1 : q) * std::sin(*x) + climb / std::abs(spin) * run));
+            REQUIRE(step_holds(next->slope, climb / std::abs(spin)));
+            REQUIRE(step_holds(next->height, (passes ? 1 : q) * std::sin(*x) + climb / std::abs(spin) * run));
             ++(passes ? light : bridge[spin > 0]);
         }
     }
@@ -155,40 +159,40 @@ TEST_CASE("initial conditions: steps off the bridge and off a light wall hold fo
 TEST_CASE("initial conditions: the rays after the first reflection hold for every state and angle") {
     int found[2][2][2] = {}, outward = 0, steep = 0;  // mass, falling, turning forwards
     for (int i = 0; i < 60'000; ++i) {
-        const double size = std::exp2(uniform(-20, -3));
-        const std::array lo{0.0, uniform(-2, 2), 1.0, uniform(-2, 1), uniform(1, 12)};
+        const double size = std::exp2(step_uniform(-20, -3));
+        const std::array lo{0.0, step_uniform(-2, 2), 1.0, step_uniform(-2, 1), step_uniform(1, 12)};
         InitialBox box;
-        const std::size_t wide = engine()() % 5;
+        const std::size_t wide = step_engine()() % 5;
         for (std::size_t k = 0; k < 5; ++k) {
             box.lo.at(k) = mpq_class(lo.at(k));
             box.hi.at(k) =
                 mpq_class(lo.at(k) + ((k == 1 || k == 3 || k == 4) && (wide == k || wide == 0) ? size : 0));
         }
         const Flight<double> flight(box);
-        const bool heavy = engine()() % 2 == 0;
-        const I angle = around(uniform(-7, 7), wide <= 1 ? size : 0);
+        const bool heavy = step_engine()() % 2 == 0;
+        const Doubles angle = around(step_uniform(-7, 7), wide <= 1 ? size : 0);
         FirstReflection<double> reflection(flight, nullptr);
         bool none = false;
         const auto ray = reflection.behind_first(heavy, angle, none);
         if (!ray && !none) continue;
         for (int j = 0; j < 8; ++j) {
-            const Real phi = in(angle), w = in(flight.w), v = in(flight.v), r = in(flight.r);
-            const Real c = std::cos(phi), height = heavy ? r * std::sin(phi) : -std::sin(phi);
+            const LongDouble phi = in(angle), w = in(flight.w), v = in(flight.v), r = in(flight.r);
+            const LongDouble c = std::cos(phi), height = heavy ? r * std::sin(phi) : -std::sin(phi);
             if (height <= 0 || v + (heavy ? -r : 1) * w * c >= 0) break;  // no contact of this mass
             const auto [spin, climb] = reflected(w, v, heavy ? r * c : -c, r);
             INFO("phi " << phi << " w " << w << " v " << v << " r " << r << " heavy " << heavy);
             if (none) {
                 const bool is_steep = climb >= std::abs(spin) * (1 - 1e-15L);
-                const Real peak = (std::floor(phi / pi_real) + 0.5L) * pi_real;
+                const LongDouble peak = (std::floor(phi / pi_long) + 0.5L) * pi_long;
                 REQUIRE((is_steep || (!heavy && (spin > 0) == (phi < peak))));
                 ++(is_steep ? steep : outward);
                 continue;
             }
-            const Real corner = (std::floor(phi / pi_real) + (spin > 0 ? 1 : 0)) * pi_real;
-            const Real slope = climb / std::abs(spin);
+            const LongDouble corner = (std::floor(phi / pi_long) + (spin > 0 ? 1 : 0)) * pi_long;
+            const LongDouble slope = climb / std::abs(spin);
             REQUIRE(ray->light == !heavy);
-            REQUIRE(holds(ray->slope, slope));
-            REQUIRE(holds(ray->height, height + slope * std::abs(corner - phi)));
+            REQUIRE(step_holds(ray->slope, slope));
+            REQUIRE(step_holds(ray->height, height + slope * std::abs(corner - phi)));
             ++found[heavy][flight.v.hi < 0][w > 0];
         }
     }
@@ -203,19 +207,20 @@ TEST_CASE("initial conditions: the rays after the first reflection hold for ever
 }
 
 TEST_CASE("initial conditions: the number of later collisions must hold for every ray of a box") {
-    const I r(0.1);
-    const auto certified = [&](bool light, const I& height, const I& slope, int least, int most) {
+    const Doubles r(0.1);
+    const auto certified = [&](bool light, const Doubles& height, const Doubles& slope, int least, int most) {
         return Departures<double>(r, nullptr).certify({light, height, slope}, least, most);
     };
-    CHECK(certified(true, I(0.5), I(1, 2), 0, 0));  // steep
-    CHECK_FALSE(certified(true, I(0.5), I(0.05, 2), 0, 0));
-    CHECK_FALSE(certified(false, I(0.1), I(0.05, 2), 0, 0));
-    CHECK(certified(false, I(0.1), I(0.05), 1, 1));  // from the bridge to the light wall, and away
-    CHECK_FALSE(certified(false, I(0.1), I(0.05), 0, 0));
-    CHECK_FALSE(certified(false, I(0.1), I(0.05), 2, 2));
-    CHECK(certified(false, I(2), I(-0.05, 3), 0, 0));  // over everything
-    CHECK_FALSE(certified(false, I(0.1, 2), I(0.05), 0, 0));
-    CHECK_FALSE(certified(false, I(0.1, 2), I(0.05), 1, 1));
+    CHECK(certified(true, Doubles(0.5), Doubles(1, 2), 0, 0));  // steep
+    CHECK_FALSE(certified(true, Doubles(0.5), Doubles(0.05, 2), 0, 0));
+    CHECK_FALSE(certified(false, Doubles(0.1), Doubles(0.05, 2), 0, 0));
+    CHECK(
+        certified(false, Doubles(0.1), Doubles(0.05), 1, 1));  // from the bridge to the light wall, and away
+    CHECK_FALSE(certified(false, Doubles(0.1), Doubles(0.05), 0, 0));
+    CHECK_FALSE(certified(false, Doubles(0.1), Doubles(0.05), 2, 2));
+    CHECK(certified(false, Doubles(2), Doubles(-0.05, 3), 0, 0));  // over everything
+    CHECK_FALSE(certified(false, Doubles(0.1, 2), Doubles(0.05), 0, 0));
+    CHECK_FALSE(certified(false, Doubles(0.1, 2), Doubles(0.05), 1, 1));
 }
 
 TEST_CASE("initial conditions: a second dip of a mass is not its first contact") {
@@ -224,10 +229,11 @@ TEST_CASE("initial conditions: a second dip of a mass is not its first contact")
     box.lo = box.hi = {0, 10, mpq_class(9, 10), mpq_class(-1, 1000), 10};
     const Flight<double> flight(box);
     const auto crossing = [&](double from, double until) {
-        return flight.clearance(false, I(from)).lo > 0 && flight.clearance(false, I(until)).hi < 0 &&
-               flight.rate_over(false, I(from, until)).hi < 0;
+        return flight.clearance(false, Doubles(from)).lo > 0 &&
+               flight.clearance(false, Doubles(until)).hi < 0 &&
+               flight.rate_over(false, Doubles(from, until)).hi < 0;
     };
-    const double turn = 0.2 * static_cast<double>(pi_real);
+    const double turn = 0.2 * static_cast<double>(pi_long);
     REQUIRE(crossing(0.40, 0.47));
     REQUIRE(crossing(0.40 + turn, 0.47 + turn));
     CHECK(flight.is_closed(false, 0.47));

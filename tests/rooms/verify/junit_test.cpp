@@ -4,22 +4,16 @@
 #include "programs/cli/process.hpp"
 #include "run_program.hpp"
 
-using dumbbell_test::contents;
 using dumbbell_test::TemporaryFolder;
 using dumbbell_test::write_file;
 using make::closed;
+using make::has;
 using make::mutated;
 using make::Run;
+using make::ten;
 namespace fs = std::filesystem;
 
 namespace {
-
-const std::string& ten() {
-    static const std::string text = closed(make::header("10/1", "10/1", 1) + make::piece(10, 10, 4, 0, ""));
-    return text;
-}
-
-bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 /// A folder with certificates, in which the verifier runs.
 struct Folder : TemporaryFolder {
@@ -31,7 +25,7 @@ struct Folder : TemporaryFolder {
     [[nodiscard]] Run run(const std::string& arguments, const std::string& before = "") const {
         return make::run(arguments, "cd " + path() + " && " + before);
     }
-    [[nodiscard]] std::string report() const { return contents(*this / "report.xml"); }
+    [[nodiscard]] std::string report() const { return dumbbell_test::contents(*this / "report.xml"); }
     /// Against tests/data/junit.xsd; where xmllint is not installed the text alone is compared.
     [[nodiscard]] bool valid() const {
         if (std::system("command -v xmllint >/dev/null") != 0) return true;
@@ -111,7 +105,7 @@ TEST_CASE("the JUnit report appears complete or not at all, and replaces nothing
     const Folder folder;
     const auto before = folder.names();
     CHECK(folder.run("--junit ten.dbc bad.dbc").code == 2);  // --junit *.dbc destroys no certificate
-    CHECK(contents(folder / "ten.dbc") == ten());
+    CHECK(dumbbell_test::contents(folder / "ten.dbc") == ten());
     fs::create_directory(folder / "report.xml");
     CHECK(folder.run("--junit report.xml ten.dbc").code == 2);
     fs::remove(folder / "report.xml");
@@ -124,7 +118,7 @@ TEST_CASE("the JUnit report appears complete or not at all, and replaces nothing
     fs::create_symlink("ten.dbc", folder / "soft.xml");
     for (const std::string name : {"hard.xml", "soft.xml", "./soft.xml"})
         CHECK(has(folder.run("--junit " + name + " ten.dbc").err, "which is read"));
-    CHECK(contents(folder / "ten.dbc") == ten());
+    CHECK(dumbbell_test::contents(folder / "ten.dbc") == ten());
     fs::remove(folder / "hard.xml");
     fs::remove(folder / "soft.xml");
     fs::create_symlink("/dev/stdout", folder / "stdout.xml");

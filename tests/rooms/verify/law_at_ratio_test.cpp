@@ -12,7 +12,7 @@ using make::run;
 
 namespace {
 
-const std::string shipped = DUMBBELL_PROJECT "/certificates/law.dbc.gz";
+const std::string shipped_law = DUMBBELL_PROJECT "/certificates/law.dbc.gz";
 const std::string law_digest = "c8361defeeb8f783f0c6425923f034b14b7137fc741849bead77f30c9c9ae46e";
 
 std::string by_law(const std::string& ratio, const std::string& upper, const std::string& lower,
@@ -22,21 +22,21 @@ std::string by_law(const std::string& ratio, const std::string& upper, const std
         "claim collisions-by-law\nratio " +
         ratio + "\nlaw " + law + "\nupper " + upper + "\nlower " + lower + "\n");
 }
-std::string mutant(const std::string& from, const std::string& to) {
+std::string by_law_mutant(const std::string& from, const std::string& to) {
     const std::string text = make::replaced(by_law("10/1", "4", "4"), from, to);
     return make::hashed(text.substr(0, text.find("sha256")));
 }
 
 /// The shipped file is verified once for all tests.
 Settings with_law() {
-    static const auto law = std::make_shared<LawFile>(shipped);
+    static const auto law = std::make_shared<LawFile>(shipped_law);
     Settings settings;
     settings.law = law;
     return settings;
 }
-std::string outcome(const std::string& text) { return make::outcome(text, with_law()); }
+std::string outcome_with_law(const std::string& text) { return make::outcome(text, with_law()); }
 std::string says(const std::string& ratio, const std::string& upper, const std::string& lower) {
-    return outcome(by_law(ratio, upper, lower));
+    return outcome_with_law(by_law(ratio, upper, lower));
 }
 std::string ten_to(std::size_t power) { return "1" + std::string(power, '0'); }
 
@@ -139,11 +139,11 @@ TEST_CASE("by law: what is verified at a ratio, and what is not") {
               {"lower 4\n", "lower 4\nlower 4\n", "syntax"},
               {"upper 4\nlower 4\n", "lower 4\nupper 4\n", "syntax"}}) {
             INFO(from << " -> " << to);
-            CHECK(outcome(mutant(from, to)) == code);
+            CHECK(outcome_with_law(by_law_mutant(from, to)) == code);
         }
-        CHECK(outcome(by_law("10/1", "4", "4") + "x\n") == "trailing");
-        CHECK(outcome(make::replaced(by_law("10/1", "4", "4"), "test 1.0", "test 1.1")) == "sha256");
-        CHECK(outcome(by_law("10/1", "4", "4").substr(0, 100)) == "truncated");
+        CHECK(outcome_with_law(by_law("10/1", "4", "4") + "x\n") == "trailing");
+        CHECK(outcome_with_law(make::replaced(by_law("10/1", "4", "4"), "test 1.0", "test 1.1")) == "sha256");
+        CHECK(outcome_with_law(by_law("10/1", "4", "4").substr(0, 100)) == "truncated");
     }
     SECTION("nothing is verified without the file that it names, verified itself") {
         const std::string text = by_law("10/1", "4", "4");
@@ -161,7 +161,7 @@ TEST_CASE("by law: what is verified at a ratio, and what is not") {
             return {Verdict::verified, ""};
         };
         CHECK(with("/nowhere/law.dbc", law_digest).first == Verdict::unreadable);
-        CHECK(with(shipped, std::string(64, '0')).first == Verdict::unreadable);
+        CHECK(with(shipped_law, std::string(64, '0')).first == Verdict::unreadable);
         CHECK(with(DUMBBELL_PROJECT "/certificates/q-10.dbc", law_digest).first == Verdict::unreadable);
         const make::File itself(text);
         CHECK(with(itself.path(), law_digest).first == Verdict::unreadable);
@@ -177,7 +177,8 @@ TEST_CASE("by law: what is verified at a ratio, and what is not") {
 }
 
 TEST_CASE("by law: verdict, exit code, JSON and demands, as a script sees them") {
-    const std::string text = by_law(ten_to(100) + "/1", at_1e100, at_1e100), law = "--law " + shipped + " ";
+    const std::string text = by_law(ten_to(100) + "/1", at_1e100, at_1e100),
+                      law = "--law " + shipped_law + " ";
     const make::File file(text), open(by_law("627/10", "9", "8")), wrong(by_law("10/1", "5", "5"));
     const make::Run verified = run(law + "--ratio 1e100 --exactly " + at_1e100 + " " + file.path());
     CHECK(verified.code == 0);

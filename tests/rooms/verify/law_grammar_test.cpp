@@ -12,7 +12,9 @@ using make::outcome;
 
 namespace {
 
-std::string mutant(const std::string& from, const std::string& to) { return outcome(mutated_law(from, to)); }
+std::string law_mutant(const std::string& from, const std::string& to) {
+    return outcome(mutated_law(from, to));
+}
 
 }  // namespace
 
@@ -33,26 +35,26 @@ TEST_CASE("law: words and numbers of its first lines have one spelling") {
                                          {"equal-masses\n", "equal-masses 1\n", "syntax"},
                                          {"lower 3\nwitness bridge", "lower 3\nwitness light", "syntax"}}) {
         INFO(from << " -> " << to);
-        CHECK(mutant(from, to) == code);
+        CHECK(law_mutant(from, to) == code);
     }
     for (const char* step : {"step 4 1/1 8/7", "step 3 8/7 1/1", "step 3 8/7 8/7", "step 3 1/2 8/7",
                              "step 3 2/2 8/7", "step 3 1/1 1/1"}) {
         INFO(step);
-        CHECK(mutant(law_line("step 3 "), step) == "number");
+        CHECK(law_mutant(law_line("step 3 "), step) == "number");
     }
 }
 
 TEST_CASE("law: a step that is false, or where the law would not hold, is refused") {
     // The cover is one at A, the witness one at B: not beyond q_c(4) = 4.6..., not before it.
-    CHECK(mutant(law_line("step 4 "), "step 4 19/4 24/5") == "count");
-    CHECK(mutant(law_line("step 4 "), "step 4 32/7 459/100") == "witness");
-    CHECK(mutant(law_line("step 4 "), "step 4 23/5 24/5") == "verified");
-    CHECK(mutant(law_line("step 3 "), "step 3 101/100 8/7") == "equal-masses");
+    CHECK(law_mutant(law_line("step 4 "), "step 4 19/4 24/5") == "count");
+    CHECK(law_mutant(law_line("step 4 "), "step 4 32/7 459/100") == "witness");
+    CHECK(law_mutant(law_line("step 4 "), "step 4 23/5 24/5") == "verified");
+    CHECK(law_mutant(law_line("step 3 "), "step 3 101/100 8/7") == "equal-masses");
     // True, but too far from q_c(N): C sqrt A - (N - 2), C sqrt B - (N - 2).
-    CHECK(mutant(law_line("step 4 "), "step 4 4/1 24/5") == "step");
-    CHECK(mutant(law_line("step 4 "), "step 4 32/7 53/10") == "step");
-    CHECK(mutant(law_line("step 9 "), "step 9 62/1 63/1") == "step");
-    CHECK(mutant(law_line("step 9 "), "step 9 313/5 64/1") == "step");
+    CHECK(law_mutant(law_line("step 4 "), "step 4 4/1 24/5") == "step");
+    CHECK(law_mutant(law_line("step 4 "), "step 4 32/7 53/10") == "step");
+    CHECK(law_mutant(law_line("step 9 "), "step 9 62/1 63/1") == "step");
+    CHECK(law_mutant(law_line("step 9 "), "step 9 313/5 64/1") == "step");
     const dumbbell_verify::StepPlaces<double> places;
     const auto check = [&](std::uint64_t n, const mpq_class& a, const mpq_class& b) {
         const char* missing = places.check(n, a, b);
@@ -80,13 +82,13 @@ TEST_CASE("law: a cover that does not close, or is not one, is refused") {
                                          {"cover layer\nsplit U", "cover layer\ndirect", "direct"},
                                          {"cover layer\nsplit U", "cover layer\nbeyond", "beyond"}}) {
         INFO(from << " -> " << to);
-        CHECK(mutant(from, to) == code);
+        CHECK(law_mutant(from, to) == code);
     }
     for (const auto& [from, to, code] : {std::tuple{"bulk 4000 2000 4000", "bulk 4000 2000 100001", "number"},
                                          {"bulk 4000 2000 4000", "bulk 4000 2000 400", "bulk"},
                                          {"cover end 1500", "cover end 20", "end"}}) {
         INFO(from << " -> " << to);
-        CHECK(mutant(from, to) == code);
+        CHECK(law_mutant(from, to) == code);
     }
     CHECK(outcome(law_file()) == "verified");
     CHECK(outcome(make::hashed(make::replaced(law_file().substr(0, law_file().find("sha256")),

@@ -10,37 +10,38 @@
 
 using namespace dumbbell_verify;
 using law_truth::enclosure;
-using law_truth::Real;
 
 namespace {
 
-std::mt19937_64 engine(20261122);
-double uniform(double lo, double hi) {
-    return lo + (hi - lo) * (static_cast<double>(engine() >> 11) * 0x1p-53);
+std::mt19937_64 law_engine(20261122);
+double law_uniform(double lo, double hi) {
+    return lo + (hi - lo) * (static_cast<double>(law_engine() >> 11) * 0x1p-53);
 }
 /// Of any size between the two, each as likely.
-double any_size(double lo, double hi) { return lo * std::pow(hi / lo, uniform(0, 1)); }
+double any_size(double lo, double hi) { return lo * std::pow(hi / lo, law_uniform(0, 1)); }
 
 const char* const gamma_fact = "0 <= (1 - D/D0(T))/U";
 const char* const drift_fact = "a/(2 ehat^2)";
 
 /// A true step of the layer, J at `share` of its window pi/2 + [-5.3 eps^2/u^3, eps^2/4], times `window`.
 struct LayerTruth {
-    Real gamma, drift, eps, offset;  ///< offset: (Q - pi/2)/(rho^2 U)
-    LayerTruth(double U_, double rho_, double share, const Real& factor = 1, double window = 1) {
-        const Real U = U_, d = U * Real(rho_);
-        Real Q = law_truth::pi() / 2;
+    law_truth::Real gamma, drift, eps, offset;  ///< offset: (Q - pi/2)/(rho^2 U)
+    LayerTruth(double U_, double rho_, double share, const law_truth::Real& factor = 1, double window = 1) {
+        const law_truth::Real U = U_, d = U * law_truth::Real(rho_);
+        law_truth::Real Q = law_truth::pi() / 2;
         for (int i = 0; i < 60; ++i) {
             const law_truth::Step step(U, d, acos(Q / (law_truth::pi() - U)));
-            const Real lo = -Real("5.3") * step.eps * step.eps / pow(step.u, 3), hi = step.eps * step.eps / 4;
-            Q += law_truth::pi() / 2 + Real(window) * (lo + (hi - lo) * Real(share)) - step.J;
+            const law_truth::Real lo = -law_truth::Real("5.3") * step.eps * step.eps / pow(step.u, 3),
+                                  hi = step.eps * step.eps / 4;
+            Q += law_truth::pi() / 2 + law_truth::Real(window) * (lo + (hi - lo) * law_truth::Real(share)) -
+                 step.J;
         }
         const law_truth::Step step(U, d, acos(Q / (law_truth::pi() - U)));
         eps = step.eps;
-        offset = (Q - law_truth::pi() / 2) / (U * Real(rho_) * Real(rho_));
-        const Real T = law_truth::clock(step.u, step.J) / (2 * eps),
-                   after = law_truth::clock(step.u_last, step.J_last) / (2 * eps);
-        const Real D0 = factor * law_truth::k0() * sqrt(eps) * pow(sqrt(T) - sqrt(T - 1), 3);
+        offset = (Q - law_truth::pi() / 2) / (U * law_truth::Real(rho_) * law_truth::Real(rho_));
+        const law_truth::Real T = law_truth::clock(step.u, step.J) / (2 * eps),
+                              after = law_truth::clock(step.u_last, step.J_last) / (2 * eps);
+        const law_truth::Real D0 = factor * law_truth::k0() * sqrt(eps) * pow(sqrt(T) - sqrt(T - 1), 3);
         gamma = (1 - (T - 1 - after) / D0) / U;
         drift = (step.J - step.J_last) * pow(U, 4) / (2 * d * eps * eps);
     }
@@ -52,35 +53,38 @@ LawLeaf layer_leaf(LawLeaf::Rule rule, double U, double rho, double width_U, dou
     leaf.rule = rule;
     const double point[] = {U, rho}, width[] = {width_U, width_rho}, most[] = {0.9, 0.2};
     for (std::size_t i = 0; i < 2; ++i) {
-        const double lo = std::max(0.0, point[i] - uniform(0, width[i]));
+        const double lo = std::max(0.0, point[i] - law_uniform(0, width[i]));
         leaf.box.lo.at(i) = mpq_class(lo);
         leaf.box.hi.at(i) = mpq_class(std::max(point[i], std::min(most[i], lo + width[i])));
     }
     return leaf;
 }
-bool holds(const std::pair<double, double>& x, const Real& truth) {
+bool holds_truth(const std::pair<double, double>& x, const law_truth::Real& truth) {
     return x.first <= truth && truth <= x.second;
 }
 
 }  // namespace
 
 TEST_CASE("law: the constants hold their values in 80 digits") {
-    const Real C = law_truth::clock_by_angle(0, law_truth::pi() / 2);
-    const Real zeta = [] {  // -6 zeta(-1/2), the sum of (sqrt n - sqrt(n - 1))^3 with its tail expanded
-        Real sum = 0;
-        const int m = 2000;
-        for (int n = 1; n <= m; ++n) sum += pow(sqrt(Real(n)) - sqrt(Real(n - 1)), 3);
-        return sum + 1 / (4 * sqrt(Real(m)));
-    }();
+    const law_truth::Real C = law_truth::clock_by_angle(0, law_truth::pi() / 2);
+    const law_truth::Real zeta =
+        [] {  // -6 zeta(-1/2), the sum of (sqrt n - sqrt(n - 1))^3 with its tail expanded
+            law_truth::Real sum = 0;
+            const int m = 2000;
+            for (int n = 1; n <= m; ++n)
+                sum += pow(sqrt(law_truth::Real(n)) - sqrt(law_truth::Real(n - 1)), 3);
+            return sum + 1 / (4 * sqrt(law_truth::Real(m)));
+        }();
     const auto growth = growth_constant<double>(), comparison = comparison_constant<double>(),
                law = law_constant<double>();
-    CHECK(holds({growth.lo, growth.hi}, C));
+    CHECK(holds_truth({growth.lo, growth.hi}, C));
     CHECK(growth.hi - growth.lo < 1e-8);
-    CHECK(holds({comparison.lo, comparison.hi}, law_truth::k0()));
+    CHECK(holds_truth({comparison.lo, comparison.hi}, law_truth::k0()));
     CHECK(comparison.hi - comparison.lo < 1e-15);
-    CHECK(abs(2 * zeta * law_truth::k0() - (Real(law.lo) + law.hi) / 2) < 1e-6);
-    CHECK(holds({law.lo, law.hi},
-                Real("0.205811589549495595339706567101714310178594490106668633635505702167267532808815")));
+    CHECK(abs(2 * zeta * law_truth::k0() - (law_truth::Real(law.lo) + law.hi) / 2) < 1e-6);
+    CHECK(holds_truth(
+        {law.lo, law.hi},
+        law_truth::Real("0.205811589549495595339706567101714310178594490106668633635505702167267532808815")));
     CHECK(law.hi - law.lo < 1e-9);
     CHECK(check_law_constant(53, false) == nullptr);
     CHECK(check_law_constant(120, true) == nullptr);
@@ -91,9 +95,9 @@ TEST_CASE("law: the constants hold their values in 80 digits") {
 TEST_CASE("law: a box of the layer holds the defect and the drift of its steps") {
     int passed = 0;
     for (int i = 0; i < 400; ++i) {
-        const double U = i % 4 == 0 ? any_size(1e-6, 0.9) : uniform(0.01, 0.9);
+        const double U = i % 4 == 0 ? any_size(1e-6, 0.9) : law_uniform(0.01, 0.9);
         const double rho = any_size(1e-5, std::min(0.2, 2e-3 / (U * U)));
-        const LayerTruth truth(U, rho, uniform(0, 1));
+        const LayerTruth truth(U, rho, law_uniform(0, 1));
         if (truth.eps > 1e-3) continue;
         for (const auto rule : {LawLeaf::slope, LawLeaf::direct}) {
             LawLeaf leaf = layer_leaf(rule, U, rho, any_size(1e-9, rule == LawLeaf::direct ? U / 50 : 0.02),
@@ -105,9 +109,9 @@ TEST_CASE("law: a box of the layer holds the defect and the drift of its steps")
             INFO("U " << U << " rho " << rho << " gamma " << truth.gamma << " drift " << truth.drift << "\n"
                       << log);
             REQUIRE(gamma.first <= gamma.second);
-            REQUIRE(holds(gamma, truth.gamma));
+            REQUIRE(holds_truth(gamma, truth.gamma));
             if (const auto drift = enclosure(log, drift_fact); drift.first <= drift.second)
-                REQUIRE(holds(drift, truth.drift));
+                REQUIRE(holds_truth(drift, truth.drift));
             leaf.rule = LawLeaf::beyond;
             REQUIRE(check_law_layer(leaf, nullptr) != nullptr);
         }
@@ -130,11 +134,11 @@ TEST_CASE(
         const auto gamma = enclosure(log, gamma_fact);
         INFO("U " << U << " rho " << rho << "\n" << log);
         CHECK(gamma.second - gamma.first < width);
-        for (const double share : {0.0, 0.5, 1.0}) CHECK(holds(gamma, LayerTruth(U, rho, share).gamma));
+        for (const double share : {0.0, 0.5, 1.0}) CHECK(holds_truth(gamma, LayerTruth(U, rho, share).gamma));
         // k0 larger or smaller by this would be out of the box.
-        const Real off = Real(width) * Real(U);
-        CHECK_FALSE(holds(gamma, LayerTruth(U, rho, 0.5, 1 + off).gamma));
-        CHECK_FALSE(holds(gamma, LayerTruth(U, rho, 0.5, 1 - off).gamma));
+        const law_truth::Real off = law_truth::Real(width) * law_truth::Real(U);
+        CHECK_FALSE(holds_truth(gamma, LayerTruth(U, rho, 0.5, 1 + off).gamma));
+        CHECK_FALSE(holds_truth(gamma, LayerTruth(U, rho, 0.5, 1 - off).gamma));
     }
 }
 
@@ -143,7 +147,7 @@ TEST_CASE("law: if J is known, a point of the layer is known to many digits") {
     exact.drift = exact.rise = 0;
     exact.parts = 200;
     for (int i = 0; i < 60; ++i) {
-        const double U = i % 2 == 0 ? any_size(1e-3, 0.9) : uniform(0.1, 0.9);
+        const double U = i % 2 == 0 ? any_size(1e-3, 0.9) : law_uniform(0.1, 0.9);
         const double rho = any_size(1e-4, std::min(0.2, 2e-3 / (U * U)));
         const LayerTruth truth(U, rho, 0, 1, 0);
         for (const auto rule : {LawLeaf::slope, LawLeaf::direct}) {
@@ -156,11 +160,11 @@ TEST_CASE("law: if J is known, a point of the layer is known to many digits") {
             const auto gamma = enclosure(log, gamma_fact), drift = enclosure(log, drift_fact);
             INFO("U " << U << " rho " << rho << " gamma " << truth.gamma << " drift " << truth.drift << "\n"
                       << log);
-            REQUIRE(holds(gamma, truth.gamma));
+            REQUIRE(holds_truth(gamma, truth.gamma));
             const auto q = law_truth::bounds(log, "(Q - pi/2)/(rho^2 U)");
-            REQUIRE(holds(q, truth.offset));
+            REQUIRE(holds_truth(q, truth.offset));
             REQUIRE(q.second - q.first < 1e-6);
-            REQUIRE(holds(drift, truth.drift));
+            REQUIRE(holds_truth(drift, truth.drift));
             REQUIRE(gamma.second - gamma.first < 0.01 + rho);
             REQUIRE(drift.second - drift.first < 1e-4);
         }
@@ -209,34 +213,36 @@ TEST_CASE("law: a part of the bulk holds the defect and the drift of its steps")
     for (int i = 0; i < 150; ++i) {
         const std::size_t range = static_cast<std::size_t>(i) % 3;
         const double ends[] = {0.002, 0.6, 0.7, 0.7944};
-        const double th = uniform(ends[range], ends[range + 1]), eps = any_size(1e-8, 1e-3);
-        const double offset = uniform(-1e-5, 3e-5);
-        const Real Q = law_truth::pi() / 2 + Real(offset), F = Q / cos(Real(th)), U = law_truth::pi() - F;
-        const law_truth::Step step(U, asin(Real(eps) * tan(Real(th)) * F / sin(U)), Real(th));
+        const double th = law_uniform(ends[range], ends[range + 1]), eps = any_size(1e-8, 1e-3);
+        const double offset = law_uniform(-1e-5, 3e-5);
+        const law_truth::Real Q = law_truth::pi() / 2 + law_truth::Real(offset),
+                              F = Q / cos(law_truth::Real(th)), U = law_truth::pi() - F;
+        const law_truth::Step step(U, asin(law_truth::Real(eps) * tan(law_truth::Real(th)) * F / sin(U)),
+                                   law_truth::Real(th));
         if (step.alpha < 0 || step.u > law_truth::pi() / 2) continue;
-        const Real angles = step.alpha_last - step.alpha;
-        const Real D = (law_truth::clock_by_angle(step.alpha, step.J) -
-                        law_truth::clock_by_angle(step.alpha_last, step.J_last)) /
-                           (2 * step.eps) -
-                       1;
+        const law_truth::Real angles = step.alpha_last - step.alpha;
+        const law_truth::Real D = (law_truth::clock_by_angle(step.alpha, step.J) -
+                                   law_truth::clock_by_angle(step.alpha_last, step.J_last)) /
+                                      (2 * step.eps) -
+                                  1;
         LawLeaf leaf;
         leaf.rule = LawLeaf::bulk;
         leaf.range = range;
         const double width = any_size(1e-9, 1e-3);
-        leaf.box.lo[0] = mpq_class(th - uniform(0, width));
+        leaf.box.lo[0] = mpq_class(th - law_uniform(0, width));
         leaf.box.hi[0] = leaf.box.lo[0] + mpq_class(width);
         if (leaf.box.hi[0] < mpq_class(th)) leaf.box.hi[0] = mpq_class(th);
         std::string log;
         check_law_bulk(leaf, &log);
-        const Real M = 2 * D / (step.eps * angles),
-                   fall = (step.J - step.J_last) / (step.eps * step.eps * angles);
+        const law_truth::Real M = 2 * D / (step.eps * angles),
+                              fall = (step.J - step.J_last) / (step.eps * step.eps * angles);
         INFO("th " << th << " eps " << eps << " M " << M << " fall " << fall << "\n" << log);
-        REQUIRE(abs(step.eps / Real(eps) - 1) < 1e-60);
+        REQUIRE(abs(step.eps / law_truth::Real(eps) - 1) < 1e-60);
         const auto enclosed = enclosure(log, "D/((eps/2) (alpha' - alpha))");
-        REQUIRE(holds(enclosed, M));
+        REQUIRE(holds_truth(enclosed, M));
         if (th < 0.6) REQUIRE(enclosed.second - enclosed.first < 0.08 + 10 * width);
         if (const auto drift = enclosure(log, "(J - J')/(eps^2"); drift.first <= drift.second)
-            REQUIRE(holds(drift, fall));
+            REQUIRE(holds_truth(drift, fall));
         // If all is known: to more digits.
         LawStates exact;
         exact.parts = 600;
@@ -248,10 +254,10 @@ TEST_CASE("law: a part of the bulk holds the defect and the drift of its steps")
         check_law_bulk(leaf, &log);
         const auto sharp = enclosure(log, "D/((eps/2) (alpha' - alpha))");
         INFO(log);
-        REQUIRE(holds(sharp, M));
+        REQUIRE(holds_truth(sharp, M));
         REQUIRE(sharp.second - sharp.first < 0.01 + 200 * eps);
         if (const auto drift = enclosure(log, "(J - J')/(eps^2"); drift.first <= drift.second) {
-            REQUIRE(holds(drift, fall));
+            REQUIRE(holds_truth(drift, fall));
             REQUIRE(drift.second - drift.first < 1e-4);
         }
     }
@@ -259,22 +265,26 @@ TEST_CASE("law: a part of the bulk holds the defect and the drift of its steps")
 
 TEST_CASE("law: a part of the end holds what the last contact loses") {
     for (int i = 0; i < 60; ++i) {
-        const double d_ = i % 3 == 0 ? any_size(1e-8, 0.07) : uniform(1e-3, 0.0713), share = uniform(0, 1);
-        const Real d = d_;
-        Real Q = law_truth::pi() / 2;
+        const double d_ = i % 3 == 0 ? any_size(1e-8, 0.07) : law_uniform(1e-3, 0.0713),
+                     share = law_uniform(0, 1);
+        const law_truth::Real d = d_;
+        law_truth::Real Q = law_truth::pi() / 2;
         const bool exact = i % 2 == 0;  // J = pi/2
         for (int round = 0; round < 60; ++round) {
             const law_truth::End end(d, acos(Q / (law_truth::pi() - d)));
-            const Real lo = -Real("5.3") * end.eps * end.eps / pow(end.u, 3), hi = end.eps * end.eps / 4;
-            Q += law_truth::pi() / 2 + (exact ? Real(0) : Real(lo + (hi - lo) * Real(share))) - end.J;
+            const law_truth::Real lo = -law_truth::Real("5.3") * end.eps * end.eps / pow(end.u, 3),
+                                  hi = end.eps * end.eps / 4;
+            Q += law_truth::pi() / 2 +
+                 (exact ? law_truth::Real(0) : law_truth::Real(lo + (hi - lo) * law_truth::Real(share))) -
+                 end.J;
         }
         const law_truth::End end(d, acos(Q / (law_truth::pi() - d)));
         if (end.eps > 1e-3) continue;
-        const Real loss = law_truth::clock(end.u, end.J) / (2 * end.eps) - 1;
-        const Real truth = (loss - law_truth::k0() * sqrt(end.eps)) / end.eps;
+        const law_truth::Real loss = law_truth::clock(end.u, end.J) / (2 * end.eps) - 1;
+        const law_truth::Real truth = (loss - law_truth::k0() * sqrt(end.eps)) / end.eps;
         LawLeaf leaf;
         leaf.rule = LawLeaf::end;
-        leaf.box.lo[0] = mpq_class(std::max(0.0, d_ - uniform(0, 3e-5)));
+        leaf.box.lo[0] = mpq_class(std::max(0.0, d_ - law_uniform(0, 3e-5)));
         leaf.box.hi[0] = mpq_class(std::max(d_, leaf.box.lo[0].get_d() + 6e-5));
         LawStates known;
         known.drift = known.rise = 0;
@@ -286,9 +296,9 @@ TEST_CASE("law: a part of the end holds what the last contact loses") {
         REQUIRE(certified);
         const auto enclosed = enclosure(log, "-0.23 <= (e_end");
         const auto q = law_truth::bounds(log, "(Q - pi/2)/d");
-        REQUIRE(holds(q, Real((Q - law_truth::pi() / 2) / d)));
+        REQUIRE(holds_truth(q, law_truth::Real((Q - law_truth::pi() / 2) / d)));
         if (exact) REQUIRE(q.second - q.first < 5e-6);
-        REQUIRE(holds(enclosed, truth));
+        REQUIRE(holds_truth(enclosed, truth));
         REQUIRE(enclosed.second - enclosed.first < (exact ? 0.03 : 0.15));
     }
     LawLeaf beyond;

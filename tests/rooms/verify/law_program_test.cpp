@@ -6,12 +6,6 @@
 
 using make::run;
 
-namespace {
-bool has(const make::Run& result, const std::string& text) {
-    return result.out.find(text) != std::string::npos;
-}
-}  // namespace
-
 TEST_CASE("law: the verdict states the law, and nothing of single ratios") {
     const make::File file(make::law_file()), list(file.path() + "\t--claim law\n"),
         bare(file.path() + "\t--claim collisions\n");

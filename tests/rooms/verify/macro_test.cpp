@@ -53,7 +53,7 @@ mpq_class at(const Series& p, const mpz_class& n, const Start& start) {
 }
 
 /// Whether the inequalities of L42 hold after collision n, by their definition, at 600 bits.
-bool holds(Round d, const Orbit& orbit, const Start& start, const mpz_class& n) {
+bool holds(Round d, const dumbbell_verify::Orbit& orbit, const Start& start, const mpz_class& n) {
     Big::precision = 600;
     using I = Interval<Big>;
     const auto number = [](const mpq_class& x) { return I(bound(down, x, Big()), bound(up, x, Big())); };
@@ -69,10 +69,10 @@ bool holds(Round d, const Orbit& orbit, const Start& start, const mpz_class& n) 
 }
 
 /// G, counted one after the other in double: between both.
-struct Bounds {
+struct LeastAndMost {
     std::uint64_t least, most;
 };
-Bounds counted(double c, double kappa, double r) {
+LeastAndMost counted(double c, double kappa, double r) {
     const double pi = 2 * std::acos(0.);
     std::uint64_t count = 0;
     double margin = 1, z = 0;
@@ -95,7 +95,7 @@ TEST_CASE("L42: the verifier's macro steps count what one collision after the ot
     for (int i = 0; i < 40; ++i) {
         const double r = std::pow(10, random.uniform(-11, -9.5)), c = r * random.uniform(0, 4),
                      kappa = r * random.uniform(0, 3);
-        const Bounds plain = counted(c, kappa, r);
+        const LeastAndMost plain = counted(c, kappa, r);
         Rays<double> rays(nullptr);
         CAPTURE(r, c, kappa, plain.least, plain.most);
         CHECK(rays.at_most("", {c, kappa, r}, plain.most));
@@ -118,13 +118,13 @@ TEST_CASE("L42: the verifier refuses polynomials that are just false") {
     for (int i = 0; i < 150; ++i) {
         const Round d = random.coin() ? up : down;
         const Start start = start_of(random, d);
-        Orbit orbit{start.series(), start.series(), start.series(), start.series()};
+        dumbbell_verify::Orbit orbit{start.series(), start.series(), start.series(), start.series()};
         if (!guess_orbit(start, orbit)) continue;
         accepted += is_macro_step(d, orbit, start) ? 1 : 0;
         CHECK_FALSE(is_macro_step(d == up ? down : up, orbit, start));
         for (int j = 0; j < 10; ++j) {
             // A coefficient moved by about as much as there is room: some are true, some are not.
-            Orbit moved = orbit;
+            dumbbell_verify::Orbit moved = orbit;
             Series& p = random.coin() ? moved.x : moved.slope;
             const mpz_class room = abs(shifted(start.excess, start.root + 1) / start.k) + 1;
             p.term[static_cast<std::size_t>(random.uniform(0, 6))] +=

@@ -164,4 +164,10 @@ inline std::string gzipped(const std::string& text) {
     return out;
 }
 
+/// One piece at q = 10, in one chart.
+inline const std::string& ten() {
+    static const std::string text = closed(header("10/1", "10/1", 1) + piece(10, 10, 4, 0, ""));
+    return text;
+}
+
 }  // namespace make

@@ -17,6 +17,8 @@ using dumbbell_verify::Verdict;
 
 /// Of a shipped certificate, or one of tests/attacks/false_claims.
 inline std::string shipped(const std::string& name) { return DUMBBELL_PROJECT "/certificates/" + name; }
+inline const std::string stairs_to_100 = shipped("stairs-1-100.dbc");
+inline constexpr std::uint64_t stairs_pieces = 17;
 inline std::string contents(const std::string& path) {
     std::ostringstream text;
     text << std::ifstream(path, std::ios::binary).rdbuf();

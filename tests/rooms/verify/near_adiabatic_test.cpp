@@ -9,7 +9,7 @@ using dumbbell_verify::Work;
 
 namespace {
 
-const std::vector<leaf_rows::Row>& rows() {
+const std::vector<leaf_rows::Row>& near_adiabatic_rows() {
     static const auto table = leaf_rows::read(DUMBBELL_PROJECT "/tests/data/near_adiabatic.tsv");
     return table;
 }
@@ -17,9 +17,9 @@ const std::vector<leaf_rows::Row>& rows() {
 }  // namespace
 
 TEST_CASE("adiabatic leaves near the edge of what is certified are judged as before, for the same reason") {
-    REQUIRE(rows().size() > 100);
+    REQUIRE(near_adiabatic_rows().size() > 100);
     std::uint64_t units = 0;
-    for (const auto& row : rows()) {
+    for (const auto& row : near_adiabatic_rows()) {
         Work::begin();
         const std::string found = judged(adiabatic_rows::parsed(row.leaf));
         if (found != row.result) FAIL(row.leaf << "\n  expected: " << row.result << "\n  found: " << found);
@@ -30,7 +30,7 @@ TEST_CASE("adiabatic leaves near the edge of what is certified are judged as bef
 }
 
 TEST_CASE("adiabatic: what few bits certify, 300 bits certify, too") {
-    for (const auto& row : rows()) {
+    for (const auto& row : near_adiabatic_rows()) {
         adiabatic_rows::Case c = adiabatic_rows::parsed(row.leaf);
         if (row.result != "certified" || c.bits == 0 || c.part == dumbbell_verify::AdiabaticLeaf::class_tree)
             continue;  // doubles are exact enough, and a class takes long

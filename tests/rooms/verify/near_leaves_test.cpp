@@ -10,7 +10,7 @@ using dumbbell_verify::Work;
 
 namespace {
 
-const std::vector<Row>& rows() {
+const std::vector<Row>& near_leaf_rows() {
     static const std::vector<Row> table = read(DUMBBELL_PROJECT "/tests/data/near_leaves.tsv");
     return table;
 }
@@ -18,9 +18,9 @@ const std::vector<Row>& rows() {
 }  // namespace
 
 TEST_CASE("leaves near the edge of what is certified are judged as before, for the same reason") {
-    REQUIRE(rows().size() > 100);
+    REQUIRE(near_leaf_rows().size() > 100);
     std::uint64_t units = 0;
-    for (const Row& row : rows()) {
+    for (const Row& row : near_leaf_rows()) {
         Work::begin();
         const std::string found = judged(parsed(row.leaf));
         if (found != row.result) FAIL(row.leaf << "\n  expected: " << row.result << "\n  found: " << found);
@@ -31,7 +31,7 @@ TEST_CASE("leaves near the edge of what is certified are judged as before, for t
 }
 
 TEST_CASE("what doubles or few bits certify, 300 bits certify, too") {
-    for (const Row& row : rows()) {
+    for (const Row& row : near_leaf_rows()) {
         if (row.result != "certified") continue;
         AnyLeaf leaf = parsed(row.leaf);
         std::visit(

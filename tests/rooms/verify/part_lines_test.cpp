@@ -21,7 +21,7 @@ const std::string& line() {
 }
 
 /// "2-5 7-7 ": the pieces of all lines; or the word of the failure and its text, with PARTS for the name.
-std::string outcome(const std::string& bytes) {
+std::string pieces_of_lines(const std::string& bytes) {
     const File file(bytes);
     std::string found;
     try {
@@ -39,14 +39,14 @@ const std::string refused = ": not as dumbbell-verify --shards prints it: `";
 }  // namespace
 
 TEST_CASE("lines of parts: other lines are skipped, whatever they are") {
-    CHECK(outcome("").empty());
-    CHECK(outcome(line()) == "2-5 ");
-    CHECK(outcome(line() + "\n" + line() + "\n") == "2-5 2-5 ");
-    CHECK(outcome("file.dbc\n\n  count 3 line(s)\ns\nsPART\nS PART\n s PART\nc files=2\n" + line() + "\n") ==
-          "2-5 ");
-    CHECK(outcome(std::string("\0\0s PART\n", 9) + "\xff\xfe\n\r\n\x1f\x8b\n" + line()) == "2-5 ");
-    CHECK(outcome("\xef\xbb\xbf" + line()).empty());  // skipped means: a hole
-    CHECK(outcome(replaced(line(), "2-5", "7") + "\n" + line()) == "7-7 2-5 ");
+    CHECK(pieces_of_lines("").empty());
+    CHECK(pieces_of_lines(line()) == "2-5 ");
+    CHECK(pieces_of_lines(line() + "\n" + line() + "\n") == "2-5 2-5 ");
+    CHECK(pieces_of_lines("file.dbc\n\n  count 3 line(s)\ns\nsPART\nS PART\n s PART\nc files=2\n" + line() +
+                          "\n") == "2-5 ");
+    CHECK(pieces_of_lines(std::string("\0\0s PART\n", 9) + "\xff\xfe\n\r\n\x1f\x8b\n" + line()) == "2-5 ");
+    CHECK(pieces_of_lines("\xef\xbb\xbf" + line()).empty());  // skipped means: a hole
+    CHECK(pieces_of_lines(replaced(line(), "2-5", "7") + "\n" + line()) == "7-7 2-5 ");
 }
 
 TEST_CASE("lines of parts: any other line of a verdict is an error that names it") {
@@ -54,7 +54,8 @@ TEST_CASE("lines of parts: any other line of a verdict is an error that names it
          {"s VERIFIED scene=dumbbell", "s REJECTED line=3 code=count", "s LIMIT out of memory", "s PART",
           "s PART ", "s PARTS pieces=1-1", "s part", "s ", "s  PART"}) {
         INFO(other);
-        CHECK(outcome(line() + "\n\n" + other + "\n") == "unreadable PARTS:3" + refused + other + "`");
+        CHECK(pieces_of_lines(line() + "\n\n" + other + "\n") ==
+              "unreadable PARTS:3" + refused + other + "`");
     }
 }
 
@@ -89,26 +90,26 @@ TEST_CASE("lines of parts: each field in its place, once, with a value, and noth
          }) {
         const std::string wrong = replaced(line(), from, to);
         INFO(wrong);
-        const std::string result = outcome(wrong);
+        const std::string result = pieces_of_lines(wrong);
         if (to != "of=9\t") CHECK(result.starts_with("unreadable PARTS:1" + refused));
     }
     for (const char* tail : {"x", " file=a.dbc", "\r", " parts=2"}) {
         INFO(tail);
-        CHECK(outcome(line() + tail + "\n").starts_with("unreadable PARTS:1" + refused));
+        CHECK(pieces_of_lines(line() + tail + "\n").starts_with("unreadable PARTS:1" + refused));
     }
-    CHECK(outcome(replaced(line(), "precision=none", "precision=53")) == "2-5 ");
-    CHECK(outcome(replaced(line(), "precision=none", "precision=4096")) == "2-5 ");
+    CHECK(pieces_of_lines(replaced(line(), "precision=none", "precision=53")) == "2-5 ");
+    CHECK(pieces_of_lines(replaced(line(), "precision=none", "precision=4096")) == "2-5 ");
 }
 
 TEST_CASE("lines of parts: one that is cut off is none, wherever it is cut") {
     for (std::size_t n = 2; n < line().size(); ++n) {
         INFO(n);
-        const std::string result = outcome(line().substr(0, n));
+        const std::string result = pieces_of_lines(line().substr(0, n));
         const std::size_t at = line().find("verifier=");
         const bool version_cut = n >= at + 8 && n < at + 9 + version.size();
         REQUIRE(result.starts_with(version_cut ? "unsupported " : "unreadable "));
     }
-    CHECK(outcome(line().substr(0, 1)).empty());
+    CHECK(pieces_of_lines(line().substr(0, 1)).empty());
 }
 
 TEST_CASE("lines of parts: of another version of the verifier, whatever else they say") {
@@ -116,13 +117,14 @@ TEST_CASE("lines of parts: of another version of the verifier, whatever else the
                       told = ", this is " + std::string(version) +
                              ": verify these pieces again with this "
                              "one, by --shards";
-    CHECK(outcome("\n" + replaced(line(), now, "verifier=0.0.1")) ==
+    CHECK(pieces_of_lines("\n" + replaced(line(), now, "verifier=0.0.1")) ==
           "unsupported PARTS:2: printed by dumbbell-verify 0.0.1" + told);
-    CHECK(outcome(replaced(line(), now, now + "0")).starts_with("unsupported PARTS:1: "));
-    CHECK(outcome("s PART verifier=2.0 shard=3\n") ==
+    CHECK(pieces_of_lines(replaced(line(), now, now + "0")).starts_with("unsupported PARTS:1: "));
+    CHECK(pieces_of_lines("s PART verifier=2.0 shard=3\n") ==
           "unsupported PARTS:1: printed by dumbbell-verify 2.0" + told);
-    CHECK(outcome("s PART verifier= x\n").starts_with("unsupported PARTS:1: printed by dumbbell-verify ,"));
-    CHECK(outcome(replaced(line(), now, now + " verifier=9")).starts_with("unsupported PARTS:1: "));
+    CHECK(pieces_of_lines("s PART verifier= x\n")
+              .starts_with("unsupported PARTS:1: printed by dumbbell-verify ,"));
+    CHECK(pieces_of_lines(replaced(line(), now, now + " verifier=9")).starts_with("unsupported PARTS:1: "));
 }
 
 TEST_CASE("lines of parts: no file, a folder, a line without end, a file without end") {
@@ -140,10 +142,10 @@ TEST_CASE("lines of parts: no file, a folder, a line without end, a file without
     CHECK(opened("/tmp") == "unreadable /tmp: Is a directory");
     CHECK(opened("/dev/null") == "read");
     CHECK(opened("/dev/zero") == "unreadable /dev/zero:1: a line of more than 16384 bytes");
-    CHECK(outcome(std::string(16384, 'x') + "\n" + line()) == "2-5 ");
-    CHECK(outcome(line() + "\n" + std::string(16385, 'x')) ==
+    CHECK(pieces_of_lines(std::string(16384, 'x') + "\n" + line()) == "2-5 ");
+    CHECK(pieces_of_lines(line() + "\n" + std::string(16385, 'x')) ==
           "unreadable PARTS:2: a line of more than 16384 bytes");
-    CHECK(outcome("s PART " + std::string(1 << 20, ' ')) ==
+    CHECK(pieces_of_lines("s PART " + std::string(1 << 20, ' ')) ==
           "unreadable PARTS:1: a line of more than 16384 bytes");
 }
 
@@ -153,6 +155,6 @@ TEST_CASE("lines of parts: a line that lies across the end of a block is read as
         while (text.size() + 1001 < before) text += std::string(1000, '.') + "\n";
         text += std::string(before - text.size() - 1, '.') + "\n" + line() + "\n";
         INFO(before);
-        REQUIRE(outcome(text) == "2-5 ");
+        REQUIRE(pieces_of_lines(text) == "2-5 ");
     }
 }

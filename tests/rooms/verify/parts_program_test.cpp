@@ -8,13 +8,14 @@
 #include "run_program.hpp"
 
 using make::File;
+using make::has;
 using make::Run;
 using make::run;
+using make::stairs_to_100;
 
 namespace {
 
-const std::string stairs = make::shipped("stairs-1-100.dbc"), tall = make::shipped("stairs-1-1e4.dbc.gz");
-bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+const std::string tall = make::shipped("stairs-1-1e4.dbc.gz");
 
 }  // namespace
 
@@ -43,7 +44,7 @@ TEST_CASE("parts of a file: each is one run, the lines of all are the verdict") 
     const Run json = run("--json --combine " + parts.path() + " " + tall);
     CHECK(has(json.out, "\"verdict\":\"COMBINED\",\"claim\":{\"scene\":\"dumbbell\","));
     CHECK(has(json.out, "\"part\":null,\"parts\":2,\"leaves\":{\"split\":956,"));
-    const Run other = run("--combine " + parts.path() + " " + stairs);
+    const Run other = run("--combine " + parts.path() + " " + stairs_to_100);
     CHECK(other.code == 1);
     CHECK(has(other.last(), "s REJECTED code=parts " + parts.path() + ":2: about another file"));
 }
@@ -53,19 +54,19 @@ TEST_CASE("parts of a file: nothing that is printed of a part looks like a verdi
                                ("dumbbell_verify_parts" + std::to_string(::getpid()) + ".xml");
     for (const char* options :
          {"", "--quiet ", "--json ", "--precision 60 ", "--scene dumbbell --claim collisions "}) {
-        const Run part = run(std::string(options) + "--shards 1-17 --junit " + report + " " + stairs);
+        const Run part = run(std::string(options) + "--shards 1-17 --junit " + report + " " + stairs_to_100);
         INFO(part.out << part.err);
         CHECK(part.code == 0);
         CHECK_FALSE(has(part.out, "VERIFIED"));
         CHECK_FALSE(has(part.out, "100.0"));
         const std::string xml = make::contents(report);
         CHECK_FALSE(has(xml, "VERIFIED"));
-        CHECK(has(xml, "<testcase name=\"" + stairs + " pieces=1-17\""));
+        CHECK(has(xml, "<testcase name=\"" + stairs_to_100 + " pieces=1-17\""));
         CHECK(has(xml, "tests=\"1\" failures=\"0\" errors=\"0\""));
     }
     std::filesystem::remove(report);
-    CHECK(run("--quiet --shards 3 " + stairs).out.starts_with("s PART pieces=3-3 of=17 "));
-    CHECK(run("--shards 3 " + stairs).out.starts_with(stairs + "\ns PART pieces=3-3 of=17 "));
+    CHECK(run("--quiet --shards 3 " + stairs_to_100).out.starts_with("s PART pieces=3-3 of=17 "));
+    CHECK(run("--shards 3 " + stairs_to_100).out.starts_with(stairs_to_100 + "\ns PART pieces=3-3 of=17 "));
 }
 
 TEST_CASE("parts of a file: threads change nothing") {
@@ -77,7 +78,7 @@ TEST_CASE("parts of a file: what fails has the usual line and exit code") {
     const Run bad = run("--shards 2 " + false_claims + "across-gap.dbc");
     CHECK(bad.code == 1);
     CHECK(bad.last().starts_with("s REJECTED line=22 code=count "));
-    const Run beyond = run("--shards 5-18 " + stairs);
+    const Run beyond = run("--shards 5-18 " + stairs_to_100);
     CHECK(beyond.code == 2);
     CHECK(beyond.last() == "s UNREADABLE line=8 there is no piece 18: the file has 17 pieces");
     const File starts(make::falling());
@@ -98,10 +99,10 @@ TEST_CASE("parts of a file: what fails has the usual line and exit code") {
 }
 
 TEST_CASE("parts of a file: lines that do not fit have an exit code each") {
-    const std::string line = run("--quiet --shards 1-17 " + stairs).out;
+    const std::string line = run("--quiet --shards 1-17 " + stairs_to_100).out;
     const auto code = [&](const std::string& lines, const std::string& options = "") {
         const File parts(lines);
-        const Run r = run(options + " --combine " + parts.path() + " " + stairs);
+        const Run r = run(options + " --combine " + parts.path() + " " + stairs_to_100);
         INFO(r.out << r.err);
         CHECK((r.code == 0) == r.last().starts_with("s COMBINED "));
         return r.code;
@@ -114,13 +115,13 @@ TEST_CASE("parts of a file: lines that do not fit have an exit code each") {
     CHECK(code(line.substr(0, line.size() - 2)) == 2);
     CHECK(code(make::replaced(line, "\n", "\r\n")) == 2);
     CHECK(code(line + "s REJECTED line=1 code=truncated the text ends too early\n") == 2);
-    CHECK(run("--combine /nonexistent " + stairs).last() ==
+    CHECK(run("--combine /nonexistent " + stairs_to_100).last() ==
           "s UNREADABLE /nonexistent: No such file or directory");
-    CHECK(run("--combine /nonexistent " + stairs).code == 2);
-    CHECK(run("--combine " + stairs + " " + stairs).code == 1);  // no line of a part is in it
+    CHECK(run("--combine /nonexistent " + stairs_to_100).code == 2);
+    CHECK(run("--combine " + stairs_to_100 + " " + stairs_to_100).code == 1);  // no line of a part is in it
     const File parts(line);
     const std::string gibibyte = "(cat " + parts.path() + "; yes) | timeout 1000 ";
-    CHECK(run("--combine /dev/stdin " + stairs, gibibyte).code == 4);
+    CHECK(run("--combine /dev/stdin " + stairs_to_100, gibibyte).code == 4);
 }
 
 TEST_CASE("parts of a file: wrong usage is one line on stderr") {
@@ -153,7 +154,7 @@ TEST_CASE("parts of a file: wrong usage is one line on stderr") {
          }) {
         std::string arguments = options;
         for (std::size_t at = 0; (at = arguments.find(" F", at)) != std::string::npos; ++at)
-            arguments.replace(at, 2, " " + stairs);
+            arguments.replace(at, 2, " " + stairs_to_100);
         const Run r = run(arguments);
         INFO(options << " -> " << r.out << r.err);
         CHECK(r.code == 2);

@@ -10,13 +10,10 @@ using make::mutated;
 using make::Run;
 using make::run;
 using make::sanitized;
+using make::ten;
 
 namespace {
 
-const std::string& ten() {
-    static const std::string text = closed(make::header("10/1", "10/1", 1) + make::piece(10, 10, 4, 0, ""));
-    return text;
-}
 std::string open_piece(const std::string& a, const std::string& b) {
     return "piece " + a + " " + b + "\nbits 53\nupper none\nlower 0\n";
 }

@@ -40,4 +40,9 @@ inline Run run(const std::string& arguments, const std::string& before = "") {
     return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), text(out), text(err)};
 }
 
+inline bool has(const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+}
+inline bool has(const Run& result, const std::string& text) { return has(result.out, text); }
+
 }  // namespace make

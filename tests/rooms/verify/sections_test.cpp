@@ -14,7 +14,8 @@ using make::mutated;
 
 namespace {
 
-std::string outcome(const std::string& text, const std::string& scene = "dumbbell", unsigned precision = 0) {
+std::string outcome_in_scene(const std::string& text, const std::string& scene = "dumbbell",
+                             unsigned precision = 0) {
     const File file(text);
     try {
         Settings settings;
@@ -27,7 +28,7 @@ std::string outcome(const std::string& text, const std::string& scene = "dumbbel
     }
 }
 
-int code_of(const std::string& arguments, std::string* out = nullptr) {
+int code_of_run(const std::string& arguments, std::string* out = nullptr) {
     const File text("");
     const int status =
         std::system((DUMBBELL_VERIFY_BIN " " + arguments + " >" + text.path() + " 2>/dev/null").c_str());
@@ -100,22 +101,22 @@ TEST_CASE("section full, both lemma sets: true covers are accepted, false ones a
         const int n = minimal ? 3 : 4;
         const std::string text = full_text(*section, q, static_cast<std::uint64_t>(n));
         const std::string most = "count " + std::to_string(n - 1);
-        CHECK(outcome(text) == "verified");
-        if (!minimal) CHECK(outcome(text, "dumbbell", 80) == "verified");
-        CHECK(outcome(mutated(text, "upper " + std::to_string(n), "upper " + std::to_string(n - 1))) ==
-              "count");
-        CHECK(outcome(mutated(text, "chart departure", "chart light")) == "syntax");
-        CHECK(outcome(mutated(text, "split eta", "split lambda")) == "syntax");
-        CHECK(outcome(mutated(text, most, most + " 0")) == "syntax");
-        CHECK(outcome(mutated(text, most, "count 0")) == "count");
-        CHECK(outcome(mutated(text, most, "count " + std::to_string(n))) == "count");
-        CHECK(outcome(mutated(text, most, "outside")) == "outside");
-        CHECK(outcome(mutated(text, most, "meets")) == "opcode");
-        CHECK(outcome(mutated(text, most, "once")) == "opcode");
-        CHECK(outcome(mutated(text, "once", "outside")) == "outside");
-        CHECK(outcome(mutated(text, "once", most)) == "opcode");
-        CHECK(outcome(mutated(text, "chart again\nonce\n", "")) == "syntax");
-        CHECK(outcome(mutated(text, "section full", "section turning")) != "verified");
+        CHECK(outcome_in_scene(text) == "verified");
+        if (!minimal) CHECK(outcome_in_scene(text, "dumbbell", 80) == "verified");
+        CHECK(outcome_in_scene(
+                  mutated(text, "upper " + std::to_string(n), "upper " + std::to_string(n - 1))) == "count");
+        CHECK(outcome_in_scene(mutated(text, "chart departure", "chart light")) == "syntax");
+        CHECK(outcome_in_scene(mutated(text, "split eta", "split lambda")) == "syntax");
+        CHECK(outcome_in_scene(mutated(text, most, most + " 0")) == "syntax");
+        CHECK(outcome_in_scene(mutated(text, most, "count 0")) == "count");
+        CHECK(outcome_in_scene(mutated(text, most, "count " + std::to_string(n))) == "count");
+        CHECK(outcome_in_scene(mutated(text, most, "outside")) == "outside");
+        CHECK(outcome_in_scene(mutated(text, most, "meets")) == "opcode");
+        CHECK(outcome_in_scene(mutated(text, most, "once")) == "opcode");
+        CHECK(outcome_in_scene(mutated(text, "once", "outside")) == "outside");
+        CHECK(outcome_in_scene(mutated(text, "once", most)) == "opcode");
+        CHECK(outcome_in_scene(mutated(text, "chart again\nonce\n", "")) == "syntax");
+        CHECK(outcome_in_scene(mutated(text, "section full", "section turning")) != "verified");
     }
     CHECK_THROWS_AS(full_cover(full(), 10, 3), std::runtime_error);
     CHECK_THROWS_AS(full_cover(full_minimal(), 2, 2), std::runtime_error);
@@ -144,10 +145,10 @@ TEST_CASE("section full: the leaf outside holds beyond the chart only") {
 TEST_CASE("section full: the heavy mass is proved to touch at most once, unless a piece is open") {
     const std::string text = full_text(full(), "10/1", 4);
     std::string out;
-    CHECK(code_of(File(text).path(), &out) == 0);
+    CHECK(code_of_run(File(text).path(), &out) == 0);
     CHECK(out.find(" heavy-at-most=1 sha256=") != std::string::npos);
     const std::string cover = full_cover(full(), 10, 4);
-    CHECK(code_of(File(mutated(text, "upper 4\n" + cover, "upper none\n")).path(), &out) == 0);
+    CHECK(code_of_run(File(mutated(text, "upper 4\n" + cover, "upper none\n")).path(), &out) == 0);
     CHECK(out.find("heavy") == std::string::npos);
 }
 
@@ -170,26 +171,27 @@ TEST_CASE("section full: the leaf once needs a narrow range of ratios") {
 TEST_CASE("the wedge is exact: ties at q = 1 and q = 3 are decided, N - 1 is refused") {
     const std::string one = wedge_text("wedge", "1/1", "1/1", 2, "count 1 0\n", 2, "0b0 1b-1 1 0");
     const std::string three = wedge_text("wedge", "3/1", "3/1", 3, "count 1 1\n", 3, "0b0 1b0 1 1");
-    CHECK(outcome(one, "wedge") == "verified");
-    CHECK(outcome(three, "wedge") == "verified");
-    CHECK(outcome(one) == "claim-not-proved");
-    CHECK(outcome(mutated(three, "piece 3/1 3/1\nbits 53\nupper 3", "piece 3/1 3/1\nbits 53\nupper 2"),
-                  "wedge") == "count");
+    CHECK(outcome_in_scene(one, "wedge") == "verified");
+    CHECK(outcome_in_scene(three, "wedge") == "verified");
+    CHECK(outcome_in_scene(one) == "claim-not-proved");
+    CHECK(
+        outcome_in_scene(mutated(three, "piece 3/1 3/1\nbits 53\nupper 3", "piece 3/1 3/1\nbits 53\nupper 2"),
+                         "wedge") == "count");
     for (const char* hints : {"count 0 1", "count 1 0", "count 0 2", "count 2 1", "outside", "equal-masses"})
-        CHECK(outcome(mutated(three, "count 1 1", hints), "wedge") != "verified");
-    CHECK(outcome(wedge_text("wedge", "3/1", "3000001/1000000", 3, "count 1 1\n", 0, ""), "wedge") ==
+        CHECK(outcome_in_scene(mutated(three, "count 1 1", hints), "wedge") != "verified");
+    CHECK(outcome_in_scene(wedge_text("wedge", "3/1", "3000001/1000000", 3, "count 1 1\n", 0, ""), "wedge") ==
           "count");
     for (const std::string scene : {"wedge", "hybrid"}) {
         const std::string text = wedge10(scene);
-        CHECK(outcome(text, scene) == "verified");
-        CHECK(outcome(text, scene == "wedge" ? "hybrid" : "wedge") == "claim-not-proved");
-        CHECK(outcome(mutated(text, tree10, "count 3 2\n"), scene) == "count");
-        CHECK(outcome(mutated(text, "split lambda", "split e"), scene) == "syntax");
-        CHECK(outcome(mutated(text, "count 3 2", "count 10000 1"), scene) == "count");
-        CHECK(outcome(mutated(mutated(text, "upper 6", "upper 99999"), "count 3 2", "count 10000 1"),
-                      scene) == "limit");
+        CHECK(outcome_in_scene(text, scene) == "verified");
+        CHECK(outcome_in_scene(text, scene == "wedge" ? "hybrid" : "wedge") == "claim-not-proved");
+        CHECK(outcome_in_scene(mutated(text, tree10, "count 3 2\n"), scene) == "count");
+        CHECK(outcome_in_scene(mutated(text, "split lambda", "split e"), scene) == "syntax");
+        CHECK(outcome_in_scene(mutated(text, "count 3 2", "count 10000 1"), scene) == "count");
+        CHECK(outcome_in_scene(mutated(mutated(text, "upper 6", "upper 99999"), "count 3 2", "count 10000 1"),
+                               scene) == "limit");
         const auto with = [&](const std::string& w) {
-            return outcome(mutated(text, "wedge 0b0 1b-4 3 2", w), scene);
+            return outcome_in_scene(mutated(text, "wedge 0b0 1b-4 3 2", w), scene);
         };
         CHECK(with("wedge 0b0 1b-4 3 3") == "witness");
         CHECK(with("wedge 0b0 1b-4 4 2") == "witness");
@@ -203,12 +205,12 @@ TEST_CASE("the wedge is exact: ties at q = 1 and q = 3 are decided, N - 1 is ref
 
 TEST_CASE("combinations of words that are not in the table are unsupported") {
     const std::string text = wedge10();
-    CHECK(outcome(mutated(text, "section turning", "section full"), "wedge") == "unsupported");
-    CHECK(outcome(mutated(text, "lemmas 1", "lemmas minimal"), "wedge") == "unsupported");
-    CHECK(outcome(mutated(text, "lemmas 1", "lemmas none"), "wedge") == "unsupported");
-    CHECK(outcome(mutated(text, "scene wedge", "scene vedge"), "wedge") == "unsupported");
+    CHECK(outcome_in_scene(mutated(text, "section turning", "section full"), "wedge") == "unsupported");
+    CHECK(outcome_in_scene(mutated(text, "lemmas 1", "lemmas minimal"), "wedge") == "unsupported");
+    CHECK(outcome_in_scene(mutated(text, "lemmas 1", "lemmas none"), "wedge") == "unsupported");
+    CHECK(outcome_in_scene(mutated(text, "scene wedge", "scene vedge"), "wedge") == "unsupported");
     const File file(mutated(text, "section turning", "section full"));
-    CHECK(code_of("--scene wedge " + file.path()) == 3);
+    CHECK(code_of_run("--scene wedge " + file.path()) == 3);
 }
 
 TEST_CASE("the option --lemma compares two files") {
@@ -217,29 +219,29 @@ TEST_CASE("the option --lemma compares two files") {
         foreign(mutated(wedge10(), "lemmas 1", "lemmas 9"));
     const File three(wedge_text("wedge", "3/1", "3/1", 3, "count 1 1\n", 3, "0b0 1b0 1 1"));
     std::string out;
-    CHECK(code_of("--lemma 4.1 " + h.path() + " " + w.path(), &out) == 0);
+    CHECK(code_of_run("--lemma 4.1 " + h.path() + " " + w.path(), &out) == 0);
     CHECK(out.find("\ns VERIFIED lemma=4.1 ratio=10/1:10/1 excess=0 least-excess=0 gaps=0\n") !=
           std::string::npos);
-    CHECK(code_of("--lemma 4.2 " + d.path() + " " + h.path(), &out) == 0);
+    CHECK(code_of_run("--lemma 4.2 " + d.path() + " " + h.path(), &out) == 0);
     CHECK(out.find("excess=-2") != std::string::npos);
-    CHECK(code_of("--lemma 4.1 " + h.path() + " " + low.path(), &out) == 1);
+    CHECK(code_of_run("--lemma 4.1 " + h.path() + " " + low.path(), &out) == 1);
     CHECK(out.find("VERIFIED") == std::string::npos);
-    CHECK(code_of("--lemma 4.1 " + w.path() + " " + h.path()) == 1);      // the scenes are exchanged
-    CHECK(code_of("--lemma 4.1 " + h.path() + " " + three.path()) == 1);  // no common ratio
-    CHECK(code_of("--lemma 4.1 " + h.path() + " " + foreign.path()) == 3);
-    CHECK(code_of("--lemma 4.1 " + h.path() + " /nonexistent") == 2);
-    CHECK(code_of("--lemma 4.3 " + h.path() + " " + w.path()) == 2);
-    CHECK(code_of("--lemma 4.1 " + h.path()) == 2);
+    CHECK(code_of_run("--lemma 4.1 " + w.path() + " " + h.path()) == 1);      // the scenes are exchanged
+    CHECK(code_of_run("--lemma 4.1 " + h.path() + " " + three.path()) == 1);  // no common ratio
+    CHECK(code_of_run("--lemma 4.1 " + h.path() + " " + foreign.path()) == 3);
+    CHECK(code_of_run("--lemma 4.1 " + h.path() + " /nonexistent") == 2);
+    CHECK(code_of_run("--lemma 4.3 " + h.path() + " " + w.path()) == 2);
+    CHECK(code_of_run("--lemma 4.1 " + h.path()) == 2);
     // A gap in both: only one more is proved there, and that is said.
     const auto with_gap = [](const std::string& scene) {
         return wedge_text(scene, "3/1", "3000001/1000000", 4, "count 2 1\n", 3, "0b0 1b0 1 1");
     };
     const File h_gap(with_gap("hybrid")), w_gap(with_gap("wedge"));
-    CHECK(code_of("--lemma 4.1 " + h_gap.path() + " " + w_gap.path(), &out) == 1);  // nothing but the gap
-    CHECK(code_of("--explain 1:wedge.000 --scene wedge " + w.path(), &out) == 0);
+    CHECK(code_of_run("--lemma 4.1 " + h_gap.path() + " " + w_gap.path(), &out) == 1);  // nothing but the gap
+    CHECK(code_of_run("--explain 1:wedge.000 --scene wedge " + w.path(), &out) == 0);
     CHECK(out.find("G_w <= a for X: holds") != std::string::npos);
     const Section& s = full();
     CHECK(s.charts.size() == 3);
-    CHECK(code_of("--explain 1:contact " + d.path(), &out) == 0);
+    CHECK(code_of_run("--explain 1:contact " + d.path(), &out) == 0);
     CHECK(out.find("1 + a <= U: holds") != std::string::npos);
 }

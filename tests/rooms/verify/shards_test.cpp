@@ -11,12 +11,11 @@ using make::hashed;
 using make::mutated;
 using make::replaced;
 using make::shard;
+using make::stairs_pieces;
+using make::stairs_to_100;
 using make::whole;
 
 namespace {
-
-const std::string stairs = make::shipped("stairs-1-100.dbc");
-constexpr std::uint64_t pieces = 17;
 
 /// The text with something in the piece of this number replaced, and a trailer that fits.
 std::string changed(const std::string& text, std::uint64_t number, const std::string& from,
@@ -44,7 +43,7 @@ void check_rejected_for(const std::string& text, std::uint64_t number, std::mt19
     for (int i = 0; i < 5; ++i) {
         std::string lines;
         Pieces hole;
-        for (const Pieces& part : make::random_cut(pieces, random)) {
+        for (const Pieces& part : make::random_cut(stairs_pieces, random)) {
             const std::string line = shard(file.path(), part);
             INFO(part.first << "-" << part.last << " " << line);
             REQUIRE(line.starts_with("s PART ") == !part.have(number));
@@ -64,10 +63,10 @@ void check_rejected_for(const std::string& text, std::uint64_t number, std::mt19
 }  // namespace
 
 TEST_CASE("shards: one false leaf or witness is rejected by exactly the part that has it, whatever the cut") {
-    const std::string text = make::contents(stairs);
+    const std::string text = make::contents(stairs_to_100);
     std::mt19937 random(3);
     int gaps = 0;
-    for (std::uint64_t i = 1; i <= pieces; ++i) {
+    for (std::uint64_t i = 1; i <= stairs_pieces; ++i) {
         const std::uint64_t upper = value(text, i, "upper"), lower = value(text, i, "lower");
         if (upper == lower) continue;
         ++gaps;
@@ -93,7 +92,7 @@ TEST_CASE("shards: the false claim across a critical ratio is rejected by the pa
 }
 
 TEST_CASE("shards: what is wrong without any leaf is rejected by every part") {
-    const std::string text = make::contents(stairs);
+    const std::string text = make::contents(stairs_to_100);
     const std::string body = text.substr(0, text.find("total split"));
     std::vector<std::string> wrong{
         text + "\n",

@@ -11,7 +11,7 @@ using namespace dumbbell_verify;
 
 namespace {
 
-using I = Interval<double>;
+using DoublePair = Interval<double>;
 
 /// The bridge of a box, with its parts in reach.
 struct OpenBridge : Bridge<double> {
@@ -73,31 +73,33 @@ TEST_CASE("step edges: all meet the bridge that are below it at one point, be it
 TEST_CASE("step edges: who touches a tangent of the bridge does not pass above it") {
     // Slope and r are such that the tangent at the guess is above the corner beyond the bridge.
     constexpr double r = 161.0 / 256, slope = -2575.0 / 4096;
-    Departures<double> rays(I(r), nullptr);
+    Departures<double> rays(DoublePair(r), nullptr);
     const double z = rays.guess_slope(slope / r);
-    const auto [s, w] = sin_cos_on(I(z), rays.quarter);
-    const double height = (I(r) * (s - I(z) * w)).hi;
-    CHECK_FALSE(rays.passes_bridge({true, I(height), I(slope)}));
-    CHECK(rays.passes_bridge({true, I(std::nextafter(height, 4)), I(slope)}));
+    const auto [s, w] = sin_cos_on(DoublePair(z), rays.quarter);
+    const double height = (DoublePair(r) * (s - DoublePair(z) * w)).hi;
+    CHECK_FALSE(rays.passes_bridge({true, DoublePair(height), DoublePair(slope)}));
+    CHECK(rays.passes_bridge({true, DoublePair(std::nextafter(height, 4)), DoublePair(slope)}));
 }
 
 TEST_CASE("step edges: rays of which one may go through a corner have no certain contact") {
     const auto from = [](double height) {
-        return Departures<double>(I(0.5), nullptr).off_bridge({true, I(height, 0.1), I(0.1)}).has_value();
+        return Departures<double>(DoublePair(0.5), nullptr)
+            .off_bridge({true, DoublePair(height, 0.1), DoublePair(0.1)})
+            .has_value();
     };
     CHECK_FALSE(from(0));
     CHECK(from(0.09));
 }
 
 TEST_CASE("step edges: r below 2^-43 is a resource limit") {
-    CHECK_THROWS_AS(Departures<double>(I(0x1p-44), nullptr).all_at_most(5), std::length_error);
-    CHECK_FALSE(Departures<double>(I(0x1p-43), nullptr).all_at_most(5));
+    CHECK_THROWS_AS(Departures<double>(DoublePair(0x1p-44), nullptr).all_at_most(5), std::length_error);
+    CHECK_FALSE(Departures<double>(DoublePair(0x1p-43), nullptr).all_at_most(5));
 }
 
 TEST_CASE("step edges: rising states that may not turn have no certain direction") {
     FirstReflection<double> reflection(flight(-1, 1, 1, 2), nullptr);
     bool none = true;
-    CHECK_FALSE(reflection.behind_first(true, I(1), none));
+    CHECK_FALSE(reflection.behind_first(true, DoublePair(1), none));
     CHECK(std::string(reflection.failed()) == "falling, or turning in one direction");
 }
 
@@ -106,7 +108,7 @@ TEST_CASE("step edges: a rising start that turns backwards leaves steeply") {
     FirstReflection<double> reflection(flight(mpq_class(-5, 4), mpq_class(-5, 4), mpq_class(1, 4), 10),
                                        nullptr);
     bool none = false;
-    CHECK_FALSE(reflection.behind_first(false, I(-0.625), none));
+    CHECK_FALSE(reflection.behind_first(false, DoublePair(-0.625), none));
     CHECK(none);
 }
 

@@ -11,7 +11,7 @@ using make::mutated;
 
 namespace {
 
-std::string outcome(const std::string& text, unsigned precision = 0) {
+std::string outcome_at_bits(const std::string& text, unsigned precision = 0) {
     const File file(text);
     try {
         Settings settings;
@@ -24,7 +24,7 @@ std::string outcome(const std::string& text, unsigned precision = 0) {
 }
 
 bool rejected(const std::string& text, const std::string& code) {
-    return outcome(text).starts_with(code + ": ");
+    return outcome_at_bits(text).starts_with(code + ": ");
 }
 
 /// A witness of `lower` collisions on [a, b], found by trying a grid.
@@ -55,7 +55,7 @@ std::string single(const mpq_class& q, std::uint64_t upper, std::uint64_t lower,
 TEST_CASE("q = 1: equal masses") {
     const std::string piece = "piece 1/1 1/1\nbits 53\nupper 2\nequal-masses\nlower 0\n";
     const std::string text = closed(make::header("1/1", "1/1", 1) + piece);
-    CHECK(outcome(text) == "verified");
+    CHECK(outcome_at_bits(text) == "verified");
     CHECK(rejected(mutated(text, "upper 2", "upper 1"), "equal-masses"));
     CHECK(rejected(mutated(mutated(text, "piece 1/1 1/1", "piece 1/1 2/1"), "ratio 1/1 1/1", "ratio 1/1 2/1"),
                    "equal-masses"));
@@ -63,7 +63,7 @@ TEST_CASE("q = 1: equal masses") {
                    "equal-masses"));
     const std::string witness = find_witness(1, 1, 2);
     REQUIRE_FALSE(witness.empty());
-    CHECK(outcome(mutated(text, "lower 0\n", "lower 2\nwitness " + witness + "\n")) == "verified");
+    CHECK(outcome_at_bits(mutated(text, "lower 0\n", "lower 2\nwitness " + witness + "\n")) == "verified");
     CHECK(find_witness(1, 1, 3).empty());
 }
 
@@ -72,17 +72,17 @@ TEST_CASE("q = 10: one leaf in each chart, and a witness of 4") {
     REQUIRE_FALSE(witness.empty());
     const std::string text = single(10, 4, 4, witness);
     CHECK(text.find("total split 0\ntotal count 2\n") != std::string::npos);
-    CHECK(outcome(text) == "verified");
-    CHECK(outcome(text, 53) == "verified");  // the other back-end
-    CHECK(outcome(text, 113) == "verified");
-    CHECK(outcome(mutated(text, "bits 53", "bits 77")) == "verified");
+    CHECK(outcome_at_bits(text) == "verified");
+    CHECK(outcome_at_bits(text, 53) == "verified");  // the other back-end
+    CHECK(outcome_at_bits(text, 113) == "verified");
+    CHECK(outcome_at_bits(mutated(text, "bits 53", "bits 77")) == "verified");
 }
 
 TEST_CASE("q = 11.3: a tree") {
     const mpq_class q(113, 10);
     const std::string text = single(q, 4, 0, "");
-    CHECK(outcome(text) == "verified");
-    CHECK(outcome(text, 90) == "verified");
+    CHECK(outcome_at_bits(text) == "verified");
+    CHECK(outcome_at_bits(text, 90) == "verified");
     CHECK(text.find("total split 0\n") == std::string::npos);
 }
 
@@ -150,7 +150,7 @@ TEST_CASE("a witness holds for a whole range of ratios or not at all") {
     REQUIRE_FALSE(witness.empty());
     const std::string piece = "piece 10/1 21/2\nbits 53\nupper none\nlower 4\nwitness " + witness + "\n";
     const std::string text = closed(make::header("10/1", "21/2", 1) + piece);
-    CHECK(outcome(text) == "verified");
+    CHECK(outcome_at_bits(text) == "verified");
     CHECK(rejected(mutated(mutated(text, "piece 10/1", "piece 2/1"), "ratio 10/1", "ratio 2/1"), "witness"));
     CHECK(find_witness(2, mpq_class(21, 2), 4).empty());
 }
@@ -158,7 +158,7 @@ TEST_CASE("a witness holds for a whole range of ratios or not at all") {
 TEST_CASE("a range is covered with splits of the ratio, and not across a critical ratio") {
     const mpq_class a(10), b(11);
     const std::string text = closed(make::header("10/1", "11/1", 1) + make::piece(a, b, 4, 0, ""));
-    CHECK(outcome(text) == "verified");
+    CHECK(outcome_at_bits(text) == "verified");
     CHECK_THROWS_AS(make::cover(2, 10, 3), std::runtime_error);   // N*(10) = 4
     CHECK_THROWS_AS(make::cover(11, 12, 4), std::runtime_error);  // N*(12) = 5
     const std::string below = single(mpq_class(113, 10), 4, 0, "");
@@ -168,11 +168,11 @@ TEST_CASE("a range is covered with splits of the ratio, and not across a critica
 }
 
 TEST_CASE("large ratios: q = 10^4 and 10^6 in double and in 64 bits, one less fails") {
-    CHECK(outcome(single(100, 10, 0, "")) == "verified");
-    CHECK(outcome(single(10'000, 90, 0, "")) == "verified");
+    CHECK(outcome_at_bits(single(100, 10, 0, "")) == "verified");
+    CHECK(outcome_at_bits(single(10'000, 90, 0, "")) == "verified");
     const std::string text = single(1'000'000, 887, 0, "");
-    CHECK(outcome(text) == "verified");
-    CHECK(outcome(mutated(text, "bits 53", "bits 64")) == "verified");
+    CHECK(outcome_at_bits(text) == "verified");
+    CHECK(outcome_at_bits(mutated(text, "bits 53", "bits 64")) == "verified");
     CHECK_THROWS_AS(make::cover(10'000, 10'000, 89), std::runtime_error);
 }
 
@@ -183,6 +183,6 @@ TEST_CASE("a ratio beyond the range of double needs more bits") {
     const std::string text =
         closed(make::header(q, q, 1) + "piece " + q + " " + q +
                "\nbits 53\nupper 4\nchart bridge\ncount 1 2\nchart light\ncount 1 2\nlower 0\n");
-    CHECK(outcome(text) == "count: not certified: r is out of the range of this precision");
-    CHECK(outcome(mutated(text, "bits 53", "bits 54")).starts_with("count: not certified: G"));
+    CHECK(outcome_at_bits(text) == "count: not certified: r is out of the range of this precision");
+    CHECK(outcome_at_bits(mutated(text, "bits 53", "bits 54")).starts_with("count: not certified: G"));
 }

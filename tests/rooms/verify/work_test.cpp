@@ -39,8 +39,8 @@ std::optional<Failure> perform(const Task& task) {
     });
 }
 /// The line and verdict of what comes of these leaves; line 0: all are taken.
-std::pair<std::uint64_t, Verdict> outcome(const std::vector<Task>& tasks, unsigned jobs,
-                                          std::uint64_t units) try {
+std::pair<std::uint64_t, Verdict> done_and_verdict(const std::vector<Task>& tasks, unsigned jobs,
+                                                   std::uint64_t units) try {
     Budget budget(units);
     judge_all(tasks, jobs, budget, perform);
     return {0, Verdict::verified};
@@ -92,16 +92,16 @@ TEST_CASE("the leaf at which a budget ends is the same with any number of thread
     }
     REQUIRE((end > 10 && end < 50));
     for (const unsigned jobs : {1U, 2U, 7U}) {
-        CHECK(outcome(tasks, jobs, 900'000'000) == std::pair(end, Verdict::limit));
-        CHECK(outcome(tasks, jobs, done) == std::pair(std::uint64_t{0}, Verdict::verified));
-        CHECK(outcome(tasks, jobs, done - 1) == std::pair(std::uint64_t{60}, Verdict::limit));
-        CHECK(outcome(tasks, jobs, 0) == std::pair(std::uint64_t{1}, Verdict::limit));
+        CHECK(done_and_verdict(tasks, jobs, 900'000'000) == std::pair(end, Verdict::limit));
+        CHECK(done_and_verdict(tasks, jobs, done) == std::pair(std::uint64_t{0}, Verdict::verified));
+        CHECK(done_and_verdict(tasks, jobs, done - 1) == std::pair(std::uint64_t{60}, Verdict::limit));
+        CHECK(done_and_verdict(tasks, jobs, 0) == std::pair(std::uint64_t{1}, Verdict::limit));
         // A failure before it is told, one after it is not.
         std::vector<Task> failing = tasks;
         failing[end - 2].fails = failing[end].fails = true;
-        CHECK(outcome(failing, jobs, 900'000'000) == std::pair(end - 1, Verdict::rejected));
+        CHECK(done_and_verdict(failing, jobs, 900'000'000) == std::pair(end - 1, Verdict::rejected));
         failing[end - 2].fails = false;
-        CHECK(outcome(failing, jobs, 900'000'000) == std::pair(end, Verdict::limit));
+        CHECK(done_and_verdict(failing, jobs, 900'000'000) == std::pair(end, Verdict::limit));
     }
 }
 
