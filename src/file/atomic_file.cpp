@@ -145,8 +145,12 @@ class Temporary {
         if (is_new && has_name) {
             return true;
         }
+        // Removed under the lock: who made it and waits for the lock would take it for its own.
+        const bool stays = has_name && ::unlink(name_.c_str()) != 0 && errno != ENOENT;
+        const int cause = errno;
         ::close(descriptor_);
-        if (has_name && ::unlink(name_.c_str()) != 0 && errno != ENOENT) {
+        if (stays) {
+            errno = cause;
             cannot_create(path_);
         }
         return false;
