@@ -34,11 +34,8 @@ function(dumbbell_add_tests name)
   endif()
   target_include_directories(test_${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
   target_link_libraries(test_${name} PRIVATE dumbbell_options dumbbell_catch_main ${arg_LIBS})
-  # Several files at a time: what they include is most of what they take, and is read a third as often. For this a name
-  # is unique in its test program. -DCMAKE_UNITY_BUILD=OFF compiles each file by itself.
-  if(NOT DEFINED CMAKE_UNITY_BUILD)
-    set_target_properties(test_${name} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 5)
-  endif()
+  # Catch's macros are the rest of what a test takes.
+  set_target_properties(test_${name} PROPERTIES UNITY_BUILD_BATCH_SIZE 5)
   set_target_properties(test_${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR})
   # A name that matches no test case is a failure: cmake splits one that has a semicolon, and joins one that has an
   # unpaired bracket to those that follow it.

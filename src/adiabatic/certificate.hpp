@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -17,6 +18,8 @@ enum class AdiabaticClaim { bounce, run, scattering, printed };
 /// The axes of its boxes; each tree has some of them.
 enum class AdiabaticAxis { u, sigma, s, v, delta };
 inline constexpr std::size_t adiabatic_axes = 5;
+/// As certificates spell them.
+inline constexpr std::array<std::string_view, adiabatic_axes> axis_names{"u", "sigma", "s", "v", "delta"};
 
 /// Without `split` a leaf: `outside`, or `bound`, in the tree of a run or a scattering by the class of that
 /// number.

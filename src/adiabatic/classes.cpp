@@ -10,19 +10,19 @@
 namespace dumbbell::adiabatic {
 namespace {
 
-constexpr double half_pi = std::numbers::pi / 2;
+constexpr double right_angle = std::numbers::pi / 2;
 constexpr double highest_cell = 1.57;  ///< where the cells begin, but for the first
 constexpr int parts = 128;
 constexpr int slopes = 40;
 constexpr int contacts_per_cell = 4;
 constexpr int density_bits = 9;
 constexpr double greatest_sigma = 8;
-constexpr double nearest = 1e-4;  ///< to the vertical that cells reach: below nothing is certified
+constexpr double nearest_cells = 1e-4;  ///< to the vertical that cells reach: below nothing is certified
 
 /// X of L34: the contact of the line of slope l through the point over the bridge's middle at height m.
 double contact(double m, double l, double x) {
     for (int i = 0; i < 50; ++i) {
-        const double step = (std::sin(x) - l * x - m - l * half_pi) / (std::cos(x) - l);
+        const double step = (std::sin(x) - l * x - m - l * right_angle) / (std::cos(x) - l);
         x -= step;
         if (std::abs(step) < 1e-13) {
             break;
@@ -38,7 +38,7 @@ struct Rates {
 /// A', B and F/(w - l) of L34.
 Rates rates(double x, double l, double r) {
     const double w = std::cos(x), s = std::sin(x), z = w * w, b2 = 1 / (1 + r);
-    const double F = half_pi + x, f = half_pi + std::asin(b2 * s), rho = std::sqrt(z + 2 * r + r * r);
+    const double F = right_angle + x, f = right_angle + std::asin(b2 * s), rho = std::sqrt(z + 2 * r + r * r);
     const double n = f * F * s * (z - r) / ((z + r) * (z + r));
     const double n_x = (z - r) / ((z + r) * (z + r)) * (w / rho * F * s + f * s + f * F * w) +
                        2 * f * F * s * s * w * (z - 3 * r) / std::pow(z + r, 3);
@@ -73,7 +73,7 @@ class Densities {
   private:
     /// Of this cell by the flights whose upper contact is at u, at the end of the cell or in it.
     [[nodiscard]] double needed(std::size_t cell, double u, double delta) const {
-        if (u >= half_pi) {
+        if (u >= right_angle) {
             return 0;
         }
         const double r = delta * delta / (1 - delta * delta);
@@ -92,11 +92,11 @@ class Densities {
     }
 
     [[nodiscard]] double needed(std::size_t cell, double u, double sigma, double k, double r) const {
-        const double upper = half_pi - u;
-        const double m = std::sin(upper) - k * (half_pi + upper);
+        const double upper = right_angle - u;
+        const double m = std::sin(upper) - k * (right_angle + upper);
         const double lower = contact(m, -k, upper);
         const double w = std::cos(lower);
-        const double f = half_pi + std::asin(std::sin(lower) / (1 + r));
+        const double f = right_angle + std::asin(std::sin(lower) / (1 + r));
         if (lower < 0 || f * w * (w + k) / (w * w + r) < 0.98 * least_share_ * std::sqrt(1 + sigma * sigma)) {
             return 0;
         }
@@ -109,7 +109,7 @@ class Densities {
             x = contact(m, lambda * k, x);
             const Rates at = rates(x, lambda * k, r);
             drift += (until - from) * (at.second * sigma * sigma * (1 - lambda * lambda) / 2 + at.first);
-            const std::size_t in = cell_of(half_pi - x, cell);
+            const std::size_t in = cell_of(right_angle - x, cell);
             (in == cell ? own : before) += (until - from) * at.growth * (in == cell ? 1 : density_[in]);
         }
         const double root = std::sqrt(1 + sigma * sigma);
@@ -143,8 +143,8 @@ struct Range {
 Range shares(const AdiabaticHypotheses& of, double delta) {
     const double b2 = 1 - delta * delta;
     const auto share = [&](double u, double s) {
-        const double x = half_pi - u, w = std::cos(x), r = delta * delta / b2;
-        return (half_pi + std::asin(b2 * std::sin(x))) * w * (w + delta * s / b2) / (w * w + r) /
+        const double x = right_angle - u, w = std::cos(x), r = delta * delta / b2;
+        return (right_angle + std::asin(b2 * std::sin(x))) * w * (w + delta * s / b2) / (w * w + r) /
                std::sqrt(1 + s * s / b2);
     };
     const double margin = of.margin.convert_to<double>();
@@ -170,7 +170,8 @@ std::vector<AdiabaticClass> guess_classes(const AdiabaticHypotheses& of, int job
         deltas.push_back(longest * std::pow(shortest / longest, i / 3.0));
     }
     const bool run = of.claim == AdiabaticClaim::run;
-    const double margin = std::max(nearest, of.margin.convert_to<double>() * (run ? 1 : std::sqrt(shortest)));
+    const double margin =
+        std::max(nearest_cells, of.margin.convert_to<double>() * (run ? 1 : std::sqrt(shortest)));
     const auto [least, greatest] = shares(of, longest);
 
     std::vector<double> ends{11.0 / 7};

@@ -8,7 +8,6 @@
 namespace dumbbell::adiabatic {
 namespace {
 
-constexpr std::array<std::string_view, adiabatic_axes> axis_names{"u", "sigma", "s", "v", "delta"};
 constexpr int most_bits = 4096;
 constexpr long most_classes = 64;
 constexpr long most_cells = 4096;

@@ -9,8 +9,6 @@
 namespace dumbbell::adiabatic {
 namespace {
 
-constexpr std::array<const char*, adiabatic_axes> axis_names{"u", "sigma", "s", "v", "delta"};
-
 /// `0/1` or `P/Q`.
 std::string level(const Rational& x) { return to_fraction(x); }
 

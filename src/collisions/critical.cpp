@@ -16,7 +16,6 @@ using flight::ExtremalFlight;
 namespace {
 
 constexpr int least_bits = 128;
-constexpr int most_bits = 16384;
 
 /// The flight that decides, from its orbit's first; nothing if it is not certain at every r of the range that
 /// the orbit comes so far, or if interrupted.
@@ -141,7 +140,7 @@ std::optional<CriticalRatio> enclose_critical_ratio(long n, const CriticalOption
     }
     Rational guess = Rational(1) / exact(guess_critical_ratio(n, options.interrupted));
     const int enough = expected_bits(options.digits, flight.flight);
-    for (int bits = least_bits; bits <= most_bits && !options.interrupted(); bits *= 2) {
+    for (int bits = least_bits; bits <= most_critical_bits && !options.interrupted(); bits *= 2) {
         const PrecisionScope scope(bits);
         auto bracket = bracket_from(point_near(guess), flight, options);
         if (!bracket) {

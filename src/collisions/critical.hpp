@@ -27,6 +27,7 @@ struct CriticalOptions {
 };
 
 inline constexpr int most_critical_digits = 1000;
+inline constexpr int most_critical_bits = 16384;
 
 /// Nothing if interrupted, or if 16,384 bits do not give the digits. Precondition: n >= 3, 1 <= digits <=
 /// 1000.

@@ -15,8 +15,6 @@ using flight::Ray;
 
 namespace {
 
-constexpr int most_bits = 16384;
-
 /// Macro steps with so many bits lose about 2^-share_bits of a collision's progress.
 int bits_for(int share_bits) { return 4 * (share_bits + 24); }
 
@@ -116,7 +114,7 @@ bool certainly_encloses_by_counts(const CriticalRatio& ratio, const Interrupted&
 
 std::optional<CriticalRatio> enclose_long_critical_ratio(long n, const CriticalOptions& options) {
     // So close to a decimal of that many digits hardly any ratio lies; then more of them help.
-    for (int digits = options.digits + 2; bits_for(4 * digits) <= most_bits; digits += 5) {
+    for (int digits = options.digits + 2; bits_for(4 * digits) <= most_critical_bits; digits += 5) {
         // Relative distances are 2/n times those between the steps.
         const double share = std::log2(10.) * digits - std::log2(static_cast<double>(n)) + 1;
         const int share_bits = std::max(8, static_cast<int>(share) + 6);

@@ -13,8 +13,6 @@
 namespace dumbbell::collisions {
 namespace {
 
-constexpr int double_bits = 53;
-
 /// Calls attempt with a null value of the arithmetic for each precision in turn until it meets no obstacle.
 template <class Attempt>
 Obstacle escalate(const PieceOptions& options, Attempt attempt) {

@@ -5,8 +5,8 @@
 namespace dumbbell::law {
 namespace {
 
-constexpr int parts = 48;         ///< of the quadrature of P
-constexpr int second_parts = 12;  ///< of that in the term of second order
+constexpr int bulk_parts = 48;         ///< of the quadrature of P
+constexpr int bulk_second_parts = 12;  ///< of that in the term of second order
 
 Interval greatest_eps() { return Interval(1) / Interval(1000); }
 
@@ -34,7 +34,7 @@ Interval second_derivative_of_clock(const Interval& J, const Interval& alpha) {
             const Interval c = cos(x);
             return sin(J / c) / sqr(c);
         },
-        alpha, end, second_parts);
+        alpha, end, bulk_second_parts);
     return pi<Interval>() / (J * sqrt(sqr(pi<Interval>()) - sqr(J))) - sum;
 }
 
@@ -94,7 +94,7 @@ BulkBounds bulk_bounds(const Interval& th) {
 
     const Interval end = half_pi<Interval>() - asin(Q / pi<Interval>());
     const auto density = [&](const Interval& x) { return P_density(Q, x); };
-    const Interval P = -integral(density, alpha2, end, parts);
+    const Interval P = -integral(density, alpha2, end, bulk_parts);
     const Interval dP = density(between) * sum_b;
     const Interval reach = -(max(abs(A), abs(A2)) * sqr(eps));
     const Interval J = Q + hull(Interval(reach.lo()), Interval(0));

@@ -5,9 +5,9 @@
 namespace dumbbell::law {
 namespace {
 
-constexpr int parts = 300;        ///< of the quadrature over t
-constexpr int second_parts = 16;  ///< of that in the term of second order
-constexpr int passes = 5;         ///< of the iteration that encloses Q
+constexpr int end_parts = 300;        ///< of the quadrature over t
+constexpr int end_second_parts = 16;  ///< of that in the term of second order
+constexpr int end_passes = 5;         ///< of the iteration that encloses Q
 
 /// The quantities of the last flight; (10) and (15) of proofs/law.md. kappa = d^2 kh, eps = d^2 epsh, A = d
 /// ah, and rk = d^4 kh^2/2 [1, 1 + kappa^2].
@@ -25,7 +25,7 @@ Last last(const Interval& d, const Slope& Q) {
 
     // kh = (sinc^2 d + d^2 kh^2/4 [1, 1 + kappa^2])/F, from a window that holds by L53 (c).
     Interval k(0, 0.5), one(1);
-    for (int i = 0; i < passes; ++i) {
+    for (int i = 0; i < end_passes; ++i) {
         one = hull(Interval(1), 1 + sqr(k * d2));
         k = common((sqr(sinc(d)) + d2 * sqr(k) / 4 * one) / range(F), k);
     }
@@ -56,7 +56,7 @@ Interval narrowed(const Interval& d, const Interval& q) {
 
 EndBounds end_bounds(const Interval& d) {
     Interval q = hull(Interval(-1) / 10, Interval(3) / 5);
-    for (int i = 0; i < passes; ++i) {
+    for (int i = 0; i < end_passes; ++i) {
         q = narrowed(d, q);
     }
     const Last at = last(d, q);
@@ -64,13 +64,13 @@ EndBounds end_bounds(const Interval& d) {
 
     // g1 = int_0^1 t sinc(2dt) H(pi - 2dt, Q) dt, and the same of second order with J between Q + A and Q.
     Slope g1{Interval(0), Interval(0), Interval(0)};
-    for (int i = 0; i < parts; ++i) {
-        const Interval f = 2 * part(i, parts), weight = share(2 * i + 1, 2 * parts * parts);
+    for (int i = 0; i < end_parts; ++i) {
+        const Interval f = 2 * part(i, end_parts), weight = share(2 * i + 1, 2 * end_parts * end_parts);
         g1 = g1 + sinc_of<Slope>(f, d) * weight * H(pi<Interval>() - x * f, at.Q);
     }
     const Interval reach = -(abs(range(at.ah)) * d);
     const Interval between = range(at.Q) + hull(Interval(reach.lo()), Interval(0));
-    const Interval g2 = second_moment(2 * d, between, second_parts);
+    const Interval g2 = second_moment(2 * d, between, end_second_parts);
     const Slope m = midpoint_error<Slope>(d, Interval(1), at.F, at.Q, x * sinc_of<Slope>(Interval(1), d),
                                           cos_of<Slope>(d)) +
                     4 * (g1 * at.ah) + x * (sqr(at.ah) * (2 * g2));

@@ -7,9 +7,9 @@
 namespace dumbbell::law {
 namespace {
 
-constexpr int parts = 64;        ///< of the quadratures over t
-constexpr int second_parts = 8;  ///< of those in terms of second order
-constexpr int passes = 4;        ///< of the iteration that encloses Q
+constexpr int layer_parts = 64;        ///< of the quadratures over t
+constexpr int layer_second_parts = 8;  ///< of those in terms of second order
+constexpr int layer_passes = 4;        ///< of the iteration that encloses Q
 
 /// The quantities of a step that the rule is made of; (8) and (11) of proofs/law.md.
 template <class X>
@@ -78,16 +78,18 @@ Moments<X> moments(const LayerBox& box, const Step<X>& at, const X& J) {
     const X zero = quantity<X>(Interval(0), Interval(0), Interval(0));
     const X u = quantity<X>(U, Interval(0), Interval(1));
     Moments<X> sum{zero, zero, zero};
-    for (int i = 0; i < parts; ++i) {
-        const Interval f = plus * part(i, parts), weight = share(2 * i + 1, 2 * parts * parts);
+    for (int i = 0; i < layer_parts; ++i) {
+        const Interval f = plus * part(i, layer_parts),
+                       weight = share(2 * i + 1, 2 * layer_parts * layer_parts);
         const X F = pi<Interval>() - u * f, weighted = sinc_of<X>(f, U) * weight;
         sum.g1 = sum.g1 + weighted * H(F, at.Q);
         sum.k1 = sum.k1 + weighted * G(F, J);
     }
-    for (int i = 0; i < parts; ++i) {
+    for (int i = 0; i < layer_parts; ++i) {
         // t from t0 = 2i/parts - 1 on, over 2/parts: int (1 + rho t) dt = (2/parts)(1 + rho (t0 + t1)/2)
-        const Interval f = 1 + rho * (2 * part(i, parts) - Interval(1));
-        const Interval weight = (1 + rho * share(2 * i + 1 - parts, parts)) * share(2, parts);
+        const Interval f = 1 + rho * (2 * part(i, layer_parts) - Interval(1));
+        const Interval weight =
+            (1 + rho * share(2 * i + 1 - layer_parts, layer_parts)) * share(2, layer_parts);
         sum.mu = sum.mu + sinc_of<X>(f, U) * weight * H(pi<Interval>() - u * f, at.Q);
     }
     return sum;
@@ -98,7 +100,7 @@ LayerBounds bounds(const LayerBox& box) {
     const auto& [U, rho] = box;
     const Interval plus = 1 + rho, minus = 1 - rho;
     Interval q = q_of(box, step<Interval>(box, first_window()));
-    for (int i = 0; i < passes; ++i) {
+    for (int i = 0; i < layer_passes; ++i) {
         q = common(q, q_of(box, step<X>(box, Q_of<X>(box, q))));
     }
     const Step<X> at = step<X>(box, Q_of<X>(box, q));
@@ -108,8 +110,8 @@ LayerBounds bounds(const LayerBox& box) {
     // E2: first order, and the second with J between Q + A (or Q + A') and Q.
     const Interval least = -(max(abs(range(at.a_whole)), abs(range(at.a_prime))) * range(at.d) * rho);
     const Interval between = range(at.Q) + hull(Interval(least.lo()), Interval(0));
-    const Interval h1 = second_moment(plus * U, between, second_parts);
-    const Interval h2 = second_moment(minus * U, between, second_parts);
+    const Interval h1 = second_moment(plus * U, between, layer_second_parts);
+    const Interval h2 = second_moment(minus * U, between, layer_second_parts);
     const X E2 = g1 * at.a * sqr(plus) + mu * at.a_prime +
                  at.d * (sqr(at.a_whole) * (sqr(plus) * h1 / 2) - sqr(at.a_prime) * (sqr(minus) * h2 / 2));
     const X m = midpoint_error<X>(U, rho, at.F, at.Q, at.sin_U, at.cos_U) + E2;

@@ -63,6 +63,9 @@ class BigInterval {
     arf_t lo_, hi_;
 };
 
+/// The precision of double, as PrecisionScope counts it.
+inline constexpr int double_bits = 53;
+
 /// Sets the working precision (bits) of BigInterval on this thread for its lifetime. Precondition: 2 <= bits
 /// <= 2^20.
 class PrecisionScope {

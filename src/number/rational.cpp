@@ -82,7 +82,7 @@ struct Nearest {
     mpfr_t value;
 };
 
-Integer power_of_ten(int n) { return pow(Integer(10), static_cast<unsigned>(n)); }
+Integer ten_to(int n) { return pow(Integer(10), static_cast<unsigned>(n)); }
 
 }  // namespace
 
@@ -215,8 +215,7 @@ Rational parse_rational(std::string_view text, std::size_t max_length) {
         exponent += parse_exponent(rest.substr(1), text);
     }
     const Integer mantissa = to_integer(digits);
-    return exponent >= 0 ? Rational(mantissa * power_of_ten(exponent))
-                         : Rational(mantissa, power_of_ten(-exponent));
+    return exponent >= 0 ? Rational(mantissa * ten_to(exponent)) : Rational(mantissa, ten_to(-exponent));
 }
 
 std::string to_fraction(const Rational& x) { return numerator(x).str() + "/" + denominator(x).str(); }

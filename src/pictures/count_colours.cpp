@@ -16,16 +16,16 @@ struct Colour {
 };
 
 /// Viridis at equal steps, bright to dark.
-constexpr std::array<Colour, 10> scale{{{253, 231, 37},
-                                        {181, 222, 43},
-                                        {110, 206, 88},
-                                        {53, 183, 121},
-                                        {31, 158, 137},
-                                        {38, 130, 142},
-                                        {49, 104, 142},
-                                        {62, 73, 137},
-                                        {72, 40, 120},
-                                        {68, 1, 84}}};
+constexpr std::array<Colour, 10> colour_scale{{{253, 231, 37},
+                                               {181, 222, 43},
+                                               {110, 206, 88},
+                                               {53, 183, 121},
+                                               {31, 158, 137},
+                                               {38, 130, 142},
+                                               {49, 104, 142},
+                                               {62, 73, 137},
+                                               {72, 40, 120},
+                                               {68, 1, 84}}};
 
 /// Few counts do not use the whole scale: so 1, 2, 3, 4 have the same colours in all pictures of few counts.
 constexpr long least_steps = 3;
@@ -35,11 +35,12 @@ constexpr double share_on_dark = 0.84;
 
 /// t in [0, 1].
 std::string colour_at(double t) {
-    const double at = t * static_cast<double>(scale.size() - 1);
-    const auto i = std::min(static_cast<std::size_t>(at), scale.size() - 2);
+    const double at = t * static_cast<double>(colour_scale.size() - 1);
+    const auto i = std::min(static_cast<std::size_t>(at), colour_scale.size() - 2);
     const double part = at - static_cast<double>(i);
     const auto mixed = [&](double Colour::*channel) {
-        return std::lround(scale[i].*channel + (scale[i + 1].*channel - scale[i].*channel) * part);
+        return std::lround(colour_scale[i].*channel +
+                           (colour_scale[i + 1].*channel - colour_scale[i].*channel) * part);
     };
     return fmt::format("#{:02x}{:02x}{:02x}", mixed(&Colour::red), mixed(&Colour::green),
                        mixed(&Colour::blue));

@@ -24,13 +24,11 @@ using collisions::Reason;
 
 namespace {
 
-constexpr double left = 76;
-constexpr double plot_height = 400;
+constexpr double cover_left = 76;
+constexpr double cover_height = 400;
 constexpr double between_panels = 72;
 constexpr double below_heading = 24;
 constexpr double above_caption = 66;
-
-double value(const Rational& x) { return x.convert_to<double>(); }
 
 void require_few(std::size_t boxes) {
     if (boxes > most_drawn_boxes) {
@@ -149,7 +147,7 @@ Frame frame_of(const Panel& panel, double x, double y, double width) {
     return {x,
             y,
             width,
-            plot_height,
+            cover_height,
             {0, panel.position_hi,
              fmt::format("{}: angle from the corner", axis_name(panel.chart, collisions::Axis::position)),
              even_ticks(0, panel.position_hi, wanted)},
@@ -224,12 +222,12 @@ std::string cover_svg(const collisions::Piece& piece, const Rational& q) {
         }
     }
     const auto panels = static_cast<double>(cover.panels.size());
-    const double whole_width = page_width - left - right_margin;
+    const double whole_width = page_width - cover_left - right_margin;
     const double width = (whole_width - between_panels * (panels - 1)) / panels;
     const Legend legend(legend_entries(cover.counts, cover.others), whole_width);
     const double panel_top = top_margin + below_heading + legend.height() + 30;
     const auto caption = broken_lines(caption_of(piece, q, boxes, cover), whole_width);
-    const double caption_top = panel_top + plot_height + above_caption;
+    const double caption_top = panel_top + cover_height + above_caption;
 
     Svg svg(page_width, caption_top + caption_step * static_cast<double>(caption.size()),
             "The boxes of a cover of all collision states of a bouncing dumbbell");
@@ -240,9 +238,10 @@ std::string cover_svg(const collisions::Piece& piece, const Rational& q) {
     for (const Reason reason : cover.others) {
         svg.colour(style_of(reason).kind, "fill", style_of(reason).shade);
     }
-    svg.text(left, top_margin + 9, "what each box proves: at most so many collisions", Anchor::start, "head");
-    legend.draw(svg, left, top_margin + below_heading);
-    double x = left;
+    svg.text(cover_left, top_margin + 9, "what each box proves: at most so many collisions", Anchor::start,
+             "head");
+    legend.draw(svg, cover_left, top_margin + below_heading);
+    double x = cover_left;
     for (const Panel& panel : cover.panels) {
         const Frame frame = frame_of(panel, x, panel_top, width);
         draw_boxes(svg, frame, panel.boxes);
@@ -255,14 +254,14 @@ std::string cover_svg(const collisions::Piece& piece, const Rational& q) {
         svg.text(frame.left(), frame.top() - 8, fmt::format("chart {}", name(panel.chart)));
         x += width + between_panels;
     }
-    draw_caption(svg, left, caption_top, caption);
+    draw_caption(svg, cover_left, caption_top, caption);
     return svg.finished();
 }
 
 std::string cover_svg(const starts::InitialCertificate& certificate) {
     require_few(certificate.tree.size() / 2 + 1);
     const InitialPlane plane = initial_plane(certificate);
-    const double whole_width = page_width - left - right_margin;
+    const double whole_width = page_width - cover_left - right_margin;
     const PlotAxis horizontal = plot_axis(certificate, plane.axes[0]);
     const PlotAxis vertical = plot_axis(certificate, plane.axes[1]);
     const auto along = [](const PlotAxis& axis, const Rational& share) {
@@ -283,8 +282,8 @@ std::string cover_svg(const starts::InitialCertificate& certificate) {
         entries.push_back({Swatch::area, "hatched", "undecided"});
     }
     const Legend legend(std::move(entries), whole_width);
-    const Frame frame(left, top_margin + below_heading + legend.height() + 10, whole_width, plot_height,
-                      horizontal, vertical);
+    const Frame frame(cover_left, top_margin + below_heading + legend.height() + 10, whole_width,
+                      cover_height, horizontal, vertical);
     const auto caption =
         broken_lines(fmt::format("{}. {} boxes; all initial conditions of a box have the number of "
                                  "collisions of its colour, unless both masses hit the floor at once.{} {}",
@@ -296,11 +295,11 @@ std::string cover_svg(const starts::InitialCertificate& certificate) {
             "Boxes of initial conditions of a bouncing dumbbell by their certified number of collisions");
     style_boxes(svg, plane.cells.size());
     colour_counts(svg, {counts.begin(), counts.end()});
-    svg.text(left, top_margin + 9, "certified number of collisions", Anchor::start, "head");
-    legend.draw(svg, left, top_margin + below_heading);
+    svg.text(cover_left, top_margin + 9, "certified number of collisions", Anchor::start, "head");
+    legend.draw(svg, cover_left, top_margin + below_heading);
     draw_boxes(svg, frame, boxes);
     frame.draw_axes(svg);
-    draw_caption(svg, left, caption_top, caption);
+    draw_caption(svg, cover_left, caption_top, caption);
     return svg.finished();
 }
 

@@ -4,6 +4,7 @@
 #include <string_view>
 #include <vector>
 
+#include "number/rational.hpp"
 #include "pictures/svg.hpp"
 
 /// Axes, marks and legends, as all pictures have them.
@@ -100,6 +101,9 @@ class Legend {
     std::vector<LegendEntry> entries_;
     std::vector<Place> places_;
 };
+
+/// Where an exact number is drawn.
+inline double value(const Rational& x) { return x.convert_to<double>(); }
 
 /// The page that all pictures share, in pixels.
 inline constexpr double page_width = 860;

@@ -21,7 +21,7 @@ using collisions::Status;
 
 namespace {
 
-constexpr double left = 64;
+constexpr double law_left = 64;
 constexpr double teeth_height = 320;
 constexpr double steps_height = 190;
 constexpr double between = 84;  ///< from one frame to the next
@@ -29,8 +29,6 @@ constexpr double between = 84;  ///< from one frame to the next
 // N(q) - C sqrt q lies between these for every q >= 1 (Theorem B).
 constexpr double least = 0.980;
 constexpr double greatest = 2.115;
-
-double value(const Rational& q) { return q.convert_to<double>(); }
 
 double fourth_root(double q) { return std::sqrt(std::sqrt(q)); }
 
@@ -240,7 +238,7 @@ void draw_steps(Svg& svg, const Frame& frame, const Content& content) {
     frame.draw_axes(svg);
 }
 
-void style(Svg& svg) {
+void law_style(Svg& svg) {
     svg.rules(
         ".proved,.exception,.step,.bounds{fill:none}.proved,.exception,.step{stroke-linecap:round}"
         ".proved{stroke-width:1.4}.step{stroke-width:3}.exception{stroke-width:3.2}"
@@ -289,27 +287,27 @@ std::string law_svg(const std::vector<Piece>& pieces, double q_end) {
     const Range known{value(pieces.front().q_lo), value(pieces.back().q_hi)};
     require(law_from <= known.hi && known.hi < q_end, "law picture: a range that the law does not continue");
     const Content content{pieces, {}, {known.lo, q_end}, known};
-    const double width = page_width - left - right_margin;
+    const double width = page_width - law_left - right_margin;
     const Legend legend(legend_entries(content), width);
     const double legend_top = top_margin + 24;
-    const Frame teeth(left, legend_top + legend.height() + 10, width, teeth_height,
+    const Frame teeth(law_left, legend_top + legend.height() + 10, width, teeth_height,
                       ratio_axis(content.all, width),
                       {0.9, 2.2, "N(q) \xe2\x88\x92 C \xe2\x88\x9aq", even_ticks(0.9, 2.2, 7)});
-    const Frame steps(left, teeth.bottom() + between, width, steps_height, ratio_axis(content.all, width),
+    const Frame steps(law_left, teeth.bottom() + between, width, steps_height, ratio_axis(content.all, width),
                       {-0.16, 0.24, "", even_ticks(-0.16, 0.24, 4)});
     const auto words = broken_lines(fmt::format(caption, content.law.C, content.law.c0), width);
     const double caption_top = steps.bottom() + 66;
 
     Svg svg(page_width, caption_top + caption_step * static_cast<double>(words.size()), title);
-    style(svg);
-    svg.text(left, top_margin + 9, title, Anchor::start, "head");
-    legend.draw(svg, left, legend_top);
+    law_style(svg);
+    svg.text(law_left, top_margin + 9, title, Anchor::start, "head");
+    legend.draw(svg, law_left, legend_top);
     draw_teeth(svg, teeth, content);
     svg.text(
-        left, steps.top() - 12,
+        law_left, steps.top() - 12,
         "How late the steps are: (C \xe2\x88\x9aq \xe2\x88\x92 (N \xe2\x88\x92 2)) q^(1/4) at q = q_c(N)");
     draw_steps(svg, steps, content);
-    draw_caption(svg, left, caption_top, words);
+    draw_caption(svg, law_left, caption_top, words);
     return svg.finished();
 }
 

@@ -20,8 +20,8 @@ namespace {
 using Orbit = std::vector<flight::Collision<Interval>>;
 using std::numbers::pi;
 
-constexpr double left = 76;
-constexpr double plot_height = 330;
+constexpr double orbit_left = 76;
+constexpr double orbit_height = 330;
 constexpr double detail_height = 190;
 constexpr double below_axes = 66;
 constexpr double out_of_sight = 50;  // above a frame
@@ -233,15 +233,15 @@ void draw_panel(Svg& svg, const Frame& frame, const Floor& floor, const Orbit& o
 }
 
 Frame frame_of(double frame_top, double height, double y_hi, int wanted) {
-    return {left,
+    return {orbit_left,
             frame_top,
-            page_width - left - right_margin,
+            page_width - orbit_left - right_margin,
             height,
             {-pi, pi, "psi = phi \xe2\x88\x92 \xcf\x80/2 (radians)", angle_ticks(-pi, pi)},
             {0, y_hi, "y (rod lengths)", even_ticks(0, y_hi, wanted)}};
 }
 
-void style(Svg& svg) {
+void orbit_style(Svg& svg) {
     svg.rules(
         ".light-wall,.bridge{fill:none;stroke-width:2.5}.flight{fill:none;stroke-width:1.2;stroke-linejoin:"
         "round}"
@@ -295,9 +295,9 @@ std::string orbit_svg(const Orbit& orbit, const Rational& q) {
     const Legend legend({{Swatch::dot, "light", "the light mass hits the floor"},
                          {Swatch::square, "heavy", "the heavy mass hits the floor"},
                          {Swatch::curve, "flight", "flight"}},
-                        page_width - left - right_margin);
+                        page_width - orbit_left - right_margin);
     const Frame whole =
-        frame_of(top_margin + legend.height() + 10, plot_height, above_humps * floor.beta2, 6);
+        frame_of(top_margin + legend.height() + 10, orbit_height, above_humps * floor.beta2, 6);
     const Frame near = frame_of(whole.bottom() + below_axes, detail_height, detail, 4);
     const double snapshots_top = (has_detail ? near : whole).bottom() + below_axes;
     const double caption_top = snapshots_top + snapshots_height() + 4;
@@ -305,14 +305,14 @@ std::string orbit_svg(const Orbit& orbit, const Rational& q) {
 
     Svg svg(page_width, caption_top + caption_step * static_cast<double>(caption.size()),
             "An orbit of a bouncing dumbbell with its collisions");
-    style(svg);
-    legend.draw(svg, left, top_margin);
+    orbit_style(svg);
+    legend.draw(svg, orbit_left, top_margin);
     draw_panel(svg, whole, floor, orbit, has_detail ? detail : 0);
     if (has_detail) {
         draw_panel(svg, near, floor, orbit, 0);
     }
-    draw_snapshots(svg, orbit, q, left, snapshots_top, whole.width());
-    draw_caption(svg, left, caption_top, caption);
+    draw_snapshots(svg, orbit, q, orbit_left, snapshots_top, whole.width());
+    draw_caption(svg, orbit_left, caption_top, caption);
     return svg.finished();
 }
 

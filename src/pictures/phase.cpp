@@ -16,8 +16,8 @@
 namespace dumbbell::pictures {
 namespace {
 
-constexpr double left = 76;
-constexpr double plot_height = 430;
+constexpr double phase_left = 76;
+constexpr double phase_height = 430;
 
 struct Region {
     std::vector<PlaneBox> boxes;
@@ -115,10 +115,10 @@ std::string phase_svg(const starts::InitialCertificate& certificate) {
         }
     }
 
-    const double width = page_width - left - right_margin;
+    const double width = page_width - phase_left - right_margin;
     const Legend legend(legend_entries(regions, undecided), width);
     const double legend_top = top_margin + 24;
-    const Frame frame(left, legend_top + legend.height() + 10, width, plot_height,
+    const Frame frame(phase_left, legend_top + legend.height() + 10, width, phase_height,
                       plot_axis(certificate, plane.axes[0]), plot_axis(certificate, plane.axes[1]));
     const auto caption = broken_lines(
         fmt::format("{}. Every initial condition inside a region of one colour has exactly that number of "
@@ -132,9 +132,9 @@ std::string phase_svg(const starts::InitialCertificate& certificate) {
     svg.colour("region", "stroke", {"#2b3138", "#0b0e12"});
     colour_counts(svg, counts_of(regions));
 
-    svg.text(left, top_margin + 9, "certified number of collisions (share of the picture)", Anchor::start,
-             "head");
-    legend.draw(svg, left, legend_top);
+    svg.text(phase_left, top_margin + 9, "certified number of collisions (share of the picture)",
+             Anchor::start, "head");
+    legend.draw(svg, phase_left, legend_top);
     svg.rect("hatched", frame.left(), frame.top(), frame.width(), frame.height());
     const std::array<int, 2> bits = fineness(plane.cells);
     svg.open_units(frame.left(), frame.bottom(), std::ldexp(frame.width(), -bits[0]),
@@ -144,7 +144,7 @@ std::string phase_svg(const starts::InitialCertificate& certificate) {
     }
     svg.close();
     frame.draw_axes(svg);
-    draw_caption(svg, left, caption_top, caption);
+    draw_caption(svg, phase_left, caption_top, caption);
     return svg.finished();
 }
 

@@ -20,8 +20,8 @@ using starts::ShareBounds;
 
 namespace {
 
-constexpr double left = 84;
-constexpr double plot_height = 330;
+constexpr double shares_left = 84;
+constexpr double shares_height = 330;
 constexpr long most_labelled = 20;  ///< bars with their numbers over them
 constexpr double gap = 0.12;        ///< of a bar's place, on both sides
 
@@ -87,11 +87,11 @@ std::string shares_svg(const starts::InitialCertificate& certificate) {
         throw InputError("nothing of the box is decided: dumbbell trace with a greater --max-boxes");
     }
     const double first = bars.front().from, last = bars.back().to, least = least_share(bars);
-    const double width = page_width - left - right_margin;
+    const double width = page_width - shares_left - right_margin;
     const Legend legend(
         {{Swatch::area, "at-least", "share of the starts, at least"}, {Swatch::area, "hatched", "at most"}},
         width);
-    const Frame frame(left, top_margin + legend.height() + 12, width, plot_height,
+    const Frame frame(shares_left, top_margin + legend.height() + 12, width, shares_height,
                       {first - 0.5, last + 0.5, "number of collisions", counts_ticks(first, last)},
                       {least, 1.5, "share (logarithmic)", decades(least), Scale::logarithmic});
     const auto caption =
@@ -103,7 +103,7 @@ std::string shares_svg(const starts::InitialCertificate& certificate) {
     Svg svg(page_width, caption_top + caption_step * static_cast<double>(caption.size()),
             "How likely each number of collisions of a bouncing dumbbell is");
     svg.colour("at-least", "fill", palette::proved);
-    legend.draw(svg, left, top_margin);
+    legend.draw(svg, shares_left, top_margin);
     frame.draw_grid(svg);
     for (const Bar& bar : bars) {
         const double x = frame.x(bar.from - 0.5 + gap), right = frame.x(bar.to + 0.5 - gap);
@@ -117,7 +117,7 @@ std::string shares_svg(const starts::InitialCertificate& certificate) {
         }
     }
     frame.draw_axes(svg);
-    draw_caption(svg, left, caption_top, caption);
+    draw_caption(svg, shares_left, caption_top, caption);
     return svg.finished();
 }
 

@@ -12,8 +12,8 @@ constexpr std::size_t most_snapshots = 14;
 constexpr std::size_t at_ends = 3;      // of more
 constexpr std::size_t beside_turn = 2;  // on each side
 constexpr double rod = 44;              // pixels
-constexpr double above = 12;            // room for a mass
-constexpr double below = 26;            // for the number
+constexpr double above_rod = 12;        // room for a mass
+constexpr double below_rod = 26;        // for the number
 constexpr double light_radius = 3.5;
 constexpr double most_times = 2;
 
@@ -45,7 +45,7 @@ std::vector<std::size_t> shown_collisions(const std::vector<flight::Collision<In
     return shown;
 }
 
-double snapshots_height() { return above + rod + below + 20; }
+double snapshots_height() { return above_rod + rod + below_rod + 20; }
 
 void draw_snapshots(Svg& svg, const std::vector<flight::Collision<Interval>>& orbit, const Rational& q,
                     double left, double top, double width) {
@@ -57,7 +57,7 @@ void draw_snapshots(Svg& svg, const std::vector<flight::Collision<Interval>>& or
     const double beta2 = 1 / (1 + 1 / q.convert_to<double>());
     const double beta1 = 1 - beta2;
     const double step = width / static_cast<double>(slots);
-    const double floor = top + above + rod;
+    const double floor = top + above_rod + rod;
     svg.line("frame", left, floor, left + width, floor);
     double middle = left - step / 2;
     for (std::size_t i = 0; i < shown.size(); ++i) {
@@ -77,7 +77,7 @@ void draw_snapshots(Svg& svg, const std::vector<flight::Collision<Interval>>& or
         svg.line("flight", light_x, light_y, heavy_x, heavy_y);
         svg.circle("heavy", heavy_x, heavy_y, heavy_radius(q));
         svg.circle("light", light_x, light_y, light_radius);
-        svg.text(middle, floor + below, fmt::format("{}", shown[i] + 1), Anchor::middle, "number");
+        svg.text(middle, floor + below_rod, fmt::format("{}", shown[i] + 1), Anchor::middle, "number");
     }
 }
 

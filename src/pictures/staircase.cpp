@@ -22,10 +22,8 @@ using collisions::Status;
 
 namespace {
 
-constexpr double left = 64;
-constexpr double plot_height = 380;
-
-double value(const Rational& q) { return q.convert_to<double>(); }
+constexpr double staircase_left = 64;
+constexpr double staircase_height = 380;
 
 /// ceil(pi / gamma) + above, which steps from m to m + 1 after q = cot^2(pi / 2m): with 1 the paper's bound
 /// for the dumbbell, with 0 the maximum of the wedges (lemma L17).
@@ -125,7 +123,7 @@ PlotAxis count_axis(const Counts& counts) {
     }
     if (most > growing * least) {
         const double hi = most * 1.2;
-        return {1.5, hi, "collisions (logarithmic)", decade_ticks(1.5, hi, {plot_height, true}),
+        return {1.5, hi, "collisions (logarithmic)", decade_ticks(1.5, hi, {staircase_height, true}),
                 Scale::logarithmic};
     }
     const double lo = least - 1.5;
@@ -199,10 +197,10 @@ std::string staircase_svg(const std::vector<Piece>& pieces, Scene scene) {
         entries.push_back(
             {Swatch::curve, "paper", "\xe2\x8c\x88\xcf\x80/\xce\xb3\xe2\x8c\x89 (lemmas L17, L18)"});
     }
-    const double width = page_width - left - right_margin;
+    const double width = page_width - staircase_left - right_margin;
     const Legend legend(std::move(entries), width);
     const double legend_top = top_margin + 24;
-    const Frame frame(left, legend_top + legend.height() + 10, width, plot_height,
+    const Frame frame(staircase_left, legend_top + legend.height() + 10, width, staircase_height,
                       {q_lo, q_hi, "mass ratio q (heavy over light, logarithmic)",
                        decade_ticks(q_lo, q_hi, {width}), Scale::logarithmic},
                       count_axis(counts));
@@ -217,7 +215,7 @@ std::string staircase_svg(const std::vector<Piece>& pieces, Scene scene) {
     svg.colour("paper", "stroke", palette::paper);
     svg.colour("paper-word", "fill", palette::paper);
     svg.colour("growth", "stroke", palette::growth);
-    svg.text(left, top_margin + 9, names.title, Anchor::start, "head");
+    svg.text(staircase_left, top_margin + 9, names.title, Anchor::start, "head");
     draw_open(svg, frame, pieces);
     frame.draw_grid(svg);
     frame.open_clip(svg);
@@ -235,7 +233,7 @@ std::string staircase_svg(const std::vector<Piece>& pieces, Scene scene) {
         svg.text(frame.left() + 10, frame.top() + 20, far_bound(pieces), Anchor::start, "paper-word");
     }
     frame.draw_axes(svg);
-    legend.draw(svg, left, legend_top);
+    legend.draw(svg, staircase_left, legend_top);
     return svg.finished();
 }
 

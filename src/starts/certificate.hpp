@@ -3,6 +3,7 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "number/rational.hpp"
@@ -13,6 +14,8 @@ namespace dumbbell::starts {
 /// The axes of a box of initial conditions; the ratio is q = heavy mass / light mass.
 enum class InitialAxis { phi, phidot, y, ydot, ratio };
 inline constexpr std::size_t initial_axes = 5;
+/// As certificates spell them.
+inline constexpr std::array<std::string_view, initial_axes> axis_names{"phi", "phidot", "y", "ydot", "q"};
 
 /// A closed box of initial conditions in physical terms: rod length 1, phi in radians (the light mass is at
 /// height y + beta2 sin phi), y the height of the centre of mass. An axis of width 0 is an exact number.

@@ -18,6 +18,9 @@ struct FirstContactGuess {
 [[nodiscard]] std::optional<FirstContactGuess> guess_first_contact(double phi, double yhat, double phidot,
                                                                    double yhatdot, double r) noexcept;
 
+/// Spans that one of many boxes may cost.
+inline constexpr long spans_of_a_box = 1024;
+
 namespace detail {
 
 /// Whether the clearance of `mass` certainly stays positive on [a, b]: from its value at a and the least

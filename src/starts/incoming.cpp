@@ -5,7 +5,7 @@
 namespace dumbbell::starts {
 namespace {
 
-constexpr int working_bits = 256;
+constexpr int angle_bits = 256;
 
 /// s sqrt(q/(1 - s^2)), 0 <= s < 1.
 BigInterval spin(const Rational& s, const Rational& q) {
@@ -23,7 +23,7 @@ InitialBox incoming_box(const Rational& q) {
 bool is_unbounded(const InitialBox& piece) { return piece.upper(InitialAxis::phidot) >= 1; }
 
 InitialBox states_of_incoming(const InitialBox& piece) {
-    const PrecisionScope scope(working_bits);
+    const PrecisionScope scope(angle_bits);
     InitialBox box = piece;
     const auto half_turn = pi<BigInterval>();
     const auto angle = [&](const Rational& x) { return enclose<BigInterval>(x) * half_turn; };

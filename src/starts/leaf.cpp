@@ -10,8 +10,6 @@
 namespace dumbbell::starts {
 namespace {
 
-constexpr long most_spans = 1024;
-constexpr int double_bits = 53;
 constexpr int most_exponent = 400;  ///< of a dyadic in the file, and of a window's end over its step
 
 /// A side of the box, wider by 2^-16 of its width and 2^(7 - bits) of its size on both ends.
@@ -64,7 +62,7 @@ bool certainly_in_window(const State<I>& s, Mass mass, const I& times) {
     return certainly_positive(clearance(s, mass, low_end(times))) &&
            certainly_positive(-clearance(s, mass, high_end(times))) &&
            certainly_positive(-clearance_rate(s, mass, times)) &&
-           certainly_first(s, {mass}, times, most_spans);
+           certainly_first(s, {mass}, times, spans_of_a_box);
 }
 
 /// A window in which the first contact certainly lies, as do all times of `event`.
@@ -87,7 +85,7 @@ std::optional<FirstContact> certain_window(const State<I>& s, Event<I>& event, i
 template <class I>
 InitialLeaf judge_in(const InitialBox& box, int bits) {
     const State<I> s = wider_state<I>(box, bits);
-    Event<I> event = event_from_air(s, most_spans);
+    Event<I> event = event_from_air(s, spans_of_a_box);
     if (event.next == Next::none) {
         return {0, 0};
     }

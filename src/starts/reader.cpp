@@ -8,8 +8,6 @@
 namespace dumbbell::starts {
 namespace {
 
-constexpr std::array<std::string_view, initial_axes> axis_names{"phi", "phidot", "y", "ydot", "q"};
-
 /// The order of the axes in the head: the ratio comes first.
 constexpr std::array<std::pair<std::string_view, InitialAxis>, initial_axes> head_axes{
     {{"ratio", InitialAxis::ratio},

@@ -45,11 +45,11 @@ struct Volumes {
     }
 };
 
-constexpr unsigned decimals = 12;
+constexpr unsigned share_decimals = 12;
 
 /// x in [0, 1] with twelve decimals, rounded up or down.
 std::string fixed(const Rational& x, bool up) {
-    const Integer one = pow(Integer(10), decimals);
+    const Integer one = pow(Integer(10), share_decimals);
     const Rational scaled = x * Rational(one);
     Integer units = numerator(scaled) / denominator(scaled);
     if (up && Rational(units) < scaled) {

@@ -9,8 +9,6 @@
 namespace dumbbell::starts {
 namespace {
 
-constexpr long most_spans = 1024;
-
 State<Tangent> centre_of(const InitialBox& box) {
     const auto side = [&](std::size_t i) {
         const Rational centre = (box.lo[i] + box.hi[i]) / 2;
@@ -35,7 +33,7 @@ State<Tangent> after_contact(const State<Tangent>& s, Mass mass, double time) {
 /// The orbit of the centre after so many collisions, or as far as it can be followed.
 State<Tangent> follow_centre(const InitialBox& box, long collisions) {
     State<Tangent> s = centre_of(box);
-    Event<Interval> event = event_from_air(point(s), most_spans);
+    Event<Interval> event = event_from_air(point(s), spans_of_a_box);
     for (long done = 0; done < collisions && event.next == Next::contact; ++done) {
         s = after_contact(s, event.mass, approximate(*event.time));
         event = event_after_contact(point(s), event.mass);

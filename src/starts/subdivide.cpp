@@ -97,9 +97,8 @@ void include(Subdivision& result, const InitialLeaf& leaf, int depth) {
 }
 
 Obstacle obstacle_of_states(const InitialBox& box) {
-    constexpr long most_spans = 1024;
     const BoxJets<Interval> jets(box);
-    return find_obstacle(follow(jets.state(), most_spans), natural_state<Interval>(box));
+    return find_obstacle(follow(jets.state(), spans_of_a_box), natural_state<Interval>(box));
 }
 
 /// What an undecided box is on or near to.

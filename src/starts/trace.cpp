@@ -12,7 +12,6 @@
 namespace dumbbell::starts {
 namespace {
 
-constexpr int double_bits = 53;
 constexpr int shown_digits = 12;
 
 /// |N.v| over |v| |N| in the kinetic metric, before the collision.

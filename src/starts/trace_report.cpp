@@ -34,8 +34,9 @@ constexpr std::array<Quantity, 8> quantities{
      {"phidot_after", "phidot after", &Collision<TracedValue>::phidot_after},
      {"grazing_sine", "grazing sine", &Collision<TracedValue>::grazing_sine}}};
 
-constexpr std::array<const char*, initial_axes> axis_names{"phi", "phidot", "y", "ydot", "ratio"};
-constexpr std::array<const char*, initial_axes> incoming_names{"phi_over_pi", "s", nullptr, nullptr, "ratio"};
+constexpr std::array<const char*, initial_axes> json_names{"phi", "phidot", "y", "ydot", "ratio"};
+constexpr std::array<const char*, initial_axes> json_names_of_incoming{"phi_over_pi", "s", nullptr, nullptr,
+                                                                       "ratio"};
 
 const char* mass_name(const Collision<TracedValue>& c) { return c.heavy ? "heavy" : "light"; }
 
@@ -283,7 +284,7 @@ Json to_json(const TraceReport& report) {
     const Trace& trace = report.trace;
     Json initial = Json::object();
     for (std::size_t i = 0; i < initial_axes; ++i) {
-        const char* name = report.incoming ? incoming_names[i] : axis_names[i];
+        const char* name = report.incoming ? json_names_of_incoming[i] : json_names[i];
         if (name == nullptr) {
             continue;
         }

@@ -10,9 +10,7 @@
 namespace dumbbell::starts {
 namespace {
 
-using AxisNames = std::array<const char*, initial_axes>;
-constexpr AxisNames axis_names{"phi", "phidot", "y", "ydot", "q"};
-constexpr AxisNames incoming_names{"phi", "s", "", "", ""};
+constexpr decltype(axis_names) incoming_names{"phi", "s", "", "", ""};
 
 std::string contact_text(const std::optional<FirstContact>& first) {
     return first ? fmt::format(" {} {} {}", first->heavy ? "heavy" : "light", to_dyadic(first->from),
@@ -23,7 +21,7 @@ std::string contact_text(const std::optional<FirstContact>& first) {
 /// The body's lines and their numbers.
 class Body {
   public:
-    explicit Body(const AxisNames& names) : names_(names) {}
+    explicit Body(const decltype(axis_names)& names) : names_(names) {}
 
     void node(const InitialNode& node) {
         if (node.split) {
@@ -66,7 +64,7 @@ class Body {
 
     void line(const std::string& words) { text_ += words + '\n'; }
 
-    const AxisNames& names_;
+    const decltype(axis_names)& names_;
     std::string text_;
     long splits_ = 0, exactly_ = 0, between_ = 0, open_ = 0;
     long least_ = 0, most_ = 0;

@@ -42,7 +42,7 @@ Common common_of(const Order& order) {
     return {*scene, *section};
 }
 
-PlannedPiece parse_unit(const std::string& unit) {
+PlannedPiece parse_piece(const std::string& unit) {
     constexpr std::size_t longest = 10'000;  // a ratio of the command line as a fraction
     const auto fields = words(unit);
     if (fields.size() == 5 && fields[0] == "piece") {
@@ -107,7 +107,7 @@ class CollisionsKind : public Kind {
         options.describes = false;
         std::vector<Piece> pieces;
         for (const std::string& unit : order.units) {
-            const PlannedPiece planned = parse_unit(unit);
+            const PlannedPiece planned = parse_piece(unit);
             collisions::ProvedPiece proved =
                 prove_piece(planned.q_lo, planned.q_hi, planned.upper, planned.lower, options);
             if (proved.obstacle == collisions::Obstacle::time) {
@@ -133,8 +133,8 @@ class CollisionsKind : public Kind {
         bool tiles = pieces.size() == units.size() &&
                      plan.claim.starts_with(claim_of(common, pieces.front().q_lo, pieces.back().q_hi));
         for (std::size_t i = 0; tiles && i < pieces.size(); ++i) {
-            tiles =
-                is_piece(pieces[i], parse_unit(units[i])) && (i == 0 || pieces[i].q_lo == pieces[i - 1].q_hi);
+            tiles = is_piece(pieces[i], parse_piece(units[i])) &&
+                    (i == 0 || pieces[i].q_lo == pieces[i - 1].q_hi);
         }
         require_tiling(tiles);
         const bool open = std::any_of(pieces.begin(), pieces.end(), is_open);
@@ -151,7 +151,7 @@ class CollisionsKind : public Kind {
         bool open = false;
         for (std::size_t i = 0; fits && i < order.units.size(); ++i) {
             const Piece piece = in.next();
-            fits = is_piece(piece, parse_unit(order.units[i]));
+            fits = is_piece(piece, parse_piece(order.units[i]));
             open = open || is_open(piece);
         }
         if (!fits) {

@@ -34,7 +34,7 @@ int digits_of(const Order& order) {
     return static_cast<int>(digits);
 }
 
-long parse_unit(const std::string& unit) {
+long parse_count(const std::string& unit) {
     const auto fields = words(unit);
     const std::size_t n = fields.size() == 2 && fields[0] == "ratio" ? parse_size(fields[1]) : 0;
     if (n < 3 || n > std::size_t{greatest_count}) {
@@ -91,7 +91,7 @@ std::string objection(const Order& order, const std::vector<CriticalRatio>& rati
     const int digits = digits_of(order);
     const bool fits =
         std::equal(ratios.begin(), ratios.end(), order.units.begin(), order.units.end(),
-                   [](const CriticalRatio& r, const std::string& unit) { return r.n == parse_unit(unit); });
+                   [](const CriticalRatio& r, const std::string& unit) { return r.n == parse_count(unit); });
     if (!fits) {
         return "it has other ratios";
     }
@@ -112,7 +112,7 @@ class CriticalKind : public Kind {
         const collisions::CriticalOptions options{.digits = digits_of(order), .interrupted = interrupted};
         std::vector<CriticalRatio> ratios;
         for (const std::string& unit : order.units) {
-            const long n = parse_unit(unit);
+            const long n = parse_count(unit);
             auto ratio = enclose_critical_ratio(n, options);
             if (!ratio && !interrupted()) {
                 throw InputError(fmt::format("q_c({}) could not be enclosed", n));
@@ -138,7 +138,7 @@ class CriticalKind : public Kind {
         const auto& units = plan.whole.units;
         const bool tiles = std::equal(report.rows.begin(), report.rows.end(), units.begin(), units.end(),
                                       [](const staircase::CriticalRow& row, const std::string& unit) {
-                                          return row.n == parse_unit(unit);
+                                          return row.n == parse_count(unit);
                                       });
         require_tiling(tiles);
         report.request.first = report.rows.front().n;

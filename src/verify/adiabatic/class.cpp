@@ -5,7 +5,7 @@
 namespace dumbbell_verify {
 namespace {
 
-constexpr int parts = 64;  ///< of [-1, 1]
+constexpr int class_parts = 64;  ///< of [-1, 1]
 
 /// u: of the flight's upper contact; the slope is k = sigma sqrt(r).
 template <class N>
@@ -58,7 +58,7 @@ class ClassCheck : AdiabaticCheck<N> {
         N below = zero, above = zero;  // guesses of the roots, from part to part
         N from = lowest(0, below);
         I drift = 0, potential = 0;
-        for (int i = 0; i < parts; ++i) {
+        for (int i = 0; i < class_parts; ++i) {
             if (!add_part(division(i), division(i + 1), touch(from, highest(i + 1, above)), drift, potential))
                 return false;
             from = lowest(i + 1, below);
@@ -96,7 +96,7 @@ class ClassCheck : AdiabaticCheck<N> {
 
     /// lambda_i = 1 - 2 ((64 - i)/64)^3, exactly: finer where the contacts move fastest.
     [[nodiscard]] static N division(int i) {
-        const I left = I(parts - i) / I(parts);
+        const I left = I(class_parts - i) / I(class_parts);
         return (I(1) - I(2) * left * left * left).lo;
     }
     /// The contact at X in [from, until]; no flight of the box has one beyond both.

@@ -104,7 +104,7 @@ class Full : Bridge<N> {
     bool decided_ = false;
 };
 
-const char* check(const Leaf& leaf, std::string* log) {
+const char* check_full(const Leaf& leaf, std::string* log) {
     if (leaf.opcode == equal_masses || leaf.opcode == witness) return turning().check(leaf, log);
     return judged<Full>(leaf, log);
 }
@@ -112,7 +112,7 @@ const char* check(const Leaf& leaf, std::string* log) {
 }  // namespace
 
 const Section& full() {
-    static const Section section = full_section("1", check);
+    static const Section section = full_section("1", check_full);
     return section;
 }
 

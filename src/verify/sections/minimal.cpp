@@ -184,7 +184,7 @@ class Minimal : Bridge<N> {
     const I r{r_lo, r_hi};
 };
 
-const char* check(const Leaf& leaf, std::string* log) {
+const char* check_minimal(const Leaf& leaf, std::string* log) {
     if (leaf.opcode == equal_masses || leaf.opcode == witness) return turning().check(leaf, log);
     return judged<Minimal>(leaf, log);
 }
@@ -192,7 +192,7 @@ const char* check(const Leaf& leaf, std::string* log) {
 }  // namespace
 
 const Section& full_minimal() {
-    static const Section section = full_section("minimal", check);
+    static const Section section = full_section("minimal", check_minimal);
     return section;
 }
 

@@ -101,9 +101,11 @@ class Wedge {
     const mpq_class r_lo = 1 / leaf_.box.hi[2], r_hi = 1 / leaf_.box.lo[2];
 };
 
-Box root(std::size_t, const mpq_class& a, const mpq_class& b) { return {{0, 0, a}, {0, power_of_two(b), b}}; }
+Box wedge_root(std::size_t, const mpq_class& a, const mpq_class& b) {
+    return {{0, 0, a}, {0, power_of_two(b), b}};
+}
 
-const char* check(const Leaf& leaf, std::string* log) { return Wedge(leaf, log).verdict(); }
+const char* check_wedge(const Leaf& leaf, std::string* log) { return Wedge(leaf, log).verdict(); }
 
 Section section(std::string_view scene) {
     return {"1",
@@ -117,8 +119,8 @@ Section section(std::string_view scene) {
              {"meets-reversed", Place::leaf, 0, 0},
              {"equal-masses", Place::cover, 0, 0},
              {"witness", Place::witness, 1, 2}},
-            root,
-            check};
+            wedge_root,
+            check_wedge};
 }
 
 }  // namespace

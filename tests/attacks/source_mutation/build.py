@@ -65,7 +65,7 @@ def build(group, tree, folder, numbered, originals, jobs):
     """Builds; leaves out of `numbered` the mutants that are no C++. Returns how many these are."""
     (tree / "dm.hpp").write_text(HEADER, encoding="ascii")
     dropped = 0
-    configure = ["cmake", "-S", tree, "-B", folder, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release",
+    configure = ["cmake", "-S", tree, "-B", folder, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release", "-DCMAKE_UNITY_BUILD=OFF",
                  "-DCMAKE_CXX_FLAGS_RELEASE=-O1", "-DBUILD_TESTING=ON",
                  "-DCMAKE_CXX_FLAGS=-w -fmax-errors=0"]
     environment = dict(os.environ, CCACHE_BASEDIR=str(tree.parent), CCACHE_NOHASHDIR="1")

@@ -9,7 +9,7 @@ using Catch::Matchers::StartsWith;
 
 namespace {
 
-const Words long_proof{"certify", "1:30000", "--gap", "1e-12", "--out", "stairs.dbc"};
+const Words long_proof{"certify", "1:100000", "--gap", "1e-14", "--out", "stairs.dbc"};
 
 /// Sends the signal once the job has had a third of a second of the processor.
 Outcome stopped(const Words& arguments, int signal, const TemporaryFolder& folder) {
@@ -89,7 +89,8 @@ TEST_CASE("without a file, and for a single ratio, a stopped run says that nothi
 TEST_CASE("a stopped run ends early, in the middle of a section without end too") {
     const TemporaryFolder folder;
     CHECK(stopped({"certify", "1e16", "--section", "full"}, SIGTERM, folder).signal == SIGTERM);
-    CHECK(stopped({"critical", "1000000000", "--budget", "1h"}, SIGTERM, folder).signal == SIGTERM);
+    CHECK(stopped({"critical", "10^17", "--digits", "200", "--budget", "1h"}, SIGTERM, folder).signal ==
+          SIGTERM);
 }
 
 TEST_CASE("a shell sees the conventional exit codes") {
@@ -107,7 +108,7 @@ TEST_CASE("a shell sees the conventional exit codes") {
 
 TEST_CASE("a signal that was ignored from the beginning stays ignored") {
     const TemporaryFolder folder;
-    Process process({"sh", "-c", "trap '' INT; exec " DUMBBELL_BIN " certify 1:30000 --gap 1e-12"});
+    Process process({"sh", "-c", "trap '' INT; exec " DUMBBELL_BIN " certify 1:100000 --gap 1e-14"});
     process.until([&] { return process.cpu_seconds() > 0.1; });
     process.send(SIGINT);
     CHECK(process.wait().code == 0);
