@@ -22,7 +22,7 @@ constexpr std::array<Words, obstacles> words{
      {"graze", "grazing contact", "a grazing contact"},
      {"corner_or_graze", "corner or grazing contact",
       "a corner, a contact of both masses at once, or a grazing contact"},
-     {"other", "neither", ""}}};
+     {"other", "too wide to tell", ""}}};
 
 const Words& words_of(Obstacle obstacle) { return words.at(static_cast<std::size_t>(obstacle)); }
 

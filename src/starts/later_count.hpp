@@ -25,24 +25,24 @@ inline constexpr long count_cap = 1'000'000;
 /// meets the corner and returns with slope r and height r pi, so 1 + G(r pi, r, r) (L5). Nothing beyond the
 /// cap.
 template <class I>
-[[nodiscard]] std::optional<long> most_later_collisions(const I& r) {
+[[nodiscard]] std::optional<long> most_later_collisions(const I& r, long cap = count_cap) {
     const I lowest = low_end(r);
-    const long later = count_at_most(flight::Ray<I>{low_end(lowest * pi<I>()), lowest, lowest}, count_cap);
-    return later > count_cap ? std::nullopt : std::optional(1 + later);
+    const long later = count_at_most(flight::Ray<I>{low_end(lowest * pi<I>()), lowest, lowest}, cap);
+    return later > cap ? std::nullopt : std::optional(1 + later);
 }
 
 /// No regular trajectory has more collisions, for every ratio with 1/q >= r: two at q = 1 (L7), else 2 + k0 +
 /// k1 (Theorem 1), and k1 <= k0 <= 1 + k1. It is the maximum at the greatest such q, unless that is so near
 /// to a critical ratio that the arithmetic does not tell.
 template <class I>
-[[nodiscard]] std::optional<long> most_collisions(const I& r) {
+[[nodiscard]] std::optional<long> most_collisions(const I& r, long cap = count_cap) {
     const I lowest = low_end(r);
     if (certainly_at_most(I(1), lowest)) {
         return 2;
     }
-    const auto later = most_later_collisions(r);
-    const long top = count_at_most(flight::Ray<I>{lowest, I(0), lowest}, count_cap);
-    return later && top <= count_cap ? std::optional(std::min(1 + 2 * *later, 2 + 2 * top)) : std::nullopt;
+    const auto later = most_later_collisions(r, cap);
+    const long top = count_at_most(flight::Ray<I>{lowest, I(0), lowest}, cap);
+    return later && top <= cap ? std::optional(std::min(1 + 2 * *later, 2 + 2 * top)) : std::nullopt;
 }
 
 namespace detail {

@@ -105,11 +105,16 @@ InitialLeaf judge_in(const InitialBox& box, int bits) {
     return result;
 }
 
+/// r = 1/q, with slack.
+Interval inverse(const Rational& q) {
+    return q == 1 ? Interval(1) : Interval(1) / with_slack<Interval>(q, q, double_bits);
+}
+
 }  // namespace
 
-InitialLeaf judge_falling(const Rational& q) {
-    return {1, most_collisions(q == 1 ? Interval(1) : Interval(1) / with_slack<Interval>(q, q, double_bits))};
-}
+InitialLeaf judge_falling(const Rational& q) { return {1, most_collisions(inverse(q))}; }
+
+std::optional<long> most_of_all(const Rational& q) { return most_collisions(inverse(q), 1L << 53U); }
 
 InitialLeaf judge_initial(const InitialBox& box, int bits) {
     InitialLeaf leaf = judge_in<Interval>(box, double_bits);

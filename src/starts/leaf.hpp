@@ -12,4 +12,8 @@ namespace dumbbell::starts {
 /// What they certify of all falling states at this mass ratio.
 [[nodiscard]] InitialLeaf judge_falling(const Rational& q);
 
+/// No trajectory at a mass ratio up to q has more collisions (Theorem 1), also beyond the counts that a
+/// certificate's leaf may bound. Nothing beyond 2^53. Precondition: q >= 1.
+[[nodiscard]] std::optional<long> most_of_all(const Rational& q);
+
 }  // namespace dumbbell::starts

@@ -307,13 +307,15 @@ Json to_json(const TraceReport& report) {
     if (trace.widths && !report.is_single()) {
         widths = Json::object({{"natural", trace.widths->natural}, {"correlated", trace.widths->correlated}});
     }
+    const bool by_theorem = rests_on_theorem(report);
     Json object = Json::object(
         {{"schema", "dumbbell-trace-1"},
          {"initial", initial},
          {"outcome", outcome_word(report)},
          {"least", trace.least},
          {"most", trace.most},
-         {"maximum", rests_on_theorem(report) ? report.maximum : std::nullopt},
+         {"maximum", by_theorem ? report.maximum : std::nullopt},
+         {"rests_on", by_theorem ? Json("proofs/theorem.md, theorem 1") : Json()},
          {"splits_at", trace.exact() || report.incoming ? Json() : Json(trace.collisions.size() + 1)},
          {"bits", trace.bits},
          {"collisions", collisions},

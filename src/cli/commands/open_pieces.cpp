@@ -62,6 +62,11 @@ std::string reason(const CertifyRequest& request, Obstacle obstacle) {
     }
 }
 
+/// Of which the folder of finished pieces has some.
+std::ptrdiff_t finished(const std::vector<ProvedPiece>& pieces) {
+    return std::ranges::count_if(pieces, [](const ProvedPiece& p) { return p.piece.upper.has_value(); });
+}
+
 }  // namespace
 
 std::string advice(const CertifyRequest& request, const std::vector<ProvedPiece>& pieces,
@@ -69,7 +74,7 @@ std::string advice(const CertifyRequest& request, const std::vector<ProvedPiece>
     return fmt::format(
         "{}{}{}", is_range(request) ? "not everything was decided" : "not decided",
         reason(request, worst_obstacle(pieces)),
-        partial.empty()
+        partial.empty() || finished(pieces) == 0
             ? ""
             : fmt::format("; the same command goes on with the finished pieces in '{}'", partial));
 }
@@ -79,12 +84,11 @@ std::string kept_when_stopped(const CertifyRequest& request, const std::vector<P
     if (!is_range(request)) {
         return "nothing is kept of a single ratio";
     }
-    const auto finished = std::count_if(pieces.begin(), pieces.end(),
-                                        [](const ProvedPiece& p) { return p.piece.upper.has_value(); });
-    if (finished == 0) {
+    const auto kept = finished(pieces);
+    if (kept == 0) {
         return "no piece was finished yet";
     }
-    const std::string so_many = fmt::format("{} of {} pieces", finished, pieces.size());
+    const std::string so_many = fmt::format("{} of {} pieces", kept, pieces.size());
     return partial.empty()
                ? fmt::format("{} were finished, and are lost: with --out FILE they are kept", so_many)
                : fmt::format("{} are finished and kept in '{}': the same command goes on with them", so_many,

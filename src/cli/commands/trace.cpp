@@ -161,6 +161,16 @@ starts::InitialCertificate certificate_of(const starts::TraceReport& report) {
             .incoming = report.incoming};
 }
 
+/// No trajectory has more than the maximum, whatever was found of these.
+void bound_by_maximum(starts::TraceReport& report, const std::optional<long>& maximum) {
+    report.maximum = maximum;
+    const auto bound = [&](std::optional<long>& most) { most = most ? most : maximum; };
+    bound(report.trace.most);
+    if (report.parts) {
+        bound(report.parts->most);
+    }
+}
+
 void print(std::FILE* out, const Given& given, const starts::TraceReport& report, bool swapped) {
     if (given.has("--csv")) {
         fmt::print(out, "{}", to_csv(report));
@@ -208,7 +218,7 @@ int run(const Given& given) {
     }
     const auto finish = [&] {
         if (!report.trace.exact() || report.parts) {
-            report.maximum = starts::judge_falling(ratio.hi).most;
+            bound_by_maximum(report, starts::most_of_all(ratio.hi));
         }
         report.seconds = watch.seconds();
         if (output.is_wanted()) {

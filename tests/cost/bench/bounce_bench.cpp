@@ -2,12 +2,14 @@
 // the intervals of src/model, by the batch kernel on each backend of this machine, and with the intervals of
 // other libraries (peers.hpp). Each benchmark is called "bounce/RATIO/METHOD"; its counter `operations` is
 // the number of bounces of one iteration, `agreeing` the share of the rays whose counts are those of
-// Interval.
+// Interval. "orbits/RATIO/METHOD": one mass ratio's own orbits.
 
 #include <benchmark/benchmark.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <functional>
+#include <numbers>
 #include <string>
 
 #include "bounce_rays.hpp"
@@ -171,12 +173,30 @@ void measure_all(const Setting& setting) {
     }
 }
 
+/// Both extremal orbits of one mass ratio (L21), bounce after bounce: what the growth of `certify` is
+/// compared with in docs/7-speed.md.
+void measure_orbits(double q) {
+    benchmark::RegisterBenchmark(
+        fmt::format("orbits/q={:g}/plain double, warm", q).c_str(), [=](benchmark::State& state) {
+            const double r = 1 / q;
+            long bounces = 0;
+            for (auto _ : state) {
+                bounces = warm_count({r, 0, r}) + warm_count({r * std::numbers::pi, r, r});
+                benchmark::DoNotOptimize(bounces);
+            }
+            state.counters["operations"] = static_cast<double>(bounces);
+        });
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
     for (const Setting& setting :
          {Setting{"q=100", 100, 40000}, Setting{"q=1e4", 1e4, 8000}, Setting{"q=1e6", 1e6, 1600}}) {
         measure_all(setting);
+    }
+    for (const double q : {1e2, 1e4, 1e6, 1e8, 1e10, 1e12, 1e14}) {
+        measure_orbits(q);
     }
     benchmark::Initialize(&argc, argv);
     if (benchmark::ReportUnrecognizedArguments(argc, argv)) {

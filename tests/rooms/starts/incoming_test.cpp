@@ -130,6 +130,16 @@ TEST_CASE("up to s = 1 nothing is certified but that all states fall") {
     CHECK_FALSE(refusal(mutated_initial(text, "ratio 10/1 10/1", "ratio 100/1 100/1")).empty());
 }
 
+TEST_CASE("the maximum over all trajectories is known beyond the counts that a leaf may bound") {
+    for (const auto& [ratio, n] : std::vector<std::pair<const char*, long>>{
+             {"10", 4}, {"1e12", 885597}, {"1e14", 8855953}, {"1e20", 8855951296}}) {
+        CAPTURE(ratio);
+        CHECK(most_of_all(parse_rational(ratio)) == n);
+    }
+    CHECK_FALSE(judge_falling(parse_rational("1e14")).most);
+    CHECK_FALSE(most_of_all(parse_rational("1e40")));  // more than doubles count
+}
+
 TEST_CASE("no leaf says more than the maximum over all trajectories, and less than that is refused") {
     for (const auto& [q, n] : std::vector<std::pair<const char*, long>>{{"1", 2},
                                                                         {"1.0000001", 3},

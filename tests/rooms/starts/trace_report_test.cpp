@@ -64,9 +64,11 @@ TEST_CASE("a bound that is the one of all trajectories is said to be that") {
     CHECK_THAT(to_text(report), Contains("between 1 and 4 collisions") && Contains(theorem));
     CHECK(parsed(to_json(report))["most"] == 4);
     CHECK(parsed(to_json(report))["maximum"] == 4);
+    CHECK(parsed(to_json(report))["rests_on"] == "proofs/theorem.md, theorem 1");
     report.trace.most = 3;
     CHECK_THAT(to_text(report), Contains("between 1 and 3 collisions") && !Contains("theorem"));
     CHECK(parsed(to_json(report))["maximum"].is_null());
+    CHECK(parsed(to_json(report))["rests_on"].is_null());
     report.parts.emplace();
     report.parts->least = 1;
     report.parts->most = 4;

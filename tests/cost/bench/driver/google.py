@@ -4,13 +4,13 @@ import statistics
 import subprocess
 
 
-def run(program, repetitions, least_seconds):
-    """{(group, method): {"ns": median CPU time of one operation, ...}} for benchmarks that are called "KIND/GROUP/METHOD".
+def run(program, repetitions, least_seconds, kind=""):
+    """{(group, method): {"ns": median CPU time of one operation, ...}} for benchmarks that are called "KIND/GROUP/METHOD"; of one kind, if asked for.
 
     The repetitions of all benchmarks are interleaved at random, so that what else the machine does hits all of them alike; CPU
     time, not wall time, for the same reason."""
     done = subprocess.run(
-        [program, "--benchmark_format=json", f"--benchmark_repetitions={repetitions}", f"--benchmark_min_time={least_seconds}",
+        [program, f"--benchmark_filter=^{kind}", "--benchmark_format=json", f"--benchmark_repetitions={repetitions}", f"--benchmark_min_time={least_seconds}",
          "--benchmark_enable_random_interleaving=true"], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
     if done.returncode != 0:
         raise RuntimeError(f"{program} failed: {done.stderr.strip()}")

@@ -33,7 +33,7 @@ def operations(bin_folder, effort):
 
 
 def bounce(bin_folder, effort):
-    results = google.run(bin_folder / "bench_bounce", effort.of(1, 3, 9), effort.of(0, 0.01, 0.05))
+    results = google.run(bin_folder / "bench_bounce", effort.of(1, 3, 9), effort.of(0, 0.01, 0.05), "bounce/")
     groups, methods = columns(results)
     plain = {group: results[group, PLAIN]["ns"] for group in groups}
 
