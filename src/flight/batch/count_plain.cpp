@@ -6,11 +6,11 @@
 namespace dumbbell::flight::batch {
 
 void count_at_most_plain(const Query* queries, Answer* answers, long size, Stop stop) {
-    CountLanes<double, Lower>(queries, answers, size).run(stop);
+    CountLanes<double, 3, Lower>(queries, answers, size).run(stop);
 }
 
 void count_at_least_plain(const Query* queries, Answer* answers, long size, Stop stop) {
-    CountLanes<double, Upper>(queries, answers, size).run(stop);
+    CountLanes<double, 3, Upper>(queries, answers, size).run(stop);
 }
 
 }  // namespace dumbbell::flight::batch
