@@ -15,9 +15,12 @@ template <class D>
 template <class D>
 [[nodiscard]] D first_point(D c, D kappa) {
     const D inverse = 1.0 / (1.0 - kappa);
-    const D t = c * inverse;  // x = t y with y = 1 + s y^3 + ...
+    const D t = c * inverse;
     const D s = min(t * t * inverse * (1.0 / 6), D(0.15));
-    return clamped(t * ((1.0 + s) + (s * s) * (3.0 + s * 12.0)));
+    const D v = s * (t * t) * 0.05;
+    // x = t y with y = 1 + s y^3 - v y^5 + ...
+    const D y = (1.0 + s) + (s * s) * ((3.0 + s * 12.0) + (s * s) * 55.0);
+    return clamped(t * (y - v * (1.0 + s * (8.0 + s * 50.0))));
 }
 
 /// acos(kappa), roughly: where a ray that passes above the wall comes closest to it.
