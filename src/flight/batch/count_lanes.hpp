@@ -46,10 +46,6 @@ class CountLanes {
         finish();
     }
 
-    /// Whether to pass over a pack because of none of its lanes: with more than one lane a branch that cannot
-    /// be foretold costs more than it saves.
-    static bool skips(Mask<D> of) { return Lanes<D>::width == 1 && lanes(of) == 0; }
-
     void evaluate() {
         for (int i = 0; i < queue_.packs; ++i) {
             const SinCosOf<D> at = sin_cos(queue_.z[i]);
@@ -84,9 +80,6 @@ class CountLanes {
     void search() {
         for (int i = 0; i < queue_.packs; ++i) {
             const Mask<D> searching = !(hit_[i] || queue_.idle[i]);
-            if (skips(searching)) {
-                continue;
-            }
             const D c = queue_.c[i];
             const D kappa = queue_.kappa[i];
             const D z = queue_.z[i];
@@ -156,9 +149,6 @@ class CountLanes {
                 const D first = first_point(c, kappa);
                 lost = select(brief, !(cosine_[i] > kappa && first < D(half_pi_hi)), lost);
                 queue_.z.put(i, select(brief, first, queue_.z[i]));
-            }
-            if (skips(lost)) {
-                continue;
             }
             const Mask<D> none = kappa >= D(1.0) ||  // L3
                                  strict_miss(z_[i], SinCosOf<D>{z_sine_[i], z_cosine_[i]}, c, kappa);

@@ -1,7 +1,7 @@
 #pragma once
 
-/// Packs: W doubles side by side, W = 1 (plain `double`), 4 (AVX2, pack_avx2.hpp) or 8 (AVX-512,
-/// pack_avx512.hpp).
+/// Packs: W doubles side by side, W = 2 (on any machine, pack_plain.hpp), 4 (AVX2, pack_avx2.hpp) or 8
+/// (AVX-512, pack_avx512.hpp), or 1, a plain `double`.
 ///
 /// The same template of a computation gives the same bits with each of them: every operation here rounds each
 /// lane as IEEE 754 says, one at a time (no fused multiply-add: -ffp-contract=off), and nothing mixes lanes.

@@ -94,7 +94,7 @@ GROUPS = {
         programs=("tests/rooms/flight/test_flight",)),
     "batch": Group(  # but for aim.hpp, which guesses
         files=below("flight/batch", "count", "count_lanes:count_plain lane_queue:count_plain lower_step:count_plain "
-                    "pack:count_plain place:count_plain query:count_plain sine:count_plain step:count_plain "
+                    "pack:count_plain pack_plain:count_plain place:count_plain query:count_plain sine:count_plain step:count_plain "
                     "upper_step:count_plain"),
         left_out=frozenset(),
         targets=("test_batch",),
