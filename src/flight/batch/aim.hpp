@@ -6,22 +6,24 @@
 /// lower_step.hpp and upper_step.hpp, and proves nothing.
 namespace dumbbell::flight::batch {
 
-/// A point z of [0, half_pi_hi] to lay the tangent at. `at_top`: no contact is expected any more, and z is to
-/// be where the ray comes closest, cos z = kappa.
-template <class D>
-struct Aim {
-    D z;
-    Mask<D> at_top;
-};
-
-namespace detail {
-
 template <class D>
 [[nodiscard]] D clamped(D z) {
     return min(max(z, D(0.0)), D(half_pi_hi));
 }
 
-/// acos(kappa), roughly.
+/// A first point for a ray of which nothing else is known.
+template <class D>
+[[nodiscard]] D first_point(D c, D kappa) {
+    const D inverse = 1.0 / (1.0 - kappa);
+    const D t = c * inverse;
+    const D s = min(t * t * inverse * (1.0 / 6), D(0.15));
+    const D v = s * (t * t) * 0.05;
+    // x = t y with y = 1 + s y^3 - v y^5 + ...
+    const D y = (1.0 + s) + (s * s) * ((3.0 + s * 12.0) + (s * s) * 55.0);
+    return clamped(t * (y - v * (1.0 + s * (8.0 + s * 50.0))));
+}
+
+/// acos(kappa), roughly: where a ray that passes above the wall comes closest to it.
 template <class D>
 [[nodiscard]] D rough_top(D kappa) {
     const D k = max(kappa, D(0.0));
@@ -29,20 +31,40 @@ template <class D>
     return clamped(half_pi_hi - k * (1.0 + square * (0.1667 + square * (0.065 + 0.31 * (square * square)))));
 }
 
-/// The next point after z, where sin z and cos z are `at`, on the way to a contact: a step of third order for
-/// g(x) = sin x - kappa x - c.
+/// A point z of [0, half_pi_hi] to look for the contact at. `at_top`: none is expected any more, and z is to
+/// be where the ray comes closest, cos z = kappa.
 template <class D>
-[[nodiscard]] Aim<D> step_to_contact(D z, const SinCosOf<D>& at, D c, D kappa) {
-    const D g = (at.sin - kappa * z) - c;
+struct Aim {
+    D z;
+    Mask<D> at_top;
+};
+
+/// From a point with this sine and cosine to the contact, an error of fourth order: `newton` is Newton's
+/// step, `inverse` 1/slope.
+template <class D>
+[[nodiscard]] D way_to_contact(D newton, D inverse, const SinCosOf<D>& at) {
+    const D bend = (0.5 * at.sin) * inverse;
+    const D twist = (at.cos * inverse) * (1.0 / 6);
+    const D curved = newton + newton * (bend * newton);
+    return newton + (curved * curved) * (bend + twist * curved);
+}
+
+/// The next point after a contact at x, for the ray of slope kappa that leaves it: a step from there, whose
+/// wall is kappa (2 x + pi) below the ray. `inverse` is 1/slope for the ray that came. `at_top` here: that
+/// step does not lead to a contact.
+template <class D>
+[[nodiscard]] Aim<D> point_after(D x, const SinCosOf<D>& at, D kappa, D inverse) {
     const D slope = at.cos - kappa;
-    const D inverse = 1.0 / slope;
-    const D newton = -g * inverse;
-    const D bend = 0.5 * at.sin * inverse;
-    const D twist = at.cos * inverse * (1.0 / 6);
-    const D t = bend * newton;  // the parabola through here has no root if it is above 1/4
-    const D curved = newton * ((1.0 + t) + (t * t) * (2.0 + t * 5.0));
-    const D next = (z + newton) + (curved * curved) * (bend + twist * curved);
-    const auto lost = !(slope > D(0.0) && t <= D(0.25) && next <= D(half_pi_hi));
+    const D now = inverse * (2.0 - slope * inverse);  // about 1/slope
+    const D newton = (kappa * ((x + x) + 2 * half_pi_hi)) * now;
+    const D z = x + way_to_contact(newton, now, at);
+    return {z, !(slope > D(0.0) && z <= D(half_pi_hi))};
+}
+
+/// The point after z, where sin z and cos z are `at`, if a step leads to `next`.
+template <class D>
+[[nodiscard]] Aim<D> step_to_contact(D next, const SinCosOf<D>& at, D kappa) {
+    const auto lost = !(at.cos > kappa && next <= D(half_pi_hi));
     return {select(lost, rough_top(kappa), clamped(next)), lost};
 }
 
@@ -55,29 +77,6 @@ template <class D>
     const auto above = there && g > D(0.0);
     const D back = z - sqrt(max(2.0 * g, D(0.0)) / at.sin);
     return {clamped(select(above, back, z + slope / at.sin)), !above};
-}
-
-}  // namespace detail
-
-/// The first point for a ray.
-template <class D>
-[[nodiscard]] Aim<D> first_aim(D c, D kappa) {
-    const D inverse = 1.0 / (1.0 - kappa);
-    const D t = c * inverse;  // x = t y with y = 1 + s y^3 + ...
-    const D s = min(t * t * inverse * (1.0 / 6), D(0.15));
-    const D z = detail::clamped(t * ((1.0 + s) + (s * s) * (3.0 + s * 12.0)));
-    return detail::step_to_contact(z, rough_sin_cos(z), c, kappa);
-}
-
-/// The next point.
-template <class D>
-[[nodiscard]] Aim<D> next_aim(const Aim<D>& aim, const SinCosOf<D>& at, D c, D kappa) {
-    const Aim<D> contact = detail::step_to_contact(aim.z, at, c, kappa);
-    if (lanes(aim.at_top) == 0) {
-        return contact;
-    }
-    const Aim<D> top = detail::step_to_top(aim.z, at, c, kappa);
-    return {select(aim.at_top, top.z, contact.z), select(aim.at_top, top.at_top, contact.at_top)};
 }
 
 }  // namespace dumbbell::flight::batch

@@ -1,7 +1,7 @@
 #pragma once
 
-/// Packs: W doubles side by side, W = 1 (plain `double`), 4 (AVX2, pack_avx2.hpp) or 8 (AVX-512,
-/// pack_avx512.hpp), or several of these (packs.hpp).
+/// Packs: W doubles side by side, W = 2 (on any machine, pack_plain.hpp), 4 (AVX2, pack_avx2.hpp) or 8
+/// (AVX-512, pack_avx512.hpp), or 1, a plain `double`.
 ///
 /// The same template of a computation gives the same bits with each of them: every operation here rounds each
 /// lane as IEEE 754 says, one at a time (no fused multiply-add: -ffp-contract=off), and nothing mixes lanes.
@@ -16,7 +16,7 @@
 /// - select(mask, a, b): a where the mask is set, else b
 /// - abs(a), sqrt(a), max(a, b), min(a, b); the latter are b where either is NaN, or both are equal
 /// - lanes(mask): bit i is set if lane i is
-/// - Lanes<D>: width, the mask of one lane, a pack from and to an array
+/// - Lanes<D>: width, the mask of no lane, a pack from and to an array
 namespace dumbbell::flight::batch {
 
 [[nodiscard]] inline double select(bool mask, double a, double b) { return mask ? a : b; }
@@ -34,7 +34,6 @@ template <>
 struct Lanes<double> {
     using Mask = bool;
     static constexpr int width = 1;
-    static Mask only(int /*lane*/) { return true; }
     static Mask none() { return false; }
     static double load(const double* from) { return *from; }
     static void store(double* to, double a) { *to = a; }

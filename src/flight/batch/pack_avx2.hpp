@@ -46,9 +46,6 @@ template <>
 struct Lanes<Pack4> {
     using Mask = Mask4;
     static constexpr int width = 4;
-    static Mask only(int lane) {
-        return Pack4(_mm256_set_pd(3, 2, 1, 0)) >= lane && Pack4(_mm256_set_pd(3, 2, 1, 0)) <= lane;
-    }
     static Mask none() { return {_mm256_setzero_pd()}; }
     static Pack4 load(const double* from) { return _mm256_loadu_pd(from); }
     static void store(double* to, Pack4 a) { _mm256_storeu_pd(to, a.v); }

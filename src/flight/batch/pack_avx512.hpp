@@ -46,7 +46,6 @@ template <>
 struct Lanes<Pack8> {
     using Mask = Mask8;
     static constexpr int width = 8;
-    static Mask only(int lane) { return {1U << static_cast<unsigned>(lane)}; }
     static Mask none() { return {0}; }
     static Pack8 load(const double* from) { return _mm512_loadu_pd(from); }
     static void store(double* to, Pack8 a) { _mm512_storeu_pd(to, a.v); }

@@ -21,16 +21,13 @@ template <class D>
     return {select(near, s, c), select(near, c, s)};
 }
 
-/// To 8 digits, by minimax polynomials on [0, pi/2]: for guesses.
+/// Sine and cosine of z + shift, a double, from those of z, for |shift| up to 2^-13 and 2^-8 times both: off
+/// by at most 5.4 u relatively (L39 (h)).
 template <class D>
-[[nodiscard]] SinCosOf<D> rough_sin_cos(D x) {
-    const D y = x * x;
-    const D y2 = y * y;
-    const D s = (0.99999999468600731 + y * -0.16666656684007140) +
-                y2 * ((8.3330251389691998e-3 + y * -1.9807418727418191e-4) + y2 * 2.6019030676357846e-6);
-    const D c = (0.99999995346667014 + y * -0.49999905347076734) +
-                y2 * ((4.1663584693107908e-2 + y * -1.3853703708332223e-3) + y2 * 2.3153931659058715e-5);
-    return {x * s, c};
+[[nodiscard]] SinCosOf<D> moved(const SinCosOf<D>& at, D shift) {
+    const D half = 0.5 * (shift * shift);
+    const D odd = shift - (half * shift) * (1.0 / 3);
+    return {at.sin + (at.cos * odd - at.sin * half), at.cos - (at.sin * odd + at.cos * half)};
 }
 
 }  // namespace dumbbell::flight::batch

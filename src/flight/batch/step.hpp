@@ -1,13 +1,13 @@
 #pragma once
 
-#include "flight/batch/sine.hpp"
+#include "flight/batch/place.hpp"
 
 /// What lower_step.hpp and upper_step.hpp share: one collision of a ray that is followed with bounds (L5
 /// (e)), from the sine and cosine of one point z of [0, half_pi_hi] near the contact.
 ///
-/// Every pad is that of L39: the sum of the sizes of all terms, times 16 u. Rounding takes at most two thirds
-/// of it; the rest is what lets quotients and heights go without a pad of their own. Precondition everywhere:
-/// c >= 0, -1 <= kappa < 1, 0 < r <= 1.
+/// Every pad is that of L39: sizes times 16 u. Rounding takes at most two thirds of it; the rest is what lets
+/// quotients and heights go without a pad of their own. Precondition everywhere: c >= 0, -1 <= kappa < 1, and
+/// r is a double of [2^-900, 1] times `outward` of the bound.
 namespace dumbbell::flight::batch {
 
 inline constexpr double relative_pad = 0x1p-49;
@@ -23,15 +23,21 @@ template <class D>
 template <class D>
 struct Contact {
     D shift;
-    Mask<D> close;   ///< it is certain, and as close as doubles allow
-    Mask<D> beyond;  ///< certainly there is none
+    Mask<D> close;  ///< it is certain, and as close as doubles allow
 };
+
+/// So small that no more than the first terms of Taylor's formula for sine and cosine are needed.
+template <class D>
+[[nodiscard]] Mask<D> small(D shift, const Place<D>& place) {
+    return abs(shift) <= min(place.least, D(0x1p-25)) + 0x1p-960;
+}
 
 /// What follows the contact. Precondition: it is certain.
 template <class D>
 struct Bounce {
     D c;
     D kappa;
+    SinCosOf<D> at;   ///< the bounds of sine and cosine at the contact
     Mask<D> ends;     ///< there is no later collision, or none that is certain
     Mask<D> follows;  ///< c and kappa bound the next state
     Mask<D> clear;    ///< nothing was decided by less than a thousandth: other bounds would say the same

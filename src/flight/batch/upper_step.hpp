@@ -8,54 +8,45 @@ namespace dumbbell::flight::batch {
 /// ray of the set.
 struct Upper {
     static constexpr double pi = 2 * half_pi_above;
+    static constexpr double outward = 1 + relative_pad;
 
     /// By Taylor's formula g(z + d) >= g(z) + p d - d^2/2: where that is positive all rays collide, at x <= z
-    /// + d (L12 (b)).
+    /// + d.
     template <class D>
-    [[nodiscard]] static Contact<D> contact(D z, const SinCosOf<D>& at, D c, D kappa) {
+    [[nodiscard]] static Contact<D> contact(const Place<D>& place, D c, D kappa) {
+        const auto& [z, at, inverse, least] = place;
         const D line = kappa * z;
-        const D g = ((at.sin - line) - c) - padding(at.sin + abs(line) + c);  // from below
-        const D slope = at.cos - kappa;
-        const D slope_pad = padding(at.cos + abs(kappa));
-        const D least_slope = slope - slope_pad;
-        const D greatest_slope = slope + slope_pad;
-        const D newton = -g / select(g < D(0.0), least_slope, greatest_slope);
-        const D margin = abs(newton) * 0x1p-46 + newton * newton / least_slope + 0x1p-900;
-        const D shift = max(newton + margin, -z);
-        const D line_up = select(shift > D(0.0), least_slope, greatest_slope) * shift;
-        const D square = shift * shift;
-        const D value = ((g + line_up) - 0.5 * square) - padding(abs(g) + abs(line_up) + square);
-        const Mask<D> certain = least_slope > D(0.0) && value > D(0.0) && z + shift < D(half_pi_hi);
-        return {shift, certain && abs(shift) <= D(0x1p-25), Lanes<D>::none()};
+        const D gap = (c - (at.sin - line)) + padding(at.sin + abs(line) + c);  // from above
+        const D newton = gap * inverse;
+        const D curve = abs(newton) * inverse;
+        const D shift = newton + abs(newton) * (curve + 0x1p-15);
+        return {shift, small(shift, place) && curve <= D(0.25) && z + shift < D(half_pi_hi)};
     }
 
     template <class D>
     [[nodiscard]] static Bounce<D> bounce(D z, const SinCosOf<D>& at, D shift, D kappa, D r) {
-        // sin(z + d) lies below its tangent, and cos(z + d) >= cos z - d sin z - d^2/2.
-        const D rise = at.cos * shift;
-        const D sine = (at.sin + rise) + padding(at.sin + abs(rise));
-        const D fall = at.sin * shift;
-        const D bend = 0.5 * (shift * shift);
-        const D w = ((at.cos - fall) - bend) - padding(at.cos + abs(fall) + bend);
+        // sin(z + d) lies below its tangent, and cos(z + d) hardly below.
+        const D sine = (at.sin + at.cos * shift) + padding(at.sin);
+        const D w = (at.cos - at.sin * shift) - at.cos * relative_pad;
 
         const D product = w * (w - 2.0 * kappa);
-        const D denominator = (product - r) - padding(abs(product) + r);
+        const D denominator = product * (1 - relative_pad) - r;
         const D first = (kappa * w) * w;
-        const D second = r * (2.0 * w - kappa);
-        const D numerator = (first + second) + padding(abs(first) + abs(second));
+        const D numerator = (first + abs(first) * relative_pad) + r * (2.0 * w - kappa);
         const D next = numerator / denominator;
         const D height = sine + next * ((z + shift) + pi);
         const Mask<D> stays = w > D(0.0) && denominator > D(0.0);
-        return {height, next, !stays, stays, at.cos - kappa > D(0x1p-10) && denominator > product * 0x1p-10};
+        return {height, next,  {sine, w},
+                !stays, stays, at.cos - kappa > D(0x1p-10) && denominator > product * 0x1p-10};
     }
 
     template <class D>
-    [[nodiscard]] static D undecided(D count, D /*cap*/) {
-        return count;
+    [[nodiscard]] static D undecided(D left) {
+        return left;
     }
     template <class D>
-    [[nodiscard]] static Mask<D> full(D count, D cap) {
-        return count >= cap;
+    [[nodiscard]] static Mask<D> full(D left) {
+        return left <= D(0.0);
     }
 };
 

@@ -93,9 +93,10 @@ GROUPS = {
         targets=("test_flight",),
         programs=("tests/rooms/flight/test_flight",)),
     "batch": Group(  # but for aim.hpp, which guesses
-        files=below("flight/batch", "count", "count_lanes:count_plain lower_step:count_plain pack:count_plain "
-                    "query:count_plain sine:count_plain step:count_plain upper_step:count_plain"),
-        left_out=frozenset({"rough_sin_cos"}),
+        files=below("flight/batch", "count", "count_lanes:count_plain lane_queue:count_plain lower_step:count_plain "
+                    "pack:count_plain pack_plain:count_plain place:count_plain query:count_plain sine:count_plain step:count_plain "
+                    "upper_step:count_plain"),
+        left_out=frozenset(),
         targets=("test_batch",),
         programs=("tests/rooms/flight/batch/test_batch",)),
     "collisions": Group(

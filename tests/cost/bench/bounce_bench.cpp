@@ -157,7 +157,7 @@ void measure_all(const Setting& setting) {
 #if defined(__x86_64__)
         if (backend == batch::Backend::avx512) {
             measure(setting, "plain avx512, one pack", upper, plain_packed(plain_one_pack));
-            measure(setting, "plain avx512, four packs", upper, plain_packed(plain_four_packs));
+            measure(setting, "plain avx512, six packs", upper, plain_packed(plain_six_packs));
         }
 #endif
         const std::string name = "batch " + std::string(batch::name(backend));

@@ -8,7 +8,6 @@ namespace dumbbell_bench {
 using dumbbell::flight::batch::Answer;
 using dumbbell::flight::batch::CountLanes;
 using dumbbell::flight::batch::Pack8;
-using dumbbell::flight::batch::Packs;
 using dumbbell::flight::batch::Query;
 using dumbbell::flight::batch::Stop;
 
@@ -21,11 +20,11 @@ Stop never_stop() {
 }  // namespace
 
 void plain_one_pack(const Query* queries, Answer* answers, long size) {
-    CountLanes<Packs<Pack8, 1>, Plain>(queries, answers, size).run(never_stop());
+    CountLanes<Pack8, 1, Plain>(queries, answers, size).run(never_stop());
 }
 
-void plain_four_packs(const Query* queries, Answer* answers, long size) {
-    CountLanes<Packs<Pack8, 4>, Plain>(queries, answers, size).run(never_stop());
+void plain_six_packs(const Query* queries, Answer* answers, long size) {
+    CountLanes<Pack8, 6, Plain>(queries, answers, size).run(never_stop());
 }
 
 }  // namespace dumbbell_bench

@@ -26,12 +26,3 @@ TEST_CASE("Sine and cosine of a lane are the bits of guess_sin_cos, which L14 is
         check(x);
     }
 }
-
-TEST_CASE("The rough ones are good to 1e-7") {
-    for (int i = 0; i <= 10'000; ++i) {
-        const double x = half_pi_hi * i / 10'000;
-        const auto rough = flight::batch::rough_sin_cos(x);
-        REQUIRE(std::abs(rough.sin - std::sin(x)) <= 1e-8 * x);
-        REQUIRE(std::abs(rough.cos - std::cos(x)) < 1e-7);
-    }
-}

@@ -15,9 +15,12 @@ TEST_CASE(
     for (int i = 0; i < 60'000; ++i) {
         const DoubleRay ray = random_ray(random);
         const auto exact = exact_flight(Real(ray.c), Real(ray.kappa));
-        const double z = some_place(random, ray, exact);
-        const auto at = batch::sin_cos(z);
-        const auto contact = batch::Upper::contact(z, at, ray.c, ray.kappa);
+        const auto place = some_place(random, ray, some_point(random, ray, exact));
+        if (!place) {
+            continue;
+        }
+        const double z = place->z;
+        const auto contact = batch::Upper::contact(*place, ray.c, ray.kappa);
         if (!contact.close) {
             continue;
         }
@@ -25,7 +28,8 @@ TEST_CASE(
         if (!exact.hits || x < exact.x || x > pi_in<Real>() / 2) {
             FAIL(say("no upper bound:", ray, "z", z, "shift", contact.shift, "x", exact.x));
         }
-        const auto next = batch::Upper::bounce(z, at, contact.shift, ray.kappa, ray.r);
+        const auto next =
+            batch::Upper::bounce(z, place->at, contact.shift, ray.kappa, ray.r * batch::Upper::outward);
         const auto out = reflect<Real>({Real(1), Real(ray.kappa)}, cos(exact.x), Real(ray.r));
         if (next.ends) {
             continue;
