@@ -60,7 +60,7 @@ TEST_CASE("a list of claims: a row that states none, or a list without rows, is 
              {"file\t\tdumbbell certify 10\n", ":1: the claim needs --ratio, and"},
              {"file\t--ratio 10\n", ":1: the claim needs --ratio, and"},
              {"file\t--max 4\n", ":1: the claim needs --ratio, and"},
-             {"file\t--ratio 10 --max\n", ":1: no value behind --max"},
+             {"file\t--ratio 10 --max\n", ":1: no value after --max"},
              {"file\t--ratio 10 --max 4 --max 5\n", ":1: --max is given twice"},
              {"file\t--ratio 10 --max 4 --json\n", ":1: `--json` states no claim"},
              {"file\t--ratio 10 --max 4 other\n", ":1: `other` states no claim"},
