@@ -45,7 +45,12 @@ TEST_CASE("a list of claims: names are those of the working folder") {
     const std::filesystem::path path = file.path();
     const File list(path.filename().string() + "\t--ratio 10 --max 4\n");
     CHECK(run("--claims " + list.path(), "cd " + path.parent_path().string() + " && ").code == 0);
-    CHECK(run("--claims " + list.path(), "cd / && ").code == 2);
+    const Run elsewhere = run("--claims " + list.path(), "cd / && ");
+    CHECK(elsewhere.code == 2);
+    CHECK(
+        has(elsewhere.out, "No such file or directory (a name in a list is relative to the working folder)"));
+    CHECK_FALSE(has(run_list("/no.dbc\t--ratio 10 --max 4\n").out, "working folder"));
+    CHECK_FALSE(has(run("no.dbc").out, "working folder"));
 }
 
 TEST_CASE("a list of claims: a row that states none, or a list without rows, is wrong usage") {
