@@ -95,7 +95,8 @@ Unit unit_of(const AdiabaticCertificate& certificate) {
             break;
     }
     throw InputError(
-        "this certificate is about single bounces: plot adiabatic needs one with --theorem thm3.3 or thm3.5");
+        "this certificate is about single bounces: plot adiabatic needs one with --theorem thm3.3, thm3.5 or "
+        "printed");
 }
 
 /// The bound that is proved for all orbits, in the claim's unit. One far beyond what the orbit does would

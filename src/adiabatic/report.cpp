@@ -16,16 +16,17 @@ constexpr int shown_digits =
 
 std::string number(const Rational& x) { return x == 0 ? "0" : exact_text(x); }
 
+/// 0 is no delta.
 std::string delta_text(const AdiabaticHypotheses& of) {
     const auto& [lo, hi] = of.delta;
     return lo == hi ? fmt::format("delta = {}", number(lo))
-                    : fmt::format("every delta in [{}, {}]", number(lo), number(hi));
+                    : fmt::format("every delta in {}{}, {}]", lo == 0 ? '(' : '[', number(lo), number(hi));
 }
 
-/// delta^(sixteenths/16).
+/// delta^(sixteenths/16); empty if that is 1.
 std::string power(int sixteenths) {
     const Rational exponent(sixteenths, 16);
-    return sixteenths == 0              ? "1"
+    return sixteenths == 0              ? ""
            : sixteenths == 16           ? "delta"
            : denominator(exponent) == 1 ? fmt::format("delta^{}", exact_text(exponent))
                                         : fmt::format("delta^({})", to_fraction(exponent));
@@ -103,9 +104,10 @@ std::string hypotheses_text(const AdiabaticHypotheses& of) {
 
 std::string state_text(const AdiabaticState& state) {
     const std::string u = to_decimal(state.u, shown_digits), s = to_decimal(state.s, shown_digits);
-    return fmt::format("delta = {}, distance {}{} from the vertical, ydot {} -{} delta, n = {}",
-                       number(state.delta), parse_rational(u) == state.u ? "" : "about ", u,
-                       parse_rational(s) == state.s ? "=" : "about", s, state.n);
+    const std::string ydot =
+        state.s == 0 ? "= 0" : fmt::format("{} -{} delta", parse_rational(s) == state.s ? "=" : "about", s);
+    return fmt::format("delta = {}, distance {}{} from the vertical, ydot {}, n = {}", number(state.delta),
+                       parse_rational(u) == state.u ? "" : "about ", u, ydot, state.n);
 }
 
 /// C/B, rounded up.

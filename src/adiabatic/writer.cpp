@@ -21,7 +21,7 @@ class Body : SealedLines {
     void tree(const AdiabaticTree& nodes, bool with_class) {
         long open = 1;
         for (const AdiabaticNode& node : nodes) {
-            require(open > 0, "certificate: a tree goes on behind its end");
+            require(open > 0, "certificate: a tree goes on after its end");
             if (node.split) {
                 line("split {}", axis_names[static_cast<std::size_t>(*node.split)]);
                 ++splits_;

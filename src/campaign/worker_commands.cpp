@@ -16,15 +16,19 @@ std::string worker(const std::string& password_file, const std::string& cores, c
 
 bool is_loopback(const std::string& address) { return address.starts_with("127.") || address == "::1"; }
 
+/// Does it listen on all addresses of the machine?
+bool is_anywhere(const std::string& address) { return address == "0.0.0.0" || address == "::"; }
+
 /// An address that reaches a manager on this machine.
 std::string here(const ManagerPlace& manager) {
-    if (manager.address == "0.0.0.0") {
-        return "127.0.0.1";
-    }
-    return manager.address == "::" ? "::1" : manager.address;
+    return !is_anywhere(manager.address) ? manager.address : manager.address == "::" ? "::1" : "127.0.0.1";
 }
 
 }  // namespace
+
+std::string reached_as(const ManagerPlace& manager, const std::string& host) {
+    return is_anywhere(manager.address) ? host : manager.address;
+}
 
 std::string worker_command(const ManagerPlace& manager, const std::string& host) {
     return worker(manager.password_file, "0", host, std::to_string(manager.port));

@@ -11,6 +11,9 @@ struct ManagerPlace {
     std::string password_file;  ///< on this machine
 };
 
+/// How others reach it: its address, or if it listens on all of this machine, that one's name, `host`.
+[[nodiscard]] std::string reached_as(const ManagerPlace& manager, const std::string& host);
+
 /// The one line that starts a worker, on all cores of the machine that it is typed on, for a manager that is
 /// reached as `host`. For a shell.
 [[nodiscard]] std::string worker_command(const ManagerPlace& manager, const std::string& host);

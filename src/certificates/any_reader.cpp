@@ -20,7 +20,7 @@ namespace dumbbell::certificates {
 namespace {
 
 constexpr int head_lines = 5;  // before the line `claim`
-constexpr std::string_view seal = "sha256 ";
+constexpr std::string_view first_line = "dumbbell-certificate 1\n", seal = "sha256 ";
 
 /// A SHA-256 that grows line by line.
 class Digest {
@@ -56,14 +56,28 @@ AnyCertificate read_any_certificate(const std::string& path) {
     if (claim.starts_with("adiabatic-")) {
         return adiabatic::read_adiabatic_certificate(path);
     }
+    if (claim == "law" || claim == "collisions-by-law") {
+        throw InputError(fmt::format(
+            "'{}' is about {}: no page and no picture shows that; dumbbell verify checks it", path,
+            claim == "law" ? "the law for every mass ratio (dumbbell law)"
+                           : "one mass ratio by the law (dumbbell certify --by law)"));
+    }
     return collisions::read_certificate(path);
 }
 
 std::string sealed_digest(const std::string& path) {
     const std::unique_ptr<gzFile_s, int (*)(gzFile)> file(gzopen(path.c_str(), "rb"), &gzclose);
     std::array<char, 8192> line{};
+    const auto next = [&] {
+        return file && gzgets(file.get(), line.data(), static_cast<int>(line.size())) != nullptr;
+    };
+    if (!next() || line.data() != first_line) {
+        throw InputError(fmt::format("'{}' is no certificate: its first line is not '{}'", path,
+                                     first_line.substr(0, first_line.size() - 1)));
+    }
     Digest digest;
-    while (file && gzgets(file.get(), line.data(), static_cast<int>(line.size())) != nullptr) {
+    digest.add(first_line);
+    while (next()) {
         const std::string_view text(line.data());
         if (!text.starts_with(seal)) {
             digest.add(text);

@@ -99,7 +99,7 @@ const char* other_subject(std::string_view claim) {
         return "the law for every mass ratio (dumbbell law)";
     }
     if (claim == "collisions-by-law") {
-        return "one mass ratio by the law, without a cover (dumbbell certify --by law)";
+        return "one mass ratio by the law (dumbbell certify --by law)";
     }
     return claim.starts_with("adiabatic-") ? "the adiabatic invariant (dumbbell adiabatic)" : nullptr;
 }
@@ -116,7 +116,7 @@ PieceReader::PieceReader(const std::string& path, Trees trees) : lines_(path), t
     const std::string claim = lines_.expect("claim", 2)[1];
     if (const char* subject = other_subject(claim)) {
         throw InputError(
-            fmt::format("'{}' is about {}: a certificate about mass ratios is needed here "
+            fmt::format("'{}' is about {}: a certificate with a cover of mass ratios is needed here "
                         "(dumbbell certify RATIO --out FILE); dumbbell verify reads both",
                         path, subject));
     }

@@ -28,7 +28,8 @@ long parse_count(const std::string& text) {
     }
     if (*number > greatest_count) {
         throw InputError(
-            fmt::format("{} collisions are too many: at most 10^{} (dumbbell critical N --by law goes on)",
+            fmt::format("{} collisions are too many: at most 10^{}, or 10^100 for one N by the law "
+                        "(dumbbell critical N --by law)",
                         printable(text, 40), static_cast<int>(std::log10(greatest_count))));
     }
     if (*number < 3) {

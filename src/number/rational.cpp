@@ -169,11 +169,44 @@ Rational abs(Rational x) {
 
 std::string shortened(std::string_view text) { return printable(text, 40); }
 
-Rational parse_rational(std::string_view text, std::size_t max_length) {
-    const auto malformed = [&] {
+namespace {
+
+bool is_number(std::string_view text) try {
+    (void)parse_rational(text);
+    return true;
+} catch (const InputError&) {
+    return false;
+}
+
+/// What may be meant by a text that is no number, like .5 or +10.
+std::string likely_number(std::string_view text) {
+    std::string likely(text.substr(text.starts_with('+') ? 1 : 0));
+    if (likely.starts_with('.')) {
+        likely.insert(0, 1, '0');
+    }
+    if (likely.ends_with('.') && text.size() > 1) {
+        likely.pop_back();
+    }
+    return likely;
+}
+
+InputError not_a_number(std::string_view text) {
+    constexpr std::size_t longest = 40;  // of a text with a hint
+    const bool is_short = text.size() <= longest;
+    if (is_short && text.starts_with('-') && is_number(text.substr(1))) {
         return InputError(
-            fmt::format("'{}' is not a number: write it like 10, 4.6, 1e6 or 9/2", shortened(text)));
-    };
+            fmt::format("'{}' is negative: write a positive number, like 10, 4.6, 1e6 or 9/2", text));
+    }
+    const std::string likely = is_short ? likely_number(text) : "";
+    return InputError(
+        fmt::format("'{}' is not a number: write {}", shortened(text),
+                    likely != text && is_number(likely) ? likely : "it like 10, 4.6, 1e6 or 9/2"));
+}
+
+}  // namespace
+
+Rational parse_rational(std::string_view text, std::size_t max_length) {
+    const auto malformed = [&] { return not_a_number(text); };
     if (text.size() > max_length) {
         throw InputError(fmt::format("'{}' is too long: at most {} characters", shortened(text), max_length));
     }

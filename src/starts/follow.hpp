@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <vector>
 
+#include "base/interrupted.hpp"
+#include "base/observer.hpp"
 #include "starts/first_flight.hpp"
 #include "starts/later_count.hpp"
 #include "starts/wall_to_wall.hpp"
@@ -16,14 +18,18 @@ template <class S>
 struct Followed {
     std::vector<Bounce<S>> bounces;
     LaterCount total;  ///< of all collisions; may be exact beyond the enclosed ones
+    bool interrupted = false;
 
     [[nodiscard]] bool complete() const { return total.most == static_cast<long>(bounces.size()); }
 };
 
+inline constexpr long most_first_spans = 20000;
+
 /// Precondition: both masses of every state are above the floor, and none is at rest. `most_spans`: of the
-/// first flight's proof.
+/// first flight's proof. `observer` is told of each collision.
 template <class S>
-[[nodiscard]] Followed<S> follow(const State<S>& start, long most_spans = 20000) {
+[[nodiscard]] Followed<S> follow(const State<S>& start, long most_spans = most_first_spans,
+                                 Observer& observer = nobody, const Interrupted& interrupted = never) {
     Followed<S> result;
     LaterCount& total = result.total;
     const Event<S> first = event_from_air(start, most_spans);
@@ -40,6 +46,12 @@ template <class S>
     Next next = Next::contact;
     while (next == Next::contact) {
         result.bounces.push_back(orbit.last());
+        observer.advance(1);
+        if (interrupted()) {
+            result.interrupted = true;
+            total = {done(), most_collisions(range(start.r))};
+            return result;
+        }
         next = orbit.advance();
     }
     if (next == Next::none) {

@@ -47,7 +47,7 @@ double greatest_width(const State<S>& s) {
 /// their first contact on.
 template <class S, class I>
 LaterCount count(const Followed<S>& followed, const State<I>& start) {
-    if (followed.total.exact() || followed.bounces.empty()) {
+    if (followed.total.exact() || followed.bounces.empty() || followed.interrupted) {
         return followed.total;
     }
     const auto& first = followed.bounces.front();
@@ -62,20 +62,21 @@ Trace described(const Followed<S>& followed, const State<I>& start, int bits, in
     for (const auto& b : followed.bounces) {
         result.collisions.push_back(shown(b, digits));
     }
-    if (!total.exact()) {
+    if (!total.exact() && !followed.interrupted) {
         result.obstacle = find_obstacle(followed, start);
     }
     return result;
 }
 
 template <class I>
-Trace trace_in(const InitialBox& box, int bits, int digits) {
+Trace trace_in(const InitialBox& box, int bits, int digits, Observer& observer,
+               const Interrupted& interrupted) {
     const State<I> start = natural_state<I>(box);
     const BoxJets<I> jets(box);
-    const auto correlated = follow(jets.state());
+    const auto correlated = follow(jets.state(), most_first_spans, observer, interrupted);
     Trace result = described(correlated, start, bits, digits);
     if (!box.is_point() && !correlated.bounces.empty()) {
-        const auto natural = follow(start);
+        const auto natural = follow(start, most_first_spans, nobody, interrupted);
         const std::size_t last = correlated.bounces.size() - 1;
         result.widths = TracedWidths{{}, greatest_width(correlated.bounces[last].after)};
         if (natural.bounces.size() > last) {
@@ -92,17 +93,17 @@ int working_bits(int digits) {
     return digits == 0 ? double_bits : static_cast<int>(digits * 3.33) + 1 + std::min(128, 64 + digits * 2);
 }
 
-Trace trace(const InitialBox& box, int digits) {
+Trace trace(const InitialBox& box, int digits, Observer& observer, const Interrupted& interrupted) {
     const int bits = working_bits(digits);
     const auto event = exact_event(box);
     if (event && event->kind == ExactKind::graze) {
         return {.collisions = {}, .least = 0, .most = 0, .bits = bits, .widths = {}};
     }
     if (digits == 0) {
-        return trace_in<Interval>(box, bits, shown_digits);
+        return trace_in<Interval>(box, bits, shown_digits, observer, interrupted);
     }
     const PrecisionScope scope(bits);
-    return trace_in<BigInterval>(box, bits, digits);
+    return trace_in<BigInterval>(box, bits, digits, observer, interrupted);
 }
 
 }  // namespace dumbbell::starts

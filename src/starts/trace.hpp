@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "base/interrupted.hpp"
+#include "base/observer.hpp"
 #include "flight/orbit.hpp"
 #include "starts/certificate.hpp"
 #include "starts/obstacle.hpp"
@@ -42,7 +44,9 @@ struct Trace {
 [[nodiscard]] int working_bits(int digits);
 
 /// With digits = 0 in double precision, shown with 12 digits; otherwise with a precision chosen from the
-/// digits wanted. Precondition: require_in_play(box).
-[[nodiscard]] Trace trace(const InitialBox& box, int digits);
+/// digits wanted. `observer` is told of the collisions; interrupted it knows those so far, and that there are
+/// as many. Precondition: require_in_play(box).
+[[nodiscard]] Trace trace(const InitialBox& box, int digits, Observer& observer = nobody,
+                          const Interrupted& interrupted = never);
 
 }  // namespace dumbbell::starts

@@ -77,7 +77,7 @@ let rec parse seen o = function
     if List.mem "--exactly" seen && (List.mem "--max" seen || List.mem "--min" seen) then
       usage "--exactly N is --max N and --min N: give it without them";
     (match rest with
-     | [] -> usage ("no value behind " ^ name)
+     | [] -> usage ("no value after " ^ name)
      | value :: rest ->
        let n () = Some (number name value) in
        let o = match name with

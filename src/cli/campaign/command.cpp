@@ -8,8 +8,8 @@ namespace {
 constexpr const char* description =
     R"(Prove what is too big for one run: in shards, on this machine or many.
 
-A campaign is a folder of plain files. It can be stopped, killed and started again at any time: what is finished is kept,
-and the result does not depend on where, how often or in which order the shards were processed.
+A campaign is a folder of plain files. It can be stopped, killed and started again at any time: what is finished is
+kept, and the result does not depend on where, how often or in which order the shards were processed.
 
 Examples:
   dumbbell campaign plan stairs.campaign 1:1e6 --gap 1e-9    cut the claim into shards
@@ -21,8 +21,8 @@ constexpr const char* footer =
     R"(Workers on other machines, and what to think of before: docs/8-campaigns.md.
 The fields of --json: docs/reference/json.md.
 
-Exit codes: 0 done as asked; 1 internal error, or two results of one shard differ; 2 wrong usage or input; 3 not finished
-or not certified; 130 or 143 stopped by SIGINT (Ctrl-C) or SIGTERM: what is finished is kept.)";
+Exit codes: 0 done as asked; 1 internal error, or two results of one shard differ; 2 wrong usage or input; 3 not
+finished or not certified; 130 or 143 stopped by SIGINT (Ctrl-C) or SIGTERM: what is finished is kept.)";
 
 constexpr std::array commands{&campaign_plan_command, &campaign_run_command, &campaign_status_command,
                               &campaign_merge_command, &campaign_work_command};

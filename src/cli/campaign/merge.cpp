@@ -21,8 +21,9 @@ namespace {
 constexpr const char* description =
     R"(Verify the result of each shard with the independent verifier, and join them.
 
-The result is the file that the claim's command would have written by itself, byte for byte. One file proves one statement about the adiabatic invariant, so a grid of
-them is joined to a table, which names for each the certificate in the folder that dumbbell-verify accepts.)";
+The result is the file that the claim's command would have written by itself, byte for byte. One file proves one
+statement about the adiabatic invariant, so a grid of them is joined to a table, which names for each the certificate in
+the folder that dumbbell-verify accepts.)";
 
 constexpr std::array options{
     argument("FOLDER", "the campaign's folder").required(),

@@ -10,6 +10,7 @@
 
 #include "base/deadline.hpp"
 #include "base/error.hpp"
+#include "base/printable.hpp"
 #include "campaign/campaign.hpp"
 #include "campaign/folder.hpp"
 #include "campaign/local_engine.hpp"
@@ -64,10 +65,10 @@ constexpr std::array options{
 /// Says at the start, and when nobody came for a while, how to start a worker.
 class WorkersWanted {
   public:
-    WorkersWanted(const campaign::ManagerPlace& place, Verbosity verbosity)
-        : line_(worker_command(place, place.address)) {
+    WorkersWanted(const campaign::ManagerPlace& place, Verbosity verbosity) {
         std::array<char, 256> host{};
         ::gethostname(host.data(), host.size() - 1);
+        line_ = worker_command(place, reached_as(place, host.data()));
         remark(
             fmt::format("waiting for workers at {}:{}; to start one: {}", place.address, place.port, line_));
         if (verbosity == Verbosity::normal) {
@@ -117,12 +118,17 @@ std::unique_ptr<campaign::Engine> engine_of(const Given& given, const campaign::
         }
         return std::make_unique<campaign::LocalEngine>(jobs_of(given), folder.path());
     }
+    const std::string path = std::filesystem::absolute(folder.path());  // for another folder, too
+    if (one_line(path) != path) {
+        throw InputError(fmt::format(
+            "'{}' has a character in its name that not every shell of a worker could spell: rename it",
+            path));
+    }
     campaign::WorkQueueOptions queue;
     queue.address = given.text("--address");
     queue.port = static_cast<int>(given.number("--port"));
     queue.program = given.text("--program");
-    queue.password_file =
-        campaign::password_file(std::filesystem::absolute(folder.path()));  // for another folder, too
+    queue.password_file = campaign::password_file(path);
     auto engine = std::make_unique<campaign::WorkQueueEngine>(queue);
     wanted.emplace(engine->place(), verbosity_of(given));
     return engine;

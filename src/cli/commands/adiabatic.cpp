@@ -24,7 +24,8 @@ namespace {
 constexpr const char* description =
     R"(Prove the constants of the adiabatic invariant of a light mass that spins fast.
 
-The invariant is I = |phidot| (pi - arccos y), the light mass beta1 = epsilon = delta^2, and |phidot| = 1 and -delta <= ydot <= 0 before the first collision that counts.
+The invariant is I = |phidot| (pi - arccos y), the light mass beta1 = epsilon = delta^2, and |phidot| = 1 and
+-delta <= ydot <= 0 before the first collision that counts.
 
   lemma3.1  one bounce and the next, at distance m delta^k from the vertical, k = 1/2: the errors of |phidot_+| and y_+
   cor3.2    the same with other exponents: --k

@@ -24,8 +24,11 @@ constexpr const char* footer =
 
 Exit codes: 0 tiles exactly; 1 internal error; 2 wrong usage or unreadable input; 3 does not tile.)";
 
-constexpr std::array options{argument("FILE", "certificates (-: the standard input)").required().repeated(),
-                             json_option};
+constexpr std::array options{
+    argument("FILE", "certificates about mass ratios, with covers (-: the standard input)")
+        .required()
+        .repeated(),
+    json_option};
 
 audit::AuditedFile audited(const std::string& path) {
     Progress progress("leaves", Verbosity::normal, "auditing");

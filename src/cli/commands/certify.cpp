@@ -39,7 +39,7 @@ Examples:
   dumbbell certify 10 --witness                ... and print an orbit that has them
   dumbbell certify 1:100 --out stairs.dbc      every mass ratio from 1 to 100, with a certificate
   dumbbell certify 4.6:4.61 --gap 1e-9 --json  a narrower gap around the critical ratio, for scripts
-  dumbbell certify 1e100 --by law              one ratio, however great, by the law for every mass ratio
+  dumbbell certify 1e100 --by law              one ratio, up to 10^1000, by the law for every mass ratio
 
 A range with --out FILE keeps its finished pieces in FILE.partial/ until all are: stopped (Ctrl-C), killed or out of
 time, the same command goes on with them and ends with the same file.

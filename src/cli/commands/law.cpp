@@ -18,7 +18,7 @@ constexpr const char* description =
 Without a FILE: for every q >= 62.72, 2 + floor(C sqrt q - c0 q^(-1/4)) <= N(q) <= 2 + floor(C sqrt q), with its two
 constants (proofs/law.md). What of it rests on a computation is a certificate that comes with the program; the
 independent verifier checks it first. --prove makes that certificate. --ratio says what the law says of one mass
-ratio, however great: N(q), or the two values that remain where q is too near a step; it is not verified again then.
+ratio up to 10^1000: N(q), or the two values that remain where q is too near a step; it is not verified again then.
 
 With a staircase, a FILE by dumbbell certify LO:HI: the maximum never decreases with the mass ratio, the paper's bound
 is never attained, and how far N(q) is from C sqrt q. The verifier checks the certificate first; what follows rests on

@@ -61,6 +61,11 @@ void refuse_with_law(const Given& given, std::initializer_list<const char*> opti
 
 /// N of `critical --by law`, also as 1e50. Throws InputError.
 Integer parse_law_count(const std::string& text) {
+    if (text.find(':') != std::string::npos) {
+        throw InputError(
+            fmt::format("--by law takes one N, no range: '{}' (a range: dumbbell critical N1:N2 without it)",
+                        shortened(text)));
+    }
     const Rational n = parse_number("N", text);
     if (denominator(n) != 1 || n <= law::last_step || n > parse_rational("1e100")) {
         throw InputError(

@@ -40,9 +40,9 @@ constexpr const char* law_description =
     R"(N(q) - C sqrt q: what a staircase proves, and beyond it the law.
 
 The teeth are the certificate's. Beyond its end the picture shows what Theorem B of proofs/law.md says of every q, and
-everywhere the strips in which the law leaves two values; below, the steps of the staircase in the greater scale in which
-their strip is even. What the law rests on is a certificate of its own, which dumbbell law verifies and this command does
-not read.
+everywhere the strips in which the law leaves two values; below, the steps of the staircase in the greater scale in
+which their strip is even. What the law rests on is a certificate of its own, which dumbbell law verifies and this
+command does not read.
 
 Example:
   dumbbell plot law certificates/stairs-1-100.dbc --to 1e6 --out law.svg)";
@@ -50,8 +50,9 @@ Example:
 constexpr const char* cover_description =
     R"(The boxes of a cover, coloured by the number of collisions that they prove.
 
-They are drawn chart by chart in the coordinates of docs/reference/format.md; a box with another reason has that reason's colour. A range of mass ratios is cut at one of them: --ratio. Of a certificate about
-initial conditions (dumbbell trace --subdivide) every box as it is.
+They are drawn chart by chart in the coordinates of docs/reference/format.md; a box with another reason has that
+reason's colour. A range of mass ratios is cut at one of them: --ratio. Of a certificate about initial conditions
+(dumbbell trace --subdivide) every box as it is.
 
 Example:
   dumbbell certify 100 --section full --out full.dbc
@@ -60,8 +61,8 @@ Example:
 constexpr const char* orbit_description =
     R"(An orbit with the greatest number of collisions, and the dumbbell at each of them.
 
-It is the witness, every collision enclosed, in the plane of the rod's angle and the height, above the floor as the point
-sees it. Of many collisions some are drawn, and the caption says which.
+It is the witness, every collision enclosed, in the plane of the rod's angle and the height, above the floor as the
+point sees it. Of many collisions some are drawn, and the caption says which.
 
 RATIO is proved on the spot. Of a certificate over a range of mass ratios: --ratio.
 
@@ -83,8 +84,8 @@ Example:
 constexpr const char* phase_description =
     R"(Initial conditions, coloured by their certified number of collisions.
 
-They are those of a certificate by dumbbell trace --subdivide. Two of phi, phidot, y, ydot and the mass ratio must be intervals, the others numbers. Boxes of equal count are united
-exactly; what is not decided is hatched, never hidden.
+They are those of a certificate by dumbbell trace --subdivide. Two of phi, phidot, y, ydot and the mass ratio must be
+intervals, the others numbers. Boxes of equal count are united exactly; what is not decided is hatched, never hidden.
 
 Example:
   dumbbell trace 10 --phi 0:6.28 --phidot 1 --y 2 --ydot=-2:1 --subdivide --out falling.dbc

@@ -33,16 +33,17 @@ constexpr const char* description =
 RATIO is q = heavy mass / light mass (below 1 the masses are swapped). The dumbbell starts in the air: the
 rod has length 1, the light mass is at height y + beta2 sin phi and the heavy one at y - beta1 sin phi
 (beta2 = q/(1+q), beta1 = 1/(1+q)), y is the height of the centre of mass, phi in radians (1/3), degrees (30deg) or as a
-multiple of pi (pi/2, 2pi/3, -0.3pi). Every quantity is exact, as written (3, -0.5, 1/3), or an interval LO:HI; a multiple
-of pi is irrational, and what is proved holds for the rational bounds of it that --json and the certificate give.
+multiple of pi (pi/2, 2pi/3, -0.3pi). Every quantity is exact, as written (3, -0.5, 1/3), or an interval LO:HI; a
+multiple of pi is irrational, and what is proved holds for the rational bounds of it that --json and the certificate
+give.
 
 --heights LIGHT,HEAVY gives the heights of both masses instead of phi and y. They leave two angles: phi is the one with
 cos phi >= 0, from -pi/2 to pi/2. The other, pi - phi, with the opposite --phidot is its mirror image.
 
 Every number is printed as value+-radius, or as its bounds (--csv, --json). The grazing sine is |n.v| / (|n| |v|)
 before a collision, in the metric of the kinetic energy: the sine of the angle between flight and floor, 1 head-on, near
-0 where the mass only just touches. What is left undecided has bounds: those that the enclosures give, or the maximum over
-all trajectories (theorem 1 of proofs/theorem.md) where that is less; a certificate has the same bounds.
+0 where the mass only just touches. What is left undecided has bounds: those that the enclosures give, or the maximum
+over all trajectories (theorem 1 of proofs/theorem.md) where that is less; a certificate has the same bounds.
 
 Examples:
   dumbbell trace 10 --phi 1/3 --phidot 1 --y 3 --ydot -1/2               one orbit
@@ -58,8 +59,8 @@ constexpr const char* footer =
     R"(The fields of --json: docs/reference/json.md.
 
 Exit codes: 0 an outcome is certified; 1 internal error; 2 wrong usage or input; 3 not decided at this precision, or at
-any: the outcome names a corner, a fall flat or a grazing contact that the start is on or near to; with
---subdivide 130 or 143 stopped by SIGINT (Ctrl-C) or SIGTERM: nothing is kept.)";
+any: the outcome names a corner, a fall flat or a grazing contact that the start is on or near to; 130 or 143 stopped
+by SIGINT (Ctrl-C) or SIGTERM: nothing is kept.)";
 
 constexpr Option quantity_option(std::string_view name, std::string_view text) {
     return Option{name, "A|LO:HI", text};
@@ -213,25 +214,14 @@ int run(const Given& given) {
                                     .interrupted = deadline(budget_of(given))};
     const Stopwatch watch;
     if (!report.incoming) {
-        const Progress progress("", verbosity_of(given), "following the orbit");
-        report.trace = trace(report.box, report.digits);
+        Progress progress("collisions", verbosity_of(given), "following the orbit");
+        report.trace = trace(report.box, report.digits, progress, deadline(std::nullopt));
     }
-    const auto finish = [&] {
-        if (!report.trace.exact() || report.parts) {
-            bound_by_maximum(report, starts::most_of_all(ratio.hi));
-        }
-        report.seconds = watch.seconds();
-        if (output.is_wanted()) {
-            write(render(certificate_of(report)), output, report);
-        }
-        print(output.report(), given, report, ratio.swapped);
-        const bool certified = report.trace.exact() || (!report.is_single() && !event_of(report));
-        return certified ? exit_done : exit_not_certified;
-    };
-    if (!given.has("--subdivide")) {
-        return finish();
+    if (stop_signal != 0 && !report.trace.exact() && !given.has("--subdivide")) {
+        return stopped(fmt::format("nothing is kept of the {} collisions that were enclosed",
+                                   report.trace.collisions.size()));
     }
-    return stoppable([&] {
+    if (given.has("--subdivide")) {
         limits.bits = std::min(report.trace.bits, most_subdivide_bits);
         limits.incoming = report.incoming;
         limits.name_obstacles =
@@ -249,12 +239,21 @@ int run(const Given& given) {
             return stopped(
                 "nothing is kept; with --budget TIME what is decided in time is printed, and written");
         }
-        return static_cast<int>(finish());
-    });
+    }
+    if (!report.trace.exact() || report.parts) {
+        bound_by_maximum(report, starts::most_of_all(ratio.hi));
+    }
+    report.seconds = watch.seconds();
+    if (output.is_wanted()) {
+        write(render(certificate_of(report)), output, report);
+    }
+    print(output.report(), given, report, ratio.swapped);
+    const bool certified = report.trace.exact() || (!report.is_single() && !event_of(report));
+    return certified ? exit_done : exit_not_certified;
 }
 
 }  // namespace
 
-constinit const Command trace_command{"trace", "Prove", description, footer, options, run};
+constinit const Command trace_command{"trace", "Prove", description, footer, options, stoppable<run>};
 
 }  // namespace dumbbell::cli

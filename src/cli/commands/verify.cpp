@@ -39,11 +39,11 @@ Checks certificates (docs/reference/format.md) independently of the program that
 
 constexpr const char* footer =
     R"(FILE `-` is the standard input. Of one file the last line is its verdict: s VERIFIED, s REJECTED, s UNSUPPORTED,
-s UNREADABLE or s LIMIT; instead of s VERIFIED with --shards s PART, with --combine s COMBINED. Of several, each has one such line with its name, in the given order, and
-a line with the numbers ends them:
+s UNREADABLE or s LIMIT; instead of s VERIFIED with --shards s PART, with --combine s COMBINED. Of several, each has one
+such line with its name, in the given order, and a line with the numbers ends them:
 c files=3 verified=2 rejected=1 ...
-Exit code: 0 verified and proved (with --shards: the part; with --combine: if its lines are true), 1 rejected, 2 usage or unreadable, 3 unsupported,
-4 resource limit; of several codes the first of 1, 4, 3, 2, 0.)";
+Exit code: 0 verified and proved (with --shards: the part; with --combine: if its lines are true), 1 rejected, 2 usage
+or unreadable, 3 unsupported, 4 resource limit; of several codes the first of 1, 4, 3, 2, 0.)";
 
 constexpr std::array options{
     Option{"--ratio", "RATIO|LO:HI", "the mass ratios (heavy/light) in question; else those of the file"},
@@ -60,8 +60,9 @@ constexpr std::array options{
         "adiabatic-bounce, -run, -scattering, -printed (the adiabatic invariant), or law (all mass ratios): "
         "these without --ratio, --max, --min, --exactly, which they do not answer"},
     Option{"--claims", "LIST",
-           "the certificates and claims of a list like certificates/claims.tsv, one each line: a file, a "
-           "tab, the six options above that state its claim; what stands after another tab is a remark"},
+           "the certificates and claims of a list like certificates/claims.tsv, one each line: a file "
+           "(its name is relative to the working folder), a tab, the six options above that state its "
+           "claim; what stands after another tab is a remark"},
     Option{"--lemma", "4.1|4.2 A B",
            "compare two files: at most as many collisions in A (scene hybrid) as in B (wedge), or at most "
            "one more in A (dumbbell) than in B (hybrid)"},

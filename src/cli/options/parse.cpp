@@ -1,5 +1,7 @@
 #include "cli/options/parse.hpp"
 
+#include <fmt/core.h>
+
 #include <CLI/CLI.hpp>
 
 #include "base/error.hpp"
@@ -61,20 +63,28 @@ void collect(const CLI::App& app, const Command& command, CommandLine& line) {
     }
 }
 
-/// Of the command whose name stands where an argument of the one above was expected, too.
-const Command& explained(const CommandLine& line) {
+/// The argument whose word is the name of a command below, so that it is not there itself; or null.
+const Given::Value* skipped_argument(const CommandLine& line) {
     for (const Given::Value& value : line.given.values()) {
-        const Command* below = value.words.empty() ? nullptr : line.command->below(value.words.front());
-        if (below != nullptr) {
-            return *below;
+        if (!value.words.empty() && line.command->below(value.words.front()) != nullptr) {
+            return &value;
         }
     }
-    return *line.command;
+    return nullptr;
+}
+
+/// Of the command whose name stands where an argument of the one above was expected, too.
+const Command& explained(const CommandLine& line) {
+    const Given::Value* skipped = skipped_argument(line);
+    return skipped != nullptr ? *line.command->below(skipped->words.front()) : *line.command;
 }
 
 std::string wrong(const CLI::ParseError& error, const CLI::App& app, const CommandLine& line,
                   const std::vector<std::string>& words) {
     if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr) {
+        if (const Given::Value* skipped = skipped_argument(line)) {
+            return fmt::format("{} is missing before '{}'", skipped->option->name, skipped->words.front());
+        }
         return unexpected(app.remaining(true));
     }
     if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr) {
@@ -101,9 +111,11 @@ CommandLine parse(const Command& program, const std::string& version, const std:
         line.answer = version + "\n";
     } catch (const CLI::CallForAllHelp&) {
         collect(app, program, line);
+        fault = unknown_command(program, words);
         line.answer = pages::help_all(program, explained(line));
     } catch (const CLI::CallForHelp&) {
         collect(app, program, line);
+        fault = unknown_command(program, words);
         line.answer = pages::help(program, explained(line));
     } catch (const CLI::ParseError& error) {
         collect(app, program, line);

@@ -24,6 +24,25 @@ std::string missing_command(const Command& program, const std::vector<std::strin
                        fmt::join(names_of_commands(*command), ", "));
 }
 
+std::string unknown_command(const Command& program, const std::vector<std::string>& words) {
+    const Command* command = &program;
+    std::vector<std::string> commands;
+    for (const std::string& word : words) {
+        if (command->run != nullptr || command->become != nullptr) {
+            break;
+        }
+        if (word.starts_with('-')) {
+            continue;
+        }
+        commands.push_back(word);
+        command = command->below(word);
+        if (command == nullptr) {
+            return missing_command(program, commands);
+        }
+    }
+    return "";
+}
+
 std::string unexpected(const std::vector<std::string>& words) {
     return words.size() == 1 && words[0].size() > 1 && words[0][0] == '-'
                ? fmt::format("there is no option '{}' here", words[0])

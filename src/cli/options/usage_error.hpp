@@ -12,6 +12,9 @@ namespace dumbbell::cli {
 /// Where a command should stand: what stands there instead, or which there are.
 [[nodiscard]] std::string missing_command(const Command& program, const std::vector<std::string>& words);
 
+/// In a call for help: the word that is no command where only commands stand; empty if there is none.
+[[nodiscard]] std::string unknown_command(const Command& program, const std::vector<std::string>& words);
+
 /// The words that nothing expected, in the order given.
 [[nodiscard]] std::string unexpected(const std::vector<std::string>& words);
 

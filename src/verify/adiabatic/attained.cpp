@@ -83,7 +83,7 @@ class OrbitCheck : AdiabaticCheck<N> {
         const auto flight = behind(at, kappa);
         if (!flight) return false;
         if (flight->slope.lo >= one) return fact("the last flight is steep (L3)", true);
-        return passes(at, *flight) && fact("no collision behind the last", leaves(*flight));
+        return passes(at, *flight) && fact("no collision after the last", leaves(*flight));
     }
     /// Certified: a flight that ascends misses the wall ahead.
     bool leaves(const Flight& flight) {

@@ -23,6 +23,11 @@ std::string about(const mpq_class& x) {
 std::string range(const mpq_class& lo, const mpq_class& hi) {
     return lo == hi ? "= " + about(lo) : "in [" + about(lo) + ", " + about(hi) + "]";
 }
+/// `For every delta in ...`, of which 0 is none.
+std::string deltas(const mpq_class& lo, const mpq_class& hi) {
+    return lo == hi ? "For delta = " + about(lo)
+                    : "For every delta in " + (lo == 0 ? "(0" : "[" + about(lo)) + ", " + about(hi) + "]";
+}
 std::string power(std::uint64_t sixteenths) {
     const mpq_class exponent = [&] {
         mpq_class x(mpz_class(std::to_string(sixteenths)), 16);
@@ -96,15 +101,13 @@ std::string Adiabatic::text() const {
 std::string Adiabatic::paragraph() const {
     const std::string heights = "heights y " + range(y_lo, y_hi), size = about(margin);
     const auto all = summaries();
-    // An orbit is one at its own delta.
-    std::string text = kind == printed ? "  For delta = " + about(attained[0].delta)
-                                       : "  For every delta " + range(delta_lo, delta_hi);
-    text +=
-        ", beta1 = epsilon = delta^2, and a collision of the light mass at which\n"
-        "  |phidot| = 1 and ydot is in [-delta, 0] before it,\n";
-    const std::string ends = "  the first of a regular trajectory and at u >= " + size +
-                             " delta^(1/2), u the rod's distance from the vertical: when the last\n"
-                             "  one is behind it";
+    std::string text = "  " + deltas(delta_lo, delta_hi) +
+                       ", beta1 = epsilon = delta^2, and a collision of the light mass at which\n"
+                       "  |phidot| = 1 and ydot is in [-delta, 0] before it,\n";
+    const std::string first = "  the first of a regular trajectory and at u >= " + size +
+                              " delta^(1/2), u the rod's distance from the vertical:\n",
+                      invariant =
+                          "  I = |phidot| (pi - arccos y) before the first and after the last collision";
     switch (kind) {
         case bounce:
             text += "  " + heights + ", the rod at least " + size + power(exponent) +
@@ -122,15 +125,13 @@ std::string Adiabatic::paragraph() const {
                     all[0].bound + "; I = |phidot| (pi - arccos y) before a collision.\n";
             break;
         case scattering:
-            text += ends + ", at u >= " + size +
-                    " delta^(1/2), too, then |I_N - I_0| <= C delta^(1/2), C = " + all[0].bound +
-                    ",\n  I = |phidot| (pi - arccos y) before the first and behind the last; the heavy mass "
-                    "does not collide.\n";
+            text += first + "  if the last collision is at u >= " + size +
+                    " delta^(1/2), too, then |I_N - I_0| <= C delta^(1/2), C = " + all[0].bound + ",\n" +
+                    invariant + "; the heavy mass does not collide.\n";
             break;
         case printed:
-            text += ends +
-                    ", wherever, then |I_N - I_0| can be at least B,\n"
-                    "  I = |phidot| (pi - arccos y) before the first and behind the last collision.\n";
+            text += first + "  wherever the last collision may be, |I_N - I_0| can be at least B,\n" +
+                    invariant + ".\n";
             break;
     }
     for (std::size_t i = 0; i < attained.size(); ++i)

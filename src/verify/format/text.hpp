@@ -75,7 +75,7 @@ class Text {
     }
     /// Nothing may follow.
     void end() {
-        if (!rest_.empty() || fill()) reject("trailing", "bytes behind the last line");
+        if (!rest_.empty() || fill()) reject("trailing", "bytes after the last line");
     }
     /// SHA-256 of all lines before the present one, in hexadecimal; once.
     std::string digest() {

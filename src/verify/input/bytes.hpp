@@ -74,7 +74,7 @@ class Bytes {
             if (state != Z_OK && state != Z_STREAM_END) reject(line, "the compressed file is damaged");
             ended_ = state == Z_STREAM_END;
             if (ended_ && (stream_.avail_in > 0 || !read().empty()))
-                reject(line, "bytes behind the gzip member");
+                reject(line, "bytes after the gzip member");
         }
         return {block_.data(), block_.size() - stream_.avail_out};
     }

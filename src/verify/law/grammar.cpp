@@ -43,7 +43,7 @@ class LawReader : public Reader<LawLeaf> {
         text_.expect("steps", 2);
         if (text_.natural(1) != first_step || text_.natural(2) != last_step)
             text_.reject("number", "the steps are 3 to 902");
-        Watched::pieces += last_step - first_step + 1;
+        Watched::pieces += last_step - first_step + 1 + 3;  // and the covers
         if (settings_.precision > 0) {
             Big::precision = settings_.precision;
             steps(StepPlaces<Big>());
@@ -52,9 +52,10 @@ class LawReader : public Reader<LawLeaf> {
         }
         leaf_.bits = std::max(53U, settings_.precision);
         leaf_.multiple = settings_.precision > 0;
-        layer();
-        bulk();
-        end();
+        for (const auto cover : {&LawReader::layer, &LawReader::bulk, &LawReader::end}) {
+            (this->*cover)();
+            ++Watched::read;
+        }
     }
 
     /// The law is about all mass ratios, and gives no number of collisions by itself.

@@ -66,6 +66,8 @@ Result examine(const Job& job) {
                 "there is no leaf " + settings.explain + "; " + trees(result.proof, settings.scene)};
     } catch (Failure& failure) {
         result.why = std::move(failure);
+        if (job.listed && !job.file.starts_with('/') && result.why.code == "unreadable")
+            result.why.text += " (a name in a list is relative to the working folder)";
     } catch (const std::exception& error) {  // out of memory, no more threads
         result.why = {Verdict::limit, 0, "limit", error.what()};
     }

@@ -15,7 +15,8 @@ struct Job {
     std::string file;
     Settings settings;
     std::optional<std::string> parts =
-        std::nullopt;  ///< the file with the lines of its parts, to be combined
+        std::nullopt;     ///< the file with the lines of its parts, to be combined
+    bool listed = false;  ///< a list has its name
 };
 
 struct Result {

@@ -28,8 +28,9 @@ Checks certificates (docs/reference/format.md) independently of the program that
                        that come in, --incoming), or adiabatic-bounce, -run, -scattering, -printed
                        (the adiabatic invariant), or law (all mass ratios): these without --ratio, --max, --min,
                        --exactly, which they do not answer
-  --claims LIST        the certificates and claims of a list like certificates/claims.tsv, one each line: a file, a
-                       tab, the six options above that state its claim; what stands after another tab is a remark
+  --claims LIST        the certificates and claims of a list like certificates/claims.tsv, one each line: a file
+                       (its name is relative to the working folder), a tab, the six options above that state its
+                       claim; what stands after another tab is a remark
   --lemma 4.1|4.2 A B  compare two files: at most as many collisions in A (scene hybrid) as in B (wedge), or
                        at most one more in A (dumbbell) than in B (hybrid)
   --law FILE           the certificate of the law, on which files of the kind collisions-by-law rest by its SHA-256:
@@ -71,11 +72,11 @@ Checks certificates (docs/reference/format.md) independently of the program that
   dumbbell-verify --combine parts.txt --ratio 3:9 --max 4 stairs.dbc    all of its parts, put together
 
 FILE `-` is the standard input. Of one file the last line is its verdict: s VERIFIED, s REJECTED, s UNSUPPORTED,
-s UNREADABLE or s LIMIT; instead of s VERIFIED with --shards s PART, with --combine s COMBINED. Of several, each has one such line with its name, in the given order, and
-a line with the numbers ends them:
+s UNREADABLE or s LIMIT; instead of s VERIFIED with --shards s PART, with --combine s COMBINED. Of several, each has one
+such line with its name, in the given order, and a line with the numbers ends them:
 c files=3 verified=2 rejected=1 ...
-Exit code: 0 verified and proved (with --shards: the part; with --combine: if its lines are true), 1 rejected, 2 usage or unreadable, 3 unsupported,
-4 resource limit; of several codes the first of 1, 4, 3, 2, 0.
+Exit code: 0 verified and proved (with --shards: the part; with --combine: if its lines are true), 1 rejected, 2 usage
+or unreadable, 3 unsupported, 4 resource limit; of several codes the first of 1, 4, 3, 2, 0.
 )";
 
 /// The option `name` was given, so none of the others must have been.

@@ -53,7 +53,7 @@ class Words {
     /// The value of the present option.
     std::string value() {
         if (word.size() > option.size()) return word.substr(option.size() + 1);
-        if (at_ == words_.size()) throw std::invalid_argument("no value behind " + option);
+        if (at_ == words_.size()) throw std::invalid_argument("no value after " + option);
         return words_[at_++];
     }
     std::uint64_t number(std::uint64_t least, std::uint64_t most) {

@@ -96,7 +96,7 @@ dumbbell_verify::Settings settings_of(const std::string& options) {
     dumbbell_verify::Settings settings;
     const auto words = options.empty() ? std::vector<std::string>{} : split(options, ' ');
     for (std::size_t i = 0; i < words.size(); i += 2) {
-        if (i + 1 == words.size()) throw std::runtime_error("no value behind " + words[i]);
+        if (i + 1 == words.size()) throw std::runtime_error("no value after " + words[i]);
         const std::string &name = words[i], &value = words[i + 1];
         if (name == "--ratio") {
             const auto ends = split(value, ':');

@@ -104,6 +104,21 @@ TEST_CASE("what is wrong is said in plain words, and in the order given") {
     CHECK_THAT(refused({"plot", "pie", "x"}),
                Contains("plot has no command 'pie'; see dumbbell plot --help"));
     CHECK_THAT(refused({"plot"}), Contains("plot needs a command: staircase, cover"));
+    for (const Words& words : {Words{"campaign", "worker", "--help"}, Words{"help", "campaign", "worker"},
+                               Words{"campaign", "--help-all", "worker"}}) {
+        CHECK_THAT(refused(words),
+                   Contains("campaign has no command 'worker'; see dumbbell campaign --help"));
+    }
+    CHECK_THAT(refused({"campaign", "verify", "--help"}), Contains("campaign has no command 'verify'; see"));
+    CHECK_THAT(refused({"certfy", "--help"}),
+               Contains("there is no command 'certfy'; did you mean certify?"));
+    CHECK_THAT(refused({"campaign", "plan", "adiabatic", "--delta", "0.01"}),
+               Contains("FOLDER is missing before 'adiabatic'; see dumbbell campaign plan"));
+    CHECK_THAT(refused({"plot", "orbit", "10", "--out", ".svg"}),
+               Contains("'.svg' is an ending without a name before it"));
+    CHECK_THAT(refused({"critical", "10^101"}), Contains("or 10^100 for one N by the law"));
+    CHECK_THAT(refused({"critical", "903:905", "--by", "law"}),
+               Contains("--by law takes one N, no range: '903:905'"));
     CHECK_THAT(refused({"certify", "10", "30", "20"}), Contains("not expected here: '30', '20'"));
     CHECK_THAT(refused({"certify", "10", "x", "--outt"}), Contains("not expected here: 'x', '--outt'"));
     CHECK_THAT(refused({"certify", "10", "--outt"}), Contains("there is no option '--outt' here"));
@@ -114,7 +129,8 @@ TEST_CASE("what is wrong is said in plain words, and in the order given") {
     CHECK_THAT(refused({"certify", "10", "--jobs", "0"}), Contains("--jobs: 0 is not from 1 to 1024"));
     CHECK_THAT(refused({"certify", "10", "--quiet", "--witness"}), Contains("exclude each other"));
     CHECK_THAT(refused({"certify", "1:100", "--gap", "abc"}), Contains("--gap: 'abc' is not a number"));
-    CHECK_THAT(refused({"certify", "1:100", "--gap", "-1e-6"}), Contains("--gap: '-1e-6'"));
+    CHECK_THAT(refused({"certify", "1:100", "--gap", "-1e-6"}), Contains("--gap: '-1e-6' is negative"));
+    CHECK_THAT(refused({"certify", "-3"}), Contains("'-3' is negative: write a positive number"));
     CHECK_THAT(refused({"critical", "4", "--confirm", "abc"}), Contains("--confirm: 'abc' is not a number"));
     CHECK_THAT(refused({"plot", "orbit", "0", "--out", "x.svg"}), Contains("greater than 0"));
     CHECK_THAT(refused({"plot", "orbit", "none.dbc", "--out", "x.svg"}), Contains("no such file"));

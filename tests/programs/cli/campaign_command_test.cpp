@@ -258,6 +258,15 @@ TEST_CASE("the commands that a campaign names next can be pasted, whatever its f
     }
 }
 
+TEST_CASE("workers are refused a campaign whose folder they could not name") {
+    const TemporaryFolder folder;
+    REQUIRE(dumbbell({"campaign", "plan", "a\tb", "1:10"}, folder.path()).code == 0);
+    const Outcome run = dumbbell({"campaign", "run", "a\tb", "--engine", "workqueue"}, folder.path());
+    CHECK(run.code == 2);
+    CHECK(count_lines(run.err) == 1);
+    CHECK_THAT(run.err, Contains("/a?b' has a character in its name that not every shell"));
+}
+
 TEST_CASE("results that leave all undecided spoil nothing") {
     const TemporaryFolder folder;
     plan(folder);

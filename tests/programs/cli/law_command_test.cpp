@@ -52,7 +52,7 @@ TEST_CASE("law, audit and plot say what they read when given a certificate about
                       "--subdivide", "--out", "box.dbc"},
                      folder.path())
                 .code == 0);
-    const std::string ratios = "a certificate about mass ratios is needed";
+    const std::string ratios = "a certificate with a cover of mass ratios is needed";
     for (const auto& [command, needed] : std::vector<std::pair<Words, std::string>>{
              {{"law"}, ratios},
              {{"audit"}, ratios},

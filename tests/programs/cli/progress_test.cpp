@@ -98,7 +98,7 @@ TEST_CASE("the phases of a long job are named, and what counts nothing says for 
              {{DUMBBELL_BIN, "plot", "staircase", stairs, "--out", folder / "x.svg"}, "verifying, "},
              {{DUMBBELL_BIN, "trace", "1e6", "--phi", "1/3", "--phidot", "1", "--y", "3", "--ydot", "-1/2",
                "--digits", "10000"},
-              "following the orbit, "},
+              "following the orbit: "},
              {{DUMBBELL_BIN, "adiabatic", "--delta", "0:0.01", "--jobs", "1"},
               "looking for an orbit with a great error, "}}) {
         const std::string text = seen_on_terminal(job, phase);

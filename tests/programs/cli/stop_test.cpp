@@ -73,6 +73,9 @@ TEST_CASE("without a file, and for a single ratio, a stopped run says that nothi
              {{"trace", "100", "--phi", "0:6", "--phidot", "-1:1", "--y", "2", "--ydot", "-1", "--subdivide",
                "--max-boxes", "10000000", "--out", "box.dbc"},
               "nothing is kept; with --budget TIME"},
+             {{"trace", "1e6", "--phi", "1/3", "--phidot", "1", "--y", "3", "--ydot", "-1/2", "--digits",
+               "10000"},
+              "nothing is kept of the "},
              {{"law", "--prove", "--out", "law.dbc"}, "not proved; no certificate is written"},
              {{"critical", "3:3000", "--digits", "100", "--out", "a.tsv"}, "with --budget TIME"}}) {
         const Outcome outcome = stopped(arguments, SIGINT, folder);

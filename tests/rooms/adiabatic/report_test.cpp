@@ -49,6 +49,8 @@ TEST_CASE("An orbit's numbers are short, and said to be about right unless they 
     report.results[0].proof.attained[0].s = exact(0.91666666666666663);
     CHECK_THAT(to_text(report),
                Contains("distance about 0.05000005 from the vertical, ydot about -0.9166667 delta, n = 63)"));
+    report.results[0].proof.attained[0].s = 0;
+    CHECK_THAT(to_text(report), Contains("from the vertical, ydot = 0, n = 63)"));
 }
 
 TEST_CASE("A bound that is not as near as was aimed at is still said to be proved") {
@@ -69,6 +71,14 @@ TEST_CASE("The units are those of each statement") {
     all.results[0].proof.of.exponent = 0;
     CHECK_THAT(to_text(all),
                Contains("<= 16.7 delta^2\n") && Contains("<= 12 * 2 delta^2\n") && Contains(">= 0.3 from"));
+    all.results[0].proof.of.exponent = 16;
+    CHECK_THAT(to_text(all), Contains("<= 16.7\n") && Contains("<= 12 * 2 delta\n"));
+    CHECK(parsed(to_json(all)).at("results").at(0).at("errors").at(0).at("unit") == "1");
+    all.results.push_back(all.results[0]);
+    CHECK_THAT(to_text(all), !Contains("16.7 1"));
+    AdiabaticReport from_zero = report_of(AdiabaticClaim::run);
+    from_zero.results[0].proof.of.delta.first = 0;
+    CHECK_THAT(to_text(from_zero), Contains("For every delta in (0, 0.01], "));
     CHECK_THAT(to_text(report_of(AdiabaticClaim::printed)), Contains("not true uniformly") &&
                                                                 Contains("an orbit has |I_N - I_0| >= 15 ") &&
                                                                 !Contains("<="));

@@ -52,10 +52,10 @@ expect 3 'good.dbc: tiles' "$folder/twice.dbc" "$folder/good.dbc"
 
 # A certificate of another kind.
 "$program" trace 10 --phi 0.3:0.31 --phidot 0 --y 3 --ydot -1 --subdivide --out "$folder/box.dbc" > "$folder/out"
-expect 2 'is about initial conditions .* a certificate about mass ratios is needed' "$folder/box.dbc"
+expect 2 'is about initial conditions .* a certificate with a cover of mass ratios is needed' "$folder/box.dbc"
 
 "$program" adiabatic --delta 0.01 --theorem lemma3.1 --out "$folder/bounce.dbc" > "$folder/out"
-expect 2 'is about the adiabatic invariant .* a certificate about mass ratios is needed' \
+expect 2 'is about the adiabatic invariant .* a certificate with a cover of mass ratios is needed' \
     "$folder/bounce.dbc"
 
 # What cannot be read.

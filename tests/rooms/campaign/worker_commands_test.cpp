@@ -4,6 +4,7 @@
 
 using Catch::Matchers::Contains;
 using dumbbell::campaign::ManagerPlace;
+using dumbbell::campaign::reached_as;
 using dumbbell::campaign::worker_command;
 using dumbbell::campaign::worker_examples;
 
@@ -31,6 +32,9 @@ TEST_CASE("a manager on the loopback address is reached through tunnels") {
 }
 
 TEST_CASE("a manager on another address is reached there") {
+    CHECK(reached_as({"0.0.0.0", 9123, "p"}, "head") == "head");
+    CHECK(reached_as({"::", 9123, "p"}, "head") == "head");
+    CHECK(reached_as({"10.0.0.1", 9123, "p"}, "head") == "10.0.0.1");
     const std::string text = worker_examples({"0.0.0.0", 9123, "c/password"}, "head");
     CHECK_THAT(text, Contains("\nwork_queue_worker --password c/password --cores 0 127.0.0.1 9123\n"));
     CHECK_THAT(text, Contains("--wrap 'work_queue_worker --password c/password --cores 4 head 9123'\n"));

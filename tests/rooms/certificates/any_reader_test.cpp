@@ -70,6 +70,12 @@ TEST_CASE("an unknown claim, no certificate and no file are refused") {
     CHECK_THROWS_AS(with_file("", read_any_certificate), InputError);
     CHECK_THROWS_AS(with_file("some text\n", read_any_certificate), InputError);
     CHECK_THROWS_WITH(read_any_certificate("no/such/file.dbc"), Contains("no such file"));
+    for (const char* claim : {"law", "collisions-by-law"}) {
+        const std::string of_law =
+            replaced(initial_text().text, "claim initial-conditions", std::string("claim ") + claim);
+        CHECK_THROWS_WITH(with_file(of_law, read_any_certificate),
+                          Contains("no page and no picture shows that; dumbbell verify checks it"));
+    }
 }
 
 TEST_CASE("the digest of a file is the one in its last line, plain or compressed") {
@@ -83,14 +89,17 @@ TEST_CASE("the digest of a file is the one in its last line, plain or compressed
 
 TEST_CASE("a damaged file has no digest: cut off, changed, or with something after its end") {
     const std::string good = render(every_kind_of_line()).text;
-    std::vector<std::string> damaged{
-        "",          good.substr(0, good.size() - 1),       good.substr(0, good.size() / 2), good + "\n",
-        good + good, replaced(good, "bits 128", "bits 129")};
+    std::vector<std::string> damaged{good.substr(0, good.size() - 1), good.substr(0, good.size() / 2),
+                                     good + "\n", good + good, replaced(good, "bits 128", "bits 129")};
     damaged.push_back(good);
     damaged.back()[good.size() - 2] = good[good.size() - 2] == '0' ? '1' : '0';
     for (const std::string& text : damaged) {
         CAPTURE(text);
         CHECK_THROWS_WITH(digest_of(text), Contains("damaged"));
+    }
+    for (const char* other : {"", "certificates/q-1.dbc\t--ratio 1\n", "dumbbell-certificate 1"}) {
+        CHECK_THROWS_WITH(digest_of(other),
+                          Contains("no certificate: its first line is not 'dumbbell-certificate 1'"));
     }
     CHECK_THROWS_AS(sealed_digest("no/such/file.dbc"), InputError);
 }

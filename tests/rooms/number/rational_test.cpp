@@ -67,8 +67,8 @@ TEST_CASE("Exponents up to 1000 and texts up to 1000 characters are taken") {
 
 TEST_CASE("Anything else is refused, and the message names the text") {
     for (const char* text :
-         {"",      " ",     "1 ",    " 1",    "+1",    "-1",    "1.",       ".5",       ".",    "1e",
-          "1e+",   "1e-",   "e5",    "1/2/3", "1/",    "/2",    "/",        "1/-2",     "1/+2", "-1/2",
+         {"",      " ",     "1 ",    " 1",    "+1",    "-x",    "1.",       ".5",       ".",    "1e",
+          "1e+",   "1e-",   "e5",    "1/2/3", "1/",    "/2",    "/",        "1/-2",     "1/+2", "-1/",
           "1.5/2", "1/2.5", "1/2e3", "1e3/2", "0x10",  "0b1",   "1e0x5",    "inf",      "nan",  "NaN",
           "INF",   "one",   "1,5",   "1'000", "1_000", "1e1.5", "1e5 ",     "1e 5",     "1 /2", "1/ 2",
           "1..5",  "1.5.2", "1ee5",  "1e5e5", "1f",    "1.5d0", "10%",      "1:2",      "1\n",  "\t1",
@@ -79,6 +79,16 @@ TEST_CASE("Anything else is refused, and the message names the text") {
     CHECK_THAT(refusal(std::string_view("1\0", 2)), Catch::Contains("is not a number"));
     CHECK_THAT(refusal(std::string_view("1\0002", 3)), Catch::Contains("is not a number"));
     CHECK_THAT(refusal("abc"), Catch::Contains("'abc'"));
+    for (const char* text : {"-1", "-1/2", "-1e-6", "-4.5"}) {
+        CHECK_THAT(refusal(text), Catch::Contains("is negative: write a positive number"));
+    }
+    for (const auto& [text, likely] :
+         {std::pair{"+10", "10"}, {".5", "0.5"}, {"10.", "10"}, {"+.5", "0.5"}}) {
+        CHECK_THAT(refusal(text), Catch::EndsWith(std::string("is not a number: write ") + likely));
+    }
+    for (const char* text : {".", "+", "-", "++1", "..5"}) {
+        CHECK_THAT(refusal(text), Catch::EndsWith("write it like 10, 4.6, 1e6 or 9/2"));
+    }
 }
 
 TEST_CASE("Zero denominators, absurd exponents and over-long texts are refused for what they are") {

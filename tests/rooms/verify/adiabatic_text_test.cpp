@@ -67,7 +67,7 @@ TEST_CASE("adiabatic: a claim about a run in words") {
           "claim=adiabatic-run delta=0/1:1/20 heights=3/5:9/10 margin=2/3 C=6.666667 B=0.428571 at=1/25 "
           "ratio=15.555556");
     CHECK(c.paragraph() ==
-          "  For every delta in [0/1, 1/20], beta1 = epsilon = delta^2, and a collision of the light mass at "
+          "  For every delta in (0, 1/20], beta1 = epsilon = delta^2, and a collision of the light mass at "
           "which\n"
           "  |phidot| = 1 and ydot is in [-delta, 0] before it,\n"
           "  heights y in [3/5, 9/10]: as long as only the light mass collides, and with the rod at least "
@@ -93,10 +93,11 @@ TEST_CASE("adiabatic: a claim about a scattering in words, and of numbers with m
         "which\n"
         "  |phidot| = 1 and ydot is in [-delta, 0] before it,\n"
         "  the first of a regular trajectory and at u >= 2/3 delta^(1/2), u the rod's distance from the "
-        "vertical: when the last\n"
-        "  one is behind it, at u >= 2/3 delta^(1/2), too, then |I_N - I_0| <= C delta^(1/2), C = 6.666667,\n"
-        "  I = |phidot| (pi - arccos y) before the first and behind the last; the heavy mass does not "
-        "collide.\n"
+        "vertical:\n"
+        "  if the last collision is at u >= 2/3 delta^(1/2), too, then |I_N - I_0| <= C delta^(1/2), C = "
+        "6.666667,\n"
+        "  I = |phidot| (pi - arccos y) before the first and after the last collision; the heavy mass does "
+        "not collide.\n"
         "  Certified for u = about 1.234567882, ydot = -delta s, s = 1/4, delta = 1/25, with 7 collision(s) "
         "more:\n"
         "  the same with B = 0.428571 and >= instead of C and <=; C/B <= 15.555556.\n");
@@ -107,18 +108,18 @@ TEST_CASE("adiabatic: a claim about a scattering in words, and of numbers with m
     c.delta_hi = c.delta_lo;
     CHECK(c.text() ==
           "claim=adiabatic-scattering delta=1/30:1/30 margin=2/3 C=6.666667 B=0.428571 ratio=15.555556");
-    CHECK(
-        c.paragraph() ==
-        "  For every delta = 1/30, beta1 = epsilon = delta^2, and a collision of the light mass at which\n"
-        "  |phidot| = 1 and ydot is in [-delta, 0] before it,\n"
-        "  the first of a regular trajectory and at u >= 2/3 delta^(1/2), u the rod's distance from the "
-        "vertical: when the last\n"
-        "  one is behind it, at u >= 2/3 delta^(1/2), too, then |I_N - I_0| <= C delta^(1/2), C = 6.666667,\n"
-        "  I = |phidot| (pi - arccos y) before the first and behind the last; the heavy mass does not "
-        "collide.\n"
-        "  Certified for u = 1234567891/100000007, ydot = -delta s, s = 1/4, delta = 1/25, with 7 "
-        "collision(s) more:\n"
-        "  the same with B = 0.428571 and >= instead of C and <=; C/B <= 15.555556.\n");
+    CHECK(c.paragraph() ==
+          "  For delta = 1/30, beta1 = epsilon = delta^2, and a collision of the light mass at which\n"
+          "  |phidot| = 1 and ydot is in [-delta, 0] before it,\n"
+          "  the first of a regular trajectory and at u >= 2/3 delta^(1/2), u the rod's distance from the "
+          "vertical:\n"
+          "  if the last collision is at u >= 2/3 delta^(1/2), too, then |I_N - I_0| <= C delta^(1/2), C = "
+          "6.666667,\n"
+          "  I = |phidot| (pi - arccos y) before the first and after the last collision; the heavy mass does "
+          "not collide.\n"
+          "  Certified for u = 1234567891/100000007, ydot = -delta s, s = 1/4, delta = 1/25, with 7 "
+          "collision(s) more:\n"
+          "  the same with B = 0.428571 and >= instead of C and <=; C/B <= 15.555556.\n");
 }
 
 TEST_CASE("adiabatic: an orbit that attains something without a bound in words") {
@@ -130,9 +131,9 @@ TEST_CASE("adiabatic: an orbit that attains something without a bound in words")
           "  For delta = 1/25, beta1 = epsilon = delta^2, and a collision of the light mass at which\n"
           "  |phidot| = 1 and ydot is in [-delta, 0] before it,\n"
           "  the first of a regular trajectory and at u >= 2/3 delta^(1/2), u the rod's distance from the "
-          "vertical: when the last\n"
-          "  one is behind it, wherever, then |I_N - I_0| can be at least B,\n"
-          "  I = |phidot| (pi - arccos y) before the first and behind the last collision.\n"
+          "vertical:\n"
+          "  wherever the last collision may be, |I_N - I_0| can be at least B,\n"
+          "  I = |phidot| (pi - arccos y) before the first and after the last collision.\n"
           "  Certified for u = 11/10, ydot = -delta s, s = 1/4, delta = 1/25, with 7 collision(s) more:\n"
           "  |I_N - I_0| >= B = 0.428571.\n");
     CHECK(

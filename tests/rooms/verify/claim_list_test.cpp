@@ -45,7 +45,12 @@ TEST_CASE("a list of claims: names are those of the working folder") {
     const std::filesystem::path path = file.path();
     const File list(path.filename().string() + "\t--ratio 10 --max 4\n");
     CHECK(run("--claims " + list.path(), "cd " + path.parent_path().string() + " && ").code == 0);
-    CHECK(run("--claims " + list.path(), "cd / && ").code == 2);
+    const Run elsewhere = run("--claims " + list.path(), "cd / && ");
+    CHECK(elsewhere.code == 2);
+    CHECK(
+        has(elsewhere.out, "No such file or directory (a name in a list is relative to the working folder)"));
+    CHECK_FALSE(has(run_list("/no.dbc\t--ratio 10 --max 4\n").out, "working folder"));
+    CHECK_FALSE(has(run("no.dbc").out, "working folder"));
 }
 
 TEST_CASE("a list of claims: a row that states none, or a list without rows, is wrong usage") {
@@ -60,7 +65,7 @@ TEST_CASE("a list of claims: a row that states none, or a list without rows, is 
              {"file\t\tdumbbell certify 10\n", ":1: the claim needs --ratio, and"},
              {"file\t--ratio 10\n", ":1: the claim needs --ratio, and"},
              {"file\t--max 4\n", ":1: the claim needs --ratio, and"},
-             {"file\t--ratio 10 --max\n", ":1: no value behind --max"},
+             {"file\t--ratio 10 --max\n", ":1: no value after --max"},
              {"file\t--ratio 10 --max 4 --max 5\n", ":1: --max is given twice"},
              {"file\t--ratio 10 --max 4 --json\n", ":1: `--json` states no claim"},
              {"file\t--ratio 10 --max 4 other\n", ":1: `other` states no claim"},

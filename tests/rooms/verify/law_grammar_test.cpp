@@ -3,6 +3,7 @@
 #include <random>
 
 #include "make_law.hpp"
+#include "verify/input/work.hpp"
 #include "verify/law/steps.hpp"
 
 using make::law_file;
@@ -90,7 +91,11 @@ TEST_CASE("law: a cover that does not close, or is not one, is refused") {
         INFO(from << " -> " << to);
         CHECK(law_mutant(from, to) == code);
     }
+    using dumbbell_verify::Watched;
+    const std::uint64_t read = Watched::read, all = Watched::pieces;
     CHECK(outcome(law_file()) == "verified");
+    CHECK(Watched::read - read == 903);  // 900 steps and three covers
+    CHECK(Watched::pieces - all == 903);
     CHECK(outcome(make::hashed(make::replaced(law_file().substr(0, law_file().find("sha256")),
                                               "total beyond ", "total beyond 1"))) == "total");
 }
