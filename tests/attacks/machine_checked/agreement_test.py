@@ -175,6 +175,13 @@ class Agreement(unittest.TestCase):
             folders = [tempfile.mkdtemp(dir=folder) for _ in parts]
             self.assertGreater(sum(pool.map(self.fresh, folders, parts)), 15 * SCALE)
 
+    def test_asked(self):
+        """Counts that are asked for have as many digits as the verifier takes."""
+        path = PROJECT / "certificates/q-10.dbc"
+        for option, digits, code in (("--max", 2100, 0), ("--max", 2101, 2), ("--min", 2100, 1), ("--exactly", 2100, 1)):
+            options = [option, "9" * digits]
+            self.assertEqual([verdict(options, path)[0], proved(options, [path])[0][0]], [code, code], option)
+
 
 if __name__ == "__main__":
     if not os.access(PROVE, os.X_OK):
