@@ -179,10 +179,24 @@ Fixpoint first_difference (a b : list string) : option nat :=
   | x :: a, y :: b => if x =? y then option_map S (first_difference a b) else Some O
   | _, _ => Some O
   end.
+(** What is not tried: nothing is said of a piece that asks for more bits, or counts further, than this. *)
 Definition most_bits : N := 2048.
+Definition far (n : N) : bool := (most_steps <? n)%N.
+Fixpoint counts_far (t : tree) : bool :=
+  match t with
+  | Leaf (Count a b) => far a || far b
+  | Leaf (Forward a) | Leaf (Plain a) => far a
+  | Leaf _ => false
+  | Split _ l u => counts_far l || counts_far u
+  end.
 Definition too_much (P : piece) : bool :=
-  (most_bits <? bits P)%N || match witness P with Some w => (most_steps <? after_X w)%N ||
-    (most_steps <? after_reversed w)%N | None => false end.
+  (most_bits <? bits P)%N ||
+  match bound P with
+  | Some (_, Charts b l) => counts_far b || counts_far l
+  | Some (_, Full_charts c d a) => counts_far c || counts_far d || counts_far a
+  | _ => false
+  end ||
+  match witness P with Some w => far (after_X w) || far (after_reversed w) | None => false end.
 
 (** The verdict on the lines of a file: read, written again, compared, and checked.
   [sha256] is the checksum of all lines but the last. *)
@@ -195,7 +209,7 @@ Definition judge (sha256 : string) (d : demand) : answer :=
     | Some n => Rejected (S n) "the text is not as this certificate is written"
     | None =>
       if negb (canonical c) then Rejected 0 "a value beyond its limits, or not in lowest terms" else
-      if existsb too_much (pieces c) then Limit "more than 2048 bits, or a witness with more than a million collisions"
+      if existsb too_much (pieces c) then Limit "more than 2048 bits, or a ray with more than a million collisions"
         else
       match certificate_fault d c with Some why => Rejected 0 why | None => Verified c end
     end

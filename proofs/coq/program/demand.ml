@@ -2,13 +2,14 @@
 open Convert
 
 let usage message = raise (Ended (2, message))
+let first n s = String.sub s 0 (min n (String.length s))
 let is_digits s = s <> "" && String.for_all (fun c -> '0' <= c && c <= '9') s
 
 let number option s =
-  let fits = is_digits s && String.length s <= 18 && (s.[0] <> '0' || s = "0") in
+  let fits = is_digits s && String.length s <= 2100 && (s.[0] <> '0' || s = "0") in
   match if fits then C.natural (to_coq s) else None with
   | Some n -> n
-  | None -> usage (option ^ " needs a number from 0 to 999999999999999999, not `" ^ s ^ "`")
+  | None -> usage (option ^ " needs a number of at most 2100 digits, not `" ^ first 60 s ^ "`")
 
 let without_zeros s =
   let rec from i = if i < String.length s - 1 && s.[i] = '0' then from (i + 1) else i in

@@ -10,6 +10,7 @@ import gzip
 import hashlib
 import os
 import random
+import re
 import subprocess
 import sys
 import tempfile
@@ -64,6 +65,12 @@ def manifest(path):
             yield path.parent / name, options.split(), int(code)
 
 
+def sealed(lines):
+    """The text of these lines, the last of which is to be the checksum."""
+    text = "".join(line + "\n" for line in lines[:-1])
+    return f"{text}sha256 {hashlib.sha256(text.encode()).hexdigest()}\n"
+
+
 def tampered(lines, chance):
     """A certificate with one line of a tree, a bound or the ratios changed, and its checksum again right."""
     changes = {"count": lambda a: f"count {max(0, int(a) + chance.choice([-1, -1, -1, 1]))}",
@@ -73,8 +80,7 @@ def tampered(lines, chance):
     common = [k for k in places if lines[k].split()[0] in ("count", "split")]
     place = chance.choice(common if chance.random() < 0.9 else places)
     word, *rest = lines[place].split()
-    text = "".join(line + "\n" for line in [*lines[:place], changes[word](*rest), *lines[place + 1:-1]])
-    return f"{text}sha256 {hashlib.sha256(text.encode()).hexdigest()}\n"
+    return sealed([*lines[:place], changes[word](*rest), *lines[place + 1:]])
 
 
 class Agreement(unittest.TestCase):
@@ -174,6 +180,24 @@ class Agreement(unittest.TestCase):
         with ThreadPoolExecutor(2) as pool, tempfile.TemporaryDirectory() as folder:
             folders = [tempfile.mkdtemp(dir=folder) for _ in parts]
             self.assertGreater(sum(pool.map(self.fresh, folders, parts)), 15 * SCALE)
+
+    def test_far(self):
+        """Counts beyond a million are too many for the proved checker, with or without a witness; it does not say that they are wrong."""
+        with tempfile.TemporaryDirectory() as folder:
+            below, beyond, cover = (Path(folder) / name for name in ("below.dbc", "beyond.dbc", "cover.dbc"))
+            for ratio, path in (("1e10", below), ("6e12", beyond)):
+                subprocess.run([DUMBBELL, "certify", ratio, "--out", path], check=True, capture_output=True)
+            text = re.sub("lower .*\nwitness .*\n", "lower 0\n", beyond.read_text()).replace("total witness 1", "total witness 0")
+            cover.write_text(sealed(text.splitlines()))
+            self.assertEqual([verdict([], path)[0] for path in (below, beyond, cover)], [0, 0, 0])
+            self.assertEqual([code for code, _ in proved([], [below, beyond, cover])], [0, 4, 4])
+
+    def test_asked(self):
+        """Counts that are asked for have as many digits as the verifier takes."""
+        path = PROJECT / "certificates/q-10.dbc"
+        for option, digits, code in (("--max", 2100, 0), ("--max", 2101, 2), ("--min", 2100, 1), ("--exactly", 2100, 1)):
+            options = [option, "9" * digits]
+            self.assertEqual([verdict(options, path)[0], proved(options, [path])[0][0]], [code, code], option)
 
 
 if __name__ == "__main__":
