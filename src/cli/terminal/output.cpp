@@ -70,13 +70,13 @@ std::string fault_of_name(const std::string& name, std::optional<Content> conten
         return "";
     }
     const auto [what, endings] = names_of(*content);
-    if (std::ranges::find(endings, std::filesystem::path(target).filename().string()) != endings.end()) {
-        return fmt::format("'{}' is an ending without a name before it", target);
+    if (std::ranges::any_of(endings, [&](auto ending) { return ends_in(target, ending); })) {
+        return "";
     }
-    return std::ranges::any_of(endings, [&](auto ending) { return ends_in(target, ending); })
-               ? ""
-               : fmt::format("the name of {} ends in {} ('{}' does not)", what, fmt::join(endings, " or "),
-                             target);
+    const bool is_bare =
+        std::ranges::find(endings, std::filesystem::path(target).filename().string()) != endings.end();
+    return fmt::format("the name of {} ends in {} ('{}' {})", what, fmt::join(endings, " or "), target,
+                       is_bare ? "has nothing before that" : "does not");
 } catch (const InputError& error) {
     return error.what();
 }

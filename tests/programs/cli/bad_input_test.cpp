@@ -115,7 +115,7 @@ TEST_CASE("what is wrong is said in plain words, and in the order given") {
     CHECK_THAT(refused({"campaign", "plan", "adiabatic", "--delta", "0.01"}),
                Contains("FOLDER is missing before 'adiabatic'; see dumbbell campaign plan"));
     CHECK_THAT(refused({"plot", "orbit", "10", "--out", ".svg"}),
-               Contains("'.svg' is an ending without a name before it"));
+               Contains("ends in .svg ('.svg' has nothing before that)"));
     CHECK_THAT(refused({"critical", "10^101"}), Contains("or 10^100 for one N by the law"));
     CHECK_THAT(refused({"critical", "903:905", "--by", "law"}),
                Contains("--by law takes one N, no range: '903:905'"));
