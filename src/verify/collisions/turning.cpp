@@ -131,11 +131,9 @@ class Turning : Rays<N> {
 };
 
 /// The section lies in e <= pi/2 < 2, and eta, lambda < q (r eta < 1): at most the least power of two >= B.
-Box turning_root(std::size_t, const mpq_class& a, const mpq_class& b) {
-    return {{0, 0, a}, {2, power_of_two(b), b}};
-}
+Box root(std::size_t, const mpq_class& a, const mpq_class& b) { return {{0, 0, a}, {2, power_of_two(b), b}}; }
 
-const char* check_turning(const Leaf& leaf, std::string* log) { return judged<Turning>(leaf, log); }
+const char* check(const Leaf& leaf, std::string* log) { return judged<Turning>(leaf, log); }
 
 }  // namespace
 
@@ -151,8 +149,8 @@ const Section& turning() {
                                      {"meets-reversed", Place::leaf, 2, 0},
                                      {"equal-masses", Place::cover, 3, 0},
                                      {"witness", Place::witness, 1, 2}},
-                                    turning_root,
-                                    check_turning};
+                                    root,
+                                    check};
     return section;
 }
 
