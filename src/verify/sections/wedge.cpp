@@ -9,7 +9,7 @@
 namespace dumbbell_verify {
 namespace {
 
-constexpr std::uint64_t most_steps = 10'000;  ///< a + b
+constexpr std::uint64_t most_wedge_steps = 10'000;  ///< a + b
 constexpr std::size_t most_bits = 4'000'000;  ///< of a numerator
 
 /// kappa of a ray, and r, as integers: kappa = top / bottom, bottom > 0; r = light / heavy. Not reduced.
@@ -65,7 +65,7 @@ class Wedge {
         return 1024 + 16 * mpz_size(a.get_mpz_t()) * mpz_size(b.get_mpz_t());
     }
     [[nodiscard]] bool hints_are_small() const {
-        if (leaf_.a > most_steps || leaf_.b > most_steps || leaf_.a + leaf_.b > most_steps)
+        if (leaf_.a > most_wedge_steps || leaf_.b > most_wedge_steps || leaf_.a + leaf_.b > most_wedge_steps)
             throw std::length_error("a + b beyond 10,000 in a wedge");
         return true;
     }
