@@ -10,7 +10,7 @@ namespace dumbbell_verify {
 namespace {
 
 constexpr std::uint64_t most_wedge_steps = 10'000;  ///< a + b
-constexpr std::size_t most_bits = 4'000'000;  ///< of a numerator
+constexpr std::size_t most_bits = 4'000'000;        ///< of a numerator
 
 /// kappa of a ray, and r, as integers: kappa = top / bottom, bottom > 0; r = light / heavy. Not reduced.
 class Wedge {

@@ -126,7 +126,8 @@ TEST_CASE("commands about covers say of a certificate by the law what it is") {
         CAPTURE(command.front(), result.err);
         CHECK(result.code == 2);
         CHECK(count_lines(result.err) == 1);
-        CHECK_THAT(result.err, Contains("'x.dbc' is about one mass ratio by the law, without a cover"));
+        CHECK_THAT(result.err,
+                   Contains("'x.dbc' is about one mass ratio by the law (dumbbell certify --by law)"));
     }
     CHECK(folder.names() == Words{"x.dbc"});
 }
