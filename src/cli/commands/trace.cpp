@@ -43,7 +43,8 @@ cos phi >= 0, from -pi/2 to pi/2. The other, pi - phi, with the opposite --phido
 Every number is printed as value+-radius, or as its bounds (--csv, --json). The grazing sine is |n.v| / (|n| |v|)
 before a collision, in the metric of the kinetic energy: the sine of the angle between flight and floor, 1 head-on, near
 0 where the mass only just touches. What is left undecided has bounds: those that the enclosures give, or the maximum
-over all trajectories (theorem 1 of proofs/theorem.md) where that is less; a certificate has the same bounds.
+over all trajectories (theorem 1 of proofs/theorem.md) where that is less; up to a ratio of 10^12 a certificate
+has the same bounds.
 
 Examples:
   dumbbell trace 10 --phi 1/3 --phidot 1 --y 3 --ydot -1/2               one orbit
