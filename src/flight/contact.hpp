@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "flight/contact_guess.hpp"
+#include "flight/way_to_contact.hpp"
 #include "number/big_interval.hpp"
 #include "number/interval.hpp"
 
@@ -32,9 +33,12 @@ struct Tangent {
 };
 
 template <class I>
-Tangent<I> tangent_at(const I& z, const I& c, const I& kappa) {
-    const SinCos<I> at = sin_cos(z);
+Tangent<I> tangent_at(const I& z, const SinCos<I>& at, const I& c, const I& kappa) {
     return {z, at, at.sin - kappa * z - c, at.cos - kappa};
+}
+template <class I>
+Tangent<I> tangent_at(const I& z, const I& c, const I& kappa) {
+    return tangent_at(z, sin_cos(z), c, kappa);
 }
 
 /// Sine and cosine near z, lemma L12 (d).
@@ -68,19 +72,51 @@ bool strict_miss(const Tangent<I>& t, const I& c, const I& kappa) {
 
 }  // namespace detail
 
+/// Where the next contact of a bound that is followed seems to be: a guess.
+template <class I>
+class ContactTrend {
+  public:
+    /// After a contact, which a flight of slope kappa leaves.
+    void add(const Contact<I>& from, const I& kappa) {
+        const double x = approximate(from.x);
+        next_ = known_ < 3 ? step_from(x, from, approximate(kappa)) : 4 * (x + x_[1]) - 6 * x_[0] - x_[2];
+        x_[2] = x_[1];
+        x_[1] = x_[0];
+        x_[0] = x;
+        ++known_;
+    }
+    /// The flight comes from elsewhere.
+    void forget() { *this = {}; }
+
+    /// no_start if there is nothing to tell it from.
+    [[nodiscard]] double next() const { return next_; }
+
+  private:
+    /// From the same distance on the other wall, which is kappa (2 x + pi) below the ray.
+    static double step_from(double x, const Contact<I>& from, double kappa) {
+        const SinCosGuess at{approximate(from.sin_x), approximate(from.cos_x)};
+        const double inverse = 1 / (at.cos - kappa);
+        return x + way_to_contact(kappa * (x + x + approximate(pi<I>())) * inverse, inverse, at);
+    }
+
+    double x_[3] = {};  ///< the last contacts, the last one first
+    int known_ = 0;
+    double next_ = no_start;
+};
+
 /// For all rays whose c and kappa are at least these (thin) ones: a lower bound of x for every ray that
 /// collides, or nothing if certainly none does. The bounds themselves may lie outside the domain of rays (L5
 /// (e)); the rays have c >= 0.
 template <class I>
-std::optional<Contact<I>> lowest_contact(const I& c, const I& kappa) {
-    const ContactGuess<I> guess = guess_contact(c, kappa);
-    auto tangent = detail::tangent_at(guess.z, c, kappa);
-    if (!guess.hits) {
+std::optional<Contact<I>> lowest_contact(const I& c, const I& kappa, double start = no_start) {
+    const ContactPlace<I> place = contact_place(c, kappa, start);
+    auto tangent = detail::tangent_at(place.z, place.at, c, kappa);
+    if (!place.hits) {
         if (detail::strict_miss(tangent, c, kappa)) {
             return std::nullopt;
         }
         // Too close to a tangency: bound x from a point a little to the left, where g certainly increases.
-        tangent = detail::tangent_at(low_end(guess.z * I(1 - 0x1p-20)), c, kappa);
+        tangent = detail::tangent_at(low_end(place.z * I(1 - 0x1p-20)), c, kappa);
     }
     I x(0);
     if (certainly_positive(tangent.slope)) {
@@ -93,9 +129,9 @@ std::optional<Contact<I>> lowest_contact(const I& c, const I& kappa) {
 /// For all rays whose c and kappa are at most these (thin) ones, with c >= 0: an upper bound of x, or nothing
 /// if it is not certain that all of them collide, transversally.
 template <class I>
-std::optional<Contact<I>> highest_contact(const I& c, const I& kappa) {
-    const ContactGuess<I> guess = guess_contact(c, kappa);
-    const auto tangent = detail::tangent_at(guess.z, c, kappa);
+std::optional<Contact<I>> highest_contact(const I& c, const I& kappa, double start = no_start) {
+    const ContactPlace<I> place = contact_place(c, kappa, start);
+    const auto tangent = detail::tangent_at(place.z, place.at, c, kappa);
     if (!certainly_positive(tangent.slope)) {
         return std::nullopt;
     }

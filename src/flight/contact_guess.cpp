@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
+#include "flight/way_to_contact.hpp"
 #include "number/elementary.hpp"
 
 namespace dumbbell::flight {
@@ -38,6 +40,61 @@ Point newton(double c, double kappa) {
         x = std::max(next, 0.0);
     }
     return {x, true};
+}
+
+/// A point near the root, mostly: from the first terms of its series.
+double first_point(double c, double kappa) {
+    const double inverse = 1 / (1 - kappa);
+    const double t = c * inverse;
+    const double s = std::min(t * t * inverse * (1.0 / 6), 0.15);
+    return t * (1 + s + s * s * (3 + s * 12));
+}
+
+/// The last of a few steps of fourth order: from z, where sine and cosine are `at`, to the root, about.
+struct LastStep {
+    double z;
+    SinCosGuess at;
+    double root;
+};
+
+/// From a point near the root; nothing unless such steps lead there.
+std::optional<LastStep> last_step(double z, double c, double kappa) {
+    for (int step = 0; step < 6; ++step) {
+        if (!(z >= 0 && z <= half_pi_guess)) {
+            return std::nullopt;
+        }
+        const SinCosGuess at = guess_sin_cos(z);
+        const double slope = at.cos - kappa;
+        if (!(slope > 0)) {
+            return std::nullopt;
+        }
+        const double inverse = 1 / slope;
+        const double newton = (c + kappa * z - at.sin) * inverse;
+        // How far from a straight line the sine is on this way, by its second and third derivatives.
+        const double bend = std::abs(0.5 * at.sin * inverse * newton);
+        const double twist = at.cos * inverse * (1.0 / 6) * newton * newton;
+        const double root = z + (bend + twist < 0.25 ? way_to_contact(newton, inverse, at) : newton);
+        if (4 * std::abs(newton) * (bend * bend * bend + twist * (bend + twist)) <= 0x1p-52 * root) {
+            return root <= half_pi_guess ? std::optional(LastStep{z, at, root}) : std::nullopt;
+        }
+        z = root;
+    }
+    return std::nullopt;
+}
+
+std::optional<LastStep> last_step_from(double start, double c, double kappa) {
+    return kappa < 1 ? last_step(start >= 0 ? start : first_point(c, kappa), c, kappa) : std::nullopt;
+}
+
+/// The same from nowhere, and where it is not easy.
+Point slow_guess(double c, double kappa) {
+    const Point top = miss(kappa);
+    return guess_sin_cos(top.z).sin - kappa * top.z < c ? top : newton(c, kappa);
+}
+
+Point guess(double c, double kappa, double start) {
+    const auto last = last_step_from(start, c, kappa);
+    return last ? Point{last->root, true} : slow_guess(c, kappa);
 }
 
 /// The middle of the part in [0, pi/2].
@@ -79,18 +136,34 @@ BigInterval refined_top(BigInterval z, const BigInterval& kappa) {
 
 }  // namespace
 
-ContactGuess<Interval> guess_contact(const Interval& c, const Interval& kappa) noexcept {
-    const Point guess = newton(approximate(c), approximate(kappa));
-    return {Interval(guess.z), guess.hits};
+ContactGuess<Interval> guess_contact(const Interval& c, const Interval& kappa, double start) noexcept {
+    const auto [z, hits] = guess(approximate(c), approximate(kappa), start);
+    return {Interval(z), hits};
 }
 
-ContactGuess<BigInterval> guess_contact(const BigInterval& c, const BigInterval& kappa) {
+[[gnu::flatten]] ContactPlace<Interval> contact_place(const Interval& c, const Interval& kappa,
+                                                      double start) noexcept {
+    const double height = approximate(c);
     const double slope = approximate(kappa);
-    const Point guess = newton(approximate(c), slope);
+    const auto last = last_step_from(start, height, slope);
+    if (!last) {
+        const auto [z, hits] = slow_guess(height, slope);
+        return {Interval(z), sin_cos(Interval(z)), hits};
+    }
+    const double shift = last->root - last->z;
+    const bool near =
+        last->z >= 0x1p-900 && std::abs(shift) <= 0x1p-8 * std::min({last->at.sin, last->at.cos, 0x1p-5});
+    const Interval z(last->root);
+    return {z, near ? sin_cos_beside(last->at, shift) : sin_cos(z), true};
+}
+
+ContactGuess<BigInterval> guess_contact(const BigInterval& c, const BigInterval& kappa, double start) {
+    const double slope = approximate(kappa);
+    const auto [z, hits] = guess(approximate(c), slope, start);
     constexpr double far_from_tangency = 0x1p-10;
-    const double steepness = guess_sin_cos(guess.z).cos - slope;
-    if (guess.hits && steepness > far_from_tangency) {
-        return {refined_root(BigInterval(guess.z), c, kappa, 50 + std::ilogb(steepness)), true};
+    const double steepness = guess_sin_cos(z).cos - slope;
+    if (hits && steepness > far_from_tangency) {
+        return {refined_root(BigInterval(z), c, kappa, 50 + std::ilogb(steepness)), true};
     }
     // Near a tangency double precision may err about whether there is a root: look at the top of g, where it
     // is well conditioned.

@@ -28,14 +28,14 @@ class MacroSteps {
     MacroSteps(macro::BoundSide side, const I& r, const N& cap, const Interrupted& interrupted)
         : side_(side),
           r_(r),
-          attempts_(cap >= macro::least_worth_a_macro_step<I>() ? 4 : 0),
+          attempts_(cap >= macro::least_worth_a_macro_step<I>() && macro::may_have_macro_steps(r) ? 4 : 0),
           cap_(cap),
           interrupted_(interrupted) {}
 
-    /// `state`, and c of the flight that leaves it, after count + 1 collisions.
-    void follow(macro::WallState<I>& state, I& c, N& count) {
+    /// `state`, and c of the flight that leaves it, after count + 1 collisions. Whether there was a step.
+    bool follow(macro::WallState<I>& state, I& c, N& count) {
         if (attempts_ == 0) {
-            return;
+            return false;
         }
         const N before = count;
         for (N steps = 1; attempts_ > 0 && steps > 0; count += steps) {
@@ -46,6 +46,7 @@ class MacroSteps {
             last_ = count;
             c = sin_cos(state.x).sin + state.kappa * (state.x + pi<I>());
         }
+        return count != before;
     }
     /// Far from the last macro step: at this precision none is found, and one after the other they are too
     /// many.
@@ -69,20 +70,21 @@ inline constexpr auto unseen = [](const auto&, const auto&, const auto&) {};
 /// ray is followed with lower bounds, and a contact counts unless a strict miss is certain. Stops at `cap` +
 /// 1 ("more than cap"), also if interrupted. `see(n, c, kappa)` gets the bounds of the flight after n
 /// collisions, but for those that macro steps pass over. Precondition: lowest.c >= 0, lowest.kappa >=
-/// -lowest.r.
+/// -lowest.r. Flattened, as the other one: intervals stay in registers.
 template <class I, class See = decltype(unseen)>
-CountOf<I> count_at_most(const Ray<I>& lowest, const CountOf<I>& cap, const Interrupted& interrupted = never,
-                         const See& see = unseen) {
+[[gnu::flatten]] CountOf<I> count_at_most(const Ray<I>& lowest, const CountOf<I>& cap,
+                                          const Interrupted& interrupted = never, const See& see = unseen) {
     const I r = low_end(lowest.r);
     I c = low_end(lowest.c);
     I kappa = low_end(lowest.kappa);
     detail::MacroSteps<I> macro_steps(macro::BoundSide::lower, r, cap, interrupted);
+    ContactTrend<I> trend;
     for (CountOf<I> count = 0; count <= cap; ++count) {
         see(count, c, kappa);
         if (certainly_at_most(I(1), kappa)) {
             return count;  // L3
         }
-        const auto contact = lowest_contact(c, kappa);
+        const auto contact = lowest_contact(c, kappa, trend.next());
         if (!contact) {
             return count;
         }
@@ -99,7 +101,10 @@ CountOf<I> count_at_most(const Ray<I>& lowest, const CountOf<I>& cap, const Inte
         }
         macro::WallState<I> state{contact->x, low_end(low_end(out.numerator) / denominator)};
         c = contact->sin_x + state.kappa * (state.x + pi<I>());
-        macro_steps.follow(state, c, count);
+        trend.add(*contact, state.kappa);
+        if (macro_steps.follow(state, c, count)) {
+            trend.forget();
+        }
         kappa = state.kappa;
         c = low_end(c);
     }
@@ -110,17 +115,18 @@ CountOf<I> count_at_most(const Ray<I>& lowest, const CountOf<I>& cap, const Inte
 /// steepest ray is followed with upper bounds, and only certain, transversal collisions count. Stops at
 /// `cap`, and early if interrupted.
 template <class I>
-CountOf<I> count_at_least(const Ray<I>& highest, const CountOf<I>& cap,
-                          const Interrupted& interrupted = never) {
+[[gnu::flatten]] CountOf<I> count_at_least(const Ray<I>& highest, const CountOf<I>& cap,
+                                           const Interrupted& interrupted = never) {
     const I r = high_end(highest.r);
     I c = high_end(highest.c);
     I kappa = high_end(highest.kappa);
     detail::MacroSteps<I> macro_steps(macro::BoundSide::upper, r, cap, interrupted);
+    ContactTrend<I> trend;
     for (CountOf<I> count = 0; count < cap; ++count) {
         if (!certainly_less(kappa, I(1))) {
             return count;
         }
-        const auto contact = highest_contact(c, kappa);
+        const auto contact = highest_contact(c, kappa, trend.next());
         if (!contact) {
             return count;
         }
@@ -131,7 +137,10 @@ CountOf<I> count_at_least(const Ray<I>& highest, const CountOf<I>& cap,
         }
         macro::WallState<I> state{contact->x, high_end(out.numerator / out.denominator)};
         c = contact->sin_x + state.kappa * (state.x + pi<I>());
-        macro_steps.follow(state, c, count);
+        trend.add(*contact, state.kappa);
+        if (macro_steps.follow(state, c, count)) {
+            trend.forget();
+        }
         kappa = state.kappa;
         c = high_end(c);
     }

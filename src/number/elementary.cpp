@@ -17,16 +17,17 @@ constexpr double sine_error = 1.8;      // of sin_kernel
 constexpr double cosine_error = 1.5;    // of cos_kernel
 constexpr double argument_error = 1.5;  // of y = pi/2 - x as computed
 constexpr double guess_error = 4.0;     // of guess_sin_cos
+constexpr double moved_error = 5.4;     // of `moved`, from there (L39 (h))
 static_assert(half_pi_hi - quarter_pi < reach);
 static_assert(sine_error + argument_error < guess_error && cosine_error + argument_error < guess_error);
-static_assert(guess_error + 2 < pad * 0x1p53);
+static_assert(moved_error + 2 < pad * 0x1p53);
 
-/// [v - p, v + p], p > 2^-50 |v|. On [0, pi/2] the guesses below differ from the true value t by at most 4 u
-/// |t|: kernel 1.8 u, plus, above pi/4, the error of y = pi/2 - x. half_pi_hi - x is exact (Sterbenz), adding
-/// half_pi_lo rounds once and half_pi_lo is off by less than 2^-108, at most 2^-54 |y| as |y| >= 2^-54: in
-/// all 1.5 u |y|, which moves sin y by at most 1.5 u and cos y by at most 1.5 u y^2, relatively. 4 u |t|
-/// < 4.01 u |v|, the rounding of v -+ 2^-50 |v| is at most 1.01 u |v|, and 2^-50 = 8 u. The step to the
-/// neighbour covers subnormal v, where the product underflows: there sin y rounds to y or its neighbour.
+/// What sin_kernel or cos_kernel computes as v on the way of guess_sin_cos lies between the doubles two below
+/// v and two above (L63 (a)).
+Interval two_doubles_around(double v) noexcept { return outward(outward(Interval(v))); }
+
+/// [v - p, v + p] and the doubles beyond, p = 2^-50 |v|: what is off from v by moved_error (L63 (b)), or less
+/// (L14 (c)).
 Interval widened(double v) noexcept {
     const double p = std::abs(v) * pad;
     return {next_down(v - p), next_up(v + p)};
@@ -35,8 +36,8 @@ Interval widened(double v) noexcept {
 /// The enclosures of sin and cos of one double in [0, pi/2], clipped to [0, 1].
 SinCos<Interval> first_quadrant(double x) noexcept {
     const SinCosGuess v = guess_sin_cos(x);
-    const Interval s = widened(v.sin);
-    const Interval c = widened(v.cos);
+    const Interval s = two_doubles_around(v.sin);
+    const Interval c = two_doubles_around(v.cos);
     return {{std::max(0.0, s.lo()), std::min(1.0, s.hi())}, {std::max(0.0, c.lo()), std::min(1.0, c.hi())}};
 }
 
@@ -90,11 +91,16 @@ Interval over_range(const Interval& x, const Interval& at_lo, const Interval& at
 }  // namespace
 
 SinCosGuess guess_sin_cos(double x) noexcept {
-    if (x <= quarter_pi) {
-        return {sin_kernel(x), cos_kernel(x)};
-    }
-    const double y = (half_pi_hi - x) + half_pi_lo;
-    return {cos_kernel(y), sin_kernel(y)};
+    const bool near = x <= quarter_pi;
+    const double y = near ? x : (half_pi_hi - x) + half_pi_lo;
+    const double s = sin_kernel(y);
+    const double c = cos_kernel(y);
+    return near ? SinCosGuess{s, c} : SinCosGuess{c, s};
+}
+
+SinCos<Interval> sin_cos_beside(const SinCosGuess& at, double shift) noexcept {
+    const SinCosGuess v = moved(at, shift);
+    return {widened(v.sin), widened(v.cos)};
 }
 
 SinCos<Interval> sin_cos(const Interval& x) {

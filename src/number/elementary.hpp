@@ -24,6 +24,10 @@ struct SinCosGuess {
 };
 [[nodiscard]] SinCosGuess guess_sin_cos(double x) noexcept;
 
+/// Enclosures of sine and cosine at the double z + shift, from guess_sin_cos(z). Preconditions: 2^-900 <= z
+/// <= pi/2, and |shift| is at most 2^-13 and 2^-8 times both (L63 (b)).
+[[nodiscard]] SinCos<Interval> sin_cos_beside(const SinCosGuess& at, double shift) noexcept;
+
 [[nodiscard]] SinCos<Interval> sin_cos(const Interval& x);
 [[nodiscard]] Interval sin(const Interval& x);
 [[nodiscard]] Interval cos(const Interval& x);

@@ -1,64 +1,103 @@
 #pragma once
 
-#include <boost/numeric/interval/arith.hpp>
-#include <boost/numeric/interval/arith2.hpp>
-#include <boost/numeric/interval/checking.hpp>
-#include <boost/numeric/interval/interval.hpp>
-#include <boost/numeric/interval/policies.hpp>
-#include <boost/numeric/interval/utility.hpp>
 #include <cmath>
 #include <limits>
 
+#include "number/ends.hpp"
 #include "number/rounding.hpp"
 
 namespace dumbbell {
 
 /// A closed interval of doubles, lo <= hi, that encloses a real number or a set of them.
 ///
-/// Arithmetic is Boost.Interval's with NeighbourRounding: for all x in X, y in Y, x op y is in X op Y.
-/// Division by an interval that contains 0 gives the whole line. Empty or NaN operands give intervals whose
-/// comparisons are all false. Nothing converts implicitly; decimals go through Rational and enclose().
+/// For all x in X, y in Y, x op y is in X op Y: each end is an exact end's nearest double, moved to the
+/// neighbour (ends::above). What has an infinite or no answer is left to Boost.Interval, with
+/// NeighbourRounding (interval.cpp). Division by an interval that contains 0 gives the whole line, or what is
+/// on one side. Empty or NaN operands give intervals whose comparisons are all false: of an end that is NaN
+/// nothing is known, and the other end is right by itself. Nothing converts implicitly; decimals go through
+/// Rational and enclose().
 class Interval {
   public:
-    Interval() = default;
-    explicit Interval(double point) : value_(point) {}
-    Interval(double lo, double hi) : value_(lo, hi) {}
+    Interval() : ends_{-0.0, 0.0} {}
+    explicit Interval(double point) : ends_{-point, point} {}
+    /// NaN unless lo <= hi.
+    Interval(double lo, double hi) : ends_(lo <= hi ? ends::Pair{-lo, hi} : ends::twice(nan)) {}
 
-    [[nodiscard]] double lo() const noexcept { return value_.lower(); }
-    [[nodiscard]] double hi() const noexcept { return value_.upper(); }
+    [[nodiscard]] double lo() const noexcept { return -ends_[0]; }
+    [[nodiscard]] double hi() const noexcept { return ends_[1]; }
     [[nodiscard]] bool is_nan() const noexcept { return !(lo() <= hi()); }
 
-    friend Interval operator+(const Interval& a, const Interval& b) { return Interval(a.value_ + b.value_); }
-    friend Interval operator-(const Interval& a, const Interval& b) { return Interval(a.value_ - b.value_); }
-    friend Interval operator*(const Interval& a, const Interval& b) { return Interval(a.value_ * b.value_); }
-    friend Interval operator/(const Interval& a, const Interval& b) { return Interval(a.value_ / b.value_); }
-    friend Interval operator-(const Interval& a) { return Interval(-a.value_); }
+    friend Interval operator+(const Interval& a, const Interval& b) {
+        return Interval(ends::above(a.ends_ + b.ends_));
+    }
+    friend Interval operator-(const Interval& a, const Interval& b) {
+        return Interval(ends::above(a.ends_ + ends::swapped(b.ends_)));
+    }
+    friend Interval operator-(const Interval& a) { return Interval(ends::swapped(a.ends_)); }
 
-    friend Interval sqr(const Interval& a) { return Interval(boost::numeric::square(a.value_)); }
+    /// The ends are the least and the greatest of four products, and rounding does not change their order
+    /// (L62).
+    friend Interval operator*(const Interval& a, const Interval& b) {
+        if (ends::max(a.ends_, b.ends_)[0] < 0) [[likely]] {  // both are positive
+            return Interval(ends::above(ends::Pair{-a.ends_[0], a.ends_[1]} * b.ends_));
+        }
+        const ends::Pair p = ends::twice(a.ends_[0]) * b.ends_;
+        const ends::Pair q = ends::twice(a.ends_[1]) * b.ends_;
+        const ends::Pair sum = p + q;
+        if (std::isnan(sum[0] + sum[1])) [[unlikely]] {
+            return hard_product(a, b);
+        }
+        const ends::Pair greatest =
+            ends::max(ends::max(ends::swapped(p), q), -ends::min(p, ends::swapped(q)));
+        return Interval(ends::above(greatest + ends::twice(0)));  // +0, if one of the greatest is
+    }
+    friend Interval operator/(const Interval& a, const Interval& b) {
+        if (b.lo() > 0) [[likely]] {
+            return Interval(quotient(a.ends_, b.ends_));
+        }
+        return b.hi() < 0 ? Interval(quotient(ends::swapped(a.ends_), ends::swapped(b.ends_)))
+                          : hard_quotient(a, b);
+    }
+
+    /// With the double beyond each end; an end 0 may stay.
+    friend Interval outward(const Interval& a) { return Interval(ends::above(a.ends_)); }
+
+    friend Interval sqr(const Interval& a) {
+        const ends::Pair other = ends::swapped(a.ends_);
+        const ends::Pair least = ends::min(ends::twice(0), ends::min(a.ends_, other));  // sizes, less than 0
+        const ends::Pair greatest = ends::max(a.ends_, other);
+        return Interval(ends::above(ends::Pair{least[0], greatest[1]} * ends::Pair{-least[0], greatest[1]}));
+    }
     /// Of the part of `a` that is >= 0. Precondition: hi >= 0.
-    friend Interval sqrt(const Interval& a) { return Interval(boost::numeric::sqrt(a.value_)); }
-    friend Interval abs(const Interval& a) { return Interval(boost::numeric::abs(a.value_)); }
-    /// NaN if either is: Boost would take it for the empty set and return the other.
+    friend Interval sqrt(const Interval& a);
+    friend Interval abs(const Interval& a);
+
+    /// NaN if either is.
     friend Interval hull(const Interval& a, const Interval& b) {
-        return a.is_nan() || b.is_nan() ? Interval(std::numeric_limits<double>::quiet_NaN())
-                                        : Interval(boost::numeric::hull(a.value_, b.value_));
+        return a.is_nan() || b.is_nan() ? Interval(nan) : Interval(ends::max(a.ends_, b.ends_));
     }
-    friend Interval min(const Interval& a, const Interval& b) {
-        return Interval(boost::numeric::min(a.value_, b.value_));
-    }
+    friend Interval min(const Interval& a, const Interval& b) { return -max(-a, -b); }
     friend Interval max(const Interval& a, const Interval& b) {
-        return Interval(boost::numeric::max(a.value_, b.value_));
+        return a.is_nan() || b.is_nan()
+                   ? Interval(nan)
+                   : Interval(ends::Pair{ends::min(a.ends_, b.ends_)[0], ends::max(a.ends_, b.ends_)[1]});
     }
 
   private:
-    using Policies =
-        boost::numeric::interval_lib::policies<NeighbourRounding,
-                                               boost::numeric::interval_lib::checking_base<double>>;
-    using Value = boost::numeric::interval<double, Policies>;
+    static constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-    explicit Interval(const Value& value) : value_(value) {}
+    explicit Interval(ends::Pair bounds) : ends_(bounds) {}
 
-    Value value_;
+    /// For b > 0: an end that is not below 0 is divided by the least of b, any other by the greatest (L62).
+    static ends::Pair quotient(ends::Pair a, ends::Pair b) {
+        return ends::above(a / (a >= 0 ? ends::twice(-b[0]) : ends::twice(b[1])));
+    }
+    /// Where an end is infinite or NaN, or a sum of products is.
+    static Interval hard_product(Interval a, Interval b);
+    /// Where b contains 0, or is NaN.
+    static Interval hard_quotient(Interval a, Interval b);
+
+    ends::Pair ends_;  ///< both NaN, or in order, or the other one infinite where one is NaN
 };
 
 /// The ends of X as thin intervals: the vocabulary in which monotone bounds are written.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "flight/batch/sine.hpp"
+#include "flight/way_to_contact.hpp"
 
 /// Where a ray (c, kappa) seems to meet the light wall, sin x = c + kappa x: what steers the bounds of
 /// lower_step.hpp and upper_step.hpp, and proves nothing.
@@ -38,16 +39,6 @@ struct Aim {
     D z;
     Mask<D> at_top;
 };
-
-/// From a point with this sine and cosine to the contact, an error of fourth order: `newton` is Newton's
-/// step, `inverse` 1/slope.
-template <class D>
-[[nodiscard]] D way_to_contact(D newton, D inverse, const SinCosOf<D>& at) {
-    const D bend = (0.5 * at.sin) * inverse;
-    const D twist = (at.cos * inverse) * (1.0 / 6);
-    const D curved = newton + newton * (bend * newton);
-    return newton + (curved * curved) * (bend + twist * curved);
-}
 
 /// The next point after a contact at x, for the ray of slope kappa that leaves it: a step from there, whose
 /// wall is kappa (2 x + pi) below the ray. `inverse` is 1/slope for the ray that came. `at_top` here: that

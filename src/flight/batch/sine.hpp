@@ -21,13 +21,4 @@ template <class D>
     return {select(near, s, c), select(near, c, s)};
 }
 
-/// Sine and cosine of z + shift, a double, from those of z, for |shift| up to 2^-13 and 2^-8 times both: off
-/// by at most 5.4 u relatively (L39 (h)).
-template <class D>
-[[nodiscard]] SinCosOf<D> moved(const SinCosOf<D>& at, D shift) {
-    const D half = 0.5 * (shift * shift);
-    const D odd = shift - (half * shift) * (1.0 / 3);
-    return {at.sin + (at.cos * odd - at.sin * half), at.cos - (at.sin * odd + at.cos * half)};
-}
-
 }  // namespace dumbbell::flight::batch

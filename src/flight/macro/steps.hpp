@@ -49,4 +49,15 @@ template <>
 template <>
 [[nodiscard]] long least_worth_a_macro_step<BigInterval>();
 
+/// Whether any state of rays of mass ratio 1/r has a macro step: in double a step is for 2000 collisions or
+/// more, and at most a third of those that seem to be left, 0.71/sqrt(r).
+template <class I>
+[[nodiscard]] bool may_have_macro_steps(const I& /*r*/) {
+    return true;
+}
+template <>
+[[nodiscard]] inline bool may_have_macro_steps(const Interval& r) {
+    return r.lo() < 0x1p-26;
+}
+
 }  // namespace dumbbell::flight::macro

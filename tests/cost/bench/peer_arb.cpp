@@ -65,8 +65,8 @@ bool certainly_less(const Ball& a, const Ball& b) { return arb_lt(a.raw(), b.raw
 bool certainly_at_most(const Ball& a, const Ball& b) { return arb_le(a.raw(), b.raw()) != 0; }
 bool certainly_positive(const Ball& a) { return arb_is_positive(a.raw()) != 0; }
 double approximate(const Ball& a) { return arf_get_d(arb_midref(a.raw()), ARF_RND_NEAR); }
-dumbbell::flight::ContactGuess<Ball> guess_contact(const Ball& c, const Ball& kappa) {
-    return double_guess(c, kappa);
+dumbbell::flight::ContactGuess<Ball> guess_contact(const Ball& c, const Ball& kappa, double start) {
+    return double_guess(c, kappa, start);
 }
 
 }  // namespace

@@ -70,8 +70,9 @@ class Cgal {
     friend bool certainly_at_most(const Cgal& a, const Cgal& b) { return a.value_.sup() <= b.value_.inf(); }
     friend bool certainly_positive(const Cgal& a) { return a.value_.inf() > 0; }
     friend double approximate(const Cgal& a) { return a.value_.inf(); }
-    friend dumbbell::flight::ContactGuess<Cgal> guess_contact(const Cgal& c, const Cgal& kappa) {
-        return double_guess(c, kappa);
+    friend dumbbell::flight::ContactGuess<Cgal> guess_contact(const Cgal& c, const Cgal& kappa,
+                                                              double start) {
+        return double_guess(c, kappa, start);
     }
     /// Of a point: the kernel asks for no other.
     friend dumbbell::SinCos<Cgal> sin_cos(const Cgal& a) {

@@ -9,9 +9,9 @@ namespace dumbbell_bench {
 
 /// The guess of Newton's iteration in plain double, for any type: it proves nothing.
 template <class I>
-dumbbell::flight::ContactGuess<I> double_guess(const I& c, const I& kappa) {
+dumbbell::flight::ContactGuess<I> double_guess(const I& c, const I& kappa, double start) {
     const auto guess = dumbbell::flight::guess_contact(dumbbell::Interval(approximate(c)),
-                                                       dumbbell::Interval(approximate(kappa)));
+                                                       dumbbell::Interval(approximate(kappa)), start);
     return {I(guess.z.lo()), guess.hits};
 }
 

@@ -51,6 +51,17 @@ TEST_CASE("No square root goes below 0") {
     }
 }
 
+TEST_CASE("A product that underflows keeps its sign's side") {
+    const Interval tiny(-1e-200, 1e-200);
+    CHECK(is(tiny * tiny, -least, least));
+    CHECK(is(tiny * Interval(1e-200), -least, least));
+    CHECK(is(Interval(1e-200) * Interval(1e-200), 0, least));
+    CHECK((Interval(-1e-200) * Interval(1e-200)).lo() == -least);
+    CHECK(is(sqr(tiny), 0, least));
+    CHECK(is(Interval(1e-200) / Interval(1e200), 0, least));
+    CHECK(is(Interval(-1e-200) / Interval(1e200), -least, 0));
+}
+
 TEST_CASE("Overflow keeps the enclosure") {
     const Interval big(greatest);
     CHECK(is(big + big, greatest, infinity));

@@ -26,7 +26,8 @@ def operations(bin_folder, effort):
     results = google.run(bin_folder / "bench_operations", effort.of(1, 3, 9), effort.of(0, 0.01, 0.01))
     groups, methods = columns(results)
     plain = {group: results[group, "double"]["ns"] for group in groups}
-    rows = [[method, *(tables.ratio(results[group, method]["ns"] / plain[group]) for group in groups)] for method in methods]
+    rows = [[method, *(tables.ratio(results[group, method]["ns"] / plain[group]) if (group, method) in results else ""
+                       for group in groups)] for method in methods]
     rows.append(["ns in double", *(f"{plain[group]:.2g}" for group in groups)])
     tables.show("One operation, over the same in double (libm's sine and cosine); BigInterval with its bits", ["", *groups], rows)
     return as_json(results), []

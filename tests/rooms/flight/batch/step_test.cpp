@@ -265,7 +265,7 @@ TEST_CASE("L39 (h): sine and cosine are moved to within 5.4 u, however far that 
         const auto at = batch::sin_cos(z);
         const double most = std::min(0x1p-13, std::min(at.sin, at.cos) * 0x1p-8);
         const double x = z + random.sign() * most * (random.coin() ? 1.0 : random.uniform(0, 1));
-        const auto found = batch::moved(at, x - z);
+        const auto found = moved(at, x - z);
         REQUIRE(Real(x - z) == Real(x) - Real(z));
         worst = std::max({worst, off(found.sin, sin(Real(x))), off(found.cos, cos(Real(x)))});
     }
