@@ -82,19 +82,24 @@ std::optional<LastStep> last_step(double z, double c, double kappa) {
     return std::nullopt;
 }
 
-std::optional<LastStep> last_step_from(double start, double c, double kappa) {
-    return kappa < 1 ? last_step(start >= 0 ? start : first_point(c, kappa), c, kappa) : std::nullopt;
-}
+struct Guess {
+    LastStep step;
+    bool hits;
+};
 
-/// The same from nowhere, and where it is not easy.
-Point slow_guess(double c, double kappa) {
-    const Point top = miss(kappa);
-    return guess_sin_cos(top.z).sin - kappa * top.z < c ? top : newton(c, kappa);
-}
-
-Point guess(double c, double kappa, double start) {
-    const auto last = last_step_from(start, c, kappa);
-    return last ? Point{last->root, true} : slow_guess(c, kappa);
+Guess guess(double c, double kappa, double start) {
+    if (kappa < 1) {
+        if (const auto step = last_step(start >= 0 ? start : first_point(c, kappa), c, kappa)) {
+            return {*step, true};
+        }
+    }
+    const double top = miss(kappa).z;
+    const SinCosGuess at = guess_sin_cos(top);
+    if (at.sin - kappa * top < c) {
+        return {{top, at, top}, false};
+    }
+    const auto [z, hits] = newton(c, kappa);
+    return {{z, guess_sin_cos(z), z}, hits};
 }
 
 /// The middle of the part in [0, pi/2].
@@ -137,29 +142,23 @@ BigInterval refined_top(BigInterval z, const BigInterval& kappa) {
 }  // namespace
 
 ContactGuess<Interval> guess_contact(const Interval& c, const Interval& kappa, double start) noexcept {
-    const auto [z, hits] = guess(approximate(c), approximate(kappa), start);
-    return {Interval(z), hits};
+    const auto [step, hits] = guess(approximate(c), approximate(kappa), start);
+    return {Interval(step.root), hits};
 }
 
 [[gnu::flatten]] ContactPlace<Interval> contact_place(const Interval& c, const Interval& kappa,
                                                       double start) noexcept {
-    const double height = approximate(c);
-    const double slope = approximate(kappa);
-    const auto last = last_step_from(start, height, slope);
-    if (!last) {
-        const auto [z, hits] = slow_guess(height, slope);
-        return {Interval(z), sin_cos(Interval(z)), hits};
-    }
-    const double shift = last->root - last->z;
-    const bool near =
-        last->z >= 0x1p-900 && std::abs(shift) <= 0x1p-8 * std::min({last->at.sin, last->at.cos, 0x1p-5});
-    const Interval z(last->root);
-    return {z, near ? sin_cos_beside(last->at, shift) : sin_cos(z), true};
+    const auto [step, hits] = guess(approximate(c), approximate(kappa), start);
+    const auto& [z, at, root] = step;
+    const Interval x(root);
+    const bool near = z >= 0x1p-900 && std::abs(root - z) <= 0x1p-8 * std::min({at.sin, at.cos, 0x1p-5});
+    return {x, near ? sin_cos_beside(at, root - z) : sin_cos(x), hits};
 }
 
 ContactGuess<BigInterval> guess_contact(const BigInterval& c, const BigInterval& kappa, double start) {
     const double slope = approximate(kappa);
-    const auto [z, hits] = guess(approximate(c), slope, start);
+    const auto [step, hits] = guess(approximate(c), slope, start);
+    const double z = step.root;
     constexpr double far_from_tangency = 0x1p-10;
     const double steepness = guess_sin_cos(z).cos - slope;
     if (hits && steepness > far_from_tangency) {
