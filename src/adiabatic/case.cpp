@@ -7,6 +7,7 @@
 #include "adiabatic/prove.hpp"
 #include "adiabatic/writer.hpp"
 #include "base/error.hpp"
+#include "base/fields.hpp"
 #include "file/sealed_lines.hpp"
 #include "number/decimal.hpp"
 
@@ -78,7 +79,7 @@ AdiabaticClaim claim_named(std::string_view word) {
 
 AdiabaticHypotheses read_case(const std::string& unit) {
     constexpr std::size_t longest = 10'000;
-    const auto fields = words(unit);
+    const auto fields = split(unit, ' ');
     if (fields.size() != 8 || fields[0] != "case") {
         throw InputError("it has other fields");
     }

@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "base/error.hpp"
+#include "base/fields.hpp"
 #include "file/sealed_lines.hpp"
 
 namespace dumbbell::campaign {
@@ -88,7 +89,7 @@ Plan parse_plan(const std::string& text) {
     }
     std::size_t covered = 0;
     for (std::size_t count = in.number("shards"); count > 0; --count) {
-        const auto fields = words(in.value("shard"));
+        const auto fields = split(in.value("shard"), ' ');
         if (fields.size() != 3) {
             in.fail();
         }

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "base/error.hpp"
+#include "base/fields.hpp"
 #include "certificates/any_reader.hpp"
 #include "collisions/names.hpp"
 #include "collisions/reader.hpp"
@@ -44,7 +45,7 @@ Common common_of(const Order& order) {
 
 PlannedPiece parse_piece(const std::string& unit) {
     constexpr std::size_t longest = 10'000;  // a ratio of the command line as a fraction
-    const auto fields = words(unit);
+    const auto fields = split(unit, ' ');
     if (fields.size() == 5 && fields[0] == "piece") {
         const PlannedPiece piece{parse_rational(fields[1], longest), parse_rational(fields[2], longest),
                                  static_cast<long>(parse_size(fields[3])),
