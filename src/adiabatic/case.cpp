@@ -7,6 +7,7 @@
 #include "adiabatic/prove.hpp"
 #include "adiabatic/writer.hpp"
 #include "base/error.hpp"
+#include "base/fields.hpp"
 #include "file/sealed_lines.hpp"
 #include "number/decimal.hpp"
 
@@ -66,25 +67,19 @@ std::string list_of(const std::vector<AdiabaticHypotheses>& grid, const Text& te
     return fmt::format("{}", fmt::join(list, ","));
 }
 
-AdiabaticClaim claim_named(std::string_view word) {
-    for (const AdiabaticClaim claim :
-         {AdiabaticClaim::bounce, AdiabaticClaim::run, AdiabaticClaim::scattering, AdiabaticClaim::printed}) {
-        if (word == name(claim)) {
-            return claim;
-        }
-    }
-    throw InputError("it has a claim that this program does not know");
-}
-
 AdiabaticHypotheses read_case(const std::string& unit) {
     constexpr std::size_t longest = 10'000;
-    const auto fields = words(unit);
+    const auto fields = split(unit, ' ');
     if (fields.size() != 8 || fields[0] != "case") {
         throw InputError("it has other fields");
     }
     const auto number = [&](std::size_t i) { return parse_rational(fields[i], longest); };
+    const auto claim = claim_named(fields[1]);
+    if (!claim) {
+        throw InputError("it has a claim that this program does not know");
+    }
     AdiabaticHypotheses of;
-    of.claim = claim_named(fields[1]);
+    of.claim = *claim;
     of.delta = {number(2), number(3)};
     of.heights = {0, 1};
     if (has_heights(of.claim)) {

@@ -1,11 +1,10 @@
 #include "adiabatic/classes.hpp"
 
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+
+#include "number/parallel.hpp"
 
 namespace dumbbell::adiabatic {
 namespace {
@@ -186,8 +185,8 @@ std::vector<AdiabaticClass> guess_classes(const AdiabaticHypotheses& of, int job
     const double high = greatest * 0.98;
     constexpr std::size_t number = 6;
     std::vector<AdiabaticClass> classes(number);
-    tbb::task_arena(jobs).execute([&] {
-        tbb::parallel_for(std::size_t{0}, number, [&](std::size_t i) {
+    run_with_threads(jobs, Threads::shared, [&] {
+        in_parallel(number, [&](std::size_t i) {
             const double share = low + (high - low) * static_cast<double>(i) / (number - 1);
             const Densities densities(ends, share, deltas, interrupted);
             classes[i].least_share = exact(rounded(share, false));

@@ -1,15 +1,11 @@
 #include "adiabatic/cover.hpp"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
-
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
 #include "base/growing_tree.hpp"
-#include "number/self_test.hpp"
+#include "number/parallel.hpp"
 
 namespace dumbbell::adiabatic {
 namespace {
@@ -84,13 +80,12 @@ class Growth {
 
     template <class Work>
     void each(const Work& work) {
-        tbb::parallel_for(tbb::blocked_range<std::size_t>(0, now_.size()), [&](const auto& range) {
-            require_sound_arithmetic();
-            for (std::size_t i = range.begin(); i != range.end() && !limits_.interrupted(); ++i) {
+        in_parallel(now_.size(), 1, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i != end && !limits_.interrupted(); ++i) {
                 work(i);
             }
             limits_.observer->enter("covering all of them", "boxes");
-            limits_.observer->advance(range.size());
+            limits_.observer->advance(end - begin);
         });
     }
 
@@ -162,8 +157,8 @@ class Growth {
 
 std::optional<AdiabaticCover> adiabatic_cover(const AdiabaticBox& root, const AdiabaticJudge& judge,
                                               const AdiabaticTarget& target, const AdiabaticLimits& limits) {
-    tbb::task_arena arena(limits.jobs);
-    return arena.execute([&] { return Growth(root, judge, target, limits).grow(); });
+    return with_threads(limits.jobs, Threads::shared,
+                        [&] { return Growth(root, judge, target, limits).grow(); });
 }
 
 }  // namespace dumbbell::adiabatic

@@ -1,10 +1,9 @@
 #include "adiabatic/printed.hpp"
 
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
-
 #include <algorithm>
 #include <cmath>
+
+#include "number/parallel.hpp"
 
 namespace dumbbell::adiabatic {
 namespace {
@@ -52,8 +51,8 @@ std::vector<AdiabaticSample> search_printed(const AdiabaticSearch& search) {
     // As near the vertical as is allowed I_0 is greatest.
     const double least = search.of.margin.convert_to<double>() * std::sqrt(delta) * (1 + 1e-6);
     std::vector<AdiabaticSample> samples(angles * (velocities + 1));
-    tbb::task_arena(search.jobs).execute([&] {
-        tbb::parallel_for(std::size_t{0}, samples.size(), [&](std::size_t i) {
+    run_with_threads(search.jobs, Threads::shared, [&] {
+        in_parallel(samples.size(), [&](std::size_t i) {
             const double u = least * (1 + angle_step * static_cast<double>(i % angles));
             const std::size_t row = i / angles;
             const double s = least_s + (1 - least_s) * static_cast<double>(row) / velocities;

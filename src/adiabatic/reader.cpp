@@ -12,16 +12,6 @@ constexpr int most_bits = 4096;
 constexpr long most_classes = 64;
 constexpr long most_cells = 4096;
 
-AdiabaticClaim claim_from(const Lines& lines, const std::string& word) {
-    for (const AdiabaticClaim claim :
-         {AdiabaticClaim::bounce, AdiabaticClaim::run, AdiabaticClaim::scattering, AdiabaticClaim::printed}) {
-        if (word == name(claim)) {
-            return claim;
-        }
-    }
-    lines.fail();
-}
-
 std::pair<Rational, Rational> range_from(Lines& lines, std::string_view keyword) {
     const auto& fields = lines.expect(keyword, 3);
     return {lines.signed_ratio(fields[1]), lines.signed_ratio(fields[2])};
@@ -105,7 +95,11 @@ AdiabaticCertificate head_from(Lines& lines) {
     lines.expect("lemmas", 2);
     lines.expect("scene", 2);
     lines.expect("section", 2);
-    certificate.hypotheses = hypotheses_from(lines, claim_from(lines, lines.expect("claim", 2)[1]));
+    const auto claim = claim_named(lines.expect("claim", 2)[1]);
+    if (!claim) {
+        lines.fail();
+    }
+    certificate.hypotheses = hypotheses_from(lines, *claim);
     return certificate;
 }
 

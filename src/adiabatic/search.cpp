@@ -1,13 +1,11 @@
 #include "adiabatic/search.hpp"
 
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "flight/contact_guess.hpp"
+#include "number/parallel.hpp"
 
 namespace dumbbell::adiabatic {
 namespace {
@@ -207,8 +205,8 @@ class Search {
             }
         }
         samples_.resize(points_.size());
-        tbb::task_arena(search_.jobs).execute([&] {
-            tbb::parallel_for(std::size_t{0}, points_.size(), [&](std::size_t i) {
+        run_with_threads(search_.jobs, Threads::shared, [&] {
+            in_parallel(points_.size(), [&](std::size_t i) {
                 samples_[i] = search_.interrupted() ? AdiabaticSample{} : at(points_[i]);
             });
         });

@@ -5,9 +5,15 @@
 #include <iterator>
 
 #include "base/error.hpp"
+#include "base/words_for.hpp"
 
 namespace dumbbell::adiabatic {
 namespace {
+
+constexpr std::array<Word<AdiabaticClaim>, 4> claims{{{AdiabaticClaim::bounce, "adiabatic-bounce"},
+                                                      {AdiabaticClaim::run, "adiabatic-run"},
+                                                      {AdiabaticClaim::scattering, "adiabatic-scattering"},
+                                                      {AdiabaticClaim::printed, "adiabatic-printed"}}};
 
 /// `0/1` or `P/Q`.
 std::string level(const Rational& x) { return to_fraction(x); }
@@ -91,18 +97,9 @@ void write_classes(Body& body, const std::vector<AdiabaticClass>& classes) {
 
 }  // namespace
 
-std::string_view name(AdiabaticClaim claim) {
-    switch (claim) {
-        case AdiabaticClaim::bounce:
-            return "adiabatic-bounce";
-        case AdiabaticClaim::run:
-            return "adiabatic-run";
-        case AdiabaticClaim::scattering:
-            return "adiabatic-scattering";
-        default:
-            return "adiabatic-printed";
-    }
-}
+std::string_view name(AdiabaticClaim claim) { return word_for(claims, claim); }
+
+std::optional<AdiabaticClaim> claim_named(std::string_view word) { return meaning_of(claims, word); }
 
 SealedText render(const AdiabaticCertificate& certificate) {
     const AdiabaticClaim claim = certificate.hypotheses.claim;

@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <charconv>
 #include <chrono>
 #include <cstring>
 #include <fstream>
@@ -15,6 +14,7 @@
 #include <string_view>
 
 #include "base/error.hpp"
+#include "base/fields.hpp"
 #include "base/printable.hpp"
 
 namespace dumbbell::campaign {
@@ -31,12 +31,6 @@ std::string line_of(const JournalEntry& event) {
                        event.seconds, field(event.text));
 }
 
-std::optional<double> number(std::string_view text) {
-    double value = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    return error == std::errc() && end == text.data() + text.size() ? std::optional(value) : std::nullopt;
-}
-
 std::optional<JournalEntry> event_of(std::string_view line) {
     std::array<std::string_view, 6> fields;
     for (std::size_t i = 0; i < fields.size(); ++i) {
@@ -48,8 +42,8 @@ std::optional<JournalEntry> event_of(std::string_view line) {
         line.remove_prefix(std::min(tab + 1, line.size()));
     }
     const auto word = std::find(words_of.begin(), words_of.end(), fields[1]);
-    const auto time = number(fields[0]);
-    const auto seconds = number(fields[4]);
+    const auto time = number_of<double>(fields[0]);
+    const auto seconds = number_of<double>(fields[4]);
     if (word == words_of.end() || !time || !seconds) {
         return std::nullopt;
     }

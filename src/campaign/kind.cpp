@@ -50,6 +50,11 @@ void Kind::require_tiling(bool tiles) {
     }
 }
 
+std::string Kind::refuted(const std::string& demand, const std::string& file) {
+    const Verdict verdict = ask_verifier({"--jobs=1", "--quiet", "--budget=10h", demand, "--", file});
+    return verdict.accepts ? "" : fmt::format("not verified: {}", verdict.line);
+}
+
 const Kind& kind_named(std::string_view name) {
     if (name == "adiabatic") {
         return adiabatic_kind();

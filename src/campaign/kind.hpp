@@ -67,6 +67,8 @@ class Kind {
   protected:
     /// Of a merge: throws InputError unless the results tile the claim.
     static void require_tiling(bool tiles);
+    /// As `refutation` says it: what dumbbell-verify says of the file, of which this is demanded.
+    [[nodiscard]] static std::string refuted(const std::string& demand, const std::string& file);
 
   private:
     /// Scrutiny::form, of a file that is plain text and may be anything else: it takes no more memory than a

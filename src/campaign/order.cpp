@@ -3,7 +3,6 @@
 #include <fmt/core.h>
 
 #include "base/error.hpp"
-#include "file/sealed_lines.hpp"
 #include "file/sha256.hpp"
 
 namespace dumbbell::campaign {
@@ -12,11 +11,7 @@ std::string Order::text() const {
     SealedLines out;
     out.line("dumbbell-order 1");
     out.line("generator dumbbell {}", DUMBBELL_VERSION);
-    out.lines(head);
-    out.line("units {}", units.size());
-    for (const std::string& unit : units) {
-        out.line("{}", unit);
-    }
+    write_order(out, *this);
     return std::move(out).sealed().text;
 }
 
@@ -45,6 +40,28 @@ std::vector<std::string> head_values(const Order& order, std::initializer_list<s
     return values;
 }
 
+void write_order(SealedLines& out, const Order& order) {
+    out.lines(order.head);
+    out.line("units {}", order.units.size());
+    for (const std::string& unit : order.units) {
+        out.line("{}", unit);
+    }
+}
+
+Order read_order(SealedReader& in) {
+    Order order;
+    while (!in.ahead().empty() && !in.ahead().starts_with("units ")) {
+        order.head += fmt::format("{}\n", in.line());
+    }
+    if (!order.head.starts_with("prove ")) {
+        in.fail();
+    }
+    for (std::size_t count = in.number("units"); count > 0; --count) {
+        order.units.emplace_back(in.line());
+    }
+    return order;
+}
+
 Order parse_order(const std::string& text) {
     SealedReader in(text, "order of a campaign");
     if (in.line() != "dumbbell-order 1") {
@@ -56,16 +73,7 @@ Order parse_order(const std::string& text) {
             "the order comes from {}, and this is dumbbell {}: install the manager's version on this worker",
             generator, DUMBBELL_VERSION));
     }
-    Order order;
-    while (!in.ahead().empty() && !in.ahead().starts_with("units ")) {
-        order.head += fmt::format("{}\n", in.line());
-    }
-    if (!order.head.starts_with("prove ")) {
-        in.fail();
-    }
-    for (std::size_t count = in.number("units"); count > 0; --count) {
-        order.units.emplace_back(in.line());
-    }
+    Order order = read_order(in);
     in.end();
     return order;
 }

@@ -5,6 +5,8 @@
 #include <string_view>
 #include <vector>
 
+#include "file/sealed_lines.hpp"
+
 namespace dumbbell::campaign {
 
 /// What is to be proved in one go, in words: complete, so that the result depends on nothing else, and with a
@@ -28,6 +30,10 @@ struct Order {
 /// Throws InputError if the lines are others.
 [[nodiscard]] std::vector<std::string> head_values(const Order& order,
                                                    std::initializer_list<std::string_view> words);
+
+/// Head and units as lines, which a plan has, too.
+void write_order(SealedLines& out, const Order& order);
+[[nodiscard]] Order read_order(SealedReader& in);
 
 /// Throws InputError if this is no whole order, or one of another version of the program.
 [[nodiscard]] Order parse_order(const std::string& text);

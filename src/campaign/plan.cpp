@@ -6,7 +6,7 @@
 #include <numeric>
 
 #include "base/error.hpp"
-#include "file/sealed_lines.hpp"
+#include "base/fields.hpp"
 
 namespace dumbbell::campaign {
 
@@ -47,11 +47,7 @@ std::string render(const Plan& plan) {
     out.line("dumbbell-campaign 1");
     out.line("generator dumbbell {}", DUMBBELL_VERSION);
     out.line("claim {}", plan.claim);
-    out.lines(plan.whole.head);
-    out.line("units {}", plan.whole.units.size());
-    for (const std::string& unit : plan.whole.units) {
-        out.line("{}", unit);
-    }
+    write_order(out, plan.whole);
     out.line("inputs {}", plan.inputs.size());
     for (const std::string& input : plan.inputs) {
         out.line("{}", input);
@@ -77,18 +73,13 @@ Plan parse_plan(const std::string& text) {
     }
     Plan plan;
     plan.claim = in.value("claim");
-    while (!in.ahead().empty() && !in.ahead().starts_with("units ")) {
-        plan.whole.head += fmt::format("{}\n", in.line());
-    }
-    for (std::size_t count = in.number("units"); count > 0; --count) {
-        plan.whole.units.emplace_back(in.line());
-    }
+    plan.whole = read_order(in);
     for (std::size_t count = in.number("inputs"); count > 0; --count) {
         plan.inputs.emplace_back(in.line());
     }
     std::size_t covered = 0;
     for (std::size_t count = in.number("shards"); count > 0; --count) {
-        const auto fields = words(in.value("shard"));
+        const auto fields = split(in.value("shard"), ' ');
         if (fields.size() != 3) {
             in.fail();
         }
@@ -99,7 +90,7 @@ Plan parse_plan(const std::string& text) {
         covered = shard.end;
         plan.shards.push_back(shard);
     }
-    if (covered != plan.whole.units.size() || covered == 0 || !plan.whole.head.starts_with("prove ")) {
+    if (covered != plan.whole.units.size() || covered == 0) {
         in.fail();
     }
     in.end();

@@ -22,7 +22,7 @@
 namespace dumbbell::cli {
 namespace {
 
-constexpr const char* description =
+constexpr const char* program_description =
     R"(dumbbell proves how often a bouncing dumbbell can hit the floor.
 
 Examples:
@@ -37,17 +37,18 @@ Examples:
   dumbbell plot staircase stairs.dbc --out stairs.svg
   dumbbell campaign --help                   what is too big for one run, on one machine or many)";
 
-constexpr const char* footer =
+constexpr const char* program_footer =
     "The fields of --json: docs/reference/json.md.\n\n"
     "Exit codes: 0 done; 1 internal error; 2 wrong usage or input; 3 not certified within the budget; 130 "
     "or\n"
     "143 stopped by SIGINT (Ctrl-C) or SIGTERM.";
 
-constexpr std::array options{help_option, version_option, help_all_option};
+constexpr std::array program_options{help_option, version_option, help_all_option};
 
-constexpr std::array commands{&certify_command,  &critical_command, &trace_command,   &adiabatic_command,
-                              &campaign_command, &verify_command,   &audit_command,   &law_command,
-                              &plot_command,     &report_command,   &generate_command};
+constexpr std::array program_commands{&certify_command,   &critical_command, &trace_command,
+                                      &adiabatic_command, &campaign_command, &verify_command,
+                                      &audit_command,     &law_command,      &plot_command,
+                                      &report_command,    &generate_command};
 
 std::string version_text() {
     return fmt::format("dumbbell {} ({}, {}, flags: {})", DUMBBELL_VERSION, DUMBBELL_COMPILER,
@@ -100,7 +101,7 @@ std::vector<std::string> usual_words(std::vector<std::string> words) {
     return words;
 }
 
-int run(const std::vector<std::string>& words) {
+int run_program(const std::vector<std::string>& words) {
     mp_set_memory_functions(allocate, reallocate, release);
     __flint_set_memory_functions(allocate, allocate_zeros, reallocate_block, std::free);
     require_sound_arithmetic();
@@ -118,7 +119,8 @@ int run(const std::vector<std::string>& words) {
 
 }  // namespace
 
-constinit const Command dumbbell_command{"dumbbell", "", description, footer, options, nullptr, commands};
+constinit const Command dumbbell_command{"dumbbell",      "",      program_description, program_footer,
+                                         program_options, nullptr, program_commands};
 
 }  // namespace dumbbell::cli
 
@@ -127,7 +129,8 @@ int main(int argc, char** argv) {
     std::signal(SIGCHLD, SIG_DFL);
     int exit_code = dumbbell::cli::exit_internal;
     try {
-        exit_code = dumbbell::cli::run(dumbbell::cli::usual_words({argv + std::min(argc, 1), argv + argc}));
+        exit_code =
+            dumbbell::cli::run_program(dumbbell::cli::usual_words({argv + std::min(argc, 1), argv + argc}));
     } catch (const dumbbell::InputError& error) {
         dumbbell::cli::complain(error.what());
         return dumbbell::cli::exit_bad_input;

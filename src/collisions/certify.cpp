@@ -1,9 +1,6 @@
 #include "collisions/certify.hpp"
 
 #include <fmt/core.h>
-#include <tbb/global_control.h>
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
 
 #include <atomic>
 #include <cmath>
@@ -12,6 +9,7 @@
 #include "base/printable.hpp"
 #include "collisions/steps.hpp"
 #include "number/decimal.hpp"
+#include "number/parallel.hpp"
 #include "number/self_test.hpp"
 
 namespace dumbbell::collisions {
@@ -68,8 +66,7 @@ std::vector<ProvedPiece> prove_plan(const CertifyRequest& request, const PieceOp
     }
     std::vector<ProvedPiece> pieces(plan.size());
     std::atomic<std::size_t> finished = 0;
-    tbb::parallel_for(std::size_t{0}, plan.size(), [&](std::size_t i) {
-        require_sound_arithmetic();
+    in_parallel(plan.size(), [&](std::size_t i) {
         pieces[i] = timed([&] { return prove_or_recall(plan[i], request, options); });
         request.observer->enter("proving", "pieces");
         request.observer->update(++finished, plan.size(), plan[i].upper);
@@ -102,10 +99,7 @@ std::vector<ProvedPiece> certify(const CertifyRequest& request) {
     options.rule = request.rule;
     options.describes = request.describes;
     options.interrupted = deadline(request.budget);
-    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
-                                    static_cast<std::size_t>(request.jobs));
-    tbb::task_arena arena(request.jobs);
-    return arena.execute([&]() -> std::vector<ProvedPiece> {
+    return with_threads(request.jobs, Threads::all, [&]() -> std::vector<ProvedPiece> {
         if (request.q_lo == request.q_hi) {
             options.parallel = true;
             options.observer = request.observer;

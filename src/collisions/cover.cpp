@@ -1,14 +1,11 @@
 #include "collisions/cover.hpp"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <type_traits>
 
 #include "base/error.hpp"
 #include "base/growing_tree.hpp"
-#include "number/self_test.hpp"
+#include "number/parallel.hpp"
 
 namespace dumbbell::collisions {
 namespace {
@@ -32,12 +29,10 @@ void judge_all(Chart chart, std::span<const Box> boxes, const Count& upper,
     if (!options.parallel || boxes.size() <= boxes_together<I>) {
         return judge_some(0, boxes.size());
     }
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, boxes.size(), boxes_together<I>),
-                      [&](const auto& range) {
-                          require_sound_arithmetic();
-                          const PrecisionScope scope(bits);
-                          judge_some(range.begin(), range.size());
-                      });
+    in_parallel(boxes.size(), boxes_together<I>, [&](std::size_t begin, std::size_t end) {
+        const PrecisionScope scope(bits);
+        judge_some(begin, end - begin);
+    });
 }
 
 /// Of which boxes the ratio seems to be what is too wide: the box would close if its ratios were only the

@@ -1,40 +1,40 @@
 #include "collisions/names.hpp"
 
-namespace dumbbell::collisions {
+#include "base/words_for.hpp"
 
-std::string_view name(Scene scene) {
-    switch (scene) {
-        case Scene::hybrid:
-            return "hybrid";
-        case Scene::wedge:
-            return "wedge";
-        default:
-            return "dumbbell";
-    }
-}
+namespace dumbbell::collisions {
+namespace {
+
+constexpr std::array<Word<Scene>, 3> scenes{
+    {{Scene::dumbbell, "dumbbell"}, {Scene::hybrid, "hybrid"}, {Scene::wedge, "wedge"}}};
+
+constexpr std::array<Word<Chart>, 8> chart_names{{{Chart::bridge, "bridge"},
+                                                  {Chart::light, "light"},
+                                                  {Chart::contact, "contact"},
+                                                  {Chart::plain_contact, "contact"},
+                                                  {Chart::departure, "departure"},
+                                                  {Chart::plain_departure, "departure"},
+                                                  {Chart::again, "again"},
+                                                  {Chart::wedge, "wedge"}}};
+
+constexpr std::array<Word<Reason>, 5> reasons{{{Reason::count, "count"},
+                                               {Reason::outside, "outside"},
+                                               {Reason::meets, "meets"},
+                                               {Reason::meets_reversed, "meets-reversed"},
+                                               {Reason::once, "once"}}};
+
+constexpr std::array<Word<Status>, 3> states{
+    {{Status::exact, "exact"}, {Status::gap, "gap"}, {Status::open, "open"}}};
+
+}  // namespace
+
+std::string_view name(Scene scene) { return word_for(scenes, scene); }
 
 std::string_view name(Section section) { return section == Section::turning ? "turning" : "full"; }
 
 std::string_view lemma_set(Section section) { return section == Section::plain ? "minimal" : "1"; }
 
-std::string_view name(Chart chart) {
-    switch (chart) {
-        case Chart::bridge:
-            return "bridge";
-        case Chart::light:
-            return "light";
-        case Chart::contact:
-        case Chart::plain_contact:
-            return "contact";
-        case Chart::departure:
-        case Chart::plain_departure:
-            return "departure";
-        case Chart::again:
-            return "again";
-        default:
-            return "wedge";
-    }
-}
+std::string_view name(Chart chart) { return word_for(chart_names, chart); }
 
 std::string_view axis_name(Chart chart, Axis axis) {
     const bool is_contact = chart == Chart::contact || chart == Chart::plain_contact || chart == Chart::again;
@@ -49,42 +49,13 @@ std::string_view axis_name(Chart chart, Axis axis) {
     }
 }
 
-std::string_view name(Reason reason) {
-    switch (reason) {
-        case Reason::count:
-            return "count";
-        case Reason::outside:
-            return "outside";
-        case Reason::meets:
-            return "meets";
-        case Reason::meets_reversed:
-            return "meets-reversed";
-        default:
-            return "once";
-    }
-}
+std::string_view name(Reason reason) { return word_for(reasons, reason); }
 
-std::string_view name(Status status) {
-    switch (status) {
-        case Status::exact:
-            return "exact";
-        case Status::gap:
-            return "gap";
-        default:
-            return "open";
-    }
-}
+std::string_view name(Status status) { return word_for(states, status); }
 
 bool counts_both_ways(Chart chart) { return name(chart) != "contact" && name(chart) != "departure"; }
 
-std::optional<Scene> scene_named(std::string_view word) {
-    for (const Scene scene : {Scene::dumbbell, Scene::hybrid, Scene::wedge}) {
-        if (word == name(scene)) {
-            return scene;
-        }
-    }
-    return std::nullopt;
-}
+std::optional<Scene> scene_named(std::string_view word) { return meaning_of(scenes, word); }
 
 std::optional<Section> section_named(std::string_view word, std::string_view lemmas) {
     for (const Section section : {Section::turning, Section::full, Section::plain}) {
@@ -104,14 +75,6 @@ std::optional<Axis> axis_named(Chart chart, std::string_view word) {
     return std::nullopt;
 }
 
-std::optional<Reason> reason_named(std::string_view word) {
-    for (const Reason reason :
-         {Reason::count, Reason::outside, Reason::meets, Reason::meets_reversed, Reason::once}) {
-        if (word == name(reason)) {
-            return reason;
-        }
-    }
-    return std::nullopt;
-}
+std::optional<Reason> reason_named(std::string_view word) { return meaning_of(reasons, word); }
 
 }  // namespace dumbbell::collisions

@@ -1,7 +1,6 @@
 #include "collisions/steps.hpp"
 
 #include <fmt/core.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <atomic>
@@ -13,7 +12,7 @@
 #include "collisions/critical_guess.hpp"
 #include "collisions/critical_long.hpp"
 #include "flight/growth_constant.hpp"
-#include "number/self_test.hpp"
+#include "number/parallel.hpp"
 
 namespace dumbbell::collisions {
 namespace {
@@ -121,8 +120,7 @@ std::vector<Step> steps_near(Scene scene, const Rational& lo, const Rational& hi
     }
     std::vector<Step> steps(static_cast<std::size_t>(last - first + 1));
     std::atomic<std::size_t> done = 0;
-    tbb::parallel_for(std::size_t{0}, steps.size(), [&](std::size_t i) {
-        require_sound_arithmetic();
+    in_parallel(steps.size(), [&](std::size_t i) {
         if (!interrupted()) {
             steps[i] = step_to(scene, first + static_cast<long>(i), gap, interrupted);
             observer.update(++done, steps.size(), std::nullopt);

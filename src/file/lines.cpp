@@ -3,11 +3,10 @@
 #include <fmt/core.h>
 #include <zlib.h>
 
-#include <algorithm>
-#include <charconv>
 #include <filesystem>
 
 #include "base/error.hpp"
+#include "base/fields.hpp"
 #include "file/dyadic.hpp"
 
 namespace dumbbell {
@@ -48,12 +47,8 @@ const std::vector<std::string>& Lines::next() {
         fail();
     }
     line.remove_suffix(1);
-    fields_.clear();
-    for (std::size_t begin = 0; begin <= line.size();) {
-        const std::size_t end = std::min(line.find(' ', begin), line.size());
-        fields_.emplace_back(line.substr(begin, end - begin));
-        begin = end + 1;
-    }
+    const auto parts = split(line, ' ');
+    fields_.assign(parts.begin(), parts.end());
     return fields_;
 }
 
@@ -79,12 +74,11 @@ void Lines::fail() const {
 }
 
 long Lines::number(const std::string& text) const {
-    long value = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc() || end != text.data() + text.size() || value < 0) {
+    const auto value = number_of<long>(text);
+    if (!value || *value < 0) {
         fail();
     }
-    return value;
+    return *value;
 }
 
 Count Lines::count(const std::string& text) const {

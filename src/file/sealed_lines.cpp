@@ -1,8 +1,7 @@
 #include "file/sealed_lines.hpp"
 
-#include <charconv>
-
 #include "base/error.hpp"
+#include "base/fields.hpp"
 
 namespace dumbbell {
 
@@ -48,24 +47,12 @@ void SealedReader::end() const {
     }
 }
 
-std::vector<std::string_view> words(std::string_view line) {
-    std::vector<std::string_view> found;
-    for (std::size_t from = 0; from <= line.size();) {
-        const std::size_t blank = std::min(line.find(' ', from), line.size());
-        found.push_back(line.substr(from, blank - from));
-        from = blank + 1;
-    }
-    return found;
-}
-
 std::size_t parse_size(std::string_view word) {
-    std::size_t number = 0;
-    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
-    if (error != std::errc() || end != word.data() + word.size() || number >= 1'000'000'000'000'000 ||
-        word.empty()) {
+    const auto number = number_of<std::size_t>(word);
+    if (!number || *number >= 1'000'000'000'000'000) {
         throw InputError(fmt::format("'{}' is no number below 10^15", word.substr(0, 40)));
     }
-    return number;
+    return *number;
 }
 
 }  // namespace dumbbell

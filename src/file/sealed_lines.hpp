@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <string>
 #include <string_view>
-#include <vector>
+#include <utility>
 
 #include "file/sha256.hpp"
 
@@ -60,9 +60,6 @@ class SealedReader {
     std::string_view rest_;
     std::string_view what_;
 };
-
-/// The words of a line.
-[[nodiscard]] std::vector<std::string_view> words(std::string_view line);
 
 /// A decimal number below 10^15 and nothing else; throws InputError.
 [[nodiscard]] std::size_t parse_size(std::string_view word);

@@ -1,12 +1,9 @@
 #include "law/layer_cover.hpp"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-
 #include <tuple>
 
 #include "base/growing_tree.hpp"
-#include "number/self_test.hpp"
+#include "number/parallel.hpp"
 
 namespace dumbbell::law {
 namespace {
@@ -71,12 +68,11 @@ std::optional<LayerTree> cover_layer(const Interrupted& interrupted, Observer& o
     for (; !tree.boxes().empty(); tree.next_generation()) {
         const std::vector<LayerShares>& boxes = tree.boxes();
         std::vector<std::optional<LayerLeaf>> leaves(boxes.size());
-        tbb::parallel_for(tbb::blocked_range<std::size_t>(0, boxes.size(), 8), [&](const auto& range) {
-            require_sound_arithmetic();
-            for (std::size_t i = range.begin(); i != range.end() && !interrupted(); ++i) {
+        in_parallel(boxes.size(), 8, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i != end && !interrupted(); ++i) {
                 leaves[i] = judged(boxes[i].box());
             }
-            observer.advance(range.size());
+            observer.advance(end - begin);
         });
         if (interrupted()) {
             return std::nullopt;

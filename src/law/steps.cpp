@@ -1,14 +1,12 @@
 #include "law/steps.hpp"
 
-#include <tbb/parallel_for.h>
-
 #include <atomic>
 #include <cmath>
 
 #include "collisions/critical_guess.hpp"
 #include "collisions/piece.hpp"
 #include "law/certificate.hpp"
-#include "number/self_test.hpp"
+#include "number/parallel.hpp"
 
 namespace dumbbell::law {
 namespace {
@@ -69,8 +67,7 @@ std::optional<std::vector<collisions::Piece>> prove_steps(const Interrupted& int
     std::vector<collisions::Piece> steps(last_step - first_step + 1);
     std::atomic<std::size_t> done = 0;
     std::atomic<bool> all = true;
-    tbb::parallel_for(std::size_t{0}, steps.size(), [&](std::size_t i) {
-        require_sound_arithmetic();
+    in_parallel(steps.size(), [&](std::size_t i) {
         const PrecisionScope of_thread(bits);
         const long n = first_step + static_cast<long>(i);
         if (!all || interrupted()) {

@@ -1,9 +1,5 @@
 #include "staircase/critical_range.hpp"
 
-#include <tbb/global_control.h>
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
-
 #include <algorithm>
 #include <atomic>
 #include <cmath>
@@ -13,6 +9,7 @@
 #include "base/error.hpp"
 #include "collisions/critical_long.hpp"
 #include "number/decimal.hpp"
+#include "number/parallel.hpp"
 #include "number/self_test.hpp"
 
 namespace dumbbell::staircase {
@@ -54,12 +51,8 @@ std::vector<CriticalRow> critical_ratios(const CriticalRequest& request) {
     }
     std::vector<CriticalRow> rows(static_cast<std::size_t>(request.last - request.first + 1));
     std::atomic<std::size_t> done = 0;
-    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
-                                    static_cast<std::size_t>(request.jobs));
-    tbb::task_arena arena(request.jobs);
-    arena.execute([&] {
-        tbb::parallel_for(std::size_t{0}, rows.size(), [&](std::size_t i) {
-            require_sound_arithmetic();
+    run_with_threads(request.jobs, Threads::all, [&] {
+        in_parallel(rows.size(), [&](std::size_t i) {
             CriticalRow& row = rows[i];
             row.n = request.first + static_cast<long>(i);
             row.ratio = interrupted() ? std::nullopt : enclose_critical_ratio(row.n, options);

@@ -5,13 +5,13 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <filesystem>
 #include <memory>
 #include <optional>
 #include <string_view>
 
 #include "base/error.hpp"
+#include "base/fields.hpp"
 #include "collisions/writer.hpp"
 #include "file/sha256.hpp"
 #include "number/rational.hpp"
@@ -52,14 +52,12 @@ class TableLines {
     std::unique_ptr<gzFile_s, int (*)(gzFile)> file_;
 };
 
-std::optional<long> natural(const std::string& text) {
-    long value = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    return error == std::errc() && end == text.data() + text.size() && value >= 0 ? std::optional(value)
-                                                                                  : std::nullopt;
+std::optional<long> natural(std::string_view text) {
+    const auto value = number_of<long>(text);
+    return value && *value >= 0 ? value : std::nullopt;
 }
 
-bool is_number(const std::string& text) {
+bool is_number(std::string_view text) {
     try {
         (void)parse_rational(text, longest);
         return true;
@@ -69,12 +67,7 @@ bool is_number(const std::string& text) {
 }
 
 std::optional<CriticalTableRow> row_from(std::string_view line) {
-    std::vector<std::string> fields;
-    for (std::size_t begin = 0; begin <= line.size();) {
-        const std::size_t end = std::min(line.find('\t', begin), line.size());
-        fields.emplace_back(line.substr(begin, end - begin));
-        begin = end + 1;
-    }
+    const auto fields = split(line, '\t');
     if (fields.size() != columns) {
         return std::nullopt;
     }
@@ -83,7 +76,8 @@ std::optional<CriticalTableRow> row_from(std::string_view line) {
     const auto flight = natural(fields[5]);
     const bool is_row = n && bits && flight && is_number(fields[1]) && is_number(fields[2]) &&
                         (fields[4] == "top" || fields[4] == "corner");
-    return is_row ? std::optional(CriticalTableRow{*n, fields[1], fields[2], *bits, fields[4], *flight})
+    return is_row ? std::optional(CriticalTableRow{*n, std::string(fields[1]), std::string(fields[2]), *bits,
+                                                   std::string(fields[4]), *flight})
                   : std::nullopt;
 }
 

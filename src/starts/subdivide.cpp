@@ -1,16 +1,12 @@
 #include "starts/subdivide.hpp"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
-
 #include <algorithm>
 #include <array>
 #include <numeric>
 #include <utility>
 
 #include "base/growing_tree.hpp"
-#include "number/self_test.hpp"
+#include "number/parallel.hpp"
 #include "starts/find_obstacle.hpp"
 #include "starts/follow.hpp"
 #include "starts/incoming.hpp"
@@ -22,6 +18,8 @@ namespace dumbbell::starts {
 namespace {
 
 using Tree = GrowingTree<InitialNode, InitialBox, initial_axes>;
+
+constexpr std::size_t boxes_together = 16;
 
 struct Judged {
     InitialLeaf leaf;
@@ -65,12 +63,11 @@ Judged judge(const InitialBox& box, const Tree::Depths& depths, const SubdivideO
 /// The boxes of one generation; the results do not depend on how the work is shared out.
 std::vector<Judged> judge_all(const Tree& tree, const SubdivideOptions& options) {
     std::vector<Judged> results(tree.boxes().size());
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, results.size(), 16), [&](const auto& range) {
-        require_sound_arithmetic();
-        for (std::size_t i = range.begin(); i != range.end(); ++i) {
+    in_parallel(results.size(), boxes_together, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i != end; ++i) {
             results[i] = judge(tree.boxes()[i], tree.depths(i), options);
         }
-        options.observer->advance(range.size());
+        options.observer->advance(end - begin);
     });
     return results;
 }
@@ -112,9 +109,8 @@ Obstacle obstacle_in(const InitialBox& box, bool incoming) {
 void explain(Subdivision& result, const Tree& tree, const std::vector<std::size_t>& undecided,
              bool incoming) {
     std::vector<Obstacle> found(undecided.size());
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, found.size(), 16), [&](const auto& range) {
-        require_sound_arithmetic();
-        for (std::size_t i = range.begin(); i != range.end(); ++i) {
+    in_parallel(found.size(), boxes_together, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i != end; ++i) {
             found[i] = obstacle_in(tree.boxes()[undecided[i]], incoming);
         }
     });
@@ -158,8 +154,7 @@ Subdivision grow(const InitialBox& box, const SubdivideOptions& options) {
 }  // namespace
 
 Subdivision subdivide(const InitialBox& box, const SubdivideOptions& options) {
-    tbb::task_arena arena(options.jobs);
-    return arena.execute([&] { return grow(box, options); });
+    return with_threads(options.jobs, Threads::shared, [&] { return grow(box, options); });
 }
 
 }  // namespace dumbbell::starts

@@ -5,13 +5,13 @@
 #include <algorithm>
 
 #include "base/error.hpp"
+#include "base/fields.hpp"
 #include "certificates/any_reader.hpp"
 #include "collisions/names.hpp"
 #include "collisions/reader.hpp"
 #include "collisions/steps.hpp"
 #include "collisions/writer.hpp"
 #include "file/sealed_lines.hpp"
-#include "file/verifier_program.hpp"
 
 namespace dumbbell::campaign {
 
@@ -44,7 +44,7 @@ Common common_of(const Order& order) {
 
 PlannedPiece parse_piece(const std::string& unit) {
     constexpr std::size_t longest = 10'000;  // a ratio of the command line as a fraction
-    const auto fields = words(unit);
+    const auto fields = split(unit, ' ');
     if (fields.size() == 5 && fields[0] == "piece") {
         const PlannedPiece piece{parse_rational(fields[1], longest), parse_rational(fields[2], longest),
                                  static_cast<long>(parse_size(fields[3])),
@@ -163,10 +163,7 @@ class CollisionsKind : public Kind {
 
     [[nodiscard]] std::string refutation(const Order& order, const std::string& /*folder*/,
                                          const std::string& file) const override {
-        const Verdict verdict =
-            ask_verifier({"--jobs=1", "--quiet", "--budget=10h",
-                          fmt::format("--scene={}", name(common_of(order).scene)), "--", file});
-        return verdict.accepts ? "" : fmt::format("not verified: {}", verdict.line);
+        return refuted(fmt::format("--scene={}", name(common_of(order).scene)), file);
     }
 };
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "base/error.hpp"
+#include "base/fields.hpp"
 #include "file/file_contents.hpp"
 #include "file/sealed_lines.hpp"
 #include "number/count_argument.hpp"
@@ -35,7 +36,7 @@ int digits_of(const Order& order) {
 }
 
 long parse_count(const std::string& unit) {
-    const auto fields = words(unit);
+    const auto fields = split(unit, ' ');
     const std::size_t n = fields.size() == 2 && fields[0] == "ratio" ? parse_size(fields[1]) : 0;
     if (n < 3 || n > std::size_t{greatest_count}) {
         throw InputError("the order has a critical ratio that is none");
@@ -55,7 +56,7 @@ std::string render(const std::vector<CriticalRatio>& ratios) {
 CriticalRatio parse_ratio(SealedReader& in) {
     constexpr std::size_t most_bits = 16384;
     constexpr std::size_t longest = 20'000;  // digits of a fraction with this many binary places, and more
-    const auto fields = words(in.value("ratio"));
+    const auto fields = split(in.value("ratio"), ' ');
     if (fields.size() != 4) {
         in.fail();
     }

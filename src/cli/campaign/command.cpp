@@ -5,7 +5,7 @@
 namespace dumbbell::cli {
 namespace {
 
-constexpr const char* description =
+constexpr const char* campaign_description =
     R"(Prove what is too big for one run: in shards, on this machine or many.
 
 A campaign is a folder of plain files. It can be stopped, killed and started again at any time: what is finished is
@@ -17,18 +17,20 @@ Examples:
   dumbbell campaign status stairs.campaign                   how far it is
   dumbbell campaign merge stairs.campaign --out stairs.dbc   verify the shards, join them)";
 
-constexpr const char* footer =
+constexpr const char* campaign_footer =
     R"(Workers on other machines, and what to think of before: docs/8-campaigns.md.
 The fields of --json: docs/reference/json.md.
 
 Exit codes: 0 done as asked; 1 internal error, or two results of one shard differ; 2 wrong usage or input; 3 not
 finished or not certified; 130 or 143 stopped by SIGINT (Ctrl-C) or SIGTERM: what is finished is kept.)";
 
-constexpr std::array commands{&campaign_plan_command, &campaign_run_command, &campaign_status_command,
-                              &campaign_merge_command, &campaign_work_command};
+constexpr std::array campaign_commands{&campaign_plan_command, &campaign_run_command,
+                                       &campaign_status_command, &campaign_merge_command,
+                                       &campaign_work_command};
 
 }  // namespace
 
-constinit const Command campaign_command{"campaign", "Prove", description, footer, {}, nullptr, commands};
+constinit const Command campaign_command{"campaign", "Prove", campaign_description, campaign_footer,
+                                         {},         nullptr, campaign_commands};
 
 }  // namespace dumbbell::cli

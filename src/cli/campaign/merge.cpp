@@ -18,14 +18,14 @@
 namespace dumbbell::cli {
 namespace {
 
-constexpr const char* description =
+constexpr const char* merge_description =
     R"(Verify the result of each shard with the independent verifier, and join them.
 
 The result is the file that the claim's command would have written by itself, byte for byte. One file proves one
 statement about the adiabatic invariant, so a grid of them is joined to a table, which names for each the certificate in
 the folder that dumbbell-verify accepts.)";
 
-constexpr std::array options{
+constexpr std::array merge_options{
     argument("FOLDER", "the campaign's folder").required(),
     Option{"--out", "FILE", "the file to write (FILE.gz: compressed); -: the standard output"}
         .checked([](const std::string& name) { return fault_of_name(name, std::nullopt); })
@@ -58,7 +58,7 @@ int not_merged(const std::string& folder, const std::string& out, const campaign
     return exit_not_certified;
 }
 
-int run(const Given& given) {
+int run_merge(const Given& given) {
     const std::string out = given.text("--out");
     const bool unverified = given.has("--unverified");
     campaign::CampaignFolder folder(given.text("FOLDER"));
@@ -104,7 +104,7 @@ int run(const Given& given) {
 
 }  // namespace
 
-constinit const Command campaign_merge_command{"merge",   one_group, description,
-                                               inherited, options,   stoppable<run>};
+constinit const Command campaign_merge_command{"merge",   one_group,     merge_description,
+                                               inherited, merge_options, stoppable<run_merge>};
 
 }  // namespace dumbbell::cli

@@ -26,7 +26,7 @@
 namespace dumbbell::cli {
 namespace {
 
-constexpr const char* description =
+constexpr const char* plan_description =
     R"(Cut a claim into shards, in a new folder.
 
 Examples:
@@ -39,16 +39,16 @@ Examples:
 constexpr Option shards_option =
     Option{"--shards", "N", "how many at most; default: 64, or more of about 10 s"}.from(1, 1'000'000);
 
-constexpr std::array options =
+constexpr std::array plan_options =
     joined(std::array{argument("FOLDER", "the campaign's folder, new or empty").required(), ratio_option},
            claim_options, std::array{shards_option});
 
-constexpr std::array critical_options{
+constexpr std::array critical_claim_options{
     argument("N1:N2", "range of numbers of collisions, from 3 on").required(), critical_digits_option};
 
-constexpr std::array adiabatic_options = statement_options(Deltas::list);
+constexpr std::array adiabatic_claim_options = statement_options(Deltas::list);
 
-constexpr std::array verify_options{argument("FILE", "certificate about collisions").required()};
+constexpr std::array verify_claim_options{argument("FILE", "certificate about collisions").required()};
 
 /// The folder comes first. Forgotten, it would be one that has the name of a claim, with another claim
 /// in it.
@@ -66,7 +66,7 @@ std::string new_folder(const Given& given) {
 /// The folder of a plan with another claim: the options of the one about a range would mean nothing.
 std::string new_folder(const Given& given, const char* claim) {
     const std::string folder = new_folder(given);
-    for (const Option& option : options) {
+    for (const Option& option : plan_options) {
         if (given.has(option.name) && option.name != "FOLDER" && option.name != shards_option.name) {
             throw InputError(
                 fmt::format("{} is of the claim about a range of mass ratios: give either that one, or {}",
@@ -126,36 +126,37 @@ int plan_verification(const Given& given) {
     return made(folder, made_of.plan, made_of.sources);
 }
 
-constexpr Command critical{"critical",
-                           one_group,
-                           "Critical ratios instead of a range of mass ratios.",
-                           inherited,
-                           critical_options,
-                           stoppable<plan_steps>,
-                           {},
-                           true};
-constexpr Command adiabatic{"adiabatic",
-                            one_group,
-                            "Constants of the adiabatic invariant, a shard for each statement of a grid.",
-                            inherited,
-                            adiabatic_options,
-                            stoppable<plan_statements>,
-                            {},
-                            true};
-constexpr Command verify{
+constexpr Command critical_claim{"critical",
+                                 one_group,
+                                 "Critical ratios instead of a range of mass ratios.",
+                                 inherited,
+                                 critical_claim_options,
+                                 stoppable<plan_steps>,
+                                 {},
+                                 true};
+constexpr Command adiabatic_claim{
+    "adiabatic",
+    one_group,
+    "Constants of the adiabatic invariant, a shard for each statement of a grid.",
+    inherited,
+    adiabatic_claim_options,
+    stoppable<plan_statements>,
+    {},
+    true};
+constexpr Command verify_claim{
     "verify",
     one_group,
     "The verification of a certificate, in parts. Merged they are what dumbbell-verify --combine takes.",
     inherited,
-    verify_options,
+    verify_claim_options,
     stoppable<plan_verification>,
     {},
     true};
-constexpr std::array claims{&critical, &adiabatic, &verify};
+constexpr std::array claims{&critical_claim, &adiabatic_claim, &verify_claim};
 
 }  // namespace
 
 constinit const Command campaign_plan_command{
-    "plan", one_group, description, inherited, options, stoppable<plan_range>, claims};
+    "plan", one_group, plan_description, inherited, plan_options, stoppable<plan_range>, claims};
 
 }  // namespace dumbbell::cli

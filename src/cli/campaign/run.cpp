@@ -29,7 +29,7 @@
 namespace dumbbell::cli {
 namespace {
 
-constexpr const char* description = R"(Work off what is not finished of a campaign.
+constexpr const char* run_description = R"(Work off what is not finished of a campaign.
 
 The same command goes on after it was stopped or killed.
 
@@ -39,7 +39,7 @@ Examples:
   dumbbell campaign run stairs.campaign --engine workqueue      on workers, which come and go; prints how to start one
   dumbbell campaign run stairs.campaign --engine workqueue --port 9200 --address 10.0.0.1    for a network of its own)";
 
-constexpr std::array options{
+constexpr std::array run_options{
     argument("FOLDER", "the campaign's folder").required(),
     Option{"--engine", "local|workqueue", "local (threads), or workqueue (workers on any machines)", "local"},
     Option{"--port", "N", "workqueue: the port that workers connect to; 0: any free one", "9123"}  // of TCP
@@ -134,7 +134,7 @@ std::unique_ptr<campaign::Engine> engine_of(const Given& given, const campaign::
     return engine;
 }
 
-int run(const Given& given) try {
+int run_shards(const Given& given) try {
     campaign::CampaignFolder folder(given.text("FOLDER"));
     folder.lock();
     campaign::CampaignOptions how;
@@ -178,7 +178,7 @@ int run(const Given& given) try {
 
 }  // namespace
 
-constinit const Command campaign_run_command{"run",     one_group, description,
-                                             inherited, options,   stoppable<run>};
+constinit const Command campaign_run_command{"run",     one_group,   run_description,
+                                             inherited, run_options, stoppable<run_shards>};
 
 }  // namespace dumbbell::cli

@@ -10,11 +10,11 @@
 namespace dumbbell::cli {
 namespace {
 
-constexpr std::array options{argument("FOLDER", "the campaign's folder").required(),
-                             json_option.excludes("--quiet"),
-                             flag("--quiet", "one sentence").excludes("--json")};
+constexpr std::array status_options{argument("FOLDER", "the campaign's folder").required(),
+                                    json_option.excludes("--quiet"),
+                                    flag("--quiet", "one sentence").excludes("--json")};
 
-int run(const Given& given) {
+int run_status(const Given& given) {
     fmt::print("{}", shown(campaign_status(campaign::CampaignFolder(given.text("FOLDER"))), given));
     return exit_done;
 }
@@ -26,7 +26,7 @@ constinit const Command campaign_status_command{
     one_group,
     "How far a campaign is, while it runs or later: shards, rate, time left, each worker.",
     inherited,
-    options,
-    run};
+    status_options,
+    run_status};
 
 }  // namespace dumbbell::cli

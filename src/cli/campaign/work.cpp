@@ -22,13 +22,13 @@
 namespace dumbbell::cli {
 namespace {
 
-constexpr const char* description =
+constexpr const char* work_description =
     "Work one order off (a worker does; nobody types this). It ends with 0 if the result is there, with 3 if "
     "not within the limit.";
 
-constexpr std::array options{argument("ORDER", "file with the order").required(),
-                             argument("RESULT", "file to write").required(),
-                             Option{"--limit", "SECONDS", "how long it may take"}};
+constexpr std::array work_options{argument("ORDER", "file with the order").required(),
+                                  argument("RESULT", "file to write").required(),
+                                  Option{"--limit", "SECONDS", "how long it may take"}};
 
 /// --limit, if it was given.
 std::optional<std::chrono::duration<double>> limit_of(const Given& given) {
@@ -36,7 +36,7 @@ std::optional<std::chrono::duration<double>> limit_of(const Given& given) {
                                 : std::nullopt;
 }
 
-int run(const Given& given) {
+int run_work(const Given& given) {
     // A worker that gives a task up ends the shell that waits for this program, and nothing else.
     ::prctl(PR_SET_PDEATHSIG, SIGKILL);
     require_sound_arithmetic();
@@ -54,6 +54,7 @@ int run(const Given& given) {
 
 }  // namespace
 
-constinit const Command campaign_work_command{"work", "", description, inherited, options, stoppable<run>};
+constinit const Command campaign_work_command{"work",    "",           work_description,
+                                              inherited, work_options, stoppable<run_work>};
 
 }  // namespace dumbbell::cli

@@ -6,6 +6,7 @@
 
 #include "adiabatic/prove.hpp"
 #include "base/error.hpp"
+#include "base/fields.hpp"
 #include "number/decimal.hpp"
 #include "number/ratio_argument.hpp"
 #include "starts/argument.hpp"
@@ -18,8 +19,10 @@ namespace {
 
 constexpr std::size_t most_statements = 100'000;
 
-/// An empty text, and one that ends with a comma, have an empty part.
-std::vector<std::string> list_of(const std::string& text) { return split(text + ',', ','); }
+std::vector<std::string> list_of(const std::string& text) {
+    const auto parts = split(text, ',');
+    return {parts.begin(), parts.end()};
+}
 
 std::vector<Rational> parse_list(const char* option, const std::string& text) {
     std::vector<Rational> numbers;

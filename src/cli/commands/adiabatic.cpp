@@ -21,7 +21,7 @@
 namespace dumbbell::cli {
 namespace {
 
-constexpr const char* description =
+constexpr const char* adiabatic_description =
     R"(Prove the constants of the adiabatic invariant of a light mass that spins fast.
 
 The invariant is I = |phidot| (pi - arccos y), the light mass beta1 = epsilon = delta^2, and |phidot| = 1 and
@@ -44,13 +44,13 @@ Examples:
   dumbbell adiabatic --delta 0.01 --theorem cor3.2 --k 1/4
   dumbbell adiabatic --delta 0.01 --theorem thm3.5 --out scattering.dbc)";
 
-constexpr const char* footer =
+constexpr const char* adiabatic_footer =
     R"(The fields of --json: docs/reference/json.md.
 
 Exit codes: 0 certified; 1 internal error; 2 wrong usage or input; 3 not certified within the budget; 130 or 143
 stopped by SIGINT (Ctrl-C) or SIGTERM: nothing is kept.)";
 
-constexpr std::array options =
+constexpr std::array adiabatic_options =
     joined(statement_options(Deltas::one),
            std::array{Option{"--bounces", "K",
                              "thm3.3: look for the attained orbit with at most K/delta bounces (the bound "
@@ -76,7 +76,7 @@ long most_collisions(const Given& given, const adiabatic::AdiabaticHypotheses& o
     return number >= most ? most : static_cast<long>(number.convert_to<double>());
 }
 
-adiabatic::AdiabaticResult proved(const adiabatic::AdiabaticRequest& request) {
+adiabatic::AdiabaticResult proved_statement(const adiabatic::AdiabaticRequest& request) {
     const Stopwatch watch;
     adiabatic::AdiabaticResult result;
     result.proof = prove_adiabatic(request);
@@ -95,8 +95,8 @@ adiabatic::AdiabaticResult proved(const adiabatic::AdiabaticRequest& request) {
 }
 
 /// Proves all the statements, into the report.
-void prove(const std::vector<adiabatic::AdiabaticHypotheses>& wanted, const Given& given,
-           const Interrupted& interrupted, adiabatic::AdiabaticReport& report) {
+void prove_statements(const std::vector<adiabatic::AdiabaticHypotheses>& wanted, const Given& given,
+                      const Interrupted& interrupted, adiabatic::AdiabaticReport& report) {
     constexpr const char* search = "looking for an orbit with a great error";
     Progress progress("boxes", verbosity_of(given), search);
     for (const adiabatic::AdiabaticHypotheses& of : wanted) {
@@ -108,11 +108,11 @@ void prove(const std::vector<adiabatic::AdiabaticHypotheses>& wanted, const Give
         request.interrupted = interrupted;
         request.observer = &progress;
         progress.enter(search, "");
-        report.results.push_back(proved(request));
+        report.results.push_back(proved_statement(request));
     }
 }
 
-int run(const Given& given) {
+int run_adiabatic(const Given& given) {
     const auto wanted = statements_of(given, Deltas::one);
     adiabatic::AdiabaticReport report{given.text("--theorem"), accuracy_of(given), {}, {}, {}};
     if (given.has("--out") && wanted.size() > 1) {
@@ -121,7 +121,7 @@ int run(const Given& given) {
     }
     const Output output(given.text("--out"), {}, given.has("--json") ? "--json" : nullptr);
     const Interrupted interrupted = deadline(budget_of(given));
-    prove(wanted, given, interrupted, report);
+    prove_statements(wanted, given, interrupted, report);
     const bool complete = std::ranges::all_of(
         report.results, [](const adiabatic::AdiabaticResult& result) { return result.proof.complete(); });
     if (output.is_wanted() && complete) {
@@ -146,6 +146,7 @@ int run(const Given& given) {
 
 }  // namespace
 
-constinit const Command adiabatic_command{"adiabatic", "Prove", description, footer, options, stoppable<run>};
+constinit const Command adiabatic_command{"adiabatic",      "Prove",           adiabatic_description,
+                                          adiabatic_footer, adiabatic_options, stoppable<run_adiabatic>};
 
 }  // namespace dumbbell::cli

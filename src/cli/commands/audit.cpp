@@ -10,7 +10,7 @@
 namespace dumbbell::cli {
 namespace {
 
-constexpr const char* description =
+constexpr const char* audit_description =
     R"(Prove exactly that a certificate's leaves tile the section, and its pieces the range.
 
 Every leaf box is derived again as exact rationals; that no two overlap and that their areas add up to the root's is
@@ -19,12 +19,12 @@ dumbbell verify, not here.
 
 Example: dumbbell audit certificates/stairs-1-100.dbc)";
 
-constexpr const char* footer =
+constexpr const char* audit_footer =
     R"(The fields of --json: docs/reference/json.md.
 
 Exit codes: 0 tiles exactly; 1 internal error; 2 wrong usage or unreadable input; 3 does not tile.)";
 
-constexpr std::array options{
+constexpr std::array audit_options{
     argument("FILE", "certificates about mass ratios, with covers (-: the standard input)")
         .required()
         .repeated(),
@@ -39,7 +39,7 @@ audit::AuditedFile audited(const std::string& path) {
     return file;
 }
 
-int run(const Given& given) {
+int run_audit(const Given& given) {
     std::vector<audit::AuditedFile> files;
     bool all = true;
     for (const std::string& path : given.words("FILE")) {
@@ -61,6 +61,7 @@ int run(const Given& given) {
 
 }  // namespace
 
-constinit const Command audit_command{"audit", "Check", description, footer, options, run};
+constinit const Command audit_command{"audit",      "Check",       audit_description,
+                                      audit_footer, audit_options, run_audit};
 
 }  // namespace dumbbell::cli

@@ -28,7 +28,7 @@ using collisions::ProvedPiece;
 
 namespace {
 
-constexpr const char* description =
+constexpr const char* certify_description =
     R"(Prove the greatest number of collisions for a mass ratio, or every ratio of a range.
 
 RATIO is q = heavy mass / light mass: 10, 4.6, 1e6 or 9/2, exactly as written. LO:HI is a closed range. Below 1 the
@@ -47,13 +47,13 @@ time, the same command goes on with them and ends with the same file.
 --by law proves nothing anew: its certificate is small, names the certificate of the law (dumbbell law) by its SHA-256,
 and is verified only together with that. Where the law leaves two values it says both. Without it no law is used.)";
 
-constexpr const char* footer =
+constexpr const char* certify_footer =
     R"(The fields of --json: docs/reference/json.md.
 
 Exit codes: 0 proved; 1 internal error; 2 wrong usage or input; 3 not decided (within the budget; by the law: two values
 remain); 130 or 143 stopped by SIGINT (Ctrl-C) or SIGTERM: what is kept is said, and FILE not written.)";
 
-constexpr std::array options = joined(
+constexpr std::array certify_options = joined(
     std::array{ratio_option.required()}, claim_options,
     std::array{
         certificate_option, jobs_option, budget_option.saying("give up after this time: 30s, 10m, 2h"),
@@ -82,7 +82,7 @@ CertifyRequest certify_request(const Given& given, const RatioArgument& ratio) {
     return request;
 }
 
-std::vector<ProvedPiece> prove(CertifyRequest request, Verbosity verbosity) {
+std::vector<ProvedPiece> prove_pieces(CertifyRequest request, Verbosity verbosity) {
     const bool single = request.q_lo == request.q_hi;
     Progress progress(single ? "boxes" : "steps", verbosity, single ? "proving" : "looking for steps");
     request.observer = &progress;
@@ -125,8 +125,8 @@ collisions::ProofReport describe(const CertifyRequest& request, const std::vecto
     return report;
 }
 
-collisions::Certificate certificate_of(const CertifyRequest& request,
-                                       const std::vector<ProvedPiece>& pieces) {
+collisions::Certificate certificate_of_pieces(const CertifyRequest& request,
+                                              const std::vector<ProvedPiece>& pieces) {
     collisions::Certificate certificate{.pieces = {}, .scene = request.scene, .section = request.section};
     for (const ProvedPiece& p : pieces) {
         certificate.pieces.push_back(p.piece);
@@ -140,7 +140,7 @@ std::string text_of(const collisions::ProofReport& report, bool swapped, bool wi
                        witness ? "\n" : "", to_text(report));
 }
 
-int run(const Given& given) {
+int run_certify(const Given& given) {
     if (given.text("--by") == "law") {
         return certify_by_law(given);
     }
@@ -162,7 +162,7 @@ int run(const Given& given) {
         }
     }
     const Stopwatch watch;
-    const auto pieces = prove(request, verbosity_of(given));
+    const auto pieces = prove_pieces(request, verbosity_of(given));
     const double seconds = watch.seconds();
 
     const bool open = std::any_of(pieces.begin(), pieces.end(), [](const ProvedPiece& p) {
@@ -174,7 +174,7 @@ int run(const Given& given) {
     }
     collisions::ProofReport report = describe(request, pieces, seconds, given);
     if (output.is_wanted()) {
-        write(render(certificate_of(request, pieces)), output, report);
+        write(render(certificate_of_pieces(request, pieces)), output, report);
     }
     if (store && !open) {
         store->remove();
@@ -189,6 +189,7 @@ int run(const Given& given) {
 
 }  // namespace
 
-constinit const Command certify_command{"certify", "Prove", description, footer, options, stoppable<run>};
+constinit const Command certify_command{"certify",      "Prove",         certify_description,
+                                        certify_footer, certify_options, stoppable<run_certify>};
 
 }  // namespace dumbbell::cli

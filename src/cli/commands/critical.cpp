@@ -26,7 +26,7 @@
 namespace dumbbell::cli {
 namespace {
 
-constexpr const char* description =
+constexpr const char* critical_description =
     R"(Compute critical mass ratios, where the greatest number steps from N-1 to N.
 
 Every digit printed is proved. The enclosures rest on theorem 2 of proofs/theorem.md; --confirm checks both sides
@@ -41,13 +41,13 @@ Examples:
   dumbbell critical 3:902 --digits 50 --out ratios.tsv   a table as a file
   dumbbell critical 1e50 --by law                        by the law, with its width)";
 
-constexpr const char* footer =
+constexpr const char* critical_footer =
     R"(The fields of --json: docs/reference/json.md.
 
 Exit codes: 0 proved; 1 internal error; 2 wrong usage or input; 3 not finished or not confirmed (within the budget); 130
 or 143 stopped by SIGINT (Ctrl-C) or SIGTERM: nothing is kept.)";
 
-constexpr std::array options{
+constexpr std::array critical_options{
     argument("N", "number of collisions from 3 on, or closed range N1:N2").required(),
     critical_digits_option,
     Option{"--confirm", "REL",
@@ -118,7 +118,7 @@ std::vector<staircase::CriticalRow> enclose(staircase::CriticalRequest request, 
     return critical_ratios(request);
 }
 
-staircase::CriticalRequest request_of(const Given& given) {
+staircase::CriticalRequest critical_request(const Given& given) {
     staircase::CriticalRequest request;
     std::tie(request.first, request.last) = parse_counts(given.text("N"));
     request.digits = static_cast<int>(given.number("--digits"));
@@ -131,11 +131,11 @@ staircase::CriticalRequest request_of(const Given& given) {
     return request;
 }
 
-int run(const Given& given) {
+int run_critical(const Given& given) {
     if (given.text("--by") == "law") {
         return critical_by_law(given);
     }
-    staircase::CriticalReport report{.request = request_of(given), .rows = {}, .seconds = 0, .out = {}};
+    staircase::CriticalReport report{.request = critical_request(given), .rows = {}, .seconds = 0, .out = {}};
     const Output output(given.text("--out"), {}, given.has("--json") ? "--json" : nullptr);
     const Stopwatch watch;
     report.rows = enclose(report.request, verbosity_of(given));
@@ -167,6 +167,7 @@ int run(const Given& given) {
 
 }  // namespace
 
-constinit const Command critical_command{"critical", "Prove", description, footer, options, stoppable<run>};
+constinit const Command critical_command{"critical",      "Prove",          critical_description,
+                                         critical_footer, critical_options, stoppable<run_critical>};
 
 }  // namespace dumbbell::cli

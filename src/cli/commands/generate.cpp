@@ -10,15 +10,15 @@
 namespace dumbbell::cli {
 namespace {
 
-constexpr const char* description =
+constexpr const char* generate_description =
     R"(Print what is made from the table of commands and options: man page, bash completion, or docs/reference/commands.md.
 
 Example: source <(dumbbell generate completion))";
 
-constexpr std::array options{
+constexpr std::array generate_options{
     Option{"WHAT", "man|completion|reference", "man, completion or reference"}.required()};
 
-int run(const Given& given) {
+int run_generate(const Given& given) {
     const std::string what = given.text("WHAT");
     fmt::print("{}", what == "man"          ? pages::man_page(dumbbell_command)
                      : what == "completion" ? pages::bash_completion(dumbbell_command)
@@ -29,6 +29,8 @@ int run(const Given& given) {
 }  // namespace
 
 constinit const Command generate_command{
-    "generate", "", description, "Exit codes: 0 done; 1 internal error; 2 wrong usage.", options, run};
+    "generate",           "",
+    generate_description, "Exit codes: 0 done; 1 internal error; 2 wrong usage.",
+    generate_options,     run_generate};
 
 }  // namespace dumbbell::cli

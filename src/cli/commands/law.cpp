@@ -12,7 +12,7 @@
 namespace dumbbell::cli {
 namespace {
 
-constexpr const char* description =
+constexpr const char* law_description =
     R"(State the law of N(q) for every mass ratio, or what one staircase says as a whole.
 
 Without a FILE: for every q >= 62.72, 2 + floor(C sqrt q - c0 q^(-1/4)) <= N(q) <= 2 + floor(C sqrt q), with its two
@@ -31,13 +31,13 @@ Examples:
   dumbbell certify 1:10000 --gap 1e-12 --out stairs.dbc
   dumbbell law stairs.dbc                     what this staircase says)";
 
-constexpr const char* footer =
+constexpr const char* law_footer =
     R"(The fields of --json: docs/reference/json.md.
 
 Exit codes: 0 proved; 1 internal error; 2 wrong usage, or a file that is not verified; 3 not proved by this file, or two
 values remain (--ratio); 130 or 143 stopped by SIGINT (Ctrl-C) or SIGTERM: nothing is kept.)";
 
-constexpr std::array options{
+constexpr std::array law_options{
     argument("FILE",
              "certificate of a staircase, scene dumbbell, or of the law (-: the standard input); none: "
              "that of the law, which comes with the program"),
@@ -49,7 +49,7 @@ constexpr std::array options{
     json_option,
     flag("--quiet", "what is proved, without the constants, and no progress")};
 
-int run(const Given& given) {
+int run_law(const Given& given) {
     if (given.has("--prove") && given.has("FILE")) {
         throw InputError(
             "--prove makes the certificate of the law: name where to write it by --out, and no FILE");
@@ -67,6 +67,6 @@ int run(const Given& given) {
 
 }  // namespace
 
-constinit const Command law_command{"law", "Check", description, footer, options, run};
+constinit const Command law_command{"law", "Check", law_description, law_footer, law_options, run_law};
 
 }  // namespace dumbbell::cli

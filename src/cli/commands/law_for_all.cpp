@@ -24,7 +24,7 @@
 namespace dumbbell::cli {
 namespace {
 
-std::optional<law::LawCertificate> prove(const Given& given) {
+std::optional<law::LawCertificate> prove_anew(const Given& given) {
     Progress progress("boxes", verbosity_of(given), "covering the layer");
     law::LawRequest request;
     request.jobs = jobs_of(given);
@@ -45,7 +45,7 @@ std::string law_certificate(const std::string& name) {
     return file;
 }
 
-law::AtRatioReport at_ratio(const Rational& q, const std::string& file) {
+law::AtRatioReport answer_at(const Rational& q, const std::string& file) {
     std::string sha256 = certificates::sealed_digest(file);
     return {law::law_at(q, law::read_steps(file)), file, std::move(sha256)};
 }
@@ -90,7 +90,7 @@ int law_for_all(const Given& given, const std::string& file) {
 int prove_law_for_all(const Given& given) {
     const Output output(given.text("--out"), {}, given.has("--json") ? "--json" : nullptr);
     const Stopwatch watch;
-    const auto certificate = prove(given);
+    const auto certificate = prove_anew(given);
     if (!certificate) {
         const std::string nothing = output.is_wanted() ? "; no certificate is written" : "";
         if (stop_signal != 0) {
@@ -114,7 +114,7 @@ int law_at_one_ratio(const Given& given) {
     if (ratio.lo != ratio.hi) {
         throw InputError("--ratio takes one mass ratio, for example 1e100 or 7/3");
     }
-    const law::AtRatioReport report = at_ratio(ratio.lo, law_certificate(given.text("FILE")));
+    const law::AtRatioReport report = answer_at(ratio.lo, law_certificate(given.text("FILE")));
     fmt::print("{}", shown(report, given));
     return report.at.lower == report.at.upper ? exit_done : exit_not_certified;
 }
@@ -128,7 +128,7 @@ int certify_by_law(const Given& given) {
     }
     const std::string file = law_certificate(given.text("--law"));
     const Output output(given.text("--out"), {file}, given.has("--json") ? "--json" : nullptr);
-    law::CertifiedReport report{.answer = at_ratio(ratio.lo, file)};
+    law::CertifiedReport report{.answer = answer_at(ratio.lo, file)};
     if (given.has("--law")) {
         report.law = given.text("--law");
     }

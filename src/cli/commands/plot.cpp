@@ -10,10 +10,10 @@
 namespace dumbbell::cli {
 namespace {
 
-constexpr const char* footer =
+constexpr const char* plot_footer =
     "Exit codes: 0 done; 1 internal error; 2 wrong usage, or a file that is not verified.";
 
-constexpr const char* description =
+constexpr const char* plot_description =
     R"(Draw pictures (SVG) from certificates: text as text, for light and dark pages.
 
 Nothing is drawn as proved that is not: each certificate is verified first. The same certificate gives the same bytes.
@@ -27,7 +27,7 @@ Examples:
   dumbbell plot shares falling.dbc --out shares.svg
   dumbbell plot adiabatic scattering.dbc --out adiabatic.svg)";
 
-constexpr const char* staircase_description =
+constexpr const char* staircase_picture_description =
     R"(The proved maximum N(q) of a scene, and the gaps in which it is one of two values.
 
 For the dumbbell with the source paper's bound, for a wedge with its formula.
@@ -36,7 +36,7 @@ Example:
   dumbbell certify 1:100 --out stairs.dbc
   dumbbell plot staircase stairs.dbc --out stairs.svg)";
 
-constexpr const char* law_description =
+constexpr const char* law_picture_description =
     R"(N(q) - C sqrt q: what a staircase proves, and beyond it the law.
 
 The teeth are the certificate's. Beyond its end the picture shows what Theorem B of proofs/law.md says of every q, and
@@ -47,7 +47,7 @@ command does not read.
 Example:
   dumbbell plot law certificates/stairs-1-100.dbc --to 1e6 --out law.svg)";
 
-constexpr const char* cover_description =
+constexpr const char* cover_picture_description =
     R"(The boxes of a cover, coloured by the number of collisions that they prove.
 
 They are drawn chart by chart in the coordinates of docs/reference/format.md; a box with another reason has that
@@ -58,7 +58,7 @@ Example:
   dumbbell certify 100 --section full --out full.dbc
   dumbbell plot cover full.dbc --out cover.svg)";
 
-constexpr const char* orbit_description =
+constexpr const char* orbit_picture_description =
     R"(An orbit with the greatest number of collisions, and the dumbbell at each of them.
 
 It is the witness, every collision enclosed, in the plane of the rod's angle and the height, above the floor as the
@@ -70,7 +70,7 @@ Examples:
   dumbbell plot orbit 100 --out orbit.svg
   dumbbell plot orbit certificates/stairs-1-100.dbc --ratio 50 --out orbit.svg)";
 
-constexpr const char* adiabatic_description =
+constexpr const char* adiabatic_picture_description =
     R"(The adiabatic invariant along one orbit, with the bound that is proved for all.
 
 It is drawn along the enclosed orbit of a certificate by dumbbell adiabatic: I = |phidot| (pi - arccos y) with its two
@@ -81,7 +81,7 @@ Example:
   dumbbell adiabatic --delta 0.01 --theorem thm3.5 --out scattering.dbc
   dumbbell plot adiabatic scattering.dbc --out adiabatic.svg)";
 
-constexpr const char* phase_description =
+constexpr const char* phase_picture_description =
     R"(Initial conditions, coloured by their certified number of collisions.
 
 They are those of a certificate by dumbbell trace --subdivide. Two of phi, phidot, y, ydot and the mass ratio must be
@@ -91,7 +91,7 @@ Example:
   dumbbell trace 10 --phi 0:6.28 --phidot 1 --y 2 --ydot=-2:1 --subdivide --out falling.dbc
   dumbbell plot phase falling.dbc --out phase.svg)";
 
-constexpr const char* shares_description =
+constexpr const char* shares_picture_description =
     R"(How likely each number of collisions is, of a box of initial conditions.
 
 They are those of a certificate by dumbbell trace --subdivide: a bar for each number of collisions, up to the share that
@@ -109,15 +109,15 @@ constexpr std::array<Option, 2> from_file(std::string_view text) {
                 .required()};
 }
 
-constexpr std::array at_ratio{
+constexpr std::array with_ratio{
     Option{"--ratio", "RATIO", "the mass ratio to draw, of a certificate over a range"}};
 
-constexpr std::array to_ratio{Option{"--to", "RATIO", "the mass ratio where the picture ends", "1e12"}};
+constexpr std::array with_end{Option{"--to", "RATIO", "the mass ratio where the picture ends", "1e12"}};
 
 enum class Asks { nothing, ratio, to };
 
 template <std::string (*draw)(const PlotRequest&), Asks asks = Asks::nothing>
-int run(const Given& given) {
+int run_plot(const Given& given) {
     const Output out(given.text("--out"), {given.text("FILE")});
     out.commit(draw({.file = input_file(given.text("FILE")),
                      .ratio = asks == Asks::ratio ? given.text("--ratio") : "",
@@ -125,18 +125,18 @@ int run(const Given& given) {
     return exit_done;
 }
 
-constexpr std::array staircase_options =
+constexpr std::array staircase_picture_options =
     from_file("certificate over a range of mass ratios (-: the standard input)");
-constexpr std::array law_options = joined(staircase_options, to_ratio);
-constexpr std::array cover_options =
+constexpr std::array law_picture_options = joined(staircase_picture_options, with_end);
+constexpr std::array cover_picture_options =
     joined(from_file("certificate about a mass ratio, or about initial conditions (-: the standard input)"),
-           at_ratio);
-constexpr std::array orbit_options =
-    joined(from_file("mass ratio, or certificate (-: the standard input)"), at_ratio);
-constexpr std::array phase_options =
+           with_ratio);
+constexpr std::array orbit_picture_options =
+    joined(from_file("mass ratio, or certificate (-: the standard input)"), with_ratio);
+constexpr std::array phase_picture_options =
     from_file("certificate about initial conditions (-: the standard input)");
-constexpr std::array shares_options = phase_options;
-constexpr std::array adiabatic_options =
+constexpr std::array shares_picture_options = phase_picture_options;
+constexpr std::array adiabatic_picture_options =
     from_file("certificate about the adiabatic invariant (-: the standard input)");
 
 constexpr Command picture(std::string_view name, std::string_view text, std::span<const Option> options,
@@ -144,19 +144,25 @@ constexpr Command picture(std::string_view name, std::string_view text, std::spa
     return {name, one_group, text, inherited, options, run};
 }
 
-constexpr Command staircase =
-    picture("staircase", staircase_description, staircase_options, run<draw_staircase>);
-constexpr Command law = picture("law", law_description, law_options, run<draw_law, Asks::to>);
-constexpr Command cover = picture("cover", cover_description, cover_options, run<draw_cover, Asks::ratio>);
-constexpr Command orbit = picture("orbit", orbit_description, orbit_options, run<draw_orbit, Asks::ratio>);
-constexpr Command phase = picture("phase", phase_description, phase_options, run<draw_phase>);
-constexpr Command shares = picture("shares", shares_description, shares_options, run<draw_shares>);
-constexpr Command adiabatic =
-    picture("adiabatic", adiabatic_description, adiabatic_options, run<draw_adiabatic>);
-constexpr std::array pictures{&staircase, &cover, &orbit, &phase, &shares, &adiabatic, &law};
+constexpr Command staircase_picture =
+    picture("staircase", staircase_picture_description, staircase_picture_options, run_plot<draw_staircase>);
+constexpr Command law_picture =
+    picture("law", law_picture_description, law_picture_options, run_plot<draw_law, Asks::to>);
+constexpr Command cover_picture =
+    picture("cover", cover_picture_description, cover_picture_options, run_plot<draw_cover, Asks::ratio>);
+constexpr Command orbit_picture =
+    picture("orbit", orbit_picture_description, orbit_picture_options, run_plot<draw_orbit, Asks::ratio>);
+constexpr Command phase_picture =
+    picture("phase", phase_picture_description, phase_picture_options, run_plot<draw_phase>);
+constexpr Command shares_picture =
+    picture("shares", shares_picture_description, shares_picture_options, run_plot<draw_shares>);
+constexpr Command adiabatic_picture =
+    picture("adiabatic", adiabatic_picture_description, adiabatic_picture_options, run_plot<draw_adiabatic>);
+constexpr std::array pictures{&staircase_picture, &cover_picture,     &orbit_picture, &phase_picture,
+                              &shares_picture,    &adiabatic_picture, &law_picture};
 
 }  // namespace
 
-constinit const Command plot_command{"plot", "Show", description, footer, {}, nullptr, pictures};
+constinit const Command plot_command{"plot", "Show", plot_description, plot_footer, {}, nullptr, pictures};
 
 }  // namespace dumbbell::cli

@@ -53,7 +53,7 @@ const char* what_it_is(const certificates::AnyCertificate& certificate) {
 
 /// The certificate, if it is of this kind. Throws InputError, saying what to run, if it is of another.
 template <class Kind>
-Kind certificate_of(const std::string& file, const char* picture, const char* make) {
+Kind certificate_for(const std::string& file, const char* picture, const char* make) {
     certificates::AnyCertificate any = certificates::read_any_certificate(file);
     Kind* certificate = std::get_if<Kind>(&any);
     if (certificate == nullptr) {
@@ -98,7 +98,7 @@ const Piece& piece_at(const PlotRequest& request, const Certificate& certificate
 }
 
 Certificate verified_dumbbell(const PlotRequest& request, const char* picture, const char* make) {
-    auto certificate = certificate_of<Certificate>(request.file, picture, make);
+    auto certificate = certificate_for<Certificate>(request.file, picture, make);
     if (certificate.scene != collisions::Scene::dumbbell) {
         throw InputError(fmt::format("'{}' is about the scene {}: plot {} draws the dumbbell", request.file,
                                      name(certificate.scene), picture));
@@ -110,7 +110,7 @@ Certificate verified_dumbbell(const PlotRequest& request, const char* picture, c
 /// One of another kind, which knows of no scene but the dumbbell's.
 template <class Kind>
 Kind verified_certificate(const PlotRequest& request, const char* picture, const char* make) {
-    auto certificate = certificate_of<Kind>(request.file, picture, make);
+    auto certificate = certificate_for<Kind>(request.file, picture, make);
     (void)verified(request.file, name(collisions::Scene::dumbbell));
     return certificate;
 }
@@ -130,7 +130,7 @@ bool is_ratio(const std::string& text) {
 }
 
 /// Proves the greatest number of collisions at one mass ratio.
-Piece proved(const Rational& q) {
+Piece proved_piece(const Rational& q) {
     Progress progress("boxes", Verbosity::normal, "proving");
     collisions::CertifyRequest single;
     single.q_lo = single.q_hi = q;
@@ -142,7 +142,7 @@ Piece proved(const Rational& q) {
 }  // namespace
 
 std::string draw_staircase(const PlotRequest& request) {
-    const auto certificate = certificate_of<Certificate>(request.file, "staircase", make_staircase);
+    const auto certificate = certificate_for<Certificate>(request.file, "staircase", make_staircase);
     if (certificate.q_lo() == certificate.q_hi()) {
         throw InputError("a staircase needs a range of mass ratios: this certificate holds a single one");
     }
@@ -206,7 +206,7 @@ std::string draw_orbit(const PlotRequest& request) {
         if (q > greatest_drawn_ratio) {
             throw InputError("beyond the mass ratio 10^8 an orbit has too many collisions for a picture");
         }
-        piece = proved(q);
+        piece = proved_piece(q);
     } else {
         const Certificate certificate = verified_dumbbell(request, "orbit", make_orbit);
         q = ratio_of(request, certificate);

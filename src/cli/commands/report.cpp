@@ -12,7 +12,7 @@
 namespace dumbbell::cli {
 namespace {
 
-constexpr const char* description =
+constexpr const char* report_description =
     R"(Make one HTML page from certificates, to be opened in any browser.
 
 It needs no network and no other file. It shows the staircase against the source paper's bound, the boxes of a cover
@@ -29,10 +29,10 @@ Examples:
   dumbbell report stairs.dbc full-100.dbc falling.dbc --out report.html
   dumbbell report certificates/full-1000.dbc.gz --max-boxes 5000 --out small.html)";
 
-constexpr const char* footer =
+constexpr const char* report_footer =
     "Exit codes: 0 the page is written; 1 internal error; 2 wrong usage, or a file that cannot be read.";
 
-constexpr std::array options{
+constexpr std::array report_options{
     argument("FILE",
              "certificates of all kinds but the law's, tables of critical ratios (-: the standard input)")
         .required()
@@ -44,7 +44,7 @@ constexpr std::array options{
            "boxes that the page draws; where there are more, one stands for several, and is marked", "200000"}
         .from(1, 2'000'000)};
 
-int run(const Given& given) {
+int run_report(const Given& given) {
     const Output out(given.text("--out"), given.words("FILE"));
     const auto most_boxes = static_cast<std::size_t>(given.number("--max-boxes"));
     Progress progress("", Verbosity::normal, "making the page");
@@ -66,6 +66,7 @@ int run(const Given& given) {
 
 }  // namespace
 
-constinit const Command report_command{"report", "Show", description, footer, options, run};
+constinit const Command report_command{"report",      "Show",         report_description,
+                                       report_footer, report_options, run_report};
 
 }  // namespace dumbbell::cli

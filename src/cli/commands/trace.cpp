@@ -27,7 +27,7 @@ namespace {
 
 constexpr int most_subdivide_bits = 4096;  ///< of a certificate
 
-constexpr const char* description =
+constexpr const char* trace_description =
     R"(Follow one initial condition, or a box of them, through all its collisions.
 
 RATIO is q = heavy mass / light mass (below 1 the masses are swapped). The dumbbell starts in the air: the
@@ -56,7 +56,7 @@ Examples:
   dumbbell trace 10 --phi 0:3 --phidot -1/2:1/2 --y 3/2 --ydot -1 --subdivide --shares
   dumbbell trace 10 --incoming --subdivide --shares                      how likely is each number of collisions?)";
 
-constexpr const char* footer =
+constexpr const char* trace_footer =
     R"(The fields of --json: docs/reference/json.md.
 
 Exit codes: 0 an outcome is certified; 1 internal error; 2 wrong usage or input; 3 not decided at this precision, or at
@@ -67,7 +67,7 @@ constexpr Option quantity_option(std::string_view name, std::string_view text) {
     return Option{name, "A|LO:HI", text};
 }
 
-constexpr std::array options{
+constexpr std::array trace_options{
     ratio_option.required(),
     quantity_option("--phi", "angle of the rod: radians, or like 30deg, pi/2, 0.3pi"),
     quantity_option("--phidot", "its velocity (radians)"),
@@ -156,7 +156,7 @@ starts::InitialBox incoming_box_of(const RatioArgument& ratio) {
     return starts::incoming_box(ratio.lo);
 }
 
-starts::InitialCertificate certificate_of(const starts::TraceReport& report) {
+starts::InitialCertificate certificate_of_starts(const starts::TraceReport& report) {
     return {.box = report.box,
             .bits = report.parts->bits,
             .tree = report.parts->tree,
@@ -187,7 +187,7 @@ void print(std::FILE* out, const Given& given, const starts::TraceReport& report
                shown(report, given));
 }
 
-int run(const Given& given) {
+int run_trace(const Given& given) {
     const RatioArgument ratio = parse_ratio_argument(given.text("RATIO"));
     const int digits = given.has("--digits") ? static_cast<int>(given.number("--digits")) : 0;
     const bool incoming = given.has("--incoming");
@@ -246,7 +246,7 @@ int run(const Given& given) {
     }
     report.seconds = watch.seconds();
     if (output.is_wanted()) {
-        write(render(certificate_of(report)), output, report);
+        write(render(certificate_of_starts(report)), output, report);
     }
     print(output.report(), given, report, ratio.swapped);
     const bool certified = report.trace.exact() || (!report.is_single() && !event_of(report));
@@ -255,6 +255,7 @@ int run(const Given& given) {
 
 }  // namespace
 
-constinit const Command trace_command{"trace", "Prove", description, footer, options, stoppable<run>};
+constinit const Command trace_command{"trace",      "Prove",       trace_description,
+                                      trace_footer, trace_options, stoppable<run_trace>};
 
 }  // namespace dumbbell::cli

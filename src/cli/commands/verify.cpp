@@ -18,7 +18,7 @@ namespace dumbbell::cli {
 
 namespace {
 
-constexpr const char* description =
+constexpr const char* verify_description =
     R"(Check certificates again with the independent verifier (dumbbell verify --help).
 
 Checks certificates (docs/reference/format.md) independently of the program that wrote them.
@@ -37,7 +37,7 @@ Checks certificates (docs/reference/format.md) independently of the program that
   dumbbell-verify --quiet --shards 1-90 stairs.dbc >> parts.txt     one part of a large certificate
   dumbbell-verify --combine parts.txt --ratio 3:9 --max 4 stairs.dbc    all of its parts, put together)";
 
-constexpr const char* footer =
+constexpr const char* verify_footer =
     R"(FILE `-` is the standard input. Of one file the last line is its verdict: s VERIFIED, s REJECTED, s UNSUPPORTED,
 s UNREADABLE or s LIMIT; instead of s VERIFIED with --shards s PART, with --combine s COMBINED. Of several, each has one
 such line with its name, in the given order, and a line with the numbers ends them:
@@ -45,7 +45,7 @@ c files=3 verified=2 rejected=1 ...
 Exit code: 0 verified and proved (with --shards: the part; with --combine: if its lines are true), 1 rejected, 2 usage
 or unreadable, 3 unsupported, 4 resource limit; of several codes the first of 1, 4, 3, 2, 0.)";
 
-constexpr std::array options{
+constexpr std::array verify_options{
     Option{"--ratio", "RATIO|LO:HI", "the mass ratios (heavy/light) in question; else those of the file"},
     Option{"--max", "N", "demand the proof that no trajectory has more than N collisions"},
     Option{"--min", "N", "demand the proof that some trajectory has at least N collisions"},
@@ -138,8 +138,9 @@ std::string accepted(const std::string& file, const std::string& demand, Verbosi
 
 }  // namespace
 
-constinit const Command verify_command{"verify", "Check", description, footer,         options,
-                                       nullptr,  {},      false,       become_verifier};
+constinit const Command verify_command{
+    "verify", "Check", verify_description, verify_footer, verify_options, nullptr,
+    {},       false,   become_verifier};
 
 std::string verified(const std::string& file, std::string_view scene, Verbosity verbosity) {
     return accepted(file, "--scene=" + std::string(scene), verbosity);

@@ -3,22 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
-#include <optional>
 
 #include "base/error.hpp"
+#include "base/fields.hpp"
 
 namespace dumbbell::cli {
-namespace {
-
-std::optional<long> whole_number(const std::string& text) {
-    long number = 0;
-    const char* end = text.data() + text.size();
-    const auto [rest, fault] = std::from_chars(text.data(), end, number);
-    return fault == std::errc{} && rest == end ? std::optional(number) : std::nullopt;
-}
-
-}  // namespace
 
 const Given::Value& Given::value(std::string_view name) const {
     const auto found = std::ranges::find_if(values_, [&](const Value& v) { return v.option->name == name; });
@@ -36,7 +25,7 @@ std::string Given::text(std::string_view name) const {
 }
 
 long Given::number(std::string_view name) const {
-    const auto number = whole_number(text(name));
+    const auto number = number_of<long>(text(name));
     if (!number) {
         throw BrokenInvariant(fmt::format("{} has no number", name));
     }
@@ -48,7 +37,7 @@ std::string fault_of(const Option& option, const std::string& value) {
         !choices.empty() && std::ranges::find(choices, value) == choices.end()) {
         return fmt::format("{} not in {{{}}}", value, fmt::join(choices, ","));
     }
-    const auto number = option.least < option.most ? whole_number(value) : std::optional(option.least);
+    const auto number = option.least < option.most ? number_of<long>(value) : std::optional(option.least);
     if (!number || *number < option.least || *number > option.most) {
         return fmt::format("{} is not from {} to {}", value, option.least, option.most);
     }

@@ -104,7 +104,4 @@ inline constexpr Option jobs_option =
 inline constexpr Option budget_option = Option{"--budget", "TIME", "stop after this time: 30s, 10m, 2h"};
 inline constexpr Option json_option = flag("--json", "one JSON object on stdout");
 
-/// The parts of a text.
-[[nodiscard]] std::vector<std::string> split(std::string_view text, char separator);
-
 }  // namespace dumbbell::cli

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "base/fields.hpp"
 #include "cli/options/hint.hpp"
 
 namespace dumbbell::cli {
@@ -66,8 +67,8 @@ std::string contradiction(const Given& given) {
         if (!option->needed.empty() && !given.has(option->needed)) {
             return fmt::format("{} requires {}", option->name, option->needed);
         }
-        for (const std::string& other : split(option->excluded, ',')) {
-            if (given.has(other)) {
+        for (const std::string_view other : split(option->excluded, ',')) {
+            if (!other.empty() && given.has(other)) {
                 return fmt::format("{} and {} exclude each other", option->name, other);
             }
         }

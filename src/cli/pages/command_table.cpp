@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "base/error.hpp"
+#include "base/fields.hpp"
 
 namespace dumbbell::cli::pages {
 namespace {
@@ -84,13 +85,13 @@ std::string meaning(const Option& option) {
 std::vector<Block> blocks(std::string_view text) {
     std::vector<Block> result;
     bool fresh = true;
-    for (const std::string& line : split(text, '\n')) {
+    for (const std::string_view line : split(text, '\n')) {
         const bool verbatim = line.starts_with("  ");
         if (!line.empty()) {
             if (fresh || result.back().verbatim != verbatim) {
                 result.push_back({{}, verbatim});
             }
-            result.back().lines.push_back(verbatim ? line.substr(2) : line);
+            result.back().lines.emplace_back(verbatim ? line.substr(2) : line);
         }
         fresh = line.empty();
     }

@@ -8,7 +8,7 @@ namespace dumbbell::cli::pages {
 namespace {
 
 /// Text as groff prints it unchanged: a minus is one that can be copied, and no line is taken for a request.
-std::string plain(std::string_view text) {
+std::string groff(std::string_view text) {
     std::string result = text.starts_with('.') || text.starts_with('\'') ? "\\&" : "";
     for (const char c : text) {
         switch (c) {
@@ -37,29 +37,29 @@ std::string plain(std::string_view text) {
     return result;
 }
 
-std::string bold(std::string_view text) { return "\\fB" + plain(text) + "\\fR"; }
+std::string bold(std::string_view text) { return "\\fB" + groff(text) + "\\fR"; }
 
-void add_text(std::string& page, std::string_view description) {
+void add_groff(std::string& page, std::string_view description) {
     for (const Block& block : blocks(description)) {
         page += block.verbatim ? ".PP\n.RS 2\n.nf\n" : ".PP\n";
         for (const std::string& line : block.lines) {
-            page += plain(line) + "\n";
+            page += groff(line) + "\n";
         }
         page += block.verbatim ? ".fi\n.RE\n" : "";
     }
 }
 
-void add_options(std::string& page, const Command& command) {
+void add_groff_options(std::string& page, const Command& command) {
     for (const Option& option : command.options) {
-        page += fmt::format(".TP\n{}\n{}\n", bold(spelling(option)), plain(meaning(option)));
+        page += fmt::format(".TP\n{}\n{}\n", bold(spelling(option)), groff(meaning(option)));
     }
 }
 
-void add_command(std::string& page, const Place& place) {
-    page += ".SS " + plain(usage(place)) + "\n";
-    add_text(page, place.command->text);
-    add_options(page, *place.command);
-    add_text(page, place.footer);
+void add_groff_command(std::string& page, const Place& place) {
+    page += ".SS " + groff(usage(place)) + "\n";
+    add_groff(page, place.command->text);
+    add_groff_options(page, *place.command);
+    add_groff(page, place.footer);
 }
 
 }  // namespace
@@ -76,15 +76,15 @@ std::string man_page(const Command& program) {
         page += is_called(*place.command) ? bold(usage(place)) + "\n" : "";
     }
     page += ".fi\n.SH DESCRIPTION\n";
-    add_text(page, program.text);
+    add_groff(page, program.text);
     page += ".SH OPTIONS\n";
-    add_options(page, program);
+    add_groff_options(page, program);
     page += ".SH COMMANDS\nEach has a \\fB\\-\\-help\\fR of its own.\n";
     for (const Place& place : std::span(all).subspan(1)) {
-        add_command(page, place);
+        add_groff_command(page, place);
     }
     page += ".SH EXIT STATUS\n";
-    add_text(page, program.footer);
+    add_groff(page, program.footer);
     page +=
         ".SH ENVIRONMENT\n.TP\n\\fBNO_COLOR\\fR\nIf set and not empty, nothing is coloured. What does not go "
         "to "

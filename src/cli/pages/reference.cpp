@@ -8,7 +8,7 @@ namespace dumbbell::cli::pages {
 namespace {
 
 /// Text as Markdown prints it unchanged.
-std::string plain(std::string_view text) {
+std::string markdown(std::string_view text) {
     std::string result;
     for (const char c : text) {
         if (c == '*' || c == '_' || c == '<' || c == '|' || c == '[' || c == '\\' || c == '`') {
@@ -35,25 +35,25 @@ std::string anchor(std::string name) {
     return name;
 }
 
-void add_text(std::string& page, std::string_view description) {
+void add_markdown(std::string& page, std::string_view description) {
     for (const Block& block : blocks(description)) {
         page += "\n";
         for (const std::string& line : block.lines) {
-            page += block.verbatim ? "    " + line + "\n" : plain(line) + "\n";
+            page += block.verbatim ? "    " + line + "\n" : markdown(line) + "\n";
         }
     }
 }
 
-void add_command(std::string& page, const Place& place) {
+void add_markdown_command(std::string& page, const Place& place) {
     page += fmt::format("\n## {}\n\n    {}\n", place.name, usage(place));
-    add_text(page, place.command->text);
+    add_markdown(page, place.command->text);
     if (!place.command->options.empty()) {
         page += "\n| | |\n| --- | --- |\n";
         for (const Option& option : place.command->options) {
-            page += fmt::format("| {} | {} |\n", code_in_table(spelling(option)), plain(meaning(option)));
+            page += fmt::format("| {} | {} |\n", code_in_table(spelling(option)), markdown(meaning(option)));
         }
     }
-    add_text(page, place.footer);
+    add_markdown(page, place.footer);
 }
 
 }  // namespace
@@ -69,7 +69,7 @@ std::string reference(const Command& program) {
         page += fmt::format("- [{}](#{})\n", place.name, anchor(place.name));
     }
     for (const Place& place : all) {
-        add_command(page, place);
+        add_markdown_command(page, place);
     }
     return page;
 }

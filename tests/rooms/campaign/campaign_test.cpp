@@ -5,6 +5,7 @@
 #include <catch2/catch.hpp>
 
 #include "base/error.hpp"
+#include "base/fields.hpp"
 #include "campaign/kinds/collisions.hpp"
 #include "campaign/kinds/verified.hpp"
 #include "campaign/local_engine.hpp"
@@ -93,7 +94,7 @@ Plan plan_to_30() {
 campaign::Outcome undecided(const Task& task) {
     Certificate certificate;
     for (const std::string& unit : parse_order(task.order).units) {
-        const auto fields = words(unit);
+        const auto fields = split(unit, ' ');
         Piece piece;
         piece.q_lo = parse_rational(fields[1]);
         piece.q_hi = parse_rational(fields[2]);
