@@ -1,10 +1,10 @@
 #pragma once
 
-#include <array>
 #include <optional>
 #include <utility>
 
 #include "flight/contact_range.hpp"
+#include "flight/eigen_interval.hpp"
 #include "flight/ray.hpp"
 #include "flight/reflection.hpp"
 
@@ -37,7 +37,7 @@ template <class I>
 template <class I>
 struct MovingRay {
     Ray<I> ray;
-    std::array<I, 2> rate;  ///< d(c, kappa)/dr
+    Eigen::Matrix<I, 2, 1> rate;  ///< d(c, kappa)/dr
 };
 
 template <class I>
@@ -82,7 +82,7 @@ std::optional<Collision<I>> collision(const Ray<I>& before) {
 /// with the derivatives of (2) in L5 (b); of c' = sin x + kappa' (x + pi). All summands and factors are >= 0,
 /// so that enclosures of them do not widen by cancellation.
 template <class I>
-std::array<I, 2> rate_after(const MovingRay<I>& before, const Collision<I>& collision) {
+Eigen::Matrix<I, 2, 1> rate_after(const MovingRay<I>& before, const Collision<I>& collision) {
     const auto& [c, kappa, r] = before.ray;
     const auto& [next, contact, share] = collision;
     const auto& [x, at] = contact;

@@ -39,12 +39,13 @@ template <class I>
 template <class I>
 class BoxJets {
   public:
-    explicit BoxJets(const InitialBox& box) : equal_masses_(has_equal_masses(box)) {
+    explicit BoxJets(const InitialBox& box)
+        : equal_masses_(has_equal_masses(box)), displacement_(Gradient<I>::Zero()) {
         for (std::size_t i = 0; i < initial_axes; ++i) {
             centre_[i] = enclose<I>((box.lo[i] + box.hi[i]) / 2);
             range_[i] = hull(enclose<I>(box.lo[i]), enclose<I>(box.hi[i]));
             if (box.lo[i] != box.hi[i]) {
-                displacement_[i] = range_[i] - centre_[i];
+                displacement_[static_cast<int>(i)] = range_[i] - centre_[i];
             }
         }
     }
@@ -55,7 +56,7 @@ class BoxJets {
     /// Valid as long as this object.
     [[nodiscard]] State<Jet<I>> state() const {
         const auto side = [&](std::size_t i) {
-            return Jet<I>::parameter(i, centre_[i], range_[i], displacement_);
+            return Jet<I>::parameter(static_cast<int>(i), centre_[i], range_[i], displacement_);
         };
         State<Jet<I>> s = state_of(side(0), side(1), side(2), side(3), side(4));
         s.r = equal_masses_ ? Jet<I>(1) : s.r;

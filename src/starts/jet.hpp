@@ -2,10 +2,15 @@
 
 #include <utility>
 
+#include "flight/eigen_interval.hpp"
 #include "number/enclosure.hpp"
-#include "starts/gradient.hpp"
 
 namespace dumbbell::starts {
+
+/// The parameters of a box of initial conditions: phi, phidot, y, ydot and the mass ratio.
+inline constexpr int parameters = 5;
+template <class I>
+using Gradient = Eigen::Matrix<I, parameters, 1>;
 
 /// A differentiable function f of the parameters p over a box P with centre p_c, in mean value form:
 /// enclosures of f(p_c), of f(P) and of the gradient of f on P. For all p in P, f(p) lies in f(p_c) +
@@ -17,7 +22,8 @@ template <class I>
 class Jet {
   public:
     explicit Jet(double constant) : Jet(I(constant)) {}
-    explicit Jet(const I& constant) : centre_(constant), range_(constant), displacement_(nullptr) {}
+    explicit Jet(const I& constant)
+        : centre_(constant), range_(constant), gradient_(Gradient<I>::Zero()), displacement_(nullptr) {}
 
     /// `displacement` (P - p_c) must outlive the jet and everything that is computed from it.
     Jet(I centre, const I& range, Gradient<I> gradient, const Gradient<I>* displacement)
@@ -31,9 +37,10 @@ class Jet {
     }
 
     /// The parameter with this index.
-    static Jet parameter(std::size_t index, const I& centre, const I& range,
-                         const Gradient<I>& displacement) {
-        return {centre, range, Gradient<I>::unit(index), &displacement};
+    static Jet parameter(int index, const I& centre, const I& range, const Gradient<I>& displacement) {
+        Gradient<I> unit = Gradient<I>::Zero();
+        unit[index] = I(1);
+        return {centre, range, std::move(unit), &displacement};
     }
 
     [[nodiscard]] const I& centre() const noexcept { return centre_; }
@@ -77,8 +84,7 @@ class Jet {
     friend Jet common_part(const Jet& a, const Jet& b) {
         const auto entry = [](const I& x, const I& y) { return common_part(x, y); };
         return {entry(a.centre_, b.centre_), entry(a.range_, b.range_),
-                Gradient<I>::of([&](std::size_t i) { return entry(a.gradient_[i], b.gradient_[i]); }),
-                common(a, b)};
+                a.gradient_.binaryExpr(b.gradient_, entry), common(a, b)};
     }
 
   private:

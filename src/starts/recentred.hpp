@@ -1,7 +1,6 @@
 #pragma once
 
 #include <array>
-#include <utility>
 
 #include "starts/jet.hpp"
 
@@ -33,15 +32,17 @@ class Recentred {
 template <class I, std::size_t n>
 class Recentred<Jet<I>, n> {
   public:
-    explicit Recentred(const std::array<Jet<I>, n>& values) : outer_displacement_(values[0].displacement()) {
+    explicit Recentred(const std::array<Jet<I>, n>& values)
+        : outer_displacement_(values[0].displacement()), displacement_(Gradient<I>::Zero()) {
         static_assert(n <= parameters);
         for (std::size_t i = 0; i < n; ++i) {
+            const auto k = static_cast<int>(i);
             const I at_centre = intersection(values[i].centre(), values[i].range());
             middle_[i] = midpoint(at_centre);
             box_[i] = hull(values[i].range(), middle_[i]);
-            displacement_[i] = box_[i] - middle_[i];
-            error_[i] = at_centre - middle_[i];
-            gradients_[i] = values[i].gradient();
+            displacement_[k] = box_[i] - middle_[i];
+            error_[k] = at_centre - middle_[i];
+            gradients_.col(k) = values[i].gradient();
         }
     }
     ~Recentred() = default;
@@ -50,24 +51,22 @@ class Recentred<Jet<I>, n> {
 
     /// Valid as long as this object, as is all that is computed from it, unless it is composed.
     [[nodiscard]] Jet<I> parameter(std::size_t i) const {
-        return Jet<I>::parameter(i, middle_[i], box_[i], displacement_);
+        return Jet<I>::parameter(static_cast<int>(i), middle_[i], box_[i], displacement_);
     }
 
     [[nodiscard]] Jet<I> composed(const Jet<I>& f) const {
-        I change = f.gradient()[n - 1] * error_[n - 1];
-        Gradient<I> gradient = gradients_[n - 1] * f.gradient()[n - 1];
-        for (std::size_t i = n - 1; i-- > 0;) {
-            change = f.gradient()[i] * error_[i] + change;
-            gradient = gradients_[i] * f.gradient()[i] + gradient;
-        }
-        return {f.centre() + change, f.range(), std::move(gradient), outer_displacement_};
+        const Column derivatives = f.gradient().template head<n>();
+        return {f.centre() + derivatives.dot(error_), f.range(), gradients_ * derivatives,
+                outer_displacement_};
     }
 
   private:
+    using Column = Eigen::Matrix<I, n, 1>;
+
     std::array<I, n> middle_;
     std::array<I, n> box_;
-    std::array<I, n> error_;                ///< C - m
-    std::array<Gradient<I>, n> gradients_;  ///< z'
+    Column error_;                               ///< C - m
+    Eigen::Matrix<I, parameters, n> gradients_;  ///< z'
     const Gradient<I>* outer_displacement_;
     Gradient<I> displacement_;
 };

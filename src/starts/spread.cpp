@@ -12,7 +12,7 @@ namespace {
 State<Tangent> centre_of(const InitialBox& box) {
     const auto side = [&](std::size_t i) {
         const Rational centre = (box.lo[i] + box.hi[i]) / 2;
-        return Tangent(centre.convert_to<double>(), Gradient<double>::unit(i));
+        return Tangent(centre.convert_to<double>(), Gradient<double>::Unit(static_cast<int>(i)));
     };
     return state_of(side(0), side(1), side(2), side(3), side(4));
 }
@@ -49,7 +49,7 @@ std::array<double, initial_axes> spreads(const InitialBox& box, long shared) {
     const double speed = std::hypot(s.phidot.value, s.yhatdot.value / std::sqrt(r));
     std::array<double, initial_axes> spread{};
     for (std::size_t i = 0; i < initial_axes; ++i) {
-        const auto change = [&](const Tangent& x) { return std::abs(x.gradient[i]); };
+        const auto change = [&](const Tangent& x) { return std::abs(x.gradient[static_cast<int>(i)]); };
         const double sum =
             change(s.phi) + change(s.yhat) + (change(s.phidot) + change(s.yhatdot) / r) / speed;
         spread[i] = (box.hi[i] - box.lo[i]).convert_to<double>() * (std::isfinite(sum) ? sum : 1);

@@ -4,7 +4,7 @@
 
 #include "number/elementary.hpp"
 #include "number/interval.hpp"
-#include "starts/gradient.hpp"
+#include "starts/jet.hpp"
 
 namespace dumbbell::starts {
 
@@ -14,7 +14,7 @@ struct Tangent {
     double value;
     Gradient<double> gradient;
 
-    explicit Tangent(double constant) : Tangent(constant, {}) {}
+    explicit Tangent(double constant) : Tangent(constant, Gradient<double>::Zero()) {}
     Tangent(double at, Gradient<double> derivatives) : value(at), gradient(std::move(derivatives)) {}
 
     friend Tangent operator-(const Tangent& a) { return {-a.value, -a.gradient}; }

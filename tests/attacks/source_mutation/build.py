@@ -23,7 +23,7 @@ def copy_of_source(root, work):
 
 def collect(group, tree):
     """(file, Mutant) of all files of the group."""
-    arguments = ["-std=c++20", f"-I{tree / 'src'}", "-DDUMBBELL_VERSION=\"0\""]
+    arguments = ["-std=c++20", f"-I{tree / 'src'}", "-I/usr/include/eigen3", "-DDUMBBELL_VERSION=\"0\""]
     result = []
     for file, unit in group.files.items():
         mutants = find(str(tree / "src" / file), arguments, str(tree / "src" / unit), group.left_out,

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <utility>
 #include <vector>
 
@@ -53,7 +52,7 @@ inline const char* name_of(Form form) {
 template <class I>
 WallState<dumbbell::starts::Jet<I>> as_parameters(const WallState<I>& box, const WallState<I>& centre,
                                                   dumbbell::starts::Gradient<I>& displacement) {
-    displacement = {};
+    displacement = dumbbell::starts::Gradient<I>::Zero();
     displacement[0] = box.x - centre.x;
     displacement[1] = box.kappa - centre.kappa;
     return {dumbbell::starts::Jet<I>::parameter(0, centre.x, box.x, displacement),
@@ -64,24 +63,6 @@ template <class I>
 WallState<I> middle(const WallState<I>& box) {
     return {midpoint(box.x), midpoint(box.kappa)};
 }
-
-template <class I>
-using Column = std::array<I, 2>;
-
-/// A matrix by its rows.
-template <class I>
-struct Square {
-    Column<I> first, second;
-
-    friend Column<I> operator*(const Square& m, const Column<I>& z) {
-        return {m.first[0] * z[0] + m.first[1] * z[1], m.second[0] * z[0] + m.second[1] * z[1]};
-    }
-    friend Square operator*(const Square& m, const Square& other) {
-        const Column<I> left = m * Column<I>{other.first[0], other.second[0]};
-        const Column<I> right = m * Column<I>{other.first[1], other.second[1]};
-        return {{left[0], right[0]}, {left[1], right[1]}};
-    }
-};
 
 /// The set { centre + matrix z : z in `error` }.
 template <class I>
@@ -99,44 +80,46 @@ class Parallelepiped {
         if (!image) {
             return false;
         }
-        const auto& x_rates = image->x.gradient();
-        const auto& kappa_rates = image->kappa.gradient();
-        const Square<I> product =
-            Square<I>{{x_rates[0], x_rates[1]}, {kappa_rates[0], kappa_rates[1]}} * matrix_;
+        Square derivative;
+        derivative << image->x.gradient()[0], image->x.gradient()[1], image->kappa.gradient()[0],
+            image->kappa.gradient()[1];
+        const Square product = derivative * matrix_;
         const WallState<I> value{image->x.centre(), image->kappa.centre()};
         box_ = {image->x.range(), image->kappa.range()};
         centre_ = middle(value);
-        matrix_ = {{midpoint(product.first[0]), midpoint(product.first[1])},
-                   {midpoint(product.second[0]), midpoint(product.second[1])}};
-        const auto& [top, bottom] = matrix_;
-        const I determinant = top[0] * bottom[1] - top[1] * bottom[0];
+        matrix_ = product.unaryExpr([](const I& entry) { return midpoint(entry); });
+        const I determinant = matrix_(0, 0) * matrix_(1, 1) - matrix_(0, 1) * matrix_(1, 0);
         if (!certainly_positive(determinant) && !certainly_positive(-determinant)) {
             reset();
             return true;
         }
-        const I inverse_determinant = I(1) / determinant;
-        const Square<I> inverse{{bottom[1] * inverse_determinant, -top[1] * inverse_determinant},
-                                {-bottom[0] * inverse_determinant, top[0] * inverse_determinant}};
-        const Column<I> carried = inverse * product * error_;
-        const Column<I> fresh = inverse * Column<I>{value.x - centre_.x, value.kappa - centre_.kappa};
-        error_ = {carried[0] + fresh[0], carried[1] + fresh[1]};
-        const Column<I> spread = matrix_ * error_;
+        Square inverse;
+        inverse << matrix_(1, 1), -matrix_(0, 1), -matrix_(1, 0), matrix_(0, 0);
+        inverse = inverse * (I(1) / determinant);
+        const Square change = inverse * product;
+        const Column carried = change * error_;
+        const Column fresh = inverse * Column(value.x - centre_.x, value.kappa - centre_.kappa);
+        error_ = carried + fresh;
+        const Column spread = matrix_ * error_;
         box_ = {intersection(box_.x, centre_.x + spread[0]),
                 intersection(box_.kappa, centre_.kappa + spread[1])};
         return true;
     }
 
   private:
+    using Square = Eigen::Matrix<I, 2, 2>;
+    using Column = Eigen::Matrix<I, 2, 1>;
+
     void reset() {
         centre_ = middle(box_);
-        matrix_ = {{I(1), I(0)}, {I(0), I(1)}};
-        error_ = {box_.x - centre_.x, box_.kappa - centre_.kappa};
+        matrix_ << I(1), I(0), I(0), I(1);
+        error_ << box_.x - centre_.x, box_.kappa - centre_.kappa;
     }
 
     WallState<I> box_;
     WallState<I> centre_{I(0), I(0)};
-    Square<I> matrix_;
-    Column<I> error_;
+    Square matrix_;
+    Column error_;
 };
 
 /// Follows all states of `start` at mass ratio 1/r, through at most `limit` collisions.

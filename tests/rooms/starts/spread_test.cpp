@@ -31,7 +31,9 @@ std::array<double, initial_axes> by_jets(const InitialBox& box, const BoxJets<In
         std::hypot(approximate(range(s.phidot)), approximate(range(s.yhatdot)) / std::sqrt(r));
     std::array<double, initial_axes> spread{};
     for (std::size_t i = 0; i < initial_axes; ++i) {
-        const auto change = [&](const Jet<Interval>& x) { return std::abs(approximate(x.gradient()[i])); };
+        const auto change = [&](const Jet<Interval>& x) {
+            return std::abs(approximate(x.gradient()[static_cast<int>(i)]));
+        };
         spread.at(i) = (box.hi.at(i) - box.lo.at(i)).convert_to<double>() *
                        (change(s.phi) + change(s.yhat) + (change(s.phidot) + change(s.yhatdot) / r) / speed);
     }
