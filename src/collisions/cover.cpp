@@ -18,6 +18,9 @@ namespace {
 template <class I>
 constexpr std::size_t boxes_together = std::is_same_v<I, Interval> ? 16 : 1;
 
+/// Enough for many threads, and little memory.
+constexpr std::size_t boxes_in_memory = 4096;
+
 /// The boxes of one generation, judged in spans; the results do not depend on how the work is shared out.
 template <class I>
 void judge_all(Chart chart, std::span<const Box> boxes, const Count& upper,
@@ -104,7 +107,7 @@ template <class I>
 std::optional<Tree> cover(Chart chart, const Rational& q_lo, const Rational& q_hi, const Count& upper,
                           const CoverOptions& options) {
     require(upper >= 1, "cover: an upper bound is at least 1");
-    GrowingTree<Node, Box, 3> tree(root_box(chart, q_lo, q_hi));
+    GrowingTree<Node, Box, 3> tree(root_box(chart, q_lo, q_hi), boxes_in_memory);
     for (; !tree.boxes().empty(); tree.next_generation()) {
         const std::vector<Box>& boxes = tree.boxes();
         std::vector<std::optional<Leaf>> results(boxes.size());
@@ -129,7 +132,7 @@ std::optional<Tree> cover(Chart chart, const Rational& q_lo, const Rational& q_h
             tree.split(i, axis, halves(boxes[i], axis));
         }
     }
-    return tree.pre_order();
+    return std::move(tree).pre_order();
 }
 
 template std::optional<Tree> cover<Interval>(Chart, const Rational&, const Rational&, const Count&,
