@@ -54,8 +54,8 @@ std::vector<bool> with_too_wide_ratios(Chart chart, std::span<const Box> boxes,
     std::vector<Box> thin;
     for (std::size_t i = 0; i < boxes.size(); ++i) {
         const Box& box = boxes[i];
-        const Rational state = std::max(box.e_hi - box.e_lo, box.slope_hi - box.slope_lo);
-        if (!results[i] && 16 * (box.q_hi - box.q_lo) > state * box.q_lo) {
+        const double state = std::max(width(box.e_lo, box.e_hi), width(box.slope_lo, box.slope_hi));
+        if (!results[i] && 16 * width(box.q_lo, box.q_hi) > state * approximate(box.q_lo)) {
             asked.push_back(i);
             thin.push_back(box);
             thin.back().q_lo = box.q_hi;
@@ -71,14 +71,14 @@ std::vector<bool> with_too_wide_ratios(Chart chart, std::span<const Box> boxes,
 }
 
 /// How many units of slope one unit of position is worth.
-Rational position_weight(Chart chart, const Box& box, SplitRule rule) {
+double position_weight(Chart chart, const Box& box, SplitRule rule) {
     switch (rule) {
         case SplitRule::slope_first:
-            return {1, 1000};
+            return 1e-3;
         case SplitRule::position_first:
-            return 1000 * box.q_hi;
+            return 1000 * approximate(box.q_hi);
         default:
-            return chart == Chart::light ? box.q_hi : Rational(1);
+            return chart == Chart::light ? approximate(box.q_hi) : 1;
     }
 }
 
@@ -90,11 +90,11 @@ bool depends_on_both_ratios(Chart chart) {
 }
 
 Axis longest_side(Chart chart, const Box& box, SplitRule rule) {
-    const Rational position = (box.e_hi - box.e_lo) * position_weight(chart, box, rule);
-    const Rational slope = box.slope_hi - box.slope_lo;
+    const double position = width(box.e_lo, box.e_hi) * position_weight(chart, box, rule);
+    const double slope = width(box.slope_lo, box.slope_hi);
     // A relative change of the ratio moves a bound much less than the same change of a coordinate: plain
     // evaluation takes 3 to 6 times as many boxes with equal weights.
-    const Rational ratio = (box.q_hi - box.q_lo) / (8 * box.q_lo);
+    const double ratio = width(box.q_lo, box.q_hi) / (8 * approximate(box.q_lo));
     if (depends_on_both_ratios(chart) && ratio > std::max(position, slope)) {
         return Axis::ratio;
     }
