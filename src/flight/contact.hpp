@@ -91,10 +91,9 @@ std::optional<Contact<I>> lowest_contact(const I& c, const I& kappa) {
 }
 
 /// For all rays whose c and kappa are at most these (thin) ones, with c >= 0: an upper bound of x, or nothing
-/// if it is not certain that all of them collide, transversally.
+/// if it is not certain that all of them collide, transversally. `guess` is for the greatest ones.
 template <class I>
-std::optional<Contact<I>> highest_contact(const I& c, const I& kappa) {
-    const ContactGuess<I> guess = guess_contact(c, kappa);
+std::optional<Contact<I>> highest_contact(const I& c, const I& kappa, const ContactGuess<I>& guess) {
     const auto tangent = detail::tangent_at(guess.z, c, kappa);
     if (!certainly_positive(tangent.slope)) {
         return std::nullopt;
@@ -113,6 +112,10 @@ std::optional<Contact<I>> highest_contact(const I& c, const I& kappa) {
         return std::nullopt;  // a wall slope that may be 0 says nothing about the reflection
     }
     return Contact<I>{x, high_end(at.sin), cos_x};
+}
+template <class I>
+std::optional<Contact<I>> highest_contact(const I& c, const I& kappa) {
+    return highest_contact(c, kappa, guess_contact(c, kappa));
 }
 
 }  // namespace dumbbell::flight

@@ -20,8 +20,8 @@ Point miss(double kappa) { return {kappa <= 0 ? half_pi_guess : std::acos(std::m
 /// Newton's iteration on the concave g(x) = sin x - kappa x - c from a point left of its least root: it
 /// increases and stays left, or runs over the top of g when there is no root. Near a double root it only
 /// halves the distance: hence the many steps allowed.
-Point newton(double c, double kappa) {
-    double x = kappa < 1 ? c / (1 - kappa) : half_pi_guess;
+Point newton(double c, double kappa, double from) {
+    double x = kappa < 1 ? std::max(c / (1 - kappa), from) : half_pi_guess;
     for (int step = 0; step < 60; ++step) {
         if (!(x <= half_pi_guess)) {
             return miss(kappa);
@@ -79,14 +79,14 @@ BigInterval refined_top(BigInterval z, const BigInterval& kappa) {
 
 }  // namespace
 
-ContactGuess<Interval> guess_contact(const Interval& c, const Interval& kappa) noexcept {
-    const Point guess = newton(approximate(c), approximate(kappa));
+ContactGuess<Interval> guess_contact(const Interval& c, const Interval& kappa, double from) noexcept {
+    const Point guess = newton(approximate(c), approximate(kappa), from);
     return {Interval(guess.z), guess.hits};
 }
 
-ContactGuess<BigInterval> guess_contact(const BigInterval& c, const BigInterval& kappa) {
+ContactGuess<BigInterval> guess_contact(const BigInterval& c, const BigInterval& kappa, double from) {
     const double slope = approximate(kappa);
-    const Point guess = newton(approximate(c), slope);
+    const Point guess = newton(approximate(c), slope, from);
     constexpr double far_from_tangency = 0x1p-10;
     const double steepness = guess_sin_cos(guess.z).cos - slope;
     if (guess.hits && steepness > far_from_tangency) {
