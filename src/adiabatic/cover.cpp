@@ -134,9 +134,9 @@ class Growth {
         });
     }
 
-    [[nodiscard]] std::optional<AdiabaticCover> finished() const {
+    [[nodiscard]] std::optional<AdiabaticCover> finished() {
         AdiabaticCover cover{{}, bound_, raised_, 0};
-        for (const Node& node : tree_.pre_order()) {
+        for (const Node& node : std::move(tree_).pre_order()) {
             cover.tree.push_back({node.split, !node.split && node.leaf.outside, node.leaf.by_class});
             cover.leaves += node.split ? 0 : 1;
         }

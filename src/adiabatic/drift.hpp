@@ -19,21 +19,25 @@ struct LightFlights {
     AdiabaticMasses<I> masses;
 
     LightFlights(const I& upper, const I& s, const AdiabaticMasses<I>& m)
-        : x(upper), sigma(s), k(s * m.root_r), masses(m) {}
+        : x(upper),
+          sigma(s),
+          k(s * m.root_r),
+          masses(m),
+          least_(low_end(x), high_end(k)),
+          greatest_(high_end(x), low_end(k)),
+          may_come_from_below_(certainly_at_most(low_end(k), cos(high_end(x)))) {}
 
     /// Bounds of X(lambda), the root of L34 for the slope lambda k, lambda in [-1, 1] exact: it increases
     /// with lambda and x and decreases with k. Of flights with a lower contact, and with k < cos x.
     [[nodiscard]] I least_root(const I& lambda) const {
-        const auto [c, l] = line(low_end(x), high_end(k), lambda);
+        const auto [c, l] = least_.line(lambda);
         const auto contact = flight::lowest_contact(low_end(c), low_end(l));
         return contact ? max(I(0), min(contact->x, low_end(x))) : low_end(x);
     }
     [[nodiscard]] I greatest_root(const I& lambda) const {
-        const I steepest = cos(high_end(x));
-        const auto [c, l] = line(high_end(x), low_end(k), lambda);
+        const auto [c, l] = greatest_.line(lambda);
         const I from = high_end(c);
-        // Only where the line of least slope through the highest contact comes from below there.
-        if (!certainly_at_most(low_end(k), steepest) || !certainly_at_most(I(0), from)) {
+        if (!may_come_from_below_ || !certainly_at_most(I(0), from)) {
             return high_end(x);
         }
         const auto contact = flight::highest_contact(from, high_end(l));
@@ -45,9 +49,19 @@ struct LightFlights {
         I c;
         I slope;
     };
-    static Line line(const I& upper, const I& slope, const I& lambda) {
-        return {sin(upper) - slope * (half_pi<I>() + upper) + lambda * slope * half_pi<I>(), lambda * slope};
-    }
+    /// The lines of the slopes lambda `slope` of flights with this upper contact and slope.
+    struct Lines {
+        I slope;
+        I at_zero;  ///< c for lambda = 0
+
+        Lines(const I& upper, const I& k) : slope(k), at_zero(sin(upper) - k * (half_pi<I>() + upper)) {}
+        [[nodiscard]] Line line(const I& lambda) const {
+            return {at_zero + lambda * slope * half_pi<I>(), lambda * slope};
+        }
+    };
+
+    Lines least_, greatest_;
+    bool may_come_from_below_;  ///< the line of least slope through the highest contact, there
 };
 
 /// A' and B of L34 at contacts of the line of slope l. Precondition: w - l > 0.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -30,10 +31,10 @@ enum class Chart { bridge, light, contact, departure, plain_contact, plain_depar
 
 /// The axes of a chart's boxes: the position e, the slope (eta in the chart bridge, lambda in the chart
 /// light) and the mass ratio q.
-enum class Axis { position, slope, ratio };
+enum class Axis : std::uint8_t { position, slope, ratio };
 
 /// The one reason for which a leaf's states need no further look (format.md, sections 3.3 and 3.4).
-enum class Reason { count, outside, meets, meets_reversed, once };
+enum class Reason : std::uint8_t { count, outside, meets, meets_reversed, once };
 
 /// A closed leaf. For Reason::count: the outgoing ray X has at most `forward` later collisions and the
 /// reversed incoming ray sigma X at most `backward`.

@@ -103,8 +103,11 @@ std::vector<ProvedPiece> certify(const CertifyRequest& request) {
         if (request.q_lo == request.q_hi) {
             options.parallel = true;
             options.observer = request.observer;
-            return {options.interrupted() ? open_piece(request.q_lo, request.q_hi)
-                                          : timed([&] { return prove_single(request.q_lo, options); })};
+            std::vector<ProvedPiece> alone;  // moved to: its trees can be large
+            alone.push_back(options.interrupted() ? open_piece(request.q_lo, request.q_hi) : timed([&] {
+                return prove_single(request.q_lo, options);
+            }));
+            return alone;
         }
         return prove_plan(request, options);
     });

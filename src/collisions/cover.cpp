@@ -15,6 +15,9 @@ namespace {
 template <class I>
 constexpr std::size_t boxes_together = std::is_same_v<I, Interval> ? 16 : 1;
 
+/// Enough for many threads, and little memory.
+constexpr std::size_t boxes_in_memory = 4096;
+
 /// The boxes of one generation, judged in spans; the results do not depend on how the work is shared out.
 template <class I>
 void judge_all(Chart chart, std::span<const Box> boxes, const Count& upper,
@@ -46,8 +49,8 @@ std::vector<bool> with_too_wide_ratios(Chart chart, std::span<const Box> boxes,
     std::vector<Box> thin;
     for (std::size_t i = 0; i < boxes.size(); ++i) {
         const Box& box = boxes[i];
-        const Rational state = std::max(box.e_hi - box.e_lo, box.slope_hi - box.slope_lo);
-        if (!results[i] && 16 * (box.q_hi - box.q_lo) > state * box.q_lo) {
+        const double state = std::max(width(box.e_lo, box.e_hi), width(box.slope_lo, box.slope_hi));
+        if (!results[i] && 16 * width(box.q_lo, box.q_hi) > state * approximate(box.q_lo)) {
             asked.push_back(i);
             thin.push_back(box);
             thin.back().q_lo = box.q_hi;
@@ -63,14 +66,14 @@ std::vector<bool> with_too_wide_ratios(Chart chart, std::span<const Box> boxes,
 }
 
 /// How many units of slope one unit of position is worth.
-Rational position_weight(Chart chart, const Box& box, SplitRule rule) {
+double position_weight(Chart chart, const Box& box, SplitRule rule) {
     switch (rule) {
         case SplitRule::slope_first:
-            return {1, 1000};
+            return 1e-3;
         case SplitRule::position_first:
-            return 1000 * box.q_hi;
+            return 1000 * approximate(box.q_hi);
         default:
-            return chart == Chart::light ? box.q_hi : Rational(1);
+            return chart == Chart::light ? approximate(box.q_hi) : 1;
     }
 }
 
@@ -82,11 +85,11 @@ bool depends_on_both_ratios(Chart chart) {
 }
 
 Axis longest_side(Chart chart, const Box& box, SplitRule rule) {
-    const Rational position = (box.e_hi - box.e_lo) * position_weight(chart, box, rule);
-    const Rational slope = box.slope_hi - box.slope_lo;
+    const double position = width(box.e_lo, box.e_hi) * position_weight(chart, box, rule);
+    const double slope = width(box.slope_lo, box.slope_hi);
     // A relative change of the ratio moves a bound much less than the same change of a coordinate: plain
     // evaluation takes 3 to 6 times as many boxes with equal weights.
-    const Rational ratio = (box.q_hi - box.q_lo) / (8 * box.q_lo);
+    const double ratio = width(box.q_lo, box.q_hi) / (8 * approximate(box.q_lo));
     if (depends_on_both_ratios(chart) && ratio > std::max(position, slope)) {
         return Axis::ratio;
     }
@@ -99,7 +102,7 @@ template <class I>
 std::optional<Tree> cover(Chart chart, const Rational& q_lo, const Rational& q_hi, const Count& upper,
                           const CoverOptions& options) {
     require(upper >= 1, "cover: an upper bound is at least 1");
-    GrowingTree<Node, Box, 3> tree(root_box(chart, q_lo, q_hi));
+    GrowingTree<Node, Box, 3> tree(root_box(chart, q_lo, q_hi), boxes_in_memory);
     for (; !tree.boxes().empty(); tree.next_generation()) {
         const std::vector<Box>& boxes = tree.boxes();
         std::vector<std::optional<Leaf>> results(boxes.size());
@@ -124,7 +127,7 @@ std::optional<Tree> cover(Chart chart, const Rational& q_lo, const Rational& q_h
             tree.split(i, axis, halves(boxes[i], axis));
         }
     }
-    return tree.pre_order();
+    return std::move(tree).pre_order();
 }
 
 template std::optional<Tree> cover<Interval>(Chart, const Rational&, const Rational&, const Count&,

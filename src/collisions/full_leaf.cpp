@@ -15,11 +15,11 @@ struct Bounds {
 
 template <class I>
 Bounds<I> bounds_of(const Box& box) {
-    return {enclose<I>(box.e_lo),
-            enclose<I>(box.e_hi),
-            enclose<I>(box.slope_lo),
-            enclose<I>(box.slope_hi),
-            {enclose<I>(Rational(1) / box.q_hi), enclose<I>(Rational(1) / box.q_lo)}};
+    return {box.e_lo.enclosure<I>(),
+            box.e_hi.enclosure<I>(),
+            box.slope_lo.enclosure<I>(),
+            box.slope_hi.enclosure<I>(),
+            {box.q_hi.inverse<I>(), box.q_lo.inverse<I>()}};
 }
 
 std::optional<Leaf> counted(long later, long upper) {

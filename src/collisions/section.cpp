@@ -3,19 +3,19 @@
 namespace dumbbell::collisions {
 namespace {
 
-std::pair<Box, Box> cut(const Box& box, Rational Box::*lo, Rational Box::*hi) {
-    const Rational middle = (box.*lo + box.*hi) / 2;
+std::pair<Box, Box> cut(const Box& box, Coordinate Box::*lo, Coordinate Box::*hi) {
+    const Coordinate half = middle(box.*lo, box.*hi);
     Box lower = box;
     Box upper = box;
-    lower.*hi = middle;
-    upper.*lo = middle;
+    lower.*hi = half;
+    upper.*lo = half;
     return {std::move(lower), std::move(upper)};
 }
 
 /// The least power of two that is >= x, and >= 1.
-Rational power_of_two_from(const Rational& x) {
-    Rational power = 1;
-    while (power < x) {
+double power_of_two_from(const Rational& x) {
+    double power = 1;
+    while (exact(power) < x) {
         power *= 2;
     }
     return power;

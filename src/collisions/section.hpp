@@ -3,16 +3,16 @@
 #include <utility>
 
 #include "collisions/certificate.hpp"
-#include "number/rational.hpp"
+#include "collisions/coordinate.hpp"
 
 namespace dumbbell::collisions {
 
 /// A box of states, exact: corner distance e, slope coordinate (eta in the chart bridge, lambda in the chart
 /// light), mass ratio.
 struct Box {
-    Rational e_lo, e_hi;
-    Rational slope_lo, slope_hi;
-    Rational q_lo, q_hi;
+    Coordinate e_lo, e_hi;
+    Coordinate slope_lo, slope_hi;
+    Coordinate q_lo, q_hi;
 };
 
 /// The root box of a chart over mass ratios [q_lo, q_hi] (format.md): short dyadics that contain the

@@ -20,13 +20,13 @@ struct Bounds {
 
 template <class I>
 Bounds<I> bounds_of(const Box& box) {
-    const I e_lo = enclose<I>(box.e_lo);
+    const I e_lo = box.e_lo.enclosure<I>();
     return {e_lo,
-            enclose<I>(box.slope_lo),
-            enclose<I>(box.slope_hi),
+            box.slope_lo.enclosure<I>(),
+            box.slope_hi.enclosure<I>(),
             flight::position(e_lo),
-            flight::position(enclose<I>(box.e_hi)),
-            {enclose<I>(Rational(1) / box.q_hi), enclose<I>(Rational(1) / box.q_lo)}};
+            flight::position(box.e_hi.enclosure<I>()),
+            {box.q_hi.inverse<I>(), box.q_lo.inverse<I>()}};
 }
 
 /// Beyond the peak, or X not in play (L3) on the whole box. X has slope >= r_lo * slope_lo in both charts.

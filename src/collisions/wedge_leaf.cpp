@@ -15,10 +15,10 @@ struct LowestSlopes {
 };
 
 LowestSlopes lowest_slopes(const Box& box, const Rational& r) {
-    const Rational& lambda = box.slope_hi;
+    const Rational lambda = box.slope_hi;
     const Rational denominator = 1 + 2 * r * lambda - r;
     const Rational mu = denominator > 0 ? (2 + r * lambda - lambda) / denominator : Rational(0);
-    return {r * box.slope_lo, r * std::max(Rational(0), mu)};
+    return {r * Rational(box.slope_lo), r * std::max(Rational(0), mu)};
 }
 
 template <class Count>
@@ -37,8 +37,9 @@ std::optional<Leaf> counted(const LowestSlopes& slopes, long upper, Count count)
 
 template <class I>
 std::optional<Leaf> judge_wedge(const Box& box, long upper, const Interrupted& interrupted) {
-    const Rational r = 1 / box.q_hi;
-    if (r * box.slope_lo >= 1 || box.slope_lo * (1 - 1 / box.q_lo) > 2) {
+    const Rational r = 1 / Rational(box.q_hi);
+    const Rational least = box.slope_lo;
+    if (r * least >= 1 || least * (1 - 1 / Rational(box.q_lo)) > 2) {
         return Leaf{Reason::outside};  // too steep, or sigma X descends
     }
     const LowestSlopes slopes = lowest_slopes(box, r);

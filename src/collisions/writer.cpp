@@ -26,15 +26,15 @@ std::vector<std::string_view> kinds_of(Section section) {
 
 class Writer : PieceLines {
   public:
-    void header(const Certificate& certificate) {
+    void header(const Certificate& frame, const std::vector<const Piece*>& pieces) {
         line("dumbbell-certificate 1");
-        line("generator {} {}", certificate.program, certificate.version);
-        line("lemmas {}", lemma_set(certificate.section));
-        line("scene {}", name(certificate.scene));
-        line("section {}", name(certificate.section));
+        line("generator {} {}", frame.program, frame.version);
+        line("lemmas {}", lemma_set(frame.section));
+        line("scene {}", name(frame.scene));
+        line("section {}", name(frame.section));
         line("claim collisions");
-        line("ratio {} {}", to_fraction(certificate.q_lo()), to_fraction(certificate.q_hi()));
-        line("pieces {}", certificate.pieces.size());
+        line("ratio {} {}", to_fraction(pieces.front()->q_lo), to_fraction(pieces.back()->q_hi));
+        line("pieces {}", pieces.size());
     }
 
     void piece(const Piece& piece) {
@@ -53,17 +53,25 @@ class Writer : PieceLines {
 }  // namespace
 
 SealedText render(const Certificate& certificate) {
-    require(!certificate.pieces.empty(), "certificate: no pieces");
-    Writer writer;
-    writer.header(certificate);
-    const Rational* end = &certificate.q_lo();
+    std::vector<const Piece*> pieces;
     for (const Piece& piece : certificate.pieces) {
-        require(piece.q_lo == *end && piece.q_lo <= piece.q_hi,
-                "certificate: the pieces do not follow one another");
-        end = &piece.q_hi;
-        writer.piece(piece);
+        pieces.push_back(&piece);
     }
-    return std::move(writer).finish(certificate.section);
+    return render(certificate, pieces);
+}
+
+SealedText render(const Certificate& frame, const std::vector<const Piece*>& pieces) {
+    require(!pieces.empty(), "certificate: no pieces");
+    Writer writer;
+    writer.header(frame, pieces);
+    const Rational* end = &pieces.front()->q_lo;
+    for (const Piece* piece : pieces) {
+        require(piece->q_lo == *end && piece->q_lo <= piece->q_hi,
+                "certificate: the pieces do not follow one another");
+        end = &piece->q_hi;
+        writer.piece(*piece);
+    }
+    return std::move(writer).finish(frame.section);
 }
 
 }  // namespace dumbbell::collisions

@@ -36,6 +36,23 @@ bool certainly_below_bridge(const BridgeApproach<I>& ray, const I& t, const I& r
     return certainly_less(t, pi<I>()) && certainly_less(ray.height + ray.kappa * t, r * sin_cos(t).sin);
 }
 
+/// Where the ray seems to dip below the bridge first: Newton's iteration on a convex function, from the left.
+/// Precondition: it dips.
+inline double guess_bridge_contact(double height, double kappa, double r) {
+    double t = 0;
+    for (int i = 0; i < 40; ++i) {
+        const double step = (height + kappa * t - r * std::sin(t)) / (r * std::cos(t) - kappa);
+        if (!(step > 0)) {
+            break;
+        }
+        t += step;
+        if (step < 0x1p-40 * t) {
+            break;
+        }
+    }
+    return t;
+}
+
 /// An upper bound, at most pi, of the t of first contact, over all rays at or below `highest` with slope at
 /// least `least_kappa`.
 template <class I>
@@ -56,14 +73,9 @@ I latest_bridge_contact(const BridgeApproach<I>& highest, const I& least_kappa, 
     const double r = approximate(range.r_lo);
     const double height = approximate(highest.height);
     const double kappa = approximate(highest.kappa);
-    double above = 0;
-    double below = std::acos(std::clamp(kappa / r, -1.0, 1.0));
-    if (height + kappa * below < r * std::sin(below)) {
-        for (int i = 0; i < 40; ++i) {
-            const double middle = (above + below) / 2;
-            (height + kappa * middle < r * std::sin(middle) ? below : above) = middle;
-        }
-        const I dip(below * (1 + slack));
+    const double parallel = std::acos(std::clamp(kappa / r, -1.0, 1.0));
+    if (height + kappa * parallel < r * std::sin(parallel)) {
+        const I dip(guess_bridge_contact(height, kappa, r) * (1 + slack) + 0x1p-40);
         if (certainly_less(dip, latest) && certainly_below_bridge(highest, dip, range.r_lo)) {
             latest = dip;
         }

@@ -51,8 +51,7 @@ I slope_of(const I& numerator, const I& denominator, bool& undecided) {
 /// kappa' of L4 over a box. With A = (w - r/w)/2 it is also (A^2 + r)/(A - kappa) - A, where kappa stands
 /// once, and kappa + (r + kappa^2)/(A - kappa), where A stands once: the common part of all three.
 template <class I>
-I reflected_slope(const I& kappa, const I& w, const I& r, bool& undecided) {
-    const auto out = reflect_at_light_wall(kappa, w, r);
+I reflected_slope(const LightReflection<I>& out, const I& kappa, const I& w, const I& r, bool& undecided) {
     I plain = slope_of(out.numerator, out.denominator, undecided);
     if (undecided || !certainly_positive(out.denominator) || !certainly_positive(w)) {
         return plain;
@@ -80,7 +79,7 @@ std::optional<PlainContact<I>> plain_contact(const PlainRay<I>& ray) {
     if (!least) {
         return std::nullopt;
     }
-    const auto greatest = highest_contact(high_end(ray.c), high_end(ray.kappa));
+    const auto greatest = highest_contact(high_end(ray.c), high_end(ray.kappa), approximate(least->x));
     if (!greatest) {
         return PlainContact<I>{hull(least->x, half_pi<I>()), hull(least->sin_x, I(1)),
                                hull(max(I(0), low_end(ray.kappa)), least->cos_x)};
@@ -104,11 +103,12 @@ long plain_count(PlainRay<I> ray, const I& r, long cap, const Interrupted& inter
         if (!at) {
             return count;
         }
-        if (certainly_at_most(reflect_at_light_wall(ray.kappa, at->cos_x, r).denominator, I(0))) {
+        const auto out = reflect_at_light_wall(ray.kappa, at->cos_x, r);
+        if (certainly_at_most(out.denominator, I(0))) {
             return count + 1;
         }
         bool undecided = false;
-        ray.kappa = detail::reflected_slope(ray.kappa, at->cos_x, r, undecided);
+        ray.kappa = detail::reflected_slope(out, ray.kappa, at->cos_x, r, undecided);
         if (undecided || ends_early(count, interrupted)) {
             return cap + 1;
         }
@@ -122,20 +122,10 @@ namespace detail {
 /// An enclosure of the t of first contact with the bridge.
 template <class I>
 I bridge_contacts(const BridgeApproach<I>& ray, const I& latest, const I& r) {
-    // f(t) = height + kappa t - r sin t of the lowest ray is convex: a Newton guess from the left, then f > 0
-    // and f' < 0 there prove that no contact comes before it.
-    const double height = low_end(ray.height).lo();
-    const double kappa = low_end(ray.kappa).lo();
-    const double size = high_end(r).hi();
-    double t = 0;
-    for (int i = 0; i < 30; ++i) {
-        const double value = height + kappa * t - size * std::sin(t);
-        const double derivative = kappa - size * std::cos(t);
-        if (!(value > 0) || !(derivative < 0)) {
-            break;
-        }
-        t -= value / derivative;
-    }
+    // f(t) = height + kappa t - r sin t of the lowest ray is convex: f > 0 and f' < 0 prove that no contact
+    // comes before.
+    const double t =
+        guess_bridge_contact(low_end(ray.height).lo(), low_end(ray.kappa).lo(), high_end(r).hi());
     const I early(std::max(0.0, t * (1 - 1e-9) - 1e-12));
     const SinCos<I> at = sin_cos(early);
     const bool proved =
@@ -203,11 +193,12 @@ long plain_later_collisions(PlainDeparture<I> from, const I& r, long cap,
         if (!at) {
             return std::max(most, count);
         }
-        if (certainly_at_most(reflect_at_light_wall(ray.kappa, at->cos_x, r).denominator, I(0))) {
+        const auto out = reflect_at_light_wall(ray.kappa, at->cos_x, r);
+        if (certainly_at_most(out.denominator, I(0))) {
             return std::max(most, count + 1);
         }
         bool undecided = false;
-        const I slope = detail::reflected_slope(ray.kappa, at->cos_x, r, undecided);
+        const I slope = detail::reflected_slope(out, ray.kappa, at->cos_x, r, undecided);
         if (undecided || ends_early(count, interrupted)) {
             return cap + 1;
         }

@@ -89,7 +89,7 @@ std::optional<LayerTree> cover_layer(const Interrupted& interrupted, Observer& o
             tree.split(i, axis, boxes[i].halves(axis));
         }
     }
-    return tree.pre_order();
+    return std::move(tree).pre_order();
 }
 
 }  // namespace dumbbell::law

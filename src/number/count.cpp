@@ -3,21 +3,44 @@
 #include <fmt/format.h>
 
 #include <ostream>
+#include <utility>
 
 #include "base/error.hpp"
 
 namespace dumbbell {
 
-Count::operator long() const {
-    if (mpz_fits_slong_p(value_.raw()) == 0) {
-        throw InputError(fmt::format("{} collisions: only fewer than 2^63 are listed or drawn", str()));
-    }
-    return value_.convert_to<long>();
+std::intptr_t Count::address_of_new(Integer value) {
+    static_assert(alignof(Integer) % 2 == 0);
+    return reinterpret_cast<std::intptr_t>(new Integer(std::move(value)));  // NOLINT
+}
+void Count::free_large() const { delete large(); }  // NOLINT(cppcoreguidelines-owning-memory)
+
+Count::Count(Integer value)
+    : word_(mpz_fits_slong_p(value.raw()) != 0 && fits(value.convert_to<long>())
+                ? tagged(value.convert_to<long>())
+                : address_of_new(std::move(value))) {}
+
+Count::Count(double value) {
+    Integer integer;
+    mpz_set_d(integer.raw(), value);
+    *this = Count(std::move(integer));
 }
 
-Count::operator double() const { return mpz_get_d(value_.raw()); }
+bool Count::fits_long() const { return is_small() || mpz_fits_slong_p(large()->raw()) != 0; }
 
-std::ostream& operator<<(std::ostream& out, const Count& x) { return out << x.integer(); }
+Count::operator long() const {
+    if (is_small()) {
+        return small();
+    }
+    if (!fits_long()) {
+        throw InputError(fmt::format("{} collisions: only fewer than 2^63 are listed or drawn", str()));
+    }
+    return large()->convert_to<long>();
+}
+
+Count::operator double() const { return mpz_get_d(integer().raw()); }
+
+std::ostream& operator<<(std::ostream& out, const Count& x) { return out << x.str(); }
 
 }  // namespace dumbbell
 

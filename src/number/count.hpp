@@ -4,6 +4,7 @@
 
 #include <compare>
 #include <concepts>
+#include <cstdint>
 #include <iosfwd>
 #include <string>
 #include <utility>
@@ -12,29 +13,44 @@
 
 namespace dumbbell {
 
-/// A number of collisions, of any size. Where only those are meant that are followed one by one, listed or
-/// drawn it becomes a long by itself; InputError if it does not fit.
+/// A number of collisions, of any size, in eight bytes: trees have two at every leaf, nearly all of them
+/// small, which take no memory of their own. Where only those are meant that are followed one by one, listed
+/// or drawn it becomes a long by itself; InputError if it does not fit.
 class Count {
   public:
     Count() = default;
     template <std::integral T>
-    Count(T value) : value_(value) {}  // NOLINT(google-explicit-constructor): no value is lost
-    explicit Count(Integer value) : value_(std::move(value)) {}
+    Count(T value)  // NOLINT(google-explicit-constructor): no value is lost
+        : word_(std::in_range<long>(value) && fits(static_cast<long>(value))
+                    ? tagged(static_cast<long>(value))
+                    : address_of_new(Integer(value))) {}
+    explicit Count(Integer value);
     /// Towards zero. Precondition: it is finite.
-    explicit Count(double value) { mpz_set_d(value_.raw(), value); }
+    explicit Count(double value);
+    Count(const Count& other) : word_(other.is_small() ? other.word_ : address_of_new(*other.large())) {}
+    Count(Count&& other) noexcept : word_(std::exchange(other.word_, tagged(0))) {}
+    Count& operator=(const Count& other) { return *this = Count(other); }
+    Count& operator=(Count&& other) noexcept {
+        std::swap(word_, other.word_);
+        return *this;
+    }
+    ~Count() {
+        if (!is_small()) {
+            free_large();
+        }
+    }
 
     operator long() const;  // NOLINT(google-explicit-constructor): see above
     explicit operator double() const;
-    [[nodiscard]] const Integer& integer() const { return value_; }
-    [[nodiscard]] std::string str() const { return value_.str(); }
+    [[nodiscard]] Integer integer() const { return is_small() ? Integer(small()) : *large(); }
+    [[nodiscard]] bool fits_long() const;
+    [[nodiscard]] std::string str() const { return is_small() ? std::to_string(small()) : large()->str(); }
 
     Count& operator+=(const Count& y) {
-        value_ += y.value_;
-        return *this;
+        return *this = both_small(y) ? Count(small() + y.small()) : Count(integer() + y.integer());
     }
     Count& operator-=(const Count& y) {
-        value_ -= y.value_;
-        return *this;
+        return *this = both_small(y) ? Count(small() - y.small()) : Count(integer() - y.integer());
     }
     Count& operator++() { return *this += 1; }
     Count& operator--() { return *this -= 1; }
@@ -43,22 +59,35 @@ class Count {
     friend Count operator-(Count x, const Count& y) { return x -= y; }
     /// Precondition: x >= 0, y > 0.
     friend long operator%(const Count& x, long y) {
-        return static_cast<long>(mpz_fdiv_ui(x.value_.raw(), static_cast<unsigned long>(y)));
+        return x.is_small() ? x.small() % y : (*x.large() % Integer(y)).convert_to<long>();
     }
-    friend bool operator==(const Count& x, const Count& y) { return x.value_ == y.value_; }
-    friend std::strong_ordering operator<=>(const Count& x, const Count& y) { return x.value_ <=> y.value_; }
+    friend bool operator==(const Count& x, const Count& y) { return (x <=> y) == 0; }
+    friend std::strong_ordering operator<=>(const Count& x, const Count& y) {
+        return x.both_small(y) ? x.small() <=> y.small() : x.integer() <=> y.integer();
+    }
     // With built-in integers these fit better than the conversion above.
     friend Count operator+(Count x, std::integral auto y) { return x += y; }
     friend Count operator+(std::integral auto x, Count y) { return y += x; }
     friend Count operator-(Count x, std::integral auto y) { return x -= y; }
-    friend bool operator==(const Count& x, std::integral auto y) { return x.value_ == Integer(y); }
-    friend std::strong_ordering operator<=>(const Count& x, std::integral auto y) {
-        return x.value_ <=> Integer(y);
-    }
+    friend bool operator==(const Count& x, std::integral auto y) { return x == Count(y); }
+    friend std::strong_ordering operator<=>(const Count& x, std::integral auto y) { return x <=> Count(y); }
     friend std::ostream& operator<<(std::ostream& out, const Count& x);
 
   private:
-    Integer value_;
+    static constexpr bool fits(long value) { return -(1L << 62) <= value && value < 1L << 62; }
+    static constexpr std::intptr_t tagged(long value) { return 2 * value + 1; }
+    static std::intptr_t address_of_new(Integer value);
+    void free_large() const;
+
+    [[nodiscard]] bool is_small() const { return (word_ & 1) != 0; }
+    [[nodiscard]] bool both_small(const Count& other) const { return (word_ & other.word_ & 1) != 0; }
+    [[nodiscard]] long small() const { return word_ >> 1; }
+    [[nodiscard]] const Integer* large() const {
+        return reinterpret_cast<const Integer*>(word_);  // NOLINT(*-reinterpret-cast,*-no-int-to-ptr)
+    }
+
+    std::intptr_t word_ =
+        tagged(0);  ///< 2 v + 1 for a value v that fits, else the (even) address of an Integer
 };
 
 }  // namespace dumbbell

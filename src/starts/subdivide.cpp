@@ -147,7 +147,7 @@ Subdivision grow(const InitialBox& box, const SubdivideOptions& options) {
             explain(result, tree, undecided, options.incoming);
         }
     }
-    result.tree = tree.pre_order();
+    result.tree = std::move(tree).pre_order();
     return result;
 }
 

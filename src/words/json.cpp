@@ -21,8 +21,7 @@ Json::Json(bool value) : text_(value ? "true" : "false") {}
 Json::Json(int value) : text_(std::to_string(value)) {}
 Json::Json(long value) : text_(std::to_string(value)) {}
 Json::Json(unsigned long value) : text_(std::to_string(value)) {}
-Json::Json(const Count& value)
-    : text_(mpz_fits_slong_p(value.integer().raw()) != 0 ? value.str() : '"' + value.str() + '"') {}
+Json::Json(const Count& value) : text_(value.fits_long() ? value.str() : '"' + value.str() + '"') {}
 Json::Json(double value) : text_(dumped(value, on_one_line)) {}
 Json::Json(std::string_view value) : text_(dumped(value, on_one_line)) {}
 Json::Json(const std::string& value) : Json(std::string_view(value)) {}

@@ -125,13 +125,13 @@ collisions::ProofReport describe(const CertifyRequest& request, const std::vecto
     return report;
 }
 
-collisions::Certificate certificate_of_pieces(const CertifyRequest& request,
-                                              const std::vector<ProvedPiece>& pieces) {
-    collisions::Certificate certificate{.pieces = {}, .scene = request.scene, .section = request.section};
-    for (const ProvedPiece& p : pieces) {
-        certificate.pieces.push_back(p.piece);
+SealedText certificate_text(const CertifyRequest& request, const std::vector<ProvedPiece>& proved) {
+    std::vector<const collisions::Piece*> pieces;
+    for (const ProvedPiece& p : proved) {
+        pieces.push_back(&p.piece);
     }
-    return certificate;
+    return render(collisions::Certificate{.pieces = {}, .scene = request.scene, .section = request.section},
+                  pieces);
 }
 
 /// What is printed without --json and --quiet.
@@ -174,7 +174,7 @@ int run_certify(const Given& given) {
     }
     collisions::ProofReport report = describe(request, pieces, seconds, given);
     if (output.is_wanted()) {
-        write(render(certificate_of_pieces(request, pieces)), output, report);
+        write(certificate_text(request, pieces), output, report);
     }
     if (store && !open) {
         store->remove();

@@ -63,8 +63,9 @@ Piece left_open(const std::string& lo, const std::string& hi) {
 /// States whose surroundings are split further, so that all opcodes occur: near the first of the chart light
 /// `meets`, near the second `meets-reversed`.
 bool near_meeting(const Box& box) {
-    const Rational reversed = 2 * box.q_lo / (box.q_lo - 1);
-    return box.e_lo == 0 && (box.slope_lo == 0 || (box.slope_lo <= reversed && reversed <= box.slope_hi));
+    const Rational e = box.e_lo, least = box.slope_lo, greatest = box.slope_hi, q = box.q_lo;
+    const Rational reversed = 2 * q / (q - 1);
+    return e == 0 && (least == 0 || (least <= reversed && reversed <= greatest));
 }
 /// More splits than are needed, in turn of all axes: `depth` everywhere, twelve more near meetings.
 void grow(Chart chart, const Box& box, long upper, int depth, int done, Tree& tree) {
@@ -75,7 +76,7 @@ void grow(Chart chart, const Box& box, long upper, int depth, int done, Tree& tr
         return;
     }
     require(done < depth + 20, "a deep tree does not close");
-    const bool ratio = box.q_lo < box.q_hi && done % 3 == 2 && done < depth;
+    const bool ratio = Rational(box.q_lo) < Rational(box.q_hi) && done % 3 == 2 && done < depth;
     const Axis axis = ratio ? Axis::ratio : done % 2 == 0 ? Axis::position : Axis::slope;
     const auto [low, high] = halves(box, axis);
     tree.push_back({axis, {}});

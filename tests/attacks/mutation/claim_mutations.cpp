@@ -28,9 +28,9 @@ void best_tree(Chart chart, const Box& box, long upper, int depth, Tree& tree) {
         tree.push_back({std::nullopt, *leaf});
         return;
     }
-    const bool position =
-        chart != Chart::wedge && (box.e_hi - box.e_lo) * box.q_hi >= box.slope_hi - box.slope_lo;
-    const bool ratio = (box.q_hi - box.q_lo) * 8 > box.q_lo;
+    const bool position = chart != Chart::wedge && width(box.e_lo, box.e_hi) * approximate(box.q_hi) >=
+                                                       width(box.slope_lo, box.slope_hi);
+    const bool ratio = width(box.q_lo, box.q_hi) * 8 > approximate(box.q_lo);
     const Axis axis = ratio ? Axis::ratio : position ? Axis::position : Axis::slope;
     const auto [low, high] = halves(box, axis);
     tree.push_back({axis, {}});

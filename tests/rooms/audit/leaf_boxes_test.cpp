@@ -24,12 +24,12 @@ void prover_boxes(const Tree& tree, std::size_t& next, const Box& box, std::vect
 }
 
 void check_same(const Boxes& boxes, const audit::BoxEnds& ends, const Box& box) {
-    CHECK(boxes.lo(ends, 0) == box.e_lo);
-    CHECK(boxes.hi(ends, 0) == box.e_hi);
-    CHECK(boxes.lo(ends, 1) == box.slope_lo);
-    CHECK(boxes.hi(ends, 1) == box.slope_hi);
-    CHECK(boxes.lo(ends, 2) == box.q_lo);
-    CHECK(boxes.hi(ends, 2) == box.q_hi);
+    CHECK(boxes.lo(ends, 0) == Rational(box.e_lo));
+    CHECK(boxes.hi(ends, 0) == Rational(box.e_hi));
+    CHECK(boxes.lo(ends, 1) == Rational(box.slope_lo));
+    CHECK(boxes.hi(ends, 1) == Rational(box.slope_hi));
+    CHECK(boxes.lo(ends, 2) == Rational(box.q_lo));
+    CHECK(boxes.hi(ends, 2) == Rational(box.q_hi));
 }
 
 constexpr auto charts = {Chart::bridge,        Chart::light,           Chart::contact, Chart::departure,

@@ -114,7 +114,7 @@ std::map<Reason, int> soundness(std::uint64_t seed, Chart chart, int boxes) {
     std::map<Reason, int> closed;
     for (int i = 0; i < boxes; ++i) {
         const Box box = random_box(choices);
-        const double q = box.q_hi.convert_to<double>();
+        const double q = approximate(box.q_hi);
         const long upper = 1 + static_cast<long>(choices.uniform(0, 3 + std::sqrt(q)));
         std::optional<Leaf> leaf;
         judge<I>(chart, {&box, 1}, upper, {&leaf, 1});

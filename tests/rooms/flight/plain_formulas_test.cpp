@@ -86,7 +86,8 @@ TEST_CASE("The plain reflected slope encloses every slope below 1, near denomina
         const auto w = around<Interval>(random, w_mid, 0.1, 1);
         const auto kappa = around<Interval>(random, kappa_mid, 0.1, 1);
         bool undecided = false;
-        const Interval ours = flight::detail::reflected_slope(kappa, w, r, undecided);
+        const Interval ours = flight::detail::reflected_slope(flight::reflect_at_light_wall(kappa, w, r),
+                                                              kappa, w, r, undecided);
         const Real k(pick(random, kappa));
         const auto out = reflect<Real>({Real(1), k}, Real(pick(random, w)), Real(pick(random, r)));
         if (undecided || !(out.angular < 0)) {

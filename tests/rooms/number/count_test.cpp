@@ -42,3 +42,26 @@ TEST_CASE("a count that fits is a long by itself, and no other is") {
     CHECK_THROWS_AS(as_long(beyond), InputError);
     CHECK_THROWS_AS(as_long(Count(0) - beyond - 1), InputError);
 }
+
+TEST_CASE("counts are right where they begin to take memory of their own") {
+    const Integer edge = Integer(1) << 62;
+    for (const int step : {-2, -1, 0, 1, 2}) {
+        for (const Integer& value : {Integer(edge + Integer(step)), Integer(-edge + Integer(step))}) {
+            const Count count(value);
+            CHECK(count.str() == value.str());
+            CHECK(count.integer() == value);
+            CHECK(Count(value.convert_to<long>()) == count);
+            CHECK(static_cast<long>(count) == value.convert_to<long>());
+            CHECK(count.fits_long());
+            Count other(7);
+            other = count;
+            CHECK((other + 3) - count == 3);
+            const Count moved(std::move(other));
+            CHECK(moved == count);
+            CHECK(moved - count == 0);
+        }
+    }
+    CHECK(Count(std::numeric_limits<unsigned long>::max()).str() == "18446744073709551615");
+    CHECK_FALSE(beyond.fits_long());
+    CHECK((Count(edge) <=> Count(-edge)) == std::strong_ordering::greater);
+}
