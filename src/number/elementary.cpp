@@ -24,7 +24,7 @@ static_assert(moved_error + 2 < pad * 0x1p53);
 
 /// What sin_kernel or cos_kernel computes as v on the way of guess_sin_cos lies between the doubles two below
 /// v and two above (L63 (a)).
-Interval two_doubles_around(double v) noexcept { return outward(outward(Interval(v))); }
+Interval two_doubles_around(double v) noexcept { return with_neighbours(with_neighbours(Interval(v))); }
 
 /// [v - p, v + p] and the doubles beyond, p = 2^-50 |v|: what is off from v by moved_error (L63 (b)), or less
 /// (L14 (c)).

@@ -60,7 +60,7 @@ class Interval {
     }
 
     /// With the double beyond each end; an end 0 may stay.
-    friend Interval outward(const Interval& a) { return Interval(ends::above(a.ends_)); }
+    friend Interval with_neighbours(const Interval& a) { return Interval(ends::above(a.ends_)); }
 
     friend Interval sqr(const Interval& a) {
         const ends::Pair other = ends::swapped(a.ends_);

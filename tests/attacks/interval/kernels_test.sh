@@ -40,7 +40,7 @@ refused $program 'reach = 0.79' 'reach = 0.9'
 refused $program '(half_pi_hi - x) + half_pi_lo' 'half_pi_hi - x'
 refused $program 'next_down(v - p)' 'v - p'
 refused $program 'SinCosGuess{s, c} : SinCosGuess{c, s}' 'SinCosGuess{c, s} : SinCosGuess{s, c}'
-refused $program 'outward(outward(Interval(v)))' 'outward(Interval(v))'
+refused $program 'with_neighbours(with_neighbours(Interval(v)))' 'with_neighbours(Interval(v))'
 refused $program '<= 0x1p20' '<= 0x1p50'
 kernel=src/number/sine_kernel.hpp
 refused $kernel '1.0 / 120 +' '1.0 / 121 +'
