@@ -8,7 +8,7 @@
 
 // What the compiler tells of its flags; the self-test at start-up finds what it does not tell.
 #if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__) || \
-    (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__)
+    defined(__NO_SIGNED_ZEROS__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__)
 #error "dumbbell: -ffast-math and its parts break IEEE arithmetic and with it every enclosure; build without"
 #endif
 

@@ -36,6 +36,11 @@ void require_sound_arithmetic() {
     require(least / 2 > 0 && opaque(std::numeric_limits<double>::denorm_min()) * 1.0 > 0,
             "self-test: subnormal numbers are flushed to zero; refusing to compute");
 
+    // A compiler for which -0 is 0 (-fno-signed-zeros) leaves out the sum that makes a -0 a 0 (L62).
+    const double vanished = opaque(-0x1p-600) * opaque(0x1p-600);
+    require(std::signbit(vanished) && !std::signbit(vanished + 0.0),
+            "self-test: the sign of zero is lost; refusing to compute");
+
     // (1 + 2^-27)(1 - 2^-27) = 1 - 2^-54 rounds to 1 (tie to even); a fused or extended evaluation keeps the
     // difference.
     const double product = opaque(1 + 0x1p-27) * opaque(1 - 0x1p-27);

@@ -8,7 +8,7 @@ folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 failures=0
 here=$(dirname -- "${BASH_SOURCE[0]}")
-program=("$here/program.cpp" "$project"/src/number/{elementary,self_test}.cpp)
+program=("$here/program.cpp" "$project"/src/number/{elementary,interval,self_test}.cpp)
 verifier=("$here/verifier.cpp")
 declare -A first
 
@@ -68,11 +68,13 @@ for compiler in "${compilers[@]}"; do
     variant hostile "$compiler" -O2 -ffp-contract=off "${regrouping[@]}"
     variant hostile "$compiler" -O2 -ffp-contract=off -freciprocal-math
     variant hostile "$compiler" -O2 -ffp-contract=off -ffinite-math-only
+    variant hostile "$compiler" -O2 -ffp-contract=off -fno-signed-zeros
     variant hostile "$compiler" -O2 -ffp-contract=off -ffast-math
 done
 variant same g++ -O2 -ffp-contract=off -frounding-math # CGAL's headers ask for it
 # The self-test alone, without what g++ tells of its flags.
 variant hostile g++ -O2 -ffp-contract=off "${regrouping[@]}" -U__ASSOCIATIVE_MATH__
+variant hostile g++ -O2 -ffp-contract=off -fno-signed-zeros -U__NO_SIGNED_ZEROS__
 # Double rounding by the x87 unit, where there is one.
 [[ $(uname -m) != x86_64 ]] || variant hostile g++ -O2 -ffp-contract=off -mfpmath=387
 
