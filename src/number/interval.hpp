@@ -49,10 +49,13 @@ class Interval {
         }
         const ends::Pair greatest =
             ends::max(ends::max(ends::swapped(p), q), -ends::min(p, ends::swapped(q)));
+        if (greatest[0] == 0 && greatest[1] == 0) [[unlikely]] {
+            return hard_product(a, b);  // 0 if a factor is
+        }
         return Interval(ends::above(greatest + ends::twice(0)));  // +0, if one of the greatest is
     }
     friend Interval operator/(const Interval& a, const Interval& b) {
-        if (b.lo() > 0) [[likely]] {
+        if (b.lo() > 0 && (a.ends_[0] != 0 || a.ends_[1] != 0)) [[likely]] {
             return Interval(quotient(a.ends_, b.ends_));
         }
         return b.hi() < 0 ? Interval(quotient(ends::swapped(a.ends_), ends::swapped(b.ends_)))
@@ -92,9 +95,9 @@ class Interval {
     static ends::Pair quotient(ends::Pair a, ends::Pair b) {
         return ends::above(a / (a >= 0 ? ends::twice(-b[0]) : ends::twice(b[1])));
     }
-    /// Where an end is infinite or NaN, or a sum of products is.
+    /// Where an end is infinite or NaN, or a sum of products is, or all products round to 0.
     static Interval hard_product(Interval a, Interval b);
-    /// Where b contains 0, or is NaN.
+    /// Where b contains 0, or is NaN; or where a is 0.
     static Interval hard_quotient(Interval a, Interval b);
 
     ends::Pair ends_;  ///< both NaN, or in order, or the other one infinite where one is NaN

@@ -58,6 +58,11 @@ TEST_CASE("A product that underflows keeps its sign's side") {
     CHECK(is(Interval(1e-200) * Interval(1e-200), 0, least));
     CHECK((Interval(-1e-200) * Interval(1e-200)).lo() == -least);
     CHECK(is(sqr(tiny), 0, least));
+    for (const Interval& x : {Interval(3), Interval(-3, 5), tiny}) {  // but 0 is 0
+        CHECK(is(Interval(0) * x, 0, 0));
+        CHECK(is(x * Interval(0), 0, 0));
+    }
+    CHECK(is(Interval(0) / Interval(3), 0, 0));
     CHECK(is(Interval(1e-200) / Interval(1e200), 0, least));
     CHECK(is(Interval(-1e-200) / Interval(1e200), -least, 0));
 }
