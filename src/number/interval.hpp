@@ -55,7 +55,7 @@ class Interval {
         return Interval(ends::above(greatest + ends::twice(0)));  // +0, if one of the greatest is
     }
     friend Interval operator/(const Interval& a, const Interval& b) {
-        if (b.lo() > 0 && (a.ends_[0] != 0 || a.ends_[1] != 0)) [[likely]] {
+        if (b.lo() > 0) [[likely]] {
             return Interval(quotient(a.ends_, b.ends_));
         }
         return b.hi() < 0 ? Interval(quotient(ends::swapped(a.ends_), ends::swapped(b.ends_)))
@@ -97,7 +97,7 @@ class Interval {
     }
     /// Where an end is infinite or NaN, or a sum of products is, or all products round to 0.
     static Interval hard_product(Interval a, Interval b);
-    /// Where b contains 0, or is NaN; or where a is 0.
+    /// Where b contains 0, or is NaN.
     static Interval hard_quotient(Interval a, Interval b);
 
     ends::Pair ends_;  ///< both NaN, or in order, or the other one infinite where one is NaN
