@@ -42,41 +42,44 @@ Operands<I> enclosures(double lo, double hi) {
     return result;
 }
 
-/// Operations that do not wait for each other.
-template <class Enter, class Make, class Operation>
-void measure(const std::string& operation, const std::string& arithmetic, Enter enter, Make make,
-             Operation apply) {
+/// `pass` is one go through all operands.
+template <class Enter, class Make, class Pass>
+void add_benchmark(const std::string& operation, const std::string& arithmetic, Enter enter, Make make,
+                   Pass pass) {
     benchmark::RegisterBenchmark(("operation/" + operation + "/" + arithmetic).c_str(),
                                  [=](benchmark::State& state) {
                                      [[maybe_unused]] const auto scope = enter();
                                      const auto operands = make();
                                      for (auto _ : state) {
-                                         for (std::size_t i = 0; i < samples; ++i) {
-                                             auto result = apply(operands.a[i], operands.b[i]);
-                                             benchmark::DoNotOptimize(result);
-                                         }
+                                         pass(operands);
                                      }
                                      state.counters["operations"] = static_cast<double>(samples);
                                  });
+}
+
+/// Operations that do not wait for each other.
+template <class Enter, class Make, class Operation>
+void measure(const std::string& operation, const std::string& arithmetic, Enter enter, Make make,
+             Operation apply) {
+    add_benchmark(operation, arithmetic, enter, make, [=](const auto& operands) {
+        for (std::size_t i = 0; i < samples; ++i) {
+            auto result = apply(operands.a[i], operands.b[i]);
+            benchmark::DoNotOptimize(result);
+        }
+    });
 }
 
 /// Each operation waits for the one before.
 template <class Enter, class Make, class Operation>
 void measure_chain(const std::string& operation, const std::string& arithmetic, Enter enter, Make make,
                    Operation apply) {
-    benchmark::RegisterBenchmark(("operation/" + operation + ", chain/" + arithmetic).c_str(),
-                                 [=](benchmark::State& state) {
-                                     [[maybe_unused]] const auto scope = enter();
-                                     const auto operands = make();
-                                     for (auto _ : state) {
-                                         auto result = operands.a[0];
-                                         for (std::size_t i = 0; i < samples; ++i) {
-                                             result = apply(result, operands.b[i]);
-                                         }
-                                         benchmark::DoNotOptimize(result);
-                                     }
-                                     state.counters["operations"] = static_cast<double>(samples);
-                                 });
+    add_benchmark(operation + ", chain", arithmetic, enter, make, [=](const auto& operands) {
+        auto result = operands.a[0];
+        for (std::size_t i = 0; i < samples; ++i) {
+            result = apply(result, operands.b[i]);
+        }
+        benchmark::DoNotOptimize(result);
+    });
 }
 
 constexpr double least_operand = 0x1p-4;
