@@ -1,6 +1,7 @@
 #include "adiabatic/classes.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -23,12 +24,21 @@ double contact(double m, double l, double x) {
     for (int i = 0; i < 50; ++i) {
         const double step = (std::sin(x) - l * x - m - l * right_angle) / (std::cos(x) - l);
         x -= step;
-        if (std::abs(step) < 1e-13) {
+        if (std::abs(step) < 1e-7) {  // what is left is its square
             break;
         }
     }
     return x;
 }
+
+/// Where the parts of a flight end, the denser the nearer to its lower contact.
+const auto part_ends = [] {
+    std::array<double, parts + 1> ends{};
+    for (int i = 0; i <= parts; ++i) {
+        ends.at(i) = 1 - 2 * std::pow(1 - static_cast<double>(i) / parts, 3);
+    }
+    return ends;
+}();
 
 struct Rates {
     double second, first, growth;
@@ -38,14 +48,14 @@ struct Rates {
 Rates rates(double x, double l, double r) {
     const double w = std::cos(x), s = std::sin(x), z = w * w, b2 = 1 / (1 + r);
     const double F = right_angle + x, f = right_angle + std::asin(b2 * s), rho = std::sqrt(z + 2 * r + r * r);
-    const double n = f * F * s * (z - r) / ((z + r) * (z + r));
-    const double n_x = (z - r) / ((z + r) * (z + r)) * (w / rho * F * s + f * s + f * F * w) +
-                       2 * f * F * s * s * w * (z - 3 * r) / std::pow(z + r, 3);
+    const double over = 1 / (z + r), growth = F / (w - l), bent = f * F * s;
+    const double n = bent * (z - r) * over * over;
+    const double n_x = (z - r) * over * over * (w / rho * F * s + f * s + f * F * w) +
+                       2 * bent * s * w * (z - 3 * r) * over * over * over;
     const double zeta = b2 * s * (2 + r) / (rho + w);
-    return {(F * n_x + n * (1 + F * s / (w - l))) / ((w - l) * (w - l)),
-            2 * f * F * s * w / ((w - l) * (z + r) * (z + r)) +
-                w * (F * (2 + r) / (rho * (rho + w)) - zeta) / (z + r),
-            F / (w - l)};
+    return {(F * n_x + n * (1 + growth * s)) / ((w - l) * (w - l)),
+            2 * bent * w / (w - l) * over * over + w * (F * (2 + r) / (rho * (rho + w)) - zeta) * over,
+            growth};
 }
 
 /// The cells of one class, from the vertical's far side towards it.
@@ -100,12 +110,12 @@ class Densities {
             return 0;
         }
         double drift = 0, own = 0, before = 0;
-        double x = lower;
+        double x = lower, ahead = lower;
         for (int i = 0; i < parts; ++i) {
-            const double from = 1 - 2 * std::pow(1 - static_cast<double>(i) / parts, 3);
-            const double until = 1 - 2 * std::pow(1 - (i + 1.0) / parts, 3);
-            const double lambda = (from + until) / 2;
-            x = contact(m, lambda * k, x);
+            const double from = part_ends[i], until = part_ends[i + 1], lambda = (from + until) / 2;
+            const double here = contact(m, lambda * k, ahead);
+            ahead = std::clamp(here + (here - x), 0.0, right_angle);
+            x = here;
             const Rates at = rates(x, lambda * k, r);
             drift += (until - from) * (at.second * sigma * sigma * (1 - lambda * lambda) / 2 + at.first);
             const std::size_t in = cell_of(right_angle - x, cell);
