@@ -1,4 +1,4 @@
-"""Certificates, with the right checksum, whose trees are a million levels deep."""
+"""Certificates, with the right checksum, whose trees are very deep."""
 
 import resource
 import tempfile
@@ -8,7 +8,6 @@ from certificate import sealed
 from programs import Programs
 from tally import Tally
 
-DEEP = 1_000_000
 PATIENCE = 60  # seconds of the processor
 
 
@@ -18,9 +17,8 @@ def used() -> float:
     return usage.ru_utime + usage.ru_stime
 
 
-def text(axis: str, leaves: int) -> bytes:
-    """A tree of splits of its lower halves, with this number of its leaves."""
-    splits = DEEP
+def text(axis: str, splits: int, leaves: int) -> bytes:
+    """A tree of this many splits, each of the lower half, with this number of its leaves."""
     lines = ["dumbbell-certificate 1", "generator dumbbell 0.1.0", "lemmas 1", "scene dumbbell", "section turning",
              "claim collisions", "ratio 10/1 10/1", "pieces 1", "piece 10/1 10/1", "bits 53", "upper 4", "chart bridge"]
     lines += [f"split {axis}"] * splits + ["count 1 1"] * leaves
@@ -30,17 +28,17 @@ def text(axis: str, leaves: int) -> bytes:
     return sealed("\n".join(lines).encode() + b"\n")
 
 
-def deep_trees(programs: Programs) -> Tally:
-    tally = Tally("trees 10^6 levels deep")
+def deep_trees(programs: Programs, levels: int) -> Tally:
+    tally = Tally(f"trees {levels} levels deep")
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
         file = folder / "deep.dbc"
         for axis in ("e", "eta", "q"):
-            for leaves in (DEEP + 1, DEEP, 0):
-                file.write_bytes(text(axis, leaves))
+            for leaves in (levels + 1, levels, 0):
+                file.write_bytes(text(axis, levels, leaves))
                 for command, code in (([programs.verify, file], 1), ([programs.dumbbell, "law", file], 2),
                                       ([programs.dumbbell, "plot", "staircase", file, "--out", "a.svg"], 2),
-                                      ([programs.dumbbell, "audit", file], 3 if leaves > DEEP else 2)):
+                                      ([programs.dumbbell, "audit", file], 3 if leaves > levels else 2)):
                     start = used()
                     outcome = programs.run(command, folder, memory_kib=4_000_000)
                     tally.injected += 1

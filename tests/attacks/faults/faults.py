@@ -31,7 +31,7 @@ FAULTS = {
     "full_disk": lambda programs: [places.full_disk(programs, 5 * SCALE, SEED + 3)],
     "unwritable_folder": lambda programs: [places.unwritable_folder(programs, 5 * SCALE, SEED + 4)],
     "replaced_file": lambda programs: [replaced.during_verification(programs, 24 * SCALE, SEED + 5)],
-    "deep_trees": lambda programs: [deep_trees.deep_trees(programs)],
+    "deep_trees": lambda programs: [deep_trees.deep_trees(programs, min(200_000 * SCALE, 1_000_000))],
     "no_memory": lambda programs: memory.out_of_memory(programs, 6 * SCALE, SEED + 6),
 }
 

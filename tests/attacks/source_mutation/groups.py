@@ -75,8 +75,8 @@ GROUPS = {
                     "law/constants:law/grammar law/kernel:law/layer law/rule:law/layer law/slope:law/layer law/steps:law/grammar"),
         left_out=frozenset(),
         texts=frozenset({"verify/law/claim.cpp"}),
-        targets=("dumbbell-verify", "test_verify"),
-        programs=("tests/rooms/verify/test_verify",)),
+        targets=("dumbbell-verify", "test_verify", "test_verify_law"),
+        programs=("tests/rooms/verify/test_verify_law", "tests/rooms/verify/test_verify")),
     "interval": Group(
         files={"number/interval.hpp": "number/elementary.cpp", "number/rounding.hpp": "number/elementary.cpp",
                "number/ends.hpp": "number/elementary.cpp", "number/interval.cpp": "number/interval.cpp",
