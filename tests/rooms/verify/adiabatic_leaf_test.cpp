@@ -110,7 +110,7 @@ TEST_CASE("adiabatic: no accepted leaf of one bounce holds a state with greater 
         claim.delta_lo = mpq_class(delta / 2);
         claim.delta_hi = mpq_class(delta);
         // Near the values of this very state, so that many boxes are true by little or false by little.
-        const Orbit typical(std::min<Real>(u, 1.55L), s, delta);
+        const AdiabaticOrbit typical(std::min<Real>(u, 1.55L), s, delta);
         const Real e1 =
             std::abs(typical.spin_after(0) - 1 - 2 * delta * s / std::sqrt(1 - typical.y(0) * typical.y(0)));
         const Real e2 =
@@ -133,7 +133,7 @@ TEST_CASE("adiabatic: no accepted leaf of one bounce holds a state with greater 
                        climb = within(leaf.box.lo[axis_s], leaf.box.hi[axis_s]);
             if (angle >= pi_real / 2 || angle < claim.margin.get_d() * std::pow(d, static_cast<Real>(k)))
                 continue;
-            const Orbit orbit(angle, climb, d, engine()() % 2 == 0);
+            const AdiabaticOrbit orbit(angle, climb, d, engine()() % 2 == 0);
             const Real y = orbit.y(0);
             if (y < claim.y_lo.get_d() || y > claim.y_hi.get_d() || orbit.size() < 2 || !orbit.light(1))
                 continue;
@@ -172,7 +172,7 @@ TEST_CASE("adiabatic: where D changes its sign in a leaf of a bounce, the states
     leaf.box.lo.at(axis_s) = 0;  // D < 0 here at u = 1/100
     leaf.box.hi.at(axis_s) = 1;
     leaf.outside = false;
-    const Orbit inside(0.03L, 1, 0.01L);
+    const AdiabaticOrbit inside(0.03L, 1, 0.01L);
     REQUIRE(inside.size() > 1);
     REQUIRE(inside.light(1));
     CHECK(check_adiabatic(leaf, nullptr) != nullptr);
@@ -203,7 +203,7 @@ void try_run_leaf(Adiabatic::Kind kind, int trials, std::array<int, 4>& seen) {
         else
             file.add_class(mpq_class(13, 10), cells_down_to(mpq_class(1, 4), 60, 1.3, 2));
         double u = 0, s = 0;
-        std::optional<Orbit> typical;
+        std::optional<AdiabaticOrbit> typical;
         do {  // a whole scattering begins high and fast
             u = least * (whole ? uniform(0.95, 1.6) : uniform(0.9, 2));
             s = whole ? 1 - power_of_two(-12, 0) : uniform(0, 1);
@@ -232,7 +232,7 @@ void try_run_leaf(Adiabatic::Kind kind, int trials, std::array<int, 4>& seen) {
             if (j == 0 && (angle < leaf.box.lo[axis_u].get_d() || angle > leaf.box.hi[axis_u].get_d() ||
                            climb < leaf.box.lo[axis_s].get_d() || climb > leaf.box.hi[axis_s].get_d()))
                 continue;
-            const Orbit orbit(angle, climb, delta, engine()() % 2 == 0);
+            const AdiabaticOrbit orbit(angle, climb, delta, engine()() % 2 == 0);
             if (whole ? !orbit.is_whole()
                       : orbit.y(0) < claim.y_lo.get_d() || orbit.y(0) > claim.y_hi.get_d())
                 continue;

@@ -16,9 +16,9 @@ constexpr Real pi_real = 3.14159265358979323846264338327950288L;
 
 /// A collision of the light mass at distance u of the rod from the vertical, just before which |phidot| = 1
 /// and ydot = -delta s, and all that follow.
-class Orbit {
+class AdiabaticOrbit {
   public:
-    Orbit(Real u, Real s, Real delta, bool forwards = true) : body_((1 - delta * delta) / (delta * delta)) {
+    AdiabaticOrbit(Real u, Real s, Real delta, bool forwards = true) : body_((1 - delta * delta) / (delta * delta)) {
         const Real x = pi_real / 2 - u, y = body_.beta2() * std::sin(x);
         before_ = {forwards ? pi_real + x : -x, forwards ? 1.0L : -1.0L, y, -delta * s};
         const auto after = body_.bounce(dumbbell_oracle::Mass::light, before_);
