@@ -18,7 +18,8 @@ constexpr Real pi_real = 3.14159265358979323846264338327950288L;
 /// and ydot = -delta s, and all that follow.
 class AdiabaticOrbit {
   public:
-    AdiabaticOrbit(Real u, Real s, Real delta, bool forwards = true) : body_((1 - delta * delta) / (delta * delta)) {
+    AdiabaticOrbit(Real u, Real s, Real delta, bool forwards = true)
+        : body_((1 - delta * delta) / (delta * delta)) {
         const Real x = pi_real / 2 - u, y = body_.beta2() * std::sin(x);
         before_ = {forwards ? pi_real + x : -x, forwards ? 1.0L : -1.0L, y, -delta * s};
         const auto after = body_.bounce(dumbbell_oracle::Mass::light, before_);
