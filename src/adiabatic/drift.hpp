@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <optional>
 
 #include "adiabatic/contact.hpp"
@@ -28,19 +29,20 @@ struct LightFlights {
           may_come_from_below_(certainly_at_most(low_end(k), cos(high_end(x)))) {}
 
     /// Bounds of X(lambda), the root of L34 for the slope lambda k, lambda in [-1, 1] exact: it increases
-    /// with lambda and x and decreases with k. Of flights with a lower contact, and with k < cos x.
-    [[nodiscard]] I least_root(const I& lambda) const {
+    /// with lambda and x and decreases with k. Of flights with a lower contact, and with k < cos x. `start`:
+    /// a guess.
+    [[nodiscard]] I least_root(const I& lambda, double start = flight::no_start) const {
         const auto [c, l] = least_.line(lambda);
-        const auto contact = flight::lowest_contact(low_end(c), low_end(l));
+        const auto contact = flight::lowest_contact(low_end(c), low_end(l), start);
         return contact ? max(I(0), min(contact->x, low_end(x))) : low_end(x);
     }
-    [[nodiscard]] I greatest_root(const I& lambda) const {
+    [[nodiscard]] I greatest_root(const I& lambda, double start = flight::no_start) const {
         const auto [c, l] = greatest_.line(lambda);
         const I from = high_end(c);
         if (!may_come_from_below_ || !certainly_at_most(I(0), from)) {
             return high_end(x);
         }
-        const auto contact = flight::highest_contact(from, high_end(l));
+        const auto contact = flight::highest_contact(from, high_end(l), start);
         return contact ? min(contact->x, high_end(x)) : high_end(x);
     }
 
@@ -103,6 +105,23 @@ inline constexpr int drift_parts = 64;
     return 1 - 2 * left * left * left;
 }
 
+/// Where the next of these roots seems to be: a guess.
+template <class I>
+class RootTrend {
+  public:
+    /// Of the last root, which is returned.
+    const I& add(const I& root) {
+        const double x = approximate(root);
+        next_ = last_ < 0 ? x : std::max(0.0, x + (x - last_));
+        last_ = x;
+        return root;
+    }
+    [[nodiscard]] double next() const { return next_; }
+
+  private:
+    double last_ = -1, next_ = flight::no_start;
+};
+
 /// Both sides of (D) of L35, summed over the parts: the drift, and the least growth of the potential.
 /// Nothing where the flight may be steeper than the wall.
 template <class I>
@@ -116,12 +135,13 @@ template <class I, class Density>
 [[nodiscard]] std::optional<DriftSums<I>> drift_sums(const LightFlights<I>& flights, const Density& density) {
     const I half_sigma2 = sqr(flights.sigma) / I(2);
     DriftSums<I> sums{I(0), I(0)};
-    I least = flights.least_root(I(-1));
+    RootTrend<I> lower, upper;
+    I least = lower.add(flights.least_root(I(-1)));
     for (int i = 0; i < drift_parts; ++i) {
         const I lo(drift_part_end(i));
         const I hi(drift_part_end(i + 1));
-        const LightContact<I> at =
-            light_contact(hull(least, flights.greatest_root(hi)), flights.masses.beta2);
+        const I greatest = upper.add(flights.greatest_root(hi, upper.next()));
+        const LightContact<I> at = light_contact(hull(least, greatest), flights.masses.beta2);
         const I l = hull(lo, hi) * flights.k;
         if (!certainly_positive(at.w - l)) {
             return std::nullopt;
@@ -130,7 +150,7 @@ template <class I, class Density>
         const I mean = I(1) - (sqr(lo) + lo * hi + sqr(hi)) / I(3);  // of 1 - lambda^2
         sums.drift = sums.drift + (hi - lo) * (rates.second * half_sigma2 * mean + rates.first);
         sums.growth = sums.growth + (hi - lo) * (density(half_pi<I>() - at.x) * at.F / (at.w - l));
-        least = flights.least_root(hi);
+        least = lower.add(flights.least_root(hi, lower.next()));
     }
     sums.growth = sums.growth * sqrt(I(1) + sqr(flights.sigma));
     return sums;
