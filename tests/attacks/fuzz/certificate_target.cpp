@@ -4,6 +4,8 @@
 #include <cmath>
 #include <new>
 
+#include "adiabatic/reader.hpp"
+#include "adiabatic/writer.hpp"
 #include "choices.hpp"
 #include "collisions/reader.hpp"
 #include "collisions/writer.hpp"
@@ -96,11 +98,19 @@ void check_initial(const dumbbell_verify::Initial& claim, const std::string& tex
     }
 }
 
+/// What is attained is within the bound.
+void check_invariant(const dumbbell_verify::Adiabatic& claim) {
+    for (std::size_t i = 0; i < claim.bounds.size(); ++i)
+        must(claim.attained.at(i).value <= claim.bounds[i], "a bound that is not exceeded");
+}
+
 /// What the verifier accepts the program can read, and would write in the same way.
-void check_spelling(const std::string& text) {
+void check_spelling(const std::string& text, bool about_invariant) {
     static MemoryFile file;
+    const std::string& path = file.holding(text);
     const auto again =
-        dumbbell::collisions::render(dumbbell::collisions::read_certificate(file.holding(text)));
+        about_invariant ? dumbbell::adiabatic::render(dumbbell::adiabatic::read_adiabatic_certificate(path))
+                        : dumbbell::collisions::render(dumbbell::collisions::read_certificate(path));
     must(again.text == text, "there is one spelling");
 }
 
@@ -114,7 +124,9 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     settings.max_bits = most_bits;
     const std::string kind = value_of(*text, "claim");
     const bool initial = kind == "initial-conditions" || kind == "incoming";
-    if (!initial) settings.demand.keep = dumbbell_verify::all_pieces;
+    const bool about_invariant = dumbbell_verify::adiabatic_kind(kind).has_value();
+    if (!initial && !about_invariant) settings.demand.keep = dumbbell_verify::all_pieces;
+    if (about_invariant) settings.budget = dumbbell_verify::units_per_second / 10;
     if (const std::string scene = value_of(*text, "scene"); !scene.empty()) settings.scene = scene;
 
     const auto proof = proof_of(bytes, settings);
@@ -125,9 +137,14 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
         const auto* claim = std::get_if<dumbbell_verify::Initial>(&proof->other);
         must(claim != nullptr, "a claim about initial conditions");
         check_initial(*claim, *text);
+    } else if (about_invariant) {
+        const auto* claim = std::get_if<dumbbell_verify::Adiabatic>(&proof->other);
+        must(claim != nullptr, "a claim about the invariant");
+        check_invariant(*claim);
+        check_spelling(*text, true);
     } else {
         check_claim(*proof, *text, settings);
-        check_spelling(*text);
+        check_spelling(*text, false);
     }
     return 0;
 }

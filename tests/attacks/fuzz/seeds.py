@@ -3,6 +3,7 @@
 Targets that read files get true and false certificates, and copies of them with a place changed or an end cut off. Those
 that read numbers get spelled ones. Those that take bytes for decisions get any bytes."""
 
+import gzip
 import pathlib
 import random
 import sys
@@ -33,6 +34,7 @@ def main():
     files = [path.read_bytes() for place in (HERE / "bases", HERE.parent / "false_claims", ROOT / "certificates")
              for path in sorted(place.glob("*.dbc"))]
     files = [data for data in files if 0 < len(data) <= LONGEST_FILE]
+    files.append(gzip.decompress((ROOT / "certificates" / "law.dbc.gz").read_bytes())[:LONGEST_FILE])  # its first steps
     draw = random.Random(1)
     seeds = {name: [draw.randbytes(draw.randrange(1, most)) for _ in range(100)] for name, most in DECISIONS.items()}
     seeds["certificate"] = seeds["reader"] = files + [changed(data, draw) for data in files]
