@@ -251,8 +251,7 @@ class Ball {
 
 /// The point x as a ball that shares its digits, to be read only.
 arb_struct as_ball(arf_srcptr x) {
-    arb_struct ball{};
-    mag_init(&ball.rad);
+    arb_struct ball{};  // zero bits are a radius 0
     ball.mid = *x;
     return ball;
 }

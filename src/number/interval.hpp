@@ -18,7 +18,7 @@ namespace dumbbell {
 /// Rational and enclose().
 class Interval {
   public:
-    Interval() : ends_{-0.0, 0.0} {}
+    Interval() : Interval(0.0) {}
     explicit Interval(double point) : ends_{-point, point} {}
     /// NaN unless lo <= hi.
     Interval(double lo, double hi) : ends_(lo <= hi ? ends::Pair{-lo, hi} : ends::twice(nan)) {}
