@@ -1,7 +1,6 @@
 #include "number/big_interval.hpp"
 
 #include <arb.h>
-#include <mpfr.h>
 
 #include <limits>
 
@@ -436,8 +435,7 @@ BigInterval midpoint(const BigInterval& x) {
 }
 
 void forget_thread_constants() {
-    mpfr_free_cache();
-    flint_cleanup();
+    flint_cleanup();  // MPFR's, too
 }
 
 }  // namespace dumbbell

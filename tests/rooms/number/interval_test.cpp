@@ -64,6 +64,9 @@ TEST_CASE("A product that underflows keeps its sign's side") {
     }
     CHECK(is(Interval(1e-200) / Interval(1e200), 0, least));
     CHECK(is(Interval(-1e-200) / Interval(1e200), -least, 0));
+    for (const double divisor : {least, 0.5, 1.0, 2.0}) {  // nor does a quotient that is 0 lose it
+        CHECK((Interval(0, 1) / Interval(divisor, 4)).lo() == 0);
+    }
 }
 
 TEST_CASE("Overflow keeps the enclosure") {
