@@ -47,8 +47,7 @@ class Interval {
         if (std::isnan(sum[0] + sum[1])) [[unlikely]] {
             return hard_product(a, b);
         }
-        const Interval nearest(
-            ends::max(ends::max(ends::swapped(p), q), -ends::min(p, ends::swapped(q))));
+        const Interval nearest(ends::max(ends::max(ends::swapped(p), q), -ends::min(p, ends::swapped(q))));
         if (nearest.lo() == 0 && nearest.hi() == 0) [[unlikely]] {
             return hard_product(a, b);  // 0 if a factor is
         }

@@ -18,7 +18,8 @@ namespace {
 /// Seen in doubles, rounded outward.
 Interval seen(const BigInterval& x) { return {x.lo(), x.hi()}; }
 bool is(const BigInterval& x, double lo, double hi) {  // arf_cmp_d says nothing of NaN
-    return arf_is_nan(x.lower()) == 0 && arf_cmp_d(x.lower(), lo) == 0 && arf_cmp_d(x.upper(), hi) == 0;
+    return arf_is_nan(x.lower()) == 0 && arf_is_nan(x.upper()) == 0 && arf_cmp_d(x.lower(), lo) == 0 &&
+           arf_cmp_d(x.upper(), hi) == 0;
 }
 bool is_nan(const BigInterval& x) { return arf_is_nan(x.lower()) != 0 && arf_is_nan(x.upper()) != 0; }
 bool is_thin(const BigInterval& x) { return arf_equal(x.lower(), x.upper()) != 0; }
