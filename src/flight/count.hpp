@@ -38,7 +38,7 @@ class MacroSteps {
             return false;
         }
         const N before = count;
-        for (N steps = 1; attempts_ > 0 && steps > 0; count += steps) {
+        for (N steps = 1; steps > 0; count += steps) {
             steps = interrupted_() ? N(0) : N(macro_step(side_, r_, state, cap_ - count - 1));
             attempts_ -= steps == 0 ? 1 : 0;
         }
@@ -50,7 +50,7 @@ class MacroSteps {
     }
     /// Far from the last macro step: at this precision none is found, and one after the other they are too
     /// many.
-    [[nodiscard]] bool hopeless(const N& count) const { return attempts_ == 0 && count - last_ > 4'000'000; }
+    [[nodiscard]] bool hopeless(const N& count) const { return count - last_ > 4'000'000; }
 
   private:
     macro::BoundSide side_;

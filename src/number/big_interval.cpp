@@ -1,7 +1,6 @@
 #include "number/big_interval.hpp"
 
 #include <arb.h>
-#include <mpfr.h>
 
 #include <limits>
 
@@ -251,8 +250,7 @@ class Ball {
 
 /// The point x as a ball that shares its digits, to be read only.
 arb_struct as_ball(arf_srcptr x) {
-    arb_struct ball{};
-    mag_init(&ball.rad);
+    arb_struct ball{};  // zero bits are a radius 0
     ball.mid = *x;
     return ball;
 }
@@ -437,8 +435,7 @@ BigInterval midpoint(const BigInterval& x) {
 }
 
 void forget_thread_constants() {
-    mpfr_free_cache();
-    flint_cleanup();
+    flint_cleanup();  // MPFR's, too
 }
 
 }  // namespace dumbbell

@@ -2,6 +2,8 @@
 
 #include <arf.h>
 
+#include <limits>
+
 #include "number/elementary.hpp"
 
 namespace dumbbell {
@@ -17,12 +19,11 @@ class BigInterval {
         arf_init(hi_);
     }
     explicit BigInterval(double point) : BigInterval(point, point) {}
-    /// What lies between the two, in whichever order.
-    BigInterval(double lo, double hi) {
-        arf_init(lo_);
-        arf_init(hi_);
-        arf_set_d(lo_, hi < lo ? hi : lo);
-        arf_set_d(hi_, hi < lo ? lo : hi);
+    /// NaN unless lo <= hi.
+    BigInterval(double lo, double hi) : BigInterval() {
+        const bool in_order = lo <= hi;
+        arf_set_d(lo_, in_order ? lo : nan);
+        arf_set_d(hi_, in_order ? hi : nan);
     }
     BigInterval(const BigInterval& other) : BigInterval(unset()) {
         arf_set(lo_, other.lo_);
@@ -55,6 +56,8 @@ class BigInterval {
     [[nodiscard]] arf_ptr upper() noexcept { return hi_; }
 
   private:
+    static constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
     void swap(BigInterval& other) noexcept {
         arf_swap(lo_, other.lo_);
         arf_swap(hi_, other.hi_);
@@ -89,6 +92,7 @@ class PrecisionScope {
 [[nodiscard]] BigInterval operator/(const BigInterval& a, const BigInterval& b);
 [[nodiscard]] BigInterval operator-(const BigInterval& a);
 [[nodiscard]] BigInterval sqr(const BigInterval& a);
+/// Of the part of `a` that is >= 0; 0 if there is none.
 [[nodiscard]] BigInterval sqrt(const BigInterval& a);
 [[nodiscard]] BigInterval hull(const BigInterval& a, const BigInterval& b);
 [[nodiscard]] BigInterval min(const BigInterval& a, const BigInterval& b);

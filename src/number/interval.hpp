@@ -18,7 +18,7 @@ namespace dumbbell {
 /// Rational and enclose().
 class Interval {
   public:
-    Interval() : ends_{-0.0, 0.0} {}
+    Interval() : Interval(0.0) {}
     explicit Interval(double point) : ends_{-point, point} {}
     /// NaN unless lo <= hi.
     Interval(double lo, double hi) : ends_(lo <= hi ? ends::Pair{-lo, hi} : ends::twice(nan)) {}
@@ -47,12 +47,11 @@ class Interval {
         if (std::isnan(sum[0] + sum[1])) [[unlikely]] {
             return hard_product(a, b);
         }
-        const ends::Pair greatest =
-            ends::max(ends::max(ends::swapped(p), q), -ends::min(p, ends::swapped(q)));
-        if (greatest[0] == 0 && greatest[1] == 0) [[unlikely]] {
+        const Interval nearest(ends::max(ends::max(ends::swapped(p), q), -ends::min(p, ends::swapped(q))));
+        if (nearest.lo() == 0 && nearest.hi() == 0) [[unlikely]] {
             return hard_product(a, b);  // 0 if a factor is
         }
-        return Interval(ends::above(greatest + ends::twice(0)));  // +0, if one of the greatest is
+        return Interval(ends::above(nearest.ends_ + ends::twice(0)));  // +0, if one of the greatest is
     }
     friend Interval operator/(const Interval& a, const Interval& b) {
         if (b.lo() > 0) [[likely]] {

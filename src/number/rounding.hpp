@@ -53,10 +53,6 @@ namespace dumbbell {
 struct NeighbourRounding {
     using unprotected_rounding = NeighbourRounding;
 
-    static double add_down(double a, double b) noexcept { return next_down(a + b); }
-    static double add_up(double a, double b) noexcept { return next_up(a + b); }
-    static double sub_down(double a, double b) noexcept { return next_down(a - b); }
-    static double sub_up(double a, double b) noexcept { return next_up(a - b); }
     static double mul_down(double a, double b) noexcept { return next_down(a * b); }
     static double mul_up(double a, double b) noexcept { return next_up(a * b); }
     static double div_down(double a, double b) noexcept { return next_down(a / b); }

@@ -91,8 +91,8 @@ GROUPS = {
                "flight/chart.hpp": "flight/orbit.cpp", "flight/count.hpp": "collisions/witness.cpp",
                "flight/ray.hpp": "flight/orbit.cpp"},
         left_out=frozenset({"add", "forget", "next", "step_from"}),  # of ContactTrend, which guesses
-        targets=("test_flight",),
-        programs=("tests/rooms/flight/test_flight",)),
+        targets=("test_flight", "test_flight_long"),
+        programs=("tests/rooms/flight/test_flight", "tests/rooms/flight/test_flight_long")),
     "batch": Group(  # but for aim.hpp, which guesses
         files=below("flight/batch", "count", "count_lanes:count_plain lane_queue:count_plain lower_step:count_plain "
                     "pack:count_plain pack_plain:count_plain place:count_plain query:count_plain sine:count_plain step:count_plain "

@@ -165,6 +165,62 @@ TEST_CASE("The counts stop at their cap") {
     CHECK(count_at_least(ray, all + 5) == all);
 }
 
+TEST_CASE("What is seen on the way are the flights, each with bounds that the rest is counted from") {
+    const auto ray = as<Interval>({1e-4, 5e-5, 1e-4});
+    const long all = count_at_most(ray, count_cap);
+    REQUIRE(all > 10);
+    long flights = 0;
+    CHECK(count_at_most(ray, count_cap, never, [&](long n, const Interval& c, const Interval& kappa) {
+              CHECK(n == flights++);
+              CHECK(n + count_at_most(Ray<Interval>{c, kappa, ray.r}, count_cap) == all);
+              CHECK(n + count_at_least(Ray<Interval>{c, kappa, ray.r}, count_cap) == all);
+          }) == all);
+    CHECK(flights == all + 1);
+}
+
+namespace {
+
+/// What is seen on the way of an upper count.
+template <class I>
+long looks(const Ray<I>& ray, const CountOf<I>& cap) {
+    long seen = 0;
+    (void)count_at_most(ray, cap, never, [&](const auto&, const auto&, const auto&) { ++seen; });
+    return seen;
+}
+
+}  // namespace
+
+TEST_CASE("4 10^11 collisions are counted to the last one, of which a few hundred are seen") {
+    const auto check = [](auto zero, long cap) {
+        using I = decltype(zero);
+        const auto ray = as<I>({1e-24, 1e-24, 1e-24});
+        const CountOf<I> most = count_at_most(ray, CountOf<I>(cap));
+        CHECK(most == count_at_least(ray, CountOf<I>(cap)));
+        CHECK(static_cast<double>(most) == Approx(0.442798e12));
+        CHECK(looks(ray, CountOf<I>(cap)) < 300);
+        for (const long less : {100'000L, 100'000'000L}) {
+            CHECK(count_at_most(ray, CountOf<I>(less)) == less + 1);
+            CHECK(count_at_least(ray, CountOf<I>(less)) == less);
+            CHECK(looks(ray, CountOf<I>(less)) < 50);
+        }
+        for (int n = 0; n < 30; n += 3) {
+            int left = n;
+            CHECK(count_at_most(ray, CountOf<I>(cap), [&] { return left-- <= 0; }) == cap + 1);
+            left = n;
+            CHECK(count_at_least(ray, CountOf<I>(cap), [&] { return left-- <= 0; }) < most);
+        }
+    };
+    SECTION("in doubles") { check(Interval(), 1'000'000'000'000'000); }
+    SECTION("with 128 bits") { check(BigInterval(), 1'000'000'000'000'000); }
+}
+
+TEST_CASE("Where double is too coarse for macro steps an upper count gives up") {
+    const auto ray = as<Interval>({1e-32, 1e-32, 1e-32});
+    constexpr long cap = 1'000'000'000'000'000'000;
+    CHECK(count_at_most(ray, cap) == cap + 1);
+    CHECK(count_at_least(ray, cap) > 4'000'000'000'000'000);
+}
+
 TEST_CASE("Rays that are too steep or too high never collide") {
     for (const DoubleRay& ray :
          {DoubleRay{0, 1, 0.1}, DoubleRay{0.5, 2, 1}, DoubleRay{1.5, 0, 0.5}, DoubleRay{1e9, 0.5, 1e-3}}) {

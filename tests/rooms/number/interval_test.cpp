@@ -64,6 +64,9 @@ TEST_CASE("A product that underflows keeps its sign's side") {
     }
     CHECK(is(Interval(1e-200) / Interval(1e200), 0, least));
     CHECK(is(Interval(-1e-200) / Interval(1e200), -least, 0));
+    for (const double divisor : {least, 0.5, 1.0, 2.0}) {  // nor does a quotient that is 0 lose it
+        CHECK((Interval(0, 1) / Interval(divisor, 4)).lo() == 0);
+    }
 }
 
 TEST_CASE("Overflow keeps the enclosure") {
@@ -96,11 +99,19 @@ TEST_CASE("Nothing is ever certain about NaN or about an empty interval") {
     CHECK(is_nan(sqrt(Interval(-2, -1))));
 }
 
-TEST_CASE("A hull with NaN is not certain either") {
+TEST_CASE("A hull, minimum or maximum with NaN is NaN, also where only one end is") {
     const Interval one(1, 2);
     CHECK_FALSE(says_something(hull(Interval(not_a_number), one)));
     CHECK_FALSE(says_something(hull(one, Interval(not_a_number))));
     CHECK_FALSE(says_something(hull(Interval(not_a_number), Interval(not_a_number))));
+    const Interval half = Interval(1, infinity) - Interval(infinity);
+    REQUIRE((half.lo() == -infinity && std::isnan(half.hi())));
+    for (const Interval& bad : {half, -half, Interval(not_a_number)}) {
+        for (const Interval& x :
+             {hull(bad, one), hull(one, bad), max(bad, one), max(one, bad), min(bad, one), min(one, bad)}) {
+            CHECK(is_nan(x));
+        }
+    }
 }
 
 TEST_CASE("Comparisons are certain only where every pair of points agrees") {

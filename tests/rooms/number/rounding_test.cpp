@@ -83,7 +83,7 @@ TEST_CASE("A result beyond the range of double keeps a finite bound on the inner
     CHECK(NeighbourRounding::mul_down(1e200, 1e200) == greatest);
     CHECK(NeighbourRounding::mul_up(1e200, 1e200) == infinity);
     CHECK(NeighbourRounding::mul_up(-1e200, 1e200) == -greatest);
-    CHECK(NeighbourRounding::add_down(-greatest, -greatest) == -infinity);
+    CHECK(NeighbourRounding::mul_down(-1e200, 1e200) == -infinity);
     CHECK(NeighbourRounding::mul_down(1e-200, 1e-200) == -least);  // 0 < the product < least
     CHECK(NeighbourRounding::mul_up(1e-200, 1e-200) == least);
 }
