@@ -1,10 +1,10 @@
 #include "adiabatic/classes.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 
+#include "adiabatic/drift.hpp"
 #include "number/parallel.hpp"
 
 namespace dumbbell::adiabatic {
@@ -30,15 +30,6 @@ double contact(double m, double l, double x) {
     }
     return x;
 }
-
-/// Where the parts of a flight end, the denser the nearer to its lower contact.
-const auto part_ends = [] {
-    std::array<double, parts + 1> ends{};
-    for (int i = 0; i <= parts; ++i) {
-        ends.at(i) = 1 - 2 * std::pow(1 - static_cast<double>(i) / parts, 3);
-    }
-    return ends;
-}();
 
 struct Rates {
     double second, first, growth;
@@ -110,12 +101,13 @@ class Densities {
             return 0;
         }
         double drift = 0, own = 0, before = 0;
-        double x = lower, ahead = lower;
+        RootTrend trend;
+        trend.add(lower);
         for (int i = 0; i < parts; ++i) {
-            const double from = part_ends[i], until = part_ends[i + 1], lambda = (from + until) / 2;
-            const double here = contact(m, lambda * k, ahead);
-            ahead = std::clamp(here + (here - x), 0.0, right_angle);
-            x = here;
+            const double from = drift_part_end(i, parts), until = drift_part_end(i + 1, parts);
+            const double lambda = (from + until) / 2;
+            const double x = contact(m, lambda * k, trend.next());
+            trend.add(x);
             const Rates at = rates(x, lambda * k, r);
             drift += (until - from) * (at.second * sigma * sigma * (1 - lambda * lambda) / 2 + at.first);
             const std::size_t in = cell_of(right_angle - x, cell);

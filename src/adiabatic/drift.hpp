@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <numbers>
 #include <optional>
 
 #include "adiabatic/contact.hpp"
@@ -100,21 +101,17 @@ template <class I>
 /// two.
 inline constexpr int drift_parts = 64;
 
-[[nodiscard]] constexpr double drift_part_end(int i) {
-    const double left = static_cast<double>(drift_parts - i) / drift_parts;
+[[nodiscard]] constexpr double drift_part_end(int i, int n = drift_parts) {
+    const double left = static_cast<double>(n - i) / n;
     return 1 - 2 * left * left * left;
 }
 
-/// Where the next of these roots seems to be: a guess.
-template <class I>
+/// Where the next root of a flight's line, part after part, seems to be: a guess.
 class RootTrend {
   public:
-    /// Of the last root, which is returned.
-    const I& add(const I& root) {
-        const double x = approximate(root);
-        next_ = last_ < 0 ? x : std::max(0.0, x + (x - last_));
+    void add(double x) {
+        next_ = last_ < 0 ? x : std::clamp(x + (x - last_), 0.0, std::numbers::pi / 2);
         last_ = x;
-        return root;
     }
     [[nodiscard]] double next() const { return next_; }
 
@@ -135,12 +132,14 @@ template <class I, class Density>
 [[nodiscard]] std::optional<DriftSums<I>> drift_sums(const LightFlights<I>& flights, const Density& density) {
     const I half_sigma2 = sqr(flights.sigma) / I(2);
     DriftSums<I> sums{I(0), I(0)};
-    RootTrend<I> lower, upper;
-    I least = lower.add(flights.least_root(I(-1)));
+    RootTrend lower, upper;
+    I least = flights.least_root(I(-1));
     for (int i = 0; i < drift_parts; ++i) {
         const I lo(drift_part_end(i));
         const I hi(drift_part_end(i + 1));
-        const I greatest = upper.add(flights.greatest_root(hi, upper.next()));
+        const I greatest = flights.greatest_root(hi, upper.next());
+        upper.add(approximate(greatest));
+        lower.add(approximate(least));
         const LightContact<I> at = light_contact(hull(least, greatest), flights.masses.beta2);
         const I l = hull(lo, hi) * flights.k;
         if (!certainly_positive(at.w - l)) {
@@ -150,7 +149,7 @@ template <class I, class Density>
         const I mean = I(1) - (sqr(lo) + lo * hi + sqr(hi)) / I(3);  // of 1 - lambda^2
         sums.drift = sums.drift + (hi - lo) * (rates.second * half_sigma2 * mean + rates.first);
         sums.growth = sums.growth + (hi - lo) * (density(half_pi<I>() - at.x) * at.F / (at.w - l));
-        least = lower.add(flights.least_root(hi, lower.next()));
+        least = flights.least_root(hi, lower.next());
     }
     sums.growth = sums.growth * sqrt(I(1) + sqr(flights.sigma));
     return sums;

@@ -4,15 +4,15 @@
 #include <cmath>
 #include <new>
 
-#include "adiabatic/reader.hpp"
 #include "adiabatic/writer.hpp"
+#include "certificates/any_reader.hpp"
 #include "choices.hpp"
-#include "collisions/reader.hpp"
 #include "collisions/writer.hpp"
 #include "file_text.hpp"
 #include "rooms/verify/make_certificate.hpp"
 #include "scratch.hpp"
 #include "start_truth.hpp"
+#include "starts/writer.hpp"
 #include "target.hpp"
 #include "truth.hpp"
 #include "verify/program/verify.hpp"
@@ -105,12 +105,10 @@ void check_invariant(const dumbbell_verify::Adiabatic& claim) {
 }
 
 /// What the verifier accepts the program can read, and would write in the same way.
-void check_spelling(const std::string& text, bool about_invariant) {
+void check_spelling(const std::string& text) {
     static MemoryFile file;
-    const std::string& path = file.holding(text);
-    const auto again =
-        about_invariant ? dumbbell::adiabatic::render(dumbbell::adiabatic::read_adiabatic_certificate(path))
-                        : dumbbell::collisions::render(dumbbell::collisions::read_certificate(path));
+    const auto read = dumbbell::certificates::read_any_certificate(file.holding(text));
+    const auto again = std::visit([](const auto& certificate) { return render(certificate); }, read);
     must(again.text == text, "there is one spelling");
 }
 
@@ -141,10 +139,10 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
         const auto* claim = std::get_if<dumbbell_verify::Adiabatic>(&proof->other);
         must(claim != nullptr, "a claim about the invariant");
         check_invariant(*claim);
-        check_spelling(*text, true);
+        check_spelling(*text);
     } else {
         check_claim(*proof, *text, settings);
-        check_spelling(*text, false);
+        check_spelling(*text);
     }
     return 0;
 }
