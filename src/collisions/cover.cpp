@@ -96,6 +96,19 @@ Axis longest_side(Chart chart, const Box& box, SplitRule rule) {
     return position > slope ? Axis::position : Axis::slope;
 }
 
+/// Both counts of a box of the bridge are at its least slope (L8), those of the light chart at its least
+/// position (L9): the half that keeps that end would be as open as the box. Only to be outside the light
+/// chart's section takes positions well below pi/2.
+Axis axis_to_split(Chart chart, const Box& box, SplitRule rule) {
+    if (rule == SplitRule::by_bounds && chart == Chart::bridge) {
+        return Axis::position;
+    }
+    if (rule == SplitRule::by_bounds && chart == Chart::light && approximate(box.e_hi) <= 1) {
+        return Axis::slope;
+    }
+    return longest_side(chart, box, rule);
+}
+
 }  // namespace
 
 template <class I>
@@ -119,7 +132,7 @@ std::optional<Tree> cover(Chart chart, const Rational& q_lo, const Rational& q_h
                 tree.close(i, *results[i]);
                 continue;
             }
-            const Axis axis = by_ratio[i] ? Axis::ratio : longest_side(chart, boxes[i], options.rule);
+            const Axis axis = by_ratio[i] ? Axis::ratio : axis_to_split(chart, boxes[i], options.rule);
             if (tree.depths(i)[static_cast<std::size_t>(axis)] >= options.max_depth ||
                 tree.nodes() + 2 > options.max_nodes) {
                 return std::nullopt;

@@ -10,12 +10,13 @@
 
 namespace dumbbell::collisions {
 
-/// The order in which axes are split. `scaled` compares position with slope / r, the natural units of the
-/// counts; the others exist to show that nothing but the number of leaves depends on it.
-enum class SplitRule { scaled, slope_first, position_first };
+/// The order in which axes are split. `by_bounds` takes the one that the bounds of an open box depend on, or else
+/// compares position with slope / r, the natural units of the counts; the others exist to show that nothing but
+/// the number of leaves depends on it.
+enum class SplitRule { by_bounds, slope_first, position_first };
 
 struct CoverOptions {
-    SplitRule rule = SplitRule::scaled;
+    SplitRule rule = SplitRule::by_bounds;
     std::size_t max_nodes = 20000;  ///< give up beyond
     int max_depth = 400;            ///< per axis; the format's limit
     bool parallel = false;          ///< judge the boxes of a generation on all of the calling arena's threads

@@ -34,7 +34,7 @@ std::size_t walk(const Tree& tree, std::size_t at, Chart chart, const Box& box, 
     return at + 1;
 }
 
-void check_closes(const Rational& lo, const Rational& hi, long upper, SplitRule rule = SplitRule::scaled) {
+void check_closes(const Rational& lo, const Rational& hi, long upper, SplitRule rule = SplitRule::by_bounds) {
     CAPTURE(lo, hi, upper);
     for (const Chart chart : charts) {
         const auto tree = cover<Interval>(chart, lo, hi, upper, CoverOptions{.rule = rule});
@@ -75,7 +75,7 @@ TEST_CASE("both charts close on either side of a critical ratio, at distances fr
 }
 
 TEST_CASE("whatever is split first, a true bound closes") {
-    for (const SplitRule rule : {SplitRule::scaled, SplitRule::slope_first, SplitRule::position_first}) {
+    for (const SplitRule rule : {SplitRule::by_bounds, SplitRule::slope_first, SplitRule::position_first}) {
         for (const long n : {5L, 7L, 10L}) {
             const Rational below = critical_ratio(n) * (1 - parse_rational("1e-6"));
             check_closes(below, below, n - 1, rule);

@@ -11,7 +11,7 @@ using namespace dumbbell_test;
 
 namespace {
 
-constexpr std::array rules{SplitRule::scaled, SplitRule::slope_first, SplitRule::position_first};
+constexpr std::array rules{SplitRule::by_bounds, SplitRule::slope_first, SplitRule::position_first};
 
 std::vector<Rational> thirty_ratios() {
     std::vector<Rational> ratios;
