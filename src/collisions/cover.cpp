@@ -38,31 +38,63 @@ void judge_all(Chart chart, std::span<const Box> boxes, const Count& upper,
     });
 }
 
-/// Of which boxes the ratio seems to be what is too wide: the box would close if its ratios were only the
-/// greatest one (the least r, where most bounds are). Only while the ratio is not already narrow against the
-/// state: at a ratio where the answer changes this would never end.
-template <class I>
-std::vector<bool> with_too_wide_ratios(Chart chart, std::span<const Box> boxes,
-                                       std::span<const std::optional<Leaf>> results, const Count& upper,
-                                       const CoverOptions& options) {
+/// Of which open boxes one axis seems to be what is too wide: the box that `thin` makes of it, of no width
+/// there, closes. `thin` gives nothing for a box that is not to be asked about.
+template <class I, class Thin>
+std::vector<bool> would_close(Chart chart, std::span<const Box> boxes,
+                              std::span<const std::optional<Leaf>> results, const Count& upper,
+                              const CoverOptions& options, Thin thin) {
     std::vector<std::size_t> asked;
-    std::vector<Box> thin;
+    std::vector<Box> thinned;
     for (std::size_t i = 0; i < boxes.size(); ++i) {
-        const Box& box = boxes[i];
-        const double state = std::max(width(box.e_lo, box.e_hi), width(box.slope_lo, box.slope_hi));
-        if (!results[i] && 16 * width(box.q_lo, box.q_hi) > state * approximate(box.q_lo)) {
+        if (auto box = results[i] ? std::nullopt : thin(chart, boxes[i])) {
             asked.push_back(i);
-            thin.push_back(box);
-            thin.back().q_lo = box.q_hi;
+            thinned.push_back(*std::move(box));
         }
     }
-    std::vector<std::optional<Leaf>> answers(thin.size());
-    judge_all<I>(chart, thin, upper, answers, options);
+    std::vector<std::optional<Leaf>> answers(thinned.size());
+    judge_all<I>(chart, thinned, upper, answers, options);
     std::vector<bool> wide(boxes.size());
     for (std::size_t i = 0; i < asked.size(); ++i) {
         wide[asked[i]] = answers[i].has_value();
     }
     return wide;
+}
+
+/// Whether the chart's bounds use both ends of the ratio, so that its width counts like that of a state's
+/// coordinate.
+bool depends_on_both_ratios(Chart chart) {
+    return chart == Chart::departure || chart == Chart::plain_departure || chart == Chart::plain_contact ||
+           chart == Chart::again;
+}
+
+/// Only the greatest ratio (the least r, where most bounds are). Only while the ratio is not already narrow
+/// against the state: at a ratio where the answer changes this would never end.
+std::optional<Box> with_greatest_ratio(Chart chart, const Box& box) {
+    const double state = std::max(width(box.e_lo, box.e_hi), width(box.slope_lo, box.slope_hi));
+    if (depends_on_both_ratios(chart) || 16 * width(box.q_lo, box.q_hi) <= state * approximate(box.q_lo)) {
+        return std::nullopt;
+    }
+    Box thin = box;
+    thin.q_lo = thin.q_hi;
+    return thin;
+}
+
+/// Both counts of a box of the light chart are at its least position (L9): the half that keeps it would be as
+/// open as the box. Only the other reasons there depend on the greatest one.
+bool is_bounded_at_least_position(Chart chart, const Box& box) {
+    return chart == Chart::light && approximate(box.e_hi) <= 1;
+}
+
+/// Where those other reasons may be near: while the slope is far beyond all turning collisions (up to 4), it
+/// is what is too wide.
+std::optional<Box> with_least_position(Chart chart, const Box& box) {
+    if (!is_bounded_at_least_position(chart, box) || width(box.slope_lo, box.slope_hi) > 4) {
+        return std::nullopt;
+    }
+    Box thin = box;
+    thin.e_hi = thin.e_lo;
+    return thin;
 }
 
 /// How many units of slope one unit of position is worth.
@@ -77,13 +109,6 @@ double position_weight(Chart chart, const Box& box, SplitRule rule) {
     }
 }
 
-/// Whether the chart's bounds use both ends of the ratio, so that its width counts like that of a state's
-/// coordinate.
-bool depends_on_both_ratios(Chart chart) {
-    return chart == Chart::departure || chart == Chart::plain_departure || chart == Chart::plain_contact ||
-           chart == Chart::again;
-}
-
 Axis longest_side(Chart chart, const Box& box, SplitRule rule) {
     const double position = width(box.e_lo, box.e_hi) * position_weight(chart, box, rule);
     const double slope = width(box.slope_lo, box.slope_hi);
@@ -96,14 +121,11 @@ Axis longest_side(Chart chart, const Box& box, SplitRule rule) {
     return position > slope ? Axis::position : Axis::slope;
 }
 
-/// Both counts of a box of the bridge are at its least slope (L8), those of the light chart at its least
-/// position (L9): the half that keeps that end would be as open as the box. Only to be outside the light
-/// chart's section takes positions well below pi/2.
 Axis axis_to_split(Chart chart, const Box& box, SplitRule rule) {
     if (rule == SplitRule::by_bounds && chart == Chart::bridge) {
-        return Axis::position;
+        return Axis::position;  // both counts are at the least slope (L8)
     }
-    if (rule == SplitRule::by_bounds && chart == Chart::light && approximate(box.e_hi) <= 1) {
+    if (rule == SplitRule::by_bounds && is_bounded_at_least_position(chart, box)) {
         return Axis::slope;
     }
     return longest_side(chart, box, rule);
@@ -121,9 +143,8 @@ std::optional<Tree> cover(Chart chart, const Rational& q_lo, const Rational& q_h
         std::vector<std::optional<Leaf>> results(boxes.size());
         judge_all<I>(chart, boxes, upper, results, options);
         options.observer->advance(boxes.size());
-        const std::vector<bool> by_ratio =
-            depends_on_both_ratios(chart) ? std::vector<bool>(boxes.size())
-                                          : with_too_wide_ratios<I>(chart, boxes, results, upper, options);
+        const auto by_ratio = would_close<I>(chart, boxes, results, upper, options, with_greatest_ratio);
+        const auto by_position = would_close<I>(chart, boxes, results, upper, options, with_least_position);
         for (std::size_t i = 0; i < boxes.size(); ++i) {
             if (options.interrupted()) {
                 return std::nullopt;
@@ -132,7 +153,9 @@ std::optional<Tree> cover(Chart chart, const Rational& q_lo, const Rational& q_h
                 tree.close(i, *results[i]);
                 continue;
             }
-            const Axis axis = by_ratio[i] ? Axis::ratio : axis_to_split(chart, boxes[i], options.rule);
+            const Axis axis = by_ratio[i]      ? Axis::ratio
+                              : by_position[i] ? Axis::position
+                                               : axis_to_split(chart, boxes[i], options.rule);
             if (tree.depths(i)[static_cast<std::size_t>(axis)] >= options.max_depth ||
                 tree.nodes() + 2 > options.max_nodes) {
                 return std::nullopt;

@@ -11,8 +11,9 @@ using namespace dumbbell_test;
 
 namespace {
 
-const Words two_seconds{DUMBBELL_BIN, "certify", "1:200000", "--gap", "1e-9", "--jobs", "1"};
-const Words long_range{DUMBBELL_BIN, "certify", "1:1000000", "--gap", "1e-9", "--jobs", "1"};
+// On a fast machine, too: seconds, and much more than any test waits for.
+const Words some_seconds{DUMBBELL_BIN, "certify", "1:2000000", "--gap", "1e-9", "--jobs", "1"};
+const Words long_range{DUMBBELL_BIN, "certify", "1:10000000", "--gap", "1e-9", "--jobs", "1"};
 
 // What a job writes to a terminal of this width (columns) as its stderr, up to the text awaited; then it is
 // killed.
@@ -69,7 +70,7 @@ std::size_t widest(const std::string& text) {
 }  // namespace
 
 TEST_CASE("in a pipe a long job shows no progress") {
-    const Outcome result = run(two_seconds);
+    const Outcome result = run(some_seconds);
     CHECK(result.code == 0);
     CHECK(result.err.empty());
     CHECK(result.out.find('\r') == std::string::npos);
@@ -130,17 +131,6 @@ TEST_CASE("the progress line is never as wide as the terminal: the bar shrinks, 
     }
 }
 
-TEST_CASE("where TERM is dumb or not set no escape code is written") {
-    for (const char* term : {"TERM=dumb", "-uTERM"}) {
-        const std::string text = seen_on_terminal({"env", term, DUMBBELL_BIN, "certify", "1:1000000", "--gap",
-                                                   "1e-9", "--jobs", "1", "--budget", "2s"},
-                                                  "\n");
-        CAPTURE(text);
-        CHECK(text.find('\033') == std::string::npos);
-        CHECK(text.find("not everything was decided") != std::string::npos);
-    }
-}
-
 TEST_CASE("with --quiet there is no progress on a terminal either") {
     Words job = long_range;
     job.insert(job.end(), {"--budget", "2s", "--quiet"});
@@ -172,7 +162,7 @@ TEST_CASE("on a terminal a single ratio that takes long shows how many boxes wer
 
 TEST_CASE("on a terminal a single critical ratio that takes long shows how many flights were enclosed") {
     const std::string text =
-        seen_on_terminal({DUMBBELL_BIN, "critical", "20000", "--digits", "200"}, " flights in ");
+        seen_on_terminal({DUMBBELL_BIN, "critical", "20000", "--digits", "1000"}, " flights in ");
     CAPTURE(text);
     CHECK(text.find(" flights in ") != std::string::npos);
 }

@@ -13,7 +13,7 @@ using make::run;
 namespace {
 
 const std::string shipped_law = DUMBBELL_PROJECT "/certificates/law.dbc.gz";
-const std::string law_digest = "c8361defeeb8f783f0c6425923f034b14b7137fc741849bead77f30c9c9ae46e";
+const std::string law_digest = "65bdaf5f0fd292bb0101b000705b604b169a2b935633567d5b87e6d8b47ad5fd";
 
 std::string by_law(const std::string& ratio, const std::string& upper, const std::string& lower,
                    const std::string& law = law_digest) {
