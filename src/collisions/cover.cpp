@@ -80,23 +80,6 @@ std::optional<Box> with_greatest_ratio(Chart chart, const Box& box) {
     return thin;
 }
 
-/// Both counts of a box of the light chart are at its least position (L9): the half that keeps it would be as
-/// open as the box. Only the other reasons there depend on the greatest one.
-bool is_bounded_at_least_position(Chart chart, const Box& box) {
-    return chart == Chart::light && approximate(box.e_hi) <= 1;
-}
-
-/// Where those other reasons may be near: while the slope is far beyond all turning collisions (up to 4), it
-/// is what is too wide.
-std::optional<Box> with_least_position(Chart chart, const Box& box) {
-    if (!is_bounded_at_least_position(chart, box) || width(box.slope_lo, box.slope_hi) > 4) {
-        return std::nullopt;
-    }
-    Box thin = box;
-    thin.e_hi = thin.e_lo;
-    return thin;
-}
-
 /// How many units of slope one unit of position is worth.
 double position_weight(Chart chart, const Box& box, SplitRule rule) {
     switch (rule) {
@@ -119,6 +102,25 @@ Axis longest_side(Chart chart, const Box& box, SplitRule rule) {
         return Axis::ratio;
     }
     return position > slope ? Axis::position : Axis::slope;
+}
+
+/// Both counts of a box of the light chart are at its least position (L9): the half that keeps it would be as
+/// open as the box. Only the other reasons there depend on the greatest one.
+bool is_bounded_at_least_position(Chart chart, const Box& box) {
+    return chart == Chart::light && approximate(box.e_hi) <= 1;
+}
+
+/// Where those other reasons may be near: not while the slope is far beyond all turning collisions (up to 4),
+/// and while the position is the longest side, for along the edge of what touches the bridge both are too
+/// wide.
+std::optional<Box> with_least_position(Chart chart, const Box& box) {
+    if (!is_bounded_at_least_position(chart, box) || width(box.slope_lo, box.slope_hi) > 4 ||
+        longest_side(chart, box, SplitRule::by_bounds) != Axis::position) {
+        return std::nullopt;
+    }
+    Box thin = box;
+    thin.e_hi = thin.e_lo;
+    return thin;
 }
 
 Axis axis_to_split(Chart chart, const Box& box, SplitRule rule) {
