@@ -10,9 +10,9 @@
 
 namespace dumbbell::collisions {
 
-/// The order in which axes are split. `by_bounds` takes the one that the bounds of an open box depend on, or else
-/// compares position with slope / r, the natural units of the counts; the others exist to show that nothing but
-/// the number of leaves depends on it.
+/// The order in which axes are split. `by_bounds` takes the one that the bounds of an open box depend on, or
+/// else compares position with slope / r, the natural units of the counts; the others exist to show that
+/// nothing but the number of leaves depends on it.
 enum class SplitRule { by_bounds, slope_first, position_first };
 
 struct CoverOptions {
