@@ -89,7 +89,7 @@ AdiabaticHypotheses read_case(const std::string& unit) {
     if (has_exponent(of.claim)) {
         const Rational sixteenths = number(7) * 16;
         if (sixteenths > 16 || denominator(sixteenths) != 1) {
-            throw InputError("its exponent is no multiple of 1/16 up to 1");
+            throw InputError("its exponent is not a multiple of 1/16 up to 1");
         }
         of.exponent = sixteenths.convert_to<int>();
     }

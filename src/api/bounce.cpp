@@ -15,7 +15,7 @@ using I = dumbbell::Interval;
 
 I taken(const Interval& x, const char* name) {
     if (!std::isfinite(x.lo) || !std::isfinite(x.hi) || !(x.lo <= x.hi)) {
-        throw dumbbell::InputError(std::string(name) + " is no interval: give finite numbers lo <= hi");
+        throw dumbbell::InputError(std::string(name) + " is not an interval: give finite numbers lo <= hi");
     }
     return {x.lo, x.hi};
 }

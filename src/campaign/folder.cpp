@@ -40,7 +40,7 @@ void make_folder(const std::string& path) {
 
 [[noreturn]] void foreign(const fs::path& file) {
     throw InputError(
-        fmt::format("'{}' is no file of a campaign: move it elsewhere, and try again", file.string()));
+        fmt::format("'{}' is not a file of a campaign: move it elsewhere, and try again", file.string()));
 }
 
 /// Nothing that a reader might wait for; or it has just gone, as what a run is writing may.
@@ -87,7 +87,7 @@ CampaignFolder::CampaignFolder(std::string path) : path_(std::move(path)), journ
     std::error_code failed;
     if (!fs::is_regular_file(file, failed)) {
         throw InputError(fmt::format(
-            "'{}' is no campaign: it has no file 'plan'; make one with dumbbell campaign plan", path_));
+            "'{}' is not a campaign: it has no file 'plan'; make one with dumbbell campaign plan", path_));
     }
     const std::string text = file_contents(file);
     try {

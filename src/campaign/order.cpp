@@ -63,7 +63,7 @@ Order read_order(SealedReader& in) {
 }
 
 Order parse_order(const std::string& text) {
-    SealedReader in(text, "order of a campaign");
+    SealedReader in(text, "an order of a campaign");
     if (in.line() != "dumbbell-order 1") {
         in.fail();
     }

@@ -78,7 +78,8 @@ std::string read_password(const std::string& file) {
         fail("read", file);
     }
     if (!S_ISREG(status.st_mode)) {
-        throw InputError(fmt::format("'{}' is no regular file: give the file that holds the password", file));
+        throw InputError(
+            fmt::format("'{}' is not a regular file: give the file that holds the password", file));
     }
     if ((status.st_mode & 077) != 0) {
         throw InputError(fmt::format(

@@ -60,7 +60,7 @@ std::string render(const Plan& plan) {
 }
 
 Plan parse_plan(const std::string& text) {
-    SealedReader in(text, "plan of a campaign");
+    SealedReader in(text, "the plan of a campaign");
     if (in.line() != "dumbbell-campaign 1") {
         in.fail();
     }

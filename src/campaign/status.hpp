@@ -9,7 +9,8 @@
 
 namespace dumbbell::campaign {
 
-/// How far a campaign is: from its finished shards, and, for all that concerns the time, from its journal.
+/// How far a campaign has got: from its finished shards, and, for all that concerns the time, from its
+/// journal.
 struct CampaignStatus {
     struct Worker {
         std::size_t done = 0;

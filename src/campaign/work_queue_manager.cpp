@@ -99,7 +99,7 @@ bool is_numeric(const std::string& address) {
                             where.port));
         case EADDRNOTAVAIL:
             throw InputError(
-                fmt::format("'{}' is no address of this machine: choose one of those that  ip addr  "
+                fmt::format("'{}' is not an address of this machine: choose one of those that  ip addr  "
                             "shows, or 127.0.0.1",
                             where.address));
         default:
@@ -115,12 +115,12 @@ void WorkQueueDeleter::operator()(work_queue* queue) const { work_queue_delete(q
 WorkQueueManager make_work_queue_manager(const std::string& address, int port, const std::string& password) {
     if (!is_numeric(address)) {
         throw InputError(fmt::format(
-            "'{}' is no IP address: write numbers, such as 127.0.0.1, or 0.0.0.0 for all of this machine",
+            "'{}' is not an IP address: write numbers, such as 127.0.0.1, or 0.0.0.0 for all of this machine",
             address));
     }
     if (port < 0 || port > 65535) {
         throw InputError(
-            fmt::format("{} is no port: choose one from 1024 to 65535, or 0 for any free one", port));
+            fmt::format("{} is not a port: choose one from 1024 to 65535, or 0 for any free one", port));
     }
     cctools_debug_flags_clear();
     cctools_debug_flags_restore(D_FATAL);  // the last words of a program that runs out of memory

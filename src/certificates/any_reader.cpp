@@ -72,7 +72,7 @@ std::string sealed_digest(const std::string& path) {
         return file && gzgets(file.get(), line.data(), static_cast<int>(line.size())) != nullptr;
     };
     if (!next() || line.data() != first_line) {
-        throw InputError(fmt::format("'{}' is no certificate: its first line is not '{}'", path,
+        throw InputError(fmt::format("'{}' is not a certificate: its first line is not '{}'", path,
                                      first_line.substr(0, first_line.size() - 1)));
     }
     Digest digest;

@@ -35,7 +35,7 @@ bool is_piece(const fs::directory_entry& entry) { return entry.path().extension(
 
 [[noreturn]] void is_in_the_way(const std::string& folder) {
     throw InputError(
-        fmt::format("'{}' is in the way: it is no folder with the finished pieces of a run; remove it, "
+        fmt::format("'{}' is in the way: it is not a folder with the finished pieces of a run; remove it, "
                     "or use another --out",
                     folder));
 }
@@ -140,7 +140,7 @@ std::optional<Piece> PieceStore::find(const PlannedPiece& planned, Observer& obs
         return std::nullopt;
     }
     if (!fs::is_regular_file(file)) {  // which a reader might wait for
-        throw InputError(fmt::format("'{}' is in the way: it is no file; remove it, and try again", file));
+        throw InputError(fmt::format("'{}' is in the way: it is not a file; remove it, and try again", file));
     }
     auto piece = kept_in(file).piece;
     if (!piece || planned_as(*piece) != planned) {

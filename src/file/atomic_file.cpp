@@ -186,7 +186,7 @@ std::string output_target(const std::string& name) {
             const auto below = folder.lexically_relative(system);
             if (!below.empty() && *below.begin() != ".." && *below.begin() != "shm") {
                 throw InputError(fmt::format(
-                    "cannot write '{}': what lies below {} is no file; - stands for the standard output",
+                    "cannot write '{}': what lies below {} is not a file; - stands for the standard output",
                     name, system));
             }
         }
@@ -209,7 +209,7 @@ AtomicFile::AtomicFile(std::string path) : path_(std::move(path)) {
         throw InputError(fmt::format("cannot write '{}': it is a directory; give a file name", path_));
     }
     if (std::filesystem::exists(target) && !std::filesystem::is_regular_file(target)) {
-        throw InputError(fmt::format("cannot write '{}': it is no regular file; give a file name", path_));
+        throw InputError(fmt::format("cannot write '{}': it is not a regular file; give a file name", path_));
     }
     const Temporary probe(path_);
 }

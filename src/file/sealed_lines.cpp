@@ -15,7 +15,7 @@ SealedReader::SealedReader(std::string_view text, std::string_view what) : what_
 
 void SealedReader::fail() const {
     throw InputError(
-        fmt::format("this is no {}, or a damaged one: it has been changed, or is incomplete", what_));
+        fmt::format("this is not {}, or a damaged one: it has been changed, or is incomplete", what_));
 }
 
 std::string_view SealedReader::ahead() const { return rest_.substr(0, rest_.find('\n')); }
@@ -50,7 +50,7 @@ void SealedReader::end() const {
 std::size_t parse_size(std::string_view word) {
     const auto number = number_of<std::size_t>(word);
     if (!number || *number >= 1'000'000'000'000'000) {
-        throw InputError(fmt::format("'{}' is no number below 10^15", word.substr(0, 40)));
+        throw InputError(fmt::format("'{}' is not a number below 10^15", word.substr(0, 40)));
     }
     return *number;
 }

@@ -23,8 +23,9 @@ long parse_count(const std::string& text) {
         }
     }();
     if (!number || denominator(*number) != 1 || *number < 0) {
-        throw InputError(fmt::format(
-            "'{}' is no number of collisions: write N or N1:N2, for example 4 or 3:20", printable(text, 40)));
+        throw InputError(
+            fmt::format("'{}' is not a number of collisions: write N or N1:N2, for example 4 or 3:20",
+                        printable(text, 40)));
     }
     if (*number > greatest_count) {
         throw InputError(

@@ -63,7 +63,7 @@ Rational parse_gap(const std::string& text) {
 std::chrono::duration<double> parse_duration(const std::string& text, std::string_view option) {
     const auto malformed = [&] {
         return InputError(
-            fmt::format("{} '{}' is no time: write it like 30s, 10m or 2h", option, shortened(text)));
+            fmt::format("{} '{}' is not a time: write it like 30s, 10m or 2h", option, shortened(text)));
     };
     if (text.empty()) {
         throw malformed();

@@ -25,7 +25,7 @@ Rational multiple_of_pi(std::string_view text, std::size_t at) {
         return factor;
     }
     if (after[0] != '/') {
-        throw InputError(fmt::format("'{}' is no multiple of pi", shortened(text)));
+        throw InputError(fmt::format("'{}' is not a multiple of pi", shortened(text)));
     }
     const Rational divisor = plain_number(after.substr(1));
     if (divisor == 0) {

@@ -67,7 +67,7 @@ std::pair<Rational, Rational> parse_pair(const std::string& option, const std::s
     const auto comma = text.find(',');
     if (comma == std::string::npos || text.find(':') != std::string::npos) {
         throw InputError(
-            fmt::format("{}: '{}' is no pair of numbers: write LIGHT,HEAVY, for example 1.2,0.8 (a box of "
+            fmt::format("{}: '{}' is not a pair of numbers: write LIGHT,HEAVY, for example 1.2,0.8 (a box of "
                         "starts has --phi "
                         "and --y)",
                         option, shortened(text)));

@@ -240,7 +240,8 @@ std::string outcome_sentence(const TraceReport& report) {
         return fmt::format("cannot be decided at this precision: {}; undecided from collision {} on{}; {}",
                            bounds, next, near.empty() ? "" : " (on or near " + near + ")", advice(report));
     }
-    return fmt::format("{}: the box splits at collision {} (smaller boxes: --subdivide)", bounds, next);
+    return fmt::format("{}: the box splits at collision {}{}", bounds, next,
+                       report.parts ? "" : " (smaller boxes: --subdivide)");
 }
 
 std::string theorem_sentence(const TraceReport& report) {

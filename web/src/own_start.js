@@ -62,7 +62,7 @@ export class OwnStart {
     go() {
         const start = Object.fromEntries(fields.map(([name], i) => [name, (name === "phi" ? angleFrom : numberFrom)(this.inputs[i].value)]));
         const unread = fields.findIndex(([name]) => Number.isNaN(start[name]));
-        const wrong = unread < 0 ? fault(start) : `${fields[unread][1]}: \u201c${this.inputs[unread].value}\u201d is no number; write one like 3, \u22120.5, 1/3 or 1e4.`;
+        const wrong = unread < 0 ? fault(start) : `${fields[unread][1]}: \u201c${this.inputs[unread].value}\u201d is not a number; write one like 3, \u22120.5, 1/3 or 1e4.`;
         this.inputs.forEach((input, i) => input.setAttribute("aria-invalid", String(i === unread)));
         this.message.classList.toggle("warning", wrong !== null);
         if (wrong) {

@@ -72,7 +72,7 @@ CriticalRatio parse_ratio(SealedReader& in) {
 /// Of a file with at most `most` of them.
 std::vector<CriticalRatio> read_rows(const std::string& file, std::size_t most) {
     const std::string text = file_contents(file);
-    SealedReader in(text, "table of critical ratios");
+    SealedReader in(text, "a table of critical ratios");
     if (in.line() != first_line) {
         in.fail();
     }

@@ -147,7 +147,7 @@ class VerifiedKind : public Kind {
             std::count(text.begin(), text.end(), '\n') == 1;
         if (!fits) {
             return {Judgement::Verdict::wrong,
-                    fmt::format("it is no verification of these pieces: {}", printable(text, 100))};
+                    fmt::format("it is not a verification of these pieces: {}", printable(text, 100))};
         }
         return {Judgement::Verdict::proved, ""};
     }

@@ -14,11 +14,11 @@ kept, and the result does not depend on where, how often or in which order the s
 Examples:
   dumbbell campaign plan stairs.campaign 1:1e6 --gap 1e-9    cut the claim into shards
   dumbbell campaign run stairs.campaign                      process them, on all cores
-  dumbbell campaign status stairs.campaign                   how far it is
+  dumbbell campaign status stairs.campaign                   how far it has got
   dumbbell campaign merge stairs.campaign --out stairs.dbc   verify the shards, join them)";
 
 constexpr const char* campaign_footer =
-    R"(Workers on other machines, and what to think of before: docs/8-campaigns.md.
+    R"(Workers on other machines, and what to consider first: docs/8-campaigns.md.
 The fields of --json: docs/reference/json.md.
 
 Exit codes: 0 done as asked; 1 internal error, or two results of one shard differ; 2 wrong usage or input; 3 not

@@ -84,7 +84,7 @@ std::optional<std::size_t> shards_of(const Given& given) {
 int made(const std::string& folder, const campaign::Plan& plan,
          const std::vector<std::string>& sources = {}) {
     campaign::CampaignFolder::create(folder, plan, sources);
-    fmt::print("{}\n{} shards of {} units in '{}'; to work them off: dumbbell campaign run {}\n",
+    fmt::print("{}\n{} shards of {} units in '{}'; to process them: dumbbell campaign run {}\n",
                one_line(plan.claim), plan.shards.size(), plan.whole.units.size(), one_line(folder),
                shell_file(folder));
     return exit_done;

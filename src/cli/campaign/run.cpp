@@ -29,7 +29,7 @@
 namespace dumbbell::cli {
 namespace {
 
-constexpr const char* run_description = R"(Work off what is not finished of a campaign.
+constexpr const char* run_description = R"(Process what is not yet finished of a campaign.
 
 The same command goes on after it was stopped or killed.
 

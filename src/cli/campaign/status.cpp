@@ -24,7 +24,7 @@ int run_status(const Given& given) {
 constinit const Command campaign_status_command{
     "status",
     one_group,
-    "How far a campaign is, while it runs or later: shards, rate, time left, each worker.",
+    "How far a campaign has got, while it runs or later: shards, rate, time left, workers.",
     inherited,
     status_options,
     run_status};

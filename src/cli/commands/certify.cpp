@@ -60,8 +60,7 @@ constexpr std::array certify_options = joined(
         Option{"--by", "cover|law",
                "prove it by covers and witnesses, or, for one ratio, take the law for every mass ratio",
                "cover"},
-        Option{"--law", "FILE", "with --by law: its certificate, if not the one that comes with the program"}
-            .needs("--by"),
+        Option{"--law", "FILE", "with --by law: its certificate, if not the one that comes with the program"},
         flag("--witness",
              "print an orbit that attains the maximum, every collision enclosed, and a "
              "start in the air for trace")
@@ -145,7 +144,7 @@ int run_certify(const Given& given) {
         return certify_by_law(given);
     }
     if (given.has("--law")) {
-        throw InputError("--law means nothing without --by law: leave it out");
+        throw InputError("--law means nothing without --by law: add that, or leave it out");
     }
     const RatioArgument ratio = parse_ratio_argument(given.text("RATIO"));
     CertifyRequest request = certify_request(given, ratio);  // before the output file is touched

@@ -48,7 +48,9 @@ Exit codes: 0 proved; 1 internal error; 2 wrong usage or input; 3 not finished o
 or 143 stopped by SIGINT (Ctrl-C) or SIGTERM: nothing is kept.)";
 
 constexpr std::array critical_options{
-    argument("N", "number of collisions from 3 on, or closed range N1:N2").required(),
+    argument("N",
+             "number of collisions from 3 to 10^17 (--by law: from 903 to 10^100), or closed range N1:N2")
+        .required(),
     critical_digits_option,
     Option{"--confirm", "REL",
            "prove the maximum at q_c (1 - REL) and q_c (1 + REL) by cover and witness, too"},

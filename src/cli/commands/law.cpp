@@ -60,8 +60,8 @@ int run_law(const Given& given) {
     if (given.has("--ratio")) {
         return law_at_one_ratio(given);
     }
-    const std::string file =
-        given.has("FILE") ? input_file(given.text("FILE")) : shipped_certificate(law::certificate_name);
+    const std::string file = given.has("FILE") ? input_file(given.text("FILE"))
+                                               : shipped_certificate(law::certificate_name, "law FILE");
     return law::is_law_certificate(file) ? law_for_all(given, file) : law_of_staircase(given, file);
 }
 

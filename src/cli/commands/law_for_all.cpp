@@ -12,6 +12,7 @@
 #include "cli/terminal/output.hpp"
 #include "cli/terminal/standard_input.hpp"
 #include "cli/terminal/stop_signals.hpp"
+#include "file/lines.hpp"
 #include "file/shipped.hpp"
 #include "law/certified_report.hpp"
 #include "law/critical.hpp"
@@ -33,12 +34,14 @@ std::optional<law::LawCertificate> prove_anew(const Given& given) {
     return prove_law(request);
 }
 
-/// The certificate of the law that was named, or the shipped one. Throws InputError for any other file.
-std::string law_certificate(const std::string& name) {
-    std::string file = name.empty() ? shipped_certificate(law::certificate_name) : input_file(name);
+/// The certificate of the law that was named, or the shipped one; `another` is how to name one. Throws
+/// InputError for any other file.
+std::string law_certificate(const std::string& name, std::string_view another) {
+    std::string file = name.empty() ? shipped_certificate(law::certificate_name, another) : input_file(name);
+    require_readable(file);
     if (!law::is_law_certificate(file)) {
         throw InputError(
-            fmt::format("'{}' is no certificate of the law for every mass ratio "
+            fmt::format("'{}' is not a certificate of the law for every mass ratio "
                         "(dumbbell law --prove --out FILE)",
                         name));
     }
@@ -68,10 +71,9 @@ Integer parse_law_count(const std::string& text) {
     }
     const Rational n = parse_number("N", text);
     if (denominator(n) != 1 || n <= law::last_step || n > parse_rational("1e100")) {
-        throw InputError(
-            fmt::format("--by law encloses q_c(N) for one whole N from {} to 10^100, not for '{}': for less, "
-                        "dumbbell critical N",
-                        law::last_step + 1, shortened(text)));
+        throw InputError(fmt::format(
+            "--by law encloses q_c(N) for one whole N from {} to 10^100, not for '{}'{}", law::last_step + 1,
+            shortened(text), n <= law::last_step ? ": for less, dumbbell critical N" : ""));
     }
     return numerator(n);
 }
@@ -114,7 +116,8 @@ int law_at_one_ratio(const Given& given) {
     if (ratio.lo != ratio.hi) {
         throw InputError("--ratio takes one mass ratio, for example 1e100 or 7/3");
     }
-    const law::AtRatioReport report = answer_at(ratio.lo, law_certificate(given.text("FILE")));
+    const law::AtRatioReport report =
+        answer_at(ratio.lo, law_certificate(given.text("FILE"), "law FILE --ratio Q"));
     fmt::print("{}", shown(report, given));
     return report.at.lower == report.at.upper ? exit_done : exit_not_certified;
 }
@@ -126,7 +129,7 @@ int certify_by_law(const Given& given) {
         throw InputError(
             "--by law takes one mass ratio, for example 1e100 or 7/3: a range is proved without it");
     }
-    const std::string file = law_certificate(given.text("--law"));
+    const std::string file = law_certificate(given.text("--law"), "certify Q --by law --law FILE");
     const Output output(given.text("--out"), {file}, given.has("--json") ? "--json" : nullptr);
     law::CertifiedReport report{.answer = answer_at(ratio.lo, file)};
     if (given.has("--law")) {

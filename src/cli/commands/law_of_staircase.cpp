@@ -24,7 +24,7 @@ collisions::Certificate read_staircase(const std::string& file) {
     }
     if (certificate.q_lo() == certificate.q_hi()) {
         throw InputError(
-            fmt::format("'{}' is no staircase: the law needs a range of mass ratios (dumbbell "
+            fmt::format("'{}' is not a staircase: the law needs a range of mass ratios (dumbbell "
                         "certify LO:HI --out FILE)",
                         file));
     }

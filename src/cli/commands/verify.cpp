@@ -25,7 +25,7 @@ Checks certificates (docs/reference/format.md) independently of the program that
 
   dumbbell-verify --ratio 10 --exactly 4 ten.dbc       is N*(10) = 4 proved?
   dumbbell-verify --ratio 2:5/2 --max 3 stairs.dbc     at most 3 collisions on a part of the file's range?
-  dumbbell-verify --explain 1:bridge.0 ten.dbc         one leaf, in numbers
+  dumbbell-verify --explain 1:bridge ten.dbc           one leaf, in numbers
   dumbbell-verify --claim initial-conditions --min 1 falling.dbc    at least one collision from every start?
   dumbbell-verify --law certificates/law.dbc.gz --ratio 1e6 --exactly 887 million.dbc    one mass ratio by the law
   dumbbell-verify --junit proofs.xml --claims certificates/claims.tsv   in CI: every certificate, its own claim
@@ -72,7 +72,7 @@ constexpr std::array verify_options{
         "verified first, once for all of them; `dumbbell verify` takes the shipped one by itself"},
     Option{"--shards", "I-J",
            "check only the pieces I to J (or I alone) of one file, counted from 1; the file is read as a "
-           "whole. The last line is `s PART ...`, which is no verdict of the file"},
+           "whole. The last line is `s PART ...`, which is not a verdict of the file"},
     Option{"--combine", "PARTS",
            "check no piece, but take the lines `s PART` in the file PARTS, in any order: `s COMBINED` states "
            "the whole file, if they are about it and have every piece. That dumbbell-verify printed them is "

@@ -52,14 +52,16 @@ Place place_of(const Command& command, const Command& program) {
 bool is_called(const Command& command) { return command.run != nullptr || command.become != nullptr; }
 
 std::string usage(const Place& place) {
-    const auto& options = place.command->options;
-    std::string text = place.called;
-    text += std::ranges::all_of(options, &Option::is_argument) ? "" : " [OPTIONS]";
-    text += is_called(*place.command) ? "" : " COMMAND";
-    for (const Option& option : options) {
-        text += option.is_argument() ? " " + spelling(option) : "";
+    if (!is_called(*place.command)) {
+        return place.called + " COMMAND [OPTIONS] ...";
     }
-    return text;
+    std::string text = place.called + " [OPTIONS]";
+    for (const Option& option : place.command->options) {
+        if (option.is_argument()) {
+            text += option.is_required ? " " + spelling(option) : fmt::format(" [{}]", spelling(option));
+        }
+    }
+    return text + (place.command->commands.empty() ? "" : " [COMMAND]");
 }
 
 bool is_file(const Option& option) {

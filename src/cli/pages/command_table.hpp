@@ -25,7 +25,7 @@ struct Place {
 /// Whether it does something itself, and not only by the commands below it.
 [[nodiscard]] bool is_called(const Command& command);
 
-/// How it is called: the name, [OPTIONS], and the arguments; or COMMAND.
+/// How it is called: the name, [OPTIONS] and the arguments, or COMMAND; in brackets what may be left out.
 [[nodiscard]] std::string usage(const Place& place);
 
 /// Is the option's value the name of a file?

@@ -61,21 +61,17 @@ std::vector<Option> all_options(const Command& command, const Command& program) 
 
 std::string whole(const Place& place, const Command& program) {
     const Command& command = *place.command;
-    std::string usage = place.called + " [OPTIONS]", commands;
+    std::string commands;
     std::vector<Option> arguments, options;
     for (const Option& option : all_options(command, program)) {
         (option.is_argument() ? arguments : options).push_back(option);
     }
-    for (const Option& argument : arguments) {
-        usage += argument.is_required ? " " + spelling(argument) : fmt::format(" [{}]", spelling(argument));
-    }
     for (const Command* below : command.commands) {
         commands += row(std::string(below->name), brief(*below));
     }
-    return fmt::format("{}\nUsage: {}{}\n{}{}{}{}\n{}\n", command.text, usage,
-                       commands.empty() ? "" : " [COMMAND]", rows("Arguments", arguments),
-                       rows("Options", options), commands.empty() ? "" : "\nCommands:\n", commands,
-                       place.footer);
+    return fmt::format("{}\nUsage: {}\n{}{}{}{}\n{}\n", command.text, usage(place),
+                       rows("Arguments", arguments), rows("Options", options),
+                       commands.empty() ? "" : "\nCommands:\n", commands, place.footer);
 }
 
 std::string commands_text(const Command& command) {
@@ -113,10 +109,9 @@ std::string one_screen(const Place& place, const Command& program) {
     for (const Block& block : blocks(place.footer)) {
         footer += '\n' + filled(fmt::format("{}", fmt::join(block.lines, " ")), "", screen_columns);
     }
-    return fmt::format(
-        "{}\n\nUsage: {} COMMAND [OPTIONS] ...\nMore:  {} COMMAND --help, and: man dumbbell\n\n{}{}\n{}{}",
-        brief(*place.command), place.name, place.name, commands_text(*place.command), options,
-        examples_text(place.command->text), footer);
+    return fmt::format("{}\n\nUsage: {}\nMore:  {} COMMAND --help, and: man dumbbell\n\n{}{}\n{}{}",
+                       brief(*place.command), usage(place), place.name, commands_text(*place.command),
+                       options, examples_text(place.command->text), footer);
 }
 
 }  // namespace

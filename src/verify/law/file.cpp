@@ -21,7 +21,7 @@ void LawFile::verify(const Settings& settings) try {
     Text text(path_, settings.budget);
     const Header header = read_header(text);
     if (header.section != &turning() || header.claim != "law")
-        throw Failure{Verdict::unreadable, 0, "usage", "is no file of the claim law"};
+        throw Failure{Verdict::unreadable, 0, "usage", "is not a file of the claim law"};
     Settings own;
     own.jobs = settings.jobs;
     own.max_bits = settings.max_bits;

@@ -28,7 +28,7 @@ std::string target_of(const std::string& path) {
                 .string() +
             "/";
         if (folder.starts_with("/proc/") || (folder.starts_with("/dev/") && !folder.starts_with("/dev/shm/")))
-            cannot_write(path, "what lies below " + folder + " is no file");
+            cannot_write(path, "what lies below " + folder + " is not a file");
         const std::filesystem::path link = std::filesystem::read_symlink(target, failed);
         if (failed) return target.string();
         target = target.parent_path() / link;
@@ -39,7 +39,7 @@ std::string target_of(const std::string& path) {
 int create(const std::string& path, const std::string& target) {
     struct stat there {};
     const bool replaces = ::stat(target.c_str(), &there) == 0;
-    if (replaces && !S_ISREG(there.st_mode)) cannot_write(path, "it is no regular file; give a file name");
+    if (replaces && !S_ISREG(there.st_mode)) cannot_write(path, "it is not a regular file; give a file name");
     const std::string temporary = temporary_name(target);
     ::unlink(temporary.c_str());  // a killed program of the same number may have left it
     const int file =

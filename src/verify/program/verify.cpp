@@ -15,11 +15,26 @@ Verified about(std::pair<Proof, Claim> found) {
     return {std::move(found.first), std::move(found.second)};
 }
 
-}  // namespace
+/// The first lines. Of what is wrong with the very first it also says what that means: it is another file.
+Header header_of(Text& text) try { return read_header(text); } catch (Failure& failure) {
+    if (failure.verdict == Verdict::rejected && text.line == 1)
+        failure.text += ": not a certificate, whose first line is `dumbbell-certificate 1`";
+    throw;
+}
 
-Verified verify(const std::string& path, const Settings& settings) {
-    Text text(path, settings.budget);
-    const Header header = read_header(text);
+/// What the file is and what was demanded instead, where the reader has found that they differ.
+void name_both(Failure& failure, const Settings& settings, std::string_view scene, const std::string& claim) {
+    const auto other = [&failure](const char* what, std::string_view is, const std::string& asked) {
+        failure.text = "the " + std::string(what) + " is " + std::string(is) + ", and " + asked +
+                       " was demanded (--" + what + ")";
+    };
+    if (failure.code != "claim-not-proved") return;
+    if (settings.scene != scene) return other("scene", scene, settings.scene);
+    if (!settings.claim.empty() && settings.claim != claim) other("claim", claim, settings.claim);
+}
+
+/// What is left of the file, which has this header.
+Verified read_on(Text& text, const Settings& settings, const Header& header) {
     const std::string& claim = header.claim;
     const bool incoming = claim == "incoming", is_initial = incoming || claim == "initial-conditions";
     if (settings.shares && !is_initial)
@@ -38,6 +53,19 @@ Verified verify(const std::string& path, const Settings& settings) {
     if (is_by_law) return about(law_at_ratio(text, settings));
     if (invariant) return about(adiabatic(text, settings, *invariant));
     return about(initial(text, settings, incoming));
+}
+
+}  // namespace
+
+Verified verify(const std::string& path, const Settings& settings) {
+    Text text(path, settings.budget);
+    const Header header = header_of(text);
+    try {
+        return read_on(text, settings, header);
+    } catch (Failure& failure) {
+        name_both(failure, settings, header.section ? header.section->scene : "dumbbell", header.claim);
+        throw;
+    }
 }
 
 }  // namespace dumbbell_verify

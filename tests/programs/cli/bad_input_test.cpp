@@ -119,6 +119,10 @@ TEST_CASE("what is wrong is said in plain words, and in the order given") {
     CHECK_THAT(refused({"critical", "10^101"}), Contains("or 10^100 for one N by the law"));
     CHECK_THAT(refused({"critical", "903:905", "--by", "law"}),
                Contains("--by law takes one N, no range: '903:905'"));
+    CHECK_THAT(refused({"critical", "902", "--by", "law"}),
+               Contains("from 903 to 10^100, not for '902': for less, dumbbell critical N\n"));
+    CHECK_THAT(refused({"critical", "1e101", "--by", "law"}),
+               Contains("from 903 to 10^100, not for '1e101'\n"));
     CHECK_THAT(refused({"certify", "10", "30", "20"}), Contains("not expected here: '30', '20'"));
     CHECK_THAT(refused({"certify", "10", "x", "--outt"}), Contains("not expected here: 'x', '--outt'"));
     CHECK_THAT(refused({"certify", "10", "--outt"}), Contains("there is no option '--outt' here"));

@@ -304,8 +304,8 @@ TEST_CASE("what stands in the way of a campaign is said in one line, and nothing
     plan(folder);
     const std::string campaign = folder / "c";
     CHECK_THAT(refused_here(folder, {"campaign", "plan", campaign, small}), Contains("new or empty"));
-    CHECK_THAT(refused_here(folder, {"campaign", "run", folder.path()}), Contains("is no campaign"));
-    CHECK_THAT(refused_here(folder, {"campaign", "status", folder / "none"}), Contains("is no campaign"));
+    CHECK_THAT(refused_here(folder, {"campaign", "run", folder.path()}), Contains("is not a campaign"));
+    CHECK_THAT(refused_here(folder, {"campaign", "status", folder / "none"}), Contains("is not a campaign"));
     CHECK_THAT(refused_here(folder, {"campaign", "merge", campaign, "--out", folder.path()}),
                Contains("is a directory"));
 

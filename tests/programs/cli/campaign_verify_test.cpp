@@ -80,7 +80,7 @@ TEST_CASE("lines of another certificate, or of other pieces, are no results") {
         const Outcome refused = merged(folder);
         CAPTURE(line);
         CHECK(refused.code == 3);
-        CHECK_THAT(refused.err, Contains("no verification of these pieces"));
+        CHECK_THAT(refused.err, Contains("is not a verification of these pieces"));
         REQUIRE(run_campaign(folder).code == 0);
         CHECK(contents(result) == truth);
     }

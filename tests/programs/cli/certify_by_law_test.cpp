@@ -107,11 +107,14 @@ TEST_CASE("certify --by law refuses what has no meaning with it, in one line, an
     }
     CHECK_THAT(refused({"certify", "1:2", "--by", "law"}), Contains("--by law takes one mass ratio"));
     CHECK_THAT(refused({"certify", "10", "--by", "orbit"}), Contains("cover,law"));
-    CHECK_THAT(refused({"certify", "10", "--law", shipped_law}), Contains("--law requires --by"));
+    CHECK_THAT(refused({"certify", "10", "--law", shipped_law}),
+               Contains("--law means nothing without --by law: add that, or leave it out"));
     CHECK_THAT(refused({"certify", "10", "--by", "cover", "--law", shipped_law}),
                Contains("--law means nothing without --by law"));
     CHECK_THAT(refused({"certify", "10", "--by", "law", "--law", ten}),
-               Contains("is no certificate of the law for every mass ratio"));
+               Contains("is not a certificate of the law for every mass ratio"));
+    CHECK_THAT(refused({"certify", "10", "--by", "law", "--law", "missing.dbc"}),
+               Contains("cannot read 'missing.dbc': no such file\n"));
     CHECK(folder.names().size() == 1);
 }
 

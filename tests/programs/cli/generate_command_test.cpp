@@ -79,14 +79,39 @@ TEST_CASE("every option of every command is in the man page and the completion")
 
 TEST_CASE("a command that is called with a folder and a claim is shown so everywhere") {
     const std::string man = without_backslashes(generated("man")), reference = generated("reference");
-    for (const char* usage : {"dumbbell campaign plan [OPTIONS] FOLDER RATIO\n",
+    for (const char* usage : {"dumbbell campaign plan [OPTIONS] FOLDER [RATIO] [COMMAND]\n",
                               "dumbbell campaign plan FOLDER critical [OPTIONS] N1:N2\n",
-                              "dumbbell campaign plan FOLDER verify FILE\n"}) {
+                              "dumbbell campaign plan FOLDER verify [OPTIONS] FILE\n"}) {
         CHECK_THAT(reference, Contains(std::string("\n    ") + usage));
     }
     const std::string synopsis = man.substr(0, man.find(".SH DESCRIPTION"));
-    CHECK_THAT(synopsis, Contains("dumbbell campaign plan [OPTIONS] FOLDER RATIO") &&
+    CHECK_THAT(synopsis, Contains("dumbbell campaign plan [OPTIONS] FOLDER [RATIO] [COMMAND]") &&
                              Contains("dumbbell campaign plan FOLDER adiabatic [OPTIONS]"));
+}
+
+TEST_CASE("every help and the reference say in the same words how a command is called") {
+    std::istringstream lines(generated("reference"));
+    std::size_t commands = 0;
+    std::string heading;
+    for (std::string line; std::getline(lines, line);) {
+        if (line.starts_with("## dumbbell")) {
+            heading = line;
+        } else if (!heading.empty() && line.starts_with("    ")) {
+            Words words;
+            std::istringstream named(heading.substr(std::string("## dumbbell").size()));
+            for (std::string word; named >> word;) {
+                words.push_back(word);
+            }
+            words.emplace_back("--help");
+            heading.clear();
+            CAPTURE(line);
+            // The verifier explains itself.
+            CHECK_THAT(dumbbell(words).out,
+                       Contains(words.front() == "verify" ? "usage: " : "Usage: " + line.substr(4) + "\n"));
+            ++commands;
+        }
+    }
+    CHECK(commands > 20);
 }
 
 TEST_CASE("what is said of the verifier is what its --help says, and its man page has every option") {

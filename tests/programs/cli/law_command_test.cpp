@@ -33,7 +33,7 @@ TEST_CASE("law believes only what the verifier has accepted") {
 
 TEST_CASE("law needs a staircase of the dumbbell, without open pieces") {
     const TemporaryFolder folder;
-    CHECK_THAT(refused({"law", certificate(folder, "10")}), Contains("is no staircase"));
+    CHECK_THAT(refused({"law", certificate(folder, "10")}), Contains("is not a staircase"));
     for (const char* scene : {"wedge", "hybrid"}) {
         CHECK_THAT(refused({"law", certificate(folder, "2:4", {"--scene", scene})}),
                    Contains(std::string("of the scene ") + scene + ": the law is one of the dumbbell"));
@@ -84,6 +84,27 @@ TEST_CASE("law without a file states the law for every mass ratio, and what the 
           dumbbell({"law", "--quiet"}).out);
 }
 
+TEST_CASE("a program without its certificates says how to name that of the law") {
+    const TemporaryFolder folder;
+    std::filesystem::create_directory(folder / "bin");
+    std::filesystem::copy_file(DUMBBELL_BIN, folder / "bin/dumbbell");
+    const auto said = [&folder](Words words) {
+        words.insert(words.begin(), folder / "bin/dumbbell");
+        const Outcome result = run(std::move(words), folder.path());
+        CHECK(result.code == 2);
+        CHECK(count_lines(result.err) == 1);
+        return result.err;
+    };
+    const std::string missing =
+        "dumbbell: the certificate law.dbc.gz that comes with this program is not found: install the program "
+        "with its certificates";
+    const std::string named = missing + ", or name the file: dumbbell ";
+    CHECK(said({"law"}) == named + "law FILE\n");
+    CHECK(said({"law", "--ratio", "5"}) == named + "law FILE --ratio Q\n");
+    CHECK(said({"certify", "10", "--by", "law"}) == named + "certify Q --by law --law FILE\n");
+    CHECK(said({"critical", "903", "--by", "law"}) == missing + "\n");
+}
+
 TEST_CASE("law believes no certificate of the law that the verifier rejects") {
     const TemporaryFolder folder;
     const std::string file = folder / "law.dbc";
@@ -121,7 +142,10 @@ TEST_CASE("law says what is wrong with its options, and leaves no file") {
     CHECK_THAT(refused({"law", "--prove", ten}), Contains("name where to write it by --out, and no FILE"));
     CHECK_THAT(refused({"law", "--ratio", "1:2"}), Contains("--ratio takes one mass ratio"));
     CHECK_THAT(refused({"law", "--ratio", "0"}), Contains("must be greater than 0"));
-    CHECK_THAT(refused({"law", "--ratio", "2", ten}), Contains("is no certificate of the law"));
+    CHECK_THAT(refused({"law", "--ratio", "2", ten}), Contains("is not a certificate of the law"));
+    for (const Words& words : {Words{"law", "missing.dbc"}, Words{"law", "missing.dbc", "--ratio", "5"}}) {
+        CHECK_THAT(refused(words), Contains("cannot read 'missing.dbc': no such file\n"));
+    }
     CHECK_THAT(refused({"law", "--out", folder / "x.dbc"}), Contains("--out requires --prove"));
     CHECK_THAT(refused({"law", "--prove", "--out", folder / "x.txt"}), Contains("x.txt"));
     CHECK(folder.names().size() == 1);

@@ -121,6 +121,6 @@ TEST_CASE("a command that is printed can be pasted, whatever the file is called"
         CHECK(pasted(bounded.out, "Check it:    ", folder.path()).code == 0);
         const Outcome planned = dumbbell({"campaign", "plan", "./" + name, "1:10"}, folder.path());
         REQUIRE(planned.code == 0);
-        CHECK(pasted(planned.out, "to work them off: ", folder.path()).code == 0);
+        CHECK(pasted(planned.out, "to process them: ", folder.path()).code == 0);
     }
 }

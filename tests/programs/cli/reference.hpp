@@ -59,7 +59,7 @@ inline std::vector<ListedCommand> listed_commands() {
             }
         } else if (line.rfind(usage, 0) == 0 && commands.back().text.empty()) {
             std::istringstream words(line.substr(usage.size()));
-            for (std::string word; words >> word && word != "[OPTIONS]";) {
+            for (std::string word; words >> word && word != "[OPTIONS]" && word != "COMMAND";) {
                 commands.back().called.push_back(word);
             }
             commands.back().text.push_back('\n');

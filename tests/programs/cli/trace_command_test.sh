@@ -88,7 +88,7 @@ expect 2 '--phi: ' 10 --phi --1 --phidot 1 --y 3 --ydot -1
 expect 2 'like 30deg, pi/2 or 0.3pi' 10 --phi 30degrees --phidot 1 --y 3 --ydot -1
 expect 2 'two ways' 10 --phi 1/3pi --phidot 1 --y 3 --ydot -1
 expect 2 "'pi/0' divides by zero" 10 --phi pi/0 --phidot 1 --y 3 --ydot -1
-expect 2 'no multiple of pi' 10 --phi pi/2:pie --phidot 1 --y 3 --ydot -1
+expect 2 'is not a multiple of pi' 10 --phi pi/2:pie --phidot 1 --y 3 --ydot -1
 expect 2 'is reversed' 10 --phi 2pi:180deg --phidot 1 --y 3 --ydot -1
 expect 2 'larger than 1000' 10 --phi 1e9pi --phidot 1 --y 3 --ydot -1
 expect 2 '--ydot: ' 10 --phi 1 --phidot 1 --y 3 --ydot 30deg

@@ -207,7 +207,7 @@ test("what is wrong with your own start is told by the field's name; ratios belo
         return own.locator(".readout").first().textContent();
     };
     await field("height y").fill("abc");
-    assert.match(await told(), /^height y: \u201cabc\u201d is no number/);
+    assert.match(await told(), /^height y: \u201cabc\u201d is not a number/);
     assert.equal(await field("height y").getAttribute("aria-invalid"), "true");
     await field("height y").fill("0.8");
     await field("mass ratio q").fill("1/100");

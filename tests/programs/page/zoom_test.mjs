@@ -142,7 +142,7 @@ test("a typed ratio is gone to", async () => {
         await page.getByRole("button", { name: "Go" }).click();
         return told();
     };
-    assert.match(await go("abc"), /\u201cabc\u201d is no mass ratio: write a number/);
+    assert.match(await go("abc"), /\u201cabc\u201d is not a mass ratio: write a number/);
     assert.equal(await choice.inputValue(), "");
     assert.match(await go("1000"), /The file says nothing about q = 1000/);
     assert.match(await go("1/50"), /N\(q\) = 8/); // the masses swapped

@@ -83,7 +83,7 @@ TEST_CASE("a path lies in the folder or next to it, however it is spelled") {
 
 TEST_CASE("what is no campaign is refused, and nothing is changed") {
     const Place place;
-    CHECK_THROWS_WITH(CampaignFolder(place.string()), Contains("no campaign"));
+    CHECK_THROWS_WITH(CampaignFolder(place.string()), Contains("is not a campaign"));
     fs::create_directory(place.path);
     CHECK_THROWS_WITH(CampaignFolder(place.string()), Contains("dumbbell campaign plan"));
     write(place.path / "plan", "dumbbell-campaign 1\n");

@@ -50,7 +50,7 @@ TEST_CASE("a task beyond its limit is too long, and one that cannot be understoo
     outcome = engine.wait(1h);
     REQUIRE(outcome.has_value());
     CHECK(outcome->end == campaign::Outcome::End::failed);
-    CHECK_THAT(outcome->reason, Contains("no order"));
+    CHECK_THAT(outcome->reason, Contains("is not an order"));
     engine.submit(task_of({"prove nonsense\n", {"x"}}));
     outcome = engine.wait(1h);
     REQUIRE(outcome.has_value());

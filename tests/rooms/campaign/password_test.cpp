@@ -69,8 +69,8 @@ TEST_CASE("what is no password is refused, and left as it is") {
 TEST_CASE("a password file that cannot be read or made is named") {
     const TemporaryFolder folder;
     CHECK_THROWS_WITH(read_password(folder / "none"), Contains(folder / "none") && Contains("No such file"));
-    CHECK_THROWS_WITH(read_password(folder.path()), Contains("no regular file"));
+    CHECK_THROWS_WITH(read_password(folder.path()), Contains("is not a regular file"));
     CHECK_THROWS_WITH(password_file(folder / "none"), Contains(folder / "none/password"));
     REQUIRE(::mkfifo((folder / "password").c_str(), 0600) == 0);
-    CHECK_THROWS_WITH(password_file(folder.path()), Contains("no regular file"));
+    CHECK_THROWS_WITH(password_file(folder.path()), Contains("is not a regular file"));
 }

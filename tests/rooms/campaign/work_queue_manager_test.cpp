@@ -137,12 +137,12 @@ TEST_CASE("a place where the manager cannot listen is refused, with what to do")
                           " is in use: is another campaign running here? choose another with --port, or "
                           "--port 0 for any free one");
     CHECK_THROWS_WITH(make_work_queue_manager("192.0.2.1", 0, password),
-                      Contains("no address of this machine"));
+                      Contains("is not an address of this machine"));
     for (const char* address : {"", "localhost", "127.0.0", "127.0.0.1 ", "::1%lo"}) {
-        CHECK_THROWS_WITH(make_work_queue_manager(address, 0, password), Contains("is no IP address"));
+        CHECK_THROWS_WITH(make_work_queue_manager(address, 0, password), Contains("is not an IP address"));
     }
     for (const int bad : {-1, 65536}) {
-        CHECK_THROWS_WITH(make_work_queue_manager("127.0.0.1", bad, password), Contains("is no port"));
+        CHECK_THROWS_WITH(make_work_queue_manager("127.0.0.1", bad, password), Contains("is not a port"));
     }
 }
 

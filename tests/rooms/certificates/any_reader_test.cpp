@@ -99,7 +99,7 @@ TEST_CASE("a damaged file has no digest: cut off, changed, or with something aft
     }
     for (const char* other : {"", "certificates/q-1.dbc\t--ratio 1\n", "dumbbell-certificate 1"}) {
         CHECK_THROWS_WITH(digest_of(other),
-                          Contains("no certificate: its first line is not 'dumbbell-certificate 1'"));
+                          Contains("is not a certificate: its first line is not 'dumbbell-certificate 1'"));
     }
     CHECK_THROWS_AS(sealed_digest("no/such/file.dbc"), InputError);
 }

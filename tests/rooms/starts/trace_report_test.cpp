@@ -7,6 +7,7 @@
 using namespace dumbbell;
 using namespace dumbbell::starts;
 using Catch::Matchers::Contains;
+using Catch::Matchers::EndsWith;
 using dumbbell_test::parsed;
 
 namespace {
@@ -40,6 +41,18 @@ TEST_CASE("other undecided orbits want more digits, and once that did not help, 
                Contains("try --digits 80;") && Contains("move the initial condition"));
     report.digits = most_trace_digits;
     CHECK_THAT(outcome_sentence(report), !Contains("--digits") && Contains("move the initial condition"));
+}
+
+TEST_CASE("a box that splits is to be subdivided, unless it is") {
+    TraceReport report = report_of(1, 0, 0);
+    report.box.lo[0] = 0;
+    report.box.hi[0] = 3;
+    report.trace = trace(report.box, 0);
+    REQUIRE_FALSE(report.trace.exact());
+    CHECK_THAT(outcome_sentence(report),
+               EndsWith("the box splits at collision 1 (smaller boxes: --subdivide)"));
+    report.parts.emplace();
+    CHECK_THAT(outcome_sentence(report), EndsWith("the box splits at collision 1"));
 }
 
 TEST_CASE("one collision is no plural") {

@@ -110,8 +110,8 @@ TEST_CASE("the JUnit report appears complete or not at all, and replaces nothing
     CHECK(folder.run("--junit report.xml ten.dbc").code == 2);
     fs::remove(folder / "report.xml");
     REQUIRE(std::system(("mkfifo " + folder.path() + "/report.xml").c_str()) == 0);
-    CHECK(
-        has(folder.run("--junit report.xml ten.dbc").err, "cannot write report.xml: it is no regular file"));
+    CHECK(has(folder.run("--junit report.xml ten.dbc").err,
+              "cannot write report.xml: it is not a regular file"));
     fs::remove(folder / "report.xml");
     CHECK(folder.run("--junit none/report.xml ten.dbc").code == 2);
     fs::create_hard_link(folder / "ten.dbc", folder / "hard.xml");
@@ -122,7 +122,7 @@ TEST_CASE("the JUnit report appears complete or not at all, and replaces nothing
     fs::remove(folder / "hard.xml");
     fs::remove(folder / "soft.xml");
     fs::create_symlink("/dev/stdout", folder / "stdout.xml");
-    CHECK(has(folder.run("--junit stdout.xml ten.dbc").err, "is no file"));
+    CHECK(has(folder.run("--junit stdout.xml ten.dbc").err, "is not a file"));
     CHECK(folder.run("--junit /proc/report.xml ten.dbc").code == 2);
     fs::remove(folder / "stdout.xml");
     CHECK(folder.run("--junit report.xml --max x ten.dbc").code == 2);

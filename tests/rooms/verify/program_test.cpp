@@ -48,6 +48,22 @@ TEST_CASE("the verdict line and the exit code agree") {
     }
 }
 
+TEST_CASE("a file that is not a certificate at all is called that") {
+    const std::string said = ": not a certificate, whose first line is `dumbbell-certificate 1`";
+    for (const char* text : {"", "<svg xmlns=\"\">\n</svg>\n", "\x89PNG", "dumbbell-certificate\n",
+                             "dumbbell-certificate one\n", "dumbbell-certificate 1"}) {
+        CAPTURE(text);
+        const Run r = run(File(text).path());
+        CHECK(r.code == 1);
+        CHECK(r.last().starts_with("s REJECTED line=1 code="));
+        CHECK(r.last().ends_with(said));
+    }
+    CHECK(run(File("dumbbell-certificate 2\n").path()).last() ==
+          "s UNSUPPORTED line=1 unknown dumbbell-certificate 2");
+    CHECK(run(File("dumbbell-certificate 1\n").path()).last() ==
+          "s REJECTED line=2 code=truncated the text ends too early");
+}
+
 TEST_CASE("of several files 1 goes before 4, 3, 2 and 0") {
     const File good(ten()), bad(mutated(ten(), "upper 4", "upper 3")),
         foreign(mutated(ten(), "lemmas 1", "lemmas 9"));
@@ -70,11 +86,13 @@ TEST_CASE("several files: a line each in the given order, then one with the numb
     const std::string verified =
         "s VERIFIED scene=dumbbell ratio=10/1:10/1 upper=4 lower=0 gaps=0 open=1 sha256=" + sha256 +
         " file=" + good.path() + "\n";
-    CHECK(r.out == verified + "s UNREADABLE No such file or directory file=/nonexistent\n" +
-                       "s REJECTED line=13 code=count not certified: 1 + a + b <= U file=" + bad.path() +
-                       "\ns REJECTED line=1 code=truncated the text ends too early file=" + empty.path() +
-                       "\n" + verified +
-                       "c files=5 verified=2 rejected=2 limit=0 unsupported=0 unreadable=1 exit=1\n");
+    CHECK(r.out ==
+          verified + "s UNREADABLE No such file or directory file=/nonexistent\n" +
+              "s REJECTED line=13 code=count not certified: 1 + a + b <= U file=" + bad.path() +
+              "\ns REJECTED line=1 code=truncated the text ends too early: not a certificate, whose first "
+              "line is `dumbbell-certificate 1` file=" +
+              empty.path() + "\n" + verified +
+              "c files=5 verified=2 rejected=2 limit=0 unsupported=0 unreadable=1 exit=1\n");
     CHECK(r.code == 1);
     for (const char* jobs : {"1", "2", "3", "5", "64"})
         CHECK(run(std::string("--jobs ") + jobs + files).out == r.out);
@@ -122,6 +140,14 @@ TEST_CASE("a demand is proved or the file is rejected") {
     CHECK(code("--scene dumbbell") == 0);
     CHECK(code("--scene hybrid") == 1);
     CHECK(run("--max 3 " + file.path()).last().find("code=claim-not-proved") != std::string::npos);
+    const std::string both = "--scene hybrid --claim law ";  // the scene is compared first
+    CHECK(
+        run(both + file.path()).last().ends_with("the scene is dumbbell, and hybrid was demanded (--scene)"));
+    CHECK(run("--claim law " + file.path())
+              .last()
+              .ends_with("code=claim-not-proved the claim is collisions, and law was demanded (--claim)"));
+    CHECK(run("--claim collisions --max 3 " + file.path()).last().find("not proved: at most 3 ") !=
+          std::string::npos);
     const File stairs(closed(make::header("2/1", "12/1", 3) + open_piece("2/1", "10/1") +
                              make::piece(10, mpq_class(21, 2), 4, 0, "") + open_piece("21/2", "12/1")));
     CHECK(run("--ratio 10:21/2 --max 4 " + stairs.path()).code == 0);

@@ -78,7 +78,7 @@ TEST_CASE("rows beyond those that were ordered are not even read") {
     std::string text = result();
     text.erase(text.rfind("sha256 "));
     text += text.substr(text.rfind("ratio "));
-    CHECK_THAT(judged(place, text + "sha256 " + sha256_hex(text) + "\n").reason, Contains("is no table"));
+    CHECK_THAT(judged(place, text + "sha256 " + sha256_hex(text) + "\n").reason, Contains("is not a table"));
 }
 
 TEST_CASE("results are not merged under a claim that they do not prove") {
