@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "base/error.hpp"
+#include "number/big_interval.hpp"
 #include "number/elementary.hpp"
 #include "number/self_test.hpp"
 #include "rooms/number/random.hpp"
@@ -77,6 +78,7 @@ class Crew {
             threads_.emplace_back([&result, evaluate, this] {
                 begin_.arrive_and_wait();
                 result = evaluate();
+                forget_thread_constants();
             });
         }
     }
