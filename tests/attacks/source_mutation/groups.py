@@ -114,7 +114,7 @@ GROUPS = {
         targets=("test_staircase",),
         programs=("tests/rooms/staircase/test_staircase",)),
     "starts": Group(
-        files=below("starts", "leaf initial_state reader subdivide trace traced_value witness_start writer",
+        files=below("starts", "leaf initial_state reader subdivide trace witness_start writer",
                     "initial_state:initial_state subdivide:subdivide"),
         left_out=frozenset(),
         targets=("test_starts",),
