@@ -121,7 +121,7 @@ GROUPS = {
         programs=("tests/rooms/starts/test_starts",),
         texts=frozenset({"starts/writer.cpp"})),
     "invariant": Group(  # the search for adiabatic statements
-        files=below("adiabatic", "attained box branch case classes cover hypotheses printed prove reader search writer",
+        files=below("adiabatic", "attained box case classes cover hypotheses printed prove reader search writer",
                     "box:box"),
         left_out=frozenset(),
         targets=("test_adiabatic",),
