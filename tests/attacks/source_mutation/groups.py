@@ -38,7 +38,7 @@ VERIFIER = {
             "format/reader:collisions/grammar format/proof:collisions/grammar "
             "format/claim:program/verify starts/grammar:starts/grammar"),
     # the program: what was asked, and what the verdict and the exit code say
-    **below("verify/program", "options claim_options claim_list part_options part part_lines piece_sums combine "
+    **below("verify/program", "options claim_options claim_list part part_lines piece_sums combine "
             "examine main summary json junit escape replace_file", "words:options"),
 }
 
