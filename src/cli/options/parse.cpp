@@ -7,7 +7,7 @@
 #include "base/error.hpp"
 #include "cli/options/hint.hpp"
 #include "cli/options/usage_error.hpp"
-#include "cli/pages/help.hpp"
+#include "cli/pages/pages.hpp"
 
 namespace dumbbell::cli {
 namespace {
