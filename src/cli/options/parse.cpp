@@ -5,7 +5,6 @@
 #include <CLI/CLI.hpp>
 
 #include "base/error.hpp"
-#include "cli/options/hint.hpp"
 #include "cli/options/usage_error.hpp"
 #include "cli/pages/pages.hpp"
 
