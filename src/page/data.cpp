@@ -63,7 +63,7 @@ struct Provenance {
 struct ProvenanceOf {
     template <class Certified>
     Provenance operator()(const Certified& of) const {
-        return {of.program + " " + of.version, claim_options(of)};
+        return {of.generator.program + " " + of.generator.version, claim_options(of)};
     }
     Provenance operator()(const staircase::CriticalTable& /*unsigned*/) const { return {}; }
 };
