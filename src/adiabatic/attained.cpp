@@ -1,7 +1,6 @@
-#include "adiabatic/attained.hpp"
-
 #include "adiabatic/box.hpp"
 #include "adiabatic/orbit.hpp"
+#include "adiabatic/search.hpp"
 #include "number/decimal.hpp"
 
 namespace dumbbell::adiabatic {

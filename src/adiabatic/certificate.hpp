@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "file/lines.hpp"
 #include "number/rational.hpp"
 
 /// A certificate about the adiabatic invariant as data (format-adiabatic.md).
@@ -64,8 +65,7 @@ struct AdiabaticHypotheses {
 };
 
 struct AdiabaticCertificate {
-    std::string program = "dumbbell";  ///< what wrote it: this one, unless it was read
-    std::string version = DUMBBELL_VERSION;
+    Generator generator{};
     AdiabaticHypotheses hypotheses;
     int bits = 53;
     std::vector<Rational> bounds;  ///< C; of a bounce C1 and C2; none of `printed`

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "adiabatic/bounce_leaf.hpp"
 #include "number/parallel.hpp"
 
 namespace dumbbell::adiabatic {
@@ -66,6 +67,16 @@ std::vector<AdiabaticSample> search_printed(const AdiabaticSearch& search) {
     }
     std::stable_sort(samples.begin(), samples.end(), greater);
     return samples;
+}
+
+double printed_branch_error(const AdiabaticState& state) {
+    const auto in = [](const Rational& x) { return enclose<Interval>(x); };
+    const AdiabaticBounce<Interval> bounce(in(state.u), in(state.s),
+                                           AdiabaticMasses<Interval>(in(state.delta)));
+    const Interval& beta2 = bounce.masses.beta2;
+    const Interval error =
+        Interval(4) * bounce.s / (beta2 * bounce.rho()) - bounce.speed_error() / bounce.masses.delta;
+    return std::max(0.0, error.lo());
 }
 
 }  // namespace dumbbell::adiabatic

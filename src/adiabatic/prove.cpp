@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <array>
 
-#include "adiabatic/attained.hpp"
 #include "adiabatic/bounce_leaf.hpp"
 #include "adiabatic/classes.hpp"
 #include "adiabatic/cover.hpp"
 #include "adiabatic/pair_leaf.hpp"
 #include "adiabatic/printed.hpp"
+#include "adiabatic/search.hpp"
 #include "base/error.hpp"
 #include "number/decimal.hpp"
 

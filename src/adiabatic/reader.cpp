@@ -88,17 +88,13 @@ AdiabaticState attained_from(Lines& lines) {
 
 /// What generated it, and the hypotheses.
 AdiabaticCertificate head_from(Lines& lines) {
-    const auto [program, version] = lines.expect_generator();
-    AdiabaticCertificate certificate;
-    certificate.program = program;
-    certificate.version = version;
-    lines.expect("lemmas", 2);
-    lines.expect("scene", 2);
-    lines.expect("section", 2);
-    const auto claim = claim_named(lines.expect("claim", 2)[1]);
+    const Head head = lines.expect_head();
+    const auto claim = claim_named(head.claim);
     if (!claim) {
         lines.fail();
     }
+    AdiabaticCertificate certificate;
+    certificate.generator = head.generator;
     certificate.hypotheses = hypotheses_from(lines, *claim);
     return certificate;
 }

@@ -1,11 +1,13 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "adiabatic/certificate.hpp"
 #include "base/interrupted.hpp"
 
-/// The search for orbits with a great error, in plain doubles: guesses that prove nothing.
+/// The search for orbits with a great error, in plain doubles: guesses that prove nothing
+/// until `attained` encloses them.
 namespace dumbbell::adiabatic {
 
 /// What a search may cost, about, whatever delta is: its orbits are the fewer the longer they are.
@@ -35,5 +37,11 @@ struct AdiabaticSearch {
 /// Some initial conditions with a great error, the greatest first: the best of a grid, refined.
 /// Deterministic.
 [[nodiscard]] std::vector<AdiabaticSample> search_errors(const AdiabaticSearch& search);
+
+/// The orbit of a found initial condition, enclosed: that it satisfies the claim's hypotheses, and a lower
+/// bound of its error in the claim's unit, by the rules of format-adiabatic.md, section 6, with some
+/// slack. Nothing if that is not certain.
+[[nodiscard]] std::optional<AdiabaticState> attained(const AdiabaticSearch& search,
+                                                     const AdiabaticSample& sample);
 
 }  // namespace dumbbell::adiabatic

@@ -21,6 +21,7 @@ std::string level(const Rational& x) { return to_fraction(x); }
 /// The body's lines and their numbers.
 class Body : SealedLines {
   public:
+    using SealedLines::head;
     using SealedLines::line;
 
     /// `with_class`: the leaves name the class that bounds them.
@@ -59,12 +60,7 @@ class Body : SealedLines {
 
 void write_header(Body& body, const AdiabaticCertificate& certificate) {
     const AdiabaticHypotheses& of = certificate.hypotheses;
-    body.line("dumbbell-certificate 1");
-    body.line("generator {} {}", certificate.program, certificate.version);
-    body.line("lemmas 1");
-    body.line("scene dumbbell");
-    body.line("section none");
-    body.line("claim {}", name(of.claim));
+    body.head(certificate.generator, "1", "dumbbell", "none", name(of.claim));
     body.line("delta {} {}", level(of.delta.first), level(of.delta.second));
     if (of.claim == AdiabaticClaim::bounce || of.claim == AdiabaticClaim::run) {
         body.line("heights {} {}", level(of.heights.first), level(of.heights.second));

@@ -7,10 +7,7 @@
 
 #include "base/error.hpp"
 #include "base/printable.hpp"
-#include "campaign/kinds/adiabatic.hpp"
-#include "campaign/kinds/collisions.hpp"
-#include "campaign/kinds/critical.hpp"
-#include "campaign/kinds/verified.hpp"
+#include "campaign/kinds/kinds.hpp"
 #include "file/verifier_program.hpp"
 
 namespace dumbbell::campaign {

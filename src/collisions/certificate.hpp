@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "file/lines.hpp"
 #include "number/count.hpp"
 #include "number/rational.hpp"
 
@@ -96,8 +97,7 @@ struct Piece {
 };
 
 struct Certificate {
-    std::string program = "dumbbell";  ///< what wrote it: this one, unless it was read
-    std::string version = DUMBBELL_VERSION;
+    Generator generator{};
     std::vector<Piece> pieces;  ///< in order, each begins where the one before ends; not empty
     Scene scene = Scene::dumbbell;
     Section section = Section::turning;

@@ -107,22 +107,19 @@ const char* other_subject(std::string_view claim) {
 }  // namespace
 
 PieceReader::PieceReader(const std::string& path, Trees trees) : lines_(path), trees_(trees) {
-    const auto [program, version] = lines_.expect_generator();
-    head_.program = program;
-    head_.version = version;
-    const std::string lemmas = lines_.expect("lemmas", 2)[1];
-    const auto scene = scene_named(lines_.expect("scene", 2)[1]);
-    const auto section = section_named(lines_.expect("section", 2)[1], lemmas);
-    const std::string claim = lines_.expect("claim", 2)[1];
-    if (const char* subject = other_subject(claim)) {
+    const Head head = lines_.expect_head();
+    const auto scene = scene_named(head.scene);
+    const auto section = section_named(head.section, head.lemmas);
+    if (const char* subject = other_subject(head.claim)) {
         throw InputError(
             fmt::format("'{}' is about {}: a certificate with a cover of mass ratios is needed here "
                         "(dumbbell certify RATIO --out FILE); dumbbell verify reads both",
                         path, subject));
     }
-    if (!scene || !section || claim != "collisions") {
+    if (!scene || !section || head.claim != "collisions") {
         lines_.fail();
     }
+    head_.generator = head.generator;
     head_.scene = *scene;
     head_.section = *section;
     lines_.expect("ratio", 3);

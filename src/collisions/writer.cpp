@@ -27,12 +27,7 @@ std::vector<std::string_view> kinds_of(Section section) {
 class Writer : PieceLines {
   public:
     void header(const Certificate& frame, const std::vector<const Piece*>& pieces) {
-        line("dumbbell-certificate 1");
-        line("generator {} {}", frame.program, frame.version);
-        line("lemmas {}", lemma_set(frame.section));
-        line("scene {}", name(frame.scene));
-        line("section {}", name(frame.section));
-        line("claim collisions");
+        head(frame.generator, lemma_set(frame.section), name(frame.scene), name(frame.section), "collisions");
         line("ratio {} {}", to_fraction(pieces.front()->q_lo), to_fraction(pieces.back()->q_hi));
         line("pieces {}", pieces.size());
     }

@@ -60,12 +60,18 @@ const std::vector<std::string>& Lines::expect(std::string_view keyword, std::siz
     return fields_;
 }
 
-Generator Lines::expect_generator() {
+Head Lines::expect_head() {
     if (expect("dumbbell-certificate", 2)[1] != "1") {
         fail();
     }
+    Head head;
     const auto& words = expect("generator", 3);
-    return {words[1], words[2]};
+    head.generator = {words[1], words[2]};
+    head.lemmas = expect("lemmas", 2)[1];
+    head.scene = expect("scene", 2)[1];
+    head.section = expect("section", 2)[1];
+    head.claim = expect("claim", 2)[1];
+    return head;
 }
 
 void Lines::fail() const {

@@ -12,10 +12,16 @@ struct gzFile_s;
 
 namespace dumbbell {
 
-/// What wrote a certificate.
+/// What wrote a certificate: this program, unless it was read.
 struct Generator {
-    std::string program;
-    std::string version;
+    std::string program = "dumbbell";
+    std::string version = DUMBBELL_VERSION;
+};
+
+/// The first lines of every certificate.
+struct Head {
+    Generator generator;
+    std::string lemmas, scene, section, claim;
 };
 
 /// Throws InputError, saying what stands there, unless it is a file.
@@ -33,8 +39,8 @@ class Lines {
     /// The next line's fields; the first must be `keyword` and there must be `count` in all.
     const std::vector<std::string>& expect(std::string_view keyword, std::size_t count);
 
-    /// The first two lines of every certificate: the format, which must be 1, and what wrote it.
-    Generator expect_generator();
+    /// From the format, which must be 1, to the claim.
+    Head expect_head();
 
     /// "... is not a certificate that this program can read (line ...)".
     [[noreturn]] void fail() const;

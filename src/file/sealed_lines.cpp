@@ -2,8 +2,19 @@
 
 #include "base/error.hpp"
 #include "base/fields.hpp"
+#include "file/lines.hpp"
 
 namespace dumbbell {
+
+void SealedLines::head(const Generator& generator, std::string_view lemmas, std::string_view scene,
+                       std::string_view section, std::string_view claim) {
+    line("dumbbell-certificate 1");
+    line("generator {} {}", generator.program, generator.version);
+    line("lemmas {}", lemmas);
+    line("scene {}", scene);
+    line("section {}", section);
+    line("claim {}", claim);
+}
 
 SealedReader::SealedReader(std::string_view text, std::string_view what) : what_(what) {
     const auto lines = sealed_lines(text);

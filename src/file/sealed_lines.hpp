@@ -11,6 +11,8 @@
 
 namespace dumbbell {
 
+struct Generator;
+
 /// A text whose last line is `sha256 HEX` of all before it.
 struct SealedText {
     std::string text;
@@ -25,6 +27,9 @@ class SealedLines {
         text_ += fmt::format(format, std::forward<Args>(args)...);
         text_ += '\n';
     }
+    /// The head of a certificate.
+    void head(const Generator& generator, std::string_view lemmas, std::string_view scene,
+              std::string_view section, std::string_view claim);
     /// Lines as they are, each with its end.
     void lines(std::string_view text) { text_ += text; }
 

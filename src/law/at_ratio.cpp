@@ -75,4 +75,12 @@ AtRatio law_at(const Rational& q, const std::vector<StepEnds>& steps) {
     return result;
 }
 
+BigInterval critical_ratio(const Integer& n) {
+    require(n > Integer(last_step), "the law encloses critical ratios beyond its steps only");
+    const PrecisionScope scope(2 * static_cast<int>(msb(n)) + 128);
+    const Constants constants;
+    const BigInterval place = number(Rational(n - 2)) + delta_bounds(n, constants);
+    return sqr(place / constants.C);
+}
+
 }  // namespace dumbbell::law

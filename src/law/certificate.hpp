@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "collisions/certificate.hpp"
+#include "file/lines.hpp"
 #include "law/layer_cover.hpp"
 #include "law/ranges.hpp"
 
@@ -18,8 +19,7 @@ inline constexpr std::string_view certificate_name = "law.dbc.gz";
 
 /// The certificate of the law as data (docs/reference/format-law.md).
 struct LawCertificate {
-    std::string program = "dumbbell";
-    std::string version = DUMBBELL_VERSION;
+    Generator generator{};
     /// first_step, ..., last_step in order: N - 1 is proved at q_lo alone, N at q_hi alone.
     std::vector<collisions::Piece> steps;
     LayerTree layer;

@@ -23,12 +23,7 @@ const char* word(LayerLeaf leaf) {
 class Writer : collisions::PieceLines {
   public:
     void header(const LawCertificate& certificate) {
-        line("dumbbell-certificate 1");
-        line("generator {} {}", certificate.program, certificate.version);
-        line("lemmas 1");
-        line("scene dumbbell");
-        line("section turning");
-        line("claim law");
+        head(certificate.generator, "1", "dumbbell", "turning", "law");
         line("steps {} {}", first_step, last_step);
     }
 
@@ -75,14 +70,8 @@ SealedText render(const LawCertificate& certificate) {
 }
 
 SealedText render(const AtRatio& at, const std::string& law_sha256) {
-    const LawCertificate by_this_program;
     SealedLines text;
-    text.line("dumbbell-certificate 1");
-    text.line("generator {} {}", by_this_program.program, by_this_program.version);
-    text.line("lemmas 1");
-    text.line("scene dumbbell");
-    text.line("section none");
-    text.line("claim collisions-by-law");
+    text.head(Generator(), "1", "dumbbell", "none", "collisions-by-law");
     text.line("ratio {}", to_fraction(at.q));
     text.line("law {}", law_sha256);
     text.line("upper {}", at.upper.str());

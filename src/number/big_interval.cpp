@@ -198,34 +198,23 @@ namespace {
 arf_srcptr lesser(arf_srcptr x, arf_srcptr y) { return arf_cmp(x, y) <= 0 ? x : y; }
 arf_srcptr greater(arf_srcptr x, arf_srcptr y) { return arf_cmp(x, y) >= 0 ? x : y; }
 
-BigInterval rounded(arf_srcptr lower, arf_srcptr upper) {
+/// The chosen ends. arf_cmp says nothing of NaN.
+template <class Lower, class Upper>
+BigInterval combined(const BigInterval& a, const BigInterval& b, Lower lower, Upper upper) {
+    if (is_nan(a) || is_nan(b)) {
+        return is_nan(a) ? a : b;
+    }
     BigInterval result = BigInterval::unset();
-    arf_set_round(result.lower(), lower, working_bits, down);
-    arf_set_round(result.upper(), upper, working_bits, up);
+    arf_set_round(result.lower(), lower(a.lower(), b.lower()), working_bits, down);
+    arf_set_round(result.upper(), upper(a.upper(), b.upper()), working_bits, up);
     return result;
 }
 
 }  // namespace
 
-// arf_cmp says nothing of NaN.
-BigInterval hull(const BigInterval& a, const BigInterval& b) {
-    if (is_nan(a) || is_nan(b)) {
-        return is_nan(a) ? a : b;
-    }
-    return rounded(lesser(a.lower(), b.lower()), greater(a.upper(), b.upper()));
-}
-BigInterval min(const BigInterval& a, const BigInterval& b) {
-    if (is_nan(a) || is_nan(b)) {
-        return is_nan(a) ? a : b;
-    }
-    return rounded(lesser(a.lower(), b.lower()), lesser(a.upper(), b.upper()));
-}
-BigInterval max(const BigInterval& a, const BigInterval& b) {
-    if (is_nan(a) || is_nan(b)) {
-        return is_nan(a) ? a : b;
-    }
-    return rounded(greater(a.lower(), b.lower()), greater(a.upper(), b.upper()));
-}
+BigInterval hull(const BigInterval& a, const BigInterval& b) { return combined(a, b, lesser, greater); }
+BigInterval min(const BigInterval& a, const BigInterval& b) { return combined(a, b, lesser, lesser); }
+BigInterval max(const BigInterval& a, const BigInterval& b) { return combined(a, b, greater, greater); }
 
 namespace {
 

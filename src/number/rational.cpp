@@ -111,28 +111,6 @@ Rational& Rational::operator/=(const Rational& y) {
     return *this;
 }
 
-Rational operator+(const Rational& x, const Rational& y) {
-    Rational result;
-    mpq_add(result.q_, x.q_, y.q_);
-    return result;
-}
-Rational operator-(const Rational& x, const Rational& y) {
-    Rational result;
-    mpq_sub(result.q_, x.q_, y.q_);
-    return result;
-}
-Rational operator*(const Rational& x, const Rational& y) {
-    Rational result;
-    mpq_mul(result.q_, x.q_, y.q_);
-    return result;
-}
-Rational operator/(const Rational& x, const Rational& y) {
-    require(mpq_sgn(y.q_) != 0, "a rational is divided by zero");
-    Rational result;
-    mpq_div(result.q_, x.q_, y.q_);
-    return result;
-}
-
 std::ostream& operator<<(std::ostream& out, const Rational& x) { return out << to_fraction(x); }
 
 template <>
@@ -254,14 +232,10 @@ Rational parse_rational(std::string_view text, std::size_t max_length) {
 std::string to_fraction(const Rational& x) { return numerator(x).str() + "/" + denominator(x).str(); }
 
 std::string to_decimal(const Rational& x, int digits) {
-    mpfr_t rounded;
-    mpfr_init2(rounded, 256);
-    mpfr_set_q(rounded, x.raw(), MPFR_RNDN);
     char* text = nullptr;
-    mpfr_asprintf(&text, "%.*Rg", digits, rounded);
+    mpfr_asprintf(&text, "%.*Rg", digits, Nearest(x.raw(), 256).value);
     std::string result(text);
     mpfr_free_str(text);
-    mpfr_clear(rounded);
     return result;
 }
 

@@ -47,10 +47,10 @@ class Rational {  // NOLINT(cppcoreguidelines-special-member-functions): one ass
     /// Throws BrokenInvariant if y is 0.
     Rational& operator/=(const Rational& y);
 
-    friend Rational operator+(const Rational& x, const Rational& y);
-    friend Rational operator-(const Rational& x, const Rational& y);
-    friend Rational operator*(const Rational& x, const Rational& y);
-    friend Rational operator/(const Rational& x, const Rational& y);
+    friend Rational operator+(Rational x, const Rational& y) { return std::move(x += y); }
+    friend Rational operator-(Rational x, const Rational& y) { return std::move(x -= y); }
+    friend Rational operator*(Rational x, const Rational& y) { return std::move(x *= y); }
+    friend Rational operator/(Rational x, const Rational& y) { return std::move(x /= y); }
     friend Rational operator-(Rational x) {
         mpq_neg(x.q_, x.q_);
         return x;

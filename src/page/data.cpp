@@ -16,6 +16,9 @@
 namespace dumbbell::page {
 namespace {
 
+/// Where the data goes: once in the template.
+constexpr std::string_view place = "@DUMBBELL_DATA@";
+
 constexpr int constant_digits = 20;
 constexpr int constant_bits = 128;
 
@@ -60,7 +63,7 @@ struct Provenance {
 struct ProvenanceOf {
     template <class Certified>
     Provenance operator()(const Certified& of) const {
-        return {of.program + " " + of.version, claim_options(of)};
+        return {of.generator.program + " " + of.generator.version, claim_options(of)};
     }
     Provenance operator()(const staircase::CriticalTable& /*unsigned*/) const { return {}; }
 };
@@ -132,6 +135,22 @@ Json page_data(const std::vector<ReportedFile>& files, std::size_t most_boxes) {
                          {"colours", colours_json()},
                          {"boxes", Json::object({{"total", budget.total}, {"most", budget.most}})},
                          {"files", shown}});
+}
+
+std::string html_page(const Json& data) {
+    const std::string_view page = page_template();
+    const std::size_t at = page.find(place);
+    require(at != std::string_view::npos && page.find(place, at + 1) == std::string_view::npos,
+            "report: the page does not have exactly one place for its data");
+    std::string result(page.substr(0, at));
+    for (const char c : data.text()) {
+        if (c == '<') {
+            result += "\\u003c";
+        } else {
+            result += c;
+        }
+    }
+    return result.append(page.substr(at + place.size()));
 }
 
 }  // namespace dumbbell::page

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -10,7 +11,7 @@
 #include "words/json.hpp"
 
 /// What the page of `dumbbell report` shows, as one JSON object: certificates, tables of critical ratios, and
-/// nothing that they do not claim. web/README.md describes it.
+/// nothing that they do not claim (web/README.md describes it); and the page with it.
 namespace dumbbell::page {
 
 using ReportedContent = std::variant<collisions::Certificate, starts::InitialCertificate,
@@ -36,5 +37,12 @@ inline constexpr std::size_t most_pieces = 100'000;
 
 /// How many leaves its trees have.
 [[nodiscard]] std::size_t leaves_of(const ReportedContent& content);
+
+/// The built page (web/dist/report.html) without data: one HTML file that asks for nothing else.
+[[nodiscard]] std::string_view page_template();
+
+/// The page with the data in it. No data can end the script element that holds it: `<` is written as an
+/// escape, and bytes that are no UTF-8 as U+FFFD.
+[[nodiscard]] std::string html_page(const Json& data);
 
 }  // namespace dumbbell::page

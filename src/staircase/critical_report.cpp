@@ -4,15 +4,40 @@
 
 #include <algorithm>
 
+#include "base/error.hpp"
 #include "base/printable.hpp"
 #include "collisions/critical_long.hpp"
 #include "flight/extremal_orbit.hpp"
 #include "number/decimal.hpp"
-#include "staircase/critical_number.hpp"
 #include "words/text_table.hpp"
 
 namespace dumbbell::staircase {
 namespace {
+
+/// A critical ratio as it is printed: its first digits, cut off, each of which is a digit of q_c, and a bound
+/// of the distance from the number as printed to q_c. So neither depends on how much narrower the proved
+/// enclosure is.
+struct CriticalNumber {
+    std::string value;
+    std::string radius;
+    bool exact;
+};
+
+/// With `digits` significant digits. Throws BrokenInvariant if the enclosure does not decide them.
+CriticalNumber critical_number(const collisions::CriticalRatio& ratio, int digits) {
+    constexpr int radius_digits = 2;
+    const auto shared = shared_digits(ratio.q_lo, ratio.q_hi, digits);
+    require(shared.has_value(), "a critical ratio without the digits that were asked for");
+    const Rational value = exact(*shared);  // at most q_lo
+    const bool is_exact = value == ratio.q_hi;
+    return {to_text(is_exact ? without_zeros(*shared) : *shared),
+            to_text(cut_up(ratio.q_hi - value, radius_digits)), is_exact};
+}
+
+/// The orbit whose flight is tangent at q_c(n): `top` or `corner`.
+const char* orbit_name(long n) {
+    return flight::tangent_flight(n).orbit == flight::ExtremalOrbit::top ? "top" : "corner";
+}
 
 long count_if(const CriticalReport& report, bool (*holds)(const CriticalRow&)) {
     return std::count_if(report.rows.begin(), report.rows.end(), holds);
@@ -148,6 +173,49 @@ std::string row_verdict(const CriticalRow& row, const CriticalReport& report) {
                        report.request.confirm && !is_confirmed(row) ? " (not confirmed)" : "");
 }
 
+/// Of the ends, beyond those of the number.
+constexpr int more_digits = 20;
+
+Json decided_json(const Decided& decided) {
+    return Json::object({{"ratio", to_fraction(decided.q)},
+                         {"expected", decided.expected},
+                         {"upper", decided.upper},
+                         {"lower", decided.lower},
+                         {"bits", decided.bits}});
+}
+
+Json row_json(const CriticalRow& row, const CriticalReport& report) {
+    Json json = Json::object({{"n", row.n},
+                              {"orbit", orbit_name(row.n)},
+                              {"flight", flight::tangent_flight(row.n).flight},
+                              {"status", row.ratio ? "proved" : "open"}});
+    if (row.ratio) {
+        const CriticalNumber p = critical_number(*row.ratio, report.request.digits);
+        const int ends = report.request.digits + more_digits;
+        json.add("q_c", p.value);
+        json.add("radius", p.radius);
+        json.add("exact", p.exact);
+        json.add("lo", to_text(without_zeros(cut_down(row.ratio->q_lo, ends))));
+        json.add("hi", to_text(without_zeros(cut_up(row.ratio->q_hi, ends))));
+        json.add("bits", row.ratio->bits);
+    }
+    if (row.confirmation) {
+        json.add("confirmed", row.confirmation->holds());
+        json.add("below", decided_json(row.confirmation->below));
+        json.add("above", decided_json(row.confirmation->above));
+    }
+    return json;
+}
+
+std::string method(long first, long last) {
+    const std::string newton = "interval Newton: exactly one tangency in the bracket";
+    const std::string counts = "numbers of collisions at both ends, by macro steps (L42)";
+    if (collisions::is_long(first) || !collisions::is_long(last)) {
+        return collisions::is_long(first) ? counts : newton;
+    }
+    return newton + "; from N = " + std::to_string(collisions::first_long) + " on " + counts;
+}
+
 }  // namespace
 
 std::string verdict(const CriticalReport& report) {
@@ -164,6 +232,25 @@ std::string to_text(const CriticalReport& report) {
         text += fmt::format("Table: {}\n", one_line(*report.out));
     }
     return text;
+}
+
+Json to_json(const CriticalReport& report) {
+    Json ratios = Json::array();
+    for (const CriticalRow& row : report.rows) {
+        ratios.add(row_json(row, report));
+    }
+    return Json::object(
+        {{"schema", "dumbbell-critical-1"},
+         {"method", method(report.request.first, report.request.last)},
+         {"rests_on", "proofs/theorem.md, theorem 2"},
+         {"digits", report.request.digits},
+         {"confirm", report.request.confirm ? Json(to_fraction(*report.request.confirm)) : Json()},
+         {"jobs", report.request.jobs},
+         {"ratios", ratios},
+         {"open", std::count_if(report.rows.begin(), report.rows.end(),
+                                [](const CriticalRow& row) { return !row.ratio; })},
+         {"seconds", report.seconds},
+         {"out", report.out}});
 }
 
 std::string to_tsv(const CriticalReport& report) {

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "file/lines.hpp"
 #include "number/rational.hpp"
 
 /// A certificate about initial conditions as data (format-initial.md).
@@ -49,8 +50,7 @@ struct InitialNode {
 };
 
 struct InitialCertificate {
-    std::string program = "dumbbell";  ///< what wrote it: this one, unless it was read
-    std::string version = DUMBBELL_VERSION;
+    Generator generator{};
     InitialBox box;
     int bits = 53;
     std::vector<InitialNode> tree;  ///< pre-order, lower half first

@@ -52,16 +52,11 @@ InitialLeaf leaf_from(const Lines& lines, const std::vector<std::string>& fields
 
 InitialCertificate read_initial_certificate(const std::string& path) {
     Lines lines(path);
-    const auto [program, version] = lines.expect_generator();
+    const Head head = lines.expect_head();
     InitialCertificate certificate;
-    certificate.program = program;
-    certificate.version = version;
-    lines.expect("lemmas", 2);
-    lines.expect("scene", 2);
-    lines.expect("section", 2);
-    const std::string claim = lines.expect("claim", 2)[1];
-    certificate.incoming = claim == "incoming";
-    if (claim != "initial-conditions" && !certificate.incoming) {
+    certificate.generator = head.generator;
+    certificate.incoming = head.claim == "incoming";
+    if (head.claim != "initial-conditions" && !certificate.incoming) {
         lines.fail();
     }
     for (const auto& [word, axis] : head_axes) {

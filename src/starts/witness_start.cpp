@@ -9,7 +9,7 @@
 namespace dumbbell::starts {
 namespace {
 
-constexpr long most_collisions = 5000;
+constexpr long longest_witness = 5000;
 
 /// Digits after the point of a start, and those that `trace` is asked for. An orbit of hundreds of collisions
 /// forgets digits on its way.
@@ -75,7 +75,7 @@ InitialBox point(const Rational& phi, const Rational& phidot, const Rational& y,
 
 std::optional<collisions::WitnessStart> witness_start(const collisions::Witness& witness, const Rational& q,
                                                       const Interrupted& interrupted) {
-    if (witness.total() > most_collisions || witness.chart != collisions::Chart::bridge) {
+    if (witness.total() > longest_witness || witness.chart != collisions::Chart::bridge) {
         return std::nullopt;
     }
     for (const auto& [places, digits] : efforts) {

@@ -80,12 +80,8 @@ SealedText render(const InitialCertificate& certificate) {
     require(body.complete(), "certificate: the tree of initial conditions is not complete");
     const auto& [lo, hi] = certificate.box;
     SealedLines out;
-    out.line("dumbbell-certificate 1");
-    out.line("generator {} {}", certificate.program, certificate.version);
-    out.line("lemmas 1");
-    out.line("scene dumbbell");
-    out.line("section none");
-    out.line("claim {}", certificate.incoming ? "incoming" : "initial-conditions");
+    out.head(certificate.generator, "1", "dumbbell", "none",
+             certificate.incoming ? "incoming" : "initial-conditions");
     out.line("ratio {} {}", to_fraction(lo[4]), to_fraction(hi[4]));
     for (std::size_t i = 0; i < 4 && !certificate.incoming; ++i) {
         out.line("{} {} {}", axis_names[i], to_fraction(lo[i]), to_fraction(hi[i]));

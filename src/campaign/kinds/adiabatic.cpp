@@ -1,5 +1,3 @@
-#include "campaign/kinds/adiabatic.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,6 +8,7 @@
 #include "adiabatic/reader.hpp"
 #include "adiabatic/writer.hpp"
 #include "base/error.hpp"
+#include "campaign/kinds/kinds.hpp"
 #include "certificates/any_reader.hpp"
 #include "number/decimal.hpp"
 

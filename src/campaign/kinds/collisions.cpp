@@ -1,11 +1,10 @@
-#include "campaign/kinds/collisions.hpp"
-
 #include <fmt/core.h>
 
 #include <algorithm>
 
 #include "base/error.hpp"
 #include "base/fields.hpp"
+#include "campaign/kinds/kinds.hpp"
 #include "certificates/any_reader.hpp"
 #include "collisions/names.hpp"
 #include "collisions/reader.hpp"

@@ -1,11 +1,10 @@
-#include "campaign/kinds/critical.hpp"
-
 #include <fmt/core.h>
 
 #include <algorithm>
 
 #include "base/error.hpp"
 #include "base/fields.hpp"
+#include "campaign/kinds/kinds.hpp"
 #include "file/file_contents.hpp"
 #include "file/sealed_lines.hpp"
 #include "number/count_argument.hpp"

@@ -1,5 +1,3 @@
-#include "campaign/kinds/verified.hpp"
-
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -7,7 +5,7 @@
 
 #include "base/error.hpp"
 #include "base/printable.hpp"
-#include "campaign/kinds/collisions.hpp"
+#include "campaign/kinds/kinds.hpp"
 #include "certificates/any_reader.hpp"
 #include "collisions/names.hpp"
 #include "collisions/reader.hpp"

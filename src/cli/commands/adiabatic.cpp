@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "adiabatic/branch.hpp"
+#include "adiabatic/printed.hpp"
 #include "adiabatic/prove.hpp"
 #include "adiabatic/report.hpp"
 #include "adiabatic/writer.hpp"

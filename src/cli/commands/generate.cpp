@@ -2,9 +2,7 @@
 
 #include "cli/commands.hpp"
 #include "cli/options/given.hpp"
-#include "cli/pages/bash_completion.hpp"
-#include "cli/pages/man_page.hpp"
-#include "cli/pages/reference.hpp"
+#include "cli/pages/pages.hpp"
 #include "cli/terminal/exit_code.hpp"
 
 namespace dumbbell::cli {

@@ -7,7 +7,6 @@
 #include "cli/terminal/progress.hpp"
 #include "cli/terminal/standard_input.hpp"
 #include "page/data.hpp"
-#include "page/page.hpp"
 
 namespace dumbbell::cli {
 namespace {

@@ -5,9 +5,8 @@
 #include <CLI/CLI.hpp>
 
 #include "base/error.hpp"
-#include "cli/options/hint.hpp"
 #include "cli/options/usage_error.hpp"
-#include "cli/pages/help.hpp"
+#include "cli/pages/pages.hpp"
 
 namespace dumbbell::cli {
 namespace {

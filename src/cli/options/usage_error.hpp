@@ -5,9 +5,13 @@
 
 #include "cli/options/given.hpp"
 
-/// What is wrong with a command line, in the user's own words. `words`: those after the program's
-/// name.
+/// What is wrong with a command line, in the user's own words, and what may help. `words`: those after the
+/// program's name.
 namespace dumbbell::cli {
+
+/// What may help after a command line that was not understood: the command or option that was meant, if one
+/// is spelled nearly so, and whose --help to read.
+[[nodiscard]] std::string hint(const Command& program, const std::vector<std::string>& words);
 
 /// Where a command should stand: what stands there instead, or which there are.
 [[nodiscard]] std::string missing_command(const Command& program, const std::vector<std::string>& words);

@@ -1,10 +1,9 @@
-#include "cli/pages/bash_completion.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 
 #include "cli/pages/command_table.hpp"
+#include "cli/pages/pages.hpp"
 
 namespace dumbbell::cli::pages {
 namespace {

@@ -1,11 +1,10 @@
-#include "cli/pages/help.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <sstream>
 
 #include "cli/pages/command_table.hpp"
+#include "cli/pages/pages.hpp"
 
 namespace dumbbell::cli::pages {
 namespace {

@@ -1,8 +1,7 @@
-#include "cli/pages/reference.hpp"
-
 #include <fmt/core.h>
 
 #include "cli/pages/command_table.hpp"
+#include "cli/pages/pages.hpp"
 
 namespace dumbbell::cli::pages {
 namespace {

@@ -7,7 +7,6 @@
 #include "verify/law/file.hpp"
 #include "verify/program/claim_list.hpp"
 #include "verify/program/claim_options.hpp"
-#include "verify/program/part_options.hpp"
 #include "verify/program/version.hpp"
 
 namespace dumbbell_verify {
@@ -84,6 +83,26 @@ void exclude(const Words& words, const std::string& name, std::initializer_list<
     for (const char* other : others)
         if (words.seen(name) && words.seen(other))
             throw std::invalid_argument(name + " and " + other + " exclude each other; see --help");
+}
+
+/// Puts the present option into the job if it is --shards or --combine, of a verification in parts; false if
+/// it is another. Throws std::invalid_argument.
+bool part_option(Words& words, Job& job) {
+    if (words.option != "--shards" && words.option != "--combine") return false;
+    words.once();
+    const std::string value = words.value();
+    Settings& settings = job.settings;
+    if (words.option == "--combine") {
+        job.parts = value;
+        settings.check = {};
+        settings.demand.keep = all_pieces;
+        return true;
+    }
+    settings.check = settings.demand.keep = parse_pieces(value);
+    if (settings.check == Pieces{})
+        throw std::invalid_argument("--shards needs the numbers of pieces, such as 5-8 or 5, not `" +
+                                    value.substr(0, 60) + "`");
+    return true;
 }
 
 /// A name like that of no certificate, so that `--junit *.dbc` destroys none.

@@ -48,7 +48,7 @@ Certificate any_true_claim(Choices& choices) {
     const std::size_t first = choices.below(base.pieces.size());
     const std::size_t last = std::min(first + choices.below(3), base.pieces.size() - 1);
     Certificate claim = base;
-    claim.program = "fuzz";
+    claim.generator.program = "fuzz";
     claim.pieces.assign(base.pieces.begin() + static_cast<std::ptrdiff_t>(first),
                         base.pieces.begin() + static_cast<std::ptrdiff_t>(last) + 1);
     return claim;

@@ -130,7 +130,7 @@ void check_leaf(const PlacedLeaf& placed, Choices& choices) {
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     static MemoryFile file;
     Choices choices(data, size);
-    InitialCertificate claim{.program = "fuzz", .version = "1", .box = any_box(choices), .tree = {}};
+    InitialCertificate claim{.generator = {"fuzz", "1"}, .box = any_box(choices), .tree = {}};
     claim.bits = choices.below(16) == 15 ? 80 : 53;
     std::vector<std::optional<PlacedLeaf>> lines;
     grow(choices, claim.box, choices.below(8), claim.tree, lines);

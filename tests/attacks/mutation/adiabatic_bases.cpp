@@ -1,7 +1,7 @@
 #include <algorithm>
 
-#include "adiabatic/attained.hpp"
 #include "adiabatic/classes.hpp"
+#include "adiabatic/search.hpp"
 #include "adiabatic/writer.hpp"
 #include "adiabatic_judge.hpp"
 #include "base/error.hpp"

@@ -38,7 +38,7 @@ VERIFIER = {
             "format/reader:collisions/grammar format/proof:collisions/grammar "
             "format/claim:program/verify starts/grammar:starts/grammar"),
     # the program: what was asked, and what the verdict and the exit code say
-    **below("verify/program", "options claim_options claim_list part_options part part_lines piece_sums combine "
+    **below("verify/program", "options claim_options claim_list part part_lines piece_sums combine "
             "examine main summary json junit escape replace_file", "words:options"),
 }
 
@@ -114,14 +114,14 @@ GROUPS = {
         targets=("test_staircase",),
         programs=("tests/rooms/staircase/test_staircase",)),
     "starts": Group(
-        files=below("starts", "leaf initial_state reader subdivide trace traced_value witness_start writer",
+        files=below("starts", "leaf initial_state reader subdivide trace witness_start writer",
                     "initial_state:initial_state subdivide:subdivide"),
         left_out=frozenset(),
         targets=("test_starts",),
         programs=("tests/rooms/starts/test_starts",),
         texts=frozenset({"starts/writer.cpp"})),
     "invariant": Group(  # the search for adiabatic statements
-        files=below("adiabatic", "attained box branch case classes cover hypotheses printed prove reader search writer",
+        files=below("adiabatic", "attained box case classes cover hypotheses printed prove reader search writer",
                     "box:box"),
         left_out=frozenset(),
         targets=("test_adiabatic",),

@@ -3,8 +3,8 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "adiabatic/attained.hpp"
-#include "adiabatic/branch.hpp"
+#include "adiabatic/printed.hpp"
+#include "adiabatic/search.hpp"
 #include "base/error.hpp"
 
 using namespace dumbbell;

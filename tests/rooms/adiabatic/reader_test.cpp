@@ -17,8 +17,7 @@ AdiabaticCertificate of_claim(AdiabaticClaim claim) {
     const AdiabaticNode outside{std::nullopt, true, 0}, bound{std::nullopt, false, 0},
         second{std::nullopt, false, 1};
     AdiabaticCertificate certificate;
-    certificate.program = "dumbbell";
-    certificate.version = "0.1.0";
+    certificate.generator = {"dumbbell", "0.1.0"};
     certificate.hypotheses.claim = claim;
     certificate.hypotheses.delta = {claim == AdiabaticClaim::printed ? Rational(1, 100) : Rational(0),
                                     Rational(1, 100)};

@@ -12,8 +12,7 @@ namespace {
 
 AdiabaticCertificate small_run() {
     AdiabaticCertificate certificate;
-    certificate.program = "dumbbell";
-    certificate.version = "0.1.0";
+    certificate.generator = {"dumbbell", "0.1.0"};
     certificate.hypotheses.delta = {Rational(1, 100), Rational(1, 100)};
     certificate.hypotheses.heights = {Rational(0), Rational(9, 10)};
     certificate.hypotheses.margin = Rational(3, 10);

@@ -6,8 +6,7 @@
 
 #include "base/error.hpp"
 #include "base/fields.hpp"
-#include "campaign/kinds/collisions.hpp"
-#include "campaign/kinds/verified.hpp"
+#include "campaign/kinds/kinds.hpp"
 #include "campaign/local_engine.hpp"
 #include "campaign/merge.hpp"
 #include "campaign/status.hpp"

@@ -4,7 +4,7 @@
 #include <fstream>
 
 #include "campaign/campaign.hpp"
-#include "campaign/kinds/collisions.hpp"
+#include "campaign/kinds/kinds.hpp"
 #include "place.hpp"
 #include "scripted_engine.hpp"
 

@@ -15,7 +15,7 @@
 #include "campaign/engine.hpp"
 #include "campaign/folder.hpp"
 #include "campaign/kind.hpp"
-#include "campaign/kinds/critical.hpp"
+#include "campaign/kinds/kinds.hpp"
 
 namespace dumbbell_test {
 

@@ -27,8 +27,7 @@ SealedText initial_text() {
 
 SealedText adiabatic_text() {
     AdiabaticCertificate certificate;
-    certificate.program = "dumbbell";
-    certificate.version = "0.1.0";
+    certificate.generator = {"dumbbell", "0.1.0"};
     certificate.hypotheses.claim = AdiabaticClaim::printed;
     certificate.hypotheses.delta = {Rational(1, 100), Rational(1, 100)};
     certificate.hypotheses.margin = Rational(1, 2);

@@ -50,8 +50,8 @@ TEST_CASE("a compressed file is read like a plain one") {
 
 TEST_CASE("the name of the program, the bits and the coordinates survive") {
     const Certificate read = read_text(good());
-    CHECK(read.program == "dumbbell");
-    CHECK(read.version == "0.1.0");
+    CHECK(read.generator.program == "dumbbell");
+    CHECK(read.generator.version == "0.1.0");
     REQUIRE(read.pieces.size() == 3);
     CHECK(read.pieces[0].cover.equal_masses);
     CHECK(read.pieces[1].bits == 128);

@@ -5,7 +5,6 @@
 #include "collisions/piece.hpp"
 #include "law/at_ratio.hpp"
 #include "law/constants.hpp"
-#include "law/critical.hpp"
 
 using namespace dumbbell;
 using namespace dumbbell::collisions;

@@ -6,7 +6,6 @@
 #include "base/error.hpp"
 #include "collisions/critical.hpp"
 #include "law/constants.hpp"
-#include "law/critical.hpp"
 
 using namespace dumbbell;
 using namespace dumbbell::collisions;

@@ -43,8 +43,7 @@ InitialCertificate starts_file(InitialNode last) {
 
 AdiabaticCertificate run_claim() {
     AdiabaticCertificate certificate;
-    certificate.program = "dumbbell";
-    certificate.version = "0.1.0";
+    certificate.generator = {"dumbbell", "0.1.0"};
     certificate.hypotheses = {AdiabaticClaim::run,
                               {Rational(0), Rational(1, 100)},
                               {Rational(0), Rational(9, 10)},

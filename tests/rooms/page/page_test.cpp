@@ -1,7 +1,6 @@
-#include "page/page.hpp"
-
 #include <catch2/catch.hpp>
 
+#include "page/data.hpp"
 #include "rooms/parsed.hpp"
 
 using namespace dumbbell;

@@ -19,7 +19,7 @@ staircase::LawReport report_of(std::vector<Piece> pieces) {
     return {.file = "stairs.dbc",
             .verdict = "s VERIFIED",
             .digits = 50,
-            .law = staircase::law_of(Certificate{"test", "1", std::move(pieces)})};
+            .law = staircase::law_of(Certificate{{"test", "1"}, std::move(pieces)})};
 }
 
 std::string text_of(std::vector<Piece> pieces) { return to_text(report_of(std::move(pieces))); }

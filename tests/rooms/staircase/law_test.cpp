@@ -21,7 +21,7 @@ Piece piece(const char* lo, const char* hi, long upper, long lower) {
 
 Law law_of_pieces(std::vector<Piece> pieces) {
     const PrecisionScope scope(200);
-    return law_of(Certificate{"test", "1", std::move(pieces)});
+    return law_of(Certificate{{"test", "1"}, std::move(pieces)});
 }
 
 /// The true staircase from 1 to 12.

@@ -19,7 +19,7 @@ InitialBox falling() {
 }
 
 InitialCertificate certificate_of(const InitialBox& box, const Subdivision& parts) {
-    return {.program = "dumbbell", .version = "0.1.0", .box = box, .bits = 53, .tree = parts.tree};
+    return {.generator = {"dumbbell", "0.1.0"}, .box = box, .bits = 53, .tree = parts.tree};
 }
 
 std::vector<std::string> lines_of(const std::string& text) {

@@ -16,8 +16,7 @@ inline InitialNode open_leaf() { return {{}, {}}; }
 
 inline InitialCertificate sample_initial() {
     InitialCertificate certificate;
-    certificate.program = "dumbbell";
-    certificate.version = "0.1.0";
+    certificate.generator = {"dumbbell", "0.1.0"};
     certificate.box.lo = {0, 1, 2, -1, 10};
     certificate.box.hi = {4, 1, 2, 1, 10};
     certificate.tree = {initial_split(InitialAxis::phi),

@@ -12,11 +12,8 @@ namespace dumbbell_trace_test {
 
 inline std::string written(const dumbbell::starts::InitialBox& box,
                            const dumbbell::starts::Subdivision& parts) {
-    return render(dumbbell::starts::InitialCertificate{.program = "dumbbell",
-                                                       .version = "test",
-                                                       .box = box,
-                                                       .bits = parts.bits,
-                                                       .tree = parts.tree})
+    return render(dumbbell::starts::InitialCertificate{
+                      .generator = {"dumbbell", "test"}, .box = box, .bits = parts.bits, .tree = parts.tree})
         .text;
 }
 

@@ -1,6 +1,4 @@
 // The judge runs the verifier that lies next to the program: tests/programs/cli/campaign_adiabatic_test.cpp.
-#include "campaign/kinds/adiabatic.hpp"
-
 #include <catch2/catch.hpp>
 #include <fstream>
 
@@ -8,6 +6,7 @@
 #include "adiabatic/prove.hpp"
 #include "adiabatic/writer.hpp"
 #include "base/error.hpp"
+#include "campaign/kinds/kinds.hpp"
 #include "rooms/campaign/place.hpp"
 
 using namespace dumbbell;

@@ -1,11 +1,10 @@
-#include "campaign/kinds/collisions.hpp"
-
 #include <sys/resource.h>
 
 #include <catch2/catch.hpp>
 #include <fstream>
 
 #include "base/error.hpp"
+#include "campaign/kinds/kinds.hpp"
 #include "collisions/writer.hpp"
 #include "file/atomic_file.hpp"
 #include "file/file_contents.hpp"

@@ -1,9 +1,8 @@
-#include "campaign/kinds/critical.hpp"
-
 #include <catch2/catch.hpp>
 #include <fstream>
 
 #include "base/error.hpp"
+#include "campaign/kinds/kinds.hpp"
 #include "collisions/writer.hpp"
 #include "file/sha256.hpp"
 #include "rooms/campaign/place.hpp"

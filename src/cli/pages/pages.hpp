@@ -4,7 +4,12 @@
 
 #include "cli/options/option.hpp"
 
+/// What is made from the table of commands and options.
 namespace dumbbell::cli::pages {
+
+/// A script for bash that completes commands, options, their words and file names, of dumbbell and of
+/// dumbbell-verify, whose options are those of `dumbbell verify`.
+[[nodiscard]] std::string bash_completion(const Command& program);
 
 /// The --help of a command: its options in the words of the man page, in lines of at most 120 columns. Of one
 /// that is nothing but its commands: each of these in a line, on one screen; the whole of its description
@@ -13,5 +18,11 @@ namespace dumbbell::cli::pages {
 
 /// The help of a command and of all that are below it.
 [[nodiscard]] std::string help_all(const Command& program, const Command& command);
+
+/// The page dumbbell(1), for man and groff: every command with every option.
+[[nodiscard]] std::string man_page(const Command& program);
+
+/// docs/reference/commands.md: every command with every option, in Markdown.
+[[nodiscard]] std::string reference(const Command& program);
 
 }  // namespace dumbbell::cli::pages
