@@ -6,6 +6,7 @@
 #include "base/interrupted.hpp"
 #include "base/observer.hpp"
 #include "starts/first_flight.hpp"
+#include "starts/jet.hpp"
 #include "starts/later_count.hpp"
 #include "starts/wall_to_wall.hpp"
 
@@ -70,5 +71,13 @@ template <class S>
     }
     return result;
 }
+
+// Instantiated once, in follow.cpp, as the largest part of what the room takes to compile.
+extern template Followed<Interval> follow(const State<Interval>&, long, Observer&, const Interrupted&);
+extern template Followed<BigInterval> follow(const State<BigInterval>&, long, Observer&, const Interrupted&);
+extern template Followed<Jet<Interval>> follow(const State<Jet<Interval>>&, long, Observer&,
+                                               const Interrupted&);
+extern template Followed<Jet<BigInterval>> follow(const State<Jet<BigInterval>>&, long, Observer&,
+                                                  const Interrupted&);
 
 }  // namespace dumbbell::starts
