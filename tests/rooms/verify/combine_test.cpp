@@ -122,7 +122,7 @@ TEST_CASE("combine: an edited file that keeps its old trailer is refused by read
              {"pieces 17", "pieces 16", ""},
              {"pieces 17", "pieces 18", ""},
              {"total open 0", "total open 1", "code=total"},
-             {"sha256 5", "sha256 6", "code=sha256"}}) {
+             {"sha256 f", "sha256 e", "code=sha256"}}) {
         const File file(replaced(text, from, to));
         const std::string result = combined(file.path(), honest);
         INFO(from << " -> " << to << ": " << result);

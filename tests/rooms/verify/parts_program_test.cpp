@@ -43,7 +43,7 @@ TEST_CASE("parts of a file: each is one run, the lines of all are the verdict") 
     CHECK(run("--combine " + parts.path() + " --scene wedge " + tall).code == 1);
     const Run json = run("--json --combine " + parts.path() + " " + tall);
     CHECK(has(json.out, "\"verdict\":\"COMBINED\",\"claim\":{\"scene\":\"dumbbell\","));
-    CHECK(has(json.out, "\"part\":null,\"parts\":2,\"leaves\":{\"split\":956,"));
+    CHECK(has(json.out, "\"part\":null,\"parts\":2,\"leaves\":{\"split\":521,"));
     const Run other = run("--combine " + parts.path() + " " + stairs_to_100);
     CHECK(other.code == 1);
     CHECK(has(other.last(), "s REJECTED code=parts " + parts.path() + ":2: about another file"));

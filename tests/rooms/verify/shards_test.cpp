@@ -99,7 +99,7 @@ TEST_CASE("shards: what is wrong without any leaf is rejected by every part") {
         text + "x",
         text.substr(0, text.size() - 1),
         body,
-        replaced(text, "sha256 5", "sha256 6"),
+        replaced(text, "sha256 f", "sha256 e"),
         hashed(body + replaced(make::totals(body), "total open 0", "total open 1")),
         hashed(body + replaced(make::totals(body), "total count ", "total count 1")),
         replaced(text, "generator dumbbell", "generator dumbbel"),
