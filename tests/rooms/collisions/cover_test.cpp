@@ -3,6 +3,7 @@
 #include <tbb/global_control.h>
 #include <tbb/task_arena.h>
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 
 #include "collisions/writer.hpp"
@@ -109,6 +110,18 @@ TEST_CASE("the whole is closed in higher precision just below the place where do
         CHECK(cover<BigInterval>(chart, q, q, 3, CoverOptions{}).has_value());
     }
     CHECK_FALSE(cover<Interval>(Chart::bridge, q, q, 3, CoverOptions{.max_nodes = 2000}).has_value());
+}
+
+TEST_CASE("few leaves of a range's cover count: a box is split in the axis that keeps it open") {
+    const Rational near = parse_rational("1e-6");
+    for (const long n : {5L, 6L, 21L, 22L}) {
+        const auto tree = cover<Interval>(Chart::light, critical_ratio(n) * (1 + near),
+                                          critical_ratio(n + 1) * (1 - near), n, CoverOptions{});
+        REQUIRE(tree.has_value());
+        CHECK(std::count_if(tree->begin(), tree->end(), [](const Node& node) {
+                  return !node.split && node.leaf.reason == Reason::count;
+              }) <= 6);
+    }
 }
 
 TEST_CASE("the tree is the same for 1, 2 and 8 threads") {
