@@ -68,7 +68,7 @@ StoredClaim any_claim(Choices& choices) {
 
 /// As text: the one spelling, so that equal text is equal data.
 std::string text_of(const Piece& piece, const StoredClaim& claim) {
-    return render({"test", "1", {piece}, claim.scene, claim.section}).text;
+    return render({{"test", "1"}, {piece}, claim.scene, claim.section}).text;
 }
 
 void write(const fs::path& path, const std::string& bytes) {

@@ -100,7 +100,7 @@ AdiabaticHypotheses with_heights(AdiabaticHypotheses of, const char* from, const
 }
 AdiabaticCertificate certificate(const AdiabaticHypotheses& of, std::vector<Rational> bounds,
                                  const std::vector<std::size_t>& classes = {}) {
-    AdiabaticCertificate result{"mutation", "1.0", of, 53, std::move(bounds), {}, {}, {}};
+    AdiabaticCertificate result{{"mutation", "1.0"}, of, 53, std::move(bounds), {}, {}, {}};
     const auto guessed = classes.empty() ? std::vector<AdiabaticClass>{} : guess_classes(of);
     for (const std::size_t i : classes) result.classes.push_back(with_slack(guessed.at(i), density_slack));
     return result;

@@ -29,7 +29,7 @@ Base base(const std::string& name, InitialCertificate data) {
 
 Certificate certificate(std::vector<Piece> pieces, Scene scene = Scene::dumbbell,
                         Section section = Section::turning) {
-    return {"mutation", "1.0", std::move(pieces), scene, section};
+    return {{"mutation", "1.0"}, std::move(pieces), scene, section};
 }
 
 /// What `dumbbell certify` writes.
@@ -105,11 +105,11 @@ InitialBox box(std::array<std::array<const char*, 2>, initial_axes> sides) {
 }
 InitialCertificate subdivided(const InitialBox& box, std::size_t boxes, int bits = 53) {
     const Subdivision parts = subdivide(box, {.max_boxes = boxes, .bits = bits});
-    return {"mutation", "1.0", box, parts.bits, parts.tree};
+    return {{"mutation", "1.0"}, box, parts.bits, parts.tree};
 }
 InitialCertificate all_incoming(const Rational& q, std::size_t boxes) {
     const Subdivision parts = subdivide(incoming_box(q), {.max_boxes = boxes, .incoming = true});
-    return {"mutation", "1.0", incoming_box(q), parts.bits, parts.tree, true};
+    return {{"mutation", "1.0"}, incoming_box(q), parts.bits, parts.tree, true};
 }
 InitialCertificate with_open_leaf(InitialCertificate certificate) {
     for (InitialNode& node : certificate.tree)

@@ -20,7 +20,7 @@ using Catch::Matchers::Contains;
 namespace {
 
 SealedText initial_text() {
-    dumbbell::starts::InitialCertificate certificate{"dumbbell", "0.1.0", {}, 53, {{}}};
+    dumbbell::starts::InitialCertificate certificate{{"dumbbell", "0.1.0"}, {}, 53, {{}}};
     certificate.box.lo = certificate.box.hi = {0, 1, 3, -1, 10};
     return render(certificate);
 }

@@ -21,7 +21,7 @@ std::vector<ProvedPiece> certified(const Rational& lo, const Rational& hi, int j
 }
 
 std::string spelled(const std::vector<ProvedPiece>& pieces) {
-    Certificate certificate{"test", "1", {}};
+    Certificate certificate{{"test", "1"}, {}};
     for (const ProvedPiece& p : pieces) {
         certificate.pieces.push_back(p.piece);
     }

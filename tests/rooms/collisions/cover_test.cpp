@@ -49,7 +49,7 @@ std::string spelled(const Tree& tree) {
     piece.upper = 2;
     piece.q_lo = piece.q_hi = 1;
     piece.cover.charts = {{Chart::light, tree}};
-    return render({"test", "1", {piece}}).text;
+    return render({{"test", "1"}, {piece}}).text;
 }
 
 }  // namespace

@@ -44,7 +44,7 @@ inline Piece equal_masses() {
 }
 
 inline Certificate certificate_of(std::vector<Piece> pieces) {
-    return {"dumbbell", "0.1.0", std::move(pieces)};
+    return {{"dumbbell", "0.1.0"}, std::move(pieces)};
 }
 
 // Every kind of line: an equal-masses piece, a gap with all leaf reasons and all axes, an open piece.

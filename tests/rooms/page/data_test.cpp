@@ -33,7 +33,7 @@ InitialNode closed(long least, std::optional<long> most, std::optional<FirstCont
 // decided.
 InitialCertificate starts_file(InitialNode last) {
     const FirstContact window{true, Rational(1, 2), Rational(3, 4)};
-    InitialCertificate certificate{"dumbbell", "0.1.0", {}, 53, {}};
+    InitialCertificate certificate{{"dumbbell", "0.1.0"}, {}, 53, {}};
     certificate.box.lo = {0, -1, 3, Rational(-1, 2), 10};
     certificate.box.hi = {1, -1, 3, Rational(-1, 2), 10};
     certificate.tree = {halved(InitialAxis::phi), closed(1, 1, window), halved(InitialAxis::phi),

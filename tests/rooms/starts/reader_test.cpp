@@ -18,7 +18,7 @@ const std::string& good() {
     static const std::string text = [] {
         const FirstContact heavy{true, Rational(1, 2), Rational(5, 8)};
         const FirstContact light{false, Rational(3), Rational(4)};
-        InitialCertificate certificate{"dumbbell", "0.1.0", {}, 100, {}};
+        InitialCertificate certificate{{"dumbbell", "0.1.0"}, {}, 100, {}};
         certificate.box.lo = {Rational(-1, 3), 0, 3, Rational(-1, 2), 10};
         certificate.box.hi = {Rational(1, 3), 1, 3, Rational(-1, 2), 10};
         certificate.tree = {
