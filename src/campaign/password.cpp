@@ -2,7 +2,6 @@
 
 #include <fcntl.h>
 #include <fmt/core.h>
-#include <openssl/rand.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -26,12 +25,6 @@ constexpr std::size_t most_characters = 256;
     throw InputError(fmt::format("cannot {} '{}': {}", doing, file, std::strerror(errno)));
 }
 
-std::string random_line() {
-    std::array<unsigned char, 32> bytes{};
-    require(RAND_bytes(bytes.data(), static_cast<int>(bytes.size())) == 1, "no random numbers");
-    return hexadecimal(bytes.data(), bytes.size()) + '\n';
-}
-
 /// Gives `file` a secret, all of it at once, unless something of that name is there.
 void make(const std::string& file) {
     const std::string temporary = temporary_name(file);
@@ -40,7 +33,7 @@ void make(const std::string& file) {
     if (made.get() < 0) {
         fail("create", file);
     }
-    const std::string line = random_line();
+    const std::string line = random_digits() + '\n';
     const bool written = ::write(made.get(), line.data(), line.size()) == static_cast<ssize_t>(line.size()) &&
                          ::fsync(made.get()) == 0;
     // Of the open file, not of its name: another program may have made that its own meanwhile.
@@ -57,6 +50,12 @@ void make(const std::string& file) {
 }
 
 }  // namespace
+
+std::string random_digits() {
+    std::array<unsigned char, 32> bytes{};
+    require(::getentropy(bytes.data(), bytes.size()) == 0, "no random numbers");
+    return hexadecimal(bytes.data(), bytes.size());
+}
 
 std::string password_file(const std::string& folder) {
     std::string file = folder + "/password";

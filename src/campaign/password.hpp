@@ -4,6 +4,9 @@
 
 namespace dumbbell::campaign {
 
+/// 256 random bits of the operating system in hexadecimal. Throws BrokenInvariant if it has none.
+[[nodiscard]] std::string random_digits();
+
 /// The file `FOLDER/password`, the secret that a campaign shares with its workers: made if it is not there
 /// (256 random bits in hexadecimal, for its owner alone), never replaced. Returns its path. Throws InputError
 /// (naming the file and the cause) if it can be neither made nor read as by read_password.

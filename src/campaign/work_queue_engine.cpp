@@ -1,12 +1,13 @@
 #include "campaign/work_queue_engine.hpp"
 
 #include <fmt/core.h>
-#include <openssl/evp.h>
+#include <nettle/base64.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
 #include <cmath>
+#include <cstdint>
 #include <cstdlib>
 #include <cstring>
 #include <string_view>
@@ -33,17 +34,17 @@ constexpr int end_of_timeout = 124;  // of timeout(1)
 
 /// Bytes of base64 without line breaks; nothing for any other text.
 std::optional<std::string> from_base64(std::string_view text) {
-    const std::size_t padding = text.ends_with("==") ? 2 : text.ends_with('=') ? 1 : 0;
-    if (text.size() % 4 != 0 || text.find_first_of("= \t\r\n") < text.size() - padding) {
+    std::string bytes(BASE64_DECODE_LENGTH(text.size()), '\0');
+    std::size_t size = 0;
+    base64_decode_ctx context{};
+    base64_decode_init(&context);
+    const bool decodes = base64_decode_update(&context, &size, reinterpret_cast<std::uint8_t*>(bytes.data()),
+                                              text.size(), text.data()) == 1 &&
+                         base64_decode_final(&context) == 1;
+    if (!decodes || text.size() != (size + 2) / 3 * 4) {  // the decoder passes over white space
         return {};
     }
-    std::string bytes(text.size() / 4 * 3, '\0');
-    if (EVP_DecodeBlock(reinterpret_cast<unsigned char*>(bytes.data()),
-                        reinterpret_cast<const unsigned char*>(text.data()),
-                        static_cast<int>(text.size())) != static_cast<int>(bytes.size())) {
-        return {};
-    }
-    bytes.resize(bytes.size() - padding);
+    bytes.resize(size);
     return bytes;
 }
 

@@ -2,9 +2,8 @@
 
 #include <arpa/inet.h>
 #include <fmt/core.h>
-#include <openssl/crypto.h>
-#include <openssl/evp.h>
-#include <openssl/rand.h>
+#include <nettle/memops.h>
+#include <nettle/sha1.h>
 
 #include <array>
 #include <cerrno>
@@ -16,6 +15,7 @@
 
 #include "base/error.hpp"
 #include "base/hexadecimal.hpp"
+#include "campaign/password.hpp"
 #include "campaign/work_queue_api.hpp"
 
 namespace dumbbell::campaign {
@@ -46,20 +46,18 @@ bool write_line(Link* peer, const std::string& text, std::time_t until) {
 /// What shows that one has the password, as the workers' side of the library computes it.
 std::string answer_to(const std::string& challenge, const char* password) {
     const std::string text = fmt::format("{} {}", password, challenge);
-    std::array<unsigned char, EVP_MAX_MD_SIZE> digest{};
-    unsigned int size = 0;
-    require(EVP_Digest(text.data(), text.size(), digest.data(), &size, EVP_sha1(), nullptr) == 1, "no SHA-1");
-    return hexadecimal(digest.data(), size);
+    std::array<std::uint8_t, SHA1_DIGEST_SIZE> digest{};
+    sha1_ctx context{};
+    sha1_init(&context);
+    sha1_update(&context, text.size(), reinterpret_cast<const std::uint8_t*>(text.data()));
+    sha1_digest(&context, digest.size(), digest.data());
+    return hexadecimal(digest.data(), digest.size());
 }
 
 /// Whether the peer has the password, by the library's lines in an order of our own.
 bool has_password(Link* peer, const char* password, std::time_t until) {
     const std::string method = "auth password sha1";
-    std::array<unsigned char, 32> random{};
-    if (RAND_bytes(random.data(), static_cast<int>(random.size())) != 1) {
-        return false;
-    }
-    const std::string challenge = hexadecimal(random.data(), random.size());
+    const std::string challenge = random_digits();
     if (!write_line(peer, method, until) || read_line(peer, until) != method ||
         !write_line(peer, challenge, until)) {
         return false;
@@ -71,7 +69,7 @@ bool has_password(Link* peer, const char* password, std::time_t until) {
     }
     const std::string expected = answer_to(challenge, password);
     if (answer_of_peer->size() != expected.size() ||
-        CRYPTO_memcmp(answer_of_peer->data(), expected.data(), expected.size()) != 0) {
+        memeql_sec(answer_of_peer->data(), expected.data(), expected.size()) == 0) {
         return false;
     }
     // Only now: a peer that has not shown the password gets nothing that was made with it.

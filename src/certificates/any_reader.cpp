@@ -1,7 +1,6 @@
 #include "certificates/any_reader.hpp"
 
 #include <fmt/core.h>
-#include <openssl/evp.h>
 #include <zlib.h>
 
 #include <array>
@@ -11,9 +10,9 @@
 
 #include "adiabatic/reader.hpp"
 #include "base/error.hpp"
-#include "base/hexadecimal.hpp"
 #include "collisions/reader.hpp"
 #include "file/lines.hpp"
+#include "file/sha256.hpp"
 #include "starts/reader.hpp"
 
 namespace dumbbell::certificates {
@@ -21,26 +20,6 @@ namespace {
 
 constexpr int head_lines = 5;  // before the line `claim`
 constexpr std::string_view first_line = "dumbbell-certificate 1\n", seal = "sha256 ";
-
-/// A SHA-256 that grows line by line.
-class Digest {
-  public:
-    Digest() : context_(EVP_MD_CTX_new(), &EVP_MD_CTX_free) {
-        require(context_ && EVP_DigestInit_ex(context_.get(), EVP_sha256(), nullptr) == 1, "SHA-256 failed");
-    }
-    void add(std::string_view bytes) {
-        require(EVP_DigestUpdate(context_.get(), bytes.data(), bytes.size()) == 1, "SHA-256 failed");
-    }
-    [[nodiscard]] std::string hex() {
-        std::array<unsigned char, EVP_MAX_MD_SIZE> bytes{};
-        unsigned size = 0;
-        require(EVP_DigestFinal_ex(context_.get(), bytes.data(), &size) == 1, "SHA-256 failed");
-        return hexadecimal(bytes.data(), size);
-    }
-
-  private:
-    std::unique_ptr<EVP_MD_CTX, void (*)(EVP_MD_CTX*)> context_;
-};
 
 }  // namespace
 
@@ -75,7 +54,7 @@ std::string sealed_digest(const std::string& path) {
         throw InputError(fmt::format("'{}' is not a certificate: its first line is not '{}'", path,
                                      first_line.substr(0, first_line.size() - 1)));
     }
-    Digest digest;
+    Sha256 digest;
     digest.add(first_line);
     while (next()) {
         const std::string_view text(line.data());

@@ -1,23 +1,31 @@
 #include "file/sha256.hpp"
 
 #include <fmt/core.h>
-#include <openssl/evp.h>
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 
-#include "base/error.hpp"
 #include "base/hexadecimal.hpp"
 
 namespace dumbbell {
 
+Sha256::Sha256() { sha256_init(&context_); }
+
+void Sha256::add(std::string_view bytes) {
+    sha256_update(&context_, bytes.size(), reinterpret_cast<const std::uint8_t*>(bytes.data()));
+}
+
+std::string Sha256::hex() {
+    std::array<std::uint8_t, SHA256_DIGEST_SIZE> digest{};
+    sha256_digest(&context_, digest.size(), digest.data());
+    return hexadecimal(digest.data(), digest.size());
+}
+
 std::string sha256_hex(std::string_view bytes) {
-    std::array<unsigned char, EVP_MAX_MD_SIZE> digest{};
-    unsigned int size = 0;
-    require(EVP_Digest(bytes.data(), bytes.size(), digest.data(), &size, EVP_sha256(), nullptr) == 1 &&
-                size == 32,
-            "SHA-256 failed");
-    return hexadecimal(digest.data(), size);
+    Sha256 digest;
+    digest.add(bytes);
+    return digest.hex();
 }
 
 std::optional<std::string_view> sealed_lines(std::string_view text) {

@@ -1,12 +1,11 @@
 // The text of a certificate, line by line: SHA-256 and the lexical classes (format.md, section 1).
 #pragma once
 #include <gmpxx.h>
-#include <openssl/evp.h>
+#include <nettle/sha2.h>
 
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <memory>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -26,9 +25,7 @@ inline bool is_natural(std::string_view text, std::size_t most) {
 
 class Text {
   public:
-    Text(const std::string& path, std::uint64_t units) : budget(units), bytes_(path) {
-        need_memory(hash_ && EVP_DigestInit_ex(hash_.get(), EVP_sha256(), nullptr) == 1);
-    }
+    Text(const std::string& path, std::uint64_t units) : budget(units), bytes_(path) { sha256_init(&hash_); }
 
     Budget budget;
     std::uint64_t line = 0;                ///< number of the present line
@@ -43,7 +40,7 @@ class Text {
 
     /// Reads the next line, which must exist.
     void next() {
-        need_memory(EVP_DigestUpdate(hash_.get(), line_.data(), line_.size()) == 1);
+        sha256_update(&hash_, line_.size(), reinterpret_cast<const std::uint8_t*>(line_.data()));
         budget.take(line_.size() * units_per_byte, line);
         line_.clear();
         fields.clear();
@@ -79,8 +76,8 @@ class Text {
     }
     /// SHA-256 of all lines before the present one, in hexadecimal; once.
     std::string digest() {
-        std::array<unsigned char, 32> bytes;
-        need_memory(EVP_DigestFinal_ex(hash_.get(), bytes.data(), nullptr) == 1);
+        std::array<std::uint8_t, SHA256_DIGEST_SIZE> bytes;
+        sha256_digest(&hash_, bytes.size(), bytes.data());
         std::string hex;
         for (const int b : bytes) (hex += "0123456789abcdef"[b / 16]) += "0123456789abcdef"[b % 16];
         return hex;
@@ -147,7 +144,7 @@ class Text {
     bool fill() { return !(rest_ = bytes_.next(line)).empty(); }
 
     Bytes bytes_;
-    std::unique_ptr<EVP_MD_CTX, void (*)(EVP_MD_CTX*)> hash_{EVP_MD_CTX_new(), EVP_MD_CTX_free};
+    sha256_ctx hash_{};
     std::string_view rest_;  ///< of the block
     std::string line_;       ///< with its line feed
 };

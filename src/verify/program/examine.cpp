@@ -1,11 +1,8 @@
 #include "verify/program/examine.hpp"
 
-#include <openssl/evp.h>
-
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
-#include <memory>
 #include <mutex>
 #include <system_error>
 #include <thread>
@@ -18,13 +15,6 @@ namespace {
 constexpr const char* names[] = {"VERIFIED",    "PART",  "COMBINED", "UNREADABLE",
                                  "UNSUPPORTED", "LIMIT", "REJECTED"};
 constexpr int exit_codes[] = {0, 0, 0, 2, 3, 4, 1};
-
-/// What libcrypto makes at its first use, which crashes where threads have taken all memory.
-void prepare_digests() {
-    const std::unique_ptr<EVP_MD, void (*)(EVP_MD*)> sha256(EVP_MD_fetch(nullptr, "SHA256", nullptr),
-                                                            EVP_MD_free);
-    need_memory(sha256 != nullptr);
-}
 
 /// What --explain can show of a file.
 std::string trees(const Verified& proof, const std::string& scene) {
@@ -90,7 +80,6 @@ std::vector<Result> examine_all(const std::vector<Job>& jobs, unsigned at_once,
         arrived.notify_one();
         return true;
     };
-    prepare_digests();
     std::vector<std::jthread> crew;
     crew.reserve(at_once);
     const auto one_more = [&] {

@@ -1,7 +1,7 @@
 #include "campaign/work_queue_manager.hpp"
 
 #include <arpa/inet.h>
-#include <openssl/evp.h>
+#include <nettle/sha1.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
@@ -97,10 +97,12 @@ std::string visit(const std::function<std::string(const Stranger&)>& talk) {
 }
 
 std::string sha1(const std::string& text) {
-    std::array<unsigned char, EVP_MAX_MD_SIZE> digest{};
-    unsigned int size = 0;
-    REQUIRE(EVP_Digest(text.data(), text.size(), digest.data(), &size, EVP_sha1(), nullptr) == 1);
-    return dumbbell::hexadecimal(digest.data(), size);
+    std::array<std::uint8_t, SHA1_DIGEST_SIZE> digest{};
+    sha1_ctx context{};
+    sha1_init(&context);
+    sha1_update(&context, text.size(), reinterpret_cast<const std::uint8_t*>(text.data()));
+    sha1_digest(&context, digest.size(), digest.data());
+    return dumbbell::hexadecimal(digest.data(), digest.size());
 }
 
 }  // namespace

@@ -2,7 +2,7 @@
 // search asks the section's own check what it accepts, so it shows that the verifier accepts true claims;
 // that it refuses false ones is shown by mutating what comes out.
 #pragma once
-#include <openssl/evp.h>
+#include <nettle/sha2.h>
 #include <unistd.h>
 #include <zlib.h>
 
@@ -23,10 +23,13 @@ using dumbbell_verify::Box;
 using dumbbell_verify::Leaf;
 
 inline std::string sha256(const std::string& text) {
-    std::array<unsigned char, 32> bytes{};
-    EVP_Digest(text.data(), text.size(), bytes.data(), nullptr, EVP_sha256(), nullptr);
+    std::array<std::uint8_t, SHA256_DIGEST_SIZE> bytes{};
+    sha256_ctx context{};
+    sha256_init(&context);
+    sha256_update(&context, text.size(), reinterpret_cast<const std::uint8_t*>(text.data()));
+    sha256_digest(&context, bytes.size(), bytes.data());
     std::string hex;
-    for (const unsigned char b : bytes) (hex += "0123456789abcdef"[b / 16]) += "0123456789abcdef"[b % 16];
+    for (const std::uint8_t b : bytes) (hex += "0123456789abcdef"[b / 16]) += "0123456789abcdef"[b % 16];
     return hex;
 }
 

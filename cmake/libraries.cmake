@@ -1,5 +1,5 @@
-# GMP::gmp, MPFR::mpfr and Arb::arb as imported targets (the verifier needs the first two): none of them has a
-# CMake package, and Arb has no pkg-config file.
+# GMP::gmp, MPFR::mpfr, Nettle::nettle and Arb::arb as imported targets (the verifier needs the first three): none
+# of them has a CMake package, and Arb has no pkg-config file.
 function(dumbbell_import package target header library)
   find_path(${package}_INCLUDE_DIR ${header})
   find_library(${package}_LIBRARY ${library})
@@ -17,6 +17,7 @@ endfunction()
 
 dumbbell_import(GMP GMP::gmp gmp.h gmp)
 dumbbell_import(MPFR MPFR::mpfr mpfr.h mpfr GMP::gmp)
+dumbbell_import(NETTLE Nettle::nettle nettle/sha2.h nettle)
 if(NOT DUMBBELL_VERIFIER_ONLY)
   dumbbell_import(FLINT Arb::flint flint/flint.h flint MPFR::mpfr)
   dumbbell_import(ARB Arb::arb acb_calc.h flint-arb Arb::flint)
