@@ -22,19 +22,12 @@ constexpr std::size_t boxes_in_memory = 4096;
 template <class I>
 void judge_all(Chart chart, std::span<const Box> boxes, const Count& upper,
                std::span<std::optional<Leaf>> results, const CoverOptions& options) {
-    const int bits = PrecisionScope::current();
-    const auto judge_some = [&](std::size_t begin, std::size_t size) {
+    const std::size_t together = options.parallel ? boxes_together<I> : boxes.size();
+    in_parallel(boxes.size(), together, [&](std::size_t begin, std::size_t end) {
         if (!options.interrupted()) {
-            judge<I>(chart, boxes.subspan(begin, size), upper, results.subspan(begin, size),
+            judge<I>(chart, boxes.subspan(begin, end - begin), upper, results.subspan(begin, end - begin),
                      options.interrupted);
         }
-    };
-    if (!options.parallel || boxes.size() <= boxes_together<I>) {
-        return judge_some(0, boxes.size());
-    }
-    in_parallel(boxes.size(), boxes_together<I>, [&](std::size_t begin, std::size_t end) {
-        const PrecisionScope scope(bits);
-        judge_some(begin, end - begin);
     });
 }
 

@@ -1,6 +1,8 @@
 #include "collisions/piece.hpp"
 
 #include <algorithm>
+#include <array>
+#include <atomic>
 #include <type_traits>
 
 #include "collisions/witness.hpp"
@@ -9,6 +11,7 @@
 #include "flight/extremal_orbit.hpp"
 #include "flight/orbit.hpp"
 #include "flight/paper_bound.hpp"
+#include "number/parallel.hpp"
 
 namespace dumbbell::collisions {
 namespace {
@@ -39,13 +42,24 @@ std::optional<Cover> prove_upper(const Rational& q_lo, const Rational& q_hi, con
                               .parallel = options.parallel,
                               .interrupted = options.interrupted,
                               .observer = options.observer};
-    Cover whole;
-    for (const Chart chart : charts_of(options.scene, options.section)) {
-        auto tree = cover<I>(chart, q_lo, q_hi, upper, limits);
-        if (!tree) {
-            return std::nullopt;
+    const std::vector<Chart> charts = charts_of(options.scene, options.section);
+    std::vector<std::optional<Tree>> trees(charts.size());
+    std::atomic<bool> all = true;
+    const std::size_t together = flight::counts_together<I>(charts.size());
+    in_parallel(charts.size(), together, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i != end && all; ++i) {
+            trees[i] = cover<I>(charts[i], q_lo, q_hi, upper, limits);
+            if (!trees[i]) {
+                all = false;
+            }
         }
-        whole.charts.push_back({chart, std::move(*tree)});
+    });
+    if (!all) {
+        return std::nullopt;
+    }
+    Cover whole;
+    for (std::size_t i = 0; i < charts.size(); ++i) {
+        whole.charts.push_back({charts[i], std::move(*trees[i])});
     }
     return whole;
 }
@@ -153,16 +167,19 @@ std::optional<Count> suspected_maximum(const Rational& q, const PieceOptions& op
         cap += Count(numerator(q) / denominator(q));  // more than C sqrt q
     }
     const I r = enclose<I>(Rational(1) / q);
-    const N top = count_at_most(extremal_ray(ExtremalOrbit::top, r), cap, options.interrupted);
-    const N corner =
-        top > cap ? top : count_at_most(extremal_ray(ExtremalOrbit::corner, r), cap, options.interrupted);
-    if (corner > cap) {
+    const std::array rays{extremal_ray(ExtremalOrbit::top, r), extremal_ray(ExtremalOrbit::corner, r)};
+    std::array<N, 2> counts;
+    in_parallel(2, flight::counts_together<I>(2), [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i != end; ++i) {
+            counts[i] = count_at_most(rays[i], cap, options.interrupted);
+        }
+    });
+    const auto& [top, corner] = counts;
+    const N& last = std::max(top, corner);
+    if (last > cap) {
         return std::nullopt;
     }
-    const bool by_top = top > corner;
-    const N& last = by_top ? top : corner;
-    const auto ray = extremal_ray(by_top ? ExtremalOrbit::top : ExtremalOrbit::corner, r);
-    const bool reached = count_at_least(ray, last, options.interrupted) == last;
+    const bool reached = count_at_least(rays[top > corner ? 0 : 1], last, options.interrupted) == last;
     return reached ? std::optional(Count(2) + top + corner) : std::nullopt;
 }
 

@@ -10,6 +10,7 @@
 #include "flight/batch/count.hpp"
 #include "flight/chart.hpp"
 #include "flight/count.hpp"
+#include "number/parallel.hpp"
 
 namespace dumbbell::collisions {
 namespace {
@@ -29,17 +30,11 @@ Rational below_peak(int distance_bits) {
     return {numerator(low) / denominator(low), Integer(1) << bits};
 }
 
-/// The rays above both sides of a contact for every ratio of a range.
+/// The rays above both sides of the contact (e, eta), forward and backward, for every ratio of [q_lo, q_hi];
+/// nothing if it is no admissible contact there.
 template <class I>
-struct HighestRays {
-    flight::Ray<I> out;
-    flight::Ray<I> reversed;
-};
-
-/// Of the contact (e, eta) over [q_lo, q_hi]; nothing if it is no admissible contact there.
-template <class I>
-std::optional<HighestRays<I>> highest_rays(const Rational& e, const Rational& eta, const Rational& q_lo,
-                                           const Rational& q_hi) {
+std::optional<std::array<flight::Ray<I>, 2>> highest_rays(const Rational& e, const Rational& eta,
+                                                          const Rational& q_lo, const Rational& q_hi) {
     const flight::RatioRange<I> range{enclose<I>(Rational(1) / q_hi), enclose<I>(Rational(1) / q_lo)};
     const I position_enclosure = enclose<I>(e);
     const I steepness = enclose<I>(eta);
@@ -57,8 +52,8 @@ std::optional<HighestRays<I>> highest_rays(const Rational& e, const Rational& et
     if (!certainly_positive(at.sin_e + lowest_lambda * at.e)) {
         return std::nullopt;
     }
-    return HighestRays<I>{highest_over(out, range),
-                          highest_over(bridge_reversed(at, steepness, range.r_lo), range)};
+    return std::array{highest_over(out, range),
+                      highest_over(bridge_reversed(at, steepness, range.r_lo), range)};
 }
 
 /// A place to look for a witness.
@@ -90,8 +85,9 @@ class BatchSearch {
         for (const Candidate& place : places) {
             if (const auto rays = highest_rays<Interval>(place.e, place.eta, q_lo_, q_hi_)) {
                 admissible.push_back(&place);
-                queries.push_back(query(rays->out));
-                queries.push_back(query(rays->reversed));
+                for (const auto& ray : *rays) {
+                    queries.push_back(query(ray));
+                }
             }
         }
         std::vector<flight::batch::Answer> answers(queries.size());
@@ -158,9 +154,16 @@ std::optional<Witness> checked_witness(const Rational& e, const Rational& eta, c
                                        const Rational& q_hi, const Count& cap,
                                        const Interrupted& interrupted) {
     const auto rays = highest_rays<I>(e, eta, q_lo, q_hi);
-    return rays ? std::optional(Witness{e, eta, count_at_least(rays->out, cap, interrupted),
-                                        count_at_least(rays->reversed, cap, interrupted)})
-                : std::nullopt;
+    if (!rays) {
+        return std::nullopt;
+    }
+    std::array<flight::CountOf<I>, 2> counts;
+    in_parallel(2, flight::counts_together<I>(2), [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i != end; ++i) {
+            counts[i] = count_at_least<I>((*rays)[i], cap, interrupted);
+        }
+    });
+    return Witness{e, eta, counts[0], counts[1]};
 }
 
 template <class I>

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <type_traits>
 
 #include "base/interrupted.hpp"
@@ -16,6 +17,13 @@ namespace dumbbell::flight {
 /// What the collisions of rays in I are counted with: double cannot tell greater numbers apart.
 template <class I>
 using CountOf = std::conditional_t<std::is_same_v<I, BigInterval>, Count, long>;
+
+/// How many of these counts, or proofs by counts, one thread takes (in_parallel): in double precision all of
+/// them, for they are soon done.
+template <class I>
+[[nodiscard]] constexpr std::size_t counts_together(std::size_t all) {
+    return std::is_same_v<I, BigInterval> ? 1 : all;
+}
 
 namespace detail {
 

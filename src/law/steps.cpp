@@ -68,7 +68,6 @@ std::optional<std::vector<collisions::Piece>> prove_steps(const Interrupted& int
     std::atomic<std::size_t> done = 0;
     std::atomic<bool> all = true;
     in_parallel(steps.size(), [&](std::size_t i) {
-        const PrecisionScope of_thread(bits);
         const long n = first_step + static_cast<long>(i);
         if (!all || interrupted()) {
             all = false;

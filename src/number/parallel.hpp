@@ -12,7 +12,8 @@ namespace dumbbell {
 
 /// work(begin, end) for parts of [0, count) that are all of it together, in any order, on the threads of
 /// `with_threads` or all cores. A part of more than `together` may be halved. Throws what `work` throws, and
-/// BrokenInvariant on a thread whose arithmetic is unsound (require_sound_arithmetic).
+/// BrokenInvariant on a thread whose arithmetic is unsound (require_sound_arithmetic). Each part has the
+/// caller's precision. A thread that waits for it begins nothing else meanwhile.
 void in_parallel(std::size_t count, std::size_t together,
                  const std::function<void(std::size_t begin, std::size_t end)>& work);
 

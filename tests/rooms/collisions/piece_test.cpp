@@ -2,11 +2,15 @@
 
 #include <catch2/catch.hpp>
 #include <ctime>
+#include <string>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #include "collisions/critical.hpp"
+#include "collisions/piece_lines.hpp"
 #include "critical_ratio.hpp"
+#include "number/parallel.hpp"
 
 using namespace dumbbell;
 using namespace dumbbell::collisions;
@@ -73,6 +77,23 @@ TEST_CASE("ratios are decided at every distance from a critical one that a certi
     CHECK(near_one.piece.upper == 3L);
     CHECK(near_one.piece.lower == 3);
     CHECK(near_one.piece.bits == 4096);
+}
+
+TEST_CASE("where threads share the counts of a piece it is the same with any number of them") {
+    const auto proved_with = [](int threads) {
+        const Piece piece = with_threads(threads, Threads::all, [] {
+            return prove_single(parse_rational("1e28"), {.parallel = true}).piece;
+        });
+        CHECK(piece.status() == Status::exact);
+        CHECK(piece.bits > 53);
+        PieceLines lines;
+        lines.proof(piece);
+        return std::move(lines).sealed().text;
+    };
+    const std::string alone = proved_with(1);
+    for (const int threads : {2, 8}) {
+        CHECK(proved_with(threads) == alone);
+    }
 }
 
 TEST_CASE("an open piece says what was in the way") {
