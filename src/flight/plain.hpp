@@ -91,9 +91,10 @@ std::optional<PlainContact<I>> plain_contact(const PlainRay<I>& ray) {
 }  // namespace detail
 
 /// An upper bound of the number of collisions of the rays with the light walls, the bridge out of reach.
-/// Stops at `cap` + 1, also if interrupted.
+/// Stops at `cap` + 1, also if interrupted. Flattened, as the other one: intervals stay in registers.
 template <class I>
-long plain_count(PlainRay<I> ray, const I& r, long cap, const Interrupted& interrupted = never) {
+[[gnu::flatten]] long plain_count(PlainRay<I> ray, const I& r, long cap,
+                                  const Interrupted& interrupted = never) {
     for (long count = 0; count <= cap; ++count) {
         if (certainly_at_most(I(1), ray.kappa)) {
             return count;
@@ -168,8 +169,8 @@ long plain_count_after_bridge(const I& t, const I& kappa, const I& r, long cap,
 /// An upper bound of the number of later collisions of the departures from R to the left. Stops at `cap` + 1,
 /// also if interrupted.
 template <class I>
-long plain_later_collisions(PlainDeparture<I> from, const I& r, long cap,
-                            const Interrupted& interrupted = never) {
+[[gnu::flatten]] long plain_later_collisions(PlainDeparture<I> from, const I& r, long cap,
+                                             const Interrupted& interrupted = never) {
     const RatioRange<I> range{low_end(r), high_end(r)};
     long most = 0;
     for (long count = 0; count <= cap; ++count) {
