@@ -48,7 +48,7 @@ void save(const Proof& proof, const std::string& file) {
         if (file.empty()) {
             throw dumbbell::InputError("the file name is empty");
         }
-        AtomicFile(output_target(file)).commit(proof.certificate);
+        write_atomically(output_target(file), proof.certificate);
     });
 }
 

@@ -79,7 +79,7 @@ void CampaignFolder::create(const std::string& path, const Plan& plan,
             throw InputError(fmt::format("cannot copy '{}' to '{}': {}", sources[i], copy, reason));
         }
     }
-    AtomicFile(path + "/plan").commit(render(plan));  // last: with it the folder is a campaign
+    write_atomically(path + "/plan", render(plan));  // last: with it the folder is a campaign
 }
 
 CampaignFolder::CampaignFolder(std::string path) : path_(std::move(path)), journal_(path_ + "/journal") {
@@ -210,19 +210,19 @@ std::vector<CampaignFolder::Part> CampaignFolder::halves(const Part& part) const
 
 CampaignFolder::Kept CampaignFolder::keep_result(const std::string& id, const std::string& bytes) const {
     if (!has_result(id)) {
-        AtomicFile(result_file(id)).commit(bytes);
+        write_atomically(result_file(id), bytes);
         return Kept::now;
     }
     return file_contents(result_file(id)) == bytes ? Kept::before : Kept::other;
 }
 
 void CampaignFolder::split(const std::string& id) const {
-    AtomicFile(fmt::format("{}/splits/{}", path_, id)).commit("");
+    write_atomically(fmt::format("{}/splits/{}", path_, id), "");
 }
 
 std::string CampaignFolder::arrived(const std::string& id, const std::string& bytes) const {
     std::string file = fmt::format("{}/arrived/{}", path_, id);
-    AtomicFile(file).commit(bytes, Survives::program);
+    write_atomically(file, bytes, Survives::program);
     return file;
 }
 
@@ -232,7 +232,7 @@ void CampaignFolder::forget_arrived(const std::string& id) const {
 }
 
 void CampaignFolder::reject(const std::string& id, const std::string& bytes) const {
-    AtomicFile(fmt::format("{}/rejected/{}", path_, id)).commit(bytes, Survives::program);
+    write_atomically(fmt::format("{}/rejected/{}", path_, id), bytes, Survives::program);
 }
 
 void CampaignFolder::withdraw_result(const std::string& id) const {

@@ -70,7 +70,7 @@ PieceStore::PieceStore(std::string folder, const StoredClaim& claim)
         if ((!is_file && !is_missing) || !has_no_others_pieces()) {
             is_missing ? is_in_the_way(folder_) : holds_another_run(folder_);
         }
-        AtomicFile(file).commit(text_);
+        write_atomically(file, text_);
     }
 }
 
@@ -154,7 +154,7 @@ void PieceStore::keep(const Piece& piece) const {
     const Certificate alone{.pieces = {piece}, .scene = claim_.scene, .section = claim_.section};
     // Not synced: thousands of small pieces would spend their time waiting for the disk, and one that a crash
     // of the machine damages is recognized by its checksum.
-    AtomicFile(file_of(planned_as(piece))).commit(render(alone).text, Survives::program);
+    write_atomically(file_of(planned_as(piece)), render(alone).text, Survives::program);
 }
 
 void PieceStore::remove() {

@@ -54,6 +54,18 @@ std::string gzipped(const std::string& contents) {
                                                               : std::strerror(cause)));
 }
 
+/// A rename would replace whatever stands there, a device like /dev/null too.
+void require_place_for_file(const std::string& path) {
+    std::error_code unreadable;
+    const auto target = std::filesystem::status(path, unreadable);
+    if (std::filesystem::is_directory(target)) {
+        throw InputError(fmt::format("cannot write '{}': it is a directory; give a file name", path));
+    }
+    if (std::filesystem::exists(target) && !std::filesystem::is_regular_file(target)) {
+        throw InputError(fmt::format("cannot write '{}': it is not a regular file; give a file name", path));
+    }
+}
+
 /// The temporary file of a path, made here and locked, so that it is nobody else's; removed at the end unless
 /// it was given its final name.
 class Temporary {
@@ -201,22 +213,10 @@ std::string output_target(const std::string& name) {
     }
 }
 
-AtomicFile::AtomicFile(std::string path) : path_(std::move(path)) {
-    // A rename would replace whatever stands there, a device like /dev/null too.
-    std::error_code unreadable;
-    const auto target = std::filesystem::status(path_, unreadable);
-    if (std::filesystem::is_directory(target)) {
-        throw InputError(fmt::format("cannot write '{}': it is a directory; give a file name", path_));
-    }
-    if (std::filesystem::exists(target) && !std::filesystem::is_regular_file(target)) {
-        throw InputError(fmt::format("cannot write '{}': it is not a regular file; give a file name", path_));
-    }
-    const Temporary probe(path_);
-}
-
-void AtomicFile::commit(const std::string& contents, Survives whose_death) const {
-    const bool compress = path_.ends_with(".gz");
-    Temporary file(path_);
+void write_atomically(const std::string& path, const std::string& contents, Survives whose_death) {
+    require_place_for_file(path);
+    const bool compress = path.ends_with(".gz");
+    Temporary file(path);
     file.write(compress ? gzipped(contents) : contents);
     file.inherit();
     if (whose_death == Survives::machine) {
@@ -224,8 +224,13 @@ void AtomicFile::commit(const std::string& contents, Survives whose_death) const
     }
     file.give_final_name();
     if (whose_death == Survives::machine) {
-        sync_folder_of(path_);
+        sync_folder_of(path);
     }
+}
+
+AtomicFile::AtomicFile(std::string path) : path_(std::move(path)) {
+    require_place_for_file(path_);
+    const Temporary probe(path_);
 }
 
 }  // namespace dumbbell

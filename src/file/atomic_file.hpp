@@ -7,22 +7,26 @@ namespace dumbbell {
 /// Whose death the contents survive: the program's, or the machine's too (which waits for the disk).
 enum class Survives { program, machine };
 
-/// A file that appears under its final name complete or not at all: written next to it under the name
-/// `FILE.dumbbell-tmp`, synced, renamed. A program that is killed leaves at most that one file, which the
-/// next one that writes FILE removes; writers of the same FILE wait for one another, and the last one wins.
-/// A file that is replaced passes its access rights on, and its owner if this program may give them; a link
-/// is replaced itself. Throws InputError (naming the file and the cause) on any failure, and then leaves
-/// nothing.
+/// Writes a file that appears under its name complete or not at all: next to it under the name
+/// `FILE.dumbbell-tmp`, made durable, renamed, so that it replaces what was there. A program that is killed
+/// leaves at most that one file, which the next one that writes FILE removes; writers of the same FILE wait
+/// for one another, and the last one wins. A file that is replaced passes its access rights on, and its owner
+/// if this program may give them; a link is replaced itself. A name that ends in `.gz` is written
+/// gzip-compressed. With Survives::program the file may be found damaged, empty or missing when the machine
+/// comes back after a crash: for files with a checksum whose contents can be made again. Throws InputError
+/// (naming the file and the cause) on any failure, and then leaves nothing.
+void write_atomically(const std::string& path, const std::string& contents,
+                      Survives whose_death = Survives::machine);
+
+/// A file that will be written so when its contents are known.
 class AtomicFile {
   public:
-    /// A name that ends in `.gz` is written gzip-compressed. Finds out at once whether the place is writable,
-    /// by a file that is removed again.
+    /// Finds out at once whether the place is writable, by a file that is removed again; throws as above.
     explicit AtomicFile(std::string path);
 
-    /// Writes the contents, makes them durable and gives the file its final name, replacing what was there.
-    /// With Survives::program the file may be found damaged, empty or missing when the machine comes back
-    /// after a crash: for files with a checksum whose contents can be made again.
-    void commit(const std::string& contents, Survives whose_death = Survives::machine) const;
+    void commit(const std::string& contents, Survives whose_death = Survives::machine) const {
+        write_atomically(path_, contents, whose_death);
+    }
 
   private:
     std::string path_;

@@ -116,7 +116,7 @@ class VerifiedKind : public Kind {
             lines += file_contents(file);
         }
         const std::string parts = in(folder, "arrived") + "/" + plan.whole.id();
-        AtomicFile(parts).commit(lines, Survives::program);
+        write_atomically(parts, lines, Survives::program);
         const Subject subject = subject_of(plan.whole);
         const Verdict verdict =
             ask_verifier({"--quiet", fmt::format("--scene={}", name(subject.scene)),
