@@ -70,10 +70,10 @@ std::optional<Failure> judge(std::uint64_t line, std::string_view opcode, const 
     return Failure{Verdict::limit, line, "limit", error.what()};
 }
 
-/// Judges all leaves, on up to `jobs` threads and within the budget; the failure on the least line is thrown,
+/// Judges all leaves, on `jobs` >= 1 threads and within the budget; the failure on the least line is thrown,
 /// whichever thread finds it. Leaves after a failure are not judged; those before it have been taken before.
 template <class Leaf, class Judge>
-void judge_all(const std::vector<Leaf>& leaves, unsigned jobs, Budget& budget, const Judge& judge_one) {
+void judge_all(const std::vector<Leaf>& leaves, std::size_t jobs, Budget& budget, const Judge& judge_one) {
     std::vector<std::optional<Failure>> found(leaves.size());
     Shares shares(leaves.size(), budget.left());
     std::atomic<std::size_t> next = 0;
@@ -90,7 +90,7 @@ void judge_all(const std::vector<Leaf>& leaves, unsigned jobs, Budget& budget, c
         mpfr_free_cache();
     };
     {
-        std::vector<std::jthread> crew(std::min<std::size_t>(jobs, leaves.size() / 8 + 1) - 1);
+        std::vector<std::jthread> crew(jobs - 1);
         for (std::jthread& thread : crew) thread = std::jthread(work);
         work();
     }
@@ -160,6 +160,7 @@ class Reader {
             throw Failure{Verdict::limit, text_.line, "limit", "see --max-bits"};
         leaf.bits = std::max(static_cast<unsigned>(bits), settings_.precision);
         leaf.multiple = settings_.precision > 0;
+        if (leaf.bits > 53) worth_a_thread_ = 1;
     }
     /// The leaf is to be checked.
     void take(Leaf leaf) {
@@ -192,12 +193,15 @@ class Reader {
   private:
     void check_pending() {
         const std::vector<Leaf> leaves = std::exchange(pending_, {});
-        judge_all(leaves, settings_.jobs, text_.budget, [this](const Leaf& leaf) {
-            return judge(leaf.line, opcode(leaf), [&] { return check(leaf, nullptr); });
-        });
+        const std::size_t most = leaves.size() / worth_a_thread_ + 1;
+        judge_all(leaves, std::min<std::size_t>(settings_.jobs, most), text_.budget,
+                  [this](const Leaf& leaf) {
+                      return judge(leaf.line, opcode(leaf), [&] { return check(leaf, nullptr); });
+                  });
     }
 
     std::vector<Leaf> pending_;
+    std::size_t worth_a_thread_ = 8;  ///< leaves: so many in double precision, one in more
 };
 
 }  // namespace dumbbell_verify
