@@ -25,8 +25,9 @@ namespace dumbbell {
 template <class Number>
 [[nodiscard]] std::optional<Number> number_of(std::string_view text) {
     Number number{};
-    const char* end = text.data() + text.size();
-    const auto [rest, fault] = std::from_chars(text.data(), end, number);
+    const char* begin = text.data();
+    const char* end = begin + text.size();
+    const auto [rest, fault] = std::from_chars(begin, end, number);
     return fault == std::errc{} && rest == end ? std::optional(number) : std::nullopt;
 }
 

@@ -28,7 +28,7 @@ Judgement Kind::judge(const Order& order, const std::string& folder, const std::
         if (is_packed(file)) {
             return {Judgement::Verdict::wrong, "it is compressed, and results are plain text"};
         }
-        const Judgement looks = form(order, file);
+        Judgement looks = form(order, file);
         if (looks.verdict == Judgement::Verdict::wrong || scrutiny == Scrutiny::form) {
             return looks;
         }

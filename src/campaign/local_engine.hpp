@@ -19,6 +19,8 @@ class LocalEngine : public Engine {
     LocalEngine(int jobs, std::string folder);
     /// What is under way is given up.
     ~LocalEngine() override;
+    LocalEngine(const LocalEngine&) = delete;
+    LocalEngine& operator=(const LocalEngine&) = delete;
 
     void submit(const Task& task) override;
     [[nodiscard]] std::optional<Outcome> wait(std::chrono::milliseconds time) override;

@@ -128,10 +128,10 @@ std::optional<CriticalRatio> enclose_long_critical_ratio(long n, const CriticalO
         }
         const Search search(n, options.interrupted);
         const BigInterval half(std::ldexp(1, 5 - share_bits));
-        const CriticalRatio result{.n = n,
-                                   .q_lo = search.ratio(*place - half),
-                                   .q_hi = search.ratio(*place + half),
-                                   .bits = bits_for(share_bits)};
+        CriticalRatio result{.n = n,
+                             .q_lo = search.ratio(*place - half),
+                             .q_hi = search.ratio(*place + half),
+                             .bits = bits_for(share_bits)};
         if (shared_digits(result.q_lo, result.q_hi, options.digits) &&
             certainly_encloses_by_counts(result, options.interrupted)) {
             return result;

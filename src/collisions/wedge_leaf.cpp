@@ -44,7 +44,7 @@ std::optional<Leaf> judge_wedge(const Box& box, long upper, const Interrupted& i
     }
     const LowestSlopes slopes = lowest_slopes(box, r);
     const I ratio = enclose<I>(r);
-    const auto rounded = counted(slopes, upper, [&](const Rational& kappa, long cap) {
+    auto rounded = counted(slopes, upper, [&](const Rational& kappa, long cap) {
         return flight::wedge_count_at_most(enclose<I>(kappa), ratio, cap, interrupted);
     });
     if (rounded || upper > longest_exact_orbit) {

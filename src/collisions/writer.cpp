@@ -49,6 +49,7 @@ class Writer : PieceLines {
 
 SealedText render(const Certificate& certificate) {
     std::vector<const Piece*> pieces;
+    pieces.reserve(certificate.pieces.size());
     for (const Piece& piece : certificate.pieces) {
         pieces.push_back(&piece);
     }

@@ -82,7 +82,8 @@ std::string to_text(const Decimal& x) {
         return digits;
     }
     if (x.exponent < 0 && -x.exponent < length) {
-        return digits.insert(static_cast<std::size_t>(length + x.exponent), ".");
+        const int point = length + x.exponent;
+        return digits.insert(static_cast<std::size_t>(point), ".");
     }
     const int exponent = x.exponent + length - 1;
     if (exponent < 0 && exponent >= -4) {
@@ -103,7 +104,7 @@ std::string exact_text(const Rational& x) {
     constexpr std::size_t short_enough = 17;
     require(x > 0, "the text of a number that is not positive");
     const bool is_integer = denominator(x) == 1;
-    const std::string whole = is_integer ? numerator(x).str() : to_fraction(x);
+    std::string whole = is_integer ? numerator(x).str() : to_fraction(x);
     if (is_integer && whole.size() <= short_enough) {
         return whole;
     }

@@ -20,7 +20,7 @@ Rational plain_number(std::string_view text) {
 Rational multiple_of_pi(std::string_view text, std::size_t at) {
     const std::string_view before = text.substr(0, at);
     const std::string_view after = text.substr(at + 2);
-    const Rational factor = before.empty() ? Rational(1) : plain_number(before);
+    Rational factor = before.empty() ? Rational(1) : plain_number(before);
     if (after.empty()) {
         return factor;
     }

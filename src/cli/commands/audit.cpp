@@ -50,7 +50,7 @@ int run_audit(const Given& given) {
             std::fflush(stdout);
         }
         for (const std::string& fault : file.audit.faults) {
-            complain(path + ": " + fault);
+            complain(fmt::format("{}: {}", path, fault));
         }
     }
     if (given.has("--json")) {

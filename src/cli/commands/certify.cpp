@@ -126,6 +126,7 @@ collisions::ProofReport describe(const CertifyRequest& request, const std::vecto
 
 SealedText certificate_text(const CertifyRequest& request, const std::vector<ProvedPiece>& proved) {
     std::vector<const collisions::Piece*> pieces;
+    pieces.reserve(proved.size());
     for (const ProvedPiece& p : proved) {
         pieces.push_back(&p.piece);
     }

@@ -2,6 +2,7 @@
 
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "cli/options/option.hpp"
@@ -17,7 +18,9 @@ class Given {
         std::vector<std::string> words;  ///< empty: not given; of a flag one word
     };
 
-    void add(const Option& option, std::vector<std::string> words) { values_.push_back({&option, words}); }
+    void add(const Option& option, std::vector<std::string> words) {
+        values_.push_back({&option, std::move(words)});
+    }
     [[nodiscard]] const std::vector<Value>& values() const { return values_; }
 
     /// Is it on the command line?

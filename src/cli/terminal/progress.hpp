@@ -24,6 +24,8 @@ class Progress : public Observer {
     explicit Progress(std::string_view unit = "pieces", Verbosity verbosity = Verbosity::normal,
                       std::string_view phase = "");
     ~Progress() override;
+    Progress(const Progress&) = delete;
+    Progress& operator=(const Progress&) = delete;
 
     /// Another phase begins, unless the work is in it. Thread-safe.
     void enter(std::string_view phase, std::string_view unit) override;

@@ -1,8 +1,8 @@
 #include "cli/terminal/stop_signals.hpp"
 
 #include <fmt/core.h>
-#include <signal.h>
 
+#include <csignal>
 #include <cstdio>
 
 #include "base/deadline.hpp"

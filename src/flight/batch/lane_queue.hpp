@@ -26,7 +26,7 @@ class LaneQueue {
 
     /// `outward`: what r is multiplied by, to be a bound.
     LaneQueue(const Query* queries, Answer* answers, long size, double outward)
-        : packs(size < n * width ? static_cast<int>((size + width - 1) / width) : n),
+        : packs(size < long{n} * width ? static_cast<int>((size + width - 1) / width) : n),
           queries_(queries),
           answers_(answers),
           size_(size),

@@ -101,7 +101,7 @@ class LayerRule : LawRule<N> {
 
     /// (J - pi/2)/(U rho^2), from its window; eps = rho U^2 ehat.
     template <class Step, class Along>
-    I J_offset(const Along& along, const Step& step) const {
+    [[nodiscard]] I J_offset(const Along& along, const Step& step) const {
         const I e2 = square(along.values(step.ehat));
         return {-(Base::drift() * e2 / cube(step.plus)).hi, (cube(U_) * e2 * Base::rise()).hi};
     }

@@ -161,7 +161,7 @@ class StartsReader : public Reader<InitialLeaf> {
 }  // namespace
 
 InitialBox incoming_states(const InitialBox& piece) {
-    constexpr unsigned places = 512;  // binary
+    constexpr mp_bitcnt_t places = 512;  // binary
     static const mpz_class units("100000000000000000000000000000000000000000000000000"),
         half_turn("314159265358979323846264338327950288419716939937510");  // units * pi, rounded down
     const mpq_class q = piece.lo[4], beta2 = q / (q + 1);
