@@ -80,6 +80,8 @@ TEST_CASE("a list of claims: a row that states none, or a list without rows, is 
         CHECK(has(r.err, message));
         CHECK(std::count(r.err.begin(), r.err.end(), '\n') == 1);
     }
+    const File remarks("# none\n# at all\n");  // it is not the last row that is wrong
+    CHECK(has(run("--claims " + remarks.path()).err, remarks.path() + ": no claim in this list"));
     CHECK(has(run_list(std::string((1 << 24) + 1, '#')).err, "at most 16 MiB"));
     CHECK(has(run_list(std::string(1 << 24, '#')).err, "no claim in this list"));
 }

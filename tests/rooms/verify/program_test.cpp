@@ -176,6 +176,9 @@ TEST_CASE("wrong usage is one line on stderr and exit code 2") {
              "--ratio 1/0 F",
              "--ratio 1e1001 F",
              "--ratio 1e99999999999 F",
+             "--ratio 10e F",
+             "--ratio 10^ F",
+             "--ratio 10e+ F",
              "--ratio .5 F",
              "--ratio 5. F",
              "--ratio 1:2:3 F",
@@ -270,6 +273,11 @@ TEST_CASE("the option --json of a comparison is one object with both files") {
     const Run missing = run("--lemma 4.1 " + hybrid + " /nonexistent");
     CHECK(missing.code == 2);
     CHECK(missing.last() == "s UNREADABLE lemma=4.1 /nonexistent No such file or directory");
+}
+
+TEST_CASE("a comparison says what a file proves only if it does") {
+    CHECK(run("--lemma 4.1 /nonexistent /nonexistent").out ==
+          "s UNREADABLE lemma=4.1 /nonexistent No such file or directory\n");
 }
 
 TEST_CASE("the option --explain shows a leaf with its numbers") {

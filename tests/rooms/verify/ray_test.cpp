@@ -116,6 +116,15 @@ TEST_CASE("nothing is certified of undefined or unbounded rays") {
     CHECK_FALSE(Rays<double>(nullptr).at_most("", {-HUGE_VAL, -HUGE_VAL, 0.1}, 0));
 }
 
+TEST_CASE("a number of 2^64 collisions or more is not taken for its last 64 bits") {
+    const mpz_class over = mpz_class(1) << 64;
+    for (const int more : {0, 1}) {
+        CHECK(Rays<double>(nullptr).at_least("", {0.9999, 0.0, 0.1}, more));
+        CHECK_FALSE(Rays<double>(nullptr).at_least("", {0.9999, 0.0, 0.1}, over + more));
+        CHECK(Rays<Big>(nullptr).at_most("", {Big(1), Big(0), Big(1)}, over + more));
+    }
+}
+
 TEST_CASE("a ray of more steps than anybody can follow is a resource limit") {
     Shares shares(1, 50'000'000);
     Work::begin(&shares);

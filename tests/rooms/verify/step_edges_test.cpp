@@ -46,6 +46,24 @@ TEST_CASE("step edges: from a point where the wall is too flat, the contact is b
     }
 }
 
+TEST_CASE("step edges: of a contact that just is certain, L12 (b) holds exactly") {
+    const Rays<double> rays(nullptr);
+    for (int k = 0; k < 64; ++k) {
+        // At z = 0, where g = -c and p = 1 - kappa: up to c = p^2 / 2.
+        const double kappa = k / 64.0, p = 1 - kappa;
+        double certain = p * p / 4, uncertain = p * p;
+        for (int i = 0; i < 60; ++i) {
+            const double c = (certain + uncertain) / 2;
+            (rays.latest({c, kappa, 0.1}, 0) ? certain : uncertain) = c;
+        }
+        const auto at = rays.latest({certain, kappa, 0.1}, 0);
+        REQUIRE(at);
+        const mpq_class x = at->x;
+        CAPTURE(k);
+        CHECK((mpq_class(certain) + x * x / 2 < mpq_class(p) * x));
+    }
+}
+
 TEST_CASE("step edges: a flight below the corner is not above the bridge, however steep") {
     const Leaf leaf = at_ratio(2);
     OpenBridge bridge(leaf);

@@ -78,6 +78,18 @@ TEST_CASE("q = 10: one leaf in each chart, and a witness of 4") {
     CHECK(outcome_at_bits(mutated(text, "bits 53", "bits 77")) == "verified");
 }
 
+TEST_CASE("what double precision certifies costs no more with more bits, up to 2 * 10^13 collisions") {
+    const std::string text = single(10, 4, 0, "");
+    const auto work = [&](const std::string& bits, const std::string& upper) {
+        const File file(mutated(mutated(text, "bits 53", "bits " + bits), "upper 4", "upper " + upper));
+        return verify(file.path(), {}).work;
+    };
+    CHECK(work("77", "4") == work("53", "4"));
+    CHECK(work("77", "20000000000000") == work("53", "20000000000000"));
+    CHECK(work("77", "20000000000001") > work("53", "20000000000001"));
+    CHECK(work("53", "20000000000001") == work("53", "20000000000000"));
+}
+
 TEST_CASE("q = 11.3: a tree") {
     const mpq_class q(113, 10);
     const std::string text = single(q, 4, 0, "");
