@@ -98,6 +98,7 @@ TEST_CASE("a named pipe that nobody writes to is refused at once") {
         CHECK(r.code == 2);
         CHECK(has(r.out + r.err, "a named pipe: give `-`"));
     }
+    CHECK(has(run(pipe, "exec <&-; timeout 1000 "), "a named pipe: give `-`"));  // it is file 0 then
     std::filesystem::remove(pipe);
 }
 

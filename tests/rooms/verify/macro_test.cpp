@@ -106,6 +106,21 @@ TEST_CASE("L42: the verifier's macro steps count what one collision after the ot
     }
 }
 
+TEST_CASE("L42: what macro steps lose is decided one collision after the other, of 20,000 to a million") {
+    constexpr double r = 0x1p-32;
+    const auto most = [](double c, int n) { return Rays<double>(nullptr).at_most("", {c * r, 0, r}, n); };
+    const auto least = [](double c, int n) { return Rays<double>(nullptr).at_least("", {c * r, 0, r}, n); };
+    CHECK(most(162440, 29'018));
+    CHECK(least(162430, 29'019));
+    CHECK_FALSE(most(162430, 29'018));
+    CHECK_FALSE(least(162440, 29'019));
+    CHECK(most(1804435712, 20'000));
+    CHECK(least(1804608404, 20'000));
+    Work::begin();
+    CHECK_FALSE(Rays<double>(nullptr).at_most("", {0x1p-45, 0, 0x1p-45}, 2'000'000));
+    CHECK(Work::done() < 100'000 * std::uint64_t{4096});
+}
+
 TEST_CASE("L42: an explanation names the macro steps") {
     std::string log;
     Rays<double> rays(&log);

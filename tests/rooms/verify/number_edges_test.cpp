@@ -49,6 +49,20 @@ TEST_CASE("sums are bounded up to terms of 2^1000") {
     check(sub(down, 0x1p-60, 1.0), sub(up, 0x1p-60, 1.0), -1, -0x1.fffffffffffffp-1);
 }
 
+TEST_CASE("the series in double holds for every error up to 2^-51 of its plain brackets") {
+    for (int i = 1; i <= 20000; ++i)
+        for (const int first : {1, 2}) {
+            const double y = 4 - i / 30000., plain = brackets(y, first + 6, 10, 1.0);
+            const Interval<double> found = series(Interval<double>(y), first);
+            for (const double error : {-0x1p-51, 0x1p-51}) {
+                mpq_class x = mpq_class(plain) + mpq_class(error);
+                for (int k = first + 4; k >= first; k -= 2) x = 1 - mpq_class(y) / (k * (k + 1)) * x;
+                CAPTURE(y, first, error);
+                CHECK((mpq_class(found.lo) <= x && x <= mpq_class(found.hi)));
+            }
+        }
+}
+
 TEST_CASE("products are exact from 2^-900 on, and bounded up to 2^1000") {
     check_mul(0, 0x1p1020, 0, 0);
     check_mul(0x1p1020, 0, 0, 0);

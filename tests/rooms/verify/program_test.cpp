@@ -275,6 +275,11 @@ TEST_CASE("the option --json of a comparison is one object with both files") {
     CHECK(missing.last() == "s UNREADABLE lemma=4.1 /nonexistent No such file or directory");
 }
 
+TEST_CASE("a word is an option if it begins with a dash, else a file") {
+    CHECK(make::has(run("-x").err, "unknown option -x"));
+    CHECK(run("x-nonexistent").last() == "s UNREADABLE No such file or directory");
+}
+
 TEST_CASE("a comparison says what a file proves only if it does") {
     CHECK(run("--lemma 4.1 /nonexistent /nonexistent").out ==
           "s UNREADABLE lemma=4.1 /nonexistent No such file or directory\n");

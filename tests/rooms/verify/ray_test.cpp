@@ -97,6 +97,7 @@ TEST_CASE("more precision decides what double cannot") {
 TEST_CASE("certified misses, steep rays and rays that do not return end the count") {
     Rays<double> rays(nullptr);
     CHECK(rays.at_most("", {0.5, 1.0, 0.1}, 0));
+    CHECK(rays.at_most("", {0, 1.0, 0.1}, 0));
     CHECK(rays.at_most("", {1.0001, 0.0, 0.1}, 0));
     CHECK_FALSE(rays.at_most("", {0.9999, 0.0, 0.1}, 0));
     CHECK(rays.at_most("", {0.9999, 0.0, 0.1}, 1));  // D < 0: cos x is about 0.014

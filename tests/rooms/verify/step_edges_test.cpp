@@ -46,6 +46,61 @@ TEST_CASE("step edges: from a point where the wall is too flat, the contact is b
     }
 }
 
+TEST_CASE("step edges: a contact's sine and cosine are bounded however far the guess is off") {
+    const Rays<double> rays(nullptr);
+    int contacts = 0;
+    for (const double z : {0.25, 0.75, 1.25, 1.375, 1.5})
+        for (const double d : {-0.25, -0.125, -0.0625, 0.03125, 0.0625, 0.125, 0.25}) {
+            const double kappa = std::cos(z) / 4, p = std::cos(z) - kappa;
+            const double c = std::sin(z) - kappa * z + p * d;  // the tangent at z meets the ray at z + d
+            CAPTURE(z, d);
+            const auto low = rays.earliest({c, kappa, 0.1}, z);
+            CHECK(low.x == Approx(z + d));
+            CHECK(low.sine <= std::sin(low.x));
+            CHECK(low.cosine >= std::cos(low.x));
+            if (const auto high = rays.latest({c, kappa, 0.1}, z)) {
+                ++contacts;
+                CHECK(high->sine >= std::sin(high->x));
+                CHECK(high->cosine <= std::cos(high->x));
+            }
+        }
+    CHECK(contacts > 5);
+}
+
+TEST_CASE("step edges: of a certain contact a positive cosine is known") {
+    const Rays<double> rays(nullptr);
+    // The lower ray meets the wall below pi/2 as well, but cos x >= -0.04 is all that is known from this guess.
+    for (int i = 0; i < 100; ++i) {
+        const double z = 0.9 + i / 2000.0;
+        double known = std::sin(z) + 0.15, unknown = std::sin(z) + 0.19;
+        CAPTURE(z);
+        for (int k = 0; k < 60; ++k) {
+            const double c = (known + unknown) / 2;
+            (rays.latest({c, 0, 0.1}, z) ? known : unknown) = c;
+        }
+        CHECK_FALSE(rays.latest({std::sin(z) + 0.19, 0, 0.1}, z));
+        const auto at = rays.latest({known, 0, 0.1}, z);
+        REQUIRE(at);
+        CHECK(at->cosine > 0);
+    }
+}
+
+TEST_CASE("step edges: a ray with D = 0 does not return") {
+    Rays<double> rays(nullptr);
+    for (const Round d : {down, up}) {
+        Rays<double>::Ray ray{0.5, 0, 0.25}, lower = ray;
+        CHECK_FALSE(rays.reflect(d, ray, {0.5, 0.5, 0.5}));  // D = 1/4 - r
+        CHECK(rays.reflect(d, lower, {0.5, 0.5, 0.625}));
+    }
+}
+
+TEST_CASE("step edges: a ray through the corner has no certain contact") {
+    const Rays<double> rays(nullptr);
+    CHECK_FALSE(rays.latest({0, 0.5, 0.1}, 0));
+    CHECK(rays.latest({0x1p-40, 0.5, 0.1}, 0));
+    CHECK_FALSE(Rays<double>(nullptr).at_least("", {0, 0.5, 0.1}, 1));
+}
+
 TEST_CASE("step edges: of a contact that just is certain, L12 (b) holds exactly") {
     const Rays<double> rays(nullptr);
     for (int k = 0; k < 64; ++k) {
