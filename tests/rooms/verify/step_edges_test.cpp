@@ -69,7 +69,7 @@ TEST_CASE("step edges: a contact's sine and cosine are bounded however far the g
 
 TEST_CASE("step edges: of a certain contact a positive cosine is known") {
     const Rays<double> rays(nullptr);
-    // The lower ray meets the wall below pi/2 as well, but cos x >= -0.04 is all that is known from this guess.
+    // The higher ray meets the wall below pi/2, too, but cos x >= -0.04 is all that the guess tells.
     for (int i = 0; i < 100; ++i) {
         const double z = 0.9 + i / 2000.0;
         double known = std::sin(z) + 0.15, unknown = std::sin(z) + 0.19;
