@@ -121,6 +121,30 @@ TEST_CASE("L42: what macro steps lose is decided one collision after the other, 
     CHECK(Work::done() < 100'000 * std::uint64_t{4096});
 }
 
+TEST_CASE("L42: behind a macro step the ray's height is bounded on the same side") {
+    struct OpenRays : Rays<double> {
+        using Rays<double>::Rays, Rays<double>::leap;
+    };
+    constexpr double x = 0x1p-18, kappa = 0x1p-20, r = 0x1p-36;
+    constexpr std::uint64_t most = 20'000;
+    for (const Round d : {down, up}) {
+        std::uint64_t count = 0, same_count = 0;
+        WallBound wall{exact_value(x), exact_value(kappa), exact_value(r)};
+        REQUIRE(Leaps<std::uint64_t>(most).over(d, wall, most, 53, count, nullptr));
+        OpenRays::Ray ray{0, kappa, r};
+        Leaps<std::uint64_t> leaps(most);
+        REQUIRE(OpenRays(nullptr).leap(leaps, d, ray, x, most, same_count));
+        CHECK(same_count == count);
+        CHECK(ray.kappa == bound(d, wall.kappa, 0.0));
+        Big::precision = 200;
+        const Big at = bound(down, exact_value(bound(d, wall.x, 0.0)), Big());
+        const Interval<Big> slope = bound(down, exact_value(ray.kappa), Big());
+        const Interval<Big> height = sin_cos(at).sin + slope * (Interval<Big>(at) + pi<Big>());
+        CHECK((d == down ? exact_value(height.lo) >= exact_value(ray.c)
+                         : exact_value(height.hi) <= exact_value(ray.c)));
+    }
+}
+
 TEST_CASE("L42: an explanation names the macro steps") {
     std::string log;
     Rays<double> rays(&log);
