@@ -120,3 +120,15 @@ TEST_CASE("step edges: the steps of a flight are counted as work") {
           "certified");
     CHECK(Work::done() - before == 4 * 4096);
 }
+
+TEST_CASE("step edges: a ratio beyond the range of doubles is refused in them, not in MPFR") {
+    const std::string q = std::string(mpz_class(mpz_class(1) << 900).get_str());
+    for (const std::string lemmas : {"1", "minimal"}) {
+        const auto of = [&](const std::string& bits) {
+            return leaf_rows::judged(leaf_rows::parsed(lemmas + " dumbbell full departure outside " + bits +
+                                                       " 0 0 2 0 0 3 3 " + q + " " + q));
+        };
+        CHECK(of("0") == "r is out of the range of this precision");
+        CHECK(of("53") == "certified");
+    }
+}
