@@ -21,7 +21,7 @@ std::string initial_row(const std::string& words) { return leaf_rows::judged(lea
 }  // namespace
 
 TEST_CASE("initial edges: a mass that touches the floor is not above it") {
-    for (int q = 2; q < 60; ++q) {
+    for (int q = 1; q < 60; ++q) {
         CAPTURE(q);
         InitialBox box;
         const auto above = [&](int phi, const mpq_class& y) {  // a right angle is in [phi, phi + 1]
@@ -103,6 +103,9 @@ TEST_CASE("initial edges: rays from the bridge that cannot be followed have at m
     CHECK_FALSE(later(false, height, slope, 0, 1));
     CHECK_FALSE(later(false, height, slope, 1, 20));
     CHECK_FALSE(later(true, height, slope, 0, 20));
+    CHECK(later(false, EdgePair(2), EdgePair(-0.1), 0, 0));  // k0 = -r, over everything
+    // Steeply down to the light wall, whence some go on down: what U said before still holds.
+    CHECK(later(false, EdgePair(0.3, 0.9), EdgePair(-1.2, -0.4), 1, 20));
 }
 
 TEST_CASE("initial edges: in few bits the middle of a box may be worse than the box") {

@@ -132,3 +132,18 @@ TEST_CASE("step edges: a ratio beyond the range of doubles is refused in them, n
         CHECK(of("53") == "certified");
     }
 }
+
+TEST_CASE("step edges: the wedge has no rounding: what is equal is equal") {
+    const auto of = [](const std::string& words) {
+        return leaf_rows::judged(leaf_rows::parsed("1 wedge turning wedge " + words));
+    };
+    // 1 = r lambda0 at q = 2, where lambda0 (1 - r) is 1 only; 2 = lambda0 (1 - r) at q = 5.
+    CHECK(of("outside 0 0 0 2 0 0 2 4 2 2") == "certified");
+    CHECK(of("outside 0 0 0 2 0 0 2047/1024 4 2 2") == "a reason of `outside`");
+    CHECK(of("outside 0 0 0 2 0 0 5/2 4 5 5") == "a reason of `outside`");
+    CHECK(of("outside 0 0 0 2 0 0 2561/1024 4 5 5") == "certified");
+    // sigma X at slope 0 exactly: q = 5, lambda = 5/2.
+    CHECK(of("witness 0 1 2 4 0 0 5/2 5/2 5 5") == "certified");
+    CHECK(of("witness 0 1 2 4 0 0 2561/1024 2561/1024 5 5") ==
+          "0 < 1 + 2 r lambda - r, 0 <= 2 + r lambda - lambda");
+}
