@@ -146,4 +146,5 @@ TEST_CASE("step edges: the wedge has no rounding: what is equal is equal") {
     CHECK(of("witness 0 1 2 4 0 0 5/2 5/2 5 5") == "certified");
     CHECK(of("witness 0 1 2 4 0 0 2561/1024 2561/1024 5 5") ==
           "0 < 1 + 2 r lambda - r, 0 <= 2 + r lambda - lambda");
+    CHECK(of("meets 0 1 2 4 0 0 5/2 5/2 5 5") != "certified");  // what a witness says, no leaf says
 }
