@@ -97,6 +97,12 @@ TEST_CASE("initial edges: a last collision is one collision, also where no count
         }
 }
 
+TEST_CASE("initial edges: a ray into the bridge has a collision, though none comes after that") {
+    Departures<double> rays(EdgePair(0.9), nullptr);
+    CHECK_FALSE(rays.certify({true, EdgePair(0.01), EdgePair(0.5)}, 0, 0));
+    CHECK(rays.certify({true, EdgePair(0.01), EdgePair(0.5)}, 1, 1));
+}
+
 TEST_CASE("initial edges: rays from the bridge that cannot be followed have at most U collisions") {
     const EdgePair height(0.1, 2), slope(-0.5, 0.5);
     CHECK(later(false, height, slope, 0, 20));

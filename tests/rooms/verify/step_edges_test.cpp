@@ -146,5 +146,9 @@ TEST_CASE("step edges: the wedge has no rounding: what is equal is equal") {
     CHECK(of("witness 0 1 2 4 0 0 5/2 5/2 5 5") == "certified");
     CHECK(of("witness 0 1 2 4 0 0 2561/1024 2561/1024 5 5") ==
           "0 < 1 + 2 r lambda - r, 0 <= 2 + r lambda - lambda");
+    // X and sigma X have one later collision each, and leave steeply: q = 5, lambda = mu = 1.
+    CHECK(of("witness 0 1 1 3 0 0 1 1 5 5") == "certified");
+    CHECK(of("witness 0 2 1 3 0 0 1 1 5 5") == "a <= G_w for X");
+    CHECK(of("witness 0 1 2 3 0 0 1 1 5 5") == "b <= G_w for sigma X");
     CHECK(of("meets 0 1 2 4 0 0 5/2 5/2 5 5") != "certified");  // what a witness says, no leaf says
 }
