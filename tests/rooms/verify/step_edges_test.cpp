@@ -193,3 +193,35 @@ TEST_CASE("step edges: the steps of a flight are counted as work") {
           "certified");
     CHECK(Work::done() - before == 4 * 4096);
 }
+
+TEST_CASE("step edges: a ratio beyond the range of doubles is refused in them, not in MPFR") {
+    const std::string q = std::string(mpz_class(mpz_class(1) << 900).get_str());
+    for (const std::string lemmas : {"1", "minimal"}) {
+        const auto of = [&](const std::string& bits) {
+            return leaf_rows::judged(leaf_rows::parsed(lemmas + " dumbbell full departure outside " + bits +
+                                                       " 0 0 2 0 0 3 3 " + q + " " + q));
+        };
+        CHECK(of("0") == "r is out of the range of this precision");
+        CHECK(of("53") == "certified");
+    }
+}
+
+TEST_CASE("step edges: the wedge has no rounding: what is equal is equal") {
+    const auto of = [](const std::string& words) {
+        return leaf_rows::judged(leaf_rows::parsed("1 wedge turning wedge " + words));
+    };
+    // 1 = r lambda0 at q = 2, where lambda0 (1 - r) is 1 only; 2 = lambda0 (1 - r) at q = 5.
+    CHECK(of("outside 0 0 0 2 0 0 2 4 2 2") == "certified");
+    CHECK(of("outside 0 0 0 2 0 0 2047/1024 4 2 2") == "a reason of `outside`");
+    CHECK(of("outside 0 0 0 2 0 0 5/2 4 5 5") == "a reason of `outside`");
+    CHECK(of("outside 0 0 0 2 0 0 2561/1024 4 5 5") == "certified");
+    // sigma X at slope 0 exactly: q = 5, lambda = 5/2.
+    CHECK(of("witness 0 1 2 4 0 0 5/2 5/2 5 5") == "certified");
+    CHECK(of("witness 0 1 2 4 0 0 2561/1024 2561/1024 5 5") ==
+          "0 < 1 + 2 r lambda - r, 0 <= 2 + r lambda - lambda");
+    // X and sigma X have one later collision each, and leave steeply: q = 5, lambda = mu = 1.
+    CHECK(of("witness 0 1 1 3 0 0 1 1 5 5") == "certified");
+    CHECK(of("witness 0 2 1 3 0 0 1 1 5 5") == "a <= G_w for X");
+    CHECK(of("witness 0 1 2 3 0 0 1 1 5 5") == "b <= G_w for sigma X");
+    CHECK(of("meets 0 1 2 4 0 0 5/2 5/2 5 5") != "certified");  // what a witness says, no leaf says
+}
