@@ -11,7 +11,6 @@
 #include "flight/extremal_orbit.hpp"
 #include "flight/orbit.hpp"
 #include "flight/paper_bound.hpp"
-#include "number/parallel.hpp"
 
 namespace dumbbell::collisions {
 namespace {
@@ -45,13 +44,13 @@ std::optional<Cover> prove_upper(const Rational& q_lo, const Rational& q_hi, con
     const std::vector<Chart> charts = charts_of(options.scene, options.section);
     std::vector<std::optional<Tree>> trees(charts.size());
     std::atomic<bool> all = true;
-    const std::size_t together = flight::counts_together<I>(charts.size());
-    in_parallel(charts.size(), together, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i != end && all; ++i) {
-            trees[i] = cover<I>(charts[i], q_lo, q_hi, upper, limits);
-            if (!trees[i]) {
-                all = false;
-            }
+    flight::each_count<I>(charts.size(), [&](std::size_t i) {
+        if (!all) {
+            return;
+        }
+        trees[i] = cover<I>(charts[i], q_lo, q_hi, upper, limits);
+        if (!trees[i]) {
+            all = false;
         }
     });
     if (!all) {
@@ -169,11 +168,8 @@ std::optional<Count> suspected_maximum(const Rational& q, const PieceOptions& op
     const I r = enclose<I>(Rational(1) / q);
     const std::array rays{extremal_ray(ExtremalOrbit::top, r), extremal_ray(ExtremalOrbit::corner, r)};
     std::array<N, 2> counts;
-    in_parallel(2, flight::counts_together<I>(2), [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i != end; ++i) {
-            counts[i] = count_at_most(rays[i], cap, options.interrupted);
-        }
-    });
+    flight::each_count<I>(
+        2, [&](std::size_t i) { counts[i] = count_at_most(rays[i], cap, options.interrupted); });
     const auto& [top, corner] = counts;
     const N& last = std::max(top, corner);
     if (last > cap) {

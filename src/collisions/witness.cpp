@@ -10,7 +10,6 @@
 #include "flight/batch/count.hpp"
 #include "flight/chart.hpp"
 #include "flight/count.hpp"
-#include "number/parallel.hpp"
 
 namespace dumbbell::collisions {
 namespace {
@@ -158,11 +157,8 @@ std::optional<Witness> checked_witness(const Rational& e, const Rational& eta, c
         return std::nullopt;
     }
     std::array<flight::CountOf<I>, 2> counts;
-    in_parallel(2, flight::counts_together<I>(2), [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i != end; ++i) {
-            counts[i] = count_at_least<I>((*rays)[i], cap, interrupted);
-        }
-    });
+    flight::each_count<I>(
+        2, [&](std::size_t i) { counts[i] = count_at_least<I>((*rays)[i], cap, interrupted); });
     return Witness{e, eta, counts[0], counts[1]};
 }
 

@@ -9,6 +9,7 @@
 #include "flight/ray.hpp"
 #include "flight/reflection.hpp"
 #include "number/count.hpp"
+#include "number/parallel.hpp"
 
 /// Certified bounds of G, the number of later collisions of a set of rays with the light walls (lemmas L4,
 /// L5).
@@ -18,11 +19,16 @@ namespace dumbbell::flight {
 template <class I>
 using CountOf = std::conditional_t<std::is_same_v<I, BigInterval>, Count, long>;
 
-/// How many of these counts, or proofs by counts, one thread takes (in_parallel): in double precision all of
-/// them, for they are soon done.
-template <class I>
-[[nodiscard]] constexpr std::size_t counts_together(std::size_t all) {
-    return std::is_same_v<I, BigInterval> ? 1 : all;
+/// work(i) for each i < number, a count or a proof by counts: in multiple precision in_parallel, in double
+/// one after the other, for they are soon done.
+template <class I, class Work>
+void each_count(std::size_t number, const Work& work) {
+    constexpr bool is_long = std::is_same_v<I, BigInterval>;
+    in_parallel(number, is_long ? 1 : number, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i != end; ++i) {
+            work(i);
+        }
+    });
 }
 
 namespace detail {
