@@ -117,6 +117,10 @@ WorkQueueEngine::~WorkQueueEngine() {
 
 /// A worker gives this to sh, so that it holds nothing from outside but what is checked here. Only base64
 /// leaves on the good end, and the last of the program's messages on any other.
+///
+/// A worker ends a task by its process group, which it makes after it has started the task, and on a busy
+/// machine too late: then it waits for the task's own end. So the task makes the group itself, by timeout(1)
+/// without a time.
 std::string WorkQueueEngine::command(const Task& task) const {
     std::string limit;
     std::string guard;
@@ -124,17 +128,18 @@ std::string WorkQueueEngine::command(const Task& task) const {
         require(std::isfinite(task.limit->count()) && task.limit->count() > 0, "a limit that is no time");
         limit = fmt::format(" --limit {:.3f}", std::max(task.limit->count(), 0.001));
         // Not the library's own limit: manager and worker do not agree on its unit, and a worker of several
-        // cores ends whatever takes a second. In the foreground, or the worker could not end it.
+        // cores ends whatever takes a second. In the foreground, or it would not be in the task's group.
         const double seconds = 2 * task.limit->count() + static_cast<double>(options_.overtime.count());
         guard = fmt::format("timeout --foreground -k 60 {:.0f} ", std::ceil(std::min(seconds, 1e9)));
     }
     return fmt::format(
+        "exec timeout 0 sh -c '"
         "{0}{1} campaign work{2} order result > log 2>&1; end=$?; "
         "if test $end -ne 0; then tail -c 1000 log 2> /dev/null; "
         "case $end in {3}|{4}) exit {3};; esac; exit 1; fi; "
         "if test -L result || test ! -f result; then echo no result; exit 1; fi; "
         "if test $(wc -c < result) -gt {5}; then echo a result of more than {5} bytes; exit 1; fi; "
-        "base64 -w 0 result",
+        "base64 -w 0 result'",
         guard, copy_ ? "./dumbbell" : options_.program, limit, end_too_long, end_of_timeout,
         options_.largest_result);
 }

@@ -40,6 +40,7 @@ case $word in
     limit) printf '%s' "$limit" > "$2" ;;
     input) cat "$rest" > "$2" ;;
     sleep) sleep "$rest"; echo slept > "$2" ;;
+    begun) touch "$rest"; exec sleep 100000 ;;
     hang) exec sleep 1000 ;;
     fail) echo noise; printf '%s\n \n' "$rest" >&2; exit 1 ;;
     long) echo half > "$2"; exit 3 ;;
@@ -277,6 +278,26 @@ TEST_CASE("a manager that is gone leaves its workers to the next one") {
     CHECK(outcome(*engine, "say first").result == "first");
     engine->submit(task("cancelled", "sleep 1000"));
     while (engine->figures().running == 0) {
+        CHECK_FALSE(engine->wait(10ms));
+    }
+    engine.reset();
+
+    WorkQueueEngine restarted(options);
+    CHECK(outcome(restarted, "say second").result == "second");
+}
+
+TEST_CASE("a task that is no longer wanted ends, although its worker was too late to make its group") {
+    const Site site;
+    auto options = site.options();
+    auto engine = std::make_unique<WorkQueueEngine>(options);
+    options.port = engine->port();
+    const Process worker({"env", "LD_PRELOAD=" DUMBBELL_LATE_GROUP, "work_queue_worker", "--password",
+                          options.password_file, "--cores", "1", "--timeout", "600", "--max-backoff", "1",
+                          "--parent-death", "--workdir", site.folder().path(), "127.0.0.1",
+                          std::to_string(options.port)});
+    const std::string mark = site.folder() / "begun";
+    engine->submit(task("cancelled", "begun " + mark));
+    while (!std::filesystem::exists(mark)) {
         CHECK_FALSE(engine->wait(10ms));
     }
     engine.reset();
