@@ -2,6 +2,7 @@
 // none.
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <vector>
 #ifdef __SSE2__
 #include <fpu_control.h>
 #include <xmmintrin.h>
@@ -60,6 +61,23 @@ TEST_CASE("the series in double holds for every error up to 2^-51 of its plain b
                 CAPTURE(y, first, error);
                 CHECK((mpq_class(found.lo) <= x && x <= mpq_class(found.hi)));
             }
+        }
+}
+
+TEST_CASE("the series in double are, bit for bit, those of which L14 (d) proves that they hold") {
+    using I = Interval<double>;
+    std::vector<double> squares;
+    for (int i = 0; i <= 20000; ++i) squares.push_back(4 - i / 30000.);
+    // Here an eleventh plain bracket, behind which the table of reciprocals ends, would show.
+    for (const double y : {0x1.fffe202094fc6p+1, 0x1.fffba5ef7549bp+1, 0x1.fff3954a94a2bp+1})
+        squares.push_back(y);
+    for (const double lo : squares)
+        for (const int first : {1, 2}) {
+            const I y(lo, lo + 0x1p-40), found = series(y, first);
+            const double plain = brackets(lo, first + 6, 10, 1.0);
+            const I proved = brackets(y, first, 3, I(plain - 0x1p-50, plain + 0x1p-50));
+            CAPTURE(lo, first);
+            CHECK((found.lo == proved.lo && found.hi == proved.hi));
         }
 }
 
