@@ -87,6 +87,7 @@ TEST_CASE("what double precision certifies costs no more with more bits, up to 2
     CHECK(work("77", "4") == work("53", "4"));
     CHECK(work("77", "20000000000000") == work("53", "20000000000000"));
     CHECK(work("77", "20000000000001") > work("53", "20000000000001"));
+    CHECK(work("54", "20000000000001") > work("53", "20000000000001"));
     CHECK(work("53", "20000000000001") == work("53", "20000000000000"));
 }
 
@@ -131,6 +132,7 @@ TEST_CASE("each reason of the chart light holds where it should and not beyond")
     CHECK_FALSE(holds(outside, 0, 2, mpq_class(9999999, 1000000), 16));
     CHECK(holds(outside, 0, mpq_class(1, 2), 5, 16));  // sigma X descends
     CHECK_FALSE(holds(outside, 0, mpq_class(1, 2), 2, 16));
+    CHECK_FALSE(holds(outside, 0, 1, 5, 16));  // at e = 0 it does, at e = 1 it does not
     CHECK(holds(meets, 0, mpq_class(1, 100), 0, mpq_class(1, 10)));  // X meets the bridge
     CHECK_FALSE(holds(meets, 0, mpq_class(1, 5), 0, mpq_class(1, 10)));
     CHECK_FALSE(holds(meets, 0, mpq_class(1, 100), 0, 1));
@@ -155,6 +157,17 @@ TEST_CASE("witnesses prove what they prove and nothing more") {
     CHECK(rejected(with("bridge 1b-1 0b0 1 2"), "witness"));   // eta = 0: a tangent
     CHECK(rejected(with("bridge 1b-1 5b1 1 2"), "witness"));   // r (s + eta) >= 1
     CHECK(find_witness(10, 10, 5).empty());
+}
+
+TEST_CASE("a witness that doubles cannot tell from a tangent needs more bits") {
+    Leaf leaf;
+    leaf.opcode = witness;
+    leaf.claimed = 1;
+    const mpq_class e(1, 2), eta = mpq_class(1) >> 1000;
+    leaf.box = {{e, eta, 10}, {e, eta, 10}};
+    CHECK(turning().check(leaf, nullptr) != nullptr);
+    leaf.bits = 54;
+    CHECK(turning().check(leaf, nullptr) == nullptr);
 }
 
 TEST_CASE("a witness holds for a whole range of ratios or not at all") {
