@@ -132,7 +132,7 @@ TEST_CASE("each reason of the chart light holds where it should and not beyond")
     CHECK_FALSE(holds(outside, 0, 2, mpq_class(9999999, 1000000), 16));
     CHECK(holds(outside, 0, mpq_class(1, 2), 5, 16));  // sigma X descends
     CHECK_FALSE(holds(outside, 0, mpq_class(1, 2), 2, 16));
-    CHECK_FALSE(holds(outside, 0, 1, 5, 16));  // at e = 0 it does, at e = 1 it does not
+    CHECK_FALSE(holds(outside, 0, 1, 5, 16));                        // at e = 0 it does, at e = 1 it does not
     CHECK(holds(meets, 0, mpq_class(1, 100), 0, mpq_class(1, 10)));  // X meets the bridge
     CHECK_FALSE(holds(meets, 0, mpq_class(1, 5), 0, mpq_class(1, 10)));
     CHECK_FALSE(holds(meets, 0, mpq_class(1, 100), 0, 1));
