@@ -2,6 +2,7 @@
 // none.
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <utility>
 #include <vector>
 #ifdef __SSE2__
 #include <fpu_control.h>
@@ -79,6 +80,23 @@ TEST_CASE("the series in double are, bit for bit, those of which L14 (d) proves 
             CAPTURE(lo, first);
             CHECK((found.lo == proved.lo && found.hi == proved.hi));
         }
+}
+
+TEST_CASE("the series in MPFR are, bit for bit, brackets around a tail in [0, 1]") {
+    using I = Interval<Big>;
+    // Found by random search: other tails show here.
+    for (const auto& [bits, y] : {std::pair{69, 0x1.fc27ab8p+0},
+                                  {72, 0x1.f00e33p-1},
+                                  {69, 0x1.f51d52p+0},
+                                  {72, 0x1.b5185a8p-1},
+                                  {69, 0x1.f50a718p+0}}) {
+        Big::precision = bits;
+        const I square = bound(down, mpq_class(y), Big()), found = series(square, 1);
+        const I proved = brackets(square, 1, terms(square.hi), I(Big(0), Big(1)));
+        CAPTURE(bits, y);
+        CHECK((found.lo == proved.lo && found.hi == proved.hi));
+    }
+    Big::precision = 53;
 }
 
 TEST_CASE("products are exact from 2^-900 on, and bounded up to 2^1000") {
