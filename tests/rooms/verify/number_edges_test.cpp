@@ -198,6 +198,32 @@ TEST_CASE("numbers of MPFR are compared with whole numbers and divided by them")
     }
     CHECK((exact_value(div(down, Big(3), 4)) == mpq_class(3, 4)));
     CHECK(to_double(up, sub(up, Big(1), Big(3))) == -2);
+    Big::precision = 100;
+    const Big third = div(down, Big(1), 3);
+    CHECK(to_double(down, third) == 0x1.5555555555555p-2);
+    CHECK(to_double(up, third) == 0x1.5555555555556p-2);
+    CHECK(to_double(down, -third) == -0x1.5555555555556p-2);
+    CHECK(to_double(up, -third) == -0x1.5555555555555p-2);
+    Big::precision = 53;
+}
+
+TEST_CASE("numbers of MPFR give back what memory they take") {
+    static long blocks = 0;
+    static void* (*take)(std::size_t) = nullptr, *(*more)(void*, std::size_t, std::size_t) = nullptr;
+    static void (*give)(void*, std::size_t) = nullptr;
+    mp_get_memory_functions(&take, &more, &give);
+    mp_set_memory_functions([](std::size_t n) { return ++blocks, take(n); }, more,
+                            [](void* p, std::size_t n) { --blocks, give(p, n); });
+    const auto work = [] {
+        Interval<Big> x = Big(2), y;
+        y = sin_cos(x.lo).sin * x;
+        return y / x;
+    };
+    for (int i = 0; i < 10; ++i) work();  // MPFR's own caches
+    const long before = blocks;
+    for (int i = 0; i < 100; ++i) work();
+    mp_set_memory_functions(take, more, give);
+    CHECK(blocks <= before);
 }
 
 TEST_CASE("what MPFR cannot say is unbounded") {

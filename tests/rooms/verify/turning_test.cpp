@@ -141,6 +141,43 @@ TEST_CASE("each reason of the chart light holds where it should and not beyond")
     CHECK_FALSE(holds(meets_reversed, 0, mpq_class(3, 2), 2, 16));
 }
 
+TEST_CASE("a light chart may be covered by all reasons together") {
+    std::string trees = "chart light\n";
+    for (int i = 0; i < 8; ++i) trees += "split e\n";
+    for (int i = 0; i < 7; ++i) trees += "split lambda\n";
+    trees += "meets\n";  // e in [0, 1/128], lambda in [0, 1/8]
+    for (int i = 0; i < 4; ++i) trees += "count 1 2\n";
+    for (int i = 0; i < 3; ++i) trees += "meets-reversed\n";  // from 2 on
+    for (int i = 0; i < 8; ++i) trees += "count 1 2\n";
+    const std::string text = mutated(single(10, 4, 0, ""), "chart light\ncount 1 2\n", trees);
+    CHECK(outcome_at_bits(text) == "verified");
+    CHECK(rejected(mutated(text, "meets\n", "meets 1\n"), "syntax"));
+    CHECK(rejected(mutated(text, "meets-reversed\n", "meets-reversed 1\n"), "syntax"));
+    CHECK(rejected(mutated(text, "meets\n", "meets-reversed\n"), "meets-reversed"));
+}
+
+TEST_CASE("each chart has a line of its own") {
+    const std::string text = single(10, 4, 0, "");
+    for (const std::string other :
+         {"charts light", "chart bridge", "light", "chart light light", "count light"})
+        CHECK(rejected(mutated(text, "chart light", other), "syntax"));
+}
+
+TEST_CASE("the leaves of a cover fill its root boxes, and a witness fills none") {
+    const std::string text = single(10, 4, 4, find_witness(10, 10, 4));
+    const File file(text);
+    const std::uint64_t read = Watched::read, pieces = Watched::pieces;
+    const Proof proof = verify(file.path(), {});
+    CHECK(proof.roots == 2);
+    for (const Tally& tally : proof.tallies) {
+        CAPTURE(tally.name);
+        CHECK(tally.lines == (tally.name == "count" ? 2 : tally.name == "witness" ? 1 : 0));
+        CHECK(tally.covered == (tally.name == "count" ? 2 : 0));
+    }
+    CHECK(Watched::read - read == 1);  // for those who watch how far it is
+    CHECK(Watched::pieces - pieces == 1);
+}
+
 TEST_CASE("witnesses prove what they prove and nothing more") {
     const std::string witness = find_witness(10, 10, 4);
     const std::string text = single(10, 4, 4, witness);
