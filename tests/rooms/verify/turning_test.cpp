@@ -1,5 +1,6 @@
 // The section's checks: true covers and witnesses are accepted, false ones are not.
 #include <catch2/catch.hpp>
+#include <map>
 
 #include "make_certificate.hpp"
 #include "verify/program/verify.hpp"
@@ -150,7 +151,19 @@ TEST_CASE("a light chart may be covered by all reasons together") {
     for (int i = 0; i < 3; ++i) trees += "meets-reversed\n";  // from 2 on
     for (int i = 0; i < 8; ++i) trees += "count 1 2\n";
     const std::string text = mutated(single(10, 4, 0, ""), "chart light\ncount 1 2\n", trees);
-    CHECK(outcome_at_bits(text) == "verified");
+    constexpr double meet = 0x1p-15, turned = 7 * 0x1p-11;
+    const std::map<std::string_view, std::pair<std::uint64_t, double>> lines_and_share = {
+        {"split", {15, 0}},
+        {"count", {13, 2 - meet - turned}},
+        {"meets", {1, meet}},
+        {"meets-reversed", {3, turned}}};
+    const File file(text);
+    for (const Tally& tally : verify(file.path(), {}).tallies) {
+        CAPTURE(tally.name);
+        const auto expected = lines_and_share.find(tally.name);
+        CHECK(tally.lines == (expected == lines_and_share.end() ? 0 : expected->second.first));
+        CHECK(tally.covered == (expected == lines_and_share.end() ? 0 : expected->second.second));
+    }
     CHECK(rejected(mutated(text, "meets\n", "meets 1\n"), "syntax"));
     CHECK(rejected(mutated(text, "meets-reversed\n", "meets-reversed 1\n"), "syntax"));
     CHECK(rejected(mutated(text, "meets\n", "meets-reversed\n"), "meets-reversed"));
