@@ -181,6 +181,7 @@ TEST_CASE("the leaves of a cover fill its root boxes, and a witness fills none")
     const File file(text);
     const std::uint64_t read = Watched::read, pieces = Watched::pieces;
     const Proof proof = verify(file.path(), {});
+    CHECK(proof.section == "turning");
     CHECK(proof.roots == 2);
     for (const Tally& tally : proof.tallies) {
         CAPTURE(tally.name);
