@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "leaf_rows.hpp"
+#include "verify/number/big.hpp"
 #include "verify/sections/bridge.hpp"
 #include "verify/starts/reflection.hpp"
 
@@ -117,6 +118,27 @@ TEST_CASE("step edges: of a contact that just is certain, L12 (b) holds exactly"
         CAPTURE(k);
         CHECK((mpq_class(certain) + x * x / 2 < mpq_class(p) * x));
     }
+}
+
+TEST_CASE("step edges: L12 (b) is certified with its sum rounded up") {
+    // At z = 0 with p next to 1/sqrt 2 and c below 1/4 by a last bit, both sides of it agree in all bits but
+    // a few.
+    int contacts = 0;
+    for (int bits = 53; bits <= 400; ++bits) {
+        Big::precision = bits;
+        const Big p = sqrt(bound(down, mpq_class(1, 2), Big())), kappa = sub(down, Big(1), p);
+        for (int less = 1; less <= 9; ++less) {
+            const mpq_class c = (1 - (mpq_class(less) >> bits)) / 4;
+            const auto at = Rays<Big>(nullptr).latest({bound(down, c, p), kappa, p}, Big(0));
+            if (!at) continue;
+            ++contacts;
+            const mpq_class x = exact_value(at->x);
+            CAPTURE(bits, less);
+            CHECK((c + x * x / 2 < exact_value(p) * x));
+        }
+    }
+    CHECK(contacts > 100);
+    Big::precision = 53;
 }
 
 TEST_CASE("step edges: a flight below the corner is not above the bridge, however steep") {

@@ -1,5 +1,6 @@
 // The section's checks: true covers and witnesses are accepted, false ones are not.
 #include <catch2/catch.hpp>
+#include <map>
 
 #include "make_certificate.hpp"
 #include "verify/program/verify.hpp"
@@ -87,6 +88,7 @@ TEST_CASE("what double precision certifies costs no more with more bits, up to 2
     CHECK(work("77", "4") == work("53", "4"));
     CHECK(work("77", "20000000000000") == work("53", "20000000000000"));
     CHECK(work("77", "20000000000001") > work("53", "20000000000001"));
+    CHECK(work("54", "20000000000001") > work("53", "20000000000001"));
     CHECK(work("53", "20000000000001") == work("53", "20000000000000"));
 }
 
@@ -131,12 +133,63 @@ TEST_CASE("each reason of the chart light holds where it should and not beyond")
     CHECK_FALSE(holds(outside, 0, 2, mpq_class(9999999, 1000000), 16));
     CHECK(holds(outside, 0, mpq_class(1, 2), 5, 16));  // sigma X descends
     CHECK_FALSE(holds(outside, 0, mpq_class(1, 2), 2, 16));
+    CHECK_FALSE(holds(outside, 0, 1, 5, 16));                        // at e = 0 it does, at e = 1 it does not
     CHECK(holds(meets, 0, mpq_class(1, 100), 0, mpq_class(1, 10)));  // X meets the bridge
     CHECK_FALSE(holds(meets, 0, mpq_class(1, 5), 0, mpq_class(1, 10)));
     CHECK_FALSE(holds(meets, 0, mpq_class(1, 100), 0, 1));
     CHECK(holds(meets_reversed, 0, mpq_class(1, 100), 2, 16));  // sigma X meets it: mu < 0 or small
     CHECK_FALSE(holds(meets_reversed, 0, mpq_class(1, 100), 0, 16));
     CHECK_FALSE(holds(meets_reversed, 0, mpq_class(3, 2), 2, 16));
+}
+
+TEST_CASE("a light chart may be covered by all reasons together") {
+    std::string trees = "chart light\n";
+    for (int i = 0; i < 8; ++i) trees += "split e\n";
+    for (int i = 0; i < 7; ++i) trees += "split lambda\n";
+    trees += "meets\n";  // e in [0, 1/128], lambda in [0, 1/8]
+    for (int i = 0; i < 4; ++i) trees += "count 1 2\n";
+    for (int i = 0; i < 3; ++i) trees += "meets-reversed\n";  // from 2 on
+    for (int i = 0; i < 8; ++i) trees += "count 1 2\n";
+    const std::string text = mutated(single(10, 4, 0, ""), "chart light\ncount 1 2\n", trees);
+    constexpr double meet = 0x1p-15, turned = 7 * 0x1p-11;
+    const std::map<std::string_view, std::pair<std::uint64_t, double>> lines_and_share = {
+        {"split", {15, 0}},
+        {"count", {13, 2 - meet - turned}},
+        {"meets", {1, meet}},
+        {"meets-reversed", {3, turned}}};
+    const File file(text);
+    for (const Tally& tally : verify(file.path(), {}).tallies) {
+        CAPTURE(tally.name);
+        const auto expected = lines_and_share.find(tally.name);
+        CHECK(tally.lines == (expected == lines_and_share.end() ? 0 : expected->second.first));
+        CHECK(tally.covered == (expected == lines_and_share.end() ? 0 : expected->second.second));
+    }
+    CHECK(rejected(mutated(text, "meets\n", "meets 1\n"), "syntax"));
+    CHECK(rejected(mutated(text, "meets-reversed\n", "meets-reversed 1\n"), "syntax"));
+    CHECK(rejected(mutated(text, "meets\n", "meets-reversed\n"), "meets-reversed"));
+}
+
+TEST_CASE("each chart has a line of its own") {
+    const std::string text = single(10, 4, 0, "");
+    for (const std::string other :
+         {"charts light", "chart bridge", "light", "chart light light", "count light"})
+        CHECK(rejected(mutated(text, "chart light", other), "syntax"));
+}
+
+TEST_CASE("the leaves of a cover fill its root boxes, and a witness fills none") {
+    const std::string text = single(10, 4, 4, find_witness(10, 10, 4));
+    const File file(text);
+    const std::uint64_t read = Watched::read, pieces = Watched::pieces;
+    const Proof proof = verify(file.path(), {});
+    CHECK(proof.section == "turning");
+    CHECK(proof.roots == 2);
+    for (const Tally& tally : proof.tallies) {
+        CAPTURE(tally.name);
+        CHECK(tally.lines == (tally.name == "count" ? 2 : tally.name == "witness" ? 1 : 0));
+        CHECK(tally.covered == (tally.name == "count" ? 2 : 0));
+    }
+    CHECK(Watched::read - read == 1);  // for those who watch how far it is
+    CHECK(Watched::pieces - pieces == 1);
 }
 
 TEST_CASE("witnesses prove what they prove and nothing more") {
@@ -155,6 +208,17 @@ TEST_CASE("witnesses prove what they prove and nothing more") {
     CHECK(rejected(with("bridge 1b-1 0b0 1 2"), "witness"));   // eta = 0: a tangent
     CHECK(rejected(with("bridge 1b-1 5b1 1 2"), "witness"));   // r (s + eta) >= 1
     CHECK(find_witness(10, 10, 5).empty());
+}
+
+TEST_CASE("a witness that doubles cannot tell from a tangent needs more bits") {
+    Leaf leaf;
+    leaf.opcode = witness;
+    leaf.claimed = 1;
+    const mpq_class e(1, 2), eta = mpq_class(1) >> 1000;
+    leaf.box = {{e, eta, 10}, {e, eta, 10}};
+    CHECK(turning().check(leaf, nullptr) != nullptr);
+    leaf.bits = 54;
+    CHECK(turning().check(leaf, nullptr) == nullptr);
 }
 
 TEST_CASE("a witness holds for a whole range of ratios or not at all") {
