@@ -31,6 +31,7 @@ Flight<double> flight(const mpq_class& w_lo, const mpq_class& w_hi, const mpq_cl
     box.hi = {0, w_hi, 1, v, q};
     return Flight<double>(box);
 }
+std::string said_of_leaf(const std::string& words) { return leaf_rows::judged(leaf_rows::parsed(words)); }
 
 }  // namespace
 
@@ -224,4 +225,25 @@ TEST_CASE("step edges: the wedge has no rounding: what is equal is equal") {
     CHECK(of("witness 0 2 1 3 0 0 1 1 5 5") == "a <= G_w for X");
     CHECK(of("witness 0 1 2 3 0 0 1 1 5 5") == "b <= G_w for sigma X");
     CHECK(of("meets 0 1 2 4 0 0 5/2 5/2 5 5") != "certified");  // what a witness says, no leaf says
+}
+
+TEST_CASE("step edges: a departure is certified only if the sign of D is") {
+    // After few bits D holds 0: a state of the box may return, and hit once more.
+    for (const std::string leaf : {"5 4 0 5 13/64 13/64 73/64 75/64 31/16 31/16",
+                                   "6 5 0 6 193/512 321/512 1 1 1641/1024 1641/1024"})
+        CHECK(said_of_leaf("1 dumbbell full departure count " + leaf) == "D > 0 or D <= 0 is decided");
+}
+
+TEST_CASE("step edges: the highest flight that falls from the wall is not taken for a lower one") {
+    // It leaves with kappa < 0, and passes the bridge, which a lower flight would have met.
+    CHECK(said_of_leaf("1 dumbbell full departure count 0 4 0 5 15/16 15/16 7/16 7/16 3393/128 3521/128") ==
+          "n + 1 + G <= a for the tangent ray");
+    CHECK(said_of_leaf("1 dumbbell full departure count 0 3 0 4 343/512 471/512 7/16 7/16 787/64 1575/128") ==
+          "n + 1 + G <= a for the tangent ray");
+}
+
+TEST_CASE("step edges: slope 1 exactly is steep") {
+    // r (eta - 1) = 1 at the end of the bridge, from height 0.
+    CHECK(said_of_leaf("minimal dumbbell full contact count 0 0 0 1 3 4 3 3 2 2") == "certified");
+    CHECK(said_of_leaf("minimal dumbbell full contact count 0 0 0 1 3 4 2 3 2 2") == "n + 1 <= a at the wall");
 }
