@@ -227,19 +227,44 @@ TEST_CASE("step edges: the wedge has no rounding: what is equal is equal") {
     CHECK(of("meets 0 1 2 4 0 0 5/2 5/2 5 5") != "certified");  // what a witness says, no leaf says
 }
 
-TEST_CASE("step edges: a departure is certified only if the sign of D is") {
-    // After few bits D holds 0: a state of the box may return, and hit once more.
+TEST_CASE("step edges: where D may be 0 it is not decided whether a departure returns") {
+    // After few bits D holds numbers of both signs: a state of the box may return, and hit once more.
     for (const std::string leaf : {"5 4 0 5 13/64 13/64 73/64 75/64 31/16 31/16",
                                    "6 5 0 6 193/512 321/512 1 1 1641/1024 1641/1024"})
         CHECK(said_of_leaf("1 dumbbell full departure count " + leaf) == "D > 0 or D <= 0 is decided");
+    // From the corner with slope 1/8, at the ratio for which D is 0 or a little more.
+    Rays<double> rays(nullptr);
+    const double slope = 0.125, c = (DoublePair(slope) * rays.half_turn).lo;
+    double z = 0;
+    REQUIRE(Rays<double>::guess_root(c, slope, z));
+    const DoublePair w = rays.earliest({c, slope, 0.5}, z).cosine, r = w * w - DoublePair(2) * slope * w;
+    REQUIRE(r.lo < r.hi);
+    const std::string q = mpq_class(1 / mpq_class(r.lo)).get_str();
+    CHECK(said_of_leaf("1 dumbbell full departure count 0 5 0 6 0 0 9/8 15/8 " + q + " " + q) ==
+          "D > 0 or D <= 0 is decided");
 }
 
-TEST_CASE("step edges: the highest flight that falls from the wall is not taken for a lower one") {
-    // It leaves with kappa < 0, and passes the bridge, which a lower flight would have met.
-    CHECK(said_of_leaf("1 dumbbell full departure count 0 4 0 5 15/16 15/16 7/16 7/16 3393/128 3521/128") ==
-          "n + 1 + G <= a for the tangent ray");
-    CHECK(said_of_leaf("1 dumbbell full departure count 0 3 0 4 343/512 471/512 7/16 7/16 787/64 1575/128") ==
-          "n + 1 + G <= a for the tangent ray");
+TEST_CASE("step edges: what does not return from its last wall has no later collision") {
+    for (const std::string leaf : {"4 1 0 2 3/4 97/128 7/8 7/8 3149/512 3149/512",
+                                   "0 2 0 3 153/128 153/128 761/2048 769/2048 3 7/2"})
+        CHECK(said_of_leaf("1 dumbbell full departure count " + leaf) == "certified");
+    // Nor has what misses the wall, above the bridge, be there hints to spare.
+    for (const std::string hints : {"0 0 1 ", "1 0 2 "})
+        CHECK(said_of_leaf("1 dumbbell full departure count 0 " + hints + "3/2 3/2 75/1024 75/1024 48 48") ==
+              "certified");
+}
+
+TEST_CASE("step edges: the highest flight is followed from above") {
+    for (const std::string leaf : {
+             "0 4 0 5 15/16 15/16 7/16 7/16 3393/128 3521/128",   // falls from the wall: kappa < 0
+             "0 3 0 4 343/512 471/512 7/16 7/16 787/64 1575/128",  // likewise
+             "5 5 0 6 99/128 99/128 17/32 17/32 103/4 103/4",      // just above the bridge, by rounding
+             "53 2 0 3 0 2 0 0 11/2 23/4",                         // from the end of the chart
+         })
+        CHECK(said_of_leaf(std::string("1 dumbbell full departure count ") + leaf) ==
+              "n + 1 + G <= a for the tangent ray");
+    // It may just touch the wall's top, and then is nowhere.
+    CHECK(said_of_leaf("1 dumbbell full departure count 53 2 0 3 1/2 2 0 0 2 513/256") == "certified");
 }
 
 TEST_CASE("step edges: slope 1 exactly is steep") {
