@@ -289,6 +289,12 @@ TEST_CASE("step edges: after the bridge both directions are counted, up to slope
           "0 < numerator, where D may be 0");
 }
 
+TEST_CASE("step edges: the first contact with the bridge is bounded from the left, by rounding too") {
+    // No crossing is guessed after 5 bits: all hangs on h / (r - kappa).
+    CHECK(said_of_leaf("minimal dumbbell full departure count 5 1 0 2 1/4 1/4 25/32 25/32 243/64 37/8") ==
+          "n + 1 <= a at the wall");
+}
+
 TEST_CASE("step edges: the heavy mass is proved to touch once by lower bounds") {
     const auto once = [](const std::string& leaf) {
         return said_of_leaf("1 dumbbell full again once " + leaf);
