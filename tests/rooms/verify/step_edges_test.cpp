@@ -287,6 +287,8 @@ TEST_CASE("step edges: after the bridge both directions are counted, up to slope
         "n + 1 <= a at the wall");
     CHECK(said_of_leaf("minimal dumbbell full departure count 0 2 0 3 1/4 17/16 0 1/8 3/2 5/2") ==
           "0 < numerator, where D may be 0");
+    // From the corner, at E = 0 exactly.
+    CHECK(said_of_leaf("minimal dumbbell full departure count 0 1 0 2 0 0 1 513/512 1 1") == "certified");
 }
 
 TEST_CASE("step edges: the first contact with the bridge is bounded from the left, by rounding too") {
