@@ -292,7 +292,7 @@ TEST_CASE("step edges: after the bridge both directions are counted, up to slope
 }
 
 TEST_CASE("step edges: the first contact with the bridge is bounded from the left, by rounding too") {
-    // No crossing is guessed after 5 bits: all hangs on h / (r - kappa).
+    // The slope over r, rounded upwards, would put it too far to the right.
     CHECK(said_of_leaf("minimal dumbbell full departure count 5 1 0 2 1/4 1/4 25/32 25/32 243/64 37/8") ==
           "n + 1 <= a at the wall");
 }
