@@ -122,6 +122,17 @@ TEST_CASE("section full, both lemma sets: true covers are accepted, false ones a
     CHECK_THROWS_AS(full_cover(full_minimal(), 2, 2), std::runtime_error);
 }
 
+TEST_CASE("section full: the root boxes are those of the format") {
+    for (const Section* section : {&full(), &full_minimal()})
+        for (std::size_t chart = 0; chart < 3; ++chart) {
+            const Box root = section->root(chart, 2, 3), wide = section->root(chart, 2, mpq_class(13, 4));
+            const bool departs = section->charts[chart].name == "departure";
+            CHECK((root.lo == wide.lo && root.lo == std::array<mpq_class, 3>{0, 0, 2}));
+            CHECK(root.hi == std::array<mpq_class, 3>{departs ? 2 : 4, departs ? 2 : 4, 3});
+            CHECK(wide.hi == std::array<mpq_class, 3>{departs ? 2 : 4, departs ? 2 : 8, mpq_class(13, 4)});
+        }
+}
+
 TEST_CASE("section full: the leaf outside holds beyond the chart only") {
     for (const Section* section : {&full(), &full_minimal()}) {
         const auto holds = [&](std::size_t chart, const mpq_class& x, const mpq_class& y) {

@@ -17,7 +17,7 @@ using DoublePair = Interval<double>;
 /// The bridge of a box, with its parts in reach.
 struct OpenBridge : Bridge<double> {
     using Base = Bridge<double>;
-    using Base::certainly_above, Base::contacts, Base::half_turn;
+    using Base::certainly_above, Base::contacts, Base::half_turn, Base::trig;
     explicit OpenBridge(const Leaf& leaf) : Base(leaf, full(), nullptr) {}
 };
 Leaf at_ratio(int q) {
@@ -32,6 +32,7 @@ Flight<double> flight(const mpq_class& w_lo, const mpq_class& w_hi, const mpq_cl
     box.hi = {0, w_hi, 1, v, q};
     return Flight<double>(box);
 }
+std::string said_of_leaf(const std::string& words) { return leaf_rows::judged(leaf_rows::parsed(words)); }
 
 }  // namespace
 
@@ -246,4 +247,125 @@ TEST_CASE("step edges: the wedge has no rounding: what is equal is equal") {
     CHECK(of("witness 0 2 1 3 0 0 1 1 5 5") == "a <= G_w for X");
     CHECK(of("witness 0 1 2 3 0 0 1 1 5 5") == "b <= G_w for sigma X");
     CHECK(of("meets 0 1 2 4 0 0 5/2 5/2 5 5") != "certified");  // what a witness says, no leaf says
+}
+
+TEST_CASE("step edges: where D may be 0 it is not decided whether a departure returns") {
+    // After few bits D holds numbers of both signs: a state of the box may return, and hit once more.
+    for (const std::string leaf :
+         {"5 4 0 5 13/64 13/64 73/64 75/64 31/16 31/16", "6 5 0 6 193/512 321/512 1 1 1641/1024 1641/1024"})
+        CHECK(said_of_leaf("1 dumbbell full departure count " + leaf) == "D > 0 or D <= 0 is decided");
+    // From the corner with slope 1/8, at the ratio for which D is 0 or a little more.
+    Rays<double> rays(nullptr);
+    const double slope = 0.125, c = (DoublePair(slope) * rays.half_turn).lo;
+    double z = 0;
+    REQUIRE(Rays<double>::guess_root(c, slope, z));
+    const DoublePair w = rays.earliest({c, slope, 0.5}, z).cosine, r = w * w - DoublePair(2) * slope * w;
+    REQUIRE(r.lo < r.hi);
+    const std::string q = mpq_class(1 / mpq_class(r.lo)).get_str();
+    CHECK(said_of_leaf("1 dumbbell full departure count 0 5 0 6 0 0 9/8 15/8 " + q + " " + q) ==
+          "D > 0 or D <= 0 is decided");
+}
+
+TEST_CASE("step edges: what does not return from its last wall has no later collision") {
+    for (const std::string leaf :
+         {"4 1 0 2 3/4 97/128 7/8 7/8 3149/512 3149/512", "0 2 0 3 153/128 153/128 761/2048 769/2048 3 7/2"})
+        CHECK(said_of_leaf("1 dumbbell full departure count " + leaf) == "certified");
+    // Nor has what misses the wall, above the bridge, be there hints to spare.
+    for (const std::string hints : {"0 0 1 ", "1 0 2 "})
+        CHECK(said_of_leaf("1 dumbbell full departure count 0 " + hints + "3/2 3/2 75/1024 75/1024 48 48") ==
+              "certified");
+}
+
+TEST_CASE("step edges: the highest flight is followed from above") {
+    for (const std::string leaf : {
+             "0 4 0 5 15/16 15/16 7/16 7/16 3393/128 3521/128",    // falls from the wall: kappa < 0
+             "0 3 0 4 343/512 471/512 7/16 7/16 787/64 1575/128",  // likewise
+             "5 5 0 6 99/128 99/128 17/32 17/32 103/4 103/4",      // just above the bridge, by rounding
+             "53 2 0 3 0 2 0 0 11/2 23/4",                         // from the end of the chart
+         })
+        CHECK(said_of_leaf(std::string("1 dumbbell full departure count ") + leaf) ==
+              "n + 1 + G <= a for the tangent ray");
+    // It may just touch the wall's top, and then is nowhere.
+    CHECK(said_of_leaf("1 dumbbell full departure count 53 2 0 3 1/2 2 0 0 2 513/256") == "certified");
+}
+
+TEST_CASE("step edges: slope 1 exactly is steep") {
+    // r (eta - 1) = 1 at the end of the bridge, from height 0.
+    CHECK(said_of_leaf("minimal dumbbell full contact count 0 0 0 1 3 4 3 3 2 2") == "certified");
+    CHECK(said_of_leaf("minimal dumbbell full contact count 0 0 0 1 3 4 2 3 2 2") ==
+          "n + 1 <= a at the wall");
+}
+
+TEST_CASE("step edges: steep slopes are cut to 1 before the numerator is asked for") {
+    CHECK(said_of_leaf("minimal dumbbell full contact count 0 1 0 2 3 4 11/4 11 5 5") == "certified");
+    CHECK(said_of_leaf("minimal dumbbell full departure count 0 1 0 2 0 5/4 25/16 29/16 27/16 27/16") ==
+          "certified");
+}
+
+TEST_CASE("step edges: after the bridge both directions are counted, up to slope 1") {
+    // Rays to the left have too many collisions, those to the right do not.
+    CHECK(
+        said_of_leaf("minimal dumbbell full departure count 0 1 0 2 1 1 43/256 9827/16384 257/256 257/256") ==
+        "n + 1 <= a at the wall");
+    CHECK(said_of_leaf("minimal dumbbell full departure count 0 2 0 3 1/4 17/16 0 1/8 3/2 5/2") ==
+          "0 < numerator, where D may be 0");
+    // From the corner, at E = 0 exactly.
+    CHECK(said_of_leaf("minimal dumbbell full departure count 0 1 0 2 0 0 1 513/512 1 1") == "certified");
+}
+
+TEST_CASE("step edges: the first contact with the bridge is bounded from the left, by rounding too") {
+    // The slope over r, rounded upwards, would put it too far to the right.
+    CHECK(said_of_leaf("minimal dumbbell full departure count 5 1 0 2 1/4 1/4 25/32 25/32 243/64 37/8") ==
+          "n + 1 <= a at the wall");
+}
+
+TEST_CASE("step edges: the heavy mass is proved to touch once by lower bounds") {
+    const auto once = [](const std::string& leaf) {
+        return said_of_leaf("1 dumbbell full again once " + leaf);
+    };
+    const std::string refused = "0 <= (2 + eta1) f + (z + r_lo) / 2";
+    CHECK(once("3 0 0 1 2055/1024 2087/1024 3/4 3/4 3361/1024 3361/1024") == refused);  // f may be 0
+    CHECK(once("3 0 0 1 4961/2048 4961/2048 7/16 7/16 21 21") == refused);  // r (cos t + eta) is rounded
+    CHECK(once("8 0 0 1 1/2 1/2 25/8 25/8 195/8 195/8") == "certified");    // the quadratic is 0 at z
+}
+
+TEST_CASE("step edges: beyond pi nothing is known of the bridge") {
+    const Leaf leaf = at_ratio(2);
+    const OpenBridge bridge(leaf);
+    for (const double t : {bridge.half_turn.hi, 3.25}) {
+        const auto [sine, cosine] = bridge.trig(t);
+        for (const DoublePair& x : {sine, cosine}) CHECK((x.lo == -1 && x.hi == 1));
+    }
+    CHECK(bridge.trig(bridge.half_turn.lo).cos.hi < -0.999);
+}
+
+TEST_CASE("step edges: the wedge's limits are what they say") {
+    // q = 2^k, lambda = 1: after one collision kappa = (3 q - 1) / (q (q - 3)), of 3 k + 2 bits.
+    const auto steps = [](unsigned long k) {
+        leaf_rows::SectionLeaf one{&wedge(), {}};
+        const mpq_class q(mpz_class(mpz_class(1) << k));
+        one.leaf.box = {{0, 1, q}, {0, 1, q}};
+        one.leaf.opcode = count_leaf;
+        one.leaf.claimed = 1;
+        return one;
+    };
+    CHECK(leaf_rows::judged(steps(1'333'332)) == "G_w <= a for X");
+    CHECK(leaf_rows::judged(steps(1'333'333)) == "exact numbers of more than 4,000,000 bits");
+    // Each collision is charged by the sizes of its factors, here 11 words each.
+    const auto small = steps(640);
+    const std::uint64_t before = Work::done();
+    CHECK(leaf_rows::judged(small) == "G_w <= a for X");
+    CHECK(Work::done() - before == 1024 + 16 * 11 * 11);
+    const auto count = [](const std::string& leaf) {
+        return said_of_leaf("1 wedge turning wedge count 0 " + leaf);
+    };
+    CHECK(count("10000 0 10001 0 0 0 0 2 2") == "certified");
+    CHECK(count("0 10000 10001 0 0 2 2 2 2") == "certified");
+    CHECK(count("10001 0 10002 0 0 0 0 2 2") == "a + b beyond 10,000 in a wedge");
+    CHECK(count("0 10001 10002 0 0 2 2 2 2") == "a + b beyond 10,000 in a wedge");
+}
+
+TEST_CASE("step edges: in the wedge a sigma X without a slope is counted from slope 0") {
+    CHECK(said_of_leaf("1 wedge turning wedge count 0 1 1 3 0 0 0 0 1 1") == "certified");  // 2 r lambda = 0
+    CHECK(said_of_leaf("1 wedge turning wedge witness 0 1 1 3 0 0 -1 -1 5 5") == "0 <= lambda");
 }
