@@ -92,7 +92,7 @@ inline double guess_tolerance(double) { return 0x1p-26; }  ///< last relative st
 
 /// Whether this thread rounds to nearest, keeps subnormal numbers and has an exact std::fma.
 inline bool arithmetic_works() {
-    const volatile double one = 1, e = 0x1p-53, third = 0x1p-30, least = DBL_MIN;
+    const volatile double one = 1, e = 0x1p-53, third = 0x1p-52, least = DBL_MIN;
     // A compiler that regroups sums (-fassociative-math) loses the errors that add() finds.
     if (!(add(up, one, e) > one && add(down, -one, -e) < -one)) return false;
     // fegetround asks the x87 unit, which no bound uses, but libraries might.
