@@ -4,6 +4,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "leaf_rows.hpp"
 #include "make_certificate.hpp"
 #include "verify/program/verify.hpp"
 
@@ -177,6 +178,18 @@ TEST_CASE("section full: the leaf once needs a narrow range of ratios") {
         CHECK(holds(10, mpq_class(21, 2), bits));
         CHECK_FALSE(holds(1, 1000000, bits));
     }
+}
+
+TEST_CASE("section full of lemma set minimal: the enclosure of x ends at pi/2, not before") {
+    const auto said = [](const std::string& leaf) {
+        return leaf_rows::judged(leaf_rows::parsed("minimal dumbbell full departure count " + leaf));
+    };
+    const std::string wide = " 1 0 2 3/2 2 19/256 7/32 8/5 8/5",
+                      thin = " 1 0 2 3/2 2 19/256 19/256 64/23 64/23";
+    for (const std::string& leaf : {wide, thin}) CHECK(said("0" + leaf) == "certified");
+    // In 5 or 6 bits slopes may be below 0, and the bounds of pi/2 are far apart: x ends at the upper.
+    CHECK(said("5" + wide) == "0 < P, where E may be 0");
+    CHECK(said("6" + thin) == "0 < numerator, where D may be 0");
 }
 
 TEST_CASE("the wedge is exact: ties at q = 1 and q = 3 are decided, N - 1 is refused") {
