@@ -101,6 +101,34 @@ TEST_CASE("initial edges: a ray into the bridge has a collision, though none com
     Departures<double> rays(EdgePair(0.9), nullptr);
     CHECK_FALSE(rays.certify({true, EdgePair(0.01), EdgePair(0.5)}, 0, 0));
     CHECK(rays.certify({true, EdgePair(0.01), EdgePair(0.5)}, 1, 1));
+    // What is known of some rays says nothing of the next ones.
+    CHECK(rays.certify({false, EdgePair(2), EdgePair(0)}, 0, 0));
+    CHECK_FALSE(rays.certify({true, EdgePair(0.01), EdgePair(0.5)}, 0, 0));
+}
+
+TEST_CASE("initial edges: collisions that are certain stay so while the rays are followed") {
+    // By G two of them are; one step later, as r is an interval, only one of those would be.
+    Departures<double> rays(EdgePair(0.015625, 0.078125), nullptr);
+    CHECK_FALSE(rays.certify({false, EdgePair(0.03125), EdgePair(0)}, 2, 2));
+    CHECK(rays.has_enough());
+    CHECK_FALSE(rays.certify({false, EdgePair(0.03125), EdgePair(0)}, 3, 3));
+    CHECK_FALSE(rays.has_enough());
+}
+
+TEST_CASE("initial edges: who leaves steeply after the first contact has one collision, not more") {
+    const std::string start = " light 1/2 7/10 -79/50 -39/25 1/100 1/100 3/2 3/2 -1 -1 10 10";
+    CHECK(initial_row("initial 0 1 1" + start) == "certified");
+    CHECK(initial_row("initial 0 2 9" + start) == "no later collision, as said");
+    CHECK(initial_row("initial 0 2 2" + start) == "no later collision, as said");
+}
+
+TEST_CASE("initial edges: beyond 2^43 nothing is counted, not of a part of the box either") {
+    const auto upto = [](const char* q) {
+        return initial_row("initial 0 0 999999999 anywhere 0 0 0 0 1 1 2 2 -1 -1 4398046511104 " +
+                           std::string(q));
+    };
+    CHECK(upto("8796093022208") == "certified");
+    CHECK(upto("8796093022209") == "a mass ratio beyond 2^43");
 }
 
 TEST_CASE("initial edges: rays from the bridge that cannot be followed have at most U collisions") {
