@@ -21,20 +21,49 @@ std::string initial_row(const std::string& words) { return leaf_rows::judged(lea
 }  // namespace
 
 TEST_CASE("initial edges: a mass that touches the floor is not above it") {
-    for (int q = 1; q < 60; ++q) {
-        CAPTURE(q);
+    const auto check = [](const mpq_class& q) {
+        CAPTURE(q.get_str());
         InitialBox box;
         const auto above = [&](int phi, const mpq_class& y) {  // a right angle is in [phi, phi + 1]
             box.lo = {phi, 1, y, -1, q};
             box.hi = {phi + 1, 1, y, -1, q};
             return starts_in_the_air(box, 53);
         };
-        const mpq_class heavy(1, q + 1), light(q, q + 1), more(1, 1'000'000'000);  // y where it touches
+        const mpq_class heavy(1 / (q + 1)), light(q / (q + 1)), more(1, 1'000'000'000);  // y where it touches
         CHECK_FALSE(above(1, heavy));
         CHECK(above(1, heavy + more));
         CHECK_FALSE(above(4, light));
         CHECK(above(4, light + more));
-    }
+    };
+    for (int q = 1; q < 60; ++q) check(q);
+    check(mpq_class(32, 13));  // whose 1/(q + 1) is far below the next binary number
+}
+
+TEST_CASE("initial edges: each mass is above the floor at the ratio where it is lowest") {
+    const auto above = [](int phi, const mpq_class& y) {  // q in [1, 10]
+        InitialBox box;
+        box.lo = {phi, 1, y, -1, 1};
+        box.hi = {phi + 1, 1, y, -1, 10};
+        return starts_in_the_air(box, 53);
+    };
+    CHECK_FALSE(above(4, mpq_class(9, 10)));  // the light mass needs y > q/(1 + q)
+    CHECK(above(4, mpq_class(10, 11) + mpq_class(1, 1000)));
+    CHECK_FALSE(above(1, mpq_class(1, 2)));  // the heavy one y > 1/(1 + q)
+    CHECK(above(1, mpq_class(1, 2) + mpq_class(1, 1000)));
+}
+
+TEST_CASE("initial edges: who leaves the floor steeply needs no height, but all states must") {
+    const auto none = [](const std::string& phidot, const std::string& y, const std::string& ydot) {
+        return initial_row("initial 0 0 0 anywhere 0 0 1 1 " + phidot + " " + y + " " + y + " " + ydot + " 1 1") ==
+               "certified";
+    };
+    const std::string floor = "42073549240394825333/100000000000000000000";  // sin(1)/2 and next to nothing
+    CHECK(none("1/4 1/4", floor, "1/4 1/4"));
+    CHECK(none("-1/4 -1/4", floor, "1/4 1/4"));
+    CHECK(none("-1/2 1/2", floor, "1/4 1/4"));
+    CHECK_FALSE(none("1 1", floor, "1/4 1"));
+    CHECK_FALSE(none("-1/8 1", floor, "1/4 1/4"));
+    CHECK_FALSE(none("-1 1/8", floor, "1/4 1/4"));
 }
 
 TEST_CASE("initial edges: a dumbbell that may neither rise nor turn has no rule for no collision") {
@@ -53,6 +82,38 @@ TEST_CASE("initial edges: who may just reach the peak of a wall is not above all
     const Flight<double> above(box);
     CHECK(above.is_closed(std::nullopt, 10));
     CHECK(above.never_collides());
+}
+
+TEST_CASE("initial edges: no angle belongs to times in which no mass comes down") {
+    InitialBox box;
+    box.lo = box.hi = {0, mpq_class(1, 100), 2, -1, 10};
+    const Flight<double> falling(box);  // the heavy mass is down at about 2
+    for (const bool heavy : {false, true}) {
+        CHECK(falling.contact_angle(heavy, EdgePair(1.75, 2.25)));
+        CHECK_FALSE(falling.contact_angle(heavy, EdgePair(1, 1.75)));
+        CHECK_FALSE(falling.contact_angle(heavy, EdgePair(2.25, 3)));
+    }
+}
+
+TEST_CASE("initial edges: a fall from rest begins with no speed, and is followed") {
+    CHECK(initial_row("initial 0 1 1 light 1/2 7/10 0 0 -1 -1 1/2 1/2 0 0 10 10") == "certified");
+}
+
+TEST_CASE("initial edges: a mass ratio that doubles cannot hold is not judged in doubles") {
+    const std::string huge = "1" + std::string(400, '0');
+    CHECK(initial_row("initial 0 0 0 anywhere 0 0 0 0 1 1 2 2 5 5 1 " + huge) ==
+          "r is out of the range of this precision");
+    CHECK(initial_row("initial 53 0 0 anywhere 0 0 0 0 1 1 2 2 5 5 1 " + huge) == "certified");
+}
+
+TEST_CASE("initial edges: no trajectories are known to have at most one collision") {
+    for (const double r : {0.3, 1.0}) {
+        Departures<double> rays{EdgePair(r), nullptr};
+        CHECK_FALSE(rays.trajectories_at_most(0));
+        CHECK_FALSE(rays.trajectories_at_most(1));
+        CHECK(rays.trajectories_at_most(2) == (r == 1));
+        CHECK(rays.trajectories_at_most(9));
+    }
 }
 
 TEST_CASE("initial edges: rising states of which some may not turn have no certain direction") {

@@ -239,9 +239,16 @@ TEST_CASE("initial conditions: a second dip of a mass is not its first contact")
     CHECK(flight.is_closed(false, 0.47));
     CHECK_FALSE(flight.is_closed(false, 0.47 + turn));
     CHECK_FALSE(flight.is_closed(true, 0.47));
+    const InitialBox turning = box;
+    // The same a hundred times as slow.
+    box.lo[1] = box.hi[1] = mpq_class(1, 10);
+    box.lo[3] = box.hi[3] = mpq_class(-1, 100'000);
+    const Flight<double> slow(box);
+    CHECK(slow.is_closed(false, 47));
+    CHECK_FALSE(slow.is_closed(false, 47 + 100 * turn));
     for (const double shift : {0.0, turn}) {
         InitialLeaf leaf;
-        leaf.box = box;
+        leaf.box = turning;
         leaf.least = 1;
         leaf.most = 9;
         leaf.first = FirstContact{false, mpq_class(0.40 + shift), mpq_class(0.47 + shift)};
