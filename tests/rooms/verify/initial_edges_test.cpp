@@ -54,8 +54,8 @@ TEST_CASE("initial edges: each mass is above the floor at the ratio where it is 
 
 TEST_CASE("initial edges: who leaves the floor steeply needs no height, but all states must") {
     const auto none = [](const std::string& phidot, const std::string& y, const std::string& ydot) {
-        return initial_row("initial 0 0 0 anywhere 0 0 1 1 " + phidot + " " + y + " " + y + " " + ydot + " 1 1") ==
-               "certified";
+        return initial_row("initial 0 0 0 anywhere 0 0 1 1 " + phidot + " " + y + " " + y + " " + ydot +
+                           " 1 1") == "certified";
     };
     const std::string floor = "42073549240394825333/100000000000000000000";  // sin(1)/2 and next to nothing
     CHECK(none("1/4 1/4", floor, "1/4 1/4"));
@@ -190,6 +190,12 @@ TEST_CASE("initial edges: beyond 2^43 nothing is counted, not of a part of the b
     };
     CHECK(upto("8796093022208") == "certified");
     CHECK(upto("8796093022209") == "a mass ratio beyond 2^43");
+    // By one part of 2^63; by an even number; and nothing is counted where one collision is claimed.
+    const std::string anywhere = " anywhere 0 0 0 0 1 1 2 2 -1 -1 1 ";
+    CHECK(initial_row("initial 100 0 999999999" + anywhere + "9223372036854775809/1048576") ==
+          "a mass ratio beyond 2^43");
+    CHECK(initial_row("initial 0 0 1000000000" + anywhere + "8796093022209") == "a mass ratio beyond 2^43");
+    CHECK(initial_row("initial 0 0 1" + anywhere + "8796093022209") == "M <= most");
 }
 
 TEST_CASE("initial edges: rays from the bridge that cannot be followed have at most U collisions") {
@@ -201,6 +207,72 @@ TEST_CASE("initial edges: rays from the bridge that cannot be followed have at m
     CHECK(later(false, EdgePair(2), EdgePair(-0.1), 0, 0));  // k0 = -r, over everything
     // Steeply down to the light wall, whence some go on down: what U said before still holds.
     CHECK(later(false, EdgePair(0.3, 0.9), EdgePair(-1.2, -0.4), 1, 20));
+}
+
+TEST_CASE("initial edges: steep rays have no collision, not one either") {
+    CHECK(later(true, EdgePair(0.5), EdgePair(1, 2), 0, 0));
+    CHECK(later(true, EdgePair(0.5), EdgePair(1, 2), 0, 5));
+    CHECK_FALSE(later(true, EdgePair(0.5), EdgePair(1, 2), 1, 5));
+}
+
+TEST_CASE("initial edges: dives below every slope -r of the box are not counted by G") {
+    // At r = 0.047, the least, two more; at greater ones three.
+    Departures<double> rays(EdgePair(0.046875, 0.2451171875), nullptr);
+    CHECK_FALSE(rays.certify({false, EdgePair(0.75), EdgePair(-0.185546875)}, 0, 2));
+}
+
+TEST_CASE("initial edges: what is counted behind a step is counted without the step's collision") {
+    CHECK(Departures<double>(EdgePair(0.3125), nullptr)
+              .certify({false, EdgePair(0.25, 0.375), EdgePair(-0.59375)}, 2, 7));
+    // At most two by U, at least two not before a step, behind which no count says at most one.
+    CHECK(Departures<double>(EdgePair(0.125), nullptr)
+              .certify({false, EdgePair(0.1640625), EdgePair(-0.30078125)}, 2, 2));
+}
+
+TEST_CASE("initial edges: rays that dive for hundreds of collisions are followed") {
+    // Such steps are not those of which a verifier may give up after 64.
+    CHECK(Departures<double>(EdgePair(0x1p-20, 0x3p-20), nullptr)
+              .certify({true, EdgePair(0.3), EdgePair(-0.0005)}, 304, 664));
+    CHECK(Departures<double>(EdgePair(0x1p-26, 0x5p-20), nullptr)
+              .certify({true, EdgePair(0.0625), EdgePair(-0x5p-20)}, 0, 100'000));
+}
+
+TEST_CASE("initial edges: all collisions are bounded at the least ratio r of the box") {
+    for (std::uint64_t most = 2; most < 60; ++most) {
+        CAPTURE(most);
+        const auto bounded = [&](double r_hi) {
+            return Departures<double>(EdgePair(0.01, r_hi), nullptr).trajectories_at_most(most);
+        };
+        CHECK(bounded(0.5) == bounded(0.01));
+        CHECK(bounded(0.5) == (most >= 10));
+    }
+}
+
+TEST_CASE("initial edges: what passes the bridge is over all of it, at all ratios of the box") {
+    const auto passes = [](const EdgePair& r, double height, const EdgePair& slope) {
+        return Departures<double>(r, nullptr).passes_bridge({true, EdgePair(height), slope});
+    };
+    CHECK(passes(EdgePair(0.25), 1e-20, EdgePair(0.25)));  // steeper than it at its corner
+    CHECK_FALSE(passes(EdgePair(0.125), 0.01, EdgePair(0, 0.5)));
+    CHECK_FALSE(passes(EdgePair(0.125, 0.5), 0.01, EdgePair(0.25)));
+    CHECK_FALSE(passes(EdgePair(0.25), 1.2, EdgePair(-0.5)));  // below the corner beyond it
+    CHECK(passes(EdgePair(0.25), 1.6, EdgePair(-0.5)));
+    for (int i = -19; i < 20; ++i) {
+        const double steepness = 0.05 * i, top = std::acos(steepness),
+                     tangent = 0.25 * (std::sin(top) - steepness * top);
+        CAPTURE(steepness);
+        CHECK(passes(EdgePair(0.25), tangent + 1e-12, EdgePair(0.25 * steepness)));
+        CHECK_FALSE(passes(EdgePair(0.25), tangent - 1e-12, EdgePair(0.25 * steepness)));
+    }
+}
+
+TEST_CASE("initial edges: the bridge sends back who comes steeply") {
+    const auto next =
+        Departures<double>(EdgePair(0.5), nullptr).off_bridge({true, EdgePair(0.01), EdgePair(-0.5)});
+    REQUIRE(next);
+    CHECK_FALSE(next->light);
+    CHECK(next->slope.hi - next->slope.lo < 1e-12);
+    CHECK(next->slope.lo > 0);
 }
 
 TEST_CASE("initial edges: in few bits the middle of a box may be worse than the box") {
