@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "leaf_rows.hpp"
+#include "verify/number/big.hpp"
 #include "verify/starts/reflection.hpp"
 
 using namespace dumbbell_verify;
@@ -96,7 +97,9 @@ TEST_CASE("initial edges: no angle belongs to times in which no mass comes down"
 }
 
 TEST_CASE("initial edges: a fall from rest begins with no speed, and is followed") {
-    CHECK(initial_row("initial 0 1 1 light 1/2 7/10 0 0 -1 -1 1/2 1/2 0 0 10 10") == "certified");
+    const std::string start = "initial 0 1 1 light 1/2 7/10 0 0 -1 -1 1/2 1/2 ";
+    CHECK(initial_row(start + "0 0 10 10") == "certified");
+    CHECK(initial_row(start + "-1/100 1/100 10 10") == "certified");  // some rise
 }
 
 TEST_CASE("initial edges: a mass ratio that doubles cannot hold is not judged in doubles") {
@@ -174,6 +177,9 @@ TEST_CASE("initial edges: collisions that are certain stay so while the rays are
     CHECK(rays.has_enough());
     CHECK_FALSE(rays.certify({false, EdgePair(0.03125), EdgePair(0)}, 3, 3));
     CHECK_FALSE(rays.has_enough());
+    Departures<double> others(EdgePair(0.01953125, 0.083984375), nullptr);
+    CHECK_FALSE(others.certify({false, EdgePair(0.015625), EdgePair(0.01953125)}, 2, 2));
+    CHECK(others.has_enough());
 }
 
 TEST_CASE("initial edges: who leaves steeply after the first contact has one collision, not more") {
@@ -266,13 +272,70 @@ TEST_CASE("initial edges: what passes the bridge is over all of it, at all ratio
     }
 }
 
+TEST_CASE("initial edges: rays of which one may go straight up have no certain direction") {
+    // Turning on the spot; the least r - c^2 of the angles is 0, exactly.
+    Big::precision = 8;
+    for (const int w : {-1, 1}) {
+        const auto bounds = [&](int from, int to) {
+            return Interval<Big>(bound(down, mpq_class(from, 8), Big(0)),
+                                 bound(up, mpq_class(to, 8), Big(0)));
+        };
+        const Interval<Big> at = w < 0 ? bounds(-12, -9) : bounds(-17, -13),
+                            quarter = pi<Big>() / Interval<Big>(2);
+        InitialBox box;
+        box.lo = box.hi = {0, w, 1, 0, 1 / exact_value(square(sin_cos_on(at, quarter).cos).hi)};
+        FirstReflection<Big> reflection(Flight<Big>(box), nullptr);
+        bool none = false;
+        CHECK_FALSE(reflection.behind_first(false, at, none));
+        CHECK_FALSE(none);
+        CHECK(std::string(reflection.failed()) == "a certain direction");
+    }
+}
+
+TEST_CASE("initial edges: an angle of 2^28 half turns is out of reach") {
+    InitialBox box;
+    box.lo = box.hi = {0, 4, 2, mpq_class(-10, 11), 10};
+    for (const double angle : {1e9, -1e9}) {
+        FirstReflection<double> reflection(Flight<double>(box), nullptr);
+        bool none = false;
+        CHECK_FALSE(reflection.behind_first(true, EdgePair(angle), none));
+        CHECK(std::string(reflection.failed()) == "an angle within reach");
+    }
+}
+
+TEST_CASE("initial edges: a box of rays holds its lowest and its highest ray, to the last bit") {
+    // Behind the top of the bridge, where Newton's iteration does not come to the last bit of each precision.
+    const auto next = [](long precision, const mpq_class& lo, const mpq_class& hi) {
+        Big::precision = precision;
+        const auto number = [](const mpq_class& x) { return bound(down, x, Big(0)); };
+        const Interval<Big> r(number(mpq_class(1, 16))), height(number(mpq_class(115, 1024)));
+        return Departures<Big>(r, nullptr).off_bridge({true, height, {number(lo), number(hi)}});
+    };
+    const mpq_class steep(-3, 32), flat(-1, 32);
+    for (long precision = 60; precision < 400; precision += 20) {
+        CAPTURE(precision);
+        const auto all = next(precision, steep, flat), lowest = next(500, steep, steep),
+                   highest = next(500, flat, flat);
+        REQUIRE((all && lowest && highest));
+        CHECK(all->slope.hi >= lowest->slope.lo);
+        CHECK(all->slope.lo <= highest->slope.hi);
+        // And at that end, where a tangent bounds the contact, not much more.
+        CHECK(to_double(up, sub(up, all->slope.hi, lowest->slope.lo)) < std::exp2(8 - precision));
+    }
+    // Also next to a tangency behind the top.
+    const double tangent = std::sin(std::acos(-0.25)) + 0.25 * std::acos(-0.25);
+    CHECK(Departures<double>(EdgePair(0.0625), nullptr)
+              .off_bridge({true, EdgePair((tangent - 1e-6) / 16), EdgePair(-0.09375, -0.015625)}));
+}
+
 TEST_CASE("initial edges: the bridge sends back who comes steeply") {
     const auto next =
         Departures<double>(EdgePair(0.5), nullptr).off_bridge({true, EdgePair(0.01), EdgePair(-0.5)});
     REQUIRE(next);
     CHECK_FALSE(next->light);
     CHECK(next->slope.hi - next->slope.lo < 1e-12);
-    CHECK(next->slope.lo > 0);
+    CHECK(next->slope.lo > 2.49);
+    CHECK(next->slope.hi < 2.51);
 }
 
 TEST_CASE("initial edges: in few bits the middle of a box may be worse than the box") {
