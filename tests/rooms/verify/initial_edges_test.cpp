@@ -151,6 +151,22 @@ TEST_CASE("initial edges: the bridge is not certainly met by a ray just above on
     CHECK(looked_at > 100);
 }
 
+TEST_CASE("initial edges: no wall is certainly met where the highest rays pass over it") {
+    for (const double lowest : {1e-300, 1e-9, 0.5})
+        for (const double slope : {-0.01, 0.0, 0.1, 0.5}) {
+            Departures<double> rays(EdgePair(0.1), nullptr);
+            bool last = false;
+            CAPTURE(lowest, slope);
+            CHECK_FALSE(rays.off_light_wall({false, EdgePair(lowest, 2), EdgePair(slope)}, last));
+            CHECK_FALSE(last);
+            // Right behind rays that meet the bridge.
+            const auto low = rays.off_bridge({true, EdgePair(0.05), EdgePair(slope / 10)});
+            const auto all = rays.off_bridge({true, EdgePair(lowest, 2), EdgePair(slope / 10)});
+            CHECK(low.has_value() == (slope < 0.5));
+            CHECK_FALSE(all);
+        }
+}
+
 TEST_CASE("initial edges: a last collision is one collision, also where no count is at hand") {
     // Dives with slope < -r, which no G bounds, onto the wall near its peak.
     const EdgePair height(1.44), slope(-0.3);
