@@ -159,18 +159,18 @@ TEST_CASE("initial conditions: steps off the bridge and off a light wall hold fo
 
 TEST_CASE("initial conditions: steps off the bridge hold in few bits, where a wrong rounding shows") {
     int found[2] = {0, 0}, far = 0;
-    for (int i = 0; i < 1'000; ++i) {
+    for (int i = 0; i < 250; ++i) {
         Big::precision = 6 + i % 5;
         const auto number = [](double x) { return bound(down, mpq_class(x), Big(0)); };
         const auto interval = [&](double lo, double width) {
             const Big from = number(lo);
             return Interval<Big>(from, add(up, from, number(width)));
         };
-        const bool behind = i % 2 == 0;  // the bridge is met behind its top
+        const bool behind = i % 4 != 0;  // the bridge is met behind its top
         const double ratio = step_uniform(0.02, 1),
                      k = ratio * (behind ? step_uniform(-4, -0.3) : step_uniform(-2, 1)),
                      a = behind ? -k * step_uniform(1.6, 3.3) : ratio * step_uniform(0.01, 1.5);
-        const auto width = [&] { return i % 3 == 0 ? 0 : ratio * std::exp2(step_uniform(-10, 0)); };
+        const auto width = [&] { return i % 3 != 0 ? 0 : ratio * std::exp2(step_uniform(-10, 0)); };
         const Interval<Big> r = interval(ratio, 0), height = interval(a, width()),
                             slope = interval(k, width());
         const auto next = Departures<Big>(r, nullptr).off_bridge({true, height, slope});
@@ -195,9 +195,9 @@ TEST_CASE("initial conditions: steps off the bridge hold in few bits, where a wr
             far += *x > pi_long / 2;
         }
     }
-    CHECK(found[0] > 50);
-    CHECK(found[1] > 50);
-    CHECK(far > 50);
+    CHECK(found[0] > 10);
+    CHECK(found[1] > 10);
+    CHECK(far > 10);
 }
 
 TEST_CASE("initial conditions: the rays after the first reflection hold for every state and angle") {
