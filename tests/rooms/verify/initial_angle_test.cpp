@@ -83,3 +83,38 @@ TEST_CASE("angles: what is too far out or too wide is [-1, 1]") {
         CHECK((c.lo == -1 && c.hi == 1));
     }
 }
+
+TEST_CASE("angles: a number of 2^28 right angles or more is too far out by itself") {
+    const Interval<double> quarter = pi<double>() / Interval<double>(2);
+    for (const double z : {quarter.lo * 0x1p28, -quarter.lo * 0x1p28, 5e8, -2e9, 1e18}) {
+        const auto [s, c] = sin_cos_at(z, quarter);
+        CHECK((s.lo == -1 && s.hi == 1));
+        CHECK((c.lo == -1 && c.hi == 1));
+    }
+    const auto [s, c] = sin_cos_at(4e8, quarter);
+    CHECK(s.hi - s.lo < 1e-6);
+    CHECK(c.hi - c.lo < 1e-6);
+}
+
+TEST_CASE("angles: square roots enclose, and are 0 of what is not positive") {
+    const auto check = [](const auto& number, double narrow) {
+        using N = std::decay_t<decltype(number)>;
+        const auto root_of = [](const Interval<N>& x) {
+            const Interval<N> y = root(x);
+            return std::pair{exact_value(y.lo), exact_value(y.hi)};
+        };
+        CHECK(root_of({N(-1), N(0)}) == std::pair{mpq_class(0), mpq_class(0)});
+        CHECK(root_of({N(-1), N(4)}) == std::pair{mpq_class(0), mpq_class(2)});
+        CHECK(root_of({N(4), N(9)}) == std::pair{mpq_class(2), mpq_class(3)});
+        for (int i = 1; i < 300; ++i) {
+            const N x = bound(down, mpq_class(i * i + 1, 500), number);
+            const auto [lo, hi] = root_of(x);
+            REQUIRE(lo * lo <= exact_value(x));
+            REQUIRE(hi * hi >= exact_value(x));
+            REQUIRE((lo > 0 && hi < lo * (1 + narrow)));
+        }
+    };
+    check(0.0, 1e-15);
+    Big::precision = 8;
+    check(Big(0), 0.02);
+}

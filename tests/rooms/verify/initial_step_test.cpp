@@ -4,6 +4,7 @@
 #include <cmath>
 #include <random>
 
+#include "verify/number/big.hpp"
 #include "verify/starts/reflection.hpp"
 
 using namespace dumbbell_verify;
@@ -156,6 +157,49 @@ TEST_CASE("initial conditions: steps off the bridge and off a light wall hold fo
     CHECK(dives > 1000);
 }
 
+TEST_CASE("initial conditions: steps off the bridge hold in few bits, where a wrong rounding shows") {
+    int found[2] = {0, 0}, far = 0;
+    for (int i = 0; i < 250; ++i) {
+        Big::precision = 6 + i % 5;
+        const auto number = [](double x) { return bound(down, mpq_class(x), Big(0)); };
+        const auto interval = [&](double lo, double width) {
+            const Big from = number(lo);
+            return Interval<Big>(from, add(up, from, number(width)));
+        };
+        const bool behind = i % 4 != 0;  // the bridge is met behind its top
+        const double ratio = step_uniform(0.02, 1),
+                     k = ratio * (behind ? step_uniform(-4, -0.3) : step_uniform(-2, 1)),
+                     a = behind ? -k * step_uniform(1.6, 3.3) : ratio * step_uniform(0.01, 1.5);
+        const auto width = [&] { return i % 3 != 0 ? 0 : ratio * std::exp2(step_uniform(-10, 0)); };
+        const Interval<Big> r = interval(ratio, 0), height = interval(a, width()),
+                            slope = interval(k, width());
+        const auto next = Departures<Big>(r, nullptr).off_bridge({true, height, slope});
+        if (!next) continue;
+        for (int corner = 0; corner < 4; ++corner) {
+            const LongDouble q = to_double(down, r.lo),
+                             c = to_double(down, corner & 1 ? height.hi : height.lo),
+                             kappa = to_double(down, corner & 2 ? slope.hi : slope.lo);
+            INFO("height " << c << " slope " << kappa << " r " << q << " bits " << Big::precision);
+            const auto x = contact(c / q, kappa / q);
+            REQUIRE(x);
+            const auto [spin, climb] = reflected(1, kappa, q * std::cos(*x), q);
+            const LongDouble out = climb / std::abs(spin),
+                             rise = q * std::sin(*x) + out * (spin > 0 ? pi_long - *x : *x);
+            const auto encloses = [](const Interval<Big>& y, LongDouble value) {
+                const LongDouble tolerance = 1e-12L * (1 + std::abs(value));
+                return to_double(down, y.lo) <= value + tolerance && value <= to_double(up, y.hi) + tolerance;
+            };
+            REQUIRE(encloses(next->slope, out));
+            REQUIRE(encloses(next->height, rise));
+            ++found[spin > 0];
+            far += *x > pi_long / 2;
+        }
+    }
+    CHECK(found[0] > 10);
+    CHECK(found[1] > 10);
+    CHECK(far > 10);
+}
+
 TEST_CASE("initial conditions: the rays after the first reflection hold for every state and angle") {
     int found[2][2][2] = {}, outward = 0, steep = 0;  // mass, falling, turning forwards
     for (int i = 0; i < 60'000; ++i) {
@@ -239,9 +283,16 @@ TEST_CASE("initial conditions: a second dip of a mass is not its first contact")
     CHECK(flight.is_closed(false, 0.47));
     CHECK_FALSE(flight.is_closed(false, 0.47 + turn));
     CHECK_FALSE(flight.is_closed(true, 0.47));
+    const InitialBox turning = box;
+    // The same a hundred times as slow.
+    box.lo[1] = box.hi[1] = mpq_class(1, 10);
+    box.lo[3] = box.hi[3] = mpq_class(-1, 100'000);
+    const Flight<double> slow(box);
+    CHECK(slow.is_closed(false, 47));
+    CHECK_FALSE(slow.is_closed(false, 47 + 100 * turn));
     for (const double shift : {0.0, turn}) {
         InitialLeaf leaf;
-        leaf.box = box;
+        leaf.box = turning;
         leaf.least = 1;
         leaf.most = 9;
         leaf.first = FirstContact{false, mpq_class(0.40 + shift), mpq_class(0.47 + shift)};
