@@ -147,6 +147,7 @@ TEST_CASE("what this program does not know is unsupported, what is misspelled is
     CHECK(outcome_at_line(mutated(ten(), "scene dumbbell", "scene Dumbbell"), true) == "word 4");
     CHECK(outcome_at_line(mutated(ten(), "section turning", "section heavy"), true) == "unsupported 5");
     CHECK(outcome_at_line(mutated(ten(), "claim collisions", "claim heavy"), true) == "unsupported 6");
+    CHECK(outcome_at_line(mutated(ten(), "claim collisions", "claim law"), true) == "syntax 7");
     CHECK(outcome_at_line(mutated(ten(), "claim collisions", "claim 7"), true) == "word 6");
     CHECK(outcome_at_line(mutated(ten(), "generator test", "generator Test"), true) == "word 2");
     CHECK(outcome_at_line(mutated(ten(), "generator test", "generator " + std::string(33, 'a')), true) ==

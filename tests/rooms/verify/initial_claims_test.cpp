@@ -2,6 +2,7 @@
 #include <catch2/catch.hpp>
 
 #include "make_initial.hpp"
+#include "verify/starts/grammar.hpp"
 
 using make::closed_initial;
 using make::falling;
@@ -95,6 +96,53 @@ TEST_CASE("`exactly 0` is for starts that leave") {
     CHECK(zero("2/1 2/1", "1/1 1/1", "-1/1000000 1/1") == "exactly");
     CHECK(zero("-1/1 -1/1", "9/10 9/10", "1/10 1/10") == "verified");  // over the peak of the light wall
     CHECK(zero("-1/1 -1/1", "1/2 1/2", "1/10 1/10") == "exactly");     // into that wall
+}
+
+TEST_CASE("a piece of the section of incoming trajectories stands for states that hold all of its own") {
+    const mpz_class digits("314159265358979323846264338327950288419716939937510582097494459"),
+        units("1" + std::string(62, '0'));
+    const mpq_class pi_low(digits, units), pi_high(digits + 1, units);
+    const mpq_class close(1, mpz_class("1" + std::string(45, '0'))), closer(1, mpz_class(1) << 500);
+    for (const mpq_class& q : {mpq_class(1), mpq_class(2), mpq_class(461, 100), mpq_class(1'000'000)})
+        for (const mpq_class& s : {mpq_class(0), mpq_class(1, 3), mpq_class(3, 5), mpq_class(1023, 1024)}) {
+            dumbbell_verify::InitialBox piece;
+            piece.lo = {1, s, 0, 0, q};
+            piece.hi = {mpq_class(3, 2), s, 0, 0, q};
+            const dumbbell_verify::InitialBox states = dumbbell_verify::incoming_states(piece);
+            const mpq_class spin2 = s * s * q / (1 - s * s), least = states.lo[1], most = states.hi[1];
+            CAPTURE(q, s);
+            CHECK((pi_low - close < states.lo[0] && states.lo[0] <= pi_low));
+            CHECK((pi_high * 3 / 2 <= states.hi[0] && states.hi[0] < pi_low * 3 / 2 + close));
+            CHECK((least >= 0 && least * least <= spin2 && spin2 <= most * most && most - least < closer));
+            CHECK(
+                (states.lo[2] == states.hi[2] && states.lo[2] == q / (q + 1) * mpq_class(1048577, 1048576)));
+            CHECK((states.lo[3] == states.hi[3] && states.lo[3] == -q / (q + 1)));
+            CHECK((states.lo[4] == q && states.hi[4] == q));
+        }
+}
+
+TEST_CASE("a file about incoming trajectories is one of the section's square, at one mass ratio") {
+    const auto code = [](const std::string& tree, const std::string& bounds = "0 none",
+                         const std::string& ratio = "2/1 2/1") {
+        return outcome(
+            closed_initial("dumbbell-certificate 1\ngenerator test 1.0\nlemmas 1\nscene dumbbell\n"
+                           "section none\nclaim incoming\nratio " +
+                           ratio + "\nbits 53\nbetween " + bounds + "\n" + tree));
+    };
+    CHECK(code("open\n") == "verified");
+    CHECK(code("split phi\nopen\nsplit s\nopen\nopen\n") == "verified");
+    CHECK(code("split q\nopen\nopen\n") == "syntax");
+    CHECK(code("split phidot\nopen\nopen\n") == "syntax");
+    CHECK(code("open\n", "0 none", "2/1 3/1") == "number");
+    CHECK(code("open\n", "0 none", "1/2 1/2") == "number");
+    // All come down, and have at least one collision; up to s = 1 nothing else is known.
+    CHECK(code("between 1 9\n", "1 9") == "verified");
+    CHECK(code("between 2 9\n", "2 9") == "between");
+    CHECK(code("between 1 2\n", "1 2") == "between");
+    CHECK(code("exactly 0\n", "0 0") == "section");
+    CHECK(code("between 1 9 heavy 1b-3 1b3\n", "1 9") == "section");
+    CHECK(code("split s\nbetween 1 9\nbetween 1 9\n", "1 9") == "verified");
+    CHECK(code("split s\nexactly 0\nbetween 1 9\n", "0 9") == "exactly");
 }
 
 TEST_CASE("numbers beyond all bounds are refused without harm") {

@@ -120,6 +120,28 @@ TEST_CASE("initial edges: in few bits the middle of a box may be worse than the 
           "an angle of the first contact");
 }
 
+TEST_CASE("initial edges: a claim is written to the letter") {
+    Initial claim;
+    claim.box.lo = {-1, mpq_class(1, 2), 2, -3, 4};
+    claim.box.hi = {1, 2, 3, mpq_class(-1, 3), 5};
+    claim.least = 1;
+    claim.most = 7;
+    claim.decided = mpq_class(2, 3);
+    CHECK(claim.text() ==
+          "claim=initial-conditions phi=-1/1:1/1 phidot=1/2:2/1 y=2/1:3/1 ydot=-3/1:-1/3 ratio=4/1:5/1 "
+          "collisions=1:7 decided=0.666666666666");
+    CHECK(claim.json() ==
+          R"({"kind":"initial-conditions","box":{"phi":{"lo":"-1/1","hi":"1/1"},)"
+          R"("phidot":{"lo":"1/2","hi":"2/1"},"y":{"lo":"2/1","hi":"3/1"},"ydot":{"lo":"-3/1","hi":"-1/3"},)"
+          R"("ratio":{"lo":"4/1","hi":"5/1"}},"least":1,"most":7,"decided":"2/3"})");
+    claim.incoming = true;
+    claim.most.reset();
+    claim.decided = 1;
+    CHECK(claim.text() == "claim=incoming ratio=4/1:5/1 collisions=1:none decided=1");
+    CHECK(claim.json() == R"({"kind":"incoming","ratio":{"lo":"4/1","hi":"5/1"},)"
+                          R"("least":1,"most":null,"decided":"1/1"})");
+}
+
 TEST_CASE("initial edges: shares are written to the letter") {
     Initial claim;
     claim.shares.emplace();

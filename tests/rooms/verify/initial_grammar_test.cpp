@@ -85,6 +85,7 @@ TEST_CASE("each line has one spelling, and a place") {
                                      {"between 1 none", "number"},
                                      {"between 5", "syntax"},
                                      {"open 1", "opcode"},
+                                     {"sometimes", "opcode"},
                                      {"sometimes 1", "opcode"},
                                      {"count 1 2", "opcode"},
                                      {"split r", "syntax"},

@@ -190,6 +190,7 @@ TEST_CASE("wrong usage is one line on stderr and exit code 2") {
              "--precision 52 F",
              "--precision 5000 F",
              "--json=1 F",
+             "--json --quiet F",
              "--explain 1:bridge --json F",
              "--exactly 4 --max 5 F",
              "--min 1 --exactly 4 F",
