@@ -87,6 +87,7 @@ TEST_CASE("a certificate may come from the standard input, or from a pipe that t
             "\n" ==
         verdict);
     CHECK(run(exactly + "- <&-").code == 2);
+    CHECK(run(exactly + ten_path, "exec <&-; ").out == verdict);  // it is file 0 then
 }
 
 TEST_CASE("a named pipe that nobody writes to is refused at once") {

@@ -9,6 +9,8 @@
 #include <filesystem>
 #include <thread>
 
+#include "make_certificate.hpp"
+
 using namespace dumbbell_verify;
 
 namespace {
@@ -59,4 +61,15 @@ TEST_CASE("examine_all works on as many threads and files as it may, and on no m
         }
         CHECK(reported == 5);
     }
+}
+
+TEST_CASE("a named pipe is refused, and left closed") {
+    const make::File pipe("");
+    ::unlink(pipe.path().c_str());
+    REQUIRE(::mkfifo(pipe.path().c_str(), 0600) == 0);
+    const auto before = number_of("fd");
+    std::string why;
+    CHECK(open_file(pipe.path(), why) == nullptr);
+    CHECK(why == "a named pipe: give `-` and let the shell redirect it");
+    CHECK(number_of("fd") == before);
 }

@@ -42,6 +42,13 @@ std::string with_tree(const std::vector<std::string>& lines) {
                           tree);
 }
 
+/// About all incoming trajectories.
+std::string incoming(const std::string& tree, const std::string& bounds, const std::string& ratio) {
+    return closed_initial("dumbbell-certificate 1\ngenerator test 1.0\nlemmas 1\nscene dumbbell\n"
+                          "section none\nclaim incoming\nratio " +
+                          ratio + "\nbits 53\nbetween " + bounds + "\n" + tree);
+}
+
 }  // namespace
 
 TEST_CASE("another number of collisions is refused in every leaf") {
@@ -107,13 +114,16 @@ TEST_CASE("a piece of the section of incoming trajectories stands for states tha
         for (const mpq_class& s : {mpq_class(0), mpq_class(1, 3), mpq_class(3, 5), mpq_class(1023, 1024)}) {
             dumbbell_verify::InitialBox piece;
             piece.lo = {1, s, 0, 0, q};
-            piece.hi = {mpq_class(3, 2), s, 0, 0, q};
+            piece.hi = {mpq_class(3, 2), s + mpq_class(1, 4096), 0, 0, q};
             const dumbbell_verify::InitialBox states = dumbbell_verify::incoming_states(piece);
-            const mpq_class spin2 = s * s * q / (1 - s * s), least = states.lo[1], most = states.hi[1];
+            const auto squared = [&](const mpq_class& x) { return mpq_class(x * x * q / (1 - x * x)); };
+            const mpq_class least = states.lo[1], most = states.hi[1], to = piece.hi[1];
             CAPTURE(q, s);
             CHECK((pi_low - close < states.lo[0] && states.lo[0] <= pi_low));
             CHECK((pi_high * 3 / 2 <= states.hi[0] && states.hi[0] < pi_low * 3 / 2 + close));
-            CHECK((least >= 0 && least * least <= spin2 && spin2 <= most * most && most - least < closer));
+            CHECK((least >= 0 && least * least <= squared(s) && squared(to) <= most * most));
+            CHECK(((least + closer) * (least + closer) > squared(s)));
+            CHECK(((most - closer) * (most - closer) < squared(to)));
             CHECK(
                 (states.lo[2] == states.hi[2] && states.lo[2] == q / (q + 1) * mpq_class(1048577, 1048576)));
             CHECK((states.lo[3] == states.hi[3] && states.lo[3] == -q / (q + 1)));
@@ -124,10 +134,7 @@ TEST_CASE("a piece of the section of incoming trajectories stands for states tha
 TEST_CASE("a file about incoming trajectories is one of the section's square, at one mass ratio") {
     const auto code = [](const std::string& tree, const std::string& bounds = "0 none",
                          const std::string& ratio = "2/1 2/1") {
-        return outcome(
-            closed_initial("dumbbell-certificate 1\ngenerator test 1.0\nlemmas 1\nscene dumbbell\n"
-                           "section none\nclaim incoming\nratio " +
-                           ratio + "\nbits 53\nbetween " + bounds + "\n" + tree));
+        return outcome(incoming(tree, bounds, ratio));
     };
     CHECK(code("open\n") == "verified");
     CHECK(code("split phi\nopen\nsplit s\nopen\nopen\n") == "verified");
@@ -143,6 +150,23 @@ TEST_CASE("a file about incoming trajectories is one of the section's square, at
     CHECK(code("between 1 9 heavy 1b-3 1b3\n", "1 9") == "section");
     CHECK(code("split s\nbetween 1 9\nbetween 1 9\n", "1 9") == "verified");
     CHECK(code("split s\nexactly 0\nbetween 1 9\n", "0 9") == "exactly");
+    const make::File whole(incoming("open\n", "0 none", "2/1 2/1"));
+    const auto proof = dumbbell_verify::verify(whole.path(), {});
+    const auto box = std::get<dumbbell_verify::Initial>(proof.other).box;
+    CHECK((box.lo == std::array<mpq_class, 5>{0, 0, 0, 0, 2}));
+    CHECK((box.hi == std::array<mpq_class, 5>{2, 1, 0, 0, 2}));
+}
+
+TEST_CASE("a leaf about incoming trajectories is about all of its piece, however fast they turn") {
+    // Upright ones, the heavy mass below, touch the floor after half a unit of time if they do not turn.
+    const auto code = [](int halved, const std::string& upright) {
+        std::string tree = upright + " heavy 7b-4 17b-5\n";
+        for (int i = 0; i < halved; ++i) tree = "split s\n" + tree + "open\n";
+        for (int i = 0; i < 7; ++i) tree = "split phi\n" + tree + "open\n";
+        return outcome(incoming("split phi\nsplit phi\nopen\n" + tree + "open\n", "0 none", "2/1 2/1"));
+    };
+    CHECK(code(7, "between 1 9") == "verified");
+    CHECK(code(1, "between 1 9") == "between");
 }
 
 TEST_CASE("numbers beyond all bounds are refused without harm") {

@@ -142,6 +142,36 @@ TEST_CASE("initial edges: a claim is written to the letter") {
                           R"("least":1,"most":null,"decided":"1/1"})");
 }
 
+TEST_CASE("initial edges: a demand is proved, or what is missing is told") {
+    Initial claim;
+    claim.box.lo[4] = 4;
+    claim.box.hi[4] = 5;
+    claim.least = 1;
+    claim.most = 7;
+    const auto at = [&](const mpq_class& lo, const mpq_class& hi) {
+        Collisions demand;
+        demand.ratios.emplace(lo, hi);
+        return claim.missing(demand);
+    };
+    CHECK(at(4, 5).empty());
+    CHECK(at(3, 5) == "of the mass ratios 3/1:5/1 the file covers only 4/1:5/1");
+    CHECK(at(4, 6) == "of the mass ratios 4/1:6/1 the file covers only 4/1:5/1");
+    CHECK(at(6, 7) == "the file says nothing of the mass ratios 6/1:7/1, it is about 4/1:5/1");
+    CHECK(at(1, 2) == "the file says nothing of the mass ratios 1/1:2/1, it is about 4/1:5/1");
+    Collisions most, least;
+    most.most = 7;
+    least.least = 1;
+    CHECK(claim.missing(most).empty());
+    CHECK(claim.missing(least).empty());
+    most.most = 6;
+    least.least = 2;
+    CHECK(claim.missing(most) == "not proved: at most 6 collisions from the box");
+    CHECK(claim.missing(least) == "not proved: at least 2 collisions from the box");
+    claim.most.reset();
+    most.most = 1000;
+    CHECK(claim.missing(most) == "not proved: at most 1000 collisions from the box");
+}
+
 TEST_CASE("initial edges: shares are written to the letter") {
     Initial claim;
     claim.shares.emplace();

@@ -60,6 +60,12 @@ TEST_CASE("each value has one spelling") {
     CHECK(initial_mutant("phi -1/1 1/1", "phi -1/1") == "syntax");
     CHECK(initial_mutant("phi -1/1 1/1", "psi -1/1 1/1") == "syntax");
     CHECK(initial_mutant("phi -1/1 1/1", "phi -4/1 4/1") == "number");
+    const auto wide = [](const std::string& phi) {
+        return outcome(
+            closed_initial(initial_header("2/1 2/1", phi, "1/2 1/1", "1/1 2/1", "1/1 2/1") + "between 0 none\nopen\n"));
+    };
+    CHECK(wide("-3/1 4/1") == "verified");
+    CHECK(wide("-3/1 4000001/1000000") == "number");
     CHECK(initial_mutant("bits 53", "bits 52") == "number");
     CHECK(initial_mutant("bits 53", "bits 4097") == "number");
     CHECK(initial_mutant("bits 53", "bits 2049") == "limit");
@@ -139,6 +145,19 @@ TEST_CASE("bounds and totals are those of the leaves") {
     CHECK(outcome(falling() + "\n") == "trailing");
     CHECK(outcome(make::hashed(
               replaced(falling().substr(0, falling().rfind("sha256")), "total open 0\n", ""))) == "syntax");
+}
+
+TEST_CASE("the shares of a file are those of its leaves") {
+    dumbbell_verify::Settings settings;
+    settings.shares = true;
+    const make::File file(leaving("split phi\nsplit y\nexactly 0\nopen\nopen\n", "between 0 none"));
+    const auto proof = dumbbell_verify::verify(file.path(), settings);
+    const auto claim = std::get<dumbbell_verify::Initial>(proof.other);
+    CHECK((claim.decided == mpq_class(1, 4)));
+    CHECK((claim.shares.value().open == mpq_class(3, 4)));
+    CHECK((claim.shares.value().exact.at(0) == mpq_class(1, 4)));
+    const auto without = dumbbell_verify::verify(file.path(), {});
+    CHECK_FALSE(std::get<dumbbell_verify::Initial>(without.other).shares.has_value());
 }
 
 TEST_CASE("boxes at rest or in the floor are refused") {

@@ -114,6 +114,7 @@ TEST_CASE("the JUnit report appears complete or not at all, and replaces nothing
               "cannot write report.xml: it is not a regular file"));
     fs::remove(folder / "report.xml");
     CHECK(folder.run("--junit none/report.xml ten.dbc").code == 2);
+    CHECK(folder.run("--junit none/report.xml ten.dbc").out.empty());  // before anything is verified
     fs::create_hard_link(folder / "ten.dbc", folder / "hard.xml");
     fs::create_symlink("ten.dbc", folder / "soft.xml");
     for (const std::string name : {"hard.xml", "soft.xml", "./soft.xml"})
@@ -131,6 +132,7 @@ TEST_CASE("the JUnit report appears complete or not at all, and replaces nothing
     // No room: the verdict that is worse decides the exit code, and an old report stays as it was.
     const std::string no_room = "trap '' XFSZ; ulimit -f 1; ";
     write_file(folder / "report.xml", "old");
+    fs::permissions(folder / "report.xml", fs::perms(0640));
     write_file(folder / "empty.dbc", "");
     const Run failed = folder.run("--junit report.xml empty.dbc", no_room);
     CHECK(failed.code == 1);
@@ -140,5 +142,6 @@ TEST_CASE("the JUnit report appears complete or not at all, and replaces nothing
     CHECK(folder.names() ==
           std::vector<std::string>{"bad.dbc", "empty.dbc", "foreign.dbc", "report.xml", "ten.dbc"});
     CHECK(folder.run("--junit report.xml empty.dbc").code == 1);
+    CHECK(fs::status(folder / "report.xml").permissions() == fs::perms(0640));  // as before
     CHECK(folder.valid());
 }

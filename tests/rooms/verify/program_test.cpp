@@ -128,6 +128,9 @@ TEST_CASE("a demand is proved or the file is rejected") {
     CHECK(code("--exactly 4") == 1);
     CHECK(code("--ratio 10 --max 4") == 0);
     CHECK(code("--ratio=1e1 --max=4") == 0);
+    CHECK(code("--ratio 1E1") == 0);
+    CHECK(code("--ratio 1/12:1/10") == 1);
+    CHECK(code("--ratio 1/10:1/9") == 1);
     CHECK(code("--ratio 100e-1") == 0);
     CHECK(code("--ratio 10^+01") == 0);
     CHECK(code("--ratio 10^1e0") == 2);
@@ -176,6 +179,7 @@ TEST_CASE("wrong usage is one line on stderr and exit code 2") {
              "--ratio 1/0 F",
              "--ratio 1e1001 F",
              "--ratio 1e99999999999 F",
+             "--ratio 1e99999999999999999999999 F",
              "--ratio 10e F",
              "--ratio 10^ F",
              "--ratio 10e+ F",
@@ -216,12 +220,16 @@ TEST_CASE("wrong usage is one line on stderr and exit code 2") {
         CHECK(r.code == 2);
         CHECK(std::count(r.err.begin(), r.err.end(), '\n') == 1);
     }
+    for (const char* ratio : {"5/", "/5", "/", "5/x"})
+        CHECK(run("--ratio " + std::string(ratio) + " " + file.path()).err ==
+              "dumbbell-verify: not a mass ratio: `" + std::string(ratio) + "`\n");
     const std::string digits(1001, '1');
     CHECK(run("--ratio " + digits + " " + file.path()).code == 2);
     CHECK(run("--ratio " + digits.substr(1) + " " + file.path()).code == 1);
     CHECK(run("--ratio 1e1000 " + file.path()).code == 1);
     CHECK(run("--ratio 1e0000000000000001 " + file.path()).code == 0);
     CHECK(run("-- " + file.path()).code == 0);
+    CHECK(run("--law /nonexistent " + file.path()).code == 0);  // no file asks for it
     CHECK(run("--help").code == 0);
     CHECK(run("--help").out.find("--explain") != std::string::npos);
     CHECK(run("--version").out.starts_with("dumbbell-verify "));
@@ -271,9 +279,13 @@ TEST_CASE("the option --json of a comparison is one object with both files") {
     CHECK(exchanged.code == 1);
     CHECK(exchanged.out.find("\"verdict\":\"REJECTED\",\"comparison\":null,\"files\":[") !=
           std::string::npos);
-    const Run missing = run("--lemma 4.1 " + hybrid + " /nonexistent");
-    CHECK(missing.code == 2);
-    CHECK(missing.last() == "s UNREADABLE lemma=4.1 /nonexistent No such file or directory");
+    for (const std::string& files : {hybrid + " /nonexistent", "/nonexistent " + wedge}) {
+        const Run missing = run("--lemma 4.1 " + files);
+        CHECK(missing.code == 2);
+        CHECK(missing.last() == "s UNREADABLE lemma=4.1 /nonexistent No such file or directory");
+    }
+    CHECK(run("--lemma 4.1 " + hybrid + " " + wedge)
+              .out.starts_with(hybrid + "\n  scene=hybrid ratio=1/1:100/1 upper="));
 }
 
 TEST_CASE("a word is an option if it begins with a dash, else a file") {
@@ -311,6 +323,7 @@ TEST_CASE("the option --explain shows a leaf with its numbers") {
     const File long_ray(
         closed(make::header("10000/1", "10000/1", 1) + make::piece(10'000, 10'000, 90, 0, "")));
     CHECK(run("--explain 1:bridge " + long_ray.path()).out.size() < 40'000);
+    CHECK(run("--precision 4096 --explain 1:bridge " + long_ray.path()).code == 0);
 }
 
 TEST_CASE("a gigabyte of zeros, plain or compressed, is refused at once in little memory") {

@@ -2,6 +2,7 @@
 #include <catch2/catch.hpp>
 
 #include "make_adiabatic.hpp"
+#include "verify/program/words.hpp"
 
 using namespace dumbbell_verify;
 using make::closed;
@@ -80,4 +81,75 @@ TEST_CASE("edges: what is missing is said for the ratios that were asked for, or
     asked.least = 5;
     asked.add(1, 3, 4, 4);
     CHECK(asked.missing() == "not proved: at least 5 collisions for every mass ratio in 2/1:3/1");
+}
+
+TEST_CASE("edges: pieces before the ratios that were asked for prove nothing of them, nor against them") {
+    const auto proved = [](const std::optional<mpz_class>& first, const std::optional<mpz_class>& second,
+                           const std::optional<mpz_class>& third) {
+        Collisions claim;
+        claim.lo = 1;
+        claim.hi = 5;
+        claim.ratios.emplace(3, 5);
+        claim.most = 4;
+        claim.add(1, 2, first, 0);
+        claim.add(2, 3, second, 0);
+        claim.add(3, 5, third, 0);
+        return claim.missing().empty();
+    };
+    CHECK(proved({}, {}, 4));
+    CHECK(proved(4, {}, 4));
+    CHECK(proved({}, 4, 4));
+    CHECK_FALSE(proved(4, 4, {}));
+    CHECK_FALSE(proved(4, {}, {}));
+}
+
+TEST_CASE("edges: behind -- there are no options") {
+    Words words({"-x=1", "--", "-y", "--"});
+    CHECK(words.next());
+    CHECK(words.option == "-x");
+    for (const char* file : {"-y", "--"}) {
+        CHECK(words.next());
+        CHECK(words.option.empty());
+        CHECK(words.word == file);
+    }
+    CHECK_FALSE(words.next());
+}
+
+TEST_CASE("edges: decimals are rounded to the side that was asked for, whatever their number") {
+    const mpq_class third(1, 3), half(5, 2), whole = 7;
+    CHECK(decimals(third, false, 0) == "0");
+    CHECK(decimals(third, true, 0) == "1");
+    CHECK(decimals(half, false, 0) == "2");
+    CHECK(decimals(half, false, 1) == "2.5");
+    CHECK(decimals(half, true, 1) == "2.5");
+    CHECK(decimals(third, false, 2) == "0.33");
+    CHECK(decimals(third, true, 2) == "0.34");
+    CHECK(decimals(whole, true) == "7.000000");
+}
+
+TEST_CASE("edges: the numbers and times that an option takes") {
+    const auto number = [](const std::string& text) {
+        Words words({"--jobs=" + text});
+        words.next();
+        return words.number(2, 1024);
+    };
+    CHECK(number("2") == 2);
+    CHECK(number("1024") == 1024);
+    for (const char* bad : {"1", "1025", "02", "", "-2", "2x", "9999999999999999999", "99999999999999999999"})
+        CHECK_THROWS_AS(number(bad), std::invalid_argument);
+    const auto time = [](const std::string& text) {
+        Words words({"--budget", text});
+        words.next();
+        return words.time();
+    };
+    CHECK(time("0s") == 0);
+    CHECK(time("30s") == 30 * units_per_second);
+    CHECK(time("2m") == 120 * units_per_second);
+    CHECK(time("1.5h") == 5400 * units_per_second);
+    CHECK(time("0.001s") == units_per_second / 1000);
+    CHECK(time("1.02s") == units_per_second / 100 * 102);
+    CHECK(time("99999h") == 99999 * 3600 * units_per_second);
+    for (const char* bad :
+         {"", "s", "5", "5.", "5.s", ".5s", "5d", "5ss", "5 s", "-5s", "100000s", "1.2345s", "1.2.3s", "1e1s"})
+        CHECK_THROWS_AS(time(bad), std::invalid_argument);
 }
