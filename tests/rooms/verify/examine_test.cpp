@@ -73,3 +73,12 @@ TEST_CASE("a named pipe is refused, and left closed") {
     CHECK(why == "a named pipe: give `-` and let the shell redirect it");
     CHECK(number_of("fd") == before);
 }
+
+TEST_CASE("a result tells the time that it took, and of listed files only what is so") {
+    const make::File file(make::mutated(make::ten(), "upper 4", "upper 3"));
+    Job job{std::filesystem::relative(file.path()).string(), {}};
+    job.listed = true;
+    const Result result = examine(job);
+    CHECK(result.seconds > 0);
+    CHECK(result.why.text == "not certified: 1 + a + b <= U");
+}

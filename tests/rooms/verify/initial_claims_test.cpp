@@ -44,9 +44,10 @@ std::string with_tree(const std::vector<std::string>& lines) {
 
 /// About all incoming trajectories.
 std::string incoming(const std::string& tree, const std::string& bounds, const std::string& ratio) {
-    return closed_initial("dumbbell-certificate 1\ngenerator test 1.0\nlemmas 1\nscene dumbbell\n"
-                          "section none\nclaim incoming\nratio " +
-                          ratio + "\nbits 53\nbetween " + bounds + "\n" + tree);
+    return closed_initial(
+        "dumbbell-certificate 1\ngenerator test 1.0\nlemmas 1\nscene dumbbell\n"
+        "section none\nclaim incoming\nratio " +
+        ratio + "\nbits 53\nbetween " + bounds + "\n" + tree);
 }
 
 }  // namespace

@@ -94,6 +94,8 @@ TEST_CASE("several files: a line each in the given order, then one with the numb
               empty.path() + "\n" + verified +
               "c files=5 verified=2 rejected=2 limit=0 unsupported=0 unreadable=1 exit=1\n");
     CHECK(r.code == 1);
+    CHECK(run("--quiet" + files).out ==
+          "c files=5 verified=2 rejected=2 limit=0 unsupported=0 unreadable=1 exit=1\n");
     for (const char* jobs : {"1", "2", "3", "5", "64"})
         CHECK(run(std::string("--jobs ") + jobs + files).out == r.out);
     std::string many, expected;
@@ -188,6 +190,12 @@ TEST_CASE("wrong usage is one line on stderr and exit code 2") {
              "--ratio 1:2:3 F",
              "--ratio ' 5' F",
              "--ratio 1.5/2 F",
+             "--ratio 5.e3 F",
+             "--ratio .5e1 F",
+             "--ratio e5 F",
+             "--ratio 1e-+1 F",
+             "--law a --law b F",
+             "--precision 4097 F",
              "--jobs 0 F",
              "--jobs 1e9 F",
              "--max-bits 5 F",
@@ -284,8 +292,13 @@ TEST_CASE("the option --json of a comparison is one object with both files") {
         CHECK(missing.code == 2);
         CHECK(missing.last() == "s UNREADABLE lemma=4.1 /nonexistent No such file or directory");
     }
-    CHECK(run("--lemma 4.1 " + hybrid + " " + wedge)
-              .out.starts_with(hybrid + "\n  scene=hybrid ratio=1/1:100/1 upper="));
+    const auto said = [](const std::string& scene, const std::string& file) {
+        return file + "\n  " + run("--quiet --scene " + scene + " " + file).last().substr(11) + "\n";
+    };
+    const std::string verdict = run("--quiet --lemma 4.1 " + hybrid + " " + wedge).out;
+    CHECK(verdict.starts_with("s VERIFIED lemma=4.1 "));
+    CHECK(run("--lemma 4.1 " + hybrid + " " + wedge).out ==
+          said("hybrid", hybrid) + said("wedge", wedge) + verdict);
 }
 
 TEST_CASE("a word is an option if it begins with a dash, else a file") {

@@ -88,6 +88,7 @@ TEST_CASE("summary: JSON of a proof and of a refusal, whole") {
         R"({"file":"a\u000ab.dbc","verdict":"REJECTED","claim":null,"sha256":null,)"
         R"("schema":"dumbbell-verify-1","demand":{"ratio":null,"max":null,"min":null},)"
         R"("part":null,"parts":null,"leaves":{},"coverage":{},"work":null,"line":7,"code":"count","reason":"not\u000acertified"})");
+    CHECK(json(result(Verdict::rejected, 1)).find(R"("line":1,)") != std::string::npos);
     Result r = verified(false);
     r.proof.heavy_once = true;
     const Job asked = [] {

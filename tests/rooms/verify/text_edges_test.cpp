@@ -53,6 +53,37 @@ TEST_CASE("edges: a numerator has up to 2100 digits") {
     CHECK(up_to(2101) == "number");
 }
 
+TEST_CASE("edges: a line has up to 4096 bytes") {
+    const auto with_line_of = [](std::size_t size) {
+        const std::string hi = "1" + std::string(2099, '0') + "/1" + std::string(size - 2114, '0') + "1";
+        return outcome_of(
+            closed(make::header("1/1", hi, 1) + "piece 1/1 " + hi + "\nbits 53\nupper none\nlower 0\n"));
+    };
+    CHECK(with_line_of(4096) == "verified");
+    CHECK(with_line_of(4097) == "line");
+}
+
+TEST_CASE("edges: every byte of a file that is read is work, and nothing else where nothing is checked") {
+    const std::string text = claims_nothing("2/1"), last = text.substr(text.rfind("sha256"));
+    CHECK(verify(File(text).path(), {}).work == 128 * (text.size() - last.size()));
+}
+
+TEST_CASE("edges: what one piece says of its bounds") {
+    const auto said = [](std::uint64_t upper, std::uint64_t lower) {
+        Collisions claim;
+        claim.add(1, 2, upper, lower);
+        return std::array<std::uint64_t, 4>{claim.upper.value().get_ui(), claim.lower.get_ui(), claim.gaps,
+                                            claim.open};
+    };
+    using Said = std::array<std::uint64_t, 4>;
+    CHECK((said(0, 0) == Said{0, 0, 0, 0}));
+    CHECK((said(3, 3) == Said{3, 3, 0, 0}));
+    CHECK((said(4, 3) == Said{4, 3, 1, 0}));
+    CHECK((said(5, 3) == Said{5, 3, 0, 1}));
+    CHECK(json_count(mpz_class("9223372036854775807")) == "9223372036854775807");
+    CHECK(json_count(mpz_class("9223372036854775808")) == "\"9223372036854775808\"");
+}
+
 TEST_CASE("edges: the leaves of a proof fill its root boxes") {
     const Verified stairs = verify(DUMBBELL_PROJECT "/certificates/stairs-1-100.dbc", {});
     CHECK(stairs.roots > 2);
@@ -149,7 +180,7 @@ TEST_CASE("edges: the numbers and times that an option takes") {
     CHECK(time("0.001s") == units_per_second / 1000);
     CHECK(time("1.02s") == units_per_second / 100 * 102);
     CHECK(time("99999h") == 99999 * 3600 * units_per_second);
-    for (const char* bad :
-         {"", "s", "5", "5.", "5.s", ".5s", "5d", "5ss", "5 s", "-5s", "100000s", "1.2345s", "1.2.3s", "1e1s"})
+    for (const char* bad : {"", "s", "5", "5.", "5.s", ".5s", "5d", "5ss", "5 s", "-5s", "100000s", "1.2345s",
+                            "1.2.3s", "1e1s"})
         CHECK_THROWS_AS(time(bad), std::invalid_argument);
 }
