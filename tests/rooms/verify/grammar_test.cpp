@@ -146,6 +146,7 @@ TEST_CASE("gzip: one member and nothing after it") {
         INFO(size);
         REQUIRE(commented.size() == size);
         REQUIRE(outcome_at_line(commented) == "verified");
+        REQUIRE(outcome_at_line(commented + "x") == "gzip");
     }
     CHECK(outcome_at_line("\x1f") == "byte");
 }
@@ -156,7 +157,11 @@ TEST_CASE("what this program does not know is unsupported, what is misspelled is
     CHECK(outcome_at_line(mutated(ten(), "certificate 1", "certificate one"), true) == "number 1");
     CHECK(outcome_at_line(mutated(ten(), "dumbbell-certificate", "Dumbbell-certificate"), true) ==
           "syntax 1");
-    CHECK(outcome_at_line(mutated(ten(), "lemmas 1", "lemmas 2"), true) == "unsupported 3");
+    for (const char* lemmas : {"2", "0", "other", "a-1"})
+        CHECK(outcome_at_line(mutated(ten(), "lemmas 1", "lemmas " + std::string(lemmas)), true) ==
+              "unsupported 3");
+    CHECK(outcome_at_line(mutated(ten(), "lemmas 1", "lemmas -1"), true) == "word 3");
+    CHECK(outcome_at_line(mutated(ten(), "lemmas 1", "lemmas 01"), true) == "number 3");
     CHECK(outcome_at_line(mutated(ten(), "scene dumbbell", "scene torus"), true) == "unsupported 4");
     CHECK(outcome_at_line(mutated(ten(), "scene dumbbell", "scene Dumbbell"), true) == "word 4");
     CHECK(outcome_at_line(mutated(ten(), "scene dumbbell", "scene 7"), true) == "word 4");

@@ -85,4 +85,5 @@ TEST_CASE("parts: what is said of one, as a line and as JSON, in full") {
 TEST_CASE("parts: a job without pieces to check, and without lines of parts, verifies nothing") {
     const make::File file(make::four_pieces());
     CHECK(make::shard(file.path(), {}).starts_with("s LIMIT "));
+    CHECK(make::shard(file.path(), {}).find("line=") == std::string::npos);
 }

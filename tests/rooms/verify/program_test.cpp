@@ -131,6 +131,9 @@ TEST_CASE("a demand is proved or the file is rejected") {
     CHECK(code("--ratio 10 --max 4") == 0);
     CHECK(code("--ratio=1e1 --max=4") == 0);
     CHECK(code("--ratio 1E1") == 0);
+    CHECK(code("--ratio 10e0 --jobs 1024") == 0);
+    CHECK(run("--json --ratio 1/2:1 " + file.path()).out.find(R"("ratio":{"lo":"1/1","hi":"2/1"})") !=
+          std::string::npos);
     CHECK(code("--ratio 1/12:1/10") == 1);
     CHECK(code("--ratio 1/10:1/9") == 1);
     CHECK(code("--ratio 100e-1") == 0);
@@ -151,6 +154,12 @@ TEST_CASE("a demand is proved or the file is rejected") {
     CHECK(run("--claim law " + file.path())
               .last()
               .ends_with("code=claim-not-proved the claim is collisions, and law was demanded (--claim)"));
+    for (const char* kind : {"collisions-by-law", "initial-conditions", "incoming", "law", "adiabatic-bounce",
+                             "adiabatic-run", "adiabatic-scattering", "adiabatic-printed"})
+        CHECK(code("--claim " + std::string(kind)) == 1);
+    CHECK(code("--claim other") == 2);
+    const File false_one(mutated(ten(), "upper 4", "upper 3"));  // that is what is said of it
+    CHECK(run("--scene hybrid " + false_one.path()).last().ends_with("count not certified: 1 + a + b <= U"));
     CHECK(run("--claim collisions --max 3 " + file.path()).last().find("not proved: at most 3 ") !=
           std::string::npos);
     const File stairs(closed(make::header("2/1", "12/1", 3) + open_piece("2/1", "10/1") +
@@ -184,6 +193,8 @@ TEST_CASE("wrong usage is one line on stderr and exit code 2") {
              "--ratio 1e99999999999999999999999 F",
              "--ratio 10e F",
              "--ratio 10^ F",
+             "--ratio 5^2 F",
+             "--jobs 1025 F",
              "--ratio 10e+ F",
              "--ratio .5 F",
              "--ratio 5. F",
@@ -228,7 +239,7 @@ TEST_CASE("wrong usage is one line on stderr and exit code 2") {
         CHECK(r.code == 2);
         CHECK(std::count(r.err.begin(), r.err.end(), '\n') == 1);
     }
-    for (const char* ratio : {"5/", "/5", "/", "5/x"})
+    for (const char* ratio : {"5/", "/5", "/", "5/x", "5/3x"})
         CHECK(run("--ratio " + std::string(ratio) + " " + file.path()).err ==
               "dumbbell-verify: not a mass ratio: `" + std::string(ratio) + "`\n");
     const std::string digits(1001, '1');
@@ -337,6 +348,15 @@ TEST_CASE("the option --explain shows a leaf with its numbers") {
         closed(make::header("10000/1", "10000/1", 1) + make::piece(10'000, 10'000, 90, 0, "")));
     CHECK(run("--explain 1:bridge " + long_ray.path()).out.size() < 40'000);
     CHECK(run("--precision 4096 --explain 1:bridge " + long_ray.path()).code == 0);
+    // What is shown is worked out again, and that is work, too: no more than the budget has left.
+    CHECK(run("--precision 1000 --budget 0.1s " + long_ray.path()).code == 0);
+    CHECK(run("--precision 1000 --budget 0.1s --explain 1:bridge " + long_ray.path()).code == 4);
+    const std::string counts = "\ncount 15708 15708\n";
+    const File longer(closed(make::header("100000000/1", "100000000/1", 1) +
+                             "piece 100000000/1 100000000/1\nbits 53\nupper 40000\nchart bridge" + counts +
+                             "chart light" + counts + "lower 0\n"));
+    CHECK(run("--precision 4096 --budget 0.01s --explain 1:bridge " + longer.path(), "timeout 100 ").code ==
+          4);
 }
 
 TEST_CASE("a gigabyte of zeros, plain or compressed, is refused at once in little memory") {
