@@ -82,3 +82,8 @@ TEST_CASE("a result tells the time that it took, and of listed files only what i
     CHECK(result.seconds > 0);
     CHECK(result.why.text == "not certified: 1 + a + b <= U");
 }
+
+TEST_CASE("without memory to unpack a file nothing is said of it") {
+    CHECK_THROWS_AS(need_memory(false), std::bad_alloc);
+    need_memory(true);
+}

@@ -131,7 +131,10 @@ TEST_CASE("a demand is proved or the file is rejected") {
     CHECK(code("--ratio 10 --max 4") == 0);
     CHECK(code("--ratio=1e1 --max=4") == 0);
     CHECK(code("--ratio 1E1") == 0);
-    CHECK(code("--ratio 10e0 --jobs 1024") == 0);
+    CHECK(code("--ratio 10e0 --jobs 1024 --precision 53") == 0);
+    for (const char* ten_again : {"20/2", "10.0", "100e-1"})
+        CHECK(run("--json --ratio " + std::string(ten_again) + " " + file.path())
+                  .out.find(R"("demand":{"ratio":{"lo":"10/1","hi":"10/1"})") != std::string::npos);
     CHECK(run("--json --ratio 1/2:1 " + file.path()).out.find(R"("ratio":{"lo":"1/1","hi":"2/1"})") !=
           std::string::npos);
     CHECK(code("--ratio 1/12:1/10") == 1);

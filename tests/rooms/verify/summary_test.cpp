@@ -109,6 +109,8 @@ TEST_CASE("summary: the work is told in seconds, rounded up") {
     Result r = verified();
     r.proof.work = 12 * dumbbell_verify::units_per_second + 1;
     CHECK(json(r).find(R"("work":12.001,)") != std::string::npos);
+    r.proof.work = 999 * (dumbbell_verify::units_per_second / 1000);
+    CHECK(json(r).find(R"("work":0.999,)") != std::string::npos);
 }
 
 TEST_CASE("summary: a part is no proof, in no JSON, and a test case that passes") {
