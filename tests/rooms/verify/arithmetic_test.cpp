@@ -3,6 +3,7 @@
 #include <cfenv>
 #include <random>
 
+#include "verify/format/reader.hpp"
 #include "verify/number/big.hpp"
 #include "verify/number/interval.hpp"
 
@@ -214,9 +215,12 @@ TEST_CASE("the self-test refuses every rounding mode but the nearest") {
     for (const int mode : {FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO}) {
         std::fesetround(mode);
         const bool works = arithmetic_works();
+        const auto found = judge(3, "count", [] { return static_cast<const char*>(nullptr); });
         std::fesetround(FE_TONEAREST);
         CHECK_FALSE(works);
+        CHECK((found.has_value() && found->verdict == Verdict::limit && found->line == 3));  // of any leaf
     }
+    CHECK_FALSE(judge(3, "count", [] { return static_cast<const char*>(nullptr); }).has_value());
 }
 
 #if defined(__x86_64__)

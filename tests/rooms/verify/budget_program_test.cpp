@@ -79,13 +79,16 @@ TEST_CASE("a certificate may come from the standard input, or from a pipe that t
     const std::string verdict = run(exactly + ten_path).out;
     CHECK(run(exactly + "- <" + ten_path).out == verdict);
     CHECK(run(exactly + "-", "cat " + ten_path + " | ").out == verdict);
-    CHECK(run(exactly + "/dev/stdin", "cat " + ten_path + " | ").out == verdict);
-    CHECK(
-        run("--version; bash -c '" DUMBBELL_VERIFY_BIN " " + exactly + "<(sleep 0.1; cat " + ten_path + ")'")
-                .last() +
-            "\n" ==
-        verdict);
+    for (const std::string pipe : {"/dev/stdin", "/dev/fd/0", "/proc/self/fd/0"})
+        CHECK(run(exactly + pipe, "cat " + ten_path + " | ").out == verdict);
+    for (const std::string closed : {"", "exec <&-; "})  // it is file 0 then
+        CHECK(run("--version; bash -c '" + closed + DUMBBELL_VERIFY_BIN " " + exactly + "<(sleep 0.1; cat " +
+                  ten_path + ")'")
+                      .last() +
+                  "\n" ==
+              verdict);
     CHECK(run(exactly + "- <&-").code == 2);
+    CHECK(run(exactly + ten_path, "exec <&-; ").out == verdict);
 }
 
 TEST_CASE("a named pipe that nobody writes to is refused at once") {

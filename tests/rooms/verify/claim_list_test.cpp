@@ -80,6 +80,13 @@ TEST_CASE("a list of claims: a row that states none, or a list without rows, is 
         CHECK(has(r.err, message));
         CHECK(std::count(r.err.begin(), r.err.end(), '\n') == 1);
     }
+    const File listed(sound);
+    const Run twice = run("--claims " + listed.path() + " " + listed.path());
+    CHECK(twice.code == 2);
+    CHECK(has(twice.err, "--claims names the files: give no other FILE"));
+    CHECK(has(run("--max 4 --claims " + listed.path()).err, "--claims and --max exclude each other"));
+    CHECK(has(run_list("/nonexistent\t--claim law\n").out, "s UNREADABLE No such file"));  // a claim
+    CHECK(run("--claims /").err == "dumbbell-verify: /: Is a directory\n");
     const File remarks("# none\n# at all\n");  // it is not the last row that is wrong
     CHECK(has(run("--claims " + remarks.path()).err, remarks.path() + ": no claim in this list"));
     CHECK(has(run_list(std::string((1 << 24) + 1, '#')).err, "at most 16 MiB"));

@@ -173,6 +173,10 @@ TEST_CASE("combine: each value of a line must be what the file says of these pie
     }
     CHECK(combined(stairs_to_100, replaced(honest, "lower=2", "lower=1")) ==
           "s REJECTED code=parts PARTS:1: lower=1, but the file has 2 for pieces 1-9");
+    CHECK(combined(stairs_to_100, replaced(shard(stairs_to_100, {5, 5}), "pieces=5-5", "pieces=5")) ==
+          "s REJECTED code=parts PARTS:1: pieces=5, but the file has 5-5 for piece 5");
+    CHECK(combined(stairs_to_100, replaced(honest, "\n", " \n")) ==
+          "s REJECTED code=parts PARTS:1: not as dumbbell-verify --shards prints it");
     CHECK(combined(stairs_to_100, replaced(honest, "pieces=1-9", "pieces=1-18")) ==
           "s REJECTED code=parts PARTS:1: pieces 1-18, but the file has only 17");
 }

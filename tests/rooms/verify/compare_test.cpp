@@ -51,17 +51,45 @@ TEST_CASE("what is not proved is named") {
           "lemma=4.1 the files have no mass ratio in common");
 }
 
+TEST_CASE("a piece is compared with all that it overlaps: at its beginning, within, and at its end") {
+    const std::vector<Collisions::Part> whole{{2, 6, 6, 6}};
+    CHECK(compared("4.1", whole, {{1, 3, 6, 6}, {3, 5, 6, 6}, {5, 7, 6, 6}}).holds);
+    CHECK_FALSE(compared("4.1", whole, {{1, 3, 4, 4}, {3, 5, 6, 6}, {5, 7, 6, 6}}).holds);
+    CHECK_FALSE(compared("4.1", whole, {{1, 3, 6, 6}, {3, 5, 4, 4}, {5, 7, 6, 6}}).holds);
+    CHECK_FALSE(compared("4.1", whole, {{1, 3, 6, 6}, {3, 5, 6, 6}, {5, 7, 4, 4}}).holds);
+}
+
 TEST_CASE("a gap's excess of one is counted, and nothing but gaps proves nothing") {
     const Comparison found = compared("4.1", {{1, 3, 4, 4}, {3, 4, 5, 4}, {4, 6, 5, 5}},
                                       {{1, 3, 4, 4}, {3, 4, 5, 4}, {4, 6, 5, 5}});
     CHECK(found.holds);
     CHECK(found.text == "lemma=4.1 ratio=1/1:6/1 excess=0 least-excess=0 gaps=1");
-    CHECK_FALSE(compared("4.1", {{3, 4, 5, 4}}, {{3, 4, 5, 4}}).holds);
+    CHECK(compared("4.1", {{3, 4, 5, 4}}, {{3, 4, 5, 4}}).text == "lemma=4.1 not proved at 3/1");
     CHECK_FALSE(compared("4.1", {{1, 3, 4, 4}, {3, 4, 6, 5}}, {{1, 4, 4, 4}}).holds);
+}
+
+TEST_CASE("a piece without an upper bound is no gap, and has no excess that a gap could explain") {
+    const std::vector<Collisions::Part> gap{{1, 3, 5, 4}, {3, 5, 5, 5}},
+        unbounded{{1, 3, {}, 4}, {3, 5, 5, 5}};
+    CHECK(compared("4.1", gap, gap).holds);
+    CHECK_FALSE(compared("4.1", unbounded, gap).holds);
+    CHECK(compared("4.1", gap, unbounded).holds);
+    CHECK_FALSE(compared("4.1", {{1, 5, 5, 5}}, unbounded).holds);
+    Collisions taken_back = claim({{1, 3, 0, -1}, {3, 5, 0, 0}});
+    taken_back.parts.front().upper.reset();
+    CHECK_FALSE(compare(*find_lemma("4.1"), claim({{1, 5, 0, 0}}), taken_back).holds);
+}
+
+TEST_CASE("a file that goes farther than the other is compared up to where that ends") {
+    CHECK(compared("4.1", {{1, 2, 4, 4}, {2, 3, 4, 4}, {3, 4, 9, 9}, {4, 5, {}, 9}}, {{1, 3, 4, 4}}).text ==
+          "lemma=4.1 ratio=1/1:3/1 excess=0 least-excess=0 gaps=0");
 }
 
 TEST_CASE("at a single ratio the best bounds of all pieces that contain it count") {
     CHECK(compared("4.1", {{3, 3, 4, 4}}, {{1, 3, 3, 3}, {3, 5, 4, 4}}).holds);
+    CHECK(compared("4.1", {{3, 3, 4, 4}}, {{1, 3, 4, 4}, {3, 5, 3, 3}}).holds);
+    CHECK(compared("4.1", {{3, 3, 4, 4}}, {{1, 3, 4, 3}, {3, 5, 4, 4}}).text ==
+          "lemma=4.1 ratio=3/1:3/1 excess=0 least-excess=0 gaps=0");
     CHECK(compared("4.1", {{1, 3, 4, 4}, {3, 3, 5, 4}}, {{3, 5, 4, 4}}).holds);
     const Comparison low = compared("4.1", {{3, 3, 5, 4}}, {{1, 3, 3, 3}, {3, 5, 4, 4}});
     CHECK_FALSE(low.holds);

@@ -31,6 +31,11 @@ TEST_CASE("escape: the first and the last character of each length stay") {
     }
 }
 
+TEST_CASE("escape: a text that ends within a character ends there") {
+    const std::string_view whole = "a\xc3\xa9";
+    CHECK(json_string(whole.substr(0, 2)) == "\"a" + replacement + "\"");
+}
+
 TEST_CASE("escape: what moves a terminal's cursor is escaped or replaced, C1 as C0") {
     for (const std::string control : {"\x01", "\x1f", "\x7f", "\xc2\x80", "\xc2\x9f"}) {
         CAPTURE(control);

@@ -9,13 +9,16 @@
 #include <filesystem>
 #include <thread>
 
+#include "make_certificate.hpp"
+
 using namespace dumbbell_verify;
 
 namespace {
 
-auto threads() {
+/// How many this process has: of `task`, threads; of `fd`, open files.
+auto number_of(const std::string& what) {
     namespace fs = std::filesystem;
-    return std::distance(fs::directory_iterator("/proc/self/task"), fs::directory_iterator());
+    return std::distance(fs::directory_iterator("/proc/self/" + what), fs::directory_iterator());
 }
 
 /// In the place of the standard input: nothing comes, and no end, before it is ended.
@@ -39,21 +42,48 @@ class Silence {
 
 }  // namespace
 
-TEST_CASE("examine_all works on as many threads as it may, and on no more") {
+TEST_CASE("examine_all works on as many threads and files as it may, and on no more") {
     using namespace std::chrono_literals;
     for (const unsigned at_once : {2U, 3U}) {
         const Silence input;
-        const auto before = threads();
+        const auto before = number_of("task"), open_before = number_of("fd");
         std::size_t reported = 0;
         {
             const std::vector<Job> jobs(5, Job{"-", {}});
             const std::jthread caller(
                 [&] { reported = examine_all(jobs, at_once, [](const Result&) {}).size(); });
-            while (threads() < before + 1 + at_once) std::this_thread::sleep_for(1ms);
+            while (number_of("task") < before + 1 + at_once || number_of("fd") < open_before + at_once)
+                std::this_thread::sleep_for(1ms);
             std::this_thread::sleep_for(200ms);  // for one too many to show itself
-            CHECK(threads() == before + 1 + at_once);
+            CHECK(number_of("task") == before + 1 + at_once);
+            CHECK(number_of("fd") == open_before + at_once);  // a file for each
             input.end();
         }
         CHECK(reported == 5);
     }
+}
+
+TEST_CASE("a named pipe is refused, and left closed") {
+    const make::File pipe("");
+    ::unlink(pipe.path().c_str());
+    REQUIRE(::mkfifo(pipe.path().c_str(), 0600) == 0);
+    const auto before = number_of("fd");
+    std::string why;
+    CHECK(open_file(pipe.path(), why) == nullptr);
+    CHECK(why == "a named pipe: give `-` and let the shell redirect it");
+    CHECK(number_of("fd") == before);
+}
+
+TEST_CASE("a result tells the time that it took, and of listed files only what is so") {
+    const make::File file(make::mutated(make::ten(), "upper 4", "upper 3"));
+    Job job{std::filesystem::relative(file.path()).string(), {}};
+    job.listed = true;
+    const Result result = examine(job);
+    CHECK(result.seconds > 0);
+    CHECK(result.why.text == "not certified: 1 + a + b <= U");
+}
+
+TEST_CASE("without memory to unpack a file nothing is said of it") {
+    CHECK_THROWS_AS(need_memory(false), std::bad_alloc);
+    need_memory(true);
 }

@@ -133,6 +133,21 @@ TEST_CASE("gzip: one member and nothing after it") {
     damaged[damaged.size() - 6] = static_cast<char>(damaged[damaged.size() - 6] ^ 1);  // the CRC
     CHECK(outcome_at_line(damaged) == "gzip");
     CHECK(outcome_at_line("\x1f\x8b") == "gzip");
+    std::string leaves;  // more than a block when unpacked
+    for (int i = 0; i < 390; ++i) leaves += "split e\nsplit eta\n";
+    for (int i = 0; i <= 780; ++i) leaves += "count 1 2\n";
+    std::string many;
+    for (int i = 0; i < 8; ++i) many += (i < 7 ? "split e\n" : "") + leaves;
+    const std::string large = make::gzipped(mutated(ten(), "count 1 2\n", many));
+    for (std::size_t size = (1 << 16) - 1; size < (1 << 16) + 12; ++size) {  // wherever a block ends
+        std::string commented = large;
+        commented[3] = static_cast<char>(commented[3] | 0x10);
+        commented.insert(10, std::string(size - large.size() - 1, '.') + '\0');
+        INFO(size);
+        REQUIRE(commented.size() == size);
+        REQUIRE(outcome_at_line(commented) == "verified");
+        REQUIRE(outcome_at_line(commented + "x") == "gzip");
+    }
     CHECK(outcome_at_line("\x1f") == "byte");
 }
 
@@ -142,13 +157,25 @@ TEST_CASE("what this program does not know is unsupported, what is misspelled is
     CHECK(outcome_at_line(mutated(ten(), "certificate 1", "certificate one"), true) == "number 1");
     CHECK(outcome_at_line(mutated(ten(), "dumbbell-certificate", "Dumbbell-certificate"), true) ==
           "syntax 1");
-    CHECK(outcome_at_line(mutated(ten(), "lemmas 1", "lemmas 2"), true) == "unsupported 3");
+    for (const char* lemmas : {"2", "0", "other", "a-1"})
+        CHECK(outcome_at_line(mutated(ten(), "lemmas 1", "lemmas " + std::string(lemmas)), true) ==
+              "unsupported 3");
+    CHECK(outcome_at_line(mutated(ten(), "lemmas 1", "lemmas -1"), true) == "word 3");
+    CHECK(outcome_at_line(mutated(ten(), "lemmas 1", "lemmas 01"), true) == "number 3");
     CHECK(outcome_at_line(mutated(ten(), "scene dumbbell", "scene torus"), true) == "unsupported 4");
     CHECK(outcome_at_line(mutated(ten(), "scene dumbbell", "scene Dumbbell"), true) == "word 4");
+    CHECK(outcome_at_line(mutated(ten(), "scene dumbbell", "scene 7"), true) == "word 4");
     CHECK(outcome_at_line(mutated(ten(), "section turning", "section heavy"), true) == "unsupported 5");
     CHECK(outcome_at_line(mutated(ten(), "claim collisions", "claim heavy"), true) == "unsupported 6");
+    CHECK(outcome_at_line(mutated(ten(), "claim collisions", "claim law"), true) == "syntax 7");
+    CHECK(outcome_at_line(mutated(ten(), "section turning\nclaim collisions", "section full\nclaim law"),
+                          true) == "unsupported 6");
+    CHECK(outcome_at_line(
+              mutated(ten(), "section turning\nclaim collisions", "section none\nclaim collisions-by-law"),
+              true) == "syntax 7");
     CHECK(outcome_at_line(mutated(ten(), "claim collisions", "claim 7"), true) == "word 6");
     CHECK(outcome_at_line(mutated(ten(), "generator test", "generator Test"), true) == "word 2");
+    CHECK(outcome_at_line(mutated(ten(), "generator test", "generator te~t"), true) == "word 2");
     CHECK(outcome_at_line(mutated(ten(), "generator test", "generator " + std::string(33, 'a')), true) ==
           "word 2");
     CHECK(outcome_at_line(mutated(ten(), "generator test 1.0", "generator test"), true) == "syntax 2");
@@ -246,6 +273,8 @@ TEST_CASE("400 splits of one axis may lie above a node, 401 not") {
     };
     CHECK(outcome_at_line(chain(400)) == "verified");
     CHECK(outcome_at_line(chain(401)) == "depth");
+    const std::string bushy = chain(250), tree = bushy.substr(bushy.find("split e"), 250 * 18 + 10);
+    CHECK(outcome_at_line(mutated(ten(), "count 1 2\n", "split e\n" + tree + tree)) == "verified");
     std::string all;
     for (int i = 0; i < 400; ++i) all += "split e\nsplit eta\n";
     std::string leaves = "count 1 2";

@@ -2,6 +2,7 @@
 #include <catch2/catch.hpp>
 
 #include "make_initial.hpp"
+#include "verify/starts/grammar.hpp"
 
 using make::closed_initial;
 using make::falling;
@@ -39,6 +40,14 @@ std::string with_tree(const std::vector<std::string>& lines) {
     const std::string head = falling().substr(0, falling().find("\nbetween ") + 1);
     return closed_initial(head + "between " + std::to_string(least) + " " + std::to_string(most) + "\n" +
                           tree);
+}
+
+/// About all incoming trajectories.
+std::string incoming(const std::string& tree, const std::string& bounds, const std::string& ratio) {
+    return closed_initial(
+        "dumbbell-certificate 1\ngenerator test 1.0\nlemmas 1\nscene dumbbell\n"
+        "section none\nclaim incoming\nratio " +
+        ratio + "\nbits 53\nbetween " + bounds + "\n" + tree);
 }
 
 }  // namespace
@@ -95,6 +104,70 @@ TEST_CASE("`exactly 0` is for starts that leave") {
     CHECK(zero("2/1 2/1", "1/1 1/1", "-1/1000000 1/1") == "exactly");
     CHECK(zero("-1/1 -1/1", "9/10 9/10", "1/10 1/10") == "verified");  // over the peak of the light wall
     CHECK(zero("-1/1 -1/1", "1/2 1/2", "1/10 1/10") == "exactly");     // into that wall
+}
+
+TEST_CASE("a piece of the section of incoming trajectories stands for states that hold all of its own") {
+    const mpz_class digits("314159265358979323846264338327950288419716939937510582097494459"),
+        units("1" + std::string(62, '0'));
+    const mpq_class pi_low(digits, units), pi_high(digits + 1, units);
+    const mpq_class close(1, mpz_class("1" + std::string(45, '0'))), closer(1, mpz_class(1) << 500);
+    for (const mpq_class& q : {mpq_class(1), mpq_class(2), mpq_class(461, 100), mpq_class(1'000'000)})
+        for (const mpq_class& s : {mpq_class(0), mpq_class(1, 3), mpq_class(3, 5), mpq_class(1023, 1024)}) {
+            dumbbell_verify::InitialBox piece;
+            piece.lo = {1, s, 0, 0, q};
+            piece.hi = {mpq_class(3, 2), s + mpq_class(1, 4096), 0, 0, q};
+            const dumbbell_verify::InitialBox states = dumbbell_verify::incoming_states(piece);
+            const auto squared = [&](const mpq_class& x) { return mpq_class(x * x * q / (1 - x * x)); };
+            const mpq_class least = states.lo[1], most = states.hi[1], to = piece.hi[1];
+            CAPTURE(q, s);
+            CHECK((pi_low - close < states.lo[0] && states.lo[0] <= pi_low));
+            CHECK((pi_high * 3 / 2 <= states.hi[0] && states.hi[0] < pi_low * 3 / 2 + close));
+            CHECK((least >= 0 && least * least <= squared(s) && squared(to) <= most * most));
+            CHECK(((least + closer) * (least + closer) > squared(s)));
+            CHECK(((most - closer) * (most - closer) < squared(to)));
+            CHECK(
+                (states.lo[2] == states.hi[2] && states.lo[2] == q / (q + 1) * mpq_class(1048577, 1048576)));
+            CHECK((states.lo[3] == states.hi[3] && states.lo[3] == -q / (q + 1)));
+            CHECK((states.lo[4] == q && states.hi[4] == q));
+        }
+}
+
+TEST_CASE("a file about incoming trajectories is one of the section's square, at one mass ratio") {
+    const auto code = [](const std::string& tree, const std::string& bounds = "0 none",
+                         const std::string& ratio = "2/1 2/1") {
+        return outcome(incoming(tree, bounds, ratio));
+    };
+    CHECK(code("open\n") == "verified");
+    CHECK(code("split phi\nopen\nsplit s\nopen\nopen\n") == "verified");
+    CHECK(code("split q\nopen\nopen\n") == "syntax");
+    CHECK(code("split phidot\nopen\nopen\n") == "syntax");
+    CHECK(code("open\n", "0 none", "2/1 3/1") == "number");
+    CHECK(code("open\n", "0 none", "1/2 1/2") == "number");
+    // All come down, and have at least one collision; up to s = 1 nothing else is known.
+    CHECK(code("between 1 9\n", "1 9") == "verified");
+    CHECK(code("between 2 9\n", "2 9") == "between");
+    CHECK(code("between 1 2\n", "1 2") == "between");
+    CHECK(code("exactly 0\n", "0 0") == "section");
+    CHECK(code("between 1 9 heavy 1b-3 1b3\n", "1 9") == "section");
+    CHECK(code("split s\nbetween 1 9\nbetween 1 9\n", "1 9") == "verified");
+    CHECK(code("split s\nexactly 0\nbetween 1 9\n", "0 9") == "exactly");
+    const make::File whole(incoming("open\n", "0 none", "2/1 2/1"));
+    const auto proof = dumbbell_verify::verify(whole.path(), {});
+    const auto box = std::get<dumbbell_verify::Initial>(proof.other).box;
+    CHECK((box.lo == std::array<mpq_class, 5>{0, 0, 0, 0, 2}));
+    CHECK((box.hi == std::array<mpq_class, 5>{2, 1, 0, 0, 2}));
+}
+
+TEST_CASE("a leaf about incoming trajectories is about all of its piece, however fast they turn") {
+    // Upright ones, the heavy mass below, touch the floor after half a unit of time if they do not turn.
+    const auto code = [](int halved, const std::string& upright) {
+        std::string tree = upright + " heavy 7b-4 17b-5\n";
+        for (int i = 0; i < halved; ++i) tree = "split s\n" + tree + "open\n";
+        for (int i = 0; i < 7; ++i) tree = "split phi\n" + tree + "open\n";
+        return outcome(incoming("split phi\nsplit phi\nopen\n" + tree + "open\n", "0 none", "2/1 2/1"));
+    };
+    CHECK(code(7, "between 1 9") == "verified");
+    CHECK(code(1, "between 1 9") == "between");
 }
 
 TEST_CASE("numbers beyond all bounds are refused without harm") {

@@ -360,6 +360,60 @@ TEST_CASE("initial edges: in few bits the middle of a box may be worse than the 
           "an angle of the first contact");
 }
 
+TEST_CASE("initial edges: a claim is written to the letter") {
+    Initial claim;
+    claim.box.lo = {-1, mpq_class(1, 2), 2, -3, 4};
+    claim.box.hi = {1, 2, 3, mpq_class(-1, 3), 5};
+    claim.least = 1;
+    claim.most = 7;
+    claim.decided = mpq_class(2, 3);
+    CHECK(claim.text() ==
+          "claim=initial-conditions phi=-1/1:1/1 phidot=1/2:2/1 y=2/1:3/1 ydot=-3/1:-1/3 ratio=4/1:5/1 "
+          "collisions=1:7 decided=0.666666666666");
+    CHECK(claim.json() ==
+          R"({"kind":"initial-conditions","box":{"phi":{"lo":"-1/1","hi":"1/1"},)"
+          R"("phidot":{"lo":"1/2","hi":"2/1"},"y":{"lo":"2/1","hi":"3/1"},"ydot":{"lo":"-3/1","hi":"-1/3"},)"
+          R"("ratio":{"lo":"4/1","hi":"5/1"}},"least":1,"most":7,"decided":"2/3"})");
+    claim.incoming = true;
+    claim.most.reset();
+    claim.decided = 1;
+    CHECK(claim.text() == "claim=incoming ratio=4/1:5/1 collisions=1:none decided=1");
+    CHECK(claim.json() == R"({"kind":"incoming","ratio":{"lo":"4/1","hi":"5/1"},)"
+                          R"("least":1,"most":null,"decided":"1/1"})");
+}
+
+TEST_CASE("initial edges: a demand is proved, or what is missing is told") {
+    Initial claim;
+    claim.box.lo[4] = 4;
+    claim.box.hi[4] = 5;
+    claim.least = 1;
+    claim.most = 7;
+    const auto at = [&](const mpq_class& lo, const mpq_class& hi) {
+        Collisions demand;
+        demand.ratios.emplace(lo, hi);
+        return claim.missing(demand);
+    };
+    CHECK(at(4, 5).empty());
+    CHECK(at(3, 5) == "of the mass ratios 3/1:5/1 the file covers only 4/1:5/1");
+    CHECK(at(4, 6) == "of the mass ratios 4/1:6/1 the file covers only 4/1:5/1");
+    CHECK(at(6, 7) == "the file says nothing of the mass ratios 6/1:7/1, it is about 4/1:5/1");
+    CHECK(at(3, 4) == "of the mass ratios 3/1:4/1 the file covers only 4/1:4/1");
+    CHECK(at(5, 6) == "of the mass ratios 5/1:6/1 the file covers only 5/1:5/1");
+    CHECK(at(1, 2) == "the file says nothing of the mass ratios 1/1:2/1, it is about 4/1:5/1");
+    Collisions most, least;
+    most.most = 7;
+    least.least = 1;
+    CHECK(claim.missing(most).empty());
+    CHECK(claim.missing(least).empty());
+    most.most = 6;
+    least.least = 2;
+    CHECK(claim.missing(most) == "not proved: at most 6 collisions from the box");
+    CHECK(claim.missing(least) == "not proved: at least 2 collisions from the box");
+    claim.most.reset();
+    most.most = 1000;
+    CHECK(claim.missing(most) == "not proved: at most 1000 collisions from the box");
+}
+
 TEST_CASE("initial edges: shares are written to the letter") {
     Initial claim;
     claim.shares.emplace();

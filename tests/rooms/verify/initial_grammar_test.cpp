@@ -60,6 +60,12 @@ TEST_CASE("each value has one spelling") {
     CHECK(initial_mutant("phi -1/1 1/1", "phi -1/1") == "syntax");
     CHECK(initial_mutant("phi -1/1 1/1", "psi -1/1 1/1") == "syntax");
     CHECK(initial_mutant("phi -1/1 1/1", "phi -4/1 4/1") == "number");
+    const auto wide = [](const std::string& phi) {
+        return outcome(closed_initial(initial_header("2/1 2/1", phi, "1/2 1/1", "1/1 2/1", "1/1 2/1") +
+                                      "between 0 none\nopen\n"));
+    };
+    CHECK(wide("-3/1 4/1") == "verified");
+    CHECK(wide("-3/1 4000001/1000000") == "number");
     CHECK(initial_mutant("bits 53", "bits 52") == "number");
     CHECK(initial_mutant("bits 53", "bits 4097") == "number");
     CHECK(initial_mutant("bits 53", "bits 2049") == "limit");
@@ -85,6 +91,7 @@ TEST_CASE("each line has one spelling, and a place") {
                                      {"between 1 none", "number"},
                                      {"between 5", "syntax"},
                                      {"open 1", "opcode"},
+                                     {"sometimes", "opcode"},
                                      {"sometimes 1", "opcode"},
                                      {"count 1 2", "opcode"},
                                      {"split r", "syntax"},
@@ -140,10 +147,33 @@ TEST_CASE("bounds and totals are those of the leaves") {
               replaced(falling().substr(0, falling().rfind("sha256")), "total open 0\n", ""))) == "syntax");
 }
 
+TEST_CASE("the shares of a file are those of its leaves") {
+    dumbbell_verify::Settings settings;
+    settings.shares = true;
+    const make::File file(leaving("split phi\nsplit y\nexactly 0\nopen\nopen\n", "between 0 none"));
+    const auto proof = dumbbell_verify::verify(file.path(), settings);
+    const auto claim = std::get<dumbbell_verify::Initial>(proof.other);
+    CHECK((claim.decided == mpq_class(1, 4)));
+    CHECK((claim.shares.value().open == mpq_class(3, 4)));
+    CHECK((claim.shares.value().exact.at(0) == mpq_class(1, 4)));
+    const auto rows = claim.shares.value().rows();
+    REQUIRE(rows.size() == 2);
+    CHECK((rows[0].least == 0 && rows[0].most == 0U && rows[0].lo == mpq_class(1, 4) && rows[0].hi == 1));
+    CHECK((rows[1].least == 1 && !rows[1].most && rows[1].lo == 0 && rows[1].hi == mpq_class(3, 4)));
+    const auto without = dumbbell_verify::verify(file.path(), {});
+    CHECK_FALSE(std::get<dumbbell_verify::Initial>(without.other).shares.has_value());
+}
+
 TEST_CASE("boxes at rest or in the floor are refused") {
     CHECK(initial_mutant("ydot -1/1 -1/1", "ydot -1/1 0/1") != "verified");
     CHECK(outcome(mutated_initial(mutated_initial(falling(), "phidot 1/100 1/100", "phidot 0/1 1/100"),
                                   "ydot -1/1 -1/1", "ydot -1/1 0/1")) == "rest");
+    const auto still = [](const std::string& phi, const std::string& phidot) {
+        return outcome(closed_initial(initial_header("10/1 10/1", phi, phidot, "1/1 1/1", "0/1 0/1") +
+                                      "between 0 none\nopen\n"));
+    };
+    CHECK(still("1/1 2/1", "0/1 0/1") == "rest");
+    CHECK(still("0/1 0/1", "1/2 1/2") == "verified");
     CHECK(initial_mutant("y 3/2 3/2", "y 1/2 3/2") == "floor");  // the light mass, at phi = -1
     CHECK(initial_mutant("y 3/2 3/2", "y 1/100 1/100") == "floor");
     CHECK(initial_mutant("y 3/2 3/2", "y -3/2 3/2") == "floor");

@@ -114,6 +114,7 @@ TEST_CASE("the JUnit report appears complete or not at all, and replaces nothing
               "cannot write report.xml: it is not a regular file"));
     fs::remove(folder / "report.xml");
     CHECK(folder.run("--junit none/report.xml ten.dbc").code == 2);
+    CHECK(folder.run("--junit none/report.xml ten.dbc").out.empty());  // before anything is verified
     fs::create_hard_link(folder / "ten.dbc", folder / "hard.xml");
     fs::create_symlink("ten.dbc", folder / "soft.xml");
     for (const std::string name : {"hard.xml", "soft.xml", "./soft.xml"})
@@ -123,14 +124,34 @@ TEST_CASE("the JUnit report appears complete or not at all, and replaces nothing
     fs::remove(folder / "soft.xml");
     fs::create_symlink("/dev/stdout", folder / "stdout.xml");
     CHECK(has(folder.run("--junit stdout.xml ten.dbc").err, "is not a file"));
-    CHECK(folder.run("--junit /proc/report.xml ten.dbc").code == 2);
+    for (const std::string name : {"/proc/report.xml", "/dev/dumbbell_verify_report.xml"})
+        CHECK(has(folder.run("--junit " + name + " ten.dbc").err, "is not a file"));
+    fs::create_symlink("circle.xml", folder / "circle.xml");
+    CHECK(has(folder.run("--junit circle.xml ten.dbc").err, "its links lead in a circle"));
+    fs::remove(folder / "circle.xml");
+    CHECK(std::system(("cd " + folder.path() +
+                       " && " DUMBBELL_VERIFY_BIN " --junit report.xml ten.dbc >/dev/full 2>/dev/null")
+                          .c_str()) != 0);
     fs::remove(folder / "stdout.xml");
     CHECK(folder.run("--junit report.xml --max x ten.dbc").code == 2);
     CHECK(folder.names() == before);
 
+    // What it is made in, and what with: a new report has the usual rights.
+    CHECK(folder.run("--junit report.xml ten.dbc", "umask 022; exec <&-; touch report.xml.tmp-$$; exec ")
+              .code == 0);
+    CHECK(fs::status(folder / "report.xml").permissions() == fs::perms(0644));
+    fs::remove(folder / "report.xml");
+    CHECK(folder.names() == before);
+    if (fs::exists("/dev/shm")) {
+        const std::string shared = "/dev/shm/dumbbell_verify_" + std::to_string(::getpid()) + ".xml";
+        CHECK(folder.run("--junit " + shared + " ten.dbc").code == 0);
+        CHECK(fs::remove(shared));
+    }
+
     // No room: the verdict that is worse decides the exit code, and an old report stays as it was.
     const std::string no_room = "trap '' XFSZ; ulimit -f 1; ";
     write_file(folder / "report.xml", "old");
+    fs::permissions(folder / "report.xml", fs::perms(0640));
     write_file(folder / "empty.dbc", "");
     const Run failed = folder.run("--junit report.xml empty.dbc", no_room);
     CHECK(failed.code == 1);
@@ -140,5 +161,6 @@ TEST_CASE("the JUnit report appears complete or not at all, and replaces nothing
     CHECK(folder.names() ==
           std::vector<std::string>{"bad.dbc", "empty.dbc", "foreign.dbc", "report.xml", "ten.dbc"});
     CHECK(folder.run("--junit report.xml empty.dbc").code == 1);
+    CHECK(fs::status(folder / "report.xml").permissions() == fs::perms(0640));  // as before
     CHECK(folder.valid());
 }

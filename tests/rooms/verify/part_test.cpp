@@ -14,6 +14,7 @@ TEST_CASE("parts: the numbers of pieces have one spelling") {
     CHECK(parse_pieces("7") == Pieces{7, 7});
     CHECK(parse_pieces("3-12") == Pieces{3, 12});
     CHECK(parse_pieces("1-999999999999999999") == Pieces{1, 999'999'999'999'999'999});
+    CHECK(parse_pieces("999999999999999999") == Pieces{999'999'999'999'999'999, 999'999'999'999'999'999});
     for (const char* bad : {"",
                             "-",
                             "0",
@@ -77,9 +78,12 @@ TEST_CASE("parts: what is said of one, as a line and as JSON, in full") {
             std::string(version) + R"(","sha256":")" + sha256 + R"(","line":")" + line +
             R"("},"parts":null,"leaves":{},"coverage":{},"work":null,"line":null,"code":null,"reason":null})");
     CHECK(block(result) == file.path() + "\n" + line + "\n");
+    job.settings.precision = 80;
+    CHECK(json(examine(job)).find(R"("precision":80,"verifier")") != std::string::npos);
 }
 
 TEST_CASE("parts: a job without pieces to check, and without lines of parts, verifies nothing") {
     const make::File file(make::four_pieces());
     CHECK(make::shard(file.path(), {}).starts_with("s LIMIT "));
+    CHECK(make::shard(file.path(), {}).find("line=") == std::string::npos);
 }

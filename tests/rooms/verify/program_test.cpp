@@ -94,6 +94,8 @@ TEST_CASE("several files: a line each in the given order, then one with the numb
               empty.path() + "\n" + verified +
               "c files=5 verified=2 rejected=2 limit=0 unsupported=0 unreadable=1 exit=1\n");
     CHECK(r.code == 1);
+    CHECK(run("--quiet" + files).out ==
+          "c files=5 verified=2 rejected=2 limit=0 unsupported=0 unreadable=1 exit=1\n");
     for (const char* jobs : {"1", "2", "3", "5", "64"})
         CHECK(run(std::string("--jobs ") + jobs + files).out == r.out);
     std::string many, expected;
@@ -128,6 +130,15 @@ TEST_CASE("a demand is proved or the file is rejected") {
     CHECK(code("--exactly 4") == 1);
     CHECK(code("--ratio 10 --max 4") == 0);
     CHECK(code("--ratio=1e1 --max=4") == 0);
+    CHECK(code("--ratio 1E1") == 0);
+    CHECK(code("--ratio 10e0 --jobs 1024 --precision 53") == 0);
+    for (const char* ten_again : {"20/2", "10.0", "100e-1"})
+        CHECK(run("--json --ratio " + std::string(ten_again) + " " + file.path())
+                  .out.find(R"("demand":{"ratio":{"lo":"10/1","hi":"10/1"})") != std::string::npos);
+    CHECK(run("--json --ratio 1/2:1 " + file.path()).out.find(R"("ratio":{"lo":"1/1","hi":"2/1"})") !=
+          std::string::npos);
+    CHECK(code("--ratio 1/12:1/10") == 1);
+    CHECK(code("--ratio 1/10:1/9") == 1);
     CHECK(code("--ratio 100e-1") == 0);
     CHECK(code("--ratio 10^+01") == 0);
     CHECK(code("--ratio 10^1e0") == 2);
@@ -146,6 +157,12 @@ TEST_CASE("a demand is proved or the file is rejected") {
     CHECK(run("--claim law " + file.path())
               .last()
               .ends_with("code=claim-not-proved the claim is collisions, and law was demanded (--claim)"));
+    for (const char* kind : {"collisions-by-law", "initial-conditions", "incoming", "law", "adiabatic-bounce",
+                             "adiabatic-run", "adiabatic-scattering", "adiabatic-printed"})
+        CHECK(code("--claim " + std::string(kind)) == 1);
+    CHECK(code("--claim other") == 2);
+    const File false_one(mutated(ten(), "upper 4", "upper 3"));  // that is what is said of it
+    CHECK(run("--scene hybrid " + false_one.path()).last().ends_with("count not certified: 1 + a + b <= U"));
     CHECK(run("--claim collisions --max 3 " + file.path()).last().find("not proved: at most 3 ") !=
           std::string::npos);
     const File stairs(closed(make::header("2/1", "12/1", 3) + open_piece("2/1", "10/1") +
@@ -176,20 +193,30 @@ TEST_CASE("wrong usage is one line on stderr and exit code 2") {
              "--ratio 1/0 F",
              "--ratio 1e1001 F",
              "--ratio 1e99999999999 F",
+             "--ratio 1e99999999999999999999999 F",
              "--ratio 10e F",
              "--ratio 10^ F",
+             "--ratio 5^2 F",
+             "--jobs 1025 F",
              "--ratio 10e+ F",
              "--ratio .5 F",
              "--ratio 5. F",
              "--ratio 1:2:3 F",
              "--ratio ' 5' F",
              "--ratio 1.5/2 F",
+             "--ratio 5.e3 F",
+             "--ratio .5e1 F",
+             "--ratio e5 F",
+             "--ratio 1e-+1 F",
+             "--law a --law b F",
+             "--precision 4097 F",
              "--jobs 0 F",
              "--jobs 1e9 F",
              "--max-bits 5 F",
              "--precision 52 F",
              "--precision 5000 F",
              "--json=1 F",
+             "--json --quiet F",
              "--explain 1:bridge --json F",
              "--exactly 4 --max 5 F",
              "--min 1 --exactly 4 F",
@@ -215,12 +242,16 @@ TEST_CASE("wrong usage is one line on stderr and exit code 2") {
         CHECK(r.code == 2);
         CHECK(std::count(r.err.begin(), r.err.end(), '\n') == 1);
     }
+    for (const char* ratio : {"5/", "/5", "/", "5/x", "5/3x"})
+        CHECK(run("--ratio " + std::string(ratio) + " " + file.path()).err ==
+              "dumbbell-verify: not a mass ratio: `" + std::string(ratio) + "`\n");
     const std::string digits(1001, '1');
     CHECK(run("--ratio " + digits + " " + file.path()).code == 2);
     CHECK(run("--ratio " + digits.substr(1) + " " + file.path()).code == 1);
     CHECK(run("--ratio 1e1000 " + file.path()).code == 1);
     CHECK(run("--ratio 1e0000000000000001 " + file.path()).code == 0);
     CHECK(run("-- " + file.path()).code == 0);
+    CHECK(run("--law /nonexistent " + file.path()).code == 0);  // no file asks for it
     CHECK(run("--help").code == 0);
     CHECK(run("--help").out.find("--explain") != std::string::npos);
     CHECK(run("--version").out.starts_with("dumbbell-verify "));
@@ -270,9 +301,18 @@ TEST_CASE("the option --json of a comparison is one object with both files") {
     CHECK(exchanged.code == 1);
     CHECK(exchanged.out.find("\"verdict\":\"REJECTED\",\"comparison\":null,\"files\":[") !=
           std::string::npos);
-    const Run missing = run("--lemma 4.1 " + hybrid + " /nonexistent");
-    CHECK(missing.code == 2);
-    CHECK(missing.last() == "s UNREADABLE lemma=4.1 /nonexistent No such file or directory");
+    for (const std::string& files : {hybrid + " /nonexistent", "/nonexistent " + wedge}) {
+        const Run missing = run("--lemma 4.1 " + files);
+        CHECK(missing.code == 2);
+        CHECK(missing.last() == "s UNREADABLE lemma=4.1 /nonexistent No such file or directory");
+    }
+    const auto said = [](const std::string& scene, const std::string& file) {
+        return file + "\n  " + run("--quiet --scene " + scene + " " + file).last().substr(11) + "\n";
+    };
+    const std::string verdict = run("--quiet --lemma 4.1 " + hybrid + " " + wedge).out;
+    CHECK(verdict.starts_with("s VERIFIED lemma=4.1 "));
+    CHECK(run("--lemma 4.1 " + hybrid + " " + wedge).out ==
+          said("hybrid", hybrid) + said("wedge", wedge) + verdict);
 }
 
 TEST_CASE("a word is an option if it begins with a dash, else a file") {
@@ -310,6 +350,16 @@ TEST_CASE("the option --explain shows a leaf with its numbers") {
     const File long_ray(
         closed(make::header("10000/1", "10000/1", 1) + make::piece(10'000, 10'000, 90, 0, "")));
     CHECK(run("--explain 1:bridge " + long_ray.path()).out.size() < 40'000);
+    CHECK(run("--precision 4096 --explain 1:bridge " + long_ray.path()).code == 0);
+    // What is shown is worked out again, and that is work, too: no more than the budget has left.
+    CHECK(run("--precision 1000 --budget 0.1s " + long_ray.path()).code == 0);
+    CHECK(run("--precision 1000 --budget 0.1s --explain 1:bridge " + long_ray.path()).code == 4);
+    const std::string counts = "\ncount 15708 15708\n";
+    const File longer(closed(make::header("100000000/1", "100000000/1", 1) +
+                             "piece 100000000/1 100000000/1\nbits 53\nupper 40000\nchart bridge" + counts +
+                             "chart light" + counts + "lower 0\n"));
+    CHECK(run("--precision 4096 --budget 0.01s --explain 1:bridge " + longer.path(), "timeout 100 ").code ==
+          4);
 }
 
 TEST_CASE("a gigabyte of zeros, plain or compressed, is refused at once in little memory") {

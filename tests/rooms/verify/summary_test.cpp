@@ -88,6 +88,7 @@ TEST_CASE("summary: JSON of a proof and of a refusal, whole") {
         R"({"file":"a\u000ab.dbc","verdict":"REJECTED","claim":null,"sha256":null,)"
         R"("schema":"dumbbell-verify-1","demand":{"ratio":null,"max":null,"min":null},)"
         R"("part":null,"parts":null,"leaves":{},"coverage":{},"work":null,"line":7,"code":"count","reason":"not\u000acertified"})");
+    CHECK(json(result(Verdict::rejected, 1)).find(R"("line":1,)") != std::string::npos);
     Result r = verified(false);
     r.proof.heavy_once = true;
     const Job asked = [] {
@@ -108,6 +109,8 @@ TEST_CASE("summary: the work is told in seconds, rounded up") {
     Result r = verified();
     r.proof.work = 12 * dumbbell_verify::units_per_second + 1;
     CHECK(json(r).find(R"("work":12.001,)") != std::string::npos);
+    r.proof.work = 999 * (dumbbell_verify::units_per_second / 1000);
+    CHECK(json(r).find(R"("work":0.999,)") != std::string::npos);
 }
 
 TEST_CASE("summary: a part is no proof, in no JSON, and a test case that passes") {
