@@ -299,3 +299,106 @@ TEST_CASE("initial conditions: a second dip of a mass is not its first contact")
         CHECK((check_initial(leaf, nullptr) == nullptr) == (shift == 0));
     }
 }
+
+TEST_CASE("initial conditions: contacts behind the top of the bridge are sharp from below") {
+    struct Slopes {
+        mpq_class lo, hi;
+    };
+    // Rays of one height and slopes in [lo, hi] at r = 1/2: their slopes behind the contact.
+    const auto off_bridge = [](int bits, const mpq_class& height, const mpq_class& lo, const mpq_class& hi) {
+        Big::precision = bits;
+        const auto number = [](const mpq_class& x) { return bound(down, x, Big()); };
+        const Interval<Big> r = number(mpq_class(1, 2));
+        const auto next =
+            Departures<Big>(r, nullptr).off_bridge({true, number(height), {number(lo), number(hi)}});
+        REQUIRE(next);
+        return Slopes{exact_value(next->slope.lo), exact_value(next->slope.hi)};
+    };
+    const mpq_class steep(-5, 16), flat(-1, 4), tiny(1, mpz_class(1) << 80);
+    const mpq_class tangent(0.9566114774905181);  // the height of a ray of slope -1/4 that just touches
+    for (int i = 0; i < 14; ++i) {
+        mpq_class height = mpq_class(917 + 3 * i) / 1024;
+        if (i >= 12) height = tangent - mpq_class(1, 1 << (2 * i));
+        CAPTURE(i, height.get_d());
+        const Slopes thin = off_bridge(90, height, flat, flat), truth = off_bridge(300, height, flat, flat);
+        CHECK(thin.lo <= truth.lo);
+        CHECK(thin.hi >= truth.hi);
+        if (i < 12) CHECK(thin.hi < truth.hi + tiny);
+        // Of these the lowest ray, the steepest one down, comes first and leaves with the greatest slope.
+        const Slopes wide = off_bridge(90, height, steep, flat),
+                     lowest = off_bridge(300, height, steep, steep);
+        CHECK(wide.lo <= truth.lo);
+        CHECK(wide.hi >= lowest.hi);
+        CHECK(wide.hi < lowest.hi + tiny);
+    }
+}
+
+TEST_CASE("initial conditions: states that rise, fall or may do either, turning either way, are reflected") {
+    for (const bool heavy : {false, true})
+        for (const int w : {-8, 8})
+            for (const int kind : {-1, 0, 1}) {
+                InitialBox box;
+                const mpq_class middle = mpq_class(kind) / 2, width(1, 1000);
+                box.lo = {0, w, 1, middle - width, 4};
+                box.hi = {0, w, 1, middle + width, 4};
+                const Flight<double> flight(box);
+                FirstReflection<double> reflection(flight, nullptr);
+                int found = 0;
+                for (int i = -60; i < 60; ++i) {
+                    const LongDouble phi = 0.05 * i, r = 0.25, sine = std::sin(phi), wall = std::cos(phi);
+                    const LongDouble height = heavy ? r * sine : -sine, t = heavy ? r * wall : -wall;
+                    bool none = false;
+                    const auto ray = reflection.behind_first(heavy, Doubles(0.05 * i), none);
+                    if (none) CHECK_FALSE(ray);
+                    if (height <= 0 || flight.v.hi - t * w >= 0 || !ray) continue;
+                    ++found;
+                    for (const double v : {flight.v.lo, flight.v.hi}) {
+                        const auto [spin, climb] = reflected(w, v, t, r);
+                        const LongDouble slope = climb / std::abs(spin),
+                                         corner = (std::floor(phi / pi_long) + (spin > 0 ? 1 : 0)) * pi_long;
+                        CAPTURE(heavy, w, v, i);
+                        CHECK(step_holds(ray->slope, slope));
+                        CHECK(step_holds(ray->height, height + slope * std::abs(corner - phi)));
+                    }
+                }
+                CAPTURE(heavy, w, kind);
+                CHECK(found > 2);
+            }
+}
+
+TEST_CASE("initial conditions: beyond 2^28 half turns no wall is known by its number") {
+    // The dumbbell turns so fast that it is reflected forwards wherever it touches.
+    InitialBox box;
+    box.lo = box.hi = {0, 1, 1, mpq_class(-1, 10), 100};
+    for (const double angle : {9e8, -9e8, 1e18}) {
+        FirstReflection<double> reflection(Flight<double>(box), nullptr);
+        bool none = false;
+        CHECK_FALSE(reflection.behind_first(true, Doubles(angle), none));
+        CHECK(std::string(reflection.failed()) == "an angle within reach");
+    }
+}
+
+TEST_CASE("initial conditions: the log names every wall that rays leave") {
+    std::string log;
+    Departures<double> rays(Doubles(0.1), &log);
+    CHECK_FALSE(rays.certify({true, Doubles(0.05), Doubles(0.01)}, 9, 9));
+    CHECK(log.find("  after 0: light wall, height at the corner 0.05") != std::string::npos);
+    CHECK(log.find("  after 1: bridge, height at the corner") != std::string::npos);
+}
+
+TEST_CASE(
+    "initial conditions: a first contact next to a corner, nearer than doubles can tell, has its wall") {
+    Big::precision = 200;
+    InitialBox box;
+    box.lo = box.hi = {0, mpq_class(1, 10), 1, -1, 4};
+    const Flight<Big> flight(box);
+    const mpq_class near(3.141592653589793), behind(1.2246467991473532e-16), little(1e-20);
+    const auto leaves = [&](bool heavy, const mpq_class& angle) {
+        bool none = false;
+        return FirstReflection<Big>(flight, nullptr)
+            .behind_first(heavy, bound(down, angle, Big()), none)
+            .has_value();
+    };
+    CHECK(leaves(true, near - little));            // on the bridge before pi, next to the double below pi
+    CHECK(leaves(false, near + behind + little));  // on the light wall behind pi
+}
