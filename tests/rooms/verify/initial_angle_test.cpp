@@ -103,14 +103,14 @@ TEST_CASE("angles: square roots enclose, and are 0 of what is not positive") {
             const Interval<N> y = root(x);
             return std::pair{exact_value(y.lo), exact_value(y.hi)};
         };
-        CHECK(root_of({N(-1), N(0)}) == std::pair{mpq_class(0), mpq_class(0)});
-        CHECK(root_of({N(-1), N(4)}) == std::pair{mpq_class(0), mpq_class(2)});
-        CHECK(root_of({N(4), N(9)}) == std::pair{mpq_class(2), mpq_class(3)});
+        CHECK((root_of({N(-1), N(0)}) == std::pair{mpq_class(0), mpq_class(0)}));
+        CHECK((root_of({N(-1), N(4)}) == std::pair{mpq_class(0), mpq_class(2)}));
+        CHECK((root_of({N(4), N(9)}) == std::pair{mpq_class(2), mpq_class(3)}));
         for (int i = 1; i < 300; ++i) {
             const N x = bound(down, mpq_class(i * i + 1, 500), number);
             const auto [lo, hi] = root_of(x);
-            REQUIRE(lo * lo <= exact_value(x));
-            REQUIRE(hi * hi >= exact_value(x));
+            REQUIRE((lo * lo <= exact_value(x)));
+            REQUIRE((hi * hi >= exact_value(x)));
             REQUIRE((lo > 0 && hi < lo * (1 + narrow)));
         }
     };

@@ -119,7 +119,7 @@ TEST_CASE("a piece of the section of incoming trajectories stands for states tha
             const dumbbell_verify::InitialBox states = dumbbell_verify::incoming_states(piece);
             const auto squared = [&](const mpq_class& x) { return mpq_class(x * x * q / (1 - x * x)); };
             const mpq_class least = states.lo[1], most = states.hi[1], to = piece.hi[1];
-            CAPTURE(q, s);
+            CAPTURE(q.get_d(), s.get_d());
             CHECK((pi_low - close < states.lo[0] && states.lo[0] <= pi_low));
             CHECK((pi_high * 3 / 2 <= states.hi[0] && states.hi[0] < pi_low * 3 / 2 + close));
             CHECK((least >= 0 && least * least <= squared(s) && squared(to) <= most * most));

@@ -321,15 +321,15 @@ TEST_CASE("initial conditions: contacts behind the top of the bridge are sharp f
         if (i >= 12) height = tangent - mpq_class(1, 1 << (2 * i));
         CAPTURE(i, height.get_d());
         const Slopes thin = off_bridge(90, height, flat, flat), truth = off_bridge(300, height, flat, flat);
-        CHECK(thin.lo <= truth.lo);
-        CHECK(thin.hi >= truth.hi);
-        if (i < 12) CHECK(thin.hi < truth.hi + tiny);
+        CHECK((thin.lo <= truth.lo));
+        CHECK((thin.hi >= truth.hi));
+        if (i < 12) CHECK((thin.hi < truth.hi + tiny));
         // Of these the lowest ray, the steepest one down, comes first and leaves with the greatest slope.
         const Slopes wide = off_bridge(90, height, steep, flat),
                      lowest = off_bridge(300, height, steep, steep);
-        CHECK(wide.lo <= truth.lo);
-        CHECK(wide.hi >= lowest.hi);
-        CHECK(wide.hi < lowest.hi + tiny);
+        CHECK((wide.lo <= truth.lo));
+        CHECK((wide.hi >= lowest.hi));
+        CHECK((wide.hi < lowest.hi + tiny));
     }
 }
 
