@@ -95,9 +95,12 @@ int plan_range(const Given& given) {
             "FILE");
     }
     collisions::CertifyRequest request = request_of(given, parse_ratio_argument(given.text("RATIO")));
-    Progress progress("steps");
-    request.observer = &progress;
-    const auto plan = campaign::plan_collisions(request, shards_of(given), deadline(std::nullopt));
+    std::optional<campaign::Plan> plan;
+    {
+        Progress progress("steps", Verbosity::normal, "looking for steps");
+        request.observer = &progress;
+        plan = campaign::plan_collisions(request, shards_of(given), deadline(std::nullopt));
+    }
     return plan ? made(folder, *plan) : stopped("nothing was planned");
 }
 

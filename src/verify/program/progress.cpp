@@ -61,7 +61,7 @@ void Progress::run() {
     std::uint64_t read = 0, worked = 0;  // until the line before
     for (auto pause = 1000ms; !ends_.wait_for(lock, pause, is_over); pause = 200ms) {
         const std::uint64_t bytes = Watched::bytes, work = Watched::work;
-        show(line(budget_, bytes != read && work == worked));
+        show(line(budget_, work == worked && (bytes == 0 || bytes != read)));
         read = bytes;
         worked = work;
     }

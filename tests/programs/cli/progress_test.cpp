@@ -108,6 +108,16 @@ TEST_CASE("the phases of a long job are named, and what counts nothing says for 
     }
 }
 
+TEST_CASE("a line appears by time, also while the first box, or the first piece of a range, takes long") {
+    for (const auto& [ratio, shown] : std::vector<std::pair<std::string, std::string>>{
+             {"1e10", " boxes in "}, {"2e10:20000000001", "proving, "}}) {
+        const std::string text = seen_on_terminal(
+            {DUMBBELL_BIN, "certify", ratio, "--section", "full", "--jobs", "1", "--budget", "10s"}, shown);
+        CAPTURE(ratio, text);
+        CHECK(text.find(shown) != std::string::npos);
+    }
+}
+
 TEST_CASE("a terminal that is dumb, or of no known kind, gets no progress: it needs escape codes") {
     for (const Words& kind : {Words{"TERM=dumb"}, Words{"-u", "TERM"}}) {
         Words job{"env"};
