@@ -46,7 +46,7 @@ constexpr std::array report_options{
 int run_report(const Given& given) {
     const Output out(given.text("--out"), given.words("FILE"));
     const auto most_boxes = static_cast<std::size_t>(given.number("--max-boxes"));
-    Progress progress("", Verbosity::normal, "making the page");
+    Progress progress("", Verbosity::normal, "reading");
     std::vector<page::ReportedFile> files;
     std::size_t boxes = 0;
     for (const std::string& path : given.words("FILE")) {
@@ -54,6 +54,7 @@ int run_report(const Given& given) {
         files.back().path = path;
         boxes += page::leaves_of(files.back().content);
     }
+    progress.enter("making the page", "");
     out.commit(page::html_page(page_data(files, most_boxes)));
     if (boxes > most_boxes) {
         progress.note(

@@ -118,6 +118,25 @@ TEST_CASE("a line appears by time, also while the first box, or the first piece 
     }
 }
 
+TEST_CASE("that a large file is read is a phase of its own, in every command that reads one") {
+    const TemporaryFolder folder;
+    const std::string file = folder / "large.dbc", out = folder / "out";
+    write_file(file, many_open_pieces(600'000));
+    for (const Words& words : std::vector<Words>{{"law", file},
+                                                 {"audit", file},
+                                                 {"plot", "staircase", file, "--out", out + ".svg"}}) {
+        const std::string text = seen_on_terminal(with_program(words), "reading");
+        CAPTURE(words, text);
+        CHECK(
+            std::regex_search(text, std::regex(R"(reading(, |: \[#*\.*\] \d+/600000 pieces, about )\d+ s)")));
+    }
+    // What waits for its input reads, too.
+    const std::string waits = seen_on_terminal(
+        {"sh", "-c", "'sleep 3 | " DUMBBELL_BIN " report - --out " + out + ".html'"}, "reading");
+    CAPTURE(waits);
+    CHECK(waits.find("reading, ") != std::string::npos);
+}
+
 TEST_CASE("a terminal that is dumb, or of no known kind, gets no progress: it needs escape codes") {
     for (const Words& kind : {Words{"TERM=dumb"}, Words{"-u", "TERM"}}) {
         Words job{"env"};
