@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <string>
 
+#include "base/interrupted.hpp"
 #include "collisions/certificate.hpp"
 #include "file/lines.hpp"
 
@@ -12,10 +13,10 @@ enum class Trees { kept, passed_over };
 
 /// A certificate about collisions (plain or gzip), one piece at a time: a caller that keeps none needs no
 /// more memory than the longest piece, or a line where trees are passed over, however large the file is,
-/// unpacked. Throws InputError as read_certificate does.
+/// unpacked. Throws InputError as read_certificate does, and EndedEarly if it is interrupted.
 class PieceReader {
   public:
-    PieceReader(const std::string& path, Trees trees);
+    PieceReader(const std::string& path, Trees trees, Interrupted interrupted = never);
 
     /// All but the pieces.
     [[nodiscard]] const Certificate& head() const { return head_; }
@@ -27,6 +28,7 @@ class PieceReader {
   private:
     Lines lines_;
     Trees trees_;
+    Interrupted interrupted_;
     Certificate head_;
     std::size_t pieces_ = 0;
 };

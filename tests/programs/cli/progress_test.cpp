@@ -124,7 +124,8 @@ TEST_CASE("that a large file is read is a phase of its own, in every command tha
     write_file(file, many_open_pieces(600'000));
     for (const Words& words : std::vector<Words>{{"law", file},
                                                  {"audit", file},
-                                                 {"plot", "staircase", file, "--out", out + ".svg"}}) {
+                                                 {"plot", "staircase", file, "--out", out + ".svg"},
+                                                 {"campaign", "plan", out, "verify", file}}) {
         const std::string text = seen_on_terminal(with_program(words), "reading");
         CAPTURE(words, text);
         CHECK(

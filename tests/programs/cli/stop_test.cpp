@@ -89,6 +89,19 @@ TEST_CASE("without a file, and for a single ratio, a stopped run says that nothi
     }
 }
 
+TEST_CASE("a verification that is stopped while it is planned leaves nothing") {
+    const TemporaryFolder folder;
+    write_file(folder / "large.dbc", many_open_pieces(600'000));
+    for (const int signal : {SIGINT, SIGTERM}) {
+        const Outcome outcome = stopped({"campaign", "plan", "c", "verify", "large.dbc"}, signal, folder);
+        CAPTURE(outcome.err);
+        CHECK(outcome.signal == signal);
+        CHECK(outcome.out.empty());
+        CHECK_THAT(outcome.err, Contains(": nothing was planned\n"));
+        CHECK(folder.names() == Words{"large.dbc"});
+    }
+}
+
 TEST_CASE("a stopped run ends early, in the middle of a section without end too") {
     const TemporaryFolder folder;
     CHECK(stopped({"certify", "1e16", "--section", "full"}, SIGTERM, folder).signal == SIGTERM);
