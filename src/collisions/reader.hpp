@@ -33,6 +33,9 @@ class PieceReader {
     std::size_t pieces_ = 0;
 };
 
+/// How many pieces a certificate has, as its head says; 0 if it is none about collisions.
+[[nodiscard]] std::size_t claimed_pieces(const std::string& path);
+
 /// Reads a certificate file (plain or gzip) back into data, for pictures and reports. This is no
 /// verification: it checks the syntax as far as it needs it, and none of the mathematics. Throws InputError
 /// (naming file and line) if the file is missing or is no certificate.
