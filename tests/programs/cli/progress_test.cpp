@@ -110,11 +110,12 @@ TEST_CASE("the phases of a long job are named, and what counts nothing says for 
 
 TEST_CASE("a line appears by time, also while the first box, or the first piece of a range, takes long") {
     for (const auto& [ratio, shown] : std::vector<std::pair<std::string, std::string>>{
-             {"1e10", " boxes in "}, {"2e10:20000000001", "proving, "}}) {
+             {"1e14", R"(proving: \d+ boxes in \d s)"}, {"2e10:20000000001", R"(proving, \d s)"}}) {
+        const std::string awaited = shown.substr(0, shown.find('\\'));
         const std::string text = seen_on_terminal(
-            {DUMBBELL_BIN, "certify", ratio, "--section", "full", "--jobs", "1", "--budget", "10s"}, shown);
+            {DUMBBELL_BIN, "certify", ratio, "--section", "full", "--jobs", "1", "--budget", "10s"}, awaited);
         CAPTURE(ratio, text);
-        CHECK(text.find(shown) != std::string::npos);
+        CHECK(std::regex_search(text, std::regex(shown)));  // long before the budget is used up
     }
 }
 
