@@ -185,7 +185,9 @@ Audit audit(const Certificate& certificate, const std::pair<Rational, Rational>&
 
 Audit audit_file(const std::string& path, Observer& observer) {
     const Certificate certificate = collisions::read_certificate(path);
-    return audit(certificate, claimed_range(path), observer);
+    const auto claimed = claimed_range(path);
+    observer.enter("auditing", "leaves");
+    return audit(certificate, claimed, observer);
 }
 
 }  // namespace dumbbell::audit

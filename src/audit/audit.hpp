@@ -33,7 +33,7 @@ struct Audit {
 [[nodiscard]] Audit audit(const collisions::Certificate& certificate,
                           const std::pair<Rational, Rational>& claimed, Observer& observer = nobody);
 
-/// Reads the file and audits it. Throws InputError if it cannot be read.
+/// Reads the file, then audits it in a phase of its own. Throws InputError if it cannot be read.
 [[nodiscard]] Audit audit_file(const std::string& path, Observer& observer = nobody);
 
 }  // namespace dumbbell::audit

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <system_error>
 
+#include "base/ended_early.hpp"
 #include "base/error.hpp"
 #include "collisions/writer.hpp"
 #include "file/atomic_file.hpp"
@@ -49,6 +50,25 @@ bool is_file(const fs::directory_entry& entry) {
     return type == fs::file_type::regular || type == fs::file_type::not_found;
 }
 
+/// What belongs to a plan, into its empty folder.
+void fill(const std::string& path, const Plan& plan, const std::vector<std::string>& sources,
+          const Interrupted& interrupted) {
+    for (const std::string_view name : folders) {
+        make_folder(fmt::format("{}/{}", path, name));
+    }
+    for (std::size_t i = 0; i < sources.size(); ++i) {
+        go_on(interrupted);
+        const std::string copy = path + "/" + plan.inputs[i];
+        std::error_code failed;
+        if (!fs::copy_file(sources[i], copy, failed)) {
+            throw InputError(fmt::format("cannot copy '{}' to '{}': {}", sources[i], copy, failed.message()));
+        }
+    }
+    const std::string text = render(plan);
+    go_on(interrupted);
+    write_atomically(path + "/plan", text);  // last: with it the folder is a campaign
+}
+
 }  // namespace
 
 void CampaignFolder::require_new(const std::string& path) {
@@ -61,25 +81,23 @@ void CampaignFolder::require_new(const std::string& path) {
 }
 
 void CampaignFolder::create(const std::string& path, const Plan& plan,
-                            const std::vector<std::string>& sources) {
+                            const std::vector<std::string>& sources, const Interrupted& interrupted) {
     require(sources.size() == plan.inputs.size(), "a plan whose inputs are not there");
     require_new(path);
     std::error_code failed;
+    const bool is_new = !fs::exists(path, failed);
     make_folder(path);
-    for (const std::string_view name : folders) {
-        make_folder(fmt::format("{}/{}", path, name));
-    }
-    for (std::size_t i = 0; i < sources.size(); ++i) {
-        const std::string copy = path + "/" + plan.inputs[i];
-        if (!fs::copy_file(sources[i], copy, failed)) {
-            const std::string reason = failed.message();
-            for (const fs::directory_entry& entry : fs::directory_iterator(path)) {
-                fs::remove_all(entry.path(), failed);  // all made above: the folder was empty
-            }
-            throw InputError(fmt::format("cannot copy '{}' to '{}': {}", sources[i], copy, reason));
+    try {
+        fill(path, plan, sources, interrupted);
+    } catch (...) {
+        for (const fs::directory_entry& entry : fs::directory_iterator(path, failed)) {
+            fs::remove_all(entry.path(), failed);  // all made above: the folder was empty
         }
+        if (is_new) {
+            fs::remove(path, failed);
+        }
+        throw;
     }
-    write_atomically(path + "/plan", render(plan));  // last: with it the folder is a campaign
 }
 
 CampaignFolder::CampaignFolder(std::string path) : path_(std::move(path)), journal_(path_ + "/journal") {

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "base/interrupted.hpp"
 #include "campaign/journal.hpp"
 #include "campaign/plan.hpp"
 #include "file/folder_lock.hpp"
@@ -35,9 +36,9 @@ class CampaignFolder {
     static void require_new(const std::string& path);
 
     /// Makes the folder, which is not there yet or empty. `sources`: the files that become the plan's inputs,
-    /// in their order. If it fails, nothing is left in it.
+    /// in their order. Throws EndedEarly if it is interrupted. If it fails, nothing is left in it.
     static void create(const std::string& path, const Plan& plan,
-                       const std::vector<std::string>& sources = {});
+                       const std::vector<std::string>& sources = {}, const Interrupted& interrupted = never);
 
     /// Opens it. Throws InputError, and changes nothing, if it is no campaign, one of another version, if its
     /// plan was changed after the start, if it cannot be read, or if it holds a file that is not of its

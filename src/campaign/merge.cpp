@@ -65,6 +65,7 @@ Merge merge_campaign(const CampaignFolder& folder, const MergeOptions& options) 
     for (const Part& part : parts) {
         files.push_back(folder.result_file(part.id));
     }
+    options.observer->enter("joining", "");
     merge.whole = kind.merge(folder.plan(), folder.path(), files);
     return merge;
 }

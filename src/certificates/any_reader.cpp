@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "adiabatic/reader.hpp"
+#include "base/ended_early.hpp"
 #include "base/error.hpp"
 #include "collisions/reader.hpp"
 #include "file/lines.hpp"
@@ -44,10 +45,11 @@ AnyCertificate read_any_certificate(const std::string& path) {
     return collisions::read_certificate(path);
 }
 
-std::string sealed_digest(const std::string& path) {
+std::string sealed_digest(const std::string& path, const Interrupted& interrupted) {
     const std::unique_ptr<gzFile_s, int (*)(gzFile)> file(gzopen(path.c_str(), "rb"), &gzclose);
     std::array<char, 8192> line{};
     const auto next = [&] {
+        go_on(interrupted);
         return file && gzgets(file.get(), line.data(), static_cast<int>(line.size())) != nullptr;
     };
     if (!next() || line.data() != first_line) {

@@ -66,9 +66,9 @@ std::vector<ProvedPiece> prove_plan(const CertifyRequest& request, const PieceOp
     }
     std::vector<ProvedPiece> pieces(plan.size());
     std::atomic<std::size_t> finished = 0;
+    request.observer->enter("proving", "pieces");
     in_parallel(plan.size(), [&](std::size_t i) {
         pieces[i] = timed([&] { return prove_or_recall(plan[i], request, options); });
-        request.observer->enter("proving", "pieces");
         request.observer->update(++finished, plan.size(), plan[i].upper);
     });
     return pieces;

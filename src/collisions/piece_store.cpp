@@ -157,6 +157,12 @@ void PieceStore::keep(const Piece& piece) const {
     write_atomically(file_of(planned_as(piece)), render(alone).text, Survives::program);
 }
 
+std::size_t PieceStore::size() const {
+    std::error_code ignored;
+    const fs::directory_iterator entries(folder_, ignored);
+    return static_cast<std::size_t>(std::count_if(begin(entries), end(entries), is_piece));
+}
+
 void PieceStore::remove() {
     std::error_code ignored;
     // The claim last: should the program be killed here, what is left is still a folder of this run.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 
@@ -43,6 +44,9 @@ class PieceStore {
     /// Keeps the piece, whatever happens to the program; of what a crash of the machine spoils, `find` finds
     /// nothing. Precondition: its bounds are the planned ones.
     void keep(const Piece& piece) const;
+
+    /// How many pieces the folder has.
+    [[nodiscard]] std::size_t size() const;
 
     /// Nothing is needed any more: removes the folder.
     void remove();

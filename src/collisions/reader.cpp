@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <array>
 #include <string_view>
+#include <utility>
 #include <vector>
 
+#include "base/ended_early.hpp"
 #include "base/error.hpp"
 #include "collisions/names.hpp"
 #include "file/lines.hpp"
@@ -32,9 +34,10 @@ Node node_from(Lines& lines, Chart chart) {
     lines.fail();
 }
 
-ChartTree tree_from(Lines& lines, Chart chart, Trees trees) {
+ChartTree tree_from(Lines& lines, Chart chart, Trees trees, const Interrupted& interrupted) {
     Tree tree;
     for (long missing = 1; missing > 0;) {
+        go_on(interrupted);
         Node node = node_from(lines, chart);
         missing += node.split ? 1 : -1;
         if (trees == Trees::kept) {
@@ -44,7 +47,8 @@ ChartTree tree_from(Lines& lines, Chart chart, Trees trees) {
     return {chart, std::move(tree)};
 }
 
-Cover cover_from(Lines& lines, const std::vector<Chart>& charts, Trees trees) {
+Cover cover_from(Lines& lines, const std::vector<Chart>& charts, Trees trees,
+                 const Interrupted& interrupted) {
     Cover cover;
     for (const Chart chart : charts) {
         const auto& fields = lines.next();
@@ -55,14 +59,16 @@ Cover cover_from(Lines& lines, const std::vector<Chart>& charts, Trees trees) {
         if (fields.size() != 2 || fields[0] != "chart" || fields[1] != name(chart)) {
             lines.fail();
         }
-        cover.charts.push_back(tree_from(lines, chart, trees));
+        cover.charts.push_back(tree_from(lines, chart, trees, interrupted));
     }
     return cover;
 }
 
 constexpr std::array witness_charts{Chart::bridge, Chart::wedge};
 
-Piece piece_from(Lines& lines, const std::vector<Chart>& charts, Trees trees) {
+Piece piece_from(Lines& lines, const std::vector<Chart>& charts, Trees trees,
+                 const Interrupted& interrupted) {
+    go_on(interrupted);
     Piece piece;
     const auto& range = lines.expect("piece", 3);
     piece.q_lo = lines.ratio(range[1]);
@@ -71,7 +77,7 @@ Piece piece_from(Lines& lines, const std::vector<Chart>& charts, Trees trees) {
     const std::string upper = lines.expect("upper", 2)[1];
     if (upper != "none") {
         piece.upper = lines.count(upper);
-        piece.cover = cover_from(lines, charts, trees);
+        piece.cover = cover_from(lines, charts, trees, interrupted);
     }
     piece.lower = lines.count(lines.expect("lower", 2)[1]);
     if (piece.lower > 0) {
@@ -106,7 +112,8 @@ const char* other_subject(std::string_view claim) {
 
 }  // namespace
 
-PieceReader::PieceReader(const std::string& path, Trees trees) : lines_(path), trees_(trees) {
+PieceReader::PieceReader(const std::string& path, Trees trees, Interrupted interrupted)
+    : lines_(path), trees_(trees), interrupted_(std::move(interrupted)) {
     const Head head = lines_.expect_head();
     const auto scene = scene_named(head.scene);
     const auto section = section_named(head.section, head.lemmas);
@@ -129,7 +136,15 @@ PieceReader::PieceReader(const std::string& path, Trees trees) : lines_(path), t
     }
 }
 
-Piece PieceReader::next() { return piece_from(lines_, charts_of(head_.scene, head_.section), trees_); }
+Piece PieceReader::next() {
+    return piece_from(lines_, charts_of(head_.scene, head_.section), trees_, interrupted_);
+}
+
+std::size_t claimed_pieces(const std::string& path) try {
+    return PieceReader(path, Trees::passed_over).pieces();
+} catch (const InputError&) {
+    return 0;  // who reads it says what is wrong with it
+}
 
 Certificate read_certificate(const std::string& path) {
     PieceReader in(path, Trees::kept);

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <string>
 
+#include "base/interrupted.hpp"
 #include "collisions/certificate.hpp"
 #include "file/lines.hpp"
 
@@ -12,10 +13,10 @@ enum class Trees { kept, passed_over };
 
 /// A certificate about collisions (plain or gzip), one piece at a time: a caller that keeps none needs no
 /// more memory than the longest piece, or a line where trees are passed over, however large the file is,
-/// unpacked. Throws InputError as read_certificate does.
+/// unpacked. Throws InputError as read_certificate does, and EndedEarly if it is interrupted.
 class PieceReader {
   public:
-    PieceReader(const std::string& path, Trees trees);
+    PieceReader(const std::string& path, Trees trees, Interrupted interrupted = never);
 
     /// All but the pieces.
     [[nodiscard]] const Certificate& head() const { return head_; }
@@ -27,9 +28,13 @@ class PieceReader {
   private:
     Lines lines_;
     Trees trees_;
+    Interrupted interrupted_;
     Certificate head_;
     std::size_t pieces_ = 0;
 };
+
+/// How many pieces a certificate has, as its head says; 0 if it is none about collisions.
+[[nodiscard]] std::size_t claimed_pieces(const std::string& path);
 
 /// Reads a certificate file (plain or gzip) back into data, for pictures and reports. This is no
 /// verification: it checks the syntax as far as it needs it, and none of the mathematics. Throws InputError

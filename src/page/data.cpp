@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <limits>
 
 #include "base/error.hpp"
 #include "base/printable.hpp"
+#include "collisions/reader.hpp"
 #include "file/lines.hpp"
 #include "flight/growth_constant.hpp"
 #include "number/decimal.hpp"
@@ -82,6 +84,15 @@ Json colours_json() {
                          {"mark", both(pictures::palette::witness)}});
 }
 
+void require_few(std::size_t pieces) {
+    if (pieces > most_pieces) {
+        throw InputError(
+            fmt::format("the files have {} pieces, a page takes {}: report on fewer files, or on a part "
+                        "of the range (dumbbell certify LO:HI --out FILE)",
+                        pieces, most_pieces));
+    }
+}
+
 Json one_file(const ReportedFile& file, const BoxBudget& budget) {
     Json json = std::visit([&](const auto& of) { return file_json(of, budget); }, file.content);
     const Provenance provenance = std::visit(ProvenanceOf(), file.content);
@@ -94,6 +105,15 @@ Json one_file(const ReportedFile& file, const BoxBudget& budget) {
 }
 
 }  // namespace
+
+void require_few_pieces(const std::vector<std::string>& paths) {
+    std::size_t pieces = 0;
+    for (const std::string& path : paths) {
+        const std::size_t countable = std::numeric_limits<std::size_t>::max() - pieces;
+        pieces += std::min(countable, collisions::claimed_pieces(path));
+    }
+    require_few(pieces);
+}
 
 ReportedFile read_reported(const std::string& path) {
     require_readable(path);
@@ -119,12 +139,7 @@ Json page_data(const std::vector<ReportedFile>& files, std::size_t most_boxes) {
             pieces += certificate->pieces.size();
         }
     }
-    if (pieces > most_pieces) {
-        throw InputError(
-            fmt::format("the files have {} pieces, a page takes {}: report on fewer files, or on a part "
-                        "of the range (dumbbell certify LO:HI --out FILE)",
-                        pieces, most_pieces));
-    }
+    require_few(pieces);
     Json shown = Json::array();
     for (const ReportedFile& file : files) {
         shown.add(one_file(file, budget));

@@ -30,9 +30,14 @@ struct ReportedFile {
 /// Boxes of all covers together that a page draws; beyond, trees are thinned out.
 inline constexpr std::size_t default_most_boxes = 200'000;
 
-/// Pieces of all files together; a page with more would not open. Throws InputError beyond.
+/// Pieces of all files together; a page with more would not open.
 inline constexpr std::size_t most_pieces = 100'000;
 
+/// Throws InputError if the files have more, by what their heads say: before they are read, which takes
+/// memory.
+void require_few_pieces(const std::vector<std::string>& paths);
+
+/// Throws InputError if the files have more than `most_pieces`.
 [[nodiscard]] Json page_data(const std::vector<ReportedFile>& files, std::size_t most_boxes);
 
 /// How many leaves its trees have.

@@ -56,7 +56,9 @@ struct VerifiedPlan {
 };
 
 /// Cuts the pieces of a certificate about collisions; `shards`: how many at most, if the user has a wish.
-/// Throws InputError if the file is none, or is damaged.
-[[nodiscard]] VerifiedPlan plan_verified(const std::string& file, std::optional<std::size_t> shards);
+/// The observer is told of the pieces that are read. Throws InputError if the file is none, or is damaged,
+/// and EndedEarly if interrupted.
+[[nodiscard]] VerifiedPlan plan_verified(const std::string& file, std::optional<std::size_t> shards,
+                                         const Interrupted& interrupted = never, Observer& observer = nobody);
 
 }  // namespace dumbbell::campaign

@@ -163,8 +163,10 @@ const Kind& verified_kind() {
     return kind;
 }
 
-VerifiedPlan plan_verified(const std::string& file, std::optional<std::size_t> shards) {
-    collisions::PieceReader in(file, collisions::Trees::passed_over);
+VerifiedPlan plan_verified(const std::string& file, std::optional<std::size_t> shards,
+                           const Interrupted& interrupted, Observer& observer) {
+    observer.enter("reading", "pieces");
+    collisions::PieceReader in(file, collisions::Trees::passed_over, interrupted);
     if (in.pieces() > most_pieces) {
         throw InputError(fmt::format("'{}' has {} pieces, more than {}: certify the range in parts", file,
                                      in.pieces(), most_pieces));
@@ -180,9 +182,11 @@ VerifiedPlan plan_verified(const std::string& file, std::optional<std::size_t> s
         units.push_back(fmt::format("piece {}", i + 1));
         const Count upper = std::min(piece.upper.value_or(0), Count(1'000'000'000));
         costs.push_back(static_cast<std::size_t>(upper) + 10);
+        observer.update(i + 1, in.pieces(), std::nullopt);
     }
+    observer.enter("computing its checksum", "");
     const Subject subject{std::string(file.ends_with(".gz") ? packed_name : certificate_name),
-                          in.head().scene, certificates::sealed_digest(file), in.pieces()};
+                          in.head().scene, certificates::sealed_digest(file, interrupted), in.pieces()};
     return {{fmt::format("verify {}{}", printable(std::filesystem::path(file).filename().string(), 100),
                          about(fmt::format("{}:{}", to_fraction(q_lo), to_fraction(q_hi)), subject)),
              {head_of(subject), std::move(units)},

@@ -79,7 +79,7 @@ int run_merge(const Given& given) {
                                .interrupted = deadline(std::nullopt)};
     campaign::Merge merge;
     {
-        Progress progress("shards verified", verbosity_of(given));
+        Progress progress("shards", verbosity_of(given), unverified ? "reading" : "verifying");
         how.observer = &progress;
         merge = merge_campaign(folder, how);
     }

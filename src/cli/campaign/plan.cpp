@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "base/deadline.hpp"
+#include "base/ended_early.hpp"
 #include "base/error.hpp"
 #include "base/printable.hpp"
 #include "campaign/folder.hpp"
@@ -78,14 +79,19 @@ std::optional<std::size_t> shards_of(const Given& given) {
                                  : std::nullopt;
 }
 
-int made(const std::string& folder, const campaign::Plan& plan,
-         const std::vector<std::string>& sources = {}) {
-    campaign::CampaignFolder::create(folder, plan, sources);
+int said_of(const std::string& folder, const campaign::Plan& plan) {
     fmt::print("{}\n{} shards of {} units in '{}'; to process them: dumbbell campaign run {}\n",
                one_line(plan.claim), plan.shards.size(), plan.whole.units.size(), one_line(folder),
                shell_file(folder));
     return exit_done;
 }
+
+int made(const std::string& folder, const campaign::Plan& plan) {
+    campaign::CampaignFolder::create(folder, plan);
+    return said_of(folder, plan);
+}
+
+int nothing_planned() { return stopped("nothing was planned"); }
 
 int plan_range(const Given& given) {
     const std::string folder = new_folder(given);
@@ -95,10 +101,13 @@ int plan_range(const Given& given) {
             "FILE");
     }
     collisions::CertifyRequest request = request_of(given, parse_ratio_argument(given.text("RATIO")));
-    Progress progress("steps");
-    request.observer = &progress;
-    const auto plan = campaign::plan_collisions(request, shards_of(given), deadline(std::nullopt));
-    return plan ? made(folder, *plan) : stopped("nothing was planned");
+    std::optional<campaign::Plan> plan;
+    {
+        Progress progress("steps", Verbosity::normal, "looking for steps");
+        request.observer = &progress;
+        plan = campaign::plan_collisions(request, shards_of(given), deadline(std::nullopt));
+    }
+    return plan ? made(folder, *plan) : nothing_planned();
 }
 
 int plan_steps(const Given& given) {
@@ -117,10 +126,19 @@ int plan_statements(const Given& given) {
     return made(folder, campaign::plan_adiabatic(statements_of(given, Deltas::list), accuracy_of(given)));
 }
 
-int plan_verification(const Given& given) {
+int plan_verification(const Given& given) try {
     const std::string folder = new_folder(given, "verify");
-    const campaign::VerifiedPlan made_of = campaign::plan_verified(given.text("FILE"), shards_of(given));
-    return made(folder, made_of.plan, made_of.sources);
+    campaign::VerifiedPlan verification;
+    {
+        const Interrupted interrupted = deadline(std::nullopt);
+        Progress progress("pieces", Verbosity::normal, "reading");
+        verification = campaign::plan_verified(given.text("FILE"), shards_of(given), interrupted, progress);
+        progress.enter("writing the campaign", "");
+        campaign::CampaignFolder::create(folder, verification.plan, verification.sources, interrupted);
+    }
+    return said_of(folder, verification.plan);
+} catch (const EndedEarly&) {
+    return nothing_planned();
 }
 
 constexpr Command critical_claim{"critical",

@@ -97,7 +97,7 @@ class ShardProgress final : public Progress {
   public:
     /// `wanted` may be null: then no workers are waited for.
     ShardProgress(Verbosity verbosity, WorkersWanted* wanted)
-        : Progress("shards", verbosity), wanted_(wanted) {}
+        : Progress("shards", verbosity, "processing"), wanted_(wanted) {}
 
     void wait(double seconds) override {
         if (wanted_ != nullptr) {

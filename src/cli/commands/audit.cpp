@@ -31,7 +31,7 @@ constexpr std::array audit_options{
     json_option};
 
 audit::AuditedFile audited(const std::string& path) {
-    Progress progress("leaves", Verbosity::normal, "auditing");
+    Progress progress("", Verbosity::normal, "reading");
     const Stopwatch watch;
     audit::AuditedFile file{path, 0, {}};
     file.audit = audit::audit_file(input_file(path), progress);

@@ -168,9 +168,9 @@ int run_certify(const Given& given) {
     const bool open = std::any_of(pieces.begin(), pieces.end(), [](const ProvedPiece& p) {
         return p.piece.status() == collisions::Status::open;
     });
-    const std::string kept_in = store ? partial : "";
+    const auto kept = store ? std::optional(KeptPieces{partial, store->size()}) : std::nullopt;
     if (open && stop_signal != 0) {
-        return stopped(kept_when_stopped(request, pieces, kept_in));
+        return stopped(kept_when_stopped(request, pieces, kept));
     }
     collisions::ProofReport report = describe(request, pieces, seconds, given);
     if (output.is_wanted()) {
@@ -182,7 +182,7 @@ int run_certify(const Given& given) {
     fmt::print(output.report(), "{}",
                json || quiet ? shown(report, given) : text_of(report, ratio.swapped, witness));
     if (open) {
-        complain(advice(request, pieces, kept_in));
+        complain(advice(request, pieces, kept));
     }
     return open ? exit_not_certified : exit_done;
 }

@@ -3,6 +3,7 @@
 #include "base/error.hpp"
 #include "cli/commands.hpp"
 #include "cli/commands/law_modes.hpp"
+#include "cli/terminal/frame.hpp"
 #include "cli/terminal/output.hpp"
 #include "cli/terminal/standard_input.hpp"
 #include "cli/terminal/stop_signals.hpp"
@@ -49,6 +50,15 @@ constexpr std::array law_options{
     json_option,
     flag("--quiet", "what is proved, without the constants, and no progress")};
 
+/// The one that is named, or that comes with the program.
+std::string file_of(const Given& given) {
+    if (!given.has("FILE")) {
+        return shipped_certificate(law::certificate_name, "law FILE");
+    }
+    const Progress progress("", verbosity_of(given), "reading");
+    return input_file(given.text("FILE"));
+}
+
 int run_law(const Given& given) {
     if (given.has("--prove") && given.has("FILE")) {
         throw InputError(
@@ -60,8 +70,7 @@ int run_law(const Given& given) {
     if (given.has("--ratio")) {
         return law_at_one_ratio(given);
     }
-    const std::string file = given.has("FILE") ? input_file(given.text("FILE"))
-                                               : shipped_certificate(law::certificate_name, "law FILE");
+    const std::string file = file_of(given);
     return law::is_law_certificate(file) ? law_for_all(given, file) : law_of_staircase(given, file);
 }
 

@@ -46,7 +46,8 @@ std::string law_certificate(const std::string& name, std::string_view another) {
     return file;
 }
 
-law::AtRatioReport answer_at(const Rational& q, const std::string& file) {
+law::AtRatioReport answer_at(const Rational& q, const std::string& file, Verbosity verbosity) {
+    const Progress progress("", verbosity, "reading");
     std::string sha256 = certificates::sealed_digest(file);
     return {law::law_at(q, law::read_steps(file)), file, std::move(sha256)};
 }
@@ -80,9 +81,13 @@ Integer parse_law_count(const std::string& text) {
 
 int law_for_all(const Given& given, const std::string& file) {
     law::TheoremReport report{.digits = static_cast<int>(given.number("--digits")),
-                              .verdict = verified_law(file, verbosity_of(given)),
-                              .out = given.has("FILE") ? given.text("FILE") : file,
-                              .sha256 = certificates::sealed_digest(file)};
+                              .out = given.has("FILE") ? given.text("FILE") : file};
+    {
+        Progress progress("", verbosity_of(given), "verifying");
+        report.verdict = verified_law(file, progress);
+        progress.enter("reading", "");
+        report.sha256 = certificates::sealed_digest(file);
+    }
     fmt::print("{}", shown(report, given));
     return exit_done;
 }
@@ -115,7 +120,7 @@ int law_at_one_ratio(const Given& given) {
         throw InputError("--ratio takes one mass ratio, for example 1e100 or 7/3");
     }
     const law::AtRatioReport report =
-        answer_at(ratio.lo, law_certificate(given.text("FILE"), "law FILE --ratio Q"));
+        answer_at(ratio.lo, law_certificate(given.text("FILE"), "law FILE --ratio Q"), verbosity_of(given));
     fmt::print("{}", shown(report, given));
     return report.at.lower == report.at.upper ? exit_done : exit_not_certified;
 }
@@ -129,7 +134,7 @@ int certify_by_law(const Given& given) {
     }
     const std::string file = law_certificate(given.text("--law"), "certify Q --by law --law FILE");
     const Output output(given.text("--out"), {file}, given.has("--json") ? "--json" : nullptr);
-    law::CertifiedReport report{.answer = answer_at(ratio.lo, file)};
+    law::CertifiedReport report{.answer = answer_at(ratio.lo, file, verbosity_of(given))};
     if (given.has("--law")) {
         report.law = given.text("--law");
     }

@@ -34,16 +34,20 @@ collisions::Certificate read_staircase(const std::string& file) {
     return certificate;
 }
 
+staircase::LawReport report_on(const Given& given, const std::string& file, int digits) {
+    Progress progress("", verbosity_of(given), "reading");
+    const collisions::Certificate certificate = read_staircase(file);
+    std::string verdict = verified(file, name(certificate.scene), progress);
+    progress.enter("finding the law", "");
+    return {given.text("FILE"), std::move(verdict), digits, staircase::law_of(certificate)};
+}
+
 }  // namespace
 
 int law_of_staircase(const Given& given, const std::string& file) {
-    const collisions::Certificate certificate = read_staircase(file);
-    staircase::LawReport report{.file = given.text("FILE"),
-                                .verdict = verified(file, name(certificate.scene), verbosity_of(given)),
-                                .digits = static_cast<int>(given.number("--digits")),
-                                .law = {}};
-    const PrecisionScope scope(static_cast<int>(report.digits * 3.33) + 64);
-    report.law = staircase::law_of(certificate);
+    const auto digits = static_cast<int>(given.number("--digits"));
+    const PrecisionScope scope(static_cast<int>(digits * 3.33) + 64);
+    const staircase::LawReport report = report_on(given, file, digits);
     fmt::print("{}", shown(report, given));
     return all_proved(report.law) ? exit_done : exit_not_certified;
 }

@@ -62,7 +62,6 @@ std::string reason(const CertifyRequest& request, Obstacle obstacle) {
     }
 }
 
-/// Of which the folder of finished pieces has some.
 std::ptrdiff_t finished(const std::vector<ProvedPiece>& pieces) {
     return std::ranges::count_if(pieces, [](const ProvedPiece& p) { return p.piece.upper.has_value(); });
 }
@@ -70,29 +69,29 @@ std::ptrdiff_t finished(const std::vector<ProvedPiece>& pieces) {
 }  // namespace
 
 std::string advice(const CertifyRequest& request, const std::vector<ProvedPiece>& pieces,
-                   const std::string& partial) {
+                   const std::optional<KeptPieces>& kept) {
     return fmt::format(
         "{}{}{}", is_range(request) ? "not everything was decided" : "not decided",
         reason(request, worst_obstacle(pieces)),
-        partial.empty() || finished(pieces) == 0
+        !kept || kept->number == 0
             ? ""
-            : fmt::format("; the same command goes on with the finished pieces in '{}'", partial));
+            : fmt::format("; the same command goes on with the finished pieces in '{}'", kept->folder));
 }
 
 std::string kept_when_stopped(const CertifyRequest& request, const std::vector<ProvedPiece>& pieces,
-                              const std::string& partial) {
+                              const std::optional<KeptPieces>& kept) {
     if (!is_range(request)) {
         return "nothing is kept of a single ratio";
     }
-    const auto kept = finished(pieces);
-    if (kept == 0) {
+    const auto now = finished(pieces);
+    if (now == 0 && (!kept || kept->number == 0)) {
         return "no piece was finished yet";
     }
-    const std::string so_many = fmt::format("{} of {} pieces", kept, pieces.size());
-    return partial.empty()
-               ? fmt::format("{} were finished, and are lost: with --out FILE they are kept", so_many)
-               : fmt::format("{} are finished and kept in '{}': the same command goes on with them", so_many,
-                             partial);
+    const std::string so_many = now == 0 ? fmt::format("{} pieces", kept->number)
+                                         : fmt::format("{} of {} pieces", now, pieces.size());
+    return !kept ? fmt::format("{} were finished, and are lost: with --out FILE they are kept", so_many)
+                 : fmt::format("{} are finished and kept in '{}': the same command goes on with them",
+                               so_many, kept->folder);
 }
 
 }  // namespace dumbbell::cli

@@ -5,6 +5,7 @@
 #include "cli/options/given.hpp"
 #include "cli/terminal/exit_code.hpp"
 #include "cli/terminal/output.hpp"
+#include "cli/terminal/progress.hpp"
 #include "cli/terminal/standard_input.hpp"
 
 namespace dumbbell::cli {
@@ -116,12 +117,18 @@ constexpr std::array with_end{Option{"--to", "RATIO", "the mass ratio where the 
 
 enum class Asks { nothing, ratio, to };
 
+std::string drawn(std::string (*draw)(const PlotRequest&), Asks asks, const Given& given) {
+    Progress progress("", Verbosity::normal, "reading");
+    return draw({.file = input_file(given.text("FILE")),
+                 .ratio = asks == Asks::ratio ? given.text("--ratio") : "",
+                 .to = asks == Asks::to ? given.text("--to") : "",
+                 .observer = &progress});
+}
+
 template <std::string (*draw)(const PlotRequest&), Asks asks = Asks::nothing>
 int run_plot(const Given& given) {
     const Output out(given.text("--out"), {given.text("FILE")});
-    out.commit(draw({.file = input_file(given.text("FILE")),
-                     .ratio = asks == Asks::ratio ? given.text("--ratio") : "",
-                     .to = asks == Asks::to ? given.text("--to") : ""}));
+    out.commit(drawn(draw, asks, given));
     return exit_done;
 }
 

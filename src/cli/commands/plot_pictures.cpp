@@ -97,13 +97,19 @@ const Piece& piece_at(const PlotRequest& request, const Certificate& certificate
     return *found;
 }
 
+/// Then it is drawn.
+void require_verified(const PlotRequest& request, collisions::Scene scene) {
+    (void)verified(request.file, name(scene), *request.observer);
+    request.observer->enter("drawing", "");
+}
+
 Certificate verified_dumbbell(const PlotRequest& request, const char* picture, const char* make) {
     auto certificate = certificate_for<Certificate>(request.file, picture, make);
     if (certificate.scene != collisions::Scene::dumbbell) {
         throw InputError(fmt::format("'{}' is about the scene {}: plot {} draws the dumbbell", request.file,
                                      name(certificate.scene), picture));
     }
-    (void)verified(request.file, name(certificate.scene));
+    require_verified(request, certificate.scene);
     return certificate;
 }
 
@@ -111,7 +117,7 @@ Certificate verified_dumbbell(const PlotRequest& request, const char* picture, c
 template <class Kind>
 Kind verified_certificate(const PlotRequest& request, const char* picture, const char* make) {
     auto certificate = certificate_for<Kind>(request.file, picture, make);
-    (void)verified(request.file, name(collisions::Scene::dumbbell));
+    require_verified(request, collisions::Scene::dumbbell);
     return certificate;
 }
 
@@ -130,11 +136,11 @@ bool is_ratio(const std::string& text) {
 }
 
 /// Proves the greatest number of collisions at one mass ratio.
-Piece proved_piece(const Rational& q) {
-    Progress progress("boxes", Verbosity::normal, "proving");
+Piece proved_piece(const Rational& q, Observer& observer) {
+    observer.enter("proving", "boxes");
     collisions::CertifyRequest single;
     single.q_lo = single.q_hi = q;
-    single.observer = &progress;
+    single.observer = &observer;
     std::vector<collisions::ProvedPiece> pieces = certify(single);
     return std::move(pieces.front().piece);
 }
@@ -150,7 +156,7 @@ std::string draw_staircase(const PlotRequest& request) {
         throw InputError(
             fmt::format("'{}' reaches beyond the mass ratio 3e31: no picture of that", request.file));
     }
-    (void)verified(request.file, name(certificate.scene));
+    require_verified(request, certificate.scene);
     return pictures::staircase_svg(certificate.pieces, certificate.scene);
 }
 
@@ -180,7 +186,7 @@ std::string draw_cover(const PlotRequest& request) {
         if (!request.ratio.empty()) {
             throw InputError("--ratio is for certificates about mass ratios");
         }
-        (void)verified(request.file, name(collisions::Scene::dumbbell));
+        require_verified(request, collisions::Scene::dumbbell);
         return pictures::cover_svg(*initial);
     }
     const Certificate certificate = verified_dumbbell(request, "cover", make_cover);
@@ -206,7 +212,8 @@ std::string draw_orbit(const PlotRequest& request) {
         if (q > greatest_drawn_ratio) {
             throw InputError("beyond the mass ratio 10^8 an orbit has too many collisions for a picture");
         }
-        piece = proved_piece(q);
+        piece = proved_piece(q, *request.observer);
+        request.observer->enter("drawing", "");
     } else {
         const Certificate certificate = verified_dumbbell(request, "orbit", make_orbit);
         q = ratio_of(request, certificate);

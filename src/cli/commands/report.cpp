@@ -1,5 +1,10 @@
 #include <fmt/core.h>
 
+#include <algorithm>
+#include <iterator>
+#include <string>
+#include <vector>
+
 #include "cli/commands.hpp"
 #include "cli/options/given.hpp"
 #include "cli/terminal/exit_code.hpp"
@@ -46,14 +51,19 @@ constexpr std::array report_options{
 int run_report(const Given& given) {
     const Output out(given.text("--out"), given.words("FILE"));
     const auto most_boxes = static_cast<std::size_t>(given.number("--max-boxes"));
-    Progress progress("", Verbosity::normal, "making the page");
+    const std::vector<std::string>& names = given.words("FILE");
+    Progress progress("", Verbosity::normal, "reading");
+    std::vector<std::string> paths;
+    std::ranges::transform(names, std::back_inserter(paths), input_file);
+    page::require_few_pieces(paths);
     std::vector<page::ReportedFile> files;
     std::size_t boxes = 0;
-    for (const std::string& path : given.words("FILE")) {
-        files.push_back(page::read_reported(input_file(path)));
-        files.back().path = path;
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        files.push_back(page::read_reported(paths[i]));
+        files.back().path = names[i];
         boxes += page::leaves_of(files.back().content);
     }
+    progress.enter("making the page", "");
     out.commit(page::html_page(page_data(files, most_boxes)));
     if (boxes > most_boxes) {
         progress.note(

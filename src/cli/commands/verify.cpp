@@ -126,8 +126,8 @@ std::vector<std::string> with_law(std::vector<std::string> words) try {
 }
 
 /// The verdict on a file of which this is demanded.
-std::string accepted(const std::string& file, const std::string& demand, Verbosity verbosity) {
-    const Progress progress("", verbosity, "verifying");
+std::string accepted(const std::string& file, const std::string& demand, Observer& observer) {
+    observer.enter("verifying", "");
     // A user who waits for it can stop it; a budget would only be in the way.
     Verdict verdict = ask_verifier({"--quiet", "--budget=99999h", demand, "--", file});
     if (!verdict.accepts) {
@@ -142,12 +142,12 @@ constinit const Command verify_command{
     "verify", "Check", verify_description, verify_footer, verify_options, nullptr,
     {},       false,   become_verifier};
 
-std::string verified(const std::string& file, std::string_view scene, Verbosity verbosity) {
-    return accepted(file, "--scene=" + std::string(scene), verbosity);
+std::string verified(const std::string& file, std::string_view scene, Observer& observer) {
+    return accepted(file, "--scene=" + std::string(scene), observer);
 }
 
-std::string verified_law(const std::string& file, Verbosity verbosity) {
-    return accepted(file, "--claim=law", verbosity);
+std::string verified_law(const std::string& file, Observer& observer) {
+    return accepted(file, "--claim=law", observer);
 }
 
 }  // namespace dumbbell::cli

@@ -34,8 +34,6 @@ std::string rate_text(std::size_t done, double seconds) {
     return rate < 10 ? fmt::format("{:.1f}/s", rate) : fmt::format("{:.0f}/s", rate);
 }
 
-std::string before(std::string_view phase) { return phase.empty() ? "" : fmt::format("{}: ", phase); }
-
 constexpr std::size_t shortest = 5, longest = 30, frame = 4;
 constexpr std::size_t shortest_bar = shortest + frame;
 
@@ -53,7 +51,7 @@ std::string bar(std::size_t done, std::size_t total, std::size_t room) {
 
 Progress::Progress(std::string_view unit, Verbosity verbosity, std::string_view phase)
     : unit_(unit), phase_(phase), shows_(verbosity == Verbosity::normal && stderr_is_terminal()) {
-    if (!shows_ || phase.empty()) {
+    if (!shows_) {
         return;
     }
     sigset_t all, before;  // a signal is for the thread that works
@@ -85,9 +83,7 @@ void Progress::tick() {
     constexpr auto between = 500ms;
     std::unique_lock lock(mutex_);
     while (!end_.wait_for(lock, between, [this] { return ends_; })) {
-        if (!counted_ && is_due()) {
-            show(fmt::format("{}, {}", phase_, time_text(elapsed())));
-        }
+        show_if_due();
     }
 }
 
@@ -97,8 +93,8 @@ void Progress::enter(std::string_view phase, std::string_view unit) {
         phase_ = phase;
         unit_ = unit;
         phase_start_ = Clock::now();
-        counted_ = false;
-        done_ = 0;
+        done_ = total_ = 0;
+        count_.reset();
     }
 }
 
@@ -108,14 +104,14 @@ void Progress::note(const std::string& line) {
     remark(line);
 }
 
-bool Progress::is_due() {
+void Progress::show_if_due() {
     const auto now = Clock::now();
     if (!shows_ || now - start_ < 1s || now - last_ < 100ms) {
-        return false;
+        return;
     }
     last_ = now;
     shown_ = true;
-    return true;
+    show(line(columns()));
 }
 
 double Progress::elapsed() const {
@@ -123,33 +119,36 @@ double Progress::elapsed() const {
     return std::max(least, std::chrono::duration<double>(last_ - phase_start_).count());
 }
 
+std::string Progress::line(std::size_t room) const {
+    if (done_ == 0) {
+        return fmt::format("{}, {}", phase_, time_text(elapsed()));
+    }
+    const std::string phase = fmt::format("{}: ", phase_), rate = rate_text(done_, elapsed());
+    if (total_ == 0) {
+        return fmt::format("{}{} {} in {}, {}", phase, done_, unit_, time_text(elapsed()), rate);
+    }
+    const double left = elapsed() * static_cast<double>(total_ - done_) / static_cast<double>(done_);
+    const std::string text =
+        fmt::format("{}/{} {}, about {} left, {}{}", done_, total_, unit_, time_text(left), rate,
+                    count_ ? fmt::format(", N = {}", *count_) : "");
+    if (phase.size() + text.size() + shortest_bar < room) {
+        return phase + bar(done_, total_, room - phase.size() - text.size()) + text;
+    }
+    return bar(done_, total_, room - std::min(room, text.size())) + text;
+}
+
 void Progress::advance(std::size_t more) {
     const std::scoped_lock lock(mutex_);
-    counted_ = true;
     done_ += more;
-    if (is_due()) {
-        show(fmt::format("{}{} {} in {}, {}", before(phase_), done_, unit_, time_text(elapsed()),
-                         rate_text(done_, elapsed())));
-    }
+    show_if_due();
 }
 
 void Progress::update(std::size_t done, std::size_t total, std::optional<long> count) {
     const std::scoped_lock lock(mutex_);
-    counted_ = true;
-    if (!is_due()) {
-        return;
-    }
-    const double left = elapsed() * static_cast<double>(total - done) / static_cast<double>(done);
-    const std::string text =
-        fmt::format("{}/{} {}, about {} left, {}{}", done, total, unit_, time_text(left),
-                    rate_text(done, elapsed()), count ? fmt::format(", N = {}", *count) : "");
-    const std::size_t all = columns();
-    const std::string phase = before(phase_);
-    if (phase.size() + text.size() + shortest_bar < all) {
-        show(phase + bar(done, total, all - phase.size() - text.size()) + text);
-    } else {
-        show(bar(done, total, all - std::min(all, text.size())) + text);
-    }
+    done_ = done;
+    total_ = total;
+    count_ = count;
+    show_if_due();
 }
 
 }  // namespace dumbbell::cli

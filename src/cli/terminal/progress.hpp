@@ -17,12 +17,12 @@ enum class Verbosity { normal, quiet };
 
 /// A progress line on stderr for work that takes longer than a second, if stderr is a terminal and the user
 /// did not ask for quiet; silent otherwise, but for notes. It is never wider than the terminal. It names the
-/// phase that the work is in, if it has one, and while there is nothing to count says for how long.
+/// phase that the work is in, and while there is nothing to count says for how long. It goes on by time, also
+/// while one part takes long.
 class Progress : public Observer {
   public:
     /// `unit`: what is counted, in the plural. `phase`: what is done at first, for example `proving`.
-    explicit Progress(std::string_view unit = "pieces", Verbosity verbosity = Verbosity::normal,
-                      std::string_view phase = "");
+    Progress(std::string_view unit, Verbosity verbosity, std::string_view phase);
     ~Progress() override;
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;
@@ -43,11 +43,13 @@ class Progress : public Observer {
     using Clock = std::chrono::steady_clock;
 
     void clear();
-    /// Whether a line is due, which then is shown.
-    [[nodiscard]] bool is_due();
+    /// Shows the line, unless the work is young or the one before it is.
+    void show_if_due();
+    /// How far the work is; no longer than this, if that is possible.
+    [[nodiscard]] std::string line(std::size_t room) const;
     /// Seconds from the phase's start to this line.
     [[nodiscard]] double elapsed() const;
-    /// Says how long the phase takes while nothing is counted in it.
+    /// Shows the line while nobody tells of anything.
     void tick();
 
     std::string_view unit_;
@@ -58,8 +60,9 @@ class Progress : public Observer {
     Clock::time_point phase_start_ = start_;
     Clock::time_point last_ = start_;
     bool shown_ = false;
-    bool counted_ = false;
     std::size_t done_ = 0;
+    std::size_t total_ = 0;  ///< 0: not known
+    std::optional<long> count_;
     bool ends_ = false;
     std::condition_variable end_;
     std::thread ticker_;

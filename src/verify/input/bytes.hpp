@@ -63,6 +63,13 @@ class Bytes {
     /// The next block, good until the one after it; empty at the end. What is wrong is said to be in this
     /// line.
     std::string_view next(std::uint64_t line) {
+        const std::string_view block = unpacked(line);
+        Watched::bytes += block.size();
+        return block;
+    }
+
+  private:
+    std::string_view unpacked(std::uint64_t line) {
         if (!gzip_) return first_.empty() ? read() : std::exchange(first_, {});
         stream_.next_out = reinterpret_cast<Bytef*>(block_.data());
         stream_.avail_out = static_cast<uInt>(block_.size());
@@ -78,8 +85,6 @@ class Bytes {
         }
         return {block_.data(), block_.size() - stream_.avail_out};
     }
-
-  private:
     [[noreturn]] static void reject(std::uint64_t line, const char* text) {
         throw Failure{Verdict::rejected, line, "gzip", text};
     }

@@ -13,6 +13,7 @@ constexpr std::uint64_t default_budget = 30 * units_per_second;
 
 /// For people who wait: of all files so far.
 struct Watched {
+    inline static std::atomic<std::uint64_t> bytes = 0;                       ///< that were read, unpacked
     inline static std::atomic<std::uint64_t> work = 0, read = 0, pieces = 0;  ///< `read` of all `pieces`
 };
 

@@ -13,11 +13,13 @@ namespace {
 
 std::string seconds(std::uint64_t units) { return std::to_string(units / units_per_second) + " s"; }
 
-std::string line(std::uint64_t budget) {
+/// `reads`: what is done at present is reading alone.
+std::string line(std::uint64_t budget, bool reads) {
     const std::uint64_t of = Watched::pieces;
-    return "verifying: " +
+    return (reads ? "reading: " + std::to_string(Watched::bytes / 1'000'000) + " MB, "
+                  : std::string("verifying: ")) +
            (of > 1 ? std::to_string(Watched::read) + " of " + std::to_string(of) + " pieces, " : "") +
-           seconds(Watched::work) + " of work, at most " + seconds(budget) + " a file";
+           seconds(Watched::work) + " of work" + (reads ? "" : ", at most " + seconds(budget) + " a file");
 }
 
 }  // namespace
@@ -56,7 +58,13 @@ void Progress::run() {
     using namespace std::chrono_literals;
     const auto is_over = [this] { return ended_; };
     std::unique_lock lock(mutex_);
-    for (auto pause = 1000ms; !ends_.wait_for(lock, pause, is_over); pause = 200ms) show(line(budget_));
+    std::uint64_t read = 0, worked = 0;  // until the line before
+    for (auto pause = 1000ms; !ends_.wait_for(lock, pause, is_over); pause = 200ms) {
+        const std::uint64_t bytes = Watched::bytes, work = Watched::work;
+        show(line(budget_, work == worked && (bytes == 0 || bytes != read)));
+        read = bytes;
+        worked = work;
+    }
 }
 
 }  // namespace dumbbell_verify

@@ -108,6 +108,37 @@ TEST_CASE("the phases of a long job are named, and what counts nothing says for 
     }
 }
 
+TEST_CASE("a line appears by time, also while the first box, or the first piece of a range, takes long") {
+    for (const auto& [ratio, shown] : std::vector<std::pair<std::string, std::string>>{
+             {"1e14", R"(proving: \d+ boxes in \d s)"}, {"2e10:20000000001", R"(proving, \d s)"}}) {
+        const std::string awaited = shown.substr(0, shown.find('\\'));
+        const std::string text = seen_on_terminal(
+            {DUMBBELL_BIN, "certify", ratio, "--section", "full", "--jobs", "1", "--budget", "10s"}, awaited);
+        CAPTURE(ratio, text);
+        CHECK(std::regex_search(text, std::regex(shown)));  // long before the budget is used up
+    }
+}
+
+TEST_CASE("that a large file is read is a phase of its own, in every command that reads one") {
+    const TemporaryFolder folder;
+    const std::string file = folder / "large.dbc", out = folder / "out";
+    write_file(file, many_open_pieces(600'000));
+    for (const Words& words : std::vector<Words>{{"law", file},
+                                                 {"audit", file},
+                                                 {"plot", "staircase", file, "--out", out + ".svg"},
+                                                 {"campaign", "plan", out, "verify", file}}) {
+        const std::string text = seen_on_terminal(with_program(words), "reading");
+        CAPTURE(words, text);
+        CHECK(
+            std::regex_search(text, std::regex(R"(reading(, |: \[#*\.*\] \d+/600000 pieces, about )\d+ s)")));
+    }
+    // What waits for its input reads, too.
+    const std::string waits = seen_on_terminal(
+        {"sh", "-c", "'sleep 3 | " DUMBBELL_BIN " report - --out " + out + ".html'"}, "reading");
+    CAPTURE(waits);
+    CHECK(waits.find("reading, ") != std::string::npos);
+}
+
 TEST_CASE("a terminal that is dumb, or of no known kind, gets no progress: it needs escape codes") {
     for (const Words& kind : {Words{"TERM=dumb"}, Words{"-u", "TERM"}}) {
         Words job{"env"};

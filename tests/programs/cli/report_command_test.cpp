@@ -22,6 +22,16 @@ Outcome report(const TemporaryFolder& folder, Words words) {
 
 }  // namespace
 
+TEST_CASE("more pieces than a page takes are refused before they are read") {
+    const TemporaryFolder folder;
+    const std::string few = many_open_pieces(10);
+    write_file(folder / "many.dbc", replaced(few, "\npieces 10\n", "\npieces 3000000\n"));
+    const Outcome made = report(folder, {"many.dbc", "--out", "page.html"});
+    CHECK(made.code == 2);
+    CHECK_THAT(made.err, Contains("the files have 3000000 pieces, a page takes 100000"));
+    CHECK(folder.names() == Words{"many.dbc"});
+}
+
 TEST_CASE("report makes one page from certificates of every kind, and says nothing") {
     const TemporaryFolder folder;
     REQUIRE(dumbbell({"certify", "1:10", "--out", "stairs.dbc"}, folder.path()).code == 0);

@@ -19,10 +19,10 @@ Outcome stopped(const Words& arguments, int signal, const TemporaryFolder& folde
     return process.wait();
 }
 
-/// Sends it to `long_proof` once some pieces are kept; again if that was done before the signal came.
-Outcome stopped_range(int signal, const TemporaryFolder& folder) {
+/// Sends it to a proof of a range once some pieces are kept; again if that was done before the signal came.
+Outcome stopped_range(int signal, const TemporaryFolder& folder, const Words& proof = long_proof) {
     for (;;) {
-        Process process(with_program(long_proof), folder.path());
+        Process process(with_program(proof), folder.path());
         process.until([&] { return kept(folder / "stairs.dbc.partial") >= 12; });
         process.send(signal);
         Outcome outcome = process.wait();
@@ -86,6 +86,30 @@ TEST_CASE("without a file, and for a single ratio, a stopped run says that nothi
         // It may not have come so far.
         CHECK_THAT(outcome.err, Contains(said) || Contains("no piece was finished yet"));
         CHECK(folder.names().empty());
+    }
+}
+
+TEST_CASE("a range that is stopped while it looks for its steps says what an earlier run has kept") {
+    const TemporaryFolder folder;
+    const Words slow_steps{"certify", "1:400000", "--gap", "1e-14", "--jobs", "1", "--out", "stairs.dbc"};
+    REQUIRE(stopped_range(SIGINT, folder, slow_steps).signal == SIGINT);
+    const Outcome again = stopped(slow_steps, SIGINT, folder);
+    CAPTURE(again.err);
+    CHECK(again.signal == SIGINT);
+    CHECK_THAT(again.err, Contains(" pieces are finished and kept in 'stairs.dbc.partial'"));
+    CHECK_THAT(again.err, !Contains(" of "));  // how many it will have is not known
+}
+
+TEST_CASE("a verification that is stopped while it is planned leaves nothing") {
+    const TemporaryFolder folder;
+    write_file(folder / "large.dbc", many_open_pieces(600'000));
+    for (const int signal : {SIGINT, SIGTERM}) {
+        const Outcome outcome = stopped({"campaign", "plan", "c", "verify", "large.dbc"}, signal, folder);
+        CAPTURE(outcome.err);
+        CHECK(outcome.signal == signal);
+        CHECK(outcome.out.empty());
+        CHECK_THAT(outcome.err, Contains(": nothing was planned\n"));
+        CHECK(folder.names() == Words{"large.dbc"});
     }
 }
 

@@ -5,6 +5,7 @@
 #include <catch2/catch.hpp>
 #include <fstream>
 
+#include "base/ended_early.hpp"
 #include "base/error.hpp"
 #include "file/file_contents.hpp"
 #include "place.hpp"
@@ -129,6 +130,13 @@ TEST_CASE("a plan whose inputs cannot be copied leaves nothing in its folder") {
     CHECK_THROWS_WITH(CampaignFolder::create(place.string(), plan, {"/no/such/file"}),
                       Contains("/no/such/file"));
     CHECK_NOTHROW(CampaignFolder::require_new(place.string()));
+}
+
+TEST_CASE("a campaign that is interrupted while it is made leaves nothing") {
+    const Place place;
+    CHECK_THROWS_AS(CampaignFolder::create(place.string(), small_plan(), {}, [] { return true; }),
+                    EndedEarly);
+    CHECK_FALSE(fs::exists(place.path));
 }
 
 TEST_CASE("a result of another plan is foreign, too") {

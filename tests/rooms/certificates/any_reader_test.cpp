@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include "adiabatic/writer.hpp"
+#include "base/ended_early.hpp"
 #include "base/error.hpp"
 #include "collisions/reader.hpp"
 #include "collisions/writer.hpp"
@@ -43,7 +44,9 @@ auto with_file(const std::string& text, const Check& check, const std::string& n
     return check(folder / name);
 }
 
-std::string digest_of(const std::string& text) { return with_file(text, sealed_digest); }
+std::string digest_of(const std::string& text, const Interrupted& interrupted = never) {
+    return with_file(text, [&](const std::string& path) { return sealed_digest(path, interrupted); });
+}
 
 }  // namespace
 
@@ -101,4 +104,8 @@ TEST_CASE("a damaged file has no digest: cut off, changed, or with something aft
                           Contains("is not a certificate: its first line is not 'dumbbell-certificate 1'"));
     }
     CHECK_THROWS_AS(sealed_digest("no/such/file.dbc"), InputError);
+}
+
+TEST_CASE("a reader that is interrupted ends early") {
+    CHECK_THROWS_AS(digest_of(render(every_kind_of_line()).text, [] { return true; }), EndedEarly);
 }

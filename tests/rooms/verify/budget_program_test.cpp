@@ -115,16 +115,18 @@ TEST_CASE("a scene that there is not is wrong usage, not a rejection") {
 
 TEST_CASE("progress goes to a terminal only, without escape codes, and not with --quiet") {
     const std::string many_stairs = shipped("stairs-1-1e6.dbc.gz");
-    const auto on_terminal = [&](const std::string& options) {
-        return run("--version >/dev/null; script -qec '" DUMBBELL_VERIFY_BIN " --jobs 1 " + options +
-                   many_stairs + "' /dev/null </dev/null");
+    const auto on_terminal = [&](const std::string& options, const std::string& before = "") {
+        return run("--version >/dev/null; script -qec '" + before + DUMBBELL_VERIFY_BIN " --jobs 1 " +
+                   options + "' /dev/null </dev/null");
     };
     if (std::system("command -v script >/dev/null") == 0) {
-        const Run shown = on_terminal(""), quiet = on_terminal("--quiet ");
+        const Run shown = on_terminal(many_stairs), quiet = on_terminal("--quiet " + many_stairs);
         CHECK(has(shown.out, "\rverifying: "));
         CHECK(has(shown.out, " of 1771 pieces, "));
         CHECK_FALSE(has(shown.out, "\033"));
         CHECK(quiet.out.starts_with("s VERIFIED "));
+        const Run slow = on_terminal("-", "(head -n 5 " + ten_path + "; sleep 2) | ");
+        CHECK(has(slow.out, "\rreading: 0 MB, 0 s of work"));
     }
     CHECK(run(many_stairs).err.empty());
 }
