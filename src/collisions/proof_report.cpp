@@ -154,7 +154,7 @@ std::string decided_text(const Rational& undecided, bool some) {
     if (undecided == 1) {
         return some ? "Decided: single ratios only.\n" : "Decided: nothing of the range.\n";
     }
-    return fmt::format("Decided: all but {} of the range.\n", rounded_up(enclose<Interval>(undecided).hi()));
+    return fmt::format("Decided: all but {} of the range.\n", rounded_up(undecided));
 }
 
 std::string range_sentence(const ProofReport& report) {
