@@ -305,6 +305,8 @@ std::string orbits_to_text(const ProofReport& report) {
             rounded_down(row.margin), widths_text(row.orbit));
         if (row.start) {
             text += start_text(row) + '\n';
+        } else if (!row.why_no_start.empty()) {
+            text += fmt::format("No start in the air: {}.\n\n", row.why_no_start);
         }
     }
     return text;
