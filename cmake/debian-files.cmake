@@ -1,9 +1,34 @@
 # Run by cpack when the components are installed in their folders: adds what Debian's policy asks of every package (a
-# copyright file, a changelog) and compresses the man pages.
+# copyright file, a changelog), compresses the man pages, and has no link in the Markdown pages to what is not packaged.
+cmake_policy(SET CMP0009 NEW)
 string(TIMESTAMP date "%a, %d %b %Y %H:%M:%S +0000" UTC)  # SOURCE_DATE_EPOCH, if that is set
 
 function(compress file)
   execute_process(COMMAND gzip -9nf ${file} COMMAND_ERROR_IS_FATAL ANY)
+endfunction()
+
+# Of a link to a file that is in the source and not in the package the text remains.
+function(leave_out_links page folder)
+  cmake_path(GET page PARENT_PATH here)
+  cmake_path(RELATIVE_PATH here BASE_DIRECTORY ${folder} OUTPUT_VARIABLE inside)
+  file(READ ${page} rest)
+  string(REPLACE "[LICENSE](LICENSE)" "[copyright](copyright)" rest "${rest}")
+  set(done "")
+  while(rest MATCHES "\\[([^][\n]*)\\]\\(([^() #]+)[^() ]*\\)")
+    set(link "${CMAKE_MATCH_0}")
+    set(words "${CMAKE_MATCH_1}")
+    set(target "${CMAKE_MATCH_2}")
+    string(FIND "${rest}" "${link}" start)
+    string(LENGTH "${link}" length)
+    string(SUBSTRING "${rest}" 0 ${start} before)
+    math(EXPR end "${start} + ${length}")
+    string(SUBSTRING "${rest}" ${end} -1 rest)
+    if(EXISTS "${CPACK_DUMBBELL_FOLDER}/${inside}/${target}" AND NOT EXISTS "${here}/${target}")
+      set(link "${words}")
+    endif()
+    string(APPEND done "${before}${link}")
+  endwhile()
+  file(WRITE ${page} "${done}${rest}")
 endfunction()
 
 set(packages ${CPACK_DUMBBELL_PACKAGES})
@@ -31,4 +56,8 @@ while(packages)
     compress(${page})
   endforeach()
   file(REMOVE ${folder}/LICENSE)  # says the same as copyright
+  file(GLOB_RECURSE pages ${folder}/*.md)
+  foreach(page IN LISTS pages)
+    leave_out_links(${page} ${folder})
+  endforeach()
 endwhile()

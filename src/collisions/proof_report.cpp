@@ -154,7 +154,7 @@ std::string decided_text(const Rational& undecided, bool some) {
     if (undecided == 1) {
         return some ? "Decided: single ratios only.\n" : "Decided: nothing of the range.\n";
     }
-    return fmt::format("Decided: all but {} of the range.\n", rounded_up(enclose<Interval>(undecided).hi()));
+    return fmt::format("Decided: all but {} of the range.\n", rounded_up(undecided));
 }
 
 std::string range_sentence(const ProofReport& report) {
@@ -305,6 +305,8 @@ std::string orbits_to_text(const ProofReport& report) {
             rounded_down(row.margin), widths_text(row.orbit));
         if (row.start) {
             text += start_text(row) + '\n';
+        } else if (!row.why_no_start.empty()) {
+            text += fmt::format("No start in the air: {}.\n\n", row.why_no_start);
         }
     }
     return text;

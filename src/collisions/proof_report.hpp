@@ -21,6 +21,8 @@ struct ReportRow {
         orbit;  ///< of the witness, at the piece's lower end; empty unless asked for
     std::optional<WitnessStart> start =
         std::nullopt;  ///< in the air, of an orbit with as many collisions there
+    /// Where one was asked for.
+    std::string why_no_start = {};
 };
 
 /// What `certify` tells its user, as text or as JSON (the contract's object).

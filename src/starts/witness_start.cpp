@@ -9,8 +9,6 @@
 namespace dumbbell::starts {
 namespace {
 
-constexpr long longest_witness = 5000;
-
 /// Digits after the point of a start, and those that `trace` is asked for. An orbit of hundreds of collisions
 /// forgets digits on its way.
 struct Effort {

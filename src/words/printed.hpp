@@ -9,10 +9,11 @@ namespace dumbbell {
 
 /// Numbers cut to a few digits so that what is printed, read as it stands, is still true.
 
-/// Three digits of x > 0, not below it.
+/// The least number of three digits that is not below x >= 0.
+[[nodiscard]] std::string rounded_up(const Rational& x);
 [[nodiscard]] std::string rounded_up(double x);
 
-/// Three digits of x > 0, not above it.
+/// The greatest number of three digits that is not above x >= 0.
 [[nodiscard]] std::string rounded_down(double x);
 
 /// A short decimal and a radius that covers both ends of x from that decimal, e.g. `0.25+-1.0e-14`.

@@ -62,8 +62,8 @@ constexpr std::array certify_options = joined(
                "cover"},
         Option{"--law", "FILE", "with --by law: its certificate, if not the one that comes with the program"},
         flag("--witness",
-             "print an orbit that attains the maximum, every collision enclosed, and a "
-             "start in the air for trace")
+             "print an orbit that attains the maximum, every collision enclosed, and, of one of up to 5000 "
+             "collisions, a start in the air for trace")
             .excludes("--quiet"),
         json_option,
         flag("--quiet", "no table and no progress: what is proved, in a sentence").excludes("--witness")});
@@ -90,6 +90,12 @@ std::vector<ProvedPiece> prove_pieces(CertifyRequest request, Verbosity verbosit
 
 /// Orbits up to this long are traced in milliseconds, so that a start is said without being asked for.
 constexpr long most_traced_unasked = 100;
+
+std::string why_no_start(const collisions::Witness& witness) {
+    return witness.total() > starts::longest_witness
+               ? fmt::format("it is looked for of orbits of up to {} collisions", starts::longest_witness)
+               : "none near this orbit was proved to have as many collisions";
+}
 
 collisions::ProofReport describe(const CertifyRequest& request, const std::vector<ProvedPiece>& pieces,
                                  double seconds, const Given& given) {
@@ -118,6 +124,7 @@ collisions::ProofReport describe(const CertifyRequest& request, const std::vecto
                     : said_unasked && p.piece.witness && p.piece.witness->total() <= most_traced_unasked;
         if (traced) {
             row.start = starts::witness_start(*p.piece.witness, p.piece.q_lo, interrupted);
+            row.why_no_start = row.start ? "" : why_no_start(*p.piece.witness);
         }
         report.rows.push_back(std::move(row));
     }

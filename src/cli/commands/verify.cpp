@@ -96,7 +96,7 @@ constexpr std::array verify_options{
          "print JSON and nothing else: an array of one object for each file; with --lemma one object"),
     Option{"--junit", "FILE.xml", "write a JUnit report, too: one test case for each file"},
     flag("--quiet", "print the last line only, and show no progress"),
-    flag("--help,--version", "print that and nothing else"),
+    flag("-h,--help,-V,--version", "print that and nothing else"),
     argument("FILE", "certificates").repeated()};
 
 /// With the shipped certificate of the law, unless one is named, or none is there.

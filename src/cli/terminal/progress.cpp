@@ -127,7 +127,8 @@ std::string Progress::line(std::size_t room) const {
     if (total_ == 0) {
         return fmt::format("{}{} {} in {}, {}", phase, done_, unit_, time_text(elapsed()), rate);
     }
-    const double left = elapsed() * static_cast<double>(total_ - done_) / static_cast<double>(done_);
+    const double share = share_ ? share_(done_) : static_cast<double>(done_) / static_cast<double>(total_);
+    const double left = elapsed() * (1 - share) / share;
     const std::string text =
         fmt::format("{}/{} {}, about {} left, {}{}", done_, total_, unit_, time_text(left), rate,
                     count_ ? fmt::format(", N = {}", *count_) : "");

@@ -54,7 +54,7 @@ Checks certificates (docs/reference/format.md) independently of the program that
   --json               print JSON and nothing else: an array of one object for each file; with --lemma one object
   --junit FILE.xml     write a JUnit report, too: one test case for each file
   --quiet              print the last line only, and show no progress
-  --help, --version    print that and nothing else
+  -h, --help, -V, --version  print that and nothing else
 
   dumbbell-verify --ratio 10 --exactly 4 ten.dbc       is N*(10) = 4 proved?
   dumbbell-verify --ratio 2:5/2 --max 3 stairs.dbc     at most 3 collisions on a part of the file's range?
@@ -174,9 +174,9 @@ Options parse_options(const std::vector<std::string>& arguments) {
             result.json = true;
         else if (words.word == "--quiet")
             result.quiet = true;
-        else if (words.word == "--help")
+        else if (words.word == "--help" || words.word == "-h")
             result.answer = help;
-        else if (words.word == "--version")
+        else if (words.word == "--version" || words.word == "-V")
             result.answer = "dumbbell-verify " + std::string(version) + " (" __VERSION__ ")\n";
         else
             throw std::invalid_argument("unknown option " + words.word + "; see --help");

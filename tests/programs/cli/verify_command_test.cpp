@@ -121,7 +121,9 @@ TEST_CASE("dumbbell verify passes arguments, output and exit code through") {
                                                  {"--frobnicate"},
                                                  {},
                                                  {"--help"},
-                                                 {"--version"}}) {
+                                                 {"--version"},
+                                                 {"-h"},
+                                                 {"-V"}}) {
         const Outcome direct = verifier(words);
         Words through = words;
         through.insert(through.begin(), "verify");

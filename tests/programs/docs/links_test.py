@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
-"""links_test.py: every link in a Markdown page to a file of this project, or to a heading in one, leads somewhere; every
-page of docs/ and proofs/ is in the table of contents, docs/README.md."""
+"""links_test.py [FOLDER]: every link in a Markdown page to a file of this project, or to a heading in one, leads somewhere;
+every page of docs/ and proofs/ is in the table of contents, docs/README.md. Of FOLDER, if its pages are others."""
 
 import pathlib
 import re
 import sys
 
-ROOT = pathlib.Path(__file__).resolve().parents[3]
+ROOT = pathlib.Path(sys.argv[1]).resolve() if len(sys.argv) > 1 else pathlib.Path(__file__).resolve().parents[3]
 
 
 def without_code(text):

@@ -17,6 +17,17 @@ expect "both man pages are there" test -s "$prefix/share/man/man1/dumbbell.1" -a
 expect "so are the completions" test -s "$prefix/share/bash-completion/completions/dumbbell" \
     -a -s "$prefix/share/bash-completion/completions/dumbbell-verify"
 expect "the pages find the certificates that they name" test -s "$prefix/share/doc/dumbbell/certificates/q-10.dbc"
+# What cpack makes of the pages, in a folder with the names that it gives.
+mkdir -p -- "$scratch/staged/programs/usr"
+cp -a -- "$prefix/share" "$scratch/staged/programs/usr"
+run cmake -DCPACK_DUMBBELL_PACKAGES="programs;dumbbell" -DCPACK_DUMBBELL_FOLDER="$root" \
+    -DCPACK_TEMPORARY_INSTALL_DIRECTORY="$scratch/staged" -DCPACK_PACKAGING_INSTALL_PREFIX=/usr -DCPACK_PACKAGE_VERSION=0 \
+    -P "$root/cmake/debian-files.cmake"
+expect "the files that Debian wants are made" is "$code" 0
+pages=$scratch/staged/programs/usr/share/doc/dumbbell
+run python3 "$root/tests/programs/docs/links_test.py" "$pages"
+expect "no link in a packaged page is dead" is "$code" 0
+expect "a link to what is packaged stays" grep -q '](docs/10-law.md)' "$pages/README.md"
 run "$prefix/bin/dumbbell" verify --ratio 10 --exactly 4 "$prefix/share/dumbbell/certificates/q-10.dbc"
 expect "the installed program finds its verifier" is "$code" 0
 

@@ -72,7 +72,7 @@ TEST_CASE("the sentence of a range says how much of it is decided") {
                                             Contains("in the piece with one value N = 4") &&
                                             Contains("Decided: the whole range."));
     decided.report.undecided = exact(0x1p-40);
-    CHECK_THAT(to_text(decided.report), Contains("Decided: all but 9.14e-13 of the range."));
+    CHECK_THAT(to_text(decided.report), Contains("Decided: all but 9.1e-13 of the range."));
     decided.report.undecided = parse_rational("4.999e-40");
     CHECK_THAT(to_text(decided.report), Contains("Decided: all but 5e-40 of the range."));
     CHECK(parsed(to_json(decided.report))["decided_fraction"] < 1);

@@ -255,6 +255,8 @@ TEST_CASE("wrong usage is one line on stderr and exit code 2") {
     CHECK(run("--help").code == 0);
     CHECK(run("--help").out.find("--explain") != std::string::npos);
     CHECK(run("--version").out.starts_with("dumbbell-verify "));
+    CHECK(run("-h").out == run("--help").out);
+    CHECK(run("-V").out == run("--version").out);
     for (const std::string& arguments :
          {file.path(), file.path() + " " + file.path(), "--json " + file.path(), std::string("--help"),
           std::string("--version")})
