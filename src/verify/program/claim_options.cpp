@@ -113,7 +113,9 @@ std::string demand_text(const Settings& settings) {
     if (demand.ratios) text = " ratio=" + to_string(demand.ratios->first, demand.ratios->second);
     if (demand.most) text += " max=" + demand.most->get_str();
     if (demand.least) text += " min=" + demand.least->get_str();
-    if (settings.check != all_pieces && settings.check != Pieces{})
+    if (settings.check == Pieces{})
+        text += " COMBINED, the lines of its parts trusted";
+    else if (settings.check != all_pieces)
         text += " pieces=" + std::to_string(settings.check.first) + "-" + std::to_string(settings.check.last);
     return text;
 }

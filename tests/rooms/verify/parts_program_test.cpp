@@ -5,6 +5,7 @@
 
 #include "make_initial.hpp"
 #include "make_parts.hpp"
+#include "programs/cli/process.hpp"
 #include "run_program.hpp"
 
 using make::File;
@@ -35,6 +36,11 @@ TEST_CASE("parts of a file: each is one run, the lines of all are the verdict") 
     CHECK(all.last() == combined(whole.last()) + " parts=2");
     CHECK(all.out == combined(whole.out.substr(0, whole.out.size() - 1)) + " parts=2\n");
     CHECK_FALSE(has(all.out, "VERIFIED"));
+    const std::string report = parts.path() + ".xml";
+    CHECK(run("--junit " + report + " --combine " + parts.path() + " --ratio 10 --max 4 " + tall).code == 0);
+    CHECK(has(dumbbell_test::contents(report),
+              " ratio=10/1:10/1 max=4 COMBINED, the lines of its parts trusted\" "));
+    std::filesystem::remove(report);
     CHECK(run("--quiet --combine " + parts.path() + " --ratio 1:1e4 --max 90 " + tall).out ==
           all.last() + "\n");
     CHECK(run("--quiet --combine " + parts.path() + " --ratio 10 --exactly 4 --claim collisions " + tall)
