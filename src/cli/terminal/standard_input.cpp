@@ -7,12 +7,16 @@
 #include <array>
 #include <cerrno>
 #include <cstring>
+#include <string_view>
 
 #include "base/error.hpp"
 #include "file/descriptor.hpp"
 
 namespace dumbbell::cli {
 namespace {
+
+constexpr std::string_view kept_file = "/dev/stdin";
+bool is_kept = false;
 
 [[noreturn]] void fail() {
     throw InputError(fmt::format("cannot read the standard input: {}", std::strerror(errno)));
@@ -53,9 +57,19 @@ std::string input_file(const std::string& name) {
     if (name != "-") {
         return name;
     }
-    static const bool kept = (keep(), true);
-    (void)kept;
-    return "/dev/stdin";
+    if (!is_kept) {
+        keep();
+        is_kept = true;
+    }
+    return std::string(kept_file);
+}
+
+std::string as_named(std::string message) {
+    const std::string quoted = fmt::format("'{}'", kept_file);
+    for (std::size_t at = 0; is_kept && (at = message.find(quoted, at)) != std::string::npos;) {
+        message.replace(at, quoted.size(), "'-'");
+    }
+    return message;
 }
 
 }  // namespace dumbbell::cli

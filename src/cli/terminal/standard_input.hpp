@@ -9,4 +9,7 @@ namespace dumbbell::cli {
 /// if it cannot be read.
 [[nodiscard]] std::string input_file(const std::string& name);
 
+/// A message about files as the user named them: '-' in the place of '/dev/stdin', if that was one of them.
+[[nodiscard]] std::string as_named(std::string message);
+
 }  // namespace dumbbell::cli

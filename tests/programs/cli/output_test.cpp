@@ -185,6 +185,7 @@ TEST_CASE("the file - is the standard input, for each command that reads one") {
         CAPTURE(command, nothing.err);
         CHECK(nothing.code == 2);
         CHECK(count_lines(nothing.err) == 1);
+        CHECK_THAT(nothing.err, Contains("'-'") && !Contains("/dev/stdin"));
     }
 }
 
