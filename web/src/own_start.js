@@ -17,6 +17,7 @@ export class OwnStart {
     constructor(start) {
         this.player = new Player();
         this.message = output("readout");
+        this.figure = h("figure", { class: "wide" }, this.player.element);
         this.shown = h("div", {});
         this.inputs = fields.map(([name]) => h("input", { type: "text", name, size: "9", inputmode: "decimal", value: start[name], autocomplete: "off" }));
         const form = h(
@@ -32,7 +33,7 @@ export class OwnStart {
             h("p", { class: "claim" }, h("strong", { class: "warning" }, "Not rigorous: "), "computed by this page in double precision. The rod has length 1, y is the height of the centre of mass, \u03c6 the rod\u2019s angle in radians: the light mass is at y + \u03b2\u2082 sin \u03c6, the heavy one at y \u2212 \u03b2\u2081 sin \u03c6, \u03b2\u2082 = q/(1 + q), \u03b2\u2081 = 1/(1 + q). A whole command \u201cdumbbell trace \u2026\u201d, like the one that \u201cdumbbell certify\u201d prints, can be pasted into any field."),
             form,
             this.message,
-            h("figure", { class: "wide" }, this.player.element),
+            this.figure,
             this.shown,
         );
         this.go();
@@ -65,7 +66,10 @@ export class OwnStart {
         const wrong = unread < 0 ? fault(start) : `${fields[unread][1]}: \u201c${this.inputs[unread].value}\u201d is not a number; write one like 3, \u22120.5, 1/3 or 1e4.`;
         this.inputs.forEach((input, i) => input.setAttribute("aria-invalid", String(i === unread)));
         this.message.classList.toggle("warning", wrong !== null);
+        this.figure.hidden = wrong !== null;
         if (wrong) {
+            this.player.stop();
+            this.shown.replaceChildren();
             this.message.textContent = wrong;
             return;
         }

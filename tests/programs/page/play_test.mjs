@@ -207,12 +207,17 @@ test("what is wrong with your own start is told by the field's name; ratios belo
         return own.locator(".readout").first().textContent();
     };
     await field("height y").fill("abc");
+    assert.equal(await own.locator("figure").isVisible(), true);
     assert.match(await told(), /^height y: \u201cabc\u201d is not a number/);
+    assert.equal(await own.locator("figure").isVisible(), false); // nothing of the start before
+    assert.doesNotMatch(await own.textContent(), /dumbbell trace 1/);
     assert.equal(await field("height y").getAttribute("aria-invalid"), "true");
     await field("height y").fill("0.8");
     await field("mass ratio q").fill("1/100");
     assert.match(await told(), /^Ratios below 1: the masses are swapped.*In doubles: 9 collisions\.$/);
     assert.equal(await field("height y").getAttribute("aria-invalid"), "false");
+    assert.equal(await own.locator("figure").isVisible(), true);
+    assert.match(await own.textContent(), /dumbbell trace 1\/100 /);
     for (const [label, text] of [["angle \u03c6", "0"], ["its velocity \u03c6\u2032", "0"], ["height y", "1"], ["its velocity y\u2032", "-1"]]) {
         await field(label).fill(text);
     }
