@@ -72,13 +72,23 @@ std::chrono::duration<double> estimated_time(const CriticalRequest& request) {
     // Longer orbits lose more digits (expected_bits of critical.cpp): let the sample have as many bits.
     const double longer = static_cast<double>(std::min(request.last, collisions::first_long)) / sample;
     const int lost = static_cast<int>(std::ceil(4 * std::log10(std::max(1.0, longer))));
-    const auto start = processor_time();
-    (void)collisions::enclose_critical_ratio(
-        sample, {.digits = std::min(request.digits + lost, collisions::most_critical_digits)});
-    const auto time = processor_time() - start;
+    const auto enclose = [&] {
+        const auto start = processor_time();
+        (void)collisions::enclose_critical_ratio(
+            sample, {.digits = std::min(request.digits + lost, collisions::most_critical_digits)});
+        return processor_time() - start;
+    };
+    (void)enclose();  // the first one also fills caches
+    const auto time = enclose();
     const double together =
         std::min<double>(request.jobs, static_cast<double>(request.last - request.first + 1));
     return time * (flights(request) / sample_flights) / together;
+}
+
+double share_of_first(std::size_t ratios, const CriticalRequest& request) {
+    CriticalRequest first = request;
+    first.last = request.first + static_cast<long>(ratios) - 1;
+    return flights(first) / flights(request);
 }
 
 }  // namespace dumbbell::staircase

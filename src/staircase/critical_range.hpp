@@ -39,4 +39,7 @@ struct CriticalRow {
 /// takes here: on a machine that does nothing else.
 [[nodiscard]] std::chrono::duration<double> estimated_time(const CriticalRequest& request);
 
+/// The share of that time which the first so many ratios take, from 0 to 1: orbits get longer.
+[[nodiscard]] double share_of_first(std::size_t ratios, const CriticalRequest& request);
+
 }  // namespace dumbbell::staircase

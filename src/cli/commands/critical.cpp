@@ -116,6 +116,7 @@ void check_time(const staircase::CriticalRequest& request, bool quiet) {
 std::vector<staircase::CriticalRow> enclose(staircase::CriticalRequest request, Verbosity verbosity) {
     const bool one = request.first == request.last;
     Progress progress(one ? "flights" : "critical ratios", verbosity, "enclosing");
+    progress.weigh([&](std::size_t done) { return share_of_first(done, request); });
     request.observer = &progress;
     return critical_ratios(request);
 }

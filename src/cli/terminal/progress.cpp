@@ -139,7 +139,8 @@ void Progress::update(std::size_t done, std::size_t total, std::optional<long> c
     if (!is_due()) {
         return;
     }
-    const double left = elapsed() * static_cast<double>(total - done) / static_cast<double>(done);
+    const double share = share_ ? share_(done) : static_cast<double>(done) / static_cast<double>(total);
+    const double left = elapsed() * (1 - share) / share;
     const std::string text =
         fmt::format("{}/{} {}, about {} left, {}{}", done, total, unit_, time_text(left),
                     rate_text(done, elapsed()), count ? fmt::format(", N = {}", *count) : "");
