@@ -5,6 +5,7 @@
 
 #include "make_initial.hpp"
 #include "make_parts.hpp"
+#include "programs/cli/process.hpp"
 #include "run_program.hpp"
 
 using make::File;
