@@ -144,6 +144,13 @@ TEST_CASE("adiabatic: an orbit that meets the heavy mass attains nothing") {
         leaf.bits = 256;
         CHECK(std::string(dumbbell_verify::check_adiabatic(leaf, nullptr)) == "passes the bridge");
     }
+    // Before this contact, low on the wall, comes one of the heavy mass, though the flight would miss the
+    // wall.
+    claim.kind = Adiabatic::printed;
+    claim.attained = {{mpq_class(31, 20), mpq_class(7, 20), mpq_class(49, 100), 0, 0}};
+    AdiabaticLeaf leaf = file.root(AdiabaticLeaf::attained, 0);
+    leaf.bits = 256;
+    CHECK(std::string(dumbbell_verify::check_adiabatic(leaf, nullptr)) == "passes the bridge");
 }
 
 TEST_CASE("adiabatic: a class must hold for all its flights") {
