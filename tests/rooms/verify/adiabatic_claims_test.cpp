@@ -153,6 +153,24 @@ TEST_CASE("adiabatic: an orbit that meets the heavy mass attains nothing") {
     CHECK(std::string(dumbbell_verify::check_adiabatic(leaf, nullptr)) == "passes the bridge");
 }
 
+TEST_CASE("adiabatic: of a flight that grazes the wall doubles do not tell whether it collides") {
+    Adiabatics file = small_claim(Adiabatic::run);
+    Adiabatic& claim = file.terms.claim;
+    claim.delta_lo = claim.delta_hi = mpq_class(1, 5);
+    claim.y_lo = 0;
+    claim.margin = mpq_class(1, 100);
+    const mpq_class s("58252928894643/70368744177664");
+    claim.attained = {{mpq_class(1, 2), s, mpq_class(1, 5), 1, 0}};
+    AdiabaticLeaf leaf = file.root(AdiabaticLeaf::attained, 0);
+    CHECK(std::string(dumbbell_verify::check_adiabatic(leaf, nullptr)) == "the next collision");
+    leaf.bits = 256;
+    CHECK(dumbbell_verify::check_adiabatic(leaf, nullptr) == nullptr);
+    claim.attained[0].s += mpq_class(1, 1000000);
+    CHECK(dumbbell_verify::check_adiabatic(leaf, nullptr) == nullptr);
+    claim.attained[0].s -= mpq_class(2, 1000000);
+    CHECK(dumbbell_verify::check_adiabatic(leaf, nullptr) != nullptr);
+}
+
 TEST_CASE("adiabatic: a class must hold for all its flights") {
     // Half of every density.
     std::string halved = run_file();

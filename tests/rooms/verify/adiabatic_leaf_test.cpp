@@ -180,6 +180,26 @@ TEST_CASE("adiabatic: where D changes its sign in a leaf of a bounce, the states
     CHECK(check_adiabatic(leaf, nullptr) != nullptr);
 }
 
+TEST_CASE("adiabatic: a leaf of a bounce needs no bounds where the light mass does not collide next") {
+    Adiabatics file;
+    Adiabatic& claim = file.terms.claim;
+    claim.kind = Adiabatic::bounce;
+    claim.margin = mpq_class(1, 2);
+    claim.y_hi = 1;
+    claim.delta_lo = claim.delta_hi = mpq_class(1, 5);
+    claim.bounds = {0, 0};
+    AdiabaticLeaf leaf = file.root(AdiabaticLeaf::claim_tree, 0);
+    leaf.box.lo.at(axis_u) = mpq_class(3, 2);  // low on the wall
+    leaf.box.hi.at(axis_u) = mpq_class(31, 20);
+    leaf.box.lo.at(axis_s) = mpq_class(9, 10);
+    const AdiabaticOrbit inside(1.52L, 0.95L, 0.2L);
+    REQUIRE(inside.size() > 1);
+    CHECK_FALSE(inside.light(1));
+    CHECK(check_adiabatic(leaf, nullptr) == nullptr);
+    leaf.box.lo.at(axis_u) = 1;
+    CHECK(check_adiabatic(leaf, nullptr) != nullptr);
+}
+
 namespace {
 
 /// Leaves are checked with a class whose own tree is not: one like those of adiabatic_claims_test, whose
