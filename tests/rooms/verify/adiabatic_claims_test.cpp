@@ -121,6 +121,14 @@ TEST_CASE("adiabatic: an attained state must satisfy the hypotheses") {
     CHECK(std::string(dumbbell_verify::check_adiabatic(leaf, nullptr)) == "u >= margin");
     same.terms.claim.kind = Adiabatic::printed;
     CHECK(dumbbell_verify::check_adiabatic(leaf, nullptr) == nullptr);
+    // A rod that may be level: at the double just below pi/2, and at a number above it, doubles cannot tell.
+    const mpq_class quarter_below("884279719003555/562949953421312");
+    leaf.bits = 53;
+    for (const mpq_class& more : {mpq_class(0), mpq_class(mpq_class(1) / (mpz_class(1) << 53))}) {
+        same.terms.claim.attained[0].u = quarter_below + more;
+        CHECK(std::string(dumbbell_verify::check_adiabatic(leaf, nullptr)) ==
+              "the rod is not vertical, nor level or beyond");
+    }
     // Fields.
     for (const char* state : {"0/1 1/1 1/20", "-1/2 1/1 1/20", "63/125 -1/10 1/20", "63/125 11/10 1/20",
                               "63/125 1/1 1/21", "63/125 1/1 0/1", "63/125 1/1 -1/20"})

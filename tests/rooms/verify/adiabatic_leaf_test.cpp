@@ -273,6 +273,24 @@ void try_run_leaf(Adiabatic::Kind kind, int trials, std::array<int, 4>& seen) {
 
 }  // namespace
 
+TEST_CASE("adiabatic: of a run the last collision may be so near to the vertical that w^2 < r") {
+    Adiabatics file;
+    Adiabatic& claim = file.terms.claim;
+    claim.kind = Adiabatic::run;
+    claim.margin = mpq_class(1, 64);
+    claim.y_hi = 1;
+    claim.delta_lo = claim.delta_hi = mpq_class(1, 3);
+    claim.bounds = {20};
+    file.add_class(mpq_class(4, 5), {{mpq_class(1, 64), mpq_class(0)}});
+    AdiabaticLeaf leaf = file.root(AdiabaticLeaf::claim_tree, 0);
+    leaf.box.lo.at(axis_u) = leaf.box.hi.at(axis_u) = mpq_class(5, 4);
+    leaf.box.lo.at(axis_s) = 1;
+    leaf.box.lo.at(axis_v) = leaf.box.hi.at(axis_v) = mpq_class(9, 32);
+    CHECK(check_adiabatic(leaf, nullptr) == nullptr);
+    claim.bounds = {1};
+    CHECK(std::string(check_adiabatic(leaf, nullptr)) == "|I_n - I_0|/delta <= C");
+}
+
 TEST_CASE("adiabatic: no accepted leaf of a run holds an orbit whose invariant changes more") {
     std::array<int, 4> seen{};
     try_run_leaf(Adiabatic::run, 2500, seen);

@@ -69,6 +69,7 @@ TEST_CASE("adiabatic: such a file is no answer to a question about numbers of co
         CHECK(run(std::string(demand) + " " + file.path()).last().find("says nothing of them") !=
               std::string::npos);
     }
+    CHECK(run("--max 5 " + file.path()).last().starts_with("s UNREADABLE --ratio, "));  // of no line
     CHECK(code("--claim adiabatic-run") == 0);
     CHECK(code("--claim adiabatic-scattering") == 1);
     CHECK(code("--claim collisions") == 1);
