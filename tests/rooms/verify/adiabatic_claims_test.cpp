@@ -121,6 +121,14 @@ TEST_CASE("adiabatic: an attained state must satisfy the hypotheses") {
     CHECK(std::string(dumbbell_verify::check_adiabatic(leaf, nullptr)) == "u >= margin");
     same.terms.claim.kind = Adiabatic::printed;
     CHECK(dumbbell_verify::check_adiabatic(leaf, nullptr) == nullptr);
+    // A rod that may be level: at the double just below pi/2, and at a number above it, doubles cannot tell.
+    const mpq_class quarter_below("884279719003555/562949953421312");
+    leaf.bits = 53;
+    for (const mpq_class& more : {mpq_class(0), mpq_class(mpq_class(1) / (mpz_class(1) << 53))}) {
+        same.terms.claim.attained[0].u = quarter_below + more;
+        CHECK(std::string(dumbbell_verify::check_adiabatic(leaf, nullptr)) ==
+              "the rod is not vertical, nor level or beyond");
+    }
     // Fields.
     for (const char* state : {"0/1 1/1 1/20", "-1/2 1/1 1/20", "63/125 -1/10 1/20", "63/125 11/10 1/20",
                               "63/125 1/1 1/21", "63/125 1/1 0/1", "63/125 1/1 -1/20"})
@@ -144,6 +152,31 @@ TEST_CASE("adiabatic: an orbit that meets the heavy mass attains nothing") {
         leaf.bits = 256;
         CHECK(std::string(dumbbell_verify::check_adiabatic(leaf, nullptr)) == "passes the bridge");
     }
+    // Before this contact, low on the wall, comes one of the heavy mass, though the flight would miss the
+    // wall.
+    claim.kind = Adiabatic::printed;
+    claim.attained = {{mpq_class(31, 20), mpq_class(7, 20), mpq_class(49, 100), 0, 0}};
+    AdiabaticLeaf leaf = file.root(AdiabaticLeaf::attained, 0);
+    leaf.bits = 256;
+    CHECK(std::string(dumbbell_verify::check_adiabatic(leaf, nullptr)) == "passes the bridge");
+}
+
+TEST_CASE("adiabatic: of a flight that grazes the wall doubles do not tell whether it collides") {
+    Adiabatics file = small_claim(Adiabatic::run);
+    Adiabatic& claim = file.terms.claim;
+    claim.delta_lo = claim.delta_hi = mpq_class(1, 5);
+    claim.y_lo = 0;
+    claim.margin = mpq_class(1, 100);
+    const mpq_class s("58252928894643/70368744177664");
+    claim.attained = {{mpq_class(1, 2), s, mpq_class(1, 5), 1, 0}};
+    AdiabaticLeaf leaf = file.root(AdiabaticLeaf::attained, 0);
+    CHECK(std::string(dumbbell_verify::check_adiabatic(leaf, nullptr)) == "the next collision");
+    leaf.bits = 256;
+    CHECK(dumbbell_verify::check_adiabatic(leaf, nullptr) == nullptr);
+    claim.attained[0].s += mpq_class(1, 1000000);
+    CHECK(dumbbell_verify::check_adiabatic(leaf, nullptr) == nullptr);
+    claim.attained[0].s -= mpq_class(2, 1000000);
+    CHECK(dumbbell_verify::check_adiabatic(leaf, nullptr) != nullptr);
 }
 
 TEST_CASE("adiabatic: a class must hold for all its flights") {

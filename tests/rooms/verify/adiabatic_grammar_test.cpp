@@ -47,6 +47,9 @@ TEST_CASE("adiabatic grammar: the header") {
     CHECK(mutant(bounce(), "bound 5/2 10/1", "bound 5/2") == "syntax");
     CHECK(mutant(run_file(), "bound 20/1", "bound 20/1 20/1") == "syntax");
     CHECK(mutant(printed(), "attained", "bound 3/1\nattained") == "syntax");
+    // Refused at once, before what is wrong behind it.
+    CHECK(mutant(mutated_adiabatic(bounce(), "exponent 8\n", ""), "delta 1/20 1/20", "delta 1/19 1/20") ==
+          "number");
 }
 
 TEST_CASE("adiabatic grammar: classes and cells") {
@@ -64,6 +67,18 @@ TEST_CASE("adiabatic grammar: classes and cells") {
     CHECK(mutant(run_file(), cell, cell.substr(0, cell.rfind(' ')) + " -1/1") == "number");
     CHECK(mutant(run_file(), "\nend\n", "\n") == "syntax");
     CHECK(mutant(run_file(), "\nend\n", "\nend 1\n") == "syntax");
+}
+
+TEST_CASE("adiabatic grammar: a leaf of a run is checked with the class that it names") {
+    const std::size_t first = run_file().find("class 13/10"), end = run_file().find("\nend\n") + 1;
+    // The second class is about so fast flights alone that nothing follows from it here.
+    const std::string second =
+        replaced(run_file().substr(first, end - first), "class 13/10 40", "class 3/1 40");
+    std::string two = run_file().substr(0, end) + second + run_file().substr(end);
+    two = mutated_adiabatic(two, "classes 1", "classes 2");
+    CHECK(outcome(two) == "verified");
+    CHECK(mutant(two, "\nbound 0\n", "\nbound 1\n") == "bound");
+    CHECK(mutant(two, "\nbound 0\n", "\nbound 2\n") == "number");
 }
 
 TEST_CASE("adiabatic grammar: trees") {
@@ -102,7 +117,14 @@ TEST_CASE("adiabatic grammar: attained states, totals and the end") {
     CHECK(outcome(bounce().substr(0, bounce().size() / 2)) == "truncated");
 }
 
-TEST_CASE("adiabatic grammar: the greatest numbers are allowed") {
+TEST_CASE("adiabatic grammar: the least and the greatest numbers are allowed") {
+    // It is the next line that is missing.
+    const std::string no_bits = mutated_adiabatic(bounce(), "bits 53\n", "");
+    for (const char* value : {"0", "16"})
+        CHECK(mutant(no_bits, "exponent 8", std::string("exponent ") + value) == "syntax");
+    CHECK(mutant(run_file(), "classes 1", "classes 64") == "syntax");
+    CHECK(mutant(bounce(), "attained 1119/5000 1/1 1/20 1 97/50", "attained 4/5 0/1 1/20 1 0/1") ==
+          "verified");
     Settings settings;
     settings.max_bits = 4096;
     const std::string precise = mutated_adiabatic(printed(), "bits 53", "bits 4096");

@@ -180,6 +180,26 @@ TEST_CASE("adiabatic: where D changes its sign in a leaf of a bounce, the states
     CHECK(check_adiabatic(leaf, nullptr) != nullptr);
 }
 
+TEST_CASE("adiabatic: a leaf of a bounce needs no bounds where the light mass does not collide next") {
+    Adiabatics file;
+    Adiabatic& claim = file.terms.claim;
+    claim.kind = Adiabatic::bounce;
+    claim.margin = mpq_class(1, 2);
+    claim.y_hi = 1;
+    claim.delta_lo = claim.delta_hi = mpq_class(1, 5);
+    claim.bounds = {0, 0};
+    AdiabaticLeaf leaf = file.root(AdiabaticLeaf::claim_tree, 0);
+    leaf.box.lo.at(axis_u) = mpq_class(3, 2);  // low on the wall
+    leaf.box.hi.at(axis_u) = mpq_class(31, 20);
+    leaf.box.lo.at(axis_s) = mpq_class(9, 10);
+    const AdiabaticOrbit inside(1.52L, 0.95L, 0.2L);
+    REQUIRE(inside.size() > 1);
+    CHECK_FALSE(inside.light(1));
+    CHECK(check_adiabatic(leaf, nullptr) == nullptr);
+    leaf.box.lo.at(axis_u) = 1;
+    CHECK(check_adiabatic(leaf, nullptr) != nullptr);
+}
+
 namespace {
 
 /// Leaves are checked with a class whose own tree is not: one like those of adiabatic_claims_test, whose
@@ -252,6 +272,24 @@ void try_run_leaf(Adiabatic::Kind kind, int trials, std::array<int, 4>& seen) {
 }
 
 }  // namespace
+
+TEST_CASE("adiabatic: of a run the last collision may be so near to the vertical that w^2 < r") {
+    Adiabatics file;
+    Adiabatic& claim = file.terms.claim;
+    claim.kind = Adiabatic::run;
+    claim.margin = mpq_class(1, 64);
+    claim.y_hi = 1;
+    claim.delta_lo = claim.delta_hi = mpq_class(1, 3);
+    claim.bounds = {20};
+    file.add_class(mpq_class(4, 5), {{mpq_class(1, 64), mpq_class(0)}});
+    AdiabaticLeaf leaf = file.root(AdiabaticLeaf::claim_tree, 0);
+    leaf.box.lo.at(axis_u) = leaf.box.hi.at(axis_u) = mpq_class(5, 4);
+    leaf.box.lo.at(axis_s) = 1;
+    leaf.box.lo.at(axis_v) = leaf.box.hi.at(axis_v) = mpq_class(9, 32);
+    CHECK(check_adiabatic(leaf, nullptr) == nullptr);
+    claim.bounds = {1};
+    CHECK(std::string(check_adiabatic(leaf, nullptr)) == "|I_n - I_0|/delta <= C");
+}
 
 TEST_CASE("adiabatic: no accepted leaf of a run holds an orbit whose invariant changes more") {
     std::array<int, 4> seen{};

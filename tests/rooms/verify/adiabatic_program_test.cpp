@@ -69,6 +69,7 @@ TEST_CASE("adiabatic: such a file is no answer to a question about numbers of co
         CHECK(run(std::string(demand) + " " + file.path()).last().find("says nothing of them") !=
               std::string::npos);
     }
+    CHECK(run("--max 5 " + file.path()).last().starts_with("s UNREADABLE --ratio, "));  // of no line
     CHECK(code("--claim adiabatic-run") == 0);
     CHECK(code("--claim adiabatic-scattering") == 1);
     CHECK(code("--claim collisions") == 1);
@@ -109,5 +110,9 @@ TEST_CASE("adiabatic: --json, --junit and --explain") {
     CHECK(has(state, ": attained 63/125 97/100 1/20 10 93/10\n"));
     CHECK(has(state, "the value is attained: holds"));
     CHECK(has(state, "  certified\n"));
-    CHECK(has(run("--explain box.1 " + file.path()), "u beyond pi/2"));
+    const Run leaf = run("--explain box.1 " + file.path());
+    CHECK(has(leaf,
+              "  u in [1/1, 2/1]\n  s in [0/1, 1/1]\n  v in [0/1, 2/1]\n  delta in [1/20, 1/20]\n"
+              "  sigma in [0/1, 0/1]\n"));
+    CHECK(has(leaf, "u beyond pi/2"));
 }
