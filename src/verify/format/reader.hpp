@@ -31,21 +31,27 @@ struct Tree {
     int depth = 0;
     std::array<int, std::tuple_size_v<decltype(Box::lo)>> depths{};  ///< splits of each axis above here
 
-    /// A node and what is below; `leaf` is called at each line that is no split.
-    template <class Leaf>
-    void read(const Leaf& leaf) {
-        text.next();
-        if (text.fields[0] != "split") return leaf();
+    /// Of a line `split`. (A function of its own, as what it needs of the stack is not needed at every level.)
+    [[gnu::noinline]] std::size_t axis() {
         const auto axis =
             text.fields.size() == 2 ? std::find(axes.begin(), axes.end(), text.fields[1]) : axes.end();
         if (axis == axes.end()) text.reject("syntax", "not an axis of this chart");
         const auto i = static_cast<std::size_t>(axis - axes.begin());
         if (++depths[i] > most)
             text.reject("depth", "more than " + std::to_string(most) + " splits of one axis");
+        if (box.lo[i] == box.hi[i]) text.reject("split", "an axis of width 0");
+        return i;
+    }
+
+    /// A node and what is below; `leaf` is called at each line that is no split.
+    template <class Leaf>
+    void read(const Leaf& leaf) {
+        text.next();
+        if (text.fields[0] != "split") return leaf();
+        const std::size_t i = axis();
         ++splits;
         ++depth;
         const mpq_class lo = box.lo[i], hi = box.hi[i], middle = (lo + hi) / 2;
-        if (lo == hi) text.reject("split", "an axis of width 0");
         for (const bool upper : {false, true}) {
             box.lo[i] = upper ? middle : lo;
             box.hi[i] = upper ? hi : middle;

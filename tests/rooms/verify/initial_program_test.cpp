@@ -82,6 +82,34 @@ TEST_CASE("initial conditions: --json and --explain") {
     }
 }
 
+TEST_CASE("initial conditions: with just too little memory for a deep tree that is what the exit code says") {
+    if (make::sanitized) return;
+    std::string deep;  // 400 splits of each axis
+    for (int i = 0; i < 400; ++i) deep += "split phi\nsplit phidot\nsplit y\nsplit ydot\nsplit q\n";
+    for (int i = 0; i <= 2000; ++i) deep += "open\n";
+    const std::string text =
+        make::closed_initial(make::initial_header("2/1 3/1", "0/1 1/1", "1/2 1/1", "1/1 2/1", "1/1 2/1") +
+                             "between 0 none\n" + deep);
+    for (const std::string& bytes : {text, make::gzipped(text)}) {
+        const File file(bytes);
+        const auto code = [&](int kilobytes) {
+            return run("--quiet --jobs 1 " + file.path(), "ulimit -v " + std::to_string(kilobytes) + "; ")
+                .code;
+        };
+        int too_little = 4'000, enough = 100'000;
+        while (enough - too_little > 4) {
+            const int middle = (too_little + enough) / 2;
+            (code(middle) == 0 ? enough : too_little) = middle;
+        }
+        CHECK(code(enough + 2'000) == 0);
+        CHECK(run("--quiet " + file.path(), "ulimit -s 1024; ").code == 0);
+        for (int less = 4; less < 900; less += less < 40 ? 4 : 60) {  // memory is taken in steps of 132
+            const int found = code(enough - less);
+            CHECK((found == 0 || found == 4));
+        }
+    }
+}
+
 TEST_CASE("initial conditions: --shares prints bounds from the leaves, of such a file and of one only") {
     const File file(falling());
     const std::string shown = run("--shares " + file.path()).out;
