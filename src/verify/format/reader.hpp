@@ -31,7 +31,7 @@ struct Tree {
     int depth = 0;
     std::array<int, std::tuple_size_v<decltype(Box::lo)>> depths{};  ///< splits of each axis above here
 
-    /// Of a line `split`. (A function of its own, as what it needs of the stack is not needed at every level.)
+    /// Of a line `split`. Within read(), it would take stack at every level.
     [[gnu::noinline]] std::size_t axis() {
         const auto axis =
             text.fields.size() == 2 ? std::find(axes.begin(), axes.end(), text.fields[1]) : axes.end();
