@@ -127,7 +127,9 @@ TEST_CASE("parts of a file: lines that do not fit have an exit code each") {
     CHECK(run("--combine " + stairs_to_100 + " " + stairs_to_100).code == 1);  // no line of a part is in it
     const File parts(line);
     const std::string gibibyte = "(cat " + parts.path() + "; yes) | timeout 1000 ";
-    CHECK(run("--combine /dev/stdin " + stairs_to_100, gibibyte).code == 4);
+    const Run endless = run("--combine /dev/stdin " + stairs_to_100, gibibyte);
+    CHECK(endless.code == 4);
+    CHECK(endless.last() == "s LIMIT /dev/stdin has more than 1 GiB");
 }
 
 TEST_CASE("parts of a file: wrong usage is one line on stderr") {
