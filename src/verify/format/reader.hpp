@@ -184,11 +184,12 @@ class Reader {
         proof_.explained = true;
         std::string text = settings_.explain + ", line " + std::to_string(leaf.line) + ": " +
                            text_.fields[0].data() + shown;  // the whole line
-        Shares alone(1, text_.budget.left());
-        Work::begin(&alone);
-        text += check(leaf, &text) ? "  NOT certified\n" : "  certified\n";
-        text_.budget.take(Work::done(), text_.line);
-        Work::begin();
+        judge_all(std::vector{leaf}, 1, text_.budget, [&](const Leaf& only) {
+            return judge(only.line, opcode(only), [&]() -> const char* {
+                text += check(only, &text) ? "  NOT certified\n" : "  certified\n";
+                return nullptr;
+            });
+        });
         std::fputs(text.c_str(), stdout);
     }
 

@@ -19,6 +19,13 @@ struct Failure {
     std::string code, text;
 };
 
+/// Units of work as seconds: whole ones, or with three decimals.
+inline std::string seconds(std::uint64_t units) {
+    const std::uint64_t thousandths = units / (units_per_second / 1000), part = thousandths % 1000;
+    const std::string decimals = part == 0 ? "" : "." + std::to_string(1000 + part).substr(1);
+    return std::to_string(thousandths / 1000) + decimals + " s";
+}
+
 /// What a file may cost, in the units of work.hpp; its reader and what it reads share it.
 class Budget {
   public:
@@ -31,8 +38,7 @@ class Budget {
         left_ -= enough ? units : left_;
         if (!enough)
             throw Failure{Verdict::limit, line, "limit",
-                          "more work than the budget of " + std::to_string(all_ / units_per_second) +
-                              " s: --budget allows more"};
+                          "more work than the budget of " + seconds(all_) + ": --budget allows more"};
     }
 
   private:

@@ -6,12 +6,10 @@
 #include <chrono>
 #include <cstdio>
 
-#include "verify/input/work.hpp"
+#include "verify/input/budget.hpp"
 
 namespace dumbbell_verify {
 namespace {
-
-std::string seconds(std::uint64_t units) { return std::to_string(units / units_per_second) + " s"; }
 
 /// `reads`: what is done at present is reading alone.
 std::string line(std::uint64_t budget, bool reads) {
@@ -19,7 +17,8 @@ std::string line(std::uint64_t budget, bool reads) {
     return (reads ? "reading: " + std::to_string(Watched::bytes / 1'000'000) + " MB, "
                   : std::string("verifying: ")) +
            (of > 1 ? std::to_string(Watched::read) + " of " + std::to_string(of) + " pieces, " : "") +
-           seconds(Watched::work) + " of work" + (reads ? "" : ", at most " + seconds(budget) + " a file");
+           std::to_string(Watched::work / units_per_second) + " s of work" +
+           (reads ? "" : ", at most " + seconds(budget) + " a file");
 }
 
 }  // namespace

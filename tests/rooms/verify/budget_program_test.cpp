@@ -24,10 +24,12 @@ const std::string ten_path = shipped("q-10.dbc");
 
 TEST_CASE("budget: a short file that costs minutes is given up where the budget ends") {
     const File dear(short_and_dear());
-    for (const char* jobs : {"--jobs 1", "--jobs 3"}) {
-        const Run r = run(std::string(jobs) + " --budget 1s " + dear.path());
+    for (const auto& [options, budget] :
+         {std::pair{"--jobs 1 --budget 1s ", "1 s"}, {"--jobs 3 --budget 1.25s ", "1.250 s"}}) {
+        const Run r = run(options + dear.path());
         CHECK(r.code == 4);
-        CHECK(r.last() == "s LIMIT line=13 more work than the budget of 1 s: --budget allows more");
+        CHECK(r.last() == std::string("s LIMIT line=13 more work than the budget of ") + budget +
+                              ": --budget allows more");
     }
 }
 
@@ -106,6 +108,17 @@ TEST_CASE("a named pipe that nobody writes to is refused at once") {
 }
 
 TEST_CASE("a small stack is enough") { CHECK(run(ten_path, "ulimit -s 128; ").code == 0); }
+
+TEST_CASE("the stack that a deep tree needs is taken at once, before the memory is used for anything else") {
+    // Waits for its file while the kernel is asked how large its stack is, in KiB.
+    const auto stack = [](const std::string& limit, int enough) {
+        return "bash -c '" + limit + "coproc " DUMBBELL_VERIFY_BIN " -; for ((i = 0; i < 200; ++i)); do " +
+               "[[ $(< /proc/$COPROC_PID/status) =~ VmStk:[[:space:]]*([0-9]+) ]]; " +
+               "((BASH_REMATCH[1] < " + std::to_string(enough) + ")) || exit 0; sleep 0.05; done; exit 1'";
+    };
+    CHECK(std::system(stack("", 1024).c_str()) == 0);
+    CHECK(std::system(stack("ulimit -s 2048; ", 512).c_str()) == 0);
+}
 
 TEST_CASE("a scene that there is not is wrong usage, not a rejection") {
     const Run r = run("--scene foo " + ten_path);

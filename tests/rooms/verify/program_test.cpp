@@ -360,8 +360,10 @@ TEST_CASE("the option --explain shows a leaf with its numbers") {
     const File longer(closed(make::header("100000000/1", "100000000/1", 1) +
                              "piece 100000000/1 100000000/1\nbits 53\nupper 40000\nchart bridge" + counts +
                              "chart light" + counts + "lower 0\n"));
-    CHECK(run("--precision 4096 --budget 0.01s --explain 1:bridge " + longer.path(), "timeout 100 ").code ==
-          4);
+    const Run beyond =
+        run("--precision 4096 --budget 0.01s --explain 1:bridge " + longer.path(), "timeout 100 ");
+    CHECK(beyond.code == 4);
+    CHECK(beyond.last() == "s LIMIT line=13 more work than the budget of 0.010 s: --budget allows more");
 }
 
 TEST_CASE("a gigabyte of zeros, plain or compressed, is refused at once in little memory") {
