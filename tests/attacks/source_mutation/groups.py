@@ -57,8 +57,8 @@ GROUPS = {
                             "block", "demand_text"}),
         texts=frozenset(("verify/starts/claim.cpp", "verify/format/claim.cpp", *(
             f"verify/program/{name}.cpp" for name in ("summary", "json", "junit", "escape", "compare", "main", "part")))),
-        targets=("dumbbell-verify", "test_verify", "test_verify_fma", "mutation"),
-        programs=("tests/rooms/verify/test_verify", "tests/rooms/verify/test_verify_fma"),
+        targets=("dumbbell-verify", "test_verify", "test_verify_poor_libraries", "mutation"),
+        programs=("tests/rooms/verify/test_verify", "tests/rooms/verify/test_verify_poor_libraries"),
         prepare=(("{build}/tests/attacks/mutation/mutation", "--jobs", "1", "--most", "400", "--dump", "{work}/corpus",
                   "1500"),),
         replays=(("{build}/tests/attacks/mutation/mutation", "--replay", "{tree}/tests/attacks/false_claims/manifest.tsv"),

@@ -1,7 +1,10 @@
-// A program of its own, because its std::fma is not exact, as that of a poor library would be.
+// A program of its own, because its std::fma is not exact, as that of a poor library would be, and its zlib
+// gets no memory.
 #include <catch2/catch.hpp>
 #include <cfloat>
 
+#include "make_certificate.hpp"
+#include "verify/input/bytes.hpp"
 #include "verify/number/number.hpp"
 
 using namespace dumbbell_verify;
@@ -18,6 +21,8 @@ extern "C" double fma(double a, double b, double c) noexcept {
     return product + c;
 }
 
+extern "C" int inflate(z_streamp /*stream*/, int /*flush*/) { return Z_MEM_ERROR; }
+
 TEST_CASE("the arithmetic is refused where std::fma rounds twice") {
     const volatile double a = 1 + 0x1p-52;
     if (std::fma(a, a, -(1 + 0x1p-51)) != 0) {
@@ -31,4 +36,10 @@ TEST_CASE("the arithmetic is refused where std::fma rounds twice") {
         CHECK(std::fma(1 + 0x1p-30, 1 + 0x1p-30, -(1 + 0x1p-29)) == 0x1p-60);
         CHECK_FALSE(arithmetic_works());
     }
+}
+
+TEST_CASE("a compressed file is not called damaged where there is no memory to unpack it") {
+    const make::File file(make::gzipped("dumbbell-certificate 1\n"));
+    Bytes bytes(file.path());
+    CHECK_THROWS_AS(bytes.next(1), std::bad_alloc);
 }
