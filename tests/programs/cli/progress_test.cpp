@@ -122,15 +122,15 @@ TEST_CASE("a line appears by time, also while the first box, or the first piece 
 TEST_CASE("that a large file is read is a phase of its own, in every command that reads one") {
     const TemporaryFolder folder;
     const std::string file = folder / "large.dbc", out = folder / "out";
-    write_file(file, many_open_pieces(600'000));
+    write_file(file, many_open_pieces(3'000'000));
     for (const Words& words : std::vector<Words>{{"law", file},
                                                  {"audit", file},
                                                  {"plot", "staircase", file, "--out", out + ".svg"},
                                                  {"campaign", "plan", out, "verify", file}}) {
         const std::string text = seen_on_terminal(with_program(words), "reading");
         CAPTURE(words, text);
-        CHECK(
-            std::regex_search(text, std::regex(R"(reading(, |: \[#*\.*\] \d+/600000 pieces, about )\d+ s)")));
+        CHECK(std::regex_search(text,
+                                std::regex(R"(reading(, |: \[#*\.*\] \d+/3000000 pieces, about )\d+ s)")));
     }
     // What waits for its input reads, too.
     const std::string waits = seen_on_terminal(
