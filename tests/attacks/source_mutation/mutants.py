@@ -251,6 +251,9 @@ def instrumented(source, numbered):
         for number, mutant in by_extent[start, end]:
             if mutant.statement:
                 text = f"if (dm::active != {number}) {text}"
+            elif mutant.same_type and source[end:].lstrip().startswith("= {"):
+                # g++ 12 gives nothing a value in `(condition ? a : b) = {...}`.
+                text = f"*(dm::active == {number} ? &{mutant.text} : &{text})"
             elif mutant.same_type:
                 text = f"(dm::active == {number} ? {mutant.text} : {text})"
             elif mutant.text in ("true", "false"):
