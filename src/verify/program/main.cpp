@@ -106,9 +106,10 @@ void release(void* block, std::size_t /*size*/) { std::free(block); }
 
 [[gnu::noinline]] void touch_stack(std::size_t pages) {
     [[maybe_unused]] volatile char page[4096];
-    page[0] = 0;
     if (pages > 1) touch_stack(pages - 1);
-    page[1] = 0;  // after the call, or the compiler would turn it into a loop in one page
+    // After the call, or the compiler would make a loop of it; and at a place that it does not know, or it
+    // would take no more of the stack than that.
+    page[pages % 4096] = 0;
 }
 /// The stack of the first thread grows as it is used, and where the threads' stacks have taken all memory it
 /// could not: a crash. So it takes as many pages at first as a deep tree needs, or a quarter of all that
