@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cctype>
 #include <limits>
+#include <optional>
 #include <ostream>
 
 #include "base/error.hpp"
@@ -149,10 +150,50 @@ std::string shortened(std::string_view text) { return printable(text, 40); }
 
 namespace {
 
-bool is_number(std::string_view text) try {
-    (void)parse_rational(text);
-    return true;
-} catch (const InputError&) {
+/// Nothing for a text that is no number. Throws InputError for a bad exponent or a zero denominator.
+std::optional<Rational> number_in(std::string_view text) {
+    std::string_view rest = text;
+    std::string digits = take_digits(rest);
+    if (digits.empty()) {
+        return std::nullopt;
+    }
+    if (!rest.empty() && rest[0] == '/') {
+        rest.remove_prefix(1);
+        const std::string below = take_digits(rest);
+        if (below.empty() || !rest.empty()) {
+            return std::nullopt;
+        }
+        const Integer denominator = to_integer(below);
+        if (denominator == 0) {
+            throw InputError(fmt::format("'{}' divides by zero", shortened(text)));
+        }
+        return Rational(to_integer(digits), denominator);
+    }
+    int exponent = 0;
+    if (digits == "10" && rest.starts_with('^')) {
+        digits = "1";
+        exponent = parse_exponent(std::exchange(rest, {}).substr(1), text);
+    }
+    if (!rest.empty() && rest[0] == '.') {
+        rest.remove_prefix(1);
+        const std::string fraction = take_digits(rest);
+        if (fraction.empty()) {
+            return std::nullopt;
+        }
+        digits += fraction;
+        exponent -= static_cast<int>(fraction.size());
+    }
+    if (!rest.empty()) {
+        if (rest[0] != 'e' && rest[0] != 'E') {
+            return std::nullopt;
+        }
+        exponent += parse_exponent(rest.substr(1), text);
+    }
+    const Integer mantissa = to_integer(digits);
+    return exponent >= 0 ? Rational(mantissa * ten_to(exponent)) : Rational(mantissa, ten_to(-exponent));
+}
+
+bool is_number(std::string_view text) try { return number_in(text).has_value(); } catch (const InputError&) {
     return false;
 }
 
@@ -184,49 +225,14 @@ InputError not_a_number(std::string_view text) {
 }  // namespace
 
 Rational parse_rational(std::string_view text, std::size_t max_length) {
-    const auto malformed = [&] { return not_a_number(text); };
     if (text.size() > max_length) {
         throw InputError(fmt::format("'{}' is too long: at most {} characters", shortened(text), max_length));
     }
-    std::string_view rest = text;
-    std::string digits = take_digits(rest);
-    if (digits.empty()) {
-        throw malformed();
+    const std::optional<Rational> number = number_in(text);
+    if (!number) {
+        throw not_a_number(text);
     }
-    if (!rest.empty() && rest[0] == '/') {
-        rest.remove_prefix(1);
-        const std::string below = take_digits(rest);
-        if (below.empty() || !rest.empty()) {
-            throw malformed();
-        }
-        const Integer denominator = to_integer(below);
-        if (denominator == 0) {
-            throw InputError(fmt::format("'{}' divides by zero", shortened(text)));
-        }
-        return {to_integer(digits), denominator};
-    }
-    int exponent = 0;
-    if (digits == "10" && rest.starts_with('^')) {
-        digits = "1";
-        exponent = parse_exponent(std::exchange(rest, {}).substr(1), text);
-    }
-    if (!rest.empty() && rest[0] == '.') {
-        rest.remove_prefix(1);
-        const std::string fraction = take_digits(rest);
-        if (fraction.empty()) {
-            throw malformed();
-        }
-        digits += fraction;
-        exponent -= static_cast<int>(fraction.size());
-    }
-    if (!rest.empty()) {
-        if (rest[0] != 'e' && rest[0] != 'E') {
-            throw malformed();
-        }
-        exponent += parse_exponent(rest.substr(1), text);
-    }
-    const Integer mantissa = to_integer(digits);
-    return exponent >= 0 ? Rational(mantissa * ten_to(exponent)) : Rational(mantissa, ten_to(-exponent));
+    return *number;
 }
 
 std::string to_fraction(const Rational& x) { return numerator(x).str() + "/" + denominator(x).str(); }
