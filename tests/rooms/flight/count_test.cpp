@@ -1,6 +1,9 @@
 #include "flight/count.hpp"
 
+#include <array>
+#include <atomic>
 #include <catch2/catch.hpp>
+#include <vector>
 
 #include "rays.hpp"
 
@@ -244,4 +247,15 @@ TEST_CASE("NaN never gives a small upper count, nor a positive lower one") {
     };
     SECTION("in doubles") { check(Interval()); }
     SECTION("in multiple precision") { check(BigInterval()); }
+}
+
+TEST_CASE("Of several counts each is done once, and in double one after the other") {
+    std::vector<std::size_t> order;
+    each_count<Interval>(5, [&](std::size_t i) { order.push_back(i); });
+    CHECK(order == std::vector<std::size_t>{0, 1, 2, 3, 4});
+    std::array<std::atomic<int>, 5> times{};
+    each_count<BigInterval>(times.size(), [&](std::size_t i) { ++times[i]; });
+    for (const auto& n : times) {
+        CHECK(n == 1);
+    }
 }
