@@ -86,7 +86,7 @@ TEST_CASE("Anything else is refused, and the message names the text") {
          {std::pair{"+10", "10"}, {".5", "0.5"}, {"10.", "10"}, {"+.5", "0.5"}}) {
         CHECK_THAT(refusal(text), Catch::EndsWith(std::string("is not a number: write ") + likely));
     }
-    // The last one took twice as long with each sign more, where a guess of what is meant made guesses
+    // The last one took longer with each sign, without end, where a guess of what is meant made guesses
     // itself.
     for (const std::string text :
          {".", "+", "-", "++1", "..5", "-----------------0/x....................."}) {
