@@ -3,6 +3,7 @@
 /// What is used of the C library Work Queue, whose headers know nothing of C++.
 extern "C" {
 #include <cctools/debug.h>
+#include <cctools/hash_table.h>
 #include <cctools/link.h>
 #include <cctools/work_queue.h>
 }

@@ -10,7 +10,9 @@
 #include <cstdint>
 #include <cstring>
 #include <ctime>
+#include <map>
 #include <optional>
+#include <string>
 #include <string_view>
 
 #include "base/error.hpp"
@@ -141,6 +143,8 @@ Link* listen_as_told(int port) __asm__("__wrap_link_serve");
 int let_in(Link* peer, const char* password, std::time_t until) __asm__("__wrap_link_auth_password");
 void say_nothing(std::int64_t flags, const char* format, ...) __asm__("__wrap_cctools_warn");
 void keep_quiet(std::int64_t flags, const char* format, ...) __asm__("__wrap_cctools_notice");
+int library_next_key(hash_table* table, char** key, void** value) __asm__("__real_hash_table_nextkey");
+int next_key_kept(hash_table* table, char** key, void** value) __asm__("__wrap_hash_table_nextkey");
 
 /// The port that the library asks for may come from its environment: ours does not.
 Link* listen_as_told(int /*port*/) {
@@ -157,4 +161,15 @@ int let_in(Link* peer, const char* password, std::time_t until) {
 // Advice to the author of the tasks, on stderr whatever the flags say.
 void say_nothing(std::int64_t /*flags*/, const char* /*format*/, ...) {}
 void keep_quiet(std::int64_t /*flags*/, const char* /*format*/, ...) {}
+
+// A worker's entry goes, key and all, when the connection ends while its results are fetched; the library
+// then uses the key again. So it gets a copy, which lives until the next key of this table is asked for.
+int next_key_kept(hash_table* table, char** key, void** value) {
+    static std::map<const hash_table*, std::string> keys;  // a queue is used by one thread
+    if (library_next_key(table, key, value) == 0) {
+        return 0;
+    }
+    *key = keys.insert_or_assign(table, *key).first->second.data();
+    return 1;
+}
 }

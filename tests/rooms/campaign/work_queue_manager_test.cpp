@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <catch2/catch.hpp>
+#include <cstring>
 #include <fstream>
 #include <functional>
 #include <future>
@@ -184,4 +185,34 @@ TEST_CASE(
     CHECK(answered([&](const std::string& c) { return with(password)(c) + "0"; }) == "turned away");
     CHECK(answered([&](const std::string& c) { return with(password)(c.substr(1) + c[0]); }) ==
           "turned away");
+}
+
+TEST_CASE("a worker that goes away while its results are fetched is forgotten, and its key not used again") {
+    const auto asked = visit([](const Stranger& worker) {
+        worker.say(worker.hear());
+        const std::string challenge = worker.hear();
+        worker.say(std::string(64, 'a'));
+        worker.say(sha1(password + " " + challenge));
+        worker.say("ok");
+        worker.say("workqueue 9 here Linux x86_64 9.9.9");
+        worker.say("available_results");
+        std::string heard = worker.hear();  // an answer to the challenge, "ok", and then
+        while (!heard.empty() && heard.rfind("send_results", 0) != 0) {
+            heard = worker.hear();
+        }
+        return heard;
+    });
+    CHECK_FALSE(asked.empty());  // sanitizers see what becomes of the key in the library
+    hash_table* table = hash_table_create(0, nullptr);
+    int value = 0;
+    hash_table_insert(table, "the key of a worker", &value);
+    hash_table_firstkey(table);
+    char* key = nullptr;
+    void* found = nullptr;
+    REQUIRE(hash_table_nextkey(table, &key, &found) == 1);
+    hash_table_remove(table, "the key of a worker");
+    const bool kept =
+        std::strcmp(key, "the key of a worker") == 0;  // at once: memory that is freed may be used again
+    CHECK(kept);
+    hash_table_delete(table);
 }
