@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
@@ -126,10 +127,7 @@ void take_stack() {
 }
 
 int run(const Options& options) {
-    std::vector<std::string> inputs;
-    inputs.reserve(options.jobs.size());
-    for (const Job& job : options.jobs) inputs.push_back(job.file);
-    if (!options.junit.empty()) require_replaceable(options.junit, inputs);
+    if (!options.junit.empty()) require_replaceable(options.junit, options.inputs);
     const auto start = std::chrono::steady_clock::now();
     const std::time_t started = std::time(nullptr);
     std::vector<TestCase> cases;
@@ -154,6 +152,7 @@ int run(const Options& options) {
 int main(int argc, char** argv) {
     using namespace dumbbell_verify;
     take_stack();
+    std::signal(SIGXFSZ, SIG_IGN);  // a report that may not grow any more is like a full disk
     mp_set_memory_functions(allocate, reallocate, release);
     try {
         const Options options = parse_options({argv + std::min(argc, 1), argv + argc});

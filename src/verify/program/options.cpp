@@ -150,7 +150,8 @@ Options parse_options(const std::vector<std::string>& arguments) {
             claims = words.value();
         else if (name == "--law") {
             words.once();
-            settings.law = std::make_shared<LawFile>(words.value());
+            result.inputs.push_back(words.value());
+            settings.law = std::make_shared<LawFile>(result.inputs.back());
         } else if (name == "--lemma") {
             const std::string lemma = words.value();
             result.lemma = find_lemma(lemma);
@@ -194,6 +195,9 @@ Options parse_options(const std::vector<std::string>& arguments) {
     if (settings.explain.empty())
         result.at_once = static_cast<unsigned>(std::min<std::size_t>(settings.jobs, result.jobs.size()));
     for (Job& job : result.jobs) job.settings.jobs = settings.jobs / result.at_once;
+    for (const Job& job : result.jobs) result.inputs.push_back(job.file);
+    if (words.seen("--claims")) result.inputs.push_back(claims);
+    if (asked.parts) result.inputs.push_back(*asked.parts);
     return result;
 }
 

@@ -12,10 +12,11 @@ struct Options {
     std::vector<Job> jobs;  ///< the files, each with its settings and its share of the threads
     unsigned at_once = 1;   ///< the number of files that are checked at the same time
     bool json = false;
-    bool quiet = false;            ///< only the last line of what would be printed
-    std::string junit;             ///< where the report goes; empty: nowhere
-    const Lemma* lemma = nullptr;  ///< the two files are to be compared
-    std::string answer;            ///< of --help and --version: print it, and nothing else
+    bool quiet = false;               ///< only the last line of what would be printed
+    std::string junit;                ///< where the report goes; empty: nowhere
+    std::vector<std::string> inputs;  ///< all that is read: the files, and those that the options name
+    const Lemma* lemma = nullptr;     ///< the two files are to be compared
+    std::string answer;               ///< of --help and --version: print it, and nothing else
 };
 
 /// Throws std::invalid_argument with a message for the user.

@@ -63,6 +63,11 @@ int write_all(int file, const std::string& text) {
     return ::fsync(file) == 0 ? 0 : errno;
 }
 
+/// What the program reads under this name; `-` is the standard input.
+bool is_there(const std::string& input, struct stat& found) {
+    return (input == "-" ? ::fstat(STDIN_FILENO, &found) : ::stat(input.c_str(), &found)) == 0;
+}
+
 }  // namespace
 
 void require_replaceable(const std::string& path, const std::vector<std::string>& inputs) {
@@ -70,9 +75,9 @@ void require_replaceable(const std::string& path, const std::vector<std::string>
     struct stat out {};
     struct stat in {};
     for (const std::string& input : inputs)
-        if (::stat(target.c_str(), &out) == 0 && ::stat(input.c_str(), &in) == 0 && out.st_dev == in.st_dev &&
+        if (::stat(target.c_str(), &out) == 0 && is_there(input, in) && out.st_dev == in.st_dev &&
             out.st_ino == in.st_ino)
-            cannot_write(path, "it is " + input + ", which is read");
+            cannot_write(path, "it is " + (input == "-" ? "the standard input" : input) + ", which is read");
     ::close(create(path, target));
     ::unlink(temporary_name(target).c_str());
 }

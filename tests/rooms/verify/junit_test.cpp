@@ -119,7 +119,15 @@ TEST_CASE("the JUnit report appears complete or not at all, and replaces nothing
     fs::create_symlink("ten.dbc", folder / "soft.xml");
     for (const std::string name : {"hard.xml", "soft.xml", "./soft.xml"})
         CHECK(has(folder.run("--junit " + name + " ten.dbc").err, "which is read"));
+    // Whatever is read, by whatever option: a list, lines of parts, the law, the standard input.
+    const std::string list = "ten.dbc\t--ratio 10 --max 4\n";
+    write_file(folder / "read.xml", list);
+    for (const std::string words :
+         {"--claims read.xml", "--combine read.xml ten.dbc", "--law read.xml ten.dbc", "- <read.xml"})
+        CHECK(has(folder.run("--junit read.xml " + words).err, "which is read"));
+    CHECK(dumbbell_test::contents(folder / "read.xml") == list);
     CHECK(dumbbell_test::contents(folder / "ten.dbc") == ten());
+    fs::remove(folder / "read.xml");
     fs::remove(folder / "hard.xml");
     fs::remove(folder / "soft.xml");
     fs::create_symlink("/dev/stdout", folder / "stdout.xml");
@@ -149,7 +157,7 @@ TEST_CASE("the JUnit report appears complete or not at all, and replaces nothing
     }
 
     // No room: the verdict that is worse decides the exit code, and an old report stays as it was.
-    const std::string no_room = "trap '' XFSZ; ulimit -f 1; ";
+    const std::string no_room = "ulimit -f 1; ";
     write_file(folder / "report.xml", "old");
     fs::permissions(folder / "report.xml", fs::perms(0640));
     write_file(folder / "empty.dbc", "");
