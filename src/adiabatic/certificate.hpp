@@ -72,6 +72,7 @@ struct AdiabaticCertificate {
     std::vector<AdiabaticClass> classes;
     AdiabaticTree tree;
     std::vector<AdiabaticState> attained;  ///< of a bounce two, else one
+    std::string sha256{};  ///< as its last line has it, if that is right; empty unless it was read
 };
 
 }  // namespace dumbbell::adiabatic

@@ -129,6 +129,7 @@ AdiabaticCertificate read_adiabatic_certificate(const std::string& path) {
     for (int i = 0; i < (is_bounce ? 2 : 1); ++i) {
         certificate.attained.push_back(attained_from(lines));
     }
+    certificate.sha256 = lines.digest();
     return certificate;
 }
 

@@ -48,7 +48,8 @@ void Kind::require_tiling(bool tiles) {
 }
 
 std::string Kind::refuted(const std::string& demand, const std::string& file) {
-    const Verdict verdict = ask_verifier({"--jobs=1", "--quiet", "--budget=10h", demand, "--", file});
+    const Verdict verdict =
+        ask_verifier({"--jobs=1", "--quiet", "--budget=10h", "--max-bits=4096", demand, "--", file});
     return verdict.accepts ? "" : fmt::format("not verified: {}", verdict.line);
 }
 

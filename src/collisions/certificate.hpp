@@ -101,6 +101,7 @@ struct Certificate {
     std::vector<Piece> pieces;  ///< in order, each begins where the one before ends; not empty
     Scene scene = Scene::dumbbell;
     Section section = Section::turning;
+    std::string sha256{};  ///< as its last line has it, if that is right; empty unless it was read
 
     [[nodiscard]] const Rational& q_lo() const { return pieces.front().q_lo; }
     [[nodiscard]] const Rational& q_hi() const { return pieces.back().q_hi; }

@@ -152,6 +152,7 @@ Certificate read_certificate(const std::string& path) {
     for (std::size_t i = 0; i < in.pieces(); ++i) {
         certificate.pieces.push_back(in.next());
     }
+    certificate.sha256 = in.digest();
     return certificate;
 }
 

@@ -24,6 +24,8 @@ class PieceReader {
     [[nodiscard]] std::size_t pieces() const { return pieces_; }
     /// The next one; without trees its cover is nothing but its charts. Precondition: there is one.
     [[nodiscard]] Piece next();
+    /// Lines::digest. Precondition: all pieces were read.
+    [[nodiscard]] std::string digest() { return lines_.digest(); }
 
   private:
     Lines lines_;

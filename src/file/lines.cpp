@@ -35,18 +35,23 @@ Lines::Lines(const std::string& path) : path_(path), file_(nullptr, &gzclose) {
     }
 }
 
-const std::vector<std::string>& Lines::next() {
-    std::string buffer(max_line, '\0');
+bool Lines::read(std::string& line) {
+    line.assign(max_line, '\0');
     ++number_;
-    if (gzgets(file_.get(), buffer.data(), max_line) == nullptr) {
+    if (gzgets(file_.get(), line.data(), max_line) == nullptr) {
+        return false;
+    }
+    line.resize(line.find('\0'));
+    return line.ends_with('\n');
+}
+
+const std::vector<std::string>& Lines::next() {
+    std::string line;
+    if (!read(line)) {
         fail();
     }
-    std::string_view line(buffer);
-    line = line.substr(0, line.find('\0'));
-    if (line.empty() || line.back() != '\n') {
-        fail();
-    }
-    line.remove_suffix(1);
+    digest_.add(line);
+    line.pop_back();
     const auto parts = split(line, ' ');
     fields_.assign(parts.begin(), parts.end());
     return fields_;
@@ -72,6 +77,17 @@ Head Lines::expect_head() {
     head.section = expect("section", 2)[1];
     head.claim = expect("claim", 2)[1];
     return head;
+}
+
+std::string Lines::digest() {
+    constexpr std::string_view seal = "sha256 ";
+    for (std::string line; read(line); digest_.add(line)) {
+        if (line.starts_with(seal)) {
+            std::string hex = digest_.hex();
+            return line.substr(seal.size()) == hex + '\n' ? hex : "";
+        }
+    }
+    return "";
 }
 
 void Lines::fail() const {

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "file/sha256.hpp"
 #include "number/count.hpp"
 #include "number/rational.hpp"
 
@@ -42,6 +43,10 @@ class Lines {
     /// From the format, which must be 1, to the claim.
     Head expect_head();
 
+    /// Reads on to the last line, `sha256 HEX`: HEX, if it is that of all lines before; else nothing, for the
+    /// verifier to say what is wrong. The verdict of the verifier names it, too.
+    std::string digest();
+
     /// "... is not a certificate that this program can read (line ...)".
     [[noreturn]] void fail() const;
 
@@ -53,10 +58,14 @@ class Lines {
     [[nodiscard]] Rational dyadic(const std::string& text) const;
 
   private:
+    /// With its end. False at the end of the file.
+    bool read(std::string& line);
+
     std::string path_;
     std::unique_ptr<gzFile_s, int (*)(gzFile_s*)> file_;
     std::vector<std::string> fields_;
     long number_ = 0;
+    Sha256 digest_;  // of the lines that `next` read
 };
 
 }  // namespace dumbbell

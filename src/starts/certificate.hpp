@@ -55,6 +55,7 @@ struct InitialCertificate {
     int bits = 53;
     std::vector<InitialNode> tree;  ///< pre-order, lower half first
     bool incoming = false;  ///< all incoming trajectories: box, tree in the coordinates of incoming.hpp
+    std::string sha256{};   ///< as its last line has it, if that is right; empty unless it was read
 };
 
 }  // namespace dumbbell::starts

@@ -86,6 +86,7 @@ InitialCertificate read_initial_certificate(const std::string& path) {
                                             : InitialNode{{}, leaf_from(lines, fields)});
         missing += is_split ? 1 : -1;
     }
+    certificate.sha256 = lines.digest();
     return certificate;
 }
 

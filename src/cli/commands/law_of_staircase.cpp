@@ -37,7 +37,7 @@ collisions::Certificate read_staircase(const std::string& file) {
 staircase::LawReport report_on(const Given& given, const std::string& file, int digits) {
     Progress progress("", verbosity_of(given), "reading");
     const collisions::Certificate certificate = read_staircase(file);
-    std::string verdict = verified(file, name(certificate.scene), progress);
+    std::string verdict = verified(file, certificate.sha256, name(certificate.scene), progress);
     progress.enter("finding the law", "");
     return {given.text("FILE"), std::move(verdict), digits, staircase::law_of(certificate)};
 }

@@ -98,8 +98,8 @@ const Piece& piece_at(const PlotRequest& request, const Certificate& certificate
 }
 
 /// Then it is drawn.
-void require_verified(const PlotRequest& request, collisions::Scene scene) {
-    (void)verified(request.file, name(scene), *request.observer);
+void require_verified(const PlotRequest& request, const std::string& sha256, collisions::Scene scene) {
+    (void)verified(request.file, sha256, name(scene), *request.observer);
     request.observer->enter("drawing", "");
 }
 
@@ -109,7 +109,7 @@ Certificate verified_dumbbell(const PlotRequest& request, const char* picture, c
         throw InputError(fmt::format("'{}' is about the scene {}: plot {} draws the dumbbell", request.file,
                                      name(certificate.scene), picture));
     }
-    require_verified(request, certificate.scene);
+    require_verified(request, certificate.sha256, certificate.scene);
     return certificate;
 }
 
@@ -117,7 +117,7 @@ Certificate verified_dumbbell(const PlotRequest& request, const char* picture, c
 template <class Kind>
 Kind verified_certificate(const PlotRequest& request, const char* picture, const char* make) {
     auto certificate = certificate_for<Kind>(request.file, picture, make);
-    require_verified(request, collisions::Scene::dumbbell);
+    require_verified(request, certificate.sha256, collisions::Scene::dumbbell);
     return certificate;
 }
 
@@ -156,7 +156,7 @@ std::string draw_staircase(const PlotRequest& request) {
         throw InputError(
             fmt::format("'{}' reaches beyond the mass ratio 3e31: no picture of that", request.file));
     }
-    require_verified(request, certificate.scene);
+    require_verified(request, certificate.sha256, certificate.scene);
     return pictures::staircase_svg(certificate.pieces, certificate.scene);
 }
 
@@ -186,7 +186,7 @@ std::string draw_cover(const PlotRequest& request) {
         if (!request.ratio.empty()) {
             throw InputError("--ratio is for certificates about mass ratios");
         }
-        require_verified(request, collisions::Scene::dumbbell);
+        require_verified(request, initial->sha256, collisions::Scene::dumbbell);
         return pictures::cover_svg(*initial);
     }
     const Certificate certificate = verified_dumbbell(request, "cover", make_cover);

@@ -5,11 +5,15 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <optional>
 #include <utility>
 #include <vector>
 
+#include "base/deadline.hpp"
 #include "base/error.hpp"
 #include "cli/commands.hpp"
+#include "cli/terminal/exit_code.hpp"
+#include "cli/terminal/stop_signals.hpp"
 #include "file/shipped.hpp"
 #include "file/verifier_program.hpp"
 #include "law/certificate.hpp"
@@ -126,14 +130,31 @@ std::vector<std::string> with_law(std::vector<std::string> words) try {
 }
 
 /// The verdict on a file of which this is demanded.
-std::string accepted(const std::string& file, const std::string& demand, Observer& observer) {
+std::string accepted(const std::string& file, const std::string& sha256, const std::string& demand,
+                     Observer& observer) {
     observer.enter("verifying", "");
-    // A user who waits for it can stop it; a budget would only be in the way.
-    Verdict verdict = ask_verifier({"--quiet", "--budget=99999h", demand, "--", file});
-    if (!verdict.accepts) {
-        throw InputError(fmt::format("'{}' is not verified: {}", file, verdict.line));
+    std::optional<Verdict> verdict;
+    (void)stoppable([&] {
+        try {
+            // A user who waits for it can stop it; a budget would only be in the way.
+            verdict = ask_verifier({"--quiet", "--budget=99999h", "--max-bits=4096", demand, "--", file});
+        } catch (const NoVerdict&) {
+            if (stop_signal == 0) {
+                throw;
+            }
+        }
+        return stop_signal == 0 ? int{exit_done} : stopped("nothing is made of what was not verified");
+    });
+    if (stop_signal != 0) {  // the first process of a container, which does not end by a signal
+        throw InputError(fmt::format("'{}' was not verified to the end", file));
     }
-    return std::move(verdict.line);
+    if (!verdict->accepts) {
+        throw InputError(fmt::format("'{}' is not verified: {}", file, verdict->line));
+    }
+    if (sha256.empty() || verdict->line.find(" sha256=" + sha256) == std::string::npos) {
+        throw InputError(fmt::format("'{}' was changed while it was read and verified: try again", file));
+    }
+    return std::move(verdict->line);
 }
 
 }  // namespace
@@ -142,12 +163,13 @@ constinit const Command verify_command{
     "verify", "Check", verify_description, verify_footer, verify_options, nullptr,
     {},       false,   become_verifier};
 
-std::string verified(const std::string& file, std::string_view scene, Observer& observer) {
-    return accepted(file, "--scene=" + std::string(scene), observer);
+std::string verified(const std::string& file, const std::string& sha256, std::string_view scene,
+                     Observer& observer) {
+    return accepted(file, sha256, "--scene=" + std::string(scene), observer);
 }
 
-std::string verified_law(const std::string& file, Observer& observer) {
-    return accepted(file, "--claim=law", observer);
+std::string verified_law(const std::string& file, const std::string& sha256, Observer& observer) {
+    return accepted(file, sha256, "--claim=law", observer);
 }
 
 }  // namespace dumbbell::cli

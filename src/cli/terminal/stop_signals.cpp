@@ -14,23 +14,32 @@ namespace {
 
 extern "C" void request_stop(int signal) { stop_signal = signal; }
 
-void watch(int signal) {
-    struct sigaction before {};
-    ::sigaction(signal, nullptr, &before);
-    if (before.sa_handler == SIG_IGN) {
-        return;
+/// As long as it lives, a signal is a request.
+class Watch {
+  public:
+    explicit Watch(int signal) : signal_(signal) {
+        ::sigaction(signal_, nullptr, &before_);
+        if (before_.sa_handler == SIG_IGN) {
+            return;
+        }
+        struct sigaction action {};
+        action.sa_handler = request_stop;
+        action.sa_flags = static_cast<int>(SA_RESETHAND | SA_RESTART);
+        ::sigaction(signal_, &action, nullptr);
     }
-    struct sigaction action {};
-    action.sa_handler = request_stop;
-    action.sa_flags = static_cast<int>(SA_RESETHAND | SA_RESTART);
-    ::sigaction(signal, &action, nullptr);
-}
+    ~Watch() { ::sigaction(signal_, &before_, nullptr); }
+    Watch(const Watch&) = delete;
+    Watch& operator=(const Watch&) = delete;
+
+  private:
+    int signal_;
+    struct sigaction before_ {};
+};
 
 }  // namespace
 
 int stoppable(const std::function<int()>& command) {
-    watch(SIGINT);
-    watch(SIGTERM);
+    const Watch interrupt(SIGINT), terminate(SIGTERM);
     const int code = command();
     if (code == exit_stopped) {
         const int signal = stop_signal;

@@ -165,3 +165,59 @@ TEST_CASE("without its verifier next to it the program says so") {
     CHECK(count_lines(result.err) == 1);
     CHECK_THAT(result.err, Contains("dumbbell-verify"));
 }
+
+// A copy of the program, beside which the verifier is this script.
+static std::string with_verifier(const TemporaryFolder& folder, const std::string& script) {
+    std::string copy = folder / "dumbbell";
+    const std::string beside = folder / "dumbbell-verify";
+    std::filesystem::copy_file(DUMBBELL_BIN, copy);
+    write_file(beside, "#!/bin/sh\n" + script);
+    std::filesystem::permissions(beside, std::filesystem::perms::owner_all);
+    return copy;
+}
+
+TEST_CASE("what is drawn and said of a file is of the bytes that the verifier accepted") {
+    const TemporaryFolder folder;
+    const std::string certificates = std::string(DUMBBELL_PROJECT) + "/certificates/";
+    const std::string program =
+        with_verifier(folder, "mv second first\nexec " DUMBBELL_VERIFY_BIN " \"$@\"\n");
+    const auto exchanged = [&](const std::string& first, const std::string& second, Words words) {
+        std::filesystem::copy_file(first, folder / "first",
+                                   std::filesystem::copy_options::overwrite_existing);
+        std::filesystem::copy_file(second, folder / "second");
+        words.insert(words.begin(), program);
+        return run(words, folder.path());
+    };
+    const std::string old = certificate(folder, "3:80"), stairs = certificates + "stairs-1-100.dbc";
+    for (const Words& words : {Words{"law", "first"},
+                               {"plot", "staircase", "first", "--out", "x.svg"},
+                               {"plot", "law", "first", "--out", "x.svg"}}) {
+        const Outcome outcome = exchanged(old, stairs, words);
+        CAPTURE(words, outcome.err, outcome.out);
+        CHECK(outcome.code == 2);
+        CHECK(outcome.out.empty());
+        CHECK_THAT(outcome.err, Contains("'first' was changed while it was read and verified"));
+        CHECK_FALSE(std::filesystem::exists(folder / "x.svg"));
+        CHECK(exchanged(stairs, stairs, words).code == 0);
+        std::filesystem::remove(folder / "x.svg");
+    }
+}
+
+TEST_CASE("a signal that comes while a certificate is verified ends the verifier, too") {
+    for (const Words& words :
+         {Words{"law", DUMBBELL_PROJECT "/certificates/stairs-1-100.dbc"},
+          {"plot", "staircase", DUMBBELL_PROJECT "/certificates/stairs-1-100.dbc", "--out", "x.svg"}}) {
+        const TemporaryFolder folder;
+        Words job{with_verifier(folder, "echo $$ > number.tmp && mv number.tmp number\nexec sleep 1000\n")};
+        job.insert(job.end(), words.begin(), words.end());
+        Process process(job, folder.path());
+        REQUIRE(process.until([&] { return std::filesystem::exists(folder / "number"); }));
+        process.send(SIGTERM);
+        const Outcome outcome = process.wait();
+        CAPTURE(words, outcome.err);
+        CHECK(outcome.signal == SIGTERM);
+        CHECK_THAT(outcome.err, StartsWith("dumbbell: stopped by SIGTERM: "));
+        CHECK(count_lines(outcome.err) == 1);
+        CHECK(::kill(std::stoi(contents(folder / "number")), 0) != 0);
+    }
+}
