@@ -1,6 +1,8 @@
+#include <fcntl.h>
 #include <flint/flint.h>
 #include <fmt/core.h>
 #include <gmp.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <array>
@@ -90,6 +92,16 @@ void* reallocate_block(void* old, std::size_t size) { return reallocate(old, 0, 
 
 void release(void* block, std::size_t /*size*/) { std::free(block); }
 
+/// The next file that is opened gets the number of a standard stream that is closed, and what is said there
+/// would be written into it. Nothing can be read from, or written to, what stands there instead.
+void occupy_closed_streams() {
+    for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+        if (::fcntl(stream, F_GETFD) < 0) {
+            (void)::open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY);
+        }
+    }
+}
+
 /// With the words that other programs understand: `help COMMAND...`, `version`.
 std::vector<std::string> usual_words(std::vector<std::string> words) {
     if (!words.empty() && words[0] == "help") {
@@ -125,6 +137,8 @@ constinit const Command dumbbell_command{"dumbbell",      "",      program_descr
 }  // namespace dumbbell::cli
 
 int main(int argc, char** argv) {
+    dumbbell::cli::occupy_closed_streams();
+    std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow any more is like a full disk
     // Where the program that started this one ignores it, there would be no exit code of a verifier.
     std::signal(SIGCHLD, SIG_DFL);
     int exit_code = dumbbell::cli::exit_internal;

@@ -75,12 +75,21 @@ TEST_CASE("a full disk: one line, exit 2, no file (needs the right to mount one)
 
 TEST_CASE("a file that may not grow is like a full disk") {
     const TemporaryFolder folder;
-    const Outcome result =
-        run({"sh", "-c", "trap '' XFSZ; ulimit -f 1; exec " DUMBBELL_BIN " certify 1:1000 --out stairs.dbc"},
-            folder.path());
+    const Outcome result = run(
+        {"sh", "-c", "ulimit -f 1; exec " DUMBBELL_BIN " certify 1:1000 --out stairs.dbc"}, folder.path());
     CHECK(result.code == 2);
     CHECK(count_lines(result.err) == 1);
     CHECK(folder.names() == Words{"stairs.dbc.partial"});  // what was finished is not lost
+}
+
+TEST_CASE("what is said on a stream that is closed is written into no file") {
+    const TemporaryFolder folder;
+    REQUIRE(dumbbell({"campaign", "plan", "c", "1:30", "--shards", "4"}, folder.path()).code == 0);
+    const Outcome result =
+        run({"sh", "-c", "exec " DUMBBELL_BIN " campaign run c --jobs 1 --budget 0s <&- >&- 2>&-"},
+            folder.path());
+    CHECK(result.code != 0);
+    CHECK_THAT(contents(folder / "c/journal"), !Contains("dumbbell"));
 }
 
 TEST_CASE("a pipe is not replaced by a certificate") {
