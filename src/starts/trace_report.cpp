@@ -275,8 +275,11 @@ std::string to_text(const TraceReport& report) {
     }
     text += meaning_text(report) + verdict(report);
     if (report.out) {
-        text += fmt::format("Certificate: {} (sha256 {})\nCheck it:    dumbbell verify {}\n",
-                            one_line(*report.out), *report.sha256, shell_file(*report.out));
+        constexpr int most_unasked = 2048;  // the verifier's --max-bits, unless it is told otherwise
+        const std::string more =
+            report.parts->bits > most_unasked ? fmt::format("--max-bits {} ", report.parts->bits) : "";
+        text += fmt::format("Certificate: {} (sha256 {})\nCheck it:    dumbbell verify {}{}\n",
+                            one_line(*report.out), *report.sha256, more, shell_file(*report.out));
     }
     return text;
 }

@@ -32,7 +32,7 @@ The invariant is I = |phidot| (pi - arccos y), the light mass beta1 = epsilon = 
   thm3.3    |I_n - I_0| <= C delta while only the light mass bounces, at distance u_* from the vertical or more
   thm3.5    |I_N - I_0| <= C sqrt(delta) for a whole scattering whose first and last collision are at distance
             c sqrt(delta) or more; and an orbit that shows why the last one must be restricted too
-  printed   that orbit alone: |I_N - I_0| is not small, under the hypotheses as they are printed
+  printed   that orbit alone: how large |I_N - I_0| is at least, under the hypotheses as they are printed
 
 C is proved for all initial conditions, by a cover of theirs; it is compared with what one enclosed orbit attains. For
 thm3.3 C holds for any number of bounces; --bounces limits the attained orbit only.

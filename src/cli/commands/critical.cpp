@@ -53,7 +53,8 @@ constexpr std::array critical_options{
         .required(),
     critical_digits_option,
     Option{"--confirm", "REL",
-           "prove the maximum at q_c (1 - REL) and q_c (1 + REL) by cover and witness, too"},
+           "prove the maximum at a decimal just below q_c (1 - REL) and at one just above q_c (1 + REL) by "
+           "cover and witness, too"},
     Option{"--out", "FILE",
            "write the table to FILE, tab-separated (FILE.gz: compressed); -: the standard output"}
         .checked(fault_of_name<Content::table>),

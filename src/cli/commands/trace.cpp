@@ -103,7 +103,8 @@ constexpr std::array trace_options{
     json_option.excludes("--csv,--quiet"),
     flag("--csv", "a table with the bounds of every number on stdout, the outcome on stderr")
         .excludes("--json,--quiet"),
-    flag("--quiet", "the outcome alone, in a sentence").excludes("--csv,--json")};
+    flag("--quiet", "the outcome alone: a sentence, and with --subdivide the table of what was decided")
+        .excludes("--csv,--json")};
 
 /// Bits of the bounds of an irrational angle: with --subdivide no more than a line of a certificate holds.
 int bits_of_angle(const Given& given, int digits) {

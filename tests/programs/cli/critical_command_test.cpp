@@ -86,6 +86,11 @@ TEST_CASE("the option --confirm decides both sides without the theorem") {
     CHECK_THAT(result.out, Contains("Confirmed by cover and witness, without that theorem:\n"
                                     "  at mass ratio 4.60333884414 the maximum is 3,\n"
                                     "  at mass ratio 4.60333885336 the maximum is 4.\n"));
+    // Of a range the ratios are not named: they are decimals, a little farther from the step.
+    CHECK_THAT(
+        dumbbell({"critical", "3:4", "--confirm", "1e-3"}).out,
+        Contains("the maximum is N - 1 at a decimal just below q_c(N) (1 - 0.001), and N at one just above "
+                 "q_c(N) (1 + 0.001) (N = 3: 2 at 1).\n"));
     const auto json = json_of({"critical", "3:5", "--confirm", "1e-20"});
     for (const auto& row : json.at("ratios")) {
         CHECK(row.at("confirmed") == true);

@@ -115,6 +115,12 @@ TEST_CASE("a command that is printed can be pasted, whatever the file is called"
                                         folder.path());
         REQUIRE(traced.code == 0);
         CHECK(pasted(traced.out, "Check it:    ", folder.path()).code == 0);
+        const Outcome precise =
+            dumbbell({"trace", "10", "--phi", "1:1.001", "--phidot", "1", "--y", "2", "--ydot=-1",
+                      "--subdivide", "--max-boxes", "8", "--digits", "1000", "--out=" + file},
+                     folder.path());
+        CHECK(pasted(precise.out, "Check it:    ", folder.path()).code == 0);
+        CHECK(dumbbell({"plot", "shares", "./" + file, "--out", "shares.svg"}, folder.path()).code == 0);
         const Outcome bounded = dumbbell(
             {"adiabatic", "--delta", "0.01", "--theorem", "lemma3.1", "--out=" + file}, folder.path());
         REQUIRE(bounded.code == 0);
