@@ -31,7 +31,7 @@ bool reaches(const Rational& q, long m) {
 
 }  // namespace
 
-Rational paper_bound_limit() { return exact(3e31); }
+Rational paper_bound_limit() { return Rational(3 * pow(Integer(10), 31)); }
 
 long paper_bound(const Rational& q) {
     require(q >= 1 && q <= paper_bound_limit(), "paper bound: 1 <= q <= 3e31");

@@ -63,7 +63,7 @@ constexpr std::array certify_options = joined(
         Option{"--law", "FILE", "with --by law: its certificate, if not the one that comes with the program"},
         flag("--witness",
              "print an orbit that attains the maximum, every collision enclosed, and, of one of up to 5000 "
-             "collisions, a start in the air for trace")
+             "collisions, if one is found, a start in the air for trace")
             .excludes("--quiet"),
         json_option,
         flag("--quiet", "no table and no progress: what is proved, in a sentence").excludes("--witness")});

@@ -63,10 +63,11 @@ constexpr std::array verify_options{
         "incoming (the same of all trajectories that come in, --incoming), or "
         "adiabatic-bounce, -run, -scattering, -printed (the adiabatic invariant), or law (all mass ratios): "
         "these without --ratio, --max, --min, --exactly, which they do not answer"},
-    Option{"--claims", "LIST",
-           "the certificates and claims of a list like certificates/claims.tsv, one each line: a file "
-           "(its name is relative to the working folder), a tab, the six options above that state its "
-           "claim; what stands after another tab is a remark"},
+    Option{
+        "--claims", "LIST",
+        "the certificates and claims of a list like certificates/claims.tsv, one each line: a file "
+        "(its name is relative to the working folder), a tab, the six options above that state its "
+        "claim, with --ratio and a bound, or --claim law alone; what stands after another tab is a remark"},
     Option{"--lemma", "4.1|4.2 A B",
            "compare two files: at most as many collisions in A (scene hybrid) as in B (wedge), or at most "
            "one more in A (dumbbell) than in B (hybrid)"},

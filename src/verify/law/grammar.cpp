@@ -66,8 +66,7 @@ class LawReader : public Reader<LawLeaf> {
         if (demand.ratios || demand.most || demand.least)
             refuse(
                 "--ratio, --max, --min and --exactly are about certificates of single ratios and ranges; "
-                "this file "
-                "is about the law for every mass ratio: ask with --claim law");
+                "this file is about the law for every mass ratio: ask with --claim law alone");
     }
 
     template <class Places>

@@ -29,7 +29,8 @@ Checks certificates (docs/reference/format.md) independently of the program that
                        --exactly, which they do not answer
   --claims LIST        the certificates and claims of a list like certificates/claims.tsv, one each line: a file
                        (its name is relative to the working folder), a tab, the six options above that state its
-                       claim; what stands after another tab is a remark
+                       claim, with --ratio and a bound, or --claim law alone; what stands after another tab is a
+                       remark
   --lemma 4.1|4.2 A B  compare two files: at most as many collisions in A (scene hybrid) as in B (wedge), or
                        at most one more in A (dumbbell) than in B (hybrid)
   --law FILE           the certificate of the law, on which files of the kind collisions-by-law rest by its SHA-256:
