@@ -5,16 +5,9 @@
 #include <algorithm>
 
 #include "base/printable.hpp"
+#include "words/printed.hpp"
 
 namespace dumbbell::audit {
-namespace {
-
-std::string counted(std::size_t n, std::string_view noun) {
-    return fmt::format("{} {}{}", n, noun, n == 1 ? "" : "s");
-}
-
-}  // namespace
-
 std::string to_text(const AuditedFile& file) {
     const Audit& a = file.audit;
     std::string boxless;
@@ -26,9 +19,9 @@ std::string to_text(const AuditedFile& file) {
     }
     return fmt::format(
         "{}: {}: {}{}, {}, {}, {} checked, area {}, {:.2f} s", one_line(file.path),
-        a.tiles() ? "tiles exactly" : "does NOT tile", counted(a.pieces, "piece"), boxless,
-        counted(a.charts, "chart"), fmt::format("{} {}", a.leaves, a.leaves == 1 ? "leaf" : "leaves"),
-        counted(a.pairs, "candidate pair"), a.tiles() ? "exact" : "not confirmed", file.seconds);
+        a.tiles() ? "tiles exactly" : "does NOT tile", plural(a.pieces, "piece"), boxless,
+        plural(a.charts, "chart"), fmt::format("{} {}", a.leaves, a.leaves == 1 ? "leaf" : "leaves"),
+        plural(a.pairs, "candidate pair"), a.tiles() ? "exact" : "not confirmed", file.seconds);
 }
 
 Json to_json(const std::vector<AuditedFile>& files) {

@@ -17,7 +17,7 @@ double overhead(const CampaignRun& run) {
 }  // namespace
 
 std::string verdict(const CampaignRun& run) {
-    return fmt::format("{} shards finished in {}{}\n", run.accepted, time_text(run.seconds),
+    return fmt::format("{} finished in {}{}\n", plural(run.accepted, "shard"), time_text(run.seconds),
                        run.left == 0 ? "; the campaign is complete" : "");
 }
 

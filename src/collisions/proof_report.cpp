@@ -95,10 +95,6 @@ std::string pieces_with_value(const Counts& counts) {
                                        : fmt::format("{}, from {} to {}", pieces, counts.least, counts.most);
 }
 
-std::string counted(const Count& n, std::string_view one) {
-    return fmt::format("{} {}{}", n, one, n == 1 ? "" : "s");
-}
-
 /// What to type so that `trace` follows a start at mass ratio q.
 std::string trace_command(const Rational& q, const WitnessStart& start) {
     return fmt::format("dumbbell trace {} --phi {} --phidot {} --y {} --ydot {}{}", exact_text(q), start.phi,
@@ -111,7 +107,7 @@ std::string start_text(const ReportRow& row) {
     return fmt::format(
         "A start in the air, near this orbit, that has {} as well; the command was run, and proves it:\n  "
         "{}\n",
-        counted(row.orbit.size(), "collision"), trace_command(row.piece->q_lo, *row.start));
+        plural(row.orbit.size(), "collision"), trace_command(row.piece->q_lo, *row.start));
 }
 
 /// How clear of tangency the witness's collisions are, how narrowly it is known, and a start near it unless
@@ -136,12 +132,12 @@ std::string single_sentence(const ProofReport& report) {
     const Words words = words_of(report.scene);
     const std::string q = exact_text(report.q_lo);
     if (piece.status() == Status::exact) {
-        const std::string times = counted(*piece.upper, "time");
+        const std::string times = plural(*piece.upper, "time");
         return fmt::format("Proved: at mass ratio {} no {} more than {}, and some {} {}.\n", q, words.hits,
                            times, words.hits_it, times);
     }
     const std::string known = piece.lower > 0 ? fmt::format("only this is proved: some {} at least {}",
-                                                            words.hits, counted(piece.lower, "time"))
+                                                            words.hits, plural(piece.lower, "time"))
                                               : std::string("nothing is proved");
     return fmt::format("Not decided: at mass ratio {} {}.\n", q, known);
 }
@@ -174,7 +170,7 @@ std::string range_sentence(const ProofReport& report) {
                             counts.gaps == 1 ? "ratio" : "ratios");
     }
     if (counts.open > 0) {
-        text += fmt::format("{} {} open. ", counted(counts.open, "piece"), counts.open == 1 ? "is" : "are");
+        text += fmt::format("{} {} open. ", plural(counts.open, "piece"), counts.open == 1 ? "is" : "are");
     }
     return text + decided_text(report.undecided, counts.exact > 0);
 }
@@ -244,8 +240,8 @@ std::string verdict(const ProofReport& report) {
 
 std::string to_text(const ProofReport& report) {
     std::string text = pieces_table(report);
-    text += fmt::format("{} in {:.2f} s with {}\n\n", counted(report.rows.size(), "piece"), report.seconds,
-                        counted(report.jobs, "thread"));
+    text += fmt::format("{} in {:.2f} s with {}\n\n", plural(report.rows.size(), "piece"), report.seconds,
+                        plural(report.jobs, "thread"));
     text += verdict(report) + witness_sentence(report);
     if (heavy_at_most_once(report)) {
         text += "In every trajectory the heavy mass hits the floor at most once.\n";

@@ -40,16 +40,14 @@ constexpr std::array<const char*, initial_axes> json_names_of_incoming{"phi_over
 
 const char* mass_name(const Collision<TracedValue>& c) { return c.heavy ? "heavy" : "light"; }
 
-std::string plural(long count) { return count == 1 ? "1 collision" : fmt::format("{} collisions", count); }
-
 const char* outcome_word(const TraceReport& report) {
     return report.trace.exact() ? "exact" : report.is_single() ? "undecided" : "between";
 }
 
 std::string bounds_text(long least, const std::optional<long>& most) {
-    return most == least ? plural(least)
+    return most == least ? plural(least, "collision")
            : most        ? fmt::format("between {} and {} collisions", least, *most)
-                         : fmt::format("at least {}", plural(least));
+                         : fmt::format("at least {}", plural(least, "collision"));
 }
 
 /// Whether a bound that is said is that of all trajectories.
@@ -221,7 +219,7 @@ std::string outcome_sentence(const TraceReport& report) {
             bounds_text(trace.least, trace.most));
     }
     if (trace.exact()) {
-        return fmt::format("exactly {}{}", plural(trace.least),
+        return fmt::format("exactly {}{}", plural(trace.least, "collision"),
                            trace.least > static_cast<long>(trace.collisions.size())
                                ? fmt::format(" (enclosed: the first {})", trace.collisions.size())
                            : event_of(report)
@@ -248,7 +246,7 @@ std::string theorem_sentence(const TraceReport& report) {
     return rests_on_theorem(report)
                ? fmt::format("No trajectory at {} {} has more than {} (theorem 1 of proofs/theorem.md).",
                              report.box.lo[4] == report.box.hi[4] ? "mass ratio" : "mass ratios up to",
-                             exact_text(report.box.hi[4]), plural(*report.maximum))
+                             exact_text(report.box.hi[4]), plural(*report.maximum, "collision"))
                : "";
 }
 

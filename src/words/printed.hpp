@@ -1,6 +1,9 @@
 #pragma once
 
+#include <fmt/core.h>
+
 #include <string>
+#include <string_view>
 
 #include "number/interval.hpp"
 #include "number/rational.hpp"
@@ -24,6 +27,12 @@ namespace dumbbell {
 
 /// What an undecided share leaves, as a number that does not exceed it: 1 only if that is all.
 [[nodiscard]] double decided_fraction(const Rational& undecided);
+
+/// "1 piece", "2 pieces".
+template <class Number>
+[[nodiscard]] std::string plural(const Number& n, std::string_view one) {
+    return fmt::format("{} {}{}", n, one, n == 1 ? "" : "s");
+}
 
 /// A time for people: 40 s, 12 min, 3.5 h, 2.1 days.
 [[nodiscard]] std::string time_text(double seconds);

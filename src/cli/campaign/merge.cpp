@@ -14,6 +14,7 @@
 #include "cli/terminal/messages.hpp"
 #include "cli/terminal/output.hpp"
 #include "cli/terminal/stop_signals.hpp"
+#include "words/printed.hpp"
 
 namespace dumbbell::cli {
 namespace {
@@ -90,7 +91,7 @@ int run_merge(const Given& given) {
     const char* what = merge.evidence == campaign::Evidence::workers ? "as the workers' verifiers say"
                        : unverified                                  ? "NOT verified"
                                                                      : "verified";
-    fmt::print(output.report(), "{} shards {}; they tile the claim: {}\n", merge.shards, what,
+    fmt::print(output.report(), "{} {}; they tile the claim: {}\n", plural(merge.shards, "shard"), what,
                one_line(folder.plan().claim));
     if (output.file()) {
         fmt::print("written: {}\n", one_line(out));

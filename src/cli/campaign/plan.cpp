@@ -20,6 +20,7 @@
 #include "cli/terminal/progress.hpp"
 #include "cli/terminal/stop_signals.hpp"
 #include "number/count_argument.hpp"
+#include "words/printed.hpp"
 
 namespace dumbbell::cli {
 namespace {
@@ -80,8 +81,8 @@ std::optional<std::size_t> shards_of(const Given& given) {
 }
 
 int said_of(const std::string& folder, const campaign::Plan& plan) {
-    fmt::print("{}\n{} shards of {} units in '{}'; to process them: dumbbell campaign run {}\n",
-               one_line(plan.claim), plan.shards.size(), plan.whole.units.size(), one_line(folder),
+    fmt::print("{}\n{} of {} in '{}'; to process them: dumbbell campaign run {}\n", one_line(plan.claim),
+               plural(plan.shards.size(), "shard"), plural(plan.whole.units.size(), "unit"), one_line(folder),
                shell_file(folder));
     return exit_done;
 }

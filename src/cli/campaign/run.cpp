@@ -165,7 +165,7 @@ int run_shards(const Given& given) try {
     if (done.left == 0) {
         return exit_done;
     }
-    const std::string left = fmt::format("{} shards are left: the same command goes on with them", done.left);
+    const std::string left = fmt::format("{} left: the same command goes on", plural(done.left, "shard"));
     if (stop_signal != 0) {
         return stopped(left);
     }
