@@ -83,10 +83,9 @@ int law_for_all(const Given& given, const std::string& file) {
     law::TheoremReport report{.digits = static_cast<int>(given.number("--digits")),
                               .out = given.has("FILE") ? given.text("FILE") : file};
     {
-        Progress progress("", verbosity_of(given), "reading");
-        const std::string sha256 = certificates::sealed_digest(file);
-        report.verdict = verified_law(file, sha256, progress);
-        report.sha256 = sha256;
+        Progress progress("", verbosity_of(given), "verifying");
+        report.verdict = verified_law(file, progress);
+        report.sha256 = digest_in(*report.verdict);
     }
     fmt::print("{}", shown(report, given));
     return exit_done;

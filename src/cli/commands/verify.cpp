@@ -131,8 +131,7 @@ std::vector<std::string> with_law(std::vector<std::string> words) try {
 }
 
 /// The verdict on a file of which this is demanded.
-std::string accepted(const std::string& file, const std::string& sha256, const std::string& demand,
-                     Observer& observer) {
+std::string accepted(const std::string& file, const std::string& demand, Observer& observer) {
     observer.enter("verifying", "");
     std::optional<Verdict> verdict;
     (void)stoppable([&] {
@@ -152,9 +151,6 @@ std::string accepted(const std::string& file, const std::string& sha256, const s
     if (!verdict->accepts) {
         throw InputError(fmt::format("'{}' is not verified: {}", file, verdict->line));
     }
-    if (sha256.empty() || verdict->line.find(" sha256=" + sha256) == std::string::npos) {
-        throw InputError(fmt::format("'{}' was changed while it was read and verified: try again", file));
-    }
     return std::move(verdict->line);
 }
 
@@ -166,11 +162,21 @@ constinit const Command verify_command{
 
 std::string verified(const std::string& file, const std::string& sha256, std::string_view scene,
                      Observer& observer) {
-    return accepted(file, sha256, "--scene=" + std::string(scene), observer);
+    std::string verdict = accepted(file, "--scene=" + std::string(scene), observer);
+    if (digest_in(verdict) != sha256) {
+        throw InputError(fmt::format("'{}' was changed while it was read and verified: try again", file));
+    }
+    return verdict;
 }
 
-std::string verified_law(const std::string& file, const std::string& sha256, Observer& observer) {
-    return accepted(file, sha256, "--claim=law", observer);
+std::string verified_law(const std::string& file, Observer& observer) {
+    return accepted(file, "--claim=law", observer);
+}
+
+std::string digest_in(const std::string& verdict) {
+    constexpr std::string_view word = " sha256=";
+    const std::size_t at = verdict.find(word);
+    return at == std::string::npos ? "" : verdict.substr(at + word.size(), 64);
 }
 
 }  // namespace dumbbell::cli

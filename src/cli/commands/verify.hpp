@@ -16,8 +16,10 @@ namespace dumbbell::cli {
 [[nodiscard]] std::string verified(const std::string& file, const std::string& sha256, std::string_view scene,
                                    Observer& observer);
 
-/// The same for a certificate of the law for every mass ratio.
-[[nodiscard]] std::string verified_law(const std::string& file, const std::string& sha256,
-                                       Observer& observer);
+/// The same for a certificate of the law for every mass ratio, of which nothing else is read.
+[[nodiscard]] std::string verified_law(const std::string& file, Observer& observer);
+
+/// The SHA-256 that such a line names.
+[[nodiscard]] std::string digest_in(const std::string& verdict);
 
 }  // namespace dumbbell::cli

@@ -125,6 +125,8 @@ TEST_CASE("the JUnit report appears complete or not at all, and replaces nothing
     for (const std::string words :
          {"--claims read.xml", "--combine read.xml ten.dbc", "--law read.xml ten.dbc", "- <read.xml"})
         CHECK(has(folder.run("--junit read.xml " + words).err, "which is read"));
+    CHECK(has(folder.run("--junit read.xml - <read.xml").err, "it is the standard input, which is read"));
+    CHECK(has(folder.run("--junit read.xml --claims read.xml").err, "it is read.xml, which is read"));
     CHECK(dumbbell_test::contents(folder / "read.xml") == list);
     CHECK(dumbbell_test::contents(folder / "ten.dbc") == ten());
     fs::remove(folder / "read.xml");
