@@ -72,10 +72,9 @@ std::string confirmations_text(const CriticalReport& report) {
         confirmed == 0 || confirmed == all ? "" : fmt::format(", for {} of the {}", confirmed, all);
     std::string text = fmt::format("{} by cover and witness, without that theorem{}:\n", outcome, share);
     text += fmt::format(
-        "  the maximum is N - 1 at a decimal just below q_c(N) (1 - {}), and N at one just above q_c(N) (1 + "
-        "{})"
-        "{}.\n",
-        distance, distance, report.rows.front().n == 3 ? " (N = 3: 2 at 1)" : "");
+        "  the maximum is N - 1 at a decimal just below q_c(N) (1 - {0}), and N at one just above q_c(N) "
+        "(1 + {0}){1}.\n",
+        distance, report.rows.front().n == 3 ? " (N = 3: 2 at 1)" : "");
     return text;
 }
 
