@@ -9,7 +9,7 @@ namespace dumbbell {
 /// One program at a time changes a folder. Given back at the end, also when the program is killed.
 class FolderLock {
   public:
-    /// False if another one has it, or the folder cannot be opened.
+    /// False if another one has it. Throws InputError if the folder cannot be opened or locked.
     [[nodiscard]] bool take(const std::string& folder);
 
     /// Whether another one has it.

@@ -44,11 +44,13 @@ TEST_CASE("a program that has a folder for a moment only is waited for") {
     }
 }
 
-TEST_CASE("what is no folder cannot be taken, and is not taken") {
+TEST_CASE("what cannot be opened is not called taken") {
     const TemporaryFolder folder;
     dumbbell_test::write_file(folder / "file", "");
     FolderLock lock;
-    CHECK_FALSE(lock.take(folder / "file"));
-    CHECK_FALSE(lock.take(folder / "missing"));
+    CHECK_THROWS_WITH(lock.take(folder / "file"),
+                      "cannot open the folder '" + (folder / "file") + "': Not a directory");
+    CHECK_THROWS_WITH(lock.take(folder / "missing"),
+                      "cannot open the folder '" + (folder / "missing") + "': No such file or directory");
     CHECK_FALSE(FolderLock::is_taken(folder / "missing"));
 }
