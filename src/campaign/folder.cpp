@@ -103,7 +103,7 @@ void CampaignFolder::create(const std::string& path, const Plan& plan,
 CampaignFolder::CampaignFolder(std::string path) : path_(std::move(path)), journal_(path_ + "/journal") {
     const std::string file = path_ + "/plan";
     std::error_code failed;
-    if (!fs::is_regular_file(file, failed)) {
+    if (fs::status(file, failed).type() == fs::file_type::not_found) {
         throw InputError(fmt::format(
             "'{}' is not a campaign: it has no file 'plan'; make one with dumbbell campaign plan", path_));
     }

@@ -9,13 +9,15 @@
 #include <cerrno>
 #include <chrono>
 #include <cstring>
-#include <fstream>
+#include <filesystem>
 #include <optional>
+#include <sstream>
 #include <string_view>
 
 #include "base/error.hpp"
 #include "base/fields.hpp"
 #include "base/printable.hpp"
+#include "file/file_contents.hpp"
 
 namespace dumbbell::campaign {
 namespace {
@@ -82,7 +84,11 @@ void Journal::append(JournalEntry event) {
 
 std::vector<JournalEntry> Journal::read() const {
     std::vector<JournalEntry> events;
-    std::ifstream in(path_);
+    std::error_code failed;
+    if (std::filesystem::status(path_, failed).type() == std::filesystem::file_type::not_found) {
+        return events;
+    }
+    std::istringstream in(file_contents(path_));
     for (std::string line; std::getline(in, line);) {
         if (auto event = event_of(line)) {
             events.push_back(std::move(*event));

@@ -41,7 +41,7 @@ class Journal {
     /// The present time is put in. Throws InputError if it cannot be written.
     void append(JournalEntry event);
 
-    /// All events, in order.
+    /// All events, in order; none if there is no such file. Throws InputError if it cannot be read.
     [[nodiscard]] std::vector<JournalEntry> read() const;
 
   private:

@@ -66,17 +66,18 @@ PieceStore::PieceStore(std::string folder, const StoredClaim& claim)
     const std::string file = folder_ + "/claim";
     const fs::file_type type = fs::symlink_status(file).type();
     const bool is_file = type == fs::file_type::regular, is_missing = type == fs::file_type::not_found;
-    if (!is_file || file_contents(file) != text_) {
-        if ((!is_file && !is_missing) || !has_no_others_pieces()) {
+    const std::string found = is_file ? file_contents(file) : "";
+    if (found != text_) {
+        if ((!is_file && !is_missing) || !has_no_others_pieces(found)) {
             is_missing ? is_in_the_way(folder_) : holds_another_run(folder_);
         }
         write_atomically(file, text_);
     }
 }
 
-/// Whether the folder is one of finished pieces in which whatever is whole belongs to this store: then it is
-/// new, its claim is damaged, or nothing was finished for another one.
-bool PieceStore::has_no_others_pieces() const {
+/// Whether the folder, with this in its file `claim`, is one of finished pieces in which whatever is whole
+/// belongs to this store: then it is new, its claim is damaged, or nothing was finished for another one.
+bool PieceStore::has_no_others_pieces(const std::string& claim) const {
     bool has_own = false;
     for (const fs::directory_entry& entry : fs::directory_iterator(folder_)) {
         const std::string name = entry.path().filename().string();
@@ -97,7 +98,6 @@ bool PieceStore::has_no_others_pieces() const {
         }
         has_own = true;
     }
-    const std::string claim = file_contents(folder_ + "/claim");
     return has_own || claim.empty() || claim.starts_with(first_line);
 }
 

@@ -59,7 +59,7 @@ class PieceStore {
         std::optional<Piece> piece;
     };
     [[nodiscard]] Kept kept_in(const std::string& file) const;
-    [[nodiscard]] bool has_no_others_pieces() const;
+    [[nodiscard]] bool has_no_others_pieces(const std::string& claim) const;
 
     std::string folder_;
     StoredClaim claim_;

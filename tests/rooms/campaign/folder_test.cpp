@@ -9,6 +9,7 @@
 #include "base/error.hpp"
 #include "file/file_contents.hpp"
 #include "place.hpp"
+#include "rooms/not_root.hpp"
 #include "scripted_engine.hpp"
 
 using namespace dumbbell;
@@ -121,6 +122,26 @@ TEST_CASE("what cannot be read is named") {
     const std::string id = CampaignFolder(place.string()).parts().front().id;
     fs::create_symlink(id, place.path / "results" / id);
     CHECK_THROWS_WITH(CampaignFolder(place.string()), Contains("cannot read") && Contains(id));
+}
+
+TEST_CASE("a plan or a journal that cannot be read is called neither missing nor damaged") {
+    const Place place;
+    CampaignFolder::create(place.string(), small_plan());
+    write(place.path / "journal", "");
+    for (const char* name : {"plan", "journal"}) {
+        const std::string file = (place.path / name).string();
+        const fs::perms before = fs::status(file).permissions();
+        fs::permissions(file, fs::perms::none);
+        {
+            const NotRoot user;
+            CHECK_THROWS_WITH(CampaignFolder(place.string()),
+                              "cannot read '" + file + "': Permission denied");
+        }
+        fs::permissions(file, before);
+    }
+    fs::remove(place.path / "plan");
+    fs::create_symlink("plan", place.path / "plan");
+    CHECK_THROWS_WITH(CampaignFolder(place.string()), Contains("plan': Too many levels of symbolic links"));
 }
 
 TEST_CASE("a plan whose inputs cannot be copied leaves nothing in its folder") {

@@ -70,6 +70,14 @@ TEST_CASE("a line that a crash cut off is passed over, and the next one stands a
     CHECK(found[1].id == "third");
 }
 
+TEST_CASE("a journal that cannot be read is not called empty") {
+    const Place place;
+    std::filesystem::create_directory(place.path);
+    CHECK_THROWS_WITH(Journal(place.string()).read(),
+                      "cannot read '" + place.string() + "': it is a directory");
+    CHECK(Journal(place.string() + "/missing").read().empty());
+}
+
 TEST_CASE("a journal that cannot be written is an error that says where") {
     Journal journal("/nowhere/at/all");
     CHECK_THROWS_AS(journal.append({}), InputError);

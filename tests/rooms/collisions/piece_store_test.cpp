@@ -11,6 +11,7 @@
 #include "example.hpp"
 #include "file/file_contents.hpp"
 #include "file/sha256.hpp"
+#include "rooms/not_root.hpp"
 
 using namespace dumbbell;
 using namespace dumbbell::collisions;
@@ -58,6 +59,24 @@ TEST_CASE("a kept piece is found again, by a later run too, and by its own bound
     CHECK_FALSE(store.find({5, 12, 4, 4}).has_value());
     store.remove();
     CHECK_FALSE(fs::exists(place.path));
+}
+
+TEST_CASE("what cannot be read is not called in use, damaged or another run's") {
+    const Place place;
+    { PieceStore(place.path.string(), claim(100)).keep(dumbbell_test::piece(5, 11, 4, 4)); }
+    const auto without = [&](const fs::path& hidden, const auto& open) {
+        const fs::perms before = fs::status(hidden).permissions();
+        fs::permissions(hidden, fs::perms::none);
+        {
+            const dumbbell_test::NotRoot user;
+            CHECK_THROWS_WITH(open(), Contains("'" + hidden.string() + "': Permission denied"));
+        }
+        fs::permissions(hidden, before);
+    };
+    without(place.path, [&] { return PieceStore(place.path.string(), claim(100)); });
+    without(place.path / "claim", [&] { return PieceStore(place.path.string(), claim(100)); });
+    const PieceStore store(place.path.string(), claim(100));
+    without(only_piece(place), [&] { return store.find({5, 11, 4, 4}); });
 }
 
 TEST_CASE("a piece whose file is not whole, or is another's, is not found") {

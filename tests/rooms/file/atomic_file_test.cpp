@@ -13,6 +13,7 @@
 
 #include "base/error.hpp"
 #include "programs/cli/process.hpp"
+#include "rooms/not_root.hpp"
 
 using namespace dumbbell_test;
 using Catch::Matchers::Contains;
@@ -53,22 +54,6 @@ class FileSizeLimit {
   private:
     rlimit before_{};
     void (*handler_)(int);
-};
-
-// Root may write everywhere: so somebody else, for a while.
-class NotRoot {
-  public:
-    NotRoot() : was_root_(::geteuid() == 0) { REQUIRE((!was_root_ || ::seteuid(65534) == 0)); }
-    ~NotRoot() {
-        if (was_root_ && ::seteuid(0) != 0) {
-            std::abort();
-        }
-    }
-    NotRoot(const NotRoot&) = delete;
-    NotRoot& operator=(const NotRoot&) = delete;
-
-  private:
-    bool was_root_;
 };
 
 // A file system of 64 kB; only root can have one.
