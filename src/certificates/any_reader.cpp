@@ -1,11 +1,7 @@
 #include "certificates/any_reader.hpp"
 
 #include <fmt/core.h>
-#include <zlib.h>
 
-#include <array>
-#include <cstring>
-#include <memory>
 #include <string_view>
 
 #include "adiabatic/reader.hpp"
@@ -14,6 +10,7 @@
 #include "collisions/reader.hpp"
 #include "file/lines.hpp"
 #include "file/sha256.hpp"
+#include "file/unpacked_text.hpp"
 #include "starts/reader.hpp"
 
 namespace dumbbell::certificates {
@@ -46,30 +43,24 @@ AnyCertificate read_any_certificate(const std::string& path) {
 }
 
 std::string sealed_digest(const std::string& path, const Interrupted& interrupted) {
-    const std::unique_ptr<gzFile_s, int (*)(gzFile)> file(gzopen(path.c_str(), "rb"), &gzclose);
-    std::array<char, 8192> line{};
+    UnpackedText text(path);
     const auto next = [&] {
         go_on(interrupted);
-        return file && gzgets(file.get(), line.data(), static_cast<int>(line.size())) != nullptr;
+        return text.next_line();
     };
-    if (!next() || line.data() != first_line) {
+    if (next() != first_line) {
         throw InputError(fmt::format("'{}' is not a certificate: its first line is not '{}'", path,
                                      first_line.substr(0, first_line.size() - 1)));
     }
     Sha256 digest;
     digest.add(first_line);
-    while (next()) {
-        const std::string_view text(line.data());
-        if (!text.starts_with(seal)) {
-            digest.add(text);
-            continue;
-        }
-        std::string written = digest.hex();
-        const bool is_last = gzgetc(file.get()) == -1 && gzeof(file.get()) == 1;
-        if (text.substr(seal.size()) == written + '\n' && is_last) {
-            return written;
-        }
-        break;
+    std::string_view line = next();
+    for (; !line.empty() && !line.starts_with(seal); line = next()) {
+        digest.add(line);
+    }
+    std::string right = digest.hex();
+    if (line == fmt::format("{}{}\n", seal, right) && next().empty()) {
+        return right;
     }
     throw InputError(fmt::format(
         "'{}' is damaged: its last line is not the checksum of its text (dumbbell verify says more)", path));

@@ -1,48 +1,21 @@
 #include "file/lines.hpp"
 
 #include <fmt/core.h>
-#include <zlib.h>
-
-#include <filesystem>
 
 #include "base/error.hpp"
 #include "base/fields.hpp"
 #include "file/dyadic.hpp"
 
 namespace dumbbell {
-namespace {
 
-constexpr int max_line = 8192;
+void require_readable(const std::string& path) { const FileToRead it(path); }
 
-}  // namespace
-
-void require_readable(const std::string& path) {
-    std::error_code hidden;
-    const auto there = std::filesystem::status(path, hidden);
-    if (!std::filesystem::is_regular_file(there)) {
-        throw InputError(fmt::format("cannot read '{}': {}", path,
-                                     std::filesystem::is_directory(there) ? "it is a directory"
-                                     : std::filesystem::exists(there)     ? "not a regular file"
-                                                                          : "no such file"));
-    }
-}
-
-Lines::Lines(const std::string& path) : path_(path), file_(nullptr, &gzclose) {
-    require_readable(path);
-    file_.reset(gzopen(path.c_str(), "rb"));
-    if (!file_) {
-        throw InputError(fmt::format("cannot read '{}'", path));
-    }
-}
+Lines::Lines(const std::string& path) : path_(path), text_(path) {}
 
 bool Lines::read(std::string& line) {
-    line.assign(max_line, '\0');
     ++number_;
-    if (gzgets(file_.get(), line.data(), max_line) == nullptr) {
-        return false;
-    }
-    line.resize(line.find('\0'));
-    return line.ends_with('\n');
+    line = text_.next_line();
+    return line.ends_with('\n') && line.find('\0') == std::string::npos;
 }
 
 const std::vector<std::string>& Lines::next() {
@@ -112,7 +85,7 @@ Count Lines::count(const std::string& text) const {
 
 Rational Lines::ratio(const std::string& text) const {
     try {
-        return parse_rational(text, max_line);
+        return parse_rational(text, UnpackedText::longest_line);
     } catch (const InputError&) {
         fail();
     }

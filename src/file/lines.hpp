@@ -1,15 +1,13 @@
 #pragma once
 
-#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "file/sha256.hpp"
+#include "file/unpacked_text.hpp"
 #include "number/count.hpp"
 #include "number/rational.hpp"
-
-struct gzFile_s;
 
 namespace dumbbell {
 
@@ -25,7 +23,7 @@ struct Head {
     std::string lemmas, scene, section, claim;
 };
 
-/// Throws InputError, saying what stands there, unless it is a file.
+/// Throws InputError, saying why not, unless it is a file that can be read.
 void require_readable(const std::string& path);
 
 /// The lines of a certificate file (plain or gzip), split into fields, for the readers of the prover's side.
@@ -62,7 +60,7 @@ class Lines {
     bool read(std::string& line);
 
     std::string path_;
-    std::unique_ptr<gzFile_s, int (*)(gzFile_s*)> file_;
+    UnpackedText text_;
     std::vector<std::string> fields_;
     long number_ = 0;
     Sha256 digest_;  // of the lines that `next` read

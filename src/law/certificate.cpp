@@ -2,9 +2,9 @@
 
 #include <fmt/core.h>
 
-#include "base/error.hpp"
 #include "base/printable.hpp"
 #include "file/lines.hpp"
+#include "file/unpacked_text.hpp"
 
 namespace dumbbell::law {
 
@@ -31,15 +31,13 @@ std::vector<StepEnds> read_steps(const std::string& path) {
     return steps;
 }
 
-bool is_law_certificate(const std::string& path) try {
+bool is_law_certificate(const std::string& path) {
     constexpr int before = 5;
-    Lines lines(path);
+    UnpackedText text(path);
     for (int i = 0; i < before; ++i) {
-        lines.next();
+        (void)text.next_line();
     }
-    return lines.expect("claim", 2)[1] == "law";
-} catch (const InputError&) {
-    return false;
+    return text.next_line() == "claim law\n";
 }
 
 }  // namespace dumbbell::law

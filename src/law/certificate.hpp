@@ -38,7 +38,8 @@ struct StepEnds {
 /// What an answer by the law says that it rests on: this file, with this SHA-256.
 [[nodiscard]] std::string basis_text(const std::string& file, const std::string& sha256);
 
-/// Whether the file (plain or gzip) begins as such a certificate does; false if it cannot be read.
+/// Whether the file (plain or gzip) begins as such a certificate does. Throws InputError if it cannot be
+/// read.
 [[nodiscard]] bool is_law_certificate(const std::string& path);
 
 }  // namespace dumbbell::law

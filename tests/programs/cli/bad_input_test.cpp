@@ -194,6 +194,20 @@ TEST_CASE("names of files cannot break a message into lines, or move the termina
                         "e'"));
 }
 
+TEST_CASE("an input that cannot be read is named, with the cause") {
+    const std::string name(300, 'x');
+    for (const Words& words : std::vector<Words>{{"audit", name},
+                                                 {"report", name, "--out", "x.html"},
+                                                 {"law", name},
+                                                 {"law", "--ratio", "2", name},
+                                                 {"certify", "10", "--by", "law", "--law", name},
+                                                 {"plot", "staircase", name, "--out", "x.svg"},
+                                                 {"campaign", "plan", "c", "verify", name}}) {
+        CAPTURE(words);
+        CHECK_THAT(refused(words), Contains("cannot read '" + name + "': File name too long\n"));
+    }
+}
+
 TEST_CASE("an output that cannot be written is known before the search, named, with the cause") {
     CHECK_THAT(refused({"certify", "10", "--out", "no/such/folder/file.dbc"}),
                Contains("cannot create 'no/such/folder/file.dbc': there is no folder 'no/such/folder'\n"));

@@ -44,6 +44,19 @@ TEST_CASE("verified in shards, a certificate has the verdict that it has in one 
     }
 }
 
+TEST_CASE("a file with something after its certificate is not planned") {
+    const TemporaryFolder folder;
+    const std::string packed = contents(DUMBBELL_PROJECT "/certificates/stairs-1-1e4.dbc.gz");
+    const std::string plain = contents(DUMBBELL_PROJECT "/certificates/stairs-1-100.dbc");
+    for (const std::string& bytes : {packed + "x\n", packed + packed, plain + "x\n"}) {
+        write_file(folder / "bad.dbc", bytes);
+        const Outcome refused = dumbbell({"campaign", "plan", folder / "c", "verify", folder / "bad.dbc"});
+        CHECK(refused.code == 2);
+        CHECK_THAT(refused.err, Contains("bad.dbc' is damaged: "));
+    }
+    CHECK(folder.names() == Words{"bad.dbc"});
+}
+
 TEST_CASE("of a wedge's certificate the parts combine, too") {
     const TemporaryFolder folder;
     const std::string file = DUMBBELL_PROJECT "/certificates/wedge-1-100.dbc";

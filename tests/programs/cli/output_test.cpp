@@ -187,6 +187,9 @@ TEST_CASE("the file - is the standard input, for each command that reads one") {
         CHECK(count_lines(nothing.err) == 1);
         CHECK_THAT(nothing.err, Contains("'-'") && !Contains("/dev/stdin"));
     }
+    const Outcome closed = run({"sh", "-c", "exec " DUMBBELL_BIN " audit - <&-"});
+    CHECK(closed.code == 2);
+    CHECK(closed.err == "dumbbell: cannot read the standard input: Bad file descriptor\n");
 }
 
 TEST_CASE("whatever could not be printed is no success, in every command") {

@@ -110,9 +110,14 @@ TEST_CASE("what cannot be read is refused in one line, and an older page stays")
     write_file(folder / "changed.dbc", replaced(text, "upper 4", "upper 3"));
     write_file(folder / "text.dbc", "Dear reader,\n");
     write_file(folder / "empty.dbc", "");
+    REQUIRE(dumbbell({"certify", "10", "--out", "ten.dbc.gz"}, folder.path()).code == 0);
+    const std::string packed = contents(folder / "ten.dbc.gz");
+    write_file(folder / "tail.dbc", packed + "x\n");
+    write_file(folder / "two.dbc", packed + packed);
     write_file(folder / "page.html", "old");
     const auto before = folder.names();
-    for (const char* bad : {"half.dbc", "changed.dbc", "text.dbc", "empty.dbc", "missing.dbc", "."}) {
+    for (const char* bad :
+         {"half.dbc", "changed.dbc", "text.dbc", "empty.dbc", "tail.dbc", "two.dbc", "missing.dbc", "."}) {
         const Outcome refused = report(folder, {"ten.dbc", bad, "--out", "page.html"});
         CAPTURE(bad, refused.err);
         CHECK(refused.code == 2);

@@ -1,5 +1,7 @@
 #include "certificates/any_reader.hpp"
 
+#include <sys/stat.h>
+
 #include <catch2/catch.hpp>
 
 #include "adiabatic/writer.hpp"
@@ -10,6 +12,7 @@
 #include "file/atomic_file.hpp"
 #include "programs/cli/process.hpp"
 #include "rooms/collisions/example.hpp"
+#include "rooms/not_root.hpp"
 #include "starts/writer.hpp"
 
 using namespace dumbbell_test;
@@ -103,7 +106,29 @@ TEST_CASE("a damaged file has no digest: cut off, changed, or with something aft
         CHECK_THROWS_WITH(digest_of(other),
                           Contains("is not a certificate: its first line is not 'dumbbell-certificate 1'"));
     }
-    CHECK_THROWS_AS(sealed_digest("no/such/file.dbc"), InputError);
+    CHECK_THROWS_WITH(sealed_digest("no/such/file.dbc"), Contains("no such file"));
+}
+
+TEST_CASE("a file with more than one gzip member is neither read nor has a digest") {
+    const TemporaryFolder folder;
+    AtomicFile(folder / "good.dbc.gz").commit(initial_text().text);
+    const std::string packed = contents(folder / "good.dbc.gz");
+    for (const std::string& after : {std::string("x\n"), packed}) {
+        write_file(folder / "bad.dbc", packed + after);
+        CHECK_THROWS_WITH(sealed_digest(folder / "bad.dbc"), Contains("bytes after the gzip member"));
+        CHECK_THROWS_WITH(read_any_certificate(folder / "bad.dbc"), Contains("bytes after the gzip member"));
+    }
+}
+
+TEST_CASE("a certificate that cannot be read is not called something else") {
+    const TemporaryFolder folder;
+    write_file(folder / "file.dbc", initial_text().text);
+    ::chmod((folder / "file.dbc").c_str(), 0);
+    ::chmod(folder.path().c_str(), 0755);
+    const NotRoot user;
+    const std::string why = "cannot read '" + (folder / "file.dbc") + "': Permission denied";
+    CHECK_THROWS_WITH(sealed_digest(folder / "file.dbc"), why);
+    CHECK_THROWS_WITH(read_any_certificate(folder / "file.dbc"), why);
 }
 
 TEST_CASE("a reader that is interrupted ends early") {
