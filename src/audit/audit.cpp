@@ -186,6 +186,11 @@ Audit audit(const Certificate& certificate, const std::pair<Rational, Rational>&
 Audit audit_file(const std::string& path, Observer& observer) {
     const Certificate certificate = collisions::read_certificate(path);
     const auto claimed = claimed_range(path);
+    if (certificate.sha256.empty()) {
+        throw InputError(fmt::format(
+            "'{}' is damaged: its last line is not the checksum of its text (dumbbell verify says more)",
+            path));
+    }
     observer.enter("auditing", "leaves");
     return audit(certificate, claimed, observer);
 }

@@ -33,7 +33,8 @@ struct Audit {
 [[nodiscard]] Audit audit(const collisions::Certificate& certificate,
                           const std::pair<Rational, Rational>& claimed, Observer& observer = nobody);
 
-/// Reads the file, then audits it in a phase of its own. Throws InputError if it cannot be read.
+/// Reads the file, then audits it in a phase of its own. Throws InputError if it cannot be read,
+/// or its last line is not the checksum of its text.
 [[nodiscard]] Audit audit_file(const std::string& path, Observer& observer = nobody);
 
 }  // namespace dumbbell::audit

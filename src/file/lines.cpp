@@ -57,7 +57,8 @@ std::string Lines::digest() {
     for (std::string line; read(line); digest_.add(line)) {
         if (line.starts_with(seal)) {
             std::string hex = digest_.hex();
-            return line.substr(seal.size()) == hex + '\n' ? hex : "";
+            const bool is_right = line.substr(seal.size()) == hex + '\n';
+            return is_right && text_.next_line().empty() ? hex : "";
         }
     }
     return "";

@@ -41,8 +41,8 @@ class Lines {
     /// From the format, which must be 1, to the claim.
     Head expect_head();
 
-    /// Reads on to the last line, `sha256 HEX`: HEX, if it is that of all lines before; else nothing, for the
-    /// verifier to say what is wrong. The verdict of the verifier names it, too.
+    /// Reads on to the line `sha256 HEX`: HEX, if it is that of all lines before, and no bytes follow; else
+    /// nothing, for the verifier to say what is wrong. The verdict of the verifier names it, too.
     std::string digest();
 
     /// "... is not a certificate that this program can read (line ...)".

@@ -24,13 +24,19 @@ head_lines() {
     printf 'claim collisions\nratio %s %s\npieces %s\n' "$1" "$2" "$3"
 }
 
+# The lines of standard input, with their checksum.
+sealed() {
+    tee "$folder/lines"
+    printf 'sha256 %s\n' "$(sha256sum < "$folder/lines" | head -c 64)"
+}
+
 # piece LO HI: a piece whose chart bridge is split in position.
 piece() {
     printf 'piece %s %s\nbits 53\nupper 4\nchart bridge\nsplit e\ncount 1 2\ncount 1 2\nchart light\ncount 1 1\n' "$1" "$2"
     printf 'lower 0\n'
 }
 
-{ head_lines 10/1 20/1 2; piece 10/1 15/1; piece 15/1 20/1; } > "$folder/good.dbc"
+{ head_lines 10/1 20/1 2; piece 10/1 15/1; piece 15/1 20/1; } | sealed > "$folder/good.dbc"
 gzip -k "$folder/good.dbc"
 expect 0 'good.dbc: tiles exactly: 2 pieces, 4 charts, 6 leaves, 2 candidate pairs checked, area exact' "$folder/good.dbc"
 expect 0 'good.dbc.gz: tiles exactly' "$folder/good.dbc" "$folder/good.dbc.gz"
@@ -39,14 +45,14 @@ expect 0 '"schema": "dumbbell-audit-1"' --json "$folder/good.dbc"
 expect 0 'equal-masses|Prove exactly' --help
 
 # Pieces that leave a part of the claimed range out.
-{ head_lines 10/1 20/1 2; piece 10/1 15/1; piece 16/1 20/1; } > "$folder/hole.dbc"
+{ head_lines 10/1 20/1 2; piece 10/1 15/1; piece 16/1 20/1; } | sealed > "$folder/hole.dbc"
 expect 3 'piece 2 begins at ratio 16/1, not at 15/1' "$folder/hole.dbc"
-{ head_lines 10/1 21/1 1; piece 10/1 20/1; } > "$folder/short.dbc"
+{ head_lines 10/1 21/1 1; piece 10/1 20/1; } | sealed > "$folder/short.dbc"
 expect 3 'the pieces end at ratio 20/1, not at 21/1' "$folder/short.dbc"
 expect 3 '"tiles": false' --json "$folder/short.dbc"
 
 # A single ratio that is split: both halves are the same leaf.
-{ head_lines 10/1 10/1 1; piece 10/1 10/1 | sed 's/split e/split q/'; } > "$folder/twice.dbc"
+{ head_lines 10/1 10/1 1; piece 10/1 10/1 | sed 's/split e/split q/'; } | sealed > "$folder/twice.dbc"
 expect 3 'piece 1, chart bridge: leaf 1 .* and leaf 2 .* overlap' "$folder/twice.dbc"
 expect 3 'good.dbc: tiles' "$folder/twice.dbc" "$folder/good.dbc"
 
@@ -66,6 +72,17 @@ sed 's/^ratio .*/ratio x y/' "$folder/good.dbc" > "$folder/ratio.dbc"
 expect 2 'no line .ratio' "$folder/ratio.dbc"
 sed 's/^ratio .*/ratio 0\/1 20\/0/' "$folder/good.dbc" > "$folder/zero.dbc"
 expect 2 'no line .ratio' "$folder/zero.dbc"
+
+# What the format forbids after the last line.
+bad=$folder/bad.dbc
+{ cat "$folder/good.dbc"; printf 'x\n'; } > "$bad"
+expect 2 'bad.dbc. is damaged: its last line is not the checksum of its text' "$bad"
+{ cat "$folder/good.dbc.gz"; printf 'x\n'; } > "$bad"
+expect 2 'bad.dbc. is damaged: bytes after the gzip member' "$bad"
+cat "$folder/good.dbc.gz" "$folder/good.dbc.gz" > "$bad"
+expect 2 'bad.dbc. is damaged: bytes after the gzip member' "$bad"
+grep -v '^sha256 ' "$folder/good.dbc" > "$bad"
+expect 2 'bad.dbc. is damaged: its last line is not the checksum of its text' "$bad"
 expect 2 'FILE'
 
 exit $((failures > 0))

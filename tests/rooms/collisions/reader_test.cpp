@@ -98,6 +98,16 @@ TEST_CASE("a line too many or too few is refused") {
     check_refused(changed("pieces 3", "pieces 4"));
 }
 
+TEST_CASE("the checksum is there only if it is right, and the last line") {
+    const std::string hex = good().substr(good().size() - 65, 64);
+    CHECK(read_text(good()).sha256 == hex);
+    for (const std::string& after : {std::string("x\n"), std::string("x"), std::string("\n"), good()}) {
+        CHECK(read_text(good() + after).sha256.empty());
+    }
+    CHECK(read_text(good().substr(0, good().size() - 1)).sha256.empty());
+    CHECK(read_text(changed("total split", "total splits")).sha256.empty());
+}
+
 TEST_CASE("malformed fields are refused") {
     for (const auto& [from, to] : std::vector<std::pair<std::string, std::string>>{
              {"dumbbell-certificate 1", "dumbbell-certificate 2"},
