@@ -10,6 +10,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
+#include <filesystem>
 #include <new>
 #include <string>
 #include <vector>
@@ -147,6 +148,10 @@ int main(int argc, char** argv) {
             dumbbell::cli::run_program(dumbbell::cli::usual_words({argv + std::min(argc, 1), argv + argc}));
     } catch (const dumbbell::InputError& error) {
         dumbbell::cli::complain(error.what());
+        return dumbbell::cli::exit_bad_input;
+    } catch (const std::filesystem::filesystem_error& error) {
+        dumbbell::cli::complain(
+            fmt::format("cannot use '{}': {}", error.path1().string(), error.code().message()));
         return dumbbell::cli::exit_bad_input;
     } catch (const std::bad_alloc&) {
         std::fputs("dumbbell: out of memory\n", stderr);

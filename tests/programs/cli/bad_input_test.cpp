@@ -7,6 +7,8 @@
 
 using namespace dumbbell_test;
 using Catch::Matchers::Contains;
+using Catch::Matchers::EndsWith;
+using Catch::Matchers::StartsWith;
 
 TEST_CASE("what is no positive ratio is refused, with a hint how to write one") {
     for (const char* ratio :
@@ -205,6 +207,24 @@ TEST_CASE("an input that cannot be read is named, with the cause") {
                                                  {"campaign", "plan", "c", "verify", name}}) {
         CAPTURE(words);
         CHECK_THAT(refused(words), Contains("cannot read '" + name + "': File name too long\n"));
+    }
+}
+
+TEST_CASE("too few open files are no internal error") {
+    // Some are open already where the tests run: so each number until there are enough.
+    for (int most = 3, code = 127; code != 0 && most < 100; ++most) {
+        const TemporaryFolder folder;
+        const Outcome result = run({"sh", "-c",
+                                    "ulimit -n " + std::to_string(most) +
+                                        "; exec " DUMBBELL_BIN " certify 1:10 --quiet --out ten.dbc"},
+                                   folder.path());
+        CAPTURE(most, result.err);
+        code = result.code;
+        REQUIRE((code == 0 || code == 2 || code == 127));  // 127: not even the program's libraries
+        if (code == 2) {
+            CHECK(count_lines(result.err) == 1);
+            CHECK_THAT(result.err, StartsWith("dumbbell: cannot ") && EndsWith(": Too many open files\n"));
+        }
     }
 }
 
