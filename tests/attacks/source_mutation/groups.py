@@ -128,7 +128,8 @@ GROUPS = {
         programs=("tests/rooms/adiabatic/test_adiabatic",),
         texts=frozenset({"adiabatic/writer.cpp"})),
     "file": Group(
-        files=below("file", "atomic_file dyadic folder_lock last_line lines sealed_lines sha256 verifier_program",
+        files=below("file", "atomic_file dyadic file_contents folder_lock last_line lines sealed_lines sha256 unpacked_text "
+                    "verifier_program",
                     "descriptor:atomic_file lines:lines sealed_lines:sealed_lines"),
         left_out=frozenset(),
         targets=("test_file", "test_collisions", "dumbbell-verify"),
