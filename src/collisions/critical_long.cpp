@@ -18,6 +18,14 @@ namespace {
 /// Macro steps with so many bits lose about 2^-share_bits of a collision's progress.
 int bits_for(int share_bits) { return 4 * (share_bits + 24); }
 
+/// C, or with many bits a number near it: any would do, and the quadrature of C, which nothing interrupts,
+/// takes minutes for some thousand bits.
+BigInterval nearly_growth_constant() {
+    constexpr int most_bits = 512;  // some milliseconds
+    const PrecisionScope scope(std::min(most_bits, PrecisionScope::current()));
+    return flight::growth_constant();
+}
+
 /// C sqrt q - (n - 2), the place of q between the steps, is what the search is for. Near 0, where the step to
 /// n lies, the margin of the flight that decides is nearly a linear function of it.
 class Search {
@@ -26,7 +34,7 @@ class Search {
     Search(long n, const Interrupted& interrupted)
         : flight_(flight::tangent_flight(n)),
           last_(enclose<BigInterval>(Rational(n - 2))),
-          growth_(flight::growth_constant()),
+          growth_(nearly_growth_constant()),
           interrupted_(interrupted) {}
 
     [[nodiscard]] Rational ratio(const BigInterval& place) const {
