@@ -33,6 +33,13 @@ void each_count(std::size_t number, const Work& work) {
 
 namespace detail {
 
+/// Whether a count that has done so many flights is to end. In multiple precision each of them asks: with
+/// thousands of bits it takes milliseconds.
+template <class I>
+[[nodiscard]] bool count_ends(const CountOf<I>& flights, const Interrupted& interrupted) {
+    return std::is_same_v<I, BigInterval> ? interrupted() : ends_early(flights, interrupted);
+}
+
 /// Follows a bound of rays after a collision by macro steps, and counts them.
 template <class I>
 class MacroSteps {
@@ -53,7 +60,7 @@ class MacroSteps {
         }
         const N before = count;
         for (N steps = 1; steps > 0; count += steps) {
-            steps = interrupted_() ? N(0) : N(macro_step(side_, r_, state, cap_ - count - 1));
+            steps = interrupted_() ? N(0) : N(macro_step(side_, r_, state, cap_ - count - 1, interrupted_));
             attempts_ -= steps == 0 ? 1 : 0;
         }
         if (count != before) {
@@ -110,7 +117,7 @@ template <class I, class See = decltype(unseen)>
         if (!certainly_positive(out.numerator)) {
             return cap + 1;  // bounds too coarse to go on (or NaN): undecided
         }
-        if (ends_early(count, interrupted) || macro_steps.hopeless(count)) {
+        if (detail::count_ends<I>(count, interrupted) || macro_steps.hopeless(count)) {
             return cap + 1;
         }
         macro::WallState<I> state{contact->x, low_end(low_end(out.numerator) / denominator)};
@@ -145,7 +152,7 @@ template <class I>
             return count;
         }
         const auto out = reflect_at_light_wall(kappa, contact->cos_x, r);
-        if (!certainly_positive(out.denominator) || ends_early(count, interrupted) ||
+        if (!certainly_positive(out.denominator) || detail::count_ends<I>(count, interrupted) ||
             macro_steps.hopeless(count)) {
             return count + 1;
         }

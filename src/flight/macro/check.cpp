@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/ended_early.hpp"
+
 namespace dumbbell::flight::macro {
 namespace {
 
@@ -55,7 +57,8 @@ SineError sine_error(const Orbit& orbit) {
 class Slope {
   public:
     /// Of polynomials with at most so many terms.
-    Slope(Ball eta, slong terms) : eta_(std::move(eta)) {
+    Slope(Ball eta, slong terms, const Interrupted& interrupted)
+        : eta_(std::move(eta)), interrupted_(interrupted) {
         const auto worth = static_cast<double>(bits() + terms) / std::max(1., -std::log2(approximate(eta_)));
         kept_ = std::clamp(static_cast<slong>(worth) + 2, 2L, terms);
         Ball power(1);
@@ -76,6 +79,7 @@ class Slope {
         arb_poly_inv_borel_transform(scaled.raw(), p.raw(), bits());
         const slong terms = scaled.raw()->length;
         for (slong i = terms - 2; i >= 0; --i) {
+            go_on(interrupted_);
             Ball term;
             arb_dot(term.raw(), nullptr, 0, scaled.raw()->coeffs + i + 1, 1, weights_.raw()->coeffs, 1,
                     std::min(kept_, terms - 1 - i), bits());
@@ -87,6 +91,7 @@ class Slope {
 
   private:
     Ball eta_, left_out_;
+    const Interrupted& interrupted_;
     slong kept_ = 0;
     Series weights_;  ///< eta^(j - 1)/j! for j from 1 to kept
 };
@@ -103,8 +108,10 @@ Excess excess(const Orbit& orbit, const Task& task, slong length, const SineErro
     const Ball collisions = whole(task.collisions);
     const Ball eta = Ball(2) / collisions;
     const Ball half_length = collisions * Ball(0.5);
-    const Slope slope(eta, std::max({orbit.x.raw()->length, orbit.kappa.raw()->length,
-                                     orbit.sine.raw()->length, orbit.cosine.raw()->length, 2L}));
+    const Slope slope(eta,
+                      std::max({orbit.x.raw()->length, orbit.kappa.raw()->length, orbit.sine.raw()->length,
+                                orbit.cosine.raw()->length, 2L}),
+                      task.interrupted);
     const Series climb = widened(slope.of(orbit.sine), error.slope);
     const Series turn = slope.of(orbit.kappa);
     const Series next_x = orbit.x + slope.of(orbit.x).times(eta);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/interrupted.hpp"
 #include "flight/macro/ball.hpp"
 #include "flight/macro/steps.hpp"
 
@@ -17,11 +18,12 @@ struct Orbit {
 
 /// What an orbit is wanted for.
 struct Task {
-    Ball r;                       ///< 1/q
-    Ball x, kappa;                ///< the state at s = -1
-    Count collisions{};           ///< how many
-    slong terms = 0;              ///< of the polynomials
-    Ball x_excess, kappa_excess;  ///< wanted of both sides of L42 (6), (7), times collisions/2
+    Ball r;                           ///< 1/q
+    Ball x, kappa;                    ///< the state at s = -1
+    Count collisions{};               ///< how many
+    slong terms = 0;                  ///< of the polynomials
+    Ball x_excess, kappa_excess;      ///< wanted of both sides of L42 (6), (7), times collisions/2
+    Interrupted interrupted = never;  ///< asked for each coefficient: EndedEarly is thrown
 };
 
 /// The two expressions of L42, times collisions/2, to `length` terms.

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/ended_early.hpp"
+
 namespace dumbbell::flight::macro {
 namespace {
 
@@ -53,6 +55,7 @@ Orbit follow_flow(const Task& task, const Ball& x0, const Ball& kappa0, const Se
     sine.set(0, sine(0));
     cosine.set(0, cosine(0));
     for (slong i = 0;; ++i) {
+        go_on(task.interrupted);
         const Ball start(i == 0 ? 1. : 0.);
         reach.set(i, Ball(2) * x(i) + start * pi());
         w2.set(i, Terms::product(cosine, cosine, i) - start * task.r);

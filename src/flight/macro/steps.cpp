@@ -6,6 +6,7 @@
 #include <optional>
 #include <type_traits>
 
+#include "base/ended_early.hpp"
 #include "flight/macro/orbit_guess.hpp"
 
 namespace dumbbell::flight::macro {
@@ -76,7 +77,8 @@ void round_to(BigInterval& bound, const Ball& x, bool up, int bits) {
 }
 
 template <class I>
-Count stepped(BoundSide side, const I& r, WallState<I>& state, const Count& most) {
+Count stepped(BoundSide side, const I& r, WallState<I>& state, const Count& most,
+              const Interrupted& interrupted) try {
     const bool above = side == BoundSide::upper;
     const int bound_bits = working_bits<I>();
     const double depth = approximate(half_pi<I>() - state.x);
@@ -97,6 +99,7 @@ Count stepped(BoundSide side, const I& r, WallState<I>& state, const Count& most
         task.kappa = ball(state.kappa);
         task.collisions = collisions;
         task.terms = work.terms(collisions);
+        task.interrupted = interrupted;
         const Ball unit = whole(collisions) * power_of_two(-1 - work.share_bits) * task.r;
         task.x_excess = middle(above ? unit : Ball(-1) * unit);
         task.kappa_excess = middle(task.x_excess * Ball(root));
@@ -114,17 +117,21 @@ Count stepped(BoundSide side, const I& r, WallState<I>& state, const Count& most
         return collisions;
     }
     return 0;
+} catch (const EndedEarly&) {
+    return 0;
 }
 
 }  // namespace
 
 template <>
-Count macro_step(BoundSide side, const Interval& r, WallState<Interval>& state, const Count& most) {
-    return stepped(side, r, state, most);
+Count macro_step(BoundSide side, const Interval& r, WallState<Interval>& state, const Count& most,
+                 const Interrupted& interrupted) {
+    return stepped(side, r, state, most, interrupted);
 }
 template <>
-Count macro_step(BoundSide side, const BigInterval& r, WallState<BigInterval>& state, const Count& most) {
-    return stepped(side, r, state, most);
+Count macro_step(BoundSide side, const BigInterval& r, WallState<BigInterval>& state, const Count& most,
+                 const Interrupted& interrupted) {
+    return stepped(side, r, state, most, interrupted);
 }
 
 template <>

@@ -2,6 +2,7 @@
 
 #include <limits>
 
+#include "base/interrupted.hpp"
 #include "number/big_interval.hpp"
 #include "number/count.hpp"
 #include "number/interval.hpp"
@@ -20,21 +21,22 @@ struct WallState {
 };
 
 /// Moves `state` over as many collisions as it can at a time, at most `most`, and returns how many: 0 if
-/// none, or too few to be worth it. If `state` bounds rays of mass ratio 1/r (thin, a bound on the same side)
-/// after collision n, it then bounds them after collision n + result: from below, those that collide so
-/// often; from above, all of them, and they do collide so often. Precondition: 0 < r, 0 <= x, 0 <= kappa. It
-/// works in multiple precision for bounds in double, too. Only the two types below have macro steps.
+/// none, or too few to be worth it, or if interrupted. If `state` bounds rays of mass ratio 1/r (thin, a
+/// bound on the same side) after collision n, it then bounds them after collision n + result: from below,
+/// those that collide so often; from above, all of them, and they do collide so often. Precondition: 0 < r, 0
+/// <= x, 0 <= kappa. It works in multiple precision for bounds in double, too. Only the two types below have
+/// macro steps.
 template <class I>
 [[nodiscard]] Count macro_step(BoundSide /*side*/, const I& /*r*/, WallState<I>& /*state*/,
-                               const Count& /*most*/) {
+                               const Count& /*most*/, const Interrupted& /*interrupted*/ = never) {
     return 0;
 }
 template <>
 [[nodiscard]] Count macro_step(BoundSide side, const Interval& r, WallState<Interval>& state,
-                               const Count& most);
+                               const Count& most, const Interrupted& interrupted);
 template <>
 [[nodiscard]] Count macro_step(BoundSide side, const BigInterval& r, WallState<BigInterval>& state,
-                               const Count& most);
+                               const Count& most, const Interrupted& interrupted);
 
 /// Rays that are followed for fewer collisions than this have no macro step worth trying, at the working
 /// precision.

@@ -41,6 +41,16 @@ TEST_CASE("An interrupted upper count is undecided, an interrupted lower count i
     CHECK(count_at_least(ray, interrupted_cap, Patience(1000)) == all);
 }
 
+TEST_CASE("A count in multiple precision asks before each flight whether to end") {
+    const PrecisionScope scope(200);
+    const Ray<BigInterval> ray = extremal_ray(ExtremalOrbit::corner, BigInterval(1e-8));
+    const Count cap = 1000;  // no macro step
+    for (const int n : {0, 1, 100}) {
+        CHECK(count_at_most(ray, cap, Patience(n)) == cap + 1);
+        CHECK(count_at_least(ray, cap, Patience(n)) == n + 1);
+    }
+}
+
 TEST_CASE("Interrupted counts of departures and of plain boxes are undecided") {
     const Interval r(1e-8);
     const RatioRange<Interval> range{r, r};

@@ -4,9 +4,11 @@
 #include <vector>
 
 #include "attacks/oracle/trial.hpp"
+#include "base/ended_early.hpp"
 #include "flight/batch/count.hpp"
 #include "flight/count.hpp"
 #include "flight/macro/orbit_guess.hpp"
+#include "number/rational.hpp"
 #include "rooms/number/random.hpp"
 
 using namespace dumbbell;
@@ -57,6 +59,13 @@ batch::Answer counted(const Ray<double>& ray, bool above) {
     return answers.front();
 }
 
+/// A question that counts how often it is asked, and says yes from the `patience`-th time on.
+struct Asked {
+    long patience = 1'000'000'000;
+    long times = 0;
+    Interrupted question = [this] { return ++times > patience; };
+};
+
 }  // namespace
 
 TEST_CASE("L42: bounds by macro steps are those of one collision after the other") {
@@ -100,6 +109,45 @@ TEST_CASE("L42: the last of very many collisions are taken together, too") {
                                      low_end(BigInterval(1.7e-22))};
         CHECK(macro_step(side, r, state, macro_cap) > 1000);
     }
+}
+
+TEST_CASE("A macro step asks at each coefficient whether to end, and then ends at once") {
+    const PrecisionScope scope(1000);
+    const BigInterval r = low_end(BigInterval(1e-18));
+    for (const BoundSide side : {BoundSide::upper, BoundSide::lower}) {
+        const WallState<BigInterval> start{BigInterval(1), BigInterval(1e-9)};
+        WallState<BigInterval> state = start;
+        Asked all;
+        REQUIRE(macro_step(side, r, state, Count(1e9), all.question) > 1'000'000);
+        REQUIRE(all.times > 100);
+        for (const long patience : {0L, 1L, all.times / 2, all.times - 1}) {
+            state = start;
+            Asked few{patience};
+            CHECK(macro_step(side, r, state, Count(1e9), few.question) == 0);
+            CHECK(few.times == patience + 1);
+            CHECK(exact_lo(state.x) == exact_lo(start.x));
+            CHECK(exact_lo(state.kappa) == exact_lo(start.kappa));
+        }
+    }
+}
+
+TEST_CASE("Guesses and checks of a macro step ask at each coefficient whether to end") {
+    const PrecisionScope scope(200);
+    Random random(424);
+    Task task = task_of(random, BoundSide::upper);
+    Asked guess;
+    task.interrupted = guess.question;
+    const auto orbit = guess_orbit(task);
+    REQUIRE(orbit);
+    CHECK(guess.times > 4 * task.terms);
+    Asked check;
+    task.interrupted = check.question;
+    (void)is_macro_step(BoundSide::upper, *orbit, task);
+    CHECK(check.times > 3 * task.terms);
+    Asked impatient{10};
+    task.interrupted = impatient.question;
+    CHECK_THROWS_AS(guess_orbit(task), EndedEarly);
+    CHECK_THROWS_AS(is_macro_step(BoundSide::upper, *orbit, task), EndedEarly);
 }
 
 TEST_CASE("L42: polynomials that are just false are refused") {
