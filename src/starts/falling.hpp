@@ -193,20 +193,22 @@ inline constexpr long most_steps = 1000;
 inline constexpr long most_counted_steps = 64;
 
 /// The collisions after a contact of `left`: by the monotone counts, if necessary after some steps from wall
-/// to wall; the best bounds of all steps.
+/// to wall; the best bounds of all steps, or of those before an interruption.
 template <class I>
-[[nodiscard]] LaterCount collisions_behind(Outbound<I> ray, const I& r, Mass left) {
+[[nodiscard]] LaterCount collisions_behind(Outbound<I> ray, const I& r, Mass left,
+                                           const Interrupted& interrupted) {
     LaterCount best;
     long counted = 0;
     for (long steps = 0;; ++steps) {
-        const LaterCount later = certainly_at_most(I(1), ray.slope) ? LaterCount{0, 0}  // L3
-                                                                    : later_collisions(ray, r, left);
+        const LaterCount later = certainly_at_most(I(1), ray.slope)
+                                     ? LaterCount{0, 0}  // L3
+                                     : later_collisions(ray, r, left, interrupted);
         best.least = std::max(best.least, steps + later.least);
         if (later.most && (!best.most || steps + *later.most < *best.most)) {
             best.most = steps + *later.most;
         }
         counted += certainly_at_most(-low_end(r), ray.slope) ? 1 : 0;
-        if (best.exact() || steps == most_steps || counted > most_counted_steps) {
+        if (best.exact() || steps == most_steps || counted > most_counted_steps || interrupted()) {
             return best;
         }
         const bool to_wall = left == Mass::heavy || certainly_passes_bridge(ray, r);
@@ -226,7 +228,8 @@ template <class I>
 /// The collisions after the first contact, with `mass` at a time in `times`, of states in the air. Nothing
 /// is certain unless they fall, or turn in one direction.
 template <class I>
-[[nodiscard]] LaterCount collisions_behind_first(const State<I>& s, Mass mass, const I& times) {
+[[nodiscard]] LaterCount collisions_behind_first(const State<I>& s, Mass mass, const I& times,
+                                                 const Interrupted& interrupted = never) {
     const bool falling = certainly_positive(-s.yhatdot);
     const bool backwards = certainly_positive(-s.phidot);
     if (!falling && !backwards && !certainly_positive(s.phidot)) {
@@ -251,7 +254,8 @@ template <class I>
         return way == Way::outward ? LaterCount{0, 0} : LaterCount{};
     }
     const I yhat = mass == Mass::light ? -at.sin : s.r * at.sin;
-    return collisions_behind(outbound(phi, yhat, reflection.slopes(x, at.cos, s.r), right), s.r, mass);
+    return collisions_behind(outbound(phi, yhat, reflection.slopes(x, at.cos, s.r), right), s.r, mass,
+                             interrupted);
 }
 
 }  // namespace dumbbell::starts

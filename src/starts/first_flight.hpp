@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "base/interrupted.hpp"
 #include "starts/flight.hpp"
 
 /// The first flight, from the air: proofs for a whole box of states, in time (lemmas L0, L3).
@@ -50,14 +51,14 @@ bool span_closes(const State<S>& s, std::optional<Mass> first, const I& a, const
 /// Whether [0, end] certainly divides into spans on each of which the other mass stays above the floor and
 /// the mass `first` stays above it or falls. Then the only contact in [0, end] is one of `first`, and it is
 /// its only zero there: once it is down in a span where it falls, it stays below in the spans that follow.
-/// Halves the spans, at most `most_spans` of them.
+/// Halves the spans, at most `most_spans` of them. False if interrupted.
 template <class S, class I>
 [[nodiscard]] bool certainly_first(const State<S>& s, std::optional<Mass> first, const I& end,
-                                   long most_spans) {
+                                   long most_spans, const Interrupted& interrupted = never) {
     std::vector<std::pair<I, I>> spans{{I(0), high_end(end)}};
     for (long used = 0; !spans.empty(); ++used) {
         const auto [a, b] = spans.back();
-        if (used > most_spans) {
+        if (used > most_spans || interrupted()) {
             return false;
         }
         spans.pop_back();
@@ -94,9 +95,10 @@ template <class S>
            (certainly_at_most(I(0), range(s.yhatdot)) && certainly_less(I(1), range(s.yhat)));
 }
 
-/// The next event of states in the air, both masses above the floor.
+/// The next event of states in the air, both masses above the floor; unknown if interrupted.
 template <class S>
-[[nodiscard]] Event<S> event_from_air(const State<S>& s, long most_spans) {
+[[nodiscard]] Event<S> event_from_air(const State<S>& s, long most_spans,
+                                      const Interrupted& interrupted = never) {
     using I = Enclosure<S>;
     if (certainly_leaves_air(s)) {
         return {Next::none};
@@ -107,14 +109,15 @@ template <class S>
     if (guess) {
         const Mass mass = seemingly_first(s, *guess);
         auto time = contact_time(s, mass, I(guess->time));
-        if (time && certainly_positive(range(*time)) && certainly_first(s, mass, range(*time), most_spans)) {
+        if (time && certainly_positive(range(*time)) &&
+            certainly_first(s, mass, range(*time), most_spans, interrupted)) {
             return {Next::contact, mass, std::move(time)};
         }
         return {};
     }
     // Ascending: above every wall from height 1 on.
     if (certainly_positive(range(s.yhatdot)) &&
-        certainly_first(s, std::nullopt, range((S(1) - s.yhat) / s.yhatdot), most_spans)) {
+        certainly_first(s, std::nullopt, range((S(1) - s.yhat) / s.yhatdot), most_spans, interrupted)) {
         return {Next::none};
     }
     return {};

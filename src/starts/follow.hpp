@@ -27,19 +27,21 @@ struct Followed {
 inline constexpr long most_first_spans = 20000;
 
 /// Precondition: both masses of every state are above the floor, and none is at rest. `most_spans`: of the
-/// first flight's proof. `observer` is told of each collision.
+/// first flight's proof. `observer` is told of each collision. Interrupted it knows those so far, and that
+/// there are as many.
 template <class S>
 [[nodiscard]] Followed<S> follow(const State<S>& start, long most_spans = most_first_spans,
                                  Observer& observer = nobody, const Interrupted& interrupted = never) {
     Followed<S> result;
     LaterCount& total = result.total;
-    const Event<S> first = event_from_air(start, most_spans);
+    const Event<S> first = event_from_air(start, most_spans, interrupted);
     if (first.next == Next::none) {
         total = {0, 0};
         return result;
     }
     if (first.next == Next::unknown) {
-        total = {certainly_positive(-range(start.yhatdot)) ? 1 : 0, most_collisions(range(start.r))};
+        total = {certainly_positive(-range(start.yhatdot)) ? 1 : 0,
+                 most_collisions(range(start.r), count_cap, interrupted)};
         return result;
     }
     const auto done = [&] { return static_cast<long>(result.bounces.size()); };
@@ -50,7 +52,7 @@ template <class S>
         observer.advance(1);
         if (interrupted()) {
             result.interrupted = true;
-            total = {done(), most_collisions(range(start.r))};
+            total = {done()};
             return result;
         }
         next = orbit.advance();
@@ -60,11 +62,11 @@ template <class S>
         return result;
     }
     // Undecided here: the monotone counts may still know, from here or from an earlier collision on.
-    total.most = most_collisions(range(start.r));
-    for (long i = 0; i < done() && !total.exact(); ++i) {
+    total = {done(), most_collisions(range(start.r), count_cap, interrupted)};
+    for (long i = 0; i < done() && !total.exact() && !interrupted(); ++i) {
         const auto& b = result.bounces[static_cast<std::size_t>(i)];
-        const LaterCount later = later_collisions(b.after, b.mass);
-        total.least = std::max({total.least, done(), i + 1 + later.least});
+        const LaterCount later = later_collisions(b.after, b.mass, interrupted);
+        total.least = std::max(total.least, i + 1 + later.least);
         if (later.most) {
             total.most = std::min(total.most.value_or(i + 1 + *later.most), i + 1 + *later.most);
         }

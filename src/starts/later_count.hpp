@@ -7,7 +7,7 @@
 #include "starts/flight.hpp"
 
 /// Bounds of the number of later collisions of a box of states from the monotone count G (lemmas L5, L6),
-/// without following them.
+/// without following them. Less is certain if interrupted.
 namespace dumbbell::starts {
 
 /// `most` is empty if nothing is certain.
@@ -25,9 +25,11 @@ inline constexpr long count_cap = 1'000'000;
 /// meets the corner and returns with slope r and height r pi, so 1 + G(r pi, r, r) (L5). Nothing beyond the
 /// cap.
 template <class I>
-[[nodiscard]] std::optional<long> most_later_collisions(const I& r, long cap = count_cap) {
+[[nodiscard]] std::optional<long> most_later_collisions(const I& r, long cap = count_cap,
+                                                        const Interrupted& interrupted = never) {
     const I lowest = low_end(r);
-    const long later = count_at_most(flight::Ray<I>{low_end(lowest * pi<I>()), lowest, lowest}, cap);
+    const long later =
+        count_at_most(flight::Ray<I>{low_end(lowest * pi<I>()), lowest, lowest}, cap, interrupted);
     return later > cap ? std::nullopt : std::optional(1 + later);
 }
 
@@ -35,13 +37,14 @@ template <class I>
 /// k1 (Theorem 1), and k1 <= k0 <= 1 + k1. It is the maximum at the greatest such q, unless that is so near
 /// to a critical ratio that the arithmetic does not tell.
 template <class I>
-[[nodiscard]] std::optional<long> most_collisions(const I& r, long cap = count_cap) {
+[[nodiscard]] std::optional<long> most_collisions(const I& r, long cap = count_cap,
+                                                  const Interrupted& interrupted = never) {
     const I lowest = low_end(r);
     if (certainly_at_most(I(1), lowest)) {
         return 2;
     }
-    const auto later = most_later_collisions(r, cap);
-    const long top = count_at_most(flight::Ray<I>{lowest, I(0), lowest}, cap);
+    const auto later = most_later_collisions(r, cap, interrupted);
+    const long top = count_at_most(flight::Ray<I>{lowest, I(0), lowest}, cap, interrupted);
     return later && top <= cap ? std::optional(std::min(1 + 2 * *later, 2 + 2 * top)) : std::nullopt;
 }
 
@@ -49,10 +52,10 @@ namespace detail {
 
 /// G over the rays (c, kappa) of a box, kappa >= -r certain.
 template <class I>
-LaterCount ray_counts(const I& c, const I& kappa, const I& r) {
+LaterCount ray_counts(const I& c, const I& kappa, const I& r, const Interrupted& interrupted) {
     const I height = max(I(0), c);
-    const long most = count_at_most(flight::Ray<I>{height, kappa, r}, count_cap);
-    return {count_at_least(flight::Ray<I>{height, kappa, r}, count_cap),
+    const long most = count_at_most(flight::Ray<I>{height, kappa, r}, count_cap, interrupted);
+    return {count_at_least(flight::Ray<I>{height, kappa, r}, count_cap, interrupted),
             most > count_cap ? std::nullopt : std::optional(most)};
 }
 
@@ -63,20 +66,22 @@ LaterCount ray_counts(const I& c, const I& kappa, const I& r) {
 /// From the bridge, and from a light wall if the bridge is certainly passed, they are G (L4, L6 (b), (c)). If
 /// the bridge may be met: those that pass it have c >= 0, those that meet it at most 1 + G from there.
 template <class S>
-[[nodiscard]] LaterCount later_collisions(const Outbound<S>& d, const S& ratio, Mass left) {
+[[nodiscard]] LaterCount later_collisions(const Outbound<S>& d, const S& ratio, Mass left,
+                                          const Interrupted& interrupted = never) {
     using I = Enclosure<S>;
     const I& r = range(ratio);
     if (!certainly_at_most(-low_end(r), range(d.slope))) {
-        return {0, left == Mass::heavy ? most_later_collisions(r) : std::nullopt};
+        return {0, left == Mass::heavy ? most_later_collisions(r, count_cap, interrupted) : std::nullopt};
     }
     if (left == Mass::heavy) {
-        return detail::ray_counts(range(d.height), range(d.slope), r);
+        return detail::ray_counts(range(d.height), range(d.slope), r, interrupted);
     }
-    LaterCount passing = detail::ray_counts(range(d.height + d.slope * S(pi<I>())), range(d.slope), r);
+    LaterCount passing =
+        detail::ray_counts(range(d.height + d.slope * S(pi<I>())), range(d.slope), r, interrupted);
     if (certainly_passes_bridge(d, ratio)) {
         return passing;
     }
-    const auto behind = most_later_collisions(r);
+    const auto behind = most_later_collisions(r, count_cap, interrupted);
     passing.least = 0;
     passing.most =
         passing.most && behind ? std::optional(std::max(*passing.most, 1 + *behind)) : std::nullopt;
@@ -85,14 +90,16 @@ template <class S>
 
 /// The later collisions of states that leave a contact of `left`.
 template <class S>
-[[nodiscard]] LaterCount later_collisions(const State<S>& s, Mass left) {
+[[nodiscard]] LaterCount later_collisions(const State<S>& s, Mass left,
+                                          const Interrupted& interrupted = never) {
     bool leaves = certainly_too_steep(s);
     const auto d = leaves ? std::nullopt : outbound(s, left, leaves);
     if (leaves) {
         return {0, 0};
     }
-    return d ? later_collisions(*d, s.r, left)
-             : LaterCount{0, left == Mass::heavy ? most_later_collisions(range(s.r)) : std::nullopt};
+    return d ? later_collisions(*d, s.r, left, interrupted)
+             : LaterCount{0, left == Mass::heavy ? most_later_collisions(range(s.r), count_cap, interrupted)
+                                                 : std::nullopt};
 }
 
 }  // namespace dumbbell::starts

@@ -96,23 +96,29 @@ double greatest_width(const State<S>& s) {
 /// The number of collisions, if it is certain: of orbits that cannot be followed to the end, perhaps from
 /// their first contact on.
 template <class S, class I>
-LaterCount count(const Followed<S>& followed, const State<I>& start) {
+LaterCount count(const Followed<S>& followed, const State<I>& start, const Interrupted& interrupted) {
     if (followed.total.exact() || followed.bounces.empty() || followed.interrupted) {
         return followed.total;
     }
     const auto& first = followed.bounces.front();
-    const LaterCount later = collisions_behind_first(start, first.mass, range(first.before.time));
+    const LaterCount later =
+        collisions_behind_first(start, first.mass, range(first.before.time), interrupted);
     return later.exact() ? LaterCount{1 + later.least, 1 + later.least} : followed.total;
 }
 
 template <class S, class I>
-Trace described(const Followed<S>& followed, const State<I>& start, int bits, int digits) {
-    const LaterCount total = count(followed, start);
+Trace described(const Followed<S>& followed, const State<I>& start, int bits, int digits,
+                const Interrupted& interrupted) {
+    const LaterCount total = count(followed, start, interrupted);
     Trace result{.collisions = {}, .least = total.least, .most = total.most, .bits = bits, .widths = {}};
     for (const auto& b : followed.bounces) {
+        if (interrupted()) {
+            result.most.reset();
+            return result;
+        }
         result.collisions.push_back(shown(b, digits));
     }
-    if (!total.exact() && !followed.interrupted) {
+    if (!total.exact() && !interrupted()) {
         result.obstacle = find_obstacle(followed, start);
     }
     return result;
@@ -124,7 +130,7 @@ Trace trace_in(const InitialBox& box, int bits, int digits, Observer& observer,
     const State<I> start = natural_state<I>(box);
     const BoxJets<I> jets(box);
     const auto correlated = follow(jets.state(), most_first_spans, observer, interrupted);
-    Trace result = described(correlated, start, bits, digits);
+    Trace result = described(correlated, start, bits, digits, interrupted);
     if (!box.is_point() && !correlated.bounces.empty()) {
         const auto natural = follow(start, most_first_spans, nobody, interrupted);
         const std::size_t last = correlated.bounces.size() - 1;

@@ -220,8 +220,8 @@ int run_trace(const Given& given) {
         report.trace = trace(report.box, report.digits, progress, deadline(std::nullopt));
     }
     if (stop_signal != 0 && !report.trace.exact() && !given.has("--subdivide")) {
-        return stopped(fmt::format("nothing is kept of the {} collisions that were enclosed",
-                                   report.trace.collisions.size()));
+        return stopped(
+            fmt::format("nothing is kept of the {} collisions that were found", report.trace.least));
     }
     if (given.has("--subdivide")) {
         limits.bits = std::min(report.trace.bits, most_subdivide_bits);

@@ -66,6 +66,31 @@ TEST_CASE("Many turns of the rod before the first contact are followed") {
     CHECK(trace(point("1", "300", "2", "-1"), 30).exact());
 }
 
+TEST_CASE("The proof of a first flight asks at each span whether to end, and then the trace ends at once") {
+    const auto start = with(point("1.5", "0", "3", "-1"), InitialAxis::phidot, "0", "1");
+    long asked = 0, patience = 1'000'000;
+    const Interrupted question = [&] { return ++asked > patience; };
+    const Trace all = trace(start, 200, nobody, question);
+    REQUIRE(asked > 500);
+    for (patience = 0; patience < 500; patience += 100) {
+        asked = 0;
+        const Trace none = trace(start, 200, nobody, question);
+        CHECK(asked < patience + 10);
+        CHECK(none.collisions.empty());
+        CHECK((none.least <= all.least && !none.most));
+    }
+}
+
+TEST_CASE("What is shown of a trace that is interrupted after its last collision is no whole trace") {
+    const auto start = point("1/3", "1", "3", "-1/2");
+    long asked = 0, patience = 1'000'000;
+    const Interrupted question = [&] { return ++asked > patience; };
+    REQUIRE(trace(start, 30, nobody, question).exact());
+    patience = asked - 1;
+    asked = 0;
+    CHECK_FALSE(trace(start, 30, nobody, question).exact());
+}
+
 TEST_CASE("Boxes that straddle phidot = 0 are followed") {
     const auto box = with(with(point("0.3", "0", "3", "-1"), InitialAxis::phi, "0.3", "0.31"),
                           InitialAxis::phidot, "-0.01", "0.01");
