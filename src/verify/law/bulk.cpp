@@ -188,11 +188,10 @@ class BulkRule : LawRule<N> {
 
 const char* check_law_bulk(const LawLeaf& leaf, std::string* log) { return judged<BulkRule>(leaf, log); }
 
-const char* check_law_bulk_window(unsigned bits, bool multiple) {
-    LawLeaf leaf;
-    if (!multiple) return BulkRule<double>(leaf, nullptr).window_verdict();
+const char* check_law_bulk_window(unsigned bits, bool multiple, std::string* log) {
+    const LawLeaf leaf;
     Big::precision = bits;
-    return BulkRule<Big>(leaf, nullptr).window_verdict();
+    return multiple ? BulkRule<Big>(leaf, log).window_verdict() : BulkRule<double>(leaf, log).window_verdict();
 }
 
 }  // namespace dumbbell_verify

@@ -115,7 +115,7 @@ class LawReader : public Reader<LawLeaf> {
     }
     void layer() {
         cover("layer", 0);
-        require(text_.line, "layer", [&] { return check_law_constant(leaf_.bits, leaf_.multiple); });
+        require(text_.line, "layer", [&] { return check_law_constant(leaf_.bits, leaf_.multiple, nullptr); });
         leaf_.box.hi = {mpq_class(9, 10), mpq_class(1, 5)};
         ++proof_.roots;
         Tree<LawBox> tree{text_, layer_axes, proof_.tallies[0].lines, leaf_.box, "layer."};
@@ -137,7 +137,7 @@ class LawReader : public Reader<LawLeaf> {
 
     void bulk() {
         cover("bulk", 3);
-        require(text_.line, "bulk", [&] { return check_law_bulk_window(leaf_.bits, leaf_.multiple); });
+        require(text_.line, "bulk", [&] { return check_law_bulk_window(leaf_.bits, leaf_.multiple, nullptr); });
         leaf_.rule = LawLeaf::bulk;
         const std::array<mpq_class, 4> ends{0, mpq_class(3, 5), mpq_class(7, 10), mpq_class(993, 1250)};
         for (leaf_.range = 0; leaf_.range < 3; ++leaf_.range)

@@ -64,8 +64,8 @@ class LayerRule : LawRule<N> {
                                                                 : is_bounded<Interval>();
         return holds ? nullptr : Base::failed();
     }
-    /// At U = 0, for this rho: D/D0(T) is 1, and it takes the right k0 to see it.
-    static bool is_normalised(const LawLeaf& leaf) { return LayerRule(leaf, nullptr).is_one(); }
+    /// Whether at U = 0, for this rho, D/D0(T) is 1, which takes the right k0.
+    const char* normalised_verdict() { return is_normalised() ? nullptr : Base::failed(); }
 
   private:
     bool is_beyond() {
@@ -139,12 +139,13 @@ class LayerRule : LawRule<N> {
         return (E1 + E2) * cube(roots) / (step.ehat * square_root(step.ehat)) / norm;
     }
 
-    bool is_one() {
+    bool is_normalised() {
         const Along<N, Slope> along{U_};
         const LayerStep<N, Slope> step(along, rho_, offset_by(along, I(0)));
         Slope<N> excess;
-        const I found = defect_ratio(along, step, excess).zero, width = I(found.hi) - found.lo;
-        return found.lo <= N(1) && N(1) <= found.hi && width.hi < fraction<N>(1, 1'000'000).lo;
+        const I found = defect_ratio(along, step, excess).zero;
+        return within("D/D0(T) = 1 at U = 0", 1, I(found.lo), I(found.hi)) &&
+               less("D/D0(T) at U = 0 to a millionth", I(found.hi) - found.lo, fraction<N>(1, 1'000'000));
     }
 
     static constexpr int refinements = 3;
@@ -155,16 +156,15 @@ class LayerRule : LawRule<N> {
 
 const char* check_law_layer(const LawLeaf& leaf, std::string* log) { return judged<LayerRule>(leaf, log); }
 
-const char* check_law_constant(unsigned bits, bool multiple) {
+const char* check_law_constant(unsigned bits, bool multiple, std::string* log) {
     LawLeaf leaf;
-    leaf.bits = bits;
-    leaf.rule = LawLeaf::slope;
     leaf.box.hi[0] = mpq_class(1, 1000);
+    Big::precision = bits;
     for (int i = 0; i <= 4; ++i) {
         leaf.box.lo[1] = leaf.box.hi[1] = mpq_class(i, 20);
-        if (multiple) Big::precision = bits;
-        if (!(multiple ? LayerRule<Big>::is_normalised(leaf) : LayerRule<double>::is_normalised(leaf)))
-            return "D/D0(T) = 1 at U = 0";
+        if (const char* missing = multiple ? LayerRule<Big>(leaf, log).normalised_verdict()
+                                           : LayerRule<double>(leaf, log).normalised_verdict())
+            return missing;
     }
     return nullptr;
 }

@@ -86,10 +86,10 @@ TEST_CASE("law: the constants hold their values in 80 digits") {
         {law.lo, law.hi},
         law_truth::Real("0.205811589549495595339706567101714310178594490106668633635505702167267532808815")));
     CHECK(law.hi - law.lo < 1e-9);
-    CHECK(check_law_constant(53, false) == nullptr);
-    CHECK(check_law_constant(120, true) == nullptr);
-    CHECK(check_law_bulk_window(53, false) == nullptr);
-    CHECK(check_law_bulk_window(80, true) == nullptr);
+    CHECK(check_law_constant(53, false, nullptr) == nullptr);
+    CHECK(check_law_constant(120, true, nullptr) == nullptr);
+    CHECK(check_law_bulk_window(53, false, nullptr) == nullptr);
+    CHECK(check_law_bulk_window(80, true, nullptr) == nullptr);
 }
 
 TEST_CASE("law: a box of the layer holds the defect and the drift of its steps") {

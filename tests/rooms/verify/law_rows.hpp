@@ -1,0 +1,77 @@
+// What the verifier computes for the law, as rows of a table (near_law.tsv): what is asked in words, a tab,
+// and the verdict with all numbers of the log, digit by digit.
+#pragma once
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "verify/collisions/ray.hpp"
+#include "verify/law/leaf.hpp"
+#include "verify/law/steps.hpp"
+
+namespace law_rows {
+
+using dumbbell_verify::Big;
+using dumbbell_verify::LawLeaf;
+
+/// The numbers of a log without its facts.
+inline std::string numbers(const std::string& log) {
+    std::istringstream in(log);
+    std::string result;
+    int lines = 0;
+    for (std::string line; std::getline(in, line);) {
+        const bool is_fact = line.ends_with(": holds") || line.ends_with(": does NOT hold");
+        // The window of the bulk has 1400 of them.
+        if (!is_fact && (++lines <= 12 || lines % 97 == 0)) result += "; " + line.substr(2);
+    }
+    return result;
+}
+
+template <class N>
+std::string constants() {
+    std::string all;
+    for (const auto& x : {dumbbell_verify::growth_constant<N>(), dumbbell_verify::law_constant<N>(),
+                          dumbbell_verify::comparison_constant<N>(), dumbbell_verify::zeta_of_three_halves<N>()})
+        all += "; " + dumbbell_verify::Rays<N>::show(x);
+    return all;
+}
+
+/// `RULE BITS LO HI [LO HI]`, `bulk BITS RANGE LO HI`, `places BITS N A B`, `window BITS`, `constant BITS` or
+/// `numbers BITS`. Bits: 0 is double, else MPFR with as many, which may be fewer than a file may ask for.
+inline std::string judged(const std::string& question) {
+    std::istringstream in(question);
+    const auto word = [&] {
+        std::string w;
+        if (!(in >> w)) throw std::runtime_error("a row with too few words: " + question);
+        return w;
+    };
+    const std::string what = word();
+    const auto bits = static_cast<unsigned>(std::stoul(word()));
+    const bool multiple = bits > 0;
+    Big::precision = multiple ? bits : 53;
+    std::string log;
+    const auto said = [&](const char* missing) { return (missing ? missing : "certified") + numbers(log); };
+    if (what == "numbers") return "of the law" + (multiple ? constants<Big>() : constants<double>());
+    if (what == "window") return said(dumbbell_verify::check_law_bulk_window(bits, multiple, &log));
+    if (what == "constant") return said(dumbbell_verify::check_law_constant(bits, multiple, &log));
+    if (what == "places") {
+        const std::uint64_t n = std::stoull(word());
+        const mpq_class a(word()), b(word());
+        return said(multiple ? dumbbell_verify::StepPlaces<Big>().check(n, a, b)
+                             : dumbbell_verify::StepPlaces<double>().check(n, a, b));
+    }
+    LawLeaf leaf;
+    leaf.multiple = multiple;
+    leaf.bits = multiple ? bits : 53;
+    while (LawLeaf::names.at(leaf.rule) != what) leaf.rule = static_cast<LawLeaf::Rule>(leaf.rule + 1);
+    if (leaf.rule == LawLeaf::bulk) leaf.range = std::stoul(word());
+    for (std::size_t i = 0; i < (leaf.rule < LawLeaf::bulk ? 2 : 1); ++i) {
+        leaf.box.lo.at(i) = mpq_class(word());
+        leaf.box.hi.at(i) = mpq_class(word());
+    }
+    if (leaf.rule == LawLeaf::bulk) return said(check_law_bulk(leaf, &log));
+    return said(leaf.rule == LawLeaf::end ? check_law_end(leaf, &log) : check_law_layer(leaf, &log));
+}
+
+}  // namespace law_rows
