@@ -25,7 +25,6 @@ void LawFile::verify(const Settings& settings) try {
     Settings own;
     own.jobs = settings.jobs;
     own.max_bits = settings.max_bits;
-    own.budget = settings.budget;
     own.precision = settings.precision;
     auto [proof, claim] = law(text, own);
     digest_ = proof.digest;

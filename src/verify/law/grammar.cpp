@@ -19,7 +19,6 @@ class LawReader : public Reader<LawLeaf> {
           proofs_{text, turning(), proof_.tallies,
                   [this](const Leaf& leaf, const std::string& path) { take_of_step(leaf, path); }} {
         require_fitting_demand();
-        proof_.section = turning().name;
         proofs_.add_tallies();
         first_ = proof_.tallies.size();
         for (const auto rule : {LawLeaf::slope, LawLeaf::direct, LawLeaf::beyond})

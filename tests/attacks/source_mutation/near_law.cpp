@@ -18,16 +18,18 @@ class Maker {
     void make(int number) {
         for (const int bits : {0, 8, 11, 16, 24, 53}) print("numbers " + std::to_string(bits));
         for (const int bits : {0, 13, 24, 53}) print("constant " + std::to_string(bits));
-        for (const int bits : {0, 13, 20}) print("window " + std::to_string(bits));
+        for (const int bits : {0, 13, 17, 20, 24}) print("window " + std::to_string(bits));
+        print("direct 0 5/8 3/4 1/1024 1/512");
         for (int i = 0; i < number; ++i) {
             bits_ = std::to_string(std::array{0, 0, 0, 11, 16, 24}[below(6)]);
             if (i % 6 < 4)
                 layer();
             else if (i % 6 == 4)
-                print("bulk " + std::string(std::array{"0", "20", "24", "32"}[below(4)]) + " " + std::to_string(below(3)) + side(uniform(0, 0.8), 0.01));
+                print("bulk " + std::string(std::array{"0", "0", "20", "24"}[below(4)]) + " " + std::to_string(below(3)) + side(uniform(0, 0.8), 0.01));
             else
                 print("end " + bits_ + side(any_size(1e-6, 0.09)));
             if (i % 8 == 0) places();
+            if (i % 16 == 0) known();
         }
     }
 
@@ -53,6 +55,30 @@ class Maker {
         const double U = below(2) == 0 && rule != "beyond" ? any_size(1e-4, 0.9) : uniform(0.01, 0.95);
         const double rho = any_size(1e-4, std::min(0.2, (rule == "beyond" ? 2e-2 : 3e-3) / (U * U)));
         print(rule + " " + bits_ + side(U) + side(rho));
+    }
+
+    /// A part of the bulk with a certain eps and Q, and what is known of Q just enough, and just not, for the
+    /// last angle.
+    void known() {
+        const std::string leaf = "bulk " + std::string(std::array{"0", "0", "18", "20", "24"}[below(5)]) + " 0" +
+                                 side(uniform(0.1, 0.6), 0.001);
+        const mpq_class eps = rounded(any_size(1e-7, 1e-3)), Q = rounded(uniform(0, 3e-5));
+        const auto question = [&](const mpq_class& least, const mpq_class& most) {
+            return leaf + " " + eps.get_str() + " " + eps.get_str() + " " + least.get_str() + " " + most.get_str();
+        };
+        print(question(Q, Q));
+        const auto holds = [&](const mpq_class& least, const mpq_class& most) {
+            return law_rows::judged(question(least, most)).find("Q/cos") != 0;
+        };
+        if (!holds(Q, Q)) return;
+        for (const int sign : {-1, 1}) {
+            mpq_class good = Q, bad = mpq_class(sign, 1000);
+            for (int i = 0; i < 20; ++i) {
+                const mpq_class x = (good + bad) / 2;
+                (sign < 0 ? holds(x, Q) : holds(Q, x)) ? good = x : bad = x;
+            }
+            for (const auto& x : {good, bad}) print(sign < 0 ? question(x, Q) : question(Q, x));
+        }
     }
 
     /// The step to N, whose place is [a, b], moved by bisection to where it is just allowed.

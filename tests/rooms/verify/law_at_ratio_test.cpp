@@ -1,6 +1,7 @@
 // Files about one mass ratio by the law: what they may say, and on which file they rest.
 #include <catch2/catch.hpp>
 
+#include "law_truth.hpp"
 #include "make_law.hpp"
 #include "run_program.hpp"
 #include "verify/law/constants.hpp"
@@ -11,6 +12,8 @@ using dumbbell_verify::Failure, dumbbell_verify::LawFile, dumbbell_verify::Setti
 using make::run;
 
 namespace {
+
+using dumbbell_verify::Collisions, dumbbell_verify::LawAtRatio;
 
 const std::string shipped_law = DUMBBELL_PROJECT "/certificates/law.dbc.gz";
 const std::string law_digest = "65bdaf5f0fd292bb0101b000705b604b169a2b935633567d5b87e6d8b47ad5fd";
@@ -39,6 +42,35 @@ std::string says(const std::string& ratio, const std::string& upper, const std::
     return outcome_with_law(by_law(ratio, upper, lower));
 }
 std::string ten_to(std::size_t power) { return "1" + std::string(power, '0'); }
+
+struct Edge {
+    long N;
+    bool beyond;
+    std::string k;
+};
+const std::vector<Edge> edges{
+    {903, false, "1744146334385707174745041463066548417785166972920421238671892906111926273"},
+    {903, true, "1744151709611889846906028859388319775780350092299960975386936093555294208"}};
+/// The least k for which q = k/2^220 is beyond the step to N for certain, or for which it is not certain that q
+/// is not beyond it, next to the q with C sqrt q = N - 2.
+mpz_class edge(long N, bool beyond) {
+    const double root = static_cast<double>(N - 2) / 0.88559512945;
+    const auto is_past = [&](const mpz_class& k) {
+        mpq_class q(k, mpz_class(1) << 220);
+        q.canonicalize();
+        const std::string ratio = dumbbell_verify::to_string(q);
+        return beyond ? says(ratio, std::to_string(N), std::to_string(N)) == "verified"
+                      : says(ratio, std::to_string(N - 1), std::to_string(N - 1)) != "verified";
+    };
+    mpz_class no = mpz_class(root * root - 5) << 220, yes = mpz_class(root * root + 50) << 220;
+    REQUIRE_FALSE(is_past(no));
+    REQUIRE(is_past(yes));
+    while (yes - no > 1) {
+        const mpz_class k = (no + yes) / 2;
+        (is_past(k) ? yes : no) = k;
+    }
+    return yes;
+}
 
 const std::string at_1e100 = "88559512945271391141202194891455767300579529460287";
 
@@ -115,6 +147,19 @@ TEST_CASE("by law: what is verified at a ratio, and what is not") {
         CHECK(says(ten_to(1'000'000) + "/1", "4", "4") == "line");
         CHECK(says("10/1", "4" + std::string(2100, '0'), "4") == "number");
     }
+    SECTION("beyond the last step the bounds of Theorem A decide, to the last bit") {
+        for (const auto& [N, beyond, k] : edges) {
+            INFO(N << " " << beyond);
+            const mpz_class found = edge(N, beyond);
+            CHECK(found.get_str() == k);
+            const law_truth::Real q = law_truth::Real(found.get_str()) / pow(law_truth::Real(2), 220), root = sqrt(q),
+                                  excess = law_truth::Real(law_truth::C) * root - (N - 2),
+                                  rest = law_truth::Real(law_truth::c0) / sqrt(root);
+            const law_truth::Real bound =
+                beyond ? law_truth::Real("0.16") : law_truth::Real("0.063") * log(q) + law_truth::Real("0.7");
+            CHECK(abs(excess - (rest - bound / root)) < 1e-57);
+        }
+    }
     SECTION("every field has one spelling, and belongs to the others") {
         for (const auto& [from, to, code] :
              {std::tuple{"claim collisions-by-law", "claim collisions-by-laws", "unsupported"},
@@ -141,6 +186,11 @@ TEST_CASE("by law: what is verified at a ratio, and what is not") {
             INFO(from << " -> " << to);
             CHECK(outcome_with_law(by_law_mutant(from, to)) == code);
         }
+        CHECK(says("1/1", "2", "1") == "number");
+        CHECK(make::failure(by_law_mutant("upper 4", "upper 1"), with_law()).line == 9);
+        Settings settings = with_law();
+        settings.demand.keep = {1, 2};
+        CHECK(make::failure(by_law("10/1", "4", "4"), settings).line == 0);
         CHECK(outcome_with_law(by_law("10/1", "4", "4") + "x\n") == "trailing");
         CHECK(outcome_with_law(make::replaced(by_law("10/1", "4", "4"), "test 1.0", "test 1.1")) == "sha256");
         CHECK(outcome_with_law(by_law("10/1", "4", "4").substr(0, 100)) == "truncated");
@@ -148,23 +198,27 @@ TEST_CASE("by law: what is verified at a ratio, and what is not") {
     SECTION("nothing is verified without the file that it names, verified itself") {
         const std::string text = by_law("10/1", "4", "4");
         CHECK(make::outcome(text) == "usage");
-        const auto with = [&](const std::string& law,
-                              const std::string& digest) -> std::pair<Verdict, std::string> {
+        const auto with = [&](const std::string& law, const std::string& digest, unsigned max_bits = 2048) {
             Settings settings;
             settings.law = std::make_shared<LawFile>(law);
-            const make::File file(by_law("10/1", "4", "4", digest));
-            try {
-                dumbbell_verify::verify(file.path(), settings);
-            } catch (const Failure& failure) {
-                return {failure.verdict, failure.text};
-            }
-            return {Verdict::verified, ""};
+            settings.max_bits = max_bits;
+            const Failure failure = make::failure(by_law("10/1", "4", "4", digest), settings);
+            CHECK(failure.line == 0);  // it is about no line of this file
+            return std::pair(failure.verdict, failure.text);
         };
-        CHECK(with("/nowhere/law.dbc", law_digest).first == Verdict::unreadable);
-        CHECK(with(shipped_law, std::string(64, '0')).first == Verdict::unreadable);
-        CHECK(with(DUMBBELL_PROJECT "/certificates/q-10.dbc", law_digest).first == Verdict::unreadable);
+        const auto unreadable = [](const std::string& reason) { return std::pair(Verdict::unreadable, reason); };
+        CHECK(with("/nowhere/law.dbc", law_digest) ==
+              unreadable("--law /nowhere/law.dbc: No such file or directory"));
+        CHECK(with(shipped_law, std::string(64, '0')) ==
+              unreadable("--law " + shipped_law + " has sha256=" + law_digest +
+                         ", and this file rests on the one with sha256=" + std::string(64, '0')));
+        const std::string other = DUMBBELL_PROJECT "/certificates/q-10.dbc";
+        CHECK(with(other, law_digest) == unreadable("--law " + other + ": is not a file of the claim law"));
         const make::File itself(text);
-        CHECK(with(itself.path(), law_digest).first == Verdict::unreadable);
+        CHECK(with(itself.path(), law_digest) ==
+              unreadable("--law " + itself.path() + ": is not a file of the claim law"));
+        const make::File precise(make::mutated_law("bits 53", "bits 64"));
+        CHECK(with(precise.path(), law_digest, 60).first == Verdict::limit);
         // A law that is false, but has the SHA-256 that is asked for: a cover at a ratio beyond the step.
         const std::string step = make::law_line("step 4 ");
         const std::string false_law = make::mutated_law(step, "step 4 19/4 24/5");
@@ -174,6 +228,30 @@ TEST_CASE("by law: what is verified at a ratio, and what is not") {
         INFO(reason);
         CHECK(reason.starts_with("--law " + forged.path() + ": line "));
     }
+}
+
+TEST_CASE("by law: of one ratio no other is proved, and no better bounds") {
+    const LawAtRatio claim{10, 4, 5, ""};
+    const auto missing = [&](const mpq_class& lo, const mpq_class& hi) {
+        Collisions demand;
+        demand.ratios = {lo, hi};
+        return claim.missing(demand);
+    };
+    CHECK(missing(10, 10).empty());
+    CHECK(missing(9, 10) == "of the mass ratios 9/1:10/1 the file covers only 10/1:10/1");
+    CHECK(missing(10, 11) == "of the mass ratios 10/1:11/1 the file covers only 10/1:10/1");
+    CHECK(missing(11, 12) == "the file says nothing of the mass ratios 11/1:12/1, it is about 10/1:10/1");
+    const auto bounds = [&](std::optional<mpz_class> least, std::optional<mpz_class> most) {
+        Collisions demand;
+        demand.least = std::move(least);
+        demand.most = std::move(most);
+        return claim.missing(demand);
+    };
+    CHECK(bounds(4, 5).empty());
+    CHECK(bounds(3, 6).empty());
+    CHECK(bounds(5, {}) == "not proved: at least 5 collisions at the mass ratio 10/1");
+    CHECK(bounds({}, 4) == "not proved: at most 4 collisions at the mass ratio 10/1");
+    CHECK(bounds({}, {}).empty());
 }
 
 TEST_CASE("by law: verdict, exit code, JSON and demands, as a script sees them") {
@@ -210,6 +288,11 @@ TEST_CASE("by law: verdict, exit code, JSON and demands, as a script sees them")
                 law_digest + "\"}") == 1);
     CHECK(run(law + "--explain lower " + open.path()).out.find("  the step to 8 is in 45/1:46/1\n") !=
           std::string::npos);
+    CHECK(run(law + "--explain upper " + file.path())
+              .out.starts_with("upper, line 9: upper " + at_1e100 +
+                               "\n  C sqrt q - (N - 2) in [-0.79165927391944224, -0.79165927391944213]\n"
+                               "  c0 q^(-1/4) less its bounds by Theorem A in [2.0581158954949557e-26, "
+                               "2.058115895494956e-26]\n  certified\n"));
     const make::Run bare = run(open.path());
     CHECK(bare.code == 2);
     CHECK(bare.last() == "s UNREADABLE line=8 this file rests on the certificate of the law with sha256=" +

@@ -1,6 +1,7 @@
 // The constants of the law, which the verifier computes by series of its own, to any number of digits.
 #include <catch2/catch.hpp>
 
+#include "law_truth.hpp"
 #include "verify/law/constants.hpp"
 #include "verify/number/big.hpp"
 
@@ -8,19 +9,12 @@ using dumbbell_verify::Big, dumbbell_verify::Interval, dumbbell_verify::exact_va
 
 namespace {
 
-/// The first 110 digits, from Arb (they are those that `dumbbell law --digits 110` prints).
-mpq_class digits(const char* text) {
-    const std::string all = text;
+mpq_class decimal(const std::string& text) {
     mpz_class power;
-    mpz_ui_pow_ui(power.get_mpz_t(), 10, all.size());
-    return {mpz_class(all), power};
+    mpz_ui_pow_ui(power.get_mpz_t(), 10, text.size() - 2);
+    return {mpz_class(text.substr(2)), power};
 }
-const mpq_class C = digits(
-    "88559512945271391141202194891455767300579529460285208340726080557816077824860635006196282336302454044270"
-    "037489");
-const mpq_class c0 = digits(
-    "20581158954949559533970656710171431017859449010666863363550570216726753280881521340199369108344103302081"
-    "398986");
+const mpq_class C = decimal(law_truth::C), c0 = decimal(law_truth::c0);
 
 template <class N>
 void check(const Interval<N>& found, const mpq_class& known, int places) {

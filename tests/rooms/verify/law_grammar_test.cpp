@@ -73,6 +73,22 @@ TEST_CASE("law: a step that is false, or where the law would not hold, is refuse
     CHECK(check(902, 1032805, mpq_class(10328112, 10)).ends_with("c0 B^(-1/4)"));
 }
 
+TEST_CASE("law: a precision that is asked for is worked in") {
+    // A = 49/C^2 and a little: less than doubles can tell. The next line is wrong, so that nothing else is looked at.
+    const auto with_bits = [](unsigned bits) {
+        const std::string text = make::mutated_law(
+            law_line("step 9 "), "step 9 6247778744831632773/100000000000000000 251/4");
+        dumbbell_verify::Settings settings;
+        settings.precision = bits;
+        dumbbell_verify::Big::precision = 53;
+        const std::size_t next = text.find("step 10 ");
+        return make::failure(make::hashed(text.substr(0, next) + "step 11" + text.substr(next + 7)), settings);
+    };
+    CHECK(with_bits(0).code == "step");
+    CHECK(with_bits(53).code == "step");
+    CHECK(with_bits(300).code == "number");
+}
+
 TEST_CASE("law: a cover that does not close, or is not one, is refused") {
     for (const auto& [from, to, code] : {std::tuple{"cover layer", "cover layers", "syntax"},
                                          {"cover layer", "cover layer 1", "syntax"},
@@ -87,15 +103,22 @@ TEST_CASE("law: a cover that does not close, or is not one, is refused") {
     }
     for (const auto& [from, to, code] : {std::tuple{"bulk 4000 2000 4000", "bulk 4000 2000 100001", "number"},
                                          {"bulk 4000 2000 4000", "bulk 4000 2000 400", "bulk"},
+                                         {"bulk 4000 2000 4000", "bulk 0 2000 4000", "number"},
+                                         {"bulk 4000 2000 4000", "bulk 1 2000 4000", "bulk"},
+                                         {"cover end 1500", "cover end 100001", "number"},
                                          {"cover end 1500", "cover end 20", "end"}}) {
         INFO(from << " -> " << to);
         CHECK(law_mutant(from, to) == code);
     }
     using dumbbell_verify::Watched;
     const std::uint64_t read = Watched::read, all = Watched::pieces;
-    CHECK(outcome(law_file()) == "verified");
+    const make::File file(law_file());
+    dumbbell_verify::Settings settings;
+    settings.budget = dumbbell_verify::verify(file.path(), settings).work;
     CHECK(Watched::read - read == 903);  // 900 steps and three covers
     CHECK(Watched::pieces - all == 903);
+    // So many parts are allowed; they would only take long.
+    CHECK(outcome(mutated_law("cover end 1500", "cover end 100000"), settings) == "limit");
     CHECK(outcome(make::hashed(make::replaced(law_file().substr(0, law_file().find("sha256")),
                                               "total beyond ", "total beyond 1"))) == "total");
 }

@@ -37,8 +37,9 @@ std::string constants() {
     return all;
 }
 
-/// `RULE BITS LO HI [LO HI]`, `bulk BITS RANGE LO HI`, `places BITS N A B`, `window BITS`, `constant BITS` or
-/// `numbers BITS`. Bits: 0 is double, else MPFR with as many, which may be fewer than a file may ask for.
+/// `RULE BITS LO HI [LO HI]`, `bulk BITS RANGE LO HI [EPS EPS Q Q]` (with what is known of eps and of Q),
+/// `places BITS N A B`, `window BITS`, `constant BITS` or `numbers BITS`. Bits: 0 is double, else MPFR with as
+/// many, which may be fewer than a file may ask for.
 inline std::string judged(const std::string& question) {
     std::istringstream in(question);
     const auto word = [&] {
@@ -49,12 +50,12 @@ inline std::string judged(const std::string& question) {
     const std::string what = word();
     const auto bits = static_cast<unsigned>(std::stoul(word()));
     const bool multiple = bits > 0;
-    Big::precision = multiple ? bits : 53;
     std::string log;
     const auto said = [&](const char* missing) { return (missing ? missing : "certified") + numbers(log); };
-    if (what == "numbers") return "of the law" + (multiple ? constants<Big>() : constants<double>());
     if (what == "window") return said(dumbbell_verify::check_law_bulk_window(bits, multiple, &log));
     if (what == "constant") return said(dumbbell_verify::check_law_constant(bits, multiple, &log));
+    Big::precision = multiple ? bits : 53;
+    if (what == "numbers") return "of the law" + (multiple ? constants<Big>() : constants<double>());
     if (what == "places") {
         const std::uint64_t n = std::stoull(word());
         const mpq_class a(word()), b(word());
@@ -70,6 +71,14 @@ inline std::string judged(const std::string& question) {
         leaf.box.lo.at(i) = mpq_class(word());
         leaf.box.hi.at(i) = mpq_class(word());
     }
+    dumbbell_verify::LawStates states;
+    if (std::string least; in >> least) {
+        states.least_eps = mpq_class(least);
+        states.most_eps = mpq_class(word());
+        states.least_Q = mpq_class(word());
+        states.most_Q = mpq_class(word());
+    }
+    leaf.states = &states;
     if (leaf.rule == LawLeaf::bulk) return said(check_law_bulk(leaf, &log));
     return said(leaf.rule == LawLeaf::end ? check_law_end(leaf, &log) : check_law_layer(leaf, &log));
 }

@@ -12,6 +12,13 @@
 namespace law_truth {
 
 using Real = dumbbell_oracle::Digits80;
+/// The first 110 digits, from Arb (they are those that `dumbbell law --digits 110` prints).
+inline const char* const C =
+    "0.88559512945271391141202194891455767300579529460285208340726080557816077824860635006196282336302454044270"
+    "037489";
+inline const char* const c0 =
+    "0.20581158954949559533970656710171431017859449010666863363550570216726753280881521340199369108344103302081"
+    "398986";
 inline Real pi() { return dumbbell_oracle::pi<Real>(); }
 inline Real k0() { return pow(Real(3), Real(-7) / 4) / sqrt(pi()); }
 

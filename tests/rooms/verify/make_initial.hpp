@@ -46,16 +46,20 @@ inline std::string mutated_initial(const std::string& text, const std::string& f
     return closed_initial(changed.substr(0, changed.find("total split")));
 }
 
-/// "verified", or the code of the failure.
-inline std::string outcome(const std::string& bytes,
-                           const dumbbell_verify::Settings& settings = dumbbell_verify::Settings()) {
+/// Why the file is not verified; its code is "verified" if it is.
+inline dumbbell_verify::Failure failure(
+    const std::string& bytes, const dumbbell_verify::Settings& settings = dumbbell_verify::Settings()) {
     const File file(bytes);
     try {
         dumbbell_verify::verify(file.path(), settings);
-        return "verified";
+        return {dumbbell_verify::Verdict::verified, 0, "verified", ""};
     } catch (const dumbbell_verify::Failure& failure) {
-        return failure.code;
+        return failure;
     }
+}
+inline std::string outcome(const std::string& bytes,
+                           const dumbbell_verify::Settings& settings = dumbbell_verify::Settings()) {
+    return failure(bytes, settings).code;
 }
 
 }  // namespace make

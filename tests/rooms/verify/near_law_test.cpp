@@ -4,8 +4,9 @@
 
 #include "law_rows.hpp"
 #include "leaf_rows.hpp"
+#include "verify/law/rule.hpp"
 
-using dumbbell_verify::Work;
+using namespace dumbbell_verify;
 
 namespace {
 
@@ -27,7 +28,52 @@ std::vector<std::pair<double, double>> enclosures(const std::string& answer) {
     return result;
 }
 
+/// The parts of a rule, for themselves.
+template <class N>
+struct Parts : LawRule<N> {
+    Parts() : LawRule<N>(leaf, nullptr) {}
+    using LawRule<N>::within, LawRule<N>::crude_Q, LawRule<N>::quarter;
+    LawLeaf leaf;
+};
+constexpr double after(double x) { return x * (1 + 0x1p-52); }
+
 }  // namespace
+
+TEST_CASE("law: beyond what a series is for nothing is known") {
+    using I = Interval<double>;
+    const auto is_unbounded = [](const I& x) { return std::isinf(x.lo) && x.lo < 0 && std::isinf(x.hi) && x.hi > 0; };
+    for (const auto& function : {sinc<double>, falling_cosine<double>}) {
+        CHECK_FALSE(is_unbounded(function(I(0, 2))));
+        CHECK_FALSE(is_unbounded(function(I(0, 0))));
+        for (const I& x : {I(0, after(2)), I(-0x1p-60, 1), I(-1, 3), I(1, 3), I(3, 4), I(-2, -1)})
+            CHECK(is_unbounded(function(x)));
+    }
+    CHECK_FALSE(is_unbounded(square_root(I(0, 4))));
+    for (const I& x : {I(-0x1p-60, 4), I(-4, -1)}) CHECK(is_unbounded(square_root(x)));
+    for (const I& x : {I(-1, 3), I(-3, 1), I(1, 3), I(-3, -1)}) {
+        CHECK(up_to_size(x).lo == -3);
+        CHECK(up_to_size(x).hi == 3);
+    }
+}
+
+TEST_CASE("law: an enclosure lies within bounds if all of it certainly does") {
+    Parts<double> parts;
+    using I = Interval<double>;
+    const I least(0, 1), most(2, 3);
+    for (const I& x : {I(1, 2), I(1, 1), I(2, 2), I(1.25, 1.5)}) CHECK(parts.within("", x, least, most));
+    for (const I& x : {I(0.5, 2), I(1, 2.5), I(0.5, 0.5), I(2.5, 2.5), I(0, 3), I(-1, 1), I(2, 4), I(1.5, 1.25)})
+        CHECK_FALSE(parts.within("", x, least, most));
+}
+
+TEST_CASE("law: what Q is known to be at first is rounded outwards") {
+    for (int bits = 6; bits < 400; ++bits) {
+        Big::precision = bits;
+        const Parts<Big> parts;
+        const Interval<Big> Q = parts.crude_Q();
+        CHECK((exact_value(Q.lo) <= exact_value(parts.quarter.lo) - mpq_class(1, 100)));
+        CHECK((exact_value(Q.hi) >= exact_value(parts.quarter.hi) + mpq_class(1, 20)));
+    }
+}
 
 TEST_CASE("law: rules and constants have the same enclosures as before, and ask for the same work") {
     REQUIRE(near_law_rows().size() > 100);
@@ -38,7 +84,7 @@ TEST_CASE("law: rules and constants have the same enclosures as before, and ask 
         if (found != row.result) FAIL(row.leaf << "\n  expected: " << row.result << "\n  found: " << found);
         units += Work::done();
     }
-    CHECK(units == 1'725'522'232);
+    CHECK(units == 2'320'216'790);
 }
 
 TEST_CASE("law: what few bits certify 300 bits certify too, in narrower enclosures") {
