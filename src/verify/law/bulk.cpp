@@ -191,7 +191,8 @@ const char* check_law_bulk(const LawLeaf& leaf, std::string* log) { return judge
 const char* check_law_bulk_window(unsigned bits, bool multiple, std::string* log) {
     const LawLeaf leaf;
     Big::precision = bits;
-    return multiple ? BulkRule<Big>(leaf, log).window_verdict() : BulkRule<double>(leaf, log).window_verdict();
+    return multiple ? BulkRule<Big>(leaf, log).window_verdict()
+                    : BulkRule<double>(leaf, log).window_verdict();
 }
 
 }  // namespace dumbbell_verify

@@ -49,8 +49,7 @@ class LawReader : public Reader<LawLeaf> {
         } else {
             steps(StepPlaces<double>());
         }
-        leaf_.bits = std::max(53U, settings_.precision);
-        leaf_.multiple = settings_.precision > 0;
+        leaf_.bits = std::max(53U, settings_.precision);  // and `multiple` as it was for every step
         for (const auto cover : {&LawReader::layer, &LawReader::bulk, &LawReader::end}) {
             (this->*cover)();
             ++Watched::read;
@@ -136,7 +135,8 @@ class LawReader : public Reader<LawLeaf> {
 
     void bulk() {
         cover("bulk", 3);
-        require(text_.line, "bulk", [&] { return check_law_bulk_window(leaf_.bits, leaf_.multiple, nullptr); });
+        require(text_.line, "bulk",
+                [&] { return check_law_bulk_window(leaf_.bits, leaf_.multiple, nullptr); });
         leaf_.rule = LawLeaf::bulk;
         const std::array<mpq_class, 4> ends{0, mpq_class(3, 5), mpq_class(7, 10), mpq_class(993, 1250)};
         for (leaf_.range = 0; leaf_.range < 3; ++leaf_.range)

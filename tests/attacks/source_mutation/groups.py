@@ -80,8 +80,8 @@ GROUPS = {
         files=below("verify", "law/at_ratio law/claim law/file law/grammar"),
         left_out=frozenset(),
         texts=frozenset({"verify/law/claim.cpp"}),
-        targets=("dumbbell-verify", "test_verify", "test_verify_law"),
-        programs=("tests/rooms/verify/test_verify_law", "tests/rooms/verify/test_verify")),
+        targets=("dumbbell-verify", "test_verify", "test_verify_law", "test_verify_poor_libraries"),
+        programs=tuple(f"tests/rooms/verify/test_{name}" for name in ("verify_law", "verify", "verify_poor_libraries"))),
     "interval": Group(
         files={"number/interval.hpp": "number/elementary.cpp", "number/rounding.hpp": "number/elementary.cpp",
                "number/ends.hpp": "number/elementary.cpp", "number/interval.cpp": "number/interval.cpp",

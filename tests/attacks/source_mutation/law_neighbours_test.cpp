@@ -117,8 +117,10 @@ bool holds(const std::string& cover) {
             if (places.check(n, a, b)) return false;
         return true;
     }
-    if (cover == "layer") return !check_law_constant(53, false, nullptr) && all_hold(shipped().layer, check_law_layer);
-    if (cover == "bulk") return !check_law_bulk_window(53, false, nullptr) && all_hold(shipped().bulk, check_law_bulk);
+    if (cover == "layer")
+        return !check_law_constant(53, false, nullptr) && all_hold(shipped().layer, check_law_layer);
+    if (cover == "bulk")
+        return !check_law_bulk_window(53, false, nullptr) && all_hold(shipped().bulk, check_law_bulk);
     return all_hold(shipped().end, check_law_end);
 }
 

@@ -1,7 +1,8 @@
 // near_law make SEED NUMBER: questions to the verifier's law, with its answers (near_law.tsv).
 //
 // Random boxes of all rules, in double and in MPFR, also with so few bits that a bound rounded to the wrong
-// side is off by a percent; and of the places of steps those that are just allowed, and just not, by bisection.
+// side is off by a percent; and of the places of steps those that are just allowed, and just not, by
+// bisection.
 #include <cmath>
 #include <cstdlib>
 #include <iostream>
@@ -25,7 +26,8 @@ class Maker {
             if (i % 6 < 4)
                 layer();
             else if (i % 6 == 4)
-                print("bulk " + std::string(std::array{"0", "0", "20", "24"}[below(4)]) + " " + std::to_string(below(3)) + side(uniform(0, 0.8), 0.01));
+                print("bulk " + std::string(std::array{"0", "0", "20", "24"}[below(4)]) + " " +
+                      std::to_string(below(3)) + side(uniform(0, 0.8), 0.01));
             else
                 print("end " + bits_ + side(any_size(1e-6, 0.09)));
             if (i % 8 == 0) places();
@@ -42,7 +44,9 @@ class Maker {
         const double digits = std::exp2(6 - std::floor(std::log2(x)));
         return mpq_class(std::round(x * digits) / digits);
     }
-    static void print(const std::string& question) { std::cout << question << "\t" << law_rows::judged(question) << "\n"; }
+    static void print(const std::string& question) {
+        std::cout << question << "\t" << law_rows::judged(question) << "\n";
+    }
 
     /// A side that begins at x, or now and then at 0, up to this share of it wide.
     std::string side(double x, double most = 0.3) {
@@ -60,11 +64,12 @@ class Maker {
     /// A part of the bulk with a certain eps and Q, and what is known of Q just enough, and just not, for the
     /// last angle.
     void known() {
-        const std::string leaf = "bulk " + std::string(std::array{"0", "0", "18", "20", "24"}[below(5)]) + " 0" +
-                                 side(uniform(0.1, 0.6), 0.001);
+        const std::string leaf = "bulk " + std::string(std::array{"0", "0", "18", "20", "24"}[below(5)]) +
+                                 " 0" + side(uniform(0.1, 0.6), 0.001);
         const mpq_class eps = rounded(any_size(1e-7, 1e-3)), Q = rounded(uniform(0, 3e-5));
         const auto question = [&](const mpq_class& least, const mpq_class& most) {
-            return leaf + " " + eps.get_str() + " " + eps.get_str() + " " + least.get_str() + " " + most.get_str();
+            return leaf + " " + eps.get_str() + " " + eps.get_str() + " " + least.get_str() + " " +
+                   most.get_str();
         };
         print(question(Q, Q));
         const auto holds = [&](const mpq_class& least, const mpq_class& most) {

@@ -50,9 +50,11 @@ struct Edge {
 };
 const std::vector<Edge> edges{
     {903, false, "1744146334385707174745041463066548417785166972920421238671892906111926273"},
-    {903, true, "1744151709611889846906028859388319775780350092299960975386936093555294208"}};
-/// The least k for which q = k/2^220 is beyond the step to N for certain, or for which it is not certain that q
-/// is not beyond it, next to the q with C sqrt q = N - 2.
+    {903, true, "1744151709611889846906028859388319775780350092299960975386936093555294208"},
+    // Here even the two ends of what encloses the bound are told apart.
+    {8308, true, "148222004202681340390376635322724778662894134022141074967745256490486726656"}};
+/// The least k for which q = k/2^220 is beyond the step to N for certain, or for which it is not certain that
+/// q is not beyond it, next to the q with C sqrt q = N - 2.
 mpz_class edge(long N, bool beyond) {
     const double root = static_cast<double>(N - 2) / 0.88559512945;
     const auto is_past = [&](const mpz_class& k) {
@@ -152,8 +154,8 @@ TEST_CASE("by law: what is verified at a ratio, and what is not") {
             INFO(N << " " << beyond);
             const mpz_class found = edge(N, beyond);
             CHECK(found.get_str() == k);
-            const law_truth::Real q = law_truth::Real(found.get_str()) / pow(law_truth::Real(2), 220), root = sqrt(q),
-                                  excess = law_truth::Real(law_truth::C) * root - (N - 2),
+            const law_truth::Real q = law_truth::Real(found.get_str()) / pow(law_truth::Real(2), 220),
+                                  root = sqrt(q), excess = law_truth::Real(law_truth::C) * root - (N - 2),
                                   rest = law_truth::Real(law_truth::c0) / sqrt(root);
             const law_truth::Real bound =
                 beyond ? law_truth::Real("0.16") : law_truth::Real("0.063") * log(q) + law_truth::Real("0.7");
@@ -198,15 +200,19 @@ TEST_CASE("by law: what is verified at a ratio, and what is not") {
     SECTION("nothing is verified without the file that it names, verified itself") {
         const std::string text = by_law("10/1", "4", "4");
         CHECK(make::outcome(text) == "usage");
-        const auto with = [&](const std::string& law, const std::string& digest, unsigned max_bits = 2048) {
+        const auto with = [&](const std::string& law, const std::string& digest, unsigned precision = 0,
+                              unsigned max_bits = 2048) {
             Settings settings;
             settings.law = std::make_shared<LawFile>(law);
+            settings.precision = precision;
             settings.max_bits = max_bits;
             const Failure failure = make::failure(by_law("10/1", "4", "4", digest), settings);
             CHECK(failure.line == 0);  // it is about no line of this file
             return std::pair(failure.verdict, failure.text);
         };
-        const auto unreadable = [](const std::string& reason) { return std::pair(Verdict::unreadable, reason); };
+        const auto unreadable = [](const std::string& reason) {
+            return std::pair(Verdict::unreadable, reason);
+        };
         CHECK(with("/nowhere/law.dbc", law_digest) ==
               unreadable("--law /nowhere/law.dbc: No such file or directory"));
         CHECK(with(shipped_law, std::string(64, '0')) ==
@@ -218,7 +224,13 @@ TEST_CASE("by law: what is verified at a ratio, and what is not") {
         CHECK(with(itself.path(), law_digest) ==
               unreadable("--law " + itself.path() + ": is not a file of the claim law"));
         const make::File precise(make::mutated_law("bits 53", "bits 64"));
-        CHECK(with(precise.path(), law_digest, 60).first == Verdict::limit);
+        CHECK(with(precise.path(), law_digest, 0, 60).first == Verdict::limit);
+        const make::File fine(make::law_that_doubles_do_not_decide());
+        CHECK(make::has(with(fine.path(), law_digest).second, "not certified: C sqrt A - (N - 2) > 0"));
+        CHECK(make::has(with(fine.path(), law_digest, 300).second, "expected step 10"));
+        const make::File none("x\n");
+        CHECK(with(none.path(), law_digest).second ==
+              "--law " + none.path() + ": line 1: expected `dumbbell-certificate` with 1 value(s)");
         // A law that is false, but has the SHA-256 that is asked for: a cover at a ratio beyond the step.
         const std::string step = make::law_line("step 4 ");
         const std::string false_law = make::mutated_law(step, "step 4 19/4 24/5");

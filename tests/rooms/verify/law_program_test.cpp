@@ -42,7 +42,8 @@ TEST_CASE("law: the covers are those of the claim, whole: one leaf of each in nu
     const make::File file(text);
     const auto line = [&](const std::string& words) {
         const auto at = static_cast<std::ptrdiff_t>(text.find("\n" + words + "\n") + 1);
-        return ", line " + std::to_string(1 + std::count(text.begin(), text.begin() + at, '\n')) + ": " + words + "\n";
+        return ", line " + std::to_string(1 + std::count(text.begin(), text.begin() + at, '\n')) + ": " +
+               words + "\n";
     };
     for (const auto& [leaf, begin, fact] :
          {std::tuple{"layer", line("slope") + "  U in [0/1, 9/10]\n  rho in [0/1, 1/5]\n  -1.9",
@@ -64,6 +65,18 @@ TEST_CASE("law: the covers are those of the claim, whole: one leaf of each in nu
     const make::Run shown = run("--explain 9:witness " + file.path());
     CHECK(has(shown, "  V <= 1 + a + b: holds\n"));
     CHECK(has(shown, "  certified\n"));
+    // Doubles are tried first.
+    const std::string step = "step 9 313/5 251/4\nbits 53\n", near = "step 9 313/5 626001/10000\nbits 64\n";
+    const make::File wrong(
+        make::closed_law(make::replaced(text.substr(0, text.find("total split")), step, near)));
+    const make::Run twice = run("--explain 9:witness " + wrong.path());
+    CHECK(has(twice, "\n  53 bits, claimed 9\n"));
+    CHECK(has(twice, "\n  64 bits, claimed 9\n"));
+    CHECK(has(twice, "  NOT certified\n"));
+    const make::Run precise = run("--precision 64 --budget 1s --explain 9:witness " + file.path());
+    CHECK(precise.code == 4);
+    CHECK(has(precise, "\n  64 bits, claimed 9\n"));
+    CHECK_FALSE(has(precise, "53 bits"));
     const make::File whole(make::law_file());
     CHECK(run("--explain end.1501 " + whole.path()).last().find("there is no leaf end.1501") !=
           std::string::npos);

@@ -31,15 +31,16 @@ inline std::string numbers(const std::string& log) {
 template <class N>
 std::string constants() {
     std::string all;
-    for (const auto& x : {dumbbell_verify::growth_constant<N>(), dumbbell_verify::law_constant<N>(),
-                          dumbbell_verify::comparison_constant<N>(), dumbbell_verify::zeta_of_three_halves<N>()})
+    for (const auto& x :
+         {dumbbell_verify::growth_constant<N>(), dumbbell_verify::law_constant<N>(),
+          dumbbell_verify::comparison_constant<N>(), dumbbell_verify::zeta_of_three_halves<N>()})
         all += "; " + dumbbell_verify::Rays<N>::show(x);
     return all;
 }
 
 /// `RULE BITS LO HI [LO HI]`, `bulk BITS RANGE LO HI [EPS EPS Q Q]` (with what is known of eps and of Q),
-/// `places BITS N A B`, `window BITS`, `constant BITS` or `numbers BITS`. Bits: 0 is double, else MPFR with as
-/// many, which may be fewer than a file may ask for.
+/// `places BITS N A B`, `window BITS`, `constant BITS` or `numbers BITS`. Bits: 0 is double, else MPFR with
+/// as many, which may be fewer than a file may ask for.
 inline std::string judged(const std::string& question) {
     std::istringstream in(question);
     const auto word = [&] {

@@ -15,8 +15,7 @@ const std::vector<leaf_rows::Row>& near_law_rows() {
     return table;
 }
 
-/// Of the answers' lines `X in Y` the intervals X, up to a line of another kind: before it both arithmetics
-/// have come by the same.
+/// Of the answer's lines `X in Y` the intervals X.
 std::vector<std::pair<double, double>> enclosures(const std::string& answer) {
     std::vector<std::pair<double, double>> result;
     std::istringstream in(answer);
@@ -28,11 +27,9 @@ std::vector<std::pair<double, double>> enclosures(const std::string& answer) {
     return result;
 }
 
-/// The parts of a rule, for themselves.
-template <class N>
-struct Parts : LawRule<N> {
-    Parts() : LawRule<N>(leaf, nullptr) {}
-    using LawRule<N>::within, LawRule<N>::crude_Q, LawRule<N>::quarter;
+struct Rule : LawRule<double> {
+    Rule() : LawRule(leaf, nullptr) {}
+    using LawRule::within;
     LawLeaf leaf;
 };
 constexpr double after(double x) { return x * (1 + 0x1p-52); }
@@ -41,7 +38,9 @@ constexpr double after(double x) { return x * (1 + 0x1p-52); }
 
 TEST_CASE("law: beyond what a series is for nothing is known") {
     using I = Interval<double>;
-    const auto is_unbounded = [](const I& x) { return std::isinf(x.lo) && x.lo < 0 && std::isinf(x.hi) && x.hi > 0; };
+    const auto is_unbounded = [](const I& x) {
+        return std::isinf(x.lo) && x.lo < 0 && std::isinf(x.hi) && x.hi > 0;
+    };
     for (const auto& function : {sinc<double>, falling_cosine<double>}) {
         CHECK_FALSE(is_unbounded(function(I(0, 2))));
         CHECK_FALSE(is_unbounded(function(I(0, 0))));
@@ -57,22 +56,13 @@ TEST_CASE("law: beyond what a series is for nothing is known") {
 }
 
 TEST_CASE("law: an enclosure lies within bounds if all of it certainly does") {
-    Parts<double> parts;
+    Rule rule;
     using I = Interval<double>;
     const I least(0, 1), most(2, 3);
-    for (const I& x : {I(1, 2), I(1, 1), I(2, 2), I(1.25, 1.5)}) CHECK(parts.within("", x, least, most));
-    for (const I& x : {I(0.5, 2), I(1, 2.5), I(0.5, 0.5), I(2.5, 2.5), I(0, 3), I(-1, 1), I(2, 4), I(1.5, 1.25)})
-        CHECK_FALSE(parts.within("", x, least, most));
-}
-
-TEST_CASE("law: what Q is known to be at first is rounded outwards") {
-    for (int bits = 6; bits < 400; ++bits) {
-        Big::precision = bits;
-        const Parts<Big> parts;
-        const Interval<Big> Q = parts.crude_Q();
-        CHECK((exact_value(Q.lo) <= exact_value(parts.quarter.lo) - mpq_class(1, 100)));
-        CHECK((exact_value(Q.hi) >= exact_value(parts.quarter.hi) + mpq_class(1, 20)));
-    }
+    for (const I& x : {I(1, 2), I(1, 1), I(2, 2), I(1.25, 1.5)}) CHECK(rule.within("", x, least, most));
+    for (const I& x :
+         {I(0.5, 2), I(1, 2.5), I(0.5, 0.5), I(2.5, 2.5), I(0, 3), I(-1, 1), I(2, 4), I(1.5, 1.25)})
+        CHECK_FALSE(rule.within("", x, least, most));
 }
 
 TEST_CASE("law: rules and constants have the same enclosures as before, and ask for the same work") {
