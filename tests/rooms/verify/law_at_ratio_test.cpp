@@ -223,6 +223,10 @@ TEST_CASE("by law: what is verified at a ratio, and what is not") {
         const make::File itself(text);
         CHECK(with(itself.path(), law_digest) ==
               unreadable("--law " + itself.path() + ": is not a file of the claim law"));
+        const make::File full(
+            make::hashed(make::replaced(make::law_steps(), "section turning", "section full")));
+        CHECK(with(full.path(), law_digest) ==
+              unreadable("--law " + full.path() + ": is not a file of the claim law"));
         const make::File precise(make::mutated_law("bits 53", "bits 64"));
         CHECK(with(precise.path(), law_digest, 0, 60).first == Verdict::limit);
         const make::File fine(make::law_that_doubles_do_not_decide());
