@@ -65,14 +65,21 @@ TEST_CASE("law: the covers are those of the claim, whole: one leaf of each in nu
     const make::Run shown = run("--explain 9:witness " + file.path());
     CHECK(has(shown, "  V <= 1 + a + b: holds\n"));
     CHECK(has(shown, "  certified\n"));
-    // Doubles are tried first.
-    const std::string step = "step 9 313/5 251/4\nbits 53\n", near = "step 9 313/5 626001/10000\nbits 64\n";
-    const make::File wrong(
-        make::closed_law(make::replaced(text.substr(0, text.find("total split")), step, near)));
-    const make::Run twice = run("--explain 9:witness " + wrong.path());
+    // A step that doubles do not decide is tried again with its own bits, and a cover is not.
+    const auto with = [&](const std::string& step, const std::string& changed) {
+        return make::closed_law(make::replaced(text.substr(0, text.find("total split")), step, changed));
+    };
+    const make::File near(with("step 9 313/5 251/4\nbits 53\n", "step 9 313/5 626001/10000\nbits 64\n"));
+    const make::Run twice = run("--explain 9:witness " + near.path());
     CHECK(has(twice, "\n  53 bits, claimed 9\n"));
     CHECK(has(twice, "\n  64 bits, claimed 9\n"));
     CHECK(has(twice, "  NOT certified\n"));
+    const std::string last = make::law_line("step 902 ");
+    const make::File long_last(with(last + "\nbits 53\n", last + "\nbits 64\n"));
+    const std::string once = run("--explain layer " + long_last.path()).out;
+    const std::size_t at = once.find("does NOT hold\n");
+    CHECK(at != std::string::npos);
+    CHECK(once.find("does NOT hold\n", at + 1) == std::string::npos);
     const make::Run precise = run("--precision 64 --budget 1s --explain 9:witness " + file.path());
     CHECK(precise.code == 4);
     CHECK(has(precise, "\n  64 bits, claimed 9\n"));
