@@ -10,6 +10,8 @@ def run(place) -> None:
     campaign, manager, cut, steady = campaign_with_cut_host(place, shards=100, seconds=0.4, steady_cores=2)
     cut.cut_off()
     time.sleep(5)
+    # What was being fetched from the host may still be waited for until now, and then be there.
+    campaign.wait_for_work_of(steady)
     before = campaign.done_by(cut)
     campaign.wait_for_work_of(steady, 4)
     check(campaign.done_by(cut) == before, "it was not cut off")
