@@ -8,12 +8,11 @@
 #include "verify/law/file.hpp"
 #include "verify/number/big.hpp"
 
-using dumbbell_verify::Failure, dumbbell_verify::LawFile, dumbbell_verify::Settings, dumbbell_verify::Verdict;
+using dumbbell_verify::Collisions, dumbbell_verify::Failure, dumbbell_verify::LawAtRatio,
+    dumbbell_verify::LawFile, dumbbell_verify::Settings, dumbbell_verify::Verdict;
 using make::run;
 
 namespace {
-
-using dumbbell_verify::Collisions, dumbbell_verify::LawAtRatio;
 
 const std::string shipped_law = DUMBBELL_PROJECT "/certificates/law.dbc.gz";
 const std::string law_digest = "65bdaf5f0fd292bb0101b000705b604b169a2b935633567d5b87e6d8b47ad5fd";
