@@ -101,11 +101,6 @@ AdiabaticCertificate head_from(Lines& lines) {
 
 }  // namespace
 
-AdiabaticHypotheses read_adiabatic_hypotheses(const std::string& path) {
-    Lines lines(path);
-    return head_from(lines).hypotheses;
-}
-
 AdiabaticCertificate read_adiabatic_certificate(const std::string& path) {
     Lines lines(path);
     AdiabaticCertificate certificate = head_from(lines);

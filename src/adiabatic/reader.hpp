@@ -10,7 +10,4 @@ namespace dumbbell::adiabatic {
 /// about mass ratios: no verification. Throws InputError (naming file and line) if it cannot be read.
 [[nodiscard]] AdiabaticCertificate read_adiabatic_certificate(const std::string& path);
 
-/// Of the same file only what its statement is about; the rest may be anything, and is not read.
-[[nodiscard]] AdiabaticHypotheses read_adiabatic_hypotheses(const std::string& path);
-
 }  // namespace dumbbell::adiabatic

@@ -26,9 +26,6 @@ class Observer {
 
     /// What the user should know: a line.
     virtual void note(const std::string& /*line*/) {}
-
-    /// Nobody is there to do the work, since so many seconds.
-    virtual void wait(double /*seconds*/) {}
 };
 
 inline Observer nobody;

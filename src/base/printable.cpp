@@ -35,19 +35,6 @@ std::string cleaned(std::string_view text, const Replace& replace) {
     return result;
 }
 
-}  // namespace
-
-std::string printable(std::string_view text, std::size_t most) {
-    std::string line(text.substr(0, most));
-    std::replace_if(
-        line.begin(), line.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
-    return line + (text.size() > most ? "..." : "");
-}
-
-std::string one_line(std::string_view name) {
-    return cleaned(name, [](char /*hidden*/) { return std::string("?"); });
-}
-
 std::string shell_quoted(std::string_view word) {
     constexpr std::string_view plain =
         "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_./:=@%+,-";
@@ -64,6 +51,19 @@ std::string shell_quoted(std::string_view word) {
     }
     const auto octal = [](char c) { return fmt::format("\\{:03o}", static_cast<unsigned char>(c)); };
     return "$'" + cleaned(escaped, octal) + "'";
+}
+
+}  // namespace
+
+std::string printable(std::string_view text, std::size_t most) {
+    std::string line(text.substr(0, most));
+    std::replace_if(
+        line.begin(), line.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
+    return line + (text.size() > most ? "..." : "");
+}
+
+std::string one_line(std::string_view name) {
+    return cleaned(name, [](char /*hidden*/) { return std::string("?"); });
 }
 
 std::string shell_file(const std::string& name) {

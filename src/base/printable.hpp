@@ -15,12 +15,9 @@ namespace dumbbell {
 /// are `?`; letters of any alphabet stay.
 [[nodiscard]] std::string one_line(std::string_view name);
 
-/// A word that a shell takes as it is: quoted where it must be. What `one_line` would hide is spelled as bash
-/// and zsh read it, $'...', so that the word stays one line, too.
-[[nodiscard]] std::string shell_quoted(std::string_view word);
-
-/// The name of a file as an argument of a command of ours: quoted, and no option though it begins with a dash
-/// (a lone dash is the standard input).
+/// The name of a file as an argument of a command of ours, as a shell takes it: quoted where it must be, and
+/// no option though it begins with a dash (a lone dash is the standard input). What `one_line` would hide is
+/// spelled as bash and zsh read it, $'...', so that the word stays one line, too.
 [[nodiscard]] std::string shell_file(const std::string& name);
 
 }  // namespace dumbbell

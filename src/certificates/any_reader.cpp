@@ -5,7 +5,6 @@
 #include <string_view>
 
 #include "adiabatic/reader.hpp"
-#include "base/ended_early.hpp"
 #include "base/error.hpp"
 #include "collisions/reader.hpp"
 #include "file/lines.hpp"
@@ -42,24 +41,20 @@ AnyCertificate read_any_certificate(const std::string& path) {
     return collisions::read_certificate(path);
 }
 
-std::string sealed_digest(const std::string& path, const Interrupted& interrupted) {
+std::string sealed_digest(const std::string& path) {
     UnpackedText text(path);
-    const auto next = [&] {
-        go_on(interrupted);
-        return text.next_line();
-    };
-    if (next() != first_line) {
+    if (text.next_line() != first_line) {
         throw InputError(fmt::format("'{}' is not a certificate: its first line is not '{}'", path,
                                      first_line.substr(0, first_line.size() - 1)));
     }
     Sha256 digest;
     digest.add(first_line);
-    std::string_view line = next();
-    for (; !line.empty() && !line.starts_with(seal); line = next()) {
+    std::string_view line = text.next_line();
+    for (; !line.empty() && !line.starts_with(seal); line = text.next_line()) {
         digest.add(line);
     }
     std::string right = digest.hex();
-    if (line == fmt::format("{}{}\n", seal, right) && next().empty()) {
+    if (line == fmt::format("{}{}\n", seal, right) && text.next_line().empty()) {
         return right;
     }
     throw InputError(fmt::format(

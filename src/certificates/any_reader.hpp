@@ -4,7 +4,6 @@
 #include <variant>
 
 #include "adiabatic/certificate.hpp"
-#include "base/interrupted.hpp"
 #include "collisions/certificate.hpp"
 #include "starts/certificate.hpp"
 
@@ -19,7 +18,7 @@ using AnyCertificate =
 
 /// The SHA-256 in the last line of a certificate, if it is the one of the text before it. Throws InputError
 /// if it is not, or if there is none: the file is damaged, incomplete or no certificate. (It proves nothing:
-/// whoever forges a file can compute one.) Throws EndedEarly if it is interrupted.
-[[nodiscard]] std::string sealed_digest(const std::string& path, const Interrupted& interrupted = never);
+/// whoever forges a file can compute one.)
+[[nodiscard]] std::string sealed_digest(const std::string& path);
 
 }  // namespace dumbbell::certificates

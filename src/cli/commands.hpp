@@ -5,11 +5,8 @@
 /// The commands, each in a file of its own.
 namespace dumbbell::cli {
 
-extern const Command certify_command, critical_command, trace_command, adiabatic_command, campaign_command,
-    verify_command, audit_command, law_command, plot_command, report_command;
-/// Below `campaign`. A worker runs `campaign work`; no help shows it.
-extern const Command campaign_plan_command, campaign_run_command, campaign_status_command,
-    campaign_merge_command, campaign_work_command;
+extern const Command certify_command, critical_command, trace_command, adiabatic_command, verify_command,
+    audit_command, law_command, plot_command, report_command;
 /// For the makers of packages: the man page, the completion and the reference, from the whole table.
 /// No help shows it.
 extern const Command generate_command;

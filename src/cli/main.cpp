@@ -37,8 +37,7 @@ Examples:
   dumbbell law stairs.dbc                    what the staircase says as a whole
   dumbbell trace 10 --phi 1/3 --phidot 1 --y 3 --ydot -1/2    the orbit of one initial condition
   dumbbell adiabatic --delta 0.01            the adiabatic invariant with its proved constant
-  dumbbell plot staircase stairs.dbc --out stairs.svg
-  dumbbell campaign --help                   what is too big for one run, on one machine or many)";
+  dumbbell plot staircase stairs.dbc --out stairs.svg)";
 
 constexpr const char* program_footer =
     "The fields of --json: docs/reference/json.md.\n\n"
@@ -48,10 +47,9 @@ constexpr const char* program_footer =
 
 constexpr std::array program_options{help_option, version_option, help_all_option};
 
-constexpr std::array program_commands{&certify_command,   &critical_command, &trace_command,
-                                      &adiabatic_command, &campaign_command, &verify_command,
-                                      &audit_command,     &law_command,      &plot_command,
-                                      &report_command,    &generate_command};
+constexpr std::array program_commands{&certify_command, &critical_command, &trace_command, &adiabatic_command,
+                                      &verify_command,  &audit_command,    &law_command,   &plot_command,
+                                      &report_command,  &generate_command};
 
 std::string version_text() {
     return fmt::format("dumbbell {} ({}, {}, flags: {})", DUMBBELL_VERSION, DUMBBELL_COMPILER,

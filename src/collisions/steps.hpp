@@ -24,7 +24,7 @@ struct PlannedPiece {
 /// The plan of a piece that is decided.
 [[nodiscard]] PlannedPiece planned_as(const Piece& piece);
 
-/// `piece LO HI UPPER LOWER`: what names its proof among finished ones, and asks for it in an order.
+/// `piece LO HI UPPER LOWER`: what names its proof among finished ones.
 [[nodiscard]] std::string words_of(const PlannedPiece& planned);
 
 /// Cuts [q_lo, q_hi], 1 <= q_lo < q_hi, at the places where the maximum seems to step: pieces with one value

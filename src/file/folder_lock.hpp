@@ -12,9 +12,6 @@ class FolderLock {
     /// False if another one has it. Throws InputError if the folder cannot be opened or locked.
     [[nodiscard]] bool take(const std::string& folder);
 
-    /// Whether another one has it.
-    [[nodiscard]] static bool is_taken(const std::string& folder);
-
   private:
     Descriptor folder_;
 };

@@ -43,30 +43,4 @@ class SealedLines {
     std::string text_;
 };
 
-/// Reads such a text. Throws InputError, which says `what` it should have been, if the checksum is not there
-/// or not right, or a line is not as expected.
-class SealedReader {
-  public:
-    SealedReader(std::string_view text, std::string_view what);
-
-    /// The next line as it is.
-    std::string_view line();
-    /// The rest of the next line, which begins with `keyword` and a blank.
-    std::string_view value(std::string_view keyword);
-    /// The same, a number below 10^15.
-    std::size_t number(std::string_view keyword);
-    /// The next line, but stays before it; empty at the end.
-    [[nodiscard]] std::string_view ahead() const;
-    void end() const;
-
-    [[noreturn]] void fail() const;
-
-  private:
-    std::string_view rest_;
-    std::string_view what_;
-};
-
-/// A decimal number below 10^15 and nothing else; throws InputError.
-[[nodiscard]] std::size_t parse_size(std::string_view word);
-
 }  // namespace dumbbell

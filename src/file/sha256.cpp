@@ -6,8 +6,6 @@
 #include <array>
 #include <cstdint>
 
-#include "base/hexadecimal.hpp"
-
 namespace dumbbell {
 
 Sha256::Sha256() { sha256_init(&context_); }
@@ -19,7 +17,11 @@ void Sha256::add(std::string_view bytes) {
 std::string Sha256::hex() {
     std::array<std::uint8_t, SHA256_DIGEST_SIZE> digest{};
     sha256_digest(&context_, digest.size(), digest.data());
-    return hexadecimal(digest.data(), digest.size());
+    std::string text;
+    for (const std::uint8_t byte : digest) {
+        text += fmt::format("{:02x}", byte);
+    }
+    return text;
 }
 
 std::string sha256_hex(std::string_view bytes) {

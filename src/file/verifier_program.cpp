@@ -63,7 +63,7 @@ Run run_to_end(std::vector<std::string> words, std::string program) {
     posix_spawn_file_actions_t actions;
     posix_spawn_file_actions_init(&actions);
     posix_spawn_file_actions_adddup2(&actions, writing.get(), STDOUT_FILENO);
-    // Nothing else of this program's: a connection to a worker would stay open as long as the child runs.
+    // None of this program's other files: they would stay open as long as the child runs.
     posix_spawn_file_actions_addclosefrom_np(&actions, STDERR_FILENO + 1);
     pid_t child = -1;
     const int error = ::posix_spawn(&child, program.c_str(), &actions, nullptr, arguments.data(), environ);

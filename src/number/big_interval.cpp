@@ -423,8 +423,4 @@ BigInterval midpoint(const BigInterval& x) {
     return result;
 }
 
-void forget_thread_constants() {
-    flint_cleanup();  // MPFR's, too
-}
-
 }  // namespace dumbbell

@@ -120,8 +120,4 @@ template <>
 /// A thin interval near the middle of X: for guesses only.
 [[nodiscard]] BigInterval midpoint(const BigInterval& x);
 
-/// MPFR and Arb keep pi and its like for each thread that used them. A thread of one's own calls this before
-/// it ends, or their memory is lost.
-void forget_thread_constants();
-
 }  // namespace dumbbell

@@ -85,31 +85,27 @@ void require_applicable(const Given& given, AdiabaticClaim claim) {
 
 }  // namespace
 
-std::vector<adiabatic::AdiabaticHypotheses> statements_of(const Given& given, Deltas deltas) {
+std::vector<adiabatic::AdiabaticHypotheses> statements_of(const Given& given) {
     adiabatic::AdiabaticHypotheses of;
     of.claim = claim_of(given.text("--theorem"));
     require_applicable(given, of.claim);
-    const std::string delta = given.text("--delta");
-    const auto ranges = deltas == Deltas::list ? list_of(delta) : std::vector<std::string>{delta};
+    of.delta = starts::parse_quantity("--delta", given.text("--delta"));
     const auto exponents = parse_list("--k", text_or(given, "--k", "1/2"));
     const auto margins = parse_margins(text_or(given, "--phi-margin", default_margin(of.claim)));
     // Each list fits on a command line, so the product fits a number.
-    if (ranges.size() * exponents.size() * margins.size() > most_statements) {
+    if (exponents.size() * margins.size() > most_statements) {
         throw InputError(
             fmt::format("the lists make more than {} statements: take them in parts", most_statements));
     }
     of.heights = starts::parse_quantity(
         "--y", text_or(given, "--y", of.claim == AdiabaticClaim::run ? "0:0.9" : "0:1"));
     std::vector<adiabatic::AdiabaticHypotheses> result;
-    for (const std::string& range : ranges) {
-        of.delta = starts::parse_quantity("--delta", range);
-        for (const Rational& k : exponents) {
-            of.exponent = parse_exponent(k);
-            for (const Rational& margin : margins) {
-                of.margin = margin;
-                require_sensible(of);
-                result.push_back(of);
-            }
+    for (const Rational& k : exponents) {
+        of.exponent = parse_exponent(k);
+        for (const Rational& margin : margins) {
+            of.margin = margin;
+            require_sensible(of);
+            result.push_back(of);
         }
     }
     return result;

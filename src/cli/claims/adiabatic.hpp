@@ -8,30 +8,22 @@
 
 namespace dumbbell::cli {
 
-/// Whether --delta is one number or range, or a list of them.
-enum class Deltas { one, list };
-
 /// What `adiabatic` is to prove.
-[[nodiscard]] constexpr std::array<Option, 6> statement_options(Deltas deltas) {
-    const bool is_list = deltas == Deltas::list;
-    return {Option{"--delta", is_list ? "D|D1:D2[,...]" : "D|D1:D2",
-                   is_list ? "square root of the light mass, or closed range D1:D2; or a list of them"
-                           : "square root of the light mass, or closed range D1:D2"}
-                .required(),
-            Option{"--theorem", "lemma3.1|cor3.2|thm3.3|thm3.5|printed", "the statement", "thm3.3"},
-            Option{"--y", "Y1:Y2",
-                   "heights of the centre of mass before the first collision; default 0:1, thm3.3: 0:0.9"},
-            Option{"--phi-margin", "M[,M...]",
-                   "distance from the vertical: m of m delta^k (default 1), u_* (thm3.3: 0.3) or c of c "
-                   "sqrt(delta) (thm3.5, printed: 1/2); radians, or like 30deg, pi/6, 0.1pi (cut down to 12 "
-                   "digits); or a list of them"},
-            Option{"--k", "K[,K...]", "cor3.2: the exponent, a multiple of 1/16 from 0 to 1; or a list"},
-            Option{"--accuracy", "A", "of the bound over what is attained, relative", "0.1"}};
-}
+inline constexpr std::array statement_options{
+    Option{"--delta", "D|D1:D2", "square root of the light mass, or closed range D1:D2"}.required(),
+    Option{"--theorem", "lemma3.1|cor3.2|thm3.3|thm3.5|printed", "the statement", "thm3.3"},
+    Option{"--y", "Y1:Y2",
+           "heights of the centre of mass before the first collision; default 0:1, thm3.3: 0:0.9"},
+    Option{"--phi-margin", "M[,M...]",
+           "distance from the vertical: m of m delta^k (default 1), u_* (thm3.3: 0.3) or c of c "
+           "sqrt(delta) (thm3.5, printed: 1/2); radians, or like 30deg, pi/6, 0.1pi (cut down to 12 "
+           "digits); or a list of them"},
+    Option{"--k", "K[,K...]", "cor3.2: the exponent, a multiple of 1/16 from 0 to 1; or a list"},
+    Option{"--accuracy", "A", "of the bound over what is attained, relative", "0.1"}};
 
-/// All statements asked for: one for each delta, exponent and distance from the vertical, the distance
-/// running fastest. Throws InputError, which names the option, if one of them makes no sense.
-[[nodiscard]] std::vector<adiabatic::AdiabaticHypotheses> statements_of(const Given& given, Deltas deltas);
+/// All statements asked for: one for each exponent and distance from the vertical, the distance running
+/// fastest. Throws InputError, which names the option, if one of them makes no sense.
+[[nodiscard]] std::vector<adiabatic::AdiabaticHypotheses> statements_of(const Given& given);
 
 /// Of --accuracy: greater than 0, at most 1. Throws InputError.
 [[nodiscard]] Rational accuracy_of(const Given& given);

@@ -51,7 +51,7 @@ Exit codes: 0 certified; 1 internal error; 2 wrong usage or input; 3 not certifi
 stopped by SIGINT (Ctrl-C) or SIGTERM: nothing is kept.)";
 
 constexpr std::array adiabatic_options =
-    joined(statement_options(Deltas::one),
+    joined(statement_options,
            std::array{Option{"--bounces", "K",
                              "thm3.3: look for the attained orbit with at most K/delta bounces (the bound "
                              "holds for any number)"},
@@ -113,7 +113,7 @@ void prove_statements(const std::vector<adiabatic::AdiabaticHypotheses>& wanted,
 }
 
 int run_adiabatic(const Given& given) {
-    const auto wanted = statements_of(given, Deltas::one);
+    const auto wanted = statements_of(given);
     adiabatic::AdiabaticReport report{given.text("--theorem"), accuracy_of(given), {}, {}, {}};
     if (given.has("--out") && wanted.size() > 1) {
         throw InputError(

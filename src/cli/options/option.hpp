@@ -80,7 +80,6 @@ struct Command {
     /// Does it, and returns the exit code; null: it is nothing but its commands.
     int (*run)(const Given&);
     std::span<const Command* const> commands{};
-    bool inherits = false;  ///< options of the command above may follow it, too
     /// Starts another program instead, which reads its own command line: the words after the name.
     void (*become)(const std::vector<std::string>& words) = nullptr;
 

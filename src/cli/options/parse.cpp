@@ -40,7 +40,7 @@ void add_options(CLI::App& app, const Command& command) {
 void add_commands(CLI::App& app, const Command& command) {
     app.require_subcommand(0, 1);
     for (const Command* below : command.commands) {
-        CLI::App& added = *app.add_subcommand(std::string(below->name))->fallthrough(below->inherits);
+        CLI::App& added = *app.add_subcommand(std::string(below->name));
         if (below->become == nullptr) {
             add_options(added, *below);
         }
@@ -62,28 +62,9 @@ void collect(const CLI::App& app, const Command& command, CommandLine& line) {
     }
 }
 
-/// The argument whose word is the name of a command below, so that it is not there itself; or null.
-const Given::Value* skipped_argument(const CommandLine& line) {
-    for (const Given::Value& value : line.given.values()) {
-        if (!value.words.empty() && line.command->below(value.words.front()) != nullptr) {
-            return &value;
-        }
-    }
-    return nullptr;
-}
-
-/// Of the command whose name stands where an argument of the one above was expected, too.
-const Command& explained(const CommandLine& line) {
-    const Given::Value* skipped = skipped_argument(line);
-    return skipped != nullptr ? *line.command->below(skipped->words.front()) : *line.command;
-}
-
 std::string wrong(const CLI::ParseError& error, const CLI::App& app, const CommandLine& line,
                   const std::vector<std::string>& words) {
     if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr) {
-        if (const Given::Value* skipped = skipped_argument(line)) {
-            return fmt::format("{} is missing before '{}'", skipped->option->name, skipped->words.front());
-        }
         return unexpected(app.remaining(true));
     }
     if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr) {
@@ -111,11 +92,11 @@ CommandLine parse(const Command& program, const std::string& version, const std:
     } catch (const CLI::CallForAllHelp&) {
         collect(app, program, line);
         fault = unknown_command(program, words);
-        line.answer = pages::help_all(program, explained(line));
+        line.answer = pages::help_all(program, *line.command);
     } catch (const CLI::CallForHelp&) {
         collect(app, program, line);
         fault = unknown_command(program, words);
-        line.answer = pages::help(program, explained(line));
+        line.answer = pages::help(program, *line.command);
     } catch (const CLI::ParseError& error) {
         collect(app, program, line);
         fault = wrong(error, app, line, words);

@@ -12,15 +12,10 @@ namespace {
 
 void collect(const Place& place, bool with_hidden, std::vector<Place>& all) {
     all.push_back(place);
-    std::string between = " ";
-    for (const Option& option : place.command->options) {
-        between += option.is_argument() && option.is_required ? spelling(option) + " " : "";
-    }
     for (const Command* below : place.command->commands) {
         if (with_hidden || !below->group.empty()) {
             const bool inherits = below->footer.empty() && place.command != all.front().command;
             collect({below, fmt::format("{} {}", place.name, below->name),
-                     fmt::format("{}{}{}", place.called, between, below->name),
                      inherits ? place.footer : below->footer},
                     with_hidden, all);
         }
@@ -30,7 +25,7 @@ void collect(const Place& place, bool with_hidden, std::vector<Place>& all) {
 std::vector<Place> places(const Command& program, bool with_hidden) {
     std::vector<Place> all;
     const std::string name(program.name);
-    collect({&program, name, name, program.footer}, with_hidden, all);
+    collect({&program, name, program.footer}, with_hidden, all);
     return all;
 }
 
@@ -53,15 +48,15 @@ bool is_called(const Command& command) { return command.run != nullptr || comman
 
 std::string usage(const Place& place) {
     if (!is_called(*place.command)) {
-        return place.called + " COMMAND [OPTIONS] ...";
+        return place.name + " COMMAND [OPTIONS] ...";
     }
-    std::string text = place.called + " [OPTIONS]";
+    std::string text = place.name + " [OPTIONS]";
     for (const Option& option : place.command->options) {
         if (option.is_argument()) {
             text += option.is_required ? " " + spelling(option) : fmt::format(" [{}]", spelling(option));
         }
     }
-    return text + (place.command->commands.empty() ? "" : " [COMMAND]");
+    return text;
 }
 
 bool is_file(const Option& option) {

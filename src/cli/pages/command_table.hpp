@@ -11,8 +11,7 @@ namespace dumbbell::cli::pages {
 /// A command where it stands in the table.
 struct Place {
     const Command* command;
-    std::string name;    ///< dumbbell plot staircase
-    std::string called;  ///< as it is typed, with what stands between: dumbbell campaign plan FOLDER verify
+    std::string name;  ///< dumbbell plot staircase
     std::string_view footer;
 };
 

@@ -31,8 +31,6 @@ Names names_of(Content content) {
             return {"a picture", {".svg"}};
         case Content::page:
             return {"a page", {".html"}};
-        case Content::parts:
-            return {"a list of verified parts", {".txt", ".txt.gz"}};
     }
     throw BrokenInvariant("unknown content");
 }

@@ -11,7 +11,7 @@
 namespace dumbbell::cli {
 
 /// What a command writes, which its file's name must say.
-enum class Content { certificate, table, picture, page, parts };
+enum class Content { certificate, table, picture, page };
 
 /// What is wrong with a name to write to, empty if nothing is: one that is empty or that of a directory, that
 /// does not end as the content's names do, or that lies where no files are (`output_target`); `-`, the

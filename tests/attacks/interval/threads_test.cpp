@@ -1,4 +1,6 @@
 // Threads that are started before, during and after a change of mode elsewhere.
+#include <flint/flint.h>
+
 #include <array>
 #include <barrier>
 #include <bit>
@@ -78,7 +80,7 @@ class Crew {
             threads_.emplace_back([&result, evaluate, this] {
                 begin_.arrive_and_wait();
                 result = evaluate();
-                forget_thread_constants();
+                flint_cleanup();
             });
         }
     }

@@ -126,7 +126,7 @@ GROUPS = {
         programs=("tests/rooms/starts/test_starts",),
         texts=frozenset({"starts/writer.cpp"})),
     "invariant": Group(  # the search for adiabatic statements
-        files=below("adiabatic", "attained box case classes cover hypotheses printed prove reader search writer",
+        files=below("adiabatic", "attained box classes cover hypotheses printed prove reader search writer",
                     "box:box"),
         left_out=frozenset(),
         targets=("test_adiabatic",),
@@ -140,13 +140,6 @@ GROUPS = {
         targets=("test_file", "test_collisions", "dumbbell-verify"),
         programs=("tests/rooms/file/test_file", "tests/rooms/collisions/test_collisions"),
         texts=frozenset({"file/dyadic.cpp"})),
-    "campaign": Group(
-        files=below("campaign", "campaign folder journal judges kind kinds/adiabatic kinds/collisions kinds/critical "
-                    "kinds/verified local_engine merge order password plan status work_queue_engine work_queue_manager "
-                    "worker_commands"),
-        left_out=frozenset(),
-        targets=("test_campaign", "test_work_queue", "dumbbell-verify"),
-        programs=("tests/rooms/campaign/test_campaign", "tests/rooms/campaign/test_work_queue")),
     "audit": Group(  # but for the report, which the tests of the command read
         files=below("audit", "audit claimed_range leaf_boxes tiling"),
         left_out=frozenset(),

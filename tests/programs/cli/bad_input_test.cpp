@@ -106,16 +106,13 @@ TEST_CASE("what is wrong is said in plain words, and in the order given") {
     CHECK_THAT(refused({"plot", "pie", "x"}),
                Contains("plot has no command 'pie'; see dumbbell plot --help"));
     CHECK_THAT(refused({"plot"}), Contains("plot needs a command: staircase, cover"));
-    for (const Words& words : {Words{"campaign", "worker", "--help"}, Words{"help", "campaign", "worker"},
-                               Words{"campaign", "--help-all", "worker"}}) {
-        CHECK_THAT(refused(words),
-                   Contains("campaign has no command 'worker'; see dumbbell campaign --help"));
+    for (const Words& words :
+         {Words{"plot", "pie", "--help"}, Words{"help", "plot", "pie"}, Words{"plot", "--help-all", "pie"}}) {
+        CHECK_THAT(refused(words), Contains("plot has no command 'pie'; see dumbbell plot --help"));
     }
-    CHECK_THAT(refused({"campaign", "verify", "--help"}), Contains("campaign has no command 'verify'; see"));
+    CHECK_THAT(refused({"plot", "verify", "--help"}), Contains("plot has no command 'verify'; see"));
     CHECK_THAT(refused({"certfy", "--help"}),
                Contains("there is no command 'certfy'; did you mean certify?"));
-    CHECK_THAT(refused({"campaign", "plan", "adiabatic", "--delta", "0.01"}),
-               Contains("FOLDER is missing before 'adiabatic'; see dumbbell campaign plan"));
     CHECK_THAT(refused({"plot", "orbit", "10", "--out", ".svg"}),
                Contains("ends in .svg ('.svg' has nothing before that)"));
     CHECK_THAT(refused({"critical", "10^101"}), Contains("or 10^100 for one N by the law"));
@@ -140,8 +137,7 @@ TEST_CASE("what is wrong is said in plain words, and in the order given") {
     CHECK_THAT(refused({"critical", "4", "--confirm", "abc"}), Contains("--confirm: 'abc' is not a number"));
     CHECK_THAT(refused({"plot", "orbit", "0", "--out", "x.svg"}), Contains("greater than 0"));
     CHECK_THAT(refused({"plot", "orbit", "none.dbc", "--out", "x.svg"}), Contains("no such file"));
-    for (const Words& words :
-         {Words{}, Words{"plot"}, Words{"campaign"}, Words{"--foo"}, Words{"plot", "x"}}) {
+    for (const Words& words : {Words{}, Words{"plot"}, Words{"--foo"}, Words{"plot", "x"}}) {
         CHECK_THAT(refused(words), !Contains("ubcommand"));
     }
 }
@@ -150,7 +146,7 @@ TEST_CASE("every option of every command is refused without its value, with a wr
     static const std::regex range(".* \\(([0-9]+) to ([0-9]+)\\).*");
     for (const ListedCommand& command : listed_commands()) {
         const auto with = [&](Words words) {
-            words.insert(words.begin(), command.called.begin(), command.called.end());
+            words.insert(words.begin(), command.words.begin(), command.words.end());
             return refused(words);
         };
         for (const ListedOption& option : command.options) {
@@ -178,7 +174,7 @@ TEST_CASE("every option of every command is refused without its value, with a wr
 TEST_CASE("an output without a name is refused by each command that has one") {
     for (Words words :
          {Words{"certify", "10"}, Words{"critical", "4"}, Words{"adiabatic"}, Words{"trace", "10"},
-          Words{"plot", "staircase", "x.dbc"}, Words{"report", "x.dbc"}, Words{"campaign", "merge", "c"}}) {
+          Words{"plot", "staircase", "x.dbc"}, Words{"report", "x.dbc"}}) {
         CAPTURE(words);
         words.insert(words.end(), {"--out", ""});
         CHECK_THAT(refused(words), Contains("--out: the file name is empty; see dumbbell " + words[0]));
@@ -203,8 +199,7 @@ TEST_CASE("an input that cannot be read is named, with the cause") {
                                                  {"law", name},
                                                  {"law", "--ratio", "2", name},
                                                  {"certify", "10", "--by", "law", "--law", name},
-                                                 {"plot", "staircase", name, "--out", "x.svg"},
-                                                 {"campaign", "plan", "c", "verify", name}}) {
+                                                 {"plot", "staircase", name, "--out", "x.svg"}}) {
         CAPTURE(words);
         CHECK_THAT(refused(words), Contains("cannot read '" + name + "': File name too long\n"));
     }
@@ -282,7 +277,7 @@ TEST_CASE("messages are plain ASCII whatever was typed") {
 }
 
 TEST_CASE("the exit code is the same where the message cannot be written") {
-    for (const char* arguments : {" certify ten", " no-such-command", " campaign run no-such-folder"}) {
+    for (const char* arguments : {" certify ten", " no-such-command", " law no-such-file"}) {
         CAPTURE(arguments);
         const Outcome result =
             run({"sh", "-c", std::string("exec " DUMBBELL_BIN) + arguments + " 2>/dev/full"});

@@ -209,16 +209,6 @@ TEST_CASE("docs/reference/json.md describes the JSON of audit") {
     check_documented("audit", printed_by({{"audit", "two.dbc"}}, folder));
 }
 
-TEST_CASE("docs/reference/json.md describes the JSON of campaign run and campaign status") {
-    const TemporaryFolder folder;
-    const std::string place = folder / "c";
-    REQUIRE(dumbbell({"campaign", "plan", place, "1:9"}).code == 0);
-    const Words status{"campaign", "status", place, "--json"};
-    const OrderedJson before = printed(dumbbell(status));
-    check_documented("campaign run", {printed(dumbbell({"campaign", "run", place, "--json"}))});
-    check_documented("campaign status", {before, printed(dumbbell(status))});
-}
-
 TEST_CASE("docs/reference/json.md describes the JSON of verify") {
     const TemporaryFolder folder;
     const auto make = [&](Words words) { REQUIRE(dumbbell(words, folder.path()).code == 0); };

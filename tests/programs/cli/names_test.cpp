@@ -38,7 +38,7 @@ Outcome pasted(const std::string& text, const std::string& before, const std::st
 TEST_CASE("no command of either program prints a name raw, whatever comes out") {
     const TemporaryFolder folder;
     const std::string& f = folder.path();
-    const std::string stairs = hostile + ".dbc", box = hostile + "box.dbc", campaign = hostile + "c";
+    const std::string stairs = hostile + ".dbc", box = hostile + "box.dbc";
     const Words trace{"trace", "10",  "--phi",  "0.3:0.31", "--phidot",   "0",
                       "--y",   "3/2", "--ydot", "-1",       "--subdivide"};
     std::vector<Words> commands{
@@ -65,15 +65,6 @@ TEST_CASE("no command of either program prints a name raw, whatever comes out") 
         {"report", stairs, "--out", hostile + ".html"},
         {"report", hostile, "--out", hostile + ".html"},
         {"report", stairs, "--out", hostile + ".svg"},
-        {"campaign", "plan", campaign, "1:10"},
-        {"campaign", "plan", campaign, "1:10"},
-        {"campaign", "status", campaign},
-        {"campaign", "merge", campaign, "--out", hostile + "m.dbc"},
-        {"campaign", "run", campaign},
-        {"campaign", "status", campaign, "--json"},
-        {"campaign", "merge", campaign, "--out", hostile + "m.dbc"},
-        {"campaign", "plan", campaign + "v", "verify", stairs},
-        {"campaign", "status", campaign + "v"},
         {"verify", stairs},
         {"verify", stairs, hostile},
         {"verify", "--json", stairs, box},
@@ -125,8 +116,5 @@ TEST_CASE("a command that is printed can be pasted, whatever the file is called"
             {"adiabatic", "--delta", "0.01", "--theorem", "lemma3.1", "--out=" + file}, folder.path());
         REQUIRE(bounded.code == 0);
         CHECK(pasted(bounded.out, "Check it:    ", folder.path()).code == 0);
-        const Outcome planned = dumbbell({"campaign", "plan", "./" + name, "1:10"}, folder.path());
-        REQUIRE(planned.code == 0);
-        CHECK(pasted(planned.out, "to process them: ", folder.path()).code == 0);
     }
 }

@@ -82,8 +82,6 @@ TEST_CASE("a name that does not say what is written is refused before any work")
                Contains("ends in .tsv or .tsv.gz"));
     CHECK_THAT(refused_in(folder, {"plot", "staircase", stairs, "--out", "x.png"}), Contains("ends in .svg"));
     CHECK_THAT(refused_in(folder, {"report", stairs, "--out", "x.svg"}), Contains("ends in .html"));
-    REQUIRE(dumbbell({"campaign", "plan", "c", "1:10"}, folder.path()).code == 0);
-    CHECK_THAT(refused_in(folder, {"campaign", "merge", "c", "--out", "x.tsv"}), Contains("ends in .dbc"));
 }
 
 TEST_CASE("an output through links is written where they lead, and they stay") {
@@ -195,7 +193,6 @@ TEST_CASE("the file - is the standard input, for each command that reads one") {
 TEST_CASE("whatever could not be printed is no success, in every command") {
     const TemporaryFolder folder;
     const std::string stairs = certificate(folder, "1:20");
-    REQUIRE(dumbbell({"campaign", "plan", folder / "c", "1:10"}).code == 0);
     for (const char* words :
          {"certify 10", "certify 1:1000", "critical 4", "trace 10 --phi 1/3 --phidot 1 --y 3 --ydot -1/2",
           "adiabatic --delta 0.01 --theorem lemma3.1", "generate man", "certify 10 --out -"}) {
@@ -206,9 +203,8 @@ TEST_CASE("whatever could not be printed is no success, in every command") {
         CHECK_THAT(result.err, Contains("cannot write the output"));
     }
     for (const std::string& words :
-         {"audit " + stairs, "audit --json " + stairs, "law " + stairs, "campaign status " + folder / "c",
-          "campaign run " + folder / "c", "verify " + stairs, "plot staircase --out - " + stairs,
-          "report --out - " + stairs, std::string("help")}) {
+         {"audit " + stairs, "audit --json " + stairs, "law " + stairs, "verify " + stairs,
+          "plot staircase --out - " + stairs, "report --out - " + stairs, std::string("help")}) {
         const Outcome result = run({"sh", "-c", "exec " DUMBBELL_BIN " " + words + " > /dev/full"});
         CAPTURE(words, result.err);
         CHECK(result.code == 2);

@@ -129,14 +129,11 @@ TEST_CASE("that a large file is read is a phase of its own, in every command tha
     const TemporaryFolder folder;
     const std::string file = folder / "large.dbc", out = folder / "out";
     write_file(file, many_open_pieces(3'000'000));
-    for (const Words& words : std::vector<Words>{{"law", file},
-                                                 {"audit", file},
-                                                 {"plot", "staircase", file, "--out", out + ".svg"},
-                                                 {"campaign", "plan", out, "verify", file}}) {
+    for (const Words& words : std::vector<Words>{
+             {"law", file}, {"audit", file}, {"plot", "staircase", file, "--out", out + ".svg"}}) {
         const std::string text = seen_on_terminal(with_program(words), "reading");
         CAPTURE(words, text);
-        CHECK(std::regex_search(
-            text, std::regex(R"(reading(, |: \[#*\.*\] \d+/3000000 pieces, about )\d+ (s|min|h))")));
+        CHECK(std::regex_search(text, std::regex(R"(reading, \d+ (s|min|h))")));
     }
     // What waits for its input reads, too.
     const std::string waits = seen_on_terminal(

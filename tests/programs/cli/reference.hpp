@@ -30,8 +30,7 @@ struct ListedOption {
 };
 
 struct ListedCommand {
-    Words words;   // plot staircase; of the program none
-    Words called;  // as they are typed before the options: campaign plan FOLDER critical
+    Words words;  // plot staircase; of the program none
     std::vector<ListedOption> options;
     std::string text;  // all else that is said of it
 };
@@ -47,7 +46,7 @@ inline std::string unescaped(const std::string& text) {
 }
 
 inline std::vector<ListedCommand> listed_commands() {
-    const std::string heading = "## dumbbell", usage = "    dumbbell", row = "| `";
+    const std::string heading = "## dumbbell", row = "| `";
     std::vector<ListedCommand> commands;
     std::istringstream lines(dumbbell({"generate", "reference"}).out);
     for (std::string line; std::getline(lines, line);) {
@@ -57,12 +56,6 @@ inline std::vector<ListedCommand> listed_commands() {
             for (std::string word; words >> word;) {
                 commands.back().words.push_back(word);
             }
-        } else if (line.rfind(usage, 0) == 0 && commands.back().text.empty()) {
-            std::istringstream words(line.substr(usage.size()));
-            for (std::string word; words >> word && word != "[OPTIONS]" && word != "COMMAND";) {
-                commands.back().called.push_back(word);
-            }
-            commands.back().text.push_back('\n');
         } else if (line.rfind(row, 0) == 0) {
             const std::size_t end = line.find("` | ");
             commands.back().options.push_back({unescaped(line.substr(row.size(), end - row.size())),

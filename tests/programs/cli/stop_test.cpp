@@ -100,19 +100,6 @@ TEST_CASE("a range that is stopped while it looks for its steps says what an ear
     CHECK_THAT(again.err, !Contains(" of "));  // how many it will have is not known
 }
 
-TEST_CASE("a verification that is stopped while it is planned leaves nothing") {
-    const TemporaryFolder folder;
-    write_file(folder / "large.dbc", many_open_pieces(600'000));
-    for (const int signal : {SIGINT, SIGTERM}) {
-        const Outcome outcome = stopped({"campaign", "plan", "c", "verify", "large.dbc"}, signal, folder);
-        CAPTURE(outcome.err);
-        CHECK(outcome.signal == signal);
-        CHECK(outcome.out.empty());
-        CHECK_THAT(outcome.err, Contains(": nothing was planned\n"));
-        CHECK(folder.names() == Words{"large.dbc"});
-    }
-}
-
 TEST_CASE("a stopped run ends early, in the middle of a section without end too") {
     const TemporaryFolder folder;
     CHECK(stopped({"certify", "1e16", "--section", "full"}, SIGTERM, folder).signal == SIGTERM);

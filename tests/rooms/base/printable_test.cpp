@@ -9,7 +9,6 @@
 using dumbbell::one_line;
 using dumbbell::printable;
 using dumbbell::shell_file;
-using dumbbell::shell_quoted;
 
 namespace {
 
@@ -52,9 +51,9 @@ TEST_CASE("a name stays readable in any alphabet, and is one line without contro
 }
 
 TEST_CASE("a quoted word is what the shell reads, and shows no control character") {
-    CHECK(shell_quoted("stairs-1.dbc") == "stairs-1.dbc");
-    CHECK(shell_quoted("a path/x.dbc") == "'a path/x.dbc'");
-    CHECK(shell_quoted("") == "''");
+    CHECK(shell_file("stairs-1.dbc") == "stairs-1.dbc");
+    CHECK(shell_file("a path/x.dbc") == "'a path/x.dbc'");
+    CHECK(shell_file("") == "''");
     for (const char* word : {"plain", "a b", "it's", "$HOME", "`x`", "a\\b", "\"", "*", "~", "a\nb",
                              "\x1b[31m'\\", "tab\t", "\xc2\x9bm", "\xff",
                              "Gr\xc3\xb6\xc3\x9f"
@@ -62,9 +61,9 @@ TEST_CASE("a quoted word is what the shell reads, and shows no control character
                              "1\n2'3\\4 5",
                              "\x1b"
                              "7"}) {
-        CAPTURE(word, shell_quoted(word));
-        CHECK(read_by_shell(shell_quoted(word)) == std::string(word) + "|");
-        CHECK(one_line(shell_quoted(word)) == shell_quoted(word));
+        CAPTURE(word, shell_file(word));
+        CHECK(read_by_shell(shell_file(word)) == std::string(word) + "|");
+        CHECK(one_line(shell_file(word)) == shell_file(word));
     }
 }
 

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "rooms/campaign/place.hpp"
+#include "programs/cli/process.hpp"
 
 using namespace dumbbell;
 using namespace dumbbell_test;
@@ -17,11 +17,10 @@ namespace {
 
 /// A program that does this, in a place of its own.
 struct StandIn {
-    Place place;
-    std::string program = place.string() + "/stand-in";
+    TemporaryFolder folder;
+    std::string program = folder / "stand-in";
 
     explicit StandIn(const std::string& script) {
-        fs::create_directory(place.path);
         std::ofstream(program) << "#!/bin/sh\n" << script << "\n";
         fs::permissions(program, fs::perms::owner_all);
     }

@@ -1,4 +1,5 @@
 // The memory of a BigInterval: that of a thread's own is given back before the thread ends.
+#include <flint/flint.h>
 #include <gmp.h>
 #include <mpfr.h>
 
@@ -52,7 +53,7 @@ std::size_t left_by(const Work& work) {
     std::jthread([&] {
         work();
         CHECK(blocks_ever > 0);
-        forget_thread_constants();
+        flint_cleanup();
     }).join();
     mp_set_memory_functions(nullptr, nullptr, nullptr);
     __flint_set_memory_functions(std::malloc, std::calloc, std::realloc, std::free);
