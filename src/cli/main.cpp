@@ -47,9 +47,9 @@ constexpr const char* program_footer =
 
 constexpr std::array program_options{help_option, version_option, help_all_option};
 
-constexpr std::array program_commands{&certify_command, &critical_command, &trace_command, &adiabatic_command,
-                                      &verify_command,  &audit_command,    &law_command,   &plot_command,
-                                      &report_command,  &generate_command};
+constexpr std::array program_commands{&certify_command,   &critical_command, &join_command,    &trace_command,
+                                      &adiabatic_command, &verify_command,   &audit_command,   &law_command,
+                                      &plot_command,      &report_command,   &generate_command};
 
 std::string version_text() {
     return fmt::format("dumbbell {} ({}, {}, flags: {})", DUMBBELL_VERSION, DUMBBELL_COMPILER,

@@ -175,6 +175,22 @@ std::string range_sentence(const ProofReport& report) {
     return text + decided_text(report.undecided, counts.exact > 0);
 }
 
+std::string part_sentence(const ProofReport& report) {
+    if (!report.part) {
+        return {};
+    }
+    const auto& [part, lo, hi, q_lo, q_hi] = *report.part;
+    return fmt::format("Part {} of {} of the mass ratios {}: those from {} to {}.\n", part.number, part.of,
+                       range_text(lo, hi), exact_text(q_lo), exact_text(q_hi));
+}
+
+Json part_json(const RatioPart& part) {
+    return Json::object({{"number", part.part.number},
+                         {"of", part.part.of},
+                         {"lo", to_fraction(part.whole_lo)},
+                         {"hi", to_fraction(part.whole_hi)}});
+}
+
 /// What a cover of the full section proves besides the count (its chart `again`, L19).
 bool heavy_at_most_once(const ProofReport& report) {
     return report.section != Section::turning &&
@@ -235,7 +251,8 @@ std::string pieces_table(const ProofReport& report) {
 }  // namespace
 
 std::string verdict(const ProofReport& report) {
-    return report.q_lo == report.q_hi ? single_sentence(report) : range_sentence(report);
+    return report.q_lo == report.q_hi ? single_sentence(report)
+                                      : part_sentence(report) + range_sentence(report);
 }
 
 std::string to_text(const ProofReport& report) {
@@ -274,6 +291,7 @@ Json to_json(const ProofReport& report) {
          {"section", name(report.section)},
          {"lemmas", lemma_set(report.section)},
          {"ratio", Json::object({{"lo", to_fraction(report.q_lo)}, {"hi", to_fraction(report.q_hi)}})},
+         {"part", report.part ? part_json(*report.part) : Json()},
          {"gap", to_fraction(report.gap)},
          {"jobs", report.jobs},
          {"pieces", pieces},

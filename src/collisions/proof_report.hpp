@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "collisions/certificate.hpp"
+#include "collisions/part.hpp"
 #include "collisions/witness.hpp"
 #include "flight/orbit.hpp"
 #include "words/json.hpp"
@@ -31,6 +32,7 @@ struct ProofReport {
     Section section = Section::turning;
     Rational q_lo;
     Rational q_hi;
+    std::optional<RatioPart> part;  ///< where only that was asked for
     Rational gap;
     int jobs;
     double seconds;

@@ -129,7 +129,9 @@ PieceReader::PieceReader(const std::string& path, Trees trees, Interrupted inter
     head_.generator = head.generator;
     head_.scene = *scene;
     head_.section = *section;
-    lines_.expect("ratio", 3);
+    const auto& range = lines_.expect("ratio", 3);
+    q_lo_ = lines_.ratio(range[1]);
+    q_hi_ = lines_.ratio(range[2]);
     pieces_ = static_cast<std::size_t>(lines_.number(lines_.expect("pieces", 2)[1]));
     if (pieces_ == 0) {
         lines_.fail();

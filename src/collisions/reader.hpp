@@ -20,6 +20,9 @@ class PieceReader {
 
     /// All but the pieces.
     [[nodiscard]] const Certificate& head() const { return head_; }
+    /// The range, as the file says.
+    [[nodiscard]] const Rational& q_lo() const { return q_lo_; }
+    [[nodiscard]] const Rational& q_hi() const { return q_hi_; }
     /// How many there are, as the file says.
     [[nodiscard]] std::size_t pieces() const { return pieces_; }
     /// The next one; without trees its cover is nothing but its charts. Precondition: there is one.
@@ -32,6 +35,7 @@ class PieceReader {
     Trees trees_;
     Interrupted interrupted_;
     Certificate head_;
+    Rational q_lo_, q_hi_;
     std::size_t pieces_ = 0;
 };
 

@@ -115,8 +115,10 @@ std::vector<Step> steps_near(Scene scene, const Rational& lo, const Rational& hi
         return {};
     }
     if (last - first > max_steps) {
-        throw InputError(fmt::format("the range holds about {} steps, more than {}: certify it in parts",
-                                     last - first, max_steps));
+        throw InputError(
+            fmt::format("the range holds about {} steps, more than {}: certify it in parts "
+                        "(--part K/N)",
+                        last - first, max_steps));
     }
     std::vector<Step> steps(static_cast<std::size_t>(last - first + 1));
     std::atomic<std::size_t> done = 0;

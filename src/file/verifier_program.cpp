@@ -110,4 +110,10 @@ Verdict ask_verifier(std::vector<std::string> arguments, std::string program) {
     return verdict;
 }
 
+std::string digest_in(const std::string& verdict) {
+    constexpr std::string_view word = " sha256=";
+    const std::size_t at = verdict.find(word);
+    return at == std::string::npos ? "" : verdict.substr(at + word.size(), 64);
+}
+
 }  // namespace dumbbell

@@ -26,6 +26,9 @@ struct Verdict {
 /// that asks this program to stop ends it early. May be used by several threads at once. Throws NoVerdict.
 [[nodiscard]] Verdict ask_verifier(std::vector<std::string> arguments, std::string program = verifier_path());
 
+/// The SHA-256 that an accepting line names.
+[[nodiscard]] std::string digest_in(const std::string& verdict);
+
 /// For a caller that could not start it: throws NoVerdict.
 [[noreturn]] void verifier_not_started(const std::string& program, int error);
 

@@ -38,7 +38,6 @@ struct LeavesOf {
     std::size_t operator()(const adiabatic::AdiabaticCertificate& certificate) const {
         return closed(certificate.tree);
     }
-    std::size_t operator()(const staircase::CriticalTable& /*no trees*/) const { return 0; }
 
   private:
     template <class Tree>
@@ -55,20 +54,6 @@ std::string growth_digits() {
     require(digits.has_value(), "report: the constant C is not known to 20 digits");
     return to_text(*digits);
 }
-
-/// Who wrote it, and how the verifier is asked; a table has neither.
-struct Provenance {
-    std::string generator;
-    std::string verify_options;
-};
-
-struct ProvenanceOf {
-    template <class Certified>
-    Provenance operator()(const Certified& of) const {
-        return {of.generator.program + " " + of.generator.version, claim_options(of)};
-    }
-    Provenance operator()(const staircase::CriticalTable& /*unsigned*/) const { return {}; }
-};
 
 /// The colours of the page's pictures by their names in its style sheets: on light and on dark pages.
 Json colours_json() {
@@ -94,14 +79,17 @@ void require_few(std::size_t pieces) {
 }
 
 Json one_file(const ReportedFile& file, const BoxBudget& budget) {
-    Json json = std::visit([&](const auto& of) { return file_json(of, budget); }, file.content);
-    const Provenance provenance = std::visit(ProvenanceOf(), file.content);
-    json.add("name", std::filesystem::path(file.path).filename().string());
-    json.add("generator", provenance.generator);
-    json.add("sha256", file.sha256);
-    json.add("verify_options", provenance.verify_options);
-    json.add("verify_file", shell_file(file.path));
-    return json;
+    return std::visit(
+        [&](const auto& of) {
+            Json json = file_json(of, budget);
+            json.add("name", std::filesystem::path(file.path).filename().string());
+            json.add("generator", of.generator.program + " " + of.generator.version);
+            json.add("sha256", file.sha256);
+            json.add("verify_options", claim_options(of));
+            json.add("verify_file", shell_file(file.path));
+            return json;
+        },
+        file.content);
 }
 
 }  // namespace
@@ -117,18 +105,11 @@ void require_few_pieces(const std::vector<std::string>& paths) {
 
 ReportedFile read_reported(const std::string& path) {
     require_readable(path);
-    if (staircase::is_critical_table(path)) {
-        staircase::CriticalTable table = staircase::read_critical_table(path);
-        std::string sha256 = table.sha256;
-        return {path, std::move(sha256), std::move(table)};
-    }
     std::string sha256 = certificates::sealed_digest(path);
-    return {path, std::move(sha256),
-            std::visit([](auto&& of) { return ReportedContent(std::forward<decltype(of)>(of)); },
-                       certificates::read_any_certificate(path))};
+    return {path, std::move(sha256), certificates::read_any_certificate(path)};
 }
 
-std::size_t leaves_of(const ReportedContent& content) { return std::visit(LeavesOf(), content); }
+std::size_t leaves_of(const certificates::AnyCertificate& content) { return std::visit(LeavesOf(), content); }
 
 Json page_data(const std::vector<ReportedFile>& files, std::size_t most_boxes) {
     BoxBudget budget{0, most_boxes};

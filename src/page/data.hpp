@@ -3,28 +3,23 @@
 #include <cstddef>
 #include <string>
 #include <string_view>
-#include <variant>
 #include <vector>
 
 #include "certificates/any_reader.hpp"
-#include "staircase/critical_table.hpp"
 #include "words/json.hpp"
 
-/// What the page of `dumbbell report` shows, as one JSON object: certificates, tables of critical ratios, and
-/// nothing that they do not claim (web/README.md describes it); and the page with it.
+/// What the page of `dumbbell report` shows, as one JSON object: certificates, and nothing that they do not
+/// claim (web/README.md describes it); and the page with it.
 namespace dumbbell::page {
-
-using ReportedContent = std::variant<collisions::Certificate, starts::InitialCertificate,
-                                     adiabatic::AdiabaticCertificate, staircase::CriticalTable>;
 
 struct ReportedFile {
     std::string path;    ///< as the user wrote it, for the command that verifies it
-    std::string sha256;  ///< sealed_digest; of a table that of its text
-    ReportedContent content;
+    std::string sha256;  ///< sealed_digest
+    certificates::AnyCertificate content;
 };
 
-/// Reads a certificate of any claim kind, whose checksum must be right, or a table of critical ratios. Throws
-/// InputError (naming the file) for anything else.
+/// Reads a certificate of any claim kind, whose checksum must be right. Throws InputError (naming the file)
+/// for anything else.
 [[nodiscard]] ReportedFile read_reported(const std::string& path);
 
 /// Boxes of all covers together that a page draws; beyond, trees are thinned out.
@@ -41,7 +36,7 @@ void require_few_pieces(const std::vector<std::string>& paths);
 [[nodiscard]] Json page_data(const std::vector<ReportedFile>& files, std::size_t most_boxes);
 
 /// How many leaves its trees have.
-[[nodiscard]] std::size_t leaves_of(const ReportedContent& content);
+[[nodiscard]] std::size_t leaves_of(const certificates::AnyCertificate& content);
 
 /// The built page (web/dist/report.html) without data: one HTML file that asks for nothing else.
 [[nodiscard]] std::string_view page_template();

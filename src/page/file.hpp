@@ -5,7 +5,6 @@
 
 #include "adiabatic/certificate.hpp"
 #include "collisions/certificate.hpp"
-#include "staircase/critical_table.hpp"
 #include "starts/certificate.hpp"
 #include "words/json.hpp"
 
@@ -22,9 +21,6 @@ struct BoxBudget {
 [[nodiscard]] Json file_json(const collisions::Certificate& certificate, const BoxBudget& budget);
 [[nodiscard]] Json file_json(const starts::InitialCertificate& certificate, const BoxBudget& budget);
 [[nodiscard]] Json file_json(const adiabatic::AdiabaticCertificate& certificate, const BoxBudget& budget);
-
-/// No certificate, but worth a look: with the command that makes the table again.
-[[nodiscard]] Json file_json(const staircase::CriticalTable& table, const BoxBudget& budget);
 
 /// Words for the command line, e.g. `--ratio 1:100 --max 10 --min 2`.
 [[nodiscard]] std::string claim_options(const collisions::Certificate& certificate);

@@ -38,6 +38,20 @@ std::chrono::duration<double> processor_time() {
 
 }  // namespace
 
+CriticalRequest part_of(const Part& part, long first, long last) {
+    if (first == last) {
+        throw InputError("--part is for a range N1:N2: a single critical ratio has no parts");
+    }
+    // Measured: an enclosure costs as much as about so many collisions, and those of its orbit.
+    constexpr long fixed = 30;
+    const auto [begin, end] = steps_of(part, {first, last + 1, fixed});
+    CriticalRequest request;
+    request.first = begin.convert_to<long>();
+    request.last = end.convert_to<long>() - 1;
+    request.part = {part, first, last};
+    return request;
+}
+
 std::vector<CriticalRow> critical_ratios(const CriticalRequest& request) {
     require_sound_arithmetic();
     const auto interrupted = deadline(request.budget);
@@ -46,9 +60,6 @@ std::vector<CriticalRow> critical_ratios(const CriticalRequest& request) {
     if (one) {
         options.observer = request.observer;
     }
-    if (request.confirm) {
-        options.digits = std::max(request.digits, digits_to_confirm(*request.confirm));
-    }
     std::vector<CriticalRow> rows(static_cast<std::size_t>(request.last - request.first + 1));
     std::atomic<std::size_t> done = 0;
     run_with_threads(request.jobs, Threads::all, [&] {
@@ -56,9 +67,6 @@ std::vector<CriticalRow> critical_ratios(const CriticalRequest& request) {
             CriticalRow& row = rows[i];
             row.n = request.first + static_cast<long>(i);
             row.ratio = interrupted() ? std::nullopt : enclose_critical_ratio(row.n, options);
-            if (row.ratio && request.confirm) {
-                row.confirmation = confirm(*row.ratio, *request.confirm, interrupted);
-            }
             if (!one) {
                 request.observer->update(++done, rows.size(), row.n);
             }

@@ -7,15 +7,22 @@
 
 #include "base/observer.hpp"
 #include "collisions/critical.hpp"
-#include "staircase/critical_confirm.hpp"
+#include "number/part.hpp"
 
 namespace dumbbell::staircase {
+
+/// A part of the critical ratios q_c(first), ..., q_c(last).
+struct CountPart {
+    Part part;
+    long first = 3;
+    long last = 3;
+};
 
 struct CriticalRequest {
     long first = 3;  ///< q_c(first), ..., q_c(last); 3 <= first <= last
     long last = 3;
+    std::optional<CountPart> part;  ///< where they are only that
     int digits = 15;
-    std::optional<Rational> confirm;  ///< check by covers and witnesses at this relative distance, too
     int jobs = 1;
     std::optional<std::chrono::duration<double>> budget;
     Observer* observer = &nobody;  ///< told of the ratios that are finished; of a single one, of its flights
@@ -24,18 +31,16 @@ struct CriticalRequest {
 struct CriticalRow {
     long n = 0;
     std::optional<collisions::CriticalRatio> ratio;  ///< nothing: not within the budget
-    std::optional<Confirmation> confirmation;
-
-    [[nodiscard]] bool finished(const CriticalRequest& request) const {
-        return ratio && (!request.confirm || (confirmation && confirmation->holds()));
-    }
 };
+
+/// Of parts that take about as long each. Throws InputError for a single ratio, and if a part would be empty.
+[[nodiscard]] CriticalRequest part_of(const Part& part, long first, long last);
 
 /// One row per n, in order; the rows do not depend on the number of jobs. Throws BrokenInvariant if the
 /// arithmetic of a thread is not sound.
 [[nodiscard]] std::vector<CriticalRow> critical_ratios(const CriticalRequest& request);
 
-/// About how long the enclosures will take (without confirmation), from the processor time that a small one
+/// About how long the enclosures will take, from the processor time that a small one
 /// takes here: on a machine that does nothing else.
 [[nodiscard]] std::chrono::duration<double> estimated_time(const CriticalRequest& request);
 

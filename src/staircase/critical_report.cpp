@@ -43,40 +43,6 @@ long count_if(const CriticalReport& report, bool (*holds)(const CriticalRow&)) {
     return std::count_if(report.rows.begin(), report.rows.end(), holds);
 }
 bool has_ratio(const CriticalRow& row) { return row.ratio.has_value(); }
-bool is_confirmed(const CriticalRow& row) { return row.confirmation && row.confirmation->holds(); }
-
-std::string decided_text(const Decided& decided) {
-    const std::string q = exact_text(decided.q);
-    if (decided.upper == decided.lower) {
-        return fmt::format("at mass ratio {} the maximum is {}", q, decided.lower);
-    }
-    return fmt::format("at mass ratio {} it was not decided", q);
-}
-
-/// For one ratio, with the places where the maximum was decided.
-std::string confirmation_text(const CriticalRow& row) {
-    if (!row.confirmation) {
-        return "Nothing was confirmed in the time allowed.\n";
-    }
-    return fmt::format("{} by cover and witness, without that theorem:\n  {},\n  {}.\n",
-                       row.confirmation->holds() ? "Confirmed" : "Not confirmed",
-                       decided_text(row.confirmation->below), decided_text(row.confirmation->above));
-}
-
-std::string confirmations_text(const CriticalReport& report) {
-    const long confirmed = count_if(report, is_confirmed);
-    const auto all = static_cast<long>(report.rows.size());
-    const std::string distance = exact_text(*report.request.confirm);
-    const char* outcome = confirmed == 0 ? "Not confirmed" : "Confirmed";
-    const std::string share =
-        confirmed == 0 || confirmed == all ? "" : fmt::format(", for {} of the {}", confirmed, all);
-    std::string text = fmt::format("{} by cover and witness, without that theorem{}:\n", outcome, share);
-    text += fmt::format(
-        "  the maximum is N - 1 at a decimal just below q_c(N) (1 - {0}), and N at one just above q_c(N) "
-        "(1 + {0}){1}.\n",
-        distance, report.rows.front().n == 3 ? " (N = 3: 2 at 1)" : "");
-    return text;
-}
 
 /// What the number is, in terms of the orbit, and what makes it the critical ratio.
 std::string foundation(const std::string& flight) {
@@ -109,16 +75,10 @@ std::string single_text(const CriticalReport& report) {
     const flight::ExtremalFlight flight = flight::tangent_flight(row.n);
     const std::string what = fmt::format("flight {} of the {} orbit", flight.flight, orbit_name(row.n));
     text += collisions::is_long(row.n) ? long_foundation("J", what) : foundation(what);
-    return text + (report.request.confirm ? confirmation_text(row) : "");
+    return text;
 }
 
-TableLine heading(const CriticalReport& report) {
-    TableLine line{"N", "q_c", "radius", "bits", "orbit", "flight"};
-    if (report.request.confirm) {
-        line.emplace_back("confirmed");
-    }
-    return line;
-}
+const TableLine heading{"N", "q_c", "radius", "bits", "orbit", "flight"};
 
 TableLine line_of(const CriticalRow& row, const CriticalReport& report, const char* more) {
     TableLine line{fmt::format("{}", row.n)};
@@ -130,14 +90,11 @@ TableLine line_of(const CriticalRow& row, const CriticalReport& report, const ch
         line.insert(line.end(), {"open", "-", "-"});
     }
     line.insert(line.end(), {orbit_name(row.n), fmt::format("{}", flight::tangent_flight(row.n).flight)});
-    if (report.request.confirm) {
-        line.emplace_back(is_confirmed(row) ? "yes" : "no");
-    }
     return line;
 }
 
 std::string table_text(const CriticalReport& report) {
-    std::vector<TableLine> lines{heading(report)};
+    std::vector<TableLine> lines{heading};
     for (const CriticalRow& row : report.rows) {
         lines.push_back(line_of(row, report, "..."));
     }
@@ -163,7 +120,17 @@ std::string range_text(const CriticalReport& report) {
         const std::string from = fmt::format("From N = {} on, j", collisions::first_long);
         text += last_is_long ? long_foundation(first_is_long ? "J" : from, "that flight of the orbit") : "";
     }
-    return text + (report.request.confirm ? confirmations_text(report) : "");
+    return text;
+}
+
+std::string part_sentence(const CountPart& part) {
+    return fmt::format("Part {} of {} of the critical ratios for N from {} to {}.\n", part.part.number,
+                       part.part.of, part.first, part.last);
+}
+
+Json part_json(const CountPart& part) {
+    return Json::object(
+        {{"number", part.part.number}, {"of", part.part.of}, {"first", part.first}, {"last", part.last}});
 }
 
 std::string row_verdict(const CriticalRow& row, const CriticalReport& report) {
@@ -171,20 +138,11 @@ std::string row_verdict(const CriticalRow& row, const CriticalReport& report) {
         return fmt::format("q_c({}) was not enclosed in the time allowed.\n", row.n);
     }
     const CriticalNumber p = critical_number(*row.ratio, report.request.digits);
-    return fmt::format("q_c({}) = {}{}{}\n", row.n, p.value, p.exact ? "" : "...",
-                       report.request.confirm && !is_confirmed(row) ? " (not confirmed)" : "");
+    return fmt::format("q_c({}) = {}{}\n", row.n, p.value, p.exact ? "" : "...");
 }
 
 /// Of the ends, beyond those of the number.
 constexpr int more_digits = 20;
-
-Json decided_json(const Decided& decided) {
-    return Json::object({{"ratio", to_fraction(decided.q)},
-                         {"expected", decided.expected},
-                         {"upper", decided.upper},
-                         {"lower", decided.lower},
-                         {"bits", decided.bits}});
-}
 
 Json row_json(const CriticalRow& row, const CriticalReport& report) {
     Json json = Json::object({{"n", row.n},
@@ -200,11 +158,6 @@ Json row_json(const CriticalRow& row, const CriticalReport& report) {
         json.add("lo", to_text(without_zeros(cut_down(row.ratio->q_lo, ends))));
         json.add("hi", to_text(without_zeros(cut_up(row.ratio->q_hi, ends))));
         json.add("bits", row.ratio->bits);
-    }
-    if (row.confirmation) {
-        json.add("confirmed", row.confirmation->holds());
-        json.add("below", decided_json(row.confirmation->below));
-        json.add("above", decided_json(row.confirmation->above));
     }
     return json;
 }
@@ -230,6 +183,9 @@ std::string verdict(const CriticalReport& report) {
 
 std::string to_text(const CriticalReport& report) {
     std::string text = report.rows.size() == 1 ? single_text(report) : range_text(report);
+    if (report.request.part) {
+        text += part_sentence(*report.request.part);
+    }
     if (report.out) {
         text += fmt::format("Table: {}\n", one_line(*report.out));
     }
@@ -241,18 +197,17 @@ Json to_json(const CriticalReport& report) {
     for (const CriticalRow& row : report.rows) {
         ratios.add(row_json(row, report));
     }
-    return Json::object(
-        {{"schema", "dumbbell-critical-1"},
-         {"method", method(report.request.first, report.request.last)},
-         {"rests_on", "proofs/theorem.md, theorem 2"},
-         {"digits", report.request.digits},
-         {"confirm", report.request.confirm ? Json(to_fraction(*report.request.confirm)) : Json()},
-         {"jobs", report.request.jobs},
-         {"ratios", ratios},
-         {"open", std::count_if(report.rows.begin(), report.rows.end(),
-                                [](const CriticalRow& row) { return !row.ratio; })},
-         {"seconds", report.seconds},
-         {"out", report.out}});
+    return Json::object({{"schema", "dumbbell-critical-1"},
+                         {"method", method(report.request.first, report.request.last)},
+                         {"rests_on", "proofs/theorem.md, theorem 2"},
+                         {"digits", report.request.digits},
+                         {"part", report.request.part ? part_json(*report.request.part) : Json()},
+                         {"jobs", report.request.jobs},
+                         {"ratios", ratios},
+                         {"open", std::count_if(report.rows.begin(), report.rows.end(),
+                                                [](const CriticalRow& row) { return !row.ratio; })},
+                         {"seconds", report.seconds},
+                         {"out", report.out}});
 }
 
 std::string to_tsv(const CriticalReport& report) {
@@ -262,7 +217,7 @@ std::string to_tsv(const CriticalReport& report) {
         "off, not\n"
         "# rounded), and q_c lies within the radius of the number. This rests on theorem 2 of "
         "proofs/theorem.md.\n# ";
-    text += joined(heading(report));
+    text += joined(heading);
     for (const CriticalRow& row : report.rows) {
         text += joined(line_of(row, report, ""));
     }

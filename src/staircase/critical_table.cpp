@@ -1,131 +1,135 @@
 #include "staircase/critical_table.hpp"
 
 #include <fmt/core.h>
-#include <zlib.h>
 
 #include <algorithm>
-#include <array>
-#include <filesystem>
-#include <memory>
 #include <optional>
 #include <string_view>
+#include <vector>
 
 #include "base/error.hpp"
 #include "base/fields.hpp"
-#include "collisions/writer.hpp"
-#include "file/sha256.hpp"
-#include "number/rational.hpp"
+#include "file/unpacked_text.hpp"
+#include "number/count_argument.hpp"
+#include "number/decimal.hpp"
+#include "number/parallel.hpp"
 
 namespace dumbbell::staircase {
 namespace {
 
 constexpr std::string_view first_words = "# Critical mass ratios";
-constexpr std::size_t columns = 6;
-constexpr std::size_t longest = 200'000;  // of a line: more digits than `critical` gives
 
-/// The file line by line, gzip or not.
-class TableLines {
-  public:
-    explicit TableLines(const std::string& path) : file_(nullptr, &gzclose) {
-        if (std::filesystem::is_regular_file(path)) {
-            file_.reset(gzopen(path.c_str(), "rb"));
-        }
-    }
-
-    /// With its line feed, if it has one and is not too long; nothing at the end.
-    std::optional<std::string> next() {
-        std::string line;
-        std::array<char, 8192> part{};
-        while (file_ && line.size() < longest &&
-               gzgets(file_.get(), part.data(), static_cast<int>(part.size())) != nullptr) {
-            line += part.data();
-            if (line.ends_with('\n')) {
-                break;
-            }
-        }
-        return line.empty() ? std::nullopt : std::optional(std::move(line));
-    }
-
-    [[nodiscard]] bool at_end() const { return file_ && gzeof(file_.get()) == 1; }
-
-  private:
-    std::unique_ptr<gzFile_s, int (*)(gzFile)> file_;
-};
-
-std::optional<long> natural(std::string_view text) {
-    const auto value = number_of<long>(text);
-    return value && *value >= 0 ? value : std::nullopt;
+/// The significant digits of a number as it is printed.
+int digits_in(std::string_view number) {
+    const std::string_view mantissa = number.substr(0, number.find('e'));
+    return static_cast<int>(std::ranges::count_if(mantissa, [](char c) { return c >= '0' && c <= '9'; }));
 }
 
-bool is_number(std::string_view text) {
-    try {
-        (void)parse_rational(text, longest);
-        return true;
-    } catch (const InputError&) {
-        return false;
-    }
-}
-
-std::optional<CriticalTableRow> row_from(std::string_view line) {
-    const auto fields = split(line, '\t');
-    if (fields.size() != columns) {
+/// The enclosure that a row states: of the numbers with these digits those that are no more than the radius
+/// above. (A radius of a whole unit of the last digit was rounded up to that: the digits end before it.)
+/// Nothing if the digits are none.
+std::optional<collisions::CriticalRatio> stated(long n, std::string_view digits, std::string_view radius,
+                                                int bits) {
+    static const Rational nearly_one = 1 - parse_rational("1e-30");
+    constexpr std::size_t longest = collisions::most_critical_digits + 10;
+    const Rational q_lo = parse_rational(digits, longest);
+    const int shown = digits_in(digits);
+    if (q_lo < 1 || shown > collisions::most_critical_digits) {
         return std::nullopt;
     }
-    const auto n = natural(fields[0]);
-    const auto bits = natural(fields[3]);
-    const auto flight = natural(fields[5]);
-    const bool is_row = n && bits && flight && is_number(fields[1]) && is_number(fields[2]) &&
-                        (fields[4] == "top" || fields[4] == "corner");
-    return is_row ? std::optional(CriticalTableRow{*n, std::string(fields[1]), std::string(fields[2]), *bits,
-                                                   std::string(fields[4]), *flight})
-                  : std::nullopt;
+    const Decimal value = cut_down(q_lo, shown);
+    const Rational unit = exact(Decimal{1, value.exponent});
+    return exact(value) != q_lo
+               ? std::nullopt
+               : std::optional(collisions::CriticalRatio{
+                     n, q_lo, q_lo + std::min(parse_rational(radius), unit * nearly_one), bits});
+}
+
+/// Nothing if it is none. Numbers may be spelled in other ways than a table spells them.
+std::optional<CriticalRow> row_from(std::string_view line) try {
+    const auto fields = split(line, '\t');
+    const auto n = number_of<long>(fields.front());
+    if (fields.size() != 6 || !n || *n < 3 || *n > greatest_count) {
+        return std::nullopt;
+    }
+    if (fields[1] == "open") {
+        return CriticalRow{*n, {}};
+    }
+    const auto bits = number_of<int>(fields[3]);
+    if (!bits || *bits < 53 || *bits > collisions::most_critical_bits) {
+        return std::nullopt;
+    }
+    const auto ratio = stated(*n, fields[1], fields[2], *bits);
+    const bool fits = ratio && (*n > 3 || (ratio->q_lo == 1 && ratio->q_hi == 1));
+    return fits ? std::optional(CriticalRow{*n, ratio}) : std::nullopt;
+} catch (const InputError&) {
+    return std::nullopt;
+}
+
+[[noreturn]] void fail(const std::string& path, long line) {
+    throw InputError(fmt::format(
+        "'{}' is not a table of critical ratios as dumbbell critical --out writes it (line {})", path, line));
 }
 
 }  // namespace
 
-int CriticalTable::digits() const {
-    long most = 1;
-    for (const CriticalTableRow& row : rows) {
-        most = std::max(most, std::ranges::count_if(row.q_c, [](char c) { return c >= '0' && c <= '9'; }));
-    }
-    return static_cast<int>(most);
+bool is_critical_table(const std::string& path) try {
+    return UnpackedText(path).next_line().starts_with(first_words);
+} catch (const InputError&) {
+    return false;
 }
 
-bool is_critical_table(const std::string& path) {
-    const auto line = TableLines(path).next();
-    return line && line->starts_with(first_words);
-}
-
-CriticalTable read_critical_table(const std::string& path) {
-    TableLines lines(path);
-    CriticalTable table;
+CriticalReport read_critical_table(const std::string& path) {
+    UnpackedText lines(path);
+    CriticalReport table;
+    int digits = 0;  // of all rows but that of q_c(3) = 1, which has one
     std::string text;
     long number = 0;
-    const auto fail = [&] {
-        throw InputError(fmt::format(
-            "'{}' is not a table of critical ratios that this program can read (line {})", path, number));
-    };
-    while (const auto line = lines.next()) {
+    for (std::string_view line = lines.next_line(); !line.empty(); line = lines.next_line()) {
         ++number;
-        text += *line;
-        if (!line->ends_with('\n')) {
-            fail();
-        }
-        if (line->starts_with('#')) {
+        text += line;
+        if (line.starts_with('#')) {
             continue;
         }
-        auto row = row_from(std::string_view(*line).substr(0, line->size() - 1));
-        if (!row) {
-            fail();
+        const auto row = line.ends_with('\n') ? row_from(line.substr(0, line.size() - 1)) : std::nullopt;
+        if (!row || (!table.rows.empty() && row->n != table.rows.back().n + 1)) {
+            fail(path, number);
         }
-        table.rows.push_back(std::move(*row));
+        if (row->ratio && row->n > 3) {
+            const int shown = digits_in(split(line, '\t')[1]);
+            digits = digits == 0 ? shown : digits;
+            if (shown != digits) {
+                fail(path, number);
+            }
+        }
+        table.rows.push_back(*row);
     }
-    if (!lines.at_end() || table.rows.empty()) {
-        ++number;
-        fail();
+    if (table.rows.empty()) {
+        fail(path, number + 1);
     }
-    table.sha256 = sha256_hex(text);
+    table.request.first = table.rows.front().n;
+    table.request.last = table.rows.back().n;
+    table.request.digits = std::max(digits, 1);
+    const std::string right = to_tsv(table);
+    table.request.digits = digits;
+    const auto [ours, its] = std::ranges::mismatch(right, text);
+    if (ours != right.end() || its != text.end()) {
+        fail(path, 1 + std::count(text.cbegin(), std::string::const_iterator(its), '\n'));
+    }
     return table;
+}
+
+std::string objection(const CriticalReport& table, const Interrupted& interrupted) {
+    std::vector<char> certain(table.rows.size());
+    in_parallel(table.rows.size(), [&](std::size_t i) {
+        const auto& ratio = table.rows[i].ratio;
+        certain[i] = !ratio || certainly_encloses(*ratio, interrupted) ? 1 : 0;
+    });
+    const auto doubtful = std::ranges::find(certain, 0);
+    return doubtful == certain.end()
+               ? ""
+               : fmt::format("q_c({}) is not certain to be where it says",
+                             table.rows[static_cast<std::size_t>(doubtful - certain.begin())].n);
 }
 
 }  // namespace dumbbell::staircase

@@ -3,31 +3,21 @@
 #include <string>
 #include <vector>
 
+#include "base/interrupted.hpp"
+#include "staircase/critical_report.hpp"
+
+/// Tables of critical ratios, as `dumbbell critical --out` writes them, read back and checked.
 namespace dumbbell::staircase {
-
-/// One line of a table of critical ratios, as `dumbbell critical --out` writes it: q_c(n) as the first digits
-/// that are proved, and the orbit whose flight is tangent there.
-struct CriticalTableRow {
-    long n;
-    std::string q_c;
-    std::string radius;
-    long bits;
-    std::string orbit;
-    long flight;
-};
-
-struct CriticalTable {
-    std::string sha256;  ///< of the file's text; there is none in the file
-    std::vector<CriticalTableRow> rows;
-
-    /// The greatest number of digits of a q_c.
-    [[nodiscard]] int digits() const;
-};
 
 /// Whether the file (plain or gzip) begins as such a table does; false if it cannot be read.
 [[nodiscard]] bool is_critical_table(const std::string& path);
 
-/// Throws InputError (naming file and line) for what is no such table.
-[[nodiscard]] CriticalTable read_critical_table(const std::string& path);
+/// Its rows, for consecutive N, with the enclosures that it states, and its digits, 0 if no row tells. Throws
+/// InputError (naming file and line) for what is not, byte by byte, such a table.
+[[nodiscard]] CriticalReport read_critical_table(const std::string& path);
+
+/// Why the rows are not certain; empty if each ratio is certain to lie where it says, by
+/// `certainly_encloses`, or says nothing.
+[[nodiscard]] std::string objection(const CriticalReport& table, const Interrupted& interrupted);
 
 }  // namespace dumbbell::staircase

@@ -1,7 +1,6 @@
 // The page: reads the data that the program put into it, and makes a section for each file.
 import { adiabaticSection } from "./adiabatic_section.js";
 import { collisionsSection } from "./collisions_section.js";
-import { criticalSection } from "./critical_section.js";
 import { h, labelled, select } from "./dom.js";
 import { initialSection } from "./initial_section.js";
 import { OwnStart } from "./own_start.js";
@@ -33,8 +32,6 @@ function sectionOf(file, data, own) {
         case "initial-conditions":
         case "incoming":
             return initialSection(file, own, isAlone);
-        case "critical-ratios":
-            return criticalSection(file);
         default:
             return adiabaticSection(file, isAlone);
     }

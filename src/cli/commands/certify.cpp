@@ -15,6 +15,7 @@
 #include "cli/terminal/messages.hpp"
 #include "cli/terminal/output.hpp"
 #include "cli/terminal/stop_signals.hpp"
+#include "collisions/part.hpp"
 #include "collisions/proof_report.hpp"
 #include "collisions/witness_orbit.hpp"
 #include "collisions/writer.hpp"
@@ -39,6 +40,7 @@ Examples:
   dumbbell certify 10 --witness                ... and print an orbit that has them
   dumbbell certify 1:100 --out stairs.dbc      every mass ratio from 1 to 100, with a certificate
   dumbbell certify 4.6:4.61 --gap 1e-9 --json  a narrower gap around the critical ratio, for scripts
+  dumbbell certify 1:1e8 --gap 1e-9 --part 7/64 --out part-07.dbc    one of 64 parts, for dumbbell join
   dumbbell certify 1e100 --by law              one ratio, up to 10^1000, by the law for every mass ratio
 
 A range with --out FILE keeps its finished pieces in FILE.partial/ until all are: stopped (Ctrl-C), killed or out of
@@ -56,7 +58,8 @@ remain); 130 or 143 stopped by SIGINT (Ctrl-C) or SIGTERM: what is kept is said,
 constexpr std::array certify_options = joined(
     std::array{ratio_option.required()}, claim_options,
     std::array{
-        certificate_option, jobs_option, budget_option.saying("give up after this time: 30s, 10m, 2h"),
+        part_option.excludes("--by"), certificate_option, jobs_option,
+        budget_option.saying("give up after this time: 30s, 10m, 2h"),
         Option{"--by", "cover|law",
                "prove it by covers and witnesses, or, for one ratio, take the law for every mass ratio",
                "cover"},
@@ -67,6 +70,18 @@ constexpr std::array certify_options = joined(
             .excludes("--quiet"),
         json_option,
         flag("--quiet", "no table and no progress: what is proved, in a sentence").excludes("--witness")});
+
+/// --part, if it was given.
+std::optional<collisions::RatioPart> part_of(const Given& given, const CertifyRequest& whole) {
+    if (!given.has("--part")) {
+        return std::nullopt;
+    }
+    const Part part = parse_part(given.text("--part"));
+    if (whole.q_lo == whole.q_hi) {
+        throw InputError("--part is for a range LO:HI: a single mass ratio has no parts");
+    }
+    return part_of(part, whole.scene, whole.q_lo, whole.q_hi);
+}
 
 CertifyRequest certify_request(const Given& given, const RatioArgument& ratio) {
     if (given.has("--witness") && given.text("--scene") != "dumbbell") {
@@ -107,6 +122,7 @@ collisions::ProofReport describe(const CertifyRequest& request, const std::vecto
                                    .section = request.section,
                                    .q_lo = request.q_lo,
                                    .q_hi = request.q_hi,
+                                   .part = {},
                                    .gap = request.gap,
                                    .jobs = request.jobs,
                                    .seconds = seconds,
@@ -156,14 +172,20 @@ int run_certify(const Given& given) {
     }
     const RatioArgument ratio = parse_ratio_argument(given.text("RATIO"));
     CertifyRequest request = certify_request(given, ratio);  // before the output file is touched
+    const auto part = part_of(given, request);
+    if (part) {
+        request.q_lo = part->q_lo;
+        request.q_hi = part->q_hi;
+    }
     const bool json = given.has("--json"), quiet = given.has("--quiet"), witness = given.has("--witness");
     const Output output(given.text("--out"), {}, json ? "--json" : nullptr);
     std::optional<collisions::PieceStore> store;
     const std::string partial = given.text("--out") + ".partial";
     if (output.file()) {
         if (ratio.lo < ratio.hi) {  // it may take long: its finished pieces are kept
-            request.store = &store.emplace(partial, collisions::StoredClaim{request.scene, request.section,
-                                                                            ratio.lo, ratio.hi, request.gap});
+            request.store =
+                &store.emplace(partial, collisions::StoredClaim{request.scene, request.section, request.q_lo,
+                                                                request.q_hi, request.gap});
         } else {
             collisions::PieceStore::require_none(partial);
         }
@@ -180,6 +202,7 @@ int run_certify(const Given& given) {
         return stopped(kept_when_stopped(request, pieces, kept));
     }
     collisions::ProofReport report = describe(request, pieces, seconds, given);
+    report.part = part;
     if (output.is_wanted()) {
         write(certificate_text(request, pieces), output, report);
     }

@@ -29,32 +29,30 @@ namespace {
 constexpr const char* critical_description =
     R"(Compute critical mass ratios, where the greatest number steps from N-1 to N.
 
-Every digit printed is proved. The enclosures rest on theorem 2 of proofs/theorem.md; --confirm checks both sides
-without it.
+Every digit printed is proved. The enclosures rest on theorem 2 of proofs/theorem.md; dumbbell certify, which does not
+use it, proves the maximum at a ratio on either side.
 
 Examples:
   dumbbell critical 4                                    q_c(4) = 4.60333884875170...
   dumbbell critical 4 --digits 100                       more of its digits
   dumbbell critical 3:20                                 the first 18 steps
-  dumbbell critical 12 --confirm 1e-9                    cover and witness at q_c(12) (1 -+ 1e-9)
   dumbbell critical 10^12 --digits 50                    one of a very long orbit, by macro steps
   dumbbell critical 3:902 --digits 50 --out ratios.tsv   a table as a file
+  dumbbell critical 3:10000 --part 7/64 --out part-07.tsv    one of 64 parts, for dumbbell join
   dumbbell critical 1e50 --by law                        by the law, with its width)";
 
 constexpr const char* critical_footer =
     R"(The fields of --json: docs/reference/json.md.
 
-Exit codes: 0 proved; 1 internal error; 2 wrong usage or input; 3 not finished or not confirmed (within the budget); 130
-or 143 stopped by SIGINT (Ctrl-C) or SIGTERM: nothing is kept.)";
+Exit codes: 0 proved; 1 internal error; 2 wrong usage or input; 3 not finished within the budget; 130 or 143 stopped by
+SIGINT (Ctrl-C) or SIGTERM: nothing is kept.)";
 
 constexpr std::array critical_options{
     argument("N",
              "number of collisions from 3 to 10^17 (--by law: from 903 to 10^100), or closed range N1:N2")
         .required(),
     critical_digits_option,
-    Option{"--confirm", "REL",
-           "prove the maximum at a decimal just below q_c (1 - REL) and at one just above q_c (1 + REL) by "
-           "cover and witness, too"},
+    part_option.excludes("--by"),
     Option{"--out", "FILE",
            "write the table to FILE, tab-separated (FILE.gz: compressed); -: the standard output"}
         .checked(fault_of_name<Content::table>),
@@ -71,19 +69,6 @@ constexpr std::array critical_options{
 constexpr std::chrono::duration<double> long_time = std::chrono::hours(1);
 /// What takes longer is announced.
 constexpr std::chrono::duration<double> some_time = std::chrono::minutes(1);
-
-Rational parse_distance(const std::string& text, long n) {
-    const Rational distance = parse_number("--confirm", text);
-    // Neighbouring critical ratios are about 2/n apart, relatively.
-    const Rational most = std::min(Rational(1, 100), Rational(Integer(1), Integer(n)));
-    if (distance < parse_rational("1e-300") || distance > most) {
-        throw InputError(
-            fmt::format("--confirm {} is out of range: a relative distance from 1e-300 to {}, so that no "
-                        "other step is near",
-                        text, to_decimal(exact(cut_down(most, 2)), 2)));
-    }
-    return distance;
-}
 
 std::string time_text(std::chrono::duration<double> time) {
     const double hours = time / std::chrono::hours(1);
@@ -124,13 +109,14 @@ std::vector<staircase::CriticalRow> enclose(staircase::CriticalRequest request, 
 
 staircase::CriticalRequest critical_request(const Given& given) {
     staircase::CriticalRequest request;
-    std::tie(request.first, request.last) = parse_counts(given.text("N"));
+    const Part part = given.has("--part") ? parse_part(given.text("--part")) : Part();
+    std::tie(request.first, request.last) = parse_counts(given.text("N"), part.of);
+    if (given.has("--part")) {
+        request = staircase::part_of(part, request.first, request.last);
+    }
     request.digits = static_cast<int>(given.number("--digits"));
     request.jobs = jobs_of(given);
     request.budget = budget_of(given);
-    if (given.has("--confirm")) {
-        request.confirm = parse_distance(given.text("--confirm"), request.last);
-    }
     check_time(request, given.has("--quiet"));
     return request;
 }
@@ -144,9 +130,8 @@ int run_critical(const Given& given) {
     const Stopwatch watch;
     report.rows = enclose(report.request, verbosity_of(given));
     report.seconds = watch.seconds();
-    const auto finished =
-        std::count_if(report.rows.begin(), report.rows.end(),
-                      [&](const staircase::CriticalRow& row) { return row.finished(report.request); });
+    const auto finished = std::ranges::count_if(
+        report.rows, [](const staircase::CriticalRow& row) { return row.ratio.has_value(); });
     const bool all = finished == std::ssize(report.rows);
     if (!all && stop_signal != 0) {
         return stopped(
@@ -162,9 +147,7 @@ int run_critical(const Given& given) {
     }
     fmt::print(output.report(), "{}", shown(report, given));
     if (!all) {
-        complain(fmt::format("not everything was {} (--budget)",
-                             given.has("--confirm") ? "confirmed: allow more time, or a greater distance"
-                                                    : "enclosed: allow more time"));
+        complain("not everything was enclosed: allow more time (--budget)");
     }
     return all ? exit_done : exit_not_certified;
 }

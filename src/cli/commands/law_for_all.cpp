@@ -14,6 +14,7 @@
 #include "cli/terminal/stop_signals.hpp"
 #include "file/lines.hpp"
 #include "file/shipped.hpp"
+#include "file/verifier_program.hpp"
 #include "law/answer_reports.hpp"
 #include "law/prove.hpp"
 #include "law/theorem_report.hpp"

@@ -22,7 +22,7 @@ constexpr const char* report_description =
 It needs no network and no other file. It shows the staircase against the source paper's bound, the boxes of a cover
 with their reasons, the witness orbits bounce by bounce (and any initial condition typed into the page), and tables of
 what is claimed, by which lemmas. Certificates of all kinds but the law's (dumbbell law --prove, certify --by law) can
-stand in one page, and tables of critical ratios (dumbbell critical --out).
+stand in one page.
 
 The page does not verify: it shows what the files claim, each with the command that verifies it. Files whose checksum
 is wrong are refused. Moving pictures are computed in double precision in the browser; they illustrate, they prove
@@ -37,10 +37,7 @@ constexpr const char* report_footer =
     "Exit codes: 0 the page is written; 1 internal error; 2 wrong usage, or a file that cannot be read.";
 
 constexpr std::array report_options{
-    argument("FILE",
-             "certificates of all kinds but the law's, tables of critical ratios (-: the standard input)")
-        .required()
-        .repeated(),
+    argument("FILE", "certificates of all kinds but the law's (-: the standard input)").required().repeated(),
     Option{"--out", "FILE", "the HTML file to write; -: the standard output"}
         .checked(fault_of_name<Content::page>)
         .required(),

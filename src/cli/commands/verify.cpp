@@ -172,10 +172,4 @@ std::string verified_law(const std::string& file, Observer& observer) {
     return accepted(file, "--claim=law", observer);
 }
 
-std::string digest_in(const std::string& verdict) {
-    constexpr std::string_view word = " sha256=";
-    const std::size_t at = verdict.find(word);
-    return at == std::string::npos ? "" : verdict.substr(at + word.size(), 64);
-}
-
 }  // namespace dumbbell::cli

@@ -19,7 +19,4 @@ namespace dumbbell::cli {
 /// The same for a certificate of the law for every mass ratio, of which nothing else is read.
 [[nodiscard]] std::string verified_law(const std::string& file, Observer& observer);
 
-/// The SHA-256 that such a line names.
-[[nodiscard]] std::string digest_in(const std::string& verdict);
-
 }  // namespace dumbbell::cli

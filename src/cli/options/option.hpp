@@ -101,6 +101,8 @@ inline constexpr Option help_all_option = flag("--help-all", "Help of all comman
 inline constexpr Option jobs_option =
     Option{"--jobs", "N", "threads; the result does not depend on it", "all cores"}.from(1, 1024);
 inline constexpr Option budget_option = Option{"--budget", "TIME", "stop after this time: 30s, 10m, 2h"};
+inline constexpr Option part_option =
+    Option{"--part", "K/N", "the K-th of N parts of a range, which cost about as much each (dumbbell join)"};
 inline constexpr Option json_option = flag("--json", "one JSON object on stdout");
 
 }  // namespace dumbbell::cli

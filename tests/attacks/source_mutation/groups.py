@@ -114,7 +114,7 @@ GROUPS = {
         programs=("tests/rooms/collisions/test_collisions",),
         texts=frozenset({"collisions/writer.cpp", "collisions/names.cpp"})),
     "staircase": Group(
-        files=below("staircase", "critical_confirm critical_range law"),
+        files=below("staircase", "critical_range law"),
         left_out=frozenset(),
         targets=("test_staircase",),
         programs=("tests/rooms/staircase/test_staircase",)),

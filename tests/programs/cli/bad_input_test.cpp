@@ -134,7 +134,7 @@ TEST_CASE("what is wrong is said in plain words, and in the order given") {
     CHECK_THAT(refused({"certify", "1:100", "--gap", "abc"}), Contains("--gap: 'abc' is not a number"));
     CHECK_THAT(refused({"certify", "1:100", "--gap", "-1e-6"}), Contains("--gap: '-1e-6' is negative"));
     CHECK_THAT(refused({"certify", "-3"}), Contains("'-3' is negative: write a positive number"));
-    CHECK_THAT(refused({"critical", "4", "--confirm", "abc"}), Contains("--confirm: 'abc' is not a number"));
+    CHECK_THAT(refused({"certify", "1:100", "--part", "abc"}), Contains("--part 'abc' is not a part"));
     CHECK_THAT(refused({"plot", "orbit", "0", "--out", "x.svg"}), Contains("greater than 0"));
     CHECK_THAT(refused({"plot", "orbit", "none.dbc", "--out", "x.svg"}), Contains("no such file"));
     for (const Words& words : {Words{}, Words{"plot"}, Words{"--foo"}, Words{"plot", "x"}}) {

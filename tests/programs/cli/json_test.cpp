@@ -131,7 +131,8 @@ TEST_CASE("docs/reference/json.md describes the JSON of certify, in which null s
     const auto objects = printed_by({{"certify", "1:5", "--witness"},
                                      {"certify", "10", "--section", "full", "--out", "ten.dbc"},
                                      {"certify", "2:3", "--scene", "wedge"},
-                                     {"certify", "10", "--budget", "0s"}},
+                                     {"certify", "10", "--budget", "0s"},
+                                     {"certify", "1:20", "--part", "1/2"}},
                                     folder);
     check_documented("certify", objects);
     CHECK(objects[0].at("heavy_at_most_once").is_null());
@@ -146,9 +147,19 @@ TEST_CASE("docs/reference/json.md describes the JSON of certify, in which null s
 
 TEST_CASE("docs/reference/json.md describes the JSON of critical") {
     const TemporaryFolder folder;
-    check_documented("critical", printed_by({{"critical", "3:4", "--confirm", "1e-6", "--out", "ratios.tsv"},
+    check_documented("critical", printed_by({{"critical", "3:4", "--out", "ratios.tsv"},
+                                             {"critical", "3:9", "--part", "1/2"},
                                              {"critical", "100", "--budget", "0s"}},
                                             folder));
+}
+
+TEST_CASE("docs/reference/json.md describes the JSON of join") {
+    const TemporaryFolder folder;
+    REQUIRE(dumbbell({"certify", "2:12", "--out", "stairs.dbc"}, folder.path()).code == 0);
+    REQUIRE(dumbbell({"critical", "3:12", "--out", "ratios.tsv"}, folder.path()).code == 0);
+    check_documented("join", printed_by({{"join", "stairs.dbc", "--out", "whole.dbc"},
+                                         {"join", "ratios.tsv", "--out", "whole.tsv"}},
+                                        folder));
 }
 
 TEST_CASE("docs/reference/json.md describes the JSON of law, which says nothing of an open staircase") {

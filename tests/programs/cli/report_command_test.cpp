@@ -42,12 +42,11 @@ TEST_CASE("report makes one page from certificates of every kind, and says nothi
                       "--subdivide", "--max-boxes", "50", "--out", "starts.dbc"},
                      folder.path())
                 .code == 0);
-    REQUIRE(dumbbell({"critical", "3:5", "--out", "ratios.tsv"}, folder.path()).code == 0);
     REQUIRE(dumbbell({"adiabatic", "--theorem", "lemma3.1", "--delta", "0.1", "--out", "adiabatic.dbc"},
                      folder.path())
                 .code == 0);
     const Outcome made = report(folder, {"stairs.dbc", "full.dbc.gz", "wedge.dbc", "starts.dbc",
-                                         "adiabatic.dbc", "ratios.tsv", "--out", "page.html"});
+                                         "adiabatic.dbc", "--out", "page.html"});
     CAPTURE(made.err);
     CHECK(made.code == 0);
     CHECK(made.out.empty());
@@ -55,8 +54,7 @@ TEST_CASE("report makes one page from certificates of every kind, and says nothi
     const std::string page = contents(folder / "page.html");
     CHECK_THAT(page, StartsWith("<!doctype html>") && Contains("</html>"));
     const auto files = data_of(page)["files"];
-    REQUIRE(files.size() == 6);
-    CHECK(files[5]["claim"] == "critical-ratios");
+    REQUIRE(files.size() == 5);
     CHECK(files[0]["claim"] == "collisions");
     CHECK(files[1]["section"] == "full");
     CHECK(files[2]["scene"] == "wedge");
@@ -65,9 +63,6 @@ TEST_CASE("report makes one page from certificates of every kind, and says nothi
 
     SECTION("and the commands in it are ones with which the verifier verifies these files") {
         for (const auto& file : files) {
-            if (file["claim"] == "critical-ratios") {
-                continue;  // no certificate
-            }
             const std::string options = file["verify_options"];
             const std::string name = file["verify_file"];
             const Outcome checked = run(

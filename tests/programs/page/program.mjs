@@ -28,8 +28,6 @@ export function certificates(place) {
     dumbbell("adiabatic", "--delta", "0.01", "--phi-margin", "0.5", "--out", adiabatic);
     const printed = place("printed.dbc");
     dumbbell("adiabatic", "--theorem", "printed", "--delta", "0.01", "--out", printed);
-    const critical = place("critical.tsv");
-    dumbbell("critical", "3:20", "--out", critical);
     const fine = place("fine.dbc");
     dumbbell("certify", "4.6:4.7", "--gap", "1e-40", "--out", fine);
     return {
@@ -46,7 +44,6 @@ export function certificates(place) {
         adiabatic,
         printed,
         fine,
-        critical,
     };
 }
 

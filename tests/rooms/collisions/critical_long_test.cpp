@@ -87,7 +87,7 @@ TEST_CASE("a guess is as near to the step as it was asked for") {
 }
 
 TEST_CASE("both sides of a step are decided at a relative distance of 1e-20") {
-    // Near 10^18: what `critical 885595132 --digits 20 --confirm 1e-20` prints.
+    // Near 10^18, at the digits of `critical 885595132 --digits 20`.
     const long n = 885'595'132;
     const PieceOptions options = piece_options(Scene::dumbbell, Section::turning);
     const Piece below = prove_single(at("1000000001235988268.9825"), options).piece;

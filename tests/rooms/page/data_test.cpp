@@ -233,17 +233,6 @@ TEST_CASE("a claim without boxes has none") {
     CHECK(file["heights"].is_null());
 }
 
-TEST_CASE(
-    "a table of critical ratios comes with the command that makes it again, and none that verifies it") {
-    const dumbbell::staircase::CriticalTable table{
-        "abc123", {{3, "1", "0", 256, "top", 1}, {4, "4.603338", "3.3e-7", 256, "corner", 1}}};
-    const Parsed file = file_of(table);
-    CHECK(file["claim"] == "critical-ratios");
-    CHECK(file["again"] == "dumbbell critical 3:4 --digits 7");
-    CHECK(file["rows"][1]["q_c"] == "4.603338");
-    CHECK(file["verify_options"] == "");
-}
-
 TEST_CASE("the constant C has 20 digits that are proved") {
     CHECK(data_of(certificate_of({piece(10, 10, 4, 4)}))["growth_constant"] == "0.88559512945271391141");
 }

@@ -3,7 +3,7 @@
 #include <atomic>
 #include <catch2/catch.hpp>
 
-#include "collisions/critical_guess.hpp"
+#include "collisions/piece.hpp"
 #include "rooms/collisions/critical_ratio.hpp"
 
 using namespace dumbbell;
@@ -12,8 +12,6 @@ using namespace dumbbell::staircase;
 using namespace dumbbell_test;
 
 namespace {
-
-CriticalRatio enclosed(long n, int digits) { return *enclose_critical_ratio(n, {.digits = digits}); }
 
 CriticalRequest request(long first, long last) {
     CriticalRequest result;
@@ -26,46 +24,16 @@ CriticalRequest request(long first, long last) {
 
 TEST_CASE("Cover and witness confirm both sides of critical ratios, without theorem 2") {
     for (const char* distance : {"0.01", "1e-9", "1e-20"}) {
-        for (const long n : {3L, 4L, 5L, 8L, 12L}) {
+        for (const long n : {4L, 5L, 8L, 12L}) {
             CAPTURE(distance, n);
-            const Rational rel = at(distance);
-            const CriticalRatio ratio = enclosed(n, std::max(15, digits_to_confirm(rel)));
-            const Confirmation confirmation = confirm(ratio, rel, never);
-            CHECK(confirmation.holds());
-            CHECK(confirmation.below.upper == n - 1);
-            CHECK(confirmation.below.lower == n - 1);
-            CHECK(confirmation.above.upper == n);
-            CHECK(confirmation.above.lower == n);
-            const auto farthest = rel * Rational(102, 100);
-            CHECK(confirmation.above.q >= ratio.q_hi * (1 + rel));
-            CHECK(confirmation.above.q <= ratio.q_lo * (1 + farthest));
-            if (n == 3) {
-                CHECK(confirmation.below.q == 1);
-            } else {
-                CHECK(confirmation.below.q <= ratio.q_lo * (1 - rel));
-                CHECK(confirmation.below.q >= ratio.q_hi * (1 - farthest));
-            }
+            const CriticalRatio ratio = *enclose_critical_ratio(n, {.digits = 30});
+            const Piece below = prove_single(ratio.q_lo * (1 - at(distance)), {}).piece;
+            const Piece above = prove_single(ratio.q_hi * (1 + at(distance)), {}).piece;
+            CHECK(below.upper == n - 1);
+            CHECK(below.lower == n - 1);
+            CHECK(above.upper == n);
+            CHECK(above.lower == n);
         }
-    }
-}
-
-TEST_CASE("A wrong critical ratio is not confirmed, nor one for which there was no time") {
-    for (const char* wrong : {"0.999999", "1.000001"}) {
-        CriticalRatio ratio = enclosed(6, 15);
-        ratio.q_lo *= at(wrong);
-        ratio.q_hi *= at(wrong);
-        CHECK_FALSE(confirm(ratio, at("1e-9"), never).holds());
-    }
-    CHECK_FALSE(confirm(enclosed(6, 15), at("1e-9"), [] { return true; }).holds());
-}
-
-TEST_CASE(
-    "Neighbouring critical ratios are more than 1/n apart, relatively: the distance that can be confirmed") {
-    for (long n = 4; n < 300; ++n) {
-        CAPTURE(n);
-        const double q = guess_critical_ratio(n);
-        REQUIRE(guess_critical_ratio(n + 1) / q - 1 > 1.5 / static_cast<double>(n));
-        REQUIRE(1 - guess_critical_ratio(n - 1) / q > 1.5 / static_cast<double>(n));
     }
 }
 
@@ -89,23 +57,12 @@ TEST_CASE("A range has its ratios in order, the same with any number of threads"
     for (std::size_t i = 0; i < rows.size(); ++i) {
         CAPTURE(i);
         REQUIRE(rows[i].n == static_cast<long>(i) + 3);
-        REQUIRE(rows[i].finished(one));
+        REQUIRE(rows[i].ratio);
         REQUIRE(rows[i].ratio->n == rows[i].n);
         REQUIRE(rows[i].ratio->q_lo == again[i].ratio->q_lo);
         REQUIRE(rows[i].ratio->q_hi == again[i].ratio->q_hi);
         REQUIRE(rows[i].ratio->bits == again[i].ratio->bits);
     }
-}
-
-TEST_CASE("Rows are finished only if confirmed, where that was asked for") {
-    CriticalRequest asked = request(4, 6);
-    asked.confirm = at("1e-6");
-    for (const CriticalRow& row : critical_ratios(asked)) {
-        CHECK(row.finished(asked));
-        CHECK(row.confirmation->holds());
-    }
-    const auto without = critical_ratios(request(4, 4));
-    CHECK_FALSE(without.front().finished(asked));
 }
 
 TEST_CASE("What is not done within the budget stays open") {
@@ -114,7 +71,6 @@ TEST_CASE("What is not done within the budget stays open") {
     for (const CriticalRow& row : critical_ratios(hasty)) {
         CHECK(row.n >= 3);
         CHECK_FALSE(row.ratio);
-        CHECK_FALSE(row.finished(hasty));
     }
 }
 
@@ -130,4 +86,26 @@ TEST_CASE("The first half of a range takes a quarter of the time, as orbits get 
     CHECK(share_of_first(1, request(3, 4)) == Approx(3.0 / 7));
     CHECK(share_of_first(18, request(3, 20)) == 1);
     CHECK(share_of_first(5, request(1'000'000, 1'000'009)) == Approx(0.5).margin(0.01));  // by macro steps
+}
+
+TEST_CASE("The parts of a range follow one another, are not empty, and take about as long") {
+    for (const long of : {1L, 2L, 7L, 64L}) {
+        CAPTURE(of);
+        long next = 3;
+        double least = 1, most = 0;
+        for (long number = 1; number <= of; ++number) {
+            CriticalRequest part = part_of({number, of}, 3, 10'000);
+            REQUIRE(part.first == next);
+            REQUIRE(part.last >= part.first);
+            next = part.last + 1;
+            double cost = 0;
+            for (long n = part.first; n <= part.last; ++n) {
+                cost += static_cast<double>(n + cost_like_collisions) / 53e6;
+            }
+            least = std::min(least, cost * static_cast<double>(of));
+            most = std::max(most, cost * static_cast<double>(of));
+        }
+        CHECK(next == 10'001);
+        CHECK(most < 1.1 * least);
+    }
 }

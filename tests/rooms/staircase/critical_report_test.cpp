@@ -16,7 +16,7 @@ namespace {
 Rational number(const char* text) { return parse_rational(text); }
 
 CriticalRow row(long n, const char* lo, const char* hi) {
-    return {n, collisions::CriticalRatio{.n = n, .q_lo = number(lo), .q_hi = number(hi), .bits = 128}, {}};
+    return {n, collisions::CriticalRatio{.n = n, .q_lo = number(lo), .q_hi = number(hi), .bits = 128}};
 }
 
 // q_c(3), q_c(4) to more than 15 digits, q_c(5) open.
@@ -26,7 +26,7 @@ CriticalReport sample() {
     report.request.last = 5;
     report.request.digits = 6;
     report.request.jobs = 2;
-    report.rows = {row(3, "1", "1"), row(4, "4.6033388487517", "4.6033388487518"), {5, {}, {}}};
+    report.rows = {row(3, "1", "1"), row(4, "4.6033388487517", "4.6033388487518"), {5, {}}};
     report.seconds = 1.25;
     return report;
 }
@@ -35,10 +35,6 @@ CriticalReport single(CriticalRow of) {
     CriticalReport report = sample();
     report.rows = {std::move(of)};
     return report;
-}
-
-Confirmation confirmed(const char* below, std::optional<long> upper) {
-    return {{number(below), 3, upper, 3, 53}, {number("4.7"), 4, 4, 4, 128}};
 }
 
 }  // namespace
@@ -83,7 +79,7 @@ TEST_CASE("several ratios are a table, open ones marked") {
                               "5  open             -     -     top       2\n"
                               "3 critical ratios in 1.25 s with 2 threads\n"));
     CHECK_THAT(text, Contains("Not finished: 1 of 3 are open."));
-    CHECK_THAT(to_text(single({5, {}, {}})), Contains("not enclosed") && !Contains("Proved"));
+    CHECK_THAT(to_text(single({5, {}})), Contains("not enclosed") && !Contains("Proved"));
 }
 
 TEST_CASE("the file has a row per ratio and nothing that depends on the run") {
@@ -103,7 +99,6 @@ TEST_CASE("JSON: numbers as decimals in strings, the enclosure rounded outward")
     CHECK(json.at("jobs") == 2);
     CHECK(json.at("open") == 1);
     CHECK(json.at("out") == "ratios.tsv");
-    CHECK(json.at("confirm").is_null());
     const auto four = json.at("ratios").at(1);
     CHECK(four.at("n") == 4);
     CHECK(four.at("q_c") == "4.60333");
@@ -118,35 +113,14 @@ TEST_CASE("JSON: numbers as decimals in strings, the enclosure rounded outward")
     CHECK_FALSE(five.contains("q_c"));
 }
 
-TEST_CASE("a confirmation names the ratios and what was decided there, without the theorem") {
-    CriticalReport report = single(row(4, "4.6033388487517", "4.6033388487518"));
-    report.request.confirm = number("0.01");
-    report.rows[0].confirmation = confirmed("4.55", 3);
-    CHECK_THAT(to_text(report), Contains("Confirmed by cover and witness, without that theorem:\n"
-                                         "  at mass ratio 4.55 the maximum is 3,\n"
-                                         "  at mass ratio 4.7 the maximum is 4.\n"));
-    const auto json = parsed(to_json(report));
-    CHECK(json.at("confirm") == "1/100");
-    CHECK(json.at("ratios").at(0).at("confirmed") == true);
-    CHECK(json.at("ratios").at(0).at("below").at("ratio") == "91/20");
-    CHECK(json.at("ratios").at(0).at("below").at("upper") == 3);
-    CHECK_THAT(to_tsv(report), Contains("\tconfirmed\n") && Catch::Matchers::EndsWith("\tyes\n"));
-}
-
-TEST_CASE("what was not confirmed is not called so") {
-    CriticalReport report = single(row(4, "4.6033388487517", "4.6033388487518"));
-    report.request.confirm = number("0.01");
-    for (const std::optional<long> upper : {std::optional<long>(), std::optional(4L)}) {
-        report.rows[0].confirmation = confirmed("4.55", upper);
-        CHECK_THAT(to_text(report), Contains("Not confirmed by") && Contains("it was not decided"));
-        CHECK(parsed(to_json(report)).at("ratios").at(0).at("confirmed") == false);
-        CHECK_THAT(to_tsv(report), Catch::Matchers::EndsWith("\tno\n"));
-    }
-    report.rows[0].confirmation.reset();
-    CHECK_THAT(to_text(report), Contains("Nothing was confirmed"));
-    CriticalReport several = sample();
-    several.request.confirm = number("0.01");
-    several.rows[1].confirmation = confirmed("4.55", 3);
-    CHECK_THAT(to_text(several),
-               Contains("Confirmed by cover and witness, without that theorem, for 1 of the 3:"));
+TEST_CASE("a part says so, and of what") {
+    CriticalReport report = sample();
+    CHECK(parsed(to_json(report)).at("part").is_null());
+    report.request.part = CountPart{{7, 64}, 3, 10'000};
+    CHECK_THAT(to_text(report), Contains("Part 7 of 64 of the critical ratios for N from 3 to 10000.\n"));
+    const auto part = parsed(to_json(report)).at("part");
+    CHECK(part.at("number") == 7);
+    CHECK(part.at("of") == 64);
+    CHECK(part.at("first") == 3);
+    CHECK(part.at("last") == 10'000);
 }

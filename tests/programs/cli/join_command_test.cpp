@@ -1,0 +1,324 @@
+// Parts of a range: certify and critical --part, and join, which believes none of them.
+#include <catch2/catch.hpp>
+#include <functional>
+
+#include "programs.hpp"
+
+using namespace dumbbell_test;
+using Catch::Matchers::Contains;
+using Catch::Matchers::StartsWith;
+
+namespace {
+
+/// The parts of 1:300, certified in files of the folder.
+Words made_parts(const TemporaryFolder& folder, int of, const Words& options = {}) {
+    Words files;
+    for (int k = 1; k <= of; ++k) {
+        files.push_back("part-" + std::to_string(k) + ".dbc");
+        Words words{"certify", "1:300",     "--part", std::to_string(k) + "/" + std::to_string(of),
+                    "--out",   files.back()};
+        words.insert(words.end(), options.begin(), options.end());
+        REQUIRE(dumbbell(words, folder.path()).code == 0);
+    }
+    return files;
+}
+
+Words made_tables(const TemporaryFolder& folder, int of, const std::string& digits = "20") {
+    Words files;
+    for (int k = 1; k <= of; ++k) {
+        files.push_back("part-" + std::to_string(k) + ".tsv");
+        REQUIRE(dumbbell({"critical", "3:40", "--digits", digits, "--part",
+                          std::to_string(k) + "/" + std::to_string(of), "--out", files.back()},
+                         folder.path())
+                    .code == 0);
+    }
+    return files;
+}
+
+Outcome join(const TemporaryFolder& folder, Words files, const Words& options = {},
+             const std::string& out = "whole.dbc") {
+    files.insert(files.begin(), "join");
+    files.insert(files.end(), {"--out", out});
+    files.insert(files.end(), options.begin(), options.end());
+    return dumbbell(files, folder.path());
+}
+
+/// Joining ends with exit code 2, says this, prints nothing, and leaves the file that was there before.
+std::string not_joined(const TemporaryFolder& folder, const Words& files, const Words& options = {},
+                       const std::string& out = "whole.dbc") {
+    write_file(folder / out, "as before");
+    const Outcome result = join(folder, files, options, out);
+    CAPTURE(result.out, result.err);
+    CHECK(result.code == 2);
+    CHECK(result.out.empty());
+    CHECK(contents(folder / out) == "as before");
+    return result.err;
+}
+
+}  // namespace
+
+TEST_CASE("the parts of a range are joined to a certificate of the whole range, in any order") {
+    const TemporaryFolder folder;
+    const Words parts = made_parts(folder, 3);
+    const Outcome joined = join(folder, {parts[2], parts[0], parts[1]}, {"--range", "1:300"});
+    CAPTURE(joined.err);
+    CHECK(joined.code == 0);
+    CHECK(joined.err.empty());
+    CHECK_THAT(joined.out,
+               StartsWith("3 parts verified, together the mass ratios 1 to 300.\nProved: in each of") &&
+                   Contains("Written: whole.dbc (sha256 "));
+    CHECK(verifier({"--ratio", "1:300", "--max", "17", "--min", "2", folder / "whole.dbc"}).code == 0);
+    REQUIRE(join(folder, parts, {}, "again.dbc").code == 0);
+    CHECK(contents(folder / "again.dbc") == contents(folder / "whole.dbc"));
+    CHECK_THAT(joined.out, Contains("sha256 " + last_line(contents(folder / "whole.dbc")).substr(7)));
+    // The pieces that were cut stay two; all others are those of one go.
+    const auto pieces = [](const std::string& text) {
+        const std::size_t at = text.find("\npieces ") + 8;
+        return std::stoi(text.substr(at));
+    };
+    CHECK(pieces(contents(folder / "whole.dbc")) == pieces(contents(certificate(folder, "1:300"))) + 2);
+}
+
+TEST_CASE("a part says which one it is, and keeps its own finished pieces") {
+    const TemporaryFolder folder;
+    const Words words{"certify", "1:300", "--part", "2/3"};
+    CHECK_THAT(dumbbell(words).out, Contains("Part 2 of 3 of the mass ratios 1 : 300: those from "));
+    Words quiet = words;
+    quiet.emplace_back("--quiet");
+    CHECK_THAT(dumbbell(quiet).out, StartsWith("Part 2 of 3 of the mass ratios 1 : 300: those from "));
+    // A run that does nothing but for its time leaves a folder whose claim is the part's range.
+    write_file(folder / "part.dbc.partial", "in the way");
+    Words kept = words;
+    kept.insert(kept.end(), {"--out", "part.dbc"});
+    CHECK_THAT(dumbbell(kept, folder.path()).err, Contains("'part.dbc.partial' is in the way"));
+}
+
+TEST_CASE("a part that was killed goes on, and another part does not take its pieces") {
+    const TemporaryFolder folder;
+    const auto words = [](const std::string& part) {
+        return Words{"certify", "1:1e5", "--gap", "1e-12", "--part", part, "--out", "part.dbc"};
+    };
+    Process process(with_program(words("3/4")), folder.path());
+    REQUIRE(process.until([&] { return kept(folder / "part.dbc.partial") >= 5; }));
+    process.kill();
+    (void)process.wait();
+    CHECK_THAT(dumbbell(words("4/4"), folder.path()).err,
+               Contains("holds the finished pieces of another run"));
+    REQUIRE(dumbbell(words("3/4"), folder.path()).code == 0);
+    CHECK(folder.names() == Words{"part.dbc"});
+}
+
+TEST_CASE("parts are of ranges, and no more than there are steps") {
+    CHECK_THAT(refused({"certify", "10", "--part", "1/2"}), Contains("a single mass ratio has no parts"));
+    CHECK_THAT(refused({"critical", "4", "--part", "1/2"}), Contains("a single critical ratio has no parts"));
+    CHECK_THAT(refused({"certify", "1:300", "--part", "3/2"}), Contains("write K/N"));
+    CHECK_THAT(refused({"certify", "1:300", "--part", "1/100"}), Contains("cut it into at most"));
+    CHECK_THAT(refused({"critical", "3:5", "--part", "1/4"}), Contains("cut it into at most 2"));
+    CHECK_THAT(refused({"certify", "10", "--by", "law", "--part", "1/2"}), Contains("exclude each other"));
+}
+
+TEST_CASE("a missing part is named with the command that makes it") {
+    const TemporaryFolder folder;
+    const Words parts = made_parts(folder, 4);
+    const std::string inside = not_joined(folder, {parts[0], parts[3]}, {"--gap", "1e-6"});
+    CHECK_THAT(inside, StartsWith("dumbbell: missing: the mass ratios ") &&
+                           Contains("to make them: dumbbell certify ") &&
+                           Contains(" --gap 1e-6 --out FILE\n"));
+    CHECK(count_lines(inside) == 1);
+    // The command closes the hole.
+    const std::size_t at = inside.find("dumbbell certify ");
+    const std::string range = inside.substr(at + 17, inside.find(" --gap") - at - 17);
+    REQUIRE(dumbbell({"certify", range, "--out", "new.dbc"}, folder.path()).code == 0);
+    CHECK(join(folder, {parts[0], "new.dbc", parts[3]}).code == 0);
+
+    CHECK(join(folder, {parts[0], parts[1], parts[2]}, {}, "less.dbc").code == 0);
+    const std::string at_end = not_joined(folder, {parts[0], parts[1], parts[2]}, {"--range", "1:300"});
+    CHECK_THAT(at_end, Contains("missing: the mass ratios ") && Contains(":300 --gap REL --out FILE"));
+    const std::string ends = not_joined(folder, {parts[1], parts[2]}, {"--range", "1:300"});
+    CHECK(count_lines(ends) == 2);
+    CHECK_THAT(not_joined(folder, parts, {"--range", "1:200"}), Contains("reaches beyond --range"));
+}
+
+TEST_CASE("a wrong part is named, with the command that makes it again, and nothing is written") {
+    const TemporaryFolder folder;
+    const Words parts = made_parts(folder, 3);
+    const std::string file = folder / parts[1], good = contents(file);
+    const std::string again = " --gap REL --out " + parts[1] + "\n";
+
+    SECTION("one leaf claims fewer collisions than there are") {
+        std::string text = good;
+        const auto leaf = text.find("\ncount ");
+        write_sealed(file, text.replace(leaf, text.find('\n', leaf + 1) - leaf, "\ncount 0 0"));
+        const std::string err = not_joined(folder, parts);
+        CHECK_THAT(err, StartsWith("dumbbell: 'part-2.dbc' is not verified: s REJECTED") && Contains(again));
+        CHECK(count_lines(err) == 1);
+    }
+    SECTION("it is cut off") {
+        write_file(file, good.substr(0, good.size() / 2));
+        CHECK_THAT(not_joined(folder, parts), Contains("'part-2.dbc' is not verified") && Contains(again));
+    }
+    SECTION("it is empty, or garbage, or missing") {
+        for (const char* text : {"", "garbage\n", "dumbbell-certificate 1\n", "\x1f\x8b garbage"}) {
+            write_file(file, text);
+            const std::string err = not_joined(folder, parts);
+            CHECK_THAT(err, Contains("'part-2.dbc'") && Contains("missing: the mass ratios "));
+            CHECK(count_lines(err) == 2);
+        }
+        std::filesystem::remove(file);
+        CHECK_THAT(not_joined(folder, parts), Contains("no such file") && Contains("missing: "));
+    }
+    SECTION("it is none about mass ratios") {
+        REQUIRE(dumbbell({"adiabatic", "--theorem", "lemma3.1", "--delta", "0.1", "--out", parts[1]},
+                         folder.path())
+                    .code == 0);
+        CHECK_THAT(not_joined(folder, parts), Contains("is about the adiabatic invariant"));
+    }
+    SECTION("all parts are garbage") {
+        for (const std::string& part : parts) {
+            write_file(folder / part, "garbage\n");
+        }
+        CHECK(count_lines(not_joined(folder, parts)) == 3);
+    }
+}
+
+TEST_CASE("a part of another range, twice, or overlapping, is refused") {
+    const TemporaryFolder folder;
+    const Words parts = made_parts(folder, 2);
+    CHECK_THAT(not_joined(folder, {parts[0], parts[1], parts[0]}),
+               Contains("'part-1.dbc' and 'part-1.dbc' overlap"));
+    REQUIRE(dumbbell({"certify", "2:3", "--out", "more.dbc"}, folder.path()).code == 0);
+    CHECK_THAT(not_joined(folder, {parts[0], parts[1], "more.dbc"}),
+               Contains("'part-1.dbc' and 'more.dbc' overlap"));
+    REQUIRE(dumbbell({"certify", "400:410", "--out", "far.dbc"}, folder.path()).code == 0);
+    CHECK_THAT(not_joined(folder, {parts[0], parts[1], "far.dbc"}),
+               Contains("missing: the mass ratios 300 to 400;"));
+}
+
+TEST_CASE("parts of another scene, section or kind are refused in one line") {
+    const TemporaryFolder folder;
+    const Words parts = made_parts(folder, 2);
+    for (const Words& options : {Words{"--scene", "wedge"}, {"--section", "full"}}) {
+        Words words{"certify", "300:310", "--out", "other.dbc"};
+        words.insert(words.end(), options.begin(), options.end());
+        REQUIRE(dumbbell(words, folder.path()).code == 0);
+        const std::string err = not_joined(folder, {parts[0], parts[1], "other.dbc"});
+        CHECK(count_lines(err) == 1);
+        CHECK_THAT(err, Contains("are of different claims") && Contains(options[0] + " " + options[1]));
+    }
+    REQUIRE(dumbbell({"critical", "3:5", "--out", "ratios.tsv"}, folder.path()).code == 0);
+    const std::string err = not_joined(folder, {parts[0], "ratios.tsv"});
+    CHECK(count_lines(err) == 1);
+    CHECK_THAT(err, Contains("'ratios.tsv' is a table of critical ratios, and 'part-1.dbc' is none"));
+}
+
+TEST_CASE("parts of a model wedge, and of the full section, are joined") {
+    for (const Words& options : {Words{"--scene", "wedge"}, {"--scene", "hybrid"}, {"--section", "full"}}) {
+        const TemporaryFolder folder;
+        const Words parts = made_parts(folder, 2, options);
+        REQUIRE(join(folder, parts).code == 0);
+        const std::string scene = options[0] == "--scene" ? options[1] : "dumbbell";
+        CHECK(
+            verifier({"--budget", "10m", "--scene", scene, "--ratio", "1:300", folder / "whole.dbc"}).code ==
+            0);
+    }
+}
+
+TEST_CASE("parts with open pieces are joined only with --open, and never with exit code 0") {
+    const TemporaryFolder folder;
+    Words parts = made_parts(folder, 2);
+    Outcome open =
+        dumbbell({"certify", "1:300", "--part", "2/2", "--budget", "0s", "--out", parts[1]}, folder.path());
+    REQUIRE(open.code == 3);
+    Outcome refused = join(folder, parts);
+    CHECK(refused.code == 3);
+    CHECK(refused.out.empty());
+    CHECK_THAT(refused.err, Contains("'part-2.dbc' has 1 open; to make it again: dumbbell certify ") &&
+                                Contains("add --open"));
+    CHECK_FALSE(std::filesystem::exists(folder / "whole.dbc"));
+    const Outcome joined = join(folder, parts, {"--open"});
+    CHECK(joined.code == 3);
+    CHECK_THAT(joined.out, Contains("1 piece is open"));
+    CHECK(verifier({folder / "whole.dbc"}).code == 0);
+}
+
+TEST_CASE("the tables of a range of critical ratios are joined to the table of one go, byte for byte") {
+    const TemporaryFolder folder;
+    const Words parts = made_tables(folder, 3);
+    const Outcome joined = join(folder, {parts[1], parts[2], parts[0]}, {"--range", "3:40"}, "whole.tsv");
+    CAPTURE(joined.err);
+    CHECK(joined.code == 0);
+    CHECK_THAT(joined.out,
+               StartsWith("3 parts verified, together the critical ratios for N from 3 to 40.\n"));
+    REQUIRE(dumbbell({"critical", "3:40", "--digits", "20", "--out", folder / "one.tsv"}).code == 0);
+    CHECK(contents(folder / "whole.tsv") == contents(folder / "one.tsv"));
+
+    const std::string missing = not_joined(folder, {parts[0], parts[2]}, {}, "whole.tsv");
+    CHECK_THAT(missing,
+               Contains("missing: the critical ratios for N from ") && Contains(" --digits 20 --out FILE"));
+    CHECK_THAT(not_joined(folder, parts, {"--range", "3:41"}, "whole.tsv"),
+               Contains("dumbbell critical 41:41 --digits 20 --out FILE"));
+    CHECK_THAT(not_joined(folder, {parts[0], parts[1], parts[1], parts[2]}, {}, "whole.tsv"),
+               Contains("overlap"));
+    CHECK_THAT(not_joined(folder, parts, {}, "whole.dbc"), Contains("the name of a table ends in .tsv"));
+}
+
+TEST_CASE("a table that says what is not certain is refused, with the command that makes it again") {
+    const TemporaryFolder folder;
+    const Words parts = made_tables(folder, 2);
+    const std::string file = folder / parts[0], good = contents(file);
+    const auto refuses = [&](const std::string& from, const std::string& to) {
+        write_file(file, replaced(good, from, to));
+        return not_joined(folder, parts, {}, "whole.tsv");
+    };
+    CHECK_THAT(refuses("4\t4.6033388487517003525\t", "4\t4.6033388487517003524\t"),
+               Contains("q_c(4) is not certain to be where it says; to make it again: dumbbell critical 3:"));
+    CHECK_THAT(refuses("4\t4.6033388487517003525\t", "4\t4.6033388487517003526\t"),
+               Contains("q_c(4) is not certain"));
+    CHECK_THAT(refuses("\tcorner\t1\n", "\tcorner\t2\n"), Contains("(line 5)"));
+    CHECK_THAT(refuses("4\t4.6033388487517003525\t", "4\t04.603338848751700352\t"), Contains("(line 5)"));
+    CHECK_THAT(refuses("3\t1\t0\t", "3\t1\t0.5\t"), Contains("(line 4)"));
+    write_file(file, good.substr(0, good.size() - 5));
+    CHECK_THAT(not_joined(folder, parts, {}, "whole.tsv"), Contains("as dumbbell critical --out writes it"));
+    write_file(file, good);
+    REQUIRE(dumbbell({"critical", "41:42", "--digits", "21", "--out", folder / "other.tsv"}).code == 0);
+    CHECK_THAT(not_joined(folder, {parts[0], parts[1], "other.tsv"}, {}, "whole.tsv"),
+               Contains("are of different claims: dumbbell critical "));
+}
+
+TEST_CASE("what is open in a table is joined only with --open") {
+    const TemporaryFolder folder;
+    REQUIRE(dumbbell({"critical", "3:6", "--out", folder / "a.tsv"}).code == 0);
+    REQUIRE(dumbbell({"critical", "7:9", "--budget", "0s", "--out", folder / "b.tsv"}).code == 3);
+    CHECK(join(folder, {"a.tsv", "b.tsv"}, {}, "whole.tsv").code == 3);
+    CHECK_FALSE(std::filesystem::exists(folder / "whole.tsv"));
+    CHECK(join(folder, {"a.tsv", "b.tsv"}, {"--open"}, "whole.tsv").code == 3);
+    CHECK_THAT(contents(folder / "whole.tsv"), Contains("9\topen\t-\t-\t"));
+}
+
+TEST_CASE("an input is never replaced, and what is joined can go to the standard output") {
+    const TemporaryFolder folder;
+    const Words parts = made_parts(folder, 2);
+    const std::string before = contents(folder / parts[0]);
+    CHECK_THAT(join(folder, parts, {}, parts[0]).err, Contains("would replace 'part-1.dbc'"));
+    CHECK(contents(folder / parts[0]) == before);
+    const Outcome printed = join(folder, parts, {"--quiet"}, "-");
+    CHECK(printed.code == 0);
+    CHECK_THAT(printed.out, StartsWith("dumbbell-certificate 1\n"));
+    CHECK(printed.err == "2 parts verified, together the mass ratios 1 to 300.\n");
+    CHECK_THAT(join(folder, parts, {}, "whole.tsv").err, Contains("the name of a certificate ends in .dbc"));
+}
+
+TEST_CASE("a signal ends join and its verifiers, and nothing is written") {
+    const TemporaryFolder folder;
+    const std::string stairs = DUMBBELL_PROJECT "/certificates/stairs-1-1e6.dbc.gz";
+    for (const int signal : {SIGINT, SIGTERM}) {
+        Process process(with_program({"join", stairs, "--out", "whole.dbc"}), folder.path());
+        std::this_thread::sleep_for(std::chrono::milliseconds(200));
+        process.send(signal);
+        const Outcome outcome = process.wait();
+        if (outcome.code != 0) {  // else it was done before
+            CHECK(outcome.signal == signal);
+            CHECK(folder.names().empty());
+        }
+    }
+}
