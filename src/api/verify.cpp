@@ -38,10 +38,8 @@ dumbbell_verify::Job job_of(const std::string& file, const Claim& claim, unsigne
 }
 
 Verdict given(dumbbell_verify::Verdict verdict) {
-    // In the order of the verifier's; its second and third one, about parts of a file, are never asked for
-    // here.
-    constexpr std::array given{Verdict::verified,   Verdict::rejected,    Verdict::rejected,
-                               Verdict::unreadable, Verdict::unsupported, Verdict::limit,
+    // In the order of the verifier's.
+    constexpr std::array given{Verdict::verified, Verdict::unreadable, Verdict::unsupported, Verdict::limit,
                                Verdict::rejected};
     return given.at(static_cast<std::size_t>(verdict));
 }

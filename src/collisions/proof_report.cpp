@@ -275,7 +275,8 @@ std::string to_text(const ProofReport& report) {
         text += fmt::format(
             "Certificate: {} (sha256 {})\nCheck it:    {}\n", one_line(*report.out), *report.sha256,
             budget ? fmt::format("dumbbell verify {}{}{}", *budget, scene, shell_file(*report.out))
-                   : "in parts, with --shards I-J: the whole may take more than the greatest --budget");
+                   : "it may take more than the greatest --budget; certify smaller ranges, and verify them "
+                     "--together");
     }
     return text;
 }

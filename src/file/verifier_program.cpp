@@ -102,9 +102,7 @@ void verifier_not_started(const std::string& program, int error) {
 Verdict ask_verifier(std::vector<std::string> arguments, std::string program) {
     const Run run = run_to_end(std::move(arguments), program);
     Verdict verdict{run.code == 0, std::string(last_line(run.out))};
-    const bool says_so = verdict.line.starts_with("s VERIFIED ") || verdict.line.starts_with("s PART ") ||
-                         verdict.line.starts_with("s COMBINED ");
-    if (!verdict.line.starts_with("s ") || verdict.accepts != says_so) {
+    if (!verdict.line.starts_with("s ") || verdict.accepts != verdict.line.starts_with("s VERIFIED ")) {
         throw NoVerdict(fmt::format("the verifier '{}' gave no verdict (exit code {})", program, run.code));
     }
     return verdict;

@@ -38,8 +38,12 @@ constexpr const char* tail = R"(    esac
 complete -F _dumbbell dumbbell dumbbell-verify
 )";
 
-/// Of all options; every command has --help, though its table does not say so.
+/// Of all options; every command has --help, though its table does not say so. Those of the verifier are in
+/// its own help only.
 std::string names(const Command& command) {
+    if (command.become != nullptr) {
+        return R"("$(dumbbell-verify --help 2> /dev/null | sed -nE 's/^  (-., )?(--[a-z-]+).*/\2/p')")";
+    }
     std::vector<std::string> all;
     for (const Option& option : command.options) {
         if (!option.is_argument()) {
@@ -49,7 +53,7 @@ std::string names(const Command& command) {
     if (std::ranges::find(all, "--help") == all.end()) {
         all.emplace_back("--help");
     }
-    return fmt::format("{}", fmt::join(all, " "));
+    return fmt::format("'{}'", fmt::join(all, " "));
 }
 
 /// The cases in which the word before is an option that takes a value.
@@ -78,7 +82,7 @@ void add_words(std::string& script, const Place& place) {
     }
     const bool files = std::ranges::any_of(place.command->options,
                                            [](const Option& o) { return o.is_argument() && is_file(o); });
-    script += fmt::format("        '{} '*) options='{}' words='{}' files={} ;;\n", place.name,
+    script += fmt::format("        '{} '*) options={} words='{}' files={} ;;\n", place.name,
                           names(*place.command), fmt::join(words, " "), files ? "yes" : "");
 }
 

@@ -61,7 +61,7 @@ std::string usage(const Place& place) {
 
 bool is_file(const Option& option) {
     const std::string_view value = option.is_argument() ? option.name : option.value;
-    return value.starts_with("FILE") || value == "LIST" || value == "PARTS";
+    return value.starts_with("FILE");
 }
 
 std::string spelling(const Option& option) {

@@ -23,7 +23,7 @@ class CollisionsReader : public Reader<Leaf> {
   private:
     [[nodiscard]] std::string_view kind() const override { return "collisions"; }
     [[nodiscard]] std::string_view scene() const override { return section_.scene; }
-    [[nodiscard]] std::string missing() const override { return claim_.missing(); }
+    [[nodiscard]] std::string missing() const override { return settings_.together ? "" : claim_.missing(); }
     [[nodiscard]] const char* check(const Leaf& leaf, std::string* log) const override {
         return section_.check(leaf, log);
     }
@@ -47,21 +47,15 @@ class CollisionsReader : public Reader<Leaf> {
         const std::uint64_t k = text_.natural(1);
         if (k == 0) text_.reject("number", "no piece");
         Watched::pieces += k;
-        if (settings_.check != all_pieces && settings_.check.last > k)
-            throw Failure{Verdict::unreadable, text_.line, "usage",
-                          "there is no piece " + std::to_string(settings_.check.last) + ": the file has " +
-                              std::to_string(k) + (k == 1 ? " piece" : " pieces")};
     }
 
-    /// Are the leaves of the present piece checked?
-    [[nodiscard]] bool checked() const { return settings_.check.have(claim_.pieces + 1); }
     void piece() {
         Leaf leaf;
         text_.expect("piece", 2);
         const mpq_class a = text_.ratio(1), b = text_.ratio(2);
         if (a != end_ || a > b) text_.reject("chain", "a piece must begin where the one before ended");
         end_ = b;
-        read_bits(leaf, checked());
+        read_bits(leaf);
         text_.expect("upper", 1);
         std::optional<mpz_class> upper;
         if (text_.fields[1] != "none") {
@@ -83,7 +77,7 @@ class CollisionsReader : public Reader<Leaf> {
 
     void take(Leaf leaf, const std::string& path) {
         if (!settings_.explain.empty()) explain(leaf, std::to_string(claim_.pieces + 1) + ":" + path);
-        if (checked()) Reader::take(std::move(leaf));
+        Reader::take(std::move(leaf));
     }
 
     const Section& section_;

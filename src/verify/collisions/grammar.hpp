@@ -6,9 +6,8 @@
 
 namespace dumbbell_verify {
 
-/// Reads on after the line `claim`; returns only if all that the file and the demand say is certified, but
-/// for the leaves and witnesses of the pieces that `settings` does not have checked; else throws the Failure
-/// of the least line.
+/// Reads on after the line `claim`; returns only if all that the file and the demand say is certified; else
+/// throws the Failure of the least line.
 Proof collisions(Text& text, const Settings& settings, const Section& section);
 
 }  // namespace dumbbell_verify

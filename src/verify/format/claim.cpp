@@ -1,7 +1,5 @@
 #include "verify/format/claim.hpp"
 
-#include <algorithm>
-
 namespace dumbbell_verify {
 std::string to_string(const mpq_class& ratio) {
     return ratio.get_num().get_str() + "/" + ratio.get_den().get_str();
@@ -16,31 +14,41 @@ std::string json_count(const mpz_class& n) {
 std::string covered_part(const mpq_class& lo, const mpq_class& hi, const mpq_class& from,
                          const mpq_class& to) {
     if (hi < from || to < lo)
-        return "the file says nothing of the mass ratios " + to_string(from, to) + ", it is about " +
-               to_string(lo, hi);
-    return "of the mass ratios " + to_string(from, to) + " the file covers only " +
-           to_string(std::max(lo, from), std::min(hi, to));
+        return "nothing is said of the mass ratios " + to_string(from, to) + ", only of " + to_string(lo, hi);
+    return "of the mass ratios " + to_string(from, to) + " only " +
+           to_string(std::max(lo, from), std::min(hi, to)) + " are covered";
 }
 
 void Collisions::add(const mpq_class& a, const mpq_class& b, const std::optional<mpz_class>& u,
                      const mpz_class& v) {
-    const mpq_class& from = ratios ? ratios->first : lo;
+    const mpq_class& from = start();
     const bool proves[] = {true, u && (!most || *u <= *most), !least || v >= *least};
     for (std::size_t i = 0; i < 3; ++i)
         if (proves[i] && (reached_[i] ? a <= *reached_[i] : a <= from && from <= b)) reached_[i] = b;
     upper = upper && u ? std::max(upper, u) : std::nullopt;
     lower = pieces == 0 ? v : std::min(lower, v);
     ++pieces;
-    if (keep.have(pieces)) parts.push_back({a, b, u, v});
+    if (keep) parts.push_back({a, b, u, v});
     gaps += u && *u == v + 1;
     open += !u || *u > v + 1;
+}
+
+void Collisions::append(const Collisions& next) {
+    for (std::size_t i = 0; i < 3; ++i)
+        if (next.reached_[i] && reached_[i].value_or(start()) >= hi) reached_[i] = next.reached_[i];
+    hi = next.hi;
+    upper = upper && next.upper ? std::max(upper, next.upper) : std::nullopt;
+    lower = std::min(lower, next.lower);
+    pieces += next.pieces;
+    gaps += next.gaps;
+    open += next.open;
 }
 
 std::string Collisions::missing() const {
     const mpq_class &from = ratios ? ratios->first : lo, &to = ratios ? ratios->second : hi;
     const std::string range = " for every mass ratio in " + to_string(from, to);
     const auto covered = [&](std::size_t i) { return reached_[i] && *reached_[i] >= to; };
-    if (!covered(0)) return covered_part(lo, hi, from, to);
+    if (from < lo || !covered(0)) return covered_part(lo, hi, from, to);
     if (most && !covered(1)) return "not proved: at most " + most->get_str() + " collisions" + range;
     if (least && !covered(2)) return "not proved: at least " + least->get_str() + " collisions" + range;
     return "";

@@ -3,6 +3,7 @@
 #pragma once
 #include <gmpxx.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -16,18 +17,10 @@ std::string to_string(const mpq_class& ratio);                    ///< P/Q
 std::string to_string(const mpq_class& lo, const mpq_class& hi);  ///< LO:HI
 /// A JSON string from 2^63 on: hardly a reader of JSON keeps such numbers exactly.
 std::string json_count(const mpz_class& n);
-/// For a file about the ratios [lo, hi] that was asked about [from, to], and does not cover them: what it
+/// For a claim about the ratios [lo, hi] that was asked about [from, to], and does not cover them: what it
 /// covers.
 std::string covered_part(const mpq_class& lo, const mpq_class& hi, const mpq_class& from,
                          const mpq_class& to);
-
-/// The pieces of a file from number `first` to number `last`; they count from 1.
-struct Pieces {
-    std::uint64_t first = 1, last = 0;  ///< at first none
-    [[nodiscard]] bool have(std::uint64_t number) const { return first <= number && number <= last; }
-    bool operator==(const Pieces&) const = default;
-};
-constexpr Pieces all_pieces{1, UINT64_MAX};
 
 /// For all pieces so far: N*(q) <= upper if it is a number, N*(q) >= lower.
 struct Collisions {
@@ -44,17 +37,23 @@ struct Collisions {
         std::optional<mpz_class> upper;
         mpz_class lower;
     };
-    Pieces keep;              ///< collect these
-    std::vector<Part> parts;  ///< the pieces that are kept
+    bool keep = false;        ///< collect the pieces
+    std::vector<Part> parts;  ///< those that are kept
 
     /// The pieces come in increasing order, [lo, hi] of the file is their union.
     void add(const mpq_class& a, const mpq_class& b, const std::optional<mpz_class>& u, const mpz_class& v);
+    /// The pieces of another file follow, which begins where these end. It was asked the same, and keeps
+    /// none.
+    void append(const Collisions& next);
     /// Empty if the pieces with an upper bound <= most cover `ratios`, and those with a lower bound >= least
     /// do.
     [[nodiscard]] std::string missing() const;
 
   private:
-    /// Where the cover by closed pieces that prove it has arrived: the ratios, most, least.
+    /// Where what is asked begins in the file, if it does.
+    [[nodiscard]] const mpq_class& start() const { return ratios ? std::max(ratios->first, lo) : lo; }
+
+    /// Where the cover by closed pieces that prove it has arrived, from there: the ratios, most, least.
     std::array<std::optional<mpq_class>, 3> reached_;
 };
 

@@ -20,9 +20,15 @@ struct Settings {
     std::string scene = "dumbbell", explain;  ///< explain: PIECE:PATH or box.PATH, the leaf to show
     std::string claim;                        ///< demanded kind; empty: any
     std::shared_ptr<LawFile> law;             ///< on which files about one mass ratio by the law rest
-    Pieces check = all_pieces;                ///< of the others no leaf and no witness is checked
     bool shares = false;                      ///< of the numbers of collisions, from a box of starts
+    bool together = false;  ///< the demand is on several files as one: this one need not prove it
     Collisions demand;
+
+    /// What this file itself must prove.
+    [[nodiscard]] const Collisions& own_demand() const {
+        static const Collisions nothing;
+        return together ? nothing : demand;
+    }
 };
 
 /// The lines of one kind, and how many root boxes these leaves fill.

@@ -10,7 +10,7 @@ namespace dumbbell_verify {
 /// With several files the last one of these counts. Only `verified` says that a whole file was checked;
 /// `part`: what was asked for is a part of it, which was; `combined`: nothing was, lines say that all parts
 /// were.
-enum class Verdict { verified, part, combined, unreadable, unsupported, limit, rejected };
+enum class Verdict { verified, unreadable, unsupported, limit, rejected };
 
 /// Why a file is not verified; thrown, and reported as it is.
 struct Failure {

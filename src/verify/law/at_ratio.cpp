@@ -54,7 +54,7 @@ class SideRule {
 class AtRatioReader : public Reader<Side> {
   public:
     AtRatioReader(Text& text, const Settings& settings) : Reader(text, settings) {
-        if (settings.demand.keep != Pieces{})
+        if (settings.demand.keep)
             throw Failure{Verdict::unreadable, 0, "usage",
                           "--lemma compares covers; this file is about one mass ratio by the law"};
     }

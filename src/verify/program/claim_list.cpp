@@ -44,7 +44,7 @@ Job parse_row(const std::string& row, Settings settings) {
     if (settings.claim != "law" && (!demand.ratios || !(demand.most || demand.least)))
         throw std::invalid_argument(
             "the claim needs --ratio, and --max, --min or --exactly; or it is --claim law");
-    return {fields[0], std::move(settings), std::nullopt, true};
+    return {fields[0], std::move(settings), true};
 }
 
 }  // namespace

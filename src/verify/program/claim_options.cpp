@@ -107,16 +107,11 @@ bool claim_option(Words& words, Settings& settings) {
     return true;
 }
 
-std::string demand_text(const Settings& settings) {
-    const Collisions& demand = settings.demand;
+std::string demand_text(const Collisions& demand) {
     std::string text;
     if (demand.ratios) text = " ratio=" + to_string(demand.ratios->first, demand.ratios->second);
     if (demand.most) text += " max=" + demand.most->get_str();
     if (demand.least) text += " min=" + demand.least->get_str();
-    if (settings.check == Pieces{})
-        text += " COMBINED, the lines of its parts trusted";
-    else if (settings.check != all_pieces)
-        text += " pieces=" + std::to_string(settings.check.first) + "-" + std::to_string(settings.check.last);
     return text;
 }
 

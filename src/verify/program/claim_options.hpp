@@ -9,7 +9,7 @@ namespace dumbbell_verify {
 /// --claim; false if it is another. Throws std::invalid_argument.
 bool claim_option(Words& words, Settings& settings);
 
-/// What was demanded, for a reader: ` ratio=LO:HI max=N min=N pieces=I-J`, without what was not.
-std::string demand_text(const Settings& settings);
+/// What was demanded, for a reader: ` ratio=LO:HI max=N min=N`, without what was not.
+std::string demand_text(const Collisions& demand);
 
 }  // namespace dumbbell_verify

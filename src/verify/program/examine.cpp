@@ -8,13 +8,11 @@
 #include <thread>
 
 #include "verify/format/section.hpp"
-#include "verify/program/combine.hpp"
 
 namespace dumbbell_verify {
 namespace {
-constexpr const char* names[] = {"VERIFIED",    "PART",  "COMBINED", "UNREADABLE",
-                                 "UNSUPPORTED", "LIMIT", "REJECTED"};
-constexpr int exit_codes[] = {0, 0, 0, 2, 3, 4, 1};
+constexpr const char* names[] = {"VERIFIED", "UNREADABLE", "UNSUPPORTED", "LIMIT", "REJECTED"};
+constexpr int exit_codes[] = {0, 2, 3, 4, 1};
 
 /// What --explain can show of a file.
 std::string trees(const Verified& proof, const std::string& scene) {
@@ -39,17 +37,7 @@ Result examine(const Job& job) {
     Result result;
     result.job = &job;
     try {
-        std::optional<PartLines> lines;
-        if (job.parts) lines.emplace(*job.parts);
-        Verified proof = verify(job.file, settings);
-        if (lines) {
-            result.parts = combine(*lines, proof, settings);
-            result.why.verdict = Verdict::combined;
-        } else if (settings.check != all_pieces) {
-            result.part = part_of(proof, settings, PieceSums(proof.claim), settings.check);
-            result.why.verdict = Verdict::part;
-        }
-        result.proof = std::move(proof);
+        result.proof = verify(job.file, settings);
         if (!settings.explain.empty() && !result.proof.explained)
             result.why = {
                 Verdict::unreadable, 0, "usage",

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "verify/format/text.hpp"
-#include "verify/program/part.hpp"
 #include "verify/program/verify.hpp"
 
 namespace dumbbell_verify {
@@ -14,27 +13,19 @@ namespace dumbbell_verify {
 struct Job {
     std::string file;
     Settings settings;
-    std::optional<std::string> parts =
-        std::nullopt;     ///< the file with the lines of its parts, to be combined
     bool listed = false;  ///< a list has its name
 };
 
 struct Result {
     const Job* job = nullptr;
     Failure why{Verdict::verified, 0, "", ""};  ///< if not verified
-    Verified proof;                             ///< if verified or combined
-    std::optional<Part> part;                   ///< instead, if a part of the file is verified
-    std::optional<std::uint64_t> parts;         ///< the number that were combined
+    Verified proof;                             ///< if verified
     double seconds = 0;
 };
 
 const char* verdict_name(Verdict verdict);  ///< VERIFIED, ...
-/// 0 verified, a part, or combined, 1 rejected, 2 unreadable, 3 unsupported, 4 limit
+/// 0 verified, 1 rejected, 2 unreadable, 3 unsupported, 4 limit
 int exit_code(Verdict verdict);
-/// Does it state what the whole file says?
-inline bool is_of_whole(Verdict verdict) {
-    return verdict == Verdict::verified || verdict == Verdict::combined;
-}
 
 /// Verifies one file; whatever is wrong is in the result.
 Result examine(const Job& job);

@@ -37,15 +37,14 @@ std::string work(bool known, const Proof& proof) {
     const std::string rest = std::to_string(1000 + n % 1000);
     return std::to_string(n / 1000) + "." + rest.substr(1);
 }
-std::string demand(const Settings& settings) {
-    const Collisions& d = settings.demand;
+std::string demand(const Collisions& d) {
     return object({{"ratio", d.ratios ? range(d.ratios->first, d.ratios->second) : "null"},
                    {"max", count(d.most)},
                    {"min", count(d.least)}});
 }
 
 std::string claim(const Result& result) {
-    if (!is_of_whole(result.why.verdict)) return "null";
+    if (result.why.verdict != Verdict::verified) return "null";
     if (const auto object = result.proof.of_other([](const auto& it) { return it.json(); })) return *object;
     const Collisions& c = result.proof.claim;
     return object({{"scene", json_string(result.job->settings.scene)},
@@ -58,28 +57,17 @@ std::string claim(const Result& result) {
                    {"heavy_at_most", result.proof.heavy_once ? "1" : "null"}});
 }
 
-std::string part(const Part& p) {
-    return object({{"first", number(p.pieces.first)},
-                   {"last", number(p.pieces.last)},
-                   {"of", number(p.of)},
-                   {"scene", json_string(p.scene)},
-                   {"section", json_string(p.section)},
-                   {"ratio", range(p.lo, p.hi)},
-                   {"upper", count(p.bounds.upper)},
-                   {"lower", json_count(p.bounds.lower)},
-                   {"gaps", number(p.bounds.gaps)},
-                   {"open", number(p.bounds.open)},
-                   {"precision", p.precision > 0 ? number(p.precision) : "null"},
-                   {"verifier", json_string(version)},
-                   {"sha256", json_string(p.digest)},
-                   {"line", json_string("s PART " + part_text(p))}});
+std::string list(const std::vector<Result>& files) {
+    std::string text;
+    for (const Result& file : files) text += (text.empty() ? "" : ",") + json(file);
+    return "[" + text + "]";
 }
 
 }  // namespace
 
 std::string json(const Result& result) {
     const Failure& why = result.why;
-    const bool verified = is_of_whole(why.verdict), failed = exit_code(why.verdict) != 0;
+    const bool verified = why.verdict == Verdict::verified;
     std::vector<Member> leaves, coverage;
     for (const Tally& tally : verified ? result.proof.tallies : std::vector<Tally>()) {
         leaves.push_back({tally.name, number(tally.lines)});
@@ -90,26 +78,33 @@ std::string json(const Result& result) {
                    {"claim", claim(result)},
                    {"sha256", string_unless(!verified, result.proof.digest)},
                    {"schema", json_string("dumbbell-verify-1")},
-                   {"demand", demand(result.job->settings)},
-                   {"part", result.part ? part(*result.part) : "null"},
-                   {"parts", number(result.parts)},
+                   {"demand", demand(result.job->settings.own_demand())},
                    {"leaves", object(leaves)},
                    {"coverage", object(coverage)},
                    {"work", work(verified, result.proof)},
                    {"line", why.line > 0 ? number(why.line) : "null"},
-                   {"code", string_unless(!failed, why.code)},
-                   {"reason", string_unless(!failed, why.text)}});
+                   {"code", string_unless(verified, why.code)},
+                   {"reason", string_unless(verified, why.text)}});
 }
 
 std::string json(const Lemma& lemma, Verdict verdict, const std::string& comparison,
                  const std::vector<Result>& files) {
-    std::string list;
-    for (const Result& file : files) list += (list.empty() ? "" : ",") + json(file);
     return object({{"schema", json_string("dumbbell-verify-lemma-1")},
                    {"lemma", json_string(lemma.name)},
                    {"verdict", json_string(verdict_name(verdict))},
                    {"comparison", comparison},
-                   {"files", "[" + list + "]"}});
+                   {"files", list(files)}});
+}
+
+std::string json(const Result& whole, const std::vector<Result>& files) {
+    const bool verified = whole.why.verdict == Verdict::verified;
+    return object({{"schema", json_string("dumbbell-verify-together-1")},
+                   {"verdict", json_string(verdict_name(whole.why.verdict))},
+                   {"claim", claim(whole)},
+                   {"demand", demand(whole.job->settings.demand)},
+                   {"code", string_unless(verified, whole.why.code)},
+                   {"reason", string_unless(verified, whole.why.text)},
+                   {"files", list(files)}});
 }
 
 }  // namespace dumbbell_verify

@@ -13,16 +13,13 @@ std::string claim_text(const Result& result) {
     const Collisions& claim = result.proof.claim;
     return "scene=" + result.job->settings.scene + " ratio=" + to_string(claim.lo, claim.hi) +
            " upper=" + (claim.upper ? claim.upper->get_str() : "none") + " lower=" + claim.lower.get_str() +
-           " gaps=" + std::to_string(claim.gaps) + " open=" + std::to_string(claim.open);
+           " gaps=" + std::to_string(claim.gaps) + " open=" + std::to_string(claim.open) +
+           (result.proof.heavy_once ? " heavy-at-most=1" : "");
 }
 
 std::string result_text(const Result& result) {
     const Failure& why = result.why;
-    if (result.part) return part_text(*result.part);
-    if (is_of_whole(why.verdict))
-        return claim_text(result) + (result.proof.heavy_once ? " heavy-at-most=1" : "") +
-               " sha256=" + result.proof.digest +
-               (result.parts ? " parts=" + std::to_string(*result.parts) : "");
+    if (why.verdict == Verdict::verified) return claim_text(result) + " sha256=" + result.proof.digest;
     std::string text;
     if (why.line > 0) text = "line=" + std::to_string(why.line) + " ";
     if (why.verdict == Verdict::rejected) text += "code=" + why.code + " ";
@@ -35,7 +32,7 @@ std::string verdict_line(const Result& result) {
 
 std::string block(const Result& result) {
     std::string text = leading_name(result.job->file) + "\n";
-    const bool verified = is_of_whole(result.why.verdict);
+    const bool verified = result.why.verdict == Verdict::verified;
     for (const Tally& tally : verified ? result.proof.tallies : std::vector<Tally>()) {
         std::array<char, 100> line{};
         std::snprintf(line.data(), line.size(), "  %-15s%12s line(s)%11.5f %% of the root boxes\n",

@@ -42,13 +42,13 @@ Verified read_on(Text& text, const Settings& settings, const Header& header) {
                       "--shares is about a box of initial conditions (dumbbell trace --subdivide), and this "
                       "file is about something else"};
     if (header.section && claim == "collisions") return {collisions(text, settings, *header.section), {}};
+    if (settings.together)
+        throw Failure{Verdict::unreadable, text.line, "usage",
+                      "--together is about ranges of mass ratios, and this file is about something else"};
     const auto invariant = adiabatic_kind(claim);
     const bool is_law = header.section == &turning() && claim == "law", is_by_law = claim == LawAtRatio::kind;
     if (!is_law && (header.section || !(invariant || is_by_law || is_initial)))
         text.unsupported("unknown claim " + claim);
-    if (settings.check != all_pieces)
-        throw Failure{Verdict::unreadable, text.line, "usage",
-                      "a file with this claim has no pieces: it is verified as a whole only"};
     if (is_law) return about(law(text, settings));
     if (is_by_law) return about(law_at_ratio(text, settings));
     if (invariant) return about(adiabatic(text, settings, *invariant));

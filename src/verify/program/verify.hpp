@@ -31,8 +31,9 @@ struct Verified : Proof {
     }
 };
 
-/// Returns only if all that the file and the demand say is certified, but for the leaves and witnesses of the
-/// pieces that `settings` does not have checked; else throws the Failure of the least line.
+/// Returns only if all that the file and the demand say is certified; else throws the Failure of the least
+/// line. With `together` the demand itself is left to the caller, and only files of the kind `collisions` may
+/// be asked for.
 Verified verify(const std::string& path, const Settings& settings);
 
 }  // namespace dumbbell_verify

@@ -123,7 +123,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     const std::string kind = value_of(*text, "claim");
     const bool initial = kind == "initial-conditions" || kind == "incoming";
     const bool about_invariant = dumbbell_verify::adiabatic_kind(kind).has_value();
-    if (!initial && !about_invariant) settings.demand.keep = dumbbell_verify::all_pieces;
+    if (!initial && !about_invariant) settings.demand.keep = true;
     if (about_invariant) settings.budget = dumbbell_verify::units_per_second / 10;
     if (const std::string scene = value_of(*text, "scene"); !scene.empty()) settings.scene = scene;
 

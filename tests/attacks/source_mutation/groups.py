@@ -38,7 +38,7 @@ VERIFIER = {
             "format/reader:collisions/grammar format/proof:collisions/grammar "
             "format/claim:program/verify starts/grammar:starts/grammar"),
     # the program: what was asked, and what the verdict and the exit code say
-    **below("verify/program", "options claim_options claim_list part part_lines piece_sums combine "
+    **below("verify/program", "options option_table claim_options claim_list together "
             "examine main summary json junit escape replace_file", "words:options"),
 }
 
@@ -56,7 +56,7 @@ GROUPS = {
                             "guess_crossing", "terms", "sqrt", "describe", "show", "counted", "log", "note",
                             "block", "demand_text"}),
         texts=frozenset(("verify/starts/claim.cpp", "verify/format/claim.cpp", *(
-            f"verify/program/{name}.cpp" for name in ("summary", "json", "junit", "escape", "compare", "main", "part")))),
+            f"verify/program/{name}.cpp" for name in ("summary", "json", "junit", "escape", "compare", "main", "together")))),
         targets=("dumbbell-verify", "test_verify", "test_verify_poor_libraries", "mutation"),
         programs=("tests/rooms/verify/test_verify", "tests/rooms/verify/test_verify_poor_libraries"),
         prepare=(("{build}/tests/attacks/mutation/mutation", "--jobs", "1", "--most", "400", "--dump", "{work}/corpus",

@@ -238,27 +238,28 @@ TEST_CASE("docs/reference/json.md describes the JSON of verify") {
          std::vector<Words>{{"ten.dbc", "box.dbc", "bounce.dbc", "printed.dbc", "bad.dbc", "by-law.dbc",
                              DUMBBELL_PROJECT "/certificates/law.dbc.gz"},
                             {"--ratio", "10", "--exactly", "4", "ten.dbc"},
-                            {"--shards", "1", "--precision", "60", "ten.dbc"},
-                            {"--shares", "box.dbc"},
-                            {"--combine", "parts.txt", "ten.dbc"}}) {
+                            {"--shares", "box.dbc"}}) {
         words = options;
         words.insert(words.begin(), {"verify", "--json"});
         for (const OrderedJson& object : printed(dumbbell(words, folder.path()))) {
             objects.push_back(object);
-            if (object.at("part").is_object()) {
-                write_file(folder / "parts.txt", object.at("part").at("line").get<std::string>() + "\n");
-            }
         }
     }
     check_documented("verify", objects);
 
-    OrderedJson lemma =
-        printed(dumbbell({"verify", "--json", "--lemma", "4.1", "hybrid.dbc", "wedge.dbc"}, folder.path()));
-    for (OrderedJson& file : lemma.at("files")) {
-        CHECK(file.at("schema") == "dumbbell-verify-1");
-        file = nullptr;  // described above
-    }
-    check_documented("verify --lemma", {lemma});
+    const auto without_files = [&](Words more) {
+        more.insert(more.begin(), {"verify", "--json"});
+        OrderedJson object = printed(dumbbell(more, folder.path()));
+        for (OrderedJson& file : object.at("files")) {
+            CHECK(file.at("schema") == "dumbbell-verify-1");
+            file = nullptr;  // described above
+        }
+        return object;
+    };
+    check_documented("verify --together",
+                     {without_files({"--together", "--ratio", "10", "--max", "4", "--min", "4", "ten.dbc"}),
+                      without_files({"--together", "--max", "3", "ten.dbc"})});
+    check_documented("verify --lemma", {without_files({"--lemma", "4.1", "hybrid.dbc", "wedge.dbc"})});
 }
 
 TEST_CASE("help and README name the page") {

@@ -157,7 +157,8 @@ TEST_CASE("a written certificate is named with its checksum and the command that
                                         Contains("dumbbell verify ten.dbc\n"));
     ten.pieces[0].bits = 4096;
     ten.pieces[0].cover.charts.at(0).tree.assign(400'000, {std::nullopt, {Reason::count, 19'999, 19'999}});
-    CHECK_THAT(to_text(ten.report), Contains("in parts, with --shards I-J") && !Contains("dumbbell verify"));
+    CHECK_THAT(to_text(ten.report),
+               Contains("smaller ranges, and verify them --together") && !Contains("dumbbell verify"));
 }
 
 TEST_CASE("the JSON object has the contract's fields") {

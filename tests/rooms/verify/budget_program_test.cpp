@@ -5,8 +5,8 @@
 #include <filesystem>
 
 #include "make_certificate.hpp"
-#include "make_parts.hpp"
 #include "run_program.hpp"
+#include "shipped.hpp"
 
 using namespace make;
 
@@ -97,7 +97,7 @@ TEST_CASE("a named pipe that nobody writes to is refused at once") {
     const std::string pipe =
         std::filesystem::temp_directory_path() / ("dumbbell_verify_pipe" + std::to_string(::getpid()));
     REQUIRE(std::system(("rm -f " + pipe + "; mkfifo " + pipe).c_str()) == 0);
-    for (const std::string& options : {pipe, "--combine " + pipe + " " + ten_path, "--claims " + pipe}) {
+    for (const std::string& options : {pipe, "--together " + pipe, "--claims " + pipe}) {
         const Run r = run(options, "timeout 1000 ");
         INFO(options << r.out << r.err);
         CHECK(r.code == 2);

@@ -1,5 +1,6 @@
 // What pieces say together: the demand of the command line against the chain of pieces.
 #include <catch2/catch.hpp>
+#include <random>
 #include <vector>
 
 #include "verify/format/claim.hpp"
@@ -75,12 +76,54 @@ TEST_CASE("of ratios that the file covers in part it is said which part") {
         claim.add(50, 100, 10, 7);
         return claim.missing();
     };
-    CHECK(missing(1, 200) == "of the mass ratios 1/1:200/1 the file covers only 1/1:100/1");
-    CHECK(missing(mpq_class(3, 2), 101) == "of the mass ratios 3/2:101/1 the file covers only 3/2:100/1");
-    CHECK(missing(100, 101) == "of the mass ratios 100/1:101/1 the file covers only 100/1:100/1");
-    CHECK(missing(101, 102) == "the file says nothing of the mass ratios 101/1:102/1, it is about 1/1:100/1");
+    CHECK(missing(1, 200) == "of the mass ratios 1/1:200/1 only 1/1:100/1 are covered");
+    CHECK(missing(mpq_class(3, 2), 101) == "of the mass ratios 3/2:101/1 only 3/2:100/1 are covered");
+    CHECK(missing(100, 101) == "of the mass ratios 100/1:101/1 only 100/1:100/1 are covered");
+    CHECK(missing(101, 102) == "nothing is said of the mass ratios 101/1:102/1, only of 1/1:100/1");
     CHECK(missing(2, 60) == "not proved: at most 9 collisions for every mass ratio in 2/1:60/1");
     CHECK(missing(2, 50).empty());
+}
+
+TEST_CASE("pieces in several files say what they say in one") {
+    std::mt19937 random(7);
+    const auto below = [&](int n) { return static_cast<int>(random() % static_cast<unsigned>(n)); };
+    int proved = 0;
+    for (int i = 0; i < 20'000; ++i) {
+        std::vector<Piece> pieces;
+        for (int a = 1 + below(2); pieces.size() < 6; a = pieces.back().b) {
+            const auto lower = static_cast<std::uint64_t>(below(3));
+            const auto upper = below(5) > 0 ? std::optional(lower + below(3)) : std::nullopt;
+            pieces.push_back({a, a + below(3), upper, lower});
+        }
+        Collisions asked;
+        if (below(3) > 0) {
+            const int lo = 1 + below(8);
+            asked.ratios.emplace(lo, lo + below(5));
+        }
+        if (below(3) > 0) asked.most = 1 + below(4);
+        if (below(3) > 0) asked.least = below(3);
+        const auto file = [&](std::size_t from, std::size_t to) {
+            Collisions claim = asked;
+            claim.lo = pieces[from].a;
+            claim.hi = pieces[to - 1].b;
+            for (std::size_t k = from; k < to; ++k)
+                claim.add(pieces[k].a, pieces[k].b, pieces[k].upper, pieces[k].lower);
+            return claim;
+        };
+        const Collisions whole = file(0, 6);
+        const std::size_t cut = 1 + random() % 5, again = cut + random() % (6 - cut);
+        Collisions all = file(0, cut);
+        if (again > cut) all.append(file(cut, again));
+        all.append(file(again, 6));
+        INFO(i);
+        REQUIRE(all.missing() == whole.missing());
+        REQUIRE((all.lo == whole.lo && all.hi == whole.hi));
+        REQUIRE((all.upper == whole.upper && all.lower == whole.lower));
+        REQUIRE((all.pieces == 6 && all.gaps == whole.gaps && all.open == whole.open));
+        proved += all.missing().empty() ? 1 : 0;
+    }
+    CHECK(proved > 4000);
+    CHECK(proved < 16'000);
 }
 
 TEST_CASE("gaps and open pieces are told apart") {

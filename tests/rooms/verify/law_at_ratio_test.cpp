@@ -190,7 +190,7 @@ TEST_CASE("by law: what is verified at a ratio, and what is not") {
         CHECK(says("1/1", "2", "1") == "number");
         CHECK(make::failure(by_law_mutant("upper 4", "upper 1"), with_law()).line == 9);
         Settings settings = with_law();
-        settings.demand.keep = {1, 2};
+        settings.demand.keep = true;
         CHECK(make::failure(by_law("10/1", "4", "4"), settings).line == 0);
         CHECK(outcome_with_law(by_law("10/1", "4", "4") + "x\n") == "trailing");
         CHECK(outcome_with_law(make::replaced(by_law("10/1", "4", "4"), "test 1.0", "test 1.1")) == "sha256");
@@ -253,9 +253,9 @@ TEST_CASE("by law: of one ratio no other is proved, and no better bounds") {
         return claim.missing(demand);
     };
     CHECK(missing(10, 10).empty());
-    CHECK(missing(9, 10) == "of the mass ratios 9/1:10/1 the file covers only 10/1:10/1");
-    CHECK(missing(10, 11) == "of the mass ratios 10/1:11/1 the file covers only 10/1:10/1");
-    CHECK(missing(11, 12) == "the file says nothing of the mass ratios 11/1:12/1, it is about 10/1:10/1");
+    CHECK(missing(9, 10) == "of the mass ratios 9/1:10/1 only 10/1:10/1 are covered");
+    CHECK(missing(10, 11) == "of the mass ratios 10/1:11/1 only 10/1:10/1 are covered");
+    CHECK(missing(11, 12) == "nothing is said of the mass ratios 11/1:12/1, only of 10/1:10/1");
     const auto bounds = [&](std::optional<mpz_class> least, std::optional<mpz_class> most) {
         Collisions demand;
         demand.least = std::move(least);
@@ -314,6 +314,6 @@ TEST_CASE("by law: verdict, exit code, JSON and demands, as a script sees them")
                              law_digest + ": give it by --law FILE");
     CHECK(run(law + "--budget 0.5s " + open.path()).code == 4);
     CHECK(run(law + law + open.path()).err == "dumbbell-verify: --law is given twice\n");
-    for (const auto& demand : {std::string("--shards 1-2 "), "--lemma 4.1 " + open.path() + " "})
+    for (const auto& demand : {std::string("--together "), "--lemma 4.1 " + open.path() + " "})
         CHECK(run(law + demand + open.path()).code == 2);
 }

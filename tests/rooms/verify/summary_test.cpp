@@ -31,8 +31,8 @@ Result verified(bool bounded = true) {
     r.proof.tallies = {{"split", 1, 0}, {"count", 3, 1.5}};
     return r;
 }
-constexpr Verdict all[] = {Verdict::verified,    Verdict::part,  Verdict::unreadable,
-                           Verdict::unsupported, Verdict::limit, Verdict::rejected};
+constexpr Verdict all[] = {Verdict::verified, Verdict::unreadable, Verdict::unsupported, Verdict::limit,
+                           Verdict::rejected};
 
 }  // namespace
 
@@ -43,8 +43,6 @@ TEST_CASE("summary: a verdict line has its fields in this order") {
     r.proof.heavy_once = true;
     CHECK(verdict_line(r) ==
           "s VERIFIED scene=dumbbell ratio=3/2:2/1 upper=4 lower=3 gaps=1 open=0 heavy-at-most=1 sha256=0f");
-    r.parts = 12;
-    CHECK(verdict_line(r).ends_with(" open=0 heavy-at-most=1 sha256=0f parts=12"));
     CHECK(claim_text(verified(false)) == "scene=dumbbell ratio=3/2:2/1 upper=none lower=3 gaps=0 open=1");
     CHECK(verdict_line(result(Verdict::rejected, 7)) == "s REJECTED line=7 code=count not?certified");
     CHECK(verdict_line(result(Verdict::rejected)) == "s REJECTED code=count not?certified");
@@ -54,7 +52,7 @@ TEST_CASE("summary: a verdict line has its fields in this order") {
 }
 
 TEST_CASE("summary: the exit code of each verdict, and the worst of several") {
-    const int codes[] = {0, 0, 2, 3, 4, 1};
+    const int codes[] = {0, 2, 3, 4, 1};
     for (std::size_t i = 0; i < std::size(all); ++i) {
         CHECK(exit_code(all[i]) == codes[i]);
         for (std::size_t j = 0; j < std::size(all); ++j)
@@ -81,13 +79,12 @@ TEST_CASE("summary: JSON of a proof and of a refusal, whole") {
         R"({"file":"a\u000ab.dbc","verdict":"VERIFIED","claim":{"scene":"dumbbell","ratio":{"lo":"3/2","hi":"2/1"},)"
         R"("upper":4,"lower":3,"pieces":1,"gaps":1,"open":0,"heavy_at_most":null},"sha256":"0f",)"
         R"("schema":"dumbbell-verify-1","demand":{"ratio":null,"max":null,"min":null},)"
-        R"("part":null,"parts":null,"leaves":{"split":1,"count":3},"coverage":{"split":0.000000,"count":0.750000},)"
+        R"("leaves":{"split":1,"count":3},"coverage":{"split":0.000000,"count":0.750000},)"
         R"("work":0.000,"line":null,"code":null,"reason":null})");
-    CHECK(
-        json(result(Verdict::rejected, 7)) ==
-        R"({"file":"a\u000ab.dbc","verdict":"REJECTED","claim":null,"sha256":null,)"
-        R"("schema":"dumbbell-verify-1","demand":{"ratio":null,"max":null,"min":null},)"
-        R"("part":null,"parts":null,"leaves":{},"coverage":{},"work":null,"line":7,"code":"count","reason":"not\u000acertified"})");
+    CHECK(json(result(Verdict::rejected, 7)) ==
+          R"({"file":"a\u000ab.dbc","verdict":"REJECTED","claim":null,"sha256":null,)"
+          R"("schema":"dumbbell-verify-1","demand":{"ratio":null,"max":null,"min":null},)"
+          R"("leaves":{},"coverage":{},"work":null,"line":7,"code":"count","reason":"not\u000acertified"})");
     CHECK(json(result(Verdict::rejected, 1)).find(R"("line":1,)") != std::string::npos);
     Result r = verified(false);
     r.proof.heavy_once = true;
@@ -111,19 +108,6 @@ TEST_CASE("summary: the work is told in seconds, rounded up") {
     CHECK(json(r).find(R"("work":12.001,)") != std::string::npos);
     r.proof.work = 999 * (dumbbell_verify::units_per_second / 1000);
     CHECK(json(r).find(R"("work":0.999,)") != std::string::npos);
-}
-
-TEST_CASE("summary: a part is no proof, in no JSON, and a test case that passes") {
-    Result r = verified();
-    r.why.verdict = Verdict::part;
-    r.part = Part{};
-    CHECK(verdict_line(r).starts_with("s PART pieces=1-0 of=0 "));
-    const std::string text = json(r);
-    CHECK(text.find(R"("verdict":"PART","claim":null,"sha256":null,)") != std::string::npos);
-    CHECK(text.find(R"("leaves":{},"coverage":{},"work":null,"line":null,"code":null,"reason":null})") !=
-          std::string::npos);
-    CHECK(junit({{"a", Verdict::part, "", "s PART", 0}}, 0, 0).find(R"(failures="0" errors="0")") !=
-          std::string::npos);
 }
 
 TEST_CASE("summary: a JUnit report, whole") {

@@ -1,0 +1,64 @@
+#include "verify/program/help.hpp"
+
+#include <algorithm>
+
+#include "verify/program/option_table.hpp"
+
+namespace dumbbell_verify {
+namespace {
+
+constexpr std::string_view head = R"(usage: dumbbell-verify [options] FILE...
+       dumbbell-verify [options] --claims LIST
+Checks certificates (docs/reference/format.md) independently of the program that wrote them.
+
+)";
+
+constexpr std::string_view foot = R"(
+  dumbbell-verify --ratio 10 --exactly 4 ten.dbc       is N*(10) = 4 proved?
+  dumbbell-verify --ratio 2:5/2 --max 3 stairs.dbc     at most 3 collisions on a part of the file's range?
+  dumbbell-verify --together --ratio 1:1e8 --max 8857 part-*.dbc    do these files prove it together?
+  dumbbell-verify --explain 1:bridge ten.dbc           one leaf, in numbers
+  dumbbell-verify --claim initial-conditions --min 1 falling.dbc    at least one collision from every start?
+  dumbbell-verify --law certificates/law.dbc.gz --ratio 1e6 --exactly 887 million.dbc    one mass ratio by the law
+  dumbbell-verify --junit proofs.xml --claims certificates/claims.tsv   in CI: every certificate, its own claim
+  dumbbell-verify --ratio 3 --max 3 *.dbc | tail -n 1               how many files prove this?
+  dumbbell-verify --json --lemma 4.1 hybrid.dbc wedge.dbc           a comparison, for a script
+  dumbbell-verify --scene wedge --ratio 1:100 --max 16 wedge.dbc    the paper's model wedge
+  dumbbell-verify --budget 10m huge.dbc                a staircase up to 10^8
+  dumbbell-verify --jobs 1 --precision 200 --max-bits 4096 ten.dbc  slowly, in multiple precision, on one thread
+
+FILE `-` is the standard input. Of one file, and of files --together, the last line is the verdict: s VERIFIED,
+s REJECTED, s UNSUPPORTED, s UNREADABLE or s LIMIT. Of several files by themselves each has one such line with its name,
+in the given order, and a line with the numbers ends them: c files=3 verified=2 rejected=1 ...
+Exit code: 0 verified and proved, 1 rejected, 2 usage or unreadable, 3 unsupported, 4 resource limit; of several codes
+the first of 1, 4, 3, 2, 0.
+)";
+
+constexpr std::size_t width = 118, column = 24;
+
+/// The option, and what it means in lines that begin at the column.
+std::string entry(const Option& option) {
+    std::string line = "  " + std::string(option.name), text;
+    if (!option.value.empty()) line += " " + std::string(option.value);
+    line.resize(std::max(line.size() + 2, column), ' ');
+    for (std::string_view rest = option.text; !rest.empty();) {
+        const std::string_view word = rest.substr(0, rest.find(' '));
+        if (line.size() + 1 + word.size() > width) {
+            text += line + "\n";
+            line.assign(column, ' ');
+        }
+        line += (line.ends_with(' ') ? "" : " ") + std::string(word);
+        rest.remove_prefix(std::min(rest.size(), word.size() + 1));
+    }
+    return text + line + "\n";
+}
+
+}  // namespace
+
+std::string help() {
+    std::string text(head);
+    for (const Option& option : option_table()) text += entry(option);
+    return text + std::string(foot);
+}
+
+}  // namespace dumbbell_verify

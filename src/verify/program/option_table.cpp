@@ -1,0 +1,111 @@
+#include "verify/program/option_table.hpp"
+
+#include "verify/law/file.hpp"
+#include "verify/program/claim_options.hpp"
+#include "verify/program/help.hpp"
+#include "verify/program/version.hpp"
+
+namespace dumbbell_verify {
+namespace {
+
+void read_claim(Words& words, Asked& to) { claim_option(words, to.settings); }
+
+void read_lemma(Words& words, Asked& to) {
+    const std::string name = words.value();
+    to.options.lemma = find_lemma(name);
+    if (!to.options.lemma) throw std::invalid_argument("no lemma `" + name.substr(0, 60) + "`: 4.1 or 4.2");
+}
+
+void read_law(Words& words, Asked& to) {
+    words.once();
+    to.options.inputs.push_back(words.value());
+    to.settings.law = std::make_shared<LawFile>(to.options.inputs.back());
+}
+
+/// A name like that of no certificate, so that `--junit *.dbc` destroys none.
+void read_report(Words& words, Asked& to) {
+    const std::string path = words.value();
+    if (!path.ends_with(".xml") || path == ".xml")
+        throw std::invalid_argument("--junit needs a file name that ends in .xml, not `" + path + "`");
+    to.options.junit = path;
+}
+
+unsigned bits(Words& words) { return static_cast<unsigned>(words.number(53, 4096)); }
+
+constexpr Option table[] = {
+    {"--ratio", "RATIO|LO:HI", "the mass ratios (heavy/light) in question; else those of the file",
+     read_claim},
+    {"--max", "N", "demand the proof that no trajectory has more than N collisions", read_claim},
+    {"--min", "N", "demand the proof that some trajectory has at least N collisions", read_claim},
+    {"--exactly", "N", "both", read_claim},
+    {"--scene", "dumbbell|hybrid|wedge", "demand this scene (dumbbell)", read_claim},
+    {"--claim", "KIND",
+     "demand this kind of claim: collisions; collisions-by-law (one mass ratio, with --law); "
+     "initial-conditions (a file of dumbbell trace --subdivide: --ratio, --max, --min and --exactly are then "
+     "about the starts in its box); incoming (the same of all trajectories that come in); adiabatic-bounce, "
+     "adiabatic-run, adiabatic-scattering or adiabatic-printed (the adiabatic invariant), or law (all mass "
+     "ratios): with these give no --ratio, --max, --min or --exactly",
+     read_claim},
+    {"--claims", "LIST",
+     "the certificates and claims of a list like certificates/claims.tsv, one each line: a file (its name is "
+     "relative to the working folder), a tab, the six options above that state its claim, with --ratio and a "
+     "bound, or --claim law alone; what stands after another tab is a remark, and so is a line that begins "
+     "with #",
+     [](Words& words, Asked& to) { to.claims = words.value(); },
+     "--ratio --max --min --exactly --scene --claim"},
+    {"--together", "",
+     "the files prove one claim: their ranges of mass ratios, in any order on the command line, must follow "
+     "one another without a hole or an overlap, and --ratio, --max, --min and --exactly are about the pieces "
+     "of all. The last line is the verdict on all",
+     [](Words&, Asked& to) { to.settings.together = true; }, "--claims --lemma --explain --shares"},
+    {"--lemma", "4.1|4.2 A B",
+     "compare two files: at most as many collisions in A (scene hybrid) as in B (wedge), or at most one more "
+     "in A (dumbbell) than in B (hybrid)",
+     read_lemma, "--scene --claim --max --min --exactly --explain --claims"},
+    {"--law", "FILE",
+     "the certificate of the law, on which files of the kind collisions-by-law rest by its SHA-256: it is "
+     "verified first, once for all of them; dumbbell verify takes the shipped one by itself",
+     read_law},
+    {"--jobs", "N", "threads (all cores)",
+     [](Words& words, Asked& to) { to.settings.jobs = static_cast<unsigned>(words.number(1, 1024)); }},
+    {"--budget", "TIME",
+     "give up on a file that costs more work than a core does in this time, in about 30s, 10m or 2h (30s). "
+     "Counted in steps, not by a clock: the same on every machine",
+     [](Words& words, Asked& to) { to.settings.budget = words.time(); }},
+    {"--max-bits", "B", "give up on pieces that need a higher precision (2048)",
+     [](Words& words, Asked& to) { to.settings.max_bits = bits(words); }},
+    {"--precision", "BITS", "check with at least this many bits instead of in double",
+     [](Words& words, Asked& to) { to.settings.precision = bits(words); }},
+    {"--explain", "PIECE:PATH",
+     "show one leaf with its inequalities: 3:bridge is the root, 3:light.01 the upper half of its lower "
+     "half, "
+     "3:witness the witness of the third piece; box.01 a leaf of a file about initial conditions or the "
+     "adiabatic invariant, in which class0.01 is a leaf of the first class and attained1 the first attained "
+     "state; layer.01, bulk1.17 and end.17 boxes of a file about the law; upper and lower the bounds of one "
+     "by the law",
+     [](Words& words, Asked& to) { to.settings.explain = words.value(); }, "--json --quiet"},
+    {"--shares", "",
+     "of one file about initial conditions: how likely each number of collisions is, bounds of its share of "
+     "the box, from the leaves that were checked",
+     [](Words&, Asked& to) { to.settings.shares = true; }, "--quiet --lemma --claims"},
+    {"--json", "",
+     "print JSON and nothing else: an array of one object for each file; with --together or --lemma one "
+     "object",
+     [](Words&, Asked& to) { to.options.json = true; }, "--quiet"},
+    {"--junit", "FILE.xml",
+     "write a JUnit report, too: one test case for each file, with --together or --lemma one more",
+     read_report},
+    {"--quiet", "", "print the last line only, and show no progress",
+     [](Words&, Asked& to) { to.options.quiet = true; }},
+    {"-h, --help", "", "print this help and end", [](Words&, Asked& to) { to.options.answer = help(); }},
+    {"-V, --version", "", "print the version and the compiler, and end",
+     [](Words&, Asked& to) {
+         to.options.answer = "dumbbell-verify " + std::string(version) + " (" __VERSION__ ")\n";
+     }},
+};
+
+}  // namespace
+
+std::span<const Option> option_table() { return table; }
+
+}  // namespace dumbbell_verify

@@ -1,0 +1,30 @@
+// The options of dumbbell-verify, the one place where they are: the command line is read by this table, and
+// --help is made from it.
+#pragma once
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "verify/program/options.hpp"
+#include "verify/program/words.hpp"
+
+namespace dumbbell_verify {
+
+/// What the command line has asked for so far.
+struct Asked {
+    Options options;    ///< its jobs are the files, without their settings
+    Settings settings;  ///< of each file
+    std::string claims;
+};
+
+struct Option {
+    std::string_view name;                  ///< --out, or `-h, --help`
+    std::string_view value;                 ///< the name of its value; empty: it has none
+    std::string_view text;                  ///< what it means
+    void (*read)(Words& words, Asked& to);  ///< throws std::invalid_argument
+    std::string_view excludes{};            ///< options that cannot be given with it, with spaces between
+};
+
+std::span<const Option> option_table();
+
+}  // namespace dumbbell_verify

@@ -1,0 +1,66 @@
+#include "verify/program/together.hpp"
+
+#include <algorithm>
+#include <tuple>
+
+#include "verify/program/escape.hpp"
+#include "verify/program/summary.hpp"
+
+namespace dumbbell_verify {
+namespace {
+
+bool goes_before(const Result* a, const Result* b) {
+    const Collisions &p = a->proof.claim, &q = b->proof.claim;
+    return std::tie(p.lo, p.hi, a->job->file) < std::tie(q.lo, q.hi, b->job->file);
+}
+
+Failure rejected(std::string code, std::string text) {
+    return {Verdict::rejected, 0, std::move(code), std::move(text)};
+}
+
+/// Of a file that does not begin where the one before ended.
+Failure broken_chain(const Result& before, const Result& next) {
+    const mpq_class &end = before.proof.claim.hi, &begin = next.proof.claim.lo;
+    return rejected("chain", (begin > end ? "a hole: " : "an overlap: ") + one_line(before.job->file) +
+                                 " ends at " + to_string(end) + ", and " + one_line(next.job->file) +
+                                 " begins at " + to_string(begin));
+}
+
+/// The same, of this file among others.
+Failure named(const Result& bad) {
+    Failure why = bad.why;
+    why.text = one_line(bad.job->file) + ": " +
+               (why.line > 0 ? "line " + std::to_string(why.line) + ": " : "") + why.text;
+    why.line = 0;
+    return why;
+}
+
+}  // namespace
+
+Result together(const Job& asked, const std::vector<Result>& files) {
+    Result whole;
+    whole.job = &asked;
+    std::vector<const Result*> chain;
+    for (const Result& file : files) {
+        if (file.why.verdict > whole.why.verdict) whole.why = named(file);
+        chain.push_back(&file);
+    }
+    if (whole.why.verdict != Verdict::verified) return whole;
+    std::sort(chain.begin(), chain.end(), goes_before);
+    Collisions& claim = whole.proof.claim = chain.front()->proof.claim;
+    whole.proof.heavy_once = true;
+    for (std::size_t i = 0; i < chain.size(); ++i) {
+        const Proof& next = chain[i]->proof;
+        whole.proof.heavy_once = whole.proof.heavy_once && next.heavy_once;
+        if (i == 0) continue;
+        if (next.claim.lo != claim.hi) {
+            whole.why = broken_chain(*chain[i - 1], *chain[i]);
+            return whole;
+        }
+        claim.append(next.claim);
+    }
+    if (const std::string gap = claim.missing(); !gap.empty()) whole.why = rejected("claim-not-proved", gap);
+    return whole;
+}
+
+}  // namespace dumbbell_verify

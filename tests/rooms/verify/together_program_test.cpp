@@ -1,0 +1,146 @@
+// The option --together as a script sees it: last line, exit code, JSON, report, messages.
+#include <catch2/catch.hpp>
+#include <deque>
+
+#include "make_together.hpp"
+#include "programs/cli/process.hpp"
+#include "run_program.hpp"
+
+using make::Cuttable;
+using make::File;
+using make::has;
+using make::Run;
+using make::run;
+
+namespace {
+
+/// stairs-1-100.dbc in four files.
+struct Quarters {
+    std::deque<File> files;
+    std::string names;  ///< each behind a space, not in the order of their ranges
+
+    Quarters() {
+        const Cuttable stairs(make::contents(make::shipped("stairs-1-100.dbc")));
+        for (const auto& [first, many] : {std::pair(9, 4), {0, 4}, {13, 4}, {4, 5}})
+            names += " " + files.emplace_back(stairs.with(first, many)).path();
+    }
+};
+const std::string verdict =
+    "s VERIFIED scene=dumbbell ratio=1/1:100/1 upper=10 lower=2 gaps=8 open=0 files=4";
+
+}  // namespace
+
+TEST_CASE("together: the claim is judged for all files, the last line alone has a verdict") {
+    const Quarters quarters;
+    const Run r = run("--together --ratio 1:100 --max 10 --min 2" + quarters.names);
+    CHECK(r.code == 0);
+    CHECK(r.last() == verdict);
+    std::string expected;
+    for (const File& file : quarters.files)
+        expected += file.path() + "\n  " + run("--quiet " + file.path()).last().substr(11) + "\n";
+    CHECK(r.out == expected + verdict + "\n");
+    CHECK(run("--quiet --together" + quarters.names).out == verdict + "\n");
+    CHECK(run("--together --ratio 5:11 --exactly 4" + quarters.names).code == 0);
+    CHECK(run("--together --claim collisions --scene dumbbell --precision 60" + quarters.names).code == 0);
+    const Run weak = run("--quiet --together --ratio 1:100 --max 9" + quarters.names);
+    CHECK(weak.code == 1);
+    CHECK(weak.out ==
+          "s REJECTED code=claim-not-proved not proved: at most 9 collisions for every mass ratio in "
+          "1/1:100/1\n");
+    CHECK(run("--together --ratio 1:101" + quarters.names).code == 1);
+    const Run hole = run("--together " + quarters.files[0].path() + " " + quarters.files[1].path());
+    CHECK(hole.code == 1);
+    CHECK(hole.last().starts_with("s REJECTED code=chain a hole: " + quarters.files[1].path() + " ends at "));
+    CHECK(run("--together --max 10 " + make::shipped("stairs-1-100.dbc")).last() ==
+          make::replaced(verdict, "files=4", "files=1"));
+    CHECK(run("--scene wedge --together --max 16 " + make::shipped("wedge-1-100.dbc")).code == 0);
+    const std::string first = quarters.files[0].path(), rest = quarters.names.substr(first.size() + 1);
+    CHECK(run("--quiet --together -" + rest, "cat " + first + " | ").out == verdict + "\n");
+}
+
+TEST_CASE("together: neither threads nor the order of the files change the verdict") {
+    const Quarters quarters;
+    std::string backwards;
+    for (const File& file : quarters.files) backwards = " " + file.path() + backwards;
+    for (const char* jobs : {"1", "2", "8"})
+        for (const std::string& names : {quarters.names, backwards})
+            CHECK(run("--quiet --together --max 10 --jobs " + std::string(jobs) + names).out ==
+                  verdict + "\n");
+    const std::string all = "--together --jobs ";
+    CHECK(run(all + "1" + quarters.names).out == run(all + "8" + quarters.names).out);
+}
+
+TEST_CASE("together: a file that is not verified is named, with its own exit code") {
+    const Quarters quarters;
+    const File bad(make::mutated(make::ten(), "upper 4", "upper 3"));
+    const Run rejected = run("--together" + quarters.names + " " + bad.path() + " /nonexistent");
+    CHECK(rejected.code == 1);
+    CHECK(rejected.last() ==
+          "s REJECTED code=count " + bad.path() + ": line 13: not certified: 1 + a + b <= U");
+    const Run missing = run("--together" + quarters.names + " /nonexistent");
+    CHECK(missing.code == 2);
+    CHECK(missing.last() == "s UNREADABLE /nonexistent: No such file or directory");
+    const Run name = run("--together 'no\ns VERIFIED such\r\033[2Jfile'");
+    CHECK(name.out == "s UNREADABLE no?s VERIFIED such??[2Jfile: No such file or directory\n");
+    CHECK(run("--together --budget 0.001s" + quarters.names).code == 0);  // each file has its own
+    CHECK(run("--together --budget 0s" + quarters.names).code == 4);
+    const Run law = run("--together " + make::shipped("law.dbc.gz"));
+    CHECK(law.code == 2);
+    CHECK(has(law.last(),
+              ": --together is about ranges of mass ratios, and this file is about something else"));
+    CHECK(run("--together --max 16 " + make::shipped("wedge-1-100.dbc")).code == 1);
+}
+
+TEST_CASE("together: JSON is one object, in which the demand is on the whole and not on the files") {
+    const Quarters quarters;
+    const Run r = run("--json --together --ratio 1:100 --max 10" + quarters.names);
+    CHECK(r.code == 0);
+    CHECK(r.out.starts_with(
+        R"({"schema":"dumbbell-verify-together-1","verdict":"VERIFIED","claim":{"scene":"dumbbell",)"
+        R"("ratio":{"lo":"1/1","hi":"100/1"},"upper":10,"lower":2,"pieces":17,"gaps":8,"open":0,)"
+        R"("heavy_at_most":null},"demand":{"ratio":{"lo":"1/1","hi":"100/1"},"max":10,"min":null},)"
+        R"("code":null,"reason":null,"files":[{"file":")" +
+        quarters.files[0].path() + R"(","verdict":"VERIFIED",)"));
+    const std::string files = r.out.substr(r.out.find("\"files\":"));
+    CHECK(has(files, R"("demand":{"ratio":null,"max":null,"min":null})"));
+    CHECK_FALSE(has(files, R"("max":10)"));
+    CHECK(files.ends_with("}]}\n"));
+    const Run weak = run("--json --together --max 9" + quarters.names);
+    CHECK(weak.code == 1);
+    CHECK(has(weak, R"("verdict":"REJECTED","claim":null,"demand":{"ratio":null,"max":9,"min":null},)"
+                    R"("code":"claim-not-proved","reason":"not proved: at most 9 )"));
+}
+
+TEST_CASE("together: the JUnit report has a test case for each file, and one for the claim") {
+    const Quarters quarters;
+    const dumbbell_test::TemporaryFolder folder;
+    const std::string report = folder / "report.xml";
+    CHECK(run("--junit " + report + " --together --ratio 1:100 --max 10" + quarters.names).code == 0);
+    const std::string good = make::contents(report);
+    CHECK(has(good, " tests=\"5\" failures=\"0\" errors=\"0\" "));
+    CHECK(has(good, "<testcase name=\"" + quarters.files[0].path() + "\" "));  // it does not prove the claim
+    CHECK(has(good, "<testcase name=\"4 files together ratio=1/1:100/1 max=10\" "));
+    CHECK(has(good, "\n" + verdict + "\n"));
+    CHECK(run("--junit " + report + " --together --ratio 1:100 --max 9" + quarters.names).code == 1);
+    const std::string weak = make::contents(report);
+    CHECK(has(weak, " tests=\"5\" failures=\"1\" errors=\"0\" "));
+    CHECK(has(weak, "<failure type=\"REJECTED\" message=\"code=claim-not-proved not proved: at most 9 "));
+    CHECK(run("--junit " + report + " --together /nonexistent" + quarters.names).code == 2);
+    CHECK(has(make::contents(report), " tests=\"6\" failures=\"0\" errors=\"2\" "));
+}
+
+TEST_CASE("together: wrong usage is one line on stderr") {
+    const std::string ten = make::shipped("q-10.dbc");
+    for (const char* options :
+         {"", "--claims F", "--lemma 4.1 F F", "--explain 1:bridge F", "--shares F", "--json --quiet F"}) {
+        std::string arguments = options;
+        for (std::size_t at = 0; (at = arguments.find(" F", at)) != std::string::npos; ++at)
+            arguments.replace(at, 2, " " + ten);
+        const Run r = run("--together " + arguments);
+        INFO(options << " -> " << r.out << r.err);
+        CHECK(r.code == 2);
+        CHECK(r.out.empty());
+        CHECK(std::count(r.err.begin(), r.err.end(), '\n') == 1);
+    }
+    CHECK(has(run("--together=1 " + ten).err, "unknown option --together=1"));
+}
