@@ -50,11 +50,10 @@ std::optional<Interval> orbit_error(const AdiabaticSearch& search, const Adiabat
     if (run) {
         return low(orbit.change(), delta);
     }
-    const bool printed = search.of.claim == AdiabaticClaim::printed;
-    if (!orbit.certainly_ends() || (!printed && !at_least(orbit.angle(), margin))) {
+    if (!orbit.certainly_ends() || !at_least(orbit.angle(), margin)) {
         return std::nullopt;
     }
-    return low(orbit.change_behind(), printed ? Interval(1) : sqrt(delta));
+    return low(orbit.change_behind(), sqrt(delta));
 }
 
 }  // namespace

@@ -65,7 +65,7 @@ bool AdiabaticSides::certainly_elsewhere(const Interval& u, const AdiabaticMasse
 }
 
 bool AdiabaticSides::certainly_of_height(const Interval& u, const AdiabaticMasses<Interval>& masses) const {
-    if (of_.claim == AdiabaticClaim::scattering || of_.claim == AdiabaticClaim::printed) {
+    if (of_.claim == AdiabaticClaim::scattering) {
         return true;
     }
     const Interval y = masses.beta2 * cos(u);

@@ -14,7 +14,7 @@
 /// A certificate about the adiabatic invariant as data (format-adiabatic.md).
 namespace dumbbell::adiabatic {
 
-enum class AdiabaticClaim { bounce, run, scattering, printed };
+enum class AdiabaticClaim { bounce, run, scattering };
 
 /// The axes of its boxes; each tree has some of them.
 enum class AdiabaticAxis { u, sigma, s, v, delta };
@@ -68,7 +68,7 @@ struct AdiabaticCertificate {
     Generator generator{};
     AdiabaticHypotheses hypotheses;
     int bits = 53;
-    std::vector<Rational> bounds;  ///< C; of a bounce C1 and C2; none of `printed`
+    std::vector<Rational> bounds;  ///< C; of a bounce C1 and C2
     std::vector<AdiabaticClass> classes;
     AdiabaticTree tree;
     std::vector<AdiabaticState> attained;  ///< of a bounce two, else one

@@ -32,10 +32,6 @@ void require_delta(const AdiabaticHypotheses& of) {
     if (lo == 0 && of.claim != AdiabaticClaim::run) {
         throw InputError("--delta: a range may begin at 0 for thm3.3 only; begin it above 0");
     }
-    if (of.claim == AdiabaticClaim::printed && lo < hi) {
-        throw InputError(
-            "--delta: `printed` is about one orbit, and that has one delta: give it, not a range");
-    }
 }
 
 void require_margin(const AdiabaticHypotheses& of) {
@@ -52,7 +48,7 @@ void require_margin(const AdiabaticHypotheses& of) {
 /// Some delta, some angle, of the box.
 void require_some(const AdiabaticHypotheses& of) {
     const auto& [lowest, highest] = of.heights;
-    if (of.claim == AdiabaticClaim::scattering || of.claim == AdiabaticClaim::printed) {
+    if (of.claim == AdiabaticClaim::scattering) {
         return;
     }
     if (lowest < 0 || highest > 1 || lowest >= highest) {

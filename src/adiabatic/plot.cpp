@@ -89,30 +89,25 @@ Unit unit_of(const AdiabaticCertificate& certificate) {
                     "delta",
                     "\xe2\x88\x9a"
                     "delta"};
-        case AdiabaticClaim::printed:
-            return {1, "I_n \xe2\x88\x92 I_0", ""};
         case AdiabaticClaim::bounce:
             break;
     }
     throw InputError(
-        "this certificate is about single bounces: plot adiabatic needs one with --theorem thm3.3, thm3.5 or "
-        "printed");
+        "this certificate is about single bounces: plot adiabatic needs one with --theorem thm3.3 or thm3.5");
 }
 
 /// The bound that is proved for all orbits, in the claim's unit. One far beyond what the orbit does would
 /// squeeze its curve into a line: it is told in words.
 struct Bound {
-    std::optional<double> value;
+    double value;
     std::string text;
-    bool is_drawn = false;
+    bool is_drawn;
 
-    Bound(const AdiabaticCertificate& certificate, const Unit& unit, double greatest_change) {
+    Bound(const AdiabaticCertificate& certificate, const Unit& unit, double greatest_change)
+        : value(certificate.bounds.front().convert_to<double>()),
+          text(fmt::format("{} {}", exact_text(certificate.bounds.front()), unit.word)) {
         constexpr double far = 3;
-        if (!certificate.bounds.empty()) {
-            value = certificate.bounds.front().convert_to<double>();
-            text = fmt::format("{} {}", exact_text(certificate.bounds.front()), unit.word);
-            is_drawn = *value <= far * greatest_change;
-        }
+        is_drawn = value <= far * greatest_change;
     }
 };
 
@@ -165,11 +160,11 @@ void draw_changes(pictures::Svg& svg, const Frame& frame, const Orbit& orbit, do
     frame.draw_grid(svg);
     for (const double sign : {-1.0, 1.0}) {
         if (bound.is_drawn) {
-            const double y = frame.y(sign * *bound.value);
+            const double y = frame.y(sign * bound.value);
             svg.line("bound", frame.left(), y, frame.right(), y);
         }
     }
-    if (bound.value && !bound.is_drawn) {
+    if (!bound.is_drawn) {
         svg.text(frame.left() + 10, frame.top() + 20,
                  fmt::format("\xe2\x86\x91 {}: \xc2\xb1{}", bound_words, bound.text), pictures::Anchor::start,
                  "bound-word");
@@ -227,7 +222,7 @@ std::string adiabatic_svg(const AdiabaticCertificate& certificate) {
         change_hi = std::max(change_hi, abs(*orbit.after).hi() / unit.size);
     }
     const Bound bound(certificate, unit, change_hi);
-    change_hi = 1.12 * (bound.is_drawn ? std::max(change_hi, *bound.value) : change_hi);
+    change_hi = 1.12 * (bound.is_drawn ? std::max(change_hi, bound.value) : change_hi);
 
     std::vector<pictures::LegendEntry> entries{
         {pictures::Swatch::curve, "speed", "|phidot|"},

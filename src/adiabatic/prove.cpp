@@ -7,7 +7,6 @@
 #include "adiabatic/classes.hpp"
 #include "adiabatic/cover.hpp"
 #include "adiabatic/pair_leaf.hpp"
-#include "adiabatic/printed.hpp"
 #include "adiabatic/search.hpp"
 #include "base/error.hpp"
 #include "number/decimal.hpp"
@@ -52,15 +51,10 @@ class Prover {
     }
 
     AdiabaticProof proof() {
-        switch (of_.claim) {
-            case AdiabaticClaim::bounce:
-                prove_bounce();
-                break;
-            case AdiabaticClaim::printed:
-                attain_printed();
-                break;
-            default:
-                prove_pairs();
+        if (of_.claim == AdiabaticClaim::bounce) {
+            prove_bounce();
+        } else {
+            prove_pairs();
         }
         return std::move(proof_);
     }
@@ -87,22 +81,15 @@ class Prover {
     }
 
     /// The best of the found orbits that can be enclosed; its value, or 0.
-    double attain(const AdiabaticSearch& looked_for, const std::vector<AdiabaticSample>& found) {
-        for (const AdiabaticSample& sample : found) {
+    double attain(bool height_error) {
+        const AdiabaticSearch looked_for = search(height_error);
+        for (const AdiabaticSample& sample : search_errors(looked_for)) {
             if (const auto state = attained(looked_for, sample)) {
                 proof_.attained.push_back(*state);
                 return state->value.convert_to<double>();
             }
         }
         return 0;
-    }
-    double attain(bool height_error) {
-        const AdiabaticSearch looked_for = search(height_error);
-        return attain(looked_for, search_errors(looked_for));
-    }
-    void attain_printed() {
-        const AdiabaticSearch looked_for = search(false);
-        attain(looked_for, search_printed(looked_for));
     }
 
     [[nodiscard]] AdiabaticTarget target(double value) const {
@@ -270,8 +257,7 @@ class Prover {
 
 bool AdiabaticProof::complete() const {
     const std::size_t values = of.claim == AdiabaticClaim::bounce ? 2 : 1;
-    const std::size_t wanted = of.claim == AdiabaticClaim::printed ? 0 : values;
-    return bounds.size() == wanted && attained.size() == values;
+    return bounds.size() == values && attained.size() == values;
 }
 
 AdiabaticProof prove_adiabatic(const AdiabaticRequest& request) { return Prover(request).proof(); }

@@ -104,23 +104,17 @@ AdiabaticCertificate head_from(Lines& lines) {
 AdiabaticCertificate read_adiabatic_certificate(const std::string& path) {
     Lines lines(path);
     AdiabaticCertificate certificate = head_from(lines);
-    const AdiabaticClaim claim = certificate.hypotheses.claim;
-    const bool is_bounce = claim == AdiabaticClaim::bounce;
-    const bool by_classes = claim == AdiabaticClaim::run || claim == AdiabaticClaim::scattering;
+    const bool is_bounce = certificate.hypotheses.claim == AdiabaticClaim::bounce;
     certificate.bits =
         static_cast<int>(std::min(lines.number(lines.expect("bits", 2)[1]), static_cast<long>(most_bits)));
-    if (claim != AdiabaticClaim::printed) {
-        const auto& bound = lines.expect("bound", is_bounce ? 3 : 2);
-        for (std::size_t i = 1; i < bound.size(); ++i) {
-            certificate.bounds.push_back(lines.signed_ratio(bound[i]));
-        }
+    const auto& bound = lines.expect("bound", is_bounce ? 3 : 2);
+    for (std::size_t i = 1; i < bound.size(); ++i) {
+        certificate.bounds.push_back(lines.signed_ratio(bound[i]));
     }
-    if (by_classes) {
+    if (!is_bounce) {
         certificate.classes = classes_from(lines);
     }
-    if (claim != AdiabaticClaim::printed) {
-        certificate.tree = tree_from(lines, by_classes);
-    }
+    certificate.tree = tree_from(lines, !is_bounce);
     for (int i = 0; i < (is_bounce ? 2 : 1); ++i) {
         certificate.attained.push_back(attained_from(lines));
     }

@@ -57,10 +57,8 @@ std::vector<Unit> units(const AdiabaticHypotheses& of) {
                     {"|y_+ - y - 2 (pi - arccos y) ydot_-/|phidot_-||", "* 2 " + power(32 - of.exponent)}};
         case AdiabaticClaim::run:
             return {{"|I_n - I_0|", "delta"}};
-        case AdiabaticClaim::scattering:
-            return {{"|I_N - I_0|", "sqrt(delta)"}};
         default:
-            return {{"|I_N - I_0|", ""}};
+            return {{"|I_N - I_0|", "sqrt(delta)"}};
     }
 }
 
@@ -86,19 +84,11 @@ std::string hypotheses_text(const AdiabaticHypotheses& of) {
                 "all at distance\n"
                 "|phi - 3 pi/2| >= {} from the vertical:",
                 states, heights, margin);
-        case AdiabaticClaim::scattering:
+        default:
             return fmt::format(
                 "{} the first collision of a whole scattering,\n"
                 "if the first and the last collision are at distance |phi - 3 pi/2| >= {} from the vertical:",
                 states, margin);
-        default:
-            return fmt::format(
-                "Theorem 3.5 as printed restricts the first collision only, and is not true uniformly (L41 "
-                "of "
-                "proofs/adiabatic.md).\n"
-                "For {}, first collision at distance >= {} from the vertical, I_N with |phidot| after the "
-                "last collision:",
-                delta, margin);
     }
 }
 
@@ -138,23 +128,8 @@ std::string error_text(const AdiabaticProof& proof, std::size_t i) {
     return text;
 }
 
-/// What an orbit attains against Theorem 3.5 as printed.
-std::string orbit_sentence(const AdiabaticProof& proof) {
-    return proof.attained.empty()
-               ? "no such orbit was certified"
-               : fmt::format("an orbit has |I_N - I_0| >= {} ({})", number(proof.attained[0].value),
-                             state_text(proof.attained[0]));
-}
-
-std::string printed_text(const AdiabaticProof& proof) {
-    return hypotheses_text(proof.of) + "\n  " + orbit_sentence(proof) + '\n';
-}
-
 std::string result_text(const AdiabaticReport& report, const AdiabaticResult& result) {
     const AdiabaticProof& proof = result.proof;
-    if (proof.of.claim == AdiabaticClaim::printed) {
-        return printed_text(proof) + fmt::format("{:.1f} s\n", result.seconds);
-    }
     std::string text = hypotheses_text(proof.of) + '\n';
     for (std::size_t i = 0; i < units(proof.of).size(); ++i) {
         text += error_text(proof, i);
@@ -168,15 +143,7 @@ std::string result_text(const AdiabaticReport& report, const AdiabaticResult& re
             "was aimed at (--accuracy).\n",
             number(report.accuracy));
     }
-    if (result.wrong_branch) {
-        text += fmt::format(
-            "(5) and (6) as printed, without absolute values, are false for phidot_- > 0: at one of these "
-            "states the error\n"
-            "of (5) is at least {} epsilon/delta.\n",
-            rounded_down(*result.wrong_branch));
-    }
-    text += fmt::format("{} boxes, {:.1f} s\n", proof.leaves, result.seconds);
-    return result.as_printed ? text + '\n' + printed_text(*result.as_printed) : text;
+    return text + fmt::format("{} boxes, {:.1f} s\n", proof.leaves, result.seconds);
 }
 
 std::string table_text(const AdiabaticReport& report) {
@@ -229,7 +196,6 @@ Json result_json(const AdiabaticResult& result) {
     for (std::size_t i = 0; i < names.size(); ++i) {
         errors.add(error_json(proof, names[i], i));
     }
-    const bool has_printed = result.as_printed && !result.as_printed->attained.empty();
     return Json::object(
         {{"claim", name(of.claim)},
          {"delta", range_json(of.delta)},
@@ -239,8 +205,6 @@ Json result_json(const AdiabaticResult& result) {
          {"errors", errors},
          {"leaves", proof.leaves},
          {"accurate", !proof.coarser},
-         {"as_printed", has_printed ? state_json(result.as_printed->attained.front()) : Json()},
-         {"wrong_branch", result.wrong_branch},
          {"seconds", result.seconds}});
 }
 
@@ -250,10 +214,6 @@ std::string verdict(const AdiabaticReport& report) {
     std::string text;
     for (const AdiabaticResult& result : report.results) {
         const AdiabaticProof& proof = result.proof;
-        if (proof.of.claim == AdiabaticClaim::printed) {
-            text += orbit_sentence(proof) + '\n';
-            continue;
-        }
         for (std::size_t i = 0; i < units(proof.of).size(); ++i) {
             text += fmt::format("{}, distance {}: {}\n", delta_text(proof.of), margin_text(proof.of),
                                 bound_text(proof, i));

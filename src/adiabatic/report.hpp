@@ -12,11 +12,6 @@ namespace dumbbell::adiabatic {
 /// One statement of the paper's section 3 with what was proved of it.
 struct AdiabaticResult {
     AdiabaticProof proof;
-    /// Of Theorem 3.5: an orbit that satisfies its hypotheses as they are printed (claim `printed`).
-    std::optional<AdiabaticProof> as_printed;
-    /// Of Lemma 3.1: the error of (5) as printed for phidot_- > 0 at one of the attained states, over
-    /// epsilon/delta.
-    std::optional<double> wrong_branch;
     double seconds = 0;
 };
 

@@ -91,9 +91,7 @@ void follow(const AdiabaticSearch& search, const Domain& at, AdiabaticSample& sa
         return;
     }
     const double f0 = pi / 2 + std::asin(at.beta2 * std::sin(x));
-    const double unit = run                                             ? at.delta
-                        : search.of.claim == AdiabaticClaim::scattering ? std::sqrt(at.delta)
-                                                                        : 1;
+    const double unit = run ? at.delta : std::sqrt(at.delta);
     double speed = 1;
     for (long n = 0; n <= search.most_collisions; ++n) {
         const double f = pi / 2 + std::asin(at.beta2 * std::sin(x));
@@ -113,8 +111,7 @@ void follow(const AdiabaticSearch& search, const Domain& at, AdiabaticSample& sa
         }
         if (!next.hits) {
             const bool ends = next.turn < 0 || next.slope >= 0;
-            const bool far = search.of.claim == AdiabaticClaim::printed || pi / 2 - x >= at.margin;
-            if (!run && ends && far) {
+            if (!run && ends && pi / 2 - x >= at.margin) {
                 sample.error = std::abs(std::abs(speed * next.turn) * f - f0) / unit;
                 sample.n = n;
             }

@@ -10,10 +10,9 @@
 namespace dumbbell::adiabatic {
 namespace {
 
-constexpr std::array<Word<AdiabaticClaim>, 4> claims{{{AdiabaticClaim::bounce, "adiabatic-bounce"},
+constexpr std::array<Word<AdiabaticClaim>, 3> claims{{{AdiabaticClaim::bounce, "adiabatic-bounce"},
                                                       {AdiabaticClaim::run, "adiabatic-run"},
-                                                      {AdiabaticClaim::scattering, "adiabatic-scattering"},
-                                                      {AdiabaticClaim::printed, "adiabatic-printed"}}};
+                                                      {AdiabaticClaim::scattering, "adiabatic-scattering"}}};
 
 /// `0/1` or `P/Q`.
 std::string level(const Rational& x) { return to_fraction(x); }
@@ -70,13 +69,11 @@ void write_header(Body& body, const AdiabaticCertificate& certificate) {
         body.line("exponent {}", of.exponent);
     }
     body.line("bits {}", certificate.bits);
-    if (of.claim != AdiabaticClaim::printed) {
-        std::string numbers;
-        for (const Rational& bound : certificate.bounds) {
-            numbers += ' ' + level(bound);
-        }
-        body.line("bound{}", numbers);
+    std::string numbers;
+    for (const Rational& bound : certificate.bounds) {
+        numbers += ' ' + level(bound);
     }
+    body.line("bound{}", numbers);
 }
 
 void write_classes(Body& body, const std::vector<AdiabaticClass>& classes) {
@@ -98,18 +95,13 @@ std::string_view name(AdiabaticClaim claim) { return word_for(claims, claim); }
 std::optional<AdiabaticClaim> claim_named(std::string_view word) { return meaning_of(claims, word); }
 
 SealedText render(const AdiabaticCertificate& certificate) {
-    const AdiabaticClaim claim = certificate.hypotheses.claim;
-    const bool by_classes = claim == AdiabaticClaim::run || claim == AdiabaticClaim::scattering;
-    const auto& [least, greatest] = certificate.hypotheses.delta;
-    require(claim != AdiabaticClaim::printed || least == greatest, "one orbit for a range of delta");
+    const bool by_classes = certificate.hypotheses.claim != AdiabaticClaim::bounce;
     Body body;
     write_header(body, certificate);
     if (by_classes) {
         write_classes(body, certificate.classes);
     }
-    if (claim != AdiabaticClaim::printed) {
-        body.tree(certificate.tree, by_classes);
-    }
+    body.tree(certificate.tree, by_classes);
     for (const AdiabaticState& state : certificate.attained) {
         body.line("attained {} {} {} {} {}", level(state.u), level(state.s), level(state.delta), state.n,
                   level(state.value));

@@ -96,7 +96,6 @@ std::vector<ProvedPiece> certify(const CertifyRequest& request) {
         return {open_piece(request.q_lo, request.q_hi)};
     }
     PieceOptions options = piece_options(request.scene, request.section);
-    options.rule = request.rule;
     options.describes = request.describes;
     options.interrupted = deadline(request.budget);
     return with_threads(request.jobs, Threads::all, [&]() -> std::vector<ProvedPiece> {

@@ -20,7 +20,6 @@ struct CertifyRequest {
     Rational gap = Rational(1, 1'000'000);
     int jobs = 1;
     std::optional<std::chrono::duration<double>> budget;
-    SplitRule rule = SplitRule::by_bounds;
     bool describes = true;              ///< as in PieceOptions
     const PieceStore* store = nullptr;  ///< ranges: where finished pieces are kept, and found again
     /// Told of the boxes that are judged for a single ratio; for a range of the critical ratios that are

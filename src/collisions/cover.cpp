@@ -73,20 +73,10 @@ std::optional<Box> with_greatest_ratio(Chart chart, const Box& box) {
     return thin;
 }
 
-/// How many units of slope one unit of position is worth.
-double position_weight(Chart chart, const Box& box, SplitRule rule) {
-    switch (rule) {
-        case SplitRule::slope_first:
-            return 1e-3;
-        case SplitRule::position_first:
-            return 1000 * approximate(box.q_hi);
-        default:
-            return chart == Chart::light ? approximate(box.q_hi) : 1;
-    }
-}
-
-Axis longest_side(Chart chart, const Box& box, SplitRule rule) {
-    const double position = width(box.e_lo, box.e_hi) * position_weight(chart, box, rule);
+Axis longest_side(Chart chart, const Box& box) {
+    // How many units of slope one unit of position is worth.
+    const double position_weight = chart == Chart::light ? approximate(box.q_hi) : 1;
+    const double position = width(box.e_lo, box.e_hi) * position_weight;
     const double slope = width(box.slope_lo, box.slope_hi);
     // A relative change of the ratio moves a bound much less than the same change of a coordinate: plain
     // evaluation takes 3 to 6 times as many boxes with equal weights.
@@ -108,7 +98,7 @@ bool is_bounded_at_least_position(Chart chart, const Box& box) {
 /// wide.
 std::optional<Box> with_least_position(Chart chart, const Box& box) {
     if (!is_bounded_at_least_position(chart, box) || width(box.slope_lo, box.slope_hi) > 4 ||
-        longest_side(chart, box, SplitRule::by_bounds) != Axis::position) {
+        longest_side(chart, box) != Axis::position) {
         return std::nullopt;
     }
     Box thin = box;
@@ -116,14 +106,14 @@ std::optional<Box> with_least_position(Chart chart, const Box& box) {
     return thin;
 }
 
-Axis axis_to_split(Chart chart, const Box& box, SplitRule rule) {
-    if (rule == SplitRule::by_bounds && chart == Chart::bridge) {
+Axis axis_to_split(Chart chart, const Box& box) {
+    if (chart == Chart::bridge) {
         return Axis::position;  // both counts are at the least slope (L8)
     }
-    if (rule == SplitRule::by_bounds && is_bounded_at_least_position(chart, box)) {
+    if (is_bounded_at_least_position(chart, box)) {
         return Axis::slope;
     }
-    return longest_side(chart, box, rule);
+    return longest_side(chart, box);
 }
 
 }  // namespace
@@ -150,7 +140,7 @@ std::optional<Tree> cover(Chart chart, const Rational& q_lo, const Rational& q_h
             }
             const Axis axis = by_ratio[i]      ? Axis::ratio
                               : by_position[i] ? Axis::position
-                                               : axis_to_split(chart, boxes[i], options.rule);
+                                               : axis_to_split(chart, boxes[i]);
             if (tree.depths(i)[static_cast<std::size_t>(axis)] >= options.max_depth ||
                 tree.nodes() + 2 > options.max_nodes) {
                 return std::nullopt;

@@ -10,13 +10,7 @@
 
 namespace dumbbell::collisions {
 
-/// The order in which axes are split. `by_bounds` takes the one that the bounds of an open box depend on, or
-/// else compares position with slope / r, the natural units of the counts; the others exist to show that
-/// nothing but the number of leaves depends on it.
-enum class SplitRule { by_bounds, slope_first, position_first };
-
 struct CoverOptions {
-    SplitRule rule = SplitRule::by_bounds;
     std::size_t max_nodes = 20000;  ///< give up beyond
     int max_depth = 400;            ///< per axis; the format's limit
     bool parallel = false;          ///< judge the boxes of a generation on all of the calling arena's threads
@@ -25,8 +19,9 @@ struct CoverOptions {
 };
 
 /// A bisection tree of the chart over mass ratios [q_lo, q_hi], each leaf of which closes for "at most
-/// `upper` collisions"; nothing if none was found within the options' limits. Deterministic, whatever the
-/// number of threads.
+/// `upper` collisions"; nothing if none was found within the options' limits. An open box is split in the
+/// axis that its bounds depend on, or else in the longest, in the natural units of the counts. Deterministic,
+/// whatever the number of threads.
 template <class I>
 [[nodiscard]] std::optional<Tree> cover(Chart chart, const Rational& q_lo, const Rational& q_hi,
                                         const Count& upper, const CoverOptions& options);

@@ -8,6 +8,9 @@ namespace {
 constexpr std::array<Word<Scene>, 3> scenes{
     {{Scene::dumbbell, "dumbbell"}, {Scene::hybrid, "hybrid"}, {Scene::wedge, "wedge"}}};
 
+constexpr std::array<Word<Section>, 3> sections{
+    {{Section::turning, "turning"}, {Section::full, "full"}, {Section::plain, "plain"}}};
+
 constexpr std::array<Word<Chart>, 8> chart_names{{{Chart::bridge, "bridge"},
                                                   {Chart::light, "light"},
                                                   {Chart::contact, "contact"},
@@ -30,9 +33,11 @@ constexpr std::array<Word<Status>, 3> states{
 
 std::string_view name(Scene scene) { return word_for(scenes, scene); }
 
-std::string_view name(Section section) { return section == Section::turning ? "turning" : "full"; }
+std::string_view name(Section section) { return word_for(sections, section); }
 
-std::string_view lemma_set(Section section) { return section == Section::plain ? "minimal" : "1"; }
+SectionWords spelled(Section section) {
+    return section == Section::plain ? SectionWords{"minimal", "full"} : SectionWords{"1", name(section)};
+}
 
 std::string_view name(Chart chart) { return word_for(chart_names, chart); }
 
@@ -57,9 +62,11 @@ bool counts_both_ways(Chart chart) { return name(chart) != "contact" && name(cha
 
 std::optional<Scene> scene_named(std::string_view word) { return meaning_of(scenes, word); }
 
-std::optional<Section> section_named(std::string_view word, std::string_view lemmas) {
-    for (const Section section : {Section::turning, Section::full, Section::plain}) {
-        if (word == name(section) && lemmas == lemma_set(section)) {
+std::optional<Section> section_named(std::string_view word) { return meaning_of(sections, word); }
+
+std::optional<Section> section_spelled(const SectionWords& words) {
+    for (const auto& [section, word] : sections) {
+        if (words == spelled(section)) {
             return section;
         }
     }

@@ -10,9 +10,16 @@ namespace dumbbell::collisions {
 
 [[nodiscard]] std::string_view name(Scene scene);
 
-/// The words after `section` and `lemmas`.
+/// What people call it.
 [[nodiscard]] std::string_view name(Section section);
-[[nodiscard]] std::string_view lemma_set(Section section);
+
+/// The words after `lemmas` and `section`: `plain` is spelled as a set of lemmas of `full`.
+struct SectionWords {
+    std::string_view lemmas, section;
+
+    friend bool operator==(const SectionWords&, const SectionWords&) = default;
+};
+[[nodiscard]] SectionWords spelled(Section section);
 
 [[nodiscard]] std::string_view name(Chart chart);
 [[nodiscard]] std::string_view axis_name(Chart chart, Axis axis);
@@ -29,7 +36,8 @@ namespace dumbbell::collisions {
 
 /// The other way round; nothing for an unknown word.
 [[nodiscard]] std::optional<Scene> scene_named(std::string_view word);
-[[nodiscard]] std::optional<Section> section_named(std::string_view word, std::string_view lemmas);
+[[nodiscard]] std::optional<Section> section_named(std::string_view word);
+[[nodiscard]] std::optional<Section> section_spelled(const SectionWords& words);
 [[nodiscard]] std::optional<Axis> axis_named(Chart chart, std::string_view word);
 [[nodiscard]] std::optional<Reason> reason_named(std::string_view word);
 

@@ -36,8 +36,7 @@ std::optional<Cover> prove_upper(const Rational& q_lo, const Rational& q_hi, con
     if (options.scene == Scene::dumbbell && q_lo == 1 && q_hi == 1 && upper >= 2) {
         return Cover{.equal_masses = true, .charts = {}};
     }
-    const CoverOptions limits{.rule = options.rule,
-                              .max_nodes = options.max_nodes,
+    const CoverOptions limits{.max_nodes = options.max_nodes,
                               .parallel = options.parallel,
                               .interrupted = options.interrupted,
                               .observer = options.observer};

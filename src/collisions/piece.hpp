@@ -9,7 +9,6 @@ namespace dumbbell::collisions {
 struct PieceOptions {
     Scene scene = Scene::dumbbell;
     Section section = Section::turning;
-    SplitRule rule = SplitRule::by_bounds;
     bool parallel = false;  ///< use the arena's threads inside one piece
     /// The precision escalates up to here: 53 (double), then 128, 256, ... The file allows the verifier twice
     /// as many, and the format no more than 4096.

@@ -23,10 +23,9 @@ namespace fs = std::filesystem;
 constexpr std::string_view first_line = "dumbbell-partial 1\n";
 
 std::string text_of(const StoredClaim& claim) {
-    return fmt::format("{}generator dumbbell {}\nlemmas {}\nscene {}\nsection {}\nratio {} {}\ngap {}\n",
-                       first_line, DUMBBELL_VERSION, lemma_set(claim.section), name(claim.scene),
-                       name(claim.section), to_fraction(claim.q_lo), to_fraction(claim.q_hi),
-                       to_fraction(claim.gap));
+    return fmt::format("{}generator dumbbell {}\nscene {}\nsection {}\nratio {} {}\ngap {}\n", first_line,
+                       DUMBBELL_VERSION, name(claim.scene), name(claim.section), to_fraction(claim.q_lo),
+                       to_fraction(claim.q_hi), to_fraction(claim.gap));
 }
 
 constexpr std::size_t name_length = 32;  // of a piece, without extension

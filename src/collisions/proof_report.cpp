@@ -7,7 +7,6 @@
 
 #include "base/error.hpp"
 #include "base/printable.hpp"
-#include "collisions/check_cost.hpp"
 #include "collisions/names.hpp"
 #include "collisions/orbit_text.hpp"
 #include "flight/paper_bound.hpp"
@@ -264,19 +263,10 @@ std::string to_text(const ProofReport& report) {
         text += "In every trajectory the heavy mass hits the floor at most once.\n";
     }
     if (report.out) {
-        std::vector<const Piece*> pieces;
-        pieces.reserve(report.rows.size());
-        for (const ReportRow& row : report.rows) {
-            pieces.push_back(row.piece);
-        }
-        const auto budget = budget_option(check_seconds(pieces, report.section));
         const std::string scene =
             report.scene == Scene::dumbbell ? "" : fmt::format("--scene {} ", name(report.scene));
-        text += fmt::format(
-            "Certificate: {} (sha256 {})\nCheck it:    {}\n", one_line(*report.out), *report.sha256,
-            budget ? fmt::format("dumbbell verify {}{}{}", *budget, scene, shell_file(*report.out))
-                   : "it may take more than the greatest --budget; certify smaller ranges, and verify them "
-                     "--together");
+        text += fmt::format("Certificate: {} (sha256 {})\nCheck it:    dumbbell verify {}{}\n",
+                            one_line(*report.out), *report.sha256, scene, shell_file(*report.out));
     }
     return text;
 }
@@ -290,7 +280,6 @@ Json to_json(const ProofReport& report) {
         {{"schema", "dumbbell-certify-1"},
          {"scene", name(report.scene)},
          {"section", name(report.section)},
-         {"lemmas", lemma_set(report.section)},
          {"ratio", Json::object({{"lo", to_fraction(report.q_lo)}, {"hi", to_fraction(report.q_hi)}})},
          {"part", report.part ? part_json(*report.part) : Json()},
          {"gap", to_fraction(report.gap)},

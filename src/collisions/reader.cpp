@@ -116,7 +116,7 @@ PieceReader::PieceReader(const std::string& path, Trees trees, Interrupted inter
     : lines_(path), trees_(trees), interrupted_(std::move(interrupted)) {
     const Head head = lines_.expect_head();
     const auto scene = scene_named(head.scene);
-    const auto section = section_named(head.section, head.lemmas);
+    const auto section = section_spelled({head.lemmas, head.section});
     if (const char* subject = other_subject(head.claim)) {
         throw InputError(
             fmt::format("'{}' is about {}: a certificate with a cover of mass ratios is needed here "

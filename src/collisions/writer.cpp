@@ -27,7 +27,8 @@ std::vector<std::string_view> kinds_of(Section section) {
 class Writer : PieceLines {
   public:
     void header(const Certificate& frame, const std::vector<const Piece*>& pieces) {
-        head(frame.generator, lemma_set(frame.section), name(frame.scene), name(frame.section), "collisions");
+        const SectionWords words = spelled(frame.section);
+        head(frame.generator, words.lemmas, name(frame.scene), words.section, "collisions");
         line("ratio {} {}", to_fraction(pieces.front()->q_lo), to_fraction(pieces.back()->q_hi));
         line("pieces {}", pieces.size());
     }

@@ -99,7 +99,6 @@ Json file_json(const adiabatic::AdiabaticCertificate& certificate, const BoxBudg
     }
     return Json::object(
         {{"claim", name(of.claim)},
-         {"lemmas", "1"},
          {"bits", certificate.bits},
          {"delta", range_json(of.delta)},
          {"heights", has_heights ? range_json(of.heights) : Json()},
@@ -110,7 +109,7 @@ Json file_json(const adiabatic::AdiabaticCertificate& certificate, const BoxBudg
          {"bounds", bounds},
          {"attained", attained},
          {"kinds", kinds_json(certificate)},
-         {"tree", certificate.tree.empty() ? Json() : tree_of(certificate, budget)}});
+         {"tree", tree_of(certificate, budget)}});
 }
 
 std::string claim_options(const adiabatic::AdiabaticCertificate& certificate) {

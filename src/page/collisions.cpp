@@ -169,7 +169,6 @@ Json file_json(const Certificate& certificate, const BoxBudget& budget) {
     return Json::object({{"claim", "collisions"},
                          {"scene", name(certificate.scene)},
                          {"section", name(certificate.section)},
-                         {"lemmas", lemma_set(certificate.section)},
                          {"lo_text", exact_text(certificate.q_lo())},
                          {"hi_text", exact_text(certificate.q_hi())},
                          {"upper", upper},

@@ -159,7 +159,6 @@ Json file_json(const starts::InitialCertificate& certificate, const BoxBudget& b
     tree.add("axes", axes);
     return Json::object({{"claim", claim_kind(certificate)},
                          {"ratio", to_fraction(certificate.box.upper(starts::InitialAxis::ratio))},
-                         {"lemmas", "1"},
                          {"bits", certificate.bits},
                          {"least", body.least()},
                          {"most", body.most()},

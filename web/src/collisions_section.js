@@ -186,7 +186,7 @@ export function collisionsSection(file, constant, isAlone) {
     const played = witnesses(file);
     return [
         h("h2", {}, `${systems[file.scene]}, ${rangeText(file)}`),
-        h("p", { class: "claim" }, claimText(file), file.section === "full" && file.scene === "dumbbell" ? " The heavy mass hits the floor at most once." : ""),
+        h("p", { class: "claim" }, claimText(file), file.section !== "turning" ? " The heavy mass hits the floor at most once." : ""),
         verifyBox(file),
         isRange && h("h3", {}, "The staircase"),
         isRange && staircase(file, constant).element,

@@ -23,7 +23,7 @@ export function foundations(file, isOpen) {
         table("The file", null, [
             ["file", file.name],
             ["written by", file.generator],
-            ["claim, lemma set", `${file.claim}, lemmas ${file.lemmas}`],
+            ["claim", file.section ? `${file.claim}, section ${file.section}` : file.claim],
             ["SHA-256 of its text (last line)", h("code", { class: "hash" }, file.sha256)],
             ["verify", h("code", {}, verifyCommand(file))],
         ]),

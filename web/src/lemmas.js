@@ -41,7 +41,7 @@ const starts = ["L0", "L1", "L2", "L3", "L4", "L5", "L6", "L7", ...numerical, "L
 const sets = {
     turning: ["L0", "L1", "L2", "L3", "L4", "L5", "L6", "L8", "L9", "L10", "L11", ...numerical],
     full: ["L0", "L1", "L2", "L3", "L4", "L5", "L6", "L10", "L11", ...numerical, "L15", "L19"],
-    minimal: ["L0", "L1", "L2", "L3", "L4", "L6", "L11", ...numerical, "L15", "L16", "L19"],
+    plain: ["L0", "L1", "L2", "L3", "L4", "L6", "L11", ...numerical, "L15", "L16", "L19"],
     wedge: ["L0", "L2", "L4", "L5", "L9", "L13", "L17"],
     hybrid: ["L0", "L2", "L4", "L5", "L9", "L13", "L17", "L18"],
     "initial-conditions": starts,
@@ -49,13 +49,12 @@ const sets = {
     "adiabatic-bounce": ["L0", "L4", "L5", ...numerical, "L33", "L38"],
     "adiabatic-run": ["L0", "L4", "L5", ...numerical, "L33", "L34", "L35", "L36"],
     "adiabatic-scattering": ["L0", "L3", "L4", "L5", ...numerical, "L33", "L34", "L35", "L36", "L37"],
-    "adiabatic-printed": ["L0", "L3", "L4", ...numerical, "L37"],
 };
 
 /// Rows [lemma, statement, page] for a file.
 export function lemmaRows(file) {
     const isCollisions = file.claim === "collisions";
-    const key = !isCollisions ? file.claim : file.scene !== "dumbbell" ? file.scene : file.lemmas === "minimal" ? "minimal" : file.section;
+    const key = !isCollisions ? file.claim : file.scene !== "dumbbell" ? file.scene : file.section;
     const names = [...sets[key]];
     if (isCollisions && file.pieces.some((piece) => piece.equal_masses)) {
         names.push("L7");

@@ -57,10 +57,9 @@ int parse_exponent(const Rational& k) {
 }
 
 AdiabaticClaim claim_of(std::string_view theorem) {
-    return theorem == "thm3.3"    ? AdiabaticClaim::run
-           : theorem == "thm3.5"  ? AdiabaticClaim::scattering
-           : theorem == "printed" ? AdiabaticClaim::printed
-                                  : AdiabaticClaim::bounce;
+    return theorem == "thm3.3"   ? AdiabaticClaim::run
+           : theorem == "thm3.5" ? AdiabaticClaim::scattering
+                                 : AdiabaticClaim::bounce;
 }
 
 const char* default_margin(AdiabaticClaim claim) {
@@ -78,7 +77,7 @@ void require_applicable(const Given& given, AdiabaticClaim claim) {
     if (given.has("--k") && given.text("--theorem") != "cor3.2") {
         refuse("--k", "--theorem cor3.2");
     }
-    if (given.has("--y") && (claim == AdiabaticClaim::scattering || claim == AdiabaticClaim::printed)) {
+    if (given.has("--y") && claim == AdiabaticClaim::scattering) {
         refuse("--y", "lemma3.1, cor3.2 and thm3.3");
     }
 }

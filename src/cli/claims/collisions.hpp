@@ -14,10 +14,10 @@ inline constexpr Option ratio_option = argument("RATIO", "mass ratio, or closed 
 inline constexpr std::array claim_options{
     Option{"--scene", "dumbbell|hybrid|wedge",
            "the system: dumbbell, or the source paper's hybrid or straight wedge", "dumbbell"},
-    Option{"--section", "turning|full",
-           "what is covered: turning, or full (all collision states, forward only)", "turning"},
-    Option{"--lemmas", "all|none",
-           "with --section full: none for plain interval evaluation, without monotonicity", "all"},
+    Option{"--section", "turning|full|plain",
+           "what is covered: turning, or all collision states, forward only: full, or plain (by interval "
+           "evaluation alone, without monotonicity)",
+           "turning"},
     Option{"--gap", "REL", "ranges: relative width of the gap around a critical ratio, from 1e-300 to 0.01",
            "1e-6"}};
 

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 
-#include "adiabatic/printed.hpp"
 #include "adiabatic/prove.hpp"
 #include "adiabatic/report.hpp"
 #include "adiabatic/writer.hpp"
@@ -31,8 +30,7 @@ The invariant is I = |phidot| (pi - arccos y), the light mass beta1 = epsilon = 
   cor3.2    the same with other exponents: --k
   thm3.3    |I_n - I_0| <= C delta while only the light mass bounces, at distance u_* from the vertical or more
   thm3.5    |I_N - I_0| <= C sqrt(delta) for a whole scattering whose first and last collision are at distance
-            c sqrt(delta) or more; and an orbit that shows why the last one must be restricted too
-  printed   that orbit alone: how large |I_N - I_0| is at least, under the hypotheses as they are printed
+            c sqrt(delta) or more
 
 C is proved for all initial conditions, by a cover of theirs; it is compared with what one enclosed orbit attains. For
 thm3.3 C holds for any number of bounces; --bounces limits the attained orbit only.
@@ -80,16 +78,6 @@ adiabatic::AdiabaticResult proved_statement(const adiabatic::AdiabaticRequest& r
     const Stopwatch watch;
     adiabatic::AdiabaticResult result;
     result.proof = prove_adiabatic(request);
-    if (request.of.claim == adiabatic::AdiabaticClaim::scattering) {
-        adiabatic::AdiabaticRequest printed = request;
-        printed.of.claim = adiabatic::AdiabaticClaim::printed;
-        result.as_printed = prove_adiabatic(printed);
-    }
-    if (request.of.claim == adiabatic::AdiabaticClaim::bounce) {
-        for (const adiabatic::AdiabaticState& state : result.proof.attained) {
-            result.wrong_branch = std::max(result.wrong_branch.value_or(0), printed_branch_error(state));
-        }
-    }
     result.seconds = watch.seconds();
     return result;
 }

@@ -126,7 +126,7 @@ int law_at_one_ratio(const Given& given) {
 }
 
 int certify_by_law(const Given& given) {
-    refuse_with_law(given, {"--scene", "--section", "--lemmas", "--gap", "--jobs", "--budget", "--witness"});
+    refuse_with_law(given, {"--scene", "--section", "--gap", "--jobs", "--budget", "--witness"});
     const RatioArgument ratio = parse_ratio_argument(given.text("RATIO"));
     if (ratio.lo != ratio.hi) {
         throw InputError(

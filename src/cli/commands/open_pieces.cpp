@@ -28,13 +28,12 @@ Obstacle worst_obstacle(const std::vector<ProvedPiece>& pieces) {
 std::string plain_advice(const CertifyRequest& request) {
     const Rational widest(1, 100);
     if (!is_range(request)) {
-        return ": --lemmas none needs many boxes, the more the nearer a critical ratio is: leave it out, or "
-               "allow more "
-               "time (--budget)";
+        return ": --section plain needs many boxes, the more the nearer a critical ratio is: leave it out, "
+               "or allow more time (--budget)";
     }
     return request.gap < widest
-               ? ": --lemmas none needs boxes in inverse proportion to the gap: try --gap 0.01"
-               : ": allow more time (--budget), a shorter range, or leave --lemmas none out";
+               ? ": --section plain needs boxes in inverse proportion to the gap: try --gap 0.01"
+               : ": allow more time (--budget), a shorter range, or leave --section plain out";
 }
 
 std::string reason(const CertifyRequest& request, Obstacle obstacle) {

@@ -77,7 +77,7 @@ class OrbitCheck : AdiabaticCheck<N> {
     }
     /// Behind collision n: on over the peak, too steep, or over everything.
     bool is_last(const Touch<N>& at, const I& kappa) {
-        if (claim_.kind == Adiabatic::scattering && !is_apart(at)) return false;
+        if (!is_apart(at)) return false;
         const I D = onward(m_, at.w, kappa);
         if (D.hi < zero) return fact("the last flight goes on (L1)", true);
         const auto flight = behind(at, kappa);
@@ -126,9 +126,7 @@ class OrbitCheck : AdiabaticCheck<N> {
     bool has_change(const Touch<N>& first, const Touch<N>& last, const I& kappa, const I& factor) {
         const I spin = root((m_.r + square(kappa_0_)) / (m_.r + square(kappa)));
         const I change = last.f * spin * factor - first.f;
-        const unsigned order = claim_.kind == Adiabatic::run          ? 16
-                               : claim_.kind == Adiabatic::scattering ? 8
-                                                                      : 0;
+        const unsigned order = claim_.kind == Adiabatic::run ? 16 : 8;
         return Base::at_most("the value is attained", number(state_.value) * sixteenths(m_.delta, order),
                              least_size(change));
     }

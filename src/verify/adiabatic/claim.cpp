@@ -46,11 +46,8 @@ std::string state_text(const Adiabatic::Attained& state, const Adiabatic::Summar
     const std::string C = "C" + number, B = "B" + number;
     return "  Certified for u = " + about(state.u) + ", ydot = -delta s, s = " + about(state.s) +
            ", delta = " + about(state.delta) + ", with " + std::to_string(state.collisions) +
-           " collision(s) more:\n" +
-           (value.bound.empty()
-                ? "  |I_N - I_0| >= " + B + " = " + value.attained
-                : "  the same with " + B + " = " + value.attained + " and >= instead of " + C + " and <=") +
-           (value.ratio.empty() ? ".\n" : "; " + C + "/" + B + " <= " + value.ratio + ".\n");
+           " collision(s) more:\n  the same with " + B + " = " + value.attained + " and >= instead of " + C +
+           " and <=" + (value.ratio.empty() ? ".\n" : "; " + C + "/" + B + " <= " + value.ratio + ".\n");
 }
 std::string state_json(const Adiabatic::Attained& state, const std::string& ratio) {
     return "{\"u\":\"" + to_string(state.u) + "\",\"s\":\"" + to_string(state.s) + "\",\"delta\":\"" +
@@ -62,7 +59,7 @@ std::string state_json(const Adiabatic::Attained& state, const std::string& rati
 }  // namespace
 
 std::optional<Adiabatic::Kind> adiabatic_kind(std::string_view name) {
-    for (const auto kind : {Adiabatic::bounce, Adiabatic::run, Adiabatic::scattering, Adiabatic::printed})
+    for (const auto kind : {Adiabatic::bounce, Adiabatic::run, Adiabatic::scattering})
         if (Adiabatic::names.at(kind) == name) return kind;
     return std::nullopt;
 }
@@ -73,10 +70,8 @@ std::vector<Adiabatic::Summary> Adiabatic::summaries() const {
         const mpq_class& value = attained[i].value;
         Summary summary;
         summary.attained = decimals(value, false);
-        if (i < bounds.size()) {
-            summary.bound = decimals(bounds[i], true);
-            if (value > 0) summary.ratio = decimals(bounds[i] / value, true);
-        }
+        summary.bound = decimals(bounds.at(i), true);
+        if (value > 0) summary.ratio = decimals(bounds[i] / value, true);
         all.push_back(summary);
     }
     return all;
@@ -90,8 +85,7 @@ std::string Adiabatic::text() const {
     const auto all = summaries();
     for (std::size_t i = 0; i < all.size(); ++i) {
         const std::string number = all.size() > 1 ? std::to_string(i + 1) : "";
-        if (!all[i].bound.empty()) result += " C" + number + "=" + all[i].bound;
-        result += " B" + number + "=" + all[i].attained;
+        result += " C" + number + "=" + all[i].bound + " B" + number + "=" + all[i].attained;
         if (delta_lo < delta_hi) result += " at" + number + "=" + to_string(attained[i].delta);
         if (!all[i].ratio.empty()) result += " ratio" + number + "=" + all[i].ratio;
     }
@@ -104,10 +98,6 @@ std::string Adiabatic::paragraph() const {
     std::string text = "  " + deltas(delta_lo, delta_hi) +
                        ", beta1 = epsilon = delta^2, and a collision of the light mass at which\n"
                        "  |phidot| = 1 and ydot is in [-delta, 0] before it,\n";
-    const std::string first = "  the first of a regular trajectory and at u >= " + size +
-                              " delta^(1/2), u the rod's distance from the vertical:\n",
-                      invariant =
-                          "  I = |phidot| (pi - arccos y) before the first and after the last collision";
     switch (kind) {
         case bounce:
             text += "  " + heights + ", the rod at least " + size + power(exponent) +
@@ -125,13 +115,12 @@ std::string Adiabatic::paragraph() const {
                     all[0].bound + "; I = |phidot| (pi - arccos y) before a collision.\n";
             break;
         case scattering:
-            text += first + "  if the last collision is at u >= " + size +
-                    " delta^(1/2), too, then |I_N - I_0| <= C delta^(1/2), C = " + all[0].bound + ",\n" +
-                    invariant + "; the heavy mass does not collide.\n";
-            break;
-        case printed:
-            text += first + "  wherever the last collision may be, |I_N - I_0| can be at least B,\n" +
-                    invariant + ".\n";
+            text += "  the first of a regular trajectory and at u >= " + size +
+                    " delta^(1/2), u the rod's distance from the vertical:\n"
+                    "  if the last collision is at u >= " +
+                    size + " delta^(1/2), too, then |I_N - I_0| <= C delta^(1/2), C = " + all[0].bound +
+                    ",\n  I = |phidot| (pi - arccos y) before the first and after the last collision; the "
+                    "heavy mass does not collide.\n";
             break;
     }
     for (std::size_t i = 0; i < attained.size(); ++i)

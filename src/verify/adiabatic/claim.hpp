@@ -12,9 +12,9 @@ namespace dumbbell_verify {
 /// describes: the error or change is at most `bounds` in the unit of that section, and the states `attained`
 /// have at least their `value` in it.
 struct Adiabatic {
-    enum Kind { bounce, run, scattering, printed };
-    static constexpr std::array<std::string_view, 4> names{"adiabatic-bounce", "adiabatic-run",
-                                                           "adiabatic-scattering", "adiabatic-printed"};
+    enum Kind { bounce, run, scattering };
+    static constexpr std::array<std::string_view, 3> names{"adiabatic-bounce", "adiabatic-run",
+                                                           "adiabatic-scattering"};
     static constexpr std::string_view leaves = "box.01, class0.01, attained1, ...";
     struct Attained {
         mpq_class u, s, delta;
@@ -25,14 +25,13 @@ struct Adiabatic {
     Kind kind = bounce;
     mpq_class delta_lo, delta_hi, y_lo, y_hi, margin;
     std::uint64_t exponent = 0;      ///< the margin is `margin` delta^(exponent/16)
-    std::vector<mpq_class> bounds;   ///< C, or C1 and C2, or none
+    std::vector<mpq_class> bounds;   ///< C, or C1 and C2
     std::vector<Attained> attained;  ///< one, or one for each of C1 and C2
 
     [[nodiscard]] bool has_heights() const { return kind == bounce || kind == run; }
-    [[nodiscard]] bool has_classes() const { return kind == run || kind == scattering; }
+    [[nodiscard]] bool has_classes() const { return kind != bounce; }
 
-    /// Of each attained value in decimals: C rounded up, B rounded down, C/B rounded up; empty: there is
-    /// none.
+    /// Of each attained value in decimals: C rounded up, B rounded down, C/B rounded up; empty if B is 0.
     struct Summary {
         std::string bound, attained, ratio;
     };

@@ -36,8 +36,8 @@ class AdiabaticReader : public Reader<AdiabaticLeaf> {
     void read() override {
         header();
         if (claim_.has_classes()) classes();
-        if (claim_.kind != Adiabatic::printed) claim_tree();
-        for (std::size_t i = 0; i < std::max<std::size_t>(1, claim_.bounds.size()); ++i) attained();
+        claim_tree();
+        for (std::size_t i = 0; i < claim_.bounds.size(); ++i) attained();
     }
 
     /// Nothing here is a bound on a number of collisions.
@@ -59,8 +59,6 @@ class AdiabaticReader : public Reader<AdiabaticLeaf> {
             text_.reject("number", "not 0 <= D1 <= D2 < 1/2, 0 < D2");
         if (claim_.delta_lo == 0 && claim_.kind != Adiabatic::run)
             text_.reject("number", "D1 = 0 is for `adiabatic-run`");
-        if (claim_.delta_lo < claim_.delta_hi && claim_.kind == Adiabatic::printed)
-            text_.reject("number", "the orbit of `adiabatic-printed` has one delta: D1 = D2");
         if (claim_.has_heights()) {
             text_.expect("heights", 2);
             claim_.y_lo = text_.level(1);
@@ -73,11 +71,9 @@ class AdiabaticReader : public Reader<AdiabaticLeaf> {
         claim_.exponent = claim_.kind == Adiabatic::run ? 0 : 8;
         if (claim_.kind == Adiabatic::bounce) claim_.exponent = number("exponent", 0, 16);
         read_bits(leaf_);
-        if (claim_.kind != Adiabatic::printed) {
-            const std::size_t n = claim_.kind == Adiabatic::bounce ? 2 : 1;
-            text_.expect("bound", n);
-            for (std::size_t i = 1; i <= n; ++i) claim_.bounds.push_back(text_.level(i));
-        }
+        const std::size_t n = claim_.kind == Adiabatic::bounce ? 2 : 1;
+        text_.expect("bound", n);
+        for (std::size_t i = 1; i <= n; ++i) claim_.bounds.push_back(text_.level(i));
     }
     std::uint64_t number(std::string_view keyword, std::uint64_t least, std::uint64_t most) {
         text_.expect(keyword, 1);

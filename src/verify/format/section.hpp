@@ -62,13 +62,13 @@ inline mpq_class power_of_two(const mpq_class& x) {
 
 const Section& turning();
 const Section& full();
-const Section& full_minimal();
+const Section& plain();
 const Section& wedge();
 const Section& hybrid();
 
 /// All of them: (lemmas, scene, name) chooses.
 inline std::array<const Section*, 5> sections() {
-    return {&turning(), &full(), &full_minimal(), &wedge(), &hybrid()};
+    return {&turning(), &full(), &plain(), &wedge(), &hybrid()};
 }
 
 }  // namespace dumbbell_verify

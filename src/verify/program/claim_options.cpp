@@ -101,8 +101,7 @@ bool claim_option(Words& words, Settings& settings) {
             !adiabatic_kind(settings.claim))
             throw std::invalid_argument(
                 "--claim is collisions, collisions-by-law, initial-conditions, incoming, adiabatic-bounce, "
-                "adiabatic-run, "
-                "adiabatic-scattering, adiabatic-printed or law");
+                "adiabatic-run, adiabatic-scattering or law");
     }
     return true;
 }

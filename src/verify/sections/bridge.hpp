@@ -1,5 +1,5 @@
-// For the section `full`: flights from the wall R, at psi = pi/2 - t at height h + kappa t, over the bridge
-// of height r sin t, 0 < t < pi (L15), and the rays that leave it.
+// For the sections full and plain: flights from the wall R, at psi = pi/2 - t at height h + kappa t, over the
+// bridge of height r sin t, 0 < t < pi (L15), and the rays that leave it.
 #pragma once
 #include "verify/collisions/ray.hpp"
 
@@ -127,7 +127,7 @@ class Bridge : protected Rays<N> {
     const N y0 = bound(down, leaf_.box.lo[1], zero), y1 = bound(up, leaf_.box.hi[1], zero);
     const N r_lo = bound(down, 1 / leaf_.box.hi[2], zero), r_hi = bound(up, 1 / leaf_.box.lo[2], zero);
 
-    /// What both lemma sets demand of `outside`, in the charts contact and departure.
+    /// What both sections demand of `outside`, in the charts contact and departure.
     bool is_outside(bool contact) {
         if (contact)
             return less("pi < t0", half_turn, x0) ||
@@ -137,7 +137,7 @@ class Bridge : protected Rays<N> {
     }
 };
 
-/// The parts of the two sections `full` that are the same.
+/// The parts of the two sections that are the same.
 enum { contact, departure, again };
 inline constexpr std::size_t once_leaf = witness + 1;
 inline Section full_section(std::string_view lemmas, const char* (*check)(const Leaf&, std::string*)) {

@@ -1,4 +1,4 @@
-// The section `full`, lemma set 1 (format-sections.md, section 1; L15): all collision states, counted forward
+// The section full (format-sections.md, section 1; L15): all collision states, counted forward
 // along a lowest and a highest ray of the box.
 #include "verify/format/precision.hpp"
 #include "verify/sections/bridge.hpp"

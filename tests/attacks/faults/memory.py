@@ -41,7 +41,7 @@ def out_of_memory(programs: Programs, count: int, seed: int) -> list[Tally]:
         verifier = Tally("out of memory: verifier")
         commands = (
             (prover, [programs.dumbbell, "certify", "1:3000", "--gap", "1e-9", "--jobs", "2", "--out", file], {0, 1}),
-            (prover, [programs.dumbbell, "certify", "12", "--section", "full", "--lemmas", "none", "--jobs", "2",
+            (prover, [programs.dumbbell, "certify", "12", "--section", "plain", "--jobs", "2",
                       "--out", file], {0, 1}),
             (prover, [programs.dumbbell, "critical", "3:20", "--digits", "100", "--jobs", "2", "--out", table], {0, 1}),
             (verifier, [programs.verify, "--jobs", "2", shown], {0, 4}),

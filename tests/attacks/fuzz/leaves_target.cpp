@@ -30,8 +30,8 @@ Place any_place(Choices& choices) {
                             {Chart::contact, &full(), 0},
                             {Chart::departure, &full(), 1},
                             {Chart::again, &full(), 2},
-                            {Chart::plain_contact, &full_minimal(), 0},
-                            {Chart::plain_departure, &full_minimal(), 1},
+                            {Chart::plain_contact, &plain(), 0},
+                            {Chart::plain_departure, &plain(), 1},
                             {Chart::wedge, &wedge(), 0}};
     return places[choices.below(std::size(places))];
 }

@@ -174,7 +174,7 @@ class Agreement(unittest.TestCase):
             request = chance.choice([[str(low)], [f"{low}:{low * (1 + 10 ** chance.uniform(-6, -1)):.9f}"], ["4.603338848751701"],
                                      [f"{4.603338848751 + chance.uniform(0, 1e-11):.17f}"],
                                      [f"{1 + chance.uniform(0, 100):.3f}", "--section", "full"],
-                                     [f"{1 + chance.uniform(0, 6):.3f}", "--section", "full", "--lemmas", "none"]])
+                                     [f"{1 + chance.uniform(0, 6):.3f}", "--section", "plain"]])
             requests.append(request)
         parts = [requests[k:k + 20] for k in range(0, len(requests), 20)]
         with ThreadPoolExecutor(2) as pool, tempfile.TemporaryDirectory() as folder:

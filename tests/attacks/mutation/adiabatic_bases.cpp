@@ -74,7 +74,7 @@ Base grown(const std::string& name, std::size_t cost, AdiabaticCertificate data,
             leaf = leaf_of(judge.of_claim(i, box), static_cast<int>(i));
         return leaf;
     };
-    if (claim != AdiabaticClaim::printed) grow(of_claim, of_claim, 0, of_some_class, data.tree);
+    grow(of_claim, of_claim, 0, of_some_class, data.tree);
     for (const Start& start : orbits) {
         AdiabaticSearch search;
         search.of = data.hypotheses;
@@ -114,13 +114,11 @@ std::vector<Base> adiabatic_bases() {
     const AdiabaticHypotheses run =
         with_heights(hypotheses(AdiabaticClaim::run, "1/20", "1/20", "1"), "3/10", "1/2");
     const AdiabaticHypotheses scattering = hypotheses(AdiabaticClaim::scattering, "1/100", "1/100", "1");
-    const AdiabaticHypotheses printed = hypotheses(AdiabaticClaim::printed, "1/20", "1/20", "1");
     std::vector<Base> all;
     all.push_back(
         grown("bounce", 8, certificate(bounce, {Rational(3, 5), 6}), {{0.446, 0, 1}, {0.446, 1, 1}}));
     all.push_back(grown("run", 12, certificate(run, {10}, {0, 2}), {{1.0508, 0.958, 0}}));
     all.push_back(grown("scattering", 32, certificate(scattering, {40}, {0}), {{0.3, 1, 0}}));
-    all.push_back(grown("printed", 1, certificate(printed, {}), {{0.223607, 0.621, 0}}));
     return all;
 }
 

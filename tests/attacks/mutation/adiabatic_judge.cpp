@@ -76,10 +76,8 @@ class Orbit {
         return true;
     }
     [[nodiscard]] bool scattered() const {
-        const bool printed = of_.claim == AdiabaticClaim::printed;
         const I unit = sqrt(delta_);
-        return (printed || is_apart(enclose<I>(of_.margin) * unit)) &&
-               at_least(abs(orbit_.change_behind()), printed ? I(1) : unit);
+        return is_apart(enclose<I>(of_.margin) * unit) && at_least(abs(orbit_.change_behind()), unit);
     }
     [[nodiscard]] bool bounce(bool second) const {
         const AdiabaticBounce<I> first(u_, s_, orbit_.masses());

@@ -130,7 +130,7 @@ std::vector<Demand> demands_of(const AdiabaticCertificate& data) {
     std::vector<Demand> demands;
     for (const std::string scene : {"dumbbell", "hybrid", "wedge"})
         for (const std::string claim : {"", "adiabatic-bounce", "adiabatic-run", "adiabatic-scattering",
-                                        "adiabatic-printed", "initial-conditions", "collisions"}) {
+                                        "initial-conditions", "collisions"}) {
             dumbbell_verify::Settings settings;
             settings.scene = scene;
             settings.claim = claim;

@@ -120,7 +120,6 @@ TEST_CASE("Together the bases have every opcode, section, scene, precision and k
                                    "claim adiabatic-bounce",
                                    "claim adiabatic-run",
                                    "claim adiabatic-scattering",
-                                   "claim adiabatic-printed",
                                    "chart again",
                                    "chart departure"})
         CHECK(found.contains(what));

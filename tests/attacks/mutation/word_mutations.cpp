@@ -107,7 +107,7 @@ constexpr std::string_view classes[][11] = {
     {"dumbbell", "hybrid", "wedge", "none"},
     {"turning", "full", "none", "wedge"},
     {"collisions", "initial-conditions", "incoming", "heavy-collisions", "adiabatic-bounce", "adiabatic-run",
-     "adiabatic-scattering", "adiabatic-printed"},
+     "adiabatic-scattering"},
     {"bridge", "light", "contact", "departure", "again", "wedge"},
     {"e", "eta", "lambda", "t", "q", "phi", "phidot", "y", "ydot", "s"},
     {"u", "s", "v", "delta", "sigma", "q"},

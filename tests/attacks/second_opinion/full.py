@@ -1,4 +1,4 @@
-"""Section full, lemma set 1: format-sections.md, section 1; lemmas L15, L19."""
+"""Section full: format-sections.md, section 1; lemmas L15, L19."""
 
 import math
 from fractions import Fraction

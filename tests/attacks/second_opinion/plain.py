@@ -1,4 +1,4 @@
-"""Section full, lemma set `minimal`: format-sections.md, section 2; lemma L16. States are carried as intervals."""
+"""Section plain: format-sections.md, section 2; lemma L16. States are carried as intervals."""
 
 from fixed import Interval, Undecided, greatest, half_pi, interval, least, meet, pi, sin_cos, square
 from full import CHARTS, LEAVES, WITNESS, root, witness  # this section's own, too

@@ -28,7 +28,7 @@ VERIFIER = {
             "number/number:collisions/turning number/interval:collisions/turning starts/angle:starts/leaf "
             "number/big:collisions/turning input/work:collisions/turning"),
     # the leaves
-    **below("verify", "collisions/turning sections/full sections/minimal sections/wedge starts/leaf",
+    **below("verify", "collisions/turning sections/full sections/plain sections/wedge starts/leaf",
             "format/precision:collisions/turning collisions/ray:collisions/turning sections/bridge:sections/full "
             "format/section:collisions/turning starts/flight:starts/leaf starts/ray:starts/leaf "
             "starts/reflection:starts/leaf"),
@@ -126,7 +126,7 @@ GROUPS = {
         programs=("tests/rooms/starts/test_starts",),
         texts=frozenset({"starts/writer.cpp"})),
     "invariant": Group(  # the search for adiabatic statements
-        files=below("adiabatic", "attained box classes cover hypotheses printed prove reader search writer",
+        files=below("adiabatic", "attained box classes cover hypotheses prove reader search writer",
                     "box:box"),
         left_out=frozenset(),
         targets=("test_adiabatic",),

@@ -149,7 +149,7 @@ void class_leaf() {
     move(c, c.J, -1);
 }
 void state() {
-    const auto kind = static_cast<Adiabatic::Kind>(below(4));
+    const auto kind = static_cast<Adiabatic::Kind>(below(3));
     Case c = common(kind);
     c.part = AdiabaticLeaf::attained;
     c.bits = c.bits > 0 && c.bits < 53 ? 26 : c.bits;
@@ -158,7 +158,6 @@ void state() {
     c.y_lo = 0;
     c.y_hi = 1;
     c.bounds.assign(kind == Adiabatic::bounce ? 2 : 1, 1);
-    if (kind == Adiabatic::printed) c.bounds.clear();
     c.index = kind == Adiabatic::bounce ? below(2) : 0;
     c.state = {rounded(uniform(0.1, 1.4)), rounded(uniform(0, 1)), c.box.lo[axis_delta], 1, 0};
     const std::uint64_t most = kind == Adiabatic::bounce ? 1 : 6;

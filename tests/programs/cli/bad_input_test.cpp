@@ -72,6 +72,8 @@ TEST_CASE("the option --jobs must be a sensible number") {
 TEST_CASE("unknown scenes, sections, options and commands are refused") {
     CHECK_THAT(refused({"certify", "10", "--scene", "trumpet", "--out", "file.dbc"}), Contains("trumpet"));
     CHECK_THAT(refused({"certify", "10", "--section", "golden", "--out", "file.dbc"}), Contains("golden"));
+    CHECK_THAT(refused({"certify", "10", "--scene", "wedge", "--section", "plain", "--out", "file.dbc"}),
+               Contains("--section plain is for the scene dumbbell"));
     CHECK_THAT(refused({"certify", "10", "--frobnicate"}), Contains("--frobnicate"));
     refused({"certify", "10", "-x"});
     refused({"certify", "10", "20"});

@@ -96,7 +96,6 @@ TEST_CASE("certify --by law refuses what has no meaning with it, in one line, an
     for (const Words& options : std::vector<Words>{{"--gap", "1e-3"},
                                                    {"--scene", "wedge"},
                                                    {"--section", "full"},
-                                                   {"--lemmas", "none"},
                                                    {"--jobs", "1"},
                                                    {"--budget", "3s"},
                                                    {"--witness"}}) {

@@ -165,7 +165,7 @@ TEST_CASE("bash completes commands, and hides the one that is for packagers") {
 
 TEST_CASE("bash completes options, and the words that an option takes") {
     CHECK(offered({"dumbbell", "certify", "10", "--sec"}) == Words{"--section"});
-    CHECK(offered({"dumbbell", "certify", "10", "--section", ""}) == Words{"turning", "full"});
+    CHECK(offered({"dumbbell", "certify", "10", "--section", ""}) == Words{"turning", "full", "plain"});
     CHECK(offered({"dumbbell", "certify", "--section", "=", "f"}) == Words{"full"});
     CHECK(offered({"dumbbell", "certify", "--scene", "="}) == Words{"dumbbell", "hybrid", "wedge"});
     CHECK(offered({"dumbbell", "certify", "--jobs", ""}).empty());

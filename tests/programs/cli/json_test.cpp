@@ -230,12 +230,11 @@ TEST_CASE("docs/reference/json.md describes the JSON of verify") {
     Words words = falling({"--phi", "0.3:0.31", "--phidot", "0", "--subdivide", "--out", "box.dbc"});
     make(words);
     make({"adiabatic", "--delta", "0.05", "--theorem", "lemma3.1", "--out", "bounce.dbc"});
-    make({"adiabatic", "--delta", "0.05", "--theorem", "printed", "--out", "printed.dbc"});
     write_file(folder / "bad.dbc", "no certificate\n");
 
     std::vector<OrderedJson> objects;
     for (const Words& options :
-         std::vector<Words>{{"ten.dbc", "box.dbc", "bounce.dbc", "printed.dbc", "bad.dbc", "by-law.dbc",
+         std::vector<Words>{{"ten.dbc", "box.dbc", "bounce.dbc", "bad.dbc", "by-law.dbc",
                              DUMBBELL_PROJECT "/certificates/law.dbc.gz"},
                             {"--ratio", "10", "--exactly", "4", "ten.dbc"},
                             {"--shares", "box.dbc"}}) {

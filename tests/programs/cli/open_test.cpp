@@ -64,14 +64,12 @@ TEST_CASE("a budget ends a search that is in the middle of an orbit, of a cover,
 }
 
 TEST_CASE("what plain intervals cannot decide soon comes with advice") {
-    const Outcome range =
-        dumbbell({"certify", "4.5:4.6033", "--section", "full", "--lemmas", "none", "--budget", "0.5s"});
+    const Outcome range = dumbbell({"certify", "4.5:4.6033", "--section", "plain", "--budget", "0.5s"});
     CHECK(range.code == 3);
     CHECK_THAT(range.err, Contains("boxes in inverse proportion to the gap: try --gap 0.01"));
-    const Outcome single =
-        dumbbell({"certify", "4.6033", "--section", "full", "--lemmas", "none", "--budget", "0.5s"});
+    const Outcome single = dumbbell({"certify", "4.6033", "--section", "plain", "--budget", "0.5s"});
     CHECK(single.code == 3);
-    CHECK_THAT(single.err, Contains("--lemmas none needs many boxes") && Contains("leave it out"));
+    CHECK_THAT(single.err, Contains("--section plain needs many boxes") && Contains("leave it out"));
 }
 
 TEST_CASE("a ratio that no certificate can decide is open with the reason") {

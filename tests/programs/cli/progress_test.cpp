@@ -188,8 +188,8 @@ TEST_CASE("the name before an error is red on a terminal, unless NO_COLOR or TER
 }
 
 TEST_CASE("on a terminal a single ratio that takes long shows how many boxes were judged") {
-    const std::string text = seen_on_terminal(
-        {DUMBBELL_BIN, "certify", "100", "--section", "full", "--lemmas", "none", "--jobs", "1"}, "/s");
+    const std::string text =
+        seen_on_terminal({DUMBBELL_BIN, "certify", "100", "--section", "plain", "--jobs", "1"}, "/s");
     CAPTURE(text);
     CHECK(std::regex_search(text, std::regex(R"(\d+ boxes in \d+ s, [0-9.]+/s)")));
 }

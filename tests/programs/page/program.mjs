@@ -26,8 +26,6 @@ export function certificates(place) {
     dumbbell("trace", 10, "--incoming", "--subdivide", "--max-boxes", 2000, "--out", incoming);
     const adiabatic = place("adiabatic.dbc");
     dumbbell("adiabatic", "--delta", "0.01", "--phi-margin", "0.5", "--out", adiabatic);
-    const printed = place("printed.dbc");
-    dumbbell("adiabatic", "--theorem", "printed", "--delta", "0.01", "--out", printed);
     const fine = place("fine.dbc");
     dumbbell("certify", "4.6:4.7", "--gap", "1e-40", "--out", fine);
     return {
@@ -42,7 +40,6 @@ export function certificates(place) {
         starts,
         incoming,
         adiabatic,
-        printed,
         fine,
     };
 }

@@ -32,9 +32,12 @@ SealedText initial_text() {
 SealedText adiabatic_text() {
     AdiabaticCertificate certificate;
     certificate.generator = {"dumbbell", "0.1.0"};
-    certificate.hypotheses.claim = AdiabaticClaim::printed;
+    certificate.hypotheses.claim = AdiabaticClaim::scattering;
     certificate.hypotheses.delta = {Rational(1, 100), Rational(1, 100)};
     certificate.hypotheses.margin = Rational(1, 2);
+    certificate.bounds = {20};
+    certificate.classes = {{2, {}, {{}}}};
+    certificate.tree = {{}};
     certificate.attained = {{Rational(1, 2), 1, Rational(1, 100), 63, 3}};
     return render(certificate);
 }

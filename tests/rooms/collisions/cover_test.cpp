@@ -35,10 +35,10 @@ std::size_t walk(const Tree& tree, std::size_t at, Chart chart, const Box& box, 
     return at + 1;
 }
 
-void check_closes(const Rational& lo, const Rational& hi, long upper, SplitRule rule = SplitRule::by_bounds) {
+void check_closes(const Rational& lo, const Rational& hi, long upper) {
     CAPTURE(lo, hi, upper);
     for (const Chart chart : charts) {
-        const auto tree = cover<Interval>(chart, lo, hi, upper, CoverOptions{.rule = rule});
+        const auto tree = cover<Interval>(chart, lo, hi, upper, CoverOptions{});
         REQUIRE(tree.has_value());
         CHECK(walk(*tree, 0, chart, root_box(chart, lo, hi), upper) == tree->size());
     }
@@ -72,16 +72,6 @@ TEST_CASE("both charts close on either side of a critical ratio, at distances fr
             check_closes(below, below, n - 1);
             check_closes(above, above, n);
         }
-    }
-}
-
-TEST_CASE("whatever is split first, a true bound closes") {
-    for (const SplitRule rule : {SplitRule::by_bounds, SplitRule::slope_first, SplitRule::position_first}) {
-        for (const long n : {5L, 7L, 10L}) {
-            const Rational below = critical_ratio(n) * (1 - parse_rational("1e-6"));
-            check_closes(below, below, n - 1, rule);
-        }
-        check_closes(parse_rational("11.36"), parse_rational("11.36"), 4, rule);
     }
 }
 
@@ -125,16 +115,17 @@ TEST_CASE("few leaves of a range's cover count: a box is split in the axis that 
 }
 
 TEST_CASE("the tree is the same for 1, 2 and 8 threads") {
-    const Rational q = critical_ratio(7) * (1 - parse_rational("1e-6"));
-    const CoverOptions options{.rule = SplitRule::position_first, .parallel = true};
+    const Rational q = 10;
+    const CoverOptions options{.parallel = true};
     const tbb::global_control eight(tbb::global_control::max_allowed_parallelism, 8);
-    const auto serial = cover<Interval>(Chart::light, q, q, 6, CoverOptions{.rule = options.rule});
+    const auto serial = cover<Interval>(Chart::plain_departure, q, q, 4, CoverOptions{});
     REQUIRE(serial.has_value());
     REQUIRE(serial->size() > 1000);
     for (const int threads : {1, 2, 8}) {
         tbb::task_arena arena(threads);
         for (int repeat = 0; repeat < 3; ++repeat) {
-            const auto tree = arena.execute([&] { return cover<Interval>(Chart::light, q, q, 6, options); });
+            const auto tree =
+                arena.execute([&] { return cover<Interval>(Chart::plain_departure, q, q, 4, options); });
             REQUIRE(tree.has_value());
             CHECK(spelled(*tree) == spelled(*serial));
         }

@@ -187,12 +187,3 @@ TEST_CASE("an interrupted piece stays open") {
     const PieceOptions now{.interrupted = [] { return true; }};
     CHECK(prove_single(critical_ratio(7) * (1 - parse_rational("1e-6")), now).piece.status() == Status::open);
 }
-
-TEST_CASE("every splitting rule decides the same") {
-    const Rational q = critical_ratio(7) * (1 - parse_rational("1e-6"));
-    for (const SplitRule rule : {SplitRule::by_bounds, SplitRule::slope_first, SplitRule::position_first}) {
-        const ProvedPiece proved = prove_single(q, {.rule = rule});
-        CHECK(proved.piece.upper == 6L);
-        CHECK(proved.piece.lower == 6);
-    }
-}

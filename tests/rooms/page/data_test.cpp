@@ -221,18 +221,6 @@ TEST_CASE("the adiabatic invariant: hypotheses, constants, classes of the leaves
     CHECK(file["verify_options"] == "--claim adiabatic-run");
 }
 
-TEST_CASE("a claim without boxes has none") {
-    AdiabaticCertificate printed = run_claim();
-    printed.hypotheses.claim = AdiabaticClaim::printed;
-    printed.bounds.clear();
-    printed.classes.clear();
-    printed.tree.clear();
-    const Parsed file = file_of(printed);
-    CHECK(file["tree"].is_null());
-    CHECK(file["bounds"].empty());
-    CHECK(file["heights"].is_null());
-}
-
 TEST_CASE("the constant C has 20 digits that are proved") {
     CHECK(data_of(certificate_of({piece(10, 10, 4, 4)}))["growth_constant"] == "0.88559512945271391141");
 }

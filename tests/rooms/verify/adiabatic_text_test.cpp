@@ -121,22 +121,3 @@ TEST_CASE("adiabatic: a claim about a scattering in words, and of numbers with m
           "collision(s) more:\n"
           "  the same with B = 0.428571 and >= instead of C and <=; C/B <= 15.555556.\n");
 }
-
-TEST_CASE("adiabatic: an orbit that attains something without a bound in words") {
-    Adiabatic c = claim(Adiabatic::printed);
-    c.delta_lo = c.delta_hi = c.attained[0].delta;
-    c.bounds.clear();
-    CHECK(c.text() == "claim=adiabatic-printed delta=1/25:1/25 margin=2/3 B=0.428571");
-    CHECK(c.paragraph() ==
-          "  For delta = 1/25, beta1 = epsilon = delta^2, and a collision of the light mass at which\n"
-          "  |phidot| = 1 and ydot is in [-delta, 0] before it,\n"
-          "  the first of a regular trajectory and at u >= 2/3 delta^(1/2), u the rod's distance from the "
-          "vertical:\n"
-          "  wherever the last collision may be, |I_N - I_0| can be at least B,\n"
-          "  I = |phidot| (pi - arccos y) before the first and after the last collision.\n"
-          "  Certified for u = 11/10, ydot = -delta s, s = 1/4, delta = 1/25, with 7 collision(s) more:\n"
-          "  |I_N - I_0| >= B = 0.428571.\n");
-    CHECK(
-        c.json() ==
-        R"({"kind":"adiabatic-printed","delta":{"lo":"1/25","hi":"1/25"},"heights":null,"margin":"2/3","exponent":null,"bounds":[],"attained":[{"u":"11/10","s":"1/4","delta":"1/25","collisions":7,"value":"3/7","ratio":null}]})");
-}

@@ -111,9 +111,9 @@ struct Adiabatics {
         text += "margin " + level(claim.margin) + "\n";
         if (claim.kind == Adiabatic::bounce) text += "exponent " + std::to_string(claim.exponent) + "\n";
         text += "bits " + std::to_string(bits) + "\n";
-        if (!claim.bounds.empty()) text += "bound";
+        text += "bound";
         for (const mpq_class& bound : claim.bounds) text += " " + level(bound);
-        return claim.bounds.empty() ? text : text + "\n";
+        return text + "\n";
     }
     [[nodiscard]] std::string class_lines(std::size_t i) const {
         std::string text =
@@ -136,8 +136,7 @@ struct Adiabatics {
             for (std::size_t i = 0; i < terms.classes.size(); ++i) text += class_lines(i) + class_tree(i);
             text += "end\n";
         }
-        if (terms.claim.kind != Adiabatic::printed) text += claim_tree();
-        return closed_adiabatic(text + attained_lines());
+        return closed_adiabatic(text + claim_tree() + attained_lines());
     }
 };
 
@@ -203,12 +202,6 @@ inline Adiabatics small_scattering() {
     file.add_class(mpq_class(19, 10), cells_down_to(mpq_class(37, 4096), 300, 1.3, 5));
     return file;
 }
-inline Adiabatics small_printed() {
-    Adiabatics file = small_claim(Adiabatic::printed);
-    file.terms.claim.attained = {
-        {mpq_class(1217, 5000), mpq_class(851, 1000), mpq_class(1, 20), 4, mpq_class(72, 25)}};
-    return file;
-}
 
 /// The whole files of these claims; each is searched for once.
 inline const std::string& bounce() {
@@ -221,10 +214,6 @@ inline const std::string& run_file() {
 }
 inline const std::string& scattering() {
     static const std::string text = small_scattering().file();
-    return text;
-}
-inline const std::string& printed() {
-    static const std::string text = small_printed().file();
     return text;
 }
 

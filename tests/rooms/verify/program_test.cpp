@@ -158,7 +158,7 @@ TEST_CASE("a demand is proved or the file is rejected") {
               .last()
               .ends_with("code=claim-not-proved the claim is collisions, and law was demanded (--claim)"));
     for (const char* kind : {"collisions-by-law", "initial-conditions", "incoming", "law", "adiabatic-bounce",
-                             "adiabatic-run", "adiabatic-scattering", "adiabatic-printed"})
+                             "adiabatic-run", "adiabatic-scattering"})
         CHECK(code("--claim " + std::string(kind)) == 1);
     CHECK(code("--claim other") == 2);
     const File false_one(mutated(ten(), "upper 4", "upper 3"));  // that is what is said of it

@@ -1,4 +1,4 @@
-// The sections `full` (both lemma sets) and the scenes wedge and hybrid, and --lemma: true certificates are
+// The sections full and plain and the scenes wedge and hybrid, and --lemma: true certificates are
 // accepted, false ones are not.
 #include <sys/wait.h>
 
@@ -95,15 +95,15 @@ std::string wedge10(const std::string& scene = "wedge") {
 
 }  // namespace
 
-TEST_CASE("section full, both lemma sets: true covers are accepted, false ones are not") {
-    for (const Section* section : {&full(), &full_minimal()}) {
-        const bool minimal = section == &full_minimal();
-        const std::string q = minimal ? "2/1" : "10/1";  // plain evaluation needs many more boxes
-        const int n = minimal ? 3 : 4;
+TEST_CASE("sections full and plain: true covers are accepted, false ones are not") {
+    for (const Section* section : {&full(), &plain()}) {
+        const bool is_plain = section == &plain();
+        const std::string q = is_plain ? "2/1" : "10/1";  // plain evaluation needs many more boxes
+        const int n = is_plain ? 3 : 4;
         const std::string text = full_text(*section, q, static_cast<std::uint64_t>(n));
         const std::string most = "count " + std::to_string(n - 1);
         CHECK(outcome_in_scene(text) == "verified");
-        if (!minimal) CHECK(outcome_in_scene(text, "dumbbell", 80) == "verified");
+        if (!is_plain) CHECK(outcome_in_scene(text, "dumbbell", 80) == "verified");
         CHECK(outcome_in_scene(
                   mutated(text, "upper " + std::to_string(n), "upper " + std::to_string(n - 1))) == "count");
         CHECK(outcome_in_scene(mutated(text, "chart departure", "chart light")) == "syntax");
@@ -120,11 +120,11 @@ TEST_CASE("section full, both lemma sets: true covers are accepted, false ones a
         CHECK(outcome_in_scene(mutated(text, "section full", "section turning")) != "verified");
     }
     CHECK_THROWS_AS(full_cover(full(), 10, 3), std::runtime_error);
-    CHECK_THROWS_AS(full_cover(full_minimal(), 2, 2), std::runtime_error);
+    CHECK_THROWS_AS(full_cover(plain(), 2, 2), std::runtime_error);
 }
 
-TEST_CASE("section full: the root boxes are those of the format") {
-    for (const Section* section : {&full(), &full_minimal()})
+TEST_CASE("sections full and plain: the root boxes are those of the format") {
+    for (const Section* section : {&full(), &plain()})
         for (std::size_t chart = 0; chart < 3; ++chart) {
             const Box root = section->root(chart, 2, 3), wide = section->root(chart, 2, mpq_class(13, 4));
             const bool departs = section->charts[chart].name == "departure";
@@ -134,8 +134,8 @@ TEST_CASE("section full: the root boxes are those of the format") {
         }
 }
 
-TEST_CASE("section full: the leaf outside holds beyond the chart only") {
-    for (const Section* section : {&full(), &full_minimal()}) {
+TEST_CASE("sections full and plain: the leaf outside holds beyond the chart only") {
+    for (const Section* section : {&full(), &plain()}) {
         const auto holds = [&](std::size_t chart, const mpq_class& x, const mpq_class& y) {
             Leaf leaf;
             leaf.chart = chart;
@@ -180,7 +180,7 @@ TEST_CASE("section full: the leaf once needs a narrow range of ratios") {
     }
 }
 
-TEST_CASE("section full of lemma set minimal: the enclosure of x ends at pi/2, not before") {
+TEST_CASE("section plain: the enclosure of x ends at pi/2, not before") {
     const auto said = [](const std::string& leaf) {
         return leaf_rows::judged(leaf_rows::parsed("minimal dumbbell full departure count " + leaf));
     };

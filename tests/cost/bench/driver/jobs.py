@@ -15,7 +15,7 @@ CERTIFY = ["1", "1.0000001", "1.1", "4.6", "4.61", "10", "12", "100", "1000", "1
 OTHERS = ["critical 3:22", "trace 10 --phi 0.3:0.4 --phidot 1 --y 3 --ydot 0 --subdivide",
           "adiabatic --theorem lemma3.1 --delta 0.1"]
 # Only of the whole.
-SLOW = ["certify 1e12", "certify 1:1000000 --gap 1e-9", "certify 10000 --section full", "certify 100 --section full --lemmas none",
+SLOW = ["certify 1e12", "certify 1:1000000 --gap 1e-9", "certify 10000 --section full", "certify 100 --section plain",
         "critical 3:100 --digits 200", "adiabatic --delta 0.01"]
 WITHOUT_CERTIFICATE = ("critical",)
 

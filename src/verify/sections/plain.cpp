@@ -1,5 +1,5 @@
-// The section `full`, lemma set `minimal` (format-sections.md, section 2; L16): plain interval evaluation of
-// all states of a box together.
+// The section plain (format-sections.md, section 2; L16): interval evaluation of all states of a box
+// together. A file spells it `lemmas minimal`, `section full`.
 #include "verify/format/precision.hpp"
 #include "verify/sections/bridge.hpp"
 
@@ -7,14 +7,14 @@ namespace dumbbell_verify {
 namespace {
 
 template <class N>
-class Minimal : Bridge<N> {
+class Plain : Bridge<N> {
     using Base = Bridge<N>;
     using Base::fact, Base::trig, Base::half_turn, Base::quarter, Base::one, Base::zero, Base::leaf_;
     using Base::x0, Base::x1, Base::y0, Base::y1, Base::r_lo, Base::r_hi;
     using typename Base::I, typename Base::Ray;
 
   public:
-    Minimal(const Leaf& leaf, std::string* log) : Base(leaf, full_minimal(), log) {}
+    Plain(const Leaf& leaf, std::string* log) : Base(leaf, plain(), log) {}
 
     const char* verdict() {
         if (!(r_lo > zero)) return "r is out of the range of this precision";
@@ -184,15 +184,15 @@ class Minimal : Bridge<N> {
     const I r{r_lo, r_hi};
 };
 
-const char* check_minimal(const Leaf& leaf, std::string* log) {
+const char* check_plain(const Leaf& leaf, std::string* log) {
     if (leaf.opcode == equal_masses || leaf.opcode == witness) return turning().check(leaf, log);
-    return judged<Minimal>(leaf, log);
+    return judged<Plain>(leaf, log);
 }
 
 }  // namespace
 
-const Section& full_minimal() {
-    static const Section section = full_section("minimal", check_minimal);
+const Section& plain() {
+    static const Section section = full_section("minimal", check_plain);
     return section;
 }
 
