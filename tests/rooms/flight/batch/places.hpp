@@ -25,20 +25,7 @@ inline std::optional<Place> place_at(Random& random, double z, double kappa) {
                  std::min(at.sin, at.cos) * 0x1p-7 * (1 - 0x1p-40)};
 }
 
-/// Where a tangent may be laid: at the contact, near it, or anywhere.
-inline double some_point(Random& random, const DoubleRay& ray, const Flight<Real>& exact) {
-    switch (random.below(4)) {
-        case 0:
-            return random.uniform(0, dumbbell::half_pi_hi);
-        case 1:
-            return dumbbell::flight::batch::first_point(ray.c, ray.kappa);
-        default:
-            return std::clamp(exact.x.convert_to<double>() * (1 + random.sign() * random.scaled(1e-17, 0.5)),
-                              0.0, dumbbell::half_pi_hi);
-    }
-}
-
-/// The place of a step from there, or that point itself.
+/// The place of a step from z, or z itself.
 inline std::optional<Place> some_place(Random& random, const DoubleRay& ray, double z) {
     if (random.coin()) {
         return place_at(random, z, ray.kappa);

@@ -2,6 +2,7 @@
 
 #include <catch2/catch.hpp>
 #include <optional>
+#include <type_traits>
 
 #include "flight/batch/lower_step.hpp"
 #include "flight/batch/upper_step.hpp"
@@ -291,6 +292,29 @@ TEST_CASE("The place of a step from near the contact is still nearer to it") {
         }
     }
     CHECK(near_ones > 5'000);
+}
+
+TEMPLATE_TEST_CASE(
+    "Close bounds are close: within 1e-14 from below, 1e-13 from above, relative to the angle of incidence",
+    "", batch::Lower, batch::Upper) {
+    constexpr bool from_below = std::is_same_v<TestType, batch::Lower>;
+    const Real relative = from_below ? 1e-14 : 1e-13, absolute = from_below ? 1e-299 : 1e-269;
+    Random random(412);
+    int close = 0;
+    for (int i = 0; i < 20'000; ++i) {
+        const DoubleRay ray = random_ray(random);
+        const auto exact = exact_flight(Real(ray.c), Real(ray.kappa));
+        if (!exact.hits || exact.clearance < 1e-3) {
+            continue;
+        }
+        const Real x = close_contact<TestType>(ray, exact);
+        ++close;
+        const Real beyond = from_below ? Real(exact.x - x) : Real(x - exact.x);
+        if (beyond < 0 || beyond * (cos(exact.x) - Real(ray.kappa)) > relative * exact.x + absolute) {
+            FAIL(say("no bound, or loose:", ray, "x", exact.x, x));
+        }
+    }
+    CHECK(close > 5'000);
 }
 
 TEMPLATE_TEST_CASE("what was decided by less than a thousandth is not clear", "", batch::Lower,
