@@ -105,6 +105,8 @@ struct Step {
         j = (pi<S>() - u) * cos(th - beta);
         j_v = (pi<S>() - v) * cos(th + beta_v);
     }
+    [[nodiscard]] S alpha() const { return th - beta; }
+    [[nodiscard]] S alpha_v() const { return th + beta_v; }
 };
 
 struct Layer {  // L49 (11) and L50, at U >= 0

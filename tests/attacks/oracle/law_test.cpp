@@ -35,7 +35,7 @@ D defect(const law::Step<D>& s, bool by_angle) {  // 2 eps D
     const auto clock = [&](const D& u, const D& alpha, const D& j) {
         return by_angle ? tau_by_angle(alpha, j) : tau(u, j);
     };
-    return D(clock(s.u, D(s.th - s.beta), s.j) - clock(s.v, D(s.th + s.beta_v), s.j_v) - 2 * s.eps);
+    return D(clock(s.u, s.alpha(), s.j) - clock(s.v, s.alpha_v(), s.j_v) - 2 * s.eps);
 }
 
 }  // namespace

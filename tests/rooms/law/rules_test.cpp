@@ -24,16 +24,16 @@ TEST_CASE("both forms of the layer's rule contain steps evaluated directly") {
     int seen = 0;
     while (seen < 60) {
         const double U = 0.9 * std::pow(10, -4 * share(random)), rho = 0.2 * std::pow(10, -2 * share(random));
-        const DirectStep step = step_with(U, Real(rho) * U, Real(-0.02 + 5.3 * share(random)));
+        const DirectStep step = step_with(U, rho, Real(-0.02 + 5.3 * share(random)));
         if (step.eps > Real(1) / 1000) {
             continue;
         }
         ++seen;
-        const Real T = clock_by_place(step.u, step.J) / (2 * step.eps);
-        const Real D = T - 1 - clock_by_place(step.u2, step.J2) / (2 * step.eps);
-        const Real gamma = (1 - D / comparison(step.eps, T)) / U;
+        const Real T = tau(step.u, step.j) / (2 * step.eps);
+        const Real D = T - 1 - tau(step.v, step.j_v) / (2 * step.eps);
+        const Real gamma = (1 - D / comparison(Real(sqrt(step.eps)), T)) / U;
         const Real d = Real(rho) * U, ehat = step.eps / (d * U);
-        const Real drift = Real(U) * U * (step.J - step.J2) / (d * d * d) / (2 * ehat * ehat);
+        const Real drift = Real(U) * U * (step.j - step.j_v) / (d * d * d) / (2 * ehat * ehat);
         CAPTURE(U, rho, gamma, drift);
         for (const double radius : {0.0, 1e-5}) {
             const LayerBox box{around(U, radius * U), around(rho, radius * rho)};
@@ -50,7 +50,7 @@ TEST_CASE("both forms of the layer's rule contain steps evaluated directly") {
 
 TEST_CASE("the layer's rule is sharp: gamma is 5/(3 pi) at U = 0 and rho = 0") {
     const LayerBounds found = layer_bounds({Interval(0, 1e-9), Interval(0, 1e-9)}, LayerForm::slope);
-    CHECK(contains(found.gamma, 5 / (3 * pi_in<Real>())));
+    CHECK(contains(found.gamma, 5 / (3 * dumbbell_oracle::pi<Real>())));
     CHECK(width(found.gamma) < 0.5);
     CHECK(std::abs(approximate(found.gamma) - 0.5305) < 0.01);
 }
@@ -73,21 +73,21 @@ TEST_CASE("the bulk's rule contains steps evaluated directly") {
         const double th = 0.01 + 0.78 * share(random);
         const Real eps = pow(Real(10), Real(-3 - 4 * share(random)));
         // The step of this eps and angle: its mid-point by Q, its half width by the clock's rule.
-        const Real Q = pi_in<Real>() / 2 + eps * eps * Real(2 * share(random) - 1);
-        const Real F = Q / cos(Real(th)), U = pi_in<Real>() - F;
-        const DirectStep step(U, asin(eps * tan(Real(th)) * F / sin(U)), Q);
+        const Real Q = dumbbell_oracle::pi<Real>() / 2 + eps * eps * Real(2 * share(random) - 1);
+        const Real F = Q / cos(Real(th)), U = dumbbell_oracle::pi<Real>() - F;
+        const DirectStep step(U, asin(eps * tan(Real(th)) * F / sin(U)) / U, Q);
         CHECK(abs(step.eps - eps) < 1e-50);
-        if (step.alpha < 0) {
+        if (step.alpha() < 0) {
             continue;  // no state of an orbit: its clock has two values there
         }
         const Real D =
-            (clock_by_angle(step.alpha, step.J) - clock_by_angle(step.alpha2, step.J2)) / (2 * eps) - 1;
-        const Real way = step.alpha2 - step.alpha;
+            (tau_by_angle(step.alpha(), step.j) - tau_by_angle(step.alpha_v(), step.j_v)) / (2 * eps) - 1;
+        const Real way = step.alpha_v() - step.alpha();
         CAPTURE(th, eps);
         for (const double radius : {0.0, 1e-4}) {
             const BulkBounds found = bulk_bounds(around(th, radius));
             CHECK(contains(found.defect, 2 * D / (eps * way)));
-            CHECK(contains(found.fall, (step.J - step.J2) / (eps * eps * way)));
+            CHECK(contains(found.fall, (step.j - step.j_v) / (eps * eps * way)));
         }
     }
 }
@@ -95,7 +95,7 @@ TEST_CASE("the bulk's rule contains steps evaluated directly") {
 TEST_CASE("the rule of the end contains ends evaluated directly") {
     std::mt19937_64 random(22);
     std::uniform_real_distribution<double> share(0, 1);
-    const Real pi = pi_in<Real>(), k0 = 1 / (pow(Real(3), Real(7) / 4) * sqrt(pi));
+    const Real pi = dumbbell_oracle::pi<Real>(), k0 = dumbbell_oracle::law::k0<Real>();
     for (int i = 0; i < 40; ++i) {
         const double d = 0.0713 * std::pow(10, -3 * share(random));
         const Real u = 2 * Real(d);
@@ -113,7 +113,7 @@ TEST_CASE("the rule of the end contains ends evaluated directly") {
             J = pi / 2 - wanted_share * eps * eps / (u * u * u);
             th = acos(J / (pi - u)) + atan(eps / sin(u));
         }
-        const Real e_end = clock_by_place(u, J) / (2 * eps) - 1, s = sqrt(eps);
+        const Real e_end = tau(u, J) / (2 * eps) - 1, s = sqrt(eps);
         CAPTURE(d, eps);
         for (const double radius : {0.0, 1e-5}) {
             const EndBounds found = end_bounds(around(d, radius));

@@ -27,23 +27,23 @@ const char* const drift_fact = "a/(2 ehat^2)";
 struct LayerTruth {
     law_truth::Real gamma, drift, eps, offset;  ///< offset: (Q - pi/2)/(rho^2 U)
     LayerTruth(double U_, double rho_, double share, const law_truth::Real& factor = 1, double window = 1) {
-        const law_truth::Real U = U_, d = U * law_truth::Real(rho_);
+        const law_truth::Real U = U_, rho = rho_, d = U * rho;
         law_truth::Real Q = law_truth::pi() / 2;
         for (int i = 0; i < 60; ++i) {
-            const law_truth::Step step(U, d, acos(Q / (law_truth::pi() - U)));
+            const law_truth::Step step(U, rho, Q);
             const law_truth::Real lo = -law_truth::Real("5.3") * step.eps * step.eps / pow(step.u, 3),
                                   hi = step.eps * step.eps / 4;
             Q += law_truth::pi() / 2 + law_truth::Real(window) * (lo + (hi - lo) * law_truth::Real(share)) -
-                 step.J;
+                 step.j;
         }
-        const law_truth::Step step(U, d, acos(Q / (law_truth::pi() - U)));
+        const law_truth::Step step(U, rho, Q);
         eps = step.eps;
-        offset = (Q - law_truth::pi() / 2) / (U * law_truth::Real(rho_) * law_truth::Real(rho_));
-        const law_truth::Real T = law_truth::clock(step.u, step.J) / (2 * eps),
-                              after = law_truth::clock(step.u_last, step.J_last) / (2 * eps);
+        offset = (Q - law_truth::pi() / 2) / (U * rho * rho);
+        const law_truth::Real T = law_truth::tau(step.u, step.j) / (2 * eps),
+                              after = law_truth::tau(step.v, step.j_v) / (2 * eps);
         const law_truth::Real D0 = factor * law_truth::k0() * sqrt(eps) * pow(sqrt(T) - sqrt(T - 1), 3);
         gamma = (1 - (T - 1 - after) / D0) / U;
-        drift = (step.J - step.J_last) * pow(U, 4) / (2 * d * eps * eps);
+        drift = (step.j - step.j_v) * pow(U, 4) / (2 * d * eps * eps);
     }
 };
 
@@ -66,7 +66,7 @@ bool holds_truth(const std::pair<double, double>& x, const law_truth::Real& trut
 }  // namespace
 
 TEST_CASE("law: the constants hold their values in 80 digits") {
-    const law_truth::Real C = law_truth::clock_by_angle(0, law_truth::pi() / 2);
+    const law_truth::Real C = law_truth::tau_by_angle<law_truth::Real>(0, law_truth::pi() / 2);
     const law_truth::Real zeta =
         [] {  // -6 zeta(-1/2), the sum of (sqrt n - sqrt(n - 1))^3 with its tail expanded
             law_truth::Real sum = 0;
@@ -216,12 +216,12 @@ TEST_CASE("law: a part of the bulk holds the defect and the drift of its steps")
         const double offset = law_uniform(-1e-5, 3e-5);
         const law_truth::Real Q = law_truth::pi() / 2 + law_truth::Real(offset),
                               F = Q / cos(law_truth::Real(th)), U = law_truth::pi() - F;
-        const law_truth::Step step(U, asin(law_truth::Real(eps) * tan(law_truth::Real(th)) * F / sin(U)),
-                                   law_truth::Real(th));
-        if (step.alpha < 0 || step.u > law_truth::pi() / 2) continue;
-        const law_truth::Real angles = step.alpha_last - step.alpha;
-        const law_truth::Real D = (law_truth::clock_by_angle(step.alpha, step.J) -
-                                   law_truth::clock_by_angle(step.alpha_last, step.J_last)) /
+        const law_truth::Step step(U, asin(law_truth::Real(eps) * tan(law_truth::Real(th)) * F / sin(U)) / U,
+                                   Q);
+        if (step.alpha() < 0 || step.u > law_truth::pi() / 2) continue;
+        const law_truth::Real angles = step.alpha_v() - step.alpha();
+        const law_truth::Real D = (law_truth::tau_by_angle(step.alpha(), step.j) -
+                                   law_truth::tau_by_angle(step.alpha_v(), step.j_v)) /
                                       (2 * step.eps) -
                                   1;
         LawLeaf leaf;
@@ -234,7 +234,7 @@ TEST_CASE("law: a part of the bulk holds the defect and the drift of its steps")
         std::string log;
         check_law_bulk(leaf, &log);
         const law_truth::Real M = 2 * D / (step.eps * angles),
-                              fall = (step.J - step.J_last) / (step.eps * step.eps * angles);
+                              fall = (step.j - step.j_v) / (step.eps * step.eps * angles);
         INFO("th " << th << " eps " << eps << " M " << M << " fall " << fall << "\n" << log);
         REQUIRE(abs(step.eps / law_truth::Real(eps) - 1) < 1e-60);
         const auto enclosed = enclosure(log, "D/((eps/2) (alpha' - alpha))");
@@ -279,7 +279,7 @@ TEST_CASE("law: a part of the end holds what the last contact loses") {
         }
         const law_truth::End end(d, acos(Q / (law_truth::pi() - d)));
         if (end.eps > 1e-3) continue;
-        const law_truth::Real loss = law_truth::clock(end.u, end.J) / (2 * end.eps) - 1;
+        const law_truth::Real loss = law_truth::tau(end.u, end.J) / (2 * end.eps) - 1;
         const law_truth::Real truth = (loss - law_truth::k0() * sqrt(end.eps)) / end.eps;
         LawLeaf leaf;
         leaf.rule = LawLeaf::end;

@@ -1,17 +1,16 @@
 // Steps near a critical ratio, in 80 digits, from the reflection law and the clock as proofs/law.md defines
-// them: no formula of the covers is used.
+// them (tests/attacks/oracle): no formula of the covers is used.
 #pragma once
-#include <boost/multiprecision/mpfr.hpp>
-#include <functional>
 #include <string>
 #include <utility>
-#include <vector>
 
-#include "attacks/oracle/scalar.hpp"
+#include "attacks/oracle/law.hpp"
 
 namespace law_truth {
 
 using Real = dumbbell_oracle::Digits80;
+using Step = dumbbell_oracle::law::Step<Real>;
+using dumbbell_oracle::law::tau, dumbbell_oracle::law::tau_by_angle;
 /// The first 110 digits, from Arb (they are those that `dumbbell law --digits 110` prints).
 inline const char* const C =
     "0."
@@ -22,51 +21,8 @@ inline const char* const c0 =
     "20581158954949559533970656710171431017859449010666863363550570216726753280881521340199369108344103302081"
     "398986";
 inline Real pi() { return dumbbell_oracle::pi<Real>(); }
-inline Real k0() { return pow(Real(3), Real(-7) / 4) / sqrt(pi()); }
+inline Real k0() { return dumbbell_oracle::law::k0<Real>(); }
 
-/// Gauss-Legendre with 60 nodes.
-inline Real integral(const std::function<Real(Real)>& f, const Real& a, const Real& b) {
-    static constexpr int n = 60;
-    static const auto nodes = [] {
-        std::vector<std::pair<Real, Real>> table;
-        for (int i = 1; i <= n; ++i) {
-            Real x = cos(pi() * (i - Real(1) / 4) / (n + Real(1) / 2)), slope;
-            for (int round = 0; round < 9; ++round) {
-                Real before = 1, p = x;
-                for (int k = 2; k <= n; ++k)
-                    before = std::exchange(p, ((2 * k - 1) * x * p - (k - 1) * before) / k);
-                slope = n * (x * p - before) / (x * x - 1);
-                x -= p / slope;
-            }
-            table.emplace_back(x, 2 / ((1 - x * x) * slope * slope));
-        }
-        return table;
-    }();
-    Real sum = 0;
-    for (const auto& [x, weight] : nodes) sum += weight * f((a + b) / 2 + (b - a) / 2 * x);
-    return sum * (b - a) / 2;
-}
-/// tau(u, J), for u well below pi - J.
-inline Real clock(const Real& u, const Real& J) {
-    return integral(
-        [&](const Real& x) { return sin(x) * J / ((pi() - x) * sqrt((pi() - x) * (pi() - x) - J * J)); }, 0,
-        u);
-}
-/// The same for any alpha >= 0, J = (pi - u) cos alpha.
-inline Real clock_by_angle(const Real& alpha, const Real& J) {
-    return integral([&](const Real& a) { return sin(J / cos(a)); }, alpha, acos(J / pi()));
-}
-
-/// A step of middle U, half-length d and flight angle th.
-struct Step {
-    Real eps, u, u_last, alpha, alpha_last, J, J_last;
-    Step(const Real& U, const Real& d, const Real& th) {
-        u = U + d, u_last = U - d;
-        eps = (cos(u_last) - cos(u)) / (tan(th) * (2 * pi() - u - u_last));
-        alpha = th - atan(eps / sin(u)), alpha_last = th + atan(eps / sin(u_last));
-        J = (pi() - u) * cos(alpha), J_last = (pi() - u_last) * cos(alpha_last);
-    }
-};
 /// The last contact, u_b = 2 d, and the tangent flight of angle th after it.
 struct End {
     Real eps, u, J;
