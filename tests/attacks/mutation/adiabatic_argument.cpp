@@ -1,3 +1,5 @@
+#include "adiabatic_argument.hpp"
+
 #include <fmt/format.h>
 
 #include <array>
@@ -5,7 +7,6 @@
 #include "adiabatic/reader.hpp"
 #include "adiabatic/writer.hpp"
 #include "adiabatic_judge.hpp"
-#include "argument.hpp"
 #include "base/error.hpp"
 
 namespace dumbbell_mutation {

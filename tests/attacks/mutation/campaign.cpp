@@ -6,8 +6,8 @@
 #include <unordered_set>
 #include <utility>
 
+#include "adiabatic_argument.hpp"
 #include "apart.hpp"
-#include "argument.hpp"
 #include "demands.hpp"
 #include "mutations.hpp"
 
@@ -85,12 +85,15 @@ Result verified(const Scratch& file, const Trial& trial) {
         const bool right = trial.fitting ? outcome.accepted() == trial.proved &&
                                                (outcome.accepted() || outcome.code == "claim-not-proved")
                                          : outcome.verdict == dumbbell_verify::Verdict::unreadable;
-        result.fate = !right ? Fate::wrong_demand : outcome.accepted() ? Fate::equivalent : Fate::rejected;
+        result.fate = !right ? Fate::wrong_demand : outcome.accepted() ? Fate::accepted : Fate::rejected;
         if (right && outcome.accepted()) result.argument = "the base's own pieces prove it";
     } else if (outcome.accepted()) {
-        const Argument argument = second_argument(file.path(), *outcome.proof);
-        result.fate = argument.holds ? Fate::equivalent : Fate::unexplained;
-        result.argument = argument.text;
+        result.fate = Fate::accepted;
+        if (const auto* claim = std::get_if<dumbbell_verify::Adiabatic>(&outcome.proof->other)) {
+            const Argument argument = adiabatic_argument(file.path(), claim);
+            if (!argument.holds) result.fate = Fate::unexplained;
+            result.argument = argument.text;
+        }
     }
     if (outcome.accepted()) result.text = claim_text(*outcome.proof);
     return result;

@@ -22,8 +22,9 @@ struct Trial {
 
 enum class Fate {
     rejected,      ///< the verifier refused it
-    equivalent,    ///< accepted, and a true proof by the second argument
-    unexplained,   ///< accepted, without a second argument: a soundness bug, until shown otherwise
+    accepted,      ///< a true proof, if a second verifier says so, too
+    unexplained,   ///< about the adiabatic invariant, accepted, and not shown to be true: a soundness bug,
+                   ///< until shown otherwise
     unmasked,      ///< accepted with the old checksum, or refused for something else than the totals or the
                    ///< checksum
     wrong_demand,  ///< a demand decided wrongly

@@ -23,7 +23,7 @@ void Corpus::add(const Base& base, const std::vector<Trial>& trials, const std::
     for (std::size_t i = 0; i < trials.size(); ++i) {
         const Trial& trial = trials[i];
         const Result& r = results[i];
-        const bool accepted = r.fate == Fate::equivalent;
+        const bool accepted = r.fate == Fate::accepted;
         if (!accepted && r.fate != Fate::rejected) continue;
         const std::string options = trial.demand                         ? trial.what
                                     : trial.settings.scene == "dumbbell" ? ""

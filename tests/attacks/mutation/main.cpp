@@ -15,7 +15,8 @@ namespace {
 
 constexpr const char* description =
     R"(Changes certificates in every small way and gives each mutant to the verifier.
-Exit code 0: every mutant was refused, or is a true proof by a second argument; 1: not so; 2: wrong usage.
+Exit code 0: no defect was found; 1: one was; 2: wrong usage. Whether accepted mutants are true the second
+verifier is asked by ../second_opinion/mutants_test.py.
 
   mutation --jobs 2 --report FOLDER      all mutants, and tables of what became of them
   mutation --dump FOLDER 500             some of them as files, with what the verifier said of each

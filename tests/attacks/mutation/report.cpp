@@ -40,8 +40,8 @@ void Report::add(const Base& base, const std::vector<Trial>& trials, const std::
         row.stale += r.stale_tried ? 1 : 0;
         const std::string line =
             fmt::format("{}\t{}\t{}\t{}\t{}\n", base.name, trial.kind, trial.what, r.text, r.argument);
-        if (r.fate == Fate::equivalent && !trial.demand) accepted_ += line;
-        if (r.fate != Fate::equivalent && r.fate != Fate::rejected)
+        if (r.fate == Fate::accepted && !trial.demand) accepted_ += line;
+        if (r.fate != Fate::accepted && r.fate != Fate::rejected)
             defects_ += fmt::format("{}\t{}", fate_names[static_cast<std::size_t>(r.fate)], line);
     }
 }
@@ -71,10 +71,9 @@ std::string Report::sentence() const {
     const Row all = sum();
     const auto number = [&](Fate fate) { return count(all.fates, fate); };
     return fmt::format(
-        "{} mutants: {} refused, {} accepted and shown to be true proofs, {} accepted without a second "
-        "argument, {} "
-        "demands decided wrongly, {} let through with the old checksum (of {}), {} crashes, {} hangs",
-        all.tried(), number(Fate::rejected), number(Fate::equivalent), number(Fate::unexplained),
+        "{} mutants: {} refused, {} accepted, {} accepted and not shown to be true, {} demands decided "
+        "wrongly, {} let through with the old checksum (of {}), {} crashes, {} hangs",
+        all.tried(), number(Fate::rejected), number(Fate::accepted), number(Fate::unexplained),
         number(Fate::wrong_demand), number(Fate::unmasked), all.stale, number(Fate::crash),
         number(Fate::hang));
 }

@@ -14,9 +14,10 @@ class Report {
     void add(const Base& base, const std::vector<Trial>& trials, const std::vector<Result>& results);
 
     /// By base and kind of mutation: how many were tried, refused (and of these with another verdict than
-    /// REJECTED), accepted and shown to be true proofs, and what must not be.
+    /// REJECTED), accepted, and what must not be.
     [[nodiscard]] std::string summary() const;
-    /// One line for each accepted mutant: base, kind, change, claim, argument.
+    /// One line for each accepted mutant: base, kind, change, claim, and of the adiabatic invariant how it
+    /// was shown.
     [[nodiscard]] const std::string& accepted() const { return accepted_; }
     /// One line for each defect found.
     [[nodiscard]] const std::string& defects() const { return defects_; }

@@ -1,5 +1,5 @@
-// The tools of the driver: what they make is what it is said to be, and the second argument refuses what is
-// false.
+// The tools of the driver: what they make is what it is said to be, and the prover's formulas refuse what is
+// false of the adiabatic invariant.
 #include <catch2/catch.hpp>
 #include <csignal>
 #include <cstdlib>
@@ -8,11 +8,9 @@
 #include <sstream>
 
 #include "adiabatic/writer.hpp"
+#include "adiabatic_argument.hpp"
 #include "apart.hpp"
-#include "argument.hpp"
-#include "audit/claimed_range.hpp"
 #include "campaign.hpp"
-#include "collisions/reader.hpp"
 #include "corpus.hpp"
 #include "manifest.hpp"
 #include "text.hpp"
@@ -24,22 +22,6 @@ namespace {
 const std::vector<Base>& all_bases() {
     static const std::vector<Base> all = bases(false);
     return all;
-}
-
-/// What a verifier would say that believes the file.
-dumbbell_verify::Verified believed(const std::string& path) {
-    const dumbbell::collisions::Certificate c = dumbbell::collisions::read_certificate(path);
-    const auto range = dumbbell::audit::claimed_range(path);
-    dumbbell_verify::Verified proof;
-    const auto exact = [](const dumbbell::Rational& x) { return mpq_class(dumbbell::to_fraction(x)); };
-    proof.claim.lo = exact(range.first);
-    proof.claim.hi = exact(range.second);
-    for (const dumbbell::collisions::Piece& piece : c.pieces)
-        proof.claim.add(exact(piece.q_lo), exact(piece.q_hi),
-                        piece.upper ? std::optional(mpz_class(piece.upper->str())) : std::nullopt,
-                        mpz_class(piece.lower.str()));
-    proof.heavy_once = c.section != dumbbell::collisions::Section::turning && proof.claim.upper;
-    return proof;
 }
 
 /// A folder that is removed again.
@@ -69,14 +51,16 @@ TEST_CASE("The trailer that is made anew is the one that the prover wrote") {
     }
 }
 
-TEST_CASE("Every base is verified, and shown to be true by the second argument") {
+TEST_CASE("Every base is verified, and shown to be true if it is about the adiabatic invariant") {
     const Scratch file;
     for (const Base& base : all_bases()) {
         file.write(base.text);
         const Outcome outcome = examine(file.path(), settings_for(base.text));
         INFO(base.name << ": " << outcome.text);
         REQUIRE(outcome.accepted());
-        const Argument argument = second_argument(file.path(), *outcome.proof);
+        const auto* claim = std::get_if<dumbbell_verify::Adiabatic>(&outcome.proof->other);
+        if (!claim) continue;
+        const Argument argument = adiabatic_argument(file.path(), claim);
         INFO(argument.text);
         CHECK(argument.holds);
     }
@@ -146,28 +130,7 @@ TEST_CASE("Trees are found in the lines") {
           std::vector<std::size_t>{2});
 }
 
-TEST_CASE("The second argument refuses the committed false claims") {
-    const std::filesystem::path folder = DUMBBELL_FALSE_CLAIMS;
-    int refused = 0;
-    for (const Entry& entry : read_manifest((folder / "manifest.tsv").string())) {
-        if (entry.exit != 1 || !entry.reason.starts_with("not certified")) continue;
-        if (entry.file == "bits-less.dbc") continue;  // true: the bits alone are too few
-        INFO(entry.file << ": " << entry.why);
-        const std::string path = (folder / entry.file).string();
-        const bool starts = entry.file.starts_with("starts-");
-        const Argument argument = starts ? initial_argument(path, dumbbell_verify::Initial{})
-                                  : entry.file.starts_with("printed-")
-                                      ? adiabatic_argument(path, nullptr)
-                                      : second_argument(path, believed(path));
-        CHECK_FALSE(argument.holds);
-        // For the leaf or the witness, not because the forged verdict does not fit.
-        CHECK(argument.text.find("the verdict") == std::string::npos);
-        ++refused;
-    }
-    CHECK(refused > 60);
-}
-
-TEST_CASE("The second argument refuses false claims about the adiabatic invariant") {
+TEST_CASE("The prover's formulas refuse false claims about the adiabatic invariant") {
     using dumbbell::adiabatic::AdiabaticCertificate;
     const Scratch file;
     int refused = 0;

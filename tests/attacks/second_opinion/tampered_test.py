@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""tampered_test.py PROJECT: changed certificates, their totals and checksums made right again, are refused for the right reason;
-and what else recheck.py answers, with its exit codes."""
+"""tampered_test.py PROJECT: what recheck.py answers, with its exit codes. (Changed certificates: mutants_test.py.)"""
 
 import gzip
+import hashlib
 import subprocess
 import sys
 import tempfile
@@ -11,96 +11,20 @@ from pathlib import Path
 
 sys.dont_write_bytecode = True
 
-from resealed import body, recounted, signed
+from grammar import unpacked
 
 PROJECT = Path(sys.argv.pop())
 HERE = Path(__file__).parent
 
-INCOMING = "../tests/attacks/fuzz/bases/incoming.dbc"
-LAST = "between 1 4\nbetween 1 4\ntotal split 95"  # the last leaf reaches s = 1
 
-TREE = "split lambda\ncount 3 2\ncount 2 3\ncount 2 3\ncount 1 3\noutside\noutside\ncount 1 1\nlower 6"
+def body(path):
+    """The lines of a certificate before its checksum."""
+    return unpacked(path.read_bytes()).decode().split("\n")[:-2]
 
-# file, lines (they occur once, as a whole), what they become, line and reason
-TAMPERED = [
-    # One collision less is claimed.
-    ("q-10.dbc", "upper 4", "upper 3", 13, "the leaf counts more than `upper`"),
-    ("q-10.dbc", "upper 4\nchart bridge\ncount 1 2\nchart light\ncount 1 1\nlower 4",
-     "upper 3\nchart bridge\ncount 1 1\nchart light\ncount 1 1\nlower 3", 13, "the leaf `count` is not certified"),
-    ("q-10.dbc", "upper 4\nchart bridge\ncount 1 2\nchart light\ncount 1 1\nlower 4",
-     "upper 3\nchart bridge\ncount 0 2\nchart light\ncount 1 1\nlower 3", 13, "the leaf `count` is not certified"),
-    ("q-100.dbc", "upper 10\nchart bridge\ncount 4 5\nchart light\ncount 4 4\nlower 10",
-     "upper 9\nchart bridge\ncount 4 4\nchart light\ncount 4 4\nlower 9", 13, "the leaf `count` is not certified"),
-    ("q-1.dbc", "upper 2\nequal-masses\nlower 2", "upper 1\nequal-masses\nlower 1", 12, "equal-masses needs"),
-    # One collision more is claimed.
-    ("q-10.dbc", "upper 4", "upper 5", None, None),  # true, and weaker
-    ("q-10.dbc", "lower 4", "lower 5", 16, "the lower bound is above the upper one"),
-    ("q-10.dbc", "upper 4\nchart bridge\ncount 1 2\nchart light\ncount 1 1\nlower 4",
-     "upper 5\nchart bridge\ncount 1 2\nchart light\ncount 1 1\nlower 5", 17, "the witness has less than `lower`"),
-    ("q-10.dbc", "upper 4\nchart bridge\ncount 1 2\nchart light\ncount 1 1\nlower 4\nwitness bridge 1b-1 1b-1 1 2",
-     "upper 5\nchart bridge\ncount 1 2\nchart light\ncount 1 1\nlower 5\nwitness bridge 1b-1 1b-1 2 2", 17,
-     "the witness is not certified"),
-    # Another box: another ratio, halves exchanged, another axis, a split undone.
-    ("q-10.dbc", "ratio 10/1 10/1\npieces 1\npiece 10/1 10/1", "ratio 12/1 12/1\npieces 1\npiece 12/1 12/1", 13,
-     "the leaf `count` is not certified"),
-    ("q-10.dbc", "piece 10/1 10/1", "piece 9/1 10/1", 9, "the pieces do not tile"),
-    ("q-10.dbc", "piece 10/1 10/1", "piece 10/1 11/1", 9, "the pieces do not tile"),
-    ("stairs-1-100.dbc", TREE, TREE.replace("count 2 3\ncount 1 3", "count 1 3\ncount 2 3"), 100,
-     "the leaf `count` is not certified"),
-    ("stairs-1-100.dbc", TREE, TREE.replace("split lambda\ncount 3 2", "split e\ncount 3 2"), 98,
-     "the leaf `count` is not certified"),
-    ("stairs-1-100.dbc", TREE, TREE.replace("split lambda\ncount 3 2", "split eta\ncount 3 2"), 97, "not an axis"),
-    ("stairs-1-100.dbc", TREE, TREE.replace("split lambda\ncount 3 2\ncount 2 3", "count 2 3"), 97,
-     "the leaf `count` is not certified"),
-    ("wedge-1-100.dbc", "split lambda\ncount 2 1\ncount 1 2\nlower 3", "count 1 2\nlower 3", 34,
-     "the leaf `count` is not certified"),
-    ("wedge-1-100.dbc", "upper 5\nchart wedge\ncount 2 2\nlower 4\nwitness wedge 0b0 1b-1 2 1",
-     "upper 4\nchart wedge\ncount 2 1\nlower 4\nwitness wedge 0b0 1b-1 2 1", 56, "the leaf `count` is not certified"),
-    # Another reason for a leaf, or one that the chart does not have.
-    ("q-10.dbc", "count 1 1", "meets", 15, "the leaf `meets` is not certified"),
-    ("q-10.dbc", "count 1 1", "meets-reversed", 15, "the leaf `meets-reversed` is not certified"),
-    ("q-10.dbc", "count 1 1", "outside", 15, "the leaf `outside` is not certified"),
-    ("q-10.dbc", "count 1 2", "outside", 13, "the leaf `outside` is not certified"),
-    ("q-10.dbc", "count 1 2", "meets", 13, "no node of the chart bridge"),
-    ("q-10.dbc", "count 1 2", "once", 13, "no node of the chart bridge"),
-    ("q-10.dbc", "count 1 2", "count 3", 13, "too few or too many fields"),
-    # A leaf or a chart is missing, or one too many.
-    ("stairs-1-100.dbc", TREE, TREE.replace("count 1 1\nlower 6", "lower 6"), 104, "no node of the chart light: lower"),
-    ("q-10.dbc", "count 1 1", "count 1 1\ncount 1 1", 16, "expected `lower`"),
-    ("q-10.dbc", "chart light\ncount 1 1\n", "", 14, "expected `chart light`"),
-    ("q-10.dbc", "chart bridge\ncount 1 2\nchart light\ncount 1 1", "equal-masses", 12, "equal-masses needs"),
-    # Another witness.
-    ("q-10.dbc", "witness bridge 1b-1 1b-1 1 2", "witness bridge 3b-1 1b-1 1 2", 17, "the witness is not certified"),
-    ("q-10.dbc", "witness bridge 1b-1 1b-1 1 2", "witness bridge 1b-1 0b0 1 2", 17, "the witness is not certified"),
-    ("q-10.dbc", "witness bridge 1b-1 1b-1 1 2", "witness bridge 1b-1 19b-1 1 2", 17, "the witness is not certified"),
-    ("q-10.dbc", "witness bridge 1b-1 1b-1 1 2", "witness bridge 1b-1 1b-1 2 1", 17, "the witness is not certified"),
-    ("q-10.dbc", "witness bridge 1b-1 1b-1 1 2", "witness bridge 2b-1 1b-1 1 2", 17, "not of the classes"),
-    ("hybrid-1-100.dbc", "witness wedge 0b0 1b-21 2 1", "witness wedge 0b0 1b-21 1 2", 51, "the witness is not certified"),
-    # All incoming trajectories: other counts, another first contact, another ratio.
-    (INCOMING, "exactly 1 light 5b-9 33b-9", "between 1 4 light 5b-9 33b-9", None, None),  # true, and weaker
-    (INCOMING, "exactly 1 light 5b-9 33b-9", "exactly 2 light 5b-9 33b-9", 103, "the leaf `exactly` is not certified"),
-    (INCOMING, "exactly 1 light 5b-9 33b-9", "exactly 1 heavy 5b-9 33b-9", 103, "the leaf `exactly` is not certified"),
-    (INCOMING, "exactly 1 light 5b-9 33b-9", "exactly 1 light 5b-9 17b-9", 103, "the leaf `exactly` is not certified"),
-    (INCOMING, "exactly 1 light 5b-9 33b-9", "exactly 1", 103, "a leaf without its window"),
-    (INCOMING, "between 1 2 light 3b-8 5b-6", "exactly 1 light 3b-8 5b-6", 102, "the leaf `exactly` is not certified"),
-    (INCOMING, "between 1 4 light 9b-7 27b-7", "between 1 3 light 9b-7 27b-7", 98, "the leaf `between` is not certified"),
-    (INCOMING, "ratio 10/1 10/1", "ratio 10/1 11/1", 7, "LO = HI is required"),
-    (INCOMING, "ratio 10/1 10/1", "ratio 100/1 100/1", 17, "the leaf `between` is not certified"),
-    # What is left up to s = 1, where the states have no bound.
-    (INCOMING, LAST, LAST.replace("4\ntotal", "9\ntotal"), 9, "the leaves say between 1 9"),
-    (INCOMING, LAST, LAST.replace("4\ntotal", "3\ntotal"), 200, "the leaf `between` is not certified"),
-    (INCOMING, LAST, LAST.replace("1 4\ntotal", "2 4\ntotal"), 200, "the leaf `between` is not certified"),
-    (INCOMING, LAST, LAST.replace("1 4\ntotal", "1 4 light 3b-8 5b-6\ntotal"), 200, "the leaf `between` is not certified"),
-    (INCOMING, LAST, LAST.replace("between 1 4\ntotal", "exactly 0\ntotal"), 200, "the leaf `exactly` is not certified"),
-    (INCOMING, LAST, LAST.replace("between 1 4\ntotal", "open\ntotal"), 9, "the leaves say between 0 none"),
-    # Another section, or a box.
-    (INCOMING, "split s", "split phidot", 10, "not an axis"),
-    (INCOMING, "split s", "split q", 10, "not an axis"),
-    (INCOMING, "split phi\nexactly 1 heavy 465b-9 247b-8", "split s\nexactly 1 heavy 465b-9 247b-8", 20,
-     "the leaf `exactly` is not certified"),
-    (INCOMING, "bits 53", "phi 0/1 6/1\nbits 53", 8, "expected `bits`"),
-    (INCOMING, "claim incoming", "claim initial-conditions", 8, "expected `phi`"),
-]
+
+def signed(lines):
+    text = "".join(line + "\n" for line in lines).encode()
+    return text + b"sha256 " + hashlib.sha256(text).hexdigest().encode() + b"\n"
 
 
 class Tampered(unittest.TestCase):
@@ -120,19 +44,6 @@ class Tampered(unittest.TestCase):
         self.assertEqual(ended[0], code, ended[1])
         self.assertIn(output, ended[1])
         self.assertEqual(code == 0, ended[1].startswith("VERIFIED"))
-
-    def test_each_change(self):
-        for name, old, new, line, reason in TAMPERED:
-            with self.subTest(file=name, old=old, new=new):
-                text = "\n".join(["", *body(PROJECT / "certificates" / name), ""])
-                self.assertTrue(f"\n{old.strip()}\n" in text)
-                parts = text.split(old if old.endswith("\n") else f"\n{old}\n", 1)
-                text = parts[0] + (new if old.endswith("\n") else f"\n{new}\n") + parts[1]
-                changed = signed(recounted(text[1:-1].split("\n")))
-                if line is None:
-                    self.expect(changed, 0, "VERIFIED ")
-                else:
-                    self.expect(changed, 1, f"REJECTED at line {line}: {reason}")
 
     def test_every_count_of_a_cover_of_all_states(self):
         """With one collision less in all leaves, some leaf does not hold."""
