@@ -1,5 +1,7 @@
 #include "ray_count.hpp"
 
+#include <algorithm>
+
 #include "scalar.hpp"
 
 namespace dumbbell_oracle {
@@ -52,12 +54,22 @@ std::optional<Step<S>> step(const Ray<S>& ray, const S& r) {
 }
 
 template <class S>
-std::size_t ray_count(Ray<S> ray, const S& r) {
+std::size_t ray_count(Ray<S> ray, const S& r, S* margin) {
+    using std::abs;
+    using std::cos;
+    const auto decided = [&](const S& value) { *margin = std::min(*margin, S(abs(value))); };
+    if (margin) decided(1 - ray.kappa);
     std::size_t count = 0;
     for (;;) {
+        if (margin && ray.kappa < 1) decided(greatest_excess(ray));
         const std::optional<Step<S>> taken = step(ray, r);
         if (!taken) return count;
         ++count;
+        if (margin) {
+            const S w = cos(taken->x);
+            decided(w * w - 2 * ray.kappa * w - r);
+            if (const auto kappa = slope_after(ray.kappa, taken->x, r)) decided(1 - *kappa);
+        }
         if (!taken->next) return count;
         ray = *taken->next;
     }
@@ -109,7 +121,7 @@ Theorem theorem(const S& ratio) {
     template std::optional<S> hit_place(const Ray<S>&);                                \
     template std::optional<S> slope_after(const S&, const S&, const S&);               \
     template std::optional<Step<S>> step(const Ray<S>&, const S&);                     \
-    template std::size_t ray_count(Ray<S>, const S&);                                  \
+    template std::size_t ray_count(Ray<S>, const S&, S*);                              \
     template Ray<S> bridge_ray(const BridgeState<S>&, const S&);                       \
     template Ray<S> bridge_ray_reversed(const BridgeState<S>&, const S&);              \
     template Ray<S> light_ray(const LightState<S>&, const S&);                         \

@@ -36,9 +36,10 @@ struct Step {
 template <class S>
 [[nodiscard]] std::optional<Step<S>> step(const Ray<S>& ray, const S& r);  // nothing if it does not hit
 
-// G(c, kappa, r).
+// G(c, kappa, r). `margin`, if there is one, becomes the least distance of any decision from its turning
+// point, if that is less.
 template <class S>
-[[nodiscard]] std::size_t ray_count(Ray<S> ray, const S& r);
+[[nodiscard]] std::size_t ray_count(Ray<S> ray, const S& r, S* margin = nullptr);
 
 // Lemma L8: the two rays of a contact with the bridge.
 template <class S>

@@ -22,7 +22,7 @@ std::string show(const Box& b) { return say("e", b.e, "eta", b.eta, "r from", b.
 template <class I>
 std::string escaped(const Collision<I>& ours, const Event& exact) {
     std::string names;
-    const auto check = [&](const char* name, const I& x, const Real& v) {
+    const auto check = [&](const char* name, const I& x, const Event::Real& v) {
         if (!encloses(x, v)) {
             names += say(name, v, "not in", x);
         }

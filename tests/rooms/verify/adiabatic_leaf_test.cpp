@@ -3,21 +3,13 @@
 #include <catch2/catch.hpp>
 
 #include "adiabatic_orbit.hpp"
+#include "attacks/oracle/ray_count.hpp"
 #include "make_adiabatic.hpp"
 
 using namespace make;
 using dumbbell_verify::check_adiabatic;
 
 namespace {
-
-/// The least root of sin x = c + k x in [0, pi/2], or none; c >= 0.
-std::optional<Real> least_root(Real c, Real k) {
-    const auto gap = [&](Real x) { return std::sin(x) - c - k * x; };
-    Real lo = 0, hi = k >= 1 ? 0 : k <= 0 ? pi_real / 2 : std::acos(k);  // the gap is greatest at hi
-    if (gap(hi) < 0) return std::nullopt;
-    for (int j = 0; j < 80; ++j) ((gap((lo + hi) / 2) < 0) ? lo : hi) = (lo + hi) / 2;
-    return lo;
-}
 
 struct Plain {
     Real beta2, r;
@@ -73,7 +65,7 @@ TEST_CASE("adiabatic: no accepted leaf of a class holds a flight that drifts mor
             const Plain plain(d);
             const Real x2 = pi_real / 2 - top, k = steep * std::sqrt(plain.r);
             if (x2 < 0 || top < claim.margin.get_d() || k > std::cos(x2)) continue;
-            const auto x1 = least_root(std::sin(x2) - k * (pi_real + x2), -k);
+            const auto x1 = hit_place(dumbbell_oracle::Ray<Real>{std::sin(x2) - k * (pi_real + x2), -k});
             if (!x1 || std::sin(x2) < k * (pi_real + x2)) continue;
             const Real scale = std::sqrt(1 + steep * steep), low = plain.h(*x1, -k), high = plain.h(x2, k);
             if (low < J * scale * (1 + 1e-12L)) continue;

@@ -4,32 +4,18 @@
 #include <catch2/catch.hpp>
 #include <random>
 
+#include "attacks/oracle/ray_count.hpp"
 #include "verify/number/big.hpp"
 
 using namespace dumbbell_verify;
 
 namespace {
 
-/// G by bisection in long double; `margin` is the least distance of any decision from its turning point.
+/// G in long double (tests/attacks/oracle); `margin` is the least distance of any decision from its turning
+/// point.
 std::uint64_t simulated(long double c, long double kappa, long double r, long double& margin) {
-    const long double quarter = acosl(0.0L);
     margin = 1;
-    for (std::uint64_t count = 0;; ++count) {
-        margin = std::min(margin, fabsl(kappa - 1));
-        if (kappa >= 1) return count;
-        const long double top = kappa > 0 ? acosl(kappa) : quarter;
-        const long double gap = sinl(top) - c - kappa * top;
-        margin = std::min(margin, fabsl(gap));
-        if (gap <= 0) return count;
-        long double lo = 0, hi = top;
-        for (int i = 0; i < 90; ++i)
-            (sinl((lo + hi) / 2) > c + kappa * (lo + hi) / 2 ? hi : lo) = (lo + hi) / 2;
-        const long double w = cosl(hi), d = w * w - 2 * kappa * w - r;
-        margin = std::min(margin, fabsl(d));
-        if (d <= 0) return count + 1;
-        kappa = (kappa * w * w + 2 * r * w - r * kappa) / d;
-        c = sinl(hi) + kappa * (hi + 2 * quarter);
-    }
+    return dumbbell_oracle::ray_count(dumbbell_oracle::Ray<long double>{c, kappa}, r, &margin);
 }
 
 template <class N>
