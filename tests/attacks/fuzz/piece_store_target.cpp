@@ -2,21 +2,21 @@
 // file, or in the file `claim`, there is that piece, or none, or one message for the user.
 #include <algorithm>
 #include <fstream>
-#include <iterator>
 
 #include "base/error.hpp"
 #include "certificates.hpp"
 #include "collisions/piece_store.hpp"
 #include "collisions/writer.hpp"
 #include "file/sha256.hpp"
-#include "scratch.hpp"
 #include "target.hpp"
+#include "temporary_folder.hpp"
 
 namespace {
 
 using namespace dumbbell_fuzz;
 using namespace dumbbell;
 using namespace dumbbell::collisions;
+using dumbbell_test::contents;
 namespace fs = std::filesystem;
 
 /// A mass ratio of the command line: up to 1,000 digits after the point.
@@ -81,11 +81,6 @@ fs::path file_of_piece(const fs::path& folder) {
     trap("no file of the piece that was kept");
 }
 
-std::string contents(const fs::path& path) {
-    std::ifstream in(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), {}};
-}
-
 /// The rest of the input, in place of the text or of a part of it; mostly with a checksum that fits.
 std::string damaged(const std::string& whole, Choices& choices) {
     std::string text = whole.substr(0, whole.rfind("sha256 "));
@@ -119,8 +114,8 @@ void check_find(const PieceStore& store, const Piece& piece, const StoredClaim& 
 }  // namespace
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-    static const ScratchFolder scratch;
-    const fs::path folder = scratch.path() / "pieces";
+    static const dumbbell_test::TemporaryFolder scratch;
+    const fs::path folder = scratch / "pieces";
     Choices choices(data, size);
     const bool whole = choices.coin();
     const StoredClaim claim = any_claim(choices);

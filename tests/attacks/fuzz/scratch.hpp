@@ -1,12 +1,10 @@
-// Files for functions that want a path.
+// A file for functions that want a path.
 #pragma once
 
 #include <sys/mman.h>
 #include <unistd.h>
 
 #include <cerrno>
-#include <cstdlib>
-#include <filesystem>
 #include <string>
 #include <system_error>
 
@@ -39,28 +37,6 @@ class MemoryFile {
 
     int descriptor_;
     std::string path_ = "/proc/self/fd/" + std::to_string(descriptor_);
-};
-
-/// A folder for scratch files, removed at the end of the program.
-class ScratchFolder {
-  public:
-    ScratchFolder() {
-        std::string name = (std::filesystem::temp_directory_path() / "dumbbell-fuzz-XXXXXX").string();
-        if (::mkdtemp(name.data()) == nullptr)
-            throw std::system_error(errno, std::generic_category(), "a scratch folder");
-        path_ = name;
-    }
-    ~ScratchFolder() {
-        std::error_code ignored;
-        std::filesystem::remove_all(path_, ignored);
-    }
-    ScratchFolder(const ScratchFolder&) = delete;
-    ScratchFolder& operator=(const ScratchFolder&) = delete;
-
-    [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-
-  private:
-    std::filesystem::path path_;
 };
 
 }  // namespace dumbbell_fuzz

@@ -13,6 +13,7 @@
 #include "campaign.hpp"
 #include "corpus.hpp"
 #include "manifest.hpp"
+#include "temporary_folder.hpp"
 #include "text.hpp"
 
 using namespace dumbbell_mutation;
@@ -23,22 +24,6 @@ const std::vector<Base>& all_bases() {
     static const std::vector<Base> all = bases(false);
     return all;
 }
-
-/// A folder that is removed again.
-class Folder {
-  public:
-    Folder()
-        : path_(std::filesystem::temp_directory_path() / ("dumbbell_corpus_" + std::to_string(std::rand()))) {
-        std::filesystem::remove_all(path_);
-    }
-    Folder(const Folder&) = delete;
-    Folder& operator=(const Folder&) = delete;
-    ~Folder() { std::filesystem::remove_all(path_); }
-    [[nodiscard]] std::string path() const { return path_.string(); }
-
-  private:
-    std::filesystem::path path_;
-};
 
 }  // namespace
 
@@ -198,16 +183,16 @@ TEST_CASE("Crashes and endless loops are counted, and the rest is done all the s
 }
 
 TEST_CASE("What is dumped is verified again with the same words") {
-    const Folder folder;
+    const dumbbell_test::TemporaryFolder folder;
     const Base& base = all_bases().at(1);
     const Options options{.most = 300};
     const auto trials = trials_of(base, options);
     REQUIRE(trials.size() > 300);
     Corpus corpus;
     corpus.add(base, trials, run(trials, options));
-    corpus.write(folder.path(), 100);
-    const std::string table = folder.path() + "/manifest.tsv";
+    corpus.write(folder / "corpus", 100);
+    const std::string table = folder / "corpus/manifest.tsv";
     CHECK(read_manifest(table).size() == 100);
     CHECK(replay(table, "") == "");
-    CHECK_THROWS_AS(corpus.write(folder.path(), 100), std::runtime_error);
+    CHECK_THROWS_AS(corpus.write(folder / "corpus", 100), std::runtime_error);
 }

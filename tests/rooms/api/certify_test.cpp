@@ -3,11 +3,11 @@
 #include <catch2/catch.hpp>
 
 #include "dumbbell/error.hpp"
-#include "scratch.hpp"
+#include "temporary_folder.hpp"
 
 using namespace dumbbell::api;
 using dumbbell_test::contents;
-using dumbbell_test::Scratch;
+using dumbbell_test::TemporaryFolder;
 
 TEST_CASE("One ratio: the maximum, and the certificate that the program ships") {
     const Proof proof = certify(MassRatio("10"));
@@ -44,14 +44,14 @@ TEST_CASE("Without time, and beyond what is tried, the piece is open and claims 
 }
 
 TEST_CASE("A certificate is saved, plain or compressed, or the reason is said") {
-    const Scratch folder;
+    const TemporaryFolder folder;
     const Proof proof = certify(MassRatio("10"));
-    save(proof, folder.path("ten.dbc"));
-    CHECK(contents(folder.path("ten.dbc")) == proof.certificate);
-    save(proof, folder.path("ten.dbc.gz"));
-    CHECK(contents(folder.path("ten.dbc.gz")).starts_with("\x1f\x8b"));
+    save(proof, folder / "ten.dbc");
+    CHECK(contents(folder / "ten.dbc") == proof.certificate);
+    save(proof, folder / "ten.dbc.gz");
+    CHECK(contents(folder / "ten.dbc.gz").starts_with("\x1f\x8b"));
     CHECK_THROWS_AS(save(proof, ""), InputError);
-    CHECK_THROWS_AS(save(proof, folder.path("none/ten.dbc")), InputError);
+    CHECK_THROWS_AS(save(proof, folder / "none/ten.dbc"), InputError);
 }
 
 TEST_CASE("Options out of range are refused") {

@@ -6,21 +6,20 @@
 #include <stdexcept>
 
 #include "dumbbell/certify.hpp"
-#include "scratch.hpp"
+#include "temporary_folder.hpp"
 
 using namespace dumbbell::api;
-using dumbbell_test::Scratch;
+using dumbbell_test::TemporaryFolder;
 
 namespace {
 const std::string ten = DUMBBELL_CERTIFICATES "/q-10.dbc";
 }
 
 TEST_CASE("What the prover proves, the verifier verifies") {
-    const Scratch folder;
+    const TemporaryFolder folder;
     const Proof proof = certify(MassRatio("9/2:12"));
-    save(proof, folder.path("stairs.dbc"));
-    const Verification result =
-        verify(folder.path("stairs.dbc"), {.ratio = "9/2:12", .most = 5, .least = 3}, 2);
+    save(proof, folder / "stairs.dbc");
+    const Verification result = verify(folder / "stairs.dbc", {.ratio = "9/2:12", .most = 5, .least = 3}, 2);
     CHECK(result.verdict == Verdict::verified);
     CHECK(result);
     CHECK(result.sha256 == proof.sha256);
@@ -43,12 +42,12 @@ TEST_CASE("A weaker claim is proved, a stronger or foreign one is not") {
 }
 
 TEST_CASE("Every other verdict has its name") {
-    const Scratch folder;
+    const TemporaryFolder folder;
     const Claim claim{.ratio = "10", .most = 4};
-    CHECK(verify(folder.path("none.dbc"), claim).verdict == Verdict::unreadable);
+    CHECK(verify(folder / "none.dbc", claim).verdict == Verdict::unreadable);
     const auto written = [&](const std::string& text) {
-        std::ofstream(folder.path("file.dbc")) << text;
-        return folder.path("file.dbc");
+        std::ofstream(folder / "file.dbc") << text;
+        return folder / "file.dbc";
     };
     const std::string text = dumbbell_test::contents(ten);
     CHECK(verify(written(""), claim).verdict == Verdict::rejected);
