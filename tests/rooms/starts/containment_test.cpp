@@ -1,5 +1,5 @@
 // Simulated orbits (tests/attacks/oracle: another program, other formulas) of random initial conditions lie
-// in what `trace` and `--subdivide` say of the box around them.
+// in what `trace` says of the box around them. (What `--subdivide` says: soundness_test.cpp.)
 #include <algorithm>
 #include <catch2/catch.hpp>
 
@@ -8,7 +8,6 @@
 #include "attacks/oracle/trial.hpp"
 #include "box.hpp"
 #include "starts/initial_state.hpp"
-#include "starts/leaf.hpp"
 #include "starts/trace.hpp"
 
 namespace {
@@ -116,38 +115,6 @@ TEST_CASE("In double precision every collision of random starts is enclosed, als
         }
         CHECK(collisions > 0);
     }
-}
-
-TEST_CASE("What a leaf of a subdivision says holds for the simulated orbits of its points") {
-    std::mt19937_64 engine(7);
-    long exact = 0;
-    for (int i = 0; i < dumbbell_oracle::trials(10000); ++i) {
-        const double q = tried_ratios[i % 6];
-        const Sides sides = random_sides(engine, q, std::pow(10.0, -uniform(engine, 1, 4)));
-        const auto leaf = dumbbell::starts::judge_initial(sides.box(), 53);
-        exact += leaf.most == leaf.least ? 1 : 0;
-        const Dumbbell<Real> body(q);
-        for (int j = 0; j < 5; ++j) {
-            const State<Real> start = random_point(engine, sides);
-            const auto run = dumbbell_oracle::simulate(body, start);
-            if (run.care.doubtful()) {
-                continue;
-            }
-            const auto count = static_cast<long>(run.collisions.size());
-            INFO(describe(sides));
-            INFO(dumbbell_oracle::say("point", start.phi, start.phidot, start.y, start.ydot, "count", count));
-            REQUIRE(leaf.least <= count);
-            REQUIRE((!leaf.most || count <= *leaf.most));
-            if (leaf.first) {
-                REQUIRE(count >= 1);
-                const Real time = run.collisions[0].time;
-                REQUIRE(leaf.first->heavy == (run.collisions[0].mass == Mass::heavy));
-                REQUIRE(leaf.first->from.convert_to<long double>() <= time);
-                REQUIRE(time <= leaf.first->until.convert_to<long double>());
-            }
-        }
-    }
-    CHECK(exact > 8000);
 }
 
 TEST_CASE("Orbits in double precision and with more digits overlap, and decide nearly every random point") {

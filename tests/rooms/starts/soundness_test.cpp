@@ -103,7 +103,7 @@ TEST_CASE("The leaves of verified files hold for the simulated orbits of their p
                     lo.at(k) = here.lo[k].convert_to<double>();
                     hi.at(k) = here.hi[k].convert_to<double>();
                 }
-                for (int n = 0; n < 2; ++n) {
+                for (int n = 0; n < 8; ++n) {
                     const Point p = random_point(engine, lo, hi);
                     const auto run = dumbbell_oracle::simulate(Dumbbell<Real>(p.q), p.start);
                     checked += run.care.doubtful() ? 0 : 1;
@@ -117,7 +117,7 @@ TEST_CASE("The leaves of verified files hold for the simulated orbits of their p
                 }
             });
     }
-    CHECK(checked > 4000);
+    CHECK(checked > 16000);
 }
 
 TEST_CASE("What the verifier accepts of claims made up at random is true") {
