@@ -1,4 +1,4 @@
-# Sourced by the tests next to it: a scratch folder, commands that are run in it, and what is expected of them.
+# Sourced by tests of programs: a scratch folder, commands that are run in it, and what is expected of them.
 scratch=$(mktemp -d)
 trap 'rm -rf -- "$scratch"' EXIT
 failures=0
@@ -15,7 +15,7 @@ expect() { # expect WHAT CONDITION...: the condition is a command
         echo "ok: $what"
     else
         failures=$((failures + 1))
-        printf 'FAILED: %s\n  exit code: %s\n  output: %s\n' "$what" "$code" "$out"
+        printf 'FAILED: %s\n  exit code: %s\n  output: %s\n%s\n' "$what" "$code" "$out" "${err-}"
     fi
 }
 has() { [[ $1 == *"$2"* ]]; }

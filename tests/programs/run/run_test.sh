@@ -4,8 +4,7 @@
 set -euo pipefail
 
 source_root=$(cd -- "$(dirname -- "$0")/../../.." && pwd)
-scratch=$(mktemp -d)
-trap 'rm -rf -- "$scratch"' EXIT
+source "$source_root/tests/programs/package/expect.sh"
 project="$scratch/a project" # a path with a space
 fake=$scratch/fake
 unset DUMBBELL_WERROR
@@ -47,7 +46,6 @@ int main(int argc, char** argv) {
 }
 END
 
-failures=0
 # run_in FOLDER COMMAND...: leaves $code, $out, $err.
 run_in() {
     local folder=$1
@@ -56,19 +54,6 @@ run_in() {
     (cd -- "$folder" && "$@") > "$scratch/out" 2> "$scratch/err" < /dev/null || code=$?
     out=$(< "$scratch/out") err=$(< "$scratch/err")
 }
-expect() { # expect WHAT CONDITION...: the condition is a command
-    local what=$1
-    shift
-    if "$@"; then
-        echo "ok: $what"
-    else
-        failures=$((failures + 1))
-        printf 'FAILED: %s\n  exit code: %s\n  stdout: %s\n  stderr: %s\n' "$what" "$code" "$out" "$err"
-    fi
-}
-has() { [[ $1 == *"$2"* ]]; }
-lacks() { [[ $1 != *"$2"* ]]; }
-is() { [[ $1 == "$2" ]]; }
 
 # Words
 run_in "$scratch" "$project/run"
@@ -214,4 +199,4 @@ sed -i '$d' "$project/CMakeLists.txt"
 run_in "$scratch/elsewhere" "$project/run" certify
 expect "after a failed configuration: exit 0" is "$code" 0
 
-((failures == 0)) || { echo "$failures failed"; exit 1; }
+finish
