@@ -32,11 +32,11 @@ AnyCertificate read_any_certificate(const std::string& path) {
     if (claim.starts_with("adiabatic-")) {
         return adiabatic::read_adiabatic_certificate(path);
     }
-    if (claim == "law" || claim == "collisions-by-law") {
-        throw InputError(fmt::format(
-            "'{}' is about {}: no page and no picture shows that; dumbbell verify checks it", path,
-            claim == "law" ? "the law for every mass ratio (dumbbell law)"
-                           : "one mass ratio by the law (dumbbell certify --by law)"));
+    if (claim == "law") {
+        throw InputError(
+            fmt::format("'{}' is about the law for every mass ratio (dumbbell law): no page and no picture "
+                        "shows that; dumbbell verify checks it",
+                        path));
     }
     return collisions::read_certificate(path);
 }

@@ -34,7 +34,7 @@ Examples:
   dumbbell verify stairs.dbc                 the independent verifier checks it again
   dumbbell report stairs.dbc --out report.html    a page to look at and play with
   dumbbell critical 3:20                     the mass ratios at which the maximum steps up
-  dumbbell law stairs.dbc                    what the staircase says as a whole
+  dumbbell law                               what is proved of every mass ratio
   dumbbell trace 10 --phi 1/3 --phidot 1 --y 3 --ydot -1/2    the orbit of one initial condition
   dumbbell adiabatic --delta 0.01            the adiabatic invariant with its proved constant
   dumbbell plot staircase stairs.dbc --out stairs.svg)";

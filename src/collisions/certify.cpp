@@ -83,11 +83,15 @@ std::optional<std::string> out_of_reach(const Rational& q_lo, const Rational& q_
     if (q_hi <= Rational(pow(Integer(10), most))) {
         return std::nullopt;
     }
+    const std::string q = exact_text(q_hi);
     return fmt::format(
         "the mass ratio {} is beyond 10^{}, the greatest that is tried{}: one orbit has about 10^{} "
-        "collisions there",
-        printable(exact_text(q_hi), 40), most,
-        far ? "" : " but for a single ratio of the dumbbell (section turning)", most / 2);
+        "collisions there{}",
+        printable(q, 40), most, far ? "" : " but for a single ratio of the dumbbell (section turning)",
+        most / 2,
+        far ? "; what the law for every mass ratio says: dumbbell law --ratio " +
+                  (q.size() > 40 ? "RATIO" : q)
+            : "");
 }
 
 std::vector<ProvedPiece> certify(const CertifyRequest& request) {

@@ -104,9 +104,6 @@ const char* other_subject(std::string_view claim) {
     if (claim == "law") {
         return "the law for every mass ratio (dumbbell law)";
     }
-    if (claim == "collisions-by-law") {
-        return "one mass ratio by the law (dumbbell certify --by law)";
-    }
     return claim.starts_with("adiabatic-") ? "the adiabatic invariant (dumbbell adiabatic)" : nullptr;
 }
 

@@ -8,7 +8,7 @@
 
 namespace dumbbell {
 
-std::string shipped_certificate(std::string_view name, std::string_view another) {
+std::string shipped_certificate(std::string_view name) {
     // bin/dumbbell below a prefix, or below build/ or build/PRESET/ in the source tree.
     const auto prefix = std::filesystem::read_symlink("/proc/self/exe").parent_path().parent_path();
     for (const auto& folder : {prefix / "share/dumbbell/certificates", prefix / "../certificates",
@@ -21,8 +21,8 @@ std::string shipped_certificate(std::string_view name, std::string_view another)
     }
     throw InputError(
         fmt::format("the certificate {} that comes with this program is not found: install the program with "
-                    "its certificates{}{}",
-                    name, another.empty() ? "" : ", or name the file: dumbbell ", another));
+                    "its certificates",
+                    name));
 }
 
 }  // namespace dumbbell

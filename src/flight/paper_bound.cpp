@@ -47,6 +47,4 @@ long paper_bound(const Rational& q) {
     return m + 1;
 }
 
-long paper_bound_behind(const Rational& q) { return paper_bound(q) + (q == 1 || q == 3 ? 1 : 0); }
-
 }  // namespace dumbbell::flight

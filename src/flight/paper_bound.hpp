@@ -15,8 +15,4 @@ namespace dumbbell::flight {
 /// paper_bound_limit().
 [[nodiscard]] long paper_bound(const Rational& q);
 
-/// What the bound is for all greater ratios close to q: one more where pi / gamma is an integer, at q = 1 and
-/// q = 3.
-[[nodiscard]] long paper_bound_behind(const Rational& q);
-
 }  // namespace dumbbell::flight

@@ -14,8 +14,10 @@ namespace dumbbell::law {
 /// The steps that the certificate encloses one by one; beyond, the covers hold.
 inline constexpr long first_step = 3, last_step = 902;
 
-/// Its certificate among those that are shipped.
+/// Its certificate among those that are shipped, and the SHA-256 in the last line of that.
 inline constexpr std::string_view certificate_name = "law.dbc.gz";
+inline constexpr std::string_view certificate_sha256 =
+    "65bdaf5f0fd292bb0101b000705b604b169a2b935633567d5b87e6d8b47ad5fd";
 
 /// The certificate of the law as data (docs/reference/format-law.md).
 struct LawCertificate {
@@ -34,12 +36,5 @@ struct StepEnds {
 /// Of all steps of such a certificate, first_step at first. No verification; throws InputError if the file
 /// cannot be read as one.
 [[nodiscard]] std::vector<StepEnds> read_steps(const std::string& path);
-
-/// What an answer by the law says that it rests on: this file, with this SHA-256.
-[[nodiscard]] std::string basis_text(const std::string& file, const std::string& sha256);
-
-/// Whether the file (plain or gzip) begins as such a certificate does. Throws InputError if it cannot be
-/// read.
-[[nodiscard]] bool is_law_certificate(const std::string& path);
 
 }  // namespace dumbbell::law

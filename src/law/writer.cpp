@@ -69,14 +69,4 @@ SealedText render(const LawCertificate& certificate) {
     return std::move(writer).finish(certificate.parts);
 }
 
-SealedText render(const AtRatio& at, const std::string& law_sha256) {
-    SealedLines text;
-    text.head(Generator(), "1", "dumbbell", "none", "collisions-by-law");
-    text.line("ratio {}", to_fraction(at.q));
-    text.line("law {}", law_sha256);
-    text.line("upper {}", at.upper.str());
-    text.line("lower {}", at.lower.str());
-    return std::move(text).sealed();
-}
-
 }  // namespace dumbbell::law

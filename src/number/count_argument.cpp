@@ -29,8 +29,8 @@ long parse_count(const std::string& text) {
     }
     if (*number > greatest_count) {
         throw InputError(
-            fmt::format("{} collisions are too many: at most 10^{}, or 10^100 for one N by the law "
-                        "(dumbbell critical N --by law)",
+            fmt::format("{0} collisions are too many: at most 10^{1}; the law for every mass ratio encloses "
+                        "one critical ratio at a time, up to N = 10^100: dumbbell law --count {0}",
                         printable(text, 40), static_cast<int>(std::log10(greatest_count))));
     }
     if (*number < 3) {

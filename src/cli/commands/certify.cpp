@@ -8,7 +8,6 @@
 #include "base/error.hpp"
 #include "cli/claims/collisions.hpp"
 #include "cli/commands.hpp"
-#include "cli/commands/law_modes.hpp"
 #include "cli/commands/open_pieces.hpp"
 #include "cli/terminal/exit_code.hpp"
 #include "cli/terminal/frame.hpp"
@@ -41,29 +40,23 @@ Examples:
   dumbbell certify 1:100 --out stairs.dbc      every mass ratio from 1 to 100, with a certificate
   dumbbell certify 4.6:4.61 --gap 1e-9 --json  a narrower gap around the critical ratio, for scripts
   dumbbell certify 1:1e8 --gap 1e-9 --part 7/64 --out part-07.dbc    one of 64 parts, for dumbbell join
-  dumbbell certify 1e100 --by law              one ratio, up to 10^1000, by the law for every mass ratio
 
 A range with --out FILE keeps its finished pieces in FILE.partial/ until all are: stopped (Ctrl-C), killed or out of
 time, the same command goes on with them and ends with the same file.
 
---by law proves nothing anew: its certificate is small, names the certificate of the law (dumbbell law) by its SHA-256,
-and is verified only together with that. Where the law leaves two values it says both. Without it no law is used.)";
+This uses no law. What the law for every mass ratio says of one, up to 10^1000: dumbbell law --ratio RATIO.)";
 
 constexpr const char* certify_footer =
     R"(The fields of --json: docs/reference/json.md.
 
-Exit codes: 0 proved; 1 internal error; 2 wrong usage or input; 3 not decided (within the budget; by the law: two values
-remain); 130 or 143 stopped by SIGINT (Ctrl-C) or SIGTERM: what is kept is said, and FILE not written.)";
+Exit codes: 0 proved; 1 internal error; 2 wrong usage or input; 3 not decided (within the budget); 130 or 143
+stopped by SIGINT (Ctrl-C) or SIGTERM: what is kept is said, and FILE not written.)";
 
 constexpr std::array certify_options = joined(
     std::array{ratio_option.required()}, claim_options,
     std::array{
-        part_option.excludes("--by"), certificate_option, jobs_option,
+        part_option, certificate_option, jobs_option,
         budget_option.saying("give up after this time: 30s, 10m, 2h"),
-        Option{"--by", "cover|law",
-               "prove it by covers and witnesses, or, for one ratio, take the law for every mass ratio",
-               "cover"},
-        Option{"--law", "FILE", "with --by law: its certificate, if not the one that comes with the program"},
         flag("--witness",
              "print an orbit that attains the maximum, every collision enclosed, and, of one of up to 5000 "
              "collisions, if one is found, a start in the air for trace")
@@ -164,12 +157,6 @@ std::string text_of(const collisions::ProofReport& report, bool swapped, bool wi
 }
 
 int run_certify(const Given& given) {
-    if (given.text("--by") == "law") {
-        return certify_by_law(given);
-    }
-    if (given.has("--law")) {
-        throw InputError("--law means nothing without --by law: add that, or leave it out");
-    }
     const RatioArgument ratio = parse_ratio_argument(given.text("RATIO"));
     CertifyRequest request = certify_request(given, ratio);  // before the output file is touched
     const auto part = part_of(given, request);

@@ -11,7 +11,6 @@
 #include "base/deadline.hpp"
 #include "base/error.hpp"
 #include "cli/commands.hpp"
-#include "cli/commands/law_modes.hpp"
 #include "cli/terminal/exit_code.hpp"
 #include "cli/terminal/frame.hpp"
 #include "cli/terminal/messages.hpp"
@@ -39,7 +38,8 @@ Examples:
   dumbbell critical 10^12 --digits 50                    one of a very long orbit, by macro steps
   dumbbell critical 3:902 --digits 50 --out ratios.tsv   a table as a file
   dumbbell critical 3:10000 --part 7/64 --out part-07.tsv    one of 64 parts, for dumbbell join
-  dumbbell critical 1e50 --by law                        by the law, with its width)";
+
+Beyond N = 10^17 the law for every mass ratio encloses one critical ratio at a time: dumbbell law --count 1e50.)";
 
 constexpr const char* critical_footer =
     R"(The fields of --json: docs/reference/json.md.
@@ -48,18 +48,12 @@ Exit codes: 0 proved; 1 internal error; 2 wrong usage or input; 3 not finished w
 SIGINT (Ctrl-C) or SIGTERM: nothing is kept.)";
 
 constexpr std::array critical_options{
-    argument("N",
-             "number of collisions from 3 to 10^17 (--by law: from 903 to 10^100), or closed range N1:N2")
-        .required(),
+    argument("N", "number of collisions from 3 to 10^17, or closed range N1:N2").required(),
     critical_digits_option,
-    part_option.excludes("--by"),
+    part_option,
     Option{"--out", "FILE",
            "write the table to FILE, tab-separated (FILE.gz: compressed); -: the standard output"}
         .checked(fault_of_name<Content::table>),
-    Option{
-        "--by", "orbit|law",
-        "follow the orbit, or take the law for every mass ratio (dumbbell law): for one N from 903 to 10^100",
-        "orbit"},
     jobs_option,
     budget_option,
     json_option,
@@ -122,9 +116,6 @@ staircase::CriticalRequest critical_request(const Given& given) {
 }
 
 int run_critical(const Given& given) {
-    if (given.text("--by") == "law") {
-        return critical_by_law(given);
-    }
     staircase::CriticalReport report{.request = critical_request(given), .rows = {}, .seconds = 0, .out = {}};
     const Output output(given.text("--out"), {}, given.has("--json") ? "--json" : nullptr);
     const Stopwatch watch;

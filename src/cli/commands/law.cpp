@@ -1,77 +1,153 @@
 #include <fmt/core.h>
 
+#include "base/deadline.hpp"
 #include "base/error.hpp"
+#include "certificates/any_reader.hpp"
 #include "cli/commands.hpp"
-#include "cli/commands/law_modes.hpp"
+#include "cli/commands/verify.hpp"
+#include "cli/terminal/exit_code.hpp"
 #include "cli/terminal/frame.hpp"
+#include "cli/terminal/messages.hpp"
 #include "cli/terminal/output.hpp"
-#include "cli/terminal/standard_input.hpp"
 #include "cli/terminal/stop_signals.hpp"
 #include "file/shipped.hpp"
-#include "law/certificate.hpp"
+#include "law/answer_report.hpp"
+#include "law/prove.hpp"
+#include "law/theorem_report.hpp"
+#include "law/writer.hpp"
+#include "number/ratio_argument.hpp"
 
 namespace dumbbell::cli {
 namespace {
 
 constexpr const char* law_description =
-    R"(State the law of N(q) for every mass ratio, or what one staircase says as a whole.
+    R"(State the law of N(q) for every mass ratio, or what it says of one.
 
-Without a FILE: for every q >= 62.72, 2 + floor(C sqrt q - c0 q^(-1/4)) <= N(q) <= 2 + floor(C sqrt q), with its two
-constants (proofs/law.md). What of it rests on a computation is a certificate that comes with the program; the
-independent verifier checks it first. --prove makes that certificate. --ratio says what the law says of one mass
-ratio up to 10^1000: N(q), or the two values that remain where q is too near a step; it is not verified again then.
+For every q >= 62.72, 2 + floor(C sqrt q - c0 q^(-1/4)) <= N(q) <= 2 + floor(C sqrt q), with its two constants
+(proofs/law.md). What of it rests on a computation is a certificate that comes with the program; the independent
+verifier checks it first. --prove makes that certificate.
 
-With a staircase, a FILE by dumbbell certify LO:HI: the maximum never decreases with the mass ratio, the paper's bound
-is never attained, and how far N(q) is from C sqrt q. The verifier checks the certificate first; what follows rests on
-its pieces alone. C, the limit of N(q) / sqrt q (theorem 4 of proofs/theorem.md), is enclosed by verified quadrature.
+--ratio says what the law says of one mass ratio up to 10^1000: N(q), or the two values that remain where q is too near
+a step. --count encloses one critical ratio q_c(N), at which the maximum steps from N - 1 to N. Both rest on the
+certificate that comes with the program, of which they say the SHA-256; they do not verify it again.
 
 Examples:
   dumbbell law                                the law for every mass ratio, verified
   dumbbell law --ratio 1e100                  N at q = 10^100
-  dumbbell law --prove --out law.dbc          its certificate, anew
-  dumbbell certify 1:10000 --gap 1e-12 --out stairs.dbc
-  dumbbell law stairs.dbc                     what this staircase says)";
+  dumbbell law --count 1e50                   the ratio beyond which the maximum is 10^50
+  dumbbell law --prove --out law.dbc          its certificate, anew)";
 
 constexpr const char* law_footer =
     R"(The fields of --json: docs/reference/json.md.
 
-Exit codes: 0 proved; 1 internal error; 2 wrong usage, or a file that is not verified; 3 not proved by this file, or two
-values remain (--ratio); 130 or 143 stopped by SIGINT (Ctrl-C) or SIGTERM: nothing is kept.)";
+Exit codes: 0 proved; 1 internal error; 2 wrong usage, or a certificate that is not verified; 3 two values remain
+(--ratio); 130 or 143 stopped by SIGINT (Ctrl-C) or SIGTERM: nothing is kept.)";
 
 constexpr std::array law_options{
-    argument("FILE",
-             "certificate of a staircase, scene dumbbell, or of the law (-: the standard input); none: "
-             "that of the law, which comes with the program"),
-    flag("--prove", "prove the law's computed part anew").excludes("--ratio"),
+    Option{"--ratio", "RATIO", "what the law says of this mass ratio: 1e100, 7/3"}.excludes(
+        "--count,--prove"),
+    Option{"--count", "N", "enclose the critical ratio q_c(N), N from 903 to 10^100"}.excludes(
+        "--ratio,--prove"),
+    flag("--prove", "prove the law's computed part anew").excludes("--ratio,--count"),
     certificate_option.needs("--prove"),
     jobs_option.needs("--prove"),
-    Option{"--ratio", "RATIO", "what the law says of this mass ratio: 1e100, 7/3"}.excludes("--prove"),
-    Option{"--digits", "N", "digits of C and c0, all of them proved", "50"}.from(1, 1000),
+    Option{"--digits", "N", "digits of C and c0, all of them proved", "50"}.from(1, 1000).excludes(
+        "--ratio,--count"),
     json_option,
     flag("--quiet", "what is proved, without the constants, and no progress")};
 
-/// The one that is named, or that comes with the program.
-std::string file_of(const Given& given) {
-    if (!given.has("FILE")) {
-        return shipped_certificate(law::certificate_name, "law FILE");
+int state_law(const Given& given) {
+    const std::string file = shipped_certificate(law::certificate_name);
+    law::TheoremReport report{.digits = static_cast<int>(given.number("--digits")), .out = file};
+    {
+        Progress progress("", verbosity_of(given), "verifying");
+        report.verdict = verified_law(file, progress);
+        report.sha256 = digest_in(*report.verdict);
     }
-    const Progress progress("", verbosity_of(given), "reading");
-    return input_file(given.text("FILE"));
+    fmt::print("{}", shown(report, given));
+    return exit_done;
+}
+
+std::optional<law::LawCertificate> prove_anew(const Given& given) {
+    Progress progress("boxes", verbosity_of(given), "covering the layer");
+    law::LawRequest request;
+    request.jobs = jobs_of(given);
+    request.interrupted = deadline(std::nullopt);
+    request.observer = &progress;
+    return prove_law(request);
+}
+
+int make_certificate(const Given& given) {
+    const Output output(given.text("--out"), {}, given.has("--json") ? "--json" : nullptr);
+    const Stopwatch watch;
+    const auto certificate = prove_anew(given);
+    if (!certificate) {
+        const std::string nothing = output.is_wanted() ? "; no certificate is written" : "";
+        if (stop_signal != 0) {
+            return stopped("not proved" + nothing);
+        }
+        complain("the law was not proved, which is a fault of this program: please report it" + nothing);
+        return exit_not_certified;
+    }
+    law::TheoremReport report{.digits = static_cast<int>(given.number("--digits")),
+                              .leaves = leaves_of(certificate->layer),
+                              .seconds = watch.seconds()};
+    if (output.is_wanted()) {
+        write(render(*certificate), output, report);
+    }
+    fmt::print(output.report(), "{}", shown(report, given));
+    return exit_done;
+}
+
+/// The certificate on which answers rest. It was verified with this program, so that another one, true or
+/// not, is refused: throws InputError.
+std::string certificate_of_answers() {
+    std::string file = shipped_certificate(law::certificate_name);
+    if (certificates::sealed_digest(file) != law::certificate_sha256) {
+        throw InputError(
+            fmt::format("'{}' is not the certificate of the law that comes with this program, whose sha256 "
+                        "is {}: install the program with its certificates",
+                        file, law::certificate_sha256));
+    }
+    return file;
+}
+
+int answer_at_ratio(const Given& given) {
+    const RatioArgument ratio = parse_ratio_argument(given.text("--ratio"));
+    if (ratio.lo != ratio.hi) {
+        throw InputError("--ratio takes one mass ratio, for example 1e100 or 7/3");
+    }
+    const std::string file = certificate_of_answers();
+    const law::AtRatio at = law::law_at(ratio.lo, law::read_steps(file));
+    fmt::print("{}", shown(law::Answer{at, file}, given));
+    return at.lower == at.upper ? exit_done : exit_not_certified;
+}
+
+/// N of --count, also as 1e50. Throws InputError.
+Integer parse_law_count(const std::string& text) {
+    const Rational n = parse_number("--count", text);
+    if (denominator(n) != 1 || n <= law::last_step || n > parse_rational("1e100")) {
+        throw InputError(fmt::format("--count takes one whole N from {} to 10^100, not '{}'{}",
+                                     law::last_step + 1, shortened(text),
+                                     n <= law::last_step ? ": for less, dumbbell critical N" : ""));
+    }
+    return numerator(n);
+}
+
+int answer_at_count(const Given& given) {
+    const Integer n = parse_law_count(given.text("--count"));
+    const std::string file = certificate_of_answers();
+    fmt::print("{}", shown(law::Answer{law::CriticalRatio{n, law::critical_ratio(n)}, file}, given));
+    return exit_done;
 }
 
 int run_law(const Given& given) {
-    if (given.has("--prove") && given.has("FILE")) {
-        throw InputError(
-            "--prove makes the certificate of the law: name where to write it by --out, and no FILE");
-    }
     if (given.has("--prove")) {
-        return stoppable([&] { return prove_law_for_all(given); });
+        return stoppable([&] { return make_certificate(given); });
     }
-    if (given.has("--ratio")) {
-        return law_at_one_ratio(given);
-    }
-    const std::string file = file_of(given);
-    return law::is_law_certificate(file) ? law_for_all(given, file) : law_of_staircase(given, file);
+    return given.has("--ratio")   ? answer_at_ratio(given)
+           : given.has("--count") ? answer_at_count(given)
+                                  : state_law(given);
 }
 
 }  // namespace

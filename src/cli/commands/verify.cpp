@@ -14,9 +14,7 @@
 #include "cli/commands.hpp"
 #include "cli/terminal/exit_code.hpp"
 #include "cli/terminal/stop_signals.hpp"
-#include "file/shipped.hpp"
 #include "file/verifier_program.hpp"
-#include "law/certificate.hpp"
 
 namespace dumbbell::cli {
 
@@ -25,8 +23,8 @@ namespace {
 constexpr const char* verify_description =
     R"(Check certificates again with the independent verifier.
 
-It is a program of its own, dumbbell-verify, and gets all words of the command line, with the shipped certificate of the
-law if they name none. Its help has the options: dumbbell verify --help, or man dumbbell-verify.
+It is a program of its own, dumbbell-verify, and gets all words of the command line. Its help has the options:
+dumbbell verify --help, or man dumbbell-verify.
 
   dumbbell verify --ratio 10 --exactly 4 ten.dbc       is N*(10) = 4 proved?
   dumbbell verify --ratio 2:5/2 --max 3 stairs.dbc     at most 3 collisions on a part of the file's range?)";
@@ -37,23 +35,10 @@ constexpr const char* verify_footer =
 
 constexpr std::array verify_options{argument("FILE", "certificates").repeated()};
 
-/// With the shipped certificate of the law, unless one is named, or none is there.
-std::vector<std::string> with_law(std::vector<std::string> words) try {
-    const auto names_law = [](const std::string& word) {
-        return word == "--law" || word.starts_with("--law=");
-    };
-    if (std::ranges::none_of(words, names_law)) {
-        words.insert(words.begin(), "--law=" + shipped_certificate(law::certificate_name));
-    }
-    return words;
-} catch (const InputError&) {
-    return words;
-}
-
 /// Its exit code is the verifier's. Returns only if it cannot be started: throws InputError.
 [[noreturn]] void become_verifier(const std::vector<std::string>& words) {
     std::string program = verifier_path();
-    std::vector<std::string> copies = with_law(words);
+    std::vector<std::string> copies = words;
     std::vector<char*> arguments{program.data()};
     for (std::string& word : copies) {
         arguments.push_back(word.data());

@@ -1,6 +1,5 @@
 // What is asked of a file, and what was found in it.
 #pragma once
-#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -11,15 +10,12 @@
 
 namespace dumbbell_verify {
 
-class LawFile;
-
 struct Settings {
     unsigned jobs = 1, max_bits = 2048;
     std::uint64_t budget = default_budget;  ///< of work on the file, in units (work.hpp)
     unsigned precision = 0;  ///< at least this many bits of MPFR for every piece; 0: what the pieces say
     std::string scene = "dumbbell", explain;  ///< explain: PIECE:PATH or box.PATH, the leaf to show
     std::string claim;                        ///< demanded kind; empty: any
-    std::shared_ptr<LawFile> law;             ///< on which files about one mass ratio by the law rest
     bool shares = false;                      ///< of the numbers of collisions, from a box of starts
     bool together = false;  ///< the demand is on several files as one: this one need not prove it
     Collisions demand;

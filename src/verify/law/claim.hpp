@@ -1,7 +1,7 @@
-// The claim kinds `law` and `collisions-by-law`: what a file says of all mass ratios, and of one of them.
+// The claim kind `law`: what a file says of all mass ratios.
 #pragma once
 #include <string_view>
-#include <vector>
+#include <utility>
 
 #include "verify/format/claim.hpp"
 
@@ -16,30 +16,10 @@ constexpr std::uint64_t law_step = 9;
 /// every q >= 1: 0.980 <= N*(q) - C sqrt q <= 2.115 (proofs/law.md).
 struct Law {
     static constexpr std::string_view leaves = "9:light.01, 9:witness, layer.01, bulk1.1, end.1, ...";
-    /// q_c(N) lies in [lo, hi].
-    struct Step {
-        mpq_class lo, hi;
-    };
-    std::vector<Step> steps;  ///< from the first to the last
-    [[nodiscard]] const Step& step(std::uint64_t n) const { return steps.at(n - first_step); }
+    std::pair<mpq_class, mpq_class> from;  ///< q_c(9) lies between these
 
     [[nodiscard]] std::string text() const;
     /// The claim in words, lines that begin with two spaces.
-    [[nodiscard]] static std::string paragraph();
-    [[nodiscard]] std::string json() const;
-};
-
-/// lower <= N*(q) <= upper, by the law and the file of it with the SHA-256 `law`.
-struct LawAtRatio {
-    static constexpr std::string_view kind = "collisions-by-law", leaves = "upper and lower";
-    mpq_class q;
-    mpz_class lower, upper;
-    std::string law;
-
-    /// Empty if this proves the bounds at the ratio that are demanded.
-    [[nodiscard]] std::string missing(const Collisions& demand) const;
-    [[nodiscard]] std::string text() const;
-    /// What it rests on, in words, lines that begin with two spaces.
     [[nodiscard]] static std::string paragraph();
     [[nodiscard]] std::string json() const;
 };

@@ -75,7 +75,7 @@ class LawReader : public Reader<LawLeaf> {
             const mpq_class a = text_.ratio(2), b = text_.ratio(3);
             if (!(1 <= a && a < b)) text_.reject("number", "not 1 <= A < B");
             require(text_.line, "step", [&] { return places.check(n, a, b); });
-            claim_.steps.push_back({a, b});
+            if (n == law_step) claim_.from = {a, b};
             step_ = n;
             read_bits(leaf_);
             Leaf leaf;

@@ -97,11 +97,10 @@ bool claim_option(Words& words, Settings& settings) {
     if (name == "--claim") {
         settings.claim = words.value();
         if (settings.claim != "collisions" && settings.claim != "initial-conditions" &&
-            settings.claim != "incoming" && settings.claim != "law" && settings.claim != LawAtRatio::kind &&
-            !adiabatic_kind(settings.claim))
+            settings.claim != "incoming" && settings.claim != "law" && !adiabatic_kind(settings.claim))
             throw std::invalid_argument(
-                "--claim is collisions, collisions-by-law, initial-conditions, incoming, adiabatic-bounce, "
-                "adiabatic-run, adiabatic-scattering or law");
+                "--claim is collisions, initial-conditions, incoming, adiabatic-bounce, adiabatic-run, "
+                "adiabatic-scattering or law");
     }
     return true;
 }

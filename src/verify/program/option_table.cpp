@@ -1,6 +1,5 @@
 #include "verify/program/option_table.hpp"
 
-#include "verify/law/file.hpp"
 #include "verify/program/claim_options.hpp"
 #include "verify/program/help.hpp"
 #include "verify/program/version.hpp"
@@ -14,12 +13,6 @@ void read_lemma(Words& words, Asked& to) {
     const std::string name = words.value();
     to.options.lemma = find_lemma(name);
     if (!to.options.lemma) throw std::invalid_argument("no lemma `" + name.substr(0, 60) + "`: 4.1 or 4.2");
-}
-
-void read_law(Words& words, Asked& to) {
-    words.once();
-    to.options.inputs.push_back(words.value());
-    to.settings.law = std::make_shared<LawFile>(to.options.inputs.back());
 }
 
 /// A name like that of no certificate, so that `--junit *.dbc` destroys none.
@@ -40,10 +33,10 @@ constexpr Option table[] = {
     {"--exactly", "N", "both", read_claim},
     {"--scene", "dumbbell|hybrid|wedge", "demand this scene (dumbbell)", read_claim},
     {"--claim", "KIND",
-     "demand this kind of claim: collisions; collisions-by-law (one mass ratio, with --law); "
-     "initial-conditions (a file of dumbbell trace --subdivide: --ratio, --max, --min and --exactly are then "
+     "demand this kind of claim: collisions; initial-conditions (a file of dumbbell trace --subdivide: "
+     "--ratio, --max, --min and --exactly are then "
      "about the starts in its box); incoming (the same of all trajectories that come in); adiabatic-bounce, "
-     "adiabatic-run, adiabatic-scattering or adiabatic-printed (the adiabatic invariant), or law (all mass "
+     "adiabatic-run or adiabatic-scattering (the adiabatic invariant), or law (all mass "
      "ratios): with these give no --ratio, --max, --min or --exactly",
      read_claim},
     {"--claims", "LIST",
@@ -62,10 +55,6 @@ constexpr Option table[] = {
      "compare two files: at most as many collisions in A (scene hybrid) as in B (wedge), or at most one more "
      "in A (dumbbell) than in B (hybrid)",
      read_lemma, "--scene --claim --max --min --exactly --explain --claims"},
-    {"--law", "FILE",
-     "the certificate of the law, on which files of the kind collisions-by-law rest by its SHA-256: it is "
-     "verified first, once for all of them; dumbbell verify takes the shipped one by itself",
-     read_law},
     {"--jobs", "N", "threads (all cores)",
      [](Words& words, Asked& to) { to.settings.jobs = static_cast<unsigned>(words.number(1, 1024)); }},
     {"--budget", "TIME",
@@ -81,8 +70,7 @@ constexpr Option table[] = {
      "half, "
      "3:witness the witness of the third piece; box.01 a leaf of a file about initial conditions or the "
      "adiabatic invariant, in which class0.01 is a leaf of the first class and attained1 the first attained "
-     "state; layer.01, bulk1.17 and end.17 boxes of a file about the law; upper and lower the bounds of one "
-     "by the law",
+     "state; layer.01, bulk1.17 and end.17 boxes of a file about the law",
      [](Words& words, Asked& to) { to.settings.explain = words.value(); }, "--json --quiet"},
     {"--shares", "",
      "of one file about initial conditions: how likely each number of collisions is, bounds of its share of "

@@ -3,7 +3,6 @@
 #include "verify/adiabatic/grammar.hpp"
 #include "verify/collisions/grammar.hpp"
 #include "verify/format/header.hpp"
-#include "verify/law/at_ratio.hpp"
 #include "verify/law/grammar.hpp"
 #include "verify/starts/grammar.hpp"
 
@@ -46,11 +45,9 @@ Verified read_on(Text& text, const Settings& settings, const Header& header) {
         throw Failure{Verdict::unreadable, text.line, "usage",
                       "--together is about ranges of mass ratios, and this file is about something else"};
     const auto invariant = adiabatic_kind(claim);
-    const bool is_law = header.section == &turning() && claim == "law", is_by_law = claim == LawAtRatio::kind;
-    if (!is_law && (header.section || !(invariant || is_by_law || is_initial)))
-        text.unsupported("unknown claim " + claim);
+    const bool is_law = header.section == &turning() && claim == "law";
+    if (!is_law && (header.section || !(invariant || is_initial))) text.unsupported("unknown claim " + claim);
     if (is_law) return about(law(text, settings));
-    if (is_by_law) return about(law_at_ratio(text, settings));
     if (invariant) return about(adiabatic(text, settings, *invariant));
     return about(initial(text, settings, incoming));
 }

@@ -15,7 +15,7 @@ namespace dumbbell_verify {
 
 /// What a file proves: `claim` if it is about numbers of collisions, else what it is about instead.
 struct Verified : Proof {
-    std::variant<std::monostate, Initial, Adiabatic, Law, LawAtRatio> other;
+    std::variant<std::monostate, Initial, Adiabatic, Law> other;
 
     /// What `say` has to say of it; nothing if the file is about numbers of collisions.
     template <class Say>

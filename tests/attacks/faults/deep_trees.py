@@ -36,7 +36,7 @@ def deep_trees(programs: Programs, levels: int) -> Tally:
         for axis in ("e", "eta", "q"):
             for leaves in (levels + 1, levels, 0):
                 file.write_bytes(text(axis, levels, leaves))
-                for command, code in (([programs.verify, file], 1), ([programs.dumbbell, "law", file], 2),
+                for command, code in (([programs.verify, file], 1),
                                       ([programs.dumbbell, "plot", "staircase", file, "--out", "a.svg"], 2),
                                       ([programs.dumbbell, "audit", file], 3 if leaves > levels else 2)):
                     start = used()

@@ -77,11 +77,11 @@ GROUPS = {
         targets=("dumbbell-verify", "test_verify_law"),
         programs=("tests/rooms/verify/test_verify_law",)),
     "law_files": Group(
-        files=below("verify", "law/at_ratio law/claim law/file law/grammar"),
+        files=below("verify", "law/claim law/grammar"),
         left_out=frozenset(),
         texts=frozenset({"verify/law/claim.cpp"}),
-        targets=("dumbbell-verify", "test_verify", "test_verify_law", "test_verify_poor_libraries"),
-        programs=tuple(f"tests/rooms/verify/test_{name}" for name in ("verify_law", "verify", "verify_poor_libraries"))),
+        targets=("dumbbell-verify", "test_verify", "test_verify_law"),
+        programs=tuple(f"tests/rooms/verify/test_{name}" for name in ("verify_law", "verify"))),
     "interval": Group(
         files={"number/interval.hpp": "number/elementary.cpp", "number/rounding.hpp": "number/elementary.cpp",
                "number/ends.hpp": "number/elementary.cpp", "number/interval.cpp": "number/interval.cpp",

@@ -162,30 +162,13 @@ TEST_CASE("docs/reference/json.md describes the JSON of join") {
                                         folder));
 }
 
-TEST_CASE("docs/reference/json.md describes the JSON of law, which says nothing of an open staircase") {
-    const TemporaryFolder folder;
-    REQUIRE(dumbbell({"certify", "2:12", "--out", "stairs.dbc"}, folder.path()).code == 0);
-    REQUIRE(dumbbell({"certify", "2:1000", "--budget", "0s", "--out", "open.dbc"}, folder.path()).code == 3);
-    const auto objects = printed_by({{"law", "stairs.dbc"}, {"law", "open.dbc"}}, folder);
-    check_documented("law", objects);
-    for (const char* field : {"values", "gaps", "never_decreases", "below_paper_bound", "sup", "inf"}) {
-        CAPTURE(field);
-        CHECK_FALSE(objects[0].at(field).is_null());
-        CHECK(objects[1].at(field).is_null());
-    }
-}
-
-TEST_CASE("docs/reference/json.md describes the JSON of the law for every mass ratio") {
+TEST_CASE("docs/reference/json.md describes the JSON of law") {
     const TemporaryFolder folder;
     check_documented(
-        "law without FILE",
-        printed_by({{"law"}, {"law", "--prove"}, {"law", "--prove", "--out", "law.dbc"}}, folder));
-    check_documented("certify --by law", printed_by({{"certify", "1e100", "--by", "law"},
-                                                     {"certify", "10", "--by", "law", "--out", "ten.dbc"}},
-                                                    folder));
+        "law", printed_by({{"law"}, {"law", "--prove"}, {"law", "--prove", "--out", "law.dbc"}}, folder));
     check_documented("law --ratio",
                      printed_by({{"law", "--ratio", "1e100"}, {"law", "--ratio", "63"}}, folder));
-    check_documented("critical --by law", printed_by({{"critical", "1e50", "--by", "law"}}, folder));
+    check_documented("law --count", printed_by({{"law", "--count", "1e50"}}, folder));
 }
 
 TEST_CASE("docs/reference/json.md describes the JSON of trace") {
@@ -224,7 +207,6 @@ TEST_CASE("docs/reference/json.md describes the JSON of verify") {
     const TemporaryFolder folder;
     const auto make = [&](Words words) { REQUIRE(dumbbell(words, folder.path()).code == 0); };
     make({"certify", "10", "--section", "full", "--out", "ten.dbc"});
-    make({"certify", "10", "--by", "law", "--out", "by-law.dbc"});
     make({"certify", "2:3", "--scene", "wedge", "--out", "wedge.dbc"});
     make({"certify", "2:3", "--scene", "hybrid", "--out", "hybrid.dbc"});
     Words words = falling({"--phi", "0.3:0.31", "--phidot", "0", "--subdivide", "--out", "box.dbc"});
@@ -233,11 +215,10 @@ TEST_CASE("docs/reference/json.md describes the JSON of verify") {
     write_file(folder / "bad.dbc", "no certificate\n");
 
     std::vector<OrderedJson> objects;
-    for (const Words& options :
-         std::vector<Words>{{"ten.dbc", "box.dbc", "bounce.dbc", "bad.dbc", "by-law.dbc",
-                             DUMBBELL_PROJECT "/certificates/law.dbc.gz"},
-                            {"--ratio", "10", "--exactly", "4", "ten.dbc"},
-                            {"--shares", "box.dbc"}}) {
+    for (const Words& options : std::vector<Words>{
+             {"ten.dbc", "box.dbc", "bounce.dbc", "bad.dbc", DUMBBELL_PROJECT "/certificates/law.dbc.gz"},
+             {"--ratio", "10", "--exactly", "4", "ten.dbc"},
+             {"--shares", "box.dbc"}}) {
         words = options;
         words.insert(words.begin(), {"verify", "--json"});
         for (const OrderedJson& object : printed(dumbbell(words, folder.path()))) {

@@ -6,47 +6,7 @@
 using namespace dumbbell_test;
 using Catch::Matchers::Contains;
 
-TEST_CASE("law proves what a staircase says as a whole") {
-    const TemporaryFolder folder;
-    const std::string stairs = certificate(folder, "1:1000", {"--gap", "1e-9"});
-    const Outcome law = dumbbell({"law", stairs});
-    CHECK(law.code == 0);
-    CHECK(law.err.empty());
-    CHECK_THAT(law.out, Contains("s VERIFIED") && Contains("N is 2 at q = 1 and 29 at q = 1000: ") &&
-                            Contains("Proved:     N(q) <= ceil(pi/gamma)") && !Contains("NOT proved") &&
-                            Contains("85595129452713911412021948914557673005795294602"));
-    const auto json = nlohmann::json::parse(dumbbell({"law", stairs, "--json", "--digits", "20"}).out);
-    CHECK(json["schema"] == "dumbbell-law-1");
-    CHECK(json["never_decreases"] == true);
-    CHECK(json["below_paper_bound"] == true);
-    CHECK(json["sup"]["hi"].get<double>() == Approx(2.1144048705).epsilon(1e-10));
-}
-
-TEST_CASE("law believes only what the verifier has accepted") {
-    const TemporaryFolder folder;
-    const std::string stairs = certificate(folder, "2:12");
-    std::string text = contents(stairs);
-    text.replace(text.find("upper 4"), 7, "upper 3");
-    write_file(stairs, text);
-    CHECK_THAT(refused({"law", stairs}), Contains("is not verified: s REJECTED"));
-}
-
-TEST_CASE("law needs a staircase of the dumbbell, without open pieces") {
-    const TemporaryFolder folder;
-    CHECK_THAT(refused({"law", certificate(folder, "10")}), Contains("is not a staircase"));
-    for (const char* scene : {"wedge", "hybrid"}) {
-        CHECK_THAT(refused({"law", certificate(folder, "2:4", {"--scene", scene})}),
-                   Contains(std::string("of the scene ") + scene + ": the law is one of the dumbbell"));
-    }
-    CHECK_THAT(refused({"law", folder / "missing.dbc"}), Contains("missing.dbc': no such file"));
-    const std::string open = folder / "open.dbc";
-    CHECK(dumbbell({"certify", "2:100000", "--budget", "0s", "--out", open}).code == 3);
-    const Outcome law = dumbbell({"law", open});
-    CHECK(law.code == 3);
-    CHECK_THAT(law.out, Contains("NOT proved: at least one piece of this staircase is open"));
-}
-
-TEST_CASE("law, audit and plot say what they read when given a certificate about initial conditions") {
+TEST_CASE("audit and plot say what they read when given a certificate about initial conditions") {
     const TemporaryFolder folder;
     REQUIRE(dumbbell({"trace", "10", "--phi", "0.3:0.31", "--phidot", "0", "--y", "3", "--ydot", "-1",
                       "--subdivide", "--out", "box.dbc"},
@@ -54,7 +14,6 @@ TEST_CASE("law, audit and plot say what they read when given a certificate about
                 .code == 0);
     const std::string ratios = "a certificate with a cover of mass ratios is needed";
     for (const auto& [command, needed] : std::vector<std::pair<Words, std::string>>{
-             {{"law"}, ratios},
              {{"audit"}, ratios},
              {{"plot", "staircase", "--out", "x.svg"}, "needs a certificate by dumbbell certify LO:HI"}}) {
         Words words = command;
@@ -69,50 +28,78 @@ TEST_CASE("law, audit and plot say what they read when given a certificate about
     CHECK(folder.names() == Words{"box.dbc"});
     (void)dumbbell({"trace", "10", "--incoming", "--subdivide", "--max-boxes", "20", "--out", "in.dbc"},
                    folder.path());
-    CHECK_THAT(dumbbell({"law", "in.dbc"}, folder.path()).err,
+    CHECK_THAT(dumbbell({"audit", "in.dbc"}, folder.path()).err,
                Contains("'in.dbc' is about all incoming trajectories"));
 }
 
-TEST_CASE("law without a file states the law for every mass ratio, and what the verifier says of it") {
+TEST_CASE("law states the law for every mass ratio, and what the verifier says of it") {
     const Outcome law = dumbbell({"law"});
     CHECK(law.code == 0);
     CHECK(law.err.empty());
     CHECK_THAT(law.out, Contains("2 + floor(C sqrt q - c0 q^(-1/4)) <= N(q) <= 2 + floor(C sqrt q)") &&
                             Contains("0.88559512945271391141202194891455767300579529460285...") &&
                             Contains("0.205811589549495595339706567") && Contains("s VERIFIED"));
-    CHECK(dumbbell({"law", DUMBBELL_PROJECT "/certificates/law.dbc.gz", "--quiet"}).out ==
-          dumbbell({"law", "--quiet"}).out);
+    // Its other answers rest on the certificate that was verified here.
+    const std::string sha256 = law.out.substr(law.out.find(" sha256=") + 8, 64);
+    for (const Words& question : {Words{"--ratio", "10"}, Words{"--count", "1e50"}}) {
+        Words words{"law"};
+        words.insert(words.end(), question.begin(), question.end());
+        CHECK_THAT(dumbbell(words).out,
+                   Contains("This rests on the law for every mass ratio (proofs/law.md)") &&
+                       Contains("law.dbc.gz (sha256 " + sha256 + "); dumbbell law checks it.\n"));
+        words.emplace_back("--json");
+        CHECK(nlohmann::json::parse(dumbbell(words).out).at("sha256") == sha256);
+    }
 }
 
-TEST_CASE("a program without its certificates says how to name that of the law") {
+namespace {
+
+/// What law says that is refused, in a program that comes with this file as the law's certificate, if any.
+std::string refused_with(const std::string& certificate, Words words) {
     const TemporaryFolder folder;
     std::filesystem::create_directory(folder / "bin");
-    std::filesystem::copy_file(DUMBBELL_BIN, folder / "bin/dumbbell");
-    const auto said = [&folder](Words words) {
-        words.insert(words.begin(), folder / "bin/dumbbell");
-        const Outcome result = run(std::move(words), folder.path());
-        CHECK(result.code == 2);
-        CHECK(count_lines(result.err) == 1);
-        return result.err;
-    };
-    const std::string missing =
-        "dumbbell: the certificate law.dbc.gz that comes with this program is not found: install the program "
-        "with its certificates";
-    const std::string named = missing + ", or name the file: dumbbell ";
-    CHECK(said({"law"}) == named + "law FILE\n");
-    CHECK(said({"law", "--ratio", "5"}) == named + "law FILE --ratio Q\n");
-    CHECK(said({"certify", "10", "--by", "law"}) == named + "certify Q --by law --law FILE\n");
-    CHECK(said({"critical", "903", "--by", "law"}) == missing + "\n");
+    for (const char* program : {DUMBBELL_BIN, DUMBBELL_VERIFY_BIN}) {
+        std::filesystem::copy_file(program,
+                                   folder / "bin/" + std::filesystem::path(program).filename().string());
+    }
+    if (!certificate.empty()) {
+        std::filesystem::create_directories(folder / "share/dumbbell/certificates");
+        std::filesystem::copy_file(certificate, folder / "share/dumbbell/certificates/law.dbc.gz");
+    }
+    words.insert(words.begin(), {folder / "bin/dumbbell", "law"});
+    const Outcome result = run(std::move(words), folder.path());
+    CHECK(result.code == 2);
+    CHECK(result.out.empty());
+    CHECK(count_lines(result.err) == 1);
+    return result.err;
 }
 
-TEST_CASE("law believes no certificate of the law that the verifier rejects") {
+const std::vector<Words> questions{{}, {"--ratio", "5"}, {"--count", "903"}};
+
+}  // namespace
+
+TEST_CASE("a program without its certificates says that they are missing") {
+    for (const Words& question : questions) {
+        CHECK(refused_with("", question) ==
+              "dumbbell: the certificate law.dbc.gz that comes with this program is not found: install the "
+              "program with its certificates\n");
+    }
+}
+
+TEST_CASE("law believes no certificate that the verifier rejects, and answers by none but its own") {
     const TemporaryFolder folder;
-    const std::string file = folder / "law.dbc";
+    const std::string file = folder / "law.dbc", ten = certificate(folder, "10");
     REQUIRE(dumbbell({"law", "--prove", "--out", file}).code == 0);
     std::string text = contents(file);
     text.replace(text.find("\ncover end 1500"), 15, "\ncover end 150");
     write_file(file, text);
-    CHECK_THAT(refused({"law", file}), Contains("is not verified: s REJECTED"));
+    CHECK_THAT(refused_with(file, {}), Contains("is not verified: s REJECTED"));
+    CHECK_THAT(refused_with(ten, {}), Contains("is not verified: s REJECTED"));
+    for (const Words& question : {questions[1], questions[2]}) {
+        CHECK_THAT(refused_with(file, question), Contains("law.dbc.gz' is damaged"));
+        CHECK_THAT(refused_with(ten, question),
+                   Contains("law.dbc.gz' is not the certificate of the law that comes with this program"));
+    }
 }
 
 TEST_CASE("law --ratio says N, or the two values that remain, of any ratio") {
@@ -132,21 +119,30 @@ TEST_CASE("law --ratio says N, or the two values that remain, of any ratio") {
     }
     CHECK_THAT(
         dumbbell({"law", "--ratio", "1e100"}).out,
-        Contains("It lies 0.208 to 0.209 of a step above the ratio beyond which the maximum is 885595") &&
-            Contains("This rests on the law for every mass ratio (proofs/law.md)"));
+        Contains("It lies 0.208 to 0.209 of a step above the ratio beyond which the maximum is 885595"));
+    CHECK_THAT(dumbbell({"law", "--ratio", "62.7"}).out,
+               Contains(" of a step below or ") && Contains("is 9: too near to tell.\n"));
+}
+
+TEST_CASE("law --count encloses the ratio at which the maximum steps to N, for any N from 903 on") {
+    CHECK(dumbbell({"law", "--count", "903", "--quiet"}).out == "1035103.72 <= q_c(903) <= 1035106.92\n");
+    CHECK(dumbbell({"law", "--count", "9.03e2"}).out == dumbbell({"law", "--count", "903"}).out);
+    CHECK_THAT(dumbbell({"law", "--count", "10^18"}).out,
+               Contains("The maximum steps from 999999999999999999 to 1000000000000000000 there.\n"));
+    CHECK(dumbbell({"law", "--count", "1e100"}).code == 0);
 }
 
 TEST_CASE("law says what is wrong with its options, and leaves no file") {
-    const TemporaryFolder folder;
-    const std::string ten = certificate(folder, "10");
-    CHECK_THAT(refused({"law", "--prove", ten}), Contains("name where to write it by --out, and no FILE"));
+    CHECK_THAT(refused({"law", "stairs.dbc"}), Contains("not expected here: 'stairs.dbc'"));
     CHECK_THAT(refused({"law", "--ratio", "1:2"}), Contains("--ratio takes one mass ratio"));
     CHECK_THAT(refused({"law", "--ratio", "0"}), Contains("must be greater than 0"));
-    CHECK_THAT(refused({"law", "--ratio", "2", ten}), Contains("is not a certificate of the law"));
-    for (const Words& words : {Words{"law", "missing.dbc"}, Words{"law", "missing.dbc", "--ratio", "5"}}) {
-        CHECK_THAT(refused(words), Contains("cannot read 'missing.dbc': no such file\n"));
-    }
-    CHECK_THAT(refused({"law", "--out", folder / "x.dbc"}), Contains("--out requires --prove"));
-    CHECK_THAT(refused({"law", "--prove", "--out", folder / "x.txt"}), Contains("x.txt"));
-    CHECK(folder.names().size() == 1);
+    CHECK_THAT(refused({"law", "--ratio", "2", "--count", "903"}), Contains("--count"));
+    CHECK_THAT(refused({"law", "--ratio", "2", "--digits", "9"}), Contains("--digits"));
+    CHECK_THAT(refused({"law", "--count", "902"}),
+               Contains("from 903 to 10^100, not '902': for less, dumbbell critical N\n"));
+    CHECK_THAT(refused({"law", "--count", "903.5"}), Contains("from 903 to 10^100, not '903.5'\n"));
+    CHECK_THAT(refused({"law", "--count", "1e101"}), Contains("from 903 to 10^100, not '1e101'\n"));
+    CHECK_THAT(refused({"law", "--count", "903:905"}), Contains("--count: '903:905'"));
+    CHECK_THAT(refused({"law", "--out", "x.dbc"}), Contains("--out requires --prove"));
+    CHECK_THAT(refused({"law", "--prove", "--out", "x.txt"}), Contains("x.txt"));
 }

@@ -53,8 +53,6 @@ TEST_CASE("no command of either program prints a name raw, whatever comes out") 
         {"join", stairs, stairs, "--out", hostile + "j.dbc"},
         {"adiabatic", "--delta", "0.01", "--theorem", "lemma3.1", "--out", hostile + "a.dbc"},
         {"adiabatic", "--delta", "0.01", "--theorem", "lemma3.1", "--json", "--out", hostile + "a.dbc"},
-        {"law", stairs},
-        {"law", stairs, "--json"},
         {"law", hostile},
         {"audit", stairs},
         {"audit", stairs, "--json"},

@@ -1,10 +1,11 @@
 // What the law says of single ratios and what covers prove of them, at hundreds of ratios.
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <random>
+#include <tuple>
 
 #include "collisions/piece.hpp"
 #include "law/at_ratio.hpp"
-#include "law/constants.hpp"
 
 using namespace dumbbell;
 using namespace dumbbell::collisions;
@@ -20,69 +21,99 @@ long proved(const Rational& q) {
     return piece.lower;
 }
 
-AtRatio at_ratio(const Rational& q) {
-    static const auto steps = read_steps(DUMBBELL_PROJECT "/certificates/law.dbc.gz");
-    return law_at(q, steps);
+const std::vector<StepEnds>& steps() {
+    static const auto all = read_steps(DUMBBELL_PROJECT "/certificates/law.dbc.gz");
+    return all;
 }
+AtRatio at_ratio(const Rational& q) { return law_at(q, steps()); }
 
-void check_agreement(const Rational& q) {
+/// N by covers is among what the law says, which is one value or, next to a step, two. Returns N.
+long check_agreement(const Rational& q, bool decided) {
     const AtRatio at = at_ratio(q);
     const long n = proved(q);
     CAPTURE(q, n, at.lower.str(), at.upper.str());
     CHECK(at.lower <= Integer(n));
     CHECK(Integer(n) <= at.upper);
+    CHECK(at.upper - at.lower == Integer(decided ? 0 : 1));
+    return n;
+}
+
+constexpr double C = 0.88559512945271391, c0 = 0.20581158954949560;
+
+/// The mass ratio at which C sqrt q - (n - 2) is a bound of Theorem A, the upper or the lower one, and
+/// `past` more.
+Rational edge(long n, bool upper, double past) {
+    long double root = static_cast<long double>(n) / C;
+    for (int i = 0; i < 50; ++i) {
+        const long double less = upper ? 0.16L : 0.126L * std::log(root) + 0.7L;
+        root = (static_cast<long double>(n - 2) + c0 / std::sqrt(root) - less / root + past) / C;
+    }
+    return exact(static_cast<double>(root * root));
 }
 
 }  // namespace
 
-TEST_CASE("the law agrees with covers at ratios of all sizes") {
-    for (const char* q : {"1", "1.001", "2", "4.6", "4.61", "10", "62", "62.7", "62.72", "63", "100", "457.5",
-                          "1000", "12345.678", "1e5", "1e6", "1032800", "1032810", "1.04e6"}) {
-        check_agreement(parse_rational(q));
+TEST_CASE("the law agrees with covers at ratios of all sizes, and decides all but those next to steps") {
+    for (const auto& [q, n, decided] : std::vector<std::tuple<const char*, long, bool>>{
+             {"1", 2, true},           {"1.000001", 3, true},   {"8/7", 3, true},
+             {"2", 3, true},           {"4.572", 3, false},     {"4.6", 3, false},
+             {"4.61", 4, false},       {"4.799", 4, false},     {"10", 4, true},
+             {"11", 4, true},          {"11.2", 4, false},      {"103/9", 5, true},
+             {"62", 8, true},          {"62.6", 8, true},       {"62.7", 8, false},
+             {"62.72", 9, false},      {"62.75", 9, true},      {"100", 10, true},
+             {"457.5", 20, true},      {"1000", 29, true},      {"12345.678", 100, true},
+             {"1e5", 282, true},       {"1e6", 887, true},      {"1032800", 901, true},
+             {"1032803", 901, true},   {"1032804", 901, false}, {"1032804.5", 902, false},
+             {"1032809.5", 902, true}, {"1032810", 902, true},  {"1035103", 902, true},
+             {"1035105", 902, false},  {"1035107", 903, true},  {"1.04e6", 905, true},
+             {"1.5e7", 3431, true},    {"1e8", 8857, true}}) {
+        CAPTURE(q);
+        CHECK(check_agreement(parse_rational(q), decided) == n);
     }
     std::mt19937_64 random(20);
     std::uniform_real_distribution<double> exponent(6, 12);
     for (int i = 0; i < 150; ++i) {
-        check_agreement(exact(std::pow(10, exponent(random))));
+        const Rational q = exact(std::pow(10, exponent(random)));
+        const AtRatio at = at_ratio(q);
+        check_agreement(q, at.lower == at.upper);
     }
 }
 
-TEST_CASE("the law agrees with covers next to steps, and decides all but a share q^(-1/2) ln q of each") {
+TEST_CASE("at the ends of a step of its certificate the law decides, and nearer to the step it does not") {
+    for (const long n : {4L, 5L, 9L, 21L, 100L, 902L}) {
+        const StepEnds& ends = steps().at(static_cast<std::size_t>(n - first_step));
+        const Rational hair = (ends.above - ends.below) / 1000;
+        CAPTURE(n);
+        CHECK(check_agreement(ends.below, true) == n - 1);
+        CHECK(check_agreement(ends.above, true) == n);
+        check_agreement(ends.below + hair, false);
+        check_agreement(ends.above - hair, false);
+    }
+}
+
+TEST_CASE(
+    "beyond its certificate's steps the law decides outside the bounds of Theorem A, not between them") {
     std::mt19937_64 random(21);
-    std::uniform_int_distribution<long> steps(903, 3000);
-    const PrecisionScope scope(256);
-    const Constants constants;
-    for (int i = 0; i < 6; ++i) {
-        const long n = steps(random);
-        const BigInterval delta = delta_bounds(Integer(n));
-        const Rational width = exact_hi(delta) - exact_lo(delta), C = exact_lo(constants.C);
-        for (const int side : {-2, -1, 0, 1, 2}) {
-            const Rational middle = (exact_lo(delta) + exact_hi(delta)) / 2;
-            const Rational root = (Rational(n - 2) + middle + width * Rational(51 * side, 100)) / C;
-            const Rational q = exact((root * root).convert_to<double>());
-            check_agreement(q);
-            const AtRatio at = at_ratio(q);
-            CAPTURE(n, side);
-            CHECK((at.lower == at.upper) == (side != 0));
-            CHECK(at.step == Integer(n));
-        }
+    std::uniform_int_distribution<long> later(904, 3000);
+    for (const long n : {903L, later(random), later(random), later(random), later(random), 8308L}) {
+        CAPTURE(n);
+        CHECK(check_agreement(edge(n, false, -1e-6), true) == n - 1);
+        CHECK(check_agreement(edge(n, true, 1e-6), true) == n);
+        check_agreement(edge(n, false, 1e-9), false);
+        check_agreement(edge(n, true, -1e-9), false);
+        const Rational middle = (edge(n, false, 0) + edge(n, true, 0)) / 2;
+        check_agreement(middle, false);
+        CHECK(at_ratio(middle).step == Integer(n));
     }
 }
 
 TEST_CASE("the law agrees with covers a hundredth of a step away from steps, up to N = 10^6") {
     std::mt19937_64 random(22);
     std::uniform_real_distribution<double> exponent(4, 6);
-    const PrecisionScope scope(256);
-    const Rational C = exact_lo(Constants().C);
     for (int i = 0; i < 25; ++i) {
         const auto n = std::lround(std::pow(10, exponent(random)));
-        const Rational step = Rational(n - 2) + exact_lo(delta_bounds(Integer(n)));
-        for (const int side : {-1, 1}) {
-            const Rational root = (step + Rational(side, 100)) / C;
-            const Rational q = exact((root * root).convert_to<double>());
-            check_agreement(q);
-            CAPTURE(n, side);
-            CHECK(at_ratio(q).lower == Integer(side < 0 ? n - 1 : n));
-        }
+        CAPTURE(n);
+        CHECK(check_agreement(edge(n, false, -0.01), true) == n - 1);
+        CHECK(check_agreement(edge(n, true, 0.01), true) == n);
     }
 }

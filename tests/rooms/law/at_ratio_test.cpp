@@ -57,6 +57,14 @@ TEST_CASE("the law reaches as far as one can write ratios") {
     CHECK(at.lower == at.upper);
     CHECK(at.lower.str() == "88559512945271391141202194891455767300579529460287");
     CHECK(width(at.past) < 1e-45);
+    // C to as many digits (rooms/verify/law_constants_test.cpp has them from a series of its own).
+    CHECK(at_ratio(parse_rational("1e200")).lower.str() ==
+          "88559512945271391141202194891455767300579529460285208340726080557816077824860635006196282336302454"
+          "06");
+    const AtRatio greatest = at_ratio(parse_rational("1e1000"));
+    CHECK(greatest.lower == greatest.upper);
+    CHECK(greatest.lower.str().starts_with("8855951294527139114120219489145576730057952946028520834"));
+    CHECK(greatest.lower.str().size() == 500);
     const AtRatio third = at_ratio(parse_rational("1e300") / 3);
     CHECK(third.lower == third.upper);
 }

@@ -11,15 +11,6 @@ TEST_CASE("a certificate of the law without all of its steps is not written") {
     CHECK_THROWS_AS(render(LawCertificate{}), BrokenInvariant);
 }
 
-TEST_CASE("the certificate of one mass ratio names the ratio, the law's certificate and both bounds") {
-    const std::string law(64, 'a');
-    const SealedText written = render(AtRatio{Rational(Integer(7), Integer(3)), 3, 2, 3, {}}, law);
-    CHECK(written.text ==
-          "dumbbell-certificate 1\ngenerator dumbbell " DUMBBELL_VERSION
-          "\nlemmas 1\nscene dumbbell\nsection none\nclaim collisions-by-law\nratio 7/3\nlaw " +
-              law + "\nupper 3\nlower 2\nsha256 " + written.sha256 + "\n");
-}
-
 TEST_CASE("boxes of the layer are halves of its sides, exactly at 0") {
     const LayerShares root;
     CHECK(root.box().U.lo() == 0);

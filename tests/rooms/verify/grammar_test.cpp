@@ -172,7 +172,7 @@ TEST_CASE("what this program does not know is unsupported, what is misspelled is
                           true) == "unsupported 6");
     CHECK(outcome_at_line(
               mutated(ten(), "section turning\nclaim collisions", "section none\nclaim collisions-by-law"),
-              true) == "syntax 7");
+              true) == "unsupported 6");  // written before 0.1
     CHECK(outcome_at_line(mutated(ten(), "claim collisions", "claim 7"), true) == "word 6");
     CHECK(outcome_at_line(mutated(ten(), "generator test", "generator Test"), true) == "word 2");
     CHECK(outcome_at_line(mutated(ten(), "generator test", "generator te~t"), true) == "word 2");

@@ -5,7 +5,6 @@
 
 #include "make_certificate.hpp"
 #include "verify/input/bytes.hpp"
-#include "verify/law/file.hpp"
 #include "verify/number/number.hpp"
 
 using namespace dumbbell_verify;
@@ -43,16 +42,4 @@ TEST_CASE("a compressed file is not called damaged where there is no memory to u
     const make::File file(make::gzipped("dumbbell-certificate 1\n"));
     Bytes bytes(file.path());
     CHECK_THROWS_AS(bytes.next(1), std::bad_alloc);
-}
-
-TEST_CASE("law: without memory for the file of the law what rests on it is beyond a limit, not wrong") {
-    const make::File file(make::gzipped("dumbbell-certificate 1\n"));
-    try {
-        (void)LawFile(file.path()).verified("", Settings());
-        FAIL("verified");
-    } catch (const Failure& failure) {
-        CHECK(failure.verdict == Verdict::limit);
-        CHECK(failure.line == 0);  // of the file that rests on it
-        CHECK(failure.text == "--law " + file.path() + ": std::bad_alloc");
-    }
 }

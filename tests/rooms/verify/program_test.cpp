@@ -157,7 +157,7 @@ TEST_CASE("a demand is proved or the file is rejected") {
     CHECK(run("--claim law " + file.path())
               .last()
               .ends_with("code=claim-not-proved the claim is collisions, and law was demanded (--claim)"));
-    for (const char* kind : {"collisions-by-law", "initial-conditions", "incoming", "law", "adiabatic-bounce",
+    for (const char* kind : {"initial-conditions", "incoming", "law", "adiabatic-bounce",
                              "adiabatic-run", "adiabatic-scattering"})
         CHECK(code("--claim " + std::string(kind)) == 1);
     CHECK(code("--claim other") == 2);
@@ -208,7 +208,6 @@ TEST_CASE("wrong usage is one line on stderr and exit code 2") {
              "--ratio .5e1 F",
              "--ratio e5 F",
              "--ratio 1e-+1 F",
-             "--law a --law b F",
              "--precision 4097 F",
              "--jobs 0 F",
              "--jobs 1e9 F",
@@ -251,7 +250,6 @@ TEST_CASE("wrong usage is one line on stderr and exit code 2") {
     CHECK(run("--ratio 1e1000 " + file.path()).code == 1);
     CHECK(run("--ratio 1e0000000000000001 " + file.path()).code == 0);
     CHECK(run("-- " + file.path()).code == 0);
-    CHECK(run("--law /nonexistent " + file.path()).code == 0);  // no file asks for it
     CHECK(run("--help").code == 0);
     CHECK(run("--help").out.find("--explain") != std::string::npos);
     CHECK(run("--version").out.starts_with("dumbbell-verify "));
