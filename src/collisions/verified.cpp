@@ -11,7 +11,9 @@ namespace dumbbell::collisions {
 
 std::optional<ClaimedRange> claimed_range(const std::string& file) try {
     const PieceReader in(file, Trees::passed_over);
-    return ClaimedRange{in.head().scene, in.head().section, in.q_lo(), in.q_hi()};
+    return in.q_lo() < 1 || in.q_lo() > in.q_hi()
+               ? std::nullopt
+               : std::optional(ClaimedRange{in.head().scene, in.head().section, in.q_lo(), in.q_hi()});
 } catch (const InputError&) {
     return std::nullopt;
 }

@@ -241,13 +241,20 @@ int run_join(const Given& given) {
         return exit_bad_input;
     }
 
-    JoinReport report{.parts = *parts, .range = *whole, .jobs = jobs_of(given)};
+    JoinReport report{.parts = *parts,
+                      .range = *whole,
+                      .files = {},
+                      .sentence = {},
+                      .jobs = jobs_of(given),
+                      .out = {},
+                      .sha256 = {}};
     for (const std::size_t i : order) {
         const PartFile& file = report.files.emplace_back(files[i]);
         report.pieces += file.pieces;
         report.open += file.open;
         if (file.open > 0) {
-            complain(with_command(*parts, file, fmt::format("'{}' has {} open", file.name, file.open)));
+            complain(with_command(
+                *parts, file, fmt::format("'{}' leaves {} of {} open", file.name, file.open, file.pieces)));
         }
     }
     if (report.open > 0 && !given.has("--open")) {

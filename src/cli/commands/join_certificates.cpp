@@ -25,7 +25,7 @@ std::string options_of(collisions::Scene scene, collisions::Section section) {
                        scene == collisions::Scene::dumbbell ? "" : name(scene),
                        section == Section::turning ? ""
                        : section == Section::full  ? " --section full"
-                                                   : " --section full --lemmas none");
+                                                   : " --section plain");
 }
 
 class CertificateParts : public Parts {

@@ -42,7 +42,7 @@ complete -F _dumbbell dumbbell dumbbell-verify
 /// its own help only.
 std::string names(const Command& command) {
     if (command.become != nullptr) {
-        return R"("$(dumbbell-verify --help 2> /dev/null | sed -nE 's/^  (-., )?(--[a-z-]+).*/\2/p')")";
+        return R"sh("$(dumbbell-verify --help 2> /dev/null | sed -nE 's/^  (-., )?(--[a-z-]+).*/\2/p')")sh";
     }
     std::vector<std::string> all;
     for (const Option& option : command.options) {

@@ -44,7 +44,6 @@ class AdiabaticReader : public Reader<AdiabaticLeaf> {
     void require_fitting_demand() const {
         const Collisions& demand = settings_.demand;
         const auto refuse = [](const char* text) { throw Failure{Verdict::unreadable, 0, "usage", text}; };
-        if (demand.keep) refuse("--lemma compares covers; this file is about the adiabatic invariant");
         if (demand.ratios || demand.most || demand.least)
             refuse(
                 "--ratio, --max, --min and --exactly are about numbers of collisions; this file is about the "

@@ -28,7 +28,6 @@ void Collisions::add(const mpq_class& a, const mpq_class& b, const std::optional
     upper = upper && u ? std::max(upper, u) : std::nullopt;
     lower = pieces == 0 ? v : std::min(lower, v);
     ++pieces;
-    if (keep) parts.push_back({a, b, u, v});
     gaps += u && *u == v + 1;
     open += !u || *u > v + 1;
 }

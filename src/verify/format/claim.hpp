@@ -32,18 +32,9 @@ struct Collisions {
     mpz_class lower;                     ///< the least
     std::uint64_t pieces = 0, gaps = 0, open = 0;
 
-    struct Part {
-        mpq_class lo, hi;
-        std::optional<mpz_class> upper;
-        mpz_class lower;
-    };
-    bool keep = false;        ///< collect the pieces
-    std::vector<Part> parts;  ///< those that are kept
-
     /// The pieces come in increasing order, [lo, hi] of the file is their union.
     void add(const mpq_class& a, const mpq_class& b, const std::optional<mpz_class>& u, const mpz_class& v);
-    /// The pieces of another file follow, which begins where these end. It was asked the same, and keeps
-    /// none.
+    /// The pieces of another file follow, which begins where these end. It was asked the same.
     void append(const Collisions& next);
     /// Empty if the pieces with an upper bound <= most cover `ratios`, and those with a lower bound >= least
     /// do.

@@ -60,7 +60,6 @@ class LawReader : public Reader<LawLeaf> {
     void require_fitting_demand() const {
         const Collisions& demand = settings_.demand;
         const auto refuse = [](const char* text) { throw Failure{Verdict::unreadable, 0, "usage", text}; };
-        if (demand.keep) refuse("--lemma compares covers; this file is about the law");
         if (demand.ratios || demand.most || demand.least)
             refuse(
                 "--ratio, --max, --min and --exactly are about certificates of single ratios and ranges; "

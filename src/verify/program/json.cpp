@@ -87,15 +87,6 @@ std::string json(const Result& result) {
                    {"reason", string_unless(verified, why.text)}});
 }
 
-std::string json(const Lemma& lemma, Verdict verdict, const std::string& comparison,
-                 const std::vector<Result>& files) {
-    return object({{"schema", json_string("dumbbell-verify-lemma-1")},
-                   {"lemma", json_string(lemma.name)},
-                   {"verdict", json_string(verdict_name(verdict))},
-                   {"comparison", comparison},
-                   {"files", list(files)}});
-}
-
 std::string json(const Result& whole, const std::vector<Result>& files) {
     const bool verified = whole.why.verdict == Verdict::verified;
     return object({{"schema", json_string("dumbbell-verify-together-1")},

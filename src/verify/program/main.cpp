@@ -62,54 +62,24 @@ Verdict run_files(const Options& options, Progress& progress, std::vector<TestCa
     return worst(results);
 }
 
-/// What all files say as a whole, which is asked once each of them is verified.
-struct Whole {
-    std::string name;  ///< of its test case
-    Verdict verdict;
-    std::string text;  ///< behind the verdict
-    std::string json;
-};
-
-Whole of_lemma(const Lemma& lemma, const std::vector<Result>& results) {
-    Whole whole{"lemma " + std::string(lemma.name) + ": ", worst(results), "", ""};
-    std::string comparison = "null";
-    for (const Result& r : results) whole.name += (&r == results.data() ? "" : ", ") + one_line(r.job->file);
-    if (whole.verdict == Verdict::verified) {
-        const Comparison found = compare(lemma, results[0].proof.claim, results[1].proof.claim);
-        whole.verdict = found.holds ? Verdict::verified : Verdict::rejected;
-        whole.text = found.text;
-        comparison = found.json;
-    } else {
-        const Result& bad = results[results[0].why.verdict == whole.verdict ? 0 : 1];
-        whole.text =
-            "lemma=" + std::string(lemma.name) + " " + one_line(bad.job->file) + " " + result_text(bad);
-    }
-    whole.json = json(lemma, whole.verdict, comparison, results);
-    return whole;
-}
-
-Whole of_all_together(const std::vector<Result>& results) {
-    const std::string files = std::to_string(results.size());
-    const Job& asked = *results.front().job;
-    const Result all = together(asked, results);
-    const bool verified = all.why.verdict == Verdict::verified;
-    return {files + " files together" + demand_text(asked.settings.demand), all.why.verdict,
-            verified ? claim_text(all) + " files=" + files : result_text(all), json(all, results)};
-}
-
-/// The verdict on the whole is the only line with `s`.
-Verdict run_as_whole(const Options& options, Progress& progress, std::vector<TestCase>& cases) {
+/// All files as one. The verdict on the whole is the only line with `s`.
+Verdict run_together(const Options& options, Progress& progress, std::vector<TestCase>& cases) {
     const auto results = examine_all(options.jobs, options.at_once, [&](const Result& r) {
         const auto lock = progress.hidden();
         cases.push_back(test_case(r));
         if (r.why.verdict == Verdict::verified && !options.json && !options.quiet)
             print_line(leading_name(r.job->file) + "\n  " + result_text(r));
     });
-    const Whole whole = options.lemma ? of_lemma(*options.lemma, results) : of_all_together(results);
-    const std::string line = std::string("s ") + verdict_name(whole.verdict) + " " + whole.text;
-    print_line(options.json ? whole.json : line);
-    cases.push_back({whole.name, whole.verdict, whole.text, line, 0});
-    return whole.verdict;
+    const std::string files = std::to_string(results.size());
+    const Job& asked = *results.front().job;
+    const Result all = together(asked, results);
+    const Verdict verdict = all.why.verdict;
+    const std::string text =
+        verdict == Verdict::verified ? claim_text(all) + " files=" + files : result_text(all);
+    const std::string line = std::string("s ") + verdict_name(verdict) + " " + text;
+    print_line(options.json ? json(all, results) : line);
+    cases.push_back({files + " files together" + demand_text(asked.settings.demand), verdict, text, line, 0});
+    return verdict;
 }
 
 /// GMP and MPFR cannot be told that there is no memory, and would abort.
@@ -158,8 +128,7 @@ int run(const Options& options) {
     Verdict verdict = [&] {
         const Settings& first = options.jobs.front().settings;
         Progress progress(!options.quiet, first.budget);
-        return options.lemma || first.together ? run_as_whole(options, progress, cases)
-                                               : run_files(options, progress, cases);
+        return first.together ? run_together(options, progress, cases) : run_files(options, progress, cases);
     }();
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
     try {

@@ -9,12 +9,6 @@ namespace {
 
 void read_claim(Words& words, Asked& to) { claim_option(words, to.settings); }
 
-void read_lemma(Words& words, Asked& to) {
-    const std::string name = words.value();
-    to.options.lemma = find_lemma(name);
-    if (!to.options.lemma) throw std::invalid_argument("no lemma `" + name.substr(0, 60) + "`: 4.1 or 4.2");
-}
-
 /// A name like that of no certificate, so that `--junit *.dbc` destroys none.
 void read_report(Words& words, Asked& to) {
     const std::string path = words.value();
@@ -50,11 +44,7 @@ constexpr Option table[] = {
      "the files prove one claim: their ranges of mass ratios, in any order on the command line, must follow "
      "one another without a hole or an overlap, and --ratio, --max, --min and --exactly are about the pieces "
      "of all. The last line is the verdict on all",
-     [](Words&, Asked& to) { to.settings.together = true; }, "--claims --lemma --explain --shares"},
-    {"--lemma", "4.1|4.2 A B",
-     "compare two files: at most as many collisions in A (scene hybrid) as in B (wedge), or at most one more "
-     "in A (dumbbell) than in B (hybrid)",
-     read_lemma, "--scene --claim --max --min --exactly --explain --claims"},
+     [](Words&, Asked& to) { to.settings.together = true; }, "--claims --explain --shares"},
     {"--jobs", "N", "threads (all cores)",
      [](Words& words, Asked& to) { to.settings.jobs = static_cast<unsigned>(words.number(1, 1024)); }},
     {"--budget", "TIME",
@@ -75,14 +65,12 @@ constexpr Option table[] = {
     {"--shares", "",
      "of one file about initial conditions: how likely each number of collisions is, bounds of its share of "
      "the box, from the leaves that were checked",
-     [](Words&, Asked& to) { to.settings.shares = true; }, "--quiet --lemma --claims"},
+     [](Words&, Asked& to) { to.settings.shares = true; }, "--quiet --claims"},
     {"--json", "",
-     "print JSON and nothing else: an array of one object for each file; with --together or --lemma one "
-     "object",
+     "print JSON and nothing else: an array of one object for each file; with --together one object",
      [](Words&, Asked& to) { to.options.json = true; }, "--quiet"},
     {"--junit", "FILE.xml",
-     "write a JUnit report, too: one test case for each file, with --together or --lemma one more",
-     read_report},
+     "write a JUnit report, too: one test case for each file, with --together one more", read_report},
     {"--quiet", "", "print the last line only, and show no progress",
      [](Words&, Asked& to) { to.options.quiet = true; }},
     {"-h, --help", "", "print this help and end", [](Words&, Asked& to) { to.options.answer = help(); }},

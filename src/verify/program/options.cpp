@@ -32,7 +32,6 @@ void require_fitting(const Words& words, const Asked& asked) {
     const std::size_t files = asked.options.jobs.size();
     const bool is_list = words.seen("--claims");
     if (is_list && files > 0) throw std::invalid_argument("--claims names the files: give no other FILE");
-    if (asked.options.lemma && files != 2) throw std::invalid_argument("--lemma compares two files");
     if (asked.settings.shares && files != 1) throw std::invalid_argument("--shares is about one FILE");
     if (!is_list && files == 0) throw std::invalid_argument("no FILE; see --help");
 }
@@ -53,13 +52,8 @@ Options parse_options(const std::vector<std::string>& arguments) {
     }
     if (!result.answer.empty()) return result;
     require_fitting(words, asked);
-    if (result.lemma) settings.demand.keep = true;
     for (Job& job : result.jobs) job.settings = settings;
     if (words.seen("--claims")) result.jobs = read_claims(asked.claims, settings);
-    if (result.lemma) {
-        result.jobs[0].settings.scene = result.lemma->scene_a;
-        result.jobs[1].settings.scene = result.lemma->scene_b;
-    }
     // A leaf that is explained is printed while it is checked: one file after the other.
     if (settings.explain.empty())
         result.at_once = static_cast<unsigned>(std::min<std::size_t>(settings.jobs, result.jobs.size()));

@@ -3,7 +3,6 @@
 #include <string>
 #include <vector>
 
-#include "verify/program/compare.hpp"
 #include "verify/program/examine.hpp"
 
 namespace dumbbell_verify {
@@ -15,7 +14,6 @@ struct Options {
     bool quiet = false;               ///< only the last line of what would be printed
     std::string junit;                ///< where the report goes; empty: nowhere
     std::vector<std::string> inputs;  ///< all that is read: the files, and those that the options name
-    const Lemma* lemma = nullptr;     ///< the two files are to be compared
     std::string answer;               ///< of --help and --version: print it, and nothing else
 };
 

@@ -46,7 +46,6 @@ class StartsReader : public Reader<InitialLeaf> {
     void require_fitting_demand() const {
         const Collisions& demand = settings_.demand;
         const auto refuse = [](const char* text) { throw Failure{Verdict::unreadable, 0, "usage", text}; };
-        if (demand.keep) refuse("--lemma compares covers; this file is about a box of initial conditions");
         if ((demand.ratios || demand.most || demand.least) && settings_.claim.empty())
             refuse(claim_.incoming
                        ? "--ratio, --max, --min and --exactly are about all trajectories; this file is about "

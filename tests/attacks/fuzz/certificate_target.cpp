@@ -7,6 +7,7 @@
 #include "adiabatic/writer.hpp"
 #include "certificates/any_reader.hpp"
 #include "choices.hpp"
+#include "collisions/reader.hpp"
 #include "collisions/writer.hpp"
 #include "file_text.hpp"
 #include "rooms/verify/make_certificate.hpp"
@@ -51,10 +52,12 @@ bool is_accepted(const std::string& bytes, Settings settings, const Collisions& 
 
 void check_claim(const Verified& proof, const std::string& text, const Settings& settings) {
     const Collisions& claim = proof.claim;
-    must(!claim.parts.empty() && claim.parts.front().lo == claim.lo && claim.parts.back().hi == claim.hi,
+    static MemoryFile file;
+    const auto read = dumbbell::collisions::read_certificate(file.holding(text));
+    const auto& pieces = read.pieces;
+    must(mpq_class(read.q_lo().raw()) == claim.lo && mpq_class(read.q_hi().raw()) == claim.hi,
          "the pieces are the claim");
-    for (const auto& part : claim.parts)
-        must_be_true(settings.scene, part.lo, part.hi, part.upper, part.lower);
+    for (const auto& piece : pieces) must_be_true(settings.scene, piece);
 
     Collisions demand;
     demand.ratios.emplace(claim.lo, claim.hi);
@@ -62,8 +65,7 @@ void check_claim(const Verified& proof, const std::string& text, const Settings&
     demand.most = claim.upper;
     must(is_accepted(text, settings, demand), "accepted with its own claim as the demand");
     // A single ratio between two pieces is covered by them, too: whether it counts is their affair.
-    if (std::none_of(claim.parts.begin(), claim.parts.end(), [](const auto& p) { return p.lo == p.hi; }) ||
-        claim.parts.size() == 1) {
+    if (pieces.size() == 1 || std::ranges::none_of(pieces, [](const auto& p) { return p.q_lo == p.q_hi; })) {
         demand.least = claim.lower + 1;
         must(!is_accepted(text, settings, demand), "refused if more collisions are demanded");
         demand.least.reset();
@@ -123,7 +125,6 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     const std::string kind = value_of(*text, "claim");
     const bool initial = kind == "initial-conditions" || kind == "incoming";
     const bool about_invariant = dumbbell_verify::adiabatic_kind(kind).has_value();
-    if (!initial && !about_invariant) settings.demand.keep = true;
     if (about_invariant) settings.budget = dumbbell_verify::units_per_second / 10;
     if (const std::string scene = value_of(*text, "scene"); !scene.empty()) settings.scene = scene;
 

@@ -71,13 +71,13 @@ Bounds maximum(const std::string& scene, const mpq_class& q) {
 mpq_class critical_ratio(std::size_t n) { return table().at(n - first_step).cut; }
 std::size_t greatest_critical() { return first_step + table().size() - 1; }
 
-void must_be_true(const std::string& scene, const mpq_class& lo, const mpq_class& hi,
-                  const std::optional<mpz_class>& upper, const mpz_class& lower) {
+void must_be_true(const std::string& scene, const dumbbell::collisions::Piece& piece) {
+    const mpq_class lo(piece.q_lo.raw()), hi(piece.q_hi.raw());
     // The maximum does not decrease with q.
     const Bounds at_lo = maximum(scene, lo), at_hi = maximum(scene, hi);
-    if ((!upper || *upper >= at_hi.least) && lower <= at_lo.most) return;
+    if ((!piece.upper || *piece.upper >= at_hi.least) && piece.lower <= at_lo.most) return;
     trap("verified, but false: scene " + scene + ", ratios " + lo.get_str() + ":" + hi.get_str() +
-         ", upper " + (upper ? upper->get_str() : "none") + ", lower " + lower.get_str() +
+         ", upper " + (piece.upper ? piece.upper->str() : "none") + ", lower " + piece.lower.str() +
          "; the maximum is at least " + std::to_string(at_hi.least) + " at the end, at most " +
          std::to_string(at_lo.most) + " at the beginning");
 }

@@ -6,8 +6,9 @@
 
 #include <cstdint>
 #include <limits>
-#include <optional>
 #include <string>
+
+#include "collisions/certificate.hpp"
 
 namespace dumbbell_fuzz {
 
@@ -25,8 +26,7 @@ struct Bounds {
 [[nodiscard]] mpq_class critical_ratio(std::size_t n);
 [[nodiscard]] std::size_t greatest_critical();
 
-/// Ends the program if "N* <= upper and N* >= lower at all ratios of [lo, hi]" is certainly false.
-void must_be_true(const std::string& scene, const mpq_class& lo, const mpq_class& hi,
-                  const std::optional<mpz_class>& upper, const mpz_class& lower);
+/// Ends the program if "N* <= upper and N* >= lower at all ratios of the piece" is certainly false.
+void must_be_true(const std::string& scene, const dumbbell::collisions::Piece& piece);
 
 }  // namespace dumbbell_fuzz

@@ -167,6 +167,13 @@ TEST_CASE("a wrong part is named, with the command that makes it again, and noth
         std::filesystem::remove(file);
         CHECK_THAT(not_joined(folder, parts), Contains("no such file") && Contains("missing: "));
     }
+    SECTION("its head claims a range that is none") {
+        const std::size_t at = good.find("\nratio ") + 7;
+        for (const char* range : {"0/1 5/1", "5/1 4/1", "1/0 5/1", "x y"}) {
+            write_file(file, std::string(good).replace(at, good.find('\n', at) - at, range));
+            CHECK_THAT(not_joined(folder, parts), Contains("missing: the mass ratios "));
+        }
+    }
     SECTION("it is none about mass ratios") {
         REQUIRE(dumbbell({"adiabatic", "--theorem", "lemma3.1", "--delta", "0.1", "--out", parts[1]},
                          folder.path())
@@ -232,8 +239,9 @@ TEST_CASE("parts with open pieces are joined only with --open, and never with ex
     Outcome refused = join(folder, parts);
     CHECK(refused.code == 3);
     CHECK(refused.out.empty());
-    CHECK_THAT(refused.err, Contains("'part-2.dbc' has 1 open; to make it again: dumbbell certify ") &&
-                                Contains("add --open"));
+    CHECK_THAT(refused.err,
+               Contains("'part-2.dbc' leaves 1 of 1 open; to make it again: dumbbell certify ") &&
+                   Contains("add --open"));
     CHECK_FALSE(std::filesystem::exists(folder / "whole.dbc"));
     const Outcome joined = join(folder, parts, {"--open"});
     CHECK(joined.code == 3);

@@ -239,7 +239,6 @@ TEST_CASE("docs/reference/json.md describes the JSON of verify") {
     check_documented("verify --together",
                      {without_files({"--together", "--ratio", "10", "--max", "4", "--min", "4", "ten.dbc"}),
                       without_files({"--together", "--max", "3", "ten.dbc"})});
-    check_documented("verify --lemma", {without_files({"--lemma", "4.1", "hybrid.dbc", "wedge.dbc"})});
 }
 
 TEST_CASE("help and README name the page") {

@@ -70,18 +70,6 @@ TEST_CASE("every shipped certificate proves its claim") {
     }
 }
 
-TEST_CASE("the paper's lemmas 4.1 and 4.2 hold on the range of the shipped wedges") {
-    const auto compared = [](const char* lemma, const char* a, const char* b) {
-        return run({DUMBBELL_VERIFY_BIN, "--lemma", lemma, (project / "certificates" / a).string(),
-                    (project / "certificates" / b).string()})
-            .out;
-    };
-    CHECK(compared("4.1", "hybrid-1-100.dbc", "wedge-1-100.dbc")
-              .find("\ns VERIFIED lemma=4.1 ratio=1/1:100/1 ") != std::string::npos);
-    CHECK(compared("4.2", "stairs-1-100.dbc", "hybrid-1-100.dbc")
-              .find("\ns VERIFIED lemma=4.2 ratio=1/1:100/1 ") != std::string::npos);
-}
-
 TEST_CASE("every small certificate is made again, byte for byte, by its command") {
     long small = 0;
     for (const Row& row : rows()) {

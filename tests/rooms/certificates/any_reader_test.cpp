@@ -5,7 +5,6 @@
 #include <catch2/catch.hpp>
 
 #include "adiabatic/writer.hpp"
-#include "base/ended_early.hpp"
 #include "base/error.hpp"
 #include "collisions/reader.hpp"
 #include "collisions/writer.hpp"
@@ -50,9 +49,7 @@ auto with_file(const std::string& text, const Check& check, const std::string& n
     return check(folder / name);
 }
 
-std::string digest_of(const std::string& text, const Interrupted& interrupted = never) {
-    return with_file(text, [&](const std::string& path) { return sealed_digest(path, interrupted); });
-}
+std::string digest_of(const std::string& text) { return with_file(text, sealed_digest); }
 
 }  // namespace
 
@@ -129,8 +126,4 @@ TEST_CASE("a certificate that cannot be read is not called something else") {
     const std::string why = "cannot read '" + (folder / "file.dbc") + "': Permission denied";
     CHECK_THROWS_WITH(sealed_digest(folder / "file.dbc"), why);
     CHECK_THROWS_WITH(read_any_certificate(folder / "file.dbc"), why);
-}
-
-TEST_CASE("a reader that is interrupted ends early") {
-    CHECK_THROWS_AS(digest_of(render(every_kind_of_line()).text, [] { return true; }), EndedEarly);
 }

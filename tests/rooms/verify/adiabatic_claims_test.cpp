@@ -82,12 +82,12 @@ TEST_CASE("adiabatic: attained values above the true ones are refused, and those
     CHECK(mutant(run_file(), " 10 93/10\n", " 10 467/50\n") == "attained");
     CHECK(mutant(run_file(), " 10 93/10\n", " 10 932/100\n") == "number");
     CHECK(mutant(run_file(), " 10 93/10\n", " 10 233/25\n") == "verified");
-    CHECK(mutant(scattering(), " 4431 69/20\n", " 4431 FILLIN\n") == "attained");
-    // FILLIN is true, and more than doubles show.
+    CHECK(mutant(scattering(), " 4431 69/20\n", " 4431 7/2\n") == "attained");
+    // 12.8811867742437 is true, and more than doubles show.
     Adiabatics file = short_scattering();
-    file.terms.claim.attained[0].value = mpq_class("FILLIN");
+    file.terms.claim.attained[0].value = mpq_class("12881186774243/1000000000000");
     CHECK(said_of_state(file) == "certified");
-    file.terms.claim.attained[0].value = mpq_class("FILLIN");
+    file.terms.claim.attained[0].value = mpq_class("3220296693561/250000000000");
     CHECK(said_of_state(file) == "the value is attained");
 }
 
@@ -112,9 +112,9 @@ TEST_CASE("adiabatic: at a large delta values are taken up to their sixth digit,
     Adiabatic& change = file.terms.claim;
     change.delta_lo = change.delta_hi = mpq_class(3, 10);
     change.attained = {
-        {mpq_class(1797, 2500), mpq_class(377, 400), mpq_class(3, 10), 1, mpq_class("FILLIN")}};
-    CHECK(said_of_state(file) == "certified");  // FILLIN
-    change.attained[0].value = mpq_class("FILLIN");
+        {mpq_class(1797, 2500), mpq_class(377, 400), mpq_class(3, 10), 1, mpq_class(21171, 5000)}};
+    CHECK(said_of_state(file) == "certified");  // 4.2342080454
+    change.attained[0].value = mpq_class(423421, 100000);
     CHECK(said_of_state(file) == "the value is attained");
 }
 
@@ -131,14 +131,14 @@ TEST_CASE("adiabatic: an attained state must satisfy the hypotheses") {
     CHECK(mutant(run_file(), "heights 3/5 9/10", "heights 3/5 87/100") == "attained");
     // Not the first, not the last, or beyond the last collision.
     Adiabatics other = short_scattering();
-    other.terms.claim.attained[0].s = mpq_class(1, 10);
+    other.terms.claim.attained[0].s = mpq_class(1, 100);
     CHECK(said_of_state(other) == "no collision before the first");
     other = short_scattering();
     other.terms.claim.attained[0].value = 0;
-    for (const std::uint64_t collisions : {3U, 5U}) {
-        other.terms.claim.attained[0].collisions = collisions;
-        CHECK(said_of_state(other) == "FILLIN");
-    }
+    other.terms.claim.attained[0].collisions = 3;
+    CHECK(said_of_state(other) == "no collision after the last");
+    other.terms.claim.attained[0].collisions = 5;
+    CHECK(said_of_state(other) == "the next collision");
     // The last contact is far nearer to the vertical than the first.
     Adiabatics same = short_scattering();
     CHECK(said_of_state(same) == "certified");

@@ -74,7 +74,6 @@ TEST_CASE("adiabatic: such a file is no answer to a question about numbers of co
     CHECK(code("--claim initial-conditions") == 1);
     CHECK(code("--claim adiabatic") == 2);
     CHECK(code("--scene hybrid") == 1);
-    CHECK(run("--lemma 4.1 " + file.path() + " " + file.path()).code == 2);
     const File list(file.path() + "\t--ratio 399 --max 20\n");
     CHECK(run("--claims " + list.path()).code == 2);
     const File ten(closed(header("10/1", "10/1", 1) + piece(10, 10, 4, 0, "")));

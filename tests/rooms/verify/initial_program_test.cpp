@@ -50,7 +50,6 @@ TEST_CASE("initial conditions: demands are about the box, and must say so") {
     CHECK(code(ask + "--scene hybrid") == 1);
     CHECK(code("--claim collisions") == 1);
     CHECK(code("--claim other") == 2);
-    CHECK(run("--lemma 4.1 " + file.path() + " " + file.path()).code == 2);
     const File open(
         make::closed_initial(make::initial_header("10/1 10/1", "0/1 1/1", "1/1 1/1", "2/1 2/1", "-1/1 -1/1") +
                              "between 0 none\nopen\n"));

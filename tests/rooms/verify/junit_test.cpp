@@ -71,23 +71,6 @@ TEST_CASE("the JUnit report of one file, of files that are verified, with --json
     CHECK(has(folder.report(), " tests=\"2\" failures=\"1\" errors=\"0\" "));
 }
 
-TEST_CASE("the JUnit report of a comparison has both files and the lemma") {
-    const Folder folder;
-    CHECK(folder.run("--junit report.xml --lemma 4.1 ten.dbc none.dbc").code == 1);
-    CHECK(folder.valid());
-    CHECK(has(folder.report(), " tests=\"3\" failures=\"2\" errors=\"1\" "));
-    CHECK(has(folder.report(), "<testcase name=\"lemma 4.1: ten.dbc, none.dbc\""));
-    const std::string certificates = DUMBBELL_PROJECT "/certificates/";
-    CHECK(folder
-              .run("--junit report.xml --lemma 4.1 " + certificates + "hybrid-1-100.dbc " + certificates +
-                   "wedge-1-100.dbc")
-              .code == 0);
-    CHECK(folder.valid());
-    const std::string lemma = folder.report().substr(folder.report().find("<testcase name=\"lemma 4.1"));
-    CHECK(has(lemma.substr(0, lemma.find('>')), " time=\"0.000"));  // the files' cases have all of it
-    CHECK(has(folder.report(), " tests=\"3\" failures=\"0\" errors=\"0\" "));
-}
-
 TEST_CASE("any file name makes a valid JUnit report") {
     const Folder folder;
     for (const std::string name :
@@ -122,8 +105,7 @@ TEST_CASE("the JUnit report appears complete or not at all, and replaces nothing
     // Whatever is read, by whatever option: a list, one of several files, the standard input.
     const std::string list = "ten.dbc\t--ratio 10 --max 4\n";
     write_file(folder / "read.xml", list);
-    for (const std::string words :
-         {"--claims read.xml", "--together ten.dbc read.xml", "- <read.xml"})
+    for (const std::string words : {"--claims read.xml", "--together ten.dbc read.xml", "- <read.xml"})
         CHECK(has(folder.run("--junit read.xml " + words).err, "which is read"));
     CHECK(has(folder.run("--junit read.xml - <read.xml").err, "it is the standard input, which is read"));
     CHECK(has(folder.run("--junit read.xml --claims read.xml").err, "it is read.xml, which is read"));

@@ -32,7 +32,6 @@ TEST_CASE("law: the verdict states the law, and nothing of single ratios") {
         INFO(demand);
         CHECK(run(std::string(demand) + " " + file.path()).code == 2);
     }
-    CHECK(run("--lemma 4.1 " + file.path() + " " + file.path()).code == 2);
 }
 
 TEST_CASE("law: the covers are those of the claim, whole: one leaf of each in numbers") {

@@ -157,8 +157,8 @@ TEST_CASE("a demand is proved or the file is rejected") {
     CHECK(run("--claim law " + file.path())
               .last()
               .ends_with("code=claim-not-proved the claim is collisions, and law was demanded (--claim)"));
-    for (const char* kind : {"initial-conditions", "incoming", "law", "adiabatic-bounce",
-                             "adiabatic-run", "adiabatic-scattering"})
+    for (const char* kind : {"initial-conditions", "incoming", "law", "adiabatic-bounce", "adiabatic-run",
+                             "adiabatic-scattering"})
         CHECK(code("--claim " + std::string(kind)) == 1);
     CHECK(code("--claim other") == 2);
     const File false_one(mutated(ten(), "upper 4", "upper 3"));  // that is what is said of it
@@ -230,9 +230,7 @@ TEST_CASE("wrong usage is one line on stderr and exit code 2") {
              "--claims /",
              "--claims list F",
              "--claims list --max 4",
-             "--claims list --lemma 4.1",
-             "--lemma 4.1 --max 4 F F",
-             "--lemma 4.1 --scene wedge F F",
+             "--lemma 4.1 F F",
          }) {
         std::string arguments = options;
         if (arguments.ends_with(" F")) arguments.replace(arguments.size() - 1, 1, file.path());
@@ -286,43 +284,9 @@ TEST_CASE("the option --json prints an array and nothing else") {
     CHECK(run("--json /a /b /c --jobs 1").out == run("--json /a /b /c --jobs 7").out);
 }
 
-TEST_CASE("the option --json of a comparison is one object with both files") {
-    const std::string folder = DUMBBELL_PROJECT "/certificates/";
-    const std::string hybrid = folder + "hybrid-1-100.dbc", wedge = folder + "wedge-1-100.dbc";
-    const Run holds = run("--json --lemma 4.1 " + hybrid + " " + wedge);
-    CHECK(holds.code == 0);
-    CHECK(holds.out.starts_with(
-        "{\"schema\":\"dumbbell-verify-lemma-1\",\"lemma\":\"4.1\",\"verdict\":\"VERIFIED\","
-        "\"comparison\":{\"ratio\":{\"lo\":\"1/1\",\"hi\":\"100/1\"},\"excess\":0,"));
-    CHECK(holds.out.find("\"files\":[{\"file\":\"" + hybrid + "\",\"verdict\":\"VERIFIED\",") !=
-          std::string::npos);
-    CHECK(holds.out.ends_with("}]}\n"));
-    const Run exchanged = run("--json --lemma 4.1 " + wedge + " " + hybrid);
-    CHECK(exchanged.code == 1);
-    CHECK(exchanged.out.find("\"verdict\":\"REJECTED\",\"comparison\":null,\"files\":[") !=
-          std::string::npos);
-    for (const std::string& files : {hybrid + " /nonexistent", "/nonexistent " + wedge}) {
-        const Run missing = run("--lemma 4.1 " + files);
-        CHECK(missing.code == 2);
-        CHECK(missing.last() == "s UNREADABLE lemma=4.1 /nonexistent No such file or directory");
-    }
-    const auto said = [](const std::string& scene, const std::string& file) {
-        return file + "\n  " + run("--quiet --scene " + scene + " " + file).last().substr(11) + "\n";
-    };
-    const std::string verdict = run("--quiet --lemma 4.1 " + hybrid + " " + wedge).out;
-    CHECK(verdict.starts_with("s VERIFIED lemma=4.1 "));
-    CHECK(run("--lemma 4.1 " + hybrid + " " + wedge).out ==
-          said("hybrid", hybrid) + said("wedge", wedge) + verdict);
-}
-
 TEST_CASE("a word is an option if it begins with a dash, else a file") {
     CHECK(make::has(run("-x").err, "unknown option -x"));
     CHECK(run("x-nonexistent").last() == "s UNREADABLE No such file or directory");
-}
-
-TEST_CASE("a comparison says what a file proves only if it does") {
-    CHECK(run("--lemma 4.1 /nonexistent /nonexistent").out ==
-          "s UNREADABLE lemma=4.1 /nonexistent No such file or directory\n");
 }
 
 TEST_CASE("the option --explain shows a leaf with its numbers") {

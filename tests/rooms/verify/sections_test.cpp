@@ -1,4 +1,4 @@
-// The sections full and plain and the scenes wedge and hybrid, and --lemma: true certificates are
+// The sections full and plain and the scenes wedge and hybrid: true certificates are
 // accepted, false ones are not.
 #include <sys/wait.h>
 
@@ -237,31 +237,9 @@ TEST_CASE("combinations of words that are not in the table are unsupported") {
     CHECK(code_of_run("--scene wedge " + file.path()) == 3);
 }
 
-TEST_CASE("the option --lemma compares two files") {
-    const File h(wedge10("hybrid")), w(wedge10()), d(full_text(full(), "10/1", 4));
-    const File low(mutated(wedge10(), "lower 6", "lower 5")),
-        foreign(mutated(wedge10(), "lemmas 1", "lemmas 9"));
-    const File three(wedge_text("wedge", "3/1", "3/1", 3, "count 1 1\n", 3, "0b0 1b0 1 1"));
+TEST_CASE("a leaf of each section is explained in its own words") {
+    const File w(wedge10()), d(full_text(full(), "10/1", 4));
     std::string out;
-    CHECK(code_of_run("--lemma 4.1 " + h.path() + " " + w.path(), &out) == 0);
-    CHECK(out.find("\ns VERIFIED lemma=4.1 ratio=10/1:10/1 excess=0 least-excess=0 gaps=0\n") !=
-          std::string::npos);
-    CHECK(code_of_run("--lemma 4.2 " + d.path() + " " + h.path(), &out) == 0);
-    CHECK(out.find("excess=-2") != std::string::npos);
-    CHECK(code_of_run("--lemma 4.1 " + h.path() + " " + low.path(), &out) == 1);
-    CHECK(out.find("VERIFIED") == std::string::npos);
-    CHECK(code_of_run("--lemma 4.1 " + w.path() + " " + h.path()) == 1);      // the scenes are exchanged
-    CHECK(code_of_run("--lemma 4.1 " + h.path() + " " + three.path()) == 1);  // no common ratio
-    CHECK(code_of_run("--lemma 4.1 " + h.path() + " " + foreign.path()) == 3);
-    CHECK(code_of_run("--lemma 4.1 " + h.path() + " /nonexistent") == 2);
-    CHECK(code_of_run("--lemma 4.3 " + h.path() + " " + w.path()) == 2);
-    CHECK(code_of_run("--lemma 4.1 " + h.path()) == 2);
-    // A gap in both: only one more is proved there, and that is said.
-    const auto with_gap = [](const std::string& scene) {
-        return wedge_text(scene, "3/1", "3000001/1000000", 4, "count 2 1\n", 3, "0b0 1b0 1 1");
-    };
-    const File h_gap(with_gap("hybrid")), w_gap(with_gap("wedge"));
-    CHECK(code_of_run("--lemma 4.1 " + h_gap.path() + " " + w_gap.path(), &out) == 1);  // nothing but the gap
     CHECK(code_of_run("--explain 1:wedge.000 --scene wedge " + w.path(), &out) == 0);
     CHECK(out.find("G_w <= a for X: holds") != std::string::npos);
     const Section& s = full();
