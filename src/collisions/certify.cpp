@@ -58,19 +58,43 @@ ProvedPiece prove_or_recall(const PlannedPiece& planned, const CertifyRequest& r
     return proved;
 }
 
-std::vector<ProvedPiece> prove_plan(const CertifyRequest& request, const PieceOptions& options) {
-    const auto plan = plan_staircase(request.scene, request.q_lo, request.q_hi, request.gap,
-                                     options.interrupted, *request.observer);
-    if (plan.empty()) {
-        return {open_piece(request.q_lo, request.q_hi)};
+/// The pieces with which the range begins that an earlier run has finished: their steps need not be looked
+/// for again.
+std::vector<ProvedPiece> recalled_beginning(const CertifyRequest& request, const PieceOptions& options) {
+    std::vector<ProvedPiece> recalled;
+    for (Piece& piece : request.store ? request.store->beginning() : std::vector<Piece>()) {
+        recalled.emplace_back().piece = std::move(piece);
+        if (options.describes && !options.interrupted()) {
+            describe_witness(recalled.back());
+        }
     }
-    std::vector<ProvedPiece> pieces(plan.size());
-    std::atomic<std::size_t> finished = 0;
-    request.observer->enter("proving", "pieces");
-    in_parallel(plan.size(), [&](std::size_t i) {
-        pieces[i] = timed([&] { return prove_or_recall(plan[i], request, options); });
-        request.observer->update(++finished, plan.size(), plan[i].upper);
-    });
+    return recalled;
+}
+
+/// Steps are looked for, and pieces proved between them, part by part: what is found in time is not lost.
+std::vector<ProvedPiece> prove_range(const CertifyRequest& request, const PieceOptions& options) {
+    std::vector<ProvedPiece> pieces = recalled_beginning(request, options);
+    std::atomic<std::size_t> finished = pieces.size();
+    Observer* looking = request.observer;
+    while (pieces.empty() || pieces.back().piece.q_hi < request.q_hi) {
+        const Rational from = pieces.empty() ? request.q_lo : pieces.back().piece.q_hi;
+        const Plan plan =
+            plan_staircase(request.scene, from, request.q_hi, request.gap, options.interrupted, *looking);
+        if (plan.pieces.empty()) {
+            pieces.push_back(open_piece(from, request.q_hi));
+            break;
+        }
+        request.observer->enter("proving", "pieces");
+        looking = &nobody;
+        const std::size_t before = pieces.size();
+        pieces.resize(before + plan.pieces.size());
+        const std::size_t total = pieces.size() + 2 * plan.steps_beyond;
+        in_parallel(plan.pieces.size(), [&](std::size_t i) {
+            const PlannedPiece& planned = plan.pieces[i];
+            pieces[before + i] = timed([&] { return prove_or_recall(planned, request, options); });
+            request.observer->update(++finished, total, planned.upper);
+        });
+    }
     return pieces;
 }
 
@@ -112,7 +136,7 @@ std::vector<ProvedPiece> certify(const CertifyRequest& request) {
             }));
             return alone;
         }
-        return prove_plan(request, options);
+        return prove_range(request, options);
     });
 }
 

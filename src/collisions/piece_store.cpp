@@ -149,6 +149,31 @@ std::optional<Piece> PieceStore::find(const PlannedPiece& planned, Observer& obs
     return piece;
 }
 
+std::vector<Piece> PieceStore::beginning() const {
+    std::vector<Piece> kept;
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder_)) {
+        if (!is_piece(entry) || !entry.is_regular_file()) {
+            continue;
+        }
+        auto piece = kept_in(entry.path().string()).piece;
+        if (piece && entry.path() == file_of(planned_as(*piece))) {
+            kept.push_back(std::move(*piece));
+        }
+    }
+    std::sort(kept.begin(), kept.end(), [](const Piece& a, const Piece& b) {
+        return a.q_lo < b.q_lo || (a.q_lo == b.q_lo && a.q_hi < b.q_hi);
+    });
+    Rational reached = claim_.q_lo;
+    const auto end = std::find_if(kept.begin(), kept.end(), [&](const Piece& piece) {
+        return piece.q_lo != std::exchange(reached, piece.q_hi);
+    });
+    kept.erase(end, kept.end());
+    while (!kept.empty() && kept.back().status() == Status::exact && kept.back().q_hi < claim_.q_hi) {
+        kept.pop_back();
+    }
+    return kept;
+}
+
 void PieceStore::keep(const Piece& piece) const {
     const Certificate alone{.pieces = {piece}, .scene = claim_.scene, .section = claim_.section};
     // Not synced: thousands of small pieces would spend their time waiting for the disk, and one that a crash

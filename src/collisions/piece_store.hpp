@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "base/observer.hpp"
 #include "collisions/certificate.hpp"
@@ -40,6 +41,11 @@ class PieceStore {
     /// The piece with these bounds, if it was kept and its file is whole. A damaged file is as good as none:
     /// the observer is told its name. Throws InputError if its name is no file's.
     [[nodiscard]] std::optional<Piece> find(const PlannedPiece& planned, Observer& observer = nobody) const;
+
+    /// The kept pieces that tile a part of the claim from its lower end on, in ascending order, as far as
+    /// behind a gap (or the whole claim): from there on a plan goes on as it would have. A damaged file is as
+    /// good as none.
+    [[nodiscard]] std::vector<Piece> beginning() const;
 
     /// Keeps the piece, whatever happens to the program; of what a crash of the machine spoils, `find` finds
     /// nothing. Precondition: its bounds are the planned ones.

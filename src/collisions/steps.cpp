@@ -106,9 +106,14 @@ long guessed_value(Scene scene, const Rational& ratio, const Interrupted& interr
                                     : std::lround(std::numbers::pi / (2 * std::atan(1 / std::sqrt(q))));
 }
 
-/// The steps that seem to lie near [lo, hi], with a neighbour on either side for the distances.
-std::vector<Step> steps_near(Scene scene, const Rational& lo, const Rational& hi, double gap,
-                             const Interrupted& interrupted, Observer& observer) {
+struct NearSteps {
+    std::vector<Step> steps;
+    std::size_t beyond = 0;  ///< that follow them, near the range, too
+};
+
+/// The first steps that seem to lie near [lo, hi], with a neighbour on either side for the distances.
+NearSteps steps_near(Scene scene, const Rational& lo, const Rational& hi, double gap,
+                     const Interrupted& interrupted, Observer& observer) {
     const long first = std::max(4L, guessed_value(scene, lo, interrupted) - 1);
     const long last = guessed_value(scene, hi, interrupted) + 2;
     if (interrupted()) {
@@ -120,7 +125,8 @@ std::vector<Step> steps_near(Scene scene, const Rational& lo, const Rational& hi
                         "(--part K/N)",
                         last - first, max_steps));
     }
-    std::vector<Step> steps(static_cast<std::size_t>(last - first + 1));
+    const auto all = static_cast<std::size_t>(last - first + 1);
+    std::vector<Step> steps(std::min(all, most_steps_at_once));
     std::atomic<std::size_t> done = 0;
     in_parallel(steps.size(), [&](std::size_t i) {
         if (!interrupted()) {
@@ -128,7 +134,7 @@ std::vector<Step> steps_near(Scene scene, const Rational& lo, const Rational& hi
             observer.update(++done, steps.size(), std::nullopt);
         }
     });
-    return steps;
+    return {std::move(steps), all - std::min(all, most_steps_at_once)};
 }
 
 /// Half the width of the gap around a step: 0.9 of what is permitted; the rounding of the ends takes less
@@ -151,11 +157,10 @@ std::string words_of(const PlannedPiece& planned) {
                        planned.upper, planned.lower);
 }
 
-std::vector<PlannedPiece> plan_staircase(Scene scene, const Rational& q_lo, const Rational& q_hi,
-                                         const Rational& gap, const Interrupted& interrupted,
-                                         Observer& observer) {
+Plan plan_staircase(Scene scene, const Rational& q_lo, const Rational& q_hi, const Rational& gap,
+                    const Interrupted& interrupted, Observer& observer) {
     const auto width = gap.convert_to<double>();
-    const auto steps = steps_near(scene, q_lo, q_hi, width, interrupted, observer);
+    const auto [steps, beyond] = steps_near(scene, q_lo, q_hi, width, interrupted, observer);
     if (interrupted()) {
         return {};
     }
@@ -170,14 +175,15 @@ std::vector<PlannedPiece> plan_staircase(Scene scene, const Rational& q_lo, cons
         n = s.critical <= q_lo && !is_inside(s) ? s.n : n;
     }
 
-    std::vector<PlannedPiece> plan;
+    Plan plan{{}, beyond};
     Rational from = q_lo;
     if (q_lo == 1) {
-        plan.push_back({q_lo, q_lo, 2, 2});
+        plan.pieces.push_back({q_lo, q_lo, 2, 2});
         from = std::min(q_hi, Rational(1) + std::min(gap, Rational(1, 1000)));
-        plan.push_back({q_lo, from, 3, 2});
+        plan.pieces.push_back({q_lo, from, 3, 2});
     }
-    for (std::size_t i = 0; i < steps.size(); ++i) {
+    const std::size_t placed = beyond == 0 ? steps.size() : steps.size() - 1;  // with both neighbours
+    for (std::size_t i = 0; i < placed; ++i) {
         if (!is_inside(steps[i])) {
             continue;
         }
@@ -187,16 +193,16 @@ std::vector<PlannedPiece> plan_staircase(Scene scene, const Rational& q_lo, cons
             steps[i].exact ? q : std::clamp(rounded(q - exact(half), half / 20, false), from, q_hi);
         const Rational right = std::clamp(rounded(q + exact(half), half / 20, true), left, q_hi);
         if (left > from || (steps[i].exact && left == from)) {
-            plan.push_back({from, left, n, n});
+            plan.pieces.push_back({from, left, n, n});
         }
         if (right > left) {
-            plan.push_back({left, right, n + 1, n});
+            plan.pieces.push_back({left, right, n + 1, n});
         }
         from = right;
         ++n;
     }
-    if (from < q_hi) {
-        plan.push_back({from, q_hi, n, n});
+    if (beyond == 0 && from < q_hi) {
+        plan.pieces.push_back({from, q_hi, n, n});
     }
     return plan;
 }

@@ -9,7 +9,7 @@ std::optional<Witness> find_wedge_witness(const Rational& q_lo, long target, con
     const Rational r = 1 / q_lo;
     const auto attempt = [&](const Rational& lambda) -> std::optional<Witness> {
         const Rational denominator = 1 + 2 * r * lambda - r;
-        const Rational mu = (2 + r * lambda - lambda) / denominator;
+        const Rational mu = denominator > 0 ? (2 + r * lambda - lambda) / denominator : Rational(-1);
         if (r * lambda >= 1 || mu < 0) {
             return std::nullopt;
         }
@@ -21,10 +21,12 @@ std::optional<Witness> find_wedge_witness(const Rational& q_lo, long target, con
         const Witness w{0, lambda, *forward, *backward, Chart::wedge};
         return w.total() >= target ? std::optional(w) : std::nullopt;
     };
-    // lambda = 1 turns symmetrically: best where the maximum is odd; a nearly horizontal ray is best where it
-    // is even.
-    for (int depth = 0; depth <= 200 && !interrupted(); ++depth) {
-        if (auto witness = attempt(Rational(1, Integer(1) << depth))) {
+    // lambda = 1 turns symmetrically: best where the maximum is odd. Nearly horizontal rays do where it is
+    // even and no tie is near; lambda = 0, the horizontal one itself, attains it however near a tie is.
+    constexpr int least_lambda_bits = 200;
+    for (int depth = 0; depth <= least_lambda_bits + 1 && !interrupted(); ++depth) {
+        const Rational lambda = depth <= least_lambda_bits ? Rational(1, Integer(1) << depth) : Rational(0);
+        if (auto witness = attempt(lambda)) {
             witness->forward = std::min<Count>(witness->forward, target);
             witness->backward = std::min<Count>(witness->backward, target);
             return witness;

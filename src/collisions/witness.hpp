@@ -28,7 +28,7 @@ template <class I>
                                                   const Interrupted& interrupted = never);
 
 /// The straight and the hybrid wedge: a collision of scaled slope lambda, its counts exact at the greatest r,
-/// where they are least (L17, L18). Nothing if none of at least `target` collisions is found.
+/// where they are least (L17, L18). Nothing if there is none of `target` collisions.
 [[nodiscard]] std::optional<Witness> find_wedge_witness(const Rational& q_lo, long target,
                                                         const Interrupted& interrupted = never);
 

@@ -46,7 +46,7 @@ class Kinds {
     [[nodiscard]] int number(const collisions::Leaf& leaf) const { return numbers_.at(key(leaf)); }
 
     [[nodiscard]] Json json() const {
-        std::vector<long> counts;
+        std::vector<Count> counts;
         for (const auto& [key, number] : numbers_) {
             const auto& [counted, both, forward, backward, reason] = key;
             if (counted) {

@@ -37,7 +37,7 @@ Kind kind_of(const starts::InitialLeaf& leaf) {
 }
 
 /// The colour is that of its number of collisions; null: it has none.
-Json kind_json(const Kind& kind, const std::map<long, pictures::CountShade>& shades) {
+Json kind_json(const Kind& kind, const std::map<Count, pictures::CountShade>& shades) {
     const auto& [is_open, undecided, most, least, mass] = kind;
     const auto shade = is_open || undecided ? shades.end() : shades.find(least);
     return Json::object(
@@ -84,7 +84,7 @@ class Body {
     PictureTree tree;
 
     [[nodiscard]] Json kinds() const {
-        std::vector<long> counts;  // that are exact; -1: the others
+        std::vector<Count> counts;  // that are exact; -1: the others
         for (const auto& [count, depths] : leaves_) {
             if (count >= 0) {
                 counts.push_back(count);

@@ -28,7 +28,7 @@ constexpr std::array<Colour, 10> colour_scale{{{253, 231, 37},
                                                {68, 1, 84}}};
 
 /// Few counts do not use the whole scale: so 1, 2, 3, 4 have the same colours in all pictures of few counts.
-constexpr long least_steps = 3;
+const Count least_steps = 3;
 
 /// The share of the scale that stands out from a dark page.
 constexpr double share_on_dark = 0.84;
@@ -48,12 +48,12 @@ std::string colour_at(double t) {
 
 }  // namespace
 
-std::string count_kind(long count) { return fmt::format("n{}", count); }
+std::string count_kind(const Count& count) { return fmt::format("n{}", count); }
 
-std::map<long, CountShade> count_shades(const std::vector<long>& counts) {
-    std::map<long, CountShade> shades;
-    for (const long count : counts) {
-        const long first = std::max(1L, counts.front());
+std::map<Count, CountShade> count_shades(const std::vector<Count>& counts) {
+    std::map<Count, CountShade> shades;
+    for (const Count& count : counts) {
+        const Count first = std::max(Count(1), counts.front());
         const auto steps = static_cast<double>(std::max(least_steps, counts.back() - first));
         const double t = static_cast<double>(count - first) / steps;
         shades[count] = count == 0 ? CountShade{std::string(palette::no_collision.light),
@@ -63,18 +63,18 @@ std::map<long, CountShade> count_shades(const std::vector<long>& counts) {
     return shades;
 }
 
-void colour_counts(Svg& svg, const std::vector<long>& counts) {
+void colour_counts(Svg& svg, const std::vector<Count>& counts) {
     for (const auto& [count, colour] : count_shades(counts)) {
         svg.colour(count_kind(count), "fill", colour.shade());
     }
 }
 
-std::vector<long> shown_counts(const std::vector<long>& counts) {
+std::vector<Count> shown_counts(const std::vector<Count>& counts) {
     constexpr std::size_t most = 13;
     if (counts.size() <= most) {
         return counts;
     }
-    std::vector<long> shown(most);
+    std::vector<Count> shown(most);
     for (std::size_t i = 0; i < most; ++i) {
         shown[i] = counts[i * (counts.size() - 1) / (most - 1)];
     }

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "number/count.hpp"
 #include "pictures/frame.hpp"
 
 /// Colours of numbers of collisions: an even, bright-to-dark scale that stays ordered for every kind of
@@ -11,7 +12,7 @@
 namespace dumbbell::pictures {
 
 /// The class of the count's colour.
-[[nodiscard]] std::string count_kind(long count);
+[[nodiscard]] std::string count_kind(const Count& count);
 
 /// A Shade that owns its text.
 struct CountShade {
@@ -21,12 +22,12 @@ struct CountShade {
 };
 
 /// The colours of these counts in one picture. Precondition: ascending, none negative.
-[[nodiscard]] std::map<long, CountShade> count_shades(const std::vector<long>& counts);
+[[nodiscard]] std::map<Count, CountShade> count_shades(const std::vector<Count>& counts);
 
 /// Gives each count its colour. Precondition: as count_shades.
-void colour_counts(Svg& svg, const std::vector<long>& counts);
+void colour_counts(Svg& svg, const std::vector<Count>& counts);
 
 /// The counts that a legend shows: all, or about a dozen from the least to the greatest.
-[[nodiscard]] std::vector<long> shown_counts(const std::vector<long>& counts);
+[[nodiscard]] std::vector<Count> shown_counts(const std::vector<Count>& counts);
 
 }  // namespace dumbbell::pictures

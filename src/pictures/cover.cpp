@@ -71,7 +71,7 @@ struct Panel {
 
 struct DrawnCover {
     std::vector<Panel> panels;
-    std::set<long> counts;
+    std::set<Count> counts;
     std::set<Reason> others;
 };
 
@@ -96,7 +96,7 @@ Panel panel_of(const collisions::ChartTree& tree, const collisions::Piece& piece
         }
         std::string kind;
         if (node.leaf.reason == Reason::count) {
-            const long count = 1 + node.leaf.forward + node.leaf.backward;
+            const Count count = 1 + node.leaf.forward + node.leaf.backward;
             cover.counts.insert(count);
             kind = count_kind(count);
         } else {
@@ -156,9 +156,9 @@ Frame frame_of(const Panel& panel, double x, double y, double width) {
              panel.is_compact() ? Scale::compact : Scale::linear}};
 }
 
-std::vector<LegendEntry> legend_entries(const std::set<long>& counts, const std::set<Reason>& others) {
+std::vector<LegendEntry> legend_entries(const std::set<Count>& counts, const std::set<Reason>& others) {
     std::vector<LegendEntry> entries;
-    for (const long count : shown_counts({counts.begin(), counts.end()})) {
+    for (const Count& count : shown_counts({counts.begin(), counts.end()})) {
         entries.push_back({Swatch::area, count_kind(count), fmt::format("{}", count)});
     }
     for (const Reason reason : others) {
@@ -168,12 +168,11 @@ std::vector<LegendEntry> legend_entries(const std::set<long>& counts, const std:
 }
 
 /// What explains holes in the counts of a legend.
-std::string legend_note(const std::set<long>& counts) {
+std::string legend_note(const std::set<Count>& counts) {
     if (shown_counts({counts.begin(), counts.end()}).size() < counts.size()) {
         return " The legend has some of the counts only.";
     }
-    const bool has_holes =
-        !counts.empty() && *counts.rbegin() - *counts.begin() + 1 > static_cast<long>(counts.size());
+    const bool has_holes = !counts.empty() && *counts.rbegin() - *counts.begin() + 1 > Count(counts.size());
     return has_holes ? " A count that the legend leaves out belongs to no box." : "";
 }
 
@@ -267,7 +266,7 @@ std::string cover_svg(const starts::InitialCertificate& certificate) {
     const auto along = [](const PlotAxis& axis, const Rational& share) {
         return axis.lo + (axis.hi - axis.lo) * value(share);
     };
-    std::set<long> counts;
+    std::set<Count> counts;
     DrawnBoxes boxes;
     for (const InitialCell& cell : plane.cells) {
         if (cell.is_exact()) {

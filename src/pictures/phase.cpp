@@ -70,8 +70,8 @@ std::string path_of(const std::vector<Outline>& outlines, const std::array<int, 
     return path;
 }
 
-std::vector<long> counts_of(const std::map<long, Region>& regions) {
-    std::vector<long> counts(regions.size());
+std::vector<Count> counts_of(const std::map<long, Region>& regions) {
+    std::vector<Count> counts(regions.size());
     std::transform(regions.begin(), regions.end(), counts.begin(),
                    [](const auto& region) { return region.first; });
     return counts;
@@ -83,7 +83,7 @@ std::string percent(const Rational& share) {
 
 std::vector<LegendEntry> legend_entries(const std::map<long, Region>& regions, const Rational& undecided) {
     std::vector<LegendEntry> entries;
-    for (const long count : shown_counts(counts_of(regions))) {
+    for (const Count& count : shown_counts(counts_of(regions))) {
         entries.push_back({Swatch::area, count_kind(count),
                            fmt::format("{} ({})", count, percent(regions.at(count).share))});
     }

@@ -14,14 +14,21 @@ std::string dumped(const nlohmann::ordered_json& json, int indent) {
 
 constexpr int on_one_line = -1;
 
+/// The one place that spells an integer. Every integer below 2^53 is a double.
+std::string spelled(const Count& value) {
+    const Count limit = 1L << 53;
+    const bool is_double = value < limit && Count(0) - value < limit;
+    return is_double ? value.str() : '"' + value.str() + '"';
+}
+
 }  // namespace
 
 Json::Json(std::nullptr_t /*null*/) : text_("null") {}
 Json::Json(bool value) : text_(value ? "true" : "false") {}
 Json::Json(int value) : text_(std::to_string(value)) {}
-Json::Json(long value) : text_(std::to_string(value)) {}
-Json::Json(unsigned long value) : text_(std::to_string(value)) {}
-Json::Json(const Count& value) : text_(value.fits_long() ? value.str() : '"' + value.str() + '"') {}
+Json::Json(long value) : text_(spelled(value)) {}
+Json::Json(unsigned long value) : text_(spelled(value)) {}
+Json::Json(const Count& value) : text_(spelled(value)) {}
 Json::Json(double value) : text_(dumped(value, on_one_line)) {}
 Json::Json(std::string_view value) : text_(dumped(value, on_one_line)) {}
 Json::Json(const std::string& value) : Json(std::string_view(value)) {}

@@ -22,10 +22,10 @@ class Json {  // NOLINT(cppcoreguidelines-special-member-functions): one assignm
     // NOLINTBEGIN(google-explicit-constructor): a value is what it is in JSON, too
     Json(std::nullptr_t = nullptr);
     Json(bool value);
+    /// An integer is a string from 2^53 on (of either sign): most readers of JSON keep numbers in doubles.
     Json(int value);
     Json(long value);
     Json(unsigned long value);
-    /// A string from 2^63 on: hardly a reader of JSON keeps such numbers exactly.
     Json(const Count& value);
     /// Null if it is not finite.
     Json(double value);

@@ -1,5 +1,6 @@
 // The charts of a section (format.md, format-sections.md): what their axes mean, and where their states are in the plane of
 // psi and the slope d yhat / d psi in the direction of travel.
+import { sum } from "./counts.js";
 import { show } from "./numbers.js";
 
 const bridge = {
@@ -56,7 +57,7 @@ export function leafText(kind, chart) {
     switch (kind.reason) {
         case "count":
             return chart === "contact" || chart === "departure"
-                ? `count ${kind.forward}: ${forward} collisions, so at most ${1 + kind.forward} from here on`
+                ? `count ${kind.forward}: ${forward} collisions, so at most ${sum(1, kind.forward)} from here on`
                 : `count ${kind.forward} ${kind.backward}: ${forward} and ${kind.backward} earlier collisions, so at most ${total(kind)} in all`;
         case "outside":
             return "outside: no state of the section lies here";
@@ -69,7 +70,7 @@ export function leafText(kind, chart) {
     }
 }
 
-export const total = (kind) => 1 + kind.forward + kind.backward;
+export const total = (kind) => sum(1, kind.forward, kind.backward);
 
 /// A box in words: `e 0.5 to 1, ...`; axes without width as one value.
 export const boxText = (axes, box) =>

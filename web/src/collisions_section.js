@@ -71,7 +71,7 @@ function coverSource(file, orbits) {
                 isByCount: true,
                 paint: (kind) => shade(kind.colour),
                 label: (kind) => (isCount(kind) ? `at most ${total(kind)}` : kind.reason),
-                order: (kind) => (isCount(kind) ? total(kind) : 1e9 + reasons.indexOf(kind.reason)),
+                order: (kind) => (isCount(kind) ? Number(total(kind)) : Infinity),
             },
             {
                 text: "by reason",
@@ -127,22 +127,23 @@ function witnesses(file) {
         const q = lo * (hi / lo) ** share;
         const { e, eta, forward, backward, chart } = piece.witness;
         const orbit = orbitOf(piece, q);
+        const claimed = total(piece.witness);
         player.load(orbit);
         const found = orbit.collisions.length;
         const start = chart === "wedge" ? `slope \u03bb = ${shortened(eta)}` : `contact of the heavy mass at e = ${shortened(e)}, \u03b7 = ${shortened(eta)}`;
         about.replaceChildren(
             h("strong", {}, `Claimed by the file: `),
-            `the ${start}, exactly, has at least ${plural(forward, "later collision")} and ${backward} earlier: ${1 + forward + backward} in all, for every ${rangeText(piece)}. `,
+            `the ${start}, exactly, has at least ${plural(forward, "later collision")} and ${backward} earlier: ${claimed} in all, for every ${rangeText(piece)}. `,
             h("strong", {}, "Computed by this page: "),
             `the motion from this start at q = ${show(q, 10)}, in double precision, as an illustration. `,
-            found < 1 + forward + backward ? h("span", { class: "warning" }, `Doubles lose it after ${plural(found, "collision")}: so close to a step they are too coarse. The file\u2019s count does not rest on them.`) : "",
+            found < claimed ? h("span", { class: "warning" }, `Doubles lose it after ${plural(found, "collision")}: so close to a step they are too coarse. The file\u2019s count does not rest on them.`) : "",
         );
     };
     let chosen = Math.max(0, pieces.length - 1);
     let share = 0.5;
     const controls = [];
     if (pieces.length > 1) {
-        controls.push(labelled("Witness", select(pieces.map((p, i) => [i, `${rangeText(p)}: ${1 + p.witness.forward + p.witness.backward} collisions`]), chosen, (i) => {
+        controls.push(labelled("Witness", select(pieces.map((p, i) => [i, `${rangeText(p)}: ${total(p.witness)} collisions`]), chosen, (i) => {
             chosen = Number(i);
             load(chosen, share);
         })));
@@ -166,7 +167,7 @@ function piecesTable(file) {
     const ends = ({ lo_text: lo, hi_text: hi }) => (lo === hi ? shortened(lo) : `${shortened(lo)} to ${shortened(hi)}`);
     const paper = (p) => (p.paper ? (p.paper[0] === p.paper[1] ? String(p.paper[0]) : `${p.paper[0]} to ${p.paper[1]}`) : "");
     const row = (p) => [ends(p), valueText(p), ...(isDumbbell ? [paper(p)] : []), p.equal_masses ? "by L7" : p.leaves.toLocaleString("en"), String(p.bits),
-        p.witness ? `${1 + p.witness.forward + p.witness.backward} collisions` : ""];
+        p.witness ? `${total(p.witness)} collisions` : ""];
     const head = ["mass ratio", "claimed", ...(isDumbbell ? ["the paper\u2019s bound"] : []), "boxes", "bits", "witness"];
     const boxesColumn = head.indexOf("boxes");
     const totals = Object.entries(file.totals).map(([reason, leaves]) => [reason, leaves.toLocaleString("en")]);

@@ -146,7 +146,7 @@ class Cover {
             const label = this.colouring.label(kind);
             seen.set(label, { paint: this.colouring.paint(kind), order: this.colouring.order?.(kind) ?? 0 });
         }
-        let entries = [...seen].sort((a, b) => a[1].order - b[1].order);
+        let entries = [...seen].sort((a, b) => a[1].order - b[1].order || 0);
         const isThinned = entries.length > 14;
         if (isThinned) {
             const step = (entries.length - 1) / 11;

@@ -46,7 +46,7 @@ function source(file, own) {
                 isByCount: true,
                 paint: (kind) => (kind.colour ? shade(kind.colour) : "hatched"),
                 label: (kind) => (isExact(kind) ? plural(kind.least, "collision") : "not decided"),
-                order: (kind) => (isExact(kind) ? kind.least : 1e9),
+                order: (kind) => (isExact(kind) ? Number(kind.least) : Infinity),
             },
             {
                 text: "by the first mass to hit",

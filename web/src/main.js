@@ -1,6 +1,7 @@
 // The page: reads the data that the program put into it, and makes a section for each file.
 import { adiabaticSection } from "./adiabatic_section.js";
 import { collisionsSection } from "./collisions_section.js";
+import { parseReport } from "./counts.js";
 import { h, labelled, select } from "./dom.js";
 import { initialSection } from "./initial_section.js";
 import { OwnStart } from "./own_start.js";
@@ -37,7 +38,7 @@ function sectionOf(file, data, own) {
     }
 }
 
-const data = JSON.parse(document.getElementById("data").textContent);
+const data = parseReport(document.getElementById("data").textContent);
 useColours(data.colours);
 watchTheme();
 openForPrint();

@@ -41,10 +41,11 @@ class Staircase {
         this.file = file;
         this.constant = constant;
         this.pieces = file.pieces.map((piece) => ({ ...piece, q0: parse(piece.lo), q1: parse(piece.hi) }));
-        this.isDumbbell = file.scene === "dumbbell";
+        this.base = [file.upper, file.lower].some((n) => typeof n === "bigint") ? BigInt(file.lower) : null;
+        this.isCompared = file.scene === "dumbbell" && this.base === null;
         this.gaps = this.pieces.filter((piece) => piece.status === "gap");
         this.rescale(scales.log());
-        const top = Math.max(...this.pieces.map((p) => Math.max(p.upper ?? p.lower, p.paper?.[1] ?? 0)));
+        const top = Math.max(...this.pieces.map((p) => Math.max(this.height(p.upper ?? p.lower), this.paper(p))));
         this.home = { x0: this.x0[0], x1: this.x1.at(-1), y0: 0, y1: top * 1.06 + 0.5 };
         const space = (this.home.x1 - this.home.x0) * 0.015;
         this.home.x0 -= space;
@@ -54,7 +55,7 @@ class Staircase {
             home: this.home,
             height: 400,
             xLabel: () => this.scale.label,
-            yLabel: "collisions N(q)",
+            yLabel: this.base === null ? "collisions N(q)" : `collisions N(q) \u2212 ${this.base}`,
             xTicks: (...of) => this.scale.ticks(...of),
             yTicks: countTicks,
             least: { x: 1e-300, y: 3 },
@@ -63,6 +64,16 @@ class Staircase {
         });
         this.readout = output("readout", "Point at the staircase, or move it with the arrow keys.");
         this.element = h("figure", { class: "wide" }, this.controls(), this.plane.element, this.readout, this.caption());
+    }
+
+    /// A count as the plane has it: where doubles do not tell counts apart, its distance from the least one.
+    height(count) {
+        return this.base === null ? count : Number(BigInt(count) - this.base);
+    }
+
+    /// The greatest value of the paper's bound on the piece.
+    paper(piece) {
+        return this.isCompared ? (piece.paper?.[1] ?? 0) : 0;
     }
 
     rescale(scale) {
@@ -123,9 +134,9 @@ class Staircase {
 
     /// A window of counts that fits these pieces.
     heights(pieces) {
-        const least = Math.min(...pieces.map((p) => p.lower));
-        const most = Math.max(...pieces.map((p) => p.upper ?? p.lower));
-        const paper = Math.max(...pieces.map((p) => p.paper?.[1] ?? 0));
+        const least = Math.min(...pieces.map((p) => this.height(p.lower)));
+        const most = Math.max(...pieces.map((p) => this.height(p.upper ?? p.lower)));
+        const paper = Math.max(...pieces.map((p) => this.paper(p)));
         return { y0: Math.max(0, least - 2.5), y1: (paper - most <= nearPaper ? Math.max(most, paper) : most + 1.5) + 1.5 };
     }
 
@@ -144,7 +155,7 @@ class Staircase {
                 this.drawUndecided(plane, piece, i);
             }
         });
-        if (this.isDumbbell) {
+        if (this.isCompared) {
             this.drawPaper(plane);
             this.drawGrowth(plane);
         }
@@ -154,7 +165,7 @@ class Staircase {
         c.beginPath();
         this.pieces.forEach((piece, i) => {
             if (piece.status === "exact") {
-                const y = plane.Y(piece.upper);
+                const y = plane.Y(this.height(piece.upper));
                 const x = plane.X(this.x0[i]);
                 c.moveTo(x, y);
                 c.lineTo(Math.max(x + 1.5, plane.X(this.x1[i])), y);
@@ -169,9 +180,9 @@ class Staircase {
         const x = plane.X(this.x0[i]);
         const width = Math.max(1.5, plane.X(this.x1[i]) - x);
         const isGap = status === "gap";
-        const top = isGap ? plane.Y(upper) : plane.frame.y;
+        const top = isGap ? plane.Y(this.height(upper)) : plane.frame.y;
         c.fillStyle = isGap ? colour("--gap") : hatching(c);
-        c.fillRect(x, top, width, Math.max(1, plane.Y(lower) - top));
+        c.fillRect(x, top, width, Math.max(1, plane.Y(this.height(lower)) - top));
     }
 
     drawPaper(plane) {
@@ -222,7 +233,7 @@ class Staircase {
             open: `N(q) is at least ${lower}${upper === null ? "" : ` and at most ${upper}`} (open)`,
         }[status];
         const q = this.scale.q(x);
-        const beside = this.isDumbbell ? `; the paper\u2019s bound ${paperBound(q)}, 2 + C\u221aq = ${show(growth(q, this.constant), 5)}` : "";
+        const beside = this.isCompared ? `; the paper\u2019s bound ${paperBound(q)}, 2 + C\u221aq = ${show(growth(q, this.constant), 5)}` : "";
         this.readout.textContent = `At q = ${this.scale.text(x)}: ${value}${beside}. Piece ${i + 1}: ${range}.`;
     }
 
@@ -235,7 +246,7 @@ class Staircase {
         if (this.pieces.some((p) => p.status === "open")) {
             keys.push(key("open", "not decided"));
         }
-        if (this.isDumbbell) {
+        if (this.isCompared) {
             keys.push(key("paper", "the paper\u2019s bound \u2308\u03c0/\u03b3\u2309 + 1"), key("growth", `2 + C\u221aq, C = ${show(this.constant, 7)}\u2026`));
         }
         const gaps = this.gaps.length === 0 ? "" : ` ${plural(this.gaps.length, "gap")} between the steps, drawn at least as wide as a line; choose one above to see its true width.`;

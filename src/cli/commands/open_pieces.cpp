@@ -86,8 +86,7 @@ std::string kept_when_stopped(const CertifyRequest& request, const std::vector<P
     if (now == 0 && (!kept || kept->number == 0)) {
         return "no piece was finished yet";
     }
-    const std::string so_many = now == 0 ? fmt::format("{} pieces", kept->number)
-                                         : fmt::format("{} of {} pieces", now, pieces.size());
+    const std::string so_many = fmt::format("{} pieces", now == 0 ? kept->number : now);
     return !kept ? fmt::format("{} were finished, and are lost: with --out FILE they are kept", so_many)
                  : fmt::format("{} are finished and kept in '{}': the same command goes on with them",
                                so_many, kept->folder);

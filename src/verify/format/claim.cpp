@@ -8,7 +8,7 @@ std::string to_string(const mpq_class& lo, const mpq_class& hi) {
     return to_string(lo) + ":" + to_string(hi);
 }
 std::string json_count(const mpz_class& n) {
-    return n.fits_slong_p() ? n.get_str() : '"' + n.get_str() + '"';
+    return mpz_sizeinbase(n.get_mpz_t(), 2) <= 53 ? n.get_str() : '"' + n.get_str() + '"';
 }
 
 std::string covered_part(const mpq_class& lo, const mpq_class& hi, const mpq_class& from,

@@ -15,7 +15,7 @@ namespace dumbbell_verify {
 
 std::string to_string(const mpq_class& ratio);                    ///< P/Q
 std::string to_string(const mpq_class& lo, const mpq_class& hi);  ///< LO:HI
-/// A JSON string from 2^63 on: hardly a reader of JSON keeps such numbers exactly.
+/// A JSON string from 2^53 on: most readers of JSON keep numbers in doubles. Precondition: n >= 0.
 std::string json_count(const mpz_class& n);
 /// For a claim about the ratios [lo, hi] that was asked about [from, to], and does not cover them: what it
 /// covers.

@@ -20,7 +20,9 @@ std::string object(const std::vector<Member>& members) {
         text += (text.empty() ? "" : ",") + json_string(member.name) + ":" + member.value;
     return "{" + text + "}";
 }
-std::string number(const std::optional<std::uint64_t>& n) { return n ? std::to_string(*n) : "null"; }
+std::string number(const std::optional<std::uint64_t>& n) {
+    return n ? json_count(mpz_class(std::to_string(*n))) : "null";
+}
 std::string count(const std::optional<mpz_class>& n) { return n ? json_count(*n) : "null"; }
 std::string string_unless(bool absent, const std::string& text) {
     return absent ? "null" : json_string(text);

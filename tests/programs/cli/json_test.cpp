@@ -14,9 +14,18 @@ namespace {
 using Types = std::set<std::string>;
 using Fields = std::map<std::string, Types>;
 
+// From 2^53 = 9007199254740992 on an integer is a string.
+bool is_great_integer(const OrderedJson& value) {
+    static const std::string limit = "9007199254740992";
+    const std::string text = value.is_string() ? value.get<std::string>() : "";
+    return text.find_first_not_of("0123456789") == std::string::npos &&
+           (text.size() > limit.size() || (text.size() == limit.size() && text >= limit));
+}
+
 std::string type_of(const OrderedJson& value) {
     return value.is_null()             ? "null"
            : value.is_boolean()        ? "boolean"
+           : is_great_integer(value)   ? "integer"
            : value.is_string()         ? "string"
            : value.is_number_integer() ? "integer"
            : value.is_number()         ? "number"

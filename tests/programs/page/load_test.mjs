@@ -1,7 +1,8 @@
 import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
 import test, { after } from "node:test";
 import { launch, open } from "./browser.mjs";
-import { certificates, report, scratch } from "./program.mjs";
+import { certificates, dumbbell, report, scratch } from "./program.mjs";
 
 const place = scratch();
 const files = certificates(place);
@@ -41,6 +42,30 @@ for (const [name, file] of Object.entries(files)) {
         assert.match(text, /It has not been verified here/);
         assert.match(text, /[0-9a-f]{64}/);
         assert.ok(text.includes(file.split("/").at(-1)));
+        assert.deepEqual(page.complaints, []);
+        await page.close();
+    });
+}
+
+// N is 2^53 + 1, beyond 2^63, and beyond 10^30; a range whose pieces differ by one beyond 2^53.
+const far = ["103444904176052125293213419806588", "1.2e38", "1.3e60", "1e34:1.00000000000000005e34"];
+
+for (const ratio of far) {
+    test(`the counts of q = ${ratio} are the certificate's, to the last digit`, async () => {
+        const file = place(`far-${ratio.replace(":", "-")}.dbc`);
+        dumbbell("certify", ratio, "--out", file, "--quiet");
+        const lines = readFileSync(file, "utf8").split("\n");
+        const counts = lines.flatMap((line) => /^(?:upper|lower) (\d+)$/.exec(line)?.[1] ?? []);
+        assert.ok(counts.length >= 2 && counts.every((n) => BigInt(n) > 2n ** 53n), String(counts));
+        const page = await open(browser, report(place("far.html"), file));
+        const text = await page.textContent("main");
+        assert.deepEqual(counts.filter((n) => !text.includes(n)), []);
+        const pieces = await page.locator("table").filter({ hasText: "claimed" }).textContent();
+        for (const n of counts) {
+            assert.match(pieces, new RegExp(`N = ([0-9]+ or )?${n}`));
+        }
+        const [, forward, backward] = /^witness \S+ \S+ \S+ (\d+) (\d+)$/m.exec(lines.join("\n"));
+        assert.ok(text.includes(`${1n + BigInt(forward) + BigInt(backward)} in all`) || counts.length > 2);
         assert.deepEqual(page.complaints, []);
         await page.close();
     });

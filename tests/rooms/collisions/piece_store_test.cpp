@@ -7,6 +7,8 @@
 #include <fstream>
 
 #include "base/error.hpp"
+#include "collisions/certify.hpp"
+#include "collisions/reader.hpp"
 #include "collisions/writer.hpp"
 #include "example.hpp"
 #include "file/file_contents.hpp"
@@ -220,4 +222,53 @@ TEST_CASE("a folder of another claim, or in use, is refused, and an unused one d
     fs::remove(only_piece(place));
     { const PieceStore store(place.path.string(), claim(100)); }
     CHECK_FALSE(fs::exists(place.path));
+}
+
+TEST_CASE("the beginning is what tiles the claim from its lower end, as far as behind a gap") {
+    const Place place;
+    const PieceStore store(place.path.string(), claim(100));
+    CHECK(store.beginning().empty());
+    for (const auto& [lo, hi, upper, lower] :
+         {std::tuple(1, 2, 3, 2), std::tuple(2, 5, 3, 3), std::tuple(5, 6, 4, 3), std::tuple(6, 7, 4, 4),
+          std::tuple(8, 9, 5, 4)}) {
+        store.keep(dumbbell_test::piece(lo, hi, upper, lower));
+    }
+    const auto beginning = store.beginning();
+    REQUIRE(beginning.size() == 3);
+    CHECK(beginning.back().q_lo == 5);
+    CHECK(beginning.back().q_hi == 6);
+}
+
+TEST_CASE("a run that had no time for the rest has the kept beginning, and one that has ends as in one go") {
+    const Place place;
+    CertifyRequest request;
+    request.q_lo = 1;
+    request.q_hi = 100;
+    const auto bounds = [&] {
+        std::vector<PlannedPiece> all;
+        for (const ProvedPiece& proved : certify(request)) {
+            all.push_back(
+                {proved.piece.q_lo, proved.piece.q_hi, proved.piece.upper.value_or(0), proved.piece.lower});
+        }
+        return all;
+    };
+    const auto one_go = bounds();
+    const PieceStore store(place.path.string(), {Scene::dumbbell, Section::turning, 1, 100, request.gap});
+    request.store = &store;
+    CHECK(bounds() == one_go);
+    REQUIRE(store.beginning().size() == one_go.size());
+    for (const auto& entry : fs::directory_iterator(place.path)) {
+        if (entry.path().extension() == ".dbc" &&
+            read_certificate(entry.path().string()).pieces.front().lower > 7) {
+            fs::remove(entry);
+        }
+    }
+    request.budget = std::chrono::seconds(0);
+    const auto kept = bounds();
+    REQUIRE(kept.size() > 2);
+    CHECK(std::equal(kept.begin(), kept.end() - 1, one_go.begin()));
+    CHECK(kept.back() == PlannedPiece{kept[kept.size() - 2].q_hi, 100, 0, 0});
+    CHECK((kept[kept.size() - 2].upper == 8 && kept[kept.size() - 2].lower == 7));
+    request.budget.reset();
+    CHECK(bounds() == one_go);
 }

@@ -25,7 +25,7 @@ double brightness(const std::string& colour) {
     return 0.3 * channel(1) + 0.59 * channel(3) + 0.11 * channel(5);
 }
 
-std::string coloured(const std::vector<long>& counts) {
+std::string coloured(const std::vector<Count>& counts) {
     Svg svg(1, 1, "colours");
     colour_counts(svg, counts);
     return svg.finished();
@@ -34,7 +34,7 @@ std::string coloured(const std::vector<long>& counts) {
 }  // namespace
 
 TEST_CASE("more collisions are darker: the order of the colours is seen without seeing colours") {
-    std::vector<long> counts(30);
+    std::vector<Count> counts(30);
     std::iota(counts.begin(), counts.end(), 1);
     const std::string svg = coloured(counts);
     for (std::size_t i = 1; i < counts.size(); ++i) {
@@ -49,8 +49,8 @@ TEST_CASE("pictures of few counts give them the same colours") {
 }
 
 TEST_CASE("a legend shows all of a few counts, and of many about a dozen from end to end") {
-    CHECK(shown_counts({1, 2, 5}) == std::vector<long>{1, 2, 5});
-    std::vector<long> many(90);
+    CHECK(shown_counts({1, 2, 5}) == std::vector<Count>{1, 2, 5});
+    std::vector<Count> many(90);
     std::iota(many.begin(), many.end(), 1);
     const auto shown = shown_counts(many);
     CHECK(shown.size() == 13);

@@ -15,10 +15,7 @@ Json sample() {
     return Json::object({{"text", "a \"b\" \\ \n \x01 </script> \xc3\xa9 \xe2\x80\xa8"},
                          {"empty", ""},
                          {"numbers", Json::array({-1, 0.1, 1e-9, 1e300, 3.0, -0.0})},
-                         {"great", std::numeric_limits<std::uint64_t>::max()},
-                         {"least", std::numeric_limits<long>::min()},
                          {"count", Count(7)},
-                         {"great count", Count(std::numeric_limits<long>::max()) + 1},
                          {"yes", true},
                          {"nothing", nullptr},
                          {"no fields", Json::object()},
@@ -30,10 +27,7 @@ Reference reference() {
     return {{"text", "a \"b\" \\ \n \x01 </script> \xc3\xa9 \xe2\x80\xa8"},
             {"empty", ""},
             {"numbers", {-1, 0.1, 1e-9, 1e300, 3.0, -0.0}},
-            {"great", std::numeric_limits<std::uint64_t>::max()},
-            {"least", std::numeric_limits<long>::min()},
             {"count", 7},
-            {"great count", "9223372036854775808"},
             {"yes", true},
             {"nothing", nullptr},
             {"no fields", Reference::object()},
@@ -46,6 +40,20 @@ Reference reference() {
 TEST_CASE("JSON is spelled as nlohmann's library spells it, on one line and indented, in ASCII") {
     CHECK(sample().text() == reference().dump(-1, ' ', true));
     CHECK(json_text(sample()) == reference().dump(2, ' ', true) + '\n');
+}
+
+TEST_CASE("an integer is a number below 2^53, which doubles hold, and a string from there on") {
+    constexpr long last = (1L << 53) - 1;
+    CHECK(Json(last).text() == "9007199254740991");
+    CHECK(Json(last + 1).text() == R"("9007199254740992")");
+    CHECK(Json(-last).text() == "-9007199254740991");
+    CHECK(Json(-last - 1).text() == R"("-9007199254740992")");
+    CHECK(Json(std::numeric_limits<long>::min()).text() == R"("-9223372036854775808")");
+    CHECK(Json(static_cast<unsigned long>(last)).text() == "9007199254740991");
+    CHECK(Json(std::numeric_limits<std::uint64_t>::max()).text() == R"("18446744073709551615")");
+    CHECK(Json(Count(last)).text() == "9007199254740991");
+    CHECK(Json(Count(last) + 1).text() == R"("9007199254740992")");
+    CHECK(Json(Count(std::numeric_limits<long>::max()) + 1).text() == R"("9223372036854775808")");
 }
 
 TEST_CASE("fields and values that are added come last") {
