@@ -8,7 +8,6 @@
 #include <utility>
 #include <vector>
 
-#include "base/ended_early.hpp"
 #include "base/error.hpp"
 #include "collisions/names.hpp"
 #include "file/lines.hpp"
@@ -34,21 +33,16 @@ Node node_from(Lines& lines, Chart chart) {
     lines.fail();
 }
 
-ChartTree tree_from(Lines& lines, Chart chart, Trees trees, const Interrupted& interrupted) {
+ChartTree tree_from(Lines& lines, Chart chart) {
     Tree tree;
     for (long missing = 1; missing > 0;) {
-        go_on(interrupted);
-        Node node = node_from(lines, chart);
-        missing += node.split ? 1 : -1;
-        if (trees == Trees::kept) {
-            tree.push_back(node);
-        }
+        tree.push_back(node_from(lines, chart));
+        missing += tree.back().split ? 1 : -1;
     }
     return {chart, std::move(tree)};
 }
 
-Cover cover_from(Lines& lines, const std::vector<Chart>& charts, Trees trees,
-                 const Interrupted& interrupted) {
+Cover cover_from(Lines& lines, const std::vector<Chart>& charts) {
     Cover cover;
     for (const Chart chart : charts) {
         const auto& fields = lines.next();
@@ -59,16 +53,14 @@ Cover cover_from(Lines& lines, const std::vector<Chart>& charts, Trees trees,
         if (fields.size() != 2 || fields[0] != "chart" || fields[1] != name(chart)) {
             lines.fail();
         }
-        cover.charts.push_back(tree_from(lines, chart, trees, interrupted));
+        cover.charts.push_back(tree_from(lines, chart));
     }
     return cover;
 }
 
 constexpr std::array witness_charts{Chart::bridge, Chart::wedge};
 
-Piece piece_from(Lines& lines, const std::vector<Chart>& charts, Trees trees,
-                 const Interrupted& interrupted) {
-    go_on(interrupted);
+Piece piece_from(Lines& lines, const std::vector<Chart>& charts) {
     Piece piece;
     const auto& range = lines.expect("piece", 3);
     piece.q_lo = lines.ratio(range[1]);
@@ -77,7 +69,7 @@ Piece piece_from(Lines& lines, const std::vector<Chart>& charts, Trees trees,
     const std::string upper = lines.expect("upper", 2)[1];
     if (upper != "none") {
         piece.upper = lines.count(upper);
-        piece.cover = cover_from(lines, charts, trees, interrupted);
+        piece.cover = cover_from(lines, charts);
     }
     piece.lower = lines.count(lines.expect("lower", 2)[1]);
     if (piece.lower > 0) {
@@ -107,11 +99,8 @@ const char* other_subject(std::string_view claim) {
     return claim.starts_with("adiabatic-") ? "the adiabatic invariant (dumbbell adiabatic)" : nullptr;
 }
 
-}  // namespace
-
-PieceReader::PieceReader(const std::string& path, Trees trees, Interrupted interrupted)
-    : lines_(path), trees_(trees), interrupted_(std::move(interrupted)) {
-    const Head head = lines_.expect_head();
+ClaimedHead head_from(Lines& lines, const std::string& path) {
+    const Head head = lines.expect_head();
     const auto scene = scene_named(head.scene);
     const auto section = section_spelled({head.lemmas, head.section});
     if (const char* subject = other_subject(head.claim)) {
@@ -121,37 +110,40 @@ PieceReader::PieceReader(const std::string& path, Trees trees, Interrupted inter
                         path, subject));
     }
     if (!scene || !section || head.claim != "collisions") {
-        lines_.fail();
+        lines.fail();
     }
-    head_.generator = head.generator;
-    head_.scene = *scene;
-    head_.section = *section;
-    const auto& range = lines_.expect("ratio", 3);
-    q_lo_ = lines_.ratio(range[1]);
-    q_hi_ = lines_.ratio(range[2]);
-    pieces_ = static_cast<std::size_t>(lines_.number(lines_.expect("pieces", 2)[1]));
-    if (pieces_ == 0) {
-        lines_.fail();
+    const auto& range = lines.expect("ratio", 3);
+    const Rational q_lo = lines.ratio(range[1]), q_hi = lines.ratio(range[2]);
+    const auto pieces = static_cast<std::size_t>(lines.number(lines.expect("pieces", 2)[1]));
+    if (pieces == 0) {
+        lines.fail();
     }
+    return {head.generator, *scene, *section, q_lo, q_hi, pieces};
 }
 
-Piece PieceReader::next() {
-    return piece_from(lines_, charts_of(head_.scene, head_.section), trees_, interrupted_);
+}  // namespace
+
+ClaimedHead read_head(const std::string& path) {
+    Lines lines(path);
+    return head_from(lines, path);
 }
 
 std::size_t claimed_pieces(const std::string& path) try {
-    return PieceReader(path, Trees::passed_over).pieces();
+    return read_head(path).pieces;
 } catch (const InputError&) {
     return 0;  // who reads it says what is wrong with it
 }
 
 Certificate read_certificate(const std::string& path) {
-    PieceReader in(path, Trees::kept);
-    Certificate certificate = in.head();
-    for (std::size_t i = 0; i < in.pieces(); ++i) {
-        certificate.pieces.push_back(in.next());
+    Lines lines(path);
+    const ClaimedHead head = head_from(lines, path);
+    Certificate certificate{
+        .generator = head.generator, .pieces = {}, .scene = head.scene, .section = head.section};
+    const std::vector<Chart> charts = charts_of(head.scene, head.section);
+    for (std::size_t i = 0; i < head.pieces; ++i) {
+        certificate.pieces.push_back(piece_from(lines, charts));
     }
-    certificate.sha256 = in.digest();
+    certificate.sha256 = lines.digest();
     return certificate;
 }
 

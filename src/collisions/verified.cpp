@@ -10,16 +10,16 @@
 namespace dumbbell::collisions {
 
 std::optional<ClaimedRange> claimed_range(const std::string& file) try {
-    const PieceReader in(file, Trees::passed_over);
-    return in.q_lo() < 1 || in.q_lo() > in.q_hi()
+    const ClaimedHead head = read_head(file);
+    return head.q_lo < 1 || head.q_lo > head.q_hi
                ? std::nullopt
-               : std::optional(ClaimedRange{in.head().scene, in.head().section, in.q_lo(), in.q_hi()});
+               : std::optional(ClaimedRange{head.scene, head.section, head.q_lo, head.q_hi});
 } catch (const InputError&) {
     return std::nullopt;
 }
 
 Certificate verified_certificate(const std::string& file, int jobs) {
-    const Scene scene = PieceReader(file, Trees::passed_over).head().scene;
+    const Scene scene = read_head(file).scene;
     // A user who waits for it can stop it; a budget would only be in the way.
     const Verdict verdict =
         ask_verifier({fmt::format("--jobs={}", jobs), "--quiet", "--budget=99999h", "--max-bits=4096",

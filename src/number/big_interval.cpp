@@ -40,77 +40,29 @@ void multiply(arf_ptr to, arf_srcptr x, arf_srcptr y, arf_rnd_t rounding) {
     }
 }
 
-/// Bounds whose values have gone, with their memory, for new values of this thread.
-constexpr int most_spare = 64;
-thread_local arf_struct spare[most_spare];
-thread_local int spares = 0;
-thread_local bool spares_are_kept = false;
-
-/// Its destructor frees this thread's spare bounds. Later ones are freed at once.
-struct SpareKeeper {
-    SpareKeeper() noexcept { spares_are_kept = true; }
-    SpareKeeper(const SpareKeeper&) = delete;
-    SpareKeeper& operator=(const SpareKeeper&) = delete;
-    ~SpareKeeper() {
-        spares_are_kept = false;
-        while (spares > 0) {
-            arf_clear(&spare[--spares]);
-        }
-    }
-};
-
-/// Makes `bound` any number.
-void renew(arf_ptr bound) noexcept {
-    if (spares > 0) {
-        *bound = spare[--spares];
-    } else {
-        arf_init(bound);
-    }
-}
-void dismiss(arf_ptr bound) noexcept {
-    constexpr slong most_limbs = 64;
-    const bool is_plain = !COEFF_IS_MPZ(ARF_EXP(bound));
-    if (!ARF_HAS_PTR(bound) && is_plain) {
-        return;  // nothing to free
-    }
-    if (spares_are_kept && spares < most_spare && is_plain && ARF_PTR_ALLOC(bound) <= most_limbs) {
-        spare[spares++] = *bound;
-    } else {
-        arf_clear(bound);
-    }
-}
-
 }  // namespace
 
-BigInterval BigInterval::unset() noexcept {
-    BigInterval result;
-    renew(result.lo_);
-    renew(result.hi_);
-    return result;
-}
 BigInterval::~BigInterval() {
-    dismiss(lo_);
-    dismiss(hi_);
+    arf_clear(lo_);
+    arf_clear(hi_);
 }
 
 PrecisionScope::PrecisionScope(int bits) : previous_(working_bits) {
     require(bits >= 2 && bits <= (1 << 20), "working precision out of range");
-    thread_local SpareKeeper keeper;
-    (void)keeper;
     working_bits = bits;
 }
 PrecisionScope::~PrecisionScope() { working_bits = previous_; }
 int PrecisionScope::current() noexcept { return working_bits; }
 
 BigInterval operator+(const BigInterval& a, const BigInterval& b) {
-    BigInterval result = BigInterval::unset();
+    BigInterval result;
     arf_add(result.lower(), a.lower(), b.lower(), working_bits, down);
     arf_add(result.upper(), a.upper(), b.upper(), working_bits, up);
     spread_nan(result);
     return result;
 }
 BigInterval operator-(const BigInterval& a, const BigInterval& b) {
-    BigInterval result = BigInterval::unset();
+    BigInterval result;
     arf_sub(result.lower(), a.lower(), b.upper(), working_bits, down);
     arf_sub(result.upper(), a.upper(), b.lower(), working_bits, up);
     spread_nan(result);
@@ -120,11 +72,11 @@ BigInterval operator*(const BigInterval& a, const BigInterval& b) {
     if (is_nan(a) || is_nan(b)) {
         return is_nan(a) ? a : b;
     }
-    BigInterval result = BigInterval::unset();
+    BigInterval result;
     const bool a_pos = is_at_least_0(a.lower()), a_neg = is_at_most_0(a.upper());
     const bool b_pos = is_at_least_0(b.lower()), b_neg = is_at_most_0(b.upper());
     if (!a_pos && !a_neg && !b_pos && !b_neg) {
-        BigInterval other = BigInterval::unset();
+        BigInterval other;
         multiply(result.lower(), a.lower(), b.upper(), down);
         multiply(other.lower(), a.upper(), b.lower(), down);
         multiply(result.upper(), a.lower(), b.lower(), up);
@@ -146,7 +98,7 @@ BigInterval operator/(const BigInterval& a, const BigInterval& b) {
         constexpr double infinity = std::numeric_limits<double>::infinity();
         return {-infinity, infinity};
     }
-    BigInterval result = BigInterval::unset();
+    BigInterval result;
     // Of b's ends, the nearer to 0 makes a quotient larger in size.
     arf_srcptr near = b_pos ? b.lower() : b.upper();
     arf_srcptr far = b_pos ? b.upper() : b.lower();
@@ -160,7 +112,7 @@ BigInterval operator/(const BigInterval& a, const BigInterval& b) {
     return result;
 }
 BigInterval operator-(const BigInterval& a) {
-    BigInterval result = BigInterval::unset();
+    BigInterval result;
     arf_neg_round(result.lower(), a.upper(), working_bits, down);
     arf_neg_round(result.upper(), a.lower(), working_bits, up);
     return result;
@@ -204,7 +156,7 @@ BigInterval combined(const BigInterval& a, const BigInterval& b, Lower lower, Up
     if (is_nan(a) || is_nan(b)) {
         return is_nan(a) ? a : b;
     }
-    BigInterval result = BigInterval::unset();
+    BigInterval result;
     arf_set_round(result.lower(), lower(a.lower(), b.lower()), working_bits, down);
     arf_set_round(result.upper(), upper(a.upper(), b.upper()), working_bits, up);
     return result;
@@ -221,16 +173,10 @@ namespace {
 /// A ball of Arb's.
 class Ball {
   public:
-    Ball() noexcept {
-        renew(arb_midref(value_));
-        mag_init(arb_radref(value_));
-    }
+    Ball() noexcept { arb_init(value_); }
     Ball(const Ball&) = delete;
     Ball& operator=(const Ball&) = delete;
-    ~Ball() {
-        dismiss(arb_midref(value_));
-        mag_clear(arb_radref(value_));
-    }
+    ~Ball() { arb_clear(value_); }
     operator arb_ptr() noexcept { return value_; }
 
   private:
@@ -271,7 +217,7 @@ void until_tight(const Evaluate& evaluate) {
 /// The tightest enclosure of function(x), or any where that needs too many bits.
 template <class Function>
 BigInterval at_point(const Function& function, arf_srcptr x) {
-    BigInterval result = BigInterval::unset();
+    BigInterval result;
     Ball value;
     const arb_struct point = as_ball(x);
     until_tight([&](slong bits) {
@@ -377,13 +323,13 @@ BigInterval two_to(long exponent) {
 }
 
 BigInterval low_end(const BigInterval& x) {
-    BigInterval result = BigInterval::unset();
+    BigInterval result;
     arf_set_round(result.lower(), x.lower(), working_bits, down);
     arf_set(result.upper(), result.lower());
     return result;
 }
 BigInterval high_end(const BigInterval& x) {
-    BigInterval result = BigInterval::unset();
+    BigInterval result;
     arf_set_round(result.upper(), x.upper(), working_bits, up);
     arf_set(result.lower(), result.upper());
     return result;
@@ -417,7 +363,7 @@ double width(const BigInterval& x) {
     return diameter.hi();
 }
 BigInterval midpoint(const BigInterval& x) {
-    BigInterval result = BigInterval::unset();
+    BigInterval result;
     middle(result.lower(), x, working_bits);
     arf_set(result.upper(), result.lower());
     return result;

@@ -25,7 +25,7 @@ class BigInterval {
         arf_set_d(lo_, in_order ? lo : nan);
         arf_set_d(hi_, in_order ? hi : nan);
     }
-    BigInterval(const BigInterval& other) : BigInterval(unset()) {
+    BigInterval(const BigInterval& other) : BigInterval() {
         arf_set(lo_, other.lo_);
         arf_set(hi_, other.hi_);
     }
@@ -40,10 +40,6 @@ class BigInterval {
         return *this;
     }
     ~BigInterval();
-
-    /// Any value, for a function that sets both bounds. Its memory is that of one gone before where it can
-    /// be: allocation would cost as much as the arithmetic.
-    [[nodiscard]] static BigInterval unset() noexcept;
 
     /// The bounds, rounded outward to double.
     [[nodiscard]] double lo() const { return arf_get_d(lo_, ARF_RND_FLOOR); }

@@ -63,19 +63,4 @@ std::pair<Angle, Angle> parse_angles(const std::string& option, const std::strin
     return result;
 }
 
-std::pair<Rational, Rational> parse_pair(const std::string& option, const std::string& text) {
-    const auto comma = text.find(',');
-    if (comma == std::string::npos || text.find(':') != std::string::npos) {
-        throw InputError(
-            fmt::format("{}: '{}' is not a pair of numbers: write LIGHT,HEAVY, for example 1.2,0.8 (a box of "
-                        "starts has --phi "
-                        "and --y)",
-                        option, shortened(text)));
-    }
-    return named(option, "", [&] {
-        return std::pair(signed_number(std::string_view(text).substr(0, comma)),
-                         signed_number(std::string_view(text).substr(comma + 1)));
-    });
-}
-
 }  // namespace dumbbell::starts

@@ -16,8 +16,4 @@ namespace dumbbell::starts {
 /// The same of an option like --phi, whose ends are angles.
 [[nodiscard]] std::pair<Angle, Angle> parse_angles(const std::string& option, const std::string& text);
 
-/// A,B of --heights, two exact numbers. Throws InputError that names the option and says how they are
-/// written.
-[[nodiscard]] std::pair<Rational, Rational> parse_pair(const std::string& option, const std::string& text);
-
 }  // namespace dumbbell::starts

@@ -2,27 +2,23 @@
 
 #include <optional>
 #include <string>
-#include <utility>
 
 #include "starts/angle.hpp"
 #include "starts/certificate.hpp"
 
 namespace dumbbell::starts {
 
-/// The quantities of a start as a user writes them: each a number or LO:HI, phi an angle or LO:HI. `heights`,
-/// LIGHT,HEAVY, stands in place of phi and y.
+/// The quantities of a start as a user writes them: each a number or LO:HI, phi an angle or LO:HI.
 struct StartText {
     std::string phi, phidot, y, ydot;
-    std::optional<std::string> heights{};
 };
 
-/// What is meant by a start, as far as its box does not say it: multiples of pi, and most angles that are
-/// given by heights, are irrational, and the box has rational bounds of them.
+/// What is meant by a start, as far as its box does not say it: multiples of pi are
+/// irrational, and the box has rational bounds of them.
 struct StartMeaning {
     bool is_single = false;      ///< one initial condition
     std::optional<Angle> phi{};  ///< exactly, if it is one angle of this form
     std::string rounded_phi{};   ///< how phi was given, if the box has bounds of it; else empty
-    std::optional<std::pair<Rational, Rational>> heights{};  ///< of the light and the heavy mass, if given
 };
 
 struct GivenStart {
@@ -34,11 +30,7 @@ struct GivenStart {
 [[nodiscard]] int bits_of_bounds(int digits);
 
 /// Reads it. `dashes`: what stands before the names of quantities in messages. `bits`: of the bounds of an
-/// irrational angle.
-///
-/// Of two heights the angle is that with cos phi >= 0, in [-pi/2, pi/2]; the other, pi - phi, with -phidot,
-/// is the mirror image. Throws InputError for what cannot be read, a mass on or below the floor, heights
-/// further apart than the rod is long, and what require_in_play refuses.
+/// irrational angle. Throws InputError for what cannot be read, and what require_in_play refuses.
 [[nodiscard]] GivenStart read_start(const StartText& text, const Rational& q_lo, const Rational& q_hi,
                                     const std::string& dashes, int bits);
 

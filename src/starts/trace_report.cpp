@@ -106,17 +106,10 @@ std::string widths_text(const TracedWidths& widths) {
                                       : std::string("plain intervals do not get as far"));
 }
 
-/// What the box has to do with a start that is given by heights or by an irrational angle.
+/// What the box has to do with a start that is given by an irrational angle.
 std::string meaning_text(const TraceReport& report) {
     const StartMeaning& meaning = report.meaning;
     std::string text;
-    if (meaning.heights) {
-        text += fmt::format(
-            "Heights {} (light mass) and {} (heavy mass): phi is the angle with cos phi >= 0.\n"
-            "The other, pi - phi, with the opposite phidot is the mirror image, and has as many "
-            "collisions.\n",
-            exact_text(meaning.heights->first), exact_text(meaning.heights->second));
-    }
     if (!meaning.rounded_phi.empty()) {
         text += fmt::format(
             "phi: {}, irrational and rounded outward; what is said is proved for every phi in\n  {} : {}\n",
@@ -296,10 +289,6 @@ Json to_json(const TraceReport& report) {
             axis.add("given", report.meaning.rounded_phi);
         }
         initial.add(name, axis);
-    }
-    if (const auto& heights = report.meaning.heights) {
-        initial.add("heights", Json::object({{"light", to_fraction(heights->first)},
-                                             {"heavy", to_fraction(heights->second)}}));
     }
     Json collisions = Json::array();
     for (const auto& c : trace.collisions) {

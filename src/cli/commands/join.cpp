@@ -2,14 +2,12 @@
 
 #include <algorithm>
 #include <atomic>
-#include <iterator>
 #include <utility>
 
 #include "base/deadline.hpp"
 #include "base/error.hpp"
-#include "base/printable.hpp"
 #include "cli/commands.hpp"
-#include "cli/commands/join_parts.hpp"
+#include "cli/commands/join_faults.hpp"
 #include "cli/terminal/exit_code.hpp"
 #include "cli/terminal/frame.hpp"
 #include "cli/terminal/messages.hpp"
@@ -54,49 +52,7 @@ constexpr std::array join_options{
     flag("--open", "write FILE though something in it is open"),
     jobs_option.saying("threads that verify"),
     json_option,
-    flag("--quiet", "what is joined, in a sentence, and no progress")};
-
-struct JoinReport {
-    const Parts& parts;
-    Range range;
-    std::vector<PartFile> files;  ///< in the order of the range
-    std::size_t pieces = 0, open = 0;
-    std::string sentence;
-    int jobs = 1;
-    double seconds = 0;
-    std::optional<std::string> out;
-    std::optional<std::string> sha256;
-};
-
-std::string verdict(const JoinReport& report) {
-    return fmt::format("{} verified, together {}.\n", plural(report.files.size(), "part"),
-                       report.parts.words(report.range));
-}
-
-std::string to_text(const JoinReport& report) {
-    return fmt::format(
-        "{}{}{}", verdict(report), report.sentence,
-        report.out ? fmt::format("Written: {} (sha256 {})\n", one_line(*report.out), *report.sha256) : "");
-}
-
-Json to_json(const JoinReport& report) {
-    Json files = Json::array();
-    for (const PartFile& file : report.files) {
-        files.add(Json::object({{"file", file.name},
-                                {"range", report.parts.range_json(*file.range)},
-                                {"pieces", file.pieces},
-                                {"open", file.open}}));
-    }
-    return Json::object({{"schema", "dumbbell-join-1"},
-                         {"range", report.parts.range_json(report.range)},
-                         {"parts", files},
-                         {"pieces", report.pieces},
-                         {"open", report.open},
-                         {"jobs", report.jobs},
-                         {"seconds", report.seconds},
-                         {"out", report.out},
-                         {"sha256", report.sha256}});
-}
+    flag("--quiet", "no progress")};
 
 std::unique_ptr<Parts> parts_of(const Given& given) {
     const std::vector<std::string>& names = given.words("FILE");
@@ -124,7 +80,7 @@ std::vector<PartFile> taken(Parts& parts, const std::vector<std::string>& names,
     run_with_threads(jobs, Threads::all, [&] {
         in_parallel(names.size(), [&](std::size_t i) {
             if (stop_signal == 0) {
-                files[i] = parts.take(i, names[i], static_cast<int>(threads_each), deadline(std::nullopt));
+                files[i] = parts.take(i, names[i], static_cast<int>(threads_each));
                 progress.update(++done, names.size(), std::nullopt);
             }
         });
@@ -137,136 +93,71 @@ std::vector<PartFile> taken(Parts& parts, const std::vector<std::string>& names,
     return {};
 }
 
-/// The options that all parts that are believed were made with. Throws InputError if they differ.
-std::string common_options(const Parts& parts, const std::vector<PartFile>& files) {
-    const PartFile* first = nullptr;
+/// By their ranges; those without one first.
+void sort(std::vector<PartFile>& files) {
+    std::ranges::stable_sort(files, {}, [](const PartFile& file) {
+        return file.range ? std::pair(file.range->begin, file.range->end) : std::pair<Rational, Rational>();
+    });
+}
+
+Json to_json(const Parts& parts, const std::vector<PartFile>& files) {
+    Json json = Json::array();
     for (const PartFile& file : files) {
-        if (!file.fault.empty() || !file.options) {
-            continue;
-        }
-        first = first == nullptr ? &file : first;
-        if (file.options != first->options) {
-            throw InputError(fmt::format("'{}' and '{}' are of different claims: {}, and {}", first->name,
-                                         file.name, parts.command(*first->range, *first->options),
-                                         parts.command(*file.range, *file.options)));
-        }
+        json.add(Json::object({{"file", file.name},
+                               {"first", parts.first(*file.range)},
+                               {"last", parts.last(*file.range)},
+                               {"pieces", file.pieces},
+                               {"open", file.open}}));
     }
-    return first == nullptr ? "" : *first->options;
-}
-
-/// By their ranges; without those whose range is not known.
-std::vector<std::size_t> in_order(const std::vector<PartFile>& files) {
-    std::vector<std::size_t> order;
-    for (std::size_t i = 0; i < files.size(); ++i) {
-        if (files[i].range) {
-            order.push_back(i);
-        }
-    }
-    std::ranges::stable_sort(
-        order, {}, [&](std::size_t i) { return std::pair(files[i].range->begin, files[i].range->end); });
-    return order;
-}
-
-/// Why the parts are not the whole, a line each.
-std::vector<std::string> tiling_faults(const Parts& parts, const std::vector<PartFile>& files,
-                                       const std::vector<std::size_t>& order, const Range& whole,
-                                       const std::string& options) {
-    std::vector<std::string> faults;
-    const auto require_none = [&](const Rational& from, const Rational& to) {
-        if (from < to) {
-            faults.push_back(fmt::format("missing: {}; to make them: {} --out FILE", parts.words({from, to}),
-                                         parts.command({from, to}, options)));
-        }
-    };
-    Rational reached = whole.begin;
-    const PartFile* last = nullptr;  // that reaches so far
-    for (const std::size_t i : order) {
-        const auto& [begin, end] = *files[i].range;
-        require_none(reached, begin);
-        if (begin < reached && last != nullptr) {
-            faults.push_back(
-                fmt::format("'{}' and '{}' overlap: leave one of them out", last->name, files[i].name));
-        }
-        if (begin < whole.begin || end > whole.end) {
-            faults.push_back(
-                fmt::format("'{}' ({}) reaches beyond --range", files[i].name, parts.words(*files[i].range)));
-        }
-        if (end >= reached) {
-            reached = end;
-            last = &files[i];
-        }
-    }
-    require_none(reached, whole.end);
-    return faults;
-}
-
-/// The line about a part, and how it is made again.
-std::string with_command(const Parts& parts, const PartFile& file, const std::string& line) {
-    return !file.range
-               ? line
-               : fmt::format("{}; to make it again: {} --out {}", line,
-                             parts.command(*file.range, file.options.value_or("")), shell_file(file.name));
+    return json;
 }
 
 int run_join(const Given& given) {
     const std::vector<std::string>& names = given.words("FILE");
     const auto parts = parts_of(given);
-    require_name_of(given.text("--out"), parts->content());
+    require_name_of(given.text("--out"), parts->content);
     std::optional<Range> whole;
     if (given.has("--range")) {
         whole = parts->parse_range(given.text("--range"));
     }
     const Output output(given.text("--out"), names, given.has("--json") ? "--json" : nullptr);
-    const Stopwatch watch;
-    const auto files = taken(*parts, names, jobs_of(given), verbosity_of(given));
+    auto files = taken(*parts, names, jobs_of(given), verbosity_of(given));
     if (stop_signal != 0) {
         return stopped("nothing is joined");
     }
-    std::vector<std::string> faults;
-    for (const PartFile& file : files) {
-        if (!file.fault.empty()) {
-            faults.push_back(with_command(*parts, file, file.fault));
-        }
-    }
-    const std::string options = common_options(*parts, files);
-    const auto order = in_order(files);
-    if (!order.empty()) {
-        const auto end_of = [&](std::size_t i) { return files[i].range->end; };
-        whole = whole.value_or(
-            Range{files[order.front()].range->begin, end_of(std::ranges::max(order, {}, end_of))});
-        std::ranges::move(tiling_faults(*parts, files, order, *whole, options), std::back_inserter(faults));
-    }
+    sort(files);
+    const auto faults = faults_of(*parts, files, whole);
     std::ranges::for_each(faults, complain);
     if (!faults.empty()) {
         return exit_bad_input;
     }
-
-    JoinReport report{.parts = *parts,
-                      .range = *whole,
-                      .files = {},
-                      .sentence = {},
-                      .jobs = jobs_of(given),
-                      .out = {},
-                      .sha256 = {}};
-    for (const std::size_t i : order) {
-        const PartFile& file = report.files.emplace_back(files[i]);
-        report.pieces += file.pieces;
-        report.open += file.open;
+    std::size_t open = 0;
+    for (const PartFile& file : files) {
+        open += file.open;
         if (file.open > 0) {
             complain(with_command(
                 *parts, file, fmt::format("'{}' leaves {} of {} open", file.name, file.open, file.pieces)));
         }
     }
-    if (report.open > 0 && !given.has("--open")) {
+    if (open > 0 && !given.has("--open")) {
         complain("nothing is written: to join what is open, too, add --open");
         return exit_not_certified;
     }
-    const Joined joined = parts->join(order);
-    report.sentence = joined.sentence;
-    write(joined.text, output, report);
-    report.seconds = watch.seconds();
-    fmt::print(output.report(), "{}", shown(report, given));
-    return report.open > 0 ? exit_not_certified : exit_done;
+    const SealedText text = parts->join(files);
+    output.commit(text.text);
+    const Range all{files.front().range->begin, files.back().range->end};
+    fmt::print(output.report(), "{}",
+               given.has("--json")
+                   ? json_text(Json::object({{"schema", "dumbbell-join-1"},
+                                             {"first", parts->first(all)},
+                                             {"last", parts->last(all)},
+                                             {"parts", to_json(*parts, files)},
+                                             {"open", open},
+                                             {"out", output.file()},
+                                             {"sha256", text.sha256}}))
+                   : fmt::format("{} verified, together {}: sha256 {}\n", plural(files.size(), "part"),
+                                 parts->words(all), text.sha256));
+    return open > 0 ? exit_not_certified : exit_done;
 }
 
 }  // namespace

@@ -37,9 +37,6 @@ multiple of pi (pi/2, 2pi/3, -0.3pi). Every quantity is exact, as written (3, -0
 multiple of pi is irrational, and what is proved holds for the rational bounds of it that --json and the certificate
 give.
 
---heights LIGHT,HEAVY gives the heights of both masses instead of phi and y. They leave two angles: phi is the one with
-cos phi >= 0, from -pi/2 to pi/2. The other, pi - phi, with the opposite --phidot is its mirror image.
-
 Every number is printed as value+-radius, or as its bounds (--csv, --json). The grazing sine is |n.v| / (|n| |v|)
 before a collision, in the metric of the kinetic energy: the sine of the angle between flight and floor, 1 head-on, near
 0 where the mass only just touches. What is left undecided has bounds: those that the enclosures give, or the maximum
@@ -50,7 +47,6 @@ Examples:
   dumbbell trace 10 --phi 1/3 --phidot 1 --y 3 --ydot -1/2               one orbit
   dumbbell trace 10 --phi 1/3 --phidot 1 --y 3 --ydot -1/2 --digits 50   the same with 50 digits
   dumbbell trace 10 --phi 30deg --phidot 1 --y 3 --ydot -1/2             phi = pi/6
-  dumbbell trace 10 --heights 2.3,1.9 --phidot 1 --ydot -1/2             the light mass at 2.3, the heavy one at 1.9
   dumbbell trace 10 --phi pi/6:pi/3 --phidot 0 --y 3 --ydot -1           a box
   dumbbell trace 10 --phi 0:3 --phidot -1/2:1/2 --y 3/2 --ydot -1 --subdivide --out falling.dbc
   dumbbell trace 10 --phi 0:3 --phidot -1/2:1/2 --y 3/2 --ydot -1 --subdivide --shares
@@ -73,16 +69,12 @@ constexpr std::array trace_options{
     quantity_option("--phidot", "its velocity (radians)"),
     quantity_option("--y", "height of the centre of mass, rod lengths"),
     quantity_option("--ydot", "its velocity (downwards: negative)"),
-    Option{"--heights", "LIGHT,HEAVY",
-           "heights of the two masses, rod lengths, instead of --phi and --y; of the two angles that with "
-           "cos phi >= 0"}
-        .excludes("--phi,--y"),
     flag(
         "--incoming",
         "with --subdivide, instead of all these: all trajectories as they come in from above, by the natural "
         "measure (L61 of proofs/lemmas.md)")
         .needs("--subdivide")
-        .excludes("--phi,--phidot,--y,--ydot,--heights,--digits"),
+        .excludes("--phi,--phidot,--y,--ydot,--digits"),
     flag("--subdivide", "halve the box until every part has its exact number of collisions"),
     Option{"--out", "FILE",
            "with --subdivide: write the certificate to FILE (FILE.gz: compressed); -: the standard output"}
@@ -127,25 +119,18 @@ void require_short_lines(const starts::InitialBox& box) {
 }
 
 starts::GivenStart start_of(const Given& given, const RatioArgument& ratio, int digits) {
-    const bool by_heights = given.has("--heights");
-    const auto require = [&](const char* name, const char* instead) {
+    for (const char* name : {"--phi", "--phidot", "--y", "--ydot"}) {
         if (!given.has(name)) {
-            throw InputError(fmt::format("{} is required ({}); see dumbbell trace --help", name, instead));
+            throw InputError(
+                fmt::format("{} is required (or --incoming --subdivide, for all incoming "
+                            "trajectories); see dumbbell trace --help",
+                            name));
         }
-    };
-    for (const char* name : {"--phi", "--y"}) {
-        if (!by_heights) {
-            require(name, "or --heights, or --incoming --subdivide for all incoming trajectories");
-        }
-    }
-    for (const char* name : {"--phidot", "--ydot"}) {
-        require(name, "or --incoming --subdivide, for all incoming trajectories");
     }
     return starts::read_start({.phi = given.text("--phi"),
                                .phidot = given.text("--phidot"),
                                .y = given.text("--y"),
-                               .ydot = given.text("--ydot"),
-                               .heights = by_heights ? std::optional(given.text("--heights")) : std::nullopt},
+                               .ydot = given.text("--ydot")},
                               ratio.lo, ratio.hi, "--", bits_of_angle(given, digits));
 }
 

@@ -11,7 +11,7 @@ namespace {
 
 bool goes_before(const Result* a, const Result* b) {
     const Collisions &p = a->proof.claim, &q = b->proof.claim;
-    return std::tie(p.lo, p.hi, a->job->file) < std::tie(q.lo, q.hi, b->job->file);
+    return std::tie(p.lo, p.hi) < std::tie(q.lo, q.hi);
 }
 
 Failure rejected(std::string code, std::string text) {

@@ -20,7 +20,7 @@ command_of() {
     case $1 in
         certify) command=("$dumbbell" certify 1:30 --gap 1e-6 --jobs 8 --out "$folder/out.dbc") ;;
         critical) command=("$dumbbell" critical 3:12 --jobs 8) ;;
-        law) command=("$dumbbell" law "$stairs") ;;
+        law) command=("$dumbbell" law --count 1e50) ;;
         audit) command=("$dumbbell" audit "$stairs") ;;
         trace) command=("$dumbbell" trace 10 --phi 1/3 --phidot 1 --y 3 --ydot -1/2) ;;
         plot) command=("$dumbbell" plot staircase "$stairs" --out "$folder/out.svg") ;;

@@ -88,9 +88,11 @@ Total<S> total_collisions(const Dumbbell<S>& body, const State<S>& flight) {
 }
 
 template <class S>
-std::vector<Collision<S>> whole_trajectory(const Dumbbell<S>& body, const Contact<S>& contact) {
+std::vector<Collision<S>> whole_trajectory(const Dumbbell<S>& body, const Contact<S>& contact,
+                                           bool with_earlier, bool with_later) {
     const State<S> before = body.bounce(contact.mass, contact.after);
-    std::vector<Collision<S>> all = simulate(body, reversed(before), contact.mass).collisions;
+    std::vector<Collision<S>> all;
+    if (with_earlier) all = simulate(body, reversed(before), contact.mass).collisions;
     std::reverse(all.begin(), all.end());
     for (Collision<S>& collision : all) {
         collision.time = -collision.time;
@@ -99,6 +101,7 @@ std::vector<Collision<S>> whole_trajectory(const Dumbbell<S>& body, const Contac
         collision.after = reversed(collision.after);
     }
     all.push_back({S(0), contact.mass, before, contact.after});
+    if (!with_later) return all;
     const auto later = simulate(body, contact.after, contact.mass).collisions;
     all.insert(all.end(), later.begin(), later.end());
     return all;
@@ -109,7 +112,7 @@ std::vector<Collision<S>> whole_trajectory(const Dumbbell<S>& body, const Contac
     template Run<S> simulate(const Dumbbell<S>&, State<S>, Mass, std::size_t); \
     template Total<S> total_collisions(const Dumbbell<S>&, const Contact<S>&); \
     template Total<S> total_collisions(const Dumbbell<S>&, const State<S>&);   \
-    template std::vector<Collision<S>> whole_trajectory(const Dumbbell<S>&, const Contact<S>&);
+    template std::vector<Collision<S>> whole_trajectory(const Dumbbell<S>&, const Contact<S>&, bool, bool);
 DUMBBELL_ORACLE_INSTANTIATE(long double)
 DUMBBELL_ORACLE_INSTANTIATE(Digits80)
 #undef DUMBBELL_ORACLE_INSTANTIATE

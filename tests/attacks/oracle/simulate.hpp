@@ -66,8 +66,10 @@ template <class S>
 template <class S>
 [[nodiscard]] Total<S> total_collisions(const Dumbbell<S>& body, const State<S>& flight);
 
-// The whole trajectory in order of time, from its first collision on (times count from the given contact).
+// The whole trajectory in order of time, from its first collision on (times count from the given contact); or
+// without what is before or after the contact.
 template <class S>
-[[nodiscard]] std::vector<Collision<S>> whole_trajectory(const Dumbbell<S>& body, const Contact<S>& contact);
+[[nodiscard]] std::vector<Collision<S>> whole_trajectory(const Dumbbell<S>& body, const Contact<S>& contact,
+                                                         bool with_earlier = true, bool with_later = true);
 
 }  // namespace dumbbell_oracle

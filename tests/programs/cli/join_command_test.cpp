@@ -64,9 +64,7 @@ TEST_CASE("the parts of a range are joined to a certificate of the whole range, 
     CAPTURE(joined.err);
     CHECK(joined.code == 0);
     CHECK(joined.err.empty());
-    CHECK_THAT(joined.out,
-               StartsWith("3 parts verified, together the mass ratios 1 to 300.\nProved: in each of") &&
-                   Contains("Written: whole.dbc (sha256 "));
+    CHECK_THAT(joined.out, StartsWith("3 parts verified, together the mass ratios 1 to 300: sha256 "));
     CHECK(verifier({"--ratio", "1:300", "--max", "17", "--min", "2", folder / "whole.dbc"}).code == 0);
     REQUIRE(join(folder, parts, {}, "again.dbc").code == 0);
     CHECK(contents(folder / "again.dbc") == contents(folder / "whole.dbc"));
@@ -245,7 +243,6 @@ TEST_CASE("parts with open pieces are joined only with --open, and never with ex
     CHECK_FALSE(std::filesystem::exists(folder / "whole.dbc"));
     const Outcome joined = join(folder, parts, {"--open"});
     CHECK(joined.code == 3);
-    CHECK_THAT(joined.out, Contains("1 piece is open"));
     CHECK(verifier({folder / "whole.dbc"}).code == 0);
 }
 
@@ -256,13 +253,13 @@ TEST_CASE("the tables of a range of critical ratios are joined to the table of o
     CAPTURE(joined.err);
     CHECK(joined.code == 0);
     CHECK_THAT(joined.out,
-               StartsWith("3 parts verified, together the critical ratios for N from 3 to 40.\n"));
+               StartsWith("3 parts verified, together the critical ratios for N = 3 to 40: sha256 "));
     REQUIRE(dumbbell({"critical", "3:40", "--digits", "20", "--out", folder / "one.tsv"}).code == 0);
     CHECK(contents(folder / "whole.tsv") == contents(folder / "one.tsv"));
 
     const std::string missing = not_joined(folder, {parts[0], parts[2]}, {}, "whole.tsv");
     CHECK_THAT(missing,
-               Contains("missing: the critical ratios for N from ") && Contains(" --digits 20 --out FILE"));
+               Contains("missing: the critical ratios for N = ") && Contains(" --digits 20 --out FILE"));
     CHECK_THAT(not_joined(folder, parts, {"--range", "3:41"}, "whole.tsv"),
                Contains("dumbbell critical 41:41 --digits 20 --out FILE"));
     CHECK_THAT(not_joined(folder, {parts[0], parts[1], parts[1], parts[2]}, {}, "whole.tsv"),
@@ -312,7 +309,7 @@ TEST_CASE("an input is never replaced, and what is joined can go to the standard
     const Outcome printed = join(folder, parts, {"--quiet"}, "-");
     CHECK(printed.code == 0);
     CHECK_THAT(printed.out, StartsWith("dumbbell-certificate 1\n"));
-    CHECK(printed.err == "2 parts verified, together the mass ratios 1 to 300.\n");
+    CHECK_THAT(printed.err, StartsWith("2 parts verified, together the mass ratios 1 to 300: sha256 "));
     CHECK_THAT(join(folder, parts, {}, "whole.tsv").err, Contains("the name of a certificate ends in .dbc"));
 }
 

@@ -190,7 +190,6 @@ TEST_CASE("docs/reference/json.md describes the JSON of trace") {
                                  falling({"--phi", "0.3:0.31", "--phidot", "0"}),
                                  falling({"--phi", "0", "--phidot", "0"}),
                                  falling({"--phi", "pi/6", "--phidot", "0"}),
-                                 {"trace", "10", "--heights", "2,1.5", "--phidot", "0", "--ydot", "-1"},
                                  falling(part),
                                  {"trace", "10", "--incoming", "--subdivide", "--max-boxes", "20"}},
                                 folder));

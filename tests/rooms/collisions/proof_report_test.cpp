@@ -155,10 +155,6 @@ TEST_CASE("a written certificate is named with its checksum and the command that
     ten.report.sha256 = std::string(64, 'a');
     CHECK_THAT(to_text(ten.report), Contains("ten.dbc (sha256 " + std::string(64, 'a') + ")") &&
                                         Contains("dumbbell verify ten.dbc\n"));
-    ten.pieces[0].bits = 4096;
-    ten.pieces[0].cover.charts.at(0).tree.assign(400'000, {std::nullopt, {Reason::count, 19'999, 19'999}});
-    CHECK_THAT(to_text(ten.report),
-               Contains("smaller ranges, and verify them --together") && !Contains("dumbbell verify"));
 }
 
 TEST_CASE("the JSON object has the contract's fields") {

@@ -23,7 +23,7 @@ inline std::vector<Event> orbit_through(const Real& e, const Real& eta, const Re
     using S = Event::Real;
     const dumbbell_oracle::Dumbbell<S> body(1 / S(r));
     const auto contact = contact_of(body, dumbbell_oracle::BridgeState<S>{S(e), S(eta)});
-    const auto all = whole_trajectory(body, contact);
+    const auto all = whole_trajectory(body, contact, backward > 0, forward > 0);
     const auto turning = std::find_if(all.begin(), all.end(), [](const auto& c) { return c.time >= 0; });
     const auto first =
         turning - std::min<std::ptrdiff_t>(static_cast<std::ptrdiff_t>(backward), turning - all.begin());

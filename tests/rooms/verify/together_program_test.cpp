@@ -25,7 +25,7 @@ struct Quarters {
             names += " " + files.emplace_back(stairs.with(first, many)).path();
     }
 };
-const std::string verdict =
+const std::string four_verdict =
     "s VERIFIED scene=dumbbell ratio=1/1:100/1 upper=10 lower=2 gaps=8 open=0 files=4";
 
 }  // namespace
@@ -34,12 +34,12 @@ TEST_CASE("together: the claim is judged for all files, the last line alone has 
     const Quarters quarters;
     const Run r = run("--together --ratio 1:100 --max 10 --min 2" + quarters.names);
     CHECK(r.code == 0);
-    CHECK(r.last() == verdict);
+    CHECK(r.last() == four_verdict);
     std::string expected;
     for (const File& file : quarters.files)
         expected += file.path() + "\n  " + run("--quiet " + file.path()).last().substr(11) + "\n";
-    CHECK(r.out == expected + verdict + "\n");
-    CHECK(run("--quiet --together" + quarters.names).out == verdict + "\n");
+    CHECK(r.out == expected + four_verdict + "\n");
+    CHECK(run("--quiet --together" + quarters.names).out == four_verdict + "\n");
     CHECK(run("--together --ratio 5:11 --exactly 4" + quarters.names).code == 0);
     CHECK(run("--together --claim collisions --scene dumbbell --precision 60" + quarters.names).code == 0);
     const Run weak = run("--quiet --together --ratio 1:100 --max 9" + quarters.names);
@@ -52,10 +52,10 @@ TEST_CASE("together: the claim is judged for all files, the last line alone has 
     CHECK(hole.code == 1);
     CHECK(hole.last().starts_with("s REJECTED code=chain a hole: " + quarters.files[1].path() + " ends at "));
     CHECK(run("--together --max 10 " + make::shipped("stairs-1-100.dbc")).last() ==
-          make::replaced(verdict, "files=4", "files=1"));
+          make::replaced(four_verdict, "files=4", "files=1"));
     CHECK(run("--scene wedge --together --max 16 " + make::shipped("wedge-1-100.dbc")).code == 0);
     const std::string first = quarters.files[0].path(), rest = quarters.names.substr(first.size() + 1);
-    CHECK(run("--quiet --together -" + rest, "cat " + first + " | ").out == verdict + "\n");
+    CHECK(run("--quiet --together -" + rest, "cat " + first + " | ").out == four_verdict + "\n");
 }
 
 TEST_CASE("together: neither threads nor the order of the files change the verdict") {
@@ -65,7 +65,7 @@ TEST_CASE("together: neither threads nor the order of the files change the verdi
     for (const char* jobs : {"1", "2", "8"})
         for (const std::string& names : {quarters.names, backwards})
             CHECK(run("--quiet --together --max 10 --jobs " + std::string(jobs) + names).out ==
-                  verdict + "\n");
+                  four_verdict + "\n");
     const std::string all = "--together --jobs ";
     CHECK(run(all + "1" + quarters.names).out == run(all + "8" + quarters.names).out);
 }
@@ -120,7 +120,7 @@ TEST_CASE("together: the JUnit report has a test case for each file, and one for
     CHECK(has(good, " tests=\"5\" failures=\"0\" errors=\"0\" "));
     CHECK(has(good, "<testcase name=\"" + quarters.files[0].path() + "\" "));  // it does not prove the claim
     CHECK(has(good, "<testcase name=\"4 files together ratio=1/1:100/1 max=10\" "));
-    CHECK(has(good, "\n" + verdict + "\n"));
+    CHECK(has(good, "\n" + four_verdict + "\n"));
     CHECK(run("--junit " + report + " --together --ratio 1:100 --max 9" + quarters.names).code == 1);
     const std::string weak = make::contents(report);
     CHECK(has(weak, " tests=\"5\" failures=\"1\" errors=\"0\" "));

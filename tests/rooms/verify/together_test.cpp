@@ -19,10 +19,11 @@ using make::replaced;
 
 namespace {
 
-const std::string stairs = make::contents(make::shipped("stairs-1-100.dbc"));
+const std::string stairs_text = make::contents(make::shipped("stairs-1-100.dbc"));
 
-Settings demanding(const std::optional<std::pair<mpq_class, mpq_class>>& ratios = {},
-                   const std::optional<mpz_class>& most = {}, const std::optional<mpz_class>& least = {}) {
+Settings settings_asking(const std::optional<std::pair<mpq_class, mpq_class>>& ratios = {},
+                         const std::optional<mpz_class>& most = {},
+                         const std::optional<mpz_class>& least = {}) {
     Settings settings;
     settings.demand.ratios = ratios;
     settings.demand.most = most;
@@ -31,13 +32,13 @@ Settings demanding(const std::optional<std::pair<mpq_class, mpq_class>>& ratios 
 }
 
 /// What is said of files with these texts, which are called A, B, C ...
-std::string said(const std::vector<std::string>& texts, Settings settings = {}) {
+std::string said_together(const std::vector<std::string>& texts, Settings settings = {}) {
     settings.together = true;
     std::deque<File> files;
     std::vector<Job> jobs;
     for (const std::string& text : texts) jobs.push_back({files.emplace_back(text).path(), settings});
     std::vector<Result> results;
-    for (const Job& job : jobs) results.push_back(examine(job));
+    for (const Job& one : jobs) results.push_back(examine(one));
     for (const Result& result : results) CHECK(result.proof.claim.parts.empty());
     std::string line = verdict_line(together(jobs.front(), results));
     for (std::size_t i = 0; i < files.size(); ++i)
@@ -49,20 +50,20 @@ std::string said(const std::vector<std::string>& texts, Settings settings = {}) 
 /// What is said of one file, without its line and its SHA-256.
 std::string said_of_one(const std::string& text, const Settings& settings = {}) {
     const File file(text);
-    const Job job{file.path(), settings};
-    Result result = examine(job);
+    const Job asked{file.path(), settings};
+    Result result = examine(asked);
     result.why.line = 0;
     const std::string line = verdict_line(result);
     return line.substr(0, line.find(" sha256="));
 }
 
-/// Of a ratio 1/10^300 times n behind x.
-mpq_class behind(const mpq_class& x, int n) {
+/// n times 10^-300 behind x.
+mpq_class just_behind(const mpq_class& x, int n) {
     mpz_class power;
     mpz_ui_pow_ui(power.get_mpz_t(), 10, 300);
-    return x + mpq_class(n, power);
+    return x + n / mpq_class(power);
 }
-std::string one_piece(const mpq_class& a, const mpq_class& b) {
+std::string one_piece_file(const mpq_class& a, const mpq_class& b) {
     return closed(header(make::fraction(a), make::fraction(b), 1) + piece(a, b, 4, 0, ""));
 }
 
@@ -70,87 +71,91 @@ std::string one_piece(const mpq_class& a, const mpq_class& b) {
 
 TEST_CASE("together: a certificate cut between its pieces gets, in any order, the verdict of the whole") {
     std::mt19937 random(5);
-    const Cuttable cuttable(stairs);
+    const Cuttable cuttable(stairs_text);
     for (int i = 0; i < 60; ++i) {
         std::vector<std::string> files = cuttable.at_random(random);
         std::shuffle(files.begin(), files.end(), random);
         const mpq_class lo(static_cast<unsigned long>(4 + random() % 420), 4),
             hi = lo + mpq_class(static_cast<unsigned long>(random() % 100), 4);
-        Settings asked = demanding({}, random() % 12, random() % 6);
+        Settings asked = settings_asking({}, random() % 12, random() % 6);
         if (random() % 4 > 0) asked.demand.ratios.emplace(lo, hi);
         if (random() % 3 == 0) asked.demand.most.reset();
         if (random() % 3 == 0) asked.demand.least.reset();
         INFO(files.size() << " files, " << to_string(lo, hi));
-        REQUIRE(said(files) == said_of_one(stairs));
-        REQUIRE(said(files, asked) == said_of_one(stairs, asked));
+        REQUIRE(said_together(files) == said_of_one(stairs_text));
+        REQUIRE(said_together(files, asked) == said_of_one(stairs_text, asked));
     }
 }
 
 TEST_CASE("together: a hole is told, wherever it is, whatever is asked") {
-    const Cuttable cuttable(stairs);
+    const Cuttable cuttable(stairs_text);
     std::vector<std::string> all;
     for (std::size_t i = 0; i < cuttable.pieces.size(); ++i) all.push_back(cuttable.with(i, 1));
-    const Settings first = demanding({{1, 1}}, 2, 2);
-    REQUIRE(said(all, first).starts_with("s VERIFIED "));
+    const Settings first = settings_asking({{1, 1}}, 2, 2);
+    REQUIRE(said_together(all, first).starts_with("s VERIFIED "));
     for (std::size_t hole = 1; hole + 1 < all.size(); ++hole) {
         std::vector<std::string> files = all;
         files.erase(files.begin() + static_cast<std::ptrdiff_t>(hole));
-        REQUIRE(said(files).starts_with("s REJECTED code=chain a hole: "));
-        REQUIRE(said(files, first) == said(files));
+        REQUIRE(said_together(files).starts_with("s REJECTED code=chain a hole: "));
+        REQUIRE(said_together(files, first) == said_together(files));
     }
-    CHECK(said({one_piece(10, 11), one_piece(mpq_class(23, 2), mpq_class(23, 2))}) ==
-          "s REJECTED code=chain a hole: A ends at 11/1, and B begins at 23/2");
+    CHECK(said_together({one_piece_file(10, 11), one_piece_file(mpq_class(45, 4), mpq_class(45, 4))}) ==
+          "s REJECTED code=chain a hole: A ends at 11/1, and B begins at 45/4");
 }
 
 TEST_CASE("together: without the first or the last file the claim is about what there is") {
-    const Cuttable cuttable(stairs);
+    const Cuttable cuttable(stairs_text);
     const std::string most = cuttable.with(3, 14), least = cuttable.with(0, 14);
-    CHECK(said({most}).find(" ratio=") != std::string::npos);
-    CHECK(said({most}) == said_of_one(most));
-    const Settings asked = demanding({{1, 100}}, 10);
+    CHECK(said_together({most}).find(" ratio=") != std::string::npos);
+    CHECK(said_together({most}) == said_of_one(most));
+    const Settings asked = settings_asking({{1, 100}}, 10);
     for (const std::string& text : {most, least}) {
-        CHECK(said({text}, asked)
+        CHECK(said_together({text}, asked)
                   .starts_with("s REJECTED code=claim-not-proved of the mass ratios 1/1:100/1 "));
-        CHECK(said({text}, asked) == said_of_one(text, asked));
+        CHECK(said_together({text}, asked) == said_of_one(text, asked));
     }
-    CHECK(said({stairs}, demanding({{1, 101}}, 10)).ends_with(" only 1/1:100/1 are covered"));
-    CHECK(said({stairs}, demanding({{101, 102}}))
+    CHECK(said_together({stairs_text}, settings_asking({{1, 101}}, 10))
+              .ends_with(" only 1/1:100/1 are covered"));
+    CHECK(said_together({stairs_text}, settings_asking({{101, 102}}))
               .ends_with("nothing is said of the mass ratios 101/1:102/1, only of 1/1:100/1"));
 }
 
 TEST_CASE("together: an overlap is refused, and so is the same file twice") {
     const std::string overlap = "s REJECTED code=chain an overlap: ";
-    CHECK(said({one_piece(10, 11), one_piece(mpq_class(21, 2), mpq_class(45, 4))}) ==
+    CHECK(said_together({one_piece_file(10, 11), one_piece_file(mpq_class(21, 2), mpq_class(45, 4))}) ==
           overlap + "A ends at 11/1, and B begins at 21/2");
-    CHECK(said({one_piece(mpq_class(21, 2), 11), one_piece(10, mpq_class(45, 4))}) ==
+    CHECK(said_together({one_piece_file(mpq_class(21, 2), 11), one_piece_file(10, mpq_class(45, 4))}) ==
           overlap + "B ends at 45/4, and A begins at 21/2");
-    CHECK(said({stairs, stairs}).starts_with(overlap));
+    CHECK(said_together({stairs_text, stairs_text}).starts_with(overlap));
     const std::string ten = make::ten();
-    CHECK(said({ten, ten}) == "s VERIFIED scene=dumbbell ratio=10/1:10/1 upper=4 lower=0 gaps=0 open=2");
-    CHECK(said({one_piece(10, 11), ten, ten}).starts_with("s VERIFIED scene=dumbbell ratio=10/1:11/1 "));
+    CHECK(said_together({ten, ten}) ==
+          "s VERIFIED scene=dumbbell ratio=10/1:10/1 upper=4 lower=0 gaps=0 open=2");
+    CHECK(said_together({one_piece_file(10, 11), ten, ten})
+              .starts_with("s VERIFIED scene=dumbbell ratio=10/1:11/1 "));
 }
 
 TEST_CASE("together: ends that are 1e-300 apart are a hole or an overlap, and the same ends are neither") {
-    const mpq_class end = behind(10, 1);
-    const std::string first = one_piece(10, end);
-    CHECK(said({first, one_piece(end, 11)}).starts_with("s VERIFIED scene=dumbbell ratio=10/1:11/1 "));
-    CHECK(
-        said({first, one_piece(behind(10, 2), 11)}).starts_with("s REJECTED code=chain a hole: A ends at "));
-    CHECK(said({first, one_piece(10, 11)}).starts_with("s REJECTED code=chain an overlap: "));
-    CHECK(said({one_piece(10, behind(10, 2)), one_piece(end, 11)})
+    const mpq_class end = just_behind(10, 1);
+    const std::string first = one_piece_file(10, end);
+    CHECK(said_together({first, one_piece_file(end, 11)})
+              .starts_with("s VERIFIED scene=dumbbell ratio=10/1:11/1 "));
+    CHECK(said_together({first, one_piece_file(just_behind(10, 2), 11)})
+              .starts_with("s REJECTED code=chain a hole: A ends at "));
+    CHECK(said_together({first, one_piece_file(10, 11)}).starts_with("s REJECTED code=chain an overlap: "));
+    CHECK(said_together({one_piece_file(10, just_behind(10, 2)), one_piece_file(end, 11)})
               .starts_with("s REJECTED code=chain an overlap: A ends at "));
     const auto up_to = [&](const mpq_class& hi) {
-        return said({first, one_piece(end, 11)}, demanding({{10, hi}}, 4));
+        return said_together({first, one_piece_file(end, 11)}, settings_asking({{10, hi}}, 4));
     };
     CHECK(up_to(11).starts_with("s VERIFIED "));
-    CHECK(up_to(behind(11, 1)).starts_with("s REJECTED code=claim-not-proved of the mass ratios "));
-    CHECK(said({first, one_piece(end, 11)}, demanding({{behind(10, -1), 11}}, 4))
+    CHECK(up_to(just_behind(11, 1)).starts_with("s REJECTED code=claim-not-proved of the mass ratios "));
+    CHECK(said_together({first, one_piece_file(end, 11)}, settings_asking({{just_behind(10, -1), 11}}, 4))
               .starts_with("s REJECTED code=claim-not-proved of the mass ratios "));
 }
 
 TEST_CASE("together: one false piece rejects all, whatever the cut, and the file and its line are named") {
     std::mt19937 random(3);
-    const Cuttable honest(stairs);
+    const Cuttable honest(stairs_text);
     int gaps = 0;
     for (std::size_t i = 0; i < honest.pieces.size(); ++i) {
         const auto value = [&](const std::string& word) {
@@ -167,7 +172,7 @@ TEST_CASE("together: one false piece rejects all, whatever the cut, and the file
             const std::string whole = said_of_one(wrong.with(0, wrong.pieces.size()));
             REQUIRE(whole.find(" not certified: ") != std::string::npos);
             for (int cuts = 0; cuts < 4; ++cuts) {
-                const std::string line = said(wrong.at_random(random), demanding({{1, 1}}));
+                const std::string line = said_together(wrong.at_random(random), settings_asking({{1, 1}}));
                 INFO(line);
                 REQUIRE(line.starts_with(whole.substr(0, whole.find(" not certified: "))));
                 REQUIRE(line.find(": line ") != std::string::npos);
@@ -182,64 +187,66 @@ TEST_CASE("together: an open piece leaves no upper bound, and proves none") {
     const auto open = [](const std::string& a, const std::string& b) {
         return closed(header(a, b, 1) + "piece " + a + " " + b + "\nbits 53\nupper none\nlower 0\n");
     };
-    const std::string known = one_piece(10, 11), unknown = open("11/1", "12/1");
-    CHECK(said({known, unknown}) ==
+    const std::string known = one_piece_file(10, 11), unknown = open("11/1", "12/1");
+    CHECK(said_together({known, unknown}) ==
           "s VERIFIED scene=dumbbell ratio=10/1:12/1 upper=none lower=0 gaps=0 open=2");
-    CHECK(said({known, unknown}, demanding({{10, 11}}, 4)).starts_with("s VERIFIED "));
-    for (const mpq_class& hi : {behind(11, 1), mpq_class(12)})
-        CHECK(said({unknown, known}, demanding({{10, hi}}, 1000))
+    CHECK(said_together({known, unknown}, settings_asking({{10, 11}}, 4)).starts_with("s VERIFIED "));
+    for (const mpq_class& hi : {just_behind(11, 1), mpq_class(12)})
+        CHECK(said_together({unknown, known}, settings_asking({{10, hi}}, 1000))
                   .starts_with(
                       "s REJECTED code=claim-not-proved not proved: at most 1000 collisions for every "));
-    CHECK(said({known, unknown}, demanding({}, 1000)).starts_with("s REJECTED code=claim-not-proved "));
+    CHECK(said_together({known, unknown}, settings_asking({}, 1000))
+              .starts_with("s REJECTED code=claim-not-proved "));
     // At an end that two files share, either may prove it.
-    CHECK(said({open("9/1", "10/1"), known}, demanding({{10, 11}}, 4)).starts_with("s VERIFIED "));
-    CHECK(said({open("10/1", "10/1"), known}, demanding({{10, 11}}, 4)).starts_with("s VERIFIED "));
-    CHECK(
-        said({open("9/1", "10/1"), known}, demanding({{behind(10, -1), 11}}, 4)).starts_with("s REJECTED "));
+    CHECK(said_together({open("9/1", "10/1"), known}, settings_asking({{10, 11}}, 4))
+              .starts_with("s VERIFIED "));
+    CHECK(said_together({open("10/1", "10/1"), known}, settings_asking({{10, 11}}, 4))
+              .starts_with("s VERIFIED "));
+    CHECK(said_together({open("9/1", "10/1"), known}, settings_asking({{just_behind(10, -1), 11}}, 4))
+              .starts_with("s REJECTED "));
 }
 
 TEST_CASE("together: what none of the files proves by itself is not proved by all") {
-    const std::string low = one_piece(10, 11), high = one_piece(11, mpq_class(45, 4));
-    CHECK(said({low, high}, demanding({}, 4)).starts_with("s VERIFIED "));
-    CHECK(said({low, high}, demanding({}, 3)) ==
+    const std::string low = one_piece_file(10, 11), high = one_piece_file(11, mpq_class(45, 4));
+    CHECK(said_together({low, high}, settings_asking({}, 4)).starts_with("s VERIFIED "));
+    CHECK(said_together({low, high}, settings_asking({}, 3)) ==
           "s REJECTED code=claim-not-proved not proved: at most 3 collisions for every mass ratio in "
           "10/1:45/4");
-    CHECK(said({low, high}, demanding({}, {}, 1)) ==
+    CHECK(said_together({low, high}, settings_asking({}, {}, 1)) ==
           "s REJECTED code=claim-not-proved not proved: at least 1 collisions for every mass ratio in "
           "10/1:45/4");
 }
 
 TEST_CASE("together: the worst file decides, and says why") {
-    const std::string good = one_piece(10, 11), bad = replaced(good, "upper 4", "upper 3"),
+    const std::string good = one_piece_file(10, 11), bad = replaced(good, "upper 4", "upper 3"),
                       foreign = make::mutated(good, "lemmas 1", "lemmas 9"),
                       heavy = make::mutated(good, "bits 53", "bits 3000");
-    CHECK(said({good, foreign}) == "s UNSUPPORTED B: line 3: unknown lemmas 9");
-    CHECK(said({foreign, heavy, good}).starts_with("s LIMIT B: line 10: see --max-bits"));
-    CHECK(said({foreign, heavy, bad}).starts_with("s REJECTED code=count C: line 13: not certified: "));
-    CHECK(said({good, ""}).starts_with("s REJECTED code=truncated B: line 1: the text ends too early"));
-    CHECK(said({make::contents(make::shipped("wedge-1-100.dbc")), stairs})
-              .ends_with("A: line "
-                         "415: the scene is wedge, and dumbbell was demanded (--scene)"));
+    CHECK(said_together({good, foreign}) == "s UNSUPPORTED B: line 3: unknown lemmas 9");
+    CHECK(said_together({foreign, heavy, good}).starts_with("s LIMIT B: line 10: see --max-bits"));
+    CHECK(said_together({foreign, heavy, bad})
+              .starts_with("s REJECTED code=count C: line 13: not certified: "));
+    CHECK(said_together({good, ""})
+              .starts_with("s REJECTED code=truncated B: line 1: the text ends too early"));
+    const std::string line = said_together({stairs_text, make::contents(make::shipped("wedge-1-100.dbc"))});
+    CHECK(line.starts_with("s REJECTED code=claim-not-proved B: line "));
+    CHECK(line.ends_with(": the scene is wedge, and dumbbell was demanded (--scene)"));
 }
 
 TEST_CASE("together: files about something else are refused before they are read") {
     const std::string other =
         ": --together is about ranges of mass ratios, and this file is about something else";
-    CHECK(said({make::falling()}) == "s UNREADABLE A: line 6" + other);
-    CHECK(said({stairs, make::falling()}) == "s UNREADABLE B: line 6" + other);
-    for (const char* name : {"law.dbc.gz", "q-10.dbc"}) {
-        const std::string line = said({stairs, make::contents(make::shipped(name))});
-        CHECK(line.find(name[0] == 'l' ? other : "an overlap") != std::string::npos);
-    }
+    CHECK(said_together({make::falling()}) == "s UNREADABLE A: line 6" + other);
+    CHECK(said_together({stairs_text, make::falling()}) == "s UNREADABLE B: line 6" + other);
+    CHECK(said_together({stairs_text, make::contents(make::shipped("law.dbc.gz"))}).ends_with(other));
     Settings law;
     law.claim = "law";
-    CHECK(said({stairs}, law).find("the claim is collisions, and law was demanded (--claim)") !=
+    CHECK(said_together({stairs_text}, law).find("the claim is collisions, and law was demanded (--claim)") !=
           std::string::npos);
 }
 
 TEST_CASE("together: the heavy mass is said to touch once only if each file proves it") {
     const std::string full = make::contents(make::shipped("full-100.dbc.gz"));
-    CHECK(said({full}).ends_with(" heavy-at-most=1"));
-    CHECK(said({full, full}).ends_with(" heavy-at-most=1"));
-    CHECK(said({stairs, full}) == said_of_one(stairs));
+    CHECK(said_together({full}).ends_with(" heavy-at-most=1"));
+    CHECK(said_together({full, full}).ends_with(" heavy-at-most=1"));
+    CHECK(said_together({stairs_text, full}) == said_of_one(stairs_text));
 }

@@ -1,0 +1,77 @@
+#include "cli/commands/join_faults.hpp"
+
+#include <fmt/core.h>
+
+#include "base/error.hpp"
+#include "base/printable.hpp"
+
+namespace dumbbell::cli {
+namespace {
+
+/// The options of the files that are believed.
+std::string common_options(const Parts& parts, const std::vector<PartFile>& files) {
+    const PartFile* first = nullptr;
+    for (const PartFile& file : files) {
+        if (!file.fault.empty() || !file.options) {
+            continue;
+        }
+        first = first == nullptr ? &file : first;
+        if (file.options != first->options) {
+            throw InputError(fmt::format("'{}' and '{}' are of different claims: {}, and {}", first->name,
+                                         file.name, parts.command(*first->range, *first->options),
+                                         parts.command(*file.range, *file.options)));
+        }
+    }
+    return first == nullptr ? "" : *first->options;
+}
+
+}  // namespace
+
+std::vector<std::string> faults_of(const Parts& parts, const std::vector<PartFile>& files,
+                                   const std::optional<Range>& whole) {
+    std::vector<std::string> faults;
+    const std::string options = common_options(parts, files);
+    const auto reach = [&](const Rational& from, const Rational& to) {
+        if (from < to) {
+            faults.push_back(fmt::format("missing: {}; to make them: {} --out FILE", parts.words({from, to}),
+                                         parts.command({from, to}, options)));
+        }
+    };
+    std::optional<Rational> reached = whole ? std::optional(whole->begin) : std::nullopt;
+    const PartFile* furthest = nullptr;
+    for (const PartFile& file : files) {
+        if (!file.fault.empty()) {
+            faults.push_back(with_command(parts, file, file.fault));
+        }
+        if (!file.range) {
+            continue;
+        }
+        const auto& [begin, end] = *file.range;
+        reach(reached.value_or(begin), begin);
+        if (furthest != nullptr && begin < *reached) {
+            faults.push_back(
+                fmt::format("'{}' and '{}' overlap: leave one of them out", furthest->name, file.name));
+        }
+        if (whole && (begin < whole->begin || end > whole->end)) {
+            faults.push_back(
+                fmt::format("'{}' ({}) reaches beyond --range", file.name, parts.words(*file.range)));
+        }
+        if (!reached || end >= *reached) {
+            reached = end;
+            furthest = &file;
+        }
+    }
+    if (whole) {
+        reach(*reached, whole->end);
+    }
+    return faults;
+}
+
+std::string with_command(const Parts& parts, const PartFile& file, const std::string& line) {
+    return !file.range
+               ? line
+               : fmt::format("{}; to make it again: {} --out {}", line,
+                             parts.command(*file.range, file.options.value_or("")), shell_file(file.name));
+}
+
+}  // namespace dumbbell::cli
