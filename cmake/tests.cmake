@@ -3,14 +3,20 @@
 # A Catch2 program of which every TEST_CASE is one ctest test, called "NAME/test case". The label is
 # `unit` unless told otherwise (`long`: not under the sanitizers of .ci/run, `cli`: runs the programs, `proofs`:
 # checks shipped certificates). An hour ends a test case that hangs, and none because the machine is busy.
-find_package(Catch2 2.13 REQUIRED)
+find_package(Catch2 REQUIRED)
 include(Catch)
 
-# Catch's main(), compiled here and once. Debian's Catch2::Catch2WithMain is compiled as C++11 and lacks
+# Catch's main(), of version 2 compiled here and once: Debian's Catch2::Catch2WithMain of it is compiled as C++11 and lacks
 # what <string_view> needs.
 add_library(dumbbell_catch_main STATIC ${PROJECT_SOURCE_DIR}/tests/catch_main.cpp)
 target_compile_features(dumbbell_catch_main PUBLIC cxx_std_20)
-target_link_libraries(dumbbell_catch_main PUBLIC Catch2::Catch2)
+if(Catch2_VERSION VERSION_LESS 3)
+  target_link_libraries(dumbbell_catch_main PUBLIC Catch2::Catch2)
+  set(catch_options EXTRA_ARGS -w NoTests)  # what version 3 does without being asked
+else()
+  target_link_libraries(dumbbell_catch_main PUBLIC Catch2::Catch2WithMain)
+  set(catch_options "")
+endif()
 # Most of what a test program takes to build is Catch's macros: a third less without a block for exceptions around each
 # assertion (one that throws still fails its test case), and with less optimisation of what a test says itself.
 target_compile_definitions(dumbbell_catch_main PUBLIC CATCH_CONFIG_FAST_COMPILE)
@@ -38,7 +44,7 @@ function(dumbbell_add_tests name)
   set_target_properties(test_${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR})
   # A name that matches no test case is a failure: cmake splits one that has a semicolon, and joins one that has an
   # unpaired bracket to those that follow it.
-  catch_discover_tests(test_${name} TEST_PREFIX "${name}/" EXTRA_ARGS -w NoTests)
+  catch_discover_tests(test_${name} TEST_PREFIX "${name}/" ${catch_options})
 
   # ctest reads this after the list that catch_discover_tests made. A program that crashes when it is
   # asked for its tests leaves an empty list there, silently: make that a failure.

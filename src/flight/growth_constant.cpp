@@ -1,6 +1,8 @@
 #include "flight/growth_constant.hpp"
 
+#include <acb.h>
 #include <acb_calc.h>
+#include <arb.h>
 
 #include "base/error.hpp"
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <mpfr.h>
+// Only after it FLINT 3 has what turns its numbers into MPFR's.
 #include <arf.h>
 
 #include <limits>

@@ -2,8 +2,9 @@
 
 #include <unistd.h>
 
-#include <catch2/catch.hpp>
 #include <cstdlib>
+
+#include "catch.hpp"
 
 namespace dumbbell_test {
 

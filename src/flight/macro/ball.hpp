@@ -1,5 +1,7 @@
 #pragma once
 
+#include <mpfr.h>
+// After it, as in number/big_interval.hpp.
 #include <arb_poly.h>
 
 #include <vector>

@@ -1,7 +1,6 @@
 // Sums, products, quotients, squares, roots and bounds of all interval layers against MPFR.
-#include <catch2/catch.hpp>
-
 #include "attack.hpp"
+#include "catch.hpp"
 
 using namespace dumbbell_test;
 

@@ -1,13 +1,13 @@
 #pragma once
 
 #include <array>
-#include <catch2/catch.hpp>
 #include <cstdio>
 #include <cstdlib>
 #include <mutex>
 #include <string>
 #include <vector>
 
+#include "catch.hpp"
 #include "draw.hpp"
 #include "exact.hpp"
 #include "layers.hpp"

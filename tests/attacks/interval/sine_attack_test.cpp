@@ -1,7 +1,6 @@
 // Sine, cosine, arcsine, pi and enclosed rationals of all interval layers against MPFR.
-#include <catch2/catch.hpp>
-
 #include "attack.hpp"
+#include "catch.hpp"
 #include "number/rational.hpp"
 
 using namespace dumbbell_test;

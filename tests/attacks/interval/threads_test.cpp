@@ -4,7 +4,6 @@
 #include <array>
 #include <barrier>
 #include <bit>
-#include <catch2/catch.hpp>
 #include <cfenv>
 #include <cstdint>
 #include <functional>
@@ -12,6 +11,7 @@
 #include <vector>
 
 #include "base/error.hpp"
+#include "catch.hpp"
 #include "number/big_interval.hpp"
 #include "number/elementary.hpp"
 #include "number/self_test.hpp"

@@ -1,6 +1,5 @@
 // The tools of the driver: what they make is what it is said to be, and the prover's formulas refuse what is
 // false of the adiabatic invariant.
-#include <catch2/catch.hpp>
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
@@ -11,6 +10,7 @@
 #include "adiabatic_argument.hpp"
 #include "apart.hpp"
 #include "campaign.hpp"
+#include "catch.hpp"
 #include "corpus.hpp"
 #include "manifest.hpp"
 #include "temporary_folder.hpp"

@@ -1,11 +1,11 @@
 // proofs/adiabatic.md, L33-L38, L41 and the constants that are proved with them, against the physical
 // dumbbell.
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <optional>
 #include <vector>
 
+#include "catch.hpp"
 #include "simulate.hpp"
 #include "trial.hpp"
 

@@ -1,8 +1,8 @@
 // proofs/lemmas.md, L40: trajectories into a corner, where both masses stand on the floor at once, against
 // the simulation.
 #include <algorithm>
-#include <catch2/catch.hpp>
 
+#include "catch.hpp"
 #include "extremal.hpp"
 #include "simulate.hpp"
 #include "trial.hpp"

@@ -1,8 +1,8 @@
 // proofs/theorem.md, L26-L30 and Theorem 2: how the extremal orbits move with the ratio, and the critical
 // ratios.
 #include <algorithm>
-#include <catch2/catch.hpp>
 
+#include "catch.hpp"
 #include "extremal.hpp"
 #include "trial.hpp"
 

@@ -1,7 +1,7 @@
 // Lemma L10 and format.md 3.5: the first collision of a ray with a negative slope, jointly in the ratio.
 #include <algorithm>
-#include <catch2/catch.hpp>
 
+#include "catch.hpp"
 #include "ray_count.hpp"
 #include "trial.hpp"
 

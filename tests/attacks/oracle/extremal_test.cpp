@@ -3,8 +3,8 @@
 #include "extremal.hpp"
 
 #include <algorithm>
-#include <catch2/catch.hpp>
 
+#include "catch.hpp"
 #include "trial.hpp"
 
 using namespace dumbbell_oracle;

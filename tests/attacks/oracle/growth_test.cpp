@@ -1,7 +1,7 @@
 // proofs/theorem.md, L31, L32, Theorems 3 and 4: the maximum against the paper's bound, and its growth.
 #include <algorithm>
-#include <catch2/catch.hpp>
 
+#include "catch.hpp"
 #include "extremal.hpp"
 #include "trial.hpp"
 

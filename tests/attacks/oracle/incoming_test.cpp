@@ -1,9 +1,9 @@
 // The natural measure on incoming trajectories, by a gas of dumbbells and by the simulation.
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <map>
 #include <random>
 
+#include "catch.hpp"
 #include "simulate.hpp"
 #include "trial.hpp"
 

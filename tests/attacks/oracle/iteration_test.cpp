@@ -1,7 +1,7 @@
 // Lemmas L4, L6, L8, L9: the formulas of the charts against the physical simulation, collision by collision.
 #include <algorithm>
-#include <catch2/catch.hpp>
 
+#include "catch.hpp"
 #include "ray_count.hpp"
 #include "trial.hpp"
 

@@ -1,11 +1,11 @@
 // proofs/law.md, L46-L48, L53, L54 and Theorems A, B, C on the true orbits at critical ratios. What is said
 // of all q >= 10^6 is tried at N = 903 and beyond, the comparison with q_c(N) at every shipped one.
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <fstream>
 #include <string>
 #include <vector>
 
+#include "catch.hpp"
 #include "extremal.hpp"
 #include "law.hpp"
 #include "trial.hpp"

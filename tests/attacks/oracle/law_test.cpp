@@ -3,8 +3,8 @@
 
 #include <array>
 #include <boost/math/special_functions/zeta.hpp>
-#include <catch2/catch.hpp>
 
+#include "catch.hpp"
 #include "ray_count.hpp"
 #include "trial.hpp"
 

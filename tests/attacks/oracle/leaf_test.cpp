@@ -2,8 +2,8 @@
 // box allows. This tries the statements that a certificate uses, not the enclosures (they are tested
 // elsewhere).
 #include <algorithm>
-#include <catch2/catch.hpp>
 
+#include "catch.hpp"
 #include "ray_count.hpp"
 #include "trial.hpp"
 

@@ -1,8 +1,8 @@
 // Lemmas L5, L6 (b), L8, L9, L10, L12: everything that says "increases" or "decreases", on ordered pairs that
 // are far apart, close together, or next to the edge of the domain.
 #include <algorithm>
-#include <catch2/catch.hpp>
 
+#include "catch.hpp"
 #include "ray_count.hpp"
 #include "trial.hpp"
 

@@ -1,7 +1,7 @@
 // The simulation itself, and lemmas L0-L3 on simulated trajectories.
 #include <algorithm>
-#include <catch2/catch.hpp>
 
+#include "catch.hpp"
 #include "chart.hpp"
 #include "trial.hpp"
 

@@ -1,9 +1,9 @@
 // proofs/theorem.md, Theorem 5: the share of the trajectories with as many collisions as any, at a ratio and
 // as the ratio falls to the step.
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <random>
 
+#include "catch.hpp"
 #include "extremal.hpp"
 #include "trial.hpp"
 

@@ -1,8 +1,8 @@
 // theory.md section 4 against the simulation: no trajectory has more than N* = 2 + k0 + k1 collisions, and
 // the adversarial samples reach N*. Also lemma L7 and the statements from which the theorem is made.
 #include <algorithm>
-#include <catch2/catch.hpp>
 
+#include "catch.hpp"
 #include "ray_count.hpp"
 #include "trial.hpp"
 

@@ -1,7 +1,7 @@
 // Remarks of the theory note that are not in the lemma set but that a search or a reader may lean on.
 #include <algorithm>
-#include <catch2/catch.hpp>
 
+#include "catch.hpp"
 #include "ray_count.hpp"
 #include "trial.hpp"
 

@@ -1,10 +1,8 @@
 // dumbbell adiabatic: what it says, its exit codes, and that the verifier takes what it writes.
-#include <catch2/catch.hpp>
-
+#include "catch.hpp"
 #include "programs.hpp"
 
 using namespace dumbbell_test;
-using Catch::Matchers::Contains;
 
 namespace {
 
@@ -62,7 +60,8 @@ TEST_CASE("the verifier takes what adiabatic writes at any delta below 1/2") {
     }
 }
 
-// docs/6-adiabatic.md: the first bounce is sqrt(delta)/2 from the vertical, and the last almost stops the rod.
+// docs/6-adiabatic.md: the first bounce is sqrt(delta)/2 from the vertical, and the last almost stops the
+// rod.
 TEST_CASE("Theorem 3.5 as printed is not true at delta = 0.01: an orbit, enclosed") {
     const Outcome result = dumbbell({"trace", "9999", "--phi", "3.66238893", "--phidot", "1", "--y",
                                      "1.0060771", "--ydot", "-0.0074267297", "--json"});

@@ -1,14 +1,11 @@
 // Bad input: one clear line on stderr, exit 2, nothing on stdout, nothing written.
-#include <catch2/catch.hpp>
 #include <cctype>
 #include <regex>
 
+#include "catch.hpp"
 #include "reference.hpp"
 
 using namespace dumbbell_test;
-using Catch::Matchers::Contains;
-using Catch::Matchers::EndsWith;
-using Catch::Matchers::StartsWith;
 
 TEST_CASE("what is no positive ratio is refused, with a hint how to write one") {
     for (const char* ratio :

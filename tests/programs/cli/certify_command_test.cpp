@@ -1,11 +1,10 @@
-#include <catch2/catch.hpp>
 #include <iterator>
 #include <sstream>
 
+#include "catch.hpp"
 #include "programs.hpp"
 
 using namespace dumbbell_test;
-using Catch::Matchers::Contains;
 using Json = nlohmann::json;
 
 TEST_CASE("certify RATIO prints the table and the sentence, says nothing on stderr, and exits 0") {

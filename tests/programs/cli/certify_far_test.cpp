@@ -1,10 +1,8 @@
 // Ratios at which a count has more than 64 bits.
-#include <catch2/catch.hpp>
-
+#include "catch.hpp"
 #include "programs.hpp"
 
 using namespace dumbbell_test;
-using Catch::Matchers::Contains;
 using Json = nlohmann::json;
 
 namespace {

@@ -1,10 +1,8 @@
 // The greatest ratio that is tried.
-#include <catch2/catch.hpp>
-
+#include "catch.hpp"
 #include "programs.hpp"
 
 using namespace dumbbell_test;
-using Catch::Matchers::Contains;
 using Json = nlohmann::json;
 
 TEST_CASE("the maximum at 10^100 is proved, verified, and what the law says") {

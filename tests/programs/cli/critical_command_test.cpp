@@ -1,10 +1,8 @@
-#include <catch2/catch.hpp>
 
+#include "catch.hpp"
 #include "programs.hpp"
 
 using namespace dumbbell_test;
-using Catch::Matchers::Contains;
-using Catch::Matchers::StartsWith;
 
 namespace {
 
@@ -35,7 +33,7 @@ TEST_CASE("critical 4 with 200 and 1000 digits has the right ones") {
     const std::string some = digits("200"), many = digits("1000");
     CHECK(some.size() == 201);
     CHECK_THAT(some, StartsWith("4.60333884875170035255658202910301651306739713416053234603943"));
-    CHECK_THAT(some, Catch::Matchers::EndsWith("816266515463097253546184"));
+    CHECK_THAT(some, EndsWith("816266515463097253546184"));
     CHECK(many.size() == 1001);
     CHECK_THAT(many, StartsWith(some));
 }

@@ -1,12 +1,10 @@
 // The man pages, the completion and the reference: all options are there, and the tools that read them agree.
-#include <catch2/catch.hpp>
 #include <regex>
 
+#include "catch.hpp"
 #include "reference.hpp"
 
 using namespace dumbbell_test;
-using Catch::Matchers::Contains;
-using Catch::Matchers::StartsWith;
 
 namespace {
 

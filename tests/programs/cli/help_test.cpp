@@ -1,9 +1,8 @@
-#include <catch2/catch.hpp>
 
+#include "catch.hpp"
 #include "reference.hpp"
 
 using namespace dumbbell_test;
-using Catch::Matchers::Contains;
 
 namespace {
 

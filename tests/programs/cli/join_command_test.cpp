@@ -1,12 +1,10 @@
 // Parts of a range: certify and critical --part, and join, which believes none of them.
-#include <catch2/catch.hpp>
 #include <functional>
 
+#include "catch.hpp"
 #include "programs.hpp"
 
 using namespace dumbbell_test;
-using Catch::Matchers::Contains;
-using Catch::Matchers::StartsWith;
 
 namespace {
 

@@ -1,9 +1,9 @@
 // docs/reference/json.md against the programs: the fields that it names are the fields that they print.
-#include <catch2/catch.hpp>
 #include <map>
 #include <set>
 #include <sstream>
 
+#include "catch.hpp"
 #include "programs.hpp"
 
 using namespace dumbbell_test;
@@ -184,15 +184,14 @@ TEST_CASE("docs/reference/json.md describes the JSON of trace") {
     const TemporaryFolder folder;
     const Words part{"--phi",       "0:0.5", "--phidot", "0",       "--subdivide",
                      "--max-boxes", "20",    "--out",    "box.dbc", "--shares"};
-    check_documented("trace",
-                     printed_by({falling({"--phi", "0.3", "--phidot", "0"}),
-                                 falling({"--phi", "0.3", "--phidot", "0", "--digits", "20"}),
-                                 falling({"--phi", "0.3:0.31", "--phidot", "0"}),
-                                 falling({"--phi", "0", "--phidot", "0"}),
-                                 falling({"--phi", "pi/6", "--phidot", "0"}),
-                                 falling(part),
-                                 {"trace", "10", "--incoming", "--subdivide", "--max-boxes", "20"}},
-                                folder));
+    check_documented("trace", printed_by({falling({"--phi", "0.3", "--phidot", "0"}),
+                                          falling({"--phi", "0.3", "--phidot", "0", "--digits", "20"}),
+                                          falling({"--phi", "0.3:0.31", "--phidot", "0"}),
+                                          falling({"--phi", "0", "--phidot", "0"}),
+                                          falling({"--phi", "pi/6", "--phidot", "0"}),
+                                          falling(part),
+                                          {"trace", "10", "--incoming", "--subdivide", "--max-boxes", "20"}},
+                                         folder));
 }
 
 TEST_CASE("docs/reference/json.md describes the JSON of adiabatic") {

@@ -1,10 +1,9 @@
-#include <catch2/catch.hpp>
 #include <tuple>
 
+#include "catch.hpp"
 #include "programs.hpp"
 
 using namespace dumbbell_test;
-using Catch::Matchers::Contains;
 
 TEST_CASE("audit and plot say what they read when given a certificate about initial conditions") {
     const TemporaryFolder folder;

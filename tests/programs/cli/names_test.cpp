@@ -1,11 +1,9 @@
 // Names may hold anything. None reaches a terminal raw, of no command and of neither program; and a command
 // that is printed can be pasted.
-#include <catch2/catch.hpp>
-
+#include "catch.hpp"
 #include "programs.hpp"
 
 using namespace dumbbell_test;
-using Catch::Matchers::Contains;
 
 namespace {
 

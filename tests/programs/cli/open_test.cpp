@@ -1,10 +1,8 @@
 // Exit 3: not everything was decided; what was is complete, written and verifiable.
-#include <catch2/catch.hpp>
-
+#include "catch.hpp"
 #include "programs.hpp"
 
 using namespace dumbbell_test;
-using Catch::Matchers::Contains;
 using Json = nlohmann::json;
 
 namespace {
@@ -15,7 +13,7 @@ void check_open(const Outcome& result, const std::string& file) {
     const Outcome verdict = verifier({file});
     CAPTURE(verdict.out, verdict.err);
     CHECK(verdict.code == 0);
-    CHECK_THAT(last_line(verdict.out), Catch::Matchers::StartsWith("s VERIFIED "));
+    CHECK_THAT(last_line(verdict.out), StartsWith("s VERIFIED "));
 }
 
 }  // namespace

@@ -1,11 +1,10 @@
-#include <catch2/catch.hpp>
 #include <tuple>
 
+#include "catch.hpp"
 #include "programs.hpp"
 #include "rooms/pictures/xml.hpp"
 
 using namespace dumbbell_test;
-using Catch::Matchers::Contains;
 
 TEST_CASE("plot staircase draws a certificate, plain or compressed, and says nothing") {
     const TemporaryFolder folder;

@@ -1,9 +1,9 @@
 // The two built programs, as these tests run them.
 #pragma once
 
-#include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
+#include "catch.hpp"
 #include "process.hpp"
 
 namespace dumbbell_test {
@@ -38,7 +38,7 @@ inline std::string refused(const Words& arguments) {
     CHECK(result.code == 2);
     CHECK(result.out.empty());
     CHECK(count_lines(result.err) == 1);
-    CHECK_THAT(result.err, Catch::Matchers::StartsWith("dumbbell: "));
+    CHECK_THAT(result.err, StartsWith("dumbbell: "));
     CHECK(folder.names().empty());
     return result.err;
 }

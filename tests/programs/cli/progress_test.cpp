@@ -1,11 +1,11 @@
 #include <fcntl.h>
 #include <sys/ioctl.h>
 
-#include <catch2/catch.hpp>
 #include <cstdlib>
 #include <filesystem>
 #include <regex>
 
+#include "catch.hpp"
 #include "programs.hpp"
 
 using namespace dumbbell_test;

@@ -1,11 +1,8 @@
 // --quiet: the verdict alone, with the same exit code.
-#include <catch2/catch.hpp>
-
+#include "catch.hpp"
 #include "programs.hpp"
 
 using namespace dumbbell_test;
-using Catch::Matchers::Contains;
-using Catch::Matchers::StartsWith;
 
 namespace {
 

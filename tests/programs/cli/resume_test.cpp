@@ -1,11 +1,10 @@
 // A long `certify LO:HI --out FILE` keeps its finished pieces in FILE.partial and goes on from there.
-#include <catch2/catch.hpp>
 #include <random>
 
+#include "catch.hpp"
 #include "programs.hpp"
 
 using namespace dumbbell_test;
-using Catch::Matchers::Contains;
 
 namespace {
 

@@ -1,11 +1,8 @@
 // SIGINT and SIGTERM: the program ends by them, soon, and says in one line what is kept.
-#include <catch2/catch.hpp>
-
+#include "catch.hpp"
 #include "programs.hpp"
 
 using namespace dumbbell_test;
-using Catch::Matchers::Contains;
-using Catch::Matchers::StartsWith;
 
 namespace {
 

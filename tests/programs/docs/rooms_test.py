@@ -1,5 +1,6 @@
 """rooms_test.py: src/README.md says which room may use which; the includes say the same, every file opens its room's
-namespace and no other, and no two types of one name meet in a program."""
+namespace and no other, and no two types of one name meet in a program. Of the tests one header alone knows Catch2, which
+is of version 2 or 3."""
 
 import collections
 import pathlib
@@ -7,6 +8,7 @@ import re
 import sys
 
 SRC = pathlib.Path(__file__).resolve().parents[3] / "src"
+TESTS = SRC.parent / "tests"
 ROW = re.compile(r"\| `([a-z_/]+)` \| [^|]+ \| ([^|]*)\|")
 GROUND = re.compile(r"The ground \(([^)]*)\) is `namespace dumbbell`")
 INCLUDE = re.compile(r'^#include "([a-z_/0-9]+\.hpp)"', re.M)
@@ -90,6 +92,8 @@ def main():
     for room, rooms in allowed.items():
         faults += [f"{room} does not use {other}" for other in rooms if other not in used[room]]
     faults += [f"{name} is defined in {' and '.join(sorted(files))}" for name, files in defined.items() if len(files) > 1]
+    faults += [f"{file.relative_to(SRC.parent)} uses Catch2 past tests/catch.hpp" for file in sorted(TESTS.rglob("*.?pp"))
+               if file != TESTS / "catch.hpp" and re.search("catch2/|Catch::", file.read_text(encoding="utf-8"))]
     for fault in faults:
         print(fault)
     print(f"{len(order)} rooms, {len(defined)} types, {len(faults)} faults")

@@ -1,14 +1,12 @@
 // The shipped certificates: each row of certificates/claims.tsv is proved by its file, and the small files
 // can be made again, byte for byte, with the command of the row.
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <sstream>
 
+#include "catch.hpp"
 #include "programs/cli/process.hpp"
 
 using namespace dumbbell_test;
-using Catch::Matchers::EndsWith;
-using Catch::Matchers::StartsWith;
 namespace fs = std::filesystem;
 
 namespace {

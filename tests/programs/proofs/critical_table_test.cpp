@@ -1,10 +1,10 @@
 // The shipped table of critical ratios: complete, in order, and made again, byte for byte, row by row.
 #include <algorithm>
 #include <array>
-#include <catch2/catch.hpp>
 #include <random>
 #include <sstream>
 
+#include "catch.hpp"
 #include "collisions/reader.hpp"
 #include "flight/paper_bound.hpp"
 #include "programs/cli/process.hpp"

@@ -62,14 +62,16 @@ expect "no word: help on stderr" has "$err" "usage: ./run WORD"
 expect "no word: nothing on stdout" is "$out" ""
 expect "no word: nothing was built" test ! -e "$project/build"
 
-# Missing packages. The fake dpkg-query knows all but two.
+# Missing packages. The fake dpkg-query knows all but two, and of alternatives the second.
 cat > "$fake/dpkg-query" << 'END'
 #!/usr/bin/env bash
 for word in "${@:3}"; do
     case $word in
-        libmpfr-dev) [[ ! -e $FAKE_STATE ]] || echo "installed:$word" ;;
-        catch2) echo "config-files:$word" ;;
-        *) echo "installed:$word" ;;
+        libmpfr-dev) [[ ! -e $FAKE_STATE ]] || echo "installed $word 4.2" ;;
+        libflint-arb-dev) ;;
+        libflint-dev) echo "installed $word $FAKE_FLINT" ;;
+        catch2) echo "config-files $word 2.13" ;;
+        *) echo "installed $word 1:1.0-1" ;;
     esac
 done
 [[ -e $FAKE_STATE ]]
@@ -84,23 +86,28 @@ touch "$FAKE_STATE"
 END
 printf '#!/bin/sh\necho "$FAKE_UID"\n' > "$fake/id"
 chmod +x "$fake"/*
-export FAKE_STATE=$scratch/installed FAKE_LOG=$scratch/apt.log FAKE_UID=1000 FAKE_APT=works
+export FAKE_STATE=$scratch/installed FAKE_LOG=$scratch/apt.log FAKE_UID=1000 FAKE_APT=works FAKE_FLINT=3.1.3-2
 with_fakes() { run_in "$scratch/elsewhere" env PATH="$fake:$PATH" "$@"; }
 
 with_fakes "$project/run" certify 10
 expect "without root: exit 2" is "$code" 2
 expect "without root: names what is missing and why" has "$err" "libmpfr-dev          multiple-precision numbers"
-expect "without root: prints the command" has "$err" "apt-get install -y --no-install-recommends libmpfr-dev\""
+expect "without root: prints the command" has "$err" "apt-get satisfy -y --no-install-recommends 'libmpfr-dev'\""
 expect "without root: only what is missing, only what is needed" lacks "$err" catch2
 expect "without root: nothing on stdout" is "$out" ""
 expect "without root: apt-get is not called" test ! -e "$FAKE_LOG"
 expect "without root: nothing was built" test ! -e "$project/build"
 with_fakes "$project/run" test
-expect "the tests need more packages" has "$err" "install -y --no-install-recommends libmpfr-dev catch2\""
+expect "the tests need more packages" has "$err" "satisfy -y --no-install-recommends 'libmpfr-dev, catch2'\""
 cp -- "$fake/id" "$fake/catch2"
 with_fakes "$project/run" test
 expect "a program from elsewhere does as well as its package" lacks "$err" catch2
 rm -- "$fake/catch2"
+FAKE_FLINT=2.9.0-5
+with_fakes "$project/run" certify 10
+expect "an alternative that is too old does not do; apt-get is told all" \
+    has "$err" "satisfy -y --no-install-recommends 'libmpfr-dev, libflint-arb-dev|libflint-dev(>=3)'\""
+FAKE_FLINT=3.1.3-2
 
 FAKE_UID=0 FAKE_APT=fails
 with_fakes "$project/run" certify 10
@@ -111,7 +118,7 @@ with_fakes "$project/run" certify 10
 expect "as root: installs and goes on, though apt-get update failed" is "$code" 0
 expect "as root: says so" has "$err" "installing them with apt-get"
 expect "as root: waits for the lock, asks nothing" \
-    grep -qxF -- "-o DPkg::Lock::Timeout=300 install -y --no-install-recommends libmpfr-dev [noninteractive]" "$FAKE_LOG"
+    grep -qxF -- "-o DPkg::Lock::Timeout=300 satisfy -y --no-install-recommends libmpfr-dev [noninteractive]" "$FAKE_LOG"
 expect "as root: stdout is the program's alone" is "$out" $'cwd=elsewhere\n<certify>\n<10>'
 : > "$FAKE_LOG"
 with_fakes "$project/run" certify 10

@@ -1,6 +1,6 @@
 #include "adiabatic/classes.hpp"
 
-#include <catch2/catch.hpp>
+#include "catch.hpp"
 
 using namespace dumbbell;
 using namespace dumbbell::adiabatic;

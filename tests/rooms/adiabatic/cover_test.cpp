@@ -1,7 +1,8 @@
 #include "adiabatic/cover.hpp"
 
-#include <catch2/catch.hpp>
 #include <cmath>
+
+#include "catch.hpp"
 
 using namespace dumbbell;
 using namespace dumbbell::adiabatic;

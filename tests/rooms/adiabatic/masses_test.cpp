@@ -1,7 +1,6 @@
 #include "adiabatic/masses.hpp"
 
-#include <catch2/catch.hpp>
-
+#include "catch.hpp"
 #include "samples.hpp"
 
 using namespace dumbbell;

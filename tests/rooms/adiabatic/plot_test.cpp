@@ -1,14 +1,12 @@
 #include "adiabatic/plot.hpp"
 
-#include <catch2/catch.hpp>
-
 #include "base/error.hpp"
+#include "catch.hpp"
 #include "rooms/pictures/xml.hpp"
 
 using namespace dumbbell;
 using namespace dumbbell::adiabatic;
 using namespace dumbbell_test;
-using Catch::Matchers::Contains;
 
 namespace {
 
@@ -59,7 +57,8 @@ TEST_CASE("a bound far outside is told in words") {
 }
 
 TEST_CASE("an orbit of a few collisions has no curve: refused, with what shows it") {
-    CHECK_THROWS_WITH(adiabatic_svg(sample(AdiabaticClaim::scattering, 1)), Contains("has 2: dumbbell report"));
+    CHECK_THROWS_WITH(adiabatic_svg(sample(AdiabaticClaim::scattering, 1)),
+                      Contains("has 2: dumbbell report"));
 }
 
 TEST_CASE("single bounces, and orbits that are too long or come to an end, have no picture") {

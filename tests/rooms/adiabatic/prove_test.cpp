@@ -1,14 +1,13 @@
 #include "adiabatic/prove.hpp"
 
-#include <catch2/catch.hpp>
 #include <cmath>
 
 #include "adiabatic/search.hpp"
 #include "base/error.hpp"
+#include "catch.hpp"
 
 using namespace dumbbell;
 using namespace dumbbell::adiabatic;
-using Catch::Matchers::Contains;
 
 namespace {
 

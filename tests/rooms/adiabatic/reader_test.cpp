@@ -1,15 +1,13 @@
 #include "adiabatic/reader.hpp"
 
-#include <catch2/catch.hpp>
-
 #include "adiabatic/writer.hpp"
 #include "base/error.hpp"
+#include "catch.hpp"
 #include "programs/cli/process.hpp"
 
 using namespace dumbbell;
 using namespace dumbbell::adiabatic;
 using namespace dumbbell_test;
-using Catch::Matchers::Contains;
 
 namespace {
 

@@ -1,12 +1,10 @@
 #include "adiabatic/report.hpp"
 
-#include <catch2/catch.hpp>
-
+#include "catch.hpp"
 #include "rooms/parsed.hpp"
 
 using namespace dumbbell;
 using namespace dumbbell::adiabatic;
-using Catch::Matchers::Contains;
 using dumbbell_test::parsed;
 
 namespace {

@@ -1,12 +1,10 @@
 #include "adiabatic/writer.hpp"
 
-#include <catch2/catch.hpp>
-
 #include "base/error.hpp"
+#include "catch.hpp"
 
 using namespace dumbbell;
 using namespace dumbbell::adiabatic;
-using Catch::Matchers::Contains;
 
 namespace {
 

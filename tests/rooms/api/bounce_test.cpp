@@ -1,6 +1,5 @@
 #include "dumbbell/bounce.hpp"
 
-#include <catch2/catch.hpp>
 #include <cfenv>
 #include <cmath>
 #include <limits>
@@ -8,6 +7,7 @@
 
 #include "attacks/oracle/ray_count.hpp"
 #include "attacks/oracle/scalar.hpp"
+#include "catch.hpp"
 #include "dumbbell/error.hpp"
 
 using namespace dumbbell::api;

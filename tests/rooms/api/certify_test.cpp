@@ -1,7 +1,6 @@
 #include "dumbbell/certify.hpp"
 
-#include <catch2/catch.hpp>
-
+#include "catch.hpp"
 #include "dumbbell/error.hpp"
 #include "temporary_folder.hpp"
 
@@ -18,7 +17,7 @@ TEST_CASE("One ratio: the maximum, and the certificate that the program ships") 
     CHECK(proof.pieces[0].least == 4);
     CHECK(proof.pieces[0].most == 4);
     CHECK(proof.certificate == contents(DUMBBELL_CERTIFICATES "/q-10.dbc"));
-    CHECK_THAT(proof.certificate, Catch::EndsWith("sha256 " + proof.sha256 + "\n"));
+    CHECK_THAT(proof.certificate, EndsWith("sha256 " + proof.sha256 + "\n"));
 }
 
 TEST_CASE("A range: pieces that follow one another, whatever the number of threads") {

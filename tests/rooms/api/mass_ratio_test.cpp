@@ -1,7 +1,6 @@
 #include "dumbbell/mass_ratio.hpp"
 
-#include <catch2/catch.hpp>
-
+#include "catch.hpp"
 #include "dumbbell/error.hpp"
 
 using namespace dumbbell::api;

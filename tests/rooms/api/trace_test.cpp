@@ -1,7 +1,6 @@
 #include "dumbbell/trace.hpp"
 
-#include <catch2/catch.hpp>
-
+#include "catch.hpp"
 #include "dumbbell/error.hpp"
 
 using namespace dumbbell::api;
@@ -38,7 +37,7 @@ TEST_CASE("A box has bounds, and more digits decide more") {
 
 TEST_CASE("What cannot be traced is refused, by name") {
     const auto refused = [](InitialCondition start, const char* what) {
-        CHECK_THROWS_WITH(trace(MassRatio("10"), start), Catch::Contains(what));
+        CHECK_THROWS_WITH(trace(MassRatio("10"), start), Contains(what));
         CHECK_THROWS_AS(trace(MassRatio("10"), start), InputError);
     };
     InitialCondition start = falling;

@@ -1,10 +1,10 @@
 #include "dumbbell/verify.hpp"
 
-#include <catch2/catch.hpp>
 #include <cfenv>
 #include <fstream>
 #include <stdexcept>
 
+#include "catch.hpp"
 #include "dumbbell/certify.hpp"
 #include "temporary_folder.hpp"
 
@@ -23,8 +23,7 @@ TEST_CASE("What the prover proves, the verifier verifies") {
     CHECK(result.verdict == Verdict::verified);
     CHECK(result);
     CHECK(result.sha256 == proof.sha256);
-    CHECK_THAT(result.text,
-               Catch::Contains("ratio=9/2:12/1 upper=5 lower=3 ") && Catch::EndsWith(proof.sha256));
+    CHECK_THAT(result.text, Contains("ratio=9/2:12/1 upper=5 lower=3 ") && EndsWith(proof.sha256));
 }
 
 TEST_CASE("A weaker claim is proved, a stronger or foreign one is not") {
@@ -37,7 +36,7 @@ TEST_CASE("A weaker claim is proved, a stronger or foreign one is not") {
         CHECK(result.verdict == Verdict::rejected);
         CHECK(!result);
         CHECK(result.sha256.empty());
-        CHECK_THAT(result.text, Catch::Contains("claim-not-proved"));
+        CHECK_THAT(result.text, Contains("claim-not-proved"));
     }
 }
 

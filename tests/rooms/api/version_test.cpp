@@ -1,7 +1,8 @@
 #include "dumbbell/version.hpp"
 
-#include <catch2/catch.hpp>
 #include <string>
+
+#include "catch.hpp"
 
 namespace api = dumbbell::api;
 

@@ -1,7 +1,6 @@
 #include "audit/audit.hpp"
 
-#include <catch2/catch.hpp>
-
+#include "catch.hpp"
 #include "collisions/certify.hpp"
 #include "random_tree.hpp"
 

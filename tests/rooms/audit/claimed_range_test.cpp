@@ -1,8 +1,7 @@
 #include "audit/claimed_range.hpp"
 
-#include <catch2/catch.hpp>
-
 #include "base/error.hpp"
+#include "catch.hpp"
 #include "programs/cli/process.hpp"
 
 using namespace dumbbell;

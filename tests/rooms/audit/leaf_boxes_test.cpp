@@ -1,6 +1,6 @@
-#include <catch2/catch.hpp>
 
 #include "base/error.hpp"
+#include "catch.hpp"
 #include "collisions/section.hpp"
 #include "random_tree.hpp"
 

@@ -1,7 +1,6 @@
 #include "audit/tiling.hpp"
 
-#include <catch2/catch.hpp>
-
+#include "catch.hpp"
 #include "random_tree.hpp"
 
 using namespace dumbbell_test;

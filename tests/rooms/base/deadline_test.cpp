@@ -1,8 +1,9 @@
 #include "base/deadline.hpp"
 
-#include <catch2/catch.hpp>
 #include <csignal>
 #include <thread>
+
+#include "catch.hpp"
 
 using namespace dumbbell;
 

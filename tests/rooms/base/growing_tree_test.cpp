@@ -1,9 +1,10 @@
 #include "base/growing_tree.hpp"
 
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <optional>
 #include <string>
+
+#include "catch.hpp"
 
 using namespace dumbbell;
 

@@ -1,10 +1,11 @@
 #include "base/printable.hpp"
 
 #include <array>
-#include <catch2/catch.hpp>
 #include <cstdio>
 #include <memory>
 #include <stdexcept>
+
+#include "catch.hpp"
 
 using dumbbell::one_line;
 using dumbbell::printable;

@@ -2,10 +2,9 @@
 
 #include <sys/stat.h>
 
-#include <catch2/catch.hpp>
-
 #include "adiabatic/writer.hpp"
 #include "base/error.hpp"
+#include "catch.hpp"
 #include "collisions/reader.hpp"
 #include "collisions/writer.hpp"
 #include "file/atomic_file.hpp"
@@ -18,7 +17,6 @@ using namespace dumbbell_test;
 using namespace dumbbell::adiabatic;
 using namespace dumbbell::certificates;
 using namespace dumbbell::collisions;
-using Catch::Matchers::Contains;
 
 namespace {
 

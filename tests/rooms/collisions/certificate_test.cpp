@@ -1,7 +1,6 @@
 #include "collisions/certificate.hpp"
 
-#include <catch2/catch.hpp>
-
+#include "catch.hpp"
 #include "example.hpp"
 
 using namespace dumbbell_test;

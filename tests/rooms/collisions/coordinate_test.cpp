@@ -1,6 +1,6 @@
 #include "collisions/coordinate.hpp"
 
-#include <catch2/catch.hpp>
+#include "catch.hpp"
 
 using namespace dumbbell;
 using namespace dumbbell::collisions;

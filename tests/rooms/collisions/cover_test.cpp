@@ -4,8 +4,8 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
-#include <catch2/catch.hpp>
 
+#include "catch.hpp"
 #include "collisions/writer.hpp"
 #include "critical_ratio.hpp"
 

@@ -1,8 +1,8 @@
 #include "collisions/critical_guess.hpp"
 
-#include <catch2/catch.hpp>
 #include <cmath>
 
+#include "catch.hpp"
 #include "critical_ratio.hpp"
 
 using namespace dumbbell;

@@ -1,7 +1,6 @@
 #include "collisions/critical_long.hpp"
 
-#include <catch2/catch.hpp>
-
+#include "catch.hpp"
 #include "collisions/critical_guess.hpp"
 #include "collisions/piece.hpp"
 #include "critical_ratio.hpp"

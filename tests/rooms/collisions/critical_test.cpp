@@ -1,8 +1,7 @@
 #include "collisions/critical.hpp"
 
-#include <catch2/catch.hpp>
-
 #include "base/error.hpp"
+#include "catch.hpp"
 #include "collisions/critical_guess.hpp"
 #include "critical_ratio.hpp"
 #include "enclosed.hpp"

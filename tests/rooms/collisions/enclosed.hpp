@@ -1,8 +1,7 @@
 // Critical ratios as the program encloses them.
 #pragma once
 
-#include <catch2/catch.hpp>
-
+#include "catch.hpp"
 #include "collisions/critical.hpp"
 
 namespace dumbbell_test {

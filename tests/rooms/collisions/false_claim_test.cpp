@@ -1,7 +1,6 @@
 // The bug to hunt: a cover that closes a false claim. Every longest trajectory touches the bridge once, so
 // the bridge chart has states with N collisions at every ratio, and no tree may close it for N - 1.
-#include <catch2/catch.hpp>
-
+#include "catch.hpp"
 #include "collisions/cover.hpp"
 #include "critical_ratio.hpp"
 

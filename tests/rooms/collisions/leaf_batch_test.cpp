@@ -1,5 +1,5 @@
-#include <catch2/catch.hpp>
 
+#include "catch.hpp"
 #include "collisions/leaf_judges.hpp"
 #include "rooms/number/random.hpp"
 

@@ -1,8 +1,8 @@
 // Random boxes and ratio ranges: whatever reason closes a box must hold at every state sampled from it, as
 // recomputed in 80 digits.
-#include <catch2/catch.hpp>
 #include <map>
 
+#include "catch.hpp"
 #include "collisions/leaf.hpp"
 #include "reference.hpp"
 

@@ -1,10 +1,10 @@
 #include "collisions/leaf.hpp"
 
 #include <array>
-#include <catch2/catch.hpp>
 #include <map>
 
 #include "base/error.hpp"
+#include "catch.hpp"
 #include "reference.hpp"
 
 using namespace dumbbell;

@@ -1,13 +1,12 @@
 #include "collisions/orbit_text.hpp"
 
-#include <catch2/catch.hpp>
 #include <sstream>
 
+#include "catch.hpp"
 #include "rooms/parsed.hpp"
 #include "sample_report.hpp"
 
 using namespace dumbbell_test;
-using Catch::Matchers::Contains;
 
 namespace {
 

@@ -1,9 +1,9 @@
 #include "collisions/part.hpp"
 
 #include <algorithm>
-#include <catch2/catch.hpp>
 
 #include "base/error.hpp"
+#include "catch.hpp"
 #include "collisions/steps.hpp"
 
 using namespace dumbbell;
@@ -66,7 +66,7 @@ TEST_CASE("a cut is well inside a piece with one value") {
 
 TEST_CASE("more parts than there are steps are refused, and how many there can be is said") {
     CHECK_THROWS_WITH(part_of({1, 64}, Scene::dumbbell, 1, 100),
-                      Catch::Contains("too few steps for 64 parts: cut it into at most 7"));
+                      Contains("too few steps for 64 parts: cut it into at most 7"));
     CHECK(parts_of(7, Scene::dumbbell, 1, 100).size() == 7);
     CHECK_THROWS_AS(part_of({1, 2}, Scene::dumbbell, parse_rational("4.7"), parse_rational("4.8")),
                     InputError);

@@ -2,11 +2,11 @@
 
 #include <sys/stat.h>
 
-#include <catch2/catch.hpp>
 #include <filesystem>
 #include <fstream>
 
 #include "base/error.hpp"
+#include "catch.hpp"
 #include "collisions/certify.hpp"
 #include "collisions/reader.hpp"
 #include "collisions/writer.hpp"
@@ -17,7 +17,6 @@
 
 using namespace dumbbell;
 using namespace dumbbell::collisions;
-using Catch::Matchers::Contains;
 namespace fs = std::filesystem;
 
 namespace {

@@ -1,12 +1,12 @@
 #include "collisions/piece.hpp"
 
-#include <catch2/catch.hpp>
 #include <ctime>
 #include <string>
 #include <tuple>
 #include <utility>
 #include <vector>
 
+#include "catch.hpp"
 #include "collisions/critical.hpp"
 #include "collisions/piece_lines.hpp"
 #include "critical_ratio.hpp"

@@ -1,12 +1,11 @@
-#include <catch2/catch.hpp>
 #include <sstream>
 
+#include "catch.hpp"
 #include "rooms/parsed.hpp"
 #include "sample_report.hpp"
 
 using namespace dumbbell_test;
 using namespace dumbbell::collisions;
-using Catch::Matchers::Contains;
 
 namespace {
 

@@ -2,9 +2,8 @@
 
 #include <zlib.h>
 
-#include <catch2/catch.hpp>
-
 #include "base/error.hpp"
+#include "catch.hpp"
 #include "collisions/writer.hpp"
 #include "example.hpp"
 #include "file/atomic_file.hpp"
@@ -13,7 +12,6 @@
 
 using namespace dumbbell_test;
 using namespace dumbbell::collisions;
-using Catch::Matchers::Contains;
 
 namespace {
 

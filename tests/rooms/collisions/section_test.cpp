@@ -1,7 +1,6 @@
 #include "collisions/section.hpp"
 
-#include <catch2/catch.hpp>
-
+#include "catch.hpp"
 #include "reference.hpp"
 
 using namespace dumbbell;

@@ -1,8 +1,8 @@
 // The full section (all collision states, counted forward only) proves the same number as the turning
 // section: close to critical ratios on both sides, and anywhere; and so it does by plain interval evaluation.
-#include <catch2/catch.hpp>
 #include <cmath>
 
+#include "catch.hpp"
 #include "collisions/certify.hpp"
 #include "collisions/critical_guess.hpp"
 #include "reference.hpp"

@@ -1,8 +1,7 @@
 #include "collisions/steps.hpp"
 
-#include <catch2/catch.hpp>
-
 #include "base/error.hpp"
+#include "catch.hpp"
 #include "critical_ratio.hpp"
 
 using namespace dumbbell;
@@ -141,8 +140,7 @@ TEST_CASE("the ends of gaps are short decimals") {
 
 TEST_CASE("a range with more than a million steps is refused with advice") {
     CHECK_THROWS_AS(plan_staircase(Scene::dumbbell, 2, at("1.5e12"), at("1e-6")), InputError);
-    CHECK_THROWS_WITH(plan_staircase(Scene::dumbbell, 2, at("1.5e12"), at("1e-6")),
-                      Catch::Matchers::Contains("in parts"));
+    CHECK_THROWS_WITH(plan_staircase(Scene::dumbbell, 2, at("1.5e12"), at("1e-6")), Contains("in parts"));
 }
 
 TEST_CASE("a step that is known exactly, at the left end of the range, is taken there") {

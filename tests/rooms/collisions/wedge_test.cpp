@@ -1,8 +1,8 @@
 // The model wedges: what is proved is ceil(pi / gamma), the number that unfolding the straight wedge gives,
 // here from the formula in 80 digits.
 #include <algorithm>
-#include <catch2/catch.hpp>
 
+#include "catch.hpp"
 #include "collisions/certify.hpp"
 #include "reference.hpp"
 

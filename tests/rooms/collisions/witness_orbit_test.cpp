@@ -1,8 +1,7 @@
 #include "collisions/witness_orbit.hpp"
 
-#include <catch2/catch.hpp>
-
 #include "attacks/oracle/simulate.hpp"
+#include "catch.hpp"
 #include "collisions/piece.hpp"
 #include "reference.hpp"
 

@@ -1,7 +1,6 @@
 #include "collisions/witness.hpp"
 
-#include <catch2/catch.hpp>
-
+#include "catch.hpp"
 #include "critical_ratio.hpp"
 
 using namespace dumbbell;

@@ -1,15 +1,13 @@
 #include "collisions/writer.hpp"
 
-#include <catch2/catch.hpp>
-
 #include "base/error.hpp"
+#include "catch.hpp"
 #include "example.hpp"
 #include "file/dyadic.hpp"
 #include "file/sha256.hpp"
 
 using namespace dumbbell_test;
 using namespace dumbbell::collisions;
-using Catch::Matchers::Contains;
 
 namespace {
 

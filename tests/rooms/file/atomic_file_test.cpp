@@ -7,16 +7,15 @@
 
 #include <array>
 #include <atomic>
-#include <catch2/catch.hpp>
 #include <csignal>
 #include <thread>
 
 #include "base/error.hpp"
+#include "catch.hpp"
 #include "programs/cli/process.hpp"
 #include "rooms/not_root.hpp"
 
 using namespace dumbbell_test;
-using Catch::Matchers::Contains;
 using dumbbell::AtomicFile;
 using dumbbell::InputError;
 using dumbbell::output_target;

@@ -2,9 +2,8 @@
 
 #include <sys/stat.h>
 
-#include <catch2/catch.hpp>
-
 #include "base/error.hpp"
+#include "catch.hpp"
 #include "programs/cli/process.hpp"
 #include "rooms/not_root.hpp"
 
@@ -15,8 +14,7 @@ using dumbbell::InputError;
 namespace {
 
 void cannot_be_read(const std::string& path, const std::string& why) {
-    CHECK_THROWS_MATCHES(file_contents(path), InputError,
-                         Catch::Matchers::Message("cannot read '" + path + "': " + why));
+    CHECK_THROWS_MATCHES(file_contents(path), InputError, Message("cannot read '" + path + "': " + why));
 }
 
 }  // namespace

@@ -1,8 +1,8 @@
 #include "file/folder_lock.hpp"
 
-#include <catch2/catch.hpp>
 #include <optional>
 
+#include "catch.hpp"
 #include "programs/cli/process.hpp"
 
 using dumbbell::FolderLock;

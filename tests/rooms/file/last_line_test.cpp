@@ -1,6 +1,6 @@
 #include "file/last_line.hpp"
 
-#include <catch2/catch.hpp>
+#include "catch.hpp"
 
 using dumbbell::last_line;
 

@@ -1,13 +1,11 @@
 #include "file/unpacked_text.hpp"
 
-#include <catch2/catch.hpp>
-
 #include "base/error.hpp"
+#include "catch.hpp"
 #include "file/atomic_file.hpp"
 #include "programs/cli/process.hpp"
 
 using namespace dumbbell_test;
-using Catch::Matchers::Contains;
 using dumbbell::AtomicFile;
 using dumbbell::InputError;
 using dumbbell::UnpackedText;

@@ -1,16 +1,15 @@
 // With stand-ins for the verifier: shell scripts.
 #include "file/verifier_program.hpp"
 
-#include <catch2/catch.hpp>
 #include <csignal>
 #include <filesystem>
 #include <fstream>
 
+#include "catch.hpp"
 #include "programs/cli/process.hpp"
 
 using namespace dumbbell;
 using namespace dumbbell_test;
-using Catch::Matchers::Contains;
 namespace fs = std::filesystem;
 
 namespace {

@@ -1,8 +1,8 @@
 #include "flight/bridge_once.hpp"
 
-#include <catch2/catch.hpp>
 #include <optional>
 
+#include "catch.hpp"
 #include "reference.hpp"
 #include "rooms/number/random.hpp"
 

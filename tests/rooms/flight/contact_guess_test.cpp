@@ -1,8 +1,7 @@
 // Guesses prove nothing, but bad ones would cost decisions: they are held to be good.
 #include "flight/contact_guess.hpp"
 
-#include <catch2/catch.hpp>
-
+#include "catch.hpp"
 #include "rays.hpp"
 
 using namespace dumbbell;

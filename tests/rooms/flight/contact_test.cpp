@@ -1,7 +1,6 @@
 #include "flight/contact.hpp"
 
-#include <catch2/catch.hpp>
-
+#include "catch.hpp"
 #include "rays.hpp"
 
 using namespace dumbbell;

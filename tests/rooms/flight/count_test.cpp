@@ -2,9 +2,9 @@
 
 #include <array>
 #include <atomic>
-#include <catch2/catch.hpp>
 #include <vector>
 
+#include "catch.hpp"
 #include "rays.hpp"
 
 using namespace dumbbell;

@@ -2,8 +2,7 @@
 // states.
 #include "flight/departure.hpp"
 
-#include <catch2/catch.hpp>
-
+#include "catch.hpp"
 #include "departures.hpp"
 
 using namespace dumbbell;

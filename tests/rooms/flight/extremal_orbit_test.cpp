@@ -1,8 +1,7 @@
 #include "flight/extremal_orbit.hpp"
 
-#include <catch2/catch.hpp>
-
 #include "attacks/oracle/extremal.hpp"
+#include "catch.hpp"
 #include "rays.hpp"
 
 using namespace dumbbell;

@@ -1,8 +1,8 @@
 #include "flight/growth_constant.hpp"
 
 #include <boost/math/quadrature/gauss.hpp>
-#include <catch2/catch.hpp>
 
+#include "catch.hpp"
 #include "rooms/flight/reference.hpp"
 
 using namespace dumbbell;

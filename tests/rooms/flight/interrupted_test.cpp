@@ -1,8 +1,7 @@
 // A count that is interrupted says less than it could, never more.
 #include "base/interrupted.hpp"
 
-#include <catch2/catch.hpp>
-
+#include "catch.hpp"
 #include "flight/count.hpp"
 #include "flight/departure.hpp"
 #include "flight/extremal_orbit.hpp"

@@ -1,10 +1,10 @@
 // L42: many collisions at once against one after the other, and polynomials that are just false.
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <vector>
 
 #include "attacks/oracle/trial.hpp"
 #include "base/ended_early.hpp"
+#include "catch.hpp"
 #include "flight/batch/count.hpp"
 #include "flight/count.hpp"
 #include "flight/macro/orbit_guess.hpp"

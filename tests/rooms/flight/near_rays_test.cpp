@@ -1,10 +1,10 @@
 // Rays at the edge of what few bits decide (near_rays.tsv): a formula, a pad or an end of an interval that is
 // wrong moves a bound or a count there. The rays were found by random search among those that tell a mutant
 // of the step from the step (tests/attacks/source_mutation/README.md).
-#include <catch2/catch.hpp>
 #include <fstream>
 #include <sstream>
 
+#include "catch.hpp"
 #include "flight/count.hpp"
 #include "rays.hpp"
 

@@ -1,6 +1,5 @@
 // enclose_orbit over a range of mass ratios and of contacts: the orbits at single points of it are inside.
-#include <catch2/catch.hpp>
-
+#include "catch.hpp"
 #include "flight/orbit.hpp"
 #include "orbit_reference.hpp"
 #include "rooms/number/random.hpp"

@@ -1,7 +1,6 @@
 #include "flight/orbit.hpp"
 
-#include <catch2/catch.hpp>
-
+#include "catch.hpp"
 #include "orbit_reference.hpp"
 #include "rooms/number/random.hpp"
 #include "rooms/number/show.hpp"

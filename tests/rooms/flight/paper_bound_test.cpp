@@ -1,8 +1,7 @@
 #include "flight/paper_bound.hpp"
 
-#include <catch2/catch.hpp>
-
 #include "base/error.hpp"
+#include "catch.hpp"
 #include "reference.hpp"
 #include "rooms/number/random.hpp"
 #include "rooms/number/show.hpp"

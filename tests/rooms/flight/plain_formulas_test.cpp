@@ -1,6 +1,5 @@
 // The formulas of plain interval evaluation (lemma L16), each over random boxes against exact values.
-#include <catch2/catch.hpp>
-
+#include "catch.hpp"
 #include "departures.hpp"
 #include "flight/plain.hpp"
 #include "rays.hpp"

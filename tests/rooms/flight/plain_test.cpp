@@ -2,8 +2,7 @@
 // of a box.
 #include "flight/plain.hpp"
 
-#include <catch2/catch.hpp>
-
+#include "catch.hpp"
 #include "departures.hpp"
 
 using namespace dumbbell;

@@ -1,7 +1,6 @@
 // lowest_over and highest_over of flight/chart.hpp: one ray that bounds a ray of fixed height and slope (in
 // units of r) over a whole range of mass ratios, by L5, or by L10 where it descends.
-#include <catch2/catch.hpp>
-
+#include "catch.hpp"
 #include "flight/chart.hpp"
 #include "rays.hpp"
 

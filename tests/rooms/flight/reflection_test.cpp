@@ -1,7 +1,6 @@
 #include "flight/reflection.hpp"
 
-#include <catch2/catch.hpp>
-
+#include "catch.hpp"
 #include "number/elementary.hpp"
 #include "rays.hpp"
 

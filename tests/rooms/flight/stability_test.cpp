@@ -1,7 +1,6 @@
 // Enclosures along orbits that are hard to enclose, in five forms: each contains the orbits of all its
 // points, and how far they get.
-#include <catch2/catch.hpp>
-
+#include "catch.hpp"
 #include "hard_orbits.hpp"
 #include "reference.hpp"
 #include "rooms/number/random.hpp"

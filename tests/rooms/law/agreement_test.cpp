@@ -1,9 +1,9 @@
 // What the law says of single ratios and what covers prove of them, at hundreds of ratios.
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <random>
 #include <tuple>
 
+#include "catch.hpp"
 #include "collisions/piece.hpp"
 #include "law/at_ratio.hpp"
 

@@ -1,9 +1,9 @@
 #include "law/at_ratio.hpp"
 
-#include <catch2/catch.hpp>
 #include <tuple>
 
 #include "base/error.hpp"
+#include "catch.hpp"
 #include "collisions/critical.hpp"
 #include "law/constants.hpp"
 

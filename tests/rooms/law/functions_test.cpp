@@ -1,7 +1,6 @@
 #include "law/functions.hpp"
 
-#include <catch2/catch.hpp>
-
+#include "catch.hpp"
 #include "law/constants.hpp"
 #include "number/rational.hpp"
 #include "rooms/law/direct.hpp"

@@ -1,6 +1,6 @@
-#include <catch2/catch.hpp>
 #include <random>
 
+#include "catch.hpp"
 #include "law/bulk_rule.hpp"
 #include "law/end_rule.hpp"
 #include "law/functions.hpp"

@@ -1,7 +1,6 @@
 #include "law/steps.hpp"
 
-#include <catch2/catch.hpp>
-
+#include "catch.hpp"
 #include "collisions/critical.hpp"
 #include "law/certificate.hpp"
 

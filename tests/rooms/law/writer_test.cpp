@@ -1,8 +1,7 @@
 #include "law/writer.hpp"
 
-#include <catch2/catch.hpp>
-
 #include "base/error.hpp"
+#include "catch.hpp"
 
 using namespace dumbbell;
 using namespace dumbbell::law;

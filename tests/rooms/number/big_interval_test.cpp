@@ -1,12 +1,12 @@
 #include "number/big_interval.hpp"
 
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <thread>
 #include <vector>
 
 #include "angles.hpp"
 #include "base/error.hpp"
+#include "catch.hpp"
 #include "random.hpp"
 #include "tightest.hpp"
 

@@ -1,5 +1,4 @@
 // The public IEEE 1788 vectors: itf1788.tsv. They are data under other licences: itf1788.md.
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -12,6 +11,7 @@
 #include <vector>
 
 #include "attacks/interval/layers.hpp"
+#include "catch.hpp"
 #include "tightest.hpp"
 
 using namespace dumbbell;

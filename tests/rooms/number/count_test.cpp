@@ -1,9 +1,9 @@
 #include "number/count.hpp"
 
-#include <catch2/catch.hpp>
 #include <limits>
 
 #include "base/error.hpp"
+#include "catch.hpp"
 
 using namespace dumbbell;
 

@@ -1,8 +1,7 @@
 #include "number/decimal.hpp"
 
-#include <catch2/catch.hpp>
-
 #include "base/error.hpp"
+#include "catch.hpp"
 #include "random.hpp"
 
 using namespace dumbbell;

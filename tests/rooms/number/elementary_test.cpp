@@ -1,9 +1,9 @@
 #include "number/elementary.hpp"
 
-#include <catch2/catch.hpp>
 #include <cmath>
 
 #include "angles.hpp"
+#include "catch.hpp"
 #include "random.hpp"
 #include "tightest.hpp"
 

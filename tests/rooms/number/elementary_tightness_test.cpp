@@ -1,9 +1,9 @@
 // How good the elementary functions are: the proved error bound of the kernels, and constants measured once
 // that later changes must keep.
-#include <catch2/catch.hpp>
 #include <cmath>
 
 #include "angles.hpp"
+#include "catch.hpp"
 #include "number/elementary.hpp"
 #include "random.hpp"
 #include "tightest.hpp"

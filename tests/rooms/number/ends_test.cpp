@@ -2,9 +2,9 @@
 #include "number/ends.hpp"
 
 #include <bit>
-#include <catch2/catch.hpp>
 #include <cmath>
 
+#include "catch.hpp"
 #include "number/rounding.hpp"
 #include "random.hpp"
 #include "show.hpp"

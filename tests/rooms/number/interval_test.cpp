@@ -1,9 +1,9 @@
 #include "number/interval.hpp"
 
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <vector>
 
+#include "catch.hpp"
 #include "random.hpp"
 #include "show.hpp"
 

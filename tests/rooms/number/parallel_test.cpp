@@ -1,12 +1,12 @@
 #include "number/parallel.hpp"
 
 #include <atomic>
-#include <catch2/catch.hpp>
 #include <chrono>
 #include <stdexcept>
 #include <thread>
 #include <vector>
 
+#include "catch.hpp"
 #include "number/big_interval.hpp"
 
 using namespace dumbbell;

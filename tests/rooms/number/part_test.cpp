@@ -1,8 +1,7 @@
 #include "number/part.hpp"
 
-#include <catch2/catch.hpp>
-
 #include "base/error.hpp"
+#include "catch.hpp"
 
 using namespace dumbbell;
 
@@ -16,7 +15,7 @@ TEST_CASE("a part is K/N") {
          {"", "/", "7", "7/", "/64", "0/64", "65/64", "-1/64", "7/0", "7/64/2", "7:64", "7 / 64", "1.5/3",
           "+1/3", "1/1000001", "9999999999999999999/9999999999999999999", "x/y"}) {
         CAPTURE(text);
-        CHECK_THROWS_WITH(parse_part(text), Catch::Contains("write K/N") && Catch::Contains("7/64"));
+        CHECK_THROWS_WITH(parse_part(text), Contains("write K/N") && Contains("7/64"));
     }
 }
 
@@ -36,7 +35,7 @@ TEST_CASE("parts of steps follow one another, and none is empty, up to as many a
                 (void)steps_of({1, of}, steps);
                 most = of;
             } catch (const InputError& error) {
-                CHECK_THAT(error.what(), Catch::Contains("at most " + std::to_string(most)));
+                CHECK_THAT(error.what(), Contains("at most " + std::to_string(most)));
             }
         }
         CHECK(most >= 18);

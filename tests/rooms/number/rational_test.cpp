@@ -1,11 +1,11 @@
 #include "number/rational.hpp"
 
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <string>
 #include <string_view>
 
 #include "base/error.hpp"
+#include "catch.hpp"
 #include "random.hpp"
 #include "show.hpp"
 
@@ -74,39 +74,39 @@ TEST_CASE("Anything else is refused, and the message names the text") {
           "1..5",  "1.5.2", "1ee5",  "1e5e5", "1f",    "1.5d0", "10%",      "1:2",      "1\n",  "\t1",
           "5:3",   "--1",   "1e--5", "1e+-5", "0x1p3", "1e5L",  "\xc2\xbd", "\xd9\xa1", "²",    "1;2"}) {
         CAPTURE(text);
-        CHECK_THAT(refusal(text), Catch::Contains("is not a number"));
+        CHECK_THAT(refusal(text), Contains("is not a number"));
     }
-    CHECK_THAT(refusal(std::string_view("1\0", 2)), Catch::Contains("is not a number"));
-    CHECK_THAT(refusal(std::string_view("1\0002", 3)), Catch::Contains("is not a number"));
-    CHECK_THAT(refusal("abc"), Catch::Contains("'abc'"));
+    CHECK_THAT(refusal(std::string_view("1\0", 2)), Contains("is not a number"));
+    CHECK_THAT(refusal(std::string_view("1\0002", 3)), Contains("is not a number"));
+    CHECK_THAT(refusal("abc"), Contains("'abc'"));
     for (const char* text : {"-1", "-1/2", "-1e-6", "-4.5"}) {
-        CHECK_THAT(refusal(text), Catch::Contains("is negative: write a positive number"));
+        CHECK_THAT(refusal(text), Contains("is negative: write a positive number"));
     }
     for (const auto& [text, likely] :
          {std::pair{"+10", "10"}, {".5", "0.5"}, {"10.", "10"}, {"+.5", "0.5"}}) {
-        CHECK_THAT(refusal(text), Catch::EndsWith(std::string("is not a number: write ") + likely));
+        CHECK_THAT(refusal(text), EndsWith(std::string("is not a number: write ") + likely));
     }
     // The last one took longer with each sign, without end, where a guess of what is meant made guesses
     // itself.
     for (const std::string text :
          {".", "+", "-", "++1", "..5", "-----------------0/x....................."}) {
-        CHECK_THAT(refusal(text), Catch::EndsWith("write it like 10, 4.6, 1e6 or 9/2"));
+        CHECK_THAT(refusal(text), EndsWith("write it like 10, 4.6, 1e6 or 9/2"));
     }
 }
 
 TEST_CASE("Zero denominators, absurd exponents and over-long texts are refused for what they are") {
-    CHECK_THAT(refusal("1/0"), Catch::Contains("divides by zero"));
-    CHECK_THAT(refusal("0/0"), Catch::Contains("divides by zero"));
-    CHECK_THAT(refusal("5/000"), Catch::Contains("divides by zero"));
-    CHECK_THAT(refusal("1e1001"), Catch::Contains("exponent"));
-    CHECK_THAT(refusal("1e-1001"), Catch::Contains("exponent"));
-    CHECK_THAT(refusal("1e999999999999999999999999999"), Catch::Contains("exponent"));
-    CHECK_THAT(refusal("1e" + std::string(990, '9')), Catch::Contains("exponent"));
-    CHECK_THAT(refusal("1e2147483648"), Catch::Contains("exponent"));
-    CHECK_THAT(refusal("1e4294967297"), Catch::Contains("exponent"));
-    CHECK_THAT(refusal(std::string(1001, '1')), Catch::Contains("too long"));
-    CHECK_THAT(refusal(std::string(1001, 'x')), Catch::Contains("too long"));
-    CHECK_THAT(refusal(std::string(1'000'000, '1')), Catch::Contains("too long"));
+    CHECK_THAT(refusal("1/0"), Contains("divides by zero"));
+    CHECK_THAT(refusal("0/0"), Contains("divides by zero"));
+    CHECK_THAT(refusal("5/000"), Contains("divides by zero"));
+    CHECK_THAT(refusal("1e1001"), Contains("exponent"));
+    CHECK_THAT(refusal("1e-1001"), Contains("exponent"));
+    CHECK_THAT(refusal("1e999999999999999999999999999"), Contains("exponent"));
+    CHECK_THAT(refusal("1e" + std::string(990, '9')), Contains("exponent"));
+    CHECK_THAT(refusal("1e2147483648"), Contains("exponent"));
+    CHECK_THAT(refusal("1e4294967297"), Contains("exponent"));
+    CHECK_THAT(refusal(std::string(1001, '1')), Contains("too long"));
+    CHECK_THAT(refusal(std::string(1001, 'x')), Contains("too long"));
+    CHECK_THAT(refusal(std::string(1'000'000, '1')), Contains("too long"));
 }
 
 TEST_CASE("A message stays short and printable whatever the text holds") {

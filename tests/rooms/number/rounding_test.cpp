@@ -1,9 +1,9 @@
 #include "number/rounding.hpp"
 
 #include <bit>
-#include <catch2/catch.hpp>
 #include <cmath>
 
+#include "catch.hpp"
 #include "random.hpp"
 #include "tightest.hpp"
 

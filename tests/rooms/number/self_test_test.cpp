@@ -1,12 +1,12 @@
 #include "number/self_test.hpp"
 
 #include <array>
-#include <catch2/catch.hpp>
 #include <cfenv>
 #include <string>
 #include <thread>
 
 #include "base/error.hpp"
+#include "catch.hpp"
 
 #if defined(__SSE2__)
 #include <xmmintrin.h>
@@ -45,7 +45,7 @@ TEST_CASE("The self-test passes here, and on a new thread") {
 TEST_CASE("The self-test refuses every other rounding mode, on the thread that has it and there only") {
     for (const int mode : {FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO}) {
         CAPTURE(mode);
-        CHECK_THAT(verdict_in_mode(mode), Catch::Contains("round"));
+        CHECK_THAT(verdict_in_mode(mode), Contains("round"));
         CHECK_NOTHROW(require_sound_arithmetic());
         CHECK(verdict_in_mode(FE_TONEAREST).empty());
     }
@@ -57,7 +57,7 @@ TEST_CASE("A thread inherits its mode from the one that starts it, and is refuse
         std::fesetround(FE_UPWARD);
         inner = verdict_after([] {});
     }).join();
-    CHECK_THAT(inner, Catch::Contains("round"));
+    CHECK_THAT(inner, Contains("round"));
 }
 
 TEST_CASE("Threads that were started before and after a mode change elsewhere stay sound") {
@@ -90,8 +90,7 @@ TEST_CASE("The self-test refuses flush-to-zero and denormals-are-zero") {
     constexpr unsigned denormals_are_zero = 0x0040;
     for (const unsigned flags : {flush_to_zero, denormals_are_zero, flush_to_zero | denormals_are_zero}) {
         CAPTURE(flags);
-        CHECK_THAT(verdict_after([flags] { _mm_setcsr(_mm_getcsr() | flags); }),
-                   Catch::Contains("subnormal"));
+        CHECK_THAT(verdict_after([flags] { _mm_setcsr(_mm_getcsr() | flags); }), Contains("subnormal"));
         CHECK_NOTHROW(require_sound_arithmetic());
     }
 }

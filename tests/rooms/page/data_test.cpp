@@ -1,8 +1,7 @@
 #include "page/data.hpp"
 
-#include <catch2/catch.hpp>
-
 #include "base/error.hpp"
+#include "catch.hpp"
 #include "rooms/collisions/example.hpp"
 #include "rooms/parsed.hpp"
 #include "starts/incoming.hpp"
@@ -13,7 +12,6 @@ using namespace dumbbell::collisions;
 using namespace dumbbell::page;
 using namespace dumbbell::starts;
 using Parsed = nlohmann::ordered_json;
-using Catch::Matchers::Contains;
 
 namespace {
 

@@ -1,12 +1,10 @@
-#include <catch2/catch.hpp>
 
+#include "catch.hpp"
 #include "page/data.hpp"
 #include "rooms/parsed.hpp"
 
 using namespace dumbbell;
 using namespace dumbbell::page;
-using Catch::Matchers::Contains;
-using Catch::Matchers::StartsWith;
 using dumbbell_test::parsed;
 
 namespace {

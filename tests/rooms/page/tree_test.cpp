@@ -1,10 +1,10 @@
 #include "page/tree.hpp"
 
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <numeric>
 
 #include "base/error.hpp"
+#include "catch.hpp"
 
 using namespace dumbbell;
 using namespace dumbbell::page;

@@ -1,12 +1,12 @@
 #include "pictures/count_colours.hpp"
 
-#include <catch2/catch.hpp>
 #include <numeric>
 #include <set>
 
+#include "catch.hpp"
+
 using namespace dumbbell;
 using namespace dumbbell::pictures;
-using Catch::Matchers::Contains;
 
 namespace {
 

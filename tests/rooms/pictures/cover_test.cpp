@@ -1,15 +1,13 @@
 #include "pictures/cover.hpp"
 
-#include <catch2/catch.hpp>
-
 #include "base/error.hpp"
+#include "catch.hpp"
 #include "rooms/starts/sample.hpp"
 #include "xml.hpp"
 
 using namespace dumbbell_test;
 using namespace dumbbell::collisions;
 using namespace dumbbell::pictures;
-using Catch::Matchers::Contains;
 
 namespace {
 

@@ -1,17 +1,16 @@
 #include "pictures/frame.hpp"
 
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <numbers>
 #include <set>
 #include <utility>
 
+#include "catch.hpp"
 #include "xml.hpp"
 
 using namespace dumbbell;
 using namespace dumbbell::pictures;
 using namespace dumbbell_test;
-using Catch::Matchers::Contains;
 
 namespace {
 

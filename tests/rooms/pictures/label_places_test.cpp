@@ -1,7 +1,8 @@
 #include "pictures/label_places.hpp"
 
-#include <catch2/catch.hpp>
 #include <cmath>
+
+#include "catch.hpp"
 
 using namespace dumbbell;
 using namespace dumbbell::pictures;

@@ -1,17 +1,16 @@
 #include "pictures/law.hpp"
 
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <regex>
 
 #include "base/error.hpp"
+#include "catch.hpp"
 #include "rooms/collisions/sample_report.hpp"
 #include "xml.hpp"
 
 using namespace dumbbell_test;
 using namespace dumbbell::collisions;
 using namespace dumbbell::pictures;
-using Catch::Matchers::Contains;
 
 namespace {
 

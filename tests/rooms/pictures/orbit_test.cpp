@@ -1,8 +1,7 @@
 #include "pictures/orbit.hpp"
 
-#include <catch2/catch.hpp>
-
 #include "base/error.hpp"
+#include "catch.hpp"
 #include "collisions/witness.hpp"
 #include "collisions/witness_orbit.hpp"
 #include "pictures/snapshots.hpp"
@@ -11,7 +10,6 @@
 using namespace dumbbell;
 using namespace dumbbell::pictures;
 using namespace dumbbell_test;
-using Catch::Matchers::Contains;
 
 namespace {
 

@@ -1,15 +1,13 @@
 #include "pictures/phase.hpp"
 
-#include <catch2/catch.hpp>
-
 #include "base/error.hpp"
+#include "catch.hpp"
 #include "rooms/starts/sample.hpp"
 #include "xml.hpp"
 
 using namespace dumbbell_test;
 using namespace dumbbell::pictures;
 using namespace dumbbell::starts;
-using Catch::Matchers::Contains;
 
 TEST_CASE("a phase portrait unites the boxes of a count, and hatches what is not decided") {
     const std::string svg = phase_svg(sample_initial());

@@ -1,15 +1,13 @@
 #include "pictures/shares.hpp"
 
-#include <catch2/catch.hpp>
-
 #include "base/error.hpp"
+#include "catch.hpp"
 #include "rooms/starts/sample.hpp"
 #include "xml.hpp"
 
 using namespace dumbbell_test;
 using namespace dumbbell::pictures;
 using namespace dumbbell::starts;
-using Catch::Matchers::Contains;
 
 TEST_CASE("bars of the shares: at least, hatched up to at most, with words that are true") {
     const std::string svg = shares_svg(sample_initial());  // 1: 1/4 to 1/2, 2: 1/2 to 3/4

@@ -1,16 +1,15 @@
 #include "pictures/staircase.hpp"
 
 #include <algorithm>
-#include <catch2/catch.hpp>
 
 #include "base/error.hpp"
+#include "catch.hpp"
 #include "rooms/collisions/sample_report.hpp"
 #include "xml.hpp"
 
 using namespace dumbbell_test;
 using namespace dumbbell::collisions;
 using namespace dumbbell::pictures;
-using Catch::Matchers::Contains;
 
 namespace {
 

@@ -1,14 +1,12 @@
 #include "pictures/start_plane.hpp"
 
-#include <catch2/catch.hpp>
-
 #include "base/error.hpp"
+#include "catch.hpp"
 #include "rooms/starts/sample.hpp"
 
 using namespace dumbbell_test;
 using namespace dumbbell::pictures;
 using namespace dumbbell::starts;
-using Catch::Matchers::Contains;
 
 TEST_CASE("the leaves lie in the unit square as the tree says, and tile it") {
     const InitialPlane plane = initial_plane(sample_initial());

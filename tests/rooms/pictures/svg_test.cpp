@@ -1,13 +1,11 @@
 #include "pictures/svg.hpp"
 
-#include <catch2/catch.hpp>
-
+#include "catch.hpp"
 #include "xml.hpp"
 
 using namespace dumbbell;
 using namespace dumbbell::pictures;
 using namespace dumbbell_test;
-using Catch::Matchers::Contains;
 
 TEST_CASE("a length has two decimals at most, and no zeros at its end") {
     CHECK(px(12) == "12");

@@ -1,9 +1,9 @@
 #include "pictures/united_boxes.hpp"
 
-#include <catch2/catch.hpp>
 #include <random>
 
 #include "base/error.hpp"
+#include "catch.hpp"
 
 using namespace dumbbell;
 using namespace dumbbell::pictures;

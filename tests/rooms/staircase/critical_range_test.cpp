@@ -1,8 +1,8 @@
 #include "staircase/critical_range.hpp"
 
 #include <atomic>
-#include <catch2/catch.hpp>
 
+#include "catch.hpp"
 #include "collisions/piece.hpp"
 #include "rooms/collisions/critical_ratio.hpp"
 

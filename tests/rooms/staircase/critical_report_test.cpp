@@ -1,14 +1,13 @@
 #include "staircase/critical_report.hpp"
 
-#include <catch2/catch.hpp>
 #include <sstream>
 
 #include "base/error.hpp"
+#include "catch.hpp"
 #include "rooms/parsed.hpp"
 
 using namespace dumbbell;
 using namespace dumbbell::staircase;
-using Catch::Matchers::Contains;
 using dumbbell_test::parsed;
 
 namespace {
@@ -41,7 +40,7 @@ CriticalReport single(CriticalRow of) {
 
 TEST_CASE("one ratio: its digits cut off, not rounded, with a radius that reaches the far end") {
     const std::string text = to_text(single(row(4, "4.6033388487517", "4.6033388487518")));
-    CHECK_THAT(text, Catch::Matchers::StartsWith("q_c(4) = 4.60333...\n"));
+    CHECK_THAT(text, StartsWith("q_c(4) = 4.60333...\n"));
     CHECK_THAT(text, Contains("steps from 3 to 4") && Contains("within 8.9e-6 of the digits") &&
                          Contains("flight 1 of the corner orbit") && Contains("128 bits"));
 }
@@ -59,7 +58,7 @@ TEST_CASE("the output says that it rests on theorem 2, and that the covers do no
 
 TEST_CASE("an exact ratio is a number without dots and with radius 0") {
     const std::string text = to_text(single(row(3, "1", "1")));
-    CHECK_THAT(text, Catch::Matchers::StartsWith("q_c(3) = 1\n"));
+    CHECK_THAT(text, StartsWith("q_c(3) = 1\n"));
     CHECK_THAT(text, Contains("exact"));
     const auto json = parsed(to_json(sample())).at("ratios").at(0);
     CHECK(json.at("q_c") == "1");
@@ -83,10 +82,10 @@ TEST_CASE("several ratios are a table, open ones marked") {
 }
 
 TEST_CASE("the file has a row per ratio and nothing that depends on the run") {
-    CHECK_THAT(to_tsv(sample()), Catch::Matchers::EndsWith("# N\tq_c\tradius\tbits\torbit\tflight\n"
-                                                           "3\t1\t0\t128\ttop\t1\n"
-                                                           "4\t4.60333\t8.9e-6\t128\tcorner\t1\n"
-                                                           "5\topen\t-\t-\ttop\t2\n"));
+    CHECK_THAT(to_tsv(sample()), EndsWith("# N\tq_c\tradius\tbits\torbit\tflight\n"
+                                          "3\t1\t0\t128\ttop\t1\n"
+                                          "4\t4.60333\t8.9e-6\t128\tcorner\t1\n"
+                                          "5\topen\t-\t-\ttop\t2\n"));
 }
 
 TEST_CASE("JSON: numbers as decimals in strings, the enclosure rounded outward") {

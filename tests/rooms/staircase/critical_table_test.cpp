@@ -1,15 +1,13 @@
 #include "staircase/critical_table.hpp"
 
-#include <catch2/catch.hpp>
-
 #include "base/error.hpp"
+#include "catch.hpp"
 #include "file/atomic_file.hpp"
 #include "programs/cli/process.hpp"
 
 using namespace dumbbell;
 using namespace dumbbell::staircase;
 using namespace dumbbell_test;
-using Catch::Matchers::Contains;
 
 namespace {
 

@@ -1,8 +1,8 @@
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <sstream>
 
 #include "box.hpp"
+#include "catch.hpp"
 #include "file/sha256.hpp"
 #include "starts/subdivide.hpp"
 #include "starts/writer.hpp"

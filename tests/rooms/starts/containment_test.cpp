@@ -1,12 +1,12 @@
 // Simulated orbits (tests/attacks/oracle: another program, other formulas) of random initial conditions lie
 // in what `trace` says of the box around them. (What `--subdivide` says: soundness_test.cpp.)
 #include <algorithm>
-#include <catch2/catch.hpp>
 
 #include "attacks/oracle/scalar.hpp"
 #include "attacks/oracle/simulate.hpp"
 #include "attacks/oracle/trial.hpp"
 #include "box.hpp"
+#include "catch.hpp"
 #include "starts/initial_state.hpp"
 #include "starts/trace.hpp"
 

@@ -1,10 +1,10 @@
 #include "starts/exact_event.hpp"
 
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <tuple>
 
 #include "box.hpp"
+#include "catch.hpp"
 #include "starts/trace.hpp"
 
 using namespace dumbbell;

@@ -1,10 +1,10 @@
 // Starts that are put a hair beside a corner, a fall flat or a grazing contact: they have their names.
 #include "starts/find_obstacle.hpp"
 
-#include <catch2/catch.hpp>
 #include <cmath>
 
 #include "box.hpp"
+#include "catch.hpp"
 #include "starts/subdivide.hpp"
 #include "starts/trace.hpp"
 

@@ -1,8 +1,7 @@
 #include "starts/given_start.hpp"
 
-#include <catch2/catch.hpp>
-
 #include "base/error.hpp"
+#include "catch.hpp"
 #include "starts/argument.hpp"
 
 using namespace dumbbell;

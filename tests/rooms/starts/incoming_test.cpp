@@ -2,12 +2,12 @@
 // the verifier, and the simulation.
 #include "starts/incoming.hpp"
 
-#include <catch2/catch.hpp>
 #include <cmath>
 
 #include "attacks/oracle/simulate.hpp"
 #include "attacks/oracle/trial.hpp"
 #include "box.hpp"
+#include "catch.hpp"
 #include "rooms/verify/make_initial.hpp"
 #include "sample.hpp"
 #include "starts/leaf.hpp"
@@ -17,7 +17,6 @@
 #include "written_file.hpp"
 
 using namespace dumbbell_test;
-using Catch::Matchers::Contains;
 using dumbbell_trace_test::refusal;
 using dumbbell_trace_test::uniform;
 using make::mutated_initial;

@@ -1,15 +1,13 @@
 #include "starts/reader.hpp"
 
-#include <catch2/catch.hpp>
-
 #include "base/error.hpp"
+#include "catch.hpp"
 #include "programs/cli/process.hpp"
 #include "starts/writer.hpp"
 
 using namespace dumbbell;
 using namespace dumbbell::starts;
 using namespace dumbbell_test;
-using Catch::Matchers::Contains;
 
 namespace {
 

@@ -2,12 +2,12 @@
 // (tests/attacks/oracle), and against what dumbbell-verify finds in the written file.
 #include "starts/shares.hpp"
 
-#include <catch2/catch.hpp>
 #include <cmath>
 
 #include "attacks/oracle/simulate.hpp"
 #include "attacks/oracle/trial.hpp"
 #include "box.hpp"
+#include "catch.hpp"
 #include "sample.hpp"
 #include "written_file.hpp"
 

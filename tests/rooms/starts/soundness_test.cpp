@@ -1,10 +1,9 @@
 // Whatever dumbbell-verify certifies of a box of initial conditions holds for the simulated orbits of its
 // points (tests/attacks/oracle: another program, other formulas), no matter who makes the claim.
-#include <catch2/catch.hpp>
-
 #include "attacks/oracle/simulate.hpp"
 #include "attacks/oracle/trial.hpp"
 #include "box.hpp"
+#include "catch.hpp"
 #include "verify/starts/grammar.hpp"
 #include "written_file.hpp"
 

@@ -1,10 +1,10 @@
 // The axis to halve is chosen by derivatives in doubles: they are those of the enclosed orbit.
 #include "starts/spread.hpp"
 
-#include <catch2/catch.hpp>
 #include <cmath>
 
 #include "box.hpp"
+#include "catch.hpp"
 #include "starts/follow.hpp"
 #include "starts/initial_state.hpp"
 

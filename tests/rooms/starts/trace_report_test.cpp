@@ -1,13 +1,10 @@
 #include "starts/trace_report.hpp"
 
-#include <catch2/catch.hpp>
-
+#include "catch.hpp"
 #include "rooms/parsed.hpp"
 
 using namespace dumbbell;
 using namespace dumbbell::starts;
-using Catch::Matchers::Contains;
-using Catch::Matchers::EndsWith;
 using dumbbell_test::parsed;
 
 namespace {

@@ -1,10 +1,10 @@
 #include "starts/trace.hpp"
 
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <limits>
 
 #include "base/error.hpp"
+#include "catch.hpp"
 #include "starts/flight.hpp"
 #include "starts/initial_state.hpp"
 

@@ -1,11 +1,11 @@
 // What `subdivide` leaves undecided lies along borders between counts: open sets of starts are decided, and
 // the share that is left shrinks with the number of boxes.
-#include <catch2/catch.hpp>
 #include <cmath>
 
 #include "attacks/oracle/simulate.hpp"
 #include "attacks/oracle/trial.hpp"
 #include "box.hpp"
+#include "catch.hpp"
 #include "starts/trace.hpp"
 #include "written_file.hpp"
 

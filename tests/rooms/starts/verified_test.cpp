@@ -1,8 +1,7 @@
 // What `subdivide` finds and writes is what dumbbell-verify certifies.
-#include <catch2/catch.hpp>
-
 #include "attacks/oracle/trial.hpp"
 #include "box.hpp"
+#include "catch.hpp"
 #include "starts/initial_state.hpp"
 #include "written_file.hpp"
 

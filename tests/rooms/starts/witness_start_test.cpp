@@ -1,10 +1,10 @@
 // The certified witnesses of `certify`, traced as initial conditions.
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <optional>
 #include <string>
 #include <utility>
 
+#include "catch.hpp"
 #include "collisions/witness.hpp"
 #include "collisions/witness_orbit.hpp"
 #include "starts/initial_state.hpp"

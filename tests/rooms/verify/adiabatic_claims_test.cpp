@@ -1,7 +1,6 @@
 // Whole files about the adiabatic invariant: true claims are verified, false ones, spelt correctly and with a
 // fitting trailer, are refused.
-#include <catch2/catch.hpp>
-
+#include "catch.hpp"
 #include "make_adiabatic.hpp"
 
 using namespace make;

@@ -1,6 +1,5 @@
 // Every rule of format-adiabatic.md, section 2, has here a file that breaks it and nothing else.
-#include <catch2/catch.hpp>
-
+#include "catch.hpp"
 #include "make_adiabatic.hpp"
 
 using namespace make;

@@ -1,9 +1,9 @@
 // Leaves of the trees of the adiabatic claims: whatever box is accepted, simulated orbits of the physical
 // dumbbell and the drift of L34 in long double find nothing in it that breaks what the leaf says.
-#include <catch2/catch.hpp>
 
 #include "adiabatic_orbit.hpp"
 #include "attacks/oracle/ray_count.hpp"
+#include "catch.hpp"
 #include "make_adiabatic.hpp"
 
 using namespace make;

@@ -1,7 +1,6 @@
 // The potential of a class at the edges of its cells, also for numbers with more and with fewer bits than a
 // double, which are rounded on the way: a bound may only become weaker.
-#include <catch2/catch.hpp>
-
+#include "catch.hpp"
 #include "verify/adiabatic/potential.hpp"
 #include "verify/number/big.hpp"
 

@@ -1,6 +1,5 @@
 // Files about the adiabatic invariant as a script sees them: words, last line, exit code, options.
-#include <catch2/catch.hpp>
-
+#include "catch.hpp"
 #include "make_adiabatic.hpp"
 #include "run_program.hpp"
 

@@ -1,7 +1,7 @@
 // What the verdict, its paragraph and its JSON say of a claim about the adiabatic invariant, to the letter.
 #include <array>
-#include <catch2/catch.hpp>
 
+#include "catch.hpp"
 #include "verify/adiabatic/grammar.hpp"
 
 using dumbbell_verify::Adiabatic;

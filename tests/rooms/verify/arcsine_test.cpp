@@ -2,9 +2,9 @@
 // used; and f = pi - arccos y of a contact, which rests on it.
 #include "verify/adiabatic/arcsine.hpp"
 
-#include <catch2/catch.hpp>
 #include <random>
 
+#include "catch.hpp"
 #include "verify/adiabatic/contact.hpp"
 #include "verify/number/big.hpp"
 

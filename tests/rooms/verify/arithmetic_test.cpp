@@ -1,8 +1,8 @@
 // The verifier's arithmetic against MPFR: every bound is on the right side, and close.
-#include <catch2/catch.hpp>
 #include <cfenv>
 #include <random>
 
+#include "catch.hpp"
 #include "verify/format/reader.hpp"
 #include "verify/number/big.hpp"
 #include "verify/number/interval.hpp"

@@ -1,9 +1,9 @@
 // What a file may cost, and from where it may come: as a script sees it.
 #include <unistd.h>
 
-#include <catch2/catch.hpp>
 #include <filesystem>
 
+#include "catch.hpp"
 #include "make_certificate.hpp"
 #include "run_program.hpp"
 #include "shipped.hpp"

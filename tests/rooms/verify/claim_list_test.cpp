@@ -1,6 +1,5 @@
 // The option --claims: many certificates, each with its own claim.
-#include <catch2/catch.hpp>
-
+#include "catch.hpp"
 #include "run_program.hpp"
 
 using make::closed;

@@ -1,8 +1,8 @@
 // What pieces say together: the demand of the command line against the chain of pieces.
-#include <catch2/catch.hpp>
 #include <random>
 #include <vector>
 
+#include "catch.hpp"
 #include "verify/format/claim.hpp"
 
 using dumbbell_verify::Collisions;

@@ -2,7 +2,7 @@
 // byte.
 #include "verify/program/escape.hpp"
 
-#include <catch2/catch.hpp>
+#include "catch.hpp"
 
 using namespace dumbbell_verify;
 

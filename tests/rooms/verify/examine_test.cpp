@@ -4,11 +4,11 @@
 #include <unistd.h>
 
 #include <array>
-#include <catch2/catch.hpp>
 #include <chrono>
 #include <filesystem>
 #include <thread>
 
+#include "catch.hpp"
 #include "make_certificate.hpp"
 
 using namespace dumbbell_verify;

@@ -1,7 +1,7 @@
 // Every rule of format.md, sections 1 to 3, has here a file that breaks it and nothing else.
-#include <catch2/catch.hpp>
 #include <random>
 
+#include "catch.hpp"
 #include "make_certificate.hpp"
 #include "verify/format/text.hpp"
 #include "verify/program/verify.hpp"

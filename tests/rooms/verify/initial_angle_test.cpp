@@ -1,7 +1,7 @@
 // Sine and cosine of intervals anywhere, against MPFR at 300 bits.
-#include <catch2/catch.hpp>
 #include <random>
 
+#include "catch.hpp"
 #include "verify/number/big.hpp"
 #include "verify/starts/angle.hpp"
 

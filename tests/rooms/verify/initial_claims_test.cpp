@@ -1,6 +1,5 @@
 // False claims about initial conditions, spelt correctly and with a fitting trailer, are refused.
-#include <catch2/catch.hpp>
-
+#include "catch.hpp"
 #include "make_initial.hpp"
 #include "verify/starts/grammar.hpp"
 

@@ -1,8 +1,8 @@
 // Initial conditions at the edge of what their rules grant: a start on the floor, starts that do not rise,
 // rays next to a tangency, last collisions that no count decides.
-#include <catch2/catch.hpp>
 #include <cmath>
 
+#include "catch.hpp"
 #include "leaf_rows.hpp"
 #include "verify/number/big.hpp"
 #include "verify/starts/reflection.hpp"

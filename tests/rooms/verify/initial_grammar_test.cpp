@@ -1,7 +1,7 @@
 // Every rule of format-initial.md, section 2, has here a file that breaks it and nothing else.
-#include <catch2/catch.hpp>
 #include <random>
 
+#include "catch.hpp"
 #include "make_initial.hpp"
 
 using make::closed_initial;

@@ -1,6 +1,5 @@
 // Files about initial conditions as a script sees them: last line, exit code, options.
-#include <catch2/catch.hpp>
-
+#include "catch.hpp"
 #include "make_initial.hpp"
 #include "run_program.hpp"
 

@@ -1,9 +1,9 @@
 // The enclosures under a check of initial conditions hold for random states in their boxes: the first
 // contact's angle and the rays after a reflection, against bisection and the law (1) of L0 in long double.
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <random>
 
+#include "catch.hpp"
 #include "verify/number/big.hpp"
 #include "verify/starts/reflection.hpp"
 

@@ -1,6 +1,5 @@
 // The option --junit: the report as a test reporter sees it.
-#include <catch2/catch.hpp>
-
+#include "catch.hpp"
 #include "programs/cli/process.hpp"
 #include "run_program.hpp"
 

@@ -1,6 +1,5 @@
 // The constants of the law, which the verifier computes by series of its own, to any number of digits.
-#include <catch2/catch.hpp>
-
+#include "catch.hpp"
 #include "law_truth.hpp"
 #include "verify/law/constants.hpp"
 #include "verify/number/big.hpp"

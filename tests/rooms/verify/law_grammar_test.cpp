@@ -1,7 +1,7 @@
 // Every rule of format-law.md has here a file that breaks it and nothing else.
-#include <catch2/catch.hpp>
 #include <random>
 
+#include "catch.hpp"
 #include "make_law.hpp"
 #include "verify/input/work.hpp"
 #include "verify/law/steps.hpp"

@@ -1,8 +1,8 @@
 // The rules of the law's covers against true steps in 80 digits: what a box encloses holds the truth, and in
 // a small box it is so narrow that a wrong constant or sign would not.
-#include <catch2/catch.hpp>
 #include <random>
 
+#include "catch.hpp"
 #include "law_truth.hpp"
 #include "verify/law/constants.hpp"
 #include "verify/law/leaf.hpp"

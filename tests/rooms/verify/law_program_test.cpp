@@ -1,7 +1,7 @@
 // Files about the law as a script sees them: words, last line, exit code, options.
 #include <algorithm>
-#include <catch2/catch.hpp>
 
+#include "catch.hpp"
 #include "make_law.hpp"
 #include "run_program.hpp"
 

@@ -2,11 +2,11 @@
 // false.
 #include "verify/macro/macro.hpp"
 
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <random>
 
 #include "attacks/oracle/trial.hpp"
+#include "catch.hpp"
 #include "verify/collisions/ray.hpp"
 #include "verify/macro/orbit.hpp"
 #include "verify/number/big.hpp"

@@ -2,10 +2,10 @@
 // what they accept, so it shows that true claims are accepted; that false ones are refused is shown by
 // mutating what comes out, and by simulated orbits.
 #pragma once
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <functional>
 
+#include "catch.hpp"
 #include "make_certificate.hpp"
 #include "make_initial.hpp"
 #include "verify/adiabatic/grammar.hpp"

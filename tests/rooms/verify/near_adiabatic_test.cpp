@@ -1,8 +1,7 @@
 // Leaves and attained states of the adiabatic claims that are just certified, and their neighbours that just
 // are not (near_adiabatic.tsv, made by tests/attacks/source_mutation/near_adiabatic.cpp).
-#include <catch2/catch.hpp>
-
 #include "adiabatic_rows.hpp"
+#include "catch.hpp"
 #include "leaf_rows.hpp"
 
 using dumbbell_verify::Work;

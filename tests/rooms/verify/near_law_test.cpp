@@ -1,7 +1,6 @@
 // What the verifier computes for the law, digit by digit (near_law.tsv, made by
 // tests/attacks/source_mutation/near_law.cpp). That it is true is what law_leaf_test.cpp is about.
-#include <catch2/catch.hpp>
-
+#include "catch.hpp"
 #include "law_rows.hpp"
 #include "leaf_rows.hpp"
 #include "verify/law/rule.hpp"

@@ -1,8 +1,7 @@
 // Leaves that are just certified and leaves that just are not (near_leaves.tsv): a formula, a pad or an end
 // of an interval that is wrong moves one of these edges. How the table is made:
 // tests/attacks/source_mutation/README.md.
-#include <catch2/catch.hpp>
-
+#include "catch.hpp"
 #include "leaf_rows.hpp"
 
 using namespace leaf_rows;

@@ -1,6 +1,5 @@
 // The edges of number.hpp and big.hpp: where a bound is exact, where it is the weaker one, where there is
 // none.
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -9,6 +8,7 @@
 #include <xmmintrin.h>
 #endif
 
+#include "catch.hpp"
 #include "verify/number/big.hpp"
 #include "verify/starts/angle.hpp"
 

@@ -1,8 +1,8 @@
 // A program of its own, because its std::fma is not exact, as that of a poor library would be, and its zlib
 // gets no memory.
-#include <catch2/catch.hpp>
 #include <cfloat>
 
+#include "catch.hpp"
 #include "make_certificate.hpp"
 #include "verify/input/bytes.hpp"
 #include "verify/number/number.hpp"

@@ -1,6 +1,5 @@
 // The program as a script sees it: last line, exit code, options.
-#include <catch2/catch.hpp>
-
+#include "catch.hpp"
 #include "make_certificate.hpp"
 #include "run_program.hpp"
 

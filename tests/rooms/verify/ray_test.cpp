@@ -1,10 +1,10 @@
 // G along a ray (L4, L5) against the iteration in long double, and the steps of a worked example.
 #include "verify/collisions/ray.hpp"
 
-#include <catch2/catch.hpp>
 #include <random>
 
 #include "attacks/oracle/ray_count.hpp"
+#include "catch.hpp"
 #include "verify/number/big.hpp"
 
 using namespace dumbbell_verify;

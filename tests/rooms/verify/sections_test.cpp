@@ -2,8 +2,7 @@
 // accepted, false ones are not.
 #include <sys/wait.h>
 
-#include <catch2/catch.hpp>
-
+#include "catch.hpp"
 #include "leaf_rows.hpp"
 #include "make_certificate.hpp"
 #include "verify/program/verify.hpp"

@@ -1,8 +1,8 @@
 // Single steps of the verifier at the edge of their conditions: what is refused there, what is just granted,
 // and that its work is counted.
-#include <catch2/catch.hpp>
 #include <cmath>
 
+#include "catch.hpp"
 #include "leaf_rows.hpp"
 #include "verify/number/big.hpp"
 #include "verify/sections/bridge.hpp"

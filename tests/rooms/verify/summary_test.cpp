@@ -2,8 +2,7 @@
 // codes.
 #include "verify/program/summary.hpp"
 
-#include <catch2/catch.hpp>
-
+#include "catch.hpp"
 #include "verify/program/json.hpp"
 #include "verify/program/junit.hpp"
 

@@ -1,6 +1,5 @@
 // The edges of the lexical classes, and what a proof says of its leaves.
-#include <catch2/catch.hpp>
-
+#include "catch.hpp"
 #include "make_adiabatic.hpp"
 #include "verify/program/words.hpp"
 

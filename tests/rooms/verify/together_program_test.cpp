@@ -1,7 +1,7 @@
 // The option --together as a script sees it: last line, exit code, JSON, report, messages.
-#include <catch2/catch.hpp>
 #include <deque>
 
+#include "catch.hpp"
 #include "make_together.hpp"
 #include "programs/cli/process.hpp"
 #include "run_program.hpp"

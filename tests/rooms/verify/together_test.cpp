@@ -2,9 +2,9 @@
 #include "verify/program/together.hpp"
 
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <deque>
 
+#include "catch.hpp"
 #include "make_initial.hpp"
 #include "make_together.hpp"
 #include "verify/program/summary.hpp"

@@ -1,7 +1,7 @@
 // The section's checks: true covers and witnesses are accepted, false ones are not.
-#include <catch2/catch.hpp>
 #include <map>
 
+#include "catch.hpp"
 #include "make_certificate.hpp"
 #include "verify/program/verify.hpp"
 

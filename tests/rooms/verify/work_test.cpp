@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <atomic>
-#include <catch2/catch.hpp>
 
+#include "catch.hpp"
 #include "verify/collisions/ray.hpp"
 #include "verify/format/precision.hpp"
 #include "verify/format/reader.hpp"

@@ -1,9 +1,10 @@
 #include "words/json.hpp"
 
-#include <catch2/catch.hpp>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <vector>
+
+#include "catch.hpp"
 
 using namespace dumbbell;
 using Reference = nlohmann::ordered_json;

@@ -2,10 +2,10 @@
 
 #include <fmt/core.h>
 
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <random>
 
+#include "catch.hpp"
 #include "number/rational.hpp"
 
 using namespace dumbbell;

@@ -1,9 +1,9 @@
 #include "flight/batch/count.hpp"
 
-#include <catch2/catch.hpp>
 #include <cfenv>
 
 #include "base/error.hpp"
+#include "catch.hpp"
 #include "flight/count.hpp"
 #include "rooms/flight/rays.hpp"
 

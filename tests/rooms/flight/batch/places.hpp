@@ -1,8 +1,8 @@
 #pragma once
 
-#include <catch2/catch.hpp>
 #include <optional>
 
+#include "catch.hpp"
 #include "flight/batch/aim.hpp"
 #include "flight/batch/place.hpp"
 #include "rooms/flight/rays.hpp"

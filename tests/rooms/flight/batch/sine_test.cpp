@@ -1,8 +1,8 @@
 #include "flight/batch/sine.hpp"
 
-#include <catch2/catch.hpp>
 #include <cmath>
 
+#include "catch.hpp"
 #include "number/elementary.hpp"
 #include "rooms/number/random.hpp"
 #include "rooms/number/show.hpp"

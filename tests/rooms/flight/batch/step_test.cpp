@@ -1,9 +1,9 @@
 #include "flight/batch/step.hpp"
 
-#include <catch2/catch.hpp>
 #include <optional>
 #include <type_traits>
 
+#include "catch.hpp"
 #include "flight/batch/lower_step.hpp"
 #include "flight/batch/upper_step.hpp"
 #include "places.hpp"
