@@ -4,7 +4,6 @@
 
 #include <algorithm>
 
-#include "audit/claimed_range.hpp"
 #include "audit/leaf_boxes.hpp"
 #include "audit/tiling.hpp"
 #include "base/error.hpp"
@@ -185,14 +184,14 @@ Audit audit(const Certificate& certificate, const std::pair<Rational, Rational>&
 
 Audit audit_file(const std::string& path, Observer& observer) {
     const Certificate certificate = collisions::read_certificate(path);
-    const auto claimed = claimed_range(path);
+    const collisions::ClaimedHead head = collisions::read_head(path);
     if (certificate.sha256.empty()) {
         throw InputError(fmt::format(
             "'{}' is damaged: its last line is not the checksum of its text (dumbbell verify says more)",
             path));
     }
     observer.enter("auditing", "leaves");
-    return audit(certificate, claimed, observer);
+    return audit(certificate, {head.q_lo, head.q_hi}, observer);
 }
 
 }  // namespace dumbbell::audit

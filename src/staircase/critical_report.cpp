@@ -78,7 +78,7 @@ std::string single_text(const CriticalReport& report) {
     return text;
 }
 
-const TableLine heading{"N", "q_c", "radius", "bits", "orbit", "flight"};
+TableLine heading() { return {"N", "q_c", "radius", "bits", "orbit", "flight"}; }
 
 TableLine line_of(const CriticalRow& row, const CriticalReport& report, const char* more) {
     TableLine line{fmt::format("{}", row.n)};
@@ -94,7 +94,7 @@ TableLine line_of(const CriticalRow& row, const CriticalReport& report, const ch
 }
 
 std::string table_text(const CriticalReport& report) {
-    std::vector<TableLine> lines{heading};
+    std::vector<TableLine> lines{heading()};
     for (const CriticalRow& row : report.rows) {
         lines.push_back(line_of(row, report, "..."));
     }
@@ -217,7 +217,7 @@ std::string to_tsv(const CriticalReport& report) {
         "off, not\n"
         "# rounded), and q_c lies within the radius of the number. This rests on theorem 2 of "
         "proofs/theorem.md.\n# ";
-    text += joined(heading);
+    text += joined(heading());
     for (const CriticalRow& row : report.rows) {
         text += joined(line_of(row, report, ""));
     }

@@ -25,7 +25,6 @@ Examples:
   dumbbell plot cover certificates/full-100.dbc.gz --out cover.svg
   dumbbell plot orbit 100 --out orbit.svg
   dumbbell plot phase falling.dbc --out phase.svg
-  dumbbell plot shares falling.dbc --out shares.svg
   dumbbell plot adiabatic scattering.dbc --out adiabatic.svg)";
 
 constexpr const char* staircase_picture_description =
@@ -92,16 +91,6 @@ Example:
   dumbbell trace 10 --phi 0:6.28 --phidot 1 --y 2 --ydot=-2:1 --subdivide --out falling.dbc
   dumbbell plot phase falling.dbc --out phase.svg)";
 
-constexpr const char* shares_picture_description =
-    R"(How likely each number of collisions is, of a box of initial conditions.
-
-They are those of a certificate by dumbbell trace --subdivide: a bar for each number of collisions, up to the share that
-is proved at least, hatched up to what is proved at most.
-
-Example:
-  dumbbell trace 10 --phi 0:6.28 --phidot 1 --y 2 --ydot=-2:1 --subdivide --out falling.dbc
-  dumbbell plot shares falling.dbc --out shares.svg)";
-
 /// Of a picture from this file.
 constexpr std::array<Option, 2> from_file(std::string_view text) {
     return {argument("FILE", text).required(),
@@ -142,7 +131,6 @@ constexpr std::array orbit_picture_options =
     joined(from_file("mass ratio, or certificate (-: the standard input)"), with_ratio);
 constexpr std::array phase_picture_options =
     from_file("certificate about initial conditions (-: the standard input)");
-constexpr std::array shares_picture_options = phase_picture_options;
 constexpr std::array adiabatic_picture_options =
     from_file("certificate about the adiabatic invariant (-: the standard input)");
 
@@ -161,12 +149,10 @@ constexpr Command orbit_picture =
     picture("orbit", orbit_picture_description, orbit_picture_options, run_plot<draw_orbit, Asks::ratio>);
 constexpr Command phase_picture =
     picture("phase", phase_picture_description, phase_picture_options, run_plot<draw_phase>);
-constexpr Command shares_picture =
-    picture("shares", shares_picture_description, shares_picture_options, run_plot<draw_shares>);
 constexpr Command adiabatic_picture =
     picture("adiabatic", adiabatic_picture_description, adiabatic_picture_options, run_plot<draw_adiabatic>);
-constexpr std::array pictures{&staircase_picture, &cover_picture,     &orbit_picture, &phase_picture,
-                              &shares_picture,    &adiabatic_picture, &law_picture};
+constexpr std::array pictures{&staircase_picture, &cover_picture,     &orbit_picture,
+                              &phase_picture,     &adiabatic_picture, &law_picture};
 
 }  // namespace
 

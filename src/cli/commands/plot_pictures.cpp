@@ -21,7 +21,6 @@
 #include "pictures/law.hpp"
 #include "pictures/orbit.hpp"
 #include "pictures/phase.hpp"
-#include "pictures/shares.hpp"
 #include "pictures/staircase.hpp"
 
 namespace dumbbell::cli {
@@ -232,11 +231,6 @@ std::string draw_orbit(const PlotRequest& request) {
 std::string draw_phase(const PlotRequest& request) {
     return pictures::phase_svg(
         verified_certificate<starts::InitialCertificate>(request, "phase", make_initial));
-}
-
-std::string draw_shares(const PlotRequest& request) {
-    return pictures::shares_svg(
-        verified_certificate<starts::InitialCertificate>(request, "shares", make_initial));
 }
 
 std::string draw_adiabatic(const PlotRequest& request) {

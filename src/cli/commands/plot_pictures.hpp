@@ -21,7 +21,6 @@ struct PlotRequest {
 [[nodiscard]] std::string draw_cover(const PlotRequest& request);
 [[nodiscard]] std::string draw_orbit(const PlotRequest& request);
 [[nodiscard]] std::string draw_phase(const PlotRequest& request);
-[[nodiscard]] std::string draw_shares(const PlotRequest& request);
 [[nodiscard]] std::string draw_adiabatic(const PlotRequest& request);
 
 }  // namespace dumbbell::cli

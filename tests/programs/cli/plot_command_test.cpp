@@ -119,7 +119,6 @@ TEST_CASE("every picture is drawn from a certificate of its kind, twice the same
                                                  {"orbit", "stairs.dbc", "--ratio", "9/2"},
                                                  {"orbit", "100"},
                                                  {"phase", "falling.dbc"},
-                                                 {"shares", "falling.dbc"},
                                                  {"adiabatic", "adiabatic.dbc"}}) {
         CAPTURE(words);
         CHECK(picture(words) == picture(words));

@@ -63,7 +63,7 @@ TEST_CASE("the law agrees with covers at ratios of all sizes, and decides all bu
              {"62.72", 9, false},      {"62.75", 9, true},      {"100", 10, true},
              {"457.5", 20, true},      {"1000", 29, true},      {"12345.678", 100, true},
              {"1e5", 282, true},       {"1e6", 887, true},      {"1032800", 901, true},
-             {"1032803", 901, true},   {"1032804", 901, false}, {"1032804.5", 902, false},
+             {"1032803", 901, true},   {"1032804", 901, false}, {"1032804.5", 901, false},
              {"1032809.5", 902, true}, {"1032810", 902, true},  {"1035103", 902, true},
              {"1035105", 902, false},  {"1035107", 903, true},  {"1.04e6", 905, true},
              {"1.5e7", 3431, true},    {"1e8", 8857, true}}) {
