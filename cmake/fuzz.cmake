@@ -9,7 +9,7 @@ if(DUMBBELL_FUZZ)
   add_custom_target(fuzzers)
 endif()
 
-set(fuzz_seeds ${CMAKE_BINARY_DIR}/fuzz-seeds)
+set(fuzz_seeds ${PROJECT_BINARY_DIR}/fuzz-seeds)
 add_test(NAME fuzz/seeds COMMAND ${DUMBBELL_PYTHON} ${PROJECT_SOURCE_DIR}/tests/attacks/fuzz/seeds.py ${fuzz_seeds})
 set_tests_properties(fuzz/seeds PROPERTIES LABELS unit FIXTURES_SETUP fuzz_seeds)
 

@@ -175,7 +175,12 @@ bool certainly_encloses(const CriticalRatio& ratio, const Interrupted& interrupt
     };
     const auto below = at(ratio.q_lo);
     const auto above = at(ratio.q_hi);
-    return below && above && certainly_positive(-*below) && certainly_positive(*above);
+    if (below && above) {
+        return certainly_positive(-*below) && certainly_positive(*above);
+    }
+    // So far from the critical ratio the orbit may not have that flight: is a narrow enclosure inside?
+    const auto narrow = enclose_critical_ratio(ratio.n, options);
+    return narrow && ratio.q_lo <= narrow->q_lo && narrow->q_hi <= ratio.q_hi;
 }
 
 }  // namespace dumbbell::collisions

@@ -65,15 +65,15 @@ std::string precision(const CriticalRatio& ratio) {
 Json fields(const AtRatio& at) {
     return Json::object({{"schema", "dumbbell-law-ratio-1"},
                          {"ratio", to_fraction(at.q)},
-                         {"lower", at.lower.str()},
-                         {"upper", at.upper.str()},
-                         {"step", at.step.str()},
+                         {"lower", Count(at.lower)},
+                         {"upper", Count(at.upper)},
+                         {"step", Count(at.step)},
                          {"past", ends_json(Interval(at.past.lo(), at.past.hi()))}});
 }
 Json fields(const CriticalRatio& ratio) {
     const Ends ends = ends_of(ratio.q_c);
     return Json::object(
-        {{"schema", "dumbbell-law-count-1"}, {"N", ratio.n.str()}, {"lo", ends.lo}, {"hi", ends.hi}});
+        {{"schema", "dumbbell-law-count-1"}, {"N", Count(ratio.n)}, {"lo", ends.lo}, {"hi", ends.hi}});
 }
 
 }  // namespace

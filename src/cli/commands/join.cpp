@@ -25,9 +25,9 @@ constexpr const char* join_description =
     R"(Verify the parts of a range, and join them to one file.
 
 The parts are certificates of dumbbell certify, in any order, or tables of dumbbell critical. Nothing is believed:
-each certificate is verified by dumbbell-verify, each enclosure of a table by the signs at its two ends. They must be the
-whole range, with no hole and nothing twice; pieces that the parts cut in two stay two. What is wrong, missing or open is
-named, with the command that makes it again.
+each certificate is verified by dumbbell-verify, each enclosure of a table by the signs at its two ends. They must be
+the whole range, with no hole and nothing twice; pieces that the parts cut in two stay two. What is wrong, missing or
+open is named, with the command that makes it again.
 
 Examples:
   for k in 1 2 3 4; do dumbbell certify 1:1e4 --part $k/4 --out part-$k.dbc; done
@@ -115,7 +115,7 @@ Json to_json(const Parts& parts, const std::vector<PartFile>& files) {
 int run_join(const Given& given) {
     const std::vector<std::string>& names = given.words("FILE");
     const auto parts = parts_of(given);
-    require_name_of(given.text("--out"), parts->content);
+    require_name_of(given.text("--out"), parts->content());
     std::optional<Range> whole;
     if (given.has("--range")) {
         whole = parts->parse_range(given.text("--range"));

@@ -34,12 +34,12 @@ class Parts {
   public:
     /// `what` they are about, and the `command` that makes them.
     Parts(Content content, std::string what, std::string command)
-        : content(content), what_(std::move(what)), command_(std::move(command)) {}
+        : content_(content), what_(std::move(what)), command_(std::move(command)) {}
     virtual ~Parts() = default;
     Parts(const Parts&) = delete;
     Parts& operator=(const Parts&) = delete;
 
-    const Content content;
+    [[nodiscard]] Content content() const { return content_; }
 
     /// Checks the file, the i-th of all, on so many threads, and keeps what it says. By different threads at
     /// once for different files. Throws NoVerdict.
@@ -61,6 +61,7 @@ class Parts {
     }
 
   private:
+    Content content_;
     std::string what_, command_;
 };
 

@@ -11,6 +11,7 @@
 #include "cli/terminal/output.hpp"
 #include "cli/terminal/stop_signals.hpp"
 #include "file/shipped.hpp"
+#include "file/verifier_program.hpp"
 #include "law/answer_report.hpp"
 #include "law/prove.hpp"
 #include "law/theorem_report.hpp"

@@ -11,6 +11,28 @@
 namespace dumbbell::cli {
 namespace {
 
+/// CLI11 takes a word [A,B] of an argument that is repeated for two words, A and B; behind a mark it does
+/// not.
+constexpr char mark = '\x01';
+
+/// The last one first, as CLI11 wants them.
+std::vector<std::string> marked(const std::vector<std::string>& words) {
+    std::vector<std::string> result(words.rbegin(), words.rend());
+    for (std::string& word : result) {
+        if (word.starts_with('[') || word.starts_with(mark)) {
+            word.insert(0, 1, mark);
+        }
+    }
+    return result;
+}
+
+std::vector<std::string> unmarked(std::vector<std::string> words) {
+    for (std::string& word : words) {
+        word.erase(0, word.starts_with(mark) ? 1 : 0);
+    }
+    return words;
+}
+
 /// CLI11 takes --json=false, too.
 bool is_on(const CLI::Option& flag) {
     bool on = false;
@@ -30,7 +52,8 @@ void add_options(CLI::App& app, const Command& command) {
             continue;
         }
         CLI::Option* added = app.add_option(name)->required(option.is_required);
-        added->check([&option](const std::string& value) { return fault_of(option, value); });
+        added->check(
+            [&option](const std::string& value) { return fault_of(option, unmarked({value}).front()); });
         if (option.is_repeated) {
             added->expected(1, CLI::detail::expected_max_vector_size)->allow_extra_args();
         }
@@ -56,7 +79,8 @@ void collect(const CLI::App& app, const Command& command, CommandLine& line) {
         for (std::size_t i = 0; below.become == nullptr && i < below.options.size(); ++i) {
             const Option& option = below.options[i];
             const CLI::Option& parsed = *called->get_option(std::string(option.name));
-            line.given.add(option, option.is_flag() && !is_on(parsed) ? CLI::results_t{} : parsed.results());
+            line.given.add(
+                option, option.is_flag() && !is_on(parsed) ? CLI::results_t{} : unmarked(parsed.results()));
         }
         collect(*called, below, line);
     }
@@ -65,7 +89,7 @@ void collect(const CLI::App& app, const Command& command, CommandLine& line) {
 std::string wrong(const CLI::ParseError& error, const CLI::App& app, const CommandLine& line,
                   const std::vector<std::string>& words) {
     if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr) {
-        return unexpected(app.remaining(true));
+        return unexpected(unmarked(app.remaining(true)));
     }
     if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr) {
         return mismatch(line.given, words.back());
@@ -84,7 +108,7 @@ CommandLine parse(const Command& program, const std::string& version, const std:
     CommandLine line;
     std::string fault;
     try {
-        app.parse(std::vector<std::string>(words.rbegin(), words.rend()));
+        app.parse(marked(words));
         collect(app, program, line);
         fault = contradiction(line.given);
     } catch (const CLI::CallForVersion&) {

@@ -7,9 +7,7 @@
 
 namespace dumbbell_verify {
 
-/// With several files the last one of these counts. Only `verified` says that a whole file was checked;
-/// `part`: what was asked for is a part of it, which was; `combined`: nothing was, lines say that all parts
-/// were.
+/// With several files the last one of these counts.
 enum class Verdict { verified, unreadable, unsupported, limit, rejected };
 
 /// Why a file is not verified; thrown, and reported as it is.

@@ -25,7 +25,7 @@ bool is_great_integer(const OrderedJson& value) {
 std::string type_of(const OrderedJson& value) {
     return value.is_null()             ? "null"
            : value.is_boolean()        ? "boolean"
-           : is_great_integer(value)   ? "integer"
+           : is_great_integer(value)   ? "digits"
            : value.is_string()         ? "string"
            : value.is_number_integer() ? "integer"
            : value.is_number()         ? "number"
@@ -68,6 +68,9 @@ Types types_in(const std::string& cell) {
     std::istringstream words(cell);
     Types types{std::istream_iterator<std::string>(words), {}};
     types.erase("or");
+    if (types.contains("integer") || types.contains("string")) {
+        types.insert("digits");  // an integer from 2^53 on, or a decimal without a point
+    }
     return types;
 }
 

@@ -104,14 +104,30 @@ TEST_CASE("a command that is printed can be pasted, whatever the file is called"
         REQUIRE(traced.code == 0);
         CHECK(pasted(traced.out, "Check it:    ", folder.path()).code == 0);
         const Outcome precise =
-            dumbbell({"trace", "10", "--phi", "1:1.001", "--phidot", "1", "--y", "2", "--ydot=-1",
+            dumbbell({"trace", "10", "--phi", "1:1.001", "--phidot", "1:1.001", "--y", "2", "--ydot=-1",
                       "--subdivide", "--max-boxes", "8", "--digits", "1000", "--out=" + file},
                      folder.path());
         CHECK(pasted(precise.out, "Check it:    ", folder.path()).code == 0);
-        CHECK(dumbbell({"plot", "shares", "./" + file, "--out", "shares.svg"}, folder.path()).code == 0);
+        CHECK(dumbbell({"plot", "phase", "./" + file, "--out", "phase.svg"}, folder.path()).code == 0);
         const Outcome bounded = dumbbell(
             {"adiabatic", "--delta", "0.01", "--theorem", "lemma3.1", "--out=" + file}, folder.path());
         REQUIRE(bounded.code == 0);
         CHECK(pasted(bounded.out, "Check it:    ", folder.path()).code == 0);
     }
+}
+
+TEST_CASE("a name in brackets is the name of that file, for every command that takes several") {
+    const TemporaryFolder folder;
+    const Outcome made = dumbbell({"certify", "10", "--out", "good.dbc"}, folder.path());
+    REQUIRE(made.code == 0);
+    const std::string good = contents(folder / "good.dbc");
+    write_file(folder / "[good.dbc]", good.substr(0, 300));
+    write_file(folder / "[good.dbc,good.dbc]", good);
+    CHECK(dumbbell({"audit", "[good.dbc]"}, folder.path()).code == 2);
+    CHECK(dumbbell({"report", "[good.dbc]", "--out", "x.html"}, folder.path()).code == 2);
+    CHECK(dumbbell({"join", "[good.dbc]", "--out", "x.dbc"}, folder.path()).code == 2);
+    const Outcome both = dumbbell({"audit", "[good.dbc,good.dbc]"}, folder.path());
+    CHECK(both.code == 0);
+    CHECK_THAT(both.out, StartsWith("[good.dbc,good.dbc]: tiles exactly"));
+    CHECK_THAT(dumbbell({"certify", "[10]"}).err, Contains("'[10]'"));
 }

@@ -166,16 +166,12 @@ TEST_CASE("the file - is the standard input, for each command that reads one") {
     CAPTURE(plotted.err);
     CHECK(plotted.code == 0);
     CHECK(contents(folder / "fed.svg") == contents(folder / "named.svg"));
-    const Outcome law = fed(stairs, "law -");
-    CAPTURE(law.err);
-    CHECK(law.code == 0);
-    CHECK_THAT(law.out, StartsWith("-\n") && Contains("s VERIFIED"));
     const Outcome audit = fed(stairs, "audit -");
     CHECK(audit.code == 0);
     CHECK_THAT(audit.out, StartsWith("-: tiles exactly"));
     CHECK(fed(stairs, "report - --out page.html", folder.path()).code == 0);
     CHECK_THAT(contents(folder / "page.html"), Contains(R"("verify_file":"-")"));
-    for (const char* command : {"law -", "audit -", "plot cover - --out x.svg", "report - --out x.html"}) {
+    for (const char* command : {"audit -", "plot cover - --out x.svg", "report - --out x.html"}) {
         const Outcome nothing = fed("/dev/null", command, folder.path());
         CAPTURE(command, nothing.err);
         CHECK(nothing.code == 2);

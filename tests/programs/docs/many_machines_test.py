@@ -31,10 +31,10 @@ MAKEFILE, MAKE = recipe("GNU make"), recipe("GNU make", 1)
 MAKEFLOW, WORKER = recipe("Makeflow"), recipe("Makeflow", 1)
 
 
-def environment(first=None):
-    """Debian's makeflow starts MPI, which does not run for root unless told twice."""
+def environment(folder, first):
+    """Debian's makeflow starts MPI, which does not run for root unless told twice. A killed worker leaves its workspace."""
     path = f"{BIN}:{os.environ['PATH']}"
-    return dict(os.environ, PATH=f"{first}:{path}" if first else path, OMPI_ALLOW_RUN_AS_ROOT="1",
+    return dict(os.environ, PATH=f"{first}:{path}" if first else path, TMPDIR=str(folder), OMPI_ALLOW_RUN_AS_ROOT="1",
                 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1")
 
 
@@ -54,13 +54,14 @@ class Folder:
 
     def start(self, commands, first=None):
         """In a session of its own, so that all of it can be killed."""
-        log = (self.path / "log").open("ab")
-        return subprocess.Popen(["bash", "-c", commands], cwd=self.path, env=environment(first), start_new_session=True,
-                                stdin=subprocess.DEVNULL, stdout=log, stderr=log)
+        with (self.path / "log").open("ab") as log:
+            return subprocess.Popen(["bash", "-c", commands], cwd=self.path, env=environment(self.path, first),
+                                    start_new_session=True, stdin=subprocess.DEVNULL, stdout=log, stderr=log)
 
     def run(self, commands, first=None):
-        process = subprocess.run(["bash", "-c", commands], cwd=self.path, env=environment(first), timeout=MOST_SECONDS,
-                                 stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False)
+        process = subprocess.run(["bash", "-c", commands], cwd=self.path, env=environment(self.path, first),
+                                 timeout=MOST_SECONDS, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+                                 stderr=subprocess.STDOUT, text=True, check=False)
         return process.returncode, process.stdout
 
     def parts(self):
@@ -123,7 +124,8 @@ class Recipes(unittest.TestCase):
     def test_makeflow_with_a_worker_that_is_killed_and_one_that_lies(self):
         folder = self.folder("makeflow")
         self.assertEqual(folder.run(MAKEFILE)[0], 0)
-        lazy = folder.program("dumbbell", f"echo $$ > {folder.path}/works.new && mv {folder.path}/works.new {folder.path}/works\nexec sleep 3600\n")
+        works = folder.path / "works"  # the process that does so
+        lazy = folder.program("dumbbell", f"echo $$ > {works}.new\nmv {works}.new {works}\nexec sleep 3600\n")
         liar = folder.program("dumbbell", 'case "$*" in *part-5.dbc*) echo nonsense > part-5.dbc ;; *) exec '
                                           f'{BIN}/dumbbell "$@" ;; esac\n')
         with contextlib.ExitStack() as started:
@@ -135,11 +137,11 @@ class Recipes(unittest.TestCase):
             makeflow = start(MAKEFLOW)
             wait_for(lambda: (folder.path / "port").exists() and (folder.path / "port").read_text().strip())
             killed = start(WORKER, lazy)
-            wait_for((folder.path / "works").exists)
+            wait_for(works.exists)
             start(WORKER, liar)
             kill(killed)
             with contextlib.suppress(ProcessLookupError):  # the worker gave its command a process group of its own
-                os.kill(int((folder.path / "works").read_text()), signal.SIGKILL)
+                os.kill(int(works.read_text()), signal.SIGKILL)
             self.assertEqual(makeflow.wait(MOST_SECONDS), 0)
         self.assertEqual([name for name in PARTS if folder.parts().get(name) != self.undisturbed[name]], ["part-5.dbc"])
         code, said = folder.run(JOIN)

@@ -46,7 +46,7 @@ TEST_CASE("a cut is always the same number") {
 TEST_CASE("a cut is well inside a piece with one value") {
     for (const Scene scene : scenes) {
         for (const long of : {2L, 9L, 40L}) {
-            const auto plan = plan_staircase(scene, 1, 10'000, Rational(1, 1'000'000));
+            const auto plan = plan_staircase(scene, 1, 10'000, Rational(1, 1'000'000)).pieces;
             for (const RatioPart& part : parts_of(of, scene, 1, 10'000)) {
                 const Rational& cut = part.q_hi;
                 CAPTURE(of, cut);

@@ -15,12 +15,12 @@ using Parsed = nlohmann::ordered_json;
 
 namespace {
 
-Parsed data_of(const ReportedContent& certificate, std::size_t most_boxes = default_most_boxes,
+Parsed data_of(const certificates::AnyCertificate& certificate, std::size_t most_boxes = default_most_boxes,
                const std::string& path = "some/file.dbc") {
     return parsed(page_data({{path, "abc123", certificate}}, most_boxes));
 }
 
-Parsed file_of(const ReportedContent& certificate) { return data_of(certificate)["files"][0]; }
+Parsed file_of(const certificates::AnyCertificate& certificate) { return data_of(certificate)["files"][0]; }
 
 InitialNode halved(InitialAxis axis) { return {axis, {}}; }
 InitialNode closed(long least, std::optional<long> most, std::optional<FirstContact> first = {}) {

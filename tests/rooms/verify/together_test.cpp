@@ -39,7 +39,6 @@ std::string said_together(const std::vector<std::string>& texts, Settings settin
     for (const std::string& text : texts) jobs.push_back({files.emplace_back(text).path(), settings});
     std::vector<Result> results;
     for (const Job& one : jobs) results.push_back(examine(one));
-    for (const Result& result : results) CHECK(result.proof.claim.parts.empty());
     std::string line = verdict_line(together(jobs.front(), results));
     for (std::size_t i = 0; i < files.size(); ++i)
         for (std::size_t at = 0; (at = line.find(files[i].path())) != std::string::npos;)
