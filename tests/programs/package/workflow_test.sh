@@ -33,6 +33,11 @@ assert names.index("Build the verifier") < names.index("Verify") < names.index("
 END
 finish
 
+install=$(step "Install what the verifier is built with")
+for package in $(awk '$1 ~ /(^|,)verify(,|$)/ { print $2 }' "$root/.ci/packages.txt"); do
+    expect "it installs $package" has "$install " " $package "
+done
+
 # On a copy of this tree that does not find what the verifier does without.
 mkdir -- "$scratch/.dumbbell"
 cp -r -- "$root"/{CMakeLists.txt,LICENSE,CITATION.cff,*.md,certificates,cmake,docs,proofs,src} "$scratch/.dumbbell"
