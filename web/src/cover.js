@@ -20,8 +20,8 @@ const startHint = "Drag the dot, or move it with shift and the arrow keys: what 
 
 /// What explains holes in the counts of a legend.
 function legendNote(counts) {
-    const different = new Set(counts);
-    return Math.max(...counts) - Math.min(...counts) + 1 > different.size ? "A count that the legend leaves out belongs to no box." : "";
+    const different = [...new Set(counts.map(BigInt))].sort((a, b) => (a < b ? -1 : 1));
+    return different.at(-1) - different[0] >= different.length ? "A count that the legend leaves out belongs to no box." : "";
 }
 
 class Cover {

@@ -18,11 +18,13 @@ export async function open(browser, file, options = {}) {
     page.requests = [];
     page.on("console", (message) => ["error", "warning"].includes(message.type()) && page.complaints.push(message.text()));
     page.on("pageerror", (error) => page.complaints.push(String(error.stack)));
+    const fails = new Promise((resolve) => page.once("pageerror", resolve));
     page.on("request", (request) => request.url().startsWith("data:") || page.requests.push(request.url()));
     await page.goto(`file://${file}`);
-    await page.waitForFunction(() => document.documentElement.dataset.drawn).catch((error) => {
+    const error = await Promise.race([page.waitForFunction(() => document.documentElement.dataset.drawn).then(() => null, (error) => error), fails]);
+    if (error) {
         throw new Error(`the page was not drawn: ${[...page.complaints, error.message].join("; ")}`);
-    });
+    }
     return page;
 }
 

@@ -69,9 +69,9 @@ expect 2 "no such file" "$folder/none.dbc"
 head -c 200 "$folder/good.dbc" > "$folder/cut.dbc"
 expect 2 'not a certificate that this program can read' "$folder/cut.dbc"
 sed 's/^ratio .*/ratio x y/' "$folder/good.dbc" > "$folder/ratio.dbc"
-expect 2 'can read (line 7)' "$folder/ratio.dbc"
+expect 2 'can read .line 7.' "$folder/ratio.dbc"
 sed 's/^ratio .*/ratio 0\/1 20\/0/' "$folder/good.dbc" > "$folder/zero.dbc"
-expect 2 'can read (line 7)' "$folder/zero.dbc"
+expect 2 'can read .line 7.' "$folder/zero.dbc"
 
 # What the format forbids after the last line.
 bad=$folder/bad.dbc
