@@ -44,6 +44,12 @@ long count_if(const CriticalReport& report, bool (*holds)(const CriticalRow&)) {
 }
 bool has_ratio(const CriticalRow& row) { return row.ratio.has_value(); }
 
+/// The N of the first row that was left out.
+std::optional<long> first_unreached(const CriticalReport& report) {
+    const long last = report.rows.back().n;
+    return last < report.request.last ? std::optional(last + 1) : std::nullopt;
+}
+
 /// What the number is, in terms of the orbit, and what makes it the critical ratio.
 std::string foundation(const std::string& flight) {
     return fmt::format(
@@ -103,12 +109,15 @@ std::string table_text(const CriticalReport& report) {
 
 std::string range_text(const CriticalReport& report) {
     const long enclosed = count_if(report, has_ratio);
-    const auto all = static_cast<long>(report.rows.size());
+    const long all = report.request.last - report.request.first + 1;
     std::string text = table_text(report);
     text += fmt::format("{} critical ratios in {:.2f} s with {} thread{}\n\n", all, report.seconds,
                         report.request.jobs, report.request.jobs == 1 ? "" : "s");
     if (enclosed < all) {
         text += fmt::format("Not finished: {} of {} are open.\n", all - enclosed, all);
+        if (const auto n = first_unreached(report)) {
+            text += fmt::format("Those from N = {} on are left out.\n", *n);
+        }
     }
     if (enclosed > 0) {
         text +=
@@ -181,8 +190,14 @@ std::string verdict(const CriticalReport& report) {
     return text;
 }
 
+void leave_out_unreached(CriticalReport& report) {
+    auto& rows = report.rows;
+    const auto last = std::find_if(rows.rbegin(), rows.rend(), has_ratio);
+    rows.resize(std::max(1L, static_cast<long>(rows.rend() - last)));
+}
+
 std::string to_text(const CriticalReport& report) {
-    std::string text = report.rows.size() == 1 ? single_text(report) : range_text(report);
+    std::string text = report.request.first == report.request.last ? single_text(report) : range_text(report);
     if (report.request.part) {
         text += part_sentence(*report.request.part);
     }
@@ -204,8 +219,8 @@ Json to_json(const CriticalReport& report) {
                          {"part", report.request.part ? part_json(*report.request.part) : Json()},
                          {"jobs", report.request.jobs},
                          {"ratios", ratios},
-                         {"open", std::count_if(report.rows.begin(), report.rows.end(),
-                                                [](const CriticalRow& row) { return !row.ratio; })},
+                         {"open", report.request.last - report.request.first + 1 - count_if(report, has_ratio)},
+                         {"left_out_from", first_unreached(report)},
                          {"seconds", report.seconds},
                          {"out", report.out}});
 }

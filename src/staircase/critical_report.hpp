@@ -12,10 +12,14 @@ namespace dumbbell::staircase {
 /// What `critical` tells its user.
 struct CriticalReport {
     CriticalRequest request;
-    std::vector<CriticalRow> rows;
+    std::vector<CriticalRow> rows;    ///< of a range up to the last that is finished, or the first
     double seconds = 0;
     std::optional<std::string> out;
 };
+
+/// Leaves out the rows behind the last finished one, but for the first: a range may be far too long for its
+/// budget.
+void leave_out_unreached(CriticalReport& report);
 
 /// One ratio in words, several as a table; below it what was proved, and what that rests on.
 [[nodiscard]] std::string to_text(const CriticalReport& report);

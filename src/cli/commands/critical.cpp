@@ -123,15 +123,17 @@ int run_critical(const Given& given) {
     report.seconds = watch.seconds();
     const auto finished = std::ranges::count_if(
         report.rows, [](const staircase::CriticalRow& row) { return row.ratio.has_value(); });
-    const bool all = finished == std::ssize(report.rows);
+    const auto wanted = report.request.last - report.request.first + 1;
+    const bool all = finished == wanted;
     if (!all && stop_signal != 0) {
         return stopped(
             finished == 0
                 ? "nothing is kept"
                 : fmt::format("nothing is kept of the {} critical ratios that were finished (of {}): "
                               "with --budget TIME what is finished in time is printed",
-                              finished, report.rows.size()));
+                              finished, wanted));
     }
+    leave_out_unreached(report);
     if (output.is_wanted()) {
         report.out = output.file();
         output.commit(to_tsv(report));

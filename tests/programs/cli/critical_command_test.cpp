@@ -89,6 +89,18 @@ TEST_CASE("critical within a budget: what was finished is printed, and exit 3 te
     CHECK_THAT(contents(folder / "a.tsv"), Contains("100000000000\topen\t-\t-\tcorner\t49999999999\n"));
 }
 
+TEST_CASE("critical says in one line which ratios of a long range its budget did not reach") {
+    const Outcome result = dumbbell({"critical", "3:1000000", "--budget", "0.2s", "--json"});
+    CHECK(result.code == 3);
+    const auto report = nlohmann::json::parse(result.out);
+    const auto& ratios = report.at("ratios");
+    const long next = 3 + static_cast<long>(ratios.size());
+    CHECK(next < 1'000'000);
+    CHECK(report.at("left_out_from") == next);
+    CHECK(report.at("open").get<long>() >= 1'000'001 - next);
+    CHECK((ratios.size() == 1 || ratios.back().at("status") == "proved"));
+}
+
 TEST_CASE("critical refuses what is no number of collisions from 3 on, and says why") {
     for (const char* count : {"0", "1", "2", "0002", "2:5"}) {
         CHECK_THAT(refused({"critical", count, "--out", "file.tsv"}), Contains("never below 2"));

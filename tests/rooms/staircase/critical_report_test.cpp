@@ -32,6 +32,7 @@ CriticalReport sample() {
 
 CriticalReport single(CriticalRow of) {
     CriticalReport report = sample();
+    report.request.first = report.request.last = of.n;
     report.rows = {std::move(of)};
     return report;
 }
