@@ -5,6 +5,7 @@
 #include <mpfr.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <limits>
 #include <optional>
@@ -146,7 +147,27 @@ Rational abs(Rational x) {
     return x;
 }
 
-std::string shortened(std::string_view text) { return printable(text, 40); }
+std::string shortened(std::string_view text) {
+    constexpr std::size_t most = 40;
+    return one_line(text.substr(0, most)) + (text.size() > most ? "..." : "");
+}
+
+std::string as_typed(std::string_view text) {
+    constexpr std::array<std::pair<std::string_view, std::string_view>, 7> signs{{{"\u2212", "-"},
+                                                                                  {"\u2010", "-"},
+                                                                                  {"\u2011", "-"},
+                                                                                  {"\u2013", "-"},
+                                                                                  {"\u2014", "-"},
+                                                                                  {"\u03c0", "pi"},
+                                                                                  {"\u00b0", "deg"}}};
+    std::string typed(text);
+    for (const auto& [sign, letters] : signs) {
+        for (std::size_t at = 0; (at = typed.find(sign, at)) != std::string::npos;) {
+            typed.replace(at, sign.size(), letters);
+        }
+    }
+    return typed;
+}
 
 namespace {
 
@@ -197,29 +218,54 @@ bool is_number(std::string_view text) try { return number_in(text).has_value(); 
     return false;
 }
 
-/// What may be meant by a text that is no number, like .5 or +10.
+/// What may be meant by a text that is no number, like .5, +10 or 4,61; empty: nothing.
 std::string likely_number(std::string_view text) {
-    std::string likely(text.substr(text.starts_with('+') ? 1 : 0));
+    std::string likely = as_typed(text);
+    const bool is_negative = likely.starts_with('-');
+    if (is_negative || likely.starts_with('+')) {
+        likely.erase(0, 1);
+    }
+    const std::size_t comma = likely.find(',');
+    constexpr std::size_t of_thousands = 4;  // 1,000 may be a thousand
+    if (comma != std::string::npos && likely.size() - comma != of_thousands) {
+        likely[comma] = '.';
+    }
     if (likely.starts_with('.')) {
         likely.insert(0, 1, '0');
     }
-    if (likely.ends_with('.') && text.size() > 1) {
+    if (likely.ends_with('.')) {
         likely.pop_back();
     }
-    return likely;
+    return is_number(likely) ? (is_negative ? "-" : "") + likely : "";
 }
 
-InputError not_a_number(std::string_view text) {
+/// The range LO:HI that may be meant by LO..HI or LO-HI; empty: none.
+std::string likely_range(std::string_view text) {
+    const std::string typed = as_typed(text);
+    for (const std::string_view between : {"...", "..", "-"}) {
+        const std::size_t at = typed.find(between);
+        const std::string lo = typed.substr(0, at),
+                          hi = at < typed.size() ? typed.substr(at + between.size()) : "";
+        if (is_number(lo) && is_number(hi)) {
+            return fmt::format("{}:{}", lo, hi);
+        }
+    }
+    return "";
+}
+
+InputError not_a_number(std::string_view text, bool may_be_negative) {
     constexpr std::size_t longest = 40;  // of a text with a hint
     const bool is_short = text.size() <= longest;
-    if (is_short && text.starts_with('-') && is_number(text.substr(1))) {
-        return InputError(
-            fmt::format("'{}' is negative: write a positive number, like 10, 4.6, 1e6 or 9/2", text));
+    const std::string likely = is_short ? likely_number(text) : "",
+                      range = is_short ? likely_range(text) : "";
+    if (likely.starts_with('-') && !may_be_negative) {
+        return InputError(fmt::format("'{}' is negative: write a positive number, like 10, 4.6, 1e6 or 9/2",
+                                      shortened(text)));
     }
-    const std::string likely = is_short ? likely_number(text) : "";
-    return InputError(
-        fmt::format("'{}' is not a number: write {}", shortened(text),
-                    likely != text && is_number(likely) ? likely : "it like 10, 4.6, 1e6 or 9/2"));
+    return InputError(fmt::format("'{}' is not a number: write {}", shortened(text),
+                                  !likely.empty()  ? likely
+                                  : !range.empty() ? range
+                                                   : "it like 10, 4.6, 1e6 or 9/2"));
 }
 
 }  // namespace
@@ -230,9 +276,19 @@ Rational parse_rational(std::string_view text, std::size_t max_length) {
     }
     const std::optional<Rational> number = number_in(text);
     if (!number) {
-        throw not_a_number(text);
+        throw not_a_number(text, false);
     }
     return *number;
+}
+
+Rational parse_signed_rational(std::string_view text) {
+    const bool is_negative = text.starts_with('-');
+    const std::string_view size = text.substr(is_negative ? 1 : 0);
+    if (size.size() <= longest_number && !number_in(size)) {
+        throw not_a_number(text, true);
+    }
+    const Rational number = parse_rational(size);
+    return is_negative ? Rational(-number) : number;
 }
 
 std::string to_fraction(const Rational& x) { return numerator(x).str() + "/" + denominator(x).str(); }

@@ -87,13 +87,20 @@ template <>
 [[nodiscard]] Integer denominator(const Rational& x);
 [[nodiscard]] Rational abs(Rational x);
 
+inline constexpr std::size_t longest_number = 1000;  ///< characters of one that a user gives
+
 /// A decimal, [0-9]+(.[0-9]+)?([eE][+-]?[0-9]+)?, a power 10^[+-]?[0-9]+, or a fraction, INT/INT, exactly.
 /// Throws InputError (naming the text) for anything else, more than 1,000 characters, |exponent| > 1000, or a
 /// zero denominator.
-[[nodiscard]] Rational parse_rational(std::string_view text, std::size_t max_length = 1000);
+[[nodiscard]] Rational parse_rational(std::string_view text, std::size_t max_length = longest_number);
+/// The same, with a minus before it or without.
+[[nodiscard]] Rational parse_signed_rational(std::string_view text);
 
-/// A user's text as it may stand in a message: printable, and its first 40 characters only.
+/// A user's text as it may stand in a message: on one line, and its first 40 bytes only.
 [[nodiscard]] std::string shortened(std::string_view text);
+/// With minus signs, pi and degrees as they are typed: those of a book (U+2212, U+03C0, U+00B0) are pasted
+/// from there.
+[[nodiscard]] std::string as_typed(std::string_view text);
 
 /// `p/q` in lowest terms, with `/1` for integers.
 [[nodiscard]] std::string to_fraction(const Rational& x);

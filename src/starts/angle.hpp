@@ -17,8 +17,8 @@ struct Angle {
     friend bool operator==(const Angle&, const Angle&) = default;
 };
 
-/// Radians (`1/3`, `0.5`), degrees (`30deg`) or a multiple of pi (`pi/2`, `2pi/3`, `0.3pi`), without a sign.
-/// Throws InputError (naming the text) for anything else.
+/// Radians (`1/3`, `0.5`), degrees (`30deg`) or a multiple of pi (`pi/2`, `2pi/3`, `0.3pi`), with a minus
+/// before it or without. Throws InputError (naming the text) for anything else.
 [[nodiscard]] Angle parse_angle(std::string_view text);
 
 /// Rational numbers lo <= angle <= hi: twice the angle itself if it is rational, else those of Arb's

@@ -10,19 +10,6 @@ namespace {
 /// Of the comparison of two angles; closer ones are taken to be in order.
 constexpr int comparing_bits = 8192;
 
-bool is_negative(std::string_view text) { return text.starts_with('-'); }
-std::string_view without_sign(std::string_view text) { return text.substr(is_negative(text) ? 1 : 0); }
-
-Rational signed_number(std::string_view text) {
-    const Rational size = parse_rational(without_sign(text));
-    return is_negative(text) ? Rational(-size) : size;
-}
-
-Angle signed_angle(std::string_view text) {
-    const Angle size = parse_angle(without_sign(text));
-    return is_negative(text) ? Angle{-size.radians, -size.pis} : size;
-}
-
 /// What `read` makes of it; if it refuses, the name of the option before and the hint behind what it says.
 template <class Read>
 auto named(const std::string& option, const char* hint, const Read& read) {
@@ -50,14 +37,14 @@ void require_order(const std::string& option, const std::string& text, bool in_o
 }  // namespace
 
 std::pair<Rational, Rational> parse_quantity(const std::string& option, const std::string& text) {
-    auto result = named(option, "", [&] { return ends(text, signed_number); });
+    auto result = named(option, "", [&] { return ends(text, parse_signed_rational); });
     require_order(option, text, result.first <= result.second);
     return result;
 }
 
 std::pair<Angle, Angle> parse_angles(const std::string& option, const std::string& text) {
     auto result = named(option, "; an angle is in radians, or like 30deg, pi/2 or 0.3pi",
-                        [&] { return ends(text, signed_angle); });
+                        [&] { return ends(text, parse_angle); });
     require_order(option, text,
                   bounds(result.first, comparing_bits).first <= bounds(result.second, comparing_bits).second);
     return result;

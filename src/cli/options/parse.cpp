@@ -11,15 +11,20 @@
 namespace dumbbell::cli {
 namespace {
 
-/// CLI11 takes a word [A,B] of an argument that is repeated for two words, A and B; behind a mark it does
-/// not.
+/// CLI11 takes a word [A,B] of an argument that is repeated for two words, A and B, and a number like -.5 for
+/// options; behind a mark it does not.
 constexpr char mark = '\x01';
+
+bool needs_mark(std::string_view word) {
+    return word.starts_with('[') || word.starts_with(mark) || word.starts_with("-.") ||
+           word.starts_with("-inf") || word.starts_with("-nan");
+}
 
 /// The last one first, as CLI11 wants them.
 std::vector<std::string> marked(const std::vector<std::string>& words) {
     std::vector<std::string> result(words.rbegin(), words.rend());
     for (std::string& word : result) {
-        if (word.starts_with('[') || word.starts_with(mark)) {
+        if (needs_mark(word)) {
             word.insert(0, 1, mark);
         }
     }

@@ -1,4 +1,5 @@
 // Bad input: one clear line on stderr, exit 2, nothing on stdout, nothing written.
+#include <algorithm>
 #include <cctype>
 #include <regex>
 
@@ -127,7 +128,26 @@ TEST_CASE("what is wrong is said in plain words, and in the order given") {
     CHECK_THAT(refused({"certify", "10", "--quiet", "--witness"}), Contains("exclude each other"));
     CHECK_THAT(refused({"certify", "1:100", "--gap", "abc"}), Contains("--gap: 'abc' is not a number"));
     CHECK_THAT(refused({"certify", "1:100", "--gap", "-1e-6"}), Contains("--gap: '-1e-6' is negative"));
-    CHECK_THAT(refused({"certify", "-3"}), Contains("'-3' is negative: write a positive number"));
+    for (const char* ratio : {"-3", "-.5", "\u22123"}) {
+        CHECK_THAT(refused({"certify", ratio}),
+                   Contains("'" + std::string(ratio) + "' is negative: write a positive number"));
+    }
+    CHECK_THAT(refused({"certify", "-inf"}), Contains("'-inf' is not a number: write it like 10"));
+    CHECK_THAT(refused({"certify", "4,61"}), Contains("'4,61' is not a number: write 4.61"));
+    CHECK_THAT(refused({"certify", "10..20"}), Contains("'10..20' is not a number: write 10:20"));
+    const auto refused_start = [](const char* option, const char* value) {
+        Words words{"trace", "10", "--phi", "1/3", "--phidot", "1", "--y", "3", "--ydot", "-1/2"};
+        *(std::find(words.begin(), words.end(), option) + 1) = value;
+        return refused(words);
+    };
+    CHECK_THAT(refused_start("--ydot", "-.5"), Contains("--ydot: '-.5' is not a number: write -0.5"));
+    CHECK_THAT(refused_start("--ydot", "\u22121/3"),
+               Contains("--ydot: '\u22121/3' is not a number: write -1/3"));
+    CHECK_THAT(refused_start("--phi", "-.5"), Contains("--phi: '-.5' is not a number: write -0.5"));
+    CHECK_THAT(refused_start("--phi", "-.5pi"), Contains("--phi: '-.5' is not a number: write -0.5"));
+    CHECK_THAT(refused_start("--phi", "\u2212\u03c0/3"),
+               Contains("--phi: '\u2212\u03c0/3' is not an angle: write -pi/3"));
+    CHECK_THAT(refused_start("--phi", "90\u00b0"), Contains("'90\u00b0' is not an angle: write 90deg"));
     CHECK_THAT(refused({"certify", "1:100", "--part", "abc"}), Contains("--part 'abc' is not a part"));
     CHECK_THAT(refused({"plot", "orbit", "0", "--out", "x.svg"}), Contains("greater than 0"));
     CHECK_THAT(refused({"plot", "orbit", "none.dbc", "--out", "x.svg"}), Contains("no such file"));

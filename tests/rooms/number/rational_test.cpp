@@ -1,5 +1,7 @@
 #include "number/rational.hpp"
 
+#include <fmt/core.h>
+
 #include <cmath>
 #include <string>
 #include <string_view>
@@ -82,14 +84,22 @@ TEST_CASE("Anything else is refused, and the message names the text") {
     for (const char* text : {"-1", "-1/2", "-1e-6", "-4.5"}) {
         CHECK_THAT(refusal(text), Contains("is negative: write a positive number"));
     }
-    for (const auto& [text, likely] :
-         {std::pair{"+10", "10"}, {".5", "0.5"}, {"10.", "10"}, {"+.5", "0.5"}}) {
+    for (const auto& [text, likely] : {std::pair{"+10", "10"},
+                                       {".5", "0.5"},
+                                       {"10.", "10"},
+                                       {"+.5", "0.5"},
+                                       {"4,61", "4.61"},
+                                       {"10..20", "10:20"},
+                                       {"1/2...3", "1/2:3"},
+                                       {"10-20", "10:20"},
+                                       {"10\u201320", "10:20"}}) {
         CHECK_THAT(refusal(text), EndsWith(std::string("is not a number: write ") + likely));
     }
+    CHECK_THAT(refusal("\u22124.5"), Contains("'\u22124.5' is negative: write a positive number"));
     // The last one took longer with each sign, without end, where a guess of what is meant made guesses
     // itself.
     for (const std::string text :
-         {".", "+", "-", "++1", "..5", "-----------------0/x....................."}) {
+         {".", "+", "-", "++1", "..5", "1,000", "1,2,3", "-----------------0/x....................."}) {
         CHECK_THAT(refusal(text), EndsWith("write it like 10, 4.6, 1e6 or 9/2"));
     }
 }
@@ -223,4 +233,28 @@ TEST_CASE("The exact ends of a BigInterval are rationals") {
     CHECK(exact_hi(BigInterval(-0.75, 2)) == 2);
     CHECK_THROWS_AS(exact_hi(BigInterval(1) / BigInterval(0, 1)), BrokenInvariant);
     CHECK_THROWS_AS(exact_lo(BigInterval(not_a_number)), BrokenInvariant);
+}
+
+TEST_CASE("A number with a sign, and what is meant by one that is none keeps it") {
+    CHECK(parse_signed_rational("-1/2") == Rational(-1, 2));
+    CHECK(parse_signed_rational("4.5") == Rational(9, 2));
+    const auto meant = [](const char* text) -> std::string {
+        try {
+            (void)parse_signed_rational(text);
+        } catch (const InputError& error) {
+            return error.what();
+        }
+        return "taken";
+    };
+    for (const auto& [text, likely] : {std::pair{"-.5", "-0.5"},
+                                       {"+.5", "0.5"},
+                                       {"-5.", "-5"},
+                                       {"-4,61", "-4.61"},
+                                       {"\u22121/3", "-1/3"},
+                                       {"\u2013.5", "-0.5"}}) {
+        CHECK_THAT(meant(text), EndsWith(std::string("is not a number: write ") + likely));
+    }
+    for (const char* text : {"-inf", "-0x1p-1", "--1", "-"}) {
+        CHECK(meant(text) == fmt::format("'{}' is not a number: write it like 10, 4.6, 1e6 or 9/2", text));
+    }
 }
