@@ -40,6 +40,8 @@ int create(const std::string& path, const std::string& target) {
     struct stat there {};
     const bool replaces = ::stat(target.c_str(), &there) == 0;
     if (replaces && !S_ISREG(there.st_mode)) cannot_write(path, "it is not a regular file; give a file name");
+    if (replaces && (there.st_mode & 0222U) == 0)
+        cannot_write(path, "it is read-only; give another name, or make it writable");
     const std::string temporary = temporary_name(target);
     ::unlink(temporary.c_str());  // a killed program of the same number may have left it
     const int file =

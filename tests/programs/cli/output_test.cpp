@@ -122,11 +122,29 @@ TEST_CASE("a replaced file keeps its access rights, a new one has those of the u
     const std::string certify = "exec " DUMBBELL_BIN " certify 10 --out ";
     REQUIRE(run({"sh", "-c", "umask 027; " + certify + "new.dbc"}, folder.path()).code == 0);
     CHECK(mode_of(folder / "new.dbc") == 0640);
-    for (const mode_t mode : {0600U, 0644U, 0666U, 0444U, 0640U}) {
+    for (const mode_t mode : {0600U, 0644U, 0666U, 0640U}) {
         REQUIRE(::chmod((folder / "new.dbc").c_str(), mode) == 0);
         REQUIRE(run({"sh", "-c", "umask 022; " + certify + "new.dbc"}, folder.path()).code == 0);
         CHECK(mode_of(folder / "new.dbc") == mode);
     }
+}
+
+TEST_CASE("a read-only file is not replaced") {
+    const TemporaryFolder folder;
+    const std::string kept = folder / "kept.dbc", report = folder / "kept.xml",
+                      certificate = DUMBBELL_PROJECT "/certificates/q-10.dbc";
+    for (const std::string& file : {kept, report}) {
+        write_file(file, "mine");
+        REQUIRE(::chmod(file.c_str(), 0444) == 0);
+    }
+    const Outcome proved = dumbbell({"certify", "10", "--out", kept});
+    const Outcome verified = verifier({"--junit", report, certificate});
+    for (const Outcome& result : {proved, verified}) {
+        CHECK(result.code == 2);
+        CHECK_THAT(result.err, Contains("it is read-only; give another name"));
+    }
+    CHECK(contents(kept) == "mine");
+    CHECK(contents(report) == "mine");
 }
 
 TEST_CASE("the output - has the data alone, and what is said goes to stderr") {
