@@ -116,18 +116,32 @@ TEST_CASE("a command that is printed can be pasted, whatever the file is called"
     }
 }
 
-TEST_CASE("a name in brackets is the name of that file, for every command that takes several") {
+TEST_CASE("a file is read as it is named, whatever a parser or a format could make of the name") {
     const TemporaryFolder folder;
-    const Outcome made = dumbbell({"certify", "10", "--out", "good.dbc"}, folder.path());
-    REQUIRE(made.code == 0);
-    const std::string good = contents(folder / "good.dbc");
-    write_file(folder / "[good.dbc]", good.substr(0, 300));
-    write_file(folder / "[good.dbc,good.dbc]", good);
-    CHECK(dumbbell({"audit", "[good.dbc]"}, folder.path()).code == 2);
-    CHECK(dumbbell({"report", "[good.dbc]", "--out", "x.html"}, folder.path()).code == 2);
-    CHECK(dumbbell({"join", "[good.dbc]", "--out", "x.dbc"}, folder.path()).code == 2);
-    const Outcome both = dumbbell({"audit", "[good.dbc,good.dbc]"}, folder.path());
-    CHECK(both.code == 0);
-    CHECK_THAT(both.out, StartsWith("[good.dbc,good.dbc]: tiles exactly"));
-    CHECK_THAT(dumbbell({"certify", "[10]"}).err, Contains("'[10]'"));
+    const std::string sound = contents(DUMBBELL_PROJECT "/certificates/q-10.dbc");
+    std::string damaged = sound;
+    damaged.replace(damaged.find("count 1 2"), 9, "count 0 2");
+    for (const char* other : {"good.dbc", "a", "b", "good", "dbc"}) {
+        write_file(folder / other, sound);
+    }
+    for (const std::string name :
+         {"[good.dbc]", "[a,b]", "[a, b]", "[[a]]",      "[]",   "[",   "]",       "[a",
+          "a]",         "a,b",   "{0}",    "{good.dbc}", "%s%n", "%%",  "\x01[a]", "\x01",
+          "@a",         "a;b",   "~",      "*.dbc",      "a=b",  "a:b", "$HOME",   "\\a"}) {
+        CAPTURE(name);
+        write_file(folder / name, damaged);
+        for (const Words& words : {Words{"audit", name}, Words{"audit", "good.dbc", name}, Words{"law", name},
+                                   Words{"report", name, "--out", "r.html"}}) {
+            CHECK(dumbbell(words, folder.path()).code != 0);
+        }
+        CHECK(verifier({name}, folder.path()).code == 1);
+        write_file(folder / name, sound);
+        CHECK(dumbbell({"audit", name}, folder.path()).code == 0);
+        CHECK(dumbbell({"audit", "good.dbc", name}, folder.path()).code == 0);
+        CHECK(dumbbell({"report", name, "--out", "r.html"}, folder.path()).code == 0);
+        CHECK(dumbbell({"verify", name}, folder.path()).code == 0);
+        CHECK(verifier({name}, folder.path()).code == 0);
+        CHECK(dumbbell({"certify", "10", "--out", name + ".dbc"}, folder.path()).code == 0);
+        CHECK(contents(folder / (name + ".dbc")) == sound);
+    }
 }
