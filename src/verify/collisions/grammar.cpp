@@ -3,6 +3,7 @@
 
 #include "verify/collisions/proofs.hpp"
 #include "verify/format/reader.hpp"
+#include "verify/number/integer.hpp"
 
 namespace dumbbell_verify {
 namespace {
@@ -61,7 +62,7 @@ class CollisionsReader : public Reader<Leaf> {
         if (text_.fields[1] != "none") {
             upper = leaf.claimed = text_.long_natural(1);
             // Double precision cannot tell such counts apart.
-            leaf.multiple = leaf.multiple || (leaf.bits > 53 && *upper > 20'000'000'000'000);
+            leaf.multiple = leaf.multiple || (leaf.bits > 53 && *upper > integer(20'000'000'000'000));
             proof_.roots += static_cast<double>(section_.charts.size());
             proofs_.cover(leaf, a, b);
         } else {

@@ -12,6 +12,7 @@
 #include "verify/format/section.hpp"
 #include "verify/input/work.hpp"
 #include "verify/macro/leaps.hpp"
+#include "verify/number/integer.hpp"
 #include "verify/number/interval.hpp"
 
 namespace dumbbell_verify {
@@ -177,8 +178,8 @@ class Rays {
     /// on, one step after the other, unless they are too many.
     template <class Hits>
     bool by_leaps_or_steps(const mpz_class& collisions, Hits hits) {
-        constexpr std::uint64_t most_steps = 1'000'000;
-        if (std::is_same_v<N, double> && !collisions.fits_ulong_p()) return false;
+        constexpr unsigned most_steps = 1'000'000;
+        if (std::is_same_v<N, double> && !fits(collisions, 64)) return false;
         const Count n(as<Count>(collisions));
         if (hits(n, Leaps<Count>(n))) return true;
         if (n < least_macro || n > most_steps) return false;
@@ -225,7 +226,7 @@ class Rays {
     void step(const Count& count, const Ray& ray) {
         Work::collision();
         if (log_)
-            steps_.push_back("    " + mpz_class(count).get_str() + ": c " + show(ray.c) + " kappa " +
+            steps_.push_back("    " + integer(count).get_str() + ": c " + show(ray.c) + " kappa " +
                              show(ray.kappa));
     }
     bool counted(const char* what, bool holds) {

@@ -1,5 +1,9 @@
 #include "verify/format/claim.hpp"
 
+#include <algorithm>
+
+#include "verify/number/integer.hpp"
+
 namespace dumbbell_verify {
 std::string to_string(const mpq_class& ratio) {
     return ratio.get_num().get_str() + "/" + ratio.get_den().get_str();
@@ -7,9 +11,7 @@ std::string to_string(const mpq_class& ratio) {
 std::string to_string(const mpq_class& lo, const mpq_class& hi) {
     return to_string(lo) + ":" + to_string(hi);
 }
-std::string json_count(const mpz_class& n) {
-    return mpz_sizeinbase(n.get_mpz_t(), 2) <= 53 ? n.get_str() : '"' + n.get_str() + '"';
-}
+std::string json_count(const mpz_class& n) { return fits(n, 53) ? n.get_str() : '"' + n.get_str() + '"'; }
 
 std::string covered_part(const mpq_class& lo, const mpq_class& hi, const mpq_class& from,
                          const mpq_class& to) {

@@ -3,20 +3,31 @@
 #include <mpfr.h>
 
 #include <atomic>
+#include <functional>
 #include <optional>
 #include <span>
 #include <stdexcept>
-#include <thread>
 #include <utility>
 
 #include "verify/format/proof.hpp"
 #include "verify/format/text.hpp"
+#include "verify/number/integer.hpp"
 #include "verify/number/number.hpp"
+#include "verify/number/threads.hpp"
 
 namespace dumbbell_verify {
 
 constexpr std::size_t batch = 1024;  ///< leaves that are read before they are checked together
 constexpr int most_splits = 400;     ///< of one axis, above a node
+
+/// Of all ends of a box, in words.
+template <class Box>
+std::uint64_t words_of(const Box& box) {
+    std::uint64_t sum = 0;
+    for (const auto* side : {&box.lo, &box.hi})
+        for (const mpq_class& end : *side) sum += words(end);
+    return sum;
+}
 
 /// A tree of halved boxes in pre-order: the leaves are halves of halves of the root box, together they cover
 /// it.
@@ -31,8 +42,15 @@ struct Tree {
     int depth = 0;
     std::array<int, std::tuple_size_v<decltype(Box::lo)>> depths{};  ///< splits of each axis above here
 
-    /// Of a line `split`. Within read(), it would take stack at every level.
-    [[gnu::noinline]] std::size_t axis() {
+    /// A node above the present one: the side of its box that is halved.
+    struct Halved {
+        std::size_t axis;
+        mpq_class lo, hi;
+    };
+    std::vector<Halved> above{};
+
+    /// Of a line `split`.
+    std::size_t axis() {
         const auto axis =
             text.fields.size() == 2 ? std::find(axes.begin(), axes.end(), text.fields[1]) : axes.end();
         if (axis == axes.end()) text.reject("syntax", "not an axis of this chart");
@@ -43,25 +61,45 @@ struct Tree {
         return i;
     }
 
-    /// A node and what is below; `leaf` is called at each line that is no split.
+    /// The whole tree; `leaf` is called at each line that is no split. Without recursion: a stack may be
+    /// small.
     template <class Leaf>
     void read(const Leaf& leaf) {
-        text.next();
-        if (text.fields[0] != "split") return leaf();
-        const std::size_t i = axis();
+        do {
+            text.next();
+            if (text.fields[0] == "split")
+                halve(axis());
+            else {
+                text.budget.take(Work::of_box(words_of(box), depth), text.line);
+                leaf();
+                leave();
+            }
+        } while (!above.empty());
+    }
+    /// To the lower half.
+    void halve(std::size_t i) {
+        text.budget.take(Work::of_halving(words(box.lo[i]) + words(box.hi[i])), text.line);
         ++splits;
         ++depth;
-        const mpq_class lo = box.lo[i], hi = box.hi[i], middle = (lo + hi) / 2;
-        for (const bool upper : {false, true}) {
-            box.lo[i] = upper ? middle : lo;
-            box.hi[i] = upper ? hi : middle;
-            path += upper ? '1' : '0';
-            read(leaf);
+        path += '0';
+        above.push_back({i, box.lo[i], box.hi[i]});
+        box.hi[i] = (box.lo[i] + box.hi[i]) / 2;
+    }
+    /// From what has been read to the next upper half; to the root if there is none.
+    void leave() {
+        while (!above.empty() && path.back() == '1') {
+            Halved& node = above.back();
+            box.lo[node.axis] = std::move(node.lo);
+            --depth;
+            --depths[node.axis];
             path.pop_back();
+            above.pop_back();
         }
-        box.lo[i] = lo;
-        --depth;
-        --depths[i];
+        if (above.empty()) return;
+        const Halved& node = above.back();
+        box.lo[node.axis] = box.hi[node.axis];
+        box.hi[node.axis] = node.hi;
+        path.back() = '1';
     }
 };
 
@@ -96,8 +134,8 @@ void judge_all(const std::vector<Leaf>& leaves, std::size_t jobs, Budget& budget
         mpfr_free_cache();
     };
     {
-        std::vector<std::jthread> crew(jobs - 1);
-        for (std::jthread& thread : crew) thread = std::jthread(work);
+        Crew crew;
+        crew.start(jobs - 1, std::cref(work));
         work();
     }
     for (std::size_t i = 0; i < leaves.size(); ++i) {

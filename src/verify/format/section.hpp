@@ -53,11 +53,11 @@ struct Section {
     bool heavy_once = false;  ///< a cover also proves that the heavy mass touches the floor at most once
 };
 
-/// The least 2^k >= x, k >= 0.
+/// The least 2^k >= x, k >= 0. Precondition: x > 0.
 inline mpq_class power_of_two(const mpq_class& x) {
-    mpq_class power = 1;
-    while (power < x) power *= 2;
-    return power;
+    const mpz_class least =
+        (x.get_num() - 1) / x.get_den();  // of the integers that are not less than x, less 1
+    return mpz_class(mpz_class(1) << (least == 0 ? 0 : mpz_sizeinbase(least.get_mpz_t(), 2)));
 }
 
 const Section& turning();

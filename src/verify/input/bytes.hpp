@@ -1,41 +1,18 @@
 // The bytes of a file, unpacked if it is compressed. Memory does not grow with the file.
 #pragma once
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
 #include <zlib.h>
 
-#include <cerrno>
-#include <cstdio>
-#include <cstring>
-#include <memory>
 #include <new>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
 #include "verify/input/budget.hpp"
+#include "verify/input/input_file.hpp"
 
 namespace dumbbell_verify {
-
-/// A file to read; `-` is the standard input. A pipe with a name is refused: if nobody writes to it, a reader
-/// would wait for ever. nullptr: `why` says what is wrong.
-inline std::FILE* open_file(const std::string& path, std::string& why) {
-    const int file =
-        path == "-" ? ::dup(STDIN_FILENO) : ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
-    struct stat what {};
-    const bool unnamed = path == "-" || path.starts_with("/dev/") || path.starts_with("/proc/");
-    if (!unnamed && file >= 0 && ::fstat(file, &what) == 0 && S_ISFIFO(what.st_mode)) {
-        why = "a named pipe: give `-` and let the shell redirect it";
-        ::close(file);
-        return nullptr;
-    }
-    if (file >= 0 && path != "-") ::fcntl(file, F_SETFL, 0);  // from now on it may wait
-    std::FILE* stream = file < 0 ? nullptr : ::fdopen(file, "rb");
-    if (!stream) why = std::strerror(errno);
-    return stream;
-}
 
 /// Throws std::bad_alloc if there was not enough.
 inline void need_memory(bool enough) {
@@ -46,15 +23,14 @@ inline void need_memory(bool enough) {
 class Bytes {
   public:
     /// Throws Failure if the file cannot be read, here and below.
-    explicit Bytes(const std::string& path) : file_(nullptr, std::fclose) {
-        std::string why;
-        file_.reset(open_file(path, why));
-        if (!file_) throw Failure{Verdict::unreadable, 0, "unreadable", why};
+    explicit Bytes(const std::string& path) try : file_(path) {
         first_ = read();
         gzip_ = first_.starts_with("\x1f\x8b");
         if (!gzip_) return;
         feed(std::exchange(first_, {}));
         need_memory(inflateInit2(&stream_, 15 + 16) == Z_OK);
+    } catch (const std::invalid_argument& why) {
+        throw Failure{Verdict::unreadable, 0, "unreadable", why.what()};
     }
     ~Bytes() { inflateEnd(&stream_); }
     Bytes(const Bytes&) = delete;
@@ -88,18 +64,17 @@ class Bytes {
     [[noreturn]] static void reject(std::uint64_t line, const char* text) {
         throw Failure{Verdict::rejected, line, "gzip", text};
     }
-    std::string_view read() {
-        const std::size_t n = std::fread(raw_.data(), 1, raw_.size(), file_.get());
-        if (std::ferror(file_.get()) != 0)
-            throw Failure{Verdict::unreadable, 0, "unreadable", std::strerror(errno)};
-        return {raw_.data(), n};
+    std::string_view read() try {
+        return {raw_.data(), file_.read(raw_)};
+    } catch (const std::invalid_argument& why) {
+        throw Failure{Verdict::unreadable, 0, "unreadable", why.what()};
     }
     void feed(std::string_view bytes) {
         stream_.next_in = reinterpret_cast<Bytef*>(raw_.data());
         stream_.avail_in = static_cast<uInt>(bytes.size());
     }
 
-    std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_;
+    InputFile file_;
     z_stream stream_{};
     bool gzip_ = false, ended_ = false;
     std::vector<char> raw_ = std::vector<char>(1 << 16), block_ = raw_;  ///< not on the stack

@@ -62,6 +62,15 @@ class Work {
     }
     /// One operation in multiple precision.
     static void operation(std::uint64_t bits) { spend(256 + bits); }
+    /// Halving between exact numbers of so many words of 64 bits together: mostly a greatest common divisor.
+    static constexpr std::uint64_t of_halving(std::uint64_t words) {
+        return 512 + 320 * words + words * words / 2;
+    }
+    /// A box of exact numbers of so many words together, 2^-depth of the root box: bounds of them, and its
+    /// share.
+    static constexpr std::uint64_t of_box(std::uint64_t words, int depth) {
+        return 1024 + 64 * words + static_cast<std::uint64_t>(depth);
+    }
     /// One collision of a ray in double precision; with more bits its operations are most of the work.
     static void collision() { spend(4096); }
 

@@ -8,9 +8,9 @@
 namespace dumbbell_verify {
 
 /// The steps N of the staircase that a file proves one by one. Beyond the last the covers do.
-constexpr std::uint64_t first_step = 3, last_step = 902;
+constexpr unsigned first_step = 3, last_step = 902;
 /// From the step to this N on the law gives N*(q) by a formula, up to 1.
-constexpr std::uint64_t law_step = 9;
+constexpr unsigned law_step = 9;
 
 /// For every mass ratio q >= q_c(9): 2 + floor(C sqrt q - c0 q^(-1/4)) <= N*(q) <= 2 + floor(C sqrt q); for
 /// every q >= 1: 0.980 <= N*(q) - C sqrt q <= 2.115 (proofs/law.md).

@@ -68,7 +68,7 @@ class LawReader : public Reader<LawLeaf> {
 
     template <class Places>
     void steps(const Places& places) {
-        for (std::uint64_t n = first_step; n <= last_step; ++n) {
+        for (unsigned n = first_step; n <= last_step; ++n) {
             text_.expect("step", 3);
             if (text_.natural(1) != n) text_.reject("number", "expected step " + std::to_string(n));
             const mpq_class a = text_.ratio(2), b = text_.ratio(3);
@@ -88,7 +88,7 @@ class LawReader : public Reader<LawLeaf> {
             ++Watched::read;
         }
     }
-    std::uint64_t number(std::string_view keyword, std::uint64_t expected) {
+    unsigned number(std::string_view keyword, unsigned expected) {
         text_.expect(keyword, 1);
         if (text_.natural(1) != expected) text_.reject("number", "expected " + std::to_string(expected));
         return expected;

@@ -28,15 +28,14 @@ void enclose_sine(Orbit& orbit) {
     // The derivatives are exact, and so are the products' terms up to degree 2 n, at 2 one places.
     std::vector<mpz_class> sine(2 * n), cosine(2 * n);
     mpz_class fastest = 0;
-    Work::spend(4 * n * n * (40 + static_cast<std::uint64_t>(one) / 4));
     for (std::size_t i = 0; i + 1 < n; ++i) {
         sine[i] += shifted(orbit.sine.term[i + 1] * mpz_class(i + 1), one);
         cosine[i] += shifted(orbit.cosine.term[i + 1] * mpz_class(i + 1), one);
-        const mpz_class speed = orbit.x.term[i + 1] * mpz_class(i + 1);
+        const mpz_class speed = orbit.x.term[i + 1] * mpz_class(i + 1), back = -speed;
         fastest += abs(speed);
         for (std::size_t j = 0; j < n; ++j) {
-            mpz_submul(sine[i + j].get_mpz_t(), speed.get_mpz_t(), orbit.cosine.term[j].get_mpz_t());
-            mpz_addmul(cosine[i + j].get_mpz_t(), speed.get_mpz_t(), orbit.sine.term[j].get_mpz_t());
+            add_product(sine[i + j], back, orbit.cosine.term[j]);
+            add_product(cosine[i + j], speed, orbit.sine.term[j]);
         }
     }
     mpz_class residual = 0;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "verify/macro/macro.hpp"
+#include "verify/number/integer.hpp"
 
 namespace dumbbell_verify {
 
@@ -15,7 +16,7 @@ Count as(const mpz_class& n) {
     if constexpr (std::is_same_v<Count, mpz_class>)
         return n;
     else
-        return n.get_ui();
+        return unsigned_64(n);
 }
 
 /// The macro steps of a bound of rays that is followed over many collisions. A few may fail: first where the
@@ -36,7 +37,7 @@ class Leaps {
               std::vector<std::string>* log) {
         const Count before = count;
         for (mpz_class more = 1; more > 0 && count < most; count += as<Count>(more)) {
-            more = macro_step(d, bound, mpz_class(most - count), bits);
+            more = macro_step(d, bound, integer(Count(most - count)), bits);
             if (more == 0) --attempts_;
             if (more > 0 && log) log->push_back("    " + more.get_str() + " collisions by L42");
         }

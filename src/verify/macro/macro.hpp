@@ -1,8 +1,6 @@
 // Macro steps (L42): a bound of a ray is moved over many collisions at once, by polynomials that it cannot
 // cross.
 #pragma once
-#include <cstdint>
-
 #include "verify/number/number.hpp"
 
 namespace dumbbell_verify {
@@ -20,6 +18,6 @@ struct WallBound {
 [[nodiscard]] mpz_class macro_step(Round d, WallBound& bound, const mpz_class& most, long bits);
 
 /// Below so many collisions it is not worth trying.
-constexpr std::uint64_t least_macro = 20'000;
+constexpr unsigned least_macro = 20'000;
 
 }  // namespace dumbbell_verify

@@ -18,7 +18,6 @@ bool follow_flow(const Start& start, const mpz_class& x0, const mpz_class& slope
                  const Series& g, Orbit& orbit) {
     const long one = start.places;
     const std::size_t n = start.terms;
-    Work::spend(4 * n * n * (40 + static_cast<std::uint64_t>(one) / 4));
     Series &x = orbit.x, &slope = orbit.slope, &sine = orbit.sine, &cosine = orbit.cosine;
     Series dx = start.series(), dslope = dx, reach = dx, square = dx, push = dx;
     x.term[0] = x0;
@@ -85,8 +84,9 @@ Series moved(const Series& f, long h, const mpz_class& k) {
 }
 /// f(s - 1).
 Series from_the_start(Series f) {
-    const std::size_t n = f.term.size();
-    Work::spend(n * n * 10);
+    std::size_t n = f.term.size();
+    while (n > 0 && f.term[n - 1] == 0) --n;
+    Work::spend(n * n * std::uint64_t{24});
     for (std::size_t i = 0; i + 1 < n; ++i)
         for (std::size_t j = n - 1; j-- > i;) f.term[j] -= f.term[j + 1];
     return f;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "verify/input/work.hpp"
+#include "verify/number/integer.hpp"
 
 namespace dumbbell_verify {
 
@@ -65,18 +66,22 @@ inline Series operator-(Series a, const Series& b) {
     return a;
 }
 
+/// sum += x y, and its work.
+inline void add_product(mpz_class& sum, const mpz_class& x, const mpz_class& y) {
+    Work::spend(36 + (x == 0 || y == 0 ? 0 : 126 + 9 * words(x) * words(y)));
+    mpz_addmul(sum.get_mpz_t(), x.get_mpz_t(), y.get_mpz_t());
+}
+
 /// The coefficient i of a b, from the terms `first` to i of a, rounded down.
 inline mpz_class coefficient(const Series& a, const Series& b, std::size_t i, std::size_t first = 0) {
     mpz_class sum = 0;
-    for (std::size_t j = first; j <= i; ++j)
-        mpz_addmul(sum.get_mpz_t(), a.term[j].get_mpz_t(), b.term[i - j].get_mpz_t());
+    for (std::size_t j = first; j <= i; ++j) add_product(sum, a.term[j], b.term[i - j]);
     return shifted(sum, -a.places);
 }
 
 /// The product. What is cut off, of degree >= terms, is at most the sum of its sizes.
 inline Series operator*(const Series& a, const Series& b) {
     const std::size_t n = a.term.size();
-    Work::spend(n * n * (40 + static_cast<std::uint64_t>(a.places) / 4));
     Series result(n, a.places);
     mpz_class tail = 0, cut = 0;  // tail: the sizes of b's terms from degree n - i on
     for (std::size_t i = 0; i < n; ++i) {
@@ -117,10 +122,8 @@ class Difference {
         Series result(n, f.places);
         mpz_class all = 0;
         for (std::size_t m = 1; m < n; ++m) {
-            Work::spend(weights_[m].size() * (60 + static_cast<std::uint64_t>(f.places) / 4));
             for (std::size_t j = 1; j <= weights_[m].size(); ++j)
-                mpz_addmul(result.term[m - j].get_mpz_t(), f.term[m].get_mpz_t(),
-                           weights_[m][j - 1].get_mpz_t());
+                add_product(result.term[m - j], f.term[m], weights_[m][j - 1]);
             all += shifted(abs(f.term[m]), static_cast<long>(m));
         }
         for (mpz_class& term : result.term) term = shifted(term, -f.places);

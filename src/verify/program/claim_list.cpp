@@ -1,9 +1,5 @@
 #include "verify/program/claim_list.hpp"
 
-#include <cerrno>
-#include <cstdio>
-#include <cstring>
-#include <memory>
 #include <sstream>
 
 #include "verify/program/claim_options.hpp"
@@ -14,13 +10,12 @@ namespace {
 constexpr std::size_t most_bytes = 1 << 24;
 
 std::string contents(const std::string& path) {
-    std::string why;
-    const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(open_file(path, why), std::fclose);
-    if (!file) throw std::invalid_argument(why);
-    std::string text(most_bytes + 1, '\0');
-    text.resize(std::fread(text.data(), 1, text.size(), file.get()));
-    if (std::ferror(file.get()) != 0) throw std::invalid_argument(std::strerror(errno));
-    if (text.size() > most_bytes) throw std::invalid_argument("a list of claims has at most 16 MiB");
+    InputFile file(path);
+    std::string text, block(1 << 16, '\0');
+    while (const std::size_t n = file.read(block)) {
+        text.append(block, 0, n);
+        if (text.size() > most_bytes) throw std::invalid_argument("a list of claims has at most 16 MiB");
+    }
     return text;
 }
 

@@ -9,37 +9,6 @@
 namespace dumbbell_verify {
 namespace {
 
-/// What [0-9]+(.[0-9]+)?([eE][+-]?[0-9]+)? or 10^[+-]?[0-9]+ stands for, whose exponent has at most four
-/// digits behind zeros; 0 of other texts.
-mpq_class parse_decimal(const std::string& text) {
-    std::string_view rest = text;
-    std::string digits = take_digits(rest), places, exponent = "0";
-    bool fits = !digits.empty(), is_small = false;
-    const bool is_power = digits == "10" && take(rest, '^');
-    if (is_power) {
-        digits = "1";
-    } else if (take(rest, '.')) {
-        places = take_digits(rest);
-        fits = fits && !places.empty();
-    }
-    if (is_power || take(rest, 'e') || take(rest, 'E')) {
-        is_small = take(rest, '-');
-        if (!is_small) take(rest, '+');
-        exponent = take_digits(rest);
-        fits = fits && !exponent.empty();
-        exponent.erase(0, exponent.find_first_not_of('0'));
-        fits = fits && exponent.size() <= 4;
-    }
-    if (!fits || !rest.empty()) return 0;
-    const unsigned long tens = exponent.empty() ? 0 : std::stoul(exponent);
-    if (tens > 1000) throw std::invalid_argument("an exponent beyond 1000: " + text.substr(0, 60));
-    mpz_class top(digits + places, 10), bottom, power;
-    mpz_ui_pow_ui(power.get_mpz_t(), 10, tens);
-    mpz_ui_pow_ui(bottom.get_mpz_t(), 10, places.size());
-    (is_small ? bottom : top) *= power;
-    return {top, bottom};
-}
-
 /// What [0-9]+/[0-9]+ stands for; 0 of other texts, and if the denominator is 0.
 mpq_class parse_fraction(std::string_view rest) {
     const std::string top = take_digits(rest);
@@ -54,7 +23,7 @@ mpq_class parse_fraction(std::string_view rest) {
 mpq_class parse_ratio(const std::string& text) {
     mpq_class ratio = 0;
     if (text.size() <= 1000)
-        ratio = text.find('/') < text.size() ? parse_fraction(text) : parse_decimal(text);
+        ratio = text.find('/') < text.size() ? parse_fraction(text) : parse_decimal(text).value_or(0);
     if (ratio == 0) throw std::invalid_argument("not a mass ratio: `" + text.substr(0, 60) + "`");
     ratio.canonicalize();
     return ratio;

@@ -1,6 +1,7 @@
 // The words of a command line, or of a claim in a list, one after the other.
 #pragma once
 #include <cstdint>
+#include <optional>
 #include <set>
 #include <stdexcept>
 #include <string>
@@ -9,6 +10,7 @@
 #include <vector>
 
 #include "verify/format/text.hpp"
+#include "verify/number/integer.hpp"
 
 namespace dumbbell_verify {
 
@@ -24,6 +26,39 @@ inline std::string take_digits(std::string_view& text) {
     const std::string digits(text.substr(0, text.find_first_not_of("0123456789")));
     text.remove_prefix(digits.size());
     return digits;
+}
+
+/// What [0-9]+(.[0-9]+)?([eE][+-]?[0-9]+)? or 10^[+-]?[0-9]+ stands for, whose exponent has at most four
+/// digits behind zeros; nothing of other texts.
+inline std::optional<mpq_class> parse_decimal(const std::string& text) {
+    std::string_view rest = text;
+    std::string digits = take_digits(rest), places, exponent = "0";
+    bool fits = !digits.empty(), is_small = false;
+    const bool is_power = digits == "10" && take(rest, '^');
+    if (is_power) {
+        digits = "1";
+    } else if (take(rest, '.')) {
+        places = take_digits(rest);
+        fits = fits && !places.empty();
+    }
+    if (is_power || take(rest, 'e') || take(rest, 'E')) {
+        is_small = take(rest, '-');
+        if (!is_small) take(rest, '+');
+        exponent = take_digits(rest);
+        fits = fits && !exponent.empty();
+        exponent.erase(0, exponent.find_first_not_of('0'));
+        fits = fits && exponent.size() <= 4;
+    }
+    if (!fits || !rest.empty()) return std::nullopt;
+    const unsigned long tens = exponent.empty() ? 0 : std::stoul(exponent);
+    if (tens > 1000) throw std::invalid_argument("an exponent beyond 1000: " + text.substr(0, 60));
+    mpz_class top(digits + places, 10), bottom, power;
+    mpz_ui_pow_ui(power.get_mpz_t(), 10, tens);
+    mpz_ui_pow_ui(bottom.get_mpz_t(), 10, places.size());
+    (is_small ? bottom : top) *= power;
+    mpq_class number(top, bottom);
+    number.canonicalize();
+    return number;
 }
 
 /// Options are `--name`, `--name VALUE` or `--name=VALUE`; after `--` there are none. What is wrong is
@@ -72,21 +107,20 @@ class Words {
                                     text.substr(0, 60) + "`");
     }
 
-    /// A time as `30s`, `10m` or `1.5h`, in units of work.
+    /// A time as `30s`, `10m` or `1.5h`, in units of work; 2^63 stand for more.
     std::uint64_t time() {
         const std::string text = value();
-        std::string_view rest = text;
-        const std::string whole = take_digits(rest);
-        const bool has_point = take(rest, '.');
-        std::string thousandths = has_point ? take_digits(rest) : "";
-        if (whole.empty() || whole.size() > 5 || thousandths.empty() == has_point || thousandths.size() > 3 ||
-            (rest != "s" && rest != "m" && rest != "h"))
+        const char unit = text.empty() ? ' ' : text.back();
+        const int seconds = unit == 's' ? 1 : unit == 'm' ? 60 : unit == 'h' ? 3600 : 0;
+        const auto number = seconds == 0 || text.size() > 1000
+                                ? std::nullopt
+                                : parse_decimal(text.substr(0, text.size() - 1));
+        if (!number)
             throw std::invalid_argument(option + " needs a time such as 30s, 10m or 2h, not `" +
                                         text.substr(0, 60) + "`");
-        thousandths.resize(3, '0');
-        const std::uint64_t n = std::stoull(whole) * 1000 + std::stoull(thousandths);
-        const std::uint64_t seconds = rest == "s" ? 1 : rest == "m" ? 60 : 3600;
-        return n * (units_per_second / 1000) * seconds;
+        const mpq_class units = *number * seconds * integer(units_per_second);
+        const mpz_class whole = units.get_num() / units.get_den();
+        return fits(whole, 63) ? unsigned_64(whole) : std::uint64_t{1} << 63;
     }
 
   private:

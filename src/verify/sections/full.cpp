@@ -52,10 +52,10 @@ class Full : Bridge<N> {
         high.sine = at_high.sin.hi;
         high.kappa = std::min(one, (y1 - at_high.cos).hi);
         N z = zero, z_high = zero;
-        for (std::uint64_t n = 0;; ++n) {  // m <= a is certified where m arises
+        for (mpz_class n = 0;; ++n) {  // m <= a is certified where m arises
             Work::collision();
             if (this->log_)
-                *this->log_ += "  " + std::to_string(n) + ": x " + Base::show({low.x, high.x}) + " kappa " +
+                *this->log_ += "  " + n.get_str() + ": x " + Base::show({low.x, high.x}) + " kappa " +
                                Base::show({low.kappa, high.kappa}) + "\n";
             if (low.kappa >= one) return fact("steep", true);
             Ray ray{std::max(zero, low.height(down, half_turn)), low.kappa, r_lo};

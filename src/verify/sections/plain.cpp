@@ -55,7 +55,7 @@ class Plain : Bridge<N> {
         return plain_count(not_negative(r * (at.sin + lambda * rest)), r * lambda, 0);
     }
     /// Certified: rays (c, kappa) have at most a - n later collisions with the light walls.
-    bool plain_count(I c, I kappa, std::uint64_t n) {
+    bool plain_count(I c, I kappa, mpz_class n) {
         State state;
         for (N z = zero, z_high = zero;; ++n) {
             log(n, kappa);
@@ -77,7 +77,7 @@ class Plain : Bridge<N> {
         const auto low = sin_cos(state.x.lo), high = end ? SinCos<I>{I(1), I(0)} : sin_cos(x1);
         state.sine = {low.sin.lo, std::min(one, high.sin.hi)};
         state.kappa = I(y0, y1) - I(high.cos.lo, low.cos.hi);
-        std::uint64_t n = 0;
+        mpz_class n = 0;
         for (N z = zero, z_high = zero;; ++n) {
             log(n, state.kappa);
             if (state.kappa.lo >= one) return fact("steep", true);
@@ -89,7 +89,7 @@ class Plain : Bridge<N> {
     }
 
     /// The collision of rays (c, kappa) with a wall, after n others: the state after it, or the answer.
-    std::optional<bool> wall(State& state, const I& c, const I& kappa, std::uint64_t n, N& z, N& z_high) {
+    std::optional<bool> wall(State& state, const I& c, const I& kappa, const mpz_class& n, N& z, N& z_high) {
         Work::collision();
         const Ray low{c.lo, kappa.lo, r_lo}, high{c.hi, kappa.hi, r_hi};
         const bool seems_to_hit = Base::guess_root(low.c, low.kappa, z);
@@ -123,7 +123,7 @@ class Plain : Bridge<N> {
     }
 
     /// Contacts with the bridge, after n other collisions. Nothing if flights go on that did not meet it.
-    std::optional<bool> bridge(const State& state, std::uint64_t n) {
+    std::optional<bool> bridge(const State& state, const mpz_class& n) {
         const I h = not_negative(state.sine + state.kappa * state.x), kappa = state.kappa;
         if (Base::certainly_above(h.lo, kappa.lo)) return std::nullopt;
         const auto met = Base::contacts(kappa.lo, h.hi, kappa.hi);
@@ -177,8 +177,8 @@ class Plain : Bridge<N> {
         }
         return best;
     }
-    void log(std::uint64_t n, const I& kappa) {
-        if (this->log_) *this->log_ += "  " + std::to_string(n) + ": kappa " + Base::show(kappa) + "\n";
+    void log(const mpz_class& n, const I& kappa) {
+        if (this->log_) *this->log_ += "  " + n.get_str() + ": kappa " + Base::show(kappa) + "\n";
     }
 
     const I r{r_lo, r_hi};

@@ -5,12 +5,13 @@
 
 #include "verify/format/section.hpp"
 #include "verify/input/work.hpp"
+#include "verify/number/integer.hpp"
 
 namespace dumbbell_verify {
 namespace {
 
-constexpr std::uint64_t most_wedge_steps = 10'000;  ///< a + b
-constexpr std::size_t most_bits = 4'000'000;        ///< of a numerator
+constexpr unsigned most_wedge_steps = 10'000;  ///< a + b
+constexpr std::size_t most_bits = 4'000'000;   ///< of a numerator
 
 /// kappa of a ray, and r, as integers: kappa = top / bottom, bottom > 0; r = light / heavy. Not reduced.
 class Wedge {
@@ -40,11 +41,11 @@ class Wedge {
         return holds;
     }
     /// G_w(kappa, r), or limit + 1 if it is greater than the limit.
-    std::uint64_t count(const mpq_class& kappa, const mpq_class& r, const mpz_class& hint) {
-        const std::uint64_t limit = hint.get_ui();  // it is small
+    unsigned count(const mpq_class& kappa, const mpq_class& r, const mpz_class& hint) {
+        const auto limit = static_cast<unsigned>(unsigned_64(hint));  // it is small
         const mpz_class &light = r.get_num(), &heavy = r.get_den(), rest = heavy - light;
         mpz_class top = kappa.get_num(), bottom = kappa.get_den();
-        std::uint64_t n = 0;
+        unsigned n = 0;
         while (n <= limit && top < bottom) {
             ++n;
             Work::spend(products(bottom, heavy));
@@ -62,7 +63,7 @@ class Wedge {
     }
     /// The work of a few products of numbers of this size.
     static std::uint64_t products(const mpz_class& a, const mpz_class& b) {
-        return 1024 + 16 * mpz_size(a.get_mpz_t()) * mpz_size(b.get_mpz_t());
+        return 1024 + 16 * words(a) * words(b);
     }
     [[nodiscard]] bool hints_are_small() const {
         if (leaf_.a > most_wedge_steps || leaf_.b > most_wedge_steps || leaf_.a + leaf_.b > most_wedge_steps)

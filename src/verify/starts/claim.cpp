@@ -1,5 +1,7 @@
 #include "verify/starts/claim.hpp"
 
+#include "verify/number/integer.hpp"
+
 namespace dumbbell_verify {
 namespace {
 
@@ -33,9 +35,9 @@ std::string Initial::missing(const Collisions& demand) const {
     const mpq_class &lo = box.lo.back(), &hi = box.hi.back();
     if (demand.ratios && (demand.ratios->first < lo || demand.ratios->second > hi))
         return covered_part(lo, hi, demand.ratios->first, demand.ratios->second);
-    if (demand.most && (!most || *most > *demand.most))
+    if (demand.most && (!most || integer(*most) > *demand.most))
         return "not proved: at most " + demand.most->get_str() + " collisions from the box";
-    if (demand.least && least < *demand.least)
+    if (demand.least && integer(least) < *demand.least)
         return "not proved: at least " + demand.least->get_str() + " collisions from the box";
     return "";
 }

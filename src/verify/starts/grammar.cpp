@@ -10,6 +10,8 @@ namespace {
 
 enum { split, exactly, between, open };
 
+constexpr std::size_t most_shares = 20'000;  ///< where they change: the memory is bounded
+
 class StartsReader : public Reader<InitialLeaf> {
   public:
     StartsReader(Text& text, const Settings& settings, bool incoming) : Reader(text, settings) {
@@ -115,7 +117,13 @@ class StartsReader : public Reader<InitialLeaf> {
             text_.reject("syntax", "`exactly` has a window iff its number is not 0");
         if (opcode == between && leaf_.least >= leaf_.most) text_.reject("number", "not a < b");
         if (opcode == exactly) claim_.decided += volume;
-        if (claim_.shares) claim_.shares->add(leaf_.least, leaf_.most, volume);
+        if (claim_.shares) {
+            text_.budget.take(4 * Work::of_box(0, depth), text_.line);
+            claim_.shares->add(leaf_.least, leaf_.most, volume);
+            if (claim_.shares->change.size() > most_shares)
+                throw Failure{Verdict::limit, text_.line, "limit",
+                              "--shares of more than 20,000 different numbers of collisions"};
+        }
         found_least_ = std::min(found_least_, leaf_.least);
         found_most_ = std::max(found_most_, leaf_.most);
         const InitialLeaf judged = claim_.incoming ? of_states() : leaf_;

@@ -52,8 +52,8 @@ class Departures : public Rays<N> {
     /// Certified U <= most: G <= U for all c >= 0, kappa >= -r_lo.
     bool all_at_most(std::uint64_t most) {
         require_countable();
-        return most >= 1 &&
-               this->at_most("1 + G(pi r_lo, r_lo, r_lo)", {(half_turn * r_.lo).lo, r_.lo, r_.lo}, most - 1);
+        return most >= 1 && this->at_most("1 + G(pi r_lo, r_lo, r_lo)",
+                                          {(half_turn * r_.lo).lo, r_.lo, r_.lo}, integer(most - 1));
     }
     /// Certified M <= most: no trajectory at these mass ratios has more collisions. M is 1 + 2 U or 2 + 2 V;
     /// as V is U or U - 1, the former decides about odd numbers, the latter about even ones.
@@ -61,7 +61,7 @@ class Departures : public Rays<N> {
         if (most < 2 || r_.lo >= one) return most >= 2;
         if (most % 2 == 1) return all_at_most(most / 2);
         require_countable();
-        return this->at_most("G(r_lo, 0, r_lo)", {r_.lo, zero, r_.lo}, most / 2 - 1);
+        return this->at_most("G(r_lo, 0, r_lo)", {r_.lo, zero, r_.lo}, integer(most / 2 - 1));
     }
 
     /// Certified height + slope x > r sin x on [0, pi]: above a tangent of r sin x, the best one.
@@ -134,14 +134,15 @@ class Departures : public Rays<N> {
         }
         const I c = ray.light ? ray.height + ray.slope * half_turn : ray.height;
         const auto bounded = [&] {
-            return this->at_most("G <= most", {std::max(zero, c.lo), ray.slope.lo, r_.lo}, most);
+            return this->at_most("G <= most", {std::max(zero, c.lo), ray.slope.lo, r_.lo}, integer(most));
         };
         if (ray.light && !passes) {
             few_ = few_ || (most >= 1 && bounded() && all_at_most(most - 1));
             return;
         }
         few_ = few_ || bounded();
-        enough_ = enough_ || this->at_least("least <= G", {std::max(zero, c.hi), ray.slope.hi, r_.hi}, least);
+        enough_ = enough_ ||
+                  this->at_least("least <= G", {std::max(zero, c.hi), ray.slope.hi, r_.hi}, integer(least));
     }
 
     /// The contacts with a wall sin x over the corner, for all c + kappa x of these intervals.

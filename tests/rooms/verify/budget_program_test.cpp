@@ -50,9 +50,9 @@ TEST_CASE("budget: each file has its own") {
 }
 
 TEST_CASE("budget: a time is a number with s, m or h") {
-    for (const char* time : {"1s", "0.5m", "1.5h", "99999h"})
+    for (const char* time : {"1s", "0.5m", "1.5h", "999999h", "1e3s", "1.0001s", "10^5m", "1e300h"})
         CHECK(run(std::string("--budget ") + time + " " + ten_path).code == 0);
-    for (const char* time : {"5", "s", "-1s", "1d", "1 s", "1.s", "1e3s", "999999h", "1.0001s", "''"}) {
+    for (const char* time : {"5", "s", "-1s", "1d", "1 s", "1.s", "e3s", "1e3", "1.5.5h", "''"}) {
         const Run r = run(std::string("--budget=") + time + " " + ten_path);
         INFO(time);
         CHECK(r.code == 2);

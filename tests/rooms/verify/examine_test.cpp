@@ -1,10 +1,12 @@
 // Files at the same time: on as many threads as were asked for.
 #include "verify/program/examine.hpp"
 
+#include <sys/time.h>
 #include <unistd.h>
 
 #include <array>
 #include <chrono>
+#include <csignal>
 #include <filesystem>
 #include <thread>
 
@@ -68,10 +70,33 @@ TEST_CASE("a named pipe is refused, and left closed") {
     ::unlink(pipe.path().c_str());
     REQUIRE(::mkfifo(pipe.path().c_str(), 0600) == 0);
     const auto before = number_of("fd");
-    std::string why;
-    CHECK(open_file(pipe.path(), why) == nullptr);
-    CHECK(why == "a named pipe: give `-` and let the shell redirect it");
+    CHECK_THROWS_WITH(InputFile(pipe.path()), "a named pipe: give `-` and let the shell redirect it");
     CHECK(number_of("fd") == before);
+}
+
+TEST_CASE("a pipe that is empty for now is waited for, whatever signals come") {
+    std::array<int, 2> ends{};
+    REQUIRE(::pipe(ends.data()) == 0);
+    struct sigaction handler {};
+    handler.sa_handler = [](int) {};  // without SA_RESTART: calls are interrupted
+    REQUIRE(::sigaction(SIGALRM, &handler, nullptr) == 0);
+    const itimerval often{{0, 2000}, {0, 2000}}, never{};
+    std::thread late([&] {
+        sigset_t all;
+        ::sigfillset(&all);
+        ::pthread_sigmask(SIG_BLOCK, &all, nullptr);
+        std::this_thread::sleep_for(std::chrono::milliseconds(100));
+        CHECK(::write(ends[1], "late", 4) == 4);
+        ::close(ends[1]);
+    });
+    REQUIRE(::setitimer(ITIMER_REAL, &often, nullptr) == 0);
+    InputFile file("/dev/fd/" + std::to_string(ends[0]));
+    std::array<char, 10> bytes{};
+    CHECK(file.read(bytes) == 4);
+    CHECK(file.read(bytes) == 0);
+    late.join();
+    REQUIRE(::setitimer(ITIMER_REAL, &never, nullptr) == 0);
+    ::close(ends[0]);
 }
 
 TEST_CASE("a result tells the time that it took, and of listed files only what is so") {
