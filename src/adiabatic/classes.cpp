@@ -187,7 +187,7 @@ std::vector<AdiabaticClass> guess_classes(const AdiabaticHypotheses& of, int job
     const double high = greatest * 0.98;
     constexpr std::size_t number = 6;
     std::vector<AdiabaticClass> classes(number);
-    run_with_threads(jobs, Threads::shared, [&] {
+    run_with_threads(jobs, [&] {
         in_parallel(number, [&](std::size_t i) {
             const double share = low + (high - low) * static_cast<double>(i) / (number - 1);
             const Densities densities(ends, share, deltas, interrupted);

@@ -157,8 +157,7 @@ class Growth {
 
 std::optional<AdiabaticCover> adiabatic_cover(const AdiabaticBox& root, const AdiabaticJudge& judge,
                                               const AdiabaticTarget& target, const AdiabaticLimits& limits) {
-    return with_threads(limits.jobs, Threads::shared,
-                        [&] { return Growth(root, judge, target, limits).grow(); });
+    return with_threads(limits.jobs, [&] { return Growth(root, judge, target, limits).grow(); });
 }
 
 }  // namespace dumbbell::adiabatic

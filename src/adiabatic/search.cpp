@@ -202,7 +202,7 @@ class Search {
             }
         }
         samples_.resize(points_.size());
-        run_with_threads(search_.jobs, Threads::shared, [&] {
+        run_with_threads(search_.jobs, [&] {
             in_parallel(points_.size(), [&](std::size_t i) {
                 samples_[i] = search_.interrupted() ? AdiabaticSample{} : at(points_[i]);
             });

@@ -9,6 +9,7 @@
 #include "number/elementary.hpp"
 
 namespace dumbbell::api {
+inline namespace DUMBBELL_ABI {
 namespace {
 
 using I = dumbbell::Interval;
@@ -96,4 +97,5 @@ Bounce enclose_bounce(const MassRatio& ratio, const Ray& box) {
     });
 }
 
+}  // namespace DUMBBELL_ABI
 }  // namespace dumbbell::api

@@ -8,6 +8,7 @@
 #include "number/ratio_argument.hpp"
 
 namespace dumbbell::api {
+inline namespace DUMBBELL_ABI {
 namespace {
 
 collisions::CertifyRequest request_of(const MassRatio& ratio, const CertifyOptions& options) {
@@ -52,4 +53,5 @@ void save(const Proof& proof, const std::string& file) {
     });
 }
 
+}  // namespace DUMBBELL_ABI
 }  // namespace dumbbell::api

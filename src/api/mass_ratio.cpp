@@ -4,6 +4,7 @@
 #include "number/ratio_argument.hpp"
 
 namespace dumbbell::api {
+inline namespace DUMBBELL_ABI {
 
 MassRatio::MassRatio(std::string_view text) {
     guarded([&] {
@@ -16,4 +17,5 @@ MassRatio::MassRatio(std::string_view text) {
     });
 }
 
+}  // namespace DUMBBELL_ABI
 }  // namespace dumbbell::api

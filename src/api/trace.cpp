@@ -6,6 +6,7 @@
 #include "starts/trace.hpp"
 
 namespace dumbbell::api {
+inline namespace DUMBBELL_ABI {
 
 namespace {
 
@@ -44,4 +45,5 @@ Trace trace(const MassRatio& ratio, const InitialCondition& start, int digits) {
     });
 }
 
+}  // namespace DUMBBELL_ABI
 }  // namespace dumbbell::api

@@ -1,22 +1,51 @@
 #pragma once
 
+#include <flint/flint.h>
+
+#include <new>
+#include <optional>
+#include <system_error>
+#include <type_traits>
+#include <utility>
+
+#include "api/stack.hpp"
 #include "base/error.hpp"
 #include "dumbbell/error.hpp"
-#include "number/self_test.hpp"
+#include "number/sound_arithmetic.hpp"
 
 namespace dumbbell::api {
+inline namespace DUMBBELL_ABI {
 
-/// f(), with the exceptions of the public headers, on a thread whose arithmetic is sound.
+/// f(), with the exceptions of the public headers and no other ones, with stack enough, and with sound
+/// arithmetic whatever the caller made of it.
 template <class F>
-auto guarded(const F& f) {
+std::invoke_result_t<const F&> guarded(const F& f) {
+    constexpr bool is_void = std::is_void_v<std::invoke_result_t<const F&>>;
+    std::optional<std::conditional_t<is_void, bool, std::invoke_result_t<const F&>>> result;
     try {
-        require_sound_arithmetic();
-        return f();
+        with_stack(
+            [&] {
+                const SoundArithmetic sound;
+                if constexpr (is_void) {
+                    f();
+                } else {
+                    result.emplace(f());
+                }
+            },
+            flint_cleanup);
     } catch (const dumbbell::InputError& error) {
         throw InputError(error.what());
-    } catch (const dumbbell::BrokenInvariant& error) {
+    } catch (const std::bad_alloc&) {
+        throw ResourceError("out of memory");
+    } catch (const std::system_error& error) {
+        throw ResourceError(error.what());
+    } catch (const std::exception& error) {
         throw BrokenInvariant(error.what());
+    }
+    if constexpr (!is_void) {
+        return std::move(*result);
     }
 }
 
+}  // namespace DUMBBELL_ABI
 }  // namespace dumbbell::api

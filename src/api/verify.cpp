@@ -2,12 +2,16 @@
 
 #include <array>
 #include <stdexcept>
+#include <system_error>
 
+#include "api/stack.hpp"
+#include "verify/number/environment.hpp"
 #include "verify/program/claim_options.hpp"
 #include "verify/program/examine.hpp"
 #include "verify/program/summary.hpp"
 
 namespace dumbbell::api {
+inline namespace DUMBBELL_ABI {
 namespace {
 
 dumbbell_verify::Job job_of(const std::string& file, const Claim& claim, unsigned jobs,
@@ -47,9 +51,20 @@ Verdict given(dumbbell_verify::Verdict verdict) {
 }  // namespace
 
 Verification verify(const std::string& file, const Claim& claim, unsigned jobs, const std::string& budget) {
-    const dumbbell_verify::Job job = job_of(file, claim, jobs, budget);
-    const dumbbell_verify::Result result = examine(job);
-    return {given(result.why.verdict), result_text(result), result.proof.digest};
+    Verification verification;
+    const auto work = [&] {
+        const dumbbell_verify::DefaultEnvironment environment;
+        const dumbbell_verify::Job job = job_of(file, claim, jobs, budget);
+        const dumbbell_verify::Result result = examine(job);
+        verification = {given(result.why.verdict), result_text(result), result.proof.digest};
+    };
+    try {
+        with_stack(work, mpfr_free_cache);
+    } catch (const std::system_error& error) {
+        return {Verdict::limit, error.what(), ""};
+    }
+    return verification;
 }
 
+}  // namespace DUMBBELL_ABI
 }  // namespace dumbbell::api

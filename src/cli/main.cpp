@@ -20,7 +20,7 @@
 #include "cli/options/parse.hpp"
 #include "cli/terminal/exit_code.hpp"
 #include "cli/terminal/messages.hpp"
-#include "number/self_test.hpp"
+#include "number/sound_arithmetic.hpp"
 
 namespace dumbbell::cli {
 namespace {
@@ -115,7 +115,7 @@ std::vector<std::string> usual_words(std::vector<std::string> words) {
 int run_program(const std::vector<std::string>& words) {
     mp_set_memory_functions(allocate, reallocate, release);
     __flint_set_memory_functions(allocate, allocate_zeros, reallocate_block, std::free);
-    require_sound_arithmetic();
+    const SoundArithmetic sound;
     const Command* first = words.empty() ? nullptr : dumbbell_command.below(words[0]);
     if (first != nullptr && first->become != nullptr) {
         first->become({words.begin() + 1, words.end()});

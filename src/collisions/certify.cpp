@@ -126,7 +126,7 @@ std::vector<ProvedPiece> certify(const CertifyRequest& request) {
     PieceOptions options = piece_options(request.scene, request.section);
     options.describes = request.describes;
     options.interrupted = deadline(request.budget);
-    return with_threads(request.jobs, Threads::all, [&]() -> std::vector<ProvedPiece> {
+    return with_threads(request.jobs, [&]() -> std::vector<ProvedPiece> {
         if (request.q_lo == request.q_hi) {
             options.parallel = true;
             options.observer = request.observer;

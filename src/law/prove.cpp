@@ -8,7 +8,7 @@ namespace dumbbell::law {
 
 std::optional<LawCertificate> prove_law(const LawRequest& request) {
     require_sound_arithmetic();
-    return with_threads(request.jobs, Threads::all, [&]() -> std::optional<LawCertificate> {
+    return with_threads(request.jobs, [&]() -> std::optional<LawCertificate> {
         LawCertificate certificate;
         if (!end_closes(certificate.parts) || !bulk_closes(certificate.parts)) {
             return std::nullopt;

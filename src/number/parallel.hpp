@@ -6,14 +6,13 @@
 #include <type_traits>
 #include <utility>
 
-/// Work on several threads, all of whose arithmetic is sound. TBB's headers take long to compile: they are in
-/// the source file alone.
+/// Work on several threads, all of whose arithmetic is sound.
 namespace dumbbell {
 
 /// work(begin, end) for parts of [0, count) that are all of it together, in any order, on the threads of
-/// `with_threads` or all cores. A part of more than `together` may be halved. Throws what `work` throws, and
-/// BrokenInvariant on a thread whose arithmetic is unsound (require_sound_arithmetic). Each part has the
-/// caller's precision. A thread that waits for it begins nothing else meanwhile.
+/// `run_with_threads`, outside of it on this one alone. Parts have `together` or more. Throws what the first
+/// part to fail throws; then parts are left out. Each part has the caller's precision. A thread that waits
+/// for the others begins nothing else meanwhile.
 void in_parallel(std::size_t count, std::size_t together,
                  const std::function<void(std::size_t begin, std::size_t end)>& work);
 
@@ -27,17 +26,15 @@ void in_parallel(std::size_t count, const Work& work) {
     });
 }
 
-/// Whether this is all that the program does now: then there are as many threads as jobs, also more than
-/// cores.
-enum class Threads { shared, all };
+/// work(), whose parallel work, loops in loops too, is done on so many threads, this one among them; on fewer
+/// where no more may start.
+void run_with_threads(int jobs, const std::function<void()>& work);
 
-void run_with_threads(int jobs, Threads threads, const std::function<void()>& work);
-
-/// What `work` returns, whose parallel work is done on at most so many threads.
+/// The same; returns what `work` returns.
 template <class Work>
-[[nodiscard]] auto with_threads(int jobs, Threads threads, const Work& work) {
+[[nodiscard]] auto with_threads(int jobs, const Work& work) {
     std::optional<std::invoke_result_t<const Work&>> result;
-    run_with_threads(jobs, threads, [&] { result = work(); });
+    run_with_threads(jobs, [&] { result = work(); });
     return std::move(*result);
 }
 

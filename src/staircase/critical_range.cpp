@@ -63,7 +63,7 @@ std::vector<CriticalRow> critical_ratios(const CriticalRequest& request) {
     }
     std::vector<CriticalRow> rows(static_cast<std::size_t>(request.last - request.first + 1));
     std::atomic<std::size_t> done = 0;
-    run_with_threads(request.jobs, Threads::all, [&] {
+    run_with_threads(request.jobs, [&] {
         in_parallel(rows.size(), [&](std::size_t i) {
             CriticalRow& row = rows[i];
             row.n = request.first + static_cast<long>(i);

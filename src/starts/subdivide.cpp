@@ -154,7 +154,7 @@ Subdivision grow(const InitialBox& box, const SubdivideOptions& options) {
 }  // namespace
 
 Subdivision subdivide(const InitialBox& box, const SubdivideOptions& options) {
-    return with_threads(options.jobs, Threads::shared, [&] { return grow(box, options); });
+    return with_threads(options.jobs, [&] { return grow(box, options); });
 }
 
 }  // namespace dumbbell::starts

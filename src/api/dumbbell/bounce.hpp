@@ -5,6 +5,7 @@
 
 /// One bounce of the light mass, enclosed: lemmas L4 and L5 of proofs/lemmas.md.
 namespace dumbbell::api {
+inline namespace DUMBBELL_ABI {
 
 /// Flights towards a light wall, in the chart of lemma L4: with psi the rod's angle and yhat the height of
 /// the centre of mass over the light mass's share of the rod, the flight crosses the vertical through the
@@ -42,4 +43,5 @@ struct Bounce {
 /// if an interval is none (NaN, infinite, reversed).
 [[nodiscard]] [[gnu::visibility("default")]] Bounce enclose_bounce(const MassRatio& ratio, const Ray& box);
 
+}  // namespace DUMBBELL_ABI
 }  // namespace dumbbell::api

@@ -11,6 +11,7 @@
 /// Proofs of the greatest number of floor collisions, N(q), as certificates that dumbbell/verify.hpp
 /// re-checks.
 namespace dumbbell::api {
+inline namespace DUMBBELL_ABI {
 
 struct CertifyOptions {
     std::string gap = "1e-6";  ///< ranges: relative width of the gap around a critical ratio, 1e-300 to 0.01
@@ -49,4 +50,5 @@ struct Proof {
 /// not at all. Throws InputError, naming the file and the cause, if it cannot be written.
 [[gnu::visibility("default")]] void save(const Proof& proof, const std::string& file);
 
+}  // namespace DUMBBELL_ABI
 }  // namespace dumbbell::api

@@ -1,6 +1,9 @@
 #pragma once
 
+#include "dumbbell/abi.hpp"
+
 namespace dumbbell::api {
+inline namespace DUMBBELL_ABI {
 
 /// All real numbers from lo to hi, both included. A result contains what it encloses: its ends are rounded
 /// outward.
@@ -9,4 +12,5 @@ struct Interval {
     double hi = 0;
 };
 
+}  // namespace DUMBBELL_ABI
 }  // namespace dumbbell::api

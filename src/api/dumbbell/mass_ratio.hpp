@@ -6,6 +6,7 @@
 #include "dumbbell/interval.hpp"
 
 namespace dumbbell::api {
+inline namespace DUMBBELL_ABI {
 
 /// A mass ratio q = heavy mass / light mass >= 1, or a closed range of them, exactly.
 class MassRatio {
@@ -28,4 +29,5 @@ class MassRatio {
     Interval light_over_heavy_;
 };
 
+}  // namespace DUMBBELL_ABI
 }  // namespace dumbbell::api

@@ -8,6 +8,7 @@
 #include "dumbbell/mass_ratio.hpp"
 
 namespace dumbbell::api {
+inline namespace DUMBBELL_ABI {
 
 /// A dumbbell in the air, or a box of them: each quantity an exact number as written (`3`, `-0.5`, `1/3`) or
 /// a closed interval `LO:HI`. The rod has length 1; phi is its angle in radians, in degrees (`30deg`) or as a
@@ -44,4 +45,5 @@ struct Trace {
 [[nodiscard]] [[gnu::visibility("default")]] Trace trace(const MassRatio& ratio,
                                                          const InitialCondition& start, int digits = 0);
 
+}  // namespace DUMBBELL_ABI
 }  // namespace dumbbell::api

@@ -4,8 +4,11 @@
 #include <optional>
 #include <string>
 
+#include "dumbbell/abi.hpp"
+
 /// The independent verifier: it shares no code with the prover of dumbbell/certify.hpp.
 namespace dumbbell::api {
+inline namespace DUMBBELL_ABI {
 
 /// What a certificate has to prove: for every mass ratio of `ratio` (`10`, `9/2`, `1:100`) no trajectory has
 /// more than `most` collisions, and some trajectory has `least`.
@@ -39,4 +42,5 @@ struct Verification {
                                                                  unsigned jobs = 1,
                                                                  const std::string& budget = "30s");
 
+}  // namespace DUMBBELL_ABI
 }  // namespace dumbbell::api

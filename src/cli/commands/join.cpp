@@ -77,7 +77,7 @@ std::vector<PartFile> taken(Parts& parts, const std::vector<std::string>& names,
     std::vector<PartFile> files(names.size());
     std::atomic<std::size_t> done = 0;
     const auto threads_each = std::max<std::size_t>(1, static_cast<std::size_t>(jobs) / names.size());
-    run_with_threads(jobs, Threads::all, [&] {
+    run_with_threads(jobs, [&] {
         in_parallel(names.size(), [&](std::size_t i) {
             if (stop_signal == 0) {
                 files[i] = parts.take(i, names[i], static_cast<int>(threads_each));

@@ -8,6 +8,7 @@
 #include <csignal>
 #include <cstdio>
 #include <string>
+#include <system_error>
 #include <utility>
 
 #include "cli/terminal/messages.hpp"
@@ -57,7 +58,10 @@ Progress::Progress(std::string_view unit, Verbosity verbosity, std::string_view 
     sigset_t all, before;  // a signal is for the thread that works
     ::sigfillset(&all);
     ::pthread_sigmask(SIG_BLOCK, &all, &before);
-    ticker_ = std::thread([this] { tick(); });
+    try {
+        ticker_ = std::thread([this] { tick(); });
+    } catch (const std::system_error&) {  // no more threads may start: the line goes on with the work alone
+    }
     ::pthread_sigmask(SIG_SETMASK, &before, nullptr);
 }
 

@@ -1,13 +1,14 @@
 #include "cli/terminal/standard_input.hpp"
 
 #include <fmt/core.h>
+#include <poll.h>
 #include <sys/mman.h>
 #include <unistd.h>
 
-#include <array>
 #include <cerrno>
 #include <cstring>
 #include <string_view>
+#include <vector>
 
 #include "base/error.hpp"
 #include "file/descriptor.hpp"
@@ -28,13 +29,16 @@ void keep() {
     if (memory.get() < 0) {
         fail();
     }
-    std::array<char, 65536> block{};
+    std::vector<char> block(1 << 16);
     for (;;) {
         const ssize_t n = ::read(STDIN_FILENO, block.data(), block.size());
         if (n == 0) {
             break;
         }
-        if (n < 0 && errno != EINTR) {
+        if (n < 0 && (errno == EAGAIN || errno == EWOULDBLOCK)) {  // a neighbour has made it so: it stays so
+            pollfd more{STDIN_FILENO, POLLIN, 0};
+            ::poll(&more, 1, -1);
+        } else if (n < 0 && errno != EINTR) {
             fail();
         }
         for (ssize_t done = 0; done < n;) {

@@ -4,6 +4,7 @@
 #include <array>
 #include <utility>
 
+#include "verify/number/environment.hpp"
 #include "verify/number/number.hpp"
 
 namespace dumbbell_verify {
@@ -65,6 +66,7 @@ Interval<N> scaled(const Interval<N>& y, int k) {
     return {div(down, y.lo, k * (k + 1)), div(up, y.hi, k * (k + 1))};
 }
 inline const auto reciprocals = [] {
+    const DefaultEnvironment environment;  // a library's table is made on the thread that loads it
     std::array<Interval<double>, 28> table;
     for (int k = 1; k < 28; ++k) table.at(k) = Interval<double>(1) / (k * (k + 1));
     return table;

@@ -4,10 +4,9 @@
 #include <chrono>
 #include <condition_variable>
 #include <mutex>
-#include <system_error>
-#include <thread>
 
 #include "verify/format/section.hpp"
+#include "verify/number/threads.hpp"
 
 namespace dumbbell_verify {
 namespace {
@@ -68,21 +67,12 @@ std::vector<Result> examine_all(const std::vector<Job>& jobs, unsigned at_once,
         arrived.notify_one();
         return true;
     };
-    std::vector<std::jthread> crew;
-    crew.reserve(at_once);
-    const auto one_more = [&] {
-        try {
-            crew.emplace_back([&] {
-                while (examine_next()) {
-                }
-            });
-            return true;
-        } catch (const std::system_error&) {
-            return false;  // those that started do the work
-        }
-    };
-    while (at_once > 1 && crew.size() < at_once && one_more()) {
-    }
+    Crew crew;
+    if (at_once > 1)
+        crew.start(at_once, [&] {
+            while (examine_next()) {
+            }
+        });
     for (const Result& result : results) {
         if (crew.empty()) examine_next();
         std::unique_lock lock(mutex);

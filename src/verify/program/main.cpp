@@ -11,6 +11,7 @@
 #include <ctime>
 #include <stdexcept>
 
+#include "verify/number/environment.hpp"
 #include "verify/program/claim_options.hpp"
 #include "verify/program/escape.hpp"
 #include "verify/program/json.hpp"
@@ -107,13 +108,13 @@ void release(void* block, std::size_t /*size*/) { std::free(block); }
     page[pages % 4096] = 0;
 }
 /// The stack of the first thread grows as it is used, and where the threads' stacks have taken all memory it
-/// could not: a crash. So it takes as many pages at first as a deep tree needs, or a quarter of all that
-/// there may be; where there is no room for them, it says so.
+/// could not: a crash. So it takes as many pages at first as arithmetic with many bits needs, or a quarter of
+/// all that there may be; where there is no room for them, it says so.
 void take_stack() {
-    constexpr rlim_t most = 1 << 20;
+    constexpr rlim_t most = 1 << 18;
     rlimit stack{};
     const bool known = getrlimit(RLIMIT_STACK, &stack) == 0;
-    const std::size_t size = known ? std::min(most, stack.rlim_cur / 4) : most;
+    const auto size = static_cast<std::size_t>(known ? std::min(most, stack.rlim_cur / 4) : most);
     void* room = mmap(nullptr, size, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
     if (room == MAP_FAILED) out_of_memory();
     munmap(room, size);
@@ -146,6 +147,7 @@ int run(const Options& options) {
 
 int main(int argc, char** argv) {
     using namespace dumbbell_verify;
+    const DefaultEnvironment environment;
     take_stack();
     std::signal(SIGXFSZ, SIG_IGN);  // a report that may not grow any more is like a full disk
     mp_set_memory_functions(allocate, reallocate, release);

@@ -24,7 +24,7 @@ std::string line(std::uint64_t budget, bool reads) {
 }  // namespace
 
 Progress::Progress(bool wanted, std::uint64_t budget) : budget_(budget) {
-    if (wanted && ::isatty(STDERR_FILENO) == 1) thread_ = std::jthread([this] { run(); });
+    if (wanted && ::isatty(STDERR_FILENO) == 1) crew_.start(1, [this] { run(); });
 }
 
 Progress::~Progress() {

@@ -3,7 +3,8 @@
 #include <condition_variable>
 #include <mutex>
 #include <string>
-#include <thread>
+
+#include "verify/number/threads.hpp"
 
 namespace dumbbell_verify {
 
@@ -28,8 +29,8 @@ class Progress {
     std::mutex mutex_;
     std::condition_variable ends_;
     bool ended_ = false;
-    std::string shown_;    ///< the line
-    std::jthread thread_;  ///< last: it uses the rest
+    std::string shown_;  ///< the line
+    Crew crew_;          ///< last: it uses the rest
 };
 
 }  // namespace dumbbell_verify

@@ -42,7 +42,7 @@ done
 mkdir -- "$scratch/.dumbbell"
 cp -r -- "$root"/{CMakeLists.txt,LICENSE,CITATION.cff,*.md,certificates,cmake,docs,proofs,src} "$scratch/.dumbbell"
 cp -- "$root"/certificates/{q-10,stairs-1-100}.dbc "$root/docs/ci/claims.tsv" "$scratch"
-for package in Boost CGAL CLI11 Eigen3 fmt nlohmann_json TBB Catch2; do
+for package in Boost CGAL CLI11 Eigen3 fmt nlohmann_json Catch2; do
     sed -i "1a set(CMAKE_DISABLE_FIND_PACKAGE_$package ON)" "$scratch/.dumbbell/CMakeLists.txt"
 done
 export CLAIMS=claims.tsv

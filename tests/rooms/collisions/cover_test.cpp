@@ -1,13 +1,11 @@
 #include "collisions/cover.hpp"
 
-#include <tbb/global_control.h>
-#include <tbb/task_arena.h>
-
 #include <algorithm>
 
 #include "catch.hpp"
 #include "collisions/writer.hpp"
 #include "critical_ratio.hpp"
+#include "number/parallel.hpp"
 
 using namespace dumbbell;
 using namespace dumbbell::collisions;
@@ -117,15 +115,13 @@ TEST_CASE("few leaves of a range's cover count: a box is split in the axis that 
 TEST_CASE("the tree is the same for 1, 2 and 8 threads") {
     const Rational q = 10;
     const CoverOptions options{.parallel = true};
-    const tbb::global_control eight(tbb::global_control::max_allowed_parallelism, 8);
     const auto serial = cover<Interval>(Chart::plain_departure, q, q, 4, CoverOptions{});
     REQUIRE(serial.has_value());
     REQUIRE(serial->size() > 1000);
     for (const int threads : {1, 2, 8}) {
-        tbb::task_arena arena(threads);
         for (int repeat = 0; repeat < 3; ++repeat) {
-            const auto tree =
-                arena.execute([&] { return cover<Interval>(Chart::plain_departure, q, q, 4, options); });
+            const auto tree = with_threads(
+                threads, [&] { return cover<Interval>(Chart::plain_departure, q, q, 4, options); });
             REQUIRE(tree.has_value());
             CHECK(spelled(*tree) == spelled(*serial));
         }
@@ -144,9 +140,7 @@ TEST_CASE("worker threads compute with the caller's precision") {
     const auto serial = tree_with(100, false);
     REQUIRE(serial.has_value());
     CHECK(serial->size() > 2);
-    const tbb::global_control eight(tbb::global_control::max_allowed_parallelism, 8);
-    tbb::task_arena arena(8);
-    const auto parallel = arena.execute([&] { return tree_with(100, true); });
+    const auto parallel = with_threads(8, [&] { return tree_with(100, true); });
     REQUIRE(parallel.has_value());
     CHECK(spelled(*parallel) == spelled(*serial));
 }

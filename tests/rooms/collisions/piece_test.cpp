@@ -81,9 +81,8 @@ TEST_CASE("ratios are decided at every distance from a critical one that a certi
 
 TEST_CASE("where threads share the counts of a piece it is the same with any number of them") {
     const auto proved_with = [](int threads) {
-        const Piece piece = with_threads(threads, Threads::all, [] {
-            return prove_single(parse_rational("1e28"), {.parallel = true}).piece;
-        });
+        const Piece piece = with_threads(
+            threads, [] { return prove_single(parse_rational("1e28"), {.parallel = true}).piece; });
         CHECK(piece.status() == Status::exact);
         CHECK(piece.bits > 53);
         PieceLines lines;

@@ -33,7 +33,7 @@ TEST_CASE("each index is worked on once, at the caller's precision") {
     const PrecisionScope scope(200);
     std::vector<int> times(1000);
     std::atomic<bool> precise = true;
-    (void)with_threads(8, Threads::all, [&] {
+    (void)with_threads(8, [&] {
         in_parallel(times.size(), 7, [&](std::size_t begin, std::size_t end) {
             for (std::size_t i = begin; i != end; ++i) {
                 ++times[i];
@@ -67,7 +67,7 @@ TEST_CASE("a loop within a loop is done whole when another part of the outer one
         in_parallel(2, work);
         return true;
     };
-    CHECK_THROWS_WITH(with_threads(2, Threads::all, outer), "of the outer loop");
+    CHECK_THROWS_WITH(with_threads(2, outer), "of the outer loop");
     CHECK((!begun || done == 100));  // not begun where there is but one thread
 }
 

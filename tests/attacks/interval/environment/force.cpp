@@ -4,12 +4,19 @@
 //   round
 //                             down, 4000 round up, 6000 towards zero)
 //   DUMBBELL_FORCE_X87=HEX    bits that are set in the x87 control word (400 down, 800 up, c00 towards zero)
+//   DUMBBELL_FORCE_TRAPS=HEX  exceptions that end the program (1 invalid, 4 division by zero, 8 overflow, 10
+//   underflow,
+//                             20 inexact: 3d all of them)
+//   DUMBBELL_FORCE_THREADS=N  only so many threads may start
 //   DUMBBELL_FORCE_IN=main    in the thread that starts (and so in those that it starts)
 //                     threads in every new thread only
 #include <dlfcn.h>
 #include <pthread.h>
 #include <xmmintrin.h>
 
+#include <atomic>
+#include <cerrno>
+#include <cfenv>
 #include <cstdlib>
 #include <cstring>
 #include <memory>
@@ -27,6 +34,14 @@ void spoil() {
     asm volatile("fnstcw %0" : "=m"(control));
     control = static_cast<unsigned short>(control | wanted("DUMBBELL_FORCE_X87"));
     asm volatile("fldcw %0" : : "m"(control));
+    feenableexcept(static_cast<int>(wanted("DUMBBELL_FORCE_TRAPS")));
+}
+
+/// Whether one more thread may start.
+bool may_start() {
+    static std::atomic<int> started = 0;
+    const char* most = std::getenv("DUMBBELL_FORCE_THREADS");
+    return most == nullptr || started++ < std::atoi(most);
 }
 
 bool in(const char* where) {
@@ -56,6 +71,9 @@ void* spoiled(void* data) {
 extern "C" int pthread_create(pthread_t* thread, const pthread_attr_t* attributes, void* (*run)(void*),
                               void* argument) {
     static const auto real = reinterpret_cast<decltype(&pthread_create)>(dlsym(RTLD_NEXT, "pthread_create"));
+    if (!may_start()) {
+        return EAGAIN;
+    }
     if (!in("threads")) {
         return real(thread, attributes, run, argument);
     }
