@@ -1,4 +1,4 @@
-// proofs/theorem.md, L26-L30 and Theorem 2: how the extremal orbits move with the ratio, and the critical
+// proofs/theorem.md, L26-L29 and Theorem 2: how the extremal orbits move with the ratio, and the critical
 // ratios.
 #include <algorithm>
 
@@ -18,13 +18,6 @@ struct Bounds {  // least derivatives of kappa_j and c_j by r (L27)
 };
 Bounds top_bounds(std::size_t j) { return {Digits80(2 * j), Digits80(1 + turn_half * j * (j + 1))}; }
 Bounds corner_bounds(std::size_t j) { return {Digits80(2 * j + 1), Digits80(turn_half * (j + 1) * (j + 1))}; }
-
-// First positive root of tan x = x.
-Digits80 tan_root() {
-    Digits80 x("4.49340945790906417530788092728");
-    for (int i = 0; i < 4; ++i) x -= (sin(x) - x * cos(x)) / (x * sin(x));
-    return x;
-}
 
 }  // namespace
 
@@ -135,15 +128,6 @@ TEST_CASE("L29, theorem 2: at its critical ratio each orbit ends in a tangency, 
     }
 }
 
-TEST_CASE("theorem 2: q_c(3) = 1 and q_c(4) = sqrt(1 + x^2), tan x = x") {
-    CHECK(theorem(Digits80(1)).maximum() == 2);
-    CHECK(theorem(Digits80(1 + Digits80(1e-60))).maximum() == 3);
-    const Digits80 x = tan_root();
-    const Digits80 critical = sqrt(1 + x * x);
-    CHECK(theorem(Digits80(critical * (1 - Digits80(1e-60)))).maximum() == 3);
-    CHECK(theorem(Digits80(critical * (1 + Digits80(1e-60)))).maximum() == 4);
-}
-
 TEST_CASE("theorem 2: simulated totals next to critical ratios stay at N - 1 below and reach N above") {
     for (std::size_t n = 4; n <= 9; ++n) {
         const auto critical = static_cast<double>(critical_ratio(n).above);
@@ -166,25 +150,5 @@ TEST_CASE("theorem 2: simulated totals next to critical ratios stay at N - 1 bel
             CHECK(most <= bound);
             CHECK(most == bound);
         }
-    }
-}
-
-TEST_CASE("L30: explicit bounds of the counts and of the critical ratios") {
-    const Real half = pi<Real>();
-    for (std::size_t n = 3; n <= 40; ++n) {
-        const auto k = static_cast<Real>(orbit_count(n));
-        const Real least = n % 2 == 1 ? 1 + half * k * (k - 1) : half * k * k;
-        INFO("N " << n);
-        CHECK(critical_ratio(n).above >= least);
-    }
-    Sampler sampler(1, 815);
-    for (int i = 0; i < trials(2'000); ++i) {
-        const Real ratio = random_ratio(sampler, 1e6);
-        if (static_cast<Real>(theorem(ratio).maximum()) >= 2 + 2 * std::sqrt(ratio / half))
-            FAIL(say("q", ratio));
-    }
-    Real ratio = 8 * half;
-    for (std::size_t m = 0; m <= 5; ++m, ratio *= 23) {
-        CHECK(theorem(ratio).k1 >= m + 1);
     }
 }

@@ -1,4 +1,4 @@
-// proofs/theorem.md, L31, L32, Theorems 3 and 4: the maximum against the paper's bound, and its growth.
+// proofs/theorem.md, L31, L32 and Theorem 4: how the maximum grows.
 #include <algorithm>
 
 #include "catch.hpp"
@@ -14,12 +14,6 @@ S wedge_angle(const S& ratio) {  // gamma
     using std::atan;
     using std::sqrt;
     return S(2 * atan(1 / sqrt(ratio)));
-}
-
-// Where ceil(pi / gamma) becomes N + 1: it is N or less up to here (inclusive).
-Digits80 last_ratio(std::size_t n) {
-    const Digits80 cotangent = 1 / tan(pi<Digits80>() / (2 * n));
-    return Digits80(cotangent * cotangent);
 }
 
 // integral of sin((pi/2) / cos theta) from 0 to pi/3, by Simpson's rule.
@@ -63,41 +57,6 @@ TEST_CASE("L31: a collision turns the angle by 2 atan(h / w), and hits stay gamm
         }
     }
     CHECK(turned > 5'000);
-}
-
-TEST_CASE("theorem 3: N* never exceeds ceil(pi / gamma), next to its steps and to those of N* too") {
-    // N* >= N needs q > q_c(N), ceil(pi / gamma) >= N needs q > last_ratio(N - 1): the first comes later.
-    CHECK(abs(last_ratio(2) - 1) < 1e-70);
-    for (std::size_t n = 4; n <= 60; ++n) {
-        INFO("N " << n);
-        CHECK(critical_ratio(n).below > static_cast<Real>(last_ratio(n - 1)));
-        // Equality N* = ceil needs q_c(N) < q <= last_ratio(N): for N = 4 only.
-        CHECK((critical_ratio(n).below < static_cast<Real>(last_ratio(n))) == (n == 4));
-    }
-    for (std::size_t n = 3; n <= 12; ++n) {
-        for (const double gap : {-1e-9, 1e-9}) {
-            const Digits80 ratio = last_ratio(n) * (1 + Digits80(gap));
-            const Digits80 steps = pi<Digits80>() / wedge_angle(ratio);
-            const auto wedge = static_cast<std::size_t>(ceil(steps));
-            CHECK(wedge == (gap < 0 ? n : n + 1));
-            CHECK(theorem(ratio).maximum() <= wedge);
-        }
-    }
-}
-
-TEST_CASE("theorem 3: equality exactly on 1 to 3 and from q_c(4) to 3 + 2 sqrt 2") {
-    Sampler sampler(1, 822);
-    const Real critical = critical_ratio(4).above;
-    int equal = 0;
-    for (int i = 0; i < trials(3'000); ++i) {
-        const Real ratio = sampler.coin() ? random_ratio(sampler, 1e4) : sampler.uniform(1, 12);
-        const auto wedge = static_cast<std::size_t>(std::ceil(pi<Real>() / wedge_angle(ratio) - 1e-15L));
-        const std::size_t most = theorem(ratio).maximum();
-        const bool expected = ratio <= 3 || (ratio > critical && ratio <= 3 + 2 * std::sqrt(Real(2)));
-        equal += expected;
-        if (most > wedge || (most == wedge) != expected) FAIL(say("q", ratio, "N*", most, "ceil", wedge));
-    }
-    CHECK(equal > 300);
 }
 
 TEST_CASE("L32: (pi + 2 x) cos theta is nearly constant along the first orbit") {
