@@ -215,7 +215,8 @@ TEST_CASE("whatever could not be printed is no success, in every command") {
     }
     for (const std::string& words :
          {"audit " + stairs, "audit --json " + stairs, "law " + stairs, "verify " + stairs,
-          "plot staircase --out - " + stairs, "report --out - " + stairs, std::string("help")}) {
+          "plot staircase --out - " + stairs, "report --out - " + stairs, std::string("help"),
+          std::string("--help"), std::string("--version")}) {
         const Outcome result = run({"sh", "-c", "exec " DUMBBELL_BIN " " + words + " > /dev/full"});
         CAPTURE(words, result.err);
         CHECK(result.code == 2);

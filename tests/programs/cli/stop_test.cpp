@@ -53,14 +53,6 @@ TEST_CASE("a range that is stopped says what is kept, and the same command goes 
     }
 }
 
-TEST_CASE("a stopped run leaves the older certificate of the same name as it was") {
-    const TemporaryFolder folder;
-    do {
-        write_file(folder / "stairs.dbc", "old");
-    } while (stopped(long_proof, SIGINT, folder).code == 0);
-    CHECK(contents(folder / "stairs.dbc") == "old");
-}
-
 TEST_CASE("without a file, and for a single ratio, a stopped run says that nothing is kept") {
     const TemporaryFolder folder;
     for (const auto& [arguments, said] : std::vector<std::pair<Words, const char*>>{
