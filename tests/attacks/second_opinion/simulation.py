@@ -71,18 +71,3 @@ class Dumbbell:
             if count > 10000:
                 raise Doubtful
         return count, first
-
-
-def later(r, psi, hump, velocity):
-    """Collisions after a contact that leaves with the velocity."""
-    size = r if hump % 2 == 0 else 1.0
-    return Dumbbell(r, psi, size * math.cos(psi - hump * math.pi), velocity, hump).collisions()[0]
-
-
-def both_ways(r, psi, hump, velocity):
-    """Collisions after a contact and before it."""
-    size = r if hump % 2 == 0 else 1.0
-    back = Dumbbell(r, psi, size * math.cos(psi - hump * math.pi), velocity, hump)
-    back.reflect()
-    back.velocity = -back.velocity[0], -back.velocity[1]
-    return later(r, psi, hump, velocity), back.collisions()[0]
