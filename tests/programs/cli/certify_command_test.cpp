@@ -17,26 +17,6 @@ TEST_CASE("certify RATIO prints the table and the sentence, says nothing on stde
                         "trajectory hits it 4 times."));
 }
 
-TEST_CASE("the option --json prints one object with the contract's fields and nothing else") {
-    const Outcome result = dumbbell({"certify", "4:5", "--json"});
-    CHECK(result.code == 0);
-    CHECK(result.err.empty());
-    const Json json = Json::parse(result.out);  // throws if anything follows
-    REQUIRE(json.is_object());
-    for (const char* field : {"schema", "scene", "section", "ratio", "gap", "jobs", "pieces",
-                              "decided_fraction", "undecided_share", "seconds", "out", "sha256"}) {
-        CHECK(json.contains(field));
-    }
-    REQUIRE(json.at("pieces").size() == 3);
-    for (const char* field :
-         {"lo", "hi", "upper", "lower", "status", "paper_bound", "leaves", "bits", "margin", "width"}) {
-        CHECK(json.at("pieces").at(1).contains(field));
-    }
-    CHECK(json.at("pieces").at(1).at("status") == "gap");
-    CHECK(json.at("ratio").at("lo") == "4/1");
-    CHECK(json.at("out").is_null());
-}
-
 TEST_CASE("the option --out writes a certificate and --json names it with its checksum") {
     const TemporaryFolder folder;
     const Outcome result = dumbbell({"certify", "10", "--json", "--out", "ten.dbc"}, folder.path());

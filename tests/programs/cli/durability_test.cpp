@@ -1,8 +1,4 @@
-// A killed program, a full disk, a busy name: never half a file under the final name.
-#include <sys/mount.h>
-#include <sys/resource.h>
-#include <sys/stat.h>
-
+// A killed program, a file that may not grow, closed streams: never half a file under the final name.
 #include "catch.hpp"
 #include "programs.hpp"
 
@@ -31,30 +27,6 @@ TEST_CASE(
     CHECK(contents(folder / "stairs.dbc") == "old");
 }
 
-TEST_CASE("what a program left that was killed while it wrote goes with the next one") {
-    const TemporaryFolder folder;
-    write_file(folder / "ten.dbc.dumbbell-tmp", "half a certif");
-    REQUIRE(dumbbell({"certify", "10", "--out", "ten.dbc"}, folder.path()).code == 0);
-    CHECK(folder.names() == Words{"ten.dbc"});
-    CHECK(verifier({folder / "ten.dbc"}).code == 0);
-}
-
-TEST_CASE("a full disk: one line, exit 2, no file (needs the right to mount one)") {
-    const TemporaryFolder folder;
-    const std::string disk = folder / "disk";
-    std::filesystem::create_directory(disk);
-    if (::mount("tmpfs", disk.c_str(), "tmpfs", 0, "size=4k") != 0) {
-        WARN("skipped: only root can mount a small disk");
-        return;
-    }
-    const Outcome result = dumbbell({"certify", "1:1000", "--out", disk + "/stairs.dbc"});
-    CHECK(std::filesystem::is_empty(disk));
-    ::umount(disk.c_str());
-    CHECK(result.code == 2);
-    CHECK(count_lines(result.err) == 1);
-    CHECK_THAT(result.err, Contains("No space left"));
-}
-
 TEST_CASE("a file that may not grow is like a full disk") {
     const TemporaryFolder folder;
     const Outcome result = run(
@@ -72,13 +44,4 @@ TEST_CASE("no file that is opened gets the number of a standard stream that is c
                           "until [ \"$(readlink 0 1 2 | uniq -c | tr -d ' ')\" = 3/dev/null ]; do :; done; "
                           "kill $!"});
     CHECK(result.code == 0);
-}
-
-TEST_CASE("a pipe is not replaced by a certificate") {
-    const TemporaryFolder folder;
-    REQUIRE(::mkfifo((folder / "pipe.dbc").c_str(), 0600) == 0);
-    const Outcome result = dumbbell({"certify", "10", "--out", "pipe.dbc"}, folder.path());
-    CHECK(result.code == 2);
-    CHECK(count_lines(result.err) == 1);
-    CHECK(std::filesystem::is_fifo(folder / "pipe.dbc"));
 }

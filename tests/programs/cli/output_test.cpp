@@ -30,12 +30,6 @@ Words with(Words words, const Words& more) {
     return words;
 }
 
-mode_t mode_of(const std::string& file) {
-    struct stat status {};
-    REQUIRE(::stat(file.c_str(), &status) == 0);
-    return status.st_mode & 07777U;
-}
-
 // With the file as standard input.
 Outcome fed(const std::string& file, const std::string& words, const std::string& folder = ".") {
     return run({"sh", "-c", "cat '" + file + "' | exec " DUMBBELL_BIN " " + words}, folder);
@@ -115,18 +109,6 @@ TEST_CASE("below /dev and /proc nothing is written, also through links") {
         run({"sh", "-c", "exec " DUMBBELL_BIN " certify 10 --out /dev/stdout > file"}, folder.path());
     CHECK(result.code == 2);
     CHECK(fs::read_symlink("/dev/stdout") == stdout_before);
-}
-
-TEST_CASE("a replaced file keeps its access rights, a new one has those of the umask") {
-    const TemporaryFolder folder;
-    const std::string certify = "exec " DUMBBELL_BIN " certify 10 --out ";
-    REQUIRE(run({"sh", "-c", "umask 027; " + certify + "new.dbc"}, folder.path()).code == 0);
-    CHECK(mode_of(folder / "new.dbc") == 0640);
-    for (const mode_t mode : {0600U, 0644U, 0666U, 0640U}) {
-        REQUIRE(::chmod((folder / "new.dbc").c_str(), mode) == 0);
-        REQUIRE(run({"sh", "-c", "umask 022; " + certify + "new.dbc"}, folder.path()).code == 0);
-        CHECK(mode_of(folder / "new.dbc") == mode);
-    }
 }
 
 TEST_CASE("a read-only file is not replaced") {

@@ -39,20 +39,6 @@ TEST_CASE("a damaged certificate does not replace an older picture") {
     CHECK(contents(folder / "stairs.svg") == "old");
 }
 
-TEST_CASE("the picture of a wedge names its scene and does not show the dumbbell's bound") {
-    const TemporaryFolder folder;
-    for (const std::string scene : {"wedge", "hybrid"}) {
-        CAPTURE(scene);
-        REQUIRE(dumbbell({"certify", "1:10", "--scene", scene, "--out", "stairs.dbc"}, folder.path()).code ==
-                0);
-        REQUIRE(dumbbell({"plot", "staircase", "stairs.dbc", "--out", "stairs.svg"}, folder.path()).code ==
-                0);
-        const std::string svg = contents(folder / "stairs.svg");
-        CHECK_THAT(svg,
-                   Contains("scene " + scene) && !Contains("dumbbell") && !Contains("the paper's bound"));
-    }
-}
-
 namespace {
 
 // One certificate of each kind, made once.

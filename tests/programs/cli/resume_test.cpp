@@ -1,6 +1,4 @@
 // A long `certify LO:HI --out FILE` keeps its finished pieces in FILE.partial and goes on from there.
-#include <random>
-
 #include "catch.hpp"
 #include "programs.hpp"
 
@@ -28,28 +26,6 @@ void leave_pieces(const TemporaryFolder& folder) {
 
 }  // namespace
 
-TEST_CASE("killed at any moment, a range goes on where it was and ends with the same bytes") {
-    const TemporaryFolder undisturbed;
-    REQUIRE(dumbbell(request, undisturbed.path()).code == 0);
-    CHECK(undisturbed.names() == Words{"stairs.dbc"});
-    const std::string whole = contents(undisturbed / "stairs.dbc");
-
-    const TemporaryFolder folder;
-    std::mt19937 random(41);
-    int kills = 0;
-    while (kills <= 10) {  // a run may be done before it is killed
-        std::filesystem::remove(folder / "stairs.dbc");
-        for (std::size_t files = 2; !std::filesystem::exists(folder / "stairs.dbc");
-             files += 1 + random() % 12) {
-            kills += killed_with(files, folder);
-            REQUIRE(kills < 400);
-        }
-    }
-    REQUIRE(dumbbell(request, folder.path()).code == 0);
-    CHECK(contents(folder / "stairs.dbc") == whole);
-    CHECK_FALSE(std::filesystem::exists(folder / "stairs.dbc.partial"));
-}
-
 TEST_CASE("each finished piece is a certificate of its own") {
     const TemporaryFolder folder;
     leave_pieces(folder);
@@ -61,43 +37,6 @@ TEST_CASE("each finished piece is a certificate of its own") {
         }
     }
     CHECK(pieces >= 5);
-}
-
-TEST_CASE("a damaged or foreign file among the finished pieces is not believed") {
-    const TemporaryFolder undisturbed;
-    REQUIRE(dumbbell(request, undisturbed.path()).code == 0);
-    const TemporaryFolder folder;
-    leave_pieces(folder);
-    int number = 0;
-    std::string other;
-    for (const auto& entry : std::filesystem::directory_iterator(folder / "stairs.dbc.partial")) {
-        const std::string path = entry.path().string();
-        if (entry.path().extension() != ".dbc") {
-            continue;
-        }
-        const std::string text = contents(path);
-        switch (number++ % 4) {
-            case 0:
-                write_file(path, text.substr(0, text.size() / 2));
-                break;
-            case 1:
-                write_file(path, "");
-                break;
-            case 2:
-                other = text;
-                break;
-            default:
-                write_file(path, other);  // a true certificate, of another piece
-        }
-    }
-    CHECK(number >= 4);
-    const int true_ones = (number + 1) / 4;  // case 2
-    const Outcome outcome = dumbbell(request, folder.path());
-    REQUIRE(outcome.code == 0);
-    CHECK(count_lines(outcome.err) == number - true_ones);
-    CHECK_THAT(outcome.err, Contains("dumbbell: 'stairs.dbc.partial/") &&
-                                Contains(".dbc' is damaged: its piece is proved again\n"));
-    CHECK(contents(folder / "stairs.dbc") == contents(undisturbed / "stairs.dbc"));
 }
 
 TEST_CASE("with other arguments it stops, and the finished pieces stay") {

@@ -92,13 +92,6 @@ TEST_CASE("a piece whose file is not whole, or is another's, is not found") {
         stream.seekp(100);
         stream.put('#');
     }
-    SECTION("another piece under its name") {
-        const fs::path mine = file.string() + ".mine";
-        fs::rename(file, mine);
-        store.keep(dumbbell_test::piece(6, 7, 4, 4));
-        fs::rename(only_piece(place), file);
-        fs::remove(mine);
-    }
     SECTION("a right checksum under what is no certificate") {
         const std::string text = "dumbbell-certificate 1\n";
         std::ofstream(file) << text << "sha256 " << sha256_hex(text) << '\n';

@@ -1,15 +1,11 @@
 // What `subdivide` finds and writes is what dumbbell-verify certifies.
-#include "attacks/oracle/trial.hpp"
-#include "box.hpp"
 #include "catch.hpp"
 #include "starts/initial_state.hpp"
 #include "written_file.hpp"
 
 using namespace dumbbell;
 using namespace dumbbell::starts;
-using dumbbell_trace_test::random_sides;
 using dumbbell_trace_test::refusal;
-using dumbbell_trace_test::uniform;
 using dumbbell_trace_test::written;
 
 namespace {
@@ -97,18 +93,4 @@ TEST_CASE("More bits decide what double cannot, and are verified") {
     // Across the corner itself all but two tiny boxes.
     const auto across = box_of({{{"-1e-30", "2e-30"}, {"0", "0"}, {"3", "3"}, {"-1", "-1"}, {"10", "10"}}});
     check_verified(across, {.max_boxes = 60, .bits = 1000});
-}
-
-TEST_CASE("Every leaf of 2,000 random boxes is accepted") {
-    constexpr double ratios[] = {1, 1.5, 3, 10, 100, 10000};
-    std::mt19937_64 engine(77);
-    for (int i = 0; i < dumbbell_oracle::trials(2000); ++i) {
-        const auto sides = random_sides(engine, ratios[i % 6], std::pow(10.0, -uniform(engine, 0, 8)));
-        const InitialBox box = sides.box();
-        INFO(dumbbell_oracle::say("q", sides.q, "phi", sides.phi_lo, sides.phi_hi, "phidot", sides.phidot_lo,
-                                  sides.phidot_hi, "y", sides.y_lo, sides.y_hi, "ydot", sides.ydot_lo,
-                                  sides.ydot_hi));
-        const Subdivision parts = subdivide(box, {.max_boxes = 8});
-        REQUIRE(refusal(written(box, parts)) == "");
-    }
 }
