@@ -17,7 +17,7 @@ CRITICAL = "10"
 
 def orbits(bin_folder, effort):
     """The enclosure of x and of the slope kappa/r, from a point, after the last collision that is certified; cost of a collision."""
-    printed = child.once([bin_folder / "bench_stability", "--tsv", *effort.of(["--shortest"], [], [])])["stdout"]
+    printed = child.once([bin_folder / "bench_stability", *effort.of(["--shortest"], [], [])])["stdout"]
     for row in csv.DictReader(io.StringIO(printed), delimiter="\t"):
         if row["start"] == "point":
             yield {"diagram": "orbit", "case": row["orbit"], "bits": row["bits"], "form": row["form"],
