@@ -52,24 +52,6 @@ ContactOnce random_contact(Random& random) {
 
 }  // namespace
 
-TEST_CASE("L19: rays from the bridge come back from the light wall with slope r at least") {
-    Random random(1901);
-    int back = 0;
-    for (int i = 0; i < 20000; ++i) {
-        const ContactOnce at = random_contact(random);
-        const Real t(at.t), r(at.r);
-        const Real lambda = cos(t) + Real(at.eta);
-        const auto found = comes_back(r * (sin(t) + lambda * (dumbbell_test::pi_in<Real>() - t)), lambda, r);
-        if (found) {
-            ++back;
-            CAPTURE(at.t, at.eta, at.r);
-            CHECK(found->slope >= r);
-            CHECK(found->p >= 0);
-        }
-    }
-    CHECK(back > 2000);
-}
-
 TEST_CASE("L19: slopes below r come back exactly where P is negative") {
     // Rays that are no contact's: steeper downwards than the bridge anywhere.
     Random random(1902);

@@ -17,26 +17,6 @@ struct Box {
 
 std::string show(const Box& b) { return say("e", b.e, "eta", b.eta, "r from", b.r_lo, "to", b.r_hi); }
 
-/// The names of what is not enclosed.
-template <class I>
-std::string escaped(const Collision<I>& ours, const Event& exact) {
-    std::string names;
-    const auto check = [&](const char* name, const I& x, const Event::Real& v) {
-        if (!encloses(x, v)) {
-            names += say(name, v, "not in", x);
-        }
-    };
-    check("time", ours.time, exact.time);
-    check("phi", ours.phi, exact.phi);
-    check("y", ours.y, exact.y);
-    check("ydot before", ours.ydot_before, exact.ydot_before);
-    check("ydot after", ours.ydot_after, exact.ydot_after);
-    check("phidot before", ours.phidot_before, exact.phidot_before);
-    check("phidot after", ours.phidot_after, exact.phidot_after);
-    check("grazing sine", ours.grazing_sine, exact.grazing_sine);
-    return names;
-}
-
 /// Fails if an orbit at a sampled ratio leaves the enclosure; returns whether there was one.
 template <class I>
 bool check_box(Random& random, const Box& box, long most_forward, long most_backward) {

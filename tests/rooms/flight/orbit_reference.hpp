@@ -5,7 +5,9 @@
 
 #include "attacks/oracle/chart.hpp"
 #include "attacks/oracle/scalar.hpp"
+#include "flight/orbit.hpp"
 #include "reference.hpp"
+#include "rooms/number/show.hpp"
 
 namespace dumbbell_test {
 
@@ -38,6 +40,26 @@ inline std::vector<Event> orbit_through(const Real& e, const Real& eta, const Re
                           body.grazing_sine(c->mass, c->before)});
     }
     return events;
+}
+
+/// The names of what is not enclosed.
+template <class I>
+std::string escaped(const dumbbell::flight::Collision<I>& ours, const Event& exact) {
+    std::string names;
+    const auto check = [&](const char* name, const I& x, const Event::Real& v) {
+        if (!encloses(x, v)) {
+            names += say(name, v, "not in", x);
+        }
+    };
+    check("time", ours.time, exact.time);
+    check("phi", ours.phi, exact.phi);
+    check("y", ours.y, exact.y);
+    check("ydot before", ours.ydot_before, exact.ydot_before);
+    check("ydot after", ours.ydot_after, exact.ydot_after);
+    check("phidot before", ours.phidot_before, exact.phidot_before);
+    check("phidot after", ours.phidot_after, exact.phidot_after);
+    check("grazing sine", ours.grazing_sine, exact.grazing_sine);
+    return names;
 }
 
 }  // namespace dumbbell_test

@@ -18,25 +18,7 @@ Interval spread_around(Random& random, double v) {
     return {v - random.scaled(1e-16, 0.1), v + random.scaled(1e-16, 0.1)};
 }
 
-Real kinetic_energy(const Vector<Real>& v, const Real& r) {
-    return v.angular * v.angular + v.vertical * v.vertical / r;
-}
-
 }  // namespace
-
-TEST_CASE("The reference reflection keeps the energy and is its own inverse") {
-    Random random(131);
-    for (int i = 0; i < 200; ++i) {
-        const Vector<Real> v{Real(random.uniform(-1, 1)), Real(random.uniform(-1, 1))};
-        const Real t = random.uniform(-1, 1);
-        const Real r = random_r(random);
-        const auto out = reflect(v, t, r);
-        CHECK(abs(kinetic_energy(out, r) - kinetic_energy(v, r)) < 1e-50 * kinetic_energy(v, r));
-        const auto back = reflect(out, t, r);
-        CHECK(abs(back.angular - v.angular) < 1e-50);
-        CHECK(abs(back.vertical - v.vertical) < 1e-50);
-    }
-}
 
 TEST_CASE("A light wall's reflection encloses the vector reflection, formula (2)") {
     Random random(132);
