@@ -28,7 +28,7 @@ Found hunt(double ratio, std::size_t bound, int work, std::uint64_t seed) {
             const Start start = sampler.next(family);
             const Total<Real> total = total_collisions(body, start);
             done += total.collisions + 1;
-            if (total.care.near_corner()) continue;  // long double miscounts; see the test with 80 digits
+            if (total.care.near_corner()) continue;  // long double miscounts; see corner_test
             std::size_t collisions = total.collisions;
             if (collisions > bound || total.heavy > 1) collisions = careful_total(ratio, start);
             if (collisions > bound) found.excess = say(describe(start), "has", collisions);
@@ -76,27 +76,5 @@ TEST_CASE("theorem: never exceeded next to critical ratios, near 1 and far out")
         CHECK(found.most_heavy == 1);
         CHECK(found.longest_without_bridge == 0);
         if (ratio < 1e4) CHECK(found.most + 1 >= bound);
-    }
-}
-
-TEST_CASE("theorem: never exceeded next to the corner, with 80 digits") {
-    for (const double ratio : {1.0, 1.0000001, 4.61, 10.0, 12.0, 100.0}) {
-        const std::size_t bound = theorem<Digits80>(ratio).maximum();
-        const Dumbbell<Digits80> body{Digits80(ratio)};
-        Sampler sampler(ratio, 605);
-        std::size_t most = 0;
-        for (int i = 0; i < trials(120); ++i) {
-            Start start = sampler.next(Family::near_corner);
-            if (i % 2 == 0) {
-                const double e = sampler.log_uniform(1e-12, 1e-3);
-                start = BridgeState<double>{e, e * e * sampler.log_uniform(1e-6, 10)};
-            }
-            const Total<Digits80> total = total_collisions(body, start);
-            most = std::max(most, total.collisions);
-            if (total.collisions > bound || total.heavy > 1) {
-                FAIL(say("q", ratio, describe(start), "has", total.collisions, "bound", bound));
-            }
-        }
-        CHECK(most + 1 >= bound);
     }
 }
