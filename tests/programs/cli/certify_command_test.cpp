@@ -78,18 +78,6 @@ TEST_CASE("nor on the backend of the batch kernel, and one that the machine lack
     CHECK(refused.err.find("DUMBBELL_BACKEND") != std::string::npos);
 }
 
-TEST_CASE("the option --gap makes the gaps narrower") {
-    const auto decided = [](const char* gap) {
-        const Outcome result = dumbbell({"certify", "4:12", "--gap", gap, "--json"});
-        REQUIRE(result.code == 0);
-        return Json::parse(result.out).at("decided_fraction").get<double>();
-    };
-    CHECK(decided("1e-3") < decided("1e-6"));
-    CHECK(decided("1e-6") < decided("1/1000000000"));
-    CHECK(decided("1e-9") < 1);
-    CHECK(dumbbell({"certify", "4:12", "--gap", "0.01"}).code == 0);
-}
-
 TEST_CASE("the option --witness prints an orbit of N collisions, in text and in JSON") {
     const Outcome text = dumbbell({"certify", "10", "--witness"});
     CHECK(text.code == 0);

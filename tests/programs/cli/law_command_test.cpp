@@ -5,32 +5,6 @@
 
 using namespace dumbbell_test;
 
-TEST_CASE("audit and plot say what they read when given a certificate about initial conditions") {
-    const TemporaryFolder folder;
-    REQUIRE(dumbbell({"trace", "10", "--phi", "0.3:0.31", "--phidot", "0", "--y", "3", "--ydot", "-1",
-                      "--subdivide", "--out", "box.dbc"},
-                     folder.path())
-                .code == 0);
-    const std::string ratios = "a certificate with a cover of mass ratios is needed";
-    for (const auto& [command, needed] : std::vector<std::pair<Words, std::string>>{
-             {{"audit"}, ratios},
-             {{"plot", "staircase", "--out", "x.svg"}, "needs a certificate by dumbbell certify LO:HI"}}) {
-        Words words = command;
-        words.emplace_back("box.dbc");
-        const Outcome result = dumbbell(words, folder.path());
-        CAPTURE(command);
-        CHECK(result.code == 2);
-        CHECK(result.out.empty());
-        CHECK(count_lines(result.err) == 1);
-        CHECK_THAT(result.err, Contains("'box.dbc' is about initial conditions") && Contains(needed));
-    }
-    CHECK(folder.names() == Words{"box.dbc"});
-    (void)dumbbell({"trace", "10", "--incoming", "--subdivide", "--max-boxes", "20", "--out", "in.dbc"},
-                   folder.path());
-    CHECK_THAT(dumbbell({"audit", "in.dbc"}, folder.path()).err,
-               Contains("'in.dbc' is about all incoming trajectories"));
-}
-
 TEST_CASE("law states the law for every mass ratio, and what the verifier says of it") {
     const Outcome law = dumbbell({"law"});
     CHECK(law.code == 0);

@@ -28,19 +28,6 @@ TEST_CASE("without time a single ratio is open: exit 3, and the certificate says
     CHECK(verifier({"--ratio", "10", "--min", "1", folder / "ten.dbc"}).code == 1);
 }
 
-TEST_CASE("without time a range is open, with all its pieces") {
-    const TemporaryFolder folder;
-    const Outcome result =
-        dumbbell({"certify", "1:30", "--budget", "0s", "--json", "--out", "stairs.dbc"}, folder.path());
-    check_open(result, folder / "stairs.dbc");
-    const Json json = Json::parse(result.out);
-    CHECK(json.at("decided_fraction") == 0);
-    for (const auto& piece : json.at("pieces")) {
-        CHECK(piece.at("status") == "open");
-        CHECK(piece.at("upper").is_null());
-    }
-}
-
 TEST_CASE("a budget that suffices changes nothing, however long it is") {
     for (const char* budget : {"900s", "60.5m", "2h", "1e9h", "1e300h"}) {
         CAPTURE(budget);

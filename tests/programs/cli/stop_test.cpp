@@ -96,19 +96,6 @@ TEST_CASE("a stopped run ends early, in the middle of a section without end too"
           SIGTERM);
 }
 
-TEST_CASE("a shell sees the conventional exit codes") {
-    const TemporaryFolder folder;
-    for (const auto& [signal, code] : std::vector<std::pair<std::string, int>>{{"INT", 130}, {"TERM", 143}}) {
-        const Outcome outcome =
-            run({"bash", "-c",
-                 "set -m; " DUMBBELL_BIN " certify 1e16 --section full & sleep 0.5; kill -" + signal +
-                     " $!; wait $!"},
-                folder.path());
-        CAPTURE(outcome.err);
-        CHECK(outcome.code == code);
-    }
-}
-
 TEST_CASE("a signal that was ignored from the beginning stays ignored") {
     const TemporaryFolder folder;
     Process process({"sh", "-c", "trap '' INT; exec " DUMBBELL_BIN " certify 1:100000 --gap 1e-14"});

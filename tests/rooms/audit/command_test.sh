@@ -60,6 +60,8 @@ expect 3 'good.dbc: tiles' "$folder/twice.dbc" "$folder/good.dbc"
 "$program" trace 10 --phi 0.3:0.31 --phidot 0 --y 3 --ydot -1 --subdivide --out "$folder/box.dbc" > "$folder/out"
 expect 2 'is about initial conditions .* a certificate with a cover of mass ratios is needed' "$folder/box.dbc"
 
+"$program" trace 10 --incoming --subdivide --max-boxes 20 --out "$folder/in.dbc" > "$folder/out"
+expect 2 'is about all incoming trajectories' "$folder/in.dbc"
 "$program" adiabatic --delta 0.01 --theorem lemma3.1 --out "$folder/bounce.dbc" > "$folder/out"
 expect 2 'is about the adiabatic invariant .* a certificate with a cover of mass ratios is needed' \
     "$folder/bounce.dbc"
