@@ -1,8 +1,6 @@
 #pragma once
 
-#include <array>
 #include <functional>
-#include <initializer_list>
 #include <limits>
 #include <optional>
 

@@ -1,9 +1,5 @@
 #include "adiabatic/writer.hpp"
 
-#include <fmt/core.h>
-
-#include <iterator>
-
 #include "base/error.hpp"
 #include "base/words_for.hpp"
 

@@ -1,7 +1,5 @@
 #include "collisions/part.hpp"
 
-#include <utility>
-
 namespace dumbbell::collisions {
 namespace {
 

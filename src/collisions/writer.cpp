@@ -1,8 +1,5 @@
 #include "collisions/writer.hpp"
 
-#include <fmt/core.h>
-
-#include <iterator>
 #include <string_view>
 #include <vector>
 

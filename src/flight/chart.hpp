@@ -1,8 +1,5 @@
 #pragma once
 
-#include <algorithm>
-#include <utility>
-
 #include "flight/ray.hpp"
 #include "flight/reflection.hpp"
 #include "number/elementary.hpp"

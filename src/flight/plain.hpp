@@ -1,7 +1,6 @@
 #pragma once
 
 #include <algorithm>
-#include <limits>
 
 #include "base/interrupted.hpp"
 #include "flight/bridge_contact.hpp"

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <array>
-
 #include "law/slope.hpp"
 
 /// The functions of proofs/law.md over boxes.

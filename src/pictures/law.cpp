@@ -6,7 +6,6 @@
 #include <array>
 #include <cmath>
 #include <functional>
-#include <utility>
 
 #include "base/error.hpp"
 #include "law/constants.hpp"

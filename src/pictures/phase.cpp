@@ -6,7 +6,6 @@
 #include <cmath>
 #include <iterator>
 #include <map>
-#include <utility>
 
 #include "base/error.hpp"
 #include "pictures/count_colours.hpp"

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "base/interrupted.hpp"
 #include "staircase/critical_report.hpp"

@@ -1,7 +1,5 @@
 #include "starts/incoming.hpp"
 
-#include <utility>
-
 namespace dumbbell::starts {
 namespace {
 

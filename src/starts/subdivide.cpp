@@ -1,7 +1,6 @@
 #include "starts/subdivide.hpp"
 
 #include <algorithm>
-#include <array>
 #include <numeric>
 #include <utility>
 

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <iterator>
 
 #include "base/printable.hpp"
 #include "number/decimal.hpp"

@@ -2,8 +2,6 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
-
 #include "adiabatic/prove.hpp"
 #include "base/error.hpp"
 #include "base/fields.hpp"

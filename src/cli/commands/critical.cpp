@@ -17,8 +17,6 @@
 #include "cli/terminal/output.hpp"
 #include "cli/terminal/stop_signals.hpp"
 #include "number/count_argument.hpp"
-#include "number/decimal.hpp"
-#include "number/ratio_argument.hpp"
 #include "staircase/critical_range.hpp"
 #include "staircase/critical_report.hpp"
 

@@ -1,7 +1,5 @@
 #include "cli/options/parse.hpp"
 
-#include <fmt/core.h>
-
 #include <CLI/CLI.hpp>
 
 #include "base/error.hpp"

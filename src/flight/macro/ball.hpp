@@ -4,8 +4,6 @@
 // After it, as in number/big_interval.hpp.
 #include <arb_poly.h>
 
-#include <vector>
-
 #include "number/big_interval.hpp"
 #include "number/count.hpp"
 

@@ -4,7 +4,6 @@
 #pragma once
 #include <cstdio>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <type_traits>
 #include <vector>
