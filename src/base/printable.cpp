@@ -41,10 +41,8 @@ std::string shell_quoted(std::string_view word) {
         return std::string(word);
     }
     const bool shows = one_line(word) == word;
-    std::string escaped;
-    for (const char c : word) {
-        escaped += c == '\'' ? (shows ? "'\\''" : "\\'") : c == '\\' && !shows ? "\\\\" : std::string(1, c);
-    }
+    const std::string escaped =
+        shows ? respelled(word, {{'\'', "'\\''"}}) : respelled(word, {{'\'', "\\'"}, {'\\', "\\\\"}});
     if (shows) {
         return "'" + escaped + "'";
     }
@@ -67,6 +65,16 @@ std::string one_line(std::string_view name) {
 
 std::string shell_file(const std::string& name) {
     return shell_quoted(name.size() > 1 && name[0] == '-' ? "./" + name : name);
+}
+
+std::string respelled(std::string_view text,
+                      std::initializer_list<std::pair<char, std::string_view>> spellings) {
+    std::string result;
+    for (const char& c : text) {
+        const auto* const found = std::ranges::find(spellings, c, &std::pair<char, std::string_view>::first);
+        result += found == spellings.end() ? std::string_view(&c, 1) : found->second;
+    }
+    return result;
 }
 
 }  // namespace dumbbell

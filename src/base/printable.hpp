@@ -1,8 +1,10 @@
 #pragma once
 
 #include <cstddef>
+#include <initializer_list>
 #include <string>
 #include <string_view>
+#include <utility>
 
 /// Names and texts from elsewhere may hold anything, also what moves a terminal's cursor.
 namespace dumbbell {
@@ -19,5 +21,9 @@ namespace dumbbell {
 /// no option though it begins with a dash (a lone dash is the standard input). What `one_line` would hide is
 /// spelled as bash and zsh read it, $'...', so that the word stays one line, too.
 [[nodiscard]] std::string shell_file(const std::string& name);
+
+/// The text with some of its characters spelled as another language wants them.
+[[nodiscard]] std::string respelled(std::string_view text,
+                                    std::initializer_list<std::pair<char, std::string_view>> spellings);
 
 }  // namespace dumbbell

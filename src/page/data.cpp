@@ -138,15 +138,9 @@ std::string html_page(const Json& data) {
     const std::size_t at = page.find(place);
     require(at != std::string_view::npos && page.find(place, at + 1) == std::string_view::npos,
             "report: the page does not have exactly one place for its data");
-    std::string result(page.substr(0, at));
-    for (const char c : data.text()) {
-        if (c == '<') {
-            result += "\\u003c";
-        } else {
-            result += c;
-        }
-    }
-    return result.append(page.substr(at + place.size()));
+    return std::string(page.substr(0, at))
+        .append(respelled(data.text(), {{'<', "\\u003c"}}))
+        .append(page.substr(at + place.size()));
 }
 
 }  // namespace dumbbell::page

@@ -1,5 +1,6 @@
 #include <fmt/core.h>
 
+#include "base/printable.hpp"
 #include "cli/pages/command_table.hpp"
 #include "cli/pages/pages.hpp"
 
@@ -8,32 +9,13 @@ namespace {
 
 /// Text as groff prints it unchanged: a minus is one that can be copied, and no line is taken for a request.
 std::string groff(std::string_view text) {
-    std::string result = text.starts_with('.') || text.starts_with('\'') ? "\\&" : "";
-    for (const char c : text) {
-        switch (c) {
-            case '\\':
-                result += "\\e";
-                break;
-            case '-':
-                result += "\\-";
-                break;
-            case '^':
-                result += "\\(ha";
-                break;
-            case '~':
-                result += "\\(ti";
-                break;
-            case '`':
-                result += "\\(ga";
-                break;
-            case '\'':
-                result += "\\(aq";
-                break;
-            default:
-                result += c;
-        }
-    }
-    return result;
+    const bool is_request = text.starts_with('.') || text.starts_with('\'');
+    return (is_request ? "\\&" : "") + respelled(text, {{'\\', "\\e"},
+                                                        {'-', "\\-"},
+                                                        {'^', "\\(ha"},
+                                                        {'~', "\\(ti"},
+                                                        {'`', "\\(ga"},
+                                                        {'\'', "\\(aq"}});
 }
 
 std::string bold(std::string_view text) { return "\\fB" + groff(text) + "\\fR"; }

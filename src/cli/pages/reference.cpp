@@ -1,5 +1,6 @@
 #include <fmt/core.h>
 
+#include "base/printable.hpp"
 #include "cli/pages/command_table.hpp"
 #include "cli/pages/pages.hpp"
 
@@ -8,30 +9,9 @@ namespace {
 
 /// Text as Markdown prints it unchanged.
 std::string markdown(std::string_view text) {
-    std::string result;
-    for (const char c : text) {
-        if (c == '*' || c == '_' || c == '<' || c == '|' || c == '[' || c == '\\' || c == '`') {
-            result += '\\';
-        }
-        result += c;
-    }
-    return result;
-}
-
-/// In a table a bar must be escaped, even in code.
-std::string code_in_table(std::string_view text) {
-    std::string result = "`";
-    for (const char c : text) {
-        result += c == '|' ? "\\|" : std::string(1, c);
-    }
-    return result + "`";
-}
-
-std::string anchor(std::string name) {
-    for (char& c : name) {
-        c = c == ' ' ? '-' : c;
-    }
-    return name;
+    return respelled(
+        text,
+        {{'*', "\\*"}, {'_', "\\_"}, {'<', "\\<"}, {'|', "\\|"}, {'[', "\\["}, {'\\', "\\\\"}, {'`', "\\`"}});
 }
 
 void add_markdown(std::string& page, std::string_view description) {
@@ -49,7 +29,9 @@ void add_markdown_command(std::string& page, const Place& place) {
     if (!place.command->options.empty()) {
         page += "\n| | |\n| --- | --- |\n";
         for (const Option& option : place.command->options) {
-            page += fmt::format("| {} | {} |\n", code_in_table(spelling(option)), markdown(meaning(option)));
+            // In a table a bar must be escaped, even in code.
+            page += fmt::format("| `{}` | {} |\n", respelled(spelling(option), {{'|', "\\|"}}),
+                                markdown(meaning(option)));
         }
     }
     add_markdown(page, place.footer);
@@ -65,7 +47,7 @@ std::string reference(const Command& program) {
         "compares.\n"
         "Every command has a `--help`, too.\n\n";
     for (const Place& place : all) {
-        page += fmt::format("- [{}](#{})\n", place.name, anchor(place.name));
+        page += fmt::format("- [{}](#{})\n", place.name, respelled(place.name, {{' ', "-"}}));
     }
     for (const Place& place : all) {
         add_markdown_command(page, place);
