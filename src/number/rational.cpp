@@ -152,13 +152,8 @@ std::string shortened(std::string_view text) {
 }
 
 std::string as_typed(std::string_view text) {
-    constexpr std::array<std::pair<std::string_view, std::string_view>, 7> signs{{{"\u2212", "-"},
-                                                                                  {"\u2010", "-"},
-                                                                                  {"\u2011", "-"},
-                                                                                  {"\u2013", "-"},
-                                                                                  {"\u2014", "-"},
-                                                                                  {"\u03c0", "pi"},
-                                                                                  {"\u00b0", "deg"}}};
+    constexpr std::array<std::pair<std::string_view, std::string_view>, 4> signs{
+        {{"\u2212", "-"}, {"\u2013", "-"}, {"\u03c0", "pi"}, {"\u00b0", "deg"}}};
     std::string typed(text);
     for (const auto& [sign, letters] : signs) {
         for (std::size_t at = 0; (at = typed.find(sign, at)) != std::string::npos;) {
@@ -217,76 +212,58 @@ bool is_number(std::string_view text) try { return number_in(text).has_value(); 
     return false;
 }
 
-/// What may be meant by a text that is no number, like .5, +10 or 4,61; empty: nothing.
-std::string likely_number(std::string_view text) {
-    std::string likely = as_typed(text);
-    const bool is_negative = likely.starts_with('-');
-    if (is_negative || likely.starts_with('+')) {
-        likely.erase(0, 1);
-    }
-    const std::size_t comma = likely.find(',');
+/// What may be meant by a text that is no number: by .5, +10 or 4,61 a number, by LO..HI or LO-HI the range
+/// LO:HI; empty: nothing.
+std::string likely(const std::string& typed) {
+    const std::string sign = typed.starts_with('-') ? "-" : "";
+    std::string number = typed.substr(typed.starts_with('+') ? 1 : sign.size());
+    const std::size_t comma = number.find(',');
     constexpr std::size_t of_thousands = 4;  // 1,000 may be a thousand
-    if (comma != std::string::npos && likely.size() - comma != of_thousands) {
-        likely[comma] = '.';
+    if (comma != std::string::npos && number.size() - comma != of_thousands) {
+        number[comma] = '.';
     }
-    if (likely.starts_with('.')) {
-        likely.insert(0, 1, '0');
+    if (number.starts_with('.')) {
+        number.insert(0, 1, '0');
+    } else if (number.ends_with('.')) {
+        number.pop_back();
     }
-    if (likely.ends_with('.')) {
-        likely.pop_back();
+    if (is_number(number)) {
+        return sign + number;
     }
-    return is_number(likely) ? (is_negative ? "-" : "") + likely : "";
+    const std::size_t dots = typed.find(".."), end = typed.size();
+    const std::size_t between = std::min(dots == std::string::npos ? typed.find('-') : dots, end);
+    const std::string lo = typed.substr(0, between);
+    const std::string hi = typed.substr(std::min(typed.find_first_not_of(".-", between), end));
+    return is_number(lo) && is_number(hi) ? lo + ":" + hi : "";
 }
 
-/// The range LO:HI that may be meant by LO..HI or LO-HI; empty: none.
-std::string likely_range(std::string_view text) {
-    const std::string typed = as_typed(text);
-    for (const std::string_view between : {"...", "..", "-"}) {
-        const std::size_t at = typed.find(between);
-        const std::string lo = typed.substr(0, at),
-                          hi = at < typed.size() ? typed.substr(at + between.size()) : "";
-        if (is_number(lo) && is_number(hi)) {
-            return fmt::format("{}:{}", lo, hi);
-        }
+/// The number that `size` spells: all of `text`, or what follows its sign.
+Rational parsed(std::string_view size, std::string_view text, bool may_be_negative, std::size_t max_length) {
+    if (size.size() > max_length) {
+        throw InputError(fmt::format("'{}' is too long: at most {} characters", shortened(size), max_length));
     }
-    return "";
-}
-
-InputError not_a_number(std::string_view text, bool may_be_negative) {
+    if (const auto number = number_in(size)) {
+        return *number;
+    }
     constexpr std::size_t longest = 40;  // of a text with a hint
-    const bool is_short = text.size() <= longest;
-    const std::string likely = is_short ? likely_number(text) : "",
-                      range = is_short ? likely_range(text) : "";
-    if (likely.starts_with('-') && !may_be_negative) {
-        return InputError(fmt::format("'{}' is negative: write a positive number, like 10, 4.6, 1e6 or 9/2",
-                                      shortened(text)));
+    const std::string meant = text.size() <= longest ? likely(as_typed(text)) : "";
+    if (meant.starts_with('-') && !may_be_negative) {
+        throw InputError(fmt::format("'{}' is negative: write a positive number, like 10, 4.6, 1e6 or 9/2",
+                                     shortened(text)));
     }
-    return InputError(fmt::format("'{}' is not a number: write {}", shortened(text),
-                                  !likely.empty()  ? likely
-                                  : !range.empty() ? range
-                                                   : "it like 10, 4.6, 1e6 or 9/2"));
+    throw InputError(fmt::format("'{}' is not a number: write {}", shortened(text),
+                                 meant.empty() ? "it like 10, 4.6, 1e6 or 9/2" : meant));
 }
 
 }  // namespace
 
 Rational parse_rational(std::string_view text, std::size_t max_length) {
-    if (text.size() > max_length) {
-        throw InputError(fmt::format("'{}' is too long: at most {} characters", shortened(text), max_length));
-    }
-    const std::optional<Rational> number = number_in(text);
-    if (!number) {
-        throw not_a_number(text, false);
-    }
-    return *number;
+    return parsed(text, text, false, max_length);
 }
 
 Rational parse_signed_rational(std::string_view text) {
     const bool is_negative = text.starts_with('-');
-    const std::string_view size = text.substr(is_negative ? 1 : 0);
-    if (size.size() <= longest_number && !number_in(size)) {
-        throw not_a_number(text, true);
-    }
-    const Rational number = parse_rational(size);
+    const Rational number = parsed(text.substr(is_negative ? 1 : 0), text, true, longest_number);
     return is_negative ? Rational(-number) : number;
 }
 
