@@ -11,6 +11,7 @@ namespace {
 BigInterval number(const Rational& x) { return enclose<BigInterval>(x); }
 BigInterval number(long p, long q) { return number(Rational(Integer(p), Integer(q))); }
 
+/// Bounds of delta_n = C sqrt(q_c(n)) - (n - 2) by Theorem A of proofs/law.md. Precondition: n > last_step.
 BigInterval delta_bounds(const Integer& n, const Constants& constants) {
     require(n > Integer(last_step), "Theorem A is about the steps beyond those of the certificate");
     // 0 < delta_n < 0.0200, so this has the root of q_c(n).
@@ -52,8 +53,6 @@ void decide_by_step(AtRatio& at, const BigInterval& place, const StepEnds& ends,
 }
 
 }  // namespace
-
-BigInterval delta_bounds(const Integer& n) { return delta_bounds(n, Constants()); }
 
 AtRatio law_at(const Rational& q, const std::vector<StepEnds>& steps) {
     require(std::ssize(steps) == last_step - first_step + 1, "the law: a step is missing");

@@ -18,10 +18,6 @@ struct AtRatio {
     BigInterval past;
 };
 
-/// Bounds of delta_n = C sqrt(q_c(n)) - (n - 2) by Theorem A of proofs/law.md, in the thread's working
-/// precision. Precondition: n > last_step.
-[[nodiscard]] BigInterval delta_bounds(const Integer& n);
-
 /// With as many bits as q needs; by the steps of the law's certificate, and by Theorem A beyond them.
 /// Precondition: q >= 1.
 [[nodiscard]] AtRatio law_at(const Rational& q, const std::vector<StepEnds>& steps);

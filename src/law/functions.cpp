@@ -31,17 +31,6 @@ Interval sinc_at(double x) {
     return bracket;
 }
 
-/// Of a function that falls with F and grows with Q.
-template <class Function>
-Interval monotone(const Function& of, const Interval& F, const Interval& Q) {
-    if (F.is_nan() || Q.is_nan() || !(Q.lo() > 0) || !(F.lo() > Q.hi())) {
-        return Interval(std::numeric_limits<double>::quiet_NaN());
-    }
-    return {of(high_end(F), low_end(Q)).lo(), of(low_end(F), high_end(Q)).hi()};
-}
-
-Interval power_five_halves(const Interval& R) { return sqr(R) * sqrt(R); }
-
 }  // namespace
 
 Interval sinc(const Interval& x) {
@@ -51,14 +40,15 @@ Interval sinc(const Interval& x) {
     return {sinc_at(std::max(0.0, x.hi())).lo(), sinc_at(std::max(0.0, x.lo())).hi()};
 }
 
-Interval H_monotone(const Interval& F, const Interval& Q) {
-    return monotone([](const Interval& f, const Interval& q) { return H(f, q); }, F, Q);
-}
-
 Interval H2_monotone(const Interval& F, const Interval& Q) {
-    return monotone(
-        [](const Interval& f, const Interval& q) { return 3 * (q * f) / power_five_halves(sqr(f) - sqr(q)); },
-        F, Q);
+    if (F.is_nan() || Q.is_nan() || !(Q.lo() > 0) || !(F.lo() > Q.hi())) {
+        return Interval(std::numeric_limits<double>::quiet_NaN());
+    }
+    const auto at = [](const Interval& f, const Interval& q) {
+        const Interval R = sqr(f) - sqr(q);
+        return 3 * (q * f) / (sqr(R) * sqrt(R));
+    };
+    return {at(high_end(F), low_end(Q)).lo(), at(low_end(F), high_end(Q)).hi()};
 }
 
 LastDerivatives last_derivatives(const Interval& F, const Interval& Q) {

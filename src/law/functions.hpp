@@ -39,9 +39,7 @@ template <class X>
     const X R = sqr(F) - sqr(Q);
     return F / (R * sqrt(R));
 }
-/// The same over boxes: F/R^(3/2) falls with F and grows with Q.
-[[nodiscard]] Interval H_monotone(const Interval& F, const Interval& Q);
-/// d2G/dQ2 = 3 Q F (F^2 - Q^2)^(-5/2), which falls with F and grows with Q, too.
+/// d2G/dQ2 = 3 Q F (F^2 - Q^2)^(-5/2) over boxes: it falls with F and grows with Q.
 [[nodiscard]] Interval H2_monotone(const Interval& F, const Interval& Q);
 
 /// d^i G/dF^i for i = 1, 2, and for i = 3, 4 over boxes only.
