@@ -3,7 +3,6 @@
 #include "adiabatic/writer.hpp"
 #include "number/decimal.hpp"
 #include "page/file.hpp"
-#include "page/tree.hpp"
 #include "pictures/palette.hpp"
 
 namespace dumbbell::page {
@@ -53,7 +52,7 @@ Json tree_of(const adiabatic::AdiabaticCertificate& certificate, const BoxBudget
                        : node.outside ? 0
                                       : 1 + node.by_class);
     }
-    Json json = tree_json(tree, share_of(leaves_of(tree), budget.total, budget.most));
+    Json json = tree_json(tree, budget);
     const auto& [lo, hi] = certificate.hypotheses.delta;
     json.add("axes", Json::array({axis_json("u", "0/1", "2/1"), axis_json("sigma", "0/1", "0/1"),
                                   axis_json("s", "0/1", "1/1"), axis_json("v", "0/1", "2/1"),

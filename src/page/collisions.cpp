@@ -9,7 +9,6 @@
 #include "flight/paper_bound.hpp"
 #include "number/decimal.hpp"
 #include "page/file.hpp"
-#include "page/tree.hpp"
 #include "pictures/count_colours.hpp"
 #include "pictures/cover.hpp"
 
@@ -107,7 +106,7 @@ Json chart_json(const collisions::ChartTree& chart, const Piece& piece, const Ki
         tree.push_back(node.split ? split_of(static_cast<std::size_t>(*node.split))
                                   : kinds.number(node.leaf));
     }
-    Json json = tree_json(tree, share_of(leaves_of(tree), budget.total, budget.most));
+    Json json = tree_json(tree, budget);
     json.add("chart", name(chart.chart));
     json.add("axes", axes_json(chart.chart, piece));
     return json;

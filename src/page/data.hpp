@@ -22,9 +22,6 @@ struct ReportedFile {
 /// for anything else.
 [[nodiscard]] ReportedFile read_reported(const std::string& path);
 
-/// Boxes of all covers together that a page draws; beyond, trees are thinned out.
-inline constexpr std::size_t default_most_boxes = 200'000;
-
 /// Pieces of all files together; a page with more would not open.
 inline constexpr std::size_t most_pieces = 100'000;
 

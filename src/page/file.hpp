@@ -1,22 +1,16 @@
 #pragma once
 
-#include <cstddef>
 #include <string>
 
 #include "adiabatic/certificate.hpp"
 #include "collisions/certificate.hpp"
+#include "page/tree.hpp"
 #include "starts/certificate.hpp"
 #include "words/json.hpp"
 
 /// One file of the page's data, by claim kind: its claim, trees and starting states, and the options with
 /// which the verifier is asked for exactly that claim.
 namespace dumbbell::page {
-
-/// Of `total` leaves in all files, `most` may be drawn.
-struct BoxBudget {
-    std::size_t total = 0;
-    std::size_t most = 0;
-};
 
 [[nodiscard]] Json file_json(const collisions::Certificate& certificate, const BoxBudget& budget);
 [[nodiscard]] Json file_json(const starts::InitialCertificate& certificate, const BoxBudget& budget);

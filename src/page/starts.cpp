@@ -8,7 +8,6 @@
 #include "base/error.hpp"
 #include "number/decimal.hpp"
 #include "page/file.hpp"
-#include "page/tree.hpp"
 #include "pictures/count_colours.hpp"
 #include "pictures/start_plane.hpp"
 
@@ -154,8 +153,8 @@ Json file_json(const starts::InitialCertificate& certificate, const BoxBudget& b
                                {"lo", to_fraction(certificate.box.lo[i])},
                                {"hi", to_fraction(certificate.box.hi[i])}}));
     }
-    const std::size_t leaves = leaves_of(body.tree), drawn = share_of(leaves, budget.total, budget.most);
-    Json tree = tree_json(body.tree, drawn);
+    const std::size_t leaves = leaves_of(body.tree);
+    Json tree = tree_json(body.tree, budget);
     tree.add("axes", axes);
     return Json::object({{"claim", claim_kind(certificate)},
                          {"ratio", to_fraction(certificate.box.upper(starts::InitialAxis::ratio))},
@@ -164,7 +163,7 @@ Json file_json(const starts::InitialCertificate& certificate, const BoxBudget& b
                          {"most", body.most()},
                          {"shares", body.shares()},
                          {"kinds", body.kinds()},
-                         {"windows", drawn >= leaves ? body.windows() : Json::array()},
+                         {"windows", share_of(leaves, budget) == leaves ? body.windows() : Json::array()},
                          {"tree", tree},
                          {"hatched", pictures::hatched_note}});
 }

@@ -91,18 +91,19 @@ ThinnedTree thinned(const PictureTree& tree, std::size_t most) {
     return result;
 }
 
-std::size_t share_of(std::size_t leaves, std::size_t total, std::size_t most) {
-    if (total <= most) {
+std::size_t share_of(std::size_t leaves, const BoxBudget& budget) {
+    if (budget.total <= budget.most) {
         return leaves;
     }
-    const double share = static_cast<double>(most) / static_cast<double>(total);
+    const double share = static_cast<double>(budget.most) / static_cast<double>(budget.total);
     return std::max<std::size_t>(1, static_cast<std::size_t>(share * static_cast<double>(leaves)));
 }
 
-Json tree_json(const PictureTree& tree, std::size_t most) {
-    const ThinnedTree drawn = thinned(tree, most);
+Json tree_json(const PictureTree& tree, const BoxBudget& budget) {
+    const std::size_t leaves = leaves_of(tree);
+    const ThinnedTree drawn = thinned(tree, share_of(leaves, budget));
     return Json::object({{"nodes", Json::array(drawn.nodes)},
-                         {"leaves", leaves_of(tree)},
+                         {"leaves", leaves},
                          {"stands_for", Json::array(drawn.stands_for)}});
 }
 

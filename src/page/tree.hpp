@@ -26,10 +26,16 @@ struct ThinnedTree {
 
 [[nodiscard]] std::size_t leaves_of(const PictureTree& tree);
 
-/// How many leaves of a tree are drawn, if `total` leaves of all trees share `most`.
-[[nodiscard]] std::size_t share_of(std::size_t leaves, std::size_t total, std::size_t most);
+/// Of `total` leaves in all trees, `most` may be drawn.
+struct BoxBudget {
+    std::size_t total = 0;
+    std::size_t most = 0;
+};
+
+/// How many leaves of a tree that has so many are drawn.
+[[nodiscard]] std::size_t share_of(std::size_t leaves, const BoxBudget& budget);
 
 /// {nodes, leaves, stands_for}
-[[nodiscard]] Json tree_json(const PictureTree& tree, std::size_t most);
+[[nodiscard]] Json tree_json(const PictureTree& tree, const BoxBudget& budget);
 
 }  // namespace dumbbell::page

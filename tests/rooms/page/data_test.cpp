@@ -15,7 +15,7 @@ using Parsed = nlohmann::ordered_json;
 
 namespace {
 
-Parsed data_of(const certificates::AnyCertificate& certificate, std::size_t most_boxes = default_most_boxes,
+Parsed data_of(const certificates::AnyCertificate& certificate, std::size_t most_boxes = 200'000,
                const std::string& path = "some/file.dbc") {
     return parsed(page_data({{path, "abc123", certificate}}, most_boxes));
 }

@@ -100,8 +100,8 @@ TEST_CASE("a tree that is not complete is a broken invariant") {
 }
 
 TEST_CASE("trees share the boxes of a page by their leaves, and each gets one") {
-    CHECK(share_of(10, 100, 100) == 10);
-    CHECK(share_of(10, 100, 1000) == 10);
-    CHECK(share_of(10, 100, 50) == 5);
-    CHECK(share_of(1, 100, 10) == 1);
+    CHECK(share_of(10, {100, 100}) == 10);
+    CHECK(share_of(10, {100, 1000}) == 10);
+    CHECK(share_of(10, {100, 50}) == 5);
+    CHECK(share_of(1, {100, 10}) == 1);
 }
