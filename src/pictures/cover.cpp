@@ -15,7 +15,6 @@
 #include "pictures/box_panel.hpp"
 #include "pictures/count_colours.hpp"
 #include "pictures/palette.hpp"
-#include "pictures/start_plane.hpp"
 
 namespace dumbbell::pictures {
 
@@ -253,51 +252,6 @@ std::string cover_svg(const collisions::Piece& piece, const Rational& q) {
         svg.text(frame.left(), frame.top() - 8, fmt::format("chart {}", name(panel.chart)));
         x += width + between_panels;
     }
-    draw_caption(svg, cover_left, caption_top, caption);
-    return svg.finished();
-}
-
-std::string cover_svg(const starts::InitialCertificate& certificate) {
-    require_few(certificate.tree.size() / 2 + 1);
-    const InitialPlane plane = initial_plane(certificate);
-    const double whole_width = page_width - cover_left - right_margin;
-    const PlotAxis horizontal = plot_axis(certificate, plane.axes[0]);
-    const PlotAxis vertical = plot_axis(certificate, plane.axes[1]);
-    const auto along = [](const PlotAxis& axis, const Rational& share) {
-        return axis.lo + (axis.hi - axis.lo) * value(share);
-    };
-    std::set<Count> counts;
-    DrawnBoxes boxes;
-    for (const InitialCell& cell : plane.cells) {
-        if (cell.is_exact()) {
-            counts.insert(cell.leaf.least);
-        }
-        boxes[cell.is_exact() ? count_kind(cell.leaf.least) : "hatched"].push_back(
-            {along(horizontal, cell.box.lo[0]), along(horizontal, cell.box.hi[0]),
-             along(vertical, cell.box.lo[1]), along(vertical, cell.box.hi[1])});
-    }
-    auto entries = legend_entries(counts, {});
-    if (boxes.contains("hatched")) {
-        entries.push_back({Swatch::area, "hatched", "undecided"});
-    }
-    const Legend legend(std::move(entries), whole_width);
-    const Frame frame(cover_left, top_margin + below_heading + legend.height() + 10, whole_width,
-                      cover_height, horizontal, vertical);
-    const auto caption =
-        broken_lines(fmt::format("{}. {} boxes; all initial conditions of a box have the number of "
-                                 "collisions of its colour, unless both masses hit the floor at once.{} {}",
-                                 fixed_quantities(certificate), plane.cells.size(), legend_note(counts),
-                                 boxes.contains("hatched") ? hatched_note : ""),
-                     whole_width);
-    const double caption_top = frame.bottom() + above_caption;
-    Svg svg(page_width, caption_top + caption_step * static_cast<double>(caption.size()),
-            "Boxes of initial conditions of a bouncing dumbbell by their certified number of collisions");
-    style_boxes(svg, plane.cells.size());
-    colour_counts(svg, {counts.begin(), counts.end()});
-    svg.text(cover_left, top_margin + 9, "certified number of collisions", Anchor::start, "head");
-    legend.draw(svg, cover_left, top_margin + below_heading);
-    draw_boxes(svg, frame, boxes);
-    frame.draw_axes(svg);
     draw_caption(svg, cover_left, caption_top, caption);
     return svg.finished();
 }

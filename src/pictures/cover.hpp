@@ -5,7 +5,6 @@
 
 #include "collisions/certificate.hpp"
 #include "pictures/svg.hpp"
-#include "starts/certificate.hpp"
 
 namespace dumbbell::pictures {
 
@@ -19,9 +18,5 @@ inline constexpr std::size_t most_drawn_boxes = 100'000;
 
 /// The colour of boxes with a reason other than a count.
 [[nodiscard]] Shade shade_of(collisions::Reason reason);
-
-/// The boxes of a cover of initial conditions, each as it is (phase_svg unites them). Throws InputError as
-/// phase_svg does.
-[[nodiscard]] std::string cover_svg(const starts::InitialCertificate& certificate);
 
 }  // namespace dumbbell::pictures

@@ -51,8 +51,7 @@ constexpr const char* cover_picture_description =
     R"(The boxes of a cover, coloured by the number of collisions that they prove.
 
 They are drawn chart by chart in the coordinates of docs/reference/format.md; a box with another reason has that
-reason's colour. A range of mass ratios is cut at one of them: --ratio. Of a certificate about initial conditions
-(dumbbell trace --subdivide) every box as it is.
+reason's colour. A range of mass ratios is cut at one of them: --ratio. Boxes of initial conditions: plot phase.
 
 Example:
   dumbbell certify 100 --section full --out full.dbc
@@ -125,8 +124,7 @@ constexpr std::array staircase_picture_options =
     from_file("certificate over a range of mass ratios (-: the standard input)");
 constexpr std::array law_picture_options = joined(staircase_picture_options, with_end);
 constexpr std::array cover_picture_options =
-    joined(from_file("certificate about a mass ratio, or about initial conditions (-: the standard input)"),
-           with_ratio);
+    joined(from_file("certificate about a mass ratio (-: the standard input)"), with_ratio);
 constexpr std::array orbit_picture_options =
     joined(from_file("mass ratio, or certificate (-: the standard input)"), with_ratio);
 constexpr std::array phase_picture_options =

@@ -36,10 +36,8 @@ const Rational greatest_drawn_ratio = 100'000'000;  // about 9,000 collisions
 const Rational greatest_ratio_of_law = Rational(pow(Integer(10), 36));
 
 /// What to run for a certificate of the kind that a picture needs.
-constexpr const char* make_cover =
-    "dumbbell certify RATIO --out FILE, or by dumbbell trace ... --subdivide --out FILE";
 constexpr const char* make_staircase = "dumbbell certify LO:HI --out FILE";
-constexpr const char* make_orbit = "dumbbell certify RATIO --out FILE";
+constexpr const char* make_one = "dumbbell certify RATIO --out FILE";
 constexpr const char* make_initial = "dumbbell trace RATIO ... --subdivide --out FILE";
 constexpr const char* make_adiabatic = "dumbbell adiabatic --delta D --out FILE";
 
@@ -180,15 +178,7 @@ std::string draw_law(const PlotRequest& request) {
 }
 
 std::string draw_cover(const PlotRequest& request) {
-    const certificates::AnyCertificate any = certificates::read_any_certificate(request.file);
-    if (const auto* initial = std::get_if<starts::InitialCertificate>(&any)) {
-        if (!request.ratio.empty()) {
-            throw InputError("--ratio is for certificates about mass ratios");
-        }
-        require_verified(request, initial->sha256, collisions::Scene::dumbbell);
-        return pictures::cover_svg(*initial);
-    }
-    const Certificate certificate = verified_dumbbell(request, "cover", make_cover);
+    const Certificate certificate = verified_dumbbell(request, "cover", make_one);
     const Rational q = ratio_of(request, certificate);
     const Piece& piece = piece_at(request, certificate, q);
     if (!piece.upper) {
@@ -214,7 +204,7 @@ std::string draw_orbit(const PlotRequest& request) {
         piece = proved_piece(q, *request.observer);
         request.observer->enter("drawing", "");
     } else {
-        const Certificate certificate = verified_dumbbell(request, "orbit", make_orbit);
+        const Certificate certificate = verified_dumbbell(request, "orbit", make_one);
         q = ratio_of(request, certificate);
         piece = piece_at(request, certificate, q);
     }

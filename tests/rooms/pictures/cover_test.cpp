@@ -2,7 +2,6 @@
 
 #include "base/error.hpp"
 #include "catch.hpp"
-#include "rooms/starts/sample.hpp"
 #include "xml.hpp"
 
 using namespace dumbbell_test;
@@ -98,13 +97,4 @@ TEST_CASE("a cover without boxes, or with too many, is refused") {
     Piece large = turning_piece();
     large.cover.charts[1].tree.assign(2 * most_drawn_boxes, leaf(Reason::meets));
     CHECK_THROWS_WITH(cover_svg(large, 5), Contains("dumbbell report"));
-}
-
-TEST_CASE("a cover of initial conditions shows every box as it is") {
-    const std::string svg = cover_svg(sample_initial());
-    CHECK(well_formed(svg));
-    CHECK(boxes_in(svg) == 4);
-    CHECK_THAT(svg,
-               Contains("box n1") && Contains("box n2") && Contains("box hatched") && Contains("undecided"));
-    CHECK(cover_svg(sample_initial()) == svg);
 }
