@@ -45,7 +45,7 @@ constexpr const char* program_footer =
     "or\n"
     "143 stopped by SIGINT (Ctrl-C) or SIGTERM.";
 
-constexpr std::array program_options{help_option, version_option, help_all_option};
+constexpr std::array program_options{help_option, version_option};
 
 constexpr std::array program_commands{&certify_command,   &critical_command, &join_command,    &trace_command,
                                       &adiabatic_command, &verify_command,   &audit_command,   &law_command,

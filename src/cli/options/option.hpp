@@ -95,7 +95,6 @@ inline constexpr const char* inherited = "";
 /// What every command has; --version the program alone.
 inline constexpr Option help_option = flag("-h,--help", "Print this help message and exit");
 inline constexpr Option version_option = flag("-V,--version", "Display program version information and exit");
-inline constexpr Option help_all_option = flag("--help-all", "Help of all commands");
 
 /// Options that several commands have.
 inline constexpr Option jobs_option =

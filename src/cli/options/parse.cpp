@@ -105,7 +105,6 @@ std::string wrong(const CLI::ParseError& error, const CLI::App& app, const Comma
 CommandLine parse(const Command& program, const std::string& version, const std::vector<std::string>& words) {
     CLI::App app("", std::string(program.name));
     app.set_help_flag(std::string(help_option.name));
-    app.set_help_all_flag(std::string(help_all_option.name));
     app.set_version_flag(std::string(version_option.name), version);
     add_commands(app, program);
     CommandLine line;
@@ -116,10 +115,6 @@ CommandLine parse(const Command& program, const std::string& version, const std:
         fault = contradiction(line.given);
     } catch (const CLI::CallForVersion&) {
         line.answer = version + "\n";
-    } catch (const CLI::CallForAllHelp&) {
-        collect(app, program, line);
-        fault = unknown_command(program, words);
-        line.answer = pages::help_all(program, *line.command);
     } catch (const CLI::CallForHelp&) {
         collect(app, program, line);
         fault = unknown_command(program, words);

@@ -45,7 +45,7 @@ std::string meant(const std::string& word, const std::vector<std::string>& names
 }
 
 std::vector<std::string> names_of_options(const Command& command) {
-    std::vector<std::string> names{"--help", "--help-all"};
+    std::vector<std::string> names{"--help"};
     for (const Option& option : command.options) {
         names.push_back(option.names().back());
     }

@@ -53,7 +53,7 @@ std::string rows(const char* heading, const std::vector<Option>& options) {
 std::vector<Option> all_options(const Command& command, const Command& program) {
     std::vector<Option> all(command.options.begin(), command.options.end());
     if (&command != &program) {
-        all.insert(all.begin(), {help_option, help_all_option});
+        all.insert(all.begin(), help_option);
     }
     return all;
 }
@@ -118,14 +118,6 @@ std::string one_screen(const Place& place, const Command& program) {
 std::string help(const Command& program, const Command& command) {
     const Place place = place_of(command, program);
     return is_called(command) ? whole(place, program) : one_screen(place, program);
-}
-
-std::string help_all(const Command& program, const Command& command) {
-    std::string text = help(program, command);
-    for (const Command* below : command.commands) {
-        text += below->group.empty() ? "" : "\n\n" + help_all(program, *below);
-    }
-    return text;
 }
 
 }  // namespace dumbbell::cli::pages

@@ -16,9 +16,6 @@ namespace dumbbell::cli::pages {
 /// stands in the manual.
 [[nodiscard]] std::string help(const Command& program, const Command& command);
 
-/// The help of a command and of all that are below it.
-[[nodiscard]] std::string help_all(const Command& program, const Command& command);
-
 /// The page dumbbell(1), for man and groff: every command with every option.
 [[nodiscard]] std::string man_page(const Command& program);
 

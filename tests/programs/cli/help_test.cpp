@@ -50,20 +50,6 @@ TEST_CASE("every command has a help that exits 0, and says of each option what t
     }
 }
 
-TEST_CASE("the option --help-all is the help of a command and of all below it") {
-    std::string all, plots;
-    for (const ListedCommand& command : listed_commands()) {
-        if (command.words != Words{"verify"}) {
-            const std::string help = help_of(command.words).out;
-            CHECK_THAT(dumbbell({"--help-all"}).out, Contains(help));
-            if (!command.words.empty() && command.words[0] == "plot") {
-                plots += (plots.empty() ? "" : "\n\n") + help;
-            }
-        }
-    }
-    CHECK(dumbbell({"plot", "--help-all"}).out == plots);
-}
-
 TEST_CASE("every command's help says once what its exit codes mean") {
     for (const ListedCommand& command : listed_commands()) {
         const Outcome help = help_of(command.words);
@@ -112,7 +98,6 @@ TEST_CASE("the help of a command that only has commands fits one screen, a line 
         CHECK(occurrences(help, "generate") == 0);
     }
     CHECK_THAT(help_of({}).out, Contains("\nProve:\n") && Contains("\nCheck:\n") && Contains("\nShow:\n"));
-    CHECK_THAT(dumbbell({"--help-all"}).out, Contains("--section") && Contains("--theorem"));
 }
 
 TEST_CASE("every line of every help fits 120 columns, and its usual names work") {
