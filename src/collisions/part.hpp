@@ -5,7 +5,6 @@
 
 namespace dumbbell::collisions {
 
-/// A part of a range of mass ratios.
 struct RatioPart {
     Part part;
     Rational whole_lo, whole_hi;

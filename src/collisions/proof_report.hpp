@@ -12,7 +12,6 @@
 
 namespace dumbbell::collisions {
 
-/// One line of the report of a proof.
 struct ReportRow {
     const Piece* piece;
     double margin;  ///< of the witness orbit; 0: none known, nor a width
@@ -32,14 +31,14 @@ struct ProofReport {
     Section section = Section::turning;
     Rational q_lo;
     Rational q_hi;
-    std::optional<RatioPart> part;  ///< where only that was asked for
+    std::optional<RatioPart> part{};  ///< where only that was asked for
     Rational gap;
     int jobs;
     double seconds;
     Rational undecided;  ///< share of the range
-    std::vector<ReportRow> rows;
-    std::optional<std::string> out;
-    std::optional<std::string> sha256;
+    std::vector<ReportRow> rows{};
+    std::optional<std::string> out{};
+    std::optional<std::string> sha256{};
 };
 
 /// The table: ratio interval, N, the paper's bound (for the dumbbell, of which it is one), boxes, time; below

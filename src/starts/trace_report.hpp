@@ -17,12 +17,12 @@ inline constexpr int most_trace_digits = 10'000;
 /// What `trace` tells its user.
 struct TraceReport {
     InitialBox box;
-    Trace trace;
+    Trace trace{};
     int digits = 0;  ///< as asked for; 0: double precision
-    std::optional<Subdivision> parts;
+    std::optional<Subdivision> parts{};
     double seconds = 0;
-    std::optional<std::string> out;
-    std::optional<std::string> sha256;
+    std::optional<std::string> out{};
+    std::optional<std::string> sha256{};
     /// Of all trajectories at these mass ratios, by theorem 1: for those who ask what a bound rests on.
     std::optional<long> maximum{};
     StartMeaning meaning{};

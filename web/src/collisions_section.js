@@ -46,14 +46,14 @@ function coverNote(file) {
         : "This cover has all collision states, counted forward only, so it needs many boxes where the turning section needs two: it does not use that every trajectory has a turning collision, and a box must settle each state by what follows.";
 }
 
-function coverSource(file, orbits) {
+function coverSource(file) {
     const isCount = (kind) => kind.reason === "count";
     const choices = file.pieces.flatMap((piece, i) => piece.trees.map((tree) => ({
         text: `${file.pieces.length > 1 ? `${rangeText(piece)}: ${valueText(piece)}, ` : ""}chart ${tree.chart} (${tree.leaves.toLocaleString("en")} ${tree.leaves === 1 ? "box" : "boxes"})`,
         tree,
         chart: tree.chart,
         explain: `${i + 1}:${tree.chart}`,
-        marks: file.scene === "dumbbell" ? (q) => marksOf(tree.chart, q, piece, orbits) : null,
+        marks: file.scene === "dumbbell" ? (q) => marksOf(tree.chart, q, piece) : null,
     })));
     const largest = choices.reduce((best, c, i) => (c.tree.leaves > choices[best].tree.leaves ? i : best), 0);
     return {
@@ -84,8 +84,8 @@ function coverSource(file, orbits) {
 }
 
 /// The witness and the two extremal orbits in a chart's coordinates.
-function marksOf(chart, q, piece, orbits) {
-    const witness = piece.witness && orbits(piece, q);
+function marksOf(chart, q, piece) {
+    const witness = piece.witness && orbitOf(piece, q);
     const { top, corner } = extremalOrbits(q);
     if (chart === "bridge") {
         const start = piece.witness && [toNumber(parse(piece.witness.e)), toNumber(parse(piece.witness.eta))];
@@ -120,7 +120,6 @@ function witnesses(file) {
     }
     const player = new Player();
     const about = h("p", { class: "note" });
-    const where = h("span", {});
     const load = (i, share) => {
         const piece = pieces[i];
         const [lo, hi] = [toNumber(parse(piece.lo)), toNumber(parse(piece.hi))];
@@ -155,7 +154,7 @@ function witnesses(file) {
         })));
     }
     load(chosen, share);
-    return h("figure", { class: "wide" }, h("div", { class: "controls" }, controls, where), about, player.element, h("figcaption", {}, file.scene === "dumbbell"
+    return h("figure", { class: "wide" }, h("div", { class: "controls" }, controls), about, player.element, h("figcaption", {}, file.scene === "dumbbell"
         ? "A witness orbit: the dumbbell, and the same motion as a point above the floor curve. No gravity; the uniform horizontal motion is left out, and the dots are larger than the point masses. The view goes on a little before the first and after the last collision."
         : "A witness orbit in the model wedge, which is a plane figure and no dumbbell. It has no scale; drawn so that the farthest contact is at 1."));
 }
@@ -181,7 +180,6 @@ function piecesTable(file) {
 }
 
 export function collisionsSection(file, constant, isAlone) {
-    const orbits = (piece, q) => orbitOf(piece, q);
     const isRange = file.lo_text !== file.hi_text;
     const hasBoxes = file.pieces.some((piece) => piece.trees.length > 0);
     const played = witnesses(file);
@@ -192,7 +190,7 @@ export function collisionsSection(file, constant, isAlone) {
         isRange && h("h3", {}, "The staircase"),
         isRange && staircase(file, constant).element,
         hasBoxes && h("h3", {}, "The cover"),
-        hasBoxes && cover(coverSource(file, orbits)).element,
+        hasBoxes && cover(coverSource(file)).element,
         played && h("h3", {}, "The witness orbits"),
         played,
         piecesTable(file),

@@ -82,7 +82,6 @@ adiabatic::AdiabaticResult proved_statement(const adiabatic::AdiabaticRequest& r
     return result;
 }
 
-/// Proves all the statements, into the report.
 void prove_statements(const std::vector<adiabatic::AdiabaticHypotheses>& wanted, const Given& given,
                       const Interrupted& interrupted, adiabatic::AdiabaticReport& report) {
     constexpr const char* search = "looking for an orbit with a great error";

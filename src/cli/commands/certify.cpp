@@ -64,7 +64,6 @@ constexpr std::array certify_options = joined(
         json_option,
         flag("--quiet", "no table and no progress: what is proved, in a sentence").excludes("--witness")});
 
-/// --part, if it was given.
 std::optional<collisions::RatioPart> part_of(const Given& given, const CertifyRequest& whole) {
     if (!given.has("--part")) {
         return std::nullopt;
@@ -115,14 +114,10 @@ collisions::ProofReport describe(const CertifyRequest& request, const std::vecto
                                    .section = request.section,
                                    .q_lo = request.q_lo,
                                    .q_hi = request.q_hi,
-                                   .part = {},
                                    .gap = request.gap,
                                    .jobs = request.jobs,
                                    .seconds = seconds,
-                                   .undecided = undecided_share(pieces),
-                                   .rows = {},
-                                   .out = {},
-                                   .sha256 = {}};
+                                   .undecided = undecided_share(pieces)};
     for (const ProvedPiece& p : pieces) {
         collisions::ReportRow row{&p.piece, p.margin, p.width, p.seconds, {}, {}};
         if (witness && p.piece.witness) {

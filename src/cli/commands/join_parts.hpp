@@ -19,7 +19,6 @@ struct Range {
     Rational begin, end;
 };
 
-/// What is known of a file.
 struct PartFile {
     std::string name;
     std::size_t number = 0;        ///< among all

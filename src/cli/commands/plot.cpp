@@ -90,7 +90,6 @@ Example:
   dumbbell trace 10 --phi 0:6.28 --phidot 1 --y 2 --ydot=-2:1 --subdivide --out falling.dbc
   dumbbell plot phase falling.dbc --out phase.svg)";
 
-/// Of a picture from this file.
 constexpr std::array<Option, 2> from_file(std::string_view text) {
     return {argument("FILE", text).required(),
             Option{"--out", "FILE", "the SVG file to write; -: the standard output"}

@@ -134,7 +134,6 @@ starts::GivenStart start_of(const Given& given, const RatioArgument& ratio, int 
                               ratio.lo, ratio.hi, "--", bits_of_angle(given, digits));
 }
 
-/// All incoming trajectories.
 starts::InitialBox incoming_box_of(const RatioArgument& ratio) {
     if (ratio.lo != ratio.hi) {
         throw InputError("--incoming takes a single mass ratio: the natural measure depends on it");
@@ -183,12 +182,7 @@ int run_trace(const Given& given) {
         require_short_lines(start.box);
     }
     starts::TraceReport report{.box = std::move(start.box),
-                               .trace = {},
                                .digits = digits,
-                               .parts = {},
-                               .seconds = 0,
-                               .out = {},
-                               .sha256 = {},
                                .meaning = std::move(start.meaning),
                                .incoming = incoming,
                                .shares = given.has("--shares")};

@@ -7,7 +7,6 @@
 
 namespace dumbbell::cli {
 
-/// A command line that was understood.
 struct CommandLine {
     const Command* command = nullptr;
     Given given;         ///< with the options of the commands above

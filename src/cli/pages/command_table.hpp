@@ -27,7 +27,6 @@ struct Place {
 /// How it is called: the name, [OPTIONS] and the arguments, or COMMAND; in brackets what may be left out.
 [[nodiscard]] std::string usage(const Place& place);
 
-/// Is the option's value the name of a file?
 [[nodiscard]] bool is_file(const Option& option);
 
 /// The option as it is typed: `--out FILE`.

@@ -22,7 +22,6 @@ namespace dumbbell::cli {
 /// No progress with --quiet.
 [[nodiscard]] Verbosity verbosity_of(const Given& given);
 
-/// Measures the time since it began.
 class Stopwatch {
   public:
     [[nodiscard]] double seconds() const {
