@@ -26,7 +26,6 @@ class SealedLines {
         text_ += fmt::format(format, std::forward<Args>(args)...);
         text_ += '\n';
     }
-    /// The head of a certificate.
     void head(const Generator& generator, std::string_view lemmas, std::string_view scene,
               std::string_view section, std::string_view claim);
     /// Lines as they are, each with its end.

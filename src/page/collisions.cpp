@@ -65,7 +65,6 @@ class Kinds {
         return kinds;
     }
 
-    /// How many leaves have each reason.
     [[nodiscard]] Json totals() const {
         Json totals = Json::object();
         for (const auto& [reason, leaves] : leaves_) {

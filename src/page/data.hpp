@@ -32,7 +32,6 @@ void require_few_pieces(const std::vector<std::string>& paths);
 /// Throws InputError if the files have more than `most_pieces`.
 [[nodiscard]] Json page_data(const std::vector<ReportedFile>& files, std::size_t most_boxes);
 
-/// How many leaves its trees have.
 [[nodiscard]] std::size_t leaves_of(const certificates::AnyCertificate& content);
 
 /// The built page (web/dist/report.html) without data: one HTML file that asks for nothing else.

@@ -11,7 +11,6 @@
 /// colour vision and in grey print (viridis); no collision at all is grey.
 namespace dumbbell::pictures {
 
-/// The class of the count's colour.
 [[nodiscard]] std::string count_kind(const Count& count);
 
 /// A Shade that owns its text.

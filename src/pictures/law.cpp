@@ -66,7 +66,6 @@ struct Law {
     [[nodiscard]] double theorem_a_from() const { return std::pow(902 / C, 2); }
 };
 
-/// A range of mass ratios.
 struct Range {
     double lo;
     double hi;
@@ -173,7 +172,6 @@ std::string steps_path(const Frame& frame, const Law& law, const std::vector<Pie
     return path;
 }
 
-/// What is drawn.
 struct Content {
     const std::vector<Piece>& pieces;
     Law law;

@@ -17,7 +17,6 @@ namespace dumbbell::pictures {
 /// The index of that turn. Precondition: not empty.
 [[nodiscard]] std::size_t turn_of(const std::vector<flight::Collision<Interval>>& orbit);
 
-/// How much room draw_snapshots needs.
 [[nodiscard]] double snapshots_height();
 
 /// The dumbbell itself at each of shown_collisions, side by side: the rod, the floor and the two masses
