@@ -10,9 +10,6 @@ constexpr std::array<Word<AdiabaticClaim>, 3> claims{{{AdiabaticClaim::bounce, "
                                                       {AdiabaticClaim::run, "adiabatic-run"},
                                                       {AdiabaticClaim::scattering, "adiabatic-scattering"}}};
 
-/// `0/1` or `P/Q`.
-std::string level(const Rational& x) { return to_fraction(x); }
-
 /// The body's lines and their numbers.
 class Body : SealedLines {
   public:
@@ -56,18 +53,18 @@ class Body : SealedLines {
 void write_header(Body& body, const AdiabaticCertificate& certificate) {
     const AdiabaticHypotheses& of = certificate.hypotheses;
     body.head(certificate.generator, "1", "dumbbell", "none", name(of.claim));
-    body.line("delta {} {}", level(of.delta.first), level(of.delta.second));
+    body.line("delta {} {}", to_fraction(of.delta.first), to_fraction(of.delta.second));
     if (of.claim == AdiabaticClaim::bounce || of.claim == AdiabaticClaim::run) {
-        body.line("heights {} {}", level(of.heights.first), level(of.heights.second));
+        body.line("heights {} {}", to_fraction(of.heights.first), to_fraction(of.heights.second));
     }
-    body.line("margin {}", level(of.margin));
+    body.line("margin {}", to_fraction(of.margin));
     if (of.claim == AdiabaticClaim::bounce) {
         body.line("exponent {}", of.exponent);
     }
     body.line("bits {}", certificate.bits);
     std::string numbers;
     for (const Rational& bound : certificate.bounds) {
-        numbers += ' ' + level(bound);
+        numbers += ' ' + to_fraction(bound);
     }
     body.line("bound{}", numbers);
 }
@@ -75,9 +72,9 @@ void write_header(Body& body, const AdiabaticCertificate& certificate) {
 void write_classes(Body& body, const std::vector<AdiabaticClass>& classes) {
     body.line("classes {}", classes.size());
     for (const AdiabaticClass& one : classes) {
-        body.line("class {} {}", level(one.least_share), one.cells.size());
+        body.line("class {} {}", to_fraction(one.least_share), one.cells.size());
         for (const auto& cell : one.cells) {
-            body.line("cell {} {}", level(cell.u), level(cell.v));
+            body.line("cell {} {}", to_fraction(cell.u), to_fraction(cell.v));
         }
         body.tree(one.tree, false);
     }
@@ -99,8 +96,8 @@ SealedText render(const AdiabaticCertificate& certificate) {
     }
     body.tree(certificate.tree, by_classes);
     for (const AdiabaticState& state : certificate.attained) {
-        body.line("attained {} {} {} {} {}", level(state.u), level(state.s), level(state.delta), state.n,
-                  level(state.value));
+        body.line("attained {} {} {} {} {}", to_fraction(state.u), to_fraction(state.s),
+                  to_fraction(state.delta), state.n, to_fraction(state.value));
     }
     return std::move(body).finished();
 }

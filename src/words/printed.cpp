@@ -68,10 +68,12 @@ double decided_fraction(const Rational& undecided) {
 }
 
 std::string time_text(double seconds) {
+    constexpr double day = 86400;
     return seconds < 120         ? fmt::format("{:.0f} s", seconds)
            : seconds < 7200      ? fmt::format("{:.0f} min", seconds / 60)
            : seconds < 48 * 3600 ? fmt::format("{:.1f} h", seconds / 3600)
-                                 : fmt::format("{:.1f} days", seconds / 86400);
+           : seconds < 730 * day ? fmt::format("{:.1f} days", seconds / day)
+                                 : fmt::format("{:.3g} years", seconds / (365.25 * day));
 }
 
 }  // namespace dumbbell

@@ -34,7 +34,7 @@ template <class Number>
     return fmt::format("{} {}{}", n, one, n == 1 ? "" : "s");
 }
 
-/// A time for people: 40 s, 12 min, 3.5 h, 2.1 days.
+/// A time for people: 40 s, 12 min, 3.5 h, 2.1 days, 30 years.
 [[nodiscard]] std::string time_text(double seconds);
 
 }  // namespace dumbbell

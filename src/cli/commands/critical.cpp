@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <iterator>
 #include <tuple>
 
@@ -19,6 +18,7 @@
 #include "number/count_argument.hpp"
 #include "staircase/critical_range.hpp"
 #include "staircase/critical_report.hpp"
+#include "words/printed.hpp"
 
 namespace dumbbell::cli {
 namespace {
@@ -62,32 +62,21 @@ constexpr std::chrono::duration<double> long_time = std::chrono::hours(1);
 /// What takes longer is announced.
 constexpr std::chrono::duration<double> some_time = std::chrono::minutes(1);
 
-std::string time_text(std::chrono::duration<double> time) {
-    const double hours = time / std::chrono::hours(1);
-    if (hours < 2) {
-        return fmt::format("{:.0f} minutes", std::ceil(60 * hours));
-    }
-    if (hours < 48) {
-        return fmt::format("{:.1f} hours", hours);
-    }
-    const double years = hours / (24 * 365.25);
-    return years < 2 ? fmt::format("{:.0f} days", hours / 24) : fmt::format("{:.3g} years", years);
-}
-
 /// Says how long it will take, if long. Throws InputError if it would take very long and no budget is given.
 void check_time(const staircase::CriticalRequest& request, bool quiet) {
     if (request.budget) {
         return;
     }
     const auto time = estimated_time(request);
+    const std::string text = time_text(time.count());
     if (time > long_time) {
         throw InputError(
             fmt::format("this would take about {} ({} thread{}): ask for less, or give a --budget, for "
                         "example --budget 2h",
-                        time_text(time), request.jobs, request.jobs == 1 ? "" : "s"));
+                        text, request.jobs, request.jobs == 1 ? "" : "s"));
     }
     if (time > some_time && !quiet) {
-        remark("this will take about " + time_text(time));
+        remark("this will take about " + text);
     }
 }
 

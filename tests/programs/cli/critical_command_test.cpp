@@ -146,7 +146,7 @@ TEST_CASE("critical says how long a long computation will take before it begins"
     process.send(SIGTERM);
     const Outcome outcome = process.wait();
     CHECK(outcome.signal == SIGTERM);
-    CHECK_THAT(outcome.err, StartsWith("dumbbell: this will take about ") && Contains(" minutes\n"));
+    CHECK_THAT(outcome.err, StartsWith("dumbbell: this will take about ") && Contains(" min\n"));
 }
 
 TEST_CASE("critical refuses options out of range") {
