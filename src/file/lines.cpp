@@ -7,6 +7,21 @@
 #include "file/dyadic.hpp"
 
 namespace dumbbell {
+namespace {
+
+/// What another system has done to a line, and how to mend it; empty: nothing that has a name.
+std::string_view foreign(std::string_view line, bool is_first) {
+    if (is_first && (line.starts_with("\xff\xfe") || line.starts_with("\xfe\xff"))) {
+        return "is UTF-16: mend it with iconv -f UTF-16 -t ASCII <OLD >NEW";
+    }
+    if (is_first && line.starts_with("\xef\xbb\xbf")) {
+        return "begins with a byte-order mark of UTF-8: mend it with tail -c +4 <OLD >NEW";
+    }
+    return line.ends_with("\r\n") ? "has line ends of Windows (CR LF): mend it with tr -d '\\r' <OLD >NEW"
+                                  : "";
+}
+
+}  // namespace
 
 void require_readable(const std::string& path) { const FileToRead it(path); }
 
@@ -15,6 +30,9 @@ Lines::Lines(const std::string& path) : path_(path), text_(path) {}
 bool Lines::read(std::string& line) {
     ++number_;
     line = text_.next_line();
+    if (const auto named = foreign(line, number_ == 1); !named.empty()) {
+        throw InputError(fmt::format("'{}' {}", path_, named));
+    }
     return line.ends_with('\n') && line.find('\0') == std::string::npos;
 }
 

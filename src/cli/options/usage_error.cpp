@@ -39,9 +39,9 @@ std::string meant(const std::string& word, const std::vector<std::string>& names
         return distance(word, a) < distance(word, b);
     });
     const std::size_t steps = distance(word, *nearest);
-    return steps > 0 && steps < far && 2 * steps < nearest->size()
-               ? fmt::format("did you mean {}? ", *nearest)
-               : "";
+    const bool is_near = steps < far && 2 * steps < nearest->size();
+    return steps > 0 && (is_near || word.starts_with(*nearest)) ? fmt::format("did you mean {}? ", *nearest)
+                                                                : "";
 }
 
 std::vector<std::string> names_of_options(const Command& command) {

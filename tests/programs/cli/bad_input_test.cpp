@@ -67,6 +67,7 @@ TEST_CASE("a command or option that is nearly right is named, and the help that 
                Contains("did you mean --section? see dumbbell certify --help"));
     CHECK_THAT(refused({"certify", "10", "--qiuet"}), Contains("did you mean --quiet? "));
     CHECK_THAT(refused({"plot", "stiarcase"}), Contains("did you mean staircase? see dumbbell plot --help"));
+    CHECK_THAT(refused({"certify", "10", "--output", "x"}), Contains("did you mean --out? "));
     CHECK_THAT(refused({"certify", "10", "--frobnicate"}), !Contains("did you mean"));
     CHECK_THAT(refused({"mona-lisa"}), !Contains("did you mean"));
     CHECK_THAT(refused({"certify", "10", "--jobs", "0"}), Contains("see dumbbell certify --help"));
