@@ -4,7 +4,7 @@
 #
 # A ctest test NAME in which dumbbell-verify checks that each of the certificates proves the claim: for every
 # mass ratio in RATIO at most MAX, at least MIN, or EXACTLY so many collisions. With CLAIMS the list has the
-# certificates, relative to the present source folder, and the claims (see `dumbbell-verify --help`).
+# certificates, relative to its own folder, and the claims (see `dumbbell-verify --help`).
 #
 # Relative names are files of the present source folder and must exist; absolute ones may be made by the build.
 # Call enable_testing() before. Wrong use is an error when CMake configures, never a test that passes.

@@ -45,7 +45,7 @@ if(NOT DUMBBELL_VERIFIER_ONLY)
       DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME ${command} OPTIONAL)
   endforeach()
 endif()
-# The pages and certificates/claims.tsv name the certificates as in the source: below the pages' folder.
+# The pages name the certificates as in the source: below the pages' folder.
 install(DIRECTORY certificates DESTINATION ${CMAKE_INSTALL_DATADIR}/dumbbell)
 file(RELATIVE_PATH certificates ${CMAKE_INSTALL_FULL_DOCDIR} ${CMAKE_INSTALL_FULL_DATADIR}/dumbbell/certificates)
 file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/share)

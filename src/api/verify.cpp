@@ -1,6 +1,5 @@
 #include "dumbbell/verify.hpp"
 
-#include <array>
 #include <stdexcept>
 #include <system_error>
 
@@ -16,9 +15,6 @@ namespace {
 
 dumbbell_verify::Job job_of(const std::string& file, const Claim& claim, unsigned jobs,
                             const std::string& budget) {
-    if (!claim.most && !claim.least) {
-        throw std::invalid_argument("the claim needs `most`, `least` or both");
-    }
     if (jobs < 1 || jobs > 1024) {
         throw std::invalid_argument("jobs is out of range: give a number of threads from 1 to 1024");
     }
@@ -42,10 +38,21 @@ dumbbell_verify::Job job_of(const std::string& file, const Claim& claim, unsigne
 }
 
 Verdict given(dumbbell_verify::Verdict verdict) {
-    // In the order of the verifier's.
-    constexpr std::array given{Verdict::verified, Verdict::unreadable, Verdict::unsupported, Verdict::limit,
-                               Verdict::rejected};
-    return given.at(static_cast<std::size_t>(verdict));
+    switch (verdict) {
+        case dumbbell_verify::Verdict::verified:
+            return Verdict::verified;
+        case dumbbell_verify::Verdict::open:
+            return Verdict::open;
+        case dumbbell_verify::Verdict::unreadable:
+            return Verdict::unreadable;
+        case dumbbell_verify::Verdict::unsupported:
+            return Verdict::unsupported;
+        case dumbbell_verify::Verdict::limit:
+            return Verdict::limit;
+        case dumbbell_verify::Verdict::rejected:
+            break;
+    }
+    return Verdict::rejected;
 }
 
 }  // namespace

@@ -18,8 +18,8 @@ class NoVerdict : public InputError {
 
 /// What it says of one file.
 struct Verdict {
-    bool accepts = false;
-    std::string line;  ///< the last one that it printed
+    bool accepts = false;  ///< the file is right; all that it is about may be open
+    std::string line;      ///< the last one that it printed
 };
 
 /// Runs the verifier, or another copy of it, with these arguments; its stderr is this program's. A signal

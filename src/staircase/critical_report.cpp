@@ -212,17 +212,18 @@ Json to_json(const CriticalReport& report) {
     for (const CriticalRow& row : report.rows) {
         ratios.add(row_json(row, report));
     }
-    return Json::object({{"schema", "dumbbell-critical-1"},
-                         {"method", method(report.request.first, report.request.last)},
-                         {"rests_on", "proofs/theorem.md, theorem 2"},
-                         {"digits", report.request.digits},
-                         {"part", report.request.part ? part_json(*report.request.part) : Json()},
-                         {"jobs", report.request.jobs},
-                         {"ratios", ratios},
-                         {"open", report.request.last - report.request.first + 1 - count_if(report, has_ratio)},
-                         {"left_out_from", first_unreached(report)},
-                         {"seconds", report.seconds},
-                         {"out", report.out}});
+    return Json::object(
+        {{"schema", "dumbbell-critical-1"},
+         {"method", method(report.request.first, report.request.last)},
+         {"rests_on", "proofs/theorem.md, theorem 2"},
+         {"digits", report.request.digits},
+         {"part", report.request.part ? part_json(*report.request.part) : Json()},
+         {"jobs", report.request.jobs},
+         {"ratios", ratios},
+         {"open", report.request.last - report.request.first + 1 - count_if(report, has_ratio)},
+         {"left_out_from", first_unreached(report)},
+         {"seconds", report.seconds},
+         {"out", report.out}});
 }
 
 std::string to_tsv(const CriticalReport& report) {

@@ -12,7 +12,7 @@ namespace dumbbell::staircase {
 /// What `critical` tells its user.
 struct CriticalReport {
     CriticalRequest request;
-    std::vector<CriticalRow> rows;    ///< of a range up to the last that is finished, or the first
+    std::vector<CriticalRow> rows;  ///< of a range up to the last that is finished, or the first
     double seconds = 0;
     std::optional<std::string> out;
 };

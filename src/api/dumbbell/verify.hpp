@@ -11,7 +11,7 @@ namespace dumbbell::api {
 inline namespace DUMBBELL_ABI {
 
 /// What a certificate has to prove: for every mass ratio of `ratio` (`10`, `9/2`, `1:100`) no trajectory has
-/// more than `most` collisions, and some trajectory has `least`.
+/// more than `most` collisions, and some trajectory has `least`. Of neither: any bound for all of `ratio`.
 struct Claim {
     std::string ratio;
     std::optional<std::uint64_t> most = std::nullopt;
@@ -23,7 +23,8 @@ enum class Verdict {
     rejected,     ///< the file is wrong or damaged, or does not prove the claim
     unsupported,  ///< another format version, claim kind, scene, section or lemma set
     unreadable,   ///< there is no such file
-    limit         ///< it needs more work, memory, threads or precision than it may have
+    limit,        ///< it needs more work, memory, threads or precision than it may have
+    open          ///< all that the file says is certified, but it bounds nothing, and no bound was asked for
 };
 
 struct Verification {
@@ -37,7 +38,7 @@ struct Verification {
 
 /// Verifies a certificate of the scene dumbbell (.dbc, also gzip-compressed) on up to `jobs` threads, with as
 /// much work as takes a core about the time of `budget` (`30s`, `10m`, `2h`). Throws std::invalid_argument,
-/// with a message that says what to do, if the claim is none: no mass ratio, neither bound, jobs = 0.
+/// with a message that says what to do, if the claim is none: no mass ratio, jobs = 0.
 [[nodiscard]] [[gnu::visibility("default")]] Verification verify(const std::string& file, const Claim& claim,
                                                                  unsigned jobs = 1,
                                                                  const std::string& budget = "30s");

@@ -30,7 +30,7 @@ dumbbell verify --help, or man dumbbell-verify.
 
 constexpr const char* verify_footer =
     "Exit codes: 0 verified and proved; 1 rejected; 2 wrong usage or unreadable; 3 unsupported; 4 resource "
-    "limit.";
+    "limit; 5 nothing is proved, and no claim was stated.";
 
 constexpr std::array verify_options{argument("FILE", "certificates").repeated()};
 

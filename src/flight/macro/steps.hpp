@@ -39,8 +39,8 @@ template <>
                                const Count& most, const Interrupted& interrupted);
 
 /// Rays that are followed for fewer collisions than this have no macro step worth trying, at the working
-/// precision. In double steps over few collisions mostly fail, and cost milliseconds each: with 20,000 in place
-/// of 40,000 `certify 2.5e9:2.501e9 --gap 1e-9` takes 15 s in place of 3.5 s.
+/// precision. In double steps over few collisions mostly fail, and cost milliseconds each: with 20,000 in
+/// place of 40,000 `certify 2.5e9:2.501e9 --gap 1e-9` takes 15 s in place of 3.5 s.
 template <class I>
 [[nodiscard]] long least_worth_a_macro_step() {
     return std::numeric_limits<long>::max();

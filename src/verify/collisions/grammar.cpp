@@ -16,7 +16,7 @@ class CollisionsReader : public Reader<Leaf> {
           proofs_{text, section, proof_.tallies,
                   [this](Leaf leaf, const std::string& path) { take(std::move(leaf), path); }} {
         proof_.claim = settings.demand;
-        proof_.section = section.name;
+        proof_.section = &section;
         proofs_.add_tallies();
         proof_.tallies.push_back({"open"});
     }

@@ -21,28 +21,54 @@ std::string covered_part(const mpq_class& lo, const mpq_class& hi, const mpq_cla
            to_string(std::max(lo, from), std::min(hi, to)) + " are covered";
 }
 
+Bounds::Bounds(const std::optional<mpz_class>& u, const mpz_class& v)
+    : upper(u), lower(v), pieces(1), gaps(u && *u == v + 1), open(!u || *u > v + 1) {}
+
+void Bounds::join(const Bounds& next) {
+    if (pieces == 0)
+        *this = next;
+    else if (next.pieces > 0) {
+        upper = upper && next.upper ? std::max(upper, next.upper) : std::nullopt;
+        lower = std::min(lower, next.lower);
+        pieces += next.pieces;
+        gaps += next.gaps;
+        open += next.open;
+    }
+}
+
+void Bounds::meet(const Bounds& next) {
+    if (pieces == 0 || next.pieces == 0) return join(next);
+    const bool both = upper && next.upper;
+    *this = Bounds(both    ? std::min(upper, next.upper)
+                   : upper ? upper
+                           : next.upper,
+                   std::max(lower, next.lower));
+}
+
+void Collisions::ask(const Bounds& next) {
+    const bool is_point = ratios ? ratios->first == ratios->second : lo == hi;
+    is_point ? asked.meet(next) : asked.join(next);
+}
+
 void Collisions::add(const mpq_class& a, const mpq_class& b, const std::optional<mpz_class>& u,
                      const mpz_class& v) {
     const mpq_class& from = start();
     const bool proves[] = {true, u && (!most || *u <= *most), !least || v >= *least};
     for (std::size_t i = 0; i < 3; ++i)
         if (proves[i] && (reached_[i] ? a <= *reached_[i] : a <= from && from <= b)) reached_[i] = b;
-    upper = upper && u ? std::max(upper, u) : std::nullopt;
-    lower = pieces == 0 ? v : std::min(lower, v);
-    ++pieces;
-    gaps += u && *u == v + 1;
-    open += !u || *u > v + 1;
+    const Bounds piece(u, v);
+    join(piece);
+    const mpq_class &first = ratios ? ratios->first : lo, &last = ratios ? ratios->second : hi;
+    // What has no more than an end in common with a range says nothing of it that its neighbour does not.
+    if (first == last || a == b ? a <= last && first <= b : a < last && first < b) ask(piece);
 }
 
 void Collisions::append(const Collisions& next) {
     for (std::size_t i = 0; i < 3; ++i)
         if (next.reached_[i] && reached_[i].value_or(start()) >= hi) reached_[i] = next.reached_[i];
     hi = next.hi;
-    upper = upper && next.upper ? std::max(upper, next.upper) : std::nullopt;
-    lower = std::min(lower, next.lower);
-    pieces += next.pieces;
-    gaps += next.gaps;
-    open += next.open;
+    join(next);
+    ask(next.asked);
 }
 
 std::string Collisions::missing() const {

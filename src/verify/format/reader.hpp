@@ -174,7 +174,8 @@ class Reader {
             read_trailer(text_, proof_);
             check_pending();
             proof_.work = text_.budget.taken();
-            if (settings_.scene != scene()) text_.reject("claim-not-proved", "the scene is another");
+            if (const auto asked = settings_.demanded_scene(); !asked.empty() && asked != scene())
+                text_.reject("claim-not-proved", "the scene is another");
             if (!settings_.claim.empty() && settings_.claim != kind())
                 text_.reject("claim-not-proved", "the claim is another");
             if (const auto gap = missing(); !gap.empty()) text_.reject("claim-not-proved", gap);

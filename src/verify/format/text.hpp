@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "verify/input/bytes.hpp"
+#include "verify/input/foreign.hpp"
 
 namespace dumbbell_verify {
 
@@ -50,7 +51,10 @@ class Text {
             const std::size_t size =
                 1 + std::min({rest_.find('\n'), rest_.size() - 1, most_bytes - line_.size()});
             const auto bad = [](char c) { return (c < 0x20 || c > 0x7e) && c != '\n'; };
-            if (std::any_of(rest_.begin(), rest_.begin() + size, bad)) reject("byte", "not printable ASCII");
+            if (std::any_of(rest_.begin(), rest_.begin() + size, bad)) {
+                const std::string named = foreign(rest_.substr(0, size), line == 1 && line_.empty());
+                named.empty() ? reject("byte", "not printable ASCII") : reject("encoding", named);
+            }
             line_ += rest_.substr(0, size);
             rest_.remove_prefix(size);
             if (line_.size() > most_bytes) reject("line", "more than 4096 bytes");

@@ -8,7 +8,7 @@
 namespace dumbbell_verify {
 
 /// With several files the last one of these counts.
-enum class Verdict { verified, unreadable, unsupported, limit, rejected };
+enum class Verdict { verified, unreadable, open, unsupported, limit, rejected };
 
 /// Why a file is not verified; thrown, and reported as it is.
 struct Failure {

@@ -1,7 +1,9 @@
 #include "verify/program/claim_list.hpp"
 
+#include <filesystem>
 #include <sstream>
 
+#include "verify/input/foreign.hpp"
 #include "verify/program/claim_options.hpp"
 
 namespace dumbbell_verify {
@@ -26,7 +28,13 @@ std::vector<std::string> split(const std::string& text, char separator) {
     return parts;
 }
 
-Job parse_row(const std::string& row, Settings settings) {
+/// The folder of a list that has one: a pipe has none.
+std::filesystem::path folder_of(const std::filesystem::path& list) {
+    std::error_code none;
+    return std::filesystem::is_regular_file(list, none) ? list.parent_path() : "";
+}
+
+Job parse_row(const std::string& row, const std::filesystem::path& folder, Settings settings) {
     const auto fields = split(row, '\t');
     if (fields.size() < 2 || fields[0].empty())
         throw std::invalid_argument("needs a certificate, a tab and its claim: FILE<tab>--ratio 10 --max 4");
@@ -39,7 +47,7 @@ Job parse_row(const std::string& row, Settings settings) {
     if (settings.claim != "law" && (!demand.ratios || !(demand.most || demand.least)))
         throw std::invalid_argument(
             "the claim needs --ratio, and --max, --min or --exactly; or it is --claim law");
-    return {fields[0], std::move(settings), true};
+    return {fields[0] == "-" ? "-" : (folder / fields[0]).string(), std::move(settings)};
 }
 
 }  // namespace
@@ -51,7 +59,9 @@ std::vector<Job> read_claims(const std::string& path, const Settings& settings) 
         std::size_t line = 0;
         for (const std::string& row : split(contents(path), '\n')) {
             where = path + ":" + std::to_string(++line);
-            if (!row.empty() && row[0] != '#') jobs.push_back(parse_row(row, settings));
+            if (const std::string named = foreign(row, line == 1); !named.empty())
+                throw std::invalid_argument(named);
+            if (!row.empty() && row[0] != '#') jobs.push_back(parse_row(row, folder_of(path), settings));
         }
         where = path;
         if (jobs.empty()) throw std::invalid_argument("no claim in this list");

@@ -5,8 +5,9 @@
 namespace dumbbell_verify {
 
 /// The rows of the list: a certificate, a tab, the options that state its claim; then whatever follows
-/// another tab. Empty lines and lines that begin with # are remarks. What the options do not say is as in
-/// `settings`. Throws std::invalid_argument naming the row if one states no claim, or if there is none.
+/// another tab. Empty lines and lines that begin with # are remarks. Names are relative to the list's folder.
+/// What the options do not say is as in `settings`. Throws std::invalid_argument naming the row if one states
+/// no claim, or if there is none.
 std::vector<Job> read_claims(const std::string& path, const Settings& settings);
 
 }  // namespace dumbbell_verify

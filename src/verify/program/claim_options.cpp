@@ -74,11 +74,14 @@ bool claim_option(Words& words, Settings& settings) {
     return true;
 }
 
-std::string demand_text(const Collisions& demand) {
+std::string demand_text(const Settings& settings, const Collisions& demand) {
     std::string text;
-    if (demand.ratios) text = " ratio=" + to_string(demand.ratios->first, demand.ratios->second);
-    if (demand.most) text += " max=" + demand.most->get_str();
-    if (demand.least) text += " min=" + demand.least->get_str();
+    if (demand.ratios) text = " demanded-ratio=" + to_string(demand.ratios->first, demand.ratios->second);
+    const bool both = demand.most && demand.most == demand.least;
+    if (demand.most) text += (both ? " exactly=" : " max=") + demand.most->get_str();
+    if (demand.least && !both) text += " min=" + demand.least->get_str();
+    if (!settings.scene.empty()) text += " demanded-scene=" + settings.scene;
+    if (!settings.claim.empty()) text += " demanded-claim=" + settings.claim;
     return text;
 }
 

@@ -9,7 +9,8 @@ namespace dumbbell_verify {
 /// --claim; false if it is another. Throws std::invalid_argument.
 bool claim_option(Words& words, Settings& settings);
 
-/// What was demanded, for a reader: ` ratio=LO:HI max=N min=N`, without what was not.
-std::string demand_text(const Collisions& demand);
+/// What was demanded, of it and with the scene and the kind of `settings`: ` demanded-ratio=LO:HI max=N min=N
+/// demanded-scene=S demanded-claim=KIND` without what was not; ` exactly=N` for both bounds.
+std::string demand_text(const Settings& settings, const Collisions& demand);
 
 }  // namespace dumbbell_verify

@@ -10,21 +10,23 @@
 
 namespace dumbbell_verify {
 namespace {
-constexpr const char* names[] = {"VERIFIED", "UNREADABLE", "UNSUPPORTED", "LIMIT", "REJECTED"};
-constexpr int exit_codes[] = {0, 2, 3, 4, 1};
+constexpr const char* names[] = {"VERIFIED", "UNREADABLE", "OPEN", "UNSUPPORTED", "LIMIT", "REJECTED"};
+constexpr int exit_codes[] = {0, 2, 3, 3, 4, 1};
 
 /// What --explain can show of a file.
-std::string trees(const Verified& proof, const std::string& scene) {
+std::string trees(const Verified& proof) {
     if (const auto leaves = proof.of_other([](const auto& it) { return it.leaves; }))
         return "the leaves of this file are " + *leaves;
     std::string text =
         "PIECE is from 1 to " + std::to_string(proof.claim.pieces) + ", and the trees of a piece are ";
-    for (const Section* section : sections())
-        if (section->scene == scene && section->name == proof.section && section->lemmas == "1")
-            for (const Chart& chart : section->charts) text += std::string(chart.name) + ", ";
+    for (const Chart& chart : proof.section->charts) text += std::string(chart.name) + ", ";
     return text + "witness";
 }
 }  // namespace
+
+Failure nothing_proved() {
+    return {Verdict::open, 0, "nothing-proved", "no bound is proved for all that is in question"};
+}
 
 const char* verdict_name(Verdict verdict) { return names[static_cast<int>(verdict)]; }
 int exit_code(Verdict verdict) { return exit_codes[static_cast<int>(verdict)]; }
@@ -38,13 +40,12 @@ Result examine(const Job& job) {
     try {
         result.proof = verify(job.file, settings);
         if (!settings.explain.empty() && !result.proof.explained)
-            result.why = {
-                Verdict::unreadable, 0, "usage",
-                "there is no leaf " + settings.explain + "; " + trees(result.proof, settings.scene)};
+            result.why = {Verdict::unreadable, 0, "usage",
+                          "there is no leaf " + settings.explain + "; " + trees(result.proof)};
+        else if (!settings.together && result.proof.says_nothing(settings.demand))
+            result.why = nothing_proved();
     } catch (Failure& failure) {
         result.why = std::move(failure);
-        if (job.listed && !job.file.starts_with('/') && result.why.code == "unreadable")
-            result.why.text += " (a name in a list is relative to the working folder)";
     } catch (const std::exception& error) {  // out of memory, no more threads
         result.why = {Verdict::limit, 0, "limit", error.what()};
     }

@@ -13,18 +13,24 @@ namespace dumbbell_verify {
 struct Job {
     std::string file;
     Settings settings;
-    bool listed = false;  ///< a list has its name
 };
 
 struct Result {
     const Job* job = nullptr;
     Failure why{Verdict::verified, 0, "", ""};  ///< if not verified
-    Verified proof;                             ///< if verified
+    Verified proof;                             ///< if the file is right
     double seconds = 0;
+
+    /// All that the file says is certified, if only that everything is open.
+    [[nodiscard]] bool is_right() const {
+        return why.verdict == Verdict::verified || why.verdict == Verdict::open;
+    }
 };
 
+Failure nothing_proved();  ///< of a file that is right
+
 const char* verdict_name(Verdict verdict);  ///< VERIFIED, ...
-/// 0 verified, 1 rejected, 2 unreadable, 3 unsupported, 4 limit
+/// 0 verified, 1 rejected, 2 unreadable, 3 open or unsupported, 4 limit
 int exit_code(Verdict verdict);
 
 /// Verifies one file; whatever is wrong is in the result.

@@ -17,6 +17,7 @@ constexpr std::string_view foot = R"(
   dumbbell-verify --ratio 10 --exactly 4 ten.dbc       is N*(10) = 4 proved?
   dumbbell-verify --ratio 2:5/2 --max 3 stairs.dbc     at most 3 collisions on a part of the file's range?
   dumbbell-verify --together --ratio 1:1e8 --max 8857 part-*.dbc    do these files prove it together?
+  dumbbell-verify ten.dbc                              what does this file prove?
   dumbbell-verify --explain 1:bridge ten.dbc           one leaf, in numbers
   dumbbell-verify --claim initial-conditions --min 1 falling.dbc    at least one collision from every start?
   dumbbell-verify --junit proofs.xml --claims certificates/claims.tsv   in CI: every certificate, its own claim
@@ -25,11 +26,11 @@ constexpr std::string_view foot = R"(
   dumbbell-verify --budget 10m huge.dbc                a staircase up to 10^8
   dumbbell-verify --jobs 1 --precision 200 --max-bits 4096 ten.dbc  slowly, in multiple precision, on one thread
 
-FILE `-` is the standard input. Of one file, and of files --together, the last line is the verdict: s VERIFIED,
-s REJECTED, s UNSUPPORTED, s UNREADABLE or s LIMIT. Of several files by themselves each has one such line with its name,
-in the given order, and a line with the numbers ends them: c files=3 verified=2 rejected=1 ...
-Exit code: 0 verified and proved, 1 rejected, 2 usage or unreadable, 3 unsupported, 4 resource limit; of several codes
-the first of 1, 4, 3, 2, 0.
+FILE `-` is the standard input. Of one file, and of files --together, a sentence says what is proved, and the last line
+is the verdict: s VERIFIED, s OPEN, s REJECTED, s UNSUPPORTED, s UNREADABLE or s LIMIT. Of several files by themselves
+each has one such line with its name, in the given order, and a line with the numbers ends them: c files=3 verified=2 ...
+Exit code: 0 verified and proved, 1 rejected, 2 usage or unreadable, 3 unsupported, or open: no claim is stated, and no
+bound is proved for all that is in question, 4 resource limit; of several codes the first of 1, 4, 3, 2, 0.
 )";
 
 constexpr std::size_t width = 118, column = 24;

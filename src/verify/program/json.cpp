@@ -4,8 +4,8 @@
 #include <initializer_list>
 #include <optional>
 
+#include "verify/format/section.hpp"
 #include "verify/program/escape.hpp"
-#include "verify/program/version.hpp"
 
 namespace dumbbell_verify {
 namespace {
@@ -39,17 +39,19 @@ std::string work(bool known, const Proof& proof) {
     const std::string rest = std::to_string(1000 + n % 1000);
     return std::to_string(n / 1000) + "." + rest.substr(1);
 }
-std::string demand(const Collisions& d) {
+std::string demand(const Settings& settings, const Collisions& d) {
     return object({{"ratio", d.ratios ? range(d.ratios->first, d.ratios->second) : "null"},
                    {"max", count(d.most)},
-                   {"min", count(d.least)}});
+                   {"min", count(d.least)},
+                   {"scene", string_unless(settings.scene.empty(), settings.scene)},
+                   {"claim", string_unless(settings.claim.empty(), settings.claim)}});
 }
 
 std::string claim(const Result& result) {
-    if (result.why.verdict != Verdict::verified) return "null";
+    if (!result.is_right()) return "null";
     if (const auto object = result.proof.of_other([](const auto& it) { return it.json(); })) return *object;
     const Collisions& c = result.proof.claim;
-    return object({{"scene", json_string(result.job->settings.scene)},
+    return object({{"scene", json_string(result.proof.section->scene)},
                    {"ratio", range(c.lo, c.hi)},
                    {"upper", count(c.upper)},
                    {"lower", json_count(c.lower)},
@@ -69,21 +71,22 @@ std::string list(const std::vector<Result>& files) {
 
 std::string json(const Result& result) {
     const Failure& why = result.why;
-    const bool verified = why.verdict == Verdict::verified;
+    const Settings& settings = result.job->settings;
+    const bool right = result.is_right(), verified = why.verdict == Verdict::verified;
     std::vector<Member> leaves, coverage;
-    for (const Tally& tally : verified ? result.proof.tallies : std::vector<Tally>()) {
+    for (const Tally& tally : right ? result.proof.tallies : std::vector<Tally>()) {
         leaves.push_back({tally.name, number(tally.lines)});
         coverage.push_back({tally.name, std::to_string(tally.covered / std::max(1.0, result.proof.roots))});
     }
     return object({{"file", json_string(result.job->file)},
                    {"verdict", json_string(verdict_name(why.verdict))},
                    {"claim", claim(result)},
-                   {"sha256", string_unless(!verified, result.proof.digest)},
+                   {"sha256", string_unless(!right, result.proof.digest)},
                    {"schema", json_string("dumbbell-verify-1")},
-                   {"demand", demand(result.job->settings.own_demand())},
+                   {"demand", demand(settings, settings.own_demand())},
                    {"leaves", object(leaves)},
                    {"coverage", object(coverage)},
-                   {"work", work(verified, result.proof)},
+                   {"work", work(right, result.proof)},
                    {"line", why.line > 0 ? number(why.line) : "null"},
                    {"code", string_unless(verified, why.code)},
                    {"reason", string_unless(verified, why.text)}});
@@ -94,7 +97,7 @@ std::string json(const Result& whole, const std::vector<Result>& files) {
     return object({{"schema", json_string("dumbbell-verify-together-1")},
                    {"verdict", json_string(verdict_name(whole.why.verdict))},
                    {"claim", claim(whole)},
-                   {"demand", demand(whole.job->settings.demand)},
+                   {"demand", demand(whole.job->settings, whole.job->settings.demand)},
                    {"code", string_unless(verified, whole.why.code)},
                    {"reason", string_unless(verified, whole.why.text)},
                    {"files", list(files)}});

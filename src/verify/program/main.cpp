@@ -19,6 +19,7 @@
 #include "verify/program/options.hpp"
 #include "verify/program/progress.hpp"
 #include "verify/program/replace_file.hpp"
+#include "verify/program/sentence.hpp"
 #include "verify/program/summary.hpp"
 #include "verify/program/together.hpp"
 
@@ -38,8 +39,9 @@ void require_printed() {
 void print_line(const std::string& text) { std::printf("%s\n", text.c_str()); }
 
 TestCase test_case(const Result& r) {
-    return {one_line(r.job->file) + demand_text(r.job->settings.own_demand()), r.why.verdict, result_text(r),
-            verdict_line(r) + " file=" + one_line(r.job->file), r.seconds};
+    const Settings& settings = r.job->settings;
+    return {one_line(r.job->file) + demand_text(settings, settings.own_demand()), r.why.verdict,
+            result_text(r), verdict_line(r) + " file=" + one_line(r.job->file), r.seconds};
 }
 
 /// Every file by itself. The verdict of all is the worst.
@@ -51,7 +53,7 @@ Verdict run_files(const Options& options, Progress& progress, std::vector<TestCa
         if (options.json)
             std::printf("%s%s", r.job == options.jobs.data() ? "[" : ",\n", json(r).c_str());
         else if (!options.quiet)
-            std::fputs(several ? (cases.back().output + "\n").c_str() : block(r).c_str(), stdout);
+            std::fputs((several ? cases.back().output + "\n" : block(r, options.leaves)).c_str(), stdout);
         else if (!several)
             print_line(verdict_line(r));
         std::fflush(stdout);
@@ -68,18 +70,19 @@ Verdict run_together(const Options& options, Progress& progress, std::vector<Tes
     const auto results = examine_all(options.jobs, options.at_once, [&](const Result& r) {
         const auto lock = progress.hidden();
         cases.push_back(test_case(r));
-        if (r.why.verdict == Verdict::verified && !options.json && !options.quiet)
+        if (r.is_right() && !options.json && !options.quiet)
             print_line(leading_name(r.job->file) + "\n  " + result_text(r));
     });
     const std::string files = std::to_string(results.size());
     const Job& asked = *results.front().job;
     const Result all = together(asked, results);
     const Verdict verdict = all.why.verdict;
-    const std::string text =
-        verdict == Verdict::verified ? claim_text(all) + " files=" + files : result_text(all);
+    const std::string demand = demand_text(asked.settings, asked.settings.demand);
+    const std::string text = all.is_right() ? claim_text(all) + " files=" + files + demand : result_text(all);
     const std::string line = std::string("s ") + verdict_name(verdict) + " " + text;
+    if (all.is_right() && !options.json && !options.quiet) std::fputs(sentence(all).c_str(), stdout);
     print_line(options.json ? json(all, results) : line);
-    cases.push_back({files + " files together" + demand_text(asked.settings.demand), verdict, text, line, 0});
+    cases.push_back({files + " files together" + demand, verdict, text, line, 0});
     return verdict;
 }
 

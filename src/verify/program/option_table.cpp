@@ -25,7 +25,9 @@ constexpr Option table[] = {
     {"--max", "N", "demand the proof that no trajectory has more than N collisions", read_claim},
     {"--min", "N", "demand the proof that some trajectory has at least N collisions", read_claim},
     {"--exactly", "N", "both", read_claim},
-    {"--scene", "dumbbell|hybrid|wedge", "demand this scene (dumbbell)", read_claim},
+    {"--scene", "dumbbell|hybrid|wedge",
+     "demand this scene (with another option that states the claim, dumbbell; else that of the file)",
+     read_claim},
     {"--claim", "KIND",
      "demand this kind of claim: collisions; initial-conditions (a file of dumbbell trace --subdivide: "
      "--ratio, --max, --min and --exactly are then "
@@ -35,7 +37,7 @@ constexpr Option table[] = {
      read_claim},
     {"--claims", "LIST",
      "the certificates and claims of a list like certificates/claims.tsv, one each line: a file (its name is "
-     "relative to the working folder), a tab, the six options above that state its claim, with --ratio and a "
+     "relative to the list's folder), a tab, the six options above that state its claim, with --ratio and a "
      "bound, or --claim law alone; what stands after another tab is a remark, and so is a line that begins "
      "with #",
      [](Words& words, Asked& to) { to.claims = words.value(); },
@@ -66,18 +68,19 @@ constexpr Option table[] = {
      "of one file about initial conditions: how likely each number of collisions is, bounds of its share of "
      "the box, from the leaves that were checked",
      [](Words&, Asked& to) { to.settings.shares = true; }, "--quiet --claims"},
+    {"--leaves", "",
+     "of one file: how many lines of each kind it has, and what share of the root boxes they cover",
+     [](Words&, Asked& to) { to.options.leaves = true; }, "--json --quiet --together --claims"},
     {"--json", "",
      "print JSON and nothing else: an array of one object for each file; with --together one object",
-     [](Words&, Asked& to) { to.options.json = true; }, "--quiet"},
+     [](Words&, Asked& to) { to.options.json = true; }},
     {"--junit", "FILE.xml",
      "write a JUnit report, too: one test case for each file, with --together one more", read_report},
-    {"--quiet", "", "print the last line only, and show no progress",
+    {"--quiet", "", "print the last line only (or JSON), and show no progress",
      [](Words&, Asked& to) { to.options.quiet = true; }},
     {"-h, --help", "", "print this help and end", [](Words&, Asked& to) { to.options.answer = help(); }},
-    {"-V, --version", "", "print the version and the compiler, and end",
-     [](Words&, Asked& to) {
-         to.options.answer = "dumbbell-verify " + std::string(version) + " (" __VERSION__ ")\n";
-     }},
+    {"-V, --version", "", "print the version, the compiler and its flags, and end",
+     [](Words&, Asked& to) { to.options.answer = "dumbbell-verify " + std::string(version) + "\n"; }},
 };
 
 }  // namespace

@@ -32,7 +32,9 @@ void require_fitting(const Words& words, const Asked& asked) {
     const std::size_t files = asked.options.jobs.size();
     const bool is_list = words.seen("--claims");
     if (is_list && files > 0) throw std::invalid_argument("--claims names the files: give no other FILE");
-    if (asked.settings.shares && files != 1) throw std::invalid_argument("--shares is about one FILE");
+    for (const char* option : {"--shares", "--leaves"})
+        if (words.seen(option) && files != 1)
+            throw std::invalid_argument(std::string(option) + " is about one FILE");
     if (!is_list && files == 0) throw std::invalid_argument("no FILE; see --help");
 }
 

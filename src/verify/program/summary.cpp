@@ -4,14 +4,17 @@
 #include <array>
 #include <cstdio>
 
+#include "verify/format/section.hpp"
+#include "verify/program/claim_options.hpp"
 #include "verify/program/escape.hpp"
+#include "verify/program/sentence.hpp"
 
 namespace dumbbell_verify {
 
 std::string claim_text(const Result& result) {
     if (const auto text = result.proof.of_other([](const auto& it) { return it.text(); })) return *text;
     const Collisions& claim = result.proof.claim;
-    return "scene=" + result.job->settings.scene + " ratio=" + to_string(claim.lo, claim.hi) +
+    return "scene=" + std::string(result.proof.section->scene) + " ratio=" + to_string(claim.lo, claim.hi) +
            " upper=" + (claim.upper ? claim.upper->get_str() : "none") + " lower=" + claim.lower.get_str() +
            " gaps=" + std::to_string(claim.gaps) + " open=" + std::to_string(claim.open) +
            (result.proof.heavy_once ? " heavy-at-most=1" : "");
@@ -19,7 +22,10 @@ std::string claim_text(const Result& result) {
 
 std::string result_text(const Result& result) {
     const Failure& why = result.why;
-    if (why.verdict == Verdict::verified) return claim_text(result) + " sha256=" + result.proof.digest;
+    const Settings& settings = result.job->settings;
+    if (result.is_right())
+        return claim_text(result) + " sha256=" + result.proof.digest +
+               demand_text(settings, settings.own_demand());
     std::string text;
     if (why.line > 0) text = "line=" + std::to_string(why.line) + " ";
     if (why.verdict == Verdict::rejected) text += "code=" + why.code + " ";
@@ -30,17 +36,16 @@ std::string verdict_line(const Result& result) {
     return std::string("s ") + verdict_name(result.why.verdict) + " " + result_text(result);
 }
 
-std::string block(const Result& result) {
+std::string block(const Result& result, bool leaves) {
     std::string text = leading_name(result.job->file) + "\n";
-    const bool verified = result.why.verdict == Verdict::verified;
-    for (const Tally& tally : verified ? result.proof.tallies : std::vector<Tally>()) {
+    if (result.is_right()) text += sentence(result);
+    for (const Tally& tally : leaves&& result.is_right() ? result.proof.tallies : std::vector<Tally>()) {
         std::array<char, 100> line{};
         std::snprintf(line.data(), line.size(), "  %-15s%12s line(s)%11.5f %% of the root boxes\n",
                       std::string(tally.name).c_str(), std::to_string(tally.lines).c_str(),
                       100 * tally.covered / std::max(1.0, result.proof.roots));
         text += line.data();
     }
-    if (verified) text += result.proof.of_other([](const auto& it) { return it.paragraph(); }).value_or("");
     return text + verdict_line(result) + "\n";
 }
 
@@ -53,7 +58,7 @@ std::string summary_line(const std::vector<Result>& results) {
     return "c files=" + std::to_string(results.size()) + " verified=" + count(Verdict::verified) +
            " rejected=" + count(Verdict::rejected) + " limit=" + count(Verdict::limit) +
            " unsupported=" + count(Verdict::unsupported) + " unreadable=" + count(Verdict::unreadable) +
-           " exit=" + std::to_string(exit_code(worst(results)));
+           " open=" + count(Verdict::open) + " exit=" + std::to_string(exit_code(worst(results)));
 }
 
 Verdict worst(const std::vector<Result>& results) {

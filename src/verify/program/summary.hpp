@@ -8,11 +8,11 @@
 namespace dumbbell_verify {
 
 std::string claim_text(const Result& result);    ///< what a verified file proves: `scene=S ratio=LO:HI ...`
-std::string result_text(const Result& result);   ///< what follows the verdict: claim and SHA-256, or reason
+std::string result_text(const Result& result);   ///< behind the verdict: claim, SHA-256, demand; or reason
 std::string verdict_line(const Result& result);  ///< `s VERIFIED ...`
 
-/// Of one file alone: its name, what its lines cover, the verdict.
-std::string block(const Result& result);
+/// Of one file alone: its name, what is proved in English, what its lines cover if `leaves`, the verdict.
+std::string block(const Result& result, bool leaves);
 /// Behind several: `c files=3 verified=2 rejected=1 ... exit=1`.
 std::string summary_line(const std::vector<Result>& results);
 

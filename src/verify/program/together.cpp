@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <tuple>
 
+#include "verify/format/section.hpp"
 #include "verify/program/escape.hpp"
 #include "verify/program/summary.hpp"
 
@@ -24,6 +25,10 @@ Failure broken_chain(const Result& before, const Result& next) {
     return rejected("chain", (begin > end ? "a hole: " : "an overlap: ") + one_line(before.job->file) +
                                  " ends at " + to_string(end) + ", and " + one_line(next.job->file) +
                                  " begins at " + to_string(begin));
+}
+
+std::string scene_of(const Result& file) {
+    return one_line(file.job->file) + " is about the scene " + std::string(file.proof.section->scene);
 }
 
 /// The same, of this file among others.
@@ -49,17 +54,26 @@ Result together(const Job& asked, const std::vector<Result>& files) {
     std::sort(chain.begin(), chain.end(), goes_before);
     Collisions& claim = whole.proof.claim = chain.front()->proof.claim;
     whole.proof.heavy_once = true;
+    whole.proof.section = chain.front()->proof.section;
     for (std::size_t i = 0; i < chain.size(); ++i) {
         const Proof& next = chain[i]->proof;
         whole.proof.heavy_once = whole.proof.heavy_once && next.heavy_once;
         if (i == 0) continue;
+        if (next.section->scene != whole.proof.section->scene) {
+            whole.why =
+                rejected("chain", "several scenes: " + scene_of(*chain[0]) + ", " + scene_of(*chain[i]));
+            return whole;
+        }
         if (next.claim.lo != claim.hi) {
             whole.why = broken_chain(*chain[i - 1], *chain[i]);
             return whole;
         }
         claim.append(next.claim);
     }
-    if (const std::string gap = claim.missing(); !gap.empty()) whole.why = rejected("claim-not-proved", gap);
+    if (const std::string gap = claim.missing(); !gap.empty())
+        whole.why = rejected("claim-not-proved", gap);
+    else if (claim.says_nothing())
+        whole.why = nothing_proved();
     return whole;
 }
 

@@ -16,7 +16,7 @@ Verified about(std::pair<Proof, Claim> found) {
 
 /// The first lines. Of what is wrong with the very first it also says what that means: it is another file.
 Header header_of(Text& text) try { return read_header(text); } catch (Failure& failure) {
-    if (failure.verdict == Verdict::rejected && text.line == 1)
+    if (failure.verdict == Verdict::rejected && text.line == 1 && failure.code != "encoding")
         failure.text += ": not a certificate, whose first line is `dumbbell-certificate 1`";
     throw;
 }
@@ -27,8 +27,9 @@ void name_both(Failure& failure, const Settings& settings, std::string_view scen
         failure.text = "the " + std::string(what) + " is " + std::string(is) + ", and " + asked +
                        " was demanded (--" + what + ")";
     };
+    const std::string asked(settings.demanded_scene());
     if (failure.code != "claim-not-proved") return;
-    if (settings.scene != scene) return other("scene", scene, settings.scene);
+    if (!asked.empty() && asked != scene) return other("scene", scene, asked);
     if (!settings.claim.empty() && settings.claim != claim) other("claim", claim, settings.claim);
 }
 

@@ -29,6 +29,11 @@ struct Verified : Proof {
             },
             other);
     }
+    /// Nothing was demanded, and nothing is proved of all that is in question.
+    [[nodiscard]] bool says_nothing(const Collisions& demand) const {
+        const auto* starts = std::get_if<Initial>(&other);
+        return starts ? starts->says_nothing(demand) : other.index() == 0 && claim.says_nothing();
+    }
 };
 
 /// Returns only if all that the file and the demand say is certified; else throws the Failure of the least

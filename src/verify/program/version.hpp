@@ -1,13 +1,14 @@
-// Which verifier this is.
+// Which verifier this is, and how it was made.
 #pragma once
 #include <string_view>
 
-#ifndef DUMBBELL_VERSION
-#define DUMBBELL_VERSION "0.0.0"
-#endif
-
 namespace dumbbell_verify {
 
-inline constexpr std::string_view version = DUMBBELL_VERSION;
+inline constexpr std::string_view version =
+#ifdef DUMBBELL_FLAGS
+    DUMBBELL_VERSION " (" DUMBBELL_COMPILER ", " DUMBBELL_BUILD_TYPE ", flags: " DUMBBELL_FLAGS ")";
+#else
+    "0.0.0 (" __VERSION__ ")";
+#endif
 
 }  // namespace dumbbell_verify

@@ -62,10 +62,25 @@ std::string Initial::json() const {
            (shares ? ",\"shares\":" + shares_json(*shares) : "") + "}";
 }
 
+std::string Initial::sentence() const {
+    const std::string all = incoming ? "every trajectory that comes in" : "every start in the box";
+    std::string text = "No bound is proved that holds for " + all;
+    if (most || least > 0)
+        text = "Proved: for " + all + " the dumbbell hits the floor " +
+               (!most           ? "at least " + std::to_string(least)
+                : *most > least ? "from " + std::to_string(least) + " to " + std::to_string(*most)
+                                : std::to_string(least)) +
+               (most.value_or(least) == 1 ? " time" : " times");
+    if (most == least || decided == 0) return text;
+    return text + "; the number is known for " +
+           (decided == 1 ? "each" : "at least a share " + decimals(decided, false, share_places) + " of all");
+}
+
 std::string Initial::paragraph() const {
-    if (!shares) return "";
-    std::string text = "  collisions  share of the " + std::string(incoming ? "trajectories" : "box") +
-                       " with exactly that many: proved bounds\n";
+    std::string text = "  " + sentence() + ".\n";
+    if (!shares) return text;
+    text += "  collisions  share of the " + std::string(incoming ? "trajectories" : "box") +
+            " with exactly that many: proved bounds\n";
     for (const StartShares::Row& row : shares->rows()) {
         const std::string counts = std::to_string(row.least) + (row.most == row.least ? "" : "-") +
                                    (row.most && *row.most > row.least ? std::to_string(*row.most) : "");

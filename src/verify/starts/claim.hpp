@@ -47,10 +47,16 @@ struct Initial {
 
     /// Empty if this proves the bounds and contains the ratios that are demanded.
     [[nodiscard]] std::string missing(const Collisions& demand) const;
+    /// No bound is demanded, none holds for all of the box, and no part of it is decided.
+    [[nodiscard]] bool says_nothing(const Collisions& demand) const {
+        return !demand.most && !demand.least && !most && least == 0 && decided == 0;
+    }
     /// For the verdict: the box, the range of collisions and the share, rounded down.
     [[nodiscard]] std::string text() const;
     [[nodiscard]] std::string json() const;
-    /// A line for each row of the shares, with twelve decimals rounded outward.
+    /// What is proved, in English, without its full stop.
+    [[nodiscard]] std::string sentence() const;
+    /// The sentence, and a line for each row of the shares, with twelve decimals rounded outward.
     [[nodiscard]] std::string paragraph() const;
 };
 

@@ -19,8 +19,7 @@ constexpr std::size_t stale_sample = 8;  ///< one in this number is also tried w
 /// Texts that were not seen before.
 class Collector {
   public:
-    explicit Collector(const Base& base)
-        : base_(base.text), trailer_(base.text.substr(body_of(base.text).size())) {
+    explicit Collector(const Base& base) : trailer_(base.text.substr(body_of(base.text).size())) {
         seen_.insert(hash_(base.text));
     }
 
@@ -38,10 +37,8 @@ class Collector {
         const std::string stale = mutant.as_it_is ? "" : body_of(mutant.text) + trailer_;
         const bool tried = stale == text || seen_.contains(hash_(stale));
         trials.push_back({mutant.kind, mutant.what + how, std::move(text), tried ? "" : stale, {}});
-        trials.back().settings = settings_for(mutant.as_it_is ? base_ : mutant.text);
     }
 
-    const std::string& base_;
     std::string trailer_;  ///< the base's
     std::hash<std::string> hash_;
     std::unordered_set<std::size_t> seen_;

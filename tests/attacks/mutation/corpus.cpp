@@ -25,11 +25,8 @@ void Corpus::add(const Base& base, const std::vector<Trial>& trials, const std::
         const Result& r = results[i];
         const bool accepted = r.fate == Fate::accepted;
         if (!accepted && r.fate != Fate::rejected) continue;
-        const std::string options = trial.demand                         ? trial.what
-                                    : trial.settings.scene == "dumbbell" ? ""
-                                                                         : "--scene " + trial.settings.scene;
         Entry entry{"",
-                    options,
+                    trial.demand ? trial.what : "",
                     exit_code(r.verdict),
                     accepted ? 0 : r.line,
                     accepted ? "-" : r.code,

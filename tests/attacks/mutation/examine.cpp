@@ -41,16 +41,6 @@ Outcome examine(const std::string& path, const Settings& settings) {
     return result;
 }
 
-Settings settings_for(const std::string& text) {
-    Settings settings;
-    for (const std::string& line : lines_of(text))
-        if (line == "scene wedge" || line == "scene hybrid") {
-            settings.scene = line.substr(6);
-            break;
-        }
-    return settings;
-}
-
 int exit_code(Verdict verdict) {
     switch (verdict) {
         case Verdict::verified:

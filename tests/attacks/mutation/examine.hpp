@@ -37,9 +37,6 @@ class Scratch {
 
 [[nodiscard]] Outcome examine(const std::string& path, const dumbbell_verify::Settings& settings);
 
-/// Of a text that is taken at its word: the scene that it names, one thread.
-[[nodiscard]] dumbbell_verify::Settings settings_for(const std::string& text);
-
 /// The program's exit code for a verdict.
 [[nodiscard]] int exit_code(dumbbell_verify::Verdict verdict);
 

@@ -40,7 +40,7 @@ TEST_CASE("Every base is verified, and shown to be true if it is about the adiab
     const Scratch file;
     for (const Base& base : all_bases()) {
         file.write(base.text);
-        const Outcome outcome = examine(file.path(), settings_for(base.text));
+        const Outcome outcome = examine(file.path(), {});
         INFO(base.name << ": " << outcome.text);
         REQUIRE(outcome.accepted());
         const auto* claim = std::get_if<dumbbell_verify::Adiabatic>(&outcome.proof->other);

@@ -2,7 +2,6 @@
 """agreement_test.py DUMBBELL DUMBBELL_VERIFY: the verdict on what the program writes today is the one that the project's verifier
 gives. Two programs that have nothing but the proofs and the format in common."""
 
-import re
 import subprocess
 import sys
 import tempfile
@@ -31,9 +30,7 @@ WRITTEN = [
 
 
 def their_verdict(file):
-    scene = re.search(rb"^scene (wedge|hybrid)$", file.read_bytes(), re.MULTILINE)
-    ended = subprocess.run([VERIFIER, *(["--scene", scene[1].decode()] if scene else []), file], capture_output=True, text=True,
-                           check=False)
+    ended = subprocess.run([VERIFIER, file], capture_output=True, text=True, check=False)
     return ended.returncode, ended.stdout.splitlines()[-1]
 
 

@@ -37,7 +37,7 @@ def check(path, claim):
 def main(project):
     print(f"seed {int(time.time()) // 86400}")
     rows = (line.split("\t") for line in (project / "certificates/claims.tsv").read_text().splitlines() if not line.startswith("#"))
-    claims = {row[0]: row[1].split(" ") for row in rows}
+    claims = {f"certificates/{row[0]}": row[1].split(" ") for row in rows}
     shipped = {f"certificates/{path.name}" for path in (project / "certificates").iterdir()
                if re.search(r"\.dbc(\.gz)?$", path.name)}
     if shipped != set(claims) or not shipped:

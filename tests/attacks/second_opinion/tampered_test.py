@@ -82,6 +82,15 @@ class Tampered(unittest.TestCase):
         self.assertEqual(code, 5)
         self.assertRegex(output, r"^SAMPLED [1-9]\d* of 66 leaves and witnesses, seed 3: no fault found; scene=dumbbell ")
 
+    def test_an_open_file_proves_nothing(self):
+        """It is right all the same."""
+        lines = [line for line in body(PROJECT / "certificates/q-10.dbc")]
+        first, last = lines.index("upper 4"), lines.index("total split 0")
+        totals = ["total " + word + " 0" for word in "split count outside meets meets-reversed equal-masses witness".split()]
+        ended = self.run_on(signed([*lines[:first], "upper none", "lower 0", *totals, "total open 1"]))
+        self.assertEqual(ended[0], 3, ended[1])
+        self.assertTrue(ended[1].startswith("OPEN scene=dumbbell "))
+
     def test_files_and_usage(self):
         self.assertEqual(self.run_file(str(HERE)), (2, "UNREADABLE: Is a directory\n"))
         self.assertEqual(self.run_file(str(HERE / "none")), (2, "UNREADABLE: No such file or directory\n"))

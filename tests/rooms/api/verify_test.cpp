@@ -1,5 +1,6 @@
 #include "dumbbell/verify.hpp"
 
+#include <chrono>
 #include <fstream>
 #include <stdexcept>
 
@@ -22,7 +23,9 @@ TEST_CASE("What the prover proves, the verifier verifies") {
     CHECK(result.verdict == Verdict::verified);
     CHECK(result);
     CHECK(result.sha256 == proof.sha256);
-    CHECK_THAT(result.text, Contains("ratio=9/2:12/1 upper=5 lower=3 ") && EndsWith(proof.sha256));
+    CHECK_THAT(result.text, Contains("ratio=9/2:12/1 upper=5 lower=3 ") &&
+                                Contains("sha256=" + proof.sha256) &&
+                                EndsWith(" demanded-ratio=9/2:12/1 max=5 min=3 demanded-claim=collisions"));
 }
 
 TEST_CASE("A weaker claim is proved, a stronger or foreign one is not") {
@@ -54,9 +57,17 @@ TEST_CASE("Every other verdict has its name") {
     CHECK(verify(written(text), claim).verdict == Verdict::verified);
 }
 
+TEST_CASE("Without a bound in the claim any will do, and a file without one is open") {
+    const TemporaryFolder folder;
+    CHECK(verify(ten, {.ratio = "10"}));
+    const std::chrono::duration<double> no_time(1e-9);
+    save(certify(MassRatio("1:1000000"), {.budget = no_time}), folder / "open.dbc");
+    CHECK(verify(folder / "open.dbc", {.ratio = "1:1000000"}).verdict == Verdict::open);
+}
+
 TEST_CASE("A claim that is none is refused, never verified") {
-    for (const Claim& claim : {Claim{.ratio = "10"}, Claim{.ratio = "", .most = 4},
-                               Claim{.ratio = "ten", .most = 4}, Claim{.ratio = "2:1", .most = 4}}) {
+    for (const Claim& claim : {Claim{.ratio = "", .most = 4}, Claim{.ratio = "ten", .most = 4},
+                               Claim{.ratio = "2:1", .most = 4}}) {
         CHECK_THROWS_AS(verify(ten, claim), std::invalid_argument);
     }
     CHECK_THROWS_AS(verify(ten, {.ratio = "10", .most = 4}, 0), std::invalid_argument);

@@ -37,12 +37,13 @@ TEST_CASE("a verdict is the last line, and accepts if the exit code does") {
     const StandIn no("echo s REJECTED line=13; exit 1");
     CHECK_FALSE(no.answer().accepts);
     CHECK(no.answer().line == "s REJECTED line=13");
+    CHECK(StandIn("echo s OPEN upper=none; exit 3").answer().accepts);  // right, if it proves nothing
 }
 
 TEST_CASE("without a verdict nothing is said of the file") {
-    for (const char* script :
-         {"exit 0", "exit 1", "echo hello", "echo s VERIFIED x; exit 1", "echo s REJECTED x",
-          "echo s VERIFIED x; kill -9 $$", "kill -TERM $$", "exit 127"}) {
+    for (const char* script : {"exit 0", "exit 1", "echo hello", "echo s VERIFIED x; exit 1", "echo s OPEN x",
+                               "echo s VERIFIED x; exit 3", "echo s REJECTED x",
+                               "echo s VERIFIED x; kill -9 $$", "kill -TERM $$", "exit 127"}) {
         CAPTURE(script);
         CHECK_THROWS_AS(StandIn(script).answer(), NoVerdict);
     }

@@ -109,15 +109,15 @@ TEST_CASE("a named pipe that nobody writes to is refused at once") {
 
 TEST_CASE("a small stack is enough") { CHECK(run(ten_path, "ulimit -s 128; ").code == 0); }
 
-TEST_CASE("the stack that a deep tree needs is taken at once, before the memory is used for anything else") {
+TEST_CASE("the stack that many bits need is taken at once, before the memory is used for anything else") {
     // Waits for its file while the kernel is asked how large its stack is, in KiB.
     const auto stack = [](const std::string& limit, int enough) {
         return "bash -c '" + limit + "coproc " DUMBBELL_VERIFY_BIN " -; for ((i = 0; i < 200; ++i)); do " +
                "[[ $(< /proc/$COPROC_PID/status) =~ VmStk:[[:space:]]*([0-9]+) ]]; " +
                "((BASH_REMATCH[1] < " + std::to_string(enough) + ")) || exit 0; sleep 0.05; done; exit 1'";
     };
-    CHECK(std::system(stack("", 1024).c_str()) == 0);
-    CHECK(std::system(stack("ulimit -s 2048; ", 512).c_str()) == 0);
+    CHECK(std::system(stack("", 256).c_str()) == 0);
+    CHECK(std::system(stack("ulimit -s 512; ", 128).c_str()) == 0);
 }
 
 TEST_CASE("a scene that there is not is wrong usage, not a rejection") {

@@ -425,6 +425,7 @@ TEST_CASE("initial edges: shares are written to the letter") {
                                  R"({"least":2,"most":4,"lo":"0/1","hi":"1/2"},)"
                                  R"({"least":5,"most":null,"lo":"0/1","hi":"1/4"}]})"));
     CHECK(claim.paragraph() ==
+          "  No bound is proved that holds for every start in the box.\n"
           "  collisions  share of the box with exactly that many: proved bounds\n"
           "           0  0.000000000000 to 0.250000000000\n"
           "           1  0.500000000000 to 0.750000000000\n"
@@ -437,6 +438,7 @@ TEST_CASE("initial edges: shares are written to the letter") {
     claim.shares->add(100'000, 100'000, mpq_class(1, 3));
     claim.shares->add(100'001, 999'999, mpq_class(1, 3));
     CHECK(claim.paragraph() ==
+          "  No bound is proved that holds for every trajectory that comes in.\n"
           "  collisions  share of the trajectories with exactly that many: proved bounds\n"
           "      0-9999  0.000000000000 to 0.000000000000\n"
           " 10000-99999  0.000000000000 to 0.333333333334\n"

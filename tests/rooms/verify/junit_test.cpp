@@ -44,14 +44,15 @@ TEST_CASE("the JUnit report has a test case for each file, with the reason if it
     const std::string report = folder.report();
     CHECK(folder.valid());
     CHECK(has(report, " tests=\"4\" failures=\"1\" errors=\"2\" "));
-    CHECK(has(report,
-              "<testcase name=\"ten.dbc ratio=10/1:10/1 max=4\" classname=\"dumbbell-verify\" time=\"0."));
+    CHECK(has(
+        report,
+        "<testcase name=\"ten.dbc demanded-ratio=10/1:10/1 max=4\" classname=\"dumbbell-verify\" time=\"0."));
     CHECK(has(report,
               "<failure type=\"REJECTED\" message=\"line=13 code=count not certified: 1 + a + b &lt;= U\">"));
     CHECK(has(report, "<error type=\"UNSUPPORTED\" message=\"line=3 unknown lemmas 9\">"));
     CHECK(has(report, "<error type=\"UNREADABLE\" message=\"No such file or directory\">"));
     CHECK(has(report, "\ns REJECTED line=13 code=count not certified: 1 + a + b &lt;= U file=bad.dbc\n"));
-    CHECK(has(report, "<testcase name=\"none.dbc ratio=10/1:10/1 max=4\""));
+    CHECK(has(report, "<testcase name=\"none.dbc demanded-ratio=10/1:10/1 max=4\""));
 }
 
 TEST_CASE("the JUnit report of one file, of files that are verified, with --json and of a list") {
@@ -66,7 +67,7 @@ TEST_CASE("the JUnit report of one file, of files that are verified, with --json
     write_file(folder / "claims.tsv", "ten.dbc\t--ratio 10 --max 4\nten.dbc\t--ratio 10 --exactly 4\n");
     CHECK(folder.run("--junit report.xml --claims claims.tsv").code == 1);
     CHECK(folder.valid());
-    CHECK(has(folder.report(), "<testcase name=\"ten.dbc ratio=10/1:10/1 max=4 min=4\""));
+    CHECK(has(folder.report(), "<testcase name=\"ten.dbc demanded-ratio=10/1:10/1 exactly=4\""));
     CHECK(has(folder.report(), " tests=\"2\" failures=\"1\" errors=\"0\" "));
 }
 

@@ -15,8 +15,8 @@ TEST_CASE("law: the verdict states the law, and nothing of single ratios") {
     const make::Run verified = run("--claim law " + file.path());
     CHECK(verified.code == 0);
     CHECK(verified.last() ==
-          "s VERIFIED claim=law steps=3:902 from=" + a + ":" + b +
-              " least=0.980 most=2.115 sha256=" + make::law_file().substr(make::law_file().size() - 65, 64));
+          "s VERIFIED claim=law steps=3:902 from=" + a + ":" + b + " least=0.980 most=2.115 sha256=" +
+              make::law_file().substr(make::law_file().size() - 65, 64) + " demanded-claim=law");
     CHECK(has(verified, "  2 + floor(C sqrt q - c0 q^(-1/4)) <= N*(q) <= 2 + floor(C sqrt q),\n"));
     if (make::sanitized) return;  // each run below verifies the law: a minute
     CHECK(run("--quiet --claims " + list.path()).last().starts_with("s VERIFIED claim=law "));
@@ -89,7 +89,7 @@ TEST_CASE("law: the covers are those of the claim, whole: one leaf of each in nu
 }
 
 TEST_CASE("law: the shipped certificate is counted line by line") {
-    const make::Run verified = run(std::string(DUMBBELL_PROJECT) + "/certificates/law.dbc.gz");
+    const make::Run verified = run("--leaves " DUMBBELL_PROJECT "/certificates/law.dbc.gz");
     CHECK(verified.code == 0);
     CHECK(has(verified,
               "  split                 52885 line(s)    0.00000 % of the root boxes\n"

@@ -1,7 +1,10 @@
 // The program as a script sees it: last line, exit code, options.
+#include <regex>
+
 #include "catch.hpp"
 #include "make_certificate.hpp"
 #include "run_program.hpp"
+#include "shipped.hpp"
 
 using make::closed;
 using make::File;
@@ -91,10 +94,10 @@ TEST_CASE("several files: a line each in the given order, then one with the numb
               "\ns REJECTED line=1 code=truncated the text ends too early: not a certificate, whose first "
               "line is `dumbbell-certificate 1` file=" +
               empty.path() + "\n" + verified +
-              "c files=5 verified=2 rejected=2 limit=0 unsupported=0 unreadable=1 exit=1\n");
+              "c files=5 verified=2 rejected=2 limit=0 unsupported=0 unreadable=1 open=0 exit=1\n");
     CHECK(r.code == 1);
     CHECK(run("--quiet" + files).out ==
-          "c files=5 verified=2 rejected=2 limit=0 unsupported=0 unreadable=1 exit=1\n");
+          "c files=5 verified=2 rejected=2 limit=0 unsupported=0 unreadable=1 open=0 exit=1\n");
     for (const char* jobs : {"1", "2", "3", "5", "64"})
         CHECK(run(std::string("--jobs ") + jobs + files).out == r.out);
     std::string many, expected;
@@ -103,7 +106,7 @@ TEST_CASE("several files: a line each in the given order, then one with the numb
         many += " " + name;
         expected += "s UNREADABLE No such file or directory file=" + name + "\n";
     }
-    expected += "c files=60 verified=0 rejected=0 limit=0 unsupported=0 unreadable=60 exit=2\n";
+    expected += "c files=60 verified=0 rejected=0 limit=0 unsupported=0 unreadable=60 open=0 exit=2\n";
     for (const char* jobs : {"1", "8", "200"})
         CHECK(run(std::string("--jobs ") + jobs + many).out == expected);
 }
@@ -170,7 +173,53 @@ TEST_CASE("a demand is proved or the file is rejected") {
     CHECK(run("--ratio 10.2 --max 4 " + stairs.path()).code == 0);
     CHECK(run("--ratio 10:10.6 --max 4 " + stairs.path()).code == 1);
     CHECK(run("--max 4 " + stairs.path()).code == 1);
-    CHECK(run(stairs.path()).last().find("upper=none lower=0 gaps=0 open=3") != std::string::npos);
+    // Where no bound is demanded, and none holds for all that is in question, nothing is proved.
+    const Run open = run(stairs.path());
+    CHECK(open.code == 3);
+    CHECK(open.last().starts_with("s OPEN scene=dumbbell ratio=2/1:12/1 upper=none lower=0 gaps=0 open=3 "));
+    CHECK(make::has(run("--json " + stairs.path()), R"("verdict":"OPEN","claim":{"scene":"dumbbell",)"));
+    CHECK(run("--quiet " + stairs.path() + " " + file.path())
+              .last()
+              .ends_with(" verified=1 rejected=0 limit=0 "
+                         "unsupported=0 unreadable=0 open=1 exit=3"));
+    CHECK(run("--together " + stairs.path()).last().starts_with("s OPEN "));
+    CHECK(run("--ratio 10:21/2 --together " + stairs.path()).code == 0);
+    CHECK(run("--ratio 10:21/2 " + stairs.path()).last().ends_with(" demanded-ratio=10/1:21/2"));
+    CHECK(run("--ratio 10:21/2 " + stairs.path()).code == 0);
+    CHECK(run("--ratio 10:10.6 " + stairs.path()).code == 3);
+    CHECK(run("--min 0 " + stairs.path()).code == 0);
+}
+
+TEST_CASE("without a claim a file of another scene is verified, and a claim is about the dumbbell") {
+    const std::string wedge = make::shipped("wedge-1-100.dbc");
+    CHECK(run(wedge).last().starts_with("s VERIFIED scene=wedge ratio=1/1:100/1 upper=16 "));
+    CHECK(make::has(run(wedge), "no trajectory in the straight wedge hits its walls more than 16 times"));
+    CHECK(run("--scene wedge --max 16 " + wedge).last().ends_with(" max=16 demanded-scene=wedge"));
+    for (const char* claim : {"--max 16", "--min 1", "--exactly 16", "--ratio 2", "--claim collisions"})
+        CHECK(run(claim + (" " + wedge))
+                  .last()
+                  .ends_with(" the scene is wedge, and dumbbell was demanded (--scene)"));
+}
+
+TEST_CASE("what another system did to a text is named, with what mends it") {
+    const std::string crlf = std::regex_replace(ten(), std::regex("\n"), "\r\n");
+    for (const auto& [text, named] : std::vector<std::pair<std::string, std::string>>{
+             {crlf, "line ends of Windows (CR LF): mend it with tr -d '\\r' <OLD >NEW"},
+             {"\xef\xbb\xbf" + ten(), "a byte-order mark of UTF-8: mend it with tail -c +4 <OLD >NEW"},
+             {std::string("\xff\xfe") + "d\0u\0",
+              "UTF-16: mend it with iconv -f UTF-16 -t ASCII <OLD >NEW"}}) {
+        const File file(text);
+        CHECK(run(file.path()).last().starts_with("s REJECTED line=1 code=encoding the text "));
+        CHECK(run(file.path()).last().ends_with(named));
+        CHECK(run("--claims " + file.path()).err.ends_with(named + "\n"));
+        const std::size_t remedy = named.find(" with ") + 6;
+        const std::string mended =
+            named.substr(remedy, named.find(" <") - remedy) + " <" + file.path() + " | ";
+        CHECK((run("-", mended).code == 0 || text.size() < 10));
+    }
+    CHECK(run(File(mutated(ten(), "bits 53", "bits 53\r")).path())
+              .last()
+              .starts_with("s REJECTED line=10 code=encoding "));
 }
 
 TEST_CASE("wrong usage is one line on stderr and exit code 2") {
@@ -214,7 +263,8 @@ TEST_CASE("wrong usage is one line on stderr and exit code 2") {
              "--precision 52 F",
              "--precision 5000 F",
              "--json=1 F",
-             "--json --quiet F",
+             "--leaves --quiet F",
+             "--leaves F F",
              "--explain 1:bridge --json F",
              "--exactly 4 --max 5 F",
              "--min 1 --exactly 4 F",
@@ -250,6 +300,7 @@ TEST_CASE("wrong usage is one line on stderr and exit code 2") {
     CHECK(run("--help").code == 0);
     CHECK(run("--help").out.find("--explain") != std::string::npos);
     CHECK(run("--version").out.starts_with("dumbbell-verify "));
+    CHECK(make::has(run("--version"), ", flags: "));
     CHECK(run("-h").out == run("--help").out);
     CHECK(run("-V").out == run("--version").out);
     for (const std::string& arguments :
@@ -269,12 +320,16 @@ TEST_CASE("the option --json prints an array and nothing else") {
           std::string::npos);
     CHECK(r.out.find("\"file\":\"/no\\u0022such\\u000afile\"") != std::string::npos);
     CHECK(r.out.ends_with("}]\n"));
+    CHECK(run("--json --quiet " + good.path()).out == run("--json " + good.path()).out);
     const auto has = [](const Run& result, const std::string& text) {
         return result.out.find(text) != std::string::npos;
     };
-    CHECK(has(r, "\"schema\":\"dumbbell-verify-1\",\"demand\":{\"ratio\":null,\"max\":null,\"min\":null},"));
+    CHECK(has(r,
+              "\"schema\":\"dumbbell-verify-1\",\"demand\":{\"ratio\":null,\"max\":null,\"min\":null,"
+              "\"scene\":null,\"claim\":null},"));
     CHECK(has(run("--json --ratio 5:1e1 --exactly 4 " + good.path()),
-              "\"demand\":{\"ratio\":{\"lo\":\"5/1\",\"hi\":\"10/1\"},\"max\":4,\"min\":4}"));
+              "\"demand\":{\"ratio\":{\"lo\":\"5/1\",\"hi\":\"10/1\"},\"max\":4,\"min\":4,"
+              "\"scene\":null,\"claim\":null}"));
     CHECK(has(run("--json '/\xc3\xa9\xe2\x82\xac\xf0\x9f\x98\x80'"),
               "\"/\xc3\xa9\xe2\x82\xac\xf0\x9f\x98\x80\""));
     for (const char* no_utf8 :
@@ -352,7 +407,8 @@ TEST_CASE(
         INFO(kilobytes << ": " << r.code << " " << r.err);
         CHECK((r.code == 0 || r.code == 4));
         CHECK((r.code == 0) ==
-              (r.last() == "c files=100 verified=100 rejected=0 limit=0 unsupported=0 unreadable=0 exit=0"));
+              (r.last() ==
+               "c files=100 verified=100 rejected=0 limit=0 unsupported=0 unreadable=0 open=0 exit=0"));
     }
 }
 

@@ -34,11 +34,16 @@ TEST_CASE("together: the claim is judged for all files, the last line alone has 
     const Quarters quarters;
     const Run r = run("--together --ratio 1:100 --max 10 --min 2" + quarters.names);
     CHECK(r.code == 0);
-    CHECK(r.last() == four_verdict);
+    const std::string demanded = four_verdict + " demanded-ratio=1/1:100/1 max=10 min=2";
+    CHECK(r.last() == demanded);
     std::string expected;
     for (const File& file : quarters.files)
         expected += file.path() + "\n  " + run("--quiet " + file.path()).last().substr(11) + "\n";
-    CHECK(r.out == expected + four_verdict + "\n");
+    CHECK(r.out ==
+          expected +
+              "  Proved: at every mass ratio from 1 to 100 no trajectory hits the floor more than 10 "
+              "times, and some trajectory hits it at least 2 times.\n" +
+              demanded + "\n");
     CHECK(run("--quiet --together" + quarters.names).out == four_verdict + "\n");
     CHECK(run("--together --ratio 5:11 --exactly 4" + quarters.names).code == 0);
     CHECK(run("--together --claim collisions --scene dumbbell --precision 60" + quarters.names).code == 0);
@@ -52,7 +57,7 @@ TEST_CASE("together: the claim is judged for all files, the last line alone has 
     CHECK(hole.code == 1);
     CHECK(hole.last().starts_with("s REJECTED code=chain a hole: " + quarters.files[1].path() + " ends at "));
     CHECK(run("--together --max 10 " + make::shipped("stairs-1-100.dbc")).last() ==
-          make::replaced(four_verdict, "files=4", "files=1"));
+          make::replaced(four_verdict, "files=4", "files=1 max=10"));
     CHECK(run("--scene wedge --together --max 16 " + make::shipped("wedge-1-100.dbc")).code == 0);
     const std::string first = quarters.files[0].path(), rest = quarters.names.substr(first.size() + 1);
     CHECK(run("--quiet --together -" + rest, "cat " + first + " | ").out == four_verdict + "\n");
@@ -65,7 +70,7 @@ TEST_CASE("together: neither threads nor the order of the files change the verdi
     for (const char* jobs : {"1", "2", "8"})
         for (const std::string& names : {quarters.names, backwards})
             CHECK(run("--quiet --together --max 10 --jobs " + std::string(jobs) + names).out ==
-                  four_verdict + "\n");
+                  four_verdict + " max=10\n");
     const std::string all = "--together --jobs ";
     CHECK(run(all + "1" + quarters.names).out == run(all + "8" + quarters.names).out);
 }
@@ -98,17 +103,19 @@ TEST_CASE("together: JSON is one object, in which the demand is on the whole and
     CHECK(r.out.starts_with(
         R"({"schema":"dumbbell-verify-together-1","verdict":"VERIFIED","claim":{"scene":"dumbbell",)"
         R"("ratio":{"lo":"1/1","hi":"100/1"},"upper":10,"lower":2,"pieces":17,"gaps":8,"open":0,)"
-        R"("heavy_at_most":null},"demand":{"ratio":{"lo":"1/1","hi":"100/1"},"max":10,"min":null},)"
+        R"("heavy_at_most":null},"demand":{"ratio":{"lo":"1/1","hi":"100/1"},"max":10,"min":null,"scene":null,"claim":null},)"
         R"("code":null,"reason":null,"files":[{"file":")" +
         quarters.files[0].path() + R"(","verdict":"VERIFIED",)"));
     const std::string files = r.out.substr(r.out.find("\"files\":"));
-    CHECK(has(files, R"("demand":{"ratio":null,"max":null,"min":null})"));
+    CHECK(has(files, R"("demand":{"ratio":null,"max":null,"min":null,"scene":null,"claim":null})"));
     CHECK_FALSE(has(files, R"("max":10)"));
     CHECK(files.ends_with("}]}\n"));
     const Run weak = run("--json --together --max 9" + quarters.names);
     CHECK(weak.code == 1);
-    CHECK(has(weak, R"("verdict":"REJECTED","claim":null,"demand":{"ratio":null,"max":9,"min":null},)"
-                    R"("code":"claim-not-proved","reason":"not proved: at most 9 )"));
+    CHECK(has(
+        weak,
+        R"("verdict":"REJECTED","claim":null,"demand":{"ratio":null,"max":9,"min":null,"scene":null,"claim":null},)"
+        R"("code":"claim-not-proved","reason":"not proved: at most 9 )"));
 }
 
 TEST_CASE("together: the JUnit report has a test case for each file, and one for the claim") {
@@ -119,8 +126,8 @@ TEST_CASE("together: the JUnit report has a test case for each file, and one for
     const std::string good = make::contents(report);
     CHECK(has(good, " tests=\"5\" failures=\"0\" errors=\"0\" "));
     CHECK(has(good, "<testcase name=\"" + quarters.files[0].path() + "\" "));  // it does not prove the claim
-    CHECK(has(good, "<testcase name=\"4 files together ratio=1/1:100/1 max=10\" "));
-    CHECK(has(good, "\n" + four_verdict + "\n"));
+    CHECK(has(good, "<testcase name=\"4 files together demanded-ratio=1/1:100/1 max=10\" "));
+    CHECK(has(good, "\n" + four_verdict + " demanded-ratio=1/1:100/1 max=10\n"));
     CHECK(run("--junit " + report + " --together --ratio 1:100 --max 9" + quarters.names).code == 1);
     const std::string weak = make::contents(report);
     CHECK(has(weak, " tests=\"5\" failures=\"1\" errors=\"0\" "));
@@ -131,7 +138,7 @@ TEST_CASE("together: the JUnit report has a test case for each file, and one for
 
 TEST_CASE("together: wrong usage is one line on stderr") {
     const std::string ten = make::shipped("q-10.dbc");
-    for (const char* options : {"", "--claims F", "--explain 1:bridge F", "--shares F", "--json --quiet F"}) {
+    for (const char* options : {"", "--claims F", "--explain 1:bridge F", "--shares F"}) {
         std::string arguments = options;
         for (std::size_t at = 0; (at = arguments.find(" F", at)) != std::string::npos; ++at)
             arguments.replace(at, 2, " " + ten);

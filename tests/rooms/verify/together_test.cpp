@@ -188,7 +188,9 @@ TEST_CASE("together: an open piece leaves no upper bound, and proves none") {
     };
     const std::string known = one_piece_file(10, 11), unknown = open("11/1", "12/1");
     CHECK(said_together({known, unknown}) ==
-          "s VERIFIED scene=dumbbell ratio=10/1:12/1 upper=none lower=0 gaps=0 open=2");
+          "s OPEN scene=dumbbell ratio=10/1:12/1 upper=none lower=0 gaps=0 open=2");
+    CHECK(said_together({known, unknown}, settings_asking({{10, 11}})).starts_with("s VERIFIED "));
+    CHECK(said_together({known, unknown}, settings_asking({{11, 11}})).starts_with("s VERIFIED "));
     CHECK(said_together({known, unknown}, settings_asking({{10, 11}}, 4)).starts_with("s VERIFIED "));
     for (const mpq_class& hi : {just_behind(11, 1), mpq_class(12)})
         CHECK(said_together({unknown, known}, settings_asking({{10, hi}}, 1000))
@@ -226,7 +228,11 @@ TEST_CASE("together: the worst file decides, and says why") {
               .starts_with("s REJECTED code=count C: line 13: not certified: "));
     CHECK(said_together({good, ""})
               .starts_with("s REJECTED code=truncated B: line 1: the text ends too early"));
-    const std::string line = said_together({stairs_text, make::contents(make::shipped("wedge-1-100.dbc"))});
+    const std::string wedge = make::contents(make::shipped("wedge-1-100.dbc"));
+    CHECK(said_together({wedge}).starts_with("s VERIFIED scene=wedge "));
+    CHECK(said_together({stairs_text, wedge}) ==
+          "s REJECTED code=chain several scenes: A is about the scene dumbbell, B is about the scene wedge");
+    const std::string line = said_together({stairs_text, wedge}, settings_asking({}, 20));
     CHECK(line.starts_with("s REJECTED code=claim-not-proved B: line "));
     CHECK(line.ends_with(": the scene is wedge, and dumbbell was demanded (--scene)"));
 }

@@ -3,6 +3,7 @@
 
 #include "catch.hpp"
 #include "make_certificate.hpp"
+#include "verify/format/section.hpp"
 #include "verify/program/verify.hpp"
 
 using namespace dumbbell_verify;
@@ -181,7 +182,7 @@ TEST_CASE("the leaves of a cover fill its root boxes, and a witness fills none")
     const File file(text);
     const std::uint64_t read = Watched::read, pieces = Watched::pieces;
     const Proof proof = verify(file.path(), {});
-    CHECK(proof.section == "turning");
+    CHECK(proof.section == &dumbbell_verify::turning());
     CHECK(proof.roots == 2);
     for (const Tally& tally : proof.tallies) {
         CAPTURE(tally.name);

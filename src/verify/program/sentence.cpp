@@ -1,0 +1,73 @@
+#include "verify/program/sentence.hpp"
+
+#include "verify/format/section.hpp"
+
+namespace dumbbell_verify {
+namespace {
+
+struct Phrases {
+    std::string hits, hits_it;  ///< `no ... more than 4 times`, `and some ... 4 times`
+};
+Phrases phrases_of(std::string_view scene) {
+    if (scene == "dumbbell") return {"trajectory hits the floor", "trajectory hits it"};
+    return {"trajectory in the " + std::string(scene == "hybrid" ? "hybrid" : "straight") +
+                " wedge hits its walls",
+            "trajectory hits them"};
+}
+
+std::string times(const mpz_class& n) { return n.get_str() + (n == 1 ? " time" : " times"); }
+
+/// As a decimal if it is a short one, else P/Q.
+std::string spoken(const mpq_class& q) {
+    constexpr unsigned longest = 30;
+    mpz_class power = 1;
+    unsigned places = 0;
+    for (; power % q.get_den() != 0 && places < longest; ++places) power *= 10;
+    return power % q.get_den() != 0 ? to_string(q) : decimals(q, false, places);
+}
+
+/// In how many pieces the greatest number is known, where all of them together do not tell it.
+std::string known(const Bounds& all) {
+    if (all.pieces < 2 || (all.upper && *all.upper == all.lower)) return "";
+    const auto count = [](std::uint64_t n) { return std::to_string(n); };
+    return "; the greatest number is known in " + count(all.pieces - all.gaps - all.open) + " of " +
+           count(all.pieces) + " pieces" +
+           (all.gaps > 0 ? ", one of two neighbouring values in " + count(all.gaps) : "") +
+           (all.open > 0 ? ", open in " + count(all.open) : "");
+}
+
+/// `no ... and some ...`, as far as there are bounds.
+std::string bounded(const Bounds& all, const Phrases& say) {
+    std::string text;
+    if (all.upper) text = "no " + say.hits + " more than " + times(*all.upper);
+    if (all.lower > 0)
+        text += (all.upper ? ", and some " + say.hits_it : "some " + say.hits) +
+                (all.upper == all.lower ? " " : " at least ") + times(all.lower);
+    return text;
+}
+
+std::string about_collisions(const Result& result) {
+    const Collisions& claim = result.proof.claim;
+    Bounds all = claim.asked;
+    if (claim.most || (claim.least && *claim.least > 0)) {  // what was demanded, and no more
+        all = Bounds(claim.most, claim.least.value_or(0));
+    }
+    const mpq_class &from = claim.ratios ? claim.ratios->first : claim.lo,
+                    &to = claim.ratios ? claim.ratios->second : claim.hi;
+    const std::string where = from == to ? "at mass ratio " + spoken(from)
+                                         : "at every mass ratio from " + spoken(from) + " to " + spoken(to);
+    const std::string bounds = bounded(all, phrases_of(result.proof.section->scene));
+    return (bounds.empty() ? "No bound is proved that holds " + where : "Proved: " + where + " " + bounds) +
+           known(all) +
+           (result.proof.heavy_once ? "; in every trajectory the heavy mass hits the floor at most once"
+                                    : "");
+}
+
+}  // namespace
+
+std::string sentence(const Result& result) {
+    if (const auto text = result.proof.of_other([](const auto& it) { return it.paragraph(); })) return *text;
+    return "  " + about_collisions(result) + ".\n";
+}
+
+}  // namespace dumbbell_verify
