@@ -17,8 +17,8 @@ struct CriticalReport {
     std::optional<std::string> out;
 };
 
-/// Leaves out the rows behind the last finished one, but for the first: a range may be far too long for its
-/// budget.
+/// For people and in JSON: leaves out the rows behind the last finished one, but for the first: a range may
+/// be far too long for its budget.
 void leave_out_unreached(CriticalReport& report);
 
 /// One ratio in words, several as a table; below it what was proved, and what that rests on.

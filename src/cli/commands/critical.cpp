@@ -120,11 +120,11 @@ int run_critical(const Given& given) {
                               "with --budget TIME what is finished in time is printed",
                               finished, wanted));
     }
-    leave_out_unreached(report);
     if (output.is_wanted()) {
         report.out = output.file();
         output.commit(to_tsv(report));
     }
+    leave_out_unreached(report);
     fmt::print(output.report(), "{}", shown(report, given));
     if (!all) {
         complain("not everything was enclosed: allow more time (--budget)");

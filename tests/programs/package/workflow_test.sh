@@ -4,22 +4,12 @@
 set -euo pipefail
 here=$(cd -- "$(dirname -- "$0")" && pwd)
 root=$(cd -- "$here/../../.." && pwd)
-workflow=$root/docs/ci/verify-proofs.yml
 source "$here/expect.sh"
+source "$here/workflow.sh"
 code=0 out=
 
 expect "no tab" lacks "$(< "$workflow")" $'\t'
 
-# The command of the step that is called so.
-step() {
-    python3 - "$workflow" "$1" << 'END'
-import sys, yaml
-document = yaml.safe_load(open(sys.argv[1]))
-(job,) = document["jobs"].values()
-(command,) = [s["run"] for s in job["steps"] if s.get("name") == sys.argv[2]]
-print(command)
-END
-}
 expect "every step has a name, and either a command or an action" python3 - "$workflow" << 'END'
 import sys, yaml
 document = yaml.safe_load(open(sys.argv[1]))
@@ -33,9 +23,9 @@ assert names.index("Build the verifier") < names.index("Verify") < names.index("
 END
 finish
 
-install=$(step "Install what the verifier is built with")
 for package in $(awk '$1 ~ /(^|,)verify(,|$)/ { print $2 }' "$root/.ci/packages.txt"); do
-    expect "it installs $package" has "$install " " $package "
+    expect "it installs $package" has "$(step "Install what the verifier is built with") " " $package "
+    expect "the commands of docs/ci install $package" has "$(commands_by_hand) " " $package "
 done
 
 # On a copy of this tree that does not find what the verifier does without.
