@@ -1,6 +1,7 @@
 #include "law/functions.hpp"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 
 namespace dumbbell::law {

@@ -88,13 +88,13 @@ std::vector<Spoiled> spoiled_ways() {
                         [=] { return (_mm_getcsr() & bits) == bits; }});
     }
 #endif
-    for (const auto [least, greatest] : {std::pair{-148, 128}, std::pair{0, 1}, std::pair{-20, 20}}) {
+    for (const auto& ends : {std::pair{-148, 128}, std::pair{0, 1}, std::pair{-20, 20}}) {
         ways.push_back({"exponents",
                         [=] {
-                            mpfr_set_emin(least);
-                            mpfr_set_emax(greatest);
+                            mpfr_set_emin(ends.first);
+                            mpfr_set_emax(ends.second);
                         },
-                        [=] { return mpfr_get_emin() == least && mpfr_get_emax() == greatest; }});
+                        [=] { return mpfr_get_emin() == ends.first && mpfr_get_emax() == ends.second; }});
     }
     ways.push_back(
         {"precision",

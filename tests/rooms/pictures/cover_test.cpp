@@ -5,6 +5,8 @@
 #include "xml.hpp"
 
 using namespace dumbbell_test;
+using dumbbell::InputError;
+using dumbbell::Rational;
 using namespace dumbbell::collisions;
 using namespace dumbbell::pictures;
 
