@@ -41,6 +41,20 @@ bool has_enough() {
     return stack.high == 0 || (stack.low < here && here <= stack.high && here - stack.low >= needed);
 }
 
+/// What is to be done when the thread ends; made before all else of the thread, it goes last.
+struct ThreadEnd {
+    void (*call)() = nullptr;
+    ~ThreadEnd() {
+        if (call != nullptr) {
+            call();
+        }
+    }
+};
+void at_end_of_thread(void (*call)()) {
+    thread_local ThreadEnd end;
+    end.call = call;
+}
+
 struct Apart {
     const std::function<void()>& work;
     void (*at_end)();
@@ -48,12 +62,12 @@ struct Apart {
 
     static void* run(void* given) {
         auto& self = *static_cast<Apart*>(given);
+        at_end_of_thread(self.at_end);
         try {
             self.work();
         } catch (...) {
             self.failure = std::current_exception();
         }
-        self.at_end();
         return nullptr;
     }
 };
@@ -62,6 +76,7 @@ struct Apart {
 
 void with_stack(const std::function<void()>& work, void (*at_end)()) {
     if (has_enough()) {
+        at_end_of_thread(at_end);
         return work();
     }
     Apart apart{work, at_end, nullptr};
