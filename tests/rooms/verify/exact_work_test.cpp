@@ -1,6 +1,4 @@
 // Exact numbers may be long: what it takes to halve boxes of them and to look at their leaves is counted.
-#include <time.h>
-
 #include <functional>
 
 #include "catch.hpp"
@@ -12,22 +10,7 @@ using namespace dumbbell_verify;
 
 namespace {
 
-/// Seconds of this thread.
-double used() {
-    timespec now{};
-    ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
-
-/// Seconds for each second that is counted, of a file that is verified.
-double used_for_counted(const std::string& text, const Settings& settings = {}) {
-    const make::File file(text);
-    const double start = used();
-    std::uint64_t work = 0;
-    int times = 0;
-    for (; used() - start < 0.2; ++times) work += verify(file.path(), settings).work;
-    return (used() - start) * static_cast<double>(units_per_second) / static_cast<double>(work);
-}
+std::uint64_t work_of(const std::string& text) { return verify(make::File(text).path(), {}).work; }
 
 /// `split AXIS` down to this depth, in pre-order; each leaf is the line.
 std::string tree(const std::string& axis, int depth, const std::string& leaf) {
@@ -66,21 +49,11 @@ std::string halved_cover(int depth, int digits) {
 
 }  // namespace
 
-TEST_CASE("a second that is counted is about as long whatever is done in it") {
-    const std::string wide =
-        make::closed(make::header("1000000/1", "1000000/1", 1) +
-                     "piece 1000000/1 1000000/1\nbits 53\nupper 2000\nchart bridge\ncount 900 900\n"
-                     "chart light\ncount 900 900\nlower 0\n");
-    const double usual = used_for_counted(wide);
-    for (const int digits : {5, 100, 1000}) {
-        CAPTURE(digits);
-        CHECK(used_for_counted(open_starts("q", 10, digits)) < 3 * usual);
-        CHECK(used_for_counted(open_starts("phi", 10, digits)) < 3 * usual);
-        CHECK(used_for_counted(halved_cover(10, digits)) < 3 * usual);
-    }
-    Settings with_shares;
-    with_shares.shares = true;
-    CHECK(used_for_counted(open_starts("y", 10, 5), with_shares) < 3 * usual);
+TEST_CASE("halving boxes is counted, and more of long numbers") {
+    CHECK(work_of(open_starts("q", 10, 1000)) > 10 * work_of(open_starts("q", 10, 5)));
+    CHECK(work_of(halved_cover(10, 1000)) > 3 * work_of(halved_cover(10, 5)));
+    CHECK(work_of(open_starts("phi", 10, 1000)) > work_of(open_starts("phi", 10, 5)));
+    CHECK(work_of(open_starts("phi", 11, 5)) > 3 * work_of(open_starts("phi", 9, 5)));
 }
 
 TEST_CASE("a small file that asks for much arithmetic is given up within the budget") {
