@@ -61,14 +61,16 @@ void require_place_for_file(const std::string& path) {
     if (std::filesystem::is_directory(target)) {
         throw InputError(fmt::format("cannot write '{}': it is a directory; give a file name", path));
     }
-    if (std::filesystem::exists(target) && !std::filesystem::is_regular_file(target)) {
+    if (!std::filesystem::exists(target)) {
+        return;
+    }
+    if (!std::filesystem::is_regular_file(target)) {
         throw InputError(fmt::format("cannot write '{}': it is not a regular file; give a file name", path));
     }
     // A rename asks for no right to write to what it replaces.
     constexpr auto may_write = std::filesystem::perms::owner_write | std::filesystem::perms::group_write |
                                std::filesystem::perms::others_write;
-    if (std::filesystem::exists(target) &&
-        (target.permissions() & may_write) == std::filesystem::perms::none) {
+    if ((target.permissions() & may_write) == std::filesystem::perms::none) {
         throw InputError(
             fmt::format("cannot write '{}': it is read-only; give another name, or make it writable", path));
     }

@@ -26,7 +26,7 @@ struct Loop {
     std::exception_ptr failure = nullptr;
 };
 
-/// The threads of one run_with_threads, and its loops.
+/// The threads of one run_with_threads, and its loops. Made and ended on the thread that runs it.
 class Crew {
   public:
     explicit Crew(int jobs);
@@ -43,6 +43,7 @@ class Crew {
     void do_part(Loop& loop, std::unique_lock<std::mutex>& lock);
 
     const std::size_t jobs_;
+    Crew* const before_;  ///< of the thread that has made it
     std::mutex mutex_;
     std::condition_variable more_, done_;
     std::vector<Loop*> loops_;  ///< that have parts to begin; the innermost are the last
@@ -50,7 +51,7 @@ class Crew {
     std::vector<std::thread> helpers_;
 };
 
-Crew::Crew(int jobs) : jobs_(static_cast<std::size_t>(jobs)) {
+Crew::Crew(int jobs) : jobs_(static_cast<std::size_t>(jobs)), before_(std::exchange(present, this)) {
     try {
         for (int i = 1; i < jobs; ++i) {
             helpers_.emplace_back([this] { help(); });
@@ -68,6 +69,7 @@ Crew::~Crew() {
     for (std::thread& helper : helpers_) {
         helper.join();
     }
+    present = before_;
 }
 
 void Crew::help() {
@@ -142,14 +144,7 @@ void in_parallel(std::size_t count, std::size_t together,
 
 void run_with_threads(int jobs, const std::function<void()>& work) {
     Crew crew(jobs);
-    Crew* const before = std::exchange(Crew::present, &crew);
-    try {
-        work();
-    } catch (...) {
-        Crew::present = before;
-        throw;
-    }
-    Crew::present = before;
+    work();
 }
 
 }  // namespace dumbbell

@@ -61,7 +61,7 @@ std::vector<CriticalRow> critical_ratios(const CriticalRequest& request) {
     if (one) {
         options.observer = request.observer;
     }
-    std::vector<CriticalRow> rows(static_cast<std::size_t>(request.last - request.first + 1));
+    std::vector<CriticalRow> rows(static_cast<std::size_t>(request.size()));
     std::atomic<std::size_t> done = 0;
     run_with_threads(request.jobs, [&] {
         in_parallel(rows.size(), [&](std::size_t i) {
@@ -89,8 +89,7 @@ std::chrono::duration<double> estimated_time(const CriticalRequest& request) {
     };
     (void)enclose();  // the first one also fills caches
     const auto time = enclose();
-    const double together =
-        std::min<double>(request.jobs, static_cast<double>(request.last - request.first + 1));
+    const double together = std::min<double>(request.jobs, static_cast<double>(request.size()));
     return time * (flights(request) / sample_flights) / together;
 }
 

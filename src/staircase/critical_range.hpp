@@ -26,6 +26,8 @@ struct CriticalRequest {
     int jobs = 1;
     std::optional<std::chrono::duration<double>> budget;
     Observer* observer = &nobody;  ///< told of the ratios that are finished; of a single one, of its flights
+
+    [[nodiscard]] long size() const { return last - first + 1; }
 };
 
 struct CriticalRow {

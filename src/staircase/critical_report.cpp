@@ -109,7 +109,7 @@ std::string table_text(const CriticalReport& report) {
 
 std::string range_text(const CriticalReport& report) {
     const long enclosed = count_if(report, has_ratio);
-    const long all = report.request.last - report.request.first + 1;
+    const long all = report.request.size();
     std::string text = table_text(report);
     text += fmt::format("{} critical ratios in {:.2f} s with {} thread{}\n\n", all, report.seconds,
                         report.request.jobs, report.request.jobs == 1 ? "" : "s");
@@ -212,18 +212,17 @@ Json to_json(const CriticalReport& report) {
     for (const CriticalRow& row : report.rows) {
         ratios.add(row_json(row, report));
     }
-    return Json::object(
-        {{"schema", "dumbbell-critical-1"},
-         {"method", method(report.request.first, report.request.last)},
-         {"rests_on", "proofs/theorem.md, theorem 2"},
-         {"digits", report.request.digits},
-         {"part", report.request.part ? part_json(*report.request.part) : Json()},
-         {"jobs", report.request.jobs},
-         {"ratios", ratios},
-         {"open", report.request.last - report.request.first + 1 - count_if(report, has_ratio)},
-         {"left_out_from", first_unreached(report)},
-         {"seconds", report.seconds},
-         {"out", report.out}});
+    return Json::object({{"schema", "dumbbell-critical-1"},
+                         {"method", method(report.request.first, report.request.last)},
+                         {"rests_on", "proofs/theorem.md, theorem 2"},
+                         {"digits", report.request.digits},
+                         {"part", report.request.part ? part_json(*report.request.part) : Json()},
+                         {"jobs", report.request.jobs},
+                         {"ratios", ratios},
+                         {"open", report.request.size() - count_if(report, has_ratio)},
+                         {"left_out_from", first_unreached(report)},
+                         {"seconds", report.seconds},
+                         {"out", report.out}});
 }
 
 std::string to_tsv(const CriticalReport& report) {

@@ -110,7 +110,7 @@ int run_critical(const Given& given) {
     report.seconds = watch.seconds();
     const auto finished = std::ranges::count_if(
         report.rows, [](const staircase::CriticalRow& row) { return row.ratio.has_value(); });
-    const auto wanted = report.request.last - report.request.first + 1;
+    const long wanted = report.request.size();
     const bool all = finished == wanted;
     if (!all && stop_signal != 0) {
         return stopped(

@@ -29,8 +29,8 @@ dumbbell verify --help, or man dumbbell-verify.
   dumbbell verify --ratio 2:5/2 --max 3 stairs.dbc     at most 3 collisions on a part of the file's range?)";
 
 constexpr const char* verify_footer =
-    "Exit codes: 0 verified and proved; 1 rejected; 2 wrong usage or unreadable; 3 unsupported; 4 resource "
-    "limit; 5 nothing is proved, and no claim was stated.";
+    "Exit codes: 0 verified and proved; 1 rejected; 2 wrong usage or unreadable; 3 unsupported, or nothing "
+    "is proved and no claim was stated; 4 resource limit.";
 
 constexpr std::array verify_options{argument("FILE", "certificates").repeated()};
 

@@ -131,7 +131,6 @@ void judge_all(const std::vector<Leaf>& leaves, std::size_t jobs, Budget& budget
             if (!shares.note(i, Work::done()) || found[i]) failed = true;
         }
         Work::begin();
-        mpfr_free_cache();
     };
     {
         Crew crew;

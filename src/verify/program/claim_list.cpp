@@ -57,11 +57,12 @@ std::vector<Job> read_claims(const std::string& path, const Settings& settings) 
     std::string where = path;
     try {
         std::size_t line = 0;
+        const std::filesystem::path folder = folder_of(path);
         for (const std::string& row : split(contents(path), '\n')) {
             where = path + ":" + std::to_string(++line);
             if (const std::string named = foreign(row, line == 1); !named.empty())
                 throw std::invalid_argument(named);
-            if (!row.empty() && row[0] != '#') jobs.push_back(parse_row(row, folder_of(path), settings));
+            if (!row.empty() && row[0] != '#') jobs.push_back(parse_row(row, folder, settings));
         }
         where = path;
         if (jobs.empty()) throw std::invalid_argument("no claim in this list");
