@@ -14,12 +14,12 @@ Interval low(const Interval& error, const Interval& unit) { return low_end(abs(e
 
 bool at_least(const Interval& u, const Interval& margin) { return certainly_at_most(margin, u); }
 
-std::optional<Interval> bounce_error(const AdiabaticSearch& search, const Interval& u, const Interval& s,
+std::optional<Interval> bounce_error(const Search& search, const Interval& u, const Interval& s,
                                      const Interval& delta) {
-    const AdiabaticBounce<Interval> bounce(u, s, AdiabaticMasses<Interval>(delta));
+    const Bounce<Interval> bounce(u, s, Masses<Interval>(delta));
     const Interval k = delta_power(delta, search.of.exponent);
     const Interval square = sqr(delta);
-    AdiabaticOrbit<Interval> orbit(u, s, delta);
+    Orbit<Interval> orbit(u, s, delta);
     if (!orbit.advance()) {
         return std::nullopt;
     }
@@ -33,11 +33,10 @@ std::optional<Interval> bounce_error(const AdiabaticSearch& search, const Interv
     return low_end(height_error(bounce, *next) / (Interval(2) * square / k));
 }
 
-std::optional<Interval> orbit_error(const AdiabaticSearch& search, const AdiabaticSample& sample,
-                                    const Interval& u, const Interval& s, const Interval& delta,
-                                    const Interval& margin) {
-    AdiabaticOrbit<Interval> orbit(u, s, delta);
-    const bool run = search.of.claim == AdiabaticClaim::run;
+std::optional<Interval> orbit_error(const Search& search, const Sample& sample, const Interval& u,
+                                    const Interval& s, const Interval& delta, const Interval& margin) {
+    Orbit<Interval> orbit(u, s, delta);
+    const bool run = search.of.claim == Claim::run;
     if (!run && !orbit.certainly_begins()) {
         return std::nullopt;
     }
@@ -58,26 +57,25 @@ std::optional<Interval> orbit_error(const AdiabaticSearch& search, const Adiabat
 
 }  // namespace
 
-std::optional<AdiabaticState> attained(const AdiabaticSearch& search, const AdiabaticSample& sample) {
+std::optional<State> attained(const Search& search, const Sample& sample) {
     const auto& [lo, hi] = search.of.delta;
     const Rational exact_delta = lo + (hi - lo) * exact(sample.share);
     const Interval delta = enclose<Interval>(exact_delta);
     const Interval u(sample.u);
     const Interval s(sample.s);
-    const AdiabaticSides sides(search.of);
-    const AdiabaticMasses<Interval> masses(delta);
+    const Sides sides(search.of);
+    const Masses<Interval> masses(delta);
     const Interval margin = sides.margin(masses);
     if (!certainly_positive(delta) || !at_least(u, margin) || !sides.certainly_of_height(u, masses)) {
         return std::nullopt;
     }
-    const auto error = search.of.claim == AdiabaticClaim::bounce
-                           ? bounce_error(search, u, s, delta)
-                           : orbit_error(search, sample, u, s, delta, margin);
+    const auto error = search.of.claim == Claim::bounce ? bounce_error(search, u, s, delta)
+                                                        : orbit_error(search, sample, u, s, delta, margin);
     if (!error || !certainly_positive(*error)) {
         return std::nullopt;
     }
     const Rational value = exact(cut_down(exact(error->lo()) * exact(smaller), value_digits));
-    return AdiabaticState{exact(sample.u), exact(sample.s), exact_delta, sample.n, value};
+    return State{exact(sample.u), exact(sample.s), exact_delta, sample.n, value};
 }
 
 }  // namespace dumbbell::adiabatic

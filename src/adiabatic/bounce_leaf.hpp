@@ -11,13 +11,13 @@ namespace dumbbell::adiabatic {
 
 /// A collision at angle u from the vertical; just before it |phidot| = 1 and ydot = -delta s.
 template <class I>
-struct AdiabaticBounce {
+struct Bounce {
     LightContact<I> at;
     I s;
-    AdiabaticMasses<I> masses;
+    Masses<I> masses;
     I kappa;
 
-    AdiabaticBounce(const I& u, const I& fall, const AdiabaticMasses<I>& m)
+    Bounce(const I& u, const I& fall, const Masses<I>& m)
         : at(light_contact(half_pi<I>() - u, m.beta2)),
           s(fall),
           masses(m),
@@ -44,7 +44,7 @@ struct NextContact {
 
 /// The next contact with the light wall, or nothing if it is not certain that all light masses turn back.
 template <class I>
-[[nodiscard]] std::optional<NextContact<I>> next_contact(const AdiabaticBounce<I>& bounce) {
+[[nodiscard]] std::optional<NextContact<I>> next_contact(const Bounce<I>& bounce) {
     const LightContact<I>& at = bounce.at;
     const I& r = bounce.masses.r;
     const auto low = flight::reflect_at_light_wall(low_end(bounce.kappa), high_end(at.w), low_end(r));
@@ -74,7 +74,7 @@ template <class I>
 
 /// E2 of L38 (b), enclosed.
 template <class I>
-[[nodiscard]] I height_error(const AdiabaticBounce<I>& bounce, const NextContact<I>& next) {
+[[nodiscard]] I height_error(const Bounce<I>& bounce, const NextContact<I>& next) {
     const auto& m = bounce.masses;
     const LightContact<I>& at = bounce.at;
     const I path = pi<I>() + at.x + next.x;

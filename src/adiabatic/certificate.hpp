@@ -14,39 +14,39 @@
 /// A certificate about the adiabatic invariant as data (format-adiabatic.md).
 namespace dumbbell::adiabatic {
 
-enum class AdiabaticClaim { bounce, run, scattering };
+enum class Claim { bounce, run, scattering };
 
 /// The axes of its boxes; each tree has some of them.
-enum class AdiabaticAxis { u, sigma, s, v, delta };
-inline constexpr std::size_t adiabatic_axes = 5;
+enum class Axis { u, sigma, s, v, delta };
+inline constexpr std::size_t axis_count = 5;
 /// As certificates spell them.
-inline constexpr std::array<std::string_view, adiabatic_axes> axis_names{"u", "sigma", "s", "v", "delta"};
+inline constexpr std::array<std::string_view, axis_count> axis_names{"u", "sigma", "s", "v", "delta"};
 
 /// Without `split` a leaf: `outside`, or `bound`, in the tree of a run or a scattering by the class of that
 /// number.
-struct AdiabaticNode {
-    std::optional<AdiabaticAxis> split;
+struct Node {
+    std::optional<Axis> split;
     bool outside = false;
     int by_class = 0;
 
-    friend bool operator==(const AdiabaticNode&, const AdiabaticNode&) = default;
+    friend bool operator==(const Node&, const Node&) = default;
 };
-using AdiabaticTree = std::vector<AdiabaticNode>;  ///< pre-order, lower half first
+using Tree = std::vector<Node>;  ///< pre-order, lower half first
 
 /// A class of L35: J, and the density v on the cells [u, the cell before's u].
-struct AdiabaticClass {
+struct Class {
     struct Cell {
         Rational u;
         Rational v;
     };
     Rational least_share;
     std::vector<Cell> cells;
-    AdiabaticTree tree;
+    Tree tree;
 };
 
 /// An orbit: |phidot| = 1 and ydot = -delta s before collision 0, at angle u from the vertical; its error
 /// after n collisions is at least `value`, in the claim's unit.
-struct AdiabaticState {
+struct State {
     Rational u;
     Rational s;
     Rational delta;
@@ -55,8 +55,8 @@ struct AdiabaticState {
 };
 
 /// What is claimed of which states.
-struct AdiabaticHypotheses {
-    AdiabaticClaim claim = AdiabaticClaim::run;
+struct Hypotheses {
+    Claim claim = Claim::run;
     std::pair<Rational, Rational> delta;  ///< closed interval
     std::pair<Rational, Rational>
         heights;       ///< of a bounce or a run: of the centre of mass before collision 0
@@ -64,15 +64,15 @@ struct AdiabaticHypotheses {
     int exponent = 8;  ///< of a bounce: k = exponent/16
 };
 
-struct AdiabaticCertificate {
+struct Certificate {
     Generator generator{};
-    AdiabaticHypotheses hypotheses;
+    Hypotheses hypotheses;
     int bits = 53;
     std::vector<Rational> bounds;  ///< C; of a bounce C1 and C2
-    std::vector<AdiabaticClass> classes;
-    AdiabaticTree tree;
-    std::vector<AdiabaticState> attained;  ///< of a bounce two, else one
-    std::string sha256{};  ///< as its last line has it, if that is right; empty unless it was read
+    std::vector<Class> classes;
+    Tree tree;
+    std::vector<State> attained;  ///< of a bounce two, else one
+    std::string sha256{};         ///< as its last line has it, if that is right; empty unless it was read
 };
 
 }  // namespace dumbbell::adiabatic

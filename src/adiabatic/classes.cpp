@@ -141,7 +141,7 @@ struct Range {
 };
 
 /// S_0/sqrt(E) over the hypotheses, about.
-Range shares(const AdiabaticHypotheses& of, double delta) {
+Range shares(const Hypotheses& of, double delta) {
     const double b2 = 1 - delta * delta;
     const auto share = [&](double u, double s) {
         const double x = right_angle - u, w = std::cos(x), r = delta * delta / b2;
@@ -149,7 +149,7 @@ Range shares(const AdiabaticHypotheses& of, double delta) {
                std::sqrt(1 + s * s / b2);
     };
     const double margin = of.margin.convert_to<double>();
-    if (of.claim == AdiabaticClaim::run) {
+    if (of.claim == Claim::run) {
         const double highest = std::min(1.0, of.heights.second.convert_to<double>() / b2);
         const double lowest = std::min(1.0, of.heights.first.convert_to<double>() / b2);
         return {share(std::max(margin, std::acos(lowest)), 1),
@@ -162,15 +162,14 @@ Range shares(const AdiabaticHypotheses& of, double delta) {
 
 }  // namespace
 
-std::vector<AdiabaticClass> guess_classes(const AdiabaticHypotheses& of, int jobs,
-                                          const Interrupted& interrupted) {
+std::vector<Class> guess_classes(const Hypotheses& of, int jobs, const Interrupted& interrupted) {
     const double longest = of.delta.second.convert_to<double>();
     const double shortest = std::max(of.delta.first.convert_to<double>(), longest / 256);
     std::vector<double> deltas{longest};
     for (int i = 1; i <= 3 && shortest < longest; ++i) {
         deltas.push_back(longest * std::pow(shortest / longest, i / 3.0));
     }
-    const bool run = of.claim == AdiabaticClaim::run;
+    const bool run = of.claim == Claim::run;
     const double margin =
         std::max(nearest_cells, of.margin.convert_to<double>() * (run ? 1 : std::sqrt(shortest)));
     const auto [least, greatest] = shares(of, longest);
@@ -186,7 +185,7 @@ std::vector<AdiabaticClass> guess_classes(const AdiabaticHypotheses& of, int job
     const double low = std::max(floor, least * (run ? std::max(0.5, 0.9 - 6 * longest) : 0.6));
     const double high = greatest * 0.98;
     constexpr std::size_t number = 6;
-    std::vector<AdiabaticClass> classes(number);
+    std::vector<Class> classes(number);
     run_with_threads(jobs, [&] {
         in_parallel(number, [&](std::size_t i) {
             const double share = low + (high - low) * static_cast<double>(i) / (number - 1);
@@ -200,14 +199,12 @@ std::vector<AdiabaticClass> guess_classes(const AdiabaticHypotheses& of, int job
     if (interrupted()) {
         return {};
     }
-    const auto same = [](const AdiabaticClass& a, const AdiabaticClass& b) {
-        return a.least_share == b.least_share;
-    };
+    const auto same = [](const Class& a, const Class& b) { return a.least_share == b.least_share; };
     classes.erase(std::unique(classes.begin(), classes.end(), same), classes.end());
     return classes;
 }
 
-AdiabaticClass with_slack(AdiabaticClass one, double slack) {
+Class with_slack(Class one, double slack) {
     for (auto& cell : one.cells) {
         cell.v = exact(rounded(cell.v.convert_to<double>() * slack, true));
     }

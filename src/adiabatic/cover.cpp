@@ -10,24 +10,23 @@
 namespace dumbbell::adiabatic {
 namespace {
 
-struct Node {
-    std::optional<AdiabaticAxis> split;
-    AdiabaticJudged leaf{};
+struct Place {
+    std::optional<Axis> split;
+    Judged leaf{};
 };
-using Tree = GrowingTree<Node, AdiabaticBox, adiabatic_axes>;
+using Growing = GrowingTree<Place, Box, axis_count>;
 
-constexpr std::array<AdiabaticAxis, adiabatic_axes> all_axes{
-    AdiabaticAxis::u, AdiabaticAxis::sigma, AdiabaticAxis::s, AdiabaticAxis::v, AdiabaticAxis::delta};
+constexpr std::array<Axis, axis_count> all_axes{Axis::u, Axis::sigma, Axis::s, Axis::v, Axis::delta};
 
 /// How wide a side is for what happens in the box: angles count relatively.
-double weight(const AdiabaticBox& box, AdiabaticAxis axis) {
+double weight(const Box& box, Axis axis) {
     const double width = box.width(axis);
     const double end = box.hi[static_cast<std::size_t>(axis)];
     switch (axis) {
-        case AdiabaticAxis::u:
-        case AdiabaticAxis::v:
+        case Axis::u:
+        case Axis::v:
             return width / end;
-        case AdiabaticAxis::sigma:
+        case Axis::sigma:
             return width / (1 + end);
         default:
             return width / 2;
@@ -36,11 +35,10 @@ double weight(const AdiabaticBox& box, AdiabaticAxis axis) {
 
 class Growth {
   public:
-    Growth(const AdiabaticBox& root, const AdiabaticJudge& judge, const AdiabaticTarget& target,
-           const AdiabaticLimits& limits)
+    Growth(const Box& root, const Judge& judge, const Target& target, const Limits& limits)
         : tree_(root), judge_(judge), target_(target), limits_(limits) {}
 
-    std::optional<AdiabaticCover> grow() {
+    std::optional<Cover> grow() {
         for (std::size_t leaves = 1; !tree_.boxes().empty(); tree_.next_generation()) {
             judge_generation();
             if (limits_.interrupted() || std::any_of(now_.begin(), now_.end(), is_hopeless)) {
@@ -50,7 +48,7 @@ class Growth {
                 target_.fixed ? target_.goal : std::max(target_.goal, best_ * (1 + target_.slack));
             choose_axes(enough);
             for (std::size_t i = 0; i < now_.size(); ++i) {
-                const AdiabaticJudged& judged = now_[i].judged;
+                const Judged& judged = now_[i].judged;
                 const bool closed = judged.outside || judged.bound <= enough;
                 if (!closed && now_[i].split && leaves < limits_.max_leaves) {
                     ++leaves;
@@ -69,14 +67,14 @@ class Growth {
     }
 
   private:
-    struct Box {
-        AdiabaticJudged judged;
+    struct Open {
+        Judged judged;
         double at_centre = 0;
         bool hopeless = false;  ///< no box around its centre can be closed
-        std::optional<AdiabaticAxis> split;
+        std::optional<Axis> split;
     };
 
-    static bool is_hopeless(const Box& box) { return box.hopeless; }
+    static bool is_hopeless(const Open& box) { return box.hopeless; }
 
     template <class Work>
     void each(const Work& work) {
@@ -92,18 +90,18 @@ class Growth {
     void judge_generation() {
         now_.assign(tree_.boxes().size(), {});
         each([&](std::size_t i) {
-            const AdiabaticBox& box = tree_.boxes()[i];
+            const Box& box = tree_.boxes()[i];
             now_[i].judged = judge_(box);
             if (now_[i].judged.outside || (target_.fixed && now_[i].judged.bound <= target_.goal)) {
                 return;
             }
-            const AdiabaticJudged centre = judge_(box.centre());
+            const Judged centre = judge_(box.centre());
             if (!centre.outside) {
                 now_[i].hopeless = target_.fixed ? centre.bound > target_.goal : std::isinf(centre.bound);
                 now_[i].at_centre = centre.bound;
             }
         });
-        for (const Box& box : now_) {
+        for (const Open& box : now_) {
             best_ = std::max(best_, box.at_centre);
         }
     }
@@ -114,15 +112,15 @@ class Growth {
             if (now_[i].judged.outside || now_[i].judged.bound <= enough) {
                 return;
             }
-            const AdiabaticBox& box = tree_.boxes()[i];
+            const Box& box = tree_.boxes()[i];
             double least = 0;
             double widest = 0;
-            for (const AdiabaticAxis axis : all_axes) {
+            for (const Axis axis : all_axes) {
                 if (!(box.width(axis) > 0) ||
                     tree_.depths(i)[static_cast<std::size_t>(axis)] >= limits_.max_depth) {
                     continue;
                 }
-                const AdiabaticJudged slice = judge_(box.collapsed(axis));
+                const Judged slice = judge_(box.collapsed(axis));
                 const double bound = slice.outside ? std::min(0.0, enough) : slice.bound;
                 const double wide = weight(box, axis);
                 if (!now_[i].split || bound < least || (bound == least && wide > widest)) {
@@ -134,20 +132,20 @@ class Growth {
         });
     }
 
-    [[nodiscard]] std::optional<AdiabaticCover> finished() {
-        AdiabaticCover cover{{}, bound_, raised_, 0};
-        for (const Node& node : std::move(tree_).pre_order()) {
+    [[nodiscard]] std::optional<Cover> finished() {
+        Cover cover{{}, bound_, raised_, 0};
+        for (const Place& node : std::move(tree_).pre_order()) {
             cover.tree.push_back({node.split, !node.split && node.leaf.outside, node.leaf.by_class});
             cover.leaves += node.split ? 0 : 1;
         }
         return cover;
     }
 
-    Tree tree_;
-    const AdiabaticJudge& judge_;
-    const AdiabaticTarget& target_;
-    const AdiabaticLimits& limits_;
-    std::vector<Box> now_;
+    Growing tree_;
+    const Judge& judge_;
+    const Target& target_;
+    const Limits& limits_;
+    std::vector<Open> now_;
     double best_ = 0;
     double bound_ = -std::numeric_limits<double>::infinity();
     bool raised_ = false;
@@ -155,8 +153,8 @@ class Growth {
 
 }  // namespace
 
-std::optional<AdiabaticCover> adiabatic_cover(const AdiabaticBox& root, const AdiabaticJudge& judge,
-                                              const AdiabaticTarget& target, const AdiabaticLimits& limits) {
+std::optional<Cover> find_cover(const Box& root, const Judge& judge, const Target& target,
+                                const Limits& limits) {
     return with_threads(limits.jobs, [&] { return Growth(root, judge, target, limits).grow(); });
 }
 

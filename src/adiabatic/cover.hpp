@@ -12,15 +12,15 @@
 namespace dumbbell::adiabatic {
 
 /// What is certain of a box: nothing in it satisfies the hypotheses, or a bound of the error on it.
-struct AdiabaticJudged {
+struct Judged {
     bool outside = false;
     double bound = std::numeric_limits<double>::infinity();
     int by_class = 0;
 };
 /// Called from any thread.
-using AdiabaticJudge = std::function<AdiabaticJudged(const AdiabaticBox&)>;
+using Judge = std::function<Judged(const Box&)>;
 
-struct AdiabaticLimits {
+struct Limits {
     int jobs = 1;
     std::size_t max_leaves = 100'000;
     int max_depth = 40;  ///< splits of one axis
@@ -31,14 +31,14 @@ struct AdiabaticLimits {
 /// The bound that is good enough: `goal`, or `slack` (relative) more than the greatest that the judge gives
 /// at the centres of boxes; and if neither can be met, the least that the halving reaches. With `fixed` the
 /// goal itself.
-struct AdiabaticTarget {
+struct Target {
     double goal = 0;
     double slack = 0;
     bool fixed = false;
 };
 
-struct AdiabaticCover {
-    AdiabaticTree tree;
+struct Cover {
+    Tree tree;
     double bound = 0;     ///< the greatest of its leaves
     bool raised = false;  ///< boxes were left that could not be halved down to the target
     std::size_t leaves = 0;
@@ -47,9 +47,7 @@ struct AdiabaticCover {
 /// Halves `root` until each box is outside or within the target, always along the axis whose halving seems to
 /// help most. Nothing if interrupted, or where no bound is found within the limits, or none can be because
 /// there is none at the centre of some box. Deterministic whatever the number of threads.
-[[nodiscard]] std::optional<AdiabaticCover> adiabatic_cover(const AdiabaticBox& root,
-                                                            const AdiabaticJudge& judge,
-                                                            const AdiabaticTarget& target,
-                                                            const AdiabaticLimits& limits);
+[[nodiscard]] std::optional<Cover> find_cover(const Box& root, const Judge& judge, const Target& target,
+                                              const Limits& limits);
 
 }  // namespace dumbbell::adiabatic

@@ -18,9 +18,9 @@ struct LightFlights {
     I x;
     I sigma;
     I k;
-    AdiabaticMasses<I> masses;
+    Masses<I> masses;
 
-    LightFlights(const I& upper, const I& s, const AdiabaticMasses<I>& m)
+    LightFlights(const I& upper, const I& s, const Masses<I>& m)
         : x(upper),
           sigma(s),
           k(s * m.root_r),
@@ -75,7 +75,7 @@ struct DriftRates {
 };
 
 template <class I>
-[[nodiscard]] DriftRates<I> drift_rates(const LightContact<I>& at, const I& l, const AdiabaticMasses<I>& m) {
+[[nodiscard]] DriftRates<I> drift_rates(const LightContact<I>& at, const I& l, const Masses<I>& m) {
     const I one(1);
     const I two(2);
     const I z = sqr(at.w);

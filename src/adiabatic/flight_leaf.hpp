@@ -11,7 +11,7 @@ namespace dumbbell::adiabatic {
 
 /// What is certain of a box, and how far it is from being certain: 0 or less if it is, infinite if nothing is
 /// known.
-struct AdiabaticVerdict {
+struct Verdict {
     bool outside = false;
     double excess = std::numeric_limits<double>::infinity();
 
@@ -31,10 +31,9 @@ template <class I>
 /// Flights whose upper contact is at angle u from the vertical. `margin`: the least u of the hypotheses.
 /// Precondition: 0 <= u, 0 <= sigma.
 template <class I>
-[[nodiscard]] AdiabaticVerdict judge_flights(const I& u, const I& sigma, const AdiabaticMasses<I>& masses,
-                                             const I& margin, const I& least_share,
-                                             const AdiabaticPotential<I>& potential) {
-    constexpr AdiabaticVerdict outside{true, 0};
+[[nodiscard]] Verdict judge_flights(const I& u, const I& sigma, const Masses<I>& masses, const I& margin,
+                                    const I& least_share, const Potential<I>& potential) {
+    constexpr Verdict outside{true, 0};
     const auto angle = admitted_angle(u, margin);
     if (!angle) {
         return outside;

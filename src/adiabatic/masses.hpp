@@ -14,7 +14,7 @@ template <class I, class Function>
 
 /// What depends on delta alone, over an interval of delta.
 template <class I>
-struct AdiabaticMasses {
+struct Masses {
     I delta;
     I beta2;
     I r;       ///< beta1/beta2, the inverse mass ratio
@@ -22,7 +22,7 @@ struct AdiabaticMasses {
     I delta_over_beta2;
 
     /// Precondition: 0 <= delta < 1.
-    explicit AdiabaticMasses(const I& d)
+    explicit Masses(const I& d)
         : delta(d),
           beta2(I(1) - sqr(d)),
           r(increasing([](const I& x) { return sqr(x) / (I(1) - sqr(x)); }, d)),

@@ -6,10 +6,10 @@
 namespace dumbbell::adiabatic {
 
 template <class I>
-class AdiabaticOrbit {
+class Orbit {
   public:
     /// Before collision 0, at angle u from the vertical, |phidot| = 1 and ydot = -delta s.
-    AdiabaticOrbit(const I& u, const I& s, const I& delta)
+    Orbit(const I& u, const I& s, const I& delta)
         : masses_(delta),
           at_(light_contact(half_pi<I>() - u, masses_.beta2)),
           kappa_(-(delta * s) / masses_.beta2),
@@ -18,7 +18,7 @@ class AdiabaticOrbit {
           first_f_(at_.f),
           first_kappa_(kappa_) {}
 
-    [[nodiscard]] const AdiabaticMasses<I>& masses() const { return masses_; }
+    [[nodiscard]] const Masses<I>& masses() const { return masses_; }
     /// The collision that is reached, and the slope before it.
     [[nodiscard]] const LightContact<I>& at() const { return at_; }
     [[nodiscard]] const I& kappa() const { return kappa_; }
@@ -91,7 +91,7 @@ class AdiabaticOrbit {
         return !flight::lowest_contact(low_end(c), low_end(slope)).has_value();
     }
 
-    AdiabaticMasses<I> masses_;
+    Masses<I> masses_;
     LightContact<I> at_;
     I kappa_;
     I energy_;  ///< 1 + q kappa_0^2

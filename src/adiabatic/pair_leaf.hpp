@@ -10,18 +10,18 @@ namespace dumbbell::adiabatic {
 
 /// Just before the first collision |phidot| = 1 and ydot = -delta s.
 template <class I>
-struct AdiabaticPair {
+struct Pair {
     LightContact<I> first;
     LightContact<I> later;
     I u, s, v;
-    AdiabaticMasses<I> masses;
+    Masses<I> masses;
 
     I kappa_over_delta;  ///< of the slope before the first collision
     I kappa;
     I root_energy;  ///< sqrt(E)
     I share;        ///< S_0
 
-    AdiabaticPair(const I& angle, const I& fall, const I& last, const AdiabaticMasses<I>& m)
+    Pair(const I& angle, const I& fall, const I& last, const Masses<I>& m)
         : first(light_contact(half_pi<I>() - angle, m.beta2)),
           later(light_contact(half_pi<I>() - last, m.beta2)),
           u(angle),
@@ -53,9 +53,8 @@ struct LaterCollision {
 
 /// L35 and L36 for the pair; nothing where the class does not apply.
 template <class I>
-[[nodiscard]] std::optional<LaterCollision<I>> later_collision(const AdiabaticPair<I>& pair,
-                                                               const I& least_share,
-                                                               const AdiabaticPotential<I>& potential) {
+[[nodiscard]] std::optional<LaterCollision<I>> later_collision(const Pair<I>& pair, const I& least_share,
+                                                               const Potential<I>& potential) {
     const auto& m = pair.masses;
     const I scale = pair.root_energy * m.delta_over_beta2;
     const I loss = scale * potential.greatest_value(pair.v);
@@ -88,8 +87,8 @@ template <class I>
 /// Upper bound of |I_n - I_0|/delta by a class, I with |phidot| before the collisions; nothing if there is
 /// none.
 template <class I>
-[[nodiscard]] std::optional<I> run_error(const AdiabaticPair<I>& pair, const I& least_share,
-                                         const AdiabaticPotential<I>& potential) {
+[[nodiscard]] std::optional<I> run_error(const Pair<I>& pair, const I& least_share,
+                                         const Potential<I>& potential) {
     const auto at = later_collision(pair, least_share, potential);
     if (!at || at->none) {
         return at ? std::optional(I(0)) : std::nullopt;
@@ -110,7 +109,7 @@ template <class I>
 
 /// Whether no descending flight of a scattering touches the bridge (L37).
 template <class I>
-[[nodiscard]] bool certainly_above_bridge(const AdiabaticPair<I>& pair) {
+[[nodiscard]] bool certainly_above_bridge(const Pair<I>& pair) {
     const I& r = pair.masses.r;
     const I at_bridge = (half_pi<I>() + asin(pair.masses.beta2 * r)) * sqrt(I(1) + r / (I(1) - sqr(r)));
     return certainly_less(at_bridge * pair.root_energy, pair.share);
@@ -119,8 +118,8 @@ template <class I>
 /// The same of |I_N - I_0|/sqrt(delta), I_N with |phidot| after the last collision, of a whole scattering
 /// (L37).
 template <class I>
-[[nodiscard]] std::optional<I> scattering_error(const AdiabaticPair<I>& pair, const I& least_share,
-                                                const AdiabaticPotential<I>& potential) {
+[[nodiscard]] std::optional<I> scattering_error(const Pair<I>& pair, const I& least_share,
+                                                const Potential<I>& potential) {
     if (!certainly_above_bridge(pair)) {
         return std::nullopt;  // a collision of the heavy mass may come between: nothing is known of the later
                               // one
@@ -152,7 +151,7 @@ template <class I>
 /// Whether the reversed incoming ray of the first collision certainly meets the light wall: then it is not
 /// the first.
 template <class I>
-[[nodiscard]] bool certainly_not_first(const AdiabaticPair<I>& pair) {
+[[nodiscard]] bool certainly_not_first(const Pair<I>& pair) {
     const I k = high_end(-pair.kappa);
     const I c = high_end(pair.first.s + k * (pair.first.x + pi<I>()));
     return flight::highest_contact(c, k).has_value();

@@ -11,7 +11,7 @@ namespace dumbbell::adiabatic {
 /// The potential V of L35: the integral over u, from the rod's angle from the vertical to pi/2, of a density
 /// v >= 0 that is constant on cells.
 template <class I>
-class AdiabaticPotential {
+class Potential {
   public:
     /// v >= 0 on [u, the cell before's u]; the first begins at 11/7 > pi/2. Thin or almost so.
     struct Cell {
@@ -21,7 +21,7 @@ class AdiabaticPotential {
     static I top() { return I(11) / I(7); }
 
     /// Precondition: at least one cell, their u decrease.
-    explicit AdiabaticPotential(std::vector<Cell> cells) : cells_(std::move(cells)) {
+    explicit Potential(std::vector<Cell> cells) : cells_(std::move(cells)) {
         I sum(0);
         I upper = top();
         for (const Cell& cell : cells_) {

@@ -14,8 +14,6 @@
 namespace dumbbell::adiabatic {
 namespace {
 
-using Axis = AdiabaticAxis;
-
 constexpr double room = 1 + 0x1p-18;  ///< of a bound in the file over what its leaves need
 constexpr int bound_digits = 5;
 constexpr std::array<double, 6> slacks{1.25, 1.5, 1.75, 2.25, 3, 4.5};
@@ -26,23 +24,23 @@ constexpr double cover_share = 0.25;
 Rational bound_of(double value) { return exact(cut_up(exact(value) * exact(room), bound_digits)); }
 
 /// A class with its potential, as the leaves use it.
-struct Potential {
+struct ClassPotential {
     Interval least_share;
-    AdiabaticPotential<Interval> potential;
+    Potential<Interval> potential;
 };
 
-Potential potential_of(const AdiabaticClass& one) {
-    std::vector<AdiabaticPotential<Interval>::Cell> cells;
+ClassPotential potential_of(const Class& one) {
+    std::vector<Potential<Interval>::Cell> cells;
     cells.reserve(one.cells.size());
     for (const auto& cell : one.cells) {
         cells.push_back({enclose<Interval>(cell.u), enclose<Interval>(cell.v)});
     }
-    return {enclose<Interval>(one.least_share), AdiabaticPotential<Interval>(std::move(cells))};
+    return {enclose<Interval>(one.least_share), Potential<Interval>(std::move(cells))};
 }
 
 class Prover {
   public:
-    explicit Prover(const AdiabaticRequest& request)
+    explicit Prover(const Request& request)
         : request_(request),
           of_(request.of),
           sides_(request.of),
@@ -50,8 +48,8 @@ class Prover {
         proof_.of = request.of;
     }
 
-    AdiabaticProof proof() {
-        if (of_.claim == AdiabaticClaim::bounce) {
+    Proof proof() {
+        if (of_.claim == Claim::bounce) {
             prove_bounce();
         } else {
             prove_pairs();
@@ -60,18 +58,18 @@ class Prover {
     }
 
   private:
-    [[nodiscard]] AdiabaticLimits limits(std::size_t most_leaves) const {
-        AdiabaticLimits result;
+    [[nodiscard]] Limits limits(std::size_t most_leaves) const {
+        Limits result;
         result.jobs = request_.jobs;
         result.max_leaves = most_leaves;
         result.interrupted = request_.interrupted;
         result.observer = request_.observer;
         return result;
     }
-    [[nodiscard]] AdiabaticLimits limits() const { return limits(AdiabaticLimits{}.max_leaves); }
+    [[nodiscard]] Limits limits() const { return limits(Limits{}.max_leaves); }
 
-    [[nodiscard]] AdiabaticSearch search(bool height_error) const {
-        AdiabaticSearch result;
+    [[nodiscard]] Search search(bool height_error) const {
+        Search result;
         result.of = of_;
         result.height_error = height_error;
         result.most_collisions = request_.most_collisions;
@@ -82,8 +80,8 @@ class Prover {
 
     /// The best of the found orbits that can be enclosed; its value, or 0.
     double attain(bool height_error) {
-        const AdiabaticSearch looked_for = search(height_error);
-        for (const AdiabaticSample& sample : search_errors(looked_for)) {
+        const Search looked_for = search(height_error);
+        for (const Sample& sample : search_errors(looked_for)) {
             if (const auto state = attained(looked_for, sample)) {
                 proof_.attained.push_back(*state);
                 return state->value.convert_to<double>();
@@ -92,30 +90,29 @@ class Prover {
         return 0;
     }
 
-    [[nodiscard]] AdiabaticTarget target(double value) const {
+    [[nodiscard]] Target target(double value) const {
         return {value * (1 + accuracy_ * 0.999), accuracy_ * cover_share, false};
     }
-    void include(const AdiabaticCover& cover, double value) {
+    void include(const Cover& cover, double value) {
         proof_.bounds.push_back(bound_of(cover.bound));
         proof_.coarser = proof_.coarser || cover.bound > value * (1 + accuracy_);
     }
 
     // Lemma 3.1 and Corollary 3.2.
 
-    [[nodiscard]] AdiabaticJudged judge_bounce(const AdiabaticBox& box,
-                                               const std::array<double, 2>& scale) const {
+    [[nodiscard]] Judged judge_bounce(const Box& box, const std::array<double, 2>& scale) const {
         const auto masses = sides_.masses(box);
         const auto u = admitted_angle(sides_.side(box, Axis::u), sides_.margin(masses));
         if (!u) {
             return {true};
         }
-        const AdiabaticBounce<Interval> bounce(*u, sides_.side(box, Axis::s), masses);
+        const Bounce<Interval> bounce(*u, sides_.side(box, Axis::s), masses);
         if (sides_.certainly_elsewhere(*u, masses) || certainly_at_most(bounce.forward(), Interval(0))) {
             return {true};
         }
         const Interval k = delta_power(masses.delta, of_.exponent);
         const Interval square = sqr(masses.delta);
-        AdiabaticJudged result;
+        Judged result;
         result.bound = 0;
         const auto next = next_contact(bounce);
         if (next && next->none) {
@@ -138,13 +135,13 @@ class Prover {
     }
 
     void prove_bounce() {
-        const AdiabaticBox root = sides_.root({Axis::u, Axis::s, Axis::delta});
+        const Box root = sides_.root({Axis::u, Axis::s, Axis::delta});
         for (const bool height : {false, true}) {
             const double value = attain(height);
-            const auto judge = [&](const AdiabaticBox& box) {
+            const auto judge = [&](const Box& box) {
                 return judge_bounce(box, {height ? 0.0 : 1.0, height ? 1.0 : 0.0});
             };
-            const auto cover = adiabatic_cover(root, judge, target(value), limits());
+            const auto cover = find_cover(root, judge, target(value), limits());
             if (!cover) {
                 proof_.bounds.clear();
                 return;
@@ -153,8 +150,8 @@ class Prover {
         }
         const std::array<double, 2> scale{1 / proof_.bounds[0].convert_to<double>(),
                                           1 / proof_.bounds[1].convert_to<double>()};
-        const auto judge = [&](const AdiabaticBox& box) { return judge_bounce(box, scale); };
-        auto cover = adiabatic_cover(root, judge, {1 / room * (1 + 0x1p-20), 0, true}, limits());
+        const auto judge = [&](const Box& box) { return judge_bounce(box, scale); };
+        auto cover = find_cover(root, judge, {1 / room * (1 + 0x1p-20), 0, true}, limits());
         if (!cover) {
             proof_.bounds.clear();
             return;
@@ -165,22 +162,21 @@ class Prover {
     // Theorems 3.3 and 3.5.
 
     /// The class with the least slack for which the tree closes.
-    void prove_class(const AdiabaticClass& guess) {
+    void prove_class(const Class& guess) {
         for (const double slack : slacks) {
-            AdiabaticClass one = with_slack(guess, slack);
-            const Potential at = potential_of(one);
-            const auto judge = [&](const AdiabaticBox& box) {
+            Class one = with_slack(guess, slack);
+            const ClassPotential at = potential_of(one);
+            const auto judge = [&](const Box& box) {
                 const auto masses = sides_.masses(box);
-                const AdiabaticVerdict verdict =
+                const Verdict verdict =
                     judge_flights(sides_.side(box, Axis::u), sides_.side(box, Axis::sigma), masses,
                                   sides_.margin(masses), at.least_share, at.potential);
-                return AdiabaticJudged{verdict.outside, verdict.excess, 0};
+                return Judged{verdict.outside, verdict.excess, 0};
             };
-            auto cover =
-                adiabatic_cover(sides_.root({Axis::u, Axis::sigma, Axis::delta}), judge, {0, 0, true},
-                                limits(sides_.hypotheses().delta.first == sides_.hypotheses().delta.second
-                                           ? class_leaves
-                                           : 5 * class_leaves));
+            auto cover = find_cover(sides_.root({Axis::u, Axis::sigma, Axis::delta}), judge, {0, 0, true},
+                                    limits(sides_.hypotheses().delta.first == sides_.hypotheses().delta.second
+                                               ? class_leaves
+                                               : 5 * class_leaves));
             if (cover) {
                 one.tree = std::move(cover->tree);
                 proof_.leaves += cover->leaves;
@@ -194,7 +190,7 @@ class Prover {
         }
     }
 
-    [[nodiscard]] AdiabaticJudged judge_pair(const AdiabaticBox& box) const {
+    [[nodiscard]] Judged judge_pair(const Box& box) const {
         const auto masses = sides_.masses(box);
         const Interval margin = sides_.margin(masses);
         const auto u = admitted_angle(sides_.side(box, Axis::u), margin);
@@ -202,15 +198,15 @@ class Prover {
         if (!u || !v) {
             return {true};
         }
-        const bool run = of_.claim == AdiabaticClaim::run;
+        const bool run = of_.claim == Claim::run;
         if (run && sides_.certainly_elsewhere(*u, masses)) {
             return {true};
         }
-        const AdiabaticPair<Interval> pair(*u, sides_.side(box, Axis::s), *v, masses);
+        const Pair<Interval> pair(*u, sides_.side(box, Axis::s), *v, masses);
         if (!run && certainly_not_first(pair)) {
             return {true};
         }
-        AdiabaticJudged best;
+        Judged best;
         for (std::size_t i = 0; i < potentials_.size(); ++i) {
             const auto& [share, potential] = potentials_[i];
             const auto error =
@@ -225,46 +221,46 @@ class Prover {
 
     void prove_pairs() {
         const double value = attain(false);
-        for (const AdiabaticClass& guess : guess_classes(of_, request_.jobs, request_.interrupted)) {
+        for (const Class& guess : guess_classes(of_, request_.jobs, request_.interrupted)) {
             prove_class(guess);
         }
         if (proof_.classes.empty() || request_.interrupted()) {
             return;
         }
-        const auto judge = [&](const AdiabaticBox& box) { return judge_pair(box); };
-        auto cover = adiabatic_cover(sides_.root({Axis::u, Axis::s, Axis::v, Axis::delta}), judge,
-                                     target(value), limits());
+        const auto judge = [&](const Box& box) { return judge_pair(box); };
+        auto cover =
+            find_cover(sides_.root({Axis::u, Axis::s, Axis::v, Axis::delta}), judge, target(value), limits());
         if (cover) {
             include(*cover, value);
             take(std::move(*cover));
         }
     }
 
-    void take(AdiabaticCover cover) {
+    void take(Cover cover) {
         proof_.leaves += cover.leaves;
         proof_.tree = std::move(cover.tree);
     }
 
-    const AdiabaticRequest& request_;
-    const AdiabaticHypotheses& of_;
-    AdiabaticSides sides_;
+    const Request& request_;
+    const Hypotheses& of_;
+    Sides sides_;
     double accuracy_;
-    std::vector<Potential> potentials_;
-    AdiabaticProof proof_;
+    std::vector<ClassPotential> potentials_;
+    Proof proof_;
 };
 
 }  // namespace
 
-bool AdiabaticProof::complete() const {
-    const std::size_t values = of.claim == AdiabaticClaim::bounce ? 2 : 1;
+bool Proof::complete() const {
+    const std::size_t values = of.claim == Claim::bounce ? 2 : 1;
     return bounds.size() == values && attained.size() == values;
 }
 
-AdiabaticProof prove_adiabatic(const AdiabaticRequest& request) { return Prover(request).proof(); }
+Proof prove(const Request& request) { return Prover(request).proof(); }
 
-AdiabaticCertificate certificate_of(const AdiabaticProof& proof) {
+Certificate certificate_of(const Proof& proof) {
     require(proof.complete(), "certificate: there is no proof to write");
-    AdiabaticCertificate certificate;
+    Certificate certificate;
     certificate.hypotheses = proof.of;
     certificate.bounds = proof.bounds;
     certificate.classes = proof.classes;

@@ -9,8 +9,8 @@
 /// Proofs about the adiabatic invariant (proofs/adiabatic.md).
 namespace dumbbell::adiabatic {
 
-struct AdiabaticRequest {
-    AdiabaticHypotheses of;
+struct Request {
+    Hypotheses of;
     Rational accuracy = Rational(1, 10);  ///< relative, of a bound over the attained value
     long most_collisions = 1'000'000;     ///< of the attained orbit of a run
     int jobs = 1;
@@ -19,14 +19,14 @@ struct AdiabaticRequest {
 };
 
 /// What was proved, in the claim's unit: |errors| <= bounds, and orbits that attain almost as much.
-struct AdiabaticProof {
-    AdiabaticHypotheses of;
+struct Proof {
+    Hypotheses of;
     std::vector<Rational>
         bounds;  ///< of a bounce two, of a run or a scattering one; none if nothing was certified
-    std::vector<AdiabaticClass> classes;
-    AdiabaticTree tree;
-    std::vector<AdiabaticState> attained;  ///< fewer than there should be if none were certified
-    std::size_t leaves = 0;                ///< of all trees
+    std::vector<Class> classes;
+    Tree tree;
+    std::vector<State> attained;  ///< fewer than there should be if none were certified
+    std::size_t leaves = 0;       ///< of all trees
     /// The bounds exceed what was attained by more than the accuracy asked for.
     bool coarser = false;
 
@@ -35,13 +35,13 @@ struct AdiabaticProof {
 
 /// Throws InputError, in one line that names the option, unless the hypotheses describe a set of positive
 /// size to which the statement applies.
-void require_sensible(const AdiabaticHypotheses& of);
+void require_sensible(const Hypotheses& of);
 
 /// First an orbit with a great error is looked for and enclosed, then the hypotheses are covered. The result
 /// does not depend on the number of jobs, unless interrupted. Precondition: require_sensible(of).
-[[nodiscard]] AdiabaticProof prove_adiabatic(const AdiabaticRequest& request);
+[[nodiscard]] Proof prove(const Request& request);
 
 /// What this program writes of a complete proof.
-[[nodiscard]] AdiabaticCertificate certificate_of(const AdiabaticProof& proof);
+[[nodiscard]] Certificate certificate_of(const Proof& proof);
 
 }  // namespace dumbbell::adiabatic

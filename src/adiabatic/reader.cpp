@@ -18,17 +18,17 @@ std::pair<Rational, Rational> range_from(Lines& lines, std::string_view keyword)
 }
 
 /// `with_class`: the leaves name the class that bounds them.
-AdiabaticTree tree_from(Lines& lines, bool with_class) {
-    AdiabaticTree tree;
+Tree tree_from(Lines& lines, bool with_class) {
+    Tree tree;
     for (long missing = 1; missing > 0;) {
         const auto& fields = lines.next();
-        AdiabaticNode node;
+        Node node;
         if (fields[0] == "split" && fields.size() == 2) {
             const auto* const found = std::find(axis_names.begin(), axis_names.end(), fields[1]);
             if (found == axis_names.end()) {
                 lines.fail();
             }
-            node.split = static_cast<AdiabaticAxis>(found - axis_names.begin());
+            node.split = static_cast<Axis>(found - axis_names.begin());
         } else if (fields[0] == "bound" && fields.size() == (with_class ? 2 : 1)) {
             node.by_class =
                 with_class ? static_cast<int>(std::min(lines.number(fields[1]), most_classes)) : 0;
@@ -43,13 +43,13 @@ AdiabaticTree tree_from(Lines& lines, bool with_class) {
     return tree;
 }
 
-std::vector<AdiabaticClass> classes_from(Lines& lines) {
+std::vector<Class> classes_from(Lines& lines) {
     const long count = lines.number(lines.expect("classes", 2)[1]);
     if (count < 1 || count > most_classes) {
         lines.fail();
     }
-    std::vector<AdiabaticClass> classes(static_cast<std::size_t>(count));
-    for (AdiabaticClass& one : classes) {
+    std::vector<Class> classes(static_cast<std::size_t>(count));
+    for (Class& one : classes) {
         const auto& head = lines.expect("class", 3);
         one.least_share = lines.signed_ratio(head[1]);
         const long cells = lines.number(head[2]);
@@ -66,34 +66,34 @@ std::vector<AdiabaticClass> classes_from(Lines& lines) {
     return classes;
 }
 
-AdiabaticHypotheses hypotheses_from(Lines& lines, AdiabaticClaim claim) {
-    AdiabaticHypotheses hypotheses;
+Hypotheses hypotheses_from(Lines& lines, Claim claim) {
+    Hypotheses hypotheses;
     hypotheses.claim = claim;
     hypotheses.delta = range_from(lines, "delta");
-    if (claim == AdiabaticClaim::bounce || claim == AdiabaticClaim::run) {
+    if (claim == Claim::bounce || claim == Claim::run) {
         hypotheses.heights = range_from(lines, "heights");
     }
     hypotheses.margin = lines.signed_ratio(lines.expect("margin", 2)[1]);
-    if (claim == AdiabaticClaim::bounce) {
+    if (claim == Claim::bounce) {
         hypotheses.exponent = static_cast<int>(std::min(lines.number(lines.expect("exponent", 2)[1]), 16L));
     }
     return hypotheses;
 }
 
-AdiabaticState attained_from(Lines& lines) {
+State attained_from(Lines& lines) {
     const auto& fields = lines.expect("attained", 6);
     return {lines.signed_ratio(fields[1]), lines.signed_ratio(fields[2]), lines.signed_ratio(fields[3]),
             lines.number(fields[4]), lines.signed_ratio(fields[5])};
 }
 
 /// What generated it, and the hypotheses.
-AdiabaticCertificate head_from(Lines& lines) {
+Certificate head_from(Lines& lines) {
     const Head head = lines.expect_head();
     const auto claim = claim_named(head.claim);
     if (!claim) {
         lines.fail();
     }
-    AdiabaticCertificate certificate;
+    Certificate certificate;
     certificate.generator = head.generator;
     certificate.hypotheses = hypotheses_from(lines, *claim);
     return certificate;
@@ -101,10 +101,10 @@ AdiabaticCertificate head_from(Lines& lines) {
 
 }  // namespace
 
-AdiabaticCertificate read_adiabatic_certificate(const std::string& path) {
+Certificate read_certificate(const std::string& path) {
     Lines lines(path);
-    AdiabaticCertificate certificate = head_from(lines);
-    const bool is_bounce = certificate.hypotheses.claim == AdiabaticClaim::bounce;
+    Certificate certificate = head_from(lines);
+    const bool is_bounce = certificate.hypotheses.claim == Claim::bounce;
     certificate.bits =
         static_cast<int>(std::min(lines.number(lines.expect("bits", 2)[1]), static_cast<long>(most_bits)));
     const auto& bound = lines.expect("bound", is_bounce ? 3 : 2);

@@ -17,7 +17,7 @@ constexpr int shown_digits =
 std::string number(const Rational& x) { return x == 0 ? "0" : exact_text(x); }
 
 /// 0 is no delta.
-std::string delta_text(const AdiabaticHypotheses& of) {
+std::string delta_text(const Hypotheses& of) {
     const auto& [lo, hi] = of.delta;
     return lo == hi ? fmt::format("delta = {}", number(lo))
                     : fmt::format("every delta in {}{}, {}]", lo == 0 ? '(' : '[', number(lo), number(hi));
@@ -32,12 +32,12 @@ std::string power(int sixteenths) {
                                         : fmt::format("delta^({})", to_fraction(exponent));
 }
 
-std::string margin_text(const AdiabaticHypotheses& of) {
+std::string margin_text(const Hypotheses& of) {
     const std::string factor = of.margin == 1 ? "" : number(of.margin) + " ";
     switch (of.claim) {
-        case AdiabaticClaim::bounce:
+        case Claim::bounce:
             return of.exponent == 0 ? number(of.margin) : factor + power(of.exponent);
-        case AdiabaticClaim::run:
+        case Claim::run:
             return number(of.margin);
         default:
             return factor + "sqrt(delta)";
@@ -50,19 +50,19 @@ struct Unit {
     std::string unit;
 };
 
-std::vector<Unit> units(const AdiabaticHypotheses& of) {
+std::vector<Unit> units(const Hypotheses& of) {
     switch (of.claim) {
-        case AdiabaticClaim::bounce:
+        case Claim::bounce:
             return {{"||phidot_+| - |phidot_-| + 2 ydot_-/sqrt(1 - y^2)|", power(32 - 2 * of.exponent)},
                     {"|y_+ - y - 2 (pi - arccos y) ydot_-/|phidot_-||", "* 2 " + power(32 - of.exponent)}};
-        case AdiabaticClaim::run:
+        case Claim::run:
             return {{"|I_n - I_0|", "delta"}};
         default:
             return {{"|I_N - I_0|", "sqrt(delta)"}};
     }
 }
 
-std::string hypotheses_text(const AdiabaticHypotheses& of) {
+std::string hypotheses_text(const Hypotheses& of) {
     const std::string delta = delta_text(of);
     const std::string margin = margin_text(of);
     const std::string states = fmt::format(
@@ -71,13 +71,13 @@ std::string hypotheses_text(const AdiabaticHypotheses& of) {
     const std::string heights =
         fmt::format("at a height y from {} to {},", number(of.heights.first), number(of.heights.second));
     switch (of.claim) {
-        case AdiabaticClaim::bounce:
+        case Claim::bounce:
             return fmt::format(
                 "{} a collision of the light mass {}\n"
                 "at distance |phi - 3 pi/2| >= {} from the vertical, "
                 "whose next collision is one of the light mass too:",
                 states, heights, margin);
-        case AdiabaticClaim::run:
+        case Claim::run:
             return fmt::format(
                 "{} collision 0 {}\n"
                 "for any number n of bounces of the light mass with no collision of the heavy mass between, "
@@ -92,7 +92,7 @@ std::string hypotheses_text(const AdiabaticHypotheses& of) {
     }
 }
 
-std::string state_text(const AdiabaticState& state) {
+std::string state_text(const State& state) {
     const std::string u = to_decimal(state.u, shown_digits), s = to_decimal(state.s, shown_digits);
     const std::string ydot =
         state.s == 0 ? "= 0" : fmt::format("{} -{} delta", parse_rational(s) == state.s ? "=" : "about", s);
@@ -101,20 +101,20 @@ std::string state_text(const AdiabaticState& state) {
 }
 
 /// C/B, rounded up.
-std::string ratio_text(const Rational& bound, const AdiabaticState& state) {
+std::string ratio_text(const Rational& bound, const State& state) {
     return rounded_up(enclose<Interval>(bound / state.value).hi());
 }
 
 std::string unit_text(const Unit& unit) { return unit.unit.empty() ? "" : " " + unit.unit; }
 
-std::string bound_text(const AdiabaticProof& proof, std::size_t i) {
+std::string bound_text(const Proof& proof, std::size_t i) {
     const Unit unit = units(proof.of)[i];
     return i < proof.bounds.size()
                ? fmt::format("{} <= {}{}", unit.error, number(proof.bounds[i]), unit_text(unit))
                : fmt::format("{}: no bound was certified", unit.error);
 }
 
-std::string error_text(const AdiabaticProof& proof, std::size_t i) {
+std::string error_text(const Proof& proof, std::size_t i) {
     const std::string in = unit_text(units(proof.of)[i]);
     std::string text = "  " + bound_text(proof, i) + '\n';
     if (i < proof.attained.size()) {
@@ -128,13 +128,13 @@ std::string error_text(const AdiabaticProof& proof, std::size_t i) {
     return text;
 }
 
-std::string result_text(const AdiabaticReport& report, const AdiabaticResult& result) {
-    const AdiabaticProof& proof = result.proof;
+std::string result_text(const Report& report, const Result& result) {
+    const Proof& proof = result.proof;
     std::string text = hypotheses_text(proof.of) + '\n';
     for (std::size_t i = 0; i < units(proof.of).size(); ++i) {
         text += error_text(proof, i);
     }
-    if (proof.of.claim == AdiabaticClaim::scattering && proof.complete()) {
+    if (proof.of.claim == Claim::scattering && proof.complete()) {
         text += "  and the heavy mass is not touched.\n";
     }
     if (proof.coarser) {
@@ -146,10 +146,10 @@ std::string result_text(const AdiabaticReport& report, const AdiabaticResult& re
     return text + fmt::format("{} boxes, {:.1f} s\n", proof.leaves, result.seconds);
 }
 
-std::string table_text(const AdiabaticReport& report) {
+std::string table_text(const Report& report) {
     std::vector<TableLine> lines{{"distance", "error", "bound", "attained", "ratio", "boxes", "seconds"}};
-    for (const AdiabaticResult& result : report.results) {
-        const AdiabaticProof& proof = result.proof;
+    for (const Result& result : report.results) {
+        const Proof& proof = result.proof;
         const auto names = units(proof.of);
         for (std::size_t i = 0; i < names.size(); ++i) {
             const bool bounded = i < proof.bounds.size(), found = i < proof.attained.size();
@@ -164,7 +164,7 @@ std::string table_text(const AdiabaticReport& report) {
     return aligned(lines, 1);
 }
 
-Json state_json(const AdiabaticState& state) {
+Json state_json(const State& state) {
     return Json::object({{"u", to_fraction(state.u)},
                          {"s", to_fraction(state.s)},
                          {"delta", to_fraction(state.delta)},
@@ -172,7 +172,7 @@ Json state_json(const AdiabaticState& state) {
                          {"value", to_fraction(state.value)}});
 }
 
-Json error_json(const AdiabaticProof& proof, const Unit& unit, std::size_t i) {
+Json error_json(const Proof& proof, const Unit& unit, std::size_t i) {
     const bool bounded = i < proof.bounds.size(), found = i < proof.attained.size();
     return Json::object(
         {{"error", unit.error},
@@ -187,10 +187,10 @@ Json range_json(const std::pair<Rational, Rational>& range) {
     return Json::object({{"lo", to_fraction(range.first)}, {"hi", to_fraction(range.second)}});
 }
 
-Json result_json(const AdiabaticResult& result) {
-    const AdiabaticProof& proof = result.proof;
-    const AdiabaticHypotheses& of = proof.of;
-    const bool has_heights = of.claim == AdiabaticClaim::bounce || of.claim == AdiabaticClaim::run;
+Json result_json(const Result& result) {
+    const Proof& proof = result.proof;
+    const Hypotheses& of = proof.of;
+    const bool has_heights = of.claim == Claim::bounce || of.claim == Claim::run;
     Json errors = Json::array();
     const auto names = units(of);
     for (std::size_t i = 0; i < names.size(); ++i) {
@@ -201,7 +201,7 @@ Json result_json(const AdiabaticResult& result) {
          {"delta", range_json(of.delta)},
          {"y", has_heights ? range_json(of.heights) : Json()},
          {"margin", to_fraction(of.margin)},
-         {"k", of.claim == AdiabaticClaim::bounce ? Json(to_fraction(Rational(of.exponent, 16))) : Json()},
+         {"k", of.claim == Claim::bounce ? Json(to_fraction(Rational(of.exponent, 16))) : Json()},
          {"errors", errors},
          {"leaves", proof.leaves},
          {"accurate", !proof.coarser},
@@ -210,10 +210,10 @@ Json result_json(const AdiabaticResult& result) {
 
 }  // namespace
 
-std::string verdict(const AdiabaticReport& report) {
+std::string verdict(const Report& report) {
     std::string text;
-    for (const AdiabaticResult& result : report.results) {
-        const AdiabaticProof& proof = result.proof;
+    for (const Result& result : report.results) {
+        const Proof& proof = result.proof;
         for (std::size_t i = 0; i < units(proof.of).size(); ++i) {
             text += fmt::format("{}, distance {}: {}\n", delta_text(proof.of), margin_text(proof.of),
                                 bound_text(proof, i));
@@ -222,7 +222,7 @@ std::string verdict(const AdiabaticReport& report) {
     return text;
 }
 
-std::string to_text(const AdiabaticReport& report) {
+std::string to_text(const Report& report) {
     std::string text;
     if (report.results.size() == 1) {
         text = result_text(report, report.results.front());
@@ -237,9 +237,9 @@ std::string to_text(const AdiabaticReport& report) {
     return text;
 }
 
-Json to_json(const AdiabaticReport& report) {
+Json to_json(const Report& report) {
     Json results = Json::array();
-    for (const AdiabaticResult& result : report.results) {
+    for (const Result& result : report.results) {
         results.add(result_json(result));
     }
     return Json::object({{"schema", "dumbbell-adiabatic-1"},

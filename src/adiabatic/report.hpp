@@ -10,25 +10,25 @@
 namespace dumbbell::adiabatic {
 
 /// One statement of the paper's section 3 with what was proved of it.
-struct AdiabaticResult {
-    AdiabaticProof proof;
+struct Result {
+    Proof proof;
     double seconds = 0;
 };
 
 /// What `adiabatic` tells its user.
-struct AdiabaticReport {
+struct Report {
     std::string theorem;  ///< as on the command line
     Rational accuracy;
-    std::vector<AdiabaticResult> results;  ///< one for each distance from the vertical, or exponent
+    std::vector<Result> results;  ///< one for each distance from the vertical, or exponent
     std::optional<std::string> out;
     std::optional<std::string> sha256;
 };
 
 /// The hypotheses in words, the statement with its constants, and the orbits; a table if there are several
 /// results.
-[[nodiscard]] std::string to_text(const AdiabaticReport& report);
+[[nodiscard]] std::string to_text(const Report& report);
 /// The constants alone, a line each.
-[[nodiscard]] std::string verdict(const AdiabaticReport& report);
-[[nodiscard]] Json to_json(const AdiabaticReport& report);
+[[nodiscard]] std::string verdict(const Report& report);
+[[nodiscard]] Json to_json(const Report& report);
 
 }  // namespace dumbbell::adiabatic

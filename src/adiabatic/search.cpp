@@ -19,7 +19,7 @@ constexpr double least_share = 1.0 / 16;  ///< of the greatest delta, where the 
 struct Domain {
     double delta, r, beta2, margin, nearest, farthest;
 
-    Domain(const AdiabaticHypotheses& of, double share) {
+    Domain(const Hypotheses& of, double share) {
         const double lo = of.delta.first.convert_to<double>(), hi = of.delta.second.convert_to<double>();
         delta = lo + (hi - lo) * share;
         beta2 = 1 - delta * delta;
@@ -27,14 +27,14 @@ struct Domain {
         margin = of.margin.convert_to<double>() * (1 + inside);
         nearest = margin;
         farthest = pi / 2;
-        if (of.claim == AdiabaticClaim::bounce) {
+        if (of.claim == Claim::bounce) {
             nearest = margin *= std::pow(delta, of.exponent / 16.0);
-        } else if (of.claim != AdiabaticClaim::run) {
+        } else if (of.claim != Claim::run) {
             nearest = margin *= std::sqrt(delta);
             farthest = std::min(
                 pi / 2, 1.2 * std::sqrt(4 * pi * delta));  // farther away it is not the first collision
         }
-        if (of.claim == AdiabaticClaim::bounce || of.claim == AdiabaticClaim::run) {
+        if (of.claim == Claim::bounce || of.claim == Claim::run) {
             const double y1 = of.heights.first.convert_to<double>(),
                          y2 = of.heights.second.convert_to<double>();
             nearest = std::max(nearest, std::acos(std::min(1.0, y2 / beta2 * (1 - inside))));
@@ -62,7 +62,7 @@ Step step(double x, double kappa, double r) {
     return {d / (w * w + r), slope, guess.hits, approximate(guess.z)};
 }
 
-double bounce_error(const AdiabaticSearch& search, const Domain& at, double u, double s) {
+double bounce_error(const Search& search, const Domain& at, double u, double s) {
     const double x = pi / 2 - u, kappa = -at.delta * s / at.beta2, w = std::sin(u),
                  k = search.of.exponent / 16.0;
     const Step next = step(x, kappa, at.r);
@@ -84,9 +84,9 @@ bool is_first(double x, double kappa) {
 }
 
 /// Follows the orbit; the greatest error of a run, or that of a whole scattering.
-void follow(const AdiabaticSearch& search, const Domain& at, AdiabaticSample& sample) {
+void follow(const Search& search, const Domain& at, Sample& sample) {
     double x = pi / 2 - sample.u, kappa = -at.delta * sample.s / at.beta2;
-    const bool run = search.of.claim == AdiabaticClaim::run;
+    const bool run = search.of.claim == Claim::run;
     if (!run && !is_first(x, kappa)) {
         return;
     }
@@ -134,14 +134,14 @@ struct Effort {
     double zooms = 16;
 };
 
-bool has_one_delta(const AdiabaticHypotheses& of) { return of.delta.first == of.delta.second; }
+bool has_one_delta(const Hypotheses& of) { return of.delta.first == of.delta.second; }
 
 /// The less densely the longer the orbits are: about 1/delta collisions.
-Effort effort_for(const AdiabaticSearch& search) {
+Effort effort_for(const Search& search) {
     const bool single = has_one_delta(search.of);
     Effort effort;
     effort.coarse.share = single ? 0 : effort.coarse.share;
-    if (search.of.claim == AdiabaticClaim::bounce) {
+    if (search.of.claim == Claim::bounce) {
         effort.coarse.u = 64;
         return effort;
     }
@@ -157,14 +157,14 @@ Effort effort_for(const AdiabaticSearch& search) {
     return effort;
 }
 
-class Search {
+class GridSearch {
   public:
-    explicit Search(const AdiabaticSearch& search) : search_(search), effort_(effort_for(search)) {}
+    explicit GridSearch(const Search& search) : search_(search), effort_(effort_for(search)) {}
 
-    std::vector<AdiabaticSample> found() {
+    std::vector<Sample> found() {
         fill(effort_.coarse, {0.5, 0.5, 0.5}, {0.5, 0.5, 0.5});
-        std::vector<AdiabaticSample> best = best_apart();
-        for (AdiabaticSample& sample : best) {
+        std::vector<Sample> best = best_apart();
+        for (Sample& sample : best) {
             sample = refined(sample);
         }
         std::stable_sort(best.begin(), best.end(),
@@ -177,7 +177,7 @@ class Search {
         double a, s, share;  ///< a: the share of the way through the angles
     };
 
-    [[nodiscard]] AdiabaticSample at(const Point& point) const {
+    [[nodiscard]] Sample at(const Point& point) const {
         const Domain domain(search_.of, point.share);
         const double u = domain.nearest + (domain.farthest - domain.nearest) * point.a;
         return simulated(search_, u, point.s, point.share);
@@ -204,19 +204,19 @@ class Search {
         samples_.resize(points_.size());
         run_with_threads(search_.jobs, [&] {
             in_parallel(points_.size(), [&](std::size_t i) {
-                samples_[i] = search_.interrupted() ? AdiabaticSample{} : at(points_[i]);
+                samples_[i] = search_.interrupted() ? Sample{} : at(points_[i]);
             });
         });
     }
 
-    std::vector<AdiabaticSample> best_apart() {
+    std::vector<Sample> best_apart() {
         std::vector<std::size_t> order(samples_.size());
         for (std::size_t i = 0; i < order.size(); ++i) {
             order[i] = i;
         }
         std::stable_sort(order.begin(), order.end(),
                          [&](std::size_t a, std::size_t b) { return samples_[a].error > samples_[b].error; });
-        std::vector<AdiabaticSample> best;
+        std::vector<Sample> best;
         starts_.clear();
         for (std::size_t i = 0; i < order.size() && static_cast<double>(best.size()) < effort_.kept; ++i) {
             best.push_back(samples_[order[i]]);
@@ -226,7 +226,7 @@ class Search {
         return best;
     }
 
-    AdiabaticSample refined(AdiabaticSample best) {
+    Sample refined(Sample best) {
         const Grid& coarse = effort_.coarse;
         Point centre = starts_[next_++];
         Point half{1.0 / coarse.u, 1.0 / coarse.s, coarse.share > 0 ? 1.0 / coarse.share : 0};
@@ -243,22 +243,22 @@ class Search {
         return best;
     }
 
-    const AdiabaticSearch& search_;
+    const Search& search_;
     Effort effort_;
     std::vector<Point> points_, starts_;
-    std::vector<AdiabaticSample> samples_;
+    std::vector<Sample> samples_;
     std::size_t next_ = 0;
 };
 
 }  // namespace
 
-AdiabaticSample simulated(const AdiabaticSearch& search, double u, double s, double share) {
-    AdiabaticSample sample{u, s, share, search.of.claim == AdiabaticClaim::bounce ? 1 : 0, 0};
+Sample simulated(const Search& search, double u, double s, double share) {
+    Sample sample{u, s, share, search.of.claim == Claim::bounce ? 1 : 0, 0};
     const Domain at(search.of, share);
     if (!(u >= at.nearest) || !(u <= at.farthest) || !(at.delta > 0)) {
         return sample;
     }
-    if (search.of.claim == AdiabaticClaim::bounce) {
+    if (search.of.claim == Claim::bounce) {
         sample.error = bounce_error(search, at, u, s);
     } else {
         follow(search, at, sample);
@@ -266,6 +266,6 @@ AdiabaticSample simulated(const AdiabaticSearch& search, double u, double s, dou
     return sample;
 }
 
-std::vector<AdiabaticSample> search_errors(const AdiabaticSearch& search) { return Search(search).found(); }
+std::vector<Sample> search_errors(const Search& search) { return GridSearch(search).found(); }
 
 }  // namespace dumbbell::adiabatic

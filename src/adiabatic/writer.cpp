@@ -6,9 +6,9 @@
 namespace dumbbell::adiabatic {
 namespace {
 
-constexpr std::array<Word<AdiabaticClaim>, 3> claims{{{AdiabaticClaim::bounce, "adiabatic-bounce"},
-                                                      {AdiabaticClaim::run, "adiabatic-run"},
-                                                      {AdiabaticClaim::scattering, "adiabatic-scattering"}}};
+constexpr std::array<Word<Claim>, 3> claims{{{Claim::bounce, "adiabatic-bounce"},
+                                             {Claim::run, "adiabatic-run"},
+                                             {Claim::scattering, "adiabatic-scattering"}}};
 
 /// The body's lines and their numbers.
 class Body : SealedLines {
@@ -17,9 +17,9 @@ class Body : SealedLines {
     using SealedLines::line;
 
     /// `with_class`: the leaves name the class that bounds them.
-    void tree(const AdiabaticTree& nodes, bool with_class) {
+    void tree(const Tree& nodes, bool with_class) {
         long open = 1;
-        for (const AdiabaticNode& node : nodes) {
+        for (const Node& node : nodes) {
             require(open > 0, "certificate: a tree goes on after its end");
             if (node.split) {
                 line("split {}", axis_names[static_cast<std::size_t>(*node.split)]);
@@ -50,15 +50,15 @@ class Body : SealedLines {
     long splits_ = 0, bound_ = 0, outside_ = 0;
 };
 
-void write_header(Body& body, const AdiabaticCertificate& certificate) {
-    const AdiabaticHypotheses& of = certificate.hypotheses;
+void write_header(Body& body, const Certificate& certificate) {
+    const Hypotheses& of = certificate.hypotheses;
     body.head(certificate.generator, "1", "dumbbell", "none", name(of.claim));
     body.line("delta {} {}", to_fraction(of.delta.first), to_fraction(of.delta.second));
-    if (of.claim == AdiabaticClaim::bounce || of.claim == AdiabaticClaim::run) {
+    if (of.claim == Claim::bounce || of.claim == Claim::run) {
         body.line("heights {} {}", to_fraction(of.heights.first), to_fraction(of.heights.second));
     }
     body.line("margin {}", to_fraction(of.margin));
-    if (of.claim == AdiabaticClaim::bounce) {
+    if (of.claim == Claim::bounce) {
         body.line("exponent {}", of.exponent);
     }
     body.line("bits {}", certificate.bits);
@@ -69,9 +69,9 @@ void write_header(Body& body, const AdiabaticCertificate& certificate) {
     body.line("bound{}", numbers);
 }
 
-void write_classes(Body& body, const std::vector<AdiabaticClass>& classes) {
+void write_classes(Body& body, const std::vector<Class>& classes) {
     body.line("classes {}", classes.size());
-    for (const AdiabaticClass& one : classes) {
+    for (const Class& one : classes) {
         body.line("class {} {}", to_fraction(one.least_share), one.cells.size());
         for (const auto& cell : one.cells) {
             body.line("cell {} {}", to_fraction(cell.u), to_fraction(cell.v));
@@ -83,19 +83,19 @@ void write_classes(Body& body, const std::vector<AdiabaticClass>& classes) {
 
 }  // namespace
 
-std::string_view name(AdiabaticClaim claim) { return word_for(claims, claim); }
+std::string_view name(Claim claim) { return word_for(claims, claim); }
 
-std::optional<AdiabaticClaim> claim_named(std::string_view word) { return meaning_of(claims, word); }
+std::optional<Claim> claim_named(std::string_view word) { return meaning_of(claims, word); }
 
-SealedText render(const AdiabaticCertificate& certificate) {
-    const bool by_classes = certificate.hypotheses.claim != AdiabaticClaim::bounce;
+SealedText render(const Certificate& certificate) {
+    const bool by_classes = certificate.hypotheses.claim != Claim::bounce;
     Body body;
     write_header(body, certificate);
     if (by_classes) {
         write_classes(body, certificate.classes);
     }
     body.tree(certificate.tree, by_classes);
-    for (const AdiabaticState& state : certificate.attained) {
+    for (const State& state : certificate.attained) {
         body.line("attained {} {} {} {} {}", to_fraction(state.u), to_fraction(state.s),
                   to_fraction(state.delta), state.n, to_fraction(state.value));
     }

@@ -32,8 +32,8 @@ struct Leaves {
     std::size_t bound = 0;
     std::size_t outside = 0;
 
-    void add(const adiabatic::AdiabaticTree& tree) {
-        for (const adiabatic::AdiabaticNode& node : tree) {
+    void add(const adiabatic::Tree& tree) {
+        for (const adiabatic::Node& node : tree) {
             if (!node.split) {
                 ++(node.outside ? outside : bound);
             }
@@ -45,9 +45,9 @@ Json axis_json(const char* name, const std::string& lo, const std::string& hi) {
     return Json::object({{"name", name}, {"lo", lo}, {"hi", hi}});
 }
 
-Json tree_of(const adiabatic::AdiabaticCertificate& certificate, const BoxBudget& budget) {
+Json tree_of(const adiabatic::Certificate& certificate, const BoxBudget& budget) {
     PictureTree tree;
-    for (const adiabatic::AdiabaticNode& node : certificate.tree) {
+    for (const adiabatic::Node& node : certificate.tree) {
         tree.push_back(node.split     ? split_of(static_cast<std::size_t>(*node.split))
                        : node.outside ? 0
                                       : 1 + node.by_class);
@@ -60,7 +60,7 @@ Json tree_of(const adiabatic::AdiabaticCertificate& certificate, const BoxBudget
     return json;
 }
 
-Json kinds_json(const adiabatic::AdiabaticCertificate& certificate) {
+Json kinds_json(const adiabatic::Certificate& certificate) {
     Json kinds = Json::array({Json::object(
         {{"reason", "outside"},
          {"colour", Json::array({pictures::palette::outside.light, pictures::palette::outside.dark})}})});
@@ -75,13 +75,12 @@ Json kinds_json(const adiabatic::AdiabaticCertificate& certificate) {
 
 }  // namespace
 
-Json file_json(const adiabatic::AdiabaticCertificate& certificate, const BoxBudget& budget) {
-    const adiabatic::AdiabaticHypotheses& of = certificate.hypotheses;
-    const bool has_heights =
-        of.claim == adiabatic::AdiabaticClaim::bounce || of.claim == adiabatic::AdiabaticClaim::run;
+Json file_json(const adiabatic::Certificate& certificate, const BoxBudget& budget) {
+    const adiabatic::Hypotheses& of = certificate.hypotheses;
+    const bool has_heights = of.claim == adiabatic::Claim::bounce || of.claim == adiabatic::Claim::run;
     Leaves leaves;
     leaves.add(certificate.tree);
-    for (const adiabatic::AdiabaticClass& one : certificate.classes) {
+    for (const adiabatic::Class& one : certificate.classes) {
         leaves.add(one.tree);
     }
     Json bounds = Json::array();
@@ -89,29 +88,28 @@ Json file_json(const adiabatic::AdiabaticCertificate& certificate, const BoxBudg
         bounds.add(shown_above(bound));
     }
     Json attained = Json::array();
-    for (const adiabatic::AdiabaticState& state : certificate.attained) {
+    for (const adiabatic::State& state : certificate.attained) {
         attained.add(Json::object({{"u", to_fraction(state.u)},
                                    {"s", to_fraction(state.s)},
                                    {"delta", to_fraction(state.delta)},
                                    {"n", state.n},
                                    {"value", shown_below(state.value)}}));
     }
-    return Json::object(
-        {{"claim", name(of.claim)},
-         {"bits", certificate.bits},
-         {"delta", range_json(of.delta)},
-         {"heights", has_heights ? range_json(of.heights) : Json()},
-         {"margin", exactly(of.margin)},
-         {"exponent", of.claim == adiabatic::AdiabaticClaim::bounce ? Json(of.exponent) : Json()},
-         {"classes", certificate.classes.size()},
-         {"leaves", Json::object({{"bound", leaves.bound}, {"outside", leaves.outside}})},
-         {"bounds", bounds},
-         {"attained", attained},
-         {"kinds", kinds_json(certificate)},
-         {"tree", tree_of(certificate, budget)}});
+    return Json::object({{"claim", name(of.claim)},
+                         {"bits", certificate.bits},
+                         {"delta", range_json(of.delta)},
+                         {"heights", has_heights ? range_json(of.heights) : Json()},
+                         {"margin", exactly(of.margin)},
+                         {"exponent", of.claim == adiabatic::Claim::bounce ? Json(of.exponent) : Json()},
+                         {"classes", certificate.classes.size()},
+                         {"leaves", Json::object({{"bound", leaves.bound}, {"outside", leaves.outside}})},
+                         {"bounds", bounds},
+                         {"attained", attained},
+                         {"kinds", kinds_json(certificate)},
+                         {"tree", tree_of(certificate, budget)}});
 }
 
-std::string claim_options(const adiabatic::AdiabaticCertificate& certificate) {
+std::string claim_options(const adiabatic::Certificate& certificate) {
     return fmt::format("--claim {}", name(certificate.hypotheses.claim));
 }
 

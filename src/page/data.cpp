@@ -10,6 +10,7 @@
 #include "base/printable.hpp"
 #include "collisions/reader.hpp"
 #include "file/lines.hpp"
+#include "file/sealed_digest.hpp"
 #include "flight/growth_constant.hpp"
 #include "number/decimal.hpp"
 #include "page/file.hpp"
@@ -32,10 +33,8 @@ struct LeavesOf {
         }
         return static_cast<std::size_t>(leaves);
     }
-    std::size_t operator()(const starts::InitialCertificate& certificate) const {
-        return closed(certificate.tree);
-    }
-    std::size_t operator()(const adiabatic::AdiabaticCertificate& certificate) const {
+    std::size_t operator()(const starts::Certificate& certificate) const { return closed(certificate.tree); }
+    std::size_t operator()(const adiabatic::Certificate& certificate) const {
         return closed(certificate.tree);
     }
 
@@ -105,11 +104,11 @@ void require_few_pieces(const std::vector<std::string>& paths) {
 
 ReportedFile read_reported(const std::string& path) {
     require_readable(path);
-    std::string sha256 = certificates::sealed_digest(path);
-    return {path, std::move(sha256), certificates::read_any_certificate(path)};
+    std::string sha256 = sealed_digest(path);
+    return {path, std::move(sha256), read_any_certificate(path)};
 }
 
-std::size_t leaves_of(const certificates::AnyCertificate& content) { return std::visit(LeavesOf(), content); }
+std::size_t leaves_of(const AnyCertificate& content) { return std::visit(LeavesOf(), content); }
 
 Json page_data(const std::vector<ReportedFile>& files, std::size_t most_boxes) {
     BoxBudget budget{0, most_boxes};

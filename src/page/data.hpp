@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "certificates/any_reader.hpp"
+#include "page/any_certificate.hpp"
 #include "words/json.hpp"
 
 /// What the page of `dumbbell report` shows, as one JSON object: certificates, and nothing that they do not
@@ -15,7 +15,7 @@ namespace dumbbell::page {
 struct ReportedFile {
     std::string path;    ///< as the user wrote it, for the command that verifies it
     std::string sha256;  ///< sealed_digest
-    certificates::AnyCertificate content;
+    AnyCertificate content;
 };
 
 /// Reads a certificate of any claim kind, whose checksum must be right. Throws InputError (naming the file)
@@ -32,7 +32,7 @@ void require_few_pieces(const std::vector<std::string>& paths);
 /// Throws InputError if the files have more than `most_pieces`.
 [[nodiscard]] Json page_data(const std::vector<ReportedFile>& files, std::size_t most_boxes);
 
-[[nodiscard]] std::size_t leaves_of(const certificates::AnyCertificate& content);
+[[nodiscard]] std::size_t leaves_of(const AnyCertificate& content);
 
 /// The built page (web/dist/report.html) without data: one HTML file that asks for nothing else.
 [[nodiscard]] std::string_view page_template();

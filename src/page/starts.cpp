@@ -15,13 +15,13 @@ namespace dumbbell::page {
 namespace {
 
 constexpr int deepest =
-    400 * static_cast<int>(starts::initial_axes);  // format-initial.md; bounds the shares' size
-constexpr int window_digits = 5;                   // shown; the file has the window exactly
+    400 * static_cast<int>(starts::axis_count);  // format-initial.md; bounds the shares' size
+constexpr int window_digits = 5;                 // shown; the file has the window exactly
 
-constexpr std::array<const char*, starts::initial_axes> axis_names{"phi", "phidot", "y", "ydot", "q"};
+constexpr std::array<const char*, starts::axis_count> axis_names{"phi", "phidot", "y", "ydot", "q"};
 constexpr std::array<const char*, 2> incoming_names{"phi_over_pi", "s"};
 
-const char* claim_kind(const starts::InitialCertificate& certificate) {
+const char* claim_kind(const starts::Certificate& certificate) {
     return certificate.incoming ? "incoming" : "initial-conditions";
 }
 
@@ -30,7 +30,7 @@ using Kind = std::tuple<bool, bool, long, long, int>;
 
 enum FirstMass { no_mass, light_mass, heavy_mass };
 
-Kind kind_of(const starts::InitialLeaf& leaf) {
+Kind kind_of(const starts::Leaf& leaf) {
     const int mass = !leaf.first ? no_mass : leaf.first->heavy ? heavy_mass : light_mass;
     return {!leaf.most, leaf.most != leaf.least, leaf.most.value_or(0), leaf.least, mass};
 }
@@ -52,8 +52,8 @@ Json kind_json(const Kind& kind, const std::map<Count, pictures::CountShade>& sh
 /// The picture's tree and what its leaves add up to.
 class Body {
   public:
-    explicit Body(const std::vector<starts::InitialNode>& nodes) {
-        for (const starts::InitialNode& node : nodes) {
+    explicit Body(const std::vector<starts::Node>& nodes) {
+        for (const starts::Node& node : nodes) {
             if (!node.split) {
                 kinds_.emplace(kind_of(node.leaf), 0);
             }
@@ -63,7 +63,7 @@ class Body {
             kind.second = number++;
         }
         std::vector<int> depths{0};  // of the nodes to come: the next one last
-        for (const starts::InitialNode& node : nodes) {
+        for (const starts::Node& node : nodes) {
             const int depth = depths.back();
             depths.pop_back();
             if (depth > deepest) {
@@ -121,7 +121,7 @@ class Body {
     [[nodiscard]] std::optional<long> most() const { return any_open_ ? std::nullopt : std::optional(most_); }
 
   private:
-    void add(const starts::InitialLeaf& leaf, int depth) {
+    void add(const starts::Leaf& leaf, int depth) {
         const bool is_exact = leaf.most == leaf.least;
         windows_.add(leaf.first ? Json(rounded(leaf.first->from)) : Json());
         windows_.add(leaf.first ? Json(rounded(leaf.first->until)) : Json());
@@ -145,7 +145,7 @@ class Body {
 
 }  // namespace
 
-Json file_json(const starts::InitialCertificate& certificate, const BoxBudget& budget) {
+Json file_json(const starts::Certificate& certificate, const BoxBudget& budget) {
     const Body body(certificate.tree);
     Json axes = Json::array();
     for (std::size_t i = 0; i < (certificate.incoming ? incoming_names.size() : axis_names.size()); ++i) {
@@ -157,7 +157,7 @@ Json file_json(const starts::InitialCertificate& certificate, const BoxBudget& b
     Json tree = tree_json(body.tree, budget);
     tree.add("axes", axes);
     return Json::object({{"claim", claim_kind(certificate)},
-                         {"ratio", to_fraction(certificate.box.upper(starts::InitialAxis::ratio))},
+                         {"ratio", to_fraction(certificate.box.upper(starts::Axis::ratio))},
                          {"bits", certificate.bits},
                          {"least", body.least()},
                          {"most", body.most()},
@@ -168,7 +168,7 @@ Json file_json(const starts::InitialCertificate& certificate, const BoxBudget& b
                          {"hatched", pictures::hatched_note}});
 }
 
-std::string claim_options(const starts::InitialCertificate& certificate) {
+std::string claim_options(const starts::Certificate& certificate) {
     const Body body(certificate.tree);
     std::string options = fmt::format("--claim {}", claim_kind(certificate));
     if (body.most()) {

@@ -25,10 +25,10 @@ struct Region {
 
 /// The powers of two of which the ends of all boxes are multiples, but no finer than a picture needs: 2^-20
 /// of it is less than a thousandth of a pixel.
-std::array<int, 2> fineness(const std::vector<InitialCell>& cells) {
+std::array<int, 2> fineness(const std::vector<StartCell>& cells) {
     constexpr int most = 20;
     std::array<int, 2> bits{};
-    for (const InitialCell& cell : cells) {
+    for (const StartCell& cell : cells) {
         for (std::size_t axis = 0; axis < 2; ++axis) {
             for (const Rational& end : {cell.box.lo[axis], cell.box.hi[axis]}) {
                 const auto places = static_cast<int>(msb(denominator(end)));
@@ -94,17 +94,17 @@ std::vector<LegendEntry> legend_entries(const std::map<long, Region>& regions, c
 
 }  // namespace
 
-std::string phase_svg(const starts::InitialCertificate& certificate) {
+std::string phase_svg(const starts::Certificate& certificate) {
     if (certificate.tree.size() / 2 >= most_phase_leaves) {
         throw InputError(
             fmt::format("a phase portrait shows {} boxes at most, and this certificate has {}: dumbbell "
                         "trace with a smaller --max-boxes",
                         most_phase_leaves, certificate.tree.size() / 2 + 1));
     }
-    const InitialPlane plane = initial_plane(certificate);
+    const StartPlane plane = start_plane(certificate);
     std::map<long, Region> regions;
     Rational undecided = 0;
-    for (const InitialCell& cell : plane.cells) {
+    for (const StartCell& cell : plane.cells) {
         if (cell.is_exact()) {
             Region& region = regions[cell.leaf.least];
             region.boxes.push_back(cell.box);

@@ -10,7 +10,7 @@ namespace dumbbell::pictures {
 /// collisions, united exactly, as a self-contained SVG. What is not decided is what no region covers:
 /// hatched. The shares in the legend are rounded. Throws InputError unless exactly two of the five quantities
 /// are intervals, or if there are more leaves than most_phase_leaves.
-[[nodiscard]] std::string phase_svg(const starts::InitialCertificate& certificate);
+[[nodiscard]] std::string phase_svg(const starts::Certificate& certificate);
 
 inline constexpr std::size_t most_phase_leaves = 200'000;
 

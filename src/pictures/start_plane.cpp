@@ -11,8 +11,6 @@
 
 namespace dumbbell::pictures {
 
-using starts::InitialAxis;
-
 namespace {
 
 struct Quantity {
@@ -20,14 +18,14 @@ struct Quantity {
     const char* meaning;
 };
 
-constexpr std::array<Quantity, starts::initial_axes> quantities{
+constexpr std::array<Quantity, starts::axis_count> quantities{
     {{"phi", "phi (angle of the rod, radians)"},
      {"phidot", "phidot (angular velocity)"},
      {"y", "y (height of the centre of mass, rod lengths)"},
      {"ydot", "ydot (vertical velocity, downwards negative)"},
      {"q", "q (mass ratio, heavy over light)"}}};
 
-bool has_width(const starts::InitialBox& box, std::size_t axis) { return box.lo[axis] < box.hi[axis]; }
+bool has_width(const starts::Box& box, std::size_t axis) { return box.lo[axis] < box.hi[axis]; }
 
 std::string signed_text(const Rational& x) {
     return x == 0 ? "0" : x < 0 ? "\xe2\x88\x92" + exact_text(-x) : exact_text(x);
@@ -35,9 +33,9 @@ std::string signed_text(const Rational& x) {
 
 }  // namespace
 
-InitialPlane initial_plane(const starts::InitialCertificate& certificate) {
+StartPlane start_plane(const starts::Certificate& certificate) {
     std::vector<std::size_t> wide;
-    for (std::size_t axis = 0; axis < starts::initial_axes; ++axis) {
+    for (std::size_t axis = 0; axis < starts::axis_count; ++axis) {
         if (has_width(certificate.box, axis)) {
             wide.push_back(axis);
         }
@@ -48,9 +46,9 @@ InitialPlane initial_plane(const starts::InitialCertificate& certificate) {
             "this certificate: dumbbell trace with intervals for two of them",
             wide.size()));
     }
-    InitialPlane plane{{static_cast<InitialAxis>(wide[0]), static_cast<InitialAxis>(wide[1])}, {}};
+    StartPlane plane{{static_cast<starts::Axis>(wide[0]), static_cast<starts::Axis>(wide[1])}, {}};
     std::vector<PlaneBox> waiting{{{0, 0}, {1, 1}}};  // the nodes to come: the next one last
-    for (const starts::InitialNode& node : certificate.tree) {
+    for (const starts::Node& node : certificate.tree) {
         require(!waiting.empty(), "nodes follow the end of a tree of initial conditions");
         PlaneBox box = std::move(waiting.back());
         waiting.pop_back();
@@ -72,9 +70,9 @@ InitialPlane initial_plane(const starts::InitialCertificate& certificate) {
     return plane;
 }
 
-PlotAxis plot_axis(const starts::InitialCertificate& certificate, InitialAxis axis) {
+PlotAxis plot_axis(const starts::Certificate& certificate, starts::Axis axis) {
     constexpr int wanted = 7;
-    if (certificate.incoming && axis == InitialAxis::phi) {
+    if (certificate.incoming && axis == starts::Axis::phi) {
         constexpr double turn = 2 * std::numbers::pi;
         return {0, turn, quantities.front().meaning, angle_ticks(0, turn)};
     }
@@ -84,16 +82,16 @@ PlotAxis plot_axis(const starts::InitialCertificate& certificate, InitialAxis ax
     const auto lo = certificate.box.lower(axis).convert_to<double>();
     const auto hi = certificate.box.upper(axis).convert_to<double>();
     return {lo, hi, quantities[static_cast<std::size_t>(axis)].meaning,
-            axis == InitialAxis::phi ? angle_ticks(lo, hi) : even_ticks(lo, hi, wanted)};
+            axis == starts::Axis::phi ? angle_ticks(lo, hi) : even_ticks(lo, hi, wanted)};
 }
 
-std::string fixed_quantities(const starts::InitialCertificate& certificate) {
+std::string fixed_quantities(const starts::Certificate& certificate) {
     if (certificate.incoming) {
         return fmt::format("q = {}: all trajectories as they come in, evenly by the natural measure",
                            exact_text(certificate.box.lo[4]));
     }
     std::string text;
-    for (std::size_t axis = 0; axis < starts::initial_axes; ++axis) {
+    for (std::size_t axis = 0; axis < starts::axis_count; ++axis) {
         if (!has_width(certificate.box, axis)) {
             text += fmt::format("{}{} = {}", text.empty() ? "" : ", ", quantities[axis].name,
                                 signed_text(certificate.box.lo[axis]));

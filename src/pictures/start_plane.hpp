@@ -12,28 +12,28 @@
 namespace dumbbell::pictures {
 
 /// A leaf in units of the certificate's box: the root is [0, 1] x [0, 1].
-struct InitialCell {
+struct StartCell {
     PlaneBox box;
-    starts::InitialLeaf leaf;
+    starts::Leaf leaf;
 
     /// Is the number of collisions the same for all its initial conditions?
     [[nodiscard]] bool is_exact() const { return leaf.most == leaf.least; }
     [[nodiscard]] Rational area() const { return (box.hi[0] - box.lo[0]) * (box.hi[1] - box.lo[1]); }
 };
 
-struct InitialPlane {
-    std::array<starts::InitialAxis, 2> axes;  ///< horizontal, vertical
-    std::vector<InitialCell> cells;           ///< they tile the unit square, in the order of the file
+struct StartPlane {
+    std::array<starts::Axis, 2> axes;  ///< horizontal, vertical
+    std::vector<StartCell> cells;      ///< they tile the unit square, in the order of the file
 };
 
 /// Throws InputError unless exactly two of the five quantities are intervals.
-[[nodiscard]] InitialPlane initial_plane(const starts::InitialCertificate& certificate);
+[[nodiscard]] StartPlane start_plane(const starts::Certificate& certificate);
 
 /// The picture's axis of a quantity, named as in format-initial.md.
-[[nodiscard]] PlotAxis plot_axis(const starts::InitialCertificate& certificate, starts::InitialAxis axis);
+[[nodiscard]] PlotAxis plot_axis(const starts::Certificate& certificate, starts::Axis axis);
 
 /// What the other quantities are: `phidot = 1, y = 2, q = 10`.
-[[nodiscard]] std::string fixed_quantities(const starts::InitialCertificate& certificate);
+[[nodiscard]] std::string fixed_quantities(const starts::Certificate& certificate);
 
 /// What is said of the hatched part of such a picture.
 inline constexpr const char* hatched_note = "Hatched: not decided by this certificate.";

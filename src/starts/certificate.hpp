@@ -13,19 +13,19 @@
 namespace dumbbell::starts {
 
 /// The axes of a box of initial conditions; the ratio is q = heavy mass / light mass.
-enum class InitialAxis { phi, phidot, y, ydot, ratio };
-inline constexpr std::size_t initial_axes = 5;
+enum class Axis { phi, phidot, y, ydot, ratio };
+inline constexpr std::size_t axis_count = 5;
 /// As certificates spell them.
-inline constexpr std::array<std::string_view, initial_axes> axis_names{"phi", "phidot", "y", "ydot", "q"};
+inline constexpr std::array<std::string_view, axis_count> axis_names{"phi", "phidot", "y", "ydot", "q"};
 
 /// A closed box of initial conditions in physical terms: rod length 1, phi in radians (the light mass is at
 /// height y + beta2 sin phi), y the height of the centre of mass. An axis of width 0 is an exact number.
-struct InitialBox {
-    std::array<Rational, initial_axes> lo;
-    std::array<Rational, initial_axes> hi;
+struct Box {
+    std::array<Rational, axis_count> lo;
+    std::array<Rational, axis_count> hi;
 
-    [[nodiscard]] const Rational& lower(InitialAxis axis) const { return lo[static_cast<std::size_t>(axis)]; }
-    [[nodiscard]] const Rational& upper(InitialAxis axis) const { return hi[static_cast<std::size_t>(axis)]; }
+    [[nodiscard]] const Rational& lower(Axis axis) const { return lo[static_cast<std::size_t>(axis)]; }
+    [[nodiscard]] const Rational& upper(Axis axis) const { return hi[static_cast<std::size_t>(axis)]; }
     [[nodiscard]] bool is_point() const { return lo == hi; }
 };
 
@@ -38,24 +38,24 @@ struct FirstContact {
 
 /// Every initial condition of the leaf has at least `least` and at most `most` collisions (nothing claimed if
 /// empty: `open`).
-struct InitialLeaf {
+struct Leaf {
     long least = 0;
     std::optional<long> most = std::nullopt;
     std::optional<FirstContact> first = std::nullopt;
 };
 
-struct InitialNode {
-    std::optional<InitialAxis> split;
-    InitialLeaf leaf{};
+struct Node {
+    std::optional<Axis> split;
+    Leaf leaf{};
 };
 
-struct InitialCertificate {
+struct Certificate {
     Generator generator{};
-    InitialBox box;
+    Box box;
     int bits = 53;
-    std::vector<InitialNode> tree;  ///< pre-order, lower half first
-    bool incoming = false;  ///< all incoming trajectories: box, tree in the coordinates of incoming.hpp
-    std::string sha256{};   ///< as its last line has it, if that is right; empty unless it was read
+    std::vector<Node> tree;  ///< pre-order, lower half first
+    bool incoming = false;   ///< all incoming trajectories: box, tree in the coordinates of incoming.hpp
+    std::string sha256{};    ///< as its last line has it, if that is right; empty unless it was read
 };
 
 }  // namespace dumbbell::starts

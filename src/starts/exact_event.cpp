@@ -3,28 +3,28 @@
 namespace dumbbell::starts {
 namespace {
 
-bool is_exactly(const InitialBox& box, InitialAxis axis, const Rational& value) {
+bool is_exactly(const Box& box, Axis axis, const Rational& value) {
     return box.lower(axis) == value && box.upper(axis) == value;
 }
 
-bool is_level(const InitialBox& box, const std::optional<Angle>& phi) {
-    return phi && !phi->is_rational() ? denominator(phi->pis) == 1 : is_exactly(box, InitialAxis::phi, 0);
+bool is_level(const Box& box, const std::optional<Angle>& phi) {
+    return phi && !phi->is_rational() ? denominator(phi->pis) == 1 : is_exactly(box, Axis::phi, 0);
 }
 
-bool grazes(const InitialBox& box) {
-    const Rational& y = box.lower(InitialAxis::y);
-    const Rational& q = box.lower(InitialAxis::ratio);
-    return is_exactly(box, InitialAxis::ydot, 0) && is_exactly(box, InitialAxis::y, y) &&
-           is_exactly(box, InitialAxis::ratio, q) && y * (1 + q) == q;
+bool grazes(const Box& box) {
+    const Rational& y = box.lower(Axis::y);
+    const Rational& q = box.lower(Axis::ratio);
+    return is_exactly(box, Axis::ydot, 0) && is_exactly(box, Axis::y, y) && is_exactly(box, Axis::ratio, q) &&
+           y * (1 + q) == q;
 }
 
 /// The time of a point's corner.
-std::optional<Rational> corner(const InitialBox& box) {
-    const Rational& phi = box.lower(InitialAxis::phi);
-    const Rational& spin = box.lower(InitialAxis::phidot);
-    const Rational& height = box.lower(InitialAxis::y);
-    const Rational& climb = box.lower(InitialAxis::ydot);
-    const Rational& q = box.lower(InitialAxis::ratio);
+std::optional<Rational> corner(const Box& box) {
+    const Rational& phi = box.lower(Axis::phi);
+    const Rational& spin = box.lower(Axis::phidot);
+    const Rational& height = box.lower(Axis::y);
+    const Rational& climb = box.lower(Axis::ydot);
+    const Rational& q = box.lower(Axis::ratio);
     if (!box.is_point() || climb >= 0 || phi * climb != spin * height) {
         return std::nullopt;
     }
@@ -36,14 +36,14 @@ std::optional<Rational> corner(const InitialBox& box) {
 
 }  // namespace
 
-std::optional<ExactEvent> exact_event(const InitialBox& box, const std::optional<Angle>& phi) {
+std::optional<ExactEvent> exact_event(const Box& box, const std::optional<Angle>& phi) {
     if (grazes(box)) {
         return ExactEvent{ExactKind::graze};
     }
-    if (is_exactly(box, InitialAxis::phidot, 0) && is_level(box, phi) && box.upper(InitialAxis::ydot) < 0) {
-        const Rational& y = box.lower(InitialAxis::y);
-        const Rational& ydot = box.lower(InitialAxis::ydot);
-        const bool at_once = is_exactly(box, InitialAxis::y, y) && is_exactly(box, InitialAxis::ydot, ydot);
+    if (is_exactly(box, Axis::phidot, 0) && is_level(box, phi) && box.upper(Axis::ydot) < 0) {
+        const Rational& y = box.lower(Axis::y);
+        const Rational& ydot = box.lower(Axis::ydot);
+        const bool at_once = is_exactly(box, Axis::y, y) && is_exactly(box, Axis::ydot, ydot);
         return ExactEvent{ExactKind::flat, at_once ? std::optional(Rational(y / -ydot)) : std::nullopt};
     }
     const auto time = corner(box);

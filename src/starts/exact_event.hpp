@@ -38,7 +38,7 @@ struct ExactEvent {
 /// beta2. So there are no collisions.
 ///
 /// Precondition: require_in_play(box).
-[[nodiscard]] std::optional<ExactEvent> exact_event(const InitialBox& box,
+[[nodiscard]] std::optional<ExactEvent> exact_event(const Box& box,
                                                     const std::optional<Angle>& phi = std::nullopt);
 
 }  // namespace dumbbell::starts

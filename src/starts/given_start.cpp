@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "starts/argument.hpp"
-#include "starts/initial_state.hpp"
+#include "starts/box_state.hpp"
 #include "starts/trace.hpp"
 
 namespace dumbbell::starts {
@@ -11,21 +11,21 @@ namespace {
 
 using Range = std::pair<Rational, Rational>;
 
-void set(InitialBox& box, InitialAxis axis, const Range& ends) {
+void set(Box& box, Axis axis, const Range& ends) {
     box.lo[static_cast<std::size_t>(axis)] = ends.first;
     box.hi[static_cast<std::size_t>(axis)] = ends.second;
 }
 
 void place_by_angle(GivenStart& start, const StartText& text, const std::string& dashes, int bits) {
     const auto [lo, hi] = parse_angles(dashes + "phi", text.phi);
-    set(start.box, InitialAxis::phi, {bounds(lo, bits).first, bounds(hi, bits).second});
+    set(start.box, Axis::phi, {bounds(lo, bits).first, bounds(hi, bits).second});
     if (lo == hi) {
         start.meaning.phi = lo;
     }
     if (!lo.is_rational() || !hi.is_rational()) {
         start.meaning.rounded_phi = shortened(text.phi);
     }
-    set(start.box, InitialAxis::y, parse_quantity(dashes + "y", text.y));
+    set(start.box, Axis::y, parse_quantity(dashes + "y", text.y));
 }
 
 }  // namespace
@@ -38,12 +38,12 @@ int bits_of_bounds(int digits) {
 GivenStart read_start(const StartText& text, const Rational& q_lo, const Rational& q_hi,
                       const std::string& dashes, int bits) {
     GivenStart start;
-    set(start.box, InitialAxis::ratio, {q_lo, q_hi});
+    set(start.box, Axis::ratio, {q_lo, q_hi});
     place_by_angle(start, text, dashes, bits);
-    set(start.box, InitialAxis::phidot, parse_quantity(dashes + "phidot", text.phidot));
-    set(start.box, InitialAxis::ydot, parse_quantity(dashes + "ydot", text.ydot));
-    InitialBox rest = start.box;
-    const auto phi = static_cast<std::size_t>(InitialAxis::phi);
+    set(start.box, Axis::phidot, parse_quantity(dashes + "phidot", text.phidot));
+    set(start.box, Axis::ydot, parse_quantity(dashes + "ydot", text.ydot));
+    Box rest = start.box;
+    const auto phi = static_cast<std::size_t>(Axis::phi);
     if (start.meaning.phi) {
         rest.lo[phi] = rest.hi[phi];
     }

@@ -22,7 +22,7 @@ struct StartMeaning {
 };
 
 struct GivenStart {
-    InitialBox box;  ///< holds every initial condition that is meant
+    Box box;  ///< holds every initial condition that is meant
     StartMeaning meaning;
 };
 

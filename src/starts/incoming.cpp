@@ -12,28 +12,27 @@ BigInterval spin(const Rational& s, const Rational& q) {
 
 }  // namespace
 
-InitialBox incoming_box(const Rational& q) {
+Box incoming_box(const Rational& q) {
     const Rational beta2 = q / (q + 1);
     const Rational y = beta2 * (Rational(1) + Rational(1, Integer(1) << 20U));
     return {{Rational(0), Rational(0), y, -beta2, q}, {Rational(2), Rational(1), y, -beta2, q}};
 }
 
-bool is_unbounded(const InitialBox& piece) { return piece.upper(InitialAxis::phidot) >= 1; }
+bool is_unbounded(const Box& piece) { return piece.upper(Axis::phidot) >= 1; }
 
-InitialBox states_of_incoming(const InitialBox& piece) {
+Box states_of_incoming(const Box& piece) {
     const PrecisionScope scope(angle_bits);
-    InitialBox box = piece;
+    Box box = piece;
     const auto half_turn = pi<BigInterval>();
     const auto angle = [&](const Rational& x) { return enclose<BigInterval>(x) * half_turn; };
-    const Rational& q = piece.lower(InitialAxis::ratio);
-    const auto set = [&](InitialAxis axis, const BigInterval& low, const BigInterval& high) {
+    const Rational& q = piece.lower(Axis::ratio);
+    const auto set = [&](Axis axis, const BigInterval& low, const BigInterval& high) {
         const auto i = static_cast<std::size_t>(axis);
         box.lo[i] = exact_lo(low);
         box.hi[i] = exact_hi(high);
     };
-    set(InitialAxis::phi, angle(piece.lower(InitialAxis::phi)), angle(piece.upper(InitialAxis::phi)));
-    set(InitialAxis::phidot, spin(piece.lower(InitialAxis::phidot), q),
-        spin(piece.upper(InitialAxis::phidot), q));
+    set(Axis::phi, angle(piece.lower(Axis::phi)), angle(piece.upper(Axis::phi)));
+    set(Axis::phidot, spin(piece.lower(Axis::phidot), q), spin(piece.upper(Axis::phidot), q));
     return box;
 }
 

@@ -3,9 +3,9 @@
 #include <cmath>
 #include <utility>
 
+#include "starts/box_state.hpp"
 #include "starts/falling.hpp"
 #include "starts/first_flight.hpp"
-#include "starts/initial_state.hpp"
 
 namespace dumbbell::starts {
 namespace {
@@ -22,7 +22,7 @@ I with_slack(const Rational& lo, const Rational& hi, int bits) {
 }
 
 template <class I>
-State<I> wider_state(const InitialBox& box, int bits) {
+State<I> wider_state(const Box& box, int bits) {
     const auto side = [&](std::size_t i) { return with_slack<I>(box.lo[i], box.hi[i], bits); };
     State<I> s = state_of(side(0), side(1), side(2), side(3), side(4));
     s.r = has_equal_masses(box) ? I(1) : min(s.r, I(1));
@@ -83,7 +83,7 @@ std::optional<FirstContact> certain_window(const State<I>& s, Event<I>& event, i
 }
 
 template <class I>
-InitialLeaf judge_in(const InitialBox& box, int bits) {
+Leaf judge_in(const Box& box, int bits) {
     const State<I> s = wider_state<I>(box, bits);
     Event<I> event = event_from_air(s, spans_of_a_box);
     if (event.next == Next::none) {
@@ -98,7 +98,7 @@ InitialLeaf judge_in(const InitialBox& box, int bits) {
         return {certainly_positive(-s.yhatdot) ? 1 : 0, bound};
     }
     const LaterCount later = collisions_behind_first(s, event.mass, *event.time);
-    InitialLeaf result{1 + later.least, bound, first};
+    Leaf result{1 + later.least, bound, first};
     if (later.most) {
         result.most = std::min(bound.value_or(1 + *later.most), 1 + *later.most);
     }
@@ -112,12 +112,12 @@ Interval inverse(const Rational& q) {
 
 }  // namespace
 
-InitialLeaf judge_falling(const Rational& q) { return {1, most_collisions(inverse(q))}; }
+Leaf judge_falling(const Rational& q) { return {1, most_collisions(inverse(q))}; }
 
 std::optional<long> most_of_all(const Rational& q) { return most_collisions(inverse(q), 1L << 53U); }
 
-InitialLeaf judge_initial(const InitialBox& box, int bits) {
-    InitialLeaf leaf = judge_in<Interval>(box, double_bits);
+Leaf judge(const Box& box, int bits) {
+    Leaf leaf = judge_in<Interval>(box, double_bits);
     if (leaf.most == leaf.least || bits == double_bits) {
         return leaf;
     }

@@ -7,10 +7,10 @@ namespace dumbbell::starts {
 /// What the rules of format-initial.md certify of a box in double precision, and if that does not decide it
 /// with `bits` bits (53: double only); made for a box a little larger, so that another implementation has
 /// slack. Precondition: require_in_play(box).
-[[nodiscard]] InitialLeaf judge_initial(const InitialBox& box, int bits);
+[[nodiscard]] Leaf judge(const Box& box, int bits);
 
 /// What they certify of all falling states at this mass ratio.
-[[nodiscard]] InitialLeaf judge_falling(const Rational& q);
+[[nodiscard]] Leaf judge_falling(const Rational& q);
 
 /// No trajectory at a mass ratio up to q has more collisions (Theorem 1), also beyond the counts that a
 /// certificate's leaf may bound. Nothing beyond 2^53. Precondition: q >= 1.

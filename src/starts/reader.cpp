@@ -9,26 +9,25 @@ namespace dumbbell::starts {
 namespace {
 
 /// The order of the axes in the head: the ratio comes first.
-constexpr std::array<std::pair<std::string_view, InitialAxis>, initial_axes> head_axes{
-    {{"ratio", InitialAxis::ratio},
-     {"phi", InitialAxis::phi},
-     {"phidot", InitialAxis::phidot},
-     {"y", InitialAxis::y},
-     {"ydot", InitialAxis::ydot}}};
+constexpr std::array<std::pair<std::string_view, Axis>, axis_count> head_axes{{{"ratio", Axis::ratio},
+                                                                               {"phi", Axis::phi},
+                                                                               {"phidot", Axis::phidot},
+                                                                               {"y", Axis::y},
+                                                                               {"ydot", Axis::ydot}}};
 
-InitialNode split_from(const Lines& lines, bool incoming, const std::string& axis) {
+Node split_from(const Lines& lines, bool incoming, const std::string& axis) {
     if (incoming && (axis == "phi" || axis == "s")) {
-        return {axis == "s" ? InitialAxis::phidot : InitialAxis::phi, {}};
+        return {axis == "s" ? Axis::phidot : Axis::phi, {}};
     }
     const auto* const found = std::find(axis_names.begin(), axis_names.end(), axis);
     if (found == axis_names.end() || incoming) {
         lines.fail();
     }
-    return {static_cast<InitialAxis>(found - axis_names.begin()), {}};
+    return {static_cast<Axis>(found - axis_names.begin()), {}};
 }
 
 /// `open`, `exactly K [MASS T0 T1]`, `between A B [MASS T0 T1]`
-InitialLeaf leaf_from(const Lines& lines, const std::vector<std::string>& fields) {
+Leaf leaf_from(const Lines& lines, const std::vector<std::string>& fields) {
     if (fields.size() == 1 && fields[0] == "open") {
         return {};
     }
@@ -36,7 +35,7 @@ InitialLeaf leaf_from(const Lines& lines, const std::vector<std::string>& fields
     if (counts == 0 || (fields.size() != 1 + counts && fields.size() != 4 + counts)) {
         lines.fail();
     }
-    InitialLeaf leaf{lines.number(fields[1]), lines.number(fields[counts]), {}};
+    Leaf leaf{lines.number(fields[1]), lines.number(fields[counts]), {}};
     if (fields.size() == 4 + counts) {
         const std::string& mass = fields[1 + counts];
         if (mass != "light" && mass != "heavy") {
@@ -50,17 +49,17 @@ InitialLeaf leaf_from(const Lines& lines, const std::vector<std::string>& fields
 
 }  // namespace
 
-InitialCertificate read_initial_certificate(const std::string& path) {
+Certificate read_certificate(const std::string& path) {
     Lines lines(path);
     const Head head = lines.expect_head();
-    InitialCertificate certificate;
+    Certificate certificate;
     certificate.generator = head.generator;
     certificate.incoming = head.claim == "incoming";
     if (head.claim != "initial-conditions" && !certificate.incoming) {
         lines.fail();
     }
     for (const auto& [word, axis] : head_axes) {
-        if (certificate.incoming && axis != InitialAxis::ratio) {
+        if (certificate.incoming && axis != Axis::ratio) {
             break;  // the ratio comes first, and there is nothing else
         }
         const auto& ends = lines.expect(word, 3);
@@ -83,7 +82,7 @@ InitialCertificate read_initial_certificate(const std::string& path) {
         const auto& fields = lines.next();
         const bool is_split = fields[0] == "split" && fields.size() == 2;
         certificate.tree.push_back(is_split ? split_from(lines, certificate.incoming, fields[1])
-                                            : InitialNode{{}, leaf_from(lines, fields)});
+                                            : Node{{}, leaf_from(lines, fields)});
         missing += is_split ? 1 : -1;
     }
     certificate.sha256 = lines.digest();

@@ -16,9 +16,9 @@ struct Volumes {
     std::map<long, Rational> change;  ///< from k - 1 to k, of the leaves whose bounds have k between them
     Rational open = 0;
 
-    explicit Volumes(const std::vector<InitialNode>& tree) {
+    explicit Volumes(const std::vector<Node>& tree) {
         std::vector<Rational> waiting{1};  // the volumes of the nodes to come: the next one last
-        for (const InitialNode& node : tree) {
+        for (const Node& node : tree) {
             require(!waiting.empty(), "nodes follow the end of a tree of initial conditions");
             const Rational volume = std::move(waiting.back());
             waiting.pop_back();
@@ -32,7 +32,7 @@ struct Volumes {
     }
 
   private:
-    void add(const InitialLeaf& leaf, const Rational& volume) {
+    void add(const Leaf& leaf, const Rational& volume) {
         if (!leaf.most) {
             open += volume;
             return;
@@ -70,7 +70,7 @@ std::string counts_text(const ShareBounds& bounds) {
 
 }  // namespace
 
-std::vector<ShareBounds> share_bounds(const std::vector<InitialNode>& tree) {
+std::vector<ShareBounds> share_bounds(const std::vector<Node>& tree) {
     Volumes volumes(tree);
     volumes.change[0];
     std::vector<ShareBounds> bounds;

@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "number/elementary.hpp"
+#include "starts/box_state.hpp"
 #include "starts/first_flight.hpp"
-#include "starts/initial_state.hpp"
 #include "starts/jet.hpp"
 
 namespace dumbbell::starts {
@@ -44,7 +44,7 @@ struct Tangent {
     }
 };
 
-State<Tangent> centre_of(const InitialBox& box) {
+State<Tangent> centre_of(const Box& box) {
     const auto side = [&](std::size_t i) {
         const Rational centre = (box.lo[i] + box.hi[i]) / 2;
         return Tangent(centre.convert_to<double>(), Gradient<double>::Unit(static_cast<int>(i)));
@@ -66,7 +66,7 @@ State<Tangent> after_contact(const State<Tangent>& s, Mass mass, double time) {
 }
 
 /// The orbit of the centre after so many collisions, or as far as it can be followed.
-State<Tangent> follow_centre(const InitialBox& box, long collisions) {
+State<Tangent> follow_centre(const Box& box, long collisions) {
     State<Tangent> s = centre_of(box);
     Event<Interval> event = event_from_air(point(s), spans_of_a_box);
     for (long done = 0; done < collisions && event.next == Next::contact; ++done) {
@@ -78,12 +78,12 @@ State<Tangent> follow_centre(const InitialBox& box, long collisions) {
 
 }  // namespace
 
-std::array<double, initial_axes> spreads(const InitialBox& box, long shared) {
+std::array<double, axis_count> spreads(const Box& box, long shared) {
     const State<Tangent> s = follow_centre(box, shared);
     const double r = s.r.value;
     const double speed = std::hypot(s.phidot.value, s.yhatdot.value / std::sqrt(r));
-    std::array<double, initial_axes> spread{};
-    for (std::size_t i = 0; i < initial_axes; ++i) {
+    std::array<double, axis_count> spread{};
+    for (std::size_t i = 0; i < axis_count; ++i) {
         const auto change = [&](const Tangent& x) { return std::abs(x.gradient[static_cast<int>(i)]); };
         const double sum =
             change(s.phi) + change(s.yhat) + (change(s.phidot) + change(s.yhatdot) / r) / speed;

@@ -6,57 +6,55 @@
 
 #include "base/growing_tree.hpp"
 #include "number/parallel.hpp"
+#include "starts/box_state.hpp"
 #include "starts/find_obstacle.hpp"
 #include "starts/follow.hpp"
 #include "starts/incoming.hpp"
-#include "starts/initial_state.hpp"
 #include "starts/leaf.hpp"
 #include "starts/spread.hpp"
 
 namespace dumbbell::starts {
 namespace {
 
-using Tree = GrowingTree<InitialNode, InitialBox, initial_axes>;
+using Tree = GrowingTree<Node, Box, axis_count>;
 
 constexpr std::size_t boxes_together = 16;
 
 struct Judged {
-    InitialLeaf leaf;
-    std::optional<InitialAxis> split;  ///< of a box that may be halved
+    Leaf leaf;
+    std::optional<Axis> split;  ///< of a box that may be halved
 };
 
 /// The axis to halve, where so many collisions are certain; nothing if none may be.
-std::optional<InitialAxis> split_axis(const InitialBox& box, const Tree::Depths& depths, long certain,
-                                      int max_depth) {
+std::optional<Axis> split_axis(const Box& box, const Tree::Depths& depths, long certain, int max_depth) {
     const auto spread = spreads(box, certain + 1);
     std::optional<std::size_t> best;
-    for (std::size_t i = 0; i < initial_axes; ++i) {
+    for (std::size_t i = 0; i < axis_count; ++i) {
         const bool may = box.lo[i] != box.hi[i] && depths[i] < max_depth;
         if (may && (!best || spread[i] > spread[*best])) {
             best = i;
         }
     }
-    return best ? std::optional(static_cast<InitialAxis>(*best)) : std::nullopt;
+    return best ? std::optional(static_cast<Axis>(*best)) : std::nullopt;
 }
 
-Judged judge_states(const InitialBox& box, const Tree::Depths& depths, const SubdivideOptions& options) {
-    Judged result{judge_initial(box, options.bits), std::nullopt};
+Judged judge_states(const Box& box, const Tree::Depths& depths, const SubdivideOptions& options) {
+    Judged result{judge(box, options.bits), std::nullopt};
     if (result.leaf.most != result.leaf.least) {
         result.split = split_axis(box, depths, result.leaf.least, options.max_depth);
     }
     return result;
 }
 
-Judged judge(const InitialBox& box, const Tree::Depths& depths, const SubdivideOptions& options) {
+Judged judge(const Box& box, const Tree::Depths& depths, const SubdivideOptions& options) {
     if (!options.incoming) {
         return judge_states(box, depths, options);
     }
     if (!is_unbounded(box)) {
         return judge_states(states_of_incoming(box), depths, options);
     }
-    const bool may = depths[static_cast<std::size_t>(InitialAxis::phidot)] < options.max_depth;
-    return {judge_falling(box.lower(InitialAxis::ratio)),
-            may ? std::optional(InitialAxis::phidot) : std::nullopt};
+    const bool may = depths[static_cast<std::size_t>(Axis::phidot)] < options.max_depth;
+    return {judge_falling(box.lower(Axis::ratio)), may ? std::optional(Axis::phidot) : std::nullopt};
 }
 
 /// The boxes of one generation; the results do not depend on how the work is shared out.
@@ -71,16 +69,16 @@ std::vector<Judged> judge_all(const Tree& tree, const SubdivideOptions& options)
     return results;
 }
 
-std::pair<InitialBox, InitialBox> halves(const InitialBox& box, InitialAxis axis) {
+std::pair<Box, Box> halves(const Box& box, Axis axis) {
     const auto i = static_cast<std::size_t>(axis);
     const Rational middle = (box.lo[i] + box.hi[i]) / 2;
-    std::pair<InitialBox, InitialBox> result{box, box};
+    std::pair<Box, Box> result{box, box};
     result.first.hi[i] = middle;
     result.second.lo[i] = middle;
     return result;
 }
 
-void include(Subdivision& result, const InitialLeaf& leaf, int depth) {
+void include(Subdivision& result, const Leaf& leaf, int depth) {
     const Rational share(1, Integer(1) << static_cast<unsigned>(depth));
     const bool first = result.exact.empty() && result.undecided.boxes == 0;
     result.least = first ? leaf.least : std::min(result.least, leaf.least);
@@ -92,13 +90,13 @@ void include(Subdivision& result, const InitialLeaf& leaf, int depth) {
     ++sum.boxes;
 }
 
-Obstacle obstacle_of_states(const InitialBox& box) {
+Obstacle obstacle_of_states(const Box& box) {
     const BoxJets<Interval> jets(box);
     return find_obstacle(follow(jets.state(), spans_of_a_box), natural_state<Interval>(box));
 }
 
 /// What an undecided box is on or near to.
-Obstacle obstacle_in(const InitialBox& box, bool incoming) {
+Obstacle obstacle_in(const Box& box, bool incoming) {
     return !incoming           ? obstacle_of_states(box)
            : is_unbounded(box) ? Obstacle::other
                                : obstacle_of_states(states_of_incoming(box));
@@ -119,7 +117,7 @@ void explain(Subdivision& result, const Tree& tree, const std::vector<std::size_
 }
 
 /// Grows the tree, and adds up its leaves.
-Subdivision grow(const InitialBox& box, const SubdivideOptions& options) {
+Subdivision grow(const Box& box, const SubdivideOptions& options) {
     Subdivision result;
     result.bits = options.bits;
     Tree tree(box);
@@ -152,7 +150,7 @@ Subdivision grow(const InitialBox& box, const SubdivideOptions& options) {
 
 }  // namespace
 
-Subdivision subdivide(const InitialBox& box, const SubdivideOptions& options) {
+Subdivision subdivide(const Box& box, const SubdivideOptions& options) {
     return with_threads(options.jobs, [&] { return grow(box, options); });
 }
 

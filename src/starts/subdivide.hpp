@@ -32,7 +32,7 @@ struct Share {
 
 /// A bisection tree of the box in pre-order, and what its leaves add up to.
 struct Subdivision {
-    std::vector<InitialNode> tree;
+    std::vector<Node> tree;
     std::map<long, Share> exact;  ///< by number of collisions
     Share undecided;
     std::array<long, obstacles> near{};  ///< undecided boxes by their Obstacle
@@ -46,6 +46,6 @@ struct Subdivision {
 /// were halved. Deterministic whatever the number of threads, unless interrupted. A leaf says only what the
 /// rules of format-initial.md give for a slightly larger box. Precondition: require_in_play(box), or it is an
 /// incoming_box.
-[[nodiscard]] Subdivision subdivide(const InitialBox& box, const SubdivideOptions& options);
+[[nodiscard]] Subdivision subdivide(const Box& box, const SubdivideOptions& options);
 
 }  // namespace dumbbell::starts

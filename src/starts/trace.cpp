@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <string>
 
+#include "starts/box_state.hpp"
 #include "starts/exact_event.hpp"
 #include "starts/falling.hpp"
 #include "starts/find_obstacle.hpp"
 #include "starts/follow.hpp"
-#include "starts/initial_state.hpp"
 
 namespace dumbbell::starts {
 namespace {
@@ -125,8 +125,7 @@ Trace described(const Followed<S>& followed, const State<I>& start, int bits, in
 }
 
 template <class I>
-Trace trace_in(const InitialBox& box, int bits, int digits, Observer& observer,
-               const Interrupted& interrupted) {
+Trace trace_in(const Box& box, int bits, int digits, Observer& observer, const Interrupted& interrupted) {
     const State<I> start = natural_state<I>(box);
     const BoxJets<I> jets(box);
     const auto correlated = follow(jets.state(), most_first_spans, observer, interrupted);
@@ -149,7 +148,7 @@ int working_bits(int digits) {
     return digits == 0 ? double_bits : static_cast<int>(digits * 3.33) + 1 + std::min(128, 64 + digits * 2);
 }
 
-Trace trace(const InitialBox& box, int digits, Observer& observer, const Interrupted& interrupted) {
+Trace trace(const Box& box, int digits, Observer& observer, const Interrupted& interrupted) {
     const int bits = working_bits(digits);
     const auto event = exact_event(box);
     if (event && event->kind == ExactKind::graze) {

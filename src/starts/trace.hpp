@@ -46,7 +46,7 @@ struct Trace {
 /// With digits = 0 in double precision, shown with 12 digits; otherwise with a precision chosen from the
 /// digits wanted. `observer` is told of the collisions; interrupted it knows those so far, and that there are
 /// as many. Precondition: require_in_play(box).
-[[nodiscard]] Trace trace(const InitialBox& box, int digits, Observer& observer = nobody,
+[[nodiscard]] Trace trace(const Box& box, int digits, Observer& observer = nobody,
                           const Interrupted& interrupted = never);
 
 }  // namespace dumbbell::starts

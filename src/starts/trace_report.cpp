@@ -33,9 +33,9 @@ constexpr std::array<Quantity, 8> quantities{
      {"phidot_after", "phidot after", &Collision<TracedValue>::phidot_after},
      {"grazing_sine", "grazing sine", &Collision<TracedValue>::grazing_sine}}};
 
-constexpr std::array<const char*, initial_axes> json_names{"phi", "phidot", "y", "ydot", "ratio"};
-constexpr std::array<const char*, initial_axes> json_names_of_incoming{"phi_over_pi", "s", nullptr, nullptr,
-                                                                       "ratio"};
+constexpr std::array<const char*, axis_count> json_names{"phi", "phidot", "y", "ydot", "ratio"};
+constexpr std::array<const char*, axis_count> json_names_of_incoming{"phi_over_pi", "s", nullptr, nullptr,
+                                                                     "ratio"};
 
 const char* mass_name(const Collision<TracedValue>& c) { return c.heavy ? "heavy" : "light"; }
 
@@ -112,8 +112,8 @@ std::string meaning_text(const TraceReport& report) {
     if (!meaning.rounded_phi.empty()) {
         text += fmt::format(
             "phi: {}, irrational and rounded outward; what is said is proved for every phi in\n  {} : {}\n",
-            meaning.rounded_phi, to_fraction(report.box.lower(InitialAxis::phi)),
-            to_fraction(report.box.upper(InitialAxis::phi)));
+            meaning.rounded_phi, to_fraction(report.box.lower(Axis::phi)),
+            to_fraction(report.box.upper(Axis::phi)));
     }
     return text;
 }
@@ -277,7 +277,7 @@ std::string to_text(const TraceReport& report) {
 Json to_json(const TraceReport& report) {
     const Trace& trace = report.trace;
     Json initial = Json::object();
-    for (std::size_t i = 0; i < initial_axes; ++i) {
+    for (std::size_t i = 0; i < axis_count; ++i) {
         const char* name = report.incoming ? json_names_of_incoming[i] : json_names[i];
         if (name == nullptr) {
             continue;

@@ -16,7 +16,7 @@ inline constexpr int most_trace_digits = 10'000;
 
 /// What `trace` tells its user.
 struct TraceReport {
-    InitialBox box;
+    Box box;
     Trace trace{};
     int digits = 0;  ///< as asked for; 0: double precision
     std::optional<Subdivision> parts{};

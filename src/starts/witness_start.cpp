@@ -62,9 +62,9 @@ Rational rounded(const BigInterval& x, int places, const std::optional<BigInterv
 
 std::string spelled(const Rational& x) { return x == 0 ? "0" : (x < 0 ? "-" : "") + exact_text(abs(x)); }
 
-InitialBox point(const Rational& phi, const Rational& phidot, const Rational& y, const Rational& ydot,
-                 const Rational& q) {
-    InitialBox box;
+Box point(const Rational& phi, const Rational& phidot, const Rational& y, const Rational& ydot,
+          const Rational& q) {
+    Box box;
     box.lo = box.hi = {phi, phidot, y, ydot, q};
     return box;
 }

@@ -23,7 +23,7 @@ class Body {
   public:
     explicit Body(const decltype(axis_names)& names) : names_(names) {}
 
-    void node(const InitialNode& node) {
+    void node(const Node& node) {
         if (node.split) {
             line(fmt::format("split {}", names_[static_cast<std::size_t>(*node.split)]));
             ++splits_;
@@ -44,7 +44,7 @@ class Body {
     }
 
   private:
-    void leaf(const InitialLeaf& leaf) {
+    void leaf(const Leaf& leaf) {
         if (!leaf.most) {
             line("open");
             ++open_;
@@ -72,9 +72,9 @@ class Body {
 
 }  // namespace
 
-SealedText render(const InitialCertificate& certificate) {
+SealedText render(const Certificate& certificate) {
     Body body(certificate.incoming ? incoming_names : axis_names);
-    for (const InitialNode& node : certificate.tree) {
+    for (const Node& node : certificate.tree) {
         body.node(node);
     }
     require(body.complete(), "certificate: the tree of initial conditions is not complete");

@@ -6,6 +6,6 @@
 namespace dumbbell::starts {
 
 /// The one canonical spelling (format-initial.md). Throws BrokenInvariant if the tree is not complete.
-[[nodiscard]] SealedText render(const InitialCertificate& certificate);
+[[nodiscard]] SealedText render(const Certificate& certificate);
 
 }  // namespace dumbbell::starts

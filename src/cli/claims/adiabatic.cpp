@@ -11,7 +11,7 @@
 
 namespace dumbbell::cli {
 
-using adiabatic::AdiabaticClaim;
+using adiabatic::Claim;
 
 namespace {
 
@@ -54,36 +54,36 @@ int parse_exponent(const Rational& k) {
     return sixteenths.convert_to<int>();
 }
 
-AdiabaticClaim claim_of(std::string_view theorem) {
-    return theorem == "thm3.3"   ? AdiabaticClaim::run
-           : theorem == "thm3.5" ? AdiabaticClaim::scattering
-                                 : AdiabaticClaim::bounce;
+adiabatic::Claim claim_of(std::string_view theorem) {
+    return theorem == "thm3.3"   ? adiabatic::Claim::run
+           : theorem == "thm3.5" ? adiabatic::Claim::scattering
+                                 : adiabatic::Claim::bounce;
 }
 
-const char* default_margin(AdiabaticClaim claim) {
-    return claim == AdiabaticClaim::bounce ? "1" : claim == AdiabaticClaim::run ? "3/10" : "1/2";
+const char* default_margin(adiabatic::Claim claim) {
+    return claim == adiabatic::Claim::bounce ? "1" : claim == adiabatic::Claim::run ? "3/10" : "1/2";
 }
 
 std::string text_or(const Given& given, std::string_view option, const char* otherwise) {
     return given.has(option) ? given.text(option) : otherwise;
 }
 
-void require_applicable(const Given& given, AdiabaticClaim claim) {
+void require_applicable(const Given& given, adiabatic::Claim claim) {
     const auto refuse = [&](const char* option, const char* where) {
         throw InputError(fmt::format("{} is for {} only", option, where));
     };
     if (given.has("--k") && given.text("--theorem") != "cor3.2") {
         refuse("--k", "--theorem cor3.2");
     }
-    if (given.has("--y") && claim == AdiabaticClaim::scattering) {
+    if (given.has("--y") && claim == adiabatic::Claim::scattering) {
         refuse("--y", "lemma3.1, cor3.2 and thm3.3");
     }
 }
 
 }  // namespace
 
-std::vector<adiabatic::AdiabaticHypotheses> statements_of(const Given& given) {
-    adiabatic::AdiabaticHypotheses of;
+std::vector<adiabatic::Hypotheses> statements_of(const Given& given) {
+    adiabatic::Hypotheses of;
     of.claim = claim_of(given.text("--theorem"));
     require_applicable(given, of.claim);
     of.delta = starts::parse_quantity("--delta", given.text("--delta"));
@@ -95,8 +95,8 @@ std::vector<adiabatic::AdiabaticHypotheses> statements_of(const Given& given) {
             fmt::format("the lists make more than {} statements: take them in parts", most_statements));
     }
     of.heights = starts::parse_quantity(
-        "--y", text_or(given, "--y", of.claim == AdiabaticClaim::run ? "0:0.9" : "0:1"));
-    std::vector<adiabatic::AdiabaticHypotheses> result;
+        "--y", text_or(given, "--y", of.claim == adiabatic::Claim::run ? "0:0.9" : "0:1"));
+    std::vector<adiabatic::Hypotheses> result;
     for (const Rational& k : exponents) {
         of.exponent = parse_exponent(k);
         for (const Rational& margin : margins) {

@@ -23,7 +23,7 @@ inline constexpr std::array statement_options{
 
 /// All statements asked for: one for each exponent and distance from the vertical, the distance running
 /// fastest. Throws InputError, which names the option, if one of them makes no sense.
-[[nodiscard]] std::vector<adiabatic::AdiabaticHypotheses> statements_of(const Given& given);
+[[nodiscard]] std::vector<adiabatic::Hypotheses> statements_of(const Given& given);
 
 /// Of --accuracy: greater than 0, at most 1. Throws InputError.
 [[nodiscard]] Rational accuracy_of(const Given& given);

@@ -57,9 +57,9 @@ constexpr std::array adiabatic_options =
                       flag("--quiet", "the constants alone, a line each, and no progress")});
 
 /// K/delta, of the attained orbit of a run.
-long most_collisions(const Given& given, const adiabatic::AdiabaticHypotheses& of) {
+long most_collisions(const Given& given, const adiabatic::Hypotheses& of) {
     constexpr long most = 1'000'000;
-    if (given.has("--bounces") && of.claim != adiabatic::AdiabaticClaim::run) {
+    if (given.has("--bounces") && of.claim != adiabatic::Claim::run) {
         throw InputError("--bounces is for --theorem thm3.3 only");
     }
     const Rational factor =
@@ -74,20 +74,20 @@ long most_collisions(const Given& given, const adiabatic::AdiabaticHypotheses& o
     return number >= most ? most : static_cast<long>(number.convert_to<double>());
 }
 
-adiabatic::AdiabaticResult proved_statement(const adiabatic::AdiabaticRequest& request) {
+adiabatic::Result proved_statement(const adiabatic::Request& request) {
     const Stopwatch watch;
-    adiabatic::AdiabaticResult result;
-    result.proof = prove_adiabatic(request);
+    adiabatic::Result result;
+    result.proof = adiabatic::prove(request);
     result.seconds = watch.seconds();
     return result;
 }
 
-void prove_statements(const std::vector<adiabatic::AdiabaticHypotheses>& wanted, const Given& given,
-                      const Interrupted& interrupted, adiabatic::AdiabaticReport& report) {
+void prove_statements(const std::vector<adiabatic::Hypotheses>& wanted, const Given& given,
+                      const Interrupted& interrupted, adiabatic::Report& report) {
     constexpr const char* search = "looking for an orbit with a great error";
     Progress progress("boxes", verbosity_of(given), search);
-    for (const adiabatic::AdiabaticHypotheses& of : wanted) {
-        adiabatic::AdiabaticRequest request;
+    for (const adiabatic::Hypotheses& of : wanted) {
+        adiabatic::Request request;
         request.of = of;
         request.accuracy = report.accuracy;
         request.most_collisions = most_collisions(given, of);
@@ -101,7 +101,7 @@ void prove_statements(const std::vector<adiabatic::AdiabaticHypotheses>& wanted,
 
 int run_adiabatic(const Given& given) {
     const auto wanted = statements_of(given);
-    adiabatic::AdiabaticReport report{given.text("--theorem"), accuracy_of(given), {}, {}, {}};
+    adiabatic::Report report{given.text("--theorem"), accuracy_of(given), {}, {}, {}};
     if (given.has("--out") && wanted.size() > 1) {
         throw InputError(
             "--out takes one statement: give one distance (--phi-margin) and one exponent (--k)");
@@ -110,7 +110,7 @@ int run_adiabatic(const Given& given) {
     const Interrupted interrupted = deadline(budget_of(given));
     prove_statements(wanted, given, interrupted, report);
     const bool complete = std::ranges::all_of(
-        report.results, [](const adiabatic::AdiabaticResult& result) { return result.proof.complete(); });
+        report.results, [](const adiabatic::Result& result) { return result.proof.complete(); });
     if (output.is_wanted() && complete) {
         write(render(certificate_of(report.results.front().proof)), output, report);
     }

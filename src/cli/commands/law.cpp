@@ -2,7 +2,6 @@
 
 #include "base/deadline.hpp"
 #include "base/error.hpp"
-#include "certificates/any_reader.hpp"
 #include "cli/commands.hpp"
 #include "cli/commands/verify.hpp"
 #include "cli/terminal/exit_code.hpp"
@@ -10,6 +9,7 @@
 #include "cli/terminal/messages.hpp"
 #include "cli/terminal/output.hpp"
 #include "cli/terminal/stop_signals.hpp"
+#include "file/sealed_digest.hpp"
 #include "file/shipped.hpp"
 #include "file/verifier_program.hpp"
 #include "law/answer_report.hpp"
@@ -104,7 +104,7 @@ int make_certificate(const Given& given) {
 /// not, is refused: throws InputError.
 std::string certificate_of_answers() {
     std::string file = shipped_certificate(law::certificate_name);
-    if (certificates::sealed_digest(file) != law::certificate_sha256) {
+    if (sealed_digest(file) != law::certificate_sha256) {
         throw InputError(
             fmt::format("'{}' is not the certificate of the law that comes with this program, whose sha256 "
                         "is {}: install the program with its certificates",

@@ -7,9 +7,7 @@
 #include <variant>
 #include <vector>
 
-#include "adiabatic/plot.hpp"
 #include "base/error.hpp"
-#include "certificates/any_reader.hpp"
 #include "cli/commands/verify.hpp"
 #include "collisions/certify.hpp"
 #include "collisions/names.hpp"
@@ -17,6 +15,8 @@
 #include "flight/paper_bound.hpp"
 #include "number/decimal.hpp"
 #include "number/ratio_argument.hpp"
+#include "page/any_certificate.hpp"
+#include "pictures/adiabatic.hpp"
 #include "pictures/cover.hpp"
 #include "pictures/law.hpp"
 #include "pictures/orbit.hpp"
@@ -38,12 +38,12 @@ const Rational greatest_ratio_of_law = Rational(pow(Integer(10), 36));
 /// What to run for a certificate of the kind that a picture needs.
 constexpr const char* make_staircase = "dumbbell certify LO:HI --out FILE";
 constexpr const char* make_one = "dumbbell certify RATIO --out FILE";
-constexpr const char* make_initial = "dumbbell trace RATIO ... --subdivide --out FILE";
+constexpr const char* make_starts = "dumbbell trace RATIO ... --subdivide --out FILE";
 constexpr const char* make_adiabatic = "dumbbell adiabatic --delta D --out FILE";
 
-const char* what_it_is(const certificates::AnyCertificate& certificate) {
+const char* what_it_is(const page::AnyCertificate& certificate) {
     return std::holds_alternative<Certificate>(certificate) ? "about mass ratios (dumbbell certify)"
-           : std::holds_alternative<starts::InitialCertificate>(certificate)
+           : std::holds_alternative<starts::Certificate>(certificate)
                ? "about initial conditions (dumbbell trace)"
                : "about the adiabatic invariant";
 }
@@ -51,7 +51,7 @@ const char* what_it_is(const certificates::AnyCertificate& certificate) {
 /// The certificate, if it is of this kind. Throws InputError, saying what to run, if it is of another.
 template <class Kind>
 Kind certificate_for(const std::string& file, const char* picture, const char* make) {
-    certificates::AnyCertificate any = certificates::read_any_certificate(file);
+    page::AnyCertificate any = page::read_any_certificate(file);
     Kind* certificate = std::get_if<Kind>(&any);
     if (certificate == nullptr) {
         throw InputError(fmt::format("'{}' is {}; plot {} needs a certificate by {}", file, what_it_is(any),
@@ -219,14 +219,13 @@ std::string draw_orbit(const PlotRequest& request) {
 }
 
 std::string draw_phase(const PlotRequest& request) {
-    return pictures::phase_svg(
-        verified_certificate<starts::InitialCertificate>(request, "phase", make_initial));
+    return pictures::phase_svg(verified_certificate<starts::Certificate>(request, "phase", make_starts));
 }
 
 std::string draw_adiabatic(const PlotRequest& request) {
     const auto certificate =
-        verified_certificate<adiabatic::AdiabaticCertificate>(request, "adiabatic", make_adiabatic);
-    return adiabatic_svg(certificate);
+        verified_certificate<adiabatic::Certificate>(request, "adiabatic", make_adiabatic);
+    return pictures::adiabatic_svg(certificate);
 }
 
 }  // namespace dumbbell::cli

@@ -106,7 +106,7 @@ int bits_of_angle(const Given& given, int digits) {
 }
 
 /// What a verifier takes for too long is not worth any work.
-void require_short_lines(const starts::InitialBox& box) {
+void require_short_lines(const starts::Box& box) {
     constexpr std::size_t most = 4000;  // of the 4096 bytes of a line
     constexpr std::array names{"--phi", "--phidot", "--y", "--ydot", "RATIO"};
     for (std::size_t i = 0; i < names.size(); ++i) {
@@ -134,14 +134,14 @@ starts::GivenStart start_of(const Given& given, const RatioArgument& ratio, int 
                               ratio.lo, ratio.hi, "--", bits_of_angle(given, digits));
 }
 
-starts::InitialBox incoming_box_of(const RatioArgument& ratio) {
+starts::Box incoming_box_of(const RatioArgument& ratio) {
     if (ratio.lo != ratio.hi) {
         throw InputError("--incoming takes a single mass ratio: the natural measure depends on it");
     }
     return starts::incoming_box(ratio.lo);
 }
 
-starts::InitialCertificate certificate_of_starts(const starts::TraceReport& report) {
+starts::Certificate certificate_of_starts(const starts::TraceReport& report) {
     return {.box = report.box,
             .bits = report.parts->bits,
             .tree = report.parts->tree,

@@ -5,11 +5,11 @@
 #include <new>
 
 #include "adiabatic/writer.hpp"
-#include "certificates/any_reader.hpp"
 #include "choices.hpp"
 #include "collisions/reader.hpp"
 #include "collisions/writer.hpp"
 #include "file_text.hpp"
+#include "page/any_certificate.hpp"
 #include "rooms/verify/make_certificate.hpp"
 #include "scratch.hpp"
 #include "start_truth.hpp"
@@ -109,7 +109,7 @@ void check_invariant(const dumbbell_verify::Adiabatic& claim) {
 /// What the verifier accepts the program can read, and would write in the same way.
 void check_spelling(const std::string& text) {
     static MemoryFile file;
-    const auto read = dumbbell::certificates::read_any_certificate(file.holding(text));
+    const auto read = dumbbell::page::read_any_certificate(file.holding(text));
     const auto again = std::visit([](const auto& certificate) { return render(certificate); }, read);
     must(again.text == text, "there is one spelling");
 }

@@ -28,15 +28,15 @@ Rational any_number(Choices& choices, long lo, long hi) {
 }
 
 /// A start in the air around which the box lies: phi, phidot, y, ydot, q.
-InitialBox any_box(Choices& choices) {
+starts::Box any_box(Choices& choices) {
     constexpr long ratios[] = {1, 2, 3, 10, 47, 100, 1000};
-    InitialBox box;
+    starts::Box box;
     box.lo = {any_number(choices, -7, 7), any_number(choices, -2, 2), any_number(choices, 0, 3),
               any_number(choices, -2, 2),
               ratios[choices.below(std::size(ratios))] + any_number(choices, 0, 1)};
     box.hi = box.lo;
     const std::size_t exact_axes = choices.below(32);
-    for (std::size_t i = 0; i < initial_axes; ++i) {
+    for (std::size_t i = 0; i < starts::axis_count; ++i) {
         if ((exact_axes >> i & 1) != 0) continue;
         const Rational width = power_of_two(-choices.between(0, 40));
         box.lo.at(i) -= width * Rational(choices.between(0, 3), 3);
@@ -47,9 +47,9 @@ InitialBox any_box(Choices& choices) {
 }
 
 /// The start at the given fractions of the box's sides.
-Start start_at(const InitialBox& box, const Start& at) {
+Start start_at(const starts::Box& box, const Start& at) {
     Start start{};
-    for (std::size_t i = 0; i < initial_axes; ++i) {
+    for (std::size_t i = 0; i < starts::axis_count; ++i) {
         const auto lo = box.lo.at(i).convert_to<Real>(), hi = box.hi.at(i).convert_to<Real>();
         start.at(i) = lo + at.at(i) * (hi - lo);
     }
@@ -62,8 +62,8 @@ Rational dyadic(Real x) {
     return Rational(static_cast<std::int64_t>(scaled)) * power_of_two(-40);
 }
 
-InitialLeaf any_leaf_of(Choices& choices, const InitialBox& box) {
-    InitialLeaf leaf;
+starts::Leaf any_leaf_of(Choices& choices, const starts::Box& box) {
+    starts::Leaf leaf;
     const auto run = simulated(start_at(box, {0.5, 0.5, 0.5, 0.5, 0.5}));
     const std::size_t kind = choices.below(8);
     if (kind == 7) return leaf;  // open
@@ -81,24 +81,24 @@ InitialLeaf any_leaf_of(Choices& choices, const InitialBox& box) {
 }
 
 struct PlacedLeaf {
-    InitialBox box;
-    InitialLeaf leaf;
+    starts::Box box;
+    starts::Leaf leaf;
 };
 
 /// Any tree, and its leaves with their boxes.
-void grow(Choices& choices, const InitialBox& box, std::size_t splits, std::vector<InitialNode>& tree,
+void grow(Choices& choices, const starts::Box& box, std::size_t splits, std::vector<starts::Node>& tree,
           std::vector<std::optional<PlacedLeaf>>& lines) {
     std::size_t here = splits == 0 ? 0 : choices.below(splits + 1);
-    const std::size_t axis = here == 0 ? 0 : choices.below(initial_axes);
+    const std::size_t axis = here == 0 ? 0 : choices.below(starts::axis_count);
     if (box.lo.at(axis) == box.hi.at(axis)) here = 0;
     if (here == 0) {
         tree.push_back({std::nullopt, any_leaf_of(choices, box)});
         lines.push_back(PlacedLeaf{box, tree.back().leaf});
         return;
     }
-    tree.push_back({static_cast<InitialAxis>(axis), {}});
+    tree.push_back({static_cast<starts::Axis>(axis), {}});
     lines.emplace_back();
-    InitialBox lower = box, upper = box;
+    starts::Box lower = box, upper = box;
     lower.hi.at(axis) = upper.lo.at(axis) = (box.lo.at(axis) + box.hi.at(axis)) / 2;
     const std::size_t below = choices.below(here);
     grow(choices, lower, below, tree, lines);
@@ -130,7 +130,7 @@ void check_leaf(const PlacedLeaf& placed, Choices& choices) {
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     static MemoryFile file;
     Choices choices(data, size);
-    InitialCertificate claim{.generator = {"fuzz", "1"}, .box = any_box(choices), .tree = {}};
+    starts::Certificate claim{.generator = {"fuzz", "1"}, .box = any_box(choices), .tree = {}};
     claim.bits = choices.below(16) == 15 ? 80 : 53;
     std::vector<std::optional<PlacedLeaf>> lines;
     grow(choices, claim.box, choices.below(8), claim.tree, lines);

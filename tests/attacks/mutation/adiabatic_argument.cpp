@@ -31,14 +31,14 @@ std::string numbers(std::initializer_list<Number> all) {
     for (const Number& x : all) line += " " + text(x);
     return line;
 }
-std::string claim_of(const AdiabaticCertificate& c) {
-    const AdiabaticHypotheses& of = c.hypotheses;
-    const bool heights = of.claim == AdiabaticClaim::bounce || of.claim == AdiabaticClaim::run;
+std::string claim_of(const adiabatic::Certificate& c) {
+    const adiabatic::Hypotheses& of = c.hypotheses;
+    const bool heights = of.claim == adiabatic::Claim::bounce || of.claim == adiabatic::Claim::run;
     std::string line = std::string(name(of.claim)) + numbers({of.delta.first, of.delta.second, of.margin});
     if (heights) line += numbers({of.heights.first, of.heights.second});
-    if (of.claim == AdiabaticClaim::bounce) line += " " + std::to_string(of.exponent);
+    if (of.claim == adiabatic::Claim::bounce) line += " " + std::to_string(of.exponent);
     for (const Rational& bound : c.bounds) line += numbers({bound});
-    for (const AdiabaticState& a : c.attained)
+    for (const adiabatic::State& a : c.attained)
         line += numbers({a.u, a.s, a.delta, a.value}) + " " + std::to_string(a.n);
     return line;
 }
@@ -54,12 +54,12 @@ std::string claim_of(const dumbbell_verify::Adiabatic& c) {
 }
 
 /// Where the statements and the formulas that are used here are about nothing else.
-void require_sensible_numbers(const AdiabaticCertificate& c) {
+void require_sensible_numbers(const adiabatic::Certificate& c) {
     const auto& [from, to] = c.hypotheses.delta;
-    const bool run = c.hypotheses.claim == AdiabaticClaim::run;
+    const bool run = c.hypotheses.claim == adiabatic::Claim::run;
     if (from > to || to <= 0 || 2 * to >= 1 || from < 0 || (from == 0 && !run)) throw NotShown{"delta"};
     if (c.hypotheses.margin <= 0) throw NotShown{"margin"};
-    for (const AdiabaticClass& one : c.classes) {
+    for (const adiabatic::Class& one : c.classes) {
         if (!certainly_less(Interval(4) * sqr(pi<Interval>()),
                             Interval(65) * sqr(enclose<Interval>(one.least_share))))
             throw NotShown{"J of a class"};
@@ -74,7 +74,7 @@ void require_sensible_numbers(const AdiabaticCertificate& c) {
 
 class Trees {
   public:
-    explicit Trees(const AdiabaticCertificate& certificate)
+    explicit Trees(const adiabatic::Certificate& certificate)
         : certificate_(certificate), judge_(certificate) {}
 
     void check() {
@@ -93,17 +93,17 @@ class Trees {
 
   private:
     template <class Judge>
-    void tree(const AdiabaticTree& nodes, const std::vector<AdiabaticAxis>& axes, const std::string& of,
+    void tree(const adiabatic::Tree& nodes, const std::vector<adiabatic::Axis>& axes, const std::string& of,
               const Judge& judge) {
         std::size_t next = 0;
         walk(nodes, next, judge_.root(axes), of, judge);
         if (next != nodes.size()) throw NotShown{of + ": nodes behind the tree"};
     }
     template <class Judge>
-    void walk(const AdiabaticTree& nodes, std::size_t& next, const AdiabaticSet& box, const std::string& of,
+    void walk(const adiabatic::Tree& nodes, std::size_t& next, const AdiabaticSet& box, const std::string& of,
               const Judge& judge) {
         const std::size_t here = next++;
-        const AdiabaticNode& node = nodes.at(here);
+        const adiabatic::Node& node = nodes.at(here);
         if (node.split) {
             const auto [lower, upper] = box.halves(*node.split);
             walk(nodes, next, lower, of, judge);
@@ -123,15 +123,15 @@ class Trees {
         if (found == Found::outside || (!outside && found == Found::bound)) return true;
         if (depth == 0) return false;
         std::size_t widest = 0;
-        for (std::size_t i = 1; i < adiabatic_axes; ++i)
+        for (std::size_t i = 1; i < adiabatic::axis_count; ++i)
             if (box.hi[i] - box.lo[i] > box.hi[widest] - box.lo[widest]) widest = i;
         if (box.lo[widest] == box.hi[widest]) return false;
-        const auto [lower, upper] = box.halves(static_cast<AdiabaticAxis>(widest));
+        const auto [lower, upper] = box.halves(static_cast<adiabatic::Axis>(widest));
         return confirmed(lower, outside, said, depth - 1) && confirmed(upper, outside, said, depth - 1);
     }
 
     static constexpr int most_halvings = 12;
-    const AdiabaticCertificate& certificate_;
+    const adiabatic::Certificate& certificate_;
     AdiabaticJudge judge_;
     std::size_t leaves_ = 0;
 };
@@ -140,7 +140,7 @@ class Trees {
 
 Argument adiabatic_argument(const std::string& path, const dumbbell_verify::Adiabatic* proved) {
     try {
-        const AdiabaticCertificate certificate = read_adiabatic_certificate(path);
+        const adiabatic::Certificate certificate = adiabatic::read_certificate(path);
         if (proved && claim_of(certificate) != claim_of(*proved))
             throw NotShown{"the verdict states another claim than the file"};
         require_sensible_numbers(certificate);

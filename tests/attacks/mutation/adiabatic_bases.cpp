@@ -21,7 +21,7 @@ constexpr int most_depth = 24;
 /// its root.
 template <class Judge>
 void grow(const AdiabaticSet& root, const AdiabaticSet& box, int depth, const Judge& judge,
-          AdiabaticTree& tree) {
+          adiabatic::Tree& tree) {
     if (const auto leaf = judge(box)) {
         tree.push_back(*leaf);
         return;
@@ -29,11 +29,11 @@ void grow(const AdiabaticSet& root, const AdiabaticSet& box, int depth, const Ju
     require(depth < most_depth, "the tree of a base does not close");
     std::size_t longest = 0;
     double most = 0;
-    for (std::size_t i = 0; i < adiabatic_axes; ++i) {
+    for (std::size_t i = 0; i < adiabatic::axis_count; ++i) {
         if (root.lo[i] == root.hi[i]) continue;
         // u and v: relative, since what happens there depends on 1/u.
-        const bool angle = i == static_cast<std::size_t>(AdiabaticAxis::u) ||
-                           i == static_cast<std::size_t>(AdiabaticAxis::v);
+        const bool angle = i == static_cast<std::size_t>(adiabatic::Axis::u) ||
+                           i == static_cast<std::size_t>(adiabatic::Axis::v);
         const Rational unit = angle ? Rational(2 * box.hi[i]) : Rational(root.hi[i] - root.lo[i]);
         const double length = Rational((box.hi[i] - box.lo[i]) / unit).convert_to<double>();
         if (length > most) {
@@ -41,26 +41,26 @@ void grow(const AdiabaticSet& root, const AdiabaticSet& box, int depth, const Ju
             longest = i;
         }
     }
-    const auto axis = static_cast<AdiabaticAxis>(longest);
+    const auto axis = static_cast<adiabatic::Axis>(longest);
     const auto [lower, upper] = box.halves(axis);
     tree.push_back({axis, false, 0});
     grow(root, lower, depth + 1, judge, tree);
     grow(root, upper, depth + 1, judge, tree);
 }
 
-/// Of an orbit, as in AdiabaticSample.
+/// Of an orbit, as in adiabatic::Sample.
 struct Start {
     double u, s, share;
 };
 
 /// Trees for a certificate that has all but these, and what these orbits attain.
-Base grown(const std::string& name, std::size_t cost, AdiabaticCertificate data,
+Base grown(const std::string& name, std::size_t cost, adiabatic::Certificate data,
            std::initializer_list<Start> orbits) {
-    const AdiabaticClaim claim = data.hypotheses.claim;
+    const adiabatic::Claim claim = data.hypotheses.claim;
     const AdiabaticJudge judge(data);
-    const auto leaf_of = [](Found found, int by_class) -> std::optional<AdiabaticNode> {
+    const auto leaf_of = [](Found found, int by_class) -> std::optional<adiabatic::Node> {
         if (found == Found::nothing) return std::nullopt;
-        return AdiabaticNode{std::nullopt, found == Found::outside, found == Found::outside ? 0 : by_class};
+        return adiabatic::Node{std::nullopt, found == Found::outside, found == Found::outside ? 0 : by_class};
     };
     const AdiabaticSet of_class = judge.root(class_axes()), of_claim = judge.root(claim_axes(claim));
     for (std::size_t i = 0; i < data.classes.size(); ++i)
@@ -69,14 +69,14 @@ Base grown(const std::string& name, std::size_t cost, AdiabaticCertificate data,
             [&](const AdiabaticSet& box) { return leaf_of(judge.of_class(i, box), 0); },
             data.classes[i].tree);
     const auto of_some_class = [&](const AdiabaticSet& box) {
-        std::optional<AdiabaticNode> leaf;
+        std::optional<adiabatic::Node> leaf;
         for (std::size_t i = 0; i < std::max<std::size_t>(1, data.classes.size()) && !leaf; ++i)
             leaf = leaf_of(judge.of_claim(i, box), static_cast<int>(i));
         return leaf;
     };
     grow(of_claim, of_claim, 0, of_some_class, data.tree);
     for (const Start& start : orbits) {
-        AdiabaticSearch search;
+        adiabatic::Search search;
         search.of = data.hypotheses;
         search.height_error = data.attained.size() == 1;
         const auto state = attained(search, simulated(search, start.u, start.s, start.share));
@@ -87,21 +87,22 @@ Base grown(const std::string& name, std::size_t cost, AdiabaticCertificate data,
     return {name, std::move(data), std::move(text), cost};
 }
 
-AdiabaticHypotheses hypotheses(AdiabaticClaim claim, const char* from, const char* to, const char* margin) {
-    AdiabaticHypotheses of;
+adiabatic::Hypotheses hypotheses(adiabatic::Claim claim, const char* from, const char* to,
+                                 const char* margin) {
+    adiabatic::Hypotheses of;
     of.claim = claim;
     of.delta = {parse_rational(from), parse_rational(to)};
     of.margin = parse_rational(margin);
     return of;
 }
-AdiabaticHypotheses with_heights(AdiabaticHypotheses of, const char* from, const char* to) {
+adiabatic::Hypotheses with_heights(adiabatic::Hypotheses of, const char* from, const char* to) {
     of.heights = {parse_rational(from), parse_rational(to)};
     return of;
 }
-AdiabaticCertificate certificate(const AdiabaticHypotheses& of, std::vector<Rational> bounds,
-                                 const std::vector<std::size_t>& classes = {}) {
-    AdiabaticCertificate result{{"mutation", "1.0"}, of, 53, std::move(bounds), {}, {}, {}};
-    const auto guessed = classes.empty() ? std::vector<AdiabaticClass>{} : guess_classes(of);
+adiabatic::Certificate certificate(const adiabatic::Hypotheses& of, std::vector<Rational> bounds,
+                                   const std::vector<std::size_t>& classes = {}) {
+    adiabatic::Certificate result{{"mutation", "1.0"}, of, 53, std::move(bounds), {}, {}, {}};
+    const auto guessed = classes.empty() ? std::vector<adiabatic::Class>{} : guess_classes(of);
     for (const std::size_t i : classes) result.classes.push_back(with_slack(guessed.at(i), density_slack));
     return result;
 }
@@ -109,11 +110,11 @@ AdiabaticCertificate certificate(const AdiabaticHypotheses& of, std::vector<Rati
 }  // namespace
 
 std::vector<Base> adiabatic_bases() {
-    const AdiabaticHypotheses bounce =
-        with_heights(hypotheses(AdiabaticClaim::bounce, "1/25", "1/20", "1"), "3/5", "9/10");
-    const AdiabaticHypotheses run =
-        with_heights(hypotheses(AdiabaticClaim::run, "1/20", "1/20", "1"), "3/10", "1/2");
-    const AdiabaticHypotheses scattering = hypotheses(AdiabaticClaim::scattering, "1/100", "1/100", "1");
+    const adiabatic::Hypotheses bounce =
+        with_heights(hypotheses(adiabatic::Claim::bounce, "1/25", "1/20", "1"), "3/5", "9/10");
+    const adiabatic::Hypotheses run =
+        with_heights(hypotheses(adiabatic::Claim::run, "1/20", "1/20", "1"), "3/10", "1/2");
+    const adiabatic::Hypotheses scattering = hypotheses(adiabatic::Claim::scattering, "1/100", "1/100", "1");
     std::vector<Base> all;
     all.push_back(
         grown("bounce", 8, certificate(bounce, {Rational(3, 5), 6}), {{0.446, 0, 1}, {0.446, 1, 1}}));

@@ -9,20 +9,20 @@ namespace {
 
 using namespace dumbbell;
 using namespace dumbbell::adiabatic;
-using Axis = AdiabaticAxis;
+using Axis = adiabatic::Axis;
 using Found = AdiabaticJudge::Found;
-using Masses = AdiabaticMasses<Interval>;
+using Masses = adiabatic::Masses<Interval>;
 
 Interval side(const AdiabaticSet& box, Axis axis) {
     const auto i = static_cast<std::size_t>(axis);
     return hull(enclose<Interval>(box.lo[i]), enclose<Interval>(box.hi[i]));
 }
 
-AdiabaticPotential<Interval> potential_of(const AdiabaticClass& one) {
-    std::vector<AdiabaticPotential<Interval>::Cell> cells;
+adiabatic::Potential<Interval> potential_of(const adiabatic::Class& one) {
+    std::vector<adiabatic::Potential<Interval>::Cell> cells;
     for (const auto& cell : one.cells)
         cells.push_back({enclose<Interval>(cell.u), enclose<Interval>(cell.v)});
-    return AdiabaticPotential<Interval>(std::move(cells));
+    return adiabatic::Potential<Interval>(std::move(cells));
 }
 
 Found found(bool bounded) { return bounded ? Found::bound : Found::nothing; }
@@ -38,7 +38,7 @@ class Orbit {
     using I = Interval;
 
   public:
-    Orbit(const AdiabaticHypotheses& of, const AdiabaticState& state)
+    Orbit(const adiabatic::Hypotheses& of, const adiabatic::State& state)
         : of_(of),
           state_(state),
           u_(enclose<I>(state.u)),
@@ -50,9 +50,9 @@ class Orbit {
     [[nodiscard]] bool attains(bool second) {
         if (!certainly_positive(orbit_.at().x) || !certainly_positive(orbit_.at().w)) return false;
         switch (of_.claim) {
-            case AdiabaticClaim::bounce:
+            case adiabatic::Claim::bounce:
                 return has_heights() && orbit_.advance() && bounce(second);
-            case AdiabaticClaim::run:
+            case adiabatic::Claim::run:
                 return has_heights() && follow() && at_least(abs(orbit_.change()), delta_);
             default:
                 return orbit_.certainly_begins() && follow() && orbit_.certainly_ends() && scattered();
@@ -71,7 +71,8 @@ class Orbit {
     [[nodiscard]] bool is_apart(const I& margin) const { return certainly_at_most(margin, orbit_.angle()); }
     [[nodiscard]] bool follow() {
         for (long n = 0; n < state_.n; ++n)
-            if (!orbit_.advance() || (of_.claim == AdiabaticClaim::run && !is_apart(enclose<I>(of_.margin))))
+            if (!orbit_.advance() ||
+                (of_.claim == adiabatic::Claim::run && !is_apart(enclose<I>(of_.margin))))
                 return false;
         return true;
     }
@@ -80,30 +81,30 @@ class Orbit {
         return is_apart(enclose<I>(of_.margin) * unit) && at_least(abs(orbit_.change_behind()), unit);
     }
     [[nodiscard]] bool bounce(bool second) const {
-        const AdiabaticBounce<I> first(u_, s_, orbit_.masses());
+        const adiabatic::Bounce<I> first(u_, s_, orbit_.masses());
         const I k = delta_power(delta_, of_.exponent), square = sqr(delta_);
         if (!second) return at_least(first.speed_error(), square / sqr(k));
         const auto next = next_contact(first);
         return next && !next->none && at_least(height_error(first, *next), I(2) * square / k);
     }
 
-    const AdiabaticHypotheses& of_;
-    const AdiabaticState& state_;
+    const adiabatic::Hypotheses& of_;
+    const adiabatic::State& state_;
     I u_, s_, delta_;
-    AdiabaticOrbit<I> orbit_;
+    adiabatic::Orbit<I> orbit_;
 };
 
 }  // namespace
 
 std::vector<Axis> class_axes() { return {Axis::u, Axis::sigma, Axis::delta}; }
-std::vector<Axis> claim_axes(AdiabaticClaim claim) {
-    if (claim == AdiabaticClaim::bounce) return {Axis::u, Axis::s, Axis::delta};
+std::vector<Axis> claim_axes(adiabatic::Claim claim) {
+    if (claim == adiabatic::Claim::bounce) return {Axis::u, Axis::s, Axis::delta};
     return {Axis::u, Axis::s, Axis::v, Axis::delta};
 }
 
-AdiabaticJudge::AdiabaticJudge(const AdiabaticCertificate& certificate)
+AdiabaticJudge::AdiabaticJudge(const adiabatic::Certificate& certificate)
     : certificate_(certificate), sides_(certificate.hypotheses) {
-    for (const AdiabaticClass& one : certificate.classes) potentials_.push_back(potential_of(one));
+    for (const adiabatic::Class& one : certificate.classes) potentials_.push_back(potential_of(one));
 }
 
 AdiabaticSet AdiabaticJudge::root(const std::vector<Axis>& axes) const {
@@ -118,23 +119,23 @@ AdiabaticSet AdiabaticJudge::root(const std::vector<Axis>& axes) const {
 }
 
 Found AdiabaticJudge::of_class(std::size_t number, const AdiabaticSet& box) const {
-    const AdiabaticClass& one = certificate_.classes.at(number);
+    const adiabatic::Class& one = certificate_.classes.at(number);
     const Masses masses(side(box, Axis::delta));
-    const AdiabaticVerdict verdict =
+    const adiabatic::Verdict verdict =
         judge_flights(side(box, Axis::u), side(box, Axis::sigma), masses, sides_.margin(masses),
                       enclose<Interval>(one.least_share), potentials_.at(number));
     return verdict.outside ? Found::outside : found(verdict.closed());
 }
 
 Found AdiabaticJudge::of_claim(std::size_t number, const AdiabaticSet& box) const {
-    return certificate_.hypotheses.claim == AdiabaticClaim::bounce ? of_bounce(box) : of_pair(number, box);
+    return certificate_.hypotheses.claim == adiabatic::Claim::bounce ? of_bounce(box) : of_pair(number, box);
 }
 
 Found AdiabaticJudge::of_bounce(const AdiabaticSet& box) const {
     const Masses masses(side(box, Axis::delta));
     const auto u = admitted_angle(side(box, Axis::u), sides_.margin(masses));
     if (!u || sides_.certainly_elsewhere(*u, masses)) return Found::outside;
-    const AdiabaticBounce<Interval> bounce(*u, side(box, Axis::s), masses);
+    const adiabatic::Bounce<Interval> bounce(*u, side(box, Axis::s), masses);
     if (certainly_at_most(bounce.forward(), Interval(0))) return Found::outside;
     const auto next = next_contact(bounce);
     if (!next) return Found::nothing;
@@ -149,12 +150,12 @@ Found AdiabaticJudge::of_bounce(const AdiabaticSet& box) const {
 }
 
 Found AdiabaticJudge::of_pair(std::size_t number, const AdiabaticSet& box) const {
-    const bool run = certificate_.hypotheses.claim == AdiabaticClaim::run;
+    const bool run = certificate_.hypotheses.claim == adiabatic::Claim::run;
     const Masses masses(side(box, Axis::delta));
     const Interval margin = sides_.margin(masses);
     const auto u = admitted_angle(side(box, Axis::u), margin), v = admitted_angle(side(box, Axis::v), margin);
     if (!u || !v || (run && sides_.certainly_elsewhere(*u, masses))) return Found::outside;
-    const AdiabaticPair<Interval> pair(*u, side(box, Axis::s), *v, masses);
+    const adiabatic::Pair<Interval> pair(*u, side(box, Axis::s), *v, masses);
     if (!run && certainly_not_first(pair)) return Found::outside;
     const Interval share = enclose<Interval>(certificate_.classes.at(number).least_share);
     const auto& potential = potentials_.at(number);
@@ -163,13 +164,13 @@ Found AdiabaticJudge::of_pair(std::size_t number, const AdiabaticSet& box) const
 }
 
 bool AdiabaticJudge::attained(std::size_t number) const {
-    const AdiabaticHypotheses& of = certificate_.hypotheses;
-    const AdiabaticState& state = certificate_.attained.at(number);
-    const int exponent = of.claim == AdiabaticClaim::bounce ? of.exponent
-                         : of.claim == AdiabaticClaim::run  ? 0
-                                                            : 8;
+    const adiabatic::Hypotheses& of = certificate_.hypotheses;
+    const adiabatic::State& state = certificate_.attained.at(number);
+    const int exponent = of.claim == adiabatic::Claim::bounce ? of.exponent
+                         : of.claim == adiabatic::Claim::run  ? 0
+                                                              : 8;
     if (state.u <= 0 || state.s < 0 || state.s > 1 || state.delta <= 0 || state.n < 0 ||
-        (of.claim == AdiabaticClaim::bounce && state.n != 1) || state.delta < of.delta.first ||
+        (of.claim == adiabatic::Claim::bounce && state.n != 1) || state.delta < of.delta.first ||
         state.delta > of.delta.second ||
         power(state.u, 16) < power(of.margin, 16) * power(state.delta, exponent))
         return false;

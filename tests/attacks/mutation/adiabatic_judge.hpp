@@ -9,10 +9,9 @@ namespace dumbbell_mutation {
 
 /// Of the tree of a class or of the claim; axes that the tree lacks have width 0.
 struct AdiabaticSet {
-    std::array<dumbbell::Rational, dumbbell::adiabatic::adiabatic_axes> lo{}, hi{};
+    std::array<dumbbell::Rational, dumbbell::adiabatic::axis_count> lo{}, hi{};
 
-    [[nodiscard]] std::pair<AdiabaticSet, AdiabaticSet> halves(
-        dumbbell::adiabatic::AdiabaticAxis axis) const {
+    [[nodiscard]] std::pair<AdiabaticSet, AdiabaticSet> halves(dumbbell::adiabatic::Axis axis) const {
         std::pair<AdiabaticSet, AdiabaticSet> result{*this, *this};
         const auto i = static_cast<std::size_t>(axis);
         result.first.hi[i] = result.second.lo[i] = (lo[i] + hi[i]) / 2;
@@ -21,9 +20,8 @@ struct AdiabaticSet {
 };
 
 /// The axes of the trees of classes, and of the tree of the claim.
-[[nodiscard]] std::vector<dumbbell::adiabatic::AdiabaticAxis> class_axes();
-[[nodiscard]] std::vector<dumbbell::adiabatic::AdiabaticAxis> claim_axes(
-    dumbbell::adiabatic::AdiabaticClaim claim);
+[[nodiscard]] std::vector<dumbbell::adiabatic::Axis> class_axes();
+[[nodiscard]] std::vector<dumbbell::adiabatic::Axis> claim_axes(dumbbell::adiabatic::Claim claim);
 
 class AdiabaticJudge {
   public:
@@ -31,9 +29,9 @@ class AdiabaticJudge {
 
     /// The certificate outlives the judge. Precondition: 0 <= D1 <= D2 < 1, and each class has cells, which
     /// go down.
-    explicit AdiabaticJudge(const dumbbell::adiabatic::AdiabaticCertificate& certificate);
+    explicit AdiabaticJudge(const dumbbell::adiabatic::Certificate& certificate);
 
-    [[nodiscard]] AdiabaticSet root(const std::vector<dumbbell::adiabatic::AdiabaticAxis>& axes) const;
+    [[nodiscard]] AdiabaticSet root(const std::vector<dumbbell::adiabatic::Axis>& axes) const;
     /// (D) of L35 for the flights of the box.
     [[nodiscard]] Found of_class(std::size_t number, const AdiabaticSet& box) const;
     /// The claimed bound for the states of the box, in a run or scattering by this class.
@@ -45,9 +43,9 @@ class AdiabaticJudge {
     [[nodiscard]] Found of_bounce(const AdiabaticSet& box) const;
     [[nodiscard]] Found of_pair(std::size_t number, const AdiabaticSet& box) const;
 
-    const dumbbell::adiabatic::AdiabaticCertificate& certificate_;
-    dumbbell::adiabatic::AdiabaticSides sides_;
-    std::vector<dumbbell::adiabatic::AdiabaticPotential<dumbbell::Interval>> potentials_;  ///< of the classes
+    const dumbbell::adiabatic::Certificate& certificate_;
+    dumbbell::adiabatic::Sides sides_;
+    std::vector<dumbbell::adiabatic::Potential<dumbbell::Interval>> potentials_;  ///< of the classes
 };
 
 }  // namespace dumbbell_mutation

@@ -16,13 +16,12 @@ namespace {
 
 using namespace dumbbell;
 using namespace dumbbell::collisions;
-using namespace dumbbell::starts;
 
 Base base(const std::string& name, Certificate data) {
     std::string text = render(data).text;
     return {name, std::move(data), std::move(text), 1};
 }
-Base base(const std::string& name, InitialCertificate data) {
+Base base(const std::string& name, starts::Certificate data) {
     std::string text = render(data).text;
     return {name, std::move(data), std::move(text), 1};
 }
@@ -92,27 +91,28 @@ Certificate deep(Certificate certificate, int depth) {
     return certificate;
 }
 
-InitialBox box(std::array<std::array<const char*, 2>, initial_axes> sides) {
+starts::Box box(std::array<std::array<const char*, 2>, starts::axis_count> sides) {
     const auto rational = [](const std::string& text) {
         return text[0] == '-' ? Rational(-parse_rational(text.substr(1))) : parse_rational(text);
     };
-    InitialBox result;
-    for (std::size_t i = 0; i < initial_axes; ++i) {
+    starts::Box result;
+    for (std::size_t i = 0; i < starts::axis_count; ++i) {
         result.lo[i] = rational(sides[i][0]);
         result.hi[i] = rational(sides[i][1]);
     }
     return result;
 }
-InitialCertificate subdivided(const InitialBox& box, std::size_t boxes, int bits = 53) {
-    const Subdivision parts = subdivide(box, {.max_boxes = boxes, .bits = bits});
+starts::Certificate subdivided(const starts::Box& box, std::size_t boxes, int bits = 53) {
+    const starts::Subdivision parts = subdivide(box, {.max_boxes = boxes, .bits = bits});
     return {{"mutation", "1.0"}, box, parts.bits, parts.tree};
 }
-InitialCertificate all_incoming(const Rational& q, std::size_t boxes) {
-    const Subdivision parts = subdivide(incoming_box(q), {.max_boxes = boxes, .incoming = true});
-    return {{"mutation", "1.0"}, incoming_box(q), parts.bits, parts.tree, true};
+starts::Certificate all_incoming(const Rational& q, std::size_t boxes) {
+    const starts::Subdivision parts =
+        subdivide(starts::incoming_box(q), {.max_boxes = boxes, .incoming = true});
+    return {{"mutation", "1.0"}, starts::incoming_box(q), parts.bits, parts.tree, true};
 }
-InitialCertificate with_open_leaf(InitialCertificate certificate) {
-    for (InitialNode& node : certificate.tree)
+starts::Certificate with_open_leaf(starts::Certificate certificate) {
+    for (starts::Node& node : certificate.tree)
         if (!node.split && node.leaf.least != node.leaf.most) {
             node.leaf = {};
             break;

@@ -4,13 +4,13 @@
 #include <string>
 #include <vector>
 
-#include "certificates/any_reader.hpp"
+#include "page/any_certificate.hpp"
 
 namespace dumbbell_mutation {
 
 struct Base {
     std::string name;
-    dumbbell::certificates::AnyCertificate data;
+    dumbbell::page::AnyCertificate data;
     std::string text;
     /// How many times as much time as others it takes to verify, about: it gets fewer mutants by this factor,
     /// and none of single bytes.

@@ -12,7 +12,6 @@ namespace {
 
 using namespace dumbbell;
 using namespace dumbbell::collisions;
-using namespace dumbbell::starts;
 
 /// A tree that is as good as it gets for the bound: what does not close within `depth` splits is a leaf
 /// `count` all the same, with hints that fit the bound.
@@ -161,32 +160,33 @@ class Claims {
     const Sink& sink_;
 };
 
-void claims_of(const InitialCertificate& data, const Sink& sink) {
-    const auto give = [&](std::string_view kind, const std::string& what, const InitialCertificate& changed) {
+void claims_of(const starts::Certificate& data, const Sink& sink) {
+    const auto give = [&](std::string_view kind, const std::string& what,
+                          const starts::Certificate& changed) {
         sink({kind, what, render(changed).text});
     };
     // All incoming trajectories have nothing to choose but the ratio.
-    for (std::size_t axis = data.incoming ? initial_axes - 1 : 0; axis < initial_axes; ++axis)
+    for (std::size_t axis = data.incoming ? starts::axis_count - 1 : 0; axis < starts::axis_count; ++axis)
         for (const char* step : steps)
             for (const int sides : {1, 2, 3, 4, 5}) {
-                InitialCertificate changed = data;
+                starts::Certificate changed = data;
                 Rational &lo = changed.box.lo[axis], &hi = changed.box.hi[axis];
                 const Rational width = hi > lo ? Rational(hi - lo) : Rational(1);
                 const Rational reach = parse_rational(step) * width;
                 if (sides == 1 || sides >= 3) lo += sides == 4 ? reach : Rational(-reach);
                 if (sides == 2 || sides >= 3) hi += sides == 5 ? Rational(-reach) : reach;
-                if (lo > hi || (axis == initial_axes - 1 && lo <= 0)) continue;
+                if (lo > hi || (axis == starts::axis_count - 1 && lo <= 0)) continue;
                 give(sides > 3 ? "box moved" : "wider box",
                      fmt::format("axis {} {} sides {}", axis, step, sides), changed);
             }
     for (const int bits : bit_counts) {
-        InitialCertificate changed = data;
+        starts::Certificate changed = data;
         changed.bits = bits;
         give("bits", std::to_string(bits), changed);
     }
     for (const long more : {-1L, 1L}) {
-        InitialCertificate changed = data;
-        for (InitialNode& node : changed.tree)
+        starts::Certificate changed = data;
+        for (starts::Node& node : changed.tree)
             if (!node.split && node.leaf.most) {
                 node.leaf.least = std::max(0L, node.leaf.least + more);
                 *node.leaf.most = std::max(0L, *node.leaf.most + more);
@@ -200,10 +200,10 @@ void claims_of(const InitialCertificate& data, const Sink& sink) {
 void claim_mutations(const Base& base, const Sink& sink) {
     if (const auto* data = std::get_if<Certificate>(&base.data))
         Claims(*data, sink).run();
-    else if (const auto* adiabatic = std::get_if<adiabatic::AdiabaticCertificate>(&base.data))
+    else if (const auto* adiabatic = std::get_if<adiabatic::Certificate>(&base.data))
         adiabatic_claim_mutations(*adiabatic, sink);
     else
-        claims_of(std::get<InitialCertificate>(base.data), sink);
+        claims_of(std::get<starts::Certificate>(base.data), sink);
 }
 
 }  // namespace dumbbell_mutation

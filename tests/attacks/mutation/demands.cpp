@@ -10,10 +10,7 @@ namespace dumbbell_mutation {
 namespace {
 
 using dumbbell::Rational;
-using dumbbell::adiabatic::AdiabaticCertificate;
-using dumbbell::collisions::Certificate;
 using dumbbell::collisions::Piece;
-using dumbbell::starts::InitialCertificate;
 
 mpq_class exact(const Rational& x) { return mpq_class(dumbbell::to_fraction(x)); }
 
@@ -68,7 +65,7 @@ dumbbell_verify::Settings settings_of(const Rational& lo, const Rational& hi, co
     return settings;
 }
 
-std::vector<Demand> demands_of(const Certificate& data) {
+std::vector<Demand> demands_of(const dumbbell::collisions::Certificate& data) {
     std::set<long> numbers;
     std::set<Rational> ends = {data.q_lo() / 2 + Rational(1, 2), data.q_hi() * 2};
     for (const Piece& piece : data.pieces) {
@@ -96,10 +93,10 @@ std::vector<Demand> demands_of(const Certificate& data) {
     return demands;
 }
 
-std::vector<Demand> demands_of(const InitialCertificate& data) {
+std::vector<Demand> demands_of(const dumbbell::starts::Certificate& data) {
     long least = LONG_MAX, most = 0;
     bool all = true;
-    for (const dumbbell::starts::InitialNode& node : data.tree) {
+    for (const dumbbell::starts::Node& node : data.tree) {
         if (node.split) continue;
         all = all && node.leaf.most;
         least = std::min(least, node.leaf.least);
@@ -126,7 +123,7 @@ std::vector<Demand> demands_of(const InitialCertificate& data) {
     return demands;
 }
 
-std::vector<Demand> demands_of(const AdiabaticCertificate& data) {
+std::vector<Demand> demands_of(const dumbbell::adiabatic::Certificate& data) {
     std::vector<Demand> demands;
     for (const std::string scene : {"dumbbell", "hybrid", "wedge"})
         for (const std::string claim : {"", "adiabatic-bounce", "adiabatic-run", "adiabatic-scattering",

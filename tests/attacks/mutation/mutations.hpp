@@ -48,7 +48,7 @@ void tree_mutations(const std::string& text, const Sink& sink);
 /// sections.
 void claim_mutations(const Base& base, const Sink& sink);
 /// Those of a file about the adiabatic invariant: other ranges, margins, bounds, classes and attained states.
-void adiabatic_claim_mutations(const dumbbell::adiabatic::AdiabaticCertificate& data, const Sink& sink);
+void adiabatic_claim_mutations(const dumbbell::adiabatic::Certificate& data, const Sink& sink);
 /// `count` texts with two to four random changes of words, lines and trees at once.
 void random_mutations(const std::string& text, std::uint64_t seed, std::size_t count, const Sink& sink);
 

@@ -116,42 +116,42 @@ TEST_CASE("Trees are found in the lines") {
 }
 
 TEST_CASE("The prover's formulas refuse false claims about the adiabatic invariant") {
-    using dumbbell::adiabatic::AdiabaticCertificate;
+    namespace adiabatic = dumbbell::adiabatic;
     const Scratch file;
     int refused = 0;
     for (const Base& base : all_bases()) {
-        const auto* data = std::get_if<AdiabaticCertificate>(&base.data);
+        const auto* data = std::get_if<adiabatic::Certificate>(&base.data);
         if (!data) continue;
         const auto refuses = [&](const std::string& what, const auto& change) {
-            AdiabaticCertificate changed = *data;
+            adiabatic::Certificate changed = *data;
             change(changed);
-            file.write(dumbbell::adiabatic::render(changed).text);
+            file.write(adiabatic::render(changed).text);
             INFO(base.name << ": " << what);
             CHECK_FALSE(adiabatic_argument(file.path(), nullptr).holds);
             ++refused;
         };
         for (std::size_t i = 0; i < data->attained.size(); ++i) {
-            refuses("more attained", [&](AdiabaticCertificate& c) { c.attained[i].value *= 2; });
-            refuses("nearer than the margin", [&](AdiabaticCertificate& c) { c.attained[i].u /= 64; });
+            refuses("more attained", [&](adiabatic::Certificate& c) { c.attained[i].value *= 2; });
+            refuses("nearer than the margin", [&](adiabatic::Certificate& c) { c.attained[i].u /= 64; });
             if (i < data->bounds.size())
-                refuses("less than is attained", [&](AdiabaticCertificate& c) {
+                refuses("less than is attained", [&](adiabatic::Certificate& c) {
                     c.bounds[i] = c.attained[i].value * dumbbell::Rational(9, 10);
                 });
         }
         if (!data->bounds.empty()) {
-            refuses("no state at all", [](AdiabaticCertificate& c) { c.tree = {{std::nullopt, true, 0}}; });
-            refuses("a part is missing", [](AdiabaticCertificate& c) {
-                c.tree.insert(c.tree.begin(), {dumbbell::adiabatic::AdiabaticAxis::u, false, 0});
+            refuses("no state at all", [](adiabatic::Certificate& c) { c.tree = {{std::nullopt, true, 0}}; });
+            refuses("a part is missing", [](adiabatic::Certificate& c) {
+                c.tree.insert(c.tree.begin(), {adiabatic::Axis::u, false, 0});
                 c.tree.push_back({std::nullopt, true, 0});
             });
         }
         for (std::size_t i = 0; i < data->classes.size(); ++i) {
-            refuses("no density", [&](AdiabaticCertificate& c) {
+            refuses("no density", [&](adiabatic::Certificate& c) {
                 for (auto& cell : c.classes[i].cells) cell.v = 0;
             });
             refuses("J too small",
-                    [&](AdiabaticCertificate& c) { c.classes[i].least_share = dumbbell::Rational(3, 4); });
-            refuses("no flight at all", [&](AdiabaticCertificate& c) {
+                    [&](adiabatic::Certificate& c) { c.classes[i].least_share = dumbbell::Rational(3, 4); });
+            refuses("no flight at all", [&](adiabatic::Certificate& c) {
                 c.classes[i].tree = {{std::nullopt, true, 0}};
             });
         }

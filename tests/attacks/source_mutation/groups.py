@@ -119,8 +119,8 @@ GROUPS = {
         targets=("test_staircase",),
         programs=("tests/rooms/staircase/test_staircase",)),
     "starts": Group(
-        files=below("starts", "leaf initial_state reader subdivide trace witness_start writer",
-                    "initial_state:initial_state subdivide:subdivide"),
+        files=below("starts", "leaf box_state reader subdivide trace witness_start writer",
+                    "box_state:box_state subdivide:subdivide"),
         left_out=frozenset(),
         targets=("test_starts",),
         programs=("tests/rooms/starts/test_starts",),

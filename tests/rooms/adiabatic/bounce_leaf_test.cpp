@@ -14,7 +14,7 @@ TEST_CASE("L38: both errors and the next contact are enclosed over boxes") {
         const Interval delta = samples.around(samples.log_uniform(1e-3, 0.1), width);
         const Interval u = samples.around(samples.uniform(1.2 * delta.hi(), 1.5), width);
         const Interval s = samples.around(samples.uniform(0, 0.97), width);
-        const adiabatic::AdiabaticBounce<Interval> bounce(u, s, adiabatic::AdiabaticMasses<Interval>(delta));
+        const adiabatic::Bounce<Interval> bounce(u, s, adiabatic::Masses<Interval>(delta));
         const PointMasses m(samples.in(delta));
         const long double x = half_turn / 2 - samples.in(u), fall = samples.in(s),
                           kappa = -m.delta * fall / m.beta2;

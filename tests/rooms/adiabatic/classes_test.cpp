@@ -7,8 +7,8 @@ using namespace dumbbell::adiabatic;
 
 namespace {
 
-AdiabaticHypotheses run_at(const Rational& lo, const Rational& hi) {
-    AdiabaticHypotheses of;
+Hypotheses run_at(const Rational& lo, const Rational& hi) {
+    Hypotheses of;
     of.delta = {lo, hi};
     of.heights = {Rational(0), Rational(9, 10)};
     of.margin = Rational(3, 10);
@@ -25,7 +25,7 @@ TEST_CASE(
         REQUIRE_FALSE(classes.empty());
         CHECK(classes.size() <= 64);
         Rational before = 0;
-        for (const AdiabaticClass& one : classes) {
+        for (const Class& one : classes) {
             CHECK(one.least_share > Rational(78, 100));
             CHECK(one.least_share > before);
             before = one.least_share;
@@ -42,10 +42,10 @@ TEST_CASE(
 }
 
 TEST_CASE("However near the vertical a margin is, the cells are as many as can be looked at, and decrease") {
-    AdiabaticHypotheses of = run_at(Rational(1, 100), Rational(1, 100));
+    Hypotheses of = run_at(Rational(1, 100), Rational(1, 100));
     for (const char* margin : {"1e-5", "1e-300", "1e-900"}) {
         of.margin = parse_rational(margin);
-        for (const AdiabaticClass& one : guess_classes(of)) {
+        for (const Class& one : guess_classes(of)) {
             CHECK(one.cells.size() < 300);
             for (std::size_t i = 1; i < one.cells.size(); ++i) {
                 CHECK(one.cells[i].u < one.cells[i - 1].u);
@@ -60,8 +60,8 @@ TEST_CASE("No class is guessed once it is interrupted") {
 }
 
 TEST_CASE("Slack makes every density greater") {
-    const AdiabaticClass one = guess_classes(run_at(Rational(1, 100), Rational(1, 100))).front();
-    const AdiabaticClass more = with_slack(one, 1.5);
+    const Class one = guess_classes(run_at(Rational(1, 100), Rational(1, 100))).front();
+    const Class more = with_slack(one, 1.5);
     REQUIRE(more.cells.size() == one.cells.size());
     for (std::size_t i = 0; i < one.cells.size(); ++i) {
         CHECK(more.cells[i].u == one.cells[i].u);

@@ -14,7 +14,7 @@ TEST_CASE("L33: the share of the mean invariant and its half step are enclosed o
         const Interval x = samples.around(samples.uniform(0.01, 1.3), 0.05);
         const double k = samples.uniform(-0.2, 0.1);
         const Interval slope(std::min(k, k * 1.1), std::max(k, k * 1.1));
-        const AdiabaticMasses<Interval> masses(delta);
+        const Masses<Interval> masses(delta);
         const PointMasses m(samples.in(delta));
         const long double at = samples.in(x), kappa = samples.in(slope), w = std::cos(at);
         const auto contact = light_contact(x, masses.beta2);

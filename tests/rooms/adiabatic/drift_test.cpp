@@ -9,11 +9,11 @@ using namespace dumbbell_test;
 
 namespace {
 
-struct Box {
+struct Flown {
     Interval upper, sigma, delta;
 };
 
-Box draw(Samples& samples, double width) {
+Flown draw(Samples& samples, double width) {
     return {samples.around(samples.uniform(0.2, 1.35), width),
             samples.around(samples.uniform(0.01, 2), width),
             samples.around(samples.log_uniform(1e-3, 0.08), width)};
@@ -25,7 +25,7 @@ struct Flight {
     long double upper, sigma, k, height;
     bool real;
 
-    Flight(Samples& samples, const Box& box)
+    Flight(Samples& samples, const Flown& box)
         : m(samples.in(box.delta)), upper(samples.in(box.upper)), sigma(samples.in(box.sigma)) {
         k = sigma * std::sqrt(m.r);
         height = std::sin(upper) - k * (half_turn / 2 + upper);
@@ -39,8 +39,8 @@ TEST_CASE("L34: the roots X(lambda) lie between their bounds, over boxes of flig
     Samples samples(3);
     int tried = 0;
     for (int i = 0; i < 3000; ++i) {
-        const Box box = draw(samples, samples.log_uniform(1e-12, 0.1));
-        const LightFlights<Interval> flights(box.upper, box.sigma, AdiabaticMasses<Interval>(box.delta));
+        const Flown box = draw(samples, samples.log_uniform(1e-12, 0.1));
+        const LightFlights<Interval> flights(box.upper, box.sigma, Masses<Interval>(box.delta));
         const Flight flight(samples, box);
         if (!flight.real) continue;
         for (const double lambda : {-1.0, -0.5, 0.0, 0.75, 1.0}) {
@@ -58,8 +58,8 @@ TEST_CASE("L34, L35: the sums over the parts enclose the drift, and the growth o
     Samples samples(4);
     int tried = 0;
     for (int i = 0; i < 1500; ++i) {
-        const Box box = draw(samples, samples.log_uniform(1e-12, 0.01));
-        const LightFlights<Interval> flights(box.upper, box.sigma, AdiabaticMasses<Interval>(box.delta));
+        const Flown box = draw(samples, samples.log_uniform(1e-12, 0.01));
+        const LightFlights<Interval> flights(box.upper, box.sigma, Masses<Interval>(box.delta));
         const Flight flight(samples, box);
         if (!flight.real) continue;
         const auto sums = drift_sums(flights, [](const Interval&) { return Interval(1); });

@@ -9,10 +9,9 @@ using namespace dumbbell_test;
 
 namespace {
 
-AdiabaticVerdict judged(const Interval& u, const Interval& sigma, double density) {
-    const AdiabaticPotential<Interval> potential({{Interval(0.29), Interval(density)}});
-    return judge_flights(u, sigma, AdiabaticMasses<Interval>(Interval(0.01)), Interval(0.3), Interval(1.2),
-                         potential);
+Verdict judged(const Interval& u, const Interval& sigma, double density) {
+    const Potential<Interval> potential({{Interval(0.29), Interval(density)}});
+    return judge_flights(u, sigma, Masses<Interval>(Interval(0.01)), Interval(0.3), Interval(1.2), potential);
 }
 
 }  // namespace
@@ -56,7 +55,7 @@ TEST_CASE("L35: where a box is closed, (D) holds for its flights") {
         const double density = samples.log_uniform(1, 1000);
         const Interval u = samples.around(samples.uniform(0.32, 1.5), 0.01);
         const Interval sigma = samples.around(samples.uniform(0.01, 2), 0.01);
-        const AdiabaticVerdict verdict = judged(u, sigma, density);
+        const Verdict verdict = judged(u, sigma, density);
         if (verdict.outside || !verdict.closed()) continue;
         const PointMasses m(0.01);
         const long double upper = half_turn / 2 - samples.in(u), k = samples.in(sigma)*std::sqrt(m.r);

@@ -11,7 +11,7 @@ TEST_CASE("The masses of a range of delta enclose those of each delta, from 0 on
     for (int i = 0; i < 2000; ++i) {
         const double lo = samples.uniform(0, 1) < 0.1 ? 0 : samples.log_uniform(1e-6, 0.5);
         const Interval delta(lo, lo + samples.log_uniform(1e-9, 0.1));
-        const adiabatic::AdiabaticMasses<Interval> masses(delta);
+        const adiabatic::Masses<Interval> masses(delta);
         const PointMasses m(samples.in(delta));
         CAPTURE(lo, static_cast<double>(m.delta));
         CHECK(holds(masses.beta2, m.beta2));

@@ -31,7 +31,7 @@ TEST_CASE("An enclosed orbit contains the simulated one, collision by collision,
     for (int i = 0; i < 40; ++i) {
         const double delta = samples.log_uniform(0.003, 0.05), u = samples.uniform(0.3, 1.2),
                      s = samples.uniform(0, 1);
-        AdiabaticOrbit<Interval> orbit{Interval(u), Interval(s), Interval(delta)};
+        Orbit<Interval> orbit{Interval(u), Interval(s), Interval(delta)};
         const PointMasses m(delta);
         Point point{m, half_turn / 2 - u, -m.delta * s / m.beta2};
         const long double first = f_at(point.x, m);
@@ -49,14 +49,14 @@ TEST_CASE("An enclosed orbit contains the simulated one, collision by collision,
 
 TEST_CASE("An orbit begins where its reversed ray misses, and ends where it leaves over the peak") {
     // Far from the vertical another collision came before.
-    CHECK_FALSE(AdiabaticOrbit<Interval>(Interval(0.5), Interval(1), Interval(0.01)).certainly_begins());
-    CHECK(AdiabaticOrbit<Interval>(Interval(0.2), Interval(1), Interval(0.01)).certainly_begins());
-    CHECK_FALSE(AdiabaticOrbit<Interval>(Interval(0.2), Interval(1), Interval(0.01)).certainly_ends());
+    CHECK_FALSE(Orbit<Interval>(Interval(0.5), Interval(1), Interval(0.01)).certainly_begins());
+    CHECK(Orbit<Interval>(Interval(0.2), Interval(1), Interval(0.01)).certainly_begins());
+    CHECK_FALSE(Orbit<Interval>(Interval(0.2), Interval(1), Interval(0.01)).certainly_ends());
     // So near the vertical the rod goes on in its old direction.
-    CHECK(AdiabaticOrbit<Interval>(Interval(0.001), Interval(0.1), Interval(0.01)).certainly_ends());
+    CHECK(Orbit<Interval>(Interval(0.001), Interval(0.1), Interval(0.01)).certainly_ends());
 }
 
 TEST_CASE("No step is made from a contact at the height of the bridge") {
-    AdiabaticOrbit<Interval> orbit(Interval(1.5707), Interval(0), Interval(0.1));
+    Orbit<Interval> orbit(Interval(1.5707), Interval(0), Interval(0.1));
     CHECK_FALSE(orbit.advance());
 }

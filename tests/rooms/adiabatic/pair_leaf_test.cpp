@@ -9,13 +9,13 @@ using namespace dumbbell_test;
 
 namespace {
 
-AdiabaticPair<Interval> pair_of(double u, double s, double v, double delta) {
-    return {Interval(u), Interval(s), Interval(v), AdiabaticMasses<Interval>(Interval(delta))};
+Pair<Interval> pair_of(double u, double s, double v, double delta) {
+    return {Interval(u), Interval(s), Interval(v), Masses<Interval>(Interval(delta))};
 }
 
 /// S conserved: a density of 0.
-const AdiabaticPotential<Interval>& no_drift() {
-    static const AdiabaticPotential<Interval> potential({{Interval(0.01), Interval(0)}});
+const Potential<Interval>& no_drift() {
+    static const Potential<Interval> potential({{Interval(0.01), Interval(0)}});
     return potential;
 }
 

@@ -8,17 +8,17 @@ using namespace dumbbell_test;
 
 namespace {
 
-using Potential = adiabatic::AdiabaticPotential<Interval>;
+using Density = adiabatic::Potential<Interval>;
 
-Potential three_cells() {
-    return Potential(
+Density three_cells() {
+    return Density(
         {{Interval(1.0), Interval(2.0)}, {Interval(0.5), Interval(8.0)}, {Interval(0.25), Interval(4.0)}});
 }
 
 }  // namespace
 
 TEST_CASE("The least density is that of all cells that an interval meets, at their ends too") {
-    const Potential potential = three_cells();
+    const Density potential = three_cells();
     const auto density = [&](double lo, double hi) { return potential.least_density(Interval(lo, hi)).lo(); };
     CHECK(density(1.1, 1.5) == 2);
     CHECK(density(0.6, 0.9) == 8);
@@ -30,13 +30,13 @@ TEST_CASE("The least density is that of all cells that an interval meets, at the
 }
 
 TEST_CASE("Below the last cell there is no density") {
-    const Potential potential = three_cells();
+    const Density potential = three_cells();
     CHECK(potential.least_density(Interval(0.24, 0.3)).lo() == 0);
     CHECK(potential.least_density(Interval(0.1, 0.2)).lo() == 0);
 }
 
 TEST_CASE("The potential is the integral of the density from the angle to pi/2, bounded from above") {
-    const Potential potential = three_cells();
+    const Density potential = three_cells();
     const auto value = [&](double u) { return potential.greatest_value(Interval(u)).hi(); };
     CHECK(value(1.0) == Approx(2 * (11.0 / 7 - 1)));
     CHECK(value(0.75) == Approx(2 * (11.0 / 7 - 1) + 8 * 0.25));

@@ -11,21 +11,20 @@ using namespace dumbbell::adiabatic;
 
 namespace {
 
-AdiabaticRequest request(AdiabaticClaim claim, const Rational& lo, const Rational& hi,
-                         const Rational& margin) {
-    AdiabaticRequest result;
+Request request(Claim claim, const Rational& lo, const Rational& hi, const Rational& margin) {
+    Request result;
     result.of.claim = claim;
     result.of.delta = {lo, hi};
-    result.of.heights = {Rational(0), claim == AdiabaticClaim::run ? Rational(9, 10) : Rational(1)};
+    result.of.heights = {Rational(0), claim == Claim::run ? Rational(9, 10) : Rational(1)};
     result.of.margin = margin;
     return result;
 }
 
-double ratio(const AdiabaticProof& proof, std::size_t i = 0) {
+double ratio(const Proof& proof, std::size_t i = 0) {
     return Rational(proof.bounds.at(i) / proof.attained.at(i).value).convert_to<double>();
 }
 
-std::string refusal(AdiabaticHypotheses of) {
+std::string refusal(Hypotheses of) {
     try {
         require_sensible(of);
     } catch (const InputError& error) {
@@ -38,31 +37,29 @@ std::string refusal(AdiabaticHypotheses of) {
 
 TEST_CASE(
     "Theorem 3.3 at delta = 0.01: the bound is within 1.25 of an orbit, whatever the number of threads") {
-    AdiabaticRequest one = request(AdiabaticClaim::run, Rational(1, 100), Rational(1, 100), Rational(3, 10));
-    const AdiabaticProof proof = prove_adiabatic(one);
+    Request one = request(Claim::run, Rational(1, 100), Rational(1, 100), Rational(3, 10));
+    const Proof proof = prove(one);
     REQUIRE(proof.complete());
     CHECK(ratio(proof) < 1.25);
     CHECK(ratio(proof) >= 1);
     one.jobs = 3;
-    const AdiabaticProof again = prove_adiabatic(one);
+    const Proof again = prove(one);
     CHECK(again.bounds == proof.bounds);
     CHECK(again.tree == proof.tree);
     CHECK(again.attained.at(0).u == proof.attained.at(0).u);
 }
 
 TEST_CASE("Theorem 3.3 for a whole interval of delta, that begins at 0") {
-    const AdiabaticProof proof =
-        prove_adiabatic(request(AdiabaticClaim::run, Rational(0), Rational(1, 200), Rational(1, 2)));
+    const Proof proof = prove(request(Claim::run, Rational(0), Rational(1, 200), Rational(1, 2)));
     REQUIRE(proof.complete());
     CHECK(ratio(proof) < 1.25);
 }
 
 TEST_CASE("Lemma 3.1 and Corollary 3.2 at delta = 0.01: within 1.25 of a state") {
     for (const int exponent : {0, 4, 8, 12}) {
-        AdiabaticRequest one =
-            request(AdiabaticClaim::bounce, Rational(1, 100), Rational(1, 100), Rational(1));
+        Request one = request(Claim::bounce, Rational(1, 100), Rational(1, 100), Rational(1));
         one.of.exponent = exponent;
-        const AdiabaticProof proof = prove_adiabatic(one);
+        const Proof proof = prove(one);
         CAPTURE(exponent);
         REQUIRE(proof.complete());
         CHECK(ratio(proof, 0) < 1.25);
@@ -71,19 +68,18 @@ TEST_CASE("Lemma 3.1 and Corollary 3.2 at delta = 0.01: within 1.25 of a state")
 }
 
 TEST_CASE("Theorem 3.5 at delta = 0.01 within 2 of an orbit") {
-    const AdiabaticProof proof = prove_adiabatic(
-        request(AdiabaticClaim::scattering, Rational(1, 100), Rational(1, 100), Rational(1, 2)));
+    const Proof proof = prove(request(Claim::scattering, Rational(1, 100), Rational(1, 100), Rational(1, 2)));
     REQUIRE(proof.complete());
     CHECK(ratio(proof) < 2);
 }
 
 TEST_CASE("A long orbit ends where it is interrupted, in the search and in its enclosure") {
     const Rational least(1, 1'000'000);
-    AdiabaticSearch search;
-    search.of = request(AdiabaticClaim::run, least, least, Rational(3, 10)).of;
+    Search search;
+    search.of = request(Claim::run, least, least, Rational(3, 10)).of;
     int asked = 0;
     search.interrupted = [&] { return ++asked == 3; };
-    AdiabaticSample sample = simulated(search, 0.6, 1, 0);
+    Sample sample = simulated(search, 0.6, 1, 0);
     CHECK(asked == 3);
     CHECK(sample.n > 256);
     CHECK(sample.n < 3 * 256);
@@ -94,17 +90,17 @@ TEST_CASE("A long orbit ends where it is interrupted, in the search and in its e
 }
 
 TEST_CASE("What is interrupted claims nothing") {
-    AdiabaticRequest one = request(AdiabaticClaim::run, Rational(1, 100), Rational(1, 100), Rational(3, 10));
+    Request one = request(Claim::run, Rational(1, 100), Rational(1, 100), Rational(3, 10));
     one.interrupted = [] { return true; };
-    const AdiabaticProof proof = prove_adiabatic(one);
+    const Proof proof = prove(one);
     CHECK_FALSE(proof.complete());
     CHECK(proof.bounds.empty());
 }
 
 TEST_CASE("An orbit is attained only if it satisfies the hypotheses") {
-    AdiabaticSearch search;
-    search.of = request(AdiabaticClaim::run, Rational(1, 100), Rational(1, 100), Rational(3, 10)).of;
-    AdiabaticSample sample = simulated(search, 0.5, 1, 0);
+    Search search;
+    search.of = request(Claim::run, Rational(1, 100), Rational(1, 100), Rational(3, 10)).of;
+    Sample sample = simulated(search, 0.5, 1, 0);
     REQUIRE(sample.n > 10);
     const auto state = attained(search, sample);
     REQUIRE(state);
@@ -118,11 +114,10 @@ TEST_CASE("An orbit is attained only if it satisfies the hypotheses") {
 }
 
 TEST_CASE("Hypotheses that make no sense are refused with what to do") {
-    const AdiabaticHypotheses good =
-        request(AdiabaticClaim::run, Rational(1, 100), Rational(1, 100), Rational(3, 10)).of;
+    const Hypotheses good = request(Claim::run, Rational(1, 100), Rational(1, 100), Rational(3, 10)).of;
     CHECK(refusal(good).empty());
     const auto with = [&](const auto& change) {
-        AdiabaticHypotheses of = good;
+        Hypotheses of = good;
         change(of);
         return refusal(of);
     };
@@ -135,7 +130,7 @@ TEST_CASE("Hypotheses that make no sense are refused with what to do") {
                }),
                Contains("--delta must lie between 0 and 1/2"));
     CHECK_THAT(with([](auto& of) {
-                   of.claim = AdiabaticClaim::bounce;
+                   of.claim = Claim::bounce;
                    of.delta.first = 0;
                }),
                Contains("thm3.3 only"));
@@ -145,13 +140,13 @@ TEST_CASE("Hypotheses that make no sense are refused with what to do") {
                }),
                Contains("at least 1e-6") && Contains("a range 0:D"));
     CHECK_THAT(with([&](auto& of) {
-                   of.claim = AdiabaticClaim::scattering;
+                   of.claim = Claim::scattering;
                    of.delta.first = tiny;
                }),
                Contains("at least 1e-6") && !Contains("0:D"));
     const auto bounce_from = [&](const Rational& delta) {
         return with([&](auto& of) {
-            of.claim = AdiabaticClaim::bounce;
+            of.claim = Claim::bounce;
             of.delta.first = delta;
         });
     };

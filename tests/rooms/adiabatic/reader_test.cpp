@@ -11,45 +11,43 @@ using namespace dumbbell_test;
 
 namespace {
 
-AdiabaticCertificate of_claim(AdiabaticClaim claim) {
-    const AdiabaticNode outside{std::nullopt, true, 0}, bound{std::nullopt, false, 0},
-        second{std::nullopt, false, 1};
-    AdiabaticCertificate certificate;
+Certificate of_claim(Claim claim) {
+    const Node outside{std::nullopt, true, 0}, bound{std::nullopt, false, 0}, second{std::nullopt, false, 1};
+    Certificate certificate;
     certificate.generator = {"dumbbell", "0.1.0"};
     certificate.hypotheses.claim = claim;
     certificate.hypotheses.delta = {Rational(0), Rational(1, 100)};
     certificate.hypotheses.margin = Rational(3, 10);
-    const AdiabaticState state{Rational(1, 2), Rational(1), Rational(1, 100), 63, Rational(31, 2)};
+    const State state{Rational(1, 2), Rational(1), Rational(1, 100), 63, Rational(31, 2)};
     certificate.attained = {state};
-    if (claim == AdiabaticClaim::bounce || claim == AdiabaticClaim::run) {
+    if (claim == Claim::bounce || claim == Claim::run) {
         certificate.hypotheses.heights = {Rational(0), Rational(9, 10)};
     }
-    if (claim == AdiabaticClaim::bounce) {
+    if (claim == Claim::bounce) {
         certificate.bounds = {Rational(2), Rational(23, 2)};
-        certificate.tree = {{AdiabaticAxis::s, false, 0}, bound, outside};
+        certificate.tree = {{Axis::s, false, 0}, bound, outside};
         certificate.hypotheses.exponent = 4;
         certificate.attained.push_back(state);
     } else {
         certificate.bounds = {Rational(17)};
         certificate.classes = {
             {Rational(6, 5), {{Rational(1), Rational(2)}, {Rational(1, 4), Rational(0)}}, {bound}},
-            {Rational(7), {}, {{AdiabaticAxis::sigma, false, 0}, outside, bound}}};
-        certificate.tree = {{AdiabaticAxis::v, false, 0}, outside, second};
+            {Rational(7), {}, {{Axis::sigma, false, 0}, outside, bound}}};
+        certificate.tree = {{Axis::v, false, 0}, outside, second};
     }
     return certificate;
 }
 
-AdiabaticCertificate read_text(const std::string& text) {
+Certificate read_text(const std::string& text) {
     const TemporaryFolder folder;
     write_file(folder / "file.dbc", text);
-    return read_adiabatic_certificate(folder / "file.dbc");
+    return read_certificate(folder / "file.dbc");
 }
 
 }  // namespace
 
 TEST_CASE("adiabatic claims of each kind that were written and read are written the same again") {
-    for (const AdiabaticClaim claim :
-         {AdiabaticClaim::bounce, AdiabaticClaim::run, AdiabaticClaim::scattering}) {
+    for (const Claim claim : {Claim::bounce, Claim::run, Claim::scattering}) {
         const std::string text = render(of_claim(claim)).text;
         CAPTURE(text);
         CHECK(render(read_text(text)).text == text);
@@ -57,7 +55,7 @@ TEST_CASE("adiabatic claims of each kind that were written and read are written 
 }
 
 TEST_CASE("what is no certificate of the adiabatic invariant is refused with file and line") {
-    const std::string good = render(of_claim(AdiabaticClaim::run)).text;
+    const std::string good = render(of_claim(Claim::run)).text;
     const std::vector<std::pair<std::string, std::string>> changes{
         {"claim adiabatic-run", "claim adiabatic-walk"},
         {"claim adiabatic-run", "claim adiabatic-printed"},
@@ -78,7 +76,7 @@ TEST_CASE("what is no certificate of the adiabatic invariant is refused with fil
 }
 
 TEST_CASE("a file about the adiabatic invariant that ends early is refused") {
-    const std::string good = render(of_claim(AdiabaticClaim::scattering)).text;
+    const std::string good = render(of_claim(Claim::scattering)).text;
     for (std::size_t length = 0; length < good.find("total"); length += 5) {
         CAPTURE(length);
         CHECK_THROWS_AS(read_text(good.substr(0, length)), InputError);

@@ -9,8 +9,8 @@ using dumbbell_test::parsed;
 
 namespace {
 
-AdiabaticReport report_of(AdiabaticClaim claim) {
-    AdiabaticProof proof;
+Report report_of(Claim claim) {
+    Proof proof;
     proof.of.claim = claim;
     proof.of.delta = {Rational(1, 1000), Rational(1, 100)};
     proof.of.heights = {Rational(0), Rational(9, 10)};
@@ -18,7 +18,7 @@ AdiabaticReport report_of(AdiabaticClaim claim) {
     proof.leaves = 7;
     proof.attained = {{Rational(1, 2), Rational(1), Rational(1, 100), 63, Rational(15)}};
     proof.bounds = {Rational(167, 10)};
-    if (claim == AdiabaticClaim::bounce) {
+    if (claim == Claim::bounce) {
         proof.bounds.emplace_back(12);
         proof.attained.push_back(proof.attained[0]);
     }
@@ -28,7 +28,7 @@ AdiabaticReport report_of(AdiabaticClaim claim) {
 }  // namespace
 
 TEST_CASE("The report says for which states, what is proved, and what one orbit attains") {
-    const std::string text = to_text(report_of(AdiabaticClaim::run));
+    const std::string text = to_text(report_of(Claim::run));
     CHECK_THAT(
         text, Contains("For every delta in [0.001, 0.01], epsilon = delta^2") &&
                   Contains("|phidot| = 1 and -delta <= ydot <= 0") && Contains("height y from 0 to 0.9") &&
@@ -40,7 +40,7 @@ TEST_CASE("The report says for which states, what is proved, and what one orbit 
 }
 
 TEST_CASE("An orbit's numbers are short, and said to be about right unless they are exact") {
-    AdiabaticReport report = report_of(AdiabaticClaim::run);
+    Report report = report_of(Claim::run);
     report.results[0].proof.attained[0].u = exact(0.050000049999999997);
     report.results[0].proof.attained[0].s = exact(0.91666666666666663);
     CHECK_THAT(to_text(report),
@@ -50,20 +50,19 @@ TEST_CASE("An orbit's numbers are short, and said to be about right unless they 
 }
 
 TEST_CASE("A bound that is not as near as was aimed at is still said to be proved") {
-    AdiabaticReport report = report_of(AdiabaticClaim::run);
+    Report report = report_of(Claim::run);
     report.results[0].proof.coarser = true;
     CHECK_THAT(to_text(report), Contains("The bound is proved; it exceeds what is attained by more than"));
 }
 
 TEST_CASE("The units are those of each statement") {
-    CHECK_THAT(to_text(report_of(AdiabaticClaim::scattering)),
-               Contains("|I_N - I_0| <= 16.7 sqrt(delta)") &&
-                   Contains(">= 0.3 sqrt(delta) from the vertical") &&
-                   Contains("the heavy mass is not touched"));
-    CHECK_THAT(to_text(report_of(AdiabaticClaim::bounce)), Contains("<= 16.7 delta\n") &&
-                                                               Contains("<= 12 * 2 delta^(3/2)\n") &&
-                                                               Contains("0.3 delta^(1/2)"));
-    AdiabaticReport all = report_of(AdiabaticClaim::bounce);
+    CHECK_THAT(to_text(report_of(Claim::scattering)), Contains("|I_N - I_0| <= 16.7 sqrt(delta)") &&
+                                                          Contains(">= 0.3 sqrt(delta) from the vertical") &&
+                                                          Contains("the heavy mass is not touched"));
+    CHECK_THAT(to_text(report_of(Claim::bounce)), Contains("<= 16.7 delta\n") &&
+                                                      Contains("<= 12 * 2 delta^(3/2)\n") &&
+                                                      Contains("0.3 delta^(1/2)"));
+    Report all = report_of(Claim::bounce);
     all.results[0].proof.of.exponent = 0;
     CHECK_THAT(to_text(all),
                Contains("<= 16.7 delta^2\n") && Contains("<= 12 * 2 delta^2\n") && Contains(">= 0.3 from"));
@@ -72,13 +71,13 @@ TEST_CASE("The units are those of each statement") {
     CHECK(parsed(to_json(all)).at("results").at(0).at("errors").at(0).at("unit") == "1");
     all.results.push_back(all.results[0]);
     CHECK_THAT(to_text(all), !Contains("16.7 1"));
-    AdiabaticReport from_zero = report_of(AdiabaticClaim::run);
+    Report from_zero = report_of(Claim::run);
     from_zero.results[0].proof.of.delta.first = 0;
     CHECK_THAT(to_text(from_zero), Contains("For every delta in (0, 0.01], "));
 }
 
 TEST_CASE("What was not certified is said to be so") {
-    AdiabaticReport report = report_of(AdiabaticClaim::run);
+    Report report = report_of(Claim::run);
     report.results[0].proof.bounds.clear();
     CHECK_THAT(to_text(report),
                Contains("no bound was certified") && Contains("attained") && !Contains("upper/lower"));
@@ -86,7 +85,7 @@ TEST_CASE("What was not certified is said to be so") {
 }
 
 TEST_CASE("Several distances make a table") {
-    AdiabaticReport report = report_of(AdiabaticClaim::run);
+    Report report = report_of(Claim::run);
     report.results.push_back(report.results[0]);
     report.results[1].proof.of.margin = Rational(1, 2);
     CHECK_THAT(to_text(report), Contains("distance") &&
@@ -95,7 +94,7 @@ TEST_CASE("Several distances make a table") {
 }
 
 TEST_CASE("The JSON holds the exact numbers") {
-    const auto json = parsed(to_json(report_of(AdiabaticClaim::run)));
+    const auto json = parsed(to_json(report_of(Claim::run)));
     const auto& result = json.at("results").at(0);
     CHECK(result.at("claim") == "adiabatic-run");
     CHECK(result.at("y").at("hi") == "9/10");

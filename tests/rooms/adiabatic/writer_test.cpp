@@ -8,18 +8,17 @@ using namespace dumbbell::adiabatic;
 
 namespace {
 
-AdiabaticCertificate small_run() {
-    AdiabaticCertificate certificate;
+Certificate small_run() {
+    Certificate certificate;
     certificate.generator = {"dumbbell", "0.1.0"};
     certificate.hypotheses.delta = {Rational(1, 100), Rational(1, 100)};
     certificate.hypotheses.heights = {Rational(0), Rational(9, 10)};
     certificate.hypotheses.margin = Rational(3, 10);
     certificate.bounds = {Rational(17)};
-    const AdiabaticNode outside{std::nullopt, true, 0}, bound{std::nullopt, false, 0},
-        second{std::nullopt, false, 1};
+    const Node outside{std::nullopt, true, 0}, bound{std::nullopt, false, 0}, second{std::nullopt, false, 1};
     certificate.classes = {
         {Rational(6, 5), {{Rational(1), Rational(2)}, {Rational(1, 4), Rational(0)}}, {bound}}};
-    certificate.tree = {{AdiabaticAxis::v, false, 0}, outside, second};
+    certificate.tree = {{Axis::v, false, 0}, outside, second};
     certificate.attained = {{Rational(1, 2), Rational(1), Rational(1, 100), 63, Rational(31, 2)}};
     return certificate;
 }
@@ -56,18 +55,18 @@ total outside 1
 }
 
 TEST_CASE("The claims differ in their lines") {
-    AdiabaticCertificate certificate = small_run();
-    certificate.hypotheses.claim = AdiabaticClaim::scattering;
+    Certificate certificate = small_run();
+    certificate.hypotheses.claim = Claim::scattering;
     CHECK_THAT(render(certificate).text,
                Contains("claim adiabatic-scattering\ndelta 1/100 1/100\nmargin 3/10\nbits"));
-    certificate.hypotheses.claim = AdiabaticClaim::bounce;
+    certificate.hypotheses.claim = Claim::bounce;
     certificate.bounds = {Rational(2), Rational(12)};
     CHECK_THAT(render(certificate).text,
                Contains("margin 3/10\nexponent 8\nbits 53\nbound 2/1 12/1\nsplit v\noutside\nbound\n"));
 }
 
 TEST_CASE("A tree that is not complete, or goes on, is never written") {
-    AdiabaticCertificate certificate = small_run();
+    Certificate certificate = small_run();
     certificate.tree.pop_back();
     CHECK_THROWS_AS(render(certificate), BrokenInvariant);
     certificate = small_run();

@@ -7,54 +7,52 @@
 #include "starts/incoming.hpp"
 
 using namespace dumbbell_test;
-using namespace dumbbell::adiabatic;
 using namespace dumbbell::collisions;
 using namespace dumbbell::page;
-using namespace dumbbell::starts;
 using Parsed = nlohmann::ordered_json;
 
 namespace {
 
-Parsed data_of(const certificates::AnyCertificate& certificate, std::size_t most_boxes = 200'000,
+Parsed data_of(const AnyCertificate& certificate, std::size_t most_boxes = 200'000,
                const std::string& path = "some/file.dbc") {
     return parsed(page_data({{path, "abc123", certificate}}, most_boxes));
 }
 
-Parsed file_of(const certificates::AnyCertificate& certificate) { return data_of(certificate)["files"][0]; }
+Parsed file_of(const AnyCertificate& certificate) { return data_of(certificate)["files"][0]; }
 
-InitialNode halved(InitialAxis axis) { return {axis, {}}; }
-InitialNode closed(long least, std::optional<long> most, std::optional<FirstContact> first = {}) {
+starts::Node halved(starts::Axis axis) { return {axis, {}}; }
+starts::Node closed(long least, std::optional<long> most, std::optional<starts::FirstContact> first = {}) {
     return {std::nullopt, {least, most, std::move(first)}};
 }
 
 // phi from 0 to 1, all else fixed; half of it has one collision, a quarter two, a quarter is left open or not
 // decided.
-InitialCertificate starts_file(InitialNode last) {
-    const FirstContact window{true, Rational(1, 2), Rational(3, 4)};
-    InitialCertificate certificate{{"dumbbell", "0.1.0"}, {}, 53, {}};
+starts::Certificate starts_file(starts::Node last) {
+    const starts::FirstContact window{true, Rational(1, 2), Rational(3, 4)};
+    starts::Certificate certificate{{"dumbbell", "0.1.0"}, {}, 53, {}};
     certificate.box.lo = {0, -1, 3, Rational(-1, 2), 10};
     certificate.box.hi = {1, -1, 3, Rational(-1, 2), 10};
-    certificate.tree = {halved(InitialAxis::phi), closed(1, 1, window), halved(InitialAxis::phi),
+    certificate.tree = {halved(starts::Axis::phi), closed(1, 1, window), halved(starts::Axis::phi),
                         closed(2, 2, window), std::move(last)};
     return certificate;
 }
 
-AdiabaticCertificate run_claim() {
-    AdiabaticCertificate certificate;
+adiabatic::Certificate run_claim() {
+    adiabatic::Certificate certificate;
     certificate.generator = {"dumbbell", "0.1.0"};
-    certificate.hypotheses = {AdiabaticClaim::run,
+    certificate.hypotheses = {adiabatic::Claim::run,
                               {Rational(0), Rational(1, 100)},
                               {Rational(0), Rational(9, 10)},
                               Rational(3, 10),
                               8};
     certificate.bounds = {Rational(1777, 100)};
-    const AdiabaticNode bound{};
-    AdiabaticNode outside;
+    const adiabatic::Node bound{};
+    adiabatic::Node outside;
     outside.outside = true;
-    AdiabaticNode split;
-    split.split = AdiabaticAxis::v;
+    adiabatic::Node split;
+    split.split = adiabatic::Axis::v;
     certificate.classes = {{Rational(7), {}, {split, bound, outside}}, {Rational(8), {}, {bound}}};
-    AdiabaticNode second;
+    adiabatic::Node second;
     second.by_class = 1;
     certificate.tree = {split, second, outside};
     certificate.attained = {{Rational(1, 2), 1, Rational(1, 100), 64, Rational(16)}};
@@ -177,9 +175,9 @@ TEST_CASE("initial conditions: kinds with their first mass, exact shares, bounds
 }
 
 TEST_CASE("incoming trajectories: the two coordinates of their section, and the mass ratio") {
-    InitialCertificate certificate = starts_file(closed(1, 3));
+    starts::Certificate certificate = starts_file(closed(1, 3));
     certificate.incoming = true;
-    certificate.box = incoming_box(10);
+    certificate.box = starts::incoming_box(10);
     const Parsed file = file_of(certificate);
     CHECK(file["claim"] == "incoming");
     CHECK(file["ratio"] == "10/1");
@@ -197,8 +195,8 @@ TEST_CASE("an open part leaves no upper bound, and no lower one but 0") {
 }
 
 TEST_CASE("a tree of initial conditions deeper than the format permits is refused, not computed with") {
-    InitialCertificate certificate = starts_file(closed(1, 1));
-    certificate.tree.assign(100'000, halved(InitialAxis::phi));
+    starts::Certificate certificate = starts_file(closed(1, 1));
+    certificate.tree.assign(100'000, halved(starts::Axis::phi));
     certificate.tree.insert(certificate.tree.end(), 100'001, closed(1, 1));
     CHECK_THROWS_WITH(file_of(certificate), Contains("levels deep"));
 }

@@ -23,7 +23,7 @@ TEST_CASE("a phase portrait unites the boxes of a count, and hatches what is not
 TEST_CASE(
     "what is not decided is hatched behind the regions: no region hides it, and an open leaf is not "
     "decided") {
-    InitialCertificate certificate = sample_initial();
+    starts::Certificate certificate = sample_initial();
     certificate.tree = {open_leaf()};
     const std::string svg = phase_svg(certificate);
     CHECK(well_formed(svg));
@@ -38,10 +38,10 @@ TEST_CASE("the same certificate gives the same bytes") {
 }
 
 TEST_CASE("boxes beyond a picture's fineness are drawn, rounded") {
-    InitialCertificate certificate = sample_initial();
+    starts::Certificate certificate = sample_initial();
     certificate.tree.clear();
     for (int i = 0; i < 60; ++i) {
-        certificate.tree.push_back(initial_split(InitialAxis::phi));
+        certificate.tree.push_back(initial_split(starts::Axis::phi));
         certificate.tree.push_back(exactly(i % 2));
     }
     certificate.tree.push_back(exactly(3));

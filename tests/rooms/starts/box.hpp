@@ -11,7 +11,7 @@ struct Sides {
     double phi_lo, phi_hi, phidot_lo, phidot_hi, y_lo, y_hi, ydot_lo, ydot_hi;
     double q;
 
-    [[nodiscard]] dumbbell::starts::InitialBox box() const {
+    [[nodiscard]] dumbbell::starts::Box box() const {
         using dumbbell::exact;
         return {{exact(phi_lo), exact(phidot_lo), exact(y_lo), exact(ydot_lo), exact(q)},
                 {exact(phi_hi), exact(phidot_hi), exact(y_hi), exact(ydot_hi), exact(q)}};
@@ -19,10 +19,10 @@ struct Sides {
 };
 
 /// A single start.
-inline dumbbell::starts::InitialBox point(const dumbbell::Rational& phi, const dumbbell::Rational& phidot,
-                                          const dumbbell::Rational& y, const dumbbell::Rational& ydot,
-                                          const dumbbell::Rational& q) {
-    const std::array<dumbbell::Rational, dumbbell::starts::initial_axes> at{phi, phidot, y, ydot, q};
+inline dumbbell::starts::Box point(const dumbbell::Rational& phi, const dumbbell::Rational& phidot,
+                                   const dumbbell::Rational& y, const dumbbell::Rational& ydot,
+                                   const dumbbell::Rational& q) {
+    const std::array<dumbbell::Rational, dumbbell::starts::axis_count> at{phi, phidot, y, ydot, q};
     return {at, at};
 }
 

@@ -13,12 +13,12 @@ using namespace dumbbell::starts;
 namespace {
 
 /// phi in [0, 3], phidot in [-1/2, 1/2], y = 3/2, ydot = -1.
-InitialBox falling() {
+Box falling() {
     return {{Rational(0), Rational(-1, 2), Rational(3, 2), Rational(-1), Rational(10)},
             {Rational(3), Rational(1, 2), Rational(3, 2), Rational(-1), Rational(10)}};
 }
 
-InitialCertificate certificate_of(const InitialBox& box, const Subdivision& parts) {
+Certificate certificate_of(const Box& box, const Subdivision& parts) {
     return {.generator = {"dumbbell", "0.1.0"}, .box = box, .bits = 53, .tree = parts.tree};
 }
 
@@ -86,7 +86,7 @@ TEST_CASE("Ninety-nine hundredths of the box of the help text are decided") {
 }
 
 TEST_CASE("A box with one number of collisions is a single leaf") {
-    InitialBox box = falling();
+    Box box = falling();
     box.lo = {Rational(1, 2), Rational(9, 10), Rational(2), Rational(1), Rational(10)};
     box.hi = {Rational(6, 10), Rational(1), Rational(3), Rational(2), Rational(11)};
     const auto parts = subdivide(box, {});

@@ -7,7 +7,7 @@
 #include "attacks/oracle/trial.hpp"
 #include "box.hpp"
 #include "catch.hpp"
-#include "starts/initial_state.hpp"
+#include "starts/box_state.hpp"
 #include "starts/trace.hpp"
 
 namespace {

@@ -13,19 +13,19 @@ using dumbbell_trace_test::point;
 
 namespace {
 
-std::optional<Rational> corner_time(const InitialBox& box) {
+std::optional<Rational> corner_time(const Box& box) {
     const auto event = exact_event(box);
     return event && event->kind != ExactKind::graze ? event->time : std::nullopt;
 }
 
 // Whether a mass is at the floor or below it before the time at which both are.
-bool touches_before(const InitialBox& box, double time) {
-    const auto at = [&](InitialAxis axis) { return box.lower(axis).convert_to<double>(); };
-    const double q = at(InitialAxis::ratio);
+bool touches_before(const Box& box, double time) {
+    const auto at = [&](Axis axis) { return box.lower(axis).convert_to<double>(); };
+    const double q = at(Axis::ratio);
     for (int i = 0; i < 10'000; ++i) {
         const double t = time * i / 10'000;
-        const double sine = std::sin(at(InitialAxis::phi) + at(InitialAxis::phidot) * t);
-        const double y = at(InitialAxis::y) + at(InitialAxis::ydot) * t;
+        const double sine = std::sin(at(Axis::phi) + at(Axis::phidot) * t);
+        const double y = at(Axis::y) + at(Axis::ydot) * t;
         if (y + q / (1 + q) * sine <= 0 || y - sine / (1 + q) <= 0) {
             return true;
         }
@@ -52,7 +52,7 @@ TEST_CASE("a rod that turns level just when it comes down falls flat, unless a m
 }
 
 TEST_CASE("a box falls flat if all of it is level and does not turn, whatever its heights and mass ratios") {
-    InitialBox box = point(0, 0, 3, -1, 10);
+    Box box = point(0, 0, 3, -1, 10);
     box.hi[1] = Rational(1, 100);
     CHECK_FALSE(exact_event(box));
     box.hi[1] = 0;
@@ -69,7 +69,7 @@ TEST_CASE("a box falls flat if all of it is level and does not turn, whatever it
 }
 
 TEST_CASE("multiples of pi are level exactly, their bounds are not") {
-    InitialBox box = point(3, 0, 3, -1, 10);
+    Box box = point(3, 0, 3, -1, 10);
     std::tie(box.lo[0], box.hi[0]) = bounds({0, 1}, 128);
     CHECK_FALSE(exact_event(box));
     CHECK(exact_event(box, Angle{0, 1})->kind == ExactKind::flat);
@@ -96,7 +96,7 @@ TEST_CASE("in a flat fall neither mass touches before, and no precision decides 
             for (const int q : {1, 2, 10, 1000}) {
                 // Level at the time 1, where y = 0.
                 const Rational ydot(-climb, 4);
-                const InitialBox box = point(Rational(phi, 4), Rational(-phi, 4), -ydot, ydot, q);
+                const Box box = point(Rational(phi, 4), Rational(-phi, 4), -ydot, ydot, q);
                 const auto time = corner_time(box);
                 const bool sooner = touches_before(box, 1);
                 CAPTURE(phi, climb, q);

@@ -14,14 +14,14 @@ using dumbbell_trace_test::point;
 
 namespace {
 
-std::optional<Obstacle> obstacle_of(const InitialBox& box, int digits = 0) {
+std::optional<Obstacle> obstacle_of(const Box& box, int digits = 0) {
     const Trace traced = trace(box, digits);
     CHECK(traced.obstacle.has_value() != traced.exact());
     return traced.obstacle;
 }
 
 /// At the angle of a grazing contact of the light mass the start's y, so that it happens at the time 1.
-InitialBox grazing(double phidot, double ydot, double q, double off) {
+Box grazing(double phidot, double ydot, double q, double off) {
     const double beta2 = q / (1 + q);
     const double angle = -std::acos(-ydot / (beta2 * phidot));
     return point(exact(angle - phidot), exact(phidot), exact(-ydot - beta2 * std::sin(angle) + off),
@@ -48,7 +48,7 @@ TEST_CASE("next to a grazing contact an undecided start is said to be so") {
             for (const double ydot : {-0.3, 0.2}) {
                 const double sign = phidot > 0 ? 1 : -1;
                 CAPTURE(q, phidot, ydot);
-                const InitialBox box = grazing(sign * phidot, ydot, q, 0);
+                const Box box = grazing(sign * phidot, ydot, q, 0);
                 const auto found = obstacle_of(box);
                 CHECK((!found || *found == Obstacle::graze));
                 CHECK_FALSE(obstacle_of(grazing(sign * phidot, ydot, q, 1e-3)) == Obstacle::corner);
@@ -83,7 +83,7 @@ TEST_CASE("starts whose centre keeps the height of the light mass's half only gr
 }
 
 TEST_CASE("every undecided box of a subdivision is counted by what it is near to, most of them by name") {
-    InitialBox box;
+    Box box;
     box.lo = {0, Rational(1, 2), Rational(3, 2), -1, 10};
     box.hi = {3, Rational(1, 2), Rational(3, 2), -1, 10};
     const Subdivision one = subdivide(box, {.max_boxes = 500, .jobs = 1});

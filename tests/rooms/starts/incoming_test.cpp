@@ -37,18 +37,18 @@ TEST_CASE("a piece of the section becomes the same states here and in the verifi
     for (int i = 0; i < 300; ++i) {
         const double q = std::exp(uniform(engine, 0, 12)), s = uniform(engine, 0, 0.9),
                      x = uniform(engine, 0, 1.9);
-        InitialBox piece = incoming_box(exact(q));
+        Box piece = incoming_box(exact(q));
         piece.lo[0] = exact(x);
         piece.hi[0] = piece.lo[0] + Rational(1, 1024);
         piece.lo[1] = exact(s);
         piece.hi[1] = piece.lo[1] + Rational(1, 1024);
-        const InitialBox states = states_of_incoming(piece);
-        dumbbell_verify::InitialBox same;
-        for (std::size_t axis = 0; axis < initial_axes; ++axis) {
+        const Box states = states_of_incoming(piece);
+        dumbbell_verify::Box same;
+        for (std::size_t axis = 0; axis < axis_count; ++axis) {
             same.lo[axis] = mpq_class(piece.lo[axis].raw());
             same.hi[axis] = mpq_class(piece.hi[axis].raw());
         }
-        const dumbbell_verify::InitialBox checked = dumbbell_verify::incoming_states(same);
+        const dumbbell_verify::Box checked = dumbbell_verify::incoming_states(same);
         constexpr long double pi = 3.14159265358979323846264338327950288L;
         const auto below = [](long double a, long double b) { return a <= b * (1 + 1e-17L) + 1e-17L; };
         const auto tight = [](long double a, long double b) {
@@ -61,7 +61,7 @@ TEST_CASE("a piece of the section becomes the same states here and in the verifi
         CHECK(below(ends_of_spin[1], states.hi[1].convert_to<long double>()));
         CHECK(tight(states.hi[0].convert_to<long double>(), ends_of_phi[1]));
         CHECK(tight(states.lo[1].convert_to<long double>(), ends_of_spin[0]));
-        for (std::size_t axis = 0; axis < initial_axes; ++axis) {
+        for (std::size_t axis = 0; axis < axis_count; ++axis) {
             const Rational lo(checked.lo[axis].get_mpq_t()), hi(checked.hi[axis].get_mpq_t());
             CHECK(abs(lo - states.lo[axis]) < parse_rational("1e-45"));
             CHECK(abs(hi - states.hi[axis]) < parse_rational("1e-45"));
@@ -72,9 +72,9 @@ TEST_CASE("a piece of the section becomes the same states here and in the verifi
 }
 
 TEST_CASE("the verifier's bounds of pi and of the root contain them") {
-    InitialBox piece = incoming_box(2);  // s = 3/5: the root of 2 times 3/4
-    dumbbell_verify::InitialBox same;
-    for (std::size_t axis = 0; axis < initial_axes; ++axis) {
+    Box piece = incoming_box(2);  // s = 3/5: the root of 2 times 3/4
+    dumbbell_verify::Box same;
+    for (std::size_t axis = 0; axis < axis_count; ++axis) {
         same.lo[axis] = same.hi[axis] = mpq_class(piece.lo[axis].raw());
     }
     same.lo[0] = same.hi[0] = 1;
@@ -103,7 +103,7 @@ TEST_CASE("certificates about incoming trajectories are verified, with the same 
             std::get<dumbbell_verify::Initial>(dumbbell_verify::verify(file.path(), settings).other);
         CHECK(proof.paragraph().ends_with("\n" + share_lines(share_bounds(parts.tree))));
         CHECK(proof.text().starts_with("claim=incoming ratio="));
-        CHECK(render(read_initial_certificate(file.path())).sha256 == written.sha256);
+        CHECK(render(read_certificate(file.path())).sha256 == written.sha256);
     }
 }
 
@@ -177,10 +177,10 @@ TEST_CASE("what each leaf says holds for a simulated trajectory of its piece, an
         const Rational ratio = parse_rational(q);
         const dumbbell_oracle::Dumbbell<Number> body(ratio.convert_to<double>());
         const auto parts = subdivide(incoming_box(ratio), {.max_boxes = 4000, .jobs = 2, .incoming = true});
-        std::vector<InitialBox> waiting{incoming_box(ratio)};
+        std::vector<Box> waiting{incoming_box(ratio)};
         int decided = 0, simulated = 0;
-        for (const InitialNode& node : parts.tree) {
-            const InitialBox piece = waiting.back();
+        for (const Node& node : parts.tree) {
+            const Box piece = waiting.back();
             waiting.pop_back();
             if (node.split) {
                 const auto axis = static_cast<std::size_t>(*node.split);
@@ -190,13 +190,13 @@ TEST_CASE("what each leaf says holds for a simulated trajectory of its piece, an
                 waiting.back().hi.at(axis) = middle;
                 continue;
             }
-            const auto within = [&](InitialAxis axis) {
+            const auto within = [&](Axis axis) {
                 const double u = uniform(engine, 0, 1);
                 const Rational lo = piece.lower(axis), hi = piece.upper(axis);
                 return Number((lo + exact(u) * (hi - lo)).convert_to<double>());
             };
-            const Number phi = within(InitialAxis::phi) * dumbbell_oracle::pi<Number>();
-            const Number s = std::min<Number>(within(InitialAxis::phidot), 1 - 1e-6L);
+            const Number phi = within(Axis::phi) * dumbbell_oracle::pi<Number>();
+            const Number s = std::min<Number>(within(Axis::phidot), 1 - 1e-6L);
             const bool mirrored = uniform(engine, 0, 1) < 0.5;
             // At yhat = 2, where each has turned back by what it turns on the way down (L61).
             const Number turn = s * std::sqrt(body.ratio() / (1 - s * s)), back = phi - turn * (1 - 0x1p-20L);

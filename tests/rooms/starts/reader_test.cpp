@@ -16,22 +16,21 @@ const std::string& good() {
     static const std::string text = [] {
         const FirstContact heavy{true, Rational(1, 2), Rational(5, 8)};
         const FirstContact light{false, Rational(3), Rational(4)};
-        InitialCertificate certificate{{"dumbbell", "0.1.0"}, {}, 100, {}};
+        Certificate certificate{{"dumbbell", "0.1.0"}, {}, 100, {}};
         certificate.box.lo = {Rational(-1, 3), 0, 3, Rational(-1, 2), 10};
         certificate.box.hi = {Rational(1, 3), 1, 3, Rational(-1, 2), 10};
-        certificate.tree = {
-            {InitialAxis::phi, {}},    {InitialAxis::phidot, {}}, {{}, {0, 0, {}}},
-            {{}, {2, 2, heavy}},       {InitialAxis::phi, {}},    {{}, {1, 3, light}},
-            {InitialAxis::phidot, {}}, {{}, {0, 4, {}}},          {{}, {0, std::nullopt, {}}}};
+        certificate.tree = {{Axis::phi, {}},     {Axis::phidot, {}}, {{}, {0, 0, {}}},
+                            {{}, {2, 2, heavy}}, {Axis::phi, {}},    {{}, {1, 3, light}},
+                            {Axis::phidot, {}},  {{}, {0, 4, {}}},   {{}, {0, std::nullopt, {}}}};
         return render(certificate).text;
     }();
     return text;
 }
 
-InitialCertificate read_text(const std::string& text) {
+Certificate read_text(const std::string& text) {
     const TemporaryFolder folder;
     write_file(folder / "file.dbc", text);
-    return read_initial_certificate(folder / "file.dbc");
+    return read_certificate(folder / "file.dbc");
 }
 
 }  // namespace
@@ -42,16 +41,16 @@ TEST_CASE("initial conditions that were written and read are written the same ag
 
 TEST_CASE("initial conditions are claimed to have as few and as many collisions as their leaves") {
     CHECK_THAT(good(), Contains("\nbetween 0 none\n"));
-    InitialCertificate decided = read_text(good());
-    decided.tree = {{InitialAxis::phi, {}}, {{}, {2, 2, {}}}, {{}, {1, 3, FirstContact{false, 3, 4}}}};
+    Certificate decided = read_text(good());
+    decided.tree = {{Axis::phi, {}}, {{}, {2, 2, {}}}, {{}, {1, 3, FirstContact{false, 3, 4}}}};
     CHECK_THAT(render(decided).text, Contains("\nbetween 1 3\n"));
 }
 
 TEST_CASE("the box is read with its signs, the ratio from its own place") {
-    const InitialCertificate read = read_text(good());
-    CHECK(read.box.lower(InitialAxis::phi) == Rational(-1, 3));
-    CHECK(read.box.upper(InitialAxis::phidot) == 1);
-    CHECK(read.box.lower(InitialAxis::ratio) == 10);
+    const Certificate read = read_text(good());
+    CHECK(read.box.lower(Axis::phi) == Rational(-1, 3));
+    CHECK(read.box.upper(Axis::phidot) == 1);
+    CHECK(read.box.lower(Axis::ratio) == 10);
     CHECK(read.bits == 100);
     CHECK(read.tree.size() == 9);
 }

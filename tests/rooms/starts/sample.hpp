@@ -6,24 +6,21 @@
 
 namespace dumbbell_test {
 
-using namespace dumbbell;
-using namespace dumbbell::starts;
+inline dumbbell::starts::Node initial_split(dumbbell::starts::Axis axis) { return {axis, {}}; }
+inline dumbbell::starts::Node exactly(long count) { return {{}, {count, count, {}}}; }
+inline dumbbell::starts::Node between(long least, long most) { return {{}, {least, most, {}}}; }
+inline dumbbell::starts::Node open_leaf() { return {{}, {}}; }
 
-inline InitialNode initial_split(InitialAxis axis) { return {axis, {}}; }
-inline InitialNode exactly(long count) { return {{}, {count, count, {}}}; }
-inline InitialNode between(long least, long most) { return {{}, {least, most, {}}}; }
-inline InitialNode open_leaf() { return {{}, {}}; }
-
-inline InitialCertificate sample_initial() {
-    InitialCertificate certificate;
+inline dumbbell::starts::Certificate sample_initial() {
+    dumbbell::starts::Certificate certificate;
     certificate.generator = {"dumbbell", "0.1.0"};
     certificate.box.lo = {0, 1, 2, -1, 10};
     certificate.box.hi = {4, 1, 2, 1, 10};
-    certificate.tree = {initial_split(InitialAxis::phi),
-                        initial_split(InitialAxis::ydot),
+    certificate.tree = {initial_split(dumbbell::starts::Axis::phi),
+                        initial_split(dumbbell::starts::Axis::ydot),
                         exactly(2),
                         exactly(2),
-                        initial_split(InitialAxis::ydot),
+                        initial_split(dumbbell::starts::Axis::ydot),
                         exactly(1),
                         between(1, 2)};
     return certificate;

@@ -18,7 +18,7 @@ using dumbbell_trace_test::written;
 namespace {
 
 /// phi in [0, 3], phidot in [-1/2, 3], y = 3/2, ydot = -1.
-InitialBox falling(const Rational& q) {
+Box falling(const Rational& q) {
     return {{Rational(0), Rational(-1, 2), Rational(3, 2), Rational(-1), q},
             {Rational(3), Rational(3), Rational(3, 2), Rational(-1), q}};
 }
@@ -32,7 +32,7 @@ dumbbell_verify::Initial checked(const std::string& text) {
 
 /// How many of `trials` random starts of the box have each number of collisions, and how many of them are too
 /// close to a corner or a tangency to tell.
-std::map<long, int> simulated(const InitialBox& box, int trials, int& doubtful) {
+std::map<long, int> simulated(const Box& box, int trials, int& doubtful) {
     std::mt19937_64 engine(2026);
     const dumbbell_oracle::Dumbbell<dumbbell_oracle::Real> body(box.lo[4].convert_to<double>());
     std::map<long, int> found;
@@ -60,8 +60,8 @@ TEST_CASE("shares are the volumes of the leaves that prove a number, and of thos
 }
 
 TEST_CASE("numbers of the same share stand together, and an open leaf excludes none") {
-    const auto bounds = share_bounds({initial_split(InitialAxis::phi), between(2, 5),
-                                      initial_split(InitialAxis::phi), open_leaf(), exactly(9)});
+    const auto bounds = share_bounds(
+        {initial_split(Axis::phi), between(2, 5), initial_split(Axis::phi), open_leaf(), exactly(9)});
     CHECK(share_lines(bounds) ==
           "         0-1  0.000000000000 to 0.250000000000\n"
           "         2-5  0.000000000000 to 0.750000000000\n"
@@ -72,9 +72,9 @@ TEST_CASE("numbers of the same share stand together, and an open leaf excludes n
 }
 
 TEST_CASE("decimals of a share are rounded outward, and a whole share is 1") {
-    std::vector<InitialNode> tree;
+    std::vector<Node> tree;
     for (int i = 0; i < 50; ++i) {
-        tree.push_back(initial_split(InitialAxis::phi));
+        tree.push_back(initial_split(Axis::phi));
         tree.push_back(exactly(1));
     }
     tree.push_back(exactly(0));
@@ -88,7 +88,7 @@ TEST_CASE("decimals of a share are rounded outward, and a whole share is 1") {
 
 TEST_CASE("dumbbell-verify finds the same shares in the file, letter by letter") {
     for (const char* q : {"1", "4.61", "100"}) {
-        const InitialBox box = falling(parse_rational(q));
+        const Box box = falling(parse_rational(q));
         const Subdivision parts = subdivide(box, {.max_boxes = 600, .jobs = 2});
         const auto proof = checked(written(box, parts));
         const std::string lines = share_lines(share_bounds(parts.tree));
@@ -96,7 +96,7 @@ TEST_CASE("dumbbell-verify finds the same shares in the file, letter by letter")
         CHECK(proof.json().find(share_json(share_bounds(parts.tree)).text()) != std::string::npos);
     }
     const auto hand_made = sample_initial();
-    InitialCertificate all_open = hand_made;
+    Certificate all_open = hand_made;
     all_open.tree = {open_leaf()};
     CHECK(checked(render(all_open).text).paragraph().ends_with(share_lines(share_bounds(all_open.tree))));
 }
@@ -104,7 +104,7 @@ TEST_CASE("dumbbell-verify finds the same shares in the file, letter by letter")
 TEST_CASE("random starts have each number of collisions as often as is proved, within their own error") {
     const int trials = dumbbell_oracle::trials(20'000);
     for (const char* q : {"1", "4.61", "10", "100"}) {
-        const InitialBox box = falling(parse_rational(q));
+        const Box box = falling(parse_rational(q));
         const auto bounds = share_bounds(subdivide(box, {.max_boxes = 6000, .jobs = 2}).tree);
         int doubtful = 0;
         const auto found = simulated(box, trials, doubtful);

@@ -9,7 +9,7 @@
 
 namespace {
 
-using dumbbell::starts::InitialBox;
+using dumbbell::starts::Box;
 using dumbbell_oracle::Dumbbell;
 using dumbbell_oracle::Real;
 using dumbbell_oracle::State;
@@ -61,17 +61,17 @@ bool agrees(const Run& run, const Leaf& leaf, std::uint64_t least, std::optional
 
 /// The leaves of a tree with their boxes.
 template <class Use>
-void for_each_leaf(const std::vector<dumbbell::starts::InitialNode>& tree, InitialBox box, const Use& use) {
-    std::vector<InitialBox> boxes{std::move(box)};
+void for_each_leaf(const std::vector<dumbbell::starts::Node>& tree, Box box, const Use& use) {
+    std::vector<Box> boxes{std::move(box)};
     for (const auto& node : tree) {
-        InitialBox here = std::move(boxes.back());
+        Box here = std::move(boxes.back());
         boxes.pop_back();
         if (!node.split) {
             use(here, node.leaf);
             continue;
         }
         const auto i = static_cast<std::size_t>(*node.split);
-        InitialBox lower = here;
+        Box lower = here;
         lower.hi[i] = (here.lo[i] + here.hi[i]) / 2;
         here.lo[i] = lower.hi[i];
         boxes.push_back(std::move(here));
@@ -89,32 +89,31 @@ TEST_CASE("The leaves of verified files hold for the simulated orbits of their p
     long checked = 0;
     for (int i = 0; i < dumbbell_oracle::trials(600); ++i) {
         const Sides sides = random_sides(engine, ratios[i % 6], std::pow(10.0, -uniform(engine, 0, 3)));
-        InitialBox box = sides.box();
+        Box box = sides.box();
         if (i % 3 == 0) {
             box.hi[4] = box.lo[4] * dumbbell::exact(1 + 0.125 * uniform(engine, 0, 1));
         }
         const auto parts = dumbbell::starts::subdivide(box, {.max_boxes = 16});
         REQUIRE(refusal(written(box, parts)) == "");
-        for_each_leaf(
-            parts.tree, box, [&](const InitialBox& here, const dumbbell::starts::InitialLeaf& leaf) {
-                std::array<double, 5> lo{}, hi{};
-                for (std::size_t k = 0; k < 5; ++k) {
-                    lo.at(k) = here.lo[k].convert_to<double>();
-                    hi.at(k) = here.hi[k].convert_to<double>();
-                }
-                for (int n = 0; n < 8; ++n) {
-                    const Point p = random_point(engine, lo, hi);
-                    const auto run = dumbbell_oracle::simulate(Dumbbell<Real>(p.q), p.start);
-                    checked += run.care.doubtful() ? 0 : 1;
-                    INFO(describe(p) << "simulated " << run.collisions.size() << ", leaf " << leaf.least
-                                     << " to " << leaf.most.value_or(-1));
-                    REQUIRE(agrees(
-                        run, leaf, static_cast<std::uint64_t>(leaf.least),
-                        leaf.most ? std::optional(static_cast<std::uint64_t>(*leaf.most)) : std::nullopt,
-                        leaf.first ? leaf.first->from.convert_to<Real>() : 0,
-                        leaf.first ? leaf.first->until.convert_to<Real>() : 0));
-                }
-            });
+        for_each_leaf(parts.tree, box, [&](const Box& here, const dumbbell::starts::Leaf& leaf) {
+            std::array<double, 5> lo{}, hi{};
+            for (std::size_t k = 0; k < 5; ++k) {
+                lo.at(k) = here.lo[k].convert_to<double>();
+                hi.at(k) = here.hi[k].convert_to<double>();
+            }
+            for (int n = 0; n < 8; ++n) {
+                const Point p = random_point(engine, lo, hi);
+                const auto run = dumbbell_oracle::simulate(Dumbbell<Real>(p.q), p.start);
+                checked += run.care.doubtful() ? 0 : 1;
+                INFO(describe(p) << "simulated " << run.collisions.size() << ", leaf " << leaf.least << " to "
+                                 << leaf.most.value_or(-1));
+                REQUIRE(
+                    agrees(run, leaf, static_cast<std::uint64_t>(leaf.least),
+                           leaf.most ? std::optional(static_cast<std::uint64_t>(*leaf.most)) : std::nullopt,
+                           leaf.first ? leaf.first->from.convert_to<Real>() : 0,
+                           leaf.first ? leaf.first->until.convert_to<Real>() : 0));
+            }
+        });
     }
     CHECK(checked > 16000);
 }
@@ -135,7 +134,7 @@ TEST_CASE("What the verifier accepts of claims made up at random is true") {
         const double q_hi = i % 5 == 0 ? q * (1 + (sides.phi_hi - sides.phi_lo)) : q;
         const std::array lo{sides.phi_lo, sides.phidot_lo, sides.y_lo, sides.ydot_lo, q};
         const std::array hi{sides.phi_hi, sides.phidot_hi, sides.y_hi, sides.ydot_hi, q_hi};
-        dumbbell_verify::InitialLeaf leaf;
+        dumbbell_verify::Leaf leaf;
         for (std::size_t k = 0; k < 5; ++k) {
             leaf.box.lo.at(k) = exact_mpq(lo.at(k));
             leaf.box.hi.at(k) = exact_mpq(hi.at(k));

@@ -10,7 +10,7 @@ using dumbbell_test::parsed;
 namespace {
 
 TraceReport report_of(const Rational& phi, const Rational& phidot, int digits) {
-    const std::array<Rational, initial_axes> at{phi, phidot, 3, -1, 10};
+    const std::array<Rational, axis_count> at{phi, phidot, 3, -1, 10};
     TraceReport report{.box = {at, at}, .trace = {}, .digits = digits, .parts = {}, .out = {}, .sha256 = {}};
     report.trace = trace(report.box, digits);
     return report;

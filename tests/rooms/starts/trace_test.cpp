@@ -5,8 +5,8 @@
 
 #include "base/error.hpp"
 #include "catch.hpp"
+#include "starts/box_state.hpp"
 #include "starts/flight.hpp"
-#include "starts/initial_state.hpp"
 
 using namespace dumbbell;
 using namespace dumbbell::starts;
@@ -17,14 +17,14 @@ Rational rational(const std::string& text) {
     return text[0] == '-' ? Rational(-parse_rational(text.substr(1))) : parse_rational(text);
 }
 
-InitialBox point(const std::string& phi, const std::string& phidot, const std::string& y,
-                 const std::string& ydot, const std::string& q = "10") {
-    const std::array<Rational, initial_axes> at{rational(phi), rational(phidot), rational(y), rational(ydot),
-                                                rational(q)};
+Box point(const std::string& phi, const std::string& phidot, const std::string& y, const std::string& ydot,
+          const std::string& q = "10") {
+    const std::array<Rational, axis_count> at{rational(phi), rational(phidot), rational(y), rational(ydot),
+                                              rational(q)};
     return {at, at};
 }
 
-InitialBox with(InitialBox box, InitialAxis axis, const std::string& lo, const std::string& hi) {
+Box with(Box box, Axis axis, const std::string& lo, const std::string& hi) {
     box.lo[static_cast<std::size_t>(axis)] = rational(lo);
     box.hi[static_cast<std::size_t>(axis)] = rational(hi);
     return box;
@@ -67,7 +67,7 @@ TEST_CASE("Many turns of the rod before the first contact are followed") {
 }
 
 TEST_CASE("The proof of a first flight asks at each span whether to end, and then the trace ends at once") {
-    const auto start = with(point("1.5", "0", "3", "-1"), InitialAxis::phidot, "0", "1");
+    const auto start = with(point("1.5", "0", "3", "-1"), Axis::phidot, "0", "1");
     long asked = 0, patience = 1'000'000;
     const Interrupted question = [&] { return ++asked > patience; };
     const Trace all = trace(start, 200, nobody, question);
@@ -92,8 +92,8 @@ TEST_CASE("What is shown of a trace that is interrupted after its last collision
 }
 
 TEST_CASE("Boxes that straddle phidot = 0 are followed") {
-    const auto box = with(with(point("0.3", "0", "3", "-1"), InitialAxis::phi, "0.3", "0.31"),
-                          InitialAxis::phidot, "-0.01", "0.01");
+    const auto box =
+        with(with(point("0.3", "0", "3", "-1"), Axis::phi, "0.3", "0.31"), Axis::phidot, "-0.01", "0.01");
     const Trace traced = trace(box, 0);
     CHECK(traced.exact());
     CHECK(traced.least == 2);
@@ -103,13 +103,13 @@ TEST_CASE("Boxes that straddle phidot = 0 are followed") {
 }
 
 TEST_CASE("A box of mass ratios is followed") {
-    const Trace traced = trace(with(point("1/3", "1", "3", "-1/2"), InitialAxis::ratio, "10", "10.01"), 0);
+    const Trace traced = trace(with(point("1/3", "1", "3", "-1/2"), Axis::ratio, "10", "10.01"), 0);
     CHECK(traced.exact());
     CHECK(traced.least == 1);
 }
 
 TEST_CASE("A box that splits has bounds, and says what its orbits share") {
-    const auto box = with(point("0", "0", "3", "-1"), InitialAxis::phi, "-1", "1");
+    const auto box = with(point("0", "0", "3", "-1"), Axis::phi, "-1", "1");
     const Trace traced = trace(box, 0);
     CHECK(!traced.exact());
     CHECK(traced.least == 1);  // it falls
@@ -123,7 +123,7 @@ TEST_CASE("Equal masses have at most two collisions, decided or not") {
         const Trace corner = trace(point("0", "0", "3", "-1", "1"), digits);
         CHECK(!corner.exact());
         CHECK(corner.most == 2);
-        CHECK(trace(with(point("0", "0", "3", "-1", "1"), InitialAxis::phi, "-1", "1"), digits).most == 2);
+        CHECK(trace(with(point("0", "0", "3", "-1", "1"), Axis::phi, "-1", "1"), digits).most == 2);
     }
     CHECK(trace(point("0", "0", "3", "-1", "1.001"), 0).most == 3);
 }
@@ -153,7 +153,7 @@ TEST_CASE("Angles too large to count their humps, and no numbers, lie on none in
 }
 
 TEST_CASE("Starts that make no sense are refused in one line that names the quantity") {
-    const auto refused = [](const InitialBox& box, const std::string& word) {
+    const auto refused = [](const Box& box, const std::string& word) {
         try {
             require_in_play(box);
             return false;
@@ -165,21 +165,19 @@ TEST_CASE("Starts that make no sense are refused in one line that names the quan
         }
     };
     CHECK(refused(point("0.3", "0", "3", "0"), "resting"));
-    CHECK(refused(
-        with(with(point("0.3", "0", "3", "0"), InitialAxis::phidot, "-1", "1"), InitialAxis::ydot, "-1", "0"),
-        "resting"));
+    CHECK(refused(with(with(point("0.3", "0", "3", "0"), Axis::phidot, "-1", "1"), Axis::ydot, "-1", "0"),
+                  "resting"));
     CHECK(refused(point("-1", "1", "0.1", "-1"), "light mass is below"));
     CHECK(refused(point("1", "1", "0.01", "-1"), "heavy mass is below"));
     CHECK(refused(point("1", "1", "-1", "-1"), "--y"));
     CHECK(refused(point("0", "1", "0", "1"), "starts on the floor"));
-    CHECK(refused(with(point("0", "1", "0", "1"), InitialAxis::y, "0", "1"), "part of the box"));
-    CHECK(refused(with(point("0", "1", "0.3", "1"), InitialAxis::phi, "-1", "1"), "raise --y above 0.76"));
+    CHECK(refused(with(point("0", "1", "0", "1"), Axis::y, "0", "1"), "part of the box"));
+    CHECK(refused(with(point("0", "1", "0.3", "1"), Axis::phi, "-1", "1"), "raise --y above 0.76"));
     // At q = 1 the light mass is below first, but the heavy one needs more.
-    CHECK(refused(with(point("0", "1", "0", "1", "1"), InitialAxis::phi, "-0.2", "0.5"),
-                  "raise --y above 0.2397"));
+    CHECK(refused(with(point("0", "1", "0", "1", "1"), Axis::phi, "-0.2", "0.5"), "raise --y above 0.2397"));
     CHECK(refused(point("0.5", "1", "0.01", "1", "1"), "suffices for both masses"));
     CHECK(refused(point("5000", "1", "3", "-1"), "--phi"));
     CHECK(refused(point("1", "1", "1e7", "-1"), "--y"));
-    CHECK(refused(with(point("0", "1", "3", "1"), InitialAxis::phi, "0", "8"), "--phi"));
+    CHECK(refused(with(point("0", "1", "3", "1"), Axis::phi, "0", "8"), "--phi"));
     CHECK_NOTHROW(require_in_play(point("-1", "1", "0.77", "-1")));
 }

@@ -20,10 +20,10 @@ using dumbbell_trace_test::written;
 namespace {
 
 /// The box [phi, phi + width] x [phidot, phidot + width] of starts at height y that fall with speed ydot.
-InitialBox small_box(double phi, double phidot, double y, double ydot, double q, double width) {
-    InitialBox box;
+Box small_box(double phi, double phidot, double y, double ydot, double q, double width) {
+    Box box;
     const std::array lo{phi, phidot, y, ydot, q};
-    for (std::size_t i = 0; i < initial_axes; ++i) {
+    for (std::size_t i = 0; i < axis_count; ++i) {
         box.lo.at(i) = dumbbell::exact(lo.at(i));
         box.hi.at(i) = dumbbell::exact(i < 2 ? lo.at(i) + width : lo.at(i));
     }
@@ -33,7 +33,7 @@ InitialBox small_box(double phi, double phidot, double y, double ydot, double q,
 }  // namespace
 
 TEST_CASE("L60: a contact with the far half of the bridge between two of the light mass is decided") {
-    const InitialBox box = small_box(3.1, 1, 2, -1.705, 10, 0x1p-7);
+    const Box box = small_box(3.1, 1, 2, -1.705, 10, 0x1p-7);
     const Subdivision parts = subdivide(box, {.max_boxes = 64});
     CHECK(parts.undecided.boxes == 0);
     CHECK(parts.least == 3);
@@ -49,7 +49,7 @@ TEST_CASE("L60: random starts in the plane of the pictures are decided, and as s
         for (int i = 0; i < boxes; ++i) {
             const double phi = uniform(engine, 0, 6.28);
             const double phidot = uniform(engine, -3, 3);
-            const InitialBox box = small_box(phi, phidot, 1.5, -1, q, 0x1p-24);
+            const Box box = small_box(phi, phidot, 1.5, -1, q, 0x1p-24);
             const Subdivision parts = subdivide(box, {.max_boxes = 1});
             REQUIRE(refusal(written(box, parts)) == "");
             const auto run = dumbbell_oracle::simulate<Real>(Dumbbell<Real>(q), {phi, phidot, 1.5, -1});
@@ -65,7 +65,7 @@ TEST_CASE("L60: random starts in the plane of the pictures are decided, and as s
 }
 
 TEST_CASE("The undecided share of the pictures' plane shrinks with the number of boxes") {
-    InitialBox box;
+    Box box;
     box.lo = {0, -3, Rational(3, 2), -1, 10};
     box.hi = {Rational(62832, 10000), 3, Rational(3, 2), -1, 10};
     double before = 1;
@@ -83,7 +83,7 @@ TEST_CASE(
     for (const auto& [beyond, digits] : std::vector<std::pair<const char*, int>>{
              {"8e-10", 0}, {"8e-10", 40}, {"1e-20", 40}, {"1e-30", 60}}) {
         INFO("y = 1 + " << beyond << ", " << digits << " digits");
-        InitialBox box;
+        Box box;
         box.lo = box.hi = {Rational(-1, 2), Rational(1, 2), 1 + parse_rational(beyond), -1, 10};
         const Trace found = trace(box, digits);
         CHECK(found.exact() == (digits > 0 || std::string(beyond) == "8e-10"));

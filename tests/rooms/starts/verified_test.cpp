@@ -1,6 +1,6 @@
 // What `subdivide` finds and writes is what dumbbell-verify certifies.
 #include "catch.hpp"
-#include "starts/initial_state.hpp"
+#include "starts/box_state.hpp"
 #include "written_file.hpp"
 
 using namespace dumbbell;
@@ -11,19 +11,19 @@ using dumbbell_trace_test::written;
 namespace {
 
 /// LO:HI of phi, phidot, y, ydot and q, as fractions.
-InitialBox box_of(const std::array<std::array<const char*, 2>, initial_axes>& sides) {
-    InitialBox box;
+Box box_of(const std::array<std::array<const char*, 2>, axis_count>& sides) {
+    Box box;
     const auto rational = [](const std::string& text) {
         return text[0] == '-' ? Rational(-parse_rational(text.substr(1))) : parse_rational(text);
     };
-    for (std::size_t i = 0; i < initial_axes; ++i) {
+    for (std::size_t i = 0; i < axis_count; ++i) {
         box.lo[i] = rational(sides[i][0]);
         box.hi[i] = rational(sides[i][1]);
     }
     return box;
 }
 
-void check_verified(const InitialBox& box, const SubdivideOptions& options) {
+void check_verified(const Box& box, const SubdivideOptions& options) {
     REQUIRE_NOTHROW(require_in_play(box));
     const Subdivision parts = subdivide(box, options);
     dumbbell_verify::Verified proof;

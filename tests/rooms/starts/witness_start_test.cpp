@@ -7,7 +7,7 @@
 #include "catch.hpp"
 #include "collisions/witness.hpp"
 #include "collisions/witness_orbit.hpp"
-#include "starts/initial_state.hpp"
+#include "starts/box_state.hpp"
 #include "starts/trace.hpp"
 
 using namespace dumbbell;
@@ -18,14 +18,14 @@ using namespace dumbbell::starts;
 namespace {
 
 /// A state in the air before the first collision, near the middle of its enclosure.
-InitialBox before(const Collision<Interval>& first, const Rational& q) {
+Box before(const Collision<Interval>& first, const Rational& q) {
     const auto middle = [](const Interval& x) { return exact(approximate(x)); };
     const Rational phidot = middle(first.phidot_before);
     const Rational ydot = middle(first.ydot_before);
     const Rational y = middle(first.y);
     const Rational time = (Rational(1) - y) / -ydot;  // the incoming flight has come down from height 1
-    const std::array<Rational, initial_axes> at{middle(first.phi) - phidot * time, phidot, Rational(1), ydot,
-                                                q};
+    const std::array<Rational, axis_count> at{middle(first.phi) - phidot * time, phidot, Rational(1), ydot,
+                                              q};
     return {at, at};
 }
 
@@ -40,7 +40,7 @@ Witness best_witness(const Rational& q) {
     return *witness;
 }
 
-InitialBox start_of(const Witness& witness, const Rational& q) {
+Box start_of(const Witness& witness, const Rational& q) {
     const auto orbit = witness_orbit(witness, q, 512);
     REQUIRE(orbit.size() == static_cast<std::size_t>(witness.total()));
     return before(orbit.front(), q);
@@ -64,7 +64,7 @@ TEST_CASE("Traced as initial conditions, witnesses have the collisions and margi
         const Witness witness = best_witness(q);
         const auto orbit = witness_orbit(witness, q, 256);
         REQUIRE(orbit.size() == static_cast<std::size_t>(witness.total()));
-        const InitialBox start = before(orbit.front(), q);
+        const Box start = before(orbit.front(), q);
         REQUIRE_NOTHROW(require_in_play(start));
         const Trace traced = trace(start, 30);
         INFO("q = " << ratio << ", witness of " << witness.total());
@@ -87,7 +87,7 @@ TEST_CASE("In double precision every collision of the longest orbits is enclosed
         const Rational q = parse_rational(ratio);
         const Witness witness = best_witness(q);
         CHECK(witness.total() >= least);
-        const InitialBox start = start_of(witness, q);
+        const Box start = start_of(witness, q);
         const Trace traced = trace(start, 0);
         REQUIRE(traced.exact());
         CHECK(traced.least == witness.total());
@@ -107,11 +107,11 @@ TEST_CASE("In double precision every collision of the longest orbits is enclosed
 
 TEST_CASE("Boxes around a long orbit share many enclosed collisions, those of their points") {
     const Rational q(10'000);
-    const InitialBox start = start_of(best_witness(q), q);
+    const Box start = start_of(best_witness(q), q);
     const auto around = [&](const Rational& radius) {
-        InitialBox box = start;
-        for (std::size_t i = 0; i < initial_axes; ++i) {
-            const bool varies = static_cast<InitialAxis>(i) != InitialAxis::ratio;
+        Box box = start;
+        for (std::size_t i = 0; i < axis_count; ++i) {
+            const bool varies = static_cast<starts::Axis>(i) != starts::Axis::ratio;
             box.lo[i] -= varies ? radius : Rational(0);
             box.hi[i] += varies ? radius : Rational(0);
         }
@@ -119,12 +119,12 @@ TEST_CASE("Boxes around a long orbit share many enclosed collisions, those of th
     };
     for (const auto& [size, least] : {std::pair(1e-9, 90U), std::pair(1e-6, 40U)}) {
         INFO("width " << size);
-        const InitialBox box = around(exact(size) / 2);
+        const Box box = around(exact(size) / 2);
         const Trace traced = trace(box, 0);
         CHECK(traced.collisions.size() >= least);
         for (unsigned corner = 0; corner < 16; ++corner) {
-            InitialBox point = box;
-            for (std::size_t i = 0; i < initial_axes; ++i) {
+            Box point = box;
+            for (std::size_t i = 0; i < axis_count; ++i) {
                 const bool up = (corner >> i & 1U) != 0;
                 point.lo[i] = point.hi[i] = up ? box.hi[i] : box.lo[i];
             }

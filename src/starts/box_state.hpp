@@ -10,7 +10,7 @@ namespace dumbbell::starts {
 /// Throws InputError, in one line that names the quantity and the remedy, unless every state of the box is in
 /// play: no value absurdly large, phi over less than a turn, both masses above the floor, and no dumbbell at
 /// rest.
-void require_in_play(const InitialBox& box);
+void require_in_play(const Box& box);
 
 /// The state with these quantities: yhat = y (1 + r), r = 1/q.
 template <class S>
@@ -22,13 +22,11 @@ template <class S>
 
 /// Whether q can only be 1. Then r is 1 itself, whatever the division loses: no trajectory has more than two
 /// collisions (L7).
-[[nodiscard]] inline bool has_equal_masses(const InitialBox& box) {
-    return box.upper(InitialAxis::ratio) == 1;
-}
+[[nodiscard]] inline bool has_equal_masses(const Box& box) { return box.upper(Axis::ratio) == 1; }
 
 /// All states of the box, in natural form.
 template <class I>
-[[nodiscard]] State<I> natural_state(const InitialBox& box) {
+[[nodiscard]] State<I> natural_state(const Box& box) {
     const auto side = [&](std::size_t i) { return hull(enclose<I>(box.lo[i]), enclose<I>(box.hi[i])); };
     State<I> s = state_of(side(0), side(1), side(2), side(3), side(4));
     s.r = has_equal_masses(box) ? I(1) : s.r;
@@ -39,9 +37,9 @@ template <class I>
 template <class I>
 class BoxJets {
   public:
-    explicit BoxJets(const InitialBox& box)
+    explicit BoxJets(const Box& box)
         : equal_masses_(has_equal_masses(box)), displacement_(Gradient<I>::Zero()) {
-        for (std::size_t i = 0; i < initial_axes; ++i) {
+        for (std::size_t i = 0; i < axis_count; ++i) {
             centre_[i] = enclose<I>((box.lo[i] + box.hi[i]) / 2);
             range_[i] = hull(enclose<I>(box.lo[i]), enclose<I>(box.hi[i]));
             if (box.lo[i] != box.hi[i]) {
@@ -65,8 +63,8 @@ class BoxJets {
 
   private:
     bool equal_masses_;
-    std::array<I, initial_axes> centre_;
-    std::array<I, initial_axes> range_;
+    std::array<I, axis_count> centre_;
+    std::array<I, axis_count> range_;
     Gradient<I> displacement_;
 };
 

@@ -1,4 +1,4 @@
-#include "adiabatic/plot.hpp"
+#include "pictures/adiabatic.hpp"
 
 #include <fmt/core.h>
 
@@ -14,15 +14,13 @@
 #include "pictures/palette.hpp"
 #include "words/printed.hpp"
 
-namespace dumbbell::adiabatic {
-
-using pictures::Frame;
+namespace dumbbell::pictures {
 
 namespace {
 
-constexpr double left = 84;
+constexpr double adiabatic_left = 84;
 constexpr double plot_height = 220;
-constexpr double below_axes = 66;
+constexpr double below_panel = 66;
 constexpr long least_plotted_bounces = 5;  // of fewer there is no curve
 
 /// What is enclosed just before a collision.
@@ -33,13 +31,13 @@ struct Bounce {
     Interval invariant;  ///< I / I_0
 };
 
-struct Orbit {
+struct Attained {
     std::vector<Bounce> bounces;
     std::optional<Interval> after;  ///< of a scattering: I - I_0 after the last collision
 };
 
-Orbit enclosed(const AdiabaticCertificate& certificate) {
-    const AdiabaticState& state = certificate.attained.front();
+Attained enclosed(const adiabatic::Certificate& certificate) {
+    const adiabatic::State& state = certificate.attained.front();
     if (state.n > most_plotted_bounces) {
         throw InputError(
             fmt::format("a picture shows {} collisions at most, and the orbit of this certificate has {}",
@@ -51,10 +49,10 @@ Orbit enclosed(const AdiabaticCertificate& certificate) {
             "{}: dumbbell report shows them",
             least_plotted_bounces, state.n + 1));
     }
-    AdiabaticOrbit<Interval> orbit(enclose<Interval>(state.u), enclose<Interval>(state.s),
-                                   enclose<Interval>(state.delta));
+    adiabatic::Orbit<Interval> orbit(enclose<Interval>(state.u), enclose<Interval>(state.s),
+                                     enclose<Interval>(state.delta));
     const Interval first_f = orbit.at().f;
-    Orbit result;
+    Attained result;
     for (long n = 0;; ++n) {
         result.bounces.push_back({approximate(orbit.speed()), approximate(orbit.at().f / first_f),
                                   orbit.change(), Interval(1) + orbit.change() / first_f});
@@ -65,7 +63,7 @@ Orbit enclosed(const AdiabaticCertificate& certificate) {
             throw InputError("double precision does not enclose the orbit of this certificate");
         }
     }
-    if (certificate.hypotheses.claim != AdiabaticClaim::run) {
+    if (certificate.hypotheses.claim != adiabatic::Claim::run) {
         result.after = orbit.change_behind();
     }
     return result;
@@ -78,18 +76,18 @@ struct Unit {
     const char* word;
 };
 
-Unit unit_of(const AdiabaticCertificate& certificate) {
+Unit unit_of(const adiabatic::Certificate& certificate) {
     const auto delta = certificate.attained.front().delta.convert_to<double>();
     switch (certificate.hypotheses.claim) {
-        case AdiabaticClaim::run:
+        case adiabatic::Claim::run:
             return {delta, "(I_n \xe2\x88\x92 I_0) / delta", "delta"};
-        case AdiabaticClaim::scattering:
+        case adiabatic::Claim::scattering:
             return {std::sqrt(delta),
                     "(I_n \xe2\x88\x92 I_0) / \xe2\x88\x9a"
                     "delta",
                     "\xe2\x88\x9a"
                     "delta"};
-        case AdiabaticClaim::bounce:
+        case adiabatic::Claim::bounce:
             break;
     }
     throw InputError(
@@ -103,7 +101,7 @@ struct Bound {
     std::string text;
     bool is_drawn;
 
-    Bound(const AdiabaticCertificate& certificate, const Unit& unit, double greatest_change)
+    Bound(const adiabatic::Certificate& certificate, const Unit& unit, double greatest_change)
         : value(certificate.bounds.front().convert_to<double>()),
           text(fmt::format("{} {}", exact_text(certificate.bounds.front()), unit.word)) {
         constexpr double far = 3;
@@ -117,35 +115,35 @@ template <class Value>
 std::string path_of(const Frame& frame, const std::vector<Bounce>& bounces, const Value& value) {
     std::string path;
     for (std::size_t n = 0; n < bounces.size(); ++n) {
-        path += fmt::format("{}{} {}", n == 0 ? 'M' : 'L', pictures::px(frame.x(static_cast<double>(n))),
-                            pictures::px(frame.y(value(bounces[n]))));
+        path += fmt::format("{}{} {}", n == 0 ? 'M' : 'L', px(frame.x(static_cast<double>(n))),
+                            px(frame.y(value(bounces[n]))));
     }
     return path;
 }
 
 /// What lies after the last collision stands where the next one would be.
-pictures::PlotAxis numbers_axis(const Orbit& orbit) {
+PlotAxis numbers_axis(const Attained& orbit) {
     const auto last = static_cast<double>(orbit.bounces.size() - 1);
     return {0, last + (orbit.after ? 1 : 0), "collision n",
-            pictures::even_ticks(0, last, std::min(10, static_cast<int>(last)))};
+            even_ticks(0, last, std::min(10, static_cast<int>(last)))};
 }
 
-void style(pictures::Svg& svg) {
+void style_adiabatic(Svg& svg) {
     svg.rules(
         ".speed,.f,.invariant,.bound{fill:none;stroke-width:1.8}.speed{stroke-dasharray:6 "
         "3}.f{stroke-dasharray:2 2.5}"
         ".invariant{stroke-width:2.4}.after{fill:none;stroke-width:2}.bound{stroke-dasharray:9 3 2 3}");
     svg.colour("speed", "stroke", {"#c46a00", "#ffb347"});
     svg.colour("f", "stroke", {"#0a7d5a", "#4fd6a6"});
-    svg.colour("invariant", "stroke", pictures::palette::proved);
-    svg.colour("bounce", "fill", pictures::palette::proved);
-    svg.colour("after", "stroke", pictures::palette::proved);
+    svg.colour("invariant", "stroke", palette::proved);
+    svg.colour("bounce", "fill", palette::proved);
+    svg.colour("after", "stroke", palette::proved);
     svg.colour("bound", "stroke", {"#a3195b", "#ff8ac0"});
     svg.colour("bound-word", "fill", {"#a3195b", "#ff8ac0"});
 }
 
 /// The factors of the invariant and the invariant, each relative to its first value.
-void draw_factors(pictures::Svg& svg, const Frame& frame, const Orbit& orbit) {
+void draw_factors(Svg& svg, const Frame& frame, const Attained& orbit) {
     frame.draw_grid(svg);
     svg.path("speed", path_of(frame, orbit.bounces, [](const Bounce& b) { return b.speed; }));
     svg.path("f", path_of(frame, orbit.bounces, [](const Bounce& b) { return b.f; }));
@@ -154,8 +152,7 @@ void draw_factors(pictures::Svg& svg, const Frame& frame, const Orbit& orbit) {
     frame.draw_axes(svg);
 }
 
-void draw_changes(pictures::Svg& svg, const Frame& frame, const Orbit& orbit, double unit,
-                  const Bound& bound) {
+void draw_changes(Svg& svg, const Frame& frame, const Attained& orbit, double unit, const Bound& bound) {
     constexpr std::size_t many = 200;  // dots that would merge
     frame.draw_grid(svg);
     for (const double sign : {-1.0, 1.0}) {
@@ -166,14 +163,13 @@ void draw_changes(pictures::Svg& svg, const Frame& frame, const Orbit& orbit, do
     }
     if (!bound.is_drawn) {
         svg.text(frame.left() + 10, frame.top() + 20,
-                 fmt::format("\xe2\x86\x91 {}: \xc2\xb1{}", bound_words, bound.text), pictures::Anchor::start,
+                 fmt::format("\xe2\x86\x91 {}: \xc2\xb1{}", bound_words, bound.text), Anchor::start,
                  "bound-word");
     }
     const auto change = [&](const Bounce& b) { return approximate(b.change) / unit; };
     std::string path = path_of(frame, orbit.bounces, change);
     if (orbit.after) {
-        path += fmt::format("L{} {}", pictures::px(frame.right()),
-                            pictures::px(frame.y(approximate(*orbit.after) / unit)));
+        path += fmt::format("L{} {}", px(frame.right()), px(frame.y(approximate(*orbit.after) / unit)));
     }
     svg.path("invariant", path);
     for (std::size_t n = 0; n < orbit.bounces.size() && orbit.bounces.size() <= many; ++n) {
@@ -185,12 +181,12 @@ void draw_changes(pictures::Svg& svg, const Frame& frame, const Orbit& orbit, do
     frame.draw_axes(svg);
 }
 
-std::string caption_of(const AdiabaticCertificate& certificate, const Orbit& orbit) {
+std::string caption_of(const adiabatic::Certificate& certificate, const Attained& orbit) {
     double widest = 0;
     for (const Bounce& b : orbit.bounces) {
         widest = std::max(widest, width(b.change));
     }
-    const AdiabaticState& state = certificate.attained.front();
+    const adiabatic::State& state = certificate.attained.front();
     const Interval& end = orbit.after ? *orbit.after : orbit.bounces.back().change;
     return fmt::format(
         "delta = {}, |phidot| = 1 and ydot = "
@@ -206,9 +202,9 @@ std::string caption_of(const AdiabaticCertificate& certificate, const Orbit& orb
 
 }  // namespace
 
-std::string adiabatic_svg(const AdiabaticCertificate& certificate) {
+std::string adiabatic_svg(const adiabatic::Certificate& certificate) {
     const Unit unit = unit_of(certificate);
-    const Orbit orbit = enclosed(certificate);
+    const Attained orbit = enclosed(certificate);
     double factor_hi = 1;
     double factor_lo = 1;
     double change_hi = 0;
@@ -224,32 +220,31 @@ std::string adiabatic_svg(const AdiabaticCertificate& certificate) {
     const Bound bound(certificate, unit, change_hi);
     change_hi = 1.12 * (bound.is_drawn ? std::max(change_hi, bound.value) : change_hi);
 
-    std::vector<pictures::LegendEntry> entries{
-        {pictures::Swatch::curve, "speed", "|phidot|"},
-        {pictures::Swatch::curve, "f", "f = \xcf\x80 \xe2\x88\x92 arccos y"},
-        {pictures::Swatch::curve, "invariant", "I = |phidot| f"}};
+    std::vector<LegendEntry> entries{{Swatch::curve, "speed", "|phidot|"},
+                                     {Swatch::curve, "f", "f = \xcf\x80 \xe2\x88\x92 arccos y"},
+                                     {Swatch::curve, "invariant", "I = |phidot| f"}};
     if (bound.is_drawn) {
-        entries.push_back({pictures::Swatch::curve, "bound", fmt::format("{}: {}", bound_words, bound.text)});
+        entries.push_back({Swatch::curve, "bound", fmt::format("{}: {}", bound_words, bound.text)});
     }
-    const double whole_width = pictures::page_width - left - pictures::right_margin;
-    const pictures::Legend legend(std::move(entries), whole_width);
-    const Frame factors(left, pictures::top_margin + legend.height() + 10, whole_width, plot_height,
+    const double whole_width = page_width - adiabatic_left - right_margin;
+    const Legend legend(std::move(entries), whole_width);
+    const Frame factors(adiabatic_left, top_margin + legend.height() + 10, whole_width, plot_height,
                         numbers_axis(orbit),
                         {factor_lo - margin, factor_hi + margin, "relative to the start",
-                         pictures::even_ticks(factor_lo - margin, factor_hi + margin, 5)});
-    const Frame changes(left, factors.bottom() + below_axes, whole_width, plot_height, numbers_axis(orbit),
-                        {-change_hi, change_hi, unit.name, pictures::even_ticks(-change_hi, change_hi, 6)});
-    const auto caption = pictures::broken_lines(caption_of(certificate, orbit), whole_width);
-    const double caption_top = changes.bottom() + below_axes;
-    pictures::Svg svg(pictures::page_width,
-                      caption_top + pictures::caption_step * static_cast<double>(caption.size()),
-                      "The adiabatic invariant of a bouncing dumbbell along an orbit");
-    style(svg);
-    legend.draw(svg, left, pictures::top_margin);
+                         even_ticks(factor_lo - margin, factor_hi + margin, 5)});
+    const Frame changes(adiabatic_left, factors.bottom() + below_panel, whole_width, plot_height,
+                        numbers_axis(orbit),
+                        {-change_hi, change_hi, unit.name, even_ticks(-change_hi, change_hi, 6)});
+    const auto caption = broken_lines(caption_of(certificate, orbit), whole_width);
+    const double caption_top = changes.bottom() + below_panel;
+    Svg svg(page_width, caption_top + caption_step * static_cast<double>(caption.size()),
+            "The adiabatic invariant of a bouncing dumbbell along an orbit");
+    style_adiabatic(svg);
+    legend.draw(svg, adiabatic_left, top_margin);
     draw_factors(svg, factors, orbit);
     draw_changes(svg, changes, orbit, unit.size, bound);
-    draw_caption(svg, left, caption_top, caption);
+    draw_caption(svg, adiabatic_left, caption_top, caption);
     return svg.finished();
 }
 
-}  // namespace dumbbell::adiabatic
+}  // namespace dumbbell::pictures

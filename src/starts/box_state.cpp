@@ -1,4 +1,4 @@
-#include "starts/initial_state.hpp"
+#include "starts/box_state.hpp"
 
 #include <fmt/core.h>
 
@@ -11,34 +11,32 @@ namespace {
 
 constexpr int check_bits = 512;
 
-void require_sensible(const InitialBox& box) {
+void require_sensible(const Box& box) {
     struct Limit {
-        InitialAxis axis;
+        Axis axis;
         const char* name;
         const char* most;
         const char* remedy;
     };
     for (const Limit& limit :
-         {Limit{InitialAxis::phi, "phi", "1000", "it is an angle in radians: take it modulo 2 pi"},
-          Limit{InitialAxis::phidot, "phidot", "1e9",
-                "only the ratio of --phidot to --ydot matters: scale both"},
-          Limit{InitialAxis::y, "y", "1e6", "it is a height in rod lengths"},
-          Limit{InitialAxis::ydot, "ydot", "1e9",
-                "only the ratio of --phidot to --ydot matters: scale both"}}) {
+         {Limit{Axis::phi, "phi", "1000", "it is an angle in radians: take it modulo 2 pi"},
+          Limit{Axis::phidot, "phidot", "1e9", "only the ratio of --phidot to --ydot matters: scale both"},
+          Limit{Axis::y, "y", "1e6", "it is a height in rod lengths"},
+          Limit{Axis::ydot, "ydot", "1e9", "only the ratio of --phidot to --ydot matters: scale both"}}) {
         const Rational most = parse_rational(limit.most);
         if (box.lower(limit.axis) < -most || box.upper(limit.axis) > most) {
             throw InputError(fmt::format("--{} is larger than {} in absolute value: {}", limit.name,
                                          limit.most, limit.remedy));
         }
     }
-    if (box.upper(InitialAxis::phi) - box.lower(InitialAxis::phi) > 7) {
+    if (box.upper(Axis::phi) - box.lower(Axis::phi) > 7) {
         throw InputError("--phi spans more than 7 radians: about a turn is all there is, split it");
     }
 }
 
-void require_moving(const InitialBox& box) {
-    const auto holds_zero = [&](InitialAxis axis) { return box.lower(axis) <= 0 && box.upper(axis) >= 0; };
-    if (!holds_zero(InitialAxis::phidot) || !holds_zero(InitialAxis::ydot)) {
+void require_moving(const Box& box) {
+    const auto holds_zero = [&](Axis axis) { return box.lower(axis) <= 0 && box.upper(axis) >= 0; };
+    if (!holds_zero(Axis::phidot) || !holds_zero(Axis::ydot)) {
         return;
     }
     throw InputError(
@@ -55,9 +53,9 @@ struct Floor {
 };
 
 /// `remedy`: what brings both masses above the floor.
-void require_above(const InitialBox& box, const Floor& floor, const std::string& remedy) {
-    const BigInterval lowest = enclose<BigInterval>(box.lower(InitialAxis::y));
-    const BigInterval highest = enclose<BigInterval>(box.upper(InitialAxis::y));
+void require_above(const Box& box, const Floor& floor, const std::string& remedy) {
+    const BigInterval lowest = enclose<BigInterval>(box.lower(Axis::y));
+    const BigInterval highest = enclose<BigInterval>(box.upper(Axis::y));
     if (certainly_less(high_end(floor.height), lowest)) {
         return;
     }
@@ -75,23 +73,23 @@ void require_above(const InitialBox& box, const Floor& floor, const std::string&
 
 }  // namespace
 
-void require_in_play(const InitialBox& box) {
+void require_in_play(const Box& box) {
     require_sensible(box);
     require_moving(box);
-    if (box.lower(InitialAxis::y) <= 0 && box.is_point()) {
-        const bool on = box.lower(InitialAxis::y) == 0 && box.lower(InitialAxis::phi) == 0;
+    if (box.lower(Axis::y) <= 0 && box.is_point()) {
+        const bool on = box.lower(Axis::y) == 0 && box.lower(Axis::phi) == 0;
         throw InputError(
             on ? "the rod starts on the floor, both masses touch it (a corner): raise --y above 0"
                : "--y starts inside the floor: the centre of mass is above 0 whatever --phi is");
     }
     const PrecisionScope scope(check_bits);
-    const auto side = [&](InitialAxis axis) {
+    const auto side = [&](Axis axis) {
         return hull(enclose<BigInterval>(box.lower(axis)), enclose<BigInterval>(box.upper(axis)));
     };
-    const BigInterval sine = sin_cos(side(InitialAxis::phi)).sin;
+    const BigInterval sine = sin_cos(side(Axis::phi)).sin;
     const BigInterval one(1);
-    const BigInterval r_lo = one / enclose<BigInterval>(box.upper(InitialAxis::ratio));
-    const BigInterval r_hi = one / enclose<BigInterval>(box.lower(InitialAxis::ratio));
+    const BigInterval r_lo = one / enclose<BigInterval>(box.upper(Axis::ratio));
+    const BigInterval r_hi = one / enclose<BigInterval>(box.lower(Axis::ratio));
     // The highest floor: beta2 = 1/(1+r) is greatest at the least r, beta1 = r/(1+r) at the greatest.
     const Floor light{-sine / (one + r_lo), "light"};
     const Floor heavy{sine * (r_hi / (one + r_hi)), "heavy"};

@@ -1,17 +1,18 @@
-#include "adiabatic/plot.hpp"
+#include "pictures/adiabatic.hpp"
 
 #include "base/error.hpp"
 #include "catch.hpp"
 #include "rooms/pictures/xml.hpp"
 
 using namespace dumbbell;
-using namespace dumbbell::adiabatic;
+using namespace dumbbell::pictures;
+using dumbbell::adiabatic::Claim;
 using namespace dumbbell_test;
 
 namespace {
 
-AdiabaticCertificate sample(AdiabaticClaim claim, long n) {
-    AdiabaticCertificate certificate;
+dumbbell::adiabatic::Certificate sample(Claim claim, long n) {
+    dumbbell::adiabatic::Certificate certificate;
     certificate.hypotheses.claim = claim;
     certificate.bounds = {Rational(51204, 10000)};
     certificate.attained = {{Rational(9, 10), Rational(9, 10), Rational(1, 100), n, 1}};
@@ -21,19 +22,19 @@ AdiabaticCertificate sample(AdiabaticClaim claim, long n) {
 }  // namespace
 
 TEST_CASE("the invariant is drawn next to its factors, with the bound that is proved") {
-    const std::string svg = adiabatic_svg(sample(AdiabaticClaim::run, 20));
+    const std::string svg = adiabatic_svg(sample(Claim::run, 20));
     CHECK(well_formed(svg));
     CHECK(count_of(svg, "<circle class=\"bounce\"") == 21);
     CHECK(count_of(svg, "<path class=\"speed\"") == 1);
     CHECK(count_of(svg, "<path class=\"invariant\"") == 2);
     CHECK(count_of(svg, "<line class=\"bound\"") == 2 + 1);
     CHECK_THAT(svg, Contains("5.1204 delta") && !Contains("nan") && !Contains("class=\"after\""));
-    CHECK(adiabatic_svg(sample(AdiabaticClaim::run, 20)) == svg);
+    CHECK(adiabatic_svg(sample(Claim::run, 20)) == svg);
 }
 
 TEST_CASE(
     "a scattering ends after its last collision, its curve goes there, and its unit is the root of delta") {
-    const std::string svg = adiabatic_svg(sample(AdiabaticClaim::scattering, 20));
+    const std::string svg = adiabatic_svg(sample(Claim::scattering, 20));
     CHECK(count_of(svg, "<circle class=\"after\"") == 1);
     CHECK_THAT(svg, Contains("\xe2\x88\x9a"
                              "delta") &&
@@ -47,7 +48,7 @@ TEST_CASE(
 }
 
 TEST_CASE("a bound far outside is told in words") {
-    AdiabaticCertificate certificate = sample(AdiabaticClaim::run, 20);
+    dumbbell::adiabatic::Certificate certificate = sample(Claim::run, 20);
     certificate.bounds = {Rational(100)};
     const std::string far = adiabatic_svg(certificate);
     CHECK(well_formed(far));
@@ -57,12 +58,11 @@ TEST_CASE("a bound far outside is told in words") {
 }
 
 TEST_CASE("an orbit of a few collisions has no curve: refused, with what shows it") {
-    CHECK_THROWS_WITH(adiabatic_svg(sample(AdiabaticClaim::scattering, 1)),
-                      Contains("has 2: dumbbell report"));
+    CHECK_THROWS_WITH(adiabatic_svg(sample(Claim::scattering, 1)), Contains("has 2: dumbbell report"));
 }
 
 TEST_CASE("single bounces, and orbits that are too long or come to an end, have no picture") {
-    CHECK_THROWS_WITH(adiabatic_svg(sample(AdiabaticClaim::bounce, 1)), Contains("thm3.3"));
-    CHECK_THROWS_AS(adiabatic_svg(sample(AdiabaticClaim::run, most_plotted_bounces + 1)), InputError);
-    CHECK_THROWS_AS(adiabatic_svg(sample(AdiabaticClaim::run, most_plotted_bounces)), InputError);
+    CHECK_THROWS_WITH(adiabatic_svg(sample(Claim::bounce, 1)), Contains("thm3.3"));
+    CHECK_THROWS_AS(adiabatic_svg(sample(Claim::run, most_plotted_bounces + 1)), InputError);
+    CHECK_THROWS_AS(adiabatic_svg(sample(Claim::run, most_plotted_bounces)), InputError);
 }

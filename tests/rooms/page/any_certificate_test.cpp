@@ -1,4 +1,4 @@
-#include "certificates/any_reader.hpp"
+#include "page/any_certificate.hpp"
 
 #include <sys/stat.h>
 
@@ -14,22 +14,21 @@
 #include "starts/writer.hpp"
 
 using namespace dumbbell_test;
-using namespace dumbbell::adiabatic;
-using namespace dumbbell::certificates;
+using namespace dumbbell::page;
 using namespace dumbbell::collisions;
 
 namespace {
 
 SealedText initial_text() {
-    dumbbell::starts::InitialCertificate certificate{{"dumbbell", "0.1.0"}, {}, 53, {{}}};
+    dumbbell::starts::Certificate certificate{{"dumbbell", "0.1.0"}, {}, 53, {{}}};
     certificate.box.lo = certificate.box.hi = {0, 1, 3, -1, 10};
     return render(certificate);
 }
 
 SealedText adiabatic_text() {
-    AdiabaticCertificate certificate;
+    adiabatic::Certificate certificate;
     certificate.generator = {"dumbbell", "0.1.0"};
-    certificate.hypotheses.claim = AdiabaticClaim::scattering;
+    certificate.hypotheses.claim = adiabatic::Claim::scattering;
     certificate.hypotheses.delta = {Rational(1, 100), Rational(1, 100)};
     certificate.hypotheses.margin = Rational(1, 2);
     certificate.bounds = {20};
@@ -47,17 +46,15 @@ auto with_file(const std::string& text, const Check& check, const std::string& n
     return check(folder / name);
 }
 
-std::string digest_of(const std::string& text) { return with_file(text, sealed_digest); }
-
 }  // namespace
 
 TEST_CASE("a certificate of each claim kind is read as what it is") {
     CHECK(std::holds_alternative<Certificate>(
         with_file(render(every_kind_of_line()).text, read_any_certificate)));
-    CHECK(std::holds_alternative<dumbbell::starts::InitialCertificate>(
+    CHECK(std::holds_alternative<dumbbell::starts::Certificate>(
         with_file(initial_text().text, read_any_certificate)));
-    CHECK(
-        std::holds_alternative<AdiabaticCertificate>(with_file(adiabatic_text().text, read_any_certificate)));
+    CHECK(std::holds_alternative<adiabatic::Certificate>(
+        with_file(adiabatic_text().text, read_any_certificate)));
 }
 
 TEST_CASE("where mass ratios are needed, a certificate of another claim is told apart from no certificate") {
@@ -78,39 +75,12 @@ TEST_CASE("an unknown claim, no certificate and no file are refused") {
                       Contains("no page and no picture shows that; dumbbell verify checks it"));
 }
 
-TEST_CASE("the digest of a file is the one in its last line, plain or compressed") {
-    for (const SealedText& good : {render(every_kind_of_line()), initial_text(), adiabatic_text()}) {
-        CHECK(digest_of(good.text) == good.sha256);
-        const TemporaryFolder folder;
-        AtomicFile(folder / "file.dbc.gz").commit(good.text);
-        CHECK(sealed_digest(folder / "file.dbc.gz") == good.sha256);
-    }
-}
-
-TEST_CASE("a damaged file has no digest: cut off, changed, or with something after its end") {
-    const std::string good = render(every_kind_of_line()).text;
-    std::vector<std::string> damaged{good.substr(0, good.size() - 1), good.substr(0, good.size() / 2),
-                                     good + "\n", good + good, replaced(good, "bits 128", "bits 129")};
-    damaged.push_back(good);
-    damaged.back()[good.size() - 2] = good[good.size() - 2] == '0' ? '1' : '0';
-    for (const std::string& text : damaged) {
-        CAPTURE(text);
-        CHECK_THROWS_WITH(digest_of(text), Contains("damaged"));
-    }
-    for (const char* other : {"", "certificates/q-1.dbc\t--ratio 1\n", "dumbbell-certificate 1"}) {
-        CHECK_THROWS_WITH(digest_of(other),
-                          Contains("is not a certificate: its first line is not 'dumbbell-certificate 1'"));
-    }
-    CHECK_THROWS_WITH(sealed_digest("no/such/file.dbc"), Contains("no such file"));
-}
-
-TEST_CASE("a file with more than one gzip member is neither read nor has a digest") {
+TEST_CASE("a file with more than one gzip member is not read") {
     const TemporaryFolder folder;
     AtomicFile(folder / "good.dbc.gz").commit(initial_text().text);
     const std::string packed = contents(folder / "good.dbc.gz");
     for (const std::string& after : {std::string("x\n"), packed}) {
         write_file(folder / "bad.dbc", packed + after);
-        CHECK_THROWS_WITH(sealed_digest(folder / "bad.dbc"), Contains("bytes after the gzip member"));
         CHECK_THROWS_WITH(read_any_certificate(folder / "bad.dbc"), Contains("bytes after the gzip member"));
     }
 }
@@ -122,6 +92,5 @@ TEST_CASE("a certificate that cannot be read is not called something else") {
     ::chmod(folder.path().c_str(), 0755);
     const NotRoot user;
     const std::string why = "cannot read '" + (folder / "file.dbc") + "': Permission denied";
-    CHECK_THROWS_WITH(sealed_digest(folder / "file.dbc"), why);
     CHECK_THROWS_WITH(read_any_certificate(folder / "file.dbc"), why);
 }

@@ -1,0 +1,35 @@
+#include "page/any_certificate.hpp"
+
+#include <fmt/core.h>
+
+#include "adiabatic/reader.hpp"
+#include "base/error.hpp"
+#include "collisions/reader.hpp"
+#include "file/lines.hpp"
+#include "starts/reader.hpp"
+
+namespace dumbbell::page {
+
+AnyCertificate read_any_certificate(const std::string& path) {
+    constexpr int head_lines = 5;  // before the line `claim`
+    Lines lines(path);
+    for (int i = 0; i < head_lines; ++i) {
+        lines.next();
+    }
+    const std::string claim = lines.expect("claim", 2)[1];
+    if (claim == "initial-conditions" || claim == "incoming") {
+        return starts::read_certificate(path);
+    }
+    if (claim.starts_with("adiabatic-")) {
+        return adiabatic::read_certificate(path);
+    }
+    if (claim == "law") {
+        throw InputError(
+            fmt::format("'{}' is about the law for every mass ratio (dumbbell law): no page and no picture "
+                        "shows that; dumbbell verify checks it",
+                        path));
+    }
+    return collisions::read_certificate(path);
+}
+
+}  // namespace dumbbell::page
