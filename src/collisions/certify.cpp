@@ -7,7 +7,7 @@
 
 #include "base/deadline.hpp"
 #include "base/printable.hpp"
-#include "collisions/steps.hpp"
+#include "collisions/plan.hpp"
 #include "number/decimal.hpp"
 #include "number/parallel.hpp"
 #include "number/self_test.hpp"

@@ -7,7 +7,7 @@
 
 #include "base/observer.hpp"
 #include "collisions/certificate.hpp"
-#include "collisions/steps.hpp"
+#include "collisions/plan.hpp"
 #include "file/folder_lock.hpp"
 
 namespace dumbbell::collisions {

@@ -5,7 +5,7 @@
 
 #include "base/interrupted.hpp"
 #include "flight/contact.hpp"
-#include "flight/macro/steps.hpp"
+#include "flight/macro/macro_step.hpp"
 #include "flight/ray.hpp"
 #include "flight/reflection.hpp"
 #include "number/count.hpp"

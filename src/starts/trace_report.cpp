@@ -7,7 +7,7 @@
 
 #include "base/printable.hpp"
 #include "number/decimal.hpp"
-#include "starts/event_words.hpp"
+#include "starts/event_text.hpp"
 #include "starts/shares.hpp"
 #include "words/printed.hpp"
 
@@ -223,10 +223,10 @@ std::string outcome_sentence(const TraceReport& report) {
     if (const auto event = event_of(report)) {
         return fmt::format(
             "cannot be decided at any precision: {}; {}; move the initial condition, for example --phi",
-            bounds, corner_words(*event));
+            bounds, corner_text(*event));
     }
     if (report.is_single()) {
-        const std::string near = event_words(trace.obstacle.value_or(Obstacle::other));
+        const std::string near = event_text(trace.obstacle.value_or(Obstacle::other));
         return fmt::format("cannot be decided at this precision: {}; undecided from collision {} on{}; {}",
                            bounds, next, near.empty() ? "" : " (on or near " + near + ")", advice(report));
     }

@@ -2,8 +2,8 @@
 
 #include "audit/audit_report.hpp"
 #include "cli/commands.hpp"
+#include "cli/terminal/common.hpp"
 #include "cli/terminal/exit_code.hpp"
-#include "cli/terminal/frame.hpp"
 #include "cli/terminal/messages.hpp"
 #include "cli/terminal/standard_input.hpp"
 

@@ -4,7 +4,7 @@
 #include "flight/way_to_contact.hpp"
 
 /// Where a ray (c, kappa) seems to meet the light wall, sin x = c + kappa x: what steers the bounds of
-/// lower_step.hpp and upper_step.hpp, and proves nothing.
+/// lower_bounce.hpp and upper_bounce.hpp, and proves nothing.
 namespace dumbbell::flight::batch {
 
 template <class D>

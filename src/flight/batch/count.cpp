@@ -32,8 +32,8 @@ Backend named_backend(std::string_view wanted) {
 
 std::string_view name(Backend backend) {
     switch (backend) {
-        case Backend::plain:
-            return "plain";
+        case Backend::portable:
+            return "portable";
         case Backend::avx2:
             return "avx2";
         default:
@@ -42,7 +42,7 @@ std::string_view name(Backend backend) {
 }
 
 std::vector<Backend> backends() {
-    std::vector<Backend> found{Backend::plain};
+    std::vector<Backend> found{Backend::portable};
 #if defined(__x86_64__)
     if (__builtin_cpu_supports("avx2")) {
         found.push_back(Backend::avx2);
@@ -78,7 +78,7 @@ Kernels kernels(Backend backend) {
             return {count_at_most_avx512, count_at_least_avx512};
 #endif
         default:
-            return {count_at_most_plain, count_at_least_plain};
+            return {count_at_most_portable, count_at_least_portable};
     }
 }
 

@@ -11,7 +11,7 @@
 namespace dumbbell::flight::batch {
 
 /// What runs the kernel. All of them give the same answers, bit for bit.
-enum class Backend { plain, avx2, avx512 };
+enum class Backend { portable, avx2, avx512 };
 
 [[nodiscard]] std::string_view name(Backend backend);
 /// Those that this machine can run, slowest first.

@@ -1,8 +1,8 @@
 #include "flight/batch/backends.hpp"
 #include "flight/batch/count_lanes.hpp"
-#include "flight/batch/lower_step.hpp"
+#include "flight/batch/lower_bounce.hpp"
 #include "flight/batch/pack_avx2.hpp"
-#include "flight/batch/upper_step.hpp"
+#include "flight/batch/upper_bounce.hpp"
 
 namespace dumbbell::flight::batch {
 

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "flight/batch/bounce.hpp"
 #include "flight/batch/lane_queue.hpp"
-#include "flight/batch/step.hpp"
 
 namespace dumbbell::flight::batch {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Packs: W doubles side by side, W = 2 (on any machine, pack_plain.hpp), 4 (AVX2, pack_avx2.hpp) or 8
+/// Packs: W doubles side by side, W = 2 (on any machine, pack_portable.hpp), 4 (AVX2, pack_avx2.hpp) or 8
 /// (AVX-512, pack_avx512.hpp), or 1, a plain `double`.
 ///
 /// The same template of a computation gives the same bits with each of them: every operation here rounds each

@@ -2,7 +2,7 @@
 
 #include "base/interrupted.hpp"
 #include "flight/macro/ball.hpp"
-#include "flight/macro/steps.hpp"
+#include "flight/macro/macro_step.hpp"
 
 /// Macro steps (lemma L42): what polynomials must satisfy, for a bound of rays to move along them.
 namespace dumbbell::flight::macro {

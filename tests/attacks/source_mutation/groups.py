@@ -99,22 +99,22 @@ GROUPS = {
         targets=("test_flight", "test_flight_long"),
         programs=("tests/rooms/flight/test_flight", "tests/rooms/flight/test_flight_long")),
     "batch": Group(  # but for aim.hpp, which guesses
-        files=below("flight/batch", "count", "count_lanes:count_plain lane_queue:count_plain lower_step:count_plain "
-                    "pack:count_plain pack_plain:count_plain place:count_plain query:count_plain sine:count_plain step:count_plain "
-                    "upper_step:count_plain"),
+        files=below("flight/batch", "count", "count_lanes:count_portable lane_queue:count_portable lower_bounce:count_portable "
+                    "pack:count_portable pack_portable:count_portable place:count_portable query:count_portable sine:count_portable bounce:count_portable "
+                    "upper_bounce:count_portable"),
         left_out=frozenset(),
         targets=("test_batch",),
         programs=("tests/rooms/flight/batch/test_batch",)),
     "collisions": Group(
-        files=below("collisions", "certificate certify cover critical full_leaf leaf names piece piece_store reader section "
-                    "steps turning_leaf wedge_leaf wedge_witness witness witness_orbit writer",
+        files=below("collisions", "certificate certify cover critical full_leaf leaf names piece piece_store reader plan section "
+                    "turning_leaf wedge_leaf wedge_witness witness witness_orbit writer",
                     "leaf_judges:leaf piece_store:piece_store"),
         left_out=frozenset(),
         targets=("test_collisions",),
         programs=("tests/rooms/collisions/test_collisions",),
         texts=frozenset({"collisions/writer.cpp", "collisions/names.cpp"})),
     "staircase": Group(
-        files=below("staircase", "critical_range law"),
+        files=below("staircase", "critical_range"),
         left_out=frozenset(),
         targets=("test_staircase",),
         programs=("tests/rooms/staircase/test_staircase",)),

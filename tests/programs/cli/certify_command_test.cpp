@@ -69,7 +69,7 @@ TEST_CASE("a certificate depends on nothing but the claim: not on the jobs, the 
 TEST_CASE("nor on the backend of the batch kernel, and one that the machine lacks is refused") {
     const TemporaryFolder folder;
     const std::string one = contents(certificate(folder, "1:50", {}));
-    ::setenv("DUMBBELL_BACKEND", "plain", 1);
+    ::setenv("DUMBBELL_BACKEND", "portable", 1);
     CHECK(contents(certificate(folder, "1:50", {})) == one);
     ::setenv("DUMBBELL_BACKEND", "abacus", 1);
     const auto refused = dumbbell({"certify", "10"});

@@ -4,7 +4,7 @@
 
 #include "base/error.hpp"
 #include "catch.hpp"
-#include "collisions/steps.hpp"
+#include "collisions/plan.hpp"
 
 using namespace dumbbell;
 using namespace dumbbell::collisions;

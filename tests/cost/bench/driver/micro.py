@@ -4,9 +4,9 @@ from driver.goals import Goal
 
 # The best that can be written for one ray with libm, not the shortest: "plain double, libm" starts each contact afresh.
 PLAIN = "plain double, warm"
-# Method, greatest ratio to the plain bounce: at q = 100, above. `batch plain` is the scalar kernel: one ray at a time.
+# Method, greatest ratio to the plain bounce: at q = 100, above. `batch portable` is the scalar kernel: one ray at a time.
 BOUNCE_GOALS = [
-    ("batch plain, two-sided", 1.9, 1.9), ("batch plain, one-sided", 1.0, 1.0),
+    ("batch portable, two-sided", 1.9, 1.9), ("batch portable, one-sided", 1.0, 1.0),
     ("batch avx2, two-sided", 0.5, 0.5), ("batch avx2, one-sided", 0.4, 0.24),
     ("batch avx512, two-sided", 0.25, 0.25), ("batch avx512, one-sided", 0.2, 0.12),
 ]
@@ -45,7 +45,7 @@ def bounce(bin_folder, effort):
     rows.append(["ns of the plain bounce", *(f"{plain[group]:.0f}" for group in groups)])
     tables.show("One bounce, over the plain one", ["", *groups], rows, [
         "one-sided: an upper bound of the count; at least: a lower bound; two-sided: both. `plain double` and `plain avx512` prove nothing, all others do.",
-        "batch: the kernel of src/batch, `plain` one ray at a time; Interval, BigInterval, CGAL, Arb: the general",
+        "batch: the kernel of src/batch, `portable` one ray at a time; Interval, BigInterval, CGAL, Arb: the general",
         "count of src/model, the same template for all of them."])
     goals = []
     for method, short, long in BOUNCE_GOALS:
@@ -53,7 +53,7 @@ def bounce(bin_folder, effort):
             measured = results[group, method]["ns"] / plain[group] if (group, method) in results else None
             goals.append(Goal(f"bounce, {method}, over plain double, {group}", short if group == "q=100" else long, measured))
     return as_json(results), goals + [beaten(results, groups, methods, kernel, sides)
-                                      for kernel in ("batch plain", "batch") for sides in ("one-sided", "two-sided")]
+                                      for kernel in ("batch portable", "batch") for sides in ("one-sided", "two-sided")]
 
 
 def beaten(results, groups, methods, kernel, sides):

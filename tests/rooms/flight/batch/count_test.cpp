@@ -55,8 +55,8 @@ Query wild(Random& random) {
 }
 
 void check_same(const std::vector<Query>& queries) {
-    const auto most = answers(queries, Backend::plain);
-    const auto lower = fewest(queries, Backend::plain);
+    const auto most = answers(queries, Backend::portable);
+    const auto lower = fewest(queries, Backend::portable);
     for (const Backend backend : batch::backends()) {
         const auto other_most = answers(queries, backend);
         const auto other_fewest = fewest(queries, backend);
@@ -77,8 +77,8 @@ void check_same(const std::vector<Query>& queries) {
 /// Fails unless upper >= true number >= lower, with equality where no decision was closer than 1e-9.
 void check_bounds(const DoubleRay& ray) {
     const auto exact = ray_count<Real>(ray, cap);
-    const long upper = answer(query(ray), Backend::plain).count;
-    const long lower = fewest(query(ray), Backend::plain);
+    const long upper = answer(query(ray), Backend::portable).count;
+    const long lower = fewest(query(ray), Backend::portable);
     if (upper < exact.hits || lower > exact.hits) {
         FAIL(say(ray, "has", exact.hits, "collisions, bounds are", lower, upper));
     }
@@ -148,8 +148,8 @@ TEST_CASE("The bounds of 200 bits lie between them, also for small ratios and up
         const DoubleRay ray{one.ray.c, one.ray.kappa, one.ray.r};
         const long big_most = count_at_most(as<BigInterval>(ray), one.cap);
         const long big_least = count_at_least(as<BigInterval>(ray), one.cap);
-        const long upper = answer(one, Backend::plain).count;
-        const long lower = fewest(one, Backend::plain);
+        const long upper = answer(one, Backend::portable).count;
+        const long lower = fewest(one, Backend::portable);
         if (upper < big_most || lower > big_least) {
             FAIL(say(ray, "cap", one.cap, "bounds", lower, upper, "in 200 bits", big_least, big_most));
         }
@@ -161,7 +161,7 @@ TEST_CASE("What is not certain although all was clear is not certain for Interva
     int clear = 0;
     for (int i = 0; i < 30'000; ++i) {
         const Query one = query(random_ray(random, 1e-3), random.below(12));
-        const Answer found = answer(one, Backend::plain);
+        const Answer found = answer(one, Backend::portable);
         if (found.count > one.cap && found.clear) {
             ++clear;
             CHECK(count_at_most(
@@ -178,8 +178,8 @@ TEST_CASE("The upper count holds for every ray above, the lower count for every 
         const DoubleRay low = random_ray(random, 1e-3);
         const auto some = [&](double most) { return random.coin() ? 0.0 : random.scaled(1e-16, most); };
         const DoubleRay high{low.c + some(1), low.kappa + some(0.5), std::min(1.0, low.r + some(0.5))};
-        const long upper = answer(query(low), Backend::plain).count;
-        const long lower = fewest(query(high), Backend::plain);
+        const long upper = answer(query(low), Backend::portable).count;
+        const long lower = fewest(query(high), Backend::portable);
         if (ray_count<Real>(high, cap).hits > upper || ray_count<Real>(low, cap).hits < lower) {
             FAIL(say("from", low, "to", high, "bounds", lower, upper));
         }
@@ -192,13 +192,13 @@ TEST_CASE("Mass ratios of 1e4 to 1e6 with hundreds of collisions are counted to 
         for (int i = 0; i < 8; ++i) {
             const DoubleRay ray{r * random.uniform(0, 3), r * random.uniform(-1, 1.5), r};
             const auto exact = ray_count<Real>(ray, cap);
-            const Answer found = answer(query(ray), Backend::plain);
+            const Answer found = answer(query(ray), Backend::portable);
             CAPTURE(show(ray), exact.hits);
             CHECK(exact.hits > 40);
             CHECK(found.count >= exact.hits);
             CHECK(found.count <= exact.hits + 1);
-            CHECK(fewest(query(ray), Backend::plain) <= exact.hits);
-            CHECK(fewest(query(ray), Backend::plain) >= exact.hits - 1);
+            CHECK(fewest(query(ray), Backend::portable) <= exact.hits);
+            CHECK(fewest(query(ray), Backend::portable) >= exact.hits - 1);
         }
     }
 }
@@ -222,11 +222,11 @@ TEST_CASE(
     "Rays that are too steep or too high never collide, and bounds below the domain are taken as its edge") {
     for (const DoubleRay& ray : {DoubleRay{0, 1, 0.1}, {0.5, 2, 1}, {1.5, 0, 0.5}, {1e9, 0.5, 1e-3}}) {
         CAPTURE(show(ray));
-        CHECK(answer(query(ray), Backend::plain).count == 0);
-        CHECK(fewest(query(ray), Backend::plain) == 0);
+        CHECK(answer(query(ray), Backend::portable).count == 0);
+        CHECK(fewest(query(ray), Backend::portable) == 0);
     }
-    const auto low = answer(query({-1e-300, -5, 0.1}), Backend::plain);
-    CHECK(low.count == answer(query({0, -1, 0.1}), Backend::plain).count);
+    const auto low = answer(query({-1e-300, -5, 0.1}), Backend::portable);
+    CHECK(low.count == answer(query({0, -1, 0.1}), Backend::portable).count);
 }
 
 TEST_CASE("NaN never gives a small upper count, nor a positive lower one, nor does a ratio that is none") {
@@ -251,8 +251,8 @@ TEST_CASE("A thread that does not round to nearest gets no answer") {
     const std::vector<Query> queries{query({0.1, 0, 0.1})};
     for (const int mode : {FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO}) {
         std::fesetround(mode);
-        CHECK_THROWS_AS(batch::count_at_most(queries, found, Backend::plain), BrokenInvariant);
-        CHECK_THROWS_AS(batch::count_at_least(queries, found, Backend::plain), BrokenInvariant);
+        CHECK_THROWS_AS(batch::count_at_most(queries, found, Backend::portable), BrokenInvariant);
+        CHECK_THROWS_AS(batch::count_at_least(queries, found, Backend::portable), BrokenInvariant);
         std::fesetround(FE_TONEAREST);
     }
 }

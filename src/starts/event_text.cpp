@@ -1,4 +1,4 @@
-#include "starts/event_words.hpp"
+#include "starts/event_text.hpp"
 
 #include <fmt/core.h>
 
@@ -32,7 +32,7 @@ const char* name(ExactKind kind) {
 
 }  // namespace
 
-std::string event_words(Obstacle obstacle) { return words_of(obstacle).near; }
+std::string event_text(Obstacle obstacle) { return words_of(obstacle).near; }
 
 std::string kinds_text(const Subdivision& parts) {
     std::string text;
@@ -59,7 +59,7 @@ Json kinds_json(const Subdivision& parts) {
     return kinds;
 }
 
-std::string corner_words(const ExactEvent& event) {
+std::string corner_text(const ExactEvent& event) {
     return fmt::format("{}both masses reach the floor at once{} (a corner, where no motion is defined)",
                        event.kind == ExactKind::flat ? "the rod falls flat: " : "",
                        event.time ? ", at time " + exact_text(*event.time) : "");

@@ -1,4 +1,4 @@
-#include "flight/macro/steps.hpp"
+#include "flight/macro/macro_step.hpp"
 
 #include <algorithm>
 #include <cmath>

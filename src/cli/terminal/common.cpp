@@ -1,4 +1,4 @@
-#include "cli/terminal/frame.hpp"
+#include "cli/terminal/common.hpp"
 
 #include <algorithm>
 #include <thread>

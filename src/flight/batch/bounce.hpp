@@ -2,7 +2,7 @@
 
 #include "flight/batch/place.hpp"
 
-/// What lower_step.hpp and upper_step.hpp share: one collision of a ray that is followed with bounds (L5
+/// What lower_bounce.hpp and upper_bounce.hpp share: one collision of a ray that is followed with bounds (L5
 /// (e)), from the sine and cosine of one point z of [0, half_pi_hi] near the contact.
 ///
 /// Every pad is that of L39: sizes times 16 u. Rounding takes at most two thirds of it; the rest is what lets

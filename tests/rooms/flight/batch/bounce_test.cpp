@@ -1,11 +1,11 @@
-#include "flight/batch/step.hpp"
+#include "flight/batch/bounce.hpp"
 
 #include <optional>
 #include <type_traits>
 
 #include "catch.hpp"
-#include "flight/batch/lower_step.hpp"
-#include "flight/batch/upper_step.hpp"
+#include "flight/batch/lower_bounce.hpp"
+#include "flight/batch/upper_bounce.hpp"
 #include "places.hpp"
 
 using namespace dumbbell;

@@ -1,4 +1,4 @@
-#include "collisions/steps.hpp"
+#include "collisions/plan.hpp"
 
 #include <fmt/core.h>
 

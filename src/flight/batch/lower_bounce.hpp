@@ -1,6 +1,6 @@
 #pragma once
 
-#include "flight/batch/step.hpp"
+#include "flight/batch/bounce.hpp"
 
 namespace dumbbell::flight::batch {
 

@@ -1,4 +1,4 @@
-#include "collisions/steps.hpp"
+#include "collisions/plan.hpp"
 
 #include "base/error.hpp"
 #include "catch.hpp"

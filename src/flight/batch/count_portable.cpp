@@ -1,0 +1,17 @@
+#include "flight/batch/backends.hpp"
+#include "flight/batch/count_lanes.hpp"
+#include "flight/batch/lower_bounce.hpp"
+#include "flight/batch/pack_portable.hpp"
+#include "flight/batch/upper_bounce.hpp"
+
+namespace dumbbell::flight::batch {
+
+void count_at_most_portable(const Query* queries, Answer* answers, long size, Stop stop) {
+    CountLanes<Pack2, 4, Lower>(queries, answers, size).run(stop);
+}
+
+void count_at_least_portable(const Query* queries, Answer* answers, long size, Stop stop) {
+    CountLanes<Pack2, 4, Upper>(queries, answers, size).run(stop);
+}
+
+}  // namespace dumbbell::flight::batch
