@@ -71,7 +71,7 @@ class Search {
         const BigInterval r = midpoint(BigInterval(1) / enclose<BigInterval>(ratio(place)));
         std::optional<flight::Ray<BigInterval>> last;
         (void)count_at_most(extremal_ray(flight_.orbit, r), flight_.flight - 1, interrupted_,
-                            [&](long count, const BigInterval& c, const BigInterval& kappa) {
+                            [&](const Count& count, const BigInterval& c, const BigInterval& kappa) {
                                 if (count == flight_.flight - 1) {
                                     last = {c, kappa, r};
                                 }

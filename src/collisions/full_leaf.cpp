@@ -48,9 +48,8 @@ std::optional<Leaf> judge_contact(const Bounds<I>& b, long upper, const Interrup
     if (beyond_contacts(b)) {
         return Leaf{Reason::outside};
     }
-    return counted(
-        count_at_most(lowest_over(from_bridge(b.position_hi, b.eta_lo), b.range), upper - 1, interrupted),
-        upper);
+    const auto lowest = lowest_over(from_bridge(b.position_hi, b.eta_lo), b.range);
+    return counted(as_long(count_at_most(lowest, upper - 1, interrupted)), upper);
 }
 
 template <class I>

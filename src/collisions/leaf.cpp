@@ -26,9 +26,9 @@ std::optional<Leaf> judge_one(Chart chart, const Box& box, const Count& upper,
         case Chart::light:
             return judge_turning<I>(chart, box, upper, interrupted);
         case Chart::wedge:
-            return judge_wedge<I>(box, upper, interrupted);
+            return judge_wedge<I>(box, as_long(upper), interrupted);
         default:
-            return judge_full<I>(chart, box, upper, interrupted);
+            return judge_full<I>(chart, box, as_long(upper), interrupted);
     }
 }
 
@@ -41,7 +41,7 @@ void judge(Chart chart, std::span<const Box> boxes, const Count& upper,
     const bool turning = chart == Chart::bridge || chart == Chart::light;
     std::vector<BoxJudgement> verdicts(boxes.size(), BoxJudgement::unsure);
     if (turning && upper <= flight::batch::most_worth_a_batch) {
-        verdicts = judge_turning_together(chart, boxes, upper, results, interrupted);
+        verdicts = judge_turning_together(chart, boxes, as_long(upper), results, interrupted);
     }
     for (std::size_t i = 0; i < boxes.size(); ++i) {
         if (verdicts[i] == BoxJudgement::unsure) {

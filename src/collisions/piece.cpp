@@ -74,7 +74,8 @@ void describe(ProvedPiece& proved) {
         least = std::min(least, low_end(collision.grazing_sine).lo());
         greatest_width = std::max(greatest_width, width(collision.y));
     };
-    if (visit_orbit<I>({enclose<I>(w.e), enclose<I>(w.eta), w.forward, w.backward}, range, see)) {
+    if (visit_orbit<I>({enclose<I>(w.e), enclose<I>(w.eta), as_long(w.forward), as_long(w.backward)}, range,
+                       see)) {
         proved.width = greatest_width;
         proved.margin = std::max(0.0, asin(Interval(std::max(0.0, least))).lo());
     }
@@ -121,12 +122,12 @@ Obstacle attempt_piece(ProvedPiece& proved, int bits, const Goal& goal, const Pi
     Piece& piece = proved.piece;
     const auto& [upper, lower, greatest, least, is_suspected] = goal;
     const bool asks_orbits = options.scene == Scene::dumbbell && !is_suspected;
-    if (asks_orbits && !orbits_reach<I>(lower, least, options.interrupted)) {
+    if (asks_orbits && !orbits_reach<I>(as_long(lower), least, options.interrupted)) {
         return Obstacle::witness;
     }
     auto witness = options.scene == Scene::dumbbell
                        ? find_witness<I>(least, piece.q_hi, lower, options.interrupted)
-                       : find_wedge_witness(least, lower, options.interrupted);
+                       : find_wedge_witness(least, as_long(lower), options.interrupted);
     if (!witness) {
         return Obstacle::witness;
     }
@@ -135,7 +136,7 @@ Obstacle attempt_piece(ProvedPiece& proved, int bits, const Goal& goal, const Pi
     piece.lower = lower;
     piece.witness = std::move(*witness);
     // At 1 equal masses need no cover.
-    if (asks_orbits && greatest > 1 && !orbits_stay_below<I>(upper, greatest, options.interrupted)) {
+    if (asks_orbits && greatest > 1 && !orbits_stay_below<I>(as_long(upper), greatest, options.interrupted)) {
         return Obstacle::boxes;
     }
     auto cover = prove_upper<I>(piece.q_lo, greatest, upper, options);

@@ -150,7 +150,9 @@ double half_gap(const std::vector<Step>& steps, std::size_t i, double relative_g
 
 }  // namespace
 
-PlannedPiece planned_as(const Piece& piece) { return {piece.q_lo, piece.q_hi, *piece.upper, piece.lower}; }
+PlannedPiece planned_as(const Piece& piece) {
+    return {piece.q_lo, piece.q_hi, as_long(*piece.upper), as_long(piece.lower)};
+}
 
 std::string words_of(const PlannedPiece& planned) {
     return fmt::format("piece {} {} {} {}", to_fraction(planned.q_lo), to_fraction(planned.q_hi),

@@ -144,7 +144,7 @@ std::optional<Leaf> judge_turning(Chart chart, const Box& box, const Count& uppe
         return found.leaf;
     }
     using N = flight::CountOf<I>;
-    const N most = upper - 1;
+    const N most = flight::count_in<I>(upper - 1);
     const N forward = count_at_most(*found.out, most, interrupted);
     if (forward > most) {
         return std::nullopt;

@@ -157,8 +157,9 @@ std::optional<Witness> checked_witness(const Rational& e, const Rational& eta, c
         return std::nullopt;
     }
     std::array<flight::CountOf<I>, 2> counts;
-    flight::each_count<I>(
-        2, [&](std::size_t i) { counts[i] = count_at_least<I>((*rays)[i], cap, interrupted); });
+    flight::each_count<I>(2, [&](std::size_t i) {
+        counts[i] = count_at_least<I>((*rays)[i], flight::count_in<I>(cap), interrupted);
+    });
     return Witness{e, eta, counts[0], counts[1]};
 }
 
@@ -169,7 +170,7 @@ std::optional<Witness> find_witness(const Rational& q_lo, const Rational& q_hi, 
     const int deepest = std::min(bits + 8, shortest_distance_bits);
     constexpr bool in_double = std::is_same_v<I, Interval>;
     if (in_double && target <= flight::batch::most_worth_a_batch) {
-        return find_in_double(q_lo, q_hi, target, deepest, interrupted);
+        return find_in_double(q_lo, q_hi, as_long(target), deepest, interrupted);
     }
     // The shorter the distance, the nearer to the extremal orbits, as long as the precision tells them apart.
     const int first = in_double ? 20 : std::clamp(bits - 32, 1, deepest);

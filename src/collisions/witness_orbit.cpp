@@ -15,9 +15,9 @@ Interval outward(const I& x) {
 template <class I>
 std::vector<flight::Collision<Interval>> orbit_in(const Witness& w, const Rational& q) {
     const I r = enclose<I>(Rational(1) / q);
-    const auto orbit =
-        enclose_orbit(flight::BridgeContact<I>{enclose<I>(w.e), enclose<I>(w.eta), w.forward, w.backward},
-                      flight::RatioRange<I>{r, r});
+    const auto orbit = enclose_orbit(
+        flight::BridgeContact<I>{enclose<I>(w.e), enclose<I>(w.eta), as_long(w.forward), as_long(w.backward)},
+        flight::RatioRange<I>{r, r});
     std::vector<flight::Collision<Interval>> result;
     if (orbit) {
         for (const auto& c : *orbit) {

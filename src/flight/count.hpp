@@ -19,6 +19,16 @@ namespace dumbbell::flight {
 template <class I>
 using CountOf = std::conditional_t<std::is_same_v<I, BigInterval>, Count, long>;
 
+/// The same number. Throws InputError if it is too great for I.
+template <class I>
+[[nodiscard]] CountOf<I> count_in(const Count& n) {
+    if constexpr (std::is_same_v<CountOf<I>, Count>) {
+        return n;
+    } else {
+        return as_long(n);
+    }
+}
+
 /// work(i) for each i < number, a count or a proof by counts: in multiple precision in_parallel, in double
 /// one after the other, for they are soon done.
 template <class I, class Work>
@@ -60,7 +70,9 @@ class MacroSteps {
         }
         const N before = count;
         for (N steps = 1; steps > 0; count += steps) {
-            steps = interrupted_() ? N(0) : N(macro_step(side_, r_, state, cap_ - count - 1, interrupted_));
+            steps = interrupted_()
+                        ? N(0)
+                        : count_in<I>(macro_step(side_, r_, state, cap_ - count - 1, interrupted_));
             attempts_ -= steps == 0 ? 1 : 0;
         }
         if (count != before) {

@@ -70,7 +70,8 @@ long later_collisions_at_most(Departure<I> low, Departure<I> high, const RatioRa
         const I c_low = low_end(max(I(0), low.sin_x + low.kappa * (low.x + pi<I>())));
         if (certainly_at_most(r_hi, low.kappa)) {
             // From here on every slope is at least r: the bridge is out of reach (L6).
-            const long later = count_at_most(Ray<I>{c_low, low.kappa, r_lo}, cap - count, interrupted);
+            const long later =
+                as_long(count_at_most(Ray<I>{c_low, low.kappa, r_lo}, cap - count, interrupted));
             return std::max(most, count + later);
         }
         const I over_corner = low_end(low.sin_x + low.kappa * low.x);
@@ -78,7 +79,7 @@ long later_collisions_at_most(Departure<I> low, Departure<I> high, const RatioRa
             const BridgeApproach<I> highest_ray{high_end(high.sin_x + high.kappa * high.x), high.kappa};
             const I latest = latest_bridge_contact(highest_ray, low.kappa, range);
             const long later =
-                count_at_most(lowest_over(bridge_tangent(latest), range), cap - count, interrupted);
+                as_long(count_at_most(lowest_over(bridge_tangent(latest), range), cap - count, interrupted));
             most = std::max(most, count + 1 + later);
             if (most > cap || certainly_below_bridge(highest_ray, latest, r_lo)) {
                 return most;

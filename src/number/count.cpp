@@ -28,14 +28,14 @@ Count::Count(double value) {
 
 bool Count::fits_long() const { return is_small() || mpz_fits_slong_p(large()->raw()) != 0; }
 
-Count::operator long() const {
-    if (is_small()) {
-        return small();
+long as_long(const Count& n) {
+    if (n.is_small()) {
+        return n.small();
     }
-    if (!fits_long()) {
-        throw InputError(fmt::format("{} collisions: only fewer than 2^63 are listed or drawn", str()));
+    if (!n.fits_long()) {
+        throw InputError(fmt::format("{} collisions: only fewer than 2^63 are listed or drawn", n.str()));
     }
-    return large()->convert_to<long>();
+    return n.large()->convert_to<long>();
 }
 
 Count::operator double() const { return mpz_get_d(integer().raw()); }

@@ -14,8 +14,7 @@
 namespace dumbbell {
 
 /// A number of collisions, of any size, in eight bytes: trees have two at every leaf, nearly all of them
-/// small, which take no memory of their own. Where only those are meant that are followed one by one, listed
-/// or drawn it becomes a long by itself; InputError if it does not fit.
+/// small, which take no memory of their own.
 class Count {
   public:
     Count() = default;
@@ -40,7 +39,6 @@ class Count {
         }
     }
 
-    operator long() const;  // NOLINT(google-explicit-constructor): see above
     explicit operator double() const;
     [[nodiscard]] Integer integer() const { return is_small() ? Integer(small()) : *large(); }
     [[nodiscard]] bool fits_long() const;
@@ -65,12 +63,7 @@ class Count {
     friend std::strong_ordering operator<=>(const Count& x, const Count& y) {
         return x.both_small(y) ? x.small() <=> y.small() : x.integer() <=> y.integer();
     }
-    // With built-in integers these fit better than the conversion above.
-    friend Count operator+(Count x, std::integral auto y) { return x += y; }
-    friend Count operator+(std::integral auto x, Count y) { return y += x; }
-    friend Count operator-(Count x, std::integral auto y) { return x -= y; }
-    friend bool operator==(const Count& x, std::integral auto y) { return x == Count(y); }
-    friend std::strong_ordering operator<=>(const Count& x, std::integral auto y) { return x <=> Count(y); }
+    friend long as_long(const Count& n);
     friend std::ostream& operator<<(std::ostream& out, const Count& x);
 
   private:
@@ -89,6 +82,10 @@ class Count {
     std::intptr_t word_ =
         tagged(0);  ///< 2 v + 1 for a value v that fits, else the (even) address of an Integer
 };
+
+/// Where only counts are meant that are followed one by one, listed or drawn. Throws InputError if it does
+/// not fit.
+[[nodiscard]] long as_long(const Count& n);
 
 }  // namespace dumbbell
 

@@ -136,7 +136,8 @@ std::string teeth_path(const Frame& frame, const Law& law, const std::vector<Pie
     std::string path;
     for (const Piece& piece : pieces) {
         if (piece.status() == Status::exact && value(piece.q_lo) < q_end) {
-            path += line(points(frame, {value(piece.q_lo), value(piece.q_hi)}, law.excess(*piece.upper)));
+            path += line(
+                points(frame, {value(piece.q_lo), value(piece.q_hi)}, law.excess(as_long(*piece.upper))));
         }
     }
     return path;
@@ -148,7 +149,7 @@ std::string gap_path(const Frame& frame, const Law& law, const std::vector<Piece
     for (const Piece& piece : pieces) {
         const Range range{value(piece.q_lo), value(piece.q_hi)};
         if (piece.status() == Status::gap && px(frame.x(range.lo)) != px(frame.x(range.hi))) {
-            path += area(frame, range, law.excess(piece.lower), law.excess(*piece.upper));
+            path += area(frame, range, law.excess(as_long(piece.lower)), law.excess(as_long(*piece.upper)));
         }
     }
     return path;
@@ -164,8 +165,9 @@ std::string steps_path(const Frame& frame, const Law& law, const std::vector<Pie
         }
         if (before != nullptr && *piece.upper == *before->upper + 1) {
             const double lo = value(before->q_hi), hi = value(piece.q_lo);
-            path += fmt::format("M{} {}L{} {}", px(frame.x(lo)), px(frame.y(law.lateness(*piece.upper, lo))),
-                                px(frame.x(hi)), px(frame.y(law.lateness(*piece.upper, hi))));
+            path += fmt::format("M{} {}L{} {}", px(frame.x(lo)),
+                                px(frame.y(law.lateness(as_long(*piece.upper), lo))), px(frame.x(hi)),
+                                px(frame.y(law.lateness(as_long(*piece.upper), hi))));
         }
         before = &piece;
     }

@@ -84,7 +84,7 @@ std::vector<LegendEntry> legend_entries(const std::map<long, Region>& regions, c
     std::vector<LegendEntry> entries;
     for (const Count& count : shown_counts(counts_of(regions))) {
         entries.push_back({Swatch::area, count_kind(count),
-                           fmt::format("{} ({})", count, percent(regions.at(count).share))});
+                           fmt::format("{} ({})", count, percent(regions.at(as_long(count)).share))});
     }
     if (undecided > 0) {
         entries.push_back({Swatch::area, "hatched", fmt::format("undecided ({})", percent(undecided))});

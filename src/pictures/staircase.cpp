@@ -97,11 +97,11 @@ struct Counts {
 constexpr long many = 20;
 
 Counts counts_of(const std::vector<Piece>& pieces, Scene scene) {
-    long least = pieces.front().lower;
+    long least = as_long(pieces.front().lower);
     long most = 2;
     for (const Piece& piece : pieces) {
-        least = std::min<long>(least, piece.lower);
-        most = std::max<long>({most, piece.lower, piece.upper.value_or(0)});
+        least = std::min(least, as_long(piece.lower));
+        most = std::max({most, as_long(piece.lower), as_long(piece.upper.value_or(0))});
     }
     const long highest = flight::paper_bound(pieces.back().q_hi);
     constexpr long share = 4;  // of the axis, at least, that is left to the steps

@@ -29,7 +29,7 @@ template <class I>
                                                         const Interrupted& interrupted = never) {
     const I lowest = low_end(r);
     const long later =
-        count_at_most(flight::Ray<I>{low_end(lowest * pi<I>()), lowest, lowest}, cap, interrupted);
+        as_long(count_at_most(flight::Ray<I>{low_end(lowest * pi<I>()), lowest, lowest}, cap, interrupted));
     return later > cap ? std::nullopt : std::optional(1 + later);
 }
 
@@ -44,7 +44,7 @@ template <class I>
         return 2;
     }
     const auto later = most_later_collisions(r, cap, interrupted);
-    const long top = count_at_most(flight::Ray<I>{lowest, I(0), lowest}, cap, interrupted);
+    const long top = as_long(count_at_most(flight::Ray<I>{lowest, I(0), lowest}, cap, interrupted));
     return later && top <= cap ? std::optional(std::min(1 + 2 * *later, 2 + 2 * top)) : std::nullopt;
 }
 
@@ -54,8 +54,8 @@ namespace detail {
 template <class I>
 LaterCount ray_counts(const I& c, const I& kappa, const I& r, const Interrupted& interrupted) {
     const I height = max(I(0), c);
-    const long most = count_at_most(flight::Ray<I>{height, kappa, r}, count_cap, interrupted);
-    return {count_at_least(flight::Ray<I>{height, kappa, r}, count_cap, interrupted),
+    const long most = as_long(count_at_most(flight::Ray<I>{height, kappa, r}, count_cap, interrupted));
+    return {as_long(count_at_least(flight::Ray<I>{height, kappa, r}, count_cap, interrupted)),
             most > count_cap ? std::nullopt : std::optional(most)};
 }
 

@@ -26,10 +26,10 @@ struct Start {
 
 std::optional<Start> start_of(const collisions::Witness& w, const Rational& q) {
     const BigInterval r = enclose<BigInterval>(Rational(1) / q);
-    const auto orbit =
-        enclose_orbit(flight::BridgeContact<BigInterval>{enclose<BigInterval>(w.e),
-                                                         enclose<BigInterval>(w.eta), w.forward, w.backward},
-                      flight::RatioRange<BigInterval>{r, r});
+    const auto orbit = enclose_orbit(
+        flight::BridgeContact<BigInterval>{enclose<BigInterval>(w.e), enclose<BigInterval>(w.eta),
+                                           as_long(w.forward), as_long(w.backward)},
+        flight::RatioRange<BigInterval>{r, r});
     if (!orbit || !certainly_positive(-orbit->front().ydot_before)) {
         return std::nullopt;
     }

@@ -56,7 +56,7 @@ Certificate any_true_claim(Choices& choices) {
 
 // The wrongs. Each takes a piece of the claim, or one of its trees and a node of it.
 
-long changed(long n, Choices& choices) { return std::max(0L, n + choices.between(-2, 2)); }
+Count changed(const Count& n, Choices& choices) { return std::max<Count>(0, n + choices.between(-2, 2)); }
 
 void change_leaf(Node& node, Chart chart, Choices& choices) {
     switch (choices.below(4)) {
@@ -139,20 +139,20 @@ void strengthen_upper(Piece& piece, Choices& choices) {
     for (ChartTree& part : piece.cover.charts)
         for (Node& node : part.tree) {
             Leaf& leaf = node.leaf;
-            const long too_many = 1 + leaf.forward + leaf.backward - *piece.upper;
+            const Count too_many = 1 + leaf.forward + leaf.backward - *piece.upper;
             if (node.split || leaf.reason != Reason::count || too_many <= 0) continue;
             dumbbell::Count& first = forward_first ? leaf.forward : leaf.backward;
             dumbbell::Count& second = forward_first ? leaf.backward : leaf.forward;
-            const long taken = std::min<long>(first, too_many);
+            const Count taken = std::min(first, too_many);
             first -= taken;
-            second = std::max<long>(0L, second - (too_many - taken));
+            second = std::max<Count>(0, second - (too_many - taken));
         }
 }
 
 void strengthen_lower(Piece& piece, Choices& choices) {
     if (!piece.witness) return;
     const long more = choices.between(-1, 2);
-    piece.lower = std::max<long>(0L, piece.lower + more);
+    piece.lower = std::max<Count>(0, piece.lower + more);
     (choices.coin() ? piece.witness->forward : piece.witness->backward) += std::max(0L, more);
     if (piece.upper) piece.upper = std::max(*piece.upper, piece.lower);
 }
@@ -203,7 +203,7 @@ Rational rational(const mpq_class& x) { return Rational(x.get_mpq_t()); }
 Rational near(const Rational& q, const Piece& piece, Choices& choices) {
     Rational base = q;
     if (choices.coin()) {
-        const long n = piece.lower + choices.between(-1, 2);
+        const long n = as_long(piece.lower) + choices.between(-1, 2);
         base = rational(critical_ratio(
             static_cast<std::size_t>(std::clamp(n, 3L, static_cast<long>(greatest_critical())))));
     }

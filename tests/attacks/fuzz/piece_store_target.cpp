@@ -43,7 +43,7 @@ Piece any_piece(Choices& choices, const StoredClaim& claim) {
         piece.cover.charts.push_back({chart, {}});
         grow_any_tree(choices, chart, 12, piece.cover.charts.back().tree);
     }
-    piece.lower = choices.between(0, *piece.upper);
+    piece.lower = choices.between(0, as_long(*piece.upper));
     if (piece.lower > 0) {
         const Chart chart = claim.scene == Scene::dumbbell ? Chart::bridge : Chart::wedge;
         const Rational e = any_dyadic(choices);
@@ -101,7 +101,7 @@ bool opens(const fs::path& folder, const StoredClaim& claim) {
 }
 
 void check_find(const PieceStore& store, const Piece& piece, const StoredClaim& claim, bool must_be_there) {
-    const auto found = store.find({piece.q_lo, piece.q_hi, *piece.upper, piece.lower});
+    const auto found = store.find({piece.q_lo, piece.q_hi, as_long(*piece.upper), as_long(piece.lower)});
     must(found.has_value() || !must_be_there, "a piece that was kept is found");
     if (!found) return;
     must(found->q_lo == piece.q_lo && found->q_hi == piece.q_hi && found->upper == piece.upper &&

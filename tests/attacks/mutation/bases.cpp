@@ -67,7 +67,7 @@ bool near_meeting(const Box& box) {
     return e == 0 && (least == 0 || (least <= reversed && reversed <= greatest));
 }
 /// More splits than are needed, in turn of all axes: `depth` everywhere, twelve more near meetings.
-void grow(Chart chart, const Box& box, long upper, int depth, int done, Tree& tree) {
+void grow(Chart chart, const Box& box, const Count& upper, int depth, int done, Tree& tree) {
     std::optional<Leaf> leaf;
     judge<Interval>(chart, {&box, 1}, upper, {&leaf, 1});
     if (leaf && done >= depth + (chart == Chart::light && near_meeting(box) ? 12 : 0)) {

@@ -15,12 +15,12 @@ using namespace dumbbell::collisions;
 
 /// A tree that is as good as it gets for the bound: what does not close within `depth` splits is a leaf
 /// `count` all the same, with hints that fit the bound.
-void best_tree(Chart chart, const Box& box, long upper, int depth, Tree& tree) {
+void best_tree(Chart chart, const Box& box, const Count& upper, int depth, Tree& tree) {
     std::optional<Leaf> leaf;
     judge<Interval>(chart, {&box, 1}, upper, {&leaf, 1});
     if (!leaf && depth == 0) {
         judge<Interval>(chart, {&box, 1}, upper + 1, {&leaf, 1});
-        const long forward = leaf ? std::clamp<long>(leaf->forward, 0L, upper - 1) : upper - 1;
+        const Count forward = leaf ? std::clamp<Count>(leaf->forward, 0, upper - 1) : upper - 1;
         leaf = Leaf{chart == Chart::again ? Reason::once : Reason::count, forward, upper - 1 - forward};
     }
     if (leaf) {
@@ -103,7 +103,7 @@ class Claims {
                         for (Node& node : chart.tree)
                             if (dumbbell::Count& hint = forward ? node.leaf.forward : node.leaf.backward;
                                 1 + node.leaf.forward + node.leaf.backward > *p.upper)
-                                hint = std::max<long>(0L, hint - less);
+                                hint = std::max<Count>(0, hint - less);
                 });
         }
         for (const int depth : {0, 1, 2, 3, 4, 6, 8})

@@ -69,8 +69,8 @@ std::vector<Demand> demands_of(const dumbbell::collisions::Certificate& data) {
     std::set<long> numbers;
     std::set<Rational> ends = {data.q_lo() / 2 + Rational(1, 2), data.q_hi() * 2};
     for (const Piece& piece : data.pieces) {
-        if (piece.upper) with_one_more_and_less(numbers, *piece.upper);
-        with_one_more_and_less(numbers, piece.lower);
+        if (piece.upper) with_one_more_and_less(numbers, as_long(*piece.upper));
+        with_one_more_and_less(numbers, as_long(piece.lower));
         ends.insert({piece.q_lo, piece.q_hi, (piece.q_lo + piece.q_hi) / 2});
     }
     std::vector<Demand> demands;

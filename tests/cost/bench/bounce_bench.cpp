@@ -136,11 +136,11 @@ void measure_big(const Setting& setting, int bits) {
     const Setting few{setting.name, setting.q, setting.rays / slow};
     const auto at_most = [bits](const Ray<double>& ray, long most) -> long {
         const PrecisionScope scope(bits);
-        return count_at_most(enclosed_big(ray), most);
+        return as_long(count_at_most(enclosed_big(ray), most));
     };
     const auto at_least = [bits](const Ray<double>& ray, long most) -> long {
         const PrecisionScope scope(bits);
-        return count_at_least(enclosed_big(ray), most);
+        return as_long(count_at_least(enclosed_big(ray), most));
     };
     measure(few, "BigInterval " + std::to_string(bits) + " bits, two-sided", both,
             one_by_one(at_most, at_least, both));

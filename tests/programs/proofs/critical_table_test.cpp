@@ -93,7 +93,7 @@ TEST_CASE("the covers and the two orbits of the theorem agree on [1, 10^6]") {
     for (const char* name : staircases) {
         const auto stairs = staircase(name);
         for (const dumbbell::collisions::Piece& piece : stairs.pieces) {
-            const long n = *piece.upper;
+            const long n = as_long(*piece.upper);
             CAPTURE(name, n);
             if (piece.status() == dumbbell::collisions::Status::exact) {
                 continue;

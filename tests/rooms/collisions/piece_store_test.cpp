@@ -239,8 +239,8 @@ TEST_CASE("a run that had no time for the rest has the kept beginning, and one t
     const auto bounds = [&] {
         std::vector<PlannedPiece> all;
         for (const ProvedPiece& proved : certify(request)) {
-            all.push_back(
-                {proved.piece.q_lo, proved.piece.q_hi, proved.piece.upper.value_or(0), proved.piece.lower});
+            all.push_back({proved.piece.q_lo, proved.piece.q_hi, as_long(proved.piece.upper.value_or(0)),
+                           as_long(proved.piece.lower)});
         }
         return all;
     };

@@ -20,8 +20,8 @@ constexpr long count_cap = 4000;
 template <class I, class T>
 bool check_counts(const DoubleRay& ray, double clear) {
     const auto exact = ray_count<T>(ray, count_cap);
-    const long upper = count_at_most(as<I>(ray), count_cap);
-    const long lower = count_at_least(as<I>(ray), count_cap);
+    const long upper = as_long(count_at_most(as<I>(ray), count_cap));
+    const long lower = as_long(count_at_least(as<I>(ray), count_cap));
     if (upper < exact.hits || lower > exact.hits) {
         FAIL(say(ray, "has", exact.hits, "collisions, bounds are", lower, upper));
     }

@@ -94,7 +94,7 @@ TEST_CASE(
         const double r = std::pow(10, random.uniform(-8, -7));
         const Ray<double> ray{r * random.uniform(0, 4), r * random.uniform(0, 3), r};
         const Ray<BigInterval> same{BigInterval(ray.c), BigInterval(ray.kappa), BigInterval(ray.r)};
-        const long most = count_at_most(same, macro_cap), fewest = count_at_least(same, macro_cap);
+        const Count most = count_at_most(same, macro_cap), fewest = count_at_least(same, macro_cap);
         CHECK(fewest <= counted(ray, true).count);
         CHECK(counted(ray, false).count <= most);
         CHECK(most - fewest <= 1);

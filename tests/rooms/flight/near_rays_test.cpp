@@ -59,8 +59,8 @@ TEST_CASE("Rays near the edge of few bits have the same bounds and counts as bef
     for (const auto& [bits, ray, expected] : rows()) {
         const PrecisionScope scope(bits);
         const BigInterval c(ray.c), kappa(ray.kappa);
-        const std::string found = std::to_string(count_at_least(as<BigInterval>(ray), near_rays_cap)) + " " +
-                                  std::to_string(count_at_most(as<BigInterval>(ray), near_rays_cap)) + " " +
+        const std::string found = count_at_least(as<BigInterval>(ray), near_rays_cap).str() + " " +
+                                  count_at_most(as<BigInterval>(ray), near_rays_cap).str() + " " +
                                   show(lowest_contact(c, kappa)) + " " + show(highest_contact(c, kappa));
         if (found != expected) {
             FAIL(bits << " bits, " << dumbbell_test::show(ray) << "\n  expected: " << expected

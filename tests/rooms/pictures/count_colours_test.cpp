@@ -38,7 +38,8 @@ TEST_CASE("more collisions are darker: the order of the colours is seen without 
     std::iota(counts.begin(), counts.end(), 1);
     const std::string svg = coloured(counts);
     for (std::size_t i = 1; i < counts.size(); ++i) {
-        CHECK(brightness(fill_of(svg, counts[i])) < brightness(fill_of(svg, counts[i - 1])));
+        CHECK(brightness(fill_of(svg, static_cast<long>(i) + 1)) <
+              brightness(fill_of(svg, static_cast<long>(i))));
     }
 }
 
@@ -56,5 +57,5 @@ TEST_CASE("a legend shows all of a few counts, and of many about a dozen from en
     CHECK(shown.size() == 13);
     CHECK(shown.front() == 1);
     CHECK(shown.back() == 90);
-    CHECK(std::set<long>(shown.begin(), shown.end()).size() == shown.size());
+    CHECK(std::set<Count>(shown.begin(), shown.end()).size() == shown.size());
 }

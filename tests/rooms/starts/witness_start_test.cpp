@@ -33,7 +33,7 @@ Box before(const Collision<Interval>& first, const Rational& q) {
 Witness best_witness(const Rational& q) {
     const PrecisionScope scope(53);
     std::optional<Witness> witness;
-    while (const auto better = find_witness<Interval>(q, q, witness ? long(witness->total() + 1) : 1L)) {
+    while (const auto better = find_witness<Interval>(q, q, witness ? witness->total() + 1 : 1)) {
         witness = better;
     }
     REQUIRE(witness);
@@ -42,7 +42,7 @@ Witness best_witness(const Rational& q) {
 
 Box start_of(const Witness& witness, const Rational& q) {
     const auto orbit = witness_orbit(witness, q, 512);
-    REQUIRE(orbit.size() == static_cast<std::size_t>(witness.total()));
+    REQUIRE(orbit.size() == static_cast<std::size_t>(as_long(witness.total())));
     return before(orbit.front(), q);
 }
 
@@ -63,7 +63,7 @@ TEST_CASE("Traced as initial conditions, witnesses have the collisions and margi
         const Rational q = parse_rational(ratio);
         const Witness witness = best_witness(q);
         const auto orbit = witness_orbit(witness, q, 256);
-        REQUIRE(orbit.size() == static_cast<std::size_t>(witness.total()));
+        REQUIRE(orbit.size() == static_cast<std::size_t>(as_long(witness.total())));
         const Box start = before(orbit.front(), q);
         REQUIRE_NOTHROW(require_in_play(start));
         const Trace traced = trace(start, 30);

@@ -146,8 +146,8 @@ TEST_CASE("The bounds of 200 bits lie between them, also for small ratios and up
     for (int i = 0; i < 6'000; ++i) {
         const Query one = query(random_ray(random, 1e-4), random.coin() ? cap : random.below(5));
         const DoubleRay ray{one.ray.c, one.ray.kappa, one.ray.r};
-        const long big_most = count_at_most(as<BigInterval>(ray), one.cap);
-        const long big_least = count_at_least(as<BigInterval>(ray), one.cap);
+        const long big_most = as_long(count_at_most(as<BigInterval>(ray), one.cap));
+        const long big_least = as_long(count_at_least(as<BigInterval>(ray), one.cap));
         const long upper = answer(one, Backend::portable).count;
         const long lower = fewest(one, Backend::portable);
         if (upper < big_most || lower > big_least) {
