@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "adiabatic/writer.hpp"
+#include "base/named.hpp"
 #include "file/lines.hpp"
 
 namespace dumbbell::adiabatic {
@@ -89,7 +90,7 @@ State attained_from(Lines& lines) {
 /// What generated it, and the hypotheses.
 Certificate head_from(Lines& lines) {
     const Head head = lines.expect_head();
-    const auto claim = claim_named(head.claim);
+    const auto claim = value_named<Claim>(head.claim);
     if (!claim) {
         lines.fail();
     }

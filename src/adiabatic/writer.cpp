@@ -1,14 +1,9 @@
 #include "adiabatic/writer.hpp"
 
 #include "base/error.hpp"
-#include "base/named.hpp"
 
 namespace dumbbell::adiabatic {
 namespace {
-
-constexpr std::array<Named<Claim>, 3> claims{{{Claim::bounce, "adiabatic-bounce"},
-                                              {Claim::run, "adiabatic-run"},
-                                              {Claim::scattering, "adiabatic-scattering"}}};
 
 /// The body's lines and their numbers.
 class Body : SealedLines {
@@ -82,10 +77,6 @@ void write_classes(Body& body, const std::vector<Class>& classes) {
 }
 
 }  // namespace
-
-std::string_view name(Claim claim) { return name_in(claims, claim); }
-
-std::optional<Claim> claim_named(std::string_view word) { return value_named(claims, word); }
 
 SealedText render(const Certificate& certificate) {
     const bool by_classes = certificate.hypotheses.claim != Claim::bounce;

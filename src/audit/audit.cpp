@@ -4,15 +4,17 @@
 
 #include <algorithm>
 
-#include "audit/leaf_boxes.hpp"
 #include "audit/tiling.hpp"
 #include "base/error.hpp"
+#include "collisions/leaf_boxes.hpp"
 #include "collisions/names.hpp"
 #include "collisions/reader.hpp"
+#include "collisions/scene.hpp"
 
 namespace dumbbell::audit {
 
 using collisions::Axis;
+using collisions::Boxes;
 using collisions::Certificate;
 using collisions::Chart;
 using collisions::Piece;
@@ -56,22 +58,6 @@ std::string fault_text(const Boxes& boxes, Chart chart, const Tiling& tiling) {
     throw BrokenInvariant("unknown fault");
 }
 
-/// The trees of a cover by the table of format-sections.md.
-std::vector<Chart> charts_needed(collisions::Scene scene, collisions::Section section) {
-    if (scene != collisions::Scene::dumbbell) {
-        return {Chart::wedge};
-    }
-    switch (section) {
-        case collisions::Section::turning:
-            return {Chart::bridge, Chart::light};
-        case collisions::Section::full:
-            return {Chart::contact, Chart::departure, Chart::again};
-        case collisions::Section::plain:
-            return {Chart::plain_contact, Chart::plain_departure, Chart::again};
-    }
-    throw BrokenInvariant("unknown section");
-}
-
 std::vector<std::string> range_faults(const Certificate& certificate,
                                       const std::pair<Rational, Rational>& claimed) {
     std::vector<std::string> faults;
@@ -109,7 +95,7 @@ class Auditor {
     Auditor(const Certificate& certificate, Observer& observer)
         : observer_(observer),
           total_(leaves_of(certificate)),
-          needed_(charts_needed(certificate.scene, certificate.section)) {}
+          needed_(collisions::row_of(certificate.scene).charts(certificate.section)) {}
 
     void add(const Piece& piece) {
         ++result.pieces;

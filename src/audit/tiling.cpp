@@ -10,6 +10,8 @@
 namespace dumbbell::audit {
 namespace {
 
+using collisions::BoxEnds;
+using collisions::Boxes;
 using Exact = CGAL::Gmpq;
 
 Exact exact(const Rational& x) { return Exact(x.raw()); }
@@ -41,7 +43,7 @@ struct UnitAxis {
 
 std::vector<UnitAxis> unit_axes(const Boxes& boxes) {
     std::vector<UnitAxis> result;
-    for (std::size_t axis = 0; axis < axes; ++axis) {
+    for (std::size_t axis = 0; axis < collisions::axis_count; ++axis) {
         if (boxes.lo(boxes.root, axis) < boxes.hi(boxes.root, axis)) {
             result.emplace_back(boxes, axis);
         }
@@ -59,7 +61,7 @@ Rational area_of(const Boxes& boxes, const std::vector<UnitAxis>& axes_in_use) {
 }
 
 std::optional<Fault> fault_alone(const Boxes& boxes, const BoxEnds& box) {
-    for (std::size_t axis = 0; axis < axes; ++axis) {
+    for (std::size_t axis = 0; axis < collisions::axis_count; ++axis) {
         if (boxes.hi(box, axis) < boxes.lo(box, axis)) {
             return Fault::reversed;
         }
@@ -95,14 +97,14 @@ class FilterBox {
         }
     }
 
-    [[nodiscard]] static int dimension() { return axes; }
+    [[nodiscard]] static int dimension() { return collisions::axis_count; }
     [[nodiscard]] double min_coord(int axis) const { return lo_[static_cast<std::size_t>(axis)]; }
     [[nodiscard]] double max_coord(int axis) const { return hi_[static_cast<std::size_t>(axis)]; }
     [[nodiscard]] std::size_t id() const { return index_; }
 
   private:
-    std::array<double, axes> lo_{};
-    std::array<double, axes> hi_{};
+    std::array<double, collisions::axis_count> lo_{};
+    std::array<double, collisions::axis_count> hi_{};
     std::size_t index_;
 };
 

@@ -4,7 +4,7 @@
 #include <functional>
 #include <optional>
 
-#include "audit/leaf_boxes.hpp"
+#include "collisions/leaf_boxes.hpp"
 
 namespace dumbbell::audit {
 
@@ -34,6 +34,6 @@ using TilingProgress = std::function<void(double done)>;
 
 /// Whether the boxes tile their root, in exact arithmetic (CGAL). Looks at the boxes only, not at a tree.
 /// Stops at the first fault.
-[[nodiscard]] Tiling check_tiling(const Boxes& boxes, const TilingProgress& progress = {});
+[[nodiscard]] Tiling check_tiling(const collisions::Boxes& boxes, const TilingProgress& progress = {});
 
 }  // namespace dumbbell::audit

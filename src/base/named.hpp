@@ -1,32 +1,36 @@
 #pragma once
 
-#include <algorithm>
-#include <array>
-#include <cstddef>
 #include <optional>
 #include <string_view>
 
-/// The names of an enumeration: a table has a `Named` for each value.
+/// Enumerations with names: their values are 0, 1, ..., and `name` of what follows the last is empty. As a
+/// switch without default it makes the compiler ask for the name of a new value.
 namespace dumbbell {
 
+/// Nothing for an unknown name.
 template <class Value>
-struct Named {
-    Value value;
-    std::string_view name;
-};
-
-/// Precondition: the value is in the table.
-template <class Value, std::size_t n>
-[[nodiscard]] constexpr std::string_view name_in(const std::array<Named<Value>, n>& table, Value value) {
-    return std::ranges::find(table, value, &Named<Value>::value)->name;
+[[nodiscard]] constexpr std::optional<Value> value_named(std::string_view text) {
+    for (int i = 0; !name(static_cast<Value>(i)).empty(); ++i) {
+        if (name(static_cast<Value>(i)) == text) {
+            return static_cast<Value>(i);
+        }
+    }
+    return std::nullopt;
 }
 
-/// Nothing for an unknown name.
-template <class Value, std::size_t n>
-[[nodiscard]] constexpr std::optional<Value> value_named(const std::array<Named<Value>, n>& table,
-                                                         std::string_view name) {
-    const auto* const found = std::ranges::find(table, name, &Named<Value>::name);
-    return found == table.end() ? std::nullopt : std::optional(found->value);
+/// Whether `words` is all names: `a|b|c`.
+template <class Value>
+[[nodiscard]] constexpr bool are_names_of(std::string_view words) {
+    for (int i = 0;; ++i) {
+        const std::size_t end = words.find('|');
+        if (words.substr(0, end) != name(static_cast<Value>(i))) {
+            return false;
+        }
+        if (end == std::string_view::npos) {
+            return name(static_cast<Value>(i + 1)).empty();
+        }
+        words.remove_prefix(end + 1);
+    }
 }
 
 }  // namespace dumbbell

@@ -4,20 +4,6 @@
 
 namespace dumbbell::collisions {
 
-std::vector<Chart> charts_of(Scene scene, Section section) {
-    if (scene != Scene::dumbbell) {
-        return section == Section::turning ? std::vector{Chart::wedge} : std::vector<Chart>{};
-    }
-    switch (section) {
-        case Section::full:
-            return {Chart::contact, Chart::departure, Chart::again};
-        case Section::plain:
-            return {Chart::plain_contact, Chart::plain_departure, Chart::again};
-        default:
-            return {Chart::bridge, Chart::light};
-    }
-}
-
 long Cover::leaves() const {
     long leaves = 0;
     for (const ChartTree& part : charts) {

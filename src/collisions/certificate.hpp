@@ -27,9 +27,6 @@ enum class Section { turning, full, plain };
 /// contacts, for what comes back to the bridge (L19). Model wedges: slopes of turning collisions (L17, L18).
 enum class Chart { bridge, light, contact, departure, plain_contact, plain_departure, again, wedge };
 
-/// The charts of a section, in the order of the file. Empty if the scene has no such section.
-[[nodiscard]] std::vector<Chart> charts_of(Scene scene, Section section);
-
 /// The axes of a chart's boxes: the position e, the slope (eta in the chart bridge, lambda in the chart
 /// light) and the mass ratio q.
 enum class Axis : std::uint8_t { position, slope, ratio };

@@ -8,6 +8,7 @@
 #include "base/deadline.hpp"
 #include "base/printable.hpp"
 #include "collisions/plan.hpp"
+#include "collisions/scene.hpp"
 #include "number/decimal.hpp"
 #include "number/parallel.hpp"
 #include "number/self_test.hpp"
@@ -102,9 +103,11 @@ std::vector<ProvedPiece> prove_range(const CertifyRequest& request, const PieceO
 
 std::optional<std::string> out_of_reach(const Rational& q_lo, const Rational& q_hi, Scene scene,
                                         Section section) {
-    const bool far = q_lo == q_hi && scene == Scene::dumbbell && section == Section::turning;
-    const unsigned most = far ? 100 : 36;
-    if (q_hi <= Rational(pow(Integer(10), most))) {
+    constexpr int common = SceneRow{}.most_digits;
+    const bool single = q_lo == q_hi && section == Section::turning;
+    const int most = single ? row_of(scene).most_digits : common;
+    const bool far = most > common;
+    if (q_hi <= Rational(pow(Integer(10), static_cast<unsigned>(most)))) {
         return std::nullopt;
     }
     const std::string q = exact_text(q_hi);

@@ -27,9 +27,14 @@ std::optional<Leaf> judge_one(Chart chart, const Box& box, const Count& upper,
             return judge_turning<I>(chart, box, upper, interrupted);
         case Chart::wedge:
             return judge_wedge<I>(box, as_long(upper), interrupted);
-        default:
+        case Chart::contact:
+        case Chart::departure:
+        case Chart::plain_contact:
+        case Chart::plain_departure:
+        case Chart::again:
             return judge_full<I>(chart, box, as_long(upper), interrupted);
     }
+    throw BrokenInvariant("unknown chart");
 }
 
 }  // namespace

@@ -3,15 +3,105 @@
 #include <optional>
 #include <string_view>
 
+#include "base/named.hpp"
 #include "collisions/certificate.hpp"
 
-/// The words of the file format (format.md) for scenes, sections, charts, axes and leaves.
+/// The words of the file format (format.md) for scenes, sections, charts, axes and leaves. Each is a switch
+/// without default (base/named.hpp).
 namespace dumbbell::collisions {
 
-[[nodiscard]] std::string_view name(Scene scene);
+[[nodiscard]] constexpr std::string_view name(Scene scene) {
+    switch (scene) {
+        case Scene::dumbbell:
+            return "dumbbell";
+        case Scene::hybrid:
+            return "hybrid";
+        case Scene::wedge:
+            return "wedge";
+    }
+    return {};
+}
 
 /// What people call it.
-[[nodiscard]] std::string_view name(Section section);
+[[nodiscard]] constexpr std::string_view name(Section section) {
+    switch (section) {
+        case Section::turning:
+            return "turning";
+        case Section::full:
+            return "full";
+        case Section::plain:
+            return "plain";
+    }
+    return {};
+}
+
+/// The word of a leaf, which is also its kind in the totals.
+[[nodiscard]] constexpr std::string_view name(Reason reason) {
+    switch (reason) {
+        case Reason::count:
+            return "count";
+        case Reason::outside:
+            return "outside";
+        case Reason::meets:
+            return "meets";
+        case Reason::meets_reversed:
+            return "meets-reversed";
+        case Reason::once:
+            return "once";
+    }
+    return {};
+}
+
+/// What a piece proves, as reports say it.
+[[nodiscard]] constexpr std::string_view name(Status status) {
+    switch (status) {
+        case Status::exact:
+            return "exact";
+        case Status::gap:
+            return "gap";
+        case Status::open:
+            return "open";
+    }
+    return {};
+}
+
+struct ChartNames {
+    std::string_view chart, position, slope;
+    /// Whether a leaf `count` has two counts: of the ray and of the reversed incoming ray. The full section
+    /// counts forward only.
+    bool both_ways = true;
+};
+
+[[nodiscard]] constexpr ChartNames names_of(Chart chart) {
+    switch (chart) {
+        case Chart::bridge:
+            return {"bridge", "e", "eta"};
+        case Chart::light:
+            return {"light", "e", "lambda"};
+        case Chart::contact:
+        case Chart::plain_contact:
+            return {"contact", "t", "eta", false};
+        case Chart::departure:
+        case Chart::plain_departure:
+            return {"departure", "e", "eta", false};
+        case Chart::again:
+            return {"again", "t", "eta"};
+        case Chart::wedge:
+            return {"wedge", "e", "lambda"};
+    }
+    return {};
+}
+
+[[nodiscard]] constexpr std::string_view name(Chart chart) { return names_of(chart).chart; }
+[[nodiscard]] constexpr bool counts_both_ways(Chart chart) { return names_of(chart).both_ways; }
+
+[[nodiscard]] constexpr std::string_view axis_name(Chart chart, Axis axis) {
+    const ChartNames names = names_of(chart);
+    return axis == Axis::position ? names.position : axis == Axis::slope ? names.slope : "q";
+}
+
+/// The other way round; nothing for an unknown word.
+[[nodiscard]] std::optional<Axis> axis_named(Chart chart, std::string_view word);
 
 /// The words after `lemmas` and `section`: `plain` is spelled as a set of lemmas of `full`.
 struct SectionWords {
@@ -20,25 +110,6 @@ struct SectionWords {
     friend bool operator==(const SectionWords&, const SectionWords&) = default;
 };
 [[nodiscard]] SectionWords spelled(Section section);
-
-[[nodiscard]] std::string_view name(Chart chart);
-[[nodiscard]] std::string_view axis_name(Chart chart, Axis axis);
-
-/// The word of a leaf, which is also its kind in the totals.
-[[nodiscard]] std::string_view name(Reason reason);
-
-/// What a piece proves, as reports say it.
-[[nodiscard]] std::string_view name(Status status);
-
-/// Whether a leaf `count` of the chart has two counts: of the ray and of the reversed incoming ray. The full
-/// section counts forward only.
-[[nodiscard]] bool counts_both_ways(Chart chart);
-
-/// The other way round; nothing for an unknown word.
-[[nodiscard]] std::optional<Scene> scene_named(std::string_view word);
-[[nodiscard]] std::optional<Section> section_named(std::string_view word);
 [[nodiscard]] std::optional<Section> section_spelled(const SectionWords& words);
-[[nodiscard]] std::optional<Axis> axis_named(Chart chart, std::string_view word);
-[[nodiscard]] std::optional<Reason> reason_named(std::string_view word);
 
 }  // namespace dumbbell::collisions

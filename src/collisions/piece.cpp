@@ -1,16 +1,11 @@
 #include "collisions/piece.hpp"
 
 #include <algorithm>
-#include <array>
 #include <atomic>
-#include <type_traits>
 
-#include "collisions/witness.hpp"
-#include "flight/batch/query.hpp"
+#include "collisions/scene.hpp"
 #include "flight/count.hpp"
-#include "flight/extremal_orbit.hpp"
 #include "flight/orbit.hpp"
-#include "flight/paper_bound.hpp"
 
 namespace dumbbell::collisions {
 namespace {
@@ -33,14 +28,14 @@ Obstacle escalate(const PieceOptions& options, Attempt attempt) {
 template <class I>
 std::optional<Cover> prove_upper(const Rational& q_lo, const Rational& q_hi, const Count& upper,
                                  const PieceOptions& options) {
-    if (options.scene == Scene::dumbbell && q_lo == 1 && q_hi == 1 && upper >= 2) {
+    if (row_of(options.scene).equal_masses_need_no_cover && q_lo == 1 && q_hi == 1 && upper >= 2) {
         return Cover{.equal_masses = true, .charts = {}};
     }
     const CoverOptions limits{.max_nodes = options.max_nodes,
                               .parallel = options.parallel,
                               .interrupted = options.interrupted,
                               .observer = options.observer};
-    const std::vector<Chart> charts = charts_of(options.scene, options.section);
+    const std::vector<Chart> charts = row_of(options.scene).charts(options.section);
     std::vector<std::optional<Tree>> trees(charts.size());
     std::atomic<bool> all = true;
     flight::each_count<I>(charts.size(), [&](std::size_t i) {
@@ -81,31 +76,6 @@ void describe(ProvedPiece& proved) {
     }
 }
 
-/// Whether two neighbouring counts at q are not beyond this precision: C sqrt q has half the digits of q.
-bool tells_counts_apart(int bits, const Rational& q) {
-    if (bits == double_bits) {
-        return q <= parse_rational("1e27");
-    }
-    constexpr int spare = 24;
-    return static_cast<int>(msb(Integer(numerator(q) / denominator(q)))) / 2 + spare <= bits;
-}
-
-/// Whether this precision tells that there are n >= 2 collisions at q: the flight that decides (Theorem 2
-/// (c)) certainly has one. Like orbits_stay_below it only says what to try: a search for a witness or a cover
-/// in vain takes long.
-template <class I>
-bool orbits_reach(long n, const Rational& q, const Interrupted& interrupted) {
-    const auto [orbit, flight] = flight::tangent_flight(n);
-    return count_at_least(extremal_ray(orbit, enclose<I>(Rational(1) / q)), flight, interrupted) == flight;
-}
-
-/// Whether it tells that there are not more than n >= 2.
-template <class I>
-bool orbits_stay_below(long n, const Rational& q, const Interrupted& interrupted) {
-    const auto [orbit, flight] = flight::tangent_flight(n + 1);
-    return count_at_most(extremal_ray(orbit, enclose<I>(Rational(1) / q)), flight - 1, interrupted) < flight;
-}
-
 /// The bounds that a piece is to prove, and the ratios at which they are to hold: all of its own, or for a
 /// step its ends.
 struct Goal {
@@ -113,7 +83,7 @@ struct Goal {
     Count lower;
     const Rational& greatest_of_upper;
     const Rational& least_of_lower;
-    bool is_suspected = false;  ///< by suspected_maximum, at the same precision
+    bool is_suspected = false;  ///< the maximum that the search gives at the same precision
 };
 
 /// One precision's attempt at a piece with given bounds.
@@ -121,13 +91,11 @@ template <class I>
 Obstacle attempt_piece(ProvedPiece& proved, int bits, const Goal& goal, const PieceOptions& options) {
     Piece& piece = proved.piece;
     const auto& [upper, lower, greatest, least, is_suspected] = goal;
-    const bool asks_orbits = options.scene == Scene::dumbbell && !is_suspected;
-    if (asks_orbits && !orbits_reach<I>(as_long(lower), least, options.interrupted)) {
+    const BoundSearch<I>& bounds = row_of(options.scene).bounds<I>();
+    if (!is_suspected && !bounds.may_reach(lower, least, options.interrupted)) {
         return Obstacle::witness;
     }
-    auto witness = options.scene == Scene::dumbbell
-                       ? find_witness<I>(least, piece.q_hi, lower, options.interrupted)
-                       : find_wedge_witness(least, as_long(lower), options.interrupted);
+    auto witness = bounds.witness(least, piece.q_hi, lower, options.interrupted);
     if (!witness) {
         return Obstacle::witness;
     }
@@ -136,7 +104,7 @@ Obstacle attempt_piece(ProvedPiece& proved, int bits, const Goal& goal, const Pi
     piece.lower = lower;
     piece.witness = std::move(*witness);
     // At 1 equal masses need no cover.
-    if (asks_orbits && greatest > 1 && !orbits_stay_below<I>(as_long(upper), greatest, options.interrupted)) {
+    if (!is_suspected && greatest > 1 && !bounds.may_stay(upper, greatest, options.interrupted)) {
         return Obstacle::boxes;
     }
     auto cover = prove_upper<I>(piece.q_lo, greatest, upper, options);
@@ -152,31 +120,6 @@ void describe_in_time(ProvedPiece& proved, const PieceOptions& options) {
     if (options.describes && !options.interrupted()) {
         describe_witness(proved);
     }
-}
-
-/// What N* seems to be, from upper bounds on the two extremal orbits and a lower one on that whose last
-/// flight decides (Theorem 2 (c)); nothing if this precision cannot tell, or not in time. It only says what
-/// to try.
-template <class I>
-std::optional<Count> suspected_maximum(const Rational& q, const PieceOptions& options) {
-    using flight::ExtremalOrbit;
-    using N = flight::CountOf<I>;
-    N cap = 1L << 60;
-    if constexpr (std::is_same_v<I, BigInterval>) {
-        cap += Count(numerator(q) / denominator(q));  // more than C sqrt q
-    }
-    const I r = enclose<I>(Rational(1) / q);
-    const std::array rays{extremal_ray(ExtremalOrbit::top, r), extremal_ray(ExtremalOrbit::corner, r)};
-    std::array<N, 2> counts;
-    flight::each_count<I>(
-        2, [&](std::size_t i) { counts[i] = count_at_most(rays[i], cap, options.interrupted); });
-    const auto& [top, corner] = counts;
-    const N& last = std::max(top, corner);
-    if (last > cap) {
-        return std::nullopt;
-    }
-    const bool reached = count_at_least(rays[top > corner ? 0 : 1], last, options.interrupted) == last;
-    return reached ? std::optional(Count(2) + top + corner) : std::nullopt;
 }
 
 }  // namespace
@@ -207,12 +150,7 @@ ProvedPiece prove_single(const Rational& q, const PieceOptions& options) {
     ProvedPiece proved;
     proved.piece.q_lo = proved.piece.q_hi = q;
     proved.obstacle = escalate(options, [&]<class I>(const I&, int bits) {
-        if (options.scene == Scene::dumbbell && !tells_counts_apart(bits, q)) {
-            return Obstacle::maximum;
-        }
-        const auto n = options.scene != Scene::dumbbell ? std::optional<Count>(flight::paper_bound(q) - 1)
-                       : q == 1                         ? std::optional<Count>(2)
-                                                        : suspected_maximum<I>(q, options);
+        const auto n = row_of(options.scene).bounds<I>().maximum(q, options.interrupted);
         return n ? attempt_piece<I>(proved, bits, {*n, *n, q, q, true}, options) : Obstacle::maximum;
     });
     describe_in_time(proved, options);

@@ -56,9 +56,12 @@ void PieceLines::leaf(Chart chart, const Leaf& leaf) {
     }
 }
 
-long PieceLines::total(std::string_view kind) const {
-    const auto found = totals_.find(kind);
-    return found == totals_.end() ? 0 : found->second;
+void PieceLines::totals(std::span<const std::string_view> kinds) {
+    for (const std::string_view kind : kinds) {
+        line("total {} {}", kind, totals_[kind]);
+        totals_.erase(kind);
+    }
+    require(totals_.empty(), "certificate: the trailer leaves out a kind of line");
 }
 
 }  // namespace dumbbell::collisions

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <span>
 #include <string_view>
 
 #include "collisions/certificate.hpp"
@@ -13,8 +14,8 @@ class PieceLines : public SealedLines {
   public:
     /// From `bits` to the witness.
     void proof(const Piece& piece);
-    /// The number of lines of this kind (format.md) until now.
-    [[nodiscard]] long total(std::string_view kind) const;
+    /// The trailer: how many lines there are of each of these kinds (format.md), which are all.
+    void totals(std::span<const std::string_view> kinds);
 
   protected:
     /// One more line of this kind; the view outlives this.

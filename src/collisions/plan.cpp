@@ -5,13 +5,9 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <numbers>
 
 #include "base/error.hpp"
-#include "collisions/critical.hpp"
-#include "collisions/critical_guess.hpp"
-#include "collisions/critical_long.hpp"
-#include "flight/growth_constant.hpp"
+#include "collisions/scene.hpp"
 #include "number/parallel.hpp"
 
 namespace dumbbell::collisions {
@@ -33,89 +29,16 @@ Rational rounded(const Rational& x, double grain, bool up) {
     return Rational(floor) * unit;
 }
 
-/// A step of the staircase: from n - 1 below `critical` to n above.
-struct Step {
-    long n = 0;
-    Rational critical = 0;
-    Rational slack = 0;  ///< the true step may be so far from `critical`, relatively
-    bool exact = false;  ///< n - 1 holds at `critical` itself, which is the critical ratio exactly
-};
-
-/// Gaps at least this wide are placed with doubles.
-constexpr double narrow = 1e-13;
-
-/// From this number of collisions on the steps are placed by macro steps.
-constexpr long least_long = 100'000;
-
-/// q_c(n) to a small part of the gap, which is at most a thousandth of the distance to the next step.
-Step long_step(long n, double gap, const Interrupted& interrupted) {
-    // Relative distances are 2/n times those between the steps.
-    const double share = std::min(1e-3, gap * static_cast<double>(n) / 2);
-    const int share_bits = std::clamp(12 - static_cast<int>(std::log2(share)), 24, 2000);
-    const auto found = guess_long_critical_ratio(n, share_bits, interrupted);
-    return found ? Step{n, *found, Rational(Integer(1), (Integer(1) << (share_bits - 6)) * n), false}
-                 : Step{n, 0, 0, false};
-}
-
-/// q_c(n) to some digits beyond the gap's width. Were it wrong, pieces would stay open.
-Step narrow_step(long n, double gap, const Interrupted& interrupted) {
-    const int digits = 8 - static_cast<int>(std::log10(gap));
-    const auto found = enclose_critical_ratio(n, {.digits = digits, .interrupted = interrupted});
-    return found ? Step{n, found->q_lo, (found->q_hi - found->q_lo) / found->q_lo, false} : Step{};
-}
-
-/// cot^2(pi / (2 (n - 1))), where the wedges step.
-Step wedge_step(long n, double gap) {
-    if (n == 4) {
-        return {n, 3, 0, true};
-    }
-    const PrecisionScope scope(64 + static_cast<int>(-3.33 * std::log10(gap)));
-    const auto at = sin_cos(half_pi<BigInterval>() / BigInterval(static_cast<double>(n - 1)));
-    const BigInterval q = sqr(at.cos / at.sin);
-    return {n, exact_lo(q), (exact_hi(q) - exact_lo(q)) / exact_lo(q), false};
-}
-
-/// Where N* seems to step.
-Step step_to(Scene scene, long n, double gap, const Interrupted& interrupted) {
-    if (scene != Scene::dumbbell) {
-        return wedge_step(n, gap);
-    }
-    if (n >= least_long) {
-        return long_step(n, gap, interrupted);
-    }
-    return gap < narrow ? narrow_step(n, gap, interrupted)
-                        : Step{n, exact(guess_critical_ratio(n, interrupted)), exact(0x1p-48), false};
-}
-
-/// 2 + C sqrt q, which is a little more than the maximum.
-long asymptotic_value(const Rational& q) {
-    const PrecisionScope scope(128);
-    const BigInterval value = flight::growth_constant() * sqrt(enclose<BigInterval>(q));
-    const Rational most = exact_hi(value);
-    return 2 + (numerator(most) / denominator(most)).convert_to<long>();
-}
-
-long guessed_value(Scene scene, const Rational& ratio, const Interrupted& interrupted) {
-    const auto q = ratio.convert_to<double>();
-    // Where both ways are open.
-    constexpr double far = 2e10;
-    if (scene == Scene::dumbbell && q > far) {
-        return asymptotic_value(ratio);
-    }
-    return scene == Scene::dumbbell ? guess_maximum(q, interrupted)
-                                    : std::lround(std::numbers::pi / (2 * std::atan(1 / std::sqrt(q))));
-}
-
 struct NearSteps {
     std::vector<Step> steps;
     std::size_t beyond = 0;  ///< that follow them, near the range, too
 };
 
 /// The first steps that seem to lie near [lo, hi], with a neighbour on either side for the distances.
-NearSteps steps_near(Scene scene, const Rational& lo, const Rational& hi, double gap,
+NearSteps steps_near(const SceneRow& row, const Rational& lo, const Rational& hi, double gap,
                      const Interrupted& interrupted, Observer& observer) {
-    const long first = std::max(4L, guessed_value(scene, lo, interrupted) - 1);
-    const long last = guessed_value(scene, hi, interrupted) + 2;
+    const long first = std::max(4L, row.guess(lo, interrupted) - 1);
+    const long last = row.guess(hi, interrupted) + 2;
     if (interrupted()) {
         return {};
     }
@@ -130,7 +53,7 @@ NearSteps steps_near(Scene scene, const Rational& lo, const Rational& hi, double
     std::atomic<std::size_t> done = 0;
     in_parallel(steps.size(), [&](std::size_t i) {
         if (!interrupted()) {
-            steps[i] = step_to(scene, first + static_cast<long>(i), gap, interrupted);
+            steps[i] = row.step(first + static_cast<long>(i), gap, interrupted);
             observer.update(++done, steps.size(), std::nullopt);
         }
     });
@@ -162,7 +85,7 @@ std::string words_of(const PlannedPiece& planned) {
 Plan plan_staircase(Scene scene, const Rational& q_lo, const Rational& q_hi, const Rational& gap,
                     const Interrupted& interrupted, Observer& observer) {
     const auto width = gap.convert_to<double>();
-    const auto [steps, beyond] = steps_near(scene, q_lo, q_hi, width, interrupted, observer);
+    const auto [steps, beyond] = steps_near(row_of(scene), q_lo, q_hi, width, interrupted, observer);
     if (interrupted()) {
         return {};
     }

@@ -8,6 +8,7 @@
 #include "base/printable.hpp"
 #include "collisions/names.hpp"
 #include "collisions/orbit_text.hpp"
+#include "collisions/scene.hpp"
 #include "flight/paper_bound.hpp"
 #include "number/decimal.hpp"
 #include "words/printed.hpp"
@@ -20,27 +21,9 @@ std::string range_text(const Rational& lo, const Rational& hi) {
     return lo == hi ? exact_text(lo) : exact_text(lo) + " : " + exact_text(hi);
 }
 
-/// What "no ... more than N times" and "some ... N times" say of a scene.
-struct Words {
-    const char* hits;
-    const char* hits_it;
-};
-
-Words words_of(Scene scene) {
-    switch (scene) {
-        case Scene::dumbbell:
-            return {"trajectory hits the floor", "trajectory hits it"};
-        case Scene::hybrid:
-            return {"trajectory in the hybrid wedge hits its walls", "trajectory hits them"};
-        case Scene::wedge:
-            return {"trajectory in the straight wedge hits its walls", "trajectory hits them"};
-    }
-    throw BrokenInvariant("unknown scene");
-}
-
-/// The source paper's bound is one for the dumbbell; not computed for the greatest ratios.
+/// Not computed for the greatest ratios.
 bool has_paper_bound(const ProofReport& report, const Piece& piece) {
-    return report.scene == Scene::dumbbell && piece.q_hi <= flight::paper_bound_limit();
+    return row_of(report.scene).has_paper_bound && piece.q_hi <= flight::paper_bound_limit();
 }
 
 std::string value_text(const Piece& piece) {
@@ -127,7 +110,7 @@ std::string witness_sentence(const ProofReport& report) {
 
 std::string single_sentence(const ProofReport& report) {
     const Piece& piece = *report.rows.front().piece;
-    const Words words = words_of(report.scene);
+    const SceneRow& words = row_of(report.scene);
     const std::string q = exact_text(report.q_lo);
     if (piece.status() == Status::exact) {
         const std::string times = plural(*piece.upper, "time");
@@ -153,7 +136,7 @@ std::string decided_text(const Rational& undecided, bool some) {
 
 std::string range_sentence(const ProofReport& report) {
     const Counts counts = count_statuses(report);
-    const Words words = words_of(report.scene);
+    const SceneRow& words = row_of(report.scene);
     std::string text;
     if (counts.exact > 0) {
         text = fmt::format(
@@ -226,9 +209,8 @@ Json row_json(const ProofReport& report, const ReportRow& row) {
     return json;
 }
 
-/// The column `paper` is for the dumbbell only.
 std::string pieces_table(const ProofReport& report) {
-    const bool paper = report.scene == Scene::dumbbell;
+    const bool paper = row_of(report.scene).has_paper_bound;
     std::vector<TableLine> lines;
     const auto add = [&](TableLine line, const std::string& bound) {
         if (paper) {
@@ -262,10 +244,9 @@ std::string to_text(const ProofReport& report) {
         text += "In every trajectory the heavy mass hits the floor at most once.\n";
     }
     if (report.out) {
-        const std::string scene =
-            report.scene == Scene::dumbbell ? "" : fmt::format("--scene {} ", name(report.scene));
         text += fmt::format("Certificate: {} (sha256 {})\nCheck it:    dumbbell verify {}{}\n",
-                            one_line(*report.out), *report.sha256, scene, shell_file(*report.out));
+                            one_line(*report.out), *report.sha256, option_of(report.scene),
+                            shell_file(*report.out));
     }
     return text;
 }

@@ -10,6 +10,7 @@
 
 #include "base/error.hpp"
 #include "collisions/names.hpp"
+#include "collisions/scene.hpp"
 #include "file/lines.hpp"
 
 namespace dumbbell::collisions {
@@ -23,7 +24,7 @@ Node node_from(Lines& lines, Chart chart) {
             return {axis, {}};
         }
     }
-    const auto reason = reason_named(word);
+    const auto reason = value_named<Reason>(word);
     const std::size_t counts = reason != Reason::count ? 0 : counts_both_ways(chart) ? 2 : 1;
     if (reason && fields.size() == 1 + counts) {
         return {std::nullopt,
@@ -101,7 +102,7 @@ const char* other_subject(std::string_view claim) {
 
 ClaimedHead head_from(Lines& lines, const std::string& path) {
     const Head head = lines.expect_head();
-    const auto scene = scene_named(head.scene);
+    const auto scene = value_named<Scene>(head.scene);
     const auto section = section_spelled({head.lemmas, head.section});
     if (const char* subject = other_subject(head.claim)) {
         throw InputError(
@@ -139,7 +140,7 @@ Certificate read_certificate(const std::string& path) {
     const ClaimedHead head = head_from(lines, path);
     Certificate certificate{
         .generator = head.generator, .pieces = {}, .scene = head.scene, .section = head.section};
-    const std::vector<Chart> charts = charts_of(head.scene, head.section);
+    const std::vector<Chart> charts = row_of(head.scene).charts(head.section);
     for (std::size_t i = 0; i < head.pieces; ++i) {
         certificate.pieces.push_back(piece_from(lines, charts));
     }

@@ -1,5 +1,7 @@
 #include "collisions/section.hpp"
 
+#include "base/error.hpp"
+
 namespace dumbbell::collisions {
 namespace {
 
@@ -34,9 +36,11 @@ Box root_box(Chart chart, const Rational& q_lo, const Rational& q_hi) {
             return {0, 4, 0, power_of_two_from(q_hi + 1), q_lo, q_hi};
         case Chart::wedge:
             return {0, 0, 0, power_of_two_from(q_hi), q_lo, q_hi};
-        default:
+        case Chart::departure:
+        case Chart::plain_departure:
             return {0, 2, 0, 2, q_lo, q_hi};
     }
+    throw BrokenInvariant("unknown chart");
 }
 
 std::pair<Box, Box> halves(const Box& box, Axis axis) {

@@ -27,11 +27,6 @@ template <class I>
                                                   const Count& target,
                                                   const Interrupted& interrupted = never);
 
-/// The straight and the hybrid wedge: a collision of scaled slope lambda, its counts exact at the greatest r,
-/// where they are least (L17, L18). Nothing if there is none of `target` collisions.
-[[nodiscard]] std::optional<Witness> find_wedge_witness(const Rational& q_lo, long target,
-                                                        const Interrupted& interrupted = never);
-
 /// A dumbbell in the air, as decimals that mean exactly what they spell, in the units of `trace`: rod length
 /// 1, phi in radians, y the height of the centre of mass.
 struct WitnessStart {

@@ -36,9 +36,7 @@ class Writer : PieceLines {
     }
 
     SealedText finish(Section section) && {
-        for (const std::string_view kind : kinds_of(section)) {
-            line("total {} {}", kind, total(kind));
-        }
+        totals(kinds_of(section));
         return std::move(*this).sealed();
     }
 };

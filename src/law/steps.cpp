@@ -3,8 +3,8 @@
 #include <atomic>
 #include <cmath>
 
-#include "collisions/critical_guess.hpp"
 #include "collisions/piece.hpp"
+#include "collisions/step_guess.hpp"
 #include "law/certificate.hpp"
 #include "number/parallel.hpp"
 
@@ -34,7 +34,7 @@ double ratio_of(long n, double delta, double C) {
 }  // namespace
 
 StepEnds step_ends(long n, const Constants& constants) {
-    const double q = collisions::guess_critical_ratio(n);
+    const double q = collisions::guess_step(n);
     const double C = approximate(constants.C), strip = approximate(constants.c0) / std::sqrt(std::sqrt(q));
     const double least = ratio_of(n, n < 9 ? -0.115 : 0, C);
     const double greatest = ratio_of(n, n < 9 ? 0.02 : std::min(0.02, strip), C);

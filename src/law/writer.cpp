@@ -6,8 +6,9 @@
 namespace dumbbell::law {
 namespace {
 
-constexpr std::array totals{"split",        "count",   "outside", "meets",  "meets-reversed",
-                            "equal-masses", "witness", "slope",   "direct", "beyond"};
+constexpr std::array<std::string_view, 10> kinds{"split",          "count",        "outside", "meets",
+                                                 "meets-reversed", "equal-masses", "witness", "slope",
+                                                 "direct",         "beyond"};
 
 const char* word(LayerLeaf leaf) {
     switch (leaf) {
@@ -48,9 +49,7 @@ class Writer : collisions::PieceLines {
     SealedText finish(const Parts& parts) && {
         line("cover bulk {} {} {}", parts.bulk[0], parts.bulk[1], parts.bulk[2]);
         line("cover end {}", parts.end);
-        for (const char* kind : totals) {
-            line("total {} {}", kind, total(kind));
-        }
+        totals(kinds);
         return std::move(*this).sealed();
     }
 };

@@ -4,8 +4,9 @@
 #include <map>
 #include <tuple>
 
-#include "audit/leaf_boxes.hpp"
+#include "collisions/leaf_boxes.hpp"
 #include "collisions/names.hpp"
+#include "collisions/scene.hpp"
 #include "flight/paper_bound.hpp"
 #include "number/decimal.hpp"
 #include "page/file.hpp"
@@ -20,6 +21,24 @@ using collisions::Piece;
 namespace {
 
 constexpr std::array all_axes{collisions::Axis::position, collisions::Axis::slope, collisions::Axis::ratio};
+
+/// What a reason other than a count says of the states in its box.
+std::string_view about(collisions::Reason reason) {
+    using enum collisions::Reason;
+    switch (reason) {
+        case count:
+            break;
+        case outside:
+            return "no state of the section lies here";
+        case meets:
+            return "the outgoing ray meets the bridge, so the chart bridge covers these states";
+        case meets_reversed:
+            return "the incoming ray comes from the bridge, so the chart bridge covers these states";
+        case once:
+            return "what comes back is too steep to meet the bridge again";
+    }
+    return {};
+}
 
 /// The different leaves of a file, numbered so that of two numbers the greater one says more: counts last, by
 /// their sums.
@@ -58,6 +77,7 @@ class Kinds {
             const auto& [counted, both, forward, backward, reason] = key;
             const pictures::Shade colour = counted ? shades.at(1 + both).shade() : pictures::shade_of(reason);
             kinds.add(Json::object({{"reason", name(reason)},
+                                    {"about", about(reason)},
                                     {"forward", forward},
                                     {"backward", backward},
                                     {"colour", Json::array({colour.light, colour.dark})}}));
@@ -86,7 +106,7 @@ class Kinds {
 };
 
 Json axes_json(collisions::Chart chart, const Piece& piece) {
-    const audit::Boxes root = audit::root_of(chart, piece.q_lo, piece.q_hi);
+    const collisions::Boxes root = collisions::root_of(chart, piece.q_lo, piece.q_hi);
     Json axes = Json::array();
     for (const collisions::Axis axis : all_axes) {
         const auto number = static_cast<std::size_t>(axis);
@@ -121,7 +141,7 @@ Json witness_json(const collisions::Witness& witness) {
 
 Json piece_json(const Piece& piece, const Certificate& certificate, const Kinds& kinds,
                 const BoxBudget& budget) {
-    const bool has_paper = certificate.scene == collisions::Scene::dumbbell && piece.q_lo >= 1 &&
+    const bool has_paper = row_of(certificate.scene).has_paper_bound && piece.q_lo >= 1 &&
                            piece.q_hi <= flight::paper_bound_limit();
     Json trees = Json::array();
     for (const collisions::ChartTree& chart : piece.cover.charts) {
@@ -159,6 +179,7 @@ std::pair<std::optional<Count>, Count> bounds_of(const Certificate& certificate)
 
 Json file_json(const Certificate& certificate, const BoxBudget& budget) {
     const Kinds kinds(certificate);
+    const collisions::SceneRow& row = row_of(certificate.scene);
     const auto [upper, lower] = bounds_of(certificate);
     Json pieces = Json::array();
     for (const Piece& piece : certificate.pieces) {
@@ -166,6 +187,9 @@ Json file_json(const Certificate& certificate, const BoxBudget& budget) {
     }
     return Json::object({{"claim", "collisions"},
                          {"scene", name(certificate.scene)},
+                         {"system", row.system},
+                         {"where", row.where},
+                         {"has_orbits", row.has_orbits},
                          {"section", name(certificate.section)},
                          {"lo_text", exact_text(certificate.q_lo())},
                          {"hi_text", exact_text(certificate.q_hi())},
@@ -178,11 +202,7 @@ Json file_json(const Certificate& certificate, const BoxBudget& budget) {
 
 std::string claim_options(const Certificate& certificate) {
     const auto [upper, lower] = bounds_of(certificate);
-    std::string options;
-    if (certificate.scene != collisions::Scene::dumbbell) {
-        options += fmt::format("--scene {} ", name(certificate.scene));
-    }
-    options += "--ratio " + exact_text(certificate.q_lo());
+    std::string options = option_of(certificate.scene) + "--ratio " + exact_text(certificate.q_lo());
     if (certificate.q_lo() != certificate.q_hi()) {
         options += ":" + exact_text(certificate.q_hi());
     }

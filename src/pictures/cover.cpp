@@ -8,8 +8,8 @@
 #include <set>
 #include <utility>
 
-#include "audit/leaf_boxes.hpp"
 #include "base/error.hpp"
+#include "collisions/leaf_boxes.hpp"
 #include "collisions/names.hpp"
 #include "number/decimal.hpp"
 #include "pictures/box_panel.hpp"
@@ -40,22 +40,24 @@ void require_few(std::size_t boxes) {
 
 /// A reason other than a count: its colour, and what it says.
 struct ReasonStyle {
-    Reason reason;
-    const char* kind;
     Shade shade;
     const char* words;
 };
-constexpr std::array<ReasonStyle, 4> reasons{
-    {{Reason::outside, "outside", palette::outside, "outside the section"},
-     {Reason::meets, "meets", palette::meets, "meets the bridge"},
-     {Reason::meets_reversed, "meets-reversed", palette::meets_reversed, "meets the bridge, reversed"},
-     {Reason::once, "once", palette::once, "does not come back to the bridge"}}};
 
-const ReasonStyle& style_of(Reason reason) {
-    const auto* const found = std::find_if(reasons.begin(), reasons.end(),
-                                           [&](const ReasonStyle& style) { return style.reason == reason; });
-    require(found != reasons.end(), "a reason without a style");
-    return *found;
+ReasonStyle style_of(Reason reason) {
+    switch (reason) {
+        case Reason::count:
+            break;
+        case Reason::outside:
+            return {palette::outside, "outside the section"};
+        case Reason::meets:
+            return {palette::meets, "meets the bridge"};
+        case Reason::meets_reversed:
+            return {palette::meets_reversed, "meets the bridge, reversed"};
+        case Reason::once:
+            return {palette::once, "does not come back to the bridge"};
+    }
+    throw BrokenInvariant("a count has a colour of its own");
 }
 
 /// One chart: its boxes at the mass ratio, and what they prove.
@@ -82,14 +84,14 @@ bool has_ratio(const Rational& lo, const Rational& hi, const Rational& q, const 
 
 Panel panel_of(const collisions::ChartTree& tree, const collisions::Piece& piece, const Rational& q,
                DrawnCover& cover) {
-    const audit::Boxes boxes = audit::leaf_boxes(tree.chart, piece.q_lo, piece.q_hi, tree.tree);
+    const collisions::Boxes boxes = collisions::leaf_boxes(tree.chart, piece.q_lo, piece.q_hi, tree.tree);
     Panel panel{tree.chart, value(boxes.hi(boxes.root, 0)), value(boxes.hi(boxes.root, 1)), {}};
     std::size_t number = 0;
     for (const collisions::Node& node : tree.tree) {
         if (node.split) {
             continue;
         }
-        const audit::BoxEnds& box = boxes.leaves.at(number++);
+        const collisions::BoxEnds& box = boxes.leaves.at(number++);
         if (!has_ratio(boxes.lo(box, 2), boxes.hi(box, 2), q, piece.q_hi)) {
             continue;
         }
@@ -100,7 +102,7 @@ Panel panel_of(const collisions::ChartTree& tree, const collisions::Piece& piece
             kind = count_kind(count);
         } else {
             cover.others.insert(node.leaf.reason);
-            kind = style_of(node.leaf.reason).kind;
+            kind = name(node.leaf.reason);
         }
         panel.boxes[kind].push_back({value(boxes.lo(box, 0)), value(boxes.hi(box, 0)),
                                      value(boxes.lo(box, 1)), value(boxes.hi(box, 1))});
@@ -161,7 +163,7 @@ std::vector<LegendEntry> legend_entries(const std::set<Count>& counts, const std
         entries.push_back({Swatch::area, count_kind(count), fmt::format("{}", count)});
     }
     for (const Reason reason : others) {
-        entries.push_back({Swatch::area, style_of(reason).kind, style_of(reason).words});
+        entries.push_back({Swatch::area, std::string(name(reason)), style_of(reason).words});
     }
     return entries;
 }
@@ -234,7 +236,7 @@ std::string cover_svg(const collisions::Piece& piece, const Rational& q) {
     svg.colour("witness", "stroke", palette::witness);
     colour_counts(svg, {cover.counts.begin(), cover.counts.end()});
     for (const Reason reason : cover.others) {
-        svg.colour(style_of(reason).kind, "fill", style_of(reason).shade);
+        svg.colour(std::string(name(reason)), "fill", style_of(reason).shade);
     }
     svg.text(cover_left, top_margin + 9, "what each box proves: at most so many collisions", Anchor::start,
              "head");

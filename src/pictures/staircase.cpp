@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/error.hpp"
+#include "collisions/scene.hpp"
 #include "flight/growth_constant.hpp"
 #include "flight/paper_bound.hpp"
 #include "pictures/frame.hpp"
@@ -106,7 +107,7 @@ Counts counts_of(const std::vector<Piece>& pieces, Scene scene) {
     const long highest = flight::paper_bound(pieces.back().q_hi);
     constexpr long share = 4;  // of the axis, at least, that is left to the steps
     const bool has_paper =
-        scene == Scene::dumbbell && (highest <= many || highest - least <= share * (most - least) + 8);
+        row_of(scene).has_paper_bound && (highest <= many || highest - least <= share * (most - least) + 8);
     return {least, has_paper ? highest : most, has_paper};
 }
 
@@ -129,27 +130,6 @@ PlotAxis count_axis(const Counts& counts) {
     const double lo = least - 1.5;
     const double hi = most + 1.5;
     return {lo, hi, "collisions", even_ticks(lo, hi, std::min(wanted, static_cast<int>(hi - lo)))};
-}
-
-/// What the picture is called, and its line in the legend.
-struct Names {
-    const char* title;
-    const char* maximum;
-};
-
-Names names_of(Scene scene) {
-    switch (scene) {
-        case Scene::dumbbell:
-            return {"Greatest number of collisions of a bouncing dumbbell against its mass ratio",
-                    "proved maximum N(q)"};
-        case Scene::hybrid:
-            return {"Greatest number of collisions in the hybrid wedge against the mass ratio",
-                    "proved maximum, scene hybrid (wedge)"};
-        case Scene::wedge:
-            return {"Greatest number of collisions in the straight wedge against the mass ratio",
-                    "proved maximum, scene wedge (straight)"};
-    }
-    throw BrokenInvariant("unknown scene");
 }
 
 }  // namespace
@@ -177,10 +157,9 @@ std::string staircase_svg(const std::vector<Piece>& pieces, Scene scene) {
         return std::any_of(pieces.begin(), pieces.end(),
                            [&](const Piece& piece) { return piece.status() == status; });
     };
-    const Names names = names_of(scene);
-    const bool is_dumbbell = scene == Scene::dumbbell;
+    const collisions::SceneRow& row = row_of(scene);
     const Counts counts = counts_of(pieces, scene);
-    std::vector<LegendEntry> entries{{Swatch::curve, "proved", names.maximum}};
+    std::vector<LegendEntry> entries{{Swatch::curve, "proved", std::string(row.maximum)}};
     if (has(Status::gap)) {
         entries.push_back({Swatch::area, "gap", "gap: one of two values"});
     }
@@ -191,7 +170,7 @@ std::string staircase_svg(const std::vector<Piece>& pieces, Scene scene) {
         entries.push_back(
             {Swatch::curve, "paper", "the paper's bound \xe2\x8c\x88\xcf\x80/\xce\xb3\xe2\x8c\x89 + 1"});
     }
-    if (is_dumbbell) {  // the growth is the dumbbell's, the formula the wedges'
+    if (row.has_paper_bound) {
         entries.push_back({Swatch::curve, "growth", "2 + C \xe2\x88\x9aq"});
     } else {
         entries.push_back(
@@ -205,7 +184,7 @@ std::string staircase_svg(const std::vector<Piece>& pieces, Scene scene) {
                        decade_ticks(q_lo, q_hi, {width}), Scale::logarithmic},
                       count_axis(counts));
 
-    Svg svg(page_width, frame.bottom() + 52, names.title);
+    Svg svg(page_width, frame.bottom() + 52, std::string(row.title));
     svg.rules(
         ".proved{fill:none;stroke-width:2.5}.gap{stroke-width:1.5}.paper{fill:none;stroke-width:1.5;stroke-"
         "dasharray:6 4}.growth{fill:none;stroke-width:1.2;stroke-dasharray:2 3}");
@@ -215,7 +194,7 @@ std::string staircase_svg(const std::vector<Piece>& pieces, Scene scene) {
     svg.colour("paper", "stroke", palette::paper);
     svg.colour("paper-word", "fill", palette::paper);
     svg.colour("growth", "stroke", palette::growth);
-    svg.text(staircase_left, top_margin + 9, names.title, Anchor::start, "head");
+    svg.text(staircase_left, top_margin + 9, std::string(row.title), Anchor::start, "head");
     draw_open(svg, frame, pieces);
     frame.draw_grid(svg);
     frame.open_clip(svg);
@@ -226,10 +205,10 @@ std::string staircase_svg(const std::vector<Piece>& pieces, Scene scene) {
         svg.path("paper", paper_path(frame, pieces, 1));
     }
     svg.path("proved", proved_path(frame, pieces));
-    svg.path(is_dumbbell ? "growth" : "paper",  // over it: they lie close together
-             is_dumbbell ? growth_path(frame, q_lo, q_hi) : paper_path(frame, pieces, 0));
+    svg.path(row.has_paper_bound ? "growth" : "paper",  // over it: they lie close together
+             row.has_paper_bound ? growth_path(frame, q_lo, q_hi) : paper_path(frame, pieces, 0));
     svg.close();
-    if (is_dumbbell && !counts.has_paper) {
+    if (row.has_paper_bound && !counts.has_paper) {
         svg.text(frame.left() + 10, frame.top() + 20, far_bound(pieces), Anchor::start, "paper-word");
     }
     frame.draw_axes(svg);

@@ -54,20 +54,12 @@ export const axisLabel = (chart, name) => (name === "q" ? "q: mass ratio, heavy 
 /// What the leaf of a file about mass ratios says, in a line.
 export function leafText(kind, chart) {
     const forward = `at most ${kind.forward} later`;
-    switch (kind.reason) {
-        case "count":
-            return chart === "contact" || chart === "departure"
-                ? `count ${kind.forward}: ${forward} collisions, so at most ${sum(1, kind.forward)} from here on`
-                : `count ${kind.forward} ${kind.backward}: ${forward} and ${kind.backward} earlier collisions, so at most ${total(kind)} in all`;
-        case "outside":
-            return "outside: no state of the section lies here";
-        case "meets":
-            return "meets: the outgoing ray meets the bridge, so the chart bridge covers these states";
-        case "meets-reversed":
-            return "meets-reversed: the incoming ray comes from the bridge, so the chart bridge covers these states";
-        default:
-            return "once: what comes back is too steep to meet the bridge again";
+    if (kind.reason !== "count") {
+        return `${kind.reason}: ${kind.about}`;
     }
+    return chart === "contact" || chart === "departure"
+        ? `count ${kind.forward}: ${forward} collisions, so at most ${sum(1, kind.forward)} from here on`
+        : `count ${kind.forward} ${kind.backward}: ${forward} and ${kind.backward} earlier collisions, so at most ${total(kind)} in all`;
 }
 
 export const total = (kind) => sum(1, kind.forward, kind.backward);

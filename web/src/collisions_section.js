@@ -11,8 +11,6 @@ import { staircase } from "./staircase.js";
 import { colour, shade } from "./theme.js";
 import { bridgeOrbit, extremalOrbits, wedgeOrbit } from "./witness.js";
 
-const systems = { dumbbell: "The dumbbell", hybrid: "The hybrid wedge", wedge: "The straight wedge" };
-const reasons = ["count", "meets", "meets-reversed", "once"];
 
 const rangeText = ({ lo_text, hi_text }) => (lo_text === hi_text ? `q = ${shortened(lo_text)}` : `q from ${shortened(lo_text)} to ${shortened(hi_text)}`);
 
@@ -34,11 +32,11 @@ function claimText(file) {
         parts.push(`${plural(number("open"), "open piece")}, not decided`);
     }
     const span = file.upper === null ? `at least ${file.lower}` : `from ${file.lower} to ${file.upper}`;
-    return `For every mass ratio q from ${shortened(lo_text)} to ${shortened(hi_text)}, the greatest number N(q) of collisions of any trajectory${file.scene === "dumbbell" ? "" : ` in the ${file.scene === "wedge" ? "straight" : "hybrid"} wedge`}: ${span}, in ${parts.join(" and ")}.`;
+    return `For every mass ratio q from ${shortened(lo_text)} to ${shortened(hi_text)}, the greatest number N(q) of collisions of any trajectory${file.where}: ${span}, in ${parts.join(" and ")}.`;
 }
 
 function coverNote(file) {
-    if (file.scene !== "dumbbell") {
+    if (!file.has_orbits) {
         return "In a wedge only the slope counts, so the cover of a single ratio is a line of intervals.";
     }
     return file.section === "turning"
@@ -53,7 +51,7 @@ function coverSource(file) {
         tree,
         chart: tree.chart,
         explain: `${i + 1}:${tree.chart}`,
-        marks: file.scene === "dumbbell" ? (q) => marksOf(tree.chart, q, piece) : null,
+        marks: file.has_orbits ? (q) => marksOf(tree.chart, q, piece) : null,
     })));
     const largest = choices.reduce((best, c, i) => (c.tree.leaves > choices[best].tree.leaves ? i : best), 0);
     return {
@@ -77,7 +75,7 @@ function coverSource(file) {
                 text: "by reason",
                 paint: (kind) => (isCount(kind) ? colour("--proved") : shade(kind.colour)),
                 label: (kind) => kind.reason,
-                order: (kind) => reasons.indexOf(kind.reason) + (kind.reason === "outside" ? 9 : 0),
+                order: (kind) => (isCount(kind) ? -1 : kind.reason === "outside" ? Infinity : file.kinds.indexOf(kind)),
             },
         ],
     };
@@ -154,7 +152,7 @@ function witnesses(file) {
         })));
     }
     load(chosen, share);
-    return h("figure", { class: "wide" }, h("div", { class: "controls" }, controls), about, player.element, h("figcaption", {}, file.scene === "dumbbell"
+    return h("figure", { class: "wide" }, h("div", { class: "controls" }, controls), about, player.element, h("figcaption", {}, file.has_orbits
         ? "A witness orbit: the dumbbell, and the same motion as a point above the floor curve. No gravity; the uniform horizontal motion is left out, and the dots are larger than the point masses. The view goes on a little before the first and after the last collision."
         : "A witness orbit in the model wedge, which is a plane figure and no dumbbell. It has no scale; drawn so that the farthest contact is at 1."));
 }
@@ -162,12 +160,12 @@ function witnesses(file) {
 const mostRows = 200;
 
 function piecesTable(file) {
-    const isDumbbell = file.scene === "dumbbell";
+    const isBounded = file.pieces.some((p) => p.paper);
     const ends = ({ lo_text: lo, hi_text: hi }) => (lo === hi ? shortened(lo) : `${shortened(lo)} to ${shortened(hi)}`);
     const paper = (p) => (p.paper ? (p.paper[0] === p.paper[1] ? String(p.paper[0]) : `${p.paper[0]} to ${p.paper[1]}`) : "");
-    const row = (p) => [ends(p), valueText(p), ...(isDumbbell ? [paper(p)] : []), p.equal_masses ? "by L7" : p.leaves.toLocaleString("en"), String(p.bits),
+    const row = (p) => [ends(p), valueText(p), ...(isBounded ? [paper(p)] : []), p.equal_masses ? "by L7" : p.leaves.toLocaleString("en"), String(p.bits),
         p.witness ? `${total(p.witness)} collisions` : ""];
-    const head = ["mass ratio", "claimed", ...(isDumbbell ? ["the paper\u2019s bound"] : []), "boxes", "bits", "witness"];
+    const head = ["mass ratio", "claimed", ...(isBounded ? ["the paper\u2019s bound"] : []), "boxes", "bits", "witness"];
     const boxesColumn = head.indexOf("boxes");
     const totals = Object.entries(file.totals).map(([reason, leaves]) => [reason, leaves.toLocaleString("en")]);
     return h(
@@ -184,7 +182,7 @@ export function collisionsSection(file, constant, isAlone) {
     const hasBoxes = file.pieces.some((piece) => piece.trees.length > 0);
     const played = witnesses(file);
     return [
-        h("h2", {}, `${systems[file.scene]}, ${rangeText(file)}`),
+        h("h2", {}, `${file.system}, ${rangeText(file)}`),
         h("p", { class: "claim" }, claimText(file), file.section !== "turning" ? " The heavy mass hits the floor at most once." : ""),
         verifyBox(file),
         isRange && h("h3", {}, "The staircase"),

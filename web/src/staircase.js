@@ -42,7 +42,7 @@ class Staircase {
         this.constant = constant;
         this.pieces = file.pieces.map((piece) => ({ ...piece, q0: parse(piece.lo), q1: parse(piece.hi) }));
         this.base = [file.upper, file.lower].some((n) => typeof n === "bigint") ? BigInt(file.lower) : null;
-        this.isCompared = file.scene === "dumbbell" && this.base === null;
+        this.isCompared = file.has_orbits && this.base === null;
         this.gaps = this.pieces.filter((piece) => piece.status === "gap");
         this.rescale(scales.log());
         const top = Math.max(...this.pieces.map((p) => Math.max(this.height(p.upper ?? p.lower), this.paper(p))));

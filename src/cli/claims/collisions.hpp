@@ -4,6 +4,7 @@
 
 #include "cli/options/given.hpp"
 #include "collisions/certify.hpp"
+#include "collisions/names.hpp"
 #include "number/ratio_argument.hpp"
 
 namespace dumbbell::cli {
@@ -20,6 +21,8 @@ inline constexpr std::array claim_options{
            "turning"},
     Option{"--gap", "REL", "ranges: relative width of the gap around a critical ratio, from 1e-300 to 0.01",
            "1e-6"}};
+static_assert(are_names_of<collisions::Scene>(claim_options[0].value) &&
+              are_names_of<collisions::Section>(claim_options[1].value));
 
 /// What is said first if the ratios were given below 1.
 inline constexpr const char* masses_are_swapped = "Ratios below 1: the masses are swapped, q -> 1/q.\n";

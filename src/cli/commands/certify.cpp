@@ -16,6 +16,7 @@
 #include "cli/terminal/stop_signals.hpp"
 #include "collisions/part.hpp"
 #include "collisions/proof_report.hpp"
+#include "collisions/scene.hpp"
 #include "collisions/witness_orbit.hpp"
 #include "collisions/writer.hpp"
 #include "number/ratio_argument.hpp"
@@ -76,11 +77,11 @@ std::optional<collisions::RatioPart> part_of(const Given& given, const CertifyRe
 }
 
 CertifyRequest certify_request(const Given& given, const RatioArgument& ratio) {
-    if (given.has("--witness") && given.text("--scene") != "dumbbell") {
+    CertifyRequest request = request_of(given, ratio);
+    if (given.has("--witness") && !row_of(request.scene).has_orbits) {
         throw InputError("--witness prints orbits of the dumbbell: leave it out with --scene " +
                          given.text("--scene"));
     }
-    CertifyRequest request = request_of(given, ratio);
     request.jobs = jobs_of(given);
     request.budget = budget_of(given);
     // Of a range nothing else prints it.

@@ -15,9 +15,9 @@
 #include "cli/terminal/messages.hpp"
 #include "cli/terminal/output.hpp"
 #include "cli/terminal/stop_signals.hpp"
+#include "critical/range.hpp"
+#include "critical/report.hpp"
 #include "number/count_argument.hpp"
-#include "staircase/critical_range.hpp"
-#include "staircase/critical_report.hpp"
 #include "words/printed.hpp"
 
 namespace dumbbell::cli {
@@ -63,7 +63,7 @@ constexpr std::chrono::duration<double> long_time = std::chrono::hours(1);
 constexpr std::chrono::duration<double> some_time = std::chrono::minutes(1);
 
 /// Says how long it will take, if long. Throws InputError if it would take very long and no budget is given.
-void check_time(const staircase::CriticalRequest& request, bool quiet) {
+void check_time(const critical::Request& request, bool quiet) {
     if (request.budget) {
         return;
     }
@@ -80,20 +80,20 @@ void check_time(const staircase::CriticalRequest& request, bool quiet) {
     }
 }
 
-std::vector<staircase::CriticalRow> enclose(staircase::CriticalRequest request, Verbosity verbosity) {
+std::vector<critical::Row> enclose(critical::Request request, Verbosity verbosity) {
     const bool one = request.first == request.last;
     Progress progress(one ? "flights" : "critical ratios", verbosity, "enclosing");
     progress.weigh([&](std::size_t done) { return share_of_first(done, request); });
     request.observer = &progress;
-    return critical_ratios(request);
+    return enclose_ratios(request);
 }
 
-staircase::CriticalRequest critical_request(const Given& given) {
-    staircase::CriticalRequest request;
+critical::Request critical_request(const Given& given) {
+    critical::Request request;
     const Part part = given.has("--part") ? parse_part(given.text("--part")) : Part();
     std::tie(request.first, request.last) = parse_counts(given.text("N"), part.of);
     if (given.has("--part")) {
-        request = staircase::part_of(part, request.first, request.last);
+        request = critical::part_of(part, request.first, request.last);
     }
     request.digits = static_cast<int>(given.number("--digits"));
     request.jobs = jobs_of(given);
@@ -103,13 +103,13 @@ staircase::CriticalRequest critical_request(const Given& given) {
 }
 
 int run_critical(const Given& given) {
-    staircase::CriticalReport report{.request = critical_request(given), .rows = {}, .seconds = 0, .out = {}};
+    critical::Report report{.request = critical_request(given), .rows = {}, .seconds = 0, .out = {}};
     const Output output(given.text("--out"), {}, given.has("--json") ? "--json" : nullptr);
     const Stopwatch watch;
     report.rows = enclose(report.request, verbosity_of(given));
     report.seconds = watch.seconds();
-    const auto finished = std::ranges::count_if(
-        report.rows, [](const staircase::CriticalRow& row) { return row.ratio.has_value(); });
+    const auto finished =
+        std::ranges::count_if(report.rows, [](const critical::Row& row) { return row.ratio.has_value(); });
     const long wanted = report.request.size();
     const bool all = finished == wanted;
     if (!all && stop_signal != 0) {

@@ -12,10 +12,10 @@
 #include "cli/terminal/exit_code.hpp"
 #include "cli/terminal/messages.hpp"
 #include "cli/terminal/stop_signals.hpp"
+#include "critical/table.hpp"
 #include "file/verifier_program.hpp"
 #include "number/parallel.hpp"
 #include "number/ratio_argument.hpp"
-#include "staircase/critical_table.hpp"
 #include "words/printed.hpp"
 
 namespace dumbbell::cli {
@@ -56,8 +56,8 @@ constexpr std::array join_options{
 
 std::unique_ptr<Parts> parts_of(const Given& given) {
     const std::vector<std::string>& names = given.words("FILE");
-    const auto table = std::ranges::find_if(names, staircase::is_critical_table);
-    const auto other = std::ranges::find_if_not(names, staircase::is_critical_table);
+    const auto table = std::ranges::find_if(names, critical::is_table);
+    const auto other = std::ranges::find_if_not(names, critical::is_table);
     if (table != names.end() && other != names.end()) {
         throw InputError(fmt::format(
             "'{}' is a table of critical ratios, and '{}' is none: join one kind at a time", *table, *other));

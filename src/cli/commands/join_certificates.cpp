@@ -5,6 +5,7 @@
 #include "base/error.hpp"
 #include "cli/commands/join_parts.hpp"
 #include "collisions/names.hpp"
+#include "collisions/scene.hpp"
 #include "collisions/verified.hpp"
 #include "collisions/writer.hpp"
 #include "file/verifier_program.hpp"
@@ -22,7 +23,7 @@ class CertificateParts : public Parts {
     CertificateParts(std::size_t files, const std::string& gap)
         : Parts(Content::certificate, "the mass ratios", "dumbbell certify"),
           certificates_(files),
-          gap_(" --gap " + gap) {}
+          gap_("--gap " + gap) {}
 
     [[nodiscard]] PartFile take(std::size_t i, const std::string& name, int jobs) override {
         PartFile file{name, i};
@@ -65,13 +66,9 @@ class CertificateParts : public Parts {
 
   private:
     [[nodiscard]] std::string options(collisions::Scene scene, collisions::Section section) const {
-        using enum collisions::Section;
-        return fmt::format(
-            "{}{}{}", scene == collisions::Scene::dumbbell ? "" : fmt::format(" --scene {}", name(scene)),
-            section == turning ? ""
-            : section == full  ? " --section full"
-                               : " --section plain",
-            gap_);
+        const bool usual = section == collisions::Section();
+        return fmt::format(" {}{}{}", option_of(scene),
+                           usual ? "" : fmt::format("--section {} ", name(section)), gap_);
     }
 
     std::vector<Certificate> certificates_;

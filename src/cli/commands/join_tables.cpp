@@ -6,14 +6,14 @@
 #include "base/deadline.hpp"
 #include "base/error.hpp"
 #include "cli/commands/join_parts.hpp"
+#include "critical/table.hpp"
 #include "file/sha256.hpp"
 #include "number/count_argument.hpp"
-#include "staircase/critical_table.hpp"
 
 namespace dumbbell::cli {
 namespace {
 
-using staircase::CriticalReport;
+using critical::Report;
 
 class TableParts : public Parts {
   public:
@@ -23,7 +23,7 @@ class TableParts : public Parts {
     [[nodiscard]] PartFile take(std::size_t i, const std::string& name, int /*in_parallel's*/) override {
         PartFile file{name, i};
         try {
-            CriticalReport& table = tables_[i] = staircase::read_critical_table(name);
+            Report& table = tables_[i] = critical::read_table(name);
             file.range = Range{table.request.first, table.request.last + 1};
             if (table.request.digits > 0) {
                 file.options = fmt::format(" --digits {}", table.request.digits);
@@ -31,7 +31,7 @@ class TableParts : public Parts {
             file.pieces = table.rows.size();
             file.open = static_cast<std::size_t>(
                 std::ranges::count_if(table.rows, [](const auto& row) { return !row.ratio; }));
-            const std::string objection = staircase::objection(table, deadline(std::nullopt));
+            const std::string objection = critical::objection(table, deadline(std::nullopt));
             file.fault = objection.empty() ? "" : fmt::format("'{}' is not believed: {}", name, objection);
         } catch (const InputError& error) {
             file.fault = error.what();
@@ -40,7 +40,7 @@ class TableParts : public Parts {
     }
 
     [[nodiscard]] SealedText join(const std::vector<PartFile>& files) override {
-        CriticalReport whole;
+        Report whole;
         whole.request.digits = 1;
         for (const PartFile& file : files) {
             whole.request.digits = std::max(whole.request.digits, tables_[file.number].request.digits);
@@ -63,7 +63,7 @@ class TableParts : public Parts {
     }
 
   private:
-    std::vector<CriticalReport> tables_;
+    std::vector<Report> tables_;
 };
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include "cli/commands/verify.hpp"
 #include "collisions/certify.hpp"
 #include "collisions/names.hpp"
+#include "collisions/scene.hpp"
 #include "collisions/witness_orbit.hpp"
 #include "flight/paper_bound.hpp"
 #include "number/decimal.hpp"
@@ -102,7 +103,7 @@ void require_verified(const PlotRequest& request, const std::string& sha256, col
 
 Certificate verified_dumbbell(const PlotRequest& request, const char* picture, const char* make) {
     auto certificate = certificate_for<Certificate>(request.file, picture, make);
-    if (certificate.scene != collisions::Scene::dumbbell) {
+    if (!row_of(certificate.scene).has_orbits) {
         throw InputError(fmt::format("'{}' is about the scene {}: plot {} draws the dumbbell", request.file,
                                      name(certificate.scene), picture));
     }

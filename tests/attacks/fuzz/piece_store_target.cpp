@@ -6,6 +6,7 @@
 #include "base/error.hpp"
 #include "certificates.hpp"
 #include "collisions/piece_store.hpp"
+#include "collisions/scene.hpp"
 #include "collisions/writer.hpp"
 #include "file/sha256.hpp"
 #include "target.hpp"
@@ -39,7 +40,7 @@ Piece any_piece(Choices& choices, const StoredClaim& claim) {
     piece.q_hi = std::max(piece.q_lo, any_ratio(choices));
     piece.bits = choices.coin() ? 53 : static_cast<int>(choices.between(53, 4096));
     piece.upper = choices.between(1, 20);
-    for (const Chart chart : charts_of(claim.scene, claim.section)) {
+    for (const Chart chart : row_of(claim.scene).charts(claim.section)) {
         piece.cover.charts.push_back({chart, {}});
         grow_any_tree(choices, chart, 12, piece.cover.charts.back().tree);
     }

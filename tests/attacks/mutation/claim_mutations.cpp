@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "collisions/leaf.hpp"
+#include "collisions/scene.hpp"
 #include "collisions/writer.hpp"
 #include "mutations.hpp"
 #include "starts/writer.hpp"
@@ -113,7 +114,7 @@ class Claims {
                     without_lower(p);
                     p.cover.equal_masses = false;
                     p.cover.charts.clear();
-                    for (const Chart chart : charts_of(data_.scene, data_.section)) {
+                    for (const Chart chart : row_of(data_.scene).charts(data_.section)) {
                         p.cover.charts.push_back({chart, {}});
                         best_tree(chart, root_box(chart, p.q_lo, p.q_hi), *p.upper, depth,
                                   p.cover.charts.back().tree);

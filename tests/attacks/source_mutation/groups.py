@@ -106,18 +106,18 @@ GROUPS = {
         targets=("test_batch",),
         programs=("tests/rooms/flight/batch/test_batch",)),
     "collisions": Group(
-        files=below("collisions", "certificate certify cover critical full_leaf leaf names piece piece_store reader plan section "
+        files=below("collisions", "certificate certify cover fine_step full_leaf leaf leaf_boxes names piece piece_store reader plan section "
                     "turning_leaf wedge_leaf wedge_witness witness witness_orbit writer",
                     "leaf_judges:leaf piece_store:piece_store"),
         left_out=frozenset(),
         targets=("test_collisions",),
         programs=("tests/rooms/collisions/test_collisions",),
         texts=frozenset({"collisions/writer.cpp", "collisions/names.cpp"})),
-    "staircase": Group(
-        files=below("staircase", "critical_range"),
+    "critical": Group(
+        files=below("critical", "enclose long_orbits range"),
         left_out=frozenset(),
-        targets=("test_staircase",),
-        programs=("tests/rooms/staircase/test_staircase",)),
+        targets=("test_critical",),
+        programs=("tests/rooms/critical/test_critical",)),
     "starts": Group(
         files=below("starts", "leaf box_state reader subdivide trace witness_start writer",
                     "box_state:box_state subdivide:subdivide"),
@@ -141,7 +141,7 @@ GROUPS = {
         programs=("tests/rooms/file/test_file", "tests/rooms/collisions/test_collisions"),
         texts=frozenset({"file/dyadic.cpp"})),
     "audit": Group(  # but for the report, which the tests of the command read
-        files=below("audit", "audit leaf_boxes tiling"),
+        files=below("audit", "audit tiling"),
         left_out=frozenset(),
         targets=("test_audit",),
         programs=("tests/rooms/audit/test_audit",)),

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "collisions/certify.hpp"
-#include "collisions/critical.hpp"
+#include "critical/enclose.hpp"
 #include "flight/batch/count.hpp"
 
 using namespace dumbbell;
@@ -50,9 +50,9 @@ const std::map<std::string, std::function<std::size_t()>> jobs = {
     {"certify-100-full", [] { return pieces(100, 100, Section::full); }},
     {"critical-7",
      [] {
-         CriticalOptions options;
+         critical::Options options;
          options.digits = 50;
-         return static_cast<std::size_t>(enclose_critical_ratio(7, options).has_value());
+         return static_cast<std::size_t>(critical::enclose_ratio(7, options).has_value());
      }},
 };
 

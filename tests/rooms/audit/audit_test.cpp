@@ -2,7 +2,7 @@
 
 #include "catch.hpp"
 #include "collisions/certify.hpp"
-#include "random_tree.hpp"
+#include "rooms/collisions/random_tree.hpp"
 
 using namespace dumbbell_test;
 using namespace dumbbell::collisions;
@@ -17,12 +17,6 @@ Piece piece_of(const Rational& lo, const Rational& hi, std::vector<ChartTree> ch
     piece.upper = 4;
     piece.cover.charts = std::move(charts);
     return piece;
-}
-
-Certificate certificate_of(std::vector<Piece> pieces) {
-    Certificate certificate;
-    certificate.pieces = std::move(pieces);
-    return certificate;
 }
 
 Certificate example() {

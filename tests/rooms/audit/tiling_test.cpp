@@ -1,12 +1,14 @@
 #include "audit/tiling.hpp"
 
 #include "catch.hpp"
-#include "random_tree.hpp"
+#include "collisions/leaf_boxes.hpp"
+#include "rooms/collisions/random_tree.hpp"
 
 using namespace dumbbell_test;
 using namespace dumbbell::collisions;
-using dumbbell::audit::leaf_boxes;
-using dumbbell::audit::root_of;
+using dumbbell::audit::check_tiling;
+using dumbbell::audit::Fault;
+using dumbbell::audit::Tiling;
 
 namespace {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "catch.hpp"
-#include "collisions/critical.hpp"
+#include "collisions/fine_step.hpp"
 #include "collisions/piece_lines.hpp"
 #include "critical_ratio.hpp"
 #include "number/parallel.hpp"
@@ -62,14 +62,14 @@ TEST_CASE("nearer to a critical ratio than doubles can tell, the precision escal
 }
 
 TEST_CASE("ratios are decided at every distance from a critical one that a certificate can spell") {
-    const CriticalRatio five = *enclose_critical_ratio(5, {.digits = most_critical_digits});
+    const FineStep five = *find_step(5, 1060);
     for (const char* distance : {"1e-90", "1e-119", "1e-150", "1e-190", "1e-300"}) {
         CAPTURE(distance);
-        const ProvedPiece above = prove_single(five.q_hi * (1 + parse_rational(distance)), {});
+        const ProvedPiece above = prove_single(five.above * (1 + parse_rational(distance)), {});
         CHECK(above.piece.upper == 5L);
         CHECK(above.piece.lower == 5);
         CHECK(above.obstacle == Obstacle::none);
-        const ProvedPiece below = prove_single(five.q_lo * (1 - parse_rational(distance)), {});
+        const ProvedPiece below = prove_single(five.below * (1 - parse_rational(distance)), {});
         CHECK(below.piece.upper == 4L);
         CHECK(below.piece.lower == 4);
     }
@@ -185,4 +185,14 @@ TEST_CASE("an interrupted piece ends soon, in the middle of an orbit of many mil
 TEST_CASE("an interrupted piece stays open") {
     const PieceOptions now{.interrupted = [] { return true; }};
     CHECK(prove_single(critical_ratio(7) * (1 - parse_rational("1e-6")), now).piece.status() == Status::open);
+}
+
+TEST_CASE("both sides of a step are decided at a relative distance of 1e-20") {
+    // Near 10^18, at the digits of `critical 885595132 --digits 20`.
+    const long n = 885'595'132;
+    const PieceOptions options = piece_options(Scene::dumbbell, Section::turning);
+    const Piece below = prove_single(at("1000000001235988268.9825"), options).piece;
+    const Piece above = prove_single(at("1000000001235988269.0026"), options).piece;
+    CHECK((below.lower == n - 1 && below.upper == n - 1));
+    CHECK((above.lower == n && above.upper == n));
 }

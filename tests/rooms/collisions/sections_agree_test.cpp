@@ -4,7 +4,7 @@
 
 #include "catch.hpp"
 #include "collisions/certify.hpp"
-#include "collisions/critical_guess.hpp"
+#include "collisions/step_guess.hpp"
 #include "reference.hpp"
 
 using namespace dumbbell;
@@ -39,7 +39,7 @@ NearCritical near_critical(Choices& choices, double greatest, double farthest) {
     const long n = std::lround(choices.log_uniform(4, last));
     const bool above = choices.coin();
     const double distance = choices.log_uniform(1e-5, farthest);
-    return {n, above, exact(guess_critical_ratio(n) * (above ? 1 + distance : 1 - distance))};
+    return {n, above, exact(guess_step(n) * (above ? 1 + distance : 1 - distance))};
 }
 
 }  // namespace
@@ -84,7 +84,7 @@ TEST_CASE("plain evaluation agrees at a hundredth and a thousandth from critical
     for (const long n : {4L, 5L, 6L}) {
         for (const double distance : {-1e-2, -1e-3, 1e-3, 1e-2}) {
             CAPTURE(n, distance);
-            const Rational q = exact(guess_critical_ratio(n) * (1 + distance));
+            const Rational q = exact(guess_step(n) * (1 + distance));
             CHECK(proved(q, Section::plain) == (distance < 0 ? n - 1 : n));
         }
     }

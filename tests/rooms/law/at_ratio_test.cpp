@@ -4,7 +4,7 @@
 
 #include "base/error.hpp"
 #include "catch.hpp"
-#include "collisions/critical.hpp"
+#include "critical/enclose.hpp"
 #include "law/constants.hpp"
 
 using namespace dumbbell;
@@ -73,7 +73,7 @@ TEST_CASE("critical ratios by the law contain those of the orbits, and are as na
     for (const long n : {903L, 904L, 2001L, 5002L}) {
         CAPTURE(n);
         const BigInterval by_law = critical_ratio(Integer(n));
-        const auto by_orbit = enclose_critical_ratio(n, {.digits = 20});
+        const auto by_orbit = critical::enclose_ratio(n, {.digits = 20});
         REQUIRE(by_orbit);
         CHECK(exact_lo(by_law) <= by_orbit->q_lo);
         CHECK(by_orbit->q_hi <= exact_hi(by_law));

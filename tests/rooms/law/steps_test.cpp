@@ -1,7 +1,7 @@
 #include "law/steps.hpp"
 
 #include "catch.hpp"
-#include "collisions/critical.hpp"
+#include "critical/enclose.hpp"
 #include "law/certificate.hpp"
 
 using namespace dumbbell;
@@ -15,7 +15,7 @@ TEST_CASE("the ends of a step enclose its critical ratio and show the law") {
         CAPTURE(n);
         const StepEnds ends = step_ends(n, constants);
         CHECK(shows_the_law(n, ends, constants));
-        CHECK(certainly_encloses({n, ends.below, ends.above, 64}));
+        CHECK(dumbbell::critical::certainly_encloses({n, ends.below, ends.above, 64}));
     }
 }
 

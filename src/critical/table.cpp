@@ -1,4 +1,4 @@
-#include "staircase/critical_table.hpp"
+#include "critical/table.hpp"
 
 #include <fmt/core.h>
 
@@ -14,7 +14,7 @@
 #include "number/decimal.hpp"
 #include "number/parallel.hpp"
 
-namespace dumbbell::staircase {
+namespace dumbbell::critical {
 namespace {
 
 constexpr std::string_view first_words = "# Critical mass ratios";
@@ -28,40 +28,39 @@ int digits_in(std::string_view number) {
 /// The enclosure that a row states: of the numbers with these digits those that are no more than the radius
 /// above. (A radius of a whole unit of the last digit was rounded up to that: the digits end before it.)
 /// Nothing if the digits are none.
-std::optional<collisions::CriticalRatio> stated(long n, std::string_view digits, std::string_view radius,
-                                                int bits) {
+std::optional<Ratio> stated(long n, std::string_view digits, std::string_view radius, int bits) {
     static const Rational nearly_one = 1 - parse_rational("1e-30");
-    constexpr std::size_t longest = collisions::most_critical_digits + 10;
+    constexpr std::size_t longest = most_digits + 10;
     const Rational q_lo = parse_rational(digits, longest);
     const int shown = digits_in(digits);
-    if (q_lo < 1 || shown > collisions::most_critical_digits) {
+    if (q_lo < 1 || shown > most_digits) {
         return std::nullopt;
     }
     const Decimal value = cut_down(q_lo, shown);
     const Rational unit = exact(Decimal{1, value.exponent});
     return exact(value) != q_lo
                ? std::nullopt
-               : std::optional(collisions::CriticalRatio{
-                     n, q_lo, q_lo + std::min(parse_rational(radius), unit * nearly_one), bits});
+               : std::optional(
+                     Ratio{n, q_lo, q_lo + std::min(parse_rational(radius), unit * nearly_one), bits});
 }
 
 /// Nothing if it is none. Numbers may be spelled in other ways than a table spells them.
-std::optional<CriticalRow> row_from(std::string_view line) try {
+std::optional<Row> row_from(std::string_view line) try {
     const auto fields = split(line, '\t');
     const auto n = number_of<long>(fields.front());
     if (fields.size() != 6 || !n || *n < 3 || *n > greatest_count) {
         return std::nullopt;
     }
     if (fields[1] == "open") {
-        return CriticalRow{*n, {}};
+        return Row{*n, {}};
     }
     const auto bits = number_of<int>(fields[3]);
-    if (!bits || *bits < 53 || *bits > collisions::most_critical_bits) {
+    if (!bits || *bits < 53 || *bits > most_bits) {
         return std::nullopt;
     }
     const auto ratio = stated(*n, fields[1], fields[2], *bits);
     const bool fits = ratio && (*n > 3 || (ratio->q_lo == 1 && ratio->q_hi == 1));
-    return fits ? std::optional(CriticalRow{*n, ratio}) : std::nullopt;
+    return fits ? std::optional(Row{*n, ratio}) : std::nullopt;
 } catch (const InputError&) {
     return std::nullopt;
 }
@@ -73,15 +72,15 @@ std::optional<CriticalRow> row_from(std::string_view line) try {
 
 }  // namespace
 
-bool is_critical_table(const std::string& path) try {
+bool is_table(const std::string& path) try {
     return UnpackedText(path).next_line().starts_with(first_words);
 } catch (const InputError&) {
     return false;
 }
 
-CriticalReport read_critical_table(const std::string& path) {
+Report read_table(const std::string& path) {
     UnpackedText lines(path);
-    CriticalReport table;
+    Report table;
     int digits = 0;  // of all rows but that of q_c(3) = 1, which has one
     std::string text;
     long number = 0;
@@ -119,7 +118,7 @@ CriticalReport read_critical_table(const std::string& path) {
     return table;
 }
 
-std::string objection(const CriticalReport& table, const Interrupted& interrupted) {
+std::string objection(const Report& table, const Interrupted& interrupted) {
     std::vector<char> certain(table.rows.size());
     in_parallel(table.rows.size(), [&](std::size_t i) {
         const auto& ratio = table.rows[i].ratio;
@@ -132,4 +131,4 @@ std::string objection(const CriticalReport& table, const Interrupted& interrupte
                              table.rows[static_cast<std::size_t>(doubtful - certain.begin())].n);
 }
 
-}  // namespace dumbbell::staircase
+}  // namespace dumbbell::critical

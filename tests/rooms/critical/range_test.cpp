@@ -1,4 +1,4 @@
-#include "staircase/critical_range.hpp"
+#include "critical/range.hpp"
 
 #include <atomic>
 
@@ -8,13 +8,13 @@
 
 using namespace dumbbell;
 using namespace dumbbell::collisions;
-using namespace dumbbell::staircase;
+using namespace dumbbell::critical;
 using namespace dumbbell_test;
 
 namespace {
 
-CriticalRequest request(long first, long last) {
-    CriticalRequest result;
+Request request(long first, long last) {
+    Request result;
     result.first = first;
     result.last = last;
     return result;
@@ -26,7 +26,7 @@ TEST_CASE("Cover and witness confirm both sides of critical ratios, without theo
     for (const char* distance : {"0.01", "1e-9", "1e-20"}) {
         for (const long n : {4L, 5L, 8L, 12L}) {
             CAPTURE(distance, n);
-            const CriticalRatio ratio = *enclose_critical_ratio(n, {.digits = 30});
+            const Ratio ratio = *enclose_ratio(n, {.digits = 30});
             const Piece below = prove_single(ratio.q_lo * (1 - at(distance)), {}).piece;
             const Piece above = prove_single(ratio.q_hi * (1 + at(distance)), {}).piece;
             CHECK(below.upper == n - 1);
@@ -38,7 +38,7 @@ TEST_CASE("Cover and witness confirm both sides of critical ratios, without theo
 }
 
 TEST_CASE("A range has its ratios in order, the same with any number of threads") {
-    CriticalRequest one = request(3, 40);
+    Request one = request(3, 40);
     one.digits = 20;
     struct Told : Observer {
         void update(std::size_t, std::size_t total, std::optional<long> n) override {
@@ -47,10 +47,10 @@ TEST_CASE("A range has its ratios in order, the same with any number of threads"
         std::atomic<std::size_t> seen = 0;
     } told;
     one.observer = &told;
-    CriticalRequest two = one;
+    Request two = one;
     two.jobs = 2;
-    const auto rows = critical_ratios(one);
-    const auto again = critical_ratios(two);
+    const auto rows = enclose_ratios(one);
+    const auto again = enclose_ratios(two);
     CHECK(told.seen == 76);
     REQUIRE(rows.size() == 38);
     REQUIRE(again.size() == 38);
@@ -66,9 +66,9 @@ TEST_CASE("A range has its ratios in order, the same with any number of threads"
 }
 
 TEST_CASE("What is not done within the budget stays open") {
-    CriticalRequest hasty = request(3, 20);
+    Request hasty = request(3, 20);
     hasty.budget = std::chrono::duration<double>(0);
-    for (const CriticalRow& row : critical_ratios(hasty)) {
+    for (const Row& row : enclose_ratios(hasty)) {
         CHECK(row.n >= 3);
         CHECK_FALSE(row.ratio);
     }
@@ -94,7 +94,7 @@ TEST_CASE("The parts of a range follow one another, and cost about as much") {
         double least = 1e9, most = 0;
         for (long number = 1; number <= of; ++number) {
             CAPTURE(of, number);
-            const CriticalRequest part = part_of({number, of}, 3, 10'000);
+            const Request part = part_of({number, of}, 3, 10'000);
             REQUIRE(part.first == next);
             REQUIRE(part.last >= part.first);
             next = part.last + 1;
@@ -110,7 +110,7 @@ TEST_CASE("The parts of a range follow one another, and cost about as much") {
 }
 
 TEST_CASE("Parts of long orbits have as many of them") {
-    const CriticalRequest first = part_of({1, 2}, 30'001, 30'100), last = part_of({2, 2}, 30'001, 30'100);
+    const Request first = part_of({1, 2}, 30'001, 30'100), last = part_of({2, 2}, 30'001, 30'100);
     CHECK(first.last - first.first == 49);
     CHECK(last.last - last.first == 49);
 }

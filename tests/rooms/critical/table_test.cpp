@@ -1,4 +1,4 @@
-#include "staircase/critical_table.hpp"
+#include "critical/table.hpp"
 
 #include "base/error.hpp"
 #include "catch.hpp"
@@ -6,27 +6,27 @@
 #include "programs/cli/process.hpp"
 
 using namespace dumbbell;
-using namespace dumbbell::staircase;
+using namespace dumbbell::critical;
 using namespace dumbbell_test;
 
 namespace {
 
 /// The table of q_c(first), ..., q_c(last), as `critical` writes it.
 std::string table(long first, long last, int digits) {
-    CriticalReport report;
+    Report report;
     report.request.first = first;
     report.request.last = last;
     report.request.digits = digits;
-    report.rows = critical_ratios(report.request);
+    report.rows = enclose_ratios(report.request);
     return to_tsv(report);
 }
 
 const std::string good = table(3, 5, 7);
 
-CriticalReport read_text(const std::string& text) {
+Report read_text(const std::string& text) {
     const TemporaryFolder folder;
     write_file(folder / "ratios.tsv", text);
-    return read_critical_table(folder / "ratios.tsv");
+    return read_table(folder / "ratios.tsv");
 }
 
 }  // namespace
@@ -34,8 +34,8 @@ CriticalReport read_text(const std::string& text) {
 TEST_CASE("a table of critical ratios is read, plain or compressed, and is certain") {
     const TemporaryFolder folder;
     AtomicFile(folder / "ratios.tsv.gz").commit(good);
-    CHECK(is_critical_table(folder / "ratios.tsv.gz"));
-    for (const CriticalReport& read : {read_text(good), read_critical_table(folder / "ratios.tsv.gz")}) {
+    CHECK(is_table(folder / "ratios.tsv.gz"));
+    for (const Report& read : {read_text(good), read_table(folder / "ratios.tsv.gz")}) {
         CHECK(read.request.first == 3);
         CHECK(read.request.last == 5);
         CHECK(read.request.digits == 7);
@@ -52,20 +52,20 @@ TEST_CASE("tables of any digits are read and are certain, as they are written") 
     for (const int digits : {1, 2, 3, 15, 60}) {
         for (const long first : {3L, 40L, 900L}) {
             CAPTURE(digits, first);
-            const CriticalReport read = read_text(table(first, first + 30, digits));
+            const Report read = read_text(table(first, first + 30, digits));
             CHECK(read.request.digits == digits);
             CHECK(objection(read, never).empty());
         }
     }
-    const CriticalReport long_ones = read_text(table(20'000, 20'002, 15));
+    const Report long_ones = read_text(table(20'000, 20'002, 15));
     CHECK(objection(long_ones, never).empty());
 }
 
 TEST_CASE("what is open in a table is read as that, and a table of q_c(3) alone does not tell its digits") {
-    CriticalReport report;
+    Report report;
     report.request.digits = 7;
     report.rows = {{6, {}}, {7, {}}};
-    const CriticalReport read = read_text(to_tsv(report));
+    const Report read = read_text(to_tsv(report));
     CHECK_FALSE(read.rows[0].ratio);
     CHECK(read.request.digits == 0);
     CHECK(objection(read, never).empty());
@@ -89,10 +89,10 @@ TEST_CASE("anything else is no table of critical ratios") {
     const TemporaryFolder folder;
     for (const char* text : {"", "3\t1\t0\t256\ttop\t1\n", "dumbbell-certificate 1\n", "# Critical"}) {
         write_file(folder / "file", text);
-        CHECK(!is_critical_table(folder / "file"));
+        CHECK(!is_table(folder / "file"));
     }
-    CHECK(!is_critical_table(folder / "missing"));
-    CHECK(!is_critical_table(folder.path()));
+    CHECK(!is_table(folder / "missing"));
+    CHECK(!is_table(folder.path()));
 }
 
 TEST_CASE("a table that `critical` would not write so is refused with its line") {

@@ -1,4 +1,4 @@
-#include "staircase/critical_report.hpp"
+#include "critical/report.hpp"
 
 #include <fmt/format.h>
 
@@ -6,25 +6,25 @@
 
 #include "base/error.hpp"
 #include "base/printable.hpp"
-#include "collisions/critical_long.hpp"
+#include "collisions/fine_step.hpp"
 #include "flight/extremal_orbit.hpp"
 #include "number/decimal.hpp"
 #include "words/text_table.hpp"
 
-namespace dumbbell::staircase {
+namespace dumbbell::critical {
 namespace {
 
 /// A critical ratio as it is printed: its first digits, cut off, each of which is a digit of q_c, and a bound
 /// of the distance from the number as printed to q_c. So neither depends on how much narrower the proved
 /// enclosure is.
-struct CriticalNumber {
+struct Number {
     std::string value;
     std::string radius;
     bool exact;
 };
 
 /// With `digits` significant digits. Throws BrokenInvariant if the enclosure does not decide them.
-CriticalNumber critical_number(const collisions::CriticalRatio& ratio, int digits) {
+Number shown_number(const Ratio& ratio, int digits) {
     constexpr int radius_digits = 2;
     const auto shared = shared_digits(ratio.q_lo, ratio.q_hi, digits);
     require(shared.has_value(), "a critical ratio without the digits that were asked for");
@@ -39,13 +39,13 @@ const char* orbit_name(long n) {
     return flight::tangent_flight(n).orbit == flight::ExtremalOrbit::top ? "top" : "corner";
 }
 
-long count_if(const CriticalReport& report, bool (*holds)(const CriticalRow&)) {
+long count_if(const Report& report, bool (*holds)(const Row&)) {
     return std::count_if(report.rows.begin(), report.rows.end(), holds);
 }
-bool has_ratio(const CriticalRow& row) { return row.ratio.has_value(); }
+bool has_ratio(const Row& row) { return row.ratio.has_value(); }
 
 /// The N of the first row that was left out.
-std::optional<long> first_unreached(const CriticalReport& report) {
+std::optional<long> first_unreached(const Report& report) {
     const long last = report.rows.back().n;
     return last < report.request.last ? std::optional(last + 1) : std::nullopt;
 }
@@ -67,12 +67,12 @@ std::string long_foundation(const std::string& beginning, const std::string& fli
                            flight);
 }
 
-std::string single_text(const CriticalReport& report) {
-    const CriticalRow& row = report.rows.front();
+std::string single_text(const Report& report) {
+    const Row& row = report.rows.front();
     if (!row.ratio) {
         return fmt::format("q_c({}) was not enclosed in the time allowed.\n", row.n);
     }
-    const CriticalNumber p = critical_number(*row.ratio, report.request.digits);
+    const Number p = shown_number(*row.ratio, report.request.digits);
     std::string text = fmt::format("q_c({}) = {}{}\n\n", row.n, p.value, p.exact ? "" : "...");
     text += fmt::format("Proved in {} bits: at this mass ratio the maximum steps from {} to {}.\n",
                         row.ratio->bits, row.n - 1, row.n);
@@ -86,10 +86,10 @@ std::string single_text(const CriticalReport& report) {
 
 TableLine heading() { return {"N", "q_c", "radius", "bits", "orbit", "flight"}; }
 
-TableLine line_of(const CriticalRow& row, const CriticalReport& report, const char* more) {
+TableLine line_of(const Row& row, const Report& report, const char* more) {
     TableLine line{fmt::format("{}", row.n)};
     if (row.ratio) {
-        const CriticalNumber p = critical_number(*row.ratio, report.request.digits);
+        const Number p = shown_number(*row.ratio, report.request.digits);
         line.insert(line.end(),
                     {p.value + (p.exact ? "" : more), p.radius, fmt::format("{}", row.ratio->bits)});
     } else {
@@ -99,15 +99,15 @@ TableLine line_of(const CriticalRow& row, const CriticalReport& report, const ch
     return line;
 }
 
-std::string table_text(const CriticalReport& report) {
+std::string table_text(const Report& report) {
     std::vector<TableLine> lines{heading()};
-    for (const CriticalRow& row : report.rows) {
+    for (const Row& row : report.rows) {
         lines.push_back(line_of(row, report, "..."));
     }
     return aligned(lines, 1);
 }
 
-std::string range_text(const CriticalReport& report) {
+std::string range_text(const Report& report) {
     const long enclosed = count_if(report, has_ratio);
     const long all = report.request.size();
     std::string text = table_text(report);
@@ -142,24 +142,24 @@ Json part_json(const CountPart& part) {
         {{"number", part.part.number}, {"of", part.part.of}, {"first", part.first}, {"last", part.last}});
 }
 
-std::string row_verdict(const CriticalRow& row, const CriticalReport& report) {
+std::string row_verdict(const Row& row, const Report& report) {
     if (!row.ratio) {
         return fmt::format("q_c({}) was not enclosed in the time allowed.\n", row.n);
     }
-    const CriticalNumber p = critical_number(*row.ratio, report.request.digits);
+    const Number p = shown_number(*row.ratio, report.request.digits);
     return fmt::format("q_c({}) = {}{}\n", row.n, p.value, p.exact ? "" : "...");
 }
 
 /// Of the ends, beyond those of the number.
 constexpr int more_digits = 20;
 
-Json row_json(const CriticalRow& row, const CriticalReport& report) {
+Json row_json(const Row& row, const Report& report) {
     Json json = Json::object({{"n", row.n},
                               {"orbit", orbit_name(row.n)},
                               {"flight", flight::tangent_flight(row.n).flight},
                               {"status", row.ratio ? "proved" : "open"}});
     if (row.ratio) {
-        const CriticalNumber p = critical_number(*row.ratio, report.request.digits);
+        const Number p = shown_number(*row.ratio, report.request.digits);
         const int ends = report.request.digits + more_digits;
         json.add("q_c", p.value);
         json.add("radius", p.radius);
@@ -182,21 +182,21 @@ std::string method(long first, long last) {
 
 }  // namespace
 
-std::string verdict(const CriticalReport& report) {
+std::string verdict(const Report& report) {
     std::string text;
-    for (const CriticalRow& row : report.rows) {
+    for (const Row& row : report.rows) {
         text += row_verdict(row, report);
     }
     return text;
 }
 
-void leave_out_unreached(CriticalReport& report) {
+void leave_out_unreached(Report& report) {
     auto& rows = report.rows;
     const auto last = std::find_if(rows.rbegin(), rows.rend(), has_ratio);
     rows.resize(std::max(1L, static_cast<long>(rows.rend() - last)));
 }
 
-std::string to_text(const CriticalReport& report) {
+std::string to_text(const Report& report) {
     std::string text = report.request.first == report.request.last ? single_text(report) : range_text(report);
     if (report.request.part) {
         text += part_sentence(*report.request.part);
@@ -207,9 +207,9 @@ std::string to_text(const CriticalReport& report) {
     return text;
 }
 
-Json to_json(const CriticalReport& report) {
+Json to_json(const Report& report) {
     Json ratios = Json::array();
-    for (const CriticalRow& row : report.rows) {
+    for (const Row& row : report.rows) {
         ratios.add(row_json(row, report));
     }
     return Json::object({{"schema", "dumbbell-critical-1"},
@@ -225,7 +225,7 @@ Json to_json(const CriticalReport& report) {
                          {"out", report.out}});
 }
 
-std::string to_tsv(const CriticalReport& report) {
+std::string to_tsv(const Report& report) {
     const auto joined = [](const TableLine& line) { return fmt::format("{}\n", fmt::join(line, "\t")); };
     std::string text =
         "# Critical mass ratios q_c(N), where the maximum steps from N - 1 to N. Every digit is proved (cut "
@@ -233,10 +233,10 @@ std::string to_tsv(const CriticalReport& report) {
         "# rounded), and q_c lies within the radius of the number. This rests on theorem 2 of "
         "proofs/theorem.md.\n# ";
     text += joined(heading());
-    for (const CriticalRow& row : report.rows) {
+    for (const Row& row : report.rows) {
         text += joined(line_of(row, report, ""));
     }
     return text;
 }
 
-}  // namespace dumbbell::staircase
+}  // namespace dumbbell::critical

@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "base/observer.hpp"
-#include "collisions/critical.hpp"
+#include "critical/enclose.hpp"
 #include "number/part.hpp"
 
-namespace dumbbell::staircase {
+namespace dumbbell::critical {
 
 /// A part of the critical ratios q_c(first), ..., q_c(last).
 struct CountPart {
@@ -18,7 +18,7 @@ struct CountPart {
     long last = 3;
 };
 
-struct CriticalRequest {
+struct Request {
     long first = 3;  ///< q_c(first), ..., q_c(last); 3 <= first <= last
     long last = 3;
     std::optional<CountPart> part;  ///< where they are only that
@@ -30,23 +30,23 @@ struct CriticalRequest {
     [[nodiscard]] long size() const { return last - first + 1; }
 };
 
-struct CriticalRow {
+struct Row {
     long n = 0;
-    std::optional<collisions::CriticalRatio> ratio;  ///< nothing: not within the budget
+    std::optional<Ratio> ratio;  ///< nothing: not within the budget
 };
 
 /// Of parts that take about as long each. Throws InputError for a single ratio, and if a part would be empty.
-[[nodiscard]] CriticalRequest part_of(const Part& part, long first, long last);
+[[nodiscard]] Request part_of(const Part& part, long first, long last);
 
 /// One row per n, in order; the rows do not depend on the number of jobs. Throws BrokenInvariant if the
 /// arithmetic of a thread is not sound.
-[[nodiscard]] std::vector<CriticalRow> critical_ratios(const CriticalRequest& request);
+[[nodiscard]] std::vector<Row> enclose_ratios(const Request& request);
 
 /// About how long the enclosures will take, from the processor time that a small one
 /// takes here: on a machine that does nothing else.
-[[nodiscard]] std::chrono::duration<double> estimated_time(const CriticalRequest& request);
+[[nodiscard]] std::chrono::duration<double> estimated_time(const Request& request);
 
 /// The share of that time which the first so many ratios take, from 0 to 1: orbits get longer.
-[[nodiscard]] double share_of_first(std::size_t ratios, const CriticalRequest& request);
+[[nodiscard]] double share_of_first(std::size_t ratios, const Request& request);
 
-}  // namespace dumbbell::staircase
+}  // namespace dumbbell::critical

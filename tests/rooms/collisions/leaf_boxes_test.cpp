@@ -1,3 +1,4 @@
+#include "collisions/leaf_boxes.hpp"
 
 #include "base/error.hpp"
 #include "catch.hpp"
@@ -6,8 +7,6 @@
 
 using namespace dumbbell_test;
 using namespace dumbbell::collisions;
-using dumbbell::audit::leaf_boxes;
-using dumbbell::audit::root_of;
 
 namespace {
 
@@ -23,7 +22,7 @@ void prover_boxes(const Tree& tree, std::size_t& next, const Box& box, std::vect
     prover_boxes(tree, next, upper, found);
 }
 
-void check_same(const Boxes& boxes, const audit::BoxEnds& ends, const Box& box) {
+void check_same(const Boxes& boxes, const BoxEnds& ends, const Box& box) {
     CHECK(boxes.lo(ends, 0) == Rational(box.e_lo));
     CHECK(boxes.hi(ends, 0) == Rational(box.e_hi));
     CHECK(boxes.lo(ends, 1) == Rational(box.slope_lo));

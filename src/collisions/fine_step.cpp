@@ -1,22 +1,18 @@
-#include "collisions/critical_long.hpp"
+#include "collisions/fine_step.hpp"
 
 #include <algorithm>
 #include <cmath>
 
+#include "collisions/step_guess.hpp"
 #include "flight/count.hpp"
 #include "flight/extremal_orbit.hpp"
 #include "flight/growth_constant.hpp"
-#include "number/decimal.hpp"
 
 namespace dumbbell::collisions {
 
 using flight::ExtremalFlight;
-using flight::Ray;
 
 namespace {
-
-/// Macro steps with so many bits lose about 2^-share_bits of a collision's progress.
-int bits_for(int share_bits) { return 4 * (share_bits + 24); }
 
 /// C, or with many bits a number near it: any would do, and the quadrature of C, which nothing interrupts,
 /// takes minutes for some thousand bits.
@@ -37,6 +33,9 @@ class Search {
           growth_(nearly_growth_constant()),
           interrupted_(interrupted) {}
 
+    [[nodiscard]] BigInterval place(double q) const {
+        return midpoint(growth_ * sqrt(BigInterval(q)) - last_);
+    }
     [[nodiscard]] Rational ratio(const BigInterval& place) const {
         return exact_lo(midpoint(sqr((last_ + place) / growth_)));
     }
@@ -86,12 +85,19 @@ class Search {
 
 /// The place of the step to n between the steps before and after it, to about 2^-share_bits.
 std::optional<BigInterval> place_of_step(long n, int share_bits, const Interrupted& interrupted) {
-    // By the law the place lies a little above 0; few bits lead near it, and two places near it to the rest.
+    // By the law the place lies a little above 0; few bits lead near it, as doubles do for short orbits, and
+    // two places near it to the rest.
     constexpr int first_bits = 24;
     BigInterval place(0);
     double near = 0x1p-6;
-    for (const int share : {std::min(first_bits, share_bits), share_bits}) {
-        const PrecisionScope scope(bits_for(share));
+    int share = std::min(first_bits, share_bits);
+    if (!is_long(n)) {
+        place = Search(n, interrupted).place(guess_step(n, interrupted));
+        near = 0x1p-20;
+        share = share_bits;
+    }
+    for (;; share = share_bits) {
+        const PrecisionScope scope(bits_of_step(share));
         const auto found = Search(n, interrupted).zero(place + BigInterval(near), place, share);
         if (!found || share == share_bits) {
             return found;
@@ -99,53 +105,19 @@ std::optional<BigInterval> place_of_step(long n, int share_bits, const Interrupt
         place = *found;
         near = std::ldexp(1, 4 - share);
     }
-    return std::nullopt;
 }
 
 }  // namespace
 
-std::optional<Rational> guess_long_critical_ratio(long n, int share_bits, const Interrupted& interrupted) {
-    const PrecisionScope scope(bits_for(share_bits));
+std::optional<FineStep> find_step(long n, int share_bits, const Interrupted& interrupted) {
+    const PrecisionScope scope(bits_of_step(share_bits));
     const auto place = place_of_step(n, share_bits, interrupted);
-    return place ? std::optional(Search(n, interrupted).ratio(*place)) : std::nullopt;
-}
-
-bool certainly_encloses_by_counts(const CriticalRatio& ratio, const Interrupted& interrupted) {
-    const PrecisionScope scope(ratio.bits);
-    const ExtremalFlight flight = flight::tangent_flight(ratio.n);
-    const auto ray = [&](const Rational& q) {
-        return extremal_ray(flight.orbit, enclose<BigInterval>(Rational(1) / q));
-    };
-    return count_at_most(ray(ratio.q_lo), flight.flight - 1, interrupted) < flight.flight &&
-           count_at_least(ray(ratio.q_hi), flight.flight, interrupted) >= flight.flight;
-}
-
-std::optional<CriticalRatio> enclose_long_critical_ratio(long n, const CriticalOptions& options) {
-    // So close to a decimal of that many digits hardly any ratio lies; then more of them help.
-    for (int digits = options.digits + 2; bits_for(4 * digits) <= most_critical_bits; digits += 5) {
-        // Relative distances are 2/n times those between the steps.
-        const double share = std::log2(10.) * digits - std::log2(static_cast<double>(n)) + 1;
-        const int share_bits = std::max(8, static_cast<int>(share) + 6);
-        const PrecisionScope scope(bits_for(share_bits));
-        const auto place = place_of_step(n, share_bits, options.interrupted);
-        if (options.interrupted()) {
-            return std::nullopt;
-        }
-        if (!place) {
-            continue;
-        }
-        const Search search(n, options.interrupted);
-        const BigInterval half(std::ldexp(1, 5 - share_bits));
-        CriticalRatio result{.n = n,
-                             .q_lo = search.ratio(*place - half),
-                             .q_hi = search.ratio(*place + half),
-                             .bits = bits_for(share_bits)};
-        if (shared_digits(result.q_lo, result.q_hi, options.digits) &&
-            certainly_encloses_by_counts(result, options.interrupted)) {
-            return result;
-        }
+    if (!place) {
+        return std::nullopt;
     }
-    return std::nullopt;
+    const Search search(n, interrupted);
+    const BigInterval half(std::ldexp(1, 5 - share_bits));
+    return FineStep{search.ratio(*place), search.ratio(*place - half), search.ratio(*place + half)};
 }
 
 }  // namespace dumbbell::collisions

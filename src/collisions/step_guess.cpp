@@ -1,4 +1,4 @@
-#include "collisions/critical_guess.hpp"
+#include "collisions/step_guess.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -69,7 +69,7 @@ long guess_maximum(double q, const Interrupted& interrupted) {
            guessed_count(flight::ExtremalOrbit::corner, 1 / q, interrupted);
 }
 
-double guess_critical_ratio(long n, const Interrupted& interrupted) {
+double guess_step(long n, const Interrupted& interrupted) {
     const flight::ExtremalFlight flight = flight::tangent_flight(n);
     const auto f = [&](double q) { return guessed_margin(flight, q, interrupted); };
 

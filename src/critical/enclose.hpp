@@ -6,36 +6,36 @@
 #include "base/observer.hpp"
 #include "number/rational.hpp"
 
-namespace dumbbell::collisions {
+namespace dumbbell::critical {
 
 /// The critical ratio q_c(n), n >= 3, enclosed: q_lo <= q_c(n) <= q_hi.
 ///
 /// The interval Newton operator maps a bracket of r = 1/q into itself: in the bracket exactly one r makes the
 /// flight of tangent_flight(n) tangent to the hump. That this is the place where the maximum steps rests on
 /// Theorem 2 of proofs/theorem.md, which no cover uses.
-struct CriticalRatio {
+struct Ratio {
     long n = 0;
     Rational q_lo;
     Rational q_hi;  ///< equal to q_lo only for n = 3, q_c = 1
     int bits = 0;   ///< working precision
 };
 
-struct CriticalOptions {
+struct Options {
     int digits = 15;  ///< significant digits that all of [q_lo, q_hi] share
     Interrupted interrupted = never;
     Observer* observer = &nobody;  ///< told of flights that are enclosed
 };
 
-inline constexpr int most_critical_digits = 1000;
-inline constexpr int most_critical_bits = 16384;
+inline constexpr int most_digits = 1000;
+inline constexpr int most_bits = 16384;
 
 /// Nothing if interrupted, or if 16,384 bits do not give the digits. Precondition: n >= 3, 1 <= digits <=
 /// 1000.
-[[nodiscard]] std::optional<CriticalRatio> enclose_critical_ratio(long n, const CriticalOptions& options);
+[[nodiscard]] std::optional<Ratio> enclose_ratio(long n, const Options& options);
 
 /// Whether it is certain that q_lo <= q_c(n) <= q_hi, by the signs of the margin at both ends alone, in twice
 /// as many bits: it falls with r (L27), so nothing of the search is used. (q_c(3) = 1 by L7.) For a long
 /// orbit by the counts at both ends. Precondition: 1 <= q_lo <= q_hi; 53 <= bits <= 16,384.
-[[nodiscard]] bool certainly_encloses(const CriticalRatio& ratio, const Interrupted& interrupted = never);
+[[nodiscard]] bool certainly_encloses(const Ratio& ratio, const Interrupted& interrupted = never);
 
-}  // namespace dumbbell::collisions
+}  // namespace dumbbell::critical

@@ -1,4 +1,4 @@
-#include "staircase/critical_report.hpp"
+#include "critical/report.hpp"
 
 #include <sstream>
 
@@ -7,20 +7,20 @@
 #include "rooms/parsed.hpp"
 
 using namespace dumbbell;
-using namespace dumbbell::staircase;
+using namespace dumbbell::critical;
 using dumbbell_test::parsed;
 
 namespace {
 
 Rational number(const char* text) { return parse_rational(text); }
 
-CriticalRow row(long n, const char* lo, const char* hi) {
-    return {n, collisions::CriticalRatio{.n = n, .q_lo = number(lo), .q_hi = number(hi), .bits = 128}};
+Row row(long n, const char* lo, const char* hi) {
+    return {n, Ratio{.n = n, .q_lo = number(lo), .q_hi = number(hi), .bits = 128}};
 }
 
 // q_c(3), q_c(4) to more than 15 digits, q_c(5) open.
-CriticalReport sample() {
-    CriticalReport report;
+Report sample() {
+    Report report;
     report.request.first = 3;
     report.request.last = 5;
     report.request.digits = 6;
@@ -30,8 +30,8 @@ CriticalReport sample() {
     return report;
 }
 
-CriticalReport single(CriticalRow of) {
-    CriticalReport report = sample();
+Report single(Row of) {
+    Report report = sample();
     report.request.first = report.request.last = of.n;
     report.rows = {std::move(of)};
     return report;
@@ -90,7 +90,7 @@ TEST_CASE("the file has a row per ratio and nothing that depends on the run") {
 }
 
 TEST_CASE("JSON: numbers as decimals in strings, the enclosure rounded outward") {
-    CriticalReport report = sample();
+    Report report = sample();
     report.rows[1].ratio->q_lo = number("4.6033388487517") + Rational(1) / exact(0x1p400);
     report.out = "ratios.tsv";
     const auto json = parsed(to_json(report));
@@ -114,7 +114,7 @@ TEST_CASE("JSON: numbers as decimals in strings, the enclosure rounded outward")
 }
 
 TEST_CASE("a part says so, and of what") {
-    CriticalReport report = sample();
+    Report report = sample();
     CHECK(parsed(to_json(report)).at("part").is_null());
     report.request.part = CountPart{{7, 64}, 3, 10'000};
     CHECK_THAT(to_text(report), Contains("Part 7 of 64 of the critical ratios for N from 3 to 10000.\n"));

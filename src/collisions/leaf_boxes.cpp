@@ -1,31 +1,27 @@
-#include "audit/leaf_boxes.hpp"
+#include "collisions/leaf_boxes.hpp"
 
 #include <fmt/core.h>
 
 #include "base/error.hpp"
 
-namespace dumbbell::audit {
-
-using collisions::Chart;
-
+namespace dumbbell::collisions {
 namespace {
 
-constexpr std::size_t position = 0;
 constexpr int most_splits = 400;  // of one axis above a node (format.md): bounds the ends' size
 
 /// A node's box, and how often each axis was split for it.
 struct Waiting {
     BoxEnds box;
-    std::array<int, axes> splits{};
+    std::array<int, axis_count> splits{};
 };
 
-std::size_t number_of(collisions::Axis axis) {
+std::size_t index_of(Axis axis) {
     switch (axis) {
-        case collisions::Axis::position:
-            return position;
-        case collisions::Axis::slope:
+        case Axis::position:
+            return 0;
+        case Axis::slope:
             return 1;
-        case collisions::Axis::ratio:
+        case Axis::ratio:
             return 2;
     }
     throw BrokenInvariant("unknown axis");
@@ -77,9 +73,9 @@ Rational greatest_slope(Chart chart, const Rational& q_hi) {
 
 }  // namespace
 
-BoxEnds Boxes::box(const std::array<Rational, axes>& lo, const std::array<Rational, axes>& hi) {
+BoxEnds Boxes::box(const std::array<Rational, axis_count>& lo, const std::array<Rational, axis_count>& hi) {
     BoxEnds ends;
-    for (std::size_t axis = 0; axis < axes; ++axis) {
+    for (std::size_t axis = 0; axis < axis_count; ++axis) {
         ends.lo[axis] = static_cast<std::uint32_t>(values[axis].size());
         ends.hi[axis] = ends.lo[axis] + 1;
         values[axis].push_back(lo[axis]);
@@ -94,10 +90,10 @@ Boxes root_of(Chart chart, const Rational& q_lo, const Rational& q_hi) {
     return boxes;
 }
 
-Boxes leaf_boxes(Chart chart, const Rational& q_lo, const Rational& q_hi, const collisions::Tree& tree) {
+Boxes leaf_boxes(Chart chart, const Rational& q_lo, const Rational& q_hi, const Tree& tree) {
     Boxes boxes = root_of(chart, q_lo, q_hi);
     std::vector<Waiting> waiting{{boxes.root}};  // the nodes to come: the next one last
-    for (const collisions::Node& node : tree) {
+    for (const Node& node : tree) {
         if (waiting.empty()) {
             throw InputError("nodes follow the end of a tree");
         }
@@ -107,8 +103,8 @@ Boxes leaf_boxes(Chart chart, const Rational& q_lo, const Rational& q_hi, const 
             boxes.leaves.push_back(box);
             continue;
         }
-        const std::size_t axis = number_of(*node.split);
-        if (chart == Chart::wedge && axis == position) {
+        const std::size_t axis = index_of(*node.split);
+        if (chart == Chart::wedge && axis == 0) {
             throw InputError("the chart wedge has no position to split");
         }
         if (++splits[axis] > most_splits) {
@@ -127,4 +123,4 @@ Boxes leaf_boxes(Chart chart, const Rational& q_lo, const Rational& q_hi, const 
     return boxes;
 }
 
-}  // namespace dumbbell::audit
+}  // namespace dumbbell::collisions

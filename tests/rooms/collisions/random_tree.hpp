@@ -1,21 +1,15 @@
-// Trees and boxes for the tests of this folder.
+// Trees for tests.
 #pragma once
 
 #include <random>
 
-#include "audit/leaf_boxes.hpp"
-#include "audit/tiling.hpp"
+#include "rooms/collisions/example.hpp"
 
 namespace dumbbell_test {
 
 using namespace dumbbell;
 using namespace dumbbell::collisions;
-using dumbbell::audit::Boxes;
-using dumbbell::audit::check_tiling;
-using dumbbell::audit::Fault;
-using dumbbell::audit::Tiling;
 
-inline Node split(Axis axis) { return {axis, {}}; }
 inline Node leaf() { return {std::nullopt, {Reason::outside}}; }
 
 /// Appends a random complete tree of `leaves` leaves that splits the given axes.

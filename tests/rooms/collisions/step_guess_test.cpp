@@ -1,4 +1,4 @@
-#include "collisions/critical_guess.hpp"
+#include "collisions/step_guess.hpp"
 
 #include <cmath>
 
@@ -10,10 +10,10 @@ using namespace dumbbell::collisions;
 using namespace dumbbell_test;
 
 TEST_CASE("the known critical ratios") {
-    CHECK(guess_critical_ratio(3) == Approx(1).epsilon(1e-15));
-    CHECK(guess_critical_ratio(4) == Approx(4.6033388487517).epsilon(1e-14));
-    CHECK(guess_critical_ratio(5) == Approx(11.3622592088389).epsilon(1e-14));
-    CHECK(guess_critical_ratio(6) == Approx(20.1174126841709).epsilon(1e-14));
+    CHECK(guess_step(3) == Approx(1).epsilon(1e-15));
+    CHECK(guess_step(4) == Approx(4.6033388487517).epsilon(1e-14));
+    CHECK(guess_step(5) == Approx(11.3622592088389).epsilon(1e-14));
+    CHECK(guess_step(6) == Approx(20.1174126841709).epsilon(1e-14));
 }
 
 TEST_CASE("q_c(4) is sqrt(1 + x^2) for the first positive root of tan x = x") {
@@ -23,14 +23,14 @@ TEST_CASE("q_c(4) is sqrt(1 + x^2) for the first positive root of tan x = x") {
     }
     const Real root = sqrt(1 + x * x);
     CHECK(abs(real(critical_ratio(4)) - root) < Real("1e-58"));
-    CHECK(std::abs(guess_critical_ratio(4) - root.convert_to<double>()) < 1e-14);
+    CHECK(std::abs(guess_step(4) - root.convert_to<double>()) < 1e-14);
 }
 
 TEST_CASE("the maximum, recomputed in 80 digits, steps up within 1e-12 of each guess") {
     for (const long n :
          {4L, 5L, 6L, 7L, 8L, 9L, 10L, 11L, 12L, 13L, 14L, 15L, 16L, 50L, 99L, 100L, 300L, 887L}) {
         CAPTURE(n);
-        const Rational guess = exact(guess_critical_ratio(n));
+        const Rational guess = exact(guess_step(n));
         CHECK(reference_maximum(guess * (1 - parse_rational("1e-12"))) == n - 1);
         CHECK(reference_maximum(guess * (1 + parse_rational("1e-12"))) == n);
     }
@@ -39,7 +39,7 @@ TEST_CASE("the maximum, recomputed in 80 digits, steps up within 1e-12 of each g
 TEST_CASE("the guesses increase") {
     double last = 1;
     for (long n = 4; n < 300; ++n) {
-        const double next = guess_critical_ratio(n);
+        const double next = guess_step(n);
         CAPTURE(n);
         REQUIRE(next > last);
         last = next;

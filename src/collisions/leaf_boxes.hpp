@@ -8,22 +8,22 @@
 #include "number/rational.hpp"
 
 /// The leaf boxes of a certificate's tree as exact rationals, derived from format.md and
-/// format-sections.md alone: nothing here is shared with the prover.
-namespace dumbbell::audit {
+/// format-sections.md alone, for pictures and the audit: nothing here is shared with section.hpp.
+namespace dumbbell::collisions {
 
 /// position, slope, ratio: in the order of Axis.
-inline constexpr std::size_t axes = 3;
+inline constexpr std::size_t axis_count = 3;
 
 /// A closed box: for each axis, where Boxes::values has its ends. Boxes of one tree share their ends, so a
 /// tree of n leaves has about n numbers, not 6 n.
 struct BoxEnds {
-    std::array<std::uint32_t, axes> lo{};
-    std::array<std::uint32_t, axes> hi{};
+    std::array<std::uint32_t, axis_count> lo{};
+    std::array<std::uint32_t, axis_count> hi{};
 };
 
 /// A root box and boxes that should tile it, in the order of the file.
 struct Boxes {
-    std::array<std::vector<Rational>, axes> values;
+    std::array<std::vector<Rational>, axis_count> values;
     BoxEnds root;
     std::vector<BoxEnds> leaves;
 
@@ -35,17 +35,17 @@ struct Boxes {
     }
 
     /// The box [lo, hi]; its ends are added to `values`.
-    [[nodiscard]] BoxEnds box(const std::array<Rational, axes>& lo, const std::array<Rational, axes>& hi);
+    [[nodiscard]] BoxEnds box(const std::array<Rational, axis_count>& lo,
+                              const std::array<Rational, axis_count>& hi);
 };
 
 /// The root box of the chart over the mass ratios [q_lo, q_hi], without leaves. The chart wedge has no
 /// position: [0, 0].
-[[nodiscard]] Boxes root_of(collisions::Chart chart, const Rational& q_lo, const Rational& q_hi);
+[[nodiscard]] Boxes root_of(Chart chart, const Rational& q_lo, const Rational& q_hi);
 
 /// The root box and the box of every leaf of the tree. A tree that ends early gives the leaves it has.
 /// Throws InputError if nodes follow its end, if the chart wedge splits a position, or if an axis is split
 /// more than 400 times above a node (format.md).
-[[nodiscard]] Boxes leaf_boxes(collisions::Chart chart, const Rational& q_lo, const Rational& q_hi,
-                               const collisions::Tree& tree);
+[[nodiscard]] Boxes leaf_boxes(Chart chart, const Rational& q_lo, const Rational& q_hi, const Tree& tree);
 
-}  // namespace dumbbell::audit
+}  // namespace dumbbell::collisions

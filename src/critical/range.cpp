@@ -1,4 +1,4 @@
-#include "staircase/critical_range.hpp"
+#include "critical/range.hpp"
 
 #include <algorithm>
 #include <atomic>
@@ -7,17 +7,17 @@
 
 #include "base/deadline.hpp"
 #include "base/error.hpp"
-#include "collisions/critical_long.hpp"
+#include "collisions/fine_step.hpp"
 #include "number/count_argument.hpp"
 #include "number/parallel.hpp"
 #include "number/self_test.hpp"
 
-namespace dumbbell::staircase {
+namespace dumbbell::critical {
 namespace {
 
 /// Flights that take as long as the request: n/2 for each orbit that is followed, and for a long one about as
 /// many as for the first, times its digits beyond them.
-double flights(const CriticalRequest& request) {
+double flights(const Request& request) {
     const auto number = [](long first, long last) {
         return static_cast<double>(std::max(0L, last - first + 1));
     };
@@ -38,7 +38,7 @@ std::chrono::duration<double> processor_time() {
 
 }  // namespace
 
-CriticalRequest part_of(const Part& part, long first, long last) {
+Request part_of(const Part& part, long first, long last) {
     if (first == last) {
         throw InputError("--part is for a range N1:N2: a single critical ratio has no parts");
     }
@@ -46,28 +46,28 @@ CriticalRequest part_of(const Part& part, long first, long last) {
     // orbit. Long orbits cost the same, or little more, however long they are.
     const long fixed = collisions::is_long(first) ? greatest_count : 30;
     const auto [begin, end] = steps_of(part, {first, last + 1, fixed});
-    CriticalRequest request;
+    Request request;
     request.first = begin.convert_to<long>();
     request.last = end.convert_to<long>() - 1;
     request.part = {part, first, last};
     return request;
 }
 
-std::vector<CriticalRow> critical_ratios(const CriticalRequest& request) {
+std::vector<Row> enclose_ratios(const Request& request) {
     require_sound_arithmetic();
     const auto interrupted = deadline(request.budget);
-    collisions::CriticalOptions options{.digits = request.digits, .interrupted = interrupted};
+    Options options{.digits = request.digits, .interrupted = interrupted};
     const bool one = request.first == request.last;
     if (one) {
         options.observer = request.observer;
     }
-    std::vector<CriticalRow> rows(static_cast<std::size_t>(request.size()));
+    std::vector<Row> rows(static_cast<std::size_t>(request.size()));
     std::atomic<std::size_t> done = 0;
     run_with_threads(request.jobs, [&] {
         in_parallel(rows.size(), [&](std::size_t i) {
-            CriticalRow& row = rows[i];
+            Row& row = rows[i];
             row.n = request.first + static_cast<long>(i);
-            row.ratio = interrupted() ? std::nullopt : enclose_critical_ratio(row.n, options);
+            row.ratio = interrupted() ? std::nullopt : enclose_ratio(row.n, options);
             if (!one) {
                 request.observer->update(++done, rows.size(), row.n);
             }
@@ -76,15 +76,14 @@ std::vector<CriticalRow> critical_ratios(const CriticalRequest& request) {
     return rows;
 }
 
-std::chrono::duration<double> estimated_time(const CriticalRequest& request) {
+std::chrono::duration<double> estimated_time(const Request& request) {
     constexpr long sample_flights = 31, sample = 2 * sample_flights;  // a few milliseconds
     // Longer orbits lose more digits (expected_bits of critical.cpp): let the sample have as many bits.
     const double longer = static_cast<double>(std::min(request.last, collisions::first_long)) / sample;
     const int lost = static_cast<int>(std::ceil(4 * std::log10(std::max(1.0, longer))));
     const auto enclose = [&] {
         const auto start = processor_time();
-        (void)collisions::enclose_critical_ratio(
-            sample, {.digits = std::min(request.digits + lost, collisions::most_critical_digits)});
+        (void)enclose_ratio(sample, {.digits = std::min(request.digits + lost, most_digits)});
         return processor_time() - start;
     };
     (void)enclose();  // the first one also fills caches
@@ -93,10 +92,10 @@ std::chrono::duration<double> estimated_time(const CriticalRequest& request) {
     return time * (flights(request) / sample_flights) / together;
 }
 
-double share_of_first(std::size_t ratios, const CriticalRequest& request) {
-    CriticalRequest first = request;
+double share_of_first(std::size_t ratios, const Request& request) {
+    Request first = request;
     first.last = request.first + static_cast<long>(ratios) - 1;
     return flights(first) / flights(request);
 }
 
-}  // namespace dumbbell::staircase
+}  // namespace dumbbell::critical

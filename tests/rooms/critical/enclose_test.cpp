@@ -1,19 +1,20 @@
-#include "collisions/critical.hpp"
+#include "critical/enclose.hpp"
 
 #include "base/error.hpp"
 #include "catch.hpp"
-#include "collisions/critical_guess.hpp"
-#include "critical_ratio.hpp"
+#include "collisions/step_guess.hpp"
 #include "enclosed.hpp"
 #include "number/decimal.hpp"
+#include "rooms/collisions/critical_ratio.hpp"
 
 using namespace dumbbell;
 using namespace dumbbell::collisions;
+using namespace dumbbell::critical;
 using namespace dumbbell_test;
 
 namespace {
 
-std::string digits_of(const CriticalRatio& ratio, int digits) {
+std::string digits_of(const Ratio& ratio, int digits) {
     const auto shared = shared_digits(ratio.q_lo, ratio.q_hi, digits);
     REQUIRE(shared);
     return to_text(*shared);
@@ -34,7 +35,7 @@ std::string closed_form(std::size_t characters) {
 
 TEST_CASE("q_c(3) is 1, exactly, with any number of digits") {
     for (const int digits : {1, 15, 50, 200, 1000}) {
-        const CriticalRatio ratio = enclosed(3, digits);
+        const Ratio ratio = enclosed(3, digits);
         CHECK(ratio.q_lo == 1);
         CHECK(ratio.q_hi == 1);
     }
@@ -49,7 +50,7 @@ TEST_CASE("q_c(4) has the 1000 digits of sqrt(1 + x^2), tan x = x") {
 TEST_CASE("q_c(4) to q_c(12) are where the count recomputed in 80 digits steps up") {
     for (long n = 4; n <= 12; ++n) {
         CAPTURE(n);
-        const CriticalRatio ratio = enclosed(n, 70);
+        const Ratio ratio = enclosed(n, 70);
         const Rational reference = critical_ratio(n);  // below q_c(n), by at most 1e-60 q_c(n)
         CHECK(reference <= ratio.q_hi);
         CHECK(ratio.q_lo <= reference * (1 + parse_rational("2e-60")));
@@ -62,17 +63,17 @@ TEST_CASE(
     "too") {
     for (const long n : {13L, 50L, 101L, 202L}) {
         CAPTURE(n);
-        const CriticalRatio ratio = enclosed(n, 30);
+        const Ratio ratio = enclosed(n, 30);
         CHECK(reference_maximum(ratio.q_lo * (1 - parse_rational("1e-40"))) == n - 1);
         CHECK(reference_maximum(ratio.q_hi * (1 + parse_rational("1e-40"))) == n);
-        CHECK(std::abs(guess_critical_ratio(n) / ratio.q_lo.convert_to<double>() - 1) < 1e-11);
+        CHECK(std::abs(guess_step(n) / ratio.q_lo.convert_to<double>() - 1) < 1e-11);
     }
 }
 
 TEST_CASE("The critical ratios increase strictly") {
-    CriticalRatio last = enclosed(3, 15);
+    Ratio last = enclosed(3, 15);
     for (long n = 4; n <= 60; ++n) {
-        const CriticalRatio next = enclosed(n, 15);
+        const Ratio next = enclosed(n, 15);
         CAPTURE(n);
         REQUIRE(last.q_hi < next.q_lo);
         REQUIRE(next.q_lo < next.q_hi);
@@ -85,7 +86,7 @@ TEST_CASE("More digits refine: each shares the digits asked for, and begins with
     CHECK(all.size() == 111);
     for (const int digits : {3, 10, 25, 39, 40, 60, 109}) {
         CAPTURE(digits);
-        const CriticalRatio ratio = enclosed(5, digits);
+        const Ratio ratio = enclosed(5, digits);
         CHECK(digits_of(ratio, digits) == all.substr(0, static_cast<std::size_t>(digits) + 1));
         const Rational narrow = ratio.q_hi - ratio.q_lo;
         CHECK(narrow < exact(Decimal{Integer(1), 2 - digits}));
@@ -95,7 +96,7 @@ TEST_CASE("More digits refine: each shares the digits asked for, and begins with
 TEST_CASE("1000 digits lie within 200, and are certainly right by the signs of the margin") {
     for (const long n : {4, 5, 30, 31}) {
         CAPTURE(n);
-        const CriticalRatio coarse = enclosed(n, 200), fine = enclosed(n, most_critical_digits);
+        const Ratio coarse = enclosed(n, 200), fine = enclosed(n, most_digits);
         CHECK(coarse.q_lo < fine.q_lo);
         CHECK(fine.q_hi < coarse.q_hi);
         CHECK(fine.q_hi - fine.q_lo < fine.q_lo * parse_rational("1e-998"));
@@ -114,7 +115,7 @@ TEST_CASE("The least sufficient precision is chosen") {
 TEST_CASE("The signs of the margin accept enclosures, however wide, and nothing that lies beside the ratio") {
     for (const long n : {4, 5, 6, 11, 100}) {
         CAPTURE(n);
-        const CriticalRatio truth = enclosed(n, 30);
+        const Ratio truth = enclosed(n, 30);
         const Rational width = truth.q_hi - truth.q_lo;
         const auto accepted = [&](const Rational& q_lo, const Rational& q_hi) {
             return certainly_encloses({.n = n, .q_lo = q_lo, .q_hi = q_hi, .bits = truth.bits});
@@ -132,10 +133,10 @@ TEST_CASE("The signs of the margin accept enclosures, however wide, and nothing 
 }
 
 TEST_CASE("An interrupted enclosure is none, and what has no critical ratio is refused") {
-    CHECK_FALSE(enclose_critical_ratio(1'000'000, {.digits = 15, .interrupted = [] { return true; }}));
+    CHECK_FALSE(enclose_ratio(1'000'000, {.digits = 15, .interrupted = [] { return true; }}));
     int calls = 0;
-    CHECK_FALSE(enclose_critical_ratio(100, {.digits = 15, .interrupted = [&] { return ++calls > 100; }}));
-    CHECK_THROWS_AS(enclose_critical_ratio(2, {}), BrokenInvariant);
-    CHECK_THROWS_AS(enclose_critical_ratio(4, {.digits = most_critical_digits + 1}), BrokenInvariant);
-    CHECK_THROWS_AS(enclose_critical_ratio(4, {.digits = 0}), BrokenInvariant);
+    CHECK_FALSE(enclose_ratio(100, {.digits = 15, .interrupted = [&] { return ++calls > 100; }}));
+    CHECK_THROWS_AS(enclose_ratio(2, {}), BrokenInvariant);
+    CHECK_THROWS_AS(enclose_ratio(4, {.digits = most_digits + 1}), BrokenInvariant);
+    CHECK_THROWS_AS(enclose_ratio(4, {.digits = 0}), BrokenInvariant);
 }

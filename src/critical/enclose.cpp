@@ -1,15 +1,16 @@
-#include "collisions/critical.hpp"
+#include "critical/enclose.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include "base/error.hpp"
-#include "collisions/critical_guess.hpp"
-#include "collisions/critical_long.hpp"
+#include "collisions/fine_step.hpp"
+#include "collisions/step_guess.hpp"
+#include "critical/long_orbits.hpp"
 #include "flight/extremal_orbit.hpp"
 #include "number/decimal.hpp"
 
-namespace dumbbell::collisions {
+namespace dumbbell::critical {
 
 using flight::ExtremalFlight;
 
@@ -20,7 +21,7 @@ constexpr int least_bits = 128;
 /// The flight that decides, from its orbit's first; nothing if it is not certain at every r of the range that
 /// the orbit comes so far, or if interrupted.
 template <class State>
-std::optional<State> last_flight(State state, const ExtremalFlight& flight, const CriticalOptions& options) {
+std::optional<State> last_flight(State state, const ExtremalFlight& flight, const Options& options) {
     for (long i = 1; i < flight.flight; ++i) {
         auto next = options.interrupted() ? std::nullopt : after_collision(state);
         if (!next) {
@@ -36,7 +37,7 @@ std::optional<State> last_flight(State state, const ExtremalFlight& flight, cons
 
 /// Its margin.
 std::optional<BigInterval> margin_at(const ExtremalFlight& flight, const BigInterval& r,
-                                     const CriticalOptions& options) {
+                                     const Options& options) {
     const auto last = last_flight(extremal_ray(flight.orbit, r), flight, options);
     return last ? std::optional(margin(*last)) : std::nullopt;
 }
@@ -70,7 +71,7 @@ std::optional<BigInterval> newton(const Bracket& bracket, const BigInterval& r, 
 
 /// From a thin r in (0, 1], at the working precision; nothing if the interval Newton step proves nothing.
 std::optional<Bracket> bracket_from(const BigInterval& r, const ExtremalFlight& flight,
-                                    const CriticalOptions& options) {
+                                    const Options& options) {
     const auto value = margin_at(flight, r, options);
     if (!value) {
         return std::nullopt;
@@ -93,7 +94,7 @@ std::optional<Bracket> bracket_from(const BigInterval& r, const ExtremalFlight& 
     return bracket;
 }
 
-CriticalRatio critical_ratio(long n, const BigInterval& r) {
+Ratio critical_ratio(long n, const BigInterval& r) {
     return {.n = n,
             .q_lo = Rational(1) / exact_hi(r),
             .q_hi = Rational(1) / exact_lo(r),
@@ -102,8 +103,7 @@ CriticalRatio critical_ratio(long n, const BigInterval& r) {
 
 /// The digits, by Newton steps in the bracket at the working precision: each leaves of the zero's width the
 /// share that the rate is uncertain by. Nothing if the steps come to nothing.
-std::optional<CriticalRatio> refined(long n, Bracket& bracket, const ExtremalFlight& flight,
-                                     const CriticalOptions& options) {
+std::optional<Ratio> refined(long n, Bracket& bracket, const ExtremalFlight& flight, const Options& options) {
     for (;;) {
         const BigInterval r = midpoint(bracket.zero);
         const auto value = margin_at(flight, r, options);
@@ -111,7 +111,7 @@ std::optional<CriticalRatio> refined(long n, Bracket& bracket, const ExtremalFli
         if (!zero) {
             return std::nullopt;
         }
-        CriticalRatio result = critical_ratio(n, *zero);
+        Ratio result = critical_ratio(n, *zero);
         if (shared_digits(result.q_lo, result.q_hi, options.digits)) {
             return result;
         }
@@ -131,16 +131,16 @@ int expected_bits(int digits, long flight) {
 
 }  // namespace
 
-std::optional<CriticalRatio> enclose_critical_ratio(long n, const CriticalOptions& options) {
-    require(n >= 3 && options.digits >= 1 && options.digits <= most_critical_digits,
+std::optional<Ratio> enclose_ratio(long n, const Options& options) {
+    require(n >= 3 && options.digits >= 1 && options.digits <= most_digits,
             "critical ratio: out of the domain");
     const ExtremalFlight flight = flight::tangent_flight(n);
-    if (is_long(n)) {
-        return enclose_long_critical_ratio(n, options);
+    if (collisions::is_long(n)) {
+        return enclose_long_ratio(n, options);
     }
-    Rational guess = Rational(1) / exact(guess_critical_ratio(n, options.interrupted));
+    Rational guess = Rational(1) / exact(collisions::guess_step(n, options.interrupted));
     const int enough = expected_bits(options.digits, flight.flight);
-    for (int bits = least_bits; bits <= most_critical_bits && !options.interrupted(); bits *= 2) {
+    for (int bits = least_bits; bits <= most_bits && !options.interrupted(); bits *= 2) {
         const PrecisionScope scope(bits);
         auto bracket = bracket_from(point_near(guess), flight, options);
         if (!bracket) {
@@ -158,18 +158,18 @@ std::optional<CriticalRatio> enclose_critical_ratio(long n, const CriticalOption
     return std::nullopt;
 }
 
-bool certainly_encloses(const CriticalRatio& ratio, const Interrupted& interrupted) {
+bool certainly_encloses(const Ratio& ratio, const Interrupted& interrupted) {
     if (ratio.n == 3) {
         return ratio.q_lo <= 1 && ratio.q_hi >= 1;
     }
-    if (is_long(ratio.n)) {
+    if (collisions::is_long(ratio.n)) {
         return certainly_encloses_by_counts(ratio, interrupted);
     }
     // At the ends of an enclosure as narrow as its precision permits the margin is a few units in the last
     // place.
     const PrecisionScope scope(2 * ratio.bits);
     const ExtremalFlight flight = flight::tangent_flight(ratio.n);
-    const CriticalOptions options{.interrupted = interrupted};
+    const Options options{.interrupted = interrupted};
     const auto at = [&](const Rational& q) {
         return margin_at(flight, enclose<BigInterval>(Rational(1) / q), options);
     };
@@ -179,8 +179,8 @@ bool certainly_encloses(const CriticalRatio& ratio, const Interrupted& interrupt
         return certainly_positive(-*below) && certainly_positive(*above);
     }
     // So far from the critical ratio the orbit may not have that flight: is a narrow enclosure inside?
-    const auto narrow = enclose_critical_ratio(ratio.n, options);
+    const auto narrow = enclose_ratio(ratio.n, options);
     return narrow && ratio.q_lo <= narrow->q_lo && narrow->q_hi <= ratio.q_hi;
 }
 
-}  // namespace dumbbell::collisions
+}  // namespace dumbbell::critical

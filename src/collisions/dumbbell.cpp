@@ -1,0 +1,138 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <type_traits>
+
+#include "collisions/fine_step.hpp"
+#include "collisions/scene.hpp"
+#include "collisions/step_guess.hpp"
+#include "collisions/witness.hpp"
+#include "flight/count.hpp"
+#include "flight/extremal_orbit.hpp"
+#include "flight/growth_constant.hpp"
+
+/// The scene dumbbell: its two extremal orbits tell what to try (Theorems 1 and 2).
+namespace dumbbell::collisions {
+namespace {
+
+std::vector<Chart> dumbbell_charts(Section section) {
+    switch (section) {
+        case Section::turning:
+            return {Chart::bridge, Chart::light};
+        case Section::full:
+            return {Chart::contact, Chart::departure, Chart::again};
+        case Section::plain:
+            return {Chart::plain_contact, Chart::plain_departure, Chart::again};
+    }
+    return {};
+}
+
+/// 2 + C sqrt q, which is a little more than the maximum.
+long asymptotic_maximum(const Rational& q) {
+    const PrecisionScope scope(128);
+    const BigInterval value = flight::growth_constant() * sqrt(enclose<BigInterval>(q));
+    const Rational most = exact_hi(value);
+    return 2 + (numerator(most) / denominator(most)).convert_to<long>();
+}
+
+long guess_at(const Rational& q, const Interrupted& interrupted) {
+    constexpr double far = 2e10;  // where both ways are open
+    const auto about = q.convert_to<double>();
+    return about > far ? asymptotic_maximum(q) : guess_maximum(about, interrupted);
+}
+
+/// The step to n, to a small part of the gap, which is at most a thousandth of the distance to the next step.
+/// More of it costs little while the orbits are short. Were it wrong, pieces would stay open.
+Step dumbbell_step(long n, double gap, const Interrupted& interrupted) {
+    constexpr double narrow = 1e-13;      // wider gaps are placed with doubles
+    constexpr long least_long = 100'000;  // from so many collisions on with macro steps
+    if (n < least_long && gap >= narrow) {
+        return {n, exact(guess_step(n, interrupted)), exact(0x1p-48), false};
+    }
+    // Relative distances are 2/n times those between the steps.
+    const double share = std::min(1e-3, gap * static_cast<double>(n) / 2);
+    const int spare = n >= least_long ? 12 : 40;
+    const int share_bits = std::clamp(spare - static_cast<int>(std::log2(share)), 24, 1060);
+    const auto found = find_step(n, share_bits, interrupted);
+    return found ? Step{n, found->at, Rational(Integer(1), (Integer(1) << (share_bits - 6)) * n), false}
+                 : Step{n, 0, 0, false};
+}
+
+/// Whether two neighbouring counts at q are not beyond this precision: C sqrt q has half the digits of q.
+bool tells_counts_apart(const Rational& q) {
+    const int bits = PrecisionScope::current();
+    if (bits == double_bits) {
+        return q <= parse_rational("1e27");
+    }
+    constexpr int spare = 24;
+    return static_cast<int>(msb(Integer(numerator(q) / denominator(q)))) / 2 + spare <= bits;
+}
+
+/// From upper bounds on the two extremal orbits and a lower one on that whose last flight decides (Theorem 2
+/// (c)).
+template <class I>
+std::optional<Count> suspected_maximum(const Rational& q, const Interrupted& interrupted) {
+    using flight::ExtremalOrbit;
+    using N = flight::CountOf<I>;
+    if (!tells_counts_apart(q)) {
+        return std::nullopt;
+    }
+    if (q == 1) {
+        return 2;
+    }
+    N cap = 1L << 60;
+    if constexpr (std::is_same_v<I, BigInterval>) {
+        cap += Count(numerator(q) / denominator(q));  // more than C sqrt q
+    }
+    const I r = enclose<I>(Rational(1) / q);
+    const std::array rays{extremal_ray(ExtremalOrbit::top, r), extremal_ray(ExtremalOrbit::corner, r)};
+    std::array<N, 2> counts;
+    flight::each_count<I>(2, [&](std::size_t i) { counts[i] = count_at_most(rays[i], cap, interrupted); });
+    const auto& [top, corner] = counts;
+    const N& last = std::max(top, corner);
+    if (last > cap) {
+        return std::nullopt;
+    }
+    const bool reached = count_at_least(rays[top > corner ? 0 : 1], last, interrupted) == last;
+    return reached ? std::optional(Count(2) + top + corner) : std::nullopt;
+}
+
+/// The flight that decides whether there are n >= 2 collisions (Theorem 2 (c)) certainly has one.
+template <class I>
+bool orbits_reach(const Count& n, const Rational& q, const Interrupted& interrupted) {
+    const auto [orbit, flight] = flight::tangent_flight(as_long(n));
+    return count_at_least(extremal_ray(orbit, enclose<I>(Rational(1) / q)), flight, interrupted) == flight;
+}
+
+/// That which decides whether there are more certainly has none.
+template <class I>
+bool orbits_stay_below(const Count& n, const Rational& q, const Interrupted& interrupted) {
+    const auto [orbit, flight] = flight::tangent_flight(as_long(n) + 1);
+    return count_at_most(extremal_ray(orbit, enclose<I>(Rational(1) / q)), flight - 1, interrupted) < flight;
+}
+
+template <class I>
+constexpr BoundSearch<I> dumbbell_bounds{suspected_maximum<I>, orbits_reach<I>, orbits_stay_below<I>,
+                                         find_witness<I>};
+
+}  // namespace
+
+const SceneRow dumbbell_row{
+    .hits = "trajectory hits the floor",
+    .hits_it = "trajectory hits it",
+    .system = "The dumbbell",
+    .where = "",
+    .title = "Greatest number of collisions of a bouncing dumbbell against its mass ratio",
+    .maximum = "proved maximum N(q)",
+    .growth = "0.885595129452713911412021948915",  // C of docs/10-law.md
+    .most_digits = 100,
+    .has_orbits = true,
+    .has_paper_bound = true,
+    .equal_masses_need_no_cover = true,
+    .charts = dumbbell_charts,
+    .guess = guess_at,
+    .step = dumbbell_step,
+    .in_double = dumbbell_bounds<Interval>,
+    .in_bits = dumbbell_bounds<BigInterval>};
+
+}  // namespace dumbbell::collisions

@@ -1,0 +1,77 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <vector>
+
+#include "base/interrupted.hpp"
+#include "collisions/certificate.hpp"
+#include "number/big_interval.hpp"
+#include "number/interval.hpp"
+
+/// What the general code asks of a scene. A new one is a value of Scene, for which the compiler then wants a
+/// name (names.hpp) and a row (scene.cpp), and a folder such as `wedge` that defines the row.
+namespace dumbbell::collisions {
+
+/// Where the maximum steps: from n - 1 below `critical` to n above.
+struct Step {
+    long n = 0;
+    Rational critical = 0;
+    Rational slack = 0;  ///< the true step may be so far from `critical`, relatively
+    bool exact = false;  ///< n - 1 holds at `critical` itself, which is the critical ratio exactly
+};
+
+/// What to try first of a piece, with the bits of I: only time is lost where it is wrong.
+template <class I>
+struct BoundSearch {
+    /// The maximum at q; nothing if this precision does not tell it, or not in time.
+    std::optional<Count> (*maximum)(const Rational& q, const Interrupted& interrupted);
+    /// Whether an orbit of n collisions at q may be found with this precision.
+    bool (*may_reach)(const Count& n, const Rational& q, const Interrupted& interrupted);
+    /// Whether a cover for at most n at q may be found.
+    bool (*may_stay)(const Count& n, const Rational& q, const Interrupted& interrupted);
+    std::optional<Witness> (*witness)(const Rational& q_lo, const Rational& q_hi, const Count& target,
+                                      const Interrupted& interrupted);
+};
+
+struct SceneRow {
+    std::string_view hits, hits_it;   ///< "no ... more than N times, and some ... N times"
+    std::string_view system, where;   ///< "The dumbbell"; " in the wedge", or nothing
+    std::string_view title, maximum;  ///< of the picture of its maximum, and the line in its legend
+    /// Steps lie about where growth sqrt q is half of an odd number: a decimal.
+    std::string_view growth;
+    int most_digits = 36;     ///< single ratios up to 10^this are tried, in the section turning
+    bool has_orbits = false;  ///< in the plane, to be listed and drawn; else it has slopes only
+    /// The source paper bounds its maximum by ceil(pi/gamma) + 1; else ceil(pi/gamma) is its maximum.
+    bool has_paper_bound = false;
+    bool equal_masses_need_no_cover = false;  ///< L7
+    /// Of a section, in the order of the file; none if the scene has no such section.
+    std::vector<Chart> (*charts)(Section section);
+    /// The maximum at q, about.
+    long (*guess)(const Rational& q, const Interrupted& interrupted);
+    /// The step to n, for a gap of this width around it; `critical` is 0 if interrupted.
+    Step (*step)(long n, double gap, const Interrupted& interrupted);
+    BoundSearch<Interval> in_double;
+    BoundSearch<BigInterval> in_bits;
+
+    template <class I>
+    [[nodiscard]] const BoundSearch<I>& bounds() const {
+        if constexpr (std::is_same_v<I, Interval>) {
+            return in_double;
+        } else {
+            return in_bits;
+        }
+    }
+};
+
+[[nodiscard]] const SceneRow& row_of(Scene scene);
+
+/// What row_of gives, each defined where its scene is.
+extern const SceneRow dumbbell_row, hybrid_row, wedge_row;
+
+/// `--scene wedge `: what a command about the scene needs; nothing for the dumbbell.
+[[nodiscard]] std::string option_of(Scene scene);
+
+}  // namespace dumbbell::collisions
