@@ -106,8 +106,8 @@ GROUPS = {
         targets=("test_batch",),
         programs=("tests/rooms/flight/batch/test_batch",)),
     "collisions": Group(
-        files=below("collisions", "certificate certify cover fine_step full_leaf leaf leaf_boxes names piece piece_store reader plan section "
-                    "turning_leaf wedge_leaf wedge_witness witness witness_orbit writer",
+        files=below("collisions", "certificate certify cover dumbbell fine_step full_leaf leaf leaf_boxes names piece piece_store plan "
+                    "reader scene section turning_leaf wedge/leaf wedge/scene witness witness_orbit writer",
                     "leaf_judges:leaf piece_store:piece_store"),
         left_out=frozenset(),
         targets=("test_collisions",),

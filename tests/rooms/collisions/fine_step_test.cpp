@@ -24,7 +24,7 @@ TEST_CASE("a step of short orbits is as near to the true one as it was asked for
             REQUIRE(step);
             const Rational error = error_of(*step, critical_ratio(n));
             CHECK((error > -1 && error < 1));
-            const Rational width = (step->above - step->below) * n * (Integer(1) << (share_bits - 7));
+            const Rational width = (step->above - step->below) * (n - 2) * (Integer(1) << (share_bits - 7));
             CHECK((width > step->at / 2 && width < 2 * step->at));
         }
     }

@@ -1,10 +1,13 @@
 
 #include "catch.hpp"
+#include "collisions/names.hpp"
 #include "page/data.hpp"
 #include "rooms/parsed.hpp"
+#include "temporary_folder.hpp"
 
 using namespace dumbbell;
 using namespace dumbbell::page;
+using dumbbell_test::contents;
 using dumbbell_test::parsed;
 
 namespace {
@@ -16,6 +19,15 @@ std::string data_in(const std::string& page) {
     REQUIRE(at != std::string::npos);
     const std::size_t begin = at + start.size();
     return page.substr(begin, page.find("</script>", begin) - begin);
+}
+
+// Whether a table in the page's source has an entry for each name but the first so many.
+template <class Value>
+void check_known(const std::string& source, int first = 0) {
+    for (int i = first; !name(static_cast<Value>(i)).empty(); ++i) {
+        const std::string entry = "\n    " + std::string(name(static_cast<Value>(i)));
+        CHECK_THAT(source, Contains(entry + ":") || Contains(entry + ","));
+    }
 }
 
 }  // namespace
@@ -40,4 +52,11 @@ TEST_CASE("the data arrives as it was, whatever it holds") {
 
 TEST_CASE("bytes that are no UTF-8 do not stop the page") {
     CHECK_NOTHROW(html_page(Json::object({{"name", "\xff\xfe.dbc"}})));
+}
+
+TEST_CASE("the page can draw every chart, and knows the lemmas of every scene and section") {
+    const std::string lemmas = contents(DUMBBELL_PROJECT "/web/src/lemmas.js");
+    check_known<collisions::Chart>(contents(DUMBBELL_PROJECT "/web/src/charts.js"));
+    check_known<collisions::Section>(lemmas);
+    check_known<collisions::Scene>(lemmas, 1);  // the first one has sections
 }
