@@ -3,13 +3,11 @@
 #include <cmath>
 #include <type_traits>
 
-#include "collisions/fine_step.hpp"
 #include "collisions/scene.hpp"
 #include "collisions/step_guess.hpp"
 #include "collisions/witness.hpp"
 #include "flight/count.hpp"
 #include "flight/extremal_orbit.hpp"
-#include "flight/growth_constant.hpp"
 
 /// The scene dumbbell: its two extremal orbits tell what to try (Theorems 1 and 2).
 namespace dumbbell::collisions {
@@ -25,20 +23,6 @@ std::vector<Chart> dumbbell_charts(Section section) {
             return {Chart::plain_contact, Chart::plain_departure, Chart::again};
     }
     return {};
-}
-
-/// 2 + C sqrt q, which is a little more than the maximum.
-long asymptotic_maximum(const Rational& q) {
-    const PrecisionScope scope(128);
-    const BigInterval value = flight::growth_constant() * sqrt(enclose<BigInterval>(q));
-    const Rational most = exact_hi(value);
-    return 2 + (numerator(most) / denominator(most)).convert_to<long>();
-}
-
-long guess_at(const Rational& q, const Interrupted& interrupted) {
-    constexpr double far = 2e10;  // where both ways are open
-    const auto about = q.convert_to<double>();
-    return about > far ? asymptotic_maximum(q) : guess_maximum(about, interrupted);
 }
 
 /// The step to n, to a small part of the gap, which is at most a thousandth of the distance to the next step.
@@ -123,16 +107,13 @@ const SceneRow dumbbell_row{
     .system = "The dumbbell",
     .where = "",
     .title = "Greatest number of collisions of a bouncing dumbbell against its mass ratio",
-    .maximum = "proved maximum N(q)",
     .growth = "0.885595129452713911412021948915",  // C of docs/10-law.md
     .most_digits = 100,
     .has_orbits = true,
     .has_paper_bound = true,
     .equal_masses_need_no_cover = true,
     .charts = dumbbell_charts,
-    .guess = guess_at,
     .step = dumbbell_step,
-    .in_double = dumbbell_bounds<Interval>,
-    .in_bits = dumbbell_bounds<BigInterval>};
+    .bounds = {dumbbell_bounds<Interval>, dumbbell_bounds<BigInterval>}};
 
 }  // namespace dumbbell::collisions

@@ -101,7 +101,14 @@ struct ChartNames {
 }
 
 /// The other way round; nothing for an unknown word.
-[[nodiscard]] std::optional<Axis> axis_named(Chart chart, std::string_view word);
+[[nodiscard]] constexpr std::optional<Axis> axis_named(Chart chart, std::string_view word) {
+    for (const Axis axis : {Axis::position, Axis::slope, Axis::ratio}) {
+        if (word == axis_name(chart, axis)) {
+            return axis;
+        }
+    }
+    return std::nullopt;
+}
 
 /// The words after `lemmas` and `section`: `plain` is spelled as a set of lemmas of `full`.
 struct SectionWords {
@@ -109,7 +116,16 @@ struct SectionWords {
 
     friend bool operator==(const SectionWords&, const SectionWords&) = default;
 };
-[[nodiscard]] SectionWords spelled(Section section);
-[[nodiscard]] std::optional<Section> section_spelled(const SectionWords& words);
+[[nodiscard]] constexpr SectionWords spelled(Section section) {
+    return section == Section::plain ? SectionWords{"minimal", "full"} : SectionWords{"1", name(section)};
+}
+[[nodiscard]] constexpr std::optional<Section> section_spelled(const SectionWords& words) {
+    for (int i = 0; !name(static_cast<Section>(i)).empty(); ++i) {
+        if (words == spelled(static_cast<Section>(i))) {
+            return static_cast<Section>(i);
+        }
+    }
+    return std::nullopt;
+}
 
 }  // namespace dumbbell::collisions

@@ -91,7 +91,7 @@ template <class I>
 Obstacle attempt_piece(ProvedPiece& proved, int bits, const Goal& goal, const PieceOptions& options) {
     Piece& piece = proved.piece;
     const auto& [upper, lower, greatest, least, is_suspected] = goal;
-    const BoundSearch<I>& bounds = row_of(options.scene).bounds<I>();
+    const auto& bounds = std::get<BoundSearch<I>>(row_of(options.scene).bounds);
     if (!is_suspected && !bounds.may_reach(lower, least, options.interrupted)) {
         return Obstacle::witness;
     }
@@ -122,6 +122,17 @@ void describe_in_time(ProvedPiece& proved, const PieceOptions& options) {
     }
 }
 
+ProvedPiece proved_between(const Rational& q_lo, const Rational& q_hi, const Goal& goal,
+                           const PieceOptions& options) {
+    ProvedPiece proved;
+    proved.piece.q_lo = q_lo;
+    proved.piece.q_hi = q_hi;
+    proved.obstacle = escalate(
+        options, [&]<class I>(const I&, int bits) { return attempt_piece<I>(proved, bits, goal, options); });
+    describe_in_time(proved, options);
+    return proved;
+}
+
 }  // namespace
 
 PieceOptions piece_options(Scene scene, Section section) {
@@ -150,7 +161,7 @@ ProvedPiece prove_single(const Rational& q, const PieceOptions& options) {
     ProvedPiece proved;
     proved.piece.q_lo = proved.piece.q_hi = q;
     proved.obstacle = escalate(options, [&]<class I>(const I&, int bits) {
-        const auto n = row_of(options.scene).bounds<I>().maximum(q, options.interrupted);
+        const auto n = std::get<BoundSearch<I>>(row_of(options.scene).bounds).maximum(q, options.interrupted);
         return n ? attempt_piece<I>(proved, bits, {*n, *n, q, q, true}, options) : Obstacle::maximum;
     });
     describe_in_time(proved, options);
@@ -159,24 +170,11 @@ ProvedPiece prove_single(const Rational& q, const PieceOptions& options) {
 
 ProvedPiece prove_piece(const Rational& q_lo, const Rational& q_hi, long upper, long lower,
                         const PieceOptions& options) {
-    ProvedPiece proved;
-    proved.piece.q_lo = q_lo;
-    proved.piece.q_hi = q_hi;
-    proved.obstacle = escalate(options, [&]<class I>(const I&, int bits) {
-        return attempt_piece<I>(proved, bits, {upper, lower, q_hi, q_lo}, options);
-    });
-    describe_in_time(proved, options);
-    return proved;
+    return proved_between(q_lo, q_hi, {upper, lower, q_hi, q_lo}, options);
 }
 
 ProvedPiece prove_step(const Rational& q_lo, const Rational& q_hi, long n, const PieceOptions& options) {
-    ProvedPiece proved;
-    proved.piece.q_lo = q_lo;
-    proved.piece.q_hi = q_hi;
-    proved.obstacle = escalate(options, [&]<class I>(const I&, int bits) {
-        return attempt_piece<I>(proved, bits, {n - 1, n, q_lo, q_hi}, options);
-    });
-    return proved;
+    return proved_between(q_lo, q_hi, {n - 1, n, q_lo, q_hi}, options);
 }
 
 }  // namespace dumbbell::collisions

@@ -29,6 +29,12 @@ Rational rounded(const Rational& x, double grain, bool up) {
     return Rational(floor) * unit;
 }
 
+/// The maximum at q, or one less or more: where growth sqrt q lies between whole numbers.
+long about(const SceneRow& row, const Rational& q) {
+    const Rational growth = parse_rational(row.growth), square = growth * growth * q;
+    return 2 + sqrt(numerator(square) / denominator(square)).convert_to<long>();
+}
+
 struct NearSteps {
     std::vector<Step> steps;
     std::size_t beyond = 0;  ///< that follow them, near the range, too
@@ -37,11 +43,8 @@ struct NearSteps {
 /// The first steps that seem to lie near [lo, hi], with a neighbour on either side for the distances.
 NearSteps steps_near(const SceneRow& row, const Rational& lo, const Rational& hi, double gap,
                      const Interrupted& interrupted, Observer& observer) {
-    const long first = std::max(4L, row.guess(lo, interrupted) - 1);
-    const long last = row.guess(hi, interrupted) + 2;
-    if (interrupted()) {
-        return {};
-    }
+    const long first = std::max(4L, about(row, lo) - 1);
+    const long last = about(row, hi) + 2;
     if (last - first > max_steps) {
         throw InputError(
             fmt::format("the range holds about {} steps, more than {}: certify it in parts "

@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <type_traits>
+#include <tuple>
 #include <vector>
 
 #include "base/interrupted.hpp"
@@ -37,33 +37,20 @@ struct BoundSearch {
 };
 
 struct SceneRow {
-    std::string_view hits, hits_it;   ///< "no ... more than N times, and some ... N times"
-    std::string_view system, where;   ///< "The dumbbell"; " in the wedge", or nothing
-    std::string_view title, maximum;  ///< of the picture of its maximum, and the line in its legend
-    /// Steps lie about where growth sqrt q is half of an odd number: a decimal.
-    std::string_view growth;
-    int most_digits = 36;     ///< single ratios up to 10^this are tried, in the section turning
-    bool has_orbits = false;  ///< in the plane, to be listed and drawn; else it has slopes only
+    std::string_view hits, hits_it;  ///< "no ... more than N times, and some ... N times"
+    std::string_view system, where;  ///< "The dumbbell"; " in the wedge", or nothing
+    std::string_view title;          ///< of the picture of its maximum
+    std::string_view growth;         ///< it steps about where growth sqrt q is a whole number: a decimal
+    int most_digits = 36;            ///< single ratios up to 10^this are tried, in the section turning
+    bool has_orbits = false;         ///< in the plane, to be listed and drawn; else it has slopes only
     /// The source paper bounds its maximum by ceil(pi/gamma) + 1; else ceil(pi/gamma) is its maximum.
     bool has_paper_bound = false;
     bool equal_masses_need_no_cover = false;  ///< L7
     /// Of a section, in the order of the file; none if the scene has no such section.
     std::vector<Chart> (*charts)(Section section);
-    /// The maximum at q, about.
-    long (*guess)(const Rational& q, const Interrupted& interrupted);
     /// The step to n, for a gap of this width around it; `critical` is 0 if interrupted.
     Step (*step)(long n, double gap, const Interrupted& interrupted);
-    BoundSearch<Interval> in_double;
-    BoundSearch<BigInterval> in_bits;
-
-    template <class I>
-    [[nodiscard]] const BoundSearch<I>& bounds() const {
-        if constexpr (std::is_same_v<I, Interval>) {
-            return in_double;
-        } else {
-            return in_bits;
-        }
-    }
+    std::tuple<BoundSearch<Interval>, BoundSearch<BigInterval>> bounds;
 };
 
 [[nodiscard]] const SceneRow& row_of(Scene scene);

@@ -5,10 +5,13 @@
 #include <numbers>
 #include <optional>
 
+#include "flight/count.hpp"
 #include "flight/extremal_orbit.hpp"
+#include "flight/growth_constant.hpp"
 
 namespace dumbbell::collisions {
 
+using flight::ExtremalFlight;
 using flight::Ray;
 
 namespace {
@@ -53,21 +56,100 @@ double guessed_margin(const flight::ExtremalFlight& flight, double q, const Inte
     return guessed_margin(ray);
 }
 
-long guessed_count(flight::ExtremalOrbit orbit, double r, const Interrupted& interrupted) {
-    long n = 0;
-    for (std::optional ray = guessed_ray(orbit, r);
-         ray && guessed_margin(*ray) > 0 && !ends_early(n, interrupted); ++n) {
-        ray = guessed_next(*ray);
+/// C, or with many bits a number near it: any would do, and the quadrature of C, which nothing interrupts,
+/// takes minutes for some thousand bits.
+BigInterval nearly_growth_constant() {
+    constexpr int most_bits = 512;  // some milliseconds
+    const PrecisionScope scope(std::min(most_bits, PrecisionScope::current()));
+    return flight::growth_constant();
+}
+
+/// C sqrt q - (n - 2), the place of q between the steps, is what the search is for. Near 0, where the step to
+/// n lies, the margin of the flight that decides is nearly a linear function of it.
+class Search {
+  public:
+    /// Works with the precision of the present scope.
+    Search(long n, const Interrupted& interrupted)
+        : flight_(flight::tangent_flight(n)),
+          last_(enclose<BigInterval>(Rational(n - 2))),
+          growth_(nearly_growth_constant()),
+          interrupted_(interrupted) {}
+
+    [[nodiscard]] BigInterval place(double q) const {
+        return midpoint(growth_ * sqrt(BigInterval(q)) - last_);
     }
-    return n;
+    [[nodiscard]] Rational ratio(const BigInterval& place) const {
+        return exact_lo(midpoint(sqr((last_ + place) / growth_)));
+    }
+
+    /// Where the margin seems to be 0, by the secant method from two places; nothing if the orbit does not
+    /// come so far near them, or does not get there.
+    [[nodiscard]] std::optional<BigInterval> zero(BigInterval before, BigInterval place,
+                                                  int share_bits) const {
+        constexpr int most_steps = 12;
+        auto value_before = margin_at(before);
+        for (int i = 0; i < most_steps && value_before; ++i) {
+            const auto value = margin_at(place);
+            if (!value || interrupted_()) {
+                return std::nullopt;
+            }
+            const BigInterval distance = place - before;
+            const BigInterval change = midpoint(*value * distance / (*value - *value_before));
+            before = place;
+            value_before = value;
+            place = midpoint(place - change);
+            // The next error is about the product of the last two.
+            if (std::abs(approximate(change * distance)) < std::ldexp(1, -share_bits)) {
+                return place;
+            }
+        }
+        return std::nullopt;
+    }
+
+  private:
+    /// Of the flight that decides; thin, and nearly right.
+    [[nodiscard]] std::optional<BigInterval> margin_at(const BigInterval& place) const {
+        const BigInterval r = midpoint(BigInterval(1) / enclose<BigInterval>(ratio(place)));
+        std::optional<flight::Ray<BigInterval>> last;
+        (void)count_at_most(extremal_ray(flight_.orbit, r), flight_.flight - 1, interrupted_,
+                            [&](const Count& count, const BigInterval& c, const BigInterval& kappa) {
+                                if (count == flight_.flight - 1) {
+                                    last = {c, kappa, r};
+                                }
+                            });
+        return last ? std::optional(midpoint(margin(*last))) : std::nullopt;
+    }
+
+    ExtremalFlight flight_;
+    BigInterval last_, growth_;
+    const Interrupted& interrupted_;
+};
+
+/// The place of the step to n between the steps before and after it, to about 2^-share_bits.
+std::optional<BigInterval> place_of_step(long n, int share_bits, const Interrupted& interrupted) {
+    // By the law the place lies a little above 0; few bits lead near it, as doubles do for short orbits, and
+    // two places near it to the rest.
+    constexpr int first_bits = 24;
+    BigInterval place(0);
+    double near = 0x1p-6;
+    int share = std::min(first_bits, share_bits);
+    if (!is_long(n)) {
+        place = Search(n, interrupted).place(guess_step(n, interrupted));
+        near = 0x1p-20;
+        share = share_bits;
+    }
+    for (;; share = share_bits) {
+        const PrecisionScope scope(bits_of_step(share));
+        const auto found = Search(n, interrupted).zero(place + BigInterval(near), place, share);
+        if (!found || share == share_bits) {
+            return found;
+        }
+        place = *found;
+        near = std::ldexp(1, 4 - share);
+    }
 }
 
 }  // namespace
-
-long guess_maximum(double q, const Interrupted& interrupted) {
-    return 2 + guessed_count(flight::ExtremalOrbit::top, 1 / q, interrupted) +
-           guessed_count(flight::ExtremalOrbit::corner, 1 / q, interrupted);
-}
 
 double guess_step(long n, const Interrupted& interrupted) {
     const flight::ExtremalFlight flight = flight::tangent_flight(n);
@@ -106,6 +188,17 @@ double guess_step(long n, const Interrupted& interrupted) {
         }
     }
     return hi;
+}
+
+std::optional<FineStep> find_step(long n, int share_bits, const Interrupted& interrupted) {
+    const PrecisionScope scope(bits_of_step(share_bits));
+    const auto place = place_of_step(n, share_bits, interrupted);
+    if (!place) {
+        return std::nullopt;
+    }
+    const Search search(n, interrupted);
+    const BigInterval half(std::ldexp(1, 5 - share_bits));
+    return FineStep{search.ratio(*place), search.ratio(*place - half), search.ratio(*place + half)};
 }
 
 }  // namespace dumbbell::collisions

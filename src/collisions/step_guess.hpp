@@ -1,6 +1,9 @@
 #pragma once
 
+#include <optional>
+
 #include "base/interrupted.hpp"
+#include "number/rational.hpp"
 
 namespace dumbbell::collisions {
 
@@ -9,7 +12,22 @@ namespace dumbbell::collisions {
 /// pieces is proved by covers and witnesses. A meaningless number if it is interrupted.
 [[nodiscard]] double guess_step(long n, const Interrupted& interrupted = never);
 
-/// What the maximum seems to be at q >= 1: a guess, wrong near critical ratios and if it is interrupted.
-[[nodiscard]] long guess_maximum(double q, const Interrupted& interrupted = never);
+/// From here on such an orbit is followed by macro steps (L42): about as fast as the interval Newton step of
+/// critical/enclose.cpp here, and soon much faster.
+inline constexpr long first_long = 20'001;
+[[nodiscard]] constexpr bool is_long(long n) { return n >= first_long; }
+
+/// With so many bits macro steps lose about 2^-share_bits of a collision's progress.
+[[nodiscard]] constexpr int bits_of_step(int share_bits) { return 4 * (share_bits + 24); }
+
+/// A step, and two ratios 2^(5 - share_bits) of the distance to the next step below and above it.
+struct FineStep {
+    Rational at, below, above;
+};
+
+/// The step up to n, to about 2^-share_bits of that distance. Nothing if interrupted, or if it is not found.
+/// Precondition: n >= 4, 1 <= share_bits <= 1060.
+[[nodiscard]] std::optional<FineStep> find_step(long n, int share_bits,
+                                                const Interrupted& interrupted = never);
 
 }  // namespace dumbbell::collisions

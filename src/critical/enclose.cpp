@@ -4,9 +4,7 @@
 #include <cmath>
 
 #include "base/error.hpp"
-#include "collisions/fine_step.hpp"
 #include "collisions/step_guess.hpp"
-#include "critical/long_orbits.hpp"
 #include "flight/extremal_orbit.hpp"
 #include "number/decimal.hpp"
 

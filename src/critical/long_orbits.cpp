@@ -1,9 +1,8 @@
-#include "critical/long_orbits.hpp"
-
 #include <algorithm>
 #include <cmath>
 
-#include "collisions/fine_step.hpp"
+#include "collisions/step_guess.hpp"
+#include "critical/enclose.hpp"
 #include "flight/count.hpp"
 #include "flight/extremal_orbit.hpp"
 #include "number/decimal.hpp"

@@ -7,7 +7,7 @@
 
 #include "base/deadline.hpp"
 #include "base/error.hpp"
-#include "collisions/fine_step.hpp"
+#include "collisions/step_guess.hpp"
 #include "number/count_argument.hpp"
 #include "number/parallel.hpp"
 #include "number/self_test.hpp"

@@ -6,7 +6,7 @@
 
 #include "base/error.hpp"
 #include "base/printable.hpp"
-#include "collisions/fine_step.hpp"
+#include "collisions/step_guess.hpp"
 #include "flight/extremal_orbit.hpp"
 #include "number/decimal.hpp"
 #include "words/text_table.hpp"

@@ -63,6 +63,7 @@ std::optional<std::vector<collisions::Piece>> prove_steps(const Interrupted& int
     const Constants constants;
     collisions::PieceOptions options =
         collisions::piece_options(collisions::Scene::dumbbell, collisions::Section::turning);
+    options.describes = false;
     options.interrupted = interrupted;
     std::vector<collisions::Piece> steps(last_step - first_step + 1);
     std::atomic<std::size_t> done = 0;

@@ -26,13 +26,11 @@ Count::Count(double value) {
     *this = Count(std::move(integer));
 }
 
-bool Count::fits_long() const { return is_small() || mpz_fits_slong_p(large()->raw()) != 0; }
-
 long as_long(const Count& n) {
     if (n.is_small()) {
         return n.small();
     }
-    if (!n.fits_long()) {
+    if (mpz_fits_slong_p(n.large()->raw()) == 0) {
         throw InputError(fmt::format("{} collisions: only fewer than 2^63 are listed or drawn", n.str()));
     }
     return n.large()->convert_to<long>();

@@ -41,7 +41,6 @@ class Count {
 
     explicit operator double() const;
     [[nodiscard]] Integer integer() const { return is_small() ? Integer(small()) : *large(); }
-    [[nodiscard]] bool fits_long() const;
     [[nodiscard]] std::string str() const { return is_small() ? std::to_string(small()) : large()->str(); }
 
     Count& operator+=(const Count& y) {

@@ -10,7 +10,7 @@
 #include "base/printable.hpp"
 #include "collisions/reader.hpp"
 #include "file/lines.hpp"
-#include "file/sealed_digest.hpp"
+#include "file/sealed_lines.hpp"
 #include "flight/growth_constant.hpp"
 #include "number/decimal.hpp"
 #include "page/file.hpp"

@@ -159,7 +159,7 @@ std::string staircase_svg(const std::vector<Piece>& pieces, Scene scene) {
     };
     const collisions::SceneRow& row = row_of(scene);
     const Counts counts = counts_of(pieces, scene);
-    std::vector<LegendEntry> entries{{Swatch::curve, "proved", std::string(row.maximum)}};
+    std::vector<LegendEntry> entries{{Swatch::curve, "proved", "proved maximum N(q)"}};
     if (has(Status::gap)) {
         entries.push_back({Swatch::area, "gap", "gap: one of two values"});
     }

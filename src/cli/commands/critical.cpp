@@ -1,5 +1,3 @@
-#include "cli/claims/critical.hpp"
-
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -47,7 +45,7 @@ SIGINT (Ctrl-C) or SIGTERM: nothing is kept.)";
 
 constexpr std::array critical_options{
     argument("N", "number of collisions from 3 to 10^17, or closed range N1:N2").required(),
-    critical_digits_option,
+    Option{"--digits", "N", "significant digits, all of them proved", "15"}.from(1, critical::most_digits),
     part_option,
     Option{"--out", "FILE",
            "write the table to FILE, tab-separated (FILE.gz: compressed); -: the standard output"}

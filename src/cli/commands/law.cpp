@@ -9,7 +9,7 @@
 #include "cli/terminal/messages.hpp"
 #include "cli/terminal/output.hpp"
 #include "cli/terminal/stop_signals.hpp"
-#include "file/sealed_digest.hpp"
+#include "file/sealed_lines.hpp"
 #include "file/shipped.hpp"
 #include "file/verifier_program.hpp"
 #include "law/answer_report.hpp"

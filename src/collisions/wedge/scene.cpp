@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "flight/paper_bound.hpp"
 #include "flight/wedge.hpp"
@@ -14,10 +13,6 @@ namespace {
 
 std::vector<Chart> wedge_charts(Section section) {
     return section == Section::turning ? std::vector{Chart::wedge} : std::vector<Chart>{};
-}
-
-long guess_wedge(const Rational& q, const Interrupted& /*interrupted*/) {
-    return std::lround(std::numbers::pi / (2 * std::atan(1 / std::sqrt(q.convert_to<double>()))));
 }
 
 /// At cot^2(pi / (2 (n - 1))).
@@ -71,41 +66,27 @@ std::optional<Witness> wedge_witness(const Rational& q_lo, const Rational& /*q_h
 template <class I>
 constexpr BoundSearch<I> wedge_bounds{wedge_maximum, may_be, may_be, wedge_witness};
 
-/// What both have in common.
-constexpr SceneRow wedge{.hits = {},
-                         .hits_it = "trajectory hits them",
-                         .system = {},
-                         .where = {},
-                         .title = {},
-                         .maximum = {},
-                         // cot^2(pi / (2 (n - 1))) is about (2 (n - 1) / pi)^2
-                         .growth = "1.570796326794896619231321691640",
-                         .charts = wedge_charts,
-                         .guess = guess_wedge,
-                         .step = wedge_step,
-                         .in_double = wedge_bounds<Interval>,
-                         .in_bits = wedge_bounds<BigInterval>};
-
+/// Their steps, cot^2(pi / (2 (n - 1))), are about (2 (n - 1) / pi)^2.
 constexpr SceneRow named(std::string_view hits, std::string_view system, std::string_view where,
-                         std::string_view title, std::string_view maximum) {
-    SceneRow row = wedge;
-    row.hits = hits;
-    row.system = system;
-    row.where = where;
-    row.title = title;
-    row.maximum = maximum;
-    return row;
+                         std::string_view title) {
+    return {.hits = hits,
+            .hits_it = "trajectory hits them",
+            .system = system,
+            .where = where,
+            .title = title,
+            .growth = "1.570796326794896619231321691640",
+            .charts = wedge_charts,
+            .step = wedge_step,
+            .bounds = {wedge_bounds<Interval>, wedge_bounds<BigInterval>}};
 }
 
 }  // namespace
 
 const SceneRow hybrid_row =
     named("trajectory in the hybrid wedge hits its walls", "The hybrid wedge", " in the hybrid wedge",
-          "Greatest number of collisions in the hybrid wedge against the mass ratio",
-          "proved maximum, scene hybrid (wedge)");
+          "Greatest number of collisions in the hybrid wedge against the mass ratio");
 const SceneRow wedge_row =
     named("trajectory in the straight wedge hits its walls", "The straight wedge", " in the straight wedge",
-          "Greatest number of collisions in the straight wedge against the mass ratio",
-          "proved maximum, scene wedge (straight)");
+          "Greatest number of collisions in the straight wedge against the mass ratio");
 
 }  // namespace dumbbell::collisions

@@ -106,13 +106,13 @@ GROUPS = {
         targets=("test_batch",),
         programs=("tests/rooms/flight/batch/test_batch",)),
     "collisions": Group(
-        files=below("collisions", "certificate certify cover dumbbell fine_step full_leaf leaf leaf_boxes names piece piece_store plan "
-                    "reader scene section turning_leaf wedge/leaf wedge/scene witness witness_orbit writer",
+        files=below("collisions", "certificate certify cover dumbbell full_leaf leaf leaf_boxes piece piece_store plan "
+                    "reader scene section step_guess turning_leaf wedge/leaf wedge/scene witness witness_orbit writer",
                     "leaf_judges:leaf piece_store:piece_store"),
         left_out=frozenset(),
         targets=("test_collisions",),
         programs=("tests/rooms/collisions/test_collisions",),
-        texts=frozenset({"collisions/writer.cpp", "collisions/names.cpp"})),
+        texts=frozenset({"collisions/writer.cpp"})),
     "critical": Group(
         files=below("critical", "enclose long_orbits range"),
         left_out=frozenset(),

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "catch.hpp"
-#include "collisions/fine_step.hpp"
 #include "collisions/piece_lines.hpp"
 #include "collisions/scene.hpp"
+#include "collisions/step_guess.hpp"
 #include "critical_ratio.hpp"
 #include "number/parallel.hpp"
 

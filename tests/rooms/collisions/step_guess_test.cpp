@@ -46,11 +46,26 @@ TEST_CASE("the guesses increase") {
     }
 }
 
-TEST_CASE("away from the critical ratios the guessed maximum is the recomputed one") {
-    for (const char* text :
-         {"1.1", "2", "4.6", "4.61", "10", "12", "25", "100", "1000", "12345.678", "1e6"}) {
-        CAPTURE(text);
-        const Rational q = parse_rational(text);
-        CHECK(guess_maximum(q.convert_to<double>()) == reference_maximum(q));
+TEST_CASE("a step of short orbits is as near to the true one as it was asked for") {
+    for (const long n : {4L, 5L, 6L, 33L, 34L, 1000L}) {
+        for (const int share_bits : {24, 53, 120, 150}) {
+            CAPTURE(n, share_bits);
+            const auto step = find_step(n, share_bits);
+            REQUIRE(step);
+            CHECK(step->below < critical_ratio(n));
+            CHECK(critical_ratio(n) < step->above);
+            const Rational width = (step->above - step->below) * (n - 2) * (Integer(1) << (share_bits - 7));
+            CHECK((width > step->at / 2 && width < 2 * step->at));
+        }
     }
+}
+
+TEST_CASE("so is one of orbits that are followed by macro steps") {
+    const Rational critical = at("1275051786969.07530004702");  // `critical 1000000 --digits 24`
+    for (const int share_bits : {24, 40}) {
+        const auto step = find_step(1'000'000, share_bits);
+        REQUIRE(step);
+        CHECK((step->below < critical && critical < step->above));
+    }
+    CHECK_FALSE(find_step(1'000'000, 24, [] { return true; }));
 }

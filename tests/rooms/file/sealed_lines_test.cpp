@@ -1,4 +1,4 @@
-#include "file/sealed_digest.hpp"
+#include "file/sealed_lines.hpp"
 
 #include "base/error.hpp"
 #include "catch.hpp"
@@ -51,16 +51,4 @@ TEST_CASE("a damaged file has no digest: cut off, changed, or with something aft
                           Contains("is not a certificate: its first line is not 'dumbbell-certificate 1'"));
     }
     CHECK_THROWS_WITH(sealed_digest("no/such/file.dbc"), Contains("no such file"));
-}
-
-TEST_CASE("a file with more than one gzip member, or that cannot be read, has no digest, and it is said why") {
-    const TemporaryFolder folder;
-    AtomicFile(folder / "good.dbc.gz").commit(sealed());
-    const std::string packed = contents(folder / "good.dbc.gz");
-    for (const std::string& after : {std::string("x\n"), packed}) {
-        write_file(folder / "bad.dbc", packed + after);
-        CHECK_THROWS_WITH(sealed_digest(folder / "bad.dbc"), Contains("bytes after the gzip member"));
-    }
-    std::filesystem::create_directory(folder / "folder.dbc");
-    CHECK_THROWS_WITH(sealed_digest(folder / "folder.dbc"), StartsWith("cannot read '"));
 }
