@@ -273,8 +273,9 @@ TEST_CASE("a table that says what is not certain is refused, with the command th
         write_file(file, replaced(good, from, to));
         return not_joined(folder, parts, {}, "whole.tsv");
     };
-    CHECK_THAT(refuses("4\t4.6033388487517003525\t", "4\t4.6033388487517003524\t"),
-               Contains("q_c(4) is not certain to be where it says; to make it again: dumbbell critical 3:"));
+    CHECK_THAT(
+        refuses("4\t4.6033388487517003525\t", "4\t4.6033388487517003524\t"),
+        Contains("q_c(4) is not certain to lie where it says; to make it again: dumbbell critical 3:"));
     CHECK_THAT(refuses("4\t4.6033388487517003525\t", "4\t4.6033388487517003526\t"),
                Contains("q_c(4) is not certain"));
     CHECK_THAT(refuses("\tcorner\t1\n", "\tcorner\t2\n"), Contains("(line 5)"));
