@@ -29,7 +29,7 @@ using collisions::ProvedPiece;
 namespace {
 
 constexpr const char* certify_description =
-    R"(Prove the greatest number of collisions for a mass ratio, or for every ratio of a range.
+    R"(Prove the greatest number of collisions for a mass ratio, or every ratio of a range.
 
 RATIO is q = heavy mass / light mass: 10, 4.6, 1e6 or 9/2, exactly as written. LO:HI is a closed range. Below 1 the
 masses are swapped.

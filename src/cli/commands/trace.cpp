@@ -55,8 +55,8 @@ constexpr const char* trace_footer =
     R"(The fields of --json: docs/reference/json.md.
 
 Exit codes: 0 an outcome is certified; 1 internal error; 2 wrong usage or input; 3 not decided at this precision, or at
-any (the start lies on or near a corner, a flat fall or a grazing contact); 130 or 143 stopped by SIGINT (Ctrl-C) or
-SIGTERM: nothing is kept.)";
+any (the start lies on or near a corner, a flat fall or a grazing contact); 130 or 143 stopped
+by SIGINT (Ctrl-C) or SIGTERM: nothing is kept.)";
 
 constexpr Option quantity_option(std::string_view name, std::string_view text) {
     return Option{name, "A|LO:HI", text};
