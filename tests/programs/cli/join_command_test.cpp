@@ -211,7 +211,8 @@ TEST_CASE("parts of another scene, section or kind are refused in one line") {
     REQUIRE(dumbbell({"critical", "3:5", "--out", "ratios.tsv"}, folder.path()).code == 0);
     const std::string err = not_joined(folder, {parts[0], "ratios.tsv"});
     CHECK(count_lines(err) == 1);
-    CHECK_THAT(err, Contains("'ratios.tsv' is a table of critical ratios, and 'part-1.dbc' is not: join one kind"));
+    CHECK_THAT(
+        err, Contains("'ratios.tsv' is a table of critical ratios, and 'part-1.dbc' is not: join one kind"));
 }
 
 TEST_CASE("parts of a model wedge, and of the full section, are joined") {
