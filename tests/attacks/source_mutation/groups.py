@@ -33,7 +33,7 @@ VERIFIER = {
             "format/section:collisions/turning starts/flight:starts/leaf starts/ray:starts/leaf "
             "starts/reflection:starts/leaf"),
     # the files and their claims
-    **below("verify", "collisions/grammar starts/grammar starts/claim format/claim format/header program/verify program/compare",
+    **below("verify", "collisions/grammar starts/grammar starts/claim format/claim format/header program/verify",
             "collisions/proofs:collisions/grammar format/text:format/header input/bytes:format/header input/budget:format/header "
             "format/reader:collisions/grammar format/proof:collisions/grammar "
             "format/claim:program/verify starts/grammar:starts/grammar"),
@@ -56,7 +56,7 @@ GROUPS = {
                             "guess_crossing", "terms", "sqrt", "describe", "show", "counted", "log", "note",
                             "block", "demand_text"}),
         texts=frozenset(("verify/starts/claim.cpp", "verify/format/claim.cpp", *(
-            f"verify/program/{name}.cpp" for name in ("summary", "json", "junit", "escape", "compare", "main", "together")))),
+            f"verify/program/{name}.cpp" for name in ("summary", "json", "junit", "escape", "main", "together")))),
         targets=("dumbbell-verify", "test_verify", "test_verify_poor_libraries", "mutation"),
         programs=("tests/rooms/verify/test_verify", "tests/rooms/verify/test_verify_poor_libraries"),
         prepare=(("{build}/tests/attacks/mutation/mutation", "--jobs", "1", "--most", "400", "--dump", "{work}/corpus",
