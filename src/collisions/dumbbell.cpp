@@ -28,7 +28,8 @@ std::vector<Chart> dumbbell_charts(Section section) {
 /// The step to n, to a small part of the gap, which is at most a thousandth of the distance to the next step.
 /// More of it costs little while the orbits are short. Were it wrong, pieces would stay open.
 Step dumbbell_step(long n, double gap, const Interrupted& interrupted) {
-    // Wider gaps are placed with doubles: a step is off by up to 2^-48, which must be a small part of the gap.
+    // Wider gaps are placed with doubles: a step is off by up to 2^-48, which must be a small part of the
+    // gap.
     constexpr double narrow = 1e-13;
     // From so many collisions on with macro steps. Flight by flight the four steps of 1e12:1.00001e12 took
     // 43 s; so all of `certify` takes 1.2 s.
