@@ -34,8 +34,9 @@ Proof certify(const MassRatio& ratio, const CertifyOptions& options) {
         for (collisions::ProvedPiece& proved : dumbbell::collisions::certify(request_of(ratio, options))) {
             const dumbbell::collisions::Piece& piece =
                 certificate.pieces.emplace_back(std::move(proved.piece));
+            const auto most = piece.upper ? std::optional(as_long(*piece.upper)) : std::nullopt;
             proof.pieces.push_back(
-                {to_fraction(piece.q_lo), to_fraction(piece.q_hi), piece.lower, piece.upper});
+                {to_fraction(piece.q_lo), to_fraction(piece.q_hi), as_long(piece.lower), most});
         }
         SealedText text = render(certificate);
         proof.certificate = std::move(text.text);
