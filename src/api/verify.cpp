@@ -4,7 +4,7 @@
 #include <system_error>
 
 #include "api/stack.hpp"
-#include "verify/number/environment.hpp"
+#include "verify/machine/environment.hpp"
 #include "verify/program/claim_options.hpp"
 #include "verify/program/examine.hpp"
 #include "verify/program/summary.hpp"

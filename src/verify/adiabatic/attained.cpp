@@ -13,7 +13,7 @@ class OrbitCheck : AdiabaticCheck<N> {
     using typename Base::I, typename Base::Ray;
 
   public:
-    OrbitCheck(const AdiabaticLeaf& leaf, std::string* log)
+    OrbitCheck(const AdiabaticLeaf& leaf, Log* log)
         : Base(leaf, Masses<N>(number(leaf.terms->claim.attained.at(leaf.index).delta)), log),
           state_(claim_.attained.at(leaf.index)),
           climb_(m_.delta * number(state_.s)),
@@ -53,9 +53,7 @@ class OrbitCheck : AdiabaticCheck<N> {
             kappa = flight->slope;
             if (claim_.kind == Adiabatic::run && !is_apart(last)) return false;
         }
-        if (this->log_)
-            *this->log_ +=
-                "  last contact at x " + Base::show(last.x) + ", slope " + Base::show(kappa) + "\n";
+        if (this->log_) this->log_->line({{"  last contact at x ", last.x}, {", slope ", kappa}});
         switch (claim_.kind) {
             case Adiabatic::bounce:
                 return has_errors(first, last, kappa);
@@ -108,9 +106,9 @@ class OrbitCheck : AdiabaticCheck<N> {
             highest{flight.corner.hi, flight.slope.hi, zero};
         if (!(lowest.c > zero && highest.kappa < one)) return std::nullopt;
         N z = zero;
-        Base::guess_root(lowest.c, lowest.kappa, z);
+        guess_root(lowest.c, lowest.kappa, z);
         const auto from = this->earliest(lowest, z);
-        if (!Base::guess_root(highest.c, highest.kappa, z)) return std::nullopt;
+        if (!guess_root(highest.c, highest.kappa, z)) return std::nullopt;
         const auto until = this->latest(highest, z);
         if (!until || !(zero < from.x && from.x <= until->x && until->cosine <= from.cosine))
             return std::nullopt;
@@ -148,7 +146,7 @@ class OrbitCheck : AdiabaticCheck<N> {
 
 }  // namespace
 
-const char* check_adiabatic_attained(const AdiabaticLeaf& leaf, std::string* log) {
+const char* check_adiabatic_attained(const AdiabaticLeaf& leaf, Log* log) {
     return judged<OrbitCheck>(leaf, log);
 }
 

@@ -3,7 +3,7 @@
 #pragma once
 #include "verify/adiabatic/contact.hpp"
 #include "verify/adiabatic/grammar.hpp"
-#include "verify/format/precision.hpp"
+#include "verify/core/big.hpp"
 #include "verify/starts/ray.hpp"
 
 namespace dumbbell_verify {
@@ -16,7 +16,7 @@ class AdiabaticCheck : protected Departures<N> {
     using Base::fact, Base::quarter, Base::half_turn, Base::zero, Base::one;
 
   protected:
-    AdiabaticCheck(const AdiabaticLeaf& leaf, const Masses<N>& masses, std::string* log)
+    AdiabaticCheck(const AdiabaticLeaf& leaf, const Masses<N>& masses, Log* log)
         : Base(masses.r, log),
           leaf_(leaf),
           claim_(leaf.terms->claim),

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "verify/format/claim.hpp"
+#include "verify/core/claim.hpp"
 
 namespace dumbbell_verify {
 

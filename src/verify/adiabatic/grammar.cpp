@@ -3,7 +3,9 @@
 
 #include <cmath>
 
-#include "verify/format/reader.hpp"
+#include "verify/core/reader.hpp"
+#include "verify/core/tree.hpp"
+#include "verify/starts/zero.hpp"
 
 namespace dumbbell_verify {
 namespace {
@@ -28,7 +30,7 @@ class AdiabaticReader : public Reader<AdiabaticLeaf> {
 
   private:
     [[nodiscard]] std::string_view kind() const override { return Adiabatic::names.at(claim_.kind); }
-    [[nodiscard]] const char* check(const AdiabaticLeaf& leaf, std::string* log) const override {
+    [[nodiscard]] const char* check(const AdiabaticLeaf& leaf, Log* log) const override {
         return check_adiabatic(leaf, log);
     }
     [[nodiscard]] std::string_view opcode(const AdiabaticLeaf& leaf) const override { return leaf.opcode; }
@@ -52,27 +54,27 @@ class AdiabaticReader : public Reader<AdiabaticLeaf> {
 
     void header() {
         text_.expect("delta", 2);
-        claim_.delta_lo = text_.level(1);
-        claim_.delta_hi = text_.level(2);
+        claim_.delta_lo = level(text_, 1);
+        claim_.delta_hi = level(text_, 2);
         if (!(claim_.delta_lo <= claim_.delta_hi && claim_.delta_hi > 0 && 2 * claim_.delta_hi < 1))
             text_.reject("number", "not 0 <= D1 <= D2 < 1/2, 0 < D2");
         if (claim_.delta_lo == 0 && claim_.kind != Adiabatic::run)
             text_.reject("number", "D1 = 0 is for `adiabatic-run`");
         if (claim_.has_heights()) {
             text_.expect("heights", 2);
-            claim_.y_lo = text_.level(1);
-            claim_.y_hi = text_.level(2);
+            claim_.y_lo = level(text_, 1);
+            claim_.y_hi = level(text_, 2);
             if (!(claim_.y_lo < claim_.y_hi && claim_.y_hi <= 1)) text_.reject("number", "not Y1 < Y2 <= 1");
         }
         text_.expect("margin", 1);
-        claim_.margin = text_.level(1);
+        claim_.margin = level(text_, 1);
         if (!(claim_.margin > 0 && claim_.margin <= 1)) text_.reject("number", "not 0 < margin <= 1");
         claim_.exponent = claim_.kind == Adiabatic::run ? 0 : 8;
         if (claim_.kind == Adiabatic::bounce) claim_.exponent = number("exponent", 0, 16);
         read_bits(leaf_);
         const std::size_t n = claim_.kind == Adiabatic::bounce ? 2 : 1;
         text_.expect("bound", n);
-        for (std::size_t i = 1; i <= n; ++i) claim_.bounds.push_back(text_.level(i));
+        for (std::size_t i = 1; i <= n; ++i) claim_.bounds.push_back(level(text_, i));
     }
     std::uint64_t number(std::string_view keyword, std::uint64_t least, std::uint64_t most) {
         text_.expect(keyword, 1);
@@ -92,12 +94,12 @@ class AdiabaticReader : public Reader<AdiabaticLeaf> {
             if (cells < 1 || cells > 4096) text_.reject("number", "not 1 to 4096 cells");
             mpq_class top(11, 7);
             AdiabaticClass& last =
-                terms_.classes.emplace_back(AdiabaticClass{text_.level(1), Potential(top)});
+                terms_.classes.emplace_back(AdiabaticClass{level(text_, 1), Potential(top)});
             while (last.potential.size() < cells) {
                 text_.expect("cell", 2);
-                const mpq_class low = text_.level(1);
+                const mpq_class low = level(text_, 1);
                 if (low >= top) text_.reject("number", "cells go down from 11/7");
-                last.potential.add_cell(low, text_.level(2));
+                last.potential.add_cell(low, level(text_, 2));
                 top = low;
             }
             set_root(class_axes);
@@ -143,8 +145,8 @@ class AdiabaticReader : public Reader<AdiabaticLeaf> {
 
     void attained() {
         text_.expect("attained", 5);
-        Adiabatic::Attained state{text_.signed_ratio(1), text_.signed_ratio(2), text_.level(3),
-                                  text_.natural(4), text_.level(5)};
+        Adiabatic::Attained state{signed_ratio(text_, 1), signed_ratio(text_, 2), level(text_, 3),
+                                  text_.natural(4), level(text_, 5)};
         if (!(state.u > 0 && state.s >= 0 && state.s <= 1)) text_.reject("number", "not u > 0, 0 <= s <= 1");
         if (!(state.delta > 0 && state.delta >= claim_.delta_lo && state.delta <= claim_.delta_hi))
             text_.reject("number", "delta beyond D1 to D2, or 0");
@@ -194,7 +196,7 @@ class AdiabaticReader : public Reader<AdiabaticLeaf> {
 
 }  // namespace
 
-const char* check_adiabatic(const AdiabaticLeaf& leaf, std::string* log) {
+const char* check_adiabatic(const AdiabaticLeaf& leaf, Log* log) {
     switch (leaf.part) {
         case AdiabaticLeaf::attained:
             return check_adiabatic_attained(leaf, log);

@@ -4,8 +4,8 @@
 
 #include "verify/adiabatic/claim.hpp"
 #include "verify/adiabatic/potential.hpp"
-#include "verify/format/proof.hpp"
-#include "verify/format/text.hpp"
+#include "verify/core/settings.hpp"
+#include "verify/core/text.hpp"
 
 namespace dumbbell_verify {
 
@@ -43,11 +43,11 @@ struct AdiabaticLeaf {
 };
 
 /// nullptr if the rules of format-adiabatic.md certify it, else what is missing; a log gets every inequality.
-const char* check_adiabatic(const AdiabaticLeaf& leaf, std::string* log);
-const char* check_adiabatic_class(const AdiabaticLeaf& leaf, std::string* log);     ///< section 3
-const char* check_adiabatic_run(const AdiabaticLeaf& leaf, std::string* log);       ///< section 4
-const char* check_adiabatic_bounce(const AdiabaticLeaf& leaf, std::string* log);    ///< section 5
-const char* check_adiabatic_attained(const AdiabaticLeaf& leaf, std::string* log);  ///< section 6
+const char* check_adiabatic(const AdiabaticLeaf& leaf, Log* log);
+const char* check_adiabatic_class(const AdiabaticLeaf& leaf, Log* log);     ///< section 3
+const char* check_adiabatic_run(const AdiabaticLeaf& leaf, Log* log);       ///< section 4
+const char* check_adiabatic_bounce(const AdiabaticLeaf& leaf, Log* log);    ///< section 5
+const char* check_adiabatic_attained(const AdiabaticLeaf& leaf, Log* log);  ///< section 6
 
 /// Reads on after the line `claim`; returns only if all that the file and the demand say is certified, else
 /// throws the Failure of the least line.

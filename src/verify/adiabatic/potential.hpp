@@ -6,7 +6,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "verify/number/interval.hpp"
+#include "verify/core/interval.hpp"
 
 namespace dumbbell_verify {
 

@@ -13,7 +13,7 @@ class RunCheck : AdiabaticCheck<N> {
     using typename Base::I;
 
   public:
-    RunCheck(const AdiabaticLeaf& leaf, std::string* log)
+    RunCheck(const AdiabaticLeaf& leaf, Log* log)
         : Base(leaf, Masses<N>(Base::side(leaf.box, axis_delta)), log),
           whole_u_(Base::side(axis_u)),
           whole_v_(Base::side(axis_v)),
@@ -37,7 +37,7 @@ class RunCheck : AdiabaticCheck<N> {
     bool has_collision_before() {
         const I slope = m_.delta * s_ / m_.beta2;
         const I x = I((quarter - u_.lo).hi), k = I(slope.hi), height = I(sin_cos_on(u_, quarter).cos.hi);
-        const I z = this->guess_top(k.hi);
+        const I z = guess_top(k.hi, quarter.lo);
         return Base::less("sin x + |kappa| (x + pi + z) < sin z", height + k * (x + Base::half_turn + z),
                           sin_cos_on(z, quarter).sin);
     }
@@ -104,8 +104,6 @@ class RunCheck : AdiabaticCheck<N> {
 
 }  // namespace
 
-const char* check_adiabatic_run(const AdiabaticLeaf& leaf, std::string* log) {
-    return judged<RunCheck>(leaf, log);
-}
+const char* check_adiabatic_run(const AdiabaticLeaf& leaf, Log* log) { return judged<RunCheck>(leaf, log); }
 
 }  // namespace dumbbell_verify

@@ -62,7 +62,7 @@ class BulkRule : LawRule<N> {
     using I = Interval<N>;
 
   public:
-    BulkRule(const LawLeaf& leaf, std::string* log) : Base(leaf, log) {}
+    BulkRule(const LawLeaf& leaf, Log* log) : Base(leaf, log) {}
 
     const char* verdict() {
         const Range& range = ranges.at(this->leaf_.range);
@@ -186,9 +186,9 @@ class BulkRule : LawRule<N> {
 
 }  // namespace
 
-const char* check_law_bulk(const LawLeaf& leaf, std::string* log) { return judged<BulkRule>(leaf, log); }
+const char* check_law_bulk(const LawLeaf& leaf, Log* log) { return judged<BulkRule>(leaf, log); }
 
-const char* check_law_bulk_window(unsigned bits, bool multiple, std::string* log) {
+const char* check_law_bulk_window(unsigned bits, bool multiple, Log* log) {
     const LawLeaf leaf;
     Big::precision = bits;
     return multiple ? BulkRule<Big>(leaf, log).window_verdict()

@@ -3,7 +3,7 @@
 #include <string_view>
 #include <utility>
 
-#include "verify/format/claim.hpp"
+#include "verify/core/claim.hpp"
 
 namespace dumbbell_verify {
 

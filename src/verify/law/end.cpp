@@ -42,7 +42,7 @@ class EndRule : LawRule<N> {
     };
 
   public:
-    EndRule(const LawLeaf& leaf, std::string* log) : Base(leaf, log), d_(Base::side(0)) {}
+    EndRule(const LawLeaf& leaf, Log* log) : Base(leaf, log), d_(Base::side(0)) {}
 
     const char* verdict() { return is_beyond() || is_bounded() ? nullptr : Base::failed(); }
 
@@ -94,6 +94,6 @@ class EndRule : LawRule<N> {
 
 }  // namespace
 
-const char* check_law_end(const LawLeaf& leaf, std::string* log) { return judged<EndRule>(leaf, log); }
+const char* check_law_end(const LawLeaf& leaf, Log* log) { return judged<EndRule>(leaf, log); }
 
 }  // namespace dumbbell_verify

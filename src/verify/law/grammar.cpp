@@ -1,8 +1,9 @@
 // The grammar of a file about the law (format-law.md).
 #include "verify/law/grammar.hpp"
 
-#include "verify/collisions/proofs.hpp"
-#include "verify/format/reader.hpp"
+#include "verify/core/proofs.hpp"
+#include "verify/core/reader.hpp"
+#include "verify/core/tree.hpp"
 #include "verify/law/leaf.hpp"
 #include "verify/law/steps.hpp"
 
@@ -28,7 +29,7 @@ class LawReader : public Reader<LawLeaf> {
 
   private:
     [[nodiscard]] std::string_view kind() const override { return "law"; }
-    [[nodiscard]] const char* check(const LawLeaf& leaf, std::string* log) const override {
+    [[nodiscard]] const char* check(const LawLeaf& leaf, Log* log) const override {
         if (leaf.rule == LawLeaf::step) return turning().check(leaf.at_step, log);
         if (leaf.rule == LawLeaf::bulk) return check_law_bulk(leaf, log);
         return leaf.rule == LawLeaf::end ? check_law_end(leaf, log) : check_law_layer(leaf, log);

@@ -2,8 +2,8 @@
 #pragma once
 #include <utility>
 
-#include "verify/format/proof.hpp"
-#include "verify/format/text.hpp"
+#include "verify/core/settings.hpp"
+#include "verify/core/text.hpp"
 #include "verify/law/claim.hpp"
 
 namespace dumbbell_verify {

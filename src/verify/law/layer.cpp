@@ -55,8 +55,7 @@ class LayerRule : LawRule<N> {
     using I = Interval<N>;
 
   public:
-    LayerRule(const LawLeaf& leaf, std::string* log)
-        : Base(leaf, log), U_(Base::side(0)), rho_(Base::side(1)) {}
+    LayerRule(const LawLeaf& leaf, Log* log) : Base(leaf, log), U_(Base::side(0)), rho_(Base::side(1)) {}
 
     const char* verdict() {
         const bool holds = this->leaf_.rule == LawLeaf::beyond  ? is_beyond()
@@ -154,9 +153,9 @@ class LayerRule : LawRule<N> {
 
 }  // namespace
 
-const char* check_law_layer(const LawLeaf& leaf, std::string* log) { return judged<LayerRule>(leaf, log); }
+const char* check_law_layer(const LawLeaf& leaf, Log* log) { return judged<LayerRule>(leaf, log); }
 
-const char* check_law_constant(unsigned bits, bool multiple, std::string* log) {
+const char* check_law_constant(unsigned bits, bool multiple, Log* log) {
     LawLeaf leaf;
     leaf.box.hi[0] = mpq_class(1, 1000);
     Big::precision = bits;

@@ -3,7 +3,7 @@
 #include <array>
 #include <string>
 
-#include "verify/format/section.hpp"
+#include "verify/core/section.hpp"
 
 namespace dumbbell_verify {
 
@@ -42,15 +42,15 @@ struct LawLeaf {
 
 /// nullptr if the rule of format-law.md certifies the leaf, else what is missing; a log gets lines for every
 /// inequality. So do the other checks.
-const char* check_law_layer(const LawLeaf& leaf, std::string* log);
-const char* check_law_bulk(const LawLeaf& leaf, std::string* log);
-const char* check_law_end(const LawLeaf& leaf, std::string* log);
+const char* check_law_layer(const LawLeaf& leaf, Log* log);
+const char* check_law_bulk(const LawLeaf& leaf, Log* log);
+const char* check_law_end(const LawLeaf& leaf, Log* log);
 
 /// Certified for the whole bulk: |A| <= 2e-5 for all J in pi/2 + [-1e-5, eps^2/4], and no angle beyond its
 /// ranges.
-const char* check_law_bulk_window(unsigned bits, bool multiple, std::string* log);
+const char* check_law_bulk_window(unsigned bits, bool multiple, Log* log);
 /// Certified for this arithmetic: the comparison function's constant k0 is the one that makes D/D0(T) = 1 at
 /// U = 0.
-const char* check_law_constant(unsigned bits, bool multiple, std::string* log);
+const char* check_law_constant(unsigned bits, bool multiple, Log* log);
 
 }  // namespace dumbbell_verify

@@ -1,7 +1,7 @@
 // Intervals, and intervals with a slope: what is divided by U must be small with U, and be seen to be.
 #pragma once
-#include "verify/number/interval.hpp"
-#include "verify/starts/angle.hpp"
+#include "verify/core/interval.hpp"
+#include "verify/functions/angle.hpp"
 
 namespace dumbbell_verify {
 

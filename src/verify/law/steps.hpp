@@ -1,6 +1,6 @@
 // Where the steps of the staircase must be, for the law to hold there (format-law.md, section 2).
 #pragma once
-#include "verify/format/precision.hpp"
+#include "verify/core/big.hpp"
 #include "verify/law/claim.hpp"
 #include "verify/law/constants.hpp"
 

@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "verify/input/foreign.hpp"
+#include "verify/input/input_file.hpp"
 #include "verify/program/claim_options.hpp"
 
 namespace dumbbell_verify {
@@ -60,7 +61,7 @@ std::vector<Job> read_claims(const std::string& path, const Settings& settings) 
         const std::filesystem::path folder = folder_of(path);
         for (const std::string& row : split(contents(path), '\n')) {
             where = path + ":" + std::to_string(++line);
-            if (const std::string named = foreign(row, line == 1); !named.empty())
+            if (const std::string named = foreign_text(row, line == 1); !named.empty())
                 throw std::invalid_argument(named);
             if (!row.empty() && row[0] != '#') jobs.push_back(parse_row(row, folder, settings));
         }

@@ -4,7 +4,7 @@
 #include <array>
 #include <string_view>
 
-#include "verify/format/section.hpp"
+#include "verify/core/section.hpp"
 
 namespace dumbbell_verify {
 namespace {
@@ -72,6 +72,11 @@ bool claim_option(Words& words, Settings& settings) {
                 "adiabatic-scattering or law");
     }
     return true;
+}
+
+const Collisions& own_demand(const Settings& settings) {
+    static const Collisions nothing;
+    return settings.together ? nothing : settings.demand;
 }
 
 std::string demand_text(const Settings& settings, const Collisions& demand) {

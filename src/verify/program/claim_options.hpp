@@ -9,6 +9,9 @@ namespace dumbbell_verify {
 /// --claim; false if it is another. Throws std::invalid_argument.
 bool claim_option(Words& words, Settings& settings);
 
+/// What a file must prove by itself.
+const Collisions& own_demand(const Settings& settings);
+
 /// What was demanded, of it and with the scene and the kind of `settings`: ` demanded-ratio=LO:HI max=N min=N
 /// demanded-scene=S demanded-claim=KIND` without what was not; ` exactly=N` for both bounds.
 std::string demand_text(const Settings& settings, const Collisions& demand);

@@ -11,7 +11,7 @@
 #include <ctime>
 #include <stdexcept>
 
-#include "verify/number/environment.hpp"
+#include "verify/machine/environment.hpp"
 #include "verify/program/claim_options.hpp"
 #include "verify/program/escape.hpp"
 #include "verify/program/json.hpp"
@@ -40,7 +40,7 @@ void print_line(const std::string& text) { std::printf("%s\n", text.c_str()); }
 
 TestCase test_case(const Result& r) {
     const Settings& settings = r.job->settings;
-    return {one_line(r.job->file) + demand_text(settings, settings.own_demand()), r.why.verdict,
+    return {one_line(r.job->file) + demand_text(settings, own_demand(settings)), r.why.verdict,
             result_text(r), verdict_line(r) + " file=" + one_line(r.job->file), r.seconds};
 }
 

@@ -6,7 +6,7 @@
 #include <chrono>
 #include <cstdio>
 
-#include "verify/input/budget.hpp"
+#include "verify/machine/seconds.hpp"
 
 namespace dumbbell_verify {
 namespace {

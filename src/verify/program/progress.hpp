@@ -4,7 +4,7 @@
 #include <mutex>
 #include <string>
 
-#include "verify/number/threads.hpp"
+#include "verify/machine/threads.hpp"
 
 namespace dumbbell_verify {
 

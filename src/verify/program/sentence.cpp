@@ -1,6 +1,6 @@
 #include "verify/program/sentence.hpp"
 
-#include "verify/format/section.hpp"
+#include "verify/core/section.hpp"
 
 namespace dumbbell_verify {
 namespace {

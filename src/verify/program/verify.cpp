@@ -1,8 +1,8 @@
 #include "verify/program/verify.hpp"
 
 #include "verify/adiabatic/grammar.hpp"
-#include "verify/collisions/grammar.hpp"
-#include "verify/format/header.hpp"
+#include "verify/core/certificate.hpp"
+#include "verify/input/bytes.hpp"
 #include "verify/law/grammar.hpp"
 #include "verify/starts/grammar.hpp"
 
@@ -56,7 +56,8 @@ Verified read_on(Text& text, const Settings& settings, const Header& header) {
 }  // namespace
 
 Verified verify(const std::string& path, const Settings& settings) {
-    Text text(path, settings.budget);
+    Bytes bytes(path);
+    Text text(bytes, settings.budget);
     const Header header = header_of(text);
     try {
         return read_on(text, settings, header);

@@ -6,8 +6,8 @@
 #include <variant>
 
 #include "verify/adiabatic/claim.hpp"
-#include "verify/format/proof.hpp"
-#include "verify/format/text.hpp"
+#include "verify/core/settings.hpp"
+#include "verify/core/text.hpp"
 #include "verify/law/claim.hpp"
 #include "verify/starts/claim.hpp"
 

@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "verify/format/text.hpp"
-#include "verify/number/integer.hpp"
+#include "verify/core/text.hpp"
+#include "verify/machine/integer.hpp"
 
 namespace dumbbell_verify {
 

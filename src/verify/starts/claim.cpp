@@ -1,6 +1,6 @@
 #include "verify/starts/claim.hpp"
 
-#include "verify/number/integer.hpp"
+#include "verify/machine/integer.hpp"
 
 namespace dumbbell_verify {
 namespace {

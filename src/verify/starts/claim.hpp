@@ -3,7 +3,7 @@
 #include <array>
 #include <map>
 
-#include "verify/format/claim.hpp"
+#include "verify/core/claim.hpp"
 
 namespace dumbbell_verify {
 

@@ -4,8 +4,8 @@
 #include <optional>
 #include <vector>
 
-#include "verify/input/work.hpp"
-#include "verify/starts/angle.hpp"
+#include "verify/functions/angle.hpp"
+#include "verify/machine/meter.hpp"
 #include "verify/starts/grammar.hpp"
 
 namespace dumbbell_verify {
@@ -105,7 +105,7 @@ class Flight {
     }
 
     [[nodiscard]] bool span_is_closed(std::optional<bool> first, const N& from, const N& to) const {
-        Work::spend(1 << 12);
+        Meter::spend(1 << 12);
         const I span(from, to);
         if ((h + v * span).lo > N(1)) return true;
         const I sine = sin_cos_on(phi + w * I(from), quarter).sin,

@@ -3,7 +3,9 @@
 
 #include <cmath>
 
-#include "verify/format/reader.hpp"
+#include "verify/core/reader.hpp"
+#include "verify/core/tree.hpp"
+#include "verify/starts/zero.hpp"
 
 namespace dumbbell_verify {
 namespace {
@@ -27,7 +29,7 @@ class StartsReader : public Reader<InitialLeaf> {
         return claim_.incoming ? "incoming" : "initial-conditions";
     }
     [[nodiscard]] std::string missing() const override { return claim_.missing(settings_.demand); }
-    [[nodiscard]] const char* check(const InitialLeaf& leaf, std::string* log) const override {
+    [[nodiscard]] const char* check(const InitialLeaf& leaf, Log* log) const override {
         return check_initial(leaf, log);
     }
     [[nodiscard]] std::string_view opcode(const InitialLeaf& leaf) const override { return leaf.opcode; }
@@ -57,10 +59,9 @@ class StartsReader : public Reader<InitialLeaf> {
     }
 
     void header() {
-        read_axis("ratio", 4, &Text::ratio);
+        read_axis("ratio", 4, [](const Text& text, std::size_t i) { return text.ratio(i); });
         if (leaf_.box.lo[4] < 1) text_.reject("number", "not 1 <= LO");
-        for (std::size_t i = 0; i < 4 && !claim_.incoming; ++i)
-            read_axis(initial_axes[i], i, &Text::signed_ratio);
+        for (std::size_t i = 0; i < 4 && !claim_.incoming; ++i) read_axis(initial_axes[i], i, signed_ratio);
         if (claim_.incoming) {
             if (leaf_.box.lo[4] != leaf_.box.hi[4]) text_.reject("number", "not LO = HI");
             leaf_.box.hi[0] = 2;
@@ -75,10 +76,10 @@ class StartsReader : public Reader<InitialLeaf> {
         if (text_.fields[2] != "none") most_ = text_.natural(2);
         proof_.roots = 1;
     }
-    void read_axis(std::string_view keyword, std::size_t i, mpq_class (Text::*value)(std::size_t) const) {
+    void read_axis(std::string_view keyword, std::size_t i, mpq_class (*value)(const Text&, std::size_t)) {
         text_.expect(keyword, 2);
-        leaf_.box.lo[i] = (text_.*value)(1);
-        leaf_.box.hi[i] = (text_.*value)(2);
+        leaf_.box.lo[i] = value(text_, 1);
+        leaf_.box.hi[i] = value(text_, 2);
         if (leaf_.box.lo[i] > leaf_.box.hi[i]) text_.reject("number", "not LO <= HI");
     }
     /// Once for the file: no dumbbell of the box rests, and all start in the air.
@@ -118,7 +119,7 @@ class StartsReader : public Reader<InitialLeaf> {
         if (opcode == between && leaf_.least >= leaf_.most) text_.reject("number", "not a < b");
         if (opcode == exactly) claim_.decided += volume;
         if (claim_.shares) {
-            text_.budget.take(4 * Work::of_box(0, depth), text_.line);
+            text_.budget.take(4 * Work::of_box({}, {}, depth), text_.line);
             claim_.shares->add(leaf_.least, leaf_.most, volume);
             if (claim_.shares->change.size() > most_shares)
                 throw Failure{Verdict::limit, text_.line, "limit",

@@ -3,8 +3,8 @@
 #include <string>
 #include <utility>
 
-#include "verify/format/proof.hpp"
-#include "verify/format/text.hpp"
+#include "verify/core/settings.hpp"
+#include "verify/core/text.hpp"
 #include "verify/starts/claim.hpp"
 
 namespace dumbbell_verify {
@@ -27,7 +27,7 @@ struct InitialLeaf {
 
 /// nullptr if the rules of format-initial.md certify what the leaf says, else what is missing; a log gets a
 /// line for every inequality.
-const char* check_initial(const InitialLeaf& leaf, std::string* log);
+const char* check_initial(const InitialLeaf& leaf, Log* log);
 
 /// Certified: both masses are above the floor over the whole box (format-initial.md, section 2).
 bool starts_in_the_air(const InitialBox& box, unsigned bits);

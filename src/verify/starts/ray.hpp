@@ -1,8 +1,11 @@
 // The collisions after a contact, for a box of rays: by the monotone counts, and by steps from wall to wall
 // (format-initial.md, sections 5 and 6).
 #pragma once
-#include "verify/collisions/ray.hpp"
-#include "verify/starts/angle.hpp"
+#include "verify/core/ray.hpp"
+#include "verify/functions/angle.hpp"
+#include "verify/guess/numbers.hpp"
+#include "verify/machine/integer.hpp"
+#include "verify/machine/meter.hpp"
 
 namespace dumbbell_verify {
 
@@ -19,7 +22,7 @@ class Departures : public Rays<N> {
         I height, slope;
     };
 
-    Departures(const I& r, std::string* log) : Base(log), r_(r) {}
+    Departures(const I& r, Log* log) : Base(log), r_(r) {}
 
     /// Certified: at least `least` and at most `most` later collisions.
     bool certify(Departure ray, std::uint64_t least, std::uint64_t most) {
@@ -28,7 +31,7 @@ class Departures : public Rays<N> {
         int counted = 0;
         for (std::uint64_t done = 0; done <= most && done <= most_steps_made; ++done) {
             note(done, ray);
-            Work::spend(1 << 14);
+            Meter::spend(1 << 14);
             enough_ = enough_ || done >= least;
             if (ray.slope.lo >= one) return fact("all leave steeply (L3), with enough collisions", enough_);
             const bool passes = ray.light && passes_bridge(ray);
@@ -67,7 +70,7 @@ class Departures : public Rays<N> {
     /// Certified height + slope x > r sin x on [0, pi]: above a tangent of r sin x, the best one.
     bool passes_bridge(const Departure& ray) {
         if (ray.slope.lo >= r_.hi) return true;
-        const I z = this->guess_slope(ray.slope.lo / r_.hi);
+        const I z = guess_slope(ray.slope.lo / r_.hi, half_turn.lo, quarter.lo);
         const auto [s, w] = sin_cos_on(z, quarter);
         return (ray.height - r_ * (s - z * w)).lo > zero &&
                (ray.height + ray.slope * half_turn - r_ * (s + (half_turn - z) * w)).lo > zero;
@@ -121,9 +124,11 @@ class Departures : public Rays<N> {
 
     void note(std::uint64_t done, const Departure& ray) {
         if (this->log_)
-            *this->log_ += "  after " + std::to_string(done) + (ray.light ? ": light wall" : ": bridge") +
-                           ", height at the corner " + Base::show(ray.height) + ", slope " +
-                           Base::show(ray.slope) + "\n";
+            this->log_->line({{("  after " + std::to_string(done) +
+                                (ray.light ? ": light wall" : ": bridge") + ", height at the corner ")
+                                   .c_str(),
+                               ray.height},
+                              {", slope ", ray.slope}});
     }
 
     /// The bounds by G, without following the rays.
@@ -153,7 +158,7 @@ class Departures : public Rays<N> {
         if (!(c.lo > zero && kappa.hi < one)) return std::nullopt;
         const auto near = [&](const N& height, const N& slope) {
             N z = zero;
-            this->guess_root(height, slope, z);
+            guess_root(height, slope, z);
             return z > zero ? std::min(z, quarter.lo) : zero;
         };
         const auto first = this->earliest({c.lo, kappa.lo, r_.lo}, near(c.lo, kappa.lo));

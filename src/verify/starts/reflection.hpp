@@ -12,7 +12,7 @@ class FirstReflection : public Departures<N> {
     using Base::fact, Base::half_turn, Base::quarter, Base::zero;
     using typename Base::Departure, typename Base::I;
 
-    FirstReflection(const Flight<N>& flight, std::string* log) : Base(flight.r, log), flight_(flight) {}
+    FirstReflection(const Flight<N>& flight, Log* log) : Base(flight.r, log), flight_(flight) {}
 
     /// The rays after the first contact, at phi in `angle`; `none`: they never collide again. The slope
     /// d yhat / d phi is a quotient top / D of m = w / -v for falling states, else of n = v / w.

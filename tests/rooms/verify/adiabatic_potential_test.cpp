@@ -2,7 +2,7 @@
 // double, which are rounded on the way: a bound may only become weaker.
 #include "catch.hpp"
 #include "verify/adiabatic/potential.hpp"
-#include "verify/number/big.hpp"
+#include "verify/core/big.hpp"
 
 using namespace dumbbell_verify;
 

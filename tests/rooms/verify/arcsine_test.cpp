@@ -6,7 +6,7 @@
 
 #include "catch.hpp"
 #include "verify/adiabatic/contact.hpp"
-#include "verify/number/big.hpp"
+#include "verify/core/big.hpp"
 
 using namespace dumbbell_verify;
 

@@ -3,9 +3,9 @@
 #include <random>
 
 #include "catch.hpp"
-#include "verify/format/reader.hpp"
-#include "verify/number/big.hpp"
-#include "verify/number/interval.hpp"
+#include "verify/core/big.hpp"
+#include "verify/core/interval.hpp"
+#include "verify/core/reader.hpp"
 
 using namespace dumbbell_verify;
 

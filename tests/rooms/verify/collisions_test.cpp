@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "catch.hpp"
-#include "verify/format/claim.hpp"
+#include "verify/program/together.hpp"
 
 using dumbbell_verify::Collisions;
 
@@ -113,8 +113,8 @@ TEST_CASE("pieces in several files say what they say in one") {
         const Collisions whole = file(0, 6);
         const std::size_t cut = 1 + random() % 5, again = cut + random() % (6 - cut);
         Collisions all = file(0, cut);
-        if (again > cut) all.append(file(cut, again));
-        all.append(file(again, 6));
+        if (again > cut) append(all, file(cut, again));
+        append(all, file(again, 6));
         INFO(i);
         REQUIRE(all.missing() == whole.missing());
         REQUIRE((all.lo == whole.lo && all.hi == whole.hi));

@@ -1,6 +1,7 @@
 // Files at the same time: on as many threads as were asked for.
 #include "verify/program/examine.hpp"
 
+#include <sys/stat.h>
 #include <sys/time.h>
 #include <unistd.h>
 
@@ -12,6 +13,7 @@
 
 #include "catch.hpp"
 #include "make_certificate.hpp"
+#include "verify/input/bytes.hpp"
 
 using namespace dumbbell_verify;
 

@@ -3,7 +3,7 @@
 
 #include "catch.hpp"
 #include "make_certificate.hpp"
-#include "verify/format/text.hpp"
+#include "verify/core/text.hpp"
 #include "verify/program/verify.hpp"
 
 using namespace dumbbell_verify;

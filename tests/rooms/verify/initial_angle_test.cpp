@@ -2,8 +2,8 @@
 #include <random>
 
 #include "catch.hpp"
-#include "verify/number/big.hpp"
-#include "verify/starts/angle.hpp"
+#include "verify/functions/angle.hpp"
+#include "verify/functions/exact_value.hpp"
 
 using namespace dumbbell_verify;
 

@@ -4,7 +4,7 @@
 
 #include "catch.hpp"
 #include "leaf_rows.hpp"
-#include "verify/number/big.hpp"
+#include "verify/functions/exact_value.hpp"
 #include "verify/starts/reflection.hpp"
 
 using namespace dumbbell_verify;

@@ -4,7 +4,7 @@
 #include <random>
 
 #include "catch.hpp"
-#include "verify/number/big.hpp"
+#include "verify/functions/exact_value.hpp"
 #include "verify/starts/reflection.hpp"
 
 using namespace dumbbell_verify;
@@ -379,11 +379,11 @@ TEST_CASE("initial conditions: beyond 2^28 half turns no wall is known by its nu
 }
 
 TEST_CASE("initial conditions: the log names every wall that rays leave") {
-    std::string log;
+    Log log;
     Departures<double> rays(Doubles(0.1), &log);
     CHECK_FALSE(rays.certify({true, Doubles(0.05), Doubles(0.01)}, 9, 9));
-    CHECK(log.find("  after 0: light wall, height at the corner 0.05") != std::string::npos);
-    CHECK(log.find("  after 1: bridge, height at the corner") != std::string::npos);
+    CHECK(log.text.find("  after 0: light wall, height at the corner 0.05") != std::string::npos);
+    CHECK(log.text.find("  after 1: bridge, height at the corner") != std::string::npos);
 }
 
 TEST_CASE(

@@ -1,8 +1,8 @@
 // The constants of the law, which the verifier computes by series of its own, to any number of digits.
 #include "catch.hpp"
 #include "law_truth.hpp"
+#include "verify/functions/exact_value.hpp"
 #include "verify/law/constants.hpp"
-#include "verify/number/big.hpp"
 
 using dumbbell_verify::Big, dumbbell_verify::Interval, dumbbell_verify::exact_value;
 

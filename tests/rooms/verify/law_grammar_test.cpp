@@ -3,7 +3,7 @@
 
 #include "catch.hpp"
 #include "make_law.hpp"
-#include "verify/input/work.hpp"
+#include "verify/core/outside.hpp"
 #include "verify/law/steps.hpp"
 
 using make::law_file;

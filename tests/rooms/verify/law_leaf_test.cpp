@@ -4,9 +4,9 @@
 
 #include "catch.hpp"
 #include "law_truth.hpp"
+#include "verify/core/big.hpp"
 #include "verify/law/constants.hpp"
 #include "verify/law/leaf.hpp"
-#include "verify/number/big.hpp"
 
 using namespace dumbbell_verify;
 using law_truth::enclosure;
@@ -102,14 +102,14 @@ TEST_CASE("law: a box of the layer holds the defect and the drift of its steps")
             LawLeaf leaf = layer_leaf(rule, U, rho, any_size(1e-9, rule == LawLeaf::direct ? U / 50 : 0.02),
                                       any_size(1e-9, 5e-3));
             if (rule == LawLeaf::direct && leaf.box.lo[0] == 0) continue;
-            std::string log;
+            Log log;
             passed += check_law_layer(leaf, &log) == nullptr;
-            const auto gamma = enclosure(log, gamma_fact);
+            const auto gamma = enclosure(log.text, gamma_fact);
             INFO("U " << U << " rho " << rho << " gamma " << truth.gamma << " drift " << truth.drift << "\n"
-                      << log);
+                      << log.text);
             REQUIRE(gamma.first <= gamma.second);
             REQUIRE(holds_truth(gamma, truth.gamma));
-            if (const auto drift = enclosure(log, drift_fact); drift.first <= drift.second)
+            if (const auto drift = enclosure(log.text, drift_fact); drift.first <= drift.second)
                 REQUIRE(holds_truth(drift, truth.drift));
             leaf.rule = LawLeaf::beyond;
             REQUIRE(check_law_layer(leaf, nullptr) != nullptr);
@@ -128,10 +128,10 @@ TEST_CASE(
         LawLeaf leaf;
         leaf.rule = U < 0.3 ? LawLeaf::slope : LawLeaf::direct;
         leaf.box = {{mpq_class(U), mpq_class(rho)}, {mpq_class(U), mpq_class(rho)}};
-        std::string log;
+        Log log;
         CHECK(check_law_layer(leaf, &log) == nullptr);
-        const auto gamma = enclosure(log, gamma_fact);
-        INFO("U " << U << " rho " << rho << "\n" << log);
+        const auto gamma = enclosure(log.text, gamma_fact);
+        INFO("U " << U << " rho " << rho << "\n" << log.text);
         CHECK(gamma.second - gamma.first < width);
         for (const double share : {0.0, 0.5, 1.0}) CHECK(holds_truth(gamma, LayerTruth(U, rho, share).gamma));
         // k0 larger or smaller by this would be out of the box.
@@ -154,13 +154,13 @@ TEST_CASE("law: if J is known, a point of the layer is known to many digits") {
             leaf.rule = rule;
             leaf.states = &exact;
             leaf.box = {{mpq_class(U), mpq_class(rho)}, {mpq_class(U), mpq_class(rho)}};
-            std::string log;
+            Log log;
             check_law_layer(leaf, &log);
-            const auto gamma = enclosure(log, gamma_fact), drift = enclosure(log, drift_fact);
+            const auto gamma = enclosure(log.text, gamma_fact), drift = enclosure(log.text, drift_fact);
             INFO("U " << U << " rho " << rho << " gamma " << truth.gamma << " drift " << truth.drift << "\n"
-                      << log);
+                      << log.text);
             REQUIRE(holds_truth(gamma, truth.gamma));
-            const auto q = law_truth::bounds(log, "(Q - pi/2)/(rho^2 U)");
+            const auto q = law_truth::bounds(log.text, "(Q - pi/2)/(rho^2 U)");
             REQUIRE(holds_truth(q, truth.offset));
             REQUIRE(q.second - q.first < 1e-6);
             REQUIRE(holds_truth(drift, truth.drift));
@@ -231,16 +231,16 @@ TEST_CASE("law: a part of the bulk holds the defect and the drift of its steps")
         leaf.box.lo[0] = mpq_class(th - law_uniform(0, width));
         leaf.box.hi[0] = leaf.box.lo[0] + mpq_class(width);
         if (leaf.box.hi[0] < mpq_class(th)) leaf.box.hi[0] = mpq_class(th);
-        std::string log;
+        Log log;
         check_law_bulk(leaf, &log);
         const law_truth::Real M = 2 * D / (step.eps * angles),
                               fall = (step.j - step.j_v) / (step.eps * step.eps * angles);
-        INFO("th " << th << " eps " << eps << " M " << M << " fall " << fall << "\n" << log);
+        INFO("th " << th << " eps " << eps << " M " << M << " fall " << fall << "\n" << log.text);
         REQUIRE(abs(step.eps / law_truth::Real(eps) - 1) < 1e-60);
-        const auto enclosed = enclosure(log, "D/((eps/2) (alpha' - alpha))");
+        const auto enclosed = enclosure(log.text, "D/((eps/2) (alpha' - alpha))");
         REQUIRE(holds_truth(enclosed, M));
         if (th < 0.6) REQUIRE(enclosed.second - enclosed.first < 0.08 + 10 * width);
-        if (const auto drift = enclosure(log, "(J - J')/(eps^2"); drift.first <= drift.second)
+        if (const auto drift = enclosure(log.text, "(J - J')/(eps^2"); drift.first <= drift.second)
             REQUIRE(holds_truth(drift, fall));
         // If all is known: to more digits.
         LawStates exact;
@@ -249,13 +249,13 @@ TEST_CASE("law: a part of the bulk holds the defect and the drift of its steps")
         exact.least_Q = exact.most_Q = mpq_class(offset);
         leaf.states = &exact;
         leaf.box.lo[0] = leaf.box.hi[0] = mpq_class(th);
-        log.clear();
+        log.text.clear();
         check_law_bulk(leaf, &log);
-        const auto sharp = enclosure(log, "D/((eps/2) (alpha' - alpha))");
-        INFO(log);
+        const auto sharp = enclosure(log.text, "D/((eps/2) (alpha' - alpha))");
+        INFO(log.text);
         REQUIRE(holds_truth(sharp, M));
         REQUIRE(sharp.second - sharp.first < 0.01 + 200 * eps);
-        if (const auto drift = enclosure(log, "(J - J')/(eps^2"); drift.first <= drift.second) {
+        if (const auto drift = enclosure(log.text, "(J - J')/(eps^2"); drift.first <= drift.second) {
             REQUIRE(holds_truth(drift, fall));
             REQUIRE(drift.second - drift.first < 1e-4);
         }
@@ -289,12 +289,12 @@ TEST_CASE("law: a part of the end holds what the last contact loses") {
         known.drift = known.rise = 0;
         known.parts = 200;
         if (exact) leaf.states = &known, leaf.box.lo[0] = leaf.box.hi[0] = mpq_class(d_);
-        std::string log;
+        Log log;
         const bool certified = check_law_end(leaf, &log) == nullptr;
-        INFO("d " << d_ << " truth " << truth << "\n" << log);
+        INFO("d " << d_ << " truth " << truth << "\n" << log.text);
         REQUIRE(certified);
-        const auto enclosed = enclosure(log, "-0.23 <= (e_end");
-        const auto q = law_truth::bounds(log, "(Q - pi/2)/d");
+        const auto enclosed = enclosure(log.text, "-0.23 <= (e_end");
+        const auto q = law_truth::bounds(log.text, "(Q - pi/2)/d");
         REQUIRE(holds_truth(q, law_truth::Real((Q - law_truth::pi() / 2) / d)));
         if (exact) REQUIRE(q.second - q.first < 5e-6);
         REQUIRE(holds_truth(enclosed, truth));

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "verify/collisions/ray.hpp"
+#include "verify/core/ray.hpp"
 #include "verify/law/leaf.hpp"
 #include "verify/law/steps.hpp"
 
@@ -30,12 +30,13 @@ inline std::string numbers(const std::string& log) {
 
 template <class N>
 std::string constants() {
-    std::string all;
-    for (const auto& x :
-         {dumbbell_verify::growth_constant<N>(), dumbbell_verify::law_constant<N>(),
-          dumbbell_verify::comparison_constant<N>(), dumbbell_verify::zeta_of_three_halves<N>()})
-        all += "; " + dumbbell_verify::Rays<N>::show(x);
-    return all;
+    dumbbell_verify::Log log;
+    log.line({{"; ", dumbbell_verify::growth_constant<N>()},
+              {"; ", dumbbell_verify::law_constant<N>()},
+              {"; ", dumbbell_verify::comparison_constant<N>()},
+              {"; ", dumbbell_verify::zeta_of_three_halves<N>()}});
+    log.text.pop_back();  // the line's end
+    return log.text;
 }
 
 /// `RULE BITS LO HI [LO HI]`, `bulk BITS RANGE LO HI [EPS EPS Q Q]` (with what is known of eps and of Q),
@@ -51,8 +52,10 @@ inline std::string judged(const std::string& question) {
     const std::string what = word();
     const auto bits = static_cast<unsigned>(std::stoul(word()));
     const bool multiple = bits > 0;
-    std::string log;
-    const auto said = [&](const char* missing) { return (missing ? missing : "certified") + numbers(log); };
+    dumbbell_verify::Log log;
+    const auto said = [&](const char* missing) {
+        return (missing ? missing : "certified") + numbers(log.text);
+    };
     if (what == "window") return said(dumbbell_verify::check_law_bulk_window(bits, multiple, &log));
     if (what == "constant") return said(dumbbell_verify::check_law_constant(bits, multiple, &log));
     Big::precision = multiple ? bits : 53;

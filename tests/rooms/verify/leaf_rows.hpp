@@ -8,7 +8,7 @@
 #include <variant>
 #include <vector>
 
-#include "verify/format/section.hpp"
+#include "verify/core/section.hpp"
 #include "verify/starts/grammar.hpp"
 
 namespace leaf_rows {

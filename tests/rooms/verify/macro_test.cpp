@@ -1,15 +1,16 @@
 // L42 in the verifier: many collisions at once against one after the other, and polynomials that are just
 // false.
-#include "verify/macro/macro.hpp"
-
 #include <cmath>
 #include <random>
 
 #include "attacks/oracle/trial.hpp"
 #include "catch.hpp"
-#include "verify/collisions/ray.hpp"
+#include "verify/core/ray.hpp"
+#include "verify/functions/exact_value.hpp"
+#include "verify/guess/numbers.hpp"
+#include "verify/machine/meter.hpp"
+#include "verify/macro/leaps.hpp"
 #include "verify/macro/orbit.hpp"
-#include "verify/number/big.hpp"
 
 using namespace dumbbell_verify;
 
@@ -80,7 +81,7 @@ LeastAndMost counted(double c, double kappa, double r) {
     for (; kappa < 1; ++count) {
         const double top = std::acos(std::min(1., kappa));
         margin = std::sin(top) - c - kappa * top;
-        if (margin <= 0 || !Rays<double>::guess_root(c, kappa, z)) break;
+        if (margin <= 0 || !guess_root(c, kappa, z)) break;
         const double w = std::cos(z), d = w * w - 2 * kappa * w - r;
         if (d <= 0) break;
         kappa = (kappa * w * w + 2 * r * w - r * kappa) / d;
@@ -116,25 +117,21 @@ TEST_CASE("L42: what macro steps lose is decided one collision after the other, 
     CHECK_FALSE(least(162440, 29'019));
     CHECK(most(1804435712, 20'000));
     CHECK(least(1804608404, 20'000));
-    Work::begin();
+    Meter::begin();
     CHECK_FALSE(Rays<double>(nullptr).at_most("", {0x1p-45, 0, 0x1p-45}, 2'000'000));
-    CHECK(Work::done() < 100'000 * std::uint64_t{4096});
+    CHECK(Meter::done() < 100'000 * std::uint64_t{4096});
 }
 
 TEST_CASE("L42: behind a macro step the ray's height is bounded on the same side") {
-    struct OpenRays : Rays<double> {
-        using Rays<double>::Rays, Rays<double>::leap;
-    };
     constexpr double x = 0x1p-18, kappa = 0x1p-20, r = 0x1p-36;
-    constexpr std::uint64_t most = 20'000;
     for (const Round d : {down, up}) {
-        std::uint64_t count = 0, same_count = 0;
+        mpz_class left = 20'000, same_left = left;
         WallBound wall{exact_value(x), exact_value(kappa), exact_value(r)};
-        REQUIRE(Leaps<std::uint64_t>(most).over(d, wall, most, 53, count, nullptr));
-        OpenRays::Ray ray{0, kappa, r};
-        Leaps<std::uint64_t> leaps(most);
-        REQUIRE(OpenRays(nullptr).leap(leaps, d, ray, x, most, same_count));
-        CHECK(same_count == count);
+        REQUIRE(Leaps().over(d, wall, 53, left, nullptr));
+        RayBound<double> ray{0, kappa, r};
+        Leaps leaps;
+        REQUIRE(leap(leaps, d, ray, x, same_left, nullptr));
+        CHECK((same_left == left && left >= 0));
         CHECK(ray.kappa == bound(d, wall.kappa, 0.0));
         Big::precision = 200;
         const Big at = bound(down, exact_value(bound(d, wall.x, 0.0)), Big());
@@ -146,10 +143,10 @@ TEST_CASE("L42: behind a macro step the ray's height is bounded on the same side
 }
 
 TEST_CASE("L42: an explanation names the macro steps") {
-    std::string log;
+    Log log;
     Rays<double> rays(&log);
     CHECK(rays.at_least("a <= G", {1e-12, 0, 1e-12}, 442'798));
-    CHECK(log.find("collisions by L42") != std::string::npos);
+    CHECK(log.text.find("collisions by L42") != std::string::npos);
 }
 
 TEST_CASE("L42: the verifier refuses polynomials that are just false") {

@@ -79,9 +79,10 @@ struct Adiabatics {
                 return chooses ? "bound " + std::to_string(i) + "\n" : "bound\n";
         }
         if (depth > 40) {
-            std::string text;
+            dumbbell_verify::Log log;
             leaf.outside = false;
-            dumbbell_verify::check_adiabatic(leaf, &text);
+            dumbbell_verify::check_adiabatic(leaf, &log);
+            std::string& text = log.text;
             for (const auto& [axis, unit] : axes)
                 text += std::string(names[axis]) + " " + std::to_string(leaf.box.lo[axis].get_d()) + "\n";
             throw std::runtime_error("the cover does not close:\n" + text);

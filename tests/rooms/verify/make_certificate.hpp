@@ -15,7 +15,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "verify/format/section.hpp"
+#include "verify/core/section.hpp"
 
 namespace make {
 

@@ -2,7 +2,7 @@
 // a trailer that fits, so that nothing but the change itself is wrong.
 #pragma once
 #include "make_certificate.hpp"
-#include "verify/format/text.hpp"
+#include "verify/core/text.hpp"
 #include "verify/program/verify.hpp"
 
 namespace make {

@@ -3,8 +3,9 @@
 #include "adiabatic_rows.hpp"
 #include "catch.hpp"
 #include "leaf_rows.hpp"
+#include "verify/machine/meter.hpp"
 
-using dumbbell_verify::Work;
+using dumbbell_verify::Meter;
 
 namespace {
 
@@ -19,10 +20,10 @@ TEST_CASE("adiabatic leaves near the edge of what is certified are judged as bef
     REQUIRE(near_adiabatic_rows().size() > 100);
     std::uint64_t units = 0;
     for (const auto& row : near_adiabatic_rows()) {
-        Work::begin();
+        Meter::begin();
         const std::string found = judged(adiabatic_rows::parsed(row.leaf));
         if (found != row.result) FAIL(row.leaf << "\n  expected: " << row.result << "\n  found: " << found);
-        units += Work::done();
+        units += Meter::done();
     }
     // Nor is another amount charged for them: what was within the default budget still is.
     CHECK(units == 6'381'943'688);

@@ -68,10 +68,10 @@ TEST_CASE("law: rules and constants have the same enclosures as before, and ask 
     REQUIRE(near_law_rows().size() > 100);
     std::uint64_t units = 0;
     for (const auto& row : near_law_rows()) {
-        Work::begin();
+        Meter::begin();
         const std::string found = law_rows::judged(row.leaf);
         if (found != row.result) FAIL(row.leaf << "\n  expected: " << row.result << "\n  found: " << found);
-        units += Work::done();
+        units += Meter::done();
     }
     CHECK(units == 2'320'216'790);
 }

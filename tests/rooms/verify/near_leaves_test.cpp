@@ -3,9 +3,10 @@
 // tests/attacks/source_mutation/README.md.
 #include "catch.hpp"
 #include "leaf_rows.hpp"
+#include "verify/machine/meter.hpp"
 
 using namespace leaf_rows;
-using dumbbell_verify::Work;
+using dumbbell_verify::Meter;
 
 namespace {
 
@@ -20,10 +21,10 @@ TEST_CASE("leaves near the edge of what is certified are judged as before, for t
     REQUIRE(near_leaf_rows().size() > 100);
     std::uint64_t units = 0;
     for (const Row& row : near_leaf_rows()) {
-        Work::begin();
+        Meter::begin();
         const std::string found = judged(parsed(row.leaf));
         if (found != row.result) FAIL(row.leaf << "\n  expected: " << row.result << "\n  found: " << found);
-        units += Work::done();
+        units += Meter::done();
     }
     // Nor is another amount charged for them: what was within the default budget still is.
     CHECK(units == 1'008'149'022);

@@ -9,8 +9,9 @@
 #endif
 
 #include "catch.hpp"
-#include "verify/number/big.hpp"
-#include "verify/starts/angle.hpp"
+#include "verify/functions/angle.hpp"
+#include "verify/functions/exact_value.hpp"
+#include "verify/machine/meter.hpp"
 
 using namespace dumbbell_verify;
 
@@ -237,19 +238,19 @@ TEST_CASE("what MPFR cannot say is unbounded") {
 }
 
 TEST_CASE("the work of a leaf is counted, from the same on, and refused beyond its share") {
-    Work::begin();
-    const std::uint64_t first = Work::done();
+    Meter::begin();
+    const std::uint64_t first = Meter::done();
     Work::operation(53);
-    CHECK(Work::done() == first + 309);
+    CHECK(Meter::done() == first + 309);
     Work::collision();
-    CHECK(Work::done() == first + 4405);
+    CHECK(Meter::done() == first + 4405);
     constexpr std::uint64_t units = std::uint64_t{1} << 30;
     Shares shares(1, units);
-    Work::begin(&shares);
-    CHECK(Work::done() == first);
-    CHECK_NOTHROW(Work::spend(units - first));
-    CHECK_THROWS_AS(Work::spend(std::uint64_t{1} << 24), std::length_error);
-    Work::begin();
+    Meter::begin(&shares);
+    CHECK(Meter::done() == first);
+    CHECK_NOTHROW(Meter::spend(units - first));
+    CHECK_THROWS_AS(Meter::spend(std::uint64_t{1} << 24), std::length_error);
+    Meter::begin();
 }
 
 #ifdef __SSE2__

@@ -4,8 +4,8 @@
 
 #include "catch.hpp"
 #include "make_certificate.hpp"
+#include "verify/core/number.hpp"
 #include "verify/input/bytes.hpp"
-#include "verify/number/number.hpp"
 
 using namespace dumbbell_verify;
 

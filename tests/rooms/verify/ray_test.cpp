@@ -1,11 +1,12 @@
 // G along a ray (L4, L5) against the iteration in long double, and the steps of a worked example.
-#include "verify/collisions/ray.hpp"
+#include "verify/core/ray.hpp"
 
 #include <random>
 
 #include "attacks/oracle/ray_count.hpp"
 #include "catch.hpp"
-#include "verify/number/big.hpp"
+#include "verify/guess/numbers.hpp"
+#include "verify/machine/meter.hpp"
 
 using namespace dumbbell_verify;
 
@@ -91,6 +92,7 @@ TEST_CASE("certified misses, steep rays and rays that do not return end the coun
     CHECK(rays.at_least("", {0.9999, 0.0, 0.1}, 1));
     CHECK(rays.at_least("", {0.5, 2.0, 0.1}, 0));
     CHECK_FALSE(rays.at_least("", {0.5, 1.0, 0.1}, 1));
+    CHECK_FALSE(rays.at_most("", {0.5, 1.0, 0.1}, -1));
 }
 
 TEST_CASE("nothing is certified of undefined or unbounded rays") {
@@ -114,7 +116,7 @@ TEST_CASE("a number of 2^64 collisions or more is not taken for its last 64 bits
 
 TEST_CASE("a ray of more steps than anybody can follow is a resource limit") {
     Shares shares(1, 50'000'000);
-    Work::begin(&shares);
+    Meter::begin(&shares);
     CHECK_THROWS_AS(Rays<double>(nullptr).at_most("", {0, 0, 1e-200}, 19'000), std::length_error);
-    Work::begin();
+    Meter::begin();
 }

@@ -4,7 +4,7 @@
 
 #include "catch.hpp"
 #include "leaf_rows.hpp"
-#include "verify/number/big.hpp"
+#include "verify/functions/exact_value.hpp"
 #include "verify/sections/bridge.hpp"
 #include "verify/starts/reflection.hpp"
 
@@ -127,7 +127,7 @@ TEST_CASE("step edges: L12 (b) is certified with its sum rounded up") {
     int contacts = 0;
     for (int bits = 53; bits <= 400; ++bits) {
         Big::precision = bits;
-        const Big p = sqrt(bound(down, mpq_class(1, 2), Big())), kappa = sub(down, Big(1), p);
+        const Big p = guess_square_root(bound(down, mpq_class(1, 2), Big())), kappa = sub(down, Big(1), p);
         for (int less = 1; less <= 9; ++less) {
             const mpq_class c = (1 - (mpq_class(less) >> bits)) / 4;
             const auto at = Rays<Big>(nullptr).latest({bound(down, c, p), kappa, p}, Big(0));
@@ -170,7 +170,7 @@ TEST_CASE("step edges: who touches a tangent of the bridge does not pass above i
     // Slope and r are such that the tangent at the guess is above the corner beyond the bridge.
     constexpr double r = 161.0 / 256, slope = -2575.0 / 4096;
     Departures<double> rays(DoublePair(r), nullptr);
-    const double z = rays.guess_slope(slope / r);
+    const double z = guess_slope(slope / r, rays.half_turn.lo, rays.quarter.lo);
     const auto [s, w] = sin_cos_on(DoublePair(z), rays.quarter);
     const double height = (DoublePair(r) * (s - DoublePair(z) * w)).hi;
     CHECK_FALSE(rays.passes_bridge({true, DoublePair(height), DoublePair(slope)}));
@@ -210,11 +210,11 @@ TEST_CASE("step edges: a rising start that turns backwards leaves steeply") {
 
 TEST_CASE("step edges: the steps of a flight are counted as work") {
     // Two flights over the bridge, and two steps of the rays after it.
-    Work::begin();
-    const std::uint64_t before = Work::done();
+    Meter::begin();
+    const std::uint64_t before = Meter::done();
     CHECK(leaf_rows::judged(leaf_rows::parsed("1 dumbbell full departure count 0 5 0 6 3/2 3/2 0 0 20 20")) ==
           "certified");
-    CHECK(Work::done() - before == 4 * 4096);
+    CHECK(Meter::done() - before == 4 * 4096);
 }
 
 TEST_CASE("step edges: a ratio beyond the range of doubles is refused in them, not in MPFR") {
@@ -258,7 +258,7 @@ TEST_CASE("step edges: where D may be 0 it is not decided whether a departure re
     Rays<double> rays(nullptr);
     const double slope = 0.125, c = (DoublePair(slope) * rays.half_turn).lo;
     double z = 0;
-    REQUIRE(Rays<double>::guess_root(c, slope, z));
+    REQUIRE(dumbbell_verify::guess_root(c, slope, z));
     const DoublePair w = rays.earliest({c, slope, 0.5}, z).cosine, r = w * w - DoublePair(2) * slope * w;
     REQUIRE(r.lo < r.hi);
     const std::string q = mpq_class(1 / mpq_class(r.lo)).get_str();
@@ -353,9 +353,9 @@ TEST_CASE("step edges: the wedge's limits are what they say") {
     CHECK(leaf_rows::judged(steps(1'333'333)) == "exact numbers of more than 4,000,000 bits");
     // Each collision is charged by the sizes of its factors, here 11 words each.
     const auto small = steps(640);
-    const std::uint64_t before = Work::done();
+    const std::uint64_t before = Meter::done();
     CHECK(leaf_rows::judged(small) == "G_w <= a for X");
-    CHECK(Work::done() - before == 1024 + 16 * 11 * 11);
+    CHECK(Meter::done() - before == 1024 + 16 * 11 * 11);
     const auto count = [](const std::string& leaf) {
         return said_of_leaf("1 wedge turning wedge count 0 " + leaf);
     };

@@ -3,7 +3,7 @@
 #include "verify/program/summary.hpp"
 
 #include "catch.hpp"
-#include "verify/format/section.hpp"
+#include "verify/core/section.hpp"
 #include "verify/program/claim_options.hpp"
 #include "verify/program/json.hpp"
 #include "verify/program/junit.hpp"

@@ -1,6 +1,7 @@
 // The edges of the lexical classes, and what a proof says of its leaves.
 #include "catch.hpp"
 #include "make_adiabatic.hpp"
+#include "verify/program/json.hpp"
 #include "verify/program/words.hpp"
 
 using namespace dumbbell_verify;

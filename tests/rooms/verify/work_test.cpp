@@ -1,13 +1,12 @@
 // The bound of the work on a leaf: what format.md promises to accept is within it, and what is beyond ends.
-#include "verify/input/work.hpp"
-
 #include <algorithm>
 #include <atomic>
 
 #include "catch.hpp"
-#include "verify/collisions/ray.hpp"
-#include "verify/format/precision.hpp"
-#include "verify/format/reader.hpp"
+#include "verify/core/big.hpp"
+#include "verify/core/ray.hpp"
+#include "verify/core/reader.hpp"
+#include "verify/machine/meter.hpp"
 
 using namespace dumbbell_verify;
 
@@ -21,9 +20,9 @@ bool follow(std::uint64_t collisions) {
 }
 template <class N>
 double per_collision(std::uint64_t collisions) {
-    Work::begin();
+    Meter::begin();
     CHECK_FALSE(follow<N>(collisions));
-    return static_cast<double>(Work::done()) / static_cast<double>(collisions);
+    return static_cast<double>(Meter::done()) / static_cast<double>(collisions);
 }
 
 /// A leaf that does so much work.
@@ -34,7 +33,7 @@ struct Task {
 std::optional<Failure> perform(const Task& task) {
     return judge(task.line, "task", [&] {
         constexpr std::uint64_t step = 1'000'000;
-        for (std::uint64_t done = 0; done < task.units; done += step) Work::spend(step);
+        for (std::uint64_t done = 0; done < task.units; done += step) Meter::spend(step);
         return task.fails ? "that it holds" : nullptr;
     });
 }
@@ -64,10 +63,10 @@ TEST_CASE("the collisions of format.md, section 4, are within a budget of 100 s"
 TEST_CASE("a leaf's share ends rays, in double and in multiple precision") {
     const auto ends = [](const auto& work) {
         Shares shares(1, 50'000'000);
-        Work::begin(&shares);
+        Meter::begin(&shares);
         CHECK_THROWS_AS(work(), std::length_error);
-        const std::uint64_t done = Work::done();
-        Work::begin();
+        const std::uint64_t done = Meter::done();
+        Meter::begin();
         return done;
     };
     CHECK(ends([] { (void)follow<double>(19'000); }) < 80'000'000);
@@ -77,8 +76,8 @@ TEST_CASE("a leaf's share ends rays, in double and in multiple precision") {
 }
 
 TEST_CASE("a leaf costs something even if it has no ray") {
-    Work::begin();
-    CHECK(Work::done() > 1000);
+    Meter::begin();
+    CHECK(Meter::done() > 1000);
 }
 
 TEST_CASE("the leaf at which a budget ends is the same with any number of threads") {
@@ -86,8 +85,8 @@ TEST_CASE("the leaf at which a budget ends is the same with any number of thread
     for (std::uint64_t line = 1; line <= 60; ++line) tasks.push_back({line, 20'000'000 * (line % 7)});
     std::uint64_t done = 0, end = 0;
     for (const Task& task : tasks) {
-        Work::begin();
-        done += Work::done() + task.units;
+        Meter::begin();
+        done += Meter::done() + task.units;
         if (end == 0 && done > 900'000'000) end = task.line;
     }
     REQUIRE((end > 10 && end < 50));

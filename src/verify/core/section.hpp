@@ -10,6 +10,8 @@
 
 namespace dumbbell_verify {
 
+class Log;
+
 /// An exact box; the last axis is the mass ratio q = heavy / light >= 1.
 struct Box {
     std::array<mpq_class, 3> lo, hi;
@@ -49,7 +51,7 @@ struct Section {
     std::vector<Chart> charts;
     std::vector<Opcode> opcodes;
     Box (*root)(std::size_t chart, const mpq_class& a, const mpq_class& b);
-    const char* (*check)(const Leaf& leaf, std::string* log);
+    const char* (*check)(const Leaf& leaf, Log* log);
     bool heavy_once = false;  ///< a cover also proves that the heavy mass touches the floor at most once
 };
 

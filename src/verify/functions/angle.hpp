@@ -1,15 +1,29 @@
-// Sine and cosine of intervals anywhere on the line, from those on [0, 2]; square roots.
+// Sine and cosine of intervals anywhere on the line, from those on [0, 2]; squares and their roots.
 #pragma once
-#include "verify/number/interval.hpp"
+#include "verify/core/interval.hpp"
+#include "verify/guess/square_root.hpp"
 
 namespace dumbbell_verify {
+
+/// The least interval that holds both.
+template <class N>
+Interval<N> hull(const Interval<N>& a, const Interval<N>& b) {
+    return {std::min(a.lo, b.lo), std::max(a.hi, b.hi)};
+}
+/// The squares; >= 0 also where x holds 0.
+template <class N>
+Interval<N> square(const Interval<N>& x) {
+    const Interval<N> product = x * x;
+    return {std::max(N(0), product.lo), product.hi};
+}
 
 /// The square roots of what is not negative in x.
 template <class N>
 Interval<N> root(const Interval<N>& x) {
     const auto end = [](Round d, const N& y) {
         if (!(y > N(0))) return N(0);
-        const N guess = sqrt(y), other = div(d, y, guess);  // the root lies between y/g and g, for any g > 0
+        const N guess = guess_square_root(y),
+                other = div(d, y, guess);  // the root lies between y/g and g, for any g > 0
         return d == down ? std::min(guess, other) : std::max(guess, other);
     };
     return {end(down, x.lo), end(up, x.hi)};

@@ -1,8 +1,6 @@
-#include "verify/format/claim.hpp"
+#include "verify/core/claim.hpp"
 
 #include <algorithm>
-
-#include "verify/number/integer.hpp"
 
 namespace dumbbell_verify {
 std::string to_string(const mpq_class& ratio) {
@@ -11,7 +9,6 @@ std::string to_string(const mpq_class& ratio) {
 std::string to_string(const mpq_class& lo, const mpq_class& hi) {
     return to_string(lo) + ":" + to_string(hi);
 }
-std::string json_count(const mpz_class& n) { return fits(n, 53) ? n.get_str() : '"' + n.get_str() + '"'; }
 
 std::string covered_part(const mpq_class& lo, const mpq_class& hi, const mpq_class& from,
                          const mpq_class& to) {
@@ -55,7 +52,7 @@ void Collisions::add(const mpq_class& a, const mpq_class& b, const std::optional
     const mpq_class& from = start();
     const bool proves[] = {true, u && (!most || *u <= *most), !least || v >= *least};
     for (std::size_t i = 0; i < 3; ++i)
-        if (proves[i] && (reached_[i] ? a <= *reached_[i] : a <= from && from <= b)) reached_[i] = b;
+        if (proves[i] && (reached[i] ? a <= *reached[i] : a <= from && from <= b)) reached[i] = b;
     const Bounds piece(u, v);
     join(piece);
     const mpq_class &first = ratios ? ratios->first : lo, &last = ratios ? ratios->second : hi;
@@ -63,18 +60,10 @@ void Collisions::add(const mpq_class& a, const mpq_class& b, const std::optional
     if (first == last || a == b ? a <= last && first <= b : a < last && first < b) ask(piece);
 }
 
-void Collisions::append(const Collisions& next) {
-    for (std::size_t i = 0; i < 3; ++i)
-        if (next.reached_[i] && reached_[i].value_or(start()) >= hi) reached_[i] = next.reached_[i];
-    hi = next.hi;
-    join(next);
-    ask(next.asked);
-}
-
 std::string Collisions::missing() const {
     const mpq_class &from = ratios ? ratios->first : lo, &to = ratios ? ratios->second : hi;
     const std::string range = " for every mass ratio in " + to_string(from, to);
-    const auto covered = [&](std::size_t i) { return reached_[i] && *reached_[i] >= to; };
+    const auto covered = [&](std::size_t i) { return reached[i] && *reached[i] >= to; };
     if (from < lo || !covered(0)) return covered_part(lo, hi, from, to);
     if (most && !covered(1)) return "not proved: at most " + most->get_str() + " collisions" + range;
     if (least && !covered(2)) return "not proved: at least " + least->get_str() + " collisions" + range;

@@ -24,7 +24,6 @@ inline std::uint64_t unsigned_64(const mpz_class& n) {
 }
 
 /// So many words of 64 bits, whatever GMP's own are; 0 of 0.
-inline std::uint64_t words(const mpz_class& n) { return (mpz_size(n.get_mpz_t()) * GMP_NUMB_BITS + 63) / 64; }
-inline std::uint64_t words(const mpq_class& x) { return words(x.get_num()) + words(x.get_den()); }
+inline std::uint64_t limbs(const mpz_class& n) { return (mpz_size(n.get_mpz_t()) * GMP_NUMB_BITS + 63) / 64; }
 
 }  // namespace dumbbell_verify

@@ -7,7 +7,7 @@
 #include <thread>
 #include <vector>
 
-#include "verify/number/environment.hpp"
+#include "verify/machine/environment.hpp"
 
 namespace dumbbell_verify {
 

@@ -1,11 +1,11 @@
-// The vocabulary of number.hpp on MPFR: the same guarantees at any precision.
+// The vocabulary of number.hpp on MPFR: the same guarantees at any precision. Plain operators it has none:
+// there is no rounding by accident.
 #pragma once
 #include <algorithm>
 #include <compare>
 #include <concepts>
 
-#include "verify/input/work.hpp"
-#include "verify/number/number.hpp"
+#include "verify/core/outside.hpp"
 
 namespace dumbbell_verify {
 
@@ -65,11 +65,6 @@ inline Big operator-(const Big& a) { return Big::rounded(down, mpfr_neg, a.get()
 inline double to_double(Round d, const Big& a) {
     return mpfr_get_d(a.get(), d == up ? MPFR_RNDU : MPFR_RNDD);
 }
-inline mpq_class exact_value(const Big& a) {
-    mpq_class result;
-    mpfr_get_q(result.get_mpq_t(), a.get());
-    return result;
-}
 inline long bits(const Big&) { return Big::precision; }
 /// So many brackets that what is left of the series, y/(1 2) y/(3 4) ..., is below the last bit, for y <= 4.
 inline int terms(const Big& y) {
@@ -81,14 +76,17 @@ inline int terms(const Big& y) {
     return n;
 }
 
-// For guesses, which promise nothing.
-inline Big operator+(const Big& a, const Big& b) { return add(down, a, b); }
-inline Big operator-(const Big& a, const Big& b) { return sub(down, a, b); }
-inline Big operator*(const Big& a, const Big& b) { return mul(down, a, b); }
-inline Big operator/(const Big& a, const Big& b) { return div(down, a, b); }
-inline Big sqrt(const Big& a) { return Big::rounded(down, mpfr_sqrt, a.get()); }
-inline Big guess_tolerance(const Big&) {
-    return Big::rounded(down, mpfr_set_ui_2exp, 1UL, -Big::precision / 3 - 8);
+/// nullptr if Judge certifies the leaf in double, or else with the leaf's bits; otherwise what is missing. A
+/// leaf that is `multiple` is not tried in double. Judge needs a name that no other judge of this leaf type
+/// has: g++ merges the instances of equally named templates, though they are in unnamed namespaces.
+template <template <class> class Judge, class AnyLeaf>
+const char* judged(const AnyLeaf& leaf, Log* log) {
+    if (!leaf.multiple) {
+        const char* missing = Judge<double>(leaf, log).verdict();
+        if (!missing || leaf.bits == 53) return missing;
+    }
+    Big::precision = leaf.bits;
+    return Judge<Big>(leaf, log).verdict();
 }
 
 }  // namespace dumbbell_verify

@@ -1,12 +1,48 @@
 // The grammar of a file about mass ratios (format.md, sections 2 and 3).
-#include "verify/collisions/grammar.hpp"
+#include "verify/core/certificate.hpp"
 
-#include "verify/collisions/proofs.hpp"
-#include "verify/format/reader.hpp"
-#include "verify/number/integer.hpp"
+#include <algorithm>
+
+#include "verify/core/proofs.hpp"
+#include "verify/core/reader.hpp"
 
 namespace dumbbell_verify {
 namespace {
+
+/// A line with one value: a word, or a number (or either). The file is unsupported unless `is_known`.
+template <class Predicate>
+std::string known(Text& text, const std::string& keyword, bool number, bool word, Predicate is_known) {
+    text.expect(keyword, 1);
+    const char first = text.fields[1][0];
+    const bool digit = number && (!word || (first >= '0' && first <= '9'));
+    const std::string found = digit ? std::to_string(text.natural(1)) : text.word(1);
+    if (!is_known(found)) text.unsupported("unknown " + keyword + " " + found);
+    return found;
+}
+
+/// The section that the lines `lemmas`, `scene` and `section` choose; nullptr: none.
+const Section* read_section(Text& text) {
+    const auto table = sections();
+    const auto in = [&](std::string_view Section::*column) {
+        return [&table, column](const std::string& word) {
+            return std::any_of(table.begin(), table.end(),
+                               [&](const Section* s) { return s->*column == word; });
+        };
+    };
+    const std::string lemmas = known(text, "lemmas", true, true, in(&Section::lemmas));
+    const std::string scene = known(text, "scene", false, true, in(&Section::scene));
+    const auto is_section = in(&Section::name);
+    const std::string name = known(text, "section", false, true, [&](const std::string& word) {
+        return word == "none" || is_section(word);
+    });
+    if (lemmas == "1" && scene == "dumbbell" && name == "none") return nullptr;
+    const auto found = std::find_if(table.begin(), table.end(), [&](const Section* s) {
+        return s->lemmas == lemmas && s->scene == scene && s->name == name;
+    });
+    if (found == table.end())
+        text.unsupported("no section " + name + " of the scene " + scene + " with lemmas " + lemmas);
+    return *found;
+}
 
 class CollisionsReader : public Reader<Leaf> {
   public:
@@ -25,7 +61,7 @@ class CollisionsReader : public Reader<Leaf> {
     [[nodiscard]] std::string_view kind() const override { return "collisions"; }
     [[nodiscard]] std::string_view scene() const override { return section_.scene; }
     [[nodiscard]] std::string missing() const override { return settings_.together ? "" : claim_.missing(); }
-    [[nodiscard]] const char* check(const Leaf& leaf, std::string* log) const override {
+    [[nodiscard]] const char* check(const Leaf& leaf, Log* log) const override {
         return section_.check(leaf, log);
     }
     [[nodiscard]] std::string_view opcode(const Leaf& leaf) const override {
@@ -62,7 +98,7 @@ class CollisionsReader : public Reader<Leaf> {
         if (text_.fields[1] != "none") {
             upper = leaf.claimed = text_.long_natural(1);
             // Double precision cannot tell such counts apart.
-            leaf.multiple = leaf.multiple || (leaf.bits > 53 && *upper > integer(20'000'000'000'000));
+            leaf.multiple = leaf.multiple || (leaf.bits > 53 && *upper > 20'000'000'000'000.0);
             proof_.roots += static_cast<double>(section_.charts.size());
             proofs_.cover(leaf, a, b);
         } else {
@@ -77,7 +113,7 @@ class CollisionsReader : public Reader<Leaf> {
     }
 
     void take(Leaf leaf, const std::string& path) {
-        if (!settings_.explain.empty()) explain(leaf, std::to_string(claim_.pieces + 1) + ":" + path);
+        explain(leaf, std::to_string(claim_.pieces + 1) + ":" + path);
         Reader::take(std::move(leaf));
     }
 
@@ -88,6 +124,17 @@ class CollisionsReader : public Reader<Leaf> {
 };
 
 }  // namespace
+
+Header read_header(Text& text) {
+    known(text, "dumbbell-certificate", true, false,
+          [](const std::string& version) { return version == "1"; });
+    text.expect("generator", 2);
+    text.require_word(1);
+    text.require_word(2, true);
+    const Section* section = read_section(text);
+    text.expect("claim", 1);
+    return {section, text.word(1)};
+}
 
 Proof collisions(Text& text, const Settings& settings, const Section& section) {
     return CollisionsReader(text, settings, section).run();

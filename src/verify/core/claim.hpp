@@ -15,8 +15,6 @@ namespace dumbbell_verify {
 
 std::string to_string(const mpq_class& ratio);                    ///< P/Q
 std::string to_string(const mpq_class& lo, const mpq_class& hi);  ///< LO:HI
-/// A JSON string from 2^53 on: most readers of JSON keep numbers in doubles. Precondition: n >= 0.
-std::string json_count(const mpz_class& n);
 /// For a claim about the ratios [lo, hi] that was asked about [from, to], and does not cover them: what it
 /// covers.
 std::string covered_part(const mpq_class& lo, const mpq_class& hi, const mpq_class& from,
@@ -44,21 +42,17 @@ struct Collisions : Bounds {
 
     /// The pieces come in increasing order, [lo, hi] of the file is their union.
     void add(const mpq_class& a, const mpq_class& b, const std::optional<mpz_class>& u, const mpz_class& v);
-    /// The pieces of another file follow, which begins where these end. It was asked the same.
-    void append(const Collisions& next);
     /// Empty if the pieces with an upper bound <= most cover `ratios`, and those with a lower bound >= least
     /// do.
     [[nodiscard]] std::string missing() const;
     /// No bound is demanded, and none holds for all the mass ratios that are asked about.
     [[nodiscard]] bool says_nothing() const { return !most && !least && !asked.upper && asked.lower == 0; }
 
-  private:
-    void ask(const Bounds& next);
     /// Where what is asked begins in the file, if it does.
     [[nodiscard]] const mpq_class& start() const { return ratios ? std::max(ratios->first, lo) : lo; }
-
     /// Where the cover by closed pieces that prove it has arrived, from there: the ratios, most, least.
-    std::array<std::optional<mpq_class>, 3> reached_;
+    std::array<std::optional<mpq_class>, 3> reached;
+    void ask(const Bounds& next);
 };
 
 }  // namespace dumbbell_verify

@@ -4,8 +4,7 @@
 #include <array>
 #include <utility>
 
-#include "verify/number/environment.hpp"
-#include "verify/number/number.hpp"
+#include "verify/core/number.hpp"
 
 namespace dumbbell_verify {
 
@@ -14,9 +13,9 @@ template <class N>
 struct Interval {
     N lo, hi;
 
-    Interval(const N& x) : lo(x), hi(x) {}  // NOLINT(google-explicit-constructor): x encloses itself
-    Interval(int n = 0) : lo(n), hi(n) {}   // NOLINT(google-explicit-constructor): exact
-    Interval(N low, N high) : lo(std::move(low)), hi(std::move(high)) {}
+    Interval(const N& x) : lo(x), hi(x) {}           // NOLINT(google-explicit-constructor): x encloses itself
+    constexpr Interval(int n = 0) : lo(n), hi(n) {}  // NOLINT(google-explicit-constructor): exact
+    constexpr Interval(N low, N high) : lo(std::move(low)), hi(std::move(high)) {}
 
     friend Interval operator-(const Interval& a) { return {-a.hi, -a.lo}; }
     friend Interval operator+(const Interval& a, const Interval& b) {
@@ -40,17 +39,6 @@ struct Interval {
     }
 };
 
-/// The least interval that holds both.
-template <class N>
-Interval<N> hull(const Interval<N>& a, const Interval<N>& b) {
-    return {std::min(a.lo, b.lo), std::max(a.hi, b.hi)};
-}
-/// The squares; >= 0 also where x holds 0.
-template <class N>
-Interval<N> square(const Interval<N>& x) {
-    const Interval<N> product = x * x;
-    return {std::max(N(0), product.lo), product.hi};
-}
 template <class N>
 Interval<N> pi() {
     return {pi_bound(down, N(0)), pi_bound(up, N(0))};
@@ -58,17 +46,20 @@ Interval<N> pi() {
 
 /// y / (k (k + 1)); for double by a table, because a division is slow.
 template <class N>
-N scaled(const N& y, int k) {
-    return div(down, y, k * (k + 1));
-}
-template <class N>
 Interval<N> scaled(const Interval<N>& y, int k) {
     return {div(down, y.lo, k * (k + 1)), div(up, y.hi, k * (k + 1))};
 }
-inline const auto reciprocals = [] {
-    const DefaultEnvironment environment;  // a library's table is made on the thread that loads it
-    std::array<Interval<double>, 28> table;
-    for (int k = 1; k < 28; ++k) table.at(k) = Interval<double>(1) / (k * (k + 1));
+/// Made of integers by the compiler: no thread's rounding has a say in it.
+inline constexpr auto reciprocals = [] {
+    std::array<Interval<double>, 28> table{};
+    for (std::uint64_t k = 1; k < 28; ++k) {
+        const std::uint64_t n = k * (k + 1);
+        std::uint64_t power = std::uint64_t{1} << 53;
+        while (power / n < std::uint64_t{1} << 52) power *= 2;
+        const std::uint64_t least = power / n, most = least + (power % n != 0);  // of 53 bits
+        const auto one = static_cast<double>(power);
+        table[k] = {static_cast<double>(least) / one, static_cast<double>(most) / one};
+    }
     return table;
 }();
 inline double scaled(const double& y, int k) { return y * reciprocals[k].lo; }
@@ -86,9 +77,9 @@ T brackets(const T& y, int first, int n, T tail) {
 
 /// The infinite nest for y in [0, 4], first = 1 (cos x, y = x^2) or 2 (sin x / x). Behind n brackets is left
 /// a series 1 - a1 + a1 a2 - ..., 0 <= a = y/(k(k+1)) <= 1/3, alternating and decreasing: the tail is in [0,
-/// 1]. In double the brackets from k = 7 on are plain: a <= 1/14 there, with a relative error <= 2^-51, so
-/// each turns the error E of its tail into at most E/14 + 1.4 * 2^-53, and ten turn the first E <= 1 into
-/// less than 2^-51.
+/// 1]. In double the brackets from k = 7 on are no enclosures: a <= 1/14 there, with a relative error <=
+/// 2^-51, so each turns the error E of its tail into at most E/14 + 1.4 * 2^-53, and ten turn the first E <=
+/// 1 into less than 2^-51.
 template <class N>
 Interval<N> series(const Interval<N>& y, int first) {
     if constexpr (std::is_same_v<N, double>) {
@@ -111,13 +102,6 @@ SinCos<Interval<N>> sin_cos(const N& z) {
     if (!(z >= N(0) && z <= N(2))) return {whole, whole};
     const Interval<N> x = z, y = x * x;
     return {x * series(y, 2), series(y, 1)};
-}
-
-/// The same without any guarantee, for guesses.
-template <class N>
-SinCos<N> guess_sin_cos(const N& z) {
-    const N y = z * z;
-    return {z * brackets(y, 2, terms(y), N(1)), brackets(y, 1, terms(y), N(1))};
 }
 
 }  // namespace dumbbell_verify

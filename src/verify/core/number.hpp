@@ -82,38 +82,6 @@ inline double pi_bound(Round d, double) {
 }
 
 inline double to_double(Round, double x) { return x; }
-inline mpq_class exact_value(double x) { return mpq_class(x); }
 inline long bits(double) { return 53; }
-
-// For guesses, which promise nothing.
-inline double sqrt(double x) { return std::sqrt(x); }
-inline int terms(double) { return 12; }                    ///< of the series on [0, 2]
-inline double guess_tolerance(double) { return 0x1p-26; }  ///< last relative step of a third-order iteration
-
-/// Whether no compiler made products of quotients that share a divisor, regrouped terms or fused them, where
-/// the results are others: clang tells of no such flag (-freciprocal-math, -fassociative-math,
-/// -ffp-contract).
-inline bool terms_are_plain() {
-    const volatile double five = 5, nine = 9, ten = 10, eleven = 11, tenth = 0.1, third = 0.3, by = 49,
-                          above = 1 + 0x1p-27, below = 1 - 0x1p-27;
-    const double divisor = by, x = tenth;
-    const double a = five / divisor, b = nine / divisor, c = ten / divisor, d = eleven / divisor,
-                 e = five / 49.0;
-    const double sum = x * third + x * tenth, back = 3 * x / tenth, one = above * below;
-    return a == 0x1.a1f58d0fac688p-4 && b == 0x1.7829cbc14e5e1p-3 && c == 0x1.a1f58d0fac688p-3 &&
-           d == 0x1.cbc14e5e0a72fp-3 && e == a && sum == 0x1.47ae147ae147bp-5 &&
-           back == 0x1.8000000000001p+1 && one - 1 == 0;
-}
-
-/// Whether this thread rounds to nearest, keeps subnormal numbers and has an exact std::fma.
-inline bool arithmetic_works() {
-    const volatile double one = 1, e = 0x1p-53, third = 0x1p-52, least = DBL_MIN;
-    // A compiler that regroups sums (-fassociative-math) loses the errors that add() finds.
-    if (!(add(up, one, e) > one && add(down, -one, -e) < -one && terms_are_plain())) return false;
-    // fegetround asks the x87 unit, which no bound uses, but libraries might.
-    return std::fegetround() == FE_TONEAREST && one + e == one && one + 1.5 * e > one &&
-           -one - 1.5 * e < -one && least / 4 * 4 == least &&
-           std::fma(one + third, one + third, -(one + 2 * third)) == third * third;
-}
 
 }  // namespace dumbbell_verify

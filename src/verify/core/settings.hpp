@@ -5,14 +5,14 @@
 #include <string_view>
 #include <vector>
 
-#include "verify/format/claim.hpp"
-#include "verify/input/work.hpp"
+#include "verify/core/claim.hpp"
+#include "verify/core/outside.hpp"
 
 namespace dumbbell_verify {
 
 struct Settings {
     unsigned jobs = 1, max_bits = 2048;
-    std::uint64_t budget = default_budget;  ///< of work on the file, in units (work.hpp)
+    std::uint64_t budget = default_budget;  ///< of work on the file, in units
     unsigned precision = 0;    ///< at least this many bits of MPFR for every piece; 0: what the pieces say
     std::string explain;       ///< PIECE:PATH or box.PATH, the leaf to show
     std::string scene, claim;  ///< demanded scene and kind; empty: none
@@ -24,11 +24,6 @@ struct Settings {
     [[nodiscard]] std::string_view demanded_scene() const {
         const bool states = demand.ratios || demand.most || demand.least || !claim.empty();
         return scene.empty() && states ? std::string_view("dumbbell") : scene;
-    }
-    /// What this file itself must prove.
-    [[nodiscard]] const Collisions& own_demand() const {
-        static const Collisions nothing;
-        return together ? nothing : demand;
     }
 };
 
@@ -44,7 +39,7 @@ struct Section;
 struct Proof {
     Collisions claim;  ///< if the file is about mass ratios
     std::string digest;
-    std::uint64_t work = 0;            ///< in units (work.hpp)
+    std::uint64_t work = 0;            ///< in units
     const Section* section = nullptr;  ///< if the file is about mass ratios
     bool heavy_once = false;           ///< proved for every ratio: the heavy mass touches at most once
     double roots = 0;                  ///< number of root boxes

@@ -4,8 +4,9 @@
 #include <cmath>
 #include <functional>
 
-#include "verify/format/reader.hpp"
-#include "verify/format/section.hpp"
+#include "verify/core/section.hpp"
+#include "verify/core/settings.hpp"
+#include "verify/core/tree.hpp"
 
 namespace dumbbell_verify {
 

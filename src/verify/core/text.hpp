@@ -11,10 +11,19 @@
 #include <utility>
 #include <vector>
 
-#include "verify/input/bytes.hpp"
-#include "verify/input/foreign.hpp"
+#include "verify/core/outside.hpp"
 
 namespace dumbbell_verify {
+
+/// With several files the last one of these counts.
+enum class Verdict { verified, unreadable, open, unsupported, limit, rejected };
+
+/// Why a file is not verified; thrown, and reported as it is.
+struct Failure {
+    Verdict verdict;
+    std::uint64_t line;
+    std::string code, text;
+};
 
 constexpr std::size_t longest_integer = 2100;  ///< digits of one in a file
 
@@ -26,7 +35,7 @@ inline bool is_natural(std::string_view text, std::size_t most) {
 
 class Text {
   public:
-    Text(const std::string& path, std::uint64_t units) : budget(units), bytes_(path) { sha256_init(&hash_); }
+    Text(Source& source, std::uint64_t units) : budget(units), source_(source) { sha256_init(&hash_); }
 
     Budget budget;
     std::uint64_t line = 0;                ///< number of the present line
@@ -52,7 +61,7 @@ class Text {
                 1 + std::min({rest_.find('\n'), rest_.size() - 1, most_bytes - line_.size()});
             const auto bad = [](char c) { return (c < 0x20 || c > 0x7e) && c != '\n'; };
             if (std::any_of(rest_.begin(), rest_.begin() + size, bad)) {
-                const std::string named = foreign(rest_.substr(0, size), line == 1 && line_.empty());
+                const std::string named = source_.foreign(rest_.substr(0, size), line == 1 && line_.empty());
                 named.empty() ? reject("byte", "not printable ASCII") : reject("encoding", named);
             }
             line_ += rest_.substr(0, size);
@@ -97,12 +106,13 @@ class Text {
         return mpz_class(std::string(fields[i]));
     }
     [[nodiscard]] mpq_class ratio(std::size_t i) const { return ratio(fields[i]); }
-    [[nodiscard]] mpq_class signed_ratio(std::size_t i) const {
-        if (fields[i] == "0/1") return 0;
-        return fields[i].starts_with('-') ? mpq_class(-ratio(fields[i].substr(1))) : ratio(i);
-    }
-    [[nodiscard]] mpq_class level(std::size_t i) const {
-        return fields[i] == "0/1" ? mpq_class(0) : ratio(i);
+    [[nodiscard]] mpq_class ratio(std::string_view text) const {
+        const auto [p, q] = halves(text, '/');
+        if (!is_natural(p, longest_integer) || !is_natural(q, longest_integer) || p == "0" || q == "0")
+            reject("number", "not a ratio P/Q");
+        const mpq_class x{mpz_class(std::string(p)), mpz_class(std::string(q))};
+        if (gcd(x.get_num(), x.get_den()) != 1) reject("number", "a ratio that is not in lowest terms");
+        return x;
     }
     [[nodiscard]] mpq_class dyadic(std::size_t i) const {
         const auto [m, exponent] = halves(fields[i], 'b');
@@ -136,18 +146,10 @@ class Text {
         const std::size_t at = std::min(text.find(mark), text.size());
         return {text.substr(0, at), text.substr(std::min(at + 1, text.size()))};
     }
-    [[nodiscard]] mpq_class ratio(std::string_view text) const {
-        const auto [p, q] = halves(text, '/');
-        if (!is_natural(p, longest_integer) || !is_natural(q, longest_integer) || p == "0" || q == "0")
-            reject("number", "not a ratio P/Q");
-        const mpq_class x{mpz_class(std::string(p)), mpz_class(std::string(q))};
-        if (gcd(x.get_num(), x.get_den()) != 1) reject("number", "a ratio that is not in lowest terms");
-        return x;
-    }
     /// The next block of text; false at its end.
-    bool fill() { return !(rest_ = bytes_.next(line)).empty(); }
+    bool fill() { return !(rest_ = source_.next(line)).empty(); }
 
-    Bytes bytes_;
+    Source& source_;
     sha256_ctx hash_{};
     std::string_view rest_;  ///< of the block
     std::string line_;       ///< with its line feed

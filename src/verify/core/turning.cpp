@@ -1,8 +1,8 @@
 // The section `turning` of the scene dumbbell: its charts bridge (L8) and light (L9), and the witness (L11).
 // The box is rounded outwards to numbers N, r to [r_lo, r_hi]: what holds for a larger box holds for the box.
-#include "verify/collisions/ray.hpp"
-#include "verify/format/precision.hpp"
-#include "verify/format/section.hpp"
+#include "verify/core/big.hpp"
+#include "verify/core/ray.hpp"
+#include "verify/core/section.hpp"
 
 namespace dumbbell_verify {
 namespace {
@@ -12,14 +12,13 @@ enum { bridge, light };
 template <class N>
 class Turning : Rays<N> {
     using Base = Rays<N>;
-    using Base::at_least, Base::at_most, Base::fact, Base::less, Base::guess_root, Base::guess_top,
-        Base::latest;
+    using Base::at_least, Base::at_most, Base::fact, Base::less;
     using Base::half_turn, Base::one, Base::quarter, Base::zero;
     using typename Base::I, typename Base::Ray;
 
   public:
-    Turning(const Leaf& leaf, std::string* log) : Base(log), leaf_(leaf) {
-        if (log) this->describe(leaf, turning().charts[leaf.chart]);
+    Turning(const Leaf& leaf, Log* log) : Base(log), leaf_(leaf) {
+        if (log) log->box(leaf, turning().charts[leaf.chart], bits(zero));
     }
 
     /// nullptr if all that format.md demands of the leaf is certified, else what is not.
@@ -93,7 +92,7 @@ class Turning : Rays<N> {
     }
     /// All rays r slope from R at e <= e1 < pi/2 meet the bridge.
     bool bridge_meets(const N& slope) {
-        const N t = guess_top(slope);
+        const N t = guess_top(slope, quarter.lo);
         return less("e1 < pi/2", e1, quarter) && less("0 < t", zero, t) && less("t < pi", t, half_turn) &&
                less("sin(e1)/r_lo + slope (e1 + t) < sin t", sin_cos(e1).sin / r_lo + slope * (I(e1) + t),
                     sin_cos(t).sin);
@@ -133,7 +132,7 @@ class Turning : Rays<N> {
 /// The section lies in e <= pi/2 < 2, and eta, lambda < q (r eta < 1): at most the least power of two >= B.
 Box root(std::size_t, const mpq_class& a, const mpq_class& b) { return {{0, 0, a}, {2, power_of_two(b), b}}; }
 
-const char* check(const Leaf& leaf, std::string* log) { return judged<Turning>(leaf, log); }
+const char* check(const Leaf& leaf, Log* log) { return judged<Turning>(leaf, log); }
 
 }  // namespace
 
