@@ -14,11 +14,12 @@ class Big {
     inline static thread_local mpfr_prec_t precision = 53;  ///< of all numbers of this thread
 
     Big() : Big(0) {}
-    Big(std::same_as<int> auto n) : Big(Unset()) {  // NOLINT(google-explicit-constructor): exact
+    Big(std::same_as<int> auto n) : Big(Unset{}) {  // NOLINT(google-explicit-constructor): exact
         mpfr_set_si(x_, n, MPFR_RNDN);
     }
-    Big(const Big& other) : Big(Unset()) { mpfr_set(x_, other.x_, MPFR_RNDN); }
-    Big(Big&& other) noexcept : Big(Unset()) { mpfr_swap(x_, other.x_); }
+    /// Exact, whatever the precision is by now; so is negation.
+    Big(const Big& other) : Big(Unset{mpfr_get_prec(other.x_)}) { mpfr_set(x_, other.x_, MPFR_RNDN); }
+    Big(Big&& other) noexcept : Big(Unset{}) { mpfr_swap(x_, other.x_); }
     Big& operator=(const Big& other) { return *this = Big(other); }
     Big& operator=(Big&& other) noexcept {
         mpfr_swap(x_, other.x_);
@@ -26,17 +27,22 @@ class Big {
     }
     ~Big() { mpfr_clear(x_); }
 
-    /// The function's value, rounded; unbounded where it is undefined (inf - inf).
+    /// The function's value, rounded; unbounded where that is no number (overflow, inf - inf).
     template <class Function, class... Values>
     static Big rounded(Round d, Function function, Values... values) {
         Work::operation(static_cast<std::uint64_t>(precision));
         Big result{Unset()};
         function(result.x_, values..., d == up ? MPFR_RNDU : MPFR_RNDD);
-        if (mpfr_nan_p(result.x_)) mpfr_set_inf(result.x_, d == up ? 1 : -1);
+        if (!mpfr_number_p(result.x_)) mpfr_set_inf(result.x_, d == up ? 1 : -1);
         return result;
     }
     [[nodiscard]] mpfr_srcptr get() const { return x_; }
 
+    friend Big operator-(Big a) {
+        Work::operation(static_cast<std::uint64_t>(precision));
+        mpfr_neg(a.x_, a.x_, MPFR_RNDN);
+        return a;
+    }
     friend bool operator==(const Big& a, const Big& b) { return mpfr_equal_p(a.x_, b.x_) != 0; }
     friend std::weak_ordering operator<=>(const Big& a, const Big& b) { return mpfr_cmp(a.x_, b.x_) <=> 0; }
     friend std::weak_ordering operator<=>(const Big& a, std::same_as<int> auto b) {
@@ -44,8 +50,10 @@ class Big {
     }
 
   private:
-    struct Unset {};  ///< is given a value before anything else
-    explicit Big(Unset) { mpfr_init2(x_, precision); }
+    struct Unset {  ///< is given a value before anything else
+        mpfr_prec_t bits = precision;
+    };
+    explicit Big(Unset unset) { mpfr_init2(x_, unset.bits); }
 
     mpfr_t x_;
 };
@@ -53,7 +61,9 @@ class Big {
 inline Big add(Round d, const Big& a, const Big& b) { return Big::rounded(d, mpfr_add, a.get(), b.get()); }
 inline Big sub(Round d, const Big& a, const Big& b) { return Big::rounded(d, mpfr_sub, a.get(), b.get()); }
 inline Big mul(Round d, const Big& a, const Big& b) { return Big::rounded(d, mpfr_mul, a.get(), b.get()); }
-inline Big div(Round d, const Big& a, const Big& b) { return Big::rounded(d, mpfr_div, a.get(), b.get()); }
+inline Big div(Round d, const Big& a, const Big& b) {  // inf / inf is no number
+    return Big::rounded(d, mpfr_div, mpfr_number_p(b.get()) ? a.get() : b.get(), b.get());
+}
 inline Big div(Round d, const Big& a, std::same_as<int> auto n) {
     return Big::rounded(d, mpfr_div_si, a.get(), long{n});
 }
@@ -61,7 +71,6 @@ inline Big bound(Round d, const mpq_class& x, const Big&) {
     return Big::rounded(d, mpfr_set_q, x.get_mpq_t());
 }
 inline Big pi_bound(Round d, const Big&) { return Big::rounded(d, mpfr_const_pi); }
-inline Big operator-(const Big& a) { return Big::rounded(down, mpfr_neg, a.get()); }  // exact
 inline double to_double(Round d, const Big& a) {
     return mpfr_get_d(a.get(), d == up ? MPFR_RNDU : MPFR_RNDD);
 }

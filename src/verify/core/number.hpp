@@ -1,16 +1,14 @@
 // Directed rounding for double, in round-to-nearest and without touching the rounding mode: each result is
 // corrected by the sign of its exact error (TwoSum, or the residual of a fused multiply-add).
 //
-// Guarantee of add, mul, div, bound, pi_bound: rounded down, the result is <= the exact value, rounded up it
-// is
-// >=; it is never NaN. Where the error would not be exact they return a weaker bound, at worst -inf or +inf,
-// and the inequality that needs it fails.
+// Guarantee of add, mul, div, bound, pi_bound: rounded down, the result is at most the exact value, rounded
+// up at least; it is never NaN. Where the error would not be exact they return a weaker bound, at worst -inf
+// or +inf, unbounded: then nothing is known, nor of what is made of it, and what needs it fails.
 #pragma once
 #include <gmpxx.h>
 #include <mpfr.h>
 
 #include <bit>
-#include <cfenv>
 #include <cfloat>
 #include <cmath>
 #include <cstdint>
@@ -46,9 +44,9 @@ inline double sub(Round d, double a, double b) { return add(d, a, -b); }
 
 /// The residual a b - p is 0 or at least 2^-106 |p| in size, so the fma is exact for |p| >= 2^-900.
 inline double mul(Round d, double a, double b) {
-    if (a == 0 || b == 0) return 0;
     const double p = a * b, size = std::abs(p);
-    if (!(size <= 0x1p1000)) return unbounded(d);
+    if (!(size <= 0x1p1000)) return unbounded(d);  // 0 times what is unbounded, too
+    if (a == 0 || b == 0) return 0;
     if (size < 0x1p-900) return d == up ? 0x1p-899 : -0x1p-899;
     return settle(d, p, std::fma(a, b, -p));
 }

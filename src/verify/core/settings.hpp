@@ -34,17 +34,15 @@ struct Tally {
     double covered = 0;
 };
 
-struct Section;
-
 struct Proof {
     Collisions claim;  ///< if the file is about mass ratios
     std::string digest;
-    std::uint64_t work = 0;            ///< in units
-    const Section* section = nullptr;  ///< if the file is about mass ratios
-    bool heavy_once = false;           ///< proved for every ratio: the heavy mass touches at most once
-    double roots = 0;                  ///< number of root boxes
-    bool explained = false;            ///< the leaf that was asked for exists
-    std::vector<Tally> tallies;        ///< split, the opcodes of the section, open
+    std::uint64_t work = 0;                   ///< in units
+    const struct Section* section = nullptr;  ///< if the file is about mass ratios
+    bool heavy_once = false;                  ///< proved for every ratio: the heavy mass touches at most once
+    double roots = 0;                         ///< number of root boxes
+    bool explained = false;                   ///< the leaf that was asked for exists
+    std::vector<Tally> tallies;               ///< split, the opcodes of the section, open
 };
 
 }  // namespace dumbbell_verify

@@ -227,6 +227,40 @@ TEST_CASE("numbers of MPFR give back what memory they take") {
     CHECK(blocks <= before);
 }
 
+TEST_CASE("a number of many bits is copied and negated exactly where fewer are in use") {
+    Big::precision = 500;
+    const Big third = bound(down, mpq_class(1, 3), Big()), zero;
+    Big::precision = 53;
+    const Big copy = third;
+    Big assigned;
+    assigned = third;
+    const Interval<Big> x = third;
+    CHECK((copy == third && assigned == third && x.lo == third && x.hi == third));
+    CHECK((exact_value(-third) == -exact_value(third) && std::max(zero, third) == third));
+    CHECK(add(up, third, zero) > third);  // a result is rounded to the precision that is in use
+}
+
+TEMPLATE_TEST_CASE("edges: what is made of an unbounded number is unbounded", "", double, Big) {
+    using N = TestType;
+    Big::precision = 53;
+    const N over = div(up, N(1), N(0)), under = div(down, N(-1), N(0));
+    for (const Round d : {down, up}) {
+        const auto is_unbounded = [d](const N& x) {
+            return to_double(d, x) == (d == up ? infinity : -infinity);
+        };
+        for (const N& x : {over, under})
+            for (const N& y : {N(0), N(1), N(-3), over, under}) {
+                CAPTURE(d, to_double(d, x), to_double(d, y));
+                CHECK(
+                    (is_unbounded(add(d, x, y)) && is_unbounded(sub(d, x, y)) && is_unbounded(sub(d, y, x))));
+                CHECK((is_unbounded(mul(d, x, y)) && is_unbounded(mul(d, y, x))));
+                CHECK((is_unbounded(div(d, x, y)) && is_unbounded(div(d, y, x))));
+            }
+    }
+    const Interval<N> nothing = Interval<N>(0) * (Interval<N>(1) / Interval<N>(0));
+    CHECK((to_double(down, nothing.lo) == -infinity && to_double(up, nothing.hi) == infinity));
+}
+
 TEST_CASE("what MPFR cannot say is unbounded") {
     const Big infinite = div(up, Big(1), Big(0)), none = add(down, infinite, -infinite);
     CHECK(to_double(down, none) == -infinity);
