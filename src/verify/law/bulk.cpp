@@ -162,10 +162,10 @@ class BulkRule : LawRule<N> {
     /// (J + |A|)/F.
     bool is_in_window() {
         constexpr int parts = 700;
-        const I J = quarter + I(fraction<N>(-1, 100'000).lo, fraction<N>(1, 4'000'000).hi);
-        const I least = fraction<N>(9, 10), length = quarter + fraction<N>(1, 1000) - least;
+        const I J = quarter + I(fraction<N>(bulk_least_Q).lo, fraction<N>(1, 4'000'000).hi);
+        const I least = fraction<N>(layer_U), length = quarter + fraction<N>(1, 1000) - least;
         if (!less("th < 0.7944 for U >= 9/10",
-                  sin_cos_on(fraction<N>(7944, 10'000), quarter).cos * (pi<N>() - least), J))
+                  sin_cos_on(fraction<N>(bulk_angles.back()), quarter).cos * (pi<N>() - least), J))
             return false;
         for (int i = 0; i < parts; ++i) {
             const I share(fraction<N>(i, parts).lo, fraction<N>(i + 1, parts).hi), U = least + length * share;
@@ -176,7 +176,7 @@ class BulkRule : LawRule<N> {
             const I d = fraction<N>(1001, 1000) * F * root / (J * s);
             const I A =
                 (J + fraction<N>(1, 100)) / F * square(d) * cosine / s + F / (I(2) * square(s)) + d / s;
-            if (!less("1.001 sin d < 1/10", d * Base::most_eps(), fraction<N>(1, 10)) ||
+            if (!less("1.001 sin d < 1/10", d * fraction<N>(most_eps), fraction<N>(1, 10)) ||
                 !less("|A|/eps^2 <= 20", A, 20, false))
                 return false;
         }

@@ -114,7 +114,7 @@ class LawReader : public Reader<LawLeaf> {
     void layer() {
         cover("layer", 0);
         require(text_.line, "layer", [&] { return check_law_constant(leaf_.bits, leaf_.multiple, nullptr); });
-        leaf_.box.hi = {mpq_class(9, 10), mpq_class(1, 5)};
+        leaf_.box.hi = {layer_U, layer_rho};
         ++proof_.roots;
         Tree<LawBox> tree{text_, layer_axes, proof_.tallies[0].lines, leaf_.box, "layer."};
         tree.read([&] { layer_leaf(std::ldexp(1, -tree.depth), tree.path); });
@@ -138,15 +138,14 @@ class LawReader : public Reader<LawLeaf> {
         require(text_.line, "bulk",
                 [&] { return check_law_bulk_window(leaf_.bits, leaf_.multiple, nullptr); });
         leaf_.rule = LawLeaf::bulk;
-        const std::array<mpq_class, 4> ends{0, mpq_class(3, 5), mpq_class(7, 10), mpq_class(993, 1250)};
         for (leaf_.range = 0; leaf_.range < 3; ++leaf_.range)
-            parts(ends.at(leaf_.range), ends.at(leaf_.range + 1), 2 + leaf_.range,
+            parts(bulk_angles.at(leaf_.range), bulk_angles.at(leaf_.range + 1), 2 + leaf_.range,
                   "bulk" + std::to_string(leaf_.range + 1));
     }
     void end() {
         cover("end", 1);
         leaf_.rule = LawLeaf::end;
-        parts(0, mpq_class(9, 100), 2, "end");
+        parts(0, end_d, 2, "end");
     }
     /// All parts of a range, as many as a field says.
     void parts(const mpq_class& lo, const mpq_class& hi, std::size_t field, const std::string& name) {

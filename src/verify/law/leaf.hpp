@@ -4,6 +4,7 @@
 #include <string>
 
 #include "verify/core/section.hpp"
+#include "verify/law/constants.hpp"
 
 namespace dumbbell_verify {
 
@@ -14,11 +15,11 @@ struct LawBox {
 };
 /// What a rule knows of the steps; a test may know more, to see the rule alone.
 struct LawStates {
-    mpq_class drift{53, 10}, rise{1, 4};  ///< J in pi/2 + [-drift eps^2/u^3, rise eps^2]
+    mpq_class drift = J_drift, rise = J_rise;
     // In the bulk; in the layer and at the end these follow.
-    mpq_class least_eps = 0, most_eps{1, 1000};
-    mpq_class least_Q{-1, 100'000}, most_Q{3, 100'000};  ///< less pi/2
-    int parts = 12;                                      ///< of an integral in the layer
+    mpq_class least_eps = 0, most_eps = dumbbell_verify::most_eps;
+    mpq_class least_Q = bulk_least_Q, most_Q = bulk_most_Q;  ///< less pi/2
+    int parts = 12;                                          ///< of an integral in the layer
 };
 /// Made when it is first used: before main() nobody could say that there is no memory.
 inline const LawStates& law_states() {

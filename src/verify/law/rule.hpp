@@ -33,7 +33,6 @@ class LawRule : public Rays<N> {
     }
     [[nodiscard]] I drift() const { return number(leaf_.states->drift); }
     [[nodiscard]] I rise() const { return number(leaf_.states->rise); }
-    static I most_eps() { return fraction<N>(1, 1000); }
     /// What Q is known to be in the layer, before it is J - A (L53).
     [[nodiscard]] I crude_Q() const { return quarter + I(fraction<N>(-1, 100).lo, fraction<N>(1, 20).hi); }
 
