@@ -50,7 +50,8 @@ class LawReader : public Reader<LawLeaf> {
         } else {
             steps(StepPlaces<double>());
         }
-        leaf_.bits = std::max(53U, settings_.precision);  // and `multiple` as it was for every step
+        leaf_.bits = std::max(53U, settings_.precision);  // of the covers a file has no say in them
+        leaf_.multiple = settings_.precision > 0;
         for (const auto cover : {&LawReader::layer, &LawReader::bulk, &LawReader::end}) {
             (this->*cover)();
             ++Watched::read;

@@ -91,22 +91,23 @@ std::string Initial::paragraph() const {
 }
 
 void StartShares::add(std::uint64_t least, std::uint64_t most, const mpq_class& volume) {
-    if (least == most) exact[least] += volume;
-    change[least] += volume;
-    change[most + 1] -= volume;
+    if (least == most) counts[least].exact += volume;
+    counts[least].change += volume;
+    counts[most + 1].change -= volume;
 }
 
 std::vector<StartShares::Row> StartShares::rows() const {
     std::vector<Row> rows;
     mpq_class hi = open;
-    if (!change.contains(0)) rows.push_back({0, std::nullopt, 0, hi});
-    for (const auto& [count, by] : change) {
+    if (!counts.contains(0)) rows.push_back({0, std::nullopt, 0, hi});
+    for (const auto& [count, leaves] : counts) {
         if (!rows.empty()) rows.back().most = count - 1;
-        hi += by;
-        const auto found = exact.find(count);
-        rows.push_back({count, std::nullopt, found == exact.end() ? mpq_class(0) : found->second, hi});
+        hi += leaves.change;
+        rows.push_back({count, std::nullopt, leaves.exact, hi});
     }
     if (open == 0) rows.pop_back();
+    for (Row& row : rows)
+        if (row.most != row.least) row.lo = 0;  // exact volumes are of one number
     return rows;
 }
 

@@ -19,9 +19,12 @@ struct InitialBox {
 /// How likely each number of collisions is (format-initial.md, section 7): the volumes of leaves, in units of
 /// the box's.
 struct StartShares {
-    std::map<std::uint64_t, mpq_class> exact;   ///< of the leaves with this number
-    std::map<std::uint64_t, mpq_class> change;  ///< from k - 1 to k: of the leaves that do not exclude k
-    mpq_class open;                             ///< of the leaves that exclude nothing
+    struct Count {
+        mpq_class exact;   ///< of the leaves with this number
+        mpq_class change;  ///< from the number before: of the leaves that do not exclude this one
+    };
+    std::map<std::uint64_t, Count> counts;
+    mpq_class open;  ///< of the leaves that exclude nothing
 
     void add(std::uint64_t least, std::uint64_t most, const mpq_class& volume);
     /// From `least` to `most` collisions, each of these numbers: the share is at least lo, at most hi.

@@ -16,9 +16,9 @@ class Flight {
   public:
     using I = Interval<N>;
 
-    explicit Flight(const InitialBox& box)
+    explicit Flight(const InitialBox& box, bool any_spin = false)
         : phi(side(box, 0)),
-          w(side(box, 1)),
+          w(any_spin ? I(1) / I(0) : side(box, 1)),
           r(bound(down, 1 / box.hi[4], N(0)), bound(up, 1 / box.lo[4], N(0))),
           h(side(box, 2) * (I(1) + r)),
           v(side(box, 3) * (I(1) + r)) {}

@@ -121,7 +121,7 @@ class StartsReader : public Reader<InitialLeaf> {
         if (claim_.shares) {
             text_.budget.take(4 * Work::of_box({}, {}, depth), text_.line);
             claim_.shares->add(leaf_.least, leaf_.most, volume);
-            if (claim_.shares->change.size() > most_shares)
+            if (claim_.shares->counts.size() > most_shares)
                 throw Failure{Verdict::limit, text_.line, "limit",
                               "--shares of more than 20,000 different numbers of collisions"};
         }
@@ -139,6 +139,7 @@ class StartsReader : public Reader<InitialLeaf> {
         if (unbounded && (leaf_.first || leaf_.least == leaf_.most))
             text_.reject("section", "up to s = 1 a leaf is `open`, or `between` without a window");
         if (unbounded) result.box.hi[1] = result.box.lo[1];
+        result.any_spin = unbounded;
         result.box = incoming_states(result.box);
         return result;
     }

@@ -20,6 +20,7 @@ struct InitialLeaf {
     std::uint64_t least = 0, most = 0, line = 0;
     unsigned bits = 53;     ///< with as many it must be certified
     bool multiple = false;  ///< not in double
+    bool any_spin = false;  ///< of every phidot, whatever the box says
     std::string_view opcode;
     std::optional<FirstContact> first;
     InitialBox box;

@@ -12,7 +12,7 @@ class Check : FirstReflection<N> {
     using typename Base::I;
 
   public:
-    Check(const InitialLeaf& leaf, Log* log) : Base(Flight<N>(leaf.box), log), leaf_(leaf) {
+    Check(const InitialLeaf& leaf, Log* log) : Base(Flight<N>(leaf.box, leaf.any_spin), log), leaf_(leaf) {
         if (log) describe();
     }
 

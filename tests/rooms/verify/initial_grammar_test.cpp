@@ -155,7 +155,7 @@ TEST_CASE("the shares of a file are those of its leaves") {
     const auto claim = std::get<dumbbell_verify::Initial>(proof.other);
     CHECK((claim.decided == mpq_class(1, 4)));
     CHECK((claim.shares.value().open == mpq_class(3, 4)));
-    CHECK((claim.shares.value().exact.at(0) == mpq_class(1, 4)));
+    CHECK((claim.shares.value().counts.at(0).exact == mpq_class(1, 4)));
     const auto rows = claim.shares.value().rows();
     REQUIRE(rows.size() == 2);
     CHECK((rows[0].least == 0 && rows[0].most == 0U && rows[0].lo == mpq_class(1, 4) && rows[0].hi == 1));

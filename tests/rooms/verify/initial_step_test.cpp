@@ -297,6 +297,11 @@ TEST_CASE("initial conditions: a second dip of a mass is not its first contact")
         leaf.most = 9;
         leaf.first = FirstContact{false, mpq_class(0.40 + shift), mpq_class(0.47 + shift)};
         CHECK((check_initial(leaf, nullptr) == nullptr) == (shift == 0));
+        // Of states of every phidot nothing is known but that they fall.
+        leaf.any_spin = true;
+        CHECK(check_initial(leaf, nullptr) != nullptr);
+        leaf.first.reset();
+        CHECK(check_initial(leaf, nullptr) == nullptr);
     }
 }
 
