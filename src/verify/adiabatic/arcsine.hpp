@@ -3,7 +3,7 @@
 #include "verify/core/interval.hpp"
 #include "verify/machine/meter.hpp"
 
-namespace dumbbell_verify {
+namespace dumbbell_verify::adiabatic {
 
 constexpr int most_arcsine_terms = 512;
 
@@ -25,4 +25,4 @@ Interval<N> arcsine_share(const Interval<N>& Z) {
     return {sum.lo, (sum + term * y / (I(1) - y)).hi};
 }
 
-}  // namespace dumbbell_verify
+}  // namespace dumbbell_verify::adiabatic

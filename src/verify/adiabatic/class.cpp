@@ -3,20 +3,20 @@
 #include "verify/adiabatic/check.hpp"
 #include "verify/machine/meter.hpp"
 
-namespace dumbbell_verify {
+namespace dumbbell_verify::adiabatic {
 namespace {
 
 constexpr int class_parts = 64;  ///< of [-1, 1]
 
 /// u: of the flight's upper contact; the slope is k = sigma sqrt(r).
 template <class N>
-class ClassCheck : AdiabaticCheck<N> {
-    using Base = AdiabaticCheck<N>;
+class ClassCheck : Check<N> {
+    using Base = Check<N>;
     using Base::fact, Base::leaf_, Base::m_, Base::quarter, Base::zero, Base::number;
     using typename Base::I;
 
   public:
-    ClassCheck(const AdiabaticLeaf& leaf, Log* log)
+    ClassCheck(const Leaf& leaf, Log* log)
         : Base(leaf, Masses<N>(Base::side(leaf.box, axis_delta)), log),
           J_(number(class_().J)),
           whole_u_(Base::side(axis_u)),
@@ -26,15 +26,15 @@ class ClassCheck : AdiabaticCheck<N> {
 
     /// nullptr if all is certified, else what is not.
     const char* verdict() {
-        return (leaf_.part == AdiabaticLeaf::class_itself ? is_class()
-                : leaf_.outside                           ? is_outside()
-                                                          : is_bounded())
+        return (leaf_.part == Leaf::class_itself ? is_class()
+                : leaf_.outside                  ? is_outside()
+                                                 : is_bounded())
                    ? nullptr
                    : Base::failed();
     }
 
   private:
-    [[nodiscard]] const AdiabaticClass& class_() const { return leaf_.terms->classes.at(leaf_.index); }
+    [[nodiscard]] const Class& class_() const { return leaf_.terms->classes.at(leaf_.index); }
 
     /// Once for each class: no flight that it is about is steeper than 8 sqrt(r).
     bool is_class() {
@@ -140,8 +140,6 @@ class ClassCheck : AdiabaticCheck<N> {
 
 }  // namespace
 
-const char* check_adiabatic_class(const AdiabaticLeaf& leaf, Log* log) {
-    return judged<ClassCheck>(leaf, log);
-}
+const char* check_class(const Leaf& leaf, Log* log) { return judged<ClassCheck>(leaf, log); }
 
-}  // namespace dumbbell_verify
+}  // namespace dumbbell_verify::adiabatic

@@ -4,7 +4,7 @@
 #include "verify/functions/angle.hpp"
 #include "verify/machine/meter.hpp"
 
-namespace dumbbell_verify {
+namespace dumbbell_verify::adiabatic {
 
 /// x^(n/16) for x >= 0.
 template <class N>
@@ -78,4 +78,4 @@ struct Touch {
     };
 };
 
-}  // namespace dumbbell_verify
+}  // namespace dumbbell_verify::adiabatic

@@ -137,7 +137,7 @@ Header read_header(Text& text) {
 }
 
 Proof collisions(Text& text, const Settings& settings, const Section& section) {
-    return CollisionsReader(text, settings, section).run();
+    return CollisionsReader(text, settings, section).proof();
 }
 
 }  // namespace dumbbell_verify

@@ -70,13 +70,13 @@ struct Chart;
 /// What --explain shows of a check, a line for every inequality (verify/program).
 class Log {
   public:
-    /// A number behind some words, rounded outward to doubles.
+    /// A number behind a name, rounded outward to doubles.
     struct Shown {
-        const char* words;
+        const char* name;
         Interval<double> number;
         template <class N>
         Shown(const char* text, const Interval<N>& x)
-            : words(text), number(to_double(down, x.lo), to_double(up, x.hi)) {}
+            : name(text), number(to_double(down, x.lo), to_double(up, x.hi)) {}
     };
     using Line = std::initializer_list<Shown>;
 

@@ -62,7 +62,7 @@ class Reader {
     Reader& operator=(const Reader&) = delete;
 
     /// Returns only if all that the file and the demand say is certified.
-    Proof run() {
+    Proof proof() {
         try {
             read();
             read_trailer(text_, proof_);

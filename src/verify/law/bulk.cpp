@@ -2,7 +2,7 @@
 // flight, for all eps in [0, 1/1000] at once.
 #include "verify/law/rule.hpp"
 
-namespace dumbbell_verify {
+namespace dumbbell_verify::law {
 namespace {
 
 /// At [alpha, alpha'] of a step, with Q at its middle: W(x) = sin(Q/cos x) is the clock's integrand, and its
@@ -56,13 +56,13 @@ class Clock {
 };
 
 template <class N>
-class BulkRule : LawRule<N> {
-    using Base = LawRule<N>;
+class BulkRule : Rule<N> {
+    using Base = Rule<N>;
     using Base::fact, Base::less, Base::within, Base::quarter;
     using I = Interval<N>;
 
   public:
-    BulkRule(const LawLeaf& leaf, Log* log) : Base(leaf, log) {}
+    BulkRule(const Leaf& leaf, Log* log) : Base(leaf, log) {}
 
     const char* verdict() {
         const Range& range = ranges.at(this->leaf_.range);
@@ -137,12 +137,12 @@ class BulkRule : LawRule<N> {
         return {defect / betas, fall / betas, J};
     }
 
-    struct Step {
+    struct Values {
         I Q, F, tangent, sin_U, cos_U, t, d1, d2, w, w_last, tan2, tan2_last;
     };
     /// The integral of W over [alpha, alpha'], less 2 eps, over eps^3.
     [[nodiscard]] I clock_part(const I& th, const I& eps, const I& beta, const I& beta_last,
-                               const Step& s) const {
+                               const Values& s) const {
         const auto excess = [](const I& w, const I& tan2) {  // tan beta - beta
             return cube(I(1) / w) / I(3) * below_one(tan2, fraction<N>(3, 5));
         };
@@ -186,13 +186,13 @@ class BulkRule : LawRule<N> {
 
 }  // namespace
 
-const char* check_law_bulk(const LawLeaf& leaf, Log* log) { return judged<BulkRule>(leaf, log); }
+const char* check_bulk(const Leaf& leaf, Log* log) { return judged<BulkRule>(leaf, log); }
 
-const char* check_law_bulk_window(unsigned bits, bool multiple, Log* log) {
-    const LawLeaf leaf;
+const char* check_bulk_window(unsigned bits, bool multiple, Log* log) {
+    const Leaf leaf;
     Big::precision = bits;
     return multiple ? BulkRule<Big>(leaf, log).window_verdict()
                     : BulkRule<double>(leaf, log).window_verdict();
 }
 
-}  // namespace dumbbell_verify
+}  // namespace dumbbell_verify::law

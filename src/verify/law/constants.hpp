@@ -4,7 +4,7 @@
 
 #include "verify/law/slope.hpp"
 
-namespace dumbbell_verify {
+namespace dumbbell_verify::law {
 
 /// numerator/denominator, in lowest terms.
 struct Ratio {
@@ -91,4 +91,4 @@ Interval<N> growth_constant() {
     return sum + I((-(share * S)).lo, (share * S).hi);
 }
 
-}  // namespace dumbbell_verify
+}  // namespace dumbbell_verify::law

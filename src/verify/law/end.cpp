@@ -2,12 +2,12 @@
 // it, for every eps in (0, 1/1000].
 #include "verify/law/rule.hpp"
 
-namespace dumbbell_verify {
+namespace dumbbell_verify::law {
 namespace {
 
 template <class N>
-class EndRule : LawRule<N> {
-    using Base = LawRule<N>;
+class EndRule : Rule<N> {
+    using Base = Rule<N>;
     using Base::fact, Base::less, Base::within, Base::quarter;
     using I = Interval<N>;
     using S = Slope<N>;
@@ -42,7 +42,7 @@ class EndRule : LawRule<N> {
     };
 
   public:
-    EndRule(const LawLeaf& leaf, Log* log) : Base(leaf, log), d_(Base::side(0)) {}
+    EndRule(const Leaf& leaf, Log* log) : Base(leaf, log), d_(Base::side(0)) {}
 
     const char* verdict() { return is_beyond() || is_bounded() ? nullptr : Base::failed(); }
 
@@ -96,6 +96,6 @@ class EndRule : LawRule<N> {
 
 }  // namespace
 
-const char* check_law_end(const LawLeaf& leaf, Log* log) { return judged<EndRule>(leaf, log); }
+const char* check_end(const Leaf& leaf, Log* log) { return judged<EndRule>(leaf, log); }
 
-}  // namespace dumbbell_verify
+}  // namespace dumbbell_verify::law

@@ -2,7 +2,7 @@
 #pragma once
 #include "verify/law/slope.hpp"
 
-namespace dumbbell_verify {
+namespace dumbbell_verify::law {
 
 /// d/dF and d^2/dF^2 of G.
 template <class T>
@@ -138,4 +138,4 @@ class Moments {
     const Factor whole_Q_, whole_J_;
 };
 
-}  // namespace dumbbell_verify
+}  // namespace dumbbell_verify::law

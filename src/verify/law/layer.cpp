@@ -2,7 +2,7 @@
 // every eps in (0, 1/1000].
 #include "verify/law/rule.hpp"
 
-namespace dumbbell_verify {
+namespace dumbbell_verify::law {
 namespace {
 
 /// The quantities of a step (law.md) as functions of U, for all rho of an interval and all Q of a form.
@@ -49,18 +49,18 @@ struct LayerStep {
 };
 
 template <class N>
-class LayerRule : LawRule<N> {
-    using Base = LawRule<N>;
+class LayerRule : Rule<N> {
+    using Base = Rule<N>;
     using Base::fact, Base::less, Base::within, Base::quarter;
     using I = Interval<N>;
 
   public:
-    LayerRule(const LawLeaf& leaf, Log* log) : Base(leaf, log), U_(Base::side(0)), rho_(Base::side(1)) {}
+    LayerRule(const Leaf& leaf, Log* log) : Base(leaf, log), U_(Base::side(0)), rho_(Base::side(1)) {}
 
     const char* verdict() {
-        const bool holds = this->leaf_.rule == LawLeaf::beyond  ? is_beyond()
-                           : this->leaf_.rule == LawLeaf::slope ? is_bounded<Slope>()
-                                                                : is_bounded<Interval>();
+        const bool holds = this->leaf_.rule == Leaf::beyond  ? is_beyond()
+                           : this->leaf_.rule == Leaf::slope ? is_bounded<Slope>()
+                                                             : is_bounded<Interval>();
         return holds ? nullptr : Base::failed();
     }
     /// Whether at U = 0, for this rho, D/D0(T) is 1, which takes the right k0.
@@ -77,8 +77,8 @@ class LayerRule : LawRule<N> {
     bool is_bounded() {
         if (std::is_same_v<Form<N>, I> && !less("0 < U", 0, U_)) return false;
         const Along<N, Form> along{U_};
-        const Along<N, Interval> plain{U_};
-        I q = offset(plain, LayerStep<N, Interval>(plain, rho_, Base::crude_Q()));
+        const Along<N, Interval> wide{U_};
+        I q = offset(wide, LayerStep<N, Interval>(wide, rho_, Base::crude_Q()));
         for (int i = 0; i < refinements; ++i)
             q = common(q, values_of(offset(along, LayerStep<N, Form>(along, rho_, offset_by(along, q)))));
         if (!less("(Q - pi/2)/(rho^2 U), its least and its most", I(q.lo), I(q.hi), false)) return false;
@@ -154,10 +154,10 @@ class LayerRule : LawRule<N> {
 
 }  // namespace
 
-const char* check_law_layer(const LawLeaf& leaf, Log* log) { return judged<LayerRule>(leaf, log); }
+const char* check_layer(const Leaf& leaf, Log* log) { return judged<LayerRule>(leaf, log); }
 
-const char* check_law_constant(unsigned bits, bool multiple, Log* log) {
-    LawLeaf leaf;
+const char* check_constant(unsigned bits, bool multiple, Log* log) {
+    Leaf leaf;
     leaf.box.hi[0] = mpq_class(1, 1000);
     Big::precision = bits;
     for (int i = 0; i <= 4; ++i) {
@@ -169,4 +169,4 @@ const char* check_law_constant(unsigned bits, bool multiple, Log* log) {
     return nullptr;
 }
 
-}  // namespace dumbbell_verify
+}  // namespace dumbbell_verify::law

@@ -7,16 +7,16 @@
 #include "verify/law/leaf.hpp"
 #include "verify/machine/meter.hpp"
 
-namespace dumbbell_verify {
+namespace dumbbell_verify::law {
 
 template <class N>
-class LawRule : public Rays<N> {
+class Rule : public Rays<N> {
   public:
     using I = Interval<N>;
     using Rays<N>::fact, Rays<N>::less, Rays<N>::half_turn, Rays<N>::quarter, Rays<N>::zero;
 
   protected:
-    LawRule(const LawLeaf& leaf, Log* log) : Rays<N>(log), leaf_(leaf) { Meter::spend(1 << 19); }
+    Rule(const Leaf& leaf, Log* log) : Rays<N>(log), leaf_(leaf) { Meter::spend(1 << 19); }
 
     [[nodiscard]] I side(std::size_t axis) const {
         return between(leaf_.box.lo.at(axis), leaf_.box.hi.at(axis));
@@ -36,7 +36,7 @@ class LawRule : public Rays<N> {
     /// What Q is known to be in the layer, before it is J - A (L53).
     [[nodiscard]] I crude_Q() const { return quarter + I(fraction<N>(-1, 100).lo, fraction<N>(1, 20).hi); }
 
-    const LawLeaf& leaf_;
+    const Leaf& leaf_;
 };
 
-}  // namespace dumbbell_verify
+}  // namespace dumbbell_verify::law

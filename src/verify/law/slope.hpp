@@ -3,7 +3,7 @@
 #include "verify/core/interval.hpp"
 #include "verify/functions/angle.hpp"
 
-namespace dumbbell_verify {
+namespace dumbbell_verify::law {
 
 /// The values on the box of a factor that depends on U. One that does not depend on it is one as well.
 template <class N>
@@ -189,4 +189,4 @@ struct Along {
     }
 };
 
-}  // namespace dumbbell_verify
+}  // namespace dumbbell_verify::law

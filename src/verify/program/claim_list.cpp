@@ -40,10 +40,10 @@ Job parse_row(const std::string& row, const std::filesystem::path& folder, Setti
     if (fields.size() < 2 || fields[0].empty())
         throw std::invalid_argument("needs a certificate, a tab and its claim: FILE<tab>--ratio 10 --max 4");
     if (fields[0].find('\0') != std::string::npos) throw std::invalid_argument("a name with a zero byte");
-    Words words(split(fields[1], ' '));
-    while (words.next())
-        if (!claim_option(words, settings))
-            throw std::invalid_argument("`" + words.word.substr(0, 60) + "` states no claim; see --help");
+    Arguments given(split(fields[1], ' '));
+    while (given.next())
+        if (!claim_option(given, settings))
+            throw std::invalid_argument("`" + given.word.substr(0, 60) + "` states no claim; see --help");
     const Collisions& demand = settings.demand;
     if (settings.claim != "law" && (!demand.ratios || !(demand.most || demand.least)))
         throw std::invalid_argument(

@@ -14,7 +14,7 @@ std::string text_of(const Interval<double>& x) {
 }
 std::string text_of(Log::Line numbers) {
     std::string text;
-    for (const Log::Shown& shown : numbers) text += shown.words + text_of(shown.number);
+    for (const Log::Shown& shown : numbers) text += shown.name + text_of(shown.number);
     return text;
 }
 

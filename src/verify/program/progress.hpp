@@ -23,7 +23,7 @@ class Progress {
 
   private:
     void show(const std::string& text);
-    void run();
+    void watch();
 
     const std::uint64_t budget_;
     std::mutex mutex_;

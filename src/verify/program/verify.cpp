@@ -45,12 +45,12 @@ Verified read_on(Text& text, const Settings& settings, const Header& header) {
     if (settings.together)
         throw Failure{Verdict::unreadable, text.line, "usage",
                       "--together is about ranges of mass ratios, and this file is about something else"};
-    const auto invariant = adiabatic_kind(claim);
+    const auto invariant = adiabatic::kind_named(claim);
     const bool is_law = header.section == &turning() && claim == "law";
     if (!is_law && (header.section || !(invariant || is_initial))) text.unsupported("unknown claim " + claim);
-    if (is_law) return about(law(text, settings));
-    if (invariant) return about(adiabatic(text, settings, *invariant));
-    return about(initial(text, settings, incoming));
+    if (is_law) return about(law::proof(text, settings));
+    if (invariant) return about(adiabatic::proof(text, settings, *invariant));
+    return about(starts::proof(text, settings, incoming));
 }
 
 }  // namespace

@@ -10,8 +10,8 @@
 namespace dumbbell_verify {
 namespace {
 
-constexpr unsigned most_wedge_steps = 10'000;  ///< a + b
-constexpr std::size_t most_bits = 4'000'000;   ///< of a numerator
+constexpr unsigned most_wedge_collisions = 10'000;  ///< a + b
+constexpr std::size_t most_bits = 4'000'000;        ///< of a numerator
 
 /// kappa of a ray, and r, as integers: kappa = top / bottom, bottom > 0; r = light / heavy. Not reduced.
 class Wedge {
@@ -67,7 +67,8 @@ class Wedge {
         return 1024 + 16 * limbs(a) * limbs(b);
     }
     [[nodiscard]] bool hints_are_small() const {
-        if (leaf_.a > most_wedge_steps || leaf_.b > most_wedge_steps || leaf_.a + leaf_.b > most_wedge_steps)
+        if (leaf_.a > most_wedge_collisions || leaf_.b > most_wedge_collisions ||
+            leaf_.a + leaf_.b > most_wedge_collisions)
             throw std::length_error("a + b beyond 10,000 in a wedge");
         return true;
     }

@@ -5,20 +5,20 @@
 
 #include "verify/core/claim.hpp"
 
-namespace dumbbell_verify {
+namespace dumbbell_verify::starts {
 
 /// x >= 0 with this number of decimals, rounded up or down.
 std::string decimals(const mpq_class& x, bool upward, unsigned places = 6);
 
 /// phi, phidot, y, ydot and the mass ratio q, in this order.
-inline constexpr std::array<std::string_view, 5> initial_axes{"phi", "phidot", "y", "ydot", "q"};
-struct InitialBox {
-    std::array<mpq_class, initial_axes.size()> lo, hi;
+inline constexpr std::array<std::string_view, 5> axis_names{"phi", "phidot", "y", "ydot", "q"};
+struct Box {
+    std::array<mpq_class, axis_names.size()> lo, hi;
 };
 
 /// How likely each number of collisions is (format-initial.md, section 7): the volumes of leaves, in units of
 /// the box's.
-struct StartShares {
+struct Shares {
     struct Count {
         mpq_class exact;   ///< of the leaves with this number
         mpq_class change;  ///< from the number before: of the leaves that do not exclude this one
@@ -39,14 +39,14 @@ struct StartShares {
 
 /// Every regular trajectory that starts in the box has at least `least` and, if it is a number, at most
 /// `most` collisions; on the share `decided` of the box's volume their exact number is proved.
-struct Initial {
+struct Claim {
     static constexpr std::string_view leaves = "box, box.01, ...";  ///< as --explain names them
     bool incoming = false;  ///< not a box, but all incoming trajectories (format-initial.md, section 8)
-    InitialBox box;
+    Box box;
     std::uint64_t least = 0;
     std::optional<std::uint64_t> most;
     mpq_class decided;
-    std::optional<StartShares> shares;  ///< if they were asked for
+    std::optional<Shares> shares;  ///< if they were asked for
 
     /// Empty if this proves the bounds and contains the ratios that are demanded.
     [[nodiscard]] std::string missing(const Collisions& demand) const;
@@ -63,4 +63,4 @@ struct Initial {
     [[nodiscard]] std::string paragraph() const;
 };
 
-}  // namespace dumbbell_verify
+}  // namespace dumbbell_verify::starts

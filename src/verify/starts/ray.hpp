@@ -1,4 +1,4 @@
-// The collisions after a contact, for a box of rays: by the monotone counts, and by steps from wall to wall
+// The collisions after a contact, for a box of rays: by the monotone counts, and from wall to wall
 // (format-initial.md, sections 5 and 6).
 #pragma once
 #include "verify/core/ray.hpp"
@@ -7,7 +7,7 @@
 #include "verify/machine/integer.hpp"
 #include "verify/machine/meter.hpp"
 
-namespace dumbbell_verify {
+namespace dumbbell_verify::starts {
 
 template <class N>
 class Departures : public Rays<N> {
@@ -29,7 +29,7 @@ class Departures : public Rays<N> {
         enough_ = least == 0;
         few_ = false;
         int counted = 0;
-        for (std::uint64_t done = 0; done <= most && done <= most_steps_made; ++done) {
+        for (std::uint64_t done = 0; done <= most && done <= most_followed; ++done) {
             note(done, ray);
             Meter::spend(1 << 14);
             enough_ = enough_ || done >= least;
@@ -38,7 +38,7 @@ class Departures : public Rays<N> {
             count(ray, passes, least - std::min(least, done), most - done);
             if (enough_ && few_) return true;
             counted += ray.slope.lo >= -r_.lo;
-            if (counted > most_counted_steps) break;
+            if (counted > most_counted) break;
             bool last = false;
             const auto next = ray.light && !passes ? off_bridge(ray) : off_light_wall(ray, last);
             if (last)
@@ -92,8 +92,8 @@ class Departures : public Rays<N> {
         };
         const I slope(along(ray.slope.hi, at->cosine.lo).lo, along(ray.slope.lo, at->cosine.hi).hi);
         const bool back = D.hi < zero;
-        const I run = back ? at->x : half_turn - at->x, rise = back ? -slope : slope;
-        return Departure{false, r_ * at->sine + rise * run, rise};
+        const I way = back ? at->x : half_turn - at->x, rise = back ? -slope : slope;
+        return Departure{false, r_ * at->sine + rise * way, rise};
     }
     /// The rays that leave the bridge, or pass it, after a contact with the light wall ahead, if all touch it
     /// and turn back; `last`: all touch it and go on over the peak.
@@ -114,8 +114,8 @@ class Departures : public Rays<N> {
 
   private:
     /// Twice what format-initial.md asks for: of all rays, and of those that are counted by G.
-    static constexpr std::uint64_t most_steps_made = 2000;
-    static constexpr int most_counted_steps = 128;
+    static constexpr std::uint64_t most_followed = 2000;
+    static constexpr int most_counted = 128;
     static constexpr double least_ratio = 0x1p-43;  ///< of r: below are more than 10^6 collisions
 
     void require_countable() const {
@@ -208,4 +208,4 @@ class Departures : public Rays<N> {
     bool enough_ = false, few_ = false;  ///< what has been certified of the present rays
 };
 
-}  // namespace dumbbell_verify
+}  // namespace dumbbell_verify::starts

@@ -3,7 +3,7 @@
 #include "verify/starts/flight.hpp"
 #include "verify/starts/ray.hpp"
 
-namespace dumbbell_verify {
+namespace dumbbell_verify::starts {
 
 template <class N>
 class FirstReflection : public Departures<N> {
@@ -63,9 +63,9 @@ class FirstReflection : public Departures<N> {
             none = right == before;
             if (none) return std::nullopt;
         }
-        const I run = right ? end - angle : angle - begin, rise = right ? K : -K;
-        return Departure{!heavy, height + rise * run, rise};
+        const I way = right ? end - angle : angle - begin, rise = right ? K : -K;
+        return Departure{!heavy, height + rise * way, rise};
     }
 };
 
-}  // namespace dumbbell_verify
+}  // namespace dumbbell_verify::starts

@@ -2,7 +2,7 @@
 #pragma once
 #include "verify/core/text.hpp"
 
-namespace dumbbell_verify {
+namespace dumbbell_verify::starts {
 
 /// Field i, a ratio or 0.
 inline mpq_class level(const Text& text, std::size_t i) {
@@ -13,4 +13,4 @@ inline mpq_class signed_ratio(const Text& text, std::size_t i) {
     return field.starts_with('-') ? mpq_class(-text.ratio(field.substr(1))) : level(text, i);
 }
 
-}  // namespace dumbbell_verify
+}  // namespace dumbbell_verify::starts

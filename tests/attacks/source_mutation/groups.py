@@ -38,14 +38,14 @@ VERIFIER = {
             "starts/zero:starts/grammar"),
     # the program: what was asked, and what the verdict and the exit code say
     **below("verify/program", "options option_table claim_options claim_list together "
-            "examine main summary json junit escape replace_file", "words:options"),
+            "examine main summary json junit escape replace_file", "arguments:options"),
 }
 
 ADIABATIC = below(
-    "verify", "adiabatic/grammar adiabatic/attained adiabatic/bounce adiabatic/claim adiabatic/class adiabatic/run",
-    "adiabatic/grammar:adiabatic/grammar adiabatic/bounce:adiabatic/run adiabatic/check:adiabatic/run "
-    "adiabatic/claim:adiabatic/claim adiabatic/contact:adiabatic/run adiabatic/potential:adiabatic/class "
-    "adiabatic/arcsine:adiabatic/run")
+    "verify", "adiabatic/grammar adiabatic/attained adiabatic/bounce adiabatic/claim adiabatic/class adiabatic/bounces",
+    "adiabatic/grammar:adiabatic/grammar adiabatic/bounce:adiabatic/bounces adiabatic/check:adiabatic/bounces "
+    "adiabatic/claim:adiabatic/claim adiabatic/contact:adiabatic/bounces adiabatic/potential:adiabatic/class "
+    "adiabatic/arcsine:adiabatic/bounces")
 
 GROUPS = {
     "verify": Group(

@@ -9,12 +9,13 @@
 #include <iostream>
 #include <random>
 
-#include "rooms/verify/leaf_rows.hpp"
+#include "rooms/verify/core/leaf_rows.hpp"
+
+namespace starts = dumbbell_verify::starts;
 
 namespace {
 
 using namespace leaf_rows;
-using dumbbell_verify::FirstContact;
 
 class Maker {
   public:
@@ -27,7 +28,7 @@ class Maker {
             if (i % 3 == 2) {
                 const AnyLeaf leaf = initial();
                 around(leaf);
-                if (i % 6 == 2) around(Start{std::get<InitialLeaf>(leaf).box});
+                if (i % 6 == 2) around(Start{std::get<starts::Leaf>(leaf).box});
                 continue;
             }
             const Section& section = *sections[below(i % 2 == 0 ? 3 : 5)];
@@ -98,7 +99,7 @@ class Maker {
     }
 
     AnyLeaf initial() {
-        InitialLeaf leaf;
+        starts::Leaf leaf;
         set_bits(leaf, bits_);
         const double q = ratio().get_d(), r = 1 / q;
         const double phi = uniform(-4, 7), w = below(4) == 0 ? 0 : uniform(-2, 2), y = uniform(1, 2),
@@ -121,7 +122,7 @@ class Maker {
                     const double pad = std::exp2(-static_cast<int>(below(8)) - 4);
                     const mpq_class from = rounded(t - 1.0 / 64 - pad), until = rounded(t + pad);
                     if (from <= 0 || until <= from) return leaf;
-                    leaf.first = FirstContact{heavy, from, until};
+                    leaf.first = starts::FirstContact{heavy, from, until};
                 }
         const bool window = below(6) != 0;
         if (!window) leaf.first.reset();
@@ -168,13 +169,13 @@ class Maker {
             return;
         }
         auto* start = std::get_if<Start>(&any);
-        auto& box = start ? start->box : std::get<InitialLeaf>(any).box;
+        auto& box = start ? start->box : std::get<starts::Leaf>(any).box;
         for (std::size_t i = 0; i < 5; ++i) {
             move(any, {&box.lo[i]}, -1);
             move(any, {&box.hi[i]}, 1);
         }
         if (start) return;
-        auto& leaf = std::get<InitialLeaf>(any);
+        auto& leaf = std::get<starts::Leaf>(any);
         if (leaf.first) {
             move(any, {&leaf.first->from}, -1);
             move(any, {&leaf.first->from}, 1);
@@ -222,11 +223,11 @@ class Maker {
         if (const auto* one = std::get_if<SectionLeaf>(&any))
             return c == &one->leaf.box.lo[2] || c == &one->leaf.box.hi[2];
         const auto* start = std::get_if<Start>(&any);
-        const auto& box = start ? start->box : std::get<InitialLeaf>(any).box;
+        const auto& box = start ? start->box : std::get<starts::Leaf>(any).box;
         return c == &box.lo[4] || c == &box.hi[4];
     }
     static bool is_signed(const AnyLeaf& any, const mpq_class* c) {
-        const auto* leaf = std::get_if<InitialLeaf>(&any);
+        const auto* leaf = std::get_if<starts::Leaf>(&any);
         if (std::holds_alternative<Start>(any)) return true;
         return leaf && !(leaf->first && (c == &leaf->first->from || c == &leaf->first->until));
     }
