@@ -22,7 +22,7 @@ set(exactly "(= ${PROJECT_VERSION})")
 set(interface libdumbbell${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
 set(about "Two point masses on a massless rod fly, without gravity, towards a
 flat floor and bounce elastically. dumbbell finds the greatest number of
-times that they can hit it, for one mass ratio or for all of a range, by
+times that they can hit it, for a mass ratio or for a whole range, by
 interval arithmetic, and writes a certificate that an independent verifier
 re-checks.")
 set(CPACK_DEBIAN_PROGRAMS_PACKAGE_NAME dumbbell)

@@ -51,7 +51,7 @@ function(dumbbell_add_tests name)
   set(after_list ${CMAKE_CURRENT_BINARY_DIR}/test_${name}_after_list.cmake)
   file(CONFIGURE OUTPUT ${after_list} @ONLY CONTENT [[
 if(test_@name@_TESTS)
-  set_tests_properties(${test_@name@_TESTS} PROPERTIES LABELS "@arg_LABELS@" TIMEOUT 3600
+  set_tests_properties(${test_@name@_TESTS} PROPERTIES LABELS "@arg_LABELS@" TIMEOUT 1200
     SKIP_REGULAR_EXPRESSION "skipped: only root can mount a small disk")
 else()
   add_test("@name@/LISTS NO TESTS" test_@name@_LISTS_NO_TESTS)

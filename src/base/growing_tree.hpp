@@ -80,7 +80,7 @@ class GrowingTree {
         new_boxes_.push_back(std::move(box));
         new_.push_back(waiting);
     }
-    /// The last n of `from`, the last one first, to the end of `to`.
+    /// Moves the last n of `from` to the end of `to`, in reverse order.
     template <class T>
     static void move_last(std::vector<T>& from, std::size_t n, std::vector<T>& to) {
         for (; n > 0; --n) {
@@ -93,7 +93,7 @@ class GrowingTree {
     std::size_t nodes_ = 1;
     std::vector<Node> finished_;       ///< in pre-order, as are all but those of later generations
     std::forward_list<Draft> drafts_;  ///< that follow them
-    std::vector<Box> boxes_, new_boxes_, later_boxes_;  ///< later ones: the first one last
+    std::vector<Box> boxes_, new_boxes_, later_boxes_;  ///< later ones: in reverse order
     std::vector<Waiting> waiting_, new_, later_;
 };
 

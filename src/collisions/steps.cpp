@@ -41,10 +41,12 @@ struct Step {
     bool exact = false;  ///< n - 1 holds at `critical` itself, which is the critical ratio exactly
 };
 
-/// Gaps at least this wide are placed with doubles.
+/// Gaps at least this wide are placed with doubles: a step is off by up to 2^-48, which must be a small part
+/// of the gap.
 constexpr double narrow = 1e-13;
 
-/// From this number of collisions on the steps are placed by macro steps.
+/// From this number of collisions on the steps are placed by macro steps. Flight by flight the four steps of
+/// 1e12:1.00001e12 took 43 s; so all of `certify` takes 1.2 s.
 constexpr long least_long = 100'000;
 
 /// q_c(n) to a small part of the gap, which is at most a thousandth of the distance to the next step.

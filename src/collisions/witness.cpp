@@ -61,7 +61,10 @@ struct Candidate {
     Rational eta;
 };
 
-/// Those with steepness 2^-depth, the likeliest first.
+/// Those with steepness 2^-depth, the likeliest first. The greatest count belongs to contacts near two limits
+/// (Theorem 1), the peak and the corner, at which it is not attained itself. So the places approach them by
+/// powers of two: at a coarse one the count is too small, at a fine one the precision no longer tells. Which
+/// one serves is not known beforehand, and few need to be tried.
 std::array<Candidate, 4> candidates(int depth) {
     const Rational eta = power_of_half(depth);
     // Near the corner the orbit tolerates a distance like the square root of the steepness.

@@ -39,9 +39,8 @@ std::string gzipped(const std::string& contents) {
 }
 
 [[noreturn]] void fail(const char* doing, const std::string& path) {
-    throw InputError(
-        fmt::format("cannot {} '{}': {}; nothing is left under that name that was not there before", doing,
-                    path, std::strerror(errno)));
+    throw InputError(fmt::format("cannot {} '{}': {}; what was under that name before is unchanged", doing,
+                                 path, std::strerror(errno)));
 }
 
 /// Nothing was begun: names what is missing, if it is the folder.

@@ -84,7 +84,7 @@ class MacroSteps {
 
 }  // namespace detail
 
-/// Looks at no ray on the way.
+/// Ignores the rays on the way.
 inline constexpr auto unseen = [](const auto&, const auto&, const auto&) {};
 
 /// An upper bound of G over all rays that lie at or above `lowest` in c, kappa and r: the lowest, flattest

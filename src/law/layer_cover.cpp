@@ -9,7 +9,7 @@ namespace dumbbell::law {
 namespace {
 
 constexpr int most_splits = 24;       ///< of one axis
-constexpr double slope_until = 0.25;  ///< beyond, the slope form is the coarser one
+constexpr double slope_until = 0.25;  ///< beyond, the slope form is mostly the coarser one; 0.5 does as well
 
 /// [lo, hi] of a side of length num/den.
 Interval side(const std::pair<double, double>& share, int num, int den) {

@@ -32,12 +32,11 @@ ConstantTexts constants_of(const TheoremReport& report) {
 /// What rests on a computation, and where its proof is.
 std::string source(const TheoremReport& report) {
     if (report.verdict) {
-        return fmt::format(
-            "Its proof is proofs/law.md; what rests on a computation there is verified:\n{}\n  {}\n",
-            one_line(*report.out), one_line(*report.verdict));
+        return fmt::format("Its proof is proofs/law.md; the computed part of it is verified:\n{}\n  {}\n",
+                           one_line(*report.out), one_line(*report.verdict));
     }
     std::string text = fmt::format(
-        "Its proof is proofs/law.md; what rests on a computation there was proved in {}: the steps to N = {} "
+        "Its proof is proofs/law.md; the computed part of it was proved in {}: the steps to N = {} "
         "to {} by\ncovers and witnesses, and all beyond them by a cover of {} boxes and two of equal "
         "parts.\n",
         time_text(report.seconds), first_step, last_step, report.leaves);

@@ -60,7 +60,7 @@ std::string foundation(const std::string& flight) {
 }
 std::string long_foundation(const std::string& beginning, const std::string& flight) {
     return beginning + fmt::format(
-                           "ust below it {} does not collide, just above it it does: the orbit was\n"
+                           "ust below it {} does not collide, just above it does: the orbit was\n"
                            "followed by macro steps (L42). That the maximum steps there is theorem 2 of "
                            "proofs/theorem.md,\n"
                            "which the covers of dumbbell certify do not use.\n",

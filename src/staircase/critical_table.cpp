@@ -128,7 +128,7 @@ std::string objection(const CriticalReport& table, const Interrupted& interrupte
     const auto doubtful = std::ranges::find(certain, 0);
     return doubtful == certain.end()
                ? ""
-               : fmt::format("q_c({}) is not certain to be where it says",
+               : fmt::format("q_c({}) is not certain to lie where it says",
                              table.rows[static_cast<std::size_t>(doubtful - certain.begin())].n);
 }
 

@@ -17,7 +17,7 @@ struct Words {
 
 /// Of each Obstacle.
 constexpr std::array<Words, obstacles> words{
-    {{"flat", "fall flat", "a fall flat, a contact of both masses at once"},
+    {{"flat", "flat fall", "a flat fall, a contact of both masses at once"},
      {"corner", "corner", "a corner, a contact of both masses at once"},
      {"graze", "grazing contact", "a grazing contact"},
      {"corner_or_graze", "corner or grazing contact",

@@ -7,7 +7,7 @@
 #include "starts/subdivide.hpp"
 #include "words/json.hpp"
 
-/// How corners, falls flat and grazing contacts are said.
+/// How corners, flat falls and grazing contacts are said.
 namespace dumbbell::starts {
 
 /// What a start, or a part of a box, is on or near to: `a grazing contact`; empty for `other`.

@@ -26,7 +26,7 @@ struct ExactEvent {
 /// *Corner.* Both masses are at height 0 iff y + ydot T = 0 and sin(phi + phidot T) = 0. T = -y/ydot is
 /// rational, and phi = a + b pi with rational a, b, so that phi + phidot T is a multiple of pi iff b is an
 /// integer and a + phidot T = 0 (pi is irrational). If phidot = 0, the rod is level all the way, so that this
-/// holds for every y, ydot < 0 and mass ratio: a fall flat. Else only a point with b = 0 is looked at, and
+/// holds for every y, ydot < 0 and mass ratio: a flat fall. Else only a point with b = 0 is looked at, and
 /// whether a mass has touched before: at the time T - s, s > 0, the heights are |ydot| s +- beta sin(phidot
 /// s) with the mass's beta, positive if |ydot| >= beta |phidot|; both are if that holds for beta2 = q/(1+q),
 /// the greater one. Of a rod that turns by no more than pi only the mass that is the lower one all the way

@@ -32,7 +32,7 @@ void require_sensible(const InitialBox& box) {
         }
     }
     if (box.upper(InitialAxis::phi) - box.lower(InitialAxis::phi) > 7) {
-        throw InputError("--phi spans more than 7 radians: about a turn is all there is, split it");
+        throw InputError("--phi spans more than 7 radians: one turn has every angle, give no more");
     }
 }
 
@@ -82,7 +82,7 @@ void require_in_play(const InitialBox& box) {
         const bool on = box.lower(InitialAxis::y) == 0 && box.lower(InitialAxis::phi) == 0;
         throw InputError(
             on ? "the rod starts on the floor, both masses touch it (a corner): raise --y above 0"
-               : "--y starts inside the floor: the centre of mass is above 0 whatever --phi is");
+               : "--y starts inside the floor: the centre of mass must be above 0, whatever --phi is");
     }
     const PrecisionScope scope(check_bits);
     const auto side = [&](InitialAxis axis) {

@@ -6,7 +6,7 @@ namespace dumbbell::starts {
 
 /// What enclosures that decide nothing are on or near to: they do not exclude the event, or hardly.
 enum class Obstacle {
-    flat,             ///< a fall flat: both masses at once, the rod not turning
+    flat,             ///< a flat fall: both masses at once, the rod not turning
     corner,           ///< both masses at once
     graze,            ///< a contact that is tangential
     corner_or_graze,  ///< each of the two

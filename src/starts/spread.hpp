@@ -7,8 +7,9 @@
 namespace dumbbell::starts {
 
 /// How much each axis of a box spreads its orbits where they part, which is after `shared` collisions, from
-/// the derivatives of the orbit of its centre: a guess, for choosing the axis to halve. Precondition: the
-/// centre is in the air.
+/// the derivatives of the orbit of its centre: a guess, for choosing the axis to halve. Derivatives in
+/// doubles choose as well as enclosed ones, and 48000 boxes of all incoming trajectories take 7.3 s with
+/// them, 38.2 s without (q = 100). Precondition: the centre is in the air.
 [[nodiscard]] std::array<double, initial_axes> spreads(const InitialBox& box, long shared);
 
 }  // namespace dumbbell::starts

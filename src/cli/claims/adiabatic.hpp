@@ -19,7 +19,7 @@ inline constexpr std::array statement_options{
            "sqrt(delta) (thm3.5: 1/2); radians, or like 30deg, pi/6, 0.1pi (cut down to 12 "
            "digits); or a list of them"},
     Option{"--k", "K[,K...]", "cor3.2: the exponent, a multiple of 1/16 from 0 to 1; or a list"},
-    Option{"--accuracy", "A", "of the bound over what is attained, relative", "0.1"}};
+    Option{"--accuracy", "A", "how far the bound may exceed what is attained, relatively", "0.1"}};
 
 /// All statements asked for: one for each exponent and distance from the vertical, the distance running
 /// fastest. Throws InputError, which names the option, if one of them makes no sense.

@@ -15,8 +15,8 @@ inline constexpr std::array claim_options{
     Option{"--scene", "dumbbell|hybrid|wedge",
            "the system: dumbbell, or the source paper's hybrid or straight wedge", "dumbbell"},
     Option{"--section", "turning|full|plain",
-           "what is covered: turning, or all collision states, forward only: full, or plain (by interval "
-           "evaluation alone, without monotonicity)",
+           "what is covered: turning (one collision of each trajectory), full (all collision states, counted "
+           "forward), or plain (full, by interval evaluation alone)",
            "turning"},
     Option{"--gap", "REL", "ranges: relative width of the gap around a critical ratio, from 1e-300 to 0.01",
            "1e-6"}};

@@ -32,7 +32,7 @@ The invariant is I = |phidot| (pi - arccos y), the light mass beta1 = epsilon = 
   thm3.5    |I_N - I_0| <= C sqrt(delta) for a whole scattering whose first and last collision are at distance
             c sqrt(delta) or more
 
-C is proved for all initial conditions, by a cover of theirs; it is compared with what one enclosed orbit attains. For
+C is proved for all initial conditions, by a cover, and compared with what one enclosed orbit attains. For
 thm3.3 C holds for any number of bounces; --bounces limits the attained orbit only.
 
 Examples:

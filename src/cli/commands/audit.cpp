@@ -13,9 +13,9 @@ namespace {
 constexpr const char* audit_description =
     R"(Prove exactly that a certificate's leaves tile the section, and its pieces the range.
 
-Every leaf box is derived again as exact rationals; that no two overlap and that their areas add up to the root's is
-proved with CGAL's exact arithmetic, whatever the tree says. What a leaf claims about its box is checked by
-dumbbell verify, not here.
+It derives every leaf's box again as exact rationals, and proves with CGAL's exact arithmetic that no two overlap and
+that their areas add up to the root's, whatever the tree says. It does not check what a leaf claims about its box:
+dumbbell verify does.
 
 Example: dumbbell audit certificates/stairs-1-100.dbc)";
 

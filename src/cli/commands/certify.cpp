@@ -41,16 +41,16 @@ Examples:
   dumbbell certify 4.6:4.61 --gap 1e-9 --json  a narrower gap around the critical ratio, for scripts
   dumbbell certify 1:1e8 --gap 1e-9 --part 7/64 --out part-07.dbc    one of 64 parts, for dumbbell join
 
-A range with --out FILE keeps its finished pieces in FILE.partial/ until all are: stopped (Ctrl-C), killed or out of
-time, the same command goes on with them and ends with the same file.
+With --out FILE a range keeps its finished pieces in FILE.partial/. If it is stopped (Ctrl-C), killed or out of time,
+the same command goes on from there, and ends with the same file.
 
-This uses no law. What the law for every mass ratio says of one, up to 10^1000: dumbbell law --ratio RATIO.)";
+No law is used. dumbbell law --ratio RATIO says what the law for every mass ratio says of one, up to 10^1000.)";
 
 constexpr const char* certify_footer =
     R"(The fields of --json: docs/reference/json.md.
 
 Exit codes: 0 proved; 1 internal error; 2 wrong usage or input; 3 not decided (within the budget); 130 or 143
-stopped by SIGINT (Ctrl-C) or SIGTERM: what is kept is said, and FILE not written.)";
+stopped by SIGINT (Ctrl-C) or SIGTERM: the pieces kept are reported, FILE is not written.)";
 
 constexpr std::array certify_options = joined(
     std::array{ratio_option.required()}, claim_options,
@@ -58,8 +58,8 @@ constexpr std::array certify_options = joined(
         part_option, certificate_option, jobs_option,
         budget_option.saying("give up after this time: 30s, 10m, 2h"),
         flag("--witness",
-             "print an orbit that attains the maximum, every collision enclosed, and, of one of up to 5000 "
-             "collisions, if one is found, a start in the air for trace")
+             "print an orbit that attains the maximum, every collision enclosed; if it has up to 5000 "
+             "collisions, also a start in the air for trace, where one is found")
             .excludes("--quiet"),
         json_option,
         flag("--quiet", "no table and no progress: what is proved, in a sentence").excludes("--witness")});
@@ -100,7 +100,8 @@ constexpr long most_traced_unasked = 100;
 
 std::string why_no_start(const collisions::Witness& witness) {
     return witness.total() > starts::longest_witness
-               ? fmt::format("it is looked for of orbits of up to {} collisions", starts::longest_witness)
+               ? fmt::format("it is looked for only along orbits of up to {} collisions",
+                             starts::longest_witness)
                : "none near this orbit was proved to have as many collisions";
 }
 

@@ -26,18 +26,18 @@ namespace {
 constexpr const char* critical_description =
     R"(Compute critical mass ratios, where the greatest number steps from N-1 to N.
 
-Every digit printed is proved. The enclosures rest on theorem 2 of proofs/theorem.md; dumbbell certify, which does not
-use it, proves the maximum at a ratio on either side.
+Every digit printed is proved. The enclosures rest on theorem 2 of proofs/theorem.md. dumbbell certify does not use it:
+run it at a ratio on either side to compare.
 
 Examples:
   dumbbell critical 4                                    q_c(4) = 4.60333884875170...
   dumbbell critical 4 --digits 100                       more of its digits
   dumbbell critical 3:20                                 the first 18 steps
-  dumbbell critical 10^12 --digits 50                    one of a very long orbit, by macro steps
+  dumbbell critical 10^12 --digits 50                    a very long orbit, by macro steps
   dumbbell critical 3:902 --digits 50 --out ratios.tsv   a table as a file
   dumbbell critical 3:10000 --part 7/64 --out part-07.tsv    one of 64 parts, for dumbbell join
 
-Beyond N = 10^17 the law for every mass ratio encloses one critical ratio at a time: dumbbell law --count 1e50.)";
+Beyond N = 10^17: dumbbell law --count 1e50 encloses one critical ratio by the law for every mass ratio.)";
 
 constexpr const char* critical_footer =
     R"(The fields of --json: docs/reference/json.md.

@@ -25,14 +25,14 @@ constexpr const char* join_description =
     R"(Verify the parts of a range, and join them to one file.
 
 The parts are certificates of dumbbell certify, in any order, or tables of dumbbell critical. Nothing is believed:
-each certificate is verified by dumbbell-verify, each enclosure of a table by the signs at its two ends. They must be
-the whole range, with no hole and nothing twice; pieces that the parts cut in two stay two. What is wrong, missing or
-open is named, with the command that makes it again.
+dumbbell-verify verifies each certificate, and each enclosure of a table is checked by the signs at its ends. The parts
+must make the whole range, with no hole and no overlap. Pieces that the parts cut in two stay two. What is wrong,
+missing or open is named, with the command that makes it again.
 
 Examples:
   for k in 1 2 3 4; do dumbbell certify 1:1e4 --part $k/4 --out part-$k.dbc; done
   dumbbell join part-*.dbc --out stairs.dbc
-  dumbbell join part-*.dbc --range 1:1e4 --gap 1e-6 --out stairs.dbc    also if the first or the last is missing
+  dumbbell join part-*.dbc --range 1:1e4 --gap 1e-6 --out stairs.dbc    notices a missing first or last part, too
   dumbbell join part-*.tsv --out ratios.tsv                             tables of critical ratios)";
 
 constexpr const char* join_footer =
@@ -47,9 +47,9 @@ constexpr std::array join_options{
         .checked([](const std::string& name) { return fault_of_name(name, std::nullopt); })
         .required(),
     Option{"--range", "LO:HI",
-           "what the parts must be together: mass ratios, or N1:N2 of tables; without it what they reach"},
+           "what the parts must make together: mass ratios, or N1:N2 of tables; default: what they reach"},
     Option{"--gap", "REL", "the --gap of the parts, for the commands that make certificates again"},
-    flag("--open", "write FILE though something in it is open"),
+    flag("--open", "write FILE even if something in it is open"),
     jobs_option.saying("threads that verify"),
     json_option,
     flag("--quiet", "no progress")};
@@ -60,7 +60,7 @@ std::unique_ptr<Parts> parts_of(const Given& given) {
     const auto other = std::ranges::find_if_not(names, staircase::is_critical_table);
     if (table != names.end() && other != names.end()) {
         throw InputError(fmt::format(
-            "'{}' is a table of critical ratios, and '{}' is none: join one kind at a time", *table, *other));
+            "'{}' is a table of critical ratios, and '{}' is not: join one kind at a time", *table, *other));
     }
     if (given.has("--gap")) {
         (void)parse_gap(given.text("--gap"));

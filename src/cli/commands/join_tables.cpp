@@ -32,7 +32,7 @@ class TableParts : public Parts {
             file.open = static_cast<std::size_t>(
                 std::ranges::count_if(table.rows, [](const auto& row) { return !row.ratio; }));
             const std::string objection = staircase::objection(table, deadline(std::nullopt));
-            file.fault = objection.empty() ? "" : fmt::format("'{}' is not believed: {}", name, objection);
+            file.fault = objection.empty() ? "" : fmt::format("'{}' is refused: {}", name, objection);
         } catch (const InputError& error) {
             file.fault = error.what();
         }

@@ -25,18 +25,18 @@ constexpr const char* law_description =
     R"(State the law of N(q) for every mass ratio, or what it says of one.
 
 For every q >= 62.72, 2 + floor(C sqrt q - c0 q^(-1/4)) <= N(q) <= 2 + floor(C sqrt q), with its two constants
-(proofs/law.md). What of it rests on a computation is a certificate that comes with the program; the independent
-verifier checks it first. --prove makes that certificate.
+(proofs/law.md). Its computed part is a certificate that comes with the program. The independent verifier checks it
+first. --prove makes it.
 
 --ratio says what the law says of one mass ratio up to 10^1000: N(q), or the two values that remain where q is too near
-a step. --count encloses one critical ratio q_c(N), at which the maximum steps from N - 1 to N. Both rest on the
-certificate that comes with the program, of which they say the SHA-256; they do not verify it again.
+a step. --count encloses one critical ratio q_c(N), at which the maximum steps from N - 1 to N. Both rest on that
+certificate, and name its SHA-256; they do not verify it again.
 
 Examples:
   dumbbell law                                the law for every mass ratio, verified
   dumbbell law --ratio 1e100                  N at q = 10^100
-  dumbbell law --count 1e50                   the ratio beyond which the maximum is 10^50
-  dumbbell law --prove --out law.dbc          its certificate, anew)";
+  dumbbell law --count 1e50                   the ratio at which the maximum steps to 10^50
+  dumbbell law --prove --out law.dbc          make its certificate again)";
 
 constexpr const char* law_footer =
     R"(The fields of --json: docs/reference/json.md.

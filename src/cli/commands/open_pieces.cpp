@@ -48,9 +48,9 @@ std::string reason(const CertifyRequest& request, Obstacle obstacle) {
                                collisions::PieceOptions{}.max_bits);
         case Obstacle::witness:
             return fmt::format(
-                ": no orbit with so many collisions was found that a certificate can spell ({} binary "
-                "places) and {} "
-                "bits can follow{}",
+                ": found no orbit with so many collisions that fits a certificate ({} binary places) and "
+                "that "
+                "{} bits can follow{}",
                 most_binary_places, collisions::PieceOptions{}.max_bits,
                 is_range(request) ? ": try a wider --gap" : "");
         case Obstacle::boxes:

@@ -17,7 +17,7 @@ constexpr const char* plot_footer =
 constexpr const char* plot_description =
     R"(Draw pictures (SVG) from certificates: text as text, for light and dark pages.
 
-Nothing is drawn as proved that is not: each certificate is verified first. The same certificate gives the same bytes.
+Each certificate is verified first. The same certificate gives the same bytes.
 
 Examples:
   dumbbell plot staircase certificates/stairs-1-100.dbc --out stairs.svg
@@ -30,7 +30,7 @@ Examples:
 constexpr const char* staircase_picture_description =
     R"(The proved maximum N(q) of a scene, and the gaps in which it is one of two values.
 
-For the dumbbell with the source paper's bound, for a wedge with its formula.
+For the dumbbell the source paper's bound is drawn, too; for a wedge its formula.
 
 Example:
   dumbbell certify 1:100 --out stairs.dbc
@@ -39,10 +39,9 @@ Example:
 constexpr const char* law_picture_description =
     R"(N(q) - C sqrt q: what a staircase proves, and beyond it the law.
 
-The teeth are the certificate's. Beyond its end the picture shows what Theorem B of proofs/law.md says of every q, and
-everywhere the strips in which the law leaves two values; below, the steps of the staircase in the greater scale in
-which their strip is even. What the law rests on is a certificate of its own, which dumbbell law verifies and this
-command does not read.
+The teeth are the certificate's. Beyond its end the picture shows what Theorem B of proofs/law.md says of every q.
+Strips show where the law leaves two values. The lower part shows the steps at a scale that grows with q, so that their
+strip has the same width everywhere. The law's own certificate is not read here: dumbbell law verifies it.
 
 Example:
   dumbbell plot law certificates/stairs-1-100.dbc --to 1e6 --out law.svg)";
@@ -51,7 +50,7 @@ constexpr const char* cover_picture_description =
     R"(The boxes of a cover, coloured by the number of collisions that they prove.
 
 They are drawn chart by chart in the coordinates of docs/reference/format.md; a box with another reason has that
-reason's colour. A range of mass ratios is cut at one of them: --ratio. Boxes of initial conditions: plot phase.
+reason's colour. For a range of mass ratios --ratio chooses one. For boxes of initial conditions: plot phase.
 
 Example:
   dumbbell certify 100 --section full --out full.dbc
@@ -61,9 +60,9 @@ constexpr const char* orbit_picture_description =
     R"(An orbit with the greatest number of collisions, and the dumbbell at each of them.
 
 It is the witness, every collision enclosed, in the plane of the rod's angle and the height, above the floor as the
-point sees it. Of many collisions some are drawn, and the caption says which.
+point sees it. Of many collisions only some are drawn; the caption says which.
 
-RATIO is proved on the spot. Of a certificate over a range of mass ratios: --ratio.
+A mass ratio is proved on the spot. For a certificate over a range, --ratio chooses one.
 
 Examples:
   dumbbell plot orbit 100 --out orbit.svg

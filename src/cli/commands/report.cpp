@@ -21,7 +21,7 @@ constexpr const char* report_description =
 
 It needs no network and no other file. It shows the staircase against the source paper's bound, the boxes of a cover
 with their reasons, the witness orbits bounce by bounce (and any initial condition typed into the page), and tables of
-what is claimed, by which lemmas. Certificates of all kinds but the law's (dumbbell law --prove) can stand in one page.
+the claims and their lemmas. Certificates of all kinds but the law's (dumbbell law --prove) can stand in one page.
 
 The page does not verify: it shows what the files claim, each with the command that verifies it. Files whose checksum
 is wrong are refused. Moving pictures are computed in double precision in the browser; they illustrate, they prove
@@ -63,8 +63,8 @@ int run_report(const Given& given) {
     out.commit(page::html_page(page_data(files, most_boxes)));
     if (boxes > most_boxes) {
         progress.note(
-            fmt::format("{} boxes are drawn as {} or fewer, as the page says; for more of them: --max-boxes",
-                        boxes, most_boxes));
+            fmt::format("{} boxes are drawn as {} or fewer, as the page says; --max-boxes allows more", boxes,
+                        most_boxes));
     }
     return exit_done;
 }

@@ -32,16 +32,15 @@ constexpr const char* trace_description =
 
 RATIO is q = heavy mass / light mass (below 1 the masses are swapped). The dumbbell starts in the air: the
 rod has length 1, the light mass is at height y + beta2 sin phi and the heavy one at y - beta1 sin phi
-(beta2 = q/(1+q), beta1 = 1/(1+q)), y is the height of the centre of mass, phi in radians (1/3), degrees (30deg) or as a
-multiple of pi (pi/2, 2pi/3, -0.3pi). Every quantity is exact, as written (3, -0.5, 1/3), or an interval LO:HI; a
-multiple of pi is irrational, and what is proved holds for the rational bounds of it that --json and the certificate
-give.
+(beta2 = q/(1+q), beta1 = 1/(1+q)). y is the height of the centre of mass; phi is in radians (1/3), degrees (30deg) or a
+multiple of pi (pi/2, 2pi/3, -0.3pi). Every quantity is exact, as written (3, -0.5, 1/3), or an interval LO:HI. A
+multiple of pi is irrational: the proof holds for its rational bounds, which --json and the certificate give.
 
 Every number is printed as value+-radius, or as its bounds (--csv, --json). The grazing sine is |n.v| / (|n| |v|)
 before a collision, in the metric of the kinetic energy: the sine of the angle between flight and floor, 1 head-on, near
-0 where the mass only just touches. What is left undecided has bounds: those that the enclosures give, or the maximum
-over all trajectories (theorem 1 of proofs/theorem.md) where that is less; up to a ratio of 10^12 a certificate
-has the same bounds.
+0 where the mass only just touches. What stays undecided has bounds: those of the enclosures, or the maximum over all
+trajectories (theorem 1 of proofs/theorem.md) where that is less. Up to a ratio of 10^12 a certificate has the same
+bounds.
 
 Examples:
   dumbbell trace 10 --phi 1/3 --phidot 1 --y 3 --ydot -1/2               one orbit
@@ -56,7 +55,7 @@ constexpr const char* trace_footer =
     R"(The fields of --json: docs/reference/json.md.
 
 Exit codes: 0 an outcome is certified; 1 internal error; 2 wrong usage or input; 3 not decided at this precision, or at
-any: the outcome names a corner, a fall flat or a grazing contact that the start is on or near to; 130 or 143 stopped
+any (the start lies on or near a corner, a flat fall or a grazing contact); 130 or 143 stopped
 by SIGINT (Ctrl-C) or SIGTERM: nothing is kept.)";
 
 constexpr Option quantity_option(std::string_view name, std::string_view text) {
@@ -69,10 +68,9 @@ constexpr std::array trace_options{
     quantity_option("--phidot", "its velocity (radians)"),
     quantity_option("--y", "height of the centre of mass, rod lengths"),
     quantity_option("--ydot", "its velocity (downwards: negative)"),
-    flag(
-        "--incoming",
-        "with --subdivide, instead of all these: all trajectories as they come in from above, by the natural "
-        "measure (L61 of proofs/lemmas.md)")
+    flag("--incoming",
+         "with --subdivide, instead of these four: all trajectories that come in from above, by the natural "
+         "measure (L61 of proofs/lemmas.md)")
         .needs("--subdivide")
         .excludes("--phi,--phidot,--y,--ydot,--digits"),
     flag("--subdivide", "halve the box until every part has its exact number of collisions"),
@@ -80,7 +78,8 @@ constexpr std::array trace_options{
            "with --subdivide: write the certificate to FILE (FILE.gz: compressed); -: the standard output"}
         .checked(certificate_option.fault)
         .needs("--subdivide"),
-    flag("--shares", "with --subdivide: how likely each number of collisions is: proved bounds of its share")
+    flag("--shares",
+         "with --subdivide: how likely each number of collisions is, as proved bounds of its share")
         .needs("--subdivide"),
     Option{"--max-boxes", "N", "with --subdivide: at most this many parts", "50000"}
         .from(1, 10'000'000)

@@ -60,7 +60,8 @@ std::string accepted(const std::string& file, const std::string& demand, Observe
                 throw;
             }
         }
-        return stop_signal == 0 ? int{exit_done} : stopped("nothing is made of what was not verified");
+        return stop_signal == 0 ? int{exit_done}
+                                : stopped("the file was not verified, so nothing is made of it");
     });
     if (stop_signal != 0) {  // the first process of a container, which does not end by a signal
         throw InputError(fmt::format("'{}' was not verified to the end", file));

@@ -15,9 +15,9 @@ class Given;
 
 /// An option of a command, or an argument: a word whose place on the command line says what it is.
 struct Option {
-    std::string_view name;   ///< --out, also -h,--help; of an argument FILE
-    std::string_view value;  ///< how its value is called, TIME; or its words: turning|full; empty: a flag
-    std::string_view text;   ///< what it means
+    std::string_view name;        ///< --out, also -h,--help; of an argument FILE
+    std::string_view value;       ///< the name of its value, TIME; or its words: turning|full; empty: a flag
+    std::string_view text;        ///< what it means
     std::string_view standard{};  ///< the value without it; empty: none
     long least = 0, most = 0;     ///< of a whole number; both 0: it is none
     /// What is wrong with a value, empty if nothing is; null: nothing can be.
@@ -101,7 +101,7 @@ inline constexpr Option jobs_option =
     Option{"--jobs", "N", "threads; the result does not depend on it", "all cores"}.from(1, 1024);
 inline constexpr Option budget_option = Option{"--budget", "TIME", "stop after this time: 30s, 10m, 2h"};
 inline constexpr Option part_option =
-    Option{"--part", "K/N", "the K-th of N parts of a range, which cost about as much each (dumbbell join)"};
+    Option{"--part", "K/N", "the K-th of N parts of a range, of about equal cost (dumbbell join)"};
 inline constexpr Option json_option = flag("--json", "one JSON object on stdout");
 
 }  // namespace dumbbell::cli

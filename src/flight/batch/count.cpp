@@ -25,7 +25,7 @@ Backend named_backend(std::string_view wanted) {
         known += fmt::format("{}{}", known.empty() ? "" : ", ", name(backend));
     }
     throw InputError(
-        fmt::format("{}: this machine has {}: set it to one of them, or not at all", variable, known));
+        fmt::format("{}: this machine has {}: set it to one of them, or unset it", variable, known));
 }
 
 }  // namespace

@@ -94,7 +94,7 @@ class Reader {
     void read_bits(Leaf& leaf) {
         text_.expect("bits", 1);
         const std::uint64_t bits = text_.natural(1);
-        if (bits < 53 || bits > 4096) text_.reject("number", "bits beyond 53 to 4096");
+        if (bits < 53 || bits > 4096) text_.reject("number", "bits outside 53 to 4096");
         if (bits > settings_.max_bits) throw Failure{Verdict::limit, text_.line, "limit", "see --max-bits"};
         leaf.bits = std::max(static_cast<unsigned>(bits), settings_.precision);
         leaf.multiple = settings_.precision > 0;

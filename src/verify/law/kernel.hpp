@@ -108,12 +108,12 @@ class Moments {
     /// X^2)^(-5/2).
     [[nodiscard]] Factor second_order(const I& p, const Factor& X) const {
         Factor sum(I(0));
-        constexpr int parts = 4;
-        for (int i = 0; i < parts; ++i) {
-            const I t(fraction<N>(i, parts).lo, fraction<N>(i + 1, parts).hi);
+        constexpr int quarters = 4;
+        for (int i = 0; i < quarters; ++i) {
+            const I t(fraction<N>(i, quarters).lo, fraction<N>(i + 1, quarters).hi);
             const Factor x = along_.U * p * t, F = pi<N>() - x, R = square(F) - square(X);
             sum = sum + sinc(x) * (I(3) * X * F / (square(R) * square_root(R))) *
-                            fraction<N>(2 * i + 1, 2 * parts * parts);
+                            fraction<N>(2 * i + 1, 2 * quarters * quarters);
         }
         return sum;
     }

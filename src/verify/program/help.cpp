@@ -26,11 +26,11 @@ constexpr std::string_view foot = R"(
   dumbbell-verify --budget 10m huge.dbc                a staircase up to 10^8
   dumbbell-verify --jobs 1 --precision 200 --max-bits 4096 ten.dbc  slowly, in multiple precision, on one thread
 
-FILE `-` is the standard input. Of one file, and of files --together, a sentence says what is proved, and the last line
-is the verdict: s VERIFIED, s OPEN, s REJECTED, s UNSUPPORTED, s UNREADABLE or s LIMIT. Of several files by themselves
-each has one such line with its name, in the given order, and a line with numbers ends them: c files=3 verified=2 ...
-Exit code: 0 verified and proved, 1 rejected, 2 usage or unreadable, 3 unsupported, or open: no claim is stated, and no
-bound is proved for all that is in question, 4 resource limit; of several codes the first of 1, 4, 3, 2, 0.
+FILE `-` is the standard input. For one file, and with --together, a sentence says what is proved, and the last line is
+the verdict: s VERIFIED, s OPEN, s REJECTED, s UNSUPPORTED, s UNREADABLE or s LIMIT. Without --together each of several
+files has one such line with its name, in the given order, and a line of totals ends them: c files=3 verified=2 ...
+Exit codes: 0 verified and proved; 1 rejected; 2 usage or unreadable; 3 unsupported, or open (no claim is stated, and no
+bound is proved for all that is in question); 4 resource limit. Of several codes the first of 1, 4, 3, 2, 0.
 )";
 
 constexpr std::size_t width = 118, column = 24;

@@ -20,26 +20,24 @@ void read_report(Arguments& given, Asked& to) {
 unsigned bits(Arguments& given) { return static_cast<unsigned>(given.number(53, 4096)); }
 
 constexpr Option table[] = {
-    {"--ratio", "RATIO|LO:HI", "the mass ratios (heavy/light) in question; else those of the file",
+    {"--ratio", "RATIO|LO:HI", "the mass ratios (heavy/light) in question; default: those of the file",
      read_claim},
     {"--max", "N", "demand the proof that no trajectory has more than N collisions", read_claim},
     {"--min", "N", "demand the proof that some trajectory has at least N collisions", read_claim},
     {"--exactly", "N", "both", read_claim},
     {"--scene", "dumbbell|hybrid|wedge",
-     "demand this scene (with another option that states the claim, dumbbell; else that of the file)",
-     read_claim},
+     "demand this scene; default: dumbbell if another option states the claim, else the file's", read_claim},
     {"--claim", "KIND",
      "demand this kind of claim: collisions; initial-conditions (a file of dumbbell trace --subdivide: "
      "--ratio, --max, --min and --exactly are then "
-     "about the starts in its box); incoming (the same of all trajectories that come in); adiabatic-bounce, "
+     "about the starts in its box); incoming (the same for all incoming trajectories); adiabatic-bounce, "
      "adiabatic-run or adiabatic-scattering (the adiabatic invariant), or law (all mass "
      "ratios): with these give no --ratio, --max, --min or --exactly",
      read_claim},
     {"--claims", "LIST",
      "the certificates and claims of a list like certificates/claims.tsv, one each line: a file (its name is "
      "relative to the list's folder), a tab, the six options above that state its claim, with --ratio and a "
-     "bound, or --claim law alone; what stands after another tab is a remark, and so is a line that begins "
-     "with #",
+     "bound, or --claim law alone; what follows another tab is a remark, as is a line that begins with #",
      [](Arguments& given, Asked& to) { to.claims = given.value(); },
      "--ratio --max --min --exactly --scene --claim"},
     {"--together", "",
@@ -50,7 +48,7 @@ constexpr Option table[] = {
     {"--jobs", "N", "threads (all cores)",
      [](Arguments& given, Asked& to) { to.settings.jobs = static_cast<unsigned>(given.number(1, 1024)); }},
     {"--budget", "TIME",
-     "give up on a file that costs more work than a core does in this time, in about 30s, 10m or 2h (30s). "
+     "give up on a file that costs more work than a core does in about this time: 30s, 10m, 2h (30s). "
      "Counted in steps, not by a clock: the same on every machine",
      [](Arguments& given, Asked& to) { to.settings.budget = given.time(); }},
     {"--max-bits", "B", "give up on pieces that need a higher precision (2048)",
@@ -65,11 +63,11 @@ constexpr Option table[] = {
      "state; layer.01, bulk1.17 and end.17 boxes of a file about the law",
      [](Arguments& given, Asked& to) { to.settings.explain = given.value(); }, "--json --quiet"},
     {"--shares", "",
-     "of one file about initial conditions: how likely each number of collisions is, bounds of its share of "
-     "the box, from the leaves that were checked",
+     "for one file about initial conditions: how likely each number of collisions is, as bounds of its share "
+     "of the box",
      [](Arguments&, Asked& to) { to.settings.shares = true; }, "--quiet --claims"},
     {"--leaves", "",
-     "of one file: how many lines of each kind it has, and what share of the root boxes they cover",
+     "for one file: how many lines of each kind it has, and what share of the root boxes they cover",
      [](Arguments&, Asked& to) { to.options.leaves = true; }, "--json --quiet --together --claims"},
     {"--json", "",
      "print JSON and nothing else: an array of one object for each file; with --together one object",

@@ -53,7 +53,7 @@ class ClaimReader : public Reader<Leaf> {
         if ((demand.ratios || demand.most || demand.least) && settings_.claim.empty())
             refuse(claim_.incoming
                        ? "--ratio, --max, --min and --exactly are about all trajectories; this file is about "
-                         "how those that come in are spread: to ask about that add --claim incoming"
+                         "incoming trajectories: to ask about them add --claim incoming"
                        : "--ratio, --max, --min and --exactly are about all trajectories; this file is about "
                          "a box of initial conditions: to ask about that add --claim initial-conditions");
     }

@@ -111,7 +111,7 @@ GROUPS = {
         programs=("tests/rooms/collisions/test_collisions",),
         texts=frozenset({"collisions/writer.cpp", "collisions/names.cpp"})),
     "staircase": Group(
-        files=below("staircase", "critical_range law"),
+        files=below("staircase", "critical_range"),
         left_out=frozenset(),
         targets=("test_staircase",),
         programs=("tests/rooms/staircase/test_staircase",)),

@@ -129,7 +129,7 @@ TEST_CASE("the witness is also printed as a start in the air that trace proves t
 
 TEST_CASE("of an orbit of more than 5000 collisions --witness says that no start is looked for") {
     const std::string no_start =
-        "\nNo start in the air: it is looked for of orbits of up to 5000 collisions.\n";
+        "\nNo start in the air: it is looked for only along orbits of up to 5000 collisions.\n";
     const std::string out = dumbbell({"certify", "4e7", "--witness"}).out;
     CHECK_THAT(out, Contains(no_start) && !Contains("dumbbell trace"));
     CHECK_THAT(dumbbell({"certify", "4e7"}).out, !Contains("start in the air"));

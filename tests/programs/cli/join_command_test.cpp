@@ -211,7 +211,8 @@ TEST_CASE("parts of another scene, section or kind are refused in one line") {
     REQUIRE(dumbbell({"critical", "3:5", "--out", "ratios.tsv"}, folder.path()).code == 0);
     const std::string err = not_joined(folder, {parts[0], "ratios.tsv"});
     CHECK(count_lines(err) == 1);
-    CHECK_THAT(err, Contains("'ratios.tsv' is a table of critical ratios, and 'part-1.dbc' is none"));
+    CHECK_THAT(
+        err, Contains("'ratios.tsv' is a table of critical ratios, and 'part-1.dbc' is not: join one kind"));
 }
 
 TEST_CASE("parts of a model wedge, and of the full section, are joined") {
@@ -273,8 +274,9 @@ TEST_CASE("a table that says what is not certain is refused, with the command th
         write_file(file, replaced(good, from, to));
         return not_joined(folder, parts, {}, "whole.tsv");
     };
-    CHECK_THAT(refuses("4\t4.6033388487517003525\t", "4\t4.6033388487517003524\t"),
-               Contains("q_c(4) is not certain to be where it says; to make it again: dumbbell critical 3:"));
+    CHECK_THAT(
+        refuses("4\t4.6033388487517003525\t", "4\t4.6033388487517003524\t"),
+        Contains("q_c(4) is not certain to lie where it says; to make it again: dumbbell critical 3:"));
     CHECK_THAT(refuses("4\t4.6033388487517003525\t", "4\t4.6033388487517003526\t"),
                Contains("q_c(4) is not certain"));
     CHECK_THAT(refuses("\tcorner\t1\n", "\tcorner\t2\n"), Contains("(line 5)"));

@@ -1,6 +1,7 @@
 #include <fcntl.h>
 #include <sys/ioctl.h>
 
+#include <chrono>
 #include <cstdlib>
 #include <filesystem>
 #include <regex>
@@ -16,8 +17,8 @@ namespace {
 const Words some_seconds{DUMBBELL_BIN, "certify", "1:2000000", "--gap", "1e-9", "--jobs", "1"};
 const Words long_range{DUMBBELL_BIN, "certify", "1:10000000", "--gap", "1e-9", "--jobs", "1"};
 
-// What a job writes to a terminal of this width (columns) as its stderr, up to the text awaited; then it is
-// killed.
+// What a job writes to a terminal of this width (columns) as its stderr, up to the text awaited, for five
+// minutes at most; then it is killed.
 std::string seen_on_terminal(const Words& job, const std::string& awaited, std::size_t columns = 100) {
     const int terminal = ::posix_openpt(O_RDWR | O_NOCTTY | O_CLOEXEC);
     const winsize size{24, static_cast<unsigned short>(columns), 0, 0};
@@ -37,7 +38,8 @@ std::string seen_on_terminal(const Words& job, const std::string& awaited, std::
         const Process process({"sh", "-c", command});
         pollfd ready{terminal, POLLIN, 0};
         std::array<char, 4096> buffer{};
-        while (text.find(awaited) == std::string::npos) {
+        const auto end = std::chrono::steady_clock::now() + std::chrono::minutes(5);
+        while (text.find(awaited) == std::string::npos && std::chrono::steady_clock::now() < end) {
             if (::poll(&ready, 1, 100) == 0) {
                 if (process.ended()) {
                     break;
@@ -90,7 +92,7 @@ TEST_CASE("the phases of a long job are named, and what counts nothing says for 
     CAPTURE(range);
     CHECK(range.find("proving: ") != std::string::npos);
     const std::string steps = seen_on_terminal(
-        {DUMBBELL_BIN, "certify", "1:1e9", "--gap", "1e-30", "--jobs", "1"}, "steps, about ");
+        {DUMBBELL_BIN, "certify", "1:1e12", "--gap", "1e-300", "--jobs", "1"}, "steps, about ");
     CAPTURE(steps);
     CHECK(std::regex_search(steps, std::regex(R"(looking for steps: \[#*\.*\] \d+/\d+ steps, about )")));
     const TemporaryFolder folder;

@@ -40,11 +40,11 @@ expect 3 'cannot be decided at any precision' 10 --phi 0 --phidot 0 --y 3 --ydot
 expect 3 'at time 3/7 ' 10 --phi -1 --phidot 7/3 --y 3 --ydot -7 --digits 40
 expect 3 'the rod falls flat: both masses' 10 --phi pi --phidot 0 --y 3 --ydot -1
 expect 3 'the rod falls flat: both masses reach the floor at once (' 2:10 --phi 0 --phidot 0 --y 2:3 --ydot -2:-1
-expect 3 '(on or near a fall flat' 10 --phi 1e-30 --phidot 0 --y 3 --ydot -1
+expect 3 '(on or near a flat fall' 10 --phi 1e-30 --phidot 0 --y 3 --ydot -1
 expect 3 '(on or near a corner' 10 --phi -1 --phidot 1.0000000000000000000001 --y 1 --ydot -1
 expect 3 '"kind": "corner"' 10 --phi -1 --phidot 1 --y 1 --ydot -1 --json
 expect 0 'exactly 0 collisions (in every turn a mass grazes' 10 --phi 0 --phidot 1 --y 10/11 --ydot 0
-expect 0 'Undecided boxes by what they are on or near to: fall flat' 10 --phi -0.1:0.1 --phidot 0 --y 3 --ydot -1 --subdivide --max-boxes 50
+expect 0 'Undecided boxes by what they are on or near to: flat fall' 10 --phi -0.1:0.1 --phidot 0 --y 3 --ydot -1 --subdivide --max-boxes 50
 expect 3 'try --digits' 10 --phi 1e-30 --phidot 0 --y 3 --ydot -1
 expect 0 'exactly' 10 --phi 1e-30 --phidot 0 --y 3 --ydot -1 --digits 100
 expect 0 'Certificate:' 10 --phi 0.3:0.5 --phidot 0 --y 3 --ydot -1 --subdivide --max-boxes 100 --out "$scratch/box.dbc"

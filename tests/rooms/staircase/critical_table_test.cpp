@@ -76,10 +76,10 @@ TEST_CASE("a number that is not certain is objected to") {
     const auto objected = [](const std::string& from, const std::string& to) {
         return objection(read_text(replaced(good, from, to)), never);
     };
-    CHECK(objected("4\t4.603338\t", "4\t4.603337\t") == "q_c(4) is not certain to be where it says");
-    CHECK(objected("4\t4.603338\t", "4\t4.603339\t") == "q_c(4) is not certain to be where it says");
+    CHECK(objected("4\t4.603338\t", "4\t4.603337\t") == "q_c(4) is not certain to lie where it says");
+    CHECK(objected("4\t4.603338\t", "4\t4.603339\t") == "q_c(4) is not certain to lie where it says");
     CHECK(objected("4\t4.603338\t8.5e-7", "4\t4.603338\t8.4e-7") ==
-          "q_c(4) is not certain to be where it says");
+          "q_c(4) is not certain to lie where it says");
     CHECK(objected("4\t4.603338\t8.5e-7", "4\t4.603338\t0").starts_with("q_c(4)"));
     CHECK(objected("4\t4.603338\t8.5e-7", "4\t4.603338\t9.0e-7").empty());  // true, if less than known
     CHECK_FALSE(objection(read_text(good), [] { return true; }).empty());

@@ -1,4 +1,4 @@
-// Starts that are put a hair beside a corner, a fall flat or a grazing contact: they have their names.
+// Starts that are put a hair beside a corner, a flat fall or a grazing contact: they have their names.
 #include "starts/find_obstacle.hpp"
 
 #include <cmath>
@@ -30,7 +30,7 @@ InitialBox grazing(double phidot, double ydot, double q, double off) {
 
 }  // namespace
 
-TEST_CASE("next to a fall flat or a corner an undecided start is said to be so, at any precision") {
+TEST_CASE("next to a flat fall or a corner an undecided start is said to be so, at any precision") {
     const Rational hair = Rational(1) / exact(0x1p100);
     const Rational thinner = Rational(1) / exact(0x1p900);  // than 40 digits tell
     for (const int sign : {-1, 1}) {
