@@ -4,18 +4,17 @@
 import itertools
 import math
 import random
-import sys
 import unittest
 from fractions import Fraction
 
-sys.dont_write_bytecode = True
+import second
 
 import contact
 import fixed
 import incoming
 import initial
 import wedge
-from grammar import Limit
+from failure import Limit
 from simulation import Doubtful, Dumbbell
 
 

@@ -2,7 +2,7 @@
 
 from fractions import Fraction
 
-from grammar import Limit
+from failure import Limit
 from turning import power_of_two
 
 CHARTS = {"wedge": ("lambda", "q")}
@@ -45,9 +45,9 @@ def leaf(chart, op, hints, box):
 
 
 def witness(values, q_lo, q_hi):
-    steepness, a, b = values
+    zero, steepness, a, b = values
     r_lo, r_hi = 1 / q_hi, 1 / q_lo
-    if r_hi * steepness >= 1 or any(d <= 0 or numerator < 0 for numerator, d in
+    if zero != 0 or r_hi * steepness >= 1 or any(d <= 0 or numerator < 0 for numerator, d in
                                     (sigma_slope(steepness, r_lo), sigma_slope(steepness, r_hi))):
         return False
     numerator, d = sigma_slope(steepness, r_hi)

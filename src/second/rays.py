@@ -3,7 +3,7 @@
 import math
 
 from fixed import Undecided, half_pi, interval, pi, point, precision, sin_cos
-from grammar import Limit
+from failure import Limit
 
 GREATEST_COUNT = 2_000_000
 
