@@ -12,8 +12,8 @@ CLAIMS = ("collisions", "initial-conditions", "incoming", "adiabatic-bounce", "a
           "law")
 
 HELP = f"""usage: {NAME} [options] FILE...
-Checks certificates of the program dumbbell (docs/reference/format.md). It shares no code with dumbbell-verify, the first
-verifier, and needs nothing but Python 3.8 or later. It checks every line, in interval arithmetic on whole numbers.
+Checks certificates of the program dumbbell (docs/reference/format.md): every line, in interval arithmetic on whole
+numbers. It shares no code with dumbbell-verify, the first verifier, and needs nothing but Python 3.8 or later.
 
   --ratio RATIO|LO:HI   the mass ratios (heavy/light) in question; default: those of the file
   --max N               demand the proof that no trajectory has more than N collisions
@@ -33,13 +33,13 @@ verifier, and needs nothing but Python 3.8 or later. It checks every line, in in
   {NAME} --ratio 3 --max 3 *.dbc                  which files prove this?
 
 FILE `-` is the standard input; files may be packed with gzip. For one file the last line is the verdict: s VERIFIED,
-s OPEN, s REJECTED, s UNSUPPORTED, s UNREADABLE or s LIMIT. Each of several files has one such line with its name, and a
-line of totals ends them. Exit codes: 0 verified and proved; 1 rejected; 2 usage or unreadable; 3 unsupported, or open (no
-claim is stated, and no bound is proved for all that is in question); 4 resource limit. Of several codes the first of 1, 4,
-3, 2, 0.
+s OPEN, s REJECTED, s UNSUPPORTED, s UNREADABLE or s LIMIT. Each of several files has one such line with its name, and
+a line of totals ends them. Exit codes: 0 verified and proved; 1 rejected; 2 usage or unreadable; 3 unsupported, or open
+(no claim is stated, and no bound is proved for all that is in question); 4 resource limit. Of several codes the first
+of 1, 4, 3, 2, 0.
 
-It does not judge the law for every mass ratio, nor the adiabatic invariant: such files are unsupported. It has no budget: a
-short file can ask for hours of work, and Ctrl-C ends it. It is slower than dumbbell-verify by a factor of about 100.
+It does not judge the law for every mass ratio, nor the adiabatic invariant: such files are unsupported. It has no
+budget: a short file can ask for hours of work, and Ctrl-C ends it. dumbbell-verify is much faster.
 """
 
 

@@ -147,7 +147,7 @@ class Program(unittest.TestCase):
             self.assertEqual(packed.read_bytes(), again.read_bytes())
             self.assertLess(packed.stat().st_size, 36_000)
             false_claims = second.PROJECT / "tests/attacks/false_claims"
-            words = [STAIRS, str(CERTIFICATES / "full-plain-10.dbc.gz"), str(CERTIFICATES / "law.dbc.gz"),
+            words = [STAIRS, str(CERTIFICATES / "full-100.dbc.gz"), str(CERTIFICATES / "law.dbc.gz"),
                      *sorted(str(path) for path in false_claims.glob("less-deep-*.dbc"))]
             expected = run(words)
             self.assertEqual([expected[1].count(word) for word in ("s VERIFIED", "s REJECTED")], [2, len(words) - 3])
