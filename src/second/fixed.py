@@ -6,6 +6,8 @@ The precision is one for the whole program: `set_precision` first, and keep no i
 
 from fractions import Fraction
 
+from work import spend
+
 
 class Undecided(Exception):
     """The enclosures of this precision are too wide to go on."""
@@ -188,6 +190,7 @@ def _sin_cos_number(z):
         sums[k & 1] += -term if k & 2 else term
         k += 1
         term = (term * z >> _bits) // k
+    spend(k * (350 + _bits + _bits * _bits // 2600))
     pad = 2 * (k + 1)
     one = 1 << _bits
     return (Interval(max(sums[1] - pad, 0), min(sums[1] + pad, one)),

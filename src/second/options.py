@@ -7,6 +7,7 @@ from demand import Demand
 
 NAME = "dumbbell-verify.pyz"
 VERSION = "0.1.0"
+DEFAULT_BUDGET = 600  # seconds
 SCENES = "dumbbell", "hybrid", "wedge"
 CLAIMS = ("collisions", "initial-conditions", "incoming", "adiabatic-bounce", "adiabatic-run", "adiabatic-scattering",
           "law")
@@ -22,6 +23,8 @@ numbers. It shares no code with dumbbell-verify, the first verifier, and needs n
   --scene dumbbell|hybrid|wedge
                         demand this scene; default: dumbbell if another option states the claim, else the file's
   --claim KIND          demand this kind of claim: collisions, initial-conditions or incoming
+  --budget TIME         give up on a file that costs more work than a core does in about this time: 30s, 10m, 2h (10m).
+                        Counted in steps, not by a clock
   --quiet               print the last line only, and show no progress
   -h, --help            print this help and end
   -V, --version         print the version and end
@@ -38,8 +41,8 @@ a line of totals ends them. Exit codes: 0 verified and proved; 1 rejected; 2 usa
 (no claim is stated, and no bound is proved for all that is in question); 4 resource limit. Of several codes the first
 of 1, 4, 3, 2, 0.
 
-It does not judge the law for every mass ratio, nor the adiabatic invariant: such files are unsupported. It has no
-budget: a short file can ask for hours of work, and Ctrl-C ends it. dumbbell-verify is much faster.
+It does not judge the law for every mass ratio, nor the adiabatic invariant: such files are unsupported. It is
+much slower than dumbbell-verify: minutes for a range up to 10^6.
 """
 
 
@@ -52,14 +55,15 @@ class Asked:
 
     def __init__(self):
         self.files, self.demand, self.quiet, self.answer = [], Demand(), False, None
+        self.budget = DEFAULT_BUDGET
 
 
 def decimal(text):
-    """What a decimal such as 10, 2.5, 1e6 or 10^6 stands for; 0 of other texts."""
+    """What a decimal such as 10, 2.5, 1e6 or 10^6 stands for; None of other texts."""
     power = re.fullmatch(r"10\^([+-]?[0-9]+)", text)
     match = re.fullmatch(r"([0-9]+)(?:\.([0-9]+))?(?:[eE]([+-]?[0-9]+))?", text)
     if not (power or match):
-        return Fraction(0)
+        return None
     exponent = power[1] if power else match[3] or "0"
     if len(exponent.lstrip("+-0")) > 4 or abs(int(exponent)) > 1000:
         raise Usage(f"an exponent beyond 1000: {text[:60]}")
@@ -69,11 +73,11 @@ def decimal(text):
 
 def mass_ratio(text):
     """RATIO, exactly."""
-    ratio = Fraction(0)
+    ratio = None
     if len(text) <= 1000:
         fraction = re.fullmatch(r"([0-9]+)/([0-9]*[1-9][0-9]*)", text)
         ratio = Fraction(int(fraction[1]), int(fraction[2])) if fraction else decimal(text)
-    if ratio == 0:
+    if not ratio:
         raise Usage(f"not a mass ratio: `{text[:60]}`")
     return ratio
 
@@ -97,15 +101,27 @@ def count(option, text):
     return int(text)
 
 
+def time(option, text):
+    """A time as `30s`, `10m` or `1.5h`, in seconds."""
+    unit = {"s": 1, "m": 60, "h": 3600}.get(text[-1:])
+    number = decimal(text[:-1]) if unit and len(text) <= 1000 else None
+    if number is None:
+        raise Usage(f"{option} needs a time such as 30s, 10m or 2h, not `{text[:60]}`")
+    return number * unit
+
+
 def one_of(option, words, text):
     if text not in words:
         raise Usage(f"{option} is {', '.join(words[:-1])} or {words[-1]}, not `{text[:60]}`")
     return text
 
 
-def state(demand, option, value):
-    """Adds an option with its value to the claim."""
-    if option == "--ratio":
+def state(asked, option, value):
+    """Takes an option with its value."""
+    demand = asked.demand
+    if option == "--budget":
+        asked.budget = time(option, value)
+    elif option == "--ratio":
         demand.ratios = mass_ratios(value)
     elif option == "--scene":
         demand.scene = one_of(option, SCENES, value)
@@ -133,7 +149,7 @@ def parse(words):
             asked.answer = HELP
         elif word in ("-V", "--version"):
             asked.answer = f"{NAME} {VERSION}\n"
-        elif option not in ("--ratio", "--max", "--min", "--exactly", "--scene", "--claim"):
+        elif option not in ("--ratio", "--max", "--min", "--exactly", "--scene", "--claim", "--budget"):
             raise Usage(f"unknown option {word}; see --help")
         else:
             if option in seen:
@@ -143,7 +159,7 @@ def parse(words):
                 raise Usage("--exactly N is --max N and --min N: give it without them")
             if not (equals or words):
                 raise Usage(f"no value after {option}")
-            state(asked.demand, option, value if equals else words.pop(0))
+            state(asked, option, value if equals else words.pop(0))
     if not (asked.files or asked.answer):
         raise Usage("no FILE; see --help")
     return asked

@@ -19,6 +19,7 @@ def entries():
 
 def pack(target):
     """Writes the file, all of it or nothing."""
+    target.parent.mkdir(parents=True, exist_ok=True)
     unfinished = target.with_name(target.name + ".unfinished")
     with open(unfinished, "wb") as file:
         file.write(HEAD)

@@ -7,10 +7,11 @@ import sys
 import time
 
 import certificate
+import work
 from failure import VERDICTS, Failure
 from grammar import Lines
 from judge import judge
-from options import NAME, Usage, parse
+from options import DEFAULT_BUDGET, NAME, Usage, parse
 from source import read, unpacked
 
 GREATEST_DIGITS = 4300  # of a number that is read or printed; the format's have no more than 2100
@@ -21,10 +22,15 @@ def one_line(text):
     return re.sub("[\x00-\x1f\x7f-\x9f]", "?", text)
 
 
-def complain(text):
-    with contextlib.suppress(OSError, AttributeError):  # there may be nowhere to say it
-        sys.stderr.write(f"{NAME}: {one_line(text)}\n")
+def say(text):
+    """On the standard error, if there is one."""
+    with contextlib.suppress(OSError, AttributeError):
+        sys.stderr.write(text)
         sys.stderr.flush()
+
+
+def complain(text):
+    say(f"{NAME}: {one_line(text)}\n")
 
 
 class Progress:
@@ -37,17 +43,18 @@ class Progress:
     def __call__(self, number):
         if self.wanted and time.monotonic() >= self.due:
             self.due, self.shown = time.monotonic() + 0.2, True
-            print(f"\rverifying: {100 * (number - 1) // self.of:3d} % of the lines", end="", file=sys.stderr, flush=True)
+            say(f"\rverifying: {100 * (number - 1) // self.of:3d} % of the lines")
 
     def hide(self):
         if self.shown:
-            print("\r" + " " * 40 + "\r", end="", file=sys.stderr, flush=True)
+            say("\r" + " " * 40 + "\r")
             self.shown = False
 
 
-def verdict(path, demand, progress):
+def verdict(path, demand, progress, budget=DEFAULT_BUDGET):
     """The verdict on a file: its word, and what follows it."""
     lines = Lines(b"")
+    work.allow(budget)
     try:
         text, fault = unpacked(read(path))
         lines = Lines(text, fault, progress)
@@ -69,7 +76,7 @@ def run(asked):
     """Verifies all files; returns the exit code."""
     found, progress, several = [], Progress(not asked.quiet), len(asked.files) > 1
     for path in asked.files:
-        word, text = verdict(path, asked.demand, progress)
+        word, text = verdict(path, asked.demand, progress, asked.budget)
         found.append(word)
         progress.hide()
         if not (several and asked.quiet):

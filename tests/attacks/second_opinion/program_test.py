@@ -183,6 +183,16 @@ class Program(unittest.TestCase):
                          (-signal.SIGPIPE, "", ""))
         os.close(write)
 
+    def test_a_budget_ends_it(self):
+        """Work is counted in steps, so it ends in the same line again."""
+        words = ["--budget", "0.1s", str(CERTIFICATES / "stairs-1-1e4.dbc.gz")]
+        code, line, _ = run(words)
+        self.assertRegex(line, r"^s LIMIT line=[1-9]\d\d+ more work than the budget of 0.1 s: --budget allows more\n$")
+        self.assertEqual((code, run(words)), (4, (4, line, "")))
+        self.assertEqual(run(["--budget=0s", Q10])[0], 4)
+        for time in ("", "s", "10", "10d", "-1s", "1/2s"):
+            self.assertEqual(run(["--budget", time, Q10])[0], 2)
+
     def test_it_ends_without_memory(self):
         """Too little to start is no case of its own: Python itself may need more."""
         with tempfile.NamedTemporaryFile() as file:
