@@ -23,8 +23,8 @@ numbers. It shares no code with dumbbell-verify, the first verifier, and needs n
   --scene dumbbell|hybrid|wedge
                         demand this scene; default: dumbbell if another option states the claim, else the file's
   --claim KIND          demand this kind of claim: collisions, initial-conditions or incoming
-  --budget TIME         give up on a file that costs more work than a core does in about this time: 30s, 10m, 2h (10m).
-                        Counted in steps, not by a clock
+  --budget TIME         give up on a file that costs more work than a core does in about this time: 30s, 10m, 2h
+                        (10m). Counted in steps, not by a clock
   --quiet               print the last line only, and show no progress
   -h, --help            print this help and end
   -V, --version         print the version and end
@@ -37,9 +37,9 @@ numbers. It shares no code with dumbbell-verify, the first verifier, and needs n
 
 FILE `-` is the standard input; files may be packed with gzip. For one file the last line is the verdict: s VERIFIED,
 s OPEN, s REJECTED, s UNSUPPORTED, s UNREADABLE or s LIMIT. Each of several files has one such line with its name, and
-a line of totals ends them. Exit codes: 0 verified and proved; 1 rejected; 2 usage or unreadable; 3 unsupported, or open
-(no claim is stated, and no bound is proved for all that is in question); 4 resource limit. Of several codes the first
-of 1, 4, 3, 2, 0.
+a line of totals ends them. Exit codes: 0 verified and proved; 1 rejected; 2 usage or unreadable; 3 unsupported, or
+open (no claim is stated, and no bound is proved for all that is in question); 4 resource limit. Of several codes the
+first of 1, 4, 3, 2, 0.
 
 It does not judge the law for every mass ratio, nor the adiabatic invariant: such files are unsupported. It is
 much slower than dumbbell-verify: minutes for a range up to 10^6.
