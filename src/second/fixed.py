@@ -6,6 +6,8 @@ The precision is one for the whole program: `set_precision` first, and keep no i
 
 from fractions import Fraction
 
+from work import spend
+
 
 class Undecided(Exception):
     """The enclosures of this precision are too wide to go on."""
@@ -90,14 +92,14 @@ class Interval:
             return 1e300 if self.lo > 0 else -1e300
 
 
-_bits = 0
+_bits = _term_cost = 0
 _half_pi = None
 
 
 def set_precision(bits):
-    global _bits, _half_pi
+    global _bits, _half_pi, _term_cost
     if bits != _bits:
-        _bits = bits
+        _bits, _term_cost = bits, 350 + bits + bits * bits // 2600
         _half_pi = _enclose_half_pi()
 
 
@@ -188,6 +190,7 @@ def _sin_cos_number(z):
         sums[k & 1] += -term if k & 2 else term
         k += 1
         term = (term * z >> _bits) // k
+    spend(k * _term_cost)
     pad = 2 * (k + 1)
     one = 1 << _bits
     return (Interval(max(sums[1] - pad, 0), min(sums[1] + pad, one)),

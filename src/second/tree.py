@@ -17,12 +17,12 @@ def walk(lines, root, leaf):
             continue
         axis = fields[1] if len(fields) == 2 else None
         if axis not in box:
-            raise lines.wrong("not an axis of this tree")
+            raise lines.wrong("syntax", "not an axis of this chart")
         if depths[axis] == GREATEST_DEPTH:
-            raise lines.wrong("too many splits of one axis")
+            raise lines.wrong("depth", f"more than {GREATEST_DEPTH} splits of one axis")
         low, high = box[axis]
         if low == high:
-            raise lines.wrong("the box is a point in this axis")
+            raise lines.wrong("split", "an axis of width 0")
         lines.count("split")
         middle, depths = (low + high) / 2, {**depths, axis: depths[axis] + 1}
         boxes.append(({**box, axis: (middle, high)}, depths))

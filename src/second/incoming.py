@@ -3,10 +3,9 @@
 from fractions import Fraction
 from math import isqrt
 
-from collisions import spelled
 from fixed import hull
 from flight import greatest_number
-from initial import check_leaves, leaf_holds, read_bits, read_ratio
+from initial import check_leaves, leaf_holds, read_ratio
 from judge import ends
 
 PI = Fraction(314159265358979323846264338327950288419716939937510, 10**50)  # cut off
@@ -30,19 +29,21 @@ def states(piece, q):
 
 
 def check(lines, judge):
-    """Checks all after the line `claim` and returns the verdict's fields."""
+    """Checks all after the line `claim`."""
     q, highest = read_ratio(lines)
     if q != highest:
-        raise lines.wrong("LO = HI is required of the ratio")
+        raise lines.wrong("number", "not LO = HI")
 
     def holds(piece, low, high, window):
         if piece["s"][1] < 1:
             return leaf_holds(states(piece, q), low, high, window)
-        return window is None and low <= 1 and high >= greatest_number(hull(1 / q))  # they fall, however fast they turn
+        if window is not None or low == high:
+            raise lines.wrong("section", "up to s = 1 a leaf is `open`, or `between` without a window")
+        return low <= 1 and high >= greatest_number(hull(1 / q))  # they fall, however fast they turn
 
     def numbers(piece):
         return ends(states(piece, q)) if piece["s"][1] < 1 else [q]
 
+    bits, = lines.line("bits", "bits")
     root = {"phi": (Fraction(0), Fraction(2)), "s": (Fraction(0), Fraction(1))}
-    found = check_leaves(lines, judge, root, read_bits(lines), holds, numbers)
-    return f"claim=incoming ratio={spelled(q)}:{spelled(q)} {found}"
+    return check_leaves(lines, judge, "claim=incoming", root, (q, q), bits, holds, numbers)

@@ -1,11 +1,9 @@
 """Bounds of G, the number of collisions of a ray with the light walls: format.md 3.2, lemmas L4, L5 and L12."""
 
+import itertools
 import math
 
 from fixed import Undecided, half_pi, interval, pi, point, precision, sin_cos
-from grammar import Limit
-
-GREATEST_COUNT = 2_000_000
 
 
 def _guess(c, kappa, end):
@@ -119,7 +117,7 @@ def greatest_count(c, kappa, r, limit):
     c, kappa, r = c.lower(), kappa.lower(), r.lower()
     if not r > 0:
         raise Undecided("r is too small")
-    for count in range(GREATEST_COUNT):
+    for count in itertools.count():
         if kappa >= 1:
             return count
         x = earliest(c, kappa)
@@ -133,7 +131,6 @@ def greatest_count(c, kappa, r, limit):
             return count + 1
         kappa = point(max((numerator.lower() / d.upper()).lo, 0))
         c = point(max((sine + kappa * (x + pi())).lo, 0))
-    raise Limit("a ray with too many collisions")
 
 
 def at_most(c, kappa, r, limit):

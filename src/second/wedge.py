@@ -2,13 +2,12 @@
 
 from fractions import Fraction
 
-from grammar import Limit
 from turning import power_of_two
+from work import spend
 
 CHARTS = {"wedge": ("lambda", "q")}
 LEAVES = {"wedge": {"count": 2, "outside": 0}}
 WITNESS = "wedge"
-GREATEST_COUNT = 5000
 
 
 def root(chart, b):
@@ -17,10 +16,9 @@ def root(chart, b):
 
 def count_reaches(kappa, r, count):
     """Is G_w(kappa, r) >= count? kappa = n/m is followed as a pair of integers, m > 0."""
-    if count > GREATEST_COUNT:
-        raise Limit("a ray with too many collisions in exact arithmetic")
     (n, m), (over, under) = kappa.as_integer_ratio(), r.as_integer_ratio()
     for _ in range(count):
+        spend(500 + m.bit_length() * under.bit_length() // 230)
         if n >= m:
             return False
         n, m = n * under + 2 * over * m - over * n, m * under - 2 * n * under - over * m
@@ -45,9 +43,9 @@ def leaf(chart, op, hints, box):
 
 
 def witness(values, q_lo, q_hi):
-    steepness, a, b = values
+    zero, steepness, a, b = values
     r_lo, r_hi = 1 / q_hi, 1 / q_lo
-    if r_hi * steepness >= 1 or any(d <= 0 or numerator < 0 for numerator, d in
+    if zero != 0 or r_hi * steepness >= 1 or any(d <= 0 or numerator < 0 for numerator, d in
                                     (sigma_slope(steepness, r_lo), sigma_slope(steepness, r_hi))):
         return False
     numerator, d = sigma_slope(steepness, r_hi)
