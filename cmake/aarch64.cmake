@@ -1,4 +1,4 @@
-# For arm64, from another machine: the libraries are in ${CMAKE_SYSROOT}, where .ci/foreign puts them.
+# For arm64, from another machine: the libraries are in ${CMAKE_SYSROOT}, where .ci/unpack puts them.
 set(CMAKE_SYSTEM_NAME Linux)
 set(CMAKE_SYSTEM_PROCESSOR aarch64)
 set(CMAKE_LIBRARY_ARCHITECTURE aarch64-linux-gnu)
