@@ -23,7 +23,7 @@ target_compile_options(dumbbell_options INTERFACE
   -Wno-sign-conversion  # clang counts it to -Wconversion, g++ does not: one meaning for both
   $<$<BOOL:${DUMBBELL_WERROR}>:-Werror>)
 
-# dumbbell_provenance: for the programs' --version, which says how the program was made.
+# dumbbell_provenance: for the programs' --version, which says how the program was made, and under which licence it is so.
 string(TOUPPER "${CMAKE_BUILD_TYPE}" build_type)
 list(JOIN arithmetic " " behind)
 string(STRIP "${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_${build_type}} ${behind}" flags)
@@ -31,4 +31,5 @@ add_library(dumbbell_provenance INTERFACE)
 target_compile_definitions(dumbbell_provenance INTERFACE
   DUMBBELL_COMPILER="${CMAKE_CXX_COMPILER_ID} ${CMAKE_CXX_COMPILER_VERSION}"
   DUMBBELL_BUILD_TYPE="${CMAKE_BUILD_TYPE}"
+  DUMBBELL_LICENCE="$<IF:$<TARGET_EXISTS:CGAL::CGAL>,GPL-3.0-or-later by its CGAL,MIT>"
   DUMBBELL_FLAGS="${flags}")

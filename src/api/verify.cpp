@@ -4,7 +4,7 @@
 #include <system_error>
 
 #include "api/stack.hpp"
-#include "verify/number/environment.hpp"
+#include "verify/machine/environment.hpp"
 #include "verify/program/claim_options.hpp"
 #include "verify/program/examine.hpp"
 #include "verify/program/summary.hpp"
@@ -27,12 +27,12 @@ dumbbell_verify::Job job_of(const std::string& file, const Claim& claim, unsigne
     }
     dumbbell_verify::Job job{file, {}};
     job.settings.jobs = jobs;
-    dumbbell_verify::Words time({"--budget", budget});
+    dumbbell_verify::Arguments time({"--budget", budget});
     time.next();
     job.settings.budget = time.time();
-    dumbbell_verify::Words words(std::move(options));
-    while (words.next()) {
-        claim_option(words, job.settings);
+    dumbbell_verify::Arguments claimed(std::move(options));
+    while (claimed.next()) {
+        claim_option(claimed, job.settings);
     }
     return job;
 }

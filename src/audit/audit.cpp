@@ -169,6 +169,7 @@ Audit audit(const Certificate& certificate, const std::pair<Rational, Rational>&
 }
 
 Audit audit_file(const std::string& path, Observer& observer) {
+    need_exact_geometry();
     const Certificate certificate = collisions::read_certificate(path);
     const collisions::ClaimedHead head = collisions::read_head(path);
     if (certificate.sha256.empty()) {

@@ -34,7 +34,7 @@ struct Audit {
                           const std::pair<Rational, Rational>& claimed, Observer& observer = nobody);
 
 /// Reads the file, then audits it in a phase of its own. Throws InputError if it cannot be read,
-/// or its last line is not the checksum of its text.
+/// or its last line is not the checksum of its text, or this program was built without CGAL.
 [[nodiscard]] Audit audit_file(const std::string& path, Observer& observer = nobody);
 
 }  // namespace dumbbell::audit

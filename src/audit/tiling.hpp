@@ -32,6 +32,9 @@ struct Tiling {
 /// Called with the part of the work that is done, from 0 to 1, now and then.
 using TilingProgress = std::function<void(double done)>;
 
+/// Throws InputError in a build without CGAL, which can check no tiling.
+void need_exact_geometry();
+
 /// Whether the boxes tile their root, in exact arithmetic (CGAL). Looks at the boxes only, not at a tree.
 /// Stops at the first fault.
 [[nodiscard]] Tiling check_tiling(const collisions::Boxes& boxes, const TilingProgress& progress = {});

@@ -52,8 +52,8 @@ constexpr std::array program_commands{&certify_command,   &critical_command, &jo
                                       &plot_command,      &report_command,   &generate_command};
 
 std::string version_text() {
-    return fmt::format("dumbbell {} ({}, {}, flags: {})", DUMBBELL_VERSION, DUMBBELL_COMPILER,
-                       DUMBBELL_BUILD_TYPE, DUMBBELL_FLAGS);
+    return fmt::format("dumbbell {} ({}, {}, licence: {}, flags: {})", DUMBBELL_VERSION, DUMBBELL_COMPILER,
+                       DUMBBELL_BUILD_TYPE, DUMBBELL_LICENCE, DUMBBELL_FLAGS);
 }
 
 /// GMP (and MPFR by it) and FLINT (and Arb by it) would abort the program, and an exception must not pass

@@ -1,9 +1,9 @@
 // The arcsine by its series (format-adiabatic.md, section 3).
 #pragma once
-#include "verify/input/work.hpp"
-#include "verify/number/interval.hpp"
+#include "verify/core/interval.hpp"
+#include "verify/machine/meter.hpp"
 
-namespace dumbbell_verify {
+namespace dumbbell_verify::adiabatic {
 
 constexpr int most_arcsine_terms = 512;
 
@@ -17,7 +17,7 @@ Interval<N> arcsine_share(const Interval<N>& Z) {
     const I y = square(Z);
     I term = 1, sum = 1;
     for (int n = 1; n <= most_arcsine_terms; ++n) {
-        Work::spend(1 << 7);
+        Meter::spend(1 << 7);
         term = term * y * (I((2 * n - 1) * (2 * n - 1)) / I(2 * n * (2 * n + 1)));
         sum = sum + term;
         if (add(down, sum.hi, term.hi) == sum.hi) break;  // more terms do not show
@@ -25,4 +25,4 @@ Interval<N> arcsine_share(const Interval<N>& Z) {
     return {sum.lo, (sum + term * y / (I(1) - y)).hi};
 }
 
-}  // namespace dumbbell_verify
+}  // namespace dumbbell_verify::adiabatic

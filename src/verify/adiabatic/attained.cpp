@@ -2,18 +2,18 @@
 #include "verify/adiabatic/bounce.hpp"
 #include "verify/adiabatic/check.hpp"
 
-namespace dumbbell_verify {
+namespace dumbbell_verify::adiabatic {
 namespace {
 
 template <class N>
-class OrbitCheck : AdiabaticCheck<N> {
-    using Base = AdiabaticCheck<N>;
+class OrbitCheck : Check<N> {
+    using Base = Check<N>;
     using Base::fact, Base::leaf_, Base::claim_, Base::m_, Base::quarter, Base::half_turn, Base::zero,
         Base::one, Base::number, Base::margin_;
     using typename Base::I, typename Base::Ray;
 
   public:
-    OrbitCheck(const AdiabaticLeaf& leaf, std::string* log)
+    OrbitCheck(const Leaf& leaf, Log* log)
         : Base(leaf, Masses<N>(number(leaf.terms->claim.attained.at(leaf.index).delta)), log),
           state_(claim_.attained.at(leaf.index)),
           climb_(m_.delta * number(state_.s)),
@@ -51,15 +51,13 @@ class OrbitCheck : AdiabaticCheck<N> {
             if (!fact("the next collision", next.has_value())) return false;
             last = *next;
             kappa = flight->slope;
-            if (claim_.kind == Adiabatic::run && !is_apart(last)) return false;
+            if (claim_.kind == Claim::run && !is_apart(last)) return false;
         }
-        if (this->log_)
-            *this->log_ +=
-                "  last contact at x " + Base::show(last.x) + ", slope " + Base::show(kappa) + "\n";
+        if (this->log_) this->log_->line({{"  last contact at x ", last.x}, {", slope ", kappa}});
         switch (claim_.kind) {
-            case Adiabatic::bounce:
+            case Claim::bounce:
                 return has_errors(first, last, kappa);
-            case Adiabatic::run:
+            case Claim::run:
                 return has_change(first, last, kappa, I(1));
             default:
                 return is_last(last, kappa) && has_change(first, last, kappa, turned(last, kappa));
@@ -108,9 +106,9 @@ class OrbitCheck : AdiabaticCheck<N> {
             highest{flight.corner.hi, flight.slope.hi, zero};
         if (!(lowest.c > zero && highest.kappa < one)) return std::nullopt;
         N z = zero;
-        Base::guess_root(lowest.c, lowest.kappa, z);
+        guess_root(lowest.c, lowest.kappa, z);
         const auto from = this->earliest(lowest, z);
-        if (!Base::guess_root(highest.c, highest.kappa, z)) return std::nullopt;
+        if (!guess_root(highest.c, highest.kappa, z)) return std::nullopt;
         const auto until = this->latest(highest, z);
         if (!until || !(zero < from.x && from.x <= until->x && until->cosine <= from.cosine))
             return std::nullopt;
@@ -126,7 +124,7 @@ class OrbitCheck : AdiabaticCheck<N> {
     bool has_change(const Touch<N>& first, const Touch<N>& last, const I& kappa, const I& factor) {
         const I spin = root((m_.r + square(kappa_0_)) / (m_.r + square(kappa)));
         const I change = last.f * spin * factor - first.f;
-        const unsigned order = claim_.kind == Adiabatic::run ? 16 : 8;
+        const unsigned order = claim_.kind == Claim::run ? 16 : 8;
         return Base::at_most("the value is attained", number(state_.value) * sixteenths(m_.delta, order),
                              least_size(change));
     }
@@ -142,14 +140,12 @@ class OrbitCheck : AdiabaticCheck<N> {
     /// At most the size of any number of the interval.
     [[nodiscard]] static I least_size(const I& x) { return I(std::max(N(0), std::max(x.lo, -x.hi))); }
 
-    const Adiabatic::Attained& state_;
+    const Claim::Attained& state_;
     const I climb_, kappa_0_;
 };
 
 }  // namespace
 
-const char* check_adiabatic_attained(const AdiabaticLeaf& leaf, std::string* log) {
-    return judged<OrbitCheck>(leaf, log);
-}
+const char* check_attained(const Leaf& leaf, Log* log) { return judged<OrbitCheck>(leaf, log); }
 
-}  // namespace dumbbell_verify
+}  // namespace dumbbell_verify::adiabatic

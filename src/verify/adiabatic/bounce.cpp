@@ -3,17 +3,17 @@
 
 #include "verify/adiabatic/check.hpp"
 
-namespace dumbbell_verify {
+namespace dumbbell_verify::adiabatic {
 namespace {
 
 template <class N>
-class BounceCheck : AdiabaticCheck<N> {
-    using Base = AdiabaticCheck<N>;
+class BounceCheck : Check<N> {
+    using Base = Check<N>;
     using Base::fact, Base::leaf_, Base::claim_, Base::m_, Base::quarter, Base::zero, Base::one, Base::number;
     using typename Base::I, typename Base::Ray;
 
   public:
-    BounceCheck(const AdiabaticLeaf& leaf, std::string* log)
+    BounceCheck(const Leaf& leaf, Log* log)
         : Base(leaf, Masses<N>(Base::side(leaf.box, axis_delta)), log),
           whole_u_(Base::side(axis_u)),
           u_(Base::cut(whole_u_)),
@@ -58,10 +58,10 @@ class BounceCheck : AdiabaticCheck<N> {
     /// The corner distance of the next contact, for all rays between these.
     [[nodiscard]] I next(const Ray& lowest, const Ray& highest) const {
         N z = zero;
-        Base::guess_root(lowest.c, lowest.kappa, z);
+        guess_root(lowest.c, lowest.kappa, z);
         const N from = this->earliest(lowest, z).x;
         N until = quarter.hi;
-        if (highest.kappa < one && Base::guess_root(highest.c, highest.kappa, z))
+        if (highest.kappa < one && guess_root(highest.c, highest.kappa, z))
             if (const auto last = this->latest(highest, z)) until = last->x;
         return {std::min(from, until), until};
     }
@@ -71,8 +71,6 @@ class BounceCheck : AdiabaticCheck<N> {
 
 }  // namespace
 
-const char* check_adiabatic_bounce(const AdiabaticLeaf& leaf, std::string* log) {
-    return judged<BounceCheck>(leaf, log);
-}
+const char* check_bounce(const Leaf& leaf, Log* log) { return judged<BounceCheck>(leaf, log); }
 
-}  // namespace dumbbell_verify
+}  // namespace dumbbell_verify::adiabatic

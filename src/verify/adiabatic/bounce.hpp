@@ -2,7 +2,7 @@
 #pragma once
 #include "verify/adiabatic/contact.hpp"
 
-namespace dumbbell_verify {
+namespace dumbbell_verify::adiabatic {
 
 /// D: the spin changes by the factor -D/(w^2 + r).
 template <class N>
@@ -56,4 +56,4 @@ Interval<N> error_of_height(const Masses<N>& m, const Touch<N>& at, const Interv
            I(2) * m.beta2 * at.w * (m.r + square(kappa)) * way / onward(m, at.w, kappa);
 }
 
-}  // namespace dumbbell_verify
+}  // namespace dumbbell_verify::adiabatic

@@ -3,20 +3,20 @@
 #pragma once
 #include "verify/adiabatic/contact.hpp"
 #include "verify/adiabatic/grammar.hpp"
-#include "verify/format/precision.hpp"
+#include "verify/core/big.hpp"
 #include "verify/starts/ray.hpp"
 
-namespace dumbbell_verify {
+namespace dumbbell_verify::adiabatic {
 
 template <class N>
-class AdiabaticCheck : protected Departures<N> {
+class Check : protected starts::Departures<N> {
   public:
     using I = Interval<N>;
-    using Base = Departures<N>;
+    using Base = starts::Departures<N>;
     using Base::fact, Base::quarter, Base::half_turn, Base::zero, Base::one;
 
   protected:
-    AdiabaticCheck(const AdiabaticLeaf& leaf, const Masses<N>& masses, std::string* log)
+    Check(const Leaf& leaf, const Masses<N>& masses, Log* log)
         : Base(masses.r, log),
           leaf_(leaf),
           claim_(leaf.terms->claim),
@@ -24,7 +24,7 @@ class AdiabaticCheck : protected Departures<N> {
           margin_(number(claim_.margin) * sixteenths(m_.delta, static_cast<unsigned>(claim_.exponent))) {}
 
     static I number(const mpq_class& x) { return {bound(down, x, N(0)), bound(up, x, N(0))}; }
-    static I side(const AdiabaticBox& box, std::size_t axis) {
+    static I side(const Box& box, std::size_t axis) {
         return {bound(down, box.lo.at(axis), N(0)), bound(up, box.hi.at(axis), N(0))};
     }
     [[nodiscard]] I side(std::size_t axis) const { return side(leaf_.box, axis); }
@@ -42,10 +42,10 @@ class AdiabaticCheck : protected Departures<N> {
     /// The greatest size of a number of the interval.
     [[nodiscard]] static I size(const I& x) { return I(std::max(-x.lo, x.hi)); }
 
-    const AdiabaticLeaf& leaf_;
-    const Adiabatic& claim_;
+    const Leaf& leaf_;
+    const Claim& claim_;
     const Masses<N> m_;
     const I margin_;
 };
 
-}  // namespace dumbbell_verify
+}  // namespace dumbbell_verify::adiabatic

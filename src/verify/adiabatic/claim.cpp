@@ -2,7 +2,7 @@
 
 #include "verify/starts/claim.hpp"
 
-namespace dumbbell_verify {
+namespace dumbbell_verify::adiabatic {
 namespace {
 
 std::string pair(const mpq_class& lo, const mpq_class& hi) {
@@ -18,7 +18,7 @@ std::string quoted(const std::string& text) { return "\"" + text + "\""; }
 /// About a number of a file, which may have many digits.
 std::string about(const mpq_class& x) {
     const std::string exact = to_string(x);
-    return exact.size() <= 20 ? exact : "about " + decimals(x, false, 9);
+    return exact.size() <= 20 ? exact : "about " + starts::decimals(x, false, 9);
 }
 std::string range(const mpq_class& lo, const mpq_class& hi) {
     return lo == hi ? "= " + about(lo) : "in [" + about(lo) + ", " + about(hi) + "]";
@@ -41,15 +41,14 @@ std::string power(std::uint64_t sixteenths) {
 }
 
 /// `number` tells C1 and B1 from C2 and B2.
-std::string state_text(const Adiabatic::Attained& state, const Adiabatic::Summary& value,
-                       const std::string& number) {
+std::string state_text(const Claim::Attained& state, const Claim::Summary& value, const std::string& number) {
     const std::string C = "C" + number, B = "B" + number;
     return "  Certified for u = " + about(state.u) + ", ydot = -delta s, s = " + about(state.s) +
            ", delta = " + about(state.delta) + ", with " + std::to_string(state.collisions) +
            " collision(s) more:\n  the same with " + B + " = " + value.attained + " and >= instead of " + C +
            " and <=" + (value.ratio.empty() ? ".\n" : "; " + C + "/" + B + " <= " + value.ratio + ".\n");
 }
-std::string state_json(const Adiabatic::Attained& state, const std::string& ratio) {
+std::string state_json(const Claim::Attained& state, const std::string& ratio) {
     return "{\"u\":\"" + to_string(state.u) + "\",\"s\":\"" + to_string(state.s) + "\",\"delta\":\"" +
            to_string(state.delta) + "\",\"collisions\":" + std::to_string(state.collisions) +
            ",\"value\":\"" + to_string(state.value) +
@@ -58,26 +57,26 @@ std::string state_json(const Adiabatic::Attained& state, const std::string& rati
 
 }  // namespace
 
-std::optional<Adiabatic::Kind> adiabatic_kind(std::string_view name) {
-    for (const auto kind : {Adiabatic::bounce, Adiabatic::run, Adiabatic::scattering})
-        if (Adiabatic::names.at(kind) == name) return kind;
+std::optional<Claim::Kind> kind_named(std::string_view name) {
+    for (const auto kind : {Claim::bounce, Claim::run, Claim::scattering})
+        if (Claim::names.at(kind) == name) return kind;
     return std::nullopt;
 }
 
-std::vector<Adiabatic::Summary> Adiabatic::summaries() const {
+std::vector<Claim::Summary> Claim::summaries() const {
     std::vector<Summary> all;
     for (std::size_t i = 0; i < attained.size(); ++i) {
         const mpq_class& value = attained[i].value;
         Summary summary;
-        summary.attained = decimals(value, false);
-        summary.bound = decimals(bounds.at(i), true);
-        if (value > 0) summary.ratio = decimals(bounds[i] / value, true);
+        summary.attained = starts::decimals(value, false);
+        summary.bound = starts::decimals(bounds.at(i), true);
+        if (value > 0) summary.ratio = starts::decimals(bounds[i] / value, true);
         all.push_back(summary);
     }
     return all;
 }
 
-std::string Adiabatic::text() const {
+std::string Claim::text() const {
     std::string result = "claim=" + std::string(names.at(kind)) + " delta=" + to_string(delta_lo, delta_hi);
     if (has_heights()) result += " heights=" + to_string(y_lo, y_hi);
     result += " margin=" + to_string(margin);
@@ -92,7 +91,7 @@ std::string Adiabatic::text() const {
     return result;
 }
 
-std::string Adiabatic::paragraph() const {
+std::string Claim::paragraph() const {
     const std::string heights = "heights y " + range(y_lo, y_hi), size = about(margin);
     const auto all = summaries();
     std::string text = "  " + deltas(delta_lo, delta_hi) +
@@ -128,7 +127,7 @@ std::string Adiabatic::paragraph() const {
     return text;
 }
 
-std::string Adiabatic::json() const {
+std::string Claim::json() const {
     std::vector<std::string> constants, states;
     for (const mpq_class& bound : bounds) constants.push_back(quoted(to_string(bound)));
     const auto all = summaries();
@@ -139,4 +138,4 @@ std::string Adiabatic::json() const {
            ",\"bounds\":" + list(constants) + ",\"attained\":" + list(states) + "}";
 }
 
-}  // namespace dumbbell_verify
+}  // namespace dumbbell_verify::adiabatic

@@ -4,14 +4,14 @@
 #include <string_view>
 #include <vector>
 
-#include "verify/format/claim.hpp"
+#include "verify/core/claim.hpp"
 
-namespace dumbbell_verify {
+namespace dumbbell_verify::adiabatic {
 
 /// For every delta in [D1, D2], epsilon = delta^2, and the states that section 1 of format-adiabatic.md
 /// describes: the error or change is at most `bounds` in the unit of that section, and the states `attained`
 /// have at least their `value` in it.
-struct Adiabatic {
+struct Claim {
     enum Kind { bounce, run, scattering };
     static constexpr std::array<std::string_view, 3> names{"adiabatic-bounce", "adiabatic-run",
                                                            "adiabatic-scattering"};
@@ -44,6 +44,6 @@ struct Adiabatic {
 };
 
 /// The kind with this name, if there is one.
-std::optional<Adiabatic::Kind> adiabatic_kind(std::string_view name);
+std::optional<Claim::Kind> kind_named(std::string_view name);
 
-}  // namespace dumbbell_verify
+}  // namespace dumbbell_verify::adiabatic

@@ -1,21 +1,22 @@
 // A class of L35, and a leaf of its tree: the drift of S along the flights of a box (format-adiabatic.md,
 // section 3).
 #include "verify/adiabatic/check.hpp"
+#include "verify/machine/meter.hpp"
 
-namespace dumbbell_verify {
+namespace dumbbell_verify::adiabatic {
 namespace {
 
 constexpr int class_parts = 64;  ///< of [-1, 1]
 
 /// u: of the flight's upper contact; the slope is k = sigma sqrt(r).
 template <class N>
-class ClassCheck : AdiabaticCheck<N> {
-    using Base = AdiabaticCheck<N>;
+class ClassCheck : Check<N> {
+    using Base = Check<N>;
     using Base::fact, Base::leaf_, Base::m_, Base::quarter, Base::zero, Base::number;
     using typename Base::I;
 
   public:
-    ClassCheck(const AdiabaticLeaf& leaf, std::string* log)
+    ClassCheck(const Leaf& leaf, Log* log)
         : Base(leaf, Masses<N>(Base::side(leaf.box, axis_delta)), log),
           J_(number(class_().J)),
           whole_u_(Base::side(axis_u)),
@@ -25,15 +26,15 @@ class ClassCheck : AdiabaticCheck<N> {
 
     /// nullptr if all is certified, else what is not.
     const char* verdict() {
-        return (leaf_.part == AdiabaticLeaf::class_itself ? is_class()
-                : leaf_.outside                           ? is_outside()
-                                                          : is_bounded())
+        return (leaf_.part == Leaf::class_itself ? is_class()
+                : leaf_.outside                  ? is_outside()
+                                                 : is_bounded())
                    ? nullptr
                    : Base::failed();
     }
 
   private:
-    [[nodiscard]] const AdiabaticClass& class_() const { return leaf_.terms->classes.at(leaf_.index); }
+    [[nodiscard]] const Class& class_() const { return leaf_.terms->classes.at(leaf_.index); }
 
     /// Once for each class: no flight that it is about is steeper than 8 sqrt(r).
     bool is_class() {
@@ -69,7 +70,7 @@ class ClassCheck : AdiabaticCheck<N> {
     /// The integrals of L34 and of the potential over [a, b], a part of [-1, 1]; the mean of 1 - lambda^2 is
     /// exact.
     bool add_part(const N& a, const N& b, const Touch<N>& at, I& drift, I& potential) {
-        Work::spend(1 << 14);
+        Meter::spend(1 << 14);
         const I l = I(a, b) * k_, gap = at.w - l, length = I(b) - a;
         if (!fact("w - l > 0", gap.lo > zero)) return false;
         const I mean = I(1) - (square(I(a)) + I(a) * b + square(I(b))) / I(3);
@@ -117,7 +118,7 @@ class ClassCheck : AdiabaticCheck<N> {
     /// At most X(lambda_i): of the lowest upper contact and the greatest slope. z: a guess, before and after.
     [[nodiscard]] N lowest(int i, N& z) const {
         const Line at = line(u_.hi, k_.hi, i);
-        if (!Base::guess_root(at.c.lo, at.l.lo, z)) z = zero;
+        if (!guess_root(at.c.lo, at.l.lo, z)) z = zero;
         return this->earliest({at.c.lo, at.l.lo, zero}, z).x;
     }
     /// At least X(lambda_i): that of the highest upper contact and the least slope, if the wall there is not
@@ -126,7 +127,7 @@ class ClassCheck : AdiabaticCheck<N> {
         N most = (quarter - u_.lo).hi;
         if (!(sin_cos_on(I(u_.lo), quarter).sin.lo >= k_.lo)) return most;
         const Line at = line(u_.lo, k_.lo, i);
-        if (!Base::guess_root(at.c.hi, at.l.hi, z)) {
+        if (!guess_root(at.c.hi, at.l.hi, z)) {
             z = zero;
             return most;
         }
@@ -139,8 +140,6 @@ class ClassCheck : AdiabaticCheck<N> {
 
 }  // namespace
 
-const char* check_adiabatic_class(const AdiabaticLeaf& leaf, std::string* log) {
-    return judged<ClassCheck>(leaf, log);
-}
+const char* check_class(const Leaf& leaf, Log* log) { return judged<ClassCheck>(leaf, log); }
 
-}  // namespace dumbbell_verify
+}  // namespace dumbbell_verify::adiabatic

@@ -1,10 +1,10 @@
 // What the lemmas L33 to L38 are written in: the masses by delta, and a contact of the light mass.
 #pragma once
 #include "verify/adiabatic/arcsine.hpp"
-#include "verify/input/work.hpp"
-#include "verify/starts/angle.hpp"
+#include "verify/functions/angle.hpp"
+#include "verify/machine/meter.hpp"
 
-namespace dumbbell_verify {
+namespace dumbbell_verify::adiabatic {
 
 /// x^(n/16) for x >= 0.
 template <class N>
@@ -41,7 +41,7 @@ struct Touch {
     }
     Touch(const Masses<N>& m, const I& distance, const I& sin_x, const I& cos_x)
         : x(distance), sine(sin_x), w(cos_x), square_w(square(w)), e(m.r / square_w) {
-        Work::spend(1 << 13);
+        Meter::spend(1 << 13);
         const I quarter = pi<N>() / I(2);
         const Excess excess(m.beta2, m.r, sine, w);
         rho = excess.rho;
@@ -78,4 +78,4 @@ struct Touch {
     };
 };
 
-}  // namespace dumbbell_verify
+}  // namespace dumbbell_verify::adiabatic

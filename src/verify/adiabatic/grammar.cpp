@@ -3,9 +3,11 @@
 
 #include <cmath>
 
-#include "verify/format/reader.hpp"
+#include "verify/core/reader.hpp"
+#include "verify/core/tree.hpp"
+#include "verify/starts/zero.hpp"
 
-namespace dumbbell_verify {
+namespace dumbbell_verify::adiabatic {
 namespace {
 
 enum { split, bound_leaf, outside };
@@ -16,22 +18,22 @@ using Axes = std::array<std::string_view, 5>;  ///< the names of those that a tr
 constexpr Axes class_axes{"u", "", "", "delta", "sigma"}, bounce_axes{"u", "s", "", "delta", ""},
     run_axes{"u", "s", "v", "delta", ""};
 
-class AdiabaticReader : public Reader<AdiabaticLeaf> {
+class ClaimReader : public Reader<Leaf> {
   public:
-    AdiabaticReader(Text& text, const Settings& settings, Adiabatic::Kind kind) : Reader(text, settings) {
+    ClaimReader(Text& text, const Settings& settings, Claim::Kind kind) : Reader(text, settings) {
         require_fitting_demand();
         claim_.kind = kind;
         leaf_.terms = &terms_;
         for (const auto* name : {"split", "bound", "outside"}) proof_.tallies.push_back({name});
     }
-    [[nodiscard]] Adiabatic& claim() { return claim_; }
+    [[nodiscard]] Claim& claim() { return claim_; }
 
   private:
-    [[nodiscard]] std::string_view kind() const override { return Adiabatic::names.at(claim_.kind); }
-    [[nodiscard]] const char* check(const AdiabaticLeaf& leaf, std::string* log) const override {
-        return check_adiabatic(leaf, log);
+    [[nodiscard]] std::string_view kind() const override { return Claim::names.at(claim_.kind); }
+    [[nodiscard]] const char* check(const Leaf& leaf, Log* log) const override {
+        return check_leaf(leaf, log);
     }
-    [[nodiscard]] std::string_view opcode(const AdiabaticLeaf& leaf) const override { return leaf.opcode; }
+    [[nodiscard]] std::string_view opcode(const Leaf& leaf) const override { return leaf.opcode; }
 
     void read() override {
         header();
@@ -52,27 +54,27 @@ class AdiabaticReader : public Reader<AdiabaticLeaf> {
 
     void header() {
         text_.expect("delta", 2);
-        claim_.delta_lo = text_.level(1);
-        claim_.delta_hi = text_.level(2);
+        claim_.delta_lo = starts::level(text_, 1);
+        claim_.delta_hi = starts::level(text_, 2);
         if (!(claim_.delta_lo <= claim_.delta_hi && claim_.delta_hi > 0 && 2 * claim_.delta_hi < 1))
             text_.reject("number", "not 0 <= D1 <= D2 < 1/2, 0 < D2");
-        if (claim_.delta_lo == 0 && claim_.kind != Adiabatic::run)
+        if (claim_.delta_lo == 0 && claim_.kind != Claim::run)
             text_.reject("number", "D1 = 0 is for `adiabatic-run`");
         if (claim_.has_heights()) {
             text_.expect("heights", 2);
-            claim_.y_lo = text_.level(1);
-            claim_.y_hi = text_.level(2);
+            claim_.y_lo = starts::level(text_, 1);
+            claim_.y_hi = starts::level(text_, 2);
             if (!(claim_.y_lo < claim_.y_hi && claim_.y_hi <= 1)) text_.reject("number", "not Y1 < Y2 <= 1");
         }
         text_.expect("margin", 1);
-        claim_.margin = text_.level(1);
+        claim_.margin = starts::level(text_, 1);
         if (!(claim_.margin > 0 && claim_.margin <= 1)) text_.reject("number", "not 0 < margin <= 1");
-        claim_.exponent = claim_.kind == Adiabatic::run ? 0 : 8;
-        if (claim_.kind == Adiabatic::bounce) claim_.exponent = number("exponent", 0, 16);
+        claim_.exponent = claim_.kind == Claim::run ? 0 : 8;
+        if (claim_.kind == Claim::bounce) claim_.exponent = number("exponent", 0, 16);
         read_bits(leaf_);
-        const std::size_t n = claim_.kind == Adiabatic::bounce ? 2 : 1;
+        const std::size_t n = claim_.kind == Claim::bounce ? 2 : 1;
         text_.expect("bound", n);
-        for (std::size_t i = 1; i <= n; ++i) claim_.bounds.push_back(text_.level(i));
+        for (std::size_t i = 1; i <= n; ++i) claim_.bounds.push_back(starts::level(text_, i));
     }
     std::uint64_t number(std::string_view keyword, std::uint64_t least, std::uint64_t most) {
         text_.expect(keyword, 1);
@@ -91,25 +93,24 @@ class AdiabaticReader : public Reader<AdiabaticLeaf> {
             const std::uint64_t line = text_.line, cells = text_.natural(2);
             if (cells < 1 || cells > 4096) text_.reject("number", "not 1 to 4096 cells");
             mpq_class top(11, 7);
-            AdiabaticClass& last =
-                terms_.classes.emplace_back(AdiabaticClass{text_.level(1), Potential(top)});
+            Class& last = terms_.classes.emplace_back(Class{starts::level(text_, 1), Potential(top)});
             while (last.potential.size() < cells) {
                 text_.expect("cell", 2);
-                const mpq_class low = text_.level(1);
+                const mpq_class low = starts::level(text_, 1);
                 if (low >= top) text_.reject("number", "cells go down from 11/7");
-                last.potential.add_cell(low, text_.level(2));
+                last.potential.add_cell(low, starts::level(text_, 2));
                 top = low;
             }
             set_root(class_axes);
-            take(AdiabaticLeaf::class_itself, i, line, "class");
-            read_tree(AdiabaticLeaf::class_tree, i, class_axes, "class" + std::to_string(i) + ".");
+            take(Leaf::class_itself, i, line, "class");
+            read_tree(Leaf::class_tree, i, class_axes, "class" + std::to_string(i) + ".");
         }
         text_.expect("end", 0);
     }
     void claim_tree() {
-        const Axes& axes = claim_.kind == Adiabatic::bounce ? bounce_axes : run_axes;
+        const Axes& axes = claim_.kind == Claim::bounce ? bounce_axes : run_axes;
         set_root(axes);
-        read_tree(AdiabaticLeaf::claim_tree, 0, axes, "box.");
+        read_tree(Leaf::claim_tree, 0, axes, "box.");
     }
     void set_root(const Axes& axes) {
         const mpq_class most[] = {2, 1, 2, claim_.delta_hi, 8};
@@ -118,14 +119,14 @@ class AdiabaticReader : public Reader<AdiabaticLeaf> {
             leaf_.box.hi.at(i) = axes.at(i).empty() ? mpq_class(0) : most[i];
         }
     }
-    void read_tree(AdiabaticLeaf::Part part, std::size_t index, const Axes& axes, const std::string& name) {
+    void read_tree(Leaf::Part part, std::size_t index, const Axes& axes, const std::string& name) {
         ++proof_.roots;
-        Tree<AdiabaticBox> tree{text_, axes, proof_.tallies[split].lines, leaf_.box, name, most_halvings};
+        Tree<Box> tree{text_, axes, proof_.tallies[split].lines, leaf_.box, name, most_halvings};
         tree.read([&] { leaf(part, index, std::ldexp(1, -tree.depth), tree.path); });
     }
-    void leaf(AdiabaticLeaf::Part part, std::size_t index, double share, const std::string& path) {
+    void leaf(Leaf::Part part, std::size_t index, double share, const std::string& path) {
         const auto& f = text_.fields;
-        const bool chooses = part == AdiabaticLeaf::claim_tree && claim_.has_classes();
+        const bool chooses = part == Leaf::claim_tree && claim_.has_classes();
         leaf_.outside = f[0] == "outside";
         if (!leaf_.outside && f[0] != "bound") text_.reject("opcode", "not a line for this place");
         if (f.size() != (chooses && !leaf_.outside ? 2 : 1)) text_.reject("syntax", "wrong number of values");
@@ -143,12 +144,12 @@ class AdiabaticReader : public Reader<AdiabaticLeaf> {
 
     void attained() {
         text_.expect("attained", 5);
-        Adiabatic::Attained state{text_.signed_ratio(1), text_.signed_ratio(2), text_.level(3),
-                                  text_.natural(4), text_.level(5)};
+        Claim::Attained state{starts::signed_ratio(text_, 1), starts::signed_ratio(text_, 2),
+                              starts::level(text_, 3), text_.natural(4), starts::level(text_, 5)};
         if (!(state.u > 0 && state.s >= 0 && state.s <= 1)) text_.reject("number", "not u > 0, 0 <= s <= 1");
         if (!(state.delta > 0 && state.delta >= claim_.delta_lo && state.delta <= claim_.delta_hi))
             text_.reject("number", "delta beyond D1 to D2, or 0");
-        if (claim_.kind == Adiabatic::bounce && state.collisions != 1)
+        if (claim_.kind == Claim::bounce && state.collisions != 1)
             text_.reject("number", "one collision follows");
         // The distance from the vertical, exactly: u^16 >= m^16 delta^exponent.
         if (power(state.u, 16) < power(claim_.margin, 16) * power(state.delta, claim_.exponent))
@@ -157,7 +158,7 @@ class AdiabaticReader : public Reader<AdiabaticLeaf> {
         leaf_.outside = false;
         const unsigned bits = leaf_.bits;
         leaf_.bits = std::max(bits, least_orbit_bits);
-        take(AdiabaticLeaf::attained, claim_.attained.size() - 1, text_.line, "attained");
+        take(Leaf::attained, claim_.attained.size() - 1, text_.line, "attained");
         explain("attained" + std::to_string(claim_.attained.size()));
         leaf_.bits = bits;
     }
@@ -169,7 +170,7 @@ class AdiabaticReader : public Reader<AdiabaticLeaf> {
     }
 
     /// The present leaf is to be checked.
-    void take(AdiabaticLeaf::Part part, std::size_t index, std::uint64_t line, std::string_view opcode) {
+    void take(Leaf::Part part, std::size_t index, std::uint64_t line, std::string_view opcode) {
         leaf_.part = part;
         leaf_.index = index;
         leaf_.line = line;
@@ -187,29 +188,29 @@ class AdiabaticReader : public Reader<AdiabaticLeaf> {
 
     static constexpr std::array<std::string_view, 5> names{"u", "s", "v", "delta", "sigma"};
 
-    AdiabaticTerms terms_;
-    Adiabatic& claim_ = terms_.claim;
-    AdiabaticLeaf leaf_;  ///< the present one; its box is that of the present node
+    Terms terms_;
+    Claim& claim_ = terms_.claim;
+    Leaf leaf_;  ///< the present one; its box is that of the present node
 };
 
 }  // namespace
 
-const char* check_adiabatic(const AdiabaticLeaf& leaf, std::string* log) {
+const char* check_leaf(const Leaf& leaf, Log* log) {
     switch (leaf.part) {
-        case AdiabaticLeaf::attained:
-            return check_adiabatic_attained(leaf, log);
-        case AdiabaticLeaf::claim_tree:
-            return leaf.terms->claim.kind == Adiabatic::bounce ? check_adiabatic_bounce(leaf, log)
-                                                               : check_adiabatic_run(leaf, log);
+        case Leaf::attained:
+            return check_attained(leaf, log);
+        case Leaf::claim_tree:
+            return leaf.terms->claim.kind == Claim::bounce ? check_bounce(leaf, log)
+                                                           : check_bounces(leaf, log);
         default:
-            return check_adiabatic_class(leaf, log);
+            return check_class(leaf, log);
     }
 }
 
-std::pair<Proof, Adiabatic> adiabatic(Text& text, const Settings& settings, Adiabatic::Kind kind) {
-    AdiabaticReader reader(text, settings, kind);
-    Proof proof = reader.run();
+std::pair<Proof, Claim> proof(Text& text, const Settings& settings, Claim::Kind kind) {
+    ClaimReader reader(text, settings, kind);
+    Proof proof = reader.proof();
     return {std::move(proof), std::move(reader.claim())};
 }
 
-}  // namespace dumbbell_verify
+}  // namespace dumbbell_verify::adiabatic

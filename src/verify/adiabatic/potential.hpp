@@ -6,9 +6,9 @@
 #include <type_traits>
 #include <vector>
 
-#include "verify/number/interval.hpp"
+#include "verify/core/interval.hpp"
 
-namespace dumbbell_verify {
+namespace dumbbell_verify::adiabatic {
 
 /// V(u), the integral of v from u to the first cell's top, which is at least pi/2; below the last cell v = 0.
 /// Kept in doubles that are rounded to the safe side.
@@ -79,4 +79,4 @@ class Potential {
     std::vector<Cell> cells_;
 };
 
-}  // namespace dumbbell_verify
+}  // namespace dumbbell_verify::adiabatic

@@ -9,7 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "verify/input/budget.hpp"
+#include "verify/core/text.hpp"
+#include "verify/input/foreign.hpp"
 #include "verify/input/input_file.hpp"
 
 namespace dumbbell_verify {
@@ -20,7 +21,7 @@ inline void need_memory(bool enough) {
 }
 
 /// Blocks of bytes, one after the other. At most one gzip member, and nothing after it.
-class Bytes {
+class Bytes : public Source {
   public:
     /// Throws Failure if the file cannot be read, here and below.
     explicit Bytes(const std::string& path) try : file_(path) {
@@ -32,16 +33,15 @@ class Bytes {
     } catch (const std::invalid_argument& why) {
         throw Failure{Verdict::unreadable, 0, "unreadable", why.what()};
     }
-    ~Bytes() { inflateEnd(&stream_); }
-    Bytes(const Bytes&) = delete;
-    Bytes& operator=(const Bytes&) = delete;
+    ~Bytes() override { inflateEnd(&stream_); }
 
-    /// The next block, good until the one after it; empty at the end. What is wrong is said to be in this
-    /// line.
-    std::string_view next(std::uint64_t line) {
+    std::string_view next(std::uint64_t line) override {
         const std::string_view block = unpacked(line);
         Watched::bytes += block.size();
         return block;
+    }
+    [[nodiscard]] std::string foreign(std::string_view line, bool is_first) const override {
+        return foreign_text(line, is_first);
     }
 
   private:

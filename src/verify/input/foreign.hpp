@@ -6,7 +6,7 @@
 namespace dumbbell_verify {
 
 /// What is foreign in a line of a text, and how to mend it; empty: nothing that has a name.
-inline std::string foreign(std::string_view line, bool is_first) {
+inline std::string foreign_text(std::string_view line, bool is_first) {
     if (is_first && (line.starts_with("\xff\xfe") || line.starts_with("\xfe\xff")))
         return "the text is UTF-16: mend it with iconv -f UTF-16 -t ASCII <OLD >NEW";
     if (is_first && line.starts_with("\xef\xbb\xbf"))

@@ -2,7 +2,7 @@
 // flight, for all eps in [0, 1/1000] at once.
 #include "verify/law/rule.hpp"
 
-namespace dumbbell_verify {
+namespace dumbbell_verify::law {
 namespace {
 
 /// At [alpha, alpha'] of a step, with Q at its middle: W(x) = sin(Q/cos x) is the clock's integrand, and its
@@ -56,13 +56,13 @@ class Clock {
 };
 
 template <class N>
-class BulkRule : LawRule<N> {
-    using Base = LawRule<N>;
+class BulkRule : Rule<N> {
+    using Base = Rule<N>;
     using Base::fact, Base::less, Base::within, Base::quarter;
     using I = Interval<N>;
 
   public:
-    BulkRule(const LawLeaf& leaf, std::string* log) : Base(leaf, log) {}
+    BulkRule(const Leaf& leaf, Log* log) : Base(leaf, log) {}
 
     const char* verdict() {
         const Range& range = ranges.at(this->leaf_.range);
@@ -137,12 +137,12 @@ class BulkRule : LawRule<N> {
         return {defect / betas, fall / betas, J};
     }
 
-    struct Step {
+    struct Values {
         I Q, F, tangent, sin_U, cos_U, t, d1, d2, w, w_last, tan2, tan2_last;
     };
     /// The integral of W over [alpha, alpha'], less 2 eps, over eps^3.
     [[nodiscard]] I clock_part(const I& th, const I& eps, const I& beta, const I& beta_last,
-                               const Step& s) const {
+                               const Values& s) const {
         const auto excess = [](const I& w, const I& tan2) {  // tan beta - beta
             return cube(I(1) / w) / I(3) * below_one(tan2, fraction<N>(3, 5));
         };
@@ -162,10 +162,10 @@ class BulkRule : LawRule<N> {
     /// (J + |A|)/F.
     bool is_in_window() {
         constexpr int parts = 700;
-        const I J = quarter + I(fraction<N>(-1, 100'000).lo, fraction<N>(1, 4'000'000).hi);
-        const I least = fraction<N>(9, 10), length = quarter + fraction<N>(1, 1000) - least;
+        const I J = quarter + I(fraction<N>(bulk_least_Q).lo, fraction<N>(1, 4'000'000).hi);
+        const I least = fraction<N>(layer_U), length = quarter + fraction<N>(1, 1000) - least;
         if (!less("th < 0.7944 for U >= 9/10",
-                  sin_cos_on(fraction<N>(7944, 10'000), quarter).cos * (pi<N>() - least), J))
+                  sin_cos_on(fraction<N>(bulk_angles.back()), quarter).cos * (pi<N>() - least), J))
             return false;
         for (int i = 0; i < parts; ++i) {
             const I share(fraction<N>(i, parts).lo, fraction<N>(i + 1, parts).hi), U = least + length * share;
@@ -176,7 +176,7 @@ class BulkRule : LawRule<N> {
             const I d = fraction<N>(1001, 1000) * F * root / (J * s);
             const I A =
                 (J + fraction<N>(1, 100)) / F * square(d) * cosine / s + F / (I(2) * square(s)) + d / s;
-            if (!less("1.001 sin d < 1/10", d * Base::most_eps(), fraction<N>(1, 10)) ||
+            if (!less("1.001 sin d < 1/10", d * fraction<N>(most_eps), fraction<N>(1, 10)) ||
                 !less("|A|/eps^2 <= 20", A, 20, false))
                 return false;
         }
@@ -186,13 +186,13 @@ class BulkRule : LawRule<N> {
 
 }  // namespace
 
-const char* check_law_bulk(const LawLeaf& leaf, std::string* log) { return judged<BulkRule>(leaf, log); }
+const char* check_bulk(const Leaf& leaf, Log* log) { return judged<BulkRule>(leaf, log); }
 
-const char* check_law_bulk_window(unsigned bits, bool multiple, std::string* log) {
-    const LawLeaf leaf;
+const char* check_bulk_window(unsigned bits, bool multiple, Log* log) {
+    const Leaf leaf;
     Big::precision = bits;
     return multiple ? BulkRule<Big>(leaf, log).window_verdict()
                     : BulkRule<double>(leaf, log).window_verdict();
 }
 
-}  // namespace dumbbell_verify
+}  // namespace dumbbell_verify::law

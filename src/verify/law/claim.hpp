@@ -3,9 +3,9 @@
 #include <string_view>
 #include <utility>
 
-#include "verify/format/claim.hpp"
+#include "verify/core/claim.hpp"
 
-namespace dumbbell_verify {
+namespace dumbbell_verify::law {
 
 /// The steps N of the staircase that a file proves one by one. Beyond the last the covers do.
 constexpr unsigned first_step = 3, last_step = 902;
@@ -14,7 +14,7 @@ constexpr unsigned law_step = 9;
 
 /// For every mass ratio q >= q_c(9): 2 + floor(C sqrt q - c0 q^(-1/4)) <= N*(q) <= 2 + floor(C sqrt q); for
 /// every q >= 1: 0.980 <= N*(q) - C sqrt q <= 2.115 (proofs/law.md).
-struct Law {
+struct Claim {
     static constexpr std::string_view leaves = "9:light.01, 9:witness, layer.01, bulk1.1, end.1, ...";
     std::pair<mpq_class, mpq_class> from;  ///< q_c(9) lies between these
 
@@ -24,4 +24,4 @@ struct Law {
     [[nodiscard]] std::string json() const;
 };
 
-}  // namespace dumbbell_verify
+}  // namespace dumbbell_verify::law

@@ -1,8 +1,29 @@
-// The numbers of the law: C, k0, c0 (law.md).
+// The numbers of the law (law.md): where the conditions of its covers hold, and C, k0, c0.
 #pragma once
+#include <array>
+
 #include "verify/law/slope.hpp"
 
-namespace dumbbell_verify {
+namespace dumbbell_verify::law {
+
+/// numerator/denominator, in lowest terms.
+struct Ratio {
+    int numerator, denominator;
+    operator mpq_class() const {  // NOLINT(google-explicit-constructor): the same number
+        return {numerator, static_cast<unsigned>(denominator)};
+    }
+};
+template <class N>
+Interval<N> fraction(const Ratio& x) {
+    return fraction<N>(x.numerator, x.denominator);
+}
+
+constexpr Ratio most_eps{1, 1000};
+/// The layer is U <= 9/10 and rho <= 1/5, the bulk U >= 9/10, in three ranges of th, the end d <= 9/100.
+constexpr Ratio layer_U{9, 10}, layer_rho{1, 5}, end_d{9, 100};
+constexpr std::array<Ratio, 4> bulk_angles{{{0, 1}, {3, 5}, {7, 10}, {993, 1250}}};
+/// J is in pi/2 + [-drift eps^2/u^3, rise eps^2], in the bulk Q in pi/2 + [least, most].
+constexpr Ratio J_drift{53, 10}, J_rise{1, 4}, bulk_least_Q{-1, 100'000}, bulk_most_Q{3, 100'000};
 
 /// k0 = 3^(-7/4) pi^(-1/2), of the comparison function.
 template <class N>
@@ -70,4 +91,4 @@ Interval<N> growth_constant() {
     return sum + I((-(share * S)).lo, (share * S).hi);
 }
 
-}  // namespace dumbbell_verify
+}  // namespace dumbbell_verify::law

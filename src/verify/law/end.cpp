@@ -2,12 +2,12 @@
 // it, for every eps in (0, 1/1000].
 #include "verify/law/rule.hpp"
 
-namespace dumbbell_verify {
+namespace dumbbell_verify::law {
 namespace {
 
 template <class N>
-class EndRule : LawRule<N> {
-    using Base = LawRule<N>;
+class EndRule : Rule<N> {
+    using Base = Rule<N>;
     using Base::fact, Base::less, Base::within, Base::quarter;
     using I = Interval<N>;
     using S = Slope<N>;
@@ -17,8 +17,8 @@ class EndRule : LawRule<N> {
     struct End {
         using T = Form<N>;
         End(const Along<N, Form>& along, const T& Q_) : Q(Q_) {
-            const I at = along.U, d2 = square(at);
-            const T d = along.line(0, 1), wave = along.sinc_of(1), double_wave = along.sinc_of(2);
+            const I at = values_of(along.U), d2 = square(at);
+            const T d = along.line(0, I(1)), wave = along.sinc_of(1), double_wave = along.sinc_of(2);
             F = along.line(pi<N>(), I(-1));
             const T cosine = Q / F, sine = square_root(I(1) - square(cosine));
             // kappa = d^2 kh, and kh = (sinc^2 d + d^2 kh^2/4 [1, 1 + kappa^2])/F, again and again; at first
@@ -27,7 +27,7 @@ class EndRule : LawRule<N> {
             I k(N(0), fraction<N>(1, 2).hi);
             for (int i = 0; i < 4; ++i) {
                 above = I(N(1), (I(1) + square(d2 * k)).hi);
-                k = common(k, (square(sinc(at)) + d2 * square(k) / I(4) * above) / (pi<N>() - at));
+                k = common(k, (square(sinc(at)) + d2 * square(k) / I(4) * values_of(above)) / (pi<N>() - at));
             }
             const T lift = along.line(0, at * square(k) / I(4) * above);  // rk/(2 d^2)
             kh = (square(wave) + lift) / F;
@@ -36,20 +36,20 @@ class EndRule : LawRule<N> {
             A = c * cosine * (wave / (along.cos_of(1) * I(2)) - I(1) + lift / (double_wave * I(2))) -
                 Q * d * square(b * c) / (I(1) + c) - d * sine * b * c;
         }
-        T Q, F, kh, epsh;  ///< eps = d^2 epsh
-        T A;               ///< J - Q = d A
-        I above = 1;       ///< [1, 1 + kappa^2]
+        T Q, F, kh, epsh;                             ///< eps = d^2 epsh
+        T A;                                          ///< J - Q = d A
+        typename Along<N, Form>::Factor above{I(1)};  ///< [1, 1 + kappa^2]
     };
 
   public:
-    EndRule(const LawLeaf& leaf, std::string* log) : Base(leaf, log), d_(Base::side(0)) {}
+    EndRule(const Leaf& leaf, Log* log) : Base(leaf, log), d_(Base::side(0)) {}
 
     const char* verdict() { return is_beyond() || is_bounded() ? nullptr : Base::failed(); }
 
   private:
     bool is_beyond() {
         const Along<N, Interval> along{d_};
-        return less("1/1000 < d^2 epsh", Base::most_eps(),
+        return less("1/1000 < d^2 epsh", fraction<N>(most_eps),
                     square(d_) * End<Interval>(along, along.line(quarter, window())).epsh);
     }
 
@@ -63,8 +63,9 @@ class EndRule : LawRule<N> {
         const S share = end_defect(along, end), root = square_root(end.epsh);
         const I k0 = comparison_constant<N>();
         return within("e_end/sqrt(eps) = k0 at d = 0", k0, I(share.zero.lo), I(share.zero.hi)) &&
-               within("-0.23 <= (e_end - k0 sqrt(eps))/eps <= -0.0885", share.rise / along.values(root),
-                      fraction<N>(-23, 100), fraction<N>(-885, 10'000));
+               within("-0.23 <= (e_end - k0 sqrt(eps))/eps <= -0.0885",
+                      share.rise / values_of(along.values(root)), fraction<N>(-23, 100),
+                      fraction<N>(-885, 10'000));
     }
 
     /// (Q - pi/2)/d, to begin with (L53).
@@ -72,15 +73,16 @@ class EndRule : LawRule<N> {
     /// (Q - pi/2)/d, as Q = J - A and u_b = 2 d.
     template <class Along, class End>
     [[nodiscard]] I offset(const Along& along, const End& end) const {
-        const I e2 = square(along.values(end.epsh));
-        return I(-(Base::drift() * e2 / I(8)).hi, (cube(d_) * e2 * Base::rise()).hi) - along.values(end.A);
+        const I e2 = values_of(square(along.values(end.epsh)));
+        return I(-(Base::drift() * e2 / I(8)).hi, (cube(d_) * e2 * Base::rise()).hi) -
+               values_of(along.values(end.A));
     }
 
     /// e_end/sqrt(eps).
     [[nodiscard]] S end_defect(const Along<N, Slope>& along, const End<Slope>& end) const {
-        const S d = along.line(0, 1), cos_d = along.cos_of(1), sin_d = d * along.sinc_of(1);
+        const S d = along.line(0, I(1)), cos_d = along.cos_of(1), sin_d = d * along.sinc_of(1);
         const Moments<N, Slope> moments(along, end.Q, end.Q);
-        const I size = up_to_size(along.values(end.A)) * d_;
+        const auto size = up_to_size(along.values(end.A)) * along.U;
         const S me = middle_error(along, sin_d, cos_d, end.F, end.Q, I(1)) +
                      moments.over_way(2, 2 * this->leaf_.states->parts).H * end.A * I(4) +
                      d * square(end.A) * (moments.second_order(2, along.values(end.Q) + size) * I(2));
@@ -94,6 +96,6 @@ class EndRule : LawRule<N> {
 
 }  // namespace
 
-const char* check_law_end(const LawLeaf& leaf, std::string* log) { return judged<EndRule>(leaf, log); }
+const char* check_end(const Leaf& leaf, Log* log) { return judged<EndRule>(leaf, log); }
 
-}  // namespace dumbbell_verify
+}  // namespace dumbbell_verify::law

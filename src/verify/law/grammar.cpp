@@ -1,41 +1,44 @@
 // The grammar of a file about the law (format-law.md).
 #include "verify/law/grammar.hpp"
 
-#include "verify/collisions/proofs.hpp"
-#include "verify/format/reader.hpp"
+#include "verify/core/proofs.hpp"
+#include "verify/core/reader.hpp"
+#include "verify/core/tree.hpp"
 #include "verify/law/leaf.hpp"
 #include "verify/law/steps.hpp"
 
-namespace dumbbell_verify {
+namespace dumbbell_verify::law {
 namespace {
 
 constexpr std::uint64_t most_parts = 100'000;  ///< of a range of the bulk, and of the end
 constexpr std::array<std::string_view, 2> layer_axes{"U", "rho"};
 
-class LawReader : public Reader<LawLeaf> {
+class ClaimReader : public Reader<Leaf> {
   public:
-    LawReader(Text& text, const Settings& settings)
+    ClaimReader(Text& text, const Settings& settings)
         : Reader(text, settings),
           proofs_{text, turning(), proof_.tallies,
-                  [this](const Leaf& leaf, const std::string& path) { take_of_step(leaf, path); }} {
+                  [this](const dumbbell_verify::Leaf& leaf, const std::string& path) {
+                      take_of_step(leaf, path);
+                  }} {
         require_fitting_demand();
         proofs_.add_tallies();
         first_ = proof_.tallies.size();
-        for (const auto rule : {LawLeaf::slope, LawLeaf::direct, LawLeaf::beyond})
-            proof_.tallies.push_back({LawLeaf::names.at(rule)});
+        for (const auto rule : {Leaf::slope, Leaf::direct, Leaf::beyond})
+            proof_.tallies.push_back({Leaf::names.at(rule)});
     }
-    [[nodiscard]] Law& claim() { return claim_; }
+    [[nodiscard]] Claim& claim() { return claim_; }
 
   private:
     [[nodiscard]] std::string_view kind() const override { return "law"; }
-    [[nodiscard]] const char* check(const LawLeaf& leaf, std::string* log) const override {
-        if (leaf.rule == LawLeaf::step) return turning().check(leaf.at_step, log);
-        if (leaf.rule == LawLeaf::bulk) return check_law_bulk(leaf, log);
-        return leaf.rule == LawLeaf::end ? check_law_end(leaf, log) : check_law_layer(leaf, log);
+    [[nodiscard]] const char* check(const Leaf& leaf, Log* log) const override {
+        if (leaf.rule == Leaf::step) return turning().check(leaf.at_step, log);
+        if (leaf.rule == Leaf::bulk) return check_bulk(leaf, log);
+        return leaf.rule == Leaf::end ? check_end(leaf, log) : check_layer(leaf, log);
     }
-    [[nodiscard]] std::string_view opcode(const LawLeaf& leaf) const override {
-        return leaf.rule == LawLeaf::step ? turning().opcodes[leaf.at_step.opcode].name
-                                          : LawLeaf::names.at(leaf.rule);
+    [[nodiscard]] std::string_view opcode(const Leaf& leaf) const override {
+        return leaf.rule == Leaf::step ? turning().opcodes[leaf.at_step.opcode].name
+                                       : Leaf::names.at(leaf.rule);
     }
 
     void read() override {
@@ -49,8 +52,9 @@ class LawReader : public Reader<LawLeaf> {
         } else {
             steps(StepPlaces<double>());
         }
-        leaf_.bits = std::max(53U, settings_.precision);  // and `multiple` as it was for every step
-        for (const auto cover : {&LawReader::layer, &LawReader::bulk, &LawReader::end}) {
+        leaf_.bits = std::max(53U, settings_.precision);  // of the covers a file has no say in them
+        leaf_.multiple = settings_.precision > 0;
+        for (const auto cover : {&ClaimReader::layer, &ClaimReader::bulk, &ClaimReader::end}) {
             (this->*cover)();
             ++Watched::read;
         }
@@ -77,7 +81,7 @@ class LawReader : public Reader<LawLeaf> {
             if (n == law_step) claim_.from = {a, b};
             step_ = n;
             read_bits(leaf_);
-            Leaf leaf;
+            dumbbell_verify::Leaf leaf;
             leaf.bits = leaf_.bits;
             leaf.multiple = leaf_.multiple;
             leaf.claimed = number("upper", n - 1);
@@ -97,12 +101,12 @@ class LawReader : public Reader<LawLeaf> {
     static void require(std::uint64_t line, std::string_view code, const Check& check) {
         if (const auto failure = judge(line, code, check)) throw Failure(*failure);
     }
-    void take_of_step(const Leaf& leaf, const std::string& path) {
-        LawLeaf law;
-        law.line = leaf.line;
-        law.at_step = leaf;
-        explain(law, std::to_string(step_) + ":" + path);
-        Reader::take(std::move(law));
+    void take_of_step(const dumbbell_verify::Leaf& at_step, const std::string& path) {
+        Leaf leaf;
+        leaf.line = at_step.line;
+        leaf.at_step = at_step;
+        explain(leaf, std::to_string(step_) + ":" + path);
+        Reader::take(std::move(leaf));
     }
 
     void cover(std::string_view name, std::size_t counts) {
@@ -112,21 +116,20 @@ class LawReader : public Reader<LawLeaf> {
     }
     void layer() {
         cover("layer", 0);
-        require(text_.line, "layer", [&] { return check_law_constant(leaf_.bits, leaf_.multiple, nullptr); });
-        leaf_.box.hi = {mpq_class(9, 10), mpq_class(1, 5)};
+        require(text_.line, "layer", [&] { return check_constant(leaf_.bits, leaf_.multiple, nullptr); });
+        leaf_.box.hi = {layer_U, layer_rho};
         ++proof_.roots;
-        Tree<LawBox> tree{text_, layer_axes, proof_.tallies[0].lines, leaf_.box, "layer."};
+        Tree<Box> tree{text_, layer_axes, proof_.tallies[0].lines, leaf_.box, "layer."};
         tree.read([&] { layer_leaf(std::ldexp(1, -tree.depth), tree.path); });
     }
     void layer_leaf(double share, const std::string& path) {
-        const auto& names = LawLeaf::names;
-        const auto* const name =
-            std::find(&names.at(LawLeaf::slope), &names.at(LawLeaf::bulk), text_.fields[0]);
-        if (name == &names.at(LawLeaf::bulk)) text_.reject("opcode", "not a line for this place");
+        const auto& names = Leaf::names;
+        const auto* const name = std::find(&names.at(Leaf::slope), &names.at(Leaf::bulk), text_.fields[0]);
+        if (name == &names.at(Leaf::bulk)) text_.reject("opcode", "not a line for this place");
         if (text_.fields.size() != 1) text_.reject("syntax", "wrong number of values");
-        leaf_.rule = static_cast<LawLeaf::Rule>(name - names.data());
+        leaf_.rule = static_cast<Leaf::Rule>(name - names.data());
         leaf_.line = text_.line;
-        Tally& tally = proof_.tallies.at(first_ + static_cast<std::size_t>(leaf_.rule - LawLeaf::slope));
+        Tally& tally = proof_.tallies.at(first_ + static_cast<std::size_t>(leaf_.rule - Leaf::slope));
         ++tally.lines;
         tally.covered += share;
         take(path);
@@ -134,18 +137,16 @@ class LawReader : public Reader<LawLeaf> {
 
     void bulk() {
         cover("bulk", 3);
-        require(text_.line, "bulk",
-                [&] { return check_law_bulk_window(leaf_.bits, leaf_.multiple, nullptr); });
-        leaf_.rule = LawLeaf::bulk;
-        const std::array<mpq_class, 4> ends{0, mpq_class(3, 5), mpq_class(7, 10), mpq_class(993, 1250)};
+        require(text_.line, "bulk", [&] { return check_bulk_window(leaf_.bits, leaf_.multiple, nullptr); });
+        leaf_.rule = Leaf::bulk;
         for (leaf_.range = 0; leaf_.range < 3; ++leaf_.range)
-            parts(ends.at(leaf_.range), ends.at(leaf_.range + 1), 2 + leaf_.range,
+            parts(bulk_angles.at(leaf_.range), bulk_angles.at(leaf_.range + 1), 2 + leaf_.range,
                   "bulk" + std::to_string(leaf_.range + 1));
     }
     void end() {
         cover("end", 1);
-        leaf_.rule = LawLeaf::end;
-        parts(0, mpq_class(9, 100), 2, "end");
+        leaf_.rule = Leaf::end;
+        parts(0, end_d, 2, "end");
     }
     /// All parts of a range, as many as a field says.
     void parts(const mpq_class& lo, const mpq_class& hi, std::size_t field, const std::string& name) {
@@ -161,13 +162,13 @@ class LawReader : public Reader<LawLeaf> {
     /// The present leaf of a cover is to be checked.
     void take(const std::string& path) {
         if (is_asked_for(path)) {
-            const bool layer = leaf_.rule < LawLeaf::bulk;
+            const bool layer = leaf_.rule < Leaf::bulk;
             std::string box;
             for (std::size_t i = 0; i < (layer ? 2 : 1); ++i)
                 box += "  " +
-                       std::string(layer                         ? layer_axes.at(i)
-                                   : leaf_.rule == LawLeaf::bulk ? "th"
-                                                                 : "d") +
+                       std::string(layer                      ? layer_axes.at(i)
+                                   : leaf_.rule == Leaf::bulk ? "th"
+                                                              : "d") +
                        " in [" + to_string(leaf_.box.lo.at(i)) + ", " + to_string(leaf_.box.hi.at(i)) + "]\n";
             explain(leaf_, path, box);
         }
@@ -175,18 +176,18 @@ class LawReader : public Reader<LawLeaf> {
     }
 
     const Proofs proofs_;
-    Law claim_;
-    LawLeaf leaf_;  ///< the present one of the covers
+    Claim claim_;
+    Leaf leaf_;  ///< the present one of the covers
     std::uint64_t step_ = 0;
     std::size_t first_ = 0;  ///< the place of `slope` in the tallies
 };
 
 }  // namespace
 
-std::pair<Proof, Law> law(Text& text, const Settings& settings) {
-    LawReader reader(text, settings);
-    Proof proof = reader.run();
+std::pair<Proof, Claim> proof(Text& text, const Settings& settings) {
+    ClaimReader reader(text, settings);
+    Proof proof = reader.proof();
     return {std::move(proof), std::move(reader.claim())};
 }
 
-}  // namespace dumbbell_verify
+}  // namespace dumbbell_verify::law

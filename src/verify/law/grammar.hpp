@@ -2,14 +2,14 @@
 #pragma once
 #include <utility>
 
-#include "verify/format/proof.hpp"
-#include "verify/format/text.hpp"
+#include "verify/core/settings.hpp"
+#include "verify/core/text.hpp"
 #include "verify/law/claim.hpp"
 
-namespace dumbbell_verify {
+namespace dumbbell_verify::law {
 
 /// Reads on after the line `claim`; returns only if all that the file and the demand say is certified, else
 /// throws the Failure of the least line.
-std::pair<Proof, Law> law(Text& text, const Settings& settings);
+std::pair<Proof, Claim> proof(Text& text, const Settings& settings);
 
-}  // namespace dumbbell_verify
+}  // namespace dumbbell_verify::law

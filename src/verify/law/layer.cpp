@@ -2,7 +2,7 @@
 // every eps in (0, 1/1000].
 #include "verify/law/rule.hpp"
 
-namespace dumbbell_verify {
+namespace dumbbell_verify::law {
 namespace {
 
 /// The quantities of a step (law.md) as functions of U, for all rho of an interval and all Q of a form.
@@ -12,7 +12,7 @@ struct LayerStep {
     using T = Form<N>;
 
     LayerStep(const Along<N, Form>& along, const I& rho_, const T& Q_) : rho(rho_), Q(Q_) {
-        const T U = along.line(0, 1), d = along.line(0, rho);
+        const T U = along.line(0, I(1)), d = along.line(0, rho);
         const T wave_d = along.sinc_of(rho), wave_U = along.sinc_of(1);
         const T wave_first = along.sinc_of(plus), wave_last = along.sinc_of(minus);
         cos_U = along.cos_of(1);
@@ -49,19 +49,18 @@ struct LayerStep {
 };
 
 template <class N>
-class LayerRule : LawRule<N> {
-    using Base = LawRule<N>;
+class LayerRule : Rule<N> {
+    using Base = Rule<N>;
     using Base::fact, Base::less, Base::within, Base::quarter;
     using I = Interval<N>;
 
   public:
-    LayerRule(const LawLeaf& leaf, std::string* log)
-        : Base(leaf, log), U_(Base::side(0)), rho_(Base::side(1)) {}
+    LayerRule(const Leaf& leaf, Log* log) : Base(leaf, log), U_(Base::side(0)), rho_(Base::side(1)) {}
 
     const char* verdict() {
-        const bool holds = this->leaf_.rule == LawLeaf::beyond  ? is_beyond()
-                           : this->leaf_.rule == LawLeaf::slope ? is_bounded<Slope>()
-                                                                : is_bounded<Interval>();
+        const bool holds = this->leaf_.rule == Leaf::beyond  ? is_beyond()
+                           : this->leaf_.rule == Leaf::slope ? is_bounded<Slope>()
+                                                             : is_bounded<Interval>();
         return holds ? nullptr : Base::failed();
     }
     /// Whether at U = 0, for this rho, D/D0(T) is 1, which takes the right k0.
@@ -71,28 +70,28 @@ class LayerRule : LawRule<N> {
     bool is_beyond() {
         const Along<N, Interval> along{U_};
         const LayerStep<N, Interval> step(along, rho_, Base::crude_Q());
-        return less("1/1000 < rho U^2 ehat", Base::most_eps(), rho_ * square(U_) * step.ehat);
+        return less("1/1000 < rho U^2 ehat", fraction<N>(most_eps), rho_ * square(U_) * step.ehat);
     }
 
     template <template <class> class Form>
     bool is_bounded() {
         if (std::is_same_v<Form<N>, I> && !less("0 < U", 0, U_)) return false;
         const Along<N, Form> along{U_};
-        const Along<N, Interval> plain{U_};
-        I q = offset(plain, LayerStep<N, Interval>(plain, rho_, Base::crude_Q()));
+        const Along<N, Interval> wide{U_};
+        I q = offset(wide, LayerStep<N, Interval>(wide, rho_, Base::crude_Q()));
         for (int i = 0; i < refinements; ++i)
-            q = common(q, offset(along, LayerStep<N, Form>(along, rho_, offset_by(along, q))));
+            q = common(q, values_of(offset(along, LayerStep<N, Form>(along, rho_, offset_by(along, q)))));
         if (!less("(Q - pi/2)/(rho^2 U), its least and its most", I(q.lo), I(q.hi), false)) return false;
         const LayerStep<N, Form> step(along, rho_, offset_by(along, q));
         Form<N> excess;
         const Form<N> ratio = defect_ratio(along, step, excess);
-        if (!less("0 < (1 + rho)^2 k1 - 2 rho ehat", 0, along.values(excess))) return false;
-        I gamma = (I(1) - along.values(ratio)) / U_;
+        if (!less("0 < (1 + rho)^2 k1 - 2 rho ehat", 0, values_of(along.values(excess)))) return false;
+        I gamma = (I(1) - values_of(along.values(ratio))) / U_;
         if constexpr (!std::is_same_v<Form<N>, I>) {
             if (!within("D/D0(T) = 1 at U = 0", 1, I(ratio.zero.lo), I(ratio.zero.hi))) return false;
             gamma = U_.lo > Base::zero ? common(gamma, -ratio.rise) : -ratio.rise;
         }
-        const I drift = along.values(step.change / (square(step.ehat) * I(2)));
+        const I drift = values_of(along.values(step.change / (square(step.ehat) * I(2))));
         const bool near = this->leaf_.box.hi[0] <= mpq_class(3, 4);
         return within("0 <= (1 - D/D0(T))/U <= 13/10, or 111/100 if U > 3/4", gamma, 0,
                       near ? fraction<N>(13, 10) : fraction<N>(111, 100)) &&
@@ -101,17 +100,17 @@ class LayerRule : LawRule<N> {
 
     /// (J - pi/2)/(U rho^2), from its window; eps = rho U^2 ehat.
     template <class Step, class Along>
-    [[nodiscard]] I J_offset(const Along& along, const Step& step) const {
-        const I e2 = square(along.values(step.ehat));
-        return {-(Base::drift() * e2 / cube(step.plus)).hi, (cube(U_) * e2 * Base::rise()).hi};
+    [[nodiscard]] typename Along::Factor J_offset(const Along& along, const Step& step) const {
+        const I e2 = values_of(square(along.values(step.ehat)));
+        return I{-(Base::drift() * e2 / cube(step.plus)).hi, (cube(U_) * e2 * Base::rise()).hi};
     }
     /// (Q - pi/2)/(U rho^2), as Q = J - A.
     template <class Step, class Along>
-    [[nodiscard]] I offset(const Along& along, const Step& step) const {
+    [[nodiscard]] typename Along::Factor offset(const Along& along, const Step& step) const {
         return J_offset(along, step) - along.values(step.first);
     }
     template <class Along>
-    [[nodiscard]] typename Along::T offset_by(const Along& along, const I& q) const {
+    [[nodiscard]] typename Along::T offset_by(const Along& along, const typename Along::Factor& q) const {
         return along.line(quarter, square(rho_) * q);
     }
 
@@ -126,8 +125,9 @@ class LayerRule : LawRule<N> {
         const T E1 = middle_error(along, step.sin_U, step.cos_U, step.F, step.Q, rho_);
         // Second order in A: between Q and Q + A.
         const auto second = [&](const T& A, const I& p) {
-            const I size = up_to_size(along.values(A)) * square(rho_) * U_;
-            return square(A) * (moments.second_order(p, along.values(step.Q) + size) * square(p));
+            const auto size = up_to_size(along.values(A)) * square(rho_) * along.U;
+            return along.whole(square(A)) *
+                   (moments.second_order(p, along.values(step.Q) + size) * square(p));
         };
         const T E2 =
             way.H * step.change * square(step.plus) + moments.over_step(rho_) * step.last +
@@ -154,10 +154,10 @@ class LayerRule : LawRule<N> {
 
 }  // namespace
 
-const char* check_law_layer(const LawLeaf& leaf, std::string* log) { return judged<LayerRule>(leaf, log); }
+const char* check_layer(const Leaf& leaf, Log* log) { return judged<LayerRule>(leaf, log); }
 
-const char* check_law_constant(unsigned bits, bool multiple, std::string* log) {
-    LawLeaf leaf;
+const char* check_constant(unsigned bits, bool multiple, Log* log) {
+    Leaf leaf;
     leaf.box.hi[0] = mpq_class(1, 1000);
     Big::precision = bits;
     for (int i = 0; i <= 4; ++i) {
@@ -169,4 +169,4 @@ const char* check_law_constant(unsigned bits, bool multiple, std::string* log) {
     return nullptr;
 }
 
-}  // namespace dumbbell_verify
+}  // namespace dumbbell_verify::law

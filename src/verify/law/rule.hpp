@@ -1,28 +1,29 @@
 // What the three rules share: the box, the numbers of the law, the window of J.
 #pragma once
-#include "verify/collisions/ray.hpp"
-#include "verify/format/precision.hpp"
+#include "verify/core/big.hpp"
+#include "verify/core/ray.hpp"
 #include "verify/law/constants.hpp"
 #include "verify/law/kernel.hpp"
 #include "verify/law/leaf.hpp"
+#include "verify/machine/meter.hpp"
 
-namespace dumbbell_verify {
+namespace dumbbell_verify::law {
 
 template <class N>
-class LawRule : public Rays<N> {
+class Rule : public Rays<N> {
   public:
     using I = Interval<N>;
     using Rays<N>::fact, Rays<N>::less, Rays<N>::half_turn, Rays<N>::quarter, Rays<N>::zero;
 
   protected:
-    LawRule(const LawLeaf& leaf, std::string* log) : Rays<N>(log), leaf_(leaf) { Work::spend(1 << 19); }
+    Rule(const Leaf& leaf, Log* log) : Rays<N>(log), leaf_(leaf) { Meter::spend(1 << 19); }
 
     [[nodiscard]] I side(std::size_t axis) const {
         return between(leaf_.box.lo.at(axis), leaf_.box.hi.at(axis));
     }
     /// Certified a <= x <= b, for x of any sign; never if x is empty.
     bool within(const char* what, const I& x, const I& a, const I& b) {
-        if (this->log_) *this->log_ += "  " + this->show(x) + " in " + this->show({a.hi, b.lo}) + "\n";
+        if (this->log_) this->log_->line({{"  ", x}, {" in ", I(a.hi, b.lo)}});
         return fact(what, x.lo <= x.hi && a.hi <= x.lo && x.hi <= b.lo);
     }
     /// The number, or all between two.
@@ -32,11 +33,10 @@ class LawRule : public Rays<N> {
     }
     [[nodiscard]] I drift() const { return number(leaf_.states->drift); }
     [[nodiscard]] I rise() const { return number(leaf_.states->rise); }
-    static I most_eps() { return fraction<N>(1, 1000); }
     /// What Q is known to be in the layer, before it is J - A (L53).
     [[nodiscard]] I crude_Q() const { return quarter + I(fraction<N>(-1, 100).lo, fraction<N>(1, 20).hi); }
 
-    const LawLeaf& leaf_;
+    const Leaf& leaf_;
 };
 
-}  // namespace dumbbell_verify
+}  // namespace dumbbell_verify::law

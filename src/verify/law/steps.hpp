@@ -1,10 +1,10 @@
 // Where the steps of the staircase must be, for the law to hold there (format-law.md, section 2).
 #pragma once
-#include "verify/format/precision.hpp"
+#include "verify/core/big.hpp"
 #include "verify/law/claim.hpp"
 #include "verify/law/constants.hpp"
 
-namespace dumbbell_verify {
+namespace dumbbell_verify::law {
 
 /// With delta(x) = C sqrt x - (N - 2) and q_c(N) in [a, b]. (The last has a >= 10^6, as sqrt a > 900/C.)
 template <class N>
@@ -32,4 +32,4 @@ class StepPlaces {
     const I C_ = growth_constant<N>(), c0_ = law_constant<N>();
 };
 
-}  // namespace dumbbell_verify
+}  // namespace dumbbell_verify::law

@@ -2,8 +2,7 @@
 
 #include <algorithm>
 
-#include "verify/number/big.hpp"
-#include "verify/number/interval.hpp"
+#include "verify/functions/exact_value.hpp"
 
 namespace dumbbell_verify {
 namespace {

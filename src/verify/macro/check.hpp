@@ -1,7 +1,6 @@
 // Macro steps (L42): what polynomials must satisfy, for a bound of rays to move along them.
 #pragma once
 #include "verify/macro/series.hpp"
-#include "verify/number/number.hpp"
 
 namespace dumbbell_verify {
 

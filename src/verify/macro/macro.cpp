@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "verify/functions/exact_value.hpp"
+#include "verify/guess/numbers.hpp"
 #include "verify/macro/orbit.hpp"
-#include "verify/number/big.hpp"
-#include "verify/number/interval.hpp"
 
 namespace dumbbell_verify {
 

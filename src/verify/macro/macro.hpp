@@ -1,7 +1,7 @@
 // Macro steps (L42): a bound of a ray is moved over many collisions at once, by polynomials that it cannot
 // cross.
 #pragma once
-#include "verify/number/number.hpp"
+#include "verify/core/number.hpp"
 
 namespace dumbbell_verify {
 
@@ -16,8 +16,5 @@ struct WallBound {
 /// then x, kappa at or above them; `up`: every ray collides so often, and has them at or below. `bits`: about
 /// the precision that the bounds have.
 [[nodiscard]] mpz_class macro_step(Round d, WallBound& bound, const mpz_class& most, long bits);
-
-/// Below so many collisions it is not worth trying.
-constexpr unsigned least_macro = 20'000;
 
 }  // namespace dumbbell_verify

@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <optional>
 
-#include "verify/number/big.hpp"
-#include "verify/number/interval.hpp"
+#include "verify/guess/numbers.hpp"
 
 namespace dumbbell_verify {
 namespace {
@@ -86,7 +85,7 @@ Series moved(const Series& f, long h, const mpz_class& k) {
 Series from_the_start(Series f) {
     std::size_t n = f.term.size();
     while (n > 0 && f.term[n - 1] == 0) --n;
-    Work::spend(n * n * std::uint64_t{24});
+    Meter::spend(n * n * std::uint64_t{24});
     for (std::size_t i = 0; i + 1 < n; ++i)
         for (std::size_t j = n - 1; j-- > i;) f.term[j] -= f.term[j + 1];
     return f;

@@ -8,8 +8,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "verify/input/work.hpp"
-#include "verify/number/integer.hpp"
+#include "verify/machine/integer.hpp"
+#include "verify/machine/meter.hpp"
 
 namespace dumbbell_verify {
 
@@ -68,7 +68,7 @@ inline Series operator-(Series a, const Series& b) {
 
 /// sum += x y, and its work.
 inline void add_product(mpz_class& sum, const mpz_class& x, const mpz_class& y) {
-    Work::spend(36 + (x == 0 || y == 0 ? 0 : 126 + 9 * words(x) * words(y)));
+    Meter::spend(36 + (x == 0 || y == 0 ? 0 : 126 + 9 * limbs(x) * limbs(y)));
     mpz_addmul(sum.get_mpz_t(), x.get_mpz_t(), y.get_mpz_t());
 }
 
@@ -105,7 +105,7 @@ class Difference {
             small.push_back(shifted(1, places + static_cast<long>(j) - 1) / power);
             power *= k;
         }
-        Work::spend(terms * small.size() * (60 + static_cast<std::uint64_t>(places) / 4));
+        Meter::spend(terms * small.size() * (60 + static_cast<std::uint64_t>(places) / 4));
         for (std::size_t m = 0; m < terms; ++m) {
             for (std::size_t j = m; j > 0; --j) choose[j] += choose[j - 1];
             choose[0] = 1;

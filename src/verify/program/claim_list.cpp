@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "verify/input/foreign.hpp"
+#include "verify/input/input_file.hpp"
 #include "verify/program/claim_options.hpp"
 
 namespace dumbbell_verify {
@@ -39,10 +40,10 @@ Job parse_row(const std::string& row, const std::filesystem::path& folder, Setti
     if (fields.size() < 2 || fields[0].empty())
         throw std::invalid_argument("needs a certificate, a tab and its claim: FILE<tab>--ratio 10 --max 4");
     if (fields[0].find('\0') != std::string::npos) throw std::invalid_argument("a name with a zero byte");
-    Words words(split(fields[1], ' '));
-    while (words.next())
-        if (!claim_option(words, settings))
-            throw std::invalid_argument("`" + words.word.substr(0, 60) + "` states no claim; see --help");
+    Arguments given(split(fields[1], ' '));
+    while (given.next())
+        if (!claim_option(given, settings))
+            throw std::invalid_argument("`" + given.word.substr(0, 60) + "` states no claim; see --help");
     const Collisions& demand = settings.demand;
     if (settings.claim != "law" && (!demand.ratios || !(demand.most || demand.least)))
         throw std::invalid_argument(
@@ -60,7 +61,7 @@ std::vector<Job> read_claims(const std::string& path, const Settings& settings) 
         const std::filesystem::path folder = folder_of(path);
         for (const std::string& row : split(contents(path), '\n')) {
             where = path + ":" + std::to_string(++line);
-            if (const std::string named = foreign(row, line == 1); !named.empty())
+            if (const std::string named = foreign_text(row, line == 1); !named.empty())
                 throw std::invalid_argument(named);
             if (!row.empty() && row[0] != '#') jobs.push_back(parse_row(row, folder, settings));
         }

@@ -4,7 +4,7 @@
 #include <array>
 #include <string_view>
 
-#include "verify/format/section.hpp"
+#include "verify/core/section.hpp"
 
 namespace dumbbell_verify {
 namespace {
@@ -42,21 +42,21 @@ std::pair<mpq_class, mpq_class> parse_ratios(const std::string& text) {
 
 }  // namespace
 
-bool claim_option(Words& words, Settings& settings) {
+bool claim_option(Arguments& given, Settings& settings) {
     constexpr std::array<std::string_view, 6> names{"--ratio",   "--max",   "--min",
                                                     "--exactly", "--scene", "--claim"};
-    const std::string& name = words.option;
+    const std::string& name = given.option;
     if (std::find(names.begin(), names.end(), name) == names.end()) return false;
-    words.once();
-    if (words.seen("--exactly") && (words.seen("--max") || words.seen("--min")))
+    given.once();
+    if (given.seen("--exactly") && (given.seen("--max") || given.seen("--min")))
         throw std::invalid_argument("--exactly N is --max N and --min N: give it without them");
     Collisions& demand = settings.demand;
-    if (name == "--ratio") demand.ratios = parse_ratios(words.value());
-    if (name == "--max") demand.most = words.count();
-    if (name == "--min") demand.least = words.count();
-    if (name == "--exactly") demand.most = demand.least = words.count();
+    if (name == "--ratio") demand.ratios = parse_ratios(given.value());
+    if (name == "--max") demand.most = given.count();
+    if (name == "--min") demand.least = given.count();
+    if (name == "--exactly") demand.most = demand.least = given.count();
     if (name == "--scene") {
-        settings.scene = words.value();
+        settings.scene = given.value();
         const auto known = sections();
         if (std::none_of(known.begin(), known.end(),
                          [&](const Section* s) { return s->scene == settings.scene; }))
@@ -64,14 +64,19 @@ bool claim_option(Words& words, Settings& settings) {
                                         settings.scene.substr(0, 60) + "`");
     }
     if (name == "--claim") {
-        settings.claim = words.value();
+        settings.claim = given.value();
         if (settings.claim != "collisions" && settings.claim != "initial-conditions" &&
-            settings.claim != "incoming" && settings.claim != "law" && !adiabatic_kind(settings.claim))
+            settings.claim != "incoming" && settings.claim != "law" && !adiabatic::kind_named(settings.claim))
             throw std::invalid_argument(
                 "--claim is collisions, initial-conditions, incoming, adiabatic-bounce, adiabatic-run, "
                 "adiabatic-scattering or law");
     }
     return true;
+}
+
+const Collisions& own_demand(const Settings& settings) {
+    static const Collisions nothing;
+    return settings.together ? nothing : settings.demand;
 }
 
 std::string demand_text(const Settings& settings, const Collisions& demand) {

@@ -1,13 +1,16 @@
 // The options that state a claim, the same on the command line and in a list of claims.
 #pragma once
+#include "verify/program/arguments.hpp"
 #include "verify/program/verify.hpp"
-#include "verify/program/words.hpp"
 
 namespace dumbbell_verify {
 
 /// Puts the present option into the settings if it is one of --ratio, --max, --min, --exactly, --scene and
 /// --claim; false if it is another. Throws std::invalid_argument.
-bool claim_option(Words& words, Settings& settings);
+bool claim_option(Arguments& given, Settings& settings);
+
+/// What a file must prove by itself.
+const Collisions& own_demand(const Settings& settings);
 
 /// What was demanded, of it and with the scene and the kind of `settings`: ` demanded-ratio=LO:HI max=N min=N
 /// demanded-scene=S demanded-claim=KIND` without what was not; ` exactly=N` for both bounds.

@@ -5,8 +5,8 @@
 #include <condition_variable>
 #include <mutex>
 
-#include "verify/format/section.hpp"
-#include "verify/number/threads.hpp"
+#include "verify/core/section.hpp"
+#include "verify/machine/threads.hpp"
 
 namespace dumbbell_verify {
 namespace {

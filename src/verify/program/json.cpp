@@ -4,10 +4,15 @@
 #include <initializer_list>
 #include <optional>
 
-#include "verify/format/section.hpp"
+#include "verify/core/section.hpp"
+#include "verify/machine/integer.hpp"
+#include "verify/program/claim_options.hpp"
 #include "verify/program/escape.hpp"
 
 namespace dumbbell_verify {
+
+std::string json_count(const mpz_class& n) { return fits(n, 53) ? n.get_str() : '"' + n.get_str() + '"'; }
+
 namespace {
 
 struct Member {
@@ -83,7 +88,7 @@ std::string json(const Result& result) {
                    {"claim", claim(result)},
                    {"sha256", string_unless(!right, result.proof.digest)},
                    {"schema", json_string("dumbbell-verify-1")},
-                   {"demand", demand(settings, settings.own_demand())},
+                   {"demand", demand(settings, own_demand(settings))},
                    {"leaves", object(leaves)},
                    {"coverage", object(coverage)},
                    {"work", work(right, result.proof)},

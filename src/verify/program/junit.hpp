@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "verify/format/text.hpp"
+#include "verify/core/text.hpp"
 
 namespace dumbbell_verify {
 

@@ -11,7 +11,7 @@
 #include <ctime>
 #include <stdexcept>
 
-#include "verify/number/environment.hpp"
+#include "verify/machine/environment.hpp"
 #include "verify/program/claim_options.hpp"
 #include "verify/program/escape.hpp"
 #include "verify/program/json.hpp"
@@ -40,12 +40,12 @@ void print_line(const std::string& text) { std::printf("%s\n", text.c_str()); }
 
 TestCase test_case(const Result& r) {
     const Settings& settings = r.job->settings;
-    return {one_line(r.job->file) + demand_text(settings, settings.own_demand()), r.why.verdict,
+    return {one_line(r.job->file) + demand_text(settings, own_demand(settings)), r.why.verdict,
             result_text(r), verdict_line(r) + " file=" + one_line(r.job->file), r.seconds};
 }
 
 /// Every file by itself. The verdict of all is the worst.
-Verdict run_files(const Options& options, Progress& progress, std::vector<TestCase>& cases) {
+Verdict verify_each(const Options& options, Progress& progress, std::vector<TestCase>& cases) {
     const bool several = options.jobs.size() > 1;
     const auto results = examine_all(options.jobs, options.at_once, [&](const Result& r) {
         const auto lock = progress.hidden();
@@ -66,7 +66,7 @@ Verdict run_files(const Options& options, Progress& progress, std::vector<TestCa
 }
 
 /// All files as one. The verdict on the whole is the only line with `s`.
-Verdict run_together(const Options& options, Progress& progress, std::vector<TestCase>& cases) {
+Verdict verify_together(const Options& options, Progress& progress, std::vector<TestCase>& cases) {
     const auto results = examine_all(options.jobs, options.at_once, [&](const Result& r) {
         const auto lock = progress.hidden();
         cases.push_back(test_case(r));
@@ -124,7 +124,7 @@ void take_stack() {
     touch_stack(size / 4096);
 }
 
-int run(const Options& options) {
+int verify_all(const Options& options) {
     if (!options.junit.empty()) require_replaceable(options.junit, options.inputs);
     const auto start = std::chrono::steady_clock::now();
     const std::time_t started = std::time(nullptr);
@@ -132,7 +132,8 @@ int run(const Options& options) {
     Verdict verdict = [&] {
         const Settings& first = options.jobs.front().settings;
         Progress progress(!options.quiet, first.budget);
-        return first.together ? run_together(options, progress, cases) : run_files(options, progress, cases);
+        return first.together ? verify_together(options, progress, cases)
+                              : verify_each(options, progress, cases);
     }();
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
     try {
@@ -156,7 +157,7 @@ int main(int argc, char** argv) {
     mp_set_memory_functions(allocate, reallocate, release);
     try {
         const Options options = parse_options({argv + std::min(argc, 1), argv + argc});
-        if (options.answer.empty()) return run(options);
+        if (options.answer.empty()) return verify_all(options);
         std::fputs(options.answer.c_str(), stdout);
         require_printed();
         return 0;

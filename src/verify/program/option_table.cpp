@@ -7,17 +7,17 @@
 namespace dumbbell_verify {
 namespace {
 
-void read_claim(Words& words, Asked& to) { claim_option(words, to.settings); }
+void read_claim(Arguments& given, Asked& to) { claim_option(given, to.settings); }
 
 /// A name like that of no certificate, so that `--junit *.dbc` destroys none.
-void read_report(Words& words, Asked& to) {
-    const std::string path = words.value();
+void read_report(Arguments& given, Asked& to) {
+    const std::string path = given.value();
     if (!path.ends_with(".xml") || path == ".xml")
         throw std::invalid_argument("--junit needs a file name that ends in .xml, not `" + path + "`");
     to.options.junit = path;
 }
 
-unsigned bits(Words& words) { return static_cast<unsigned>(words.number(53, 4096)); }
+unsigned bits(Arguments& given) { return static_cast<unsigned>(given.number(53, 4096)); }
 
 constexpr Option table[] = {
     {"--ratio", "RATIO|LO:HI", "the mass ratios (heavy/light) in question; default: those of the file",
@@ -38,47 +38,47 @@ constexpr Option table[] = {
      "the certificates and claims of a list like certificates/claims.tsv, one each line: a file (its name is "
      "relative to the list's folder), a tab, the six options above that state its claim, with --ratio and a "
      "bound, or --claim law alone; what follows another tab is a remark, as is a line that begins with #",
-     [](Words& words, Asked& to) { to.claims = words.value(); },
+     [](Arguments& given, Asked& to) { to.claims = given.value(); },
      "--ratio --max --min --exactly --scene --claim"},
     {"--together", "",
      "the files prove one claim: their ranges of mass ratios, in any order on the command line, must follow "
      "one another without a hole or an overlap, and --ratio, --max, --min and --exactly are about the pieces "
      "of all. The last line is the verdict on all",
-     [](Words&, Asked& to) { to.settings.together = true; }, "--claims --explain --shares"},
+     [](Arguments&, Asked& to) { to.settings.together = true; }, "--claims --explain --shares"},
     {"--jobs", "N", "threads (all cores)",
-     [](Words& words, Asked& to) { to.settings.jobs = static_cast<unsigned>(words.number(1, 1024)); }},
+     [](Arguments& given, Asked& to) { to.settings.jobs = static_cast<unsigned>(given.number(1, 1024)); }},
     {"--budget", "TIME",
      "give up on a file that costs more work than a core does in about this time: 30s, 10m, 2h (30s). "
      "Counted in steps, not by a clock: the same on every machine",
-     [](Words& words, Asked& to) { to.settings.budget = words.time(); }},
+     [](Arguments& given, Asked& to) { to.settings.budget = given.time(); }},
     {"--max-bits", "B", "give up on pieces that need a higher precision (2048)",
-     [](Words& words, Asked& to) { to.settings.max_bits = bits(words); }},
+     [](Arguments& given, Asked& to) { to.settings.max_bits = bits(given); }},
     {"--precision", "BITS", "check with at least this many bits instead of in double",
-     [](Words& words, Asked& to) { to.settings.precision = bits(words); }},
+     [](Arguments& given, Asked& to) { to.settings.precision = bits(given); }},
     {"--explain", "PIECE:PATH",
      "show one leaf with its inequalities: 3:bridge is the root, 3:light.01 the upper half of its lower "
      "half, "
      "3:witness the witness of the third piece; box.01 a leaf of a file about initial conditions or the "
      "adiabatic invariant, in which class0.01 is a leaf of the first class and attained1 the first attained "
      "state; layer.01, bulk1.17 and end.17 boxes of a file about the law",
-     [](Words& words, Asked& to) { to.settings.explain = words.value(); }, "--json --quiet"},
+     [](Arguments& given, Asked& to) { to.settings.explain = given.value(); }, "--json --quiet"},
     {"--shares", "",
      "for one file about initial conditions: how likely each number of collisions is, as bounds of its share "
      "of the box",
-     [](Words&, Asked& to) { to.settings.shares = true; }, "--quiet --claims"},
+     [](Arguments&, Asked& to) { to.settings.shares = true; }, "--quiet --claims"},
     {"--leaves", "",
      "for one file: how many lines of each kind it has, and what share of the root boxes they cover",
-     [](Words&, Asked& to) { to.options.leaves = true; }, "--json --quiet --together --claims"},
+     [](Arguments&, Asked& to) { to.options.leaves = true; }, "--json --quiet --together --claims"},
     {"--json", "",
      "print JSON and nothing else: an array of one object for each file; with --together one object",
-     [](Words&, Asked& to) { to.options.json = true; }},
+     [](Arguments&, Asked& to) { to.options.json = true; }},
     {"--junit", "FILE.xml",
      "write a JUnit report, too: one test case for each file, with --together one more", read_report},
     {"--quiet", "", "print the last line only (or JSON), and show no progress",
-     [](Words&, Asked& to) { to.options.quiet = true; }},
-    {"-h, --help", "", "print this help and end", [](Words&, Asked& to) { to.options.answer = help(); }},
+     [](Arguments&, Asked& to) { to.options.quiet = true; }},
+    {"-h, --help", "", "print this help and end", [](Arguments&, Asked& to) { to.options.answer = help(); }},
     {"-V, --version", "", "print the version, the compiler and its flags, and end",
-     [](Words&, Asked& to) { to.options.answer = "dumbbell-verify " + std::string(version) + "\n"; }},
+     [](Arguments&, Asked& to) { to.options.answer = "dumbbell-verify " + std::string(version) + "\n"; }},
 };
 
 }  // namespace

@@ -5,8 +5,8 @@
 #include <string>
 #include <string_view>
 
+#include "verify/program/arguments.hpp"
 #include "verify/program/options.hpp"
-#include "verify/program/words.hpp"
 
 namespace dumbbell_verify {
 
@@ -18,11 +18,11 @@ struct Asked {
 };
 
 struct Option {
-    std::string_view name;                  ///< --out, or `-h, --help`
-    std::string_view value;                 ///< the name of its value; empty: it has none
-    std::string_view text;                  ///< what it means
-    void (*read)(Words& words, Asked& to);  ///< throws std::invalid_argument
-    std::string_view excludes{};            ///< options that cannot be given with it, with spaces between
+    std::string_view name;                      ///< --out, or `-h, --help`
+    std::string_view value;                     ///< the name of its value; empty: it has none
+    std::string_view text;                      ///< what it means
+    void (*read)(Arguments& given, Asked& to);  ///< throws std::invalid_argument
+    std::string_view excludes{};                ///< options that cannot be given with it, with spaces between
 };
 
 std::span<const Option> option_table();

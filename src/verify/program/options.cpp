@@ -11,29 +11,29 @@ namespace dumbbell_verify {
 namespace {
 
 /// The present option. A value may follow its name with `=`, but one that has none is the whole word.
-const Option& option_of(const Words& words) {
+const Option& option_of(const Arguments& given) {
     for (const Option& option : option_table()) {
-        const std::string& word = option.value.empty() ? words.word : words.option;
+        const std::string& word = option.value.empty() ? given.word : given.option;
         if (option.name == word || option.name.starts_with(word + ", ") || option.name.ends_with(", " + word))
             return option;
     }
-    throw std::invalid_argument("unknown option " + words.word + "; see --help");
+    throw std::invalid_argument("unknown option " + given.word + "; see --help");
 }
 
 /// Not all options and files can be given with each other.
-void require_fitting(const Words& words, const Asked& asked) {
+void require_fitting(const Arguments& given, const Asked& asked) {
     for (const Option& option : option_table()) {
         const std::string name(option.name);
         std::istringstream excluded{std::string(option.excludes)};
         for (std::string other; excluded >> other;)
-            if (words.seen(name) && words.seen(other))
+            if (given.seen(name) && given.seen(other))
                 throw std::invalid_argument(name + " and " + other + " exclude each other; see --help");
     }
     const std::size_t files = asked.options.jobs.size();
-    const bool is_list = words.seen("--claims");
+    const bool is_list = given.seen("--claims");
     if (is_list && files > 0) throw std::invalid_argument("--claims names the files: give no other FILE");
     for (const char* option : {"--shares", "--leaves"})
-        if (words.seen(option) && files != 1)
+        if (given.seen(option) && files != 1)
             throw std::invalid_argument(std::string(option) + " is about one FILE");
     if (!is_list && files == 0) throw std::invalid_argument("no FILE; see --help");
 }
@@ -45,23 +45,23 @@ Options parse_options(const std::vector<std::string>& arguments) {
     Options& result = asked.options;
     Settings& settings = asked.settings;
     settings.jobs = std::max(1U, std::thread::hardware_concurrency());
-    Words words(arguments);
-    while (words.next()) {
-        if (words.option.empty())
-            result.jobs.push_back({words.word, {}});  // its settings: below
+    Arguments given(arguments);
+    while (given.next()) {
+        if (given.option.empty())
+            result.jobs.push_back({given.word, {}});  // its settings: below
         else
-            option_of(words).read(words, asked);
+            option_of(given).read(given, asked);
     }
     if (!result.answer.empty()) return result;
-    require_fitting(words, asked);
+    require_fitting(given, asked);
     for (Job& job : result.jobs) job.settings = settings;
-    if (words.seen("--claims")) result.jobs = read_claims(asked.claims, settings);
+    if (given.seen("--claims")) result.jobs = read_claims(asked.claims, settings);
     // A leaf that is explained is printed while it is checked: one file after the other.
     if (settings.explain.empty())
         result.at_once = static_cast<unsigned>(std::min<std::size_t>(settings.jobs, result.jobs.size()));
     for (Job& job : result.jobs) job.settings.jobs = settings.jobs / result.at_once;
     for (const Job& job : result.jobs) result.inputs.push_back(job.file);
-    if (words.seen("--claims")) result.inputs.push_back(asked.claims);
+    if (given.seen("--claims")) result.inputs.push_back(asked.claims);
     return result;
 }
 

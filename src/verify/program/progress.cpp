@@ -6,7 +6,7 @@
 #include <chrono>
 #include <cstdio>
 
-#include "verify/input/budget.hpp"
+#include "verify/machine/seconds.hpp"
 
 namespace dumbbell_verify {
 namespace {
@@ -24,7 +24,7 @@ std::string line(std::uint64_t budget, bool reads) {
 }  // namespace
 
 Progress::Progress(bool wanted, std::uint64_t budget) : budget_(budget) {
-    if (wanted && ::isatty(STDERR_FILENO) == 1) crew_.start(1, [this] { run(); });
+    if (wanted && ::isatty(STDERR_FILENO) == 1) crew_.start(1, [this] { watch(); });
 }
 
 Progress::~Progress() {
@@ -53,7 +53,7 @@ void Progress::show(const std::string& text) {
     shown_ = text;
 }
 
-void Progress::run() {
+void Progress::watch() {
     using namespace std::chrono_literals;
     const auto is_over = [this] { return ended_; };
     std::unique_lock lock(mutex_);

@@ -4,7 +4,7 @@
 #include <mutex>
 #include <string>
 
-#include "verify/number/threads.hpp"
+#include "verify/machine/threads.hpp"
 
 namespace dumbbell_verify {
 
@@ -23,7 +23,7 @@ class Progress {
 
   private:
     void show(const std::string& text);
-    void run();
+    void watch();
 
     const std::uint64_t budget_;
     std::mutex mutex_;

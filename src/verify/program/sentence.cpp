@@ -1,6 +1,6 @@
 #include "verify/program/sentence.hpp"
 
-#include "verify/format/section.hpp"
+#include "verify/core/section.hpp"
 
 namespace dumbbell_verify {
 namespace {
@@ -23,7 +23,7 @@ std::string spoken(const mpq_class& q) {
     mpz_class power = 1;
     unsigned places = 0;
     for (; power % q.get_den() != 0 && places < longest; ++places) power *= 10;
-    return power % q.get_den() != 0 ? to_string(q) : decimals(q, false, places);
+    return power % q.get_den() != 0 ? to_string(q) : starts::decimals(q, false, places);
 }
 
 /// In how many pieces the greatest number is known, where all of them together do not tell it.

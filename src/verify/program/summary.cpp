@@ -4,7 +4,7 @@
 #include <array>
 #include <cstdio>
 
-#include "verify/format/section.hpp"
+#include "verify/core/section.hpp"
 #include "verify/program/claim_options.hpp"
 #include "verify/program/escape.hpp"
 #include "verify/program/sentence.hpp"
@@ -25,7 +25,7 @@ std::string result_text(const Result& result) {
     const Settings& settings = result.job->settings;
     if (result.is_right())
         return claim_text(result) + " sha256=" + result.proof.digest +
-               demand_text(settings, settings.own_demand());
+               demand_text(settings, own_demand(settings));
     std::string text;
     if (why.line > 0) text = "line=" + std::to_string(why.line) + " ";
     if (why.verdict == Verdict::rejected) text += "code=" + why.code + " ";

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <tuple>
 
-#include "verify/format/section.hpp"
+#include "verify/core/section.hpp"
 #include "verify/program/escape.hpp"
 #include "verify/program/summary.hpp"
 
@@ -42,6 +42,15 @@ Failure named(const Result& bad) {
 
 }  // namespace
 
+void append(Collisions& all, const Collisions& next) {
+    for (std::size_t i = 0; i < next.reached.size(); ++i)
+        if (next.reached[i] && all.reached[i].value_or(all.start()) >= all.hi)
+            all.reached[i] = next.reached[i];
+    all.hi = next.hi;
+    all.join(next);
+    all.ask(next.asked);
+}
+
 Result together(const Job& asked, const std::vector<Result>& files) {
     Result whole;
     whole.job = &asked;
@@ -68,7 +77,7 @@ Result together(const Job& asked, const std::vector<Result>& files) {
             whole.why = broken_chain(*chain[i - 1], *chain[i]);
             return whole;
         }
-        claim.append(next.claim);
+        append(claim, next.claim);
     }
     if (const std::string gap = claim.missing(); !gap.empty())
         whole.why = rejected("claim-not-proved", gap);

@@ -12,4 +12,7 @@ namespace dumbbell_verify {
 /// says why. The result points to `asked`; it has no digest and no leaves.
 Result together(const Job& asked, const std::vector<Result>& files);
 
+/// The pieces of a file that begins where those of `all` end, and was asked the same.
+void append(Collisions& all, const Collisions& next);
+
 }  // namespace dumbbell_verify

@@ -1,8 +1,8 @@
 #include "verify/program/verify.hpp"
 
 #include "verify/adiabatic/grammar.hpp"
-#include "verify/collisions/grammar.hpp"
-#include "verify/format/header.hpp"
+#include "verify/core/certificate.hpp"
+#include "verify/input/bytes.hpp"
 #include "verify/law/grammar.hpp"
 #include "verify/starts/grammar.hpp"
 
@@ -45,18 +45,19 @@ Verified read_on(Text& text, const Settings& settings, const Header& header) {
     if (settings.together)
         throw Failure{Verdict::unreadable, text.line, "usage",
                       "--together is about ranges of mass ratios, and this file is about something else"};
-    const auto invariant = adiabatic_kind(claim);
+    const auto invariant = adiabatic::kind_named(claim);
     const bool is_law = header.section == &turning() && claim == "law";
     if (!is_law && (header.section || !(invariant || is_initial))) text.unsupported("unknown claim " + claim);
-    if (is_law) return about(law(text, settings));
-    if (invariant) return about(adiabatic(text, settings, *invariant));
-    return about(initial(text, settings, incoming));
+    if (is_law) return about(law::proof(text, settings));
+    if (invariant) return about(adiabatic::proof(text, settings, *invariant));
+    return about(starts::proof(text, settings, incoming));
 }
 
 }  // namespace
 
 Verified verify(const std::string& path, const Settings& settings) {
-    Text text(path, settings.budget);
+    Bytes bytes(path);
+    Text text(bytes, settings.budget);
     const Header header = header_of(text);
     try {
         return read_on(text, settings, header);

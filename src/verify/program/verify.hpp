@@ -6,8 +6,8 @@
 #include <variant>
 
 #include "verify/adiabatic/claim.hpp"
-#include "verify/format/proof.hpp"
-#include "verify/format/text.hpp"
+#include "verify/core/settings.hpp"
+#include "verify/core/text.hpp"
 #include "verify/law/claim.hpp"
 #include "verify/starts/claim.hpp"
 
@@ -15,7 +15,7 @@ namespace dumbbell_verify {
 
 /// What a file proves: `claim` if it is about numbers of collisions, else what it is about instead.
 struct Verified : Proof {
-    std::variant<std::monostate, Initial, Adiabatic, Law> other;
+    std::variant<std::monostate, starts::Claim, adiabatic::Claim, law::Claim> other;
 
     /// What `say` has to say of it; nothing if the file is about numbers of collisions.
     template <class Say>
@@ -31,7 +31,7 @@ struct Verified : Proof {
     }
     /// Nothing was demanded, and nothing is proved of all that is in question.
     [[nodiscard]] bool says_nothing(const Collisions& demand) const {
-        const auto* starts = std::get_if<Initial>(&other);
+        const auto* starts = std::get_if<starts::Claim>(&other);
         return starts ? starts->says_nothing(demand) : other.index() == 0 && claim.says_nothing();
     }
 };

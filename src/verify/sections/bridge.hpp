@@ -1,7 +1,9 @@
 // For the sections full and plain: flights from the wall R, at psi = pi/2 - t at height h + kappa t, over the
 // bridge of height r sin t, 0 < t < pi (L15), and the rays that leave it.
 #pragma once
-#include "verify/collisions/ray.hpp"
+#include "verify/core/ray.hpp"
+#include "verify/core/section.hpp"
+#include "verify/guess/numbers.hpp"
 
 namespace dumbbell_verify {
 
@@ -9,12 +11,11 @@ template <class N>
 class Bridge : protected Rays<N> {
   protected:
     using Base = Rays<N>;
-    using Base::fact, Base::less, Base::at_most, Base::guess_slope, Base::half_turn, Base::one, Base::quarter,
-        Base::zero;
+    using Base::fact, Base::less, Base::at_most, Base::half_turn, Base::one, Base::quarter, Base::zero;
     using typename Base::I, typename Base::Ray;
 
-    Bridge(const Leaf& leaf, const Section& section, std::string* log) : Base(log), leaf_(leaf) {
-        if (log) this->describe(leaf, section.charts[leaf.chart]);
+    Bridge(const Leaf& leaf, const Section& section, Log* log) : Base(log), leaf_(leaf) {
+        if (log) log->box(leaf, section.charts[leaf.chart], bits(zero));
     }
 
     /// sin t and cos t for a number t in [0, pi].
@@ -55,7 +56,7 @@ class Bridge : protected Rays<N> {
     /// Certified h + kappa t >= r sin t for all t in [0, pi], r in the box: above a tangent of the bridge.
     bool certainly_above(const N& h, const N& kappa) {
         if (h >= zero && kappa >= r_hi) return fact("above the bridge: 0 <= h, r_hi <= kappa", true);
-        const N z = guess_slope(kappa / r_hi);
+        const N z = guess_slope(kappa / r_hi, half_turn.lo, quarter.lo);
         if (!(z >= zero && z <= half_turn.lo)) return false;
         const auto [s, w] = trig(z);
         const I r = r_hi;
@@ -79,7 +80,7 @@ class Bridge : protected Rays<N> {
         // At the contact kappa <= r cos t.
         const N k = kappa_low / (kappa_low < zero ? r_lo : r_hi);
         widen_until(one / N(64), [&](const N& pad) {
-            const N t = guess_slope(k) + pad;
+            const N t = guess_slope(k, half_turn.lo, quarter.lo) + pad;
             if (!(t > zero && t < half_turn.lo)) return true;
             const I w = trig(t).cos;
             if (!((r_lo * w).hi <= kappa_low && (r_hi * w).hi <= kappa_low)) return false;
@@ -93,10 +94,11 @@ class Bridge : protected Rays<N> {
         };
         if (const auto root = guess_crossing(h_high / r_lo, kappa_high / r_lo))
             widen_until(one, [&](const N& pad) { return take(*root + (half_turn.lo - *root) * pad); });
-        if (!result.all) take(guess_slope(kappa_high / r_lo));
+        if (!result.all) take(guess_slope(kappa_high / r_lo, half_turn.lo, quarter.lo));
         if (this->log_)
-            *this->log_ += "  the bridge may be met at t <= " + Base::show(result.last) +
-                           (result.all ? ", and is met by all\n" : "\n");
+            this->log_->line(
+                {{result.all ? "  the bridge is met by all, at t <= " : "  the bridge may be met at t <= ",
+                  I(result.last)}});
         return result;
     }
 
@@ -115,7 +117,7 @@ class Bridge : protected Rays<N> {
         const N kappa = std::min(mul(down, r_lo, lambda), mul(down, r_hi, lambda));
         if (kappa >= one) return fact("steep", true);
         // D > 0 needs w > z wherever z^2 - 2 kappa z - r <= 0.
-        N z = (kappa + sqrt(kappa * kappa + r_lo)) * (one - guess_tolerance(one) / N(1024));
+        N z = (kappa + guess_square_root(kappa * kappa + r_lo)) * (one - guess_tolerance(one) / N(1024));
         if (!(z > zero) || !((I(z) * z - I(2) * kappa * z - r_lo).hi <= zero)) z = zero;
         const I f = I(z) * (I(z) + I(2) * r_lo) - r_hi, greatest = I(2) + y1;
         return fact("0 <= f", f.lo >= zero) || less("0 <= (2 + eta1) f + (z + r_lo) / 2", zero,
@@ -140,7 +142,7 @@ class Bridge : protected Rays<N> {
 /// The parts of the two sections that are the same.
 enum { contact, departure, again };
 inline constexpr std::size_t once_leaf = witness + 1;
-inline Section full_section(std::string_view lemmas, const char* (*check)(const Leaf&, std::string*)) {
+inline Section full_section(std::string_view lemmas, const char* (*check)(const Leaf&, Log*)) {
     return {lemmas,
             "dumbbell",
             "full",

@@ -1,6 +1,6 @@
 // The section full (format-sections.md, section 1; L15): all collision states, counted forward
 // along a lowest and a highest ray of the box.
-#include "verify/format/precision.hpp"
+#include "verify/core/big.hpp"
 #include "verify/sections/bridge.hpp"
 
 namespace dumbbell_verify {
@@ -15,7 +15,7 @@ class Full : Bridge<N> {
     using typename Base::I, typename Base::Ray;
 
   public:
-    Full(const Leaf& leaf, std::string* log) : Base(leaf, full(), log) {}
+    Full(const Leaf& leaf, Log* log) : Base(leaf, full(), log) {}
 
     const char* verdict() {
         if (!(r_lo > zero)) return "r is out of the range of this precision";
@@ -55,8 +55,8 @@ class Full : Bridge<N> {
         for (mpz_class n = 0;; ++n) {  // m <= a is certified where m arises
             Work::collision();
             if (this->log_)
-                *this->log_ += "  " + n.get_str() + ": x " + Base::show({low.x, high.x}) + " kappa " +
-                               Base::show({low.kappa, high.kappa}) + "\n";
+                this->log_->line({{("  " + n.get_str() + ": x ").c_str(), I(low.x, high.x)},
+                                  {" kappa ", I(low.kappa, high.kappa)}});
             if (low.kappa >= one) return fact("steep", true);
             Ray ray{std::max(zero, low.height(down, half_turn)), low.kappa, r_lo};
             if (low.kappa >= r_hi) return at_most("n + G <= a above the bridge", ray, leaf_.a - n);
@@ -69,7 +69,7 @@ class Full : Bridge<N> {
                     return false;
                 if (met.all) return true;
             }
-            const bool seems_to_hit = Base::guess_root(ray.c, ray.kappa, z);
+            const bool seems_to_hit = guess_root(ray.c, ray.kappa, z);
             if ((!seems_to_hit || n == leaf_.a) && Base::misses(ray)) return fact("misses the wall", true);
             if (!fact("n + 1 <= a at the wall", n + 1 <= leaf_.a)) return false;
             const bool both = low_returns(low, ray, z);
@@ -91,7 +91,7 @@ class Full : Bridge<N> {
     void follow_high(State& high, N& z) {
         const Ray ray{std::max(zero, high.height(up, half_turn)), high.kappa, r_hi};
         high = {quarter.hi, one, one};
-        if (!(ray.kappa < one && Base::guess_root(ray.c, ray.kappa, z))) return;
+        if (!(ray.kappa < one && guess_root(ray.c, ray.kappa, z))) return;
         const auto at = Base::latest(ray, z);
         if (!at) return;
         const I w = at->cosine, kappa = ray.kappa, r = r_hi;
@@ -104,7 +104,7 @@ class Full : Bridge<N> {
     bool decided_ = false;
 };
 
-const char* check_full(const Leaf& leaf, std::string* log) {
+const char* check_full(const Leaf& leaf, Log* log) {
     if (leaf.opcode == equal_masses || leaf.opcode == witness) return turning().check(leaf, log);
     return judged<Full>(leaf, log);
 }

@@ -1,6 +1,7 @@
 // The section plain (format-sections.md, section 2; L16): interval evaluation of all states of a box
 // together. A file spells it `lemmas minimal`, `section full`.
-#include "verify/format/precision.hpp"
+#include "verify/core/big.hpp"
+#include "verify/functions/angle.hpp"
 #include "verify/sections/bridge.hpp"
 
 namespace dumbbell_verify {
@@ -14,7 +15,7 @@ class Plain : Bridge<N> {
     using typename Base::I, typename Base::Ray;
 
   public:
-    Plain(const Leaf& leaf, std::string* log) : Base(leaf, plain(), log) {}
+    Plain(const Leaf& leaf, Log* log) : Base(leaf, plain(), log) {}
 
     const char* verdict() {
         if (!(r_lo > zero)) return "r is out of the range of this precision";
@@ -92,14 +93,14 @@ class Plain : Bridge<N> {
     std::optional<bool> wall(State& state, const I& c, const I& kappa, const mpz_class& n, N& z, N& z_high) {
         Work::collision();
         const Ray low{c.lo, kappa.lo, r_lo}, high{c.hi, kappa.hi, r_hi};
-        const bool seems_to_hit = Base::guess_root(low.c, low.kappa, z);
+        const bool seems_to_hit = guess_root(low.c, low.kappa, z);
         if ((!seems_to_hit || n == leaf_.a) && Base::misses(low)) return fact("misses the wall", true);
         if (!fact("n + 1 <= a at the wall", n + 1 <= leaf_.a)) return false;
         const auto first = Base::earliest(low, z);
         state.x = {first.x, quarter.hi};
         state.sine = {std::max(zero, first.sine), one};
         I w(std::max(zero, kappa.lo), first.cosine);
-        if (high.kappa < one && Base::guess_root(high.c, high.kappa, z_high))
+        if (high.kappa < one && guess_root(high.c, high.kappa, z_high))
             if (const auto last = Base::latest(high, z_high)) {
                 state.x.hi = std::min(last->x, quarter.hi);
                 state.sine.hi = std::min(one, last->sine);
@@ -178,13 +179,13 @@ class Plain : Bridge<N> {
         return best;
     }
     void log(const mpz_class& n, const I& kappa) {
-        if (this->log_) *this->log_ += "  " + n.get_str() + ": kappa " + Base::show(kappa) + "\n";
+        if (this->log_) this->log_->line({{("  " + n.get_str() + ": kappa ").c_str(), kappa}});
     }
 
     const I r{r_lo, r_hi};
 };
 
-const char* check_plain(const Leaf& leaf, std::string* log) {
+const char* check_plain(const Leaf& leaf, Log* log) {
     if (leaf.opcode == equal_masses || leaf.opcode == witness) return turning().check(leaf, log);
     return judged<Plain>(leaf, log);
 }

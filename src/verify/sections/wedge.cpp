@@ -3,24 +3,24 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "verify/format/section.hpp"
-#include "verify/input/work.hpp"
-#include "verify/number/integer.hpp"
+#include "verify/core/section.hpp"
+#include "verify/machine/integer.hpp"
+#include "verify/machine/meter.hpp"
 
 namespace dumbbell_verify {
 namespace {
 
-constexpr unsigned most_wedge_steps = 10'000;  ///< a + b
-constexpr std::size_t most_bits = 4'000'000;   ///< of a numerator
+constexpr unsigned most_wedge_collisions = 10'000;  ///< a + b
+constexpr std::size_t most_bits = 4'000'000;        ///< of a numerator
 
 /// kappa of a ray, and r, as integers: kappa = top / bottom, bottom > 0; r = light / heavy. Not reduced.
 class Wedge {
   public:
-    Wedge(const Leaf& leaf, std::string* log) : leaf_(leaf), log_(log) {
+    Wedge(const Leaf& leaf, Log* log) : leaf_(leaf), log_(log) {
         if (log)
-            *log += "  exact, claimed " + leaf.claimed.get_str() + "\n  lambda in [" + y0.get_str() + ", " +
-                    y1.get_str() + "]\n  q in [" + leaf.box.lo[2].get_str() + ", " +
-                    leaf.box.hi[2].get_str() + "]\n";
+            log->text += "  exact, claimed " + leaf.claimed.get_str() + "\n  lambda in [" + y0.get_str() +
+                         ", " + y1.get_str() + "]\n  q in [" + leaf.box.lo[2].get_str() + ", " +
+                         leaf.box.hi[2].get_str() + "]\n";
     }
 
     const char* verdict() {
@@ -37,7 +37,7 @@ class Wedge {
   private:
     bool fact(const char* what, bool holds) {
         if (!holds) failed_ = what;
-        if (log_) *log_ += std::string("  ") + what + (holds ? ": holds\n" : ": does NOT hold\n");
+        if (log_) log_->fact(what, holds);
         return holds;
     }
     /// G_w(kappa, r), or limit + 1 if it is greater than the limit.
@@ -48,7 +48,7 @@ class Wedge {
         unsigned n = 0;
         while (n <= limit && top < bottom) {
             ++n;
-            Work::spend(products(bottom, heavy));
+            Meter::spend(products(bottom, heavy));
             const mpz_class divisor = bottom * rest - 2 * top * heavy;  // D bottom heavy
             if (divisor <= 0) break;
             top = top * rest + 2 * light * bottom;
@@ -57,16 +57,18 @@ class Wedge {
                 throw std::length_error("exact numbers of more than 4,000,000 bits");
         }
         if (log_)
-            *log_ += "  kappa " + std::to_string(kappa.get_d()) + ": " + (n > limit ? "more than " : "") +
-                     std::to_string(std::min(n, limit)) + " collision(s)\n";
+            log_->text += "  kappa " + std::to_string(kappa.get_d()) + ": " +
+                          (n > limit ? "more than " : "") + std::to_string(std::min(n, limit)) +
+                          " collision(s)\n";
         return n;
     }
     /// The work of a few products of numbers of this size.
     static std::uint64_t products(const mpz_class& a, const mpz_class& b) {
-        return 1024 + 16 * words(a) * words(b);
+        return 1024 + 16 * limbs(a) * limbs(b);
     }
     [[nodiscard]] bool hints_are_small() const {
-        if (leaf_.a > most_wedge_steps || leaf_.b > most_wedge_steps || leaf_.a + leaf_.b > most_wedge_steps)
+        if (leaf_.a > most_wedge_collisions || leaf_.b > most_wedge_collisions ||
+            leaf_.a + leaf_.b > most_wedge_collisions)
             throw std::length_error("a + b beyond 10,000 in a wedge");
         return true;
     }
@@ -96,7 +98,7 @@ class Wedge {
     }
 
     const Leaf& leaf_;
-    std::string* log_;
+    Log* log_;
     const char* failed_ = "";
     const mpq_class &y0 = leaf_.box.lo[1], &y1 = leaf_.box.hi[1];
     const mpq_class r_lo = 1 / leaf_.box.hi[2], r_hi = 1 / leaf_.box.lo[2];
@@ -106,7 +108,7 @@ Box wedge_root(std::size_t, const mpq_class& a, const mpq_class& b) {
     return {{0, 0, a}, {0, power_of_two(b), b}};
 }
 
-const char* check_wedge(const Leaf& leaf, std::string* log) { return Wedge(leaf, log).verdict(); }
+const char* check_wedge(const Leaf& leaf, Log* log) { return Wedge(leaf, log).verdict(); }
 
 Section section(std::string_view scene) {
     return {"1",

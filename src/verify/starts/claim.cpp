@@ -1,15 +1,15 @@
 #include "verify/starts/claim.hpp"
 
-#include "verify/number/integer.hpp"
+#include "verify/machine/integer.hpp"
 
-namespace dumbbell_verify {
+namespace dumbbell_verify::starts {
 namespace {
 
 constexpr unsigned share_places = 12;
 
-std::string shares_json(const StartShares& shares) {
+std::string shares_json(const Shares& shares) {
     std::string text;
-    for (const StartShares::Row& row : shares.rows())
+    for (const Shares::Row& row : shares.rows())
         text += (text.empty() ? "{\"least\":" : ",{\"least\":") + std::to_string(row.least) +
                 ",\"most\":" + (row.most ? std::to_string(*row.most) : "null") + ",\"lo\":\"" +
                 to_string(row.lo) + "\",\"hi\":\"" + to_string(row.hi) + "\"}";
@@ -17,7 +17,7 @@ std::string shares_json(const StartShares& shares) {
 }
 
 /// The name that the header of a file has for an axis.
-std::string header_name(std::size_t axis) { return axis == 4 ? "ratio" : std::string(initial_axes[axis]); }
+std::string header_name(std::size_t axis) { return axis == 4 ? "ratio" : std::string(axis_names[axis]); }
 
 }  // namespace
 
@@ -31,7 +31,7 @@ std::string decimals(const mpq_class& x, bool upward, unsigned places) {
     return places == 0 ? text : text.insert(text.size() - places, ".");
 }
 
-std::string Initial::missing(const Collisions& demand) const {
+std::string Claim::missing(const Collisions& demand) const {
     const mpq_class &lo = box.lo.back(), &hi = box.hi.back();
     if (demand.ratios && (demand.ratios->first < lo || demand.ratios->second > hi))
         return covered_part(lo, hi, demand.ratios->first, demand.ratios->second);
@@ -42,17 +42,17 @@ std::string Initial::missing(const Collisions& demand) const {
     return "";
 }
 
-std::string Initial::text() const {
+std::string Claim::text() const {
     std::string result = incoming ? "claim=incoming" : "claim=initial-conditions";
-    for (std::size_t i = incoming ? 4 : 0; i < initial_axes.size(); ++i)
+    for (std::size_t i = incoming ? 4 : 0; i < axis_names.size(); ++i)
         result += " " + header_name(i) + "=" + to_string(box.lo[i], box.hi[i]);
     return result + " collisions=" + std::to_string(least) + ":" + (most ? std::to_string(*most) : "none") +
            " decided=" + (decided == 1 ? "1" : decimals(decided, false, share_places));
 }
 
-std::string Initial::json() const {
+std::string Claim::json() const {
     std::string sides;
-    for (std::size_t i = incoming ? 4 : 0; i < initial_axes.size(); ++i)
+    for (std::size_t i = incoming ? 4 : 0; i < axis_names.size(); ++i)
         sides += (sides.empty() ? "\"" : ",\"") + header_name(i) + "\":{\"lo\":\"" + to_string(box.lo[i]) +
                  "\",\"hi\":\"" + to_string(box.hi[i]) + "\"}";
     return (incoming ? "{\"kind\":\"incoming\"," + sides
@@ -62,7 +62,7 @@ std::string Initial::json() const {
            (shares ? ",\"shares\":" + shares_json(*shares) : "") + "}";
 }
 
-std::string Initial::sentence() const {
+std::string Claim::sentence() const {
     const std::string all = incoming ? "every trajectory that comes in" : "every start in the box";
     std::string text = "No bound is proved that holds for " + all;
     if (most || least > 0)
@@ -76,12 +76,12 @@ std::string Initial::sentence() const {
            (decided == 1 ? "each" : "at least a share " + decimals(decided, false, share_places) + " of all");
 }
 
-std::string Initial::paragraph() const {
+std::string Claim::paragraph() const {
     std::string text = "  " + sentence() + ".\n";
     if (!shares) return text;
     text += "  collisions  share of the " + std::string(incoming ? "trajectories" : "box") +
             " with exactly that many: proved bounds\n";
-    for (const StartShares::Row& row : shares->rows()) {
+    for (const Shares::Row& row : shares->rows()) {
         const std::string counts = std::to_string(row.least) + (row.most == row.least ? "" : "-") +
                                    (row.most && *row.most > row.least ? std::to_string(*row.most) : "");
         text += std::string(counts.size() < 12 ? 12 - counts.size() : 0, ' ') + counts + "  " +
@@ -90,24 +90,25 @@ std::string Initial::paragraph() const {
     return text;
 }
 
-void StartShares::add(std::uint64_t least, std::uint64_t most, const mpq_class& volume) {
-    if (least == most) exact[least] += volume;
-    change[least] += volume;
-    change[most + 1] -= volume;
+void Shares::add(std::uint64_t least, std::uint64_t most, const mpq_class& volume) {
+    if (least == most) counts[least].exact += volume;
+    counts[least].change += volume;
+    counts[most + 1].change -= volume;
 }
 
-std::vector<StartShares::Row> StartShares::rows() const {
+std::vector<Shares::Row> Shares::rows() const {
     std::vector<Row> rows;
     mpq_class hi = open;
-    if (!change.contains(0)) rows.push_back({0, std::nullopt, 0, hi});
-    for (const auto& [count, by] : change) {
+    if (!counts.contains(0)) rows.push_back({0, std::nullopt, 0, hi});
+    for (const auto& [count, leaves] : counts) {
         if (!rows.empty()) rows.back().most = count - 1;
-        hi += by;
-        const auto found = exact.find(count);
-        rows.push_back({count, std::nullopt, found == exact.end() ? mpq_class(0) : found->second, hi});
+        hi += leaves.change;
+        rows.push_back({count, std::nullopt, leaves.exact, hi});
     }
     if (open == 0) rows.pop_back();
+    for (Row& row : rows)
+        if (row.most != row.least) row.lo = 0;  // exact volumes are of one number
     return rows;
 }
 
-}  // namespace dumbbell_verify
+}  // namespace dumbbell_verify::starts

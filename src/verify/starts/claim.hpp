@@ -3,25 +3,28 @@
 #include <array>
 #include <map>
 
-#include "verify/format/claim.hpp"
+#include "verify/core/claim.hpp"
 
-namespace dumbbell_verify {
+namespace dumbbell_verify::starts {
 
 /// x >= 0 with this number of decimals, rounded up or down.
 std::string decimals(const mpq_class& x, bool upward, unsigned places = 6);
 
 /// phi, phidot, y, ydot and the mass ratio q, in this order.
-inline constexpr std::array<std::string_view, 5> initial_axes{"phi", "phidot", "y", "ydot", "q"};
-struct InitialBox {
-    std::array<mpq_class, initial_axes.size()> lo, hi;
+inline constexpr std::array<std::string_view, 5> axis_names{"phi", "phidot", "y", "ydot", "q"};
+struct Box {
+    std::array<mpq_class, axis_names.size()> lo, hi;
 };
 
 /// How likely each number of collisions is (format-initial.md, section 7): the volumes of leaves, in units of
 /// the box's.
-struct StartShares {
-    std::map<std::uint64_t, mpq_class> exact;   ///< of the leaves with this number
-    std::map<std::uint64_t, mpq_class> change;  ///< from k - 1 to k: of the leaves that do not exclude k
-    mpq_class open;                             ///< of the leaves that exclude nothing
+struct Shares {
+    struct Count {
+        mpq_class exact;   ///< of the leaves with this number
+        mpq_class change;  ///< from the number before: of the leaves that do not exclude this one
+    };
+    std::map<std::uint64_t, Count> counts;
+    mpq_class open;  ///< of the leaves that exclude nothing
 
     void add(std::uint64_t least, std::uint64_t most, const mpq_class& volume);
     /// From `least` to `most` collisions, each of these numbers: the share is at least lo, at most hi.
@@ -36,14 +39,14 @@ struct StartShares {
 
 /// Every regular trajectory that starts in the box has at least `least` and, if it is a number, at most
 /// `most` collisions; on the share `decided` of the box's volume their exact number is proved.
-struct Initial {
+struct Claim {
     static constexpr std::string_view leaves = "box, box.01, ...";  ///< as --explain names them
     bool incoming = false;  ///< not a box, but all incoming trajectories (format-initial.md, section 8)
-    InitialBox box;
+    Box box;
     std::uint64_t least = 0;
     std::optional<std::uint64_t> most;
     mpq_class decided;
-    std::optional<StartShares> shares;  ///< if they were asked for
+    std::optional<Shares> shares;  ///< if they were asked for
 
     /// Empty if this proves the bounds and contains the ratios that are demanded.
     [[nodiscard]] std::string missing(const Collisions& demand) const;
@@ -60,4 +63,4 @@ struct Initial {
     [[nodiscard]] std::string paragraph() const;
 };
 
-}  // namespace dumbbell_verify
+}  // namespace dumbbell_verify::starts

@@ -4,11 +4,11 @@
 #include <optional>
 #include <vector>
 
-#include "verify/input/work.hpp"
-#include "verify/starts/angle.hpp"
+#include "verify/functions/angle.hpp"
+#include "verify/machine/meter.hpp"
 #include "verify/starts/grammar.hpp"
 
-namespace dumbbell_verify {
+namespace dumbbell_verify::starts {
 
 /// A box of states at time 0, and their flight. h = y (1 + r), v = ydot (1 + r).
 template <class N>
@@ -16,9 +16,9 @@ class Flight {
   public:
     using I = Interval<N>;
 
-    explicit Flight(const InitialBox& box)
+    explicit Flight(const Box& box, bool any_spin = false)
         : phi(side(box, 0)),
-          w(side(box, 1)),
+          w(any_spin ? I(1) / I(0) : side(box, 1)),
           r(bound(down, 1 / box.hi[4], N(0)), bound(up, 1 / box.lo[4], N(0))),
           h(side(box, 2) * (I(1) + r)),
           v(side(box, 3) * (I(1) + r)) {}
@@ -70,8 +70,8 @@ class Flight {
     /// by phi, w, h, v and r are v, t v, -w, -w t and 0 (light) or w sin (heavy), over the clearance's rate.
     [[nodiscard]] std::optional<I> contact_angle(bool heavy, const I& times) const {
         const Flight middle(*this, 0);
-        const I plain = phi + w * times, at = mid(times);
-        const auto [sine, cosine] = sin_cos_on(plain, quarter);
+        const I direct = phi + w * times, at = mid(times);
+        const auto [sine, cosine] = sin_cos_on(direct, quarter);
         const I fall = -rate(heavy, cosine), fall_m = -middle.rate_over(heavy, times);
         if (!(fall.lo > N(0) && fall_m.lo > N(0))) return std::nullopt;
         const auto time = common(times, at + middle.clearance(heavy, at) / fall_m);
@@ -79,7 +79,7 @@ class Flight {
         I change =
             v * ((phi - middle.phi) + times * (w - middle.w)) - w * ((h - middle.h) + times * (v - middle.v));
         if (heavy) change = change + w * sine * (r - middle.r);
-        return common(plain, middle.phi + middle.w * *time - change / fall);
+        return common(direct, middle.phi + middle.w * *time - change / fall);
     }
 
   private:
@@ -94,7 +94,7 @@ class Flight {
           h(mid(all.h)),
           v(mid(all.v)) {}
 
-    static I side(const InitialBox& box, std::size_t i) {
+    static I side(const Box& box, std::size_t i) {
         return {bound(down, box.lo[i], N(0)), bound(up, box.hi[i], N(0))};
     }
     /// A number of X near its middle.
@@ -105,7 +105,7 @@ class Flight {
     }
 
     [[nodiscard]] bool span_is_closed(std::optional<bool> first, const N& from, const N& to) const {
-        Work::spend(1 << 12);
+        Meter::spend(1 << 12);
         const I span(from, to);
         if ((h + v * span).lo > N(1)) return true;
         const I sine = sin_cos_on(phi + w * I(from), quarter).sin,
@@ -120,4 +120,4 @@ class Flight {
     }
 };
 
-}  // namespace dumbbell_verify
+}  // namespace dumbbell_verify::starts

@@ -3,45 +3,47 @@
 
 #include <cmath>
 
-#include "verify/format/reader.hpp"
+#include "verify/core/reader.hpp"
+#include "verify/core/tree.hpp"
+#include "verify/starts/zero.hpp"
 
-namespace dumbbell_verify {
+namespace dumbbell_verify::starts {
 namespace {
 
 enum { split, exactly, between, open };
 
 constexpr std::size_t most_shares = 20'000;  ///< where they change: the memory is bounded
 
-class StartsReader : public Reader<InitialLeaf> {
+class ClaimReader : public Reader<Leaf> {
   public:
-    StartsReader(Text& text, const Settings& settings, bool incoming) : Reader(text, settings) {
+    ClaimReader(Text& text, const Settings& settings, bool incoming) : Reader(text, settings) {
         claim_.incoming = incoming;
         require_fitting_demand();
         if (settings.shares) claim_.shares.emplace();
         for (const auto* name : {"split", "exactly", "between", "open"}) proof_.tallies.push_back({name});
     }
-    [[nodiscard]] Initial& claim() { return claim_; }
+    [[nodiscard]] Claim& claim() { return claim_; }
 
   private:
     [[nodiscard]] std::string_view kind() const override {
         return claim_.incoming ? "incoming" : "initial-conditions";
     }
     [[nodiscard]] std::string missing() const override { return claim_.missing(settings_.demand); }
-    [[nodiscard]] const char* check(const InitialLeaf& leaf, std::string* log) const override {
-        return check_initial(leaf, log);
+    [[nodiscard]] const char* check(const Leaf& leaf, Log* log) const override {
+        return check_leaf(leaf, log);
     }
-    [[nodiscard]] std::string_view opcode(const InitialLeaf& leaf) const override { return leaf.opcode; }
+    [[nodiscard]] std::string_view opcode(const Leaf& leaf) const override { return leaf.opcode; }
 
     void read() override {
         header();
-        Tree<InitialBox> tree{text_, axes(), proof_.tallies[split].lines, leaf_.box, "box."};
+        Tree<Box> tree{text_, axes(), proof_.tallies[split].lines, leaf_.box, "box."};
         tree.read([&] { leaf(tree.depth, tree.path); });
         compare_bounds();
     }
 
     [[nodiscard]] std::span<const std::string_view> axes() const {
         static constexpr std::array<std::string_view, 2> section{"phi", "s"};
-        return claim_.incoming ? std::span<const std::string_view>(section) : initial_axes;
+        return claim_.incoming ? std::span<const std::string_view>(section) : axis_names;
     }
 
     /// A bound on N* is not proved by a file about some initial conditions: those who ask must mean the box.
@@ -57,10 +59,9 @@ class StartsReader : public Reader<InitialLeaf> {
     }
 
     void header() {
-        read_axis("ratio", 4, &Text::ratio);
+        read_axis("ratio", 4, [](const Text& text, std::size_t i) { return text.ratio(i); });
         if (leaf_.box.lo[4] < 1) text_.reject("number", "not 1 <= LO");
-        for (std::size_t i = 0; i < 4 && !claim_.incoming; ++i)
-            read_axis(initial_axes[i], i, &Text::signed_ratio);
+        for (std::size_t i = 0; i < 4 && !claim_.incoming; ++i) read_axis(axis_names[i], i, signed_ratio);
         if (claim_.incoming) {
             if (leaf_.box.lo[4] != leaf_.box.hi[4]) text_.reject("number", "not LO = HI");
             leaf_.box.hi[0] = 2;
@@ -75,10 +76,10 @@ class StartsReader : public Reader<InitialLeaf> {
         if (text_.fields[2] != "none") most_ = text_.natural(2);
         proof_.roots = 1;
     }
-    void read_axis(std::string_view keyword, std::size_t i, mpq_class (Text::*value)(std::size_t) const) {
+    void read_axis(std::string_view keyword, std::size_t i, mpq_class (*value)(const Text&, std::size_t)) {
         text_.expect(keyword, 2);
-        leaf_.box.lo[i] = (text_.*value)(1);
-        leaf_.box.hi[i] = (text_.*value)(2);
+        leaf_.box.lo[i] = value(text_, 1);
+        leaf_.box.hi[i] = value(text_, 2);
         if (leaf_.box.lo[i] > leaf_.box.hi[i]) text_.reject("number", "not LO <= HI");
     }
     /// Once for the file: no dumbbell of the box rests, and all start in the air.
@@ -118,26 +119,27 @@ class StartsReader : public Reader<InitialLeaf> {
         if (opcode == between && leaf_.least >= leaf_.most) text_.reject("number", "not a < b");
         if (opcode == exactly) claim_.decided += volume;
         if (claim_.shares) {
-            text_.budget.take(4 * Work::of_box(0, depth), text_.line);
+            text_.budget.take(4 * Work::of_box({}, {}, depth), text_.line);
             claim_.shares->add(leaf_.least, leaf_.most, volume);
-            if (claim_.shares->change.size() > most_shares)
+            if (claim_.shares->counts.size() > most_shares)
                 throw Failure{Verdict::limit, text_.line, "limit",
                               "--shares of more than 20,000 different numbers of collisions"};
         }
         found_least_ = std::min(found_least_, leaf_.least);
         found_most_ = std::max(found_most_, leaf_.most);
-        const InitialLeaf judged = claim_.incoming ? of_states() : leaf_;
+        const Leaf judged = claim_.incoming ? of_states() : leaf_;
         explain(judged, path);
         take(judged);
     }
     /// The present leaf, its piece of the section replaced by its states. Up to s = 1 they have no bound:
     /// there nothing but that they fall may be used.
-    InitialLeaf of_states() {
-        InitialLeaf result = leaf_;
+    Leaf of_states() {
+        Leaf result = leaf_;
         const bool unbounded = leaf_.box.hi[1] == 1;
         if (unbounded && (leaf_.first || leaf_.least == leaf_.most))
             text_.reject("section", "up to s = 1 a leaf is `open`, or `between` without a window");
         if (unbounded) result.box.hi[1] = result.box.lo[1];
+        result.any_spin = unbounded;
         result.box = incoming_states(result.box);
         return result;
     }
@@ -158,15 +160,15 @@ class StartsReader : public Reader<InitialLeaf> {
                           "expected " + std::to_string(claim_.least) + " " +
                               (all ? std::to_string(found_most_) : "none")};
     }
-    Initial claim_;
-    InitialLeaf leaf_;  ///< the present one; its box is that of the present node
+    Claim claim_;
+    Leaf leaf_;  ///< the present one; its box is that of the present node
     std::uint64_t bounds_line_ = 0, least_ = 0, found_least_ = UINT64_MAX, found_most_ = 0;
     std::optional<std::uint64_t> most_;
 };
 
 }  // namespace
 
-InitialBox incoming_states(const InitialBox& piece) {
+Box incoming_states(const Box& piece) {
     constexpr mp_bitcnt_t places = 512;  // binary
     static const mpz_class units("100000000000000000000000000000000000000000000000000"),
         half_turn("314159265358979323846264338327950288419716939937510");  // units * pi, rounded down
@@ -176,7 +178,7 @@ InitialBox incoming_states(const InitialBox& piece) {
         const mpz_class whole = squared.get_num() / squared.get_den(), root = sqrt(whole);
         return mpq_class(mpq_class(root + more) / (mpz_class(1) << places));
     };
-    InitialBox box = piece;
+    Box box = piece;
     box.lo[0] *= mpq_class(half_turn) / units;
     box.hi[0] *= mpq_class(half_turn + 1) / units;
     box.lo[1] = spin(piece.lo[1], 0);
@@ -186,10 +188,10 @@ InitialBox incoming_states(const InitialBox& piece) {
     return box;
 }
 
-std::pair<Proof, Initial> initial(Text& text, const Settings& settings, bool incoming) {
-    StartsReader reader(text, settings, incoming);
-    Proof proof = reader.run();
+std::pair<Proof, Claim> proof(Text& text, const Settings& settings, bool incoming) {
+    ClaimReader reader(text, settings, incoming);
+    Proof proof = reader.proof();
     return {std::move(proof), std::move(reader.claim())};
 }
 
-}  // namespace dumbbell_verify
+}  // namespace dumbbell_verify::starts

@@ -3,11 +3,11 @@
 #include <string>
 #include <utility>
 
-#include "verify/format/proof.hpp"
-#include "verify/format/text.hpp"
+#include "verify/core/settings.hpp"
+#include "verify/core/text.hpp"
 #include "verify/starts/claim.hpp"
 
-namespace dumbbell_verify {
+namespace dumbbell_verify::starts {
 
 /// When every state of a leaf has its first contact, and with which mass.
 struct FirstContact {
@@ -16,28 +16,29 @@ struct FirstContact {
 };
 
 /// A leaf that says: at least `least` and at most `most` collisions from every point of its box.
-struct InitialLeaf {
+struct Leaf {
     std::uint64_t least = 0, most = 0, line = 0;
     unsigned bits = 53;     ///< with as many it must be certified
     bool multiple = false;  ///< not in double
+    bool any_spin = false;  ///< of every phidot, whatever the box says
     std::string_view opcode;
     std::optional<FirstContact> first;
-    InitialBox box;
+    Box box;
 };
 
 /// nullptr if the rules of format-initial.md certify what the leaf says, else what is missing; a log gets a
 /// line for every inequality.
-const char* check_initial(const InitialLeaf& leaf, std::string* log);
+const char* check_leaf(const Leaf& leaf, Log* log);
 
 /// Certified: both masses are above the floor over the whole box (format-initial.md, section 2).
-bool starts_in_the_air(const InitialBox& box, unsigned bits);
+bool starts_in_the_air(const Box& box, unsigned bits);
 
 /// For a piece [x0, x1] x [s0, s1] of the section of all incoming trajectories, in the first two quantities:
 /// its states (format-initial.md, section 8). Precondition: s1 < 1.
-InitialBox incoming_states(const InitialBox& piece);
+Box incoming_states(const Box& piece);
 
 /// Reads on after the line `claim`, for all incoming trajectories or for a box; returns only if all that the
 /// file and the demand say is certified, else throws the Failure of the least line.
-std::pair<Proof, Initial> initial(Text& text, const Settings& settings, bool incoming);
+std::pair<Proof, Claim> proof(Text& text, const Settings& settings, bool incoming);
 
-}  // namespace dumbbell_verify
+}  // namespace dumbbell_verify::starts

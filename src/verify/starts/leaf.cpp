@@ -1,8 +1,8 @@
 // What a leaf of a box of initial conditions says, certified (format-initial.md, sections 2 to 6).
-#include "verify/format/precision.hpp"
+#include "verify/core/big.hpp"
 #include "verify/starts/reflection.hpp"
 
-namespace dumbbell_verify {
+namespace dumbbell_verify::starts {
 namespace {
 
 template <class N>
@@ -12,7 +12,7 @@ class Check : FirstReflection<N> {
     using typename Base::I;
 
   public:
-    Check(const InitialLeaf& leaf, std::string* log) : Base(Flight<N>(leaf.box), log), leaf_(leaf) {
+    Check(const Leaf& leaf, Log* log) : Base(Flight<N>(leaf.box, leaf.any_spin), log), leaf_(leaf) {
         if (log) describe();
     }
 
@@ -28,10 +28,10 @@ class Check : FirstReflection<N> {
 
   private:
     void describe() {
-        *log_ += "  " + std::to_string(leaf_.bits) + " bits\n";
-        for (std::size_t i = 0; i < initial_axes.size(); ++i)
-            *log_ += "  " + std::string(initial_axes[i]) + " in [" + leaf_.box.lo[i].get_str() + ", " +
-                     leaf_.box.hi[i].get_str() + "]\n";
+        log_->text += "  " + std::to_string(leaf_.bits) + " bits\n";
+        for (std::size_t i = 0; i < axis_names.size(); ++i)
+            log_->text += "  " + std::string(axis_names[i]) + " in [" + leaf_.box.lo[i].get_str() + ", " +
+                          leaf_.box.hi[i].get_str() + "]\n";
     }
 
     bool leaves() { return fact("no collision at all", flight_.never_collides()); }
@@ -65,15 +65,15 @@ class Check : FirstReflection<N> {
                fact("nothing touches before", flight_.is_closed(heavy, until.hi));
     }
 
-    const InitialLeaf& leaf_;
+    const Leaf& leaf_;
     I times_;
 };
 
 }  // namespace
 
-const char* check_initial(const InitialLeaf& leaf, std::string* log) { return judged<Check>(leaf, log); }
+const char* check_leaf(const Leaf& leaf, Log* log) { return judged<Check>(leaf, log); }
 
-bool starts_in_the_air(const InitialBox& box, unsigned bits) {
+bool starts_in_the_air(const Box& box, unsigned bits) {
     constexpr unsigned least_bits = 640;
     Big::precision = std::max(bits, least_bits);
     using I = Interval<Big>;
@@ -84,4 +84,4 @@ bool starts_in_the_air(const InitialBox& box, unsigned bits) {
            (y * (I(1) + r_hi) - r_hi * I(sine.hi)).lo > Big(0);
 }
 
-}  // namespace dumbbell_verify
+}  // namespace dumbbell_verify::starts

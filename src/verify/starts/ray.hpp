@@ -1,10 +1,13 @@
-// The collisions after a contact, for a box of rays: by the monotone counts, and by steps from wall to wall
+// The collisions after a contact, for a box of rays: by the monotone counts, and from wall to wall
 // (format-initial.md, sections 5 and 6).
 #pragma once
-#include "verify/collisions/ray.hpp"
-#include "verify/starts/angle.hpp"
+#include "verify/core/ray.hpp"
+#include "verify/functions/angle.hpp"
+#include "verify/guess/numbers.hpp"
+#include "verify/machine/integer.hpp"
+#include "verify/machine/meter.hpp"
 
-namespace dumbbell_verify {
+namespace dumbbell_verify::starts {
 
 template <class N>
 class Departures : public Rays<N> {
@@ -19,23 +22,23 @@ class Departures : public Rays<N> {
         I height, slope;
     };
 
-    Departures(const I& r, std::string* log) : Base(log), r_(r) {}
+    Departures(const I& r, Log* log) : Base(log), r_(r) {}
 
     /// Certified: at least `least` and at most `most` later collisions.
     bool certify(Departure ray, std::uint64_t least, std::uint64_t most) {
         enough_ = least == 0;
         few_ = false;
         int counted = 0;
-        for (std::uint64_t done = 0; done <= most && done <= most_steps_made; ++done) {
+        for (std::uint64_t done = 0; done <= most && done <= most_followed; ++done) {
             note(done, ray);
-            Work::spend(1 << 14);
+            Meter::spend(1 << 14);
             enough_ = enough_ || done >= least;
             if (ray.slope.lo >= one) return fact("all leave steeply (L3), with enough collisions", enough_);
             const bool passes = ray.light && passes_bridge(ray);
             count(ray, passes, least - std::min(least, done), most - done);
             if (enough_ && few_) return true;
             counted += ray.slope.lo >= -r_.lo;
-            if (counted > most_counted_steps) break;
+            if (counted > most_counted) break;
             bool last = false;
             const auto next = ray.light && !passes ? off_bridge(ray) : off_light_wall(ray, last);
             if (last)
@@ -67,7 +70,7 @@ class Departures : public Rays<N> {
     /// Certified height + slope x > r sin x on [0, pi]: above a tangent of r sin x, the best one.
     bool passes_bridge(const Departure& ray) {
         if (ray.slope.lo >= r_.hi) return true;
-        const I z = this->guess_slope(ray.slope.lo / r_.hi);
+        const I z = guess_slope(ray.slope.lo / r_.hi, half_turn.lo, quarter.lo);
         const auto [s, w] = sin_cos_on(z, quarter);
         return (ray.height - r_ * (s - z * w)).lo > zero &&
                (ray.height + ray.slope * half_turn - r_ * (s + (half_turn - z) * w)).lo > zero;
@@ -89,8 +92,8 @@ class Departures : public Rays<N> {
         };
         const I slope(along(ray.slope.hi, at->cosine.lo).lo, along(ray.slope.lo, at->cosine.hi).hi);
         const bool back = D.hi < zero;
-        const I run = back ? at->x : half_turn - at->x, rise = back ? -slope : slope;
-        return Departure{false, r_ * at->sine + rise * run, rise};
+        const I way = back ? at->x : half_turn - at->x, rise = back ? -slope : slope;
+        return Departure{false, r_ * at->sine + rise * way, rise};
     }
     /// The rays that leave the bridge, or pass it, after a contact with the light wall ahead, if all touch it
     /// and turn back; `last`: all touch it and go on over the peak.
@@ -111,8 +114,8 @@ class Departures : public Rays<N> {
 
   private:
     /// Twice what format-initial.md asks for: of all rays, and of those that are counted by G.
-    static constexpr std::uint64_t most_steps_made = 2000;
-    static constexpr int most_counted_steps = 128;
+    static constexpr std::uint64_t most_followed = 2000;
+    static constexpr int most_counted = 128;
     static constexpr double least_ratio = 0x1p-43;  ///< of r: below are more than 10^6 collisions
 
     void require_countable() const {
@@ -121,9 +124,11 @@ class Departures : public Rays<N> {
 
     void note(std::uint64_t done, const Departure& ray) {
         if (this->log_)
-            *this->log_ += "  after " + std::to_string(done) + (ray.light ? ": light wall" : ": bridge") +
-                           ", height at the corner " + Base::show(ray.height) + ", slope " +
-                           Base::show(ray.slope) + "\n";
+            this->log_->line({{("  after " + std::to_string(done) +
+                                (ray.light ? ": light wall" : ": bridge") + ", height at the corner ")
+                                   .c_str(),
+                               ray.height},
+                              {", slope ", ray.slope}});
     }
 
     /// The bounds by G, without following the rays.
@@ -153,7 +158,7 @@ class Departures : public Rays<N> {
         if (!(c.lo > zero && kappa.hi < one)) return std::nullopt;
         const auto near = [&](const N& height, const N& slope) {
             N z = zero;
-            this->guess_root(height, slope, z);
+            guess_root(height, slope, z);
             return z > zero ? std::min(z, quarter.lo) : zero;
         };
         const auto first = this->earliest({c.lo, kappa.lo, r_.lo}, near(c.lo, kappa.lo));
@@ -203,4 +208,4 @@ class Departures : public Rays<N> {
     bool enough_ = false, few_ = false;  ///< what has been certified of the present rays
 };
 
-}  // namespace dumbbell_verify
+}  // namespace dumbbell_verify::starts

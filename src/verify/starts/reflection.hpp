@@ -3,7 +3,7 @@
 #include "verify/starts/flight.hpp"
 #include "verify/starts/ray.hpp"
 
-namespace dumbbell_verify {
+namespace dumbbell_verify::starts {
 
 template <class N>
 class FirstReflection : public Departures<N> {
@@ -12,7 +12,7 @@ class FirstReflection : public Departures<N> {
     using Base::fact, Base::half_turn, Base::quarter, Base::zero;
     using typename Base::Departure, typename Base::I;
 
-    FirstReflection(const Flight<N>& flight, std::string* log) : Base(flight.r, log), flight_(flight) {}
+    FirstReflection(const Flight<N>& flight, Log* log) : Base(flight.r, log), flight_(flight) {}
 
     /// The rays after the first contact, at phi in `angle`; `none`: they never collide again. The slope
     /// d yhat / d phi is a quotient top / D of m = w / -v for falling states, else of n = v / w.
@@ -63,9 +63,9 @@ class FirstReflection : public Departures<N> {
             none = right == before;
             if (none) return std::nullopt;
         }
-        const I run = right ? end - angle : angle - begin, rise = right ? K : -K;
-        return Departure{!heavy, height + rise * run, rise};
+        const I way = right ? end - angle : angle - begin, rise = right ? K : -K;
+        return Departure{!heavy, height + rise * way, rise};
     }
 };
 
-}  // namespace dumbbell_verify
+}  // namespace dumbbell_verify::starts

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "file_text.hpp"
-#include "rooms/verify/make_certificate.hpp"
+#include "rooms/verify/core/make_certificate.hpp"
 #include "target.hpp"
 
 extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, std::size_t most);

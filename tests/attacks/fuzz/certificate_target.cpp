@@ -10,7 +10,7 @@
 #include "collisions/writer.hpp"
 #include "file_text.hpp"
 #include "page/any_certificate.hpp"
-#include "rooms/verify/make_certificate.hpp"
+#include "rooms/verify/core/make_certificate.hpp"
 #include "scratch.hpp"
 #include "start_truth.hpp"
 #include "starts/writer.hpp"
@@ -85,7 +85,7 @@ Start coming_in(const Start& point) {
     return {point[0] * half_turn, s * std::sqrt(q / (1 - s * s)), height * fall, -fall, q};
 }
 
-void check_initial(const dumbbell_verify::Initial& claim, const std::string& text) {
+void check_initial(const dumbbell_verify::starts::Claim& claim, const std::string& text) {
     must(!claim.most || claim.least <= *claim.most, "bounds in order");
     Choices choices(reinterpret_cast<const std::uint8_t*>(text.data()), text.size());
     constexpr int samples = 3;
@@ -101,7 +101,7 @@ void check_initial(const dumbbell_verify::Initial& claim, const std::string& tex
 }
 
 /// What is attained is within the bound.
-void check_invariant(const dumbbell_verify::Adiabatic& claim) {
+void check_invariant(const dumbbell_verify::adiabatic::Claim& claim) {
     for (std::size_t i = 0; i < claim.bounds.size(); ++i)
         must(claim.attained.at(i).value <= claim.bounds[i], "a bound that is not exceeded");
 }
@@ -124,7 +124,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     settings.max_bits = most_bits;
     const std::string kind = value_of(*text, "claim");
     const bool initial = kind == "initial-conditions" || kind == "incoming";
-    const bool about_invariant = dumbbell_verify::adiabatic_kind(kind).has_value();
+    const bool about_invariant = dumbbell_verify::adiabatic::kind_named(kind).has_value();
     if (about_invariant) settings.budget = dumbbell_verify::units_per_second / 10;
     if (const std::string scene = value_of(*text, "scene"); !scene.empty()) settings.scene = scene;
 
@@ -133,11 +133,11 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     must(is_accepted(is_gzip(bytes) ? *text : make::gzipped(bytes), settings, settings.demand),
          "plain and compressed are the same");
     if (initial) {
-        const auto* claim = std::get_if<dumbbell_verify::Initial>(&proof->other);
+        const auto* claim = std::get_if<dumbbell_verify::starts::Claim>(&proof->other);
         must(claim != nullptr, "a claim about initial conditions");
         check_initial(*claim, *text);
     } else if (about_invariant) {
-        const auto* claim = std::get_if<dumbbell_verify::Adiabatic>(&proof->other);
+        const auto* claim = std::get_if<dumbbell_verify::adiabatic::Claim>(&proof->other);
         must(claim != nullptr, "a claim about the invariant");
         check_invariant(*claim);
         check_spelling(*text);

@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <sstream>
 
-#include "rooms/verify/make_initial.hpp"
+#include "rooms/verify/starts/make_file.hpp"
 
 namespace dumbbell_fuzz {
 namespace {

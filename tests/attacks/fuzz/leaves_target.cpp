@@ -9,7 +9,7 @@
 #include "leaf_truth.hpp"
 #include "target.hpp"
 #include "truth.hpp"
-#include "verify/format/section.hpp"
+#include "verify/core/section.hpp"
 
 namespace {
 

@@ -5,8 +5,8 @@
 #include "number/big_interval.hpp"
 #include "number/interval.hpp"
 #include "rooms/number/tightest.hpp"
-#include "verify/number/big.hpp"
-#include "verify/starts/angle.hpp"
+#include "verify/core/big.hpp"
+#include "verify/functions/angle.hpp"
 
 /// The interval layers under attack in one vocabulary: the program's and the verifier's, which share no code,
 /// each in double and in multiple precision. `make` and `low`, `high` are exact if the numbers have bits().

@@ -42,11 +42,11 @@ std::string claim_of(const adiabatic::Certificate& c) {
         line += numbers({a.u, a.s, a.delta, a.value}) + " " + std::to_string(a.n);
     return line;
 }
-std::string claim_of(const dumbbell_verify::Adiabatic& c) {
-    std::string line = std::string(dumbbell_verify::Adiabatic::names.at(c.kind)) +
+std::string claim_of(const dumbbell_verify::adiabatic::Claim& c) {
+    std::string line = std::string(dumbbell_verify::adiabatic::Claim::names.at(c.kind)) +
                        numbers({c.delta_lo, c.delta_hi, c.margin});
     if (c.has_heights()) line += numbers({c.y_lo, c.y_hi});
-    if (c.kind == dumbbell_verify::Adiabatic::bounce) line += " " + std::to_string(c.exponent);
+    if (c.kind == dumbbell_verify::adiabatic::Claim::bounce) line += " " + std::to_string(c.exponent);
     for (const mpq_class& bound : c.bounds) line += numbers({bound});
     for (const auto& a : c.attained)
         line += numbers({a.u, a.s, a.delta, a.value}) + " " + std::to_string(a.collisions);
@@ -138,7 +138,7 @@ class Trees {
 
 }  // namespace
 
-Argument adiabatic_argument(const std::string& path, const dumbbell_verify::Adiabatic* proved) {
+Argument adiabatic_argument(const std::string& path, const dumbbell_verify::adiabatic::Claim* proved) {
     try {
         const adiabatic::Certificate certificate = adiabatic::read_certificate(path);
         if (proved && claim_of(certificate) != claim_of(*proved))

@@ -15,6 +15,7 @@ struct Argument {
 
 /// Of the file at `path`, which the verifier accepted with `proved` as its claim. Without `proved` of all
 /// that the file says.
-[[nodiscard]] Argument adiabatic_argument(const std::string& path, const dumbbell_verify::Adiabatic* proved);
+[[nodiscard]] Argument adiabatic_argument(const std::string& path,
+                                          const dumbbell_verify::adiabatic::Claim* proved);
 
 }  // namespace dumbbell_mutation

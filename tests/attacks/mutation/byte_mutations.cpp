@@ -1,5 +1,5 @@
 #include "mutations.hpp"
-#include "rooms/verify/make_certificate.hpp"
+#include "rooms/verify/core/make_certificate.hpp"
 
 namespace dumbbell_mutation {
 namespace {

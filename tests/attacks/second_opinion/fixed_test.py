@@ -2,13 +2,12 @@
 """The intervals: known hard cases, and random ones against mpmath at a much higher precision."""
 
 import random
-import sys
 import unittest
 from fractions import Fraction
 
-sys.dont_write_bytecode = True
-
 import mpmath
+
+import second
 
 import fixed
 from fixed import Interval, Undecided, greatest, half_pi, hull, interval, least, meet, pi, point, sin_cos, square

@@ -3,11 +3,10 @@
 
 import math
 import random
-import sys
 import unittest
 from fractions import Fraction
 
-sys.dont_write_bytecode = True
+import second
 
 import fixed
 from fixed import half_pi, interval, pi

@@ -1,51 +1,59 @@
 #!/usr/bin/env python3
-"""shipped_test.py PROJECT: re-checks every certificate of N(q) that the project ships, and compares it with
-certificates/claims.tsv. (That of the law for every mass ratio it does not judge.)
+"""shipped_test.py VERIFIER: on every certificate that the project ships, with the claim of certificates/claims.tsv, the second
+verifier prints what the first one does; but for the law, which it does not judge.
 
-Texts over 100,000 bytes by a random 1 % of their leaves and witnesses, the others whole. The seed is the day, so that many
-runs see many leaves; it is printed, and recheck.py --sample 0.01 --seed SEED FILE repeats a run."""
+Of texts over 100,000 bytes a random 1 % of the leaves and witnesses is judged, the others are judged whole. The seed is the
+day, so that many runs see many leaves."""
 
 import re
+import subprocess
 import sys
 import time
-from fractions import Fraction
-from pathlib import Path
+import unittest
 
-sys.dont_write_bytecode = True
+import second
 
-import recheck
-from grammar import unpacked
-from judge import Judge
+import certificate
+import grammar
+import options
+import source
 
-
-def check(path, claim):
-    text = unpacked(path.read_bytes())
-    judge = Judge(0.01 if len(text) > 100_000 else 1.0, int(time.time()) // 86400)
-    start = time.process_time()
-    verdict = recheck.checked(text, judge)
-    print(f"{path.name}: {judge.checked} of {judge.seen} leaves and witnesses, {time.process_time() - start:.1f} s: {verdict}")
-    found = dict(field.split("=") for field in verdict.split(" "))
-    asked = dict(zip(claim[::2], claim[1::2]))
-    ends = [Fraction(end) for end in asked["--ratio"].split(":")]
-    low, high = ends[0], ends[-1]
-    expected = f"{low.numerator}/{low.denominator}:{high.numerator}/{high.denominator}"
-    most, least = asked.get("--max") or asked["--exactly"], asked.get("--min") or asked["--exactly"]
-    return (found["scene"] == asked.get("--scene", "dumbbell") and found["ratio"] == expected
-            and int(found["upper"]) <= int(most) and int(found["lower"]) >= int(least) and found["open"] == "0")
+VERIFIER = sys.argv.pop()
+CERTIFICATES = second.PROJECT / "certificates"
+SEED = int(time.time()) // 86400
 
 
-def main(project):
-    print(f"seed {int(time.time()) // 86400}")
-    rows = (line.split("\t") for line in (project / "certificates/claims.tsv").read_text().splitlines() if not line.startswith("#"))
-    claims = {f"certificates/{row[0]}": row[1].split(" ") for row in rows}
-    shipped = {f"certificates/{path.name}" for path in (project / "certificates").iterdir()
-               if re.search(r"\.dbc(\.gz)?$", path.name)}
-    if shipped != set(claims) or not shipped:
-        return f"certificates/ and certificates/claims.tsv differ: {shipped ^ set(claims)}"
-    judged = [name for name in sorted(shipped) if claims[name] != ["--claim", "law"]]
-    wrong = [name for name in judged if not check(project / name, claims[name])]
-    return f"another claim than that of certificates/claims.tsv: {wrong}" if wrong else 0
+def claims():
+    """The files of the list, and the options that state their claims."""
+    lines = (CERTIFICATES / "claims.tsv").read_text().splitlines()
+    rows = [line.split("\t") for line in lines if not line.startswith("#")]
+    return {row[0]: row[1].split(" ") for row in rows}
+
+
+class Shipped(unittest.TestCase):
+    def test_list_is_complete(self):
+        self.assertEqual({path.name for path in CERTIFICATES.iterdir() if re.search(r"\.dbc(\.gz)?$", path.name)}, set(claims()))
+
+    def test_verdicts(self):
+        for name, claim in claims().items():
+            with self.subTest(name=name):
+                path, start = CERTIFICATES / name, time.process_time()
+                first = subprocess.run([VERIFIER, "--quiet", *claim, path], capture_output=True, text=True, check=False)
+                text = source.unpacked(source.read(str(path)))[0]
+                if claim == ["--claim", "law"]:
+                    line, code = second.verdict_line(path, claim)
+                    self.assertEqual((line.split(" ")[1], code), ("UNSUPPORTED", 3))
+                elif len(text) > 100_000:
+                    sample, demand = second.Sample(0.01, SEED), options.parse([*claim, name]).demand
+                    proof = certificate.check(grammar.Lines(text), demand, sample)
+                    print(f"{name}: {sample.checked} of {sample.seen} leaves and witnesses, seed {SEED}")
+                    line = f"s VERIFIED {proof.text} sha256={proof.checksum}{demand.text()}"
+                    self.assertEqual((line + "\n", 0), (first.stdout, first.returncode))
+                else:
+                    line, code = second.verdict_line(path, claim)
+                    self.assertEqual((line + "\n", code), (first.stdout, first.returncode))
+                print(f"{name}: {time.process_time() - start:.1f} s")
 
 
 if __name__ == "__main__":
-    sys.exit(main(Path(sys.argv[1])))
+    unittest.main()

@@ -24,38 +24,35 @@ def below(folder, sources, headers=""):
 # the verifier is (progress.cpp).
 VERIFIER = {
     # the numbers
-    **below("verify", "",
-            "number/number:collisions/turning number/interval:collisions/turning starts/angle:starts/leaf "
-            "number/big:collisions/turning input/work:collisions/turning"),
+    **below("verify", "machine/arithmetic machine/work",
+            "core/number:core/turning core/interval:core/turning core/big:core/turning functions/angle:starts/leaf "
+            "machine/meter:machine/work"),
     # the leaves
-    **below("verify", "collisions/turning sections/full sections/plain sections/wedge starts/leaf",
-            "format/precision:collisions/turning collisions/ray:collisions/turning sections/bridge:sections/full "
-            "format/section:collisions/turning starts/flight:starts/leaf starts/ray:starts/leaf "
-            "starts/reflection:starts/leaf"),
+    **below("verify", "core/turning macro/leaps sections/full sections/plain sections/wedge starts/leaf",
+            "core/ray:core/turning core/section:core/turning sections/bridge:sections/full starts/flight:starts/leaf "
+            "starts/ray:starts/leaf starts/reflection:starts/leaf"),
     # the files and their claims
-    **below("verify", "collisions/grammar starts/grammar starts/claim format/claim format/header program/verify",
-            "collisions/proofs:collisions/grammar format/text:format/header input/bytes:format/header input/budget:format/header "
-            "format/reader:collisions/grammar format/proof:collisions/grammar "
-            "format/claim:program/verify starts/grammar:starts/grammar"),
+    **below("verify", "core/certificate core/claim starts/grammar starts/claim program/verify",
+            "core/proofs:core/certificate core/text:core/certificate core/tree:core/certificate core/reader:core/certificate "
+            "core/settings:core/certificate core/claim:program/verify input/bytes:program/verify starts/grammar:starts/grammar "
+            "starts/zero:starts/grammar"),
     # the program: what was asked, and what the verdict and the exit code say
     **below("verify/program", "options option_table claim_options claim_list together "
-            "examine main summary json junit escape replace_file", "words:options"),
+            "examine main summary json junit escape replace_file", "arguments:options"),
 }
 
 ADIABATIC = below(
-    "verify", "adiabatic/grammar adiabatic/attained adiabatic/bounce adiabatic/claim adiabatic/class adiabatic/run",
-    "adiabatic/grammar:adiabatic/grammar adiabatic/bounce:adiabatic/run adiabatic/check:adiabatic/run "
-    "adiabatic/claim:adiabatic/claim adiabatic/contact:adiabatic/run adiabatic/potential:adiabatic/class "
-    "adiabatic/arcsine:adiabatic/run")
+    "verify", "adiabatic/grammar adiabatic/attained adiabatic/bounce adiabatic/claim adiabatic/class adiabatic/bounces",
+    "adiabatic/grammar:adiabatic/grammar adiabatic/bounce:adiabatic/bounces adiabatic/check:adiabatic/bounces "
+    "adiabatic/claim:adiabatic/claim adiabatic/contact:adiabatic/bounces adiabatic/potential:adiabatic/class "
+    "adiabatic/arcsine:adiabatic/bounces")
 
 GROUPS = {
     "verify": Group(
         files=VERIFIER,
         # Guesses, from which certified steps start; and what `--explain` and a terminal show to people.
-        left_out=frozenset({"guess_root", "guess_top", "guess_slope", "guess_sin_cos", "guess_tolerance",
-                            "guess_crossing", "terms", "sqrt", "describe", "show", "counted", "log", "note",
-                            "block", "demand_text"}),
-        texts=frozenset(("verify/starts/claim.cpp", "verify/format/claim.cpp", *(
+        left_out=frozenset({"guess_crossing", "terms", "describe", "log", "note", "block", "demand_text"}),
+        texts=frozenset(("verify/starts/claim.cpp", "verify/core/claim.cpp", *(
             f"verify/program/{name}.cpp" for name in ("summary", "json", "junit", "escape", "main", "together")))),
         targets=("dumbbell-verify", "test_verify", "test_verify_poor_libraries", "mutation"),
         programs=("tests/rooms/verify/test_verify", "tests/rooms/verify/test_verify_poor_libraries"),
@@ -65,7 +62,7 @@ GROUPS = {
                  ("{build}/tests/attacks/mutation/mutation", "--replay", "{work}/corpus/manifest.tsv"))),
     "adiabatic": Group(
         files=ADIABATIC,
-        left_out=frozenset({"describe", "show", "counted", "log", "note"}),
+        left_out=frozenset(),
         texts=frozenset({"verify/adiabatic/claim.cpp"}),
         targets=("dumbbell-verify", "test_verify", "mutation"),
         programs=("tests/rooms/verify/test_verify",),

@@ -9,8 +9,8 @@
 #include <map>
 #include <random>
 
-#include "rooms/verify/adiabatic_rows.hpp"
-#include "rooms/verify/leaf_rows.hpp"
+#include "rooms/verify/adiabatic/rows.hpp"
+#include "rooms/verify/core/leaf_rows.hpp"
 
 namespace {
 
@@ -85,17 +85,17 @@ void narrow(Case& c, std::size_t axis, double at, double width) {
 }
 double small() { return std::exp2(-static_cast<double>(below(6)) - 4); }
 
-Case common(Adiabatic::Kind kind) {
+Case common(adiabatic::Claim::Kind kind) {
     Case c;
     c.kind = kind;
     c.bits = std::array{0U, 0U, 9U, 12U, 16U, 53U}.at(below(6));
-    c.exponent = kind == Adiabatic::run      ? 0
-                 : kind == Adiabatic::bounce ? static_cast<unsigned>(below(17))
-                                             : 8;
+    c.exponent = kind == adiabatic::Claim::run      ? 0
+                 : kind == adiabatic::Claim::bounce ? static_cast<unsigned>(below(17))
+                                                    : 8;
     c.y_lo = rounded(uniform(0, 0.6));
     c.y_hi = rounded(uniform(0.7, 1));
     c.margin = rounded(uniform(0.2, 1));
-    narrow(c, axis_delta, std::max(0.01, uniform(0.02, 0.4)), 0.05 * small());
+    narrow(c, adiabatic::axis_delta, std::max(0.01, uniform(0.02, 0.4)), 0.05 * small());
     return c;
 }
 
@@ -108,60 +108,63 @@ void cells_of(Case& c, double factor) {
 }
 
 void bounce_leaf() {
-    Case c = common(Adiabatic::bounce);
-    narrow(c, axis_u, uniform(0.1, 1.5), small());
-    narrow(c, axis_s, uniform(0, 0.9), small());
+    Case c = common(adiabatic::Claim::bounce);
+    narrow(c, adiabatic::axis_u, uniform(0.1, 1.5), small());
+    narrow(c, adiabatic::axis_s, uniform(0, 0.9), small());
     c.bounds = {4, 64};
     c.outside = below(3) == 0;
     if (c.outside && below(2) == 0) c.y_hi = rounded(uniform(0, 0.6)), c.y_lo = 0;
-    around(c, {axis_u, axis_s, axis_delta});
+    around(c, {adiabatic::axis_u, adiabatic::axis_s, adiabatic::axis_delta});
 }
-void run_leaf(Adiabatic::Kind kind) {
+void run_leaf(adiabatic::Claim::Kind kind) {
     Case c = common(kind);
-    if (kind == Adiabatic::scattering) narrow(c, axis_delta, uniform(0.001, 0.05), 0.001 * small());
-    narrow(c, axis_u, uniform(0.2, 1.5), small());
-    narrow(c, axis_v, uniform(0.2, 1.5), small());
+    if (kind == adiabatic::Claim::scattering)
+        narrow(c, adiabatic::axis_delta, uniform(0.001, 0.05), 0.001 * small());
+    narrow(c, adiabatic::axis_u, uniform(0.2, 1.5), small());
+    narrow(c, adiabatic::axis_v, uniform(0.2, 1.5), small());
     if (below(3) == 0) {  // where r/w^2 is large
-        narrow(c, axis_delta, uniform(0.3, 0.48), 0.001 * small());
-        narrow(c, axis_v, uniform(0.1, 0.6), small());
+        narrow(c, adiabatic::axis_delta, uniform(0.3, 0.48), 0.001 * small());
+        narrow(c, adiabatic::axis_v, uniform(0.1, 0.6), small());
         c.margin = mpq_class(1, 64);
     }
-    narrow(c, axis_s, uniform(0, 0.9), small());
+    narrow(c, adiabatic::axis_s, uniform(0, 0.9), small());
     c.bounds = {64};
     cells_of(c, uniform(0.1, 1));
     c.outside = below(3) == 0;
     if (c.outside && below(2) == 0) c.y_hi = rounded(uniform(0, 0.6)), c.y_lo = 0;
-    around(c, {axis_u, axis_v, axis_s, axis_delta});
+    around(c, {adiabatic::axis_u, adiabatic::axis_v, adiabatic::axis_s, adiabatic::axis_delta});
 }
 void class_leaf() {
-    Case c = common(Adiabatic::run);
-    c.part = AdiabaticLeaf::class_tree;
+    Case c = common(adiabatic::Claim::run);
+    c.part = adiabatic::Leaf::class_tree;
     if (c.bits > 12) c.bits = 0;
-    narrow(c, axis_u, uniform(0.4, 1.4), small() / 8);
-    narrow(c, axis_sigma, uniform(0, 3), small() / 4);
+    narrow(c, adiabatic::axis_u, uniform(0.4, 1.4), small() / 8);
+    narrow(c, adiabatic::axis_sigma, uniform(0, 3), small() / 4);
     if (below(3) == 0)  // where the wall at the upper contact is about as steep as the flight
-        narrow(c, axis_u, c.box.lo.at(axis_sigma).get_d() * c.box.lo.at(axis_delta).get_d(), small());
+        narrow(c, adiabatic::axis_u,
+               c.box.lo.at(adiabatic::axis_sigma).get_d() * c.box.lo.at(adiabatic::axis_delta).get_d(),
+               small());
     cells_of(c, uniform(0.5, 4));
     c.outside = below(3) == 0;
-    if (c.outside) narrow(c, axis_sigma, uniform(1, 7), small());
-    around(c, {axis_u, axis_sigma, axis_delta});
-    c.part = AdiabaticLeaf::class_itself;
+    if (c.outside) narrow(c, adiabatic::axis_sigma, uniform(1, 7), small());
+    around(c, {adiabatic::axis_u, adiabatic::axis_sigma, adiabatic::axis_delta});
+    c.part = adiabatic::Leaf::class_itself;
     move(c, c.J, -1);
 }
 void state() {
-    const auto kind = static_cast<Adiabatic::Kind>(below(3));
+    const auto kind = static_cast<adiabatic::Claim::Kind>(below(3));
     Case c = common(kind);
-    c.part = AdiabaticLeaf::attained;
+    c.part = adiabatic::Leaf::attained;
     c.bits = c.bits > 0 && c.bits < 53 ? 26 : c.bits;
-    c.box.hi[axis_delta] = c.box.lo[axis_delta];
+    c.box.hi[adiabatic::axis_delta] = c.box.lo[adiabatic::axis_delta];
     c.margin = mpq_class(1, 64);
     c.y_lo = 0;
     c.y_hi = 1;
-    c.bounds.assign(kind == Adiabatic::bounce ? 2 : 1, 1);
-    c.index = kind == Adiabatic::bounce ? below(2) : 0;
-    c.state = {rounded(uniform(0.1, 1.4)), rounded(uniform(0, 1)), c.box.lo[axis_delta], 1, 0};
-    const std::uint64_t most = kind == Adiabatic::bounce ? 1 : 6;
-    for (c.state.collisions = kind == Adiabatic::bounce ? 1 : below(4); c.state.collisions <= most;
+    c.bounds.assign(kind == adiabatic::Claim::bounce ? 2 : 1, 1);
+    c.index = kind == adiabatic::Claim::bounce ? below(2) : 0;
+    c.state = {rounded(uniform(0.1, 1.4)), rounded(uniform(0, 1)), c.box.lo[adiabatic::axis_delta], 1, 0};
+    const std::uint64_t most = kind == adiabatic::Claim::bounce ? 1 : 6;
+    for (c.state.collisions = kind == adiabatic::Claim::bounce ? 1 : below(4); c.state.collisions <= most;
          ++c.state.collisions) {
         if (!is_certified(c)) continue;
         move(c, c.state.value, 1);
@@ -182,8 +185,8 @@ void make(std::uint64_t seed, int number) {
     engine.seed(seed);
     for (int i = 0; i < number; ++i) {
         bounce_leaf();
-        run_leaf(Adiabatic::run);
-        run_leaf(Adiabatic::scattering);
+        run_leaf(adiabatic::Claim::run);
+        run_leaf(adiabatic::Claim::scattering);
         state();
         if (i % 2 == 0) class_leaf();
     }

@@ -8,7 +8,7 @@
 #include <iostream>
 #include <random>
 
-#include "rooms/verify/law_rows.hpp"
+#include "rooms/verify/law/rows.hpp"
 
 namespace {
 

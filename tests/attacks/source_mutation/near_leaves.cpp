@@ -9,12 +9,13 @@
 #include <iostream>
 #include <random>
 
-#include "rooms/verify/leaf_rows.hpp"
+#include "rooms/verify/core/leaf_rows.hpp"
+
+namespace starts = dumbbell_verify::starts;
 
 namespace {
 
 using namespace leaf_rows;
-using dumbbell_verify::FirstContact;
 
 class Maker {
   public:
@@ -121,7 +122,7 @@ class Maker {
                     const double pad = std::exp2(-static_cast<int>(below(8)) - 4);
                     const mpq_class from = rounded(t - 1.0 / 64 - pad), until = rounded(t + pad);
                     if (from <= 0 || until <= from) return leaf;
-                    leaf.first = FirstContact{heavy, from, until};
+                    leaf.first = starts::FirstContact{heavy, from, until};
                 }
         const bool window = below(6) != 0;
         if (!window) leaf.first.reset();

@@ -81,3 +81,12 @@ TEST_CASE("one collision more or less than a maximum beyond 64 bits is rejected"
     write_sealed(file, moved_hint(more, "witness", '0', '1'));
     CHECK_THAT(verified(file, {}).out, Contains("REJECTED") && Contains("G for sigma X"));
 }
+
+TEST_CASE("certify stops soon at 10^100") {
+    const TemporaryFolder folder;
+    const Outcome late =
+        dumbbell({"certify", "1e100", "--budget", "1s", "--json", "--out", folder / "late.dbc"});
+    CHECK(late.code == 3);
+    CHECK_THAT(late.err, Contains("not decided: allow more time"));
+    CHECK(Json::parse(late.out).at("seconds") < 10);
+}

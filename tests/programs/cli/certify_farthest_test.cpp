@@ -19,12 +19,3 @@ TEST_CASE("the maximum at 10^100 is proved, verified, and what the law says") {
     CHECK(piece.at("lower") == upper);
     CHECK(verifier({"--quiet", "--ratio", "1e100", "--exactly", upper, file}).code == 0);
 }
-
-TEST_CASE("certify stops soon at 10^100") {
-    const TemporaryFolder folder;
-    const Outcome late =
-        dumbbell({"certify", "1e100", "--budget", "1s", "--json", "--out", folder / "late.dbc"});
-    CHECK(late.code == 3);
-    CHECK_THAT(late.err, Contains("not decided: allow more time"));
-    CHECK(Json::parse(late.out).at("seconds") < 10);
-}

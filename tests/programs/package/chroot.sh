@@ -1,5 +1,4 @@
-# Sourced by chroot_trial: a Debian 12 that has nothing but what every Debian has, and commands run in it.
-release=bookworm
+# Sourced by chroot_trial: a Debian, $suite, that has nothing but what every Debian has, and commands run in it.
 
 skip() { # skip WHY: loudly, and not as if it had passed
     printf '\nSKIPPED, nothing was tried: %s\n\n' "$*" >&2
@@ -11,14 +10,15 @@ targets() { apt-get indextargets --format "$1" 'Created-By: Packages' 'Origin: D
 
 # make_base FOLDER: a minimal system that takes its packages from where this machine does.
 make_base() {
-    local mirror
+    local mirror own
     (($(id -u) == 0)) || skip "a chroot needs root"
     command -v debootstrap > /dev/null || skip "there is no debootstrap: .ci/install trust"
-    mirror=$(targets '$(CODENAME) $(SITE)' | sed -n "s/^$release //p" | head -n 1)
-    [[ -n $mirror ]] || skip "apt knows no mirror of Debian $release: apt-get update, on Debian 12"
-    debootstrap --variant=minbase "$release" "$1" "$mirror" > "$1.log" 2>&1 ||
+    own=$(. /etc/os-release && echo "${VERSION_CODENAME-}")
+    mirror=$(targets '$(CODENAME) $(SITE)' | sed -n "s/^$own //p" | head -n 1)
+    [[ -n $mirror ]] || skip "apt knows no mirror of Debian: apt-get update, on Debian"
+    debootstrap --variant=minbase "$suite" "$1" "$mirror" > "$1.log" 2>&1 ||
         skip "debootstrap failed (in a container it needs the right to make devices and mounts): $(tail -n 1 "$1.log")"
-    targets 'deb $(SITE) $(RELEASE) main' > "$1/etc/apt/sources.list"
+    targets 'deb $(SITE) $(RELEASE) main' | sed "s/ $own/ $suite/" > "$1/etc/apt/sources.list"
     apt-config dump | grep -E '^Acquire::(http|https)::Proxy ' > "$1/etc/apt/apt.conf.d/01proxy" || true
     cp -L -- /etc/resolv.conf /etc/hosts "$1/etc/"
     # Whom this machine trusts beyond Debian, such as its proxy: taken over when ca-certificates is installed.

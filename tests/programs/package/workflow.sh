@@ -1,14 +1,12 @@
-# Sourced by tests: what docs/ci says to type, or to copy into a workflow.
-workflow=$root/docs/ci/verify-proofs.yml
-
+# Sourced by tests: what docs/ci says to type, what action.yml does, and what the Containerfile runs.
+commands_by_hand() { sed -nE '/^    apt-get install/,/^$/s/^    (.*)/\1 /p' "$root/docs/ci/README.md"; }
+container_command() { sed -n 's/^RUN //p' "$root/Containerfile"; }
 # The command of the step that is called so.
 step() {
-    python3 - "$workflow" "$1" << 'END'
+    python3 - "$root/action.yml" "$1" << 'END'
 import sys, yaml
-document = yaml.safe_load(open(sys.argv[1]))
-(job,) = document["jobs"].values()
-(command,) = [s["run"] for s in job["steps"] if s.get("name") == sys.argv[2]]
+steps = yaml.safe_load(open(sys.argv[1]))["runs"]["steps"]
+(command,) = [step["run"] for step in steps if step["name"] == sys.argv[2]]
 print(command)
 END
 }
-commands_by_hand() { sed -nE '/^    apt-get install/,/^$/s/^    (.*)/\1 /p' "$root/docs/ci/README.md"; }

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# workflow_test.sh: the workflow in docs/ci is YAML of the expected shape, and its own commands, run here on a
+# workflow_test.sh: action.yml is YAML of the expected shape, and its own commands and the Containerfile's, run here on a
 # copy of this tree, build the verifier without the packages that only the prover needs, and verify.
 set -euo pipefail
 here=$(cd -- "$(dirname -- "$0")" && pwd)
@@ -8,43 +8,48 @@ source "$here/expect.sh"
 source "$here/workflow.sh"
 code=0 out=
 
-expect "no tab" lacks "$(< "$workflow")" $'\t'
-
-expect "every step has a name, and either a command or an action" python3 - "$workflow" << 'END'
+expect "every step has a name, and either a command with its shell or an action" python3 - "$root/action.yml" << 'END'
 import sys, yaml
 document = yaml.safe_load(open(sys.argv[1]))
-assert set(document) == {"name", True, "permissions", "env", "jobs"}, document.keys()  # `on` reads as true
-assert document["permissions"] == {"contents": "read"}
-(job,) = document["jobs"].values()
-for step in job["steps"]:
-    assert step["name"] and ("run" in step) != ("uses" in step), step
-names = [step["name"] for step in job["steps"]]
-assert names.index("Build the verifier") < names.index("Verify") < names.index("Keep the report")
+assert set(document) == {"name", "description", "inputs", "runs"} and document["runs"]["using"] == "composite"
+for step in document["runs"]["steps"]:
+    assert step["name"] and ("run" in step) != ("uses" in step) and ("run" in step) == ("shell" in step), step
 END
-finish
-
-for package in $(awk '$1 ~ /(^|,)verify(,|$)/ { print $2 }' "$root/.ci/packages.txt"); do
-    expect "it installs $package" has "$(step "Install what the verifier is built with") " " $package "
+for package in $("$root/.ci/install" --names verify); do
     expect "the commands of docs/ci install $package" has "$(commands_by_hand) " " $package "
 done
 
 # On a copy of this tree that does not find what the verifier does without.
-mkdir -- "$scratch/.dumbbell"
-cp -r -- "$root"/{CMakeLists.txt,LICENSE,CITATION.cff,*.md,certificates,cmake,docs,proofs,src} "$scratch/.dumbbell"
+copy=$scratch/dumbbell
+mkdir -- "$copy"
+cp -r -- "$root"/{.ci,run,CMakeLists.txt,CMakePresets.json,LICENSE,CITATION.cff,*.md,certificates,cmake,docs,proofs,src} "$copy"
 cp -- "$root"/certificates/{q-10,stairs-1-100}.dbc "$root/docs/ci/claims.tsv" "$scratch"
 for package in Boost CGAL CLI11 Eigen3 fmt nlohmann_json Catch2; do
-    sed -i "1a set(CMAKE_DISABLE_FIND_PACKAGE_$package ON)" "$scratch/.dumbbell/CMakeLists.txt"
+    sed -i "1a set(CMAKE_DISABLE_FIND_PACKAGE_$package ON)" "$copy/CMakeLists.txt"
 done
-export CLAIMS=claims.tsv
-run bash -e -c "$(step "Build the verifier")"
-expect "the verifier alone is built and installed" is "$code" 0
-expect "nothing else is" test ! -e "$scratch/.dumbbell/installed/bin/dumbbell"
+export GITHUB_ACTION_PATH=$copy GITHUB_OUTPUT=$scratch/output CLAIMS=claims.tsv REPORT=proofs.xml
+run bash -e -c "$(step "Name the verifier by the digest of its source")"
+expect "the verifier has a name" grep -qE '^name=dumbbell-verify-[^-]+-[0-9a-f]{64}$' "$scratch/output"
+echo >> "$copy/src/verify/program/main.cpp"
+run bash -e -c "$(step "Name the verifier by the digest of its source")"
+expect "another one, if its source changes" is "$(sort -u "$scratch/output" | wc -l)" 2
+run bash -e -c "$(step "Build it")"
+expect "the verifier is built" is "$code" 0
+expect "and nothing else" is "$(ls "$copy/build/static/bin")" dumbbell-verify
 run bash -e -c "$(step Verify)"
 expect "verifies" is "$code" 0
 expect "verifies all" has "$out" "c files=3 verified=3 "
 expect "reports all" grep -q ' tests="3" failures="0" errors="0" ' "$scratch/proofs.xml"
+run env -i .dumbbell/dumbbell-verify --ratio 10 --exactly 4 q-10.dbc
+expect "it needs no environment" is "$code" 0
+expect "and no library" has "$(file -L "$scratch/.dumbbell/dumbbell-verify")" "statically linked"
 sed -i 's/--exactly 4/--exactly 5/' "$scratch/claims.tsv"
 run bash -e -c "$(step Verify)"
 expect "a false claim ends the workflow" is "$code" 1
 expect "and is in the report" grep -q ' failures="2" errors="0" ' "$scratch/proofs.xml"
+
+run bash -e -c "$(container_command | sed "s| /dumbbell| $copy|g; s|^/dumbbell|$copy|")"
+expect "the Containerfile's command makes the verifier" is "$code" 0
+run "$copy-verify" --ratio 1:100 --max 10 stairs-1-100.dbc
+expect "which verifies" is "$code" 0
 finish

@@ -11,7 +11,7 @@ unset DUMBBELL_WERROR
 
 mkdir -p -- "$project/.ci" "$scratch/elsewhere" "$fake"
 cp -- "$source_root/run" "$source_root/CMakePresets.json" "$project"
-cp -- "$source_root"/.ci/{install,packages.txt} "$project/.ci"
+cp -- "$source_root"/.ci/{elsewhere.txt,install,packages.txt} "$project/.ci"
 cat > "$project/CMakeLists.txt" << 'END'
 cmake_minimum_required(VERSION 3.25)
 project(scratch LANGUAGES CXX)
@@ -109,6 +109,28 @@ expect "an alternative that is too old does not do; apt-get is told all" \
     has "$err" "satisfy -y --no-install-recommends 'libmpfr-dev, libflint-arb-dev|libflint-dev(>=3)'\""
 FAKE_FLINT=3.1.3-2
 
+# Every group can be had on Debian 12 and on Debian 13: one of the alternatives is there.
+mkdir -- "$scratch/suite"
+printf '#!/bin/sh\nawk -v n="$FAKE_SUITE" \x27!/^#/ && $n != "-" { print "installed", $1, $n }\x27 "%s"\n' \
+    "$source_root/tests/programs/run/suites.tsv" > "$scratch/suite/dpkg-query"
+chmod +x "$scratch/suite/dpkg-query"
+groups=$(awk '!/^#/ && NF { gsub(",", " ", $1); print $1 }' "$source_root/.ci/packages.txt" | xargs)
+for FAKE_SUITE in 2 3; do
+    run_in "$scratch" env PATH="$scratch/suite:$fake:$PATH" FAKE_SUITE=$FAKE_SUITE "$project/.ci/install" $groups
+    expect "all that is listed can be had on Debian $((FAKE_SUITE + 10))" is "$code$err" 0
+done
+
+# Where there is no apt: the names of what is missing, and no error of a shell.
+mkdir -- "$scratch/other"
+for program in bash cat dirname env nproc readlink flock; do
+    ln -s -- "$(type -P "$program")" "$scratch/other"
+done
+run_in "$scratch" env PATH="$scratch/other" "$project/run" certify 10
+expect "no apt: exit 2" is "$code" 2
+expect "no apt: the names elsewhere" grep -qE 'ninja +ninja-build +ninja +ninja +ninja$' "$scratch/err"
+expect "no apt: libraries, too" has "$err" nettle-devel
+expect "no apt: nothing is not found by the shell" lacks "$err" "command not found"
+
 FAKE_UID=0 FAKE_APT=fails
 with_fakes "$project/run" certify 10
 expect "apt-get fails: exit 1" is "$code" 1
@@ -146,6 +168,10 @@ run_in "$project" ./run build more
 expect "build: no arguments" is "$code" 2
 run_in "$project" ./run package now
 expect "package takes no arguments" is "$code" 2
+run_in "$project" ./run static sparc
+expect "static: for this machine, or aarch64" is "$code$err" "2run: static makes the verifier for this machine, or for aarch64"
+run_in "$project" ./run release
+expect "a release is of a commit" is "$code" 2
 run_in "$project" ./run bench
 expect "bench, none there: exit 1" is "$code" 1
 expect "bench, none there: says so" has "$err" "no benchmarks"

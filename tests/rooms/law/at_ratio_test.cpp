@@ -57,7 +57,7 @@ TEST_CASE("the law reaches as far as one can write ratios") {
     CHECK(at.lower == at.upper);
     CHECK(at.lower.str() == "88559512945271391141202194891455767300579529460287");
     CHECK(width(at.past) < 1e-45);
-    // C to as many digits (rooms/verify/law_constants_test.cpp has them from a series of its own).
+    // C to as many digits (rooms/verify/law/constants_test.cpp has them from a series of its own).
     CHECK(at_ratio(parse_rational("1e200")).lower.str() ==
           "88559512945271391141202194891455767300579529460285208340726080557816077824860635006196282336302454"
           "06");

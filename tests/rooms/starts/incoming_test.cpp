@@ -8,7 +8,7 @@
 #include "attacks/oracle/trial.hpp"
 #include "box.hpp"
 #include "catch.hpp"
-#include "rooms/verify/make_initial.hpp"
+#include "rooms/verify/starts/make_file.hpp"
 #include "sample.hpp"
 #include "starts/leaf.hpp"
 #include "starts/reader.hpp"
@@ -43,12 +43,12 @@ TEST_CASE("a piece of the section becomes the same states here and in the verifi
         piece.lo[1] = exact(s);
         piece.hi[1] = piece.lo[1] + Rational(1, 1024);
         const Box states = states_of_incoming(piece);
-        dumbbell_verify::Box same;
+        dumbbell_verify::starts::Box same;
         for (std::size_t axis = 0; axis < axis_count; ++axis) {
             same.lo[axis] = mpq_class(piece.lo[axis].raw());
             same.hi[axis] = mpq_class(piece.hi[axis].raw());
         }
-        const dumbbell_verify::Box checked = dumbbell_verify::incoming_states(same);
+        const dumbbell_verify::starts::Box checked = dumbbell_verify::starts::incoming_states(same);
         constexpr long double pi = 3.14159265358979323846264338327950288L;
         const auto below = [](long double a, long double b) { return a <= b * (1 + 1e-17L) + 1e-17L; };
         const auto tight = [](long double a, long double b) {
@@ -73,13 +73,13 @@ TEST_CASE("a piece of the section becomes the same states here and in the verifi
 
 TEST_CASE("the verifier's bounds of pi and of the root contain them") {
     Box piece = incoming_box(2);  // s = 3/5: the root of 2 times 3/4
-    dumbbell_verify::Box same;
+    dumbbell_verify::starts::Box same;
     for (std::size_t axis = 0; axis < axis_count; ++axis) {
         same.lo[axis] = same.hi[axis] = mpq_class(piece.lo[axis].raw());
     }
     same.lo[0] = same.hi[0] = 1;
     same.lo[1] = same.hi[1] = mpq_class(3, 5);
-    const auto states = dumbbell_verify::incoming_states(same);
+    const auto states = dumbbell_verify::starts::incoming_states(same);
     const PrecisionScope scope(300);
     const auto half_turn = pi<BigInterval>();
     CHECK(Rational(states.lo[0].get_mpq_t()) < exact_lo(half_turn));
@@ -100,7 +100,7 @@ TEST_CASE("certificates about incoming trajectories are verified, with the same 
         dumbbell_verify::Settings settings;
         settings.shares = true;
         const auto proof =
-            std::get<dumbbell_verify::Initial>(dumbbell_verify::verify(file.path(), settings).other);
+            std::get<dumbbell_verify::starts::Claim>(dumbbell_verify::verify(file.path(), settings).other);
         CHECK(proof.paragraph().ends_with("\n" + share_lines(share_bounds(parts.tree))));
         CHECK(proof.text().starts_with("claim=incoming ratio="));
         CHECK(render(read_certificate(file.path())).sha256 == written.sha256);

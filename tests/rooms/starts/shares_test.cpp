@@ -23,11 +23,11 @@ Box falling(const Rational& q) {
             {Rational(3), Rational(3), Rational(3, 2), Rational(-1), q}};
 }
 
-dumbbell_verify::Initial checked(const std::string& text) {
+dumbbell_verify::starts::Claim checked(const std::string& text) {
     const make::File file(text);
     dumbbell_verify::Settings settings;
     settings.shares = true;
-    return std::get<dumbbell_verify::Initial>(dumbbell_verify::verify(file.path(), settings).other);
+    return std::get<dumbbell_verify::starts::Claim>(dumbbell_verify::verify(file.path(), settings).other);
 }
 
 /// How many of `trials` random starts of the box have each number of collisions, and how many of them are too

@@ -134,12 +134,12 @@ TEST_CASE("What the verifier accepts of claims made up at random is true") {
         const double q_hi = i % 5 == 0 ? q * (1 + (sides.phi_hi - sides.phi_lo)) : q;
         const std::array lo{sides.phi_lo, sides.phidot_lo, sides.y_lo, sides.ydot_lo, q};
         const std::array hi{sides.phi_hi, sides.phidot_hi, sides.y_hi, sides.ydot_hi, q_hi};
-        dumbbell_verify::Leaf leaf;
+        dumbbell_verify::starts::Leaf leaf;
         for (std::size_t k = 0; k < 5; ++k) {
             leaf.box.lo.at(k) = exact_mpq(lo.at(k));
             leaf.box.hi.at(k) = exact_mpq(hi.at(k));
         }
-        if (!dumbbell_verify::starts_in_the_air(leaf.box, 53)) {
+        if (!dumbbell_verify::starts::starts_in_the_air(leaf.box, 53)) {
             continue;
         }
         // Of one point or near it: its number of collisions, its first contact.
@@ -167,7 +167,7 @@ TEST_CASE("What the verifier accepts of claims made up at random is true") {
         }
         leaf.multiple = i % 50 == 0;
         leaf.bits = leaf.multiple ? 90 : 53;
-        if (dumbbell_verify::check_initial(leaf, nullptr) != nullptr) {
+        if (dumbbell_verify::starts::check_leaf(leaf, nullptr) != nullptr) {
             ++refused;
             continue;
         }

@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "rooms/verify/make_certificate.hpp"
+#include "rooms/verify/core/make_certificate.hpp"
 #include "starts/subdivide.hpp"
 #include "starts/writer.hpp"
 #include "verify/program/verify.hpp"

@@ -9,7 +9,7 @@ trap 'rm -rf "$folder"' EXIT
 failures=0
 here=$(dirname -- "${BASH_SOURCE[0]}")
 program=("$here/program.cpp" "$project"/src/number/{elementary,interval,self_test}.cpp)
-verifier=("$here/verifier.cpp")
+verifier=("$here/verifier.cpp" "$project/src/verify/machine/arithmetic.cpp")
 declare -A first
 
 fail() {

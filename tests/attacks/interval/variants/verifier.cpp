@@ -1,6 +1,6 @@
 // Fixed evaluations of the verifier's interval layer in double.
 #include "fixed.hpp"
-#include "verify/starts/angle.hpp"
+#include "verify/functions/angle.hpp"
 
 namespace dumbbell_verify {
 

@@ -1,0 +1,148 @@
+"""The claim `collisions`: the file, its pieces and trees; format.md 2, 3 and format-sections.md."""
+
+import full
+import plain
+import turning
+import wedge
+from demand import interval_text, part_text
+from judge import ends
+from tree import walk
+
+# (lemmas, scene, section): the module that knows the section's charts.
+SECTIONS = {
+    ("1", "dumbbell", "turning"): turning,
+    ("1", "dumbbell", "full"): full,
+    ("minimal", "dumbbell", "full"): plain,
+    ("1", "wedge", "turning"): wedge,
+    ("1", "hybrid", "turning"): wedge,
+}
+
+
+class Staircase:
+    """What is proved: of each piece [a, b], in ascending order, U (None: no bound) and V."""
+
+    def __init__(self, scene, heavy_once, pieces, checksum):
+        self.pieces, self.checksum = pieces, checksum
+        self.low, self.high = pieces[0][0], pieces[-1][1]
+        uppers, lowers = [piece[2] for piece in pieces], [piece[3] for piece in pieces]
+        gaps = sum(u is not None and u == v + 1 for u, v in zip(uppers, lowers))
+        opens = sum(u is None or u > v + 1 for u, v in zip(uppers, lowers))
+        heavy = " heavy-at-most=1" if heavy_once and None not in uppers else ""
+        self.text = (f"scene={scene} ratio={interval_text(self.low, self.high)} "
+                     f"upper={'none' if None in uppers else max(uppers)} lower={min(lowers)} gaps={gaps} open={opens}{heavy}")
+
+    def missing(self, demand):
+        """What is demanded and not proved; None: nothing."""
+        low, high = demand.ratios or (self.low, self.high)
+        if low < self.low or high > self.high:
+            return part_text(self.low, self.high, low, high)
+        where = f" collisions for every mass ratio in {interval_text(low, high)}"
+        if demand.most is not None and not covered(
+                [(a, b) for a, b, u, _ in self.pieces if u is not None and u <= demand.most], low, high):
+            return f"not proved: at most {demand.most}{where}"
+        if demand.least is not None and not covered(
+                [(a, b) for a, b, _, v in self.pieces if v >= demand.least], low, high):
+            return f"not proved: at least {demand.least}{where}"
+        return None
+
+    def says_nothing(self, demand):
+        """No bound is demanded, and none is proved for all mass ratios in question."""
+        if demand.most is not None or demand.least is not None:
+            return False
+        low, high = demand.ratios or (self.low, self.high)
+        if low == high:
+            return all(u is None and v == 0 for a, b, u, v in self.pieces if a <= low <= b)
+        # What has no more than an end in common with them says nothing of them that its neighbour does not.
+        asked = [(u, v) for a, b, u, v in self.pieces if (a <= high and b >= low if a == b else a < high and b > low)]
+        return any(u is None for u, _ in asked) and any(v == 0 for _, v in asked)
+
+
+def covered(intervals, low, high):
+    """Do closed intervals, in ascending order, cover [low, high]?"""
+    for a, b in intervals:
+        if a > low:
+            return False
+        if b >= high:
+            return True
+        low = max(low, b)
+    return False
+
+
+def check(lines, header, judge):
+    """Checks all after the line `claim`. `header` is a key of SECTIONS."""
+    section = SECTIONS[header]
+    lo, hi = lines.line("ratio", "ratio", "ratio")
+    if not 1 <= lo <= hi:
+        raise lines.wrong("number", "not 1 <= LO <= HI")
+    number, = lines.line("pieces", "nat")
+    if number == 0:
+        raise lines.wrong("number", "no piece")
+    end, pieces = lo, []
+    for k in range(number):
+        a, b = lines.line("piece", "ratio", "ratio")
+        if a != end or a > b:
+            raise lines.wrong("chain", "a piece must begin where the one before ended")
+        if b > hi or (k + 1 == number and b != hi):
+            raise lines.wrong("chain", "the last piece does not end at HI")
+        end = b
+        pieces.append((a, b, *piece(lines, section, header[1], a, b, judge)))
+    kinds = ["split", "count", "outside", "meets", "meets-reversed", "equal-masses", "witness", "open"]
+    if header[2] == "full":
+        kinds.insert(7, "once")
+    return Staircase(header[1], header[2] == "full", pieces, lines.trailer(kinds))
+
+
+def piece(lines, section, scene, a, b, judge):
+    """Checks a piece after its first line; returns U (or None) and V."""
+    bits, = lines.line("bits", "bits")
+    upper, = lines.line("upper", "any")
+    if upper == "none":
+        upper = None
+        lines.count("open")
+    else:
+        upper = lines.value("count", upper)
+        cover(lines, section, scene, a, b, upper, bits, judge)
+    lower, = lines.line("lower", "count")
+    if upper is not None and lower > upper:
+        raise lines.wrong("number", "lower above upper")
+    if lower > 0:
+        witness(lines, section, lower, a, b, bits, judge)
+    return upper, lower
+
+
+def witness(lines, section, lower, a, b, bits, judge):
+    kind, *numbers = lines.line("witness", "any", "dyadic", "dyadic", "any", "any")
+    if kind != section.WITNESS:
+        raise lines.wrong("syntax", "unknown kind of witness")
+    numbers[2:] = lines.values(numbers[2:], "count", "count")
+    lines.count("witness")
+    if 1 + numbers[2] + numbers[3] < lower:
+        raise lines.wrong("witness", "not certified: V <= 1 + a + b")
+    judge(lambda: section.witness(numbers, a, b), [*numbers, a, b], bits, lines.wrong("witness", "not certified"))
+
+
+def cover(lines, section, scene, a, b, upper, bits, judge):
+    def leaf(fields, box, _share):
+        op = fields[0]
+        hints = section.LEAVES[chart].get(op)
+        if hints is None:
+            raise lines.wrong("opcode", "not a line for this place")
+        values = lines.values(fields[1:], *["count"] * hints)
+        lines.count(op)
+        if op == "count" and 1 + sum(values) > upper:
+            raise lines.wrong(op, "not certified: the leaf counts more than U collisions")
+        judge(lambda: section.leaf(chart, op, values, box), ends(box), bits, lines.wrong(op, "not certified"))
+
+    for number, chart in enumerate(section.CHARTS):
+        fields = lines.next()
+        if number == 0 and fields[0] != "chart":
+            if scene != "dumbbell" or fields[0] != "equal-masses":
+                raise lines.wrong("opcode", "not a line for this place")
+            lines.values(fields[1:])
+            lines.count("equal-masses")
+            if not (a == b == 1 and upper >= 2):
+                raise lines.wrong("equal-masses", "not certified: the ratio is 1, and 2 <= U")
+            return
+        if fields != ["chart", chart]:
+            raise lines.wrong("syntax", f"expected `chart {chart}`")
+        walk(lines, {**section.root(chart, b), "q": (a, b)}, leaf)

@@ -1,0 +1,76 @@
+// What the grammar of a certificate and the mathematics of a section know of each other.
+#pragma once
+#include <gmpxx.h>
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace dumbbell_verify {
+
+class Log;
+
+/// An exact box; the last axis is the mass ratio q = heavy / light >= 1.
+struct Box {
+    std::array<mpq_class, 3> lo, hi;
+};
+
+/// One thing to check: a leaf of a tree, a cover of one line, or a witness (the box: one point times [A, B]).
+/// A chart with a single axis besides q has it in place 1.
+struct Leaf {
+    std::size_t chart = 0, opcode = 0;
+    mpz_class a = 0, b = 0, claimed = 0;  ///< two hints; U of the piece, for a witness V
+    std::uint64_t line = 0;
+    unsigned bits = 53;  ///< working precision; 53 is double unless `multiple`
+    bool multiple = false;
+    Box box;
+};
+
+enum class Place { leaf, cover, witness };
+
+struct Opcode {
+    std::string_view name;
+    Place place;
+    unsigned charts, hints;  ///< bit set of the charts that it occurs in; number of its hints (0 to 2)
+};
+/// The places of the opcodes in every section's table; one that it does not have occurs in no chart.
+enum { count_leaf, outside, meets, meets_reversed, equal_masses, witness };
+
+struct Chart {
+    std::string_view name;
+    std::array<std::string_view, 3> axes;  ///< an empty name: no such axis
+};
+
+/// A section of one scene with one set of lemmas, with its opcodes in the order of the trailer. `check`
+/// returns nullptr if everything that format.md demands of the leaf is certified, else what is not; a log
+/// gets a line for every inequality.
+struct Section {
+    std::string_view lemmas, scene, name, witness;
+    std::vector<Chart> charts;
+    std::vector<Opcode> opcodes;
+    Box (*root)(std::size_t chart, const mpq_class& a, const mpq_class& b);
+    const char* (*check)(const Leaf& leaf, Log* log);
+    bool heavy_once = false;  ///< a cover also proves that the heavy mass touches the floor at most once
+};
+
+/// The least 2^k >= x, k >= 0. Precondition: x > 0.
+inline mpq_class power_of_two(const mpq_class& x) {
+    const mpz_class least =
+        (x.get_num() - 1) / x.get_den();  // of the integers that are not less than x, less 1
+    return mpz_class(mpz_class(1) << (least == 0 ? 0 : mpz_sizeinbase(least.get_mpz_t(), 2)));
+}
+
+const Section& turning();
+const Section& full();
+const Section& plain();
+const Section& wedge();
+const Section& hybrid();
+
+/// All of them: (lemmas, scene, name) chooses.
+inline std::array<const Section*, 5> sections() {
+    return {&turning(), &full(), &plain(), &wedge(), &hybrid()};
+}
+
+}  // namespace dumbbell_verify

@@ -1,0 +1,139 @@
+// What pieces say together: the demand of the command line against the chain of pieces.
+#include <random>
+#include <vector>
+
+#include "catch.hpp"
+#include "verify/program/together.hpp"
+
+using dumbbell_verify::Collisions;
+
+namespace {
+
+struct Piece {
+    int a, b;
+    std::optional<std::uint64_t> upper;
+    std::uint64_t lower;
+};
+
+/// Whether the pieces prove max and min on [lo, hi] (0, 0: on all that there is).
+bool proves(const std::vector<Piece>& pieces, int lo, int hi, std::optional<std::uint64_t> most,
+            std::optional<std::uint64_t> least) {
+    Collisions claim;
+    if (lo > 0) claim.ratios.emplace(lo, hi);
+    claim.most = most;
+    claim.least = least;
+    claim.lo = pieces.front().a;
+    claim.hi = pieces.back().b;
+    for (const Piece& p : pieces) claim.add(p.a, p.b, p.upper, p.lower);
+    return claim.missing().empty();
+}
+
+const std::vector<Piece> five_pieces = {
+    {1, 5, 3, 3}, {5, 6, 4, 3}, {6, 9, 4, 4}, {9, 9, 4, 4}, {9, 12, {}, 2}};
+constexpr auto none = std::nullopt;
+
+}  // namespace
+
+TEST_CASE("a demand is met by implication") {
+    CHECK(proves(five_pieces, 0, 0, none, none));
+    CHECK(proves(five_pieces, 1, 9, 4, 3));
+    CHECK(proves(five_pieces, 1, 9, 7, 1));
+    CHECK_FALSE(proves(five_pieces, 1, 9, 3, none));
+    CHECK_FALSE(proves(five_pieces, 1, 9, none, 4));
+    CHECK(proves(five_pieces, 0, 0, none, 2));
+    CHECK_FALSE(proves(five_pieces, 0, 0, none, 3));
+    CHECK_FALSE(proves(five_pieces, 0, 0, 1000, none));  // a piece without upper bound
+}
+
+TEST_CASE("only the pieces that meet the range count, and a shared end point may use either") {
+    CHECK(proves(five_pieces, 2, 4, 3, 3));
+    CHECK(proves(five_pieces, 5, 5, 3, 3));
+    CHECK(proves(five_pieces, 1, 5, 3, 3));
+    CHECK_FALSE(proves(five_pieces, 1, 6, 3, none));
+    CHECK(proves(five_pieces, 6, 9, 4, 4));
+    CHECK_FALSE(proves(five_pieces, 5, 9, none, 4));
+    CHECK(proves(five_pieces, 6, 6, 4, 4));
+    CHECK(proves(five_pieces, 9, 9, 4, 4));
+    CHECK_FALSE(proves(five_pieces, 9, 10, 4, none));
+    CHECK(proves(five_pieces, 9, 10, none, 2));
+}
+
+TEST_CASE("ratios that the file does not cover are not proved") {
+    CHECK_FALSE(proves(five_pieces, 13, 14, none, none));
+    CHECK_FALSE(proves(five_pieces, 12, 13, none, none));
+    CHECK_FALSE(proves({{3, 4, 3, 3}}, 2, 3, 3, none));
+    CHECK(proves({{3, 4, 3, 3}}, 3, 3, 3, none));
+}
+
+TEST_CASE("of ratios that the file covers in part it is said which part") {
+    const auto missing = [](const mpq_class& lo, const mpq_class& hi) {
+        Collisions claim;
+        claim.ratios.emplace(lo, hi);
+        claim.most = 9;
+        claim.lo = 1;
+        claim.hi = 100;
+        claim.add(1, 50, 7, 7);
+        claim.add(50, 100, 10, 7);
+        return claim.missing();
+    };
+    CHECK(missing(1, 200) == "of the mass ratios 1/1:200/1 only 1/1:100/1 are covered");
+    CHECK(missing(mpq_class(3, 2), 101) == "of the mass ratios 3/2:101/1 only 3/2:100/1 are covered");
+    CHECK(missing(100, 101) == "of the mass ratios 100/1:101/1 only 100/1:100/1 are covered");
+    CHECK(missing(101, 102) == "nothing is said of the mass ratios 101/1:102/1, only of 1/1:100/1");
+    CHECK(missing(2, 60) == "not proved: at most 9 collisions for every mass ratio in 2/1:60/1");
+    CHECK(missing(2, 50).empty());
+}
+
+TEST_CASE("pieces in several files say what they say in one") {
+    std::mt19937 random(7);
+    const auto below = [&](int n) { return static_cast<int>(random() % static_cast<unsigned>(n)); };
+    int proved = 0;
+    for (int i = 0; i < 20'000; ++i) {
+        std::vector<Piece> pieces;
+        for (int a = 1 + below(2); pieces.size() < 6; a = pieces.back().b) {
+            const auto lower = static_cast<std::uint64_t>(below(3));
+            const auto upper = below(5) > 0 ? std::optional(lower + below(3)) : std::nullopt;
+            pieces.push_back({a, a + below(3), upper, lower});
+        }
+        Collisions asked;
+        if (below(3) > 0) {
+            const int lo = 1 + below(8);
+            asked.ratios.emplace(lo, lo + below(5));
+        }
+        if (below(3) > 0) asked.most = 1 + below(4);
+        if (below(3) > 0) asked.least = below(3);
+        const auto file = [&](std::size_t from, std::size_t to) {
+            Collisions claim = asked;
+            claim.lo = pieces[from].a;
+            claim.hi = pieces[to - 1].b;
+            for (std::size_t k = from; k < to; ++k)
+                claim.add(pieces[k].a, pieces[k].b, pieces[k].upper, pieces[k].lower);
+            return claim;
+        };
+        const Collisions whole = file(0, 6);
+        const std::size_t cut = 1 + random() % 5, again = cut + random() % (6 - cut);
+        Collisions all = file(0, cut);
+        if (again > cut) append(all, file(cut, again));
+        append(all, file(again, 6));
+        INFO(i);
+        REQUIRE(all.missing() == whole.missing());
+        REQUIRE((all.lo == whole.lo && all.hi == whole.hi));
+        REQUIRE((all.upper == whole.upper && all.lower == whole.lower));
+        REQUIRE((all.pieces == 6 && all.gaps == whole.gaps && all.open == whole.open));
+        proved += all.missing().empty() ? 1 : 0;
+    }
+    CHECK(proved > 4000);
+    CHECK(proved < 16'000);
+}
+
+TEST_CASE("gaps and open pieces are told apart") {
+    Collisions claim;
+    claim.lo = 1;
+    claim.hi = 12;
+    for (const Piece& p : five_pieces) claim.add(p.a, p.b, p.upper, p.lower);
+    CHECK_FALSE(claim.upper);
+    CHECK((claim.lower == 2));
+    CHECK(claim.gaps == 1);
+    CHECK(claim.open == 1);
+    CHECK(claim.pieces == 5);
+}

@@ -1,0 +1,248 @@
+// The sections full and plain and the scenes wedge and hybrid: true certificates are
+// accepted, false ones are not.
+#include <sys/wait.h>
+
+#include "catch.hpp"
+#include "rooms/verify/core/leaf_rows.hpp"
+#include "rooms/verify/core/make_certificate.hpp"
+#include "verify/program/verify.hpp"
+
+using namespace dumbbell_verify;
+using make::closed;
+using make::File;
+using make::mutated;
+
+namespace {
+
+std::string outcome_in_scene(const std::string& text, const std::string& scene = "dumbbell",
+                             unsigned precision = 0) {
+    const File file(text);
+    try {
+        Settings settings;
+        settings.scene = scene;
+        settings.precision = precision;
+        verify(file.path(), settings);
+        return "verified";
+    } catch (const Failure& failure) {
+        return failure.code;
+    }
+}
+
+int code_of_run(const std::string& arguments, std::string* out = nullptr) {
+    const File text("");
+    const int status =
+        std::system((DUMBBELL_VERIFY_BIN " " + arguments + " >" + text.path() + " 2>/dev/null").c_str());
+    std::ostringstream all;
+    all << std::ifstream(text.path()).rdbuf();
+    if (out) *out = all.str();
+    return WIFEXITED(status) ? WEXITSTATUS(status) : 128;
+}
+
+std::string header(const std::string& lemmas, const std::string& scene, const std::string& section,
+                   const std::string& lo, const std::string& hi, int pieces = 1) {
+    return "dumbbell-certificate 1\ngenerator test 1.0\nlemmas " + lemmas + "\nscene " + scene +
+           "\nsection " + section + "\nclaim collisions\nratio " + lo + " " + hi + "\npieces " +
+           std::to_string(pieces) + "\n";
+}
+
+/// A tree that this section accepts with U, by search.
+std::string tree(const Section& section, Leaf leaf, int depth = 0) {
+    if (depth > 24) throw std::runtime_error("the cover does not close");
+    leaf.opcode = outside;
+    if (!section.check(leaf, nullptr)) return "outside\n";
+    if (section.charts[leaf.chart].name == "again") {
+        leaf.opcode = witness + 1;
+        if (!section.check(leaf, nullptr)) return "once\n";
+    }
+    leaf.opcode = count_leaf;
+    leaf.a = leaf.claimed - 1;
+    if (section.charts[leaf.chart].name != "again" && !section.check(leaf, nullptr))
+        return "count " + leaf.a.get_str() + "\n";
+    const std::size_t i = leaf.box.hi[0] - leaf.box.lo[0] > 2 * (leaf.box.hi[1] - leaf.box.lo[1]) ? 0 : 1;
+    Leaf lower = leaf, upper = leaf;
+    lower.box.hi[i] = upper.box.lo[i] = (leaf.box.lo[i] + leaf.box.hi[i]) / 2;
+    return "split " + std::string(section.charts[leaf.chart].axes[i]) + "\n" +
+           tree(section, lower, depth + 1) + tree(section, upper, depth + 1);
+}
+std::string full_cover(const Section& section, const mpq_class& q, std::uint64_t upper) {
+    std::string text;
+    Leaf leaf;
+    leaf.claimed = upper;
+    for (leaf.chart = 0; leaf.chart < section.charts.size(); ++leaf.chart) {
+        leaf.box = section.root(leaf.chart, q, q);
+        text += "chart " + std::string(section.charts[leaf.chart].name) + "\n" + tree(section, leaf);
+    }
+    return text;
+}
+std::string full_text(const Section& section, const std::string& q, std::uint64_t upper) {
+    return closed(header(std::string(section.lemmas), "dumbbell", "full", q, q) + "piece " + q + " " + q +
+                  "\nbits 53\nupper " + std::to_string(upper) + "\n" +
+                  full_cover(section, mpq_class(q), upper) + "lower 0\n");
+}
+
+std::string wedge_text(const std::string& scene, const std::string& lo, const std::string& hi, int upper,
+                       const std::string& cover, int lower, const std::string& witness) {
+    return closed(header("1", scene, "turning", lo, hi) + "piece " + lo + " " + hi + "\nbits 53\nupper " +
+                  std::to_string(upper) + "\nchart wedge\n" + cover + "lower " + std::to_string(lower) +
+                  "\n" + (lower > 0 ? "witness wedge " + witness + "\n" : ""));
+}
+const std::string tree10 =
+    "split lambda\nsplit lambda\nsplit lambda\ncount 3 2\ncount 2 3\noutside\noutside\n";
+std::string wedge10(const std::string& scene = "wedge") {
+    return wedge_text(scene, "10/1", "10/1", 6, tree10, 6, "0b0 1b-4 3 2");
+}
+
+}  // namespace
+
+TEST_CASE("sections full and plain: true covers are accepted, false ones are not") {
+    for (const Section* section : {&full(), &plain()}) {
+        const bool is_plain = section == &plain();
+        const std::string q = is_plain ? "2/1" : "10/1";  // plain evaluation needs many more boxes
+        const int n = is_plain ? 3 : 4;
+        const std::string text = full_text(*section, q, static_cast<std::uint64_t>(n));
+        const std::string most = "count " + std::to_string(n - 1);
+        CHECK(outcome_in_scene(text) == "verified");
+        if (!is_plain) CHECK(outcome_in_scene(text, "dumbbell", 80) == "verified");
+        CHECK(outcome_in_scene(
+                  mutated(text, "upper " + std::to_string(n), "upper " + std::to_string(n - 1))) == "count");
+        CHECK(outcome_in_scene(mutated(text, "chart departure", "chart light")) == "syntax");
+        CHECK(outcome_in_scene(mutated(text, "split eta", "split lambda")) == "syntax");
+        CHECK(outcome_in_scene(mutated(text, most, most + " 0")) == "syntax");
+        CHECK(outcome_in_scene(mutated(text, most, "count 0")) == "count");
+        CHECK(outcome_in_scene(mutated(text, most, "count " + std::to_string(n))) == "count");
+        CHECK(outcome_in_scene(mutated(text, most, "outside")) == "outside");
+        CHECK(outcome_in_scene(mutated(text, most, "meets")) == "opcode");
+        CHECK(outcome_in_scene(mutated(text, most, "once")) == "opcode");
+        CHECK(outcome_in_scene(mutated(text, "once", "outside")) == "outside");
+        CHECK(outcome_in_scene(mutated(text, "once", most)) == "opcode");
+        CHECK(outcome_in_scene(mutated(text, "chart again\nonce\n", "")) == "syntax");
+        CHECK(outcome_in_scene(mutated(text, "section full", "section turning")) != "verified");
+    }
+    CHECK_THROWS_AS(full_cover(full(), 10, 3), std::runtime_error);
+    CHECK_THROWS_AS(full_cover(plain(), 2, 2), std::runtime_error);
+}
+
+TEST_CASE("sections full and plain: the root boxes are those of the format") {
+    for (const Section* section : {&full(), &plain()})
+        for (std::size_t chart = 0; chart < 3; ++chart) {
+            const Box root = section->root(chart, 2, 3), wide = section->root(chart, 2, mpq_class(13, 4));
+            const bool departs = section->charts[chart].name == "departure";
+            CHECK((root.lo == wide.lo && root.lo == std::array<mpq_class, 3>{0, 0, 2}));
+            CHECK((root.hi == std::array<mpq_class, 3>{departs ? 2 : 4, departs ? 2 : 4, 3}));
+            CHECK((wide.hi == std::array<mpq_class, 3>{departs ? 2 : 4, departs ? 2 : 8, mpq_class(13, 4)}));
+        }
+}
+
+TEST_CASE("sections full and plain: the leaf outside holds beyond the chart only") {
+    for (const Section* section : {&full(), &plain()}) {
+        const auto holds = [&](std::size_t chart, const mpq_class& x, const mpq_class& y) {
+            Leaf leaf;
+            leaf.chart = chart;
+            leaf.opcode = outside;
+            leaf.box = {{x, y, 10}, {4, 16, 10}};
+            return section->check(leaf, nullptr) == nullptr;
+        };
+        CHECK(holds(0, mpq_class(22, 7), 0));
+        CHECK_FALSE(holds(0, mpq_class(3141, 1000), 0));
+        CHECK(holds(0, 0, 11));  // r (eta - 1) = 1, exactly
+        CHECK_FALSE(holds(0, 0, mpq_class(1099, 100)));
+        CHECK(holds(1, mpq_class(8, 5), 0));
+        CHECK_FALSE(holds(1, mpq_class(3, 2), 1));
+        CHECK(holds(1, 0, 2));
+        CHECK_FALSE(holds(1, 0, mpq_class(199, 100)));
+    }
+}
+
+TEST_CASE("section full: the heavy mass is proved to touch at most once, unless a piece is open") {
+    const std::string text = full_text(full(), "10/1", 4);
+    std::string out;
+    CHECK(code_of_run(File(text).path(), &out) == 0);
+    CHECK(out.find(" heavy-at-most=1 sha256=") != std::string::npos);
+    const std::string cover = full_cover(full(), 10, 4);
+    CHECK(code_of_run(File(mutated(text, "upper 4\n" + cover, "upper none\n")).path(), &out) == 3);
+    CHECK(out.find("heavy") == std::string::npos);
+}
+
+TEST_CASE("section full: the leaf once needs a narrow range of ratios") {
+    const auto holds = [](const mpq_class& lo, const mpq_class& hi, unsigned bits) {
+        Leaf leaf;
+        leaf.chart = 2;
+        leaf.opcode = witness + 1;
+        leaf.bits = bits;
+        leaf.box = full().root(2, lo, hi);
+        return full().check(leaf, nullptr) == nullptr;
+    };
+    for (const unsigned bits : {53U, 128U}) {
+        for (const int q : {1, 2, 10, 1000, 1000000}) CHECK(holds(q, q, bits));
+        CHECK(holds(10, mpq_class(21, 2), bits));
+        CHECK_FALSE(holds(1, 1000000, bits));
+    }
+}
+
+TEST_CASE("section plain: the enclosure of x ends at pi/2, not before") {
+    const auto said = [](const std::string& leaf) {
+        return leaf_rows::judged(leaf_rows::parsed("minimal dumbbell full departure count " + leaf));
+    };
+    const std::string wide = " 1 0 2 3/2 2 19/256 7/32 8/5 8/5",
+                      thin = " 1 0 2 3/2 2 19/256 19/256 64/23 64/23";
+    for (const std::string& leaf : {wide, thin}) CHECK(said("0" + leaf) == "certified");
+    // In 5 or 6 bits slopes may be below 0, and the bounds of pi/2 are far apart: x ends at the upper.
+    CHECK(said("5" + wide) == "0 < P, where E may be 0");
+    CHECK(said("6" + thin) == "0 < numerator, where D may be 0");
+}
+
+TEST_CASE("the wedge is exact: ties at q = 1 and q = 3 are decided, N - 1 is refused") {
+    const std::string one = wedge_text("wedge", "1/1", "1/1", 2, "count 1 0\n", 2, "0b0 1b-1 1 0");
+    const std::string three = wedge_text("wedge", "3/1", "3/1", 3, "count 1 1\n", 3, "0b0 1b0 1 1");
+    CHECK(outcome_in_scene(one, "wedge") == "verified");
+    CHECK(outcome_in_scene(three, "wedge") == "verified");
+    CHECK(outcome_in_scene(one) == "claim-not-proved");
+    CHECK(
+        outcome_in_scene(mutated(three, "piece 3/1 3/1\nbits 53\nupper 3", "piece 3/1 3/1\nbits 53\nupper 2"),
+                         "wedge") == "count");
+    for (const char* hints : {"count 0 1", "count 1 0", "count 0 2", "count 2 1", "outside", "equal-masses"})
+        CHECK(outcome_in_scene(mutated(three, "count 1 1", hints), "wedge") != "verified");
+    CHECK(outcome_in_scene(wedge_text("wedge", "3/1", "3000001/1000000", 3, "count 1 1\n", 0, ""), "wedge") ==
+          "count");
+    for (const std::string scene : {"wedge", "hybrid"}) {
+        const std::string text = wedge10(scene);
+        CHECK(outcome_in_scene(text, scene) == "verified");
+        CHECK(outcome_in_scene(text, scene == "wedge" ? "hybrid" : "wedge") == "claim-not-proved");
+        CHECK(outcome_in_scene(mutated(text, tree10, "count 3 2\n"), scene) == "count");
+        CHECK(outcome_in_scene(mutated(text, "split lambda", "split e"), scene) == "syntax");
+        CHECK(outcome_in_scene(mutated(text, "count 3 2", "count 10000 1"), scene) == "count");
+        CHECK(outcome_in_scene(mutated(mutated(text, "upper 6", "upper 99999"), "count 3 2", "count 10000 1"),
+                               scene) == "limit");
+        const auto with = [&](const std::string& w) {
+            return outcome_in_scene(mutated(text, "wedge 0b0 1b-4 3 2", w), scene);
+        };
+        CHECK(with("wedge 0b0 1b-4 3 3") == "witness");
+        CHECK(with("wedge 0b0 1b-4 4 2") == "witness");
+        CHECK(with("wedge 0b0 1b-4 2 2") == "witness");  // 1 + a + b < V
+        CHECK(with("wedge 1b0 1b-4 3 2") == "witness");
+        CHECK(with("wedge 0b0 5b1 3 2") == "witness");  // r lambda = 1
+        CHECK(with("wedge 0b0 5b0 3 2") == "witness");  // sigma X descends
+        CHECK(with("bridge 0b0 1b-4 3 2") == "syntax");
+    }
+}
+
+TEST_CASE("combinations of words that are not in the table are unsupported") {
+    const std::string text = wedge10();
+    CHECK(outcome_in_scene(mutated(text, "section turning", "section full"), "wedge") == "unsupported");
+    CHECK(outcome_in_scene(mutated(text, "lemmas 1", "lemmas minimal"), "wedge") == "unsupported");
+    CHECK(outcome_in_scene(mutated(text, "lemmas 1", "lemmas none"), "wedge") == "unsupported");
+    CHECK(outcome_in_scene(mutated(text, "scene wedge", "scene vedge"), "wedge") == "unsupported");
+    const File file(mutated(text, "section turning", "section full"));
+    CHECK(code_of_run("--scene wedge " + file.path()) == 3);
+}
+
+TEST_CASE("a leaf of each section is explained in its own words") {
+    const File w(wedge10()), d(full_text(full(), "10/1", 4));
+    std::string out;
+    CHECK(code_of_run("--explain 1:wedge.000 --scene wedge " + w.path(), &out) == 0);
+    CHECK(out.find("G_w <= a for X: holds") != std::string::npos);
+    const Section& s = full();
+    CHECK(s.charts.size() == 3);
+    CHECK(code_of_run("--explain 1:contact " + d.path(), &out) == 0);
+    CHECK(out.find("1 + a <= U: holds") != std::string::npos);
+}
