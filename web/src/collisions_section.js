@@ -11,7 +11,6 @@ import { staircase } from "./staircase.js";
 import { colour, shade } from "./theme.js";
 import { bridgeOrbit, extremalOrbits, wedgeOrbit } from "./witness.js";
 
-
 const rangeText = ({ lo_text, hi_text }) => (lo_text === hi_text ? `q = ${shortened(lo_text)}` : `q from ${shortened(lo_text)} to ${shortened(hi_text)}`);
 
 const valueText = ({ status, upper, lower }) =>

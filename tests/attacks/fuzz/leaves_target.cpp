@@ -129,7 +129,7 @@ void try_leaf(const Place& place, const dumbbell_verify::Leaf& leaf, Choices& ch
         said.forward = both_ways ? choices.between(0, total) : total;
         said.backward = dumbbell::Count(total) - said.forward;
     }
-    if (!is_accepted(place, name(said.reason), leaf, said.forward, said.backward, choices)) return;
+    if (!is_accepted(place, name(said.reason), leaf, as_long(said.forward), as_long(said.backward), choices)) return;
     constexpr int samples = 5;
     for (int i = 0; i < samples; ++i)
         must_hold(place.chart, said,
@@ -144,7 +144,7 @@ void try_witness(const Place& place, dumbbell_verify::Leaf leaf, Choices& choice
     const long total = std::max(1L, about_as_many(place, leaf.box, choices));
     said.forward = choices.between(0, total - 1);
     said.backward = dumbbell::Count(total - 1) - said.forward;
-    if (!is_accepted(place, "witness", leaf, said.forward, said.backward, choices)) return;
+    if (!is_accepted(place, "witness", leaf, as_long(said.forward), as_long(said.backward), choices)) return;
     for (const mpq_class& q : {leaf.box.lo[2], leaf.box.hi[2]}) must_hold(said, real(q));
 }
 

@@ -20,7 +20,7 @@ long proved(const Rational& q, Section section) {
     request.section = section;
     const auto pieces = certify(request);
     REQUIRE(pieces.size() == 1);
-    return pieces.front().piece.status() == Status::exact ? pieces.front().piece.lower : Count(0);
+    return pieces.front().piece.status() == Status::exact ? as_long(pieces.front().piece.lower) : 0;
 }
 
 // A ratio up to `greatest`, at a relative distance of 1e-5 to `farthest` from the critical ratio at which the

@@ -18,7 +18,7 @@ long proved(const Rational& q) {
     const Piece piece = prove_single(q, piece_options(Scene::dumbbell, Section::turning)).piece;
     REQUIRE(piece.upper);
     REQUIRE(*piece.upper == piece.lower);
-    return piece.lower;
+    return as_long(piece.lower);
 }
 
 const std::vector<StepEnds>& steps() {

@@ -16,6 +16,8 @@
 #include "verify/starts/grammar.hpp"
 #include "written_file.hpp"
 
+using namespace dumbbell;
+using namespace dumbbell::starts;
 using namespace dumbbell_test;
 using dumbbell_trace_test::refusal;
 using dumbbell_trace_test::uniform;

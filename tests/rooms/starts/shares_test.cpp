@@ -11,6 +11,8 @@
 #include "sample.hpp"
 #include "written_file.hpp"
 
+using namespace dumbbell;
+using namespace dumbbell::starts;
 using namespace dumbbell_test;
 using dumbbell_trace_test::uniform;
 using dumbbell_trace_test::written;
