@@ -129,7 +129,8 @@ void try_leaf(const Place& place, const dumbbell_verify::Leaf& leaf, Choices& ch
         said.forward = both_ways ? choices.between(0, total) : total;
         said.backward = dumbbell::Count(total) - said.forward;
     }
-    if (!is_accepted(place, name(said.reason), leaf, as_long(said.forward), as_long(said.backward), choices)) return;
+    if (!is_accepted(place, name(said.reason), leaf, as_long(said.forward), as_long(said.backward), choices))
+        return;
     constexpr int samples = 5;
     for (int i = 0; i < samples; ++i)
         must_hold(place.chart, said,

@@ -154,8 +154,8 @@ TEST_CASE("the same pieces give the same bytes") {
 }
 
 TEST_CASE("a wedge's picture names it, has its own scale, and no curve of the dumbbell") {
-    for (const auto& [scene, name] :
-         {std::pair{Scene::wedge, "in the straight wedge"}, std::pair{Scene::hybrid, "in the hybrid wedge"}}) {
+    for (const auto& [scene, name] : {std::pair{Scene::wedge, "in the straight wedge"},
+                                      std::pair{Scene::hybrid, "in the hybrid wedge"}}) {
         CAPTURE(name);
         const std::string svg = staircase_svg({piece(3, 5, 4, 4), open_piece(5, 20)}, scene);
         CHECK(well_formed(svg));
