@@ -59,9 +59,7 @@ void PieceLines::leaf(Chart chart, const Leaf& leaf) {
 void PieceLines::totals(std::span<const std::string_view> kinds) {
     for (const std::string_view kind : kinds) {
         line("total {} {}", kind, totals_[kind]);
-        totals_.erase(kind);
     }
-    require(totals_.empty(), "certificate: the trailer leaves out a kind of line");
 }
 
 }  // namespace dumbbell::collisions

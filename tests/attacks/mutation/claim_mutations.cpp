@@ -51,25 +51,18 @@ class Claims {
         }
         ranges();
         for (const Scene scene : {Scene::dumbbell, Scene::hybrid, Scene::wedge})
-            for (const Section section : {Section::turning, Section::full, Section::plain})
-                sections(scene, section);
+            for (const Section section : {Section::turning, Section::full, Section::plain}) {
+                Certificate changed = data_;
+                changed.scene = scene;
+                changed.section = section;
+                give("section", fmt::format("{} {}", static_cast<int>(scene), static_cast<int>(section)),
+                     changed);
+            }
     }
 
   private:
     void give(std::string_view kind, const std::string& what, const Certificate& changed) {
         sink_({kind, what, render(changed).text});
-    }
-    /// The head of another scene and section, which the writer would refuse to put before these covers.
-    void sections(Scene scene, Section section) {
-        Certificate changed = data_;
-        changed.scene = scene;
-        changed.section = section;
-        for (Piece& piece : changed.pieces) piece.cover = {};
-        const Lines head = lines_of(render(changed).text);
-        Lines lines = lines_of(render(data_).text);
-        std::copy_n(head.begin(), 5, lines.begin());
-        sink_({"section", fmt::format("{} {}", static_cast<int>(scene), static_cast<int>(section)),
-               closed(text_of(lines))});
     }
     template <class Change>
     void change(std::size_t i, std::string_view kind, const std::string& what, Change apply) {
