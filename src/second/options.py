@@ -38,7 +38,7 @@ numbers. It shares no code with dumbbell-verify, the first verifier, and needs n
 FILE `-` is the standard input; files may be packed with gzip. For one file the last line is the verdict: s VERIFIED,
 s OPEN, s REJECTED, s UNSUPPORTED, s UNREADABLE or s LIMIT. Each of several files has one such line with its name, and
 a line of totals ends them. Exit codes: 0 verified and proved; 1 rejected; 2 usage or unreadable; 3 unsupported, or
-open (no claim is stated, and no bound is proved for all that is in question); 4 resource limit. Of several codes the
+open (no claim is stated, and no bound is proved for all that is in question); 4 resource limit. If files differ: the
 first of 1, 4, 3, 2, 0.
 
 It does not judge the law for every mass ratio, nor the adiabatic invariant: such files are unsupported. It is

@@ -22,7 +22,7 @@ namespace dumbbell::cli {
 namespace {
 
 constexpr const char* join_description =
-    R"(Verify the parts of a range, and join them to one file.
+    R"(Verify the parts of a range, and join them into one file.
 
 The parts are certificates of dumbbell certify, in any order, or tables of dumbbell critical. Nothing is believed:
 dumbbell-verify verifies each certificate, and each enclosure of a table is checked by the signs at its ends. The parts

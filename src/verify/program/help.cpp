@@ -30,7 +30,7 @@ FILE `-` is the standard input. For one file, and with --together, a sentence sa
 the verdict: s VERIFIED, s OPEN, s REJECTED, s UNSUPPORTED, s UNREADABLE or s LIMIT. Without --together each of several
 files has one such line with its name, in the given order, and a line of totals ends them: c files=3 verified=2 ...
 Exit codes: 0 verified and proved; 1 rejected; 2 usage or unreadable; 3 unsupported, or open (no claim is stated, and no
-bound is proved for all that is in question); 4 resource limit. Of several codes the first of 1, 4, 3, 2, 0.
+bound is proved for all that is in question); 4 resource limit. If files differ: the first of 1, 4, 3, 2, 0.
 )";
 
 constexpr std::size_t width = 118, column = 24;

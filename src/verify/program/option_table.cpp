@@ -35,15 +35,16 @@ constexpr Option table[] = {
      "ratios): with these give no --ratio, --max, --min or --exactly",
      read_claim},
     {"--claims", "LIST",
-     "the certificates and claims of a list like certificates/claims.tsv, one each line: a file (its name is "
-     "relative to the list's folder), a tab, the six options above that state its claim, with --ratio and a "
-     "bound, or --claim law alone; what follows another tab is a remark, as is a line that begins with #",
+     "a list of certificates, each with its claim, such as certificates/claims.tsv. A line has a file (its "
+     "name "
+     "is relative to the list's folder), a tab, and some of the six options above: at least --ratio and a "
+     "bound, or --claim law alone. What follows another tab is a remark, as is a line that begins with #",
      [](Arguments& given, Asked& to) { to.claims = given.value(); },
      "--ratio --max --min --exactly --scene --claim"},
     {"--together", "",
      "the files prove one claim: their ranges of mass ratios, in any order on the command line, must follow "
-     "one another without a hole or an overlap, and --ratio, --max, --min and --exactly are about the pieces "
-     "of all. The last line is the verdict on all",
+     "one another without a hole or an overlap, and --ratio, --max, --min and --exactly are about all "
+     "files as one. The last line is the verdict on all",
      [](Arguments&, Asked& to) { to.settings.together = true; }, "--claims --explain --shares"},
     {"--jobs", "N", "threads (all cores)",
      [](Arguments& given, Asked& to) { to.settings.jobs = static_cast<unsigned>(given.number(1, 1024)); }},
