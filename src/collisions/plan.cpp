@@ -9,6 +9,7 @@
 #include "base/error.hpp"
 #include "collisions/scene.hpp"
 #include "number/parallel.hpp"
+#include "number/part.hpp"
 
 namespace dumbbell::collisions {
 namespace {

@@ -98,7 +98,7 @@ TEST_CASE("The parts of a range follow one another, and cost about as much") {
             REQUIRE(part.first == next);
             REQUIRE(part.last >= part.first);
             next = part.last + 1;
-            // The measure in critical_range.cpp.
+            // The measure in critical/range.cpp.
             const double cost = static_cast<double>(part.last - part.first + 1) *
                                 (static_cast<double>(part.first + part.last) / 2 + 30);
             least = std::min(least, cost);
