@@ -10,23 +10,21 @@
 namespace dumbbell::collisions {
 namespace {
 
-/// Smaller spans would leave lanes of the batch kernel idle; but one box in multiple precision is work
-/// enough.
+/// A box in double is soon judged; one in multiple precision is work enough for a thread.
 template <class I>
 constexpr std::size_t boxes_together = std::is_same_v<I, Interval> ? 16 : 1;
 
 /// Enough for many threads, and little memory.
 constexpr std::size_t boxes_in_memory = 4096;
 
-/// The boxes of one generation, judged in spans; the results do not depend on how the work is shared out.
+/// The boxes of one generation; the results do not depend on how the work is shared out.
 template <class I>
 void judge_all(Chart chart, std::span<const Box> boxes, const Count& upper,
                std::span<std::optional<Leaf>> results, const CoverOptions& options) {
     const std::size_t together = options.parallel ? boxes_together<I> : boxes.size();
     in_parallel(boxes.size(), together, [&](std::size_t begin, std::size_t end) {
-        if (!options.interrupted()) {
-            judge<I>(chart, boxes.subspan(begin, end - begin), upper, results.subspan(begin, end - begin),
-                     options.interrupted);
+        for (std::size_t i = begin; i != end && !options.interrupted(); ++i) {
+            results[i] = judge<I>(chart, boxes[i], upper, options.interrupted);
         }
     });
 }

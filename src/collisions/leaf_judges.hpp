@@ -1,8 +1,6 @@
 #pragma once
 
 #include <optional>
-#include <span>
-#include <vector>
 
 #include "base/interrupted.hpp"
 #include "collisions/certificate.hpp"
@@ -16,16 +14,9 @@ template <class I>
 [[nodiscard]] std::optional<Leaf> judge_turning(Chart chart, const Box& box, const Count& upper,
                                                 const Interrupted& interrupted);
 
-/// What the batch kernel says of a box: it is closed; or it is not, and closer bounds would not close it
-/// either; or only they can tell.
-enum class BoxJudgement { closed, open, unsure };
-
-/// judge_turning in double for many boxes at once, with the bounds of the batch kernel (L39): results[i] is
-/// set where it closes boxes[i], and empty where not.
-[[nodiscard]] std::vector<BoxJudgement> judge_turning_together(Chart chart, std::span<const Box> boxes,
-                                                               long upper,
-                                                               std::span<std::optional<Leaf>> results,
-                                                               const Interrupted& interrupted);
+/// Whether the counts that would have to be less are certainly not: no precision closes the box. Only to save
+/// work.
+[[nodiscard]] bool is_open_turning(Chart chart, const Box& box, long upper, const Interrupted& interrupted);
 
 /// Full section (L15), its plain form (L16), and its chart `again` (L19).
 template <class I>

@@ -1,9 +1,11 @@
 #include "collisions/step_guess.hpp"
 
 #include <algorithm>
+#include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <utility>
 
 #include "flight/count.hpp"
 #include "flight/extremal_orbit.hpp"
@@ -41,9 +43,13 @@ std::optional<Ray<double>> guessed_next(const Ray<double>& ray) {
     return Ray<double>{std::sin(x) + kappa * (x + std::numbers::pi), kappa, ray.r};
 }
 
-/// The margin of a flight; `far` if the orbit does not come so far. Increases with q.
 constexpr double far = -1;
-double guessed_margin(const flight::ExtremalFlight& flight, double q, const Interrupted& interrupted) {
+constexpr double rough_growth = 0.8855951294527139;  // C of the law
+
+}  // namespace
+
+double guess_margin(long n, double q, const Interrupted& interrupted) {
+    const ExtremalFlight flight = flight::tangent_flight(n);
     Ray<double> ray = guessed_ray(flight.orbit, 1 / q);
     for (long i = 1; i < flight.flight; ++i) {
         const bool goes_on = guessed_margin(ray) > 0 && !ends_early(i, interrupted);
@@ -56,12 +62,17 @@ double guessed_margin(const flight::ExtremalFlight& flight, double q, const Inte
     return guessed_margin(ray);
 }
 
-/// C, or with many bits a number near it: any would do, and the quadrature of C, which nothing interrupts,
-/// takes minutes for some thousand bits.
-BigInterval nearly_growth_constant() {
-    constexpr int most_bits = 512;  // some milliseconds
-    const PrecisionScope scope(std::min(most_bits, PrecisionScope::current()));
-    return flight::growth_constant();
+namespace {
+
+/// About C: n - 2 times its relative error must be small. Nothing interrupts its quadrature, which takes some
+/// milliseconds for 512 bits, and minutes for some thousand.
+const BigInterval& growth(long n) {
+    static const BigInterval fine = [] {
+        const PrecisionScope scope(512);
+        return flight::growth_constant();
+    }();
+    static const BigInterval rough(rough_growth);
+    return is_long(n) ? fine : rough;
 }
 
 /// C sqrt q - (n - 2), the place of q between the steps, is what the search is for. Near 0, where the step to
@@ -72,7 +83,7 @@ class Search {
     Search(long n, const Interrupted& interrupted)
         : flight_(flight::tangent_flight(n)),
           last_(enclose<BigInterval>(Rational(n - 2))),
-          growth_(nearly_growth_constant()),
+          growth_(growth(n)),
           interrupted_(interrupted) {}
 
     [[nodiscard]] BigInterval place(double q) const {
@@ -125,6 +136,9 @@ class Search {
     const Interrupted& interrupted_;
 };
 
+/// Without macro steps, which shorter orbits do not have, a flight loses little.
+int bits_to_find(long n, int share_bits) { return n < 10'000 ? share_bits + 64 : bits_of_step(share_bits); }
+
 /// The place of the step to n between the steps before and after it, to about 2^-share_bits.
 std::optional<BigInterval> place_of_step(long n, int share_bits, const Interrupted& interrupted) {
     // By the law the place lies a little above 0; few bits lead near it, as doubles do for short orbits, and
@@ -139,7 +153,7 @@ std::optional<BigInterval> place_of_step(long n, int share_bits, const Interrupt
         share = share_bits;
     }
     for (;; share = share_bits) {
-        const PrecisionScope scope(bits_of_step(share));
+        const PrecisionScope scope(bits_to_find(n, share));
         const auto found = Search(n, interrupted).zero(place + BigInterval(near), place, share);
         if (!found || share == share_bits) {
             return found;
@@ -152,46 +166,27 @@ std::optional<BigInterval> place_of_step(long n, int share_bits, const Interrupt
 }  // namespace
 
 double guess_step(long n, const Interrupted& interrupted) {
-    const flight::ExtremalFlight flight = flight::tangent_flight(n);
-    const auto f = [&](double q) { return guessed_margin(flight, q, interrupted); };
-
-    const double about = std::pow(static_cast<double>(n - 2) / 0.8855951, 2);
-    double lo = 1;
-    double hi = std::max(2.0, about * 1.1 + 2);
-    while (f(hi) < 0 && !interrupted()) {
-        lo = hi;
-        hi *= 1.5;
+    // By the law sqrt q is (n - 2)/C and a little more; for few collisions a little less.
+    const double about = static_cast<double>(n - 2) / rough_growth;
+    const auto margin = [&](double root) { return guess_margin(n, root * root, interrupted); };
+    double lo = std::max(1.0, about - 0.2);
+    double hi = about + 0.2;
+    double at_lo = margin(lo), at_hi = margin(hi);
+    while (at_hi <= 0 && !interrupted()) {
+        lo = std::exchange(hi, 1.5 * hi);
+        at_lo = std::exchange(at_hi, margin(hi));
     }
-    // Illinois: regula falsi that halves the weight of an end that stays.
-    double f_lo = f(lo);
-    double f_hi = f(hi);
-    for (int side = 0, i = 0; i < 200 && hi - lo > 2e-16 * hi && !interrupted(); ++i) {
-        const bool bisect = f_lo <= far || i % 20 == 19;
-        double q = bisect ? (lo + hi) / 2 : hi - f_hi * (hi - lo) / (f_hi - f_lo);
-        if (!(q > lo && q < hi)) {
-            q = (lo + hi) / 2;
-            if (!(q > lo && q < hi)) {
-                break;
-            }
-        }
-        const double value = f(q);
-        if (value < 0) {
-            lo = q;
-            f_lo = value;
-            f_hi = side == 1 ? f_hi / 2 : f_hi;
-            side = 1;
-        } else {
-            hi = q;
-            f_hi = value;
-            f_lo = side == -1 ? f_lo / 2 : f_lo;
-            side = -1;
-        }
+    if (at_lo >= 0 || at_hi <= 0) {
+        return lo * lo;
     }
-    return hi;
+    std::uintmax_t evaluations = 100;
+    const auto [before, behind] = boost::math::tools::toms748_solve(
+        margin, lo, hi, at_lo, at_hi, [](double x, double y) { return y - x <= 0x1p-50 * y; }, evaluations);
+    return behind * behind;
 }
 
 std::optional<FineStep> find_step(long n, int share_bits, const Interrupted& interrupted) {
-    const PrecisionScope scope(bits_of_step(share_bits));
+    const PrecisionScope scope(bits_to_find(n, share_bits));
     const auto place = place_of_step(n, share_bits, interrupted);
     if (!place) {
         return std::nullopt;

@@ -7,6 +7,11 @@
 
 namespace dumbbell::collisions {
 
+/// The height that the flight which decides between n - 1 and n >= 3 collisions at q (Theorem 2 (c)) has to
+/// spare, in double precision: > 0 if there are n; -1 if its orbit does not come so far. Increases with q. A
+/// guess, meaningless if it is interrupted.
+[[nodiscard]] double guess_margin(long n, double q, const Interrupted& interrupted = never);
+
 /// Where the maximum seems to step up to `n` (n >= 3): the critical ratio q_c(n) of theory, in double
 /// precision, from the two extremal orbits. A guess that says where to split a range; every claim about the
 /// pieces is proved by covers and witnesses. A meaningless number if it is interrupted.

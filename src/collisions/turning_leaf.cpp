@@ -1,5 +1,4 @@
 #include "collisions/leaf_judges.hpp"
-#include "flight/batch/count.hpp"
 #include "flight/bridge_clearance.hpp"
 #include "flight/chart.hpp"
 #include "flight/count.hpp"
@@ -107,33 +106,6 @@ Case<I> case_of(Chart chart, const Box& box) {
     return chart == Chart::bridge ? bridge_case(bounds) : light_case(bounds);
 }
 
-/// The lower, flatter corner of a box of rays, as a question to the batch kernel.
-flight::batch::Query query(const Ray<Interval>& ray, long cap) {
-    return {{ray.c.lo(), ray.kappa.lo(), ray.r.lo()}, cap};
-}
-
-/// Batched counts for some of the boxes.
-class Questions {
-  public:
-    void ask(std::size_t box, const Ray<Interval>& ray, long cap) {
-        boxes_.push_back(box);
-        queries_.push_back(query(ray, cap));
-    }
-    /// Calls use(box, answer, cap) for each question.
-    template <class Use>
-    void answer(const Interrupted& interrupted, Use use) {
-        std::vector<flight::batch::Answer> answers(queries_.size());
-        flight::batch::count_at_most(queries_, answers, flight::batch::chosen_backend(), interrupted);
-        for (std::size_t i = 0; i < boxes_.size(); ++i) {
-            use(boxes_[i], answers[i], queries_[i].cap);
-        }
-    }
-
-  private:
-    std::vector<std::size_t> boxes_;
-    std::vector<flight::batch::Query> queries_;
-};
-
 }  // namespace
 
 template <class I>
@@ -154,51 +126,17 @@ std::optional<Leaf> judge_turning(Chart chart, const Box& box, const Count& uppe
     return backward > room ? std::nullopt : std::optional(Leaf{Reason::count, forward, backward});
 }
 
+bool is_open_turning(Chart chart, const Box& box, long upper, const Interrupted& interrupted) {
+    const Case<Interval> found = case_of<Interval>(chart, box);
+    if (found.leaf || !found.out) {
+        return false;
+    }
+    const long forward = count_at_least(*found.out, upper, interrupted);
+    return forward == upper || (found.reversed && count_at_least(*found.reversed, upper - forward,
+                                                                 interrupted) == upper - forward);
+}
+
 template std::optional<Leaf> judge_turning<Interval>(Chart, const Box&, const Count&, const Interrupted&);
 template std::optional<Leaf> judge_turning<BigInterval>(Chart, const Box&, const Count&, const Interrupted&);
-
-std::vector<BoxJudgement> judge_turning_together(Chart chart, std::span<const Box> boxes, long upper,
-                                                 std::span<std::optional<Leaf>> results,
-                                                 const Interrupted& interrupted) {
-    std::vector<BoxJudgement> verdicts(boxes.size(), BoxJudgement::unsure);
-    std::vector<Case<Interval>> cases(boxes.size());
-    Questions forward;
-    for (std::size_t i = 0; i < boxes.size(); ++i) {
-        cases[i] = case_of<Interval>(chart, boxes[i]);
-        if (cases[i].leaf) {
-            results[i] = cases[i].leaf;
-            verdicts[i] = BoxJudgement::closed;
-        } else if (cases[i].out) {
-            forward.ask(i, *cases[i].out, upper - 1);
-        }
-    }
-    const auto close = [&](std::size_t i, const Leaf& leaf) {
-        results[i] = leaf;
-        verdicts[i] = BoxJudgement::closed;
-    };
-    std::vector<bool> settled(boxes.size());
-    Questions backward;
-    forward.answer(interrupted, [&](std::size_t i, const flight::batch::Answer& answer, long cap) {
-        settled[i] = flight::batch::settled(answer);
-        if (answer.count > cap) {
-            verdicts[i] = settled[i] ? BoxJudgement::open : BoxJudgement::unsure;
-        } else if (cases[i].reversed) {
-            results[i] = Leaf{Reason::count, answer.count, 0};
-            backward.ask(i, *cases[i].reversed, cap - answer.count);
-        } else {
-            close(i, {Reason::count, answer.count, 0});
-        }
-    });
-    backward.answer(interrupted, [&](std::size_t i, const flight::batch::Answer& answer, long cap) {
-        if (answer.count > cap) {
-            results[i].reset();
-            verdicts[i] =
-                settled[i] && flight::batch::settled(answer) ? BoxJudgement::open : BoxJudgement::unsure;
-        } else {
-            close(i, {Reason::count, results[i]->forward, answer.count});
-        }
-    });
-    return verdicts;
-}
 
 }  // namespace dumbbell::collisions
