@@ -91,8 +91,8 @@ void include(Subdivision& result, const Leaf& leaf, int depth) {
 }
 
 Obstacle obstacle_of_states(const Box& box) {
-    const BoxJets<Interval> jets(box);
-    return find_obstacle(follow(jets.state(), spans_of_a_box), natural_state<Interval>(box));
+    const auto s = natural_state<Interval>(box);
+    return find_obstacle(follow(s, spans_of_a_box), s);
 }
 
 /// What an undecided box is on or near to.
