@@ -41,27 +41,34 @@ SinCos<Interval> first_quadrant(double x) noexcept {
     return {{std::max(0.0, s.lo()), std::min(1.0, s.hi())}, {std::max(0.0, c.lo()), std::min(1.0, c.hi())}};
 }
 
-/// The enclosures at one double of any size: x = k pi/2 + y with y in a small interval around [-pi/4, pi/4].
-SinCos<Interval> at_point(double x) {
-    if (x >= 0 && x <= half_pi_hi) {
-        return first_quadrant(x);
-    }
-    if (!(std::abs(x) <= 0x1p20)) {
-        return {{-1, 1}, {-1, 1}};
-    }
+constexpr double farthest = 0x1p20;
+
+/// x = k pi/2 + t for a double of at most `farthest` in size: t is off from y by at most a rounding of y and
+/// `rest` (L14 (e)).
+struct Reduced {
+    long k;
+    double y;
+    double rest;
+};
+
+Reduced reduced(double x) noexcept {
     const double k = std::nearbyint(x / half_pi_hi);
-    const Interval y = Interval(x) - Interval(k) * half_pi<Interval>();
-    // |y| <= pi/4 + 2^-29: sine is increasing there, and cosine lies between its values at the ends and 1.
-    const auto signed_sine = [](double v) {
-        const Interval s = first_quadrant(std::abs(v)).sin;
-        return v < 0 ? -s : s;
-    };
-    const Interval s{signed_sine(y.lo()).lo(), signed_sine(y.hi()).hi()};
-    const Interval cl = first_quadrant(std::abs(y.lo())).cos;
-    const Interval ch = first_quadrant(std::abs(y.hi())).cos;
-    const bool straddles = y.lo() <= 0 && y.hi() >= 0;
-    const Interval c{std::min(cl.lo(), ch.lo()), straddles ? 1.0 : std::max(cl.hi(), ch.hi())};
-    switch (static_cast<long>(k) & 3) {
+    const double d = x - k * half_pi_first;
+    const double s = d - k * half_pi_second;
+    return {static_cast<long>(k), s + (((d - s) - k * half_pi_second) - k * half_pi_third),
+            std::abs(k) * 0x1p-116};
+}
+
+/// [-1, 1] and less: what a kernel computes as v from such a y (L14 (e)).
+Interval around(double v, double rest) noexcept {
+    const double p = std::abs(v) * 0x1p-51 + (rest + 0x1p-1074);
+    return {std::max(-1.0, v - p), std::min(1.0, v + p)};
+}
+
+SinCos<Interval> at_reduced(const Reduced& x) noexcept {
+    const Interval s = around(sin_kernel(x.y), x.rest);
+    const Interval c = around(cos_kernel(x.y), x.rest);
+    switch (x.k & 3) {
         case 0:
             return {s, c};
         case 1:
@@ -73,19 +80,18 @@ SinCos<Interval> at_point(double x) {
     }
 }
 
-/// Whether X may contain a point offset + 2 pi j, j an integer. Never a wrong "no".
-bool may_contain(const Interval& x, const Interval& offset) {
-    const Interval turns = (x - offset) / (Interval(2) * pi<Interval>());
-    return std::floor(turns.lo()) != std::floor(turns.hi()) || turns.lo() == std::floor(turns.lo());
-}
-
-/// The range over X from the enclosures at its ends and the extrema (+1 at `top`, -1 at `top` + pi, mod 2 pi)
-/// inside.
-Interval over_range(const Interval& x, const Interval& at_lo, const Interval& at_hi, const Interval& top) {
-    const Interval ends = hull(at_lo, at_hi);
-    const double hi = may_contain(x, top) ? 1.0 : std::min(1.0, ends.hi());
-    const double lo = may_contain(x, top + pi<Interval>()) ? -1.0 : std::max(-1.0, ends.lo());
-    return {lo, hi};
+/// The ranges from one double to another that is less than a turn ahead, from those at its ends and the
+/// extrema between: at the multiples of pi/2 from `first` to `last`.
+SinCos<Interval> over_range(const Reduced& lo, const Reduced& hi) noexcept {
+    const long first = lo.y > lo.rest ? lo.k + 1 : lo.k;
+    const long last = hi.y < -hi.rest ? hi.k - 1 : hi.k;
+    const auto with_extrema = [&](const Interval& ends, long top) {
+        const auto has = [&](long k) { return first + ((k - first) & 3) <= last; };
+        return Interval(has(top + 2) ? -1 : ends.lo(), has(top) ? 1 : ends.hi());
+    };
+    const SinCos<Interval> a = at_reduced(lo);
+    const SinCos<Interval> b = at_reduced(hi);
+    return {with_extrema(hull(a.sin, b.sin), 1), with_extrema(hull(a.cos, b.cos), 0)};
 }
 
 }  // namespace
@@ -104,20 +110,17 @@ SinCos<Interval> sin_cos_beside(const SinCosGuess& at, double shift) noexcept {
 }
 
 SinCos<Interval> sin_cos(const Interval& x) {
-    if (x.lo() == x.hi()) {
-        return at_point(x.lo());
-    }
+    const bool is_thin = x.lo() == x.hi();
     if (x.lo() >= 0 && x.hi() <= half_pi_hi) {
         const auto a = first_quadrant(x.lo());
-        const auto b = first_quadrant(x.hi());
+        const auto b = is_thin ? a : first_quadrant(x.hi());
         return {{a.sin.lo(), b.sin.hi()}, {b.cos.lo(), a.cos.hi()}};
     }
-    if (!(x.hi() - x.lo() < 6)) {  // more than a turn is near; NaN too
+    // More than a turn is near, or too far out; NaN too.
+    if (!(x.hi() - x.lo() < 6 && x.lo() >= -farthest && x.hi() <= farthest)) {
         return {{-1, 1}, {-1, 1}};
     }
-    const auto a = at_point(x.lo());
-    const auto b = at_point(x.hi());
-    return {over_range(x, a.sin, b.sin, half_pi<Interval>()), over_range(x, a.cos, b.cos, Interval(0))};
+    return is_thin ? at_reduced(reduced(x.lo())) : over_range(reduced(x.lo()), reduced(x.hi()));
 }
 
 Interval sin(const Interval& x) { return sin_cos(x).sin; }
@@ -135,7 +138,7 @@ double asin_lower(double v) {
         if (!(y > -half_pi_hi)) {
             return bottom;
         }
-        if (at_point(y).sin.hi() <= v) {
+        if (sin(Interval(y)).hi() <= v) {
             return y;
         }
     }

@@ -58,5 +58,9 @@ template <class At, class D>
 inline constexpr double half_pi_hi = 0x1.921fb54442d18p+0;
 inline constexpr double half_pi_lo = 0x1.1a62633145c07p-54;  // pi/2 - half_pi_hi, error < 2^-108
 inline constexpr double quarter_pi = 0x1.921fb54442d18p-1;
+// Beyond [0, pi/2] pi/2 is taken off in three parts, of which the first two are short (L14 (e)).
+inline constexpr double half_pi_first = 0x1.921fb544p+0;
+inline constexpr double half_pi_second = 0x1.0b4611a4p-34;
+inline constexpr double half_pi_third = 0x1.13198a2e03707p-65;  // their sum: pi/2, error < 2^-119
 
 }  // namespace dumbbell

@@ -24,7 +24,8 @@ I polished_guess(const State<S>& s, Mass mass, I t) {
     }
     const State<I> middle = middle_of(s);
     for (; steps > 0; --steps) {
-        const I next = midpoint(t - clearance(middle, mass, t) / clearance_rate(middle, mass, t));
+        const Moment<I> now(middle, t);
+        const I next = midpoint(t - now.clearance(mass) / now.clearance_rate(mass));
         if (!certainly_less(I(0), next)) {
             break;
         }
@@ -43,8 +44,9 @@ template <class S>
                                                         const Enclosure<S>& guess) {
     using I = Enclosure<S>;
     const I t = detail::polished_guess(s, mass, guess);
-    const I value = range(clearance(s, mass, S(t)));
-    I fall = -range(clearance_rate(s, mass, S(t)));
+    const Moment<S> now(s, S(t));
+    const I value = range(now.clearance(mass));
+    I fall = -range(now.clearance_rate(mass));
     if (!certainly_positive(fall)) {
         return std::nullopt;
     }
@@ -89,10 +91,10 @@ template <class I>
         !certainly_at_most(low_end(*centre_times), high_end(*times))) {
         return std::nullopt;
     }
-    const Jet<I> at(*times);
-    const I inverse = I(-1) / range(clearance_rate(s, mass, at));
-    return Jet<I>(intersection(*centre_times, *times), *times, clearance(s, mass, at).gradient() * inverse,
-                  clearance(s, mass, at).displacement());
+    const Moment<Jet<I>> then(s, Jet<I>(*times));
+    const Jet<I> at = then.clearance(mass);
+    return Jet<I>(intersection(*centre_times, *times), *times,
+                  at.gradient() * (I(-1) / range(then.clearance_rate(mass))), at.displacement());
 }
 
 }  // namespace dumbbell::starts

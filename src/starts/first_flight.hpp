@@ -24,25 +24,20 @@ inline constexpr long spans_of_a_box = 1024;
 
 namespace detail {
 
-/// Whether the clearance of `mass` certainly stays positive on [a, b]: from its value at a and the least
-/// rate.
-template <class S, class I>
-bool clear_on(const State<S>& s, Mass mass, const I& a, const I& b) {
-    const I rate = min(I(0), low_end(range(clearance_rate(s, mass, S(hull(a, b))))));
-    return certainly_positive(low_end(range(clearance(s, mass, S(a)))) + rate * (b - a));
-}
-
-/// One span of a flight: both masses above the floor; or, for the mass that touches first (if any), its
-/// clearance falling.
+/// One span of a flight: both masses above the floor, from their clearance at its beginning and the least
+/// rate; or, for the mass that touches first (if any), its clearance falling.
 template <class S, class I>
 bool span_closes(const State<S>& s, std::optional<Mass> first, const I& a, const I& b) {
     const S span(hull(a, b));
     if (certainly_less(I(1), range(s.yhat + s.yhatdot * span))) {
         return true;  // above every wall
     }
+    const Moment<S> begin(s, S(a));
+    const Moment<S> within(s, span);
     return std::ranges::all_of(std::array{Mass::light, Mass::heavy}, [&](Mass mass) {
-        const bool falls = first == mass && certainly_positive(-range(clearance_rate(s, mass, span)));
-        return falls || clear_on(s, mass, a, b);
+        const I rate = range(within.clearance_rate(mass));
+        return (first == mass && certainly_positive(-rate)) ||
+               certainly_positive(low_end(range(begin.clearance(mass))) + min(I(0), low_end(rate)) * (b - a));
     });
 }
 
@@ -64,8 +59,9 @@ template <class S, class I>
         spans.pop_back();
         if (!detail::span_closes(s, first, a, b)) {
             const I middle = midpoint(hull(a, b));
-            if (!certainly_less(a, middle) || !certainly_less(middle, b)) {
-                return false;
+            if (!certainly_less(a, middle) || !certainly_less(middle, b) ||
+                !detail::span_closes(s, first, middle, middle)) {
+                return false;  // nor does any span from there on
             }
             spans.emplace_back(middle, b);
             spans.emplace_back(a, middle);
@@ -82,8 +78,9 @@ template <class S>
     const I time = detail::polished_guess(s, guess.mass, I(guess.time));
     const I before = detail::polished_guess(s, other, I(guess.time));
     const State<I> middle = detail::middle_of(s);
-    const bool is_contact = certainly_less(magnitude(clearance(middle, other, before)), I(0x1p-26)) &&
-                            certainly_positive(-clearance_rate(middle, other, before));
+    const Moment<I> then(middle, before);
+    const bool is_contact = certainly_less(magnitude(then.clearance(other)), I(0x1p-26)) &&
+                            certainly_positive(-then.clearance_rate(other));
     return is_contact && certainly_less(before, time) ? other : guess.mass;
 }
 

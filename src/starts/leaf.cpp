@@ -12,18 +12,24 @@ namespace {
 
 constexpr int most_exponent = 400;  ///< of a dyadic in the file, and of a window's end over its step
 
-/// A side of the box, wider by 2^-16 of its width and 2^(7 - bits) of its size on both ends.
+/// 2^(7 - bits).
 template <class I>
-I with_slack(const Rational& lo, const Rational& hi, int bits) {
+I slack_unit(int bits) {
+    return enclose<I>(Rational(1, Integer(1) << static_cast<unsigned>(bits - 7)));
+}
+
+/// A side of the box, wider by 2^-16 of its width and `unit` of its size on both ends.
+template <class I>
+I with_slack(const Rational& lo, const Rational& hi, const I& unit) {
     const I side = hull(enclose<I>(lo), enclose<I>(hi));
-    const I unit = enclose<I>(Rational(1, Integer(1) << static_cast<unsigned>(bits - 7)));
     const I pad = (high_end(side) - low_end(side)) * I(0x1p-16) + magnitude(side) * unit;
     return hull(side - pad, side + pad);
 }
 
 template <class I>
 State<I> wider_state(const Box& box, int bits) {
-    const auto side = [&](std::size_t i) { return with_slack<I>(box.lo[i], box.hi[i], bits); };
+    const I unit = slack_unit<I>(bits);
+    const auto side = [&](std::size_t i) { return with_slack<I>(box.lo[i], box.hi[i], unit); };
     State<I> s = state_of(side(0), side(1), side(2), side(3), side(4));
     s.r = has_equal_masses(box) ? I(1) : min(s.r, I(1));
     return s;
@@ -107,7 +113,7 @@ Leaf judge_in(const Box& box, int bits) {
 
 /// r = 1/q, with slack.
 Interval inverse(const Rational& q) {
-    return q == 1 ? Interval(1) : Interval(1) / with_slack<Interval>(q, q, double_bits);
+    return q == 1 ? Interval(1) : Interval(1) / with_slack(q, q, slack_unit<Interval>(double_bits));
 }
 
 }  // namespace

@@ -10,26 +10,25 @@
 namespace dumbbell::starts {
 namespace {
 
-/// The volumes of the leaves of a tree.
-struct Volumes {
-    std::map<long, Rational> exact;   ///< by number of collisions
-    std::map<long, Rational> change;  ///< from k - 1 to k, of the leaves whose bounds have k between them
+/// The volumes of the leaves of a tree, whose nodes are given in pre-order.
+class Volumes {
+  public:
+    std::map<long, Rational> exact;  ///< by number of collisions
+    std::map<long, Rational> change{
+        {0, 0}};  ///< from k - 1 to k, of the leaves whose bounds have k between them
     Rational open = 0;
 
-    explicit Volumes(const std::vector<Node>& tree) {
-        std::vector<Rational> waiting{1};  // the volumes of the nodes to come: the next one last
-        for (const Node& node : tree) {
-            require(!waiting.empty(), "nodes follow the end of a tree of initial conditions");
-            const Rational volume = std::move(waiting.back());
-            waiting.pop_back();
-            if (node.split) {
-                waiting.insert(waiting.end(), 2, volume / 2);
-            } else {
-                add(node.leaf, volume);
-            }
+    void add(const Node& node) {
+        require(!waiting_.empty(), "nodes follow the end of a tree of initial conditions");
+        const Rational volume = std::move(waiting_.back());
+        waiting_.pop_back();
+        if (node.split) {
+            waiting_.insert(waiting_.end(), 2, volume / 2);
+        } else {
+            add(node.leaf, volume);
         }
-        require(waiting.empty(), "a tree of initial conditions is not complete");
     }
+    void end() const { require(waiting_.empty(), "a tree of initial conditions is not complete"); }
 
   private:
     void add(const Leaf& leaf, const Rational& volume) {
@@ -43,6 +42,8 @@ struct Volumes {
         change[leaf.least] += volume;
         change[*leaf.most + 1] -= volume;
     }
+
+    std::vector<Rational> waiting_{1};  ///< the volumes of the nodes to come: the next one last
 };
 
 constexpr unsigned share_decimals = 12;
@@ -68,11 +69,7 @@ std::string counts_text(const ShareBounds& bounds) {
                                           : fmt::format("{}-{}", bounds.least, *bounds.most);
 }
 
-}  // namespace
-
-std::vector<ShareBounds> share_bounds(const std::vector<Node>& tree) {
-    Volumes volumes(tree);
-    volumes.change[0];
+std::vector<ShareBounds> bounds_of(const Volumes& volumes) {
     std::vector<ShareBounds> bounds;
     Rational hi = volumes.open;
     for (const auto& [count, change] : volumes.change) {
@@ -88,6 +85,23 @@ std::vector<ShareBounds> share_bounds(const std::vector<Node>& tree) {
         bounds.pop_back();  // the rest has the share 0
     }
     return bounds;
+}
+
+}  // namespace
+
+std::vector<ShareBounds> share_bounds(const PackedTree& tree) {
+    Volumes volumes;
+    tree.for_each([&](const Node& node) { volumes.add(node); });
+    return bounds_of(volumes);
+}
+
+std::vector<ShareBounds> share_bounds(const std::vector<Node>& tree) {
+    Volumes volumes;
+    for (const Node& node : tree) {
+        volumes.add(node);
+    }
+    volumes.end();
+    return bounds_of(volumes);
 }
 
 std::string share_lines(const std::vector<ShareBounds>& bounds) {

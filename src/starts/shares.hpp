@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "starts/certificate.hpp"
+#include "starts/packed_tree.hpp"
 #include "words/json.hpp"
 
 /// How likely each number of collisions is: what the leaves of a tree prove of it (format-initial.md, 7).
@@ -23,6 +23,7 @@ struct ShareBounds {
 /// In ascending order, from k = 0 on; what follows the last one has the share 0. `lo` is the volume of the
 /// leaves whose number is k, `hi` that of the leaves whose bounds have k between them. Precondition: a
 /// complete tree.
+[[nodiscard]] std::vector<ShareBounds> share_bounds(const PackedTree& tree);
 [[nodiscard]] std::vector<ShareBounds> share_bounds(const std::vector<Node>& tree);
 
 /// A line for each, `3`, `4-6` or `7-` collisions, with twelve decimals rounded outward: as dumbbell-verify

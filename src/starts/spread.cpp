@@ -60,15 +60,28 @@ State<Interval> point(const State<Tangent>& s) {
 
 /// After a contact at about this time: the derivatives of the time are those of a root of the clearance.
 State<Tangent> after_contact(const State<Tangent>& s, Mass mass, double time) {
-    const Tangent at(time);
-    return bounce(s, mass, {time, clearance(s, mass, at).gradient / -clearance_rate(s, mass, at).value})
-        .after;
+    const Moment<Tangent> then(s, Tangent(time));
+    return bounce(s, mass, {time, then.clearance(mass).gradient / -then.clearance_rate(mass).value}).after;
+}
+
+/// The first contact, if it seems that there is one and that it is no corner, where no orbit goes on.
+Event<Interval> first_contact(const State<Tangent>& s) {
+    const auto guess =
+        guess_first_contact(s.phi.value, s.yhat.value, s.phidot.value, s.yhatdot.value, s.r.value);
+    if (!guess) {
+        return {};
+    }
+    const State<Interval> at = point(s);
+    const Interval time = detail::polished_guess(at, guess->mass, Interval(guess->time));
+    const Mass other = guess->mass == Mass::light ? Mass::heavy : Mass::light;
+    const bool corner = std::abs(approximate(clearance(at, other, time))) < 1e-9;
+    return corner ? Event<Interval>{} : Event<Interval>{Next::contact, guess->mass, time};
 }
 
 /// The orbit of the centre after so many collisions, or as far as it can be followed.
 State<Tangent> follow_centre(const Box& box, long collisions) {
     State<Tangent> s = centre_of(box);
-    Event<Interval> event = event_from_air(point(s), spans_of_a_box);
+    Event<Interval> event = first_contact(s);
     for (long done = 0; done < collisions && event.next == Next::contact; ++done) {
         s = after_contact(s, event.mass, approximate(*event.time));
         event = event_after_contact(point(s), event.mass);

@@ -20,20 +20,36 @@ struct State {
     S time;
 };
 
-/// The height of a mass, in units of beta2, `t` later in the same flight: yhat + sin phi (light), yhat - r
-/// sin phi (heavy).
+/// The flight `t` after a state: its sine and cosine serve both masses.
+template <class S>
+class Moment {
+  public:
+    Moment(const State<S>& s, const S& t) : s_(s), t_(t), at_(sin_cos(s.phi + s.phidot * t)) {}
+
+    /// The height of a mass, in units of beta2: yhat + sin phi (light), yhat - r sin phi (heavy).
+    [[nodiscard]] S clearance(Mass mass) const {
+        const S height = s_.yhat + s_.yhatdot * t_;
+        return mass == Mass::light ? height + at_.sin : height - s_.r * at_.sin;
+    }
+    /// Its derivative in time.
+    [[nodiscard]] S clearance_rate(Mass mass) const {
+        const S turning = s_.phidot * at_.cos;
+        return mass == Mass::light ? s_.yhatdot + turning : s_.yhatdot - s_.r * turning;
+    }
+
+  private:
+    const State<S>& s_;
+    S t_;
+    SinCos<S> at_;
+};
+
 template <class S>
 [[nodiscard]] S clearance(const State<S>& s, Mass mass, const S& t) {
-    const S sine = sin_cos(s.phi + s.phidot * t).sin;
-    const S height = s.yhat + s.yhatdot * t;
-    return mass == Mass::light ? height + sine : height - s.r * sine;
+    return Moment<S>(s, t).clearance(mass);
 }
-
-/// Its derivative in time.
 template <class S>
 [[nodiscard]] S clearance_rate(const State<S>& s, Mass mass, const S& t) {
-    const S turning = s.phidot * sin_cos(s.phi + s.phidot * t).cos;
-    return mass == Mass::light ? s.yhatdot + turning : s.yhatdot - s.r * turning;
+    return Moment<S>(s, t).clearance_rate(mass);
 }
 
 /// A contact: the states before and after it differ in their velocities only.

@@ -1,10 +1,11 @@
 #include "starts/subdivide.hpp"
 
 #include <algorithm>
-#include <numeric>
+#include <cstdint>
+#include <span>
 #include <utility>
+#include <vector>
 
-#include "base/growing_tree.hpp"
 #include "number/parallel.hpp"
 #include "starts/box_state.hpp"
 #include "starts/find_obstacle.hpp"
@@ -16,17 +17,45 @@
 namespace dumbbell::starts {
 namespace {
 
-using Tree = GrowingTree<Node, Box, axis_count>;
-
 constexpr std::size_t boxes_together = 16;
+constexpr std::size_t boxes_at_a_time = 4096;  ///< that are judged before their results are kept
+
+/// A box of the tree: how often each axis was halved, and which part of it this is.
+struct Place {
+    std::array<std::uint64_t, axis_count> part{};
+    std::array<std::uint8_t, axis_count> depths{};
+
+    [[nodiscard]] Box in(const Box& root) const {
+        Box box = root;
+        for (std::size_t i = 0; i < axis_count; ++i) {
+            if (depths[i] > 0) {
+                const Rational width = (root.hi[i] - root.lo[i]) / Rational(Integer(1) << depths[i]);
+                box.lo[i] += width * Rational(part[i]);
+                box.hi[i] = box.lo[i] + width;
+            }
+        }
+        return box;
+    }
+
+    [[nodiscard]] Place half(Axis axis, bool upper) const {
+        const auto i = static_cast<std::size_t>(axis);
+        Place result = *this;
+        result.part[i] = 2 * part[i] + (upper ? 1 : 0);
+        ++result.depths[i];
+        return result;
+    }
+};
 
 struct Judged {
     Leaf leaf;
     std::optional<Axis> split;  ///< of a box that may be halved
+
+    [[nodiscard]] bool is_exact() const { return leaf.most == leaf.least; }
 };
 
 /// The axis to halve, where so many collisions are certain; nothing if none may be.
-std::optional<Axis> split_axis(const Box& box, const Tree::Depths& depths, long certain, int max_depth) {
+std::optional<Axis> split_axis(const Box& box, const decltype(Place::depths)& depths, long certain,
+                               int max_depth) {
     const auto spread = spreads(box, certain + 1);
     std::optional<std::size_t> best;
     for (std::size_t i = 0; i < axis_count; ++i) {
@@ -38,15 +67,15 @@ std::optional<Axis> split_axis(const Box& box, const Tree::Depths& depths, long 
     return best ? std::optional(static_cast<Axis>(*best)) : std::nullopt;
 }
 
-Judged judge_states(const Box& box, const Tree::Depths& depths, const SubdivideOptions& options) {
+Judged judge_states(const Box& box, const decltype(Place::depths)& depths, const SubdivideOptions& options) {
     Judged result{judge(box, options.bits), std::nullopt};
-    if (result.leaf.most != result.leaf.least) {
+    if (!result.is_exact()) {
         result.split = split_axis(box, depths, result.leaf.least, options.max_depth);
     }
     return result;
 }
 
-Judged judge(const Box& box, const Tree::Depths& depths, const SubdivideOptions& options) {
+Judged judge(const Box& box, const decltype(Place::depths)& depths, const SubdivideOptions& options) {
     if (!options.incoming) {
         return judge_states(box, depths, options);
     }
@@ -57,28 +86,7 @@ Judged judge(const Box& box, const Tree::Depths& depths, const SubdivideOptions&
     return {judge_falling(box.lower(Axis::ratio)), may ? std::optional(Axis::phidot) : std::nullopt};
 }
 
-/// The boxes of one generation; the results do not depend on how the work is shared out.
-std::vector<Judged> judge_all(const Tree& tree, const SubdivideOptions& options) {
-    std::vector<Judged> results(tree.boxes().size());
-    in_parallel(results.size(), boxes_together, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i != end; ++i) {
-            results[i] = judge(tree.boxes()[i], tree.depths(i), options);
-        }
-        options.observer->advance(end - begin);
-    });
-    return results;
-}
-
-std::pair<Box, Box> halves(const Box& box, Axis axis) {
-    const auto i = static_cast<std::size_t>(axis);
-    const Rational middle = (box.lo[i] + box.hi[i]) / 2;
-    std::pair<Box, Box> result{box, box};
-    result.first.hi[i] = middle;
-    result.second.lo[i] = middle;
-    return result;
-}
-
-void include(Subdivision& result, const Leaf& leaf, int depth) {
+void include(Subdivision& result, const Leaf& leaf, std::size_t depth) {
     const Rational share(1, Integer(1) << static_cast<unsigned>(depth));
     const bool first = result.exact.empty() && result.undecided.boxes == 0;
     result.least = first ? leaf.least : std::min(result.least, leaf.least);
@@ -91,8 +99,8 @@ void include(Subdivision& result, const Leaf& leaf, int depth) {
 }
 
 Obstacle obstacle_of_states(const Box& box) {
-    const BoxJets<Interval> jets(box);
-    return find_obstacle(follow(jets.state(), spans_of_a_box), natural_state<Interval>(box));
+    const auto s = natural_state<Interval>(box);
+    return find_obstacle(follow(s, spans_of_a_box), s);
 }
 
 /// What an undecided box is on or near to.
@@ -102,56 +110,83 @@ Obstacle obstacle_in(const Box& box, bool incoming) {
                                : obstacle_of_states(states_of_incoming(box));
 }
 
-/// Names what the undecided among the boxes of a generation are on or near to.
-void explain(Subdivision& result, const Tree& tree, const std::vector<std::size_t>& undecided,
-             bool incoming) {
-    std::vector<Obstacle> found(undecided.size());
-    in_parallel(found.size(), boxes_together, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i != end; ++i) {
-            found[i] = obstacle_in(tree.boxes()[undecided[i]], incoming);
-        }
-    });
-    for (const Obstacle obstacle : found) {
-        ++result.near.at(static_cast<std::size_t>(obstacle));
-    }
-}
-
 /// Grows the tree, and adds up its leaves.
-Subdivision grow(const Box& box, const SubdivideOptions& options) {
-    Subdivision result;
-    result.bits = options.bits;
-    Tree tree(box);
-    for (std::size_t leaves = 1; !tree.boxes().empty(); tree.next_generation()) {
-        const std::vector<Judged> judged = judge_all(tree, options);
-        const bool stop = options.interrupted();
-        std::vector<std::size_t> undecided;
-        for (std::size_t i = 0; i < judged.size(); ++i) {
-            if (!judged[i].split || stop || leaves >= options.max_boxes) {
-                tree.close(i, judged[i].leaf);
-                const auto& depths = tree.depths(i);
-                include(result, judged[i].leaf, std::accumulate(depths.begin(), depths.end(), 0));
-                if (judged[i].leaf.most != judged[i].leaf.least) {
-                    undecided.push_back(i);
-                }
+class Growth {
+  public:
+    Growth(const Box& box, const SubdivideOptions& options) : box_(box), options_(options) {
+        result_.bits = options.bits;
+    }
+
+    Subdivision run() {
+        for (std::vector<Place> places(1); !places.empty(); places = std::exchange(next_, {})) {
+            for (std::size_t begin = 0; begin < places.size(); begin += boxes_at_a_time) {
+                const std::size_t end = std::min(begin + boxes_at_a_time, places.size());
+                grow({places.data() + begin, end - begin});
+            }
+            ++generation_;
+        }
+        return std::move(result_);
+    }
+
+  private:
+    /// The next places of this generation; the results do not depend on how the work is shared out.
+    void grow(std::span<const Place> places) {
+        std::vector<Judged> judged(places.size());
+        in_parallel(places.size(), boxes_together, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i != end; ++i) {
+                judged[i] = judge(places[i].in(box_), places[i].depths, options_);
+            }
+            options_.observer->advance(end - begin);
+        });
+        const bool stop = options_.interrupted();
+        std::vector<Place> undecided;
+        for (std::size_t i = 0; i < places.size(); ++i) {
+            const auto& [leaf, split] = judged[i];
+            if (split && !stop && leaves_ < options_.max_boxes) {
+                ++leaves_;
+                result_.tree.add(generation_, {*split, {}});
+                next_.push_back(places[i].half(*split, false));
+                next_.push_back(places[i].half(*split, true));
                 continue;
             }
-            ++leaves;
-            tree.split(i, *judged[i].split, halves(tree.boxes()[i], *judged[i].split));
+            result_.tree.add(generation_, {{}, leaf});
+            include(result_, leaf, generation_);
+            if (!judged[i].is_exact()) {
+                undecided.push_back(places[i]);
+            }
         }
-        if (stop || !options.name_obstacles) {
-            result.unexplained += static_cast<long>(undecided.size());
+        if (stop) {
+            result_.unexplained += static_cast<long>(undecided.size());
         } else {
-            explain(result, tree, undecided, options.incoming);
+            explain(undecided);
         }
     }
-    result.tree = std::move(tree).pre_order();
-    return result;
-}
+
+    /// Names what these are on or near to.
+    void explain(const std::vector<Place>& undecided) {
+        std::vector<Obstacle> found(undecided.size());
+        in_parallel(found.size(), boxes_together, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i != end; ++i) {
+                found[i] = obstacle_in(undecided[i].in(box_), options_.incoming);
+            }
+        });
+        for (const Obstacle obstacle : found) {
+            ++result_.near.at(static_cast<std::size_t>(obstacle));
+        }
+    }
+
+    const Box& box_;
+    const SubdivideOptions& options_;
+    Subdivision result_;
+    std::size_t leaves_ = 1;
+    std::size_t generation_ = 0;
+    std::vector<Place> next_;  ///< the boxes of the next generation
+};
 
 }  // namespace
 
 Subdivision subdivide(const Box& box, const SubdivideOptions& options) {
-    return with_threads(options.jobs, [&] { return grow(box, options); });
+    return with_threads(options.jobs, [&] { return Growth(box, options).run(); });
 }
 
 }  // namespace dumbbell::starts

@@ -4,23 +4,22 @@
 #include <cstddef>
 #include <map>
 #include <optional>
-#include <vector>
 
 #include "base/interrupted.hpp"
 #include "base/observer.hpp"
 #include "starts/certificate.hpp"
 #include "starts/obstacle.hpp"
+#include "starts/packed_tree.hpp"
 
 /// Covers of a box of initial conditions by boxes whose number of collisions is certain.
 namespace dumbbell::starts {
 
 struct SubdivideOptions {
     std::size_t max_boxes = 50000;  ///< leaves
-    int max_depth = 60;             ///< splits of one axis
+    int max_depth = 60;             ///< splits of one axis, at most 63
     int jobs = 1;
-    bool incoming = false;       ///< the box is one of incoming.hpp; then bits = 53
-    int bits = 53;               ///< for boxes that double precision does not decide; beyond 53 MPFR
-    bool name_obstacles = true;  ///< fill `near`, much of the work
+    bool incoming = false;  ///< the box is one of incoming.hpp; then bits = 53
+    int bits = 53;          ///< for boxes that double precision does not decide; beyond 53 MPFR
     Interrupted interrupted = never;
     Observer* observer = &nobody;  ///< told of boxes that are judged
 };
@@ -30,14 +29,14 @@ struct Share {
     long boxes = 0;
 };
 
-/// A bisection tree of the box in pre-order, and what its leaves add up to.
+/// A bisection tree of the box, and what its leaves add up to.
 struct Subdivision {
-    std::vector<Node> tree;
+    PackedTree tree;
     std::map<long, Share> exact;  ///< by number of collisions
     Share undecided;
     std::array<long, obstacles> near{};  ///< undecided boxes by their Obstacle
-    long unexplained = 0;  ///< undecided boxes without one: after an interruption, or not asked for
-    long least = 0;        ///< over the whole box
+    long unexplained = 0;                ///< undecided boxes without one, after an interruption
+    long least = 0;                      ///< over the whole box
     std::optional<long> most;
     int bits = 53;  ///< of the options
 };

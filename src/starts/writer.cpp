@@ -70,13 +70,11 @@ class Body {
     long least_ = 0, most_ = 0;
 };
 
-}  // namespace
+Body body_of(const Certificate& certificate) {
+    return Body(certificate.incoming ? incoming_names : axis_names);
+}
 
-SealedText render(const Certificate& certificate) {
-    Body body(certificate.incoming ? incoming_names : axis_names);
-    for (const Node& node : certificate.tree) {
-        body.node(node);
-    }
+SealedText render(const Certificate& certificate, const Body& body) {
     require(body.complete(), "certificate: the tree of initial conditions is not complete");
     const auto& [lo, hi] = certificate.box;
     SealedLines out;
@@ -87,8 +85,26 @@ SealedText render(const Certificate& certificate) {
         out.line("{} {} {}", axis_names[i], to_fraction(lo[i]), to_fraction(hi[i]));
     }
     out.line("bits {}", certificate.bits);
-    out.lines(body.bounds() + body.lines() + body.totals());
+    out.lines(body.bounds());
+    out.lines(body.lines());
+    out.lines(body.totals());
     return std::move(out).sealed();
+}
+
+}  // namespace
+
+SealedText render(const Certificate& certificate) {
+    Body body = body_of(certificate);
+    for (const Node& node : certificate.tree) {
+        body.node(node);
+    }
+    return render(certificate, body);
+}
+
+SealedText render(const Certificate& certificate, const PackedTree& tree) {
+    Body body = body_of(certificate);
+    tree.for_each([&](const Node& node) { body.node(node); });
+    return render(certificate, body);
 }
 
 }  // namespace dumbbell::starts

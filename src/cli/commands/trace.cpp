@@ -140,11 +140,9 @@ starts::Box incoming_box_of(const RatioArgument& ratio) {
     return starts::incoming_box(ratio.lo);
 }
 
+/// But for its tree.
 starts::Certificate certificate_of_starts(const starts::TraceReport& report) {
-    return {.box = report.box,
-            .bits = report.parts->bits,
-            .tree = report.parts->tree,
-            .incoming = report.incoming};
+    return {.box = report.box, .bits = report.parts->bits, .tree = {}, .incoming = report.incoming};
 }
 
 /// No trajectory has more than the maximum, whatever was found of these.
@@ -204,8 +202,6 @@ int run_trace(const Given& given) {
     if (given.has("--subdivide")) {
         limits.bits = std::min(report.trace.bits, most_subdivide_bits);
         limits.incoming = report.incoming;
-        limits.name_obstacles =
-            !report.shares || given.has("--json");  // what the table of shares does not say
         {
             Progress progress("boxes", verbosity_of(given), "halving the box");
             limits.observer = &progress;
@@ -225,7 +221,7 @@ int run_trace(const Given& given) {
     }
     report.seconds = watch.seconds();
     if (output.is_wanted()) {
-        write(render(certificate_of_starts(report)), output, report);
+        write(render(certificate_of_starts(report), report.parts->tree), output, report);
     }
     print(output.report(), given, report, ratio.swapped);
     const bool certified = report.trace.exact() || (!report.is_single() && !event_of(report));

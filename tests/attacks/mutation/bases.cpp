@@ -104,12 +104,12 @@ starts::Box box(std::array<std::array<const char*, 2>, starts::axis_count> sides
 }
 starts::Certificate subdivided(const starts::Box& box, std::size_t boxes, int bits = 53) {
     const starts::Subdivision parts = subdivide(box, {.max_boxes = boxes, .bits = bits});
-    return {{"mutation", "1.0"}, box, parts.bits, parts.tree};
+    return {{"mutation", "1.0"}, box, parts.bits, parts.tree.nodes()};
 }
 starts::Certificate all_incoming(const Rational& q, std::size_t boxes) {
     const starts::Subdivision parts =
         subdivide(starts::incoming_box(q), {.max_boxes = boxes, .incoming = true});
-    return {{"mutation", "1.0"}, starts::incoming_box(q), parts.bits, parts.tree, true};
+    return {{"mutation", "1.0"}, starts::incoming_box(q), parts.bits, parts.tree.nodes(), true};
 }
 starts::Certificate with_open_leaf(starts::Certificate certificate) {
     for (starts::Node& node : certificate.tree)

@@ -26,7 +26,7 @@ using make::mutated_initial;
 namespace {
 
 SealedText sealed(const Rational& q, const Subdivision& parts) {
-    return render({.box = incoming_box(q), .tree = parts.tree, .incoming = true});
+    return render({.box = incoming_box(q), .tree = parts.tree.nodes(), .incoming = true});
 }
 
 /// s sqrt(q/(1 - s^2)).
@@ -181,7 +181,7 @@ TEST_CASE("what each leaf says holds for a simulated trajectory of its piece, an
         const auto parts = subdivide(incoming_box(ratio), {.max_boxes = 4000, .jobs = 2, .incoming = true});
         std::vector<Box> waiting{incoming_box(ratio)};
         int decided = 0, simulated = 0;
-        for (const Node& node : parts.tree) {
+        for (const Node& node : parts.tree.nodes()) {
             const Box piece = waiting.back();
             waiting.pop_back();
             if (node.split) {

@@ -95,7 +95,7 @@ TEST_CASE("The leaves of verified files hold for the simulated orbits of their p
         }
         const auto parts = dumbbell::starts::subdivide(box, {.max_boxes = 16});
         REQUIRE(refusal(written(box, parts)) == "");
-        for_each_leaf(parts.tree, box, [&](const Box& here, const dumbbell::starts::Leaf& leaf) {
+        for_each_leaf(parts.tree.nodes(), box, [&](const Box& here, const dumbbell::starts::Leaf& leaf) {
             std::array<double, 5> lo{}, hi{};
             for (std::size_t k = 0; k < 5; ++k) {
                 lo.at(k) = here.lo[k].convert_to<double>();

@@ -11,8 +11,10 @@
 namespace dumbbell_trace_test {
 
 inline std::string written(const dumbbell::starts::Box& box, const dumbbell::starts::Subdivision& parts) {
-    return render(dumbbell::starts::Certificate{
-                      .generator = {"dumbbell", "test"}, .box = box, .bits = parts.bits, .tree = parts.tree})
+    return render(dumbbell::starts::Certificate{.generator = {"dumbbell", "test"},
+                                                .box = box,
+                                                .bits = parts.bits,
+                                                .tree = parts.tree.nodes()})
         .text;
 }
 
