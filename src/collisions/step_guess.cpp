@@ -64,15 +64,14 @@ double guess_margin(long n, double q, const Interrupted& interrupted) {
 
 namespace {
 
-/// About C: n - 2 times its relative error must be small. Nothing interrupts its quadrature, which takes some
-/// milliseconds for 512 bits, and minutes for some thousand.
-const BigInterval& growth(long n) {
-    static const BigInterval fine = [] {
-        const PrecisionScope scope(512);
-        return flight::growth_constant();
-    }();
-    static const BigInterval rough(rough_growth);
-    return is_long(n) ? fine : rough;
+/// About C: its relative error, n - 2 times, must be small. Nothing interrupts the quadrature, which takes
+/// some milliseconds for 512 bits, and minutes for some thousand.
+BigInterval growth(long n) {
+    if (!is_long(n)) {
+        return BigInterval(rough_growth);
+    }
+    const PrecisionScope scope(std::min(512, PrecisionScope::current()));
+    return flight::growth_constant();
 }
 
 /// C sqrt q - (n - 2), the place of q between the steps, is what the search is for. Near 0, where the step to

@@ -17,7 +17,7 @@ constexpr double sine_error = 1.8;      // of sin_kernel
 constexpr double cosine_error = 1.5;    // of cos_kernel
 constexpr double argument_error = 1.5;  // of y = pi/2 - x as computed
 constexpr double guess_error = 4.0;     // of guess_sin_cos
-constexpr double moved_error = 5.4;     // of `moved`, from there (L39 (h))
+constexpr double moved_error = 5.4;     // of `moved`, from there (L63 (b))
 static_assert(half_pi_hi - quarter_pi < reach);
 static_assert(sine_error + argument_error < guess_error && cosine_error + argument_error < guess_error);
 static_assert(moved_error + 2 < pad * 0x1p53);

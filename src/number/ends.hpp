@@ -1,7 +1,7 @@
 #pragma once
 
 /// The two ends of an interval side by side, as {-lo, hi}: outward is up for both. By the compiler's own
-/// vectors, as flight/batch/pack_portable.hpp: one register where the machine's basic instructions know such.
+/// vectors: one register where the machine's basic instructions know such.
 namespace dumbbell::ends {
 
 using Pair = double __attribute__((vector_size(16)));

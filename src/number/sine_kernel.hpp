@@ -1,7 +1,6 @@
 #pragma once
 
-/// Sine and cosine as plain arithmetic, for one double and for packs of them (flight/batch/pack.hpp): lemma
-/// L14.
+/// Sine and cosine in double, as plain arithmetic: lemma L14.
 namespace dumbbell {
 
 // Kernels on |y| <= 0.79 (a little more than pi/4): Taylor polynomials with coefficients rounded to double, z
@@ -17,10 +16,9 @@ namespace dumbbell {
 // Error of cos_kernel against cos y: remainder y^20/20! < 0.0001 u; h = z/2 is exact after z, whose rounding
 // gives 0.32 u; the term z^2 C (<= 0.017) 0.07 u; w = 1 - h is corrected by the exact (1 - w) - h, adding the
 // two corrections 0.02 u; the final addition 0.5 u. In all < 1 u <= 1.5 u cos y.
-template <class D>
-[[nodiscard]] inline D sin_kernel(D y) noexcept {
-    const D z = y * y;
-    const D s =
+[[nodiscard]] inline double sin_kernel(double y) noexcept {
+    const double z = y * y;
+    const double s =
         -1.0 / 6 +
         z * (1.0 / 120 +
              z * (-1.0 / 5040 +
@@ -30,27 +28,26 @@ template <class D>
     return y + y * z * s;
 }
 
-template <class D>
-[[nodiscard]] inline D cos_kernel(D y) noexcept {
-    const D z = y * y;
-    const D c =
+[[nodiscard]] inline double cos_kernel(double y) noexcept {
+    const double z = y * y;
+    const double c =
         1.0 / 24 +
         z * (-1.0 / 720 +
              z * (1.0 / 40320 + z * (-1.0 / 3628800 +
                                      z * (1.0 / 479001600.0 + z * (-1.0 / 87178291200.0 +
                                                                    z * (1.0 / 20922789888000.0 +
                                                                         z * (-1.0 / 6402373705728000.0)))))));
-    const D h = 0.5 * z;
-    const D w = 1.0 - h;
+    const double h = 0.5 * z;
+    const double w = 1.0 - h;
     return w + (((1.0 - w) - h) + z * z * c);
 }
 
 /// Sine and cosine of z + shift, a double, from those of z, for |shift| up to 2^-13 and 2^-8 times both: off
-/// by at most 5.4 u relatively (L39 (h)).
-template <class At, class D>
-[[nodiscard]] At moved(const At& at, D shift) {
-    const D half = 0.5 * (shift * shift);
-    const D odd = shift - (half * shift) * (1.0 / 3);
+/// by at most 5.4 u relatively (L63 (b)).
+template <class At>
+[[nodiscard]] At moved(const At& at, double shift) {
+    const double half = 0.5 * (shift * shift);
+    const double odd = shift - (half * shift) * (1.0 / 3);
     return {at.sin + (at.cos * odd - at.sin * half), at.cos - (at.sin * odd + at.cos * half)};
 }
 

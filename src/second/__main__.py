@@ -1,5 +1,6 @@
 """Starts the verifier: python3 dumbbell-verify.pyz FILE..., or python3 src/second FILE... in a clone."""
 
+import os
 import signal
 import sys
 
@@ -20,4 +21,4 @@ try:
 except MemoryError:
     sys.stderr.write("dumbbell-verify.pyz: resource limit: out of memory\n")
     code = 4
-sys.exit(code)
+os._exit(code)  # all is flushed: no second attempt to write, which would change the code

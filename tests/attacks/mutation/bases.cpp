@@ -68,8 +68,7 @@ bool near_meeting(const Box& box) {
 }
 /// More splits than are needed, in turn of all axes: `depth` everywhere, twelve more near meetings.
 void grow(Chart chart, const Box& box, const Count& upper, int depth, int done, Tree& tree) {
-    std::optional<Leaf> leaf;
-    judge<Interval>(chart, {&box, 1}, upper, {&leaf, 1});
+    const auto leaf = judge<Interval>(chart, box, upper);
     if (leaf && done >= depth + (chart == Chart::light && near_meeting(box) ? 12 : 0)) {
         tree.push_back({std::nullopt, *leaf});
         return;

@@ -17,10 +17,9 @@ using namespace dumbbell::collisions;
 /// A tree that is as good as it gets for the bound: what does not close within `depth` splits is a leaf
 /// `count` all the same, with hints that fit the bound.
 void best_tree(Chart chart, const Box& box, const Count& upper, int depth, Tree& tree) {
-    std::optional<Leaf> leaf;
-    judge<Interval>(chart, {&box, 1}, upper, {&leaf, 1});
+    auto leaf = judge<Interval>(chart, box, upper);
     if (!leaf && depth == 0) {
-        judge<Interval>(chart, {&box, 1}, upper + 1, {&leaf, 1});
+        leaf = judge<Interval>(chart, box, upper + 1);
         const Count forward = leaf ? std::clamp<Count>(leaf->forward, 0, upper - 1) : upper - 1;
         leaf = Leaf{chart == Chart::again ? Reason::once : Reason::count, forward, upper - 1 - forward};
     }

@@ -95,13 +95,6 @@ GROUPS = {
         left_out=frozenset({"add", "forget", "next", "step_from"}),  # of ContactTrend, which guesses
         targets=("test_flight", "test_flight_long"),
         programs=("tests/rooms/flight/test_flight", "tests/rooms/flight/test_flight_long")),
-    "batch": Group(  # but for aim.hpp, which guesses
-        files=below("flight/batch", "count", "count_lanes:count_portable lane_queue:count_portable lower_bounce:count_portable "
-                    "pack:count_portable pack_portable:count_portable place:count_portable query:count_portable sine:count_portable bounce:count_portable "
-                    "upper_bounce:count_portable"),
-        left_out=frozenset(),
-        targets=("test_batch",),
-        programs=("tests/rooms/flight/batch/test_batch",)),
     "collisions": Group(
         files=below("collisions", "certificate certify cover dumbbell full_leaf leaf leaf_boxes piece piece_store plan "
                     "reader scene section step_guess turning_leaf wedge/leaf wedge/scene witness witness_orbit writer",

@@ -1,8 +1,7 @@
-// Google Benchmark: the bounce, for the same rays (bounce_rays.hpp) in plain double, scalar and packed, in
-// the intervals of src/model, by the batch kernel on each backend of this machine, and with the intervals of
-// other libraries (peers.hpp). Each benchmark is called "bounce/RATIO/METHOD"; its counter `operations` is
-// the number of bounces of one iteration, `agreeing` the share of the rays whose counts are those of
-// Interval. "orbits/RATIO/METHOD": one mass ratio's own orbits.
+// Google Benchmark: the bounce, for the same rays (bounce_rays.hpp) in plain double, in Interval and
+// BigInterval, and with the intervals of other libraries (peers.hpp). Each benchmark is called
+// "bounce/RATIO/METHOD"; its counter `operations` is the number of bounces of one iteration, `agreeing` the
+// share of the rays whose counts are those of Interval. "orbits/RATIO/METHOD": one mass ratio's own orbits.
 
 #include <benchmark/benchmark.h>
 #include <fmt/core.h>
@@ -13,10 +12,8 @@
 #include <string>
 
 #include "bounce_rays.hpp"
-#include "flight/batch/count.hpp"
 #include "flight/count.hpp"
 #include "peers.hpp"
-#include "plain_packs.hpp"
 
 using namespace dumbbell;
 using namespace dumbbell::flight;
@@ -24,10 +21,10 @@ using namespace dumbbell_bench;
 
 namespace {
 
-using Queries = std::vector<batch::Query>;
+using Rays = std::vector<Ray<double>>;
 using Counts = std::vector<long>;
 /// Appends the counts of all rays: the upper ones, then the lower ones.
-using Job = std::function<void(const Queries&, Counts&)>;
+using Job = std::function<void(const Rays&, Counts&)>;
 
 /// Enough rays that no branch predictor learns them all by heart; fewer by this factor for what is slow.
 constexpr std::size_t slow = 400;
@@ -50,46 +47,16 @@ enum Sides { upper = 1, lower = 2, both = 3 };
 
 template <class AtMost, class AtLeast>
 Job one_by_one(AtMost at_most, AtLeast at_least, Sides sides) {
-    return [=](const Queries& queries, Counts& counts) {
+    return [=](const Rays& rays, Counts& counts) {
         if ((sides & upper) != 0) {
-            for (const auto& [ray, most] : queries) {
-                counts.push_back(at_most(ray, most));
+            for (const Ray<double>& ray : rays) {
+                counts.push_back(at_most(ray, cap));
             }
         }
         if ((sides & lower) != 0) {
-            for (const auto& [ray, most] : queries) {
-                counts.push_back(at_least(ray, most));
+            for (const Ray<double>& ray : rays) {
+                counts.push_back(at_least(ray, cap));
             }
-        }
-    };
-}
-
-Job batched(batch::Backend backend, Sides sides) {
-    return [=](const Queries& queries, Counts& counts) {
-        std::vector<batch::Answer> answers(queries.size());
-        const auto append = [&] {
-            for (const batch::Answer& answer : answers) {
-                counts.push_back(answer.count);
-            }
-        };
-        if ((sides & upper) != 0) {
-            batch::count_at_most(queries, answers, backend);
-            append();
-        }
-        if ((sides & lower) != 0) {
-            batch::count_at_least(queries, answers, backend);
-            append();
-        }
-    };
-}
-
-template <class F>
-Job plain_packed(F count) {
-    return [=](const Queries& queries, Counts& counts) {
-        std::vector<batch::Answer> answers(queries.size());
-        count(queries.data(), answers.data(), static_cast<long>(queries.size()));
-        for (const batch::Answer& answer : answers) {
-            counts.push_back(answer.count);
         }
     };
 }
@@ -105,18 +72,18 @@ double agreeing(const Counts& counts, const Counts& expected) {
 void measure(const Setting& setting, const std::string& method, Sides sides, const Job& job) {
     benchmark::RegisterBenchmark(("bounce/" + setting.name + "/" + method).c_str(),
                                  [=](benchmark::State& state) {
-                                     const Queries queries = bridge_rays(setting.q, setting.rays);
+                                     const Rays rays = bridge_rays(setting.q, setting.rays);
                                      Counts expected;
-                                     one_by_one(own_at_most, own_at_least, sides)(queries, expected);
+                                     one_by_one(own_at_most, own_at_least, sides)(rays, expected);
                                      long bounces = 0;
-                                     for (const auto& one : queries) {
-                                         bounces += plain_count(one.ray) + 1;
+                                     for (const Ray<double>& ray : rays) {
+                                         bounces += plain_count(ray) + 1;
                                      }
                                      Counts counts;
-                                     counts.reserve(2 * queries.size());
+                                     counts.reserve(2 * rays.size());
                                      for (auto _ : state) {
                                          counts.clear();
-                                         job(queries, counts);
+                                         job(rays, counts);
                                          benchmark::DoNotOptimize(counts.data());
                                      }
                                      state.counters["operations"] = static_cast<double>(bounces);
@@ -153,18 +120,6 @@ void measure_all(const Setting& setting) {
     measure(setting, "plain double, warm", upper, one_by_one(warm, warm, upper));
     measure(setting, "Interval, one-sided", upper, one_by_one(own_at_most, own_at_least, upper));
     measure(setting, "Interval, two-sided", both, one_by_one(own_at_most, own_at_least, both));
-    for (const batch::Backend backend : batch::backends()) {
-#if defined(__x86_64__)
-        if (backend == batch::Backend::avx512) {
-            measure(setting, "plain avx512, one pack", upper, plain_packed(plain_one_pack));
-            measure(setting, "plain avx512, six packs", upper, plain_packed(plain_six_packs));
-        }
-#endif
-        const std::string name = "batch " + std::string(batch::name(backend));
-        measure(setting, name + ", one-sided", upper, batched(backend, upper));
-        measure(setting, name + ", at least", lower, batched(backend, lower));
-        measure(setting, name + ", two-sided", both, batched(backend, both));
-    }
     for (const Peer& peer : {cgal_with_own_sine, cgal_with_mpfr_sine, arb}) {
         measure_peer(setting, peer);
     }

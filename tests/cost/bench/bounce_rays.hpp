@@ -5,7 +5,6 @@
 #include <numbers>
 #include <vector>
 
-#include "flight/batch/query.hpp"
 #include "flight/ray.hpp"
 #include "rooms/number/random.hpp"
 
@@ -17,16 +16,16 @@ namespace dumbbell_bench {
 inline constexpr long cap = 1'000'000;
 
 /// Outgoing rays of contacts with the bridge at ratios near q (L8): what a cover and a witness follow.
-inline std::vector<dumbbell::flight::batch::Query> bridge_rays(double q, std::size_t n) {
+inline std::vector<dumbbell::flight::Ray<double>> bridge_rays(double q, std::size_t n) {
     dumbbell_test::Random random(1);
-    std::vector<dumbbell::flight::batch::Query> rays;
+    std::vector<dumbbell::flight::Ray<double>> rays;
     while (rays.size() < n) {
         const double r = 1 / (q * random.uniform(0.5, 1));
         const double e = random.uniform(0, std::numbers::pi / 2);
         const double eta = random.coin() ? random.uniform(0, 10) : random.scaled(1e-3, 0.3) / r;
         const double kappa = r * (std::cos(e) + eta);
         if (kappa < 1) {
-            rays.push_back({{r * std::sin(e) + kappa * (std::numbers::pi - e), kappa, r}, cap});
+            rays.push_back({r * std::sin(e) + kappa * (std::numbers::pi - e), kappa, r});
         }
     }
     return rays;

@@ -9,7 +9,7 @@
 
 #include "collisions/certify.hpp"
 #include "critical/enclose.hpp"
-#include "flight/batch/count.hpp"
+#include "flight/count.hpp"
 
 using namespace dumbbell;
 using namespace dumbbell::collisions;
@@ -27,24 +27,22 @@ std::size_t pieces(const Rational& q_lo, const Rational& q_hi, Section section =
 }
 
 /// The sum of the bounds on the counts of 8192 rays, flat to steep, at the ratio 1000.
-std::size_t counts(decltype(&batch::count_at_most) count) {
-    std::vector<batch::Query> queries;
-    for (int i = 0; i < 8192; ++i) {
-        queries.push_back({{i * 0x1p-14, (i - 4096) * 0x1p-24, 0x1p-10}, 1000});
-    }
-    std::vector<batch::Answer> answers(queries.size());
-    count(queries, answers, batch::chosen_backend(), never);
+template <class Count>
+std::size_t counts(const Count& count) {
     std::size_t sum = 0;
-    for (const batch::Answer& answer : answers) {
-        sum += static_cast<std::size_t>(answer.count);
+    for (int i = 0; i < 8192; ++i) {
+        const Ray<Interval> ray{Interval(i * 0x1p-14), Interval((i - 4096) * 0x1p-24), Interval(0x1p-10)};
+        sum += static_cast<std::size_t>(count(ray));
     }
     return sum;
 }
 
 const std::map<std::string, std::function<std::size_t()>> jobs = {
-    {"start", [] { return batch::name(batch::chosen_backend()).size(); }},
-    {"counts-at-most", [] { return counts(batch::count_at_most); }},
-    {"counts-at-least", [] { return counts(batch::count_at_least); }},
+    {"start", [] { return std::size_t{1}; }},
+    {"counts-at-most",
+     [] { return counts([](const auto& ray) { return count_at_most<Interval>(ray, 1000); }); }},
+    {"counts-at-least",
+     [] { return counts([](const auto& ray) { return count_at_least<Interval>(ray, 1000); }); }},
     {"certify-1e6", [] { return pieces(1'000'000, 1'000'000); }},
     {"certify-1:20", [] { return pieces(1, 20); }},
     {"certify-100-full", [] { return pieces(100, 100, Section::full); }},

@@ -66,18 +66,6 @@ TEST_CASE("a certificate depends on nothing but the claim: not on the jobs, the 
     CHECK(contents(certificate(folder, "1:50", {"--jobs", "8", "--budget", "1h", "--witness"})) == one);
 }
 
-TEST_CASE("nor on the backend of the batch kernel, and one that the machine lacks is refused") {
-    const TemporaryFolder folder;
-    const std::string one = contents(certificate(folder, "1:50", {}));
-    ::setenv("DUMBBELL_BACKEND", "portable", 1);
-    CHECK(contents(certificate(folder, "1:50", {})) == one);
-    ::setenv("DUMBBELL_BACKEND", "abacus", 1);
-    const auto refused = dumbbell({"certify", "10"});
-    ::unsetenv("DUMBBELL_BACKEND");
-    CHECK(refused.code == 2);
-    CHECK(refused.err.find("DUMBBELL_BACKEND") != std::string::npos);
-}
-
 TEST_CASE("the option --witness prints an orbit of N collisions, in text and in JSON") {
     const Outcome text = dumbbell({"certify", "10", "--witness"});
     CHECK(text.code == 0);

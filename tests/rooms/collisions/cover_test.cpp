@@ -24,8 +24,7 @@ std::size_t walk(const Tree& tree, std::size_t at, Chart chart, const Box& box, 
         const std::size_t middle = walk(tree, at + 1, chart, lower, upper);
         return walk(tree, middle, chart, upper_half, upper);
     }
-    std::optional<Leaf> again;
-    judge<Interval>(chart, {&box, 1}, upper, {&again, 1});
+    const auto again = judge<Interval>(chart, box, upper);
     REQUIRE(again.has_value());
     REQUIRE(again->reason == node.leaf.reason);
     REQUIRE(again->forward == node.leaf.forward);

@@ -116,9 +116,7 @@ std::map<Reason, int> soundness(std::uint64_t seed, Chart chart, int boxes) {
         const Box box = random_box(choices);
         const double q = approximate(box.q_hi);
         const long upper = 1 + static_cast<long>(choices.uniform(0, 3 + std::sqrt(q)));
-        std::optional<Leaf> leaf;
-        judge<I>(chart, {&box, 1}, upper, {&leaf, 1});
-        if (leaf) {
+        if (const auto leaf = judge<I>(chart, box, upper)) {
             ++closed[leaf->reason];
             for (int k = 0; k < 3; ++k) {
                 check(chart, *leaf, sample(choices, box), upper);
@@ -165,9 +163,7 @@ TEST_CASE("near the corner, the peak and the tangents every closed box holds too
         for (const Chart chart : {Chart::bridge, Chart::light}) {
             const long upper =
                 1 + static_cast<long>(choices.uniform(1, 2 + std::sqrt(q.convert_to<double>())));
-            std::optional<Leaf> leaf;
-            judge<Interval>(chart, {&box, 1}, upper, {&leaf, 1});
-            if (leaf) {
+            if (const auto leaf = judge<Interval>(chart, box, upper)) {
                 counted += leaf->reason == Reason::count ? 1 : 0;
                 check(chart, *leaf, sample(choices, box), upper);
                 check(chart, *leaf, {box.e_lo, box.slope_lo, box.q_lo}, upper);

@@ -14,9 +14,7 @@ using namespace dumbbell_test;
 namespace {
 
 std::optional<Leaf> judged(Chart chart, const Box& box, long upper) {
-    std::optional<Leaf> result;
-    judge<Interval>(chart, {&box, 1}, upper, {&result, 1});
-    return result;
+    return judge<Interval>(chart, box, upper);
 }
 
 Reason reason_of(Chart chart, const Box& box, long upper) {
@@ -68,24 +66,6 @@ TEST_CASE("the whole section of q = 10 closes with counts for 4 collisions and n
     CHECK(1 + bridge->forward + bridge->backward <= 4);
     CHECK(reason_of(Chart::light, root, 4) == Reason::count);
     CHECK_FALSE(judged(Chart::bridge, root, 3).has_value());
-}
-
-TEST_CASE("each box of a span is judged as if it were alone") {
-    const std::vector<Box> boxes{root_box(Chart::light, ratio_ten, ratio_ten),
-                                 {at("1.6"), 2, 0, 1, ratio_ten, ratio_ten},
-                                 {0, at("0.01"), 0, at("0.01"), ratio_ten, ratio_ten},
-                                 root_box(Chart::light, 20, 30)};
-    std::vector<std::optional<Leaf>> results(boxes.size());
-    judge<Interval>(Chart::light, boxes, 4, results);
-    for (std::size_t i = 0; i < boxes.size(); ++i) {
-        const auto alone = judged(Chart::light, boxes[i], 4);
-        REQUIRE(alone.has_value() == results[i].has_value());
-        if (alone) {
-            CHECK(alone->reason == results[i]->reason);
-        }
-    }
-    results.pop_back();
-    CHECK_THROWS_AS(judge<Interval>(Chart::light, boxes, 4, results), BrokenInvariant);
 }
 
 TEST_CASE("a wider box, or a wider range of ratios, never closes with smaller counts") {
