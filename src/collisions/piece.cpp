@@ -99,8 +99,10 @@ Obstacle attempt_piece(ProvedPiece& proved, int bits, const Goal& goal, const Pi
     if (!witness) {
         return Obstacle::witness;
     }
-    // The verifier's own evaluation loses a part of the bits that this one does not: leave it room.
-    piece.bits = bits == double_bits ? double_bits : 2 * bits;
+    // The verifier evaluates in another way, and loses some bits more: of the section turning about eight
+    // next to critical ratios, of others up to a third of its own.
+    const bool is_close = options.section == Section::turning;
+    piece.bits = bits == double_bits ? double_bits : is_close ? bits + 32 : 2 * bits;
     piece.lower = lower;
     piece.witness = std::move(*witness);
     // At 1 equal masses need no cover.

@@ -25,12 +25,11 @@ struct Interval {
         return {sub(down, a.lo, b.hi), sub(up, a.hi, b.lo)};
     }
     friend Interval operator*(const Interval& a, const Interval& b) {
-        if (a.lo >= 0 && b.lo >= 0) return {mul(down, a.lo, b.lo), mul(up, a.hi, b.hi)};
-        const auto corners = [&](Round d) {
-            return std::minmax(
-                {mul(d, a.lo, b.lo), mul(d, a.lo, b.hi), mul(d, a.hi, b.lo), mul(d, a.hi, b.hi)});
-        };
-        return {corners(down).first, corners(up).second};
+        if (b.lo >= 0)
+            return {mul(down, a.lo, a.lo < 0 ? b.hi : b.lo), mul(up, a.hi, a.hi < 0 ? b.lo : b.hi)};
+        if (b.hi <= 0) return -(a * -b);
+        return {std::min(mul(down, a.lo, b.hi), mul(down, a.hi, b.lo)),  // b.lo < 0 < b.hi
+                std::max(mul(up, a.lo, b.lo), mul(up, a.hi, b.hi))};
     }
     /// Unbounded unless the divisor is positive.
     friend Interval operator/(const Interval& a, const Interval& b) {
@@ -63,10 +62,7 @@ inline constexpr auto reciprocals = [] {
     return table;
 }();
 inline double scaled(const double& y, int k) { return y * reciprocals[k].lo; }
-template <>
-inline Interval<double> scaled(const Interval<double>& y, int k) {
-    return y * reciprocals[k];
-}
+inline Interval<double> scaled(const Interval<double>& y, int k) { return y * reciprocals[k]; }
 
 /// 1 - y/(k(k+1)) (1 - y/((k+2)(k+3)) (1 - ... tail)), n nested brackets, k = first.
 template <class T>

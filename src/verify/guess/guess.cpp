@@ -31,7 +31,7 @@ bool guess_root(const N& c, const N& kappa, N& z) {
 template <class N>
 N guess_top(const N& kappa, const N& quarter) {
     N z = guess_square_root(N(2) * (N(1) - kappa)), step = z;
-    for (int i = 0; i < 60 && std::max(step, -step) > z * guess_tolerance(z); ++i) {
+    for (int i = 0; i < 60 && std::max(step, -step) > z * newton_tolerance(z); ++i) {
         const auto [s, w] = guess_sin_cos(z);
         step = (w - kappa) / s;
         z = z + step;

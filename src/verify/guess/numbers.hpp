@@ -16,6 +16,11 @@ inline double guess_tolerance(double) { return 0x1p-26; }
 inline Big guess_tolerance(const Big&) {
     return Big::rounded(down, mpfr_set_ui_2exp, 1UL, -Big::precision / 3 - 8);
 }
+/// The same of second order.
+inline double newton_tolerance(double) { return 0x1p-26; }
+inline Big newton_tolerance(const Big&) {
+    return Big::rounded(down, mpfr_set_ui_2exp, 1UL, -Big::precision / 2 - 8);
+}
 
 /// For z in [0, 2].
 template <class N>

@@ -167,7 +167,7 @@ class Agreement(unittest.TestCase):
 
     def test_fresh(self):
         chance = random.Random(4)
-        # The first two are just below and above a step, where doubles with less care do not decide; the last has a witness of 256 bits.
+        # The first two are just below and above a step, where doubles with less care do not decide; the last has a witness of 160 bits.
         requests = [["4.60333884875166266"], ["62.713703004982352372"], ["510.7718505372994119506"]]
         for _ in range(20 * SCALE):
             low = round(10 ** chance.uniform(0, 4), chance.randrange(6))

@@ -77,7 +77,7 @@ TEST_CASE("ratios are decided at every distance from a critical one that a certi
     const ProvedPiece near_one = prove_single(1 + parse_rational("1e-401"), {});
     CHECK(near_one.piece.upper == 3L);
     CHECK(near_one.piece.lower == 3);
-    CHECK(near_one.piece.bits == 4096);
+    CHECK(near_one.piece.bits == 2080);
 }
 
 TEST_CASE("where threads share the counts of a piece it is the same with any number of them") {
@@ -142,7 +142,7 @@ TEST_CASE(
         void advance(std::size_t more) override { judged += more; }
     };
     const std::vector<std::tuple<long, const char*, int>> ends{
-        {5, "1e-30", 256}, {5, "1e-120", 1024}, {887, "1e-12", 256}};
+        {5, "1e-30", 160}, {5, "1e-120", 544}, {887, "1e-12", 160}};
     for (const auto& [n, distance, bits] : ends) {
         CAPTURE(n, distance);
         const Rational rel = parse_rational(distance);

@@ -141,6 +141,43 @@ TEST_CASE(
     check_bound(power(-891), -0x1p-880, 0x1p-880);
 }
 
+TEST_CASE("a product of intervals has the least and the greatest of the corners' bounds, for all signs") {
+    using I = Interval<double>;
+    std::vector<I> all;
+    const double ends[] = {-5, -3.1, -0x1p-460, 0, 0x1p-460, 0.7, 3.1};
+    for (const double lo : ends)
+        for (const double hi : ends)
+            if (lo <= hi) all.emplace_back(lo, hi);
+    for (const I& a : all)
+        for (const I& b : all) {
+            CAPTURE(a.lo, a.hi, b.lo, b.hi);
+            const auto corners = [&](Round d) {
+                return std::minmax(
+                    {mul(d, a.lo, b.lo), mul(d, a.lo, b.hi), mul(d, a.hi, b.lo), mul(d, a.hi, b.hi)});
+            };
+            const I product = a * b;
+            CHECK((product.lo == corners(down).first && product.hi == corners(up).second));
+        }
+}
+
+TEST_CASE("numbers of MPFR of all sizes are copied and assigned, to themselves, too") {
+    std::vector<Big> thirds;
+    for (const int bits : {53, 320, 321, 4096, 64}) {
+        Big::precision = bits;
+        thirds.push_back(bound(down, mpq_class(1, 3), Big()));  // moves the others as the vector grows
+    }
+    Big::precision = 53;
+    for (const Big& from : thirds)
+        for (Big to : thirds) {
+            to = from;
+            const Big& same = to;
+            to = same;
+            CHECK(to == from);
+            CHECK((exact_value(to) == exact_value(from)));
+        }
+    CHECK((exact_value(thirds[3]) > exact_value(thirds[2])));  // each with its own bits
+}
+
 TEMPLATE_TEST_CASE("a quotient by an interval that is not positive is unbounded", "", double, Big) {
     using I = Interval<TestType>;
     const TestType zero(0), one(1);

@@ -39,6 +39,19 @@ std::string said_of_leaf(const std::string& words) { return leaf_rows::judged(le
 
 }  // namespace
 
+TEST_CASE("a ray that misses by little misses for certain with little more bits than tell it") {
+    for (const int bits : {64, 160, 288, 1056}) {
+        Big::precision = bits;
+        CAPTURE(bits);
+        const Big half = bound(down, mpq_class(1, 2), Big()), third = div(down, pi<Big>().lo, 3);
+        const Big tangent = (sin_cos(third).sin - Interval<Big>(third) / Interval<Big>(2)).hi;
+        const Big little = bound(down, mpq_class(mpq_class(1) >> (bits - 6)), Big());
+        CHECK(Rays<Big>(nullptr).misses({add(down, tangent, little), half, half}));
+        CHECK_FALSE(Rays<Big>(nullptr).misses({sub(down, tangent, little), half, half}));
+    }
+    Big::precision = 53;
+}
+
 TEST_CASE("step edges: from a point where the wall is too flat, the contact is bounded from the corner") {
     const Rays<double> rays(nullptr);
     // cos 1.5 < 0.2; and 1.5708 is beyond the peak. L12 (a) at z = 0: x >= c / (1 - kappa) = 0.625.
