@@ -25,11 +25,12 @@ struct Interval {
         return {sub(down, a.lo, b.hi), sub(up, a.hi, b.lo)};
     }
     friend Interval operator*(const Interval& a, const Interval& b) {
-        if (b.lo >= 0)
-            return {mul(down, a.lo, a.lo < 0 ? b.hi : b.lo), mul(up, a.hi, a.hi < 0 ? b.lo : b.hi)};
-        if (b.hi <= 0) return -(a * -b);
-        return {std::min(mul(down, a.lo, b.hi), mul(down, a.hi, b.lo)),  // b.lo < 0 < b.hi
-                std::max(mul(up, a.lo, b.lo), mul(up, a.hi, b.hi))};
+        if (a.lo >= 0 && b.lo >= 0) return {mul(down, a.lo, b.lo), mul(up, a.hi, b.hi)};
+        const auto corners = [&](Round d) {
+            return std::minmax(
+                {mul(d, a.lo, b.lo), mul(d, a.lo, b.hi), mul(d, a.hi, b.lo), mul(d, a.hi, b.hi)});
+        };
+        return {corners(down).first, corners(up).second};
     }
     /// Unbounded unless the divisor is positive.
     friend Interval operator/(const Interval& a, const Interval& b) {

@@ -59,11 +59,10 @@ inline double div(Round d, double a, double b) {
     return settle(d, q, b > 0 ? residual : -residual);
 }
 
-/// An exact rational. get_d() rounds towards zero; the comparison with the result is exact.
+/// An exact rational; of 0 it is 0. get_d() rounds towards zero; the comparison with its result is exact.
 inline double bound(Round d, const mpq_class& x, double) {
     const double size = static_cast<double>(mpz_sizeinbase(x.get_num_mpz_t(), 2)) -
                         static_cast<double>(mpz_sizeinbase(x.get_den_mpz_t(), 2));
-    if (x == 0) return 0;
     if (std::abs(size) > 890) return size > 0 ? unbounded(d) : d == up ? 0x1p-880 : -0x1p-880;
     const double s = x.get_d();
     return settle(d, s, cmp(x, mpq_class(s)));

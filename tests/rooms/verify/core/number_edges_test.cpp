@@ -141,25 +141,6 @@ TEST_CASE(
     check_bound(power(-891), -0x1p-880, 0x1p-880);
 }
 
-TEST_CASE("a product of intervals has the least and the greatest of the corners' bounds, for all signs") {
-    using I = Interval<double>;
-    std::vector<I> all;
-    const double ends[] = {-5, -3.1, -0x1p-460, 0, 0x1p-460, 0.7, 3.1};
-    for (const double lo : ends)
-        for (const double hi : ends)
-            if (lo <= hi) all.emplace_back(lo, hi);
-    for (const I& a : all)
-        for (const I& b : all) {
-            CAPTURE(a.lo, a.hi, b.lo, b.hi);
-            const auto corners = [&](Round d) {
-                return std::minmax(
-                    {mul(d, a.lo, b.lo), mul(d, a.lo, b.hi), mul(d, a.hi, b.lo), mul(d, a.hi, b.hi)});
-            };
-            const I product = a * b;
-            CHECK((product.lo == corners(down).first && product.hi == corners(up).second));
-        }
-}
-
 TEST_CASE("numbers of MPFR of all sizes are copied and assigned, to themselves, too") {
     std::vector<Big> thirds;
     for (const int bits : {53, 320, 321, 4096, 64}) {
