@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <compare>
 #include <concepts>
+#include <memory>
 
 #include "verify/core/outside.hpp"
 
@@ -19,13 +20,13 @@ class Big {
     }
     /// Exact, whatever the precision is by now; so is negation.
     Big(const Big& other) : Big(Unset{mpfr_get_prec(other.x_)}) { mpfr_set(x_, other.x_, MPFR_RNDN); }
-    Big(Big&& other) noexcept : Big(Unset{}) { mpfr_swap(x_, other.x_); }
-    Big& operator=(const Big& other) { return *this = Big(other); }
-    Big& operator=(Big&& other) noexcept {
-        mpfr_swap(x_, other.x_);
+    Big& operator=(const Big& other) {
+        if (this != &other) std::construct_at((std::destroy_at(this), this), other);
         return *this;
     }
-    ~Big() { mpfr_clear(x_); }
+    ~Big() {
+        if (mpfr_custom_get_significand(x_) != room_) mpfr_clear(x_);
+    }
 
     /// The function's value, rounded; unbounded where that is no number (overflow, inf - inf).
     template <class Function, class... Values>
@@ -53,9 +54,15 @@ class Big {
     struct Unset {  ///< is given a value before anything else
         mpfr_prec_t bits = precision;
     };
-    explicit Big(Unset unset) { mpfr_init2(x_, unset.bits); }
+    explicit Big(Unset unset) {
+        if (unset.bits <= std::ssize(room_) * GMP_NUMB_BITS)
+            mpfr_custom_init_set(x_, MPFR_ZERO_KIND, 0, unset.bits, room_);
+        else
+            mpfr_init2(x_, unset.bits);
+    }
 
     mpfr_t x_;
+    mp_limb_t room_[320 / GMP_NUMB_BITS];  ///< for its bits, if they fit: allocating costs more than a sum
 };
 
 inline Big add(Round d, const Big& a, const Big& b) { return Big::rounded(d, mpfr_add, a.get(), b.get()); }

@@ -63,10 +63,7 @@ inline constexpr auto reciprocals = [] {
     return table;
 }();
 inline double scaled(const double& y, int k) { return y * reciprocals[k].lo; }
-template <>
-inline Interval<double> scaled(const Interval<double>& y, int k) {
-    return y * reciprocals[k];
-}
+inline Interval<double> scaled(const Interval<double>& y, int k) { return y * reciprocals[k]; }
 
 /// 1 - y/(k(k+1)) (1 - y/((k+2)(k+3)) (1 - ... tail)), n nested brackets, k = first.
 template <class T>

@@ -39,15 +39,13 @@ inline double add(Round d, double a, double b) {
     const double s = a + b, part = s - a;
     return settle(d, s, (a - (s - part)) + (b - part));
 }
-
 inline double sub(Round d, double a, double b) { return add(d, a, -b); }
 
 /// The residual a b - p is 0 or at least 2^-106 |p| in size, so the fma is exact for |p| >= 2^-900.
 inline double mul(Round d, double a, double b) {
     const double p = a * b, size = std::abs(p);
     if (!(size <= 0x1p1000)) return unbounded(d);  // 0 times what is unbounded, too
-    if (a == 0 || b == 0) return 0;
-    if (size < 0x1p-900) return d == up ? 0x1p-899 : -0x1p-899;
+    if (size < 0x1p-900) return a == 0 || b == 0 ? 0 : d == up ? 0x1p-899 : -0x1p-899;
     return settle(d, p, std::fma(a, b, -p));
 }
 
@@ -55,18 +53,16 @@ inline double mul(Round d, double a, double b) {
 inline double div(Round d, double a, double b) {
     const double q = a / b, size = std::abs(q);
     if (!(size <= 0x1p900 && std::abs(b) <= 0x1p900)) return unbounded(d);
-    if (a == 0) return 0;
-    if (size < 0x1p-900) return d == up ? 0x1p-899 : -0x1p-899;
+    if (size < 0x1p-900) return a == 0 ? 0 : d == up ? 0x1p-899 : -0x1p-899;
     if (std::abs(a) < 0x1p-900) return unbounded(d);
     const double residual = std::fma(-q, b, a);
     return settle(d, q, b > 0 ? residual : -residual);
 }
 
-/// An exact rational. get_d() rounds towards zero; the comparison with the result is exact.
+/// An exact rational; of 0 it is 0. get_d() rounds towards zero; the comparison with its result is exact.
 inline double bound(Round d, const mpq_class& x, double) {
     const double size = static_cast<double>(mpz_sizeinbase(x.get_num_mpz_t(), 2)) -
                         static_cast<double>(mpz_sizeinbase(x.get_den_mpz_t(), 2));
-    if (x == 0) return 0;
     if (std::abs(size) > 890) return size > 0 ? unbounded(d) : d == up ? 0x1p-880 : -0x1p-880;
     const double s = x.get_d();
     return settle(d, s, cmp(x, mpq_class(s)));

@@ -141,6 +141,24 @@ TEST_CASE(
     check_bound(power(-891), -0x1p-880, 0x1p-880);
 }
 
+TEST_CASE("numbers of MPFR of all sizes are copied and assigned, to themselves, too") {
+    std::vector<Big> thirds;
+    for (const int bits : {53, 320, 321, 4096, 64}) {
+        Big::precision = bits;
+        thirds.push_back(bound(down, mpq_class(1, 3), Big()));  // moves the others as the vector grows
+    }
+    Big::precision = 53;
+    for (const Big& from : thirds)
+        for (Big to : thirds) {
+            to = from;
+            const Big& same = to;
+            to = same;
+            CHECK(to == from);
+            CHECK((exact_value(to) == exact_value(from)));
+        }
+    CHECK((exact_value(thirds[3]) > exact_value(thirds[2])));  // each with its own bits
+}
+
 TEMPLATE_TEST_CASE("a quotient by an interval that is not positive is unbounded", "", double, Big) {
     using I = Interval<TestType>;
     const TestType zero(0), one(1);
