@@ -66,8 +66,11 @@ class Driver(unittest.TestCase):
         self.assertEqual(published.with_tables(filled, rows), filled)
 
     def test_the_digest_is_of_code_not_of_comments(self):
-        source = self.folder / "src" / "number" / "a.hpp"
-        source.parent.mkdir(parents=True)
+        for part in published.MEASURED:
+            path = self.folder / part
+            (path.parent if path.suffix else path).mkdir(parents=True, exist_ok=True)
+            (path if path.suffix else path / "a.cpp").touch()
+        source = self.folder / "src/number/a.hpp"
         source.write_text("int a;\n")
         before = published.digest(self.folder)
         source.write_text("int  a;  // a comment\n")

@@ -11,8 +11,9 @@ from driver.jobs import WITHOUT_CERTIFICATE, Runner
 
 # Group, command, its settings; of each group the first is measured by --shortest.
 JOBS = [("gap", "certify 1:10000 --gap", ["1e-3", "1e-6", "1e-9", "1e-12", "1e-15", "1e-48"]),
+        ("range", "certify 1:1000000 --gap", ["1e-9"]),
         ("digits", "critical 3:102 --digits", ["10", "20", "50", "100", "200", "500"]),
-        ("boxes", "trace 10 --incoming --subdivide --shares --max-boxes", ["1000", "4000", "16000", "64000"]),
+        ("boxes", "trace 10 --incoming --subdivide --shares --max-boxes", ["500", "2000", "8000", "32000"]),
         ("law", "law --ratio", ["1e6", "1e12", "1e100", "1e1000"]),
         ("law", "law --prove", [""]),
         ("far", "certify", ["1e6", "1e8", "1e10", "1e12", "1e18", "1e24", "1e36", "1e50", "1e100"])]
@@ -27,7 +28,7 @@ def number(digits):
 
 def decided(group, printed):
     """What a job's JSON proves: the undecided share, the greatest relative radius of a critical ratio, the maximum."""
-    if group == "gap":
+    if group in ("gap", "range"):
         pieces = printed["pieces"]
         ends = [(Fraction(piece["lo"]), Fraction(piece["hi"])) for piece in pieces]
         undecided = sum(hi - lo for (lo, hi), piece in zip(ends, pieces) if piece["status"] != "exact")

@@ -13,7 +13,8 @@ COMMAND = "./run bench --only precision --tsv docs/pictures/work-precision.tsv"
 FIELDS = ["group", "case", "method", "setting", "cost", "result"]
 MEASURED = ["src/number", "src/flight", "src/collisions", "src/critical", "src/starts", "src/law",
             *(f"src/verify/{room}" for room in ("core", "machine", "guess", "functions", "macro", "starts", "law")),
-            "tests/cost/bench"]
+            "tests/cost/bench", "tests/cost/bench/driver/precision.py",
+            *(f"tests/rooms/flight/{name}.hpp" for name in ("hard_orbits", "propagation", "wall_step"))]
 FORMS = [("monotone", "two rays"), ("mean value", "mean value steps"), ("parallelepiped", "parallelepiped"),
          ("natural", "plain intervals"), ("correlated", "mean value of the whole orbit")]
 
@@ -21,8 +22,8 @@ FORMS = [("monotone", "two rays"), ("mean value", "mean value steps"), ("paralle
 def digest(root=ROOT):
     """SHA-256 of the sources measured. Comments and layout do not count."""
     found = hashlib.sha256()
-    for room in MEASURED:
-        for path in sorted((root / room).rglob("*.?pp")):
+    for part in MEASURED:
+        for path in sorted((root / part).rglob("*.?pp")) or [root / part]:
             code = re.sub(rb"//[^\n]*", b"", path.read_bytes()).split()
             found.update(str(path.relative_to(root)).encode() + b"\n" + b" ".join(code) + b"\n")
     return found.hexdigest()
@@ -82,13 +83,13 @@ def operations(rows):
 
 def jobs(rows):
     by = {(row["case"], row["setting"], row["method"]): row["cost"] for row in rows}
-    return lines(["dumbbell ...", "", "CPU s", "verifier", "result"],
+    return lines(["`dumbbell` ...", "", "CPU s", "verifier", "result"],
                  [[f"`{case}`", setting, by[case, setting, "prove"], by.get((case, setting, "verify"), ""), result]
                   for case, setting, result in unique(rows, "case", "setting", "result")])
 
 
 TABLES = {"orbits": (orbits, ("orbit",)), "forms": (forms, ("form",)), "operations": (operations, ("operation",)),
-          "jobs": (jobs, ("gap", "digits", "boxes", "law", "far", "hard"))}
+          "jobs": (jobs, ("gap", "range", "digits", "boxes", "law", "far", "hard"))}
 
 
 def with_tables(page, rows):
