@@ -125,7 +125,7 @@ int main(int argc, char** argv) {
         shortest ? std::vector{53, 64} : std::vector{53, 64, 128, 256, 512, 1024};
     for (const HardOrbit& orbit : hard_orbits()) {
         if (orbit.kappa >= -orbit.r) {  // what the counts are for
-            measure(orbit, precisions, shortest ? 1 : 9);
+            measure(orbit, precisions, shortest ? 1 : 7);
         }
         certify_forms<Interval>(orbit, double_bits, {std::begin(all_forms), std::end(all_forms)});
         for (const int bits : precisions) {
