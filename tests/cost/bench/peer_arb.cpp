@@ -1,17 +1,20 @@
 #include <arb.h>
 
-#include "peer_kernel.hpp"
+#include "peers.hpp"
 
 namespace dumbbell_bench {
 namespace {
 
-constexpr slong bits = 53;
+slong bits() { return dumbbell::PrecisionScope::current(); }
 
 /// A ball of Arb as its user writes it: a class around arb_t, and Arb's own sine and cosine, both at once.
 class Ball {
   public:
     Ball() { arb_init(value_); }
     explicit Ball(double point) : Ball() { arb_set_d(value_, point); }
+    explicit Ball(const dumbbell::BigInterval& x) : Ball() {
+        arb_set_interval_arf(value_, x.lower(), x.upper(), bits());
+    }
     Ball(const Ball& other) : Ball() { arb_set(value_, other.value_); }
     Ball(Ball&& other) noexcept : Ball() { arb_swap(value_, other.value_); }
     Ball& operator=(const Ball& other) {
@@ -33,7 +36,7 @@ class Ball {
 
 Ball result_of(void (*operation)(arb_ptr, arb_srcptr, arb_srcptr, slong), const Ball& a, const Ball& b) {
     Ball result;
-    operation(result.raw(), a.raw(), b.raw(), bits);
+    operation(result.raw(), a.raw(), b.raw(), bits());
     return result;
 }
 Ball operator+(const Ball& a, const Ball& b) { return result_of(arb_add, a, b); }
@@ -50,13 +53,13 @@ Ball operator-(const Ball& a) {
 }
 dumbbell::SinCos<Ball> sin_cos(const Ball& a) {
     dumbbell::SinCos<Ball> result;
-    arb_sin_cos(result.sin.raw(), result.cos.raw(), a.raw(), bits);
+    arb_sin_cos(result.sin.raw(), result.cos.raw(), a.raw(), bits());
     return result;
 }
 
 Ball end_of(void (*end)(arf_ptr, arb_srcptr, slong), const Ball& a) {
     Ball result;
-    end(arb_midref(result.raw()), a.raw(), bits);
+    end(arb_midref(result.raw()), a.raw(), bits());
     return result;
 }
 Ball low_end(const Ball& a) { return end_of(arb_get_lbound_arf, a); }
@@ -65,35 +68,35 @@ bool certainly_less(const Ball& a, const Ball& b) { return arb_lt(a.raw(), b.raw
 bool certainly_at_most(const Ball& a, const Ball& b) { return arb_le(a.raw(), b.raw()) != 0; }
 bool certainly_positive(const Ball& a) { return arb_is_positive(a.raw()) != 0; }
 double approximate(const Ball& a) { return arf_get_d(arb_midref(a.raw()), ARF_RND_NEAR); }
+dumbbell::BigInterval as_big(const Ball& a) {
+    dumbbell::BigInterval result;
+    arb_get_interval_arf(result.lower(), result.upper(), a.raw(), bits());
+    return result;
+}
 dumbbell::flight::ContactGuess<Ball> guess_contact(const Ball& c, const Ball& kappa, double start) {
-    return double_guess(c, kappa, start);
+    return guess_for(c, kappa, start);
 }
 
 }  // namespace
 }  // namespace dumbbell_bench
 
+using namespace dumbbell_bench;
+
 template <>
-dumbbell_bench::Ball dumbbell::pi() {
-    dumbbell_bench::Ball result;
-    arb_const_pi(result.raw(), dumbbell_bench::bits);
+Ball dumbbell::pi() {
+    Ball result;
+    arb_const_pi(result.raw(), PrecisionScope::current());
     return result;
 }
 template <>
-dumbbell_bench::Ball dumbbell::half_pi() {
-    dumbbell_bench::Ball result = pi<dumbbell_bench::Ball>();
+Ball dumbbell::half_pi() {
+    Ball result = pi<Ball>();
     arb_mul_2exp_si(result.raw(), result.raw(), -1);
     return result;
 }
 template <>
-dumbbell_bench::Ball dumbbell::flight::detail::least_step() {
-    return dumbbell_bench::Ball(0x1p-1000);
+Ball dumbbell::flight::detail::least_step() {
+    return Ball(two_to(-1000 - PrecisionScope::current()));
 }
 
-const dumbbell_bench::Peer dumbbell_bench::arb{
-    "Arb",
-    [](const dumbbell::flight::Ray<double>& ray, long most) {
-        return dumbbell::flight::count_at_most(as_ray<Ball>(ray), most);
-    },
-    [](const dumbbell::flight::Ray<double>& ray, long most) {
-        return dumbbell::flight::count_at_least(as_ray<Ball>(ray), most);
-    }};
+Arithmetic dumbbell_bench::arb() { return arithmetic<Ball, NoScope>("Arb"); }

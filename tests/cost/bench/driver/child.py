@@ -8,7 +8,7 @@ import time
 
 
 def once(command):
-    """One run: stdout, exit code, seconds of wall and of CPU time (user), peak memory in MB."""
+    """One run: stdout, seconds of wall and of CPU time (user; with that of the kernel), peak memory in MB."""
     begin = time.monotonic()
     # Peak memory by a small program between: what a process occupied before exec counts for it, too, and this one is large.
     with tempfile.TemporaryFile("w+") as errors, tempfile.NamedTemporaryFile("r") as peak:
@@ -21,11 +21,12 @@ def once(command):
         errors.seek(0)
         if process.returncode != 0:
             raise RuntimeError(f"exit code {process.returncode} of: {' '.join(map(str, command[5:]))}\n{errors.read().strip()}")
-        return {"stdout": stdout, "wall": seconds, "user": usage.ru_utime, "memory": int(peak.read()) / 1024}
+        return {"stdout": stdout, "wall": seconds, "user": usage.ru_utime,
+                "cpu": usage.ru_utime + usage.ru_stime, "memory": int(peak.read()) / 1024}
 
 
 def medians(runs):
-    return {what: statistics.median(run[what] for run in runs) for what in ("wall", "user", "memory")}
+    return {what: statistics.median(run[what] for run in runs) for what in ("wall", "user", "cpu", "memory")}
 
 
 def rounds(repeat, commands):

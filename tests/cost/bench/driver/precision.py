@@ -1,63 +1,103 @@
-"""Work and precision: the data of docs/pictures/work-precision.svg, as TSV."""
+"""Speed against error: the lines of docs/pictures/work-precision.tsv."""
 import csv
-import io
 import json
 import tempfile
+from decimal import Decimal
 from fractions import Fraction
+from pathlib import Path
 
-from driver import child, tables
-from driver.jobs import Runner
+from driver import child, google, published, tables
+from driver.effort import Effort
+from driver.jobs import WITHOUT_CERTIFICATE, Runner
 
-FIELDS = ["diagram", "case", "bits", "form", "bounces", "of", "error_x", "error_slope", "cost_us"]
-GAPS = [3, 6, 9, 12, 18, 24, 36, 48]
-DIGITS = [10, 20, 50, 100, 150, 200]
-RANGE = "1:100"
-CRITICAL = "10"
-
-
-def orbits(bin_folder, effort):
-    """The enclosure of x and of the slope kappa/r, from a point, after the last collision that is certified; cost of a collision."""
-    printed = child.once([bin_folder / "bench_stability", *effort.of(["--shortest"], [], [])])["stdout"]
-    for row in csv.DictReader(io.StringIO(printed), delimiter="\t"):
-        if row["start"] == "point":
-            yield {"diagram": "orbit", "case": row["orbit"], "bits": row["bits"], "form": row["form"],
-                   "bounces": row["collisions"], "of": row["of"], "error_x": row["x last"], "error_slope": row["slope last"],
-                   "cost_us": row["us/collision"]}
-
-
-def gaps(runner, some, repeat):
-    """The share of the range that is left undecided, against --gap."""
-    runs = child.rounds(repeat, {n: lambda n=n: runner.prove(f"certify {RANGE} --gap 1e-{n}") for n in some})
-    for n, of_n in runs.items():
-        pieces = json.loads(of_n[0]["stdout"])["pieces"]
-        low, high = map(Fraction, RANGE.split(":"))
-        open_width = sum(Fraction(piece["hi"]) - Fraction(piece["lo"]) for piece in pieces if piece["status"] != "exact")
-        yield {"diagram": "gap", "case": RANGE, "bits": max(piece["bits"] for piece in pieces), "form": f"--gap 1e-{n}",
-               "bounces": "-", "of": "-", "error_x": f"{float(open_width / (high - low)):.1e}", "error_slope": "-",
-               "cost_us": f"{1e6 * child.medians(of_n)['user']:.0f}"}
+# Group, command, its settings; of each group the first is measured by --shortest.
+JOBS = [("gap", "certify 1:10000 --gap", ["1e-3", "1e-6", "1e-9", "1e-12", "1e-15", "1e-48"]),
+        ("range", "certify 1:1000000 --gap", ["1e-9"]),
+        ("digits", "critical 3:102 --digits", ["10", "20", "50", "100", "200", "500"]),
+        ("boxes", "trace 10 --incoming --subdivide --shares --max-boxes", ["500", "2000", "8000", "32000"]),
+        ("law", "law --ratio", ["1e6", "1e12", "1e100", "1e1000"]),
+        ("law", "law --prove", [""]),
+        ("far", "certify", ["1e6", "1e8", "1e10", "1e12", "1e18", "1e24", "1e36", "1e50", "1e100"])]
+HARD = ["1.000000000000001"]
+STEPS, RELATIVE = ["12", "885598"], Fraction(1, 10**30)  # both sides of these steps, so near
+MEMORY = Path("/dev/shm")
+RUNS, LONG = 3, 1  # the median of so many runs; one of a job that takes longer, in seconds
 
 
-def digits(runner, some, repeat):
-    """The radius of a critical ratio, against --digits."""
-    runs = child.rounds(repeat, {n: lambda n=n: runner.prove(f"critical {CRITICAL} --digits {n}") for n in some})
-    for n, of_n in runs.items():
-        critical = json.loads(of_n[0]["stdout"])["ratios"][0]
-        # The radius is a decimal that may be too small for a double: its power of ten says enough.
-        yield {"diagram": "digits", "case": f"q_c({CRITICAL})", "bits": critical["bits"], "form": f"--digits {n}", "bounces": "-",
-               "of": "-", "error_x": critical["radius"], "error_slope": "-",
-               "cost_us": f"{1e6 * child.medians(of_n)['user']:.0f}"}
+def number(digits):
+    return digits if len(digits) < 8 else f"{Decimal(digits):.2e}"
 
 
-def precision(bin_folder, effort, repeat, tsv):
-    with tempfile.TemporaryDirectory() as folder:
+def decided(group, printed):
+    """What a job's JSON proves: the undecided share, the greatest relative radius of a critical ratio, the maximum."""
+    if group in ("gap", "range"):
+        pieces = printed["pieces"]
+        ends = [(Fraction(piece["lo"]), Fraction(piece["hi"])) for piece in pieces]
+        undecided = sum(hi - lo for (lo, hi), piece in zip(ends, pieces) if piece["status"] != "exact")
+        return f"{float(undecided / (ends[-1][1] - ends[0][0])):.1e}"
+    if group == "digits":  # a decimal that may be too small for a double
+        return f"{max(Decimal(one['radius']) / Decimal(one['lo']) for one in printed['ratios']):.1e}"
+    if group == "boxes":
+        return f"{float(Fraction(printed['parts']['undecided']['share'])):.1e}"
+    if "c0" in printed:
+        return f"all but {float(printed['c0']):.4f} q^(-1/4)"
+    piece = printed["pieces"][0] if "pieces" in printed else printed
+    least, most = number(str(piece["lower"])), number(str(piece["upper"]))
+    return f"N = {least}" if least == most else f"N = {least} to {most}"
+
+
+def next_to_steps(runner, steps):
+    """(what it is, the ratio) on both sides of each step."""
+    for n in steps:
+        q = Fraction(json.loads(runner.prove(f"critical {n} --digits 50")["stdout"])["ratios"][0]["q_c"])
+        for sign, side in ((-1, "below"), (1, "above")):
+            yield f"1e-30 {side} q_c({n})", f"{round(q * (1 + sign * RELATIVE) * 10**50)}/1{'0' * 50}"
+
+
+def timed(run, runs):
+    """The median of the CPU seconds, and what the first run printed."""
+    done = [run()]
+    while len(done) < runs and done[0]["cpu"] < LONG:
+        done.append(run())
+    return child.medians(done)["cpu"], done[0]["stdout"]
+
+
+def measure(runner, group, command, setting, words, runs):
+    job = f"{command} {words}".strip()
+    one = () if command == "law --ratio" else ("--jobs", "1")  # which has one thread anyway
+    seconds, printed = timed(lambda: runner.prove(job, *one), runs)
+    result = decided(group, json.loads(printed))
+    yield group, command, "prove", setting or "-", f"{seconds:.3f}", result
+    if not job.startswith(WITHOUT_CERTIFICATE):
+        seconds, _ = timed(lambda: runner.verify(job, "--jobs", "1"), runs)
+        yield group, command, "verify", setting or "-", f"{seconds:.3f}", result
+
+
+def whole_jobs(bin_folder, effort):
+    runs = effort.of(1, 1, RUNS)
+    # In memory: what a disk takes is not the program's.
+    with tempfile.TemporaryDirectory(dir=MEMORY if MEMORY.is_dir() else None) as folder:
         runner = Runner(bin_folder, folder)
-        rows = [*orbits(bin_folder, effort), *gaps(runner, GAPS[:effort.of(1, None, None)], repeat),
-                *digits(runner, DIGITS[:effort.of(1, None, None)], repeat)]
-    text = io.StringIO()
-    writer = csv.DictWriter(text, FIELDS, delimiter="\t", lineterminator="\n")
-    writer.writeheader()
-    writer.writerows(rows)
+        for group, command, settings in JOBS:
+            for setting in settings[:effort.of(1, 3, None)]:
+                if setting or effort is Effort.WHOLE:
+                    yield from measure(runner, group, command, setting, setting, runs)
+        for setting, words in [*((q, q) for q in HARD), *next_to_steps(runner, STEPS[:effort.of(1, 1, None)])]:
+            yield from measure(runner, "hard", "certify", setting, words, runs)
+
+
+def operations(bin_folder, effort):
+    """Over double; of double itself the nanoseconds."""
+    results = google.run(bin_folder / "bench_operations", effort.of(1, 3, 9), effort.of(0, 0.01, 0.01))
+    for (operation, method), ns in results.items():
+        yield "operation", operation, method, "-", f"{ns / results[operation, 'double']:.3g}", f"{ns:.2g} ns"
+
+
+def precision(bin_folder, effort, tsv):
+    orbits = child.once([bin_folder / "bench_orbits", *effort.of(["--shortest"], [], [])])["stdout"]
+    rows = [*csv.reader(orbits.splitlines(), delimiter="\t"), *operations(bin_folder, effort), *whole_jobs(bin_folder, effort)]
     if tsv:
-        tsv.write_text(text.getvalue())
-    tables.show("Work and precision", FIELDS, [[str(row[field]) for field in FIELDS] for row in rows])
-    return rows, []
+        published.write(tsv, rows)
+    tables.show("Speed against error", published.FIELDS, [list(row) for row in rows],
+                ["Costs: of orbits and operations over plain double, of jobs CPU seconds with one thread."])
+    return [dict(zip(published.FIELDS, row)) for row in rows], []
