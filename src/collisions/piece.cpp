@@ -100,8 +100,10 @@ Obstacle attempt_piece(ProvedPiece& proved, int bits, const Goal& goal, const Pi
         return Obstacle::witness;
     }
     // The verifier evaluates in another way, and loses some bits more: of the section turning about eight
-    // next to critical ratios, of others up to a third of its own.
-    const bool is_close = options.section == Section::turning;
+    // next to critical ratios, of others up to a third of its own. With few bits the macro steps of long
+    // orbits (L42) end too early, and collisions one after the other are too many.
+    constexpr long least_long = 10'000;
+    const bool is_close = options.section == Section::turning && upper < least_long;
     piece.bits = bits == double_bits ? double_bits : is_close ? bits + 32 : 2 * bits;
     piece.lower = lower;
     piece.witness = std::move(*witness);
