@@ -53,6 +53,7 @@ BAD_SOURCES = [
 
 AXIOM = "Classical_Prop.classic : forall P : Prop, P \\/ ~ P\n"
 GOOD_SAID = ["Closed under the global context\n", "Axioms:\n" + AXIOM,
+             "Axioms:\nClassicalDedekindReals.sig_forall_dec :\n  forall P : nat -> Prop,\n  (forall n : nat, {P n} + {~ P n})\n" + AXIOM,
              "Axioms:\nFunctionalExtensionality.functional_extensionality_dep\n  : forall (A : Type) (B : A -> Type)\n"
              "      (f g : forall x : A, B x),\n    (forall x : A, f x = g x) -> f = g\n" + AXIOM +
              "PrimInt63.add : Int63.int -> Int63.int -> Int63.int\nPrimFloat.float : Set\n"]
@@ -63,6 +64,7 @@ BAD_SAID = [
     "Axioms:\nbad relies on an unsafe hierarchy.\n", "Axioms:\nbad relies on definitional UIP.\n",
     "Axioms:\nx.Classical_Prop.classic : False\n",
     "Axioms:\nClassical_Prop.classics : False\n", "Axioms:\nClassical_Propxclassic : False\n", "Axioms:\nClassical_Prop.classic\n",
+    "Axioms:\nClassical_Prop.classic :\n", "Axioms:\nbad' :\n  False\n", "Axioms:\nClassical_Prop.classic :\n" + AXIOM,
     "Axioms:\nClassical_Prop.classic\n" + AXIOM, "Axioms:\nClassical_Prop.classic:False\n", AXIOM, "Axioms:\n" + AXIOM + "\nTheory:\n",
     "Section Variables:\nbad : False\nAxioms:\n" + AXIOM, "Axioms:\n" + AXIOM + "Section Variables:\nbad : False\n",
     "Theory: type_in_type is on\nAxioms:\n" + AXIOM, "Closed under the global context\nAxioms:\nbad : False\n",
