@@ -142,7 +142,7 @@ TEST_CASE(
         void advance(std::size_t more) override { judged += more; }
     };
     const std::vector<std::tuple<long, const char*, int>> ends{
-        {5, "1e-30", 160}, {5, "1e-120", 544}, {887, "1e-12", 160}};
+        {5, "1e-30", 160}, {5, "1e-120", 544}, {887, "1e-14", 160}};
     for (const auto& [n, distance, bits] : ends) {
         CAPTURE(n, distance);
         const Rational rel = parse_rational(distance);
