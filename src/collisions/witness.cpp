@@ -77,8 +77,8 @@ std::vector<Candidate> candidates(int depth, const Count& target) {
 }
 
 /// From which depth on to look for `target` collisions at q: where the places lose about as much height as
-/// the orbit that decides (Theorem 2 (c)) has to spare, found by trial: of 2,300 pieces all but some have their
-/// first witness there or at most three deeper.
+/// the orbit that decides (Theorem 2 (c)) has to spare, found by trial: of 2,300 pieces all but some have
+/// their first witness there or at most three deeper.
 template <class I>
 int likely_depth(const Count& target, const Rational& q, const Interrupted& interrupted) {
     if constexpr (std::is_same_v<I, BigInterval>) {
