@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import test, { after } from "node:test";
 import { colour, launch, open, pixels, placeOf, settled } from "./browser.mjs";
-import { certificates, report, scratch } from "./program.mjs";
+import { certificates, long, report, scratch } from "./program.mjs";
 
 const place = scratch();
 const files = certificates(place);
@@ -76,7 +76,7 @@ test("dragging moves the picture with the pointer", async () => {
 });
 
 test("every step of a staircase can be chosen, and its gap is seen in its true width", async () => {
-    const page = await open(browser, report(place("long.html"), files.long));
+    const page = await open(browser, report(place("long.html"), long));
     const choice = page.locator("#file-1 .controls select").first();
     const canvas = page.locator("#file-1 .plane canvas").first();
     const gap = await colour(page, "--gap");

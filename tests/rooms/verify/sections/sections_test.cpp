@@ -210,6 +210,7 @@ TEST_CASE("the wedge is exact: ties at q = 1 and q = 3 are decided, N - 1 is ref
         CHECK(outcome_in_scene(text, scene == "wedge" ? "hybrid" : "wedge") == "claim-not-proved");
         CHECK(outcome_in_scene(mutated(text, tree10, "count 3 2\n"), scene) == "count");
         CHECK(outcome_in_scene(mutated(text, "split lambda", "split e"), scene) == "syntax");
+        CHECK(outcome_in_scene(mutated(text, "count 3 2", "meets"), scene) == "opcode");
         CHECK(outcome_in_scene(mutated(text, "count 3 2", "count 10000 1"), scene) == "count");
         CHECK(outcome_in_scene(mutated(mutated(text, "upper 6", "upper 99999"), "count 3 2", "count 10000 1"),
                                scene) == "limit");
