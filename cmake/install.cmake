@@ -34,7 +34,7 @@ install(FILES
   ${PROJECT_SOURCE_DIR}/cmake/dumbbell-proof-check.cmake
   DESTINATION ${package} COMPONENT development)
 
-install(FILES LICENSE README.md CHANGELOG.md CITATION.cff CONTRIBUTING.md SECURITY.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(FILES LICENSE README.md CHANGELOG.md CITATION.bib CITATION.cff CONTRIBUTING.md SECURITY.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(DIRECTORY docs proofs DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(FILES src/verify/dumbbell-verify.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
 # Made by the target `pages`, one of ALL; a build of the programs alone has none.

@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
-"""citation_test.py VERSION: CITATION.cff and CHANGELOG.md speak of this version of the program."""
+"""citation_test.py VERSION: CITATION.cff, CITATION.bib and CHANGELOG.md speak of this version of the program, the former two alike."""
 
 import pathlib
+import re
 import sys
 
 import yaml
@@ -18,6 +19,9 @@ def main():
         assert entry["title"] and entry["authors"]
     assert citation["message"]
     assert all(reference["type"] for reference in citation["references"])
+    bib = (ROOT / "CITATION.bib").read_text()
+    assert re.findall(r"version += \{(.*?)\}", bib) == [version], "CITATION.bib gives another version"
+    assert re.findall(r" title += \{(.*?)\}", bib) == [entry["title"] for entry in [citation, *citation["references"]]]
     assert f"## [{version}]" in (ROOT / "CHANGELOG.md").read_text(), f"CHANGELOG.md has no entry {version}"
 
 

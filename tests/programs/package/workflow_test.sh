@@ -22,7 +22,7 @@ done
 # On a copy of this tree that does not find what the verifier does without.
 copy=$scratch/dumbbell
 mkdir -- "$copy"
-cp -r -- "$root"/{.ci,run,CMakeLists.txt,CMakePresets.json,LICENSE,CITATION.cff,*.md,certificates,cmake,docs,proofs,src} "$copy"
+cp -r -- "$root"/{.ci,run,CMakeLists.txt,CMakePresets.json,LICENSE,CITATION.*,*.md,certificates,cmake,docs,proofs,src} "$copy"
 cp -- "$root"/certificates/{q-10,stairs-1-100}.dbc "$root/docs/ci/claims.tsv" "$scratch"
 for package in Boost CGAL CLI11 Eigen3 fmt nlohmann_json Catch2; do
     sed -i "1a set(CMAKE_DISABLE_FIND_PACKAGE_$package ON)" "$copy/CMakeLists.txt"
