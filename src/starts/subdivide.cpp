@@ -1,8 +1,6 @@
 #include "starts/subdivide.hpp"
 
 #include <algorithm>
-#include <cstdint>
-#include <span>
 #include <utility>
 #include <vector>
 
@@ -18,33 +16,7 @@ namespace dumbbell::starts {
 namespace {
 
 constexpr std::size_t boxes_together = 16;
-constexpr std::size_t boxes_at_a_time = 4096;  ///< that are judged before their results are kept
-
-/// A box of the tree: how often each axis was halved, and which part of it this is.
-struct Place {
-    std::array<std::uint64_t, axis_count> part{};
-    std::array<std::uint8_t, axis_count> depths{};
-
-    [[nodiscard]] Box in(const Box& root) const {
-        Box box = root;
-        for (std::size_t i = 0; i < axis_count; ++i) {
-            if (depths[i] > 0) {
-                const Rational width = (root.hi[i] - root.lo[i]) / Rational(Integer(1) << depths[i]);
-                box.lo[i] += width * Rational(part[i]);
-                box.hi[i] = box.lo[i] + width;
-            }
-        }
-        return box;
-    }
-
-    [[nodiscard]] Place half(Axis axis, bool upper) const {
-        const auto i = static_cast<std::size_t>(axis);
-        Place result = *this;
-        result.part[i] = 2 * part[i] + (upper ? 1 : 0);
-        ++result.depths[i];
-        return result;
-    }
-};
+constexpr std::size_t boxes_at_a_time = 4096;  ///< that are judged before their results are packed
 
 struct Judged {
     Leaf leaf;
@@ -118,19 +90,24 @@ class Growth {
     }
 
     Subdivision run() {
-        for (std::vector<Place> places(1); !places.empty(); places = std::exchange(next_, {})) {
-            for (std::size_t begin = 0; begin < places.size(); begin += boxes_at_a_time) {
-                const std::size_t end = std::min(begin + boxes_at_a_time, places.size());
-                grow({places.data() + begin, end - begin});
-            }
-            ++generation_;
+        for (bool grows = true; grows; ++generation_) {
+            grows = false;
+            result_.tree.for_each_place(generation_, [&](const Place& place) {
+                grows = true;
+                places_.push_back(place);
+                if (places_.size() == boxes_at_a_time) {
+                    grow();
+                }
+            });
+            grow();
         }
         return std::move(result_);
     }
 
   private:
-    /// The next places of this generation; the results do not depend on how the work is shared out.
-    void grow(std::span<const Place> places) {
+    /// The nodes of these places; the results do not depend on how the work is shared out.
+    void grow() {
+        const std::vector<Place> places = std::exchange(places_, {});
         std::vector<Judged> judged(places.size());
         in_parallel(places.size(), boxes_together, [&](std::size_t begin, std::size_t end) {
             for (std::size_t i = begin; i != end; ++i) {
@@ -145,8 +122,6 @@ class Growth {
             if (split && !stop && leaves_ < options_.max_boxes) {
                 ++leaves_;
                 result_.tree.add(generation_, {*split, {}});
-                next_.push_back(places[i].half(*split, false));
-                next_.push_back(places[i].half(*split, true));
                 continue;
             }
             result_.tree.add(generation_, {{}, leaf});
@@ -180,7 +155,7 @@ class Growth {
     Subdivision result_;
     std::size_t leaves_ = 1;
     std::size_t generation_ = 0;
-    std::vector<Place> next_;  ///< the boxes of the next generation
+    std::vector<Place> places_;  ///< of this generation, the next to be judged
 };
 
 }  // namespace
