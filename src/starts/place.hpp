@@ -16,7 +16,8 @@ struct Place {
         Box box = root;
         for (std::size_t i = 0; i < axis_count; ++i) {
             if (depths[i] > 0) {
-                const Rational width = (root.hi[i] - root.lo[i]) / Rational(Integer(1) << depths[i]);
+                Rational width = root.hi[i] - root.lo[i];
+                mpq_div_2exp(width.raw(), width.raw(), depths[i]);
                 box.lo[i] += width * Rational(part[i]);
                 box.hi[i] = box.lo[i] + width;
             }
