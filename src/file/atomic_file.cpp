@@ -14,6 +14,7 @@
 #include <optional>
 #include <system_error>
 #include <utility>
+#include <vector>
 
 #include "base/error.hpp"
 
@@ -21,22 +22,36 @@ namespace dumbbell {
 namespace {
 
 /// One gzip member without time or name, so that the bytes depend on nothing but the contents.
-std::string gzipped(const std::string& contents) {
-    z_stream stream{};
-    require(deflateInit2(&stream, Z_BEST_COMPRESSION, Z_DEFLATED, 15 + 16, 8, Z_DEFAULT_STRATEGY) == Z_OK,
+class Gzip {
+  public:
+    explicit Gzip(const Sink& packed) : packed_(packed) {
+        require(
+            deflateInit2(&stream_, Z_BEST_COMPRESSION, Z_DEFLATED, 15 + 16, 8, Z_DEFAULT_STRATEGY) == Z_OK,
             "zlib failed");
-    std::string result(deflateBound(&stream, static_cast<uLong>(contents.size())) + 32, '\0');
-    std::string input = contents;
-    stream.next_in = reinterpret_cast<Bytef*>(input.data());
-    stream.avail_in = static_cast<uInt>(input.size());
-    stream.next_out = reinterpret_cast<Bytef*>(result.data());
-    stream.avail_out = static_cast<uInt>(result.size());
-    const int status = deflate(&stream, Z_FINISH);
-    result.resize(stream.total_out);
-    deflateEnd(&stream);
-    require(status == Z_STREAM_END, "zlib failed");
-    return result;
-}
+    }
+    ~Gzip() { deflateEnd(&stream_); }
+    Gzip(const Gzip&) = delete;
+    Gzip& operator=(const Gzip&) = delete;
+
+    void add(std::string_view part) { deflate_all(std::string(part), Z_NO_FLUSH); }
+    void end() { deflate_all("", Z_FINISH); }
+
+  private:
+    void deflate_all(std::string part, int flush) {
+        stream_.next_in = reinterpret_cast<Bytef*>(part.data());
+        stream_.avail_in = static_cast<uInt>(part.size());
+        do {
+            stream_.next_out = block_.data();
+            stream_.avail_out = static_cast<uInt>(block_.size());
+            require(deflate(&stream_, flush) != Z_STREAM_ERROR, "zlib failed");
+            packed_({reinterpret_cast<const char*>(block_.data()), block_.size() - stream_.avail_out});
+        } while (stream_.avail_out == 0);
+    }
+
+    const Sink& packed_;
+    z_stream stream_{};
+    std::vector<Bytef> block_ = std::vector<Bytef>(1U << 16U);
+};
 
 [[noreturn]] void fail(const char* doing, const std::string& path) {
     throw InputError(fmt::format("cannot {} '{}': {}; what was under that name before is unchanged", doing,
@@ -92,7 +107,7 @@ class Temporary {
     Temporary(const Temporary&) = delete;
     Temporary& operator=(const Temporary&) = delete;
 
-    void write(const std::string& bytes) const {
+    void write(std::string_view bytes) const {
         for (std::size_t done = 0; done < bytes.size();) {
             const ssize_t n = ::write(descriptor_, bytes.data() + done, bytes.size() - done);
             if (n < 0 && errno == EINTR) {
@@ -222,11 +237,17 @@ std::string output_target(const std::string& name) {
     }
 }
 
-void write_atomically(const std::string& path, const std::string& contents, Survives whose_death) {
+void write_atomically(const std::string& path, const Writing& write, Survives whose_death) {
     require_place_for_file(path);
-    const bool compress = path.ends_with(".gz");
     Temporary file(path);
-    file.write(compress ? gzipped(contents) : contents);
+    const Sink to_file = [&](std::string_view bytes) { file.write(bytes); };
+    if (path.ends_with(".gz")) {
+        Gzip packed(to_file);
+        write([&](std::string_view part) { packed.add(part); });
+        packed.end();
+    } else {
+        write(to_file);
+    }
     file.inherit();
     if (whose_death == Survives::machine) {
         file.sync();
@@ -235,6 +256,11 @@ void write_atomically(const std::string& path, const std::string& contents, Surv
     if (whose_death == Survives::machine) {
         sync_folder_of(path);
     }
+}
+
+void write_atomically(const std::string& path, const std::string& contents, Survives whose_death) {
+    write_atomically(
+        path, [&](const Sink& sink) { sink(contents); }, whose_death);
 }
 
 AtomicFile::AtomicFile(std::string path) : path_(std::move(path)) {

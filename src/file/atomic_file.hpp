@@ -1,8 +1,15 @@
 #pragma once
 
+#include <functional>
 #include <string>
+#include <string_view>
 
 namespace dumbbell {
+
+/// Takes a text, part after part.
+using Sink = std::function<void(std::string_view)>;
+/// Hands a text to a sink, so that it is never in memory as a whole.
+using Writing = std::function<void(const Sink&)>;
 
 /// Whose death the contents survive: the program's, or the machine's too (which waits for the disk).
 enum class Survives { program, machine };
@@ -14,7 +21,9 @@ enum class Survives { program, machine };
 /// if this program may give them; a link is replaced itself. A name that ends in `.gz` is written
 /// gzip-compressed. With Survives::program the file may be found damaged, empty or missing when the machine
 /// comes back after a crash: for files with a checksum whose contents can be made again. Throws InputError
-/// (naming the file and the cause) on any failure, and then leaves nothing.
+/// (naming the file and the cause) on any failure, and then leaves nothing; also if `write` throws.
+void write_atomically(const std::string& path, const Writing& write,
+                      Survives whose_death = Survives::machine);
 void write_atomically(const std::string& path, const std::string& contents,
                       Survives whose_death = Survives::machine);
 
@@ -24,9 +33,8 @@ class AtomicFile {
     /// Finds out at once whether the place is writable, by a file that is removed again; throws as above.
     explicit AtomicFile(std::string path);
 
-    void commit(const std::string& contents, Survives whose_death = Survives::machine) const {
-        write_atomically(path_, contents, whose_death);
-    }
+    void commit(const Writing& write) const { write_atomically(path_, write); }
+    void commit(const std::string& contents) const { write_atomically(path_, contents); }
 
   private:
     std::string path_;

@@ -16,6 +16,30 @@ void SealedLines::head(const Generator& generator, std::string_view lemmas, std:
     line("claim {}", claim);
 }
 
+void SealedLines::lines(std::string_view text) {
+    constexpr std::size_t part = 1 << 16;
+    text_ += text;
+    if (sink_ && text_.size() >= part) {
+        hand_on();
+    }
+}
+
+SealedText SealedLines::sealed() && {
+    digest_.add(text_);
+    std::string hash = digest_.hex();
+    text_ += fmt::format("sha256 {}\n", hash);
+    if (sink_) {
+        hand_on();
+    }
+    return {std::move(text_), std::move(hash)};
+}
+
+void SealedLines::hand_on() {
+    digest_.add(text_);
+    sink_(text_);
+    text_.clear();
+}
+
 std::string sealed_digest(const std::string& path) {
     constexpr std::string_view first_line = "dumbbell-certificate 1\n", seal = "sha256 ";
     UnpackedText text(path);

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <utility>
 
+#include "file/atomic_file.hpp"
 #include "file/sha256.hpp"
 
 namespace dumbbell {
@@ -18,27 +19,30 @@ struct SealedText {
     std::string sha256;
 };
 
-/// Writes such a text.
+/// Writes such a text: keeps it, or hands it to a sink, part after part.
 class SealedLines {
   public:
+    explicit SealedLines(Sink sink = nullptr) : sink_(std::move(sink)) {}
+
     template <class... Args>
     void line(fmt::format_string<Args...> format, Args&&... args) {
-        text_ += fmt::format(format, std::forward<Args>(args)...);
-        text_ += '\n';
+        lines(fmt::format(format, std::forward<Args>(args)...) + '\n');
     }
     void head(const Generator& generator, std::string_view lemmas, std::string_view scene,
               std::string_view section, std::string_view claim);
     /// Lines as they are, each with its end.
-    void lines(std::string_view text) { text_ += text; }
+    void lines(std::string_view text);
 
-    [[nodiscard]] SealedText sealed() && {
-        std::string hash = sha256_hex(text_);
-        line("sha256 {}", hash);
-        return {std::move(text_), std::move(hash)};
-    }
+    /// No text if a sink has it.
+    [[nodiscard]] SealedText sealed() &&;
 
   private:
-    std::string text_;
+    /// What is kept, to the sink.
+    void hand_on();
+
+    Sink sink_;
+    Sha256 digest_;     ///< of what the sink has
+    std::string text_;  ///< the rest
 };
 
 /// The SHA-256 in the last line of a certificate, if it is the one of the text before it. Throws InputError

@@ -12,6 +12,7 @@
 
 #include "base/error.hpp"
 #include "base/printable.hpp"
+#include "number/rounding.hpp"
 
 namespace dumbbell {
 namespace {
@@ -292,9 +293,10 @@ BigInterval enclose<BigInterval>(const Rational& x) {
 
 template <>
 Interval enclose<Interval>(const Rational& x) {
-    const PrecisionScope scope(53);
-    const BigInterval enclosure = enclose<BigInterval>(x);
-    return {enclosure.lo(), enclosure.hi()};
+    constexpr double most = std::numeric_limits<double>::max();
+    const double at = std::clamp(mpq_get_d(x.raw()), -most, most);  // x, or the next double towards zero
+    const auto beyond = x <=> exact(at);
+    return {beyond < 0 ? next_down(at) : at + 0.0, beyond > 0 ? next_up(at) : at + 0.0};
 }
 
 Rational exact(double x) {

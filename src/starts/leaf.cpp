@@ -21,7 +21,8 @@ I slack_unit(int bits) {
 /// A side of the box, wider by 2^-16 of its width and `unit` of its size on both ends.
 template <class I>
 I with_slack(const Rational& lo, const Rational& hi, const I& unit) {
-    const I side = hull(enclose<I>(lo), enclose<I>(hi));
+    const I low = enclose<I>(lo);
+    const I side = lo == hi ? low : hull(low, enclose<I>(hi));
     const I pad = (high_end(side) - low_end(side)) * I(0x1p-16) + magnitude(side) * unit;
     return hull(side - pad, side + pad);
 }

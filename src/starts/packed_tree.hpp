@@ -2,15 +2,14 @@
 
 #include <functional>
 #include <string>
-#include <string_view>
 #include <vector>
 
-#include "starts/certificate.hpp"
+#include "starts/place.hpp"
 
 namespace dumbbell::starts {
 
-/// A bisection tree that is made generation by generation, in few bytes a node. Each generation is a text,
-/// one node after another; a walk in pre-order, lower half first, reads each from its beginning to its end.
+/// A bisection tree that is made generation by generation, in a byte for each split and some ten for each
+/// leaf. A walk in pre-order, lower half first, reads each generation from its beginning to its end.
 class PackedTree {
   public:
     /// The next node of a generation, from left to right. Precondition: the contacts in it are dyadic.
@@ -21,8 +20,17 @@ class PackedTree {
     void for_each(const std::function<void(const Node&)>& use) const;
     [[nodiscard]] std::vector<Node> nodes() const;
 
+    /// The boxes of a generation, from left to right: they follow from the splits. `use` may add its nodes.
+    /// Precondition: the generations before it are complete.
+    void for_each_place(std::size_t generation, const std::function<void(const Place&)>& use) const;
+
   private:
-    std::vector<std::string> generations_;
+    struct Generation {
+        std::string kinds;   ///< of its nodes, a byte for each
+        std::string leaves;  ///< what they say
+    };
+
+    std::vector<Generation> generations_;
     std::size_t size_ = 0;
 };
 

@@ -46,7 +46,8 @@ struct Tangent {
 
 State<Tangent> centre_of(const Box& box) {
     const auto side = [&](std::size_t i) {
-        const Rational centre = (box.lo[i] + box.hi[i]) / 2;
+        const Rational& lo = box.lo[i];
+        const Rational centre = lo == box.hi[i] ? lo : (lo + box.hi[i]) / 2;
         return Tangent(centre.convert_to<double>(), Gradient<double>::Unit(static_cast<int>(i)));
     };
     return state_of(side(0), side(1), side(2), side(3), side(4));
@@ -97,6 +98,9 @@ std::array<double, axis_count> spreads(const Box& box, long shared) {
     const double speed = std::hypot(s.phidot.value, s.yhatdot.value / std::sqrt(r));
     std::array<double, axis_count> spread{};
     for (std::size_t i = 0; i < axis_count; ++i) {
+        if (box.lo[i] == box.hi[i]) {
+            continue;
+        }
         const auto change = [&](const Tangent& x) { return std::abs(x.gradient[static_cast<int>(i)]); };
         const double sum =
             change(s.phi) + change(s.yhat) + (change(s.phidot) + change(s.yhatdot) / r) / speed;

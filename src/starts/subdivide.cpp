@@ -1,8 +1,6 @@
 #include "starts/subdivide.hpp"
 
 #include <algorithm>
-#include <cstdint>
-#include <span>
 #include <utility>
 #include <vector>
 
@@ -18,37 +16,12 @@ namespace dumbbell::starts {
 namespace {
 
 constexpr std::size_t boxes_together = 16;
-constexpr std::size_t boxes_at_a_time = 4096;  ///< that are judged before their results are kept
-
-/// A box of the tree: how often each axis was halved, and which part of it this is.
-struct Place {
-    std::array<std::uint64_t, axis_count> part{};
-    std::array<std::uint8_t, axis_count> depths{};
-
-    [[nodiscard]] Box in(const Box& root) const {
-        Box box = root;
-        for (std::size_t i = 0; i < axis_count; ++i) {
-            if (depths[i] > 0) {
-                const Rational width = (root.hi[i] - root.lo[i]) / Rational(Integer(1) << depths[i]);
-                box.lo[i] += width * Rational(part[i]);
-                box.hi[i] = box.lo[i] + width;
-            }
-        }
-        return box;
-    }
-
-    [[nodiscard]] Place half(Axis axis, bool upper) const {
-        const auto i = static_cast<std::size_t>(axis);
-        Place result = *this;
-        result.part[i] = 2 * part[i] + (upper ? 1 : 0);
-        ++result.depths[i];
-        return result;
-    }
-};
+constexpr std::size_t boxes_at_a_time = 4096;  ///< that are judged before their results are packed
 
 struct Judged {
     Leaf leaf;
     std::optional<Axis> split;  ///< of a box that may be halved
+    std::optional<Box> states;  ///< that are undecided, unless they have no bound
 
     [[nodiscard]] bool is_exact() const { return leaf.most == leaf.least; }
 };
@@ -67,23 +40,25 @@ std::optional<Axis> split_axis(const Box& box, const decltype(Place::depths)& de
     return best ? std::optional(static_cast<Axis>(*best)) : std::nullopt;
 }
 
-Judged judge_states(const Box& box, const decltype(Place::depths)& depths, const SubdivideOptions& options) {
-    Judged result{judge(box, options.bits), std::nullopt};
+Judged judge_states(Box states, const decltype(Place::depths)& depths, const SubdivideOptions& options) {
+    Judged result{judge(states, options.bits), {}, {}};
     if (!result.is_exact()) {
-        result.split = split_axis(box, depths, result.leaf.least, options.max_depth);
+        result.split = split_axis(states, depths, result.leaf.least, options.max_depth);
+        result.states = std::move(states);
     }
     return result;
 }
 
-Judged judge(const Box& box, const decltype(Place::depths)& depths, const SubdivideOptions& options) {
+Judged judge(const Place& place, const Box& root, const SubdivideOptions& options) {
+    const Box box = place.in(root);
     if (!options.incoming) {
-        return judge_states(box, depths, options);
+        return judge_states(box, place.depths, options);
     }
     if (!is_unbounded(box)) {
-        return judge_states(states_of_incoming(box), depths, options);
+        return judge_states(states_of_incoming(box), place.depths, options);
     }
-    const bool may = depths[static_cast<std::size_t>(Axis::phidot)] < options.max_depth;
-    return {judge_falling(box.lower(Axis::ratio)), may ? std::optional(Axis::phidot) : std::nullopt};
+    const bool may = place.depths[static_cast<std::size_t>(Axis::phidot)] < options.max_depth;
+    return {judge_falling(box.lower(Axis::ratio)), may ? std::optional(Axis::phidot) : std::nullopt, {}};
 }
 
 void include(Subdivision& result, const Leaf& leaf, std::size_t depth) {
@@ -98,16 +73,13 @@ void include(Subdivision& result, const Leaf& leaf, std::size_t depth) {
     ++sum.boxes;
 }
 
-Obstacle obstacle_of_states(const Box& box) {
-    const auto s = natural_state<Interval>(box);
-    return find_obstacle(follow(s, spans_of_a_box), s);
-}
-
 /// What an undecided box is on or near to.
-Obstacle obstacle_in(const Box& box, bool incoming) {
-    return !incoming           ? obstacle_of_states(box)
-           : is_unbounded(box) ? Obstacle::other
-                               : obstacle_of_states(states_of_incoming(box));
+Obstacle obstacle_of(const Judged& undecided) {
+    if (!undecided.states) {
+        return Obstacle::other;
+    }
+    const auto s = natural_state<Interval>(*undecided.states);
+    return find_obstacle(follow(s, spans_of_a_box), s);
 }
 
 /// Grows the tree, and adds up its leaves.
@@ -118,41 +90,44 @@ class Growth {
     }
 
     Subdivision run() {
-        for (std::vector<Place> places(1); !places.empty(); places = std::exchange(next_, {})) {
-            for (std::size_t begin = 0; begin < places.size(); begin += boxes_at_a_time) {
-                const std::size_t end = std::min(begin + boxes_at_a_time, places.size());
-                grow({places.data() + begin, end - begin});
-            }
-            ++generation_;
+        for (bool grows = true; grows; ++generation_) {
+            grows = false;
+            result_.tree.for_each_place(generation_, [&](const Place& place) {
+                grows = true;
+                places_.push_back(place);
+                if (places_.size() == boxes_at_a_time) {
+                    grow();
+                }
+            });
+            grow();
         }
         return std::move(result_);
     }
 
   private:
-    /// The next places of this generation; the results do not depend on how the work is shared out.
-    void grow(std::span<const Place> places) {
+    /// The nodes of these places; the results do not depend on how the work is shared out.
+    void grow() {
+        const std::vector<Place> places = std::exchange(places_, {});
         std::vector<Judged> judged(places.size());
         in_parallel(places.size(), boxes_together, [&](std::size_t begin, std::size_t end) {
             for (std::size_t i = begin; i != end; ++i) {
-                judged[i] = judge(places[i].in(box_), places[i].depths, options_);
+                judged[i] = judge(places[i], box_, options_);
             }
             options_.observer->advance(end - begin);
         });
         const bool stop = options_.interrupted();
-        std::vector<Place> undecided;
-        for (std::size_t i = 0; i < places.size(); ++i) {
-            const auto& [leaf, split] = judged[i];
+        std::vector<const Judged*> undecided;
+        for (const Judged& one : judged) {
+            const auto& [leaf, split, states] = one;
             if (split && !stop && leaves_ < options_.max_boxes) {
                 ++leaves_;
                 result_.tree.add(generation_, {*split, {}});
-                next_.push_back(places[i].half(*split, false));
-                next_.push_back(places[i].half(*split, true));
                 continue;
             }
             result_.tree.add(generation_, {{}, leaf});
             include(result_, leaf, generation_);
-            if (!judged[i].is_exact()) {
-                undecided.push_back(places[i]);
+            if (!one.is_exact()) {
+                undecided.push_back(&one);
             }
         }
         if (stop) {
@@ -163,11 +138,11 @@ class Growth {
     }
 
     /// Names what these are on or near to.
-    void explain(const std::vector<Place>& undecided) {
+    void explain(const std::vector<const Judged*>& undecided) {
         std::vector<Obstacle> found(undecided.size());
         in_parallel(found.size(), boxes_together, [&](std::size_t begin, std::size_t end) {
             for (std::size_t i = begin; i != end; ++i) {
-                found[i] = obstacle_in(undecided[i].in(box_), options_.incoming);
+                found[i] = obstacle_of(*undecided[i]);
             }
         });
         for (const Obstacle obstacle : found) {
@@ -180,7 +155,7 @@ class Growth {
     Subdivision result_;
     std::size_t leaves_ = 1;
     std::size_t generation_ = 0;
-    std::vector<Place> next_;  ///< the boxes of the next generation
+    std::vector<Place> places_;  ///< of this generation, the next to be judged
 };
 
 }  // namespace

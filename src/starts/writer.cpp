@@ -18,17 +18,20 @@ std::string contact_text(const std::optional<FirstContact>& first) {
                  : "";
 }
 
-/// The body's lines and their numbers.
-class Body {
+/// The numbers of the body's lines, and what all leaves together say.
+class Totals {
   public:
-    explicit Body(const decltype(axis_names)& names) : names_(names) {}
-
-    void node(const Node& node) {
+    void add(const Node& node) {
         if (node.split) {
-            line(fmt::format("split {}", names_[static_cast<std::size_t>(*node.split)]));
             ++splits_;
+        } else if (!node.leaf.most) {
+            ++open_;
         } else {
-            leaf(node.leaf);
+            const auto& [least, most, first] = node.leaf;
+            const bool any = exactly_ + between_ > 0;
+            least_ = any ? std::min(least_, least) : least;
+            most_ = any ? std::max(most_, *most) : *most;
+            ++(least == *most ? exactly_ : between_);
         }
     }
 
@@ -37,47 +40,31 @@ class Body {
         return fmt::format("between {} {}\n", open_ > 0 ? 0 : least_,
                            open_ > 0 ? "none" : fmt::format("{}", most_));
     }
-    [[nodiscard]] const std::string& lines() const { return text_; }
-    [[nodiscard]] std::string totals() const {
+    [[nodiscard]] std::string lines() const {
         return fmt::format("total split {}\ntotal exactly {}\ntotal between {}\ntotal open {}\n", splits_,
                            exactly_, between_, open_);
     }
 
   private:
-    void leaf(const Leaf& leaf) {
-        if (!leaf.most) {
-            line("open");
-            ++open_;
-            return;
-        }
-        const bool any = exactly_ + between_ > 0;
-        least_ = any ? std::min(least_, leaf.least) : leaf.least;
-        most_ = any ? std::max(most_, *leaf.most) : *leaf.most;
-        if (leaf.least == *leaf.most) {
-            line(fmt::format("exactly {}{}", leaf.least, contact_text(leaf.first)));
-            ++exactly_;
-        } else {
-            line(fmt::format("between {} {}{}", leaf.least, *leaf.most, contact_text(leaf.first)));
-            ++between_;
-        }
-    }
-
-    void line(const std::string& words) { text_ += words + '\n'; }
-
-    const decltype(axis_names)& names_;
-    std::string text_;
     long splits_ = 0, exactly_ = 0, between_ = 0, open_ = 0;
     long least_ = 0, most_ = 0;
 };
 
-Body body_of(const Certificate& certificate) {
-    return Body(certificate.incoming ? incoming_names : axis_names);
+std::string line_of(const Node& node, const decltype(axis_names)& names) {
+    const auto& [least, most, first] = node.leaf;
+    return node.split       ? fmt::format("split {}\n", names[static_cast<std::size_t>(*node.split)])
+           : !most          ? "open\n"
+           : least == *most ? fmt::format("exactly {}{}\n", least, contact_text(first))
+                            : fmt::format("between {} {}{}\n", least, *most, contact_text(first));
 }
 
-SealedText render(const Certificate& certificate, const Body& body) {
-    require(body.complete(), "certificate: the tree of initial conditions is not complete");
+/// `for_each`: does something with each node of the tree, which it visits twice.
+template <class ForEach>
+SealedText render(const Certificate& certificate, const ForEach& for_each, SealedLines out) {
+    Totals totals;
+    for_each([&](const Node& node) { totals.add(node); });
+    require(totals.complete(), "certificate: the tree of initial conditions is not complete");
     const auto& [lo, hi] = certificate.box;
-    SealedLines out;
     out.head(certificate.generator, "1", "dumbbell", "none",
              certificate.incoming ? "incoming" : "initial-conditions");
     out.line("ratio {} {}", to_fraction(lo[4]), to_fraction(hi[4]));
@@ -85,26 +72,24 @@ SealedText render(const Certificate& certificate, const Body& body) {
         out.line("{} {} {}", axis_names[i], to_fraction(lo[i]), to_fraction(hi[i]));
     }
     out.line("bits {}", certificate.bits);
-    out.lines(body.bounds());
-    out.lines(body.lines());
-    out.lines(body.totals());
+    out.lines(totals.bounds());
+    const auto& names = certificate.incoming ? incoming_names : axis_names;
+    for_each([&](const Node& node) { out.lines(line_of(node, names)); });
+    out.lines(totals.lines());
     return std::move(out).sealed();
 }
 
 }  // namespace
 
 SealedText render(const Certificate& certificate) {
-    Body body = body_of(certificate);
-    for (const Node& node : certificate.tree) {
-        body.node(node);
-    }
-    return render(certificate, body);
+    return render(
+        certificate, [&](const auto& use) { std::ranges::for_each(certificate.tree, use); }, SealedLines());
 }
 
-SealedText render(const Certificate& certificate, const PackedTree& tree) {
-    Body body = body_of(certificate);
-    tree.for_each([&](const Node& node) { body.node(node); });
-    return render(certificate, body);
+std::string render(const Certificate& certificate, const PackedTree& tree, const Sink& sink) {
+    return render(
+               certificate, [&](const auto& use) { tree.for_each(use); }, SealedLines(sink))
+        .sha256;
 }
 
 }  // namespace dumbbell::starts

@@ -221,7 +221,10 @@ int run_trace(const Given& given) {
     }
     report.seconds = watch.seconds();
     if (output.is_wanted()) {
-        write(render(certificate_of_starts(report), report.parts->tree), output, report);
+        output.commit([&](const Sink& sink) {
+            report.sha256 = render(certificate_of_starts(report), report.parts->tree, sink);
+        });
+        report.out = output.file();
     }
     print(output.report(), given, report, ratio.swapped);
     const bool certified = report.trace.exact() || (!report.is_single() && !event_of(report));

@@ -108,12 +108,19 @@ Output::Output(const std::string& file, const std::vector<std::string>& inputs, 
     file_.emplace(target);
 }
 
-void Output::commit(const std::string& contents) const {
+void Output::commit(const Writing& write) const {
     if (file_) {
-        file_->commit(contents);
-    } else if (is_wanted() && (std::fwrite(contents.data(), 1, contents.size(), stdout) != contents.size() ||
-                               std::fflush(stdout) != 0)) {
-        throw InputError(not_printed);
+        file_->commit(write);
+    } else if (is_wanted()) {
+        const auto require_printed = [](bool printed) {
+            if (!printed) {
+                throw InputError(not_printed);
+            }
+        };
+        write([&](std::string_view part) {
+            require_printed(std::fwrite(part.data(), 1, part.size(), stdout) == part.size());
+        });
+        require_printed(std::fflush(stdout) == 0);
     }
 }
 

@@ -47,7 +47,10 @@ class Output {
     [[nodiscard]] std::FILE* report() const { return is_wanted() && !file_ ? stderr : stdout; }
 
     /// Throws InputError if it cannot be written.
-    void commit(const std::string& contents) const;
+    void commit(const Writing& write) const;
+    void commit(const std::string& contents) const {
+        commit([&](const Sink& sink) { sink(contents); });
+    }
 
   private:
     std::string name_;

@@ -228,6 +228,38 @@ TEST_CASE("a name that ends in .gz is compressed, reproducibly: no time and no n
     CHECK(unpacked(folder / "one.gz") == text);
 }
 
+TEST_CASE("a text that comes in parts makes the same file as one that comes at once, compressed too") {
+    const TemporaryFolder folder;
+    std::vector<std::string> lines;
+    std::string text;
+    for (int i = 0; i < 50'000; ++i) {
+        text += lines.emplace_back("exactly " + std::to_string(i % 977) + "\n");
+    }
+    for (const char* name : {"file", "file.gz"}) {
+        AtomicFile(folder / name).commit(text);
+        const std::string at_once = contents(folder / name);
+        AtomicFile(folder / name).commit([&](const dumbbell::Sink& sink) {
+            for (const std::string& line : lines) {
+                sink(line);
+            }
+        });
+        CHECK((contents(folder / name) == at_once));
+    }
+    CHECK((unpacked(folder / "file.gz") == text));
+}
+
+TEST_CASE("a text that is not completed leaves the old file, and nothing else") {
+    const TemporaryFolder folder;
+    write_file(folder / "file", "old");
+    CHECK_THROWS_WITH(AtomicFile(folder / "file").commit([](const dumbbell::Sink& sink) {
+        sink("half");
+        throw InputError("no more");
+    }),
+                      Contains("no more"));
+    CHECK(contents(folder / "file") == "old");
+    CHECK(folder.names() == Names{"file"});
+}
+
 TEST_CASE("a place that cannot be written is known before any work is done") {
     const TemporaryFolder folder;
     CHECK_THROWS_AS(AtomicFile(folder / "no such folder/file"), InputError);

@@ -1,5 +1,7 @@
 #include "file/sealed_lines.hpp"
 
+#include <algorithm>
+
 #include "base/error.hpp"
 #include "catch.hpp"
 #include "file/atomic_file.hpp"
@@ -51,4 +53,25 @@ TEST_CASE("a damaged file has no digest: cut off, changed, or with something aft
                           Contains("is not a certificate: its first line is not 'dumbbell-certificate 1'"));
     }
     CHECK_THROWS_WITH(sealed_digest("no/such/file.dbc"), Contains("no such file"));
+}
+
+TEST_CASE("a long text that goes to a sink is never there as a whole, and its digest is the same") {
+    const auto write = [](SealedLines lines) {
+        for (int i = 0; i < 100'000; ++i) {
+            lines.line("line {}", i);
+        }
+        return std::move(lines).sealed();
+    };
+    std::string text;
+    std::size_t longest = 0;
+    const SealedText handed_on = write(SealedLines([&](std::string_view part) {
+        text += part;
+        longest = std::max(longest, part.size());
+    }));
+    const SealedText kept = write(SealedLines());
+    CHECK(handed_on.text.empty());
+    CHECK(handed_on.sha256 == kept.sha256);
+    CHECK((text == kept.text));
+    CHECK(longest < 100'000);
+    CHECK(text.size() > 1'000'000);
 }

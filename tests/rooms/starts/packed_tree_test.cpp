@@ -46,3 +46,32 @@ TEST_CASE("a packed tree that is not complete is not unpacked") {
     tree.add(1, open_leaf());
     CHECK(tree.nodes().size() == 3);
 }
+
+TEST_CASE("the boxes of a generation follow from the splits above it, while its nodes are added") {
+    PackedTree tree;
+    std::vector<Place> places;
+    const auto add = [&](std::size_t generation, const std::vector<Node>& nodes) {
+        places.clear();
+        tree.for_each_place(generation, [&](const Place& place) {
+            tree.add(generation, nodes.at(places.size()));
+            places.push_back(place);
+        });
+        CHECK(places.size() == nodes.size());
+    };
+    add(0, {initial_split(Axis::phi)});
+    add(1, {initial_split(Axis::y), initial_split(Axis::phi)});
+    add(2, {exactly(1), initial_split(Axis::y), open_leaf(), exactly(2)});
+    add(3, {exactly(3), exactly(4)});
+    const Box root{{Rational(0), Rational(-1), Rational(1), Rational(-1), Rational(10)},
+                   {Rational(2), Rational(-1), Rational(5), Rational(-1), Rational(10)}};
+    for (const Place& place : places) {
+        const Box box = place.in(root);
+        CHECK(box.lower(Axis::phi) == 0);
+        CHECK(box.upper(Axis::phi) == 1);
+        CHECK(box.lower(Axis::y) == (&place == &places[0] ? 3 : 4));
+        CHECK(box.upper(Axis::y) == (&place == &places[0] ? 4 : 5));
+        CHECK(box.lower(Axis::phidot) == -1);
+    }
+    add(4, {});
+    CHECK(tree.nodes().size() == 9);
+}
