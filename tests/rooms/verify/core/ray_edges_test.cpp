@@ -278,7 +278,7 @@ TEST_CASE("step edges: where D may be 0 it is not decided whether a departure re
     Big z = 0;
     REQUIRE(dumbbell_verify::guess_root(c, slope, z));
     const Interval<Big> w = rays.earliest({c, slope, div(down, Big(1), 2)}, z).cosine,
-                        r = w * w - Interval<Big>(2) * slope * w;
+                        r = w * (w - (Interval<Big>(slope) + slope));
     REQUIRE(r.lo < r.hi);
     const std::string q = mpq_class(1 / exact_value(r.lo)).get_str();
     CHECK(said_of_leaf("1 dumbbell full departure count 0 5 0 6 0 0 9/8 15/8 " + q + " " + q) ==
