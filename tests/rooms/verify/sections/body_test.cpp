@@ -144,6 +144,21 @@ TEST_CASE(
     CHECK_FALSE(closes(2, 2));
 }
 
+TEST_CASE("scene body: with any mass of the rod the heavy end may hit again") {
+    const auto most = [](const mpq_class& q, int count) {
+        Leaf leaf = leaf_of(0, q, mpq_class(1, 2));
+        leaf.box.lo[0] = leaf.box.hi[0] = 3;
+        leaf.box.lo[1] = leaf.box.hi[1] = mpq_class(1, 100);
+        leaf.a = count;
+        leaf.claimed = count + 1;
+        return body().check(leaf, nullptr) == nullptr;
+    };
+    CHECK(most(2, 1));
+    CHECK_FALSE(most(2, 0));
+    CHECK(most(mpq_class(11, 5), 2));
+    CHECK_FALSE(most(mpq_class(11, 5), 1));
+}
+
 TEST_CASE("scene body: the root boxes and the leaf outside are those of the format") {
     const Box contacts = body().root(0, 3, mpq_class(13, 4)),
               departures = body().root(1, 3, mpq_class(13, 4));
