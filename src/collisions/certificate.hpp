@@ -14,8 +14,15 @@
 /// verifier does.
 namespace dumbbell::collisions {
 
-/// The system: the dumbbell, or one of the source paper's model wedges (lemmas L17, L18).
-enum class Scene { dumbbell, hybrid, wedge };
+/// The system: the dumbbell, one of the source paper's model wedges (lemmas L17, L18), or a rigid body with
+/// mass between its contacts (body.md).
+enum class Scene { dumbbell, hybrid, wedge, body };
+
+/// Of bodies: rho = d2/d1, in [lo, hi] for all of a certificate. What is the mass ratio of others is Q =
+/// (d1/k)^2.
+struct Heights {
+    Rational lo, hi;
+};
 
 /// What a cover covers: the turning collisions and the bridge contacts (L8, L9), or all collision states,
 /// counted forward only (L15); `plain` is the latter without monotonicity (L16).
@@ -25,7 +32,8 @@ enum class Section { turning, full, plain };
 /// turning collisions with a light wall of trajectories that never touch the bridge (L9). Full section:
 /// contacts with the bridge and departures from a light wall in any direction (L15), and once more the
 /// contacts, for what comes back to the bridge (L19). Model wedges: slopes of turning collisions (L17, L18).
-enum class Chart { bridge, light, contact, departure, plain_contact, plain_departure, again, wedge };
+/// `corner` is for witnesses of bodies only: orbits near the corner (L73).
+enum class Chart { bridge, light, contact, departure, plain_contact, plain_departure, again, wedge, corner };
 
 /// The axes of a chart's boxes: the position e, the slope (eta in the chart bridge, lambda in the chart
 /// light) and the mass ratio q.
@@ -55,9 +63,10 @@ struct ChartTree {
     Tree tree;
 };
 
-/// The proof of an upper bound: a tree for each chart of the section, or (dumbbell with q = 1 only) lemma L7.
+/// The proof of an upper bound: a tree for each chart of the section, or a lemma.
 struct Cover {
-    bool equal_masses = false;
+    bool equal_masses = false;  ///< L7: the dumbbell with q = 1
+    bool symmetric = false;     ///< L72: bodies with rho = 1
     std::vector<ChartTree> charts;
 
     [[nodiscard]] long leaves() const;
@@ -66,7 +75,7 @@ struct Cover {
 /// A collision from which at least `forward` later and `backward` earlier collisions are certain, for every
 /// ratio of its piece: 1 + forward + backward in all. Chart bridge: the contact at corner distance e and
 /// steepness eta (L11). Chart wedge: a collision with scaled slope lambda in place of eta; it has no scale,
-/// e = 0 (L17, L18).
+/// e = 0 (L17, L18). Chart corner: e = eta = 0.
 struct Witness {
     Rational e;
     Rational eta;
@@ -98,6 +107,7 @@ struct Certificate {
     std::vector<Piece> pieces;  ///< in order, each begins where the one before ends; not empty
     Scene scene = Scene::dumbbell;
     Section section = Section::turning;
+    std::optional<Heights> heights{};  ///< of the scene body
     std::string sha256{};  ///< as its last line has it, if that is right; empty unless it was read
 
     [[nodiscard]] const Rational& q_lo() const { return pieces.front().q_lo; }

@@ -7,6 +7,7 @@
 
 #include "base/deadline.hpp"
 #include "base/printable.hpp"
+#include "collisions/body/halving.hpp"
 #include "collisions/plan.hpp"
 #include "collisions/scene.hpp"
 #include "number/decimal.hpp"
@@ -72,6 +73,26 @@ std::vector<ProvedPiece> recalled_beginning(const CertifyRequest& request, const
     return recalled;
 }
 
+/// Symmetric bodies step where the wedges do (L72).
+Scene staircase_of(const CertifyRequest& request) {
+    const bool is_symmetric = request.heights && request.heights->lo == 1;
+    return is_symmetric ? Scene::wedge : request.scene;
+}
+
+std::vector<ProvedPiece> prove_in_halves(const CertifyRequest& request, PieceOptions options) {
+    options.max_nodes = 1'000'000;  // before it is halved
+    const auto& bounds = std::get<BoundSearch<Interval>>(row_of(request.scene).bounds);
+    const auto prove = [&](const Rational& q_lo, const Rational& q_hi, long upper, long lower) {
+        request.observer->advance(1);
+        return options.interrupted() ? open_piece(q_lo, q_hi)
+                                     : timed([&] { return prove_piece(q_lo, q_hi, upper, lower, options); });
+    };
+    const auto maximum = [&](const Rational& q) {
+        return options.interrupted() ? std::nullopt : bounds.maximum(q, options.heights, options.interrupted);
+    };
+    return prove_halved(request.q_lo, request.q_hi, {maximum, prove, request.gap});
+}
+
 /// Steps are looked for, and pieces proved between them, part by part: what is found in time is not lost.
 std::vector<ProvedPiece> prove_range(const CertifyRequest& request, const PieceOptions& options) {
     std::vector<ProvedPiece> pieces = recalled_beginning(request, options);
@@ -79,8 +100,8 @@ std::vector<ProvedPiece> prove_range(const CertifyRequest& request, const PieceO
     Observer* looking = request.observer;
     while (pieces.empty() || pieces.back().piece.q_hi < request.q_hi) {
         const Rational from = pieces.empty() ? request.q_lo : pieces.back().piece.q_hi;
-        const Plan plan =
-            plan_staircase(request.scene, from, request.q_hi, request.gap, options.interrupted, *looking);
+        const Plan plan = plan_staircase(staircase_of(request), from, request.q_hi, request.gap,
+                                         options.interrupted, *looking);
         if (plan.pieces.empty()) {
             pieces.push_back(open_piece(from, request.q_hi));
             break;
@@ -127,7 +148,8 @@ std::vector<ProvedPiece> certify(const CertifyRequest& request) {
         return {open_piece(request.q_lo, request.q_hi)};
     }
     PieceOptions options = piece_options(request.scene, request.section);
-    options.describes = request.describes;
+    options.describes = request.describes && row_of(request.scene).has_orbits;
+    options.heights = request.heights;
     options.interrupted = deadline(request.budget);
     return with_threads(request.jobs, [&]() -> std::vector<ProvedPiece> {
         if (request.q_lo == request.q_hi) {
@@ -139,7 +161,8 @@ std::vector<ProvedPiece> certify(const CertifyRequest& request) {
             }));
             return alone;
         }
-        return prove_range(request, options);
+        return row_of(staircase_of(request)).step ? prove_range(request, options)
+                                                  : prove_in_halves(request, options);
     });
 }
 

@@ -16,6 +16,7 @@ struct CertifyRequest {
     Rational q_hi;  ///< >= q_lo; a single ratio if equal
     Scene scene = Scene::dumbbell;
     Section section = Section::turning;
+    std::optional<Heights> heights = {};  ///< of the scene body, whose ratio is Q
     Rational gap = Rational(1, 1'000'000);
     int jobs = 1;
     std::optional<std::chrono::duration<double>> budget;

@@ -122,7 +122,13 @@ template <class I>
 std::optional<Tree> cover(Chart chart, const Rational& q_lo, const Rational& q_hi, const Count& upper,
                           const CoverOptions& options) {
     require(upper >= 1, "cover: an upper bound is at least 1");
-    GrowingTree<Node, Box, 3> tree(root_box(chart, q_lo, q_hi), boxes_in_memory);
+    Box root = root_box(chart, q_lo, q_hi);
+    std::optional<BoxHeights> heights;
+    if (options.heights) {
+        const auto& [lo, hi] = *options.heights;
+        root.heights = &heights.emplace(BoxHeights{lo, hi, lo * q_lo == 1 && hi * q_hi == 1});
+    }
+    GrowingTree<Node, Box, 3> tree(std::move(root), boxes_in_memory);
     for (; !tree.boxes().empty(); tree.next_generation()) {
         const std::vector<Box>& boxes = tree.boxes();
         std::vector<std::optional<Leaf>> results(boxes.size());

@@ -15,7 +15,8 @@ struct CoverOptions {
     int max_depth = 400;            ///< per axis; the format's limit
     bool parallel = false;          ///< judge the boxes of a generation on all of the calling arena's threads
     Interrupted interrupted = never;
-    Observer* observer = &nobody;  ///< told of boxes that are judged
+    Observer* observer = &nobody;         ///< told of boxes that are judged
+    std::optional<Heights> heights = {};  ///< of bodies
 };
 
 /// A bisection tree of the chart over mass ratios [q_lo, q_hi], each leaf of which closes for "at most

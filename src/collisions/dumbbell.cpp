@@ -59,7 +59,8 @@ bool tells_counts_apart(const Rational& q) {
 /// From upper bounds on the two extremal orbits and a lower one on that whose last flight decides (Theorem 2
 /// (c)).
 template <class I>
-std::optional<Count> suspected_maximum(const Rational& q, const Interrupted& interrupted) {
+std::optional<Count> suspected_maximum(const Rational& q, const std::optional<Heights>& /*heights*/,
+                                       const Interrupted& interrupted) {
     using flight::ExtremalOrbit;
     using N = flight::CountOf<I>;
     if (!tells_counts_apart(q)) {
@@ -103,8 +104,22 @@ bool orbits_stay_below(const Count& n, const Rational& q, const Interrupted& int
 }
 
 template <class I>
+std::optional<Witness> dumbbell_witness(const Rational& q_lo, const Rational& q_hi, const Count& target,
+                                        const std::optional<Heights>& /*heights*/,
+                                        const Interrupted& interrupted) {
+    return find_witness<I>(q_lo, q_hi, target, interrupted);
+}
+
+/// L7.
+std::optional<Cover> equal_masses(const Rational& q_lo, const Rational& q_hi, const Count& upper,
+                                  const std::optional<Heights>& /*heights*/) {
+    const bool holds = q_lo == 1 && q_hi == 1 && upper >= 2;
+    return holds ? std::optional(Cover{.equal_masses = true, .charts = {}}) : std::nullopt;
+}
+
+template <class I>
 constexpr BoundSearch<I> dumbbell_bounds{suspected_maximum<I>, orbits_reach<I>, orbits_stay_below<I>,
-                                         find_witness<I>};
+                                         dumbbell_witness<I>};
 
 }  // namespace
 
@@ -118,9 +133,9 @@ const SceneRow dumbbell_row{
     .most_digits = 100,
     .has_orbits = true,
     .has_paper_bound = true,
-    .equal_masses_need_no_cover = true,
     .charts = dumbbell_charts,
     .step = dumbbell_step,
+    .by_lemma = equal_masses,
     .bounds = {dumbbell_bounds<Interval>, dumbbell_bounds<BigInterval>}};
 
 }  // namespace dumbbell::collisions

@@ -11,7 +11,18 @@ template <class I>
 struct Bounds {
     I position_lo, position_hi, eta_lo, eta_hi;
     flight::RatioRange<I> range;
+    flight::Body<I> body;
 };
+
+template <class I>
+flight::Body<I> body_of(const Box& box) {
+    const I r = hull(box.q_hi.inverse<I>(), box.q_lo.inverse<I>());
+    if (!box.heights) {
+        return r;
+    }
+    const auto& [lo, hi, is_massless] = *box.heights;
+    return {hull(lo.enclosure<I>(), hi.enclosure<I>()), r, is_massless};
+}
 
 template <class I>
 Bounds<I> bounds_of(const Box& box) {
@@ -19,21 +30,22 @@ Bounds<I> bounds_of(const Box& box) {
             box.e_hi.enclosure<I>(),
             box.slope_lo.enclosure<I>(),
             box.slope_hi.enclosure<I>(),
-            {box.q_hi.inverse<I>(), box.q_lo.inverse<I>()}};
+            {box.q_hi.inverse<I>(), box.q_lo.inverse<I>()},
+            body_of<I>(box)};
 }
 
 std::optional<Leaf> counted(long later, long upper) {
     return later <= upper - 1 ? std::optional(Leaf{Reason::count, later, 0}) : std::nullopt;
 }
 
-/// Beyond the left corner, or every slope r (cos t + eta) >= 1.
+/// Beyond the left corner, or every slope rho (cos t + eta) >= 1.
 template <class I>
 bool beyond_contacts(const Bounds<I>& b) {
     return certainly_less(pi<I>(), b.position_lo) ||
-           certainly_at_most(I(1), b.range.r_lo * (b.eta_lo - I(1)));
+           certainly_at_most(I(1), low_end(b.body.rho) * (b.eta_lo - I(1)));
 }
 
-/// The ray from the bridge at min(t, pi) with steepness eta, in units of r.
+/// The ray from the bridge at min(t, pi) with steepness eta, in units of the bridge's height.
 template <class I>
 flight::ScaledRay<I> from_bridge(const I& position, const I& eta) {
     const I t = min(position, pi<I>());
@@ -57,12 +69,11 @@ std::optional<Leaf> judge_plain_contact(const Bounds<I>& b, long upper, const In
     if (beyond_contacts(b)) {
         return Leaf{Reason::outside};
     }
-    const I r = hull(b.range.r_lo, b.range.r_hi);
+    const I& rho = b.body.rho;
     const flight::ScaledRay<I> rays =
         from_bridge(hull(b.position_lo, b.position_hi), hull(b.eta_lo, b.eta_hi));
-    return counted(plain_count(flight::PlainRay<I>{r * rays.c, flight::detail::in_play(r * rays.lambda)}, r,
-                               upper - 1, interrupted),
-                   upper);
+    const flight::PlainRay<I> scaled{rho * rays.c, flight::detail::in_play(rho * rays.lambda)};
+    return counted(plain_count(scaled, b.body, upper - 1, interrupted), upper);
 }
 
 template <class I>
@@ -100,8 +111,7 @@ std::optional<Leaf> judge_plain_departure(const Bounds<I>& b, long upper, const 
     const auto all =
         departure(flight::position(hull(b.position_lo, b.position_hi)), hull(b.eta_lo, b.eta_hi));
     const flight::PlainDeparture<I> from{all.x, all.sin_x, flight::detail::in_play(all.kappa)};
-    return counted(plain_later_collisions(from, hull(b.range.r_lo, b.range.r_hi), upper - 1, interrupted),
-                   upper);
+    return counted(plain_later_collisions(from, b.body, upper - 1, interrupted), upper);
 }
 
 }  // namespace

@@ -35,6 +35,8 @@ std::optional<Leaf> judge(Chart chart, const Box& box, const Count& upper, const
         case Chart::plain_departure:
         case Chart::again:
             return judge_full<I>(chart, box, as_long(upper), interrupted);
+        case Chart::corner:
+            break;
     }
     throw BrokenInvariant("unknown chart");
 }

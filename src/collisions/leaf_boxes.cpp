@@ -49,6 +49,7 @@ Rational greatest_position(Chart chart) {
         case Chart::again:
             return 4;
         case Chart::wedge:
+        case Chart::corner:
             return 0;
     }
     throw BrokenInvariant("unknown chart");
@@ -59,6 +60,7 @@ Rational greatest_slope(Chart chart, const Rational& q_hi) {
         case Chart::bridge:
         case Chart::light:
         case Chart::wedge:
+        case Chart::corner:
             return power_of_two_for(q_hi);
         case Chart::contact:
         case Chart::plain_contact:

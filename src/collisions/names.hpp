@@ -18,6 +18,8 @@ namespace dumbbell::collisions {
             return "hybrid";
         case Scene::wedge:
             return "wedge";
+        case Scene::body:
+            return "body";
     }
     return {};
 }
@@ -65,6 +67,9 @@ namespace dumbbell::collisions {
     return {};
 }
 
+/// The cover of one line of symmetric bodies (L72).
+inline constexpr std::string_view symmetric_word = "symmetric";
+
 struct ChartNames {
     std::string_view chart, position, slope;
     /// Whether a leaf `count` has two counts: of the ray and of the reversed incoming ray. The full section
@@ -88,6 +93,8 @@ struct ChartNames {
             return {"again", "t", "eta"};
         case Chart::wedge:
             return {"wedge", "e", "lambda"};
+        case Chart::corner:
+            return {"corner", "e", "eta"};
     }
     return {};
 }
@@ -110,18 +117,22 @@ struct ChartNames {
     return std::nullopt;
 }
 
-/// The words after `lemmas` and `section`: `plain` is spelled as a set of lemmas of `full`.
+/// The words after `lemmas` and `section`: `plain` is spelled as a set of lemmas of `full`, one of its own
+/// for bodies.
 struct SectionWords {
     std::string_view lemmas, section;
 
     friend bool operator==(const SectionWords&, const SectionWords&) = default;
 };
-[[nodiscard]] constexpr SectionWords spelled(Section section) {
-    return section == Section::plain ? SectionWords{"minimal", "full"} : SectionWords{"1", name(section)};
+[[nodiscard]] constexpr SectionWords spelled(Section section, Scene scene) {
+    if (section == Section::plain) {
+        return {scene == Scene::body ? "body" : "minimal", "full"};
+    }
+    return {"1", name(section)};
 }
-[[nodiscard]] constexpr std::optional<Section> section_spelled(const SectionWords& words) {
+[[nodiscard]] constexpr std::optional<Section> section_spelled(const SectionWords& words, Scene scene) {
     for (int i = 0; !name(static_cast<Section>(i)).empty(); ++i) {
-        if (words == spelled(static_cast<Section>(i))) {
+        if (words == spelled(static_cast<Section>(i), scene)) {
             return static_cast<Section>(i);
         }
     }

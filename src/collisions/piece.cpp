@@ -28,13 +28,14 @@ Obstacle escalate(const PieceOptions& options, Attempt attempt) {
 template <class I>
 std::optional<Cover> prove_upper(const Rational& q_lo, const Rational& q_hi, const Count& upper,
                                  const PieceOptions& options) {
-    if (row_of(options.scene).equal_masses_need_no_cover && q_lo == 1 && q_hi == 1 && upper >= 2) {
-        return Cover{.equal_masses = true, .charts = {}};
+    if (auto known = row_of(options.scene).by_lemma(q_lo, q_hi, upper, options.heights)) {
+        return known;
     }
     const CoverOptions limits{.max_nodes = options.max_nodes,
                               .parallel = options.parallel,
                               .interrupted = options.interrupted,
-                              .observer = options.observer};
+                              .observer = options.observer,
+                              .heights = options.heights};
     const std::vector<Chart> charts = row_of(options.scene).charts(options.section);
     std::vector<std::optional<Tree>> trees(charts.size());
     std::atomic<bool> all = true;
@@ -95,7 +96,7 @@ Obstacle attempt_piece(ProvedPiece& proved, int bits, const Goal& goal, const Pi
     if (!is_suspected && !bounds.may_reach(lower, least, options.interrupted)) {
         return Obstacle::witness;
     }
-    auto witness = bounds.witness(least, piece.q_hi, lower, options.interrupted);
+    auto witness = bounds.witness(least, piece.q_hi, lower, options.heights, options.interrupted);
     if (!witness) {
         return Obstacle::witness;
     }
@@ -104,7 +105,8 @@ Obstacle attempt_piece(ProvedPiece& proved, int bits, const Goal& goal, const Pi
     // orbits (L42) end too early, and collisions one after the other are too many.
     constexpr long least_long = 10'000;
     const bool is_close = options.section == Section::turning && upper < least_long;
-    piece.bits = bits == double_bits ? double_bits : is_close ? bits + 32 : 2 * bits;
+    const bool is_double = bits == double_bits && options.scene != Scene::body;
+    piece.bits = is_double ? double_bits : is_close ? bits + 32 : 2 * bits;
     piece.lower = lower;
     piece.witness = std::move(*witness);
     // At 1 equal masses need no cover.
@@ -144,6 +146,9 @@ PieceOptions piece_options(Scene scene, Section section) {
     if (section != Section::turning) {
         options.max_nodes = 20'000'000;  // all states, not a section of them
     }
+    if (scene == Scene::body) {
+        options.max_bits = double_bits;  // what it leaves open is next to a tie
+    }
     return options;
 }
 
@@ -165,7 +170,8 @@ ProvedPiece prove_single(const Rational& q, const PieceOptions& options) {
     ProvedPiece proved;
     proved.piece.q_lo = proved.piece.q_hi = q;
     proved.obstacle = escalate(options, [&]<class I>(const I&, int bits) {
-        const auto n = std::get<BoundSearch<I>>(row_of(options.scene).bounds).maximum(q, options.interrupted);
+        const auto n = std::get<BoundSearch<I>>(row_of(options.scene).bounds)
+                           .maximum(q, options.heights, options.interrupted);
         return n ? attempt_piece<I>(proved, bits, {*n, *n, q, q, true}, options) : Obstacle::maximum;
     });
     describe_in_time(proved, options);

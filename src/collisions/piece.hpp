@@ -15,8 +15,9 @@ struct PieceOptions {
     int max_bits = 2048;
     std::size_t max_nodes = CoverOptions{}.max_nodes;
     Interrupted interrupted = never;
-    Observer* observer = &nobody;  ///< told of boxes that are judged
-    bool describes = true;         ///< margin and width of the witness orbit, for people, are wanted
+    Observer* observer = &nobody;         ///< told of boxes that are judged
+    std::optional<Heights> heights = {};  ///< of the scene body
+    bool describes = true;                ///< margin and width of the witness orbit, for people, are wanted
 };
 
 /// The limits with which a claim about this section is proved, wherever it is.

@@ -26,9 +26,10 @@ void PieceLines::proof(const Piece& piece) {
 }
 
 void PieceLines::cover(const Cover& cover) {
-    if (cover.equal_masses) {
-        line("equal-masses");
-        count("equal-masses");
+    if (cover.equal_masses || cover.symmetric) {
+        const std::string_view word = cover.symmetric ? symmetric_word : "equal-masses";
+        line("{}", word);
+        count(word);
         return;
     }
     for (const ChartTree& part : cover.charts) {

@@ -26,6 +26,13 @@ bool has_paper_bound(const ProofReport& report, const Piece& piece) {
     return row_of(report.scene).has_paper_bound && piece.q_hi <= flight::paper_bound_limit();
 }
 
+/// What the ratio is: the mass ratio, or of a body Q.
+std::string ratio_word(const ProofReport& report) { return report.heights ? "Q" : "mass ratio"; }
+
+std::string heights_text(const ProofReport& report) {
+    return report.heights ? fmt::format(", rho {}", range_text(report.heights->lo, report.heights->hi)) : "";
+}
+
 std::string value_text(const Piece& piece) {
     switch (piece.status()) {
         case Status::exact:
@@ -111,16 +118,17 @@ std::string witness_sentence(const ProofReport& report) {
 std::string single_sentence(const ProofReport& report) {
     const Piece& piece = *report.rows.front().piece;
     const SceneRow& words = row_of(report.scene);
-    const std::string q = exact_text(report.q_lo);
+    const std::string q =
+        fmt::format("{} {}{}", ratio_word(report), exact_text(report.q_lo), heights_text(report));
     if (piece.status() == Status::exact) {
         const std::string times = plural(*piece.upper, "time");
-        return fmt::format("Proved: at mass ratio {} no {} more than {}, and some {} {}.\n", q, words.hits,
-                           times, words.hits_it, times);
+        return fmt::format("Proved: at {} no {} more than {}, and some {} {}.\n", q, words.hits, times,
+                           words.hits_it, times);
     }
     const std::string known = piece.lower > 0 ? fmt::format("only this is proved: some {} at least {}",
                                                             words.hits, plural(piece.lower, "time"))
                                               : std::string("nothing is proved");
-    return fmt::format("Not decided: at mass ratio {} {}.\n", q, known);
+    return fmt::format("Not decided: at {} {}.\n", q, known);
 }
 
 /// By the share that is not decided: one like 0.999999999999 says less, and rounds to 1.
@@ -140,8 +148,8 @@ std::string range_sentence(const ProofReport& report) {
     std::string text;
     if (counts.exact > 0) {
         text = fmt::format(
-            "Proved: in {}, and for every mass ratio in it,\nno {} more than N times and some {} N times. ",
-            pieces_with_value(counts), words.hits, words.hits_it);
+            "Proved: in {}, and for every {} in it{},\nno {} more than N times and some {} N times. ",
+            pieces_with_value(counts), ratio_word(report), heights_text(report), words.hits, words.hits_it);
     } else if (counts.gaps == 0) {
         text = "Not decided. ";
     }
@@ -174,7 +182,7 @@ Json part_json(const RatioPart& part) {
 
 /// What a cover of the full section proves besides the count (its chart `again`, L19).
 bool heavy_at_most_once(const ProofReport& report) {
-    return report.section != Section::turning &&
+    return report.section != Section::turning && !report.heights &&
            std::all_of(report.rows.begin(), report.rows.end(),
                        [](const ReportRow& row) { return row.piece->upper.has_value(); });
 }
@@ -218,7 +226,7 @@ std::string pieces_table(const ProofReport& report) {
         }
         lines.push_back(std::move(line));
     };
-    add({"mass ratio", "N", "boxes", "time"}, "paper");
+    add({ratio_word(report), "N", "boxes", "time"}, "paper");
     for (const ReportRow& row : report.rows) {
         const Piece& piece = *row.piece;
         add({range_text(piece.q_lo, piece.q_hi), value_text(piece), fmt::format("{}", piece.cover.leaves()),
@@ -256,7 +264,7 @@ Json to_json(const ProofReport& report) {
     for (const ReportRow& row : report.rows) {
         pieces.add(row_json(report, row));
     }
-    return Json::object(
+    Json json = Json::object(
         {{"schema", "dumbbell-certify-1"},
          {"scene", name(report.scene)},
          {"section", name(report.section)},
@@ -271,6 +279,11 @@ Json to_json(const ProofReport& report) {
          {"seconds", report.seconds},
          {"out", report.out},
          {"sha256", report.sha256}});
+    if (report.heights) {
+        json.add("rho", Json::object({{"lo", to_fraction(report.heights->lo)},
+                                      {"hi", to_fraction(report.heights->hi)}}));
+    }
+    return json;
 }
 
 std::string orbits_to_text(const ProofReport& report) {

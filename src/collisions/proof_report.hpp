@@ -29,6 +29,7 @@ struct ReportRow {
 struct ProofReport {
     Scene scene = Scene::dumbbell;
     Section section = Section::turning;
+    std::optional<Heights> heights{};  ///< of the scene body
     Rational q_lo;
     Rational q_hi;
     std::optional<RatioPart> part{};  ///< where only that was asked for

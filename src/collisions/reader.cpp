@@ -51,6 +51,10 @@ Cover cover_from(Lines& lines, const std::vector<Chart>& charts) {
             cover.equal_masses = true;
             return cover;
         }
+        if (cover.charts.empty() && fields.size() == 1 && fields[0] == symmetric_word) {
+            cover.symmetric = true;
+            return cover;
+        }
         if (fields.size() != 2 || fields[0] != "chart" || fields[1] != name(chart)) {
             lines.fail();
         }
@@ -59,7 +63,7 @@ Cover cover_from(Lines& lines, const std::vector<Chart>& charts) {
     return cover;
 }
 
-constexpr std::array witness_charts{Chart::bridge, Chart::wedge};
+constexpr std::array witness_charts{Chart::bridge, Chart::wedge, Chart::corner};
 
 Piece piece_from(Lines& lines, const std::vector<Chart>& charts) {
     Piece piece;
@@ -103,7 +107,8 @@ const char* other_subject(std::string_view claim) {
 ClaimedHead head_from(Lines& lines, const std::string& path) {
     const Head head = lines.expect_head();
     const auto scene = value_named<Scene>(head.scene);
-    const auto section = section_spelled({head.lemmas, head.section});
+    const auto section =
+        scene ? section_spelled({head.lemmas, head.section}, *scene) : std::optional<Section>();
     if (const char* subject = other_subject(head.claim)) {
         throw InputError(
             fmt::format("'{}' is about {}: a certificate with a cover of mass ratios is needed here "
@@ -115,11 +120,16 @@ ClaimedHead head_from(Lines& lines, const std::string& path) {
     }
     const auto& range = lines.expect("ratio", 3);
     const Rational q_lo = lines.ratio(range[1]), q_hi = lines.ratio(range[2]);
+    std::optional<Heights> heights;
+    if (*scene == Scene::body) {
+        const auto& ends = lines.expect("rho", 3);
+        heights = Heights{lines.ratio(ends[1]), lines.ratio(ends[2])};
+    }
     const auto pieces = static_cast<std::size_t>(lines.number(lines.expect("pieces", 2)[1]));
     if (pieces == 0) {
         lines.fail();
     }
-    return {head.generator, *scene, *section, q_lo, q_hi, pieces};
+    return {head.generator, *scene, *section, q_lo, q_hi, pieces, heights};
 }
 
 }  // namespace
@@ -138,8 +148,11 @@ std::size_t claimed_pieces(const std::string& path) try {
 Certificate read_certificate(const std::string& path) {
     Lines lines(path);
     const ClaimedHead head = head_from(lines, path);
-    Certificate certificate{
-        .generator = head.generator, .pieces = {}, .scene = head.scene, .section = head.section};
+    Certificate certificate{.generator = head.generator,
+                            .pieces = {},
+                            .scene = head.scene,
+                            .section = head.section,
+                            .heights = head.heights};
     const std::vector<Chart> charts = row_of(head.scene).charts(head.section);
     for (std::size_t i = 0; i < head.pieces; ++i) {
         certificate.pieces.push_back(piece_from(lines, charts));

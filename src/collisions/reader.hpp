@@ -15,6 +15,7 @@ struct ClaimedHead {
     Section section;
     Rational q_lo, q_hi;
     std::size_t pieces;
+    std::optional<Heights> heights;
 };
 
 /// Reads no further. Throws InputError as read_certificate does.

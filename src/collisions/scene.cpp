@@ -15,6 +15,8 @@ const SceneRow& row_of(Scene scene) {
             return hybrid_row;
         case Scene::wedge:
             return wedge_row;
+        case Scene::body:
+            return body_row;
     }
     throw BrokenInvariant("unknown scene");
 }

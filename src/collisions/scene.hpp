@@ -27,14 +27,21 @@ struct Step {
 template <class I>
 struct BoundSearch {
     /// The maximum at q; nothing if this precision does not tell it, or not in time.
-    std::optional<Count> (*maximum)(const Rational& q, const Interrupted& interrupted);
+    std::optional<Count> (*maximum)(const Rational& q, const std::optional<Heights>& heights,
+                                    const Interrupted& interrupted);
     /// Whether an orbit of n collisions at q may be found with this precision.
     bool (*may_reach)(const Count& n, const Rational& q, const Interrupted& interrupted);
     /// Whether a cover for at most n at q may be found.
     bool (*may_stay)(const Count& n, const Rational& q, const Interrupted& interrupted);
     std::optional<Witness> (*witness)(const Rational& q_lo, const Rational& q_hi, const Count& target,
-                                      const Interrupted& interrupted);
+                                      const std::optional<Heights>& heights, const Interrupted& interrupted);
 };
+
+[[nodiscard]] inline std::optional<Cover> no_lemma(const Rational& /*q_lo*/, const Rational& /*q_hi*/,
+                                                   const Count& /*upper*/,
+                                                   const std::optional<Heights>& /*heights*/) {
+    return std::nullopt;
+}
 
 struct SceneRow {
     std::string_view hits, hits_it;  ///< "no ... more than N times, and some ... N times"
@@ -45,18 +52,21 @@ struct SceneRow {
     bool has_orbits = false;         ///< in the plane, to be listed and drawn; else it has slopes only
     /// The source paper bounds its maximum by ceil(pi/gamma) + 1; else ceil(pi/gamma) is its maximum.
     bool has_paper_bound = false;
-    bool equal_masses_need_no_cover = false;  ///< L7
     /// Of a section, in the order of the file; none if the scene has no such section.
     std::vector<Chart> (*charts)(Section section);
-    /// The step to n, for a gap of this width around it; `critical` is 0 if interrupted.
+    /// The step to n, for a gap of this width around it; `critical` is 0 if interrupted. nullptr: nothing is
+    /// known of the steps, and ranges are halved.
     Step (*step)(long n, double gap, const Interrupted& interrupted);
+    /// What proves the upper bound without trees, if anything does.
+    std::optional<Cover> (*by_lemma)(const Rational& q_lo, const Rational& q_hi, const Count& upper,
+                                     const std::optional<Heights>& heights) = no_lemma;
     std::tuple<BoundSearch<Interval>, BoundSearch<BigInterval>> bounds;
 };
 
 [[nodiscard]] const SceneRow& row_of(Scene scene);
 
 /// What row_of gives, each defined where its scene is.
-extern const SceneRow dumbbell_row, hybrid_row, wedge_row;
+extern const SceneRow dumbbell_row, hybrid_row, wedge_row, body_row;
 
 /// `--scene wedge `: what a command about the scene needs; nothing for the dumbbell.
 [[nodiscard]] std::string option_of(Scene scene);

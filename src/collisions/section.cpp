@@ -35,6 +35,7 @@ Box root_box(Chart chart, const Rational& q_lo, const Rational& q_hi) {
         case Chart::again:
             return {0, 4, 0, power_of_two_from(q_hi + 1), q_lo, q_hi};
         case Chart::wedge:
+        case Chart::corner:
             return {0, 0, 0, power_of_two_from(q_hi), q_lo, q_hi};
         case Chart::departure:
         case Chart::plain_departure:

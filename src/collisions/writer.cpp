@@ -11,11 +11,11 @@ namespace dumbbell::collisions {
 namespace {
 
 /// The kinds of lines that the trailer counts, in its order.
-std::vector<std::string_view> kinds_of(Section section) {
+std::vector<std::string_view> kinds_of(Scene scene, Section section) {
     std::vector<std::string_view> kinds{"split",          "count",        "outside", "meets",
                                         "meets-reversed", "equal-masses", "witness"};
     if (section != Section::turning) {
-        kinds.push_back(name(Reason::once));
+        kinds.push_back(scene == Scene::body ? symmetric_word : name(Reason::once));
     }
     kinds.push_back("open");
     return kinds;
@@ -24,9 +24,12 @@ std::vector<std::string_view> kinds_of(Section section) {
 class Writer : PieceLines {
   public:
     void header(const Certificate& frame, const std::vector<const Piece*>& pieces) {
-        const SectionWords words = spelled(frame.section);
+        const SectionWords words = spelled(frame.section, frame.scene);
         head(frame.generator, words.lemmas, name(frame.scene), words.section, "collisions");
         line("ratio {} {}", to_fraction(pieces.front()->q_lo), to_fraction(pieces.back()->q_hi));
+        if (frame.heights) {
+            line("rho {} {}", to_fraction(frame.heights->lo), to_fraction(frame.heights->hi));
+        }
         line("pieces {}", pieces.size());
     }
 
@@ -35,8 +38,8 @@ class Writer : PieceLines {
         proof(piece);
     }
 
-    SealedText finish(Section section) && {
-        totals(kinds_of(section));
+    SealedText finish(const Certificate& frame) && {
+        totals(kinds_of(frame.scene, frame.section));
         return std::move(*this).sealed();
     }
 };
@@ -63,7 +66,7 @@ SealedText render(const Certificate& frame, const std::vector<const Piece*>& pie
         end = &piece->q_hi;
         writer.piece(*piece);
     }
-    return std::move(writer).finish(frame.section);
+    return std::move(writer).finish(frame);
 }
 
 }  // namespace dumbbell::collisions

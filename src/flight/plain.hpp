@@ -1,6 +1,8 @@
 #pragma once
 
 #include <algorithm>
+#include <optional>
+#include <type_traits>
 
 #include "base/interrupted.hpp"
 #include "flight/bridge_contact.hpp"
@@ -9,8 +11,21 @@
 #include "number/enclosure.hpp"
 
 /// Counting forward by plain interval evaluation (lemma L16): every formula is evaluated over the whole box,
-/// none is known to be monotone. Rests on L1, L3, L4, and of L6 on "B at most once".
+/// none is known to be monotone. Rests on L1, L3, L4, and of L6 on "B at most once"; of bodies with mass
+/// between their contacts on L71.
 namespace dumbbell::flight {
+
+/// The bodies of a box (body.md): the height rho of the bridge, r = 1/Q, and g = r / rho.
+template <class I>
+struct Body {
+    I rho, r, g;
+    bool once;  ///< no flight from the bridge comes back to it (L6 (c)): all mass is at the contacts, g = 1
+
+    /// Massless dumbbells.
+    Body(const I& ratio) : rho(ratio), r(ratio), g(1), once(true) {}  // NOLINT(google-explicit-constructor)
+    Body(const I& height, const I& ratio, bool is_massless)
+        : rho(height), r(ratio), g(is_massless ? I(1) : ratio / height), once(is_massless) {}
+};
 
 /// All rays with these heights and slopes on their way to a light wall.
 template <class I>
@@ -87,32 +102,68 @@ std::optional<PlainContact<I>> plain_contact(const PlainRay<I>& ray) {
                            hull(greatest->cos_x, least->cos_x)};
 }
 
+/// What becomes of rays to a light wall.
+enum class Onward { misses, leaves, may_return, return_all, undecided };
+
+/// Their collision, if any. `next`: the departures of those that return after it.
+template <class I>
+Onward plain_collision(const PlainRay<I>& ray, const I& r, PlainDeparture<I>& next) {
+    const auto at = plain_contact(ray);
+    if (!at) {
+        return Onward::misses;
+    }
+    const auto out = reflect_at_light_wall(ray.kappa, at->cos_x, r);
+    if (certainly_at_most(out.denominator, I(0))) {
+        return Onward::leaves;
+    }
+    bool undecided = false;
+    next = {at->x, at->sin_x, reflected_slope(out, ray.kappa, at->cos_x, r, undecided)};
+    return undecided                             ? Onward::undecided
+           : certainly_positive(out.denominator) ? Onward::return_all
+                                                 : Onward::may_return;
+}
+
+/// The rays that departures are when they do not meet the bridge.
+template <class I>
+PlainRay<I> past_bridge(const PlainDeparture<I>& from) {
+    return {from.sin_x + from.kappa * (from.x + pi<I>()), from.kappa};
+}
+
 }  // namespace detail
 
-/// An upper bound of the number of collisions of the rays with the light walls, the bridge out of reach.
-/// Stops at `cap` + 1, also if interrupted. Flattened, as the other one: intervals stay in registers.
 template <class I>
-[[gnu::flatten]] long plain_count(PlainRay<I> ray, const I& r, long cap,
+long plain_later_collisions(PlainDeparture<I> from, const std::type_identity_t<Body<I>>& body, long cap,
+                            const Interrupted& interrupted = never);
+
+/// An upper bound of the number of collisions of rays that have no bridge before the next light wall. Stops
+/// at `cap` + 1, also if interrupted. Flattened, as the other one: intervals stay in registers.
+template <class I>
+[[gnu::flatten]] long plain_count(PlainRay<I> ray, const std::type_identity_t<Body<I>>& body, long cap,
                                   const Interrupted& interrupted = never) {
     for (long count = 0; count <= cap; ++count) {
         if (certainly_at_most(I(1), ray.kappa)) {
             return count;
         }
         ray.c = max(I(0), ray.c);
-        const auto at = detail::plain_contact(ray);
-        if (!at) {
-            return count;
+        PlainDeparture<I> next;
+        switch (detail::plain_collision(ray, body.r, next)) {
+            case detail::Onward::misses:
+                return count;
+            case detail::Onward::leaves:
+                return count + 1;
+            case detail::Onward::undecided:
+                return cap + 1;
+            case detail::Onward::may_return:
+            case detail::Onward::return_all:
+                break;
         }
-        const auto out = reflect_at_light_wall(ray.kappa, at->cos_x, r);
-        if (certainly_at_most(out.denominator, I(0))) {
-            return count + 1;
-        }
-        bool undecided = false;
-        ray.kappa = detail::reflected_slope(out, ray.kappa, at->cos_x, r, undecided);
-        if (undecided || ends_early(count, interrupted)) {
+        if (ends_early(count, interrupted)) {
             return cap + 1;
         }
-        ray.c = at->sin_x + ray.kappa * (at->x + pi<I>());
+        if (!body.once) {
+            return count == cap ? cap + 1 : 1 + plain_later_collisions(next, body, cap - 1, interrupted);
+        }
+        ray = detail::past_bridge(next);
     }
     return cap + 1;
 }
@@ -121,44 +172,57 @@ namespace detail {
 
 /// An enclosure of the t of first contact with the bridge.
 template <class I>
-I bridge_contacts(const BridgeApproach<I>& ray, const I& latest, const I& r) {
-    // f(t) = height + kappa t - r sin t of the lowest ray is convex: f > 0 and f' < 0 prove that no contact
+I bridge_contacts(const BridgeApproach<I>& ray, const I& latest, const I& rho) {
+    // f(t) = height + kappa t - rho sin t of the lowest ray is convex: f > 0 and f' < 0 prove that no contact
     // comes before.
     const double t =
-        guess_bridge_contact(low_end(ray.height).lo(), low_end(ray.kappa).lo(), high_end(r).hi());
+        guess_bridge_contact(low_end(ray.height).lo(), low_end(ray.kappa).lo(), high_end(rho).hi());
     const I early(std::max(0.0, t * (1 - 1e-9) - 1e-12));
     const SinCos<I> at = sin_cos(early);
     const bool proved =
         certainly_less(early, latest) &&
-        certainly_less(high_end(r) * at.sin, low_end(ray.height) + low_end(ray.kappa) * early) &&
-        certainly_less(low_end(ray.kappa), low_end(r) * at.cos);
+        certainly_less(high_end(rho) * at.sin, low_end(ray.height) + low_end(ray.kappa) * early) &&
+        certainly_less(low_end(ray.kappa), low_end(rho * at.cos));
     return hull(proved ? early : I(0), latest);
 }
 
-/// Later collisions, after a contact with the bridge at t in T of rays of slope kappa: to the left or to the
-/// right.
+/// The rays that leave the bridge, after a contact at t in T of rays of slope kappa: to the left and to the
+/// right, in either case only if there may be some.
 template <class I>
-long plain_count_after_bridge(const I& t, const I& kappa, const I& r, long cap,
-                              const Interrupted& interrupted) {
+struct OffBridge {
+    std::optional<PlainRay<I>> left, right;
+    bool undecided = false;  ///< nothing is known of those of a direction
+};
+
+template <class I>
+OffBridge<I> off_bridge(const I& t, const I& kappa, const Body<I>& body) {
     const SinCos<I> at = sin_cos(t);
     const I& s = at.cos;
-    const I square = r * sqr(s);
-    const I numerator = I(2) * r * s - kappa * (I(1) - square);
-    const I leftward = I(1) + I(2) * s * kappa - square;  // the sign of the motion to the left
-    long most = 0;
+    const I square = body.rho * sqr(s);
+    const I numerator = I(2) * body.r * s - kappa * (body.g - square);
+    const I leftward = body.g + I(2) * s * kappa - square;  // the sign of the motion to the left
+    OffBridge<I> rays;
     if (!certainly_at_most(leftward, I(0))) {
-        bool undecided = false;
-        const I slope = slope_of(numerator, leftward, undecided);
-        most = undecided
-                   ? cap + 1
-                   : plain_count(PlainRay<I>{r * at.sin + slope * (pi<I>() - t), slope}, r, cap, interrupted);
+        const I slope = slope_of(numerator, leftward, rays.undecided);
+        rays.left = PlainRay<I>{body.rho * at.sin + slope * (pi<I>() - t), slope};
     }
-    if (!certainly_positive(leftward)) {
-        bool undecided = false;
-        const I slope = slope_of(numerator, -leftward, undecided);
-        most = std::max(
-            most, undecided ? cap + 1
-                            : plain_count(PlainRay<I>{r * at.sin + slope * t, slope}, r, cap, interrupted));
+    if (!certainly_positive(leftward) && !rays.undecided) {
+        const I slope = slope_of(numerator, -leftward, rays.undecided);
+        rays.right = PlainRay<I>{body.rho * at.sin + slope * t, slope};
+    }
+    return rays;
+}
+
+/// Their later collisions.
+template <class I>
+long plain_count_after_bridge(const I& t, const I& kappa, const Body<I>& body, long cap,
+                              const Interrupted& interrupted) {
+    const OffBridge<I> rays = off_bridge(t, kappa, body);
+    long most = rays.undecided || cap < 0 ? cap + 1 : 0;
+    for (const auto& ray : {rays.left, rays.right}) {
+        if (ray && most <= cap) {
+            most = std::max(most, plain_count(*ray, body, cap, interrupted));
+        }
     }
     return most;
 }
@@ -168,41 +232,43 @@ long plain_count_after_bridge(const I& t, const I& kappa, const I& r, long cap,
 /// An upper bound of the number of later collisions of the departures from R to the left. Stops at `cap` + 1,
 /// also if interrupted.
 template <class I>
-[[gnu::flatten]] long plain_later_collisions(PlainDeparture<I> from, const I& r, long cap,
-                                             const Interrupted& interrupted = never) {
-    const RatioRange<I> range{low_end(r), high_end(r)};
+[[gnu::flatten]] long plain_later_collisions(PlainDeparture<I> from,
+                                             const std::type_identity_t<Body<I>>& body, long cap,
+                                             const Interrupted& interrupted) {
+    const RatioRange<I> heights{low_end(body.rho), high_end(body.rho)};
     long most = 0;
     for (long count = 0; count <= cap; ++count) {
         if (certainly_at_most(I(1), from.kappa)) {
             return std::max(most, count);
         }
         const BridgeApproach<I> over_corner{max(I(0), from.sin_x + from.kappa * from.x), from.kappa};
-        if (!certainly_clears_bridge(low_end(over_corner.height), low_end(from.kappa), high_end(r))) {
+        if (!certainly_clears_bridge(low_end(over_corner.height), low_end(from.kappa), heights.r_hi)) {
             const BridgeApproach<I> highest{high_end(over_corner.height), high_end(from.kappa)};
-            const I latest = latest_bridge_contact(highest, low_end(from.kappa), range);
-            const I t = detail::bridge_contacts(over_corner, latest, r);
-            most = std::max(
-                most,
-                count + 1 + detail::plain_count_after_bridge(t, from.kappa, r, cap - count, interrupted));
-            if (most > cap || certainly_below_bridge(highest, latest, range.r_lo)) {
+            const I latest = latest_bridge_contact(highest, low_end(from.kappa), heights);
+            const I t = detail::bridge_contacts(over_corner, latest, body.rho);
+            most = std::max(most, count + 1 +
+                                      detail::plain_count_after_bridge(t, from.kappa, body, cap - count - 1,
+                                                                       interrupted));
+            if (most > cap || certainly_below_bridge(highest, latest, heights.r_lo)) {
                 return most;
             }
         }
-        const PlainRay<I> ray{max(I(0), from.sin_x + from.kappa * (from.x + pi<I>())), from.kappa};
-        const auto at = detail::plain_contact(ray);
-        if (!at) {
-            return std::max(most, count);
+        PlainRay<I> ray = detail::past_bridge(from);
+        ray.c = max(I(0), ray.c);
+        switch (detail::plain_collision(ray, body.r, from)) {
+            case detail::Onward::misses:
+                return std::max(most, count);
+            case detail::Onward::leaves:
+                return std::max(most, count + 1);
+            case detail::Onward::undecided:
+                return cap + 1;
+            case detail::Onward::may_return:
+            case detail::Onward::return_all:
+                break;
         }
-        const auto out = reflect_at_light_wall(ray.kappa, at->cos_x, r);
-        if (certainly_at_most(out.denominator, I(0))) {
-            return std::max(most, count + 1);
-        }
-        bool undecided = false;
-        const I slope = detail::reflected_slope(out, ray.kappa, at->cos_x, r, undecided);
-        if (undecided || ends_early(count, interrupted)) {
+        if (ends_early(count, interrupted)) {
             return cap + 1;
         }
-        from = {at->x, at->sin_x, slope};
     }
     return cap + 1;
 }

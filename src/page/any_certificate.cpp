@@ -29,7 +29,14 @@ AnyCertificate read_any_certificate(const std::string& path) {
                         "shows that; dumbbell verify checks it",
                         path));
     }
-    return collisions::read_certificate(path);
+    collisions::Certificate certificate = collisions::read_certificate(path);
+    if (certificate.heights) {
+        throw InputError(fmt::format(
+            "'{}' is about rigid bodies (dumbbell certify --scene body): no page and no picture shows that; "
+            "dumbbell verify checks it",
+            path));
+    }
+    return certificate;
 }
 
 }  // namespace dumbbell::page

@@ -138,6 +138,7 @@ ChartWords words_of(Chart chart) {
         case Chart::plain_departure:
             return {"collisions of the light mass", "eta: slope above the tangent"};
         case Chart::wedge:
+        case Chart::corner:
             break;
     }
     throw BrokenInvariant("a cover picture of a wedge");

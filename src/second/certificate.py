@@ -6,8 +6,8 @@ import initial
 from failure import Rejected, Unreadable, Unsupported
 
 WORDS = {
-    "lemmas": {"1", "minimal"},
-    "scene": {"dumbbell", "wedge", "hybrid"},
+    "lemmas": {"1", "minimal", "body"},
+    "scene": {"dumbbell", "wedge", "hybrid", "body"},
     "section": {"turning", "full", "none"},
 }
 

@@ -1,5 +1,6 @@
 """The claim `collisions`: the file, its pieces and trees; format.md 2, 3 and format-sections.md."""
 
+import body
 import full
 import plain
 import turning
@@ -15,20 +16,21 @@ SECTIONS = {
     ("minimal", "dumbbell", "full"): plain,
     ("1", "wedge", "turning"): wedge,
     ("1", "hybrid", "turning"): wedge,
+    ("body", "body", "full"): body,
 }
 
 
 class Staircase:
-    """What is proved: of each piece [a, b], in ascending order, U (None: no bound) and V."""
+    """What is proved: of each piece [a, b], in ascending order, U (None: no bound) and V; for all rho in a pair, or None."""
 
-    def __init__(self, scene, heavy_once, pieces, checksum):
-        self.pieces, self.checksum = pieces, checksum
+    def __init__(self, scene, rho, heavy_once, pieces, checksum):
+        self.rho, self.pieces, self.checksum = rho, pieces, checksum
         self.low, self.high = pieces[0][0], pieces[-1][1]
         uppers, lowers = [piece[2] for piece in pieces], [piece[3] for piece in pieces]
         gaps = sum(u is not None and u == v + 1 for u, v in zip(uppers, lowers))
         opens = sum(u is None or u > v + 1 for u, v in zip(uppers, lowers))
         heavy = " heavy-at-most=1" if heavy_once and None not in uppers else ""
-        self.text = (f"scene={scene} ratio={interval_text(self.low, self.high)} "
+        self.text = (f"scene={scene} ratio={interval_text(self.low, self.high)} {f'rho={interval_text(*rho)} ' if rho else ''}"
                      f"upper={'none' if None in uppers else max(uppers)} lower={min(lowers)} gaps={gaps} open={opens}{heavy}")
 
     def missing(self, demand):
@@ -36,7 +38,9 @@ class Staircase:
         low, high = demand.ratios or (self.low, self.high)
         if low < self.low or high > self.high:
             return part_text(self.low, self.high, low, high)
-        where = f" collisions for every mass ratio in {interval_text(low, high)}"
+        if demand.rhos and not self.rho[0] <= demand.rhos[0] <= demand.rhos[1] <= self.rho[1]:
+            return f"not proved for every rho in {interval_text(*demand.rhos)}"
+        where = f" collisions for every {'Q' if self.rho else 'mass ratio'} in {interval_text(low, high)}"
         if demand.most is not None and not covered(
                 [(a, b) for a, b, u, _ in self.pieces if u is not None and u <= demand.most], low, high):
             return f"not proved: at most {demand.most}{where}"
@@ -70,10 +74,15 @@ def covered(intervals, low, high):
 
 def check(lines, header, judge):
     """Checks all after the line `claim`. `header` is a key of SECTIONS."""
-    section = SECTIONS[header]
+    section, rho = SECTIONS[header], None
     lo, hi = lines.line("ratio", "ratio", "ratio")
     if not 1 <= lo <= hi:
         raise lines.wrong("number", "not 1 <= LO <= HI")
+    if section is body:
+        rho = tuple(lines.line("rho", "ratio", "ratio"))
+        if not rho[0] <= rho[1] <= 1 <= lo * rho[0]:
+            raise lines.wrong("number", "not R0 <= R1 <= 1 <= LO R0")
+        section = body.Bodies(rho)
     number, = lines.line("pieces", "nat")
     if number == 0:
         raise lines.wrong("number", "no piece")
@@ -85,14 +94,15 @@ def check(lines, header, judge):
         if b > hi or (k + 1 == number and b != hi):
             raise lines.wrong("chain", "the last piece does not end at HI")
         end = b
-        pieces.append((a, b, *piece(lines, section, header[1], a, b, judge)))
+        pieces.append((a, b, *piece(lines, section, a, b, judge)))
     kinds = ["split", "count", "outside", "meets", "meets-reversed", "equal-masses", "witness", "open"]
-    if header[2] == "full":
-        kinds.insert(7, "once")
-    return Staircase(header[1], header[2] == "full", pieces, lines.trailer(kinds))
+    again = header[2] == "full" and not rho
+    if again or rho:
+        kinds.insert(7, "once" if again else "symmetric")
+    return Staircase(header[1], rho, again, pieces, lines.trailer(kinds))
 
 
-def piece(lines, section, scene, a, b, judge):
+def piece(lines, section, a, b, judge):
     """Checks a piece after its first line; returns U (or None) and V."""
     bits, = lines.line("bits", "bits")
     upper, = lines.line("upper", "any")
@@ -101,7 +111,7 @@ def piece(lines, section, scene, a, b, judge):
         lines.count("open")
     else:
         upper = lines.value("count", upper)
-        cover(lines, section, scene, a, b, upper, bits, judge)
+        cover(lines, section, a, b, upper, bits, judge)
     lower, = lines.line("lower", "count")
     if upper is not None and lower > upper:
         raise lines.wrong("number", "lower above upper")
@@ -112,16 +122,16 @@ def piece(lines, section, scene, a, b, judge):
 
 def witness(lines, section, lower, a, b, bits, judge):
     kind, *numbers = lines.line("witness", "any", "dyadic", "dyadic", "any", "any")
-    if kind != section.WITNESS:
+    if kind not in section.WITNESSES:
         raise lines.wrong("syntax", "unknown kind of witness")
     numbers[2:] = lines.values(numbers[2:], "count", "count")
     lines.count("witness")
     if 1 + numbers[2] + numbers[3] < lower:
         raise lines.wrong("witness", "not certified: V <= 1 + a + b")
-    judge(lambda: section.witness(numbers, a, b), [*numbers, a, b], bits, lines.wrong("witness", "not certified"))
+    judge(lambda: section.WITNESSES[kind](numbers, a, b), [*numbers, a, b], bits, lines.wrong("witness", "not certified"))
 
 
-def cover(lines, section, scene, a, b, upper, bits, judge):
+def cover(lines, section, a, b, upper, bits, judge):
     def leaf(fields, box, _share):
         op = fields[0]
         hints = section.LEAVES[chart].get(op)
@@ -136,12 +146,13 @@ def cover(lines, section, scene, a, b, upper, bits, judge):
     for number, chart in enumerate(section.CHARTS):
         fields = lines.next()
         if number == 0 and fields[0] != "chart":
-            if scene != "dumbbell" or fields[0] != "equal-masses":
+            op = fields[0]
+            if op not in section.COVERS:
                 raise lines.wrong("opcode", "not a line for this place")
             lines.values(fields[1:])
-            lines.count("equal-masses")
-            if not (a == b == 1 and upper >= 2):
-                raise lines.wrong("equal-masses", "not certified: the ratio is 1, and 2 <= U")
+            lines.count(op)
+            if not section.COVERS[op](a, b, upper):
+                raise lines.wrong(op, "not certified")
             return
         if fields != ["chart", chart]:
             raise lines.wrong("syntax", f"expected `chart {chart}`")

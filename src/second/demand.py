@@ -3,9 +3,10 @@
 
 class Demand:
     """Of the mass ratios `ratios`, a pair (None: those of the file), no trajectory has more than `most` collisions, and some
-    trajectory has `least` (None: nothing is demanded); of this scene and this kind of claim (empty: of any)."""
+    trajectory has `least` (None: nothing is demanded); of this scene and this kind of claim (empty: of any), and if it is of
+    bodies of these rho, a pair."""
 
-    ratios = most = least = None
+    ratios = rhos = most = least = None
     scene = claim = ""
 
     def bounds(self):
@@ -14,6 +15,7 @@ class Demand:
     def text(self):
         """As the verdict repeats it."""
         parts = [f"demanded-ratio={interval_text(*self.ratios)}"] if self.ratios else []
+        parts += [f"demanded-rho={interval_text(*self.rhos)}"] if self.rhos else []
         if self.most is not None and self.most == self.least:
             parts.append(f"exactly={self.most}")
         else:

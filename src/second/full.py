@@ -5,7 +5,7 @@ from fractions import Fraction
 
 from fixed import greatest, half_pi, interval, least, pi, sin_cos
 from rays import at_most, earliest, latest, reflected
-from turning import WITNESS, witness  # this section's own, too
+from turning import COVERS, WITNESSES  # this section's own, too
 from turning import low_ray_at_most, power_of_two
 
 CHARTS = {"contact": ("t", "eta", "q"), "departure": ("e", "eta", "q"), "again": ("t", "eta", "q")}

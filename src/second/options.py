@@ -8,7 +8,7 @@ from demand import Demand
 NAME = "dumbbell-verify.pyz"
 VERSION = "0.1.0"
 DEFAULT_BUDGET = 600  # seconds
-SCENES = "dumbbell", "hybrid", "wedge"
+SCENES = "dumbbell", "hybrid", "wedge", "body"
 CLAIMS = ("collisions", "initial-conditions", "incoming", "adiabatic-bounce", "adiabatic-run", "adiabatic-scattering",
           "law")
 
@@ -17,10 +17,12 @@ Checks certificates of the program dumbbell (docs/reference/format.md): every li
 numbers. It shares no code with dumbbell-verify, the first verifier, and needs nothing but Python 3.8 or later.
 
   --ratio RATIO|LO:HI   the mass ratios (heavy/light) in question; default: those of the file
+  --rho RATIO|LO:HI     with --scene body: d2/d1 of the bodies in question, above 0 and at most 1. --ratio is then their
+                        Q = (d1/k)^2
   --max N               demand the proof that no trajectory has more than N collisions
   --min N               demand the proof that some trajectory has at least N collisions
   --exactly N           both
-  --scene dumbbell|hybrid|wedge
+  --scene dumbbell|hybrid|wedge|body
                         demand this scene; default: dumbbell if another option states the claim, else the file's
   --claim KIND          demand this kind of claim: collisions, initial-conditions or incoming
   --budget TIME         give up on a file that costs more work than a core does in about this time: 30s, 10m, 2h
@@ -82,16 +84,29 @@ def mass_ratio(text):
     return ratio
 
 
-def mass_ratios(text):
-    """The mass ratios >= 1 that RATIO or LO:HI stands for; below 1 the masses are swapped."""
+def span(text):
+    """The ratios that RATIO or LO:HI stands for."""
     first, colon, last = text.partition(":")
     low = mass_ratio(first)
     high = mass_ratio(last) if colon else low
     if low > high:
         raise Usage(f"LO:HI needs LO <= HI: {text[:60]}")
+    return low, high
+
+
+def mass_ratios(text):
+    """The same >= 1: below 1 the masses are swapped."""
+    low, high = span(text)
     if low < 1 < high:
         raise Usage(f"a range across 1: split it at 1: {text[:60]}")
     return (1 / high, 1 / low) if low < 1 else (low, high)
+
+
+def rhos(text):
+    low, high = span(text)
+    if high > 1:
+        raise Usage(f"--rho is at most 1, not {text[:60]}")
+    return low, high
 
 
 def count(option, text):
@@ -123,6 +138,8 @@ def state(asked, option, value):
         asked.budget = time(option, value)
     elif option == "--ratio":
         demand.ratios = mass_ratios(value)
+    elif option == "--rho":
+        demand.rhos = rhos(value)
     elif option == "--scene":
         demand.scene = one_of(option, SCENES, value)
     elif option == "--claim":
@@ -149,7 +166,7 @@ def parse(words):
             asked.answer = HELP
         elif word in ("-V", "--version"):
             asked.answer = f"{NAME} {VERSION}\n"
-        elif option not in ("--ratio", "--max", "--min", "--exactly", "--scene", "--claim", "--budget"):
+        elif option not in ("--ratio", "--rho", "--max", "--min", "--exactly", "--scene", "--claim", "--budget"):
             raise Usage(f"unknown option {word}; see --help")
         else:
             if option in seen:
@@ -162,4 +179,9 @@ def parse(words):
             state(asked, option, value if equals else words.pop(0))
     if not (asked.files or asked.answer):
         raise Usage("no FILE; see --help")
+    demand = asked.demand
+    if demand.rhos and demand.scene != "body":
+        raise Usage("--rho is about --scene body: give both")
+    if demand.scene == "body" and (demand.most, demand.least) != (None, None) and not demand.rhos:
+        raise Usage("a bound for --scene body needs --rho, such as --rho 1")
     return asked

@@ -1,7 +1,7 @@
 """Section plain: format-sections.md, section 2; lemma L16. States are carried as intervals."""
 
 from fixed import Interval, Undecided, greatest, half_pi, interval, least, meet, pi, sin_cos, square
-from full import CHARTS, LEAVES, WITNESS, root, witness  # this section's own, too
+from full import CHARTS, COVERS, LEAVES, WITNESSES, root  # this section's own, too
 from full import below_time, is_outside, once, steep_time
 from rays import earliest, latest, reflected
 

@@ -11,8 +11,6 @@ LEAVES = {
     "bridge": {"count": 2, "outside": 0},
     "light": {"count": 2, "outside": 0, "meets": 0, "meets-reversed": 0},
 }
-WITNESS = "bridge"
-
 
 def power_of_two(bound):
     """The least 2**k >= bound, k >= 0."""
@@ -108,3 +106,7 @@ def witness(values, q_lo, q_hi):
     if steepness < 0:
         c = least(c, 1)
     return at_least(r_hi * c.upper(), r_hi * steepness.upper(), r_hi, b)
+
+
+WITNESSES = {"bridge": witness}
+COVERS = {"equal-masses": lambda a, b, upper: a == b == 1 and upper >= 2}

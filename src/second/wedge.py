@@ -7,7 +7,7 @@ from work import spend
 
 CHARTS = {"wedge": ("lambda", "q")}
 LEAVES = {"wedge": {"count": 2, "outside": 0}}
-WITNESS = "wedge"
+COVERS = {}
 
 
 def root(chart, b):
@@ -50,3 +50,6 @@ def witness(values, q_lo, q_hi):
         return False
     numerator, d = sigma_slope(steepness, r_hi)
     return count_reaches(r_hi * steepness, r_hi, a) and count_reaches(r_hi * numerator / d, r_hi, b)
+
+
+WITNESSES = {"wedge": witness}

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 
 #include "cli/options/given.hpp"
 #include "collisions/certify.hpp"
@@ -13,8 +14,10 @@ inline constexpr Option ratio_option = argument("RATIO", "mass ratio, or closed 
 
 /// What `certify` is to prove of it.
 inline constexpr std::array claim_options{
-    Option{"--scene", "dumbbell|hybrid|wedge",
-           "the system: dumbbell, or the source paper's hybrid or straight wedge", "dumbbell"},
+    Option{"--scene", "dumbbell|hybrid|wedge|body",
+           "the system: dumbbell, the source paper's hybrid or straight wedge, or a rigid body with mass "
+           "between its two contacts",
+           "dumbbell"},
     Option{"--section", "turning|full|plain",
            "what is covered: turning (one collision of each trajectory), full (all collision states, counted "
            "forward), or plain (full, by interval evaluation alone)",
@@ -27,8 +30,9 @@ static_assert(are_names_of<collisions::Scene>(claim_options[0].value) &&
 /// What is said first if the ratios were given below 1.
 inline constexpr const char* masses_are_swapped = "Ratios below 1: the masses are swapped, q -> 1/q.\n";
 
-/// The claim as a request, with the standard number of jobs and no budget. Throws InputError if the options
-/// contradict one another.
-[[nodiscard]] collisions::CertifyRequest request_of(const Given& given, const RatioArgument& ratio);
+/// The claim as a request, with the standard number of jobs and no budget; of a body without a `ratio`.
+/// Throws InputError if the options contradict one another.
+[[nodiscard]] collisions::CertifyRequest request_of(const Given& given,
+                                                    const std::optional<RatioArgument>& ratio);
 
 }  // namespace dumbbell::cli

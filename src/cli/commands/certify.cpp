@@ -6,6 +6,7 @@
 
 #include "base/deadline.hpp"
 #include "base/error.hpp"
+#include "cli/claims/body.hpp"
 #include "cli/claims/collisions.hpp"
 #include "cli/commands.hpp"
 #include "cli/commands/open_pieces.hpp"
@@ -40,6 +41,8 @@ Examples:
   dumbbell certify 10 --witness                ... and print an orbit that has them
   dumbbell certify 1:100 --out stairs.dbc      every mass ratio from 1 to 100, with a certificate
   dumbbell certify 4.6:4.61 --gap 1e-9 --json  a narrower gap around the critical ratio, for scripts
+  dumbbell certify --coin                      a coin on its edge; proofs/body.md says what bodies are
+  dumbbell certify 10 --rod-mass 1/100         the rod has a hundredth of the mass of its ends
   dumbbell certify 1:1e8 --gap 1e-9 --part 7/64 --out part-07.dbc    one of 64 parts, for dumbbell join
 
 With --out FILE a range keeps its finished pieces in FILE.partial/. If it is stopped (Ctrl-C), killed or out of time,
@@ -54,7 +57,7 @@ Exit codes: 0 proved; 1 internal error; 2 wrong usage or input; 3 not decided (w
 stopped by SIGINT (Ctrl-C) or SIGTERM: the pieces kept are reported, FILE is not written.)";
 
 constexpr std::array certify_options = joined(
-    std::array{ratio_option.required()}, claim_options,
+    std::array{ratio_option}, claim_options, body_options,
     std::array{
         part_option, certificate_option, jobs_option,
         budget_option.saying("give up after this time: 30s, 10m, 2h"),
@@ -70,22 +73,23 @@ std::optional<collisions::RatioPart> part_of(const Given& given, const CertifyRe
         return std::nullopt;
     }
     const Part part = parse_part(given.text("--part"));
-    if (whole.q_lo == whole.q_hi) {
-        throw InputError("--part is for a range LO:HI: a single mass ratio has no parts");
+    if (whole.q_lo == whole.q_hi || whole.heights) {
+        throw InputError(
+            "--part is for a range LO:HI of mass ratios: a single one has no parts, nor has a body");
     }
     return part_of(part, whole.scene, whole.q_lo, whole.q_hi);
 }
 
-CertifyRequest certify_request(const Given& given, const RatioArgument& ratio) {
+CertifyRequest certify_request(const Given& given, const std::optional<RatioArgument>& ratio) {
     CertifyRequest request = request_of(given, ratio);
     if (given.has("--witness") && !row_of(request.scene).has_orbits) {
-        throw InputError("--witness prints orbits of the dumbbell: leave it out with --scene " +
-                         given.text("--scene"));
+        throw InputError(fmt::format("--witness prints orbits of the dumbbell: leave it out with --scene {}",
+                                     name(request.scene)));
     }
     request.jobs = jobs_of(given);
     request.budget = budget_of(given);
     // Of a range nothing else prints it.
-    request.describes = ratio.lo == ratio.hi || given.has("--json") || given.has("--witness");
+    request.describes = request.q_lo == request.q_hi || given.has("--json") || given.has("--witness");
     return request;
 }
 
@@ -109,11 +113,13 @@ std::string why_no_start(const collisions::Witness& witness) {
 collisions::ProofReport describe(const CertifyRequest& request, const std::vector<ProvedPiece>& pieces,
                                  double seconds, const Given& given) {
     const bool witness = given.has("--witness");
-    const bool said_unasked = !given.has("--json") && !given.has("--quiet") && request.q_lo == request.q_hi;
+    const bool said_unasked = !given.has("--json") && !given.has("--quiet") && request.q_lo == request.q_hi &&
+                              row_of(request.scene).has_orbits;
     const Progress progress("", verbosity_of(given), "enclosing the orbits of witnesses");
     const Interrupted interrupted = deadline(std::nullopt);
     collisions::ProofReport report{.scene = request.scene,
                                    .section = request.section,
+                                   .heights = request.heights,
                                    .q_lo = request.q_lo,
                                    .q_hi = request.q_hi,
                                    .gap = request.gap,
@@ -143,8 +149,10 @@ SealedText certificate_text(const CertifyRequest& request, const std::vector<Pro
     for (const ProvedPiece& p : proved) {
         pieces.push_back(&p.piece);
     }
-    return render(collisions::Certificate{.pieces = {}, .scene = request.scene, .section = request.section},
-                  pieces);
+    return render(
+        collisions::Certificate{
+            .pieces = {}, .scene = request.scene, .section = request.section, .heights = request.heights},
+        pieces);
 }
 
 /// What is printed without --json and --quiet.
@@ -154,7 +162,11 @@ std::string text_of(const collisions::ProofReport& report, bool swapped, bool wi
 }
 
 int run_certify(const Given& given) {
-    const RatioArgument ratio = parse_ratio_argument(given.text("RATIO"));
+    if (!given.has("RATIO") && !is_about_body(given)) {
+        throw InputError("certify needs RATIO, or a body: --coin, or --rho and --inertia");
+    }
+    const auto ratio = is_about_body(given) ? std::optional<RatioArgument>()
+                                            : std::optional(parse_ratio_argument(given.text("RATIO")));
     CertifyRequest request = certify_request(given, ratio);  // before the output file is touched
     const auto part = part_of(given, request);
     if (part) {
@@ -166,7 +178,8 @@ int run_certify(const Given& given) {
     std::optional<collisions::PieceStore> store;
     const std::string partial = given.text("--out") + ".partial";
     if (output.file()) {
-        if (ratio.lo < ratio.hi) {  // it may take long: its finished pieces are kept
+        if (request.q_lo < request.q_hi &&
+            !request.heights) {  // it may take long: its finished pieces are kept
             request.store =
                 &store.emplace(partial, collisions::StoredClaim{request.scene, request.section, request.q_lo,
                                                                 request.q_hi, request.gap});
@@ -194,7 +207,7 @@ int run_certify(const Given& given) {
         store->remove();
     }
     fmt::print(output.report(), "{}",
-               json || quiet ? shown(report, given) : text_of(report, ratio.swapped, witness));
+               json || quiet ? shown(report, given) : text_of(report, ratio && ratio->swapped, witness));
     if (open) {
         complain(advice(request, pieces, kept));
     }

@@ -33,6 +33,9 @@ class CertificateParts : public Parts {
                 file.options = options(claimed->scene, claimed->section);
             }
             Certificate& certificate = certificates_[i] = collisions::verified_certificate(name, jobs);
+            if (certificate.heights) {
+                throw InputError(fmt::format("'{}' is about rigid bodies, which have no parts", name));
+            }
             file.range = Range{certificate.q_lo(), certificate.q_hi()};
             file.options = options(certificate.scene, certificate.section);
             file.pieces = certificate.pieces.size();

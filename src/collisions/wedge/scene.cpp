@@ -26,7 +26,8 @@ Step wedge_step(long n, double gap, const Interrupted& /*interrupted*/) {
     return {n, exact_lo(q), (exact_hi(q) - exact_lo(q)) / exact_lo(q), false};
 }
 
-std::optional<Count> wedge_maximum(const Rational& q, const Interrupted& /*interrupted*/) {
+std::optional<Count> wedge_maximum(const Rational& q, const std::optional<Heights>& /*heights*/,
+                                   const Interrupted& /*interrupted*/) {
     return flight::paper_bound(q) - 1;
 }
 
@@ -34,6 +35,7 @@ bool may_be(const Count& /*n*/, const Rational& /*q*/, const Interrupted& /*inte
 
 /// A collision of scaled slope lambda, its counts exact at the greatest r, where they are least (L17, L18).
 std::optional<Witness> wedge_witness(const Rational& q_lo, const Rational& /*q_hi*/, const Count& target,
+                                     const std::optional<Heights>& /*heights*/,
                                      const Interrupted& interrupted) {
     const Rational r = 1 / q_lo;
     const long least = as_long(target);

@@ -25,15 +25,13 @@ const Section* read_section(Text& text) {
     const auto table = sections();
     const auto in = [&](std::string_view Section::*column) {
         return [&table, column](const std::string& word) {
-            return std::any_of(table.begin(), table.end(),
-                               [&](const Section* s) { return s->*column == word; });
+            return std::ranges::find(table, word, column) != table.end();
         };
     };
     const std::string lemmas = known(text, "lemmas", true, true, in(&Section::lemmas));
     const std::string scene = known(text, "scene", false, true, in(&Section::scene));
-    const auto is_section = in(&Section::name);
     const std::string name = known(text, "section", false, true, [&](const std::string& word) {
-        return word == "none" || is_section(word);
+        return word == "none" || in(&Section::name)(word);
     });
     if (lemmas == "1" && scene == "dumbbell" && name == "none") return nullptr;
     const auto found = std::find_if(table.begin(), table.end(), [&](const Section* s) {
@@ -80,6 +78,12 @@ class CollisionsReader : public Reader<Leaf> {
         end_ = claim_.lo = text_.ratio(1);
         claim_.hi = text_.ratio(2);
         if (claim_.lo < 1 || claim_.lo > claim_.hi) text_.reject("number", "not 1 <= LO <= HI");
+        if (section_.scene == "body") {
+            text_.expect("rho", 2);
+            const auto& [lowest, greatest] = *(claim_.rho = {text_.ratio(1), text_.ratio(2)});
+            if (lowest > greatest || greatest > 1 || claim_.lo * lowest < 1)
+                text_.reject("number", "not R0 <= R1 <= 1 <= LO R0");
+        }
         text_.expect("pieces", 1);
         const std::uint64_t k = text_.natural(1);
         if (k == 0) text_.reject("number", "no piece");
@@ -93,6 +97,7 @@ class CollisionsReader : public Reader<Leaf> {
         if (a != end_ || a > b) text_.reject("chain", "a piece must begin where the one before ended");
         end_ = b;
         read_bits(leaf);
+        leaf.rho = claim_.rho;
         text_.expect("upper", 1);
         std::optional<mpz_class> upper;
         if (text_.fields[1] != "none") {

@@ -35,11 +35,8 @@ void Bounds::join(const Bounds& next) {
 
 void Bounds::meet(const Bounds& next) {
     if (pieces == 0 || next.pieces == 0) return join(next);
-    const bool both = upper && next.upper;
-    *this = Bounds(both    ? std::min(upper, next.upper)
-                   : upper ? upper
-                           : next.upper,
-                   std::max(lower, next.lower));
+    if (!upper || (next.upper && *next.upper < *upper)) upper = next.upper;
+    *this = Bounds(upper, std::max(lower, next.lower));
 }
 
 void Collisions::ask(const Bounds& next) {
@@ -62,10 +59,12 @@ void Collisions::add(const mpq_class& a, const mpq_class& b, const std::optional
 
 std::string Collisions::missing() const {
     const mpq_class &from = ratios ? ratios->first : lo, &to = ratios ? ratios->second : hi;
-    const std::string range = " for every mass ratio in " + to_string(from, to);
+    const std::string range = (rho ? " for every Q in " : " for every mass ratio in ") + to_string(from, to);
     const auto covered = [&](std::size_t i) { return reached[i] && *reached[i] >= to; };
     if (from < lo || !covered(0)) return covered_part(lo, hi, from, to);
     if (most && !covered(1)) return "not proved: at most " + most->get_str() + " collisions" + range;
+    if (rhos && !(rho && rho->first <= rhos->first && rhos->second <= rho->second))
+        return "not proved for every rho in " + to_string(rhos->first, rhos->second);
     if (least && !covered(2)) return "not proved: at least " + least->get_str() + " collisions" + range;
     return "";
 }

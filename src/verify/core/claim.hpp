@@ -13,6 +13,7 @@
 
 namespace dumbbell_verify {
 
+using Range = std::pair<mpq_class, mpq_class>;
 std::string to_string(const mpq_class& ratio);                    ///< P/Q
 std::string to_string(const mpq_class& lo, const mpq_class& hi);  ///< LO:HI
 /// For a claim about the ratios [lo, hi] that was asked about [from, to], and does not cover them: what it
@@ -34,11 +35,12 @@ struct Bounds {
 
 /// What a file says, and what is demanded of it.
 struct Collisions : Bounds {
-    std::optional<std::pair<mpq_class, mpq_class>> ratios;  ///< demanded; else the file's
-    std::optional<mpz_class> most, least;                   ///< demanded: N* <= most, N* >= least on `ratios`
+    std::optional<Range> ratios, rhos;     ///< demanded; else the file's
+    std::optional<mpz_class> most, least;  ///< demanded: N* <= most, N* >= least on `ratios`
 
-    mpq_class lo, hi;  ///< of the file
-    Bounds asked;      ///< of the pieces that `ratios` is about, or all
+    mpq_class lo, hi;          ///< of the file
+    std::optional<Range> rho;  ///< of the file, if it is about bodies
+    Bounds asked;              ///< of the pieces that `ratios` is about, or all
 
     /// The pieces come in increasing order, [lo, hi] of the file is their union.
     void add(const mpq_class& a, const mpq_class& b, const std::optional<mpz_class>& u, const mpz_class& v);

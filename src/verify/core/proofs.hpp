@@ -42,6 +42,7 @@ struct Proofs {
         text.expect("witness", 5);
         const mpq_class e = text.dyadic(2), y = text.dyadic(3);
         leaf.box = {{e, y, a}, {e, y, b}};
+        leaf.chart = text.fields[1] == section.other_witness ? 1 : 0;
         found(leaf, Place::witness, 4, 0, "witness");
     }
 
@@ -49,18 +50,17 @@ struct Proofs {
     /// The present line as one thing to check; its hints are the fields from number `hints` on.
     void found(Leaf leaf, Place place, std::size_t hints, double covered, const std::string& path) const {
         const auto& fields = text.fields;
-        const auto& table = section.opcodes;
         const auto fits = [&](const Opcode& o) {
             return o.name == fields[0] && o.place == place && (o.charts >> leaf.chart & 1) != 0;
         };
-        const auto opcode = std::find_if(table.begin(), table.end(), fits);
-        if (opcode == table.end()) text.reject("opcode", "not a line for this place");
+        const auto opcode = std::ranges::find_if(section.opcodes, fits);
+        if (opcode == section.opcodes.end()) text.reject("opcode", "not a line for this place");
         if (fields.size() != hints + opcode->hints ||
-            (place == Place::witness && fields[1] != section.witness))
+            (place == Place::witness && leaf.chart == 0 && fields[1] != section.witness))
             text.reject("syntax", "wrong number of values, or unknown kind");
         if (opcode->hints > 0) leaf.a = text.long_natural(hints);
         if (opcode->hints > 1) leaf.b = text.long_natural(hints + 1);
-        leaf.opcode = static_cast<std::size_t>(opcode - table.begin());
+        leaf.opcode = static_cast<std::size_t>(opcode - section.opcodes.begin());
         leaf.line = text.line;
         ++tallies[1 + leaf.opcode].lines;
         tallies[1 + leaf.opcode].covered += covered;

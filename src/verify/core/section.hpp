@@ -1,12 +1,8 @@
 // What the grammar of a certificate and the mathematics of a section know of each other.
 #pragma once
-#include <gmpxx.h>
-
-#include <array>
-#include <cstdint>
-#include <string>
 #include <string_view>
-#include <vector>
+
+#include "verify/core/claim.hpp"
 
 namespace dumbbell_verify {
 
@@ -26,6 +22,7 @@ struct Leaf {
     unsigned bits = 53;  ///< working precision; double is tried first unless `multiple`
     bool multiple = false;
     Box box;
+    std::optional<Range> rho;  ///< of a body
 };
 
 enum class Place { leaf, cover, witness };
@@ -53,6 +50,7 @@ struct Section {
     Box (*root)(std::size_t chart, const mpq_class& a, const mpq_class& b);
     const char* (*check)(const Leaf& leaf, Log* log);
     bool heavy_once = false;  ///< a cover also proves that the heavy mass touches the floor at most once
+    std::string_view other_witness{};  ///< of a second kind; it has the chart 1
 };
 
 /// The least 2^k >= x, k >= 0. Precondition: x > 0.
@@ -62,15 +60,11 @@ inline mpq_class power_of_two(const mpq_class& x) {
     return mpz_class(mpz_class(1) << (least == 0 ? 0 : mpz_sizeinbase(least.get_mpz_t(), 2)));
 }
 
-const Section& turning();
-const Section& full();
-const Section& plain();
-const Section& wedge();
-const Section& hybrid();
+const Section &turning(), &full(), &plain(), &wedge(), &hybrid(), &body();
 
 /// All of them: (lemmas, scene, name) chooses.
-inline std::array<const Section*, 5> sections() {
-    return {&turning(), &full(), &plain(), &wedge(), &hybrid()};
+inline std::array<const Section*, 6> sections() {
+    return {&turning(), &full(), &plain(), &wedge(), &hybrid(), &body()};
 }
 
 }  // namespace dumbbell_verify

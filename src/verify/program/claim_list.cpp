@@ -44,6 +44,7 @@ Job parse_row(const std::string& row, const std::filesystem::path& folder, Setti
     while (given.next())
         if (!claim_option(given, settings))
             throw std::invalid_argument("`" + given.word.substr(0, 60) + "` states no claim; see --help");
+    require_whole(settings);
     const Collisions& demand = settings.demand;
     if (settings.claim != "law" && (!demand.ratios || !(demand.most || demand.least)))
         throw std::invalid_argument(

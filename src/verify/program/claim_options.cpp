@@ -29,21 +29,33 @@ mpq_class parse_ratio(const std::string& text) {
     return ratio;
 }
 
-/// The interval of mass ratios >= 1 that RATIO or LO:HI stands for, exactly; below 1 the masses are swapped.
-std::pair<mpq_class, mpq_class> parse_ratios(const std::string& text) {
+/// The interval of ratios that RATIO or LO:HI stands for, exactly.
+Range parse_range(const std::string& text) {
     const std::size_t colon = text.find(':');
     const mpq_class lo = parse_ratio(text.substr(0, colon));
     const mpq_class hi = colon == std::string::npos ? lo : parse_ratio(text.substr(colon + 1));
     if (lo > hi) throw std::invalid_argument("LO:HI needs LO <= HI: " + text.substr(0, 60));
+    return {lo, hi};
+}
+
+/// The same >= 1: below 1 the masses are swapped.
+Range parse_mass_ratios(const std::string& text) {
+    const auto [lo, hi] = parse_range(text);
     if (lo < 1 && hi > 1)
         throw std::invalid_argument("a range across 1: split it at 1: " + text.substr(0, 60));
-    return lo < 1 ? std::pair<mpq_class, mpq_class>(1 / hi, 1 / lo) : std::pair(lo, hi);
+    return lo < 1 ? Range(1 / hi, 1 / lo) : Range(lo, hi);
+}
+
+Range parse_rhos(const std::string& text) {
+    Range rhos = parse_range(text);
+    if (rhos.second > 1) throw std::invalid_argument("--rho is at most 1, not " + text.substr(0, 60));
+    return rhos;
 }
 
 }  // namespace
 
 bool claim_option(Arguments& given, Settings& settings) {
-    constexpr std::array<std::string_view, 6> names{"--ratio",   "--max",   "--min",
+    constexpr std::array<std::string_view, 7> names{"--ratio",   "--rho",   "--max",  "--min",
                                                     "--exactly", "--scene", "--claim"};
     const std::string& name = given.option;
     if (std::find(names.begin(), names.end(), name) == names.end()) return false;
@@ -51,7 +63,8 @@ bool claim_option(Arguments& given, Settings& settings) {
     if (given.seen("--exactly") && (given.seen("--max") || given.seen("--min")))
         throw std::invalid_argument("--exactly N is --max N and --min N: give it without them");
     Collisions& demand = settings.demand;
-    if (name == "--ratio") demand.ratios = parse_ratios(given.value());
+    if (name == "--ratio") demand.ratios = parse_mass_ratios(given.value());
+    if (name == "--rho") demand.rhos = parse_rhos(given.value());
     if (name == "--max") demand.most = given.count();
     if (name == "--min") demand.least = given.count();
     if (name == "--exactly") demand.most = demand.least = given.count();
@@ -60,7 +73,7 @@ bool claim_option(Arguments& given, Settings& settings) {
         const auto known = sections();
         if (std::none_of(known.begin(), known.end(),
                          [&](const Section* s) { return s->scene == settings.scene; }))
-            throw std::invalid_argument("--scene is dumbbell, hybrid or wedge, not `" +
+            throw std::invalid_argument("--scene is dumbbell, hybrid, wedge or body, not `" +
                                         settings.scene.substr(0, 60) + "`");
     }
     if (name == "--claim") {
@@ -74,6 +87,14 @@ bool claim_option(Arguments& given, Settings& settings) {
     return true;
 }
 
+void require_whole(const Settings& settings) {
+    const Collisions& demand = settings.demand;
+    const bool is_body = settings.scene == "body";
+    if (demand.rhos && !is_body) throw std::invalid_argument("--rho is about --scene body: give both");
+    if (is_body && (demand.most || demand.least) && !demand.rhos)
+        throw std::invalid_argument("a bound for --scene body needs --rho, such as --rho 1");
+}
+
 const Collisions& own_demand(const Settings& settings) {
     static const Collisions nothing;
     return settings.together ? nothing : settings.demand;
@@ -82,6 +103,7 @@ const Collisions& own_demand(const Settings& settings) {
 std::string demand_text(const Settings& settings, const Collisions& demand) {
     std::string text;
     if (demand.ratios) text = " demanded-ratio=" + to_string(demand.ratios->first, demand.ratios->second);
+    if (demand.rhos) text += " demanded-rho=" + to_string(demand.rhos->first, demand.rhos->second);
     const bool both = demand.most && demand.most == demand.least;
     if (demand.most) text += (both ? " exactly=" : " max=") + demand.most->get_str();
     if (demand.least && !both) text += " min=" + demand.least->get_str();

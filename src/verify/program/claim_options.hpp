@@ -5,15 +5,19 @@
 
 namespace dumbbell_verify {
 
-/// Puts the present option into the settings if it is one of --ratio, --max, --min, --exactly, --scene and
-/// --claim; false if it is another. Throws std::invalid_argument.
+/// Puts the present option into the settings if it is one of --ratio, --rho, --max, --min, --exactly,
+/// --scene and --claim; false if it is another. Throws std::invalid_argument.
 bool claim_option(Arguments& given, Settings& settings);
+
+/// Throws std::invalid_argument if these options lack one that another of them needs.
+void require_whole(const Settings& settings);
 
 /// What a file must prove by itself.
 const Collisions& own_demand(const Settings& settings);
 
-/// What was demanded, of it and with the scene and the kind of `settings`: ` demanded-ratio=LO:HI max=N min=N
-/// demanded-scene=S demanded-claim=KIND` without what was not; ` exactly=N` for both bounds.
+/// What was demanded, of it and with the scene and the kind of `settings`: ` demanded-ratio=LO:HI
+/// demanded-rho=LO:HI max=N min=N demanded-scene=S demanded-claim=KIND` without what was not; ` exactly=N`
+/// for both bounds.
 std::string demand_text(const Settings& settings, const Collisions& demand);
 
 }  // namespace dumbbell_verify

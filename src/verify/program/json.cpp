@@ -35,6 +35,7 @@ std::string string_unless(bool absent, const std::string& text) {
 std::string range(const mpq_class& lo, const mpq_class& hi) {
     return object({{"lo", json_string(to_string(lo))}, {"hi", json_string(to_string(hi))}});
 }
+std::string range(const std::optional<Range>& x) { return x ? range(x->first, x->second) : "null"; }
 
 /// In seconds of a core.
 std::string work(bool known, const Proof& proof) {
@@ -45,7 +46,8 @@ std::string work(bool known, const Proof& proof) {
     return std::to_string(n / 1000) + "." + rest.substr(1);
 }
 std::string demand(const Settings& settings, const Collisions& d) {
-    return object({{"ratio", d.ratios ? range(d.ratios->first, d.ratios->second) : "null"},
+    return object({{"ratio", range(d.ratios)},
+                   {"rho", range(d.rhos)},
                    {"max", count(d.most)},
                    {"min", count(d.least)},
                    {"scene", string_unless(settings.scene.empty(), settings.scene)},
@@ -58,6 +60,7 @@ std::string claim(const Result& result) {
     const Collisions& c = result.proof.claim;
     return object({{"scene", json_string(result.proof.section->scene)},
                    {"ratio", range(c.lo, c.hi)},
+                   {"rho", range(c.rho)},
                    {"upper", count(c.upper)},
                    {"lower", json_count(c.lower)},
                    {"pieces", number(c.pieces)},

@@ -22,10 +22,14 @@ unsigned bits(Arguments& given) { return static_cast<unsigned>(given.number(53, 
 constexpr Option table[] = {
     {"--ratio", "RATIO|LO:HI", "the mass ratios (heavy/light) in question; default: those of the file",
      read_claim},
+    {"--rho", "RATIO|LO:HI",
+     "with --scene body: d2/d1 of the bodies in question, above 0 and at most 1. --ratio is then their Q = "
+     "(d1/k)^2",
+     read_claim},
     {"--max", "N", "demand the proof that no trajectory has more than N collisions", read_claim},
     {"--min", "N", "demand the proof that some trajectory has at least N collisions", read_claim},
     {"--exactly", "N", "both", read_claim},
-    {"--scene", "dumbbell|hybrid|wedge",
+    {"--scene", "dumbbell|hybrid|wedge|body",
      "demand this scene; default: dumbbell if another option states the claim, else the file's", read_claim},
     {"--claim", "KIND",
      "demand this kind of claim: collisions; initial-conditions (a file of dumbbell trace --subdivide: "
@@ -37,10 +41,10 @@ constexpr Option table[] = {
     {"--claims", "LIST",
      "a list of certificates, each with its claim, such as certificates/claims.tsv. A line has a file (its "
      "name "
-     "is relative to the list's folder), a tab, and some of the six options above: at least --ratio and a "
+     "is relative to the list's folder), a tab, and some of the seven options above: at least --ratio and a "
      "bound, or --claim law alone. What follows another tab is a remark, as is a line that begins with #",
      [](Arguments& given, Asked& to) { to.claims = given.value(); },
-     "--ratio --max --min --exactly --scene --claim"},
+     "--ratio --rho --max --min --exactly --scene --claim"},
     {"--together", "",
      "the files prove one claim: their ranges of mass ratios, in any order on the command line, must follow "
      "one another without a hole or an overlap, and --ratio, --max, --min and --exactly are about all "

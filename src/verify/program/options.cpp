@@ -5,6 +5,7 @@
 #include <thread>
 
 #include "verify/program/claim_list.hpp"
+#include "verify/program/claim_options.hpp"
 #include "verify/program/option_table.hpp"
 
 namespace dumbbell_verify {
@@ -54,6 +55,7 @@ Options parse_options(const std::vector<std::string>& arguments) {
     }
     if (!result.answer.empty()) return result;
     require_fitting(given, asked);
+    require_whole(settings);
     for (Job& job : result.jobs) job.settings = settings;
     if (given.seen("--claims")) result.jobs = read_claims(asked.claims, settings);
     // A leaf that is explained is printed while it is checked: one file after the other.

@@ -10,6 +10,7 @@ struct Phrases {
 };
 Phrases phrases_of(std::string_view scene) {
     if (scene == "dumbbell") return {"trajectory hits the floor", "trajectory hits it"};
+    if (scene == "body") return {"motion of the body hits the floor", "motion hits it"};
     return {"trajectory in the " + std::string(scene == "hybrid" ? "hybrid" : "straight") +
                 " wedge hits its walls",
             "trajectory hits them"};
@@ -54,8 +55,13 @@ std::string about_collisions(const Result& result) {
     }
     const mpq_class &from = claim.ratios ? claim.ratios->first : claim.lo,
                     &to = claim.ratios ? claim.ratios->second : claim.hi;
-    const std::string where = from == to ? "at mass ratio " + spoken(from)
-                                         : "at every mass ratio from " + spoken(from) + " to " + spoken(to);
+    const auto every = [](const std::string& name, const mpq_class& lo, const mpq_class& hi) {
+        return lo == hi ? "at " + name + " " + spoken(lo)
+                        : "at every " + name + " from " + spoken(lo) + " to " + spoken(hi);
+    };
+    std::string where = every(claim.rho ? "Q" : "mass ratio", from, to);
+    if (const auto& rhos = claim.rhos ? claim.rhos : claim.rho)
+        where += ", " + every("rho", rhos->first, rhos->second) + ",";
     const std::string bounds = bounded(all, phrases_of(result.proof.section->scene));
     return (bounds.empty() ? "No bound is proved that holds " + where : "Proved: " + where + " " + bounds) +
            known(all) +

@@ -15,6 +15,7 @@ std::string claim_text(const Result& result) {
     if (const auto text = result.proof.of_other([](const auto& it) { return it.text(); })) return *text;
     const Collisions& claim = result.proof.claim;
     return "scene=" + std::string(result.proof.section->scene) + " ratio=" + to_string(claim.lo, claim.hi) +
+           (claim.rho ? " rho=" + to_string(claim.rho->first, claim.rho->second) : "") +
            " upper=" + (claim.upper ? claim.upper->get_str() : "none") + " lower=" + claim.lower.get_str() +
            " gaps=" + std::to_string(claim.gaps) + " open=" + std::to_string(claim.open) +
            (result.proof.heavy_once ? " heavy-at-most=1" : "");

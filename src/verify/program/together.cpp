@@ -28,7 +28,9 @@ Failure broken_chain(const Result& before, const Result& next) {
 }
 
 std::string scene_of(const Result& file) {
-    return one_line(file.job->file) + " is about the scene " + std::string(file.proof.section->scene);
+    const auto& rho = file.proof.claim.rho;
+    return one_line(file.job->file) + " is about the scene " + std::string(file.proof.section->scene) +
+           (rho ? " with rho in " + to_string(rho->first, rho->second) : "");
 }
 
 /// The same, of this file among others.
@@ -68,7 +70,7 @@ Result together(const Job& asked, const std::vector<Result>& files) {
         const Proof& next = chain[i]->proof;
         whole.proof.heavy_once = whole.proof.heavy_once && next.heavy_once;
         if (i == 0) continue;
-        if (next.section->scene != whole.proof.section->scene) {
+        if (next.section->scene != whole.proof.section->scene || next.claim.rho != claim.rho) {
             whole.why =
                 rejected("chain", "several scenes: " + scene_of(*chain[0]) + ", " + scene_of(*chain[i]));
             return whole;

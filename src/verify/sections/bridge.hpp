@@ -1,5 +1,6 @@
-// For the sections full and plain: flights from the wall R, at psi = pi/2 - t at height h + kappa t, over the
-// bridge of height r sin t, 0 < t < pi (L15), and the rays that leave it.
+// For all sections with a chart contact: flights from the wall R, at psi = pi/2 - t at height h + kappa t,
+// over the bridge of height rho sin t, 0 < t < pi (L15, L71), and the rays that leave it. For the dumbbell
+// rho = r.
 #pragma once
 #include "verify/core/ray.hpp"
 #include "verify/core/section.hpp"
@@ -53,20 +54,21 @@ class Bridge : protected Rays<N> {
         }
         return std::max(N(0), t);
     }
-    /// Certified h + kappa t >= r sin t for all t in [0, pi], r in the box: above a tangent of the bridge.
+    /// Certified h + kappa t >= rho sin t for all t in [0, pi], rho in the box: above a tangent of the
+    /// bridge.
     bool certainly_above(const N& h, const N& kappa) {
-        if (h >= zero && kappa >= r_hi) return fact("above the bridge: 0 <= h, r_hi <= kappa", true);
-        const N z = guess_slope(kappa / r_hi, half_turn.lo, quarter.lo);
+        if (h >= zero && kappa >= rho_hi) return fact("above the bridge: 0 <= h, rho_hi <= kappa", true);
+        const N z = guess_slope(kappa / rho_hi, half_turn.lo, quarter.lo);
         if (!(z >= zero && z <= half_turn.lo)) return false;
         const auto [s, w] = trig(z);
-        const I r = r_hi;
-        return (r * (s - z * w)).hi <= h &&
-               (r * (s + (half_turn - z) * w)).hi <= (h + I(kappa) * half_turn).lo &&
+        const I rho = rho_hi;
+        return (rho * (s - z * w)).hi <= h &&
+               (rho * (s + (half_turn - z) * w)).hi <= (h + I(kappa) * half_turn).lo &&
                fact("above a tangent of the bridge", true);
     }
-    /// Certified h + kappa t < r_lo sin t.
+    /// Certified h + kappa t < rho_lo sin t.
     [[nodiscard]] bool certainly_below(const N& h, const N& kappa, const N& t) const {
-        return t > zero && t < half_turn.lo && (h + I(kappa) * t).hi < (r_lo * trig(t).sin).lo;
+        return t > zero && t < half_turn.lo && (h + I(kappa) * t).hi < (rho_lo * trig(t).sin).lo;
     }
 
     /// The first contacts with the bridge of all flights of slope >= kappa_low and below (h_high,
@@ -77,13 +79,13 @@ class Bridge : protected Rays<N> {
     };
     Contacts contacts(const N& kappa_low, const N& h_high, const N& kappa_high) {
         Contacts result{half_turn.hi, false};
-        // At the contact kappa <= r cos t.
-        const N k = kappa_low / (kappa_low < zero ? r_lo : r_hi);
+        // At the contact kappa <= rho cos t.
+        const N k = kappa_low / (kappa_low < zero ? rho_lo : rho_hi);
         widen_until(one / N(64), [&](const N& pad) {
             const N t = guess_slope(k, half_turn.lo, quarter.lo) + pad;
             if (!(t > zero && t < half_turn.lo)) return true;
             const I w = trig(t).cos;
-            if (!((r_lo * w).hi <= kappa_low && (r_hi * w).hi <= kappa_low)) return false;
+            if (!((rho_lo * w).hi <= kappa_low && (rho_hi * w).hi <= kappa_low)) return false;
             result.last = t;
             return true;
         });
@@ -92,9 +94,9 @@ class Bridge : protected Rays<N> {
             result = {std::min(result.last, t), true};
             return true;
         };
-        if (const auto root = guess_crossing(h_high / r_lo, kappa_high / r_lo))
+        if (const auto root = guess_crossing(h_high / rho_lo, kappa_high / rho_lo))
             widen_until(one, [&](const N& pad) { return take(*root + (half_turn.lo - *root) * pad); });
-        if (!result.all) take(guess_slope(kappa_high / r_lo, half_turn.lo, quarter.lo));
+        if (!result.all) take(guess_slope(kappa_high / rho_lo, half_turn.lo, quarter.lo));
         if (this->log_)
             this->log_->line(
                 {{result.all ? "  the bridge is met by all, at t <= " : "  the bridge may be met at t <= ",
@@ -128,20 +130,26 @@ class Bridge : protected Rays<N> {
     const N x0 = bound(down, leaf_.box.lo[0], zero), x1 = bound(up, leaf_.box.hi[0], zero);
     const N y0 = bound(down, leaf_.box.lo[1], zero), y1 = bound(up, leaf_.box.hi[1], zero);
     const N r_lo = bound(down, 1 / leaf_.box.hi[2], zero), r_hi = bound(up, 1 / leaf_.box.lo[2], zero);
+    const N rho_lo = leaf_.rho ? bound(down, leaf_.rho->first, zero) : r_lo;
+    const N rho_hi = leaf_.rho ? bound(up, leaf_.rho->second, zero) : r_hi;
 
-    /// What both sections demand of `outside`, in the charts contact and departure.
+    /// What the sections demand of `outside`, in the charts contact and departure.
     bool is_outside(bool contact) {
         if (contact)
             return less("pi < t0", half_turn, x0) ||
-                   fact("1 <= r_lo (eta0 - 1), exactly", leaf_.box.lo[1] - 1 >= leaf_.box.hi[2]);
+                   fact("1 <= rho_lo (eta0 - 1), exactly",
+                        (leaf_.rho ? leaf_.rho->first : 1 / leaf_.box.hi[2]) * (leaf_.box.lo[1] - 1) >= 1);
         return less("pi/2 < e0", quarter, x0) ||
                less("1 <= eta0 - cos e0", one, y0 - I(sin_cos(x0).cos), false);
     }
 };
 
-/// The parts of the two sections that are the same.
+/// The parts of the sections that are the same.
 enum { contact, departure, again };
 inline constexpr std::size_t once_leaf = witness + 1;
+inline Box full_root(std::size_t chart, const mpq_class& a, const mpq_class& b) {
+    return chart == departure ? Box{{0, 0, a}, {2, 2, b}} : Box{{0, 0, a}, {4, power_of_two(b + 1), b}};
+}
 inline Section full_section(std::string_view lemmas, const char* (*check)(const Leaf&, Log*)) {
     return {lemmas,
             "dumbbell",
@@ -155,10 +163,7 @@ inline Section full_section(std::string_view lemmas, const char* (*check)(const 
              {"equal-masses", Place::cover, 1, 0},
              {"witness", Place::witness, 1, 2},
              {"once", Place::leaf, 4, 0}},
-            [](std::size_t chart, const mpq_class& a, const mpq_class& b) {
-                return chart == departure ? Box{{0, 0, a}, {2, 2, b}}
-                                          : Box{{0, 0, a}, {4, power_of_two(b + 1), b}};
-            },
+            full_root,
             check,
             true};
 }

@@ -59,7 +59,8 @@ int exit_code(Verdict verdict) {
 std::string claim_text(const Verified& proof) {
     if (const auto text = proof.of_other([](const auto& it) { return it.text(); })) return *text;
     const Collisions& claim = proof.claim;
-    return "ratio=" + dumbbell_verify::to_string(claim.lo) + ":" + dumbbell_verify::to_string(claim.hi) +
+    return "ratio=" + dumbbell_verify::to_string(claim.lo, claim.hi) +
+           (claim.rho ? " rho=" + dumbbell_verify::to_string(claim.rho->first, claim.rho->second) : "") +
            " upper=" + (claim.upper ? claim.upper->get_str() : "none") + " lower=" + claim.lower.get_str() +
            " gaps=" + std::to_string(claim.gaps) + " open=" + std::to_string(claim.open) +
            (proof.heavy_once ? " heavy-at-most=1" : "");

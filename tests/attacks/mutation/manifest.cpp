@@ -101,6 +101,9 @@ dumbbell_verify::Settings settings_of(const std::string& options) {
         if (name == "--ratio") {
             const auto ends = split(value, ':');
             settings.demand.ratios = std::pair(mpq_class(ends.front()), mpq_class(ends.back()));
+        } else if (name == "--rho") {
+            const auto ends = split(value, ':');
+            settings.demand.rhos = std::pair(mpq_class(ends.front()), mpq_class(ends.back()));
         } else if (name == "--max") {
             settings.demand.most = std::stoul(value);
         } else if (name == "--min") {

@@ -30,7 +30,16 @@ template <class S>
 class Dumbbell {
   public:
     explicit Dumbbell(const S& ratio)
-        : ratio_(ratio), beta1_(S(1) / (S(1) + ratio)), beta2_(ratio / (S(1) + ratio)) {}
+        : ratio_(ratio),
+          beta1_(S(1) / (S(1) + ratio)),
+          beta2_(ratio / (S(1) + ratio)),
+          inertia_(beta1_ * beta2_) {}
+
+    // Any rigid body of mass 1 with two contacts: their distances from the centre of mass, the greater one
+    // first
+    // ("light"), and its moment of inertia.
+    Dumbbell(const S& far, const S& near, const S& inertia)
+        : ratio_(far / near), beta1_(near), beta2_(far), inertia_(inertia) {}
 
     [[nodiscard]] const S& ratio() const { return ratio_; }
     [[nodiscard]] const S& beta1() const {
@@ -39,7 +48,7 @@ class Dumbbell {
     [[nodiscard]] const S& beta2() const {
         return beta2_;
     }  // = m2, distance of the light mass from the centre
-    [[nodiscard]] S inertia() const { return beta1_ * beta2_; }
+    [[nodiscard]] const S& inertia() const { return inertia_; }
 
     // The mass stands at arm * (cos phi, sin phi) from the centre of mass.
     [[nodiscard]] S arm(Mass mass) const { return mass == Mass::light ? beta2_ : S(-beta1_); }
@@ -77,6 +86,7 @@ class Dumbbell {
     S ratio_;
     S beta1_;
     S beta2_;
+    S inertia_;
 };
 
 }  // namespace dumbbell_oracle

@@ -29,6 +29,7 @@ class Random {
     double uniform(double lo, double hi) {
         return lo + (hi - lo) * (static_cast<double>(bits() >> 11) * 0x1p-53);
     }
+    double log_uniform(double lo, double hi) { return lo * std::exp(uniform(0, std::log(hi / lo))); }
     /// Of uniform logarithm, 0 < lo < hi.
     double scaled(double lo, double hi) { return std::exp2(uniform(std::log2(lo), std::log2(hi))); }
     double sign() { return coin() ? 1.0 : -1.0; }

@@ -40,10 +40,12 @@ inline std::string totals(const std::string& body) {
     for (std::string line; std::getline(in, line);)
         ++count[line == "upper none" ? "open" : line.substr(0, line.find(' '))];
     const bool full = body.find("\nsection full\n") != std::string::npos;
+    const bool bodies = body.find("\nscene body\n") != std::string::npos;
     std::string text;
-    for (const std::string kind :
-         {"split", "count", "outside", "meets", "meets-reversed", "equal-masses", "witness", "once", "open"})
-        if (full || kind != "once") text += "total " + kind + " " + std::to_string(count[kind]) + "\n";
+    for (const std::string kind : {"split", "count", "outside", "meets", "meets-reversed", "equal-masses",
+                                   "witness", "once", "symmetric", "open"})
+        if ((kind != "once" || (full && !bodies)) && (kind != "symmetric" || bodies))
+            text += "total " + kind + " " + std::to_string(count[kind]) + "\n";
     return text;
 }
 

@@ -324,11 +324,12 @@ TEST_CASE("the option --json prints an array and nothing else") {
     const auto has = [](const Run& result, const std::string& text) {
         return result.out.find(text) != std::string::npos;
     };
-    CHECK(has(r,
-              "\"schema\":\"dumbbell-verify-1\",\"demand\":{\"ratio\":null,\"max\":null,\"min\":null,"
-              "\"scene\":null,\"claim\":null},"));
+    CHECK(has(
+        r,
+        "\"schema\":\"dumbbell-verify-1\",\"demand\":{\"ratio\":null,\"rho\":null,\"max\":null,\"min\":null,"
+        "\"scene\":null,\"claim\":null},"));
     CHECK(has(run("--json --ratio 5:1e1 --exactly 4 " + good.path()),
-              "\"demand\":{\"ratio\":{\"lo\":\"5/1\",\"hi\":\"10/1\"},\"max\":4,\"min\":4,"
+              "\"demand\":{\"ratio\":{\"lo\":\"5/1\",\"hi\":\"10/1\"},\"rho\":null,\"max\":4,\"min\":4,"
               "\"scene\":null,\"claim\":null}"));
     CHECK(has(run("--json '/\xc3\xa9\xe2\x82\xac\xf0\x9f\x98\x80'"),
               "\"/\xc3\xa9\xe2\x82\xac\xf0\x9f\x98\x80\""));

@@ -126,15 +126,15 @@ TEST_CASE("summary: the numbers of several files") {
 TEST_CASE("summary: JSON of a proof and of a refusal, whole") {
     CHECK(
         json(verified()) ==
-        R"({"file":"a\u000ab.dbc","verdict":"VERIFIED","claim":{"scene":"dumbbell","ratio":{"lo":"3/2","hi":"2/1"},)"
+        R"({"file":"a\u000ab.dbc","verdict":"VERIFIED","claim":{"scene":"dumbbell","ratio":{"lo":"3/2","hi":"2/1"},"rho":null,)"
         R"("upper":4,"lower":3,"pieces":1,"gaps":1,"open":0,"heavy_at_most":null},"sha256":"0f",)"
-        R"("schema":"dumbbell-verify-1","demand":{"ratio":null,"max":null,"min":null,"scene":null,"claim":null},)"
+        R"("schema":"dumbbell-verify-1","demand":{"ratio":null,"rho":null,"max":null,"min":null,"scene":null,"claim":null},)"
         R"("leaves":{"split":1,"count":3},"coverage":{"split":0.000000,"count":0.750000},)"
         R"("work":0.000,"line":null,"code":null,"reason":null})");
     CHECK(
         json(result(Verdict::rejected, 7)) ==
         R"({"file":"a\u000ab.dbc","verdict":"REJECTED","claim":null,"sha256":null,)"
-        R"("schema":"dumbbell-verify-1","demand":{"ratio":null,"max":null,"min":null,"scene":null,"claim":null},)"
+        R"("schema":"dumbbell-verify-1","demand":{"ratio":null,"rho":null,"max":null,"min":null,"scene":null,"claim":null},)"
         R"("leaves":{},"coverage":{},"work":null,"line":7,"code":"count","reason":"not\u000acertified"})");
     CHECK(json(result(Verdict::rejected, 1)).find(R"("line":1,)") != std::string::npos);
     Result r = verified(false);
@@ -155,7 +155,7 @@ TEST_CASE("summary: JSON of a proof and of a refusal, whole") {
     CHECK(text.find(R"("heavy_at_most":1})") != std::string::npos);
     CHECK(
         text.find(
-            R"("demand":{"ratio":{"lo":"1/1","hi":"2/1"},"max":5,"min":2,"scene":null,"claim":"collisions"})") !=
+            R"("demand":{"ratio":{"lo":"1/1","hi":"2/1"},"rho":null,"max":5,"min":2,"scene":null,"claim":"collisions"})") !=
         std::string::npos);
 }
 

@@ -103,18 +103,19 @@ TEST_CASE("together: JSON is one object, in which the demand is on the whole and
     CHECK(r.out.starts_with(
         R"({"schema":"dumbbell-verify-together-1","verdict":"VERIFIED","claim":{"scene":"dumbbell",)"
         R"("ratio":{"lo":"1/1","hi":"100/1"},"upper":10,"lower":2,"pieces":17,"gaps":8,"open":0,)"
-        R"("heavy_at_most":null},"demand":{"ratio":{"lo":"1/1","hi":"100/1"},"max":10,"min":null,"scene":null,"claim":null},)"
+        R"("heavy_at_most":null},"demand":{"ratio":{"lo":"1/1","hi":"100/1"},"rho":null,"max":10,"min":null,"scene":null,"claim":null},)"
         R"("code":null,"reason":null,"files":[{"file":")" +
         quarters.files[0].path() + R"(","verdict":"VERIFIED",)"));
     const std::string files = r.out.substr(r.out.find("\"files\":"));
-    CHECK(has(files, R"("demand":{"ratio":null,"max":null,"min":null,"scene":null,"claim":null})"));
+    CHECK(
+        has(files, R"("demand":{"ratio":null,"rho":null,"max":null,"min":null,"scene":null,"claim":null})"));
     CHECK_FALSE(has(files, R"("max":10)"));
     CHECK(files.ends_with("}]}\n"));
     const Run weak = run("--json --together --max 9" + quarters.names);
     CHECK(weak.code == 1);
     CHECK(has(
         weak,
-        R"("verdict":"REJECTED","claim":null,"demand":{"ratio":null,"max":9,"min":null,"scene":null,"claim":null},)"
+        R"("verdict":"REJECTED","claim":null,"demand":{"ratio":null,"rho":null,"max":9,"min":null,"scene":null,"claim":null},)"
         R"("code":"claim-not-proved","reason":"not proved: at most 9 )"));
 }
 

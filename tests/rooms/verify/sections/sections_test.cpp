@@ -5,11 +5,13 @@
 #include "catch.hpp"
 #include "rooms/verify/core/leaf_rows.hpp"
 #include "rooms/verify/core/make_certificate.hpp"
+#include "rooms/verify/sections/full_tree.hpp"
 #include "verify/program/verify.hpp"
 
 using namespace dumbbell_verify;
 using make::closed;
 using make::File;
+using make::full_cover;
 using make::mutated;
 
 namespace {
@@ -45,35 +47,6 @@ std::string header(const std::string& lemmas, const std::string& scene, const st
            std::to_string(pieces) + "\n";
 }
 
-/// A tree that this section accepts with U, by search.
-std::string tree(const Section& section, Leaf leaf, int depth = 0) {
-    if (depth > 24) throw std::runtime_error("the cover does not close");
-    leaf.opcode = outside;
-    if (!section.check(leaf, nullptr)) return "outside\n";
-    if (section.charts[leaf.chart].name == "again") {
-        leaf.opcode = witness + 1;
-        if (!section.check(leaf, nullptr)) return "once\n";
-    }
-    leaf.opcode = count_leaf;
-    leaf.a = leaf.claimed - 1;
-    if (section.charts[leaf.chart].name != "again" && !section.check(leaf, nullptr))
-        return "count " + leaf.a.get_str() + "\n";
-    const std::size_t i = leaf.box.hi[0] - leaf.box.lo[0] > 2 * (leaf.box.hi[1] - leaf.box.lo[1]) ? 0 : 1;
-    Leaf lower = leaf, upper = leaf;
-    lower.box.hi[i] = upper.box.lo[i] = (leaf.box.lo[i] + leaf.box.hi[i]) / 2;
-    return "split " + std::string(section.charts[leaf.chart].axes[i]) + "\n" +
-           tree(section, lower, depth + 1) + tree(section, upper, depth + 1);
-}
-std::string full_cover(const Section& section, const mpq_class& q, std::uint64_t upper) {
-    std::string text;
-    Leaf leaf;
-    leaf.claimed = upper;
-    for (leaf.chart = 0; leaf.chart < section.charts.size(); ++leaf.chart) {
-        leaf.box = section.root(leaf.chart, q, q);
-        text += "chart " + std::string(section.charts[leaf.chart].name) + "\n" + tree(section, leaf);
-    }
-    return text;
-}
 std::string full_text(const Section& section, const std::string& q, std::uint64_t upper) {
     return closed(header(std::string(section.lemmas), "dumbbell", "full", q, q) + "piece " + q + " " + q +
                   "\nbits 53\nupper " + std::to_string(upper) + "\n" +

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <array>
+
+#include "cli/options/given.hpp"
+#include "collisions/certify.hpp"
+
+namespace dumbbell::cli {
+
+/// Which body, of the scene body.
+inline constexpr std::array body_options{
+    Option{"--rho", "RHO",
+           "scene body: d2/d1 of the distances of the contacts from the centre of mass, or LO:HI"},
+    Option{"--inertia", "Q", "scene body: (d1/k)^2, k the radius of gyration, or a range LO:HI"}.needs(
+        "--rho"),
+    flag("--coin", "a coin on its edge: --scene body --rho 1 --inertia 4")
+        .excludes("--rho,--inertia,--rod-mass"),
+    Option{"--rod-mass", "MU", "the dumbbell RATIO with a uniform rod of MU times the mass of both ends"}
+        .excludes("--rho,--inertia")};
+
+/// Whether an option says that the claim is about a body with mass between its contacts.
+[[nodiscard]] bool is_about_body(const Given& given);
+
+/// Its ratio Q and its heights. Throws InputError if the options do not say, or say no body whose mass is
+/// between its contacts.
+[[nodiscard]] collisions::CertifyRequest body_request(const Given& given);
+
+}  // namespace dumbbell::cli

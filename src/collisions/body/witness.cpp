@@ -1,0 +1,72 @@
+#include "collisions/body/witness.hpp"
+
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "flight/certain_count.hpp"
+
+namespace dumbbell::collisions {
+namespace {
+
+/// Powers of two and the middles between them, down to 2^-40, and `steps` places on the way to `end`, ends
+/// excluded. Long orbits start close to the corner, to the top, and to tangents of the bridge.
+std::vector<double> places(double end, int steps) {
+    std::vector<double> all;
+    for (int depth = 40; depth > 2; --depth) {
+        for (const double size : {1.0, 1.5}) {
+            all.push_back(std::ldexp(size, -depth));
+        }
+    }
+    for (int i = 1; i < steps; ++i) {
+        // Few bits: the file spells them.
+        all.push_back(std::ldexp(std::round(std::ldexp(end * i / steps, 16)), -16));
+    }
+    return all;
+}
+
+/// Of the contacts of a grid the first one with `enough` collisions, or else one with the most.
+Witness best_contact(const flight::Body<Interval>& body, long enough, const Interrupted& interrupted) {
+    constexpr double quarter = 1.5707963267948966;
+    std::vector<double> distances = places(quarter, 48);
+    for (int depth = 20; depth > 2; --depth) {
+        distances.push_back(1.5707 - std::ldexp(1.0, -depth));
+    }
+    const std::vector<double> slopes = places(1 + 1 / approximate(body.rho), 96);
+    Witness best{0, 0, 0, 0};
+    for (const double e : distances) {
+        for (const double eta : slopes) {
+            const auto rays = contact_rays(Interval(e), Interval(eta), body);
+            const long forward = certain_count(rays.outgoing, body, enough - 1);
+            const long backward = certain_count(rays.reversed, body, enough - 1 - forward);
+            if (forward + backward > best.forward + best.backward) {
+                best = {exact(e), exact(eta), forward, backward};
+            }
+        }
+        if (best.total() >= enough || interrupted()) {
+            break;
+        }
+    }
+    return best;
+}
+
+flight::Body<Interval> body_of(const Rational& q_lo, const Rational& q_hi, const Heights& heights) {
+    return {hull(enclose<Interval>(heights.lo), enclose<Interval>(heights.hi)),
+            hull(enclose<Interval>(1 / q_hi), enclose<Interval>(1 / q_lo)),
+            heights.lo * q_lo == 1 && heights.hi * q_hi == 1};
+}
+
+}  // namespace
+
+long greatest_found(const Rational& q, const Rational& rho, const Interrupted& interrupted) {
+    constexpr long most = 1000;
+    return as_long(best_contact(body_of(q, q, {rho, rho}), most, interrupted).total());
+}
+
+std::optional<Witness> found_contact(const Rational& q_lo, const Rational& q_hi, const Heights& heights,
+                                     long target, const Interrupted& interrupted) {
+    const Witness best = best_contact(body_of(q_lo, q_hi, heights), target, interrupted);
+    return best.total() >= target ? std::optional(best) : std::nullopt;
+}
+
+}  // namespace dumbbell::collisions

@@ -1,0 +1,193 @@
+// proofs/body.md against the simulation: bodies with mass between their contacts.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "catch.hpp"
+#include "extremal.hpp"
+#include "simulate.hpp"
+#include "trial.hpp"
+
+using namespace dumbbell_oracle;
+
+namespace {
+
+constexpr double half_turn = std::numbers::pi;
+
+// rho and Q, and the body of length d1 = 1.
+struct Numbers {
+    double rho, q;
+    template <class S>
+    [[nodiscard]] Dumbbell<S> body() const {
+        return {S(1), S(rho), S(1) / S(q)};
+    }
+    [[nodiscard]] double corner() const {
+        return half_turn - std::atan(std::sqrt(q)) - std::atan(rho * std::sqrt(q));
+    }
+    [[nodiscard]] double wedge() const { return half_turn - 2 * std::atan(std::sqrt(q)); }
+};
+
+// The tolerance is for the ties at whole numbers.
+std::size_t whole_from(double x) { return static_cast<std::size_t>(std::ceil(x - 1e-9)); }
+
+Numbers random_numbers(Sampler& sampler, bool symmetric) {
+    const double rho = symmetric        ? 1
+                       : sampler.coin() ? sampler.log_uniform(0.03, 1)
+                                        : sampler.uniform(0.3, 1);
+    return {rho, (sampler.coin() ? 1 + sampler.log_uniform(1e-4, 1) : sampler.log_uniform(1, 30)) / rho};
+}
+
+// On the floor just after a collision, at the corner distance e of the right corner: to its right the light
+// end stands there, to its left the heavy one. The velocity has this angle in the metric of the kinetic
+// energy.
+template <class S>
+Contact<S> standing(const Dumbbell<S>& body, Mass mass, double e, double angle) {
+    using std::cos;
+    using std::sin;
+    using std::sqrt;
+    State<S> state{pi<S>() + (mass == Mass::light ? S(e) : S(-e)), cos(S(angle)) / sqrt(body.inertia()), 0,
+                   sin(S(angle))};
+    state.y = -body.arm(mass) * sin(state.phi);
+    return {mass, body.climb(mass, state) > 0 ? state : reversed(state)};
+}
+
+struct Spot {
+    Mass mass;
+    double e, angle;
+};
+
+Spot random_spot(Sampler& sampler) {
+    const double e = sampler.coin() ? sampler.log_uniform(1e-3, 1.57) : sampler.uniform(1e-3, 1.57);
+    return {sampler.coin() ? Mass::light : Mass::heavy, e, sampler.uniform(0, half_turn)};
+}
+
+template <class S>
+std::size_t total_at(const Numbers& n, const Spot& at) {
+    const auto body = n.body<S>();
+    return total_collisions(body, standing(body, at.mass, at.e, at.angle)).collisions;
+}
+
+// Where long double finds more than `most`, 80 digits decide.
+std::size_t counted_at(const Numbers& n, const Spot& at, std::size_t most) {
+    const std::size_t found = total_at<long double>(n, at);
+    return found > most ? total_at<Digits80>(n, at) : found;
+}
+
+// The slope d yhat / |d psi| (yhat = y, as d1 = 1).
+double steepness_of(const State<long double>& s) { return static_cast<double>(s.ydot / std::abs(s.phidot)); }
+
+}  // namespace
+
+TEST_CASE("L70: masses between the contacts have Q rho >= 1, and rods the stated numbers") {
+    Sampler sampler(1, 7001);
+    for (int i = 0; i < trials(2'000); ++i) {
+        const double q = sampler.log_uniform(1, 100), mu = sampler.log_uniform(1e-4, 100);
+        std::vector<std::array<double, 2>> parts{{0, 1 / (1 + q)}, {1, q / (1 + q)}};  // place and mass
+        constexpr int slices = 2000;
+        for (int k = 0; k < slices; ++k) parts.push_back({(k + 0.5) / slices, mu / slices});
+        double mass = 0, centre = 0, square = 0;
+        for (const auto& [x, m] : parts) mass += m, centre += m * x / (1 + mu);
+        for (const auto& [x, m] : parts) square += m * (x - centre) * (x - centre) / mass;
+        const double rho = (1 - centre) / centre, inertia = centre * centre / square;
+        const double d1 = (2 * q / (1 + q) + mu) / (2 * (1 + mu));
+        const double stated = (2 + mu * (1 + q)) / (2 * q + mu * (1 + q));
+        CHECK(rho == Approx(stated).epsilon(1e-5));
+        CHECK(inertia == Approx(d1 * d1 / (d1 * d1 * stated - mu / (6 * (1 + mu)))).epsilon(1e-5));
+        CHECK(inertia * rho > 1);
+    }
+}
+
+TEST_CASE("L71: after a contact with the bridge a ray goes on by E and P, wherever it is") {
+    Sampler sampler(1, 7002);
+    int back = 0, again = 0;
+    for (int i = 0; i < trials(5'000); ++i) {
+        const Numbers n = random_numbers(sampler, false);
+        const auto body = n.body<long double>();
+        const double t = sampler.uniform(0, half_turn), s = std::cos(t);
+        const double kappa = n.rho * s - sampler.log_uniform(1e-3, 3), g = 1 / (n.q * n.rho);
+        State<long double> before{pi<long double>() - t, -1, 0, kappa};
+        before.y = -body.arm(Mass::heavy) * std::sin(before.phi);
+        const auto after = body.bounce(Mass::heavy, before);
+        const double e = g + 2 * s * kappa - n.rho * s * s, p = 2 * s / n.q - kappa * (g - n.rho * s * s);
+        if (std::abs(e) < 1e-6) continue;
+        CHECK((after.phidot < 0) == (e > 0));
+        CHECK(steepness_of(after) == Approx(p / std::abs(e)).epsilon(1e-9));
+        back += e < 0 ? 1 : 0;
+        const auto later = simulate(body, after, Mass::heavy).collisions;
+        again += std::any_of(later.begin(), later.end(), [](const auto& c) { return c.mass == Mass::heavy; });
+    }
+    CHECK(back > 200);
+    CHECK(again > 50);  // what a massless rod excludes
+}
+
+TEST_CASE("L74: the two rays of a contact with the bridge") {
+    Sampler sampler(1, 7003);
+    for (int i = 0; i < trials(2'000); ++i) {
+        const Numbers n = random_numbers(sampler, false);
+        const auto body = n.body<long double>();
+        const double e = sampler.uniform(0, half_turn / 2), s = std::cos(e),
+                     eta = sampler.log_uniform(1e-6, 5);
+        State<long double> after{pi<long double>() - e, -1, 0, n.rho * (s + eta)};
+        after.y = -body.arm(Mass::heavy) * std::sin(after.phi);
+        const auto reverse = reversed(body.bounce(Mass::heavy, after));
+        const double big = n.q * n.rho * n.rho;
+        const double steep = eta * (1 + big * s * s) / (1 + big * s * s + 2 * big * s * eta);
+        CHECK(reverse.phidot > 0);
+        CHECK(steepness_of(reverse) == Approx(n.rho * (steep - s)).epsilon(1e-9).margin(1e-12));
+    }
+}
+
+TEST_CASE(
+    "L72: a symmetric body never has more collisions than its corner, ties too, and others not twice as "
+    "many") {
+    Sampler sampler(1, 7004);
+    int tight = 0;
+    for (int i = 0; i < trials(20'000); ++i) {
+        const bool symmetric = sampler.coin();
+        Numbers n = random_numbers(sampler, symmetric);
+        if (symmetric && sampler.coin())
+            n.q = 1 / std::pow(std::tan(half_turn / 2 / std::round(sampler.uniform(2, 7))), 2);
+        const std::size_t wedge = whole_from(half_turn / n.wedge());
+        const std::size_t most = symmetric ? wedge : 2 * wedge + 1;
+        const Spot at = random_spot(sampler);
+        const std::size_t found = counted_at(n, at, symmetric ? most : wedge);
+        if (found > most) FAIL(say("rho", n.rho, "Q", n.q, at.e, at.angle, found, most));
+        // The conjecture: not more than the wedge of the higher humps.
+        if (found > wedge)
+            FAIL(say("rho", n.rho, "Q", n.q, at.e, at.angle, found, "beats the conjecture", wedge));
+        tight += found == wedge ? 1 : 0;
+    }
+    CHECK(tight > 50);
+}
+
+TEST_CASE(
+    "L73: close to the corner of any body as many collisions occur as the corner goes into a half turn") {
+    Sampler sampler(1, 7005);
+    for (int i = 0; i < trials(30); ++i) {
+        const Numbers n = random_numbers(sampler, false);
+        const std::size_t corner = whole_from(half_turn / n.corner());
+        if (corner > 12 || std::abs(half_turn / n.corner() - std::round(half_turn / n.corner())) < 0.02)
+            continue;
+        std::size_t most = 0;
+        for (int k = 0; k < 400 && most < corner; ++k)
+            most = std::max(most, total_at<Digits80>(n, {k % 2 == 0 ? Mass::heavy : Mass::light, 1e-6,
+                                                         half_turn * k / 400}));
+        if (most < corner) FAIL(say("rho", n.rho, "Q", n.q, most, corner));
+    }
+}
+
+TEST_CASE(
+    "L76: with a little mass in the rod there are three collisions at the corner, and k1 on either side") {
+    for (const double q : {4.0, 5.5, 6.0, 9.0, 10.0, 25.0}) {
+        const std::size_t least = 3 + 2 * theorem(Digits80(q)).k1;
+        const double mu = 1e-5, d1 = (2 * q / (1 + q) + mu) / (2 * (1 + mu));
+        const double rho = (2 + mu * (1 + q)) / (2 * q + mu * (1 + q));
+        const Numbers n{rho, d1 * d1 / (d1 * d1 * rho - mu / (6 * (1 + mu)))};
+        // Off the heavy end, just above its tangent: half of the angle that the corner lacks.
+        const double above = half_turn / 2 - n.corner(),
+                     tangent = half_turn - std::atan(rho * std::sqrt(n.q));
+        CHECK(total_at<Digits80>(n, {Mass::heavy, 1e-7, tangent - above}) >= least);
+    }
+}

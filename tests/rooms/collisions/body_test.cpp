@@ -1,0 +1,103 @@
+// Bodies with mass between their contacts (body.md): what is proved of them.
+#include "catch.hpp"
+#include "collisions/certify.hpp"
+#include "collisions/writer.hpp"
+#include "reference.hpp"
+
+using namespace dumbbell;
+using namespace dumbbell::collisions;
+using namespace dumbbell_test;
+
+namespace {
+
+CertifyRequest of_body(const Rational& rho, const Rational& q_lo, const Rational& q_hi) {
+    CertifyRequest request;
+    request.q_lo = q_lo;
+    request.q_hi = q_hi;
+    request.scene = Scene::body;
+    request.section = Section::plain;
+    request.heights = Heights{rho, rho};
+    return request;
+}
+
+Piece proved(const Rational& rho, const Rational& q) {
+    const auto pieces = certify(of_body(rho, q, q));
+    REQUIRE(pieces.size() == 1);
+    return pieces.front().piece;
+}
+
+long maximum(const Piece& piece) { return piece.status() == Status::exact ? as_long(piece.lower) : 0; }
+
+// The body's numbers with a rod of mu times the mass of both ends, 1 and q (L70 (d)).
+long with_rod(const Rational& q, const Rational& mu) {
+    const Rational d1 = (2 * q / (1 + q) + mu) / (2 * (1 + mu));
+    const Rational rho = (2 + mu * (1 + q)) / (2 * q + mu * (1 + q));
+    return maximum(proved(rho, d1 * d1 / (d1 * d1 * rho - mu / (6 * (1 + mu)))));
+}
+
+}  // namespace
+
+TEST_CASE("A coin has 4 collisions, a uniform rod 3, equal masses 2, by a lemma") {
+    for (const auto& [q, n] : {std::pair(4, 4L), {3, 3L}, {1, 2L}}) {
+        const Piece piece = proved(1, q);
+        CHECK(maximum(piece) == n);
+        CHECK(piece.cover.symmetric);
+        CHECK(piece.witness->chart == Chart::corner);
+    }
+}
+
+TEST_CASE("The certificate of the coin says which body it is about") {
+    auto request = of_body(1, 4, 4);
+    const auto pieces = certify(request);
+    Certificate certificate{.pieces = {pieces.front().piece},
+                            .scene = Scene::body,
+                            .section = Section::plain,
+                            .heights = request.heights};
+    const std::string text = render(certificate).text;
+    for (const char* line :
+         {"lemmas body\nscene body\nsection full\n", "\nratio 4/1 4/1\nrho 1/1 1/1\npieces 1\n",
+          "\nupper 4\nsymmetric\nlower 4\nwitness corner 0b0 0b0 3 0\n",
+          "\ntotal witness 1\ntotal symmetric 1\ntotal open 0\n"}) {
+        CHECK(text.find(line) != std::string::npos);
+    }
+}
+
+TEST_CASE(
+    "A rod with a hundredth of the mass of its ends has one collision more where the massless one has an "
+    "even number") {
+    CHECK(with_rod(10, Rational(1, 100)) == 5);
+    CHECK(with_rod(6, Rational(1, 100)) == 5);
+    CHECK(with_rod(3, Rational(1, 100)) == 3);
+}
+
+TEST_CASE("On the edge, without mass between the contacts, bodies have what dumbbells have") {
+    Choices choices(463);
+    for (int i = 0; i < 100; ++i) {
+        const Rational q = exact(choices.log_uniform(1.01, 20));
+        CertifyRequest dumbbell;
+        dumbbell.q_lo = dumbbell.q_hi = q;
+        const Piece expected = certify(dumbbell).front().piece;
+        const Piece piece = proved(1 / q, q);
+        CAPTURE(q);
+        REQUIRE(maximum(piece) == maximum(expected));
+    }
+}
+
+TEST_CASE("Ranges of symmetric bodies step where the wedges do") {
+    auto request = of_body(1, 1, 30);
+    const auto pieces = certify(request);
+    CHECK(pieces.back().piece.q_hi == 30);
+    CHECK(undecided_share(pieces) < Rational(1, 100'000));
+    for (const auto& p : pieces) {
+        CHECK(p.piece.status() != Status::open);
+    }
+}
+
+TEST_CASE("Ranges of other bodies are halved until each part has one value or is narrow") {
+    auto request = of_body(Rational(1, 2), Rational(5, 2), 3);
+    request.gap = Rational(1, 100);
+    const auto pieces = certify(request);
+    CHECK(pieces.front().piece.q_lo == request.q_lo);
+    CHECK(pieces.back().piece.q_hi == request.q_hi);
+    CHECK(undecided_share(pieces) < Rational(1, 4));
+}

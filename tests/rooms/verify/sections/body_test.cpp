@@ -1,0 +1,244 @@
+// The scene body: true certificates of a coin and of rods are accepted, false ones are not; and what is
+// demanded.
+#include "catch.hpp"
+#include "rooms/verify/core/make_certificate.hpp"
+#include "rooms/verify/program/run_program.hpp"
+#include "rooms/verify/sections/full_tree.hpp"
+#include "verify/program/verify.hpp"
+
+using namespace dumbbell_verify;
+using make::closed;
+using make::File;
+using make::mutated;
+using make::run;
+
+namespace {
+
+/// What is said of a text, whose scene is demanded: `verified`, or the code of the failure.
+std::string said_of_bodies(const std::string& text, unsigned precision = 0) try {
+    const File file(text);
+    Settings settings;
+    settings.scene = "body";
+    settings.precision = precision;
+    verify(file.path(), settings);
+    return "verified";
+} catch (const Failure& failure) {
+    return failure.code;
+}
+
+std::string body_text(const std::string& ratios, const std::string& rho, int upper, const std::string& cover,
+                      int lower, const std::string& witness) {
+    return closed(
+        "dumbbell-certificate 1\ngenerator test 1.0\nlemmas body\nscene body\nsection full\nclaim "
+        "collisions\n"
+        "ratio " +
+        ratios + "\nrho " + rho + "\npieces 1\npiece " + ratios + "\nbits 53\nupper " +
+        std::to_string(upper) + "\n" + cover + "lower " + std::to_string(lower) + "\n" +
+        (lower > 0 ? "witness " + witness + "\n" : ""));
+}
+const std::string coin = body_text("4/1 4/1", "1/1 1/1", 4, "symmetric\n", 4, "corner 0b0 0b0 3 0"),
+                  uniform_rod = body_text("3/1 3/1", "1/1 1/1", 3, "symmetric\n", 3, "corner 0b0 0b0 2 0");
+
+/// Of a single body.
+const std::string& lopsided() {
+    static const std::string text = body_text(
+        "3/1 3/1", "1/2 1/2", 3, make::full_cover(body(), 3, 3, Range(mpq_class(1, 2), mpq_class(1, 2))), 3,
+        "bridge 17b-6 3b-5 0 2");
+    return text;
+}
+
+Leaf leaf_of(std::size_t chart, const mpq_class& q, const mpq_class& rho) {
+    Leaf leaf;
+    leaf.chart = chart;
+    leaf.box = body().root(chart, q, q);
+    leaf.rho = Range(rho, rho);
+    return leaf;
+}
+
+}  // namespace
+
+TEST_CASE("scene body: a coin has 4 collisions, and the uniform rod, a tie, has 3") {
+    for (const std::string& text : {coin, uniform_rod}) {
+        CHECK(said_of_bodies(text) == "verified");
+        CHECK(said_of_bodies(mutated(text, "symmetric\n", "equal-masses\n")) == "opcode");
+        CHECK(said_of_bodies(mutated(text, "symmetric\n", "symmetric 1\n")) == "syntax");
+    }
+    CHECK(said_of_bodies(body_text("4/1 4/1", "1/1 1/1", 3, "symmetric\n", 0, "")) == "symmetric");
+    CHECK(said_of_bodies(body_text("3/1 3/1", "1/1 1/1", 2, "symmetric\n", 0, "")) == "symmetric");
+    CHECK(said_of_bodies(body_text("3/1 3000001/1000000", "1/1 1/1", 3, "symmetric\n", 0, "")) ==
+          "symmetric");
+    CHECK(said_of_bodies(body_text("2/1 3/1", "1/1 1/1", 3, "symmetric\n", 3, "corner 0b0 0b0 2 0")) ==
+          "verified");
+    CHECK(said_of_bodies(body_text("4/1 4/1", "1/2 1/1", 4, "symmetric\n", 0, "")) == "symmetric");
+    CHECK(said_of_bodies(body_text("4/1 4/1", "1/2 1/2", 4, "symmetric\n", 0, "")) == "symmetric");
+}
+
+TEST_CASE("scene body: the witness in the corner is exact, at the least rho and Q") {
+    const auto said = [](const std::string& witness) {
+        return said_of_bodies(mutated(coin, "corner 0b0 0b0 3 0", witness));
+    };
+    for (const char* wrong : {"corner 0b0 0b0 4 0", "corner 0b0 0b0 2 0", "corner 0b0 0b0 2 1",
+                              "corner 1b0 0b0 3 0", "corner 0b0 1b0 3 0"})
+        CHECK(said(wrong) == "witness");
+    CHECK(said("wedge 0b0 0b0 3 0") == "syntax");
+    CHECK(said("corner 0b0 0b0 3") == "syntax");
+    const auto at_least = [](const std::string& ratios, const std::string& rho, int n) {
+        const std::string text =
+            body_text(ratios, rho, 9, "symmetric\n", n, "corner 0b0 0b0 " + std::to_string(n - 1) + " 0");
+        return said_of_bodies(mutated(text, "upper 9\nsymmetric\n", "upper none\n"));
+    };
+    CHECK(at_least("4/1 9/1", "1/2 1/1", 3) == "verified");
+    CHECK(at_least("4/1 9/1", "1/2 1/1", 4) == "witness");
+    CHECK(at_least("9/1 9/1", "1/2 1/1", 4) == "verified");
+    CHECK(at_least("400000000/1 400000000/1", "1/1 1/1", 10001) == "verified");
+    CHECK(at_least("400000000/1 400000000/1", "1/1 1/1", 10003) == "limit");
+}
+
+TEST_CASE("scene body: true covers and witnesses of a lopsided rod are accepted, false ones are not") {
+    const std::string& text = lopsided();
+    CHECK(said_of_bodies(text) == "verified");
+    CHECK(said_of_bodies(mutated(text, "upper 3", "upper 2")) == "count");
+    CHECK(said_of_bodies(mutated(text, "count 2", "count 0")) == "count");
+    CHECK(said_of_bodies(mutated(text, "count 2", "count 3")) == "count");
+    CHECK(said_of_bodies(mutated(text, "count 2", "outside")) == "outside");
+    for (const char* elsewhere : {"once", "meets", "meets-reversed", "symmetric"})
+        CHECK(said_of_bodies(mutated(text, "count 2\n", std::string(elsewhere) + "\n")) == "opcode");
+    CHECK(said_of_bodies(mutated(text, "chart departure", "chart again")) == "syntax");
+    CHECK(said_of_bodies(mutated(text, "rho 1/2 1/2", "rho 1/2 2/3")) == "count");
+    const auto said = [&](const std::string& witness) {
+        return said_of_bodies(mutated(text, "bridge 17b-6 3b-5 0 2", witness));
+    };
+    CHECK(said("corner 0b0 0b0 2 0") == "verified");
+    for (const char* wrong : {"bridge 17b-6 3b-5 1 2", "bridge 17b-6 3b-5 0 3", "bridge 17b-6 3b-5 0 1",
+                              "bridge 0b0 3b-5 0 2", "bridge 17b-6 0b0 0 2", "bridge 13b-3 3b-5 0 2"})
+        CHECK(said(wrong) == "witness");
+    CHECK_THROWS_AS(make::full_cover(body(), 3, 2, Range(mpq_class(1, 2), mpq_class(1, 2))),
+                    std::runtime_error);
+}
+
+TEST_CASE("scene body: a rod that hits with its heavy end before and after a collision with the light end") {
+    const auto said = [](const std::string& counts, const std::string& ratios = "9/1 9/1",
+                         const std::string& rho = "2/15 2/15", unsigned precision = 0) {
+        const std::string text = body_text(ratios, rho, 9, "", 5, "bridge 15b-5 3b-6 " + counts);
+        return said_of_bodies(mutated(text, "upper 9\n", "upper none\n"), precision);
+    };
+    for (const unsigned bits : {0U, 100U}) CHECK(said("1 3", "9/1 9/1", "2/15 2/15", bits) == "verified");
+    CHECK(said("1 3", "9/1 901/100", "133/1000 134/1000") == "number");
+    CHECK(said("1 3", "9/1 901/100", "133/1000 67/500") == "verified");
+    CHECK(said("1 3", "9/1 20/1") == "witness");
+    CHECK(said("1 3", "9/1 9/1", "1/9 2/15") == "witness");
+    CHECK(said("2 3") == "witness");
+    CHECK(said("1 4") == "witness");
+}
+
+TEST_CASE(
+    "scene body: without mass of the rod the heavy end hits once, and the cover is that of the dumbbell") {
+    const auto closes = [](const mpq_class& q, std::uint64_t upper) {
+        try {
+            return !make::full_cover(body(), q, upper, Range(mpq_class(1, 2), mpq_class(1, 2))).empty();
+        } catch (const std::runtime_error&) {
+            return false;
+        }
+    };
+    CHECK(closes(2, 3));
+    CHECK_FALSE(closes(2, 2));
+}
+
+TEST_CASE("scene body: with any mass of the rod the heavy end may hit again") {
+    const auto most = [](const mpq_class& q, int count) {
+        Leaf leaf = leaf_of(0, q, mpq_class(1, 2));
+        leaf.box.lo[0] = leaf.box.hi[0] = 3;
+        leaf.box.lo[1] = leaf.box.hi[1] = mpq_class(1, 100);
+        leaf.a = count;
+        leaf.claimed = count + 1;
+        return body().check(leaf, nullptr) == nullptr;
+    };
+    CHECK(most(2, 1));
+    CHECK_FALSE(most(2, 0));
+    CHECK(most(mpq_class(11, 5), 2));
+    CHECK_FALSE(most(mpq_class(11, 5), 1));
+}
+
+TEST_CASE("scene body: the root boxes and the leaf outside are those of the format") {
+    const Box contacts = body().root(0, 3, mpq_class(13, 4)),
+              departures = body().root(1, 3, mpq_class(13, 4));
+    CHECK((contacts.lo == std::array<mpq_class, 3>{0, 0, 3} &&
+           contacts.hi == std::array<mpq_class, 3>{4, 8, mpq_class(13, 4)}));
+    CHECK((departures.lo == std::array<mpq_class, 3>{0, 0, 3} &&
+           departures.hi == std::array<mpq_class, 3>{2, 2, mpq_class(13, 4)}));
+    const auto holds = [&](std::size_t chart, const mpq_class& x, const mpq_class& y) {
+        Leaf leaf = leaf_of(chart, 10, mpq_class(1, 4));
+        leaf.opcode = outside;
+        leaf.box.lo[0] = x;
+        leaf.box.lo[1] = y;
+        return body().check(leaf, nullptr) == nullptr;
+    };
+    CHECK(holds(0, mpq_class(22, 7), 0));
+    CHECK_FALSE(holds(0, mpq_class(3141, 1000), 0));
+    CHECK(holds(0, 0, 5));  // rho (eta - 1) = 1, exactly
+    CHECK_FALSE(holds(0, 0, mpq_class(499, 100)));
+    CHECK(holds(1, mpq_class(8, 5), 0));
+    CHECK_FALSE(holds(1, mpq_class(3, 2), 1));
+    CHECK(holds(1, 0, 2));
+    CHECK_FALSE(holds(1, 0, mpq_class(199, 100)));
+}
+
+TEST_CASE("scene body: the line rho has two ratios, at most 1, of bodies that there are") {
+    for (const char* wrong : {"rho 1/5 1/1", "rho 1/1 1/2", "rho 1/1 5/4", "rho 0/1 1/1"})
+        CHECK(said_of_bodies(mutated(coin, "rho 1/1 1/1", wrong)) == "number");
+    CHECK(said_of_bodies(mutated(coin, "rho 1/1 1/1", "rho 1/1")) == "syntax");
+    CHECK(said_of_bodies(mutated(coin, "rho 1/1 1/1\n", "")) == "syntax");
+    CHECK(said_of_bodies(mutated(coin, "lemmas body", "lemmas 1")) == "unsupported");
+    CHECK(said_of_bodies(mutated(coin, "section full", "section turning")) == "unsupported");
+    CHECK(said_of_bodies(make::replaced(coin, "total symmetric 1", "total symmetric 0")) == "total");
+    CHECK(said_of_bodies(make::replaced(coin, "total symmetric 1", "total once 0")) == "total");
+}
+
+TEST_CASE("scene body: a leaf that makes flights without end is given up") {
+    const std::string text = body_text(
+        "3/1 3/1", "1/2 1/2", 1, "chart contact\ncount 99999999999999999\nchart departure\ncount 0\n", 0, "");
+    CHECK(said_of_bodies(mutated(text, "upper 1\n", "upper 100000000000000000\n")) == "limit");
+}
+
+TEST_CASE("scene body: a bound is demanded with rho, and repeated") {
+    const File file(coin);
+    const auto asked = [&](const std::string& options) { return run(options + " " + file.path()); };
+    const std::string verdict =
+        "s VERIFIED scene=body ratio=4/1:4/1 rho=1/1:1/1 upper=4 lower=4 gaps=0 open=0 sha256=";
+    CHECK(asked("").last().starts_with(verdict));
+    const auto exactly = asked("--scene body --ratio 4 --rho 1 --exactly 4");
+    CHECK(exactly.code == 0);
+    CHECK(exactly.last().starts_with(verdict));
+    CHECK(exactly.last().ends_with(
+        " demanded-ratio=4/1:4/1 demanded-rho=1/1:1/1 exactly=4 demanded-scene=body"));
+    CHECK(make::has(
+        exactly,
+        "Proved: at Q 4, at rho 1, no motion of the body hits the floor more than 4 times, and some "
+        "motion hits it 4 times.\n"));
+    CHECK(asked("--scene body --rho 1 --max 3")
+              .last()
+              .ends_with("at most 3 collisions for every Q in 4/1:4/1"));
+    CHECK(asked("--scene body --rho 0.9:1 --max 4").last().ends_with("not proved for every rho in 9/10:1/1"));
+    CHECK(asked("--ratio 4 --max 4").code == 1);
+    for (const char* wrong : {"--scene body --max 4", "--rho 1 --max 4", "--scene body --rho 2 --max 4",
+                              "--scene body --rho 1:0.5 --max 4", "--scene body --rho 0"})
+        CHECK(asked(wrong).code == 2);
+    CHECK(make::has(asked("--json --scene body --rho 1"),
+                    R"("ratio":{"lo":"4/1","hi":"4/1"},"rho":{"lo":"1/1","hi":"1/1"},)"));
+    CHECK(make::has(asked("--explain 1:cover"), "ceil(pi/corner) <= U: holds"));
+    const File list(file.path() + "\t--scene body --ratio 4 --rho 1 --exactly 4\n");
+    CHECK(run("--claims " + list.path()).code == 0);
+    const File short_list(file.path() + "\t--scene body --ratio 4 --exactly 4\n");
+    CHECK(run("--claims " + short_list.path()).code == 2);
+}
+
+TEST_CASE("scene body: files of several rho prove nothing together") {
+    const File first(body_text("3/1 4/1", "1/1 1/1", 4, "symmetric\n", 0, "")),
+        next(body_text("4/1 9/1", "1/1 1/1", 5, "symmetric\n", 0, "")),
+        open(mutated(body_text("4/1 9/1", "1/2 1/2", 5, "", 0, ""), "upper 5\n", "upper none\n"));
+    const std::string ask = "--together --scene body --rho 1 ";
+    CHECK(run(ask + "--max 5 " + first.path() + " " + next.path()).code == 0);
+    CHECK(run("--together " + first.path() + " " + open.path())
+              .last()
+              .starts_with("s REJECTED code=chain several scenes: "));
+}
