@@ -32,11 +32,7 @@ CertifyRequest rod_of(const Given& given) {
     if (ratio.lo != ratio.hi) {
         throw InputError("--rod-mass is for a single mass ratio, not for a range");
     }
-    const Rational mu = parse_number("--rod-mass", given.text("--rod-mass"));
-    if (mu < 0) {
-        throw InputError("--rod-mass is a share of the mass of both ends, 0 or more");
-    }
-    return rod(ratio.lo, mu);
+    return rod(ratio.lo, parse_number("--rod-mass", given.text("--rod-mass")));
 }
 
 CertifyRequest given_numbers(const Given& given) {

@@ -83,8 +83,8 @@ std::optional<collisions::RatioPart> part_of(const Given& given, const CertifyRe
 CertifyRequest certify_request(const Given& given, const std::optional<RatioArgument>& ratio) {
     CertifyRequest request = request_of(given, ratio);
     if (given.has("--witness") && !row_of(request.scene).has_orbits) {
-        throw InputError("--witness prints orbits of the dumbbell: leave it out with --scene " +
-                         given.text("--scene"));
+        throw InputError(fmt::format("--witness prints orbits of the dumbbell: leave it out with --scene {}",
+                                     name(request.scene)));
     }
     request.jobs = jobs_of(given);
     request.budget = budget_of(given);

@@ -87,7 +87,7 @@ TEST_CASE("Ranges of symmetric bodies step where the wedges do") {
     auto request = of_body(1, 1, 30);
     const auto pieces = certify(request);
     CHECK(pieces.back().piece.q_hi == 30);
-    CHECK(undecided_share(pieces) < Rational(1, 1'000'000));
+    CHECK(undecided_share(pieces) < Rational(1, 100'000));
     for (const auto& p : pieces) {
         CHECK(p.piece.status() != Status::open);
     }

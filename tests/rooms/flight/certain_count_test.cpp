@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "attacks/oracle/scalar.hpp"
 #include "attacks/oracle/simulate.hpp"
 #include "catch.hpp"
 #include "flight/departure.hpp"

@@ -1,0 +1,67 @@
+// certify --scene body: rods with mass, and the coin.
+#include "catch.hpp"
+#include "programs.hpp"
+
+using namespace dumbbell_test;
+using Json = nlohmann::json;
+
+namespace {
+
+std::string refused_body(Words options) {
+    options.insert(options.begin(), "certify");
+    return refused(options);
+}
+
+}  // namespace
+
+TEST_CASE("certify --coin proves 4, and is --scene body --rho 1 --inertia 4") {
+    const TemporaryFolder folder;
+    const Outcome coin = dumbbell({"certify", "--coin", "--out", "coin.dbc"}, folder.path());
+    CHECK(coin.code == 0);
+    CHECK_THAT(coin.out,
+               Contains("Proved: at Q 4, rho 1 no motion of the body without a corner hits the floor more "
+                        "than 4 times, and some motion hits it 4 times."));
+    REQUIRE(dumbbell({"certify", "--scene", "body", "--rho", "1", "--inertia", "4", "--out", "same.dbc"},
+                     folder.path())
+                .code == 0);
+    CHECK(contents(folder / "coin.dbc") == contents(folder / "same.dbc"));
+}
+
+TEST_CASE("a rod's mass is converted exactly, and --json says which body it is") {
+    const Outcome result = dumbbell({"certify", "10", "--rod-mass", "0.01", "--json"});
+    CHECK(result.code == 0);
+    const Json json = Json::parse(result.out);
+    CHECK(json.at("scene") == "body");
+    CHECK(json.at("rho") == Json({{"lo", "211/2011"}, {"hi", "211/2011"}}));
+    CHECK(json.at("ratio").at("lo") == "12132363/1248521");
+    CHECK(json.at("pieces").at(0).at("upper") == 5);
+    CHECK(json.at("pieces").at(0).at("lower") == 5);
+}
+
+TEST_CASE("numbers that are no body's are refused, with what to do") {
+    CHECK_THAT(refused_body({}), Contains("--coin"));
+    CHECK_THAT(refused_body({"--scene", "body"}), Contains("--rod-mass with RATIO"));
+    CHECK_THAT(refused_body({"--rho", "2", "--inertia", "4"}), Contains("swap the ends"));
+    CHECK_THAT(refused_body({"--rho", "1/2", "--inertia", "1.9"}),
+               Contains("inertia times rho is at least 1"));
+    CHECK_THAT(refused_body({"--rod-mass", "1"}), Contains("needs RATIO"));
+    CHECK_THAT(refused_body({"1:2", "--rod-mass", "1"}), Contains("single mass ratio"));
+    CHECK_THAT(refused_body({"10", "--rod-mass=-1"}), Contains("is negative"));
+    CHECK_THAT(refused_body({"10", "--coin"}), Contains("no RATIO"));
+    CHECK_THAT(refused_body({"--coin", "--scene", "wedge"}), Contains("--scene body"));
+    CHECK_THAT(refused_body({"--coin", "--part", "1/2"}), Contains("--part is for a range"));
+    CHECK_THAT(refused_body({"--coin", "--witness"}), Contains("--witness prints orbits of the dumbbell"));
+}
+
+TEST_CASE("pictures, pages and join refuse what is about bodies") {
+    const TemporaryFolder folder;
+    REQUIRE(dumbbell({"certify", "--rho", "1", "--inertia", "2:5", "--out", "symmetric.dbc"}, folder.path())
+                .code == 0);
+    for (const Words& words : {Words{"plot", "staircase", "symmetric.dbc", "--out", "x.svg"},
+                               Words{"report", "symmetric.dbc", "--out", "x.html"}}) {
+        const Outcome result = dumbbell(words, folder.path());
+        CHECK(result.code == 2);
+        CHECK_THAT(result.err, Contains("is about rigid bodies"));
+    }
+    CHECK(folder.names() == Words{"symmetric.dbc"});
+}
