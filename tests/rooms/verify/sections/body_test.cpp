@@ -194,12 +194,6 @@ TEST_CASE("scene body: the line rho has two ratios, at most 1, of bodies that th
     CHECK(said_of_bodies(make::replaced(coin, "total symmetric 1", "total once 0")) == "total");
 }
 
-TEST_CASE("scene body: a leaf that makes flights without end is given up") {
-    const std::string text = body_text(
-        "3/1 3/1", "1/2 1/2", 1, "chart contact\ncount 99999999999999999\nchart departure\ncount 0\n", 0, "");
-    CHECK(said_of_bodies(mutated(text, "upper 1\n", "upper 100000000000000000\n")) == "limit");
-}
-
 TEST_CASE("scene body: a bound is demanded with rho, and repeated") {
     const File file(coin);
     const auto asked = [&](const std::string& options) { return run(options + " " + file.path()); };
