@@ -29,10 +29,9 @@ inline double unbounded(Round d) { return d == up ? HUGE_VAL : -HUGE_VAL; }
 /// where that might be wrong; s itself if `zero`, which says that the number is 0.
 inline double outward(Round d, double s, bool zero) {
     const double size = std::abs(s), step = size * 0x1.0000000000001p-53;
-    if (size >= 0x1p-900 && size <= 0x1p1000) [[likely]]
-        return d == up ? s + step : s - step;
-    if (!(size < 1)) return unbounded(d);
-    return zero ? 0 : d == up ? 0x1p-899 : -0x1p-899;
+    if (!(size <= 0x1p1000)) return unbounded(d);
+    if (size < 0x1p-900) return zero ? 0 : d == up ? 0x1p-899 : -0x1p-899;
+    return d == up ? s + step : s - step;
 }
 
 /// A sum that is rounded to 0 is 0.

@@ -55,8 +55,8 @@ void check_enclosures(int trials) {
             REQUIRE(holds(c, z, mpfr_cos));
         }
         if (width == 0 && std::abs(lo) < 100) {
-            REQUIRE(to_double(up, s.hi) - to_double(down, s.lo) < 2e-13);
-            REQUIRE(to_double(up, c.hi) - to_double(down, c.lo) < 2e-13);
+            REQUIRE(to_double(up, s.hi) - to_double(down, s.lo) < 1e-13);
+            REQUIRE(to_double(up, c.hi) - to_double(down, c.lo) < 1e-13);
         }
         // Not past an extremum without need: a short interval has a short image.
         REQUIRE(to_double(up, s.hi) - to_double(down, s.lo) <= 2 * (width + 1e-7));
