@@ -92,14 +92,16 @@ inline int terms(const Big& y) {
     return n;
 }
 
-/// nullptr if Judge certifies the leaf in double, or else with the leaf's bits, at least 64; otherwise what
-/// is missing. A leaf that is `multiple` is not tried in double. Judge needs a name that no other judge of
-/// this leaf type has: g++ merges the instances of equally named templates, though they are in unnamed
-/// namespaces.
+/// nullptr if Judge certifies the leaf in double, or else with the leaf's bits; otherwise what is missing. A
+/// leaf that is `multiple` is not tried in double. Judge needs a name that no other judge of this leaf type
+/// has: g++ merges the instances of equally named templates, though they are in unnamed namespaces.
 template <template <class> class Judge, class AnyLeaf>
 const char* judged(const AnyLeaf& leaf, Log* log) {
-    if (!leaf.multiple && !Judge<double>(leaf, log).verdict()) return nullptr;
-    Big::precision = leaf.multiple ? leaf.bits : std::max(leaf.bits, 64U);
+    if (!leaf.multiple) {
+        const char* missing = Judge<double>(leaf, log).verdict();
+        if (!missing || leaf.bits == 53) return missing;
+    }
+    Big::precision = leaf.bits;
     return Judge<Big>(leaf, log).verdict();
 }
 

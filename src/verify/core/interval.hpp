@@ -25,9 +25,7 @@ struct Interval {
         return {sub(down, a.lo, b.hi), sub(up, a.hi, b.lo)};
     }
     friend Interval operator*(const Interval& a, const Interval& b) {
-        if (b.lo >= 0)
-            return {mul(down, a.lo, a.lo < 0 ? b.hi : b.lo), mul(up, a.hi, a.hi < 0 ? b.lo : b.hi)};
-        if (a.lo >= 0) return b * a;
+        if (a.lo >= 0 && b.lo >= 0) return {mul(down, a.lo, b.lo), mul(up, a.hi, b.hi)};
         const auto corners = [&](Round d) {
             return std::minmax(
                 {mul(d, a.lo, b.lo), mul(d, a.lo, b.hi), mul(d, a.hi, b.lo), mul(d, a.hi, b.hi)});

@@ -43,9 +43,6 @@ double adversarial() {
     return bits % 2 == 0 ? x : -x;
 }
 
-double below(double x) { return std::nextafter(x, -HUGE_VAL); }
-double above(double x) { return std::nextafter(x, HUGE_VAL); }
-
 using directed = double (*)(Round, double, double);
 using Operation = int (*)(mpfr_ptr, mpfr_srcptr, mpfr_srcptr, mpfr_rnd_t);
 
@@ -61,8 +58,8 @@ void compare(const char* name, directed bounded, Operation exact, double least, 
         REQUIRE(mpfr_cmp_d(z.get(), hi) <= 0);
         const double size = std::abs(mpfr_get_d(z.get(), MPFR_RNDN));
         if (size < least || size > most || std::abs(a) < least || std::abs(b) > most) continue;
-        const double nearest = mpfr_get_d(z.get(), MPFR_RNDN);
-        REQUIRE((lo == below(nearest) && hi == above(nearest)));
+        REQUIRE(lo == mpfr_get_d(z.get(), MPFR_RNDD));  // the best bounds there are
+        REQUIRE(hi == mpfr_get_d(z.get(), MPFR_RNDU));
     }
 }
 
@@ -75,23 +72,8 @@ int compare_big(mpfr_srcptr a, const Big& b) { return mpfr_cmp(a, b.get()); }
 
 }  // namespace
 
-TEST_CASE("L13: outward gives the neighbour, in every binade that it does not call unbounded or small") {
-    for (int k = -900; k < 1000; ++k)
-        for (int i = 0; i < 40; ++i) {
-            // Where rounding goes wrong: next to powers of two, and in their middle.
-            const double some = 1 + std::ldexp(static_cast<double>(random_bits() >> 12), -52);
-            const double sizes[] = {1, above(1), below(2), 1.5, below(1.5), some};
-            const double s = std::ldexp(sizes[std::min(i, 5)], k);
-            CAPTURE(s);
-            REQUIRE((outward(up, s, false) == above(s) && outward(down, s, false) == below(s)));
-            REQUIRE((outward(up, -s, false) == above(-s) && outward(down, -s, false) == below(-s)));
-        }
-    for (double s = 0; s < 0x1p-900; s = above(2 * s))
-        CHECK((outward(down, s, false) == -0x1p-899 && outward(up, -s, false) == 0x1p-899));
-}
-
-TEST_CASE("the bounds of sums, products and quotients of doubles are the neighbours of what is rounded") {
-    compare("add", add, mpfr_add, 0x1p-899, 0x1p999);
+TEST_CASE("sums, products and quotients of doubles are the best directed bounds") {
+    compare("add", add, mpfr_add, 0, 0x1p999);
     compare("mul", mul, mpfr_mul, 0x1p-899, 0x1p999);
     compare("div", div, mpfr_div, 0x1p-899, 0x1p899);
 }
