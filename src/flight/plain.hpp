@@ -161,7 +161,9 @@ template <class I>
             return cap + 1;
         }
         if (!body.once) {
-            return count == cap ? cap + 1 : 1 + plain_later_collisions(next, body, cap - 1, interrupted);
+            // Which may branch again and again.
+            const bool ends = count == cap || interrupted();
+            return ends ? cap + 1 : 1 + plain_later_collisions(next, body, cap - 1, interrupted);
         }
         ray = detail::past_bridge(next);
     }

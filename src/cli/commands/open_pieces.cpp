@@ -37,6 +37,9 @@ std::string plain_advice(const CertifyRequest& request) {
 }
 
 std::string reason(const CertifyRequest& request, Obstacle obstacle) {
+    if (request.heights && obstacle != Obstacle::time) {
+        return ": an orbit may have been missed, or more boxes are needed than are tried, as next to a tie";
+    }
     if (request.section == collisions::Section::plain &&
         (obstacle == Obstacle::time || obstacle == Obstacle::boxes)) {
         return plain_advice(request);

@@ -144,7 +144,8 @@ TEST_CASE("docs/reference/json.md describes the JSON of certify, in which null s
                                      {"certify", "10", "--section", "full", "--out", "ten.dbc"},
                                      {"certify", "2:3", "--scene", "wedge"},
                                      {"certify", "10", "--budget", "0s"},
-                                     {"certify", "1:20", "--part", "1/2"}},
+                                     {"certify", "1:20", "--part", "1/2"},
+                                     {"certify", "--coin"}},
                                     folder);
     check_documented("certify", objects);
     CHECK(objects[0].at("heavy_at_most_once").is_null());

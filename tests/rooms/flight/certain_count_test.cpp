@@ -19,7 +19,7 @@ using dumbbell_oracle::Mass;
 
 namespace {
 
-constexpr long cap = 30;
+constexpr long most_counted = 30;
 
 struct Sample {
     double rho, q, e, eta;
@@ -67,13 +67,13 @@ TEST_CASE(
         const auto all = departure(position(side(s, s.e)), side(s, s.eta));
         const PlainDeparture<Interval> from{all.x, all.sin_x, flight::detail::in_play(all.kappa)};
         const auto [found, doubtful] = simulated(s, Mass::light);
-        const long most = plain_later_collisions(from, body_of(s), cap);
-        const long least = certain_later_collisions(from, body_of(s), cap);
-        if (!doubtful && (found > most || found < least)) {
-            FAIL(say(show(s), "has", found, "not", least, "to", most));
+        const long most = plain_later_collisions(from, body_of(s), most_counted);
+        const long fewest = certain_later_collisions(from, body_of(s), most_counted);
+        if (!doubtful && (found > most || found < fewest)) {
+            FAIL(say(show(s), "has", found, "not", fewest, "to", most));
         }
-        decided += most == least ? 1 : 0;
-        again += most == least && most > 3 ? 1 : 0;
+        decided += most == fewest ? 1 : 0;
+        again += most == fewest && most > 3 ? 1 : 0;
     }
     CHECK(decided > 15'000);
     CHECK(again > 100);
@@ -88,13 +88,13 @@ TEST_CASE("From 20,000 contacts with the bridge both rays are counted, from abov
         for (const bool before : {false, true}) {
             const auto [found, doubtful] = simulated(s, Mass::heavy, before);
             PlainRay<Interval> ray = before ? rays.reversed : rays.outgoing;
-            const long least = certain_count(ray, body_of(s), cap);
+            const long fewest = certain_count(ray, body_of(s), most_counted);
             ray.kappa = flight::detail::in_play(ray.kappa);
-            const long most = plain_count(ray, body_of(s), cap);
-            if (!doubtful && (found > most || found < least)) {
-                FAIL(say(show(s), before ? "before" : "after", "has", found, "not", least, "to", most));
+            const long most = plain_count(ray, body_of(s), most_counted);
+            if (!doubtful && (found > most || found < fewest)) {
+                FAIL(say(show(s), before ? "before" : "after", "has", found, "not", fewest, "to", most));
             }
-            decided += most == least ? 1 : 0;
+            decided += most == fewest ? 1 : 0;
         }
     }
     CHECK(decided > 30'000);
