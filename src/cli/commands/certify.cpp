@@ -10,6 +10,7 @@
 #include "cli/claims/collisions.hpp"
 #include "cli/commands.hpp"
 #include "cli/commands/open_pieces.hpp"
+#include "cli/list/list.hpp"
 #include "cli/terminal/common.hpp"
 #include "cli/terminal/exit_code.hpp"
 #include "cli/terminal/messages.hpp"
@@ -44,23 +45,27 @@ Examples:
   dumbbell certify --coin                      a coin on its edge; proofs/body.md says what bodies are
   dumbbell certify 10 --rod-mass 1/100         the rod has a hundredth of the mass of its ends
   dumbbell certify 1:1e8 --gap 1e-9 --part 7/64 --out part-07.dbc    one of 64 parts, for dumbbell join
+  dumbbell certify --list ratios.txt --out answers   each ratio of a file, with a folder of certificates
 
 With --out FILE a range keeps its finished pieces in FILE.partial/. If it is stopped (Ctrl-C), killed or out of time,
 the same command goes on from there, and ends with the same file.
+
+--list FILE answers each line of FILE: a ratio, a range, or the first column of CSV. # begins a comment. A line that is
+wrong does not stop the others: its row says what is wrong with it.
 
 No law is used. dumbbell law --ratio RATIO says what the law for every mass ratio says of one, up to 10^1000.)";
 
 constexpr const char* certify_footer =
     R"(The fields of --json: docs/reference/json.md.
 
-Exit codes: 0 proved; 1 internal error; 2 wrong usage or input; 3 not decided (within the budget); 130 or 143
-stopped by SIGINT (Ctrl-C) or SIGTERM: the pieces kept are reported, FILE is not written.)";
+Exit codes: 0 proved; 1 internal error; 2 wrong usage or input, also of one line of a list; 3 not decided (within the
+budget); 130 or 143 stopped by SIGINT (Ctrl-C) or SIGTERM: the pieces kept are reported, FILE is not written.)";
 
 constexpr std::array certify_options = joined(
     std::array{ratio_option}, claim_options, body_options,
     std::array{
-        part_option, certificate_option, jobs_option,
-        budget_option.saying("give up after this time: 30s, 10m, 2h"),
+        list_option.excludes("RATIO,--rho,--inertia,--coin,--rod-mass,--part,--witness,--quiet"), strict_option, part_option,
+        certificates_option, jobs_option, budget_option.saying("give up after this time: 30s, 10m, 2h"),
         flag("--witness",
              "print an orbit that attains the maximum, every collision enclosed; if it has up to 5000 "
              "collisions, also a start in the air for trace, where one is found")
@@ -155,18 +160,57 @@ SealedText certificate_text(const CertifyRequest& request, const std::vector<Pro
         pieces);
 }
 
+bool is_open(const std::vector<ProvedPiece>& pieces) {
+    return std::any_of(pieces.begin(), pieces.end(),
+                       [](const ProvedPiece& p) { return p.piece.status() == collisions::Status::open; });
+}
+
 /// What is printed without --json and --quiet.
 std::string text_of(const collisions::ProofReport& report, bool swapped, bool witness) {
     return fmt::format("{}{}{}{}", swapped ? masses_are_swapped : "", orbits_to_text(report),
                        witness ? "\n" : "", to_text(report));
 }
 
-int run_certify(const Given& given) {
-    if (!given.has("RATIO") && !is_about_body(given)) {
-        throw InputError("certify needs RATIO, or a body: --coin, or --rho and --inertia");
+/// What is said of a line of --list.
+ListAnswer certify_line(const Given& given, const RatioArgument& ratio, const std::string& out) {
+    CertifyRequest request = certify_request(given, ratio);
+    request.jobs = 1;
+    request.describes = given.has("--json");
+    const Stopwatch watch;
+    const auto pieces = certify(request);
+    const double seconds = watch.seconds();
+    ListAnswer answer;
+    for (const ProvedPiece& p : pieces) {
+        answer.rows.push_back({p.piece.q_lo, p.piece.q_hi, p.piece.lower, p.piece.upper});
     }
-    const auto ratio = is_about_body(given) ? std::optional<RatioArgument>()
-                                            : std::optional(parse_ratio_argument(given.text("RATIO")));
+    answer.is_decided = !is_open(pieces);
+    const SealedText certificate = out.empty() ? SealedText{} : certificate_text(request, pieces);
+    answer.certificate = certificate.text;
+    answer.claim = answer.is_decided ? option_of(request.scene) + claim_of(answer.rows) : "";
+    if (given.has("--json")) {
+        collisions::ProofReport report = describe(request, pieces, seconds, given);
+        if (!out.empty()) {
+            report.out = out;
+            report.sha256 = certificate.sha256;
+        }
+        answer.json = to_json(report);
+    }
+    return answer;
+}
+
+int run_certify(const Given& given) {
+    if (given.has("--list")) {
+        (void)certify_request(given, RatioArgument{1, 1});  // what is wrong with an option is no line's fault
+        return answer_list(given, [&](const RatioArgument& ratio, const std::string& out) {
+            return certify_line(given, ratio, out);
+        });
+    }
+    const bool body = is_about_body(given);
+    if (!given.has("RATIO") && !body) {
+        throw InputError("certify needs RATIO, --list FILE, or a body: --coin, or --rho and --inertia");
+    }
+    require_certificate_name(given);
+    const auto ratio = body ? std::nullopt : std::optional(parse_ratio_argument(given.text("RATIO")));
     CertifyRequest request = certify_request(given, ratio);  // before the output file is touched
     const auto part = part_of(given, request);
     if (part) {
@@ -191,9 +235,7 @@ int run_certify(const Given& given) {
     const auto pieces = prove_pieces(request, verbosity_of(given));
     const double seconds = watch.seconds();
 
-    const bool open = std::any_of(pieces.begin(), pieces.end(), [](const ProvedPiece& p) {
-        return p.piece.status() == collisions::Status::open;
-    });
+    const bool open = is_open(pieces);
     const auto kept = store ? std::optional(KeptPieces{partial, store->size()}) : std::nullopt;
     if (open && stop_signal != 0) {
         return stopped(kept_when_stopped(request, pieces, kept));

@@ -8,6 +8,7 @@
 #include "base/error.hpp"
 #include "cli/claims/collisions.hpp"
 #include "cli/commands.hpp"
+#include "cli/list/list.hpp"
 #include "cli/terminal/common.hpp"
 #include "cli/terminal/exit_code.hpp"
 #include "cli/terminal/messages.hpp"
@@ -49,21 +50,24 @@ Examples:
   dumbbell trace 10 --phi pi/6:pi/3 --phidot 0 --y 3 --ydot -1           a box
   dumbbell trace 10 --phi 0:3 --phidot -1/2:1/2 --y 3/2 --ydot -1 --subdivide --out falling.dbc
   dumbbell trace 10 --phi 0:3 --phidot -1/2:1/2 --y 3/2 --ydot -1 --subdivide --shares
+  dumbbell trace --list ratios.txt --phi 1/3 --phidot 1 --y 3 --ydot -1/2    at each ratio of a file
   dumbbell trace 10 --incoming --subdivide --shares                      how likely is each number of collisions?)";
 
 constexpr const char* trace_footer =
     R"(The fields of --json: docs/reference/json.md.
 
-Exit codes: 0 an outcome is certified; 1 internal error; 2 wrong usage or input; 3 not decided at this precision, or at
-any (the start lies on or near a corner, a flat fall or a grazing contact); 130 or 143 stopped
-by SIGINT (Ctrl-C) or SIGTERM: nothing is kept.)";
+Exit codes: 0 an outcome is certified; 1 internal error; 2 wrong usage or input, also of one line of a list; 3 not
+decided at this precision, or at any (the start lies on or near a corner, a flat fall or a grazing contact); 130 or 143
+stopped by SIGINT (Ctrl-C) or SIGTERM: nothing is kept.)";
 
 constexpr Option quantity_option(std::string_view name, std::string_view text) {
     return Option{name, "A|LO:HI", text};
 }
 
 constexpr std::array trace_options{
-    ratio_option.required(),
+    ratio_option,
+    list_option.excludes("RATIO,--csv,--quiet"),
+    strict_option,
     quantity_option("--phi", "angle of the rod: radians, or like 30deg, pi/2, 0.3pi"),
     quantity_option("--phidot", "its velocity (radians)"),
     quantity_option("--y", "height of the centre of mass, rod lengths"),
@@ -74,9 +78,10 @@ constexpr std::array trace_options{
         .needs("--subdivide")
         .excludes("--phi,--phidot,--y,--ydot,--digits"),
     flag("--subdivide", "halve the box until every part has its exact number of collisions"),
-    Option{"--out", "FILE",
-           "with --subdivide: write the certificate to FILE (FILE.gz: compressed); -: the standard output"}
-        .checked(certificate_option.fault)
+    certificates_option
+        .saying(
+            "with --subdivide: write the certificate to FILE (FILE.gz: compressed); -: the standard output; "
+            "with --list: a new folder, for all of them")
         .needs("--subdivide"),
     flag("--shares",
          "with --subdivide: how likely each number of collisions is, as proved bounds of its share")
@@ -117,15 +122,19 @@ void require_short_lines(const starts::Box& box) {
     }
 }
 
-starts::GivenStart start_of(const Given& given, const RatioArgument& ratio, int digits) {
+/// Throws InputError unless there is a start.
+void require_start(const Given& given) {
     for (const char* name : {"--phi", "--phidot", "--y", "--ydot"}) {
-        if (!given.has(name)) {
+        if (!given.has("--incoming") && !given.has(name)) {
             throw InputError(
                 fmt::format("{} is required (or --incoming --subdivide, for all incoming "
                             "trajectories); see dumbbell trace --help",
                             name));
         }
     }
+}
+
+starts::GivenStart start_of(const Given& given, const RatioArgument& ratio, int digits) {
     return starts::read_start({.phi = given.text("--phi"),
                                .phidot = given.text("--phidot"),
                                .y = given.text("--y"),
@@ -169,8 +178,8 @@ void print(std::FILE* out, const Given& given, const starts::TraceReport& report
                shown(report, given));
 }
 
-int run_trace(const Given& given) {
-    const RatioArgument ratio = parse_ratio_argument(given.text("RATIO"));
+/// But for what is found.
+starts::TraceReport report_at(const Given& given, const RatioArgument& ratio) {
     const int digits = given.has("--digits") ? static_cast<int>(given.number("--digits")) : 0;
     const bool incoming = given.has("--incoming");
     starts::GivenStart start =
@@ -178,48 +187,98 @@ int run_trace(const Given& given) {
     if (given.has("--out")) {
         require_short_lines(start.box);
     }
-    starts::TraceReport report{.box = std::move(start.box),
-                               .digits = digits,
-                               .meaning = std::move(start.meaning),
-                               .incoming = incoming,
-                               .shares = given.has("--shares")};
+    return {.box = std::move(start.box),
+            .digits = digits,
+            .meaning = std::move(start.meaning),
+            .incoming = incoming,
+            .shares = given.has("--shares")};
+}
+
+void halve(starts::TraceReport& report, const Given& given, int jobs, Verbosity verbosity,
+           const Interrupted& interrupted) {
+    Progress progress("boxes", verbosity, "halving the box");
+    report.parts =
+        subdivide(report.box,
+                  starts::SubdivideOptions{.max_boxes = static_cast<std::size_t>(given.number("--max-boxes")),
+                                           .jobs = jobs,
+                                           .incoming = report.incoming,
+                                           .bits = std::min(report.trace.bits, most_subdivide_bits),
+                                           .interrupted = interrupted,
+                                           .observer = &progress});
+    if (report.incoming) {
+        report.trace.least = report.parts->least;
+        report.trace.most = report.parts->most;
+    }
+}
+
+/// Whether a signal has ended the work before everything was decided.
+bool is_cut(const starts::TraceReport& report) {
+    return stop_signal != 0 && (report.parts ? report.parts->undecided.share > 0 : !report.trace.exact());
+}
+
+void follow(starts::TraceReport& report, const Given& given, int jobs, Verbosity verbosity) {
+    const Interrupted interrupted = deadline(budget_of(given));
+    const Stopwatch watch;
+    if (!report.incoming) {
+        Progress progress("collisions", verbosity, "following the orbit");
+        report.trace = trace(report.box, report.digits, progress, deadline(std::nullopt));
+    }
+    if (given.has("--subdivide")) {
+        halve(report, given, jobs, verbosity, interrupted);
+    }
+    if (!is_cut(report) && (!report.trace.exact() || report.parts)) {
+        bound_by_maximum(report, starts::most_of_all(report.box.upper(starts::Axis::ratio)));
+    }
+    report.seconds = watch.seconds();
+}
+
+bool is_certified(const starts::TraceReport& report) {
+    return report.trace.exact() || (!report.is_single() && !event_of(report));
+}
+
+SealedText text_of_certificate(const starts::TraceReport& report) {
+    SealedText whole;
+    whole.sha256 = render(certificate_of_starts(report), report.parts->tree,
+                          [&](std::string_view part) { whole.text += part; });
+    return whole;
+}
+
+/// What is said of a line of --list.
+ListAnswer trace_line(const Given& given, const RatioArgument& ratio, const std::string& out) {
+    starts::TraceReport report = report_at(given, ratio);
+    follow(report, given, 1, Verbosity::quiet);
+    ListAnswer answer{.rows = {{ratio.lo, ratio.hi, report.trace.least, report.trace.most}},
+                      .is_decided = is_certified(report)};
+    if (!out.empty()) {
+        SealedText certificate = text_of_certificate(report);
+        answer.certificate = std::move(certificate.text);
+        report.out = out;
+        report.sha256 = std::move(certificate.sha256);
+    }
+    answer.json = given.has("--json") ? to_json(report) : Json();
+    return answer;
+}
+
+int run_trace(const Given& given) {
+    require_start(given);
+    if (given.has("--list")) {
+        return answer_list(given, [&](const RatioArgument& ratio, const std::string& out) {
+            return trace_line(given, ratio, out);
+        });
+    }
+    const RatioArgument ratio = given_ratio(given);
+    starts::TraceReport report = report_at(given, ratio);
     const Output output(given.text("--out"), {},
                         given.has("--json")  ? "--json"
                         : given.has("--csv") ? "--csv"
                                              : nullptr);
-    starts::SubdivideOptions limits{.max_boxes = static_cast<std::size_t>(given.number("--max-boxes")),
-                                    .jobs = jobs_of(given),
-                                    .interrupted = deadline(budget_of(given))};
-    const Stopwatch watch;
-    if (!report.incoming) {
-        Progress progress("collisions", verbosity_of(given), "following the orbit");
-        report.trace = trace(report.box, report.digits, progress, deadline(std::nullopt));
-    }
-    if (stop_signal != 0 && !report.trace.exact() && !given.has("--subdivide")) {
+    follow(report, given, jobs_of(given), verbosity_of(given));
+    if (is_cut(report)) {
         return stopped(
-            fmt::format("nothing is kept of the {} collisions that were found", report.trace.least));
+            report.parts
+                ? "nothing is kept; with --budget TIME what is decided in time is printed, and written"
+                : fmt::format("nothing is kept of the {} collisions that were found", report.trace.least));
     }
-    if (given.has("--subdivide")) {
-        limits.bits = std::min(report.trace.bits, most_subdivide_bits);
-        limits.incoming = report.incoming;
-        {
-            Progress progress("boxes", verbosity_of(given), "halving the box");
-            limits.observer = &progress;
-            report.parts = subdivide(report.box, limits);
-        }
-        if (report.incoming) {
-            report.trace.least = report.parts->least;
-            report.trace.most = report.parts->most;
-        }
-        if (stop_signal != 0 && report.parts->undecided.share > 0) {
-            return stopped(
-                "nothing is kept; with --budget TIME what is decided in time is printed, and written");
-        }
-    }
-    if (!report.trace.exact() || report.parts) {
-        bound_by_maximum(report, starts::most_of_all(ratio.hi));
-    }
-    report.seconds = watch.seconds();
     if (output.is_wanted()) {
         output.commit([&](const Sink& sink) {
             report.sha256 = render(certificate_of_starts(report), report.parts->tree, sink);
@@ -227,8 +286,7 @@ int run_trace(const Given& given) {
         report.out = output.file();
     }
     print(output.report(), given, report, ratio.swapped);
-    const bool certified = report.trace.exact() || (!report.is_single() && !event_of(report));
-    return certified ? exit_done : exit_not_certified;
+    return is_certified(report) ? exit_done : exit_not_certified;
 }
 
 }  // namespace

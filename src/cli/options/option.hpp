@@ -24,7 +24,7 @@ struct Option {
     std::string (*fault)(const std::string& value) = nullptr;
     bool is_required = false;
     bool is_repeated = false;     ///< takes any number of words
-    std::string_view needed{};    ///< the option without which it means nothing
+    std::string_view needed{};    ///< options, one of which it needs to mean anything, with commas between
     std::string_view excluded{};  ///< options that cannot be given with it, with commas between
 
     /// The same option with another value of a property.
@@ -42,8 +42,8 @@ struct Option {
     }
     [[nodiscard]] constexpr Option required() const { return with(&Option::is_required, true); }
     [[nodiscard]] constexpr Option repeated() const { return with(&Option::is_repeated, true); }
-    [[nodiscard]] constexpr Option needs(std::string_view option) const {
-        return with(&Option::needed, option);
+    [[nodiscard]] constexpr Option needs(std::string_view options) const {
+        return with(&Option::needed, options);
     }
     [[nodiscard]] constexpr Option excludes(std::string_view options) const {
         return with(&Option::excluded, options);

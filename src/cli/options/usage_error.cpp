@@ -139,8 +139,10 @@ std::string contradiction(const Given& given) {
         if (words.empty()) {
             continue;
         }
-        if (!option->needed.empty() && !given.has(option->needed)) {
-            return fmt::format("{} requires {}", option->name, option->needed);
+        const auto any_of = split(option->needed, ',');
+        if (!option->needed.empty() &&
+            std::ranges::none_of(any_of, [&](std::string_view other) { return given.has(other); })) {
+            return fmt::format("{} requires {}", option->name, fmt::join(any_of, " or "));
         }
         for (const std::string_view other : split(option->excluded, ',')) {
             if (!other.empty() && given.has(other)) {

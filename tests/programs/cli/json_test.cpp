@@ -140,12 +140,14 @@ Words falling(Words options) {
 
 TEST_CASE("docs/reference/json.md describes the JSON of certify, in which null says nothing") {
     const TemporaryFolder folder;
+    write_file(folder / "list", "10\n");
     const auto objects = printed_by({{"certify", "1:5", "--witness"},
                                      {"certify", "10", "--section", "full", "--out", "ten.dbc"},
                                      {"certify", "2:3", "--scene", "wedge"},
                                      {"certify", "10", "--budget", "0s"},
                                      {"certify", "1:20", "--part", "1/2"},
-                                     {"certify", "--coin"}},
+                                     {"certify", "--coin"},
+                                     {"certify", "--list", "list"}},
                                     folder);
     check_documented("certify", objects);
     CHECK(objects[0].at("heavy_at_most_once").is_null());
@@ -177,24 +179,37 @@ TEST_CASE("docs/reference/json.md describes the JSON of join") {
 
 TEST_CASE("docs/reference/json.md describes the JSON of law") {
     const TemporaryFolder folder;
+    write_file(folder / "list", "10\n");
     check_documented("law", printed_by({{"law"}, {"law", "--prove", "--out", "law.dbc"}}, folder));
-    check_documented("law --ratio",
-                     printed_by({{"law", "--ratio", "1e100"}, {"law", "--ratio", "63"}}, folder));
+    check_documented(
+        "law --ratio",
+        printed_by({{"law", "--ratio", "1e100"}, {"law", "--ratio", "63"}, {"law", "--list", "list"}},
+                   folder));
     check_documented("law --count", printed_by({{"law", "--count", "1e50"}}, folder));
+}
+
+TEST_CASE("docs/reference/json.md describes the JSON of a bad line of a list") {
+    const TemporaryFolder folder;
+    write_file(folder / "list", "ten 10\n");
+    check_documented("--list", printed_by({{"certify", "--list", "list"}}, folder));
 }
 
 TEST_CASE("docs/reference/json.md describes the JSON of trace") {
     const TemporaryFolder folder;
+    write_file(folder / "list", "10\n");
     const Words part{"--phi",       "0:0.5", "--phidot", "0",       "--subdivide",
                      "--max-boxes", "20",    "--out",    "box.dbc", "--shares"};
-    check_documented("trace", printed_by({falling({"--phi", "0.3", "--phidot", "0"}),
-                                          falling({"--phi", "0.3", "--phidot", "0", "--digits", "20"}),
-                                          falling({"--phi", "0.3:0.31", "--phidot", "0"}),
-                                          falling({"--phi", "0", "--phidot", "0"}),
-                                          falling({"--phi", "pi/6", "--phidot", "0"}),
-                                          falling(part),
-                                          {"trace", "10", "--incoming", "--subdivide", "--max-boxes", "20"}},
-                                         folder));
+    check_documented(
+        "trace",
+        printed_by({falling({"--phi", "0.3", "--phidot", "0"}),
+                    falling({"--phi", "0.3", "--phidot", "0", "--digits", "20"}),
+                    falling({"--phi", "0.3:0.31", "--phidot", "0"}),
+                    falling({"--phi", "0", "--phidot", "0"}),
+                    falling({"--phi", "pi/6", "--phidot", "0"}),
+                    falling(part),
+                    {"trace", "--list", "list", "--phi", "0.3", "--phidot", "0", "--y", "3", "--ydot", "-1"},
+                    {"trace", "10", "--incoming", "--subdivide", "--max-boxes", "20"}},
+                   folder));
 }
 
 TEST_CASE("docs/reference/json.md describes the JSON of adiabatic") {

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cli/options/given.hpp"
+#include "cli/terminal/output.hpp"
+#include "number/count.hpp"
+#include "number/ratio_argument.hpp"
+#include "words/json.hpp"
+
+/// `--list FILE`: what a command says of one mass ratio, for many, in the same way for every command.
+namespace dumbbell::cli {
+
+inline constexpr Option list_option = Option{
+    "--list", "FILE",
+    "the ratios that FILE has, one a line (-: the standard input), instead of RATIO: a table with tabs, "
+    "or with --json a line of JSON each"};
+/// --out of a command that writes certificates and takes --list.
+inline constexpr Option certificates_option =
+    certificate_option
+        .saying(
+            "write the certificate to FILE (FILE.gz: compressed); -: the standard output; with --list: a new "
+            "folder, for all of them")
+        .checked(nullptr);
+inline constexpr Option strict_option =
+    flag("--strict", "with --list: stop at the first line that is no mass ratio").needs("--list");
+
+/// Bounds of the number of collisions, for every mass ratio of [q_lo, q_hi].
+struct ListRow {
+    Rational q_lo, q_hi;
+    Count lower;
+    std::optional<Count> upper;  ///< nothing: none is proved
+};
+
+/// What a command says of a line.
+struct ListAnswer {
+    std::vector<ListRow> rows{};  ///< one or more, in ascending order
+    bool is_decided = true;
+    Json json{};                ///< with --json
+    std::string certificate{};  ///< with --out
+    std::string claim{};        ///< that it proves, as options of the verifier; only if `is_decided`
+};
+
+/// Answers one line, on any thread, and on it alone. `out`: the name under which the certificate will be
+/// kept; empty: none is wanted. An InputError is that of the line.
+using AnswerLine = std::function<ListAnswer(const RatioArgument& ratio, const std::string& out)>;
+
+/// Answers the lines of --list on --jobs threads, and prints what is said in their order, as it comes.
+/// Returns the exit code: that of a bad line if there is one, else that of one that is not decided. Throws
+/// InputError if the list cannot be read or has no ratio, and with --strict for the first bad line.
+[[nodiscard]] int answer_list(const Given& given, const AnswerLine& answer);
+
+/// What these rows say together, as options of the verifier: `--ratio 2/1:3/1 --min 3 --max 4`.
+/// Precondition: each has an upper bound, and begins where the one before it ends.
+[[nodiscard]] std::string claim_of(const std::vector<ListRow>& rows);
+
+/// Throws InputError if --out, where one certificate is written, is no name for one.
+void require_certificate_name(const Given& given);
+
+/// RATIO of a command that takes --list instead, and was not given it. Throws InputError if there is none, or
+/// --out names no certificate.
+[[nodiscard]] RatioArgument given_ratio(const Given& given);
+
+}  // namespace dumbbell::cli

@@ -1,0 +1,222 @@
+// --list FILE: what certify, law and trace say of one mass ratio, for the lines of a file.
+#include <fcntl.h>
+#include <sys/stat.h>
+
+#include <sstream>
+
+#include "catch.hpp"
+#include "programs.hpp"
+
+using namespace dumbbell_test;
+using Json = nlohmann::json;
+
+namespace {
+
+const std::string heading =
+    "line\tgiven\tratio_lo\tratio_lo_decimal\tratio_hi\tratio_hi_decimal\tlower\tupper\terror\n";
+const std::string abc_is_wrong = "'abc' is not a number: write it like 10, 4.6, 1e6 or 9/2";
+
+Outcome listed(const std::string& lines, Words options = {}, const std::string& command = "certify") {
+    const TemporaryFolder folder;
+    write_file(folder / "list", lines);
+    options.insert(options.begin(), {command, "--list", "list"});
+    return dumbbell(options, folder.path());
+}
+
+std::vector<Json> json_lines(const Outcome& result) {
+    std::vector<Json> all;
+    std::istringstream lines(result.out);
+    for (std::string line; std::getline(lines, line);) {
+        all.push_back(Json::parse(line));
+    }
+    return all;
+}
+
+/// What a command prints but for the time that it took and what a list adds.
+Json without(Json json, const Words& fields) {
+    for (const std::string& field : fields) {
+        json.erase(field);
+    }
+    return json;
+}
+
+const Words falling{"--phi", "1/3", "--phidot", "1", "--y", "3", "--ydot", "-1/2"};
+
+}  // namespace
+
+TEST_CASE("a list gives a table, a row for each piece, with exact ratios and decimals beside them") {
+    const Outcome result = listed("10\n1:4\n0.3\n");
+    CHECK(result.code == 0);
+    CHECK(result.err.empty());
+    CHECK(result.out == heading +
+                            "1\t10\t10/1\t10\t10/1\t10\t4\t4\t\n"
+                            "2\t1:4\t1/1\t1\t1/1\t1\t2\t2\t\n"
+                            "2\t1:4\t1/1\t1\t1000001/1000000\t1.000001\t2\t3\t\n"
+                            "2\t1:4\t1000001/1000000\t1.000001\t4/1\t4\t3\t3\t\n"
+                            "3\t0.3\t10/3\t3.3333333333333333\t10/3\t3.3333333333333333\t3\t3\t\n");
+}
+
+TEST_CASE("comments, empty lines, a heading, further columns, quotes and foreign line ends are understood") {
+    const Outcome result = listed("# mine\r\nratio,name\r\n\r\n\"10\",ten\r\n 20 ; x # why\r\n30\tz\n");
+    CHECK(result.code == 0);
+    CHECK(result.out == heading +
+                            "4\t10\t10/1\t10\t10/1\t10\t4\t4\t\n"
+                            "5\t20\t20/1\t20\t20/1\t20\t5\t5\t\n"
+                            "6\t30\t30/1\t30\t30/1\t30\t6\t6\t\n");
+}
+
+TEST_CASE("bad lines are named by number and do not stop the others; with --strict the first one does") {
+    const std::string lines = "10\nabc\n5:3\n1e101\n20\n", ten = "1\t10\t10/1\t10\t10/1\t10\t4\t4\t\n";
+    const Outcome result = listed(lines);
+    CHECK(result.code == 2);
+    CHECK(result.err == "dumbbell: bad: 3 of 5 lines; the first is line 2: " + abc_is_wrong + "\n");
+    CHECK_THAT(result.out,
+               StartsWith(heading + ten + "2\tabc\t\t\t\t\t\t\t" + abc_is_wrong + "\n3\t5:3\t\t"));
+    CHECK_THAT(result.out, EndsWith("5\t20\t20/1\t20\t20/1\t20\t5\t5\t\n"));
+    CHECK(count_lines(result.out) == 6);
+    const Outcome strict = listed(lines, {"--strict"});
+    CHECK(strict.code == 2);
+    CHECK(strict.out == heading + ten);
+    CHECK(strict.err == "dumbbell: 'list', line 2: " + abc_is_wrong + "\n");
+}
+
+TEST_CASE("no field of a table is taken apart or for a quoted one, whatever a line has") {
+    const Outcome result = listed("10\nx\"y\x1b\tz\n");
+    CHECK_THAT(result.out, Contains("\n2\tx'y?\t\t\t\t\t\t\t'x'y?' is not a number"));
+}
+
+TEST_CASE(
+    "with --json a line is what the command prints of that ratio, on one line, with the line's number") {
+    for (const auto& [command, options] :
+         std::vector<std::pair<std::string, Words>>{{"certify", {}}, {"law", {}}, {"trace", falling}}) {
+        CAPTURE(command);
+        Words json = options, alone{command};
+        json.emplace_back("--json");
+        const Outcome result = listed("10\nabc\n1/70\n", json, command);
+        CHECK(result.code == 2);
+        const auto lines = json_lines(result);
+        REQUIRE(lines.size() == 3);
+        if (command == "law") {
+            alone.emplace_back("--ratio");
+        }
+        alone.emplace_back("1/70");
+        alone.insert(alone.end(), json.begin(), json.end());
+        const Json expected = Json::parse(dumbbell(alone).out);
+        CHECK(without(lines[2], {"seconds", "jobs", "line", "given"}) ==
+              without(expected, {"seconds", "jobs"}));
+        CHECK(lines[2].at("line") == 3);
+        CHECK(lines[2].at("given") == "1/70");
+        CHECK(lines[1] ==
+              Json{{"schema", "dumbbell-list-1"}, {"line", 2}, {"given", "abc"}, {"error", abc_is_wrong}});
+    }
+}
+
+TEST_CASE("law and trace give the same table") {
+    const Outcome law = listed("70\n4.6034\n1:2\n", {}, "law");
+    CHECK(law.code == 2);
+    CHECK_THAT(law.out, StartsWith(heading + "1\t70\t70/1\t70\t70/1\t70\t9\t9\t\n") &&
+                            Contains("\n3\t1:2\t\t\t\t\t\t\tthe law takes one mass ratio at a time"));
+    const Outcome trace = listed("10\n1:20\n", falling, "trace");
+    CHECK(trace.code == 0);
+    CHECK(trace.out == heading + "1\t10\t10/1\t10\t10/1\t10\t1\t1\t\n2\t1:20\t1/1\t1\t20/1\t20\t1\t5\t\n");
+}
+
+TEST_CASE("lines that are not decided are counted, the first is named, and the exit code is 3") {
+    const Outcome result = listed("10\n20\n", {"--budget", "0s"});
+    CHECK(result.code == 3);
+    CHECK(result.out == heading + "1\t10\t10/1\t10\t10/1\t10\t0\t\t\n2\t20\t20/1\t20\t20/1\t20\t0\t\t\n");
+    CHECK(result.err == "dumbbell: not decided: 2 of 2 lines; the first is line 1\n");
+    CHECK(listed("10\nabc\n", {"--budget", "0s"}).code == 2);
+    CHECK(listed("4.6\n", {}, "law").code == 3);
+}
+
+TEST_CASE("the output does not depend on the number of threads, and many lines come in their order") {
+    std::string lines;
+    for (int i = 0; i < 2000; ++i) {
+        lines += i % 7 == 0 ? "1:" + std::to_string(2 + i % 50) + "\n" : std::to_string(1 + i % 90) + ".5\n";
+    }
+    const Outcome one = listed(lines, {"--jobs", "1"});
+    CHECK(one.code == 0);
+    CHECK(listed(lines, {"--jobs", "5"}).out == one.out);
+}
+
+TEST_CASE("with --out a folder keeps the certificates, and the verifier takes its list of claims") {
+    const TemporaryFolder folder;
+    write_file(folder / "list", "10\nabc\n10:20\n20:30\n");
+    const Outcome result =
+        dumbbell({"certify", "--list", "list", "--out", "proofs", "--json"}, folder.path());
+    CHECK(result.code == 2);
+    CHECK(run({"ls", folder / "proofs"}).out == "000001.dbc\n000003.dbc\n000004.dbc\nclaims.tsv\n");
+    CHECK(contents(folder / "proofs/claims.tsv") ==
+          "000001.dbc\t--ratio 10/1:10/1 --min 4 --max 4\n"
+          "000003.dbc\t--ratio 10/1:20/1 --min 4 --max 5\n"
+          "000004.dbc\t--ratio 20/1:30/1 --min 5 --max 6\n");
+    const auto lines = json_lines(result);
+    CHECK(lines[0].at("out") == "proofs/000001.dbc");
+    CHECK(last_line(contents(folder / "proofs/000001.dbc")) ==
+          "sha256 " + lines[0].at("sha256").get<std::string>());
+    CHECK(verifier({"--claims", "proofs/claims.tsv"}, folder.path()).code == 0);
+    CHECK(verifier({"--together", "--ratio", "10:30", "--max", "6", "proofs/000003.dbc", "proofs/000004.dbc"},
+                   folder.path())
+              .code == 0);
+    REQUIRE(dumbbell({"certify", "10", "--out", "ten.dbc"}, folder.path()).code == 0);
+    CHECK(contents(folder / "proofs/000001.dbc") == contents(folder / "ten.dbc"));
+}
+
+TEST_CASE("claims name the scene, and an open certificate claims nothing") {
+    const TemporaryFolder folder;
+    write_file(folder / "list", "10\n");
+    CHECK(dumbbell({"certify", "--list", "list", "--out", "a", "--scene", "wedge"}, folder.path()).code == 0);
+    CHECK(verifier({"--claims", "a/claims.tsv"}, folder.path()).code == 0);
+    CHECK(dumbbell({"certify", "--list", "list", "--out", "b", "--budget", "0s"}, folder.path()).code == 3);
+    CHECK(run({"ls", folder / "b"}).out == "000001.dbc\n");
+}
+
+TEST_CASE("trace --subdivide keeps its certificates in the same way") {
+    const TemporaryFolder folder;
+    write_file(folder / "list", "10\n20\n");
+    const Outcome result = dumbbell({"trace", "--list", "list", "--phi", "0:0.5", "--phidot", "0", "--y", "3",
+                                     "--ydot", "-1", "--subdivide", "--max-boxes", "20", "--out", "boxes"},
+                                    folder.path());
+    CHECK(count_lines(result.out) == 3);
+    CHECK(run({"ls", folder / "boxes"}).out == "000001.dbc\n000002.dbc\n");
+    CHECK(verifier({"boxes/000001.dbc", "boxes/000002.dbc"}, folder.path()).code == 0);
+}
+
+TEST_CASE("a list that is not there, has no ratio, or whose options contradict one another is refused") {
+    CHECK_THAT(refused({"certify", "--list", "none"}), Contains("cannot read 'none': no such file"));
+    CHECK_THAT(refused({"certify", "--list", "."}), Contains("it is a directory"));
+    CHECK_THAT(refused({"certify", "--list", "-"}), Contains("'-' has no mass ratio: write one"));
+    CHECK_THAT(refused({"certify", "10", "--list", "x"}), Contains("--list and RATIO exclude each other"));
+    CHECK_THAT(refused({"certify", "--list", "-", "--gap", "2"}), Contains("--gap 2 is out of range"));
+    CHECK_THAT(refused({"certify", "--list", "-", "--out", "-"}), Contains("give a new folder"));
+    CHECK_THAT(refused({"certify", "10", "--strict"}), Contains("--strict requires --list"));
+    CHECK_THAT(refused({"certify"}), Contains("certify needs RATIO, --list FILE, or a body"));
+    CHECK_THAT(refused({"law", "--jobs", "2"}), Contains("--jobs requires --prove or --list"));
+    CHECK_THAT(refused({"trace", "--list", "-", "--phi", "1"}), Contains("--phidot is required"));
+    const TemporaryFolder folder;
+    write_file(folder / "list", "10\n");
+    const Outcome result = dumbbell({"certify", "--list", "list", "--out", "."}, folder.path());
+    CHECK(result.code == 2);
+    CHECK_THAT(result.err, Contains("'.' has files: with --list give a new or an empty folder"));
+    CHECK(folder.names() == Words{"list"});
+}
+
+TEST_CASE("answers come while the list does, and a signal ends the wait for its next line") {
+    const TemporaryFolder folder;
+    REQUIRE(::mkfifo((folder / "list").c_str(), 0600) == 0);
+    for (const int signal : {SIGINT, SIGTERM}) {
+        const int writer = ::open((folder / "list").c_str(), O_RDWR | O_CLOEXEC);
+        REQUIRE(::write(writer, "10\n20", 5) == 5);
+        Process process(with_program({"certify", "--list", "list", "--out", "proofs", "--jobs", "2"}),
+                        folder.path());
+        CHECK(process.until([&] { return std::filesystem::exists(folder / "proofs/claims.tsv"); }));
+        process.send(signal);
+        const Outcome result = process.wait();
+        CHECK(result.signal == signal);
+        CHECK_THAT(result.out, StartsWith(heading + "1\t10\t"));
+        CHECK_THAT(result.err, Contains("what is printed is about the lines up to 1"));
+        REQUIRE(::close(writer) == 0);
+        std::filesystem::remove_all(folder / "proofs");
+    }
+}
