@@ -1,0 +1,45 @@
+// proofs/theorem.md, Theorem 6: the mean number of collisions of incoming trajectories, by the simulation.
+#include <boost/math/special_functions/ellint_2.hpp>
+#include <cmath>
+#include <random>
+
+#include "catch.hpp"
+#include "simulate.hpp"
+#include "trial.hpp"
+
+using namespace dumbbell_oracle;
+
+namespace {
+
+/// E(-m) = (1 + m)^(1/2) E(m/(1 + m)); Boost's argument is the modulus.
+Real arc_of(Real m) { return std::sqrt(1 + m) * boost::math::ellint_2(std::sqrt(m / (1 + m))); }
+
+}  // namespace
+
+TEST_CASE("theorem 6: each mass hits the floor as often on average as its part of the floor is long") {
+    for (const auto& [q, samples] :
+         {std::pair(1.0L, 20'000), {4.61L, 20'000}, {10.0L, 20'000}, {100.0L, 10'000}, {1000.0L, 2'000}}) {
+        std::mt19937_64 engine(606);
+        std::uniform_real_distribution<double> uniform(0, 1);
+        const Dumbbell<Real> body(q);
+        const int count = trials(samples);
+        Real light = 0, squares = 0, heavy = 0;
+        for (int i = 0; i < count; ++i) {
+            const Real phi = 2 * pi<Real>() * uniform(engine), s = 2 * uniform(engine) - 1;
+            const State<Real> from{phi, s * std::sqrt(q), 1.5L * body.beta2(),
+                                   -std::sqrt(1 - s * s) * body.beta2()};
+            Real of_light = 0, of_heavy = 0;
+            for (const auto& collision : simulate(body, from).collisions)
+                (collision.mass == Mass::light ? of_light : of_heavy) += 1;
+            if (of_heavy > 1) FAIL(say("q", q, "phi", phi, "s", s, "the heavy mass twice"));
+            light += of_light;
+            squares += of_light * of_light;
+            heavy += of_heavy;
+        }
+        const Real mean = light / count, share = heavy / count;
+        const Real error = std::sqrt((squares / count - mean * mean) / count);
+        INFO(say("q", q, "light", mean, "+-", error, "heavy", share));
+        CHECK(std::abs(mean - arc_of(q) / pi<Real>()) < 4.5L * error);
+        CHECK(std::abs(share - arc_of(1 / q) / pi<Real>()) < 4.5L * std::sqrt(share * (1 - share) / count));
+    }
+}
