@@ -4,6 +4,7 @@
 #include <random>
 
 #include "catch.hpp"
+#include "law.hpp"
 #include "simulate.hpp"
 #include "trial.hpp"
 
@@ -42,4 +43,32 @@ TEST_CASE("theorem 6: each mass hits the floor as often on average as its part o
         CHECK(std::abs(mean - arc_of(q) / pi<Real>()) < 4.5L * error);
         CHECK(std::abs(share - arc_of(1 / q) / pi<Real>()) < 4.5L * std::sqrt(share * (1 - share) / count));
     }
+}
+
+TEST_CASE("conjecture: the number of collisions of an incoming trajectory is near to that of its direction") {
+    const auto phi_of = [](Real s) {
+        return law::integral<Real>([&](const Real& t) { return std::sin(pi<Real>() * s / std::cos(t)); },
+                                   std::acos(std::min<Real>(1, 2 * s)), std::acos(s));
+    };
+    const auto apart = [&](Real q, int count) {  // the mean of |n/sqrt q - Phi|
+        std::mt19937_64 engine(607);
+        std::uniform_real_distribution<double> uniform(0, 1);
+        const Dumbbell<Real> body(q);
+        Real sum = 0;
+        for (int i = 0; i < count; ++i) {
+            const Real s = (static_cast<Real>(i) + uniform(engine)) / count,
+                       phi = 2 * pi<Real>() * uniform(engine);
+            const State<Real> from{phi, s * std::sqrt(q), 1.5L * body.beta2(),
+                                   -std::sqrt(1 - s * s) * body.beta2()};
+            const auto n = static_cast<Real>(simulate(body, from).collisions.size());
+            sum += std::abs(n / std::sqrt(q) - phi_of(s));
+        }
+        return sum / count;
+    };
+    const Real first = apart(100, trials(1000)), second = apart(1e4L, trials(100)),
+               third = apart(1e6L, trials(20));
+    INFO(say("apart", first, second, third));
+    CHECK(first < 0.2L);
+    CHECK(second < first / 2);
+    CHECK(third < second / 2);
 }
