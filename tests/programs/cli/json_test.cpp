@@ -186,14 +186,15 @@ TEST_CASE("docs/reference/json.md describes the JSON of trace") {
     const TemporaryFolder folder;
     const Words part{"--phi",       "0:0.5", "--phidot", "0",       "--subdivide",
                      "--max-boxes", "20",    "--out",    "box.dbc", "--shares"};
-    check_documented("trace", printed_by({falling({"--phi", "0.3", "--phidot", "0"}),
-                                          falling({"--phi", "0.3", "--phidot", "0", "--digits", "20"}),
-                                          falling({"--phi", "0.3:0.31", "--phidot", "0"}),
-                                          falling({"--phi", "0", "--phidot", "0"}),
-                                          falling({"--phi", "pi/6", "--phidot", "0"}),
-                                          falling(part),
-                                          {"trace", "10", "--incoming", "--subdivide", "--max-boxes", "20", "--shares"}},
-                                         folder));
+    check_documented(
+        "trace", printed_by({falling({"--phi", "0.3", "--phidot", "0"}),
+                             falling({"--phi", "0.3", "--phidot", "0", "--digits", "20"}),
+                             falling({"--phi", "0.3:0.31", "--phidot", "0"}),
+                             falling({"--phi", "0", "--phidot", "0"}),
+                             falling({"--phi", "pi/6", "--phidot", "0"}),
+                             falling(part),
+                             {"trace", "10", "--incoming", "--subdivide", "--max-boxes", "20", "--shares"}},
+                            folder));
 }
 
 TEST_CASE("docs/reference/json.md describes the JSON of adiabatic") {
