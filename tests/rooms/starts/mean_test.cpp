@@ -58,8 +58,7 @@ TEST_CASE("the mean of certified histograms contains the exact one") {
         REQUIRE(bounds.hi);
         CHECK(bounds.lo < exact_lo(exact.all));
         CHECK(exact_hi(exact.all) < *bounds.hi);
-        CHECK_THAT(MeanReport(ratio, parts.tree).text(),
-                   Catch::Matchers::Contains("By the boxes the mean is between "));
+        CHECK_THAT(MeanReport(ratio, parts.tree).text(), Contains("By the boxes the mean is between "));
     }
     const auto of_ten = subdivide(incoming_box(10), {.max_boxes = 2000, .jobs = 2, .incoming = true});
     CHECK_THROWS_AS(MeanReport(1'000'000, of_ten.tree), BrokenInvariant);
@@ -75,14 +74,13 @@ TEST_CASE("shares with another mean than that of Theorem 6 are refused") {
         return claim.missing({});
     };
     CHECK(refusal(1, 2).empty());
-    CHECK_THAT(refusal(1, 1), Catch::Matchers::Contains("Theorem 6"));
-    CHECK_THAT(refusal(2, 4), Catch::Matchers::Contains("Theorem 6"));
-    CHECK_THAT(claim.paragraph(),
-               Catch::Matchers::Contains("is 2.000000 to 4.000000 by the leaves, and 1.670648"));
+    CHECK_THAT(refusal(1, 1), Contains("Theorem 6"));
+    CHECK_THAT(refusal(2, 4), Contains("Theorem 6"));
+    CHECK_THAT(claim.paragraph(), Contains("is 2.000000 to 4.000000 by the leaves, and 1.670648"));
     claim.shares->add(0, 0, 1);
     claim.shares->open = 1;
-    CHECK_THAT(claim.paragraph(), Catch::Matchers::Contains("is at least 2.000000 by the leaves"));
-    CHECK_THAT(claim.json(), Catch::Matchers::Contains(R"("mean":{"lo":"2/1","hi":null,"exact":["1.67064)"));
+    CHECK_THAT(claim.paragraph(), Contains("is at least 2.000000 by the leaves"));
+    CHECK_THAT(claim.json(), Contains(R"("mean":{"lo":"2/1","hi":null,"exact":["1.67064)"));
     claim.incoming = false;
     CHECK(claim.missing({}).empty());
 }
