@@ -17,6 +17,7 @@ class Volumes {
     std::map<long, Rational> change{
         {0, 0}};  ///< from k - 1 to k, of the leaves whose bounds have k between them
     Rational open = 0;
+    Rational least_mean = 0, most_mean = 0;  ///< of the leaves that are not open
 
     void add(const Node& node) {
         require(!waiting_.empty(), "nodes follow the end of a tree of initial conditions");
@@ -39,6 +40,8 @@ class Volumes {
         if (leaf.least == *leaf.most) {
             exact[leaf.least] += volume;
         }
+        least_mean += volume * leaf.least;
+        most_mean += volume * *leaf.most;
         change[leaf.least] += volume;
         change[*leaf.most + 1] -= volume;
     }
@@ -102,6 +105,12 @@ std::vector<ShareBounds> share_bounds(const std::vector<Node>& tree) {
     }
     volumes.end();
     return bounds_of(volumes);
+}
+
+MeanBounds mean_bounds(const PackedTree& tree) {
+    Volumes volumes;
+    tree.for_each([&](const Node& node) { volumes.add(node); });
+    return {volumes.least_mean, volumes.open > 0 ? std::nullopt : std::optional(volumes.most_mean)};
 }
 
 std::string share_lines(const std::vector<ShareBounds>& bounds) {

@@ -26,6 +26,14 @@ struct ShareBounds {
 [[nodiscard]] std::vector<ShareBounds> share_bounds(const PackedTree& tree);
 [[nodiscard]] std::vector<ShareBounds> share_bounds(const std::vector<Node>& tree);
 
+/// Bounds of the mean number of collisions of starts drawn evenly from the box; no `hi` if a leaf is open.
+/// Precondition: a complete tree.
+struct MeanBounds {
+    Rational lo;
+    std::optional<Rational> hi;
+};
+[[nodiscard]] MeanBounds mean_bounds(const PackedTree& tree);
+
 /// A line for each, `3`, `4-6` or `7-` collisions, with twelve decimals rounded outward: as dumbbell-verify
 /// --shares prints them.
 [[nodiscard]] std::string share_lines(const std::vector<ShareBounds>& bounds);

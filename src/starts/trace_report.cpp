@@ -8,6 +8,7 @@
 #include "base/printable.hpp"
 #include "number/decimal.hpp"
 #include "starts/event_text.hpp"
+#include "starts/mean.hpp"
 #include "starts/shares.hpp"
 #include "words/printed.hpp"
 
@@ -140,6 +141,9 @@ std::string decided_text(const Subdivision& parts) {
     return text + kinds_text(parts);
 }
 
+/// Whether theorem 6 is about what is asked.
+bool has_mean(const TraceReport& report) { return report.incoming && report.shares; }
+
 std::string subdivision_text(const TraceReport& report) {
     const Subdivision& parts = *report.parts;
     const char* whole = report.incoming ? "trajectories" : "box";
@@ -147,6 +151,9 @@ std::string subdivision_text(const TraceReport& report) {
                            ? fmt::format("{:>12}  share of the {} with exactly that many: proved bounds\n{}",
                                          "collisions", whole, share_lines(share_bounds(report.parts->tree)))
                            : decided_text(parts);
+    if (has_mean(report)) {
+        text += MeanReport(report.box.lo[4], parts.tree).text();
+    }
     text += fmt::format("Certified: {} of the {} with its exact count; every {} has {}.\n",
                         share_at_least(Rational(1) - parts.undecided.share), whole,
                         report.incoming ? "one of them" : "initial condition in it",
@@ -184,6 +191,9 @@ Json subdivision_json(const TraceReport& report) {
                               {"decided_fraction", decided_fraction(undecided.share)}});
     if (report.shares) {
         json.add("shares", share_json(share_bounds(report.parts->tree)));
+    }
+    if (has_mean(report)) {
+        json.add("mean", MeanReport(report.box.lo[4], parts.tree).json());
     }
     return json;
 }

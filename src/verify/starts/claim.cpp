@@ -1,6 +1,9 @@
 #include "verify/starts/claim.hpp"
 
+#include <cmath>
+
 #include "verify/machine/integer.hpp"
+#include "verify/starts/mean.hpp"
 
 namespace dumbbell_verify::starts {
 namespace {
@@ -14,6 +17,31 @@ std::string shares_json(const Shares& shares) {
                 ",\"most\":" + (row.most ? std::to_string(*row.most) : "null") + ",\"lo\":\"" +
                 to_string(row.lo) + "\",\"hi\":\"" + to_string(row.hi) + "\"}";
     return "[" + text + "]";
+}
+
+/// With six decimals, rounded outward; empty if there is no such number, at ratios that doubles do not hold.
+std::string six_decimals(const Interval<double>& x, const char* between) {
+    if (!std::isfinite(x.hi)) return "";
+    return decimals(mpq_class(x.lo), false) + between + decimals(mpq_class(x.hi), true);
+}
+
+std::string mean_json(const Shares& shares, const Means& exact) {
+    const auto pair = [](const Interval<double>& x) {
+        const std::string text = six_decimals(x, "\",\"");
+        return text.empty() ? "null" : "[\"" + text + "\"]";
+    };
+    return "{\"lo\":\"" + to_string(shares.least_mean) +
+           "\",\"hi\":" + (shares.open == 0 ? "\"" + to_string(shares.most_mean) + "\"" : "null") +
+           ",\"exact\":" + pair(exact.all) + ",\"heavy\":" + pair(exact.heavy) + "}";
+}
+
+std::string mean_text(const Shares& shares, const Means& exact) {
+    const std::string all = six_decimals(exact.all, " to "), heavy = six_decimals(exact.heavy, " to ");
+    return "  The mean number of collisions is " +
+           (shares.open == 0 ? decimals(shares.least_mean, false) + " to " + decimals(shares.most_mean, true)
+                             : "at least " + decimals(shares.least_mean, false)) +
+           " by the leaves" + (all.empty() ? "" : ", and " + all + " by Theorem 6") + ".\n" +
+           (heavy.empty() ? "" : "  The heavy mass hits the floor with probability " + heavy + ".\n");
 }
 
 /// The name that the header of a file has for an axis.
@@ -39,7 +67,11 @@ std::string Claim::missing(const Collisions& demand) const {
         return "not proved: at most " + demand.most->get_str() + " collisions from the box";
     if (demand.least && integer(least) < *demand.least)
         return "not proved: at least " + demand.least->get_str() + " collisions from the box";
-    return "";
+    if (!shares || !incoming) return "";
+    const Interval<double> mean = means(box.lo.back()).all;
+    const bool differ = (std::isfinite(mean.hi) && shares->least_mean > mpq_class(mean.hi)) ||
+                        (shares->open == 0 && shares->most_mean < mpq_class(mean.lo));
+    return differ ? "the mean number of collisions is not that of Theorem 6" : "";
 }
 
 std::string Claim::text() const {
@@ -59,7 +91,8 @@ std::string Claim::json() const {
                      : "{\"kind\":\"initial-conditions\",\"box\":{" + sides + "}") +
            ",\"least\":" + std::to_string(least) + ",\"most\":" + (most ? std::to_string(*most) : "null") +
            ",\"decided\":\"" + to_string(decided) + "\"" +
-           (shares ? ",\"shares\":" + shares_json(*shares) : "") + "}";
+           (shares ? ",\"shares\":" + shares_json(*shares) : "") +
+           (shares && incoming ? ",\"mean\":" + mean_json(*shares, means(box.lo.back())) : "") + "}";
 }
 
 std::string Claim::sentence() const {
@@ -79,6 +112,7 @@ std::string Claim::sentence() const {
 std::string Claim::paragraph() const {
     std::string text = "  " + sentence() + ".\n";
     if (!shares) return text;
+    if (incoming) text += mean_text(*shares, means(box.lo.back()));
     text += "  collisions  share of the " + std::string(incoming ? "trajectories" : "box") +
             " with exactly that many: proved bounds\n";
     for (const Shares::Row& row : shares->rows()) {
@@ -92,6 +126,9 @@ std::string Claim::paragraph() const {
 
 void Shares::add(std::uint64_t least, std::uint64_t most, const mpq_class& volume) {
     if (least == most) counts[least].exact += volume;
+    const auto times = [&](std::uint64_t n) { return mpq_class(volume * integer(n)); };
+    least_mean += times(least);
+    most_mean += times(most);
     counts[least].change += volume;
     counts[most + 1].change -= volume;
 }

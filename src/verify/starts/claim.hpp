@@ -24,7 +24,8 @@ struct Shares {
         mpq_class change;  ///< from the number before: of the leaves that do not exclude this one
     };
     std::map<std::uint64_t, Count> counts;
-    mpq_class open;  ///< of the leaves that exclude nothing
+    mpq_class open;                   ///< of the leaves that exclude nothing
+    mpq_class least_mean, most_mean;  ///< of the number of collisions; no bound above if any are open
 
     void add(std::uint64_t least, std::uint64_t most, const mpq_class& volume);
     /// From `least` to `most` collisions, each of these numbers: the share is at least lo, at most hi.
@@ -48,7 +49,8 @@ struct Claim {
     mpq_class decided;
     std::optional<Shares> shares;  ///< if they were asked for
 
-    /// Empty if this proves the bounds and contains the ratios that are demanded.
+    /// Empty if this proves the bounds and contains the ratios that are demanded, and if the shares have the
+    /// mean that all incoming trajectories have.
     [[nodiscard]] std::string missing(const Collisions& demand) const;
     /// No bound is demanded, none holds for all of the box, and no part of it is decided.
     [[nodiscard]] bool says_nothing(const Collisions& demand) const {

@@ -324,6 +324,43 @@ TEST_CASE(
     CHECK_FALSE(all.heavy);
 }
 
+TEST_CASE("L59: I before the last collision differs by O(sqrt(delta)), and the steps of its proof hold") {
+    Sampler sampler(1, 5901);
+    for (const Real delta : {0.01L, 0.003L, 0.001L}) {
+        const Masses m(delta);
+        const Real unit = std::sqrt(delta), h = std::sqrt(m.r);
+        Real worst = 0;
+        for (int i = 0; i < trials(400); ++i) {
+            const Launch start{sampler.uniform(0.5, 3.5) * static_cast<double>(unit),
+                               sampler.coin() ? sampler.log_uniform(1e-3, 1) : sampler.uniform(0, 1), 1};
+            if (!is_first(start, m)) continue;
+            const Orbit all = orbit(start, m);
+            if (all.heavy) FAIL(described(start, m));
+            for (std::size_t j = 0; j + 1 < all.bounces.size(); ++j) {
+                const Bounce &b = all.bounces[j], &next = all.bounces[j + 1];
+                const Real theta = std::atan(b.kappa / h), theta_next = std::atan(next.kappa / h);
+                if (!close(theta_next - theta, 2 * std::atan(h / b.w), 1e-9L))
+                    FAIL(described(start, m) + say("j", j, "turns", theta, theta_next));
+                if (next.kappa < 0) {
+                    if (!(b.w >= all.bounces[0].w)) FAIL(described(start, m) + say("falls", j));
+                    continue;
+                }
+                if (!(b.u >= std::sqrt(2 * pi<Real>() * next.kappa)) ||
+                    !(2 * next.kappa / b.w <= std::sqrt(pi<Real>() * next.kappa / 2)))
+                    FAIL(described(start, m) + say("rises", j, b.u, next.kappa));
+                if (theta >= 0 && !(h / b.w <= 0.6L * std::cbrt(h)))
+                    FAIL(described(start, m) + say("turns little", j, b.w));
+                if (!(std::pow(b.u - next.u, 2) <= std::pow(pi<Real>(), 3) * next.kappa))
+                    FAIL(described(start, m) + say("steps", j));
+            }
+            worst = std::max(worst, std::abs(all.bounces.back().invariant() - all.bounces[0].invariant()));
+        }
+        INFO(say("delta", delta, "worst", worst / unit));
+        CHECK(worst < 13 * unit);
+        CHECK(worst > 3 * unit);
+    }
+}
+
 TEST_CASE(
     "L38: the errors of Lemma 3.1, for either direction of the rod, within the constants that are proved") {
     // dumbbell adiabatic --delta 0.01 --theorem lemma3.1

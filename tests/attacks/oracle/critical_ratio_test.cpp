@@ -152,3 +152,37 @@ TEST_CASE("theorem 2: simulated totals next to critical ratios stay at N - 1 bel
         }
     }
 }
+
+TEST_CASE("theorem 7: the contacts' equations at critical ratios, and the poles of a slope") {
+    for (const std::size_t n : {4U, 5U, 6U, 7U, 8U, 9U, 20U, 21U}) {
+        const auto rough = critical_ratio(n);
+        const auto [below, above] =
+            bisect_critical<Digits80>(n, Digits80(Digits80(rough.below) * (1 - Digits80(1e-15))),
+                                      Digits80(Digits80(rough.above) * (1 + Digits80(1e-15))), 150);
+        const Digits80 r = 1 / below;  // flight k misses by a hair
+        const auto all = flights(orbit_of(n, r), r);
+        const Digits80 half_turn = pi<Digits80>();
+        const Digits80 kappa = all.back().kappa, z = acos(kappa);
+        REQUIRE(all.size() == orbit_count(n));
+        const auto same = [](const Digits80& a, const Digits80& b) { return abs(a - b) < Digits80(1e-20); };
+        Digits80 x = 0;  // of the contact before
+        for (std::size_t j = 0; j + 1 < all.size(); ++j) {
+            const Digits80 at = *hit_place(all[j]), slope = all[j].kappa, w = cos(at);
+            CHECK(at > x);
+            CHECK(same(sin(at) - (j == 0 ? Digits80(0) : sin(x)),
+                       j > 0        ? Digits80(slope * (half_turn + x + at))
+                       : n % 2 == 1 ? r
+                                    : Digits80(r * (half_turn + at))));
+            const Digits80 root = slope + sqrt(slope * slope + r), other = slope - sqrt(slope * slope + r);
+            CHECK(same(root * other, -r));
+            for (const Digits80& pole : {root, other}) {
+                CHECK(same(slope * pole * pole + 2 * r * pole - r * slope, 2 * pole * (r + slope * slope)));
+                CHECK(abs(pole) > Digits80(1e-3));
+            }
+            const Digits80 D = w * w - 2 * slope * w - r;
+            CHECK(same((slope * w * w + 2 * r * w - r * slope) / D, all[j + 1].kappa));
+            x = at;
+        }
+        CHECK(same(sin(z) - (all.size() > 1 ? sin(x) : Digits80(0)), kappa * (half_turn + x + z)));
+    }
+}

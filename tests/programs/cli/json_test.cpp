@@ -208,7 +208,7 @@ TEST_CASE("docs/reference/json.md describes the JSON of trace") {
                     falling({"--phi", "pi/6", "--phidot", "0"}),
                     falling(part),
                     {"trace", "--list", "list", "--phi", "0.3", "--phidot", "0", "--y", "3", "--ydot", "-1"},
-                    {"trace", "10", "--incoming", "--subdivide", "--max-boxes", "20"}},
+                    {"trace", "10", "--incoming", "--subdivide", "--max-boxes", "20", "--shares"}},
                    folder));
 }
 
@@ -238,6 +238,7 @@ TEST_CASE("docs/reference/json.md describes the JSON of verify") {
     Words words = falling({"--phi", "0.3:0.31", "--phidot", "0", "--subdivide", "--out", "box.dbc"});
     make(words);
     make({"adiabatic", "--delta", "0.05", "--theorem", "lemma3.1", "--out", "bounce.dbc"});
+    make({"trace", "10", "--incoming", "--subdivide", "--max-boxes", "20", "--out", "incoming.dbc"});
     write_file(folder / "bad.dbc", "no certificate\n");
 
     std::vector<OrderedJson> objects;
@@ -245,7 +246,7 @@ TEST_CASE("docs/reference/json.md describes the JSON of verify") {
              {"ten.dbc", "box.dbc", "bounce.dbc", "bad.dbc", DUMBBELL_PROJECT "/certificates/law.dbc.gz"},
              {"--ratio", "10", "--exactly", "4", "ten.dbc"},
              {"--scene", "body", "--rho", "1", "coin.dbc"},
-             {"--shares", "box.dbc"}}) {
+             {"--shares", "box.dbc", "incoming.dbc"}}) {
         words = options;
         words.insert(words.begin(), {"verify", "--json"});
         for (const OrderedJson& object : printed(dumbbell(words, folder.path()))) {
