@@ -45,6 +45,20 @@ Certificate certified(const std::string& lo, const std::string& hi, const std::s
     return certificate(std::move(pieces), scene, section);
 }
 
+/// Of bodies.
+Certificate bodies(const std::string& rho, const std::string& q_lo, const std::string& q_hi, long upper,
+                   long lower) {
+    PieceOptions options;
+    options.section = Section::plain;
+    options.scene = Scene::body;
+    options.heights = Heights{parse_rational(rho), parse_rational(rho)};
+    Certificate result =
+        certificate({prove_piece(parse_rational(q_lo), parse_rational(q_hi), upper, lower, options).piece},
+                    Scene::body, Section::plain);
+    result.heights = options.heights;
+    return result;
+}
+
 Piece proved(const std::string& lo, const std::string& hi, long upper, long lower,
              Section section = Section::turning) {
     PieceOptions options;
@@ -144,6 +158,9 @@ std::vector<Base> bases(bool large) {
              certificate({proved("30", "45", 20, 5, Section::full)}, Scene::dumbbell, Section::full)),
         base("plain",
              certificate({proved("1.01", "1.01", 4, 3, Section::plain)}, Scene::dumbbell, Section::plain)),
+        base("coin", bodies("1", "4", "4", 4, 4)),
+        base("symmetric-range", bodies("1", "2", "3", 3, 3)),
+        base("body", bodies("1/2", "5/2", "5/2", 6, 3)),
         base("wedge", certified("3", "3", "1e-3", Scene::wedge)),
         base("wedge-range", certified("3", "7", "1e-3", Scene::wedge)),
         base("hybrid-range", certified("5", "11", "1e-3", Scene::hybrid)),

@@ -49,7 +49,7 @@ class Claims {
             if (i + 1 < data_.pieces.size()) merge(i);
         }
         ranges();
-        for (const Scene scene : {Scene::dumbbell, Scene::hybrid, Scene::wedge})
+        for (const Scene scene : {Scene::dumbbell, Scene::hybrid, Scene::wedge, Scene::body})
             for (const Section section : {Section::turning, Section::full, Section::plain}) {
                 Certificate changed = data_;
                 changed.scene = scene;
@@ -111,8 +111,7 @@ class Claims {
                 change(i, "N less, best tree", fmt::format("depth {}", depth), [&](Piece& p) {
                     --*p.upper;
                     without_lower(p);
-                    p.cover.equal_masses = false;
-                    p.cover.charts.clear();
+                    p.cover = {};
                     for (const Chart chart : row_of(data_.scene).charts(data_.section)) {
                         p.cover.charts.push_back({chart, {}});
                         best_tree(chart, root_box(chart, p.q_lo, p.q_hi), *p.upper, depth,

@@ -73,6 +73,10 @@ std::vector<Demand> demands_of(const dumbbell::collisions::Certificate& data) {
         with_one_more_and_less(numbers, as_long(piece.lower));
         ends.insert({piece.q_lo, piece.q_hi, (piece.q_lo + piece.q_hi) / 2});
     }
+    const auto rhos = [&](Demand& demand, const Rational& lo, const Rational& hi) {
+        demand.settings.demand.rhos = std::pair(exact(lo), exact(hi));
+        demand.what += " --rho " + dumbbell::to_fraction(lo) + ":" + dumbbell::to_fraction(hi);
+    };
     std::vector<Demand> demands;
     for (const Rational& lo : ends)
         for (const Rational& hi : ends)
@@ -80,6 +84,15 @@ std::vector<Demand> demands_of(const dumbbell::collisions::Certificate& data) {
                 if (lo > hi) continue;
                 const std::string range =
                     "--ratio " + dumbbell::to_fraction(lo) + ":" + dumbbell::to_fraction(hi);
+                if (const auto& heights = data.heights) {
+                    const bool proved = proves(data.pieces, lo, hi, bounds);
+                    for (const bool wider : {false, true}) {
+                        demands.push_back({settings_of(lo, hi, bounds, "body"),
+                                           range + bounds.text() + " --scene body", proved && !wider});
+                        rhos(demands.back(), wider ? heights->lo * Rational(9, 10) : heights->lo,
+                             heights->hi);
+                    }
+                }
                 for (const std::string scene : {"dumbbell", "hybrid", "wedge"})
                     demands.push_back({settings_of(lo, hi, bounds, scene),
                                        range + bounds.text() + " --scene " + scene,

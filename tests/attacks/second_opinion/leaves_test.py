@@ -9,6 +9,7 @@ from fractions import Fraction
 
 import second
 
+import body
 import contact
 import fixed
 import incoming
@@ -119,6 +120,50 @@ class Leaves(unittest.TestCase):
                 else:
                     refused += 1
                     self.assertFalse(holds, (piece, counts, count))
+        self.assertGreater(sum(tightness) / len(tightness), 0.7)
+        self.assertGreater(refused, 100)
+
+    def test_bodies(self):
+        """Collision states of rods with mass, and witnesses: their later collisions, and those before."""
+        tightness, refused = [], 0
+        for _ in range(400):
+            q, rho = Fraction(self.random.choice((2, 3, 4, 9, 30))), Fraction(self.random.choice((1, 2, 3, 11)))
+            rho = min(Fraction(1), rho * Fraction(11, 10) / q)
+            section, r, height = body.Bodies((rho, rho)), float(1 / q), float(rho)
+
+            def later(p, turned=False):
+                """Of a contact or a departure; `turned`: of the motion before it."""
+                x, is_contact = p.get("t", p.get("e")), "t" in p
+                psi, y = (math.pi / 2 - x, height * math.sin(x)) if is_contact else (math.pi / 2 + x, math.sin(x))
+                slope = height * (math.cos(x) + p["eta"]) if is_contact else p["eta"] - math.cos(x)
+                state = Dumbbell(r, psi, y, (-1, slope), 0 if is_contact else 1, height)
+                if turned:
+                    state.reflect()
+                    state.velocity = -state.velocity[0], -state.velocity[1]
+                return state.collisions()[0]
+
+            chart, axis, end = self.random.choice((("contact", "t", 3.1), ("departure", "e", 1.5)))
+            box = {**self.box(**{axis: (0.01, end), "eta": (0.001, float(1 / rho) if axis == "t" else 1)}), "q": (q, q)}
+            try:
+                counts = {later(p) for p in self.points(box)}
+            except Doubtful:
+                continue
+            most = max(counts)
+            tightness.append(certified(lambda: section.leaf(chart, "count", [most], box)))
+            if most > 0:
+                refused += 1
+                self.assertFalse(certified(lambda: section.leaf(chart, "count", [most - 1], box)), (q, rho, box))
+            e, eta = box[axis][0], box["eta"][0]
+            if axis == "e" or e > 1.5:
+                continue
+            try:
+                p = {"t": float(e), "eta": float(eta)}
+                forward, backward = later(p), later(p, turned=True)
+            except Doubtful:
+                continue
+            tightness.append(certified(lambda: section.from_bridge((e, eta, forward, backward), q, q)))
+            for wrong in ((forward + 1, backward), (forward, backward + 1)):
+                self.assertFalse(certified(lambda: section.from_bridge((e, eta, *wrong), q, q)), (q, rho, e, eta, wrong))
         self.assertGreater(sum(tightness) / len(tightness), 0.7)
         self.assertGreater(refused, 100)
 

@@ -1,5 +1,5 @@
 """The dumbbell as lemmas.md L0 has it, in plain doubles: a point above the humps A cos(psi - j pi), A = r for even j (the heavy
-mass) and 1 for odd j (the light one), reflected by (1). Nothing of the checker's formulas."""
+mass; rho for a body of body.md) and 1 for odd j (the light one), reflected by (1). Nothing of the checker's formulas."""
 
 import math
 
@@ -18,11 +18,12 @@ def _bisect(positive, low, high):
 class Dumbbell:
     """A state (psi, yhat) with its velocity; `hump` is the one that it stands on, None in the air; `time` since the start."""
 
-    def __init__(self, r, psi, y, velocity, hump=None):
+    def __init__(self, r, psi, y, velocity, hump=None, rho=None):
+        self.rho = r if rho is None else rho
         self.r, self.psi, self.y, self.velocity, self.hump, self.time = r, psi, y, velocity, hump, 0.0
 
     def _size(self, j):
-        return self.r if j % 2 == 0 else 1.0
+        return self.rho if j % 2 == 0 else 1.0
 
     def reflect(self):
         """Reflects the velocity at the hump it stands on."""

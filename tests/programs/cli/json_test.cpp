@@ -219,6 +219,7 @@ TEST_CASE("docs/reference/json.md describes the JSON of verify") {
     make({"certify", "10", "--section", "full", "--out", "ten.dbc"});
     make({"certify", "2:3", "--scene", "wedge", "--out", "wedge.dbc"});
     make({"certify", "2:3", "--scene", "hybrid", "--out", "hybrid.dbc"});
+    make({"certify", "--coin", "--out", "coin.dbc"});
     Words words = falling({"--phi", "0.3:0.31", "--phidot", "0", "--subdivide", "--out", "box.dbc"});
     make(words);
     make({"adiabatic", "--delta", "0.05", "--theorem", "lemma3.1", "--out", "bounce.dbc"});
@@ -228,6 +229,7 @@ TEST_CASE("docs/reference/json.md describes the JSON of verify") {
     for (const Words& options : std::vector<Words>{
              {"ten.dbc", "box.dbc", "bounce.dbc", "bad.dbc", DUMBBELL_PROJECT "/certificates/law.dbc.gz"},
              {"--ratio", "10", "--exactly", "4", "ten.dbc"},
+             {"--scene", "body", "--rho", "1", "coin.dbc"},
              {"--shares", "box.dbc"}}) {
         words = options;
         words.insert(words.begin(), {"verify", "--json"});
@@ -248,6 +250,7 @@ TEST_CASE("docs/reference/json.md describes the JSON of verify") {
     };
     check_documented("verify --together",
                      {without_files({"--together", "--ratio", "10", "--max", "4", "--min", "4", "ten.dbc"}),
+                      without_files({"--together", "--scene", "body", "--rho", "1", "coin.dbc"}),
                       without_files({"--together", "--max", "3", "ten.dbc"})});
 }
 

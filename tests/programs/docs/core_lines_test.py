@@ -43,6 +43,7 @@ OUTSIDE = {
     "plain": OTHER_SECTION,
     "wedge": OTHER_SECTION,
     "hybrid": OTHER_SECTION,
+    "body": OTHER_SECTION,
 }
 
 

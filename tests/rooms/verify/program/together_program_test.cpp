@@ -102,7 +102,7 @@ TEST_CASE("together: JSON is one object, in which the demand is on the whole and
     CHECK(r.code == 0);
     CHECK(r.out.starts_with(
         R"({"schema":"dumbbell-verify-together-1","verdict":"VERIFIED","claim":{"scene":"dumbbell",)"
-        R"("ratio":{"lo":"1/1","hi":"100/1"},"upper":10,"lower":2,"pieces":17,"gaps":8,"open":0,)"
+        R"("ratio":{"lo":"1/1","hi":"100/1"},"rho":null,"upper":10,"lower":2,"pieces":17,"gaps":8,"open":0,)"
         R"("heavy_at_most":null},"demand":{"ratio":{"lo":"1/1","hi":"100/1"},"rho":null,"max":10,"min":null,"scene":null,"claim":null},)"
         R"("code":null,"reason":null,"files":[{"file":")" +
         quarters.files[0].path() + R"(","verdict":"VERIFIED",)"));

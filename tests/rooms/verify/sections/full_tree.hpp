@@ -11,7 +11,7 @@ namespace make {
 inline std::string full_tree(const dumbbell_verify::Section& section, dumbbell_verify::Leaf leaf,
                              int depth = 0) {
     using dumbbell_verify::count_leaf, dumbbell_verify::outside, dumbbell_verify::witness;
-    if (depth > 24) throw std::runtime_error("the cover does not close");
+    if (depth > 40) throw std::runtime_error("the cover does not close");
     leaf.opcode = outside;
     if (!section.check(leaf, nullptr)) return "outside\n";
     if (section.charts[leaf.chart].name == "again") {
