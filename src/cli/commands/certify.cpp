@@ -64,8 +64,9 @@ budget); 130 or 143 stopped by SIGINT (Ctrl-C) or SIGTERM: the pieces kept are r
 constexpr std::array certify_options = joined(
     std::array{ratio_option}, claim_options, body_options,
     std::array{
-        list_option.excludes("RATIO,--rho,--inertia,--coin,--rod-mass,--part,--witness,--quiet"), strict_option, part_option,
-        certificates_option, jobs_option, budget_option.saying("give up after this time: 30s, 10m, 2h"),
+        list_option.excludes("RATIO,--rho,--inertia,--coin,--rod-mass,--part,--witness,--quiet"),
+        strict_option, part_option, certificates_option, jobs_option,
+        budget_option.saying("give up after this time: 30s, 10m, 2h"),
         flag("--witness",
              "print an orbit that attains the maximum, every collision enclosed; if it has up to 5000 "
              "collisions, also a start in the air for trace, where one is found")
