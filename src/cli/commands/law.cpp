@@ -117,9 +117,10 @@ std::string certificate_of_answers() {
     return file;
 }
 
-law::AtRatio law_at_one(const RatioArgument& ratio, const std::vector<law::StepEnds>& steps) {
+law::AtRatio law_at_one(const char* who, const RatioArgument& ratio,
+                        const std::vector<law::StepEnds>& steps) {
     if (ratio.lo != ratio.hi) {
-        throw InputError("the law takes one mass ratio at a time, for example 1e100 or 7/3");
+        throw InputError(fmt::format("{} takes one mass ratio, for example 1e100 or 7/3", who));
     }
     return law::law_at(ratio.lo, steps);
 }
@@ -127,7 +128,7 @@ law::AtRatio law_at_one(const RatioArgument& ratio, const std::vector<law::StepE
 int answer_at_ratio(const Given& given) {
     const RatioArgument ratio = parse_ratio_argument(given.text("--ratio"));
     const std::string file = certificate_of_answers();
-    const law::AtRatio at = law_at_one(ratio, law::read_steps(file));
+    const law::AtRatio at = law_at_one("--ratio", ratio, law::read_steps(file));
     fmt::print("{}", shown(law::Answer{at, file}, given));
     return at.lower == at.upper ? exit_done : exit_not_certified;
 }
@@ -136,7 +137,7 @@ int answer_at_ratios(const Given& given) {
     const std::string file = certificate_of_answers();
     const auto steps = law::read_steps(file);
     return answer_list(given, [&](const RatioArgument& ratio, const std::string& /*out*/) {
-        const law::AtRatio at = law_at_one(ratio, steps);
+        const law::AtRatio at = law_at_one("the law", ratio, steps);
         return ListAnswer{.rows = {{at.q, at.q, Count(at.lower), Count(at.upper)}},
                           .is_decided = at.lower == at.upper,
                           .json = given.has("--json") ? to_json(law::Answer{at, file}) : Json()};

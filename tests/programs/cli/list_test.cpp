@@ -65,7 +65,7 @@ TEST_CASE("comments, empty lines, a heading, further columns, quotes and foreign
                             "6\t30\t30/1\t30\t30/1\t30\t6\t6\t\n");
 }
 
-TEST_CASE("bad lines are named by number and do not stop the others; with --strict the first one does") {
+TEST_CASE("bad lines are named by number and do not stop the others, but with --strict the first one does") {
     const std::string lines = "10\nabc\n5:3\n1e101\n20\n", ten = "1\t10\t10/1\t10\t10/1\t10\t4\t4\t\n";
     const Outcome result = listed(lines);
     CHECK(result.code == 2);
@@ -115,7 +115,7 @@ TEST_CASE("law and trace give the same table") {
     const Outcome law = listed("70\n4.6034\n1:2\n", {}, "law");
     CHECK(law.code == 2);
     CHECK_THAT(law.out, StartsWith(heading + "1\t70\t70/1\t70\t70/1\t70\t9\t9\t\n") &&
-                            Contains("\n3\t1:2\t\t\t\t\t\t\tthe law takes one mass ratio at a time"));
+                            Contains("\n3\t1:2\t\t\t\t\t\t\tthe law takes one mass ratio, for"));
     const Outcome trace = listed("10\n1:20\n", falling, "trace");
     CHECK(trace.code == 0);
     CHECK(trace.out == heading + "1\t10\t10/1\t10\t10/1\t10\t1\t1\t\n2\t1:20\t1/1\t1\t20/1\t20\t1\t5\t\n");
