@@ -17,9 +17,9 @@ namespace {
 using namespace dumbbell;
 using namespace dumbbell::collisions;
 
-Base base(const std::string& name, Certificate data) {
+Base base(const std::string& name, Certificate data, std::size_t cost = 1) {
     std::string text = render(data).text;
-    return {name, std::move(data), std::move(text), 1};
+    return {name, std::move(data), std::move(text), cost};
 }
 Base base(const std::string& name, starts::Certificate data) {
     std::string text = render(data).text;
@@ -160,7 +160,7 @@ std::vector<Base> bases(bool large) {
              certificate({proved("1.01", "1.01", 4, 3, Section::plain)}, Scene::dumbbell, Section::plain)),
         base("coin", bodies("1", "4", "4", 4, 4)),
         base("symmetric-range", bodies("1", "2", "3", 3, 3)),
-        base("body", bodies("1/2", "5/2", "5/2", 6, 3)),
+        base("body", bodies("1/2", "5/2", "5/2", 6, 3), 6),
         base("wedge", certified("3", "3", "1e-3", Scene::wedge)),
         base("wedge-range", certified("3", "7", "1e-3", Scene::wedge)),
         base("hybrid-range", certified("5", "11", "1e-3", Scene::hybrid)),

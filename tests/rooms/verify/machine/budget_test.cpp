@@ -123,7 +123,7 @@ TEST_CASE("the stack that many bits need is taken at once, before the memory is 
 TEST_CASE("a scene that there is not is wrong usage, not a rejection") {
     const Run r = run("--scene foo " + ten_path);
     CHECK(r.code == 2);
-    CHECK(r.err == "dumbbell-verify: --scene is dumbbell, hybrid or wedge, not `foo`\n");
+    CHECK(r.err == "dumbbell-verify: --scene is dumbbell, hybrid, wedge or body, not `foo`\n");
 }
 
 TEST_CASE("progress goes to a terminal only, without escape codes, and not with --quiet") {

@@ -36,8 +36,12 @@ TEST_CASE("a list of claims: each row is proved by its file, or it is rejected")
     CHECK(run_list(file.path() + "\t--scene wedge --ratio 10 --max 4\n").code == 1);
     CHECK(run_list(file.path() + "\t--claim initial-conditions --ratio 10 --max 4\n").code == 1);
     const Run json = run_list(four + "\n" + three + "\n", "--json --jobs 2 --precision 60");
-    CHECK(has(json.out, "\"demand\":{\"ratio\":{\"lo\":\"10/1\",\"hi\":\"10/1\"},\"max\":4,\"min\":null,"));
-    CHECK(has(json.out, "\"demand\":{\"ratio\":{\"lo\":\"10/1\",\"hi\":\"10/1\"},\"max\":3,\"min\":null,"));
+    CHECK(
+        has(json.out,
+            "\"demand\":{\"ratio\":{\"lo\":\"10/1\",\"hi\":\"10/1\"},\"rho\":null,\"max\":4,\"min\":null,"));
+    CHECK(
+        has(json.out,
+            "\"demand\":{\"ratio\":{\"lo\":\"10/1\",\"hi\":\"10/1\"},\"rho\":null,\"max\":3,\"min\":null,"));
 }
 
 TEST_CASE("a list of claims: names are those of the list's folder, and of the working folder without one") {
