@@ -38,9 +38,9 @@ std::vector<Point> points(const std::string& path) {
 }
 
 // What a height of the upper picture stands for, by the two dashed lines.
-class Heights {
+class HeightScale {
   public:
-    explicit Heights(const std::string& svg) {
+    explicit HeightScale(const std::string& svg) {
         const auto lines = points(paths(svg, "bounds").at(0));
         top_ = lines.front().y;
         bottom_ = lines.back().y;
@@ -79,7 +79,7 @@ TEST_CASE("the picture of the law is well-formed, and the same pieces give the s
 
 TEST_CASE("a tooth is N - C sqrt q, from the one end of its piece to the other") {
     const std::string svg = law_svg(near_nine(), 1e12);
-    const Heights heights(svg);
+    const HeightScale heights(svg);
     const auto teeth = points(paths(svg, "proved").at(0));
     CHECK(heights.value(teeth.front().y) == Approx(8 - C * std::sqrt(46.0)).margin(a_pixel));
     CHECK(heights.value(teeth.back().y) == Approx(10 - C * std::sqrt(100.0)).margin(a_pixel));
@@ -87,7 +87,7 @@ TEST_CASE("a tooth is N - C sqrt q, from the one end of its piece to the other")
 
 TEST_CASE("beyond the certificate the law's band lies above 1 - c0 q^(-1/4), up to 2, and so do its strips") {
     const std::string svg = law_svg(near_nine(), 1e12);
-    const Heights heights(svg);
+    const HeightScale heights(svg);
     const auto band = points(paths(svg, "law").at(0));
     CHECK(heights.value(band.front().y) == Approx(1 - c0 / std::pow(100, 0.25)).margin(a_pixel));
     CHECK(heights.value(band.back().y) == Approx(2).margin(a_pixel));
