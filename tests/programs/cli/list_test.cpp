@@ -40,7 +40,7 @@ Json without(Json json, const Words& fields) {
     return json;
 }
 
-const Words falling{"--phi", "1/3", "--phidot", "1", "--y", "3", "--ydot", "-1/2"};
+const Words falling_start{"--phi", "1/3", "--phidot", "1", "--y", "3", "--ydot", "-1/2"};
 
 }  // namespace
 
@@ -88,7 +88,7 @@ TEST_CASE("no field of a table is taken apart or for a quoted one, whatever a li
 TEST_CASE(
     "with --json a line is what the command prints of that ratio, on one line, with the line's number") {
     for (const auto& [command, options] :
-         std::vector<std::pair<std::string, Words>>{{"certify", {}}, {"law", {}}, {"trace", falling}}) {
+         std::vector<std::pair<std::string, Words>>{{"certify", {}}, {"law", {}}, {"trace", falling_start}}) {
         CAPTURE(command);
         Words json = options, alone{command};
         json.emplace_back("--json");
@@ -116,7 +116,7 @@ TEST_CASE("law and trace give the same table") {
     CHECK(law.code == 2);
     CHECK_THAT(law.out, StartsWith(heading + "1\t70\t70/1\t70\t70/1\t70\t9\t9\t\n") &&
                             Contains("\n3\t1:2\t\t\t\t\t\t\tthe law takes one mass ratio, for"));
-    const Outcome trace = listed("10\n1:20\n", falling, "trace");
+    const Outcome trace = listed("10\n1:20\n", falling_start, "trace");
     CHECK(trace.code == 0);
     CHECK(trace.out == heading + "1\t10\t10/1\t10\t10/1\t10\t1\t1\t\n2\t1:20\t1/1\t1\t20/1\t20\t1\t5\t\n");
 }
