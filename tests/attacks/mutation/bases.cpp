@@ -160,7 +160,6 @@ std::vector<Base> bases(bool large) {
              certificate({proved("1.01", "1.01", 4, 3, Section::plain)}, Scene::dumbbell, Section::plain)),
         base("coin", bodies("1", "4", "4", 4, 4)),
         base("symmetric-range", bodies("1", "2", "3", 3, 3)),
-        base("body", bodies("1/2", "5/2", "5/2", 6, 3), 6),
         base("wedge", certified("3", "3", "1e-3", Scene::wedge)),
         base("wedge-range", certified("3", "7", "1e-3", Scene::wedge)),
         base("hybrid-range", certified("5", "11", "1e-3", Scene::hybrid)),
@@ -181,6 +180,7 @@ std::vector<Base> bases(bool large) {
         base("incoming", all_incoming(10, 96))};
     if (large) {
         all.push_back(base("full-large", certified("10", "10", "1e-3", Scene::dumbbell, Section::full)));
+        all.push_back(base("body", bodies("1/2", "5/2", "5/2", 6, 3), 6));
         all.push_back(base("staircase", certified("1", "50")));
         all.push_back(base("wedge-staircase", certified("1", "50", "1e-6", Scene::wedge)));
     }
