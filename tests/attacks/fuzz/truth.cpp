@@ -55,11 +55,22 @@ Bounds of_dumbbell(const mpq_class& q) {
     return result;
 }
 
-Bounds of_wedge(const mpq_class& q) {
-    const long double value =
-        std::acos(-1.0L) / (2 * std::atan(1 / std::sqrt(static_cast<long double>(q.get_d()))));
+/// ceil(pi/angle), 1e-12 around a step.
+Bounds of_angle(long double angle) {
+    const long double value = std::acos(-1.0L) / angle;
     const auto natural = [](long double x) { return static_cast<std::uint64_t>(std::ceil(x)); };
     return {natural(value * (1 - 1e-12L)), natural(value * (1 + 1e-12L))};
+}
+Bounds of_wedge(const mpq_class& q) {
+    return of_angle(2 * std::atan(1 / std::sqrt(static_cast<long double>(q.get_d()))));
+}
+/// L72 and L73 of body.md.
+Bounds of_body(const mpq_class& rho, const mpq_class& q) {
+    const Bounds wedge = of_wedge(q);
+    if (rho == 1) return wedge;
+    const long double root = std::sqrt(static_cast<long double>(q.get_d()));
+    const long double arcs = std::atan(root) + std::atan(static_cast<long double>(rho.get_d()) * root);
+    return {of_angle(std::acos(-1.0L) - arcs).least, 2 * wedge.most + 1};
 }
 
 }  // namespace
@@ -71,10 +82,12 @@ Bounds maximum(const std::string& scene, const mpq_class& q) {
 mpq_class critical_ratio(std::size_t n) { return table().at(n - first_step).cut; }
 std::size_t greatest_critical() { return first_step + table().size() - 1; }
 
-void must_be_true(const std::string& scene, const dumbbell::collisions::Piece& piece) {
+void must_be_true(const std::string& scene, const dumbbell::collisions::Piece& piece,
+                  const std::optional<dumbbell::collisions::Heights>& heights) {
     const mpq_class lo(piece.q_lo.raw()), hi(piece.q_hi.raw());
-    // The maximum does not decrease with q.
-    const Bounds at_lo = maximum(scene, lo), at_hi = maximum(scene, hi);
+    // The maximum does not decrease with q, nor do the bounds of a body with rho and Q.
+    const Bounds at_lo = heights ? of_body(mpq_class(heights->lo.raw()), lo) : maximum(scene, lo),
+                 at_hi = heights ? of_body(mpq_class(heights->hi.raw()), hi) : maximum(scene, hi);
     if ((!piece.upper || *piece.upper >= at_hi.least) && piece.lower <= at_lo.most) return;
     trap("verified, but false: scene " + scene + ", ratios " + lo.get_str() + ":" + hi.get_str() +
          ", upper " + (piece.upper ? piece.upper->str() : "none") + ", lower " + piece.lower.str() +

@@ -27,6 +27,8 @@ struct Bounds {
 [[nodiscard]] std::size_t greatest_critical();
 
 /// Ends the program if "N* <= upper and N* >= lower at all ratios of the piece" is certainly false.
-void must_be_true(const std::string& scene, const dumbbell::collisions::Piece& piece);
+/// `heights`: of bodies.
+void must_be_true(const std::string& scene, const dumbbell::collisions::Piece& piece,
+                  const std::optional<dumbbell::collisions::Heights>& heights = {});
 
 }  // namespace dumbbell_fuzz

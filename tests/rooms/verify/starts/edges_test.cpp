@@ -436,12 +436,16 @@ TEST_CASE("initial edges: shares are written to the letter") {
           "          5-  0.000000000000 to 0.250000000000\n");
     // Numbers that fill their column, and a share that no decimals end.
     claim.incoming = true;
+    claim.box.lo.back() = claim.box.hi.back() = 10;
     claim.shares.emplace();
     claim.shares->add(10'000, 99'999, mpq_class(1, 3));
     claim.shares->add(100'000, 100'000, mpq_class(1, 3));
     claim.shares->add(100'001, 999'999, mpq_class(1, 3));
     CHECK(claim.paragraph() ==
           "  No bound is proved that holds for every trajectory that comes in.\n"
+          "  The mean number of collisions is 70000.333333 to 399999.333334 by the leaves, and 1.670648 to "
+          "1.670649 by Theorem 6.\n"
+          "  The heavy mass hits the floor with probability 0.512274 to 0.512275.\n"
           "  collisions  share of the trajectories with exactly that many: proved bounds\n"
           "      0-9999  0.000000000000 to 0.000000000000\n"
           " 10000-99999  0.000000000000 to 0.333333333334\n"
