@@ -246,7 +246,8 @@ TEST_CASE("docs/reference/json.md describes the JSON of verify") {
              {"ten.dbc", "box.dbc", "bounce.dbc", "bad.dbc", DUMBBELL_PROJECT "/certificates/law.dbc.gz"},
              {"--ratio", "10", "--exactly", "4", "ten.dbc"},
              {"--scene", "body", "--rho", "1", "coin.dbc"},
-             {"--shares", "box.dbc", "incoming.dbc"}}) {
+             {"--shares", "box.dbc"},
+             {"--shares", "incoming.dbc"}}) {
         words = options;
         words.insert(words.begin(), {"verify", "--json"});
         for (const OrderedJson& object : printed(dumbbell(words, folder.path()))) {
