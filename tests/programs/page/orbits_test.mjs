@@ -8,7 +8,7 @@ import { parse, toNumber } from "../../../web/src/rational.js";
 import { bridgeOrbit, extremalOrbits, wedgeOrbit } from "../../../web/src/witness.js";
 import { chartPoints } from "../../../web/src/chart_points.js";
 import { floorAt } from "../../../web/src/flight.js";
-import { certificates, dataIn, dumbbell, report, scratch } from "./program.mjs";
+import { certificates, dataIn, dumbbell, long, report, scratch } from "./program.mjs";
 
 /// What trace says, whatever its exit code.
 const spawnTrace = ({ q, phi, phidot, y, ydot }) => {
@@ -61,7 +61,7 @@ test("a start typed into the page has the collisions that dumbbell trace enclose
 });
 
 const place = scratch();
-const files = certificates(place);
+const files = { ...certificates(place), long };
 const dataOf = (...names) => dataIn(report(place("data.html"), ...names.map((name) => files[name]))).files;
 const middle = ({ lo, hi }) => Math.sqrt(toNumber(parse(lo)) * toNumber(parse(hi)));
 
