@@ -48,7 +48,6 @@ TEST_CASE("what came of the work is handed on in the order of the work, on any n
 }
 
 TEST_CASE("while the first piece takes long, only so many others are begun") {
-    std::atomic<bool> released = false;
     std::atomic<std::size_t> begun = 0, greatest = 0;
     in_order(2, [&](const Interrupted&) {
         const std::size_t i = begun;
