@@ -80,8 +80,7 @@ std::optional<collisions::RatioPart> part_of(const Given& given, const CertifyRe
     }
     const Part part = parse_part(given.text("--part"));
     if (whole.q_lo == whole.q_hi || whole.heights) {
-        throw InputError(
-            "--part is for a range LO:HI of mass ratios: a single one has no parts, nor has a body");
+        throw InputError("--part is for a range LO:HI: a single mass ratio has no parts, nor has a body");
     }
     return part_of(part, whole.scene, whole.q_lo, whole.q_hi);
 }

@@ -24,7 +24,9 @@ inline constexpr Option certificates_option =
         .saying(
             "write the certificate to FILE (FILE.gz: compressed); -: the standard output; with --list: a new "
             "folder, for all of them")
-        .checked(nullptr);
+        .checked([](const std::string& name) {
+            return name.empty() ? fault_of_name(name, std::nullopt) : std::string();  // it may be a folder's
+        });
 inline constexpr Option strict_option =
     flag("--strict", "with --list: stop at the first line that is no mass ratio").needs("--list");
 

@@ -156,12 +156,12 @@ TEST_CASE("every option of every command is refused without its value, with a wr
 }
 
 TEST_CASE("an output without a name is refused by each command that has one") {
-    for (Words words : {Words{"certify", "10"}, Words{"critical", "4"}, Words{"adiabatic"},
-                        Words{"trace", "10", "--incoming", "--subdivide"},
-                        Words{"plot", "staircase", "x.dbc"}, Words{"report", "x.dbc"}}) {
+    for (Words words :
+         {Words{"certify", "10"}, Words{"critical", "4"}, Words{"adiabatic"}, Words{"trace", "10"},
+          Words{"plot", "staircase", "x.dbc"}, Words{"report", "x.dbc"}}) {
         CAPTURE(words);
         words.insert(words.end(), {"--out", ""});
-        CHECK_THAT(refused(words), Contains("--out: the file name is empty"));
+        CHECK_THAT(refused(words), Contains("--out: the file name is empty; see dumbbell " + words[0]));
     }
 }
 

@@ -106,7 +106,7 @@ TEST_CASE("a part that was killed goes on, and another part does not take its pi
 }
 
 TEST_CASE("parts are of ranges, and no more than there are steps") {
-    CHECK_THAT(refused({"certify", "10", "--part", "1/2"}), Contains("a single one has no parts"));
+    CHECK_THAT(refused({"certify", "10", "--part", "1/2"}), Contains("a single mass ratio has no parts"));
     CHECK_THAT(refused({"critical", "4", "--part", "1/2"}), Contains("a single critical ratio has no parts"));
     CHECK_THAT(refused({"certify", "1:300", "--part", "3/2"}), Contains("write K/N"));
     CHECK_THAT(refused({"certify", "1:300", "--part", "1/100"}), Contains("cut it into at most"));
