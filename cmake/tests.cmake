@@ -1,8 +1,7 @@
 # dumbbell_add_tests(NAME SOURCES file... LIBS target... [LABELS label...])
 #
 # A Catch2 program of which every TEST_CASE is one ctest test, called "NAME/test case". The label is
-# `unit` unless told otherwise (`long`: not under the sanitizers of .ci/run, `cli`: runs the programs, `proofs`:
-# checks shipped certificates). An hour ends a test case that hangs, and none because the machine is busy.
+# `unit` unless told otherwise (`long`: takes minutes, `cli`: runs the programs, `proofs`: checks shipped certificates). An hour ends a test case that hangs, and none because the machine is busy.
 find_package(Catch2 REQUIRED)
 include(Catch)
 
@@ -22,9 +21,6 @@ endif()
 target_compile_definitions(dumbbell_catch_main PUBLIC CATCH_CONFIG_FAST_COMPILE)
 target_compile_options(dumbbell_catch_main PUBLIC $<$<CONFIG:Release>:-O1>)
 
-# The programs of the tests labelled `unit`, and nothing else.
-add_custom_target(unit_tests)
-
 function(dumbbell_add_tests name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;LIBS;LABELS")
   if(arg_UNPARSED_ARGUMENTS OR NOT arg_SOURCES)
@@ -35,9 +31,6 @@ function(dumbbell_add_tests name)
   endif()
 
   add_executable(test_${name} ${arg_SOURCES})
-  if(arg_LABELS STREQUAL unit)
-    add_dependencies(unit_tests test_${name})
-  endif()
   target_include_directories(test_${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
   target_link_libraries(test_${name} PRIVATE dumbbell_options dumbbell_catch_main ${arg_LIBS})
   set_target_properties(test_${name} PROPERTIES UNITY_BUILD ${unity_tests} UNITY_BUILD_BATCH_SIZE 10)
