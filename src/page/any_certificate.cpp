@@ -32,8 +32,8 @@ AnyCertificate read_any_certificate(const std::string& path) {
     collisions::Certificate certificate = collisions::read_certificate(path);
     if (certificate.heights) {
         throw InputError(fmt::format(
-            "'{}' is about rigid bodies (dumbbell certify --scene body): no page and no picture shows that; "
-            "dumbbell verify checks it",
+            "'{}' is about rigid bodies (dumbbell certify --scene body): no page shows that, of the pictures "
+            "only dumbbell plot body; dumbbell verify checks it",
             path));
     }
     return certificate;

@@ -25,7 +25,8 @@ Examples:
   dumbbell plot cover certificates/full-100.dbc.gz --out cover.svg
   dumbbell plot orbit 100 --out orbit.svg
   dumbbell plot phase falling.dbc --out phase.svg
-  dumbbell plot adiabatic scattering.dbc --out adiabatic.svg)";
+  dumbbell plot adiabatic scattering.dbc --out adiabatic.svg
+  dumbbell plot body coin.dbc rod.dbc --out bodies.svg)";
 
 constexpr const char* staircase_picture_description =
     R"(The proved maximum N(q) of a scene, and the gaps in which it is one of two values.
@@ -89,6 +90,18 @@ Example:
   dumbbell trace 10 --phi 0:6.28 --phidot 1 --y 2 --ydot=-2:1 --subdivide --out falling.dbc
   dumbbell plot phase falling.dbc --out phase.svg)";
 
+constexpr const char* body_picture_description =
+    R"(The plane of all rigid bodies, and the proved maximum of those of the certificates.
+
+Each certificate by dumbbell certify --scene body is a disc, or a rectangle of bodies, coloured by its maximum; what is
+not decided is hatched. The massless rods (Q rho = 1), rods of growing mass, the ring, the uniform rod and the coin are
+marked. proofs/body.md says what rho and Q are.
+
+Example:
+  dumbbell certify --coin --out coin.dbc
+  dumbbell certify 10 --rod-mass 1/100 --out rod.dbc
+  dumbbell plot body coin.dbc rod.dbc --out bodies.svg)";
+
 constexpr std::array<Option, 2> from_file(std::string_view text) {
     return {argument("FILE", text).required(),
             Option{"--out", "FILE", "the SVG file to write; -: the standard output"}
@@ -118,6 +131,13 @@ int run_plot(const Given& given) {
     return exit_done;
 }
 
+int run_plot_bodies(const Given& given) {
+    const Output out(given.text("--out"), given.words("FILE"));
+    Progress progress("", Verbosity::normal, "reading");
+    out.commit(draw_bodies(given.words("FILE"), progress));
+    return exit_done;
+}
+
 constexpr std::array staircase_picture_options =
     from_file("certificate over a range of mass ratios (-: the standard input)");
 constexpr std::array law_picture_options = joined(staircase_picture_options, with_end);
@@ -129,6 +149,9 @@ constexpr std::array phase_picture_options =
     from_file("certificate about initial conditions (-: the standard input)");
 constexpr std::array adiabatic_picture_options =
     from_file("certificate about the adiabatic invariant (-: the standard input)");
+
+constexpr std::array body_picture_options{from_file("certificates about rigid bodies")[0].repeated(),
+                                          from_file("")[1]};
 
 constexpr Command picture(std::string_view name, std::string_view text, std::span<const Option> options,
                           int (*run)(const Given&)) {
@@ -147,8 +170,10 @@ constexpr Command phase_picture =
     picture("phase", phase_picture_description, phase_picture_options, run_plot<draw_phase>);
 constexpr Command adiabatic_picture =
     picture("adiabatic", adiabatic_picture_description, adiabatic_picture_options, run_plot<draw_adiabatic>);
-constexpr std::array pictures{&staircase_picture, &cover_picture,     &orbit_picture,
-                              &phase_picture,     &adiabatic_picture, &law_picture};
+constexpr Command body_picture =
+    picture("body", body_picture_description, body_picture_options, run_plot_bodies);
+constexpr std::array pictures{&staircase_picture, &cover_picture, &orbit_picture, &phase_picture,
+                              &adiabatic_picture, &law_picture,   &body_picture};
 
 }  // namespace
 

@@ -11,6 +11,7 @@
 #include "cli/commands/verify.hpp"
 #include "collisions/certify.hpp"
 #include "collisions/names.hpp"
+#include "collisions/reader.hpp"
 #include "collisions/scene.hpp"
 #include "collisions/witness_orbit.hpp"
 #include "flight/paper_bound.hpp"
@@ -18,6 +19,7 @@
 #include "number/ratio_argument.hpp"
 #include "page/any_certificate.hpp"
 #include "pictures/adiabatic.hpp"
+#include "pictures/body_map.hpp"
 #include "pictures/cover.hpp"
 #include "pictures/law.hpp"
 #include "pictures/orbit.hpp"
@@ -40,6 +42,7 @@ const Rational greatest_ratio_of_law = Rational(pow(Integer(10), 36));
 constexpr const char* make_staircase = "dumbbell certify LO:HI --out FILE";
 constexpr const char* make_one = "dumbbell certify RATIO --out FILE";
 constexpr const char* make_starts = "dumbbell trace RATIO ... --subdivide --out FILE";
+constexpr const char* make_body = "dumbbell certify --scene body ... --out FILE";
 constexpr const char* make_adiabatic = "dumbbell adiabatic --delta D --out FILE";
 
 const char* what_it_is(const page::AnyCertificate& certificate) {
@@ -227,6 +230,20 @@ std::string draw_adiabatic(const PlotRequest& request) {
     const auto certificate =
         verified_certificate<adiabatic::Certificate>(request, "adiabatic", make_adiabatic);
     return pictures::adiabatic_svg(certificate);
+}
+
+std::string draw_bodies(const std::vector<std::string>& files, Observer& observer) {
+    std::vector<Certificate> certificates;
+    for (const std::string& file : files) {
+        Certificate certificate = collisions::read_certificate(file);
+        if (!certificate.heights) {
+            throw InputError(fmt::format("'{}' is about the scene {}: plot body needs certificates by {}",
+                                         file, name(certificate.scene), make_body));
+        }
+        (void)verified(file, certificate.sha256, name(certificate.scene), observer);
+        certificates.push_back(std::move(certificate));
+    }
+    return pictures::body_map_svg(certificates);
 }
 
 }  // namespace dumbbell::cli

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "base/observer.hpp"
 
@@ -22,5 +23,6 @@ struct PlotRequest {
 [[nodiscard]] std::string draw_orbit(const PlotRequest& request);
 [[nodiscard]] std::string draw_phase(const PlotRequest& request);
 [[nodiscard]] std::string draw_adiabatic(const PlotRequest& request);
+[[nodiscard]] std::string draw_bodies(const std::vector<std::string>& files, Observer& observer);
 
 }  // namespace dumbbell::cli

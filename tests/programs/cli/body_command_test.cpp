@@ -52,7 +52,20 @@ TEST_CASE("numbers that are no body's are refused, with what to do") {
     CHECK_THAT(refused_body({"--coin", "--witness"}), Contains("--witness prints orbits of the dumbbell"));
 }
 
-TEST_CASE("pictures, pages and join refuse what is about bodies") {
+TEST_CASE("a map of bodies is drawn of certificates about bodies, each verified") {
+    const TemporaryFolder folder;
+    REQUIRE(dumbbell({"certify", "--coin", "--out", "coin.dbc"}, folder.path()).code == 0);
+    REQUIRE(dumbbell({"certify", "10", "--out", "ten.dbc"}, folder.path()).code == 0);
+    CHECK(dumbbell({"plot", "body", "coin.dbc", "coin.dbc", "--out", "map.svg"}, folder.path()).code == 0);
+    CHECK_THAT(contents(folder / "map.svg"), Contains("<circle class=\"n4\""));
+    const Outcome other =
+        dumbbell({"plot", "body", "coin.dbc", "ten.dbc", "--out", "other.svg"}, folder.path());
+    CHECK(other.code == 2);
+    CHECK_THAT(other.err, Contains("'ten.dbc' is about the scene dumbbell"));
+    CHECK(folder.names() == Words{"coin.dbc", "map.svg", "ten.dbc"});
+}
+
+TEST_CASE("other pictures, pages and join refuse what is about bodies") {
     const TemporaryFolder folder;
     REQUIRE(dumbbell({"certify", "--rho", "1", "--inertia", "2:5", "--out", "symmetric.dbc"}, folder.path())
                 .code == 0);

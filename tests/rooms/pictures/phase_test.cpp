@@ -5,6 +5,7 @@
 #include "rooms/starts/sample.hpp"
 #include "xml.hpp"
 
+using namespace dumbbell;
 using namespace dumbbell_test;
 using namespace dumbbell::pictures;
 using namespace dumbbell::starts;

@@ -4,6 +4,7 @@
 #include "catch.hpp"
 #include "rooms/starts/sample.hpp"
 
+using namespace dumbbell;
 using namespace dumbbell_test;
 using namespace dumbbell::pictures;
 using namespace dumbbell::starts;
