@@ -123,6 +123,20 @@ Onward plain_collision(const PlainRay<I>& ray, const I& r, PlainDeparture<I>& ne
                                                  : Onward::may_return;
 }
 
+/// The later collisions in all, if this one ends them, after `count` others; nothing is known of the undecided.
+inline std::optional<long> ended(Onward onward, long count, long cap) {
+    switch (onward) {
+        case Onward::misses:
+            return count;
+        case Onward::leaves:
+            return count + 1;
+        case Onward::undecided:
+            return cap + 1;
+        default:
+            return std::nullopt;
+    }
+}
+
 /// The rays that departures are when they do not meet the bridge.
 template <class I>
 PlainRay<I> past_bridge(const PlainDeparture<I>& from) {
@@ -146,16 +160,8 @@ template <class I>
         }
         ray.c = max(I(0), ray.c);
         PlainDeparture<I> next;
-        switch (detail::plain_collision(ray, body.r, next)) {
-            case detail::Onward::misses:
-                return count;
-            case detail::Onward::leaves:
-                return count + 1;
-            case detail::Onward::undecided:
-                return cap + 1;
-            case detail::Onward::may_return:
-            case detail::Onward::return_all:
-                break;
+        if (const auto total = detail::ended(detail::plain_collision(ray, body.r, next), count, cap)) {
+            return *total;
         }
         if (ends_early(count, interrupted)) {
             return cap + 1;
@@ -257,16 +263,8 @@ template <class I>
         }
         PlainRay<I> ray = detail::past_bridge(from);
         ray.c = max(I(0), ray.c);
-        switch (detail::plain_collision(ray, body.r, from)) {
-            case detail::Onward::misses:
-                return std::max(most, count);
-            case detail::Onward::leaves:
-                return std::max(most, count + 1);
-            case detail::Onward::undecided:
-                return cap + 1;
-            case detail::Onward::may_return:
-            case detail::Onward::return_all:
-                break;
+        if (const auto total = detail::ended(detail::plain_collision(ray, body.r, from), count, cap)) {
+            return std::max(most, *total);
         }
         if (ends_early(count, interrupted)) {
             return cap + 1;
