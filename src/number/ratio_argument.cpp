@@ -11,7 +11,7 @@ namespace {
 Rational positive(const std::string& text) {
     Rational value = parse_rational(text);
     if (value == 0) {
-        throw InputError("the mass ratio must be greater than 0");
+        throw InputError("a ratio must be greater than 0");
     }
     return value;
 }

@@ -80,7 +80,7 @@ def mass_ratio(text):
         fraction = re.fullmatch(r"([0-9]+)/([0-9]*[1-9][0-9]*)", text)
         ratio = Fraction(int(fraction[1]), int(fraction[2])) if fraction else decimal(text)
     if not ratio:
-        raise Usage(f"not a mass ratio: `{text[:60]}`")
+        raise Usage(f"not a positive ratio: `{text[:60]}`")
     return ratio
 
 

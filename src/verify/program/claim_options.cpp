@@ -24,7 +24,7 @@ mpq_class parse_ratio(const std::string& text) {
     mpq_class ratio = 0;
     if (text.size() <= 1000)
         ratio = text.find('/') < text.size() ? parse_fraction(text) : parse_decimal(text).value_or(0);
-    if (ratio == 0) throw std::invalid_argument("not a mass ratio: `" + text.substr(0, 60) + "`");
+    if (ratio == 0) throw std::invalid_argument("not a positive ratio: `" + text.substr(0, 60) + "`");
     ratio.canonicalize();
     return ratio;
 }

@@ -290,7 +290,7 @@ TEST_CASE("wrong usage is one line on stderr and exit code 2") {
     }
     for (const char* ratio : {"5/", "/5", "/", "5/x", "5/3x"})
         CHECK(run("--ratio " + std::string(ratio) + " " + file.path()).err ==
-              "dumbbell-verify: not a mass ratio: `" + std::string(ratio) + "`\n");
+              "dumbbell-verify: not a positive ratio: `" + std::string(ratio) + "`\n");
     const std::string digits(1001, '1');
     CHECK(run("--ratio " + digits + " " + file.path()).code == 2);
     CHECK(run("--ratio " + digits.substr(1) + " " + file.path()).code == 1);
