@@ -1,4 +1,5 @@
 // A certificate about the greatest number of collisions: staircase, cover, witnesses, tables.
+import { birth } from "./birth.js";
 import { chartPoints } from "./chart_points.js";
 import { leafText, total } from "./charts.js";
 import { cover } from "./cover.js";
@@ -110,7 +111,7 @@ const orbitOf = (piece, q) => {
 };
 
 /// The witness orbits, at any ratio of their pieces.
-function witnesses(file) {
+function witnesses(file, moves) {
     const pieces = file.pieces.filter((piece) => piece.witness);
     if (pieces.length === 0) {
         return null;
@@ -151,6 +152,9 @@ function witnesses(file) {
         })));
     }
     load(chosen, share);
+    if (moves) {
+        player.playOnce();
+    }
     return h("figure", { class: "wide" }, h("div", { class: "controls" }, controls), about, player.element, h("figcaption", {}, file.has_orbits
         ? "A witness orbit: the dumbbell, and the same motion as a point above the floor curve. No gravity; the uniform horizontal motion is left out, and the dots are larger than the point masses. The view goes on a little before the first and after the last collision."
         : "A witness orbit in the model wedge, which is a plane figure and no dumbbell. It has no scale; drawn so that the farthest contact is at 1."));
@@ -176,20 +180,34 @@ function piecesTable(file) {
     );
 }
 
-export function collisionsSection(file, constant, isAlone) {
+const fewBoxes = 5;
+
+/// Folded if it has little to show.
+function coverPart(file) {
+    const most = Math.max(...file.pieces.flatMap((piece) => piece.trees.map((tree) => tree.leaves)));
+    const shown = cover(coverSource(file)).element;
+    return most < fewBoxes
+        ? h("details", {}, h("summary", {}, `The cover: ${most === 1 ? "1 box" : `${most} boxes`}`), shown)
+        : h("div", {}, h("h3", {}, "The cover"), shown);
+}
+
+/// isFirst: of the page.
+export function collisionsSection(file, constant, isAlone, isFirst) {
     const isRange = file.lo_text !== file.hi_text;
     const hasBoxes = file.pieces.some((piece) => piece.trees.length > 0);
-    const played = witnesses(file);
+    const played = witnesses(file, isFirst);
+    const born = birth(file);
     return [
         h("h2", {}, `${file.system}, ${rangeText(file)}`),
         h("p", { class: "claim" }, claimText(file), file.section !== "turning" ? " The heavy mass hits the floor at most once." : ""),
+        played && h("h3", {}, "The witness orbits"),
+        played,
         verifyBox(file),
         isRange && h("h3", {}, "The staircase"),
         isRange && staircase(file, constant).element,
-        hasBoxes && h("h3", {}, "The cover"),
-        hasBoxes && cover(coverSource(file)).element,
-        played && h("h3", {}, "The witness orbits"),
-        played,
+        born && h("h3", {}, "How one more collision is born"),
+        born,
+        hasBoxes && coverPart(file),
         piecesTable(file),
         foundations(file, isAlone),
     ];

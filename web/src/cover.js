@@ -2,7 +2,7 @@
 //   choices: [{text, tree (data), chart, explain (the verifier's path to the root), marks}]
 //   first: index of the choice shown at first;  kinds;  colourings: [{text, paint(kind): a colour or "hatched", label(kind), order(kind)}]
 //   countOf(kind): the count that its colour stands for, if there is one (the colouring then has isByCount)
-//   describe(kind, chart): a leaf in a line;  note: text below;  file: for the verifier;  play(point): if boxes can be played
+//   describe(kind, chart): a leaf in a line;  note: text below;  file: for the verifier;  play(): plays what was simulated last
 //   simulate(point): follows it, and says what it found; the picture then has a start that can be dragged
 import { h, labelled, output, select } from "./dom.js";
 import { drawBoxes } from "./boxes.js";
@@ -52,7 +52,7 @@ class Cover {
         this.counter = h("span", {});
         this.element = h(
             "figure",
-            { class: "wide" },
+            { class: "wide map" },
             this.controls,
             this.sliders,
             this.plane.element,
@@ -275,7 +275,9 @@ class Cover {
     play(x, y) {
         const leaf = this.tree.find(this.point(x, y));
         if (leaf) {
-            this.source.play(this.tree.axes.map((_, a) => (leaf.box[2 * a] + leaf.box[2 * a + 1]) / 2));
+            this.fixed = this.tree.axes.map((_, a) => (leaf.box[2 * a] + leaf.box[2 * a + 1]) / 2);
+            this.moveStart(this.fixed[this.x], this.fixed[this.y]);
+            this.source.play();
         }
     }
 }

@@ -4,6 +4,7 @@ import { cover } from "./cover.js";
 import { h, table } from "./dom.js";
 import { foundations, verifyBox } from "./file_tables.js";
 import { plural, shortened, show } from "./numbers.js";
+import { Player } from "./player.js";
 import { parse, toNumber } from "./rational.js";
 import { colour, shade } from "./theme.js";
 
@@ -26,7 +27,15 @@ function startOf(file, point) {
     return [q, Math.PI * x, s * Math.sqrt(q / (1 - s * s)), (lift * q) / (1 + q), -q / (1 + q)];
 }
 
-function source(file, own) {
+/// What `beside` plays follows the start in the map.
+function source(file, own, beside) {
+    const follow = (point) => {
+        const told = own.follow(startOf(file, point));
+        if (own.orbit()) {
+            beside.load(own.orbit());
+        }
+        return told;
+    };
     const hasOpen = file.kinds.some((kind) => !isExact(kind));
     return {
         title: `The boxes of initial conditions of ${file.name}`,
@@ -36,9 +45,9 @@ function source(file, own) {
         axisText: names,
         describe: (kind) => `${isExact(kind) ? "Exactly " : ""}${countText(kind)}${kind.first ? `, the first one of the ${kind.first} mass` : ""}`,
         file: file.verify_file,
-        note: `${hasOpen ? `${file.hatched} ` : ""}Click a box (or press Enter for the one in the middle) to play the orbit from its centre below.`,
-        play: (point) => own.set(startOf(file, point)),
-        simulate: (point) => own.follow(startOf(file, point)),
+        note: `${hasOpen ? `${file.hatched} ` : ""}Click a box (or press Enter for the one in the middle) to play the orbit from its centre.`,
+        play: () => beside.isPlaying || beside.toggle(),
+        simulate: follow,
         extra: (leaf) => windowText(file.windows.slice(2 * leaf, 2 * leaf + 2)),
         colourings: [
             {
@@ -75,12 +84,16 @@ const plain = (text) => shortened(text.endsWith("/1") ? text.slice(0, -2) : text
 export function initialSection(file, own, isAlone) {
     const isIncoming = file.claim === "incoming";
     const shares = file.shares.map(({ collisions, share, boxes }) => [collisions === null ? "not decided" : `exactly ${collisions}`, `${show(Number(share) * 100, 5)} %`, boxes.toLocaleString("en")]);
+    const beside = new Player();
+    const boxes = source(file, own, beside);
+    const map = cover(boxes);
+    boxes.simulate(map.fixed);
     return [
         h("h2", {}, isIncoming ? "Incoming trajectories" : "Initial conditions"),
         h("p", { class: "claim" }, claimText(file)),
         verifyBox(file),
-        h("h3", {}, "The cover"),
-        cover(source(file, own)).element,
+        h("h3", {}, "The cover, and the motion from the start in it"),
+        h("div", { class: "pair" }, map.element, beside.element),
         h("h3", {}, isIncoming ? "How many of them" : "How much of the box"),
         table("Shares (rounded)", ["collisions", "share", "boxes"], shares, [1, 2]),
         foundations(file, isAlone),

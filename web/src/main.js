@@ -6,6 +6,7 @@ import { h, labelled, select } from "./dom.js";
 import { initialSection } from "./initial_section.js";
 import { OwnStart } from "./own_start.js";
 import { openForPrint } from "./print.js";
+import { linkedStart } from "./start.js";
 import { setTheme, useColours, watchTheme } from "./theme.js";
 
 function header(data) {
@@ -25,11 +26,11 @@ const mostNames = 3; // of files, in the title
 /// Nine collisions, by `dumbbell trace`, too.
 const firstStart = { q: "100", phi: "-0.2", phidot: "1", y: "0.8", ydot: "-0.1" };
 
-function sectionOf(file, data, own) {
+function sectionOf(file, data, own, isFirst) {
     const isAlone = data.files.length === 1;
     switch (file.claim) {
         case "collisions":
-            return collisionsSection(file, Number(data.growth_constant), isAlone);
+            return collisionsSection(file, Number(data.growth_constant), isAlone, isFirst);
         case "initial-conditions":
         case "incoming":
             return initialSection(file, own, isAlone);
@@ -42,14 +43,18 @@ const data = parseReport(document.getElementById("data").textContent);
 useColours(data.colours);
 watchTheme();
 openForPrint();
-const own = new OwnStart(firstStart);
+const linked = linkedStart(location.hash);
+const own = new OwnStart(linked ?? firstStart);
 document.title = `dumbbell report: ${data.files.length > mostNames ? `${data.files.length} files` : data.files.map((file) => file.name).join(", ")}`;
 document.getElementById("page").replaceChildren(
     header(data),
-    ...data.files.map((file, i) => h("section", { id: `file-${i + 1}` }, h("p", { class: "filename" }, file.name), ...sectionOf(file, data, own).filter(Boolean))),
+    ...data.files.map((file, i) => h("section", { id: `file-${i + 1}` }, h("p", { class: "filename" }, file.name), ...sectionOf(file, data, own, i === 0).filter(Boolean))),
     own.element,
     h("footer", {}, `dumbbell ${data.version}. Pictures and motions are drawn in double precision: they illustrate. What is claimed is in the files; what is proved, the verifier says.`),
 );
 requestAnimationFrame(() => requestAnimationFrame(() => {
+    if (linked) {
+        own.element.scrollIntoView();
+    }
     document.documentElement.dataset.drawn = String(Math.round(performance.now())); // ms since the page was asked for
 }));

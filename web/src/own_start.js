@@ -3,7 +3,7 @@ import { command, h, labelled, output } from "./dom.js";
 import { plural } from "./numbers.js";
 import { mostCollisions, orbitFromStart } from "./orbit.js";
 import { Player } from "./player.js";
-import { angleFrom, fault, numberFrom, startFrom } from "./start.js";
+import { angleFrom, fault, inLetters, linkTo, numberFrom, startFrom } from "./start.js";
 
 const fields = [
     ["q", "mass ratio q"],
@@ -37,6 +37,11 @@ export class OwnStart {
             this.shown,
         );
         this.go();
+    }
+
+    /// What is followed; null if the start is none.
+    orbit() {
+        return this.figure.hidden ? null : this.player.orbit;
     }
 
     /// Values in the order q, phi, phidot, y, ydot. Says what was found.
@@ -83,8 +88,8 @@ export class OwnStart {
               ? `In doubles: ${n}, then both masses hit the floor at once, and no motion is defined.`
               : `Followed for ${mostCollisions.toLocaleString("en")} collisions only.`;
         this.message.textContent = `${isSwapped ? "Ratios below 1: the masses are swapped, q \u2192 1/q. " : ""}${found}`;
-        const words = this.inputs.map((input) => input.value.replace(/\u2212/g, "-").replace(/[\s+]/g, ""));
+        const words = this.inputs.map((input) => inLetters(input.value));
         const options = fields.slice(1).map(([name], i) => `--${name} ${words[i + 1]}`).join(" ");
-        this.shown.replaceChildren(h("p", { class: "note" }, "The same orbit with every number enclosed, and its count proved:"), command(`dumbbell trace ${words[0]} ${options}`));
+        this.shown.replaceChildren(h("p", { class: "note" }, "The same orbit with every number enclosed, and its count proved:"), command(`dumbbell trace ${words[0]} ${options}`), h("p", { class: "note" }, h("a", { href: linkTo(words) }, "A link to this start")));
     }
 }

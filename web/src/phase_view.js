@@ -21,8 +21,10 @@ export class PhaseView {
         this.element = this.plane.element;
     }
 
-    setOrbit(orbit) {
+    /// `other`: one that is drawn faintly beside it, in the same units.
+    setOrbit(orbit, other = null) {
         this.orbit = orbit;
+        this.other = other;
         this.unit = lengthUnit(orbit);
         const ends = [at(orbit.first), at(orbit.last)];
         const points = [...orbit.collisions, ...ends];
@@ -48,6 +50,9 @@ export class PhaseView {
             return;
         }
         this.drawFloor(plane);
+        if (this.other) {
+            plane.line(this.places(this.other), "--faint", 1.25);
+        }
         this.drawPath(plane);
         this.drawCollisions(plane);
         if (this.state) {
@@ -89,10 +94,13 @@ export class PhaseView {
         }
     }
 
+    places({ collisions, first, last }) {
+        return [at(first), ...collisions, at(last)].map((p) => [p.psi, p.y * this.unit]);
+    }
+
     drawPath(plane) {
-        const { collisions, first, last } = this.orbit;
-        const done = this.state?.done ?? collisions.length + 1;
-        const places = [at(first), ...collisions, at(last)].map((p) => [p.psi, p.y * this.unit]);
+        const done = this.state?.done ?? this.orbit.collisions.length + 1;
+        const places = this.places(this.orbit);
         plane.line(places.slice(done), "--faint", 1.25);
         plane.line(places.slice(0, done + 1), "--ink", 1.25);
     }

@@ -1,6 +1,7 @@
 // A canvas with two axes that can be zoomed and moved: by wheel (when it has the focus, or with Ctrl), by dragging, by two
 // fingers, by buttons, by keys. What is drawn on it, and the marks of its axes, are its owner's.
-import { h } from "./dom.js";
+import { h, svg } from "./dom.js";
+import { SvgPage } from "./svg_page.js";
 import { colour, onTheme } from "./theme.js";
 import { linearTicks } from "./ticks.js";
 import { moveByKeys, moveByPointer } from "./gestures.js";
@@ -38,6 +39,7 @@ export class Plane {
             button("+", "Zoom in", () => this.zoom(0.5)),
             button("\u2212", "Zoom out", () => this.zoom(2)),
             button("Reset", "Show everything", () => this.reset()),
+            button("Save", "Save this picture as an SVG file", () => this.save()),
         );
     }
 
@@ -134,6 +136,19 @@ export class Plane {
         // For those who look from outside: where the frame is, and what it shows.
         const { x0, x1, y0, y1 } = this.window;
         Object.assign(this.canvas.dataset, { frame: JSON.stringify(frame), window: JSON.stringify({ x0, x1, y0, y1 }), ms: this.cost.toFixed(1) });
+    }
+
+    /// As it stands, as a file of the reader's.
+    save() {
+        const canvas = this.context;
+        this.context = new SvgPage(this.canvas.clientWidth, this.canvas.clientHeight, canvas);
+        this.draw();
+        const text = this.context.finished(this.options.title, svg);
+        this.context = canvas;
+        this.draw();
+        const url = URL.createObjectURL(new Blob([text], { type: "image/svg+xml" }));
+        h("a", { href: url, download: `${this.options.title.replace(/[^A-Za-z0-9.]+/g, "-")}.svg` }).click();
+        setTimeout(() => URL.revokeObjectURL(url), 1000);
     }
 
     /// The last drawing where it would be in the present window.

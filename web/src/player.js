@@ -12,6 +12,7 @@ const reduced = matchMedia("(prefers-reduced-motion: reduce)");
 const stepSeconds = 1.2; // per collision, where motion is reduced
 const hitRange = 0.06; // of a flight, near a collision: the floor is marked
 const mostRows = 400;
+const mostFlights = 30; // played without being asked
 
 export class Player {
     constructor() {
@@ -130,6 +131,13 @@ export class Player {
         this.before = performance.now();
         this.waited = 0;
         this.frame = requestAnimationFrame((now) => this.tick(now));
+    }
+
+    /// When the page opens: an orbit that is short enough to be watched, if motion is wanted.
+    playOnce() {
+        if (this.clock.flights <= mostFlights && !reduced.matches) {
+            this.toggle();
+        }
     }
 
     stop() {

@@ -63,7 +63,7 @@ class Staircase {
             probe: (x, y) => this.tell(x),
         });
         this.readout = output("readout", "Point at the staircase, or move it with the arrow keys.");
-        this.element = h("figure", { class: "wide" }, this.controls(), this.plane.element, this.readout, this.caption());
+        this.element = h("figure", { class: "wide map" }, this.controls(), this.plane.element, this.readout, this.caption());
     }
 
     /// A count as the plane has it: where doubles do not tell counts apart, its distance from the least one.

@@ -126,3 +126,31 @@ export function wedgeOrbit(lambda, q) {
 
 /// The extremal orbits of proofs/theorem.md, as limits of contacts with the bridge: at its top, and at its corner.
 export const extremalOrbits = (q) => ({ top: bridgeOrbit(Math.PI / 2, 0, q), corner: bridgeOrbit(0, 0, q) });
+
+/// The longest of the two orbits at q, the other one, and its name.
+export function longestOrbit(q) {
+    const { top, corner } = extremalOrbits(q);
+    const isTop = top.collisions.length > corner.collisions.length;
+    return { longest: isTop ? top : corner, other: isTop ? corner : top, name: isTop ? "over the top of the heavy mass\u2019s floor" : "out of the corner" };
+}
+
+/// The next ratio above (or below) q at which the longest orbit has another number of collisions, by bisection; null if there is none.
+export function nextStep(q, by, { from, to }) {
+    const count = (at) => longestOrbit(at).longest.collisions.length;
+    const here = count(q);
+    const end = by > 0 ? to : from;
+    if (count(end) === here) {
+        return null;
+    }
+    // Counts grow with q: the nearest other one is next to where this one ends.
+    let [same, other] = [q, end];
+    for (let i = 0; i < 60; ++i) {
+        const middle = (same + other) / 2;
+        if (count(middle) === here) {
+            same = middle;
+        } else {
+            other = middle;
+        }
+    }
+    return other;
+}

@@ -10,8 +10,8 @@ const patience = 600_000; // ms: more than anything takes on a busy machine
 export const launch = () =>
     chromium.launch({ executablePath: process.env.DUMBBELL_CHROMIUM, timeout: patience, args: ["--no-sandbox", "--disable-gpu", "--disable-background-networking"] });
 
-/// Opens a file; options as for a new page. `page.complaints` are errors and warnings, `page.requests` what it asked for.
-export async function open(browser, file, options = {}) {
+/// Opens a file, and stops what moves by itself unless `moves`; options as for a new page. `page.complaints` are errors and warnings, `page.requests` what it asked for.
+export async function open(browser, file, { moves = false, ...options } = {}) {
     const page = await browser.newPage({ viewport: { width: 1200, height: 900 }, colorScheme: "light", ...options });
     page.setDefaultTimeout(patience);
     page.complaints = [];
@@ -24,6 +24,15 @@ export async function open(browser, file, options = {}) {
     const error = await Promise.race([page.waitForFunction(() => document.documentElement.dataset.drawn).then(() => null, (error) => error), fails]);
     if (error) {
         throw new Error(`the page was not drawn: ${[...page.complaints, error.message].join("; ")}`);
+    }
+    if (!moves) {
+        await page.evaluate(() => {
+            const buttons = [...document.querySelectorAll(".transport button")];
+            if (buttons.some((button) => button.textContent === "Pause")) {
+                buttons.find((button) => button.textContent === "Start").click();
+                buttons.find((button) => button.textContent === "Pause").click();
+            }
+        });
     }
     return page;
 }

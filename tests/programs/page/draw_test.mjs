@@ -32,10 +32,16 @@ function has(picture, [x, y], ink, reach = 3) {
     return false;
 }
 
+/// A cover of few boxes is folded.
+async function unfold(page) {
+    await page.locator("summary", { hasText: "The cover" }).click();
+    await settled(page);
+}
+
 for (const colorScheme of ["light", "dark"]) {
     test(`the staircase has its steps, its gaps and the paper's bound where they are (${colorScheme})`, async () => {
         const page = await open(browser, report(place("stairs.html"), files.stairs), { colorScheme });
-        const canvas = page.locator("#file-1 .plane canvas").first();
+        const canvas = page.locator("#file-1 .map canvas").first();
         const picture = await pixels(canvas);
         assert.ok(inkShare(picture) > 0.01);
         const proved = await colour(page, "--proved");
@@ -52,7 +58,8 @@ for (const colorScheme of ["light", "dark"]) {
     test(`a cover of one box is one colour, and beside it there is none (${colorScheme})`, async () => {
         const ten = report(place("ten.html"), files.ten);
         const page = await open(browser, ten, { colorScheme });
-        const canvas = page.locator("#file-1 .plane canvas").first();
+        await unfold(page);
+        const canvas = page.locator("#file-1 .map canvas").first();
         const picture = await pixels(canvas);
         // The cover of q = 10 has a box with 4 collisions in the chart bridge, and one with 3 in the other chart.
         for (const [e, eta] of [[0.2, 9], [1, 6], [1.9, 14]]) {
@@ -92,7 +99,7 @@ test("boxes have the colours of their counts: the file's own lines against the p
     const text = gunzipSync(readFileSync(files.full)).toString();
     const full = report(place("full.html"), files.full);
     const page = await open(browser, full);
-    const canvas = page.locator("#file-1 .plane canvas").first();
+    const canvas = page.locator("#file-1 .map canvas").first();
     const points = [[0.1, 0.2], [0.3, 1.5], [1.5, 0.3], [0.9, 0.2], [1.2, 0.9], [0.55, 1.7], [1.9, 0.3]];
     const check = async (map) => {
         const picture = await pixels(canvas);
@@ -103,7 +110,7 @@ test("boxes have the colours of their counts: the file's own lines against the p
         }
     };
     await check(null);
-    await page.locator("#file-1 .controls select").nth(1).selectOption("physical");
+    await page.locator("#file-1 .map .controls select").nth(1).selectOption("physical");
     await settled(page);
     points.splice(points.findIndex(([, eta]) => eta === 1.7), 1); // steeper than the window shows
     await check((e, eta) => [Math.PI / 2 + e, (eta - Math.cos(e)) / (1 + 1 / 100)]);
@@ -112,11 +119,11 @@ test("boxes have the colours of their counts: the file's own lines against the p
 
 test("pointing at a box tells its range, its reason and the verifier's command, which explains that box", async () => {
     const page = await open(browser, report(place("full.html"), files.full));
-    const canvas = page.locator("#file-1 .plane canvas").first();
+    const canvas = page.locator("#file-1 .map canvas").first();
     await canvas.scrollIntoViewIfNeeded();
     const [x, y] = await placeOf(canvas, 0.9, 0.2);
     await canvas.hover({ position: { x, y } });
-    const told = await page.locator("#file-1 figure .readout").first().textContent();
+    const told = await page.locator("#file-1 .map .readout").first().textContent();
     assert.match(told, /count \d+: at most \d+ later collisions/);
     const command = /dumbbell (verify --explain \S+ \S+)/.exec(told)[1].split(" ");
     const explained = dumbbell(...command);
@@ -129,7 +136,8 @@ test("pointing at a box tells its range, its reason and the verifier's command, 
 
 test("the extremal orbits and the witness are marked", async () => {
     const page = await open(browser, report(place("ten.html"), files.ten));
-    const canvas = page.locator("#file-1 .plane canvas").first();
+    await unfold(page);
+    const canvas = page.locator("#file-1 .map canvas").first();
     const picture = await pixels(canvas);
     for (const [e, eta, name] of [[0.5, 0.5, "--mark"], [Math.PI / 2, 0, "--mark-top"], [0, 0, "--mark-corner"]]) {
         assert.ok(has(picture, await placeOf(canvas, e, eta), await colour(page, name), 2), name);
@@ -174,7 +182,7 @@ test("a colour means the same in the page and in the pictures of dumbbell plot, 
 test("initial conditions are coloured by their exact counts, which trace confirms", async () => {
     const starts = report(place("starts.html"), files.starts);
     const page = await open(browser, starts);
-    const canvas = page.locator("#file-1 .plane canvas").first();
+    const canvas = page.locator("#file-1 .map canvas").first();
     const picture = await pixels(canvas);
     for (const [phi, phidot] of [[1.4, 0.2], [0.3, -0.4], [2.8, 0.1]]) {
         const traced = JSON.parse(dumbbell("trace", 10, "--phi", phi, "--phidot", phidot, "--y", "3/2", "--ydot", -1, "--json"));

@@ -1,14 +1,15 @@
 // The motions of the page against the program's enclosures, and the shipped witnesses against their certificates.
 import assert from "node:assert/strict";
 import { spawnSync } from "node:child_process";
+import { readFileSync } from "node:fs";
 import test from "node:test";
 import { angleFrom, fault, numberFrom, startFrom } from "../../../web/src/start.js";
 import { orbitFromContact, orbitFromStart, stateAt } from "../../../web/src/orbit.js";
 import { parse, toNumber } from "../../../web/src/rational.js";
-import { bridgeOrbit, extremalOrbits, wedgeOrbit } from "../../../web/src/witness.js";
+import { bridgeOrbit, extremalOrbits, longestOrbit, nextStep, wedgeOrbit } from "../../../web/src/witness.js";
 import { chartPoints } from "../../../web/src/chart_points.js";
 import { floorAt } from "../../../web/src/flight.js";
-import { certificates, dataIn, dumbbell, long, report, scratch } from "./program.mjs";
+import { certificates, dataIn, dumbbell, long, report, scratch, shipped } from "./program.mjs";
 
 /// What trace says, whatever its exit code.
 const spawnTrace = ({ q, phi, phidot, y, ydot }) => {
@@ -170,5 +171,22 @@ test("an angle is typed as for dumbbell trace, and a command of it can be pasted
     assert.deepEqual(startFrom("dumbbell trace 4 --ydot=-1 --y 2 --phidot 0 --phi=pi/2"), { q: "4", phi: "pi/2", phidot: "0", y: "2", ydot: "-1" });
     for (const text of ["", "3", "dumbbell trace 10", "dumbbell certify 10"]) {
         assert.equal(startFrom(text), null, text);
+    }
+});
+
+test("the longest orbit gains a collision at the critical ratios, which are enclosed", () => {
+    const lines = readFileSync(shipped("critical-ratios.tsv"), "utf8").split("\n").filter((line) => /^\d/.test(line)).slice(1, 60);
+    const ends = { from: 1.5, to: 2500 };
+    let q = ends.from;
+    for (const [n, critical] of lines.map((line) => line.split("\t").map(Number))) {
+        assert.equal(longestOrbit(q).longest.collisions.length, n - 1);
+        const step = nextStep(q, +1, ends);
+        if (step === null) {
+            assert.ok(critical > ends.to);
+            return;
+        }
+        assert.ok(Math.abs(step / critical - 1) < 1e-6, `${n}: ${step}, not ${critical}`);
+        q = step * (1 + 1e-6);
+        assert.ok(Math.abs(nextStep(q, -1, ends) / critical - 1) < 1e-6);
     }
 });

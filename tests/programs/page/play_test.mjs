@@ -1,4 +1,5 @@
 import assert from "node:assert/strict";
+import { readFile } from "node:fs/promises";
 import test, { after } from "node:test";
 import { launch, open, pixels } from "./browser.mjs";
 import { certificates, report, scratch } from "./program.mjs";
@@ -296,5 +297,54 @@ test("the choice of colours changes page and pictures at once", async () => {
     assert.equal(await background(), "rgb(255, 255, 255)");
     await page.getByLabel("Colours").first().selectOption("auto");
     assert.equal(await background(), "rgb(20, 24, 31)");
+    await page.close();
+});
+
+test("a page begins with motion, once; where that is not wanted it stands still", async () => {
+    const scrub = (page) => page.locator("#file-1 .player .scrub");
+    const moving = await open(browser, report(place("ten.html"), files.ten), { moves: true });
+    await moving.waitForFunction((input) => Number(input.value) > 0.1, await scrub(moving).elementHandle());
+    await moving.close();
+    const still = await open(browser, report(place("ten.html"), files.ten), { moves: true, reducedMotion: "reduce" });
+    assert.equal(await player(still).button("Play").count(), 1);
+    assert.equal(await scrub(still).inputValue(), "0");
+    await still.close();
+});
+
+test("the mass ratio moves through the steps, where the longest orbit gains a collision", async () => {
+    const page = await open(browser, report(place("stairs.html"), files.stairs));
+    const birth = page.locator("#file-1 .birth");
+    const told = () => birth.locator(".readout").textContent();
+    assert.match(await told(), /^q = 10: the longest orbit, .*, has 4 collisions/);
+    await birth.getByRole("button", { name: "Next step" }).click();
+    assert.match(await told(), /^q = 11\.36\d*: .* has 5 collisions; the other one \(faint\) 4\.$/);
+    await birth.getByRole("button", { name: "Step before" }).click();
+    assert.match(await told(), /^q = 11\.36\d*: .* has 4 collisions; the other one \(faint\) 3\.$/);
+    await birth.getByLabel("Mass ratio q").press("End");
+    assert.match(await told(), /^q = 100: .* has 10 collisions/);
+    assert.deepEqual(page.complaints, []);
+    await page.close();
+});
+
+test("a start has a link, and a picture can be saved", async () => {
+    const file = report(place("ten.html"), files.ten);
+    const page = await open(browser, file);
+    await page.locator("#own input[name=phi]").fill("\u03c0/6");
+    await page.locator("#own input[name=phi]").press("Enter");
+    const link = await page.getByText("A link to this start").getAttribute("href");
+    assert.equal(link, "#start=100,pi%2F6,1,0.8,-0.1");
+    const linked = await open(browser, file + link);
+    assert.equal(await linked.locator("#own input[name=phi]").inputValue(), "pi/6");
+    await linked.close();
+    const [download] = await Promise.all([page.waitForEvent("download"), page.locator("#file-1 .player").getByRole("button", { name: "Save" }).click()]);
+    assert.match(download.suggestedFilename(), /^The-point-psi-y.*\.svg$/);
+    const svg = await readFile(await download.path(), "utf8");
+    assert.match(svg, /^<svg xmlns=/);
+    assert.ok(!/NaN|undefined/.test(svg));
+    const picture = await browser.newPage();
+    await picture.setContent(svg);
+    assert.ok(await picture.evaluate(() => document.querySelectorAll("svg path").length > 10));
+    await picture.close();
+    assert.deepEqual(page.complaints, []);
     await page.close();
 });

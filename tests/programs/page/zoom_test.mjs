@@ -13,7 +13,7 @@ const span = ({ x0, x1 }) => x1 - x0;
 
 test("buttons, keys, double click and wheel zoom; 0 and Reset show everything again", async () => {
     const page = await open(browser, report(place("full.html"), files.full));
-    const figure = page.locator("#file-1 .plane").first();
+    const figure = page.locator("#file-1 .map .plane").first();
     const canvas = figure.locator("canvas");
     const home = await windowOf(canvas);
     const click = async (name) => {
@@ -48,7 +48,7 @@ test("buttons, keys, double click and wheel zoom; 0 and Reset show everything ag
 
 test("the wheel scrolls the page where the picture does not have the focus", async () => {
     const page = await open(browser, report(place("full.html"), files.full));
-    const canvas = page.locator("#file-1 .plane canvas").first();
+    const canvas = page.locator("#file-1 .map canvas").first();
     const home = await windowOf(canvas);
     await canvas.hover({ position: { x: 300, y: 200 } });
     await page.mouse.wheel(0, 300);
@@ -59,7 +59,7 @@ test("the wheel scrolls the page where the picture does not have the focus", asy
 
 test("dragging moves the picture with the pointer", async () => {
     const page = await open(browser, report(place("full.html"), files.full));
-    const canvas = page.locator("#file-1 .plane canvas").first();
+    const canvas = page.locator("#file-1 .map canvas").first();
     await canvas.scrollIntoViewIfNeeded();
     const box = await canvas.boundingBox();
     const home = await windowOf(canvas);
@@ -77,8 +77,8 @@ test("dragging moves the picture with the pointer", async () => {
 
 test("every step of a staircase can be chosen, and its gap is seen in its true width", async () => {
     const page = await open(browser, report(place("long.html"), long));
-    const choice = page.locator("#file-1 .controls select").first();
-    const canvas = page.locator("#file-1 .plane canvas").first();
+    const choice = page.locator("#file-1 .map .controls select").first();
+    const canvas = page.locator("#file-1 .map canvas").first();
     const gap = await colour(page, "--gap");
     const count = await choice.locator("option").count();
     assert.equal(count, 2 + 885); // the whole range, and the typed ratio
@@ -99,7 +99,7 @@ test("every step of a staircase can be chosen, and its gap is seen in its true w
         }
         const width = Math.max(...levels) / frame.width;
         assert.ok(Math.abs(width - 1 / 9) < 0.02, `step ${i}: ${width} of the window ${x1 - x0}, ${row}`);
-        const told = await page.locator("#file-1 figure .readout").first().textContent();
+        const told = await page.locator("#file-1 .map .readout").first().textContent();
         assert.match(told, /is \d+ or \d+ \(a gap around the step\)/);
     }
     await choice.selectOption("");
@@ -111,9 +111,9 @@ test("every step of a staircase can be chosen, and its gap is seen in its true w
 
 test("a gap 40 orders of magnitude narrower than its ratio is shown, too", async () => {
     const page = await open(browser, report(place("fine.html"), files.fine));
-    await page.locator("#file-1 .controls select").first().selectOption("0");
+    await page.locator("#file-1 .map .controls select").first().selectOption("0");
     await settled(page);
-    const canvas = page.locator("#file-1 .plane canvas").first();
+    const canvas = page.locator("#file-1 .map canvas").first();
     const width = span(await windowOf(canvas));
     assert.ok(width > 0 && width < 1e-38, String(width));
     const picture = await pixels(canvas);
@@ -128,15 +128,15 @@ test("a typed ratio is gone to", async () => {
     await page.getByLabel("around q =", { exact: true }).fill("50");
     await page.getByRole("button", { name: "Go" }).click();
     await settled(page);
-    const { x0, x1 } = await windowOf(page.locator("#file-1 .plane canvas").first());
+    const { x0, x1 } = await windowOf(page.locator("#file-1 .map canvas").first());
     assert.ok(x0 < Math.log10(50) && Math.log10(50) < x1 && x1 - x0 < 0.1);
     const choice = page.getByLabel("Show", { exact: true });
-    const told = () => page.locator("#file-1 figure .readout").first().textContent();
+    const told = () => page.locator("#file-1 .map .readout").first().textContent();
     assert.match(await told(), /N\(q\) = 8/);
     assert.equal(await choice.inputValue(), "around");
     await choice.selectOption(""); // back, by the choice that no longer shows where one is
     await settled(page);
-    assert.ok(span(await windowOf(page.locator("#file-1 .plane canvas").first())) > 1.9);
+    assert.ok(span(await windowOf(page.locator("#file-1 .map canvas").first())) > 1.9);
     const go = async (text) => {
         await page.getByLabel("around q =", { exact: true }).fill(text);
         await page.getByRole("button", { name: "Go" }).click();
@@ -152,7 +152,7 @@ test("a typed ratio is gone to", async () => {
 
 test("the axes of a box of initial conditions can be turned, and cut", async () => {
     const page = await open(browser, report(place("adiabatic.html"), files.adiabatic));
-    const canvas = page.locator("#file-1 .plane canvas").first();
+    const canvas = page.locator("#file-1 .map canvas").first();
     const before = await pixels(canvas);
     await page.getByLabel("Across").selectOption({ label: "v" });
     await settled(page);
