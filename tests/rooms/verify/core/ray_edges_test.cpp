@@ -281,7 +281,7 @@ TEST_CASE("step edges: where D may be 0 it is not decided whether a departure re
                         r = w * w - Interval<Big>(2) * slope * w;
     REQUIRE(r.lo < r.hi);
     const std::string q = mpq_class(1 / exact_value(r.lo)).get_str();
-    CHECK(said_of_leaf("1 dumbbell full departure count 0 5 0 6 0 0 9/8 15/8 " + q + " " + q) ==
+    CHECK(said_of_leaf("1 dumbbell full departure count 53 5 0 6 0 0 9/8 15/8 " + q + " " + q) ==
           "D > 0 or D <= 0 is decided");
 }
 
