@@ -20,7 +20,7 @@ Interval<N> arcsine_share(const Interval<N>& Z) {
         Meter::spend(1 << 7);
         term = term * y * (I((2 * n - 1) * (2 * n - 1)) / I(2 * n * (2 * n + 1)));
         sum = sum + term;
-        if (add(down, sum.hi, term.hi) == sum.hi) break;  // more terms do not show
+        if (add(down, sum.hi, term.hi) <= sum.hi) break;  // more terms do not show
     }
     return {sum.lo, (sum + term * y / (I(1) - y)).hi};
 }

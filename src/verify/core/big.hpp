@@ -92,15 +92,13 @@ inline int terms(const Big& y) {
     return n;
 }
 
-/// nullptr if Judge certifies the leaf in double, or else with the leaf's bits; otherwise what is missing. A
-/// leaf that is `multiple` is not tried in double. Judge needs a name that no other judge of this leaf type
-/// has: g++ merges the instances of equally named templates, though they are in unnamed namespaces.
+/// nullptr if Judge certifies the leaf in double, or else in MPFR with the leaf's bits, of which 53 are
+/// closer than double; otherwise what is missing. A leaf that is `multiple` is not tried in double. Judge
+/// needs a name that no other judge of this leaf type has: g++ merges the instances of equally named
+/// templates, though they are in unnamed namespaces.
 template <template <class> class Judge, class AnyLeaf>
 const char* judged(const AnyLeaf& leaf, Log* log) {
-    if (!leaf.multiple) {
-        const char* missing = Judge<double>(leaf, log).verdict();
-        if (!missing || leaf.bits == 53) return missing;
-    }
+    if (!leaf.multiple && !Judge<double>(leaf, log).verdict()) return nullptr;
     Big::precision = leaf.bits;
     return Judge<Big>(leaf, log).verdict();
 }

@@ -25,7 +25,9 @@ struct Interval {
         return {sub(down, a.lo, b.hi), sub(up, a.hi, b.lo)};
     }
     friend Interval operator*(const Interval& a, const Interval& b) {
-        if (a.lo >= 0 && b.lo >= 0) return {mul(down, a.lo, b.lo), mul(up, a.hi, b.hi)};
+        if (b.lo >= 0)
+            return {mul(down, a.lo, a.lo < 0 ? b.hi : b.lo), mul(up, a.hi, a.hi < 0 ? b.lo : b.hi)};
+        if (a.lo >= 0) return b * a;
         const auto corners = [&](Round d) {
             return std::minmax(
                 {mul(d, a.lo, b.lo), mul(d, a.lo, b.hi), mul(d, a.hi, b.lo), mul(d, a.hi, b.hi)});
@@ -75,7 +77,7 @@ T brackets(const T& y, int first, int n, T tail) {
 /// The infinite nest for y in [0, 4], first = 1 (cos x, y = x^2) or 2 (sin x / x). Behind n brackets is left
 /// a series 1 - a1 + a1 a2 - ..., 0 <= a = y/(k(k+1)) <= 1/3, alternating and decreasing: the tail is in [0,
 /// 1]. In double the brackets from k = 7 on are no enclosures: a <= 1/14 there, with a relative error <=
-/// 2^-51, so each turns the error E of its tail into at most E/14 + 1.4 * 2^-53, and ten turn the first E <=
+/// 2^-50, so each turns the error E of its tail into at most E/14 + 1.4 * 2^-53, and ten turn the first E <=
 /// 1 into less than 2^-51.
 template <class N>
 Interval<N> series(const Interval<N>& y, int first) {

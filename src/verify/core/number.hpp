@@ -1,14 +1,13 @@
 // Directed rounding for double, in round-to-nearest and without touching the rounding mode: each result is
-// corrected by the sign of its exact error (TwoSum, or the residual of a fused multiply-add).
+// moved to its neighbour, even an exact one.
 //
 // Guarantee of add, mul, div, bound, pi_bound: rounded down, the result is at most the exact value, rounded
-// up at least; it is never NaN. Where the error would not be exact they return a weaker bound, at worst -inf
-// or +inf, unbounded: then nothing is known, nor of what is made of it, and what needs it fails.
+// up at least; it is never NaN. Where numbers are too small or too large they return a weaker bound, at worst
+// -inf or +inf, unbounded: then nothing is known, nor of what is made of it, and what needs it fails.
 #pragma once
 #include <gmpxx.h>
 #include <mpfr.h>
 
-#include <bit>
 #include <cfloat>
 #include <cmath>
 #include <cstdint>
@@ -26,46 +25,31 @@ enum Round { down, up };
 
 inline double unbounded(Round d) { return d == up ? HUGE_VAL : -HUGE_VAL; }
 
-/// s, or its neighbour in direction d if the exact value s + error lies there. |error| <= one unit of s; only
-/// its sign is used (0 if s = 0), and without a branch, because it is a coin toss.
-inline double settle(Round d, double s, double error) {
-    const auto bits = std::bit_cast<std::int64_t>(s), away = (bits >> 63) | 1;
-    return std::bit_cast<double>(bits + (d == up ? away * (error > 0) : -away * (error < 0)));
+/// L13: on the side d of every number of which s is the nearest double: s's neighbour there, a weaker bound
+/// where that might be wrong; s itself if `zero`, which says that the number is 0.
+inline double outward(Round d, double s, bool zero) {
+    const double size = std::abs(s), step = size * 0x1.0000000000001p-53;
+    if (size >= 0x1p-900 && size <= 0x1p1000) [[likely]]
+        return d == up ? s + step : s - step;
+    if (!(size < 1)) return unbounded(d);
+    return zero ? 0 : d == up ? 0x1p-899 : -0x1p-899;
 }
 
-/// TwoSum: its error term is exact, also for subnormal results, if nothing overflows.
-inline double add(Round d, double a, double b) {
-    if (!(std::abs(a) <= 0x1p1000 && std::abs(b) <= 0x1p1000)) return unbounded(d);
-    const double s = a + b, part = s - a;
-    return settle(d, s, (a - (s - part)) + (b - part));
-}
+/// A sum that is rounded to 0 is 0.
+inline double add(Round d, double a, double b) { return outward(d, a + b, a + b == 0); }
 inline double sub(Round d, double a, double b) { return add(d, a, -b); }
-
-/// The residual a b - p is 0 or at least 2^-106 |p| in size, so the fma is exact for |p| >= 2^-900.
-inline double mul(Round d, double a, double b) {
-    const double p = a * b, size = std::abs(p);
-    if (!(size <= 0x1p1000)) return unbounded(d);  // 0 times what is unbounded, too
-    if (size < 0x1p-900) return a == 0 || b == 0 ? 0 : d == up ? 0x1p-899 : -0x1p-899;
-    return settle(d, p, std::fma(a, b, -p));
-}
-
-/// The residual a - q b is 0 or at least 2^-106 |a| in size: exact likewise. The error is residual / b.
+inline double mul(Round d, double a, double b) { return outward(d, a * b, a == 0 || b == 0); }
 inline double div(Round d, double a, double b) {
-    const double q = a / b, size = std::abs(q);
-    if (!(size <= 0x1p900 && std::abs(b) <= 0x1p900)) return unbounded(d);
-    if (size < 0x1p-900) return a == 0 ? 0 : d == up ? 0x1p-899 : -0x1p-899;
-    if (std::abs(a) < 0x1p-900) return unbounded(d);
-    const double residual = std::fma(-q, b, a);
-    return settle(d, q, b > 0 ? residual : -residual);
+    return std::abs(b) <= 0x1p900 ? outward(d, a / b, a == 0) : unbounded(d);
 }
 
-/// An exact rational; of 0 it is 0. get_d() rounds towards zero; the comparison with its result is exact.
+/// An exact rational, closely. get_d() rounds towards zero; the comparison with its result is exact.
 inline double bound(Round d, const mpq_class& x, double) {
     const double size = static_cast<double>(mpz_sizeinbase(x.get_num_mpz_t(), 2)) -
                         static_cast<double>(mpz_sizeinbase(x.get_den_mpz_t(), 2));
     if (std::abs(size) > 890) return size > 0 ? unbounded(d) : d == up ? 0x1p-880 : -0x1p-880;
     const double s = x.get_d();
-    return settle(d, s, cmp(x, mpq_class(s)));
+    return (d == up ? x > mpq_class(s) : x < mpq_class(s)) ? outward(d, s, false) : s;
 }
 
 /// MPFR rounds pi correctly; at 53 bits the result is a double.

@@ -73,7 +73,7 @@ class Rays {
             w = 1;
         }
         const N x = std::max(zero, (z - (s - kappa * z - c) / (w - kappa)).lo);
-        const I d = I(x) - z, rest = d * d / I(2);
+        const I d = I(x) - z, rest = scaled(d * d, 1);
         return {x, (s + d * w - rest).lo, std::min(one, (w - d * s + rest).hi)};
     }
     /// L12 (b), (d): all rays below `ray` collide, transversally, at or before x, with cos >= cosine > 0.
@@ -84,7 +84,7 @@ class Rays {
         if (!(p.lo > zero)) return std::nullopt;
         const I reach = (I(2) * size / p).hi, x = z + reach;
         if (!((size + reach * reach / I(2)).hi < (p * reach).lo && x.hi <= quarter.lo)) return std::nullopt;
-        const I d = I(x.hi) - z, rest = d * d / I(2);
+        const I d = I(x.hi) - z, rest = scaled(d * d, 1);
         const N cosine = (w - d * s + rest * I(-1)).lo;
         if (!(cosine > zero)) return std::nullopt;
         return Contact{x.hi, (s + d * w + rest).hi, cosine};
@@ -92,8 +92,8 @@ class Rays {
     /// (2) of L4, in the monotone sense of L5: from bounds of the state to bounds on the same side. False if
     /// no ray of the set returns (down: D <= 0 certified), or if not all certainly do (up: not D > 0).
     bool reflect(Round d, Ray& ray, const Contact& at) {
-        const I kappa = ray.kappa, r = ray.r, w = at.cosine, ww = w * w;
-        const I D = ww - I(2) * kappa * w - r, top = kappa * ww + I(2) * r * w - r * kappa;
+        const I kappa = ray.kappa, r = ray.r, w = at.cosine, rw = r * w;
+        const I D = w * (w - (kappa + kappa)) - r, top = kappa * (w * w - r) + (rw + rw);
         const N& divisor = d == down ? D.hi : D.lo;
         if (log_) log_->there({{"  x ", I(at.x)}, {"  cos ", w}, {"  D ", D}});
         if (!(divisor > zero)) return false;

@@ -19,7 +19,7 @@ struct Leaf {
     std::size_t chart = 0, opcode = 0;
     mpz_class a = 0, b = 0, claimed = 0;  ///< two hints; U of the piece, for a witness V
     std::uint64_t line = 0;
-    unsigned bits = 53;  ///< working precision; 53 is double unless `multiple`
+    unsigned bits = 53;  ///< working precision; double is tried first unless `multiple`
     bool multiple = false;
     Box box;
     std::optional<Range> rho;  ///< of a body

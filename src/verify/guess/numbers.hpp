@@ -11,8 +11,8 @@ inline Big operator/(const Big& a, const Big& b) { return div(down, a, b); }
 
 inline Big scaled(const Big& y, int k) { return div(down, y, k * (k + 1)); }
 
-/// The last relative step of an iteration of third order.
-inline double guess_tolerance(double) { return 0x1p-26; }
+/// The last relative step of an iteration of third order: what is left is about its cube.
+inline double guess_tolerance(double) { return 0x1p-20; }
 inline Big guess_tolerance(const Big&) {
     return Big::rounded(down, mpfr_set_ui_2exp, 1UL, -Big::precision / 3 - 8);
 }

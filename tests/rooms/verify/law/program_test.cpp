@@ -64,7 +64,8 @@ TEST_CASE("law: the covers are those of the claim, whole: one leaf of each in nu
     const make::Run shown = run("--explain 9:witness " + file.path());
     CHECK(has(shown, "  V <= 1 + a + b: holds\n"));
     CHECK(has(shown, "  certified\n"));
-    // A step that doubles do not decide is tried again with its own bits, and a cover is not.
+    // What doubles do not decide is tried again: a step with its own bits, a cover with 53, whatever the last
+    // step has.
     const auto with = [&](const std::string& step, const std::string& changed) {
         return make::closed_law(make::replaced(text.substr(0, text.find("total split")), step, changed));
     };
@@ -75,10 +76,12 @@ TEST_CASE("law: the covers are those of the claim, whole: one leaf of each in nu
     CHECK(has(twice, "  NOT certified\n"));
     const std::string last = make::law_line("step 902 ");
     const make::File long_last(with(last + "\nbits 53\n", last + "\nbits 64\n"));
-    const std::string once = run("--explain layer " + long_last.path()).out;
-    const std::size_t at = once.find("does NOT hold\n");
-    CHECK(at != std::string::npos);
-    CHECK(once.find("does NOT hold\n", at + 1) == std::string::npos);
+    const auto layer = [](const make::File& in) {
+        const std::string out = run("--explain layer " + in.path()).out;
+        return out.substr(0, out.rfind("  NOT certified\n"));
+    };
+    CHECK(layer(file).find("does NOT hold\n") != std::string::npos);
+    CHECK(layer(long_last) == layer(file));
     const make::Run precise = run("--precision 64 --budget 1s --explain 9:witness " + file.path());
     CHECK(precise.code == 4);
     CHECK(has(precise, "\n  64 bits, claimed 9\n"));

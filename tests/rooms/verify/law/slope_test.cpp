@@ -18,7 +18,12 @@ TEMPLATE_TEST_CASE("law: what depends on U is a factor of what is 0 at U = 0, an
     using I = Interval<TestType>;
     Big::precision = 53;
     const Along<TestType, Slope> along{I(I(1).lo, I(2).hi)};
-    const auto is = [](const I& x, int lo, int hi) { return x.lo == lo && x.hi == hi; };
+    // Exact in MPFR; a double's end is moved to its neighbour by each operation.
+    const double pad = std::is_same_v<TestType, Big> ? 0 : 0x1p-47;
+    const auto is = [&](const I& x, int lo, int hi) {
+        const double below = lo - to_double(down, x.lo), above = to_double(up, x.hi) - hi;
+        return below >= 0 && below <= pad && above >= 0 && above <= pad;
+    };
     const auto U = along.line(I(0), I(1)), square = U * along.U;  // on [1, 2]
     CHECK((is(square.zero, 0, 0) && is(square.rise, 1, 2) && is(square.whole, 1, 4)));
     const auto next = along.line(I(1), I(1)), unknown = next * along.U;
