@@ -67,8 +67,8 @@ void* allocated(void* block) {
 
 extern "C" {
 
-// What the library of C asks of a system. There is none; there are no files but the standard input, and nothing asks more
-// of that. A signal is one that GMP raises, and never comes back from.
+// What the library of C asks of a system. There is none; there are no files but the standard input, and
+// nothing asks more of that. A signal is one that GMP raises, and never comes back from.
 void emscripten_notify_memory_growth(std::size_t) {}
 __attribute__((target("bulk-memory"))) void* memcpy(void* to, const void* from, std::size_t size) {
     return __builtin_memcpy(to, from, size);  // one instruction

@@ -25,7 +25,7 @@ It needs no network and no other file. It shows the staircase against the source
 with their reasons, the witness orbits bounce by bounce (and any initial condition typed into the page), and tables of
 the claims and their lemmas. Certificates of all kinds but the law's (dumbbell law --prove) can stand in one page.
 
-The page shows what the files claim, each with the command that verifies it. If `./run web` was run before, the page
+The page shows what the files claim, each with the command that verifies it. If ./run web was run before, the page
 contains the files and the independent verifier, too, and verifies them in the browser. Files whose checksum is wrong
 are refused. Moving pictures are computed in double precision; they illustrate, they prove nothing.
 
@@ -45,7 +45,7 @@ constexpr std::array report_options{
     Option{"--max-boxes", "N",
            "boxes that the page draws; where there are more, one stands for several, and is marked", "200000"}
         .from(1, 2'000'000),
-    Option{"--no-verifier", "", "make a page that does not verify, and is smaller"}};
+    flag("--no-verifier", "make a page that does not verify, and is smaller")};
 
 int run_report(const Given& given) {
     const Output out(given.text("--out"), given.words("FILE"));

@@ -82,7 +82,8 @@ TEST_CASE("a page has the verifier and the file, or report says how to have them
     CHECK(is_without == bytes.empty());
     CHECK(is_without != made.err.empty());
     if (is_without) {  // ./run web has not been run
-        CHECK(made.err == "the page does not verify: ./run web makes the verifier that it would contain\n");
+        CHECK(made.err ==
+              "dumbbell: the page does not verify: ./run web makes the verifier that it would contain\n");
     } else {
         CHECK_THAT(bytes, StartsWith("ZHVtYmJlbGwtY2VydGlmaWNhdGUgMQ"));  // dumbbell-certificate 1
     }
