@@ -159,7 +159,7 @@ test("a page of dumbbell report verifies what it shows", async () => {
     const texts = await (await ended(tab, 2)).allTextContents();
     assert.match(texts[0], /^Verified here, in your browser, in .* demanded-ratio=1\/1:100\/1 max=10 min=2/);
     assert.match(texts[1], /^Verified here, in your browser, in .* demanded-ratio=100\/1 exactly=10|^Verified here, in your browser, in .* exactly=10/);
-    assert.match(await tab.textContent("main"), /It contains the verifier, and runs it on each of them/);
+    assert.match(await tab.textContent("main"), /It contains the verifier, and runs it here, on each file/);
     await tab.evaluate(axe);
     assert.deepEqual(await tab.evaluate(async () => (await window.axe.run(document.querySelector(".verify"))).violations.map(({ id }) => id)), []);
     quiet(tab, out);
