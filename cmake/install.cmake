@@ -45,6 +45,8 @@ if(NOT DUMBBELL_VERIFIER_ONLY)
       DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME ${command} OPTIONAL)
   endforeach()
 endif()
+# The verifier for pages of `dumbbell report`, where `./run web` has made it.
+install(FILES ${PROJECT_SOURCE_DIR}/build/web/verifier.wasm.gz DESTINATION ${CMAKE_INSTALL_DATADIR}/dumbbell OPTIONAL)
 # The pages name the certificates as in the source: below the pages' folder.
 install(DIRECTORY certificates DESTINATION ${CMAKE_INSTALL_DATADIR}/dumbbell)
 file(RELATIVE_PATH certificates ${CMAKE_INSTALL_FULL_DOCDIR} ${CMAKE_INSTALL_FULL_DATADIR}/dumbbell/certificates)

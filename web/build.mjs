@@ -1,15 +1,15 @@
-// Builds dist/report.html, the one file that the program embeds, from src/: `npm run build`. With --check it
-// writes nothing and fails if the committed file is not what the sources give.
+// Builds the pages in dist/ from src/: `npm run build`. report.html is embedded in the program; verify.html becomes a page by
+// `./run web`, which has the verifier for it. With --check it writes nothing and fails if the committed files are not what
+// the sources give.
 import { readFile, writeFile } from "node:fs/promises";
 import { build } from "esbuild";
 
 const here = new URL(".", import.meta.url);
-const target = new URL("dist/report.html", here);
-const place = "@DUMBBELL_DATA@";
+const places = { DATA: "@DUMBBELL_DATA@", VERSION: "@DUMBBELL_VERSION@", VERIFIER: "@DUMBBELL_VERIFIER@" };
 
-async function bundled(entry) {
+async function bundled(entry, define = {}) {
     const result = await build({
-        entryPoints: [new URL(entry, here).pathname],
+        entryPoints: [new URL(`src/${entry}`, here).pathname],
         bundle: true,
         minify: true,
         write: false,
@@ -17,37 +17,39 @@ async function bundled(entry) {
         format: "iife",
         target: "es2020",
         legalComments: "inline",
+        define,
     });
     return result.outputFiles[0].text.trim();
 }
 
-async function page() {
-    const [html, script, style, dark] = await Promise.all([
-        readFile(new URL("src/page.html", here), "utf8"),
-        bundled("src/main.js"),
-        bundled("src/style.css"),
-        bundled("src/dark.css"),
-    ]);
-    if (/<\/(script|style)/i.test(script + style + dark) || script.includes(place)) {
-        throw new Error("the bundle would end its own element, or has the place of the data in it");
+const worker = await bundled("verifier/worker.js");
+
+async function page(html, script, style) {
+    const parts = {
+        STYLE: await bundled(style),
+        DARK: await bundled("dark.css"),
+        SCRIPT: await bundled(script, { WORKER: JSON.stringify(worker) }),
+    };
+    const text = Object.values(parts).join("");
+    if (/<\/(script|style)/i.test(text) || Object.values(places).some((place) => text.includes(place))) {
+        throw new Error("the bundle would end its own element, or has a place of the data in it");
     }
-    // Functions: a `$` in the code is no pattern.
-    return html
-        .replace("/*STYLE*/", () => style)
-        .replace("/*DARK*/", () => dark)
-        .replace("/*SCRIPT*/", () => script)
-        .replace("/*DATA*/", () => place);
+    return (await readFile(new URL(`src/${html}`, here), "utf8")).replace(/\/\*([A-Z]+)\*\//g, (_, name) => parts[name] ?? places[name]);
 }
 
-const built = await page();
-if (process.argv.includes("--check")) {
-    const committed = await readFile(target, "utf8").catch(() => "");
-    if (committed !== built) {
-        console.error("web/dist/report.html is not what web/src gives: run `npm ci && npm run build` in web/");
-        process.exit(1);
+const pages = {
+    "report.html": await page("page.html", "main.js", "style.css"),
+    "verify.html": await page("verifier/page.html", "verifier/page.js", "verifier/style.css"),
+};
+for (const [name, built] of Object.entries(pages)) {
+    const target = new URL(`dist/${name}`, here);
+    if (!process.argv.includes("--check")) {
+        await writeFile(target, built);
+        console.log(`wrote web/dist/${name} (${built.length} bytes)`);
+    } else if ((await readFile(target, "utf8").catch(() => "")) === built) {
+        console.log(`web/dist/${name} is what web/src gives (${built.length} bytes)`);
+    } else {
+        console.error(`web/dist/${name} is not what web/src gives: run \`npm ci && npm run build\` in web/`);
+        process.exitCode = 1;
     }
-    console.log(`web/dist/report.html is what web/src gives (${built.length} bytes)`);
-} else {
-    await writeFile(target, built);
-    console.log(`wrote web/dist/report.html (${built.length} bytes)`);
 }

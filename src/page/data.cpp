@@ -9,6 +9,7 @@
 #include "base/error.hpp"
 #include "base/printable.hpp"
 #include "collisions/reader.hpp"
+#include "file/file_contents.hpp"
 #include "file/lines.hpp"
 #include "file/sealed_lines.hpp"
 #include "flight/growth_constant.hpp"
@@ -19,8 +20,8 @@
 namespace dumbbell::page {
 namespace {
 
-/// Where the data goes: once in the template.
-constexpr std::string_view place = "@DUMBBELL_DATA@";
+/// Where the data and the verifier go: once in the template, in this order.
+constexpr std::string_view data_place = "@DUMBBELL_DATA@", verifier_place = "@DUMBBELL_VERIFIER@";
 
 constexpr int constant_digits = 20;
 constexpr int constant_bits = 128;
@@ -86,6 +87,7 @@ Json one_file(const ReportedFile& file, const BoxBudget& budget) {
             json.add("sha256", file.sha256);
             json.add("verify_options", claim_options(of));
             json.add("verify_file", shell_file(file.path));
+            json.add("bytes", base64(file.bytes));
             return json;
         },
         file.content);
@@ -102,10 +104,10 @@ void require_few_pieces(const std::vector<std::string>& paths) {
     require_few(pieces);
 }
 
-ReportedFile read_reported(const std::string& path) {
+ReportedFile read_reported(const std::string& path, bool with_bytes) {
     require_readable(path);
     std::string sha256 = sealed_digest(path);
-    return {path, std::move(sha256), read_any_certificate(path)};
+    return {path, std::move(sha256), read_any_certificate(path), with_bytes ? file_contents(path) : ""};
 }
 
 std::size_t leaves_of(const AnyCertificate& content) { return std::visit(LeavesOf(), content); }
@@ -132,14 +134,35 @@ Json page_data(const std::vector<ReportedFile>& files, std::size_t most_boxes) {
                          {"files", shown}});
 }
 
-std::string html_page(const Json& data) {
-    const std::string_view page = page_template();
-    const std::size_t at = page.find(place);
-    require(at != std::string_view::npos && page.find(place, at + 1) == std::string_view::npos,
-            "report: the page does not have exactly one place for its data");
-    return std::string(page.substr(0, at))
-        .append(respelled(data.text(), {{'<', "\\u003c"}}))
-        .append(page.substr(at + place.size()));
+std::string html_page(const Json& data, std::string_view verifier) {
+    std::string text;
+    std::string_view rest = page_template();
+    const auto put = [&](std::string_view place, const std::string& what) {
+        const std::size_t at = rest.find(place);
+        require(at != std::string_view::npos, "report: the page has no place for its data");
+        text.append(rest.substr(0, at)).append(what);
+        rest.remove_prefix(at + place.size());
+    };
+    put(data_place, respelled(data.text(), {{'<', "\\u003c"}}));
+    put(verifier_place, base64(verifier));
+    require(rest.find("@DUMBBELL_") == std::string_view::npos,
+            "report: the page has one more place for data");
+    return text.append(rest);
+}
+
+std::string base64(std::string_view bytes) {
+    constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    std::string text;
+    for (; !bytes.empty(); bytes.remove_prefix(std::min<std::size_t>(bytes.size(), 3))) {
+        unsigned three = 0;
+        for (std::size_t i = 0; i < 3; ++i) {
+            three = three << 8 | (i < bytes.size() ? static_cast<unsigned char>(bytes[i]) : 0);
+        }
+        for (std::size_t i = 0; i < 4; ++i) {
+            text += i <= bytes.size() ? digits[three >> (18 - 6 * i) & 63] : '=';
+        }
+    }
+    return text;
 }
 
 }  // namespace dumbbell::page

@@ -16,11 +16,12 @@ struct ReportedFile {
     std::string path;    ///< as the user wrote it, for the command that verifies it
     std::string sha256;  ///< sealed_digest
     AnyCertificate content;
+    std::string bytes{};  ///< the file as it is, if the page is to verify it
 };
 
-/// Reads a certificate of any claim kind, whose checksum must be right. Throws InputError (naming the file)
-/// for anything else.
-[[nodiscard]] ReportedFile read_reported(const std::string& path);
+/// Reads a certificate of any claim kind, whose checksum must be right; its bytes if they are wanted. Throws
+/// InputError (naming the file) for anything else.
+[[nodiscard]] ReportedFile read_reported(const std::string& path, bool with_bytes);
 
 /// Pieces of all files together; a page with more would not open.
 inline constexpr std::size_t most_pieces = 100'000;
@@ -37,8 +38,12 @@ void require_few_pieces(const std::vector<std::string>& paths);
 /// The built page (web/dist/report.html) without data: one HTML file that asks for nothing else.
 [[nodiscard]] std::string_view page_template();
 
-/// The page with the data in it. No data can end the script element that holds it: `<` is written as an
-/// escape, and bytes that are no UTF-8 as U+FFFD.
-[[nodiscard]] std::string html_page(const Json& data);
+/// The page with the data in it, and the bytes of the verifier that it is to run, if there are any. No data
+/// can end the script element that holds it: `<` is written as an escape, and bytes that are no UTF-8 as
+/// U+FFFD.
+[[nodiscard]] std::string html_page(const Json& data, std::string_view verifier = {});
+
+/// As RFC 4648 says, with padding.
+[[nodiscard]] std::string base64(std::string_view bytes);
 
 }  // namespace dumbbell::page

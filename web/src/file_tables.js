@@ -1,16 +1,20 @@
 // What every file's section has: the command that verifies it, what it rests on, its checksum.
 import { command, h, table } from "./dom.js";
 import { lemmaRows } from "./lemmas.js";
+import { verified } from "./verifier/outcome.js";
+import { hasVerifier } from "./verifier/verification.js";
 
 export const verifyCommand = (file) => `dumbbell verify ${file.verify_options} ${file.verify_file}`;
 
+/// The file as it was given to dumbbell report.
+const fileOf = ({ bytes, name }) => new File([Uint8Array.from(atob(bytes), (c) => c.charCodeAt(0))], name);
+
 export function verifyBox(file) {
-    return h(
-        "div",
-        { class: "verify" },
-        h("p", {}, "This page shows what the file claims. It has not been verified here; this command has the independent verifier check it, with the claim stated from outside:"),
-        command(verifyCommand(file)),
-    );
+    const isHere = hasVerifier();
+    const said = isHere
+        ? "This page contains the file and the independent verifier, which checks it here, with the claim stated from outside. So does this command, without a browser:"
+        : "This page shows what the file claims. It has not been verified here; this command has the independent verifier check it, with the claim stated from outside:";
+    return h("div", { class: "verify" }, isHere && verified(fileOf(file), file.verify_options.split(" ")), h("p", {}, said), command(verifyCommand(file)));
 }
 
 /// isOpen: shown at once.

@@ -8,6 +8,7 @@ import { OwnStart } from "./own_start.js";
 import { openForPrint } from "./print.js";
 import { linkedStart } from "./start.js";
 import { setTheme, useColours, watchTheme } from "./theme.js";
+import { hasVerifier, licences } from "./verifier/verification.js";
 
 function header(data) {
     const theme = labelled("Colours", select([["auto", "as the system"], ["light", "light"], ["dark", "dark"]], "auto", setTheme));
@@ -16,7 +17,7 @@ function header(data) {
         "header",
         {},
         h("div", { class: "title" }, h("h1", {}, "How often can a bouncing dumbbell hit the floor?"), theme),
-        h("p", {}, "Two point masses on a massless rod bounce elastically on a flat floor, without gravity. This report shows what ", data.files.length === 1 ? "a file claims" : `${data.files.length} files claim`, " about their collisions. It does not verify anything: each file comes with the command that does."),
+        h("p", {}, "Two point masses on a massless rod bounce elastically on a flat floor, without gravity. This report shows what ", data.files.length === 1 ? "a file claims" : `${data.files.length} files claim`, " about their collisions. ", hasVerifier() ? "It contains the verifier, and runs it here, on each file, without a network." : "It does not verify anything: each file comes with the command that does."),
         h("nav", { "aria-label": "Contents" }, h("ul", {}, links, h("li", {}, h("a", { href: "#own" }, "your own initial condition")))),
     );
 }
@@ -50,7 +51,7 @@ document.getElementById("page").replaceChildren(
     header(data),
     ...data.files.map((file, i) => h("section", { id: `file-${i + 1}` }, h("p", { class: "filename" }, file.name), ...sectionOf(file, data, own, i === 0).filter(Boolean))),
     own.element,
-    h("footer", {}, `dumbbell ${data.version}. Pictures and motions are drawn in double precision: they illustrate. What is claimed is in the files; what is proved, the verifier says.`),
+    h("footer", {}, `dumbbell ${data.version}. Pictures and motions are drawn in double precision: they illustrate. What is claimed is in the files; what is proved, the verifier says.`, hasVerifier() ? ` ${licences}` : ""),
 );
 requestAnimationFrame(() => requestAnimationFrame(() => {
     if (linked) {

@@ -11,6 +11,8 @@
 #include "cli/terminal/output.hpp"
 #include "cli/terminal/progress.hpp"
 #include "cli/terminal/standard_input.hpp"
+#include "file/file_contents.hpp"
+#include "file/shipped.hpp"
 #include "page/data.hpp"
 
 namespace dumbbell::cli {
@@ -23,9 +25,9 @@ It needs no network and no other file. It shows the staircase against the source
 with their reasons, the witness orbits bounce by bounce (and any initial condition typed into the page), and tables of
 the claims and their lemmas. Certificates of all kinds but the law's (dumbbell law --prove) can stand in one page.
 
-The page does not verify: it shows what the files claim, each with the command that verifies it. Files whose checksum
-is wrong are refused. Moving pictures are computed in double precision in the browser; they illustrate, they prove
-nothing.
+The page shows what the files claim, each with the command that verifies it. If ./run web was run before, the page
+contains the files and the independent verifier, too, and verifies them in the browser. Files whose checksum is wrong
+are refused. Moving pictures are computed in double precision; they illustrate, they prove nothing.
 
 Examples:
   dumbbell report certificates/stairs-1-100.dbc --out report.html
@@ -42,7 +44,8 @@ constexpr std::array report_options{
         .required(),
     Option{"--max-boxes", "N",
            "boxes that the page draws; where there are more, one stands for several, and is marked", "200000"}
-        .from(1, 2'000'000)};
+        .from(1, 2'000'000),
+    flag("--no-verifier", "make a page that does not verify, and is smaller")};
 
 int run_report(const Given& given) {
     const Output out(given.text("--out"), given.words("FILE"));
@@ -52,15 +55,19 @@ int run_report(const Given& given) {
     std::vector<std::string> paths;
     std::ranges::transform(names, std::back_inserter(paths), input_file);
     page::require_few_pieces(paths);
+    const auto verifier = given.has("--no-verifier") ? std::nullopt : verifier_for_pages();
     std::vector<page::ReportedFile> files;
     std::size_t boxes = 0;
     for (std::size_t i = 0; i < names.size(); ++i) {
-        files.push_back(page::read_reported(paths[i]));
+        files.push_back(page::read_reported(paths[i], verifier.has_value()));
         files.back().path = names[i];
         boxes += page::leaves_of(files.back().content);
     }
     progress.enter("making the page", "");
-    out.commit(page::html_page(page_data(files, most_boxes)));
+    out.commit(page::html_page(page_data(files, most_boxes), verifier ? file_contents(*verifier) : ""));
+    if (!verifier && !given.has("--no-verifier")) {
+        progress.note("the page does not verify: ./run web makes the verifier that it would contain");
+    }
     if (boxes > most_boxes) {
         progress.note(
             fmt::format("{} boxes are drawn as {} or fewer, as the page says; --max-boxes allows more", boxes,

@@ -25,7 +25,7 @@ const Section* read_section(Text& text) {
     const auto table = sections();
     const auto in = [&](std::string_view Section::*column) {
         return [&table, column](const std::string& word) {
-            return std::ranges::find(table, word, column) != table.end();
+            return std::any_of(table.begin(), table.end(), [&](auto* s) { return s->*column == word; });
         };
     };
     const std::string lemmas = known(text, "lemmas", true, true, in(&Section::lemmas));

@@ -53,7 +53,7 @@ struct Proofs {
         const auto fits = [&](const Opcode& o) {
             return o.name == fields[0] && o.place == place && (o.charts >> leaf.chart & 1) != 0;
         };
-        const auto opcode = std::ranges::find_if(section.opcodes, fits);
+        const auto opcode = std::find_if(section.opcodes.begin(), section.opcodes.end(), fits);
         if (opcode == section.opcodes.end()) text.reject("opcode", "not a line for this place");
         if (fields.size() != hints + opcode->hints ||
             (place == Place::witness && leaf.chart == 0 && fields[1] != section.witness))

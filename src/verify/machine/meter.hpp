@@ -12,12 +12,15 @@ namespace dumbbell_verify {
 /// and those before it take more than there is, whichever threads work on them, and when.
 class Shares {
   public:
+    inline static void (*watch)() = nullptr;  ///< is told that there is more; of a program without threads
+
     Shares(std::size_t leaves, std::uint64_t units) : units_(units), done_(leaves) {}
 
     /// `units` were done for leaf i so far. False if it certainly is over.
     [[nodiscard]] bool note(std::size_t i, std::uint64_t units) {
         const std::uint64_t more = units - done_[i].exchange(units);
         Watched::work += more;
+        if (watch) watch();
         return (all_ += more) <= units_ || up_to(i) <= units_;
     }
     [[nodiscard]] std::uint64_t of(std::size_t i) const { return done_[i]; }

@@ -44,7 +44,7 @@ TEST_CASE("report makes one page from certificates of every kind, and says nothi
                      folder.path())
                 .code == 0);
     const Outcome made = report(folder, {"stairs.dbc", "full.dbc.gz", "wedge.dbc", "starts.dbc",
-                                         "adiabatic.dbc", "--out", "page.html"});
+                                         "adiabatic.dbc", "--no-verifier", "--out", "page.html"});
     CAPTURE(made.err);
     CHECK(made.code == 0);
     CHECK(made.out.empty());
@@ -70,6 +70,25 @@ TEST_CASE("report makes one page from certificates of every kind, and says nothi
             CHECK_THAT(checked.out, Contains("sha256=" + file["sha256"].get<std::string>()));
         }
     }
+}
+
+TEST_CASE("a page has the verifier and the file, or report says how to have them") {
+    const TemporaryFolder folder;
+    REQUIRE(dumbbell({"certify", "10", "--out", "ten.dbc"}, folder.path()).code == 0);
+    const Outcome made = report(folder, {"ten.dbc", "--out", "page.html"});
+    CHECK(made.code == 0);
+    const std::string page = contents(folder / "page.html"), bytes = data_of(page)["files"][0]["bytes"];
+    const bool is_without = page.find("id=\"verifier\"></script>") < page.size();
+    CHECK(is_without == bytes.empty());
+    CHECK(is_without != made.err.empty());
+    if (is_without) {  // ./run web has not been run
+        CHECK(made.err ==
+              "dumbbell: the page does not verify: ./run web makes the verifier that it would contain\n");
+    } else {
+        CHECK_THAT(bytes, StartsWith("ZHVtYmJlbGwtY2VydGlmaWNhdGUgMQ"));  // dumbbell-certificate 1
+    }
+    REQUIRE(report(folder, {"ten.dbc", "--no-verifier", "--out", "smaller.html"}).err.empty());
+    CHECK_THAT(contents(folder / "smaller.html"), Contains("id=\"verifier\"></script>"));
 }
 
 TEST_CASE("the same certificates give the same page") {

@@ -53,6 +53,21 @@ TEST_CASE("the data arrives as it was, whatever it holds") {
     CHECK_THAT(page, !Contains("@DUMBBELL_DATA@"));
 }
 
+TEST_CASE("base64 is that of RFC 4648") {
+    CHECK(base64("").empty());
+    CHECK(base64("f") == "Zg==");
+    CHECK(base64("fo") == "Zm8=");
+    CHECK(base64("foo") == "Zm9v");
+    CHECK(base64("foob") == "Zm9vYg==");
+    CHECK(base64("\xff\xfb\xf0") == "//vw");
+}
+
+TEST_CASE("the verifier has a place of its own, which no data takes") {
+    const Json data = Json::object({{"name", "@DUMBBELL_VERIFIER@"}});
+    CHECK_THAT(html_page(data), Contains("id=\"verifier\"></script>") && Contains("@DUMBBELL_VERIFIER@"));
+    CHECK_THAT(html_page(data, "foob"), Contains("id=\"verifier\">Zm9vYg==</script>"));
+}
+
 TEST_CASE("bytes that are no UTF-8 do not stop the page") {
     CHECK_NOTHROW(html_page(Json::object({{"name", "\xff\xfe.dbc"}})));
 }
