@@ -184,7 +184,7 @@ Fixpoint first_difference (a b : list string) : option nat :=
     square of their bits where doubles do not certify a leaf, which is then done again. *)
 Definition most_bits : N := 2048.
 Definition most_work : N := 20 * most_steps.
-Definition most_again : N := 500 * most_steps.
+Definition most_again : N := 1500 * most_steps.
 Definition far (n : N) : bool := (most_steps <? n)%N.
 Definition hints_far (why : reason) : bool :=
   match why with Count a b => far a || far b | Forward a | Plain a => far a | _ => false end.
