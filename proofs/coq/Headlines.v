@@ -37,8 +37,8 @@ Theorem charts_upper : forall (q : R) (n : nat), 1 <= q -> Chart.bridge_bound (/
 Proof. exact LightTotal.charts_upper. Qed.
 Theorem charts_lower : forall (q : R) (n : nat), 1 <= q -> Chart.bridge_witness (/ q) n -> lower_bound q n.
 Proof. exact WitnessMotion.charts_lower. Qed.
-Theorem piece_sound : forall P : Certificate.piece, Check.piece_fault P = None -> forall q : R, Piece.in_piece P q ->
-  1 <= q /\ (forall (U : N) (c : Certificate.cover), Certificate.bound P = Some (U, c) -> upper_bound q (N.to_nat U))
+Theorem piece_sound : forall (P : Certificate.piece) (again : bool), Check.piece_fault again P = None -> forall q : R,
+  Piece.in_piece P q -> 1 <= q /\ (forall (U : N) (c : Certificate.cover), Certificate.bound P = Some (U, c) -> upper_bound q (N.to_nat U))
   /\ lower_bound q (N.to_nat (Certificate.attained P)).
 Proof. exact Piece.piece_sound. Qed.
 Theorem verdict_sound : forall (t : list String.string) (sha256 : String.string) (d : Check.demand) (c :
@@ -47,7 +47,7 @@ Theorem verdict_sound : forall (t : list String.string) (sha256 : String.string)
 Proof. exact Verdict.verdict_sound. Qed.
 Theorem all_parts : forall (d : Check.demand) (c : Certificate.certificate), Check.joined (Certificate.range_from c)
   (Certificate.pieces c) (Certificate.range_to c) = true -> Certificate.pieces c <> nil -> Verdict.faultless
-  (Certificate.pieces c) = true -> Check.unproved d c = None -> Check.certificate_fault d c = None.
+  (Certificate.pieces c) = true -> Check.unproved d c = None -> Check.certificate_fault true d c = None.
 Proof. exact Verdict.all_parts. Qed.
 Theorem N_of_10 : N_star 10 4.
 Proof. exact Verdict.N_of_10. Qed.

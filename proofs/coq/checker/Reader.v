@@ -180,11 +180,11 @@ Fixpoint first_difference (a b : list string) : option nat :=
   | _, _ => Some O
   end.
 (** What is not tried: nothing is said of a piece that asks for more bits, or counts further, than this; nor of a file
-    with more work. Work is counted in collisions: in double precision [most_work] of them, and [most_again] times the
-    square of their bits where doubles do not certify a leaf, which is then done again. *)
+    with more work. Work is counted in collisions: in double precision [most_work] of them; where doubles do not certify
+    a leaf, which is then done again, times the square of the bits, [most_again]. *)
 Definition most_bits : N := 2048.
 Definition most_work : N := 20 * most_steps.
-Definition most_again : N := 1500 * most_steps.
+Definition most_again : N := 500 * most_steps.
 Definition far (n : N) : bool := (most_steps <? n)%N.
 Definition hints_far (why : reason) : bool :=
   match why with Count a b => far a || far b | Forward a | Plain a => far a | _ => false end.
@@ -211,7 +211,7 @@ Definition piece_work (f : N -> chart -> box -> reason -> N) (g : contact -> N) 
 Definition work : piece -> N := piece_work (fun _ _ _ why => steps why) counted.
 Definition squared (P : piece) : N := (bits P * bits P)%N.
 Definition most_work_again (P : piece) : N := (squared P * work P)%N.
-(** What is left to do again is known when the doubles have been tried, and asked only where it matters. *)
+(** What is left to do again when the doubles have been tried. *)
 Definition work_again (P : piece) : N :=
   let b := chart_box Bridge (from P) (to P) in
   (squared P * piece_work
@@ -220,8 +220,6 @@ Definition work_again (P : piece) : N :=
 Definition too_much (P : piece) : bool :=
   (most_bits <? bits P)%N || existsb (fun '(_, t) => any_leaf hints_far t) (charts P) ||
   match witness P with Some w => far (after_X w) || far (after_reversed w) | None => false end.
-Definition too_much_work (l : list piece) : bool :=
-  (most_work <? sum work l)%N || (most_again <? sum most_work_again l)%N && (most_again <? sum work_again l)%N.
 
 (** The verdict on the lines of a file: read, written again, compared, and checked.
   [sha256] is the checksum of all lines but the last. *)
@@ -235,8 +233,14 @@ Definition judge (sha256 : string) (d : demand) : answer :=
     | None =>
       if negb (canonical c) then Rejected 0 "a value beyond its limits, or not in lowest terms" else
       if existsb too_much (pieces c) then Limit "more than 2048 bits, or a ray with more than a million collisions" else
-      if too_much_work (pieces c) then Limit "more work than the budget allows" else
-      match certificate_fault d c with Some why => Rejected 0 why | None => Verified c end
+      let beyond := Limit "more work than the budget allows" in
+      let all (_ : unit) := match certificate_fault true d c with Some why => Rejected 0 why | None => Verified c end in
+      if (most_work <? sum work (pieces c))%N then beyond else
+      if (sum most_work_again (pieces c) <=? most_again)%N then all tt else
+      match certificate_fault false d c with
+      | None => Verified c
+      | Some _ => if (most_again <? sum work_again (pieces c))%N then beyond else all tt
+      end
     end
   end).
 Lemma same_lines a : forall b, first_difference a b = None -> a = b.
@@ -248,17 +252,24 @@ Qed.
 
 (** An accepted file is, line by line, the certificate that was judged. *)
 Theorem verified_text sha256 d c : judge sha256 d = Verified c ->
-  t = file_text c sha256 /\ canonical c = true /\ certificate_fault d c = None.
+  t = file_text c sha256 /\ canonical c = true /\ exists again, certificate_fault again d c = None.
 Proof.
   unfold judge.
   set (K := fun about rest => match read_body (nth 1 t "") about rest with Wrong _ => _ | Read _ _ => _ end).
   assert (HK : forall about rest, K about rest = Verified c -> t = file_text c sha256 /\ canonical c = true /\
-    certificate_fault d c = None).
+    exists again, certificate_fault again d c = None).
   { intros about rest. unfold K. destruct (read_body _ about rest) as [c' rest'|]; [|discriminate].
-    destruct (first_difference _ t) eqn:E1; [discriminate|]. destruct (canonical c') eqn:E2; [|discriminate]. simpl.
-    destruct (existsb too_much (pieces c')); [discriminate|]. destruct (too_much_work (pieces c')); [discriminate|].
-    destruct (certificate_fault d c') eqn:E3; [discriminate|].
-    intros H. injection H; intros <-. apply same_lines in E1. repeat split; try assumption. now symmetry. }
+    destruct (first_difference _ t) eqn:E1; [discriminate|]. destruct (canonical c') eqn:E2; [|discriminate]. cbn [negb].
+    destruct (existsb too_much (pieces c')); [discriminate|]. cbv beta zeta. intros H.
+    enough (K2 : c' = c /\ exists again, certificate_fault again d c' = None).
+    { destruct K2 as [<- K2]. apply same_lines in E1. repeat split; try assumption. now symmetry. }
+    assert (All : match certificate_fault true d c' with Some why => Rejected 0 why | None => Verified c' end = Verified c ->
+      c' = c /\ exists again, certificate_fault again d c' = None).
+    { destruct (certificate_fault true d c') eqn:E3; [discriminate|]. intros H2. injection H2; intros <-.
+      split; [reflexivity | now exists true]. }
+    destruct (most_work <? _)%N; [discriminate|]. destruct (_ <=? most_again)%N; [now apply All|].
+    destruct (certificate_fault false d c') eqn:E4; [destruct (most_again <? _)%N; [discriminate | now apply All]|].
+    injection H; intros <-. split; [reflexivity | now exists false]. }
   assert (HE : forall A keyword (expected : list (string * A)) rest k, expect keyword expected rest k = Verified c ->
     exists x rest', k x rest' = Verified c).
   { intros A keyword expected rest k. unfold expect. destruct (known _ _ _) as [[x|] rest'|]; try discriminate. eauto. }

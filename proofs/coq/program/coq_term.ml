@@ -104,15 +104,15 @@ From Dumbbell Require Import Statement Certificate Check Piece Verdict.\nFrom Ke
 Definition whole : certificate := Build_certificate \"%s\" \"%s\" %s %s %s (%s).\n\
 (** As asked; what is not asked of it is what %s says. *)\n\
 Definition asked : demand := Build_demand (Some (%s, %s)) %s %s.\n\
-Lemma accepted : certificate_fault asked whole = None.\nProof.\n  apply all_parts.\n  - vm_cast_no_check (eq_refl true).\n\
+Lemma accepted : certificate_fault true asked whole = None.\nProof.\n  apply all_parts.\n  - vm_cast_no_check (eq_refl true).\n\
   - discriminate.\n  - unfold whole; cbn [pieces]. rewrite ?faultless_app%s. reflexivity.\n\
   - vm_cast_no_check (eq_refl (@None string)).\nQed.\nLocal Open Scope R_scope.\n\
 Theorem proved_by_the_kernel : %s.\nProof.\n  intros q Hq.\n\
-  destruct (as_asked _ _ (fault_none _ _ accepted) q) as [U V]; [exact Hq|].\n\
+  destruct (as_asked _ _ (fault_none _ _ _ accepted) q) as [U V]; [exact Hq|].\n\
   repeat split; (apply U || apply V); reflexivity.\nQed.\n\
 Theorem each_piece_proved : forall P, In P (pieces whole) -> forall q : R, in_piece P q ->\n\
   (forall U w, bound P = Some (U, w) -> upper_bound q (N.to_nat U)) /\\ lower_bound q (N.to_nat (attained P)).\n\
-Proof. exact (each_piece _ _ (fault_none _ _ accepted)). Qed.\n%s"
+Proof. exact (each_piece _ _ (fault_none _ _ _ accepted)). Qed.\n%s"
     (String.concat " " names) (of_coq c.C.program) (of_coq c.C.program_version)
     (match c.C.about with C.Turning -> "turning" | C.Full -> "full" | C.Full_minimal -> "full_minimal") (ratio c.C.range_from) (ratio c.C.range_to)
     (String.concat " ++ " (List.map (fun n -> n ^ ".part") names)) said
