@@ -38,7 +38,8 @@ Proof. exact LightTotal.charts_upper. Qed.
 Theorem charts_lower : forall (q : R) (n : nat), 1 <= q -> Chart.bridge_witness (/ q) n -> lower_bound q n.
 Proof. exact WitnessMotion.charts_lower. Qed.
 Theorem piece_sound : forall (P : Certificate.piece) (again : bool), Check.piece_fault again P = None -> forall q : R,
-  Piece.in_piece P q -> 1 <= q /\ (forall (U : N) (c : Certificate.cover), Certificate.bound P = Some (U, c) -> upper_bound q (N.to_nat U))
+  Piece.in_piece P q -> 1 <= q /\
+  (forall (U : N) (c : Certificate.cover), Certificate.bound P = Some (U, c) -> upper_bound q (N.to_nat U))
   /\ lower_bound q (N.to_nat (Certificate.attained P)).
 Proof. exact Piece.piece_sound. Qed.
 Theorem verdict_sound : forall (t : list String.string) (sha256 : String.string) (d : Check.demand) (c :

@@ -20,11 +20,9 @@ Definition collides_at_once P (p : R -> pos) v :=
 Lemma off_the_corner P s : real_dumbbell P -> 0 <= y1 P s -> 0 <= y2 P s -> ~ (y1 P s = 0 /\ y2 P s = 0) ->
   above_floor P s.
 Proof.
-  intros HP H1 H2 H3. split; [|now split]. assert (A1 := arm1_pos P HP). assert (A2 := arm2_pos P HP).
-  apply Rnot_le_lt. intros L. apply H3. unfold y1, y2 in *.
-  assert (S : sin (angle s) = 0).
-  { apply Rle_antisym; [apply Rmult_le_reg_l with (arm2 P); lra | apply Rmult_le_reg_l with (arm1 P); lra]. }
-  rewrite S in *. split; lra.
+  intros HP H1 H2 H3. apply (lawful_above_floor P HP (fun _ => s) 0). repeat (split; [assumption|]).
+  exists {| vy := 0; om := 0 |}, {| vy := 0; om := 0 |}.
+  split; [|split; [|now left]]; exists 1; (split; [lra|]); intros t _; simpl; lra.
 Qed.
 Lemma goes_on P s v : real_dumbbell P -> 0 <= y1 P s -> 0 <= y2 P s -> ~ (y1 P s = 0 /\ y2 P s = 0) -> leaves P s v ->
   exists c p, Rbar_lt 0 c /\ p 0 = s /\ after p 0 v /\ motion_within P 0 c p.

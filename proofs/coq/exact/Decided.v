@@ -77,10 +77,13 @@ Qed.
 (** What a claim says: each bound that it has holds at every real mass ratio of its range. *)
 Definition in_range (c : claim) (q : R) := ratio_value (claimed_from c) <= q <= ratio_value (claimed_to c).
 Definition says (c : claim) := forall q, in_range c q ->
-  (forall n, claimed_most c = Some n -> upper_bound q (N.to_nat n)) /\ (forall n, claimed_least c = Some n -> lower_bound q (N.to_nat n)).
+  (forall n, claimed_most c = Some n -> upper_bound q (N.to_nat n)) /\
+  (forall n, claimed_least c = Some n -> lower_bound q (N.to_nat n)).
 
 Lemma proper_ok c : proper_range c = true -> 1 <= ratio_value (claimed_from c) <= ratio_value (claimed_to c).
-Proof. unfold proper_range. intros H. apply andb_prop in H. destruct H as [A B]. split; [now apply one_le | now apply ratio_le_ok]. Qed.
+Proof.
+  unfold proper_range. intros H. apply andb_prop in H. destruct H. split; [now apply one_le | now apply ratio_le_ok].
+Qed.
 Lemma answers_ok w q n yes : 1 <= ratio_value q -> answers w q n yes = true ->
   yes = true <-> N_at_least (ratio_value q) (N.to_nat n).
 Proof.

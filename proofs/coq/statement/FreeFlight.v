@@ -88,7 +88,8 @@ Proof.
 Qed.
 Lemma rises_evenly s t : inside s -> inside t -> vy (speed s) = vy (speed t).
 Proof.
-  apply (still (fun t => vy (speed t))). clear s t. intros t Ht. destruct (newton t Ht) as [_ [_ B1] [_ B2] _ _]. destruct HP as [P1 [P2 P3]].
+  apply (still (fun t => vy (speed t))). clear s t. intros t Ht. destruct (newton t Ht) as [_ [_ B1] [_ B2] _ _].
+  destruct HP as [P1 [P2 P3]].
   unfold speed, vel_of, mass; simpl. auto_derive.
   - repeat split; eexists; eassumption.
   - rewrite (slope _ _ _ B1), (slope _ _ _ B2). field. lra.

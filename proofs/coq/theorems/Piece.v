@@ -15,7 +15,8 @@ Lemma leaf_sound U c b why : leaf_holds again P U c b why = true -> forall e y q
 Proof.
   unfold leaf_holds. intros H. destruct (Doubles.check_leaf U c b why) eqn:E.
   - exact (D.check_leaf_sound p53 Doubles.G doubles eq_refl U c b why E).
-  - destruct again; [|discriminate]. set (p := precision (bits P)). exact (M.check_leaf_sound p (Multiple.G p) (M.Z.mkconsts p) eq_refl U c b why H).
+  - destruct again; [|discriminate]. set (p := precision (bits P)).
+    exact (M.check_leaf_sound p (Multiple.G p) (M.Z.mkconsts p) eq_refl U c b why H).
 Qed.
 Lemma chart_sound U c t : chart_fault again P U c t = None -> forall e y q, in_box e y q (chart_box c (from P) (to P)) ->
   1 <= q -> chart_holds c (N.to_nat U) e y (/ q).
@@ -30,7 +31,8 @@ Proof.
   unfold contact_holds. intros H. apply andb_prop in H; destruct H as [_ H].
   destruct (Doubles.check_contact V b w) eqn:E.
   - exact (D.check_contact_sound p53 Doubles.G doubles eq_refl V b w E).
-  - destruct again; [|discriminate]. set (p := precision (bits P)). exact (M.check_contact_sound p (Multiple.G p) (M.Z.mkconsts p) eq_refl V b w H).
+  - destruct again; [|discriminate]. set (p := precision (bits P)).
+    exact (M.check_contact_sound p (Multiple.G p) (M.Z.mkconsts p) eq_refl V b w H).
 Qed.
 
 Definition in_piece (q : R) := ratio_value (from P) <= q <= ratio_value (to P).
