@@ -10,12 +10,15 @@ Definition decimal (n : N) : string := NilZero.string_of_uint (N.to_uint n).
 Definition one : ratio := {| num := 1; den := 1 |}.
 
 (** [bits P] is at least 53 in a file, as many as a double has. Doubles may lose where 53 bits do not: their enclosures
-    go to the next double after each operation, also where it is exact. So both are tried, in pieces of 53 bits, too. *)
+    go to the next double after each operation, also where it is exact. So both are tried, in pieces of 53 bits, too:
+    the bits [again], if wanted. *)
+Section Again.
+Variable again : bool.
 Definition leaf_holds (P : piece) (U : N) (c : chart) (b : box) (why : reason) : bool :=
-  if Doubles.check_leaf U c b why then true else Multiple.check_leaf (bits P) U c b why.
+  if Doubles.check_leaf U c b why then true else if again then Multiple.check_leaf (bits P) U c b why else false.
 Definition contact_holds (P : piece) (V : N) (b : box) (w : contact) : bool :=
-  (if Doubles.above_corner b w then true else Multiple.above_corner (bits P) b w) &&
-  if Doubles.check_contact V b w then true else Multiple.check_contact (bits P) V b w.
+  (if Doubles.above_corner b w then true else if again then Multiple.above_corner (bits P) b w else false) &&
+  if Doubles.check_contact V b w then true else if again then Multiple.check_contact (bits P) V b w else false.
 
 (** What is wrong with a piece; None: nothing. *)
 Definition chart_name (c : chart) : string :=
@@ -61,6 +64,7 @@ Fixpoint first_fault (number : N) (l : list piece) : option string :=
   | P :: l => match piece_fault P with Some why => Some ("piece " ++ decimal number ++ ": " ++ why) | None =>
     first_fault (number + 1) l end
   end.
+End Again.
 
 (** Each piece begins where the one before it ends. *)
 Fixpoint joined (start : ratio) (l : list piece) (stop : ratio) : bool :=
@@ -89,10 +93,10 @@ Definition unproved (d : demand) (c : certificate) : option string :=
   if match asked_least d with Some n => negb (covered (at_least_in n) a b (pieces c)) | None => false end
   then Some "not proved: the least number of collisions that was asked for" else None.
 
-Definition certificate_fault (d : demand) (c : certificate) : option string :=
+Definition certificate_fault (again : bool) (d : demand) (c : certificate) : option string :=
   if negb (joined (range_from c) (pieces c) (range_to c)) then Some "the pieces do not join" else
   match pieces c with [] => Some "no piece" | _ =>
-    match first_fault 1 (pieces c) with Some why => Some why | None => unproved d c end
+    match first_fault again 1 (pieces c) with Some why => Some why | None => unproved d c end
   end.
 
 (** What the file says: the greatest upper bound, if each piece has one, and the least lower one;

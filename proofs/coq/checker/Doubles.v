@@ -2,8 +2,8 @@
   about them. *)
 From Coq Require Import ZArith List Floats Bool.
 From Interval Require Import Float.Basic Float.Sig Float.Primitive_ops Interval.Float.
-From Dumbbell Require Import FullLeaves.
-Module D := FullLeaves PrimitiveFloat.
+From Dumbbell Require Import TwoOrbits.
+Module D := TwoOrbits PrimitiveFloat.
 Definition p53 : PrimitiveFloat.precision := PrimitiveFloat.PtoP 53.
 
 Section Guess.
@@ -45,3 +45,5 @@ Definition doubles : D.Z.consts := D.Z.mkconsts p53.
 Definition check_leaf := D.check_leaf p53 G doubles.
 Definition check_contact := D.check_contact p53 G doubles.
 Definition above_corner := D.above_corner p53 G doubles.
+Definition orbit_at_most := D.orbit_at_most p53 G doubles.
+Definition orbit_at_least := D.orbit_at_least p53 G doubles.

@@ -2,7 +2,7 @@
   with the file, so
     that this reader can only refuse. *)
 From Coq Require Import ZArith NArith List Bool String Ascii DecimalString DecimalN.
-From Dumbbell Require Import Certificate Leaves Check Text.
+From Dumbbell Require Import Certificate Leaves Doubles Check Text.
 Import ListNotations.
 Local Open Scope string_scope.
 
@@ -179,23 +179,46 @@ Fixpoint first_difference (a b : list string) : option nat :=
   | x :: a, y :: b => if x =? y then option_map S (first_difference a b) else Some O
   | _, _ => Some O
   end.
-(** What is not tried: nothing is said of a piece that asks for more bits, or counts further, than this. *)
+(** What is not tried: nothing is said of a piece that asks for more bits, or counts further, than this; nor of a file
+    with more work. Work is counted in collisions: in double precision [most_work] of them; where doubles do not certify
+    a leaf, which is then done again, times the square of the bits, [most_again]. *)
 Definition most_bits : N := 2048.
+Definition most_work : N := 20 * most_steps.
+Definition most_again : N := 500 * most_steps.
 Definition far (n : N) : bool := (most_steps <? n)%N.
-Fixpoint counts_far (t : tree) : bool :=
+Definition hints_far (why : reason) : bool :=
+  match why with Count a b => far a || far b | Forward a | Plain a => far a | _ => false end.
+Definition steps (why : reason) : N := match why with Count a b => 1 + a + b | Forward a | Plain a => 1 + a | _ => 1 end%N.
+Definition counted (w : contact) : N := (after_X w + after_reversed w)%N.
+Fixpoint any_leaf (p : reason -> bool) (t : tree) : bool :=
+  match t with Leaf why => p why | Split _ l u => any_leaf p l || any_leaf p u end.
+(** The sum over the leaves of a tree with its boxes; over the charts of a piece, and its witness; over the pieces. *)
+Fixpoint tree_work (f : box -> reason -> N) (b : box) (t : tree) : N :=
   match t with
-  | Leaf (Count a b) => far a || far b
-  | Leaf (Forward a) | Leaf (Plain a) => far a
-  | Leaf _ => false
-  | Split _ l u => counts_far l || counts_far u
-  end.
-Definition too_much (P : piece) : bool :=
-  (most_bits <? bits P)%N ||
+  | Leaf why => f b why
+  | Split a l u => tree_work f (box_half lower_half a b) l + tree_work f (box_half upper_half a b) u
+  end%N.
+Definition charts (P : piece) : list (N * chart * tree) :=
   match bound P with
-  | Some (_, Charts b l) => counts_far b || counts_far l
-  | Some (_, Full_charts c d a) => counts_far c || counts_far d || counts_far a
-  | _ => false
-  end ||
+  | Some (U, Charts b l) => [(U, Bridge, b); (U, Light, l)]
+  | Some (U, Full_charts c d a) => [(U, Contact, c); (U, Departure, d); (U, Again, a)]
+  | _ => []
+  end.
+Definition sum {A} (f : A -> N) (l : list A) : N := fold_left (fun n x => (n + f x)%N) l 0%N.
+Definition piece_work (f : N -> chart -> box -> reason -> N) (g : contact -> N) (P : piece) : N :=
+  (sum (fun '(U, c, t) => tree_work (f U c) (chart_box c (from P) (to P)) t) (charts P) +
+   match witness P with Some w => g w | None => 0 end)%N.
+Definition work : piece -> N := piece_work (fun _ _ _ why => steps why) counted.
+Definition squared (P : piece) : N := (bits P * bits P)%N.
+Definition most_work_again (P : piece) : N := (squared P * work P)%N.
+(** What is left to do again when the doubles have been tried. *)
+Definition work_again (P : piece) : N :=
+  let b := chart_box Bridge (from P) (to P) in
+  (squared P * piece_work
+    (fun U c b why => if Doubles.check_leaf U c b why then 0 else steps why)
+    (fun w => if Doubles.above_corner b w && Doubles.check_contact (attained P) b w then 0 else counted w) P)%N.
+Definition too_much (P : piece) : bool :=
+  (most_bits <? bits P)%N || existsb (fun '(_, t) => any_leaf hints_far t) (charts P) ||
   match witness P with Some w => far (after_X w) || far (after_reversed w) | None => false end.
 
 (** The verdict on the lines of a file: read, written again, compared, and checked.
@@ -209,9 +232,15 @@ Definition judge (sha256 : string) (d : demand) : answer :=
     | Some n => Rejected (S n) "the text is not as this certificate is written"
     | None =>
       if negb (canonical c) then Rejected 0 "a value beyond its limits, or not in lowest terms" else
-      if existsb too_much (pieces c) then Limit "more than 2048 bits, or a ray with more than a million collisions"
-        else
-      match certificate_fault d c with Some why => Rejected 0 why | None => Verified c end
+      if existsb too_much (pieces c) then Limit "more than 2048 bits, or a ray with more than a million collisions" else
+      let beyond := Limit "more work than the budget allows" in
+      let all (_ : unit) := match certificate_fault true d c with Some why => Rejected 0 why | None => Verified c end in
+      if (most_work <? sum work (pieces c))%N then beyond else
+      if (sum most_work_again (pieces c) <=? most_again)%N then all tt else
+      match certificate_fault false d c with
+      | None => Verified c
+      | Some _ => if (most_again <? sum work_again (pieces c))%N then beyond else all tt
+      end
     end
   end).
 Lemma same_lines a : forall b, first_difference a b = None -> a = b.
@@ -223,16 +252,24 @@ Qed.
 
 (** An accepted file is, line by line, the certificate that was judged. *)
 Theorem verified_text sha256 d c : judge sha256 d = Verified c ->
-  t = file_text c sha256 /\ canonical c = true /\ certificate_fault d c = None.
+  t = file_text c sha256 /\ canonical c = true /\ exists again, certificate_fault again d c = None.
 Proof.
   unfold judge.
   set (K := fun about rest => match read_body (nth 1 t "") about rest with Wrong _ => _ | Read _ _ => _ end).
   assert (HK : forall about rest, K about rest = Verified c -> t = file_text c sha256 /\ canonical c = true /\
-    certificate_fault d c = None).
+    exists again, certificate_fault again d c = None).
   { intros about rest. unfold K. destruct (read_body _ about rest) as [c' rest'|]; [|discriminate].
-    destruct (first_difference _ t) eqn:E1; [discriminate|]. destruct (canonical c') eqn:E2; [|discriminate]. simpl.
-    destruct (existsb too_much (pieces c')); [discriminate|]. destruct (certificate_fault d c') eqn:E3; [discriminate|].
-    intros H. injection H; intros <-. apply same_lines in E1. repeat split; try assumption. now symmetry. }
+    destruct (first_difference _ t) eqn:E1; [discriminate|]. destruct (canonical c') eqn:E2; [|discriminate]. cbn [negb].
+    destruct (existsb too_much (pieces c')); [discriminate|]. cbv beta zeta. intros H.
+    enough (K2 : c' = c /\ exists again, certificate_fault again d c' = None).
+    { destruct K2 as [<- K2]. apply same_lines in E1. repeat split; try assumption. now symmetry. }
+    assert (All : match certificate_fault true d c' with Some why => Rejected 0 why | None => Verified c' end = Verified c ->
+      c' = c /\ exists again, certificate_fault again d c' = None).
+    { destruct (certificate_fault true d c') eqn:E3; [discriminate|]. intros H2. injection H2; intros <-.
+      split; [reflexivity | now exists true]. }
+    destruct (most_work <? _)%N; [discriminate|]. destruct (_ <=? most_again)%N; [now apply All|].
+    destruct (certificate_fault false d c') eqn:E4; [destruct (most_again <? _)%N; [discriminate | now apply All]|].
+    injection H; intros <-. split; [reflexivity | now exists false]. }
   assert (HE : forall A keyword (expected : list (string * A)) rest k, expect keyword expected rest k = Verified c ->
     exists x rest', k x rest' = Verified c).
   { intros A keyword expected rest k. unfold expect. destruct (known _ _ _) as [[x|] rest'|]; try discriminate. eauto. }

@@ -1,5 +1,5 @@
 (* A certificate as Coq terms, for the kernel: --term FOLDER writes Part1.v, Part2.v, ... of at most 200 pieces each, and Whole.v with
-   the theorem. It is not trusted: what is proved stands in the theorem, which coqc prints. *)
+   the theorem; of a claim without a certificate only Whole.v. It is not trusted: what is proved stands in the theorem, which coqc prints. *)
 open Convert
 
 let pieces_a_part = 200
@@ -70,36 +70,52 @@ Definition part : list piece := [\n";
 let count n = decimal n ^ "%N"
 let option f = function None -> "None" | Some x -> "(Some " ^ f x ^ ")"
 
+(* What is said of every mass ratio between two, as Coq states it. *)
+let statement (from, upto) most least =
+  let value r = Printf.sprintf "%s / %s" (decimal (C.Npos r.C.num)) (decimal (C.Npos r.C.den)) in
+  let bound which = function Some n -> [Printf.sprintf "%s_bound q (N.to_nat %s)" which (count n)] | None -> [] in
+  let bounds = bound "upper" most @ bound "lower" least in
+  Printf.sprintf "forall q : R, %s <= q <= %s -> %s" (value from) (value upto)
+    (if bounds = [] then "1 <= q" else String.concat " /\\ " bounds)
+let shown = "Check proved_by_the_kernel.\nRedirect \"assumptions\" Print Assumptions proved_by_the_kernel.\n"
+
+let write_claim folder (from, upto) most least for_most for_least =
+  let numbers = function C.Machine_doubles -> "Machine_doubles" | C.Bits b -> "(Bits " ^ count b ^ ")" in
+  write folder "Whole.v" (Printf.sprintf "From Coq Require Import Reals NArith.\n\
+From Dumbbell Require Import Statement Certificate Decide Decided.\n\
+Definition asked : claim := Build_claim %s %s %s %s.\n\
+Lemma accepted : holds %s %s asked = true.\nProof. vm_cast_no_check (eq_refl true). Qed.\nLocal Open Scope R_scope.\n\
+Theorem proved_by_the_kernel : %s.\nProof.\n\
+  intros q Hq. destruct (decided_by_orbits _ _ _ accepted q Hq) as [U V].\n\
+  repeat split; (apply U || apply V); reflexivity.\nQed.\n%s"
+    (ratio from) (ratio upto) (option count most) (option count least) (numbers for_most) (numbers for_least)
+    (statement (from, upto) most least) shown)
+
 let write_all folder demand c =
   let l = parts c.C.pieces in
   List.iteri (fun i part -> write_part folder (i + 1) part) l;
   let names = List.mapi (fun i _ -> Printf.sprintf "Part%d" (i + 1)) l in
-  let range = match demand.C.asked_range with Some r -> r | None -> c.C.range_from, c.C.range_to in
-  let value r = Printf.sprintf "%s / %s" (decimal (C.Npos r.C.num)) (decimal (C.Npos r.C.den)) in
+  let from, upto = match demand.C.asked_range with Some r -> r | None -> c.C.range_from, c.C.range_to in
   let said, most, least = match demand.C.asked_most, demand.C.asked_least with
     | None, None -> "the file", C.greatest c.C.pieces, Some (C.least c.C.pieces)
     | most, least -> "the demand", most, least in
-  let bounds =
-    (match most with Some n -> [Printf.sprintf "upper_bound q (N.to_nat %s)" (count n)] | None -> [])
-    @ (match least with Some n -> [Printf.sprintf "lower_bound q (N.to_nat %s)" (count n)] | None -> []) in
-  let from, upto = range in
   write folder "Whole.v" (Printf.sprintf "From Coq Require Import Reals ZArith NArith List String Lra.\n\
 From Dumbbell Require Import Statement Certificate Check Piece Verdict.\nFrom Kernel Require %s.\nImport ListNotations.\n\
 Definition whole : certificate := Build_certificate \"%s\" \"%s\" %s %s %s (%s).\n\
 (** As asked; what is not asked of it is what %s says. *)\n\
 Definition asked : demand := Build_demand (Some (%s, %s)) %s %s.\n\
-Lemma accepted : certificate_fault asked whole = None.\nProof.\n  apply all_parts.\n  - vm_cast_no_check (eq_refl true).\n\
+Lemma accepted : certificate_fault true asked whole = None.\nProof.\n  apply all_parts.\n  - vm_cast_no_check (eq_refl true).\n\
   - discriminate.\n  - unfold whole; cbn [pieces]. rewrite ?faultless_app%s. reflexivity.\n\
   - vm_cast_no_check (eq_refl (@None string)).\nQed.\nLocal Open Scope R_scope.\n\
-Theorem proved_by_the_kernel : forall q : R, %s <= q <= %s -> %s.\nProof.\n  intros q Hq.\n\
-  destruct (as_asked _ _ (fault_none _ _ accepted) q) as [U V]; [exact Hq|].\n\
-  repeat split; (apply U || apply V); reflexivity.\nQed.\nCheck proved_by_the_kernel.\n\
+Theorem proved_by_the_kernel : %s.\nProof.\n  intros q Hq.\n\
+  destruct (as_asked _ _ (fault_none _ _ _ accepted) q) as [U V]; [exact Hq|].\n\
+  repeat split; (apply U || apply V); reflexivity.\nQed.\n\
 Theorem each_piece_proved : forall P, In P (pieces whole) -> forall q : R, in_piece P q ->\n\
   (forall U w, bound P = Some (U, w) -> upper_bound q (N.to_nat U)) /\\ lower_bound q (N.to_nat (attained P)).\n\
-Proof. exact (each_piece _ _ (fault_none _ _ accepted)). Qed.\nRedirect \"assumptions\" Print Assumptions proved_by_the_kernel.\n"
+Proof. exact (each_piece _ _ (fault_none _ _ _ accepted)). Qed.\n%s"
     (String.concat " " names) (of_coq c.C.program) (of_coq c.C.program_version)
     (match c.C.about with C.Turning -> "turning" | C.Full -> "full" | C.Full_minimal -> "full_minimal") (ratio c.C.range_from) (ratio c.C.range_to)
     (String.concat " ++ " (List.map (fun n -> n ^ ".part") names)) said
     (ratio from) (ratio upto) (option count most) (option count least)
     (String.concat "" (List.map (fun n -> ", " ^ n ^ ".part_holds") names))
-    (value from) (value upto) (if bounds = [] then "1 <= q" else String.concat " /\\ " bounds))
+    (statement (from, upto) most least) shown)

@@ -1,4 +1,5 @@
-(* The command line: the files, and what they are to prove, with the meaning that the options have for dumbbell-verify. *)
+(* The command line: the files, and what they are to prove, or what is to be decided without a file, with the meaning that the options
+   have for dumbbell-verify. *)
 open Convert
 
 let usage message = raise (Ended (2, message))
@@ -60,12 +61,23 @@ let ratios s =
   else if C.ratio_le hi one then inverse hi, inverse lo
   else usage ("a range across 1: split it at 1: " ^ s)
 
+(* As in the verdict line of dumbbell-verify. *)
+let ratio_text r = of_coq (C.ratio_text r)
+let text d =
+  let count name = function Some n -> Printf.sprintf " %s=%s" name (decimal n) | None -> "" in
+  (match d.C.asked_range with Some (lo, hi) -> Printf.sprintf " demanded-ratio=%s:%s" (ratio_text lo) (ratio_text hi) | None -> "")
+  ^ if d.C.asked_most <> None && d.C.asked_most = d.C.asked_least then count "exactly" d.C.asked_most
+    else count "max" d.C.asked_most ^ count "min" d.C.asked_least
+
 type t = { files : string list; term : string option; asked : C.demand }
 
 let nothing = { files = []; term = None; asked = { C.asked_range = None; C.asked_most = None; C.asked_least = None } }
 
 let rec parse seen o = function
-  | [] -> if o.files = [] then usage "no FILE; see docs/4-verifying.md" else { o with files = List.rev o.files }
+  | [] ->
+    let claimed = o.asked.C.asked_range <> None && (o.asked.C.asked_most <> None || o.asked.C.asked_least <> None) in
+    if o.files = [] && not claimed then usage "no FILE, and no --ratio with a bound; see docs/4-verifying.md";
+    { o with files = List.rev o.files }
   | "--" :: files -> parse seen { o with files = List.rev_append files o.files } []
   | word :: rest when String.length word > 1 && word.[0] = '-' ->
     let name, rest = match String.index_opt word '=' with

@@ -40,10 +40,24 @@ let sha256 text =
     raise (Ended (4, "s LIMIT sha256sum does not run"));
   String.sub line 0 64
 
+(* What no certificate has is refused at once, before its letters become Coq's, which take some 100 bytes each: a line over 4096 bytes,
+   and a tree with more levels than the reader tries. [awaited] has the depths of the nodes that are still to come. *)
+let check_shape lines =
+  let refuse number why = raise (Ended (1, Printf.sprintf "s REJECTED line=%d %s" number why)) in
+  let next (number, awaited) line =
+    if String.length line > 4096 then refuse number "a line over 4096 bytes";
+    let depth, others = match awaited with d :: l -> d, l | [] -> 0, [] in
+    if not (String.starts_with ~prefix:"split " line) then number + 1, others
+    else if depth >= 1200 then refuse number "a tree with too many levels"
+    else number + 1, (depth + 1) :: (depth + 1) :: others in
+  ignore (List.fold_left next (1, []) lines)
+
 let lines path =
   let text = contents path in
   let n = String.length text in
   if n = 0 || text.[n - 1] <> '\n' then
     raise (Ended (1, "s REJECTED code=truncated the text ends too early, or without a line feed"));
   let last = match String.rindex_from_opt text (max 0 (n - 2)) '\n' with Some k -> k + 1 | None -> 0 in
-  String.split_on_char '\n' (String.sub text 0 (n - 1)), sha256 (String.sub text 0 last)
+  let lines = String.split_on_char '\n' (String.sub text 0 (n - 1)) in
+  check_shape lines;
+  lines, sha256 (String.sub text 0 last)

@@ -9,27 +9,30 @@ Local Open Scope R_scope.
 
 Section Piece.
 Variable P : piece.
-Lemma leaf_sound U c b why : leaf_holds P U c b why = true -> forall e y q, in_box e y q b -> 1 <= q ->
+Variable again : bool.
+Lemma leaf_sound U c b why : leaf_holds again P U c b why = true -> forall e y q, in_box e y q b -> 1 <= q ->
   chart_holds c (N.to_nat U) e y (/ q).
 Proof.
   unfold leaf_holds. intros H. destruct (Doubles.check_leaf U c b why) eqn:E.
   - exact (D.check_leaf_sound p53 Doubles.G doubles eq_refl U c b why E).
-  - set (p := precision (bits P)). exact (M.check_leaf_sound p (Multiple.G p) (M.Z.mkconsts p) eq_refl U c b why H).
+  - destruct again; [|discriminate]. set (p := precision (bits P)).
+    exact (M.check_leaf_sound p (Multiple.G p) (M.Z.mkconsts p) eq_refl U c b why H).
 Qed.
-Lemma chart_sound U c t : chart_fault P U c t = None -> forall e y q, in_box e y q (chart_box c (from P) (to P)) ->
+Lemma chart_sound U c t : chart_fault again P U c t = None -> forall e y q, in_box e y q (chart_box c (from P) (to P)) ->
   1 <= q -> chart_holds c (N.to_nat U) e y (/ q).
 Proof.
   unfold chart_fault. destruct (check_tree _ _ t) eqn:E; [|discriminate]. intros _.
   refine (check_tree_sound _ (fun e y q => 1 <= q -> chart_holds c (N.to_nat U) e y (/ q)) _ t _ E).
   intros b why. exact (leaf_sound U c b why).
 Qed.
-Lemma contact_sound V b w : contact_holds P V b w = true -> forall e y q, in_box e y q b ->
+Lemma contact_sound V b w : contact_holds again P V b w = true -> forall e y q, in_box e y q b ->
   bridge_witness (/ q) (N.to_nat V).
 Proof.
   unfold contact_holds. intros H. apply andb_prop in H; destruct H as [_ H].
   destruct (Doubles.check_contact V b w) eqn:E.
   - exact (D.check_contact_sound p53 Doubles.G doubles eq_refl V b w E).
-  - set (p := precision (bits P)). exact (M.check_contact_sound p (Multiple.G p) (M.Z.mkconsts p) eq_refl V b w H).
+  - destruct again; [|discriminate]. set (p := precision (bits P)).
+    exact (M.check_contact_sound p (Multiple.G p) (M.Z.mkconsts p) eq_refl V b w H).
 Qed.
 
 Definition in_piece (q : R) := ratio_value (from P) <= q <= ratio_value (to P).
@@ -41,7 +44,7 @@ Lemma slope_below q y : 1 <= q -> / q * y < 1 -> y < q.
 Proof.
   intros Hq H. apply Rmult_lt_reg_l with (/ q); [apply Rinv_0_lt_compat; lra|]. rewrite (Rinv_l q) by lra. exact H.
 Qed.
-Lemma cover_sound U c : cover_fault P U c = None -> forall q, 1 <= q -> in_piece q -> upper_bound q (N.to_nat U).
+Lemma cover_sound U c : cover_fault again P U c = None -> forall q, 1 <= q -> in_piece q -> upper_bound q (N.to_nat U).
 Proof.
   unfold cover_fault. intros H q Hq Hin. destruct (U <? attained P)%N; [discriminate|]. assert (R3 : 0 < / q <= 1).
   { split; [apply Rinv_0_lt_compat; lra|]. rewrite <- Rinv_1. apply Rinv_le_contravar; lra. }
@@ -71,10 +74,10 @@ Proof.
         destruct (COS_bound e). lra.
 Qed.
 
-Lemma witness_sound : witness_fault P = None -> forall q, 1 <= q -> in_piece q -> lower_bound q (N.to_nat (attained P)).
+Lemma witness_sound : witness_fault again P = None -> forall q, 1 <= q -> in_piece q -> lower_bound q (N.to_nat (attained P)).
 Proof.
   unfold witness_fault. intros H q Hq Hin. destruct (witness P) as [w|].
-  - destruct (contact_holds _ _ _ w) eqn:E; [|discriminate]. apply charts_lower; [exact Hq|].
+  - destruct (contact_holds _ _ _ _ w) eqn:E; [|discriminate]. apply charts_lower; [exact Hq|].
     apply (contact_sound _ _ _ E 1 0 q). unfold in_piece in Hin.
     apply in_root; [lra | | exact Hin]. split; [lra|]. apply IZR_le. unfold least_power.
     assert (0 <= 2 ^ Z.log2_up (Z.pos (num (to P)) / Z.pos (den (to P))))%Z by (apply Z.pow_nonneg; lia).
@@ -86,14 +89,14 @@ Proof.
 Qed.
 
 (** What an accepted piece says of a mass ratio in it. *)
-Theorem piece_sound : piece_fault P = None -> forall q, in_piece q ->
+Theorem piece_sound : piece_fault again P = None -> forall q, in_piece q ->
   1 <= q /\ (forall U c, bound P = Some (U, c) -> upper_bound q (N.to_nat U)) /\ lower_bound q (N.to_nat (attained P)).
 Proof.
   unfold piece_fault. intros H q Hin. destruct (ratio_le one (from P)) eqn:E1; [|discriminate]. simpl in H.
   destruct (ratio_le (from P) (to P)) eqn:E2; [|discriminate]. simpl in H.
   apply ratio_le_ok in E1. rewrite one_value in E1. assert (Hq : 1 <= q) by (unfold in_piece in Hin; lra).
   destruct (bound P) as [[U c]|].
-  - destruct (cover_fault P U c) eqn:Ec; [discriminate|]. split; [exact Hq|]. split; [|now apply witness_sound].
+  - destruct (cover_fault again P U c) eqn:Ec; [discriminate|]. split; [exact Hq|]. split; [|now apply witness_sound].
     intros U' c' K. injection K; intros <- <-. now apply cover_sound with c.
   - split; [exact Hq|]. split; [discriminate | now apply witness_sound].
 Qed.

@@ -47,9 +47,9 @@ Proof.
   apply (arrive_sound good a l [] None) with (x := x); [discriminate | exact E | lra].
 Qed.
 
-Lemma first_fault_none l : forall n, first_fault n l = None -> forall P, In P l -> piece_fault P = None.
+Lemma first_fault_none again l : forall n, first_fault again n l = None -> forall P, In P l -> piece_fault again P = None.
 Proof.
-  induction l as [|Q l IH]; intros n H P HP; simpl in *; [easy|]. destruct (piece_fault Q) eqn:E; [discriminate|].
+  induction l as [|Q l IH]; intros n H P HP; simpl in *; [easy|]. destruct (piece_fault again Q) eqn:E; [discriminate|].
   destruct HP as [<-|HP]; [exact E | now apply IH with (n + 1)%N].
 Qed.
 Lemma joined_covers l : forall a b, joined a l b = true -> forall q, ratio_value a <= q < ratio_value b ->
@@ -72,14 +72,15 @@ Proof.
 Qed.
 
 Section Certificate.
+Variable again : bool.
 Variable d : demand.
 Variable c : certificate.
-Hypothesis accepted : certificate_fault d c = None.
+Hypothesis accepted : certificate_fault again d c = None.
 Let parts : joined (range_from c) (pieces c) (range_to c) = true /\ pieces c <> [] /\ (forall P, In P (pieces c) ->
-  piece_fault P = None) /\ unproved d c = None.
+  piece_fault again P = None) /\ unproved d c = None.
 Proof.
   unfold certificate_fault in accepted. destruct (joined _ _ _); [|discriminate]. simpl in accepted.
-  destruct (pieces c) as [|P l] eqn:E; [discriminate|]. destruct (first_fault 1 (P :: l)) eqn:F; [discriminate|].
+  destruct (pieces c) as [|P l] eqn:E; [discriminate|]. destruct (first_fault again 1 (P :: l)) eqn:F; [discriminate|].
   repeat split; try easy. now apply first_fault_none with (n := 1%N).
 Qed.
 
@@ -94,7 +95,7 @@ Proof.
     destruct (joined_last _ _ _ Hne J) as [P [P1 P2]]. exists P. split; [exact P1|]. unfold in_piece.
     assert (F := Hp P P1). unfold piece_fault in F. destruct (ratio_le one (from P)); [|discriminate]. simpl in F.
     destruct (ratio_le (from P) (to P)) eqn:E; [|discriminate]. apply ratio_le_ok in E. lra. }
-  destruct K as [P [P1 P2]]. exists P. split; [exact P1|]. split; [exact P2|]. exact (piece_sound P (Hp P P1) q P2).
+  destruct K as [P [P1 P2]]. exists P. split; [exact P1|]. split; [exact P2|]. exact (piece_sound P again (Hp P P1) q P2).
 Qed.
 
 (** What was asked is proved. *)
@@ -104,21 +105,21 @@ Theorem demand_sound a b : range_asked d c = (a, b) -> forall q, ratio_value a <
 Proof.
   intros Hab q Hq. destruct parts as [_ [_ [Hp Hu]]]. unfold unproved in Hu. rewrite Hab in Hu.
   destruct (covered (fun _ => true) a b (pieces c)) eqn:C0; [|discriminate]. simpl in Hu.
-  destruct (covered_sound _ _ _ _ C0 q Hq) as [P [P1 [_ P2]]]. split; [exact (proj1 (piece_sound P (Hp P P1) q P2))|].
+  destruct (covered_sound _ _ _ _ C0 q Hq) as [P [P1 [_ P2]]]. split; [exact (proj1 (piece_sound P again (Hp P P1) q P2))|].
   destruct (asked_most d) as [m|].
   - destruct (covered (at_most_in m) a b (pieces c)) eqn:C1; [|discriminate]. simpl in Hu. split.
     + intros n K. injection K; intros <-. destruct (covered_sound _ _ _ _ C1 q Hq) as [Q [Q1 [Q2 Q3]]].
       unfold at_most_in in Q2.
       destruct (bound Q) as [[U w]|] eqn:E; [|discriminate]. apply N.leb_le in Q2.
-        destruct (piece_sound Q (Hp Q Q1) q Q3) as [_ [UB _]].
+        destruct (piece_sound Q again (Hp Q Q1) q Q3) as [_ [UB _]].
       apply upper_le with (N.to_nat U); [lia | now apply UB with w].
     + intros n K. rewrite K in Hu. destruct (covered (at_least_in n) a b (pieces c)) eqn:C2; [|discriminate].
       destruct (covered_sound _ _ _ _ C2 q Hq) as [Q [Q1 [Q2 Q3]]]. unfold at_least_in in Q2. apply N.leb_le in Q2.
-      apply lower_le with (N.to_nat (attained Q)); [lia | exact (proj2 (proj2 (piece_sound Q (Hp Q Q1) q Q3)))].
+      apply lower_le with (N.to_nat (attained Q)); [lia | exact (proj2 (proj2 (piece_sound Q again (Hp Q Q1) q Q3)))].
   - split; [discriminate|]. intros n K. rewrite K in Hu. destruct (covered (at_least_in n) a b (pieces c)) eqn:C2;
     [|discriminate].
     destruct (covered_sound _ _ _ _ C2 q Hq) as [Q [Q1 [Q2 Q3]]]. unfold at_least_in in Q2. apply N.leb_le in Q2.
-    apply lower_le with (N.to_nat (attained Q)); [lia | exact (proj2 (proj2 (piece_sound Q (Hp Q Q1) q Q3)))].
+    apply lower_le with (N.to_nat (attained Q)); [lia | exact (proj2 (proj2 (piece_sound Q again (Hp Q Q1) q Q3)))].
 Qed.
 
 Lemma greatest_ge l : forall u U, fold_left (fun u P => match u, bound P with Some u, Some (v, _) =>

@@ -2,12 +2,14 @@
 """agreement_test.py PROJECT PROVE DUMBBELL DUMBBELL_VERIFY MUTATION: the checker extracted from the Coq proof and the project's verifier
 have the same verdict on what both can judge, files with the sections turning and full of the scene dumbbell: on the shipped certificates, the
 committed false claims, a sample of all mutants, and on certificates written now. Where the verifier says no, the proved checker must.
+What it decides without a certificate is what `dumbbell certify` finds.
 
-DUMBBELL_PROVE_SCALE (1) times as many fresh certificates, and mutants (up to ten times), and the largest shipped certificate. Two things are
+DUMBBELL_PROVE_SCALE (1) times as many fresh certificates, claims, and mutants (up to ten times), and the largest shipped certificate. Two things are
 done at a time, and PROVE is given many files at once."""
 
 import gzip
 import hashlib
+import json
 import os
 import random
 import re
@@ -192,6 +194,68 @@ class Agreement(unittest.TestCase):
             cover.write_text(sealed(text.splitlines()))
             self.assertEqual([verdict([], path)[0] for path in (below, beyond, cover)], [0, 0, 0])
             self.assertEqual([code for code, _ in proved([], [below, beyond, cover])], [0, 4, 4])
+
+    def decided(self, ratio, *claim):
+        """The exit code without a file, which the line agrees with."""
+        ended = subprocess.run([PROVE, "--ratio", ratio, *map(str, claim)], capture_output=True, text=True, check=False)
+        self.assertEqual((ended.stdout or "s UNREADABLE ").split()[1], {0: "VERIFIED", 1: "REJECTED", 2: "UNREADABLE", 4: "LIMIT"}[ended.returncode])
+        return ended.returncode
+
+    def same_numbers(self, found):
+        """One line of `dumbbell certify --json`: its bounds are theorems by the orbits; of a single ratio no better ones are."""
+        ratio = found["given"]
+        most, least = max(piece["upper"] for piece in found["pieces"]), min(piece["lower"] for piece in found["pieces"])
+        self.assertEqual(self.decided(ratio, "--max", most, "--min", least), 0, found)
+        # One that some motion attains, or that some ratio does not, cannot be made better.
+        if most == max(piece["lower"] for piece in found["pieces"]):
+            self.assertEqual(self.decided(ratio, "--max", most - 1), 1, found)
+        if least == min(piece["upper"] for piece in found["pieces"]):
+            self.assertEqual(self.decided(ratio, "--min", least + 1), 1, found)
+
+    def test_orbits(self):
+        chance = random.Random(50)
+        # The ratios of test_fresh next to a step, and one 1e-40 above one; then any, and ranges.
+        requests = ["4.60333884875166266", "62.713703004982352372", "510.7718505372994119506", "4.6033388487517003525565820291030165130674", "1"]
+        for k in range(24 * SCALE):
+            low = round(10 ** chance.uniform(0, 7 if k % 6 else 3), chance.randrange(6))
+            requests.append(f"{low}" if k % 6 else f"{low}:{low * (1 + 10 ** chance.uniform(-6, -1)):.9f}")
+        listed = subprocess.run([DUMBBELL, "certify", "--json", "--list", "-"], input="\n".join(requests), capture_output=True, text=True, check=True)
+        found = [json.loads(line) for line in listed.stdout.splitlines()]
+        self.assertEqual(len(found), len(requests))
+        with ThreadPoolExecutor(2) as pool:
+            list(pool.map(self.same_numbers, found))
+
+    def test_orbits_at_the_edge(self):
+        """Equal masses, masses exchanged, ratios and numbers beyond all bounds, more collisions than the budget has, what is no claim."""
+        for ratio, claim, code in (("1", "--exactly 2", 0), ("1", "--max 1", 1), ("1", "--min 3", 1), ("1.000000000000000000000001", "--min 3", 0),
+                                   ("1/10", "--exactly 4", 0), ("1:1e6", "--max 887", 0), ("1:1e6", "--max 887 --min 3", 1),
+                                   ("999900:1e6", "--exactly 887", 0), ("1e8", "--exactly 8857", 0), ("1e1000", "--min 5", 0),
+                                   ("1e1000", "--max 5", 1), ("10", "--max " + "9" * 2100, 4), ("1e13", "--exactly 2800491", 4),
+                                   ("10", "--min 0", 0), ("10", "--max 0", 1), ("10", "", 2), ("2:1", "--max 5", 2), ("0", "--max 5", 2)):
+            self.assertEqual(self.decided(ratio, *claim.split()), code, f"{ratio} {claim}")
+        self.assertEqual(subprocess.run([PROVE, "--max", "5"], capture_output=True, check=False).returncode, 2)
+
+    def test_beside(self):
+        """What a file proves is said to be a theorem without it, too."""
+        path = PROJECT / "certificates/stairs-1-100.dbc"
+        for options, said in (([], "two orbits prove the same bounds"), (["--ratio", "10:20", "--max", "9"], "two orbits prove the same bounds")):
+            ended = subprocess.run([PROVE, *options, path], capture_output=True, text=True, check=False)
+            self.assertEqual((ended.returncode, said in ended.stderr), (0, True), ended)
+
+    def test_hard_work(self):
+        """Lines that are too long, trees that are too deep, and work that would take days are refused at once."""
+        lines = (PROJECT / "certificates/q-100.dbc").read_text().splitlines()
+        place = next(k for k, line in enumerate(lines) if line.startswith("count"))
+        first, second = map(int, lines[place].split()[1:])
+        slow = [re.sub("^bits .*", "bits 2048", line) for line in lines]
+        with tempfile.TemporaryDirectory() as folder:
+            path = Path(folder) / "hard.dbc"
+            for changed, code in (([*lines[:place], "count " + "1" * 5000, *lines[place + 1:]], 1),
+                                  ([*lines[:place], *["split e"] * 300000], 1),
+                                  ([*slow[:place], f"count {first + 900000} {second}", *slow[place + 1:]], 4),
+                                  ([*slow[:place], f"count {first - 1} {second}", *slow[place + 1:]], 1)):
+                path.write_text(sealed([*changed, "sha256"]) if changed[-1] == "split e" else sealed(changed))
+                self.assertEqual(proved([], [path])[0][0], code, changed[place][:60])
 
     def test_asked(self):
         """Counts that are asked for have as many digits as the verifier takes."""

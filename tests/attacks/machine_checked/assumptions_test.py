@@ -27,7 +27,7 @@ Lemma positive : 0 < x. Proof. exact Hx. Qed.
 End S.
 Module Count (F : FloatOps with Definition sensible_format := true).
 Module Export Y := Fast F.
-Section S. Variables (a b : R). Context (c : R). Notation "x 'Admitted'" := (x + 0) (at level 9).
+Section S. Variables (a b : R). Context (c : R). Notation r := (a + b). Local Notation k x := (c + x).
 End S.
 End Count.
 Definition admitted' := "Axiom false : False.". Definition Admitted' := 1. Lemma axiom : True. Proof. easy. Qed.
@@ -49,14 +49,33 @@ BAD_SOURCES = [
     "#[bypass_check(universes)] Definition bad := Type.", "#[bypass_check(positivity)] Inductive bad := C (f : bad -> False).",
     "Primitive bad := #int63_add.", 'Load "bad".', 'Declare ML Module "bad".', "(* a comment that does not end",
     '(* a string in it "*) Axiom bad : False.', 'Definition a := "no end.', '(* (* *) "*)" *) Axiom bad : False.',
+    # What would be extracted is not what was proved, or a sentence does not mean what it says.
+    'Extract Constant ratio_le => "fun _ _ -> true".', '#[local] Extract Inlined Constant ratio_le => "fun _ _ -> true".',
+    'Extract Inductive bool => "int" ["0" "1"].', "Extraction Inline ratio_le.", "From Coq Require Import ExtrOcamlZBigInt.",
+    "From Coq Require Import Reals ExtrOcamlBasic.", "Require Extraction.", "From Bad Require Import Reals.", "Require Import Bad.",
+    'Notation "x < y" := True.', 'Section S. Notation "x < y" := (y < x). End S.', "Notation upper_bound := True.", "Local Notation PI := 3.",
+    'Infix "<" := bad.', 'Reserved Notation "x < y".', "Coercion bad : nat >-> R.", "Canonical Structure bad := b.", "Arguments bad _%Z.",
+    "Bind Scope Z_scope with N.", "Implicit Types x : Z.", 'Tactic Notation "exact" := admit_it.', "Delimit Scope Z_scope with R.",
 ]
+GOOD_HEADLINES = """From Coq Require Import Reals.
+From Dumbbell Require Import Statement.
+From Dumbbell Require Maximum Stretch.
+Local Open Scope R_scope.
+Theorem N_exists : forall q : R, 1 <= q ->
+  exists n : nat, N_star q n.
+Proof. exact Maximum.N_exists. Qed.
+"""
+BAD_HEADLINES = ["From Dumbbell Require Import Stretch.", "From Dumbbell Require Export Statement.", "Import Stretch.", "Local Open Scope Z_scope.",
+                 "Definition upper_bound (q : R) (n : nat) := True.", "Section S. End S.", "Module M. End M.", "From Coq Require Import ZArith.",
+                 "Theorem a : True. Proof. auto. Qed."]
 
 AXIOM = "Classical_Prop.classic : forall P : Prop, P \\/ ~ P\n"
 GOOD_SAID = ["Closed under the global context\n", "Axioms:\n" + AXIOM,
              "Axioms:\nClassicalDedekindReals.sig_forall_dec :\n  forall P : nat -> Prop,\n  (forall n : nat, {P n} + {~ P n})\n" + AXIOM,
              "Axioms:\nFunctionalExtensionality.functional_extensionality_dep\n  : forall (A : Type) (B : A -> Type)\n"
              "      (f g : forall x : A, B x),\n    (forall x : A, f x = g x) -> f = g\n" + AXIOM +
-             "PrimInt63.add : Int63.int -> Int63.int -> Int63.int\nPrimFloat.float : Set\n"]
+             "Classical_Prop.classic : True\n"]
+COMPUTED = "Axioms:\n" + AXIOM + "PrimInt63.add : Int63.int -> Int63.int -> Int63.int\nPrimFloat.float : Set\n"
 BAD_SAID = [
     "", "\n", "Axioms:\n", "Axioms:\nbad : False\n", "Axioms:\nbad' : False\n", "Axioms:\n" + AXIOM + "Dumbbell.bad' : False\n",
     "Axioms:\nbad'\n  : False\n", "Axioms:\n" + AXIOM + "bad is assumed to be guarded.\n", "Axioms:\nbad is assumed to be positive.\n",
@@ -113,8 +132,22 @@ class Assumptions(unittest.TestCase):
     def test_source(self):
         self.judge(assumptions.faults_of_source, [GOOD_SOURCE], BAD_SOURCES)
 
+    def test_headlines(self):
+        self.judge(lambda text: assumptions.faults_of_source(text, "Headlines.v"), [GOOD_HEADLINES],
+                   [GOOD_HEADLINES + bad for bad in BAD_HEADLINES])
+
+    def test_listed(self):
+        """The sentences of sentences.txt are allowed in their file, as they stand, and nowhere else."""
+        name = "checker/Extract.v"
+        text = (PROJECT / "proofs/coq" / name).read_text()
+        self.judge(lambda text: assumptions.faults_of_source(text, name), [text],
+                   [text + 'Extract Constant ratio_le => "fun _ _ -> true".\n', text.replace("assert false", "true"),
+                    text.replace("judge ", "judge (* *) ")])
+        self.judge(lambda text: assumptions.faults_of_source(text, "checker/Other.v"), [], [text])
+
     def test_theorem(self):
-        self.judge(assumptions.faults_of_theorem, GOOD_SAID, BAD_SAID)
+        self.judge(assumptions.faults_of_theorem, GOOD_SAID, [*BAD_SAID, COMPUTED])
+        self.judge(lambda text: assumptions.faults_of_theorem(text, "computed "), [*GOOD_SAID, COMPUTED], BAD_SAID)
 
     def test_context(self):
         self.judge(assumptions.faults_of_context, [GOOD_CONTEXT], BAD_CONTEXTS)
@@ -129,7 +162,7 @@ class Assumptions(unittest.TestCase):
     def test_program(self):
         self.assertTrue(self.accepts("sources", PROJECT / "proofs/coq"))
         with tempfile.TemporaryDirectory() as folder:
-            for kind, good, bad in (("theorem", GOOD_SAID[0], BAD_SAID[0]), ("context", GOOD_CONTEXT, BAD_CONTEXTS[0])):
+            for kind, good, bad in (("theorem", GOOD_SAID[0], COMPUTED), ("computed", COMPUTED, BAD_SAID[0]), ("context", GOOD_CONTEXT, BAD_CONTEXTS[0])):
                 for text, is_good in ((good, True), (bad, False)):
                     said = Path(folder) / kind
                     said.write_text(text)

@@ -1,0 +1,31 @@
+(* Claims decided without a certificate, by two orbits: what is found is proved in exact/Decided.v. *)
+open Convert
+
+let settle (lo, hi) most least =
+  C.settle { C.claimed_from = lo; claimed_to = hi; claimed_most = most; claimed_least = least }
+
+let bits v w =
+  let of_numbers = function C.Machine_doubles -> C.Npos (C.XI (C.XO (C.XI (C.XO (C.XI C.XH))))) | C.Bits b -> b in
+  decimal (C.N.max (of_numbers v) (of_numbers w))
+
+let refuted q n reached =
+  Printf.sprintf "s REJECTED code=false N(q) is %s %s at q = %s, by an orbit" (if reached then "at least" else "less than") (decimal n)
+    (Demand.ratio_text q)
+
+(* The verdict on the demand alone. *)
+let examine (o : Demand.t) =
+  let d = o.asked in
+  let range = Option.get d.C.asked_range in
+  match settle range d.C.asked_most d.C.asked_least with
+  | C.True_by (v, w) ->
+    Option.iter (fun folder -> Coq_term.write_claim folder range d.C.asked_most d.C.asked_least v w) o.term;
+    Printf.sprintf "s VERIFIED scene=dumbbell by=orbits bits=%s%s" (bits v w) (Demand.text d)
+  | C.False_at (q, n, reached) -> raise (Ended (1, refuted q n reached))
+  | C.Not_decided -> raise (Ended (4, "s LIMIT an orbit with more than a million collisions, or more bits than the budget allows"))
+
+(* Beside the verdict on a file: does what it proves need the file? *)
+let remark range most least =
+  match settle range most least with
+  | C.True_by _ -> "a theorem without a file, too: two orbits prove the same bounds"
+  | C.Not_decided -> "the orbits do not decide these bounds within their budget"
+  | C.False_at (q, n, reached) -> raise (Ended (1, refuted q n reached ^ ", against this file: please report it"))
