@@ -1,5 +1,5 @@
-# What `cmake --install` installs, in three components: programs (with the pages and the certificates), libraries, and
-# development (headers, and what find_package() finds). The package lies in share/, where find_package() looks whatever
+# What `cmake --install` installs, in components: programs (with the pages and the certificates), libraries, development
+# (headers, and what find_package() and pkg-config find) and, if it is built, python (the module). The package lies in share/, where find_package() looks whatever
 # languages the other project has.
 # Debian's place for libraries also below other prefixes than /usr, for which alone GNUInstallDirs knows it: the packages
 # are made from a build with any prefix.
@@ -33,6 +33,24 @@ install(FILES
   ${PROJECT_SOURCE_DIR}/cmake/dumbbell-config.cmake
   ${PROJECT_SOURCE_DIR}/cmake/dumbbell-proof-check.cmake
   DESTINATION ${package} COMPONENT development)
+
+# pkg-config's files find the prefix from where they lie: it may be another one when they are installed.
+file(RELATIVE_PATH to_prefix /prefix/${CMAKE_INSTALL_LIBDIR}/pkgconfig /prefix)
+string(REGEX REPLACE "/$" "" to_prefix "${to_prefix}")
+foreach(library prove verify)
+  if(TARGET dumbbell_api_${library})
+    configure_file(cmake/dumbbell.pc.in dumbbell-${library}.pc @ONLY)
+    install(FILES ${PROJECT_BINARY_DIR}/dumbbell-${library}.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig
+      COMPONENT development)
+  endif()
+endforeach()
+
+if(TARGET dumbbell_python)
+  set(module lib/python${Python_VERSION_MAJOR}/dist-packages/dumbbell)  # where Debian's Python looks
+  add_dependencies(installable dumbbell_python)
+  install(TARGETS dumbbell_python LIBRARY DESTINATION ${module} COMPONENT python)
+  install(FILES src/python/__init__.py src/python/__init__.pyi src/python/py.typed DESTINATION ${module} COMPONENT python)
+endif()
 
 install(FILES LICENSE README.md CHANGELOG.md CITATION.bib CITATION.cff CONTRIBUTING.md SECURITY.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(DIRECTORY docs proofs DESTINATION ${CMAKE_INSTALL_DOCDIR})

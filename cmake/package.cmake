@@ -1,4 +1,5 @@
-# What `cpack -G DEB` makes of the installed components: dumbbell, libdumbbell0.1 and libdumbbell-dev.
+# What `cpack -G DEB` makes of the installed components: dumbbell, libdumbbell0.1, libdumbbell-dev, and python3-dumbbell if
+# the module is built.
 set(CPACK_GENERATOR DEB)
 set(CPACK_VERBATIM_VARIABLES ON)
 set(CPACK_PACKAGE_NAME dumbbell)
@@ -42,9 +43,30 @@ set(CPACK_DEBIAN_DEVELOPMENT_DESCRIPTION "${about}
 
 This package has the C++ headers, and the CMake package with the programs
 and the libraries.")
+if(TARGET dumbbell_python)
+  list(APPEND CPACK_COMPONENTS_ALL python)
+  math(EXPR next_minor "${Python_VERSION_MINOR} + 1")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-dumbbell)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "python3 (>= 3.${Python_VERSION_MINOR}), python3 (<< 3.${next_minor}), ${interface} ${exactly}")
+  # Compiled when it is installed, as Debian does it; nothing of that stays when it goes.
+  foreach(script postinst:py3compile prerm:py3clean)
+    string(REGEX MATCH "(.*):(.*)" script ${script})
+    file(WRITE ${PROJECT_BINARY_DIR}/${CMAKE_MATCH_1} "#!/bin/sh\nset -e\n"
+      "if command -v ${CMAKE_MATCH_2} > /dev/null 2>&1; then ${CMAKE_MATCH_2} -p python3-dumbbell; fi\n")
+    list(APPEND CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA ${PROJECT_BINARY_DIR}/${CMAKE_MATCH_1})
+  endforeach()
+  set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS ${PROJECT_BINARY_DIR}/src/api)
+  set(CPACK_DEBIAN_PYTHON_DESCRIPTION "${about}
+
+This package has the module for Python.")
+endif()
 
 # Where the script below puts what Debian wants in each package.
 set(CPACK_DUMBBELL_PACKAGES programs dumbbell libraries ${interface} development libdumbbell-dev)
+if(TARGET dumbbell_python)
+  list(APPEND CPACK_DUMBBELL_PACKAGES python python3-dumbbell)
+endif()
 set(CPACK_DUMBBELL_FOLDER ${PROJECT_SOURCE_DIR})
 set(CPACK_PRE_BUILD_SCRIPTS ${PROJECT_SOURCE_DIR}/cmake/debian-files.cmake)
 set(CPACK_PACKAGE_VERSION ${PROJECT_VERSION})

@@ -1,16 +1,13 @@
 #include "dumbbell/trace.hpp"
 
-#include "api/exact_ratio.hpp"
+#include "api/start.hpp"
 #include "api/translate.hpp"
-#include "starts/given_start.hpp"
 #include "starts/trace.hpp"
 
 namespace dumbbell::api {
 inline namespace DUMBBELL_ABI {
 
 namespace {
-
-constexpr int most_digits = 100'000;
 
 Interval given(const starts::TracedValue& x) { return {x.outward.lo(), x.outward.hi()}; }
 
@@ -28,15 +25,11 @@ Collision given(const dumbbell::flight::Collision<starts::TracedValue>& c) {
 
 }  // namespace
 
-Trace trace(const MassRatio& ratio, const InitialCondition& start, int digits) {
+Trace trace(const MassRatio& ratio, const InitialCondition& start, int digits, const Stopped& stopped) {
     return guarded([&] {
-        if (digits < 0 || digits > most_digits) {
-            throw dumbbell::InputError("digits is out of range: give 0 (double precision) to 100000");
-        }
-        const dumbbell::starts::GivenStart read = dumbbell::starts::read_start(
-            {.phi = start.phi, .phidot = start.phidot, .y = start.y, .ydot = start.ydot},
-            exact_ratio(ratio.lo()), exact_ratio(ratio.hi()), "", dumbbell::starts::bits_of_bounds(digits));
-        const dumbbell::starts::Trace traced = dumbbell::starts::trace(read.box, digits);
+        const int bits = dumbbell::starts::bits_of_bounds(checked_digits(digits));
+        const dumbbell::starts::Trace traced =
+            dumbbell::starts::trace(start_of(ratio, start, bits), digits, nobody, stopped ? stopped : never);
         Trace result{.least = traced.least, .most = traced.most, .collisions = {}};
         for (const auto& collision : traced.collisions) {
             result.collisions.push_back(given(collision));

@@ -3,7 +3,9 @@
 #include <stdexcept>
 #include <system_error>
 
+#include "api/memory_file.hpp"
 #include "api/stack.hpp"
+#include "verify/input/bytes.hpp"
 #include "verify/machine/environment.hpp"
 #include "verify/program/claim_options.hpp"
 #include "verify/program/examine.hpp"
@@ -13,12 +15,36 @@ namespace dumbbell::api {
 inline namespace DUMBBELL_ABI {
 namespace {
 
+/// The bytes of a file, until the caller wants no more.
+class StoppableBytes : public dumbbell_verify::Source {
+  public:
+    StoppableBytes(std::string path, const Stopped& stopped) : path_(std::move(path)), stopped_(stopped) {}
+
+    std::string_view next(std::uint64_t line) override {
+        if (stopped_ && stopped_()) {
+            throw dumbbell_verify::Failure{dumbbell_verify::Verdict::limit, line, "limit", "it was stopped"};
+        }
+        return (bytes_ ? *bytes_ : bytes_.emplace(path_)).next(line);
+    }
+    [[nodiscard]] std::string foreign(std::string_view line, bool is_first) const override {
+        return dumbbell_verify::foreign_text(line, is_first);
+    }
+
+  private:
+    std::string path_;
+    const Stopped& stopped_;
+    std::optional<dumbbell_verify::Bytes> bytes_;  ///< opened when the first are wanted
+};
+
 dumbbell_verify::Job job_of(const std::string& file, const Claim& claim, unsigned jobs,
                             const std::string& budget) {
     if (jobs < 1 || jobs > 1024) {
         throw std::invalid_argument("jobs is out of range: give a number of threads from 1 to 1024");
     }
-    std::vector<std::string> options{"--claim", "collisions", "--ratio", claim.ratio};
+    std::vector<std::string> options{"--claim", claim.kind};
+    if (!claim.ratio.empty() || claim.kind == "collisions") {
+        options.insert(options.end(), {"--ratio", claim.ratio});
+    }
     if (claim.most) {
         options.insert(options.end(), {"--max", std::to_string(*claim.most)});
     }
@@ -57,11 +83,14 @@ Verdict given(dumbbell_verify::Verdict verdict) {
 
 }  // namespace
 
-Verification verify(const std::string& file, const Claim& claim, unsigned jobs, const std::string& budget) {
+Verification verify(const std::string& file, const Claim& claim, unsigned jobs, const std::string& budget,
+                    const Stopped& stopped) {
     Verification verification;
     const auto work = [&] {
         const dumbbell_verify::DefaultEnvironment environment;
-        const dumbbell_verify::Job job = job_of(file, claim, jobs, budget);
+        dumbbell_verify::Job job = job_of(file, claim, jobs, budget);
+        StoppableBytes bytes(file, stopped);
+        job.bytes = &bytes;
         const dumbbell_verify::Result result = examine(job);
         verification = {given(result.why.verdict), result_text(result), result.proof.digest};
     };
@@ -71,6 +100,14 @@ Verification verify(const std::string& file, const Claim& claim, unsigned jobs, 
         return {Verdict::limit, error.what(), ""};
     }
     return verification;
+}
+
+Verification verify_text(std::string_view text, const Claim& claim, unsigned jobs, const std::string& budget,
+                         const Stopped& stopped) try {
+    const MemoryFile file(text);
+    return verify(file.path(), claim, jobs, budget, stopped);
+} catch (const std::system_error& error) {
+    return {Verdict::limit, error.what(), ""};
 }
 
 }  // namespace DUMBBELL_ABI

@@ -3,21 +3,29 @@
 #include <algorithm>
 #include <chrono>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "dumbbell/mass_ratio.hpp"
+#include "dumbbell/stopped.hpp"
 
 /// Proofs of the greatest number of floor collisions, N(q), as certificates that dumbbell/verify.hpp
 /// re-checks.
 namespace dumbbell::api {
 inline namespace DUMBBELL_ABI {
 
+/// What a certificate covers: the turning collisions and the contacts with the bridge, or all collision
+/// states (`plain`: without monotonicity), up to ratios of about 1000. N(q) is the same.
+enum class Section { turning, full, plain };
+
 struct CertifyOptions {
     std::string gap = "1e-6";  ///< ranges: relative width of the gap around a critical ratio, 1e-300 to 0.01
     int jobs = 1;              ///< threads, 1 to 1024; the result does not depend on it
     std::optional<std::chrono::duration<double>> budget =
         std::nullopt;  ///< what is not decided by then is left open
+    Section section = Section::turning;
+    Stopped stopped = {};
 };
 
 /// For every mass ratio q of [lo, hi] (fractions, as MassRatio::lo()): least <= N(q) and, if given, N(q) <=
@@ -38,6 +46,11 @@ struct Proof {
     [[nodiscard]] bool complete() const {
         return std::ranges::all_of(pieces, [](const Piece& piece) { return piece.most.has_value(); });
     }
+    /// For every ratio of all pieces: least() <= N(q) <= most(). Precondition: there are pieces.
+    [[nodiscard]] long least() const { return std::ranges::min(pieces, {}, &Piece::least).least; }
+    [[nodiscard]] std::optional<long> most() const {
+        return complete() ? std::ranges::max(pieces, {}, &Piece::most).most : std::nullopt;
+    }
 };
 
 /// Proves the maximum for one mass ratio, or for every one of a range. What it claims rests on the
@@ -45,6 +58,10 @@ struct Proof {
 /// steps, or a maximum beyond 2^63.
 [[nodiscard]] [[gnu::visibility("default")]] Proof certify(const MassRatio& ratio,
                                                            const CertifyOptions& options = {});
+
+/// The same for each of many, in their order: `jobs` threads share them out.
+[[nodiscard]] [[gnu::visibility("default")]] std::vector<Proof> certify_many(
+    std::span<const MassRatio> ratios, const CertifyOptions& options = {});
 
 /// Writes the certificate to a file, gzip-compressed if its name ends in `.gz`; the file appears complete or
 /// not at all. Throws InputError, naming the file and the cause, if it cannot be written.

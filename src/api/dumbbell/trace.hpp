@@ -6,6 +6,7 @@
 
 #include "dumbbell/interval.hpp"
 #include "dumbbell/mass_ratio.hpp"
+#include "dumbbell/stopped.hpp"
 
 namespace dumbbell::api {
 inline namespace DUMBBELL_ABI {
@@ -38,12 +39,13 @@ struct Trace {
 };
 
 /// Follows the orbits through all their collisions. digits = 0 computes in double precision, otherwise with a
-/// precision for this number of decimal digits, which decides more.
+/// precision for this number of decimal digits, which decides more. Stopped, it knows the collisions so far.
 ///
 /// Throws InputError, naming the quantity, for what is no number, a mass below the floor, a dumbbell at rest,
 /// values absurdly large, and digits outside [0, 100000].
 [[nodiscard]] [[gnu::visibility("default")]] Trace trace(const MassRatio& ratio,
-                                                         const InitialCondition& start, int digits = 0);
+                                                         const InitialCondition& start, int digits = 0,
+                                                         const Stopped& stopped = {});
 
 }  // namespace DUMBBELL_ABI
 }  // namespace dumbbell::api

@@ -3,8 +3,9 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 
-#include "dumbbell/abi.hpp"
+#include "dumbbell/stopped.hpp"
 
 /// The independent verifier: it shares no code with the prover of dumbbell/certify.hpp.
 namespace dumbbell::api {
@@ -12,10 +13,13 @@ inline namespace DUMBBELL_ABI {
 
 /// What a certificate has to prove: for every mass ratio of `ratio` (`10`, `9/2`, `1:100`) no trajectory has
 /// more than `most` collisions, and some trajectory has `least`. Of neither: any bound for all of `ratio`.
+/// Of another `kind` (initial-conditions, incoming, law and so on, as for `dumbbell-verify --claim`) what it
+/// says there; `ratio` may be empty then.
 struct Claim {
     std::string ratio;
     std::optional<std::uint64_t> most = std::nullopt;
     std::optional<std::uint64_t> least = std::nullopt;
+    std::string kind = "collisions";
 };
 
 enum class Verdict {
@@ -23,7 +27,7 @@ enum class Verdict {
     rejected,     ///< the file is wrong or damaged, or does not prove the claim
     unsupported,  ///< another format version, claim kind, scene, section or lemma set
     unreadable,   ///< there is no such file
-    limit,        ///< it needs more work, memory, threads or precision than it may have
+    limit,        ///< it needs more work, memory, threads or precision than it may have; or it was stopped
     open          ///< all that the file says is certified, but it bounds nothing, and no bound was asked for
 };
 
@@ -41,7 +45,14 @@ struct Verification {
 /// with a message that says what to do, if the claim is none: no mass ratio, jobs = 0.
 [[nodiscard]] [[gnu::visibility("default")]] Verification verify(const std::string& file, const Claim& claim,
                                                                  unsigned jobs = 1,
-                                                                 const std::string& budget = "30s");
+                                                                 const std::string& budget = "30s",
+                                                                 const Stopped& stopped = {});
+
+/// The same of a text in memory: what the file would hold, plain or gzip-compressed.
+[[nodiscard]] [[gnu::visibility("default")]] Verification verify_text(std::string_view text,
+                                                                      const Claim& claim, unsigned jobs = 1,
+                                                                      const std::string& budget = "30s",
+                                                                      const Stopped& stopped = {});
 
 }  // namespace DUMBBELL_ABI
 }  // namespace dumbbell::api

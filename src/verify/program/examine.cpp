@@ -38,7 +38,7 @@ Result examine(const Job& job) {
     Result result;
     result.job = &job;
     try {
-        result.proof = verify(job.file, settings);
+        result.proof = job.bytes ? verify(*job.bytes, settings) : verify(job.file, settings);
         if (!settings.explain.empty() && !result.proof.explained)
             result.why = {Verdict::unreadable, 0, "usage",
                           "there is no leaf " + settings.explain + "; " + trees(result.proof)};

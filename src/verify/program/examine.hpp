@@ -13,6 +13,7 @@ namespace dumbbell_verify {
 struct Job {
     std::string file;
     Settings settings;
+    Source* bytes = nullptr;  ///< of the file, where they are not read by its name
 };
 
 struct Result {

@@ -57,6 +57,10 @@ Verified read_on(Text& text, const Settings& settings, const Header& header) {
 
 Verified verify(const std::string& path, const Settings& settings) {
     Bytes bytes(path);
+    return verify(bytes, settings);
+}
+
+Verified verify(Source& bytes, const Settings& settings) {
     Text text(bytes, settings.budget);
     const Header header = header_of(text);
     try {

@@ -39,6 +39,7 @@ struct Verified : Proof {
 /// Returns only if all that the file and the demand say is certified; else throws the Failure of the least
 /// line. With `together` the demand itself is left to the caller, and only files of the kind `collisions` may
 /// be asked for.
+Verified verify(Source& bytes, const Settings& settings);
 Verified verify(const std::string& path, const Settings& settings);
 
 }  // namespace dumbbell_verify

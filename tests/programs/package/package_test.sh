@@ -142,6 +142,14 @@ expect "it runs" is "$code" 0
 expect "it encloses a bounce" has "$out" "hits the other wall at [0.279"
 expect "it proves, and the verifier agrees" has "$out" "verified: scene=dumbbell ratio=10/1:10/1 upper=4 lower=4 "
 expect "its certificate is the shipped one" cmp -s "$scratch/ten.dbc" "$root/certificates/q-10.dbc"
+if command -v pkg-config > /dev/null; then
+    libraries=$(find "$prefix" -name pkgconfig)
+    run env PKG_CONFIG_PATH="$libraries" pkg-config --cflags --libs dumbbell-prove dumbbell-verify
+    expect "pkg-config finds the libraries" is "$code" 0
+    # A path with a space comes with a backslash.
+    run bash -c "$(cached CMAKE_CXX_COMPILER) $flags -std=c++20 '$user/bounce.cpp' -o bounce $out '-Wl,-rpath,${libraries%/*}' && ./bounce"
+    expect "a program compiled with what it says proves" has "$out" "verified: scene=dumbbell ratio=10/1:10/1"
+fi
 for header in "$prefix"/include/dumbbell/*.hpp; do
     run "$(cached CMAKE_CXX_COMPILER)" -std=c++20 -fsyntax-only -x c++ "-I$prefix/include" "$header"
     expect "${header##*/} stands by itself" is "$code" 0

@@ -168,6 +168,8 @@ run_in "$project" ./run build more
 expect "build: no arguments" is "$code" 2
 run_in "$project" ./run package now
 expect "package takes no arguments" is "$code" 2
+run_in "$project" ./run python now
+expect "python takes no arguments" is "$code" 2
 run_in "$project" ./run static sparc
 expect "static: for this machine, or aarch64" is "$code$err" "2run: static makes the verifier for this machine, or for aarch64"
 run_in "$project" ./run release

@@ -35,5 +35,8 @@ certify|save(Proof{}, "")
 certify|MassRatio* q = nullptr; (void)certify(*q, {})
 trace|MassRatio* q = nullptr; (void)trace(*q, {})
 verify|(void)verify("", {})
+critical|(void)critical(4)
+law|MassRatio* q = nullptr; (void)law(*q)
+starts|MassRatio* q = nullptr; (void)certify_incoming(*q)
 CALLS
 exit $((failures > 0))

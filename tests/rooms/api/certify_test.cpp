@@ -53,6 +53,43 @@ TEST_CASE("A certificate is saved, plain or compressed, or the reason is said") 
     CHECK_THROWS_AS(save(proof, folder / "none/ten.dbc"), InputError);
 }
 
+TEST_CASE("Many ratios: each has the proof that it has alone") {
+    const std::vector<MassRatio> ratios{MassRatio("10"), MassRatio("9/2:12"), MassRatio("1e6")};
+    for (const int jobs : {1, 3}) {
+        const auto proofs = certify_many(ratios, {.jobs = jobs});
+        REQUIRE(proofs.size() == ratios.size());
+        for (std::size_t i = 0; i < ratios.size(); ++i) {
+            CHECK(proofs[i].certificate == certify(ratios[i]).certificate);
+        }
+    }
+    CHECK(certify_many({}).empty());
+    CHECK_THROWS_AS(certify_many(ratios, {.jobs = 0}), InputError);
+}
+
+TEST_CASE("Bounds of a range are those of all its pieces") {
+    const Proof proof = certify(MassRatio("1:100"));
+    CHECK(proof.least() == 2);
+    CHECK(proof.most() == 10);
+}
+
+TEST_CASE("All collision states may be covered, with the same maximum") {
+    const Proof full = certify(MassRatio("10"), {.section = Section::full});
+    CHECK(full.most() == 4);
+    CHECK(full.least() == 4);
+    CHECK_THAT(full.certificate, Contains("section full\n"));
+    CHECK_THAT(certify(MassRatio("2"), {.section = Section::plain}).certificate,
+               Contains("lemmas minimal\n"));
+}
+
+TEST_CASE("Who has enough gets what is decided, and nobody else is stopped") {
+    int asked = 0;
+    const auto stopped = [&] { return ++asked > 0; };
+    CHECK(!certify(MassRatio("1:1000000"), {.stopped = stopped}).complete());
+    CHECK(asked > 0);
+    CHECK(certify(MassRatio("1:20")).complete());
+    CHECK(!certify_many(std::vector{MassRatio("10"), MassRatio("20")}, {.stopped = stopped})[1].complete());
+}
+
 TEST_CASE("Options out of range are refused") {
     const MassRatio ten("10");
     for (const char* gap : {"0", "-1", "0.011", "", "nan"}) {

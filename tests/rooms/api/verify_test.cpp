@@ -72,3 +72,29 @@ TEST_CASE("A claim that is none is refused, never verified") {
     }
     CHECK_THROWS_AS(verify(ten, {.ratio = "10", .most = 4}, 0), std::invalid_argument);
 }
+
+TEST_CASE("A text in memory is verified as a file is, plain or compressed") {
+    const TemporaryFolder folder;
+    const Proof proof = certify(MassRatio("10"));
+    const Claim claim{.ratio = "10", .most = 4, .least = 4};
+    save(proof, folder / "ten.dbc.gz");
+    for (const std::string& text : {proof.certificate, dumbbell_test::contents(folder / "ten.dbc.gz")}) {
+        const Verification result = verify_text(text, claim);
+        CHECK(result);
+        CHECK(result.text == verify(ten, claim).text);
+    }
+    CHECK(verify_text("", claim).verdict == Verdict::rejected);
+    CHECK(verify_text(proof.certificate, {.ratio = "10", .most = 3}).verdict == Verdict::rejected);
+}
+
+TEST_CASE("Claims of other kinds have their names") {
+    CHECK(verify(ten, {.ratio = "10", .kind = "law"}).verdict == Verdict::rejected);
+    CHECK(!verify(DUMBBELL_CERTIFICATES "/law.dbc.gz", {.ratio = "10"}));
+    CHECK_THROWS_AS(verify(ten, {.ratio = "10", .kind = "lore"}), std::invalid_argument);
+}
+
+TEST_CASE("Who has enough verifies nothing") {
+    const Verification result = verify(ten, {.ratio = "10"}, 1, "30s", [] { return true; });
+    CHECK(result.verdict == Verdict::limit);
+    CHECK_THAT(result.text, Contains("stopped"));
+}

@@ -1,0 +1,34 @@
+#include "dumbbell/law.hpp"
+
+#include "api/law_certificate.hpp"
+#include "api/memory_file.hpp"
+#include "api/single_ratio.hpp"
+#include "api/translate.hpp"
+#include "file/sealed_lines.hpp"
+#include "law/at_ratio.hpp"
+
+namespace dumbbell::api {
+inline namespace DUMBBELL_ABI {
+namespace {
+
+const std::vector<law::StepEnds>& proved_steps() {
+    static const std::vector<law::StepEnds> steps = [] {
+        const MemoryFile file(law_certificate());
+        require(sealed_digest(file.path()) == law::certificate_sha256,
+                "the certificate in the library is not that of the law");
+        return law::read_steps(file.path());
+    }();
+    return steps;
+}
+
+}  // namespace
+
+Law law(const MassRatio& ratio) {
+    return guarded([&]() -> Law {
+        const auto at = dumbbell::law::law_at(single_ratio(ratio, "the law"), proved_steps());
+        return {at.lower.str(), at.upper.str(), at.step.str(), {at.past.lo(), at.past.hi()}};
+    });
+}
+
+}  // namespace DUMBBELL_ABI
+}  // namespace dumbbell::api

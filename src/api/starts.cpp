@@ -1,0 +1,79 @@
+#include "dumbbell/starts.hpp"
+
+#include <algorithm>
+
+#include "api/caller_stops.hpp"
+#include "api/jobs.hpp"
+#include "api/single_ratio.hpp"
+#include "api/start.hpp"
+#include "api/translate.hpp"
+#include "starts/incoming.hpp"
+#include "starts/mean.hpp"
+#include "starts/shares.hpp"
+#include "starts/subdivide.hpp"
+#include "starts/trace.hpp"
+#include "starts/writer.hpp"
+
+namespace dumbbell::api {
+inline namespace DUMBBELL_ABI {
+namespace {
+
+/// Of a certificate, and of the bounds of an irrational angle in it: no line is too long for a verifier.
+constexpr int most_bits = 4096, most_angle_bits = 3000;
+
+void add_shares(StartsProof& proof, const starts::PackedTree& tree) {
+    for (const starts::ShareBounds& share : share_bounds(tree)) {
+        proof.shares.push_back({share.least, share.most, to_fraction(share.lo), to_fraction(share.hi)});
+    }
+    const starts::MeanBounds mean = mean_bounds(tree);
+    proof.mean_lo = to_fraction(mean.lo);
+    proof.mean_hi = mean.hi ? std::optional(to_fraction(*mean.hi)) : std::nullopt;
+}
+
+StartsProof proof_of(const starts::Box& box, bool incoming, const StartsOptions& options) {
+    if (options.boxes < 1 || options.boxes > 10'000'000) {
+        throw dumbbell::InputError("boxes is out of range: give 1 to 10000000");
+    }
+    const int bits = incoming ? double_bits : std::min(starts::working_bits(options.digits), most_bits);
+    const CallerStops stops(options.stopped);
+    const starts::Subdivision parts =
+        subdivide(box, starts::SubdivideOptions{.max_boxes = options.boxes,
+                                                .jobs = checked_jobs(options.jobs),
+                                                .incoming = incoming,
+                                                .bits = bits,
+                                                .interrupted = deadline(options.budget)});
+    StartsProof proof;
+    proof.least = parts.least;
+    proof.most = parts.most;
+    proof.undecided = to_fraction(parts.undecided.share);
+    add_shares(proof, parts.tree);
+    const starts::Certificate frame{.box = box, .bits = parts.bits, .tree = {}, .incoming = incoming};
+    proof.sha256 = render(frame, parts.tree, [&](std::string_view part) { proof.certificate.append(part); });
+    return proof;
+}
+
+}  // namespace
+
+StartsProof certify_starts(const MassRatio& ratio, const InitialCondition& box,
+                           const StartsOptions& options) {
+    return guarded([&] {
+        const int bits = std::min(starts::bits_of_bounds(checked_digits(options.digits)), most_angle_bits);
+        return proof_of(start_of(ratio, box, bits), false, options);
+    });
+}
+
+StartsProof certify_incoming(const MassRatio& ratio, const StartsOptions& options) {
+    return guarded([&] {
+        return proof_of(starts::incoming_box(single_ratio(ratio, "certify_incoming")), true, options);
+    });
+}
+
+Interval mean_collisions(const MassRatio& ratio) {
+    return guarded([&]() -> Interval {
+        const starts::ExactMean mean = starts::exact_mean(single_ratio(ratio, "mean_collisions"));
+        return {mean.all.lo(), mean.all.hi()};
+    });
+}
+
+}  // namespace DUMBBELL_ABI
+}  // namespace dumbbell::api
