@@ -123,7 +123,8 @@ Onward plain_collision(const PlainRay<I>& ray, const I& r, PlainDeparture<I>& ne
                                                  : Onward::may_return;
 }
 
-/// The later collisions in all, if this one ends them, after `count` others; nothing is known of the undecided.
+/// The later collisions in all, if this one ends them, after `count` others; nothing is known of the
+/// undecided.
 inline std::optional<long> ended(Onward onward, long count, long cap) {
     switch (onward) {
         case Onward::misses:
