@@ -1,6 +1,6 @@
 // std::bit_cast, which emscripten's library of C++ lacks.
 #pragma once
-#include <version>
+#include <bit>
 #ifndef __cpp_lib_bit_cast
 namespace std {
 template <class To, class From>
